@@ -1,0 +1,9 @@
+//! Seastate: an ocean you can believe.
+//!
+//! Conventions, stated once:
+//! - World axes: right-handed, +x east, +y up, -z north; metres, seconds, radians, unless a name says otherwise.
+//! - `dir` is where the wind comes from, degrees clockwise from north; the waves run the other way.
+//! - S(omega) is the one-sided variance density of the elevation, m^2 s; its integral is m0, and Hs = 4 sqrt(m0).
+//! - Light is linear until the last shader; depth is reverse-Z.
+
+pub mod model;

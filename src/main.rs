@@ -1,0 +1,2 @@
+//! seastate
+fn main() {}

@@ -1,0 +1,92 @@
+//! The camera: from bearing and pitch to matrices. Reverse-Z, infinite far plane, looking along -z in view space.
+
+use super::params::Camera;
+use glam::{DMat4, DVec3, DVec4};
+
+/// Mean radius of the Earth, m.
+pub const EARTH_RADIUS_M: f64 = 6_371_000.0;
+/// Distance of the near plane, m.
+const NEAR_M: f64 = 0.1;
+
+/// A camera, ready to draw with. Everything drawn is relative to the eye, so that f32 suffices far from the origin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Position of the eye in the world, m.
+    pub eye: DVec3,
+    /// Unit vector to the right of the picture.
+    pub right: DVec3,
+    /// Unit vector to its top.
+    pub up: DVec3,
+    /// Unit vector into it.
+    pub forward: DVec3,
+    /// Tangent of half the horizontal and vertical fields of view.
+    pub tan_half: [f64; 2],
+}
+
+impl View {
+    /// The view of a camera into a picture of `aspect` = width / height; the eye is kept at least `lowest_m` high.
+    pub fn new(camera: &Camera, aspect: f64, lowest_m: f64) -> Self {
+        let (heading, pitch) = (camera.heading_deg.to_radians(), camera.pitch_deg.to_radians());
+        let forward = DVec3::new(heading.sin() * pitch.cos(), pitch.sin(), -heading.cos() * pitch.cos());
+        let right = DVec3::new(heading.cos(), 0.0, heading.sin());
+        let tan_y = (0.5 * camera.fov_deg.to_radians()).tan();
+        Self {
+            eye: DVec3::new(camera.x_m, camera.y_m.max(lowest_m), camera.z_m),
+            right,
+            up: right.cross(forward),
+            forward,
+            tan_half: [tan_y * aspect, tan_y],
+        }
+    }
+
+    /// Clip coordinates from positions relative to the eye.
+    pub fn clip_from_relative(&self) -> DMat4 {
+        let view = DMat4::from_cols(
+            DVec4::new(self.right.x, self.up.x, -self.forward.x, 0.0),
+            DVec4::new(self.right.y, self.up.y, -self.forward.y, 0.0),
+            DVec4::new(self.right.z, self.up.z, -self.forward.z, 0.0),
+            DVec4::W,
+        );
+        let [tx, ty] = self.tan_half;
+        // Depth = near / distance: 1 at the near plane, 0 at infinity.
+        let clip = DMat4::from_cols(
+            DVec4::new(1.0 / tx, 0.0, 0.0, 0.0),
+            DVec4::new(0.0, 1.0 / ty, 0.0, 0.0),
+            DVec4::new(0.0, 0.0, 0.0, -1.0),
+            DVec4::new(0.0, 0.0, NEAR_M, 0.0),
+        );
+        clip * view
+    }
+
+    /// Unit vector through a point of the picture, (-1, -1) bottom left to (1, 1) top right.
+    pub fn ray(&self, x: f64, y: f64) -> DVec3 {
+        (self.forward + self.right * (x * self.tan_half[0]) + self.up * (y * self.tan_half[1])).normalize()
+    }
+
+    /// Distance to the horizon over the curved Earth, m.
+    pub fn horizon_m(&self) -> f64 {
+        (2.0 * EARTH_RADIUS_M * self.eye.y.max(0.0)).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn north_is_minus_z_and_up_is_up() {
+        let view = View::new(&Camera { heading_deg: 0.0, pitch_deg: 0.0, ..Camera::default() }, 1.5, 0.0);
+        let ahead = view.clip_from_relative() * DVec4::new(0.0, 1.0, -10.0, 1.0);
+        assert!(ahead.w > 0.0 && ahead.y > 0.0 && ahead.x.abs() < 1e-12);
+        let east = view.clip_from_relative() * DVec4::new(1.0, 0.0, -10.0, 1.0);
+        assert!(east.x > 0.0);
+        assert!((ahead.z / ahead.w - 0.01).abs() < 1e-12, "reverse-Z: near / distance");
+    }
+
+    #[test]
+    fn rays_agree_with_the_matrix() {
+        let view = View::new(&Camera { heading_deg: 77.0, pitch_deg: -20.0, ..Camera::default() }, 1.7, 0.0);
+        let p = view.clip_from_relative() * view.ray(0.3, -0.6).extend(1.0);
+        assert!((p.x / p.w - 0.3).abs() < 1e-12 && (p.y / p.w + 0.6).abs() < 1e-12);
+    }
+}

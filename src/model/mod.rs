@@ -1,0 +1,19 @@
+//! The physics and the state, once, in f64: no wgpu, no egui, no browser.
+//!
+//! Everything here is a pure function of [`Params`], so that it can be tested, quoted and reused by itself.
+
+pub mod camera;
+pub mod dispersion;
+pub mod fields;
+pub mod noise;
+pub mod params;
+pub mod plan;
+pub mod quadrature;
+pub mod query;
+pub mod spectra;
+pub mod spreading;
+pub mod statistics;
+pub mod table;
+
+pub use params::Params;
+pub use plan::Plan;

@@ -1,0 +1,132 @@
+//! The state string: one query string that holds all shareable state.
+//!
+//! `wind=14&fetch=300&seed=7&t=40` is the URL on the web, the argument of the desktop program and of every command.
+//! Reading never fails: what cannot be taken becomes a notice. Only values that differ from the default are written.
+
+use super::fields::{self, FIELDS, Refusal};
+use super::params::Params;
+
+/// Longest state string that is read; the rest is ignored with a notice.
+pub const MAX_BYTES: usize = 16 * 1024;
+const MAX_NOTICES: usize = 24;
+const MAX_SHOWN: usize = 40;
+
+/// Reads a state string, with or without a leading `?`, or a whole pasted URL. Returns the parameters and one notice
+/// for each thing that was not taken as written.
+pub fn parse(text: &str) -> (Params, Vec<String>) {
+    let mut params = Params::default();
+    let mut notices = Vec::new();
+    let mut seen: Vec<&str> = Vec::new();
+    let mut query = query_part(text);
+    if query.len() > MAX_BYTES {
+        let end = (0..=MAX_BYTES).rev().find(|&i| query.is_char_boundary(i)).unwrap_or(0);
+        query = &query[..end];
+        notices.push(format!("the state string is longer than {MAX_BYTES} bytes: the rest was ignored"));
+    }
+    for (key, value) in form_urlencoded::parse(query.as_bytes()) {
+        let Some(field) = fields::find(&key) else {
+            notices.push(format!("unknown key \"{}\" ignored", shown(&key)));
+            continue;
+        };
+        if seen.contains(&field.key) {
+            notices.push(format!("{} appears more than once: the last one counts", field.key));
+        }
+        seen.push(field.key);
+        match field.parse(&value) {
+            Ok(v) => (field.set)(&mut params, v),
+            Err(Refusal::Ignored) => {
+                notices.push(format!("{}={} is not one of: {}", field.key, shown(&value), field.range()));
+            }
+            Err(Refusal::Clamped(v)) => {
+                (field.set)(&mut params, v);
+                notices.push(format!(
+                    "{}={} is outside {}: {} taken",
+                    field.key,
+                    shown(&value),
+                    field.range(),
+                    field.format(v)
+                ));
+            }
+        }
+    }
+    if notices.len() > MAX_NOTICES {
+        let more = notices.len() - MAX_NOTICES;
+        notices.truncate(MAX_NOTICES);
+        notices.push(format!("and {more} more"));
+    }
+    (params, notices)
+}
+
+/// Writes the values that differ from the default, in the order of [`FIELDS`], percent-encoded, without a `?`.
+pub fn write(params: &Params) -> String {
+    let defaults = Params::default();
+    let mut out = form_urlencoded::Serializer::new(String::new());
+    for field in FIELDS {
+        let value = (field.get)(params);
+        if value != (field.get)(&defaults) {
+            out.append_pair(field.key, &field.format(value));
+        }
+    }
+    out.finish()
+}
+
+/// What stands between `?` and `#` of a URL; a bare state string as it is.
+fn query_part(text: &str) -> &str {
+    let text = text.trim();
+    let text = text.split('#').next().unwrap_or_default();
+    match text.split_once('?') {
+        Some((_, query)) => query,
+        None if text.contains("://") => "",
+        None => text,
+    }
+}
+
+fn shown(text: &str) -> String {
+    let mut short: String = text.chars().filter(|c| !c.is_control()).take(MAX_SHOWN).collect();
+    if text.chars().count() > MAX_SHOWN {
+        short.push('…');
+    }
+    short
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn defaults_write_nothing() {
+        assert_eq!(write(&Params::default()), "");
+        assert_eq!(parse(""), (Params::default(), vec![]));
+    }
+
+    #[test]
+    fn a_pasted_url_is_read() {
+        for text in ["wind=14&fetch=300", "?wind=14&fetch=300", "https://example.org/sea/?wind=14&fetch=300#top"] {
+            let (p, notices) = parse(text);
+            assert_eq!((p.sea.wind_m_s, p.sea.fetch_km, notices.len()), (14.0, 300.0, 0), "{text}");
+            assert_eq!(write(&p), "wind=14&fetch=300");
+        }
+        assert_eq!(parse("https://example.org/").1.len(), 0);
+    }
+
+    #[test]
+    fn bad_values_become_notices() {
+        let (p, notices) = parse("wind=NaN&fetch=-3&spectrum=nonsense&colour=red&seed=4294967296&wind=200");
+        assert_eq!(p.sea.wind_m_s, 60.0);
+        assert_eq!(p.sea.fetch_km, 0.5);
+        assert_eq!(p.sea.seed, u32::MAX);
+        assert_eq!(notices.len(), 7, "{notices:?}");
+    }
+
+    #[test]
+    fn percent_encoding_is_read() {
+        let (p, notices) = parse("%77ind=%31%34&spread=donelan%2Dbanner");
+        assert_eq!((p.sea.wind_m_s, notices.len()), (14.0, 0));
+    }
+
+    #[test]
+    fn directions_wrap_without_a_notice() {
+        assert_eq!(parse("dir=-90"), (parse("dir=270").0, vec![]));
+        assert_eq!(parse("dir=720").0.sea.from_deg, 0.0);
+    }
+}
