@@ -100,7 +100,7 @@ impl Lobe {
         }
         // The last knot grades towards theta = pi, where cos^{2s} with a small s has no derivative.
         let width = self.width().min(0.9 * PI);
-        1.0 / (2.0 * gauss_legendre(|theta| self.shape(theta), &[0.0, 0.4 * width, width, PI - 0.05, PI]))
+        1.0 / (2.0 * gauss_legendre(|theta| self.shape(theta), &[0.0, 0.4 * width, width, PI - 0.1, PI - 0.005, PI]))
     }
 
     /// D(theta), per rad.
