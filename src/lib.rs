@@ -6,4 +6,6 @@
 //! - S(omega) is the one-sided variance density of the elevation, m^2 s; its integral is m0, and Hs = 4 sqrt(m0).
 //! - Light is linear until the last shader; depth is reverse-Z.
 
+pub mod gpu;
 pub mod model;
+pub mod sim;
