@@ -6,6 +6,10 @@
 //! - S(omega) is the one-sided variance density of the elevation, m^2 s; its integral is m0, and Hs = 4 sqrt(m0).
 //! - Light is linear until the last shader; depth is reverse-Z.
 
+#[cfg(not(target_arch = "wasm32"))]
+pub mod cli;
 pub mod gpu;
 pub mod model;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod oracle;
 pub mod sim;

@@ -76,6 +76,11 @@ impl FoamClock {
         steps
     }
 
+    /// Whether the foam has come to `t_s`.
+    pub fn is_at(&self, t_s: f64) -> bool {
+        self.replay.is_empty() && self.at_s == Some(t_s)
+    }
+
     /// The levels around `centre` (world x, z).
     pub fn levels(&self, centre: [f64; 2]) -> Vec<FoamLevel> {
         let half = f64::from(self.size / 2);

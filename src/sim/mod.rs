@@ -20,8 +20,10 @@ use foam::FoamClock;
 use passes::Passes;
 use resources::Resources;
 
-/// Evaluations of the sea that one submission may hold.
-pub const MAX_STEPS: usize = foam::REPLAY_STEPS + 1;
+/// Evaluations of the sea with foam that one submission may hold.
+pub const MAX_STEPS: usize = foam::REPLAY_STEPS;
+/// Uniforms of a submission: those, the spectrum's, and one evaluation without foam.
+const SLOTS: usize = MAX_STEPS + 2;
 
 /// A sea on a device.
 pub struct Simulation {
@@ -41,8 +43,8 @@ impl Simulation {
     /// Allocates a sea.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, plan: Plan, shaders: &Shaders) -> Self {
         let resources = Resources::new(device, queue, &plan);
-        let sea_steps = UniformRing::new(device, "sea", MAX_STEPS);
-        let foam_steps = UniformRing::new(device, "foam", MAX_STEPS);
+        let sea_steps = UniformRing::new(device, "sea", SLOTS);
+        let foam_steps = UniformRing::new(device, "foam", SLOTS);
         let passes = Passes::new(device, shaders, &resources, &sea_steps, &foam_steps);
         let maps = Maps::new(&plan, &resources);
         let foam = FoamClock::new(resources.foam_n);
@@ -88,8 +90,29 @@ impl Simulation {
         centre: [f64; 2],
         most_steps: usize,
     ) -> bool {
-        let foam_steps = self.foam.steps_to(t_s, &self.plan, most_steps.min(MAX_STEPS));
-        let caught_up = foam_steps.last().is_none_or(|step| step.t_s == t_s);
+        let steps = self.foam.steps_to(t_s, &self.plan, most_steps.min(MAX_STEPS));
+        self.begin(encoder, t_s);
+        for step in &steps {
+            self.encode_foam_step(encoder, step, centre);
+        }
+        let caught_up = self.foam.is_at(t_s);
+        if steps.is_empty() || !caught_up {
+            self.encode_waves(encoder, t_s);
+        }
+        self.end(queue);
+        caught_up
+    }
+
+    /// The waves at the time of a step, and the foam with them.
+    fn encode_foam_step(&mut self, encoder: &mut wgpu::CommandEncoder, step: &foam::Step, centre: [f64; 2]) {
+        let sea = self.encode_waves(encoder, step.t_s);
+        let foam = self.foam_steps.push(&self.foam.uniform(step, centre, &self.plan));
+        self.passes.foam.run(encoder, &self.resources, sea, foam);
+        self.maps.foam_levels = self.foam.levels(centre);
+    }
+
+    /// Starts a submission; draws h0 if the sea changed.
+    fn begin(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
         self.sea_steps.restart();
         self.foam_steps.restart();
         if self.spectrum_is_stale {
@@ -97,43 +120,47 @@ impl Simulation {
             self.passes.spectrum.run(encoder, &self.resources, step);
             self.spectrum_is_stale = false;
         }
-        for step in &foam_steps {
-            self.encode_waves(encoder, step.t_s);
-            let uniform = self.foam.uniform(step, centre, &self.plan);
-            self.maps.foam_levels = self.foam.levels(centre);
-            let sea = self.sea_steps.push(&self.sea_uniform(step.t_s, false));
-            let foam = self.foam_steps.push(&uniform);
-            self.passes.foam.run(encoder, &self.resources, sea, foam);
-        }
-        if !caught_up || foam_steps.is_empty() {
-            self.encode_waves(encoder, t_s);
-        }
-        self.sea_steps.upload(queue);
-        self.foam_steps.upload(queue);
-        caught_up
     }
 
-    /// The waves of all cascades at one time: two dispatches, and their mips.
-    fn encode_waves(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
+    /// Sends the uniforms of a submission.
+    fn end(&self, queue: &wgpu::Queue) {
+        self.sea_steps.upload(queue);
+        self.foam_steps.upload(queue);
+    }
+
+    /// The next step of the foam towards `t_s` alone, for `check`: the maps stay those that the foam saw. None at its end.
+    pub fn encode_next_foam_step(
+        &mut self,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        t_s: f64,
+        centre: [f64; 2],
+    ) -> Option<foam::Step> {
+        let step = self.foam.steps_to(t_s, &self.plan, 1).into_iter().next()?;
+        self.begin(encoder, t_s);
+        self.encode_foam_step(encoder, &step, centre);
+        self.end(queue);
+        Some(step)
+    }
+
+    /// The waves of all cascades at one time: two dispatches, and their mips. Returns the uniform's offset.
+    fn encode_waves(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64) -> u32 {
         let step = self.sea_steps.push(&self.sea_uniform(t_s, false));
         self.passes.rows.run(encoder, &self.resources, step);
         self.passes.columns.run(encoder, &self.resources, step);
         self.passes.mips.run(encoder, &self.resources, step);
+        step
     }
 
     /// Records the waves at `t_s` with an f32 copy of the maps left in the intermediate buffer (layout: cascade, pair,
     /// z, x; pair 0 is the displacement map, pair 1 the gradients).
     pub fn encode_f32(&mut self, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
-        self.sea_steps.restart();
+        self.begin(encoder, t_s);
         let step = self.sea_steps.push(&self.sea_uniform(t_s, true));
-        if self.spectrum_is_stale {
-            self.passes.spectrum.run(encoder, &self.resources, step);
-            self.spectrum_is_stale = false;
-        }
         self.passes.rows.run(encoder, &self.resources, step);
         self.passes.columns.run(encoder, &self.resources, step);
         self.passes.mips.run(encoder, &self.resources, step);
-        self.sea_steps.upload(queue);
+        self.end(queue);
     }
 
     /// The maps at `t_s` in f32, read back: for statistics, export and comparisons between GPUs.
