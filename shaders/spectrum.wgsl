@@ -11,7 +11,9 @@ fn spectrum_lobe(beta: f32, s: f32, k: vec2f) -> f32 {
   let x = beta * maths_atan2_upper(across, along);
   let e = maths_exp(-x);
   let sech = 2.0 * e / (1.0 + e * e);
-  let half_cos2 = 0.5 + 0.5 * along / length(k);
+  // cos^2(theta/2) = (1 + cos) / 2; against the waves as sin^2 / (2 (1 - cos)), which does not cancel.
+  let unit = vec2f(along, across) / length(k);
+  let half_cos2 = select(0.5 + 0.5 * unit.x, 0.5 * unit.y * unit.y / (1.0 - unit.x), unit.x < 0.0);
   let cosine = select(maths_exp(0.5 * s * maths_ln(max(half_cos2, 1e-30))), 1.0, s == 0.0);
   return sech * cosine;
 }

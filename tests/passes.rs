@@ -15,6 +15,7 @@ fn run(state: &str, shaders: &Shaders) -> Vec<Line> {
 fn assert_right(state: &str) {
     let lines = run(state, &Shaders::default());
     let table: Vec<String> = lines.iter().map(ToString::to_string).collect();
+    eprintln!("{state}\n{}", table.join("\n"));
     assert!(lines.iter().all(Line::passes), "{state}\n{}", table.join("\n"));
 }
 

@@ -48,7 +48,7 @@ mod tolerance {
     /// A mean of four half floats, rounded again.
     pub const MIP: f64 = 4.9e-4;
     /// Bilinear weights of 8 bits and half-float maps, before the threshold's slope.
-    pub const FOAM: f64 = 2e-2;
+    pub const FOAM: f64 = 5e-3;
 }
 
 /// Runs all passes of a state at its time. `shaders` are the program's own, or a test's with a fault.
