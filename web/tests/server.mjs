@@ -41,7 +41,7 @@ export async function serve(root) {
     let fault = 'none';
     const match = /^\/fault\/([a-z0-9-]+)\/(.*)$/.exec(path);
     if (match) [fault, path] = [match[1], match[2]];
-    path = normalize(path).replace(/^(\.\.[/\\])+/, '').replace(/^\/+/, '') || 'index.html';
+    path = normalize(`/${path}`).slice(1) || 'index.html'; // nothing above the root
     const change = FAULTS[fault]?.(path) || {};
     const head = { 'content-type': change.type ?? TYPES[extname(path)] ?? 'application/octet-stream', 'cache-control': 'no-store' };
     try {
