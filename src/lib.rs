@@ -6,4 +6,13 @@
 //! - S(omega) is the one-sided variance density of the elevation, m^2 s; its integral is m0, and Hs = 4 sqrt(m0).
 //! - Light is linear until the last shader; depth is reverse-Z.
 
+pub mod app;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod cli;
+pub mod gpu;
 pub mod model;
+pub mod ocean;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod oracle;
+pub mod render;
+pub mod sim;

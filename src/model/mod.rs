@@ -5,6 +5,7 @@
 pub mod camera;
 pub mod dispersion;
 pub mod fields;
+pub mod foam;
 pub mod noise;
 pub mod params;
 pub mod plan;

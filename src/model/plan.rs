@@ -136,12 +136,23 @@ impl Plan {
         if total <= 0.0 {
             return 1.0;
         }
-        self.bands().map(|(low, high)| self.energy.m0_between(low, high)).sum::<f64>() / total
+        self.bands().map(|(low, high)| self.energy.between(&self.energy.m0, low, high)).sum::<f64>() / total
     }
 
     /// Mean square slope of the waves that the lattices hold with wave numbers below `k_limit` (rad/m).
     pub fn slope_variance(&self, k_limit: f64) -> f64 {
-        self.bands().map(|(low, high)| self.energy.mss_between(low, high.min(k_limit))).sum()
+        self.bands().map(|(low, high)| self.slope_variance_between(low, high.min(k_limit))).sum()
+    }
+
+    /// Mean square slope of the waves between two wave numbers (rad/m).
+    pub fn slope_variance_between(&self, low: f64, high: f64) -> f64 {
+        self.energy.between(&self.energy.mss, low, high)
+    }
+
+    /// Variance of dDx/dx + dDz/dz, the linear part of the Jacobian at chop 1, of the waves that the lattices hold with
+    /// wave numbers below `k_limit` (rad/m). In shallow water it exceeds the mean square slope: orbits are flatter.
+    pub fn strain_variance(&self, k_limit: f64) -> f64 {
+        self.bands().map(|(low, high)| self.energy.between(&self.energy.strain, low, high.min(k_limit))).sum()
     }
 
     /// Highest wave number of the finest cascade, rad/m.
@@ -246,6 +257,7 @@ struct Energy {
     k: Vec<f64>,
     m0: Vec<f64>,
     mss: Vec<f64>,
+    strain: Vec<f64>,
 }
 
 impl Energy {
@@ -254,20 +266,23 @@ impl Energy {
     fn new(spectrum: &FrequencySpectrum, sea: &Sea) -> Self {
         let (low, high) = spectrum.support();
         let step = (high / low).ln() / Self::STEPS as f64;
-        let mut out = Self { omega: vec![], k: vec![], m0: vec![], mss: vec![] };
-        let (mut m0, mut mss, mut before) = (0.0, 0.0, (0.0, 0.0));
+        let mut out = Self { omega: vec![], k: vec![], m0: vec![], mss: vec![], strain: vec![] };
+        let mut sums = [0.0; 3];
+        let mut before = [0.0; 3];
         for i in 0..=Self::STEPS {
             let omega = low * (step * i as f64).exp();
             let k = dispersion::wave_number(omega, sea.depth_m, sea.gravity_m_s2);
             let density = spectrum.density(omega) * omega * step;
-            let now = (density, density * k * k);
-            m0 += 0.5 * (before.0 + now.0);
-            mss += 0.5 * (before.1 + now.1);
+            let now = [density, density * k * k, density * (k * dispersion::orbit(k, sea.depth_m)).powi(2)];
+            for ((sum, a), b) in sums.iter_mut().zip(before).zip(now) {
+                *sum += 0.5 * (a + b);
+            }
             before = now;
             out.omega.push(omega);
             out.k.push(k);
-            out.m0.push(m0);
-            out.mss.push(mss);
+            out.m0.push(sums[0]);
+            out.mss.push(sums[1]);
+            out.strain.push(sums[2]);
         }
         out
     }
@@ -282,12 +297,8 @@ impl Energy {
         self.omega[i]
     }
 
-    fn m0_between(&self, low: f64, high: f64) -> f64 {
-        (self.at(&self.m0, high) - self.at(&self.m0, low)).max(0.0)
-    }
-
-    fn mss_between(&self, low: f64, high: f64) -> f64 {
-        (self.at(&self.mss, high) - self.at(&self.mss, low)).max(0.0)
+    fn between(&self, sums: &[f64], low: f64, high: f64) -> f64 {
+        (self.at(sums, high) - self.at(sums, low)).max(0.0)
     }
 
     /// A running integral at wave number `k`, linear between the grid's points.

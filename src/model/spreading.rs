@@ -98,8 +98,9 @@ impl Lobe {
         if self.beta == 0.0 {
             return cosine_norm(self.s);
         }
+        // The last knot grades towards theta = pi, where cos^{2s} with a small s has no derivative.
         let width = self.width().min(0.9 * PI);
-        1.0 / (2.0 * gauss_legendre(|theta| self.shape(theta), &[0.0, 0.4 * width, width, PI]))
+        1.0 / (2.0 * gauss_legendre(|theta| self.shape(theta), &[0.0, 0.4 * width, width, PI - 0.1, PI - 0.005, PI]))
     }
 
     /// D(theta), per rad.
@@ -135,7 +136,7 @@ mod tests {
                     let lobe = spreading.lobe(omega);
                     let norm = lobe.norm();
                     let total = adaptive(|theta| norm * lobe.shape(theta), &[-PI, -0.5, 0.0, 0.5, PI], 1e-10);
-                    assert!((total - 1.0).abs() < 5e-7, "{kind:?} swell {swell} omega {omega}: {total}");
+                    assert!((total - 1.0).abs() < 1e-7, "{kind:?} swell {swell} omega {omega}: {total}");
                 }
             }
         }

@@ -1,9 +1,9 @@
 //! What is known of a sea without simulating it: integrals of the spectrum, and sums over the waves of the lattices.
 
-use super::dispersion;
 use super::plan::Plan;
 use super::quadrature::adaptive;
 use super::table;
+use super::{dispersion, noise};
 use std::f64::consts::{PI, TAU};
 
 /// Integrals of the spectrum by adaptive quadrature, independent of the plan's sums.
@@ -138,6 +138,38 @@ pub fn cox_munk_mss(wind_m_s: f64) -> f64 {
     0.003 + 0.00512 * wind_m_s
 }
 
+/// Variance of the sea of a plan's seed at `t_s`, m^2, as the sum of the squared amplitudes that were drawn (Parseval).
+pub fn drawn_variance(plan: &Plan, t_s: f64) -> f64 {
+    let phase_time = plan.phase_time(t_s);
+    let mut total = 0.0;
+    for cascade in &plan.cascades {
+        let rows = table::rows(plan, cascade);
+        let half = plan.n as i32 / 2;
+        let draw = |ix: i32, iz: i32, row: &table::Row| {
+            let angle = angle(plan.downwind, [f64::from(ix), f64::from(iz)]);
+            let amplitude = row.amplitude * row.lobe.shape(angle).sqrt();
+            noise::gaussian(noise::words(plan.sea.seed, cascade.key, ix, iz)).map(|x| x * amplitude)
+        };
+        // A wave and its opposite make one pair: half of the lattice stands for all.
+        for iz in 0..half {
+            for ix in 1 - half..half {
+                let row = &rows[table::index(ix, iz)];
+                if row.amplitude == 0.0 || (iz == 0 && ix <= 0) {
+                    continue;
+                }
+                let (a, b) = (draw(ix, iz, row), draw(-ix, -iz, row));
+                let phase = TAU * f64::from(row.wave.turns.wrapping_mul(phase_time)) / 4_294_967_296.0;
+                let (s, c) = phase.sin_cos();
+                // h(k) = a e^{-i phase} + conj(b) e^{i phase}; h(-k) is its conjugate.
+                let re = (a[0] + b[0]) * c + (a[1] + b[1]) * s;
+                let im = (a[1] - b[1]) * c + (b[0] - a[0]) * s;
+                total += 2.0 * (re * re + im * im);
+            }
+        }
+    }
+    total
+}
+
 /// |k|, k and the expected variance S(k) dk^2 of every wave of every lattice.
 fn waves(plan: &Plan) -> impl Iterator<Item = (f64, [f64; 2], f64)> + '_ {
     plan.cascades.iter().flat_map(move |cascade| {
@@ -217,47 +249,6 @@ mod tests {
             assert!((r.spread_deg / t.spread_deg - 1.0).abs() < 0.05, "{state} {r:?} {t:?}");
             let from = r.mean_from_deg.unwrap_or(f64::NAN);
             assert!((from - plan.sea.from_deg).abs() < 2.0, "{state} {r:?}");
-        }
-    }
-
-    #[test]
-    #[ignore]
-    fn probe() {
-        for state in [
-            "wind=10&fetch=100",
-            "wind=5&fetch=20",
-            "wind=20&fetch=500",
-            "wind=30&fetch=1000",
-            "spectrum=tma&depth=20",
-            "spectrum=tma&depth=5",
-            "swell=1",
-            "gamma=7",
-            "n=64",
-            "n=128",
-            "n=512",
-            "cascades=1",
-            "cascades=2",
-            "wind=3&fetch=5",
-        ] {
-            let t0 = std::time::Instant::now();
-            let (plan, t) = theory(state);
-            let t1 = std::time::Instant::now();
-            let r = Resolved::new(&plan, t.m0_m2);
-            eprintln!(
-                "{state}: frac {:.4} hs {:.4}/{:.4} mss {:.5}/{:.5} spread {:.2}/{:.2} from {:?} capt {:.4} theory {:?} resolved {:?} L {:?}",
-                r.m0_fraction,
-                r.hs_m,
-                t.hs_m,
-                r.mss,
-                t.mss,
-                r.spread_deg,
-                t.spread_deg,
-                r.mean_from_deg,
-                plan.captured(),
-                t1 - t0,
-                t1.elapsed(),
-                plan.cascades.iter().map(|c| (c.patch_m as f32, c.k_high as f32)).collect::<Vec<_>>()
-            );
         }
     }
 

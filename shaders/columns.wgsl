@@ -1,0 +1,52 @@
+// The inverse transform along z, and the maps: layer = cascade.
+//   displacement: Dx, eta, Dz, dDx/dz     gradients: d eta/dx, d eta/dz, dDx/dx, dDz/dz     (chop not applied)
+
+@group(0) @binding(0) var<uniform> sea: Sea;
+@group(0) @binding(1) var<storage, read> twiddle: array<vec2f>; // e^(2 pi i j / 1024)
+@group(0) @binding(2) var<storage, read_write> lines: array<vec4f>; // [cascade][pair][z][x]
+@group(0) @binding(3) var displacement: texture_storage_2d_array<rgba16float, write>;
+@group(0) @binding(4) var gradients: texture_storage_2d_array<rgba16float, write>;
+
+fn columns_store(pair: u32, c: u32, x: u32, z: u32, base: u32, v: vec4f) {
+  // Packed order is Dx, Dz, eta, dDx/dz.
+  let value = select(v, v.xzyw, pair == 0u);
+  if pair == 0u {
+    textureStore(displacement, vec2u(x, z), c, value);
+  } else {
+    textureStore(gradients, vec2u(x, z), c, value);
+  }
+  if sea.keep_f32 != 0u {
+    lines[base + z * N + x] = value;
+  }
+}
+
+// x of the workgroup: column, so that neighbours read neighbours; y: thread of a column.
+@compute @workgroup_size(LINES, R2)
+fn main(@builtin(local_invocation_id) local: vec3u, @builtin(workgroup_id) group: vec3u) {
+  let t = local.y;
+  let x = group.x * LINES + local.x;
+  let c = group.z;
+  let exchange = local.x * N;
+  for (var pair = 0u; pair < 2u; pair++) {
+    let base = (c * 2u + pair) * N * N;
+    for (var i = 0u; i < R1; i++) {
+      fft_v[i] = lines[base + (i * R2 + t) * N + x];
+    }
+    fft_registers(R1);
+    workgroupBarrier();
+    for (var k1 = 0u; k1 < R1; k1++) {
+      let w = twiddle[t * k1 * (1024u / N)];
+      fft_shared[exchange + fft_place(k1, t)] = fft_mul(fft_v[fft_slot(k1, R1)], w);
+    }
+    workgroupBarrier();
+    for (var k1 = t; k1 < R1; k1 += R2) {
+      for (var n2 = 0u; n2 < R2; n2++) {
+        fft_v[n2] = fft_shared[exchange + fft_place(k1, n2)];
+      }
+      fft_registers(R2);
+      for (var k2 = 0u; k2 < R2; k2++) {
+        columns_store(pair, c, x, k1 + R1 * k2, base, fft_v[fft_slot(k2, R2)]);
+      }
+    }
+  }
+}

@@ -1,0 +1,73 @@
+// Foam on world-anchored levels, in undisplaced coordinates. Cell (X, Z) of a level covers [X, X + 1) x [Z, Z + 1) texels
+// and lives at (X mod size, Z mod size), so that a moving camera rewrites only what came into range.
+//
+// Source s in [0, 1] where the Jacobian of the sum of cascades falls below a threshold; dF/dt = rate s (1 - F) - F / decay,
+// solved exactly over the step, so that the result does not depend on the frame rate and stays in [0, 1].
+
+struct FoamLevel {
+  uv01: vec4f, // texture coordinates of the first cell's corner on cascades 0 and 1
+  uv23: vec4f, // and on 2 and 3
+  cell: vec2i, // first cell in range
+  previous: vec2i, // and at the last step
+  texel_m: f32,
+  threshold: f32, // of the Jacobian
+  slope: f32, // source per unit of Jacobian below the threshold
+  start: f32, // foam of a cell that comes into range
+}
+
+struct Foam {
+  levels: array<FoamLevel, 4>,
+  dt: f32,
+  decay: f32, // 1 / e-folding time
+  rate: f32,
+  size: u32, // cells along a side
+}
+
+@group(0) @binding(0) var<uniform> sea: Sea;
+@group(0) @binding(1) var<uniform> foam: Foam;
+@group(0) @binding(2) var displacement: texture_2d_array<f32>;
+@group(0) @binding(3) var gradients: texture_2d_array<f32>;
+@group(0) @binding(4) var repeat: sampler;
+@group(0) @binding(5) var<storage, read_write> history: array<f32>; // [level][z][x]
+@group(0) @binding(6) var picture: texture_storage_2d_array<rgba16float, write>;
+
+fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
+  var xx = 0.0;
+  var zz = 0.0;
+  var xz = 0.0;
+  for (var c = 0u; c < sea.count; c++) {
+    let corners = select(foam.levels[level].uv23, foam.levels[level].uv01, c < 2u);
+    let corner = select(corners.zw, corners.xy, (c & 1u) == 0u);
+    let patch_m = sea.cascades[c].patch_m;
+    let uv = corner + offset / patch_m;
+    let lod = max(log2(foam.levels[level].texel_m * f32(sea.n) / patch_m), 0.0);
+    let g = textureSampleLevel(gradients, repeat, uv, c, lod);
+    xx += g.z;
+    zz += g.w;
+    xz += textureSampleLevel(displacement, repeat, uv, c, lod).w;
+  }
+  let l = sea.chop;
+  return (1.0 + l * xx) * (1.0 + l * zz) - l * l * xz * xz;
+}
+
+@compute @workgroup_size(8, 8)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+  let size = i32(foam.size);
+  let level = id.z;
+  // The cell in range that lives at this place.
+  let first = foam.levels[level].cell;
+  let ahead = ((vec2i(id.xy) - first) % size + size) % size;
+  let before = first + ahead - foam.levels[level].previous;
+  let known = all(before >= vec2i(0)) && all(before < vec2i(size));
+  let texel_m = foam.levels[level].texel_m;
+  let j = foam_jacobian(level, (vec2f(ahead) + 0.5) * texel_m);
+  let source = clamp((foam.levels[level].threshold - j) * foam.levels[level].slope, 0.0, 1.0);
+
+  let at = (level * foam.size + id.y) * foam.size + id.x;
+  let old = select(foam.levels[level].start, history[at], known);
+  let loss = foam.rate * source + foam.decay;
+  let goal = foam.rate * source / loss;
+  let now = clamp(goal + (old - goal) * maths_exp(-loss * foam.dt), 0.0, 1.0);
+  history[at] = now;
+  textureStore(picture, id.xy, level, vec4f(now, source, 0.0, 0.0));
+}

@@ -1,0 +1,61 @@
+// Elementary functions with known accuracy: WGSL promises 2^-11 for sin and cos and little for atan2 and log, and
+// drivers use that freedom. All are good to a few units in the last place of f32.
+
+const MATHS_LN2 = 0.69314718056;
+
+// (cos, sin) of an angle in turns x 2^32, so that the reduction is exact integer arithmetic.
+fn maths_cos_sin(turns: u32) -> vec2f {
+  let quadrant = (turns + 0x20000000u) >> 30u;
+  let rest = bitcast<i32>(turns - (quadrant << 30u));
+  let x = f32(rest) * 1.46291807926715968e-9; // 2 pi / 2^32
+  let xx = x * x;
+  let s = x + x * xx * (-1.6666654611e-1 + xx * (8.3321608736e-3 - xx * 1.9515295891e-4));
+  let c = 1.0 - 0.5 * xx + xx * xx * (4.166664568298827e-2 + xx * (-1.388731625493765e-3 + xx * 2.443315711809948e-5));
+  switch quadrant & 3u {
+    case 0u: { return vec2f(c, s); }
+    case 1u: { return vec2f(-s, c); }
+    case 2u: { return vec2f(-c, -s); }
+    default: { return vec2f(s, -c); }
+  }
+}
+
+// Natural logarithm of a positive normal number.
+fn maths_ln(x: f32) -> f32 {
+  let bits = bitcast<u32>(x);
+  // Mantissa in [sqrt(1/2), sqrt(2)), so that ln near 1 has no cancellation.
+  let shifted = bits - 0x3f3504f3u;
+  let exponent = bitcast<i32>(shifted) >> 23u;
+  let m = bitcast<f32>((shifted & 0x007fffffu) + 0x3f3504f3u);
+  let s = (m - 1.0) / (m + 1.0);
+  let ss = s * s;
+  let series = 2.0 * s * (1.0 + ss * (0.333333333 + ss * (0.2 + ss * (0.142857143 + ss * 0.111111111))));
+  return f32(exponent) * MATHS_LN2 + series;
+}
+
+// e^x; 0 below the smallest normal number.
+fn maths_exp(x: f32) -> f32 {
+  if x < -87.0 {
+    return 0.0;
+  }
+  let n = floor(min(x, 88.0) * 1.44269504089 + 0.5);
+  let r = (min(x, 88.0) - n * 0.693359375) + n * 2.12194440e-4;
+  let series = 1.0 + r * (1.0 + r * (0.5 + r * (1.6666665459e-1 + r * (4.1665795894e-2 + r * (8.3334519073e-3 + r * (1.3981999507e-3 + r * 1.9875691500e-4))))));
+  return series * bitcast<f32>(u32(i32(n) + 127) << 23u);
+}
+
+// Arc tangent of y / x for y >= 0, in [0, pi].
+fn maths_atan2_upper(y: f32, x: f32) -> f32 {
+  let a = abs(x);
+  let ratio = min(y, a) / max(max(y, a), 1e-30);
+  let fold = ratio > 0.41421356;
+  let z = select(ratio, (ratio - 1.0) / (ratio + 1.0), fold);
+  let zz = z * z;
+  var angle = z + z * zz * (-3.33329491539e-1 + zz * (1.99777106478e-1 + zz * (-1.38776856032e-1 + zz * 8.05374449538e-2)));
+  angle += select(0.0, 0.78539816340, fold);
+  angle = select(angle, 1.57079632679 - angle, y > a);
+  return select(angle, 3.14159265359 - angle, x < 0.0);
+}
+
+fn maths_complex_mul(a: vec2f, b: vec2f) -> vec2f {
+  return vec2f(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+}

@@ -1,0 +1,53 @@
+//! What goes wrong on the GPU after the start: each distinct error is logged once and shown; a lost device is a state.
+
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+const MAX_SHOWN: usize = 8;
+
+#[derive(Default)]
+struct Inner {
+    errors: Vec<String>,
+    lost: Option<String>,
+}
+
+/// Errors of a device, shared with its callbacks.
+#[derive(Clone, Default)]
+pub struct Faults(Arc<Mutex<Inner>>);
+
+impl Faults {
+    /// Listens to a device.
+    pub fn watch(device: &wgpu::Device) -> Self {
+        let faults = Self::default();
+        let on_error = faults.clone();
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| on_error.add(error.to_string())));
+        let on_lost = faults.clone();
+        device.set_device_lost_callback(move |reason, message| {
+            log::error!("GPU device lost ({reason:?}): {message}");
+            on_lost.inner().lost = Some(format!("the GPU was lost ({reason:?}): {message}"));
+        });
+        faults
+    }
+
+    /// The distinct errors so far.
+    pub fn errors(&self) -> Vec<String> {
+        self.inner().errors.clone()
+    }
+
+    /// Why the device was lost.
+    pub fn lost(&self) -> Option<String> {
+        self.inner().lost.clone()
+    }
+
+    fn add(&self, error: String) {
+        let mut inner = self.inner();
+        if !inner.errors.contains(&error) && inner.errors.len() < MAX_SHOWN {
+            log::error!("{error}");
+            inner.errors.push(error);
+        }
+    }
+
+    /// A panic while it was held leaves the list as it was.
+    fn inner(&self) -> MutexGuard<'_, Inner> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}

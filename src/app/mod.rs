@@ -1,0 +1,168 @@
+//! The program that people see: one eframe app for the page and the window. The only room that knows egui and the browser.
+
+mod camera;
+mod faults;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod native;
+mod panel;
+mod plots;
+mod setup;
+mod viewport;
+#[cfg(target_arch = "wasm32")]
+pub mod web;
+
+use crate::model::statistics::Theory;
+use crate::model::{Params, Plan, query};
+use crate::ocean::Ocean;
+use faults::Faults;
+
+/// Longest step of the simulated time from one frame to the next, s: a page that was hidden goes on where it was.
+const LONGEST_STEP_S: f64 = 0.1;
+
+/// What is derived from the parameters once, when they change, and not in every frame.
+struct Derived {
+    of: Params,
+    plan: Plan,
+    theory: Theory,
+}
+
+impl Derived {
+    fn new(params: &Params) -> Self {
+        let plan = Plan::new(params);
+        let theory = Theory::new(&plan);
+        Self { of: params.clone(), plan, theory }
+    }
+}
+
+/// The app.
+pub struct App {
+    params: Params,
+    /// What the state string said that could not be taken.
+    notices: Vec<String>,
+    derived: Derived,
+    render_state: egui_wgpu::RenderState,
+    faults: Faults,
+    frames: u64,
+    /// Set by the viewport while the foam has yet to catch up.
+    catching_up: viewport::CatchingUp,
+    #[cfg(target_arch = "wasm32")]
+    address: web::Address,
+}
+
+impl App {
+    /// Starts on a state string, or a pasted URL.
+    ///
+    /// # Errors
+    /// If eframe has no wgpu device.
+    pub fn new(cc: &eframe::CreationContext<'_>, state: &str) -> Result<Self, String> {
+        let render_state = cc.wgpu_render_state.clone().ok_or("eframe was started without wgpu")?;
+        let (params, notices) = query::parse(state);
+        let faults = Faults::watch(&render_state.device);
+        let ocean = Ocean::new(&render_state.device, &render_state.queue, render_state.target_format, &params);
+        render_state.renderer.write().callback_resources.insert(ocean);
+        setup::style(&cc.egui_ctx);
+        Ok(Self {
+            derived: Derived::new(&params),
+            notices,
+            render_state,
+            faults,
+            frames: 0,
+            catching_up: viewport::CatchingUp::default(),
+            #[cfg(target_arch = "wasm32")]
+            address: web::Address::new(&params),
+            params,
+        })
+    }
+
+    /// The current state string.
+    pub fn state(&self) -> String {
+        query::write(&tidy(&self.params))
+    }
+
+    /// Turns to another state, as if the user had set every value.
+    pub fn set_state(&mut self, state: &str) {
+        (self.params, self.notices) = query::parse(state);
+    }
+
+    /// Frames painted so far.
+    pub fn frames(&self) -> u64 {
+        self.frames
+    }
+
+    /// Why the GPU was lost, if it was.
+    pub fn device_lost(&self) -> Option<String> {
+        self.faults.lost()
+    }
+
+    /// The device that the app draws with.
+    pub fn render_state(&self) -> &egui_wgpu::RenderState {
+        &self.render_state
+    }
+
+    fn advance(&mut self, ctx: &egui::Context) {
+        if self.params.clock.paused {
+            return;
+        }
+        let dt = f64::from(ctx.input(|i| i.stable_dt)).min(LONGEST_STEP_S);
+        self.params.clock.t_s += dt * self.params.clock.speed;
+        ctx.request_repaint();
+    }
+
+    fn keys(&mut self, ctx: &egui::Context) {
+        if ctx.egui_wants_keyboard_input() {
+            return;
+        }
+        if ctx.input(|i| i.key_pressed(egui::Key::Space)) {
+            self.params.clock.paused = !self.params.clock.paused;
+        }
+        if cfg!(not(target_arch = "wasm32")) && ctx.input(|i| i.key_pressed(egui::Key::Escape)) {
+            ctx.send_viewport_cmd(egui::ViewportCommand::Close);
+        }
+        camera::keys(&mut self.params.camera, ctx);
+    }
+}
+
+impl eframe::App for App {
+    fn logic(&mut self, _ctx: &egui::Context, _frame: &mut eframe::Frame) {
+        #[cfg(target_arch = "wasm32")]
+        self.keep_address();
+    }
+
+    fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+        let ctx = ui.ctx().clone();
+        if self.faults.lost().is_some() {
+            // Painting anything with a lost device panics inside egui-wgpu; the shell says what happened.
+            ctx.send_viewport_cmd(egui::ViewportCommand::Close);
+            return;
+        }
+        self.keys(&ctx);
+        self.advance(&ctx);
+        if (&self.derived.of.grid, &self.derived.of.sea) != (&self.params.grid, &self.params.sea) {
+            self.derived = Derived::new(&self.params);
+        }
+        let response = viewport::show(ui, &self.params, &self.catching_up);
+        camera::pointer(&mut self.params.camera, &response, &ctx);
+        panel::show(self, &ctx);
+        if self.catching_up.is_set() {
+            ctx.request_repaint();
+        }
+        self.frames += 1;
+    }
+}
+
+/// The parameters as a link writes them: without digits that nobody can see.
+fn tidy(params: &Params) -> Params {
+    let round = |x: f64, unit: f64| (x / unit).round() * unit;
+    // Decimal units are not exact in binary: format and read once, so that the shortest text comes out.
+    let tidy =
+        |x: f64, digits: usize| format!("{:.digits$}", round(x, 10f64.powi(-(digits as i32)))).parse().unwrap_or(x);
+    let mut p = params.clone();
+    p.clock.t_s = tidy(p.clock.t_s, 1);
+    for metres in [&mut p.camera.x_m, &mut p.camera.y_m, &mut p.camera.z_m] {
+        *metres = tidy(*metres, 1);
+    }
+    for degrees in [&mut p.camera.heading_deg, &mut p.camera.pitch_deg, &mut p.camera.fov_deg] {
+        *degrees = tidy(*degrees, 1);
+    }
+    p
+}

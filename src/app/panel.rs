@@ -1,0 +1,169 @@
+//! The panel: read-outs, every parameter of FIELDS, the spectrum, and what went wrong.
+
+use super::{App, plots};
+use crate::model::Params;
+use crate::model::fields::{FIELDS, Field, Group, Kind};
+
+/// Below this width the panel starts collapsed: a phone shows the sea first.
+const NARROW_POINTS: f32 = 640.0;
+
+/// Shows the panel over the sea.
+pub fn show(app: &mut App, ctx: &egui::Context) {
+    let screen = ctx.content_rect();
+    egui::Window::new("Seastate")
+        .default_pos(screen.right_top() + egui::vec2(-356.0, 12.0))
+        .default_width(330.0)
+        .default_open(screen.width() > NARROW_POINTS)
+        .vscroll(true)
+        .max_height(screen.height() - 60.0)
+        .show(ctx, |ui| {
+            read_outs(app, ui);
+            notices(app, ui);
+            for group in Group::ALL {
+                egui::CollapsingHeader::new(group.label()).default_open(group == Group::Sea).show(ui, |ui| {
+                    fields(&mut app.params, group, ui);
+                });
+            }
+            egui::CollapsingHeader::new("Spectrum").show(ui, |ui| plots::spectrum(&app.derived.plan, ui));
+            egui::CollapsingHeader::new("This program").show(ui, |ui| about(app, ui));
+        });
+}
+
+fn read_outs(app: &mut App, ui: &mut egui::Ui) {
+    let t = &app.derived.theory;
+    egui::Grid::new("read-outs").num_columns(4).show(ui, |ui| {
+        let value = |ui: &mut egui::Ui, label: &str, text: String, help: &str| {
+            ui.weak(label).on_hover_text(help);
+            ui.strong(text).on_hover_text(help);
+        };
+        value(
+            ui,
+            "Hs",
+            format!("{:.2} m", t.hs_m),
+            "Significant wave height, 4 sqrt(m0): the mean of the highest third.",
+        );
+        value(ui, "Tp", format!("{:.1} s", t.tp_s), "Period of the peak of the spectrum.");
+        ui.end_row();
+        value(ui, "Length", format!("{:.0} m", t.lambda_p_m), "Wavelength of the peak.");
+        value(ui, "Tz", format!("{:.1} s", t.tm02_s), "Mean zero-crossing period, 2 pi sqrt(m0 / m2).");
+        ui.end_row();
+    });
+    ui.horizontal(|ui| {
+        let clock = &mut app.params.clock;
+        if ui.button(if clock.paused { "Play" } else { "Pause" }).clicked() {
+            clock.paused = !clock.paused;
+        }
+        ui.label(format!("t = {:.1} s", clock.t_s));
+        if ui.button("Copy link").on_hover_text("Copies the state of this sea and camera.").clicked() {
+            ui.ctx().copy_text(link(app));
+        }
+        if ui.button("Reset").on_hover_text("Every value back to its default.").clicked() {
+            app.set_state("");
+        }
+    });
+}
+
+/// The page's address with the state, or on the desktop the bare state string.
+fn link(app: &App) -> String {
+    #[cfg(target_arch = "wasm32")]
+    return super::web::link(&app.state());
+    #[cfg(not(target_arch = "wasm32"))]
+    app.state()
+}
+
+fn notices(app: &App, ui: &mut egui::Ui) {
+    for text in app.notices.iter().chain(&app.derived.plan.notices) {
+        ui.colored_label(egui::Color32::from_rgb(240, 200, 110), text);
+    }
+    for text in app.faults.errors() {
+        ui.colored_label(egui::Color32::from_rgb(255, 130, 120), text);
+    }
+}
+
+fn fields(params: &mut Params, group: Group, ui: &mut egui::Ui) {
+    egui::Grid::new(group.label()).num_columns(3).show(ui, |ui| {
+        for field in FIELDS.iter().filter(|f| f.group == group) {
+            let unit = if field.unit.is_empty() { String::new() } else { format!(" {}", field.unit) };
+            let help = format!("{}\n{} = {}{unit}", field.help, field.key, field.range());
+            let label = ui.label(field.label).on_hover_text(&help);
+            let before = (field.get)(params);
+            let mut value = before;
+            edit(field, &mut value, ui).labelled_by(label.id).on_hover_text(&help);
+            let default = field.default_value();
+            let undo = egui::Button::new("↺").small().frame(false);
+            if ui.add_enabled(value != default, undo).on_hover_text("Back to the default.").clicked() {
+                value = default;
+            }
+            if value != before {
+                // A slider stays in the range; what a typed value was clamped to is seen in the slider itself.
+                let (Ok(v) | Err(crate::model::fields::Refusal::Clamped(v))) = field.accept(value) else { continue };
+                (field.set)(params, v);
+            }
+            ui.end_row();
+        }
+    });
+}
+
+fn edit(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Response {
+    match field.kind {
+        Kind::Number { min, max, log } => {
+            ui.add(egui::Slider::new(value, min..=max).logarithmic(log).smart_aim(true).suffix(suffix(field)))
+        }
+        Kind::Heading => ui.add(egui::Slider::new(value, 0.0..=360.0).suffix("°").max_decimals(1)),
+        Kind::Integer { min, max } if max > 1000 => {
+            ui.add(egui::DragValue::new(value).range(f64::from(min)..=f64::from(max)).max_decimals(0))
+        }
+        Kind::Integer { min, max } => {
+            ui.add(egui::Slider::new(value, f64::from(min)..=f64::from(max)).integer().show_value(true))
+        }
+        Kind::Choice(words) => {
+            let mut index = *value as usize;
+            let response = egui::ComboBox::from_id_salt(field.key)
+                .selected_text(words[index.min(words.len() - 1)])
+                .show_ui(ui, |ui| {
+                    for (i, word) in words.iter().enumerate() {
+                        ui.selectable_value(&mut index, i, *word);
+                    }
+                })
+                .response;
+            *value = index as f64;
+            response
+        }
+        Kind::Flag => {
+            let mut on = *value != 0.0;
+            let response = ui.checkbox(&mut on, "");
+            *value = f64::from(u8::from(on));
+            response
+        }
+    }
+}
+
+fn suffix(field: &Field) -> String {
+    match field.unit {
+        "" => String::new(),
+        "deg" => "°".to_owned(),
+        unit => format!(" {unit}"),
+    }
+}
+
+fn about(app: &App, ui: &mut egui::Ui) {
+    let plan = &app.derived.plan;
+    let dt = ui.ctx().input(|i| i.stable_dt);
+    ui.label(format!("Seastate {}, {:.0} frames a second", env!("CARGO_PKG_VERSION"), 1.0 / dt.max(1e-3)));
+    let info = app.render_state.adapter.get_info();
+    let name = if info.name.is_empty() { "GPU" } else { &info.name };
+    ui.label(format!("{name} ({})", info.backend));
+    ui.label(format!("{} x {} points in {} cascades:", plan.n, plan.n, plan.cascades.len()));
+    for c in &plan.cascades {
+        let longest = if c.k_low > 0.0 { std::f64::consts::TAU / c.k_low } else { c.patch_m };
+        ui.label(format!(
+            "patch {:.1} m: waves of {:.2} to {:.1} m",
+            c.patch_m,
+            std::f64::consts::TAU / c.k_high,
+            longest
+        ));
+    }
+    ui.label(format!("{:.1} % of the sea's energy is computed", 100.0 * plan.captured().min(1.0)));
+    ui.separator();
+    ui.weak("Drag to look, scroll or pinch to zoom, WASD or arrows to fly, Q and E for height, space to pause.");
+}

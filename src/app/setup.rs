@@ -1,0 +1,31 @@
+//! How eframe is asked for a device, and how the app looks.
+
+use crate::gpu::device;
+use std::sync::Arc;
+
+/// wgpu as every shell wants it: the program's backends, base limits, no optional feature.
+pub fn wgpu_configuration() -> egui_wgpu::WgpuConfiguration {
+    let mut setup = egui_wgpu::WgpuSetupCreateNew::without_display_handle();
+    setup.instance_descriptor.backends = device::backends();
+    setup.device_descriptor = Arc::new(|_adapter| device::descriptor());
+    setup.power_preference = wgpu::PowerPreference::HighPerformance;
+    #[cfg(not(target_arch = "wasm32"))]
+    if let Some(name) = std::env::var("WGPU_ADAPTER_NAME").ok().filter(|name| !name.is_empty()) {
+        let name = name.to_lowercase();
+        setup.native_adapter_selector = Some(Arc::new(move |adapters: &[wgpu::Adapter], _surface| {
+            let found = adapters.iter().find(|a| a.get_info().name.to_lowercase().contains(&name));
+            found.cloned().ok_or_else(|| format!("no GPU adapter is called \"{name}\""))
+        }));
+    }
+    egui_wgpu::WgpuConfiguration { wgpu_setup: egui_wgpu::WgpuSetup::CreateNew(setup), ..Default::default() }
+}
+
+/// Dark, a little translucent, so that the sea stays the subject.
+pub fn style(ctx: &egui::Context) {
+    ctx.set_theme(egui::Theme::Dark);
+    ctx.all_styles_mut(|style| {
+        style.visuals.window_fill = egui::Color32::from_rgba_unmultiplied(14, 22, 30, 225);
+        style.visuals.window_shadow = egui::Shadow::NONE;
+        style.spacing.slider_width = 130.0;
+    });
+}

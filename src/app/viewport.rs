@@ -1,0 +1,73 @@
+//! The sea in the window: recorded off-screen in `prepare`, blitted in `paint`.
+
+use crate::model::Params;
+use crate::ocean::Ocean;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Past times that one frame replays for the foam: a cold start is spread over a few frames instead of stalling one.
+const STEPS_PER_FRAME: usize = 6;
+
+/// Whether the foam of a cold start is still being replayed.
+#[derive(Clone, Default)]
+pub struct CatchingUp(Arc<AtomicBool>);
+
+impl CatchingUp {
+    /// Whether another frame is needed even if time stands still.
+    pub fn is_set(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+/// Fills what is left of `ui` with the sea.
+pub fn show(ui: &mut egui::Ui, params: &Params, catching_up: &CatchingUp) -> egui::Response {
+    let response = egui::CentralPanel::default()
+        .frame(egui::Frame::NONE)
+        .show(ui, |ui| ui.allocate_response(ui.available_size(), egui::Sense::click_and_drag()))
+        .inner;
+    let pixels = response.rect.size() * ui.ctx().pixels_per_point();
+    let size = [pixels.x.round() as u32, pixels.y.round() as u32];
+    if size[0] > 0 && size[1] > 0 {
+        let frame = SeaFrame { params: params.clone(), size, catching_up: catching_up.clone() };
+        ui.painter().add(egui_wgpu::Callback::new_paint_callback(response.rect, frame));
+    }
+    response
+}
+
+/// One frame, by value.
+struct SeaFrame {
+    params: Params,
+    size: [u32; 2],
+    catching_up: CatchingUp,
+}
+
+impl egui_wgpu::CallbackTrait for SeaFrame {
+    fn prepare(
+        &self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        _screen: &egui_wgpu::ScreenDescriptor,
+        _egui_encoder: &mut wgpu::CommandEncoder,
+        resources: &mut egui_wgpu::CallbackResources,
+    ) -> Vec<wgpu::CommandBuffer> {
+        let Some(ocean) = resources.get_mut::<Ocean>() else { return Vec::new() };
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("ocean") });
+        ocean.set_params(device, queue, &self.params);
+        let limit = device.limits().max_texture_dimension_2d;
+        let size = self.size.map(|side| side.min(limit));
+        let caught_up = ocean.encode(device, queue, &mut encoder, size, STEPS_PER_FRAME);
+        self.catching_up.0.store(!caught_up, Ordering::Relaxed);
+        vec![encoder.finish()]
+    }
+
+    fn paint(
+        &self,
+        _info: egui::PaintCallbackInfo,
+        pass: &mut wgpu::RenderPass<'static>,
+        resources: &egui_wgpu::CallbackResources,
+    ) {
+        if let Some(ocean) = resources.get::<Ocean>() {
+            ocean.present(pass);
+        }
+    }
+}

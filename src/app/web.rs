@@ -1,0 +1,176 @@
+//! The page: what JavaScript calls, and the address kept in step with the state.
+
+use super::{App, setup, tidy};
+use crate::gpu::readback;
+use crate::gpu::shaders::Shaders;
+use crate::model::{Params, Plan, query};
+use crate::sim::{MAX_STEPS, Simulation};
+use wasm_bindgen::prelude::*;
+use web_time::Instant;
+
+/// Least time between two writes of the address, s: browsers refuse more than about three a second.
+const WRITE_EVERY_S: f32 = 0.7;
+
+/// The running program, as the page sees it.
+#[wasm_bindgen]
+pub struct WebHandle {
+    runner: eframe::WebRunner,
+}
+
+#[wasm_bindgen]
+impl WebHandle {
+    /// Installs the panic hook and the log; starts nothing.
+    #[wasm_bindgen(constructor)]
+    #[expect(clippy::new_without_default, reason = "made by JavaScript")]
+    pub fn new() -> Self {
+        console_error_panic_hook::set_once();
+        // A second handle on the same page finds the log in place.
+        let _ = eframe::WebLogger::init(log::LevelFilter::Warn);
+        Self { runner: eframe::WebRunner::new() }
+    }
+
+    /// Starts on a canvas with the state of the address. Rejects with a sentence.
+    ///
+    /// # Errors
+    /// If there is no usable WebGPU.
+    pub async fn start(&self, canvas: web_sys::HtmlCanvasElement) -> Result<(), JsValue> {
+        let options = eframe::WebOptions { wgpu_options: setup::wgpu_configuration(), ..Default::default() };
+        let create = |cc: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, Box<dyn std::error::Error + Send + Sync>> {
+            Ok(Box::new(App::new(cc, &address_query())?))
+        };
+        self.runner.start(canvas, options, Box::new(create)).await
+    }
+
+    /// Stops and lets go of the canvas.
+    pub fn destroy(&self) {
+        self.runner.destroy();
+    }
+
+    /// Whether the program has panicked.
+    pub fn has_panicked(&self) -> bool {
+        self.runner.has_panicked()
+    }
+
+    /// The panic's message.
+    pub fn panic_message(&self) -> Option<String> {
+        self.runner.panic_summary().map(|s| s.message())
+    }
+
+    /// The current state string.
+    pub fn state(&self) -> String {
+        self.with(|app| app.state()).unwrap_or_default()
+    }
+
+    /// Turns to another state, as if the user had set every value.
+    pub fn set_state(&self, state: &str) {
+        self.with(|app| app.set_state(state));
+    }
+
+    /// Frames painted so far.
+    pub fn frames(&self) -> f64 {
+        self.with(|app| app.frames() as f64).unwrap_or_default()
+    }
+
+    /// Why the GPU was lost, if it was.
+    pub fn device_lost(&self) -> Option<String> {
+        self.with(|app| app.device_lost()).flatten()
+    }
+
+    /// The maps of a state at its time, for tests: `n`, `cascades`, `heights` (f32 copy of eta) and `displacement`
+    /// (the bits of the half-float map), cascade by cascade.
+    ///
+    /// # Errors
+    /// If the program does not run or the GPU does not give its memory back.
+    pub async fn read_back(&self, state: String) -> Result<JsValue, JsValue> {
+        let render_state = self.with(|app| app.render_state().clone()).ok_or("the program is not running")?;
+        let (device, queue) = (&render_state.device, &render_state.queue);
+        let (params, _) = query::parse(&state);
+        let plan = Plan::new(&params);
+        let t_s = params.clock.t_s;
+        let mut sim = Simulation::new(device, queue, plan, &Shaders::default());
+        let maps = sim.read_f32(device, queue, t_s).await?;
+        let heights: Vec<f32> = (0..maps.cascades()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("read back") });
+        sim.encode(queue, &mut encoder, t_s, [0.0; 2], MAX_STEPS);
+        let copy = readback::stage_texture(device, &mut encoder, &sim.resources.displacement, 0);
+        queue.submit([encoder.finish()]);
+        let halves: Vec<u16> = bytemuck::pod_collect_to_vec(&copy.read(device).await?);
+        let out = js_sys::Object::new();
+        let set = |key: &str, value: &JsValue| js_sys::Reflect::set(&out, &key.into(), value);
+        set("n", &JsValue::from(maps.n as u32))?;
+        set("cascades", &JsValue::from(maps.cascades() as u32))?;
+        set("heights", &js_sys::Float32Array::from(&heights[..]))?;
+        set("displacement", &js_sys::Uint16Array::from(&halves[..]))?;
+        Ok(out.into())
+    }
+
+    fn with<T>(&self, f: impl FnOnce(&mut App) -> T) -> Option<T> {
+        self.runner.app_mut::<App>().map(|mut app| f(&mut app))
+    }
+}
+
+fn address_query() -> String {
+    eframe::web::web_location().query
+}
+
+/// The page's address with another state.
+pub fn link(state: &str) -> String {
+    let location = eframe::web::web_location();
+    let base = location.url.split(['?', '#']).next().unwrap_or_default().to_owned();
+    if state.is_empty() { base } else { format!("{base}?{state}") }
+}
+
+/// What the address says, so that only changes are written and going back is noticed.
+pub struct Address {
+    /// The query as last read or written.
+    query: String,
+    /// The parameters of the current entry of the history.
+    entry: Params,
+    written: Instant,
+}
+
+impl Address {
+    /// The address that the program was started with.
+    pub fn new(params: &Params) -> Self {
+        Self { query: address_query(), entry: tidy(params), written: Instant::now() }
+    }
+}
+
+impl App {
+    /// Follows the address when the user went back or forward; else writes the state to it. A change of the sea or the
+    /// light is a new entry of the history, time and camera replace the current one.
+    pub(super) fn keep_address(&mut self) {
+        let query = address_query();
+        if query != self.address.query {
+            let clock = self.params.clock.clone();
+            self.set_state(&query);
+            // Going back means the sea and the view, not the time, unless time was part of the question.
+            if !clock.paused && !self.params.clock.paused {
+                self.params.clock.t_s = clock.t_s;
+            }
+            self.address.query = query;
+            self.address.entry = tidy(&self.params);
+            return;
+        }
+        let now = tidy(&self.params);
+        let state = query::write(&now);
+        let due = self.address.written.elapsed().as_secs_f32() > WRITE_EVERY_S;
+        if !due || state == query::write(&self.address.entry) {
+            return;
+        }
+        let same_entry = Params { clock: now.clock.clone(), camera: now.camera.clone(), ..self.address.entry.clone() };
+        let address = link(&state);
+        let Some(history) = web_sys::window().and_then(|w| w.history().ok()) else { return };
+        let written = if same_entry == now {
+            history.replace_state_with_url(&JsValue::NULL, "", Some(&address))
+        } else {
+            history.push_state_with_url(&JsValue::NULL, "", Some(&address))
+        };
+        // A refusal (too many writes) is tried again at the next turn.
+        if written.is_ok() {
+            self.address.query = address_query();
+            self.address.entry = now;
+        }
+        self.address.written = Instant::now();
+    }
+}

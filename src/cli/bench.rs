@@ -1,0 +1,124 @@
+//! `seastate bench`: what each pass costs, by submitting it alone and waiting. Medians, with the 10th and 90th percentile.
+
+use crate::gpu::device::Gpu;
+use crate::gpu::shaders::Shaders;
+use crate::model::{Params, Plan, query};
+use crate::ocean::Ocean;
+use crate::sim::Simulation;
+use serde_json::json;
+use std::fmt;
+use web_time::Instant;
+
+/// Time of one pass over the repetitions, ms.
+#[derive(Clone, Debug)]
+struct Timing {
+    pass: &'static str,
+    median: f64,
+    low: f64,
+    high: f64,
+}
+
+/// The result.
+#[derive(Debug)]
+pub struct Report {
+    state: String,
+    adapter: String,
+    backend: String,
+    n: u32,
+    cascades: usize,
+    size: [u32; 2],
+    repeat: u32,
+    timings: Vec<Timing>,
+}
+
+/// Times the passes of a state and the whole frame at `size` pixels.
+///
+/// # Errors
+/// If there is no adapter, or waiting for it fails.
+pub async fn run(params: &Params, size: [u32; 2], repeat: u32) -> Result<Report, String> {
+    let gpu = Gpu::request().await?;
+    let plan = Plan::new(params);
+    let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan.clone(), &Shaders::default());
+    let step = sim.push_step(&gpu.queue, params.clock.t_s, false);
+    let mut timings = Vec::new();
+    {
+        let (p, r) = (&sim.passes, &sim.resources);
+        let mut add = |pass, record: &dyn Fn(&mut wgpu::CommandEncoder)| {
+            timings.push(time(&gpu, repeat, pass, |_, encoder| record(encoder))?);
+            Ok::<(), String>(())
+        };
+        add("spectrum", &|e| p.spectrum.run(e, r, step))?;
+        add("rows", &|e| p.rows.run(e, r, step))?;
+        add("columns", &|e| p.columns.run(e, r, step))?;
+        add("mips", &|e| p.mips.run(e, r, step))?;
+        add("foam", &|e| p.foam.run(e, r, step, 0))?;
+    }
+    let mut ocean = Ocean::new(&gpu.device, &gpu.queue, wgpu::TextureFormat::Rgba8Unorm, params);
+    let mut frame = params.clone();
+    timings.push(time(&gpu, repeat, "frame", |i, encoder| {
+        frame.clock.t_s = params.clock.t_s + f64::from(i) / 60.0;
+        ocean.set_params(&gpu.device, &gpu.queue, &frame);
+        ocean.encode_fully(&gpu.device, &gpu.queue, encoder, size);
+    })?);
+    let info = gpu.adapter.get_info();
+    Ok(Report {
+        state: query::write(params),
+        adapter: info.name,
+        backend: info.backend.to_string(),
+        n: plan.n,
+        cascades: plan.cascades.len(),
+        size,
+        repeat,
+        timings,
+    })
+}
+
+/// Submits what `record` records and waits, `repeat` times after two to warm up.
+fn time(
+    gpu: &Gpu,
+    repeat: u32,
+    pass: &'static str,
+    mut record: impl FnMut(u32, &mut wgpu::CommandEncoder),
+) -> Result<Timing, String> {
+    let mut times = Vec::new();
+    for i in 0..repeat + 2 {
+        let start = Instant::now();
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some(pass) });
+        record(i, &mut encoder);
+        gpu.queue.submit([encoder.finish()]);
+        gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| e.to_string())?;
+        if i >= 2 {
+            times.push(1e3 * start.elapsed().as_secs_f64());
+        }
+    }
+    times.sort_by(f64::total_cmp);
+    let at = |q: f64| times[((times.len() - 1) as f64 * q).round() as usize];
+    Ok(Timing { pass, median: at(0.5), low: at(0.1), high: at(0.9) })
+}
+
+impl Report {
+    /// The report as JSON.
+    pub fn json(&self) -> String {
+        let passes: serde_json::Map<_, _> = (self.timings.iter())
+            .map(|t| (t.pass.to_owned(), json!({"median_ms": t.median, "p10_ms": t.low, "p90_ms": t.high})))
+            .collect();
+        let value = json!({
+            "state": self.state, "adapter": self.adapter, "backend": self.backend, "n": self.n,
+            "cascades": self.cascades, "size": self.size, "repeat": self.repeat,
+            "method": "one submission, waited for", "passes": passes,
+        });
+        serde_json::to_string_pretty(&value).unwrap_or_default()
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [w, h] = self.size;
+        writeln!(f, "{} ({}), n {}, {} cascades, {w}x{h}", self.adapter, self.backend, self.n, self.cascades)?;
+        writeln!(f, "{:<12} {:>12} {:>24}", "pass", "median, ms", "10th to 90th percentile")?;
+        for t in &self.timings {
+            writeln!(f, "{:<12} {:>12.3} {:>14.3} {:>9.3}", t.pass, t.median, t.low, t.high)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,105 @@
+//! `seastate export`: the maps as OpenEXR, 32-bit float, named channels; and what they mean as plan.json.
+
+use super::stats::foam_levels;
+use crate::gpu::device::Gpu;
+use crate::gpu::readback;
+use crate::gpu::shaders::Shaders;
+use crate::model::{Params, Plan, query};
+use crate::sim::{MAX_STEPS, Simulation};
+use exr::prelude::*;
+use std::path::Path;
+
+/// The foam level that is exported.
+const FOAM_LEVEL: usize = 1;
+
+/// Writes the maps of a state at its time to a folder.
+///
+/// # Errors
+/// One sentence, if the folder cannot be written or the GPU does not give its memory back.
+pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Result<(), String> {
+    std::fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+    let gpu = Gpu::request().await?;
+    let plan = Plan::new(params);
+    let n = plan.n as usize;
+    let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan.clone(), &Shaders::default());
+    let maps = sim.read_f32(&gpu.device, &gpu.queue, params.clock.t_s).await?;
+    let chop = plan.sea.chop as f32;
+    for c in 0..maps.cascades() {
+        let (d, g) = (maps.displacement(c), maps.gradients(c));
+        let displacement: [(&str, Box<dyn Fn(usize) -> f32>); 3] = [
+            ("X", Box::new(move |i| chop * d[i][0])),
+            ("Y", Box::new(move |i| d[i][1])),
+            ("Z", Box::new(move |i| chop * d[i][2])),
+        ];
+        write(&folder.join(format!("cascade{c}_displacement.exr")), n, &displacement)?;
+        let gradients: [(&str, Box<dyn Fn(usize) -> f32>); 5] = [
+            ("deta_dx", Box::new(move |i| g[i][0])),
+            ("deta_dz", Box::new(move |i| g[i][1])),
+            ("dDx_dx", Box::new(move |i| g[i][2])),
+            ("dDz_dz", Box::new(move |i| g[i][3])),
+            ("dDx_dz", Box::new(move |i| d[i][3])),
+        ];
+        write(&folder.join(format!("cascade{c}_gradients.exr")), n, &gradients)?;
+    }
+    let centre = [params.camera.x_m, params.camera.z_m];
+    let levels = foam_levels(&gpu, &mut sim, params.clock.t_s, centre).await?;
+    let foam_level = sim.maps().foam_levels[FOAM_LEVEL];
+    let size = sim.resources.foam_n as usize;
+    let corner = foam_level.centre.map(|x| x - 0.5 * size as f64 * foam_level.texel_m);
+    let first = corner.map(|x| (x / foam_level.texel_m).round() as i64);
+    let place = |i: usize, axis: usize| (first[axis] + i as i64).rem_euclid(size as i64) as usize;
+    let foam = |i: usize| levels[FOAM_LEVEL][place(i / size, 1) * size + place(i % size, 0)];
+    let channels: [(&str, Box<dyn Fn(usize) -> f32 + '_>); 1] = [("foam", Box::new(foam))];
+    write(&folder.join("foam.exr"), size, &channels)?;
+    if raw {
+        let heights: Vec<f32> = (0..maps.cascades()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
+        save(&folder.join("heights.f32"), bytemuck::cast_slice(&heights))?;
+        save(&folder.join("displacement.f16"), &half_maps(&gpu, params, &plan).await?)?;
+    }
+    let about = serde_json::json!({
+        "state": query::write(params),
+        "t_s": params.clock.t_s,
+        "period_s": plan.period_s,
+        "axes": "+x east, +y up, +z south; column i holds x = i patch_m / n, row j holds z = j patch_m / n",
+        "chop": plan.sea.chop,
+        "notices": plan.notices,
+        "cascades": plan.cascades.iter().enumerate().map(|(i, c)| serde_json::json!({
+            "displacement": format!("cascade{i}_displacement.exr"),
+            "gradients": format!("cascade{i}_gradients.exr"),
+            "n": plan.n, "patch_m": c.patch_m, "k_low": c.k_low, "k_high": c.k_high,
+        })).collect::<Vec<_>>(),
+        "foam": {
+            "file": "foam.exr", "n": size, "side_m": size as f64 * foam_level.texel_m, "corner_xz_m": corner,
+            "what": "foam 0..1 in undisplaced coordinates; the first row lies at the smallest z",
+        },
+    });
+    save(&folder.join("plan.json"), serde_json::to_string_pretty(&about).unwrap_or_default().as_bytes())
+}
+
+/// The displacement maps as the renderer samples them: rgba16float, level 0.
+async fn half_maps(gpu: &Gpu, params: &Params, plan: &Plan) -> std::result::Result<Vec<u8>, String> {
+    let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan.clone(), &Shaders::default());
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    sim.encode(&gpu.queue, &mut encoder, params.clock.t_s, [0.0; 2], MAX_STEPS);
+    let copy = readback::stage_texture(&gpu.device, &mut encoder, &sim.resources.displacement, 0);
+    gpu.queue.submit([encoder.finish()]);
+    copy.read(&gpu.device).await
+}
+
+/// Writes a square image of f32 channels; each gives its value at texel i (row by row).
+fn write<'a>(
+    path: &Path,
+    n: usize,
+    channels: &[(&str, Box<dyn Fn(usize) -> f32 + 'a>)],
+) -> std::result::Result<(), String> {
+    let list = channels
+        .iter()
+        .map(|(name, value)| AnyChannel::new(*name, FlatSamples::F32((0..n * n).map(value).collect())))
+        .collect();
+    let image = Image::from_channels((n, n), AnyChannels::sort(list));
+    image.write().to_file(path).map_err(|e| format!("cannot write {}: {e}", path.display()))
+}
+
+fn save(path: &Path, bytes: &[u8]) -> std::result::Result<(), String> {
+    std::fs::write(path, bytes).map_err(|e| format!("cannot write {}: {e}", path.display()))
+}

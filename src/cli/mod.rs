@@ -1,0 +1,203 @@
+//! The native command line: one state string in; a window, a picture, maps or numbers out.
+
+pub mod bench;
+pub mod check;
+pub mod export;
+pub mod render;
+pub mod stats;
+
+use crate::gpu::device::Gpu;
+use crate::model::fields::FIELDS;
+use crate::model::{Params, query};
+use clap::{Parser, Subcommand};
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+/// Exit code of bad arguments and of a missing GPU.
+const USAGE: i32 = 2;
+
+#[derive(Parser)]
+#[command(
+    name = "seastate",
+    version,
+    about = "An ocean you can believe: sea states computed on the GPU from oceanographic spectra",
+    args_conflicts_with_subcommands = true,
+    after_help = "A STATE is a query string such as 'wind=14&fetch=300&t=40', or a whole page address; see 'seastate keys'.\n\
+                  WGPU_ADAPTER_NAME and WGPU_BACKEND choose the GPU."
+)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+    /// The sea to open in a window
+    state: Option<String>,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Renders a picture
+    Render {
+        /// The sea
+        #[arg(default_value = "")]
+        state: String,
+        /// Width and height in pixels
+        #[arg(long, default_value = "1280x720", value_parser = parse_size)]
+        size: [u32; 2],
+        /// Where to write the PNG
+        #[arg(short, long, default_value = "sea.png")]
+        output: PathBuf,
+    },
+    /// Writes the maps of every cascade, the foam and the plan
+    Export {
+        /// The sea
+        #[arg(default_value = "")]
+        state: String,
+        /// Folder to write to; made if missing
+        #[arg(short, long)]
+        output: PathBuf,
+        /// Also writes heights.f32 and displacement.f16: the bare numbers, cascade by cascade
+        #[arg(long)]
+        raw: bool,
+    },
+    /// Prints theory, resolved and measured numbers of a sea
+    Stats {
+        /// The sea
+        #[arg(default_value = "")]
+        state: String,
+        /// Seeds to measure over
+        #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+        seeds: u32,
+        /// Prints JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Compares every GPU pass with the f64 oracle
+    Check {
+        /// The sea
+        #[arg(default_value = "")]
+        state: String,
+    },
+    /// Times the passes
+    Bench {
+        /// The sea
+        #[arg(default_value = "")]
+        state: String,
+        /// Width and height of the picture in pixels
+        #[arg(long, default_value = "1280x720", value_parser = parse_size)]
+        size: [u32; 2],
+        /// Repetitions of each pass
+        #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+        repeat: u32,
+        /// Prints JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Lists the keys of the state string
+    Keys,
+}
+
+/// Runs the command line of this process; returns its exit code.
+pub fn main() -> i32 {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(e) if e.use_stderr() => {
+            let text = e.to_string();
+            let first = text.lines().next().unwrap_or_default().trim_start_matches("error: ");
+            return fail(&format!("{first} (see 'seastate --help')"));
+        }
+        Err(help) => {
+            // Help and version; a closed pipe is no reason to complain.
+            let _ = help.print();
+            return 0;
+        }
+    };
+    match run(cli) {
+        Ok(code) => code,
+        Err(message) => fail(&message),
+    }
+}
+
+fn fail(message: &str) -> i32 {
+    eprintln!("seastate: {message}");
+    USAGE
+}
+
+fn run(cli: Cli) -> Result<i32, String> {
+    match cli.command {
+        None => crate::app::native::run(&read_state(cli.state.as_deref().unwrap_or_default())).map(|()| 0),
+        Some(Command::Render { state, size, output }) => {
+            pollster::block_on(render::run(&read_state(&state), size, &output)).map(|()| 0)
+        }
+        Some(Command::Export { state, output, raw }) => {
+            pollster::block_on(export::run(&read_state(&state), &output, raw)).map(|()| 0)
+        }
+        Some(Command::Stats { state, seeds, json }) => {
+            let (params, notices) = query::parse(&state);
+            let report = pollster::block_on(async { stats::run(&Gpu::request().await?, &params, seeds).await })?;
+            if !json {
+                report_notices(&notices);
+            }
+            print(&if json { report.json(&notices) } else { report.to_string() })
+        }
+        Some(Command::Check { state }) => pollster::block_on(check(&read_state(&state))),
+        Some(Command::Bench { state, size, repeat, json }) => {
+            let report = pollster::block_on(bench::run(&read_state(&state), size, repeat))?;
+            print(&if json { report.json() } else { report.to_string() })
+        }
+        Some(Command::Keys) => print(&keys()),
+    }
+}
+
+async fn check(params: &Params) -> Result<i32, String> {
+    let gpu = Gpu::request().await?;
+    let info = gpu.adapter.get_info();
+    let lines = check::run(&gpu, params, &crate::gpu::shaders::Shaders::default()).await?;
+    let mut text = format!("{} ({})\n", info.name, info.backend);
+    let _ = writeln!(text, "{:<34} {:>7} {:>12} {:>12}", "pass", "cascade", "error", "tolerance");
+    for line in &lines {
+        let _ = writeln!(text, "{line}");
+    }
+    let wrong = lines.iter().filter(|l| !l.passes()).count();
+    let verdict = if wrong == 0 { "all within tolerance".to_owned() } else { format!("{wrong} out of tolerance") };
+    let _ = writeln!(text, "{} comparisons, {verdict}", lines.len());
+    print(&text)?;
+    Ok(i32::from(wrong > 0))
+}
+
+/// Reads a state string; what was not taken as written is said on stderr.
+fn read_state(state: &str) -> Params {
+    let (params, notices) = query::parse(state);
+    report_notices(&notices);
+    report_notices(&crate::model::Plan::new(&params).notices);
+    params
+}
+
+fn report_notices(notices: &[String]) {
+    for notice in notices {
+        eprintln!("seastate: {notice}");
+    }
+}
+
+/// Writes to stdout; a closed pipe (`seastate stats | head`) is an error in one line, not a panic.
+fn print(text: &str) -> Result<i32, String> {
+    use std::io::Write as _;
+    writeln!(std::io::stdout(), "{}", text.trim_end()).map(|()| 0).map_err(|e| format!("cannot write: {e}"))
+}
+
+fn keys() -> String {
+    let mut text = String::new();
+    for field in FIELDS {
+        let unit = if field.unit.is_empty() { String::new() } else { format!(" {}", field.unit) };
+        let default = field.format(field.default_value());
+        let _ = writeln!(text, "{:<10} {} (default {default}{unit})", field.key, field.range());
+        let _ = writeln!(text, "           {}", field.help);
+    }
+    text
+}
+
+fn parse_size(text: &str) -> Result<[u32; 2], String> {
+    let parts = text.split_once(['x', 'X']).and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
+    match parts {
+        Some(size) if size.iter().all(|side| (1..=8192).contains(side)) => Ok(size),
+        _ => Err("a size is WIDTHxHEIGHT, each from 1 to 8192, such as 1280x720".to_owned()),
+    }
+}

@@ -1,0 +1,62 @@
+//! `seastate render`: a picture of a state, the same on every run.
+
+use crate::gpu::device::Gpu;
+use crate::gpu::readback;
+use crate::model::Params;
+use crate::ocean::Ocean;
+use std::path::Path;
+
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// Renders a state at its time and writes a PNG.
+///
+/// # Errors
+/// One sentence, if there is no adapter or the file cannot be written.
+pub async fn run(params: &Params, size: [u32; 2], output: &Path) -> Result<(), String> {
+    let gpu = Gpu::request().await?;
+    let pixels = picture(&gpu, params, size).await?;
+    let image = image::RgbaImage::from_raw(size[0], size[1], pixels).ok_or("the picture has a wrong size")?;
+    image
+        .save_with_format(output, image::ImageFormat::Png)
+        .map_err(|e| format!("cannot write {}: {e}", output.display()))
+}
+
+/// The pixels of a state, RGBA, row by row from the top.
+///
+/// # Errors
+/// If the GPU does not give its memory back.
+pub async fn picture(gpu: &Gpu, params: &Params, size: [u32; 2]) -> Result<Vec<u8>, String> {
+    let target = gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("picture"),
+        size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: FORMAT,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    });
+    let mut ocean = Ocean::new(&gpu.device, &gpu.queue, FORMAT, params);
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("picture") });
+    ocean.encode_fully(&gpu.device, &gpu.queue, &mut encoder, size);
+    {
+        let view = target.create_view(&wgpu::TextureViewDescriptor::default());
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("picture"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &view,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
+            })],
+            depth_stencil_attachment: None,
+            timestamp_writes: None,
+            occlusion_query_set: None,
+            multiview_mask: None,
+        });
+        ocean.present(&mut pass);
+    }
+    let copy = readback::stage_texture(&gpu.device, &mut encoder, &target, 0);
+    gpu.queue.submit([encoder.finish()]);
+    copy.read(&gpu.device).await
+}

@@ -1,0 +1,71 @@
+//! What Seastate demands of a GPU: WebGPU's base limits and no optional feature.
+
+/// The device that every shell asks for.
+pub fn descriptor() -> wgpu::DeviceDescriptor<'static> {
+    wgpu::DeviceDescriptor {
+        label: Some("seastate"),
+        required_features: wgpu::Features::empty(),
+        required_limits: wgpu::Limits::default(),
+        ..Default::default()
+    }
+}
+
+/// Backends that the program uses: the browser's WebGPU there, modern native ones here.
+pub fn backends() -> wgpu::Backends {
+    if cfg!(target_arch = "wasm32") {
+        wgpu::Backends::BROWSER_WEBGPU
+    } else {
+        wgpu::Backends::from_env().unwrap_or(wgpu::Backends::PRIMARY)
+    }
+}
+
+/// A device without a window.
+#[derive(Debug)]
+pub struct Gpu {
+    /// Where it came from.
+    pub adapter: wgpu::Adapter,
+    /// Makes resources.
+    pub device: wgpu::Device,
+    /// Takes work.
+    pub queue: wgpu::Queue,
+}
+
+impl Gpu {
+    /// Opens a GPU for headless work. `WGPU_ADAPTER_NAME` picks one by a part of its name.
+    ///
+    /// # Errors
+    /// One sentence that says what to install when there is no adapter.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub async fn request() -> Result<Self, String> {
+        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+        descriptor.backends = backends();
+        let instance = wgpu::Instance::new(descriptor);
+        let adapter = match std::env::var("WGPU_ADAPTER_NAME").ok().filter(|name| !name.is_empty()) {
+            Some(name) => {
+                let all = instance.enumerate_adapters(backends()).await;
+                let known: Vec<String> = all.iter().map(|a| a.get_info().name).collect();
+                let wanted = |a: &wgpu::Adapter| a.get_info().name.to_lowercase().contains(&name.to_lowercase());
+                all.into_iter()
+                    .find(wanted)
+                    .ok_or_else(|| format!("no GPU adapter is called \"{name}\"; there are: {}", known.join(", ")))?
+            }
+            None => instance
+                .request_adapter(&wgpu::RequestAdapterOptions {
+                    power_preference: wgpu::PowerPreference::HighPerformance,
+                    ..Default::default()
+                })
+                .await
+                .map_err(|_| NO_ADAPTER.to_owned())?,
+        };
+        let name = adapter.get_info().name;
+        let (device, queue) = adapter
+            .request_device(&self::descriptor())
+            .await
+            .map_err(|e| format!("the GPU \"{name}\" cannot be used: {e}"))?;
+        Ok(Self { adapter, device, queue })
+    }
+}
+
+/// What to do when there is no adapter.
+pub const NO_ADAPTER: &str = "no Vulkan, Metal or Direct3D 12 adapter found: install your GPU's driver, or the software \
+     one (Debian and Ubuntu: mesa-vulkan-drivers, Fedora: mesa-vulkan-drivers, Arch: vulkan-swrast)";

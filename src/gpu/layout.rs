@@ -1,0 +1,103 @@
+//! Structs that Rust and WGSL share. Ordered so that no padding exists; a test compares them with the parsed shaders.
+
+use bytemuck::{Pod, Zeroable};
+
+/// Most cascades of a sea.
+pub const MAX_CASCADES: usize = 4;
+/// Levels of the foam clipmap.
+pub const FOAM_LEVELS: usize = 4;
+
+/// WGSL `SeaCascade`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+pub struct SeaCascade {
+    /// Side of the patch, m.
+    pub patch_m: f32,
+    /// 2 pi / patch_m.
+    pub dk: f32,
+    /// Of the noise.
+    pub key: u32,
+    /// Unit of the slope moments in half floats.
+    pub moment_scale: f32,
+}
+
+/// WGSL `Sea`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+pub struct SeaUniform {
+    /// Patches.
+    pub cascades: [SeaCascade; MAX_CASCADES],
+    /// Unit vector (x, z) of the waves' travel.
+    pub downwind: [f32; 2],
+    /// Horizontal displacement.
+    pub chop: f32,
+    /// FFT size.
+    pub n: u32,
+    /// Cascades in use.
+    pub count: u32,
+    /// Of the noise.
+    pub seed: u32,
+    /// t / period in units of 2^-32.
+    pub phase_time: u32,
+    /// Not 0: the column pass leaves an f32 copy of the maps in the intermediate buffer.
+    pub keep_f32: u32,
+}
+
+/// WGSL `FoamLevel`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+pub struct FoamLevelUniform {
+    /// Texture coordinates of the first cell's corner on each cascade.
+    pub uv: [[f32; 2]; MAX_CASCADES],
+    /// First cell in range.
+    pub cell: [i32; 2],
+    /// First cell in range at the last step.
+    pub previous: [i32; 2],
+    /// Size of a cell, m.
+    pub texel_m: f32,
+    /// Jacobian below which foam forms.
+    pub threshold: f32,
+    /// Source per unit of Jacobian below the threshold.
+    pub slope: f32,
+    /// Foam of a cell that comes into range.
+    pub start: f32,
+}
+
+/// WGSL `Foam`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+pub struct FoamUniform {
+    /// Levels, finest first.
+    pub levels: [FoamLevelUniform; FOAM_LEVELS],
+    /// Time step, s.
+    pub dt: f32,
+    /// 1 / e-folding time.
+    pub decay: f32,
+    /// Growth at full source, 1/s.
+    pub rate: f32,
+    /// Cells along a side.
+    pub size: u32,
+}
+
+/// A WGSL struct as Rust sees it: its name, members with offsets in bytes, and size.
+pub type Layout = (&'static str, &'static [(&'static str, usize)], usize);
+
+macro_rules! layout {
+    ($wgsl:literal, $rust:ty, $($field:ident as $name:literal),+) => {
+        ($wgsl, &[$(($name, std::mem::offset_of!($rust, $field))),+], size_of::<$rust>())
+    };
+}
+
+/// What the layout test compares with the shaders.
+pub const LAYOUTS: &[Layout] = &[
+    layout!("SeaCascade", SeaCascade, patch_m as "patch_m", dk as "dk", key as "key", moment_scale as "moment_scale"),
+    layout!(
+        "Sea", SeaUniform, cascades as "cascades", downwind as "downwind", chop as "chop", n as "n", count as "count",
+        seed as "seed", phase_time as "phase_time", keep_f32 as "keep_f32"
+    ),
+    layout!(
+        "FoamLevel", FoamLevelUniform, uv as "uv01", cell as "cell", previous as "previous", texel_m as "texel_m",
+        threshold as "threshold", slope as "slope", start as "start"
+    ),
+    layout!("Foam", FoamUniform, levels as "levels", dt as "dt", decay as "decay", rate as "rate", size as "size"),
+];

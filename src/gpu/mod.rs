@@ -1,0 +1,7 @@
+//! wgpu plumbing that knows nothing of rendering: what we demand of a device, the shader table, layouts, read-back.
+
+pub mod device;
+pub mod kernel;
+pub mod layout;
+pub mod readback;
+pub mod shaders;

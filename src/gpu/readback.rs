@@ -1,0 +1,86 @@
+//! Getting bytes back from the GPU, natively and in the browser.
+
+use futures_channel::oneshot;
+
+/// A buffer that a copy can be read from, with the copy recorded.
+pub fn stage_buffer(device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, source: &wgpu::Buffer) -> wgpu::Buffer {
+    let staging = staging(device, source.size());
+    encoder.copy_buffer_to_buffer(source, 0, &staging, 0, source.size());
+    staging
+}
+
+/// Rows of a texture's mip level 0, all layers, each row padded to a multiple of 256 bytes.
+pub struct TextureCopy {
+    staging: wgpu::Buffer,
+    row_bytes: usize,
+    padded: usize,
+}
+
+/// Records the copy of one mip level of a texture, all layers.
+pub fn stage_texture(
+    device: &wgpu::Device,
+    encoder: &mut wgpu::CommandEncoder,
+    texture: &wgpu::Texture,
+    mip_level: u32,
+) -> TextureCopy {
+    let width = (texture.width() >> mip_level).max(1);
+    let height = (texture.height() >> mip_level).max(1);
+    let layers = texture.depth_or_array_layers();
+    let texel = texture.format().block_copy_size(None).unwrap_or(4);
+    let row_bytes = width * texel;
+    let padded = row_bytes.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let staging = staging(device, u64::from(padded) * u64::from(height) * u64::from(layers));
+    encoder.copy_texture_to_buffer(
+        wgpu::TexelCopyTextureInfo {
+            texture,
+            mip_level,
+            origin: wgpu::Origin3d::ZERO,
+            aspect: wgpu::TextureAspect::All,
+        },
+        wgpu::TexelCopyBufferInfo {
+            buffer: &staging,
+            layout: wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(padded),
+                rows_per_image: Some(height),
+            },
+        },
+        wgpu::Extent3d { width, height, depth_or_array_layers: layers },
+    );
+    TextureCopy { staging, row_bytes: row_bytes as usize, padded: padded as usize }
+}
+
+impl TextureCopy {
+    /// The texels, layer by layer and row by row without padding. After the submit.
+    pub async fn read(self, device: &wgpu::Device) -> Result<Vec<u8>, String> {
+        let (row, padded) = (self.row_bytes, self.padded);
+        let bytes = read(device, self.staging).await?;
+        Ok(bytes.chunks(padded).flat_map(|line| &line[..row]).copied().collect())
+    }
+}
+
+/// The bytes of a staging buffer, once the submitted work is done.
+pub async fn read(device: &wgpu::Device, staging: wgpu::Buffer) -> Result<Vec<u8>, String> {
+    let (sender, receiver) = oneshot::channel();
+    staging.slice(..).map_async(wgpu::MapMode::Read, move |result| {
+        // The receiver lives until the end of this function.
+        let _ = sender.send(result);
+    });
+    #[cfg(not(target_arch = "wasm32"))]
+    device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| e.to_string())?;
+    #[cfg(target_arch = "wasm32")]
+    let _ = device;
+    receiver.await.map_err(|e| e.to_string())?.map_err(|e| e.to_string())?;
+    let bytes = staging.slice(..).get_mapped_range().map_err(|e| e.to_string())?.to_vec();
+    staging.unmap();
+    Ok(bytes)
+}
+
+fn staging(device: &wgpu::Device, size: u64) -> wgpu::Buffer {
+    device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("staging"),
+        size,
+        usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
+}

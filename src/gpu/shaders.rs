@@ -1,0 +1,104 @@
+//! Every shader module, joined from plain WGSL files. Names are prefixed by their part (`sea_`, `noise_`).
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+/// One WGSL file.
+struct Part {
+    file: &'static str,
+    text: &'static str,
+}
+
+macro_rules! part {
+    ($file:literal) => {
+        Part { file: $file, text: include_str!(concat!("../../shaders/", $file)) }
+    };
+}
+
+const MATHS: Part = part!("maths.wgsl");
+const SEA: Part = part!("sea.wgsl");
+const NOISE: Part = part!("noise.wgsl");
+const FFT: Part = part!("fft.wgsl");
+
+/// Module names and the parts they are joined from; the last part holds the entry points.
+const MODULES: &[(&str, &[Part])] = &[
+    ("spectrum", &[MATHS, SEA, NOISE, part!("spectrum.wgsl")]),
+    ("rows", &[MATHS, SEA, FFT, part!("rows.wgsl")]),
+    ("columns", &[SEA, FFT, part!("columns.wgsl")]),
+    ("mips", &[SEA, part!("mips.wgsl")]),
+    ("foam", &[MATHS, SEA, part!("foam.wgsl")]),
+];
+
+/// The sources that a device's modules are made from.
+#[derive(Clone, Debug)]
+pub struct Shaders {
+    sources: BTreeMap<&'static str, Cow<'static, str>>,
+}
+
+impl Default for Shaders {
+    fn default() -> Self {
+        let join = |parts: &[Part]| parts.iter().map(|p| p.text).collect::<Vec<_>>().join("\n");
+        Self { sources: MODULES.iter().map(|(name, parts)| (*name, Cow::Owned(join(parts)))).collect() }
+    }
+}
+
+impl Shaders {
+    /// The same sources with a piece of one module replaced: how tests plant faults.
+    ///
+    /// # Panics
+    /// If `from` does not stand in the module exactly once: a fault that is not planted proves nothing.
+    #[must_use]
+    pub fn patched(mut self, module: &str, from: &str, to: &str) -> Self {
+        let source = self.sources.get_mut(module).unwrap_or_else(|| panic!("no shader module {module}"));
+        assert_eq!(source.matches(from).count(), 1, "\"{from}\" should stand once in {module}");
+        *source = Cow::Owned(source.replace(from, to));
+        self
+    }
+
+    /// Names and joined texts.
+    pub fn all(&self) -> impl Iterator<Item = (&'static str, &str)> {
+        self.sources.iter().map(|(name, text)| (*name, text.as_ref()))
+    }
+
+    /// Compiles a module.
+    ///
+    /// # Panics
+    /// If there is none of that name.
+    pub fn module(&self, device: &wgpu::Device, name: &str) -> wgpu::ShaderModule {
+        let (label, source) = self.sources.get_key_value(name).unwrap_or_else(|| panic!("no shader module {name}"));
+        device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(label),
+            source: wgpu::ShaderSource::Wgsl(Cow::Borrowed(source)),
+        })
+    }
+}
+
+/// File and line (from 1) of a line (from 1) of a joined module.
+pub fn locate(module: &str, line: usize) -> Option<(&'static str, usize)> {
+    let (_, parts) = MODULES.iter().find(|(name, _)| *name == module)?;
+    let mut rest = line;
+    for part in *parts {
+        // Joining adds one newline after each part.
+        let lines = part.text.matches('\n').count() + 1;
+        if rest <= lines {
+            return Some((part.file, rest));
+        }
+        rest -= lines;
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_are_found_again() {
+        let shaders = Shaders::default();
+        let (_, text) = shaders.all().find(|(name, _)| *name == "rows").unwrap();
+        let line = text.lines().position(|l| l.contains("fn rows_pack")).unwrap() + 1;
+        let (file, at) = locate("rows", line).unwrap();
+        assert_eq!(file, "rows.wgsl");
+        assert!(include_str!("../../shaders/rows.wgsl").lines().nth(at - 1).unwrap().contains("fn rows_pack"));
+    }
+}

@@ -1,0 +1,103 @@
+//! The façade: a sea and its picture. The only type that the shells use.
+
+use crate::gpu::shaders::Shaders;
+use crate::model::camera::View;
+use crate::model::{Params, Plan, foam, statistics};
+use crate::render::{Renderer, Scene, SeaLook};
+use crate::sim::{MAX_STEPS, Simulation};
+
+/// The eye stays this share of the significant wave height above the still water, so that crests pass below it.
+const EYE_OVER_HS: f64 = 0.85;
+
+/// A sea on a device, with its renderer.
+pub struct Ocean {
+    params: Params,
+    shaders: Shaders,
+    sim: Simulation,
+    renderer: Renderer,
+}
+
+impl Ocean {
+    /// Allocates a sea whose picture goes to targets of `format`.
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, format: wgpu::TextureFormat, params: &Params) -> Self {
+        let shaders = Shaders::default();
+        let sim = Simulation::new(device, queue, Plan::new(params), &shaders);
+        let renderer = Renderer::new(device, queue, format);
+        Self { params: params.clone(), shaders, sim, renderer }
+    }
+
+    /// Turns to other parameters; costs nothing when only the time, the camera or the light changed.
+    pub fn set_params(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, params: &Params) {
+        if (&params.grid, &params.sea) != (&self.params.grid, &self.params.sea) {
+            self.sim.set_plan(device, queue, Plan::new(params), &self.shaders);
+        }
+        self.params = params.clone();
+    }
+
+    /// What is computed.
+    pub fn plan(&self) -> &Plan {
+        self.sim.plan()
+    }
+
+    /// The simulation, for read-back.
+    pub fn simulation(&mut self) -> &mut Simulation {
+        &mut self.sim
+    }
+
+    /// Records one frame of `size` pixels. At most `most_steps` past times are replayed for the foam; returns whether
+    /// it has caught up.
+    pub fn encode(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        size: [u32; 2],
+        most_steps: usize,
+    ) -> bool {
+        let scene = self.scene(size);
+        let centre = [self.params.camera.x_m, self.params.camera.z_m];
+        let caught_up = self.sim.encode(queue, encoder, self.params.clock.t_s, centre, most_steps);
+        self.renderer.draw(device, queue, encoder, self.sim.maps(), &scene, size);
+        caught_up
+    }
+
+    /// Records one frame whose foam is complete: a still that depends on the parameters alone.
+    pub fn encode_fully(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        size: [u32; 2],
+    ) {
+        self.encode(device, queue, encoder, size, MAX_STEPS);
+    }
+
+    /// Draws the recorded frame into the viewport of a pass.
+    pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
+        self.renderer.present(pass);
+    }
+
+    fn scene(&self, [width, height]: [u32; 2]) -> Scene {
+        let plan = self.sim.plan();
+        let sea = &self.params.sea;
+        let hs_m = plan.hs_m();
+        let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
+        let peak_k = crate::model::dispersion::wave_number(plan.spectrum.omega_p, sea.depth_m, sea.gravity_m_s2);
+        let resolved_mss = plan.slope_variance(f64::INFINITY);
+        Scene {
+            view: View::new(&self.params.camera, aspect, 1.0 + EYE_OVER_HS * hs_m),
+            look: self.params.look.clone(),
+            sea: SeaLook {
+                chop: sea.chop as f32,
+                hs_m: hs_m as f32,
+                depth_m: sea.depth_m as f32,
+                wind_m_s: sea.wind_m_s as f32,
+                downwind: plan.downwind.map(|x| x as f32),
+                residual_mss: (statistics::cox_munk_mss(sea.wind_m_s) - resolved_mss).max(0.0) as f32,
+                mean_foam: foam::coverage(plan) as f32,
+                lambda_p_m: (std::f64::consts::TAU / peak_k) as f32,
+            },
+            time_s: self.params.clock.t_s,
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Twin of shaders/foam.wgsl.
+
+use super::Texel;
+
+/// Maps of one cascade at one mip level.
+#[derive(Clone, Debug)]
+pub struct Level<'a> {
+    /// Texels a side.
+    pub n: usize,
+    /// Displacement map.
+    pub displacement: &'a [Texel],
+    /// Gradient map.
+    pub gradients: &'a [Texel],
+}
+
+/// Dxx, Dzz, Dxz at texture coordinates `uv` (1 is the patch), linear between texel centres, repeating.
+pub fn strain(level: &Level<'_>, uv: [f64; 2]) -> [f64; 3] {
+    let n = level.n as i64;
+    let [u, v] = uv.map(|c| c * level.n as f64 - 0.5);
+    let (x, z) = (u.floor(), v.floor());
+    let (fx, fz) = (u - x, v - z);
+    let mut out = [0.0; 3];
+    for (dx, dz, weight) in
+        [(0, 0, (1.0 - fx) * (1.0 - fz)), (1, 0, fx * (1.0 - fz)), (0, 1, (1.0 - fx) * fz), (1, 1, fx * fz)]
+    {
+        let i = ((z as i64 + dz).rem_euclid(n) * n + (x as i64 + dx).rem_euclid(n)) as usize;
+        out[0] += weight * level.gradients[i][2];
+        out[1] += weight * level.gradients[i][3];
+        out[2] += weight * level.displacement[i][3];
+    }
+    out
+}
+
+/// J = (1 + l Dxx)(1 + l Dzz) - l^2 Dxz^2 of summed strains.
+pub fn jacobian([xx, zz, xz]: [f64; 3], chop: f64) -> f64 {
+    (1.0 + chop * xx) * (1.0 + chop * zz) - (chop * xz).powi(2)
+}
+
+/// Foam after `dt_s` of a constant source in [0, 1]: dF/dt = rate s (1 - F) - F / decay, solved exactly.
+pub fn step(before: f64, source: f64, rate: f64, decay_s: f64, dt_s: f64) -> f64 {
+    let loss = rate * source + 1.0 / decay_s;
+    let goal = rate * source / loss;
+    goal + (before - goal) * (-loss * dt_s).exp()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn foam_does_not_depend_on_the_frame_rate_and_stays_bounded() {
+        let run = |rate_hz: i32| {
+            (0..10 * rate_hz).fold(0.0, |f, i| {
+                let t = f64::from(i) / f64::from(rate_hz);
+                step(f, if (t as i32) % 3 == 0 { 0.8 } else { 0.0 }, 2.0, 4.0, 1.0 / f64::from(rate_hz))
+            })
+        };
+        assert!((run(30) / run(144) - 1.0).abs() < 1e-6);
+        assert!(run(30) > 0.0 && (0..1000).fold(0.0, |f, _| step(f, 1.0, 10.0, 4.0, 0.1)) <= 1.0);
+    }
+}

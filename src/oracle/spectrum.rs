@@ -1,0 +1,29 @@
+//! Twin of shaders/spectrum.wgsl: h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz).
+
+use super::{Complex, signed};
+use crate::model::plan::{Cascade, Plan};
+use crate::model::{noise, statistics};
+
+/// h0 of one cascade, n x n.
+pub fn h0(plan: &Plan, cascade: &Cascade) -> Vec<Complex> {
+    let n = plan.n as usize;
+    (0..n * n).map(|i| wave(plan, cascade, signed(i % n, n), signed(i / n, n))).collect()
+}
+
+fn wave(plan: &Plan, cascade: &Cascade, ix: i32, iz: i32) -> Complex {
+    let nyquist = -(plan.n as i32) / 2;
+    let k = [f64::from(ix) * cascade.dk(), f64::from(iz) * cascade.dk()];
+    let length = k[0].hypot(k[1]);
+    // The band's edges are compared as the model does, by the squared index: rounding decides for waves on an edge.
+    let i2 = (ix * ix + iz * iz) as u32;
+    let radius = cascade.dk() * f64::from(i2).sqrt();
+    let outside = i2 == 0 || radius < cascade.k_low || radius >= cascade.k_high;
+    if outside || ix == nyquist || iz == nyquist {
+        return [0.0, 0.0];
+    }
+    let wave = plan.wave(cascade, i2);
+    debug_assert!((wave.k / length - 1.0).abs() < 1e-12);
+    let direction = plan.spreading.lobe(wave.omega).density(statistics::angle(plan.downwind, k));
+    let amplitude = 0.5 * (plan.radial_variance(cascade, &wave) * direction).sqrt();
+    noise::gaussian(noise::words(plan.sea.seed, cascade.key, ix, iz)).map(|x| x * amplitude)
+}

@@ -1,0 +1,38 @@
+//! Inverse discrete Fourier transform in f64: sum over k of X[k] e^{+2 pi i j k / n}, not divided by n.
+
+use super::{Complex, add, mul, scale, unit};
+use std::f64::consts::TAU;
+
+/// Transforms one line, a power of two long.
+pub fn inverse(line: &[Complex]) -> Vec<Complex> {
+    let n = line.len();
+    if n == 1 {
+        return line.to_vec();
+    }
+    let half = |start: usize| inverse(&line.iter().skip(start).step_by(2).copied().collect::<Vec<_>>());
+    let (even, odd) = (half(0), half(1));
+    let mut out = vec![[0.0; 2]; n];
+    for j in 0..n / 2 {
+        let twisted = mul(unit(TAU * j as f64 / n as f64), odd[j]);
+        out[j] = add(even[j], twisted);
+        out[j + n / 2] = add(even[j], scale(twisted, -1.0));
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn agrees_with_the_definition() {
+        let line: Vec<Complex> = (0..16).map(|i| [f64::from(i % 5) - 2.0, f64::from(i % 3)]).collect();
+        for (j, got) in inverse(&line).into_iter().enumerate() {
+            let want = line
+                .iter()
+                .enumerate()
+                .fold([0.0; 2], |sum, (k, &x)| add(sum, mul(x, unit(TAU * (j * k) as f64 / 16.0))));
+            assert!((got[0] - want[0]).abs() + (got[1] - want[1]).abs() < 1e-12);
+        }
+    }
+}

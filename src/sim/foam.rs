@@ -1,0 +1,184 @@
+//! When and where foam is computed: the lattice of replayed times, and the world-anchored levels.
+
+use super::maps::FoamLevel;
+use crate::gpu::layout::{FOAM_LEVELS, FoamLevelUniform, FoamUniform};
+use crate::model::{Plan, foam};
+
+/// Evaluations of a cold start.
+pub const REPLAY_STEPS: usize = 48;
+/// Decay times that a cold start looks back.
+const REPLAY_DECAYS: f64 = 3.0;
+/// A longer step than this is a jump, and starts anew.
+const LONGEST_STEP_S: f64 = 1.0;
+/// Side of the finest level, m, and ratio of neighbouring levels.
+const FINEST_SIDE_M: f64 = 64.0;
+const LEVEL_RATIO: f64 = 4.0;
+
+/// One step of the foam.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// Time at its end, s.
+    pub t_s: f64,
+    /// Its length, s.
+    pub dt_s: f64,
+    /// Whether nothing before it counts.
+    pub fresh: bool,
+}
+
+/// Knows how far the foam has come and where its levels lie.
+#[derive(Debug)]
+pub struct FoamClock {
+    size: u32,
+    /// Time of the last step; None before the first.
+    at_s: Option<f64>,
+    /// Lattice times that a cold start has yet to replay, earliest first.
+    replay: Vec<Step>,
+    cells: Option<[[i32; 2]; FOAM_LEVELS]>,
+}
+
+impl FoamClock {
+    /// Levels of `size` cells a side.
+    pub fn new(size: u32) -> Self {
+        Self { size, at_s: None, replay: Vec::new(), cells: None }
+    }
+
+    /// The next steps towards `t_s`, at most `most`: none when the foam is there already. A cold start (the first call, a
+    /// jump of time) replays a lattice of times that depends on `t_s` alone, so that a still depends on the state alone.
+    pub fn steps_to(&mut self, t_s: f64, plan: &Plan, most: usize) -> Vec<Step> {
+        let jumped = |at: f64| t_s < at || t_s - at > LONGEST_STEP_S;
+        if self.replay.is_empty() && self.at_s.is_none_or(jumped) {
+            self.replay = replay(t_s, plan.sea.foam_decay_s);
+            self.replay.reverse();
+        }
+        let mut steps = Vec::new();
+        while steps.len() < most {
+            match self.replay.pop() {
+                Some(step) => {
+                    // Time may have gone on since the replay was planned; its last step leads to where time is now.
+                    let last = self.replay.is_empty();
+                    let from = step.t_s - step.dt_s;
+                    let t = if last && t_s >= from && t_s - from <= LONGEST_STEP_S { t_s } else { step.t_s };
+                    steps.push(Step { t_s: t, dt_s: t - from, fresh: step.fresh });
+                    self.at_s = Some(t);
+                }
+                None => {
+                    if let Some(at) = self.at_s
+                        && t_s > at
+                        && !jumped(at)
+                    {
+                        steps.push(Step { t_s, dt_s: t_s - at, fresh: false });
+                        self.at_s = Some(t_s);
+                    }
+                    break;
+                }
+            }
+        }
+        steps
+    }
+
+    /// Whether the foam has come to `t_s`.
+    pub fn is_at(&self, t_s: f64) -> bool {
+        self.replay.is_empty() && self.at_s == Some(t_s)
+    }
+
+    /// The levels around `centre` (world x, z).
+    pub fn levels(&self, centre: [f64; 2]) -> Vec<FoamLevel> {
+        let half = f64::from(self.size / 2);
+        (0..FOAM_LEVELS)
+            .map(|level| {
+                let texel_m = self.texel_m(level);
+                let centre = self.first_cell(level, centre).map(|c| (f64::from(c) + half) * texel_m);
+                FoamLevel { texel_m, centre }
+            })
+            .collect()
+    }
+
+    /// The uniform of one step.
+    pub fn uniform(&mut self, step: &Step, centre: [f64; 2], plan: &Plan) -> FoamUniform {
+        let cells: [[i32; 2]; FOAM_LEVELS] = std::array::from_fn(|level| self.first_cell(level, centre));
+        // Before the first step no cell is known: anything out of range says so.
+        let nowhere = [[i32::MIN / 2; 2]; FOAM_LEVELS];
+        let previous = if step.fresh { nowhere } else { self.cells.unwrap_or(nowhere) };
+        self.cells = Some(cells);
+        let levels = std::array::from_fn(|level| {
+            let texel_m = self.texel_m(level);
+            let source = foam::source(plan, texel_m);
+            let mut uv = [[0.0; 2]; 4];
+            for (uv, cascade) in uv.iter_mut().zip(&plan.cascades) {
+                let half_texel = 0.5 / f64::from(plan.n);
+                *uv = cells[level]
+                    .map(|c| ((f64::from(c) * texel_m / cascade.patch_m).rem_euclid(1.0) + half_texel) as f32);
+            }
+            FoamLevelUniform {
+                uv,
+                cell: cells[level],
+                previous: previous[level],
+                texel_m: texel_m as f32,
+                threshold: source.threshold as f32,
+                slope: source.slope as f32,
+                start: foam::coverage(plan) as f32,
+            }
+        });
+        FoamUniform {
+            levels,
+            dt: step.dt_s as f32,
+            decay: (1.0 / plan.sea.foam_decay_s) as f32,
+            rate: plan.sea.foam_rate_per_s as f32,
+            size: self.size,
+        }
+    }
+
+    fn texel_m(&self, level: usize) -> f64 {
+        FINEST_SIDE_M * LEVEL_RATIO.powi(level as i32) / f64::from(self.size)
+    }
+
+    fn first_cell(&self, level: usize, centre: [f64; 2]) -> [i32; 2] {
+        let half = self.size as i32 / 2;
+        centre.map(|x| (x / self.texel_m(level)).floor() as i32 - half)
+    }
+}
+
+/// The steps of a cold start at `t_s`: a lattice of fixed times over the last decay times, then `t_s` itself.
+fn replay(t_s: f64, decay_s: f64) -> Vec<Step> {
+    let dt = REPLAY_DECAYS * decay_s / REPLAY_STEPS as f64;
+    let last = (t_s / dt).floor();
+    let first = last - (REPLAY_STEPS as f64 - 2.0);
+    let mut steps: Vec<Step> =
+        (0..REPLAY_STEPS - 1).map(|i| Step { t_s: (first + i as f64) * dt, dt_s: dt, fresh: i == 0 }).collect();
+    steps.push(Step { t_s, dt_s: t_s - last * dt, fresh: false });
+    steps
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Params;
+
+    #[test]
+    fn a_cold_start_ends_at_its_time_and_depends_on_it_alone() {
+        let plan = Plan::new(&Params::default());
+        for t in [0.0, 20.0, 20.1, 1e6] {
+            let steps = FoamClock::new(64).steps_to(t, &plan, usize::MAX);
+            assert_eq!(steps.len(), REPLAY_STEPS);
+            assert_eq!(steps[REPLAY_STEPS - 1].t_s, t);
+            for pair in steps.windows(2) {
+                assert!((pair[1].t_s - pair[0].t_s - pair[1].dt_s).abs() < 1e-6 * t.max(1.0));
+            }
+        }
+    }
+
+    #[test]
+    fn a_replay_in_parts_catches_up_with_time() {
+        let plan = Plan::new(&Params::default());
+        let mut clock = FoamClock::new(64);
+        let mut t = 5.0;
+        let mut total = 0;
+        for _ in 0..20 {
+            t += 0.02;
+            total += clock.steps_to(t, &plan, 6).len();
+        }
+        assert_eq!(clock.at_s, Some(t));
+        assert!(total >= REPLAY_STEPS);
+        assert_eq!(clock.steps_to(t, &plan, 6), vec![], "nothing to do while time stands still");
+    }
+}

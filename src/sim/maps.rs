@@ -1,0 +1,80 @@
+//! The read-only product of the simulation: all that the renderer sees of it.
+
+use super::resources::{Resources, view};
+use crate::model::Plan;
+
+/// Views of the current sea and what is needed to sample them. A texel (i, j) of a map holds the point
+/// x = i patch/n, z = j patch/n: uv = x / patch + 0.5 / n, repeating.
+#[derive(Debug)]
+pub struct Maps {
+    /// 2d array, rgba16float, layer = cascade, with mips: Dx, eta, Dz (m) and dDx/dz; chop not applied.
+    pub displacement: wgpu::TextureView,
+    /// The same shape: d eta/dx, d eta/dz, dDx/dx, dDz/dz.
+    pub gradients: wgpu::TextureView,
+    /// n/2 a side, with mips: second moments of the slopes (xx, zz, xz, 0) in units of `moment_scale`; mip j belongs
+    /// to mip j + 1 of the others.
+    pub moments: wgpu::TextureView,
+    /// 2d array, rgba16float, layer = foam level, repeating: foam and present source, both 0..1, undisplaced.
+    pub foam: wgpu::TextureView,
+    /// Longest waves first.
+    pub cascades: Vec<MapCascade>,
+    /// Finest first.
+    pub foam_levels: Vec<FoamLevel>,
+    /// Cells along a side of a foam level.
+    pub foam_n: u32,
+    /// Texels along a side of a map.
+    pub n: u32,
+    /// Changes when the views are new.
+    pub generation: u64,
+}
+
+/// One cascade's maps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MapCascade {
+    /// Side of the patch, m.
+    pub patch_m: f64,
+    /// Unit of the moments.
+    pub moment_scale: f32,
+}
+
+/// One level of the foam: valid within half of foam_n texels of its centre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FoamLevel {
+    /// Size of a cell, m.
+    pub texel_m: f64,
+    /// World x and z of the middle.
+    pub centre: [f64; 2],
+}
+
+impl Maps {
+    /// Views of the resources of a plan.
+    pub fn new(plan: &Plan, resources: &Resources) -> Self {
+        let mut maps = Self {
+            displacement: view(&resources.displacement, None),
+            gradients: view(&resources.gradients, None),
+            moments: view(&resources.moments, None),
+            foam: view(&resources.foam, None),
+            cascades: Vec::new(),
+            foam_levels: Vec::new(),
+            foam_n: resources.foam_n,
+            n: resources.n,
+            generation: 0,
+        };
+        maps.update(plan);
+        maps
+    }
+
+    /// Takes over the patches of a plan of the same size.
+    pub(super) fn update(&mut self, plan: &Plan) {
+        self.cascades = plan
+            .cascades
+            .iter()
+            .map(|c| {
+                // Half the cascade's mean square slope is one component's; half floats then hold numbers near 1.
+                let mss = plan.slope_variance_between(c.k_low, c.k_high);
+                let moment_scale = if mss > 1e-12 { 0.5 * mss as f32 } else { 1.0 };
+                MapCascade { patch_m: c.patch_m, moment_scale }
+            })
+            .collect();
+    }
+}

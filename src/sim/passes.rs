@@ -1,0 +1,208 @@
+//! The compute passes, in the order of the frame. A pass is a kernel, its bindings and its number of workgroups.
+
+use super::resources::{Resources, view};
+use super::transform::Transform;
+use crate::gpu::kernel::{Kernel, Slot, UniformRing};
+use crate::gpu::layout::{FOAM_LEVELS, FoamUniform, SeaUniform};
+use crate::gpu::shaders::Shaders;
+
+const SEA: Slot = Slot::Uniform(size_of::<SeaUniform>() as u64);
+const FOAM: Slot = Slot::Uniform(size_of::<FoamUniform>() as u64);
+
+/// All passes of a simulation.
+pub struct Passes {
+    /// h0 of every wave.
+    pub spectrum: SpectrumPass,
+    /// Waves at a time, transformed along x.
+    pub rows: RowsPass,
+    /// Transformed along z, and the maps.
+    pub columns: ColumnsPass,
+    /// Filtered maps and slope moments.
+    pub mips: MipsPass,
+    /// Foam.
+    pub foam: FoamPass,
+}
+
+impl Passes {
+    /// Compiles and binds everything.
+    pub fn new(
+        device: &wgpu::Device,
+        shaders: &Shaders,
+        resources: &Resources,
+        sea: &UniformRing<SeaUniform>,
+        foam: &UniformRing<FoamUniform>,
+    ) -> Self {
+        Self {
+            spectrum: SpectrumPass::new(device, shaders, resources, sea),
+            rows: RowsPass::new(device, shaders, resources, sea),
+            columns: ColumnsPass::new(device, shaders, resources, sea),
+            mips: MipsPass::new(device, shaders, resources, sea),
+            foam: FoamPass::new(device, shaders, resources, sea, foam),
+        }
+    }
+}
+
+/// shaders/spectrum.wgsl
+pub struct SpectrumPass {
+    kernel: Kernel,
+    group: wgpu::BindGroup,
+}
+
+impl SpectrumPass {
+    fn new(device: &wgpu::Device, shaders: &Shaders, r: &Resources, sea: &UniformRing<SeaUniform>) -> Self {
+        let module = shaders.module(device, "spectrum");
+        let kernel = Kernel::new(device, "sea/spectrum", &module, &[SEA, Slot::Read, Slot::Write], &[]);
+        let group = kernel.bind(device, &[sea.binding(), r.radial.as_entire_binding(), r.h0.as_entire_binding()]);
+        Self { kernel, group }
+    }
+
+    /// Draws h0 of all cascades.
+    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, sea: u32) {
+        self.kernel.run(encoder, &self.group, &[sea], [r.n / 64, r.n, r.count]);
+    }
+}
+
+/// shaders/rows.wgsl
+pub struct RowsPass {
+    kernel: Kernel,
+    group: wgpu::BindGroup,
+    transform: Transform,
+}
+
+impl RowsPass {
+    fn new(device: &wgpu::Device, shaders: &Shaders, r: &Resources, sea: &UniformRing<SeaUniform>) -> Self {
+        let transform = Transform::new(r.n);
+        let module = shaders.module(device, "rows");
+        let slots = [SEA, Slot::Read, Slot::Read, Slot::Read, Slot::Write];
+        let kernel = Kernel::new(device, "sea/rows", &module, &slots, &transform.constants());
+        let group = kernel.bind(
+            device,
+            &[
+                sea.binding(),
+                r.h0.as_entire_binding(),
+                r.wave.as_entire_binding(),
+                r.twiddle.as_entire_binding(),
+                r.lines.as_entire_binding(),
+            ],
+        );
+        Self { kernel, group, transform }
+    }
+
+    /// Evolves and transforms all cascades in one dispatch.
+    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, sea: u32) {
+        self.kernel.run(encoder, &self.group, &[sea], [r.n / self.transform.lines, 1, r.count]);
+    }
+}
+
+/// shaders/columns.wgsl
+pub struct ColumnsPass {
+    kernel: Kernel,
+    group: wgpu::BindGroup,
+    transform: Transform,
+}
+
+impl ColumnsPass {
+    fn new(device: &wgpu::Device, shaders: &Shaders, r: &Resources, sea: &UniformRing<SeaUniform>) -> Self {
+        let transform = Transform::new(r.n);
+        let module = shaders.module(device, "columns");
+        let slots = [SEA, Slot::Read, Slot::Write, Slot::Image, Slot::Image];
+        let kernel = Kernel::new(device, "sea/columns", &module, &slots, &transform.constants());
+        let group = kernel.bind(
+            device,
+            &[
+                sea.binding(),
+                r.twiddle.as_entire_binding(),
+                r.lines.as_entire_binding(),
+                wgpu::BindingResource::TextureView(&view(&r.displacement, Some(0))),
+                wgpu::BindingResource::TextureView(&view(&r.gradients, Some(0))),
+            ],
+        );
+        Self { kernel, group, transform }
+    }
+
+    /// Transforms and unpacks all cascades in one dispatch.
+    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, sea: u32) {
+        self.kernel.run(encoder, &self.group, &[sea], [r.n / self.transform.lines, 1, r.count]);
+    }
+}
+
+/// shaders/mips.wgsl
+pub struct MipsPass {
+    first: Kernel,
+    next: Kernel,
+    groups: Vec<wgpu::BindGroup>,
+}
+
+impl MipsPass {
+    fn new(device: &wgpu::Device, shaders: &Shaders, r: &Resources, sea: &UniformRing<SeaUniform>) -> Self {
+        let module = shaders.module(device, "mips");
+        let slots = [SEA, Slot::Texture, Slot::Texture, Slot::Texture, Slot::Image, Slot::Image, Slot::Image];
+        let first = Kernel::new(device, "sea/mips", &module, &slots, &[("FIRST", 1.0)]);
+        let next = Kernel::new(device, "sea/mips", &module, &slots, &[("FIRST", 0.0)]);
+        let groups = (1..r.mips())
+            .map(|level| {
+                let (kernel, moments) = match level {
+                    // The first level makes the moments from slopes; what is bound for them is not read.
+                    1 => (&first, view(&r.gradients, Some(0))),
+                    _ => (&next, view(&r.moments, Some(level - 2))),
+                };
+                let inputs = [view(&r.displacement, Some(level - 1)), view(&r.gradients, Some(level - 1)), moments];
+                let outputs = [
+                    view(&r.displacement, Some(level)),
+                    view(&r.gradients, Some(level)),
+                    view(&r.moments, Some(level - 1)),
+                ];
+                let views = inputs.iter().chain(&outputs).map(wgpu::BindingResource::TextureView);
+                kernel.bind(device, &std::iter::once(sea.binding()).chain(views).collect::<Vec<_>>())
+            })
+            .collect();
+        Self { first, next, groups }
+    }
+
+    /// Fills every level above 0, one dispatch each.
+    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, sea: u32) {
+        for (level, group) in (1..).zip(&self.groups) {
+            let kernel = if level == 1 { &self.first } else { &self.next };
+            let groups = (r.n >> level).div_ceil(8);
+            kernel.run(encoder, group, &[sea], [groups, groups, r.count]);
+        }
+    }
+}
+
+/// shaders/foam.wgsl
+pub struct FoamPass {
+    kernel: Kernel,
+    group: wgpu::BindGroup,
+}
+
+impl FoamPass {
+    fn new(
+        device: &wgpu::Device,
+        shaders: &Shaders,
+        r: &Resources,
+        sea: &UniformRing<SeaUniform>,
+        foam: &UniformRing<FoamUniform>,
+    ) -> Self {
+        let module = shaders.module(device, "foam");
+        let slots = [SEA, FOAM, Slot::Texture, Slot::Texture, Slot::Sampler, Slot::Write, Slot::Image];
+        let kernel = Kernel::new(device, "sea/foam", &module, &slots, &[]);
+        let group = kernel.bind(
+            device,
+            &[
+                sea.binding(),
+                foam.binding(),
+                wgpu::BindingResource::TextureView(&view(&r.displacement, None)),
+                wgpu::BindingResource::TextureView(&view(&r.gradients, None)),
+                wgpu::BindingResource::Sampler(&r.repeat),
+                r.foam_history.as_entire_binding(),
+                wgpu::BindingResource::TextureView(&view(&r.foam, Some(0))),
+            ],
+        );
+        Self { kernel, group }
+    }
+
+    /// One step of all levels.
+    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, sea: u32, foam: u32) {
+        self.kernel.run(encoder, &self.group, &[sea, foam], [r.foam_n / 8, r.foam_n / 8, FOAM_LEVELS as u32]);
+    }
+}
