@@ -1,0 +1,101 @@
+// Each rung of the ladder, by taking away what it speaks of. A page that cannot run must say so, and must never be blank.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { fromPng, spread } from './stats.mjs';
+
+const QUERY = '?wind=15&fetch=300&t=20&n=64';
+
+// Run in the page ahead of its own scripts: no names from here.
+const lowLimits = () => {
+  const real = GPU.prototype.requestAdapter;
+  GPU.prototype.requestAdapter = async function (...rest) {
+    const adapter = await real.apply(this, rest);
+    const limits = new Proxy(adapter.limits, {
+      get: (target, name) => (name === 'maxComputeWorkgroupStorageSize' ? 8192 : Reflect.get(target, name, target)),
+    });
+    return new Proxy(adapter, { get: (target, name) => (name === 'limits' ? limits : Reflect.get(target, name, target)) });
+  };
+};
+
+const RUNGS = [
+  { rung: 'no-wasm', before: () => { delete globalThis.WebAssembly; } },
+  { rung: 'insecure', before: () => { Object.defineProperty(globalThis, 'isSecureContext', { value: false }); } },
+  { rung: 'no-webgpu', before: () => { delete Navigator.prototype.gpu; } },
+  { rung: 'no-adapter', before: () => { GPU.prototype.requestAdapter = async () => null; } },
+  { rung: 'no-adapter', name: 'request refused', before: () => { GPU.prototype.requestAdapter = async () => { throw new Error('refused by the test'); }; }, reason: /refused by the test/ },
+  { rung: 'limits', before: lowLimits, reason: /maxComputeWorkgroupStorageSize is 8192, needed are 16384/ },
+  { rung: 'download', name: 'program missing', folder: 'fault/wasm-404', reason: /404/ },
+  { rung: 'download', name: 'another file in its place', folder: 'fault/wasm-html' },
+  { rung: 'download', name: 'cut off', folder: 'fault/wasm-cut' },
+  { rung: 'download', name: 'loader missing', folder: 'fault/glue-404' },
+  { rung: 'stalled', folder: 'fault/wasm-stall', reason: /MB have come/ },
+  { rung: 'start', folder: 'fault/stub', play: 'reject', reason: /no device: the stub refuses/ },
+  { rung: 'panic', folder: 'fault/stub', play: 'panic', reason: /the stub panicked at src\/stub.rs:1/ },
+  { rung: 'panic', name: 'a trap without words', folder: 'fault/stub', play: 'trap', reason: /unreachable executed/ },
+  { rung: 'lost', folder: 'fault/stub', play: 'lost', reason: /the stub was unplugged/ },
+];
+
+export async function ladder({ test, out, origin, browser }) {
+  for (const { rung, name, before, folder, play, reason } of RUNGS) {
+    await test(`${browser.name}: ladder: ${rung}${name ? `, ${name}` : ''}`, async () => {
+      const url = `${origin}/${folder ? `${folder}/` : ''}${QUERY}${play ? `&play=${play}` : ''}`;
+      const tab = await browser.open(url, { before });
+      try {
+        const shown = await tab.until('a rung', () => document.body.dataset.rung);
+        assert.equal(shown, rung);
+        const text = await tab.evaluate(() => document.getElementById('ladder').innerText);
+        const visible = await tab.evaluate(() => [...document.querySelectorAll('[data-rung]')].filter((each) => each.tagName === 'SECTION' && each.checkVisibility()).map((each) => each.dataset.rung));
+        assert.deepEqual(visible, [rung], 'exactly one rung is to be seen');
+        assert.match(text, /wind=15&fetch=300&t=20&n=64/, 'the state is kept');
+        if (reason) assert.match(text, reason);
+        assert.equal(await tab.evaluate(() => location.search.startsWith('?wind=15&fetch=300&t=20&n=64')), true);
+        await tab.until('the picture', () => {
+          const still = document.querySelector('#ladder img');
+          return still.complete && still.naturalWidth > 0;
+        });
+        const picture = fromPng(await tab.screenshot(join(out, `${browser.name}-ladder-${rung}.png`)));
+        assert.ok(spread(picture) > 4, 'the page is blank');
+      } finally {
+        await tab.close();
+      }
+    });
+  }
+
+  await test(`${browser.name}: ladder: a lost device comes back twice`, async () => {
+    const tab = await browser.open(`${origin}/fault/stub/${QUERY}&play=lost`);
+    try {
+      await tab.until('the last rung', () => document.body.dataset.rung === 'lost');
+      const reloads = tab.log.filter((line) => line.includes('loading the page again')).length;
+      assert.equal(reloads, 2);
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: loading is no blank page`, async () => {
+    const tab = await browser.open(`${origin}/fault/stub/${QUERY}&play=sleep`);
+    try {
+      await tab.until('the start', () => document.getElementById('status').textContent.startsWith('Preparing'));
+      const picture = fromPng(await tab.screenshot(join(out, `${browser.name}-loading.png`)));
+      assert.ok(spread(picture) > 4, 'the page is blank');
+      assert.deepEqual(tab.errors, []);
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: progress counts bytes`, async () => {
+    const tab = await browser.open(`${origin}/fault/wasm-stall/${QUERY}`);
+    try {
+      const text = await tab.until('half a program', () => {
+        const status = document.getElementById('status').textContent;
+        const bar = document.getElementById('bar');
+        return bar.value > 0 && Math.abs(bar.value / bar.max - 0.5) < 0.01 && status;
+      });
+      assert.match(text, /^Loading: \d+\.\d of \d+\.\d MB$/);
+      return text;
+    } finally {
+      await tab.close();
+    }
+  });
+}

@@ -1,0 +1,88 @@
+// Opens the built page in Chromium and Firefox and says what holds: `node run.mjs [--browser NAME] [--only TEXT]`.
+//
+// `dist/` must be built, and the native program too: it gives the reference for "one state, one sea on every stack".
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { brotliCompressSync, constants } from 'node:zlib';
+import { parseArgs } from 'node:util';
+import { NAMES, launch } from './browsers.mjs';
+import { ladder } from './ladder.mjs';
+import { sea } from './sea.mjs';
+import { serve } from './server.mjs';
+
+const { values: options } = parseArgs({ options: { browser: { type: 'string' }, only: { type: 'string', default: '' } } });
+const top = fileURLToPath(new URL('../..', import.meta.url));
+const dist = join(top, 'dist');
+const out = fileURLToPath(new URL('out', import.meta.url));
+const WASM_BUDGET = 3 * 1024 * 1024; // bytes, as a host that packs with brotli sends them
+
+rmSync(out, { recursive: true, force: true });
+mkdirSync(out, { recursive: true });
+if (!existsSync(join(dist, 'index.html'))) {
+  console.error('browser tests: there is no dist/index.html: run `trunk build --release` first');
+  process.exit(2);
+}
+
+let passed = 0;
+const failed = [];
+
+async function test(name, body) {
+  if (!name.includes(options.only)) return;
+  const begun = Date.now();
+  const seconds = () => `${((Date.now() - begun) / 1000).toFixed(1)} s`;
+  try {
+    const note = await body();
+    passed += 1;
+    console.log(`ok    ${name}${note ? `: ${note}` : ''} (${seconds()})`);
+  } catch (error) {
+    failed.push(name);
+    console.log(`FAIL  ${name} (${seconds()})\n      ${String(error?.message ?? error).replaceAll('\n', '\n      ')}`);
+  }
+}
+
+/** The native program's heights and displacements for a state. */
+function native(state) {
+  const target = process.env.CARGO_TARGET_DIR ?? join(top, 'target');
+  const program = process.env.SEASTATE_BIN ?? join(target, 'debug', 'seastate');
+  const folder = join(out, 'native');
+  execFileSync(program, ['export', state, '-o', folder, '--raw'], { stdio: ['ignore', 'ignore', 'inherit'] });
+  const bytes = (name) => {
+    const file = readFileSync(join(folder, name));
+    return file.buffer.slice(file.byteOffset, file.byteOffset + file.byteLength);
+  };
+  return { heights: new Float32Array(bytes('heights.f32')), displacement: new Uint16Array(bytes('displacement.f16')) };
+}
+
+const server = await serve(dist);
+const context = { test, out, origin: server.origin, native };
+
+await test('the page: small enough', () => {
+  const name = readdirSync(dist).find((file) => file.endsWith('.wasm'));
+  const raw = readFileSync(join(dist, name));
+  const packed = brotliCompressSync(raw, { params: { [constants.BROTLI_PARAM_QUALITY]: 9 } }).length;
+  const note = `${(packed / 1048576).toFixed(2)} MiB with brotli, ${(raw.length / 1048576).toFixed(2)} MiB without`;
+  if (packed > WASM_BUDGET) throw new Error(`${name}: ${note}, the budget is ${WASM_BUDGET / 1048576} MiB`);
+  return note;
+});
+
+for (const name of NAMES.filter((each) => !options.browser || each === options.browser)) {
+  let browser;
+  await test(`${name}: starts`, async () => {
+    browser = await launch(name);
+    return browser.version;
+  });
+  browser ??= failed.some((each) => each.startsWith(`${name}: starts`)) ? undefined : await launch(name);
+  if (!browser) continue;
+  try {
+    await sea({ ...context, browser });
+    await ladder({ ...context, browser });
+  } finally {
+    await browser.close().catch(() => {});
+  }
+}
+
+await server.close();
+console.log(`browser tests: ${passed} passed, ${failed.length} failed${failed.length ? `: ${failed.join('; ')}` : ''}`);
+process.exit(failed.length || passed === 0 ? 1 : 0);

@@ -1,0 +1,180 @@
+// The sea itself: seen, moving, the same on every stack, and in step with the address.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { compareHalves, compareHeights } from './maps.mjs';
+import { SEA, change, crop, fromPng, measure, notASea, spread } from './stats.mjs';
+
+const STATE = 'wind=15&fetch=300&t=20&n=64';
+// The water left of the panel and below the horizon, in fractions of the window.
+const WATER = [0.02, 0.62, 0.5, 0.98];
+
+/** Opens a state and waits for its picture. */
+async function openSea({ browser, origin }, state, folder = '') {
+  const tab = await browser.open(`${origin}/${folder}?${state}`);
+  await tab.until('the first picture', () => document.body.classList.contains('running') || document.body.dataset.rung);
+  assert.equal(await tab.evaluate(() => document.body.dataset.rung), undefined, await tab.evaluate(() => document.body.innerText));
+  await frames(tab, 3);
+  return tab;
+}
+
+/** Waits for so many more frames. */
+async function frames(tab, count) {
+  const have = await tab.evaluate(() => window.seastate.frames());
+  await tab.until(`${count} more frames`, (enough) => window.seastate.frames() >= enough, have + count);
+}
+
+const values = (query) => Object.fromEntries(new URLSearchParams(query));
+const stateOf = async (tab) => values(await tab.evaluate(() => window.seastate.state()));
+const addressOf = async (tab) => values(await tab.evaluate(() => location.search));
+
+/** The numbers of `expected` in `found`, whatever else that holds. */
+function agree(found, expected, what) {
+  for (const [name, value] of Object.entries(expected)) assert.equal(Number(found[name]), value, `${what}: ${name} in ${JSON.stringify(found)}`);
+}
+
+export async function sea(context) {
+  const { test, out, browser } = context;
+  const shot = (tab, name) => tab.screenshot(join(out, `${browser.name}-${name}.png`)).then(fromPng);
+
+  await test(`${browser.name}: a sea is seen`, async () => {
+    const tab = await openSea(context, STATE);
+    try {
+      const picture = await shot(tab, 'sea');
+      const water = crop(picture, WATER);
+      assert.deepEqual(notASea(water), [], JSON.stringify(measure(water)));
+      assert.deepEqual(tab.errors, [], 'console errors');
+      const { detail, tiles, coherence } = measure(water);
+      return `detail ${detail.toFixed(2)}, in ${(100 * tiles).toFixed(0)} % of the water, coherence ${coherence.toFixed(2)}`;
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: the sea moves by itself`, async () => {
+    const tab = await openSea(context, STATE);
+    try {
+      const before = await stateOf(tab);
+      const first = crop(await shot(tab, 'moves-a'), WATER);
+      await tab.until('two seconds of sea', (start) => Number(new URLSearchParams(window.seastate.state()).get('t')) > start + 2, Number(before.t));
+      await frames(tab, 2);
+      const second = crop(await shot(tab, 'moves-b'), WATER);
+      const moved = change(first, second);
+      assert.ok(moved > SEA.change, `change ${moved.toFixed(3)}`);
+      return `change ${moved.toFixed(2)}`;
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: a paused sea stands still, another time is another picture`, async () => {
+    const pictures = [];
+    for (const [name, time] of [['t20', 20], ['t20-again', 20], ['t26', 26]]) {
+      const tab = await openSea(context, `wind=15&fetch=300&t=${time}&n=64&pause=1`);
+      pictures.push(crop(await shot(tab, name), WATER));
+      agree(await stateOf(tab), { t: time }, 'paused');
+      await tab.close();
+    }
+    const [same, other] = [change(pictures[0], pictures[1]), change(pictures[0], pictures[2])];
+    assert.ok(same < 0.02, `the same state twice differs by ${same.toFixed(4)}`);
+    assert.ok(other > SEA.change, `change ${other.toFixed(3)}`);
+    return `same time ${same.toFixed(4)}, other time ${other.toFixed(2)}`;
+  });
+
+  await test(`${browser.name}: the settings are those of the address`, async () => {
+    const tab = await openSea(context, 'wind=12.5&fetch=80&seed=7&n=64&t=3&pause=1&swell=0.4');
+    try {
+      agree(await stateOf(tab), { wind: 12.5, fetch: 80, seed: 7, n: 64, t: 3, swell: 0.4 }, 'state');
+      agree(await addressOf(tab), { wind: 12.5, fetch: 80, seed: 7, n: 64, t: 3, swell: 0.4 }, 'address');
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: a changed value changes the address, back restores it`, async () => {
+    const tab = await openSea(context, `${STATE}&pause=1`);
+    try {
+      const first = crop(await shot(tab, 'back-a'), WATER);
+      await tab.evaluate(() => window.seastate.set_state('wind=22&fetch=300&t=20&n=64&pause=1'));
+      await tab.until('the new wind in the address', () => new URLSearchParams(location.search).get('wind') === '22');
+      agree(await stateOf(tab), { wind: 22, fetch: 300 }, 'after the change');
+      await frames(tab, 3);
+      const changed = crop(await shot(tab, 'back-b'), WATER);
+      assert.ok(change(first, changed) > 0.3, 'the picture has changed');
+      await tab.evaluate(() => history.back());
+      await tab.until('the old wind in the program', () => new URLSearchParams(window.seastate.state()).get('wind') === '15');
+      agree(await addressOf(tab), { wind: 15, fetch: 300 }, 'after going back');
+      await frames(tab, 3);
+      const restored = crop(await shot(tab, 'back-c'), WATER);
+      assert.ok(change(first, restored) < 0.02, `the picture is back: ${change(first, restored).toFixed(4)}`);
+      await tab.evaluate(() => history.forward());
+      await tab.until('the new wind again', () => new URLSearchParams(window.seastate.state()).get('wind') === '22');
+      assert.deepEqual(tab.errors, [], 'console errors');
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: the mouse moves the camera, and the address follows`, async () => {
+    const tab = await openSea(context, `${STATE}&pause=1`);
+    try {
+      const before = await tab.evaluate(() => location.search);
+      const { mouse } = tab.page;
+      await mouse.move(150, 300);
+      await mouse.down();
+      for (let x = 160; x <= 240; x += 20) {
+        await mouse.move(x, 300);
+        await frames(tab, 1);
+      }
+      await mouse.up();
+      await tab.until('a new address', (old) => location.search !== old, before);
+      agree(await addressOf(tab), { wind: 15, fetch: 300, n: 64 }, 'address');
+      return await tab.evaluate(() => location.search);
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: nonsense in the address still opens a sea`, async () => {
+    const tab = await openSea(context, 'wind=gale&fetch=-5&seed=%F0%9F%8C%8A&n=63&colour=blue&t=NaN&=&&%zz');
+    try {
+      assert.ok(spread(await shot(tab, 'nonsense')) > SEA.spread);
+      assert.deepEqual(tab.errors, [], 'console errors');
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: opens from a subfolder, packed`, async () => {
+    const tab = await openSea(context, STATE, 'fault/wasm-gzip/');
+    try {
+      assert.ok(spread(await shot(tab, 'subfolder')) > SEA.spread);
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: the same sea as the native program`, async () => {
+    const reference = context.native(STATE);
+    const tab = await openSea(context, `${STATE}&pause=1`);
+    try {
+      const found = await tab.evaluate(async (state) => {
+        const maps = await window.seastate.read_back(state);
+        const text = (array) => {
+          const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
+          let out = '';
+          for (let i = 0; i < bytes.length; i += 0x8000) out += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
+          return btoa(out);
+        };
+        return { n: maps.n, cascades: maps.cascades, heights: text(maps.heights), displacement: text(maps.displacement) };
+      }, STATE);
+      const bytes = (text) => new Uint8Array(Buffer.from(text, 'base64')).buffer;
+      const heights = compareHeights(reference.heights, new Float32Array(bytes(found.heights)), found);
+      const halves = compareHalves(reference.displacement, new Uint16Array(bytes(found.displacement)), found);
+      const note = `heights ${heights.toExponential(1)} of Hs, halves ${halves.toExponential(1)} of their rms`;
+      assert.ok(heights <= 1e-4 && halves <= 2 ** -10, note);
+      return note;
+    } finally {
+      await tab.close();
+    }
+  });
+}

@@ -1,0 +1,45 @@
+// Stands in for the program where a test needs it to fail: `?play=reject|panic|lost|trap|sleep`.
+const play = new URLSearchParams(location.search).get('play');
+
+export default async function init() {}
+
+export class WebHandle {
+  #frames = 0;
+  #began = 0;
+
+  async start(canvas) {
+    if (!(canvas instanceof HTMLCanvasElement)) throw new Error('not a canvas');
+    if (play === 'reject') throw 'no device: the stub refuses';
+    this.#began = performance.now();
+    if (play === 'sleep') return;
+    this.#frames = 1;
+  }
+
+  #later() {
+    return performance.now() - this.#began > 500;
+  }
+
+  destroy() {}
+
+  has_panicked() {
+    return play === 'panic' && this.#later();
+  }
+
+  panic_message() {
+    return 'the stub panicked at src/stub.rs:1';
+  }
+
+  device_lost() {
+    return play === 'lost' && this.#later() ? 'the stub was unplugged' : undefined;
+  }
+
+  state() {
+    return location.search.slice(1);
+  }
+
+  frames() {
+    return this.#frames;
+  }
+}
+
+if (play === 'trap') setTimeout(() => { throw new WebAssembly.RuntimeError('unreachable executed'); }, 1500);
