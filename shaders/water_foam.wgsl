@@ -27,9 +27,8 @@ fn water_foam_level(at: vec2f, footprint: f32) -> vec2f {
   return foam;
 }
 
-fn water_foam(at: vec2f, dx: vec2f, dy: vec2f) -> WaterFoam {
-  let footprint = sqrt(length(dx) * length(dy)) + 0.15 * max(length(dx), length(dy));
-  let foam = clamp(water_foam_level(at, footprint) * frame.foam_gain, vec2f(0.0), vec2f(1.0));
+fn water_foam(at: vec2f, foot: WaterFootprint) -> WaterFoam {
+  let foam = clamp(water_foam_level(at, foot.size) * frame.foam_gain, vec2f(0.0), vec2f(1.0));
   var out: WaterFoam;
   out.plume = foam.x;
   out.grain = 0.5;
@@ -45,19 +44,18 @@ fn water_foam(at: vec2f, dx: vec2f, dy: vec2f) -> WaterFoam {
   let turn = mat2x2f(w.x * scale / long, -w.y * scale, w.y * scale / long, w.x * scale);
   // Whole multiples of one tile, so that the eye's foot can be taken modulo the tile.
   let uv = frame.grain + turn * at;
-  let gx = turn * dx;
-  let gy = turn * dy;
-  let lace = textureSampleGrad(noise_map, noise_sampler, uv * 6.0, gx * 6.0, gy * 6.0);
-  let fine = textureSampleGrad(noise_map, noise_sampler, uv.yx * 22.0, gx.yx * 22.0, gy.yx * 22.0);
-  let wide = textureSampleGrad(noise_map, noise_sampler, uv, gx, gy);
+  let texel = 6.0 * foot.size / 42.0;
+  let lod = log2(max(texel * 512.0, 1e-4));
+  let lace = textureSampleLevel(noise_map, noise_sampler, uv * 6.0, lod);
+  let fine = textureSampleLevel(noise_map, noise_sampler, uv.yx * 22.0, lod + 1.87);
+  let wide = textureSampleLevel(noise_map, noise_sampler, uv, lod - 2.58);
   // Old foam is a net of thin strands, fresh foam is a closed mass of bubbles.
   let fresh = smoothstep(0.0, 0.5, foam.y);
   let height = mix(0.52 * lace.r + 0.22 * fine.r + 0.26 * wide.b, 0.45 * lace.r + 0.3 * wide.b + 0.25 * fine.g, fresh);
   // A sum of three uniform variables: near-normal around 0.5; this makes the covered share equal the foam.
   let z = (height - 0.5) / 0.178;
   let level = 1.0 / (1.0 + exp(-1.702 * z));
-  let texel = 6.0 * (length(gx) + length(gy));
-  let blur = clamp(0.10 + 14.0 * texel, 0.10, 1.0);
+  let blur = clamp(0.10 + 22.0 * texel, 0.10, 1.0);
   let wanted = clamp(foam.x * 1.05, 0.0, 1.0);
   let cut = smoothstep(1.0 - wanted - blur * 0.5, 1.0 - wanted + blur * 0.5, level + 0.02 * (fine.g - 0.5));
   out.cover = mix(cut * mix(0.78, 1.0, fresh), wanted, smoothstep(0.4, 1.0, blur));

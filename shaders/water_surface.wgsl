@@ -23,33 +23,56 @@ struct WaterSlope {
   jacobian: f32,
 }
 
-// Mean and variance of the slope over the footprint (dx, dy) of a pixel on the undisplaced sea.
-fn water_slope(at: vec2f, dx: vec2f, dy: vec2f) -> WaterSlope {
-  let small = max(min(length(dx), length(dy)), max(length(dx), length(dy)) / 8.0);
+// Footprint of a pixel on the undisplaced sea: its length along the longer side, filtered by several taps so that it is
+// not blurred across. Hardware anisotropy is not used: it differs between GPUs and takes minutes in software.
+struct WaterFootprint {
+  axis: vec2f,
+  // Size of one tap, m.
+  size: f32,
+  taps: i32,
+}
+
+const WATER_TAPS = 5;
+
+fn water_footprint(dx: vec2f, dy: vec2f) -> WaterFootprint {
+  let x = length(dx);
+  let y = length(dy);
+  let large = max(x, y);
+  // Area over length: also right where the two sides are nearly parallel.
+  let small = max(abs(dx.x * dy.y - dx.y * dy.x) / max(large, 1e-9), 1e-6);
+  let taps = clamp(i32(ceil(large / small - 0.3)), 1, WATER_TAPS);
+  return WaterFootprint(select(dy, dx, x > y), max(small, large / f32(taps)), taps);
+}
+
+// Mean and variance of the slope within a footprint.
+fn water_slope(at: vec2f, foot: WaterFootprint) -> WaterSlope {
   var slope = vec2f(0.0);
   var stretch = vec2f(0.0);
   var shear = 0.0;
   // Cox and Munk 1954: waves shorter than the finest cascade, somewhat steeper along the wind.
   let w = frame.downwind;
-  var variance = frame.residual_mss * (vec3f(0.42) * vec3f(1.0, 1.0, 0.0) + 0.16 * vec3f(w.x * w.x, w.y * w.y, w.x * w.y));
+  var variance = frame.residual_mss * (vec3f(0.42, 0.42, 0.0) + 0.16 * vec3f(w.x * w.x, w.y * w.y, w.x * w.y));
   for (var c = 0u; c < frame.count; c++) {
     let place = frame.cascades[c];
-    let uv = place.xy + at * place.z;
-    let gx = dx * place.z;
-    let gy = dy * place.z;
-    let lod = log2(max(small * place.z * frame.n, 1e-6));
-    let second = textureSampleGrad(moments_map, wave_sampler, uv, c, gx, gy).xyz * place.w;
-    if small * place.z > 0.5 {
-      // The whole patch is in the pixel: nothing but variance.
-      variance += second;
-      continue;
+    let texels = foot.size * place.z * frame.n;
+    // Beyond this the patch is within the pixel: nothing but variance, one tap.
+    let coarse = foot.size * place.z > 0.3;
+    let taps = select(foot.taps, 1, coarse);
+    let lod = select(log2(max(texels, 1e-6)), 16.0, coarse);
+    var g = vec4f(0.0);
+    var second = vec3f(0.0);
+    for (var i = 0; i < taps; i++) {
+      let uv = place.xy + (at + foot.axis * ((f32(i) + 0.5) / f32(taps) - 0.5)) * place.z;
+      g += textureSampleLevel(gradients_map, wave_sampler, uv, c, lod);
+      second += textureSampleLevel(moments_map, wave_sampler, uv, c, lod - 1.0).xyz;
+      if lod < 4.0 {
+        shear += textureSampleLevel(displacement_map, wave_sampler, uv, c, lod).w / f32(taps);
+      }
     }
-    let g = textureSampleGrad(gradients_map, wave_sampler, uv, c, gx, gy);
+    g /= f32(taps);
+    second *= place.w / f32(taps);
     slope += g.xy;
     stretch += g.zw;
-    if lod < 5.0 {
-      shear += textureSampleGrad(displacement_map, wave_sampler, uv, c, gx, gy).w;
-    }
     // The moments know nothing finer than two texels; closer up they would count resolved waves twice.
     let spread = max(second - vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
     variance += spread * clamp(lod, 0.0, 1.0);
@@ -59,17 +82,21 @@ fn water_slope(at: vec2f, dx: vec2f, dy: vec2f) -> WaterSlope {
   if scale > 0.0 {
     let c = frame.count - 1u;
     let unit = frame.cascades[c].w * scale;
-    let lod = log2(max(small * frame.ripples.z * frame.n, 1e-6));
-    if small * frame.ripples.z > 0.25 {
+    if foot.size * frame.ripples.z > 0.2 {
       variance += unit * vec3f(1.0, 1.0, 0.0);
     } else {
-      let uv = frame.ripples.xy + at * frame.ripples.z;
-      let gx = dx * frame.ripples.z;
-      let gy = dy * frame.ripples.z;
-      let g = textureSampleGrad(gradients_map, wave_sampler, uv, c, gx, gy).xy;
-      let second = textureSampleGrad(moments_map, wave_sampler, uv, c, gx, gy).xyz * unit;
-      slope += g * frame.ripples.w;
-      let spread = max(second - scale * vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
+      let lod = log2(max(foot.size * frame.ripples.z * frame.n, 1e-6));
+      var g = vec2f(0.0);
+      var second = vec3f(0.0);
+      for (var i = 0; i < foot.taps; i++) {
+        let uv = frame.ripples.xy + (at + foot.axis * ((f32(i) + 0.5) / f32(foot.taps) - 0.5)) * frame.ripples.z;
+        g += textureSampleLevel(gradients_map, wave_sampler, uv, c, lod).xy;
+        second += textureSampleLevel(moments_map, wave_sampler, uv, c, lod - 1.0).xyz;
+      }
+      g *= frame.ripples.w / f32(foot.taps);
+      second *= unit / f32(foot.taps);
+      slope += g;
+      let spread = max(second - vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
       variance += spread * clamp(lod, 0.0, 1.0);
     }
   }
