@@ -10,8 +10,8 @@ const ATM_SUN = vec3f(19.4, 20.0, 20.8);
 const ATM_SUN_RADIUS = 0.00465;
 const ATM_RAYLEIGH = vec3f(5.802e-3, 13.558e-3, 33.1e-3);
 const ATM_RAYLEIGH_HEIGHT = 8.0;
-// Sea salt over the open ocean: optical depth of about 0.08 in a boundary layer.
-const ATM_MIE = vec3f(0.066, 0.068, 0.071);
+// Sea salt over the open ocean: optical depth of about 0.06 in a boundary layer.
+const ATM_MIE = vec3f(0.048, 0.050, 0.053);
 const ATM_MIE_ALBEDO = 0.97;
 const ATM_MIE_HEIGHT = 1.2;
 const ATM_MIE_G = 0.78;

@@ -1,5 +1,8 @@
 // Whitecaps: how much foam a pixel holds and what it looks like.
 
+// Side of the grain's tile across the wind, m; frame.rs has the same number.
+const WATER_GRAIN_M = 290.0;
+
 struct WaterFoam {
   // Share of the pixel that is white.
   cover: f32,
@@ -37,28 +40,42 @@ fn water_foam(at: vec2f, foot: WaterFootprint) -> WaterFoam {
     out.cover = 0.0;
     return out;
   }
-  // Grain in coordinates along and across the wind, drawn out along it in a gale: streaks.
+  // Grain in coordinates along and across the wind, drawn out along it in a gale: streaks. Each scale is a whole multiple
+  // of the coarsest, so that the eye's foot can be taken modulo one tile.
   let w = frame.downwind;
-  let long = 1.0 + 2.2 * smoothstep(8.0, 24.0, frame.wind_m_s);
-  let scale = 1.0 / 42.0;
-  let turn = mat2x2f(w.x * scale / long, -w.y * scale, w.y * scale / long, w.x * scale);
-  // Whole multiples of one tile, so that the eye's foot can be taken modulo the tile.
+  let long = 1.0 + 2.5 * smoothstep(8.0, 24.0, frame.wind_m_s);
+  let turn = mat2x2f(w.x / long, -w.y, w.y / long, w.x) * (1.0 / WATER_GRAIN_M);
   let uv = frame.grain + turn * at;
-  let texel = 6.0 * foot.size / 42.0;
-  let lod = log2(max(texel * 512.0, 1e-4));
-  let lace = textureSampleLevel(noise_map, noise_sampler, uv * 6.0, lod);
-  let fine = textureSampleLevel(noise_map, noise_sampler, uv.yx * 22.0, lod + 1.87);
-  let wide = textureSampleLevel(noise_map, noise_sampler, uv, lod - 2.58);
-  // Old foam is a net of thin strands, fresh foam is a closed mass of bubbles.
-  let fresh = smoothstep(0.0, 0.5, foam.y);
-  let height = mix(0.52 * lace.r + 0.22 * fine.r + 0.26 * wide.b, 0.45 * lace.r + 0.3 * wide.b + 0.25 * fine.g, fresh);
-  // A sum of three uniform variables: near-normal around 0.5; this makes the covered share equal the foam.
-  let z = (height - 0.5) / 0.178;
+  let lod = log2(max(foot.size * 512.0 / WATER_GRAIN_M, 1e-4));
+  // Windrows of tens of metres, patches of metres, strands of decimetres.
+  let vast = textureSampleLevel(noise_map, noise_sampler, uv, lod);
+  let wide = textureSampleLevel(noise_map, noise_sampler, uv * 7.0, lod + 2.81);
+  let lace = textureSampleLevel(noise_map, noise_sampler, uv * 43.0, lod + 5.43);
+  let fine = textureSampleLevel(noise_map, noise_sampler, uv.yx * 160.0, lod + 7.32);
+  // Fresh foam is a closed mass of bubbles, old foam a net of thin strands.
+  let fresh = smoothstep(0.0, 0.45, foam.y);
+  // Only what the pixel can resolve counts; a sum of uniform variables is nearly normal.
+  let near = 1.0 - smoothstep(vec4f(3.4), vec4f(5.4), lod + vec4f(0.0, 2.81, 5.43, 7.32));
+  let weight = near * vec4f(0.9, 1.0, mix(1.0, 0.7, fresh), 0.55);
+  let sigma = 0.2887 * sqrt(max(dot(weight, weight), 1e-6));
+  let z = dot(vec4f(vast.r, wide.r, lace.r, fine.g) - 0.5, weight) / sigma;
   let level = 1.0 / (1.0 + exp(-1.702 * z));
-  let blur = clamp(0.10 + 22.0 * texel, 0.10, 1.0);
-  let wanted = clamp(foam.x * 1.05, 0.0, 1.0);
-  let cut = smoothstep(1.0 - wanted - blur * 0.5, 1.0 - wanted + blur * 0.5, level + 0.02 * (fine.g - 0.5));
-  out.cover = mix(cut * mix(0.78, 1.0, fresh), wanted, smoothstep(0.4, 1.0, blur));
-  out.grain = mix(fine.g, 0.5, smoothstep(0.2, 0.8, blur));
+  let wanted = foam.x;
+  // A soft edge of constant width in the noise; the mean over the noise stays what is wanted.
+  let soft = mix(0.30, 0.16, fresh);
+  let cut = smoothstep(1.0 - wanted - soft, 1.0 - wanted + soft, level);
+  let kept = min(wanted / max(water_soft_mean(wanted, soft), 1e-3), 1.0);
+  let seen = smoothstep(0.0, 0.25, sigma);
+  out.cover = clamp(mix(wanted, cut * kept, seen), 0.0, 1.0);
+  out.grain = mix(0.5, fine.g, near.w);
   return out;
+}
+
+// Mean of smoothstep(1 - c - e, 1 - c + e, x) over x in 0..1.
+fn water_soft_mean(c: f32, e: f32) -> f32 {
+  // The integral of smoothstep from its start over t in 0..1 is t^3 - t^4 / 2.
+  let a = clamp((c + e) / (2.0 * e), 0.0, 1.0);
+  let b = clamp((c - 1.0 + e) / (2.0 * e), 0.0, 1.0);
+  let ramp = a * a * a * (1.0 - 0.5 * a) - b * b * b * (1.0 - 0.5 * b);
+  return 2.0 * e * ramp + max(c - e, 0.0) - max(c - 1.0 - e, 0.0);
 }
