@@ -76,6 +76,6 @@ fn whole(@builtin(local_invocation_index) thread: u32) {
     let ground = sky_luminance(total.rgb + light.sun * max(sky.sun.y, 0.0)) / ATM_PI;
     light.key = 0.55 * band + 0.25 * ground;
     // An eye adapts, but not wholly: dusk stays darker than noon.
-    light.exposure = 0.50 / pow(light.key, 0.86);
+    light.exposure = 0.62 / pow(light.key, 0.86);
   }
 }
