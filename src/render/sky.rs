@@ -164,7 +164,7 @@ impl Sky {
                 sample_count: 1,
                 dimension: wgpu::TextureDimension::D2,
                 format: HDR_FORMAT,
-                usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::COPY_SRC,
+                usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING,
                 view_formats: &[],
             })
         };
@@ -361,26 +361,15 @@ mod tests {
         };
         sky.uniform.write(&gpu.queue, &uniform);
         for step in sky.air.iter().chain(&sky.lit) {
-            let start = std::time::Instant::now();
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
             step.run(&mut encoder);
             gpu.queue.submit([encoder.finish()]);
-            gpu.device.poll(wgpu::PollType::wait_indefinitely()).unwrap();
-            log::info!("{} {:?}", step.label, start.elapsed());
-            eprintln!("{} {:?}", step.label, start.elapsed());
         }
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         let copy = readback::stage_buffer(&gpu.device, &mut encoder, &sky.light);
         gpu.queue.submit([encoder.finish()]);
         let bytes = pollster::block_on(readback::read(&gpu.device, copy)).unwrap();
         let light: LightBuffer = bytemuck::pod_read_unaligned(&bytes);
-        eprintln!("{light:?}");
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        let copy = readback::stage_texture(&gpu.device, &mut encoder, sky.view.texture(), 0);
-        gpu.queue.submit([encoder.finish()]);
-        let bytes = pollster::block_on(copy.read(&gpu.device)).unwrap();
-        let px: Vec<[half::f16; 4]> = bytemuck::pod_collect_to_vec(&bytes);
-        for y in [64, 66, 70, 76, 84, 92, 100, 110, 127] { let p = px[y * 192 + 135]; eprintln!("{y} {p:?}"); }
         let green = |c: [f32; 3]| c[1] / 20.0;
         assert!((0.7..0.9).contains(&green(light.sun)), "{light:?}");
         assert!((0.06..0.2).contains(&green(light.sky)), "{light:?}");
