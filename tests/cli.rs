@@ -53,7 +53,7 @@ fn help_and_version_are_no_errors() {
 #[test]
 fn a_missing_adapter_names_the_package() {
     let output = Command::new(env!("CARGO_BIN_EXE_seastate"))
-        .args(["check", "n=64"])
+        .args(["check", "n=128"])
         .env("VK_DRIVER_FILES", "/nonexistent")
         .env("VK_ICD_FILENAMES", "/nonexistent")
         .env_remove("WGPU_ADAPTER_NAME")
@@ -69,7 +69,7 @@ fn a_missing_adapter_names_the_package() {
 #[test]
 fn an_unknown_adapter_is_an_error_that_lists_the_known() {
     let output = Command::new(env!("CARGO_BIN_EXE_seastate"))
-        .args(["check", "n=64"])
+        .args(["check", "n=128"])
         .env("WGPU_ADAPTER_NAME", "no such thing")
         .output()
         .expect("the program runs");
@@ -90,7 +90,7 @@ fn render_writes_a_picture_of_the_asked_size() {
 
 #[test]
 fn an_unwritable_output_is_one_line() {
-    let output = seastate(&["render", "n=64", "--size", "16x16", "-o", "/nonexistent/folder/sea.png"]);
+    let output = seastate(&["render", "n=128", "--size", "16x16", "-o", "/nonexistent/folder/sea.png"]);
     assert_eq!(output.status.code(), Some(2));
     assert_eq!(complaints(&output).len(), 1, "{output:?}");
 }
