@@ -19,6 +19,13 @@ const MATHS: Part = part!("maths.wgsl");
 const SEA: Part = part!("sea.wgsl");
 const NOISE: Part = part!("noise.wgsl");
 const FFT: Part = part!("fft.wgsl");
+const ATMOSPHERE: Part = part!("atmosphere.wgsl");
+const SKY: Part = part!("sky_common.wgsl");
+const SKY_MODEL: Part = part!("sky_model.wgsl");
+const FRAME: Part = part!("frame.wgsl");
+const WATER_SURFACE: Part = part!("water_surface.wgsl");
+const WATER_LIGHT: Part = part!("water_light.wgsl");
+const WATER_FOAM: Part = part!("water_foam.wgsl");
 
 /// Module names and the parts they are joined from; the last part holds the entry points.
 const MODULES: &[(&str, &[Part])] = &[
@@ -27,6 +34,17 @@ const MODULES: &[(&str, &[Part])] = &[
     ("columns", &[SEA, FFT, part!("columns.wgsl")]),
     ("mips", &[SEA, part!("mips.wgsl")]),
     ("foam", &[MATHS, SEA, part!("foam.wgsl")]),
+    ("sky_transmittance", &[ATMOSPHERE, SKY, part!("sky_transmittance.wgsl")]),
+    ("sky_multiple", &[ATMOSPHERE, SKY, part!("sky_multiple.wgsl")]),
+    ("sky_view", &[ATMOSPHERE, SKY, part!("sky_view.wgsl")]),
+    ("sky_environment", &[ATMOSPHERE, SKY, SKY_MODEL, part!("sky_environment.wgsl")]),
+    ("sky_filter", &[part!("sky_filter.wgsl")]),
+    ("sky_light", &[ATMOSPHERE, SKY, SKY_MODEL, part!("sky_light.wgsl")]),
+    ("sky", &[ATMOSPHERE, SKY, SKY_MODEL, FRAME, part!("sky.wgsl")]),
+    ("water", &[
+        ATMOSPHERE, SKY, SKY_MODEL, FRAME, WATER_SURFACE, WATER_LIGHT, WATER_FOAM, part!("water.wgsl"),
+    ]),
+    ("present", &[SKY, part!("post/present.wgsl")]),
 ];
 
 /// The sources that a device's modules are made from.

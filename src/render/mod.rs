@@ -1,45 +1,104 @@
-//! Stand-in until the renderer is merged.
-use crate::model::camera::View;
+//! The picture: sky, sea and film, from the read-only maps of the simulation. Linear light until the last shader.
+//!
+//! A frame: the sky's look-up tables (only when the light changed), sky and water into an HDR target, tone curve to the
+//! screen. Every pass is a pure function of [`Scene`] and [`Maps`].
+
+mod frame;
+mod kit;
+mod mesh;
+mod noise;
+pub mod post;
+mod sky;
+mod targets;
+mod water;
+
+pub use frame::{SeaLook, View};
+
+use crate::gpu::layout::Layout;
+use crate::gpu::shaders::Shaders;
 use crate::model::params::Look;
-/// Scene.
+use crate::sim::Maps;
+use frame::FrameUniform;
+use kit::Uniform;
+use mesh::Mesh;
+use noise::NoiseTexture;
+use post::present::PresentPass;
+use sky::Sky;
+use targets::Targets;
+use water::WaterPass;
+
+/// What the layout test compares with the shaders.
+pub const LAYOUTS: &[Layout] =
+    &[frame::FrameUniform::LAYOUT, sky::SkyUniform::LAYOUT, sky::LightBuffer::LAYOUT, post::present::LAYOUT];
+
+/// Everything that a picture depends on besides the maps.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    #[expect(missing_docs)]
+    /// Eye and projection.
     pub view: View,
-    #[expect(missing_docs)]
+    /// Light, sky and film.
     pub look: Look,
-    #[expect(missing_docs)]
+    /// What the maps do not tell of the sea.
     pub sea: SeaLook,
-    #[expect(missing_docs)]
+    /// Simulated time, s.
     pub time_s: f64,
 }
-/// Sea.
-#[expect(missing_docs)]
-pub struct SeaLook {
-    pub chop: f32,
-    pub hs_m: f32,
-    pub depth_m: f32,
-    pub wind_m_s: f32,
-    pub downwind: [f32; 2],
-    pub residual_mss: f32,
-    pub mean_foam: f32,
-    pub lambda_p_m: f32,
+
+/// Draws the sea.
+pub struct Renderer {
+    frame: Uniform<FrameUniform>,
+    sky: Sky,
+    water: WaterPass,
+    background: sky::Background,
+    present: PresentPass,
+    targets: Option<Targets>,
 }
-/// Renderer.
-pub struct Renderer;
-#[expect(missing_docs, clippy::too_many_arguments)]
+
 impl Renderer {
-    pub fn new(_: &wgpu::Device, _: &wgpu::Queue, _: wgpu::TextureFormat) -> Self {
-        Self
+    /// Compiles all passes. `target_format` is what [`Self::present`] draws into.
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, target_format: wgpu::TextureFormat) -> Self {
+        let shaders = Shaders::default();
+        let frame = Uniform::new(device, "frame");
+        let noise = NoiseTexture::new(device, queue);
+        let sky = Sky::new(device, &shaders, &noise);
+        let scene = kit::SceneGroup::new(device, &frame, &sky, &noise);
+        let background = sky::Background::new(device, &shaders, &scene);
+        let water = WaterPass::new(device, &shaders, scene);
+        let present = PresentPass::new(device, &shaders, &sky.light, target_format);
+        Self { frame, sky, water, background, present, targets: None }
     }
+
+    /// Records the HDR picture of `size` pixels.
     pub fn draw(
         &mut self,
-        _: &wgpu::Device,
-        _: &wgpu::Queue,
-        _: &mut wgpu::CommandEncoder,
-        _: &crate::sim::Maps,
-        _: &Scene,
-        _: [u32; 2],
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        maps: &Maps,
+        scene: &Scene,
+        size: [u32; 2],
     ) {
+        let size = size.map(|s| s.max(1));
+        if self.targets.as_ref().is_none_or(|t| t.size != size) {
+            let targets = Targets::new(device, size);
+            self.present.bind(device, &targets);
+            self.targets = Some(targets);
+        }
+        let Some(targets) = &self.targets else { return };
+        let mesh = Mesh::new(&scene.view, &scene.sea, scene.look.mesh);
+        self.frame.write(queue, &FrameUniform::new(scene, maps, &mesh, size));
+        self.present.write(queue, scene, size);
+        self.water.bind_maps(device, maps);
+        self.water.set_mesh(device, queue, &mesh);
+
+        self.sky.update(queue, encoder, scene);
+        let mut pass = targets.begin(encoder);
+        self.background.draw(&mut pass, &self.water.scene);
+        self.water.draw(&mut pass);
     }
-    pub fn present(&self, _: &mut wgpu::RenderPass<'_>) {}
+
+    /// Draws the tone-mapped picture into the current viewport.
+    pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
+        self.present.draw(pass);
+    }
 }

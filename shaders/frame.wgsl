@@ -1,0 +1,57 @@
+// What every picture pass knows of the view, the sea and its maps. Rust twin: render/frame.rs.
+
+struct Frame {
+  // From positions relative to the eye, reverse-Z.
+  clip_from_relative: mat4x4f,
+  // Right, up and forward; the first two scaled by the tangent of half the field of view.
+  right: vec3f,
+  eye_m: f32,
+  up: vec3f,
+  // Dip of the true horizon below the horizontal, rad.
+  dip: f32,
+  forward: vec3f,
+  // Angle of a pixel in the middle of the picture, rad.
+  pixel: f32,
+  sun: vec3f,
+  chop: f32,
+  // Texture coordinates of the eye's foot, 1 / patch, unit of the moments.
+  cascades: array<vec4f, 4>,
+  // A copy of the finest cascade, shrunk: ripples that no cascade holds. The last is the scale of its slopes.
+  ripples: vec4f,
+  // Foam levels: centre relative to the eye, half the valid side, 1 / texel; and texture coordinates of the eye's foot.
+  foam_place: array<vec4f, 4>,
+  foam_uv: array<vec4f, 4>,
+  // Lattice of the mesh: first azimuth and step, first row and step.
+  mesh: vec4f,
+  // Scale of its radii, m; rows; columns.
+  mesh_radius: f32,
+  mesh_rows: u32,
+  count: u32,
+  foam_count: u32,
+  downwind: vec2f,
+  // Texture coordinates of the foam's grain at the eye's foot.
+  grain: vec2f,
+  n: f32,
+  wind_m_s: f32,
+  hs_m: f32,
+  depth_m: f32,
+  residual_mss: f32,
+  mean_foam: f32,
+  foam_gain: f32,
+  turbidity: f32,
+  haze: f32,
+  overcast: f32,
+  exposure_gain: f32,
+  time_s: f32,
+}
+
+const FRAME_EARTH_M = 6371000.0;
+
+// Marks a colour that is not a number, for the present pass to paint.
+fn frame_colour(c: vec3f) -> vec4f {
+  let bits = bitcast<vec3u>(c) & vec3u(0x7f800000u);
+  if any(bits == vec3u(0x7f800000u)) {
+    return vec4f(0.0);
+  }
+  return vec4f(clamp(c, vec3f(0.0), vec3f(6e4)), 1.0);
+}

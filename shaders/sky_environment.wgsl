@@ -1,0 +1,32 @@
+// The sky without the sun's disc and, below the horizon, a guess of the sea: what reflected rays see. Azimuth by elevation.
+
+@group(0) @binding(0) var<uniform> sky: Sky;
+@group(0) @binding(1) var<storage, read> light: Light;
+@group(0) @binding(2) var sky_view_map: texture_2d<f32>;
+@group(0) @binding(3) var sky_sampler: sampler;
+@group(0) @binding(4) var noise_map: texture_2d<f32>;
+@group(0) @binding(5) var noise_sampler: sampler;
+@group(0) @binding(6) var environment_out: texture_storage_2d<rgba16float, write>;
+
+@compute @workgroup_size(8, 8)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+  let size = vec2f(textureDimensions(environment_out));
+  let at = (vec2f(id.xy) + 0.5) / size;
+  let azimuth = 2.0 * ATM_PI * at.x;
+  let elevation = (at.y - 0.5) * ATM_PI;
+  let pixel = ATM_PI / size.y;
+  let heading = vec2f(sin(azimuth), -cos(azimuth));
+  var above = elevation;
+  var gain = vec3f(1.0);
+  var own = vec3f(0.0);
+  if elevation < 0.0 {
+    // Another wave: it shows the sky from higher up, dimmed, and a little of the water's own colour.
+    above = min(0.25 - elevation, 1.5);
+    let f = 0.02 + 0.98 * pow(1.0 - sin(above), 5.0);
+    gain = vec3f(f);
+    own = (light.sky + light.sun * max(sky.sun.y, 0.0)) * vec3f(0.0012, 0.0045, 0.0085);
+  }
+  let dir = vec3f(heading.x * cos(above), sin(above), heading.y * cos(above));
+  let radiance = sky_radiance(dir, above, pixel).rgb * gain + own;
+  textureStore(environment_out, id.xy, vec4f(radiance, 1.0));
+}

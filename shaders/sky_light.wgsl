@@ -1,0 +1,81 @@
+// Irradiances and exposure. `clear` runs before the environment is made and measures the cloudless sky, from which the
+// overcast deck takes its brightness; `whole` runs after it and measures what is really there.
+
+@group(0) @binding(0) var<uniform> sky: Sky;
+@group(0) @binding(1) var<storage, read_write> light: Light;
+@group(0) @binding(2) var transmittance_map: texture_2d<f32>;
+@group(0) @binding(3) var sky_view_map: texture_2d<f32>;
+@group(0) @binding(4) var sky_sampler: sampler;
+@group(0) @binding(5) var environment_map: texture_2d<f32>;
+// Of the sky model; the clouds are not asked for here.
+@group(0) @binding(6) var noise_map: texture_2d<f32>;
+@group(0) @binding(7) var noise_sampler: sampler;
+
+const LIGHT_THREADS = 256u;
+// Share of the global irradiance that a closed deck lets through.
+const LIGHT_DECK = 0.34;
+
+var<workgroup> light_sums: array<vec4f, 256>;
+
+fn light_reduce(thread: u32, mine: vec4f) -> vec4f {
+  light_sums[thread] = mine;
+  workgroupBarrier();
+  for (var step = LIGHT_THREADS / 2u; step > 0u; step /= 2u) {
+    if thread < step {
+      light_sums[thread] += light_sums[thread + step];
+    }
+    workgroupBarrier();
+  }
+  return light_sums[0];
+}
+
+@compute @workgroup_size(256)
+fn clear(@builtin(local_invocation_index) thread: u32) {
+  var sum = vec4f(0.0);
+  for (var i = thread; i < 2048u; i += LIGHT_THREADS) {
+    let azimuth = 2.0 * ATM_PI * (f32(i % 64u) + 0.5) / 64.0;
+    // Equal steps of sin^2: each sample stands for the same irradiance.
+    let s = sqrt((f32(i / 64u) + 0.5) / 32.0);
+    let dir = vec3f(sin(azimuth) * sqrt(1.0 - s * s), s, -cos(azimuth) * sqrt(1.0 - s * s));
+    sum += vec4f(sky_clear(dir, asin(s)), 0.0) * (ATM_PI / 2048.0);
+  }
+  let total = light_reduce(thread, sum);
+  if thread == 0u {
+    let through = atm_transmittance(transmittance_map, sky_sampler, 0.0, sky.sun.y);
+    let beam = ATM_SUN * through;
+    let globally = total.rgb + beam * max(sky.sun.y, 0.0);
+    light.direct = pow(1.0 - sky.overcast, 1.5);
+    light.sun = beam * light.direct;
+    light.sky = total.rgb;
+    // A deck scatters all colours alike; a trace of the blue sky above it stays.
+    let grey = mix(vec3f(sky_luminance(globally)), globally, 0.35) * vec3f(0.97, 1.0, 1.04);
+    light.deck = grey * (LIGHT_DECK * 9.0 / (7.0 * ATM_PI));
+  }
+}
+
+@compute @workgroup_size(256)
+fn whole(@builtin(local_invocation_index) thread: u32) {
+  let size = textureDimensions(environment_map, 1);
+  let half_rows = size.y / 2u;
+  var sum = vec4f(0.0);
+  for (var i = thread; i < size.x * half_rows; i += LIGHT_THREADS) {
+    let x = i % size.x;
+    let y = i / size.x;
+    let elevation = (f32(y) + 0.5) * ATM_PI / f32(size.y);
+    let solid = cos(elevation) * (ATM_PI / f32(size.y)) * (2.0 * ATM_PI / f32(size.x));
+    let radiance = textureLoad(environment_map, vec2u(x, y + half_rows), 1).rgb;
+    // The key: what stands low in the sky is in the picture and is mirrored by the sea.
+    let low = exp(-elevation * elevation / 0.18) * solid;
+    sum += vec4f(radiance * (sin(elevation) * solid), min(sky_luminance(radiance), 4.0 * sky_luminance(light.deck) + 1e-3) * low);
+  }
+  let total = light_reduce(thread, sum);
+  if thread == 0u {
+    light.sky = total.rgb;
+    // Solid angle of the weight above, once around.
+    let band = total.w / 2.1;
+    let ground = sky_luminance(total.rgb + light.sun * max(sky.sun.y, 0.0)) / ATM_PI;
+    light.key = 0.55 * band + 0.25 * ground;
+    // An eye adapts, but not wholly: dusk stays darker than noon.
+    light.exposure = 0.30 / pow(light.key, 0.86) ;
+  }
+}

@@ -1,0 +1,63 @@
+// Radiance of the sky in a direction: clear air from the look-up table, and clouds. Needs the module variables sky, light,
+// sky_view_map, sky_sampler, noise_map, noise_sampler.
+
+// Base of the clouds, km, and side of the noise tile on it.
+const SKY_CLOUD_KM = 1.1;
+const SKY_TILE_KM = 34.0;
+
+// Clear air; `above` is the elevation above the visible horizon.
+fn sky_clear(dir: vec3f, above: f32) -> vec3f {
+  let flat_dir = normalize(dir.xz + vec2f(1e-9, 0.0));
+  let flat_sun = normalize(sky.sun.xz + vec2f(1e-9, 0.0));
+  let azimuth = acos(clamp(dot(flat_dir, flat_sun), -1.0, 1.0));
+  let half_rows = SKY_VIEW_SIZE.y / 2.0;
+  let span = select(0.5 * ATM_PI - sky.dip, 0.5 * ATM_PI + sky.dip, above >= 0.0);
+  let s = sqrt(min(abs(above) / span, 1.0)) * (half_rows - 1.0);
+  let row = select(half_rows - 1.0 - s, half_rows + s, above >= 0.0);
+  let uv = vec2f(atm_to_texels(sqrt(azimuth / ATM_PI), SKY_VIEW_SIZE.x), (row + 0.5) / SKY_VIEW_SIZE.y);
+  return textureSampleLevel(sky_view_map, sky_sampler, uv, 0.0).rgb;
+}
+
+// Relative luminance of the overcast sky, Moon and Spencer 1942 (CIE standard overcast).
+fn sky_deck(above: f32) -> vec3f {
+  return light.deck * (1.0 + 2.0 * sin(max(above, 0.0))) / 3.0;
+}
+
+// Fractal noise of the clouds in 0..1, on the plane of their base.
+fn sky_cloud_noise(p: vec2f, lod: f32) -> f32 {
+  let turned = vec2f(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y);
+  let a = textureSampleLevel(noise_map, noise_sampler, p / SKY_TILE_KM, lod).b;
+  let b = textureSampleLevel(noise_map, noise_sampler, turned / (0.27 * SKY_TILE_KM) + vec2f(0.37, 0.11), lod + 1.89).b;
+  let c = textureSampleLevel(noise_map, noise_sampler, p.yx / (0.083 * SKY_TILE_KM), lod + 3.6).b;
+  return a * 0.56 + b * 0.30 + c * 0.14;
+}
+
+// Sky with clouds, seen from near the sea; w is what of the sun's disc shows. `pixel` is the angle to be filtered over.
+fn sky_radiance(dir: vec3f, above: f32, pixel: f32) -> vec4f {
+  let clear = sky_clear(dir, above);
+  let o = sky.overcast;
+  if o <= 0.0 || above < 0.0 {
+    let air = mix(clear, sky_deck(above), o * o);
+    return vec4f(select(air, clear, o <= 0.0), 1.0);
+  }
+  let s = sin(above);
+  let t = sqrt(ATM_GROUND * ATM_GROUND * s * s + 2.0 * ATM_GROUND * SKY_CLOUD_KM) - ATM_GROUND * s;
+  let p = normalize(dir.xz + vec2f(1e-9, 0.0)) * (t * cos(above)) + sky.drift;
+  let footprint = t * pixel / max(s, SKY_CLOUD_KM / t);
+  let lod = log2(max(footprint * 512.0 / SKY_TILE_KM, 1e-3));
+  let n = sky_cloud_noise(p, lod);
+  // Fewer clouds: only the peaks of the noise; a full deck: all of it.
+  let low = mix(0.82, -0.05, o);
+  let cover = smoothstep(low, low + 0.22, n);
+  let thick = clamp((n - low) / 0.75, 0.0, 1.0);
+  // The sun behind a thin edge, and the underside that fades from lit to grey as the cloud thickens.
+  let nu = dot(dir, sky.sun);
+  let glow = light.sun * (0.35 * atm_mie_phase(nu)) * (1.0 - thick) * (1.0 - thick) * (1.0 - o);
+  let lit = (light.sky + light.sun * max(sky.sun.y, 0.05)) * (0.85 / ATM_PI);
+  let deck = sky_deck(above) * mix(1.55, 0.52, smoothstep(0.25, 0.8, n));
+  let body = mix(mix(lit, deck, smoothstep(0.0, 0.7, thick)), deck, o * o) + glow;
+  let base = mix(clear, sky_deck(above), o * o);
+  let shown = cover * exp(-t / 38.0);
+  let air = mix(base, mix(clear, sky_deck(above), o), cover);
+  return vec4f(mix(air, body, shown), pow(1.0 - cover, 6.0));
+}

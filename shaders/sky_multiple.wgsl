@@ -1,0 +1,49 @@
+// Light scattered more than once, as if isotropic (Hillaire 2020, section 5.5): second order and the geometric series.
+
+@group(0) @binding(0) var<uniform> sky: Sky;
+@group(0) @binding(1) var transmittance_map: texture_2d<f32>;
+@group(0) @binding(2) var sky_sampler: sampler;
+@group(0) @binding(3) var multiple_out: texture_storage_2d<rgba16float, write>;
+
+@compute @workgroup_size(8, 8)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+  let at = vec2f(id.xy) / (ATM_M_SIZE - 1.0);
+  let mu_sun = 2.0 * at.x - 1.0;
+  let h = ATM_TOP * at.y * at.y;
+  let r = ATM_GROUND + h;
+  let sun = vec3f(sqrt(max(1.0 - mu_sun * mu_sun, 0.0)), mu_sun, 0.0);
+  var second = vec3f(0.0);
+  var again = vec3f(0.0);
+  const SIDE = 8;
+  const STEPS = 20;
+  for (var i = 0; i < SIDE * SIDE; i++) {
+    let mu = 1.0 - 2.0 * (f32(i % SIDE) + 0.5) / f32(SIDE);
+    let phi = 2.0 * ATM_PI * (f32(i / SIDE) + 0.5) / f32(SIDE);
+    let across = sqrt(1.0 - mu * mu);
+    let dir = vec3f(across * cos(phi), mu, across * sin(phi));
+    let ground = atm_to_ground(h, mu);
+    let far = select(atm_to_top(h, mu), ground, ground >= 0.0);
+    let nu = dot(dir, sun);
+    var through = vec3f(1.0);
+    for (var k = 0; k < STEPS; k++) {
+      let dt = far / f32(STEPS);
+      let t = (f32(k) + 0.4) * dt;
+      let ht = atm_altitude(h, mu, t);
+      let mu_s = (r * mu_sun + t * nu) / (ATM_GROUND + ht);
+      let m = atm_medium(ht, sky.haze);
+      let step = exp(-m.extinction * dt);
+      let scattering = m.rayleigh + m.mie;
+      let share = through * (scattering / max(m.extinction, vec3f(1e-9))) * (1.0 - step);
+      second += share * atm_transmittance(transmittance_map, sky_sampler, ht, mu_s) / (4.0 * ATM_PI);
+      again += share;
+      through *= step;
+    }
+    if ground >= 0.0 {
+      let mu_s = (r * mu_sun + ground * nu) / ATM_GROUND;
+      let lit = atm_transmittance(transmittance_map, sky_sampler, 0.0, mu_s) * max(mu_s, 0.0);
+      second += through * lit * (ATM_SEA_ALBEDO / ATM_PI);
+    }
+  }
+  let n = f32(SIDE * SIDE);
+  textureStore(multiple_out, id.xy, vec4f(second / n / (1.0 - again / n), 1.0));
+}

@@ -1,0 +1,54 @@
+// Radiance of the clear air as seen from the eye, over azimuth from the sun and elevation above the horizon. Below the
+// horizon it is the light of the air in front of the sea.
+
+@group(0) @binding(0) var<uniform> sky: Sky;
+@group(0) @binding(1) var transmittance_map: texture_2d<f32>;
+@group(0) @binding(2) var multiple_map: texture_2d<f32>;
+@group(0) @binding(3) var sky_sampler: sampler;
+@group(0) @binding(4) var view_out: texture_storage_2d<rgba16float, write>;
+
+@compute @workgroup_size(8, 8)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+  let half_rows = SKY_VIEW_SIZE.y / 2.0;
+  let y = f32(id.y);
+  let upper = y >= half_rows;
+  let s = select(half_rows - 1.0 - y, y - half_rows, upper) / (half_rows - 1.0);
+  let h = sky.eye_km;
+  let u = f32(id.x) / (SKY_VIEW_SIZE.x - 1.0);
+  let azimuth = ATM_PI * u * u;
+  let above = select(-s * s * (0.5 * ATM_PI - sky.dip), s * s * (0.5 * ATM_PI + sky.dip), upper);
+  let elevation = above - sky.dip;
+  let mu = sin(elevation);
+  let flat_sun = sqrt(max(1.0 - sky.sun.y * sky.sun.y, 0.0));
+  let nu = cos(elevation) * cos(azimuth) * flat_sun + mu * sky.sun.y;
+  var far = atm_to_top(h, mu);
+  if !upper {
+    // On the horizon itself rounding may miss the sea.
+    let ground = atm_to_ground(h, mu);
+    far = select((ATM_GROUND + h) * max(-mu, 0.0), ground, ground >= 0.0);
+  }
+  let r = ATM_GROUND + h;
+  let rayleigh = atm_rayleigh_phase(nu);
+  let mie = atm_mie_phase(nu);
+  var through = vec3f(1.0);
+  var radiance = vec3f(0.0);
+  const STEPS = 40;
+  for (var i = 0; i < STEPS; i++) {
+    let a = f32(i) / f32(STEPS);
+    let b = f32(i + 1) / f32(STEPS);
+    let dt = far * (b * b - a * a);
+    let t = far * (a * a + 0.4 * (b * b - a * a));
+    let ht = atm_altitude(h, mu, t);
+    let mu_s = (r * sky.sun.y + t * nu) / (ATM_GROUND + ht);
+    let m = atm_medium(ht, sky.haze);
+    let lit = atm_transmittance(transmittance_map, sky_sampler, ht, mu_s);
+    let more = atm_multiple(multiple_map, sky_sampler, ht, mu_s);
+    let source = lit * (m.rayleigh * rayleigh + m.mie * mie) + more * (m.rayleigh + m.mie);
+    let step = exp(-m.extinction * dt);
+    radiance += through * source * (1.0 - step) / max(m.extinction, vec3f(1e-9));
+    through *= step;
+  }
+  // Starlight and airglow, so that no night is black.
+  let night = select(0.0, 1.0, upper) * vec3f(0.6, 0.8, 1.2) * 2e-6;
+  textureStore(view_out, id.xy, vec4f(min(radiance * ATM_SUN + night * ATM_SUN, vec3f(6e4)), 1.0));
+}

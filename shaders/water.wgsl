@@ -1,0 +1,99 @@
+// The sea: a log-polar mesh around the eye, displaced, and its light.
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(1) var<uniform> sky: Sky;
+@group(0) @binding(2) var<uniform> light: Light;
+@group(0) @binding(3) var sky_view_map: texture_2d<f32>;
+@group(0) @binding(4) var environment_map: texture_2d<f32>;
+@group(0) @binding(5) var sky_sampler: sampler;
+@group(0) @binding(6) var noise_map: texture_2d<f32>;
+@group(0) @binding(7) var noise_sampler: sampler;
+@group(0) @binding(8) var transmittance_map: texture_2d<f32>;
+@group(1) @binding(0) var displacement_map: texture_2d_array<f32>;
+@group(1) @binding(1) var gradients_map: texture_2d_array<f32>;
+@group(1) @binding(2) var moments_map: texture_2d_array<f32>;
+@group(1) @binding(3) var foam_map: texture_2d_array<f32>;
+@group(1) @binding(4) var wave_sampler: sampler;
+
+struct WaterVertex {
+  @builtin(position) clip: vec4f,
+  // Relative to the eye.
+  @location(0) place: vec3f,
+  // The undisplaced point, and the height of the wave.
+  @location(1) rest: vec3f,
+}
+
+@vertex
+fn vertex(@builtin(vertex_index) i: u32) -> WaterVertex {
+  let column = i / frame.mesh_rows;
+  let row = i % frame.mesh_rows;
+  let azimuth = frame.mesh.x + f32(column) * frame.mesh.y;
+  let t = frame.mesh.z + f32(row) * frame.mesh.w;
+  let radius = frame.mesh_radius * (exp(t) - 1.0);
+  let at = radius * vec2f(sin(azimuth), -cos(azimuth));
+  // Distance between rows; columns are never farther apart than that matters.
+  let spacing = max((radius + frame.mesh_radius) * frame.mesh.w, radius * frame.mesh.y);
+  let moved = water_displacement(at, 0.7 * spacing);
+  let flat = at + moved.xz;
+  let drop = dot(flat, flat) / (2.0 * FRAME_EARTH_M);
+  let place = vec3f(flat.x, moved.y - drop - frame.eye_m, flat.y);
+  return WaterVertex(frame.clip_from_relative * vec4f(place, 1.0), place, vec3f(at.x, moved.y, at.y));
+}
+
+// Air between the eye and a point at a distance: the light that it adds, and the share that it lets through.
+fn water_air(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
+  let km = 0.001 * distance_m;
+  let eye = 0.001 * frame.eye_m;
+  // Mean density along the straight path from the eye down to the sea.
+  let thin = vec2f(eye / ATM_RAYLEIGH_HEIGHT, eye / ATM_MIE_HEIGHT) + 1e-4;
+  let mean = (1.0 - exp(-thin)) / thin;
+  let extinction = ATM_RAYLEIGH * mean.x + ATM_MIE * (frame.haze * mean.y);
+  let through = exp(-extinction * km);
+  // The table holds the air down to the still sea in this direction; a crest before it has less air in front.
+  let below = min(asin(clamp(dir.y, -1.0, 1.0)) + frame.dip, -1e-5);
+  let fall = sin(frame.dip - below);
+  let root = max(fall * fall - sin(frame.dip) * sin(frame.dip), 0.0);
+  let whole_km = ATM_GROUND * (fall - sqrt(root));
+  let whole = exp(-extinction * whole_km);
+  let share = clamp((1.0 - through) / max(1.0 - whole, vec3f(1e-6)), vec3f(0.0), vec3f(1.0));
+  let clear = sky_clear(dir, below) * share;
+  let grey = sky_deck(0.0) * (1.0 - through);
+  let o = frame.overcast * frame.overcast;
+  return array<vec3f, 2>(mix(clear, grey, o), through);
+}
+
+@fragment
+fn fragment(in: WaterVertex) -> @location(0) vec4f {
+  let at = in.rest.xz;
+  let dx = dpdx(at);
+  let dy = dpdy(at);
+  var slope = water_slope(at, dx, dy);
+  // Slopes that change within the pixel glitter as one (Tokuyoshi and Kaplanyan 2019).
+  let bend_x = dpdx(slope.mean);
+  let bend_y = dpdy(slope.mean);
+  let bend = 0.2 * (vec3f(bend_x * bend_x, bend_x.x * bend_x.y) + vec3f(bend_y * bend_y, bend_y.x * bend_y.y));
+  slope.variance += min(bend, vec3f(0.08));
+
+  let distance_m = length(in.place);
+  let dir = in.place / distance_m;
+  // Frame of the vertical there.
+  let up = normalize(vec3f(in.place.x / FRAME_EARTH_M, 1.0, in.place.z / FRAME_EARTH_M));
+  let v = normalize(vec3f(-dir.x, max(dot(-dir, up), 1e-4), -dir.z));
+  let n = normalize(vec3f(-slope.mean.x, 1.0, -slope.mean.y));
+
+  let foam = water_foam(at, dx, dy);
+  let mirror = water_mirror(v, slope);
+  let rise = in.rest.y / max(frame.hs_m, 0.05);
+  let below = water_below(v, n, rise, foam.plume);
+  let water = mirror.radiance + (1.0 - mirror.reflectance) * below;
+
+  // Foam: a rough white body, albedo as measured for fresh whitecaps (Koepke 1984 and later), lit by sun and sky.
+  let sun = light.sun * (max(dot(n, frame.sun), 0.0) * 0.8 + 0.2 * max(frame.sun.y, 0.0));
+  let sky_lit = light.sky * (0.55 + 0.45 * n.y);
+  let albedo = 0.56 + 0.28 * foam.grain;
+  let white = (sun + sky_lit) * (albedo / ATM_PI);
+  let surface = mix(water, white, foam.cover);
+
+  let air = water_air(dir, distance_m);
+  return frame_colour(surface * air[1] + air[0]);
+}

@@ -1,0 +1,186 @@
+//! The uniform of a picture: everything relative to the eye, worked out in f64.
+
+use super::Scene;
+use super::mesh::Mesh;
+use crate::gpu::layout::{FOAM_LEVELS, Layout, MAX_CASCADES};
+use crate::sim::Maps;
+use bytemuck::{Pod, Zeroable};
+use std::mem::offset_of;
+
+pub use crate::model::camera::View;
+
+/// Shrinkage of the finest cascade for the ripples below it. Not a rung of the ladder of patches.
+const RIPPLE_RATIO: f64 = 13.1;
+/// Share of the unresolved slopes that the ripples show; the rest stays roughness.
+const RIPPLE_SHARE: f32 = 0.8;
+/// Side of the foam's grain tile across the wind, m; `water_foam.wgsl` has the same number.
+const GRAIN_M: f64 = 42.0;
+
+/// What a picture must know of the sea besides the maps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeaLook {
+    /// Horizontal displacement.
+    pub chop: f32,
+    /// Significant wave height, m.
+    pub hs_m: f32,
+    /// Depth of the water, m.
+    pub depth_m: f32,
+    /// Wind 10 m above the sea, m/s.
+    pub wind_m_s: f32,
+    /// Unit vector (x, z) where the wind blows to.
+    pub downwind: [f32; 2],
+    /// Mean square slope of the waves that no cascade holds.
+    pub residual_mss: f32,
+    /// Foam beyond the foam levels.
+    pub mean_foam: f32,
+    /// Wavelength of the peak, m.
+    pub lambda_p_m: f32,
+}
+
+/// WGSL `Frame`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct FrameUniform {
+    clip_from_relative: [[f32; 4]; 4],
+    right: [f32; 3],
+    eye_m: f32,
+    up: [f32; 3],
+    dip: f32,
+    forward: [f32; 3],
+    pixel: f32,
+    sun: [f32; 3],
+    chop: f32,
+    cascades: [[f32; 4]; MAX_CASCADES],
+    ripples: [f32; 4],
+    foam_place: [[f32; 4]; FOAM_LEVELS],
+    foam_uv: [[f32; 4]; FOAM_LEVELS],
+    mesh: [f32; 4],
+    mesh_radius: f32,
+    mesh_rows: u32,
+    count: u32,
+    foam_count: u32,
+    downwind: [f32; 2],
+    grain: [f32; 2],
+    n: f32,
+    wind_m_s: f32,
+    hs_m: f32,
+    depth_m: f32,
+    residual_mss: f32,
+    mean_foam: f32,
+    foam_gain: f32,
+    turbidity: f32,
+    haze: f32,
+    overcast: f32,
+    exposure_gain: f32,
+    time_s: f32,
+}
+
+macro_rules! offsets {
+    ($($field:ident),+) => { &[$((stringify!($field), offset_of!(FrameUniform, $field))),+] };
+}
+
+impl FrameUniform {
+    /// For the layout test.
+    pub const LAYOUT: Layout = (
+        "Frame",
+        offsets!(
+            clip_from_relative, right, eye_m, up, dip, forward, pixel, sun, chop, cascades, ripples, foam_place,
+            foam_uv, mesh, mesh_radius, mesh_rows, count, foam_count, downwind, grain, n, wind_m_s, hs_m, depth_m,
+            residual_mss, mean_foam, foam_gain, turbidity, haze, overcast, exposure_gain, time_s
+        ),
+        size_of::<Self>(),
+    );
+
+    /// The uniform of a scene in `size` pixels.
+    pub fn new(scene: &Scene, maps: &Maps, mesh: &Mesh, size: [u32; 2]) -> Self {
+        let (view, look, sea) = (&scene.view, &scene.look, &scene.sea);
+        let foot = [view.eye.x, view.eye.z];
+        let n = f64::from(maps.n);
+        let mut cascades = [[0.0; 4]; MAX_CASCADES];
+        for (out, map) in cascades.iter_mut().zip(&maps.cascades) {
+            let [u, v] = foot.map(|x| ((x / map.patch_m).rem_euclid(1.0) + 0.5 / n) as f32);
+            *out = [u, v, (1.0 / map.patch_m) as f32, map.moment_scale];
+        }
+        let (ripples, residual_mss) = ripples(maps, foot, sea.residual_mss.max(0.0));
+        let mut foam_place = [[0.0; 4]; FOAM_LEVELS];
+        let mut foam_uv = [[0.0; 4]; FOAM_LEVELS];
+        for ((place, uv), level) in foam_place.iter_mut().zip(&mut foam_uv).zip(&maps.foam_levels) {
+            let side = f64::from(maps.foam_n) * level.texel_m;
+            let valid = 0.5 * side - 2.0 * level.texel_m;
+            *place = [
+                (level.centre[0] - foot[0]) as f32,
+                (level.centre[1] - foot[1]) as f32,
+                valid as f32,
+                (1.0 / level.texel_m) as f32,
+            ];
+            let [u, v] = foot.map(|x| (x / side).rem_euclid(1.0) as f32);
+            *uv = [u, v, (1.0 / side) as f32, 0.0];
+        }
+        let [tx, ty] = view.tan_half;
+        Self {
+            clip_from_relative: view.clip_from_relative().as_mat4().to_cols_array_2d(),
+            right: (view.right * tx).as_vec3().to_array(),
+            eye_m: view.eye.y as f32,
+            up: (view.up * ty).as_vec3().to_array(),
+            dip: dip(view.eye.y) as f32,
+            forward: view.forward.as_vec3().to_array(),
+            pixel: (2.0 * ty / f64::from(size[1])) as f32,
+            sun: super::sky::sun(look).map(|x| x as f32),
+            chop: sea.chop,
+            cascades,
+            ripples,
+            foam_place,
+            foam_uv,
+            mesh: mesh.lattice,
+            mesh_radius: mesh.radius,
+            mesh_rows: mesh.rows,
+            count: maps.cascades.len() as u32,
+            foam_count: maps.foam_levels.len() as u32,
+            downwind: sea.downwind,
+            grain: grain(sea, foot),
+            n: maps.n as f32,
+            wind_m_s: sea.wind_m_s,
+            hs_m: sea.hs_m,
+            depth_m: sea.depth_m,
+            residual_mss,
+            mean_foam: sea.mean_foam,
+            foam_gain: look.foam as f32,
+            turbidity: look.turbidity as f32,
+            haze: look.haze as f32,
+            overcast: look.overcast as f32,
+            exposure_gain: (look.exposure_ev as f32).exp2(),
+            time_s: (scene.time_s % 86_400.0) as f32,
+        }
+    }
+}
+
+/// Angle from the horizontal down to the horizon of the round Earth, rad.
+pub fn dip(eye_m: f64) -> f64 {
+    let r = crate::model::camera::EARTH_RADIUS_M;
+    (r / (r + eye_m.max(0.0))).min(1.0).acos()
+}
+
+/// The shrunk copy of the finest cascade, and what it leaves of the unresolved slopes.
+fn ripples(maps: &Maps, foot: [f64; 2], residual: f32) -> ([f32; 4], f32) {
+    let Some(finest) = maps.cascades.last() else { return ([0.0; 4], residual) };
+    let held = 2.0 * finest.moment_scale;
+    // A calm has no slopes to copy (its scale is 1).
+    if !(1e-5..1.0).contains(&held) || residual < 1e-5 {
+        return ([0.0; 4], residual);
+    }
+    let share = (RIPPLE_SHARE * residual / held).min(1.0);
+    let patch = finest.patch_m / RIPPLE_RATIO;
+    // The texel's half is not worth keeping here; another offset keeps the copies from lining up at the origin.
+    let [u, v] = foot.map(|x| ((x / patch).rem_euclid(1.0) + 0.381_966) as f32);
+    ([u, v, (1.0 / patch) as f32, share.sqrt()], residual - share * held)
+}
+
+/// Texture coordinates of the foam's grain at the eye's foot; the same matrix stands in `water_foam.wgsl`.
+fn grain(sea: &SeaLook, foot: [f64; 2]) -> [f32; 2] {
+    let x = ((f64::from(sea.wind_m_s) - 8.0) / 16.0).clamp(0.0, 1.0);
+    let long = 1.0 + 2.2 * x * x * (3.0 - 2.0 * x);
+    let w = sea.downwind.map(f64::from);
+    let along = (w[0] * foot[0] + w[1] * foot[1]) / (GRAIN_M * long);
+    let across = (w[0] * foot[1] - w[1] * foot[0]) / GRAIN_M;
+    [along.rem_euclid(1.0) as f32, across.rem_euclid(1.0) as f32]
+}

@@ -1,0 +1,186 @@
+//! Small helpers of the passes: uniforms, bind groups, pipelines of the HDR pass.
+
+use super::frame::FrameUniform;
+use super::noise::NoiseTexture;
+use super::sky::{LightBuffer, Sky, SkyUniform};
+use super::targets::{DEPTH_FORMAT, HDR_FORMAT, SAMPLES};
+use bytemuck::Pod;
+use std::marker::PhantomData;
+use std::num::NonZeroU64;
+
+/// A uniform buffer of one struct.
+pub struct Uniform<T> {
+    pub buffer: wgpu::Buffer,
+    kind: PhantomData<T>,
+}
+
+impl<T: Pod> Uniform<T> {
+    pub fn new(device: &wgpu::Device, label: &str) -> Self {
+        let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(label),
+            size: size_of::<T>() as u64,
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        Self { buffer, kind: PhantomData }
+    }
+
+    pub fn write(&self, queue: &wgpu::Queue, value: &T) {
+        queue.write_buffer(&self.buffer, 0, bytemuck::bytes_of(value));
+    }
+}
+
+/// What stands at a binding.
+#[derive(Clone, Copy)]
+pub enum Slot {
+    Uniform(usize),
+    Read(usize),
+    Write(usize),
+    Texture,
+    Array,
+    Image,
+    Sampler,
+}
+
+impl Slot {
+    fn binding_type(self) -> wgpu::BindingType {
+        let buffer = |ty, size| wgpu::BindingType::Buffer {
+            ty,
+            has_dynamic_offset: false,
+            min_binding_size: NonZeroU64::new(size as u64),
+        };
+        let texture = |view_dimension| wgpu::BindingType::Texture {
+            sample_type: wgpu::TextureSampleType::Float { filterable: true },
+            view_dimension,
+            multisampled: false,
+        };
+        match self {
+            Self::Uniform(size) => buffer(wgpu::BufferBindingType::Uniform, size),
+            Self::Read(size) => buffer(wgpu::BufferBindingType::Storage { read_only: true }, size),
+            Self::Write(size) => buffer(wgpu::BufferBindingType::Storage { read_only: false }, size),
+            Self::Texture => texture(wgpu::TextureViewDimension::D2),
+            Self::Array => texture(wgpu::TextureViewDimension::D2Array),
+            Self::Image => wgpu::BindingType::StorageTexture {
+                access: wgpu::StorageTextureAccess::WriteOnly,
+                format: HDR_FORMAT,
+                view_dimension: wgpu::TextureViewDimension::D2,
+            },
+            Self::Sampler => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
+        }
+    }
+}
+
+/// A layout of these slots, in order from binding 0.
+pub fn layout(
+    device: &wgpu::Device,
+    label: &str,
+    visibility: wgpu::ShaderStages,
+    slots: &[Slot],
+) -> wgpu::BindGroupLayout {
+    let entries: Vec<_> = (0..)
+        .zip(slots)
+        .map(|(binding, slot)| wgpu::BindGroupLayoutEntry {
+            binding,
+            visibility,
+            ty: slot.binding_type(),
+            count: None,
+        })
+        .collect();
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
+}
+
+/// Resources for a layout, in order from binding 0.
+pub fn group(
+    device: &wgpu::Device,
+    label: &str,
+    layout: &wgpu::BindGroupLayout,
+    resources: &[wgpu::BindingResource<'_>],
+) -> wgpu::BindGroup {
+    let entries: Vec<_> = (0..)
+        .zip(resources)
+        .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource: resource.clone() })
+        .collect();
+    device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
+}
+
+/// The bind group that every pass of the HDR picture shares.
+pub struct SceneGroup {
+    pub layout: wgpu::BindGroupLayout,
+    pub group: wgpu::BindGroup,
+}
+
+impl SceneGroup {
+    pub fn new(device: &wgpu::Device, frame: &Uniform<FrameUniform>, sky: &Sky, noise: &NoiseTexture) -> Self {
+        let slots = [
+            Slot::Uniform(size_of::<FrameUniform>()),
+            Slot::Uniform(size_of::<SkyUniform>()),
+            Slot::Uniform(size_of::<LightBuffer>()),
+            Slot::Texture,
+            Slot::Texture,
+            Slot::Sampler,
+            Slot::Texture,
+            Slot::Sampler,
+            Slot::Texture,
+        ];
+        let layout = layout(device, "scene", wgpu::ShaderStages::VERTEX_FRAGMENT, &slots);
+        let group = group(
+            device,
+            "scene",
+            &layout,
+            &[
+                frame.buffer.as_entire_binding(),
+                sky.uniform.buffer.as_entire_binding(),
+                sky.light.as_entire_binding(),
+                wgpu::BindingResource::TextureView(&sky.view),
+                wgpu::BindingResource::TextureView(&sky.environment),
+                wgpu::BindingResource::Sampler(&sky.sampler),
+                wgpu::BindingResource::TextureView(&noise.view),
+                wgpu::BindingResource::Sampler(&noise.sampler),
+                wgpu::BindingResource::TextureView(&sky.transmittance),
+            ],
+        );
+        Self { layout, group }
+    }
+}
+
+/// A pipeline of the HDR pass: reverse-Z, entry points `vertex` and `fragment`.
+pub fn hdr_pipeline(
+    device: &wgpu::Device,
+    label: &str,
+    module: &wgpu::ShaderModule,
+    layouts: &[Option<&wgpu::BindGroupLayout>],
+    depth_write: bool,
+) -> wgpu::RenderPipeline {
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some(label),
+        bind_group_layouts: layouts,
+        immediate_size: 0,
+    });
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(label),
+        layout: Some(&layout),
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some("vertex"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &[],
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: Some(wgpu::DepthStencilState {
+            format: DEPTH_FORMAT,
+            depth_write_enabled: Some(depth_write),
+            depth_compare: Some(wgpu::CompareFunction::GreaterEqual),
+            stencil: wgpu::StencilState::default(),
+            bias: wgpu::DepthBiasState::default(),
+        }),
+        multisample: wgpu::MultisampleState { count: SAMPLES, ..Default::default() },
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some("fragment"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[Some(HDR_FORMAT.into())],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}

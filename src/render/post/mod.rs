@@ -1,0 +1,3 @@
+//! After the picture: what film does to light.
+
+pub mod present;

@@ -1,0 +1,108 @@
+//! shaders/post/present.wgsl: exposure, tone curve, gamma, dither.
+
+use crate::gpu::layout::Layout;
+use crate::gpu::shaders::Shaders;
+use crate::render::Scene;
+use crate::render::kit::{Slot, Uniform, group, layout};
+use crate::render::sky::LightBuffer;
+use crate::render::targets::Targets;
+use bytemuck::{Pod, Zeroable};
+use std::mem::offset_of;
+
+/// WGSL `Present`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+struct PresentUniform {
+    size: [f32; 2],
+    exposure_gain: f32,
+    dither: f32,
+}
+
+/// For the layout test.
+pub const LAYOUT: Layout = (
+    "Present",
+    &[
+        ("size", offset_of!(PresentUniform, size)),
+        ("exposure_gain", offset_of!(PresentUniform, exposure_gain)),
+        ("dither", offset_of!(PresentUniform, dither)),
+    ],
+    size_of::<PresentUniform>(),
+);
+
+/// Draws the HDR picture into a pass of the screen.
+pub struct PresentPass {
+    uniform: Uniform<PresentUniform>,
+    light: wgpu::Buffer,
+    layout: wgpu::BindGroupLayout,
+    pipeline: wgpu::RenderPipeline,
+    group: Option<wgpu::BindGroup>,
+}
+
+impl PresentPass {
+    /// Compiles the pass for a format of the screen.
+    pub fn new(
+        device: &wgpu::Device,
+        shaders: &Shaders,
+        light: &wgpu::Buffer,
+        target_format: wgpu::TextureFormat,
+    ) -> Self {
+        let slots = [
+            Slot::Uniform(size_of::<PresentUniform>()),
+            Slot::Uniform(size_of::<LightBuffer>()),
+            Slot::Texture,
+        ];
+        let layout = layout(device, "present", wgpu::ShaderStages::FRAGMENT, &slots);
+        let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some("present"),
+            bind_group_layouts: &[Some(&layout)],
+            immediate_size: 0,
+        });
+        let module = shaders.module(device, "present");
+        let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some("present"),
+            layout: Some(&pipeline_layout),
+            vertex: wgpu::VertexState {
+                module: &module,
+                entry_point: Some("vertex"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers: &[],
+            },
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: None,
+            multisample: wgpu::MultisampleState::default(),
+            fragment: Some(wgpu::FragmentState {
+                module: &module,
+                entry_point: Some("fragment"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                targets: &[Some(target_format.into())],
+            }),
+            multiview_mask: None,
+            cache: None,
+        });
+        Self { uniform: Uniform::new(device, "present"), light: light.clone(), layout, pipeline, group: None }
+    }
+
+    /// Binds new targets.
+    pub fn bind(&mut self, device: &wgpu::Device, targets: &Targets) {
+        let resources = [
+            self.uniform.buffer.as_entire_binding(),
+            self.light.as_entire_binding(),
+            wgpu::BindingResource::TextureView(&targets.hdr),
+        ];
+        self.group = Some(group(device, "present", &self.layout, &resources));
+    }
+
+    /// Sends what the film needs to know.
+    pub fn write(&self, queue: &wgpu::Queue, scene: &Scene, size: [u32; 2]) {
+        let exposure_gain = (scene.look.exposure_ev as f32).exp2();
+        self.uniform.write(queue, &PresentUniform { size: size.map(|s| s as f32), exposure_gain, dither: 1.0 });
+    }
+
+    /// Draws into the current viewport.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        let Some(group) = &self.group else { return };
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, group, &[]);
+        pass.draw(0..3, 0..1);
+    }
+}

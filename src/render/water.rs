@@ -1,0 +1,89 @@
+//! shaders/water.wgsl: the mesh of the sea, displaced and lit.
+
+use super::kit::{SceneGroup, Slot, group, hdr_pipeline, layout};
+use super::mesh::Mesh;
+use crate::gpu::shaders::Shaders;
+use crate::sim::Maps;
+
+/// The water's pipeline, index buffer and maps.
+pub struct WaterPass {
+    /// Light, sky and frame.
+    pub scene: SceneGroup,
+    pipeline: wgpu::RenderPipeline,
+    layout: wgpu::BindGroupLayout,
+    sampler: wgpu::Sampler,
+    maps: Option<(u64, wgpu::BindGroup)>,
+    indices: Option<Indices>,
+    count: u32,
+}
+
+struct Indices {
+    rows: u32,
+    columns: u32,
+    buffer: wgpu::Buffer,
+}
+
+impl WaterPass {
+    /// Compiles the pass.
+    pub fn new(device: &wgpu::Device, shaders: &Shaders, scene: SceneGroup) -> Self {
+        let slots = [Slot::Array, Slot::Array, Slot::Array, Slot::Array, Slot::Sampler];
+        let layout = layout(device, "maps", wgpu::ShaderStages::VERTEX_FRAGMENT, &slots);
+        let module = shaders.module(device, "water");
+        let pipeline = hdr_pipeline(device, "water", &module, &[Some(&scene.layout), Some(&layout)], true);
+        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("waves"),
+            address_mode_u: wgpu::AddressMode::Repeat,
+            address_mode_v: wgpu::AddressMode::Repeat,
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            mipmap_filter: wgpu::MipmapFilterMode::Linear,
+            anisotropy_clamp: 8,
+            ..Default::default()
+        });
+        Self { scene, pipeline, layout, sampler, maps: None, indices: None, count: 0 }
+    }
+
+    /// Binds the maps, if they are new.
+    pub fn bind_maps(&mut self, device: &wgpu::Device, maps: &Maps) {
+        use wgpu::BindingResource::{Sampler, TextureView};
+        if self.maps.as_ref().is_some_and(|(generation, _)| *generation == maps.generation) {
+            return;
+        }
+        let resources = [
+            TextureView(&maps.displacement),
+            TextureView(&maps.gradients),
+            TextureView(&maps.moments),
+            TextureView(&maps.foam),
+            Sampler(&self.sampler),
+        ];
+        self.maps = Some((maps.generation, group(device, "maps", &self.layout, &resources)));
+    }
+
+    /// Takes a mesh; the index buffer is made anew only when its density changed.
+    pub fn set_mesh(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, mesh: &Mesh) {
+        self.count = mesh.index_count();
+        let same = |i: &Indices| (i.rows, i.columns) == (mesh.rows, mesh.most_columns);
+        if self.indices.as_ref().is_some_and(same) {
+            return;
+        }
+        let indices = mesh.indices();
+        let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("mesh"),
+            size: size_of_val(&indices[..]) as u64,
+            usage: wgpu::BufferUsages::INDEX | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        queue.write_buffer(&buffer, 0, bytemuck::cast_slice(&indices));
+        self.indices = Some(Indices { rows: mesh.rows, columns: mesh.most_columns, buffer });
+    }
+
+    /// Draws the sea.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        let (Some((_, maps)), Some(indices)) = (&self.maps, &self.indices) else { return };
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &self.scene.group, &[]);
+        pass.set_bind_group(1, maps, &[]);
+        pass.set_index_buffer(indices.buffer.slice(..), wgpu::IndexFormat::Uint32);
+        pass.draw_indexed(0..self.count, 0, 0..1);
+    }
+}
