@@ -149,10 +149,16 @@ impl Plan {
         self.energy.between(&self.energy.mss, low, high)
     }
 
-    /// Variance of dDx/dx + dDz/dz, the linear part of the Jacobian at chop 1, of the waves that the lattices hold with
-    /// wave numbers below `k_limit` (rad/m). In shallow water it exceeds the mean square slope: orbits are flatter.
-    pub fn strain_variance(&self, k_limit: f64) -> f64 {
-        self.bands().map(|(low, high)| self.energy.between(&self.energy.strain, low, high.min(k_limit))).sum()
+    /// Variance of dDx/dx + dDz/dz, the linear part of the Jacobian at chop 1, as read from the maps' mips on a grid of
+    /// `texel_m`. In shallow water it exceeds the mean square slope: orbits are flatter.
+    pub fn strain_variance(&self, texel_m: f64) -> f64 {
+        let band = |(cascade, (low, high)): (&Cascade, (f64, f64))| {
+            let map_texel_m = cascade.patch_m / f64::from(self.n);
+            let boxed = texel_m > map_texel_m;
+            let width = texel_m.max(map_texel_m);
+            self.energy.filtered_strain(low, high, |k| sampling_response(k * width, boxed))
+        };
+        self.cascades.iter().zip(self.bands()).map(band).sum()
     }
 
     /// Highest wave number of the finest cascade, rad/m.
@@ -208,6 +214,22 @@ impl Plan {
         let half = f64::from(self.n / 2);
         self.cascades.iter().map(move |c| (c.k_low, c.k_high.min(half * c.dk())))
     }
+}
+
+/// Share of a wave's variance that is left when a map is read off between its texels: the mean over a box of one texel
+/// (unless it is level 0, where texels are points) and linear interpolation, averaged over directions and positions.
+/// `kw` is the wave number times the texel.
+fn sampling_response(kw: f64, boxed: bool) -> f64 {
+    const DIRECTIONS: u32 = 6;
+    let axis = |x: f64| {
+        let sinc = if boxed && x.abs() > 1e-6 { (0.5 * x).sin() / (0.5 * x) } else { 1.0 };
+        sinc * sinc * (2.0 + x.cos()) / 3.0
+    };
+    let direction = |i| {
+        let (sin, cos) = (std::f64::consts::FRAC_PI_4 * (f64::from(i) + 0.5) / f64::from(DIRECTIONS)).sin_cos();
+        axis(kw * cos) * axis(kw * sin)
+    };
+    (0..DIRECTIONS).map(direction).sum::<f64>() / f64::from(DIRECTIONS)
 }
 
 /// Patch sizes and bands. The edges depend on the sea alone, so that raising n only adds waves.
@@ -299,6 +321,15 @@ impl Energy {
 
     fn between(&self, sums: &[f64], low: f64, high: f64) -> f64 {
         (self.at(sums, high) - self.at(sums, low)).max(0.0)
+    }
+
+    /// The strain of the waves between two wave numbers, each weighted by `response` of its wave number.
+    fn filtered_strain(&self, low: f64, high: f64, response: impl Fn(f64) -> f64) -> f64 {
+        let piece = |i: usize| {
+            let (a, b) = (self.k[i - 1].max(low), self.k[i].min(high));
+            if a < b { self.between(&self.strain, a, b) * response(0.5 * (a + b)) } else { 0.0 }
+        };
+        (1..self.k.len()).map(piece).sum()
     }
 
     /// A running integral at wave number `k`, linear between the grid's points.

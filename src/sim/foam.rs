@@ -34,12 +34,22 @@ pub struct FoamClock {
     /// Lattice times that a cold start has yet to replay, earliest first.
     replay: Vec<Step>,
     cells: Option<[[i32; 2]; FOAM_LEVELS]>,
+    /// Where foam forms, per level, for the current plan.
+    sources: [foam::Source; FOAM_LEVELS],
 }
 
 impl FoamClock {
-    /// Levels of `size` cells a side.
-    pub fn new(size: u32) -> Self {
-        Self { size, at_s: None, replay: Vec::new(), cells: None }
+    /// Levels of `size` cells a side, for a plan.
+    pub fn new(size: u32, plan: &Plan) -> Self {
+        let mut clock =
+            Self { size, at_s: None, replay: Vec::new(), cells: None, sources: [foam::Source::default(); FOAM_LEVELS] };
+        clock.set_plan(plan);
+        clock
+    }
+
+    /// Turns to another sea; the foam that is there stays.
+    pub fn set_plan(&mut self, plan: &Plan) {
+        self.sources = std::array::from_fn(|level| foam::source(plan, self.texel_m(level)));
     }
 
     /// The next steps towards `t_s`, at most `most`: none when the foam is there already. A cold start (the first call, a
@@ -102,7 +112,7 @@ impl FoamClock {
         self.cells = Some(cells);
         let levels = std::array::from_fn(|level| {
             let texel_m = self.texel_m(level);
-            let source = foam::source(plan, texel_m);
+            let source = self.sources[level];
             let mut uv = [[0.0; 2]; 4];
             for (uv, cascade) in uv.iter_mut().zip(&plan.cascades) {
                 let half_texel = 0.5 / f64::from(plan.n);
@@ -158,7 +168,7 @@ mod tests {
     fn a_cold_start_ends_at_its_time_and_depends_on_it_alone() {
         let plan = Plan::new(&Params::default());
         for t in [0.0, 20.0, 20.1, 1e6] {
-            let steps = FoamClock::new(64).steps_to(t, &plan, usize::MAX);
+            let steps = FoamClock::new(64, &plan).steps_to(t, &plan, usize::MAX);
             assert_eq!(steps.len(), REPLAY_STEPS);
             assert_eq!(steps[REPLAY_STEPS - 1].t_s, t);
             for pair in steps.windows(2) {
@@ -170,7 +180,7 @@ mod tests {
     #[test]
     fn a_replay_in_parts_catches_up_with_time() {
         let plan = Plan::new(&Params::default());
-        let mut clock = FoamClock::new(64);
+        let mut clock = FoamClock::new(64, &plan);
         let mut t = 5.0;
         let mut total = 0;
         for _ in 0..20 {

@@ -47,7 +47,7 @@ impl Simulation {
         let foam_steps = UniformRing::new(device, "foam", SLOTS);
         let passes = Passes::new(device, shaders, &resources, &sea_steps, &foam_steps);
         let maps = Maps::new(&plan, &resources);
-        let foam = FoamClock::new(resources.foam_n);
+        let foam = FoamClock::new(resources.foam_n, &plan);
         let mut sim = Self { plan, resources, passes, maps, sea_steps, foam_steps, foam, spectrum_is_stale: true };
         sim.resources.upload_tables(queue, &sim.plan);
         sim
@@ -67,6 +67,7 @@ impl Simulation {
         self.plan = plan;
         self.resources.upload_tables(queue, &self.plan);
         self.maps.update(&self.plan);
+        self.foam.set_plan(&self.plan);
         self.spectrum_is_stale = true;
     }
 
