@@ -27,40 +27,47 @@ fn water_foam_level(at: vec2f, footprint: f32) -> vec2f {
   return foam;
 }
 
+// Share of a pixel that is white, and fine relief, at one size of the grain: the tile measures 7 m x 2^octave. The noise is
+// equalised, so that a threshold of 1 - c covers the share c. Old foam is a net of thin strands, fresh foam a closed mass.
+fn water_foam_grain(uv: vec2f, octave: f32, footprint: f32, wanted: f32, fresh: f32) -> vec2f {
+  let shrink = exp2(octave);
+  let lod = log2(max(footprint * 512.0 / (7.0 * shrink), 1e-3));
+  let noise = textureSampleLevel(noise_map, noise_sampler, uv * (48.0 / shrink), lod);
+  // Filtering draws the noise together around its mean; the threshold softens with it.
+  let soft = clamp(0.10 + 0.12 * max(lod - 3.0, 0.0), 0.10, 1.0);
+  let height = mix(noise.r, noise.b, 0.6 * fresh);
+  let cover = smoothstep(1.0 - wanted - 0.5 * soft, 1.0 - wanted + 0.5 * soft, height + 0.06 * (noise.g - 0.5));
+  return vec2f(cover * mix(0.8, 1.0, fresh), noise.g);
+}
+
 fn water_foam(at: vec2f, dx: vec2f, dy: vec2f) -> WaterFoam {
-  let footprint = sqrt(length(dx) * length(dy)) + 0.15 * max(length(dx), length(dy));
+  let major = max(length(dx), length(dy));
+  let minor = min(length(dx), length(dy));
+  let footprint = sqrt(major * minor) + 0.1 * major;
   let foam = clamp(water_foam_level(at, footprint) * frame.foam_gain, vec2f(0.0), vec2f(1.0));
   var out: WaterFoam;
   out.plume = foam.x;
   out.grain = 0.5;
-  out.cover = foam.x;
+  out.cover = 0.0;
   if foam.x < 0.002 {
-    out.cover = 0.0;
     return out;
   }
-  // Grain in coordinates along and across the wind, drawn out along it in a gale: streaks.
+  // Grain in coordinates along and across the wind, drawn out along it in a gale: streaks. Its tile is a divisor of 336 m,
+  // modulo which the CPU takes the eye's foot.
   let w = frame.downwind;
   let long = 1.0 + 2.2 * smoothstep(8.0, 24.0, frame.wind_m_s);
-  let scale = 1.0 / 42.0;
-  let turn = mat2x2f(w.x * scale / long, -w.y * scale, w.y * scale / long, w.x * scale);
-  // Whole multiples of one tile, so that the eye's foot can be taken modulo the tile.
-  let uv = frame.grain + turn * at;
-  let gx = turn * dx;
-  let gy = turn * dy;
-  let lace = textureSampleGrad(noise_map, noise_sampler, uv * 6.0, gx * 6.0, gy * 6.0);
-  let fine = textureSampleGrad(noise_map, noise_sampler, uv.yx * 22.0, gx.yx * 22.0, gy.yx * 22.0);
-  let wide = textureSampleGrad(noise_map, noise_sampler, uv, gx, gy);
-  // Old foam is a net of thin strands, fresh foam is a closed mass of bubbles.
-  let fresh = smoothstep(0.0, 0.5, foam.y);
-  let height = mix(0.52 * lace.r + 0.22 * fine.r + 0.26 * wide.b, 0.45 * lace.r + 0.3 * wide.b + 0.25 * fine.g, fresh);
-  // A sum of three uniform variables: near-normal around 0.5; this makes the covered share equal the foam.
-  let z = (height - 0.5) / 0.178;
-  let level = 1.0 / (1.0 + exp(-1.702 * z));
-  let texel = 6.0 * (length(gx) + length(gy));
-  let blur = clamp(0.10 + 14.0 * texel, 0.10, 1.0);
+  let scale = 1.0 / 336.0;
+  let uv = frame.grain + mat2x2f(w.x * scale / long, -w.y * scale, w.y * scale / long, w.x * scale) * at;
   let wanted = clamp(foam.x * 1.05, 0.0, 1.0);
-  let cut = smoothstep(1.0 - wanted - blur * 0.5, 1.0 - wanted + blur * 0.5, level + 0.02 * (fine.g - 0.5));
-  out.cover = mix(cut * mix(0.78, 1.0, fresh), wanted, smoothstep(0.4, 1.0, blur));
-  out.grain = mix(fine.g, 0.5, smoothstep(0.2, 0.8, blur));
+  let fresh = smoothstep(0.0, 0.5, foam.y);
+  // Grain as fine as the picture shows, so that whitecaps keep edges at any distance instead of fading to grey.
+  let octave = clamp(log2(max(footprint * 45.0 / 7.0, 1e-3)), 0.0, 4.0);
+  let low = min(floor(octave), 3.0);
+  let a = water_foam_grain(uv, low, footprint, wanted, fresh);
+  let b = water_foam_grain(uv, low + 1.0, footprint, wanted, fresh);
+  let mixed = mix(a, b, octave - low);
+  let far = smoothstep(1.5, 6.0, footprint / 7.0);
+  out.cover = mix(mixed.x, wanted, far);
+  out.grain = mix(mixed.y, 0.5, far);
   return out;
 }

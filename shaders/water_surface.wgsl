@@ -23,9 +23,17 @@ struct WaterSlope {
   jacobian: f32,
 }
 
+// Samples along a footprint. The samplers' own anisotropic filter is not used: Mesa's software driver loops for ever in it.
+const WATER_TAPS = 4.0;
+
 // Mean and variance of the slope over the footprint (dx, dy) of a pixel on the undisplaced sea.
 fn water_slope(at: vec2f, dx: vec2f, dy: vec2f) -> WaterSlope {
-  let small = max(min(length(dx), length(dy)), max(length(dx), length(dy)) / 8.0);
+  // The footprint is cut into pieces along its longer side; each is read at its own width.
+  let longer = select(dy, dx, dot(dx, dx) > dot(dy, dy));
+  let large = length(longer);
+  let little = min(length(dx), length(dy));
+  let taps = clamp(ceil(0.6 * large / max(little, 1e-9)), 1.0, WATER_TAPS);
+  let width = max(little, large / taps);
   var slope = vec2f(0.0);
   var stretch = vec2f(0.0);
   var shear = 0.0;
@@ -35,20 +43,25 @@ fn water_slope(at: vec2f, dx: vec2f, dy: vec2f) -> WaterSlope {
   for (var c = 0u; c < frame.count; c++) {
     let place = frame.cascades[c];
     let uv = place.xy + at * place.z;
-    let gx = dx * place.z;
-    let gy = dy * place.z;
-    let lod = log2(max(small * place.z * frame.n, 1e-6));
-    let second = textureSampleGrad(moments_map, wave_sampler, uv, c, gx, gy).xyz * place.w;
-    if small * place.z > 0.5 {
+    if width * place.z > 0.5 {
       // The whole patch is in the pixel: nothing but variance.
-      variance += second;
+      variance += textureSampleLevel(moments_map, wave_sampler, uv, c, 16.0).xyz * place.w;
       continue;
     }
-    let g = textureSampleGrad(gradients_map, wave_sampler, uv, c, gx, gy);
+    let lod = log2(max(width * place.z * frame.n, 1e-6));
+    var g = vec4f(0.0);
+    var second = vec3f(0.0);
+    for (var k = 0.0; k < taps; k += 1.0) {
+      let off = longer * (((k + 0.5) / taps - 0.5) * place.z);
+      g += textureSampleLevel(gradients_map, wave_sampler, uv + off, c, lod);
+      second += textureSampleLevel(moments_map, wave_sampler, uv + off, c, lod - 1.0).xyz;
+    }
+    g /= taps;
+    second *= place.w / taps;
     slope += g.xy;
     stretch += g.zw;
     if lod < 5.0 {
-      shear += textureSampleGrad(displacement_map, wave_sampler, uv, c, gx, gy).w;
+      shear += textureSampleLevel(displacement_map, wave_sampler, uv, c, lod).w;
     }
     // The moments know nothing finer than two texels; closer up they would count resolved waves twice.
     let spread = max(second - vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
@@ -59,15 +72,13 @@ fn water_slope(at: vec2f, dx: vec2f, dy: vec2f) -> WaterSlope {
   if scale > 0.0 {
     let c = frame.count - 1u;
     let unit = frame.cascades[c].w * scale;
-    let lod = log2(max(small * frame.ripples.z * frame.n, 1e-6));
-    if small * frame.ripples.z > 0.25 {
+    if width * frame.ripples.z > 0.25 {
       variance += unit * vec3f(1.0, 1.0, 0.0);
     } else {
+      let lod = log2(max(width * frame.ripples.z * frame.n, 1e-6));
       let uv = frame.ripples.xy + at * frame.ripples.z;
-      let gx = dx * frame.ripples.z;
-      let gy = dy * frame.ripples.z;
-      let g = textureSampleGrad(gradients_map, wave_sampler, uv, c, gx, gy).xy;
-      let second = textureSampleGrad(moments_map, wave_sampler, uv, c, gx, gy).xyz * unit;
+      let g = textureSampleLevel(gradients_map, wave_sampler, uv, c, lod).xy;
+      let second = textureSampleLevel(moments_map, wave_sampler, uv, c, lod - 1.0).xyz * unit;
       slope += g * frame.ripples.w;
       let spread = max(second - scale * vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
       variance += spread * clamp(lod, 0.0, 1.0);

@@ -14,7 +14,7 @@ const RIPPLE_RATIO: f64 = 13.1;
 /// Share of the unresolved slopes that the ripples show; the rest stays roughness.
 const RIPPLE_SHARE: f32 = 0.8;
 /// Side of the foam's grain tile across the wind, m; `water_foam.wgsl` has the same number.
-const GRAIN_M: f64 = 42.0;
+const GRAIN_M: f64 = 336.0;
 
 /// What a picture must know of the sea besides the maps.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -29,7 +29,7 @@ use water::WaterPass;
 
 /// What the layout test compares with the shaders.
 pub const LAYOUTS: &[Layout] =
-    &[frame::FrameUniform::LAYOUT, sky::SkyUniform::LAYOUT, sky::LightBuffer::LAYOUT, post::present::LAYOUT];
+    &[FrameUniform::LAYOUT, sky::SkyUniform::LAYOUT, sky::LightBuffer::LAYOUT, post::present::LAYOUT];
 
 /// Everything that a picture depends on besides the maps.
 #[derive(Clone, Debug, PartialEq)]

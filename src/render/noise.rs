@@ -50,7 +50,6 @@ impl NoiseTexture {
             mag_filter: wgpu::FilterMode::Linear,
             min_filter: wgpu::FilterMode::Linear,
             mipmap_filter: wgpu::MipmapFilterMode::Linear,
-            anisotropy_clamp: 4,
             ..Default::default()
         });
         Self { view: texture.create_view(&wgpu::TextureViewDescriptor::default()), sampler }

@@ -37,7 +37,6 @@ impl WaterPass {
             mag_filter: wgpu::FilterMode::Linear,
             min_filter: wgpu::FilterMode::Linear,
             mipmap_filter: wgpu::MipmapFilterMode::Linear,
-            anisotropy_clamp: 8,
             ..Default::default()
         });
         Self { scene, pipeline, layout, sampler, maps: None, indices: None, count: 0 }
