@@ -9,8 +9,8 @@ const ATM_SUN = vec3f(21.0, 20.0, 18.8);
 const ATM_SUN_RADIUS = 0.00465;
 const ATM_RAYLEIGH = vec3f(5.802e-3, 13.558e-3, 33.1e-3);
 const ATM_RAYLEIGH_HEIGHT = 8.0;
-// Sea salt over the open ocean: optical depth of about 0.08 in a boundary layer.
-const ATM_MIE = vec3f(0.066, 0.068, 0.071);
+// Sea salt over the open ocean: optical depth of about 0.04 in a boundary layer.
+const ATM_MIE = vec3f(0.031, 0.033, 0.035);
 const ATM_MIE_ALBEDO = 0.97;
 const ATM_MIE_HEIGHT = 1.2;
 const ATM_MIE_G = 0.78;

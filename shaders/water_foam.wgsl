@@ -34,10 +34,11 @@ fn water_foam_grain(uv: vec2f, octave: f32, footprint: f32, wanted: f32, fresh: 
   let lod = log2(max(footprint * 512.0 / (7.0 * shrink), 1e-3));
   let noise = textureSampleLevel(noise_map, noise_sampler, uv * (48.0 / shrink), lod);
   // Filtering draws the noise together around its mean; the threshold softens with it.
-  let soft = clamp(0.10 + 0.12 * max(lod - 3.0, 0.0), 0.10, 1.0);
-  let height = mix(noise.r, noise.b, 0.6 * fresh);
-  let cover = smoothstep(1.0 - wanted - 0.5 * soft, 1.0 - wanted + 0.5 * soft, height + 0.06 * (noise.g - 0.5));
-  return vec2f(cover * mix(0.8, 1.0, fresh), noise.g);
+  let soft = clamp(0.22 + 0.12 * max(lod - 3.0, 0.0), 0.22, 1.0);
+  let height = mix(noise.r, noise.b, 0.6 * fresh) + 0.22 * (noise.g - 0.5);
+  let cover = smoothstep(1.0 - wanted - 0.5 * soft, 1.0 - wanted + 0.5 * soft, height);
+  // Thin foam lets the water through; only a fresh crest is closed.
+  return vec2f(cover * mix(0.55 + 0.3 * noise.g, 1.0, max(fresh, wanted * wanted)), noise.g);
 }
 
 fn water_foam(at: vec2f, dx: vec2f, dy: vec2f) -> WaterFoam {
