@@ -2,9 +2,13 @@
 //! every struct that they share.
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
-use seastate::gpu::layout::LAYOUTS;
+use seastate::gpu::layout::{self, Layout};
 use seastate::gpu::shaders::{Shaders, locate};
 use std::collections::BTreeSet;
+
+fn layouts() -> Vec<Layout> {
+    layout::LAYOUTS.iter().chain(seastate::render::LAYOUTS).copied().collect()
+}
 
 fn parsed() -> Vec<(&'static str, naga::Module)> {
     Shaders::default()
@@ -35,13 +39,14 @@ fn module_text(name: &str) -> String {
 
 #[test]
 fn rust_and_wgsl_agree_on_layouts() {
+    let layouts = layouts();
     let mut checked = BTreeSet::new();
     for (name, module) in parsed() {
         for (_, ty) in module.types.iter() {
             let (Some(struct_name), naga::TypeInner::Struct { members, span }) = (&ty.name, &ty.inner) else {
                 continue;
             };
-            let Some((_, fields, size)) = LAYOUTS.iter().find(|(wgsl, _, _)| wgsl == struct_name) else { continue };
+            let Some((_, fields, size)) = layouts.iter().find(|(wgsl, _, _)| wgsl == struct_name) else { continue };
             assert_eq!(*span as usize, *size, "{name}: size of {struct_name}");
             for member in members {
                 let member_name = member.name.as_deref().unwrap_or_default();
@@ -59,19 +64,20 @@ fn rust_and_wgsl_agree_on_layouts() {
             checked.insert(struct_name.clone());
         }
     }
-    let all: BTreeSet<String> = LAYOUTS.iter().map(|(name, _, _)| (*name).to_owned()).collect();
+    let all: BTreeSet<String> = layouts.iter().map(|(name, _, _)| (*name).to_owned()).collect();
     assert_eq!(checked, all, "every shared struct is used by a shader");
 }
 
 #[test]
 fn every_uniform_struct_has_a_rust_twin() {
+    let layouts = layouts();
     for (name, module) in parsed() {
         for (_, variable) in module.global_variables.iter() {
             if variable.space != naga::AddressSpace::Uniform {
                 continue;
             }
             let ty = module.types[variable.ty].name.clone().unwrap_or_default();
-            assert!(LAYOUTS.iter().any(|(wgsl, _, _)| *wgsl == ty), "{name}: uniform {ty} is not in LAYOUTS");
+            assert!(layouts.iter().any(|(wgsl, _, _)| *wgsl == ty), "{name}: uniform {ty} is not in LAYOUTS");
         }
     }
 }

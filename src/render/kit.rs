@@ -79,12 +79,7 @@ pub fn layout(
 ) -> wgpu::BindGroupLayout {
     let entries: Vec<_> = (0..)
         .zip(slots)
-        .map(|(binding, slot)| wgpu::BindGroupLayoutEntry {
-            binding,
-            visibility,
-            ty: slot.binding_type(),
-            count: None,
-        })
+        .map(|(binding, slot)| wgpu::BindGroupLayoutEntry { binding, visibility, ty: slot.binding_type(), count: None })
         .collect();
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
 }

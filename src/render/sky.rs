@@ -290,14 +290,7 @@ impl Sky {
             let views = [mip(&surroundings, level - 1), mip(&surroundings, level)];
             let resources = [TextureView(&views[0]), TextureView(&views[1])];
             let size = ENVIRONMENT.map(|s| s >> level);
-            Step::new(
-                device,
-                "sky/filter",
-                (&filter, "main"),
-                &[Slot::Texture, Slot::Image],
-                &resources,
-                tiles(size),
-            )
+            Step::new(device, "sky/filter", (&filter, "main"), &[Slot::Texture, Slot::Image], &resources, tiles(size))
         }));
         lit.push(measure("sky/light whole", "whole"));
         Self { uniform, light, transmittance, view, environment, sampler, air, lit, made_for: None }
