@@ -4,13 +4,14 @@
 const ATM_PI = 3.14159265359;
 const ATM_GROUND = 6371.0;
 const ATM_TOP = 100.0;
-// Irradiance of the sun above the air: a scale that keeps noon and dusk inside half floats, in linear sRGB.
-const ATM_SUN = vec3f(21.0, 20.0, 18.8);
+// Irradiance of the sun above the air: a scale that keeps noon and dusk inside half floats, in linear sRGB under the
+// white balance of daylight film.
+const ATM_SUN = vec3f(19.4, 20.0, 20.8);
 const ATM_SUN_RADIUS = 0.00465;
 const ATM_RAYLEIGH = vec3f(5.802e-3, 13.558e-3, 33.1e-3);
 const ATM_RAYLEIGH_HEIGHT = 8.0;
-// Sea salt over the open ocean: optical depth of about 0.04 in a boundary layer.
-const ATM_MIE = vec3f(0.031, 0.033, 0.035);
+// Sea salt over the open ocean: optical depth of about 0.06 in a boundary layer.
+const ATM_MIE = vec3f(0.048, 0.050, 0.053);
 const ATM_MIE_ALBEDO = 0.97;
 const ATM_MIE_HEIGHT = 1.2;
 const ATM_MIE_G = 0.78;

@@ -48,7 +48,7 @@ fn clear(@builtin(local_invocation_index) thread: u32) {
     light.sun = beam * light.direct;
     light.sky = total.rgb;
     // A deck scatters all colours alike; a trace of the blue sky above it stays.
-    let grey = mix(vec3f(sky_luminance(globally)), globally, 0.35) * vec3f(0.97, 1.0, 1.04);
+    let grey = mix(vec3f(sky_luminance(globally)), globally, 0.35) * vec3f(0.92, 1.0, 1.09);
     light.deck = grey * (LIGHT_DECK * 9.0 / (7.0 * ATM_PI));
   }
 }
@@ -76,6 +76,6 @@ fn whole(@builtin(local_invocation_index) thread: u32) {
     let ground = sky_luminance(total.rgb + light.sun * max(sky.sun.y, 0.0)) / ATM_PI;
     light.key = 0.55 * band + 0.25 * ground;
     // An eye adapts, but not wholly: dusk stays darker than noon.
-    light.exposure = 0.30 / pow(light.key, 0.86) ;
+    light.exposure = 0.50 / pow(light.key, 0.86);
   }
 }

@@ -67,7 +67,8 @@ fn fragment(in: WaterVertex) -> @location(0) vec4f {
   let at = in.rest.xz;
   let dx = dpdx(at);
   let dy = dpdy(at);
-  var slope = water_slope(at, dx, dy);
+  let foot = water_footprint(dx, dy);
+  var slope = water_slope(at, foot);
   // Slopes that change within the pixel glitter as one (Tokuyoshi and Kaplanyan 2019).
   let bend_x = dpdx(slope.mean);
   let bend_y = dpdy(slope.mean);
@@ -81,7 +82,7 @@ fn fragment(in: WaterVertex) -> @location(0) vec4f {
   let v = normalize(vec3f(-dir.x, max(dot(-dir, up), 1e-4), -dir.z));
   let n = normalize(vec3f(-slope.mean.x, 1.0, -slope.mean.y));
 
-  let foam = water_foam(at, dx, dy);
+  let foam = water_foam(at, foot);
   let mirror = water_mirror(v, slope);
   let rise = in.rest.y / max(frame.hs_m, 0.05);
   let below = water_below(v, n, rise, foam.plume);

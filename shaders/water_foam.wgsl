@@ -1,5 +1,8 @@
 // Whitecaps: how much foam a pixel holds and what it looks like.
 
+// Side of the grain's tile across the wind, m; frame.rs has the same number.
+const WATER_GRAIN_M = 290.0;
+
 struct WaterFoam {
   // Share of the pixel that is white.
   cover: f32,
@@ -27,25 +30,8 @@ fn water_foam_level(at: vec2f, footprint: f32) -> vec2f {
   return foam;
 }
 
-// Share of a pixel that is white, and fine relief, at one size of the grain: the tile measures 7 m x 2^octave. The noise is
-// equalised, so that a threshold of 1 - c covers the share c. Old foam is a net of thin strands, fresh foam a closed mass.
-fn water_foam_grain(uv: vec2f, octave: f32, footprint: f32, wanted: f32, fresh: f32) -> vec2f {
-  let shrink = exp2(octave);
-  let lod = log2(max(footprint * 512.0 / (7.0 * shrink), 1e-3));
-  let noise = textureSampleLevel(noise_map, noise_sampler, uv * (48.0 / shrink), lod);
-  // Filtering draws the noise together around its mean; the threshold softens with it.
-  let soft = clamp(0.22 + 0.12 * max(lod - 3.0, 0.0), 0.22, 1.0);
-  let height = mix(noise.r, noise.b, 0.6 * fresh) + 0.22 * (noise.g - 0.5);
-  let cover = smoothstep(1.0 - wanted - 0.5 * soft, 1.0 - wanted + 0.5 * soft, height);
-  // Thin foam lets the water through; only a fresh crest is closed.
-  return vec2f(cover * mix(0.55 + 0.3 * noise.g, 1.0, max(fresh, wanted * wanted)), noise.g);
-}
-
-fn water_foam(at: vec2f, dx: vec2f, dy: vec2f) -> WaterFoam {
-  let major = max(length(dx), length(dy));
-  let minor = min(length(dx), length(dy));
-  let footprint = sqrt(major * minor) + 0.1 * major;
-  let foam = clamp(water_foam_level(at, footprint) * frame.foam_gain, vec2f(0.0), vec2f(1.0));
+fn water_foam(at: vec2f, foot: WaterFootprint) -> WaterFoam {
+  let foam = clamp(water_foam_level(at, foot.size) * frame.foam_gain, vec2f(0.0), vec2f(1.0));
   var out: WaterFoam;
   out.plume = foam.x;
   out.grain = 0.5;
@@ -53,22 +39,42 @@ fn water_foam(at: vec2f, dx: vec2f, dy: vec2f) -> WaterFoam {
   if foam.x < 0.002 {
     return out;
   }
-  // Grain in coordinates along and across the wind, drawn out along it in a gale: streaks. Its tile is a divisor of 336 m,
-  // modulo which the CPU takes the eye's foot.
+  // Grain in coordinates along and across the wind, drawn out along it in a gale: streaks. Each scale is a whole multiple
+  // of the coarsest, so that the eye's foot can be taken modulo one tile.
   let w = frame.downwind;
-  let long = 1.0 + 2.2 * smoothstep(8.0, 24.0, frame.wind_m_s);
-  let scale = 1.0 / 336.0;
-  let uv = frame.grain + mat2x2f(w.x * scale / long, -w.y * scale, w.y * scale / long, w.x * scale) * at;
-  let wanted = clamp(foam.x * 1.05, 0.0, 1.0);
-  let fresh = smoothstep(0.0, 0.5, foam.y);
-  // Grain as fine as the picture shows, so that whitecaps keep edges at any distance instead of fading to grey.
-  let octave = clamp(log2(max(footprint * 45.0 / 7.0, 1e-3)), 0.0, 4.0);
-  let low = min(floor(octave), 3.0);
-  let a = water_foam_grain(uv, low, footprint, wanted, fresh);
-  let b = water_foam_grain(uv, low + 1.0, footprint, wanted, fresh);
-  let mixed = mix(a, b, octave - low);
-  let far = smoothstep(1.5, 6.0, footprint / 7.0);
-  out.cover = mix(mixed.x, wanted, far);
-  out.grain = mix(mixed.y, 0.5, far);
+  let long = 1.0 + 2.5 * smoothstep(8.0, 24.0, frame.wind_m_s);
+  let turn = mat2x2f(w.x / long, -w.y, w.y / long, w.x) * (1.0 / WATER_GRAIN_M);
+  let uv = frame.grain + turn * at;
+  let lod = log2(max(foot.size * 512.0 / WATER_GRAIN_M, 1e-4));
+  // Windrows of tens of metres, patches of metres, strands of decimetres.
+  let vast = textureSampleLevel(noise_map, noise_sampler, uv, lod);
+  let wide = textureSampleLevel(noise_map, noise_sampler, uv * 7.0, lod + 2.81);
+  let lace = textureSampleLevel(noise_map, noise_sampler, uv * 43.0, lod + 5.43);
+  let fine = textureSampleLevel(noise_map, noise_sampler, uv.yx * 160.0, lod + 7.32);
+  // Fresh foam is a closed mass of bubbles, old foam a net of thin strands.
+  let fresh = smoothstep(0.0, 0.45, foam.y);
+  // Only what the pixel can resolve counts; a sum of uniform variables is nearly normal.
+  let near = 1.0 - smoothstep(vec4f(3.4), vec4f(5.4), lod + vec4f(0.0, 2.81, 5.43, 7.32));
+  let weight = near * vec4f(0.9, 1.0, mix(1.0, 0.7, fresh), 0.55);
+  let sigma = 0.2887 * sqrt(max(dot(weight, weight), 1e-6));
+  let z = dot(vec4f(vast.r, wide.r, lace.r, fine.g) - 0.5, weight) / sigma;
+  let level = 1.0 / (1.0 + exp(-1.702 * z));
+  let wanted = foam.x;
+  // A soft edge of constant width in the noise; the mean over the noise stays what is wanted.
+  let soft = mix(0.30, 0.16, fresh);
+  let cut = smoothstep(1.0 - wanted - soft, 1.0 - wanted + soft, level);
+  let kept = min(wanted / max(water_soft_mean(wanted, soft), 1e-3), 1.0);
+  let seen = smoothstep(0.0, 0.25, sigma);
+  out.cover = clamp(mix(wanted, cut * kept, seen), 0.0, 1.0);
+  out.grain = mix(0.5, fine.g, near.w);
   return out;
+}
+
+// Mean of smoothstep(1 - c - e, 1 - c + e, x) over x in 0..1.
+fn water_soft_mean(c: f32, e: f32) -> f32 {
+  // The integral of smoothstep from its start over t in 0..1 is t^3 - t^4 / 2.
+  let a = clamp((c + e) / (2.0 * e), 0.0, 1.0);
+  let b = clamp((c - 1.0 + e) / (2.0 * e), 0.0, 1.0);
+  let ramp = a * a * a * (1.0 - 0.5 * a) - b * b * b * (1.0 - 0.5 * b);
+  return 2.0 * e * ramp + max(c - e, 0.0) - max(c - 1.0 - e, 0.0);
 }

@@ -23,46 +23,56 @@ struct WaterSlope {
   jacobian: f32,
 }
 
-// Samples along a footprint. The samplers' own anisotropic filter is not used: Mesa's software driver loops for ever in it.
-const WATER_TAPS = 4.0;
+// Footprint of a pixel on the undisplaced sea: its length along the longer side, filtered by several taps so that it is
+// not blurred across. Hardware anisotropy is not used: it differs between GPUs and takes minutes in software.
+struct WaterFootprint {
+  axis: vec2f,
+  // Size of one tap, m.
+  size: f32,
+  taps: i32,
+}
 
-// Mean and variance of the slope over the footprint (dx, dy) of a pixel on the undisplaced sea.
-fn water_slope(at: vec2f, dx: vec2f, dy: vec2f) -> WaterSlope {
-  // The footprint is cut into pieces along its longer side; each is read at its own width.
-  let longer = select(dy, dx, dot(dx, dx) > dot(dy, dy));
-  let large = length(longer);
-  let little = min(length(dx), length(dy));
-  let taps = clamp(ceil(0.6 * large / max(little, 1e-9)), 1.0, WATER_TAPS);
-  let width = max(little, large / taps);
+const WATER_TAPS = 5;
+
+fn water_footprint(dx: vec2f, dy: vec2f) -> WaterFootprint {
+  let x = length(dx);
+  let y = length(dy);
+  let large = max(x, y);
+  // Area over length: also right where the two sides are nearly parallel.
+  let small = max(abs(dx.x * dy.y - dx.y * dy.x) / max(large, 1e-9), 1e-6);
+  let taps = clamp(i32(ceil(large / small - 0.3)), 1, WATER_TAPS);
+  return WaterFootprint(select(dy, dx, x > y), max(small, large / f32(taps)), taps);
+}
+
+// Mean and variance of the slope within a footprint.
+fn water_slope(at: vec2f, foot: WaterFootprint) -> WaterSlope {
   var slope = vec2f(0.0);
   var stretch = vec2f(0.0);
   var shear = 0.0;
   // Cox and Munk 1954: waves shorter than the finest cascade, somewhat steeper along the wind.
   let w = frame.downwind;
-  var variance = frame.residual_mss * (vec3f(0.42) * vec3f(1.0, 1.0, 0.0) + 0.16 * vec3f(w.x * w.x, w.y * w.y, w.x * w.y));
+  var variance = frame.residual_mss * (vec3f(0.42, 0.42, 0.0) + 0.16 * vec3f(w.x * w.x, w.y * w.y, w.x * w.y));
   for (var c = 0u; c < frame.count; c++) {
     let place = frame.cascades[c];
-    let uv = place.xy + at * place.z;
-    if width * place.z > 0.5 {
-      // The whole patch is in the pixel: nothing but variance.
-      variance += textureSampleLevel(moments_map, wave_sampler, uv, c, 16.0).xyz * place.w;
-      continue;
-    }
-    let lod = log2(max(width * place.z * frame.n, 1e-6));
+    let texels = foot.size * place.z * frame.n;
+    // Beyond this the patch is within the pixel: nothing but variance, one tap.
+    let coarse = foot.size * place.z > 0.3;
+    let taps = select(foot.taps, 1, coarse);
+    let lod = select(log2(max(texels, 1e-6)), 16.0, coarse);
     var g = vec4f(0.0);
     var second = vec3f(0.0);
-    for (var k = 0.0; k < taps; k += 1.0) {
-      let off = longer * (((k + 0.5) / taps - 0.5) * place.z);
-      g += textureSampleLevel(gradients_map, wave_sampler, uv + off, c, lod);
-      second += textureSampleLevel(moments_map, wave_sampler, uv + off, c, lod - 1.0).xyz;
+    for (var i = 0; i < taps; i++) {
+      let uv = place.xy + (at + foot.axis * ((f32(i) + 0.5) / f32(taps) - 0.5)) * place.z;
+      g += textureSampleLevel(gradients_map, wave_sampler, uv, c, lod);
+      second += textureSampleLevel(moments_map, wave_sampler, uv, c, lod - 1.0).xyz;
+      if lod < 4.0 {
+        shear += textureSampleLevel(displacement_map, wave_sampler, uv, c, lod).w / f32(taps);
+      }
     }
-    g /= taps;
-    second *= place.w / taps;
+    g /= f32(taps);
+    second *= place.w / f32(taps);
     slope += g.xy;
     stretch += g.zw;
-    if lod < 5.0 {
-      shear += textureSampleLevel(displacement_map, wave_sampler, uv, c, lod).w;
-    }
     // The moments know nothing finer than two texels; closer up they would count resolved waves twice.
     let spread = max(second - vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
     variance += spread * clamp(lod, 0.0, 1.0);
@@ -72,15 +82,21 @@ fn water_slope(at: vec2f, dx: vec2f, dy: vec2f) -> WaterSlope {
   if scale > 0.0 {
     let c = frame.count - 1u;
     let unit = frame.cascades[c].w * scale;
-    if width * frame.ripples.z > 0.25 {
+    if foot.size * frame.ripples.z > 0.2 {
       variance += unit * vec3f(1.0, 1.0, 0.0);
     } else {
-      let lod = log2(max(width * frame.ripples.z * frame.n, 1e-6));
-      let uv = frame.ripples.xy + at * frame.ripples.z;
-      let g = textureSampleLevel(gradients_map, wave_sampler, uv, c, lod).xy;
-      let second = textureSampleLevel(moments_map, wave_sampler, uv, c, lod - 1.0).xyz * unit;
-      slope += g * frame.ripples.w;
-      let spread = max(second - scale * vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
+      let lod = log2(max(foot.size * frame.ripples.z * frame.n, 1e-6));
+      var g = vec2f(0.0);
+      var second = vec3f(0.0);
+      for (var i = 0; i < foot.taps; i++) {
+        let uv = frame.ripples.xy + (at + foot.axis * ((f32(i) + 0.5) / f32(foot.taps) - 0.5)) * frame.ripples.z;
+        g += textureSampleLevel(gradients_map, wave_sampler, uv, c, lod).xy;
+        second += textureSampleLevel(moments_map, wave_sampler, uv, c, lod - 1.0).xyz;
+      }
+      g *= frame.ripples.w / f32(foot.taps);
+      second *= unit / f32(foot.taps);
+      slope += g;
+      let spread = max(second - vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
       variance += spread * clamp(lod, 0.0, 1.0);
     }
   }

@@ -14,7 +14,7 @@ const RIPPLE_RATIO: f64 = 13.1;
 /// Share of the unresolved slopes that the ripples show; the rest stays roughness.
 const RIPPLE_SHARE: f32 = 0.8;
 /// Side of the foam's grain tile across the wind, m; `water_foam.wgsl` has the same number.
-const GRAIN_M: f64 = 336.0;
+const GRAIN_M: f64 = 290.0;
 
 /// What a picture must know of the sea besides the maps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -207,7 +207,7 @@ fn ripples(maps: &Maps, foot: [f64; 2], residual: f32) -> ([f32; 4], f32) {
 /// Texture coordinates of the foam's grain at the eye's foot; the same matrix stands in `water_foam.wgsl`.
 fn grain(sea: &SeaLook, foot: [f64; 2]) -> [f32; 2] {
     let x = ((f64::from(sea.wind_m_s) - 8.0) / 16.0).clamp(0.0, 1.0);
-    let long = 1.0 + 2.2 * x * x * (3.0 - 2.0 * x);
+    let long = 1.0 + 2.5 * x * x * (3.0 - 2.0 * x);
     let w = sea.downwind.map(f64::from);
     let along = (w[0] * foot[0] + w[1] * foot[1]) / (GRAIN_M * long);
     let across = (w[0] * foot[1] - w[1] * foot[0]) / GRAIN_M;
