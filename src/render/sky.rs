@@ -344,14 +344,8 @@ mod tests {
         let noise = NoiseTexture::new(&gpu.device, &gpu.queue);
         let sky = Sky::new(&gpu.device, &Shaders::default(), &noise);
         let (s, c) = 60f32.to_radians().sin_cos();
-        let uniform = SkyUniform {
-            sun: [c, s, 0.0],
-            haze: 1.0,
-            eye_km: 0.008,
-            dip: dip(8.0) as f32,
-            overcast: 0.0,
-            drift: 0.0,
-        };
+        let uniform =
+            SkyUniform { sun: [c, s, 0.0], haze: 1.0, eye_km: 0.008, dip: dip(8.0) as f32, overcast: 0.0, drift: 0.0 };
         sky.uniform.write(&gpu.queue, &uniform);
         for step in sky.air.iter().chain(&sky.lit) {
             let start = std::time::Instant::now();
