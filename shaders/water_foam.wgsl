@@ -35,9 +35,8 @@ fn water_foam(at: vec2f, foot: WaterFootprint) -> WaterFoam {
   var out: WaterFoam;
   out.plume = foam.x;
   out.grain = 0.5;
-  out.cover = foam.x;
+  out.cover = 0.0;
   if foam.x < 0.002 {
-    out.cover = 0.0;
     return out;
   }
   // Grain in coordinates along and across the wind, drawn out along it in a gale: streaks. Each scale is a whole multiple

@@ -180,13 +180,28 @@ function recover(handle, reason) {
   }
 }
 
+/** What the program said when it panicked; nothing if it has not. */
+function panicText(handle) {
+  if (!handle?.has_panicked()) return undefined;
+  return handle.panic_message() ?? 'no message';
+}
+
 /** Panicked, lost, or drawing? Until the first picture often, then each second. */
 function watch(handle) {
   const begun = performance.now();
   let running = false;
   const look = () => {
-    if (handle.has_panicked()) {
-      show('panic', handle.panic_message() ?? 'no message');
+    try {
+      next();
+    } catch (error) {
+      // A trap inside one of these questions.
+      show('panic', panicText(handle) ?? String(error));
+    }
+  };
+  const next = () => {
+    const panic = panicText(handle);
+    if (panic !== undefined) {
+      show('panic', panic);
       return;
     }
     const lost = handle.device_lost();
@@ -233,8 +248,8 @@ async function boot() {
       window.seastate = handle;
       await handle.start(element('sea'));
     } catch (error) {
-      if (handle?.has_panicked()) throw new Rung('panic', handle.panic_message() ?? String(error));
-      throw new Rung('start', String(error?.message ?? error));
+      const panic = panicText(handle) ?? (error instanceof WebAssembly.RuntimeError ? String(error) : undefined);
+      throw panic === undefined ? new Rung('start', String(error?.message ?? error)) : new Rung('panic', panic);
     }
     say('Preparing the shaders…');
     watch(handle);

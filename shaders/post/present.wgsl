@@ -1,4 +1,4 @@
-// From linear light to the screen: exposure, tone curve, gamma, dither.
+// From linear light to the screen: smooth edges, exposure, tone curve, gamma, dither.
 
 struct Present {
   size: vec2f,
@@ -9,6 +9,7 @@ struct Present {
 @group(0) @binding(0) var<uniform> present: Present;
 @group(0) @binding(1) var<uniform> light: Light;
 @group(0) @binding(2) var hdr_map: texture_2d<f32>;
+@group(0) @binding(3) var hdr_sampler: sampler;
 
 struct PresentVertex {
   @builtin(position) clip: vec4f,
@@ -53,6 +54,46 @@ fn present_hash(p: vec2u) -> f32 {
   return f32((h ^ (h >> 16u)) >> 8u) / 16777216.0;
 }
 
+// Exposed light squeezed below 1, so that a glint does not outshine the edge that it is averaged with.
+fn present_squeeze(c: vec3f) -> vec3f {
+  let exposed = c * (light.exposure * present.exposure_gain);
+  return exposed / (1.0 + sky_luminance(exposed));
+}
+
+fn present_at(uv: vec2f) -> vec3f {
+  return present_squeeze(textureSampleLevel(hdr_map, hdr_sampler, uv, 0.0).rgb);
+}
+
+fn present_corner(at: vec2i) -> f32 {
+  let last = vec2i(present.size) - 1;
+  return sky_luminance(present_squeeze(textureLoad(hdr_map, clamp(at, vec2i(0), last), 0).rgb));
+}
+
+// Edges smoothed along their direction, after FXAA by Timothy Lottes (2009): crests and the horizon have no other
+// smoothing where there is one sample a pixel. Exposed light in and out.
+fn present_smooth(hdr: vec3f, at: vec2i, uv: vec2f) -> vec3f {
+  let middle = present_squeeze(hdr);
+  let nw = present_corner(at + vec2i(-1, -1));
+  let ne = present_corner(at + vec2i(1, -1));
+  let sw = present_corner(at + vec2i(-1, 1));
+  let se = present_corner(at + vec2i(1, 1));
+  let here = sky_luminance(middle);
+  let low = min(here, min(min(nw, ne), min(sw, se)));
+  let high = max(here, max(max(nw, ne), max(sw, se)));
+  var smoothed = middle;
+  if high - low > max(0.03, 0.16 * high) {
+    let across = vec2f(sw + se - nw - ne, nw + sw - ne - se);
+    let reduce = max((nw + ne + sw + se) * 0.03, 0.008);
+    let pixels = clamp(across / (min(abs(across.x), abs(across.y)) + reduce), vec2f(-6.0), vec2f(6.0));
+    let along = pixels / present.size;
+    let inner = 0.5 * (present_at(uv - along / 6.0) + present_at(uv + along / 6.0));
+    let outer = 0.5 * inner + 0.25 * (present_at(uv - 0.5 * along) + present_at(uv + 0.5 * along));
+    let l = sky_luminance(outer);
+    smoothed = select(outer, inner, l < low || l > high);
+  }
+  return smoothed / max(1.0 - sky_luminance(smoothed), 1e-5);
+}
+
 @fragment
 fn fragment(in: PresentVertex) -> @location(0) vec4f {
   let at = vec2u(clamp(in.uv * present.size, vec2f(0.0), present.size - 1.0));
@@ -61,7 +102,7 @@ fn fragment(in: PresentVertex) -> @location(0) vec4f {
   if any(bits == vec4u(0x7f800000u)) || hdr.a < 0.99 {
     return vec4f(1.0, 0.0, 1.0, 1.0);
   }
-  let encoded = present_agx(hdr.rgb * (light.exposure * present.exposure_gain));
+  let encoded = present_agx(present_smooth(hdr.rgb, vec2i(at), (vec2f(at) + 0.5) / present.size));
   // Triangular noise of one step hides the banding of eight bits.
   let noise = present_hash(at) + present_hash(at + vec2u(7919u, 104729u)) - 1.0;
   return vec4f(encoded + noise * present.dither / 255.0, 1.0);

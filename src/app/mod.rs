@@ -94,6 +94,11 @@ impl App {
         self.faults.lost()
     }
 
+    /// The distinct GPU errors so far.
+    pub fn errors(&self) -> Vec<String> {
+        self.faults.errors()
+    }
+
     /// The device that the app draws with.
     pub fn render_state(&self) -> &egui_wgpu::RenderState {
         &self.render_state

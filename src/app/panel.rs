@@ -75,7 +75,7 @@ fn notices(app: &App, ui: &mut egui::Ui) {
     for text in app.notices.iter().chain(&app.derived.plan.notices) {
         ui.colored_label(egui::Color32::from_rgb(240, 200, 110), text);
     }
-    for text in app.faults.errors() {
+    for text in app.errors() {
         ui.colored_label(egui::Color32::from_rgb(255, 130, 120), text);
     }
 }
@@ -90,7 +90,7 @@ fn fields(params: &mut Params, group: Group, ui: &mut egui::Ui) {
             let mut value = before;
             edit(field, &mut value, ui).labelled_by(label.id).on_hover_text(&help);
             let default = field.default_value();
-            let undo = egui::Button::new("↺").small().frame(false);
+            let undo = egui::Button::new("×").small().frame(false);
             if ui.add_enabled(value != default, undo).on_hover_text("Back to the default.").clicked() {
                 value = default;
             }

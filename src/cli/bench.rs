@@ -74,6 +74,7 @@ pub async fn run(params: &Params, size: [u32; 2], repeat: u32) -> Result<Report,
 }
 
 /// Submits what `record` records and waits, `repeat` times after two to warm up.
+#[expect(clippy::disallowed_methods, reason = "web_time's Instant is the standard one here, and no browser runs this")]
 fn time(
     gpu: &Gpu,
     repeat: u32,

@@ -12,6 +12,9 @@ use std::path::Path;
 /// The foam level that is exported.
 const FOAM_LEVEL: usize = 1;
 
+/// A named channel and its value at texel i, row by row.
+type Channel<'a> = (&'static str, Box<dyn Fn(usize) -> f32 + 'a>);
+
 /// Writes the maps of a state at its time to a folder.
 ///
 /// # Errors
@@ -26,13 +29,13 @@ pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Resu
     let chop = plan.sea.chop as f32;
     for c in 0..maps.cascades() {
         let (d, g) = (maps.displacement(c), maps.gradients(c));
-        let displacement: [(&str, Box<dyn Fn(usize) -> f32>); 3] = [
+        let displacement: [Channel<'_>; 3] = [
             ("X", Box::new(move |i| chop * d[i][0])),
             ("Y", Box::new(move |i| d[i][1])),
             ("Z", Box::new(move |i| chop * d[i][2])),
         ];
         write(&folder.join(format!("cascade{c}_displacement.exr")), n, &displacement)?;
-        let gradients: [(&str, Box<dyn Fn(usize) -> f32>); 5] = [
+        let gradients: [Channel<'_>; 5] = [
             ("deta_dx", Box::new(move |i| g[i][0])),
             ("deta_dz", Box::new(move |i| g[i][1])),
             ("dDx_dx", Box::new(move |i| g[i][2])),
@@ -49,7 +52,7 @@ pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Resu
     let first = corner.map(|x| (x / foam_level.texel_m).round() as i64);
     let place = |i: usize, axis: usize| (first[axis] + i as i64).rem_euclid(size as i64) as usize;
     let foam = |i: usize| levels[FOAM_LEVEL][place(i / size, 1) * size + place(i % size, 0)];
-    let channels: [(&str, Box<dyn Fn(usize) -> f32 + '_>); 1] = [("foam", Box::new(foam))];
+    let channels: [Channel<'_>; 1] = [("foam", Box::new(foam))];
     write(&folder.join("foam.exr"), size, &channels)?;
     if raw {
         let heights: Vec<f32> = (0..maps.cascades()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
@@ -86,12 +89,8 @@ async fn half_maps(gpu: &Gpu, params: &Params, plan: &Plan) -> std::result::Resu
     copy.read(&gpu.device).await
 }
 
-/// Writes a square image of f32 channels; each gives its value at texel i (row by row).
-fn write<'a>(
-    path: &Path,
-    n: usize,
-    channels: &[(&str, Box<dyn Fn(usize) -> f32 + 'a>)],
-) -> std::result::Result<(), String> {
+/// Writes a square image of f32 channels.
+fn write(path: &Path, n: usize, channels: &[Channel<'_>]) -> std::result::Result<(), String> {
     let list = channels
         .iter()
         .map(|(name, value)| AnyChannel::new(*name, FlatSamples::F32((0..n * n).map(value).collect())))

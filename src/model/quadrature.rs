@@ -13,7 +13,7 @@ const KRONROD: [(f64, f64); 8] = [
 ];
 /// Weights of the embedded 7-point Gauss rule, at the odd Kronrod points.
 const GAUSS: [f64; 4] =
-    [0.129_484_966_168_869_7, 0.279_705_391_489_276_64, 0.381_830_050_505_118_93, 0.417_959_183_673_469_4];
+    [0.129_484_966_168_869_7, 0.279_705_391_489_276_7, 0.381_830_050_505_118_9, 0.417_959_183_673_469_4];
 const MAX_DEPTH: u32 = 40;
 
 /// Kronrod estimate and its difference from the Gauss one over [a, b].

@@ -3,7 +3,7 @@
 use super::frame::FrameUniform;
 use super::noise::NoiseTexture;
 use super::sky::{LightBuffer, Sky, SkyUniform};
-use super::targets::{DEPTH_FORMAT, HDR_FORMAT, SAMPLES};
+use super::targets::{DEPTH_FORMAT, HDR_FORMAT};
 use bytemuck::Pod;
 use std::marker::PhantomData;
 use std::num::NonZeroU64;
@@ -79,12 +79,7 @@ pub fn layout(
 ) -> wgpu::BindGroupLayout {
     let entries: Vec<_> = (0..)
         .zip(slots)
-        .map(|(binding, slot)| wgpu::BindGroupLayoutEntry {
-            binding,
-            visibility,
-            ty: slot.binding_type(),
-            count: None,
-        })
+        .map(|(binding, slot)| wgpu::BindGroupLayoutEntry { binding, visibility, ty: slot.binding_type(), count: None })
         .collect();
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
 }
@@ -107,10 +102,12 @@ pub fn group(
 pub struct SceneGroup {
     pub layout: wgpu::BindGroupLayout,
     pub group: wgpu::BindGroup,
+    /// Coverage samples a pixel.
+    pub samples: u32,
 }
 
 impl SceneGroup {
-    pub fn new(device: &wgpu::Device, frame: &Uniform<FrameUniform>, sky: &Sky, noise: &NoiseTexture) -> Self {
+    pub fn new(device: &wgpu::Device, frame: &Uniform<FrameUniform>, sky: &Sky, noise: &NoiseTexture, samples: u32) -> Self {
         let slots = [
             Slot::Uniform(size_of::<FrameUniform>()),
             Slot::Uniform(size_of::<SkyUniform>()),
@@ -139,7 +136,7 @@ impl SceneGroup {
                 wgpu::BindingResource::TextureView(&sky.transmittance),
             ],
         );
-        Self { layout, group }
+        Self { layout, group, samples }
     }
 }
 
@@ -149,6 +146,7 @@ pub fn hdr_pipeline(
     label: &str,
     module: &wgpu::ShaderModule,
     layouts: &[Option<&wgpu::BindGroupLayout>],
+    samples: u32,
     depth_write: bool,
 ) -> wgpu::RenderPipeline {
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -173,7 +171,7 @@ pub fn hdr_pipeline(
             stencil: wgpu::StencilState::default(),
             bias: wgpu::DepthBiasState::default(),
         }),
-        multisample: wgpu::MultisampleState { count: SAMPLES, ..Default::default() },
+        multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
         fragment: Some(wgpu::FragmentState {
             module,
             entry_point: Some("fragment"),

@@ -42,7 +42,11 @@ impl Mesh {
 
         // Radii are linear up to about `radius` and logarithmic beyond.
         let radius = (0.5 * (eye - lift)).max(0.04 * eye).max(0.25);
-        let near = if lowest <= -0.5 * PI { 0.0 } else { ((eye - lift).max(0.0) / (-lowest).max(0.02).tan() - shift).max(0.0) };
+        let near = if lowest <= -0.5 * PI {
+            0.0
+        } else {
+            ((eye - lift).max(0.0) / (-lowest).max(0.02).tan() - shift).max(0.0)
+        };
         let far = 1.15 * ((2.0 * EARTH_RADIUS_M * eye).sqrt() + (2.0 * EARTH_RADIUS_M * lift).sqrt()) + 500.0;
         let t = |r: f64| (1.0 + r / radius).ln();
         let first = (t(near) / ROW_SNAP).floor() * ROW_SNAP;

@@ -57,11 +57,21 @@ pub struct Renderer {
 impl Renderer {
     /// Compiles all passes. `target_format` is what [`Self::present`] draws into.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, target_format: wgpu::TextureFormat) -> Self {
+        Self::with_samples(device, queue, target_format, samples(device))
+    }
+
+    /// The same with a number of coverage samples a pixel, 1 or 4.
+    pub fn with_samples(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        target_format: wgpu::TextureFormat,
+        samples: u32,
+    ) -> Self {
         let shaders = Shaders::default();
         let frame = Uniform::new(device, "frame");
         let noise = NoiseTexture::new(device, queue);
         let sky = Sky::new(device, &shaders, &noise);
-        let scene = kit::SceneGroup::new(device, &frame, &sky, &noise);
+        let scene = kit::SceneGroup::new(device, &frame, &sky, &noise, samples);
         let background = sky::Background::new(device, &shaders, &scene);
         let water = WaterPass::new(device, &shaders, scene);
         let present = PresentPass::new(device, &shaders, &sky.light, target_format);
@@ -80,7 +90,7 @@ impl Renderer {
     ) {
         let size = size.map(|s| s.max(1));
         if self.targets.as_ref().is_none_or(|t| t.size != size) {
-            let targets = Targets::new(device, size);
+            let targets = Targets::new(device, size, self.water.scene.samples);
             self.present.bind(device, &targets);
             self.targets = Some(targets);
         }
@@ -101,4 +111,11 @@ impl Renderer {
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         self.present.draw(pass);
     }
+}
+
+/// Coverage samples a pixel: several on a GPU; one in software, where they cost six times the rest of the frame. The page
+/// cannot always tell which it has and takes one; the present pass smooths edges in any case.
+fn samples(device: &wgpu::Device) -> u32 {
+    let in_software = cfg!(target_arch = "wasm32") || device.adapter_info().device_type == wgpu::DeviceType::Cpu;
+    if in_software { 1 } else { 4 }
 }

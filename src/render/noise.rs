@@ -67,7 +67,9 @@ fn tile(side: u32) -> Vec<[f32; 4]> {
         let (bx, by) = (gradient_noise(x, y, 6, 11), gradient_noise(x, y, 6, 12));
         let (fx, fy) = (gradient_noise(x, y, 23, 13), gradient_noise(x, y, 23, 14));
         let (x, y) = (x + 0.055 * bx + 0.012 * fx, y + 0.055 * by + 0.012 * fy);
-        1.1 * edges(x, y, 7, 1) + 0.8 * edges(x, y, 17, 2) + 0.5 * edges(x, y, 41, 3)
+        1.1 * edges(x, y, 7, 1)
+            + 0.8 * edges(x, y, 17, 2)
+            + 0.5 * edges(x, y, 41, 3)
             + 0.35 * gradient_noise(x, y, 5, 4)
     });
     let bubbles = field(&|x, y| edges(x, y, 37, 5) + 0.7 * edges(x, y, 83, 6) + 0.4 * gradient_noise(x, y, 19, 7));

@@ -290,14 +290,7 @@ impl Sky {
             let views = [mip(&surroundings, level - 1), mip(&surroundings, level)];
             let resources = [TextureView(&views[0]), TextureView(&views[1])];
             let size = ENVIRONMENT.map(|s| s >> level);
-            Step::new(
-                device,
-                "sky/filter",
-                (&filter, "main"),
-                &[Slot::Texture, Slot::Image],
-                &resources,
-                tiles(size),
-            )
+            Step::new(device, "sky/filter", (&filter, "main"), &[Slot::Texture, Slot::Image], &resources, tiles(size))
         }));
         lit.push(measure("sky/light whole", "whole"));
         Self { uniform, light, transmittance, view, environment, sampler, air, lit, made_for: None }
@@ -327,7 +320,7 @@ impl Background {
     /// Compiles the pass.
     pub fn new(device: &wgpu::Device, shaders: &Shaders, scene: &SceneGroup) -> Self {
         let module = shaders.module(device, "sky");
-        Self { pipeline: hdr_pipeline(device, "sky", &module, &[Some(&scene.layout)], false) }
+        Self { pipeline: hdr_pipeline(device, "sky", &module, &[Some(&scene.layout)], scene.samples, false) }
     }
 
     /// Draws it.
@@ -351,14 +344,8 @@ mod tests {
         let noise = NoiseTexture::new(&gpu.device, &gpu.queue);
         let sky = Sky::new(&gpu.device, &Shaders::default(), &noise);
         let (s, c) = 60f32.to_radians().sin_cos();
-        let uniform = SkyUniform {
-            sun: [c, s, 0.0],
-            haze: 1.0,
-            eye_km: 0.008,
-            dip: dip(8.0) as f32,
-            overcast: 0.0,
-            drift: 0.0,
-        };
+        let uniform =
+            SkyUniform { sun: [c, s, 0.0], haze: 1.0, eye_km: 0.008, dip: dip(8.0) as f32, overcast: 0.0, drift: 0.0 };
         sky.uniform.write(&gpu.queue, &uniform);
         for step in sky.air.iter().chain(&sky.lit) {
             let mut encoder = gpu.device.create_command_encoder(&Default::default());

@@ -4,20 +4,18 @@
 pub const HDR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Reverse-Z: near / distance.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-/// Coverage samples a pixel; shading is done once.
-pub const SAMPLES: u32 = 4;
-
 /// Attachments of one size.
 pub struct Targets {
     pub size: [u32; 2],
     /// One sample a pixel, to be presented.
     pub hdr: wgpu::TextureView,
-    samples: wgpu::TextureView,
+    /// Several coverage samples a pixel, if there are any.
+    samples: Option<wgpu::TextureView>,
     depth: wgpu::TextureView,
 }
 
 impl Targets {
-    pub fn new(device: &wgpu::Device, size: [u32; 2]) -> Self {
+    pub fn new(device: &wgpu::Device, size: [u32; 2], samples: u32) -> Self {
         let texture = |label, format, sample_count, usage| {
             device
                 .create_texture(&wgpu::TextureDescriptor {
@@ -36,20 +34,24 @@ impl Targets {
         Self {
             size,
             hdr: texture("hdr", HDR_FORMAT, 1, wgpu::TextureUsages::TEXTURE_BINDING),
-            samples: texture("hdr samples", HDR_FORMAT, SAMPLES, none),
-            depth: texture("depth", DEPTH_FORMAT, SAMPLES, none),
+            samples: (samples > 1).then(|| texture("hdr samples", HDR_FORMAT, samples, none)),
+            depth: texture("depth", DEPTH_FORMAT, samples, none),
         }
     }
 
     /// Opens the pass of the picture.
     pub fn begin<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
+        let (view, resolve_target, store) = match &self.samples {
+            Some(samples) => (samples, Some(&self.hdr), wgpu::StoreOp::Discard),
+            None => (&self.hdr, None, wgpu::StoreOp::Store),
+        };
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("picture"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &self.samples,
+                view,
                 depth_slice: None,
-                resolve_target: Some(&self.hdr),
-                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Discard },
+                resolve_target,
+                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store },
             })],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: &self.depth,

@@ -29,7 +29,8 @@ impl WaterPass {
         let slots = [Slot::Array, Slot::Array, Slot::Array, Slot::Array, Slot::Sampler];
         let layout = layout(device, "maps", wgpu::ShaderStages::VERTEX_FRAGMENT, &slots);
         let module = shaders.module(device, "water");
-        let pipeline = hdr_pipeline(device, "water", &module, &[Some(&scene.layout), Some(&layout)], true);
+        let layouts = [Some(&scene.layout), Some(&layout)];
+        let pipeline = hdr_pipeline(device, "water", &module, &layouts, scene.samples, true);
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("waves"),
             address_mode_u: wgpu::AddressMode::Repeat,

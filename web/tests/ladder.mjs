@@ -32,6 +32,7 @@ const RUNGS = [
   { rung: 'start', folder: 'fault/stub', play: 'reject', reason: /no device: the stub refuses/ },
   { rung: 'panic', folder: 'fault/stub', play: 'panic', reason: /the stub panicked at src\/stub.rs:1/ },
   { rung: 'panic', name: 'a trap without words', folder: 'fault/stub', play: 'trap', reason: /unreachable executed/ },
+  { rung: 'panic', name: 'while answering the page', folder: 'fault/stub', play: 'throw', reason: /unreachable in an answer/ },
   { rung: 'lost', folder: 'fault/stub', play: 'lost', reason: /the stub was unplugged/ },
 ];
 

@@ -1,4 +1,4 @@
-// Stands in for the program where a test needs it to fail: `?play=reject|panic|lost|trap|sleep`.
+// Stands in for the program where a test needs it to fail: `?play=reject|panic|throw|trap|lost|sleep`.
 const play = new URLSearchParams(location.search).get('play');
 
 export default async function init() {}
@@ -38,6 +38,7 @@ export class WebHandle {
   }
 
   frames() {
+    if (play === 'throw') throw new WebAssembly.RuntimeError('unreachable in an answer');
     return this.#frames;
   }
 }

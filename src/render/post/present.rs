@@ -35,6 +35,7 @@ pub struct PresentPass {
     light: wgpu::Buffer,
     layout: wgpu::BindGroupLayout,
     pipeline: wgpu::RenderPipeline,
+    sampler: wgpu::Sampler,
     group: Option<wgpu::BindGroup>,
 }
 
@@ -46,11 +47,8 @@ impl PresentPass {
         light: &wgpu::Buffer,
         target_format: wgpu::TextureFormat,
     ) -> Self {
-        let slots = [
-            Slot::Uniform(size_of::<PresentUniform>()),
-            Slot::Uniform(size_of::<LightBuffer>()),
-            Slot::Texture,
-        ];
+        let slots =
+            [Slot::Uniform(size_of::<PresentUniform>()), Slot::Uniform(size_of::<LightBuffer>()), Slot::Texture, Slot::Sampler];
         let layout = layout(device, "present", wgpu::ShaderStages::FRAGMENT, &slots);
         let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some("present"),
@@ -79,7 +77,13 @@ impl PresentPass {
             multiview_mask: None,
             cache: None,
         });
-        Self { uniform: Uniform::new(device, "present"), light: light.clone(), layout, pipeline, group: None }
+        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("hdr"),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            ..Default::default()
+        });
+        Self { uniform: Uniform::new(device, "present"), light: light.clone(), layout, pipeline, sampler, group: None }
     }
 
     /// Binds new targets.
@@ -88,6 +92,7 @@ impl PresentPass {
             self.uniform.buffer.as_entire_binding(),
             self.light.as_entire_binding(),
             wgpu::BindingResource::TextureView(&targets.hdr),
+            wgpu::BindingResource::Sampler(&self.sampler),
         ];
         self.group = Some(group(device, "present", &self.layout, &resources));
     }

@@ -1,0 +1,69 @@
+//! The app under egui_kittest: the same code that runs in the window and on the page, on a software GPU.
+
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use seastate::app::App;
+
+fn open(state: &str) -> Harness<'static, App> {
+    let state = state.to_owned();
+    let mut harness = Harness::builder()
+        .with_size(egui::vec2(900.0, 500.0))
+        .with_pixels_per_point(1.0)
+        .with_step_dt(1.0 / 60.0)
+        .wgpu()
+        .build_eframe(move |cc| App::new(cc, &state).expect("a device"));
+    harness.run_steps(3);
+    harness
+}
+
+#[test]
+fn a_state_opens_and_shows_its_numbers() {
+    let mut harness = open("wind=10&fetch=100&n=64&pause=1&t=5");
+    let picture = harness.render().expect("a picture");
+    assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+    assert_eq!(harness.state().state(), "wind=10&fetch=100&t=5&pause=1&n=64");
+    // Significant height and peak period of this sea, from the literature.
+    harness.get_by_label("2.14 m");
+    harness.get_by_label("6.2 s");
+    let first = picture.get_pixel(20, 250);
+    assert!(picture.pixels().any(|p| p != first), "the picture is not one colour");
+}
+
+#[test]
+fn time_runs_and_space_stops_it() {
+    let mut harness = open("n=64");
+    let time = |h: &Harness<'_, App>| seastate::model::query::parse(&h.state().state()).0.clock;
+    harness.run_steps(30);
+    assert!(time(&harness).t_s > 0.1);
+    harness.key_press(egui::Key::Space);
+    harness.run_steps(2);
+    let at = time(&harness);
+    assert!(at.paused);
+    harness.run_steps(30);
+    assert_eq!(time(&harness).t_s, at.t_s);
+}
+
+#[test]
+fn the_panel_edits_the_state() {
+    let mut harness = open("n=64&pause=1&wind=20");
+    harness.get_by_label("Reset").click();
+    harness.run_steps(2);
+    assert_eq!(harness.state().state(), "");
+}
+
+#[test]
+fn notices_of_the_state_are_shown() {
+    let harness = open("n=64&pause=1&colour=red");
+    harness.get_by_label_contains("unknown key \"colour\"");
+}
+
+#[test]
+fn keys_fly_the_camera() {
+    let mut harness = open("n=64&pause=1&heading=90&x=0");
+    harness.key_down(egui::Key::W);
+    harness.run_steps(10);
+    harness.key_up(egui::Key::W);
+    harness.run_steps(1);
+    let camera = seastate::model::query::parse(&harness.state().state()).0.camera;
+    assert!(camera.x_m > 0.5 && camera.z_m.abs() < 0.2, "east: {camera:?}");
+}

@@ -1,0 +1,168 @@
+//! The command line as a user meets it: what it writes, and how it fails.
+
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+fn seastate(args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_seastate")).args(args).output().expect("the program runs")
+}
+
+fn folder(name: &str) -> PathBuf {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    // Left from an earlier run, or not there.
+    let _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir_all(&path).expect("a folder");
+    path
+}
+
+/// Lines of stderr without the Vulkan loader's own remarks.
+fn complaints(output: &Output) -> Vec<String> {
+    let text = String::from_utf8_lossy(&output.stderr).into_owned();
+    text.lines().filter(|l| !l.contains("XDG_RUNTIME_DIR")).map(str::to_owned).collect()
+}
+
+#[test]
+fn bad_arguments_are_one_line_and_exit_code_2() {
+    for args in [
+        &["render", "wind=10", "--size", "big"][..],
+        &["render", "wind=10", "--size", "0x10"],
+        &["render", "wind=10", "--size", "99999x10"],
+        &["stats", "wind=10", "--seeds", "0"],
+        &["stats", "wind=10", "--seeds", "many"],
+        &["export", "wind=10"],
+        &["wind=10", "wind=11"],
+        &["check", "--nonsense"],
+        &["bench", "--repeat", "-1"],
+    ] {
+        let output = seastate(args);
+        assert_eq!(output.status.code(), Some(2), "{args:?}: {output:?}");
+        assert_eq!(complaints(&output).len(), 1, "{args:?}: {output:?}");
+        assert!(output.stdout.is_empty(), "{args:?}");
+    }
+}
+
+#[test]
+fn help_and_version_are_no_errors() {
+    for args in [&["--help"][..], &["--version"], &["render", "--help"], &["keys"]] {
+        let output = seastate(args);
+        assert_eq!(output.status.code(), Some(0), "{args:?}");
+        assert!(!output.stdout.is_empty(), "{args:?}");
+    }
+}
+
+#[test]
+fn a_missing_adapter_names_the_package() {
+    let output = Command::new(env!("CARGO_BIN_EXE_seastate"))
+        .args(["check", "n=128"])
+        .env("VK_DRIVER_FILES", "/nonexistent")
+        .env("VK_ICD_FILENAMES", "/nonexistent")
+        .env_remove("WGPU_ADAPTER_NAME")
+        .output()
+        .expect("the program runs");
+    if cfg!(target_os = "linux") {
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        let said = complaints(&output);
+        assert!(said.len() == 1 && said[0].contains("mesa-vulkan-drivers"), "{said:?}");
+    }
+}
+
+#[test]
+fn an_unknown_adapter_is_an_error_that_lists_the_known() {
+    let output = Command::new(env!("CARGO_BIN_EXE_seastate"))
+        .args(["check", "n=128"])
+        .env("WGPU_ADAPTER_NAME", "no such thing")
+        .output()
+        .expect("the program runs");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(complaints(&output)[0].contains("there are:"), "{output:?}");
+}
+
+#[test]
+fn render_writes_a_picture_of_the_asked_size() {
+    let path = folder("render").join("sea.png");
+    let file = path.to_str().expect("utf-8");
+    let output = seastate(&["render", "wind=12&n=64&t=5&nonsense=1", "--size", "160x96", "-o", file]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    assert!(complaints(&output).iter().any(|l| l.contains("nonsense")), "unknown keys are said: {output:?}");
+    let picture = image::open(&path).expect("a PNG").to_rgba8();
+    assert_eq!(picture.dimensions(), (160, 96));
+}
+
+#[test]
+fn an_unwritable_output_is_one_line() {
+    let output = seastate(&["render", "n=128", "--size", "16x16", "-o", "/nonexistent/folder/sea.png"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert_eq!(complaints(&output).len(), 1, "{output:?}");
+}
+
+#[test]
+fn export_writes_named_float_channels() {
+    use exr::prelude::*;
+    let folder = folder("export");
+    let output = seastate(&["export", "wind=12&n=64&t=5&chop=0.5", "-o", folder.to_str().expect("utf-8"), "--raw"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let plan: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(folder.join("plan.json")).expect("plan.json")).expect("JSON");
+    let cascades = plan["cascades"].as_array().expect("cascades").len();
+    assert!((1..=4).contains(&cascades));
+    let channels = |file: &str| {
+        let image = read_all_flat_layers_from_file(folder.join(file)).expect(file);
+        let layer = image.layer_data.into_iter().next().expect("a layer");
+        layer.channel_data.list.into_iter().map(|c| (c.name.to_string(), c.sample_data)).collect::<Vec<_>>()
+    };
+    for c in 0..cascades {
+        let displacement = channels(&format!("cascade{c}_displacement.exr"));
+        assert_eq!(displacement.iter().map(|(n, _)| n.as_str()).collect::<Vec<_>>(), ["X", "Y", "Z"]);
+        let gradients = channels(&format!("cascade{c}_gradients.exr"));
+        let names: Vec<_> = gradients.iter().map(|(n, _)| n.as_str()).collect();
+        assert_eq!(names, ["dDx_dx", "dDx_dz", "dDz_dz", "deta_dx", "deta_dz"]);
+        // The heights are those of the bare file, bit for bit.
+        let raw = std::fs::read(folder.join("heights.f32")).expect("heights.f32");
+        let raw: Vec<f32> = bytemuck::pod_collect_to_vec(&raw);
+        let FlatSamples::F32(heights) = &displacement[1].1 else { panic!("32-bit floats") };
+        assert_eq!(heights[..], raw[c * 64 * 64..][..64 * 64]);
+        assert!(heights.iter().any(|h| *h != 0.0));
+    }
+    let foam = channels("foam.exr");
+    assert_eq!(foam[0].0, "foam");
+    assert!(plan["foam"]["side_m"].as_f64().expect("a side") > 0.0);
+}
+
+#[test]
+fn stats_have_the_promised_shape() {
+    let output = seastate(&["stats", "wind=10&fetch=100&n=64&nonsense=1", "--seeds", "2", "--json"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    for (part, keys) in [
+        ("theory", &["m0_m2", "hs_m", "tp_s", "tm02_s", "lambda_p_m", "mss", "mean_from_deg", "spread_deg"][..]),
+        ("resolved", &["m0_m2", "hs_m", "mss", "m0_fraction"]),
+        ("measured", &["hs_m", "mean_m", "mss", "skewness", "kurtosis", "from_deg", "whitecap_fraction", "seeds"]),
+    ] {
+        for key in keys {
+            assert!(json[part][key].is_number(), "{part}.{key}: {json}");
+        }
+    }
+    for key in ["n", "patch_m", "k_low", "k_high"] {
+        assert!(json["cascades"][0][key].is_number(), "cascades.{key}");
+    }
+    assert_eq!(json["state"], "wind=10&fetch=100&n=64");
+    assert!(json["notices"][0].as_str().expect("a notice").contains("nonsense"));
+}
+
+#[test]
+fn check_says_that_all_is_well() {
+    let output = seastate(&["check", "wind=10&n=64"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    assert!(String::from_utf8_lossy(&output.stdout).contains("all within tolerance"));
+}
+
+#[test]
+fn bench_times_every_pass() {
+    let output = seastate(&["bench", "n=64", "--size", "64x64", "--repeat", "2", "--json"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    for pass in ["spectrum", "rows", "columns", "mips", "foam", "frame"] {
+        assert!(json["passes"][pass]["median_ms"].as_f64().expect(pass) > 0.0);
+    }
+    assert!(json["adapter"].is_string() && json["n"] == 64);
+}

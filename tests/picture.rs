@@ -1,0 +1,134 @@
+//! The picture, rendered headless: it depends on the state alone, is a sea and not a plane, and holds no broken pixel.
+
+use seastate::cli::render::picture;
+use seastate::gpu::device::Gpu;
+use seastate::model::{Params, query};
+
+const SIZE: [u32; 2] = [160, 96];
+
+fn render(gpu: &Gpu, state: &str) -> Vec<[u8; 4]> {
+    let (params, notices) = query::parse(state);
+    assert_eq!(notices, Vec::<String>::new());
+    render_params(gpu, &params)
+}
+
+fn render_params(gpu: &Gpu, params: &Params) -> Vec<[u8; 4]> {
+    let pixels = pollster::block_on(picture(gpu, params, SIZE)).expect("a picture");
+    pixels.chunks(4).map(|p| [p[0], p[1], p[2], p[3]]).collect()
+}
+
+fn gpu() -> Gpu {
+    pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers")
+}
+
+fn luminance(p: [u8; 4]) -> f64 {
+    0.2126 * f64::from(p[0]) + 0.7152 * f64::from(p[1]) + 0.0722 * f64::from(p[2])
+}
+
+/// Root mean square of what is left of the rows from `from` to `to` after taking away each row's own linear trend: 0 for
+/// a flat plane and for any smooth gradient.
+fn texture(pixels: &[[u8; 4]], from: usize, to: usize) -> f64 {
+    let width = SIZE[0] as usize;
+    let mut sum = 0.0;
+    for y in from..to {
+        let row: Vec<f64> = pixels[y * width..][..width].iter().map(|p| luminance(*p)).collect();
+        // Second differences see neither a constant nor a slope.
+        sum += row.windows(3).map(|w| (w[0] - 2.0 * w[1] + w[2]).powi(2)).sum::<f64>() / width as f64;
+    }
+    (sum / (to - from) as f64).sqrt()
+}
+
+fn broken(pixels: &[[u8; 4]]) -> usize {
+    pixels.iter().filter(|p| p[0] > 250 && p[1] < 5 && p[2] > 250).count()
+}
+
+#[test]
+fn the_measure_sees_no_texture_in_planes_and_gradients() {
+    let image = |f: &dyn Fn(f64, f64) -> f64| -> Vec<[u8; 4]> {
+        let at = |i: u32| (f64::from(i % SIZE[0]), f64::from(i / SIZE[0]));
+        (0..SIZE[0] * SIZE[1]).map(|i| [f(at(i).0, at(i).1).round() as u8; 4]).collect()
+    };
+    assert_eq!(texture(&image(&|_, _| 90.0), 40, 96), 0.0);
+    assert!(texture(&image(&|x, y| 20.0 + 0.5 * x + y), 40, 96) < 1.5, "rounding alone");
+}
+
+#[test]
+fn a_sea_is_seen_in_every_weather() {
+    let gpu = gpu();
+    for state in [
+        "wind=3&fetch=30&n=64&t=20",
+        "wind=10&n=64&t=20",
+        "wind=22&fetch=600&n=64&t=20&overcast=0.9",
+        "wind=10&n=64&t=20&sun=4&sunaz=40",
+    ] {
+        let pixels = render(&gpu, state);
+        assert_eq!(broken(&pixels), 0, "{state}");
+        let (sky, water) = (texture(&pixels, 2, 30), texture(&pixels, 50, 95));
+        assert!(water > 2.5, "{state}: the water has texture ({water})");
+        assert!(water > 1.5 * sky, "{state}: more than the sky ({water} against {sky})");
+        let mean = pixels.iter().map(|p| luminance(*p)).sum::<f64>() / pixels.len() as f64;
+        assert!((30.0..220.0).contains(&mean), "{state}: exposed ({mean})");
+    }
+}
+
+#[test]
+fn a_picture_depends_on_the_state_alone() {
+    let gpu = gpu();
+    let state = "wind=14&n=64&t=20";
+    let first = render(&gpu, state);
+    assert_eq!(first, render(&gpu, state), "the same twice");
+    let later = render(&gpu, "wind=14&n=64&t=20.5");
+    let moved = first.iter().zip(&later).filter(|(a, b)| (luminance(**a) - luminance(**b)).abs() > 4.0).count();
+    assert!(moved > first.len() / 20, "half a second moves the sea ({moved} pixels)");
+    assert_ne!(first, render(&gpu, "wind=14&n=64&t=20&seed=2"));
+}
+
+#[test]
+fn no_pixel_is_broken_at_the_corners() {
+    let gpu = gpu();
+    for state in [
+        "wind=0",
+        "wind=60&fetch=2000",
+        "depth=1&wind=30&spectrum=tma",
+        "chop=2&wind=25",
+        "height=4&wind=30",
+        "sun=-8",
+        "sun=90",
+        "haze=10",
+        "haze=0",
+        "overcast=1",
+        "turbidity=1&depth=2",
+        "y=5000&pitch=-60",
+        "y=1&wind=0&pitch=-89",
+        "pitch=60",
+        "fov=10",
+        "fov=100",
+        "x=1000000&z=-1000000",
+        "t=10000000",
+        "foam=2&wind=30",
+        "mesh=0.25",
+        "g=0.5",
+    ] {
+        assert_eq!(broken(&render(&gpu, &format!("{state}&n=64"))), 0, "{state}");
+    }
+}
+
+/// Every field of light and camera changes the picture.
+#[test]
+fn every_look_and_camera_field_is_seen() {
+    use seastate::model::fields::{FIELDS, Group, Kind};
+    let gpu = gpu();
+    let base = "wind=18&fetch=300&n=64&t=5&overcast=0.3&depth=12";
+    let reference = render(&gpu, base);
+    for field in FIELDS.iter().filter(|f| matches!(f.group, Group::Look | Group::Camera) || f.key == "foam") {
+        let value = match field.kind {
+            Kind::Number { min, max, log: false } => 0.3 * min + 0.7 * max,
+            Kind::Number { min, max, log: true } => (min * max).sqrt(),
+            _ => 200.0,
+        };
+        let (mut params, _) = query::parse(base);
+        (field.set)(&mut params, value);
+        let other = render_params(&gpu, &params);
+        assert_ne!(other, reference, "{} = {value} changes nothing", field.key);
+    }
+}
