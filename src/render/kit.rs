@@ -107,7 +107,13 @@ pub struct SceneGroup {
 }
 
 impl SceneGroup {
-    pub fn new(device: &wgpu::Device, frame: &Uniform<FrameUniform>, sky: &Sky, noise: &NoiseTexture, samples: u32) -> Self {
+    pub fn new(
+        device: &wgpu::Device,
+        frame: &Uniform<FrameUniform>,
+        sky: &Sky,
+        noise: &NoiseTexture,
+        samples: u32,
+    ) -> Self {
         let slots = [
             Slot::Uniform(size_of::<FrameUniform>()),
             Slot::Uniform(size_of::<SkyUniform>()),

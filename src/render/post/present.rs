@@ -47,8 +47,12 @@ impl PresentPass {
         light: &wgpu::Buffer,
         target_format: wgpu::TextureFormat,
     ) -> Self {
-        let slots =
-            [Slot::Uniform(size_of::<PresentUniform>()), Slot::Uniform(size_of::<LightBuffer>()), Slot::Texture, Slot::Sampler];
+        let slots = [
+            Slot::Uniform(size_of::<PresentUniform>()),
+            Slot::Uniform(size_of::<LightBuffer>()),
+            Slot::Texture,
+            Slot::Sampler,
+        ];
         let layout = layout(device, "present", wgpu::ShaderStages::FRAGMENT, &slots);
         let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some("present"),
