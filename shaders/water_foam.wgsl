@@ -45,7 +45,7 @@ fn water_foam(at: vec2f, foot: WaterFootprint) -> WaterFoam {
   let long = 1.0 + 2.5 * smoothstep(8.0, 24.0, frame.wind_m_s);
   let turn = mat2x2f(w.x / long, -w.y, w.y / long, w.x) * (1.0 / WATER_GRAIN_M);
   let uv = frame.grain + turn * at;
-  let size = foot.size * pow(f32(foot.taps), 0.8);
+  let size = foot.size * pow(f32(foot.taps), 0.6);
   let lod = log2(max(size * 512.0 / WATER_GRAIN_M, 1e-4));
   // Windrows of tens of metres, patches of metres, strands of decimetres.
   let vast = textureSampleLevel(noise_map, noise_sampler, uv, lod);
@@ -62,7 +62,7 @@ fn water_foam(at: vec2f, foot: WaterFootprint) -> WaterFoam {
   let level = 1.0 / (1.0 + exp(-1.702 * z));
   let wanted = foam.x;
   // A soft edge of constant width in the noise; the mean over the noise stays what is wanted.
-  let soft = mix(0.30, 0.16, fresh);
+  let soft = mix(0.22, 0.13, fresh);
   let cut = smoothstep(1.0 - wanted - soft, 1.0 - wanted + soft, level);
   let kept = min(wanted / max(water_soft_mean(wanted, soft), 1e-3), 1.0);
   let seen = smoothstep(0.0, 0.25, sigma);

@@ -40,7 +40,7 @@ fn present_agx(linear: vec3f) -> vec3f {
   let x4 = x2 * x2;
   var c = 15.5 * x4 * x2 - 40.14 * x4 * x + 31.96 * x4 - 6.868 * x2 * x + 0.4298 * x2 + 0.1191 * x - 0.00232;
   // The look: a little contrast and saturation.
-  c = 1.06 * pow(max(c, vec3f(0.0)), vec3f(1.25));
+  c = 1.09 * pow(max(c, vec3f(0.0)), vec3f(1.25));
   let grey = dot(c, vec3f(0.2126, 0.7152, 0.0722));
   c = max(grey + 1.30 * (c - grey), vec3f(0.0));
   // Already encoded with a gamma of 2.2.
