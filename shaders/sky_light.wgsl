@@ -13,7 +13,7 @@
 
 const LIGHT_THREADS = 256u;
 // Share of the global irradiance that a closed deck lets through.
-const LIGHT_DECK = 0.34;
+const LIGHT_DECK = 0.28;
 
 var<workgroup> light_sums: array<vec4f, 256>;
 
@@ -66,7 +66,7 @@ fn whole(@builtin(local_invocation_index) thread: u32) {
     let radiance = textureLoad(environment_map, vec2u(x, y + half_rows), 1).rgb;
     // The key: what stands low in the sky is in the picture and is mirrored by the sea.
     let low = exp(-elevation * elevation / 0.18) * solid;
-    sum += vec4f(radiance * (sin(elevation) * solid), min(sky_luminance(radiance), 4.0 * sky_luminance(light.deck) + 1e-3) * low);
+    sum += vec4f(radiance * (sin(elevation) * solid), min(sky_luminance(radiance), 6.0 * sky_luminance(light.deck) + 1e-4) * low);
   }
   let total = light_reduce(thread, sum);
   if thread == 0u {
@@ -74,8 +74,8 @@ fn whole(@builtin(local_invocation_index) thread: u32) {
     // Solid angle of the weight above, once around.
     let band = total.w / 2.1;
     let ground = sky_luminance(total.rgb + light.sun * max(sky.sun.y, 0.0)) / ATM_PI;
-    light.key = 0.55 * band + 0.25 * ground;
+    light.key = 0.85 * band + 0.2 * ground;
     // An eye adapts, but not wholly: dusk stays darker than noon.
-    light.exposure = 0.50 / pow(light.key, 0.86);
+    light.exposure = 0.56 / pow(light.key, 0.80);
   }
 }

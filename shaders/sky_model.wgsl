@@ -29,7 +29,7 @@ fn sky_cloud_noise(p: vec2f, lod: f32) -> f32 {
   let a = textureSampleLevel(noise_map, noise_sampler, p / SKY_TILE_KM, lod).b;
   let b = textureSampleLevel(noise_map, noise_sampler, turned / (0.27 * SKY_TILE_KM) + vec2f(0.37, 0.11), lod + 1.89).b;
   let c = textureSampleLevel(noise_map, noise_sampler, p.yx / (0.083 * SKY_TILE_KM), lod + 3.6).b;
-  return a * 0.56 + b * 0.30 + c * 0.14;
+  return a * 0.54 + b * 0.29 + c * 0.17;
 }
 
 // Sky with clouds, seen from near the sea; w is what of the sun's disc shows. `pixel` is the angle to be filtered over.
@@ -43,7 +43,8 @@ fn sky_radiance(dir: vec3f, above: f32, pixel: f32) -> vec4f {
   let s = sin(above);
   let t = sqrt(ATM_GROUND * ATM_GROUND * s * s + 2.0 * ATM_GROUND * SKY_CLOUD_KM) - ATM_GROUND * s;
   let p = normalize(dir.xz + vec2f(1e-9, 0.0)) * (t * cos(above)) + sky.drift;
-  let footprint = t * pixel / max(s, SKY_CLOUD_KM / t);
+  // The tile is seen foreshortened; between the two sides of the footprint lies the least blur without shimmer.
+  let footprint = t * pixel / sqrt(max(s, SKY_CLOUD_KM / t));
   let lod = log2(max(footprint * 512.0 / SKY_TILE_KM, 1e-3));
   let n = sky_cloud_noise(p, lod);
   // Fewer clouds: only the peaks of the noise; a full deck: all of it.
@@ -54,7 +55,7 @@ fn sky_radiance(dir: vec3f, above: f32, pixel: f32) -> vec4f {
   let nu = dot(dir, sky.sun);
   let glow = light.sun * (0.35 * atm_mie_phase(nu)) * (1.0 - thick) * (1.0 - thick) * (1.0 - o);
   let lit = (light.sky + light.sun * max(sky.sun.y, 0.05)) * (0.85 / ATM_PI);
-  let deck = sky_deck(above) * mix(1.55, 0.52, smoothstep(0.25, 0.8, n));
+  let deck = sky_deck(above) * mix(1.6, 0.42, smoothstep(0.28, 0.72, n));
   let body = mix(mix(lit, deck, smoothstep(0.0, 0.7, thick)), deck, o * o) + glow;
   let base = mix(clear, sky_deck(above), o * o);
   let shown = cover * exp(-t / 38.0);

@@ -33,7 +33,7 @@ fn vertex(@builtin(vertex_index) i: u32) -> WaterVertex {
   let at = radius * vec2f(sin(azimuth), -cos(azimuth));
   // Distance between rows; columns are never farther apart than that matters.
   let spacing = max((radius + frame.mesh_radius) * frame.mesh.w, radius * frame.mesh.y);
-  let moved = water_displacement(at, 0.7 * spacing);
+  let moved = water_displacement(at, 1.3 * spacing);
   let flat = at + moved.xz;
   let drop = dot(flat, flat) / (2.0 * FRAME_EARTH_M);
   let place = vec3f(flat.x, moved.y - drop - frame.eye_m, flat.y);

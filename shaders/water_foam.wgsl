@@ -45,7 +45,8 @@ fn water_foam(at: vec2f, foot: WaterFootprint) -> WaterFoam {
   let long = 1.0 + 2.5 * smoothstep(8.0, 24.0, frame.wind_m_s);
   let turn = mat2x2f(w.x / long, -w.y, w.y / long, w.x) * (1.0 / WATER_GRAIN_M);
   let uv = frame.grain + turn * at;
-  let lod = log2(max(foot.size * 512.0 / WATER_GRAIN_M, 1e-4));
+  let size = foot.size * pow(f32(foot.taps), 0.8);
+  let lod = log2(max(size * 512.0 / WATER_GRAIN_M, 1e-4));
   // Windrows of tens of metres, patches of metres, strands of decimetres.
   let vast = textureSampleLevel(noise_map, noise_sampler, uv, lod);
   let wide = textureSampleLevel(noise_map, noise_sampler, uv * 7.0, lod + 2.81);

@@ -103,8 +103,8 @@ fn water_mirror(v: vec3f, slope: WaterSlope) -> WaterMirror {
 // Irradiance reflectance of the water body just below the surface: clear ocean (Morel and Maritorena 2001, chlorophyll
 // 0.05 mg/m^3) to turbid coast, at the wavelengths of the display's primaries.
 fn water_body() -> vec3f {
-  let clear = vec3f(0.0009, 0.0085, 0.043);
-  let coast = vec3f(0.0085, 0.031, 0.020);
+  let clear = vec3f(0.0020, 0.0125, 0.070);
+  let coast = vec3f(0.013, 0.042, 0.027);
   return exp(mix(log(clear), log(coast), frame.turbidity));
 }
 

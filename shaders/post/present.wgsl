@@ -41,7 +41,7 @@ fn present_agx(linear: vec3f) -> vec3f {
   // The look: a little contrast and saturation.
   c = 1.06 * pow(max(c, vec3f(0.0)), vec3f(1.25));
   let grey = dot(c, vec3f(0.2126, 0.7152, 0.0722));
-  c = max(grey + 1.38 * (c - grey), vec3f(0.0));
+  c = max(grey + 1.30 * (c - grey), vec3f(0.0));
   // Already encoded with a gamma of 2.2.
   return clamp(OUT * c, vec3f(0.0), vec3f(1.0));
 }

@@ -8,8 +8,8 @@ use crate::model::camera::EARTH_RADIUS_M;
 use std::f64::consts::{PI, TAU};
 
 /// Columns and rows at density 1.
-const COLUMNS: f64 = 296.0;
-const ROWS: f64 = 440.0;
+const COLUMNS: f64 = 240.0;
+const ROWS: f64 = 560.0;
 /// Columns that are drawn row by row, so that a vertex is still in the GPU's cache when its next row comes.
 pub const BLOCK: u32 = 8;
 /// Rows start at a multiple of this, so that a change of pitch moves few of them.
