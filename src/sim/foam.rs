@@ -34,6 +34,10 @@ pub struct FoamClock {
     /// Lattice times that a cold start has yet to replay, earliest first.
     replay: Vec<Step>,
     cells: Option<[[i32; 2]; FOAM_LEVELS]>,
+    /// Time of the last step before the sea changed, while foam of the old sea may be left.
+    changed_at_s: Option<f64>,
+    /// Middle of the levels at the last step.
+    centre: [f64; 2],
     /// Where foam forms, per level, for the current plan.
     sources: [foam::Source; FOAM_LEVELS],
 }
@@ -41,24 +45,45 @@ pub struct FoamClock {
 impl FoamClock {
     /// Levels of `size` cells a side, for a plan.
     pub fn new(size: u32, plan: &Plan) -> Self {
-        let mut clock =
-            Self { size, at_s: None, replay: Vec::new(), cells: None, sources: [foam::Source::default(); FOAM_LEVELS] };
+        let mut clock = Self {
+            size,
+            at_s: None,
+            replay: Vec::new(),
+            cells: None,
+            changed_at_s: None,
+            centre: [0.0; 2],
+            sources: [foam::Source::default(); FOAM_LEVELS],
+        };
         clock.set_plan(plan);
         clock
     }
 
-    /// Turns to another sea; the foam that is there stays.
+    /// Turns to another sea; the foam that is there stays while time runs.
     pub fn set_plan(&mut self, plan: &Plan) {
+        self.changed_at_s = self.at_s;
         self.sources = std::array::from_fn(|level| foam::source(plan, self.texel_m(level)));
     }
 
     /// The next steps towards `t_s`, at most `most`: none when the foam is there already. A cold start (the first call, a
-    /// jump of time) replays a lattice of times that depends on `t_s` alone, so that a still depends on the state alone.
-    pub fn steps_to(&mut self, t_s: f64, plan: &Plan, most: usize) -> Vec<Step> {
+    /// jump of time, or another sea or place while time stands still) replays a lattice of times that depends on `t_s`
+    /// alone, so that a still depends on the state alone.
+    pub fn steps_to(&mut self, t_s: f64, centre: [f64; 2], plan: &Plan, most: usize) -> Vec<Step> {
         let jumped = |at: f64| t_s < at || t_s - at > LONGEST_STEP_S;
-        if self.replay.is_empty() && self.at_s.is_none_or(jumped) {
+        let memory_s = REPLAY_DECAYS * plan.sea.foam_decay_s;
+        if self.changed_at_s.is_some_and(|changed| t_s - changed > memory_s) {
+            self.changed_at_s = None;
+        }
+        let moved = (0..2).any(|axis| (centre[axis] - self.centre[axis]).abs() > 0.25 * FINEST_SIDE_M);
+        let stands = self.at_s == Some(t_s);
+        let elsewhere = stands && (moved || self.changed_at_s.is_some());
+        if self.at_s.is_none_or(jumped) && self.replay.is_empty() || elsewhere {
+            self.changed_at_s = None;
+            self.centre = centre;
             self.replay = replay(t_s, plan.sea.foam_decay_s);
             self.replay.reverse();
+        }
+        if !stands {
+            self.centre = centre;
         }
         let mut steps = Vec::new();
         while steps.len() < most {
@@ -168,7 +193,7 @@ mod tests {
     fn a_cold_start_ends_at_its_time_and_depends_on_it_alone() {
         let plan = Plan::new(&Params::default());
         for t in [0.0, 20.0, 20.1, 1e6] {
-            let steps = FoamClock::new(64, &plan).steps_to(t, &plan, usize::MAX);
+            let steps = FoamClock::new(64, &plan).steps_to(t, [0.0; 2], &plan, usize::MAX);
             assert_eq!(steps.len(), REPLAY_STEPS);
             assert_eq!(steps[REPLAY_STEPS - 1].t_s, t);
             for pair in steps.windows(2) {
@@ -185,10 +210,14 @@ mod tests {
         let mut total = 0;
         for _ in 0..20 {
             t += 0.02;
-            total += clock.steps_to(t, &plan, 6).len();
+            total += clock.steps_to(t, [0.0; 2], &plan, 6).len();
         }
         assert_eq!(clock.at_s, Some(t));
         assert!(total >= REPLAY_STEPS);
-        assert_eq!(clock.steps_to(t, &plan, 6), vec![], "nothing to do while time stands still");
+        assert_eq!(clock.steps_to(t, [0.0; 2], &plan, 6), vec![], "nothing to do while time stands still");
+        clock.set_plan(&plan);
+        assert!(clock.steps_to(t, [0.0; 2], &plan, 6)[0].fresh, "another sea at the same time starts anew");
+        while !clock.steps_to(t, [0.0; 2], &plan, 6).is_empty() {}
+        assert!(clock.steps_to(t, [50.0, 0.0], &plan, 6)[0].fresh, "and so does another place");
     }
 }

@@ -91,7 +91,7 @@ impl Simulation {
         centre: [f64; 2],
         most_steps: usize,
     ) -> bool {
-        let steps = self.foam.steps_to(t_s, &self.plan, most_steps.min(MAX_STEPS));
+        let steps = self.foam.steps_to(t_s, centre, &self.plan, most_steps.min(MAX_STEPS));
         self.begin(encoder, t_s);
         for step in &steps {
             self.encode_foam_step(encoder, step, centre);
@@ -137,7 +137,7 @@ impl Simulation {
         t_s: f64,
         centre: [f64; 2],
     ) -> Option<foam::Step> {
-        let step = self.foam.steps_to(t_s, &self.plan, 1).into_iter().next()?;
+        let step = self.foam.steps_to(t_s, centre, &self.plan, 1).into_iter().next()?;
         self.begin(encoder, t_s);
         self.encode_foam_step(encoder, &step, centre);
         self.end(queue);

@@ -52,7 +52,7 @@ export async function launch(name) {
 }
 
 /** Opens a page; `before` runs in it ahead of its own scripts. What it logs as an error is kept in `errors`. */
-async function open(browser, url, { size = [640, 400], before } = {}) {
+async function open(browser, url, { size = [320, 200], before } = {}) {
   const page = await browser.newPage();
   page.setDefaultTimeout(PATIENCE);
   await page.setViewport({ width: size[0], height: size[1], deviceScaleFactor: 1 });

@@ -119,10 +119,10 @@ export async function sea(context) {
     try {
       const before = await tab.evaluate(() => location.search);
       const { mouse } = tab.page;
-      await mouse.move(150, 300);
+      await mouse.move(75, 150);
       await mouse.down();
-      for (let x = 160; x <= 240; x += 20) {
-        await mouse.move(x, 300);
+      for (let x = 80; x <= 120; x += 10) {
+        await mouse.move(x, 150);
         await frames(tab, 1);
       }
       await mouse.up();
