@@ -31,6 +31,9 @@ use water::WaterPass;
 pub const LAYOUTS: &[Layout] =
     &[FrameUniform::LAYOUT, sky::SkyUniform::LAYOUT, sky::LightBuffer::LAYOUT, post::present::LAYOUT];
 
+/// Pixels of the picture for which the mesh's default density is made.
+const REFERENCE_PIXELS: f64 = 1280.0 * 720.0;
+
 /// Everything that a picture depends on besides the maps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
@@ -95,7 +98,9 @@ impl Renderer {
             self.targets = Some(targets);
         }
         let Some(targets) = &self.targets else { return };
-        let mesh = Mesh::new(&scene.view, &scene.sea, scene.look.mesh);
+        // As many vertices as the picture can show: triangles smaller than a pixel cost more than the pixel.
+        let pixels = f64::from(size[0]) * f64::from(size[1]) / REFERENCE_PIXELS;
+        let mesh = Mesh::new(&scene.view, &scene.sea, scene.look.mesh * pixels.clamp(0.06, 2.0));
         self.frame.write(queue, &FrameUniform::new(scene, maps, &mesh, size));
         self.present.write(queue, scene, size);
         self.water.bind_maps(device, maps);
