@@ -41,6 +41,7 @@ pub struct App {
     notices: Vec<String>,
     derived: Derived,
     render_state: egui_wgpu::RenderState,
+    ctx: egui::Context,
     faults: Faults,
     frames: u64,
     /// Set by the viewport while the foam has yet to catch up.
@@ -65,6 +66,7 @@ impl App {
             derived: Derived::new(&params),
             notices,
             render_state,
+            ctx: cc.egui_ctx.clone(),
             faults,
             frames: 0,
             catching_up: viewport::CatchingUp::default(),
@@ -82,6 +84,8 @@ impl App {
     /// Turns to another state, as if the user had set every value.
     pub fn set_state(&mut self, state: &str) {
         (self.params, self.notices) = query::parse(state);
+        // Called from outside a frame too, when time stands still and nothing else asks for one.
+        self.ctx.request_repaint();
     }
 
     /// Frames painted so far.

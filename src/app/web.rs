@@ -154,8 +154,12 @@ impl App {
         }
         let now = tidy(&self.params);
         let state = query::write(&now);
-        let due = self.address.written.elapsed().as_secs_f32() > WRITE_EVERY_S;
-        if !due || state == query::write(&self.address.entry) {
+        if state == query::write(&self.address.entry) {
+            return;
+        }
+        if self.address.written.elapsed().as_secs_f32() < WRITE_EVERY_S {
+            // Written a little later, even if nothing else asks for a frame until then.
+            self.ctx.request_repaint_after(std::time::Duration::from_secs_f32(WRITE_EVERY_S));
             return;
         }
         let same_entry = Params { clock: now.clock.clone(), camera: now.camera.clone(), ..self.address.entry.clone() };
