@@ -93,6 +93,12 @@ impl App {
         self.frames
     }
 
+    /// Asks for one more frame, and says whether the picture is complete: whether the foam of a cold start has caught up.
+    pub fn settled(&self) -> bool {
+        self.ctx.request_repaint();
+        self.frames > 0 && !self.catching_up.is_set()
+    }
+
     /// Why the GPU was lost, if it was.
     pub fn device_lost(&self) -> Option<String> {
         self.faults.lost()

@@ -71,6 +71,11 @@ impl WebHandle {
         self.with(|app| app.frames() as f64).unwrap_or_default()
     }
 
+    /// Asks for one more frame, and says whether the picture is complete: the foam of a cold start takes a few frames.
+    pub fn settled(&self) -> bool {
+        self.with(|app| app.settled()).unwrap_or_default()
+    }
+
     /// Why the GPU was lost, if it was.
     pub fn device_lost(&self) -> Option<String> {
         self.with(|app| app.device_lost()).flatten()

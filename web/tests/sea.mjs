@@ -17,10 +17,10 @@ async function openSea({ browser, origin }, state, folder = '') {
   return tab;
 }
 
-/** Waits for so many more frames. */
+/** Waits for so many more frames with a complete picture; asks for them too, since a paused sea draws none by itself. */
 async function frames(tab, count) {
   const have = await tab.evaluate(() => window.seastate.frames());
-  await tab.until(`${count} more frames`, (enough) => window.seastate.frames() >= enough, have + count);
+  await tab.until(`${count} more frames`, (enough) => window.seastate.settled() && window.seastate.frames() >= enough, have + count);
 }
 
 const values = (query) => Object.fromEntries(new URLSearchParams(query));
