@@ -47,7 +47,7 @@ fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
     xz += textureSampleLevel(displacement, repeat, uv, c, lod).w;
   }
   let l = sea.chop;
-  return (1.0 + l * xx) * (1.0 + l * zz) - l * l * xz * xz;
+  return (1.0 + l.x * xx) * (1.0 + l.y * zz) - l.x * l.y * xz * xz;
 }
 
 @compute @workgroup_size(8, 8)

@@ -13,7 +13,7 @@ struct Frame {
   // Angle of a pixel in the middle of the picture, rad.
   pixel: f32,
   sun: vec3f,
-  chop: f32,
+  chop_x: f32,
   // Texture coordinates of the eye's foot, 1 / patch, unit of the moments.
   cascades: array<vec4f, 4>,
   // A copy of the finest cascade, shrunk: ripples that no cascade holds. The last is the scale of its slopes.
@@ -42,7 +42,7 @@ struct Frame {
   haze: f32,
   overcast: f32,
   exposure_gain: f32,
-  time_s: f32,
+  chop_z: f32,
 }
 
 const FRAME_EARTH_M = 6371000.0;

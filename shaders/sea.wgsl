@@ -7,15 +7,28 @@ struct SeaCascade {
   moment_scale: f32, // unit of the slope moments in half floats
 }
 
+// A part of the directional spectrum.
+struct SeaTerm {
+  travel: vec2f, // unit vector that angles are measured from
+  kind: u32, // 0 lobe, 1 lobe with cos^2, 2 lobe with forward cos^2, 3 measured
+  slot: u32, // first quadruple in an entry of the table
+}
+
 struct Sea {
   cascades: array<SeaCascade, 4>,
-  downwind: vec2f,
-  chop: f32,
+  terms: array<SeaTerm, 6>,
+  chop: vec2f, // along x and z
   n: u32,
   count: u32, // cascades in use
   seed: u32,
   phase_time: u32, // t / period in units of 2^-32
   keep_f32: u32, // not 0: the column pass leaves its result in the intermediate buffer
+  term_count: u32,
+  stride: u32, // quadruples in an entry of the table
+  // The size is a multiple of 16 bytes.
+  unused_0: u32,
+  unused_1: u32,
+  unused_2: u32,
 }
 
 // Signed wave-vector index of lattice position i: 0 .. n/2 - 1, then -n/2 .. -1.

@@ -1,21 +1,48 @@
-// h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz), once per sea.
+// h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz), once per sea. S(k) is a sum of parts: lobes around the direction of a wave
+// system, and distributions that a buoy has measured.
 
 @group(0) @binding(0) var<uniform> sea: Sea;
-@group(0) @binding(1) var<storage, read> radial: array<vec4f>; // amplitude, beta, s, 0 per triangle entry
+@group(0) @binding(1) var<storage, read> radial: array<vec4f>; // model/table.rs: `stride` quadruples per triangle entry
 @group(0) @binding(2) var<storage, read_write> h0: array<vec2f>; // [cascade][iz][ix]
 
-// sqrt of sech^2(beta theta) cos^{2s}(theta/2).
-fn spectrum_lobe(beta: f32, s: f32, k: vec2f) -> f32 {
-  let along = dot(sea.downwind, k);
-  let across = abs(sea.downwind.x * k.y - sea.downwind.y * k.x);
+// sech^2(beta theta) cos^{2s}(theta/2), with cos^2 over the circle (kind 1) or its forward half (kind 2).
+fn spectrum_lobe(term: SeaTerm, beta: f32, s: f32, k: vec2f) -> f32 {
+  let along = dot(term.travel, k);
+  let across = abs(term.travel.x * k.y - term.travel.y * k.x);
   let x = beta * maths_atan2_upper(across, along);
   let e = maths_exp(-x);
   let sech = 2.0 * e / (1.0 + e * e);
   // cos^2(theta/2) = (1 + cos) / 2; against the waves as sin^2 / (2 (1 - cos)), which does not cancel.
   let unit = vec2f(along, across) / length(k);
   let half_cos2 = select(0.5 + 0.5 * unit.x, 0.5 * unit.y * unit.y / (1.0 - unit.x), unit.x < 0.0);
-  let cosine = select(maths_exp(0.5 * s * maths_ln(max(half_cos2, 1e-30))), 1.0, s == 0.0);
-  return sech * cosine;
+  var shape = sech * sech * select(maths_exp(s * maths_ln(max(half_cos2, 1e-30))), 1.0, s == 0.0);
+  if term.kind == 1u || term.kind == 2u {
+    shape *= select(unit.x * unit.x, 0.0, term.kind == 2u && unit.x < 0.0);
+  }
+  return shape;
+}
+
+// 1 / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2: maximum entropy (Lygre and Krogstad 1986).
+fn spectrum_measured(phi1: vec2f, phi2: vec2f, k: vec2f) -> f32 {
+  let unit = k / length(k);
+  let back = vec2f(unit.x, -unit.y);
+  let z = vec2f(1.0, 0.0) - maths_complex_mul(phi1, back) - maths_complex_mul(phi2, maths_complex_mul(back, back));
+  return 1.0 / max(dot(z, z), 1e-12);
+}
+
+// Variance of each component of h0.
+fn spectrum_variance(entry: u32, k: vec2f) -> f32 {
+  var sum = 0.0;
+  for (var i = 0u; i < sea.term_count; i++) {
+    let term = sea.terms[i];
+    let row = radial[entry * sea.stride + term.slot];
+    if term.kind == 3u {
+      sum += row.x * spectrum_measured(row.yz, vec2f(row.w, radial[entry * sea.stride + term.slot + 1u].x), k);
+    } else {
+      sum += row.x * spectrum_lobe(term, row.y, row.z, k) + row.w;
+    }
+  }
+  return sum;
 }
 
 @compute @workgroup_size(64)
@@ -27,13 +54,13 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let cascade = sea.cascades[id.z];
   let ix = sea_signed(id.x, n);
   let iz = sea_signed(id.y, n);
-  let row = radial[id.z * sea_triangle_len(n) + sea_triangle(ix, iz)];
   // The Nyquist row and column have no partner: i k h would not be Hermitian there.
   let nyquist = -i32(n / 2u);
   var h = vec2f(0.0);
-  if row.x > 0.0 && ix != nyquist && iz != nyquist {
+  if (ix != 0 || iz != 0) && ix != nyquist && iz != nyquist {
+    let variance = spectrum_variance(id.z * sea_triangle_len(n) + sea_triangle(ix, iz), vec2f(f32(ix), f32(iz)));
     let gauss = noise_gauss(noise_words(sea.seed, cascade.key, ix, iz));
-    h = gauss * (row.x * spectrum_lobe(row.y, row.z, vec2f(f32(ix), f32(iz))));
+    h = gauss * sqrt(variance);
   }
   h0[(id.z * n + id.y) * n + id.x] = h;
 }

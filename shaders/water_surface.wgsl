@@ -12,7 +12,7 @@ fn water_displacement(at: vec2f, spacing: f32) -> vec3f {
       sum += share * textureSampleLevel(displacement_map, wave_sampler, place.xy + at * place.z, c, lod).xyz;
     }
   }
-  return sum * vec3f(frame.chop, 1.0, frame.chop);
+  return sum * vec3f(frame.chop_x, 1.0, frame.chop_z);
 }
 
 struct WaterSlope {
@@ -100,14 +100,14 @@ fn water_slope(at: vec2f, foot: WaterFootprint) -> WaterSlope {
       variance += spread * clamp(lod, 0.0, 1.0);
     }
   }
-  let l = frame.chop;
-  let sx = 1.0 + l * stretch.x;
-  let sz = 1.0 + l * stretch.y;
-  let jacobian = sx * sz - l * l * shear * shear;
+  let l = vec2f(frame.chop_x, frame.chop_z);
+  let sx = 1.0 + l.x * stretch.x;
+  let sz = 1.0 + l.y * stretch.y;
+  let jacobian = sx * sz - l.x * l.y * shear * shear;
   // Where the surface folds the slope has no meaning: it stays finite under the foam.
   let over = 1.0 / max(jacobian, 0.25);
   var out: WaterSlope;
-  out.mean = vec2f(slope.x * sz - slope.y * l * shear, slope.y * sx - slope.x * l * shear) * over;
+  out.mean = vec2f(slope.x * sz - slope.y * l.y * shear, slope.y * sx - slope.x * l.x * shear) * over;
   let steep = length(out.mean);
   out.mean *= min(1.0, 1.6 / max(steep, 1e-6));
   out.variance = variance;

@@ -2,7 +2,8 @@
 
 use crate::gpu::shaders::Shaders;
 use crate::model::camera::View;
-use crate::model::{Params, Plan, foam, statistics};
+use crate::model::params::Camera;
+use crate::model::{Params, Plan, statistics};
 use crate::render::{Renderer, Scene, SeaLook};
 use crate::sim::{MAX_STEPS, Simulation};
 
@@ -81,23 +82,29 @@ impl Ocean {
         let plan = self.sim.plan();
         let sea = &self.params.sea;
         let hs_m = plan.hs_m();
+        let wind_m_s = sea.local().wind_m_s;
         let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
-        let peak_k = crate::model::dispersion::wave_number(plan.spectrum.omega_p, sea.depth_m, sea.gravity_m_s2);
+        let peak_k = plan.dispersion.wave_number(plan.omega_p);
         let resolved_mss = plan.slope_variance(f64::INFINITY);
         Scene {
-            view: View::new(&self.params.camera, aspect, 1.0 + EYE_OVER_HS * hs_m),
+            view: View::new(&above_water(&self.params), aspect, 1.0 + EYE_OVER_HS * hs_m),
             look: self.params.look.clone(),
             sea: SeaLook {
-                chop: sea.chop as f32,
+                chop: sea.lambda().map(|l| l as f32),
                 hs_m: hs_m as f32,
                 depth_m: sea.depth_m as f32,
-                wind_m_s: sea.wind_m_s as f32,
+                wind_m_s: wind_m_s as f32,
                 downwind: plan.downwind.map(|x| x as f32),
-                residual_mss: (statistics::cox_munk_mss(sea.wind_m_s) - resolved_mss).max(0.0) as f32,
-                mean_foam: foam::coverage(plan) as f32,
+                residual_mss: (statistics::cox_munk_mss(wind_m_s) - resolved_mss).max(0.0) as f32,
+                mean_foam: self.sim.foam_coverage() as f32,
                 lambda_p_m: (std::f64::consts::TAU / peak_k) as f32,
             },
-            time_s: self.params.clock.t_s,
         }
     }
+}
+
+/// The camera with its height over the still water: the surface is drawn around 0, wherever its level lies in the world.
+fn above_water(params: &Params) -> Camera {
+    let camera = &params.camera;
+    Camera { y_m: camera.y_m - params.sea.level_m, ..camera.clone() }
 }

@@ -47,7 +47,7 @@ fn other_seas_agree_with_the_oracle() {
 
 /// One fault of 1 % in each pass: where it stands, and which lines must turn red.
 const FAULTS: &[(&str, &str, &str, &str)] = &[
-    ("spectrum", "h = gauss * (row.x", "h = gauss * (1.01 * row.x", "spectrum"),
+    ("spectrum", "h = gauss * sqrt(variance)", "h = 1.01 * gauss * sqrt(variance)", "spectrum"),
     ("rows", "return forward + backward;", "return forward + 1.01 * backward;", "rows"),
     ("columns", "let value = select(v,", "let value = 1.01 * select(v,", "columns"),
     (

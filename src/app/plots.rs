@@ -7,11 +7,11 @@ const POINTS: usize = 240;
 
 /// S(omega) with the peak marked.
 pub fn spectrum(plan: &Plan, ui: &mut egui::Ui) {
-    let peak = plan.spectrum.omega_p;
+    let peak = plan.omega_p;
     let points: Vec<[f64; 2]> = (1..=POINTS)
         .map(|i| {
             let omega = 3.5 * peak * i as f64 / POINTS as f64;
-            [omega, plan.spectrum.density(omega)]
+            [omega, plan.density(omega)]
         })
         .collect();
     ui.weak("Variance density S(ω), m² s, over ω, rad/s");

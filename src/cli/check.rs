@@ -4,6 +4,7 @@
 use crate::gpu::device::Gpu;
 use crate::gpu::readback;
 use crate::gpu::shaders::Shaders;
+use crate::model::foam::Whiteness;
 use crate::model::{Params, Plan};
 use crate::oracle::{self, Complex, Texel, maps::Planes};
 use crate::sim::Simulation;
@@ -148,7 +149,8 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, shaders: &Shaders) -> Result<Lin
     let centre = [1234.5, -67.8];
     let level = 1;
     let size = sim.resources.foam_n as usize;
-    let mut want: Vec<f64> = vec![crate::model::foam::coverage(plan); size * size];
+    let foam = Whiteness::new(plan);
+    let mut want: Vec<f64> = vec![foam.coverage; size * size];
     let sea = &plan.sea;
     let mut got = Vec::new();
     for _ in 0..FOAM_STEPS {
@@ -156,7 +158,7 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, shaders: &Shaders) -> Result<Lin
         let Some(step) = sim.encode_next_foam_step(&gpu.queue, &mut encoder, t_s, centre) else { break };
         gpu.queue.submit([encoder.finish()]);
         let foam_level = sim.maps().foam_levels[level];
-        let source = crate::model::foam::source(plan, foam_level.texel_m);
+        let source = foam.source(plan, foam_level.texel_m);
         let mut cascades = Vec::new();
         for cascade in &plan.cascades {
             let texels = foam_level.texel_m * f64::from(plan.n) / cascade.patch_m;
@@ -188,9 +190,9 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, shaders: &Shaders) -> Result<Lin
                     }
                 }
             }
-            let j = oracle::foam::jacobian(strain, sea.chop);
+            let j = oracle::foam::jacobian(strain, sea.lambda());
             let s = ((source.threshold - j) * source.slope).clamp(0.0, 1.0);
-            want[i] = oracle::foam::step(want[i], s, sea.foam_rate_per_s, sea.foam_decay_s, step.dt_s);
+            want[i] = oracle::foam::step(want[i], s, sea.foam.rate_per_s, sea.foam.decay_s, step.dt_s);
         }
         // Places of the cells: toroidal.
         let texels = read_texture(gpu, &sim.resources.foam, 0).await?;

@@ -26,13 +26,13 @@ pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Resu
     let n = plan.n as usize;
     let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan.clone(), &Shaders::default());
     let maps = sim.read_f32(&gpu.device, &gpu.queue, params.clock.t_s).await?;
-    let chop = plan.sea.chop as f32;
+    let chop = plan.sea.lambda().map(|l| l as f32);
     for c in 0..maps.cascades() {
         let (d, g) = (maps.displacement(c), maps.gradients(c));
         let displacement: [Channel<'_>; 3] = [
-            ("X", Box::new(move |i| chop * d[i][0])),
+            ("X", Box::new(move |i| chop[0] * d[i][0])),
             ("Y", Box::new(move |i| d[i][1])),
-            ("Z", Box::new(move |i| chop * d[i][2])),
+            ("Z", Box::new(move |i| chop[1] * d[i][2])),
         ];
         write(&folder.join(format!("cascade{c}_displacement.exr")), n, &displacement)?;
         let gradients: [Channel<'_>; 5] = [
@@ -64,7 +64,8 @@ pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Resu
         "t_s": params.clock.t_s,
         "period_s": plan.period_s,
         "axes": "+x east, +y up, +z south; column i holds x = i patch_m / n, row j holds z = j patch_m / n",
-        "chop": plan.sea.chop,
+        "chop_xz": plan.sea.lambda(),
+        "level_m": plan.sea.level_m,
         "notices": plan.notices,
         "cascades": plan.cascades.iter().enumerate().map(|(i, c)| serde_json::json!({
             "displacement": format!("cascade{i}_displacement.exr"),

@@ -185,7 +185,7 @@ fn print(text: &str) -> Result<i32, String> {
 
 fn keys() -> String {
     let mut text = String::new();
-    for field in FIELDS {
+    for field in FIELDS.iter() {
         let unit = if field.unit.is_empty() { String::new() } else { format!(" {}", field.unit) };
         let default = field.format(field.default_value());
         let _ = writeln!(text, "{:<10} {} (default {default}{unit})", field.key, field.range());

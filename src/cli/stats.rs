@@ -3,18 +3,19 @@
 use crate::gpu::device::Gpu;
 use crate::gpu::readback;
 use crate::gpu::shaders::Shaders;
-use crate::model::statistics::{self, Resolved, Theory};
+use crate::model::plan::Cascade;
+use crate::model::statistics::{self, Resolved, Sums, Theory};
 use crate::model::{Params, Plan, noise, query};
 use crate::oracle::foam::jacobian;
+use crate::oracle::{self, transform};
 use crate::sim::{MAX_STEPS, MapsF32, Simulation};
 use half::f16;
 use serde_json::{Value, json};
+use std::f64::consts::{PI, TAU};
 use std::fmt;
 
-/// Time between two looks at the sea, from which the sense of its travel follows, s.
-const LOOK_S: f64 = 0.05;
-/// Seeds that are looked at twice for it: the direction is known far better than the height.
-const LOOKS: u32 = 8;
+/// Phase by which the fastest wave goes on between two looks at the sea, from which follows what travels where, rad.
+const LOOK_RAD: f64 = 1.0;
 /// Points of the displaced surface that each seed contributes to skewness and kurtosis.
 const POINTS: u32 = 1 << 16;
 
@@ -37,8 +38,8 @@ pub struct Estimate {
     pub error: Option<f64>,
 }
 
-/// From the f32 copy of the maps. Heights are those of the undisplaced grid; skewness and kurtosis are those of the
-/// displaced surface, weighted by the Jacobian.
+/// From the f32 copy of the maps. Heights are those of the undisplaced grid; periods and directions those of the waves that
+/// two looks tell apart from their opposites; skewness and kurtosis those of the displaced surface, weighted by the Jacobian.
 #[derive(Debug)]
 pub struct Measured {
     /// Significant wave height from the mean variance over the seeds, m.
@@ -47,12 +48,20 @@ pub struct Measured {
     pub mean_m: Estimate,
     /// Mean square slope.
     pub mss: Estimate,
+    /// Mean period 2 pi m0 / m1, s.
+    pub tm01_s: Estimate,
+    /// Mean zero-crossing period 2 pi sqrt(m0 / m2), s.
+    pub tm02_s: Estimate,
+    /// Direction that the waves come from, degrees; None where there is none.
+    pub from_deg: Option<Estimate>,
+    /// First directional moment along the mean direction.
+    pub r1: Estimate,
+    /// Directional spread sqrt(2 (1 - r1)), degrees.
+    pub spread_deg: Estimate,
     /// Skewness of the elevation.
     pub skewness: Estimate,
     /// Kurtosis of the elevation, 3 for a Gaussian.
     pub kurtosis: Estimate,
-    /// Direction that the waves come from, degrees, from two looks; None on a calm.
-    pub from_deg: Option<f64>,
     /// Mean foam of the first seed.
     pub whitecap_fraction: f64,
     /// Largest relative difference between a seed's variance and the sum of its squared amplitudes.
@@ -80,7 +89,7 @@ struct Sample {
     mss: f64,
     skewness: f64,
     kurtosis: f64,
-    flux: [f64; 2],
+    travelling: Sums,
     parseval_error: f64,
 }
 
@@ -90,6 +99,7 @@ async fn measure(gpu: &Gpu, params: &Params, plan: &Plan, seeds: u32) -> Result<
     let t_s = params.clock.t_s;
     let mut sim = Simulation::new(device, queue, plan.clone(), &shaders);
     let whitecap_fraction = whitecaps(gpu, &mut sim, t_s).await?;
+    let look_s = LOOK_RAD / plan.dispersion.omega(plan.k_max());
     let mut samples = Vec::new();
     for i in 0..seeds {
         let mut params = params.clone();
@@ -97,47 +107,90 @@ async fn measure(gpu: &Gpu, params: &Params, plan: &Plan, seeds: u32) -> Result<
         let plan = Plan::new(&params);
         sim.set_plan(device, queue, plan.clone(), &shaders);
         let now = sim.read_f32(device, queue, t_s).await?;
-        let later = if i < LOOKS { Some(sim.read_f32(device, queue, t_s + LOOK_S).await?) } else { None };
-        samples.push(sample(&plan, &now, later.as_ref(), t_s));
+        let later = sim.read_f32(device, queue, t_s + look_s).await?;
+        samples.push(sample(&plan, &now, &later, [t_s, t_s + look_s]));
     }
     let over = |f: fn(&Sample) -> f64| estimate(&samples.iter().map(f).collect::<Vec<_>>());
     let variance = over(|s| s.variance);
     let hs_m = 4.0 * variance.value.sqrt();
-    let flux = samples.iter().fold([0.0; 2], |sum, s| [sum[0] + s.flux[0], sum[1] + s.flux[1]]);
+    let [m0, m1, m2] = [0, 1, 2].map(|p| samples.iter().map(|s| s.travelling.m[p]).collect::<Vec<_>>());
+    let [east, south] = [0, 1].map(|axis| samples.iter().map(|s| s.travelling.toward[axis]).collect::<Vec<_>>());
+    let (x, z) = (east.iter().sum::<f64>(), south.iter().sum::<f64>());
+    let length = x.hypot(z).max(f64::MIN_POSITIVE);
+    // Along the mean direction and across it.
+    let turned =
+        |a: f64, b: f64| -> Vec<f64> { east.iter().zip(&south).map(|(e, s)| (e * a + s * b) / length).collect() };
+    let (along, across) = (turned(x, z), turned(-z, x));
+    let r1 = ratio(&along, &m0);
+    let off = ratio(&across, &along).scaled(180.0 / PI);
+    let spread_deg = statistics::spread_deg(r1.value);
+    let tm02 = ratio(&m0, &m2);
     Ok(Measured {
-        hs_m: Estimate { value: hs_m, error: variance.error.map(|e| 0.5 * hs_m * e / variance.value.max(1e-300)) },
+        hs_m: variance.mapped(hs_m, 0.5 * hs_m / variance.value.max(f64::MIN_POSITIVE)),
         mean_m: over(|s| s.mean),
         mss: over(|s| s.mss),
+        tm01_s: ratio(&m0, &m1).scaled(TAU),
+        tm02_s: tm02.mapped(TAU * tm02.value.sqrt(), TAU * 0.5 / tm02.value.sqrt().max(1e-9)),
+        from_deg: (r1.value > statistics::NO_DIRECTION).then(|| off.mapped(statistics::from_deg([x, z]), 1.0)),
+        r1,
+        spread_deg: r1.mapped(spread_deg, 180.0 / PI / spread_deg.to_radians().max(1e-9)),
         skewness: over(|s| s.skewness),
         kurtosis: over(|s| s.kurtosis),
-        from_deg: (flux[0].hypot(flux[1]) > 0.0).then(|| statistics::from_deg(flux)),
         whitecap_fraction,
         parseval_error: samples.iter().map(|s| s.parseval_error).fold(0.0, f64::max),
         seeds,
     })
 }
 
-fn sample(plan: &Plan, now: &MapsF32, later: Option<&MapsF32>, t_s: f64) -> Sample {
-    let (mut variance, mut mean, mut mss, mut flux) = (0.0, 0.0, 0.0, [0.0; 2]);
+fn sample(plan: &Plan, now: &MapsF32, later: &MapsF32, times: [f64; 2]) -> Sample {
+    let (mut variance, mut mean, mut mss) = (0.0, 0.0, 0.0);
     let count = (now.n * now.n) as f64;
-    for c in 0..now.cascades() {
+    let mut travelling = Sums::default();
+    for (c, cascade) in plan.cascades.iter().enumerate() {
         let sum = now.displacement(c).iter().map(|d| f64::from(d[1])).sum::<f64>() / count;
         mean += sum;
         variance += now.displacement(c).iter().map(|d| (f64::from(d[1]) - sum).powi(2)).sum::<f64>() / count;
-        for (d, after) in now.displacement(c).iter().zip(later.into_iter().flat_map(|l| l.displacement(c))) {
-            // <d eta/dt D> points against the travel: eta = sum h, D = sum i k/|k| h, d eta/dt = sum -i w h.
-            let rate = f64::from(after[1] - d[1]) / LOOK_S;
-            for (axis, at) in [(0, 0), (1, 2)] {
-                flux[axis] -= rate * 0.5 * f64::from(d[at] + after[at]) / count;
-            }
-        }
         mss += now.gradients(c).iter().map(|g| f64::from(g[0]).powi(2) + f64::from(g[1]).powi(2)).sum::<f64>() / count;
+        travel(plan, cascade, [now, later].map(|m| m.displacement(c)), times, &mut travelling);
     }
-    let drawn = statistics::drawn_variance(plan, t_s);
+    let drawn = statistics::drawn_variance(plan, times[0]);
     let (skewness, kurtosis) = shape(plan, now);
     let parseval_error = (variance - drawn).abs() / drawn.max(f64::MIN_POSITIVE);
     let parseval_error = if drawn == 0.0 { variance } else { parseval_error };
-    Sample { variance, mean, mss, skewness, kurtosis, flux, parseval_error }
+    Sample { variance, mean, mss, skewness, kurtosis, travelling, parseval_error }
+}
+
+/// Adds the waves of a cascade as two looks show them: with X(k, t) = A e^{-i w t} + B* e^{+i w t} at both times, A is the
+/// wave that travels along k, and its variance 2 |A|^2.
+fn travel(plan: &Plan, cascade: &Cascade, looks: [&[[f32; 4]]; 2], times: [f64; 2], sums: &mut Sums) {
+    let n = plan.n as usize;
+    let [first, second] = looks.map(|d| {
+        let heights: Vec<[f64; 2]> = d.iter().map(|d| [f64::from(d[1]), 0.0]).collect();
+        // The inverse transform of real heights is the conjugate of the forward one.
+        transform::inverse_2d(n, &heights)
+    });
+    let passed = plan.phase_time(times[1]).wrapping_sub(plan.phase_time(times[0]));
+    let scale = 1.0 / (n * n) as f64;
+    for z in 0..n {
+        for x in 0..n {
+            let (ix, iz) = (oracle::signed(x, n), oracle::signed(z, n));
+            let wave = plan.wave(cascade, (ix * ix + iz * iz) as u32);
+            if (ix, iz) == (0, 0) || !cascade.holds(wave.k) || ix == -(n as i32) / 2 || iz == -(n as i32) / 2 {
+                continue;
+            }
+            let at = z * n + x;
+            let turn = TAU * f64::from(wave.turns.wrapping_mul(passed)) / 4_294_967_296.0;
+            let (sin, cos) = turn.sin_cos();
+            // Conjugates: A* = (X2* - X1* e^{-i turn}) / (2 i sin turn).
+            let (a, b) = (first[at], second[at]);
+            let re = b[0] - (a[0] * cos + a[1] * sin);
+            let im = b[1] - (a[1] * cos - a[0] * sin);
+            let amplitude = scale / (2.0 * sin);
+            let variance = 2.0 * (re * re + im * im) * amplitude * amplitude;
+            let unit = [f64::from(ix), f64::from(iz)].map(|i| i * cascade.dk() / wave.k);
+            sums.add(variance, wave.k, wave.omega, unit);
+        }
+    }
 }
 
 /// Skewness and kurtosis of the displaced surface. The cascades are independent of each other and each is the same
@@ -156,7 +209,7 @@ fn shape(plan: &Plan, maps: &MapsF32) -> (f64, f64) {
             strain[1] += f64::from(g[3]);
             strain[2] += f64::from(d[3]);
         }
-        let weight = jacobian(strain, plan.sea.chop);
+        let weight = jacobian(strain, plan.sea.lambda());
         for (power, sum) in sums.iter_mut().enumerate() {
             *sum += weight * eta.powi(power as i32);
         }
@@ -201,6 +254,28 @@ fn estimate(values: &[f64]) -> Estimate {
     Estimate { value, error: (values.len() > 1).then(|| (spread / (count - 1.0) / count).sqrt()) }
 }
 
+/// The ratio of two means and its standard error, to first order.
+fn ratio(above: &[f64], below: &[f64]) -> Estimate {
+    let mean = below.iter().sum::<f64>() / below.len() as f64;
+    if mean == 0.0 {
+        return Estimate { value: 0.0, error: None };
+    }
+    let value = above.iter().sum::<f64>() / below.len() as f64 / mean;
+    let rest = estimate(&above.iter().zip(below).map(|(a, b)| (a - value * b) / mean).collect::<Vec<_>>());
+    Estimate { value, error: rest.error }
+}
+
+impl Estimate {
+    fn scaled(self, factor: f64) -> Self {
+        self.mapped(factor * self.value, factor)
+    }
+
+    /// A function of the estimate: its value there, and its derivative.
+    fn mapped(self, value: f64, derivative: f64) -> Self {
+        Self { value, error: self.error.map(|e| e * derivative.abs()) }
+    }
+}
+
 impl Report {
     /// Integrals of the spectrum.
     pub fn theory(&self) -> &Theory {
@@ -228,20 +303,28 @@ impl Report {
             "state": query::write(&self.params),
             "notices": notices,
             "theory": {
-                "m0_m2": t.m0_m2, "hs_m": t.hs_m, "tp_s": t.tp_s, "tm02_s": t.tm02_s, "lambda_p_m": t.lambda_p_m,
+                "m0_m2": t.m0_m2, "hs_m": t.hs_m, "tp_s": t.tp_s, "tm01_s": t.tm01_s, "tm02_s": t.tm02_s,
+                "lambda_p_m": t.lambda_p_m, "lambda_mean_m": t.lambda_mean_m, "steepness": t.steepness,
                 "mss": t.mss, "k_max": t.k_max, "mean_from_deg": t.mean_from_deg, "spread_deg": t.spread_deg,
+                "benjamin_feir": t.benjamin_feir, "whitecap_fraction": t.whitecap_fraction,
             },
             "resolved": {
-                "m0_m2": r.m0_m2, "hs_m": r.hs_m, "mss": r.mss, "k_max": t.k_max, "m0_fraction": r.m0_fraction,
+                "m0_m2": r.m0_m2, "hs_m": r.hs_m, "tm01_s": r.tm01_s, "tm02_s": r.tm02_s, "mss": r.mss,
+                "k_max": t.k_max, "m0_fraction": r.m0_fraction, "r1": r.r1,
                 "mean_from_deg": r.mean_from_deg, "spread_deg": r.spread_deg,
             },
             "measured": {
                 "hs_m": m.hs_m.value, "hs_se_m": m.hs_m.error,
                 "mean_m": m.mean_m.value, "mean_se_m": m.mean_m.error,
                 "mss": m.mss.value, "mss_se": m.mss.error,
+                "tm01_s": m.tm01_s.value, "tm01_se_s": m.tm01_s.error,
+                "tm02_s": m.tm02_s.value, "tm02_se_s": m.tm02_s.error,
+                "from_deg": m.from_deg.map(|e| e.value), "from_se_deg": m.from_deg.map(|e| e.error),
+                "r1": m.r1.value, "r1_se": m.r1.error,
+                "spread_deg": m.spread_deg.value, "spread_se_deg": m.spread_deg.error,
                 "skewness": m.skewness.value, "skewness_se": m.skewness.error,
                 "kurtosis": m.kurtosis.value, "kurtosis_se": m.kurtosis.error,
-                "from_deg": m.from_deg, "whitecap_fraction": m.whitecap_fraction,
+                "whitecap_fraction": m.whitecap_fraction,
                 "parseval_error": m.parseval_error, "seeds": m.seeds,
             },
             "cascades": cascades,
@@ -253,34 +336,38 @@ impl Report {
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (t, r, m) = (&self.theory, &self.resolved, &self.measured);
-        let with_error = |e: &Estimate| match e.error {
-            Some(error) => format!("{:.4} ± {error:.4}", e.value),
-            None => format!("{:.4}", e.value),
+        let value = |x: f64, digits: usize| format!("{x:.digits$}");
+        let with_error = |e: &Estimate, digits: usize| match e.error {
+            Some(error) => format!("{:.digits$} ± {error:.digits$}", e.value),
+            None => value(e.value, digits),
         };
-        writeln!(f, "{:<26} {:>12} {:>12} {:>20}", "", "theory", "resolved", "measured")?;
-        writeln!(f, "{:<26} {:>12.4} {:>12.4} {:>20}", "Hs, m", t.hs_m, r.hs_m, with_error(&m.hs_m))?;
+        let degrees = |d: Option<f64>| d.map_or("none".to_owned(), |d| value(d, 1));
+        let from = m.from_deg.map_or("none".to_owned(), |e| with_error(&e, 1));
+        let none = String::new;
         let mss = format!("mss to {:.1} rad/m", t.k_max);
-        writeln!(f, "{mss:<26} {:>12.5} {:>12.5} {:>20}", t.mss, r.mss, with_error(&m.mss))?;
-        writeln!(f, "{:<26} {:>12.2}", "Tp, s", t.tp_s)?;
-        writeln!(f, "{:<26} {:>12.2}", "Tm02, s", t.tm02_s)?;
-        writeln!(f, "{:<26} {:>12.1}", "peak wavelength, m", t.lambda_p_m)?;
-        let degrees = |d: Option<f64>| d.map_or("none".to_owned(), |d| format!("{d:.1}"));
-        writeln!(
-            f,
-            "{:<26} {:>12} {:>12} {:>20}",
-            "from, degrees",
-            degrees(t.mean_from_deg),
-            degrees(r.mean_from_deg),
-            degrees(m.from_deg)
-        )?;
-        writeln!(f, "{:<26} {:>12.1} {:>12.1}", "directional spread, deg", t.spread_deg, r.spread_deg)?;
-        writeln!(f, "{:<26} {:>12} {:>12.4}", "share of m0", "", r.m0_fraction)?;
-        writeln!(f, "{:<26} {:>12} {:>12} {:>20}", "mean, m", "", "", with_error(&m.mean_m))?;
-        writeln!(f, "{:<26} {:>12} {:>12} {:>20}", "skewness", "", "", with_error(&m.skewness))?;
-        writeln!(f, "{:<26} {:>12} {:>12} {:>20}", "kurtosis", "", "", with_error(&m.kurtosis))?;
-        let foam = statistics::monahan_coverage(self.plan.sea.wind_m_s);
-        writeln!(f, "{:<26} {foam:>12.4} {:>12} {:>20.4}", "whitecap fraction", "", m.whitecap_fraction)?;
-        writeln!(f, "{:<26} {:>12} {:>12} {:>20}", "seeds", "", "", m.seeds)?;
+        let rows: &[(&str, String, String, String)] = &[
+            ("", "theory".into(), "resolved".into(), "measured".into()),
+            ("Hs, m", value(t.hs_m, 4), value(r.hs_m, 4), with_error(&m.hs_m, 4)),
+            ("Tp, s", value(t.tp_s, 2), none(), none()),
+            ("Tm01, s", value(t.tm01_s, 3), value(r.tm01_s, 3), with_error(&m.tm01_s, 3)),
+            ("Tm02, s", value(t.tm02_s, 3), value(r.tm02_s, 3), with_error(&m.tm02_s, 3)),
+            ("peak wavelength, m", value(t.lambda_p_m, 1), none(), none()),
+            ("mean wavelength, m", value(t.lambda_mean_m, 1), none(), none()),
+            ("steepness Hs / lambda_p", value(t.steepness, 4), none(), none()),
+            (&mss, value(t.mss, 5), value(r.mss, 5), with_error(&m.mss, 5)),
+            ("from, degrees", degrees(t.mean_from_deg), degrees(r.mean_from_deg), from),
+            ("directional spread, deg", value(t.spread_deg, 1), value(r.spread_deg, 1), with_error(&m.spread_deg, 1)),
+            ("Benjamin-Feir index", value(t.benjamin_feir, 3), none(), none()),
+            ("share of m0", none(), value(r.m0_fraction, 4), none()),
+            ("mean, m", none(), none(), with_error(&m.mean_m, 4)),
+            ("skewness", none(), none(), with_error(&m.skewness, 4)),
+            ("kurtosis", none(), none(), with_error(&m.kurtosis, 4)),
+            ("whitecap fraction", value(t.whitecap_fraction, 4), none(), value(m.whitecap_fraction, 4)),
+            ("seeds", none(), none(), m.seeds.to_string()),
+        ];
+        for (what, theory, resolved, measured) in rows {
+            writeln!(f, "{what:<26} {theory:>12} {resolved:>12} {measured:>22}")?;
+        }
         for c in &self.plan.cascades {
             writeln!(
                 f,

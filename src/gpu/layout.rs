@@ -21,16 +21,31 @@ pub struct SeaCascade {
     pub moment_scale: f32,
 }
 
+/// Most parts of the directional spectrum: three lobes for each of two systems.
+pub const MAX_TERMS: usize = 6;
+
+/// WGSL `SeaTerm`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+pub struct SeaTerm {
+    /// Unit vector (x, z) that angles are measured from.
+    pub travel: [f32; 2],
+    /// 0 lobe, 1 lobe with cos^2, 2 lobe with forward cos^2, 3 measured.
+    pub kind: u32,
+    /// First quadruple in an entry of the table.
+    pub slot: u32,
+}
+
 /// WGSL `Sea`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 pub struct SeaUniform {
     /// Patches.
     pub cascades: [SeaCascade; MAX_CASCADES],
-    /// Unit vector (x, z) of the waves' travel.
-    pub downwind: [f32; 2],
-    /// Horizontal displacement.
-    pub chop: f32,
+    /// Parts of the directional spectrum.
+    pub terms: [SeaTerm; MAX_TERMS],
+    /// Horizontal displacement along x and z.
+    pub chop: [f32; 2],
     /// FFT size.
     pub n: u32,
     /// Cascades in use.
@@ -41,6 +56,12 @@ pub struct SeaUniform {
     pub phase_time: u32,
     /// Not 0: the column pass leaves an f32 copy of the maps in the intermediate buffer.
     pub keep_f32: u32,
+    /// Parts in use.
+    pub term_count: u32,
+    /// Quadruples in an entry of the table.
+    pub stride: u32,
+    /// The size is a multiple of 16 bytes.
+    pub unused: [u32; 3],
 }
 
 /// WGSL `FoamLevel`.
@@ -91,9 +112,11 @@ macro_rules! layout {
 /// What the layout test compares with the shaders.
 pub const LAYOUTS: &[Layout] = &[
     layout!("SeaCascade", SeaCascade, patch_m as "patch_m", dk as "dk", key as "key", moment_scale as "moment_scale"),
+    layout!("SeaTerm", SeaTerm, travel as "travel", kind as "kind", slot as "slot"),
     layout!(
-        "Sea", SeaUniform, cascades as "cascades", downwind as "downwind", chop as "chop", n as "n", count as "count",
-        seed as "seed", phase_time as "phase_time", keep_f32 as "keep_f32"
+        "Sea", SeaUniform, cascades as "cascades", terms as "terms", chop as "chop", n as "n", count as "count",
+        seed as "seed", phase_time as "phase_time", keep_f32 as "keep_f32", term_count as "term_count",
+        stride as "stride"
     ),
     layout!(
         "FoamLevel", FoamLevelUniform, uv as "uv01", cell as "cell", previous as "previous", texel_m as "texel_m",

@@ -1,5 +1,6 @@
 //! How much foam a sea has: the threshold of the Jacobian from which it forms, and its mean coverage.
 
+use super::params::Whitecaps;
 use super::plan::Plan;
 use super::statistics::monahan_coverage;
 use std::f64::consts::PI;
@@ -8,8 +9,15 @@ use std::f64::consts::PI;
 /// GPU over winds of 7 to 20 m/s and all levels. It holds two effects: foam outlives its source, and the Jacobian is
 /// skewed (its determinant term lifts the low tail).
 const GAIN: f64 = 2.8;
+/// Growth times decay of the defaults.
+const DEFAULT_LIFE: f64 = 8.0;
 /// Width of the ramp from no source to full source, in standard deviations of the Jacobian.
 const RAMP: f64 = 0.5;
+
+/// Texel at which a given threshold is meant, m; coarser levels are as rare.
+const REFERENCE_TEXEL_M: f64 = 0.25;
+/// Below this standard deviation of the Jacobian the water is flat.
+const FLAT: f64 = 1e-6;
 
 /// Where foam forms: source = clamp((threshold - J) x slope, 0, 1).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -20,26 +28,61 @@ pub struct Source {
     pub slope: f64,
 }
 
-/// Mean foam that the defaults aim at: the whitecap coverage of the wind (Monahan and O'Muircheartaigh 1980).
-pub fn coverage(plan: &Plan) -> f64 {
-    if plan.spectrum.is_calm() { 0.0 } else { monahan_coverage(plan.sea.wind_m_s) }
+/// The foam of a sea: how rare the squeezed water is that it forms on, and how much comes of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Whiteness {
+    /// Standard deviations of the Jacobian below 1 at which foam begins; infinite where there is none.
+    rarity: f64,
+    /// Mean foam that is to be expected.
+    pub coverage: f64,
 }
 
-/// The source on a grid of `texel_m`. The threshold follows from the variance of the Jacobian of the waves that the
-/// cascades hold and the grid resolves, so that the coverage depends neither on n nor on the level.
-pub fn source(plan: &Plan, texel_m: f64) -> Source {
-    let sigma = plan.sea.chop * plan.strain_variance(texel_m).sqrt();
-    let wanted = coverage(plan) / GAIN;
-    if sigma < 1e-6 || wanted <= 0.0 {
-        return Source { threshold: -1e3, slope: 0.0 };
+impl Whiteness {
+    /// By default foam is as rare as the whitecap coverage of the wind demands, so that the coverage depends neither on n
+    /// nor on the level; a fixed threshold is taken at 25 cm.
+    pub fn new(plan: &Plan) -> Self {
+        let foam = &plan.sea.foam;
+        let sigma = deviation(plan, REFERENCE_TEXEL_M);
+        let wanted = monahan_coverage(plan.sea.local().wind_m_s) / GAIN;
+        let none = Self { rarity: f64::INFINITY, coverage: 0.0 };
+        if sigma < FLAT {
+            return none;
+        }
+        let rarity = match foam.whitecaps {
+            Whitecaps::Fixed => (1.0 - foam.threshold) / sigma,
+            Whitecaps::Monahan if wanted <= 0.0 => return none,
+            Whitecaps::Monahan => {
+                // J is nearly Gaussian around 1: find the z with E[clamp((Z - z) / RAMP, 0, 1)] = wanted.
+                let (mut low, mut high) = (-2.0, 8.0);
+                for _ in 0..60 {
+                    let z = 0.5 * (low + high);
+                    if ramp_mean(z) > wanted { low = z } else { high = z }
+                }
+                low
+            }
+        } - foam.bias / sigma;
+        // Foam grows with growth x decay where that is small, and saturates; the default gives GAIN.
+        let life = foam.rate_per_s * foam.decay_s;
+        let gain = life / (1.0 + life * (1.0 / GAIN - 1.0 / DEFAULT_LIFE));
+        let coverage = (gain * ramp_mean(rarity)).min(life / (1.0 + life));
+        Self { rarity, coverage }
     }
-    // J is nearly Gaussian around 1: find the z with E[clamp((Z - z) / RAMP, 0, 1)] = wanted.
-    let (mut low, mut high) = (-2.0, 8.0);
-    for _ in 0..60 {
-        let z = 0.5 * (low + high);
-        if ramp_mean(z) > wanted { low = z } else { high = z }
+
+    /// The source on a grid of `texel_m`, from the variance of the Jacobian of the waves that the cascades hold and the
+    /// grid resolves.
+    pub fn source(&self, plan: &Plan, texel_m: f64) -> Source {
+        let sigma = deviation(plan, texel_m);
+        if sigma < FLAT || self.rarity.is_infinite() {
+            return Source { threshold: -1e3, slope: 0.0 };
+        }
+        Source { threshold: 1.0 - self.rarity * sigma, slope: 1.0 / (RAMP * sigma) }
     }
-    Source { threshold: 1.0 - low * sigma, slope: 1.0 / (RAMP * sigma) }
+}
+
+/// Standard deviation of the Jacobian on a grid of `texel_m`; strain along x and z counts with the chop there.
+fn deviation(plan: &Plan, texel_m: f64) -> f64 {
+    let [lx, lz] = plan.sea.lambda();
+    (0.5 * (lx * lx + lz * lz) * plan.strain_variance(texel_m)).sqrt()
 }
 
 /// Mean of clamp((Z - z) / RAMP, 0, 1) for a standard normal Z.

@@ -3,9 +3,12 @@
 //! Everything here is a pure function of [`Params`], so that it can be tested, quoted and reused by itself.
 
 pub mod camera;
+pub mod cascades;
 pub mod dispersion;
+pub mod energy;
 pub mod fields;
 pub mod foam;
+pub mod measured;
 pub mod noise;
 pub mod params;
 pub mod plan;
@@ -15,6 +18,7 @@ pub mod spectra;
 pub mod spreading;
 pub mod statistics;
 pub mod table;
+pub mod waves;
 
 pub use params::Params;
 pub use plan::Plan;

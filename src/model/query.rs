@@ -1,13 +1,18 @@
 //! The state string: one query string that holds all shareable state.
 //!
 //! `wind=14&fetch=300&seed=7&t=40` is the URL on the web, the argument of the desktop program and of every command.
+//! All values are rows of [`FIELDS`] but one: `measured` holds a buoy's spectrum (`measured::Measured::to_state`).
 //! Reading never fails: what cannot be taken becomes a notice. Only values that differ from the default are written.
 
 use super::fields::{self, FIELDS, Refusal};
+use super::measured::Measured;
 use super::params::Params;
+use std::sync::Arc;
 
 /// Longest state string that is read; the rest is ignored with a notice.
 pub const MAX_BYTES: usize = 16 * 1024;
+/// Key of the buoy's spectrum.
+const MEASURED: &str = "measured";
 const MAX_NOTICES: usize = 24;
 const MAX_SHOWN: usize = 40;
 
@@ -24,6 +29,13 @@ pub fn parse(text: &str) -> (Params, Vec<String>) {
         notices.push(format!("the state string is longer than {MAX_BYTES} bytes: the rest was ignored"));
     }
     for (key, value) in form_urlencoded::parse(query.as_bytes()) {
+        if key == MEASURED {
+            match Measured::from_state(&value) {
+                Ok(m) => params.sea.measured = Some(Arc::new(m)),
+                Err(reason) => notices.push(format!("measured: {reason}: ignored")),
+            }
+            continue;
+        }
         let Some(field) = fields::find(&key) else {
             notices.push(format!("unknown key \"{}\" ignored", shown(&key)));
             continue;
@@ -61,11 +73,14 @@ pub fn parse(text: &str) -> (Params, Vec<String>) {
 pub fn write(params: &Params) -> String {
     let defaults = Params::default();
     let mut out = form_urlencoded::Serializer::new(String::new());
-    for field in FIELDS {
+    for field in FIELDS.iter() {
         let value = (field.get)(params);
         if value != (field.get)(&defaults) {
             out.append_pair(field.key, &field.format(value));
         }
+    }
+    if let Some(measured) = &params.sea.measured {
+        out.append_pair(MEASURED, &measured.to_state());
     }
     out.finish()
 }
@@ -103,7 +118,7 @@ mod tests {
     fn a_pasted_url_is_read() {
         for text in ["wind=14&fetch=300", "?wind=14&fetch=300", "https://example.org/sea/?wind=14&fetch=300#top"] {
             let (p, notices) = parse(text);
-            assert_eq!((p.sea.wind_m_s, p.sea.fetch_km, notices.len()), (14.0, 300.0, 0), "{text}");
+            assert_eq!((p.sea.local().wind_m_s, p.sea.local().fetch_km, notices.len()), (14.0, 300.0, 0), "{text}");
             assert_eq!(write(&p), "wind=14&fetch=300");
         }
         assert_eq!(parse("https://example.org/").1.len(), 0);
@@ -112,8 +127,8 @@ mod tests {
     #[test]
     fn bad_values_become_notices() {
         let (p, notices) = parse("wind=NaN&fetch=-3&spectrum=nonsense&colour=red&seed=4294967296&wind=200");
-        assert_eq!(p.sea.wind_m_s, 60.0);
-        assert_eq!(p.sea.fetch_km, 0.5);
+        assert_eq!(p.sea.local().wind_m_s, 60.0);
+        assert_eq!(p.sea.local().fetch_km, 0.5);
         assert_eq!(p.sea.seed, u32::MAX);
         assert_eq!(notices.len(), 7, "{notices:?}");
     }
@@ -121,12 +136,12 @@ mod tests {
     #[test]
     fn percent_encoding_is_read() {
         let (p, notices) = parse("%77ind=%31%34&spread=donelan%2Dbanner");
-        assert_eq!((p.sea.wind_m_s, notices.len()), (14.0, 0));
+        assert_eq!((p.sea.local().wind_m_s, notices.len()), (14.0, 0));
     }
 
     #[test]
     fn directions_wrap_without_a_notice() {
         assert_eq!(parse("dir=-90"), (parse("dir=270").0, vec![]));
-        assert_eq!(parse("dir=720").0.sea.from_deg, 0.0);
+        assert_eq!(parse("dir=720").0.sea.local().from_deg, 0.0);
     }
 }

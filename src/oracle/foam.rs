@@ -31,9 +31,9 @@ pub fn strain(level: &Level<'_>, uv: [f64; 2]) -> [f64; 3] {
     out
 }
 
-/// J = (1 + l Dxx)(1 + l Dzz) - l^2 Dxz^2 of summed strains.
-pub fn jacobian([xx, zz, xz]: [f64; 3], chop: f64) -> f64 {
-    (1.0 + chop * xx) * (1.0 + chop * zz) - (chop * xz).powi(2)
+/// J = (1 + lx Dxx)(1 + lz Dzz) - lx lz Dxz^2 of summed strains.
+pub fn jacobian([xx, zz, xz]: [f64; 3], [lx, lz]: [f64; 2]) -> f64 {
+    (1.0 + lx * xx) * (1.0 + lz * zz) - lx * lz * xz * xz
 }
 
 /// Foam after `dt_s` of a constant source in [0, 1]: dF/dt = rate s (1 - F) - F / decay, solved exactly.

@@ -1,8 +1,8 @@
 //! Twin of shaders/spectrum.wgsl: h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz).
 
 use super::{Complex, signed};
+use crate::model::noise;
 use crate::model::plan::{Cascade, Plan};
-use crate::model::{noise, statistics};
 
 /// h0 of one cascade, n x n.
 pub fn h0(plan: &Plan, cascade: &Cascade) -> Vec<Complex> {
@@ -23,7 +23,9 @@ fn wave(plan: &Plan, cascade: &Cascade, ix: i32, iz: i32) -> Complex {
     }
     let wave = plan.wave(cascade, i2);
     debug_assert!((wave.k / length - 1.0).abs() < 1e-12);
-    let direction = plan.spreading.lobe(wave.omega).density(statistics::angle(plan.downwind, k));
-    let amplitude = 0.5 * (plan.radial_variance(cascade, &wave) * direction).sqrt();
+    let density: f64 = (plan.systems.iter())
+        .map(|s| plan.radial_variance(s, cascade, &wave) * s.direction_density(wave.omega, k))
+        .sum();
+    let amplitude = 0.5 * density.sqrt();
     noise::gaussian(noise::words(plan.sea.seed, cascade.key, ix, iz)).map(|x| x * amplitude)
 }

@@ -20,6 +20,19 @@ pub fn inverse(line: &[Complex]) -> Vec<Complex> {
     out
 }
 
+/// Transforms a square of `n` x `n` along both axes.
+pub fn inverse_2d(n: usize, square: &[Complex]) -> Vec<Complex> {
+    let rows: Vec<Complex> = square.chunks(n).flat_map(inverse).collect();
+    let mut out = vec![[0.0; 2]; n * n];
+    for x in 0..n {
+        let column: Vec<Complex> = (0..n).map(|z| rows[z * n + x]).collect();
+        for (z, value) in inverse(&column).into_iter().enumerate() {
+            out[z * n + x] = value;
+        }
+    }
+    out
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -19,8 +19,8 @@ const GRAIN_M: f64 = 290.0;
 /// What a picture must know of the sea besides the maps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SeaLook {
-    /// Horizontal displacement.
-    pub chop: f32,
+    /// Horizontal displacement along x and z.
+    pub chop: [f32; 2],
     /// Significant wave height, m.
     pub hs_m: f32,
     /// Depth of the water, m.
@@ -49,7 +49,7 @@ pub struct FrameUniform {
     forward: [f32; 3],
     pixel: f32,
     sun: [f32; 3],
-    chop: f32,
+    chop_x: f32,
     cascades: [[f32; 4]; MAX_CASCADES],
     ripples: [f32; 4],
     foam_place: [[f32; 4]; FOAM_LEVELS],
@@ -72,7 +72,7 @@ pub struct FrameUniform {
     haze: f32,
     overcast: f32,
     exposure_gain: f32,
-    time_s: f32,
+    chop_z: f32,
 }
 
 macro_rules! offsets {
@@ -92,7 +92,7 @@ impl FrameUniform {
             forward,
             pixel,
             sun,
-            chop,
+            chop_x,
             cascades,
             ripples,
             foam_place,
@@ -115,7 +115,7 @@ impl FrameUniform {
             haze,
             overcast,
             exposure_gain,
-            time_s
+            chop_z
         ),
         size_of::<Self>(),
     );
@@ -155,7 +155,7 @@ impl FrameUniform {
             forward: view.forward.as_vec3().to_array(),
             pixel: (2.0 * ty / f64::from(size[1])) as f32,
             sun: super::sky::sun(look).map(|x| x as f32),
-            chop: sea.chop,
+            chop_x: sea.chop[0],
             cascades,
             ripples,
             foam_place,
@@ -178,7 +178,7 @@ impl FrameUniform {
             haze: look.haze as f32,
             overcast: look.overcast as f32,
             exposure_gain: (look.exposure_ev as f32).exp2(),
-            time_s: (scene.time_s % 86_400.0) as f32,
+            chop_z: sea.chop[1],
         }
     }
 }

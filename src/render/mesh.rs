@@ -36,7 +36,7 @@ impl Mesh {
         let scale = density.clamp(0.015, 8.0).sqrt();
         let most_columns = ((COLUMNS * scale / f64::from(BLOCK)).ceil() as u32) * BLOCK;
         let rows = (ROWS * scale).ceil() as u32;
-        let (lift, shift) = (1.1 * f64::from(sea.hs_m), 0.6 * f64::from(sea.hs_m * sea.chop));
+        let (lift, shift) = (1.1 * f64::from(sea.hs_m), 0.6 * f64::from(sea.hs_m * sea.chop[0].max(sea.chop[1])));
         let eye = view.eye.y.max(0.1);
         let (lowest, widest) = extent(view);
 
@@ -122,7 +122,7 @@ mod tests {
 
     fn sea(hs_m: f32) -> SeaLook {
         SeaLook {
-            chop: 1.0,
+            chop: [1.0; 2],
             hs_m,
             depth_m: 4000.0,
             wind_m_s: 10.0,

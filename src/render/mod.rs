@@ -43,8 +43,6 @@ pub struct Scene {
     pub look: Look,
     /// What the maps do not tell of the sea.
     pub sea: SeaLook,
-    /// Simulated time, s.
-    pub time_s: f64,
 }
 
 /// Draws the sea.

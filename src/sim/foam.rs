@@ -40,6 +40,8 @@ pub struct FoamClock {
     centre: [f64; 2],
     /// Where foam forms, per level, for the current plan.
     sources: [foam::Source; FOAM_LEVELS],
+    /// Mean foam to be expected.
+    coverage: f64,
 }
 
 impl FoamClock {
@@ -53,6 +55,7 @@ impl FoamClock {
             changed_at_s: None,
             centre: [0.0; 2],
             sources: [foam::Source::default(); FOAM_LEVELS],
+            coverage: 0.0,
         };
         clock.set_plan(plan);
         clock
@@ -61,7 +64,9 @@ impl FoamClock {
     /// Turns to another sea; the foam that is there stays while time runs.
     pub fn set_plan(&mut self, plan: &Plan) {
         self.changed_at_s = self.at_s;
-        self.sources = std::array::from_fn(|level| foam::source(plan, self.texel_m(level)));
+        let foam = foam::Whiteness::new(plan);
+        self.coverage = foam.coverage;
+        self.sources = std::array::from_fn(|level| foam.source(plan, self.texel_m(level)));
     }
 
     /// The next steps towards `t_s`, at most `most`: none when the foam is there already. A cold start (the first call, a
@@ -69,7 +74,7 @@ impl FoamClock {
     /// alone, so that a still depends on the state alone.
     pub fn steps_to(&mut self, t_s: f64, centre: [f64; 2], plan: &Plan, most: usize) -> Vec<Step> {
         let jumped = |at: f64| t_s < at || t_s - at > LONGEST_STEP_S;
-        let memory_s = REPLAY_DECAYS * plan.sea.foam_decay_s;
+        let memory_s = REPLAY_DECAYS * plan.sea.foam.decay_s;
         if self.changed_at_s.is_some_and(|changed| t_s - changed > memory_s) {
             self.changed_at_s = None;
         }
@@ -79,7 +84,7 @@ impl FoamClock {
         if self.at_s.is_none_or(jumped) && self.replay.is_empty() || elsewhere {
             self.changed_at_s = None;
             self.centre = centre;
-            self.replay = replay(t_s, plan.sea.foam_decay_s);
+            self.replay = replay(t_s, plan.sea.foam.decay_s);
             self.replay.reverse();
         }
         if !stands {
@@ -109,6 +114,11 @@ impl FoamClock {
             }
         }
         steps
+    }
+
+    /// Mean foam to be expected of the current plan.
+    pub fn coverage(&self) -> f64 {
+        self.coverage
     }
 
     /// Whether the foam has come to `t_s`.
@@ -151,14 +161,14 @@ impl FoamClock {
                 texel_m: texel_m as f32,
                 threshold: source.threshold as f32,
                 slope: source.slope as f32,
-                start: foam::coverage(plan) as f32,
+                start: self.coverage as f32,
             }
         });
         FoamUniform {
             levels,
             dt: step.dt_s as f32,
-            decay: (1.0 / plan.sea.foam_decay_s) as f32,
-            rate: plan.sea.foam_rate_per_s as f32,
+            decay: (1.0 / plan.sea.foam.decay_s) as f32,
+            rate: plan.sea.foam.rate_per_s as f32,
             size: self.size,
         }
     }

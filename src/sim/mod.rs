@@ -12,10 +12,12 @@ pub mod transform;
 pub use maps::{FoamLevel, MapCascade, Maps};
 
 use crate::gpu::kernel::UniformRing;
-use crate::gpu::layout::{FoamUniform, MAX_CASCADES, SeaCascade, SeaUniform};
+use crate::gpu::layout::{FoamUniform, MAX_CASCADES, MAX_TERMS, SeaCascade, SeaTerm, SeaUniform};
 use crate::gpu::readback;
 use crate::gpu::shaders::Shaders;
-use crate::model::Plan;
+use crate::model::spreading::Cosine;
+use crate::model::waves::TermKind;
+use crate::model::{Plan, table};
 use foam::FoamClock;
 use passes::Passes;
 use resources::Resources;
@@ -49,7 +51,7 @@ impl Simulation {
         let maps = Maps::new(&plan, &resources);
         let foam = FoamClock::new(resources.foam_n, &plan);
         let mut sim = Self { plan, resources, passes, maps, sea_steps, foam_steps, foam, spectrum_is_stale: true };
-        sim.resources.upload_tables(queue, &sim.plan);
+        sim.upload_tables(device, queue);
         sim
     }
 
@@ -65,10 +67,21 @@ impl Simulation {
             return;
         }
         self.plan = plan;
-        self.resources.upload_tables(queue, &self.plan);
+        self.upload_tables(device, queue);
         self.maps.update(&self.plan);
         self.foam.set_plan(&self.plan);
         self.spectrum_is_stale = true;
+    }
+
+    fn upload_tables(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) {
+        if self.resources.upload_tables(device, queue, &self.plan) {
+            self.passes.spectrum.bind(device, &self.resources, &self.sea_steps);
+        }
+    }
+
+    /// Mean foam to be expected: what lies beyond the foam levels.
+    pub fn foam_coverage(&self) -> f64 {
+        self.foam.coverage()
     }
 
     /// The sea that is computed.
@@ -196,15 +209,29 @@ impl Simulation {
                 moment_scale: map.moment_scale,
             };
         }
+        let (parts, stride) = table::terms(plan);
+        let mut terms = [SeaTerm::default(); MAX_TERMS];
+        for (out, part) in terms.iter_mut().zip(&parts) {
+            let kind = match part.kind {
+                TermKind::Lobe(Cosine::None) => 0,
+                TermKind::Lobe(Cosine::Full) => 1,
+                TermKind::Lobe(Cosine::Forward) => 2,
+                TermKind::Measured => 3,
+            };
+            *out = SeaTerm { travel: part.travel.map(|x| x as f32), kind, slot: part.slot as u32 };
+        }
         SeaUniform {
             cascades,
-            downwind: plan.downwind.map(|x| x as f32),
-            chop: plan.sea.chop as f32,
+            terms,
+            chop: plan.sea.lambda().map(|l| l as f32),
             n: plan.n,
             count: plan.cascades.len() as u32,
             seed: plan.sea.seed,
             phase_time: plan.phase_time(t_s),
             keep_f32: u32::from(keep_f32),
+            term_count: parts.len() as u32,
+            stride: stride as u32,
+            unused: [0; 3],
         }
     }
 }

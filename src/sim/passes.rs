@@ -52,8 +52,17 @@ impl SpectrumPass {
     fn new(device: &wgpu::Device, shaders: &Shaders, r: &Resources, sea: &UniformRing<SeaUniform>) -> Self {
         let module = shaders.module(device, "spectrum");
         let kernel = Kernel::new(device, "sea/spectrum", &module, &[SEA, Slot::Read, Slot::Write], &[]);
-        let group = kernel.bind(device, &[sea.binding(), r.radial.as_entire_binding(), r.h0.as_entire_binding()]);
+        let group = Self::group(device, &kernel, r, sea);
         Self { kernel, group }
+    }
+
+    fn group(device: &wgpu::Device, kernel: &Kernel, r: &Resources, sea: &UniformRing<SeaUniform>) -> wgpu::BindGroup {
+        kernel.bind(device, &[sea.binding(), r.radial.as_entire_binding(), r.h0.as_entire_binding()])
+    }
+
+    /// Binds anew: the table of the spectrum has moved.
+    pub fn bind(&mut self, device: &wgpu::Device, r: &Resources, sea: &UniformRing<SeaUniform>) {
+        self.group = Self::group(device, &self.kernel, r, sea);
     }
 
     /// Draws h0 of all cascades.

@@ -2,7 +2,8 @@
 
 use super::transform::{TWIDDLES, twiddles};
 use crate::gpu::layout::FOAM_LEVELS;
-use crate::model::{Plan, table};
+use crate::model::Plan;
+use crate::model::table::{self, Table};
 
 /// Format of every map.
 pub const MAP_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
@@ -18,7 +19,7 @@ pub struct Resources {
     pub count: u32,
     /// Cells along a side of a foam level.
     pub foam_n: u32,
-    /// Amplitude, beta, s, 0 per triangle entry and cascade, f32.
+    /// Variances and lobes, as many quadruples of f32 as the sea has parts per triangle entry and cascade.
     pub radial: wgpu::Buffer,
     /// Turns (u32) and orbit (f32) per triangle entry and cascade.
     pub wave: wgpu::Buffer,
@@ -75,7 +76,7 @@ impl Resources {
             n,
             count,
             foam_n,
-            radial: storage("radial", 16 * entries),
+            radial: radial(device, entries * table::terms(plan).1 as u64),
             wave: storage("wave", 8 * entries),
             twiddle,
             h0: storage("h0", 8 * points),
@@ -102,19 +103,32 @@ impl Resources {
         self.displacement.mip_level_count()
     }
 
-    /// Tabulates a sea of the same size and cascades and sends it to the GPU.
-    pub fn upload_tables(&mut self, queue: &wgpu::Queue, plan: &Plan) {
-        let mut radial = Vec::new();
-        let mut wave = Vec::new();
+    /// Tabulates a sea of the same size and cascades and sends it to the GPU; returns whether `radial` had to grow.
+    pub fn upload_tables(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, plan: &Plan) -> bool {
+        let mut values: Vec<[f32; 4]> = Vec::new();
+        let mut waves = Vec::new();
         for cascade in &plan.cascades {
-            for row in table::rows(plan, cascade) {
-                radial.push([row.amplitude as f32, row.lobe.beta as f32, row.lobe.s as f32, 0.0]);
-                wave.push([row.wave.turns, (row.wave.orbit as f32).to_bits()]);
-            }
+            let table = Table::new(plan, cascade);
+            values.extend(table.values.iter().map(|v| v.map(|x| x as f32)));
+            waves.extend(table.waves.iter().map(|w| [w.turns, (w.orbit as f32).to_bits()]));
         }
-        queue.write_buffer(&self.radial, 0, bytemuck::cast_slice(&radial));
-        queue.write_buffer(&self.wave, 0, bytemuck::cast_slice(&wave));
+        let grows = size_of_val(values.as_slice()) as u64 > self.radial.size();
+        if grows {
+            self.radial = radial(device, values.len() as u64);
+        }
+        queue.write_buffer(&self.radial, 0, bytemuck::cast_slice(&values));
+        queue.write_buffer(&self.wave, 0, bytemuck::cast_slice(&waves));
+        grows
     }
+}
+
+fn radial(device: &wgpu::Device, quadruples: u64) -> wgpu::Buffer {
+    device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("radial"),
+        size: 16 * quadruples,
+        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
 }
 
 /// A view of one mip level or of all, as an array.

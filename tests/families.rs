@@ -1,0 +1,94 @@
+//! Every spectrum with every spreading over sea states from calm to hurricane and from deep water to 3 m, from theory and
+//! from the amplitudes of the lattices, on the CPU. The GPU measures a covering subset in `tests/ensembles.rs`.
+
+use seastate::model::fields::{self, Kind};
+use seastate::model::statistics::{Resolved, Theory};
+use seastate::model::{Plan, query};
+
+/// Wind (m/s), fetch (km), depth (m).
+const STATES: [(f64, f64, f64); 13] = [
+    (1.5, 2.0, 4000.0),
+    (3.0, 10.0, 4000.0),
+    (5.0, 20.0, 100.0),
+    (7.0, 50.0, 30.0),
+    (10.0, 100.0, 4000.0),
+    (10.0, 100.0, 20.0),
+    (10.0, 100.0, 5.0),
+    (10.0, 300.0, 3.0),
+    (15.0, 300.0, 4000.0),
+    (20.0, 500.0, 50.0),
+    (25.0, 50.0, 10.0),
+    (32.0, 1000.0, 4000.0),
+    (45.0, 800.0, 200.0),
+];
+
+fn words(key: &str) -> Vec<&'static str> {
+    let Some(Kind::Choice(words)) = fields::find(key).map(|f| f.kind) else { panic!("{key} is a choice") };
+    words.iter().copied().filter(|w| *w != "measured").collect()
+}
+
+/// Whether as many waves run one way as the other.
+fn is_symmetric(spectrum: &str, spread: &str) -> bool {
+    spectrum == "tessendorf" || ["isotropic", "cos2", "elfouhaily"].contains(&spread)
+}
+
+/// What is wrong with a state, if anything.
+fn faults(state: &str, symmetric: bool) -> Vec<String> {
+    let plan = Plan::new(&query::parse(state).0);
+    let t = Theory::new(&plan);
+    let r = Resolved::new(&plan, t.m0_m2);
+    let captured = plan.captured();
+    let mut faults = Vec::new();
+    let mut check = |what: &str, holds: bool| {
+        if !holds {
+            faults.push(format!("{state}: {what}; captured {captured}\n  {t:?}\n  {r:?}\n  {:?}", plan.notices));
+        }
+    };
+    check("resolved m0 is that of the bands within 1 %", (r.m0_fraction - captured).abs() < 0.01);
+    check("what is not captured is stated", captured > 0.99 || plan.notices.iter().any(|n| n.contains("hold")));
+    check("mss within 2 %", (r.mss / t.mss - 1.0).abs() < 0.02);
+    check("Tm01 and Tm02 within 1 %", (r.tm01_s / t.tm01_s - 1.0).abs() < 0.01 && (r.tm02_s / t.tm02_s - 1.0).abs() < 0.01);
+    check("spread within 5 %", (r.spread_deg / t.spread_deg - 1.0).abs() < 0.05);
+    if symmetric {
+        check("no direction", r.r1 < 0.01 && t.mean_from_deg.is_none() && r.mean_from_deg.is_none());
+    } else {
+        let from = plan.sea.local().from_deg;
+        let off = |deg: Option<f64>| deg.map_or(f64::NAN, |d| ((d - from + 540.0) % 360.0 - 180.0).abs());
+        check("theory comes from the wind", off(t.mean_from_deg) < 1e-6);
+        check("resolved direction within 2 degrees", off(r.mean_from_deg) < 2.0);
+    }
+    faults
+}
+
+fn all_pairs(spectra: &[&str]) {
+    let mut wrong = Vec::new();
+    for spectrum in spectra {
+        for spread in words("spread") {
+            for (wind, fetch, depth) in STATES {
+                let state = format!("spectrum={spectrum}&spread={spread}&wind={wind}&fetch={fetch}&depth={depth}&dir=205");
+                wrong.extend(faults(&state, is_symmetric(spectrum, spread)));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{} of {}:\n{}", wrong.len(), spectra.len() * 7 * STATES.len(), wrong.join("\n"));
+}
+
+#[test]
+fn all_spectra_are_covered() {
+    let halves = [&FIRST[..], &SECOND[..]].concat();
+    assert_eq!(halves, words("spectrum"));
+    assert_eq!(words("spread").len(), 7);
+}
+
+const FIRST: [&str; 6] = ["phillips", "tessendorf", "ab", "pm", "jonswap", "tma"];
+const SECOND: [&str; 6] = ["marnero", "karaev", "elfouhaily", "donelan", "ochi-hubble", "torsethaugen"];
+
+#[test]
+fn wind_spectra_with_every_spreading() {
+    all_pairs(&FIRST);
+}
+
+#[test]
+fn tailed_and_double_spectra_with_every_spreading() {
+    all_pairs(&SECOND);
+}
