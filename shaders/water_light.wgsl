@@ -66,7 +66,7 @@ fn water_mirror(v: vec3f, slope: WaterSlope) -> WaterMirror {
     let s_t = -(tilt + sigma * t);
     let s_s = side_mean - cov_ts / sigma * t;
     let s = toward * s_t + side * s_s;
-    let n = normalize(vec3f(-s.x, 1.0, -s.y));
+    let n = water_normal(s);
     let f = water_fresnel(dot(v, n));
     sum += weight * f * water_environment(reflect(-v, n), lod);
     sum_f += weight * f;
