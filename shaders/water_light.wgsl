@@ -38,8 +38,10 @@ fn water_environment(dir: vec3f, lod: f32) -> vec3f {
 
 // Mirrored sky and sun; `v` points to the eye, in the frame of the local vertical.
 fn water_mirror(v: vec3f, slope: WaterSlope) -> WaterMirror {
-  let across = max(length(v.xz), 1e-4);
-  let toward = v.xz / across;
+  // Straight below the eye any direction will do.
+  let level = select(vec2f(1e-4, 0.0), v.xz, dot(v.xz, v.xz) > 1e-8);
+  let across = length(level);
+  let toward = level / across;
   let side = vec2f(-toward.y, toward.x);
   let cov = mat2x2f(slope.variance.x, slope.variance.z, slope.variance.z, slope.variance.y);
   let var_t = max(dot(toward, cov * toward), 1e-6);
