@@ -54,7 +54,7 @@ fn water_mirror(v: vec3f, slope: WaterSlope) -> WaterMirror {
   // Slopes turned away from the eye are not seen; the others by their projected area.
   let low = -(v.y / across + tilt) / sigma;
   let from_t = max(low, -2.4);
-  let to_t = max(2.4, from_t + 1.6);
+  let to_t = max(3.0, from_t + 2.2);
   const NODES = 5;
   let width = (to_t - from_t) / f32(NODES);
   let lod = clamp(log2(1.4 * width * sigma * 128.0 / ATM_PI + 0.6 * sqrt(var_s) * 128.0 / ATM_PI + 1e-3), 0.0, 5.0);
