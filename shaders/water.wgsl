@@ -80,7 +80,7 @@ fn fragment(in: WaterVertex) -> @location(0) vec4f {
   // Frame of the vertical there.
   let up = normalize(vec3f(in.place.x / FRAME_EARTH_M, 1.0, in.place.z / FRAME_EARTH_M));
   let v = normalize(vec3f(-dir.x, max(dot(-dir, up), 1e-4), -dir.z));
-  let n = normalize(vec3f(-slope.mean.x, 1.0, -slope.mean.y));
+  let n = water_normal(slope.mean);
 
   let foam = water_foam(at, foot);
   let mirror = water_mirror(v, slope);

@@ -38,8 +38,10 @@ fn water_environment(dir: vec3f, lod: f32) -> vec3f {
 
 // Mirrored sky and sun; `v` points to the eye, in the frame of the local vertical.
 fn water_mirror(v: vec3f, slope: WaterSlope) -> WaterMirror {
-  let across = max(length(v.xz), 1e-4);
-  let toward = v.xz / across;
+  // Straight below the eye any direction will do.
+  let level = select(vec2f(1e-4, 0.0), v.xz, dot(v.xz, v.xz) > 1e-8);
+  let across = length(level);
+  let toward = level / across;
   let side = vec2f(-toward.y, toward.x);
   let cov = mat2x2f(slope.variance.x, slope.variance.z, slope.variance.z, slope.variance.y);
   let var_t = max(dot(toward, cov * toward), 1e-6);
@@ -52,7 +54,7 @@ fn water_mirror(v: vec3f, slope: WaterSlope) -> WaterMirror {
   // Slopes turned away from the eye are not seen; the others by their projected area.
   let low = -(v.y / across + tilt) / sigma;
   let from_t = max(low, -2.4);
-  let to_t = max(2.4, from_t + 1.6);
+  let to_t = max(3.0, from_t + 2.2);
   const NODES = 5;
   let width = (to_t - from_t) / f32(NODES);
   let lod = clamp(log2(1.4 * width * sigma * 128.0 / ATM_PI + 0.6 * sqrt(var_s) * 128.0 / ATM_PI + 1e-3), 0.0, 5.0);
@@ -66,7 +68,7 @@ fn water_mirror(v: vec3f, slope: WaterSlope) -> WaterMirror {
     let s_t = -(tilt + sigma * t);
     let s_s = side_mean - cov_ts / sigma * t;
     let s = toward * s_t + side * s_s;
-    let n = normalize(vec3f(-s.x, 1.0, -s.y));
+    let n = water_normal(s);
     let f = water_fresnel(dot(v, n));
     sum += weight * f * water_environment(reflect(-v, n), lod);
     sum_f += weight * f;

@@ -23,6 +23,11 @@ struct WaterSlope {
   jacobian: f32,
 }
 
+// Unit normal of a surface of this slope.
+fn water_normal(slope: vec2f) -> vec3f {
+  return normalize(vec3f(-slope.x, 1.0, -slope.y));
+}
+
 // Footprint of a pixel on the undisplaced sea: its length along the longer side, filtered by several taps so that it is
 // not blurred across. Hardware anisotropy is not used: it differs between GPUs and takes minutes in software.
 struct WaterFootprint {

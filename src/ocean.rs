@@ -78,7 +78,8 @@ impl Ocean {
         self.renderer.present(pass);
     }
 
-    fn scene(&self, [width, height]: [u32; 2]) -> Scene {
+    /// What the renderer draws in `width` x `height` pixels.
+    pub fn scene(&self, [width, height]: [u32; 2]) -> Scene {
         let plan = self.sim.plan();
         let sea = &self.params.sea;
         let hs_m = plan.hs_m();

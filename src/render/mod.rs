@@ -96,9 +96,7 @@ impl Renderer {
             self.targets = Some(targets);
         }
         let Some(targets) = &self.targets else { return };
-        // As many vertices as the picture can show: triangles smaller than a pixel cost more than the pixel.
-        let pixels = f64::from(size[0]) * f64::from(size[1]) / REFERENCE_PIXELS;
-        let mesh = Mesh::new(&scene.view, &scene.sea, scene.look.mesh * pixels.clamp(0.06, 2.0));
+        let mesh = mesh(scene, size);
         self.frame.write(queue, &FrameUniform::new(scene, maps, &mesh, size));
         self.present.write(queue, scene, size);
         self.water.bind_maps(device, maps);
@@ -114,6 +112,17 @@ impl Renderer {
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         self.present.draw(pass);
     }
+}
+
+/// As many vertices as the picture can show: triangles smaller than a pixel cost more than the pixel.
+fn mesh(scene: &Scene, size: [u32; 2]) -> Mesh {
+    let pixels = f64::from(size[0]) * f64::from(size[1]) / REFERENCE_PIXELS;
+    Mesh::new(&scene.view, &scene.sea, scene.look.mesh * pixels.clamp(0.06, 2.0))
+}
+
+/// The bytes of WGSL `Frame` for a picture of `size` pixels: for the tests that run the picture's functions by themselves.
+pub fn frame_bytes(scene: &Scene, maps: &Maps, size: [u32; 2]) -> Vec<u8> {
+    bytemuck::bytes_of(&FrameUniform::new(scene, maps, &mesh(scene, size), size)).to_vec()
 }
 
 /// Coverage samples a pixel: several on a GPU; one in software, where they cost six times the rest of the frame. The page

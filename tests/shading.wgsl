@@ -1,0 +1,41 @@
+// Appended to the picture's water module by shading.rs: asks its functions one question a thread.
+
+@group(2) @binding(0) var<storage, read> questions: array<array<vec4f, 3>>;
+@group(2) @binding(1) var<storage, read_write> answers: array<vec4f>;
+
+fn ask_mirror(v: vec3f, sun: vec3f, mean: vec2f, variance: vec3f) -> vec4f {
+  frame.sun = sun;
+  // The environment is red and blue, the sun green.
+  light.sun = vec3f(0.0, 1.0, 0.0);
+  var slope: WaterSlope;
+  slope.mean = mean;
+  slope.variance = variance;
+  let mirror = water_mirror(v, slope);
+  return vec4f(mirror.radiance, mirror.reflectance);
+}
+
+fn ask_slope(at: vec2f, size: f32) -> vec4f {
+  let slope = water_slope(at, WaterFootprint(vec2f(0.0), size, 1));
+  return vec4f(slope.mean, slope.jacobian, 0.0);
+}
+
+@compute @workgroup_size(64)
+fn ask(@builtin(global_invocation_id) id: vec3u) {
+  if id.x >= arrayLength(&answers) {
+    return;
+  }
+  frame = picture_frame;
+  let a = questions[id.x][0];
+  let b = questions[id.x][1];
+  let c = questions[id.x][2];
+  var answer = vec4f(0.0);
+  switch u32(a.w) {
+    case 0u: { answer.x = water_fresnel(a.x); }
+    case 1u: { answer.x = water_seen(a.x, a.y, a.z, b.x); }
+    case 2u: { answer = ask_mirror(a.xyz, b.xyz, c.xy, vec3f(c.zw, b.w)); }
+    case 3u: { answer = ask_slope(a.xy, a.z); }
+    case 4u: { answer = vec4f(water_displacement(a.xy, a.z), 0.0); }
+    default: { answer = vec4f(water_normal(a.xy), 0.0); }
+  }
+  answers[id.x] = answer;
+}
