@@ -57,6 +57,45 @@ fn notices_of_the_state_are_shown() {
     harness.get_by_label_contains("unknown key \"colour\"");
 }
 
+/// A file as a window hands it over.
+#[derive(Debug)]
+struct File(std::path::PathBuf);
+
+impl egui::DroppedFile for File {
+    fn path(&self) -> &std::path::Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        std::fs::read(&self.0).map_err(|e| e.to_string())
+    }
+}
+
+fn drop_files(harness: &mut Harness<'_, App>, paths: &[std::path::PathBuf]) {
+    for path in paths {
+        harness.input_mut().dropped_files.push(std::sync::Arc::new(File(path.clone())));
+    }
+    harness.run_steps(2);
+}
+
+#[test]
+fn a_dropped_buoy_becomes_the_sea() {
+    let mut harness = open("n=64&pause=1");
+    let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/spectra/two-systems.txt");
+    drop_files(&mut harness, &[sample]);
+    let state = harness.state().state();
+    assert!(state.starts_with("spectrum=measured&") && state.contains("&measured="), "{state}");
+    harness.get_by_label("2.33 m");
+    assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+
+    // A bad file leaves the sea as it is and says why.
+    let bad = std::env::temp_dir().join("seastate-bad-buoy.csv");
+    std::fs::write(&bad, "0.1,2\n0.2,1\n0.15,1\n").expect("a temporary file");
+    drop_files(&mut harness, &[bad]);
+    assert_eq!(harness.state().state(), state);
+    harness.get_by_label_contains("line 3");
+}
+
 #[test]
 fn keys_fly_the_camera() {
     let mut harness = open("n=64&pause=1&heading=90&x=0");

@@ -1,6 +1,7 @@
 //! The program that people see: one eframe app for the page and the window. The only room that knows egui and the browser.
 
 mod camera;
+mod dropped;
 mod faults;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod native;
@@ -44,6 +45,7 @@ pub struct App {
     ctx: egui::Context,
     faults: Faults,
     frames: u64,
+    dropped: dropped::Dropped,
     /// Set by the viewport while the foam has yet to catch up.
     catching_up: viewport::CatchingUp,
     #[cfg(target_arch = "wasm32")]
@@ -69,6 +71,7 @@ impl App {
             ctx: cc.egui_ctx.clone(),
             faults,
             frames: 0,
+            dropped: dropped::Dropped::default(),
             catching_up: viewport::CatchingUp::default(),
             #[cfg(target_arch = "wasm32")]
             address: web::Address::new(&params),
@@ -157,12 +160,14 @@ impl eframe::App for App {
         }
         self.keys(&ctx);
         self.advance(&ctx);
+        self.take_dropped(&ctx);
         if (&self.derived.of.grid, &self.derived.of.sea) != (&self.params.grid, &self.params.sea) {
             self.derived = Derived::new(&self.params);
         }
         let response = viewport::show(ui, &self.params, &self.catching_up);
         camera::pointer(&mut self.params.camera, &response, &ctx);
         panel::show(self, &ctx);
+        dropped::invite(&ctx);
         if self.catching_up.is_set() {
             ctx.request_repaint();
         }

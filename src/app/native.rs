@@ -1,7 +1,10 @@
 //! The desktop window.
 
 use super::{App, setup};
+use crate::model::measured::MAX_FILE_BYTES;
 use crate::model::{Params, query};
+use std::io::Read;
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
 
 /// Tries to come back after a lost device before giving up.
@@ -25,6 +28,23 @@ pub fn run(params: &Params) -> Result<(), String> {
         eprintln!("seastate: the GPU was lost; opening '{state}' again");
     }
     Err(format!("the GPU was lost {MOST_LOSSES} times; the sea was '{state}'"))
+}
+
+/// Reads files with their names; nothing larger than a buoy's file may be.
+///
+/// # Errors
+/// One sentence, naming the file.
+pub fn read_files(paths: &[PathBuf]) -> Result<Vec<(String, Vec<u8>)>, String> {
+    let read = |path: &PathBuf| {
+        let name = path.file_name().map_or_else(|| path.display().to_string(), |n| n.to_string_lossy().into_owned());
+        let fault = |e: std::io::Error| format!("cannot read {}: {e}", path.display());
+        let mut bytes = Vec::new();
+        let file = std::fs::File::open(path).map_err(fault)?;
+        // One byte more than is allowed is enough to be refused.
+        file.take(MAX_FILE_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(fault)?;
+        Ok((name, bytes))
+    };
+    paths.iter().map(read).collect()
 }
 
 fn open(state: &str, lost: &Arc<Mutex<Option<String>>>) -> Result<(), String> {

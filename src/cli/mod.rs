@@ -8,6 +8,7 @@ pub mod stats;
 
 use crate::gpu::device::Gpu;
 use crate::model::fields::FIELDS;
+use crate::model::measured::Measured;
 use crate::model::{Params, query};
 use clap::{Parser, Subcommand};
 use std::fmt::Write as _;
@@ -29,16 +30,49 @@ struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
     /// The sea to open in a window
+    #[command(flatten)]
+    sea: SeaArgs,
+}
+
+/// A sea on the command line.
+#[derive(clap::Args)]
+struct SeaArgs {
+    /// The sea
     state: Option<String>,
+    /// A buoy's spectrum to show: NDBC text (density, alpha1, alpha2, r1, r2 in one file or several) or CSV of f, S,
+    /// direction, spread; may be given several times for the files of one buoy
+    #[arg(long = "spectrum", value_name = "FILE")]
+    spectrum: Vec<PathBuf>,
+}
+
+impl SeaArgs {
+    /// The parameters, and what was not taken as written.
+    fn read(&self) -> Result<(Params, Vec<String>), String> {
+        let (mut params, mut notices) = query::parse(self.state.as_deref().unwrap_or_default());
+        if !self.spectrum.is_empty() {
+            let files = crate::app::native::read_files(&self.spectrum)?;
+            let (measured, more) = Measured::read(&files)?;
+            notices.extend(more);
+            params.sea.show_measured(measured);
+        }
+        Ok((params, notices))
+    }
+
+    /// The same, with everything that there is to notice said on stderr.
+    fn read_aloud(&self) -> Result<Params, String> {
+        let (params, notices) = self.read()?;
+        report_notices(&notices);
+        report_notices(&crate::model::Plan::new(&params).notices);
+        Ok(params)
+    }
 }
 
 #[derive(Subcommand)]
 enum Command {
     /// Renders a picture
     Render {
-        /// The sea
-        #[arg(default_value = "")]
-        state: String,
+        #[command(flatten)]
+        sea: SeaArgs,
         /// Width and height in pixels
         #[arg(long, default_value = "1280x720", value_parser = parse_size)]
         size: [u32; 2],
@@ -48,9 +82,8 @@ enum Command {
     },
     /// Writes the maps of every cascade, the foam and the plan
     Export {
-        /// The sea
-        #[arg(default_value = "")]
-        state: String,
+        #[command(flatten)]
+        sea: SeaArgs,
         /// Folder to write to; made if missing
         #[arg(short, long)]
         output: PathBuf,
@@ -60,9 +93,8 @@ enum Command {
     },
     /// Prints theory, resolved and measured numbers of a sea
     Stats {
-        /// The sea
-        #[arg(default_value = "")]
-        state: String,
+        #[command(flatten)]
+        sea: SeaArgs,
         /// Seeds to measure over
         #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100_000))]
         seeds: u32,
@@ -72,15 +104,13 @@ enum Command {
     },
     /// Compares every GPU pass with the f64 oracle
     Check {
-        /// The sea
-        #[arg(default_value = "")]
-        state: String,
+        #[command(flatten)]
+        sea: SeaArgs,
     },
     /// Times the passes
     Bench {
-        /// The sea
-        #[arg(default_value = "")]
-        state: String,
+        #[command(flatten)]
+        sea: SeaArgs,
         /// Width and height of the picture in pixels
         #[arg(long, default_value = "1280x720", value_parser = parse_size)]
         size: [u32; 2],
@@ -123,24 +153,24 @@ fn fail(message: &str) -> i32 {
 
 fn run(cli: Cli) -> Result<i32, String> {
     match cli.command {
-        None => crate::app::native::run(&read_state(cli.state.as_deref().unwrap_or_default())).map(|()| 0),
-        Some(Command::Render { state, size, output }) => {
-            pollster::block_on(render::run(&read_state(&state), size, &output)).map(|()| 0)
+        None => crate::app::native::run(&cli.sea.read_aloud()?).map(|()| 0),
+        Some(Command::Render { sea, size, output }) => {
+            pollster::block_on(render::run(&sea.read_aloud()?, size, &output)).map(|()| 0)
         }
-        Some(Command::Export { state, output, raw }) => {
-            pollster::block_on(export::run(&read_state(&state), &output, raw)).map(|()| 0)
+        Some(Command::Export { sea, output, raw }) => {
+            pollster::block_on(export::run(&sea.read_aloud()?, &output, raw)).map(|()| 0)
         }
-        Some(Command::Stats { state, seeds, json }) => {
-            let (params, notices) = query::parse(&state);
+        Some(Command::Stats { sea, seeds, json }) => {
+            let (params, notices) = sea.read()?;
             let report = pollster::block_on(async { stats::run(&Gpu::request().await?, &params, seeds).await })?;
             if !json {
                 report_notices(&notices);
             }
             print(&if json { report.json(&notices) } else { report.to_string() })
         }
-        Some(Command::Check { state }) => pollster::block_on(check(&read_state(&state))),
-        Some(Command::Bench { state, size, repeat, json }) => {
-            let report = pollster::block_on(bench::run(&read_state(&state), size, repeat))?;
+        Some(Command::Check { sea }) => pollster::block_on(check(&sea.read_aloud()?)),
+        Some(Command::Bench { sea, size, repeat, json }) => {
+            let report = pollster::block_on(bench::run(&sea.read_aloud()?, size, repeat))?;
             print(&if json { report.json() } else { report.to_string() })
         }
         Some(Command::Keys) => print(&keys()),
@@ -163,14 +193,6 @@ async fn check(params: &Params) -> Result<i32, String> {
     Ok(i32::from(wrong > 0))
 }
 
-/// Reads a state string; what was not taken as written is said on stderr.
-fn read_state(state: &str) -> Params {
-    let (params, notices) = query::parse(state);
-    report_notices(&notices);
-    report_notices(&crate::model::Plan::new(&params).notices);
-    params
-}
-
 fn report_notices(notices: &[String]) {
     for notice in notices {
         eprintln!("seastate: {notice}");
@@ -191,6 +213,8 @@ fn keys() -> String {
         let _ = writeln!(text, "{:<10} {} (default {default}{unit})", field.key, field.range());
         let _ = writeln!(text, "           {}", field.help);
     }
+    text += "measured   a buoy's spectrum, shown by spectrum=measured: bands f*S or f*S*alpha1*alpha2*r1*r2, separated by _\n";
+    text += "           Hz, m2/Hz, degrees that the waves come from, and 0..1. Written by the program when it reads a file.\n";
     text
 }
 

@@ -256,6 +256,12 @@ impl Sea {
         &self.systems[0]
     }
 
+    /// Shows a buoy's spectrum as the local sea.
+    pub fn show_measured(&mut self, measured: Measured) {
+        self.measured = Some(Arc::new(measured));
+        self.systems[0].spectrum = SpectrumKind::Measured;
+    }
+
     /// Horizontal displacement along x and z.
     pub fn lambda(&self) -> [f64; 2] {
         self.chop_xz.map(|c| c * self.chop)
