@@ -40,6 +40,9 @@ fn other_seas_agree_with_the_oracle() {
         "spread=hasselmann&wind=25&fetch=800&t=100000.25&dir=13",
         "spread=mitsuyasu&swell=1&loop=60&t=59.9&chop=0.7",
         "spread=isotropic&spectrum=pm&wind=3&g=3.71",
+        "spectrum=elfouhaily&spread=elfouhaily&swell=0.4&dispersion=capillary&cascades=3&patch3=0.7&chopx=0.5&chopz=1.3",
+        "spread=cos2-positive&blendto=hasselmann&blend=0.4&iso=0.2&scale2=1&hs2=2&tp2=12&dir2=310&overlap=1",
+        "spectrum=measured&measured=0.05*0.5*250*251*0.8*0.5_0.1*3*240*241*0.7*0.4_0.2*1*200*230*0.5*0.2_0.4*0.1*190*190*0.4*0.1",
     ] {
         assert_right(&format!("{state}&n=64"));
     }

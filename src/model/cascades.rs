@@ -12,8 +12,8 @@ const GOLDEN: f64 = 1.618_033_988_749_895;
 /// one of radius 7 runs through four points and gives each band 1 % too much.
 const WAVES_AT_LOW_EDGE: f64 = 7.506_054_213;
 /// Rungs between neighbouring cascades. The first step keeps the energetic band inside a 64-point lattice, the later
-/// ones use what 128 points and more resolve.
-const STEPS: [i32; 3] = [3, 5, 5];
+/// ones leave no gap with 128 points and more.
+const STEPS: [i32; 3] = [3, 4, 4];
 /// n for which the number of cascades is chosen; the choice must not depend on the actual n.
 const NOMINAL_N: f64 = 256.0;
 /// Waves as short as this (rad/m) are wanted; the number of cascades follows.
@@ -83,7 +83,7 @@ pub fn choose(energy: &Energy, dispersion: &Dispersion, grid: &Grid) -> Vec<Casc
         })
         .collect();
     patches.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let shortest = if dispersion.is_capillary() { SHORTEST_CAPILLARY_K } else { SHORTEST_GRAVITY_K };
+    let shortest = shortest(dispersion);
     // A patch of a few centimetres can have its whole lattice beyond the shortest wave: keep the bands ordered.
     let low = |i: usize| match patches[i].2.k_low {
         0.0 if i == 0 => 0.0,
@@ -103,6 +103,11 @@ pub fn choose(energy: &Energy, dispersion: &Dispersion, grid: &Grid) -> Vec<Casc
             Cascade { patch_m, k_low, k_high: k_high.min(nyquist).min(shortest).max(k_low), key }
         })
         .collect()
+}
+
+/// The largest wave number (rad/m) that any cascade holds.
+pub fn shortest(dispersion: &Dispersion) -> f64 {
+    if dispersion.is_capillary() { SHORTEST_CAPILLARY_K } else { SHORTEST_GRAVITY_K }
 }
 
 /// The wave numbers that at least one cascade holds, as ascending intervals without overlap.

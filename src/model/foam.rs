@@ -5,15 +5,17 @@ use super::plan::Plan;
 use super::statistics::monahan_coverage;
 use std::f64::consts::PI;
 
-/// Mean foam over the mean source that the Gaussian estimate promises, with the default growth and decay; fitted to the
-/// GPU over winds of 7 to 20 m/s and all levels. It holds two effects: foam outlives its source, and the Jacobian is
-/// skewed (its determinant term lifts the low tail).
-const GAIN: f64 = 2.8;
-/// Growth times decay of the defaults.
+/// Mean foam F that a mean source m leaves: F / (1 - F) = FACTOR (growth x decay)^POWER m. Fitted to the GPU over winds of 7
+/// to 30 m/s, all levels, and growth x decay of 1 to 50: foam outlives its source, but does not grow on what is white.
+const FACTOR: f64 = 0.9;
+const POWER: f64 = 0.73;
+/// Growth times decay of the defaults, for which the whitecap coverage of the wind comes out.
 const DEFAULT_LIFE: f64 = 8.0;
 /// Width of the ramp from no source to full source, in standard deviations of the Jacobian.
 const RAMP: f64 = 0.5;
 
+/// More than this the whitecaps of no wind cover.
+const MOST_COVERED: f64 = 0.9;
 /// Texel at which a given threshold is meant, m; coarser levels are as rare.
 const REFERENCE_TEXEL_M: f64 = 0.25;
 /// Below this standard deviation of the Jacobian the water is flat.
@@ -43,7 +45,8 @@ impl Whiteness {
     pub fn new(plan: &Plan) -> Self {
         let foam = &plan.sea.foam;
         let sigma = deviation(plan, REFERENCE_TEXEL_M);
-        let wanted = monahan_coverage(plan.sea.local().wind_m_s) / GAIN;
+        let covered = monahan_coverage(plan.sea.local().wind_m_s).min(MOST_COVERED);
+        let wanted = covered / (1.0 - covered) / (FACTOR * DEFAULT_LIFE.powf(POWER));
         let none = Self { rarity: f64::INFINITY, coverage: 0.0 };
         if sigma < FLAT {
             return none;
@@ -61,11 +64,8 @@ impl Whiteness {
                 low
             }
         } - foam.bias / sigma;
-        // Foam grows with growth x decay where that is small, and saturates; the default gives GAIN.
-        let life = foam.rate_per_s * foam.decay_s;
-        let gain = life / (1.0 + life * (1.0 / GAIN - 1.0 / DEFAULT_LIFE));
-        let coverage = (gain * ramp_mean(rarity)).min(life / (1.0 + life));
-        Self { rarity, coverage }
+        let foamy = FACTOR * (foam.rate_per_s * foam.decay_s).powf(POWER) * ramp_mean(rarity);
+        Self { rarity, coverage: foamy / (1.0 + foamy) }
     }
 
     /// The source on a grid of `texel_m`, from the variance of the Jacobian of the waves that the cascades hold and the

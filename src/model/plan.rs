@@ -11,6 +11,8 @@ pub use super::cascades::Cascade;
 
 /// Significant height over depth beyond which waves break (SEA.md).
 const DEPTH_LIMIT: f64 = 0.6;
+/// Variance of the strain beyond which the numbers leave the range of half floats.
+const MOST_STRAIN: f64 = 25.0;
 /// Cells from the origin within which S is averaged over a cell.
 const COARSE_CELLS: f64 = 40.0;
 /// Four-point Gauss-Legendre rule over [-1/2, 1/2].
@@ -88,9 +90,14 @@ impl Plan {
         if hs > limit {
             notices
                 .push(format!("waves of {hs:.1} m cannot stand in {} m of water: capped at {limit:.1} m", sea.depth_m));
-            for system in &mut systems {
-                system.spectrum = system.spectrum.clone().scaled((limit / hs).powi(2));
-            }
+            scale_all(&mut systems, (limit / hs).powi(2));
+            energy = integrate(&systems, &dispersion);
+        }
+        // Far beyond what breaks, but half floats must hold the slopes.
+        let strain = energy.filtered_strain(0.0, cascades::shortest(&dispersion), |_| 1.0);
+        if strain > MOST_STRAIN {
+            notices.push(format!("waves with slopes of {:.0} cannot stand: lowered", strain.sqrt()));
+            scale_all(&mut systems, MOST_STRAIN / strain);
             energy = integrate(&systems, &dispersion);
         }
         let period_s = if sea.loop_s > 0.0 { sea.loop_s.max(1.0) } else { DAY_S };
@@ -225,6 +232,13 @@ impl Plan {
     pub fn phase_time(&self, t_s: f64) -> u32 {
         let turn = (t_s / self.period_s).rem_euclid(1.0);
         (turn * 4_294_967_296.0).round() as u64 as u32
+    }
+}
+
+/// Multiplies the variance of all systems.
+fn scale_all(systems: &mut [WaveSystem], factor: f64) {
+    for system in systems {
+        system.spectrum = system.spectrum.clone().scaled(factor);
     }
 }
 

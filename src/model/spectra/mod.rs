@@ -21,6 +21,11 @@ use wind::{Ab, Donelan, Jonswap, Marnero, Phillips, Tessendorf};
 /// Below this wind there are no waves, m/s.
 const CALM_M_S: f64 = 0.05;
 
+/// A variance below this cannot be raised to a given height, m^2.
+const LEAST_M2: f64 = 1e-12;
+/// Shortest peak period that can be asked for, s: waves of 14 cm.
+const SHORTEST_S: f64 = 0.3;
+
 /// A frequency spectrum with its coefficients worked out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrequencySpectrum {
@@ -94,7 +99,7 @@ impl FrequencySpectrum {
             sea,
             system,
             wind_m_s: system.wind_m_s.max(CALM_M_S),
-            omega_p: (system.tp_s > 0.0).then(|| TAU / system.tp_s),
+            omega_p: (system.tp_s > 0.0).then(|| TAU / system.tp_s.max(SHORTEST_S)),
         };
         let (kind, notice) = match (system.spectrum, &sea.measured) {
             (SpectrumKind::Measured, None) => (
@@ -147,7 +152,12 @@ impl FrequencySpectrum {
             knots.extend([low, high]);
             knots.sort_by(f64::total_cmp);
             let m0 = adaptive(|w| spectrum.density(w), &knots, 1e-9);
-            spectrum = spectrum.scaled((system.hs_m / 4.0).powi(2) / m0.max(f64::MIN_POSITIVE));
+            if m0 < LEAST_M2 {
+                spectrum.notice = Some("the short-wave fade leaves nothing of a system whose height is given".to_owned());
+                spectrum.shape = Shape::Calm;
+            } else {
+                spectrum = spectrum.scaled((system.hs_m / 4.0).powi(2) / m0);
+            }
         }
         spectrum.scaled(system.scale * system.scale)
     }
