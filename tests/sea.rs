@@ -142,7 +142,8 @@ fn raising_n_keeps_every_wave() {
 
 #[test]
 fn the_sea_does_not_depend_on_how_it_is_cut_into_waves() {
-    for sea in ["wind=12", "wind=7&fetch=50&spectrum=tma&depth=6&spread=hasselmann", "wind=10&scale2=1&hs2=1.5&tp2=11"] {
+    for sea in ["wind=12", "wind=7&fetch=50&spectrum=tma&depth=6&spread=hasselmann", "wind=10&scale2=1&hs2=1.5&tp2=11"]
+    {
         let resolved = |how: &str| {
             let plan = Plan::new(&params(&format!("{sea}&{how}")));
             (statistics::Resolved::new(&plan, 1.0), plan)
@@ -252,7 +253,10 @@ fn every_control_of_the_foam_works() {
         // What lies beyond the levels is estimated: it follows.
         let plan = |more: &str| seastate::model::foam::Whiteness::new(&Plan::new(&params(&format!("{sea}{more}"))));
         let guess = plan(more).coverage;
-        assert!(guess / other < 2.0 && other / guess.max(1e-6) < 2.0 || other < 1e-3, "{more}: {other}, guessed {guess}");
+        assert!(
+            guess / other < 2.0 && other / guess.max(1e-6) < 2.0 || other < 1e-3,
+            "{more}: {other}, guessed {guess}"
+        );
     }
 }
 
@@ -289,7 +293,11 @@ impl Probe {
         sim.set_plan(device, queue, plan, &shaders);
         let state = seastate::model::query::write(p);
         let maps = read(&self.gpu, sim, p.clock.t_s);
-        let largest = maps.texels.iter().flatten().fold(0.0f32, |most, x| if x.is_finite() { most.max(x.abs()) } else { f32::NAN });
+        let largest = maps
+            .texels
+            .iter()
+            .flatten()
+            .fold(0.0f32, |most, x| if x.is_finite() { most.max(x.abs()) } else { f32::NAN });
         assert!(largest < 65504.0, "{state}: {largest}");
         assert!(sim.foam_coverage().is_finite(), "{state}");
     }

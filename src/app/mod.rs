@@ -12,10 +12,11 @@ mod viewport;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 
-use crate::model::statistics::Theory;
+use crate::model::statistics::{Resolved, Theory};
 use crate::model::{Params, Plan, query};
 use crate::ocean::Ocean;
 use faults::Faults;
+use std::cell::OnceCell;
 
 /// Longest step of the simulated time from one frame to the next, s: a page that was hidden goes on where it was.
 const LONGEST_STEP_S: f64 = 0.1;
@@ -25,13 +26,19 @@ struct Derived {
     of: Params,
     plan: Plan,
     theory: Theory,
+    /// Sums over all waves: only when somebody looks.
+    resolved: OnceCell<Resolved>,
 }
 
 impl Derived {
     fn new(params: &Params) -> Self {
         let plan = Plan::new(params);
         let theory = Theory::new(&plan);
-        Self { of: params.clone(), plan, theory }
+        Self { of: params.clone(), plan, theory, resolved: OnceCell::new() }
+    }
+
+    fn resolved(&self) -> &Resolved {
+        self.resolved.get_or_init(|| Resolved::new(&self.plan, self.theory.m0_m2))
     }
 }
 

@@ -47,7 +47,17 @@ fn read_outs(app: &mut App, ui: &mut egui::Ui) {
         value(ui, "Length", format!("{:.0} m", t.lambda_p_m), "Wavelength of the peak.");
         value(ui, "Tz", format!("{:.1} s", t.tm02_s), "Mean zero-crossing period, 2 pi sqrt(m0 / m2).");
         ui.end_row();
+        let from = t.mean_from_deg.map_or("none".to_owned(), |d| format!("{d:.0}°"));
+        value(ui, "From", from, "Mean direction that the waves come from, clockwise from north.");
+        value(
+            ui,
+            "Spread",
+            format!("{:.0}°", t.spread_deg),
+            "Directional spread sqrt(2 (1 - r1)), weighted by energy: 81° is no direction at all.",
+        );
+        ui.end_row();
     });
+    egui::CollapsingHeader::new("More numbers").show(ui, |ui| more_numbers(app, ui));
     ui.horizontal(|ui| {
         let clock = &mut app.params.clock;
         if ui.button(if clock.paused { "Play" } else { "Pause" }).clicked() {
@@ -60,6 +70,51 @@ fn read_outs(app: &mut App, ui: &mut egui::Ui) {
         if ui.button("Reset").on_hover_text("Every value back to its default.").clicked() {
             app.set_state("");
         }
+    });
+}
+
+/// Theory beside what the cascades hold.
+fn more_numbers(app: &App, ui: &mut egui::Ui) {
+    let (t, r) = (&app.derived.theory, app.derived.resolved());
+    egui::Grid::new("more numbers").num_columns(3).striped(true).show(ui, |ui| {
+        let mut row = |label: &str, theory: String, resolved: String, help: &str| {
+            ui.weak(label).on_hover_text(help);
+            ui.label(theory).on_hover_text(help);
+            ui.label(resolved).on_hover_text(help);
+            ui.end_row();
+        };
+        let none = String::new;
+        row("", "theory".into(), "computed".into(), "What the spectrum promises, and what the waves on the grid hold.");
+        row("Hs", format!("{:.3} m", t.hs_m), format!("{:.3} m", r.hs_m), "Significant wave height, 4 sqrt(m0).");
+        row("Tm01", format!("{:.2} s", t.tm01_s), format!("{:.2} s", r.tm01_s), "Mean period, 2 pi m0 / m1.");
+        row("Tm02", format!("{:.2} s", t.tm02_s), format!("{:.2} s", r.tm02_s), "Mean zero-crossing period.");
+        row("Mean length", format!("{:.1} m", t.lambda_mean_m), none(), "Wavelength of the mean period Tm01.");
+        row(
+            "Steepness",
+            format!("{:.4}", t.steepness),
+            none(),
+            "Hs over the wavelength of the peak; waves break near 0.07.",
+        );
+        row(
+            "Slopes",
+            format!("{:.4}", t.mss),
+            format!("{:.4}", r.mss),
+            &format!("Mean square slope of waves longer than {:.2} m.", std::f64::consts::TAU / t.k_max.max(1e-9)),
+        );
+        row("Spread", format!("{:.1}°", t.spread_deg), format!("{:.1}°", r.spread_deg), "Directional spread.");
+        row(
+            "Benjamin-Feir",
+            format!("{:.2}", t.benjamin_feir),
+            none(),
+            "Benjamin-Feir index: near 1 freak waves become likely in a narrow, long-crested sea (Janssen 2003).",
+        );
+        row(
+            "Whitecaps",
+            format!("{:.2} %", 100.0 * t.whitecap_fraction),
+            none(),
+            "Coverage by whitecaps at this wind (Monahan and O'Muircheartaigh 1980).",
+        );
+        row("Energy held", none(), format!("{:.2} %", 100.0 * r.m0_fraction), "Share of the variance on the grid.");
     });
 }
 

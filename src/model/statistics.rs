@@ -101,7 +101,7 @@ impl Theory {
                 let of = plan.systems.iter().map(|s| s.spectrum.density(w) * s.first_moment(w)[axis]);
                 of.sum::<f64>()
             };
-            over(&moment, low, high, 1e-6) / m0
+            over(&moment, low, high, 1e-5) / m0
         });
         let r1 = toward[0].hypot(toward[1]);
         let omega_p = peak(s, plan.omega_p);
@@ -132,8 +132,7 @@ impl Resolved {
     /// Sums over the lattices of a plan; `theory_m0` is what the fraction refers to.
     pub fn new(plan: &Plan, theory_m0: f64) -> Self {
         let mut sums = Sums::default();
-        for cascade in &plan.cascades {
-            let table = Table::new(plan, cascade);
+        for (cascade, table) in plan.cascades.iter().zip(Table::all(plan)) {
             let half = plan.n as i32 / 2;
             for iz in 1 - half..half {
                 for ix in 1 - half..half {
@@ -217,8 +216,7 @@ pub fn drawn(plan: &Plan, cascade: &Cascade, table: &Table, ix: i32, iz: i32) ->
 pub fn drawn_variance(plan: &Plan, t_s: f64) -> f64 {
     let phase_time = plan.phase_time(t_s);
     let mut total = 0.0;
-    for cascade in &plan.cascades {
-        let table = Table::new(plan, cascade);
+    for (cascade, table) in plan.cascades.iter().zip(Table::all(plan)) {
         let half = plan.n as i32 / 2;
         // A wave and its opposite make one pair: half of the lattice stands for all.
         for iz in 0..half {

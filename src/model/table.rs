@@ -59,11 +59,20 @@ pub fn index(ix: i32, iz: i32) -> usize {
 }
 
 impl Table {
-    /// Tabulates a cascade.
+    /// Tabulates all cascades of a plan.
+    pub fn all(plan: &Plan) -> Vec<Self> {
+        let norms: Vec<Norms> = plan.systems.iter().map(Norms::new).collect();
+        plan.cascades.iter().map(|c| Self::with_norms(plan, c, &norms)).collect()
+    }
+
+    /// Tabulates one cascade.
     pub fn new(plan: &Plan, cascade: &Cascade) -> Self {
+        Self::with_norms(plan, cascade, &plan.systems.iter().map(Norms::new).collect::<Vec<_>>())
+    }
+
+    fn with_norms(plan: &Plan, cascade: &Cascade, norms: &[Norms]) -> Self {
         let half = plan.n / 2;
         let (terms, stride) = terms(plan);
-        let norms: Vec<Norms> = plan.systems.iter().map(Norms::new).collect();
         let nothing = Wave { k: 0.0, turns: 1, omega: 0.0, orbit: 0.0 };
         let entries = len(plan.n);
         let mut out =
@@ -78,7 +87,7 @@ impl Table {
                     continue;
                 }
                 let wave = plan.wave(cascade, i2);
-                for (system, norms) in plan.systems.iter().zip(&norms) {
+                for (system, norms) in plan.systems.iter().zip(norms) {
                     let variance = 0.25 * plan.radial_variance(system, cascade, &wave);
                     push(&mut out.values, system, norms, variance, wave.omega);
                 }

@@ -107,8 +107,7 @@ impl Resources {
     pub fn upload_tables(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, plan: &Plan) -> bool {
         let mut values: Vec<[f32; 4]> = Vec::new();
         let mut waves = Vec::new();
-        for cascade in &plan.cascades {
-            let table = Table::new(plan, cascade);
+        for table in Table::all(plan) {
             values.extend(table.values.iter().map(|v| v.map(|x| x as f32)));
             waves.extend(table.waves.iter().map(|w| [w.turns, (w.orbit as f32).to_bits()]));
         }
