@@ -56,7 +56,7 @@ function native(state) {
 }
 
 const server = await serve(dist);
-const context = { test, out, origin: server.origin, native };
+const context = { test, out, top, origin: server.origin, native };
 
 await test('the page: small enough', () => {
   const name = readdirSync(dist).find((file) => file.endsWith('.wasm'));

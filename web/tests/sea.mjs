@@ -1,5 +1,6 @@
 // The sea itself: seen, moving, the same on every stack, and in step with the address.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { compareHalves, compareHeights } from './maps.mjs';
 import { SEA, change, crop, fromPng, measure, notASea, spread } from './stats.mjs';
@@ -108,6 +109,30 @@ export async function sea(context) {
       assert.ok(change(first, restored) < 0.02, `the picture is back: ${change(first, restored).toFixed(4)}`);
       await tab.evaluate(() => history.forward());
       await tab.until('the new wind again', () => new URLSearchParams(window.seastate.state()).get('wind') === '22');
+      assert.deepEqual(tab.errors, [], 'console errors');
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: a dropped buoy becomes the sea, a bad file changes nothing`, async () => {
+    const tab = await openSea(context, 'n=64&pause=1&t=20');
+    const drop = (files) => tab.evaluate((list) => {
+      const data = new DataTransfer();
+      for (const [name, text] of list) data.items.add(new File([text], name));
+      document.querySelector('canvas').dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+    }, files);
+    try {
+      const text = readFileSync(join(context.top, 'assets', 'spectra', 'two-systems.txt'), 'utf8');
+      await drop([['two-systems.txt', text]]);
+      await tab.until('the buoy in the address', () => new URLSearchParams(location.search).get('spectrum') === 'measured');
+      const state = await stateOf(tab);
+      assert.ok(state.measured.split('_').length > 30, state.measured);
+      await frames(tab, 3);
+      assert.deepEqual(notASea(crop(await shot(tab, 'buoy'), WATER)), []);
+      await drop([['bad.csv', '0.1,2\n0.2,1\n0.15,1\n']]);
+      await frames(tab, 3);
+      assert.deepEqual(await stateOf(tab), state);
       assert.deepEqual(tab.errors, [], 'console errors');
     } finally {
       await tab.close();
