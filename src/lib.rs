@@ -10,8 +10,8 @@
 //! - none: [`model`] (and [`oracle`]): spectra, plans, statistics, and the height of the sea at a point
 //!   ([`model::heights`]), in plain Rust without a GPU.
 //! - `gpu`: the simulation and the picture on a wgpu device that the program brings.
-//! - `app`: the eframe app that the page runs.
-//! - `desktop` (default): window and command line.
+//! - `app`: the eframe app of the page and the window.
+//! - `desktop` (default): the command line.
 
 #[cfg(feature = "app")]
 pub mod app;

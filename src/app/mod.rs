@@ -3,7 +3,7 @@
 mod camera;
 mod dropped;
 mod faults;
-#[cfg(all(feature = "desktop", not(target_arch = "wasm32")))]
+#[cfg(not(target_arch = "wasm32"))]
 pub mod native;
 mod panel;
 mod plots;

@@ -29,7 +29,7 @@
 //!   all waves of the plan, a few milliseconds at n = 128. More points of the FFT only add short waves: a plan with a small
 //!   `n` has nearly the same strongest ones.
 //! - **Accuracy**: the height of a particle is off by [`Heights::residual_rms_m`], known beforehand and Gaussian. In a gale
-//!   (20 m/s over 500 km, Hs 9.7 m) that is 16 % of Hs with 200 waves, 7.4 % with 1000, 2.3 % with 5000. At a point of the
+//!   (20 m/s over 500 km, Hs 9.7 m) that is 16 % of Hs with 200 waves, 7.5 % with 1000, 2.1 % with 5000. At a point of the
 //!   world it is up to a tenth more, as the waves left out also displace the water sideways. Slopes live in shorter waves
 //!   than heights: [`Heights::residual_slope_rms`] says how much of the normal is lost, which is most of it.
 //! - **Exactness**: phases are those of the GPU, in wrapping integers of time and reduced by the patch in space: as good
