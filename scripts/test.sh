@@ -5,7 +5,7 @@ set -euo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-STEPS=(format clippy clippy-page native page-tools page browsers)
+STEPS=(format clippy clippy-page library native page-tools page browsers)
 only=
 case ${1:-} in
   '') ;;
@@ -21,7 +21,19 @@ fi
 format() { cargo fmt --check && echo "rustfmt: clean"; }
 clippy() { cargo clippy --locked --all-targets -- -D warnings && echo "clippy: clean"; }
 clippy_page() {
-  cargo clippy --locked --lib --no-default-features --target wasm32-unknown-unknown -- -D warnings && echo "clippy (wasm): clean"
+  cargo clippy --locked --lib --no-default-features --features app --target wasm32-unknown-unknown -- -D warnings &&
+    echo "clippy (wasm): clean"
+}
+# The library by itself: it compiles, and nothing of GPUs, windows or files is in its tree.
+library() {
+  cargo clippy --locked --lib --no-default-features -- -D warnings || return 1
+  local tree unwanted
+  tree=$(cargo tree --locked --no-default-features --edges normal --prefix none --target all) || return 1
+  if unwanted=$(grep -E '^(wgpu|naga|egui|eframe|winit|exr|image|clap|web-sys|wasm-bindgen)' <<<"$tree"); then
+    printf 'the library alone depends on:\n%s\n' "$unwanted" >&2
+    return 1
+  fi
+  echo "library: clean, $(sort -u <<<"$tree" | wc -l) packages"
 }
 native() { cargo test --locked --no-fail-fast; }
 page_tools() { (cd web/tests && node --test); }

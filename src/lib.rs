@@ -5,14 +5,26 @@
 //! - `dir` is where the wind comes from, degrees clockwise from north; the waves run the other way.
 //! - S(omega) is the one-sided variance density of the elevation, m^2 s; its integral is m0, and Hs = 4 sqrt(m0).
 //! - Light is linear until the last shader; depth is reverse-Z.
+//!
+//! Features, each holding the one before:
+//! - none: [`model`] (and [`oracle`]): spectra, plans, statistics, and the height of the sea at a point
+//!   ([`model::heights`]), in plain Rust without a GPU.
+//! - `gpu`: the simulation and the picture on a wgpu device that the program brings.
+//! - `app`: the eframe app of the page and the window.
+//! - `desktop` (default): the command line.
 
+#[cfg(feature = "app")]
 pub mod app;
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(all(feature = "desktop", not(target_arch = "wasm32")))]
 pub mod cli;
+#[cfg(feature = "gpu")]
 pub mod gpu;
 pub mod model;
+#[cfg(feature = "gpu")]
 pub mod ocean;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod oracle;
+#[cfg(feature = "gpu")]
 pub mod render;
+#[cfg(feature = "gpu")]
 pub mod sim;

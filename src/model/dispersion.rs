@@ -116,9 +116,8 @@ mod tests {
     fn known_speeds() {
         // The slowest wave on water: 0.23 m/s at 370 rad/m (Elfouhaily et al. 1997); 2 m of water under a long wave.
         let capillary = Dispersion::new(&Sea { dispersion: DispersionKind::Capillary, ..Sea::default() });
-        let slowest = (100..1000)
-            .map(|k| f64::from(k))
-            .min_by(|a, b| (capillary.omega(*a) / a).total_cmp(&(capillary.omega(*b) / b)));
+        let slowest =
+            (100..1000).map(f64::from).min_by(|a, b| (capillary.omega(*a) / a).total_cmp(&(capillary.omega(*b) / b)));
         assert!((slowest.unwrap() - 365.0).abs() < 6.0 && (capillary.omega(370.0) / 370.0 - 0.231).abs() < 0.002);
         let shallow = Dispersion::finite(9.81, 2.0);
         assert!((shallow.omega(0.05) - 0.221).abs() < 0.001, "errata W1");

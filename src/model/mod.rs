@@ -8,6 +8,7 @@ pub mod dispersion;
 pub mod energy;
 pub mod fields;
 pub mod foam;
+pub mod heights;
 pub mod measured;
 pub mod noise;
 pub mod params;
@@ -20,5 +21,6 @@ pub mod statistics;
 pub mod table;
 pub mod waves;
 
+pub use heights::Heights;
 pub use params::Params;
 pub use plan::Plan;

@@ -230,8 +230,7 @@ impl Plan {
     /// The phase of all waves at time `t_s`: t / period in units of 2^-32, wrapped. A wave's phase in turns is its
     /// `turns` times this, in wrapping 32-bit arithmetic: exact after hours, and a loop closes bit for bit.
     pub fn phase_time(&self, t_s: f64) -> u32 {
-        let turn = (t_s / self.period_s).rem_euclid(1.0);
-        (turn * 4_294_967_296.0).round() as u64 as u32
+        phase_time(self.period_s, t_s)
     }
 }
 
@@ -240,6 +239,12 @@ fn scale_all(systems: &mut [WaveSystem], factor: f64) {
     for system in systems {
         system.spectrum = system.spectrum.clone().scaled(factor);
     }
+}
+
+/// [`Plan::phase_time`] for a period in s.
+pub fn phase_time(period_s: f64, t_s: f64) -> u32 {
+    let turn = (t_s / period_s).rem_euclid(1.0);
+    (turn * 4_294_967_296.0).round() as u64 as u32
 }
 
 fn support(systems: &[WaveSystem]) -> (f64, f64) {
