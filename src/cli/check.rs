@@ -52,6 +52,10 @@ mod tolerance {
     pub const FOAM: f64 = 5e-3;
 }
 
+/// Half floats are 2^-24 apart or more. A texel of four that are cut off there is off by up to 2^-23, 2^-11 of this:
+/// errors in smaller numbers (the slopes of the longest waves of a calm sea) count against it.
+const SMALLEST_HALF: f64 = 2.441_406_25e-4;
+
 /// Runs all passes of a state at its time. `shaders` are the program's own, or a test's with a fault.
 ///
 /// # Errors
@@ -112,7 +116,8 @@ pub async fn run(gpu: &Gpu, params: &Params, shaders: &Shaders) -> Result<Vec<Li
     for (c, want) in maps.iter().enumerate() {
         for (pair, what) in [(0, "maps displacement"), (1, "maps gradients")] {
             let got = level0[pair][c * n * n..][..n * n].iter().copied();
-            lines.push(line(what, c, error(got, want[pair].iter().copied()), tolerance::HALF));
+            let rms = root_mean_square(want[pair].iter().copied()).max(SMALLEST_HALF);
+            lines.push(line(what, c, distance(got, want[pair].iter().copied()) / rms, tolerance::HALF));
         }
     }
     for level in 1..r.mips() {
@@ -134,7 +139,7 @@ pub async fn run(gpu: &Gpu, params: &Params, shaders: &Shaders) -> Result<Vec<Li
                 let want = oracle::maps::mip(above, &from);
                 let got = got[c * below * below..][..below * below].iter().copied();
                 // A wave that the mean removes leaves rounding behind: errors count against the level above.
-                let rms = root_mean_square(from.iter().copied());
+                let rms = root_mean_square(from.iter().copied()).max(SMALLEST_HALF);
                 lines.push(line(what, c, distance(got, want.iter().copied()) / rms, tolerance::MIP));
             }
         }
