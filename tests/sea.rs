@@ -286,6 +286,9 @@ impl Probe {
     /// Fails if a map of a sea, in f32 or in half floats, holds anything but finite numbers.
     fn assert_finite(&mut self, p: &Params) {
         let plan = Plan::new(p);
+        let t = statistics::Theory::new(&plan);
+        let numbers = [t.hs_m, t.tp_s, t.tm01_s, t.tm02_s, t.lambda_mean_m, t.mss, t.spread_deg, t.benjamin_feir];
+        assert!(numbers.iter().all(|x| x.is_finite() && *x >= 0.0), "{t:?}");
         let (device, queue) = (&self.gpu.device, &self.gpu.queue);
         let shaders = Shaders::default();
         let sim = self.sims[plan.cascades.len()]

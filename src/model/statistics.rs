@@ -107,18 +107,19 @@ impl Theory {
         let omega_p = peak(s, plan.omega_p);
         let k_p = waves.wave_number(omega_p);
         let peakedness = 2.0 / (m0 * m0) * over(&|w| w * s(w).powi(2), low, high, 1e-6);
-        let tm01_s = TAU * m0_held / m1;
+        // Cascades by hand may hold nothing of the sea.
+        let tm01_s = if m1 > 0.0 { TAU * m0_held / m1 } else { 0.0 };
         let hs_m = 4.0 * m0.sqrt();
         Self {
             m0_m2: m0,
             hs_m,
             tp_s: TAU / omega_p,
             tm01_s,
-            tm02_s: TAU * (m0_held / m2).sqrt(),
+            tm02_s: if m2 > 0.0 { TAU * (m0_held / m2).sqrt() } else { 0.0 },
             lambda_p_m: TAU / k_p,
-            lambda_mean_m: TAU / waves.wave_number(TAU / tm01_s),
+            lambda_mean_m: if tm01_s > 0.0 { TAU / waves.wave_number(TAU / tm01_s) } else { 0.0 },
             steepness: hs_m * k_p / TAU,
-            mss,
+            mss: mss.max(0.0),
             k_max,
             mean_from_deg: (r1 > NO_DIRECTION).then(|| from_deg(toward)),
             spread_deg: spread_deg(r1),
