@@ -13,6 +13,8 @@ pub use super::cascades::Cascade;
 const DEPTH_LIMIT: f64 = 0.6;
 /// Variance of the strain beyond which the numbers leave the range of half floats.
 const MOST_STRAIN: f64 = 25.0;
+/// Variance below which there are no waves, m^2: a hundredth of a millimetre.
+const LEAST_M2: f64 = 1e-12;
 /// Cells from the origin within which S is averaged over a cell.
 const COARSE_CELLS: f64 = 40.0;
 /// Four-point Gauss-Legendre rule over [-1/2, 1/2].
@@ -85,6 +87,11 @@ impl Plan {
         }
         systems.retain(|s| !s.spectrum.is_calm());
         let mut energy = integrate(&systems, &dispersion);
+        if energy.m0() < LEAST_M2 && !systems.is_empty() {
+            notices.push("nothing is left of the waves: their short-wave fade is longer than they are".into());
+            systems.clear();
+            energy = integrate(&systems, &dispersion);
+        }
         let hs = 4.0 * energy.m0().sqrt();
         let limit = DEPTH_LIMIT * sea.depth_m;
         if hs > limit {
