@@ -16,6 +16,8 @@ const RAMP: f64 = 0.5;
 
 /// More than this the whitecaps of no wind cover.
 const MOST_COVERED: f64 = 0.9;
+/// (1 - r2^2) / 4 for the spread of short waves.
+const DETERMINANT: f64 = 0.2;
 /// Texel at which a given threshold is meant, m; coarser levels are as rare.
 const REFERENCE_TEXEL_M: f64 = 0.25;
 /// Below this standard deviation of the Jacobian the water is flat.
@@ -33,7 +35,7 @@ pub struct Source {
 /// The foam of a sea: how rare the squeezed water is that it forms on, and how much comes of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Whiteness {
-    /// Standard deviations of the Jacobian below 1 at which foam begins; infinite where there is none.
+    /// Standard deviations of the strain below 0 at which foam begins; infinite where there is none.
     rarity: f64,
     /// Mean foam that is to be expected.
     pub coverage: f64,
@@ -51,11 +53,11 @@ impl Whiteness {
         if sigma < FLAT {
             return none;
         }
-        let rarity = match foam.whitecaps {
-            Whitecaps::Fixed => (1.0 - foam.threshold) / sigma,
+        let mut rarity = match foam.whitecaps {
+            Whitecaps::Fixed => rarity_of(foam.threshold, sigma),
             Whitecaps::Monahan if wanted <= 0.0 => return none,
             Whitecaps::Monahan => {
-                // J is nearly Gaussian around 1: find the z with E[clamp((Z - z) / RAMP, 0, 1)] = wanted.
+                // Find the z with E[clamp((Z - z) / RAMP, 0, 1)] = wanted.
                 let (mut low, mut high) = (-2.0, 8.0);
                 for _ in 0..60 {
                     let z = 0.5 * (low + high);
@@ -63,7 +65,10 @@ impl Whiteness {
                 }
                 low
             }
-        } - foam.bias / sigma;
+        };
+        if foam.bias != 0.0 {
+            rarity = rarity_of(jacobian(rarity, sigma) + foam.bias, sigma);
+        }
         let foamy = FACTOR * (foam.rate_per_s * foam.decay_s).powf(POWER) * ramp_mean(rarity);
         Self { rarity, coverage: foamy / (1.0 + foamy) }
     }
@@ -75,11 +80,29 @@ impl Whiteness {
         if sigma < FLAT || self.rarity.is_infinite() {
             return Source { threshold: -1e3, slope: 0.0 };
         }
-        Source { threshold: 1.0 - self.rarity * sigma, slope: 1.0 / (RAMP * sigma) }
+        let threshold = jacobian(self.rarity, sigma);
+        Source { threshold, slope: 1.0 / (threshold - jacobian(self.rarity + RAMP, sigma)).max(0.05 * sigma) }
     }
 }
 
-/// Standard deviation of the Jacobian on a grid of `texel_m`; strain along x and z counts with the chop there.
+/// The Jacobian where the strain dDx/dx + dDz/dz is `rarity` standard deviations below 0. It is 1 + strain + determinant;
+/// given the strain s, the determinant's mean is (s^2 - sigma^2) (1 - r2^2) / 4 with r2 the second directional moment (0 for
+/// long-crested waves, 1/4 for isotropic ones).
+fn jacobian(rarity: f64, sigma: f64) -> f64 {
+    1.0 - rarity * sigma + DETERMINANT * (rarity * rarity - 1.0) * sigma * sigma
+}
+
+/// Its inverse, on the branch where squeezed water is rare.
+fn rarity_of(threshold: f64, sigma: f64) -> f64 {
+    let (mut low, mut high) = (-8.0f64, (0.5 / (DETERMINANT * sigma)).min(12.0));
+    for _ in 0..60 {
+        let z = 0.5 * (low + high);
+        if jacobian(z, sigma) > threshold { low = z } else { high = z }
+    }
+    low
+}
+
+/// Standard deviation of the strain on a grid of `texel_m`; strain along x and z counts with the chop there.
 fn deviation(plan: &Plan, texel_m: f64) -> f64 {
     let [lx, lz] = plan.sea.lambda();
     (0.5 * (lx * lx + lz * lz) * plan.strain_variance(texel_m)).sqrt()
