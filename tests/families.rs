@@ -47,7 +47,10 @@ fn faults(state: &str, symmetric: bool) -> Vec<String> {
     check("resolved m0 is that of the bands within 1 %", (r.m0_fraction - captured).abs() < 0.01);
     check("what is not captured is stated", captured > 0.99 || plan.notices.iter().any(|n| n.contains("hold")));
     check("mss within 2 %", (r.mss / t.mss - 1.0).abs() < 0.02);
-    check("Tm01 and Tm02 within 1 %", (r.tm01_s / t.tm01_s - 1.0).abs() < 0.01 && (r.tm02_s / t.tm02_s - 1.0).abs() < 0.01);
+    check(
+        "Tm01 and Tm02 within 1 %",
+        (r.tm01_s / t.tm01_s - 1.0).abs() < 0.01 && (r.tm02_s / t.tm02_s - 1.0).abs() < 0.01,
+    );
     check("spread within 5 %", (r.spread_deg / t.spread_deg - 1.0).abs() < 0.05);
     if symmetric {
         check("no direction", r.r1 < 0.01 && t.mean_from_deg.is_none() && r.mean_from_deg.is_none());
@@ -65,7 +68,8 @@ fn all_pairs(spectra: &[&str]) {
     for spectrum in spectra {
         for spread in words("spread") {
             for (wind, fetch, depth) in STATES {
-                let state = format!("spectrum={spectrum}&spread={spread}&wind={wind}&fetch={fetch}&depth={depth}&dir=205");
+                let state =
+                    format!("spectrum={spectrum}&spread={spread}&wind={wind}&fetch={fetch}&depth={depth}&dir=205");
                 wrong.extend(faults(&state, is_symmetric(spectrum, spread)));
             }
         }

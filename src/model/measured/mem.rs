@@ -35,6 +35,14 @@ impl Mem {
         Self { phi1, phi2, norm: free * (1.0 - size2(phi2)) / TAU }
     }
 
+    /// c1, as the distribution has it.
+    pub fn first_moment(&self) -> [f64; 2] {
+        // phi1 = c1 - phi2 c1*, solved for c1.
+        let turned = times(self.phi2, [self.phi1[0], -self.phi1[1]]);
+        let rest = 1.0 - size2(self.phi2);
+        [(self.phi1[0] + turned[0]) / rest, (self.phi1[1] + turned[1]) / rest]
+    }
+
     /// D(theta), per rad, theta as in the moments.
     pub fn density(&self, theta: f64) -> f64 {
         let (sin, cos) = theta.sin_cos();
