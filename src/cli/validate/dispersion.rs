@@ -115,7 +115,8 @@ pub fn write(page: &mut Page, lab: &Lab<'_>) -> Result<(), String> {
         "A sea whose waves all run with the wind (`cos2-positive`), at two times: the angle between the two coefficients of a \
          wave, in the transforms of the f32 maps, is its phase advance, and that over k Δt its speed. Nothing of the theory \
          enters but which way the waves run. The frequencies are \
-         rounded to multiples of 2π per day, at most 0.01 % of the frequency of a wave of 17 s: that is the worst deviation.",
+         rounded to multiples of 2π per day, at most 0.01 % of the frequency of a wave of 17 s: that is most of the \
+         worst deviations, but for the ripples, where it is the rounding of f32 in weak waves.",
     );
     page.figure(
         "dispersion",

@@ -30,7 +30,7 @@ pub struct Options {
     #[arg(short, long, default_value = "docs")]
     pub output: PathBuf,
     /// Seeds to measure over
-    #[arg(long, default_value_t = 16, value_parser = clap::value_parser!(u32).range(2..=10_000))]
+    #[arg(long, default_value_t = 12, value_parser = clap::value_parser!(u32).range(2..=10_000))]
     pub seeds: u32,
     /// Writes validation-all.md instead: every spectrum with every spreading over thirteen sea states
     #[arg(long)]

@@ -33,12 +33,17 @@ struct Band {
     r1: f64,
 }
 
+/// Mean of a quantity over the band around a frequency, weighted by S.
+fn band_mean(plan: &Plan, omega: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let ends = [(1.0 - REACH) * omega, 0.95 * omega, omega, (1.0 + REACH) * omega];
+    let s = |w: f64| plan.density(w);
+    panels(|w| s(w) * f(w), &ends, 1) / panels(s, &ends, 1)
+}
+
 fn theory(plan: &Plan, ratio: f64) -> Band {
     let system = &plan.systems[0];
     let omega = ratio * plan.omega_p;
-    let ends = [(1.0 - REACH) * omega, omega, (1.0 + REACH) * omega];
-    let s = |w: f64| system.spectrum.density(w);
-    let r1 = panels(|w| s(w) * system.spreading.first_moment(w), &ends, 4) / panels(s, &ends, 4);
+    let r1 = band_mean(plan, omega, |w| system.spreading.first_moment(w));
     let knots = [-PI, -0.5 * PI, -0.5, 0.0, 0.5, 0.5 * PI, PI];
     Band { integral: adaptive(|theta| system.spreading.density(omega, theta), &knots, 1e-10), r1 }
 }
@@ -51,7 +56,7 @@ fn figure(name: &str, sea: &Sea, even: &Sea) -> Figure {
     for (i, ratio_p) in RATIOS.into_iter().enumerate() {
         let omega = ratio_p * sea.plan.omega_p;
         let label = if ratio_p == 1.0 { "at ω_p".to_owned() } else { format!("at {ratio_p} ω_p") };
-        let line = curve(&x, 240, |deg| spreading.density(omega, deg.to_radians()));
+        let line = curve(&x, 240, |deg| band_mean(&sea.plan, omega, |w| spreading.density(w, deg.to_radians())));
         curves.push(Series::new(&label, i, Mark::Line(line)));
         if sea.measured.is_some() {
             points.push(Series::new("", i, Mark::Points(seen(sea, even, i))));
@@ -102,7 +107,7 @@ pub fn write(page: &mut Page, lab: &Lab<'_>) -> Result<(), String> {
         names.iter().zip(&seas).map(|(name, sea)| (format!("spread-{name}"), figure(name, sea, &seas[0]))).collect();
     page.gallery(
         &figures,
-        "Directional distribution at one, two and four times the peak frequency: theory (lines) and measured on the GPU \
+        "Directional distribution at one, two and four times the peak frequency, averaged over the bands: theory (lines) and measured on the GPU \
          (points with standard errors). Sources: Mitsuyasu et al. 1975; Hasselmann, Dunckel and Ewing 1980; Donelan et al. \
          1985 with Banner 1990; Elfouhaily et al. 1997; SEA.md lists the rest.",
     )?;
