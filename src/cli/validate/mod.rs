@@ -5,6 +5,7 @@
 mod all;
 mod depth;
 mod dispersion;
+mod draw;
 mod figure;
 mod lab;
 pub mod page;

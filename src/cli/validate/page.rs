@@ -90,7 +90,7 @@ impl Page {
         &self.figures
     }
 
-    /// Writes `name`.md and the folder of its figures, without those of an earlier page that are gone.
+    /// Writes `name`.md and the folder of its figures.
     ///
     /// # Errors
     /// If a file cannot be written.
@@ -98,7 +98,7 @@ impl Page {
         let save = |path: &Path, text: &str| {
             std::fs::write(path, text).map_err(|e| format!("cannot write {}: {e}", path.display()))
         };
-        let drawn = folder.join("validation");
+        let drawn = if self.figures.is_empty() { folder.to_owned() } else { folder.join("validation") };
         std::fs::create_dir_all(&drawn).map_err(|e| format!("cannot make {}: {e}", drawn.display()))?;
         for (figure, svg) in &self.figures {
             save(&drawn.join(format!("{figure}.svg")), svg)?;

@@ -36,12 +36,12 @@ fn slopes(page: &mut Page, lab: &Lab<'_>) -> Result<(), String> {
     let x = Axis::linear("wind at 10 m, m/s", 0.0, 25.0);
     let band = (0..=25)
         .map(f64::from)
-        .map(|u| [u, (cox_munk_mss(u) - SCATTER).max(1e-4), cox_munk_mss(u) + SCATTER])
+        .map(|u| [u, (cox_munk_mss(u) - SCATTER).max(5e-4), cox_munk_mss(u) + SCATTER])
         .collect();
     let mut figure = Figure::new(
         "Mean square slope against wind",
         x.clone(),
-        Axis::log("mean square slope", 3e-3, 1.0),
+        Axis::log("mean square slope", 5e-4, 1.0),
         Legend::LowerRight,
     )
     .with(Series::new("Cox and Munk 1954, ± 0.004", 6, Mark::Band(band)))
