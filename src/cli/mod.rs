@@ -5,6 +5,7 @@ pub mod check;
 pub mod export;
 pub mod render;
 pub mod stats;
+pub mod validate;
 
 use crate::gpu::device::Gpu;
 use crate::model::fields::FIELDS;
@@ -121,6 +122,8 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Writes the validation page and its figures: the program's numbers against theory and published measurements
+    Validate(validate::Options),
     /// Lists the keys of the state string
     Keys,
 }
@@ -173,6 +176,7 @@ fn run(cli: Cli) -> Result<i32, String> {
             let report = pollster::block_on(bench::run(&sea.read_aloud()?, size, repeat))?;
             print(&if json { report.json() } else { report.to_string() })
         }
+        Some(Command::Validate(options)) => validate::run(&options).and_then(|said| print(&said)),
         Some(Command::Keys) => print(&keys()),
     }
 }

@@ -83,7 +83,7 @@ pub async fn run(gpu: &Gpu, params: &Params, seeds: u32) -> Result<Report, Strin
 }
 
 /// What one seed gives.
-struct Sample {
+pub(super) struct Sample {
     variance: f64,
     mean: f64,
     mss: f64,
@@ -93,12 +93,38 @@ struct Sample {
     parseval_error: f64,
 }
 
+/// A wave that travels along its wave vector, as two looks show it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Travelling {
+    /// Variance, m^2.
+    pub variance: f64,
+    /// Wave number, rad/m.
+    pub k: f64,
+    /// Angular frequency, rad/s.
+    pub omega: f64,
+    /// Unit vector of travel (x, z).
+    pub unit: [f64; 2],
+}
+
 async fn measure(gpu: &Gpu, params: &Params, plan: &Plan, seeds: u32) -> Result<Measured, String> {
+    let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan.clone(), &Shaders::default());
+    let whitecap_fraction = whitecaps(gpu, &mut sim, params.clock.t_s).await?;
+    let samples = ensemble(gpu, &mut sim, params, seeds, &mut |_, _| ()).await?;
+    Ok(Measured { whitecap_fraction, ..summary(&samples) })
+}
+
+/// One sample per seed; `visit` sees every wave of every seed (counted from 0).
+pub(super) async fn ensemble(
+    gpu: &Gpu,
+    sim: &mut Simulation,
+    params: &Params,
+    seeds: u32,
+    visit: &mut dyn FnMut(usize, &Travelling),
+) -> Result<Vec<Sample>, String> {
     let shaders = Shaders::default();
     let (device, queue) = (&gpu.device, &gpu.queue);
     let t_s = params.clock.t_s;
-    let mut sim = Simulation::new(device, queue, plan.clone(), &shaders);
-    let whitecap_fraction = whitecaps(gpu, &mut sim, t_s).await?;
+    let plan = Plan::new(params);
     let look_s = LOOK_RAD / plan.dispersion.omega(plan.k_max());
     let mut samples = Vec::new();
     for i in 0..seeds {
@@ -108,8 +134,13 @@ async fn measure(gpu: &Gpu, params: &Params, plan: &Plan, seeds: u32) -> Result<
         sim.set_plan(device, queue, plan.clone(), &shaders);
         let now = sim.read_f32(device, queue, t_s).await?;
         let later = sim.read_f32(device, queue, t_s + look_s).await?;
-        samples.push(sample(&plan, &now, &later, [t_s, t_s + look_s]));
+        samples.push(sample(&plan, &now, &later, [t_s, t_s + look_s], &mut |wave| visit(i as usize, wave)));
     }
+    Ok(samples)
+}
+
+/// Means and standard errors over the seeds.
+pub(super) fn summary(samples: &[Sample]) -> Measured {
     let over = |f: fn(&Sample) -> f64| estimate(&samples.iter().map(f).collect::<Vec<_>>());
     let variance = over(|s| s.variance);
     let hs_m = 4.0 * variance.value.sqrt();
@@ -125,7 +156,7 @@ async fn measure(gpu: &Gpu, params: &Params, plan: &Plan, seeds: u32) -> Result<
     let off = ratio(&across, &along).scaled(180.0 / PI);
     let spread_deg = statistics::spread_deg(r1.value);
     let tm02 = ratio(&m0, &m2);
-    Ok(Measured {
+    Measured {
         hs_m: variance.mapped(hs_m, 0.5 * hs_m / variance.value.max(f64::MIN_POSITIVE)),
         mean_m: over(|s| s.mean),
         mss: over(|s| s.mss),
@@ -136,13 +167,13 @@ async fn measure(gpu: &Gpu, params: &Params, plan: &Plan, seeds: u32) -> Result<
         spread_deg: r1.mapped(spread_deg, 180.0 / PI / spread_deg.to_radians().max(1e-9)),
         skewness: over(|s| s.skewness),
         kurtosis: over(|s| s.kurtosis),
-        whitecap_fraction,
+        whitecap_fraction: 0.0,
         parseval_error: samples.iter().map(|s| s.parseval_error).fold(0.0, f64::max),
-        seeds,
-    })
+        seeds: samples.len() as u32,
+    }
 }
 
-fn sample(plan: &Plan, now: &MapsF32, later: &MapsF32, times: [f64; 2]) -> Sample {
+fn sample(plan: &Plan, now: &MapsF32, later: &MapsF32, times: [f64; 2], visit: &mut dyn FnMut(&Travelling)) -> Sample {
     let (mut variance, mut mean, mut mss) = (0.0, 0.0, 0.0);
     let count = (now.n * now.n) as f64;
     let mut travelling = Sums::default();
@@ -151,7 +182,10 @@ fn sample(plan: &Plan, now: &MapsF32, later: &MapsF32, times: [f64; 2]) -> Sampl
         mean += sum;
         variance += now.displacement(c).iter().map(|d| (f64::from(d[1]) - sum).powi(2)).sum::<f64>() / count;
         mss += now.gradients(c).iter().map(|g| f64::from(g[0]).powi(2) + f64::from(g[1]).powi(2)).sum::<f64>() / count;
-        travel(plan, cascade, [now, later].map(|m| m.displacement(c)), times, &mut travelling);
+        travel(plan, cascade, [now, later].map(|m| m.displacement(c)), times, &mut |wave| {
+            travelling.add(wave.variance, wave.k, wave.omega, wave.unit);
+            visit(wave);
+        });
     }
     let drawn = statistics::drawn_variance(plan, times[0]);
     let (skewness, kurtosis) = shape(plan, now);
@@ -160,15 +194,17 @@ fn sample(plan: &Plan, now: &MapsF32, later: &MapsF32, times: [f64; 2]) -> Sampl
     Sample { variance, mean, mss, skewness, kurtosis, travelling, parseval_error }
 }
 
-/// Adds the waves of a cascade as two looks show them: with X(k, t) = A e^{-i w t} + B* e^{+i w t} at both times, A is the
+/// Visits the waves of a cascade as two looks show them: with X(k, t) = A e^{-i w t} + B* e^{+i w t} at both times, A is the
 /// wave that travels along k, and its variance 2 |A|^2.
-fn travel(plan: &Plan, cascade: &Cascade, looks: [&[[f32; 4]]; 2], times: [f64; 2], sums: &mut Sums) {
+fn travel(
+    plan: &Plan,
+    cascade: &Cascade,
+    looks: [&[[f32; 4]]; 2],
+    times: [f64; 2],
+    visit: &mut dyn FnMut(&Travelling),
+) {
     let n = plan.n as usize;
-    let [first, second] = looks.map(|d| {
-        let heights: Vec<[f64; 2]> = d.iter().map(|d| [f64::from(d[1]), 0.0]).collect();
-        // The inverse transform of real heights is the conjugate of the forward one.
-        transform::inverse_2d(n, &heights)
-    });
+    let [first, second] = looks.map(|d| heights_transform(n, d));
     let passed = plan.phase_time(times[1]).wrapping_sub(plan.phase_time(times[0]));
     let scale = 1.0 / (n * n) as f64;
     for z in 0..n {
@@ -188,16 +224,32 @@ fn travel(plan: &Plan, cascade: &Cascade, looks: [&[[f32; 4]]; 2], times: [f64; 
             let amplitude = scale / (2.0 * sin);
             let variance = 2.0 * (re * re + im * im) * amplitude * amplitude;
             let unit = [f64::from(ix), f64::from(iz)].map(|i| i * cascade.dk() / wave.k);
-            sums.add(variance, wave.k, wave.omega, unit);
+            visit(&Travelling { variance, k: wave.k, omega: wave.omega, unit });
         }
     }
+}
+
+/// The transform of a map's heights: the inverse one, which for real values is the conjugate of the forward one.
+pub(super) fn heights_transform(n: usize, displacement: &[[f32; 4]]) -> Vec<[f64; 2]> {
+    let heights: Vec<[f64; 2]> = displacement.iter().map(|d| [f64::from(d[1]), 0.0]).collect();
+    transform::inverse_2d(n, &heights)
 }
 
 /// Skewness and kurtosis of the displaced surface. The cascades are independent of each other and each is the same
 /// everywhere in the mean, so that a point of the sum is one point of each, picked at random: no interpolation.
 fn shape(plan: &Plan, maps: &MapsF32) -> (f64, f64) {
-    let n = maps.n as u32;
     let mut sums = [0.0; 5];
+    points(plan, maps, &mut |eta, weight| {
+        for (power, sum) in sums.iter_mut().enumerate() {
+            *sum += weight * eta.powi(power as i32);
+        }
+    });
+    moments(sums)
+}
+
+/// Elevation and Jacobian of random points of the sum of cascades.
+pub(super) fn points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f64)) {
+    let n = maps.n as u32;
     for i in 0..POINTS {
         let (mut eta, mut strain) = (0.0, [0.0; 3]);
         for c in 0..maps.cascades() {
@@ -209,11 +261,12 @@ fn shape(plan: &Plan, maps: &MapsF32) -> (f64, f64) {
             strain[1] += f64::from(g[3]);
             strain[2] += f64::from(d[3]);
         }
-        let weight = jacobian(strain, plan.sea.lambda());
-        for (power, sum) in sums.iter_mut().enumerate() {
-            *sum += weight * eta.powi(power as i32);
-        }
+        visit(eta, jacobian(strain, plan.sea.lambda()));
     }
+}
+
+/// Skewness and kurtosis from sums of powers 0 to 4.
+fn moments(sums: [f64; 5]) -> (f64, f64) {
     let [m1, m2, m3, m4] = [1, 2, 3, 4].map(|p| sums[p] / sums[0]);
     let variance = m2 - m1 * m1;
     if variance <= 0.0 {
@@ -247,7 +300,8 @@ pub(super) async fn foam_levels(
     Ok(texels.chunks(size * size).map(|level| level.iter().map(|t| t[0].to_f32()).collect()).collect())
 }
 
-fn estimate(values: &[f64]) -> Estimate {
+/// Mean and standard error.
+pub(super) fn estimate(values: &[f64]) -> Estimate {
     let count = values.len() as f64;
     let value = values.iter().sum::<f64>() / count;
     let spread = values.iter().map(|v| (v - value).powi(2)).sum::<f64>();
@@ -255,7 +309,7 @@ fn estimate(values: &[f64]) -> Estimate {
 }
 
 /// The ratio of two means and its standard error, to first order.
-fn ratio(above: &[f64], below: &[f64]) -> Estimate {
+pub(super) fn ratio(above: &[f64], below: &[f64]) -> Estimate {
     let mean = below.iter().sum::<f64>() / below.len() as f64;
     if mean == 0.0 {
         return Estimate { value: 0.0, error: None };
@@ -266,12 +320,13 @@ fn ratio(above: &[f64], below: &[f64]) -> Estimate {
 }
 
 impl Estimate {
-    fn scaled(self, factor: f64) -> Self {
+    /// The estimate times a factor.
+    pub fn scaled(self, factor: f64) -> Self {
         self.mapped(factor * self.value, factor)
     }
 
     /// A function of the estimate: its value there, and its derivative.
-    fn mapped(self, value: f64, derivative: f64) -> Self {
+    pub fn mapped(self, value: f64, derivative: f64) -> Self {
         Self { value, error: self.error.map(|e| e * derivative.abs()) }
     }
 }

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 /// Mean foam F that a mean source m leaves: F / (1 - F) = FACTOR (growth x decay)^POWER m. Fitted to the GPU over winds of 7
 /// to 30 m/s, all levels, and growth x decay of 1 to 50: foam outlives its source, but does not grow on what is white.
-const FACTOR: f64 = 0.9;
+const FACTOR: f64 = 1.03;
 const POWER: f64 = 0.73;
 /// Growth times decay of the defaults, for which the whitecap coverage of the wind comes out.
 const DEFAULT_LIFE: f64 = 8.0;

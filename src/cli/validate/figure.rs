@@ -1,0 +1,169 @@
+//! One clean style of figure: axes, curves, points with their errors, shaded ranges, bars.
+
+/// One axis: label with unit, range, logarithmic or not.
+#[derive(Clone, Debug)]
+pub struct Axis {
+    pub(super) label: String,
+    pub(super) low: f64,
+    pub(super) high: f64,
+    log: bool,
+}
+
+/// What a series looks like.
+#[derive(Clone, Debug)]
+pub enum Mark {
+    /// A curve.
+    Line(Vec<[f64; 2]>),
+    /// A dashed curve.
+    Dashes(Vec<[f64; 2]>),
+    /// x, y and the standard error of y.
+    Points(Vec<[f64; 3]>),
+    /// x, low and high y.
+    Band(Vec<[f64; 3]>),
+    /// Low and high x, y.
+    Bars(Vec<[f64; 3]>),
+}
+
+/// A series with its place among the colours; without a label it is not in the legend.
+#[derive(Clone, Debug)]
+pub struct Series {
+    pub(super) label: String,
+    pub(super) colour: usize,
+    pub(super) mark: Mark,
+}
+
+/// Where the legend stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Legend {
+    /// Top left.
+    Left,
+    /// Top right.
+    Right,
+    /// Bottom left.
+    LowerLeft,
+    /// Bottom right.
+    LowerRight,
+}
+
+/// A figure.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    pub(super) title: String,
+    pub(super) axes: [Axis; 2],
+    pub(super) legend: Legend,
+    pub(super) series: Vec<Series>,
+}
+
+impl Axis {
+    /// A linear axis.
+    pub fn linear(label: &str, low: f64, high: f64) -> Self {
+        Self { label: label.to_owned(), low, high, log: false }
+    }
+
+    /// A logarithmic axis.
+    pub fn log(label: &str, low: f64, high: f64) -> Self {
+        Self { log: true, ..Self::linear(label, low, high) }
+    }
+
+    /// Place along the axis, 0 to 1 within its range.
+    pub fn place(&self, value: f64) -> f64 {
+        if self.log {
+            (value.max(1e-30) / self.low).ln() / (self.high / self.low).ln()
+        } else {
+            (value - self.low) / (self.high - self.low)
+        }
+    }
+
+    /// The nearest value in the range.
+    pub fn clamp(&self, value: f64) -> f64 {
+        value.max(self.low).min(self.high)
+    }
+
+    /// Grid lines and whether they carry a number.
+    pub fn ticks(&self) -> Vec<(f64, bool)> {
+        let inside = |v: f64| (-1e-9..=1.0 + 1e-9).contains(&self.place(v));
+        if self.log {
+            let decades = (self.high / self.low).log10();
+            let every = (decades / 8.0).ceil().max(1.0) as i32;
+            let digits: &[i32] = if decades < 2.2 { &[1, 2, 5] } else { &[1] };
+            let range = self.low.log10().floor() as i32..=self.high.log10().ceil() as i32;
+            return range
+                .flat_map(|e| (1..10).map(move |d| (e, d)))
+                .map(|(e, d)| (f64::from(d) * 10f64.powi(e), digits.contains(&d) && e % every == 0))
+                .filter(|&(v, numbered)| inside(v) && (numbered || decades < 4.0))
+                .collect();
+        }
+        let rough = (self.high - self.low) / 6.0;
+        let unit = 10f64.powf(rough.log10().floor());
+        let step = [1.0, 2.0, 5.0, 10.0].map(|m| m * unit).into_iter().find(|s| *s >= rough).unwrap_or(rough);
+        let first = (self.low / step).ceil() as i64;
+        (first..first + 20).map(|i| (i as f64 * step, true)).filter(|&(v, _)| inside(v)).collect()
+    }
+
+    /// A number at the axis.
+    pub fn number(&self, value: f64) -> String {
+        if self.log && !(1e-3..1e5).contains(&value) {
+            let exponent = value.log10().floor() as i32;
+            let raised: String = exponent.to_string().chars().map(superscript).collect();
+            let digit = (value / 10f64.powi(exponent)).round();
+            return if digit == 1.0 { format!("10{raised}") } else { format!("{digit}·10{raised}") };
+        }
+        let rounded = format!("{:.6}", value + 0.0);
+        rounded.trim_end_matches('0').trim_end_matches('.').to_owned()
+    }
+}
+
+fn superscript(c: char) -> char {
+    match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        digit => char::from_u32('⁰' as u32 + digit.to_digit(10).unwrap_or_default()).unwrap_or(digit),
+    }
+}
+
+impl Series {
+    /// A series in a colour of the palette.
+    pub fn new(label: &str, colour: usize, mark: Mark) -> Self {
+        Self { label: label.to_owned(), colour, mark }
+    }
+
+    /// The largest y.
+    pub fn highest(&self) -> f64 {
+        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+        match &self.mark {
+            Mark::Line(p) | Mark::Dashes(p) => largest(&mut p.iter().map(|p| p[1])),
+            Mark::Points(p) => largest(&mut p.iter().map(|p| p[1] + p[2])),
+            Mark::Band(p) | Mark::Bars(p) => largest(&mut p.iter().map(|p| p[2])),
+        }
+    }
+}
+
+/// `count` + 1 points of a function, evenly along an axis.
+pub fn curve(axis: &Axis, count: u32, f: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
+    let at = |i: u32| {
+        let t = f64::from(i) / f64::from(count);
+        if axis.log { axis.low * (axis.high / axis.low).powf(t) } else { axis.low + t * (axis.high - axis.low) }
+    };
+    (0..=count).map(at).map(|x| [x, f(x)]).collect()
+}
+
+impl Figure {
+    /// An empty figure.
+    pub fn new(title: &str, x: Axis, y: Axis, legend: Legend) -> Self {
+        Self { title: title.to_owned(), axes: [x, y], legend, series: vec![] }
+    }
+
+    /// Adds a series above the ones before.
+    #[must_use]
+    pub fn with(mut self, series: Series) -> Self {
+        self.series.push(series);
+        self
+    }
+
+    /// Its title.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+}
