@@ -40,7 +40,8 @@ fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
     let corner = select(corners.zw, corners.xy, (c & 1u) == 0u);
     let patch_m = sea.cascades[c].patch_m;
     let uv = corner + offset / patch_m;
-    let lod = max(log2(foam.levels[level].texel_m * f32(sea.n) / patch_m), 0.0);
+    // One level finer than a cell: between the texels of a level that is all noise the variance would sag.
+    let lod = max(log2(foam.levels[level].texel_m * f32(sea.n) / patch_m) - 1.0, 0.0);
     let g = textureSampleLevel(gradients, repeat, uv, c, lod);
     xx += g.z;
     zz += g.w;

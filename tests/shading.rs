@@ -525,7 +525,7 @@ fn light_and_normals_are_right() {
     assert!(lines.iter().all(Line::passes), "{}", table(&lines));
 }
 
-/// An erratum: its number in the list of the source texts' errata and what it says, where it would stand in the water
+/// An erratum: its name and what it says, where it would stand in the water
 /// module, and a line that must turn red.
 struct Fault(&'static str, &'static [(&'static str, &'static str)], &'static str);
 

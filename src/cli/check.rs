@@ -166,7 +166,7 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, shaders: &Shaders) -> Result<Lin
         let source = foam.source(plan, foam_level.texel_m);
         let mut cascades = Vec::new();
         for cascade in &plan.cascades {
-            let texels = foam_level.texel_m * f64::from(plan.n) / cascade.patch_m;
+            let texels = 0.5 * foam_level.texel_m * f64::from(plan.n) / cascade.patch_m;
             let lod = texels.log2().clamp(0.0, f64::from(sim.resources.mips() - 1));
             cascades.push((cascade.patch_m, lod));
         }

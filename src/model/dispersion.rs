@@ -1,4 +1,4 @@
-//! Linear dispersion of waves over a flat bottom, its derivative and its inverse. SEA.md, section "Dispersion".
+//! Linear dispersion of waves over a flat bottom, its derivative and its inverse. docs/sea.md, "Dispersion".
 //!
 //! All three relations are one, omega^2 = (g k + sigma/rho k^3) tanh(k h): deep water has an infinite h, gravity waves no
 //! sigma.
@@ -120,6 +120,6 @@ mod tests {
             (100..1000).map(f64::from).min_by(|a, b| (capillary.omega(*a) / a).total_cmp(&(capillary.omega(*b) / b)));
         assert!((slowest.unwrap() - 365.0).abs() < 6.0 && (capillary.omega(370.0) / 370.0 - 0.231).abs() < 0.002);
         let shallow = Dispersion::finite(9.81, 2.0);
-        assert!((shallow.omega(0.05) - 0.221).abs() < 0.001, "errata W1");
+        assert!((shallow.omega(0.05) - 0.221).abs() < 0.001);
     }
 }

@@ -105,7 +105,8 @@ fn rarity_of(threshold: f64, sigma: f64) -> f64 {
 /// Standard deviation of the strain on a grid of `texel_m`; strain along x and z counts with the chop there.
 fn deviation(plan: &Plan, texel_m: f64) -> f64 {
     let [lx, lz] = plan.sea.lambda();
-    (0.5 * (lx * lx + lz * lz) * plan.strain_variance(texel_m)).sqrt()
+    // The pass reads the mips one level finer than its cells.
+    (0.5 * (lx * lx + lz * lz) * plan.strain_variance(0.5 * texel_m)).sqrt()
 }
 
 /// Mean of clamp((Z - z) / RAMP, 0, 1) for a standard normal Z.

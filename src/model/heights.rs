@@ -22,7 +22,7 @@
 //!
 //! - **Axes**: right-handed world, +x east, +y up, -z north, metres and seconds. Heights are those of the world: the level
 //!   of the still water (`level_m`) is in them.
-//! - **World and water**: the surface is drawn at x = x0 + lambda D(x0) (SEA.md, "Synthesis"). [`Heights::sample`] inverts
+//! - **World and water**: the surface is drawn at x = x0 + lambda D(x0) (docs/sea.md, "Synthesis"). [`Heights::sample`] inverts
 //!   that for a point of the world; [`Heights::undisplaced`] follows the water that belongs to x0.
 //! - **Cost**: one sine and cosine per wave and evaluation, about 11 ns with the vector units that every x86-64 has. A sample
 //!   takes three to five evaluations (one without chop): some 7 microseconds for 200 waves, 40 for 1000. Making it draws
@@ -280,7 +280,7 @@ impl Heights {
         let [xx, zz, xz] = sums.strain;
         let [sx, sz] = sums.slope;
         let jacobian = (1.0 + lx * xx) * (1.0 + lz * zz) - lx * lz * xz * xz;
-        // SEA.md, "Synthesis".
+        // docs/sea.md, "Synthesis".
         let normal = [-(sx * (1.0 + lz * zz) - sz * lz * xz), jacobian, -(sz * (1.0 + lx * xx) - sx * lx * xz)];
         let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
         Sample {

@@ -177,7 +177,7 @@ impl System {
             spectrum: SpectrumKind::Jonswap,
             scale: 1.0,
             wind_m_s: 12.0,
-            fetch_km: 250.0,
+            fetch_km: 150.0,
             from_deg: 240.0,
             gamma: 3.3,
             hs_m: 0.0,

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 
 pub use super::cascades::Cascade;
 
-/// Significant height over depth beyond which waves break (SEA.md).
+/// Significant height over depth beyond which waves break (docs/sea.md).
 const DEPTH_LIMIT: f64 = 0.6;
 /// Variance of the strain beyond which the numbers leave the range of half floats.
 const MOST_STRAIN: f64 = 25.0;

@@ -314,7 +314,7 @@ mod tests {
 
     #[test]
     fn known_exponents() {
-        // Errata D1 and D4, at U = 10 m/s and F = 100 km: inverse age 1.028.
+        // At U = 10 m/s and F = 100 km: inverse age 1.028.
         assert!((hasselmann_s(3.0, 1.028) - 0.948).abs() < 0.005, "{}", hasselmann_s(3.0, 1.028));
         assert!((mitsuyasu_s(1.0, 1.028) - 10.74).abs() < 0.03);
         assert!((donelan_banner_beta(1.6) - 1.24).abs() < 0.01);

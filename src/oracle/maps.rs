@@ -39,7 +39,7 @@ pub fn rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> Planes 
             return [0.0; 4];
         }
         let orbit = plan.wave(cascade, (ix * ix + iz * iz) as u32).orbit;
-        // SEA.md, "Synthesis": D = i k/|k| h, its derivatives -(kx kz/|k|) h and so on, with coth(k h) on all of D.
+        // docs/sea.md, "Synthesis": D = i k/|k| h, its derivatives -(kx kz/|k|) h and so on, with coth(k h) on all of D.
         let h = h[i];
         let pack = |f: Complex, g: Complex| add(f, turn(g));
         let (first, second) = if pair == 0 {

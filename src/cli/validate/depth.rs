@@ -88,7 +88,7 @@ pub fn write(page: &mut Page, lab: &Lab<'_>) -> Result<(), String> {
     ];
     page.table(&head, &rows);
     page.prose(
-        "The branches are a fit to the exact factor, within 0.023 of it (errata S3). Bouws' α and γ grow with U² k_p / g, from a \
+        "The branches are a fit to the exact factor, within 0.023 of it. Bouws' α and γ grow with U² k_p / g, from a \
          different set of measurements than JONSWAP's, and apply at every depth.",
     );
     Ok(())

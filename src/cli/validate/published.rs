@@ -116,7 +116,7 @@ fn growth(page: &mut Page) -> Result<(), String> {
         "The JONSWAP fits are not consistent with each other: the spectrum with α = 0.076 x^-0.22, ν = 3.5 x^-1/3 and γ = 3.3 \
          integrates to ε = 9.9·10⁻⁸ x^1.11, where the separate fit of ε has 1.6·10⁻⁷ x. So `jonswap` holds more energy than \
          that fit, 4 % at x = 10² and 76 % (a third more height) at 10⁴; the program keeps the spectrum. The exponent 1/3 instead \
-         of 0.33 in ν is the rounded dimensional form 22 (g²/UF)^1/3 (errata S2c). `donelan` is built from its own growth \
+         of 0.33 in ν is the rounded dimensional form 22 (g²/UF)^1/3. `donelan` is built from its own growth \
          curve of U/c_p; ε comes out of the integral.",
     );
     Ok(())
@@ -224,7 +224,7 @@ fn beaufort(page: &mut Page) -> Result<(), String> {
          enough: Pierson and Moskowitz's heights grow with U² and are twice the probable ones at force 12. `jonswap` over 500 \
          km is too high at every force, by a factor of four at force 3 and 14 % at force 12, because its growth curves, fitted \
          for x = g F / U² up to 10⁴, know no end: it is higher than a fully developed sea beyond x = 1.1·10⁴ and longer beyond \
-         1.7·10⁴ (112 and 173 km at 10 m/s). Nothing in the program stops that; `donelan` and `elfouhaily` stop at full \
+         1.7·10⁴ (112 and 173 km at 10 m/s). The program says so when it is a quarter higher; `donelan` and `elfouhaily` stop at full \
          development by themselves.",
     );
     Ok(())

@@ -109,7 +109,7 @@ pub fn write(page: &mut Page, lab: &Lab<'_>) -> Result<(), String> {
         &figures,
         "Directional distribution at one, two and four times the peak frequency, averaged over the bands: theory (lines) and measured on the GPU \
          (points with standard errors). Sources: Mitsuyasu et al. 1975; Hasselmann, Dunckel and Ewing 1980; Donelan et al. \
-         1985 with Banner 1990; Elfouhaily et al. 1997; SEA.md lists the rest.",
+         1985 with Banner 1990; Elfouhaily et al. 1997; docs/sea.md lists the rest.",
     )?;
     page.prose(
         "The integral of D over the circle must be 1. Spread is sqrt(2 (1 - r1)), r1 the first directional moment of the \

@@ -116,6 +116,20 @@ struct Depth {
     depth_m: f64,
 }
 
+/// Dimensionless fetch at which JONSWAP is as high as a fully developed sea, and at which it exceeds that by a quarter.
+const FULL_FETCH: (f64, f64) = (1.1e4, 1.6e4);
+
+/// What to say of a fetch that the wind cannot use: the fits of JONSWAP know no full development.
+pub fn beyond_full_development(source: &Source<'_>) -> Option<String> {
+    let given = source.system.hs_m > 0.0 || source.omega_p.is_some();
+    (source.fetch() > FULL_FETCH.1 && !given).then(|| {
+        let fetch_km = FULL_FETCH.0 * source.wind_m_s * source.wind_m_s / source.gravity() / 1000.0;
+        format!(
+            "a sea is fully developed after {fetch_km:.0} km of this wind (spectrum=pm); jonswap and tma go on growing"
+        )
+    })
+}
+
 impl Jonswap {
     /// Fetch in metres, cube root in omega_p.
     pub fn grown(source: &Source<'_>) -> Self {
