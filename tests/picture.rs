@@ -1,8 +1,10 @@
 //! The picture, rendered headless: it depends on the state alone, is a sea and not a plane, and holds no broken pixel.
 
-use seastate::cli::render::picture;
+use seastate::cli::render::{FORMAT, picture, picture_of};
 use seastate::gpu::device::Gpu;
 use seastate::model::{Params, query};
+use seastate::ocean::Ocean;
+use seastate::sim::MAX_STEPS;
 
 const SIZE: [u32; 2] = [160, 96];
 
@@ -81,6 +83,31 @@ fn a_picture_depends_on_the_state_alone() {
     let moved = first.iter().zip(&later).filter(|(a, b)| (luminance(**a) - luminance(**b)).abs() > 4.0).count();
     assert!(moved > first.len() / 20, "half a second moves the sea ({moved} pixels)");
     assert_ne!(first, render(&gpu, "wind=14&n=64&t=20&seed=2"));
+}
+
+#[test]
+fn a_picture_does_not_depend_on_how_one_came_there() {
+    let gpu = gpu();
+    let at = |t: f64| query::parse(&format!("wind=16&fetch=300&n=64&t={t}")).0;
+    let cold = render_params(&gpu, &at(30.0));
+    // Twelve seconds, three decay times, at thirty frames a second.
+    let mut ocean = Ocean::new(&gpu.device, &gpu.queue, FORMAT, &at(18.0));
+    for i in 0..360 {
+        ocean.set_params(&gpu.device, &gpu.queue, &at(18.0 + f64::from(i) / 30.0));
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        ocean.encode(&gpu.device, &gpu.queue, &mut encoder, [16, 8], MAX_STEPS);
+        gpu.queue.submit([encoder.finish()]);
+    }
+    ocean.set_params(&gpu.device, &gpu.queue, &at(30.0));
+    let pixels = pollster::block_on(picture_of(&gpu, &mut ocean, SIZE)).expect("a picture");
+    let difference = |other: &[[u8; 4]]| {
+        let sum: f64 = cold.iter().zip(other).map(|(a, b)| (luminance(*a) - luminance(*b)).abs()).sum();
+        sum / cold.len() as f64
+    };
+    let run: Vec<[u8; 4]> = pixels.chunks(4).map(|p| [p[0], p[1], p[2], p[3]]).collect();
+    let (same, other) = (difference(&run), difference(&render_params(&gpu, &at(30.5))));
+    eprintln!("mean difference {same:.3} of 255, half a second later {other:.3}");
+    assert!(same < 1.0 && same < 0.1 * other, "mean difference {same}, half a second later {other}");
 }
 
 #[test]

@@ -6,7 +6,8 @@ use crate::model::Params;
 use crate::ocean::Ocean;
 use std::path::Path;
 
-const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+/// Format of the pictures.
+pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// Renders a state at its time and writes a PNG.
 ///
@@ -26,6 +27,14 @@ pub async fn run(params: &Params, size: [u32; 2], output: &Path) -> Result<(), S
 /// # Errors
 /// If the GPU does not give its memory back.
 pub async fn picture(gpu: &Gpu, params: &Params, size: [u32; 2]) -> Result<Vec<u8>, String> {
+    picture_of(gpu, &mut Ocean::new(&gpu.device, &gpu.queue, FORMAT, params), size).await
+}
+
+/// The pixels of a sea that may have been running for a while.
+///
+/// # Errors
+/// If the GPU does not give its memory back.
+pub async fn picture_of(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2]) -> Result<Vec<u8>, String> {
     let target = gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some("picture"),
         size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
@@ -36,7 +45,6 @@ pub async fn picture(gpu: &Gpu, params: &Params, size: [u32; 2]) -> Result<Vec<u
         usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
         view_formats: &[],
     });
-    let mut ocean = Ocean::new(&gpu.device, &gpu.queue, FORMAT, params);
     let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("picture") });
     ocean.encode_fully(&gpu.device, &gpu.queue, &mut encoder, size);
     {
