@@ -159,17 +159,17 @@ fn fields(params: &mut Params, group: Group, ui: &mut egui::Ui) {
     });
 }
 
-fn edit(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Response {
+fn edit(field: &'static Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Response {
     match field.kind {
         Kind::Number { min, max, log } => {
-            ui.add(egui::Slider::new(value, min..=max).logarithmic(log).smart_aim(true).suffix(suffix(field)))
+            ui.add(with_zero(field, egui::Slider::new(value, min..=max).logarithmic(log).smart_aim(true)))
         }
         Kind::Heading => ui.add(egui::Slider::new(value, 0.0..=360.0).suffix("°").max_decimals(1)),
         Kind::Integer { min, max } if max > 1000 => {
             ui.add(egui::DragValue::new(value).range(f64::from(min)..=f64::from(max)).max_decimals(0))
         }
         Kind::Integer { min, max } => {
-            ui.add(egui::Slider::new(value, f64::from(min)..=f64::from(max)).integer().show_value(true))
+            ui.add(with_zero(field, egui::Slider::new(value, f64::from(min)..=f64::from(max)).integer()))
         }
         Kind::Choice(words) => {
             let mut index = *value as usize;
@@ -191,6 +191,27 @@ fn edit(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Response {
             response
         }
     }
+}
+
+/// A slider that shows, and takes, the word that stands for 0.
+fn with_zero<'a>(field: &'static Field, slider: egui::Slider<'a>) -> egui::Slider<'a> {
+    let unit = suffix(field);
+    if field.zero.is_empty() {
+        return slider.suffix(unit);
+    }
+    // From nothing to a hundred kilometres: without a scale of its own a slider could only jump.
+    let most = if let Kind::Number { max, .. } = field.kind { max } else { 0.0 };
+    let slider = if most > 100.0 { slider.logarithmic(true).smallest_positive(1e-6 * most) } else { slider };
+    slider
+        .custom_formatter(move |value, digits| match value {
+            0.0 => field.zero.to_owned(),
+            _ => format!("{}{unit}", egui::emath::format_with_decimals_in_range(value, digits)),
+        })
+        .custom_parser(move |text| {
+            let text = text.trim();
+            let number = text.trim_end_matches(|c: char| !c.is_ascii_digit() && c != '.');
+            if text.eq_ignore_ascii_case(field.zero) { Some(0.0) } else { number.parse().ok() }
+        })
 }
 
 fn suffix(field: &Field) -> String {

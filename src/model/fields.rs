@@ -84,6 +84,8 @@ pub struct Field {
     pub group: Group,
     /// Its values.
     pub kind: Kind,
+    /// What 0 stands for where it is no quantity, such as "auto"; else "".
+    pub zero: &'static str,
     /// Meaning and source.
     pub help: &'static str,
     /// Reads it.
@@ -102,6 +104,11 @@ pub enum Refusal {
 }
 
 impl Field {
+    /// The row of a parameter whose 0 is no quantity but stands for a word.
+    fn zero(self, word: &'static str) -> Self {
+        Self { zero: word, ..self }
+    }
+
     /// The default value.
     pub fn default_value(&self) -> f64 {
         (self.get)(&Params::default())
@@ -149,6 +156,8 @@ impl Field {
     /// The range in words, for help and tooltips.
     pub fn range(&self) -> String {
         match self.kind {
+            Kind::Number { min, max, .. } if !self.zero.is_empty() => format!("{min} ({}) to {max}", self.zero),
+            Kind::Integer { min, max } if !self.zero.is_empty() => format!("{min} ({}) to {max}", self.zero),
             Kind::Number { min, max, .. } => format!("{min} to {max}"),
             Kind::Heading => "0 to 360".to_owned(),
             Kind::Integer { min, max } => format!("{min} to {max}"),
@@ -241,7 +250,7 @@ macro_rules! row {
             |p| f64::from(u8::from(p.$($place)+)), |p, v| p.$($place)+ = v != 0.0)
     };
     ($key:expr, $label:expr, $unit:literal, $group:ident, $kind:expr, $help:expr, $get:expr, $set:expr) => {
-        Field { key: $key, label: $label, unit: $unit, group: Group::$group, kind: $kind, help: $help, get: $get, set: $set }
+        Field { key: $key, label: $label, unit: $unit, group: Group::$group, kind: $kind, zero: "", help: $help, get: $get, set: $set }
     };
 }
 
@@ -252,7 +261,7 @@ macro_rules! system_rows {
             row!(concat!("spectrum", $suffix), "Spectrum", $group, SPECTRUM_WORDS of SPECTRA, [sea.systems[$i].spectrum],
                 "Frequency spectrum. phillips: equilibrium range alone (1958); tessendorf: in wave numbers, with its own cos^2 in directions (2001); ab: A w^-5 exp(-B w^-4); pm: fully developed (Pierson and Moskowitz 1964); jonswap: fetch-limited (Hasselmann et al. 1973); tma: the same in shallow water (Bouws et al. 1985); marnero: Black Sea (Trusca 2007); karaev: with ripples (2000); elfouhaily: gravity and capillary waves (1997); donelan: w^-4 range (1985); ochi-hubble and torsethaugen: two peaks (1976, 2004); measured: a buoy's file."),
             row!(concat!("scale", $suffix), "Scale", "", $group, number(0.0, 5.0), [sea.systems[$i].scale],
-                "Scale on the height of this system: 1 is the physical one, 0 switches it off."),
+                "Scale on the height of this system: 1 is the physical one, 0 switches it off.").zero("off"),
             row!(concat!("wind", $suffix), "Wind", "m/s", $group, number(0.0, 60.0), [sea.systems[$i].wind_m_s],
                 "Wind speed 10 m above the sea. Beaufort 4 is about 7, a gale (Beaufort 8) about 19, a hurricane above 33 m/s."),
             row!(concat!("fetch", $suffix), "Fetch", "km", $group, logarithmic(0.5, 2000.0), [sea.systems[$i].fetch_km],
@@ -260,17 +269,17 @@ macro_rules! system_rows {
             row!(concat!("dir", $suffix), "From", "deg", $group, Kind::Heading, [sea.systems[$i].from_deg],
                 "Direction that wind and waves come from, clockwise from north, as in a forecast. They run the other way."),
             row!(concat!("hs", $suffix), "Height Hs", "m", $group, number(0.0, 30.0), [sea.systems[$i].hs_m],
-                "Significant wave height of this system; 0 lets it follow from wind and fetch. marnero: sqrt(2) times its rms height."),
+                "Significant wave height of this system; 0 lets it follow from wind and fetch. marnero: sqrt(2) times its rms height.").zero("auto"),
             row!(concat!("tp", $suffix), "Period Tp", "s", $group, number(0.0, 30.0), [sea.systems[$i].tp_s],
-                "Peak period of this system; 0 lets it follow from wind and fetch. marnero: 1.2 times its mean period."),
+                "Peak period of this system; 0 lets it follow from wind and fetch. marnero: 1.2 times its mean period.").zero("auto"),
             row!(concat!("gamma", $suffix), "Peak gamma", "", $group, number(1.0, 10.0), [sea.systems[$i].gamma],
                 "Peak enhancement of jonswap, tma and karaev: 1 is a broad peak, 3.3 the mean of the JONSWAP experiment, 7 a young sea."),
             row!(concat!("coefa", $suffix), "Coefficient A", "", $group, number(0.0, 10.0), [sea.systems[$i].coefficient_a],
-                "A of the spectrum ab, m2/s4 (pm has 0.78), or of tessendorf, without unit (0.0013); 0 takes pm's."),
+                "A of the spectrum ab, m2/s4 (pm has 0.78), or of tessendorf, without unit (0.0013); 0 takes pm's.").zero("auto"),
             row!(concat!("coefb", $suffix), "Coefficient B", "1/s4", $group, number(0.0, 1000.0), [sea.systems[$i].coefficient_b],
-                "B of the spectrum ab: 1.25 times the fourth power of the peak frequency; 0 takes pm's."),
+                "B of the spectrum ab: 1.25 times the fourth power of the peak frequency; 0 takes pm's.").zero("auto"),
             row!(concat!("fade", $suffix), "Short-wave fade", "m", $group, number(0.0, 20.0), [sea.systems[$i].fade_m],
-                "Waves much shorter than 2 pi times this length are left out: the spectrum is multiplied by exp(-(k l)^2)."),
+                "Waves much shorter than 2 pi times this length are left out: the spectrum is multiplied by exp(-(k l)^2).").zero("none"),
             row!(concat!("spread", $suffix), "Spreading", $group, SPREAD_WORDS of SPREADS, [sea.systems[$i].spread],
                 "How the energy spreads over directions: isotropic; cos2, as many waves against the wind as with it; cos2-positive, the half with the wind; mitsuyasu (1975), hasselmann (1980), donelan-banner (1985, 1990), elfouhaily (1997, as many against the wind)."),
             row!(concat!("blendto", $suffix), "Blend to", $group, SPREAD_WORDS of SPREADS, [sea.systems[$i].blend_to],
@@ -290,11 +299,11 @@ macro_rules! patch_rows {
     ($i:literal, $number:literal) => {
         [
             row!(concat!("patch", $number), concat!("Patch ", $number), "m", Grid, number(0.0, 1e5), [grid.patches[$i].side_m],
-                "Length scale of this cascade: side of its square patch; 0 lets the plan choose."),
+                "Length scale of this cascade: side of its square patch; 0 lets the plan choose.").zero("auto"),
             row!(concat!("low", $number), concat!("Low cut-off ", $number), "rad/m", Grid, number(0.0, 1e4), [grid.patches[$i].k_low],
-                "Waves of this cascade begin at this wave number; 0 lets the plan choose."),
+                "Waves of this cascade begin at this wave number; 0 lets the plan choose.").zero("auto"),
             row!(concat!("high", $number), concat!("High cut-off ", $number), "rad/m", Grid, number(0.0, 1e4), [grid.patches[$i].k_high],
-                "Waves of this cascade end below this wave number; 0 lets the plan choose. Where cascades overlap they share the energy."),
+                "Waves of this cascade end below this wave number; 0 lets the plan choose. Where cascades overlap they share the energy.").zero("auto"),
         ]
     };
 }
@@ -345,7 +354,7 @@ fn rows() -> Vec<Field> { vec![
         "Chooses one sea among all those of the same statistics.",
         |p| f64::from(p.sea.seed), |p, v| p.sea.seed = v as u32),
     row!("loop", "Loop", "s", Clock, number(0.0, 3600.0), [sea.loop_s],
-        "Period after which the sea repeats exactly; 0 means never (a day). Every wave's frequency is rounded to fit."),
+        "Period after which the sea repeats exactly; 0 means never (a day). Every wave's frequency is rounded to fit.").zero("none"),
     row!("foam", "Foam shown", "", Foam, number(0.0, 2.0), [look.foam],
         "Visible amount of foam; 1 shows the coverage that was computed."),
     row!("whitecaps", "Whitecaps", Foam, WHITECAP_WORDS of WHITECAPS, [sea.foam.whitecaps],
@@ -395,7 +404,7 @@ fn rows() -> Vec<Field> { vec![
         |p| SIZES.iter().position(|&n| n == p.grid.n).unwrap_or(2) as f64, |p, v| p.grid.n = SIZES[v as usize]),
     row!("cascades", "Cascades", "", Grid, Kind::Integer { min: 0, max: 4 },
         "Number of patches whose sum is the sea; 0 chooses for the sea at hand.",
-        |p| f64::from(p.grid.cascades), |p, v| p.grid.cascades = v as u32),
+        |p| f64::from(p.grid.cascades), |p, v| p.grid.cascades = v as u32).zero("auto"),
     row!("overlap", "Overlapping bands", Grid, flag [grid.overlap],
         "Each cascade carries all the waves that its lattice can, sharing their energy (amplitudes go with 1/sqrt(n)), instead of a band of its own."),
 ]}

@@ -193,13 +193,15 @@ impl System {
         }
     }
 
-    /// The swell of a distant storm, switched off.
+    /// The swell of a distant storm, switched off: lower and longer than that storm's own sea.
     fn distant() -> Self {
         Self {
             scale: 0.0,
-            wind_m_s: 7.0,
-            fetch_km: 900.0,
+            wind_m_s: 15.0,
+            fetch_km: 300.0,
             from_deg: 300.0,
+            hs_m: 1.5,
+            tp_s: 12.0,
             gamma: 5.0,
             fade_m: 2.0,
             spread: SpreadKind::Hasselmann,

@@ -81,6 +81,12 @@ impl Plan {
                 notices.push("the directions are the buoy's: dir and spread are not used".into());
             }
         }
+        for (system, usual) in sea.systems.iter().zip(&Sea::default().systems) {
+            let windy = (system.wind_m_s, system.fetch_km) != (usual.wind_m_s, usual.fetch_km);
+            if system.scale > 0.0 && system.hs_m > 0.0 && system.tp_s > 0.0 && windy {
+                notices.push("height and period are given (hs, tp): wind and fetch matter little to them".into());
+            }
+        }
         let off = &sea.systems[1];
         if off.scale == 0.0 && *off != Sea::default().systems[1] {
             notices.push("the second system is switched off: set scale2".into());
