@@ -5,7 +5,7 @@ mod common;
 
 use common::{gpu, params};
 use seastate::cli::stats;
-use seastate::model::fields::{self, Kind};
+use seastate::cli::validate::words;
 
 const SEEDS: u32 = 64;
 
@@ -28,11 +28,6 @@ const SEAS: [(&str, &str, f64, f64, f64, &str); 16] = [
     ("jonswap", "donelan-banner", 12.0, 250.0, 4000.0, "&overlap=1"),
     ("pm", "hasselmann", 12.0, 250.0, 4000.0, "&cascades=3&patch1=700&patch2=97&patch3=11.3&high1=1.1&low2=0.6"),
 ];
-
-fn words(key: &str) -> Vec<&'static str> {
-    let Some(Kind::Choice(words)) = fields::find(key).map(|f| f.kind) else { panic!("{key} is a choice") };
-    words.iter().copied().filter(|w| *w != "measured").collect()
-}
 
 #[test]
 fn the_subset_covers_everything() {

@@ -1,31 +1,9 @@
 //! Every spectrum with every spreading over sea states from calm to hurricane and from deep water to 3 m, from theory and
 //! from the amplitudes of the lattices, on the CPU. The GPU measures a covering subset in `tests/ensembles.rs`.
 
-use seastate::model::fields::{self, Kind};
+use seastate::cli::validate::{all::STATES, words};
 use seastate::model::statistics::{Resolved, Theory};
 use seastate::model::{Plan, query};
-
-/// Wind (m/s), fetch (km), depth (m).
-const STATES: [(f64, f64, f64); 13] = [
-    (1.5, 2.0, 4000.0),
-    (3.0, 10.0, 4000.0),
-    (5.0, 20.0, 100.0),
-    (7.0, 50.0, 30.0),
-    (10.0, 100.0, 4000.0),
-    (10.0, 100.0, 20.0),
-    (10.0, 100.0, 5.0),
-    (10.0, 300.0, 3.0),
-    (15.0, 300.0, 4000.0),
-    (20.0, 500.0, 50.0),
-    (25.0, 50.0, 10.0),
-    (32.0, 1000.0, 4000.0),
-    (45.0, 800.0, 200.0),
-];
-
-fn words(key: &str) -> Vec<&'static str> {
-    let Some(Kind::Choice(words)) = fields::find(key).map(|f| f.kind) else { panic!("{key} is a choice") };
-    words.iter().copied().filter(|w| *w != "measured").collect()
-}
 
 /// Whether as many waves run one way as the other.
 fn is_symmetric(spectrum: &str, spread: &str) -> bool {
@@ -82,6 +60,7 @@ fn all_spectra_are_covered() {
     let halves = [&FIRST[..], &SECOND[..]].concat();
     assert_eq!(halves, words("spectrum"));
     assert_eq!(words("spread").len(), 7);
+    assert_eq!(STATES.len(), 13);
 }
 
 const FIRST: [&str; 6] = ["phillips", "tessendorf", "ab", "pm", "jonswap", "tma"];

@@ -4,7 +4,7 @@ use super::cascades;
 use super::dispersion::Dispersion;
 use super::energy::Energy;
 use super::params::{Params, Sea, SpreadKind};
-use super::waves::WaveSystem;
+use super::waves::{self, WaveSystem};
 use std::f64::consts::TAU;
 
 pub use super::cascades::Cascade;
@@ -122,8 +122,7 @@ impl Plan {
         }
         let n = params.grid.n;
         let cascades = cascades::choose(&energy, &dispersion, &params.grid);
-        let from = sea.local().from_deg.to_radians();
-        let downwind = [-from.sin(), from.cos()];
+        let downwind = waves::travel(sea.local().from_deg);
         let mut plan = Self { n, cascades, period_s, sea, systems, dispersion, omega_p, downwind, notices, energy };
         let captured = plan.captured();
         if captured < 0.99 && !plan.is_calm() {

@@ -38,8 +38,7 @@ impl WaveSystem {
     pub fn new(sea: &Sea, system: &System) -> Self {
         let spectrum = FrequencySpectrum::new(sea, system).scaled(sea.height * sea.height);
         let spreading = Spreading::new(sea, system, &spectrum);
-        let from = system.from_deg.to_radians();
-        Self { spectrum, spreading, travel: [-from.sin(), from.cos()] }
+        Self { spectrum, spreading, travel: travel(system.from_deg) }
     }
 
     /// Whether the directions come from a buoy.
@@ -96,6 +95,12 @@ impl TermKind {
             Self::Measured => 2,
         }
     }
+}
+
+/// Unit vector (x, z) along which waves travel that come from a compass bearing, degrees.
+pub fn travel(from_deg: f64) -> [f64; 2] {
+    let from = from_deg.to_radians();
+    [-from.sin(), from.cos()]
 }
 
 /// Angle between a wave vector and a direction of travel, rad in [0, pi].

@@ -38,6 +38,7 @@ pub struct Simulation {
     sea_steps: UniformRing<SeaUniform>,
     foam_steps: UniformRing<FoamUniform>,
     foam: FoamClock,
+    terms: Terms,
     spectrum_is_stale: bool,
 }
 
@@ -50,7 +51,9 @@ impl Simulation {
         let passes = Passes::new(device, shaders, &resources, &sea_steps, &foam_steps);
         let maps = Maps::new(&plan, &resources);
         let foam = FoamClock::new(resources.foam_n, &plan);
-        let mut sim = Self { plan, resources, passes, maps, sea_steps, foam_steps, foam, spectrum_is_stale: true };
+        let terms = Terms::new(&plan);
+        let mut sim =
+            Self { plan, resources, passes, maps, sea_steps, foam_steps, foam, terms, spectrum_is_stale: true };
         sim.upload_tables(device, queue);
         sim
     }
@@ -74,6 +77,7 @@ impl Simulation {
     }
 
     fn upload_tables(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) {
+        self.terms = Terms::new(&self.plan);
         if self.resources.upload_tables(device, queue, &self.plan) {
             self.passes.spectrum.bind(device, &self.resources, &self.sea_steps);
         }
@@ -209,9 +213,34 @@ impl Simulation {
                 moment_scale: map.moment_scale,
             };
         }
-        let (parts, stride) = table::terms(plan);
-        let mut terms = [SeaTerm::default(); MAX_TERMS];
-        for (out, part) in terms.iter_mut().zip(&parts) {
+        SeaUniform {
+            cascades,
+            terms: self.terms.parts,
+            chop: plan.sea.lambda().map(|l| l as f32),
+            n: plan.n,
+            count: plan.cascades.len() as u32,
+            seed: plan.sea.seed,
+            phase_time: plan.phase_time(t_s),
+            keep_f32: u32::from(keep_f32),
+            term_count: self.terms.count,
+            stride: self.terms.stride,
+            unused: [0; 3],
+        }
+    }
+}
+
+/// The parts of a plan's spectrum as the spectrum pass sees them.
+struct Terms {
+    parts: [SeaTerm; MAX_TERMS],
+    count: u32,
+    stride: u32,
+}
+
+impl Terms {
+    fn new(plan: &Plan) -> Self {
+        let (terms, stride) = table::terms(plan);
+        let mut parts = [SeaTerm::default(); MAX_TERMS];
+        for (out, part) in parts.iter_mut().zip(&terms) {
             let kind = match part.kind {
                 TermKind::Lobe(Cosine::None) => 0,
                 TermKind::Lobe(Cosine::Full) => 1,
@@ -220,19 +249,7 @@ impl Simulation {
             };
             *out = SeaTerm { travel: part.travel.map(|x| x as f32), kind, slot: part.slot as u32 };
         }
-        SeaUniform {
-            cascades,
-            terms,
-            chop: plan.sea.lambda().map(|l| l as f32),
-            n: plan.n,
-            count: plan.cascades.len() as u32,
-            seed: plan.sea.seed,
-            phase_time: plan.phase_time(t_s),
-            keep_f32: u32::from(keep_f32),
-            term_count: parts.len() as u32,
-            stride: stride as u32,
-            unused: [0; 3],
-        }
+        Self { parts, count: terms.len() as u32, stride: stride as u32 }
     }
 }
 

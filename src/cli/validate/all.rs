@@ -6,8 +6,8 @@ use super::words;
 use crate::cli::stats::Estimate;
 use crate::gpu::device::Gpu;
 
-/// Wind (m/s), fetch (km), depth (m): from calm to hurricane, from deep water to 3 m, as in `tests/families.rs`.
-const STATES: [(f64, f64, f64); 13] = [
+/// Wind (m/s), fetch (km), depth (m): from calm to hurricane, from deep water to 3 m.
+pub const STATES: [(f64, f64, f64); 13] = [
     (1.5, 2.0, 4000.0),
     (3.0, 10.0, 4000.0),
     (5.0, 20.0, 100.0),

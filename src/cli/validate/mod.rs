@@ -2,7 +2,7 @@
 //!
 //! Without a GPU all but the measured cells is the same: the tests compare that with the page in the repository.
 
-mod all;
+pub mod all;
 mod depth;
 mod dispersion;
 mod draw;

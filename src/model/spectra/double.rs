@@ -3,14 +3,47 @@
 use super::Source;
 use std::f64::consts::TAU;
 
-/// Ochi and Hubble 1976, the most probable member of their family for a significant height.
-#[derive(Clone, Debug, PartialEq)]
-pub struct OchiHubble {
-    parts: [Part; 2],
+/// One peak of a double-peaked spectrum.
+pub trait Peak: Copy {
+    /// Its frequency, rad/s.
+    fn omega_p(&self) -> f64;
+    /// S(omega), m^2 s.
+    fn density(&self, omega: f64) -> f64;
 }
 
+/// The sum of two peaks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Double<P> {
+    parts: [P; 2],
+}
+
+impl<P: Peak> Double<P> {
+    pub fn density(&self, omega: f64) -> f64 {
+        self.parts.iter().map(|p| p.density(omega)).sum()
+    }
+
+    pub fn peaks(&self) -> [f64; 2] {
+        self.parts.map(|p| p.omega_p())
+    }
+
+    pub fn lowest_peak(&self) -> f64 {
+        let [a, b] = self.peaks();
+        a.min(b)
+    }
+
+    /// The frequency of the higher peak.
+    pub fn omega_p(&self) -> f64 {
+        let [a, b] = self.peaks();
+        if self.density(a) >= self.density(b) { a } else { b }
+    }
+}
+
+/// Ochi and Hubble 1976, the most probable member of their family for a significant height.
+pub type OchiHubble = Double<GammaPeak>;
+
+/// A peak of the family (w_p/w)^(4 lambda + 1) with lambda as its sharpness.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Part {
+pub struct GammaPeak {
     hs_m: f64,
     omega_p: f64,
     lambda: f64,
@@ -22,8 +55,8 @@ impl OchiHubble {
         // 0.84^2 + 0.54^2 is 0.997: the published shares, made to add up.
         let share = 1.0 / (0.84f64.powi(2) + 0.54f64.powi(2)).sqrt();
         let mut parts = [
-            Part { hs_m: 0.84 * share * hs_m, omega_p: 0.70 * (-0.046 * hs_m).exp(), lambda: 3.0 },
-            Part {
+            GammaPeak { hs_m: 0.84 * share * hs_m, omega_p: 0.70 * (-0.046 * hs_m).exp(), lambda: 3.0 },
+            GammaPeak {
                 hs_m: 0.54 * share * hs_m,
                 omega_p: 1.15 * (-0.039 * hs_m).exp(),
                 lambda: 1.54 * (-0.062 * hs_m).exp(),
@@ -31,29 +64,17 @@ impl OchiHubble {
         ];
         if let Some(omega_p) = source.omega_p {
             let ratio = omega_p / Self { parts }.omega_p();
-            parts = parts.map(|p| Part { omega_p: p.omega_p * ratio, ..p });
+            parts = parts.map(|p| GammaPeak { omega_p: p.omega_p * ratio, ..p });
         }
         Self { parts }
     }
-
-    pub fn density(&self, omega: f64) -> f64 {
-        self.parts.iter().map(|p| p.density(omega)).sum()
-    }
-
-    pub fn peaks(&self) -> [f64; 2] {
-        self.parts.map(|p| p.omega_p)
-    }
-
-    pub fn lowest_peak(&self) -> f64 {
-        self.parts[0].omega_p.min(self.parts[1].omega_p)
-    }
-
-    pub fn omega_p(&self) -> f64 {
-        higher(self.peaks(), |w| self.density(w))
-    }
 }
 
-impl Part {
+impl Peak for GammaPeak {
+    fn omega_p(&self) -> f64 {
+        self.omega_p
+    }
+
     fn density(&self, omega: f64) -> f64 {
         let l = self.lambda;
         let c = (4.0 * l + 1.0) / 4.0;
@@ -65,14 +86,11 @@ impl Part {
 }
 
 /// Torsethaugen and Haver 2004, the simplified form: which of swell and wind sea leads follows from height and period.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Torsethaugen {
-    parts: [Peak; 2],
-}
+pub type Torsethaugen = Double<EnhancedPeak>;
 
 /// A peak f_n^-4 exp(-f_n^-4), enhanced by gamma.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Peak {
+pub struct EnhancedPeak {
     m0: f64,
     omega_p: f64,
     gamma: f64,
@@ -98,29 +116,17 @@ impl Torsethaugen {
             let longer = 1.0 + 6.0 * ((tp - full) / room).min(1.0);
             (share, steepness(hs, full) * longer, 6.6 * rest.cbrt().max(0.05))
         };
-        let part = |h: f64, t: f64, gamma: f64| Peak { m0: h * h / 16.0, omega_p: TAU / t, gamma };
+        let part = |h: f64, t: f64, gamma: f64| EnhancedPeak { m0: h * h / 16.0, omega_p: TAU / t, gamma };
         let rest = (1.0 - share * share).max(0.0).sqrt();
         Self { parts: [part(share * hs, tp, gamma), part(rest * hs, second, 1.0)] }
     }
-
-    pub fn density(&self, omega: f64) -> f64 {
-        self.parts.iter().map(|p| p.density(omega)).sum()
-    }
-
-    pub fn peaks(&self) -> [f64; 2] {
-        self.parts.map(|p| p.omega_p)
-    }
-
-    pub fn lowest_peak(&self) -> f64 {
-        self.parts[0].omega_p.min(self.parts[1].omega_p)
-    }
-
-    pub fn omega_p(&self) -> f64 {
-        higher(self.peaks(), |w| self.density(w))
-    }
 }
 
-impl Peak {
+impl Peak for EnhancedPeak {
+    fn omega_p(&self) -> f64 {
+        self.omega_p
+    }
+
     fn density(&self, omega: f64) -> f64 {
         let r = omega / self.omega_p;
         let sigma = if r < 1.0 { 0.07 } else { 0.09 };
@@ -128,8 +134,4 @@ impl Peak {
         let norm = 3.26 * (1.0 + 1.1 * self.gamma.ln().powf(1.19)) / self.gamma;
         self.m0 / self.omega_p * norm / r.powi(4) * (-1.0 / r.powi(4)).exp() * self.gamma.powf(bump)
     }
-}
-
-fn higher([a, b]: [f64; 2], density: impl Fn(f64) -> f64) -> f64 {
-    if density(a) >= density(b) { a } else { b }
 }

@@ -147,12 +147,7 @@ impl FrequencySpectrum {
         });
         let mut spectrum = Self { shape, omega_p, notice, factor: 1.0, fade_m: system.fade_m, dispersion };
         if system.hs_m > 0.0 && !is_calm {
-            let (low, high) = spectrum.support();
-            let mut knots = spectrum.breakpoints();
-            knots.retain(|&w| w > low && w < high);
-            knots.extend([low, high]);
-            knots.sort_by(f64::total_cmp);
-            let m0 = adaptive(|w| spectrum.density(w), &knots, 1e-9);
+            let m0 = spectrum.m0_m2();
             if m0 < LEAST_M2 {
                 spectrum.notice =
                     Some("the short-wave fade leaves nothing of a system whose height is given".to_owned());
@@ -208,6 +203,16 @@ impl FrequencySpectrum {
         let fade =
             if self.fade_m > 0.0 { (-(self.fade_m * self.dispersion.wave_number(omega)).powi(2)).exp() } else { 1.0 };
         self.factor * bare * fade
+    }
+
+    /// Integral of S, m^2.
+    pub fn m0_m2(&self) -> f64 {
+        let (low, high) = self.support();
+        let mut knots = self.breakpoints();
+        knots.retain(|&w| w > low && w < high);
+        knots.extend([low, high]);
+        knots.sort_by(f64::total_cmp);
+        adaptive(|w| self.density(w), &knots, 1e-9)
     }
 
     /// Range of omega (rad/s) below which S is negligible and above which m0 is.
@@ -266,12 +271,7 @@ mod tests {
     }
 
     fn m0(s: &FrequencySpectrum) -> f64 {
-        let (low, high) = s.support();
-        let mut knots = s.breakpoints();
-        knots.retain(|&w| w > low && w < high);
-        knots.extend([low, high]);
-        knots.sort_by(f64::total_cmp);
-        adaptive(|w| s.density(w), &knots, 1e-9)
+        s.m0_m2()
     }
 
     fn hs(s: &FrequencySpectrum) -> f64 {
