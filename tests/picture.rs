@@ -147,7 +147,10 @@ fn every_look_and_camera_field_is_seen() {
     let gpu = gpu();
     let base = "wind=18&fetch=300&n=64&t=5&overcast=0.3&depth=12";
     let reference = render(&gpu, base);
-    for field in FIELDS.iter().filter(|f| matches!(f.group, Group::Look | Group::Camera) || f.key == "foam") {
+    for field in FIELDS
+        .iter()
+        .filter(|f| matches!(f.group, Group::Sky | Group::Surface | Group::Film | Group::View | Group::Camera))
+    {
         let value = match field.kind {
             Kind::Number { min, max, log: false } => 0.3 * min + 0.7 * max,
             Kind::Number { min, max, log: true } => (min * max).sqrt(),

@@ -315,6 +315,7 @@ fn maps_are_finite_at_the_corners_of_every_range() {
             Kind::Integer { min, max } => vec![f64::from(min), f64::from(max)],
             Kind::Choice(words) => (0..words.len()).map(|i| i as f64).collect(),
             Kind::Heading | Kind::Flag => vec![0.0, 1.0],
+            Kind::Colour => vec![0.0],
         };
         for corner in corners {
             for start in ["n=64", "n=64&scale2=1&dispersion=capillary&hs2=3&tp2=10"] {
@@ -348,6 +349,7 @@ fn maps_are_finite_in_two_thousand_random_states() {
                 Kind::Choice(words) => (u * words.len() as f64).floor().min(words.len() as f64 - 1.0),
                 Kind::Heading => 359.9 * u,
                 Kind::Flag => u.round(),
+                Kind::Colour => (u * f64::from(0x0100_0000)).floor(),
             };
             (field.set)(&mut p, field.accept(value).unwrap_or(field.default_value()));
         }

@@ -142,6 +142,7 @@ fn corners_of_every_range_give_a_finite_plan() {
             Kind::Integer { min, max } => vec![f64::from(min), f64::from(max)],
             Kind::Choice(words) => (0..words.len()).map(|i| i as f64).collect(),
             Kind::Flag => vec![0.0, 1.0],
+            Kind::Colour => vec![0.0, f64::from(0x00ff_ffff)],
         };
         for corner in corners {
             let mut params = Params::default();

@@ -190,7 +190,21 @@ fn edit(field: &'static Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Resp
             *value = f64::from(u8::from(on));
             response
         }
+        Kind::Colour => colour(field, value, ui),
     }
+}
+
+/// A colour picker; a colour that stands for a word is set by touching it and goes back by the row's cross.
+fn colour(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Response {
+    let bits = *value as u32;
+    let mut rgb = [16, 8, 0].map(|shift| (bits >> shift) as u8);
+    ui.horizontal(|ui| {
+        let response = ui.color_edit_button_srgb(&mut rgb);
+        ui.weak(field.format(*value));
+        *value = rgb.iter().fold(0.0, |sum, &c| 256.0 * sum + f64::from(c));
+        response
+    })
+    .inner
 }
 
 /// A slider that shows, and takes, the word that stands for 0.

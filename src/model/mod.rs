@@ -9,6 +9,7 @@ pub mod energy;
 pub mod fields;
 pub mod foam;
 pub mod heights;
+pub mod look;
 pub mod measured;
 pub mod noise;
 pub mod params;

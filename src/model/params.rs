@@ -3,6 +3,7 @@
 //! The sub-structs are the levels of invalidation: `grid` reallocates, `sea` reruns the spectrum pass, the rest are
 //! uniforms. There are no dirty flags: whoever owns a resource compares with the parameters it was made from.
 
+pub use super::look::Look;
 use super::measured::Measured;
 use std::sync::Arc;
 
@@ -313,42 +314,6 @@ pub struct Foam {
 impl Default for Foam {
     fn default() -> Self {
         Self { whitecaps: Whitecaps::Monahan, threshold: 0.5, bias: 0.0, decay_s: 4.0, rate_per_s: 2.0 }
-    }
-}
-
-/// Light, sky and film.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Look {
-    /// Elevation of the sun above the horizon, degrees.
-    pub sun_deg: f64,
-    /// Azimuth of the sun, degrees clockwise from north.
-    pub sun_azimuth_deg: f64,
-    /// Aerosol amount relative to a clear maritime day.
-    pub haze: f64,
-    /// Share of the sky behind a uniform cloud deck, 0..1.
-    pub overcast: f64,
-    /// Exposure relative to automatic, stops.
-    pub exposure_ev: f64,
-    /// Visible amount of foam, 0..2.
-    pub foam: f64,
-    /// Biological and mineral load of the water, 0 (clear ocean) .. 1 (coastal).
-    pub turbidity: f64,
-    /// Vertices of the water mesh relative to the default.
-    pub mesh: f64,
-}
-
-impl Default for Look {
-    fn default() -> Self {
-        Self {
-            sun_deg: 28.0,
-            sun_azimuth_deg: 75.0,
-            haze: 1.0,
-            overcast: 0.0,
-            exposure_ev: 0.0,
-            foam: 1.0,
-            turbidity: 0.15,
-            mesh: 1.0,
-        }
     }
 }
 

@@ -16,7 +16,7 @@ pub use frame::{SeaLook, View};
 
 use crate::gpu::layout::Layout;
 use crate::gpu::shaders::Shaders;
-use crate::model::params::Look;
+use crate::model::look::Look;
 use crate::sim::Maps;
 use frame::FrameUniform;
 use kit::Uniform;

@@ -8,7 +8,7 @@ use super::noise::NoiseTexture;
 use super::targets::HDR_FORMAT;
 use crate::gpu::layout::Layout;
 use crate::gpu::shaders::Shaders;
-use crate::model::params::Look;
+use crate::model::look::SkyLook;
 use bytemuck::{Pod, Zeroable};
 use std::mem::offset_of;
 
@@ -51,11 +51,11 @@ impl SkyUniform {
         let class = (4.0 * scene.view.eye.y.max(2.0).log2()).round() / 4.0;
         let eye_m = class.exp2();
         Self {
-            sun: sun(&scene.look).map(|x| x as f32),
-            haze: scene.look.haze as f32,
+            sun: sun(&scene.look.sky).map(|x| x as f32),
+            haze: scene.look.sky.haze as f32,
             eye_km: (0.001 * eye_m) as f32,
             dip: dip(eye_m) as f32,
-            overcast: scene.look.overcast as f32,
+            overcast: scene.look.sky.overcast as f32,
             drift: 0.0,
         }
     }
@@ -90,7 +90,7 @@ impl LightBuffer {
 }
 
 /// Unit vector to the sun.
-pub fn sun(look: &Look) -> [f64; 3] {
+pub fn sun(look: &SkyLook) -> [f64; 3] {
     let (azimuth, elevation) = (look.sun_azimuth_deg.to_radians(), look.sun_deg.to_radians());
     [azimuth.sin() * elevation.cos(), elevation.sin(), -azimuth.cos() * elevation.cos()]
 }

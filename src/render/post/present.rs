@@ -103,7 +103,7 @@ impl PresentPass {
 
     /// Sends what the film needs to know.
     pub fn write(&self, queue: &wgpu::Queue, scene: &Scene, size: [u32; 2]) {
-        let exposure_gain = (scene.look.exposure_ev as f32).exp2();
+        let exposure_gain = (scene.look.film.exposure_ev as f32).exp2();
         self.uniform.write(queue, &PresentUniform { size: size.map(|s| s as f32), exposure_gain, dither: 1.0 });
     }
 

@@ -1,0 +1,69 @@
+//! Rows of the camera, of time and of resolution.
+
+use super::{Field, Group, Kind, logarithmic, number};
+
+const SIZES: [u32; 5] = [64, 128, 256, 512, 1024];
+
+/// The rows of one cascade.
+macro_rules! patch_rows {
+    ($i:literal, $number:literal) => {
+        [
+            row!(concat!("patch", $number), concat!("Patch ", $number), "m", Grid, number(0.0, 1e5), [grid.patches[$i].side_m],
+                "Length scale of this cascade: side of its square patch; 0 lets the plan choose.").zero("auto"),
+            row!(concat!("low", $number), concat!("Low cut-off ", $number), "rad/m", Grid, number(0.0, 1e4), [grid.patches[$i].k_low],
+                "Waves of this cascade begin at this wave number; 0 lets the plan choose.").zero("auto"),
+            row!(concat!("high", $number), concat!("High cut-off ", $number), "rad/m", Grid, number(0.0, 1e4), [grid.patches[$i].k_high],
+                "Waves of this cascade end below this wave number; 0 lets the plan choose. Where cascades overlap they share the energy.").zero("auto"),
+        ]
+    };
+}
+
+/// Camera and time.
+#[rustfmt::skip]
+pub(super) fn camera() -> Vec<Field> { vec![
+    row!("x", "East", "m", Camera, number(-1e6, 1e6), [camera.x_m],
+        "Position of the camera east of the origin."),
+    row!("y", "Height", "m", Camera, logarithmic(1.0, 5000.0), [camera.y_m],
+        "Height of the camera above the still water; it is kept above the highest crests."),
+    row!("z", "South", "m", Camera, number(-1e6, 1e6), [camera.z_m],
+        "Position of the camera south of the origin."),
+    row!("heading", "Heading", "deg", Camera, Kind::Heading, [camera.heading_deg],
+        "Viewing direction, clockwise from north."),
+    row!("pitch", "Pitch", "deg", Camera, number(-89.0, 60.0), [camera.pitch_deg],
+        "Viewing direction above (+) or below (-) the horizontal."),
+    row!("fov", "Field of view", "deg", Camera, number(10.0, 100.0), [camera.fov_deg],
+        "Vertical field of view; kept when the window changes shape."),
+    row!("loop", "Loop", "s", Clock, number(0.0, 3600.0), [sea.loop_s],
+        "Period after which the sea repeats exactly; 0 means never (a day). Every wave's frequency is rounded to fit.").zero("none"),
+    row!("t", "Time", "s", Clock, number(0.0, 1e7), [clock.t_s],
+        "Simulated time since the start of the sea."),
+    row!("speed", "Speed", "x", Clock, number(0.0, 10.0), [clock.speed],
+        "Simulated seconds per second."),
+    row!("pause", "Paused", Clock, flag [clock.paused],
+        "Stops the time."),
+]}
+
+/// Detail of the drawn surface.
+#[rustfmt::skip]
+pub(super) fn detail() -> Vec<Field> { vec![
+    row!("mesh", "Mesh detail", "", View, number(0.25, 2.0), [look.mesh],
+        "Density of the water mesh relative to the default."),
+]}
+
+/// FFT size and cascades.
+#[rustfmt::skip]
+pub(super) fn grid() -> Vec<Field> { vec![
+    row!("n", "FFT size", "", Grid, Kind::Choice(&["64", "128", "256", "512", "1024"]),
+        "Samples along one side of a cascade. More adds shorter waves, and never changes those already there.",
+        |p| SIZES.iter().position(|&n| n == p.grid.n).unwrap_or(2) as f64, |p, v| p.grid.n = SIZES[v as usize]),
+    row!("cascades", "Cascades", "", Grid, Kind::Integer { min: 0, max: 4 },
+        "Number of patches whose sum is the sea; 0 chooses for the sea at hand.",
+        |p| f64::from(p.grid.cascades), |p, v| p.grid.cascades = v as u32).zero("auto"),
+    row!("overlap", "Overlapping bands", Grid, flag [grid.overlap],
+        "Each cascade carries all the waves that its lattice can, sharing their energy (amplitudes go with 1/sqrt(n)), instead of a band of its own."),
+]}
+
+/// The cascades as set by hand.
+pub(super) fn patches() -> Vec<Field> {
+    [patch_rows!(0, "1"), patch_rows!(1, "2"), patch_rows!(2, "3"), patch_rows!(3, "4")].concat()
+}
