@@ -31,6 +31,8 @@ struct Frame {
   downwind: vec2f,
   // Texture coordinates of the foam's grain at the eye's foot.
   grain: vec2f,
+  // Where the water below the eye would lie in a still sea (x, z), and how far waves may carry water, m.
+  foot: vec4f,
   n: f32,
   wind_m_s: f32,
   hs_m: f32,

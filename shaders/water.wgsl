@@ -30,7 +30,9 @@ fn vertex(@builtin(vertex_index) i: u32) -> WaterVertex {
   let azimuth = frame.mesh.x + f32(column) * frame.mesh.y;
   let t = frame.mesh.z + f32(row) * frame.mesh.w;
   let radius = frame.mesh_radius * (exp(t) - 1.0);
-  let at = radius * vec2f(sin(azimuth), -cos(azimuth));
+  // Near the eye the lattice lies around the water that is below it.
+  let foot = frame.foot.xy * exp(-radius / (4.0 * frame.foot.z));
+  let at = foot + radius * vec2f(sin(azimuth), -cos(azimuth));
   // Distance between rows; columns are never farther apart than that matters.
   let spacing = max((radius + frame.mesh_radius) * frame.mesh.w, radius * frame.mesh.y);
   let moved = water_displacement(at, 1.3 * spacing);

@@ -7,8 +7,8 @@ use crate::model::{Params, Plan, statistics};
 use crate::render::{Renderer, Scene, SeaLook};
 use crate::sim::{MAX_STEPS, Simulation};
 
-/// The eye stays this share of the significant wave height above the still water, so that crests pass below it.
-const EYE_OVER_HS: f64 = 0.85;
+/// Lowest eye above the still water, m; the picture raises it over the waves that come.
+const LOWEST_EYE_M: f64 = 0.5;
 
 /// A sea on a device, with its renderer.
 pub struct Ocean {
@@ -88,7 +88,7 @@ impl Ocean {
         let peak_k = plan.dispersion.wave_number(plan.omega_p);
         let resolved_mss = plan.slope_variance(f64::INFINITY);
         Scene {
-            view: View::new(&above_water(&self.params), aspect, 1.0 + EYE_OVER_HS * hs_m),
+            view: View::new(&above_water(&self.params), aspect, LOWEST_EYE_M),
             look: self.params.look.clone(),
             sea: SeaLook {
                 chop: sea.lambda().map(|l| l as f32),

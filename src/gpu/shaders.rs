@@ -41,6 +41,7 @@ const MODULES: &[(&str, &[Part])] = &[
     ("sky_filter", &[part!("sky_filter.wgsl")]),
     ("sky_light", &[ATMOSPHERE, SKY, SKY_MODEL, part!("sky_light.wgsl")]),
     ("sky", &[ATMOSPHERE, SKY, SKY_MODEL, FRAME, part!("sky.wgsl")]),
+    ("eye", &[FRAME, WATER_SURFACE, part!("eye.wgsl")]),
     ("water", &[ATMOSPHERE, SKY, SKY_MODEL, FRAME, WATER_SURFACE, WATER_LIGHT, WATER_FOAM, part!("water.wgsl")]),
     ("present", &[SKY, part!("post/present.wgsl")]),
 ];

@@ -61,6 +61,7 @@ pub struct FrameUniform {
     foam_count: u32,
     downwind: [f32; 2],
     grain: [f32; 2],
+    foot: [f32; 4],
     n: f32,
     wind_m_s: f32,
     hs_m: f32,
@@ -104,6 +105,7 @@ impl FrameUniform {
             foam_count,
             downwind,
             grain,
+            foot,
             n,
             wind_m_s,
             hs_m,
@@ -167,6 +169,7 @@ impl FrameUniform {
             foam_count: maps.foam_levels.len() as u32,
             downwind: sea.downwind,
             grain: grain(sea, foot),
+            foot: [0.0, 0.0, reach_m(sea), 0.0],
             n: maps.n as f32,
             wind_m_s: sea.wind_m_s,
             hs_m: sea.hs_m,
@@ -181,6 +184,11 @@ impl FrameUniform {
             chop_z: sea.chop[1],
         }
     }
+}
+
+/// How far the waves carry water from where it would lie in a still sea, m.
+fn reach_m(sea: &SeaLook) -> f32 {
+    1.0 + 0.8 * sea.chop[0].max(sea.chop[1]) * sea.hs_m
 }
 
 /// Angle from the horizontal down to the horizon of the round Earth, rad.

@@ -47,7 +47,7 @@ impl Mesh {
         } else {
             ((eye - lift).max(0.0) / (-lowest).max(0.02).tan() - shift).max(0.0)
         };
-        let far = 1.15 * ((2.0 * EARTH_RADIUS_M * eye).sqrt() + (2.0 * EARTH_RADIUS_M * lift).sqrt()) + 500.0;
+        let far = 1.15 * ((2.0 * EARTH_RADIUS_M * (eye + lift)).sqrt() + (2.0 * EARTH_RADIUS_M * lift).sqrt()) + 500.0;
         let t = |r: f64| (1.0 + r / radius).ln();
         let first = (t(near) / ROW_SNAP).floor() * ROW_SNAP;
         let step = (t(far) - first) / f64::from(rows - 1);

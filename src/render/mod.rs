@@ -3,6 +3,7 @@
 //! A frame: the sky's look-up tables (only when the light changed), sky and water into an HDR target, tone curve to the
 //! screen. Every pass is a pure function of [`Scene`] and [`Maps`].
 
+mod eye;
 mod frame;
 mod kit;
 mod mesh;
@@ -18,6 +19,7 @@ use crate::gpu::layout::Layout;
 use crate::gpu::shaders::Shaders;
 use crate::model::look::Look;
 use crate::sim::Maps;
+use eye::EyePass;
 use frame::FrameUniform;
 use kit::Uniform;
 use mesh::Mesh;
@@ -49,6 +51,7 @@ pub struct Scene {
 pub struct Renderer {
     frame: Uniform<FrameUniform>,
     sky: Sky,
+    eye: EyePass,
     water: WaterPass,
     background: sky::Background,
     present: PresentPass,
@@ -75,8 +78,9 @@ impl Renderer {
         let scene = kit::SceneGroup::new(device, &frame, &sky, &noise, samples);
         let background = sky::Background::new(device, &shaders, &scene);
         let water = WaterPass::new(device, &shaders, scene);
+        let eye = EyePass::new(device, &shaders, &frame, &water);
         let present = PresentPass::new(device, &shaders, &sky.light, target_format);
-        Self { frame, sky, water, background, present, targets: None }
+        Self { frame, sky, eye, water, background, present, targets: None }
     }
 
     /// Records the HDR picture of `size` pixels.
@@ -103,6 +107,7 @@ impl Renderer {
         self.water.set_mesh(device, queue, &mesh);
 
         self.sky.update(queue, encoder, scene);
+        self.eye.run(encoder, scene, &self.water);
         let mut pass = targets.begin(encoder);
         self.background.draw(&mut pass, &self.water.scene);
         self.water.draw(&mut pass);

@@ -27,7 +27,8 @@ impl WaterPass {
     /// Compiles the pass.
     pub fn new(device: &wgpu::Device, shaders: &Shaders, scene: SceneGroup) -> Self {
         let slots = [Slot::Array, Slot::Array, Slot::Array, Slot::Array, Slot::Sampler];
-        let layout = layout(device, "maps", wgpu::ShaderStages::VERTEX_FRAGMENT, &slots);
+        let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
+        let layout = layout(device, "maps", stages, &slots);
         let module = shaders.module(device, "water");
         let layouts = [Some(&scene.layout), Some(&layout)];
         let pipeline = hdr_pipeline(device, "water", &module, &layouts, scene.samples, true);
@@ -57,6 +58,16 @@ impl WaterPass {
             Sampler(&self.sampler),
         ];
         self.maps = Some((maps.generation, group(device, "maps", &self.layout, &resources)));
+    }
+
+    /// Layout of the maps' bind group: displacement, gradients, moments, foam, sampler.
+    pub fn maps_layout(&self) -> &wgpu::BindGroupLayout {
+        &self.layout
+    }
+
+    /// The maps, once they are bound.
+    pub fn maps_group(&self) -> Option<&wgpu::BindGroup> {
+        self.maps.as_ref().map(|(_, group)| group)
     }
 
     /// Takes a mesh; the index buffer is made anew only when its density changed.

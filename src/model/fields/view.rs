@@ -24,7 +24,7 @@ pub(super) fn camera() -> Vec<Field> { vec![
     row!("x", "East", "m", Camera, number(-1e6, 1e6), [camera.x_m],
         "Position of the camera east of the origin."),
     row!("y", "Height", "m", Camera, logarithmic(1.0, 5000.0), [camera.y_m],
-        "Height of the camera above the still water; it is kept above the highest crests."),
+        "Height of the camera above the still water; waves that come lift it, so that it is never under water."),
     row!("z", "South", "m", Camera, number(-1e6, 1e6), [camera.z_m],
         "Position of the camera south of the origin."),
     row!("heading", "Heading", "deg", Camera, Kind::Heading, [camera.heading_deg],

@@ -1,0 +1,47 @@
+// Keeps the eye above the water: one workgroup looks at the waves around it and raises it over the highest, in the frame
+// that the picture's passes read afterwards. A pure function of the maps, so that a still depends on the state alone.
+
+@group(0) @binding(0) var<storage, read_write> frame: Frame;
+@group(1) @binding(0) var displacement_map: texture_2d_array<f32>;
+@group(1) @binding(1) var gradients_map: texture_2d_array<f32>;
+@group(1) @binding(2) var moments_map: texture_2d_array<f32>;
+@group(1) @binding(3) var foam_map: texture_2d_array<f32>;
+@group(1) @binding(4) var wave_sampler: sampler;
+
+const EYE_POINTS = 256u;
+// Height of the eye over the water below it, m, and how steeply the water around it may rise to that height.
+const EYE_CLEARANCE = 0.8;
+const EYE_STEEPNESS = 0.7;
+// Over this many metres the eye begins to rise before a crest is there.
+const EYE_SOFTNESS = 0.25;
+
+var<workgroup> eye_needed: array<f32, EYE_POINTS>;
+
+@compute @workgroup_size(EYE_POINTS)
+fn main(@builtin(local_invocation_index) i: u32) {
+  // A sunflower's points, over all the water that the waves may have carried here.
+  let reach = 1.0 + frame.foot.z;
+  let turn = f32(i) * 2.39996323;
+  let at = reach * sqrt((f32(i) + 0.5) / f32(EYE_POINTS)) * vec2f(cos(turn), sin(turn));
+  let moved = water_displacement(at, reach / sqrt(f32(EYE_POINTS)));
+  eye_needed[i] = moved.y + EYE_CLEARANCE - EYE_STEEPNESS * length(at + moved.xz);
+  workgroupBarrier();
+  for (var step = EYE_POINTS / 2u; step > 0u; step /= 2u) {
+    if i < step {
+      eye_needed[i] = max(eye_needed[i], eye_needed[i + step]);
+    }
+    workgroupBarrier();
+  }
+  if i == 0u {
+    let over = (eye_needed[0] - frame.eye_m) / EYE_SOFTNESS;
+    let rise = select(log(1.0 + exp(over)), over, over > 20.0);
+    frame.eye_m += EYE_SOFTNESS * rise;
+    var foot = vec2f(0.0);
+    for (var step = 0; step < 12; step++) {
+      foot += 0.7 * (-water_displacement(foot, 1.0).xz - foot);
+    }
+    frame.foot.x = foot.x;
+    frame.foot.y = foot.y;
+    frame.dip = sqrt(2.0 * frame.eye_m / FRAME_EARTH_M);
+  }
+}
