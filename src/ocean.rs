@@ -7,6 +7,8 @@ use crate::model::{Params, Plan, statistics};
 use crate::render::{Renderer, Scene, SeaLook};
 use crate::sim::{MAX_STEPS, Simulation};
 
+pub use crate::render::Part;
+
 /// The eye stays this share of the significant wave height above the still water, so that crests pass below it.
 const EYE_OVER_HS: f64 = 0.85;
 
@@ -76,6 +78,11 @@ impl Ocean {
     /// Draws the recorded frame into the viewport of a pass.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         self.renderer.present(pass);
+    }
+
+    /// Records one part of the last picture by itself, to be timed.
+    pub fn record(&self, encoder: &mut wgpu::CommandEncoder, part: Part) {
+        self.renderer.record(encoder, part);
     }
 
     /// What the renderer draws in `width` x `height` pixels.

@@ -45,6 +45,17 @@ pub struct Scene {
     pub sea: SeaLook,
 }
 
+/// A part of the picture that can be recorded by itself, to be timed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// The sky's tables, as when the light changed.
+    Light,
+    /// What stands behind the sea.
+    Background,
+    /// The sea.
+    Water,
+}
+
 /// Draws the sea.
 pub struct Renderer {
     frame: Uniform<FrameUniform>,
@@ -106,6 +117,16 @@ impl Renderer {
         let mut pass = targets.begin(encoder);
         self.background.draw(&mut pass, &self.water.scene);
         self.water.draw(&mut pass);
+    }
+
+    /// Records one part of the picture last drawn, by itself, whether it is stale or not.
+    pub fn record(&self, encoder: &mut wgpu::CommandEncoder, part: Part) {
+        let Some(targets) = &self.targets else { return };
+        match part {
+            Part::Light => self.sky.record(encoder),
+            Part::Background => self.background.draw(&mut targets.begin(encoder), &self.water.scene),
+            Part::Water => self.water.draw(&mut targets.begin(encoder)),
+        }
     }
 
     /// Draws the tone-mapped picture into the current viewport.
