@@ -3,6 +3,7 @@
 use crate::gpu::shaders::Shaders;
 use crate::model::camera::View;
 use crate::model::params::Camera;
+use crate::model::views::Scale;
 use crate::model::{Params, Plan, statistics};
 use crate::render::{Renderer, Scene, SeaLook};
 use crate::sim::{MAX_STEPS, Simulation};
@@ -97,6 +98,7 @@ impl Ocean {
         Scene {
             view: View::new(&above_water(&self.params), aspect, 1.0 + EYE_OVER_HS * hs_m),
             look: self.params.look.clone(),
+            scales: std::array::from_fn(|layer| Scale::new(self.params.look.view.shown, plan, layer)),
             sea: SeaLook {
                 chop: sea.lambda().map(|l| l as f32),
                 hs_m: hs_m as f32,

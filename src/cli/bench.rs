@@ -115,7 +115,12 @@ impl Report {
     /// The report as JSON.
     pub fn json(&self) -> String {
         let passes: serde_json::Map<_, _> = (self.timings.iter())
-            .map(|t| (t.pass.to_owned(), json!({"least_ms": t.least, "median_ms": t.median, "p10_ms": t.low, "p90_ms": t.high})))
+            .map(|t| {
+                (
+                    t.pass.to_owned(),
+                    json!({"least_ms": t.least, "median_ms": t.median, "p10_ms": t.low, "p90_ms": t.high}),
+                )
+            })
             .collect();
         let value = json!({
             "state": self.state, "adapter": self.adapter, "backend": self.backend, "n": self.n,

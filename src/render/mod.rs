@@ -3,6 +3,7 @@
 //! A frame: the sky's look-up tables (only when the light changed), sky and water into an HDR target, tone curve to the
 //! screen. Every pass is a pure function of [`Scene`] and [`Maps`].
 
+mod debug;
 mod frame;
 mod kit;
 mod mesh;
@@ -14,10 +15,12 @@ mod water;
 
 pub use frame::{SeaLook, View};
 
-use crate::gpu::layout::Layout;
+use crate::gpu::layout::{Layout, MAX_CASCADES};
 use crate::gpu::shaders::Shaders;
 use crate::model::look::Look;
+use crate::model::views::{Scale, Shown};
 use crate::sim::Maps;
+use debug::DebugPass;
 use frame::FrameUniform;
 use kit::Uniform;
 use mesh::Mesh;
@@ -28,8 +31,14 @@ use targets::Targets;
 use water::WaterPass;
 
 /// What the layout test compares with the shaders.
-pub const LAYOUTS: &[Layout] =
-    &[FrameUniform::LAYOUT, sky::SkyUniform::LAYOUT, sky::LightBuffer::LAYOUT, post::present::LAYOUT];
+pub const LAYOUTS: &[Layout] = &[
+    FrameUniform::LAYOUT,
+    sky::SkyUniform::LAYOUT,
+    sky::LightBuffer::LAYOUT,
+    post::present::LAYOUT,
+    debug::LAYOUTS[0],
+    debug::LAYOUTS[1],
+];
 
 /// Pixels of the picture for which the mesh's default density is made.
 const REFERENCE_PIXELS: f64 = 1280.0 * 720.0;
@@ -43,6 +52,8 @@ pub struct Scene {
     pub look: Look,
     /// What the maps do not tell of the sea.
     pub sea: SeaLook,
+    /// What the colours of a view stand for, layer by layer of its maps; the picture has no use for it.
+    pub scales: [Scale; MAX_CASCADES],
 }
 
 /// A part of the picture that can be recorded by itself, to be timed.
@@ -64,6 +75,11 @@ pub struct Renderer {
     background: sky::Background,
     present: PresentPass,
     targets: Option<Targets>,
+    target_format: wgpu::TextureFormat,
+    /// Since the first view was asked for.
+    debug: Option<DebugPass>,
+    /// Whether a view was drawn last.
+    shows_view: bool,
 }
 
 impl Renderer {
@@ -87,7 +103,7 @@ impl Renderer {
         let background = sky::Background::new(device, &shaders, &scene);
         let water = WaterPass::new(device, &shaders, scene);
         let present = PresentPass::new(device, &shaders, &sky.light, target_format);
-        Self { frame, sky, water, background, present, targets: None }
+        Self { frame, sky, water, background, present, targets: None, target_format, debug: None, shows_view: false }
     }
 
     /// Records the HDR picture of `size` pixels.
@@ -113,6 +129,13 @@ impl Renderer {
         self.water.bind_maps(device, maps);
         self.water.set_mesh(device, queue, &mesh);
 
+        self.shows_view = scene.look.view.shown != Shown::Picture;
+        if self.shows_view {
+            let make = || DebugPass::new(device, &Shaders::default(), &self.water, self.target_format);
+            let debug = self.debug.get_or_insert_with(make);
+            debug.draw((device, queue), encoder, (maps, scene), &self.water, targets);
+            return;
+        }
         self.sky.update(queue, encoder, scene);
         let mut pass = targets.begin(encoder);
         self.background.draw(&mut pass, &self.water.scene);
@@ -129,9 +152,12 @@ impl Renderer {
         }
     }
 
-    /// Draws the tone-mapped picture into the current viewport.
+    /// Draws the tone-mapped picture, or the view, into the current viewport.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
-        self.present.draw(pass);
+        match &self.debug {
+            Some(debug) if self.shows_view => debug.show(pass),
+            _ => self.present.draw(pass),
+        }
     }
 }
 
