@@ -23,8 +23,7 @@ struct WaterVertex {
   @location(1) rest: vec3f,
 }
 
-@vertex
-fn vertex(@builtin(vertex_index) i: u32) -> WaterVertex {
+fn water_vertex(i: u32) -> WaterVertex {
   let column = i / frame.mesh_rows;
   let row = i % frame.mesh_rows;
   let azimuth = frame.mesh.x + f32(column) * frame.mesh.y;
@@ -40,6 +39,11 @@ fn vertex(@builtin(vertex_index) i: u32) -> WaterVertex {
   let drop = dot(flat, flat) / (2.0 * FRAME_EARTH_M);
   let place = vec3f(flat.x, moved.y - drop - frame.eye_m, flat.y);
   return WaterVertex(frame.clip_from_relative * vec4f(place, 1.0), place, vec3f(at.x, moved.y, at.y));
+}
+
+@vertex
+fn vertex(@builtin(vertex_index) i: u32) -> WaterVertex {
+  return water_vertex(i);
 }
 
 // Air between the eye and a point at a distance: the light that it adds, and the share that it lets through.

@@ -3,9 +3,12 @@
 use crate::gpu::shaders::Shaders;
 use crate::model::camera::View;
 use crate::model::params::Camera;
+use crate::model::views::Scale;
 use crate::model::{Params, Plan, statistics};
 use crate::render::{Renderer, Scene, SeaLook};
 use crate::sim::{MAX_STEPS, Simulation};
+
+pub use crate::render::Part;
 
 /// Lowest eye above the still water, m; the picture raises it over the waves that come.
 const LOWEST_EYE_M: f64 = 0.5;
@@ -78,6 +81,11 @@ impl Ocean {
         self.renderer.present(pass);
     }
 
+    /// Records one part of the last picture by itself, to be timed.
+    pub fn record(&self, encoder: &mut wgpu::CommandEncoder, part: Part) {
+        self.renderer.record(encoder, part);
+    }
+
     /// What the renderer draws in `width` x `height` pixels.
     pub fn scene(&self, [width, height]: [u32; 2]) -> Scene {
         let plan = self.sim.plan();
@@ -90,6 +98,7 @@ impl Ocean {
         Scene {
             view: View::new(&above_water(&self.params), aspect, LOWEST_EYE_M),
             look: self.params.look.clone(),
+            scales: std::array::from_fn(|layer| Scale::new(self.params.look.view.shown, plan, layer)),
             sea: SeaLook {
                 chop: sea.lambda().map(|l| l as f32),
                 hs_m: hs_m as f32,

@@ -52,6 +52,25 @@ fn the_panel_edits_the_state() {
 }
 
 #[test]
+fn v_goes_through_the_views() {
+    let mut harness = open("n=64&pause=1");
+    harness.key_press(egui::Key::V);
+    harness.run_steps(2);
+    assert_eq!(harness.state().state(), "view=h0&pause=1&n=64");
+    harness.get_by_label_contains("logarithmic");
+    harness.key_press(egui::Key::Num2);
+    harness.key_press_modifiers(egui::Modifiers::SHIFT, egui::Key::V);
+    harness.key_press_modifiers(egui::Modifiers::SHIFT, egui::Key::V);
+    harness.run_steps(2);
+    assert_eq!(harness.state().state(), "view=wireframe&viewcascade=2&pause=1&n=64");
+    harness.render().expect("a picture");
+    assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+    harness.key_press(egui::Key::Escape);
+    harness.run_steps(2);
+    assert_eq!(harness.state().state(), "pause=1&n=64");
+}
+
+#[test]
 fn notices_of_the_state_are_shown() {
     let harness = open("n=64&pause=1&colour=red");
     harness.get_by_label_contains("unknown key \"colour\"");

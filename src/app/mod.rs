@@ -1,6 +1,7 @@
 //! The program that people see: one eframe app for the page and the window. The only room that knows egui and the browser.
 
 mod camera;
+mod caption;
 mod dropped;
 mod faults;
 #[cfg(not(target_arch = "wasm32"))]
@@ -140,7 +141,8 @@ impl App {
         if ctx.input(|i| i.key_pressed(egui::Key::Space)) {
             self.params.clock.paused = !self.params.clock.paused;
         }
-        if cfg!(not(target_arch = "wasm32")) && ctx.input(|i| i.key_pressed(egui::Key::Escape)) {
+        let back = caption::keys(&mut self.params.look.view, ctx);
+        if !back && cfg!(not(target_arch = "wasm32")) && ctx.input(|i| i.key_pressed(egui::Key::Escape)) {
             ctx.send_viewport_cmd(egui::ViewportCommand::Close);
         }
         camera::keys(&mut self.params.camera, ctx);
@@ -173,6 +175,7 @@ impl eframe::App for App {
         }
         let response = viewport::show(ui, &self.params, &self.catching_up);
         camera::pointer(&mut self.params.camera, &response, &ctx);
+        caption::show(&self.params, &self.derived.plan, &ctx);
         panel::show(self, &ctx);
         dropped::invite(&ctx);
         if self.catching_up.is_set() {

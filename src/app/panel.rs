@@ -255,5 +255,5 @@ fn about(app: &App, ui: &mut egui::Ui) {
     }
     ui.label(format!("{:.1} % of the sea's energy is computed", 100.0 * plan.captured().min(1.0)));
     ui.separator();
-    ui.weak("Drag to look, scroll or pinch to zoom, WASD or arrows to fly, Q and E for height, space to pause.");
+    ui.weak("Drag to look, scroll or pinch to zoom, WASD or arrows to fly, Q and E for height, space to pause. V goes through views of the maps and the mesh (shift: back, 0 to 4: cascade, Escape: picture).");
 }

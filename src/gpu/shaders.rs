@@ -26,6 +26,7 @@ const FRAME: Part = part!("frame.wgsl");
 const WATER_SURFACE: Part = part!("water_surface.wgsl");
 const WATER_LIGHT: Part = part!("water_light.wgsl");
 const WATER_FOAM: Part = part!("water_foam.wgsl");
+const DEBUG: Part = part!("debug.wgsl");
 
 /// Module names and the parts they are joined from; the last part holds the entry points.
 const MODULES: &[(&str, &[Part])] = &[
@@ -44,7 +45,19 @@ const MODULES: &[(&str, &[Part])] = &[
     ("eye", &[FRAME, WATER_SURFACE, part!("eye.wgsl")]),
     ("water", &[ATMOSPHERE, SKY, SKY_MODEL, FRAME, WATER_SURFACE, WATER_LIGHT, WATER_FOAM, part!("water.wgsl")]),
     ("present", &[SKY, part!("post/present.wgsl")]),
+    ("debug_map", &[MATHS, SEA, DEBUG, part!("debug_map.wgsl")]),
+    ("debug_show", &[part!("debug_show.wgsl")]),
 ];
+
+/// Modules that hold another whole, and what they add to it.
+const EXTENSIONS: &[(&str, &str, &[Part])] = &[("debug_water", "water", &[DEBUG, part!("debug_water.wgsl")])];
+
+/// The parts of every module.
+fn modules() -> impl Iterator<Item = (&'static str, Vec<&'static Part>)> {
+    let whole = |name: &'static str| MODULES.iter().filter(move |(n, _)| *n == name).flat_map(|(_, parts)| *parts);
+    let extended = EXTENSIONS.iter().map(move |(name, base, more)| (*name, whole(base).chain(*more).collect()));
+    MODULES.iter().map(|(name, parts)| (*name, parts.iter().collect())).chain(extended)
+}
 
 /// The sources that a device's modules are made from.
 #[derive(Clone, Debug)]
@@ -54,8 +67,8 @@ pub struct Shaders {
 
 impl Default for Shaders {
     fn default() -> Self {
-        let join = |parts: &[Part]| parts.iter().map(|p| p.text).collect::<Vec<_>>().join("\n");
-        Self { sources: MODULES.iter().map(|(name, parts)| (*name, Cow::Owned(join(parts)))).collect() }
+        let join = |parts: Vec<&Part>| parts.iter().map(|p| p.text).collect::<Vec<_>>().join("\n");
+        Self { sources: modules().map(|(name, parts)| (name, Cow::Owned(join(parts)))).collect() }
     }
 }
 
@@ -92,9 +105,9 @@ impl Shaders {
 
 /// File and line (from 1) of a line (from 1) of a joined module.
 pub fn locate(module: &str, line: usize) -> Option<(&'static str, usize)> {
-    let (_, parts) = MODULES.iter().find(|(name, _)| *name == module)?;
+    let (_, parts) = modules().find(|(name, _)| *name == module)?;
     let mut rest = line;
-    for part in *parts {
+    for part in parts {
         // Joining adds one newline after each part.
         let lines = part.text.matches('\n').count() + 1;
         if rest <= lines {

@@ -1,5 +1,7 @@
 //! What a user can set of the picture: light, water, film. Uniforms only; nothing here changes a map.
 
+use super::views;
+
 /// Everything of the picture but the place that it is taken from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Look {
@@ -11,11 +13,19 @@ pub struct Look {
     pub film: Film,
     /// Vertices of the water mesh relative to the default.
     pub mesh: f64,
+    /// What is shown instead of the picture.
+    pub view: views::Choice,
 }
 
 impl Default for Look {
     fn default() -> Self {
-        Self { sky: SkyLook::default(), surface: Surface::default(), film: Film::default(), mesh: 1.0 }
+        Self {
+            sky: SkyLook::default(),
+            surface: Surface::default(),
+            film: Film::default(),
+            mesh: 1.0,
+            view: views::Choice::default(),
+        }
     }
 }
 

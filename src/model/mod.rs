@@ -20,6 +20,7 @@ pub mod spectra;
 pub mod spreading;
 pub mod statistics;
 pub mod table;
+pub mod views;
 pub mod waves;
 
 pub use heights::Heights;

@@ -174,6 +174,11 @@ impl Plan {
         self.energy.mss_between(low, high)
     }
 
+    /// Variance of the elevation by the waves between two wave numbers (rad/m), m^2.
+    pub fn variance_between(&self, low: f64, high: f64) -> f64 {
+        self.energy.m0_between(low, high)
+    }
+
     /// Variance of dDx/dx + dDz/dz, the linear part of the Jacobian at chop 1, as read from the maps' mips on a grid of
     /// `texel_m`. In shallow water it exceeds the mean square slope: orbits are flatter.
     pub fn strain_variance(&self, texel_m: f64) -> f64 {

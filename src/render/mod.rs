@@ -3,6 +3,7 @@
 //! A frame: the sky's look-up tables (only when the light changed), sky and water into an HDR target, tone curve to the
 //! screen. Every pass is a pure function of [`Scene`] and [`Maps`].
 
+mod debug;
 mod eye;
 mod frame;
 mod kit;
@@ -15,10 +16,12 @@ mod water;
 
 pub use frame::{SeaLook, View};
 
-use crate::gpu::layout::Layout;
+use crate::gpu::layout::{Layout, MAX_CASCADES};
 use crate::gpu::shaders::Shaders;
 use crate::model::look::Look;
+use crate::model::views::{Scale, Shown};
 use crate::sim::Maps;
+use debug::DebugPass;
 use eye::EyePass;
 use frame::FrameUniform;
 use kit::Uniform;
@@ -30,8 +33,14 @@ use targets::Targets;
 use water::WaterPass;
 
 /// What the layout test compares with the shaders.
-pub const LAYOUTS: &[Layout] =
-    &[FrameUniform::LAYOUT, sky::SkyUniform::LAYOUT, sky::LightBuffer::LAYOUT, post::present::LAYOUT];
+pub const LAYOUTS: &[Layout] = &[
+    FrameUniform::LAYOUT,
+    sky::SkyUniform::LAYOUT,
+    sky::LightBuffer::LAYOUT,
+    post::present::LAYOUT,
+    debug::LAYOUTS[0],
+    debug::LAYOUTS[1],
+];
 
 /// Pixels of the picture for which the mesh's default density is made.
 const REFERENCE_PIXELS: f64 = 1280.0 * 720.0;
@@ -45,6 +54,19 @@ pub struct Scene {
     pub look: Look,
     /// What the maps do not tell of the sea.
     pub sea: SeaLook,
+    /// What the colours of a view stand for, layer by layer of its maps; the picture has no use for it.
+    pub scales: [Scale; MAX_CASCADES],
+}
+
+/// A part of the picture that can be recorded by itself, to be timed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// The sky's tables, as when the light changed.
+    Light,
+    /// What stands behind the sea.
+    Background,
+    /// The sea.
+    Water,
 }
 
 /// Draws the sea.
@@ -56,6 +78,11 @@ pub struct Renderer {
     background: sky::Background,
     present: PresentPass,
     targets: Option<Targets>,
+    target_format: wgpu::TextureFormat,
+    /// Since the first view was asked for.
+    debug: Option<DebugPass>,
+    /// Whether a view was drawn last.
+    shows_view: bool,
 }
 
 impl Renderer {
@@ -80,7 +107,18 @@ impl Renderer {
         let water = WaterPass::new(device, &shaders, scene);
         let eye = EyePass::new(device, &shaders, &frame, &water);
         let present = PresentPass::new(device, &shaders, &sky.light, target_format);
-        Self { frame, sky, eye, water, background, present, targets: None }
+        Self {
+            frame,
+            sky,
+            eye,
+            water,
+            background,
+            present,
+            targets: None,
+            target_format,
+            debug: None,
+            shows_view: false,
+        }
     }
 
     /// Records the HDR picture of `size` pixels.
@@ -106,16 +144,36 @@ impl Renderer {
         self.water.bind_maps(device, maps);
         self.water.set_mesh(device, queue, &mesh);
 
-        self.sky.update(queue, encoder, scene);
         self.eye.run(encoder, scene, &self.water);
+        self.shows_view = scene.look.view.shown != Shown::Picture;
+        if self.shows_view {
+            let make = || DebugPass::new(device, &Shaders::default(), &self.water, self.target_format);
+            let debug = self.debug.get_or_insert_with(make);
+            debug.draw((device, queue), encoder, (maps, scene), &self.water, targets);
+            return;
+        }
+        self.sky.update(queue, encoder, scene);
         let mut pass = targets.begin(encoder);
         self.background.draw(&mut pass, &self.water.scene);
         self.water.draw(&mut pass);
     }
 
-    /// Draws the tone-mapped picture into the current viewport.
+    /// Records one part of the picture last drawn, by itself, whether it is stale or not.
+    pub fn record(&self, encoder: &mut wgpu::CommandEncoder, part: Part) {
+        let Some(targets) = &self.targets else { return };
+        match part {
+            Part::Light => self.sky.record(encoder),
+            Part::Background => self.background.draw(&mut targets.begin(encoder), &self.water.scene),
+            Part::Water => self.water.draw(&mut targets.begin(encoder)),
+        }
+    }
+
+    /// Draws the tone-mapped picture, or the view, into the current viewport.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
-        self.present.draw(pass);
+        match &self.debug {
+            Some(debug) if self.shows_view => debug.show(pass),
+            _ => self.present.draw(pass),
+        }
     }
 }
 

@@ -296,6 +296,11 @@ impl Sky {
         Self { uniform, light, transmittance, view, environment, sampler, air, lit, made_for: None }
     }
 
+    /// Records all tables.
+    pub fn record(&self, encoder: &mut wgpu::CommandEncoder) {
+        self.air.iter().chain(&self.lit).for_each(|step| step.run(encoder));
+    }
+
     /// Records what the light of a scene makes stale.
     pub fn update(&mut self, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
         let wanted = SkyUniform::new(scene);

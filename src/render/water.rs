@@ -90,8 +90,18 @@ impl WaterPass {
 
     /// Draws the sea.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        let (Some((_, maps)), Some(indices)) = (&self.maps, &self.indices) else { return };
         pass.set_pipeline(&self.pipeline);
+        self.draw_mesh(pass);
+    }
+
+    /// Layouts of the bind groups that the mesh is drawn with.
+    pub fn layouts(&self) -> [&wgpu::BindGroupLayout; 2] {
+        [&self.scene.layout, &self.layout]
+    }
+
+    /// Draws the mesh with the pipeline of the pass.
+    pub fn draw_mesh(&self, pass: &mut wgpu::RenderPass<'_>) {
+        let (Some((_, maps)), Some(indices)) = (&self.maps, &self.indices) else { return };
         pass.set_bind_group(0, &self.scene.group, &[]);
         pass.set_bind_group(1, maps, &[]);
         pass.set_index_buffer(indices.buffer.slice(..), wgpu::IndexFormat::Uint32);

@@ -16,6 +16,12 @@ pub struct Maps {
     pub moments: wgpu::TextureView,
     /// 2d array, rgba16float, layer = foam level, repeating: foam and present source, both 0..1, undisplaced.
     pub foam: wgpu::TextureView,
+    /// h0, complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
+    pub h0: wgpu::Buffer,
+    /// Turns (u32) and orbit (f32) per triangle entry and cascade.
+    pub wave: wgpu::Buffer,
+    /// Phase of all waves at the time of the maps, t / period in units of 2^-32.
+    pub phase_time: u32,
     /// Longest waves first.
     pub cascades: Vec<MapCascade>,
     /// Finest first.
@@ -54,6 +60,9 @@ impl Maps {
             gradients: view(&resources.gradients, None),
             moments: view(&resources.moments, None),
             foam: view(&resources.foam, None),
+            h0: resources.h0.clone(),
+            wave: resources.wave.clone(),
+            phase_time: 0,
             cascades: Vec::new(),
             foam_levels: Vec::new(),
             foam_n: resources.foam_n,

@@ -164,6 +164,7 @@ impl Simulation {
     /// The waves of all cascades at one time: two dispatches, and their mips. Returns the uniform's offset.
     fn encode_waves(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64) -> u32 {
         let step = self.sea_steps.push(&self.sea_uniform(t_s, false));
+        self.maps.phase_time = self.plan.phase_time(t_s);
         self.passes.rows.run(encoder, &self.resources, step);
         self.passes.columns.run(encoder, &self.resources, step);
         self.passes.mips.run(encoder, &self.resources, step);
@@ -175,6 +176,7 @@ impl Simulation {
     pub fn encode_f32(&mut self, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
         self.begin(encoder, t_s);
         let step = self.sea_steps.push(&self.sea_uniform(t_s, true));
+        self.maps.phase_time = self.plan.phase_time(t_s);
         self.passes.rows.run(encoder, &self.resources, step);
         self.passes.columns.run(encoder, &self.resources, step);
         self.passes.mips.run(encoder, &self.resources, step);

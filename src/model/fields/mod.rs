@@ -274,6 +274,7 @@ pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
         look::surface(),
         look::film(),
         view::detail(),
+        view::views(),
         view::camera(),
         view::grid(),
         view::patches(),

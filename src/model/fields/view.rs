@@ -1,6 +1,8 @@
 //! Rows of the camera, of time and of resolution.
 
+use super::super::views::VIEWS;
 use super::{Field, Group, Kind, logarithmic, number};
+use std::sync::LazyLock;
 
 const SIZES: [u32; 5] = [64, 128, 256, 512, 1024];
 
@@ -49,6 +51,20 @@ pub(super) fn detail() -> Vec<Field> { vec![
     row!("mesh", "Mesh detail", "", View, number(0.25, 2.0), [look.mesh],
         "Density of the water mesh relative to the default."),
 ]}
+
+/// Views of the maps and of the surface. What they are stands in `model/views.rs`.
+pub(super) fn views() -> Vec<Field> {
+    static WORDS: LazyLock<Vec<&str>> = LazyLock::new(|| VIEWS.iter().map(|(word, ..)| *word).collect());
+    vec![
+        row!("view", "View", "", View, Kind::Choice(WORDS.as_slice()),
+            "What is shown instead of the picture (key V). Maps of the simulation, texel by texel: h0, initial spectrum; spectrum at this time; dx, height, dz, displacement; dxdz, dxdx, dzdz, its derivatives; slopex, slopez; momentxx, momentzz, momentxz, slope moments; jacobian of one cascade; foam and its source. On the surface: normals; folding, the Jacobian of the sum; roughness, slope variance within the pixel; mips; coverage of foam; wireframe.",
+            |p| VIEWS.iter().position(|(_, shown, _)| *shown == p.look.view.shown).unwrap_or(0) as f64,
+            |p, v| p.look.view.shown = VIEWS[v as usize].1),
+        row!("viewcascade", "View of cascade", "", View, Kind::Integer { min: 0, max: 4 },
+            "Cascade that a view shows, or level of the foam, the longest waves (the finest foam) first; 0 shows all side by side, and mips of the finest.",
+            |p| f64::from(p.look.view.cascade), |p, v| p.look.view.cascade = v as u32).zero("all"),
+    ]
+}
 
 /// FFT size and cascades.
 #[rustfmt::skip]

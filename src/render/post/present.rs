@@ -3,7 +3,7 @@
 use crate::gpu::layout::Layout;
 use crate::gpu::shaders::Shaders;
 use crate::render::Scene;
-use crate::render::kit::{Slot, Uniform, group, layout};
+use crate::render::kit::{Slot, Uniform, group, layout, screen_pipeline};
 use crate::render::sky::LightBuffer;
 use crate::render::targets::Targets;
 use bytemuck::{Pod, Zeroable};
@@ -54,33 +54,7 @@ impl PresentPass {
             Slot::Sampler,
         ];
         let layout = layout(device, "present", wgpu::ShaderStages::FRAGMENT, &slots);
-        let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some("present"),
-            bind_group_layouts: &[Some(&layout)],
-            immediate_size: 0,
-        });
-        let module = shaders.module(device, "present");
-        let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some("present"),
-            layout: Some(&pipeline_layout),
-            vertex: wgpu::VertexState {
-                module: &module,
-                entry_point: Some("vertex"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers: &[],
-            },
-            primitive: wgpu::PrimitiveState::default(),
-            depth_stencil: None,
-            multisample: wgpu::MultisampleState::default(),
-            fragment: Some(wgpu::FragmentState {
-                module: &module,
-                entry_point: Some("fragment"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                targets: &[Some(target_format.into())],
-            }),
-            multiview_mask: None,
-            cache: None,
-        });
+        let pipeline = screen_pipeline(device, "present", &shaders.module(device, "present"), &layout, target_format);
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("hdr"),
             mag_filter: wgpu::FilterMode::Linear,

@@ -1,0 +1,71 @@
+//! What a view shows, below it: name, cascades, colours and what they stand for. And the keys that go through the views.
+
+use crate::model::views::{Choice, Palette, Shown, caption};
+use crate::model::{Params, Plan};
+use egui::{Color32, Key};
+
+/// Size of the bar of colours, points.
+const BAR: egui::Vec2 = egui::vec2(220.0, 10.0);
+
+/// V goes on to the next view, with shift back; digits choose a cascade; Escape returns to the picture. Returns whether
+/// Escape was used up.
+pub fn keys(view: &mut Choice, ctx: &egui::Context) -> bool {
+    let pressed = |key| ctx.input(|i| i.key_pressed(key));
+    if pressed(Key::V) {
+        *view = view.turned(if ctx.input(|i| i.modifiers.shift) { -1 } else { 1 });
+    }
+    if view.shown == Shown::Picture {
+        return false;
+    }
+    for (cascade, key) in (0..).zip([Key::Num0, Key::Num1, Key::Num2, Key::Num3, Key::Num4]) {
+        if pressed(key) {
+            view.cascade = cascade;
+        }
+    }
+    let back = pressed(Key::Escape);
+    if back {
+        *view = Choice::default();
+    }
+    back
+}
+
+/// Shows the caption of the view, if there is one.
+pub fn show(params: &Params, plan: &Plan, ctx: &egui::Context) {
+    let view = params.look.view;
+    if view.shown == Shown::Picture {
+        return;
+    }
+    let area = egui::Area::new(egui::Id::unique("caption")).anchor(egui::Align2::LEFT_BOTTOM, egui::vec2(12.0, -12.0));
+    area.interactable(false).show(ctx, |ui| {
+        egui::Frame::window(ui.style()).show(ui, |ui| {
+            let caption = caption(view, plan);
+            ui.strong(view.name());
+            if let Some(palette) = caption.palette {
+                bar(palette, ui);
+            }
+            for line in caption.lines {
+                ui.label(line);
+            }
+        });
+    });
+}
+
+fn bar(palette: Palette, ui: &mut egui::Ui) {
+    let (rect, _) = ui.allocate_exact_size(BAR, egui::Sense::hover());
+    let stops = palette.stops().map(|c| {
+        let [r, g, b] = c.map(|x| (255.0 * x).round() as u8);
+        Color32::from_rgb(r, g, b)
+    });
+    let mut mesh = egui::Mesh::default();
+    for (i, colour) in stops.into_iter().enumerate() {
+        let x = egui::lerp(rect.x_range(), i as f32 / (stops.len() - 1) as f32);
+        mesh.colored_vertex(egui::pos2(x, rect.top()), colour);
+        mesh.colored_vertex(egui::pos2(x, rect.bottom()), colour);
+        if i > 0 {
+            let at = 2 * i as u32;
+            mesh.add_triangle(at - 2, at - 1, at);
+            mesh.add_triangle(at - 1, at, at + 1);
+        }
+    }
+    ui.painter().add(mesh);
+}
