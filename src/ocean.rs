@@ -4,7 +4,7 @@ use crate::gpu::shaders::Shaders;
 use crate::model::camera::View;
 use crate::model::params::Camera;
 use crate::model::{Params, Plan, statistics};
-use crate::render::{Renderer, Scene, SeaLook};
+use crate::render::{Grid, Reference, Renderer, Scene, SeaLook};
 use crate::sim::{MAX_STEPS, Simulation};
 
 /// The eye stays this share of the significant wave height above the still water, so that crests pass below it.
@@ -16,6 +16,8 @@ pub struct Ocean {
     shaders: Shaders,
     sim: Simulation,
     renderer: Renderer,
+    reference: Option<Reference>,
+    format: wgpu::TextureFormat,
 }
 
 impl Ocean {
@@ -24,7 +26,7 @@ impl Ocean {
         let shaders = Shaders::default();
         let sim = Simulation::new(device, queue, Plan::new(params), &shaders);
         let renderer = Renderer::new(device, queue, format);
-        Self { params: params.clone(), shaders, sim, renderer }
+        Self { params: params.clone(), shaders, sim, renderer, reference: None, format }
     }
 
     /// Turns to other parameters; costs nothing when only the time, the camera or the light changed.
@@ -76,6 +78,35 @@ impl Ocean {
     /// Draws the recorded frame into the viewport of a pass.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         self.renderer.present(pass);
+    }
+
+    /// Records unfiltered samples of the sea as the last frame left it; see [`Reference::draw`].
+    pub fn encode_samples(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        grid: &Grid,
+    ) -> wgpu::Texture {
+        let scene = self.scene(grid.size);
+        let reference = self.reference.get_or_insert_with(|| Reference::new(device, queue, self.format));
+        reference.draw(device, queue, encoder, self.sim.maps(), &scene, grid)
+    }
+
+    /// Draws a picture in linear light (RGB, row by row) as the film shows it, with the exposure of the state.
+    pub fn present_light(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        pass: &mut wgpu::RenderPass<'_>,
+        size: [u32; 2],
+        light: &[[f32; 3]],
+    ) {
+        let scene = self.scene(size);
+        if let Some(reference) = &mut self.reference {
+            reference.show(device, queue, &scene, size, light);
+            reference.present(pass);
+        }
     }
 
     /// What the renderer draws in `width` x `height` pixels.

@@ -3,7 +3,7 @@
 use super::frame::FrameUniform;
 use super::noise::NoiseTexture;
 use super::sky::{LightBuffer, Sky, SkyUniform};
-use super::targets::{DEPTH_FORMAT, HDR_FORMAT};
+use super::targets::{DEPTH_FORMAT, Film, HDR_FORMAT};
 use bytemuck::Pod;
 use std::marker::PhantomData;
 use std::num::NonZeroU64;
@@ -102,8 +102,8 @@ pub fn group(
 pub struct SceneGroup {
     pub layout: wgpu::BindGroupLayout,
     pub group: wgpu::BindGroup,
-    /// Coverage samples a pixel.
-    pub samples: u32,
+    /// What the passes draw into.
+    pub film: Film,
 }
 
 impl SceneGroup {
@@ -112,7 +112,7 @@ impl SceneGroup {
         frame: &Uniform<FrameUniform>,
         sky: &Sky,
         noise: &NoiseTexture,
-        samples: u32,
+        film: Film,
     ) -> Self {
         let slots = [
             Slot::Uniform(size_of::<FrameUniform>()),
@@ -142,7 +142,7 @@ impl SceneGroup {
                 wgpu::BindingResource::TextureView(&sky.transmittance),
             ],
         );
-        Self { layout, group, samples }
+        Self { layout, group, film }
     }
 }
 
@@ -152,7 +152,7 @@ pub fn hdr_pipeline(
     label: &str,
     module: &wgpu::ShaderModule,
     layouts: &[Option<&wgpu::BindGroupLayout>],
-    samples: u32,
+    film: Film,
     depth_write: bool,
 ) -> wgpu::RenderPipeline {
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -177,12 +177,12 @@ pub fn hdr_pipeline(
             stencil: wgpu::StencilState::default(),
             bias: wgpu::DepthBiasState::default(),
         }),
-        multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
+        multisample: wgpu::MultisampleState { count: film.samples, ..Default::default() },
         fragment: Some(wgpu::FragmentState {
             module,
             entry_point: Some("fragment"),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &[Some(HDR_FORMAT.into())],
+            targets: &[Some(film.format.into())],
         }),
         multiview_mask: None,
         cache: None,

@@ -40,12 +40,13 @@ pub struct PresentPass {
 }
 
 impl PresentPass {
-    /// Compiles the pass for a format of the screen.
+    /// Compiles the pass for a format of the screen; `smooth` asks for smooth edges.
     pub fn new(
         device: &wgpu::Device,
         shaders: &Shaders,
         light: &wgpu::Buffer,
         target_format: wgpu::TextureFormat,
+        smooth: bool,
     ) -> Self {
         let slots = [
             Slot::Uniform(size_of::<PresentUniform>()),
@@ -75,7 +76,10 @@ impl PresentPass {
             fragment: Some(wgpu::FragmentState {
                 module: &module,
                 entry_point: Some("fragment"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                compilation_options: wgpu::PipelineCompilationOptions {
+                    constants: &[("PRESENT_SMOOTH", f64::from(u8::from(smooth)))],
+                    ..Default::default()
+                },
                 targets: &[Some(target_format.into())],
             }),
             multiview_mask: None,
