@@ -45,12 +45,20 @@ struct Frame {
   overcast: f32,
   exposure_gain: f32,
   chop_z: f32,
+  // Share of a pixel that is filtered over: 1, or 0 for the samples of a reference.
+  footprint: f32,
+  unused_x: f32,
+  unused_y: f32,
+  unused_z: f32,
 }
 
 const FRAME_EARTH_M = 6371000.0;
 
-// Marks a colour that is not a number, for the present pass to paint.
+// Marks a colour that is not a number, for the present pass to paint. A sample of a reference stays as it is.
 fn frame_colour(c: vec3f) -> vec4f {
+  if frame.footprint == 0.0 {
+    return vec4f(c, 0.0);
+  }
   let bits = bitcast<vec3u>(c) & vec3u(0x7f800000u);
   if any(bits == vec3u(0x7f800000u)) {
     return vec4f(0.0);

@@ -23,6 +23,11 @@ struct WaterVertex {
   @location(1) rest: vec3f,
 }
 
+// Length over which the mesh is filtered at a distance: that between rows; columns are never farther apart than matters.
+fn water_spacing(radius: f32) -> f32 {
+  return 1.3 * max((radius + frame.mesh_radius) * frame.mesh.w, radius * frame.mesh.y);
+}
+
 fn water_vertex(i: u32) -> WaterVertex {
   let column = i / frame.mesh_rows;
   let row = i % frame.mesh_rows;
@@ -32,9 +37,7 @@ fn water_vertex(i: u32) -> WaterVertex {
   // Near the eye the lattice lies around the water that is below it.
   let foot = frame.foot.xy * exp(-radius / (4.0 * frame.foot.z));
   let at = foot + radius * vec2f(sin(azimuth), -cos(azimuth));
-  // Distance between rows; columns are never farther apart than that matters.
-  let spacing = max((radius + frame.mesh_radius) * frame.mesh.w, radius * frame.mesh.y);
-  let moved = water_displacement(at, 1.3 * spacing);
+  let moved = water_displacement(at, water_spacing(radius));
   let flat = at + moved.xz;
   let drop = dot(flat, flat) / (2.0 * FRAME_EARTH_M);
   let place = vec3f(flat.x, moved.y - drop - frame.eye_m, flat.y);
@@ -68,18 +71,35 @@ fn water_air(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   return array<vec3f, 2>(mix(clear, grey, o), through);
 }
 
+// Weight of a sample of a reference: its slope came from a place of the mesh, but it is seen by the area that it turns to
+// the eye. The mean over what the mesh cannot show is 1.
+fn water_weight(v: vec3f, slope: WaterSlope, at: vec2f) -> f32 {
+  let mesh = water_slope(at, WaterFootprint(vec2f(0.0), water_spacing(length(at)), 1));
+  let shown = water_seen_from(v, mesh) * max(mesh.jacobian, 0.1);
+  return clamp(water_seen_from(v, slope) * max(slope.jacobian, 0.0) / max(shown, 1e-6), 1e-5, 1e3);
+}
+
+// Area that a distribution of slopes turns to the eye, over horizontal area.
+fn water_seen_from(v: vec3f, slope: WaterSlope) -> f32 {
+  let across = max(length(v.xz), 1e-4);
+  let toward = v.xz / across;
+  let variance = slope.variance;
+  let cov = mat2x2f(variance.x, variance.z, variance.z, variance.y);
+  return water_seen(v.y, across, -dot(slope.mean, toward), sqrt(max(dot(toward, cov * toward), 1e-6)));
+}
+
 @fragment
 fn fragment(in: WaterVertex) -> @location(0) vec4f {
   let at = in.rest.xz;
-  let dx = dpdx(at);
-  let dy = dpdy(at);
+  let dx = dpdx(at) * frame.footprint;
+  let dy = dpdy(at) * frame.footprint;
   let foot = water_footprint(dx, dy);
   var slope = water_slope(at, foot);
   // Slopes that change within the pixel glitter as one (Tokuyoshi and Kaplanyan 2019).
   let bend_x = dpdx(slope.mean);
   let bend_y = dpdy(slope.mean);
   let bend = 0.2 * (vec3f(bend_x * bend_x, bend_x.x * bend_x.y) + vec3f(bend_y * bend_y, bend_y.x * bend_y.y));
-  slope.variance += min(bend, vec3f(0.08));
+  slope.variance += min(bend, vec3f(0.08)) * frame.footprint;
 
   let distance_m = length(in.place);
   let dir = in.place / distance_m;
@@ -102,5 +122,9 @@ fn fragment(in: WaterVertex) -> @location(0) vec4f {
   let surface = mix(water, white, foam.cover);
 
   let air = water_air(dir, distance_m);
-  return frame_colour(surface * air[1] + air[0]);
+  let colour = surface * air[1] + air[0];
+  if frame.footprint == 0.0 {
+    return vec4f(colour, water_weight(v, slope, at));
+  }
+  return frame_colour(colour);
 }

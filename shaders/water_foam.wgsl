@@ -54,28 +54,23 @@ fn water_foam(at: vec2f, foot: WaterFootprint) -> WaterFoam {
   let fine = textureSampleLevel(noise_map, noise_sampler, uv.yx * 160.0, lod + 7.32);
   // Fresh foam is a closed mass of bubbles, old foam a net of thin strands.
   let fresh = smoothstep(0.0, 0.45, foam.y);
-  // Only what the pixel can resolve counts; a sum of uniform variables is nearly normal.
-  let near = 1.0 - smoothstep(vec4f(3.4), vec4f(5.4), lod + vec4f(0.0, 2.81, 5.43, 7.32));
-  let weight = near * vec4f(0.9, 1.0, mix(1.0, 0.7, fresh), 0.55);
-  let sigma = 0.2887 * sqrt(max(dot(weight, weight), 1e-6));
-  let z = dot(vec4f(vast.r, wide.r, lace.r, fine.g) - 0.5, weight) / sigma;
-  let level = 1.0 / (1.0 + exp(-1.702 * z));
-  let wanted = foam.x;
-  // A soft edge of constant width in the noise; the mean over the noise stays what is wanted.
-  let soft = mix(0.22, 0.13, fresh);
-  let cut = smoothstep(1.0 - wanted - soft, 1.0 - wanted + soft, level);
-  let kept = min(wanted / max(water_soft_mean(wanted, soft), 1e-3), 1.0);
-  let seen = smoothstep(0.0, 0.25, sigma);
-  out.cover = clamp(mix(wanted, cut * kept, seen), 0.0, 1.0);
-  out.grain = mix(0.5, fine.g, near.w);
+  let weight = vec4f(0.9, 1.0, mix(1.0, 0.7, fresh), 0.55);
+  let whole = dot(weight, weight);
+  let lods = lod + vec4f(0.0, 2.81, 5.43, 7.32);
+  let kept = water_noise_kept(lods);
+  let resolved = dot(weight * weight, kept) / whole;
+  // A sum of uniform variables is nearly normal; what of it the pixel cannot resolve softens the edge, so that the mean
+  // over the noise is what is wanted at every distance. The normal distribution is taken as logistic.
+  let z = dot(vec4f(vast.r, wide.r, lace.r, fine.g) - 0.5, weight) / (0.2887 * sqrt(whole));
+  let soft = mix(0.34, 0.20, fresh);
+  let wanted = clamp(foam.x, 1e-4, 1.0 - 1e-4);
+  let edge = 1.702 * z + sqrt(1.0 + soft * soft) * log(wanted / (1.0 - wanted));
+  out.cover = 1.0 / (1.0 + exp(clamp(-edge / sqrt(soft * soft + 1.0 - resolved), -40.0, 40.0)));
+  out.grain = mix(0.5, fine.g, kept.w);
   return out;
 }
 
-// Mean of smoothstep(1 - c - e, 1 - c + e, x) over x in 0..1.
-fn water_soft_mean(c: f32, e: f32) -> f32 {
-  // The integral of smoothstep from its start over t in 0..1 is t^3 - t^4 / 2.
-  let a = clamp((c + e) / (2.0 * e), 0.0, 1.0);
-  let b = clamp((c - 1.0 + e) / (2.0 * e), 0.0, 1.0);
-  let ramp = a * a * a * (1.0 - 0.5 * a) - b * b * b * (1.0 - 0.5 * b);
-  return 2.0 * e * ramp + max(c - e, 0.0) - max(c - 1.0 - e, 0.0);
+// Share of the variance of the noise that its mips keep: net, net, net and bubbles. Fitted to noise.rs.
+fn water_noise_kept(lod: vec4f) -> vec4f {
+  return 1.0 / (1.0 + pow(exp2(lod) / vec4f(19.0, 19.0, 19.0, 4.7), vec4f(1.5, 1.5, 1.5, 1.7)));
 }

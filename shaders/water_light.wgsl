@@ -97,7 +97,9 @@ fn water_mirror(v: vec3f, slope: WaterSlope) -> WaterMirror {
     let seen = max(water_seen(v.y, across, tilt, sigma), 1e-4);
     let h2 = h.y * h.y;
     let f = water_fresnel(dot(v, h));
-    out.radiance += light.sun * min(f * density * clamp(lit, 0.0, 1.0) / (4.0 * h2 * h2 * seen), 3000.0);
+    // A mirror image is not brighter than the sun's disc; half floats hold less.
+    let most = select(3000.0, 14700.0, frame.footprint == 0.0);
+    out.radiance += light.sun * min(f * density * clamp(lit, 0.0, 1.0) / (4.0 * h2 * h2 * seen), most);
   }
   return out;
 }

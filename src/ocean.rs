@@ -5,10 +5,10 @@ use crate::model::camera::View;
 use crate::model::params::Camera;
 use crate::model::views::Scale;
 use crate::model::{Params, Plan, statistics};
-use crate::render::{Renderer, Scene, SeaLook};
+use crate::render::{Reference, Renderer, Scene, SeaLook};
 use crate::sim::{MAX_STEPS, Simulation};
 
-pub use crate::render::Part;
+pub use crate::render::{Grid, Part};
 
 /// Lowest eye above the still water, m; the picture raises it over the waves that come.
 const LOWEST_EYE_M: f64 = 0.5;
@@ -19,6 +19,8 @@ pub struct Ocean {
     shaders: Shaders,
     sim: Simulation,
     renderer: Renderer,
+    reference: Option<Reference>,
+    format: wgpu::TextureFormat,
 }
 
 impl Ocean {
@@ -27,7 +29,7 @@ impl Ocean {
         let shaders = Shaders::default();
         let sim = Simulation::new(device, queue, Plan::new(params), &shaders);
         let renderer = Renderer::new(device, queue, format);
-        Self { params: params.clone(), shaders, sim, renderer }
+        Self { params: params.clone(), shaders, sim, renderer, reference: None, format }
     }
 
     /// Turns to other parameters; costs nothing when only the time, the camera or the light changed.
@@ -84,6 +86,35 @@ impl Ocean {
     /// Records one part of the last picture by itself, to be timed.
     pub fn record(&self, encoder: &mut wgpu::CommandEncoder, part: Part) {
         self.renderer.record(encoder, part);
+    }
+
+    /// Records unfiltered samples of the sea as the last frame left it; see [`Reference::draw`].
+    pub fn encode_samples(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        grid: &Grid,
+    ) -> wgpu::Texture {
+        let scene = self.scene(grid.size);
+        let reference = self.reference.get_or_insert_with(|| Reference::new(device, queue, self.format));
+        reference.draw(device, queue, encoder, self.sim.maps(), &scene, grid)
+    }
+
+    /// Draws a picture in linear light (RGB, row by row) as the film shows it, with the exposure of the state.
+    pub fn present_light(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        pass: &mut wgpu::RenderPass<'_>,
+        size: [u32; 2],
+        light: &[[f32; 3]],
+    ) {
+        let scene = self.scene(size);
+        if let Some(reference) = &mut self.reference {
+            reference.show(device, queue, &scene, size, light);
+            reference.present(pass);
+        }
     }
 
     /// What the renderer draws in `width` x `height` pixels.

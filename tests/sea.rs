@@ -332,27 +332,6 @@ fn maps_are_finite_at_the_corners_of_every_range() {
 fn maps_are_finite_in_two_thousand_random_states() {
     let mut probe = Probe::new();
     for i in 0..2000u32 {
-        let mut p = params("n=64");
-        for (j, field) in (0..).zip(FIELDS.iter()) {
-            let dice = seastate::model::noise::pcg4d([i, j, 77, 3]);
-            let u = f64::from(dice[0]) / f64::from(u32::MAX);
-            // A third of the values stay at their defaults, so that not every state is absurd.
-            if dice[1].is_multiple_of(3) || field.key == "n" {
-                continue;
-            }
-            let value = match field.kind {
-                Kind::Number { min, max, log: true } => min * (max / min).powf(u),
-                Kind::Number { min, max, .. } if dice[1] % 3 == 1 => min + (max - min) * u,
-                // Ranges from 0 upwards hold most of what is interesting near 0.
-                Kind::Number { min, max, .. } => min + (max - min) * u.powi(6),
-                Kind::Integer { min, max } => (f64::from(min) + (f64::from(max) - f64::from(min)) * u).round(),
-                Kind::Choice(words) => (u * words.len() as f64).floor().min(words.len() as f64 - 1.0),
-                Kind::Heading => 359.9 * u,
-                Kind::Flag => u.round(),
-                Kind::Colour => (u * f64::from(0x0100_0000)).floor(),
-            };
-            (field.set)(&mut p, field.accept(value).unwrap_or(field.default_value()));
-        }
-        probe.assert_finite(&p);
+        probe.assert_finite(&common::random_params("n=64", i));
     }
 }

@@ -6,6 +6,9 @@ struct Present {
   dither: f32,
 }
 
+// Whether edges are smoothed: a reference averages samples instead.
+override PRESENT_SMOOTH: bool = true;
+
 @group(0) @binding(0) var<uniform> present: Present;
 @group(0) @binding(1) var<uniform> light: Light;
 @group(0) @binding(2) var hdr_map: texture_2d<f32>;
@@ -102,7 +105,11 @@ fn fragment(in: PresentVertex) -> @location(0) vec4f {
   if any(bits == vec4u(0x7f800000u)) || hdr.a < 0.99 {
     return vec4f(1.0, 0.0, 1.0, 1.0);
   }
-  let encoded = present_agx(present_smooth(hdr.rgb, vec2i(at), (vec2f(at) + 0.5) / present.size));
+  var exposed = hdr.rgb * (light.exposure * present.exposure_gain);
+  if PRESENT_SMOOTH {
+    exposed = present_smooth(hdr.rgb, vec2i(at), (vec2f(at) + 0.5) / present.size);
+  }
+  let encoded = present_agx(exposed);
   // Triangular noise of one step hides the banding of eight bits.
   let noise = present_hash(at) + present_hash(at + vec2u(7919u, 104729u)) - 1.0;
   return vec4f(encoded + noise * present.dither / 255.0, 1.0);

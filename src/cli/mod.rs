@@ -2,7 +2,10 @@
 
 pub mod bench;
 pub mod check;
+pub mod compare;
 pub mod export;
+pub mod flip;
+pub mod reference;
 pub mod render;
 pub mod stats;
 pub mod validate;
@@ -80,6 +83,28 @@ enum Command {
         /// Where to write the PNG
         #[arg(short, long, default_value = "sea.png")]
         output: PathBuf,
+        /// Draws the truth that the picture approximates: many samples a pixel, none of them filtered
+        #[arg(long)]
+        reference: bool,
+        /// Samples a pixel of the reference
+        #[arg(long, default_value_t = 256, value_parser = clap::value_parser!(u32).range(1..=65_536))]
+        samples: u32,
+        /// Chooses where the samples of the reference lie
+        #[arg(long, default_value_t = 1)]
+        reference_seed: u32,
+    },
+    /// Prints how different two pictures look: mean FLIP, from 0 (the same) to 1
+    Compare {
+        /// The picture to compare with, PNG
+        reference: PathBuf,
+        /// The picture to judge, PNG of the same size
+        test: PathBuf,
+        /// Where to write a PNG of the difference, black where there is none
+        #[arg(long)]
+        map: Option<PathBuf>,
+        /// Pixels per degree of vision: 67 for a 4K screen of 70 cm seen from 70 cm
+        #[arg(long, default_value_t = flip::PIXELS_PER_DEGREE)]
+        ppd: f64,
     },
     /// Writes the maps of every cascade, the foam and the plan
     Export {
@@ -157,8 +182,12 @@ fn fail(message: &str) -> i32 {
 fn run(cli: Cli) -> Result<i32, String> {
     match cli.command {
         None => crate::app::native::run(&cli.sea.read_aloud()?).map(|()| 0),
-        Some(Command::Render { sea, size, output }) => {
-            pollster::block_on(render::run(&sea.read_aloud()?, size, &output)).map(|()| 0)
+        Some(Command::Render { sea, size, output, reference, samples, reference_seed }) => {
+            let reference = reference.then_some(reference::Sampling { samples, seed: reference_seed });
+            pollster::block_on(render::run(&sea.read_aloud()?, size, reference, &output)).map(|()| 0)
+        }
+        Some(Command::Compare { reference, test, map, ppd }) => {
+            compare::run(&reference, &test, map.as_deref(), ppd).and_then(|said| print(&said))
         }
         Some(Command::Export { sea, output, raw }) => {
             pollster::block_on(export::run(&sea.read_aloud()?, &output, raw)).map(|()| 0)

@@ -1,5 +1,6 @@
 //! `seastate render`: a picture of a state, the same on every run.
 
+use super::reference::{self, Sampling};
 use crate::gpu::device::Gpu;
 use crate::gpu::readback;
 use crate::model::Params;
@@ -9,13 +10,17 @@ use std::path::Path;
 /// Format of the pictures.
 pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-/// Renders a state at its time and writes a PNG.
+/// Renders a state at its time and writes a PNG: as a page shows it, or the reference of that picture.
 ///
 /// # Errors
 /// One sentence, if there is no adapter or the file cannot be written.
-pub async fn run(params: &Params, size: [u32; 2], output: &Path) -> Result<(), String> {
+pub async fn run(params: &Params, size: [u32; 2], reference: Option<Sampling>, output: &Path) -> Result<(), String> {
     let gpu = Gpu::request().await?;
-    let pixels = picture(&gpu, params, size).await?;
+    let mut ocean = Ocean::new(&gpu.device, &gpu.queue, FORMAT, params);
+    let mut pixels = picture_of(&gpu, &mut ocean, size).await?;
+    if let Some(sampling) = reference {
+        pixels = reference::picture_of(&gpu, &mut ocean, size, sampling).await?;
+    }
     let image = image::RgbaImage::from_raw(size[0], size[1], pixels).ok_or("the picture has a wrong size")?;
     image
         .save_with_format(output, image::ImageFormat::Png)
@@ -35,10 +40,23 @@ pub async fn picture(gpu: &Gpu, params: &Params, size: [u32; 2]) -> Result<Vec<u
 /// # Errors
 /// If the GPU does not give its memory back.
 pub async fn picture_of(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2]) -> Result<Vec<u8>, String> {
-    let target = target(&gpu.device, size);
     let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("picture") });
     ocean.encode_fully(&gpu.device, &gpu.queue, &mut encoder, size);
-    on_target(&mut encoder, &target, |pass| ocean.present(pass));
+    on_film(gpu, encoder, size, |pass| ocean.present(pass)).await
+}
+
+/// The pixels that `present` draws after what is recorded.
+///
+/// # Errors
+/// If the GPU does not give its memory back.
+pub async fn on_film(
+    gpu: &Gpu,
+    mut encoder: wgpu::CommandEncoder,
+    size: [u32; 2],
+    present: impl FnOnce(&mut wgpu::RenderPass<'_>),
+) -> Result<Vec<u8>, String> {
+    let target = target(&gpu.device, size);
+    on_target(&mut encoder, &target, present);
     let copy = readback::stage_texture(&gpu.device, &mut encoder, &target, 0);
     gpu.queue.submit([encoder.finish()]);
     copy.read(&gpu.device).await

@@ -164,16 +164,17 @@ impl DebugPass {
         let module = shaders.module(device, "debug_map");
         let entries = ["vertex", "fragment"];
         let layouts = [Some(&map_layout)];
-        let map = hdr_pipeline_of(device, "view/map", (&module, entries), &layouts, water.scene.samples, false);
+        let map = hdr_pipeline_of(device, "view/map", (&module, entries), &layouts, water.scene.film, false);
         let surface_layout = layout(device, "view/surface", fragment, &[slot]);
         let surface_group = group(device, "view/surface", &surface_layout, &[uniform.buffer.as_entire_binding()]);
         let module = shaders.module(device, "debug_water");
         let entries = ["debug_vertex", "debug_fragment"];
         let [scene, maps] = water.layouts();
         let layouts = [Some(scene), Some(maps), Some(&surface_layout)];
-        let surface = hdr_pipeline_of(device, "view/surface", (&module, entries), &layouts, water.scene.samples, true);
+        let surface = hdr_pipeline_of(device, "view/surface", (&module, entries), &layouts, water.scene.film, true);
         let show_layout = layout(device, "view/show", fragment, &[Slot::Texture]);
-        let show = screen_pipeline(device, "view/show", &shaders.module(device, "debug_show"), &show_layout, target);
+        let show =
+            screen_pipeline(device, "view/show", &shaders.module(device, "debug_show"), &show_layout, target, &[]);
         Self { uniform, map_layout, map, surface, surface_group, show_layout, show, show_group: None }
     }
 

@@ -74,6 +74,8 @@ pub struct FrameUniform {
     overcast: f32,
     exposure_gain: f32,
     chop_z: f32,
+    footprint: f32,
+    unused: [f32; 3],
 }
 
 macro_rules! offsets {
@@ -117,7 +119,8 @@ impl FrameUniform {
             haze,
             overcast,
             exposure_gain,
-            chop_z
+            chop_z,
+            footprint
         ),
         size_of::<Self>(),
     );
@@ -182,7 +185,20 @@ impl FrameUniform {
             overcast: look.sky.overcast as f32,
             exposure_gain: (look.film.exposure_ev as f32).exp2(),
             chop_z: sea.chop[1],
+            footprint: 1.0,
+            unused: [0.0; 3],
         }
+    }
+
+    /// The same view for unfiltered samples, moved by a part of a pixel (in clip coordinates).
+    pub fn unfiltered(self, [x, y]: [f32; 2]) -> Self {
+        let mut clip = self.clip_from_relative;
+        for column in &mut clip {
+            column[0] += x * column[3];
+            column[1] += y * column[3];
+        }
+        let forward = std::array::from_fn(|i| self.forward[i] - x * self.right[i] - y * self.up[i]);
+        Self { clip_from_relative: clip, forward, footprint: 0.0, ..self }
     }
 }
 

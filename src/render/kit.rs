@@ -3,7 +3,7 @@
 use super::frame::FrameUniform;
 use super::noise::NoiseTexture;
 use super::sky::{LightBuffer, Sky, SkyUniform};
-use super::targets::{DEPTH_FORMAT, HDR_FORMAT};
+use super::targets::{DEPTH_FORMAT, Film, HDR_FORMAT};
 use bytemuck::Pod;
 use std::marker::PhantomData;
 use std::num::NonZeroU64;
@@ -102,8 +102,8 @@ pub fn group(
 pub struct SceneGroup {
     pub layout: wgpu::BindGroupLayout,
     pub group: wgpu::BindGroup,
-    /// Coverage samples a pixel.
-    pub samples: u32,
+    /// What the passes draw into.
+    pub film: Film,
 }
 
 impl SceneGroup {
@@ -112,7 +112,7 @@ impl SceneGroup {
         frame: &Uniform<FrameUniform>,
         sky: &Sky,
         noise: &NoiseTexture,
-        samples: u32,
+        film: Film,
     ) -> Self {
         let slots = [
             Slot::Uniform(size_of::<FrameUniform>()),
@@ -142,7 +142,7 @@ impl SceneGroup {
                 wgpu::BindingResource::TextureView(&sky.transmittance),
             ],
         );
-        Self { layout, group, samples }
+        Self { layout, group, film }
     }
 }
 
@@ -152,10 +152,10 @@ pub fn hdr_pipeline(
     label: &str,
     module: &wgpu::ShaderModule,
     layouts: &[Option<&wgpu::BindGroupLayout>],
-    samples: u32,
+    film: Film,
     depth_write: bool,
 ) -> wgpu::RenderPipeline {
-    hdr_pipeline_of(device, label, (module, ["vertex", "fragment"]), layouts, samples, depth_write)
+    hdr_pipeline_of(device, label, (module, ["vertex", "fragment"]), layouts, film, depth_write)
 }
 
 /// The same with entry points of other names.
@@ -164,7 +164,7 @@ pub fn hdr_pipeline_of(
     label: &str,
     (module, [vertex, fragment]): (&wgpu::ShaderModule, [&str; 2]),
     layouts: &[Option<&wgpu::BindGroupLayout>],
-    samples: u32,
+    film: Film,
     depth_write: bool,
 ) -> wgpu::RenderPipeline {
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -189,12 +189,12 @@ pub fn hdr_pipeline_of(
             stencil: wgpu::StencilState::default(),
             bias: wgpu::DepthBiasState::default(),
         }),
-        multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
+        multisample: wgpu::MultisampleState { count: film.samples, ..Default::default() },
         fragment: Some(wgpu::FragmentState {
             module,
             entry_point: Some(fragment),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &[Some(HDR_FORMAT.into())],
+            targets: &[Some(film.format.into())],
         }),
         multiview_mask: None,
         cache: None,
@@ -208,6 +208,7 @@ pub fn screen_pipeline(
     module: &wgpu::ShaderModule,
     layout: &wgpu::BindGroupLayout,
     format: wgpu::TextureFormat,
+    constants: &[(&str, f64)],
 ) -> wgpu::RenderPipeline {
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(label),
@@ -229,7 +230,7 @@ pub fn screen_pipeline(
         fragment: Some(wgpu::FragmentState {
             module,
             entry_point: Some("fragment"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            compilation_options: wgpu::PipelineCompilationOptions { constants, ..Default::default() },
             targets: &[Some(format.into())],
         }),
         multiview_mask: None,

@@ -33,7 +33,7 @@ pub struct Mesh {
 impl Mesh {
     /// The lattice that covers a view of a sea; `density` scales the number of vertices.
     pub fn new(view: &View, sea: &SeaLook, density: f64) -> Self {
-        let scale = density.clamp(0.015, 8.0).sqrt();
+        let scale = density.clamp(0.015, 64.0).sqrt();
         let most_columns = ((COLUMNS * scale / f64::from(BLOCK)).ceil() as u32) * BLOCK;
         let rows = (ROWS * scale).ceil() as u32;
         let (lift, shift) = (1.1 * f64::from(sea.hs_m), 0.6 * f64::from(sea.hs_m * sea.chop[0].max(sea.chop[1])));

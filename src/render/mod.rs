@@ -10,11 +10,13 @@ mod kit;
 mod mesh;
 mod noise;
 pub mod post;
+mod reference;
 mod sky;
 mod targets;
 mod water;
 
 pub use frame::{SeaLook, View};
+pub use reference::{Grid, Reference};
 
 use crate::gpu::layout::{Layout, MAX_CASCADES};
 use crate::gpu::shaders::Shaders;
@@ -29,7 +31,7 @@ use mesh::Mesh;
 use noise::NoiseTexture;
 use post::present::PresentPass;
 use sky::Sky;
-use targets::Targets;
+use targets::{Film, Targets};
 use water::WaterPass;
 
 /// What the layout test compares with the shaders.
@@ -98,15 +100,26 @@ impl Renderer {
         target_format: wgpu::TextureFormat,
         samples: u32,
     ) -> Self {
+        Self::on_film(device, queue, target_format, Film::screen(samples), true)
+    }
+
+    /// The same on any film; `smooth` asks the present pass for smooth edges.
+    fn on_film(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        target_format: wgpu::TextureFormat,
+        film: Film,
+        smooth: bool,
+    ) -> Self {
         let shaders = Shaders::default();
         let frame = Uniform::new(device, "frame");
         let noise = NoiseTexture::new(device, queue);
         let sky = Sky::new(device, &shaders, &noise);
-        let scene = kit::SceneGroup::new(device, &frame, &sky, &noise, samples);
+        let scene = kit::SceneGroup::new(device, &frame, &sky, &noise, film);
         let background = sky::Background::new(device, &shaders, &scene);
         let water = WaterPass::new(device, &shaders, scene);
         let eye = EyePass::new(device, &shaders, &frame, &water);
-        let present = PresentPass::new(device, &shaders, &sky.light, target_format);
+        let present = PresentPass::new(device, &shaders, &sky.light, target_format, smooth);
         Self {
             frame,
             sky,
@@ -132,26 +145,50 @@ impl Renderer {
         size: [u32; 2],
     ) {
         let size = size.map(|s| s.max(1));
+        let film = self.water.scene.film;
         if self.targets.as_ref().is_none_or(|t| t.size != size) {
-            let targets = Targets::new(device, size, self.water.scene.samples);
+            let targets = Targets::new(device, size, film);
             self.present.bind(device, &targets);
             self.targets = Some(targets);
         }
-        let Some(targets) = &self.targets else { return };
         let mesh = mesh(scene, size);
-        self.frame.write(queue, &FrameUniform::new(scene, maps, &mesh, size));
         self.present.write(queue, scene, size);
-        self.water.bind_maps(device, maps);
-        self.water.set_mesh(device, queue, &mesh);
-
-        self.eye.run(encoder, scene, &self.water);
+        self.prepare(device, queue, maps, &mesh, &FrameUniform::new(scene, maps, &mesh, size));
         self.shows_view = scene.look.view.shown != Shown::Picture;
         if self.shows_view {
-            let make = || DebugPass::new(device, &Shaders::default(), &self.water, self.target_format);
-            let debug = self.debug.get_or_insert_with(make);
-            debug.draw((device, queue), encoder, (maps, scene), &self.water, targets);
-            return;
+            self.record_view(device, queue, encoder, maps, scene);
+        } else {
+            self.record_picture(queue, encoder, scene);
         }
+    }
+
+    /// Takes maps, mesh and view.
+    fn prepare(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, maps: &Maps, mesh: &Mesh, frame: &FrameUniform) {
+        self.frame.write(queue, frame);
+        self.water.bind_maps(device, maps);
+        self.water.set_mesh(device, queue, mesh);
+    }
+
+    /// Records the view that the look asks for instead of the picture.
+    fn record_view(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        maps: &Maps,
+        scene: &Scene,
+    ) {
+        let Some(targets) = &self.targets else { return };
+        self.eye.run(encoder, scene, &self.water);
+        let make = || DebugPass::new(device, &Shaders::default(), &self.water, self.target_format);
+        let debug = self.debug.get_or_insert_with(make);
+        debug.draw((device, queue), encoder, (maps, scene), &self.water, targets);
+    }
+
+    /// Records the passes of the picture into the targets.
+    fn record_picture(&mut self, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
+        let Some(targets) = &self.targets else { return };
+        self.eye.run(encoder, scene, &self.water);
         self.sky.update(queue, encoder, scene);
         let mut pass = targets.begin(encoder);
         self.background.draw(&mut pass, &self.water.scene);

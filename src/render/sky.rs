@@ -325,7 +325,7 @@ impl Background {
     /// Compiles the pass.
     pub fn new(device: &wgpu::Device, shaders: &Shaders, scene: &SceneGroup) -> Self {
         let module = shaders.module(device, "sky");
-        Self { pipeline: hdr_pipeline(device, "sky", &module, &[Some(&scene.layout)], scene.samples, false) }
+        Self { pipeline: hdr_pipeline(device, "sky", &module, &[Some(&scene.layout)], scene.film, false) }
     }
 
     /// Draws it.

@@ -4,6 +4,25 @@
 pub const HDR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Reverse-Z: near / distance.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+/// What the passes of the picture draw into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Film {
+    /// Coverage samples a pixel.
+    pub samples: u32,
+    /// Format of the light.
+    pub format: wgpu::TextureFormat,
+    /// What is done with the light besides drawing and presenting it.
+    pub usage: wgpu::TextureUsages,
+}
+
+impl Film {
+    /// The picture of a screen.
+    pub fn screen(samples: u32) -> Self {
+        Self { samples, format: HDR_FORMAT, usage: wgpu::TextureUsages::empty() }
+    }
+}
+
 /// Attachments of one size.
 pub struct Targets {
     pub size: [u32; 2],
@@ -15,7 +34,8 @@ pub struct Targets {
 }
 
 impl Targets {
-    pub fn new(device: &wgpu::Device, size: [u32; 2], samples: u32) -> Self {
+    pub fn new(device: &wgpu::Device, size: [u32; 2], film: Film) -> Self {
+        let Film { samples, format: hdr, usage } = film;
         let texture = |label, format, sample_count, usage| {
             device
                 .create_texture(&wgpu::TextureDescriptor {
@@ -33,8 +53,8 @@ impl Targets {
         let none = wgpu::TextureUsages::empty();
         Self {
             size,
-            hdr: texture("hdr", HDR_FORMAT, 1, wgpu::TextureUsages::TEXTURE_BINDING),
-            samples: (samples > 1).then(|| texture("hdr samples", HDR_FORMAT, samples, none)),
+            hdr: texture("hdr", hdr, 1, wgpu::TextureUsages::TEXTURE_BINDING | usage),
+            samples: (samples > 1).then(|| texture("hdr samples", hdr, samples, none)),
             depth: texture("depth", DEPTH_FORMAT, samples, none),
         }
     }

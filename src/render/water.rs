@@ -31,7 +31,7 @@ impl WaterPass {
         let layout = layout(device, "maps", stages, &slots);
         let module = shaders.module(device, "water");
         let layouts = [Some(&scene.layout), Some(&layout)];
-        let pipeline = hdr_pipeline(device, "water", &module, &layouts, scene.samples, true);
+        let pipeline = hdr_pipeline(device, "water", &module, &layouts, scene.film, true);
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("waves"),
             address_mode_u: wgpu::AddressMode::Repeat,

@@ -3,6 +3,8 @@
 
 use seastate::gpu::device::Gpu;
 use seastate::gpu::shaders::Shaders;
+use seastate::model::fields::{FIELDS, Kind};
+use seastate::model::noise::pcg4d;
 use seastate::model::{Params, Plan, query};
 use seastate::sim::{MapsF32, Simulation};
 
@@ -28,4 +30,30 @@ pub fn read(gpu: &Gpu, sim: &mut Simulation, t_s: f64) -> MapsF32 {
 /// The maps of a state at a time, in f32.
 pub fn maps(gpu: &Gpu, state: &str, t_s: f64) -> MapsF32 {
     read(gpu, &mut simulation(gpu, state), t_s)
+}
+
+/// A random state within the ranges of all fields but `n`; the same for the same number.
+pub fn random_params(start: &str, number: u32) -> Params {
+    let mut p = params(start);
+    for (j, field) in (0..).zip(FIELDS.iter()) {
+        let dice = pcg4d([number, j, 77, 3]);
+        let u = f64::from(dice[0]) / f64::from(u32::MAX);
+        // A third of the values stay at their defaults, so that not every state is absurd.
+        if dice[1].is_multiple_of(3) || field.key == "n" {
+            continue;
+        }
+        let value = match field.kind {
+            Kind::Number { min, max, log: true } => min * (max / min).powf(u),
+            Kind::Number { min, max, .. } if dice[1] % 3 == 1 => min + (max - min) * u,
+            // Ranges from 0 upwards hold most of what is interesting near 0.
+            Kind::Number { min, max, .. } => min + (max - min) * u.powi(6),
+            Kind::Integer { min, max } => (f64::from(min) + (f64::from(max) - f64::from(min)) * u).round(),
+            Kind::Choice(words) => (u * words.len() as f64).floor().min(words.len() as f64 - 1.0),
+            Kind::Heading => 359.9 * u,
+            Kind::Flag => u.round(),
+            Kind::Colour => (u * f64::from(0x0100_0000)).floor(),
+        };
+        (field.set)(&mut p, field.accept(value).unwrap_or(field.default_value()));
+    }
+    p
 }

@@ -40,12 +40,13 @@ pub struct PresentPass {
 }
 
 impl PresentPass {
-    /// Compiles the pass for a format of the screen.
+    /// Compiles the pass for a format of the screen; `smooth` asks for smooth edges.
     pub fn new(
         device: &wgpu::Device,
         shaders: &Shaders,
         light: &wgpu::Buffer,
         target_format: wgpu::TextureFormat,
+        smooth: bool,
     ) -> Self {
         let slots = [
             Slot::Uniform(size_of::<PresentUniform>()),
@@ -54,7 +55,9 @@ impl PresentPass {
             Slot::Sampler,
         ];
         let layout = layout(device, "present", wgpu::ShaderStages::FRAGMENT, &slots);
-        let pipeline = screen_pipeline(device, "present", &shaders.module(device, "present"), &layout, target_format);
+        let constants = [("PRESENT_SMOOTH", f64::from(u8::from(smooth)))];
+        let module = shaders.module(device, "present");
+        let pipeline = screen_pipeline(device, "present", &module, &layout, target_format, &constants);
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("hdr"),
             mag_filter: wgpu::FilterMode::Linear,

@@ -1,0 +1,31 @@
+//! `seastate compare`: how different two pictures look.
+
+use super::flip::{self, Picture};
+use std::path::Path;
+
+/// Compares two PNGs; the text to print. `map` is written with the difference of every pixel.
+///
+/// # Errors
+/// One sentence, if a file cannot be read or written, or the sizes differ.
+pub fn run(reference: &Path, test: &Path, map: Option<&Path>, pixels_per_degree: f64) -> Result<String, String> {
+    if !(1.0..=1000.0).contains(&pixels_per_degree) {
+        return Err("pixels per degree are from 1 to 1000".to_owned());
+    }
+    let (a, b) = (read(reference)?, read(test)?);
+    let errors = flip::errors(&a, &b, pixels_per_degree)?;
+    if let Some(path) = map {
+        let grey = errors.iter().map(|e| (255.0 * e).round() as u8).collect();
+        let image =
+            image::GrayImage::from_raw(a.width as u32, a.height as u32, grey).ok_or("the map has a wrong size")?;
+        image
+            .save_with_format(path, image::ImageFormat::Png)
+            .map_err(|e| format!("cannot write {}: {e}", path.display()))?;
+    }
+    Ok(format!("mean FLIP {:.4}", flip::mean(&errors)))
+}
+
+fn read(path: &Path) -> Result<Picture, String> {
+    let image = image::open(path).map_err(|e| format!("cannot read {}: {e}", path.display()))?.into_rgb8();
+    let (width, height) = (image.width() as usize, image.height() as usize);
+    Ok(Picture { width, height, pixels: image.pixels().map(|p| p.0).collect() })
+}

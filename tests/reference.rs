@@ -1,0 +1,222 @@
+//! The picture against its reference: many unfiltered samples a pixel, averaged in linear light. What takes minutes is
+//! marked `ignore` and run by `cargo test --test reference -- --ignored --nocapture`; pictures go to target/tmp/reference.
+
+mod common;
+
+use common::{gpu, params, random_params};
+use seastate::cli::flip::{PIXELS_PER_DEGREE, Picture, errors, mean};
+use seastate::cli::reference::{self, Sampling};
+use seastate::cli::render::{FORMAT, picture_of};
+use seastate::gpu::device::Gpu;
+use seastate::model::{Params, Plan, query};
+use seastate::ocean::Ocean;
+use std::path::PathBuf;
+
+/// A sea and the pictures of it, one sample a pixel as a page draws them, and the reference.
+struct Viewer {
+    gpu: Gpu,
+    ocean: Ocean,
+    size: [u32; 2],
+}
+
+impl Viewer {
+    fn new(size: [u32; 2], p: &Params) -> Self {
+        let gpu = gpu();
+        let ocean = Ocean::new(&gpu.device, &gpu.queue, FORMAT, p);
+        Self { gpu, ocean, size }
+    }
+
+    fn turn_to(&mut self, p: &Params) {
+        self.ocean.set_params(&self.gpu.device, &self.gpu.queue, p);
+    }
+
+    fn normal(&mut self) -> Picture {
+        let bytes = pollster::block_on(picture_of(&self.gpu, &mut self.ocean, self.size)).expect("a picture");
+        Picture::from_rgba(self.size[0], &bytes)
+    }
+
+    /// The reference of the normal picture that was drawn last.
+    fn reference(&mut self, samples: u32, seed: u32) -> Picture {
+        let sampling = Sampling { samples, seed };
+        let made = reference::picture_of(&self.gpu, &mut self.ocean, self.size, sampling);
+        Picture::from_rgba(self.size[0], &pollster::block_on(made).expect("a reference"))
+    }
+}
+
+fn flip(reference: &Picture, test: &Picture) -> f64 {
+    mean(&errors(reference, test, PIXELS_PER_DEGREE).expect("one size"))
+}
+
+fn magenta(picture: &Picture) -> usize {
+    picture.pixels.iter().filter(|p| p[0] > 250 && p[1] < 5 && p[2] > 250).count()
+}
+
+/// Encoded luma, 0 to 1.
+fn luma(p: [u8; 3]) -> f64 {
+    (0.2126 * f64::from(p[0]) + 0.7152 * f64::from(p[1]) + 0.0722 * f64::from(p[2])) / 255.0
+}
+
+/// First row below the horizon of a camera that is not rolled.
+fn horizon_row(p: &Params, height: u32) -> usize {
+    let dip = (2.0 * p.camera.y_m / 6_371_000.0).sqrt();
+    let down = (p.camera.pitch_deg.to_radians() + dip).tan() / (0.5 * p.camera.fov_deg.to_radians()).tan();
+    ((0.5 + 0.5 * down) * f64::from(height)).ceil() as usize
+}
+
+/// Side by side: reference, picture, difference.
+fn write(name: &str, reference: &Picture, test: &Picture) {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("reference");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let grey = errors(reference, test, PIXELS_PER_DEGREE).expect("one size");
+    let (w, h) = (test.width, test.height);
+    let image = image::RgbImage::from_fn(3 * w as u32, h as u32, |x, y| {
+        let (panel, at) = (x as usize / w, y as usize * w + x as usize % w);
+        image::Rgb(match panel {
+            0 => reference.pixels[at],
+            1 => test.pixels[at],
+            _ => [(255.0 * grey[at]).round() as u8; 3],
+        })
+    });
+    image.save(folder.join(format!("{name}.png"))).expect("a picture is written");
+}
+
+/// The sky is not filtered, so picture and reference agree in it to a level or two: the same exposure and film. The water
+/// is what differs, by less than two unlike pictures do.
+#[test]
+fn a_reference_is_the_picture_without_filtering() {
+    let p = params("wind=10&n=64&t=20&sun=30&sunaz=90&heading=40&y=20");
+    let mut viewer = Viewer::new([64, 40], &p);
+    let normal = viewer.normal();
+    let (a, b) = (viewer.reference(64, 1), viewer.reference(64, 2));
+    assert_eq!((magenta(&normal), magenta(&a)), (0, 0));
+    let sky = 64 * (horizon_row(&p, 40) - 2);
+    for (n, r) in normal.pixels[..sky].iter().zip(&a.pixels) {
+        assert!((0..3).all(|i| n[i].abs_diff(r[i]) <= 3), "{n:?} and {r:?}");
+    }
+    viewer.turn_to(&params("wind=10&n=64&t=23&sun=30&sunaz=90&heading=40&y=20"));
+    let (same, right, later) = (flip(&a, &b), flip(&a, &normal), flip(&a, &viewer.normal()));
+    eprintln!(
+        "mean FLIP of two references {same:.4}, of the picture {right:.4}, of one three seconds later {later:.4}"
+    );
+    assert!(a != b && same < 0.05, "{same}");
+    assert!(same < right && right < later, "{same} {right} {later}");
+}
+
+const WEATHERS: [(&str, &str); 3] = [("calm", "wind=2"), ("breeze", "wind=10"), ("storm", "wind=25&fetch=500")];
+
+#[test]
+#[ignore = "takes minutes on a software GPU"]
+fn the_picture_is_near_its_reference() {
+    const SAMPLES: u32 = 256;
+    let mut table = format!("{:<8} {:>5} {:>4} {:>10} {:>10}\n", "weather", "eye", "sun", "seeds", "picture");
+    let (mut noisy, mut far) = (0, 0);
+    for (weather, sea) in WEATHERS {
+        let mut viewer: Option<Viewer> = None;
+        for y in [2, 20, 200] {
+            // Half to the side when high, in the picture when low.
+            for (sun, azimuth) in [(50, 75), (8, 55)] {
+                let pitch = if y == 200 { -12 } else { -4 };
+                let p = params(&format!("{sea}&n=128&t=20&y={y}&pitch={pitch}&sun={sun}&sunaz={azimuth}"));
+                let viewer = viewer.get_or_insert_with(|| Viewer::new([192, 108], &p));
+                viewer.turn_to(&p);
+                let normal = viewer.normal();
+                let (a, b) = (viewer.reference(SAMPLES, 1), viewer.reference(SAMPLES, 2));
+                let (same, right) = (flip(&a, &b), flip(&a, &normal));
+                let line = format!("{weather:<8} {y:>5} {sun:>4} {same:>10.4} {right:>10.4}\n");
+                eprint!("{line}");
+                table += &line;
+                noisy += usize::from(same > 0.02);
+                far += usize::from(right > 0.05);
+                write(&format!("{weather}-eye{y}-sun{sun}"), &a, &normal);
+            }
+        }
+    }
+    assert_eq!((noisy, far), (0, 0), "references that are noisy, and pictures that are far from theirs:\n{table}");
+}
+
+/// Over a second, the luma of the far half of the water varies about as much as that of the reference does.
+#[test]
+#[ignore = "takes minutes on a software GPU"]
+fn the_picture_flickers_no_more_than_its_reference() {
+    const FRAMES: u32 = 60;
+    const SIZE: [u32; 2] = [96, 54];
+    let mut table =
+        format!("{:<8} {:>5} {:>4} {:>12} {:>12} {:>7}\n", "weather", "eye", "sun", "reference", "picture", "ratio");
+    let mut worse = 0;
+    for (weather, sea, y, sun, azimuth) in [
+        ("breeze", "wind=10", 2, 50, 75),
+        ("breeze", "wind=10", 20, 8, 55),
+        ("storm", "wind=25&fetch=500", 20, 50, 75),
+        ("calm", "wind=2", 20, 8, 55),
+    ] {
+        let at = |i: u32| {
+            let t = 20.0 + f64::from(i) / 60.0;
+            params(&format!("{sea}&n=128&t={t}&y={y}&sun={sun}&sunaz={azimuth}"))
+        };
+        let mut viewer = Viewer::new(SIZE, &at(0));
+        let first = horizon_row(&at(0), SIZE[1]);
+        let rows = first..first + (SIZE[1] as usize - first) / 2;
+        let pixels = rows.start * SIZE[0] as usize..rows.end * SIZE[0] as usize;
+        let mut films: [Vec<Vec<f64>>; 3] = Default::default();
+        for i in 0..FRAMES {
+            viewer.turn_to(&at(i));
+            let pictures = [viewer.normal(), viewer.reference(64, 1 + 2 * i), viewer.reference(64, 2 + 2 * i)];
+            for (film, picture) in films.iter_mut().zip(&pictures) {
+                film.push(picture.pixels[pixels.clone()].iter().map(|&p| luma(p)).collect());
+            }
+        }
+        // The noise of two references is independent: what they have in common is the sea.
+        let (sea_itself, picture) = (covariance(&films[1], &films[2]), covariance(&films[0], &films[0]));
+        let ratio = picture / sea_itself;
+        let line = format!("{weather:<8} {y:>5} {sun:>4} {sea_itself:>12.3e} {picture:>12.3e} {ratio:>7.3}\n");
+        eprint!("{line}");
+        table += &line;
+        worse += usize::from(ratio > 1.5);
+    }
+    assert_eq!(worse, 0, "pictures that flicker more than 1.5 times as much as the sea does:\n{table}");
+}
+
+/// Mean over the pixels of the covariance in time of two films.
+fn covariance(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
+    let (frames, pixels) = (a.len() as f64, a[0].len());
+    let mean = |film: &[Vec<f64>], i: usize| film.iter().map(|f| f[i]).sum::<f64>() / frames;
+    let of = |i: usize| {
+        let (ma, mb) = (mean(a, i), mean(b, i));
+        a.iter().zip(b).map(|(x, y)| (x[i] - ma) * (y[i] - mb)).sum::<f64>() / (frames - 1.0)
+    };
+    (0..pixels).map(of).sum::<f64>() / pixels as f64
+}
+
+/// Draws many states with as few allocations as possible; the present pass paints magenta what is not a number.
+fn broken_pixels(states: std::ops::Range<u32>) -> Vec<String> {
+    const SIZE: [u32; 2] = [48, 32];
+    let gpu = gpu();
+    let (device, queue) = (&gpu.device, &gpu.queue);
+    let mut oceans: [Option<Ocean>; 5] = Default::default();
+    let mut broken = Vec::new();
+    for i in states {
+        let p = random_params("n=64", i);
+        let ocean = oceans[Plan::new(&p).cascades.len()].get_or_insert_with(|| Ocean::new(device, queue, FORMAT, &p));
+        ocean.set_params(device, queue, &p);
+        // The foam begins far from its end: a few steps of it are enough to break a picture.
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        ocean.encode(device, queue, &mut encoder, SIZE, 3);
+        let drawn = seastate::cli::render::on_film(&gpu, encoder, SIZE, |pass| ocean.present(pass));
+        let count = magenta(&Picture::from_rgba(SIZE[0], &pollster::block_on(drawn).expect("a picture")));
+        if count > 0 {
+            broken.push(format!("{count} pixels of state {i}: {}", query::write(&p)));
+        }
+    }
+    broken
+}
+
+#[test]
+fn no_pixel_is_broken_in_many_random_states() {
+    assert_eq!(broken_pixels(0..150), Vec::<String>::new());
+}
+
+#[test]
+#[ignore = "takes minutes on a software GPU"]
+fn no_pixel_is_broken_in_two_thousand_random_states() {
+    assert_eq!(broken_pixels(150..2150), Vec::<String>::new());
+}
