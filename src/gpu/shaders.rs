@@ -18,6 +18,7 @@ macro_rules! part {
 const MATHS: Part = part!("maths.wgsl");
 const SEA: Part = part!("sea.wgsl");
 const NOISE: Part = part!("noise.wgsl");
+const TILES: Part = part!("tiles.wgsl");
 const FFT: Part = part!("fft.wgsl");
 const ATMOSPHERE: Part = part!("atmosphere.wgsl");
 const SKY: Part = part!("sky_common.wgsl");
@@ -33,7 +34,7 @@ const MODULES: &[(&str, &[Part])] = &[
     ("rows", &[MATHS, SEA, FFT, part!("rows.wgsl")]),
     ("columns", &[SEA, FFT, part!("columns.wgsl")]),
     ("mips", &[SEA, part!("mips.wgsl")]),
-    ("foam", &[MATHS, SEA, part!("foam.wgsl")]),
+    ("foam", &[MATHS, SEA, NOISE, TILES, part!("foam.wgsl")]),
     ("sky_transmittance", &[ATMOSPHERE, SKY, part!("sky_transmittance.wgsl")]),
     ("sky_multiple", &[ATMOSPHERE, SKY, part!("sky_multiple.wgsl")]),
     ("sky_view", &[ATMOSPHERE, SKY, part!("sky_view.wgsl")]),
@@ -41,7 +42,22 @@ const MODULES: &[(&str, &[Part])] = &[
     ("sky_filter", &[part!("sky_filter.wgsl")]),
     ("sky_light", &[ATMOSPHERE, SKY, SKY_MODEL, part!("sky_light.wgsl")]),
     ("sky", &[ATMOSPHERE, SKY, SKY_MODEL, FRAME, part!("sky.wgsl")]),
-    ("water", &[ATMOSPHERE, SKY, SKY_MODEL, FRAME, WATER_SURFACE, WATER_LIGHT, WATER_FOAM, part!("water.wgsl")]),
+    (
+        "water",
+        &[
+            ATMOSPHERE,
+            SKY,
+            SKY_MODEL,
+            MATHS,
+            NOISE,
+            TILES,
+            FRAME,
+            WATER_SURFACE,
+            WATER_LIGHT,
+            WATER_FOAM,
+            part!("water.wgsl"),
+        ],
+    ),
     ("present", &[SKY, part!("post/present.wgsl")]),
 ];
 

@@ -19,6 +19,7 @@ pub mod spectra;
 pub mod spreading;
 pub mod statistics;
 pub mod table;
+pub mod tiling;
 pub mod waves;
 
 pub use heights::Heights;

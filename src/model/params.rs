@@ -30,6 +30,8 @@ pub struct Grid {
     pub cascades: u32,
     /// Whether each cascade carries all the waves that it can, sharing them with its neighbours, instead of its own band.
     pub overlap: bool,
+    /// Whether patches are blended from shifted copies, so that nothing repeats.
+    pub untile: bool,
     /// What is set by hand, longest patch first.
     pub patches: [Patch; MAX_CASCADES],
 }
@@ -50,7 +52,7 @@ pub struct Patch {
 
 impl Default for Grid {
     fn default() -> Self {
-        Self { n: 256, cascades: 0, overlap: false, patches: [Patch::default(); MAX_CASCADES] }
+        Self { n: 256, cascades: 0, overlap: false, untile: true, patches: [Patch::default(); MAX_CASCADES] }
     }
 }
 
@@ -335,6 +337,8 @@ pub struct Look {
     pub turbidity: f64,
     /// Vertices of the water mesh relative to the default.
     pub mesh: f64,
+    /// How far the sea is drawn, km; 0 is to the horizon.
+    pub extent_km: f64,
 }
 
 impl Default for Look {
@@ -348,6 +352,7 @@ impl Default for Look {
             foam: 1.0,
             turbidity: 0.15,
             mesh: 1.0,
+            extent_km: 0.0,
         }
     }
 }
