@@ -157,9 +157,9 @@ fn water_waves(at: vec2f, foot: WaterFootprint, layer: u32, place: vec4f, tile: 
     second *= place.w / f32(taps);
     water_add(&out, g, d, (1.0 - near) * vec3f(blend.weight[i], blend.along_x[i], blend.along_z[i]));
     // Copies are independent: their variances add with the squares of the weights. The moments know nothing finer than two
-    // texels; closer up they would count resolved waves twice.
+    // texels; closer up they would count resolved waves twice. From where on they count is fitted to the whole.
     let spread = max(second - vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
-    out.variance += spread * ((1.0 - near) * clamp(lod, 0.0, 1.0) * blend.weight[i] * blend.weight[i]);
+    out.variance += spread * ((1.0 - near) * clamp(lod + 0.5, 0.0, 1.0) * blend.weight[i] * blend.weight[i]);
   }
   for (var i = 0; i < select(0, 1, distant); i++) {
     out.variance += place.w * textureSampleLevel(moments_map, wave_sampler, uv, layer, 16.0).xyz;

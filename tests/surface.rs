@@ -103,14 +103,13 @@ impl Bench {
         let sampler = self.ocean.simulation().resources.repeat.clone();
         let maps = self.ocean.simulation().maps();
         let group = |index: u32, resources: &[(u32, BindingResource<'_>)]| {
-            let entry = |(binding, r): &(u32, BindingResource<'_>)| wgpu::BindGroupEntry {
-                binding: *binding,
-                resource: r.clone(),
-            };
+            let entries: Vec<_> = (resources.iter())
+                .map(|(binding, r)| wgpu::BindGroupEntry { binding: *binding, resource: r.clone() })
+                .collect();
             device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: None,
                 layout: &self.pipeline.get_bind_group_layout(index),
-                entries: &resources.iter().map(entry).collect::<Vec<_>>(),
+                entries: &entries,
             })
         };
         let groups = [
@@ -248,18 +247,25 @@ fn mean_squares(bench: &mut Bench, size: f64, long: f64) -> [f64; 2] {
 #[test]
 fn slopes_that_a_pixel_cannot_resolve_are_not_lost() {
     for untile in ["", "&untile=0"] {
-        let mut bench = Bench::new(&format!("wind=10&fetch=100&t=5&n=128&chop=0{untile}"));
+        let mut bench = Bench::new(&format!("wind=10&fetch=100&t=5&n=256&chop=0{untile}"));
         let plan = bench.ocean.plan().clone();
         let whole = plan.slope_variance(f64::INFINITY);
         let mut before = f64::INFINITY;
-        // From two texels of the finest map to beyond the largest patch.
-        let finest = plan.cascades[plan.cascades.len() - 1].patch_m / f64::from(plan.n);
-        for step in 0..8 {
-            let size = 2.0 * finest * 5f64.powi(step);
+        // From a part of the finest map's texel to beyond the largest patch; from a texel on also for long pixels.
+        let texel = plan.cascades[plan.cascades.len() - 1].patch_m / f64::from(plan.n);
+        for step in -1..9 {
+            let size = texel * 3.5f64.powi(step);
             let [resolved, all] = mean_squares(&mut bench, size, 0.0);
-            eprintln!("pixel of {size:.2} m{untile}: {:.4} of {:.4}", resolved / whole, all / whole);
-            assert!((all / whole - 1.0).abs() < 0.03, "{size} m{untile}: {}", all / whole);
+            let [_, long] = mean_squares(&mut bench, size, 5.0 * size);
+            eprintln!("pixel of {size:.3} m{untile}: {:.4} of {:.4}, {:.4}", resolved / whole, all / whole, long / whole);
             assert!(resolved < before, "{size} m{untile}");
+            if step < 0 {
+                // Between texels the spline loses some of the shortest waves.
+                assert!((0.96..1.01).contains(&(all / whole)), "{size} m{untile}");
+            } else {
+                let off = (all / whole - 1.0).abs().max((long / whole - 1.0).abs());
+                assert!(off < 0.03, "{size} m{untile}: {off}");
+            }
             before = resolved;
         }
         assert!(before < 1e-3 * whole, "{before}");
@@ -363,12 +369,14 @@ fn nothing_repeats() {
     let plain = Twin::new(&format!("{SEA}&untile=0"));
     let m0: Vec<f64> = (0..plain.maps.len()).map(|c| plain.mean(c, 0, |d| d[1] * d[1])).collect();
     let total: f64 = m0.iter().sum();
-    for lag in correlations(&plain) {
-        assert!(lag.own > 0.999, "cascade {} at {} m: {}", lag.cascade, lag.length_m, lag.own);
-        let share = m0[lag.cascade] / total;
-        if lag.length_m > groups_m {
-            assert!((lag.whole - share).abs() < 0.1, "cascade {} at {} m: {}", lag.cascade, lag.length_m, lag.whole);
-        }
+    let plain_lags = correlations(&plain);
+    assert!(plain_lags.iter().all(|lag| lag.own > 0.999));
+    for (c, m0) in m0.iter().enumerate() {
+        // The other cascades are at any of their phases, and add to it or take away.
+        let far = plain_lags.iter().filter(|lag| lag.cascade == c && lag.length_m > groups_m);
+        let (peak, share) = (far.map(|lag| lag.whole).fold(0.0, f64::max), m0 / total);
+        eprintln!("cascade {c} repeats with up to {peak:.3}, and holds {share:.3} of the energy");
+        assert!(peak > share - 0.05 && (c > 0 || peak > 0.5), "cascade {c}: {peak} {share}");
     }
 }
 
