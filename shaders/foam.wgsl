@@ -7,6 +7,7 @@
 struct FoamLevel {
   uv01: vec4f, // texture coordinates of the first cell's corner on cascades 0 and 1
   uv23: vec4f, // and on 2 and 3
+  tiles: array<TilePlace, 4>, // and on the lattices of their copies
   cell: vec2i, // first cell in range
   previous: vec2i, // and at the last step
   texel_m: f32,
@@ -31,10 +32,10 @@ struct Foam {
 @group(0) @binding(5) var<storage, read_write> history: array<f32>; // [level][z][x]
 @group(0) @binding(6) var picture: texture_storage_2d_array<rgba16float, write>;
 
+// Of the surface that is drawn: the same blend of copies as in water_surface.wgsl.
 fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
-  var xx = 0.0;
-  var zz = 0.0;
-  var xz = 0.0;
+  var stretch = vec2f(0.0);
+  var shear = vec2f(0.0);
   for (var c = 0u; c < sea.count; c++) {
     let corners = select(foam.levels[level].uv23, foam.levels[level].uv01, c < 2u);
     let corner = select(corners.zw, corners.xy, (c & 1u) == 0u);
@@ -42,13 +43,19 @@ fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
     let uv = corner + offset / patch_m;
     // One level finer than a cell: between the texels of a level that is all noise the variance would sag.
     let lod = max(log2(foam.levels[level].texel_m * f32(sea.n) / patch_m) - 1.0, 0.0);
-    let g = textureSampleLevel(gradients, repeat, uv, c, lod);
-    xx += g.z;
-    zz += g.w;
-    xz += textureSampleLevel(displacement, repeat, uv, c, lod).w;
+    let tile = foam.levels[level].tiles[c];
+    let blend = tile_blend(tile, offset);
+    for (var i = 0u; i < blend.count; i++) {
+      let at = uv + tile_shift(tile, blend, i);
+      let g = textureSampleLevel(gradients, repeat, at, c, lod);
+      let d = textureSampleLevel(displacement, repeat, at, c, lod);
+      let slope = vec2f(blend.along_x[i], blend.along_z[i]);
+      stretch += blend.weight[i] * g.zw + slope * d.xz;
+      shear += blend.weight[i] * d.ww + slope.yx * d.xz;
+    }
   }
   let l = sea.chop;
-  return (1.0 + l.x * xx) * (1.0 + l.y * zz) - l.x * l.y * xz * xz;
+  return (1.0 + l.x * stretch.x) * (1.0 + l.y * stretch.y) - l.x * l.y * shear.x * shear.y;
 }
 
 @compute @workgroup_size(8, 8)

@@ -18,6 +18,9 @@ struct Frame {
   cascades: array<vec4f, 4>,
   // A copy of the finest cascade, shrunk: ripples that no cascade holds. The last is the scale of its slopes.
   ripples: vec4f,
+  // Lattices of the copies of the cascades and of the ripples, at the eye's foot: TilePlace's turn and rest; cell, key, on.
+  tile_lattice: array<vec4f, 5>,
+  tile_cell: array<vec4i, 5>,
   // Foam levels: centre relative to the eye, half the valid side, 1 / texel; and texture coordinates of the eye's foot.
   foam_place: array<vec4f, 4>,
   foam_uv: array<vec4f, 4>,

@@ -1,15 +1,75 @@
-// The surface from the maps of the simulation.
+// The surface from the maps of the simulation: every cascade blended from shifted copies (tiles.wgsl).
+
+// Footprint over patch beyond which a cascade is nothing but variance: the longest waves of its band are shorter than the
+// footprint then, and less than 1 % of its slopes is left in their mean.
+const WATER_FAR = 0.15;
+
+// Catmull-Rom's spline over 4 x 4 texels in five bilinear taps; the corners, at most 1.6 % of the weight, are left out.
+struct WaterSpline {
+  before: vec2f,
+  middle: vec2f,
+  after: vec2f,
+  weights: array<f32, 5>,
+}
+
+// At texture coordinates of a map of n texels.
+fn water_spline(uv: vec2f, n: f32) -> WaterSpline {
+  let p = uv * n - 0.5;
+  let base = floor(p);
+  let f = p - base;
+  let w0 = f * (f * (1.0 - 0.5 * f) - 0.5);
+  let w2 = f * (f * (2.0 - 1.5 * f) + 0.5);
+  let w3 = f * f * (0.5 * f - 0.5);
+  let w12 = 1.0 - w0 - w3;
+  let scale = 1.0 / (1.0 - (w0.x + w3.x) * (w0.y + w3.y));
+  var out: WaterSpline;
+  out.before = (base - 0.5) / n;
+  out.middle = (base + 0.5 + w2 / w12) / n;
+  out.after = (base + 2.5) / n;
+  out.weights =
+    array<f32, 5>(scale * w12.x * w12.y, scale * w0.x * w12.y, scale * w3.x * w12.y, scale * w12.x * w0.y, scale * w12.x * w3.y);
+  return out;
+}
+
+fn water_cubic(map: texture_2d_array<f32>, layer: u32, s: WaterSpline, shift: vec2f) -> vec4f {
+  let x = vec3f(s.before.x, s.middle.x, s.after.x) + shift.x;
+  let z = vec3f(s.before.y, s.middle.y, s.after.y) + shift.y;
+  return s.weights[0] * textureSampleLevel(map, wave_sampler, vec2f(x.y, z.y), layer, 0.0)
+    + s.weights[1] * textureSampleLevel(map, wave_sampler, vec2f(x.x, z.y), layer, 0.0)
+    + s.weights[2] * textureSampleLevel(map, wave_sampler, vec2f(x.z, z.y), layer, 0.0)
+    + s.weights[3] * textureSampleLevel(map, wave_sampler, vec2f(x.y, z.x), layer, 0.0)
+    + s.weights[4] * textureSampleLevel(map, wave_sampler, vec2f(x.y, z.z), layer, 0.0);
+}
+
+// The lattice of a cascade's copies; that of the ripples is the last.
+fn water_tile(i: u32) -> TilePlace {
+  let lattice = frame.tile_lattice[i];
+  let cell = frame.tile_cell[i];
+  return TilePlace(lattice.xy, lattice.zw, cell.xy, bitcast<u32>(cell.z), u32(cell.w));
+}
 
 // Displacement of all cascades at a point beside the eye, filtered to `spacing` metres, chop applied.
 fn water_displacement(at: vec2f, spacing: f32) -> vec3f {
   var sum = vec3f(0.0);
   for (var c = 0u; c < frame.count; c++) {
     let place = frame.cascades[c];
+    let uv = place.xy + at * place.z;
     let lod = log2(max(spacing * place.z * frame.n, 1e-3));
-    // Waves shorter than two vertices are left to the normals.
-    let share = clamp(log2(frame.n) - 1.0 - lod, 0.0, 1.0);
+    // Nothing is left of waves that are shorter than two vertices.
+    let share = clamp(log2(frame.n) - 2.0 - lod, 0.0, 1.0);
     if share > 0.0 {
-      sum += share * textureSampleLevel(displacement_map, wave_sampler, place.xy + at * place.z, c, lod).xyz;
+      let tile = water_tile(c);
+      let blend = tile_blend(tile, at);
+      let smooth_share = clamp(-2.0 * lod, 0.0, 1.0);
+      let spline = water_spline(uv, frame.n);
+      for (var i = 0u; i < select(0u, blend.count, smooth_share > 0.0); i++) {
+        sum += (smooth_share * blend.weight[i])
+          * water_cubic(displacement_map, c, spline, tile_shift(tile, blend, i)).xyz;
+      }
+      for (var i = 0u; i < select(0u, blend.count, smooth_share < 1.0); i++) {
+        sum += (share * (1.0 - smooth_share) * blend.weight[i])
+          * textureSampleLevel(displacement_map, wave_sampler, uv + tile_shift(tile, blend, i), c, lod).xyz;
+      }
     }
   }
   return sum * vec3f(frame.chop_x, 1.0, frame.chop_z);
@@ -49,70 +109,103 @@ fn water_footprint(dx: vec2f, dy: vec2f) -> WaterFootprint {
   return WaterFootprint(select(dy, dx, x > y), max(small, large / f32(taps)), taps);
 }
 
+// The waves of one map within a footprint, before chop.
+struct WaterWaves {
+  // Of the height; and what the gradients of the weights add to it.
+  slope: vec2f,
+  lift: vec2f,
+  // dDx/dx and dDz/dz, dDx/dz and dDz/dx.
+  stretch: vec2f,
+  shear: vec2f,
+  // Variances of the slope: xx, zz, xz.
+  variance: vec3f,
+}
+
+// From the map's texture coordinates at the eye's foot, 1 / patch and unit of the moments.
+fn water_waves(at: vec2f, foot: WaterFootprint, layer: u32, place: vec4f, tile: TilePlace) -> WaterWaves {
+  var out: WaterWaves;
+  let uv = place.xy + at * place.z;
+  let texels = foot.size * place.z * frame.n;
+  let long = max(length(foot.axis) * place.z * frame.n, texels);
+  let blend = tile_blend(tile, at);
+  let distant = foot.size * place.z > WATER_FAR;
+  // Magnified: smooth between texels, in one tap.
+  let near = select(1.0 - smoothstep(0.7, 1.4, long), 0.0, distant);
+  let spline = water_spline(uv, frame.n);
+  for (var i = 0u; i < select(0u, blend.count, near > 0.0); i++) {
+    let shift = tile_shift(tile, blend, i);
+    let g = water_cubic(gradients_map, layer, spline, shift);
+    let d = textureSampleLevel(displacement_map, wave_sampler, uv + shift, layer, 0.0);
+    water_add(&out, g, d, near * vec3f(blend.weight[i], blend.along_x[i], blend.along_z[i]));
+  }
+  // Several texels in the footprint, as many taps as are worth it. The weights are those of its middle.
+  let taps = clamp(i32(ceil(long / max(texels, 1.0) - 0.3)), 1, foot.taps);
+  let lod = log2(max(texels, 1e-6));
+  for (var i = 0u; i < select(blend.count, 0u, near >= 1.0 || distant); i++) {
+    let shift = tile_shift(tile, blend, i);
+    var g = vec4f(0.0);
+    var d = vec4f(0.0);
+    var second = vec3f(0.0);
+    for (var k = 0; k < taps; k++) {
+      let tap = uv + shift + foot.axis * (((f32(k) + 0.5) / f32(taps) - 0.5) * place.z);
+      g += textureSampleLevel(gradients_map, wave_sampler, tap, layer, lod);
+      d += textureSampleLevel(displacement_map, wave_sampler, tap, layer, lod);
+      second += textureSampleLevel(moments_map, wave_sampler, tap, layer, lod - 1.0).xyz;
+    }
+    g /= f32(taps);
+    d /= f32(taps);
+    second *= place.w / f32(taps);
+    water_add(&out, g, d, (1.0 - near) * vec3f(blend.weight[i], blend.along_x[i], blend.along_z[i]));
+    // Copies are independent: their variances add with the squares of the weights. The moments know nothing finer than two
+    // texels; closer up they would count resolved waves twice. From where on they count is fitted to the whole.
+    let spread = max(second - vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
+    out.variance += spread * ((1.0 - near) * clamp(lod + 0.5, 0.0, 1.0) * blend.weight[i] * blend.weight[i]);
+  }
+  for (var i = 0; i < select(0, 1, distant); i++) {
+    out.variance += place.w * textureSampleLevel(moments_map, wave_sampler, uv, layer, 16.0).xyz;
+  }
+  return out;
+}
+
+// Adds a copy with its weight and the weight's derivatives along x and z.
+fn water_add(waves: ptr<function, WaterWaves>, g: vec4f, d: vec4f, weight: vec3f) {
+  (*waves).slope += weight.x * g.xy;
+  (*waves).lift += weight.yz * d.y;
+  (*waves).stretch += weight.x * g.zw + weight.yz * d.xz;
+  (*waves).shear += weight.x * d.ww + weight.zy * d.xz;
+}
+
 // Mean and variance of the slope within a footprint.
 fn water_slope(at: vec2f, foot: WaterFootprint) -> WaterSlope {
   var slope = vec2f(0.0);
   var stretch = vec2f(0.0);
-  var shear = 0.0;
+  var shear = vec2f(0.0);
   // Cox and Munk 1954: waves shorter than the finest cascade, somewhat steeper along the wind.
   let w = frame.downwind;
   var variance = frame.residual_mss * (vec3f(0.42, 0.42, 0.0) + 0.16 * vec3f(w.x * w.x, w.y * w.y, w.x * w.y));
   for (var c = 0u; c < frame.count; c++) {
-    let place = frame.cascades[c];
-    let texels = foot.size * place.z * frame.n;
-    // Beyond this the patch is within the pixel: nothing but variance, one tap.
-    let coarse = foot.size * place.z > 0.3;
-    let taps = select(foot.taps, 1, coarse);
-    let lod = select(log2(max(texels, 1e-6)), 16.0, coarse);
-    var g = vec4f(0.0);
-    var second = vec3f(0.0);
-    for (var i = 0; i < taps; i++) {
-      let uv = place.xy + (at + foot.axis * ((f32(i) + 0.5) / f32(taps) - 0.5)) * place.z;
-      g += textureSampleLevel(gradients_map, wave_sampler, uv, c, lod);
-      second += textureSampleLevel(moments_map, wave_sampler, uv, c, lod - 1.0).xyz;
-      if lod < 4.0 {
-        shear += textureSampleLevel(displacement_map, wave_sampler, uv, c, lod).w / f32(taps);
-      }
-    }
-    g /= f32(taps);
-    second *= place.w / f32(taps);
-    slope += g.xy;
-    stretch += g.zw;
-    // The moments know nothing finer than two texels; closer up they would count resolved waves twice.
-    let spread = max(second - vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
-    variance += spread * clamp(lod, 0.0, 1.0);
+    let waves = water_waves(at, foot, c, frame.cascades[c], water_tile(c));
+    slope += waves.slope + waves.lift;
+    stretch += waves.stretch;
+    shear += waves.shear;
+    variance += waves.variance;
   }
   // Ripples below the finest cascade, as a shrunk copy of it: slopes of short gravity waves are nearly scale-free.
-  let scale = frame.ripples.w * frame.ripples.w;
-  if scale > 0.0 {
+  if frame.ripples.w > 0.0 {
     let c = frame.count - 1u;
-    let unit = frame.cascades[c].w * scale;
-    if foot.size * frame.ripples.z > 0.2 {
-      variance += unit * vec3f(1.0, 1.0, 0.0);
-    } else {
-      let lod = log2(max(foot.size * frame.ripples.z * frame.n, 1e-6));
-      var g = vec2f(0.0);
-      var second = vec3f(0.0);
-      for (var i = 0; i < foot.taps; i++) {
-        let uv = frame.ripples.xy + (at + foot.axis * ((f32(i) + 0.5) / f32(foot.taps) - 0.5)) * frame.ripples.z;
-        g += textureSampleLevel(gradients_map, wave_sampler, uv, c, lod).xy;
-        second += textureSampleLevel(moments_map, wave_sampler, uv, c, lod - 1.0).xyz;
-      }
-      g *= frame.ripples.w / f32(foot.taps);
-      second *= unit / f32(foot.taps);
-      slope += g;
-      let spread = max(second - vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
-      variance += spread * clamp(lod, 0.0, 1.0);
-    }
+    let place = vec4f(frame.ripples.xyz, frame.cascades[c].w);
+    let waves = water_waves(at, foot, c, place, water_tile(4u));
+    slope += frame.ripples.w * waves.slope;
+    variance += frame.ripples.w * frame.ripples.w * waves.variance;
   }
   let l = vec2f(frame.chop_x, frame.chop_z);
   let sx = 1.0 + l.x * stretch.x;
   let sz = 1.0 + l.y * stretch.y;
-  let jacobian = sx * sz - l.x * l.y * shear * shear;
+  let jacobian = sx * sz - l.x * l.y * shear.x * shear.y;
   // Where the surface folds the slope has no meaning: it stays finite under the foam.
   let over = 1.0 / max(jacobian, 0.25);
   var out: WaterSlope;
-  out.mean = vec2f(slope.x * sz - slope.y * l.y * shear, slope.y * sx - slope.x * l.x * shear) * over;
+  out.mean = vec2f(slope.x * sz - slope.y * l.y * shear.y, slope.y * sx - slope.x * l.x * shear.x) * over;
   let steep = length(out.mean);
   out.mean *= min(1.0, 1.6 / max(steep, 1e-6));
   out.variance = variance;

@@ -6,17 +6,19 @@ use seastate::gpu::shaders::Shaders;
 use seastate::model::heights::{Heights, Sample};
 use seastate::model::plan::Cascade;
 use seastate::model::{Plan, noise, query};
-use seastate::oracle::{maps, spectrum};
+use seastate::oracle::surface::{self, Point};
+use seastate::oracle::{Texel, maps, spectrum};
 use seastate::sim::Simulation;
 
 const GALE: &str = "wind=20&fetch=500&n=128";
-/// Deep; two systems; shallow with a short chop; ripples; a loop.
-const SEAS: [&str; 5] = [
+/// Deep; two systems; shallow with a short chop; ripples; a loop; patches that repeat.
+const SEAS: [&str; 6] = [
     "wind=10&fetch=100&n=64&dispersion=deep",
     "wind=12&scale2=1&n=64&dir=13",
     "spectrum=tma&depth=5&wind=15&n=64&swell=0.5&chopx=0.4",
     "spectrum=elfouhaily&dispersion=capillary&wind=8&n=64&seed=5",
     "wind=14&n=64&loop=60",
+    "wind=12&n=64&untile=0",
 ];
 
 fn plan(state: &str) -> Plan {
@@ -49,13 +51,24 @@ fn by_cascade(plan: &Plan) -> Vec<Heights> {
     plan.cascades.iter().map(one).collect()
 }
 
-/// Largest difference of the sample from a texel of the maps, in units of `hs`, or of the slope's rms for gradients.
-fn difference(sea: &Sample, at: [f64; 2], d: [f64; 4], g: [f64; 4], plan: &Plan) -> f64 {
+/// A texel of a cascade somewhere in the world, and what is drawn there of its maps.
+fn drawn(plan: &Plan, cascade: &Cascade, i: usize, read: impl Fn(usize) -> [Texel; 2]) -> ([f64; 2], Point) {
+    let n = plan.n as usize;
+    let patches = noise::pcg4d([i as u32, 8, 9, 10]);
+    let at = [i % n, i / n].map(|i| i as f64 / n as f64);
+    let at = [0, 1].map(|axis| (at[axis] + f64::from(patches[axis] % 100) - 50.0) * cascade.patch_m);
+    // The shifts of copies are whole texels.
+    let texel = |place: f64| ((place * n as f64).round() as usize) % n;
+    (at, surface::blend(&plan.tiling(cascade), at, |place| read(texel(place[1]) * n + texel(place[0]))))
+}
+
+/// Largest difference of the sample from what is drawn, in units of `hs`, or of the slope's rms for gradients.
+fn difference(sea: &Sample, at: [f64; 2], drawn: &Point, plan: &Plan) -> f64 {
     let [lx, lz] = plan.sea.lambda();
+    let Point { moved: d, slope: [sx, sz], strain: [xx, zz, xz, zx] } = *drawn;
     let world = [at[0] + lx * d[0], at[1] + lz * d[2]];
-    let jacobian = (1.0 + lx * g[2]) * (1.0 + lz * g[3]) - lx * lz * d[3] * d[3];
-    let normal =
-        [-(g[0] * (1.0 + lz * g[3]) - g[1] * lz * d[3]), jacobian, -(g[1] * (1.0 + lx * g[2]) - g[0] * lx * d[3])];
+    let jacobian = (1.0 + lx * xx) * (1.0 + lz * zz) - lx * lz * xz * zx;
+    let normal = [-(sx * (1.0 + lz * zz) - sz * lz * zx), jacobian, -(sz * (1.0 + lx * xx) - sx * lx * xz)];
     let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
     let hs = plan.hs_m();
     let metres = [sea.height_m - d[1], sea.world_xz[0] - world[0], sea.world_xz[1] - world[1]].map(|e| e / hs);
@@ -73,8 +86,8 @@ fn all_waves_are_the_oracles_sea() {
                 let h0 = spectrum::h0(&plan, cascade);
                 let [d, g] = maps::columns(n, &maps::rows(&plan, cascade, &h0, t_s));
                 for i in (0..n * n).step_by(97) {
-                    let at = [i % n, i / n].map(|i| i as f64 * cascade.patch_m / n as f64);
-                    let worst = difference(&sea.undisplaced(at[0], at[1], t_s), at, d[i], g[i], &plan);
+                    let (at, drawn) = drawn(&plan, cascade, i, |i| [d[i], g[i]]);
+                    let worst = difference(&sea.undisplaced(at[0], at[1], t_s), at, &drawn, &plan);
                     // The table's norms are interpolated, within 1e-6 of the oracle's.
                     assert!(worst < 2e-6, "{state} t {t_s} texel {i}: {worst}");
                 }
@@ -94,9 +107,10 @@ fn all_waves_are_the_gpus_sea() {
             for (c, (cascade, sea)) in plan.cascades.iter().zip(by_cascade(&plan)).enumerate() {
                 let n = plan.n as usize;
                 for i in (0..n * n).step_by(97) {
-                    let at = [i % n, i / n].map(|i| i as f64 * cascade.patch_m / n as f64);
-                    let (d, g) = (read.displacement(c)[i].map(f64::from), read.gradients(c)[i].map(f64::from));
-                    let worst = difference(&sea.undisplaced(at[0], at[1], t_s), at, d, g, &plan);
+                    let texels =
+                        |i: usize| [read.displacement(c)[i].map(f64::from), read.gradients(c)[i].map(f64::from)];
+                    let (at, drawn) = drawn(&plan, cascade, i, texels);
+                    let worst = difference(&sea.undisplaced(at[0], at[1], t_s), at, &drawn, &plan);
                     assert!(worst < 1e-5, "{state} t {t_s} cascade {c} texel {i}: {worst}");
                 }
             }
@@ -122,7 +136,10 @@ fn overlapping_cascades_share_their_waves() {
     let sea = Heights::new(&plan, usize::MAX).undisplaced(0.0, 0.0, 50.0);
     let oracle = plan.cascades.iter().map(|cascade| {
         let h0 = spectrum::h0(&plan, cascade);
-        maps::columns(64, &maps::rows(&plan, cascade, &h0, 50.0))[0][0][1]
+        let [d, g] = maps::columns(64, &maps::rows(&plan, cascade, &h0, 50.0));
+        let texel = |place: f64| ((place * 64.0).round() as usize) % 64;
+        let read = |place: [f64; 2]| [&d, &g].map(|map| map[texel(place[1]) * 64 + texel(place[0])]);
+        surface::blend(&plan.tiling(cascade), [0.0; 2], read).moved[1]
     });
     assert!((sea.height_m - oracle.sum::<f64>()).abs() < 1e-5 * plan.hs_m());
 }
@@ -309,7 +326,7 @@ fn extremes() {
 #[test]
 fn far_away_is_as_good_as_here() {
     // One cascade repeats with its patch: 10 000 km away the same water comes back.
-    let plan = plan("wind=20&fetch=500&n=64&cascades=1&patch1=512");
+    let plan = plan("wind=20&fetch=500&n=64&cascades=1&patch1=512&untile=0");
     let sea = Heights::new(&plan, usize::MAX);
     for (i, ([x, z], t_s)) in places(100, 512.0).enumerate() {
         // Whole multiples of 2^-20 m are exact there.

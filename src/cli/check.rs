@@ -168,7 +168,7 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, shaders: &Shaders) -> Result<Lin
         for cascade in &plan.cascades {
             let texels = 0.5 * foam_level.texel_m * f64::from(plan.n) / cascade.patch_m;
             let lod = texels.log2().clamp(0.0, f64::from(sim.resources.mips() - 1));
-            cascades.push((cascade.patch_m, lod));
+            cascades.push((plan.tiling(cascade), lod));
         }
         let mut maps = Vec::new();
         for mip in 0..sim.resources.mips() {
@@ -181,21 +181,28 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, shaders: &Shaders) -> Result<Lin
         for i in 0..size * size {
             let at = [i % size, i / size];
             let world: [f64; 2] = std::array::from_fn(|a| origin[a] + (at[a] as f64 + 0.5) * foam_level.texel_m);
-            let mut strain = [0.0; 3];
-            for (c, &(patch_m, lod)) in cascades.iter().enumerate() {
-                let uv = world.map(|w| w / patch_m + 0.5 / f64::from(plan.n));
-                let low = lod.floor();
-                for (mip, weight) in [(low as usize, 1.0 - (lod - low)), (low as usize + 1, lod - low)] {
-                    if weight > 0.0 {
-                        let n = plan.n as usize >> mip;
-                        let part = |plane: usize| &maps[mip][plane][c * n * n..][..n * n];
-                        let of = oracle::foam::Level { n, displacement: part(0), gradients: part(1) };
-                        let add = oracle::foam::strain(&of, uv);
-                        strain = std::array::from_fn(|k| strain[k] + weight * add[k]);
+            let mut sum = oracle::surface::Point::default();
+            for (c, (tiling, lod)) in cascades.iter().enumerate() {
+                let read = |place: [f64; 2]| {
+                    let uv = place.map(|p| p + 0.5 / f64::from(plan.n));
+                    let low = lod.floor();
+                    let mut texels = [[0.0; 4]; 2];
+                    for (mip, weight) in [(low as usize, 1.0 - (lod - low)), (low as usize + 1, lod - low)] {
+                        if weight > 0.0 {
+                            let n = plan.n as usize >> mip;
+                            let part = |plane: usize| &maps[mip][plane][c * n * n..][..n * n];
+                            let of = oracle::foam::Level { n, displacement: part(0), gradients: part(1) };
+                            let add = oracle::foam::read(&of, uv);
+                            for (texel, add) in texels.iter_mut().zip(add) {
+                                *texel = std::array::from_fn(|k| texel[k] + weight * add[k]);
+                            }
+                        }
                     }
-                }
+                    texels
+                };
+                sum = sum.plus(&oracle::surface::blend(tiling, world, read));
             }
-            let j = oracle::foam::jacobian(strain, sea.lambda());
+            let j = oracle::foam::jacobian(sum.strain, sea.lambda());
             let s = ((source.threshold - j) * source.slope).clamp(0.0, 1.0);
             want[i] = oracle::foam::step(want[i], s, sea.foam.rate_per_s, sea.foam.decay_s, step.dt_s);
         }

@@ -261,7 +261,7 @@ pub(super) fn points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f64
             strain[1] += f64::from(g[3]);
             strain[2] += f64::from(d[3]);
         }
-        visit(eta, jacobian(strain, plan.sea.lambda()));
+        visit(eta, jacobian([strain[0], strain[1], strain[2], strain[2]], plan.sea.lambda()));
     }
 }
 

@@ -64,12 +64,30 @@ pub struct SeaUniform {
     pub unused: [u32; 3],
 }
 
+/// WGSL `TilePlace`: the lattice of a patch's copies as seen from a point.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+pub struct TilePlace {
+    /// Cosine and sine of its angle, over the side of a triangle.
+    pub turn: [f32; 2],
+    /// The point in lattice coordinates, beyond its cell.
+    pub rest: [f32; 2],
+    /// Whole lattice coordinates of the point.
+    pub cell: [i32; 2],
+    /// Of the shifts.
+    pub key: u32,
+    /// 0: the patch repeats.
+    pub on: u32,
+}
+
 /// WGSL `FoamLevel`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 pub struct FoamLevelUniform {
     /// Texture coordinates of the first cell's corner on each cascade.
     pub uv: [[f32; 2]; MAX_CASCADES],
+    /// And on the lattices of their copies.
+    pub tiles: [TilePlace; MAX_CASCADES],
     /// First cell in range.
     pub cell: [i32; 2],
     /// First cell in range at the last step.
@@ -119,7 +137,10 @@ pub const LAYOUTS: &[Layout] = &[
         stride as "stride"
     ),
     layout!(
-        "FoamLevel", FoamLevelUniform, uv as "uv01", cell as "cell", previous as "previous", texel_m as "texel_m",
+        "TilePlace", TilePlace, turn as "turn", rest as "rest", cell as "cell", key as "key", on as "on"
+    ),
+    layout!(
+        "FoamLevel", FoamLevelUniform, uv as "uv01", tiles as "tiles", cell as "cell", previous as "previous", texel_m as "texel_m",
         threshold as "threshold", slope as "slope", start as "start"
     ),
     layout!("Foam", FoamUniform, levels as "levels", dt as "dt", decay as "decay", rate as "rate", size as "size"),

@@ -18,6 +18,7 @@ macro_rules! part {
 const MATHS: Part = part!("maths.wgsl");
 const SEA: Part = part!("sea.wgsl");
 const NOISE: Part = part!("noise.wgsl");
+const TILES: Part = part!("tiles.wgsl");
 const FFT: Part = part!("fft.wgsl");
 const ATMOSPHERE: Part = part!("atmosphere.wgsl");
 const SKY: Part = part!("sky_common.wgsl");
@@ -34,7 +35,7 @@ const MODULES: &[(&str, &[Part])] = &[
     ("rows", &[MATHS, SEA, FFT, part!("rows.wgsl")]),
     ("columns", &[SEA, FFT, part!("columns.wgsl")]),
     ("mips", &[SEA, part!("mips.wgsl")]),
-    ("foam", &[MATHS, SEA, part!("foam.wgsl")]),
+    ("foam", &[MATHS, SEA, NOISE, TILES, part!("foam.wgsl")]),
     ("sky_transmittance", &[ATMOSPHERE, SKY, part!("sky_transmittance.wgsl")]),
     ("sky_multiple", &[ATMOSPHERE, SKY, part!("sky_multiple.wgsl")]),
     ("sky_view", &[ATMOSPHERE, SKY, part!("sky_view.wgsl")]),
@@ -42,8 +43,23 @@ const MODULES: &[(&str, &[Part])] = &[
     ("sky_filter", &[part!("sky_filter.wgsl")]),
     ("sky_light", &[ATMOSPHERE, SKY, SKY_MODEL, part!("sky_light.wgsl")]),
     ("sky", &[ATMOSPHERE, SKY, SKY_MODEL, FRAME, part!("sky.wgsl")]),
-    ("eye", &[FRAME, WATER_SURFACE, part!("eye.wgsl")]),
-    ("water", &[ATMOSPHERE, SKY, SKY_MODEL, FRAME, WATER_SURFACE, WATER_LIGHT, WATER_FOAM, part!("water.wgsl")]),
+    ("eye", &[MATHS, NOISE, TILES, FRAME, WATER_SURFACE, part!("eye.wgsl")]),
+    (
+        "water",
+        &[
+            ATMOSPHERE,
+            SKY,
+            SKY_MODEL,
+            MATHS,
+            NOISE,
+            TILES,
+            FRAME,
+            WATER_SURFACE,
+            WATER_LIGHT,
+            WATER_FOAM,
+            part!("water.wgsl"),
+        ],
+    ),
     ("present", &[SKY, part!("post/present.wgsl")]),
     ("debug_map", &[MATHS, SEA, DEBUG, part!("debug_map.wgsl")]),
     ("debug_show", &[part!("debug_show.wgsl")]),

@@ -13,6 +13,8 @@ pub struct Look {
     pub film: Film,
     /// Vertices of the water mesh relative to the default.
     pub mesh: f64,
+    /// How far the sea is drawn, km; 0 is to the horizon.
+    pub extent_km: f64,
     /// What is shown instead of the picture.
     pub view: views::Choice,
 }
@@ -24,6 +26,7 @@ impl Default for Look {
             surface: Surface::default(),
             film: Film::default(),
             mesh: 1.0,
+            extent_km: 0.0,
             view: views::Choice::default(),
         }
     }

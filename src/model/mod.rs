@@ -20,6 +20,7 @@ pub mod spectra;
 pub mod spreading;
 pub mod statistics;
 pub mod table;
+pub mod tiling;
 pub mod views;
 pub mod waves;
 

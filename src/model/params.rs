@@ -31,6 +31,8 @@ pub struct Grid {
     pub cascades: u32,
     /// Whether each cascade carries all the waves that it can, sharing them with its neighbours, instead of its own band.
     pub overlap: bool,
+    /// Whether patches are blended from shifted copies, so that nothing repeats.
+    pub untile: bool,
     /// What is set by hand, longest patch first.
     pub patches: [Patch; MAX_CASCADES],
 }
@@ -51,7 +53,7 @@ pub struct Patch {
 
 impl Default for Grid {
     fn default() -> Self {
-        Self { n: 256, cascades: 0, overlap: false, patches: [Patch::default(); MAX_CASCADES] }
+        Self { n: 256, cascades: 0, overlap: false, untile: true, patches: [Patch::default(); MAX_CASCADES] }
     }
 }
 

@@ -4,6 +4,7 @@ use super::cascades;
 use super::dispersion::Dispersion;
 use super::energy::Energy;
 use super::params::{Params, Sea, SpreadKind};
+use super::tiling::Tiling;
 use super::waves::{self, WaveSystem};
 use std::f64::consts::TAU;
 
@@ -34,6 +35,8 @@ pub struct Plan {
     pub n: u32,
     /// Patches, longest waves first.
     pub cascades: Vec<Cascade>,
+    /// Whether they are blended from shifted copies instead of repeated.
+    pub untile: bool,
     /// All frequencies are multiples of 2 pi / period_s.
     pub period_s: f64,
     /// The sea that it is made for.
@@ -123,7 +126,9 @@ impl Plan {
         let n = params.grid.n;
         let cascades = cascades::choose(&energy, &dispersion, &params.grid);
         let downwind = waves::travel(sea.local().from_deg);
-        let mut plan = Self { n, cascades, period_s, sea, systems, dispersion, omega_p, downwind, notices, energy };
+        let untile = params.grid.untile;
+        let mut plan =
+            Self { n, cascades, untile, period_s, sea, systems, dispersion, omega_p, downwind, notices, energy };
         let captured = plan.captured();
         if captured < 0.99 && !plan.is_calm() {
             plan.notices.push(format!(
@@ -200,6 +205,11 @@ impl Plan {
     /// Significant wave height 4 sqrt(m0) of the spectrum, m, from the plan's own sums.
     pub fn hs_m(&self) -> f64 {
         4.0 * self.energy.m0().sqrt()
+    }
+
+    /// How a cascade's patch covers the plane.
+    pub fn tiling(&self, cascade: &Cascade) -> Tiling {
+        Tiling::new(cascade.patch_m, cascade.key, self.sea.seed, self.untile)
     }
 
     /// The wave at squared lattice distance `i2` = ix^2 + iz^2 (not 0) of a cascade.

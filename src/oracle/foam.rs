@@ -13,27 +13,27 @@ pub struct Level<'a> {
     pub gradients: &'a [Texel],
 }
 
-/// Dxx, Dzz, Dxz at texture coordinates `uv` (1 is the patch), linear between texel centres, repeating.
-pub fn strain(level: &Level<'_>, uv: [f64; 2]) -> [f64; 3] {
+/// Displacement and gradient texels at texture coordinates `uv` (1 is the patch), linear between texel centres, repeating.
+pub fn read(level: &Level<'_>, uv: [f64; 2]) -> [Texel; 2] {
     let n = level.n as i64;
     let [u, v] = uv.map(|c| c * level.n as f64 - 0.5);
     let (x, z) = (u.floor(), v.floor());
     let (fx, fz) = (u - x, v - z);
-    let mut out = [0.0; 3];
+    let mut out = [[0.0; 4]; 2];
     for (dx, dz, weight) in
         [(0, 0, (1.0 - fx) * (1.0 - fz)), (1, 0, fx * (1.0 - fz)), (0, 1, (1.0 - fx) * fz), (1, 1, fx * fz)]
     {
         let i = ((z as i64 + dz).rem_euclid(n) * n + (x as i64 + dx).rem_euclid(n)) as usize;
-        out[0] += weight * level.gradients[i][2];
-        out[1] += weight * level.gradients[i][3];
-        out[2] += weight * level.displacement[i][3];
+        for (out, map) in out.iter_mut().zip([level.displacement, level.gradients]) {
+            *out = std::array::from_fn(|k| out[k] + weight * map[i][k]);
+        }
     }
     out
 }
 
-/// J = (1 + lx Dxx)(1 + lz Dzz) - lx lz Dxz^2 of summed strains.
-pub fn jacobian([xx, zz, xz]: [f64; 3], [lx, lz]: [f64; 2]) -> f64 {
-    (1.0 + lx * xx) * (1.0 + lz * zz) - lx * lz * xz * xz
+/// J = (1 + lx dDx/dx)(1 + lz dDz/dz) - lx lz dDx/dz dDz/dx of summed strains, in this order.
+pub fn jacobian([xx, zz, xz, zx]: [f64; 4], [lx, lz]: [f64; 2]) -> f64 {
+    (1.0 + lx * xx) * (1.0 + lz * zz) - lx * lz * xz * zx
 }
 
 /// Foam after `dt_s` of a constant source in [0, 1]: dF/dt = rate s (1 - F) - F / decay, solved exactly.

@@ -6,6 +6,7 @@
 pub mod foam;
 pub mod maps;
 pub mod spectrum;
+pub mod surface;
 pub mod transform;
 
 /// A complex number (re, im).

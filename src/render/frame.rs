@@ -2,7 +2,7 @@
 
 use super::Scene;
 use super::mesh::Mesh;
-use crate::gpu::layout::{FOAM_LEVELS, Layout, MAX_CASCADES};
+use crate::gpu::layout::{FOAM_LEVELS, Layout, MAX_CASCADES, TilePlace};
 use crate::sim::Maps;
 use bytemuck::{Pod, Zeroable};
 use std::mem::offset_of;
@@ -52,6 +52,8 @@ pub struct FrameUniform {
     chop_x: f32,
     cascades: [[f32; 4]; MAX_CASCADES],
     ripples: [f32; 4],
+    tile_lattice: [[f32; 4]; MAX_CASCADES + 1],
+    tile_cell: [[i32; 4]; MAX_CASCADES + 1],
     foam_place: [[f32; 4]; FOAM_LEVELS],
     foam_uv: [[f32; 4]; FOAM_LEVELS],
     mesh: [f32; 4],
@@ -98,6 +100,8 @@ impl FrameUniform {
             chop_x,
             cascades,
             ripples,
+            tile_lattice,
+            tile_cell,
             foam_place,
             foam_uv,
             mesh,
@@ -136,6 +140,7 @@ impl FrameUniform {
             *out = [u, v, (1.0 / map.patch_m) as f32, map.moment_scale];
         }
         let (ripples, residual_mss) = ripples(maps, foot, sea.residual_mss.max(0.0));
+        let tiles = tiles(maps, foot);
         let mut foam_place = [[0.0; 4]; FOAM_LEVELS];
         let mut foam_uv = [[0.0; 4]; FOAM_LEVELS];
         for ((place, uv), level) in foam_place.iter_mut().zip(&mut foam_uv).zip(&maps.foam_levels) {
@@ -163,6 +168,8 @@ impl FrameUniform {
             chop_x: sea.chop[0],
             cascades,
             ripples,
+            tile_lattice: tiles.map(|t| [t.turn[0], t.turn[1], t.rest[0], t.rest[1]]),
+            tile_cell: tiles.map(|t| [t.cell[0], t.cell[1], t.key as i32, t.on as i32]),
             foam_place,
             foam_uv,
             mesh: mesh.lattice,
@@ -226,6 +233,18 @@ fn ripples(maps: &Maps, foot: [f64; 2], residual: f32) -> ([f32; 4], f32) {
     // The texel's half is not worth keeping here; another offset keeps the copies from lining up at the origin.
     let [u, v] = foot.map(|x| ((x / patch).rem_euclid(1.0) + 0.381_966) as f32);
     ([u, v, (1.0 / patch) as f32, share.sqrt()], residual - share * held)
+}
+
+/// The lattices of the cascades' copies, then that of the ripples.
+fn tiles(maps: &Maps, foot: [f64; 2]) -> [TilePlace; MAX_CASCADES + 1] {
+    let mut out = [TilePlace::default(); MAX_CASCADES + 1];
+    for (out, map) in out.iter_mut().zip(&maps.cascades) {
+        *out = map.tiling.place(foot).into();
+    }
+    if let Some(finest) = maps.cascades.last() {
+        out[MAX_CASCADES] = finest.tiling.shrunk(RIPPLE_RATIO).place(foot).into();
+    }
+    out
 }
 
 /// Texture coordinates of the foam's grain at the eye's foot; the same matrix stands in `water_foam.wgsl`.

@@ -31,8 +31,9 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// The lattice that covers a view of a sea; `density` scales the number of vertices.
-    pub fn new(view: &View, sea: &SeaLook, density: f64) -> Self {
+    /// The lattice that covers a view of a sea; `density` scales the number of vertices, `extent_km` bounds its reach
+    /// (0 is to the horizon).
+    pub fn new(view: &View, sea: &SeaLook, density: f64, extent_km: f64) -> Self {
         let scale = density.clamp(0.015, 64.0).sqrt();
         let most_columns = ((COLUMNS * scale / f64::from(BLOCK)).ceil() as u32) * BLOCK;
         let rows = (ROWS * scale).ceil() as u32;
@@ -48,6 +49,7 @@ impl Mesh {
             ((eye - lift).max(0.0) / (-lowest).max(0.02).tan() - shift).max(0.0)
         };
         let far = 1.15 * ((2.0 * EARTH_RADIUS_M * (eye + lift)).sqrt() + (2.0 * EARTH_RADIUS_M * lift).sqrt()) + 500.0;
+        let far = if extent_km > 0.0 { far.min((1e3 * extent_km).max(near + radius)) } else { far };
         let t = |r: f64| (1.0 + r / radius).ln();
         let first = (t(near) / ROW_SNAP).floor() * ROW_SNAP;
         let step = (t(far) - first) / f64::from(rows - 1);
@@ -142,7 +144,7 @@ mod tests {
                     for heading_deg in [0.0, 123.0, 359.0] {
                         let camera = Camera { pitch_deg: pitch, y_m, heading_deg, ..Camera::default() };
                         let view = View::new(&camera, 16.0 / 9.0, 0.0);
-                        let mesh = Mesh::new(&view, &sea(hs), 1.0);
+                        let mesh = Mesh::new(&view, &sea(hs), 1.0, 0.0);
                         let case = format!("pitch {pitch} y {y_m} hs {hs} heading {heading_deg} {mesh:?}");
                         assert!(mesh.columns <= mesh.most_columns, "{case}");
                         let [a0, da, t0, dt] = mesh.lattice.map(f64::from);
@@ -169,7 +171,7 @@ mod tests {
     fn turning_keeps_the_lattice() {
         let mesh = |heading_deg| {
             let camera = Camera { heading_deg, ..Camera::default() };
-            Mesh::new(&View::new(&camera, 1.5, 0.0), &sea(2.0), 1.0)
+            Mesh::new(&View::new(&camera, 1.5, 0.0), &sea(2.0), 1.0, 0.0)
         };
         let (a, b) = (mesh(10.0), mesh(11.3));
         assert_eq!(a.lattice[1..], b.lattice[1..]);

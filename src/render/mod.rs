@@ -217,7 +217,7 @@ impl Renderer {
 /// As many vertices as the picture can show: triangles smaller than a pixel cost more than the pixel.
 fn mesh(scene: &Scene, size: [u32; 2]) -> Mesh {
     let pixels = f64::from(size[0]) * f64::from(size[1]) / REFERENCE_PIXELS;
-    Mesh::new(&scene.view, &scene.sea, scene.look.mesh * pixels.clamp(0.06, 2.0))
+    Mesh::new(&scene.view, &scene.sea, scene.look.mesh * pixels.clamp(0.06, 2.0), scene.look.extent_km)
 }
 
 /// The bytes of WGSL `Frame` for a picture of `size` pixels: for the tests that run the picture's functions by themselves.

@@ -77,7 +77,7 @@ impl Reference {
         let texture = targets.hdr.texture().clone();
         renderer.targets = Some(targets);
         let density = VERTICES_PER_SAMPLE * f64::from(size[0]) * f64::from(size[1]) / VERTICES;
-        let mesh = Mesh::new(&scene.view, &scene.sea, density);
+        let mesh = Mesh::new(&scene.view, &scene.sea, density, scene.look.extent_km);
         let frame = FrameUniform::new(scene, maps, &mesh, size).unfiltered(grid.shift());
         renderer.prepare(device, queue, maps, &mesh, &frame);
         renderer.record_picture(queue, encoder, scene);

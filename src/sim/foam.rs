@@ -1,7 +1,7 @@
 //! When and where foam is computed: the lattice of replayed times, and the world-anchored levels.
 
 use super::maps::FoamLevel;
-use crate::gpu::layout::{FOAM_LEVELS, FoamLevelUniform, FoamUniform};
+use crate::gpu::layout::{FOAM_LEVELS, FoamLevelUniform, FoamUniform, MAX_CASCADES, TilePlace};
 use crate::model::{Plan, foam};
 
 /// Evaluations of a cold start.
@@ -148,14 +148,16 @@ impl FoamClock {
         let levels = std::array::from_fn(|level| {
             let texel_m = self.texel_m(level);
             let source = self.sources[level];
-            let mut uv = [[0.0; 2]; 4];
-            for (uv, cascade) in uv.iter_mut().zip(&plan.cascades) {
+            let corner = cells[level].map(|c| f64::from(c) * texel_m);
+            let (mut uv, mut tiles) = ([[0.0; 2]; MAX_CASCADES], [TilePlace::default(); MAX_CASCADES]);
+            for ((uv, tile), cascade) in uv.iter_mut().zip(&mut tiles).zip(&plan.cascades) {
                 let half_texel = 0.5 / f64::from(plan.n);
-                *uv = cells[level]
-                    .map(|c| ((f64::from(c) * texel_m / cascade.patch_m).rem_euclid(1.0) + half_texel) as f32);
+                *uv = corner.map(|x| ((x / cascade.patch_m).rem_euclid(1.0) + half_texel) as f32);
+                *tile = plan.tiling(cascade).place(corner).into();
             }
             FoamLevelUniform {
                 uv,
+                tiles,
                 cell: cells[level],
                 previous: previous[level],
                 texel_m: texel_m as f32,

@@ -1,7 +1,9 @@
 //! The read-only product of the simulation: all that the renderer sees of it.
 
 use super::resources::{Resources, view};
+use crate::gpu::layout::TilePlace;
 use crate::model::Plan;
+use crate::model::tiling::{Place, Tiling};
 
 /// Views of the current sea and what is needed to sample them. A texel (i, j) of a map holds the point
 /// x = i patch/n, z = j patch/n: uv = x / patch + 0.5 / n, repeating.
@@ -39,8 +41,22 @@ pub struct Maps {
 pub struct MapCascade {
     /// Side of the patch, m.
     pub patch_m: f64,
+    /// How it covers the plane.
+    pub tiling: Tiling,
     /// Unit of the moments.
     pub moment_scale: f32,
+}
+
+impl From<Place> for TilePlace {
+    fn from(place: Place) -> Self {
+        Self {
+            turn: place.turn.map(|x| x as f32),
+            rest: place.rest.map(|x| x as f32),
+            cell: place.cell,
+            key: place.key,
+            on: u32::from(place.on),
+        }
+    }
 }
 
 /// One level of the foam: valid within half of foam_n texels of its centre.
@@ -82,7 +98,7 @@ impl Maps {
                 // Half the cascade's mean square slope is one component's; half floats then hold numbers near 1.
                 let mss = plan.slope_variance_between(c.k_low, c.k_high);
                 let moment_scale = if mss > 1e-12 { 0.5 * mss as f32 } else { 1.0 };
-                MapCascade { patch_m: c.patch_m, moment_scale }
+                MapCascade { patch_m: c.patch_m, tiling: plan.tiling(c), moment_scale }
             })
             .collect();
     }

@@ -48,8 +48,10 @@ pub(super) fn camera() -> Vec<Field> { vec![
 /// Detail of the drawn surface.
 #[rustfmt::skip]
 pub(super) fn detail() -> Vec<Field> { vec![
-    row!("mesh", "Mesh detail", "", View, number(0.25, 2.0), [look.mesh],
-        "Density of the water mesh relative to the default."),
+    row!("mesh", "Mesh detail", "", View, logarithmic(0.1, 4.0), [look.mesh],
+        "Number of vertices of the water mesh relative to the default, which follows the picture's pixels."),
+    row!("extent", "Extent", "km", View, number(0.0, 300.0), [look.extent_km],
+        "How far from the camera the sea is drawn; 0 is to the horizon.").zero("horizon"),
 ]}
 
 /// Views of the maps and of the surface. What they are stands in `model/views.rs`.
@@ -77,6 +79,8 @@ pub(super) fn grid() -> Vec<Field> { vec![
         |p| f64::from(p.grid.cascades), |p, v| p.grid.cascades = v as u32).zero("auto"),
     row!("overlap", "Overlapping bands", Grid, flag [grid.overlap],
         "Each cascade carries all the waves that its lattice can, sharing their energy (amplitudes go with 1/sqrt(n)), instead of a band of its own."),
+    row!("untile", "No repetition", Grid, flag [grid.untile],
+        "The surface is blended from shifted copies of each patch, with weights that keep its statistics (Heitz and Neyret 2018); off shows the plainly periodic sum of patches."),
 ]}
 
 /// The cascades as set by hand.

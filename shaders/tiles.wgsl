@@ -1,0 +1,87 @@
+// A patch without its period: a blend of shifted copies. Twin of model/tiling.rs, which says why it is so.
+
+// The lattice of a patch as seen from a point.
+struct TilePlace {
+  turn: vec2f, // cosine and sine of its angle, over the side of a triangle
+  rest: vec2f, // the point in lattice coordinates, beyond its cell
+  cell: vec2i,
+  key: u32,
+  on: u32, // 0: the patch repeats
+}
+
+// Barycentric coordinate at which a copy begins.
+const TILE_EDGE = 0.25;
+const TILE_INV_SQRT_3 = 0.57735027;
+
+// The copies that a point sees, strongest first: a loop over them is short, where a branch would cost a software GPU both
+// sides.
+struct TileBlend {
+  count: u32,
+  weight: vec3f,
+  along_x: vec3f, // dW/dx
+  along_z: vec3f, // dW/dz
+  cell_x: vec3i,
+  cell_z: vec3i,
+}
+
+fn tile_higher(a: vec3f, b: vec3f) -> vec3f {
+  return select(b, a, a.x >= b.x);
+}
+
+fn tile_lower(a: vec3f, b: vec3f) -> vec3f {
+  return select(a, b, a.x >= b.x);
+}
+
+// At a point (m) beside that of the place.
+fn tile_blend(place: TilePlace, at: vec2f) -> TileBlend {
+  let u = place.turn + TILE_INV_SQRT_3 * vec2f(place.turn.y, -place.turn.x);
+  let v = 2.0 * TILE_INV_SQRT_3 * vec2f(-place.turn.y, place.turn.x);
+  let q = place.rest + vec2f(dot(u, at), dot(v, at));
+  let whole = floor(q);
+  let rest = q - whole;
+  // The upper triangle of the cell is the lower one, counted back from the opposite vertex.
+  let upper = rest.x + rest.y > 1.0;
+  let f = select(rest, 1.0 - rest, upper);
+  // Barycentric coordinate and corner, sorted.
+  let a = vec3f(1.0 - f.x - f.y, 0.0, 0.0);
+  let b = vec3f(f.x, 1.0, 0.0);
+  let c = vec3f(f.y, 0.0, 1.0);
+  let high = tile_higher(b, c);
+  let low = tile_lower(b, c);
+  let first = tile_higher(a, high);
+  let rest_high = tile_lower(a, high);
+  let second = tile_higher(rest_high, low);
+  let third = tile_lower(rest_high, low);
+  let corner_x = vec3f(first.y, second.y, third.y);
+  let corner_z = vec3f(first.z, second.z, third.z);
+  let raw = max(vec3f(first.x, second.x, third.x) - TILE_EDGE, vec3f(0.0));
+  let w = raw * raw;
+  let norm = inverseSqrt(dot(w, w));
+  // Gradient of the barycentric coordinates: u and v at their corners, against both at the first.
+  let sign = select(2.0, -2.0, upper);
+  let origin = 1.0 - corner_x - corner_z;
+  let dx = sign * raw * (corner_x * u.x + corner_z * v.x - origin * (u.x + v.x));
+  let dz = sign * raw * (corner_x * u.y + corner_z * v.y - origin * (u.y + v.y));
+  let cell = place.cell + vec2i(whole);
+  var out: TileBlend;
+  out.weight = w * norm;
+  out.along_x = norm * dx - out.weight * (dot(w, dx) * norm * norm);
+  out.along_z = norm * dz - out.weight * (dot(w, dz) * norm * norm);
+  out.cell_x = cell.x + vec3i(select(corner_x, 1.0 - corner_x, upper));
+  out.cell_z = cell.y + vec3i(select(corner_z, 1.0 - corner_z, upper));
+  out.count = 1u + u32(raw.y > 0.0) + u32(raw.z > 0.0);
+  if place.on == 0u {
+    out.count = 1u;
+    out.weight = vec3f(1.0, 0.0, 0.0);
+    out.along_x = vec3f(0.0);
+    out.along_z = vec3f(0.0);
+  }
+  return out;
+}
+
+// Shift of a copy, in texture coordinates: whole texels for every n.
+fn tile_shift(place: TilePlace, blend: TileBlend, copy: u32) -> vec2f {
+  let cell = vec4u(bitcast<u32>(blend.cell_x[copy]), bitcast<u32>(blend.cell_z[copy]), place.key, 0u);
+  let hash = noise_pcg4d(cell).xy >> vec2u(26u);
+  return select(vec2f(0.0), vec2f(hash) * 0.015625, place.on != 0u);
+}

@@ -1,0 +1,406 @@
+//! The drawn surface: the picture's own WGSL functions, run in a compute kernel, against the sea of `model::Heights`; that
+//! it stays where it is in the world however far away and whoever looks; and that nothing repeats.
+
+mod common;
+
+use common::params;
+use seastate::gpu::device::Gpu;
+use seastate::gpu::readback;
+use seastate::gpu::shaders::Shaders;
+use seastate::model::heights::{Heights, Sample};
+use seastate::model::{Params, Plan, noise};
+use seastate::ocean::Ocean;
+use seastate::oracle::foam::Level;
+use seastate::oracle::{self, Texel, surface};
+use seastate::render;
+use std::f64::consts::TAU;
+use wgpu::util::{BufferInitDescriptor, DeviceExt};
+use wgpu::{BindingResource, BufferUsages};
+
+const KERNEL: &str = "
+@group(2) @binding(0) var<storage, read> questions: array<vec4f>;
+@group(2) @binding(1) var<storage, read_write> answers: array<array<vec4f, 3>>;
+
+@compute @workgroup_size(64)
+fn ask(@builtin(global_invocation_id) id: vec3u) {
+  if id.x < arrayLength(&answers) {
+    let q = questions[id.x];
+    let slope = water_slope(q.xy, WaterFootprint(vec2f(q.w, 0.0), q.z, 1));
+    answers[id.x][0] = vec4f(water_displacement(q.xy, q.z), 0.0);
+    answers[id.x][1] = vec4f(slope.mean, slope.jacobian, 0.0);
+    answers[id.x][2] = vec4f(slope.variance, 0.0);
+  }
+}
+";
+
+/// The drawn sea at an undisplaced point.
+#[derive(Clone, Copy)]
+struct Drawn {
+    moved: [f64; 3],
+    slope: [f64; 2],
+    jacobian: f64,
+    /// xx, zz, xz.
+    variance: [f64; 3],
+}
+
+/// A sea at its time.
+struct Bench {
+    gpu: Gpu,
+    ocean: Ocean,
+    params: Params,
+    pipeline: wgpu::ComputePipeline,
+}
+
+impl Bench {
+    fn new(state: &str) -> Self {
+        let gpu = common::gpu();
+        let params = params(state);
+        let ocean = Ocean::new(&gpu.device, &gpu.queue, wgpu::TextureFormat::Rgba8Unorm, &params);
+        let shaders = Shaders::default();
+        let (_, water) = shaders.all().find(|(name, _)| *name == "water").expect("the picture's module");
+        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some("surface"),
+            source: wgpu::ShaderSource::Wgsl(format!("{water}\n{KERNEL}").into()),
+        });
+        let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some("surface"),
+            layout: None,
+            module: &module,
+            entry_point: Some("ask"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            cache: None,
+        });
+        let mut bench = Self { gpu, ocean, params, pipeline };
+        bench.evolve();
+        bench
+    }
+
+    fn evolve(&mut self) {
+        let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        self.ocean.simulation().encode_f32(&self.gpu.queue, &mut encoder, self.params.clock.t_s);
+        self.gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// The surface at points of the world, seen by an eye over `foot` with pixels of `size` metres, `long` in one direction.
+    fn ask(&mut self, foot: [f64; 2], points: &[[f64; 2]], size: f64, long: f64) -> Vec<Drawn> {
+        let Gpu { device, queue, .. } = &self.gpu;
+        [self.params.camera.x_m, self.params.camera.z_m] = foot;
+        self.ocean.set_params(device, queue, &self.params);
+        let mut scene = self.ocean.scene([64, 64]);
+        // No ripples beyond the maps.
+        scene.sea.residual_mss = 0.0;
+        let frame = render::frame_bytes(&scene, self.ocean.simulation().maps(), [64, 64]);
+        let buffer =
+            |contents: &[u8], usage| device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage });
+        let frame = buffer(&frame, BufferUsages::UNIFORM);
+        let questions: Vec<[f32; 4]> = (points.iter())
+            .map(|p| [(p[0] - foot[0]) as f32, (p[1] - foot[1]) as f32, size as f32, long as f32])
+            .collect();
+        let questions = buffer(bytemuck::cast_slice(&questions), BufferUsages::STORAGE);
+        let answers = vec![[[f32::NAN; 4]; 3]; points.len()];
+        let answers = buffer(bytemuck::cast_slice(&answers), BufferUsages::STORAGE | BufferUsages::COPY_SRC);
+        let sampler = self.ocean.simulation().resources.repeat.clone();
+        let maps = self.ocean.simulation().maps();
+        let group = |index: u32, resources: &[(u32, BindingResource<'_>)]| {
+            let entries: Vec<_> = (resources.iter())
+                .map(|(binding, r)| wgpu::BindGroupEntry { binding: *binding, resource: r.clone() })
+                .collect();
+            device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: None,
+                layout: &self.pipeline.get_bind_group_layout(index),
+                entries: &entries,
+            })
+        };
+        let groups = [
+            group(0, &[(0, frame.as_entire_binding())]),
+            group(
+                1,
+                &[
+                    (0, BindingResource::TextureView(&maps.displacement)),
+                    (1, BindingResource::TextureView(&maps.gradients)),
+                    (2, BindingResource::TextureView(&maps.moments)),
+                    (4, BindingResource::Sampler(&sampler)),
+                ],
+            ),
+            group(2, &[(0, questions.as_entire_binding()), (1, answers.as_entire_binding())]),
+        ];
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        {
+            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+            pass.set_pipeline(&self.pipeline);
+            for (i, group) in (0..).zip(&groups) {
+                pass.set_bind_group(i, group, &[]);
+            }
+            pass.dispatch_workgroups(points.len().div_ceil(64) as u32, 1, 1);
+        }
+        let staging = readback::stage_buffer(device, &mut encoder, &answers);
+        queue.submit([encoder.finish()]);
+        let bytes = pollster::block_on(readback::read(device, staging)).expect("read-back");
+        let answers: Vec<[[f32; 4]; 3]> = bytemuck::pod_collect_to_vec(&bytes);
+        let drawn = |a: [[f32; 4]; 3]| {
+            let [[x, y, z, _], [sx, sz, jacobian, _], [xx, zz, xz, _]] = a.map(|a| a.map(f64::from));
+            Drawn { moved: [x, y, z], slope: [sx, sz], jacobian, variance: [xx, zz, xz] }
+        };
+        answers.into_iter().map(drawn).collect()
+    }
+}
+
+/// Points over a square around `middle`, in no order.
+fn places(count: usize, middle: [f64; 2], side_m: f64) -> Vec<[f64; 2]> {
+    let place = |i: usize| {
+        let hash = noise::pcg4d([i as u32, 77, 3, 5]);
+        [0, 1].map(|axis| middle[axis] + (f64::from(hash[axis]) / 4_294_967_296.0 - 0.5) * side_m)
+    };
+    (0..count).map(place).collect()
+}
+
+/// The nearest texels of a cascade to points.
+fn texels(plan: &Plan, cascade: usize, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let texel_m = plan.cascades[cascade].patch_m / f64::from(plan.n);
+    points.iter().map(|p| p.map(|x| (x / texel_m).round() * texel_m)).collect()
+}
+
+/// Root mean square differences of the displacement, slope and Jacobian from what Heights says, over the rms of each. Where
+/// the surface all but folds the slope has no meaning, and the shader bounds it.
+fn errors(drawn: &[Drawn], sea: &Heights, points: &[[f64; 2]], t_s: f64) -> [f64; 3] {
+    let mut sums = [[0.0; 2]; 3];
+    for (drawn, at) in drawn.iter().zip(points) {
+        let Sample { height_m, normal, world_xz, jacobian, .. } = sea.undisplaced(at[0], at[1], t_s);
+        let mut add = |what: usize, got: f64, want: f64| {
+            sums[what][0] += (got - want).powi(2);
+            sums[what][1] += want.powi(2);
+        };
+        let moved = [world_xz[0] - at[0], height_m, world_xz[1] - at[1]];
+        (0..3).for_each(|i| add(0, drawn.moved[i], moved[i]));
+        if jacobian > 0.35 {
+            let slope = [-normal[0] / normal[1], -normal[2] / normal[1]];
+            if slope[0].hypot(slope[1]) < 1.5 {
+                (0..2).for_each(|i| add(1, drawn.slope[i], slope[i]));
+            }
+        }
+        add(2, drawn.jacobian - 1.0, jacobian - 1.0);
+    }
+    sums.map(|[error, size]| (error / size).sqrt())
+}
+
+#[test]
+fn the_drawn_surface_is_the_sea_of_heights() {
+    // One cascade, at its texels and those of its copies: exact, here and far away, early and late.
+    for (state, foot) in [
+        ("wind=12&fetch=200&t=20&n=64&cascades=1", [12.3, -45.6]),
+        ("wind=12&fetch=200&t=1000000.25&n=64&cascades=1&chopx=0.6", [100_000.0, -99_987.7]),
+        ("wind=12&fetch=200&t=20&n=64&cascades=1&seed=9", [-1e6, 1e6]),
+        ("wind=12&fetch=200&t=20&n=64&cascades=1&untile=0", [1e6, 1e6]),
+    ] {
+        let mut bench = Bench::new(state);
+        let plan = bench.ocean.plan().clone();
+        let points = texels(&plan, 0, &places(4000, foot, 12_000.0));
+        let drawn = bench.ask(foot, &points, 1e-3, 0.0);
+        let errors = errors(&drawn, &Heights::new(&plan, usize::MAX), &points, bench.params.clock.t_s);
+        eprintln!("{state}: {errors:?}");
+        // Half floats, and places as f32 relative to the eye.
+        assert!(errors[0] < 1e-3 && errors[1] < 2e-3 && errors[2] < 2e-3, "{state}: {errors:?}");
+    }
+    // All cascades, anywhere: what interpolation loses, which grows towards the shortest waves.
+    let mut bench = Bench::new("wind=12&fetch=200&t=20&n=256");
+    let plan = bench.ocean.plan().clone();
+    let points = places(1500, [300.0, 500.0], 8_000.0);
+    let drawn = bench.ask([300.0, 500.0], &points, 1e-3, 0.0);
+    let errors = errors(&drawn, &Heights::new(&plan, usize::MAX), &points, 20.0);
+    eprintln!("between texels: {errors:?}");
+    assert!(errors[0] < 2e-3 && errors[1] < 0.15 && errors[2] < 0.15, "{errors:?}");
+}
+
+#[test]
+fn the_sea_stays_where_it_is() {
+    for middle in [[0.0, 0.0], [100_000.0, 100_000.0], [999_000.0, -999_000.0]] {
+        let mut bench = Bench::new("wind=10&fetch=100&t=5&n=64");
+        let points = places(2000, middle, 300.0);
+        let eye = |dx: f64, dz: f64| [middle[0] + dx, middle[1] + dz];
+        let hs = bench.ocean.plan().hs_m();
+        let here = bench.ask(eye(0.0, 0.0), &points, 1e-3, 0.0);
+        for foot in [eye(37.31, -81.92), eye(-900.7, 450.3)] {
+            let there = bench.ask(foot, &points, 1e-3, 0.0);
+            for (a, b) in here.iter().zip(&there) {
+                let off = (0..3).map(|i| (a.moved[i] - b.moved[i]).abs()).fold(0.0, f64::max);
+                assert!(off < 1e-3 * hs, "{middle:?} {foot:?}: {off} m");
+            }
+            let rms = |f: &dyn Fn(&Drawn, &Drawn) -> f64| {
+                (here.iter().zip(&there).map(|(a, b)| f(a, b).powi(2)).sum::<f64>() / here.len() as f64).sqrt()
+            };
+            let slope = rms(&|a, b| a.slope[0] - b.slope[0]) / rms(&|a, _| a.slope[0]);
+            assert!(slope < 2e-2, "{middle:?} {foot:?}: {slope}");
+        }
+    }
+}
+
+/// Mean square slope: of the mean over a pixel, and with what the pixel cannot resolve, chop off.
+fn mean_squares(bench: &mut Bench, size: f64, long: f64) -> [f64; 2] {
+    let points = places(20_000, [0.0; 2], 60_000.0);
+    let drawn = bench.ask([0.0; 2], &points, size, long);
+    let resolved: f64 = drawn.iter().map(|d| d.slope[0].powi(2) + d.slope[1].powi(2)).sum();
+    let hidden: f64 = drawn.iter().map(|d| d.variance[0] + d.variance[1]).sum();
+    [resolved, resolved + hidden].map(|s| s / drawn.len() as f64)
+}
+
+#[test]
+fn slopes_that_a_pixel_cannot_resolve_are_not_lost() {
+    for untile in ["", "&untile=0"] {
+        let mut bench = Bench::new(&format!("wind=10&fetch=100&t=5&n=256&chop=0{untile}"));
+        let plan = bench.ocean.plan().clone();
+        let whole = plan.slope_variance(f64::INFINITY);
+        let mut before = f64::INFINITY;
+        // From a part of the finest map's texel to beyond the largest patch; from a texel on also for long pixels.
+        let texel = plan.cascades[plan.cascades.len() - 1].patch_m / f64::from(plan.n);
+        for step in -1..9 {
+            let size = texel * 3.5f64.powi(step);
+            let [resolved, all] = mean_squares(&mut bench, size, 0.0);
+            let [_, long] = mean_squares(&mut bench, size, 5.0 * size);
+            eprintln!(
+                "pixel of {size:.3} m{untile}: {:.4} of {:.4}, {:.4}",
+                resolved / whole,
+                all / whole,
+                long / whole
+            );
+            assert!(resolved < before, "{size} m{untile}");
+            if step < 0 {
+                // Between texels the spline loses some of the shortest waves.
+                assert!((0.96..1.01).contains(&(all / whole)), "{size} m{untile}");
+            } else {
+                let off = (all / whole - 1.0).abs().max((long / whole - 1.0).abs());
+                assert!(off < 0.03, "{size} m{untile}: {off}");
+            }
+            before = resolved;
+        }
+        assert!(before < 1e-3 * whole, "{before}");
+    }
+}
+
+/// The heights and slopes of a sea's cascades in f64, as they are drawn.
+struct Twin {
+    plan: Plan,
+    maps: Vec<oracle::maps::Planes>,
+}
+
+impl Twin {
+    fn new(state: &str) -> Self {
+        let plan = Plan::new(&params(state));
+        let map = |cascade| {
+            let h0 = oracle::spectrum::h0(&plan, cascade);
+            oracle::maps::columns(plan.n as usize, &oracle::maps::rows(&plan, cascade, &h0, 30.0))
+        };
+        let maps = plan.cascades.iter().map(map).collect();
+        Self { plan, maps }
+    }
+
+    fn at(&self, cascade: usize, at: [f64; 2]) -> surface::Point {
+        let [displacement, gradients] = &self.maps[cascade];
+        let level = Level { n: self.plan.n as usize, displacement, gradients };
+        let half = 0.5 / f64::from(self.plan.n);
+        surface::blend(&self.plan.tiling(&self.plan.cascades[cascade]), at, |place| {
+            oracle::foam::read(&level, place.map(|p| p + half))
+        })
+    }
+
+    fn heights(&self, at: [f64; 2]) -> Vec<f64> {
+        (0..self.maps.len()).map(|c| self.at(c, at).moved[1]).collect()
+    }
+
+    /// Mean over a map of a function of its texels.
+    fn mean(&self, cascade: usize, plane: usize, f: impl Fn(&Texel) -> f64) -> f64 {
+        let texels: &[Texel] = &self.maps[cascade][plane];
+        texels.iter().map(f).sum::<f64>() / texels.len() as f64
+    }
+}
+
+/// A lag along a lattice vector of a cascade, the correlation there of the cascade's heights, and of the whole sea's.
+struct Lag {
+    cascade: usize,
+    length_m: f64,
+    own: f64,
+    whole: f64,
+}
+
+/// Correlations of the drawn heights along the lattice vectors of every cascade, out to 20 km.
+fn correlations(sea: &Twin) -> Vec<Lag> {
+    let points = places(3000, [0.0; 2], 400_000.0);
+    let here: Vec<Vec<f64>> = points.iter().map(|&p| sea.heights(p)).collect();
+    let cascades = 0..sea.plan.cascades.len();
+    let square: Vec<f64> = cascades.clone().map(|c| here.iter().map(|h| h[c] * h[c]).sum()).collect();
+    let sum = |h: &[f64]| h.iter().sum::<f64>();
+    let whole: f64 = here.iter().map(|h| sum(h).powi(2)).sum();
+    let mut out = Vec::new();
+    for c in cascades {
+        let patch_m = sea.plan.cascades[c].patch_m;
+        for [a, b] in [[1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, -1.0], [2.0, 1.0]] {
+            let mut times = 1.0f64;
+            while times * patch_m * f64::hypot(a, b) <= 20_000.0 {
+                let lag = [a, b].map(|i| i * times * patch_m);
+                let there: Vec<Vec<f64>> = points.iter().map(|p| sea.heights([p[0] + lag[0], p[1] + lag[1]])).collect();
+                let pairs = || here.iter().zip(&there);
+                let own: f64 = pairs().map(|(h, t)| h[c] * t[c]).sum();
+                let all: f64 = pairs().map(|(h, t)| sum(h) * sum(t)).sum();
+                out.push(Lag { cascade: c, length_m: lag[0].hypot(lag[1]), own: own / square[c], whole: all / whole });
+                // Every multiple at first, then ever fewer.
+                times = (1.4 * times).floor().max(times + 1.0);
+            }
+        }
+    }
+    out
+}
+
+const SEA: &str = "wind=12&fetch=150&n=64";
+
+#[test]
+fn nothing_repeats() {
+    let sea = Twin::new(SEA);
+    // Beyond the groups of the longest waves.
+    let groups_m = 6.0 * TAU / sea.plan.dispersion.wave_number(sea.plan.omega_p);
+    let (mut own, mut whole) = (0.0f64, 0.0f64);
+    let lags = correlations(&sea);
+    assert!(lags.len() > 150);
+    for lag in &lags {
+        own = own.max(lag.own.abs());
+        if lag.length_m > groups_m {
+            whole = whole.max(lag.whole.abs());
+        }
+    }
+    eprintln!("{} lags: largest correlation of a cascade {own:.3}, of the sea {whole:.3}", lags.len());
+    assert!(own < 0.2 && whole < 0.2, "{own} {whole}");
+
+    // The same measure sees the patches where they are only repeated.
+    let plain = Twin::new(&format!("{SEA}&untile=0"));
+    let m0: Vec<f64> = (0..plain.maps.len()).map(|c| plain.mean(c, 0, |d| d[1] * d[1])).collect();
+    let total: f64 = m0.iter().sum();
+    let plain_lags = correlations(&plain);
+    assert!(plain_lags.iter().all(|lag| lag.own > 0.999));
+    for (c, m0) in m0.iter().enumerate() {
+        // The other cascades are at any of their phases, and add to it or take away.
+        let far = plain_lags.iter().filter(|lag| lag.cascade == c && lag.length_m > groups_m);
+        let (peak, share) = (far.map(|lag| lag.whole).fold(0.0, f64::max), m0 / total);
+        eprintln!("cascade {c} repeats with up to {peak:.3}, and holds {share:.3} of the energy");
+        assert!(peak > share - 0.05 && (c > 0 || peak > 0.5), "cascade {c}: {peak} {share}");
+    }
+}
+
+#[test]
+fn the_blend_keeps_heights_and_slopes() {
+    for state in [SEA, "wind=12&n=64&scale2=1&scale=0.3"] {
+        let sea = Twin::new(state);
+        let (mut m0, mut mss, mut exact) = (0.0, 0.0, [0.0; 2]);
+        let points = places(40_000, [0.0; 2], 1_000_000.0);
+        for c in 0..sea.maps.len() {
+            exact[0] += sea.mean(c, 0, |d| d[1] * d[1]);
+            exact[1] += sea.mean(c, 1, |g| g[0] * g[0] + g[1] * g[1]);
+            // At texels, so that interpolation loses nothing.
+            for at in texels(&sea.plan, c, &points) {
+                let point = sea.at(c, at);
+                m0 += point.moved[1].powi(2) / points.len() as f64;
+                mss += (point.slope[0].powi(2) + point.slope[1].powi(2)) / points.len() as f64;
+            }
+        }
+        let hs = (m0 / exact[0]).sqrt();
+        eprintln!("{state}: Hs {hs:.4}, mss {:.4} of the patches'", mss / exact[1]);
+        assert!((hs - 1.0).abs() < 0.02 && (mss / exact[1] - 1.0).abs() < 0.02, "{state}: {hs} {}", mss / exact[1]);
+    }
+}
