@@ -18,6 +18,8 @@ struct Frame {
   cascades: array<vec4f, 4>,
   // A copy of the finest cascade, shrunk: ripples that no cascade holds. The last is the scale of its slopes.
   ripples: vec4f,
+  // Covariance of the slopes that neither the maps nor the ripples hold: xx, zz, xz.
+  residual: vec4f,
   // Foam levels: centre relative to the eye, half the valid side, 1 / texel; and texture coordinates of the eye's foot.
   foam_place: array<vec4f, 4>,
   foam_uv: array<vec4f, 4>,
@@ -29,16 +31,12 @@ struct Frame {
   count: u32,
   foam_count: u32,
   downwind: vec2f,
-  // Texture coordinates of the foam's grain at the eye's foot.
-  grain: vec2f,
   n: f32,
   wind_m_s: f32,
   hs_m: f32,
   depth_m: f32,
-  residual_mss: f32,
   mean_foam: f32,
   foam_gain: f32,
-  turbidity: f32,
   haze: f32,
   overcast: f32,
   exposure_gain: f32,

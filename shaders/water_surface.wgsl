@@ -54,9 +54,8 @@ fn water_slope(at: vec2f, foot: WaterFootprint) -> WaterSlope {
   var slope = vec2f(0.0);
   var stretch = vec2f(0.0);
   var shear = 0.0;
-  // Cox and Munk 1954: waves shorter than the finest cascade, somewhat steeper along the wind.
-  let w = frame.downwind;
-  var variance = frame.residual_mss * (vec3f(0.42, 0.42, 0.0) + 0.16 * vec3f(w.x * w.x, w.y * w.y, w.x * w.y));
+  // Cox and Munk 1954: waves shorter than the finest cascade.
+  var variance = frame.residual.xyz;
   for (var c = 0u; c < frame.count; c++) {
     let place = frame.cascades[c];
     let texels = foot.size * place.z * frame.n;
@@ -88,7 +87,7 @@ fn water_slope(at: vec2f, foot: WaterFootprint) -> WaterSlope {
     let c = frame.count - 1u;
     let unit = frame.cascades[c].w * scale;
     if foot.size * frame.ripples.z > 0.2 {
-      variance += unit * vec3f(1.0, 1.0, 0.0);
+      variance += unit * textureSampleLevel(moments_map, wave_sampler, frame.ripples.xy, c, 16.0).xyz;
     } else {
       let lod = log2(max(foot.size * frame.ripples.z * frame.n, 1e-6));
       var g = vec2f(0.0);

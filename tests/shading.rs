@@ -90,7 +90,7 @@ impl Bench {
         let size = [320, 200];
         let mut scene = ocean.scene(size);
         // Neither ripples nor roughness beyond the maps: the slopes are those of the displaced surface.
-        scene.sea.residual_mss = 0.0;
+        scene.sea.residual = [0.0; 2];
         let frame = render::frame_bytes(&scene, ocean.simulation().maps(), size);
         let frame = buffer(&gpu.device, &frame, BufferUsages::UNIFORM);
         let environment = environment(&gpu);

@@ -24,8 +24,14 @@ const SKY: Part = part!("sky_common.wgsl");
 const SKY_MODEL: Part = part!("sky_model.wgsl");
 const FRAME: Part = part!("frame.wgsl");
 const WATER_SURFACE: Part = part!("water_surface.wgsl");
-const WATER_LIGHT: Part = part!("water_light.wgsl");
 const WATER_FOAM: Part = part!("water_foam.wgsl");
+/// Light and matter of the water.
+const MATERIAL: Part = part!("material.wgsl");
+const WATER_FRESNEL: Part = part!("water_fresnel.wgsl");
+const WATER_FACETS: Part = part!("water_facets.wgsl");
+const WATER_MIRROR: Part = part!("water_mirror.wgsl");
+const WATER_BODY: Part = part!("water_body.wgsl");
+const WATER_BED: Part = part!("water_bed.wgsl");
 
 /// Module names and the parts they are joined from; the last part holds the entry points.
 const MODULES: &[(&str, &[Part])] = &[
@@ -41,7 +47,24 @@ const MODULES: &[(&str, &[Part])] = &[
     ("sky_filter", &[part!("sky_filter.wgsl")]),
     ("sky_light", &[ATMOSPHERE, SKY, SKY_MODEL, part!("sky_light.wgsl")]),
     ("sky", &[ATMOSPHERE, SKY, SKY_MODEL, FRAME, part!("sky.wgsl")]),
-    ("water", &[ATMOSPHERE, SKY, SKY_MODEL, FRAME, WATER_SURFACE, WATER_LIGHT, WATER_FOAM, part!("water.wgsl")]),
+    (
+        "water",
+        &[
+            ATMOSPHERE,
+            SKY,
+            SKY_MODEL,
+            FRAME,
+            MATERIAL,
+            WATER_SURFACE,
+            WATER_FRESNEL,
+            WATER_FACETS,
+            WATER_MIRROR,
+            WATER_BODY,
+            WATER_BED,
+            WATER_FOAM,
+            part!("water.wgsl"),
+        ],
+    ),
     ("present", &[SKY, part!("post/present.wgsl")]),
 ];
 

@@ -5,6 +5,7 @@
 
 mod frame;
 mod kit;
+mod material;
 mod mesh;
 mod noise;
 pub mod post;
@@ -20,6 +21,7 @@ use crate::model::look::Look;
 use crate::sim::Maps;
 use frame::FrameUniform;
 use kit::Uniform;
+use material::MaterialUniform;
 use mesh::Mesh;
 use noise::NoiseTexture;
 use post::present::PresentPass;
@@ -28,8 +30,13 @@ use targets::Targets;
 use water::WaterPass;
 
 /// What the layout test compares with the shaders.
-pub const LAYOUTS: &[Layout] =
-    &[FrameUniform::LAYOUT, sky::SkyUniform::LAYOUT, sky::LightBuffer::LAYOUT, post::present::LAYOUT];
+pub const LAYOUTS: &[Layout] = &[
+    FrameUniform::LAYOUT,
+    MaterialUniform::LAYOUT,
+    sky::SkyUniform::LAYOUT,
+    sky::LightBuffer::LAYOUT,
+    post::present::LAYOUT,
+];
 
 /// Pixels of the picture for which the mesh's default density is made.
 const REFERENCE_PIXELS: f64 = 1280.0 * 720.0;
@@ -48,6 +55,7 @@ pub struct Scene {
 /// Draws the sea.
 pub struct Renderer {
     frame: Uniform<FrameUniform>,
+    material: Uniform<MaterialUniform>,
     sky: Sky,
     water: WaterPass,
     background: sky::Background,
@@ -70,13 +78,14 @@ impl Renderer {
     ) -> Self {
         let shaders = Shaders::default();
         let frame = Uniform::new(device, "frame");
+        let material = Uniform::new(device, "material");
         let noise = NoiseTexture::new(device, queue);
         let sky = Sky::new(device, &shaders, &noise);
-        let scene = kit::SceneGroup::new(device, &frame, &sky, &noise, samples);
+        let scene = kit::SceneGroup::new(device, &frame, &material, &sky, &noise, samples);
         let background = sky::Background::new(device, &shaders, &scene);
         let water = WaterPass::new(device, &shaders, scene);
         let present = PresentPass::new(device, &shaders, &sky.light, target_format);
-        Self { frame, sky, water, background, present, targets: None }
+        Self { frame, material, sky, water, background, present, targets: None }
     }
 
     /// Records the HDR picture of `size` pixels.
@@ -98,6 +107,7 @@ impl Renderer {
         let Some(targets) = &self.targets else { return };
         let mesh = mesh(scene, size);
         self.frame.write(queue, &FrameUniform::new(scene, maps, &mesh, size));
+        self.material.write(queue, &MaterialUniform::new(scene));
         self.present.write(queue, scene, size);
         self.water.bind_maps(device, maps);
         self.water.set_mesh(device, queue, &mesh);
@@ -123,6 +133,11 @@ fn mesh(scene: &Scene, size: [u32; 2]) -> Mesh {
 /// The bytes of WGSL `Frame` for a picture of `size` pixels: for the tests that run the picture's functions by themselves.
 pub fn frame_bytes(scene: &Scene, maps: &Maps, size: [u32; 2]) -> Vec<u8> {
     bytemuck::bytes_of(&FrameUniform::new(scene, maps, &mesh(scene, size), size)).to_vec()
+}
+
+/// The bytes of WGSL `Material`, for the same tests.
+pub fn material_bytes(scene: &Scene) -> Vec<u8> {
+    bytemuck::bytes_of(&MaterialUniform::new(scene)).to_vec()
 }
 
 /// Coverage samples a pixel: several on a GPU; one in software, where they cost six times the rest of the frame. The page
