@@ -1,8 +1,9 @@
 // Light that comes out of the water: scattered back by it and by bubbles, and through thin crests.
 
-// Backscattering of a dense plume of bubbles under a breaker, 1/m: a void fraction of about 1e-3 half a metre deep
-// (Deane and Stokes 2002; backscattering ratio of Zhang, Lewis and Johnson 1998), thinned for its finite depth.
-const WATER_PLUME = 0.06;
+// Backscattering of a dense plume of bubbles under a breaker, 1/m: a void fraction of about 1e-3 (Deane and Stokes 2002;
+// backscattering ratio of Zhang, Lewis and Johnson 1998), and its depth, m.
+const WATER_PLUME = 0.16;
+const WATER_PLUME_M = 0.8;
 // Mean cosine of the forward scattering of sea water.
 const WATER_FORWARD = 0.85;
 
@@ -13,15 +14,21 @@ fn water_refract(dir: vec3f, n: vec3f) -> vec3f {
   return select(normalize(dir - n * dot(dir, n) - 0.05 * n), bent, dot(bent, bent) > 0.5);
 }
 
-// Irradiance reflectance just below the surface for a backscattering, 1/m: 0.33 bb / a where little is scattered
-// (Morel and Prieur 1977), 1 where nothing is absorbed.
-fn water_reflectance(backscatter: vec3f) -> vec3f {
-  let up = 0.33 * backscatter;
-  return up / (material.absorption + up);
+// Backscattering of the bubbles where `plume` of the surface has lately been white, 1/m.
+fn water_bubbles(plume: f32) -> f32 {
+  return WATER_PLUME * material.bubbles * plume * plume;
 }
 
-fn water_haze(plume: f32) -> vec3f {
-  return material.backscatter + (WATER_PLUME * material.bubbles * plume * plume) * material.bubble_colour;
+// Irradiance reflectance just below the surface: of deep water 0.33 bb / a where little is scattered (Morel and Prieur
+// 1977), 1 where nothing is absorbed; below a layer of bubbles.
+fn water_reflectance(plume: f32) -> vec3f {
+  let up = 0.33 * material.backscatter;
+  let deep = up / (material.absorption + up);
+  if plume <= 0.0 {
+    return deep;
+  }
+  let past = exp(-2.0 * WATER_PLUME_M * water_bubbles(plume));
+  return (1.0 - past) * material.bubble_colour * exp(-3.5 * WATER_PLUME_M * material.absorption) + past * deep;
 }
 
 // Irradiance that enters the water from the sun, on a surface whose normal is `n` on the scale of waves.
@@ -36,7 +43,7 @@ const WATER_SKY_ENTERS = 0.934;
 
 // Radiance inside the water towards the surface, from far below. `ray` goes from the eye down into the water.
 fn water_deep(n: vec3f, ray: vec3f, plume: f32) -> vec3f {
-  let r = water_reflectance(water_haze(plume));
+  let r = water_reflectance(plume);
   let sun_in = -water_refract(-frame.sun, vec3f(0.0, 1.0, 0.0)).y;
   // Light scattered once: the flatter the eye's ray, the more lit water lies along it.
   let view = (sun_in + 0.85) / (sun_in + clamp(-ray.y, 0.3, 1.0));
@@ -62,10 +69,10 @@ fn water_crest(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f32) -> ve
   let phase = (1.0 - g * g) / (4.0 * ATM_PI * pow(max(1.0 + g * g - 2.0 * g * cosine, 1e-3), 1.5));
   // A crest is some decimetres thick at its edge, and metres below it.
   let path_m = 0.35 + 1.6 * frame.hs_m * max(0.75 - rise, 0.0);
-  let haze = water_haze(plume);
-  let extinction = material.absorption + haze;
-  // Bubbles scatter forward as the particles do; light scattered twice is still on its way.
-  let forward = material.scatter + 12.0 * (haze - material.backscatter);
+  let bubbles = water_bubbles(plume);
+  let extinction = material.absorption + material.backscatter + bubbles;
+  // Bubbles, too, scatter mostly forward; light scattered twice is still on its way.
+  let forward = material.scatter + 12.0 * bubbles * material.bubble_colour;
   let scattered = 1.0 - exp(-forward * path_m);
   let through = exp(-extinction * path_m) * scattered;
   let sun = light.sun * (entry * (1.0 - water_fresnel(entry)) * phase);

@@ -4,11 +4,6 @@
 const WATER_GGX = 1u;
 const WATER_PHONG = 2u;
 
-// Integral of the standard normal density up to x (Bowling et al. 2009, error below 1.5e-4).
-fn water_normal_cdf(x: f32) -> f32 {
-  return 1.0 / (1.0 + exp(-clamp(x * (1.5976 + 0.07056 * x * x), -40.0, 40.0)));
-}
-
 // Area seen from a direction over horizontal area: cosine with Smith's masking, for slopes towards that direction with
 // this mean and deviation.
 fn water_seen(height: f32, across: f32, mean: f32, sigma: f32) -> f32 {
@@ -18,7 +13,11 @@ fn water_seen(height: f32, across: f32, mean: f32, sigma: f32) -> f32 {
     return 0.5 * (facing + sqrt(facing * facing + 2.0 * scale * scale));
   }
   let a = facing / scale;
-  return scale * (a * water_normal_cdf(a) + 0.39894228 * exp(-0.5 * min(a * a, 80.0)));
+  let density = 0.39894228 * exp(-0.5 * min(a * a, 80.0));
+  // Integral of the density beyond |a|, Abramowitz and Stegun 26.2.17.
+  let t = 1.0 / (1.0 + 0.2316419 * abs(a));
+  let tail = t * (0.319381530 + t * (-0.356563782 + t * (1.781477937 + t * (-1.821255978 + t * 1.330274429))));
+  return scale * max(density * (1.0 - abs(a) * tail) + max(a, 0.0), 1e-7);
 }
 
 // Density of slopes, `off` from their mean, with this variance (xx, zz, xz).
@@ -75,38 +74,59 @@ fn water_facets_seen(f: WaterFacets) -> vec2f {
 }
 
 const WATER_NODES = 5;
+const WATER_ALL = -1e4;
 
 struct WaterNode {
   slope: vec2f,
+  // Deviation of the slope beside the direction, for this slope along it.
+  side: vec2f,
   weight: f32,
-  // Step to the next node, in slope.
+  // Slopes that the node stands for.
   width: f32,
 }
 
-// A quadrature over the slopes that are seen, each by its projected area.
-fn water_node(f: WaterFacets, i: i32) -> WaterNode {
-  let step = (f32(i) + 0.5) / f32(WATER_NODES);
+// A quadrature over the slopes that are seen, each by its projected area: of those towards the direction beyond `least`.
+fn water_node(f: WaterFacets, least: f32, i: i32) -> WaterNode {
+  // Gauss and Legendre's rule over 0..1.
+  let inner = vec2f(0.2307653449, 0.2393143352);
+  let outer = vec2f(0.0469100770, 0.1184634425);
+  var rule = vec2f(0.5, 0.2844444444);
+  if i != 2 {
+    rule = select(outer, inner, i == 1 || i == 3);
+    rule.x = select(rule.x, 1.0 - rule.x, i > 2);
+  }
   var t: f32;
   var node: WaterNode;
+  var spread = 1.0;
   if material.facets == WATER_GGX {
-    // The visible area beyond a slope alpha tan(a) is (R cos(a + phi) + c) / 2: equal shares of it.
+    // The visible area beyond a slope alpha tan(a) is (R cos(a + phi) + c) / 2.
+    if least > WATER_ALL {
+      // Finer steps towards the least.
+      rule = vec2f(1.0 - (1.0 - rule.x) * (1.0 - rule.x), 2.0 * (1.0 - rule.x) * rule.y);
+    }
     let alpha = 1.41421356 * f.sigma;
     let c = f.height / f.across + f.tilt;
     let r = sqrt(alpha * alpha + c * c);
-    let a = acos(clamp((step * (r + c) - c) / r, -1.0, 1.0)) - atan2(c, alpha);
+    let turn = atan2(c, alpha);
+    let whole = 0.5 * (r * cos(max(atan((least - f.tilt) / alpha), -turn) + turn) + c);
+    let a = acos(clamp((rule.x * 2.0 * whole - c) / r, -1.0, 1.0)) - turn;
     t = 1.41421356 * tan(clamp(a, -1.5, 1.5));
-    node.weight = 1.0;
-    node.width = 1.2 * f.sigma * (1.0 + 0.5 * t * t) / f32(WATER_NODES);
+    node.weight = rule.y * whole;
+    node.width = f.sigma * (1.0 + 0.5 * t * t) * 1.3 * rule.y;
+    // A wide slope along is likely a wide one beside, too.
+    spread = sqrt(0.5 * (2.0 + t * t));
   } else {
     // Slopes turned away from the eye are not seen.
     let low = -(f.height / f.across + f.tilt) / f.sigma;
-    let from_t = max(low, -2.4);
-    let width = (max(3.0, from_t + 2.2) - from_t) / f32(WATER_NODES);
-    t = from_t + step * f32(WATER_NODES) * width;
+    let from_t = max(max(low, (least - f.tilt) / f.sigma), -3.2);
+    let range = max(3.4, from_t + 2.4) - from_t;
+    t = from_t + rule.x * range;
     // Scaled so that not all underflow when only the far tail is seen.
-    node.weight = exp(-0.5 * (t * t - max(from_t, 0.0) * max(from_t, 0.0))) * (t - low);
-    node.width = width * f.sigma;
+    let scale = max(low, 0.0);
+    node.weight = rule.y * range * exp(-0.5 * (t * t - scale * scale)) * (t - low);
+    node.width = rule.y * range * f.sigma;
   }
   node.slope = f.toward * -(f.tilt + f.sigma * t) + f.side * (f.side_mean - f.shear * t);
+  node.side = f.side * (spread * sqrt(max(f.side_sigma * f.side_sigma - f.shear * f.shear, 0.0)));
   return node;
 }

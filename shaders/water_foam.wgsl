@@ -68,7 +68,7 @@ fn water_foam(at: vec2f, foot: WaterFootprint) -> WaterFoam {
   let fresh = smoothstep(0.0, 0.45, foam.y);
   // Only what the pixel can resolve counts; a sum of uniform variables is nearly normal.
   let near = vec4f(windrows.near, patches.near, strands.near, bubbles.near);
-  let weight = near * mix(vec4f(0.75, 0.8, 1.25, 0.5), vec4f(0.4, 0.9, 0.8, 0.4), fresh);
+  let weight = near * mix(vec4f(0.7, 0.9, 1.1, 0.45), vec4f(0.4, 0.9, 0.8, 0.4), fresh);
   let sigma = 0.2887 * sqrt(max(dot(weight, weight), 1e-6));
   let noise = vec4f(windrows.value.b, patches.value.r, strands.value.r, bubbles.value.g);
   let z = dot(noise - 0.5, weight) / sigma;
@@ -79,8 +79,10 @@ fn water_foam(at: vec2f, foot: WaterFootprint) -> WaterFoam {
   let cut = smoothstep(1.0 - wanted - soft, 1.0 - wanted + soft, level);
   let kept = min(wanted / max(water_soft_mean(wanted, soft), 1e-3), 1.0);
   let seen = smoothstep(0.0, 0.25, sigma);
-  let white = mix(FOAM_AGED, 1.0, fresh);
-  out.cover = clamp(mix(wanted, cut * kept, seen), 0.0, 1.0) * white;
+  // An old patch is a film that thickens along its strands; over a patch it keeps its mean.
+  let strand = 2.0 * strands.near * smoothstep(0.35, 0.95, 0.65 * strands.value.r + 0.35 * patches.value.r);
+  let white = mix(FOAM_AGED * mix(1.0, strand, strands.near), 1.0, fresh);
+  out.cover = clamp(mix(wanted, cut * kept, seen) * white, 0.0, 1.0);
   out.grain = mix(0.5, 0.6 * strands.value.r + 0.4 * bubbles.value.g, near.w);
   if material.foam_relief > 0.0 && near.z > 0.0 && out.cover > 0.0 {
     let lumps = water_foam_slope(FOAM_STRANDS, 0u, at, size, strands.value.r) * (near.z * FOAM_LUMPS_M);
@@ -116,7 +118,7 @@ fn water_foam_light(v: vec3f, slope: vec2f, foam: WaterFoam) -> vec3f {
   }
   // Isotropic GGX; Smith's masking for both in Hammon's form of 2017.
   let alpha = max(material.foam_roughness * material.foam_roughness, 0.02);
-  let h = normalize(l + v);
+  let h = normalize(v + l);
   let facing = dot(n, h);
   let a2 = alpha * alpha;
   let d = facing * facing * (a2 - 1.0) + 1.0;

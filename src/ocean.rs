@@ -90,6 +90,11 @@ impl Ocean {
         self.encode(device, queue, encoder, size, MAX_STEPS);
     }
 
+    /// Linear light of the recorded frame, half floats, for read-back.
+    pub fn light(&self) -> Option<&wgpu::Texture> {
+        self.renderer.light()
+    }
+
     /// Draws the recorded frame into the viewport of a pass.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         self.renderer.present(pass);

@@ -118,6 +118,11 @@ impl Renderer {
         self.water.draw(&mut pass);
     }
 
+    /// Linear light of the picture last drawn, for read-back.
+    pub fn light(&self) -> Option<&wgpu::Texture> {
+        self.targets.as_ref().map(|t| t.hdr.texture())
+    }
+
     /// Draws the tone-mapped picture into the current viewport.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         self.present.draw(pass);

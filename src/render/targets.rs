@@ -33,7 +33,7 @@ impl Targets {
         let none = wgpu::TextureUsages::empty();
         Self {
             size,
-            hdr: texture("hdr", HDR_FORMAT, 1, wgpu::TextureUsages::TEXTURE_BINDING),
+            hdr: texture("hdr", HDR_FORMAT, 1, wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC),
             samples: (samples > 1).then(|| texture("hdr samples", HDR_FORMAT, samples, none)),
             depth: texture("depth", DEPTH_FORMAT, samples, none),
         }
