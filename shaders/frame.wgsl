@@ -21,6 +21,8 @@ struct Frame {
   // Lattices of the copies of the cascades and of the ripples, at the eye's foot: TilePlace's turn and rest; cell, key, on.
   tile_lattice: array<vec4f, 5>,
   tile_cell: array<vec4i, 5>,
+  // Covariance of the slopes that neither the maps nor the ripples hold: xx, zz, xz.
+  residual: vec4f,
   // Foam levels: centre relative to the eye, half the valid side, 1 / texel; and texture coordinates of the eye's foot.
   foam_place: array<vec4f, 4>,
   foam_uv: array<vec4f, 4>,
@@ -31,19 +33,15 @@ struct Frame {
   mesh_rows: u32,
   count: u32,
   foam_count: u32,
-  downwind: vec2f,
-  // Texture coordinates of the foam's grain at the eye's foot.
-  grain: vec2f,
   // Where the water below the eye would lie in a still sea (x, z), and how far waves may carry water, m.
   foot: vec4f,
+  downwind: vec2f,
   n: f32,
   wind_m_s: f32,
   hs_m: f32,
   depth_m: f32,
-  residual_mss: f32,
   mean_foam: f32,
   foam_gain: f32,
-  turbidity: f32,
   haze: f32,
   overcast: f32,
   exposure_gain: f32,

@@ -9,6 +9,7 @@
 @group(0) @binding(6) var noise_map: texture_2d<f32>;
 @group(0) @binding(7) var noise_sampler: sampler;
 @group(0) @binding(8) var transmittance_map: texture_2d<f32>;
+@group(0) @binding(9) var<uniform> material: Material;
 @group(1) @binding(0) var displacement_map: texture_2d_array<f32>;
 @group(1) @binding(1) var gradients_map: texture_2d_array<f32>;
 @group(1) @binding(2) var moments_map: texture_2d_array<f32>;
@@ -108,18 +109,28 @@ fn fragment(in: WaterVertex) -> @location(0) vec4f {
   let v = normalize(vec3f(-dir.x, max(dot(-dir, up), 1e-4), -dir.z));
   let n = water_normal(slope.mean);
 
+  slope.variance += vec3f(vec2f(material.rough_variance), 0.0);
+
   let foam = water_foam(at, foot);
   let mirror = water_mirror(v, slope);
+  // A facet that leans away from the eye is not what the eye sees.
+  let ray = water_refract(-v, n);
   let rise = in.rest.y / max(frame.hs_m, 0.05);
-  let below = water_below(v, n, rise, foam.plume);
-  let water = mirror.radiance + (1.0 - mirror.reflectance) * below;
-
-  // Foam: a rough white body, albedo as measured for fresh whitecaps (Koepke 1984 and later), lit by sun and sky.
-  let sun = light.sun * (max(dot(n, frame.sun), 0.0) * 0.8 + 0.2 * max(frame.sun.y, 0.0));
-  let sky_lit = light.sky * (0.55 + 0.45 * n.y);
-  let albedo = 0.56 + 0.28 * foam.grain;
-  let white = (sun + sky_lit) * (albedo / ATM_PI);
-  let surface = mix(water, white, foam.cover);
+  var below = water_deep(n, ray, foam.plume);
+  if material.bed != 0u {
+    let blur = 0.25 * sqrt(slope.variance.x + slope.variance.y);
+    below = water_bed(below, in.place.xz, in.rest.y, ray, foot.size, blur);
+  }
+  if material.height_scatter > 0.0 {
+    below += water_crest(n, ray, rise, slope.jacobian, foam.plume);
+  }
+  // Radiance thins as its rays spread: over the square of the relative index.
+  let index = material.index_water / material.index_air;
+  let water = mirror.radiance + (1.0 - mirror.reflectance) / (index * index) * below;
+  var surface = water;
+  if foam.cover > 0.0 {
+    surface = mix(water, water_foam_light(v, slope.mean, foam), foam.cover);
+  }
 
   let air = water_air(dir, distance_m);
   let colour = surface * air[1] + air[0];

@@ -180,9 +180,8 @@ fn water_slope(at: vec2f, foot: WaterFootprint) -> WaterSlope {
   var slope = vec2f(0.0);
   var stretch = vec2f(0.0);
   var shear = vec2f(0.0);
-  // Cox and Munk 1954: waves shorter than the finest cascade, somewhat steeper along the wind.
-  let w = frame.downwind;
-  var variance = frame.residual_mss * (vec3f(0.42, 0.42, 0.0) + 0.16 * vec3f(w.x * w.x, w.y * w.y, w.x * w.y));
+  // Cox and Munk 1954: waves shorter than the finest cascade.
+  var variance = frame.residual.xyz;
   for (var c = 0u; c < frame.count; c++) {
     let waves = water_waves(at, foot, c, frame.cascades[c], water_tile(c));
     slope += waves.slope + waves.lift;

@@ -3,8 +3,9 @@
 use crate::gpu::shaders::Shaders;
 use crate::model::camera::View;
 use crate::model::params::Camera;
+use crate::model::slopes::{self, SlopeVariance};
 use crate::model::views::Scale;
-use crate::model::{Params, Plan, statistics};
+use crate::model::{Params, Plan};
 use crate::render::{Reference, Renderer, Scene, SeaLook};
 use crate::sim::{MAX_STEPS, Simulation};
 
@@ -21,6 +22,20 @@ pub struct Ocean {
     renderer: Renderer,
     reference: Option<Reference>,
     format: wgpu::TextureFormat,
+    slopes: Slopes,
+}
+
+/// Slopes of a plan, for the shading.
+struct Slopes {
+    residual: SlopeVariance,
+    finest: SlopeVariance,
+}
+
+impl Slopes {
+    fn new(plan: &Plan) -> Self {
+        let finest = plan.cascades.last().map_or([0.0; 2], |c| slopes::between(plan, c.k_low, c.k_high));
+        Self { residual: slopes::residual(plan, slopes::resolved(plan)), finest }
+    }
 }
 
 impl Ocean {
@@ -29,13 +44,15 @@ impl Ocean {
         let shaders = Shaders::default();
         let sim = Simulation::new(device, queue, Plan::new(params), &shaders);
         let renderer = Renderer::new(device, queue, format);
-        Self { params: params.clone(), shaders, sim, renderer, reference: None, format }
+        let slopes = Slopes::new(sim.plan());
+        Self { params: params.clone(), shaders, sim, renderer, reference: None, format, slopes }
     }
 
     /// Turns to other parameters; costs nothing when only the time, the camera or the light changed.
     pub fn set_params(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, params: &Params) {
         if (&params.grid, &params.sea) != (&self.params.grid, &self.params.sea) {
             self.sim.set_plan(device, queue, Plan::new(params), &self.shaders);
+            self.slopes = Slopes::new(self.sim.plan());
         }
         self.params = params.clone();
     }
@@ -76,6 +93,11 @@ impl Ocean {
         size: [u32; 2],
     ) {
         self.encode(device, queue, encoder, size, MAX_STEPS);
+    }
+
+    /// Linear light of the recorded frame, half floats, for read-back.
+    pub fn light(&self) -> Option<&wgpu::Texture> {
+        self.renderer.light()
     }
 
     /// Draws the recorded frame into the viewport of a pass.
@@ -125,7 +147,8 @@ impl Ocean {
         let wind_m_s = sea.local().wind_m_s;
         let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
         let peak_k = plan.dispersion.wave_number(plan.omega_p);
-        let resolved_mss = plan.slope_variance(f64::INFINITY);
+        let mirror = &self.params.look.surface.mirror;
+        let reach_m = sea.depth_m * (1.0 - mirror.index_air / mirror.index_water);
         Scene {
             view: View::new(&above_water(&self.params), aspect, LOWEST_EYE_M),
             look: self.params.look.clone(),
@@ -136,7 +159,9 @@ impl Ocean {
                 depth_m: sea.depth_m as f32,
                 wind_m_s: wind_m_s as f32,
                 downwind: plan.downwind.map(|x| x as f32),
-                residual_mss: (statistics::cox_munk_mss(wind_m_s) - resolved_mss).max(0.0) as f32,
+                residual: self.slopes.residual,
+                finest: self.slopes.finest,
+                focusing_m: slopes::focusing_m(plan, reach_m.max(0.0)) as f32,
                 mean_foam: self.sim.foam_coverage() as f32,
                 lambda_p_m: (std::f64::consts::TAU / peak_k) as f32,
             },

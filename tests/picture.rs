@@ -124,7 +124,18 @@ fn no_pixel_is_broken_at_the_corners() {
         "haze=10",
         "haze=0",
         "overcast=1",
-        "turbidity=1&depth=2",
+        "water=9c&depth=2",
+        "water=i&depth=1&caustics=1&wind=25",
+        "depth=20&caustics=1&sun=-5",
+        "nwater=1&nair=1",
+        "nwater=1&nair=3&depth=3&caustics=1",
+        "nwater=3&specular=ggx&roughness=1",
+        "specular=ggx&wind=0",
+        "specular=blinn-phong&shininess=10000&wind=30",
+        "fresnel=schlick&fresnelshine=0&fresnelnormals=4",
+        "scattercolour=000001&bubblecolour=000000&bubbles=10&wind=30",
+        "foamroughness=0&foamrelief=4&wind=30",
+        "glittercut=1",
         "y=5000&pitch=-60",
         "y=1&wind=0&pitch=-89",
         "pitch=60",
@@ -140,6 +151,21 @@ fn no_pixel_is_broken_at_the_corners() {
     }
 }
 
+/// What a field needs beside it to be seen.
+fn company(key: &str) -> &'static str {
+    match key {
+        "fresnelshine" => "&fresnel=schlick",
+        "shininess" => "&specular=blinn-phong",
+        // The sun low before the camera.
+        "glittercut" => "&sunaz=40&sun=8&overcast=0",
+        "glitter" | "glitterfresnel" => "&sunaz=40&overcast=0",
+        "foamroughness" => "&sunaz=40&sun=20&overcast=0",
+        "foamrelief" => "&y=3&pitch=-30",
+        "caustics" | "bedcolour" => "&sun=60&overcast=0&depth=4&wind=6&pitch=-30",
+        _ => "",
+    }
+}
+
 /// Every field of light and camera changes the picture.
 #[test]
 fn every_look_and_camera_field_is_seen() {
@@ -147,21 +173,29 @@ fn every_look_and_camera_field_is_seen() {
     let gpu = gpu();
     let base = "wind=18&fetch=300&n=64&t=5&overcast=0.3&depth=12";
     let reference = render(&gpu, base);
-    for field in FIELDS
-        .iter()
-        .filter(|f| matches!(f.group, Group::Sky | Group::Surface | Group::Film | Group::View | Group::Camera))
-        // tests/fields.rs and tests/views.rs
-        .filter(|f| !f.key.starts_with("view"))
-    {
+    let foam = ["foam", "foamcolour", "foamroughness", "foamrelief"];
+    let seen = [Group::Sky, Group::Surface, Group::Film, Group::View, Group::Camera];
+    // Views of the maps: tests/fields.rs and tests/views.rs
+    let shown = |f: &&seastate::model::fields::Field| {
+        (seen.contains(&f.group) || foam.contains(&f.key)) && !f.key.starts_with("view")
+    };
+    for field in FIELDS.iter().filter(shown) {
         let value = match field.kind {
             Kind::Number { min, max, log: false } => 0.3 * min + 0.7 * max,
             Kind::Number { min, max, log: true } => (min * max).sqrt(),
+            Kind::Choice(words) => words.len() as f64 - 1.0,
+            Kind::Flag => 1.0 - field.default_value(),
+            Kind::Colour => f64::from(0x0040_c060),
             _ => 200.0,
         };
-        let (mut params, _) = query::parse(base);
+        let more = company(field.key);
+        let (mut params, notices) = query::parse(&format!("{base}{more}"));
+        assert_eq!(notices, Vec::<String>::new(), "{more}");
+        let without = if more.is_empty() { reference.clone() } else { render_params(&gpu, &params) };
         (field.set)(&mut params, value);
         let other = render_params(&gpu, &params);
-        assert_ne!(other, reference, "{} = {value} changes nothing", field.key);
+        let changed = other.iter().zip(&without).filter(|(a, b)| a != b).count();
+        assert!(changed > 20, "{} = {value} changes {changed} pixels", field.key);
     }
 }
 
@@ -175,4 +209,38 @@ fn an_eye_near_the_water_rides_over_the_waves() {
         // Water stays below 100, the horizon is at 143.
         assert!(brightest < 120.0, "{state}: sky below the eye, or air in the water ({brightest})");
     }
+}
+
+/// Mean colour of the lower half, where the water is close.
+fn water(pixels: &[[u8; 4]]) -> [f64; 3] {
+    let near = &pixels[pixels.len() / 2..];
+    [0, 1, 2].map(|c| near.iter().map(|p| f64::from(p[c])).sum::<f64>() / near.len() as f64)
+}
+
+#[test]
+fn the_bed_shows_through_shallow_water_only() {
+    let gpu = gpu();
+    let at = |more: &str| render(&gpu, &format!("wind=4&fetch=15&n=64&t=20&sun=60&pitch=-25&water=ia{more}"));
+    let off =
+        |a: &[[u8; 4]], b: &[[u8; 4]]| water(a).iter().zip(water(b)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    let (shallow, deep) = (at("&depth=3"), at("&depth=200"));
+    assert!(off(&shallow, &at("&depth=3&bedcolour=400000")) > 20.0, "the sand's colour is seen at 3 m");
+    assert!(off(&shallow, &deep) > 20.0, "3 m of water are not 200");
+    assert_eq!(deep, at("&depth=200&bedcolour=400000&caustics=1"), "no bed is seen at 200 m");
+    let [red, green, blue] = water(&shallow);
+    assert!(green > red && blue > red, "water takes the red out: {red} {green} {blue}");
+    // Muddy water hides it.
+    let muddy = |more: &str| at(&format!("&depth=3&water=9c{more}"));
+    assert!(off(&muddy(""), &muddy("&bedcolour=400000")) < 3.0);
+}
+
+#[test]
+fn the_ocean_is_blue_and_the_coast_green() {
+    let gpu = gpu();
+    let at = |water_type: &str| {
+        water(&render(&gpu, &format!("wind=5&fetch=20&n=64&t=20&sun=60&pitch=-40&sunaz=220&water={water_type}")))
+    };
+    let ([_, green, blue], [_, coast_green, coast_blue]) = (at("i"), at("3c"));
+    assert!(blue > 1.5 * green, "{blue} over {green}");
+    assert!(coast_green > coast_blue, "{coast_green} over {coast_blue}");
 }

@@ -1,6 +1,6 @@
 // Appended to the picture's water module by shading.rs: asks its functions one question a thread.
 
-@group(2) @binding(0) var<storage, read> questions: array<array<vec4f, 3>>;
+@group(2) @binding(0) var<storage, read> questions: array<array<vec4f, 4>>;
 @group(2) @binding(1) var<storage, read_write> answers: array<vec4f>;
 
 fn ask_mirror(v: vec3f, sun: vec3f, mean: vec2f, variance: vec3f) -> vec4f {
@@ -14,6 +14,23 @@ fn ask_mirror(v: vec3f, sun: vec3f, mean: vec2f, variance: vec3f) -> vec4f {
   return vec4f(mirror.radiance, mirror.reflectance);
 }
 
+fn ask_fresnel(cosine: f32, kind: vec4f, indices: vec4f) -> f32 {
+  material.fresnel = u32(kind.x);
+  material.fresnel_shine = kind.y;
+  material.fresnel_scale = kind.z;
+  material.index_water = indices.y;
+  material.index_air = indices.z;
+  return water_fresnel(cosine);
+}
+
+fn ask_mirrored(v: vec3f, mean: vec2f, variance: vec3f) -> vec4f {
+  var slope: WaterSlope;
+  slope.mean = mean;
+  slope.variance = variance;
+  let mirrored = water_mirrored(v, slope, water_facets(v, slope));
+  return vec4f(mirrored, water_again(mirrored), 0.0);
+}
+
 fn ask_slope(at: vec2f, size: f32) -> vec4f {
   let slope = water_slope(at, WaterFootprint(vec2f(0.0), size, 1));
   return vec4f(slope.mean, slope.jacobian, 0.0);
@@ -25,16 +42,25 @@ fn ask(@builtin(global_invocation_id) id: vec3u) {
     return;
   }
   frame = picture_frame;
+  material = picture_material;
   let a = questions[id.x][0];
   let b = questions[id.x][1];
   let c = questions[id.x][2];
+  let d = questions[id.x][3];
+  material.facets = u32(d.x);
+  material.shininess = 120.0;
   var answer = vec4f(0.0);
   switch u32(a.w) {
-    case 0u: { answer.x = water_fresnel(a.x); }
+    case 0u: { answer.x = ask_fresnel(a.x, b, d); }
     case 1u: { answer.x = water_seen(a.x, a.y, a.z, b.x); }
     case 2u: { answer = ask_mirror(a.xyz, b.xyz, c.xy, vec3f(c.zw, b.w)); }
     case 3u: { answer = ask_slope(a.xy, a.z); }
     case 4u: { answer = vec4f(water_displacement(a.xy, a.z), 0.0); }
+    case 7u: {
+      material.caustic_m = a.z;
+      answer.x = bed_caustic(a.xy, b.x);
+    }
+    case 6u: { answer = ask_mirrored(a.xyz, c.xy, vec3f(c.zw, b.w)); }
     default: { answer = vec4f(water_normal(a.xy), 0.0); }
   }
   answers[id.x] = answer;

@@ -88,7 +88,7 @@ impl Bench {
         self.ocean.set_params(device, queue, &self.params);
         let mut scene = self.ocean.scene([64, 64]);
         // No ripples beyond the maps.
-        scene.sea.residual_mss = 0.0;
+        scene.sea.residual = [0.0; 2];
         let frame = render::frame_bytes(&scene, self.ocean.simulation().maps(), [64, 64]);
         let buffer =
             |contents: &[u8], usage| device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage });

@@ -25,8 +25,14 @@ const SKY: Part = part!("sky_common.wgsl");
 const SKY_MODEL: Part = part!("sky_model.wgsl");
 const FRAME: Part = part!("frame.wgsl");
 const WATER_SURFACE: Part = part!("water_surface.wgsl");
-const WATER_LIGHT: Part = part!("water_light.wgsl");
 const WATER_FOAM: Part = part!("water_foam.wgsl");
+/// Light and matter of the water.
+const MATERIAL: Part = part!("material.wgsl");
+const WATER_FRESNEL: Part = part!("water_fresnel.wgsl");
+const WATER_FACETS: Part = part!("water_facets.wgsl");
+const WATER_MIRROR: Part = part!("water_mirror.wgsl");
+const WATER_BODY: Part = part!("water_body.wgsl");
+const WATER_BED: Part = part!("water_bed.wgsl");
 const DEBUG: Part = part!("debug.wgsl");
 
 /// Module names and the parts they are joined from; the last part holds the entry points.
@@ -54,8 +60,13 @@ const MODULES: &[(&str, &[Part])] = &[
             NOISE,
             TILES,
             FRAME,
+            MATERIAL,
             WATER_SURFACE,
-            WATER_LIGHT,
+            WATER_FRESNEL,
+            WATER_FACETS,
+            WATER_MIRROR,
+            WATER_BODY,
+            WATER_BED,
             WATER_FOAM,
             part!("water.wgsl"),
         ],

@@ -3,6 +3,7 @@
 use super::Scene;
 use super::mesh::Mesh;
 use crate::gpu::layout::{FOAM_LEVELS, Layout, MAX_CASCADES, TilePlace};
+use crate::model::slopes::SlopeVariance;
 use crate::sim::Maps;
 use bytemuck::{Pod, Zeroable};
 use std::mem::offset_of;
@@ -12,9 +13,7 @@ pub use crate::model::camera::View;
 /// Shrinkage of the finest cascade for the ripples below it. Not a rung of the ladder of patches.
 const RIPPLE_RATIO: f64 = 13.1;
 /// Share of the unresolved slopes that the ripples show; the rest stays roughness.
-const RIPPLE_SHARE: f32 = 0.8;
-/// Side of the foam's grain tile across the wind, m; `water_foam.wgsl` has the same number.
-const GRAIN_M: f64 = 290.0;
+const RIPPLE_SHARE: f64 = 0.8;
 
 /// What a picture must know of the sea besides the maps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,8 +28,12 @@ pub struct SeaLook {
     pub wind_m_s: f32,
     /// Unit vector (x, z) where the wind blows to.
     pub downwind: [f32; 2],
-    /// Mean square slope of the waves that no cascade holds.
-    pub residual_mss: f32,
+    /// Mean square slopes, along and across the wind, of the waves that no cascade holds.
+    pub residual: SlopeVariance,
+    /// And of those that the finest cascade holds.
+    pub finest: SlopeVariance,
+    /// Waves shorter than this focus no light on the bed, m.
+    pub focusing_m: f32,
     /// Foam beyond the foam levels.
     pub mean_foam: f32,
     /// Wavelength of the peak, m.
@@ -54,6 +57,7 @@ pub struct FrameUniform {
     ripples: [f32; 4],
     tile_lattice: [[f32; 4]; MAX_CASCADES + 1],
     tile_cell: [[i32; 4]; MAX_CASCADES + 1],
+    residual: [f32; 4],
     foam_place: [[f32; 4]; FOAM_LEVELS],
     foam_uv: [[f32; 4]; FOAM_LEVELS],
     mesh: [f32; 4],
@@ -61,17 +65,14 @@ pub struct FrameUniform {
     mesh_rows: u32,
     count: u32,
     foam_count: u32,
-    downwind: [f32; 2],
-    grain: [f32; 2],
     foot: [f32; 4],
+    downwind: [f32; 2],
     n: f32,
     wind_m_s: f32,
     hs_m: f32,
     depth_m: f32,
-    residual_mss: f32,
     mean_foam: f32,
     foam_gain: f32,
-    turbidity: f32,
     haze: f32,
     overcast: f32,
     exposure_gain: f32,
@@ -102,6 +103,7 @@ impl FrameUniform {
             ripples,
             tile_lattice,
             tile_cell,
+            residual,
             foam_place,
             foam_uv,
             mesh,
@@ -110,16 +112,13 @@ impl FrameUniform {
             count,
             foam_count,
             downwind,
-            grain,
             foot,
             n,
             wind_m_s,
             hs_m,
             depth_m,
-            residual_mss,
             mean_foam,
             foam_gain,
-            turbidity,
             haze,
             overcast,
             exposure_gain,
@@ -139,7 +138,7 @@ impl FrameUniform {
             let [u, v] = foot.map(|x| ((x / map.patch_m).rem_euclid(1.0) + 0.5 / n) as f32);
             *out = [u, v, (1.0 / map.patch_m) as f32, map.moment_scale];
         }
-        let (ripples, residual_mss) = ripples(maps, foot, sea.residual_mss.max(0.0));
+        let (ripples, residual) = ripples(maps, foot, sea);
         let tiles = tiles(maps, foot);
         let mut foam_place = [[0.0; 4]; FOAM_LEVELS];
         let mut foam_uv = [[0.0; 4]; FOAM_LEVELS];
@@ -170,6 +169,7 @@ impl FrameUniform {
             ripples,
             tile_lattice: tiles.map(|t| [t.turn[0], t.turn[1], t.rest[0], t.rest[1]]),
             tile_cell: tiles.map(|t| [t.cell[0], t.cell[1], t.key as i32, t.on as i32]),
+            residual,
             foam_place,
             foam_uv,
             mesh: mesh.lattice,
@@ -178,16 +178,13 @@ impl FrameUniform {
             count: maps.cascades.len() as u32,
             foam_count: maps.foam_levels.len() as u32,
             downwind: sea.downwind,
-            grain: grain(sea, foot),
             foot: [0.0, 0.0, reach_m(sea), 0.0],
             n: maps.n as f32,
             wind_m_s: sea.wind_m_s,
             hs_m: sea.hs_m,
             depth_m: sea.depth_m,
-            residual_mss,
             mean_foam: sea.mean_foam,
-            foam_gain: look.surface.foam as f32,
-            turbidity: look.surface.turbidity as f32,
+            foam_gain: look.surface.foam.shown as f32,
             haze: look.sky.haze as f32,
             overcast: look.sky.overcast as f32,
             exposure_gain: (look.film.exposure_ev as f32).exp2(),
@@ -220,19 +217,20 @@ pub fn dip(eye_m: f64) -> f64 {
     (r / (r + eye_m.max(0.0))).min(1.0).acos()
 }
 
-/// The shrunk copy of the finest cascade, and what it leaves of the unresolved slopes.
-fn ripples(maps: &Maps, foot: [f64; 2], residual: f32) -> ([f32; 4], f32) {
-    let Some(finest) = maps.cascades.last() else { return ([0.0; 4], residual) };
-    let held = 2.0 * finest.moment_scale;
-    // A calm has no slopes to copy (its scale is 1).
-    if !(1e-5..1.0).contains(&held) || residual < 1e-5 {
-        return ([0.0; 4], residual);
-    }
-    let share = (RIPPLE_SHARE * residual / held).min(1.0);
+/// The shrunk copy of the finest cascade, and the covariance (xx, zz, xz) of what it leaves of the unresolved slopes.
+fn ripples(maps: &Maps, foot: [f64; 2], sea: &SeaLook) -> ([f32; 4], [f32; 4]) {
+    let [along, across] = sea.residual;
+    // The copy has the cascade's slopes along and across the wind: no more of either than there is.
+    let share = |i: usize| if sea.finest[i] > 1e-5 { sea.residual[i] / sea.finest[i] } else { 0.0 };
+    let share = (RIPPLE_SHARE * share(0).min(share(1))).min(1.0);
+    let Some(finest) = maps.cascades.last().filter(|_| share > 0.0) else {
+        return ([0.0; 4], covariance(sea, [along, across]));
+    };
     let patch = finest.patch_m / RIPPLE_RATIO;
     // The texel's half is not worth keeping here; another offset keeps the copies from lining up at the origin.
     let [u, v] = foot.map(|x| ((x / patch).rem_euclid(1.0) + 0.381_966) as f32);
-    ([u, v, (1.0 / patch) as f32, share.sqrt()], residual - share * held)
+    let left = [along - share * sea.finest[0], across - share * sea.finest[1]];
+    ([u, v, (1.0 / patch) as f32, share.sqrt() as f32], covariance(sea, left))
 }
 
 /// The lattices of the cascades' copies, then that of the ripples.
@@ -247,12 +245,8 @@ fn tiles(maps: &Maps, foot: [f64; 2]) -> [TilePlace; MAX_CASCADES + 1] {
     out
 }
 
-/// Texture coordinates of the foam's grain at the eye's foot; the same matrix stands in `water_foam.wgsl`.
-fn grain(sea: &SeaLook, foot: [f64; 2]) -> [f32; 2] {
-    let x = ((f64::from(sea.wind_m_s) - 8.0) / 16.0).clamp(0.0, 1.0);
-    let long = 1.0 + 2.5 * x * x * (3.0 - 2.0 * x);
-    let w = sea.downwind.map(f64::from);
-    let along = (w[0] * foot[0] + w[1] * foot[1]) / (GRAIN_M * long);
-    let across = (w[0] * foot[1] - w[1] * foot[0]) / GRAIN_M;
-    [along.rem_euclid(1.0) as f32, across.rem_euclid(1.0) as f32]
+/// Variances along and across the wind in world axes.
+fn covariance(sea: &SeaLook, [along, across]: SlopeVariance) -> [f32; 4] {
+    let [x, z] = sea.downwind.map(f64::from);
+    [along * x * x + across * z * z, along * z * z + across * x * x, (along - across) * x * z, 0.0].map(|v| v as f32)
 }

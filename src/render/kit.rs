@@ -1,6 +1,7 @@
 //! Small helpers of the passes: uniforms, bind groups, pipelines of the HDR pass.
 
 use super::frame::FrameUniform;
+use super::material::MaterialUniform;
 use super::noise::NoiseTexture;
 use super::sky::{LightBuffer, Sky, SkyUniform};
 use super::targets::{DEPTH_FORMAT, Film, HDR_FORMAT};
@@ -110,6 +111,7 @@ impl SceneGroup {
     pub fn new(
         device: &wgpu::Device,
         frame: &Uniform<FrameUniform>,
+        material: &Uniform<MaterialUniform>,
         sky: &Sky,
         noise: &NoiseTexture,
         film: Film,
@@ -124,6 +126,7 @@ impl SceneGroup {
             Slot::Texture,
             Slot::Sampler,
             Slot::Texture,
+            Slot::Uniform(size_of::<MaterialUniform>()),
         ];
         let layout = layout(device, "scene", wgpu::ShaderStages::VERTEX_FRAGMENT, &slots);
         let group = group(
@@ -140,6 +143,7 @@ impl SceneGroup {
                 wgpu::BindingResource::TextureView(&noise.view),
                 wgpu::BindingResource::Sampler(&noise.sampler),
                 wgpu::BindingResource::TextureView(&sky.transmittance),
+                material.buffer.as_entire_binding(),
             ],
         );
         Self { layout, group, film }

@@ -129,7 +129,9 @@ mod tests {
             depth_m: 4000.0,
             wind_m_s: 10.0,
             downwind: [1.0, 0.0],
-            residual_mss: 0.01,
+            residual: [0.005; 2],
+            finest: [0.005; 2],
+            focusing_m: 1.0,
             mean_foam: 0.0,
             lambda_p_m: 100.0,
         }

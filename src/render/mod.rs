@@ -7,6 +7,7 @@ mod debug;
 mod eye;
 mod frame;
 mod kit;
+mod material;
 mod mesh;
 mod noise;
 pub mod post;
@@ -27,6 +28,7 @@ use debug::DebugPass;
 use eye::EyePass;
 use frame::FrameUniform;
 use kit::Uniform;
+use material::MaterialUniform;
 use mesh::Mesh;
 use noise::NoiseTexture;
 use post::present::PresentPass;
@@ -37,6 +39,7 @@ use water::WaterPass;
 /// What the layout test compares with the shaders.
 pub const LAYOUTS: &[Layout] = &[
     FrameUniform::LAYOUT,
+    MaterialUniform::LAYOUT,
     sky::SkyUniform::LAYOUT,
     sky::LightBuffer::LAYOUT,
     post::present::LAYOUT,
@@ -74,6 +77,7 @@ pub enum Part {
 /// Draws the sea.
 pub struct Renderer {
     frame: Uniform<FrameUniform>,
+    material: Uniform<MaterialUniform>,
     sky: Sky,
     eye: EyePass,
     water: WaterPass,
@@ -113,15 +117,17 @@ impl Renderer {
     ) -> Self {
         let shaders = Shaders::default();
         let frame = Uniform::new(device, "frame");
+        let material = Uniform::new(device, "material");
         let noise = NoiseTexture::new(device, queue);
         let sky = Sky::new(device, &shaders, &noise);
-        let scene = kit::SceneGroup::new(device, &frame, &sky, &noise, film);
+        let scene = kit::SceneGroup::new(device, &frame, &material, &sky, &noise, film);
         let background = sky::Background::new(device, &shaders, &scene);
         let water = WaterPass::new(device, &shaders, scene);
         let eye = EyePass::new(device, &shaders, &frame, &water);
         let present = PresentPass::new(device, &shaders, &sky.light, target_format, smooth);
         Self {
             frame,
+            material,
             sky,
             eye,
             water,
@@ -153,7 +159,7 @@ impl Renderer {
         }
         let mesh = mesh(scene, size);
         self.present.write(queue, scene, size);
-        self.prepare(device, queue, maps, &mesh, &FrameUniform::new(scene, maps, &mesh, size));
+        self.prepare((device, queue), maps, scene, &mesh, &FrameUniform::new(scene, maps, &mesh, size));
         self.shows_view = scene.look.view.shown != Shown::Picture;
         if self.shows_view {
             self.record_view(device, queue, encoder, maps, scene);
@@ -162,8 +168,16 @@ impl Renderer {
         }
     }
 
-    /// Takes maps, mesh and view.
-    fn prepare(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, maps: &Maps, mesh: &Mesh, frame: &FrameUniform) {
+    /// Takes maps, look, mesh and view.
+    fn prepare(
+        &mut self,
+        (device, queue): (&wgpu::Device, &wgpu::Queue),
+        maps: &Maps,
+        scene: &Scene,
+        mesh: &Mesh,
+        frame: &FrameUniform,
+    ) {
+        self.material.write(queue, &MaterialUniform::new(scene));
         self.frame.write(queue, frame);
         self.water.bind_maps(device, maps);
         self.water.set_mesh(device, queue, mesh);
@@ -205,6 +219,11 @@ impl Renderer {
         }
     }
 
+    /// Linear light of the picture last drawn, for read-back.
+    pub fn light(&self) -> Option<&wgpu::Texture> {
+        self.targets.as_ref().map(|t| t.hdr.texture())
+    }
+
     /// Draws the tone-mapped picture, or the view, into the current viewport.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         match &self.debug {
@@ -223,6 +242,11 @@ fn mesh(scene: &Scene, size: [u32; 2]) -> Mesh {
 /// The bytes of WGSL `Frame` for a picture of `size` pixels: for the tests that run the picture's functions by themselves.
 pub fn frame_bytes(scene: &Scene, maps: &Maps, size: [u32; 2]) -> Vec<u8> {
     bytemuck::bytes_of(&FrameUniform::new(scene, maps, &mesh(scene, size), size)).to_vec()
+}
+
+/// The bytes of WGSL `Material`, for the same tests.
+pub fn material_bytes(scene: &Scene) -> Vec<u8> {
+    bytemuck::bytes_of(&MaterialUniform::new(scene)).to_vec()
 }
 
 /// Coverage samples a pixel: several on a GPU; one in software, where they cost six times the rest of the frame. The page

@@ -79,7 +79,7 @@ impl Reference {
         let density = VERTICES_PER_SAMPLE * f64::from(size[0]) * f64::from(size[1]) / VERTICES;
         let mesh = Mesh::new(&scene.view, &scene.sea, density, scene.look.extent_km);
         let frame = FrameUniform::new(scene, maps, &mesh, size).unfiltered(grid.shift());
-        renderer.prepare(device, queue, maps, &mesh, &frame);
+        renderer.prepare((device, queue), maps, scene, &mesh, &frame);
         renderer.record_picture(queue, encoder, scene);
         texture
     }

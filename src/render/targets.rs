@@ -53,7 +53,7 @@ impl Targets {
         let none = wgpu::TextureUsages::empty();
         Self {
             size,
-            hdr: texture("hdr", hdr, 1, wgpu::TextureUsages::TEXTURE_BINDING | usage),
+            hdr: texture("hdr", hdr, 1, wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC | usage),
             samples: (samples > 1).then(|| texture("hdr samples", hdr, samples, none)),
             depth: texture("depth", DEPTH_FORMAT, samples, none),
         }

@@ -1,0 +1,69 @@
+// A bed of sand below shallow water: what the refracted ray finds there, and the light that the waves focus on it.
+
+const BED_LAYER = 4u;
+const BED_FINE_LAYER = 5u;
+// Ripples in the sand: periods along the sides of the layer's tile, and their wavelength, m (render/material.rs).
+const BED_RIPPLES = vec2f(37.0, 11.0);
+const BED_RIPPLE_M = 0.32;
+// Softens the fold of a caustic: the sun's disc and what the water scatters.
+const BED_FOLD = 0.15;
+
+// Albedo of the sand at a point beside the eye, filtered over `size` metres.
+fn bed_albedo(at: vec2f, size: f32) -> vec3f {
+  let wide = material_noise(BED_LAYER, at, size);
+  let fine = material_noise(BED_FINE_LAYER, at, size);
+  // Bent ripples: whole periods in a tile, so that they do not move with the eye's foot.
+  let uv = material_uv(BED_LAYER, at);
+  let bend = 2.5 * textureSampleLevel(noise_map, noise_sampler, uv, 4.0).b;
+  let phase = 2.0 * ATM_PI * (dot(uv, BED_RIPPLES) + bend);
+  let shown = exp(-pow(1.6 * size / BED_RIPPLE_M, 2.0));
+  let ripple = 0.10 * shown * (sin(phase) + 0.25 * sin(2.0 * phase + 0.7));
+  let patches = mix(0.5, wide.value.b, wide.kept) - 0.5;
+  let grains = mix(0.5, fine.value.g, fine.kept) - 0.5;
+  return material.bed_colour * clamp(1.0 + 0.35 * patches + 0.22 * grains + ripple, 0.3, 1.5);
+}
+
+fn bed_slope(at: vec2f) -> vec2f {
+  return water_slope(at, WaterFootprint(vec2f(0.0), material.caustic_m, 1)).mean;
+}
+
+// Irradiance of the sun on the bed at a point over its mean: a ray that enters at s arrives at s + reach (grad eta)(s), so
+// that light is focused by 1 / |det(I + reach H)|.
+fn bed_caustic(entry: vec2f, depth_m: f32) -> f32 {
+  let reach = depth_m * (1.0 - material.index_air / material.index_water);
+  // The ray that arrives there.
+  var at = entry - reach * bed_slope(entry);
+  at = entry - reach * bed_slope(at);
+  let h = 0.5 * material.caustic_m;
+  let x = (bed_slope(at + vec2f(h, 0.0)) - bed_slope(at - vec2f(h, 0.0))) * (reach / (2.0 * h));
+  let z = (bed_slope(at + vec2f(0.0, h)) - bed_slope(at - vec2f(0.0, h))) * (reach / (2.0 * h));
+  let det = (1.0 + x.x) * (1.0 + z.y) - x.y * z.x;
+  return 1.0 / sqrt(det * det + BED_FOLD * BED_FOLD);
+}
+
+// Radiance inside the water towards the surface when the bed is in sight. `deep` is that of bottomless water, `place` the
+// point of the surface beside the eye, `ray` goes down into the water, `blur` is the deviation of its slope in the pixel.
+fn water_bed(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: f32, blur: f32) -> vec3f {
+  let column = max(frame.depth_m + height, 0.05);
+  let down = max(-ray.y, 0.12);
+  let length_m = column / down;
+  let hit = place + ray.xz * length_m;
+  let filtered = size / down + 0.5 * blur * length_m;
+  let k = material.absorption + material.backscatter;
+  let beam = water_refract(-frame.sun, vec3f(0.0, 1.0, 0.0));
+  var sun = light.sun * (max(frame.sun.y, 0.0) * (1.0 - water_fresnel(max(frame.sun.y, 0.0))));
+  if material.caustics > 0.0 && frame.sun.y > 0.0 {
+    let entry = hit + beam.xz * (column / min(beam.y, -0.3));
+    // What is scattered on its way is not focused.
+    let straight = exp(-0.25 * (material.scatter.g - material.backscatter.g) * column / max(-beam.y, 0.3));
+    let sharp = material.caustics * straight * (1.0 - smoothstep(0.5, 2.0, filtered / material.caustic_m));
+    if sharp > 0.01 {
+      sun *= mix(1.0, bed_caustic(entry, column), sharp);
+    }
+  }
+  let sun_down = sun * exp(-k * (column / max(-beam.y, 0.3)));
+  let sky_down = light.sky * (WATER_SKY_ENTERS * exp(-1.2 * k * column));
+  let up = exp(-k * length_m);
+  let sand = (sun_down + sky_down) * bed_albedo(hit, filtered) / ATM_PI;
+  return sand * up + deep * (1.0 - up * exp(-1.1 * k * column));
+}

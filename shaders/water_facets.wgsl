@@ -1,0 +1,132 @@
+// Distributions of slopes: Gaussian, as Cox and Munk 1954 found it on the sea (Beckmann's), or Trowbridge and Reitz's (GGX)
+// with alpha^2 = 2 sigma^2; both with a mean and any covariance.
+
+const WATER_GGX = 1u;
+const WATER_PHONG = 2u;
+
+// Area seen from a direction over horizontal area: cosine with Smith's masking, for slopes towards that direction with
+// this mean and deviation.
+fn water_seen(height: f32, across: f32, mean: f32, sigma: f32) -> f32 {
+  let facing = height + across * mean;
+  let scale = max(across * sigma, 1e-6);
+  if material.facets == WATER_GGX {
+    return 0.5 * (facing + sqrt(facing * facing + 2.0 * scale * scale));
+  }
+  let a = facing / scale;
+  let density = 0.39894228 * exp(-0.5 * min(a * a, 80.0));
+  // Integral of the density beyond |a|, Abramowitz and Stegun 26.2.17.
+  let t = 1.0 / (1.0 + 0.2316419 * abs(a));
+  let tail = t * (0.319381530 + t * (-0.356563782 + t * (1.781477937 + t * (-1.821255978 + t * 1.330274429))));
+  return scale * max(density * (1.0 - abs(a) * tail) + max(a, 0.0), 1e-7);
+}
+
+// Density of slopes, `off` from their mean, with this variance (xx, zz, xz).
+fn water_slope_density(off: vec2f, variance: vec3f) -> f32 {
+  // The sun's disc spreads the slopes that mirror it.
+  let xx = variance.x + 1.5e-5;
+  let zz = variance.y + 1.5e-5;
+  let xz = variance.z;
+  let det = max(xx * zz - xz * xz, 0.02 * xx * zz);
+  let square = (zz * off.x * off.x - 2.0 * xz * off.x * off.y + xx * off.y * off.y) / det;
+  let peak = 1.0 / (2.0 * ATM_PI * sqrt(det));
+  if material.facets == WATER_GGX {
+    let w = 1.0 + 0.5 * max(square, 0.0);
+    return peak / (w * w);
+  }
+  return peak * exp(-0.5 * clamp(square, 0.0, 160.0));
+}
+
+// The slopes as seen along one direction: towards it, beside it, and both together.
+struct WaterFacets {
+  toward: vec2f,
+  side: vec2f,
+  height: f32,
+  across: f32,
+  // Of the slope towards the direction: mean, deviation, and covariance with the side's over it.
+  tilt: f32,
+  sigma: f32,
+  shear: f32,
+  side_mean: f32,
+  side_sigma: f32,
+}
+
+fn water_facets(dir: vec3f, slope: WaterSlope) -> WaterFacets {
+  // Straight above any direction will do.
+  let level = select(vec2f(1e-4, 0.0), dir.xz, dot(dir.xz, dir.xz) > 1e-8);
+  var f: WaterFacets;
+  f.across = length(level);
+  f.height = dir.y;
+  f.toward = level / f.across;
+  f.side = vec2f(-f.toward.y, f.toward.x);
+  let cov = mat2x2f(slope.variance.x, slope.variance.z, slope.variance.z, slope.variance.y);
+  f.sigma = sqrt(max(dot(f.toward, cov * f.toward), 1e-6));
+  f.side_sigma = sqrt(max(dot(f.side, cov * f.side), 1e-6));
+  f.shear = dot(f.toward, cov * f.side) / f.sigma;
+  // Tilt towards the eye is minus the slope in its direction.
+  f.tilt = -dot(slope.mean, f.toward);
+  f.side_mean = dot(slope.mean, f.side);
+  return f;
+}
+
+// Area seen, and the cosine to the mean facet.
+fn water_facets_seen(f: WaterFacets) -> vec2f {
+  return vec2f(water_seen(f.height, f.across, f.tilt, f.sigma), f.height + f.across * f.tilt);
+}
+
+const WATER_NODES = 5;
+const WATER_ALL = -1e4;
+
+struct WaterNode {
+  slope: vec2f,
+  // Deviation of the slope beside the direction, for this slope along it.
+  side: vec2f,
+  weight: f32,
+  // Slopes that the node stands for.
+  width: f32,
+}
+
+// A quadrature over the slopes that are seen, each by its projected area: of those towards the direction beyond `least`.
+fn water_node(f: WaterFacets, least: f32, i: i32) -> WaterNode {
+  // Gauss and Legendre's rule over 0..1.
+  let inner = vec2f(0.2307653449, 0.2393143352);
+  let outer = vec2f(0.0469100770, 0.1184634425);
+  var rule = vec2f(0.5, 0.2844444444);
+  if i != 2 {
+    rule = select(outer, inner, i == 1 || i == 3);
+    rule.x = select(rule.x, 1.0 - rule.x, i > 2);
+  }
+  var t: f32;
+  var node: WaterNode;
+  var spread = 1.0;
+  if material.facets == WATER_GGX {
+    // The visible area beyond a slope alpha tan(a) is (R cos(a + phi) + c) / 2.
+    if least > WATER_ALL {
+      // Finer steps towards the least.
+      rule = vec2f(1.0 - (1.0 - rule.x) * (1.0 - rule.x), 2.0 * (1.0 - rule.x) * rule.y);
+    }
+    let alpha = 1.41421356 * f.sigma;
+    let c = f.height / f.across + f.tilt;
+    let r = sqrt(alpha * alpha + c * c);
+    let turn = atan2(c, alpha);
+    let whole = 0.5 * (r * cos(max(atan((least - f.tilt) / alpha), -turn) + turn) + c);
+    let a = acos(clamp((rule.x * 2.0 * whole - c) / r, -1.0, 1.0)) - turn;
+    t = 1.41421356 * tan(clamp(a, -1.5, 1.5));
+    node.weight = rule.y * whole;
+    node.width = f.sigma * (1.0 + 0.5 * t * t) * 1.3 * rule.y;
+    // A wide slope along is likely a wide one beside, too.
+    spread = sqrt(0.5 * (2.0 + t * t));
+  } else {
+    // Slopes turned away from the eye are not seen.
+    let low = -(f.height / f.across + f.tilt) / f.sigma;
+    let from_t = max(max(low, (least - f.tilt) / f.sigma), -3.2);
+    let range = max(3.4, from_t + 2.4) - from_t;
+    t = from_t + rule.x * range;
+    // Scaled so that not all underflow when only the far tail is seen.
+    let scale = max(low, 0.0);
+    node.weight = rule.y * range * exp(-0.5 * (t * t - scale * scale)) * (t - low);
+    node.width = rule.y * range * f.sigma;
+  }
+  node.slope = f.toward * -(f.tilt + f.sigma * t) + f.side * (f.side_mean - f.shear * t);
+  node.side = f.side * (spread * sqrt(max(f.side_sigma * f.side_sigma - f.shear * f.shear, 0.0)));
+  return node;
+}

@@ -1,0 +1,110 @@
+// Mirrored sky and sun, over the distribution of slopes that the eye sees. After Bruneton, Neyret and Holzschuch 2010, with
+// the sum over the visible slopes carried out.
+
+struct WaterMirror {
+  radiance: vec3f,
+  // Mean Fresnel reflectance over the slopes that are seen.
+  reflectance: f32,
+}
+
+fn water_environment(dir: vec3f, lod: f32) -> vec3f {
+  let uv = vec2f(atan2(dir.x, -dir.z) / (2.0 * ATM_PI), asin(clamp(dir.y, -1.0, 1.0)) / ATM_PI + 0.5);
+  return textureSampleLevel(environment_map, sky_sampler, uv, lod).rgb;
+}
+
+// Mirrored sky and sun; `v` points to the eye, in the frame of the local vertical.
+fn water_mirror(v: vec3f, surface: WaterSlope) -> WaterMirror {
+  var slope = surface;
+  if material.facets == WATER_PHONG {
+    // The lobe of a shininess in place of the slopes that the pixel does not resolve.
+    slope.variance = vec3f(vec2f(1.0 / (material.shininess + 2.0)), 0.0);
+  }
+  let eye = water_facets(v, slope);
+  var sum = vec3f(0.0);
+  var sum_f = 0.0;
+  var weights = 0.0;
+  for (var i = 0; i < WATER_NODES; i++) {
+    let node = water_node(eye, WATER_ALL, i);
+    let n = water_normal(node.slope);
+    let f = 0.5 * (water_facet_fresnel(v, node.slope + node.side) + water_facet_fresnel(v, node.slope - node.side));
+    let spread = (1.4 * node.width + 0.6 * eye.side_sigma) * (128.0 / ATM_PI) + 1e-3;
+    sum += node.weight * f * water_environment(reflect(-v, n), clamp(log2(spread), 0.0, 5.0));
+    sum_f += node.weight * f;
+    weights += node.weight;
+  }
+  var out: WaterMirror;
+  out.radiance = sum * (material.reflection / weights);
+  out.reflectance = sum_f / weights;
+  out.radiance += water_glitter(v, slope, eye);
+  return out;
+}
+
+// Share of the light mirrored by the facets that are seen: of all, and of those that the sun would reach from there. The
+// rest comes from other waves.
+fn water_mirrored(v: vec3f, slope: WaterSlope, eye: WaterFacets) -> vec2f {
+  let seen = water_facets_seen(eye);
+  var sum = vec2f(0.0);
+  var weights = 0.0;
+  // Facets that lean farther away mirror what is below the horizon.
+  let level = -eye.height / (1.0 + eye.across);
+  for (var i = 0; i < WATER_NODES; i++) {
+    let all = water_node(eye, WATER_ALL, i);
+    let high = water_node(eye, level, i);
+    let lit = water_facets_seen(water_facets(reflect(-v, water_normal(high.slope)), slope));
+    let share = high.weight * water_unhidden(seen, lit) * seen.x;
+    sum += vec2f(all.weight * water_facet_fresnel(v, all.slope), share * water_facet_fresnel(v, high.slope));
+    weights += all.weight;
+  }
+  return sum / weights;
+}
+
+// Light mirrored twice over that mirrored once.
+fn water_again(mirrored: vec2f) -> f32 {
+  return clamp(mirrored.x * (mirrored.x / max(mirrored.y, 1e-3) - 1.0), 0.0, 0.5);
+}
+
+// 1 / (area seen, enlarged by what of it lies in shadow): Smith's masking and shadowing of one height field (Ross, Dion and
+// Potvin 2005), for areas and cosines of the eye and of the sun. What hides a facet from one often hides it from the other.
+fn water_unhidden(seen: vec2f, lit: vec2f) -> f32 {
+  let shadow = max(lit.x / max(lit.y, 1e-6), 1.0) - 1.0;
+  return step(1e-6, lit.y) / (max(seen.x, 1e-5) + max(seen.y, 0.0) * shadow);
+}
+
+// The sun: density of the slope that mirrors it into the eye.
+fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets) -> vec3f {
+  let l = frame.sun;
+  let h = normalize(l + v);
+  if l.y <= -0.02 || h.y <= 0.01 {
+    return vec3f(0.0);
+  }
+  let mirror_slope = -h.xz / h.y;
+  let seen = water_facets_seen(eye);
+  let lit = water_facets_seen(water_facets(l, slope));
+  var f = water_fresnel(dot(v, h));
+  if material.fresnel_normals != 1.0 {
+    f = water_facet_fresnel(v, mirror_slope);
+  }
+  var brightness: f32;
+  if material.facets == WATER_PHONG {
+    // Normalised over the half vectors; the larger cosine in place of the product keeps it below 1 (Neumann et al. 1999).
+    let n = water_normal(slope.mean);
+    let cosines = vec2f(dot(n, l), dot(n, v));
+    let lobe = (material.shininess + 2.0) / (8.0 * ATM_PI) * pow(max(dot(n, h), 1e-6), material.shininess);
+    brightness = lobe * max(cosines.x, 0.0) / max(max(cosines.x, cosines.y), 1e-4);
+  } else {
+    let h2 = h.y * h.y;
+    let density = water_slope_density(mirror_slope - slope.mean, slope.variance);
+    brightness = density / (4.0 * h2 * h2) * water_unhidden(seen, lit);
+    // Sunlight mirrored twice, as bright around as that mirrored once. It matters in the flat view of rough water.
+    if brightness > 1e-4 && seen.y < 0.5 {
+      let mirrored = water_mirrored(v, slope, eye);
+      brightness *= 1.0 + water_again(mirrored);
+    }
+  }
+  if material.specular_cut > 0.0 {
+    let n = water_normal(slope.mean);
+    brightness *= smoothstep(0.5 * material.specular_cut, material.specular_cut, min(dot(n, l), dot(n, v)));
+  }
+  let strength = material.specular_scale * clamp(material.specular_fresnel * f, 0.0, 1.0);
+  return light.sun * (strength * brightness);
+}

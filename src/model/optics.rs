@@ -1,0 +1,194 @@
+//! Optical properties of natural waters at the display's primaries, by Jerlov's types.
+//!
+//! Jerlov 1976 gives the attenuation of daylight Kd for each type. Chlorophyll follows from Kd(490), scattering and
+//! backscattering from chlorophyll (Morel and Maritorena 2001), and absorption is what scattering leaves of Kd.
+
+/// Wavelengths of Jerlov's table, nm.
+const FIRST_NM: f64 = 400.0;
+const STEP_NM: f64 = 25.0;
+/// Effective wavelengths of red, green and blue, nm.
+const PRIMARIES_NM: [f64; 3] = [610.0, 550.0, 465.0];
+/// Absorption of pure water there, 1/m (Pope and Fry 1997).
+const PURE_ABSORPTION: [f64; 3] = [0.2644, 0.0565, 0.0101];
+/// Mean cosine of daylight below the surface.
+const MEAN_COSINE: f64 = 0.9;
+/// Backscattered share of what the minerals of coastal water scatter (Petzold 1972).
+const COASTAL_BACKSCATTER: f64 = 0.013;
+
+/// Optical types of ocean (I to III) and coastal water (1C to 9C), clearest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WaterType {
+    /// The clearest ocean.
+    I,
+    /// Clear tropical ocean.
+    Ia,
+    /// Subtropical ocean.
+    Ib,
+    /// Mid-latitude ocean.
+    Ii,
+    /// Fertile ocean.
+    Iii,
+    /// Clear coast.
+    C1,
+    /// Coast.
+    C3,
+    /// Turbid coast.
+    C5,
+    /// Bay.
+    C7,
+    /// Estuary.
+    C9,
+}
+
+impl WaterType {
+    /// All types, clearest first.
+    pub const ALL: [Self; 10] =
+        [Self::I, Self::Ia, Self::Ib, Self::Ii, Self::Iii, Self::C1, Self::C3, Self::C5, Self::C7, Self::C9];
+
+    /// Attenuation of downward irradiance from 400 nm in steps of 25 nm, 1/m (Jerlov 1976, tables XXVI and XXVII).
+    #[rustfmt::skip]
+    fn attenuation(self) -> [f64; 13] {
+        match self {
+            Self::I => [0.028, 0.022, 0.019, 0.018, 0.027, 0.043, 0.063, 0.089, 0.235, 0.305, 0.36, 0.42, 0.56],
+            Self::Ia => [0.038, 0.031, 0.026, 0.025, 0.032, 0.048, 0.067, 0.094, 0.24, 0.31, 0.37, 0.43, 0.57],
+            Self::Ib => [0.051, 0.042, 0.036, 0.033, 0.042, 0.054, 0.072, 0.099, 0.245, 0.315, 0.375, 0.435, 0.58],
+            Self::Ii => [0.096, 0.081, 0.068, 0.062, 0.070, 0.076, 0.089, 0.115, 0.26, 0.335, 0.40, 0.465, 0.61],
+            Self::Iii => [0.185, 0.16, 0.135, 0.116, 0.115, 0.116, 0.12, 0.148, 0.295, 0.375, 0.445, 0.52, 0.66],
+            Self::C1 => [0.51, 0.36, 0.25, 0.17, 0.14, 0.13, 0.12, 0.15, 0.30, 0.37, 0.45, 0.51, 0.65],
+            Self::C3 => [0.78, 0.54, 0.39, 0.29, 0.22, 0.20, 0.19, 0.21, 0.33, 0.40, 0.46, 0.56, 0.71],
+            Self::C5 => [1.10, 0.78, 0.56, 0.43, 0.36, 0.31, 0.30, 0.33, 0.40, 0.48, 0.54, 0.65, 0.80],
+            Self::C7 => [1.60, 1.20, 0.89, 0.71, 0.58, 0.49, 0.46, 0.46, 0.48, 0.54, 0.63, 0.78, 0.92],
+            Self::C9 => [2.40, 1.90, 1.60, 1.23, 0.99, 0.78, 0.63, 0.58, 0.60, 0.65, 0.76, 0.92, 1.10],
+        }
+    }
+
+    fn is_coastal(self) -> bool {
+        matches!(self, Self::C1 | Self::C3 | Self::C5 | Self::C7 | Self::C9)
+    }
+
+    /// The next muddier type.
+    fn next(self) -> Self {
+        let at = Self::ALL.iter().position(|t| *t == self).unwrap_or(0);
+        Self::ALL[(at + 1).min(Self::ALL.len() - 1)]
+    }
+}
+
+/// What a water does to light at the display's red, green and blue, 1/m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Water {
+    /// Absorption a.
+    pub absorption: [f64; 3],
+    /// Scattering b, in all.
+    pub scatter: [f64; 3],
+    /// Backscattering bb.
+    pub backscatter: [f64; 3],
+}
+
+impl Water {
+    /// The water of a type.
+    pub fn of(kind: WaterType) -> Self {
+        let table = kind.attenuation();
+        let kd = |nm: f64| {
+            let x = (nm - FIRST_NM) / STEP_NM;
+            let i = (x as usize).min(table.len() - 2);
+            table[i] + (x - i as f64) * (table[i + 1] - table[i])
+        };
+        // Morel and Maritorena 2001, equations 5 and 13 to 15.
+        let chlorophyll = ((kd(490.0) - 0.0166).max(1e-4) / 0.07242).powf(1.0 / 0.68955);
+        let log = chlorophyll.log10();
+        let particles_550 = 0.416 * chlorophyll.powf(0.766);
+        let slope = if chlorophyll < 2.0 { 0.5 * (log - 0.3) } else { 0.0 };
+        let mut out = Self { absorption: [0.0; 3], scatter: [0.0; 3], backscatter: [0.0; 3] };
+        for (i, nm) in PRIMARIES_NM.into_iter().enumerate() {
+            let sea_water = 0.00288 * (nm / 500.0).powf(-4.32);
+            let share = 0.002 + 0.01 * (0.5 - 0.25 * log) * (nm / 550.0).powf(slope);
+            let share = if kind.is_coastal() { COASTAL_BACKSCATTER } else { share };
+            out.scatter[i] = sea_water + particles_550;
+            out.backscatter[i] = 0.5 * sea_water + share * particles_550;
+            out.absorption[i] = (MEAN_COSINE * kd(nm) - out.backscatter[i]).max(PURE_ABSORPTION[i]);
+        }
+        out
+    }
+
+    /// A water between a type and the next muddier one.
+    pub fn between(kind: WaterType, share: f64) -> Self {
+        let (a, b) = (Self::of(kind), Self::of(kind.next()));
+        let mix = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|i| a[i].powf(1.0 - share) * b[i].powf(share));
+        Self {
+            absorption: mix(a.absorption, b.absorption),
+            scatter: mix(a.scatter, b.scatter),
+            backscatter: mix(a.backscatter, b.backscatter),
+        }
+    }
+
+    /// The same particles in a water that absorbs so much that it scatters this colour: white means that a tenth of the
+    /// light comes back.
+    #[must_use]
+    pub fn coloured(self, colour: [f64; 3]) -> Self {
+        let absorption = std::array::from_fn(|i| {
+            let r = (0.1 * colour[i]).max(2e-4);
+            0.33 * self.backscatter[i] * (1.0 - r) / r
+        });
+        Self { absorption, ..self }
+    }
+
+    /// Irradiance reflectance below the surface of deep water; the same formula stands in `water_body.wgsl`.
+    pub fn reflectance(&self) -> [f64; 3] {
+        std::array::from_fn(|i| {
+            let up = 0.33 * self.backscatter[i];
+            up / (self.absorption[i] + up)
+        })
+    }
+
+    /// Share of vertical light that comes back from a white bed at a depth.
+    pub fn there_and_back(&self, depth_m: f64) -> [f64; 3] {
+        std::array::from_fn(|i| (-2.0 * (self.absorption[i] + self.backscatter[i]) * depth_m).exp())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_clear_ocean_is_blue_and_the_coast_green() {
+        // Morel and Prieur 1977 and later: 4 to 6 % in the blue of the clearest ocean, next to nothing in the red.
+        let [r, g, b] = Water::of(WaterType::I).reflectance();
+        assert!((0.04..0.07).contains(&b) && g < 0.2 * b && r < 0.03 * b, "{r} {g} {b}");
+        let [r, g, b] = Water::of(WaterType::C3).reflectance();
+        assert!(g > b && g > r, "{r} {g} {b}");
+        let [r, g, b] = Water::of(WaterType::C9).reflectance();
+        assert!(r > b && g > b, "{r} {g} {b}");
+    }
+
+    #[test]
+    fn every_step_is_muddier() {
+        for pair in WaterType::ALL.windows(2) {
+            let (a, b) = (Water::of(pair[0]), Water::of(pair[1]));
+            assert!(a.absorption[2] < b.absorption[2] && a.scatter[1] < b.scatter[1], "{pair:?}");
+            let half = Water::between(pair[0], 0.5);
+            assert!(a.absorption[2] < half.absorption[2] && half.absorption[2] < b.absorption[2], "{pair:?}");
+            assert_eq!(pair[0].next(), pair[1]);
+        }
+        assert_eq!(Water::between(WaterType::Ii, 0.0), Water::of(WaterType::Ii));
+    }
+
+    #[test]
+    fn attenuation_comes_out_again() {
+        // a + bb = 0.9 Kd wherever the water itself does not absorb more.
+        for kind in WaterType::ALL {
+            let water = Water::of(kind);
+            let kd_550 = kind.attenuation()[6];
+            let sum = water.absorption[1] + water.backscatter[1];
+            assert!((sum / (0.9 * kd_550) - 1.0).abs() < 0.05, "{kind:?}: {sum} for {kd_550}");
+        }
+    }
+
+    #[test]
+    fn a_colour_comes_back_as_asked() {
+        let got = Water::of(WaterType::Ib).coloured([0.1, 0.5, 1.0]).reflectance();
+        for (got, want) in got.into_iter().zip([0.01, 0.05, 0.1]) {
+            assert!((got - want).abs() < 1e-9);
+        }
+    }
+}
