@@ -107,7 +107,8 @@ fn all_waves_are_the_gpus_sea() {
             for (c, (cascade, sea)) in plan.cascades.iter().zip(by_cascade(&plan)).enumerate() {
                 let n = plan.n as usize;
                 for i in (0..n * n).step_by(97) {
-                    let texels = |i: usize| [read.displacement(c)[i].map(f64::from), read.gradients(c)[i].map(f64::from)];
+                    let texels =
+                        |i: usize| [read.displacement(c)[i].map(f64::from), read.gradients(c)[i].map(f64::from)];
                     let (at, drawn) = drawn(&plan, cascade, i, texels);
                     let worst = difference(&sea.undisplaced(at[0], at[1], t_s), at, &drawn, &plan);
                     assert!(worst < 1e-5, "{state} t {t_s} cascade {c} texel {i}: {worst}");

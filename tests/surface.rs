@@ -90,9 +90,8 @@ impl Bench {
         // No ripples beyond the maps.
         scene.sea.residual_mss = 0.0;
         let frame = render::frame_bytes(&scene, self.ocean.simulation().maps(), [64, 64]);
-        let buffer = |contents: &[u8], usage| {
-            device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
-        };
+        let buffer =
+            |contents: &[u8], usage| device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage });
         let frame = buffer(&frame, BufferUsages::UNIFORM);
         let questions: Vec<[f32; 4]> = (points.iter())
             .map(|p| [(p[0] - foot[0]) as f32, (p[1] - foot[1]) as f32, size as f32, long as f32])
@@ -205,7 +204,7 @@ fn the_drawn_surface_is_the_sea_of_heights() {
     // All cascades, anywhere: what interpolation loses, which grows towards the shortest waves.
     let mut bench = Bench::new("wind=12&fetch=200&t=20&n=256");
     let plan = bench.ocean.plan().clone();
-    let points = places(1500, [300.0, 500.0], 8_000.0);
+    let points = places(600, [300.0, 500.0], 8_000.0);
     let drawn = bench.ask([300.0, 500.0], &points, 1e-3, 0.0);
     let errors = errors(&drawn, &Heights::new(&plan, usize::MAX), &points, 20.0);
     eprintln!("between texels: {errors:?}");
@@ -257,7 +256,12 @@ fn slopes_that_a_pixel_cannot_resolve_are_not_lost() {
             let size = texel * 3.5f64.powi(step);
             let [resolved, all] = mean_squares(&mut bench, size, 0.0);
             let [_, long] = mean_squares(&mut bench, size, 5.0 * size);
-            eprintln!("pixel of {size:.3} m{untile}: {:.4} of {:.4}, {:.4}", resolved / whole, all / whole, long / whole);
+            eprintln!(
+                "pixel of {size:.3} m{untile}: {:.4} of {:.4}, {:.4}",
+                resolved / whole,
+                all / whole,
+                long / whole
+            );
             assert!(resolved < before, "{size} m{untile}");
             if step < 0 {
                 // Between texels the spline loses some of the shortest waves.
@@ -332,8 +336,7 @@ fn correlations(sea: &Twin) -> Vec<Lag> {
             let mut times = 1.0f64;
             while times * patch_m * f64::hypot(a, b) <= 20_000.0 {
                 let lag = [a, b].map(|i| i * times * patch_m);
-                let there: Vec<Vec<f64>> =
-                    points.iter().map(|p| sea.heights([p[0] + lag[0], p[1] + lag[1]])).collect();
+                let there: Vec<Vec<f64>> = points.iter().map(|p| sea.heights([p[0] + lag[0], p[1] + lag[1]])).collect();
                 let pairs = || here.iter().zip(&there);
                 let own: f64 = pairs().map(|(h, t)| h[c] * t[c]).sum();
                 let all: f64 = pairs().map(|(h, t)| sum(h) * sum(t)).sum();

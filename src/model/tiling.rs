@@ -123,8 +123,7 @@ impl Tiling {
             let corner = copy.cell;
             copy.weight = raw[i] * raw[i] * norm;
             copy.gradient = [0, 1].map(|axis| 2.0 * raw[i] * slopes[i][axis] * norm - copy.weight * pull[axis]);
-            copy.cell =
-                [0, 1].map(|axis| cell[axis].wrapping_add(if upper { 1 - corner[axis] } else { corner[axis] }));
+            copy.cell = [0, 1].map(|axis| cell[axis].wrapping_add(if upper { 1 - corner[axis] } else { corner[axis] }));
             let hash = pcg4d([copy.cell[0] as u32, copy.cell[1] as u32, self.key, 0]);
             copy.shift = [0, 1].map(|axis| f64::from(hash[axis] >> 26) / STEPS);
         }
@@ -134,10 +133,7 @@ impl Tiling {
     /// Gradients of the two lattice coordinates, 1/m.
     fn axes(&self) -> [[f64; 2]; 2] {
         let [cos, sin] = self.turn;
-        [
-            [cos + INV_SQRT_3 * sin, sin - INV_SQRT_3 * cos],
-            [-2.0 * INV_SQRT_3 * sin, 2.0 * INV_SQRT_3 * cos],
-        ]
+        [[cos + INV_SQRT_3 * sin, sin - INV_SQRT_3 * cos], [-2.0 * INV_SQRT_3 * sin, 2.0 * INV_SQRT_3 * cos]]
     }
 }
 
@@ -228,7 +224,10 @@ mod tests {
             }
         }
         let count = seen.len() as f64;
-        assert!(count > 3000.0 && mean.iter().all(|m| (m / count - 0.5 + 0.5 / STEPS).abs() < 0.02), "{mean:?} {count}");
+        assert!(
+            count > 3000.0 && mean.iter().all(|m| (m / count - 0.5 + 0.5 / STEPS).abs() < 0.02),
+            "{mean:?} {count}"
+        );
         let other = Tiling::new(100.0, 70, 2, true);
         let same = points(4000).filter(|&at| tiling().blend(at) == other.blend(at)).count();
         assert!(same < 10, "another seed, other shifts: {same}");
@@ -238,7 +237,9 @@ mod tests {
     #[test]
     fn far_away_and_off() {
         for at in [[1e300, -1e300], [f64::MAX, 0.0], [1e9, 3.0]] {
-            assert!(tiling().blend(at).iter().all(|c| c.weight.is_finite() && c.gradient.iter().all(|g| g.is_finite())));
+            assert!(
+                tiling().blend(at).iter().all(|c| c.weight.is_finite() && c.gradient.iter().all(|g| g.is_finite()))
+            );
         }
         let off = Tiling::new(100.0, 70, 1, false).blend([123.0, 4.0]);
         assert_eq!((off[0].weight, off[0].shift, off[1].weight), (1.0, [0.0; 2], 0.0));

@@ -1,8 +1,8 @@
 //! The read-only product of the simulation: all that the renderer sees of it.
 
 use super::resources::{Resources, view};
-use crate::model::Plan;
 use crate::gpu::layout::TilePlace;
+use crate::model::Plan;
 use crate::model::tiling::{Place, Tiling};
 
 /// Views of the current sea and what is needed to sample them. A texel (i, j) of a map holds the point
