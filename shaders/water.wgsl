@@ -96,10 +96,10 @@ fn fragment(in: WaterVertex) -> @location(0) vec4f {
   let dy = dpdy(at) * frame.footprint;
   let foot = water_footprint(dx, dy);
   var slope = water_slope(at, foot);
-  // Slopes that change within the pixel glitter as one (Tokuyoshi and Kaplanyan 2019).
+  // Slopes that change within the pixel glitter as one (Tokuyoshi and Kaplanyan 2019), spread evenly over it.
   let bend_x = dpdx(slope.mean);
   let bend_y = dpdy(slope.mean);
-  let bend = 0.2 * (vec3f(bend_x * bend_x, bend_x.x * bend_x.y) + vec3f(bend_y * bend_y, bend_y.x * bend_y.y));
+  let bend = (1.0 / 12.0) * (vec3f(bend_x * bend_x, bend_x.x * bend_x.y) + vec3f(bend_y * bend_y, bend_y.x * bend_y.y));
   slope.variance += min(bend, vec3f(0.08)) * frame.footprint;
 
   let distance_m = length(in.place);

@@ -98,6 +98,9 @@ struct WaterFootprint {
 }
 
 const WATER_TAPS = 5;
+// Size of a tap over the length that it stands for: 1 / sqrt(3), because a mip read with interpolation between its texels
+// (a box and a tent) blurs as much as a box of sqrt(3) times the texel.
+const WATER_TAP = 0.58;
 
 fn water_footprint(dx: vec2f, dy: vec2f) -> WaterFootprint {
   let x = length(dx);
@@ -106,7 +109,7 @@ fn water_footprint(dx: vec2f, dy: vec2f) -> WaterFootprint {
   // Area over length: also right where the two sides are nearly parallel.
   let small = max(abs(dx.x * dy.y - dx.y * dy.x) / max(large, 1e-9), 1e-6);
   let taps = clamp(i32(ceil(large / small - 0.3)), 1, WATER_TAPS);
-  return WaterFootprint(select(dy, dx, x > y), max(small, large / f32(taps)), taps);
+  return WaterFootprint(select(dy, dx, x > y), WATER_TAP * max(small, large / f32(taps)), taps);
 }
 
 // The waves of one map within a footprint, before chop.

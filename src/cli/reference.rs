@@ -101,8 +101,21 @@ pub async fn light(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: Sampl
 /// If the GPU does not give its memory back.
 pub async fn picture_of(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: Sampling) -> Result<Vec<u8>, String> {
     let light = light(gpu, ocean, size, sampling).await?;
+    picture_of_light(gpu, ocean, size, &light).await
+}
+
+/// The pixels of linear light under the exposure and film of the sea's picture.
+///
+/// # Errors
+/// If the GPU does not give its memory back.
+pub async fn picture_of_light(
+    gpu: &Gpu,
+    ocean: &mut Ocean,
+    size: [u32; 2],
+    light: &[[f32; 3]],
+) -> Result<Vec<u8>, String> {
     let encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("reference") });
-    render::on_film(gpu, encoder, size, |pass| ocean.present_light(&gpu.device, &gpu.queue, pass, size, &light)).await
+    render::on_film(gpu, encoder, size, |pass| ocean.present_light(&gpu.device, &gpu.queue, pass, size, light)).await
 }
 
 #[cfg(test)]
