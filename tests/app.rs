@@ -57,7 +57,7 @@ fn v_goes_through_the_views() {
     harness.key_press(egui::Key::V);
     harness.run_steps(2);
     assert_eq!(harness.state().state(), "view=h0&pause=1&n=64");
-    harness.get_by_label_contains("logarithmic");
+    harness.get_by_label("Initial spectrum |h0(k)|");
     harness.key_press(egui::Key::Num2);
     harness.key_press_modifiers(egui::Modifiers::SHIFT, egui::Key::V);
     harness.key_press_modifiers(egui::Modifiers::SHIFT, egui::Key::V);

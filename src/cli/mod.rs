@@ -5,6 +5,9 @@ pub mod check;
 pub mod compare;
 pub mod export;
 pub mod flip;
+pub mod gallery;
+pub mod objectives;
+pub mod parameters;
 pub mod reference;
 pub mod render;
 pub mod stats;
@@ -149,8 +152,14 @@ enum Command {
     },
     /// Writes the validation page and its figures: the program's numbers against theory and published measurements
     Validate(validate::Options),
+    /// Renders the gallery's pictures and writes its page
+    Gallery(gallery::Options),
     /// Lists the keys of the state string
-    Keys,
+    Keys {
+        /// Prints docs/parameters.md
+        #[arg(long)]
+        markdown: bool,
+    },
 }
 
 /// Runs the command line of this process; returns its exit code.
@@ -206,7 +215,8 @@ fn run(cli: Cli) -> Result<i32, String> {
             print(&if json { report.json() } else { report.to_string() })
         }
         Some(Command::Validate(options)) => validate::run(&options).and_then(|said| print(&said)),
-        Some(Command::Keys) => print(&keys()),
+        Some(Command::Gallery(options)) => gallery::run(&options).and_then(|said| print(&said)),
+        Some(Command::Keys { markdown }) => print(&if markdown { parameters::page() } else { keys() }),
     }
 }
 

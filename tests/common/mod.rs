@@ -1,11 +1,13 @@
 //! What the tests on the GPU share.
 #![allow(dead_code, reason = "every test crate uses some of it")]
 
+use seastate::cli::render::{FORMAT, picture_of};
 use seastate::gpu::device::Gpu;
 use seastate::gpu::shaders::Shaders;
 use seastate::model::fields::{FIELDS, Kind};
 use seastate::model::noise::pcg4d;
 use seastate::model::{Params, Plan, query};
+use seastate::ocean::Ocean;
 use seastate::sim::{MapsF32, Simulation};
 
 pub fn gpu() -> Gpu {
@@ -17,6 +19,29 @@ pub fn params(state: &str) -> Params {
     let (params, notices) = query::parse(state);
     assert_eq!(notices, Vec::<String>::new(), "{state}");
     params
+}
+
+/// Renders one state after another on the same device: passes are compiled once.
+pub struct Pictures {
+    pub gpu: Gpu,
+    ocean: Option<Ocean>,
+}
+
+impl Default for Pictures {
+    fn default() -> Self {
+        Self { gpu: gpu(), ocean: None }
+    }
+}
+
+impl Pictures {
+    /// The pixels of a state, which depend on it alone: time, sea or place are others than before, and the foam starts anew.
+    pub fn render(&mut self, params: &Params, size: [u32; 2]) -> Vec<[u8; 4]> {
+        let (device, queue) = (&self.gpu.device, &self.gpu.queue);
+        let ocean = self.ocean.get_or_insert_with(|| Ocean::new(device, queue, FORMAT, params));
+        ocean.set_params(device, queue, params);
+        let bytes = pollster::block_on(picture_of(&self.gpu, ocean, size)).expect("a picture");
+        bytes.chunks(4).map(|p| [p[0], p[1], p[2], p[3]]).collect()
+    }
 }
 
 pub fn simulation(gpu: &Gpu, state: &str) -> Simulation {

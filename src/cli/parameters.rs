@@ -1,0 +1,64 @@
+//! docs/parameters.md, made from FIELDS by `seastate keys --markdown`: every parameter, and which of them answer the list
+//! of objectives.
+
+use super::objectives::{Objective, SECTIONS};
+use super::validate::page::Page;
+use crate::model::fields::{self, FIELDS, Field, Group};
+
+/// The page.
+pub fn page() -> String {
+    let mut page = Page::default();
+    page.heading(1, "Parameters");
+    page.prose(
+        "Every parameter has a key in the state string; only values that differ from the default are written there. \
+         This page is written by `seastate keys --markdown` from the table that the program itself uses; `seastate \
+         keys` prints the same for a terminal.",
+    );
+    for group in Group::ALL {
+        page.heading(2, group.label());
+        let rows: Vec<_> = FIELDS.iter().filter(|f| f.group == group).map(row).collect();
+        page.table(&["key", "name", "unit", "values", "default", "meaning"], &rows);
+    }
+    page.heading(2, "Outside the table");
+    page.prose(
+        "`measured` carries a buoy's spectrum, shown by `spectrum=measured`: bands f\\*S or \
+         f\\*S\\*alpha1\\*alpha2\\*r1\\*r2, separated by _, in Hz, m²/Hz, degrees that the waves come from, and 0..1. \
+         The program writes it when it reads a buoy's file.",
+    );
+    page.heading(2, "The list of objectives");
+    page.prose(
+        "One of the texts that this program answers to has a numbered list of what an ocean renderer must let its user \
+         do. This is where each stands here.",
+    );
+    for (title, objectives) in SECTIONS {
+        page.heading(3, title);
+        let rows: Vec<_> = objectives.iter().map(answer).collect();
+        page.table(&["objective", "", "keys", "how"], &rows);
+    }
+    format!("{}\n", page.text().trim_end())
+}
+
+fn row(field: &Field) -> Vec<String> {
+    let unit = match field.unit {
+        "deg" => "°",
+        unit => unit,
+    };
+    let default = field.default_value();
+    let default = if default == 0.0 && !field.zero.is_empty() { field.zero.to_owned() } else { field.format(default) };
+    vec![code(field.key), field.label.into(), unit.into(), field.range(), default, escaped(field.help)]
+}
+
+fn answer(objective: &Objective) -> Vec<String> {
+    let (number, text, keys, how) = *objective;
+    let known: Vec<String> = keys.iter().filter(|key| fields::find(key).is_some()).map(|key| code(key)).collect();
+    vec![number.into(), text.into(), known.join(" "), how.into()]
+}
+
+fn code(key: &str) -> String {
+    format!("`{key}`")
+}
+
+/// Text that Markdown shows as it is.
+fn escaped(text: &str) -> String {
+    text.replace('*', "\\*").replace('|', "\\|").replace('_', "\\_")
+}

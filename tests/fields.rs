@@ -1,0 +1,186 @@
+//! Every parameter does something: another value changes a map or the picture.
+
+mod common;
+
+use common::{Pictures, params};
+use seastate::gpu::shaders::Shaders;
+use seastate::model::fields::{FIELDS, Field, Group, Kind};
+use seastate::model::{Params, Plan};
+use seastate::sim::Simulation;
+use std::collections::BTreeMap;
+
+/// The sea that most parameters are tried on.
+const BASE: &str = "wind=18&fetch=300&n=64&t=5&overcast=0.3&depth=12&sun=25";
+
+/// Where a default hides a parameter: what to add to the base (a later value of a key wins), and the value to try, or ""
+/// for one from the middle of the range. A star stands for the rest of a key.
+const NEEDS: &[(&str, &str, &str)] = &[
+    ("hs", "", "2.5"),
+    ("tp", "", "7"),
+    ("gamma", "", "1"),
+    ("coefa", "spectrum=ab", "0.4"),
+    ("coefb", "spectrum=ab", "0.3"),
+    ("fade", "", "1"),
+    ("blendto", "blend=0.5", "hasselmann"),
+    ("scale2", "", "1"),
+    ("hs2", "scale2=1", "2.5"),
+    ("tp2", "scale2=1", "9"),
+    ("wind2", "scale2=1&hs2=0&tp2=0", ""),
+    ("fetch2", "scale2=1&hs2=0&tp2=0", ""),
+    ("coefa2", "scale2=1&spectrum2=ab&hs2=0&tp2=0", "0.4"),
+    ("coefb2", "scale2=1&spectrum2=ab&hs2=0&tp2=0", "0.3"),
+    ("fade2", "scale2=1", "6"),
+    ("blendto2", "scale2=1&blend2=0.5", ""),
+    ("*2", "scale2=1", ""),
+    ("tension", "dispersion=capillary&cascades=1&patch1=2&wind=5&fetch=1", ""),
+    ("density", "dispersion=capillary&cascades=1&patch1=2&wind=5&fetch=1", ""),
+    ("tmafit", "spectrum=tma", ""),
+    ("bouws", "spectrum=tma", ""),
+    ("karaevtma", "spectrum=karaev", ""),
+    ("foamthreshold", "whitecaps=fixed", "0.95"),
+    ("loop", "", "60"),
+    ("patch1", "", "400"),
+    ("patch2", "", "60"),
+    ("patch3", "", "10"),
+    ("patch4", "", "2"),
+    ("low1", "", "0.08"),
+    ("low2", "", "0.5"),
+    ("low3", "", "3"),
+    ("low4", "", "20"),
+    ("high1", "", "0.15"),
+    ("high2", "", "0.4"),
+    ("high3", "", "3"),
+    ("high4", "", "15"),
+    ("viewcascade", "view=height", "2"),
+];
+
+/// What nothing still can show, and why.
+const UNSEEN: &[(&str, &str)] = &[
+    ("speed", "how fast the time runs: tests/app.rs lets it run"),
+    ("normsteps", "one step is exact to the seventh digit: few_steps_are_felt in model/spreading.rs"),
+    ("pause", "whether it runs: tests/app.rs stops it"),
+];
+
+/// Least mean difference of a picture, of 255, that counts: one step in one channel of a tenth of the pixels.
+const LEAST_PICTURE: f64 = 0.03;
+/// Least difference of the maps, relative to their rms.
+const LEAST_MAPS: f64 = 1e-3;
+const SIZE: [u32; 2] = [96, 54];
+
+fn need(key: &str) -> Option<&'static (&'static str, &'static str, &'static str)> {
+    let fits = |pattern: &str| pattern.strip_prefix('*').map_or(pattern == key, |end| key.ends_with(end));
+    let of_second =
+        |pattern: &str| !pattern.starts_with('*') || FIELDS.iter().any(|f| f.key == key && f.group == Group::Swell);
+    NEEDS.iter().find(|(pattern, ..)| fits(pattern) && of_second(pattern))
+}
+
+/// Another value than the base has, from the middle of the range.
+fn other(field: &Field, base: f64) -> f64 {
+    let candidates = match field.kind {
+        Kind::Number { min, max, log: false } => vec![0.3 * min + 0.7 * max, 0.7 * min + 0.3 * max],
+        Kind::Number { min, max, log: true } => vec![(min * max).sqrt(), (min * max * max).cbrt()],
+        Kind::Heading => vec![(base + 140.0).rem_euclid(360.0)],
+        Kind::Integer { min, max } => vec![(f64::from(min) + f64::from(max)) / 2.0, f64::from(max)],
+        Kind::Choice(words) => vec![(base + 1.0) % words.len() as f64],
+        Kind::Flag => vec![1.0 - base],
+        Kind::Colour => vec![f64::from(0x00ff_7010)],
+    };
+    let whole = |v: f64| if matches!(field.kind, Kind::Integer { .. }) { v.round() } else { v };
+    let accepted = candidates.into_iter().filter_map(|v| field.accept(whole(v)).ok());
+    accepted.into_iter().find(|v| *v != base).unwrap_or_else(|| panic!("{} has one value only", field.key))
+}
+
+#[derive(Default)]
+struct Lab {
+    pictures: Pictures,
+    sim: Option<Simulation>,
+    /// Maps and pictures of states that were asked for before.
+    maps: BTreeMap<String, Vec<[f32; 4]>>,
+    known: BTreeMap<String, Vec<[u8; 4]>>,
+}
+
+impl Lab {
+    fn maps(&mut self, params: &Params) -> Vec<[f32; 4]> {
+        let gpu = &self.pictures.gpu;
+        let (plan, shaders) = (Plan::new(params), Shaders::default());
+        let sim = self.sim.get_or_insert_with(|| Simulation::new(&gpu.device, &gpu.queue, plan.clone(), &shaders));
+        sim.set_plan(&gpu.device, &gpu.queue, plan, &shaders);
+        common::read(gpu, sim, params.clock.t_s).texels
+    }
+
+    /// What of the maps changes, relative to their rms; infinite for maps of another shape.
+    fn maps_change(&mut self, state: &str, a: &Params, b: &Params) -> f64 {
+        let b = self.maps(b);
+        if !self.maps.contains_key(state) {
+            let maps = self.maps(a);
+            self.maps.insert(state.to_owned(), maps);
+        }
+        let a = &self.maps[state];
+        if a.len() != b.len() {
+            return f64::INFINITY;
+        }
+        let pairs = || a.iter().flatten().zip(b.iter().flatten()).map(|(x, y)| (f64::from(*x), f64::from(*y)));
+        let size: f64 = pairs().map(|(x, _)| x * x).sum();
+        (pairs().map(|(x, y)| (x - y).powi(2)).sum::<f64>() / size).sqrt()
+    }
+
+    /// Mean difference of the pictures, of 255.
+    fn picture_change(&mut self, state: &str, a: &Params, b: &Params) -> f64 {
+        if !self.known.contains_key(state) {
+            let picture = self.pictures.render(a, SIZE);
+            self.known.insert(state.to_owned(), picture);
+        }
+        let other = self.pictures.render(b, SIZE);
+        let pairs = self.known[state].iter().flatten().zip(other.iter().flatten());
+        pairs.map(|(x, y)| f64::from(x.abs_diff(*y))).sum::<f64>() / (3 * other.len()) as f64
+    }
+}
+
+#[test]
+fn every_parameter_changes_a_map_or_the_picture() {
+    let mut lab = Lab::default();
+    let mut unseen = Vec::new();
+    for field in FIELDS.iter().filter(|f| UNSEEN.iter().all(|(key, _)| *key != f.key)) {
+        let (_, more, value) = need(field.key).copied().unwrap_or_default();
+        let state = later_wins(&format!("{BASE}&{more}"));
+        let base = params(&state);
+        let old = (field.get)(&base);
+        let value = match value {
+            "" => other(field, old),
+            text => field.parse(text).unwrap_or_else(|_| panic!("{}={text}", field.key)),
+        };
+        assert_ne!(value, old, "{}", field.key);
+        let mut changed = base.clone();
+        (field.set)(&mut changed, value);
+        let sea = (&changed.sea, &changed.grid) != (&base.sea, &base.grid);
+        let maps = if sea { lab.maps_change(&state, &base, &changed) } else { 0.0 };
+        if maps > LEAST_MAPS {
+            continue;
+        }
+        let picture = lab.picture_change(&state, &base, &changed);
+        if picture < LEAST_PICTURE {
+            unseen.push(format!(
+                "{} = {} instead of {}: maps {maps:.1e}, picture {picture:.3}",
+                field.key,
+                field.format(value),
+                field.format(old)
+            ));
+        }
+    }
+    assert!(unseen.is_empty(), "\n{}", unseen.join("\n"));
+}
+
+/// A state string in which a key that stands twice stands once, with its last value.
+fn later_wins(state: &str) -> String {
+    let pairs: Vec<(&str, &str)> = state.split('&').filter_map(|pair| pair.split_once('=')).collect();
+    let last = |i: usize| pairs[i + 1..].iter().all(|(key, _)| *key != pairs[i].0);
+    let kept = (0..pairs.len()).filter(|&i| last(i)).map(|i| format!("{}={}", pairs[i].0, pairs[i].1));
+    kept.collect::<Vec<_>>().join("&")
+}
+
+#[test]
+fn the_tables_name_parameters_that_exist() {
+    for key in NEEDS.iter().map(|n| n.0).filter(|key| !key.starts_with('*')).chain(UNSEEN.iter().map(|u| u.0)) {
+        assert!(FIELDS.iter().any(|f| f.key == key), "{key}");
+    }
+}
