@@ -132,6 +132,7 @@ mod tests {
             residual_mss: 0.01,
             mean_foam: 0.0,
             lambda_p_m: 100.0,
+            cloud_drift_m: [0.0; 2],
         }
     }
 
