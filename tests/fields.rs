@@ -52,6 +52,26 @@ const NEEDS: &[(&str, &str, &str)] = &[
     ("high3", "", "3"),
     ("high4", "", "15"),
     ("viewcascade", "view=height", "2"),
+    ("day", "sunby=date", ""),
+    ("hour", "sunby=date", ""),
+    ("lat", "sunby=date", ""),
+    ("fogstart", "fog=2", ""),
+    ("fogfalloff", "fog=2", ""),
+    ("fogheight", "fog=2", ""),
+    ("sunfalloff", "overcast=0&sun=12&sunaz=40&pitch=12&fov=10&sunsize=5&autoexposure=0&exposure=-8", ""),
+    ("sunsize", "overcast=0&sun=12&sunaz=40&pitch=12&fov=10", ""),
+    ("skyturn", "sky=made-up.hdr", ""),
+    ("skygain", "sky=made-up.hdr", ""),
+    ("fresnelshine", "fresnel=schlick", ""),
+    ("shininess", "specular=blinn-phong", ""),
+    // The sun low before the camera.
+    ("glittercut", "sunaz=40&sun=8&overcast=0", ""),
+    ("glitter", "sunaz=40&overcast=0", ""),
+    ("glitterfresnel", "sunaz=40&overcast=0", ""),
+    ("foamroughness", "sunaz=40&sun=20&overcast=0", ""),
+    ("foamrelief", "y=3&pitch=-30", ""),
+    ("caustics", "sun=60&overcast=0&depth=4&wind=6&pitch=-30", ""),
+    ("bedcolour", "sun=60&overcast=0&depth=4&wind=6&pitch=-30", ""),
 ];
 
 /// What nothing still can show, and why.
@@ -140,10 +160,12 @@ impl Lab {
 fn every_parameter_changes_a_map_or_the_picture() {
     let mut lab = Lab::default();
     let mut unseen = Vec::new();
+    let file = common::made_up_sky(40.0);
     for field in FIELDS.iter().filter(|f| UNSEEN.iter().all(|(key, _)| *key != f.key)) {
         let (_, more, value) = need(field.key).copied().unwrap_or_default();
         let state = later_wins(&format!("{BASE}&{more}"));
-        let base = params(&state);
+        let mut base = params(&state);
+        base.look.sky.attach(Some(&file));
         let old = (field.get)(&base);
         let value = match value {
             "" => other(field, old),

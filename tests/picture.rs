@@ -1,5 +1,8 @@
 //! The picture, rendered headless: it depends on the state alone, is a sea and not a plane, and holds no broken pixel.
 
+mod common;
+
+use common::made_up_sky;
 use seastate::cli::render::{FORMAT, picture, picture_of};
 use seastate::gpu::device::Gpu;
 use seastate::model::{Params, query};
@@ -120,6 +123,14 @@ fn no_pixel_is_broken_at_the_corners() {
         "chop=2&wind=25",
         "height=4&wind=30",
         "sun=-8",
+        "sun=-24",
+        "sundistance=0.1&sun=90",
+        "sunsize=10&sun=1",
+        "fog=100",
+        "fog=100&fogfalloff=1&fogheight=0&y=5000",
+        "fog=0.1&fogfalloff=2000&fogheight=2000&y=1000&pitch=60",
+        "bloom=1&sun=20&sunaz=40&sunfalloff=4",
+        "sunby=date&day=355&hour=0&lat=90",
         "sun=90",
         "haze=10",
         "haze=0",
@@ -148,66 +159,6 @@ fn no_pixel_is_broken_at_the_corners() {
         "g=0.5",
     ] {
         assert_eq!(broken(&render(&gpu, &format!("{state}&n=64"))), 0, "{state}");
-    }
-}
-
-/// What a field needs beside it to be seen.
-fn company(key: &str) -> &'static str {
-    match key {
-        "fresnelshine" => "&fresnel=schlick",
-        "shininess" => "&specular=blinn-phong",
-        // The sun low before the camera.
-        "glittercut" => "&sunaz=40&sun=8&overcast=0",
-        "glitter" | "glitterfresnel" => "&sunaz=40&overcast=0",
-        "foamroughness" => "&sunaz=40&sun=20&overcast=0",
-        "foamrelief" => "&y=3&pitch=-30",
-        "caustics" | "bedcolour" => "&sun=60&overcast=0&depth=4&wind=6&pitch=-30",
-        _ => "",
-    }
-}
-
-/// Every field of light and camera changes the picture.
-#[test]
-fn every_look_and_camera_field_is_seen() {
-    use seastate::model::fields::{FIELDS, Group, Kind};
-    let gpu = gpu();
-    let base = "wind=18&fetch=300&n=64&t=5&overcast=0.3&depth=12";
-    let reference = render(&gpu, base);
-    let foam = ["foam", "foamcolour", "foamroughness", "foamrelief"];
-    let seen = [Group::Sky, Group::Surface, Group::Film, Group::View, Group::Camera];
-    // Views of the maps: tests/fields.rs and tests/views.rs
-    let shown = |f: &&seastate::model::fields::Field| {
-        (seen.contains(&f.group) || foam.contains(&f.key)) && !f.key.starts_with("view")
-    };
-    for field in FIELDS.iter().filter(shown) {
-        let value = match field.kind {
-            Kind::Number { min, max, log: false } => 0.3 * min + 0.7 * max,
-            Kind::Number { min, max, log: true } => (min * max).sqrt(),
-            Kind::Choice(words) => words.len() as f64 - 1.0,
-            Kind::Flag => 1.0 - field.default_value(),
-            Kind::Colour => f64::from(0x0040_c060),
-            _ => 200.0,
-        };
-        let more = company(field.key);
-        let (mut params, notices) = query::parse(&format!("{base}{more}"));
-        assert_eq!(notices, Vec::<String>::new(), "{more}");
-        let without = if more.is_empty() { reference.clone() } else { render_params(&gpu, &params) };
-        (field.set)(&mut params, value);
-        let other = render_params(&gpu, &params);
-        let changed = other.iter().zip(&without).filter(|(a, b)| a != b).count();
-        assert!(changed > 20, "{} = {value} changes {changed} pixels", field.key);
-    }
-}
-
-/// The eye of a storm: never in the water, nor is a hole seen in it. What is not water shows the bright horizon's sky.
-#[test]
-fn an_eye_near_the_water_rides_over_the_waves() {
-    let gpu = gpu();
-    for (t, heading) in [(40, 30), (43, 120), (46, 210), (49, 300), (52, 0)] {
-        let state = format!("wind=26&fetch=800&n=64&overcast=1&foam=0&y=1&pitch=-35&t={t}&heading={heading}");
-        let brightest = render(&gpu, &state).into_iter().map(luminance).fold(0.0, f64::max);
-        // Water stays below 100, the horizon is at 143.
-        assert!(brightest < 120.0, "{state}: sky below the eye, or air in the water ({brightest})");
     }
 }
 
@@ -243,4 +194,110 @@ fn the_ocean_is_blue_and_the_coast_green() {
     let ([_, green, blue], [_, coast_green, coast_blue]) = (at("i"), at("3c"));
     assert!(blue > 1.5 * green, "{blue} over {green}");
     assert!(coast_green > coast_blue, "{coast_green} over {coast_blue}");
+}
+
+/// Column of the brightest tenth of the water, -1 (left) to 1.
+fn glitter_column(pixels: &[[u8; 4]]) -> f64 {
+    let width = SIZE[0] as usize;
+    let water = &pixels[60 * width..];
+    let mut bright: Vec<f64> = water.iter().map(|p| luminance(*p)).collect();
+    bright.sort_by(f64::total_cmp);
+    let cut = bright[bright.len() * 95 / 100];
+    let columns: Vec<f64> =
+        (0..water.len()).filter(|&i| luminance(water[i]) > cut).map(|i| (i % width) as f64).collect();
+    columns.iter().sum::<f64>() / columns.len() as f64 / (0.5 * width as f64) - 1.0
+}
+
+#[test]
+fn the_sun_of_a_file_glitters_below_it() {
+    let gpu = gpu();
+    // Half the width of the picture is 37.8 degrees.
+    for (sun, turn, expected) in [(40.0, 0.0, 0.0), (20.0, 0.0, -0.47), (350.0, 70.0, 0.47)] {
+        let mut params =
+            query::parse(&format!("wind=5&fetch=20&n=64&t=5&heading=40&pitch=0&sky=made-up.hdr&skyturn={turn}")).0;
+        params.look.sky.attach(Some(&made_up_sky(sun)));
+        let pixels = render_params(&gpu, &params);
+        assert_eq!(broken(&pixels), 0);
+        let column = glitter_column(&pixels);
+        assert!((column - expected).abs() < 0.2, "sun at {sun}, turned by {turn}: {column}, expected {expected}");
+    }
+}
+
+#[test]
+fn a_sky_that_is_not_at_hand_is_the_built_one() {
+    let gpu = gpu();
+    let wanted = query::parse("n=64&t=5&sky=elsewhere.exr").0;
+    assert!(wanted.look.sky.missing_file().is_some());
+    assert_eq!(render_params(&gpu, &wanted), render(&gpu, "n=64&t=5"));
+}
+
+/// Linear light of a picture that was taken with tone=linear.
+fn linear_mean(pixels: &[[u8; 4]]) -> f64 {
+    let linear = |v: u8| {
+        let c = f64::from(v) / 255.0;
+        if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+    };
+    pixels.iter().map(|p| 0.2126 * linear(p[0]) + 0.7152 * linear(p[1]) + 0.0722 * linear(p[2])).sum::<f64>()
+        / pixels.len() as f64
+}
+
+#[test]
+fn bloom_loses_no_light() {
+    let gpu = gpu();
+    // Nothing reaches the white of the screen, where light would be lost.
+    let base = "wind=14&n=64&t=20&overcast=1&tone=linear&exposure=-0.6&pitch=-12";
+    let sharp = render(&gpu, base);
+    assert!(sharp.iter().all(|p| p[0].max(p[1]).max(p[2]) < 250));
+    let spread = render(&gpu, &format!("{base}&bloom=1"));
+    let (a, b) = (linear_mean(&sharp), linear_mean(&spread));
+    eprintln!("mean {a:.5}, with bloom {b:.5}");
+    assert!((b / a - 1.0).abs() < 0.01, "{a} {b}");
+    assert!(texture(&spread, 50, 95) < 0.3 * texture(&sharp, 50, 95), "it spreads");
+}
+
+/// Just above and just below a horizon in fog that hides the sea there, the picture is the same.
+#[test]
+fn fog_has_no_seam_at_the_horizon() {
+    let gpu = gpu();
+    for state in [
+        "y=2&pitch=0",
+        "y=20&pitch=0&sun=5",
+        "y=60&pitch=0&sun=60&overcast=0.5",
+        "y=20&pitch=0&sun=-3",
+        "y=400&pitch=1",
+    ] {
+        let pixels = render(&gpu, &format!("{state}&wind=5&fetch=20&n=64&t=5&fov=10&fog=20&fogheight=500&dither=0"));
+        let width = SIZE[0] as usize;
+        let row = |y: usize| pixels[y * width..][..width].iter().map(|p| luminance(*p)).sum::<f64>() / width as f64;
+        for y in 30..62 {
+            assert!((row(y) - row(y + 1)).abs() < 1.5, "{state}: rows {y}: {} and {}", row(y), row(y + 1));
+        }
+    }
+}
+
+/// Night: darker than dusk, dark blue, and neither black nor lifted to day.
+#[test]
+fn night_is_night() {
+    let gpu = gpu();
+    let mean = |state: &str| {
+        let pixels = render(&gpu, &format!("wind=8&n=64&t=5&{state}"));
+        assert_eq!(broken(&pixels), 0);
+        let sum = pixels.iter().fold([0.0; 3], |s, p| std::array::from_fn(|i| s[i] + f64::from(p[i])));
+        sum.map(|s| s / pixels.len() as f64)
+    };
+    let [noon, dusk, night] = ["sun=40", "sun=-7", "sun=-20"].map(mean);
+    assert!(night[2] > 1.5 * night[0] && night[2] > 12.0 && night[1] < 45.0, "{night:?}");
+    assert!(dusk[1] > night[1] && noon[1] > dusk[1], "{noon:?} {dusk:?} {night:?}");
+}
+
+/// The eye of a storm: never in the water, nor is a hole seen in it. What is not water shows the bright horizon's sky.
+#[test]
+fn an_eye_near_the_water_rides_over_the_waves() {
+    let gpu = gpu();
+    for (t, heading) in [(40, 30), (43, 120), (46, 210), (49, 300), (52, 0)] {
+        let state = format!("wind=26&fetch=800&n=64&overcast=1&foam=0&y=1&pitch=-35&t={t}&heading={heading}");
+        let brightest = render(&gpu, &state).into_iter().map(luminance).fold(0.0, f64::max);
+        // Water stays below 100, the horizon is at 143.
+        assert!(brightest < 120.0, "{state}: sky below the eye, or air in the water ({brightest})");
+    }
 }
