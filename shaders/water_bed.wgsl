@@ -38,7 +38,7 @@ fn bed_caustic(entry: vec2f, depth_m: f32) -> f32 {
   let x = (bed_slope(at + vec2f(h, 0.0)) - bed_slope(at - vec2f(h, 0.0))) * (reach / (2.0 * h));
   let z = (bed_slope(at + vec2f(0.0, h)) - bed_slope(at - vec2f(0.0, h))) * (reach / (2.0 * h));
   let det = (1.0 + x.x) * (1.0 + z.y) - x.y * z.x;
-  return 1.0 / sqrt(det * det + BED_FOLD * BED_FOLD);
+  return sqrt((1.0 + BED_FOLD * BED_FOLD) / (det * det + BED_FOLD * BED_FOLD));
 }
 
 // Radiance inside the water towards the surface when the bed is in sight. `deep` is that of bottomless water, `place` the

@@ -4,8 +4,8 @@
 // backscattering ratio of Zhang, Lewis and Johnson 1998), and its depth, m.
 const WATER_PLUME = 0.16;
 const WATER_PLUME_M = 0.8;
-// Mean cosine of the forward scattering of sea water.
-const WATER_FORWARD = 0.85;
+// Mean cosine of what a crest scatters: light that is scattered several times spreads wider than by the particles' 0.9.
+const WATER_FORWARD = 0.6;
 
 // Light inside the water that travels from a surface of this normal when it came along `dir`, and the reverse for the eye.
 fn water_refract(dir: vec3f, n: vec3f) -> vec3f {
@@ -55,8 +55,8 @@ fn water_deep(n: vec3f, ray: vec3f, plume: f32) -> vec3f {
 
 // Sunlight through the back of a crest. `rise` is its height over the mean level in significant heights.
 fn water_crest(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f32) -> vec3f {
-  let squeezed = clamp(1.3 - jacobian, 0.0, 1.0);
-  let thin = smoothstep(0.0, 0.75, rise) * squeezed;
+  let squeezed = clamp(1.6 - jacobian, 0.0, 1.0);
+  let thin = smoothstep(-0.05, 0.55, rise) * squeezed;
   if thin <= 0.0 || frame.sun.y <= -0.02 {
     return vec3f(0.0);
   }
@@ -68,8 +68,10 @@ fn water_crest(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f32) -> ve
   let cosine = dot(beam, -ray);
   let phase = (1.0 - g * g) / (4.0 * ATM_PI * pow(max(1.0 + g * g - 2.0 * g * cosine, 1e-3), 1.5));
   // A crest is some decimetres thick at its edge, and metres below it.
-  let path_m = 0.35 + 1.6 * frame.hs_m * max(0.75 - rise, 0.0);
-  let bubbles = water_bubbles(plume);
+  let path_m = 0.8 + 1.2 * frame.hs_m * max(0.75 - rise, 0.0);
+  // A crest about to break draws in air.
+  let air = clamp(0.9 - jacobian, 0.0, 0.7);
+  let bubbles = water_bubbles(plume) + WATER_PLUME * material.bubbles * air;
   let extinction = material.absorption + material.backscatter + bubbles;
   // Bubbles, too, scatter mostly forward; light scattered twice is still on its way.
   let forward = material.scatter + 12.0 * bubbles * material.bubble_colour;

@@ -59,7 +59,7 @@ fn water_foam(at: vec2f, foot: WaterFootprint) -> WaterFoam {
   if foam.x < 0.002 {
     return out;
   }
-  let size = foot.size * pow(f32(foot.taps), 0.6);
+  let size = foot.size * pow(f32(foot.taps), 0.85);
   let windrows = material_noise(FOAM_WINDROWS, at, size);
   let patches = material_noise(FOAM_PATCHES, at, size);
   let strands = material_noise(FOAM_STRANDS, at, size);

@@ -66,8 +66,8 @@ const NEEDS: &[(&str, &str, &str)] = &[
     ("shininess", "specular=blinn-phong", ""),
     // The sun low before the camera.
     ("glittercut", "sunaz=40&sun=8&overcast=0", ""),
-    ("glitter", "sunaz=40&overcast=0", ""),
-    ("glitterfresnel", "sunaz=40&overcast=0", ""),
+    ("glitter", "sunaz=40&sun=20&overcast=0", ""),
+    ("glitterfresnel", "sunaz=40&sun=20&overcast=0", ""),
     ("foamroughness", "sunaz=40&sun=20&overcast=0", ""),
     ("foamrelief", "y=3&pitch=-30", ""),
     ("caustics", "sun=60&overcast=0&depth=4&wind=6&pitch=-30", ""),

@@ -8,6 +8,7 @@ use seastate::gpu::device::Gpu;
 use seastate::model::{Params, query};
 use seastate::ocean::Ocean;
 use seastate::sim::MAX_STEPS;
+use std::collections::BTreeMap;
 
 const SIZE: [u32; 2] = [160, 96];
 
@@ -171,17 +172,17 @@ fn water(pixels: &[[u8; 4]]) -> [f64; 3] {
 #[test]
 fn the_bed_shows_through_shallow_water_only() {
     let gpu = gpu();
-    let at = |more: &str| render(&gpu, &format!("wind=4&fetch=15&n=64&t=20&sun=60&pitch=-25&water=ia{more}"));
+    let at = |more: &str| render(&gpu, &format!("wind=4&fetch=15&n=64&t=20&sun=60&pitch=-25{more}"));
     let off =
         |a: &[[u8; 4]], b: &[[u8; 4]]| water(a).iter().zip(water(b)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    let (shallow, deep) = (at("&depth=3"), at("&depth=200"));
-    assert!(off(&shallow, &at("&depth=3&bedcolour=400000")) > 20.0, "the sand's colour is seen at 3 m");
+    let (shallow, deep) = (at("&depth=3&water=ia"), at("&depth=200&water=ia"));
+    assert!(off(&shallow, &at("&depth=3&water=ia&bedcolour=400000")) > 20.0, "the sand's colour is seen at 3 m");
     assert!(off(&shallow, &deep) > 20.0, "3 m of water are not 200");
-    assert_eq!(deep, at("&depth=200&bedcolour=400000&caustics=1"), "no bed is seen at 200 m");
+    assert_eq!(deep, at("&depth=200&water=ia&bedcolour=400000&caustics=1"), "no bed is seen at 200 m");
     let [red, green, blue] = water(&shallow);
     assert!(green > red && blue > red, "water takes the red out: {red} {green} {blue}");
     // Muddy water hides it.
-    let muddy = |more: &str| at(&format!("&depth=3&water=9c{more}"));
+    let muddy = |more: &str| at(&format!("&depth=10&water=9c{more}"));
     assert!(off(&muddy(""), &muddy("&bedcolour=400000")) < 3.0);
 }
 

@@ -6,7 +6,7 @@ use half::f16;
 use seastate::gpu::device::Gpu;
 use seastate::gpu::readback;
 use seastate::gpu::shaders::Shaders;
-use seastate::model::query;
+use seastate::model::{query, slopes};
 use seastate::ocean::Ocean;
 use seastate::render;
 use std::collections::BTreeSet;
@@ -652,9 +652,39 @@ fn compare_surface(kernel: &Kernel<'_>) -> Vec<Line> {
     ]
 }
 
+/// Light on the bed: the waves move it about, and neither add to it nor take from it.
+fn compare_caustics(kernel: &Kernel<'_>) -> Vec<Line> {
+    let plan = kernel.bench.ocean.plan();
+    const SIDE: u32 = 96;
+    let step = plan.cascades[0].patch_m / f64::from(SIDE);
+    let (mut off, mut contrast) = (0.0f64, f64::INFINITY);
+    // The waves of the bench are long: so must their focal lengths be.
+    for depth_m in [200.0, 600.0, 1500.0] {
+        let focusing_m = slopes::focusing_m(plan, depth_m * (1.0 - 1.0 / INDEX));
+        let cases: Vec<Case> = (0..SIDE * SIDE)
+            .map(|i| {
+                let at = DVec2::new(f64::from(i % SIDE), f64::from(i / SIDE)) * step;
+                let mut case = place_case(7.0, at, focusing_m);
+                case[1][0] = depth_m as f32;
+                case
+            })
+            .collect();
+        let got: Vec<f64> = kernel.ask(&cases).iter().map(|a| a[0]).collect();
+        let mean = got.iter().sum::<f64>() / got.len() as f64;
+        let deviation = (got.iter().map(|g| (g - mean).powi(2)).sum::<f64>() / got.len() as f64).sqrt();
+        eprintln!("{depth_m} m: waves over {focusing_m:.2} m, mean {mean:.3}, deviation {deviation:.3}");
+        off = off.max((mean - 1.0).abs());
+        contrast = contrast.min(deviation);
+    }
+    vec![
+        line("mean light under caustics off 1", off, 5e-2),
+        line("contrast of caustics under 0.05", 0.05 - contrast, 0.0),
+    ]
+}
+
 fn compare(bench: &mut Bench, shaders: Shaders) -> Vec<Line> {
     let kernel = bench.kernel(shaders);
-    [compare_fresnel, compare_seen, compare_mirror, compare_glitter, compare_furnace, compare_surface]
+    [compare_fresnel, compare_seen, compare_mirror, compare_glitter, compare_furnace, compare_caustics, compare_surface]
         .iter()
         .flat_map(|comparison| comparison(&kernel))
         .collect()

@@ -347,7 +347,7 @@ pub struct Bed {
 
 impl Default for Bed {
     fn default() -> Self {
-        Self { colour: f64::from(0x00c2_b08a), caustics: 0.0 }
+        Self { colour: f64::from(0x00d8_ccb0), caustics: 0.0 }
     }
 }
 

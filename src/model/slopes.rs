@@ -53,9 +53,9 @@ pub fn residual(plan: &Plan, resolved: SlopeVariance) -> SlopeVariance {
 }
 
 /// Length below which waves focus light closer to the surface than `reach_m` (depth times 1 - 1/n), so that their images on
-/// the bed overlap and even out: the waves longer than that have a strain of the refracted rays below one half.
+/// the bed overlap and even out: the waves longer than that have a strain of the refracted rays of some six tenths.
 pub fn focusing_m(plan: &Plan, reach_m: f64) -> f64 {
-    const STRAIN_VARIANCE: f64 = 0.25;
+    const STRAIN_VARIANCE: f64 = 0.4;
     let (low, high) = (plan.dispersion.wave_number(plan.support().0).max(1e-4), plan.k_max().max(2e-4));
     let step = (high / low).ln() / STEPS as f64;
     let mut variance = 0.0;
