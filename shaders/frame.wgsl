@@ -23,6 +23,8 @@ struct Frame {
   tile_cell: array<vec4i, 5>,
   // Covariance of the slopes that neither the maps nor the ripples hold: xx, zz, xz.
   residual: vec4f,
+  // Texels to the shortest wave of each cascade.
+  sampling: vec4f,
   // Foam levels: centre relative to the eye, half the valid side, 1 / texel; and texture coordinates of the eye's foot.
   foam_place: array<vec4f, 4>,
   foam_uv: array<vec4f, 4>,

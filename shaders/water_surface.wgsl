@@ -1,8 +1,11 @@
 // The surface from the maps of the simulation: every cascade blended from shifted copies (tiles.wgsl).
 
-// Footprint over patch beyond which a cascade is nothing but variance: the longest waves of its band are shorter than the
-// footprint then, and less than 1 % of its slopes is left in their mean.
-const WATER_FAR = 0.15;
+// Geometric mean of a footprint's sides over the patch from which on the slopes of a cascade fade into variance, and where
+// nothing else is left: its longest waves are as short as the footprint, and 2 % of its slopes would be left in their mean.
+const WATER_FADE = 0.08;
+const WATER_FAR = 0.16;
+// Slopes of waves of more texels than this are smooth enough between them without a spline.
+const WATER_SMOOTH = 6.0;
 
 // Catmull-Rom's spline over 4 x 4 texels in five bilinear taps; the corners, at most 1.6 % of the weight, are left out.
 struct WaterSpline {
@@ -131,9 +134,10 @@ fn water_waves(at: vec2f, foot: WaterFootprint, layer: u32, place: vec4f, tile: 
   let texels = foot.size * place.z * frame.n;
   let long = max(length(foot.axis) * place.z * frame.n, texels);
   let blend = tile_blend(tile, at);
-  let distant = foot.size * place.z > WATER_FAR;
+  let share = 1.0 - smoothstep(WATER_FADE, WATER_FAR, sqrt(texels * long) / frame.n);
+  let distant = share <= 0.0;
   // Magnified: smooth between texels, in one tap.
-  let near = select(1.0 - smoothstep(0.7, 1.4, long), 0.0, distant);
+  let near = select(0.0, 1.0 - smoothstep(0.8, 1.25, long), frame.sampling[layer] < WATER_SMOOTH);
   let spline = water_spline(uv, frame.n);
   for (var i = 0u; i < select(0u, blend.count, near > 0.0); i++) {
     let shift = tile_shift(tile, blend, i);
@@ -141,23 +145,29 @@ fn water_waves(at: vec2f, foot: WaterFootprint, layer: u32, place: vec4f, tile: 
     let d = textureSampleLevel(displacement_map, wave_sampler, uv + shift, layer, 0.0);
     water_add(&out, g, d, near * vec3f(blend.weight[i], blend.along_x[i], blend.along_z[i]));
   }
-  // Several texels in the footprint, as many taps as are worth it. The weights are those of its middle.
+  // Several texels in the footprint: as many taps as are worth it, half as many for the smoother moments, and one for the
+  // displacement, whose part in the slope is of second order. The weights are those of the middle.
   let taps = clamp(i32(ceil(long / max(texels, 1.0) - 0.3)), 1, foot.taps);
+  let pairs = (taps + 1) / 2;
   let lod = log2(max(texels, 1e-6));
+  let long_lod = log2(max(long, 1e-6));
+  let wide_lod = min(lod + log2(f32(taps) / f32(pairs)), long_lod) - 1.0;
   for (var i = 0u; i < select(blend.count, 0u, near >= 1.0 || distant); i++) {
-    let shift = tile_shift(tile, blend, i);
+    let middle = uv + tile_shift(tile, blend, i);
+    let along = foot.axis * place.z;
     var g = vec4f(0.0);
-    var d = vec4f(0.0);
-    var second = vec3f(0.0);
     for (var k = 0; k < taps; k++) {
-      let tap = uv + shift + foot.axis * (((f32(k) + 0.5) / f32(taps) - 0.5) * place.z);
+      let tap = middle + along * ((f32(k) + 0.5) / f32(taps) - 0.5);
       g += textureSampleLevel(gradients_map, wave_sampler, tap, layer, lod);
-      d += textureSampleLevel(displacement_map, wave_sampler, tap, layer, lod);
-      second += textureSampleLevel(moments_map, wave_sampler, tap, layer, lod - 1.0).xyz;
     }
-    g /= f32(taps);
-    d /= f32(taps);
-    second *= place.w / f32(taps);
+    var second = vec3f(0.0);
+    for (var k = 0; k < pairs; k++) {
+      let tap = middle + along * ((f32(k) + 0.5) / f32(pairs) - 0.5);
+      second += textureSampleLevel(moments_map, wave_sampler, tap, layer, wide_lod).xyz;
+    }
+    g *= share / f32(taps);
+    second *= place.w / f32(pairs);
+    let d = share * textureSampleLevel(displacement_map, wave_sampler, middle, layer, long_lod);
     water_add(&out, g, d, (1.0 - near) * vec3f(blend.weight[i], blend.along_x[i], blend.along_z[i]));
     // Copies are independent: their variances add with the squares of the weights. The moments know nothing finer than two
     // texels; closer up they would count resolved waves twice. From where on they count is fitted to the whole.

@@ -60,6 +60,7 @@ pub struct FrameUniform {
     tile_lattice: [[f32; 4]; MAX_CASCADES + 1],
     tile_cell: [[i32; 4]; MAX_CASCADES + 1],
     residual: [f32; 4],
+    sampling: [f32; MAX_CASCADES],
     foam_place: [[f32; 4]; FOAM_LEVELS],
     foam_uv: [[f32; 4]; FOAM_LEVELS],
     mesh: [f32; 4],
@@ -106,6 +107,7 @@ impl FrameUniform {
             tile_lattice,
             tile_cell,
             residual,
+            sampling,
             foam_place,
             foam_uv,
             mesh,
@@ -136,7 +138,9 @@ impl FrameUniform {
         let foot = [view.eye.x, view.eye.z];
         let n = f64::from(maps.n);
         let mut cascades = [[0.0; 4]; MAX_CASCADES];
-        for (out, map) in cascades.iter_mut().zip(&maps.cascades) {
+        let mut sampling = [0.0; MAX_CASCADES];
+        for ((out, texels), map) in cascades.iter_mut().zip(&mut sampling).zip(&maps.cascades) {
+            *texels = (map.shortest_m * n / map.patch_m) as f32;
             let [u, v] = foot.map(|x| ((x / map.patch_m).rem_euclid(1.0) + 0.5 / n) as f32);
             *out = [u, v, (1.0 / map.patch_m) as f32, map.moment_scale];
         }
@@ -170,6 +174,7 @@ impl FrameUniform {
             cascades,
             ripples,
             tile_lattice: tiles.map(|t| [t.turn[0], t.turn[1], t.rest[0], t.rest[1]]),
+            sampling,
             tile_cell: tiles.map(|t| [t.cell[0], t.cell[1], t.key as i32, t.on as i32]),
             residual,
             foam_place,

@@ -4,6 +4,7 @@ use super::resources::{Resources, view};
 use crate::gpu::layout::TilePlace;
 use crate::model::Plan;
 use crate::model::tiling::{Place, Tiling};
+use std::f64::consts::TAU;
 
 /// Views of the current sea and what is needed to sample them. A texel (i, j) of a map holds the point
 /// x = i patch/n, z = j patch/n: uv = x / patch + 0.5 / n, repeating.
@@ -43,6 +44,8 @@ pub struct MapCascade {
     pub patch_m: f64,
     /// How it covers the plane.
     pub tiling: Tiling,
+    /// Its shortest wave, m.
+    pub shortest_m: f64,
     /// Unit of the moments.
     pub moment_scale: f32,
 }
@@ -98,7 +101,8 @@ impl Maps {
                 // Half the cascade's mean square slope is one component's; half floats then hold numbers near 1.
                 let mss = plan.slope_variance_between(c.k_low, c.k_high);
                 let moment_scale = if mss > 1e-12 { 0.5 * mss as f32 } else { 1.0 };
-                MapCascade { patch_m: c.patch_m, tiling: plan.tiling(c), moment_scale }
+                let shortest_m = TAU / c.k_high.max(c.dk());
+                MapCascade { patch_m: c.patch_m, tiling: plan.tiling(c), shortest_m, moment_scale }
             })
             .collect();
     }
