@@ -10,6 +10,8 @@
 @group(0) @binding(7) var noise_sampler: sampler;
 @group(0) @binding(8) var transmittance_map: texture_2d<f32>;
 
+@group(1) @binding(0) var file_map: texture_2d<f32>;
+
 struct SkyVertex {
   @builtin(position) clip: vec4f,
   @location(0) ray: vec3f,
@@ -22,18 +24,84 @@ fn vertex(@builtin(vertex_index) i: u32) -> SkyVertex {
   return SkyVertex(vec4f(at, 0.0, 1.0), frame.forward + frame.right * at.x + frame.up * at.y);
 }
 
+// The sun's disc: limb darkening as a power of the cosine (Hestroffer and Magnan 1998; 0.45 at 550 nm), and the radiance that
+// gives the disc the sun's irradiance whatever its size.
+fn sky_disc(dir: vec3f) -> vec3f {
+  let rim = length(cross(dir, frame.sun)) / sin(sky.sun_radius);
+  let edge = frame.pixel / sky.sun_radius;
+  if dot(dir, frame.sun) < 0.0 || rim > 1.0 + edge {
+    return vec3f(0.0);
+  }
+  let disc = 1.0 - smoothstep(1.0 - edge, 1.0 + edge, rim);
+  let dark = pow(max(1.0 - rim * rim, 1e-4), 0.5 * sky.sun_falloff);
+  let solid = ATM_PI * sin(sky.sun_radius) * sin(sky.sun_radius);
+  // A disc smaller than a pixel is as bright as the pixel makes it.
+  let shown = min(1.0, 1.0 / (edge * edge));
+  let through = atm_transmittance(transmittance_map, sky_sampler, 0.001 * frame.eye_m, dir.y, 0.25 * sky.sun_radius);
+  return atm_rgb(through) * sky.tint * (disc * dark * shown * (1.0 + 0.5 * sky.sun_falloff) / solid);
+}
+
+fn sky_hash(p: vec3u) -> vec3f {
+  var v = p * 1664525u + 1013904223u;
+  v.x += v.y * v.z;
+  v.y += v.z * v.x;
+  v.z += v.x * v.y;
+  v = v ^ (v >> vec3u(16u));
+  v.x += v.y * v.z;
+  v.y += v.z * v.x;
+  v.z += v.x * v.y;
+  return vec3f(v >> vec3u(8u)) / 16777216.0;
+}
+
+// Stars: one in each cell of a cube, half a decade more of them a magnitude; the
+// eye's own blur spreads each over a little more than a pixel.
+fn sky_stars(dir: vec3f) -> vec3f {
+  let a = abs(dir);
+  let face = select(select(2u, 1u, a.y >= a.z), 0u, a.x >= max(a.y, a.z));
+  let major = select(select(dir.z, dir.y, face == 1u), dir.x, face == 0u);
+  let plane = select(select(dir.xy, dir.xz, face == 1u), dir.yz, face == 0u) / abs(major);
+  const CELLS = 26.0;
+  let cell = floor((0.5 + 0.5 * plane) * CELLS);
+  let key = vec3u(vec2u(cell), face * 2u + select(0u, 1u, major < 0.0) + 17u);
+  let place = sky_hash(key);
+  let more = sky_hash(key + 1000u);
+  let at = (cell + 0.1 + 0.8 * place.xy) / CELLS * 2.0 - 1.0;
+  let size = max(0.75 * frame.pixel, 4e-4);
+  let off = length(at - plane) / (size * (1.0 + dot(plane, plane)));
+  // Illuminance of a star of magnitude m is 2.5e-6 lux x 10^(-0.4 m), and 6400 lux are the unit.
+  let magnitude = 6.3 + 2.0 * log2(max(place.z, 1e-3)) / 3.3219;
+  let lux = 2.5e-6 * exp2(-1.3288 * magnitude) / 6400.0;
+  let hue = mix(vec3f(1.15, 0.95, 0.75), vec3f(0.85, 0.97, 1.25), more.x);
+  return hue * (lux * sky.unit * exp(-0.5 * off * off) / (2.0 * ATM_PI * size * size));
+}
+
 @fragment
 fn fragment(in: SkyVertex) -> @location(0) vec4f {
   let dir = normalize(in.ray);
-  let above = asin(clamp(dir.y, -1.0, 1.0)) + frame.dip;
-  let air = sky_radiance(dir, max(above, 0.0), frame.pixel);
-  // Limb darkening, Hestroffer and Magnan 1998 at 550 nm; the radiance is that of a disc with the sun's irradiance.
-  let sine = length(cross(dir, frame.sun));
-  let rim = sine / ATM_SUN_RADIUS;
-  let edge = frame.pixel / ATM_SUN_RADIUS;
-  let disc = select(0.0, 1.0 - smoothstep(1.0 - edge, 1.0 + edge, rim), dot(dir, frame.sun) > 0.0);
-  let dark = pow(sqrt(max(1.0 - min(rim * rim, 1.0), 1e-4)), 0.45);
-  let through = atm_transmittance(transmittance_map, sky_sampler, 0.001 * frame.eye_m, dir.y);
-  let sun = ATM_SUN * through * (dark * 1.22 / (ATM_PI * ATM_SUN_RADIUS * ATM_SUN_RADIUS));
-  return frame_colour(min(air.rgb + disc * air.w * (1.0 - frame.overcast) * sun * step(0.0, above), vec3f(6e4)));
+  let above = max(asin(clamp(dir.y, -1.0, 1.0)) + frame.dip, 0.0);
+  var radiance = vec3f(0.0);
+  if sky.file > 0.0 {
+    // The file's horizon is drawn down to where the eye sees it; its ground stays out of the filter.
+    let lowered = above - frame.dip * (1.0 - exp(-above / (3.0 * frame.dip + 1e-6)));
+    let elevation = max(lowered, 0.75 * ATM_PI / f32(textureDimensions(file_map).y));
+    let lifted = vec3f(normalize(dir.xz + vec2f(1e-9, 0.0)) * cos(elevation), sin(elevation)).xzy;
+    let lod = log2(frame.pixel * f32(textureDimensions(file_map).y) / ATM_PI);
+    radiance = sky.file_gain * textureSampleLevel(file_map, sky_sampler, sky_file_uv(lifted), lod).rgb;
+  } else {
+    let air = sky_radiance(dir, above, frame.pixel, sky.drift);
+    radiance = air.rgb;
+    if dir.y > -frame.dip {
+      var beyond = sky_disc(dir);
+      if sky.sun.y < -0.05 {
+        let through = atm_transmittance(transmittance_map, sky_sampler, 0.001 * frame.eye_m, dir.y, 1e-3);
+        beyond += sky_stars(dir) * through.y;
+      }
+      radiance += beyond * (air.w * (1.0 - sky.overcast));
+    }
+  }
+  if sky.fog.x > 0.0 {
+    let fog = air_fog(dir, FOG_FAR_M);
+    radiance = radiance * fog.w + fog.rgb;
+  }
+  return frame_colour(min(radiance, vec3f(6e4)));
 }

@@ -1,4 +1,4 @@
-// The sky without the sun's disc and, below the horizon, a guess of the sea: what reflected rays see. Azimuth by elevation.
+// The sky without the sun's disc, behind fog if there is any, and, below the horizon, a guess of the sea: what reflected rays see. Azimuth by elevation.
 
 @group(0) @binding(0) var<uniform> sky: Sky;
 @group(0) @binding(1) var<storage, read> light: Light;
@@ -6,7 +6,9 @@
 @group(0) @binding(3) var sky_sampler: sampler;
 @group(0) @binding(4) var noise_map: texture_2d<f32>;
 @group(0) @binding(5) var noise_sampler: sampler;
-@group(0) @binding(6) var environment_out: texture_storage_2d<rgba16float, write>;
+// The file's sky without its sun.
+@group(0) @binding(6) var file_map: texture_2d<f32>;
+@group(0) @binding(7) var environment_out: texture_storage_2d<rgba16float, write>;
 
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
@@ -27,6 +29,14 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     own = (light.sky + light.sun * max(sky.sun.y, 0.0)) * vec3f(0.0012, 0.0045, 0.0085);
   }
   let dir = vec3f(heading.x * cos(above), sin(above), heading.y * cos(above));
-  let radiance = sky_radiance(dir, above, pixel).rgb * gain + own;
-  textureStore(environment_out, id.xy, vec4f(radiance, 1.0));
+  var radiance = vec3f(0.0);
+  if sky.file > 0.0 {
+    radiance = sky.file_gain * textureSampleLevel(file_map, sky_sampler, sky_file_uv(dir), 0.0).rgb;
+  } else {
+    radiance = sky_radiance(dir, above, pixel, sky.mirror_drift).rgb;
+  }
+  if sky.fog.x > 0.0 {
+    radiance = mix(fog_radiance(dir), radiance, fog_through(0.0, dir.y, 0.0, FOG_FAR_M));
+  }
+  textureStore(environment_out, id.xy, vec4f(min(radiance * gain + own, vec3f(6e4)), 1.0));
 }

@@ -41,15 +41,32 @@ fn clear(@builtin(local_invocation_index) thread: u32) {
   }
   let total = light_reduce(thread, sum);
   if thread == 0u {
-    let through = atm_transmittance(transmittance_map, sky_sampler, 0.0, sky.sun.y);
-    let beam = ATM_SUN * through;
-    let globally = total.rgb + beam * max(sky.sun.y, 0.0);
+    let through = atm_transmittance(transmittance_map, sky_sampler, 0.0, sky.sun.y, sky.sun_radius);
+    var beam = atm_rgb(through) * sky.tint;
+    var diffuse = total.rgb;
+    if sky.file > 0.0 {
+      beam = sky.file_sun;
+      diffuse = sky.file_sky;
+    }
+    let high = max(sky.sun.y, 0.0);
+    let globally = diffuse + beam * high;
     light.direct = pow(1.0 - sky.overcast, 1.5);
     light.sun = beam * light.direct;
-    light.sky = total.rgb;
+    light.sky = diffuse;
     // A deck scatters all colours alike; a trace of the blue sky above it stays.
     let grey = mix(vec3f(sky_luminance(globally)), globally, 0.35) * vec3f(0.92, 1.0, 1.09);
     light.deck = grey * (LIGHT_DECK * 9.0 / (7.0 * ATM_PI));
+    light.fog_sky = vec3f(0.0);
+    light.fog_sun = vec3f(0.0);
+    if sky.fog.x > 0.0 {
+      // The sun that reaches the middle of the fog, and the light of all directions there: what the fog above has taken
+      // from the sun comes as diffuse light. About as much goes up as comes down.
+      let o = sky.overcast * sky.overcast;
+      let sunlight = fog_through(0.5 * max(sky.fog.w, 0.0), sky.sun.y, 0.0, FOG_FAR_M);
+      light.fog_sun = light.sun * sunlight;
+      let lost = light.sun * (high * (1.0 - sunlight));
+      light.fog_sky = (mix(diffuse, LIGHT_DECK * grey, o) + lost) * (0.6 / ATM_PI);
+    }
   }
 }
 
@@ -71,11 +88,15 @@ fn whole(@builtin(local_invocation_index) thread: u32) {
   let total = light_reduce(thread, sum);
   if thread == 0u {
     light.sky = total.rgb;
+    if sky.fog.x > 0.0 {
+      light.sun *= fog_through(0.0, sky.sun.y, 0.0, FOG_FAR_M);
+    }
     // Solid angle of the weight above, once around.
     let band = total.w / 2.1;
     let ground = sky_luminance(total.rgb + light.sun * max(sky.sun.y, 0.0)) / ATM_PI;
-    light.key = 0.85 * band + 0.2 * ground;
-    // An eye adapts, but not wholly: dusk stays darker than noon.
-    light.exposure = 0.56 / pow(light.key, 0.80);
+    // In the day's unit.
+    light.key = max((0.85 * band + 0.2 * ground) / sky.unit, 1e-9);
+    // An eye adapts, but not wholly: dusk stays darker than noon, and night is night.
+    light.exposure = 0.66 / pow(light.key, 0.77) / sky.unit;
   }
 }

@@ -32,8 +32,9 @@ fn sky_cloud_noise(p: vec2f, lod: f32) -> f32 {
   return a * 0.54 + b * 0.29 + c * 0.17;
 }
 
-// Sky with clouds, seen from near the sea; w is what of the sun's disc shows. `pixel` is the angle to be filtered over.
-fn sky_radiance(dir: vec3f, above: f32, pixel: f32) -> vec4f {
+// Sky with clouds, seen from near the sea; w is what of the sun's disc shows. `pixel` is the angle to be filtered over,
+// `drift` where the clouds have gone, km.
+fn sky_radiance(dir: vec3f, above: f32, pixel: f32, drift: vec2f) -> vec4f {
   let clear = sky_clear(dir, above);
   let o = sky.overcast;
   if o <= 0.0 || above < 0.0 {
@@ -42,7 +43,7 @@ fn sky_radiance(dir: vec3f, above: f32, pixel: f32) -> vec4f {
   }
   let s = sin(above);
   let t = sqrt(ATM_GROUND * ATM_GROUND * s * s + 2.0 * ATM_GROUND * SKY_CLOUD_KM) - ATM_GROUND * s;
-  let p = normalize(dir.xz + vec2f(1e-9, 0.0)) * (t * cos(above)) + sky.drift;
+  let p = normalize(dir.xz + vec2f(1e-9, 0.0)) * (t * cos(above)) - drift;
   // The tile is seen foreshortened; between the two sides of the footprint lies the least blur without shimmer.
   let footprint = t * pixel / sqrt(max(s, SKY_CLOUD_KM / t));
   let lod = log2(max(footprint * 512.0 / SKY_TILE_KM, 1e-3));
@@ -61,4 +62,10 @@ fn sky_radiance(dir: vec3f, above: f32, pixel: f32) -> vec4f {
   let shown = cover * exp(-t / 38.0);
   let air = mix(base, mix(clear, sky_deck(above), o), cover);
   return vec4f(mix(air, body, shown), pow(1.0 - cover, 6.0));
+}
+
+// Where a direction lies in a sky's file: its middle is the horizon at the heading `turn`.
+fn sky_file_uv(dir: vec3f) -> vec2f {
+  let azimuth = atan2(dir.x, -dir.z) / (2.0 * ATM_PI);
+  return vec2f(0.5 + azimuth - sky.turn, 0.5 - asin(clamp(dir.y, -1.0, 1.0)) / ATM_PI);
 }

@@ -8,12 +8,13 @@
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
   let at = vec2f(id.xy) / (ATM_M_SIZE - 1.0);
-  let mu_sun = 2.0 * at.x - 1.0;
+  let x = 2.0 * at.x - 1.0;
+  let mu_sun = x * abs(x);
   let h = ATM_TOP * at.y * at.y;
   let r = ATM_GROUND + h;
   let sun = vec3f(sqrt(max(1.0 - mu_sun * mu_sun, 0.0)), mu_sun, 0.0);
-  var second = vec3f(0.0);
-  var again = vec3f(0.0);
+  var second = vec4f(0.0);
+  var again = vec4f(0.0);
   const SIDE = 8;
   const STEPS = 20;
   for (var i = 0; i < SIDE * SIDE; i++) {
@@ -24,7 +25,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let ground = atm_to_ground(h, mu);
     let far = select(atm_to_top(h, mu), ground, ground >= 0.0);
     let nu = dot(dir, sun);
-    var through = vec3f(1.0);
+    var through = vec4f(1.0);
     for (var k = 0; k < STEPS; k++) {
       let dt = far / f32(STEPS);
       let t = (f32(k) + 0.4) * dt;
@@ -33,17 +34,17 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
       let m = atm_medium(ht, sky.haze);
       let step = exp(-m.extinction * dt);
       let scattering = m.rayleigh + m.mie;
-      let share = through * (scattering / max(m.extinction, vec3f(1e-9))) * (1.0 - step);
-      second += share * atm_transmittance(transmittance_map, sky_sampler, ht, mu_s) / (4.0 * ATM_PI);
+      let share = through * (scattering / max(m.extinction, vec4f(1e-9))) * (1.0 - step);
+      second += share * atm_transmittance(transmittance_map, sky_sampler, ht, mu_s, sky.sun_radius) / (4.0 * ATM_PI);
       again += share;
       through *= step;
     }
     if ground >= 0.0 {
       let mu_s = (r * mu_sun + ground * nu) / ATM_GROUND;
-      let lit = atm_transmittance(transmittance_map, sky_sampler, 0.0, mu_s) * max(mu_s, 0.0);
+      let lit = atm_transmittance(transmittance_map, sky_sampler, 0.0, mu_s, sky.sun_radius) * max(mu_s, 0.0);
       second += through * lit * (ATM_SEA_ALBEDO / ATM_PI);
     }
   }
   let n = f32(SIDE * SIDE);
-  textureStore(multiple_out, id.xy, vec4f(second / n / (1.0 - again / n), 1.0));
+  textureStore(multiple_out, id.xy, sqrt(second / n / (1.0 - again / n)));
 }

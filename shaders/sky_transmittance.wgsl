@@ -10,7 +10,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let dip = atm_dip(h);
   let mu = sin(at.x * at.x * (0.5 * ATM_PI + dip) - dip);
   let far = atm_to_top(h, mu);
-  var depth = vec3f(0.0);
+  var depth = vec4f(0.0);
   const STEPS = 48;
   for (var i = 0; i < STEPS; i++) {
     // Steps grow with the distance: the dense air is near.
@@ -19,5 +19,5 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let t = far * 0.5 * (a * a + b * b);
     depth += atm_medium(atm_altitude(h, mu, t), sky.haze).extinction * (far * (b * b - a * a));
   }
-  textureStore(transmittance_out, id.xy, vec4f(exp(-depth), 1.0));
+  textureStore(transmittance_out, id.xy, exp(-depth));
 }

@@ -30,8 +30,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let r = ATM_GROUND + h;
   let rayleigh = atm_rayleigh_phase(nu);
   let mie = atm_mie_phase(nu);
-  var through = vec3f(1.0);
-  var radiance = vec3f(0.0);
+  var through = vec4f(1.0);
+  var radiance = vec4f(0.0);
   const STEPS = 40;
   for (var i = 0; i < STEPS; i++) {
     let a = f32(i) / f32(STEPS);
@@ -41,14 +41,15 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let ht = atm_altitude(h, mu, t);
     let mu_s = (r * sky.sun.y + t * nu) / (ATM_GROUND + ht);
     let m = atm_medium(ht, sky.haze);
-    let lit = atm_transmittance(transmittance_map, sky_sampler, ht, mu_s);
+    let lit = atm_transmittance(transmittance_map, sky_sampler, ht, mu_s, sky.sun_radius);
     let more = atm_multiple(multiple_map, sky_sampler, ht, mu_s);
     let source = lit * (m.rayleigh * rayleigh + m.mie * mie) + more * (m.rayleigh + m.mie);
     let step = exp(-m.extinction * dt);
-    radiance += through * source * (1.0 - step) / max(m.extinction, vec3f(1e-9));
+    radiance += through * source * (1.0 - step) / max(m.extinction, vec4f(1e-9));
     through *= step;
   }
-  // Starlight and airglow, so that no night is black.
-  let night = select(0.0, 1.0, upper) * vec3f(0.6, 0.8, 1.2) * 2e-6;
-  textureStore(view_out, id.xy, vec4f(min(radiance * ATM_SUN + night * ATM_SUN, vec3f(6e4)), 1.0));
+  // Starlight and airglow of a moonless night, as blue as the dark-adapted eye sees them; airglow is brighter low in the
+  // sky, where one looks through more of it, until the air takes it back.
+  let glow = SKY_NIGHT * sky.unit * (1.0 + 1.2 * pow(1.0 - max(mu, 0.0), 3.0)) * select(0.3, 1.0, upper);
+  textureStore(view_out, id.xy, vec4f(min(atm_rgb(radiance) * sky.tint + glow, vec3f(6e4)), 1.0));
 }

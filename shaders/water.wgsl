@@ -50,28 +50,6 @@ fn vertex(@builtin(vertex_index) i: u32) -> WaterVertex {
   return water_vertex(i);
 }
 
-// Air between the eye and a point at a distance: the light that it adds, and the share that it lets through.
-fn water_air(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
-  let km = 0.001 * distance_m;
-  let eye = 0.001 * frame.eye_m;
-  // Mean density along the straight path from the eye down to the sea.
-  let thin = vec2f(eye / ATM_RAYLEIGH_HEIGHT, eye / ATM_MIE_HEIGHT) + 1e-4;
-  let mean = (1.0 - exp(-thin)) / thin;
-  let extinction = ATM_RAYLEIGH * mean.x + ATM_MIE * (frame.haze * mean.y);
-  let through = exp(-extinction * km);
-  // The table holds the air down to the still sea in this direction; a crest before it has less air in front.
-  let below = min(asin(clamp(dir.y, -1.0, 1.0)) + frame.dip, -1e-5);
-  let fall = sin(frame.dip - below);
-  let root = max(fall * fall - sin(frame.dip) * sin(frame.dip), 0.0);
-  let whole_km = ATM_GROUND * (fall - sqrt(root));
-  let whole = exp(-extinction * whole_km);
-  let share = clamp((1.0 - through) / max(1.0 - whole, vec3f(1e-6)), vec3f(0.0), vec3f(1.0));
-  let clear = sky_clear(dir, below) * share;
-  let grey = sky_deck(0.0) * (1.0 - through);
-  let o = frame.overcast * frame.overcast;
-  return array<vec3f, 2>(mix(clear, grey, o), through);
-}
-
 // Weight of a sample of a reference: its slope came from a place of the mesh, but it is seen by the area that it turns to
 // the eye. The mean over what the mesh cannot show is 1.
 fn water_weight(v: vec3f, slope: WaterSlope, at: vec2f) -> f32 {
@@ -132,7 +110,7 @@ fn fragment(in: WaterVertex) -> @location(0) vec4f {
     surface = mix(water, water_foam_light(v, slope.mean, foam), foam.cover);
   }
 
-  let air = water_air(dir, distance_m);
+  let air = air_between(dir, distance_m);
   let colour = surface * air[1] + air[0];
   if frame.footprint == 0.0 {
     return vec4f(colour, water_weight(v, slope, at));

@@ -14,6 +14,9 @@ pub use crate::render::{Grid, Part};
 /// Lowest eye above the still water, m; the picture raises it over the waves that come.
 const LOWEST_EYE_M: f64 = 0.5;
 
+/// Speed of low clouds over the wind 10 m above the sea: the logarithmic profile up to the top of the boundary layer.
+const CLOUDS_OVER_WIND: f64 = 1.4;
+
 /// A sea on a device, with its renderer.
 pub struct Ocean {
     params: Params,
@@ -164,6 +167,7 @@ impl Ocean {
                 focusing_m: slopes::focusing_m(plan, reach_m.max(0.0)) as f32,
                 mean_foam: self.sim.foam_coverage() as f32,
                 lambda_p_m: (std::f64::consts::TAU / peak_k) as f32,
+                cloud_drift_m: plan.downwind.map(|w| w * CLOUDS_OVER_WIND * wind_m_s * self.params.clock.t_s),
             },
         }
     }

@@ -116,6 +116,40 @@ fn a_dropped_buoy_becomes_the_sea() {
 }
 
 #[test]
+fn a_dropped_sky_is_shown_and_carried_by_name() {
+    let folder = std::env::temp_dir().join("seastate-sky-test");
+    std::fs::create_dir_all(&folder).expect("a temporary folder");
+    // A blue sky with a sun of 2 x 2 pixels, 45 degrees high in the east.
+    let image = image::Rgb32FImage::from_fn(128, 64, |x, y| {
+        let sun = (95..97).contains(&x) && (15..17).contains(&y);
+        image::Rgb(if sun { [900.0; 3] } else { [0.3, 0.5, 1.0] })
+    });
+    let good = folder.join("made up.hdr");
+    image.save(&good).expect("a file");
+    let mut harness = open("n=64&pause=1");
+    drop_files(&mut harness, std::slice::from_ref(&good));
+    assert_eq!(harness.state().state(), "pause=1&n=64&sky=made+up.hdr");
+    harness.get_by_label_contains("128 x 64, sun 45° high");
+
+    // A truncated file leaves the sky as it is and says why.
+    let bytes = std::fs::read(&good).expect("the file");
+    let bad = folder.join("half.hdr");
+    std::fs::write(&bad, &bytes[..bytes.len() / 2]).expect("a file");
+    drop_files(&mut harness, &[bad]);
+    assert_eq!(harness.state().state(), "pause=1&n=64&sky=made+up.hdr");
+    harness.get_by_label_contains("half.hdr: it ends too early");
+
+    // A link that names it shows it again, one that names another says so.
+    harness.state_mut().set_state("n=64&pause=1&sky=made+up.hdr");
+    harness.run_steps(2);
+    assert!(harness.query_by_label_contains("is not loaded").is_none());
+    harness.state_mut().set_state("n=64&pause=1&sky=other.hdr");
+    harness.run_steps(2);
+    harness.get_by_label_contains("\"other.hdr\" is not loaded");
+    assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+}
+
+#[test]
 fn keys_fly_the_camera() {
     let mut harness = open("n=64&pause=1&heading=90&x=0");
     harness.key_down(egui::Key::W);

@@ -42,6 +42,19 @@ fn bad_arguments_are_one_line_and_exit_code_2() {
 }
 
 #[test]
+fn a_bad_sky_is_one_line_that_names_it() {
+    let folder = folder("skies");
+    let text = folder.join("notes.hdr");
+    std::fs::write(&text, "no picture").expect("a file");
+    for path in [text.to_str().expect("a path"), "/nonexistent/sky.exr"] {
+        let output = seastate(&["render", "n=64", "--size", "8x8", "--sky", path]);
+        let said = complaints(&output);
+        assert_eq!((output.status.code(), said.len()), (Some(2), 1), "{output:?}");
+        assert!(said[0].contains(if path.ends_with(".exr") { "sky.exr" } else { "notes.hdr: neither" }), "{said:?}");
+    }
+}
+
+#[test]
 fn help_and_version_are_no_errors() {
     for args in [&["--help"][..], &["--version"], &["render", "--help"], &["keys"]] {
         let output = seastate(args);

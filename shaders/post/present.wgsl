@@ -1,8 +1,14 @@
-// From linear light to the screen: smooth edges, exposure, tone curve, gamma, dither.
+// From linear light to the screen: smooth edges, bloom, exposure, tone curve, gamma, dither.
 
 struct Present {
   size: vec2f,
+  // Over the automatic exposure.
   exposure_gain: f32,
+  // Exposure that does not follow the light, or 0.
+  fixed_exposure: f32,
+  tone: u32,
+  // Share of the light that is spread.
+  bloom: f32,
   dither: f32,
 }
 
@@ -13,6 +19,7 @@ override PRESENT_SMOOTH: bool = true;
 @group(0) @binding(1) var<uniform> light: Light;
 @group(0) @binding(2) var hdr_map: texture_2d<f32>;
 @group(0) @binding(3) var hdr_sampler: sampler;
+@group(0) @binding(4) var bloom_map: texture_2d<f32>;
 
 struct PresentVertex {
   @builtin(position) clip: vec4f,
@@ -45,9 +52,61 @@ fn present_agx(linear: vec3f) -> vec3f {
   // The look: a little contrast and saturation.
   c = 1.09 * pow(max(c, vec3f(0.0)), vec3f(1.25));
   let grey = dot(c, vec3f(0.2126, 0.7152, 0.0722));
-  c = max(grey + 1.30 * (c - grey), vec3f(0.0));
+  c = max(grey + 1.18 * (c - grey), vec3f(0.0));
   // Already encoded with a gamma of 2.2.
   return clamp(OUT * c, vec3f(0.0), vec3f(1.0));
+}
+
+// The reference rendering transform and the output transform for sRGB of ACES, as fitted by Stephen Hill (2016).
+fn present_aces(linear: vec3f) -> vec3f {
+  const INTO = mat3x3f(
+    vec3f(0.59719, 0.07600, 0.02840), vec3f(0.35458, 0.90834, 0.13383), vec3f(0.04823, 0.01566, 0.83777));
+  const OUT = mat3x3f(
+    vec3f(1.60475, -0.10208, -0.00327), vec3f(-0.53108, 1.10813, -0.07276), vec3f(-0.07367, -0.00605, 1.07602));
+  let v = INTO * linear;
+  let fitted = (v * (v + 0.0245786) - 0.000090537) / (v * (0.983729 * v + 0.4329510) + 0.238081);
+  return OUT * fitted;
+}
+
+// Reinhard et al. 2002, equation 3, on each channel.
+fn present_reinhard(linear: vec3f) -> vec3f {
+  return linear / (1.0 + linear);
+}
+
+// Khronos PBR Neutral Tone Mapper, 2024: true colours below 0.8, highlights squeezed and desaturated.
+fn present_neutral(linear: vec3f) -> vec3f {
+  const START = 0.8 - 0.04;
+  const DESATURATION = 0.15;
+  let low = min(linear.r, min(linear.g, linear.b));
+  let offset = select(0.04, low - 6.25 * low * low, low < 0.08);
+  let c = linear - offset;
+  let peak = max(c.r, max(c.g, c.b));
+  if peak < START {
+    return c;
+  }
+  let d = 1.0 - START;
+  let squeezed = 1.0 - d * d / (peak + d - START);
+  let g = 1.0 - 1.0 / (DESATURATION * (peak - squeezed) + 1.0);
+  return mix(c * (squeezed / peak), vec3f(squeezed), g);
+}
+
+// IEC 61966-2-1.
+fn present_srgb(linear: vec3f) -> vec3f {
+  let c = clamp(linear, vec3f(0.0), vec3f(1.0));
+  return select(1.055 * pow(c, vec3f(1.0 / 2.4)) - 0.055, 12.92 * c, c <= vec3f(0.0031308));
+}
+
+// Exposed light to the screen's code values in 0..1. The order is that of model::look::Tone.
+fn present_tone(tone: u32, exposed: vec3f) -> vec3f {
+  // Past this every curve is white; squares stay finite.
+  let c = clamp(exposed, vec3f(0.0), vec3f(1e6));
+  switch tone {
+    case 0u: { return present_agx(c); }
+    case 1u: { return present_srgb(present_aces(c)); }
+    case 2u: { return present_srgb(present_reinhard(c)); }
+    case 3u: { return present_srgb(present_neutral(c)); }
+    default: { return present_srgb(c); }
+  }
 }
 
 fn present_hash(p: vec2u) -> f32 {
@@ -57,9 +116,13 @@ fn present_hash(p: vec2u) -> f32 {
   return f32((h ^ (h >> 16u)) >> 8u) / 16777216.0;
 }
 
+fn present_exposure() -> f32 {
+  return present.exposure_gain * select(light.exposure, present.fixed_exposure, present.fixed_exposure > 0.0);
+}
+
 // Exposed light squeezed below 1, so that a glint does not outshine the edge that it is averaged with.
 fn present_squeeze(c: vec3f) -> vec3f {
-  let exposed = c * (light.exposure * present.exposure_gain);
+  let exposed = c * present_exposure();
   return exposed / (1.0 + sky_luminance(exposed));
 }
 
@@ -105,11 +168,15 @@ fn fragment(in: PresentVertex) -> @location(0) vec4f {
   if any(bits == vec4u(0x7f800000u)) || hdr.a < 0.99 {
     return vec4f(1.0, 0.0, 1.0, 1.0);
   }
-  var exposed = hdr.rgb * (light.exposure * present.exposure_gain);
+  let uv = (vec2f(at) + 0.5) / present.size;
+  var exposed = hdr.rgb * present_exposure();
   if PRESENT_SMOOTH {
-    exposed = present_smooth(hdr.rgb, vec2i(at), (vec2f(at) + 0.5) / present.size);
+    exposed = present_smooth(hdr.rgb, vec2i(at), uv);
   }
-  let encoded = present_agx(exposed);
+  if present.bloom > 0.0 {
+    exposed = mix(exposed, textureSampleLevel(bloom_map, hdr_sampler, uv, 0.0).rgb * present_exposure(), present.bloom);
+  }
+  let encoded = present_tone(present.tone, exposed);
   // Triangular noise of one step hides the banding of eight bits.
   let noise = present_hash(at) + present_hash(at + vec2u(7919u, 104729u)) - 1.0;
   return vec4f(encoded + noise * present.dither / 255.0, 1.0);

@@ -1,12 +1,29 @@
-//! Files dropped on the window or the page: the spectra of a buoy.
+//! Files dropped on the window or the page: the spectra of a buoy, or a sky.
 
 use super::App;
-use crate::model::measured::{MAX_FILES, Measured};
+use crate::model::look::SkyFile;
+use crate::model::measured::{MAX_FILE_BYTES, MAX_FILES, Measured};
+use crate::model::panorama;
 use egui::DroppedFileHandle;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Names and contents, or why there are none.
 type Files = Result<Vec<(String, Vec<u8>)>, String>;
+
+/// The largest file of a name that is read.
+pub fn most_bytes(name: &str) -> usize {
+    if panorama::is_sky(name, &[]) { panorama::MAX_BYTES } else { MAX_FILE_BYTES }
+}
+
+/// The sky of a file's contents.
+///
+/// # Errors
+/// One sentence that names the file and the reason.
+pub fn sky(name: &str, bytes: &[u8]) -> Result<SkyFile, String> {
+    let image = panorama::read(name, bytes)?;
+    let file = SkyFile::named(name).ok_or("the sky's file has no name")?;
+    Ok(SkyFile { image: Some(Arc::new(image)), ..file })
+}
 
 /// The files of the last drop, once they are read: a browser takes its time.
 #[derive(Clone, Default)]
@@ -38,8 +55,8 @@ impl Dropped {
                 let name = handle.path().to_string_lossy().into_owned();
                 // Asked before it is read: a film dropped by mistake would fill the tab's memory.
                 let size = handle.web_file().map_or(0.0, |f| f.size());
-                if size > crate::model::measured::MAX_FILE_BYTES as f64 {
-                    return dropped.finish(Err(format!("{name}: too large for a buoy's file")), &ctx);
+                if size > most_bytes(&name) as f64 {
+                    return dropped.finish(Err(format!("{name}: too large for a buoy's file or a sky")), &ctx);
                 }
                 match handle.bytes_async().await {
                     Ok(bytes) => files.push((name, bytes)),
@@ -67,6 +84,15 @@ impl App {
             self.dropped.read(&handles, ctx);
         }
         let Some(files) = self.dropped.take() else { return };
+        if let Ok([(name, bytes)]) = files.as_deref()
+            && panorama::is_sky(name, bytes)
+        {
+            match sky(name, bytes) {
+                Ok(file) => self.show_sky(file),
+                Err(reason) => self.notices = vec![reason],
+            }
+            return;
+        }
         match files.and_then(|files| Measured::read(&files)) {
             Ok((measured, notices)) => {
                 let name = if measured.title().is_empty() { "the buoy's sea" } else { measured.title() };
@@ -77,6 +103,16 @@ impl App {
             }
             Err(reason) => self.notices = vec![reason],
         }
+    }
+
+    /// Shows a sky that was read, and says what it is.
+    fn show_sky(&mut self, file: SkyFile) {
+        let Some(panorama) = &file.image else { return };
+        let sun = panorama.sun.as_ref().map(|s| format!(", sun {:.0}° high", s.elevation_deg)).unwrap_or_default();
+        self.notices = vec![format!("{}: {} x {}{sun}", file.name, panorama.width, panorama.height)];
+        self.notices.extend(panorama.notices.iter().cloned());
+        self.params.look.sky.file = Some(file.clone());
+        self.sky = Some(file);
     }
 }
 
@@ -91,7 +127,7 @@ pub fn invite(ctx: &egui::Context) {
     painter.text(
         screen.center(),
         egui::Align2::CENTER_CENTER,
-        "Drop a buoy's spectrum: NDBC text or CSV of f, S, direction, spread",
+        "Drop a sky (.hdr, .exr) or a buoy's spectrum (NDBC text or CSV of f, S, direction, spread)",
         egui::FontId::proportional(20.0),
         egui::Color32::WHITE,
     );

@@ -13,6 +13,7 @@ mod viewport;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 
+use crate::model::look::SkyFile;
 use crate::model::statistics::{Resolved, Theory};
 use crate::model::{Params, Plan, query};
 use crate::ocean::Ocean;
@@ -54,6 +55,8 @@ pub struct App {
     faults: Faults,
     frames: u64,
     dropped: dropped::Dropped,
+    /// The last sky that was read, for links that name it.
+    sky: Option<SkyFile>,
     /// Set by the viewport while the foam has yet to catch up.
     catching_up: viewport::CatchingUp,
     #[cfg(target_arch = "wasm32")]
@@ -66,8 +69,17 @@ impl App {
     /// # Errors
     /// If eframe has no wgpu device.
     pub fn new(cc: &eframe::CreationContext<'_>, state: &str) -> Result<Self, String> {
+        Self::with_sky(cc, state, None)
+    }
+
+    /// The same with a sky that has been read, in case the state names it.
+    ///
+    /// # Errors
+    /// If eframe has no wgpu device.
+    pub fn with_sky(cc: &eframe::CreationContext<'_>, state: &str, sky: Option<SkyFile>) -> Result<Self, String> {
         let render_state = cc.wgpu_render_state.clone().ok_or("eframe was started without wgpu")?;
-        let (params, notices) = query::parse(state);
+        let (mut params, notices) = query::parse(state);
+        params.look.sky.attach(sky.as_ref());
         let faults = Faults::watch(&render_state.device);
         let ocean = Ocean::new(&render_state.device, &render_state.queue, render_state.target_format, &params);
         render_state.renderer.write().callback_resources.insert(ocean);
@@ -80,6 +92,7 @@ impl App {
             faults,
             frames: 0,
             dropped: dropped::Dropped::default(),
+            sky: sky.filter(|s| s.image.is_some()),
             catching_up: viewport::CatchingUp::default(),
             #[cfg(target_arch = "wasm32")]
             address: web::Address::new(&params),
@@ -95,6 +108,7 @@ impl App {
     /// Turns to another state, as if the user had set every value.
     pub fn set_state(&mut self, state: &str) {
         (self.params, self.notices) = query::parse(state);
+        self.params.look.sky.attach(self.sky.as_ref());
         // Called from outside a frame too, when time stands still and nothing else asks for one.
         self.ctx.request_repaint();
     }

@@ -1,10 +1,11 @@
 //! The desktop window.
 
+use super::dropped::most_bytes;
 use super::{App, setup};
-use crate::model::measured::MAX_FILE_BYTES;
+use crate::model::look::SkyFile;
 use crate::model::{Params, query};
 use std::io::Read;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 /// Tries to come back after a lost device before giving up.
@@ -15,11 +16,12 @@ const MOST_LOSSES: usize = 3;
 /// # Errors
 /// One sentence, if there is no display or no GPU.
 pub fn run(params: &Params) -> Result<(), String> {
+    let sky = params.look.sky.file.clone();
     env_logger::Builder::from_env(env_logger::Env::default().default_filter_or("warn,wgpu_hal=error")).init();
     let mut state = query::write(params);
     for _ in 0..MOST_LOSSES {
         let lost: Arc<Mutex<Option<String>>> = Arc::default();
-        open(&state, &lost)?;
+        open(&state, sky.as_ref(), &lost)?;
         // Left behind by the app when its device was lost; a closed window leaves nothing.
         match lost.lock().ok().and_then(|mut lost| lost.take()) {
             Some(at) => state = at,
@@ -30,7 +32,7 @@ pub fn run(params: &Params) -> Result<(), String> {
     Err(format!("the GPU was lost {MOST_LOSSES} times; the sea was '{state}'"))
 }
 
-/// Reads files with their names; nothing larger than a buoy's file may be.
+/// Reads files with their names; nothing larger than the program takes may be.
 ///
 /// # Errors
 /// One sentence, naming the file.
@@ -41,13 +43,22 @@ pub fn read_files(paths: &[PathBuf]) -> Result<Vec<(String, Vec<u8>)>, String> {
         let mut bytes = Vec::new();
         let file = std::fs::File::open(path).map_err(fault)?;
         // One byte more than is allowed is enough to be refused.
-        file.take(MAX_FILE_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(fault)?;
+        file.take(most_bytes(&name) as u64 + 1).read_to_end(&mut bytes).map_err(fault)?;
         Ok((name, bytes))
     };
     paths.iter().map(read).collect()
 }
 
-fn open(state: &str, lost: &Arc<Mutex<Option<String>>>) -> Result<(), String> {
+/// Reads the sky of a file.
+///
+/// # Errors
+/// One sentence that names the file and the reason.
+pub fn read_sky(path: &Path) -> Result<SkyFile, String> {
+    let files = read_files(&[path.to_owned()])?;
+    super::dropped::sky(&files[0].0, &files[0].1)
+}
+
+fn open(state: &str, sky: Option<&SkyFile>, lost: &Arc<Mutex<Option<String>>>) -> Result<(), String> {
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()
             .with_title("Seastate")
@@ -58,9 +69,9 @@ fn open(state: &str, lost: &Arc<Mutex<Option<String>>>) -> Result<(), String> {
         wgpu_options: setup::wgpu_configuration(),
         ..Default::default()
     };
-    let (state, lost) = (state.to_owned(), Arc::clone(lost));
+    let (state, sky, lost) = (state.to_owned(), sky.cloned(), Arc::clone(lost));
     let create = move |cc: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, Box<dyn std::error::Error + Send + Sync>> {
-        Ok(Box::new(Window { app: App::new(cc, &state)?, lost }))
+        Ok(Box::new(Window { app: App::with_sky(cc, &state, sky)?, lost }))
     };
     eframe::run_native("Seastate", options, Box::new(create)).map_err(|e| format!("cannot open a window: {e}"))
 }

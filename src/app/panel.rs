@@ -22,6 +22,9 @@ pub fn show(app: &mut App, ctx: &egui::Context) {
             for group in Group::ALL {
                 egui::CollapsingHeader::new(group.label()).default_open(group == Group::Sea).show(ui, |ui| {
                     fields(&mut app.params, group, ui);
+                    if group == Group::Sky {
+                        sky_file(&mut app.params, ui);
+                    }
                 });
             }
             egui::CollapsingHeader::new("Spectrum").show(ui, |ui| plots::spectrum(&app.derived.plan, ui));
@@ -127,12 +130,28 @@ fn link(app: &App) -> String {
 }
 
 fn notices(app: &App, ui: &mut egui::Ui) {
-    for text in app.notices.iter().chain(&app.derived.plan.notices) {
+    let missing = app.params.look.sky.missing_file();
+    for text in app.notices.iter().chain(&app.derived.plan.notices).chain(&missing) {
         ui.colored_label(egui::Color32::from_rgb(240, 200, 110), text);
     }
     for text in app.errors() {
         ui.colored_label(egui::Color32::from_rgb(255, 130, 120), text);
     }
+}
+
+/// The sky's file by name, and the way back to the built sky.
+fn sky_file(params: &mut Params, ui: &mut egui::Ui) {
+    let Some(file) = &params.look.sky.file else {
+        ui.weak("Drop a .hdr or .exr file for another sky.");
+        return;
+    };
+    let name = file.name.clone();
+    ui.horizontal(|ui| {
+        ui.label(name);
+        if ui.small_button("×").on_hover_text("Back to the built sky.").clicked() {
+            params.look.sky.file = None;
+        }
+    });
 }
 
 fn fields(params: &mut Params, group: Group, ui: &mut egui::Ui) {

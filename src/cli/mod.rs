@@ -50,6 +50,9 @@ struct SeaArgs {
     /// direction, spread; may be given several times for the files of one buoy
     #[arg(long = "spectrum", value_name = "FILE")]
     spectrum: Vec<PathBuf>,
+    /// A sky to show: an equirectangular picture in linear light, Radiance .hdr or OpenEXR
+    #[arg(long, value_name = "FILE")]
+    sky: Option<PathBuf>,
 }
 
 impl SeaArgs {
@@ -62,6 +65,12 @@ impl SeaArgs {
             notices.extend(more);
             params.sea.show_measured(measured);
         }
+        if let Some(path) = &self.sky {
+            let file = crate::app::native::read_sky(path)?;
+            notices.extend(file.image.iter().flat_map(|p| p.notices.iter().map(|n| format!("{}: {n}", file.name))));
+            params.look.sky.file = Some(file);
+        }
+        notices.extend(params.look.sky.missing_file());
         Ok((params, notices))
     }
 
@@ -258,6 +267,8 @@ fn keys() -> String {
     }
     text += "measured   a buoy's spectrum, shown by spectrum=measured: bands f*S or f*S*alpha1*alpha2*r1*r2, separated by _\n";
     text += "           Hz, m2/Hz, degrees that the waves come from, and 0..1. Written by the program when it reads a file.\n";
+    text +=
+        "sky        name of a sky's file, equirectangular .hdr or .exr, that is dropped on the sea or given by --sky\n";
     text
 }
 

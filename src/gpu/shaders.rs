@@ -23,6 +23,8 @@ const FFT: Part = part!("fft.wgsl");
 const ATMOSPHERE: Part = part!("atmosphere.wgsl");
 const SKY: Part = part!("sky_common.wgsl");
 const SKY_MODEL: Part = part!("sky_model.wgsl");
+const FOG: Part = part!("fog.wgsl");
+const AIR: Part = part!("air.wgsl");
 const FRAME: Part = part!("frame.wgsl");
 const WATER_SURFACE: Part = part!("water_surface.wgsl");
 const WATER_FOAM: Part = part!("water_foam.wgsl");
@@ -45,10 +47,10 @@ const MODULES: &[(&str, &[Part])] = &[
     ("sky_transmittance", &[ATMOSPHERE, SKY, part!("sky_transmittance.wgsl")]),
     ("sky_multiple", &[ATMOSPHERE, SKY, part!("sky_multiple.wgsl")]),
     ("sky_view", &[ATMOSPHERE, SKY, part!("sky_view.wgsl")]),
-    ("sky_environment", &[ATMOSPHERE, SKY, SKY_MODEL, part!("sky_environment.wgsl")]),
+    ("sky_environment", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, part!("sky_environment.wgsl")]),
     ("sky_filter", &[part!("sky_filter.wgsl")]),
-    ("sky_light", &[ATMOSPHERE, SKY, SKY_MODEL, part!("sky_light.wgsl")]),
-    ("sky", &[ATMOSPHERE, SKY, SKY_MODEL, FRAME, part!("sky.wgsl")]),
+    ("sky_light", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, part!("sky_light.wgsl")]),
+    ("sky", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, AIR, part!("sky.wgsl")]),
     ("eye", &[MATHS, NOISE, TILES, FRAME, WATER_SURFACE, part!("eye.wgsl")]),
     (
         "water",
@@ -56,10 +58,12 @@ const MODULES: &[(&str, &[Part])] = &[
             ATMOSPHERE,
             SKY,
             SKY_MODEL,
+            FOG,
             MATHS,
             NOISE,
             TILES,
             FRAME,
+            AIR,
             MATERIAL,
             WATER_SURFACE,
             WATER_FRESNEL,
@@ -71,6 +75,7 @@ const MODULES: &[(&str, &[Part])] = &[
             part!("water.wgsl"),
         ],
     ),
+    ("bloom", &[part!("post/bloom.wgsl")]),
     ("present", &[SKY, part!("post/present.wgsl")]),
     ("debug_map", &[MATHS, SEA, DEBUG, part!("debug_map.wgsl")]),
     ("debug_show", &[part!("debug_show.wgsl")]),

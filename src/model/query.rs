@@ -1,10 +1,12 @@
 //! The state string: one query string that holds all shareable state.
 //!
 //! `wind=14&fetch=300&seed=7&t=40` is the URL on the web, the argument of the desktop program and of every command.
-//! All values are rows of [`FIELDS`] but one: `measured` holds a buoy's spectrum (`measured::Measured::to_state`).
+//! All values are rows of [`FIELDS`] but two: `measured` holds a buoy's spectrum (`measured::Measured::to_state`), `sky` the
+//! name of a sky's file, which a link cannot hold.
 //! Reading never fails: what cannot be taken becomes a notice. Only values that differ from the default are written.
 
 use super::fields::{self, FIELDS, Refusal};
+use super::look::SkyFile;
 use super::measured::Measured;
 use super::params::Params;
 use std::sync::Arc;
@@ -13,6 +15,8 @@ use std::sync::Arc;
 pub const MAX_BYTES: usize = 16 * 1024;
 /// Key of the buoy's spectrum.
 const MEASURED: &str = "measured";
+/// Key of the name of the sky's file.
+const SKY: &str = "sky";
 const MAX_NOTICES: usize = 24;
 const MAX_SHOWN: usize = 40;
 
@@ -34,6 +38,10 @@ pub fn parse(text: &str) -> (Params, Vec<String>) {
                 Ok(m) => params.sea.measured = Some(Arc::new(m)),
                 Err(reason) => notices.push(format!("measured: {reason}: ignored")),
             }
+            continue;
+        }
+        if key == SKY {
+            params.look.sky.file = SkyFile::named(&value);
             continue;
         }
         let Some(field) = fields::find(&key) else {
@@ -81,6 +89,9 @@ pub fn write(params: &Params) -> String {
     }
     if let Some(measured) = &params.sea.measured {
         out.append_pair(MEASURED, &measured.to_state());
+    }
+    if let Some(file) = &params.look.sky.file {
+        out.append_pair(SKY, &file.name);
     }
     out.finish()
 }
@@ -137,6 +148,15 @@ mod tests {
     fn percent_encoding_is_read() {
         let (p, notices) = parse("%77ind=%31%34&spread=donelan%2Dbanner");
         assert_eq!((p.sea.local().wind_m_s, notices.len()), (14.0, 0));
+    }
+
+    #[test]
+    fn a_sky_is_carried_by_its_name() {
+        let (p, notices) = parse("sky=some/where/Kloofendal%2048d.hdr&skyturn=30");
+        assert_eq!((p.look.sky.file.as_ref().map(|f| f.name.as_str()), notices.len()), (Some("Kloofendal 48d.hdr"), 0));
+        assert_eq!(write(&p), "skyturn=30&sky=Kloofendal+48d.hdr");
+        assert!(p.look.sky.missing_file().is_some_and(|n| n.contains("Kloofendal 48d.hdr")));
+        assert_eq!(parse("sky=%00").0, Params::default());
     }
 
     #[test]

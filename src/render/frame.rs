@@ -38,6 +38,8 @@ pub struct SeaLook {
     pub mean_foam: f32,
     /// Wavelength of the peak, m.
     pub lambda_p_m: f32,
+    /// How far the clouds have drifted along x and z, m.
+    pub cloud_drift_m: [f64; 2],
 }
 
 /// WGSL `Frame`.
@@ -163,7 +165,7 @@ impl FrameUniform {
             dip: dip(view.eye.y) as f32,
             forward: view.forward.as_vec3().to_array(),
             pixel: (2.0 * ty / f64::from(size[1])) as f32,
-            sun: super::sky::sun(&look.sky).map(|x| x as f32),
+            sun: look.sky.sun_direction().map(|x| x as f32),
             chop_x: sea.chop[0],
             cascades,
             ripples,

@@ -134,6 +134,7 @@ mod tests {
             focusing_m: 1.0,
             mean_foam: 0.0,
             lambda_p_m: 100.0,
+            cloud_drift_m: [0.0; 2],
         }
     }
 

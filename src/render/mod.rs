@@ -10,6 +10,7 @@ mod kit;
 mod material;
 mod mesh;
 mod noise;
+mod panorama;
 pub mod post;
 mod reference;
 mod sky;
@@ -119,9 +120,9 @@ impl Renderer {
         let frame = Uniform::new(device, "frame");
         let material = Uniform::new(device, "material");
         let noise = NoiseTexture::new(device, queue);
-        let sky = Sky::new(device, &shaders, &noise);
+        let sky = Sky::new(device, queue, &shaders, &noise);
         let scene = kit::SceneGroup::new(device, &frame, &material, &sky, &noise, film);
-        let background = sky::Background::new(device, &shaders, &scene);
+        let background = sky::Background::new(device, &shaders, &scene, &sky);
         let water = WaterPass::new(device, &shaders, scene);
         let eye = EyePass::new(device, &shaders, &frame, &water);
         let present = PresentPass::new(device, &shaders, &sky.light, target_format, smooth);
@@ -154,17 +155,21 @@ impl Renderer {
         let film = self.water.scene.film;
         if self.targets.as_ref().is_none_or(|t| t.size != size) {
             let targets = Targets::new(device, size, film);
-            self.present.bind(device, &targets);
+            self.present.unbind();
             self.targets = Some(targets);
         }
+        if let Some(targets) = &self.targets {
+            self.present.bind(device, targets, &scene.look.film);
+            self.present.write(queue, scene, size);
+        }
         let mesh = mesh(scene, size);
-        self.present.write(queue, scene, size);
         self.prepare((device, queue), maps, scene, &mesh, &FrameUniform::new(scene, maps, &mesh, size));
         self.shows_view = scene.look.view.shown != Shown::Picture;
         if self.shows_view {
             self.record_view(device, queue, encoder, maps, scene);
         } else {
-            self.record_picture(queue, encoder, scene);
+            self.record_picture(device, queue, encoder, scene);
+            self.present.spread(encoder);
         }
     }
 
@@ -200,12 +205,18 @@ impl Renderer {
     }
 
     /// Records the passes of the picture into the targets.
-    fn record_picture(&mut self, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
+    fn record_picture(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        scene: &Scene,
+    ) {
         let Some(targets) = &self.targets else { return };
         self.eye.run(encoder, scene, &self.water);
-        self.sky.update(queue, encoder, scene);
+        self.sky.update(device, queue, encoder, scene);
         let mut pass = targets.begin(encoder);
-        self.background.draw(&mut pass, &self.water.scene);
+        self.background.draw(&mut pass, &self.water.scene, &self.sky);
         self.water.draw(&mut pass);
     }
 
@@ -214,7 +225,7 @@ impl Renderer {
         let Some(targets) = &self.targets else { return };
         match part {
             Part::Light => self.sky.record(encoder),
-            Part::Background => self.background.draw(&mut targets.begin(encoder), &self.water.scene),
+            Part::Background => self.background.draw(&mut targets.begin(encoder), &self.water.scene, &self.sky),
             Part::Water => self.water.draw(&mut targets.begin(encoder)),
         }
     }

@@ -80,7 +80,7 @@ impl Reference {
         let mesh = Mesh::new(&scene.view, &scene.sea, density, scene.look.extent_km);
         let frame = FrameUniform::new(scene, maps, &mesh, size).unfiltered(grid.shift());
         renderer.prepare((device, queue), maps, scene, &mesh, &frame);
-        renderer.record_picture(queue, encoder, scene);
+        renderer.record_picture(device, queue, encoder, scene);
         texture
     }
 
@@ -103,8 +103,13 @@ impl Reference {
             wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(8 * size[0]), rows_per_image: None },
             wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
         );
-        self.renderer.present.write(queue, scene, size);
-        self.renderer.present.bind(device, &targets);
+        let present = &mut self.renderer.present;
+        present.unbind();
+        present.bind(device, &targets, &scene.look.film);
+        present.write(queue, scene, size);
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("lens") });
+        present.spread(&mut encoder);
+        queue.submit([encoder.finish()]);
     }
 
     /// Draws the picture that was handed to [`Self::show`] into the current viewport.

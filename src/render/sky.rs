@@ -5,19 +5,24 @@ use super::Scene;
 use super::frame::dip;
 use super::kit::{SceneGroup, Slot, Uniform, group, hdr_pipeline, layout};
 use super::noise::NoiseTexture;
+use super::panorama::PanoramaTextures;
 use super::targets::HDR_FORMAT;
 use crate::gpu::layout::Layout;
 use crate::gpu::shaders::Shaders;
+use crate::model::fields::linear_rgb;
 use crate::model::look::SkyLook;
 use bytemuck::{Pod, Zeroable};
 use std::mem::offset_of;
 
 const TRANSMITTANCE: [u32; 2] = [256, 64];
-const MULTIPLE: [u32; 2] = [32, 32];
+const MULTIPLE: [u32; 2] = [64, 32];
 const VIEW: [u32; 2] = [192, 128];
 const ENVIRONMENT: [u32; 2] = [256, 128];
 /// Mips of the environment, down to 8 x 4.
 const MIPS: u32 = 6;
+
+/// How far the clouds drift before the sea mirrors them anew, km: every few seconds, less than a texel of the environment.
+const MIRROR_STEP_KM: f64 = 0.05;
 
 /// WGSL `Sky`.
 #[repr(C)]
@@ -25,40 +30,89 @@ const MIPS: u32 = 6;
 pub struct SkyUniform {
     sun: [f32; 3],
     haze: f32,
+    tint: [f32; 3],
+    sun_radius: f32,
+    file_sun: [f32; 3],
+    file: f32,
+    file_sky: [f32; 3],
+    file_gain: f32,
+    fog: [f32; 4],
     eye_km: f32,
     dip: f32,
     overcast: f32,
-    drift: f32,
+    sun_falloff: f32,
+    drift: [f32; 2],
+    mirror_drift: [f32; 2],
+    unit: f32,
+    turn: f32,
+    pad: [f32; 2],
+}
+
+macro_rules! offsets {
+    ($kind:ty: $($field:ident),+) => { &[$((stringify!($field), offset_of!($kind, $field))),+] };
 }
 
 impl SkyUniform {
     /// For the layout test.
     pub const LAYOUT: Layout = (
         "Sky",
-        &[
-            ("sun", offset_of!(Self, sun)),
-            ("haze", offset_of!(Self, haze)),
-            ("eye_km", offset_of!(Self, eye_km)),
-            ("dip", offset_of!(Self, dip)),
-            ("overcast", offset_of!(Self, overcast)),
-            ("drift", offset_of!(Self, drift)),
-        ],
+        offsets!(Self: sun, haze, tint, sun_radius, file_sun, file, file_sky, file_gain, fog, eye_km, dip, overcast,
+            sun_falloff, drift, mirror_drift, unit, turn),
         size_of::<Self>(),
     );
 
     fn new(scene: &Scene) -> Self {
         // Classes of the eye's height, a quarter of an octave apart: the air seen from within one is the same.
         let class = (4.0 * scene.view.eye.y.max(2.0).log2()).round() / 4.0;
-        let eye_m = class.exp2();
+        let mut sky = Self::of(&scene.look.sky, class.exp2());
+        if sky.overcast > 0.0 {
+            let km = scene.sea.cloud_drift_m.map(|d| 0.001 * d);
+            sky.drift = km.map(|d| d as f32);
+            sky.mirror_drift = km.map(|d| ((d / MIRROR_STEP_KM).round() * MIRROR_STEP_KM) as f32);
+        }
+        sky
+    }
+
+    fn of(look: &SkyLook, eye_m: f64) -> Self {
+        let unit = unit(look);
+        let near = look.sun_distance_au.recip();
+        let file = look.panorama();
+        let file_gain = look.gain_ev.exp2();
+        let scaled = |e: [f64; 3]| e.map(|e| (e * file_gain) as f32);
+        let fog = &look.fog;
         Self {
-            sun: sun(&scene.look.sky).map(|x| x as f32),
-            haze: scene.look.sky.haze as f32,
+            sun: look.sun_direction().map(|x| x as f32),
+            haze: look.haze as f32,
+            tint: linear_rgb(look.sun_colour).map(|c| (c * near * near * unit) as f32),
+            sun_radius: (0.5 * look.sun_size_deg.to_radians() * near).min(1.0) as f32,
+            file_sun: file.and_then(|f| f.sun.as_ref()).map_or([0.0; 3], |s| scaled(s.irradiance)),
+            file: f32::from(u8::from(file.is_some())),
+            file_sky: file.map_or([0.0; 3], |f| scaled(f.irradiance)),
+            file_gain: file_gain as f32,
+            fog: [
+                (0.001 * fog.extinction_per_km) as f32,
+                fog.start_m as f32,
+                fog.falloff_m as f32,
+                fog.height_m as f32,
+            ],
             eye_km: (0.001 * eye_m) as f32,
             dip: dip(eye_m) as f32,
-            overcast: scene.look.sky.overcast as f32,
-            drift: 0.0,
+            // The file has clouds of its own.
+            overcast: if file.is_some() { 0.0 } else { look.overcast as f32 },
+            sun_falloff: look.sun_falloff as f32,
+            drift: [0.0; 2],
+            mirror_drift: [0.0; 2],
+            unit: unit as f32,
+            turn: (look.turn_deg / 360.0) as f32,
+            pad: [0.0; 2],
         }
     }
+}
+
+/// How many times brighter than it is the light of dusk and night is carried: a power of two, so that nothing is rounded.
+pub fn unit(look: &SkyLook) -> f64 {
+    let below_deg = if look.panorama().is_some() { 0.0 } else { -look.sun_place_deg()[0] };
+    (1.2 * below_deg).clamp(0.0, 18.0).floor().exp2()
 }
 
 /// WGSL `Light`: written by the GPU alone.
@@ -71,28 +125,16 @@ pub struct LightBuffer {
     key: f32,
     deck: [f32; 3],
     direct: f32,
+    fog_sky: [f32; 3],
+    pad_0: f32,
+    fog_sun: [f32; 3],
+    pad_1: f32,
 }
 
 impl LightBuffer {
     /// For the layout test.
-    pub const LAYOUT: Layout = (
-        "Light",
-        &[
-            ("sun", offset_of!(Self, sun)),
-            ("exposure", offset_of!(Self, exposure)),
-            ("sky", offset_of!(Self, sky)),
-            ("key", offset_of!(Self, key)),
-            ("deck", offset_of!(Self, deck)),
-            ("direct", offset_of!(Self, direct)),
-        ],
-        size_of::<Self>(),
-    );
-}
-
-/// Unit vector to the sun.
-pub fn sun(look: &SkyLook) -> [f64; 3] {
-    let (azimuth, elevation) = (look.sun_azimuth_deg.to_radians(), look.sun_deg.to_radians());
-    [azimuth.sin() * elevation.cos(), elevation.sin(), -azimuth.cos() * elevation.cos()]
+    pub const LAYOUT: Layout =
+        ("Light", offsets!(Self: sun, exposure, sky, key, deck, direct, fog_sky, fog_sun), size_of::<Self>());
 }
 
 /// A compute pass with its resources.
@@ -146,6 +188,8 @@ pub struct Sky {
     pub view: wgpu::TextureView,
     pub environment: wgpu::TextureView,
     pub sampler: wgpu::Sampler,
+    /// A sky from a file.
+    pub panorama: PanoramaTextures,
     /// Of the air itself, then of the light in it.
     air: Vec<Step>,
     lit: Vec<Step>,
@@ -154,7 +198,7 @@ pub struct Sky {
 
 impl Sky {
     /// Compiles the passes; nothing is computed yet.
-    pub fn new(device: &wgpu::Device, shaders: &Shaders, noise: &NoiseTexture) -> Self {
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, shaders: &Shaders, noise: &NoiseTexture) -> Self {
         use wgpu::BindingResource::{Sampler, TextureView};
         let texture = |label, size: [u32; 2], mips| {
             device.create_texture(&wgpu::TextureDescriptor {
@@ -196,6 +240,7 @@ impl Sky {
         let view = whole(&texture("sky/view", VIEW, 1));
         let surroundings = texture("sky/environment", ENVIRONMENT, MIPS);
         let environment = whole(&surroundings);
+        let panorama = PanoramaTextures::new(device, queue);
         let bottom = mip(&surroundings, 0);
 
         let (sky_slot, light_size) = (Slot::Uniform(size_of::<SkyUniform>()), size_of::<LightBuffer>());
@@ -271,6 +316,7 @@ impl Sky {
                     Slot::Sampler,
                     Slot::Texture,
                     Slot::Sampler,
+                    Slot::Texture,
                     Slot::Image,
                 ],
                 &[
@@ -280,6 +326,7 @@ impl Sky {
                     Sampler(&sampler),
                     TextureView(&noise.view),
                     Sampler(&noise.sampler),
+                    TextureView(&panorama.calm_view),
                     TextureView(&bottom),
                 ],
                 tiles(ENVIRONMENT),
@@ -293,7 +340,7 @@ impl Sky {
             Step::new(device, "sky/filter", (&filter, "main"), &[Slot::Texture, Slot::Image], &resources, tiles(size))
         }));
         lit.push(measure("sky/light whole", "whole"));
-        Self { uniform, light, transmittance, view, environment, sampler, air, lit, made_for: None }
+        Self { uniform, light, transmittance, view, environment, sampler, panorama, air, lit, made_for: None }
     }
 
     /// Records all tables.
@@ -302,13 +349,27 @@ impl Sky {
     }
 
     /// Records what the light of a scene makes stale.
-    pub fn update(&mut self, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
+    pub fn update(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        scene: &Scene,
+    ) {
         let wanted = SkyUniform::new(scene);
-        if self.made_for == Some(wanted) {
+        let other_file = self.panorama.show(device, queue, scene.look.sky.panorama());
+        if self.made_for == Some(wanted) && !other_file {
             return;
         }
         self.uniform.write(queue, &wanted);
-        if self.made_for.is_none_or(|made| made.haze != wanted.haze) {
+        // Clouds drift over the background alone.
+        let lit = |u: SkyUniform| SkyUniform { drift: [0.0; 2], ..u };
+        if self.made_for.is_some_and(|made| lit(made) == lit(wanted)) && !other_file {
+            self.made_for = Some(wanted);
+            return;
+        }
+        let air = |u: SkyUniform| [u.haze, u.sun_radius];
+        if self.made_for.is_none_or(|made| air(made) != air(wanted)) {
             self.air.iter().for_each(|step| step.run(encoder));
         }
         self.lit.iter().for_each(|step| step.run(encoder));
@@ -323,15 +384,17 @@ pub struct Background {
 
 impl Background {
     /// Compiles the pass.
-    pub fn new(device: &wgpu::Device, shaders: &Shaders, scene: &SceneGroup) -> Self {
+    pub fn new(device: &wgpu::Device, shaders: &Shaders, scene: &SceneGroup, sky: &Sky) -> Self {
         let module = shaders.module(device, "sky");
-        Self { pipeline: hdr_pipeline(device, "sky", &module, &[Some(&scene.layout)], scene.film, false) }
+        let layouts = [Some(&scene.layout), Some(&sky.panorama.layout)];
+        Self { pipeline: hdr_pipeline(device, "sky", &module, &layouts, scene.film, false) }
     }
 
     /// Draws it.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, scene: &SceneGroup) {
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, scene: &SceneGroup, sky: &Sky) {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &scene.group, &[]);
+        pass.set_bind_group(1, &sky.panorama.group, &[]);
         pass.draw(0..3, 0..1);
     }
 }
@@ -341,30 +404,59 @@ mod tests {
     use super::*;
     use crate::gpu::device::Gpu;
     use crate::gpu::readback;
+    use crate::render::post::present::NOON_EXPOSURE;
 
-    /// Noon: the light on the sea is that of a clear day, and nothing is NaN.
-    #[test]
-    fn light_of_a_clear_noon() {
+    /// The light on the sea under some skies.
+    fn lights(skies: &[SkyLook]) -> Vec<LightBuffer> {
         let gpu = pollster::block_on(Gpu::request()).unwrap();
         let noise = NoiseTexture::new(&gpu.device, &gpu.queue);
-        let sky = Sky::new(&gpu.device, &Shaders::default(), &noise);
-        let (s, c) = 60f32.to_radians().sin_cos();
-        let uniform =
-            SkyUniform { sun: [c, s, 0.0], haze: 1.0, eye_km: 0.008, dip: dip(8.0) as f32, overcast: 0.0, drift: 0.0 };
-        sky.uniform.write(&gpu.queue, &uniform);
-        for step in sky.air.iter().chain(&sky.lit) {
+        let sky = Sky::new(&gpu.device, &gpu.queue, &Shaders::default(), &noise);
+        let light = |look: &SkyLook| {
+            sky.uniform.write(&gpu.queue, &SkyUniform::of(look, 8.0));
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
-            step.run(&mut encoder);
+            sky.air.iter().chain(&sky.lit).for_each(|step| step.run(&mut encoder));
+            let copy = readback::stage_buffer(&gpu.device, &mut encoder, &sky.light);
             gpu.queue.submit([encoder.finish()]);
-        }
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        let copy = readback::stage_buffer(&gpu.device, &mut encoder, &sky.light);
-        gpu.queue.submit([encoder.finish()]);
-        let bytes = pollster::block_on(readback::read(&gpu.device, copy)).unwrap();
-        let light: LightBuffer = bytemuck::pod_read_unaligned(&bytes);
+            let bytes = pollster::block_on(readback::read(&gpu.device, copy)).unwrap();
+            bytemuck::pod_read_unaligned(&bytes)
+        };
+        skies.iter().map(light).collect()
+    }
+
+    fn at(sun_deg: f64) -> SkyLook {
+        SkyLook { sun_deg, ..SkyLook::default() }
+    }
+
+    /// Illuminance on the horizontal, lux: the sun above the air gives 128 klx.
+    fn lux(light: &LightBuffer, look: &SkyLook) -> f64 {
+        let up = look.sun_direction()[1].max(0.0);
+        let e: Vec<f64> = (0..3).map(|i| f64::from(light.sky[i]) + f64::from(light.sun[i]) * up).collect();
+        (0.2126 * e[0] + 0.7152 * e[1] + 0.0722 * e[2]) / unit(look) * 6400.0
+    }
+
+    /// Noon: the light on the sea is that of a clear day, and the film that does not adapt knows its exposure.
+    #[test]
+    fn light_of_a_clear_noon() {
+        let light = lights(&[at(60.0)])[0];
         let green = |c: [f32; 3]| c[1] / 20.0;
         assert!((0.7..0.9).contains(&green(light.sun)), "{light:?}");
         assert!((0.06..0.2).contains(&green(light.sky)), "{light:?}");
         assert!(light.sky[2] > light.sky[0], "{light:?}");
+        assert!((light.exposure / NOON_EXPOSURE - 1.0).abs() < 0.02, "{light:?}");
+    }
+
+    /// Clear-sky illuminances on the horizontal at noon, with the sun on the horizon, at the end of civil twilight and on a
+    /// moonless night (Seidelmann, Explanatory Supplement to the Astronomical Almanac, 1992), within a factor.
+    #[test]
+    fn light_from_noon_to_night() {
+        let cases = [(60.0, 9.5e4, 1.3), (0.0, 700.0, 2.0), (-6.0, 3.4, 3.0), (-24.0, 1.5e-3, 2.5)];
+        let skies = cases.map(|(sun, ..)| at(sun));
+        let mut before = f64::INFINITY;
+        for ((light, look), (sun, expected, factor)) in lights(&skies).iter().zip(&skies).zip(cases) {
+            let found = lux(light, look);
+            eprintln!("sun {sun}: {found:.3e} lx, {light:?}");
+            assert!(found < before && (expected / factor..expected * factor).contains(&found), "{sun}: {found} lx");
+            before = found;
+        }
     }
 }

@@ -1,3 +1,4 @@
-//! After the picture: what film does to light.
+//! After the picture: what lens and film do to light.
 
+pub mod bloom;
 pub mod present;

@@ -1,0 +1,58 @@
+// Air and fog between the eye and the sea. Needs the module variables frame, sky, light and those of the sky model.
+
+// Light of a file's sky low in this direction: what far air takes its colour from.
+fn air_horizon(dir: vec3f) -> vec3f {
+  let u = atan2(dir.x, -dir.z) / (2.0 * ATM_PI);
+  return textureSampleLevel(environment_map, sky_sampler, vec2f(u, 0.5 + 1.5 / 128.0), 1.0).rgb;
+}
+
+// Air without fog between the eye and a point at a distance: the light that it adds, and the share that it lets through.
+fn air_clear(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
+  let km = 0.001 * distance_m;
+  let eye = 0.001 * frame.eye_m;
+  // Mean density along the straight path from the eye down to the sea.
+  let thin = vec2f(eye / ATM_RAYLEIGH_HEIGHT, eye / ATM_MIE_HEIGHT) + 1e-4;
+  let mean = (1.0 - exp(-thin)) / thin;
+  let extinction = ATM_RAYLEIGH * mean.x + ATM_MIE * (sky.haze * mean.y);
+  let sun = atm_rgb(vec4f(1.0));
+  let through = atm_rgb(exp(-extinction * km)) / sun;
+  if sky.file > 0.0 {
+    return array<vec3f, 2>(air_horizon(dir) * (1.0 - through), through);
+  }
+  // The table holds the air down to the still sea in this direction; a crest before it has less air in front.
+  let below = min(asin(clamp(dir.y, -1.0, 1.0)) + frame.dip, -1e-5);
+  let fall = sin(frame.dip - below);
+  let root = max(fall * fall - sin(frame.dip) * sin(frame.dip), 0.0);
+  let whole_km = ATM_GROUND * (fall - sqrt(root));
+  let whole = atm_rgb(exp(-extinction * whole_km)) / sun;
+  let share = clamp((1.0 - through) / max(1.0 - whole, vec3f(1e-6)), vec3f(0.0), vec3f(1.0));
+  let clear = sky_clear(dir, below) * share;
+  let grey = sky_deck(0.0) * (1.0 - through);
+  return array<vec3f, 2>(mix(clear, grey, sky.overcast * sky.overcast), through);
+}
+
+// Fog on the ray up to a distance, with the air in front of it: the light that is added, and in w the share let through.
+fn air_fog(dir: vec3f, distance_m: f32) -> vec4f {
+  // A ray of the sky ends at no sea.
+  let mu = select(dir.y, max(dir.y, -sin(frame.dip)), distance_m >= FOG_FAR_M);
+  let through = fog_through(frame.eye_m, mu, sky.fog.y, distance_m);
+  var radiance = fog_radiance(dir);
+  // Seen from above, the fog lies at the far end.
+  let over = frame.eye_m - sky.fog.w - sky.fog.z;
+  if over > 0.0 && mu < 0.0 {
+    let root = sqrt(max(mu * mu - 2.0 * over / FOG_EARTH_M, 0.0));
+    let air = air_clear(dir, min(2.0 * over / (root - mu), distance_m));
+    radiance = air[0] + air[1] * radiance;
+  }
+  return vec4f(radiance * (1.0 - through), through);
+}
+
+// Air and fog between the eye and a point of the sea: the light that is added, and the share that is let through.
+fn air_between(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
+  let air = air_clear(dir, distance_m);
+  if sky.fog.x <= 0.0 {
+    return air;
+  }
+  let fog = air_fog(dir, distance_m);
+  return array<vec3f, 2>(air[0] * fog.w + fog.rgb, air[1] * fog.w);
+}
