@@ -160,7 +160,7 @@ impl Lab {
 fn every_parameter_changes_a_map_or_the_picture() {
     let mut lab = Lab::default();
     let mut unseen = Vec::new();
-    let file = common::made_up_sky(40.0);
+    let file = common::skies::made_up_sky(40.0);
     for field in FIELDS.iter().filter(|f| UNSEEN.iter().all(|(key, _)| *key != f.key)) {
         let (_, more, value) = need(field.key).copied().unwrap_or_default();
         let state = later_wins(&format!("{BASE}&{more}"));

@@ -2,12 +2,14 @@
 
 mod common;
 
-use common::made_up_sky;
+use common::skies::made_up_sky;
 use seastate::cli::render::{FORMAT, picture, picture_of};
 use seastate::gpu::device::Gpu;
 use seastate::model::{Params, query};
 use seastate::ocean::Ocean;
 use seastate::sim::MAX_STEPS;
+use skies::made_up_sky;
+use std::collections::BTreeMap;
 
 const SIZE: [u32; 2] = [160, 96];
 

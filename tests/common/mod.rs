@@ -1,17 +1,16 @@
 //! What the tests on the GPU share.
 #![allow(dead_code, reason = "every test crate uses some of it")]
 
+pub mod skies;
+
 use seastate::cli::render::{FORMAT, picture_of};
 use seastate::gpu::device::Gpu;
 use seastate::gpu::shaders::Shaders;
 use seastate::model::fields::{FIELDS, Kind};
-use seastate::model::look::SkyFile;
 use seastate::model::noise::pcg4d;
-use seastate::model::panorama::Panorama;
 use seastate::model::{Params, Plan, query};
 use seastate::ocean::Ocean;
 use seastate::sim::{MapsF32, Simulation};
-use std::sync::Arc;
 
 pub fn gpu() -> Gpu {
     pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers")
@@ -84,23 +83,4 @@ pub fn random_params(start: &str, number: u32) -> Params {
         (field.set)(&mut p, field.accept(value).unwrap_or(field.default_value()));
     }
     p
-}
-
-/// A made-up sky, blue above and white on the horizon, its sun 30 degrees high at a heading.
-pub fn made_up_sky(sun_azimuth_deg: f64) -> SkyFile {
-    let (width, height) = (512, 256);
-    let (a, e) = (sun_azimuth_deg.to_radians(), 30f64.to_radians());
-    let pixel = |x: usize, y: usize| {
-        let azimuth = ((x as f64 + 0.5) / width as f64 - 0.5) * std::f64::consts::TAU;
-        let elevation = (0.5 - (y as f64 + 0.5) / height as f64) * std::f64::consts::PI;
-        let cosine = e.sin() * elevation.sin() + e.cos() * elevation.cos() * (azimuth - a).cos();
-        if cosine > 0.012f64.cos() {
-            return [9e3, 8.5e3, 8e3];
-        }
-        let up = elevation.sin().max(0.0) as f32;
-        if elevation > 0.0 { [0.9 - 0.7 * up, 0.9 - 0.5 * up, 1.0] } else { [0.1; 3] }
-    };
-    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| pixel(x, y))).collect();
-    let image = Panorama::new(width, height, pixels).expect("a sky");
-    SkyFile { image: Some(Arc::new(image)), ..SkyFile::named("made-up.hdr").expect("a name") }
 }
