@@ -5,9 +5,6 @@ pub type Objective = (&'static str, &'static str, &'static [&'static str], &'sta
 
 /// Keys that are named below before they have a row in FIELDS; they are left out of the page until they have.
 pub const AWAITED: &[&str] = &[
-    // Mesh and repetition.
-    "untile",
-    "extent",
     // Sun, sky and film.
     "sunby",
     "day",
