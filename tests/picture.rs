@@ -8,8 +8,6 @@ use seastate::gpu::device::Gpu;
 use seastate::model::{Params, query};
 use seastate::ocean::Ocean;
 use seastate::sim::MAX_STEPS;
-use skies::made_up_sky;
-use std::collections::BTreeMap;
 
 const SIZE: [u32; 2] = [160, 96];
 

@@ -1,5 +1,6 @@
-//! `seastate bench`: what each pass costs, by submitting it alone and waiting. The least time is what the pass costs on a
-//! machine that does nothing else; median and percentiles say how quiet it was.
+//! `seastate bench`: what each pass costs, by submitting it alone and waiting. The least time is the nearest to what the
+//! pass costs on a machine that does nothing else; median and percentiles say how quiet it was. Where the GPU is software, the
+//! time that the process spent on CPUs says it better on a busy machine.
 
 use super::render;
 use crate::gpu::device::Gpu;
@@ -19,6 +20,8 @@ struct Timing {
     median: f64,
     low: f64,
     high: f64,
+    /// Least time on CPUs, where the system says.
+    cpu: Option<f64>,
 }
 
 /// The result.
@@ -95,20 +98,32 @@ fn time(
     pass: &'static str,
     mut record: impl FnMut(u32, &mut wgpu::CommandEncoder),
 ) -> Result<Timing, String> {
-    let mut times = Vec::new();
+    let (mut times, mut cpu) = (Vec::new(), None);
     for i in 0..repeat + 2 {
-        let start = Instant::now();
+        let (start, spent) = (Instant::now(), cpu_ms());
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some(pass) });
         record(i, &mut encoder);
         gpu.queue.submit([encoder.finish()]);
         gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| e.to_string())?;
         if i >= 2 {
             times.push(1e3 * start.elapsed().as_secs_f64());
+            let more = cpu_ms().zip(spent).map(|(after, before)| after - before);
+            cpu = more.map(|more| cpu.map_or(more, |least: f64| least.min(more)));
         }
     }
     times.sort_by(f64::total_cmp);
     let at = |q: f64| times[((times.len() - 1) as f64 * q).round() as usize];
-    Ok(Timing { pass, least: times[0], median: at(0.5), low: at(0.1), high: at(0.9) })
+    Ok(Timing { pass, least: times[0], median: at(0.5), low: at(0.1), high: at(0.9), cpu })
+}
+
+/// What the threads of this process have spent on CPUs so far, where Linux says it.
+fn cpu_ms() -> Option<f64> {
+    let threads = std::fs::read_dir("/proc/self/task").ok()?;
+    let spent = |thread: std::fs::DirEntry| -> Option<f64> {
+        let text = std::fs::read_to_string(thread.path().join("schedstat")).ok()?;
+        text.split_whitespace().next()?.parse::<f64>().ok()
+    };
+    Some(1e-6 * threads.flatten().filter_map(spent).sum::<f64>())
 }
 
 impl Report {
@@ -118,7 +133,7 @@ impl Report {
             .map(|t| {
                 (
                     t.pass.to_owned(),
-                    json!({"least_ms": t.least, "median_ms": t.median, "p10_ms": t.low, "p90_ms": t.high}),
+                    json!({"least_ms": t.least, "median_ms": t.median, "p10_ms": t.low, "p90_ms": t.high, "least_cpu_ms": t.cpu}),
                 )
             })
             .collect();
@@ -135,9 +150,15 @@ impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [w, h] = self.size;
         writeln!(f, "{} ({}), n {}, {} cascades, {w}x{h}", self.adapter, self.backend, self.n, self.cascades)?;
-        writeln!(f, "{:<12} {:>10} {:>12} {:>24}", "pass", "least, ms", "median, ms", "10th to 90th percentile")?;
+        writeln!(
+            f,
+            "{:<12} {:>10} {:>12} {:>24} {:>10}",
+            "pass", "least, ms", "median, ms", "10th to 90th percentile", "CPU, ms"
+        )?;
         for t in &self.timings {
-            writeln!(f, "{:<12} {:>10.3} {:>12.3} {:>14.3} {:>9.3}", t.pass, t.least, t.median, t.low, t.high)?;
+            let cpu = t.cpu.map_or("-".to_owned(), |cpu| format!("{cpu:.3}"));
+            let (pass, least, median) = (t.pass, t.least, t.median);
+            writeln!(f, "{pass:<12} {least:>10.3} {median:>12.3} {:>14.3} {:>9.3} {cpu:>10}", t.low, t.high)?;
         }
         Ok(())
     }

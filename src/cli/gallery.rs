@@ -30,12 +30,12 @@ pub const SEAS: &[Sea] = &[
     Sea {
         title: "Calm at dawn",
         about: "Beaufort 1 and hardly a swell: the sky lies in the water, and the sun is just up.",
-        state: "wind=1.5&fetch=30&scale2=1&hs2=0.3&tp2=9&sun=3&sunaz=75&y=3&heading=62&pitch=-3&t=40",
+        state: "spectrum=pm&wind=1.5&scale2=1&hs2=0.3&tp2=9&sun=3&sunaz=75&y=3&heading=62&pitch=-3&t=40",
     },
     Sea {
         title: "Trade wind",
-        about: "8 m/s from the east over a long fetch, with the swell of a storm far to the north: the sea of most days.",
-        state: "wind=8&fetch=1000&dir=80&scale2=1&dir2=340&tp2=13&sun=48&sunaz=120&y=9&heading=250&pitch=-6&t=40",
+        about: "8 m/s from the east over as long a fetch as waves can use, with the swell of a storm far to the north: the sea of most days.",
+        state: "spectrum=pm&wind=8&dir=80&scale2=1&dir2=340&tp2=13&sun=48&sunaz=120&y=9&heading=250&pitch=-6&t=40",
     },
     Sea {
         title: "Fresh breeze",
@@ -49,18 +49,18 @@ pub const SEAS: &[Sea] = &[
     },
     Sea {
         title: "Southern Ocean storm",
-        about: "Beaufort 10 over 1,200 km of open water: waves of eleven metres, seen from a ship's bridge.",
-        state: "wind=26&fetch=1200&dir=270&sun=12&sunaz=330&overcast=0.6&y=22&heading=300&pitch=-7&t=40",
+        about: "Beaufort 10 over 750 km of open water: waves of eleven metres, seen from a ship's bridge.",
+        state: "wind=26&fetch=750&dir=270&sun=12&sunaz=330&overcast=0.6&y=22&heading=300&pitch=-7&t=40",
     },
     Sea {
         title: "Long swell",
         about: "Three metres at sixteen seconds from a storm days away, under a light breeze.",
-        state: "wind=3&fetch=60&scale2=1&dir2=290&hs2=3&tp2=16&swell2=1&sun=20&sunaz=300&y=10&heading=280&pitch=-5&t=40",
+        state: "spectrum=pm&wind=3&scale2=1&dir2=290&hs2=3&tp2=16&swell2=1&sun=20&sunaz=300&y=10&heading=280&pitch=-5&t=40",
     },
     Sea {
         title: "Crossing seas",
         about: "A wind sea from the south-west and another, older one from the north-west: pyramids where crests meet.",
-        state: "wind=11&scale2=1&wind2=14&dir2=330&hs2=2.2&tp2=9&swell2=0.3&sun=35&sunaz=160&y=14&heading=200&pitch=-9&t=40",
+        state: "wind=11&scale2=1&dir2=330&hs2=2.2&tp2=9&swell2=0.3&sun=35&sunaz=160&y=14&heading=200&pitch=-9&t=40",
     },
     Sea {
         title: "Shallow tropical water",
@@ -70,17 +70,17 @@ pub const SEAS: &[Sea] = &[
     Sea {
         title: "Overcast",
         about: "A grey day, Beaufort 4: no sun, no glitter, all light from the deck of cloud.",
-        state: "wind=7&sun=35&overcast=1&heading=50&t=40",
+        state: "wind=7&fetch=50&sun=35&overcast=1&heading=50&t=40",
     },
     Sea {
         title: "Dusk",
         about: "The sun has gone; the water keeps the light of the western sky.",
-        state: "wind=6&fetch=80&sun=-2&sunaz=285&y=5&heading=290&pitch=-3&t=40",
+        state: "wind=6&fetch=35&sun=-2&sunaz=285&y=5&heading=290&pitch=-3&t=40",
     },
     Sea {
         title: "From the air",
         about: "600 m up in a near gale: the groups of waves, their whitecaps, and the sun's glitter.",
-        state: "wind=15&fetch=400&sun=42&sunaz=190&y=600&heading=185&pitch=-28&t=40",
+        state: "wind=15&fetch=250&sun=42&sunaz=190&y=600&heading=185&pitch=-28&t=40",
     },
     Sea {
         title: "Close to the ripples",
