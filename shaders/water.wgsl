@@ -52,19 +52,10 @@ fn vertex(@builtin(vertex_index) i: u32) -> WaterVertex {
 
 // Weight of a sample of a reference: its slope came from a place of the mesh, but it is seen by the area that it turns to
 // the eye. The mean over what the mesh cannot show is 1.
-fn water_weight(v: vec3f, slope: WaterSlope, at: vec2f) -> f32 {
-  let mesh = water_slope(at, WaterFootprint(vec2f(0.0), water_spacing(length(at)), 1));
-  let shown = water_seen_from(v, mesh) * max(mesh.jacobian, 0.1);
-  return clamp(water_seen_from(v, slope) * max(slope.jacobian, 0.0) / max(shown, 1e-6), 1e-5, 1e3);
-}
-
-// Area that a distribution of slopes turns to the eye, over horizontal area.
-fn water_seen_from(v: vec3f, slope: WaterSlope) -> f32 {
-  let across = max(length(v.xz), 1e-4);
-  let toward = v.xz / across;
-  let variance = slope.variance;
-  let cov = mat2x2f(variance.x, variance.z, variance.z, variance.y);
-  return water_seen(v.y, across, -dot(slope.mean, toward), sqrt(max(dot(toward, cov * toward), 1e-6)));
+fn water_weight(v: vec3f, slope: WaterSlope, mesh: WaterSlope) -> f32 {
+  let shown = water_facets_seen(water_facets(v, mesh)).x * max(mesh.jacobian, 0.1);
+  let own = water_facets_seen(water_facets(v, slope)).x * max(slope.jacobian, 0.0);
+  return clamp(own / max(shown, 1e-6), 1e-5, 1e3);
 }
 
 @fragment
@@ -88,9 +79,15 @@ fn fragment(in: WaterVertex) -> @location(0) vec4f {
   let n = water_normal(slope.mean);
 
   slope.variance += vec3f(vec2f(material.rough_variance), 0.0);
+  // The waves that the mesh shows hide and shade by themselves, where they are seen; those between, by their statistics.
+  var around = slope;
+  if frame.footprint == 0.0 {
+    around = water_slope(at, WaterFootprint(vec2f(0.0), water_spacing(length(at)), 1));
+    around.variance += vec3f(vec2f(material.rough_variance), 0.0);
+  }
 
   let foam = water_foam(at, foot);
-  let mirror = water_mirror(v, slope);
+  let mirror = water_mirror_among(v, slope, around);
   // A facet that leans away from the eye is not what the eye sees.
   let ray = water_refract(-v, n);
   let rise = in.rest.y / max(frame.hs_m, 0.05);
@@ -113,7 +110,7 @@ fn fragment(in: WaterVertex) -> @location(0) vec4f {
   let air = air_between(dir, distance_m);
   let colour = surface * air[1] + air[0];
   if frame.footprint == 0.0 {
-    return vec4f(colour, water_weight(v, slope, at));
+    return vec4f(colour, water_weight(v, slope, around));
   }
   return frame_colour(colour);
 }

@@ -119,11 +119,13 @@ fn water_node(f: WaterFacets, least: f32, i: i32) -> WaterNode {
     // Slopes turned away from the eye are not seen.
     let low = -(f.height / f.across + f.tilt) / f.sigma;
     let from_t = max(max(low, (least - f.tilt) / f.sigma), -3.2);
-    let range = max(3.4, from_t + 2.4) - from_t;
+    // As far as the density reaches: over 1 / t in the far tail.
+    let range = max(3.4 - from_t, 8.0 / max(from_t, 3.3));
     t = from_t + rule.x * range;
-    // Scaled so that not all underflow when only the far tail is seen.
+    // Scaled so that not all underflow when only the far tail is seen; differences first, that none is lost there.
     let scale = max(low, 0.0);
-    node.weight = rule.y * range * exp(-0.5 * (t * t - scale * scale)) * (t - low);
+    let past = from_t - scale + rule.x * range;
+    node.weight = rule.y * range * exp(-0.5 * past * (t + scale)) * (from_t - low + rule.x * range);
     node.width = rule.y * range * f.sigma;
   }
   node.slope = f.toward * -(f.tilt + f.sigma * t) + f.side * (f.side_mean - f.shear * t);

@@ -14,10 +14,17 @@ fn water_environment(dir: vec3f, lod: f32) -> vec3f {
 
 // Mirrored sky and sun; `v` points to the eye, in the frame of the local vertical.
 fn water_mirror(v: vec3f, surface: WaterSlope) -> WaterMirror {
+  return water_mirror_among(v, surface, surface);
+}
+
+// The same of a part of a surface: facets of `around` hide it from the eye and the sun, and mirror their light to it.
+fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> WaterMirror {
   var slope = surface;
+  var around = others;
   if material.facets == WATER_PHONG {
     // The lobe of a shininess in place of the slopes that the pixel does not resolve.
     slope.variance = vec3f(vec2f(1.0 / (material.shininess + 2.0)), 0.0);
+    around.variance = slope.variance;
   }
   let eye = water_facets(v, slope);
   var sum = vec3f(0.0);
@@ -27,7 +34,9 @@ fn water_mirror(v: vec3f, surface: WaterSlope) -> WaterMirror {
     let node = water_node(eye, WATER_ALL, i);
     let n = water_normal(node.slope);
     let f = 0.5 * (water_facet_fresnel(v, node.slope + node.side) + water_facet_fresnel(v, node.slope - node.side));
-    let spread = (1.4 * node.width + 0.6 * eye.side_sigma) * (128.0 / ATM_PI) + 1e-3;
+    // Between two nodes, and as far as slopes beside the direction turn the ray: less, the flatter it comes.
+    let beside = 1.2 * eye.side_sigma * max(dot(v, n), 0.0);
+    let spread = max(0.8 * node.width, beside) * (128.0 / ATM_PI) + 1e-3;
     sum += node.weight * f * water_environment(reflect(-v, n), clamp(log2(spread), 0.0, 5.0));
     sum_f += node.weight * f;
     weights += node.weight;
@@ -35,7 +44,7 @@ fn water_mirror(v: vec3f, surface: WaterSlope) -> WaterMirror {
   var out: WaterMirror;
   out.radiance = sum * (material.reflection / weights);
   out.reflectance = sum_f / weights;
-  out.radiance += water_glitter(v, slope, eye);
+  out.radiance += water_glitter(v, slope, eye, around);
   return out;
 }
 
@@ -71,15 +80,18 @@ fn water_unhidden(seen: vec2f, lit: vec2f) -> f32 {
 }
 
 // The sun: density of the slope that mirrors it into the eye.
-fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets) -> vec3f {
+fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlope) -> vec3f {
   let l = frame.sun;
   let h = normalize(l + v);
   if l.y <= -0.02 || h.y <= 0.01 {
     return vec3f(0.0);
   }
   let mirror_slope = -h.xz / h.y;
-  let seen = water_facets_seen(eye);
-  let lit = water_facets_seen(water_facets(l, slope));
+  let all = water_facets(v, around);
+  let seen = water_facets_seen(all);
+  let lit = water_facets_seen(water_facets(l, around));
+  // Of the part over that of all.
+  let share = max(seen.x, 1e-5) / max(water_facets_seen(eye).x, 1e-5);
   var f = water_fresnel(dot(v, h));
   if material.fresnel_normals != 1.0 {
     f = water_facet_fresnel(v, mirror_slope);
@@ -94,10 +106,10 @@ fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets) -> vec3f {
   } else {
     let h2 = h.y * h.y;
     let density = water_slope_density(mirror_slope - slope.mean, slope.variance);
-    brightness = density / (4.0 * h2 * h2) * water_unhidden(seen, lit);
+    brightness = share * density / (4.0 * h2 * h2) * water_unhidden(seen, lit);
     // Sunlight mirrored twice, as bright around as that mirrored once. It matters in the flat view of rough water.
     if brightness > 1e-4 && seen.y < 0.5 {
-      let mirrored = water_mirrored(v, slope, eye);
+      let mirrored = water_mirrored(v, around, all);
       brightness *= 1.0 + water_again(mirrored);
     }
   }
