@@ -1,6 +1,8 @@
 //! Every parameter does something: another value changes a map or the picture.
 
 mod common;
+#[path = "common/skies.rs"]
+mod skies;
 
 use common::{Pictures, params};
 use seastate::gpu::shaders::Shaders;
@@ -51,6 +53,16 @@ const NEEDS: &[(&str, &str, &str)] = &[
     ("high2", "", "0.4"),
     ("high3", "", "3"),
     ("high4", "", "15"),
+    ("day", "sunby=date", ""),
+    ("hour", "sunby=date", ""),
+    ("lat", "sunby=date", ""),
+    ("sunsize", "overcast=0&sun=12&sunaz=40&pitch=12&fov=10", "3"),
+    ("sunfalloff", "overcast=0&sun=12&sunaz=40&pitch=12&fov=10&sunsize=5&autoexposure=0&exposure=-8", ""),
+    ("fogstart", "fog=2", "500"),
+    ("fogfalloff", "fog=2", "300"),
+    ("fogheight", "fog=2", "200"),
+    ("skyturn", "sky=made-up.hdr", ""),
+    ("skygain", "sky=made-up.hdr", ""),
     ("viewcascade", "view=height", "2"),
     ("day", "sunby=date", ""),
     ("hour", "sunby=date", ""),
@@ -159,6 +171,7 @@ impl Lab {
 #[test]
 fn every_parameter_changes_a_map_or_the_picture() {
     let mut lab = Lab::default();
+    let file = skies::made_up_sky(40.0);
     let mut unseen = Vec::new();
     let file = common::skies::made_up_sky(40.0);
     for field in FIELDS.iter().filter(|f| UNSEEN.iter().all(|(key, _)| *key != f.key)) {

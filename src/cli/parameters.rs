@@ -1,7 +1,7 @@
 //! docs/parameters.md, made from FIELDS by `seastate keys --markdown`: every parameter, and which of them answer the list
 //! of objectives.
 
-use super::objectives::{Objective, SECTIONS};
+use super::objectives::{OUTSIDE, Objective, SECTIONS};
 use super::validate::page::Page;
 use crate::model::fields::{self, FIELDS, Field, Group};
 
@@ -24,6 +24,10 @@ pub fn page() -> String {
         "`measured` carries a buoy's spectrum, shown by `spectrum=measured`: bands f\\*S or \
          f\\*S\\*alpha1\\*alpha2\\*r1\\*r2, separated by _, in Hz, m²/Hz, degrees that the waves come from, and 0..1. \
          The program writes it when it reads a buoy's file.",
+    );
+    page.prose(
+        "`sky` is the name of a sky's file, an equirectangular `.hdr` or `.exr` in linear light, that is dropped on the sea or \
+         given by `--sky`. A link cannot hold the picture: where it is not at hand the built sky is shown, with a notice.",
     );
     page.heading(2, "The list of objectives");
     page.prose(
@@ -50,7 +54,8 @@ fn row(field: &Field) -> Vec<String> {
 
 fn answer(objective: &Objective) -> Vec<String> {
     let (number, text, keys, how) = *objective;
-    let known: Vec<String> = keys.iter().filter(|key| fields::find(key).is_some()).map(|key| code(key)).collect();
+    let known: Vec<String> =
+        keys.iter().filter(|key| fields::find(key).is_some() || OUTSIDE.contains(key)).map(|key| code(key)).collect();
     vec![number.into(), text.into(), known.join(" "), how.into()]
 }
 
