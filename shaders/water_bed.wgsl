@@ -18,8 +18,8 @@ fn bed_albedo(at: vec2f, size: f32) -> vec3f {
   let phase = 2.0 * ATM_PI * (dot(uv, BED_RIPPLES) + bend);
   let shown = exp(-pow(1.6 * size / BED_RIPPLE_M, 2.0));
   let ripple = 0.10 * shown * (sin(phase) + 0.25 * sin(2.0 * phase + 0.7));
-  let patches = mix(0.5, wide.value.b, wide.kept) - 0.5;
-  let grains = mix(0.5, fine.value.g, fine.kept) - 0.5;
+  let patches = wide.value.b - 0.5;
+  let grains = fine.value.g - 0.5;
   return material.bed_colour * clamp(1.0 + 0.35 * patches + 0.22 * grains + ripple, 0.3, 1.5);
 }
 

@@ -118,5 +118,6 @@ fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlo
     brightness *= smoothstep(0.5 * material.specular_cut, material.specular_cut, min(dot(n, l), dot(n, v)));
   }
   let strength = material.specular_scale * clamp(material.specular_fresnel * f, 0.0, 1.0);
-  return light.sun * (strength * brightness);
+  // A mirror image is not brighter than the sun's disc.
+  return light.sun * min(strength * brightness, 14700.0);
 }

@@ -4,14 +4,7 @@
 pub type Objective = (&'static str, &'static str, &'static [&'static str], &'static str);
 
 /// Keys that are named below before they have a row in FIELDS; they are left out of the page until they have.
-#[rustfmt::skip]
-pub const AWAITED: &[&str] = &[
-    // The water's material.
-    "water", "watermix", "scattercolour", "bubblecolour", "bubbles", "heightscatter", "viewscatter", "diffuse",
-    "ambient", "reflection", "nwater", "nair", "fresnel", "fresnelshine", "fresnelscale", "fresnelnormals",
-    "specular", "shininess", "glitter", "glitterfresnel", "glittercut", "roughness", "foamcolour",
-    "foamroughness",
-];
+pub const AWAITED: &[&str] = &[];
 
 /// Keys of the state string that are no numbers, and so no rows of FIELDS.
 pub const OUTSIDE: &[&str] = &["measured", "sky"];
