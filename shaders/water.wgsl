@@ -69,7 +69,8 @@ fn fragment(in: WaterVertex) -> @location(0) vec4f {
   let bend_x = dpdx(slope.mean);
   let bend_y = dpdy(slope.mean);
   let bend = (1.0 / 12.0) * (vec3f(bend_x * bend_x, bend_x.x * bend_x.y) + vec3f(bend_y * bend_y, bend_y.x * bend_y.y));
-  slope.variance += min(bend, vec3f(0.08)) * frame.footprint;
+  let most_bend = min(1.0, 0.08 / max(max(bend.x, bend.y), 1e-6));
+  slope.variance = water_covariance(slope.variance + bend * (most_bend * frame.footprint));
 
   let distance_m = length(in.place);
   let dir = in.place / distance_m;

@@ -91,6 +91,13 @@ fn water_normal(slope: vec2f) -> vec3f {
   return normalize(vec3f(-slope.x, 1.0, -slope.y));
 }
 
+// Variances xx, zz, xz that can be a covariance: a sum of estimates may hold more of xz than of xx and zz, and a Gaussian of
+// that would be greatest where there are no slopes.
+fn water_covariance(variance: vec3f) -> vec3f {
+  let most = 0.97 * sqrt(max(variance.x * variance.y, 0.0));
+  return vec3f(variance.xy, clamp(variance.z, -most, most));
+}
+
 // Footprint of a pixel on the undisplaced sea: its length along the longer side, filtered by several taps so that it is
 // not blurred across. Hardware anisotropy is not used: it differs between GPUs and takes minutes in software.
 struct WaterFootprint {
@@ -220,7 +227,7 @@ fn water_slope(at: vec2f, foot: WaterFootprint) -> WaterSlope {
   out.mean = vec2f(slope.x * sz - slope.y * l.y * shear.y, slope.y * sx - slope.x * l.x * shear.x) * over;
   let steep = length(out.mean);
   out.mean *= min(1.0, 1.6 / max(steep, 1e-6));
-  out.variance = variance;
+  out.variance = water_covariance(variance);
   out.jacobian = jacobian;
   return out;
 }

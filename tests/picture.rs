@@ -301,3 +301,12 @@ fn an_eye_near_the_water_rides_over_the_waves() {
         assert!(brightest < 120.0, "{state}: sky below the eye, or air in the water ({brightest})");
     }
 }
+
+/// Away from the sun a calm sea has no glints: a covariance of slopes that is none would strew them everywhere.
+#[test]
+fn no_sparks_fly_away_from_the_sun() {
+    let gpu = gpu();
+    let pixels = render(&gpu, "wind=3&n=128&t=40&sunaz=220&foam=0&pitch=-15");
+    let brightest = pixels[pixels.len() / 3..].iter().map(|p| luminance(*p)).fold(0.0, f64::max);
+    assert!(brightest < 150.0, "{brightest}");
+}
