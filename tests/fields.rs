@@ -54,7 +54,7 @@ const NEEDS: &[(&str, &str, &str)] = &[
     ("day", "sunby=date", ""),
     ("hour", "sunby=date", ""),
     ("lat", "sunby=date", ""),
-    ("sunsize", "overcast=0&sun=12&sunaz=40&pitch=12&fov=10", "3"),
+    ("sunsize", "overcast=0&sun=12&sunaz=40&pitch=12&fov=10&autoexposure=0&exposure=-8", "3"),
     ("sunfalloff", "overcast=0&sun=12&sunaz=40&pitch=12&fov=10&sunsize=5&autoexposure=0&exposure=-8", ""),
     ("fogstart", "fog=2", "500"),
     ("fogfalloff", "fog=2", "300"),
@@ -69,7 +69,8 @@ const NEEDS: &[(&str, &str, &str)] = &[
     ("glitter", "sunaz=40&sun=20&overcast=0", ""),
     ("glitterfresnel", "sunaz=40&sun=20&overcast=0", ""),
     ("foamroughness", "sunaz=40&sun=20&overcast=0", ""),
-    ("foamrelief", "y=3&pitch=-30", ""),
+    ("foamrelief", "y=3&pitch=-30&wind=26&overcast=0", ""),
+    ("extent", "", "0.5"),
     ("caustics", "sun=60&overcast=0&depth=4&wind=6&pitch=-30", ""),
     ("bedcolour", "sun=60&overcast=0&depth=4&wind=6&pitch=-30", ""),
 ];

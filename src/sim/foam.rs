@@ -7,7 +7,7 @@ use crate::model::{Plan, foam};
 /// Evaluations of a cold start.
 pub const REPLAY_STEPS: usize = 48;
 /// Decay times that a cold start looks back.
-const REPLAY_DECAYS: f64 = 3.0;
+const REPLAY_DECAYS: f64 = 5.0;
 /// A longer step than this is a jump, and starts anew.
 const LONGEST_STEP_S: f64 = 1.0;
 /// Side of the finest level, m, and ratio of neighbouring levels.
@@ -185,15 +185,16 @@ impl FoamClock {
     }
 }
 
-/// The steps of a cold start at `t_s`: a lattice of fixed times over the last decay times, then `t_s` itself.
+/// The steps of a cold start at `t_s`: ages of fixed length over the last decay times, shorter and shorter. What has just
+/// broken is the whitest and has not been smeared by fading, so that is where long steps would be seen.
 fn replay(t_s: f64, decay_s: f64) -> Vec<Step> {
-    let dt = REPLAY_DECAYS * decay_s / REPLAY_STEPS as f64;
-    let last = (t_s / dt).floor();
-    let first = last - (REPLAY_STEPS as f64 - 2.0);
-    let mut steps: Vec<Step> =
-        (0..REPLAY_STEPS - 1).map(|i| Step { t_s: (first + i as f64) * dt, dt_s: dt, fresh: i == 0 }).collect();
-    steps.push(Step { t_s, dt_s: t_s - last * dt, fresh: false });
-    steps
+    const GRADING: f64 = 1.8;
+    let age = |i: usize| {
+        let back = (REPLAY_STEPS - 1).saturating_sub(i) as f64 / (REPLAY_STEPS - 1) as f64;
+        REPLAY_DECAYS * decay_s * back.powf(GRADING)
+    };
+    let dt = |i: usize| age(i.saturating_sub(1)) - age(i.max(1));
+    (0..REPLAY_STEPS).map(|i| Step { t_s: t_s - age(i), dt_s: dt(i), fresh: i == 0 }).collect()
 }
 
 #[cfg(test)]
