@@ -141,7 +141,8 @@ fn water_waves(at: vec2f, foot: WaterFootprint, layer: u32, place: vec4f, tile: 
   let texels = foot.size * place.z * frame.n;
   let long = max(length(foot.axis) * place.z * frame.n, texels);
   let blend = tile_blend(tile, at);
-  let share = 1.0 - smoothstep(WATER_FADE, WATER_FAR, sqrt(texels * long) / frame.n);
+  let wide = texels / WATER_TAP;
+  let share = 1.0 - smoothstep(WATER_FADE, WATER_FAR, sqrt(wide * long) / frame.n);
   let distant = share <= 0.0;
   // Magnified: smooth between texels, in one tap.
   let near = select(0.0, 1.0 - smoothstep(0.8, 1.25, long), frame.sampling[layer] < WATER_SMOOTH);
@@ -152,12 +153,13 @@ fn water_waves(at: vec2f, foot: WaterFootprint, layer: u32, place: vec4f, tile: 
     let d = textureSampleLevel(displacement_map, wave_sampler, uv + shift, layer, 0.0);
     water_add(&out, g, d, near * vec3f(blend.weight[i], blend.along_x[i], blend.along_z[i]));
   }
-  // Several texels in the footprint: as many taps as are worth it, half as many for the smoother moments, and one for the
-  // displacement, whose part in the slope is of second order. The weights are those of the middle.
-  let taps = clamp(i32(ceil(long / max(texels, 1.0) - 0.3)), 1, foot.taps);
+  // Several texels in the footprint: as many taps as are worth it (one between texels blurs as much as a box of 1.4), half
+  // as many for the smoother moments, and one for the displacement, whose part in the slope is of second order. The weights
+  // are those of the middle.
+  let taps = clamp(i32(ceil(long / max(wide, 1.4) - 0.3)), 1, foot.taps);
   let pairs = (taps + 1) / 2;
   let lod = log2(max(texels, 1e-6));
-  let long_lod = log2(max(long, 1e-6));
+  let long_lod = log2(max(WATER_TAP * long, 1e-6));
   let wide_lod = min(lod + log2(f32(taps) / f32(pairs)), long_lod) - 1.0;
   for (var i = 0u; i < select(blend.count, 0u, near >= 1.0 || distant); i++) {
     let middle = uv + tile_shift(tile, blend, i);

@@ -234,6 +234,46 @@ fn the_sea_stays_where_it_is() {
     }
 }
 
+/// A member of the frame's uniform.
+fn member(bytes: &[u8], name: &str) -> Vec<f32> {
+    let (_, members, _) = render::LAYOUTS.iter().find(|(layout, ..)| *layout == "Frame").expect("the frame's layout");
+    let (_, offset) = members.iter().find(|(member, _)| *member == name).expect("a member of that name");
+    bytes[*offset..][..16].chunks(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect()
+}
+
+/// The lattice of the mesh moves with the eye. Between its vertices the surface is a plane, so that a wave that it shows
+/// must not bend by a pixel from one vertex to the next, or it would be seen to swim.
+#[test]
+fn the_mesh_is_finer_than_what_it_shows() {
+    for (state, pixels) in [("wind=12&fetch=150&n=256&t=20", 720.0), ("wind=12&fetch=150&n=256&t=20&y=60&pitch=-10", 720.0)] {
+        let mut bench = Bench::new(state);
+        let scene = bench.ocean.scene([1280, 720]);
+        let frame = render::frame_bytes(&scene, bench.ocean.simulation().maps(), [1280, 720]);
+        let (lattice, scale) = (member(&frame, "mesh"), f64::from(member(&frame, "mesh_radius")[0]));
+        let [turn, step] = [lattice[1], lattice[3]].map(f64::from);
+        let pixel = 2.0 * scene.view.tan_half[1] / pixels;
+        for radius in [10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0] {
+            // As in water.wgsl.
+            let spacing = f64::max((radius + scale) * step, radius * turn);
+            let rest: Vec<[f64; 2]> = (0..1000).map(|i| {
+                let (sin, cos) = (TAU * f64::from(i) / 1000.0).sin_cos();
+                [radius * sin, -radius * cos]
+            }).collect();
+            let beside = |sign: f64| -> Vec<[f64; 2]> {
+                rest.iter().map(|p| p.map(|x| x * (1.0 + sign * 0.5 * spacing / radius))).collect()
+            };
+            let mut heights = |points: &[[f64; 2]]| -> Vec<f64> {
+                bench.ask([0.0; 2], points, 1.3 * spacing, 0.0).iter().map(|d| d.moved[1]).collect()
+            };
+            let [middle, before, after] = [&rest, &beside(-1.0), &beside(1.0)].map(|points| heights(points));
+            let bend = (0..rest.len()).map(|i| (middle[i] - 0.5 * (before[i] + after[i])).powi(2)).sum::<f64>();
+            let seen = (bend / rest.len() as f64).sqrt() / radius.hypot(scene.view.eye.y) / pixel;
+            eprintln!("{state}: at {radius} m, {spacing:.2} m from row to row: {seen:.3} pixels");
+            assert!(seen < 0.5, "{state} at {radius} m: {seen} pixels");
+        }
+    }
+}
+
 /// Mean square slope: of the mean over a pixel, and with what the pixel cannot resolve, chop off.
 fn mean_squares(bench: &mut Bench, size: f64, long: f64) -> [f64; 2] {
     let points = places(20_000, [0.0; 2], 60_000.0);
