@@ -245,7 +245,9 @@ fn member(bytes: &[u8], name: &str) -> Vec<f32> {
 /// must not bend by a pixel from one vertex to the next, or it would be seen to swim.
 #[test]
 fn the_mesh_is_finer_than_what_it_shows() {
-    for (state, pixels) in [("wind=12&fetch=150&n=256&t=20", 720.0), ("wind=12&fetch=150&n=256&t=20&y=60&pitch=-10", 720.0)] {
+    for (state, pixels) in
+        [("wind=12&fetch=150&n=256&t=20", 720.0), ("wind=12&fetch=150&n=256&t=20&y=60&pitch=-10", 720.0)]
+    {
         let mut bench = Bench::new(state);
         let scene = bench.ocean.scene([1280, 720]);
         let frame = render::frame_bytes(&scene, bench.ocean.simulation().maps(), [1280, 720]);
@@ -255,10 +257,12 @@ fn the_mesh_is_finer_than_what_it_shows() {
         for radius in [10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0] {
             // As in water.wgsl.
             let spacing = f64::max((radius + scale) * step, radius * turn);
-            let rest: Vec<[f64; 2]> = (0..1000).map(|i| {
-                let (sin, cos) = (TAU * f64::from(i) / 1000.0).sin_cos();
-                [radius * sin, -radius * cos]
-            }).collect();
+            let rest: Vec<[f64; 2]> = (0..1000)
+                .map(|i| {
+                    let (sin, cos) = (TAU * f64::from(i) / 1000.0).sin_cos();
+                    [radius * sin, -radius * cos]
+                })
+                .collect();
             let beside = |sign: f64| -> Vec<[f64; 2]> {
                 rest.iter().map(|p| p.map(|x| x * (1.0 + sign * 0.5 * spacing / radius))).collect()
             };
