@@ -201,11 +201,12 @@ fn normals_of_a_flat_sea_point_up() {
     assert!(water > pixels.len() / 2, "{water}");
 }
 
-/// From straight above, the level is the logarithm of a pixel's size in texels.
+/// From straight above, the level is the logarithm of a tap's size in texels: a pixel over the square root of 3, because a
+/// mip read with interpolation blurs as much as a box of the square root of 3 times its texel.
 #[test]
 fn mips_follow_the_height_of_the_eye() {
     let mut pictures = Pictures::default();
-    for y_m in [100.0, 400.0] {
+    for y_m in [200.0, 400.0] {
         let state = format!("wind=3&cascades=1&patch1=64&n=64&y={y_m}&pitch=-89&fov=50");
         let plan = Plan::new(&params(&state));
         let shown = Shown::Surface(Surface::Mips);
@@ -218,7 +219,8 @@ fn mips_follow_the_height_of_the_eye() {
         let middle = pixels[30 * 60 + 30];
         let seen = levels.iter().copied().min_by(|a, b| distance(&middle, *a).total_cmp(&distance(&middle, *b)));
         let pixel_m = 2.0 * (25.0 * PI / 180.0).tan() * y_m / 60.0;
-        let expected = (pixel_m * 64.0 / plan.cascades[0].patch_m).log2().clamp(0.0, scale.high);
+        let tap_m = pixel_m / 3f64.sqrt();
+        let expected = (tap_m * 64.0 / plan.cascades[0].patch_m).log2().clamp(0.0, scale.high);
         assert!(expected > 0.0 && (seen.expect("levels") - expected).abs() < 0.15, "{y_m} m: {seen:?}, not {expected}");
     }
 }

@@ -30,7 +30,7 @@ pub const SEAS: &[Sea] = &[
     Sea {
         title: "Calm at dawn",
         about: "Beaufort 1 and hardly a swell: the sky lies in the water, and the sun is just up.",
-        state: "spectrum=pm&wind=1.5&scale2=1&hs2=0.3&tp2=9&sun=3&sunaz=75&y=3&heading=62&pitch=-3&t=40",
+        state: "spectrum=pm&wind=1.5&scale2=1&hs2=0.3&tp2=9&sun=3&y=3&heading=62&pitch=-3&t=40",
     },
     Sea {
         title: "Trade wind",
@@ -49,8 +49,8 @@ pub const SEAS: &[Sea] = &[
     },
     Sea {
         title: "Southern Ocean storm",
-        about: "Beaufort 10 over 750 km of open water: waves of eleven metres, seen from a ship's bridge.",
-        state: "wind=26&fetch=750&dir=270&sun=12&sunaz=330&overcast=0.6&y=22&heading=300&pitch=-7&t=40",
+        about: "Beaufort 10 over 750 km of open water: waves of eleven metres, seen from a trough.",
+        state: "wind=26&fetch=750&dir=270&sun=14&sunaz=320&overcast=0.6&y=2&heading=275&pitch=1&fov=38&t=43",
     },
     Sea {
         title: "Long swell",
