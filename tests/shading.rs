@@ -708,6 +708,11 @@ const FAULTS: &[Fault] = &[
         &[
             ("let a = (g - c) / max(g + c, 1e-6);", "let a = (g + c) / (g - c);"),
             ("(c * (g + c) - 1.0) / (c * (g - c) + 1.0);", "(c * (g - c) + 1.0) / (c * (g + c) - 1.0);"),
+            ("clamp(0.5 * a * a * (1.0 + b * b), 0.0, 1.0)", "0.5 * a * a * (1.0 + b * b)"),
+            (
+                "clamp(material.fresnel_scale * water_dielectric(cosine, index), 0.0, 1.0)",
+                "water_dielectric(cosine, index)",
+            ),
         ],
         "fresnel",
     ),

@@ -90,14 +90,15 @@ fn linear_mean(pixels: &[[u8; 4]]) -> f64 {
 fn bloom_loses_no_light() {
     let gpu = gpu();
     // Nothing reaches the white of the screen, where light would be lost.
-    let base = "wind=14&n=64&t=20&overcast=1&tone=linear&exposure=-0.6&pitch=-12";
+    let base = "wind=14&n=64&t=20&overcast=1&tone=linear&exposure=-0.6&pitch=-12&dither=0";
     let sharp = render(&gpu, base);
     assert!(sharp.iter().all(|p| p[0].max(p[1]).max(p[2]) < 250));
     let spread = render(&gpu, &format!("{base}&bloom=1"));
     let (a, b) = (linear_mean(&sharp), linear_mean(&spread));
     eprintln!("mean {a:.5}, with bloom {b:.5}");
     assert!((b / a - 1.0).abs() < 0.01, "{a} {b}");
-    assert!(texture(&spread) < 0.3 * texture(&sharp), "it spreads");
+    let (a, b) = (texture(&sharp), texture(&spread));
+    assert!(b < 0.3 * a, "it spreads: {b} of {a}");
 }
 
 /// Just above and just below a horizon in fog that hides the sea there, the picture is the same.
