@@ -44,15 +44,13 @@ struct Frame {
   depth_m: f32,
   mean_foam: f32,
   foam_gain: f32,
-  haze: f32,
-  overcast: f32,
-  exposure_gain: f32,
+  // Variance of the slopes by which the sun's disc spreads its mirror image: such that it is as bright as the disc itself.
+  sun_blur: f32,
+  // Radiance of the disc over the sun's irradiance, 1/sr.
+  sun_peak: f32,
   chop_z: f32,
   // Share of a pixel that is filtered over: 1, or 0 for the samples of a reference.
   footprint: f32,
-  unused_x: f32,
-  unused_y: f32,
-  unused_z: f32,
 }
 
 const FRAME_EARTH_M = 6371000.0;

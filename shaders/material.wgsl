@@ -40,11 +40,6 @@ struct Material {
   caustics: f32,
   // Waves shorter than this focus too close below the surface to be told apart on the bed, m.
   caustic_m: f32,
-  // Not 0: light comes back from the bed.
-  bed: u32,
-  unused_0: u32,
-  unused_1: u32,
-  unused_2: u32,
 }
 
 // Texels over which the channel of a layer (cloud, net, net, bubbles; cloud, bubbles) keeps half its variance, and how

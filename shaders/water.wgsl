@@ -16,6 +16,13 @@
 @group(1) @binding(3) var foam_map: texture_2d_array<f32>;
 @group(1) @binding(4) var wave_sampler: sampler;
 
+// What the picture's water consists of; twin of Parts in render/water.rs.
+override WATER_BED: bool = false;
+override WATER_CAUSTICS: bool = false;
+override WATER_FOAM: bool = true;
+// Samples of a reference.
+override WATER_SAMPLES: bool = false;
+
 struct WaterVertex {
   @builtin(position) clip: vec4f,
   // Relative to the eye.
@@ -82,18 +89,21 @@ fn fragment(in: WaterVertex) -> @location(0) vec4f {
   slope.variance += vec3f(vec2f(material.rough_variance), 0.0);
   // The waves that the mesh shows hide and shade by themselves, where they are seen; those between, by their statistics.
   var around = slope;
-  if frame.footprint == 0.0 {
+  if WATER_SAMPLES {
     around = water_slope(at, WaterFootprint(vec2f(0.0), water_spacing(length(at)), 1));
     around.variance += vec3f(vec2f(material.rough_variance), 0.0);
   }
 
-  let foam = water_foam(at, foot);
+  var foam: WaterFoam;
+  if WATER_FOAM {
+    foam = water_foam(at, foot);
+  }
   let mirror = water_mirror_among(v, slope, around);
   // A facet that leans away from the eye is not what the eye sees.
   let ray = water_refract(-v, n);
   let rise = in.rest.y / max(frame.hs_m, 0.05);
   var below = water_deep(n, ray, foam.plume);
-  if material.bed != 0u {
+  if WATER_BED {
     let blur = 0.25 * sqrt(slope.variance.x + slope.variance.y);
     below = water_bed(below, in.place.xz, in.rest.y, ray, foot.size, blur);
   }
@@ -104,13 +114,13 @@ fn fragment(in: WaterVertex) -> @location(0) vec4f {
   let index = material.index_water / material.index_air;
   let water = mirror.radiance + (1.0 - mirror.reflectance) / (index * index) * below;
   var surface = water;
-  if foam.cover > 0.0 {
+  if WATER_FOAM && foam.cover > 0.0 {
     surface = mix(water, water_foam_light(v, slope.mean, foam), foam.cover);
   }
 
   let air = air_between(dir, distance_m);
   let colour = surface * air[1] + air[0];
-  if frame.footprint == 0.0 {
+  if WATER_SAMPLES {
     return vec4f(colour, water_weight(v, slope, around));
   }
   return frame_colour(colour);

@@ -52,7 +52,7 @@ fn water_bed(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: f32, blur
   let k = material.absorption + material.backscatter;
   let beam = water_refract(-frame.sun, vec3f(0.0, 1.0, 0.0));
   var sun = light.sun * (max(frame.sun.y, 0.0) * (1.0 - water_fresnel(max(frame.sun.y, 0.0))));
-  if material.caustics > 0.0 && frame.sun.y > 0.0 {
+  if WATER_CAUSTICS && frame.sun.y > 0.0 {
     let entry = hit + beam.xz * (column / min(beam.y, -0.3));
     // What is scattered on its way is not focused.
     let straight = exp(-0.25 * (material.scatter.g - material.backscatter.g) * column / max(-beam.y, 0.3));

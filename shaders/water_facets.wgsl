@@ -23,8 +23,8 @@ fn water_seen(height: f32, across: f32, mean: f32, sigma: f32) -> f32 {
 // Density of slopes, `off` from their mean, with this variance (xx, zz, xz).
 fn water_slope_density(off: vec2f, variance: vec3f) -> f32 {
   // The sun's disc spreads the slopes that mirror it.
-  let xx = variance.x + 1.5e-5;
-  let zz = variance.y + 1.5e-5;
+  let xx = variance.x + frame.sun_blur;
+  let zz = variance.y + frame.sun_blur;
   let xz = variance.z;
   let det = max(xx * zz - xz * xz, 0.02 * xx * zz);
   let square = (zz * off.x * off.x - 2.0 * xz * off.x * off.y + xx * off.y * off.y) / det;

@@ -44,32 +44,20 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
   var out: WaterMirror;
   out.radiance = sum * (material.reflection / weights);
   out.reflectance = sum_f / weights;
-  out.radiance += water_glitter(v, slope, eye, around);
+  out.radiance += water_glitter(v, slope, eye, around, out.reflectance);
   return out;
 }
 
-// Share of the light mirrored by the facets that are seen: of all, and of those that the sun would reach from there. The
-// rest comes from other waves.
-fn water_mirrored(v: vec3f, slope: WaterSlope, eye: WaterFacets) -> vec2f {
-  let seen = water_facets_seen(eye);
-  var sum = vec2f(0.0);
-  var weights = 0.0;
-  // Facets that lean farther away mirror what is below the horizon.
-  let level = -eye.height / (1.0 + eye.across);
-  for (var i = 0; i < WATER_NODES; i++) {
-    let all = water_node(eye, WATER_ALL, i);
-    let high = water_node(eye, level, i);
-    let lit = water_facets_seen(water_facets(reflect(-v, water_normal(high.slope)), slope));
-    let share = high.weight * water_unhidden(seen, lit) * seen.x;
-    sum += vec2f(all.weight * water_facet_fresnel(v, all.slope), share * water_facet_fresnel(v, high.slope));
-    weights += all.weight;
+// Light mirrored twice over that mirrored once, by facets of this mean reflectance. A share of what the facets mirror falls
+// on other waves: fitted to the integral of the masking below over the slopes that are seen, to 0.01 for deviations up to
+// 0.2; it depends on the eye's elevation over the deviation alone, as long as both are small.
+fn water_again(f: WaterFacets, reflectance: f32) -> f32 {
+  let a = clamp((f.height + f.across * f.tilt) / (f.across * f.sigma), 0.0, 1e3);
+  var lost = 0.16 * a / (1.0 + 0.7 * a) * exp(-min(a * a / 8.41, 80.0));
+  if material.facets == WATER_GGX {
+    lost = 0.17 * a / ((1.0 + 0.62 * a) * (1.0 + a * a / 9.0));
   }
-  return sum / weights;
-}
-
-// Light mirrored twice over that mirrored once.
-fn water_again(mirrored: vec2f) -> f32 {
-  return clamp(mirrored.x * (mirrored.x / max(mirrored.y, 1e-3) - 1.0), 0.0, 0.5);
+  return reflectance * lost / (1.0 - lost);
 }
 
 // 1 / (area seen, enlarged by what of it lies in shadow): Smith's masking and shadowing of one height field (Ross, Dion and
@@ -79,8 +67,8 @@ fn water_unhidden(seen: vec2f, lit: vec2f) -> f32 {
   return step(1e-6, lit.y) / (max(seen.x, 1e-5) + max(seen.y, 0.0) * shadow);
 }
 
-// The sun: density of the slope that mirrors it into the eye.
-fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlope) -> vec3f {
+// The sun: density of the slope that mirrors it into the eye. `reflectance` is the mean over the facets.
+fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlope, reflectance: f32) -> vec3f {
   let l = frame.sun;
   let h = normalize(l + v);
   if l.y <= -0.02 || h.y <= 0.01 {
@@ -107,11 +95,8 @@ fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlo
     let h2 = h.y * h.y;
     let density = water_slope_density(mirror_slope - slope.mean, slope.variance);
     brightness = share * density / (4.0 * h2 * h2) * water_unhidden(seen, lit);
-    // Sunlight mirrored twice, as bright around as that mirrored once. It matters in the flat view of rough water.
-    if brightness > 1e-4 && seen.y < 0.5 {
-      let mirrored = water_mirrored(v, around, all);
-      brightness *= 1.0 + water_again(mirrored);
-    }
+    // Sunlight mirrored twice is as bright around as that mirrored once. It matters in the flat view of rough water.
+    brightness *= 1.0 + water_again(all, reflectance);
   }
   if material.specular_cut > 0.0 {
     let n = water_normal(slope.mean);
@@ -119,5 +104,5 @@ fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlo
   }
   let strength = material.specular_scale * clamp(material.specular_fresnel * f, 0.0, 1.0);
   // A mirror image is not brighter than the sun's disc.
-  return light.sun * min(strength * brightness, 14700.0);
+  return light.sun * min(strength * brightness, frame.sun_peak);
 }

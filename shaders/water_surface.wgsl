@@ -7,41 +7,45 @@ const WATER_FAR = 0.16;
 // Slopes of waves of more texels than this are smooth enough between them without a spline.
 const WATER_SMOOTH = 6.0;
 
-// Catmull-Rom's spline over 4 x 4 texels in five bilinear taps; the corners, at most 1.6 % of the weight, are left out.
+// Between texels: from linear (0) to Catmull-Rom's spline over 4 x 4 texels (1), in five bilinear taps; the spline's
+// corners, at most 1.6 % of its weight, are left out. A mixture is one of weights, so it costs no more.
 struct WaterSpline {
   before: vec2f,
   middle: vec2f,
   after: vec2f,
-  weights: array<f32, 5>,
+  // Along each axis: of the texel before, the two in the middle, the one after.
+  outer: vec4f,
+  inner: vec2f,
 }
 
+const WATER_SPLINE_TAPS = 5;
+
 // At texture coordinates of a map of n texels.
-fn water_spline(uv: vec2f, n: f32) -> WaterSpline {
+fn water_spline(uv: vec2f, n: f32, smoothness: f32) -> WaterSpline {
   let p = uv * n - 0.5;
   let base = floor(p);
   let f = p - base;
-  let w0 = f * (f * (1.0 - 0.5 * f) - 0.5);
-  let w2 = f * (f * (2.0 - 1.5 * f) + 0.5);
-  let w3 = f * f * (0.5 * f - 0.5);
+  let w0 = smoothness * (f * (f * (1.0 - 0.5 * f) - 0.5));
+  let w2 = mix(f, f * (f * (2.0 - 1.5 * f) + 0.5), smoothness);
+  let w3 = smoothness * (f * f * (0.5 * f - 0.5));
   let w12 = 1.0 - w0 - w3;
-  let scale = 1.0 / (1.0 - (w0.x + w3.x) * (w0.y + w3.y));
   var out: WaterSpline;
   out.before = (base - 0.5) / n;
   out.middle = (base + 0.5 + w2 / w12) / n;
   out.after = (base + 2.5) / n;
-  out.weights =
-    array<f32, 5>(scale * w12.x * w12.y, scale * w0.x * w12.y, scale * w3.x * w12.y, scale * w12.x * w0.y, scale * w12.x * w3.y);
+  let scale = inverseSqrt(1.0 - (w0.x + w3.x) * (w0.y + w3.y));
+  out.outer = scale * vec4f(w0, w3);
+  out.inner = scale * w12;
   return out;
 }
 
-fn water_cubic(map: texture_2d_array<f32>, layer: u32, s: WaterSpline, shift: vec2f) -> vec4f {
-  let x = vec3f(s.before.x, s.middle.x, s.after.x) + shift.x;
-  let z = vec3f(s.before.y, s.middle.y, s.after.y) + shift.y;
-  return s.weights[0] * textureSampleLevel(map, wave_sampler, vec2f(x.y, z.y), layer, 0.0)
-    + s.weights[1] * textureSampleLevel(map, wave_sampler, vec2f(x.x, z.y), layer, 0.0)
-    + s.weights[2] * textureSampleLevel(map, wave_sampler, vec2f(x.z, z.y), layer, 0.0)
-    + s.weights[3] * textureSampleLevel(map, wave_sampler, vec2f(x.y, z.x), layer, 0.0)
-    + s.weights[4] * textureSampleLevel(map, wave_sampler, vec2f(x.y, z.z), layer, 0.0);
+// Texture coordinates of a tap, and its weight: the middle, then before and after along x and along z.
+fn water_spline_tap(s: WaterSpline, k: i32) -> vec3f {
+  let x = select(select(s.middle.x, s.before.x, k == 1), s.after.x, k == 2);
+  let z = select(select(s.middle.y, s.before.y, k == 3), s.after.y, k == 4);
+  let wx = select(select(s.inner.x, s.outer.x, k == 1), s.outer.z, k == 2);
+  let wz = select(select(s.inner.y, s.outer.y, k == 3), s.outer.w, k == 4);
+  return vec3f(x, z, wx * wz);
 }
 
 // The lattice of a cascade's copies; that of the ripples is the last.
@@ -63,15 +67,16 @@ fn water_displacement(at: vec2f, spacing: f32) -> vec3f {
     if share > 0.0 {
       let tile = water_tile(c);
       let blend = tile_blend(tile, at);
-      let smooth_share = clamp(-2.0 * lod, 0.0, 1.0);
-      let spline = water_spline(uv, frame.n);
-      for (var i = 0u; i < select(0u, blend.count, smooth_share > 0.0); i++) {
-        sum += (smooth_share * blend.weight[i])
-          * water_cubic(displacement_map, c, spline, tile_shift(tile, blend, i)).xyz;
-      }
-      for (var i = 0u; i < select(0u, blend.count, smooth_share < 1.0); i++) {
-        sum += (share * (1.0 - smooth_share) * blend.weight[i])
-          * textureSampleLevel(displacement_map, wave_sampler, uv + tile_shift(tile, blend, i), c, lod).xyz;
+      let smoothness = clamp(-2.0 * lod, 0.0, 1.0);
+      let spline = water_spline(uv, frame.n, smoothness);
+      let taps = select(1, WATER_SPLINE_TAPS, smoothness > 0.0);
+      for (var i = 0u; i < blend.count; i++) {
+        let shift = tile_shift(tile, blend, i);
+        for (var k = 0; k < taps; k++) {
+          let tap = water_spline_tap(spline, k);
+          let d = textureSampleLevel(displacement_map, wave_sampler, tap.xy + shift, c, lod);
+          sum += (share * blend.weight[i] * tap.z) * d.xyz;
+        }
       }
     }
   }
@@ -144,47 +149,44 @@ fn water_waves(at: vec2f, foot: WaterFootprint, layer: u32, place: vec4f, tile: 
   let wide = texels / WATER_TAP;
   let share = 1.0 - smoothstep(WATER_FADE, WATER_FAR, sqrt(wide * long) / frame.n);
   let distant = share <= 0.0;
-  // Magnified: smooth between texels, in one tap.
+  // Magnified: smooth between texels, in one place.
   let near = select(0.0, 1.0 - smoothstep(0.8, 1.25, long), frame.sampling[layer] < WATER_SMOOTH);
-  let spline = water_spline(uv, frame.n);
-  for (var i = 0u; i < select(0u, blend.count, near > 0.0); i++) {
-    let shift = tile_shift(tile, blend, i);
-    let g = water_cubic(gradients_map, layer, spline, shift);
-    let d = textureSampleLevel(displacement_map, wave_sampler, uv + shift, layer, 0.0);
-    water_add(&out, g, d, near * vec3f(blend.weight[i], blend.along_x[i], blend.along_z[i]));
-  }
+  let spline = water_spline(uv, frame.n, near);
   // Several texels in the footprint: as many taps as are worth it (one between texels blurs as much as a box of 1.4), half
   // as many for the smoother moments, and one for the displacement, whose part in the slope is of second order. The weights
-  // are those of the middle.
-  let taps = clamp(i32(ceil(long / max(wide, 1.4) - 0.3)), 1, foot.taps);
-  let pairs = (taps + 1) / 2;
+  // are those of the middle. Of a distant map there is only its variance.
+  let places = select(clamp(i32(ceil(long / max(wide, 1.4) - 0.3)), 1, foot.taps), 1, distant);
+  let taps = select(places, WATER_SPLINE_TAPS, near > 0.0);
+  let pairs = (places + 1) / 2;
   let lod = log2(max(texels, 1e-6));
   let long_lod = log2(max(WATER_TAP * long, 1e-6));
-  let wide_lod = min(lod + log2(f32(taps) / f32(pairs)), long_lod) - 1.0;
-  for (var i = 0u; i < select(blend.count, 0u, near >= 1.0 || distant); i++) {
-    let middle = uv + tile_shift(tile, blend, i);
-    let along = foot.axis * place.z;
+  let wide_lod = select(min(lod + log2(f32(places) / f32(pairs)), long_lod) - 1.0, 16.0, distant);
+  // The moments know nothing finer than two texels; closer up they would count resolved waves twice. From where on they
+  // count is fitted to the whole.
+  let unresolved = select((1.0 - near) * clamp(lod + 0.5, 0.0, 1.0), 1.0, distant);
+  let along = foot.axis * place.z;
+  let copies = select(blend.count, 1u, distant);
+  for (var i = 0u; i < copies; i++) {
+    let shift = tile_shift(tile, blend, i);
     var g = vec4f(0.0);
     for (var k = 0; k < taps; k++) {
-      let tap = middle + along * ((f32(k) + 0.5) / f32(taps) - 0.5);
-      g += textureSampleLevel(gradients_map, wave_sampler, tap, layer, lod);
+      let smooth_tap = water_spline_tap(spline, k);
+      let plain_tap = vec3f(uv + along * ((f32(k) + 0.5) / f32(places) - 0.5), 1.0 / f32(places));
+      let tap = select(plain_tap, smooth_tap, near > 0.0);
+      g += tap.z * textureSampleLevel(gradients_map, wave_sampler, tap.xy + shift, layer, lod);
     }
     var second = vec3f(0.0);
     for (var k = 0; k < pairs; k++) {
-      let tap = middle + along * ((f32(k) + 0.5) / f32(pairs) - 0.5);
+      let tap = uv + shift + along * ((f32(k) + 0.5) / f32(pairs) - 0.5);
       second += textureSampleLevel(moments_map, wave_sampler, tap, layer, wide_lod).xyz;
     }
-    g *= share / f32(taps);
+    g *= share;
     second *= place.w / f32(pairs);
-    let d = share * textureSampleLevel(displacement_map, wave_sampler, middle, layer, long_lod);
-    water_add(&out, g, d, (1.0 - near) * vec3f(blend.weight[i], blend.along_x[i], blend.along_z[i]));
-    // Copies are independent: their variances add with the squares of the weights. The moments know nothing finer than two
-    // texels; closer up they would count resolved waves twice. From where on they count is fitted to the whole.
-    let spread = max(second - vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
-    out.variance += spread * ((1.0 - near) * clamp(lod + 0.5, 0.0, 1.0) * blend.weight[i] * blend.weight[i]);
-  }
-  for (var i = 0; i < select(0, 1, distant); i++) {
-    out.variance += place.w * textureSampleLevel(moments_map, wave_sampler, uv, layer, 16.0).xyz;
+    let d = share * textureSampleLevel(displacement_map, wave_sampler, uv + shift, layer, long_lod);
+    water_add(&out, g, d, vec3f(blend.weight[i], blend.along_x[i], blend.along_z[i]));
+    // Copies are independent: their variances add with the squares of the weights.
+    let weight = unresolved * select(blend.weight[i] * blend.weight[i], 1.0, distant);
+    out.variance += weight * max(second - vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
   }
   return out;
 }

@@ -128,6 +128,11 @@ impl SkyLook {
         [azimuth.sin() * elevation.cos(), elevation.sin(), -azimuth.cos() * elevation.cos()]
     }
 
+    /// Half of the angle under which the sun's disc is seen, rad.
+    pub fn sun_radius_rad(&self) -> f64 {
+        (0.5 * self.sun_size_deg.to_radians() / self.sun_distance_au).min(1.0)
+    }
+
     /// Gives the sky that a link names its image, if this is the one.
     pub fn attach(&mut self, loaded: Option<&SkyFile>) {
         if let (Some(wanted), Some(loaded)) = (&mut self.file, loaded)

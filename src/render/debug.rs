@@ -2,7 +2,7 @@
 //! (shaders/debug_water.wgsl). Made when the first view is asked for; the picture pays nothing for them.
 
 use super::Scene;
-use super::kit::{Slot, Uniform, group, hdr_pipeline_of, layout, screen_pipeline};
+use super::kit::{Program, Slot, Uniform, group, hdr_pipeline, layout, screen_pipeline};
 use super::targets::Targets;
 use super::water::WaterPass;
 use crate::gpu::layout::{Layout, MAX_CASCADES};
@@ -162,16 +162,15 @@ impl DebugPass {
         let slots = [slot, Slot::Array, Slot::Array, Slot::Array, Slot::Array, Slot::Read(8), Slot::Read(8)];
         let map_layout = layout(device, "view/map", fragment, &slots);
         let module = shaders.module(device, "debug_map");
-        let entries = ["vertex", "fragment"];
         let layouts = [Some(&map_layout)];
-        let map = hdr_pipeline_of(device, "view/map", (&module, entries), &layouts, water.scene.film, false);
+        let map = hdr_pipeline(device, "view/map", &Program::new(&module), &layouts, water.scene.film, false);
         let surface_layout = layout(device, "view/surface", fragment, &[slot]);
         let surface_group = group(device, "view/surface", &surface_layout, &[uniform.buffer.as_entire_binding()]);
         let module = shaders.module(device, "debug_water");
-        let entries = ["debug_vertex", "debug_fragment"];
+        let program = Program { entries: ["debug_vertex", "debug_fragment"], ..Program::new(&module) };
         let [scene, maps] = water.layouts();
         let layouts = [Some(scene), Some(maps), Some(&surface_layout)];
-        let surface = hdr_pipeline_of(device, "view/surface", (&module, entries), &layouts, water.scene.film, true);
+        let surface = hdr_pipeline(device, "view/surface", &program, &layouts, water.scene.film, true);
         let show_layout = layout(device, "view/show", fragment, &[Slot::Texture]);
         let show =
             screen_pipeline(device, "view/show", &shaders.module(device, "debug_show"), &show_layout, target, &[]);

@@ -6,6 +6,7 @@ use crate::gpu::layout::{FOAM_LEVELS, Layout, MAX_CASCADES, TilePlace};
 use crate::model::slopes::SlopeVariance;
 use crate::sim::Maps;
 use bytemuck::{Pod, Zeroable};
+use std::f64::consts::PI;
 use std::mem::offset_of;
 
 pub use crate::model::camera::View;
@@ -76,12 +77,10 @@ pub struct FrameUniform {
     depth_m: f32,
     mean_foam: f32,
     foam_gain: f32,
-    haze: f32,
-    overcast: f32,
-    exposure_gain: f32,
+    sun_blur: f32,
+    sun_peak: f32,
     chop_z: f32,
     footprint: f32,
-    unused: [f32; 3],
 }
 
 macro_rules! offsets {
@@ -123,9 +122,8 @@ impl FrameUniform {
             depth_m,
             mean_foam,
             foam_gain,
-            haze,
-            overcast,
-            exposure_gain,
+            sun_blur,
+            sun_peak,
             chop_z,
             footprint
         ),
@@ -161,6 +159,7 @@ impl FrameUniform {
             *uv = [u, v, (1.0 / side) as f32, 0.0];
         }
         let [tx, ty] = view.tan_half;
+        let disc = look.sky.sun_radius_rad().sin().powi(2);
         Self {
             clip_from_relative: view.clip_from_relative().as_mat4().to_cols_array_2d(),
             right: (view.right * tx).as_vec3().to_array(),
@@ -192,12 +191,10 @@ impl FrameUniform {
             depth_m: sea.depth_m,
             mean_foam: sea.mean_foam,
             foam_gain: look.surface.foam.shown as f32,
-            haze: look.sky.haze as f32,
-            overcast: look.sky.overcast as f32,
-            exposure_gain: (look.film.exposure_ev as f32).exp2(),
+            sun_blur: (disc / 8.0) as f32,
+            sun_peak: (PI * disc).recip() as f32,
             chop_z: sea.chop[1],
             footprint: 1.0,
-            unused: [0.0; 3],
         }
     }
 

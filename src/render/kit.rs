@@ -150,27 +150,34 @@ impl SceneGroup {
     }
 }
 
-/// A pipeline of the HDR pass: reverse-Z, entry points `vertex` and `fragment`.
+/// What a pipeline runs.
+pub struct Program<'a> {
+    /// Where its entry points are.
+    pub module: &'a wgpu::ShaderModule,
+    /// Names of the vertex and the fragment shader.
+    pub entries: [&'a str; 2],
+    /// Overridable constants of the module.
+    pub constants: &'a [(&'a str, f64)],
+}
+
+impl<'a> Program<'a> {
+    /// Entry points `vertex` and `fragment`, constants as the module has them.
+    pub fn new(module: &'a wgpu::ShaderModule) -> Self {
+        Self { module, entries: ["vertex", "fragment"], constants: &[] }
+    }
+}
+
+/// A pipeline of the HDR pass: reverse-Z.
 pub fn hdr_pipeline(
     device: &wgpu::Device,
     label: &str,
-    module: &wgpu::ShaderModule,
+    program: &Program<'_>,
     layouts: &[Option<&wgpu::BindGroupLayout>],
     film: Film,
     depth_write: bool,
 ) -> wgpu::RenderPipeline {
-    hdr_pipeline_of(device, label, (module, ["vertex", "fragment"]), layouts, film, depth_write)
-}
-
-/// The same with entry points of other names.
-pub fn hdr_pipeline_of(
-    device: &wgpu::Device,
-    label: &str,
-    (module, [vertex, fragment]): (&wgpu::ShaderModule, [&str; 2]),
-    layouts: &[Option<&wgpu::BindGroupLayout>],
-    film: Film,
-    depth_write: bool,
-) -> wgpu::RenderPipeline {
+    let Program { module, entries: [vertex, fragment], constants } = *program;
+    let compilation_options = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(label),
         bind_group_layouts: layouts,
@@ -182,7 +189,7 @@ pub fn hdr_pipeline_of(
         vertex: wgpu::VertexState {
             module,
             entry_point: Some(vertex),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            compilation_options: compilation_options.clone(),
             buffers: &[],
         },
         primitive: wgpu::PrimitiveState::default(),
@@ -197,7 +204,7 @@ pub fn hdr_pipeline_of(
         fragment: Some(wgpu::FragmentState {
             module,
             entry_point: Some(fragment),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            compilation_options,
             targets: &[Some(film.format.into())],
         }),
         multiview_mask: None,

@@ -3,7 +3,7 @@
 use super::Scene;
 use crate::gpu::layout::Layout;
 use crate::model::fields::linear_rgb;
-use crate::model::look::{Fresnel, Specular};
+use crate::model::look::{Body, Fresnel, Specular};
 use crate::model::optics::Water;
 use bytemuck::{Pod, Zeroable};
 use std::mem::offset_of;
@@ -61,8 +61,6 @@ pub struct MaterialUniform {
     reflection: f32,
     caustics: f32,
     caustic_m: f32,
-    bed: u32,
-    unused: [u32; 3],
 }
 
 macro_rules! offsets {
@@ -78,7 +76,7 @@ impl MaterialUniform {
             absorption, fresnel, backscatter, facets, scatter, bubbles, bubble_colour, height_scatter, foam_colour,
             view_scatter, bed_colour, diffuse, layers, layer_feet, ambient, index_air, index_water, fresnel_shine,
             fresnel_scale, fresnel_normals, shininess, specular_scale, specular_fresnel, specular_cut, rough_variance,
-            foam_roughness, foam_relief, reflection, caustics, caustic_m, bed
+            foam_roughness, foam_relief, reflection, caustics, caustic_m
         ),
         size_of::<Self>(),
     );
@@ -87,11 +85,7 @@ impl MaterialUniform {
     pub fn new(scene: &Scene) -> Self {
         let surface = &scene.look.surface;
         let (body, mirror, foam, bed) = (&surface.body, &surface.mirror, &surface.foam, &surface.bed);
-        let mut water = Water::between(body.water, body.mix);
-        if body.scatter_colour > 0.0 {
-            water = water.coloured(linear_rgb(body.scatter_colour));
-        }
-        let back = water.there_and_back(f64::from(scene.sea.depth_m)).into_iter().fold(0.0, f64::max);
+        let water = water(body);
         let colour = |c: f64| linear_rgb(c).map(|x| x as f32);
         let single = |c: [f64; 3]| c.map(|x| x as f32);
         let downwind = scene.sea.downwind.map(f64::from);
@@ -134,10 +128,20 @@ impl MaterialUniform {
             reflection: mirror.reflection as f32,
             caustics: bed.caustics as f32,
             caustic_m: scene.sea.focusing_m,
-            bed: u32::from(back > BED_SEEN),
-            unused: [0; 3],
         }
     }
+}
+
+/// What the water is made of.
+fn water(body: &Body) -> Water {
+    let water = Water::between(body.water, body.mix);
+    if body.scatter_colour > 0.0 { water.coloured(linear_rgb(body.scatter_colour)) } else { water }
+}
+
+/// Whether enough light comes back from the bed.
+pub fn bed_is_seen(scene: &Scene) -> bool {
+    let back = water(&scene.look.surface.body).there_and_back(f64::from(scene.sea.depth_m));
+    back.into_iter().any(|share| share > BED_SEEN)
 }
 
 /// Texture coordinates of a layer: matrix columns for metres beside the eye's foot, and those of the foot.

@@ -184,6 +184,7 @@ impl Renderer {
     ) {
         self.material.write(queue, &MaterialUniform::new(scene));
         self.frame.write(queue, frame);
+        self.water.choose(device, scene);
         self.water.bind_maps(device, maps);
         self.water.set_mesh(device, queue, mesh);
     }

@@ -11,9 +11,8 @@ use super::{Renderer, Scene};
 use crate::sim::Maps;
 use half::f16;
 
-/// Light of single samples: half floats would cut off the sun.
-const SAMPLES: Film =
-    Film { samples: 1, format: wgpu::TextureFormat::Rgba32Float, usage: wgpu::TextureUsages::COPY_SRC };
+/// Light of single samples.
+const SAMPLES: Film = Film::reference();
 /// Their mean, on its way to the present pass.
 const MEAN: Film = Film { samples: 1, format: HDR_FORMAT, usage: wgpu::TextureUsages::COPY_DST };
 

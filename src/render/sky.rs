@@ -3,7 +3,7 @@
 
 use super::Scene;
 use super::frame::dip;
-use super::kit::{SceneGroup, Slot, Uniform, group, hdr_pipeline, layout};
+use super::kit::{Program, SceneGroup, Slot, Uniform, group, hdr_pipeline, layout};
 use super::noise::NoiseTexture;
 use super::panorama::PanoramaTextures;
 use super::targets::HDR_FORMAT;
@@ -84,7 +84,7 @@ impl SkyUniform {
             sun: look.sun_direction().map(|x| x as f32),
             haze: look.haze as f32,
             tint: linear_rgb(look.sun_colour).map(|c| (c * near * near * unit) as f32),
-            sun_radius: (0.5 * look.sun_size_deg.to_radians() * near).min(1.0) as f32,
+            sun_radius: look.sun_radius_rad() as f32,
             file_sun: file.and_then(|f| f.sun.as_ref()).map_or([0.0; 3], |s| scaled(s.irradiance)),
             file: f32::from(u8::from(file.is_some())),
             file_sky: file.map_or([0.0; 3], |f| scaled(f.irradiance)),
@@ -387,7 +387,7 @@ impl Background {
     pub fn new(device: &wgpu::Device, shaders: &Shaders, scene: &SceneGroup, sky: &Sky) -> Self {
         let module = shaders.module(device, "sky");
         let layouts = [Some(&scene.layout), Some(&sky.panorama.layout)];
-        Self { pipeline: hdr_pipeline(device, "sky", &module, &layouts, scene.film, false) }
+        Self { pipeline: hdr_pipeline(device, "sky", &Program::new(&module), &layouts, scene.film, false) }
     }
 
     /// Draws it.

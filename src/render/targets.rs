@@ -21,6 +21,12 @@ impl Film {
     pub fn screen(samples: u32) -> Self {
         Self { samples, format: HDR_FORMAT, usage: wgpu::TextureUsages::empty() }
     }
+
+    /// Light of single samples, for a reference: half floats would cut off the sun.
+    pub const fn reference() -> Self {
+        let format = wgpu::TextureFormat::Rgba32Float;
+        Self { samples: 1, format, usage: wgpu::TextureUsages::COPY_SRC }
+    }
 }
 
 /// Attachments of one size.

@@ -1,15 +1,64 @@
 //! shaders/water.wgsl: the mesh of the sea, displaced and lit.
 
-use super::kit::{SceneGroup, Slot, group, hdr_pipeline, layout};
+use super::Scene;
+use super::kit::{Program, SceneGroup, Slot, group, hdr_pipeline, layout};
+use super::material;
 use super::mesh::Mesh;
+use super::targets::Film;
 use crate::gpu::shaders::Shaders;
 use crate::sim::Maps;
 
-/// The water's pipeline, index buffer and maps.
+/// What a picture's water consists of. Each has a pipeline of its own, made when it is first seen: what is not there is
+/// not in it, because a software GPU pays for both sides of a branch, and any GPU for its registers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Parts {
+    /// A bed can be seen.
+    bed: bool,
+    /// The waves focus light on it.
+    caustics: bool,
+    foam: bool,
+    /// Samples of a reference, which are not filtered.
+    samples: bool,
+}
+
+impl Parts {
+    fn new(scene: &Scene, film: Film) -> Self {
+        let surface = &scene.look.surface;
+        let bed = material::bed_is_seen(scene);
+        Self {
+            bed,
+            caustics: bed && surface.bed.caustics > 0.0,
+            foam: surface.foam.shown > 0.0,
+            samples: film == Film::reference(),
+        }
+    }
+
+    fn pipeline(
+        self,
+        device: &wgpu::Device,
+        module: &wgpu::ShaderModule,
+        layouts: [&wgpu::BindGroupLayout; 2],
+        film: Film,
+    ) -> wgpu::RenderPipeline {
+        let part = |name, is_there: bool| (name, f64::from(u8::from(is_there)));
+        let constants = [
+            part("WATER_BED", self.bed),
+            part("WATER_CAUSTICS", self.caustics),
+            part("WATER_FOAM", self.foam),
+            part("WATER_SAMPLES", self.samples),
+        ];
+        let program = Program { constants: &constants, ..Program::new(module) };
+        hdr_pipeline(device, "water", &program, &layouts.map(Some), film, true)
+    }
+}
+
+/// The water's pipelines, index buffer and maps.
 pub struct WaterPass {
     /// Light, sky and frame.
     pub scene: SceneGroup,
-    pipeline: wgpu::RenderPipeline,
+    module: wgpu::ShaderModule,
+    /// Those that were needed so far; the last is the one to draw with.
+    pipelines: Vec<(Parts, wgpu::RenderPipeline)>,
     layout: wgpu::BindGroupLayout,
     sampler: wgpu::Sampler,
     maps: Option<(u64, wgpu::BindGroup)>,
@@ -30,8 +79,6 @@ impl WaterPass {
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
         let layout = layout(device, "maps", stages, &slots);
         let module = shaders.module(device, "water");
-        let layouts = [Some(&scene.layout), Some(&layout)];
-        let pipeline = hdr_pipeline(device, "water", &module, &layouts, scene.film, true);
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("waves"),
             address_mode_u: wgpu::AddressMode::Repeat,
@@ -41,7 +88,7 @@ impl WaterPass {
             mipmap_filter: wgpu::MipmapFilterMode::Linear,
             ..Default::default()
         });
-        Self { scene, pipeline, layout, sampler, maps: None, indices: None, count: 0 }
+        Self { scene, module, pipelines: Vec::new(), layout, sampler, maps: None, indices: None, count: 0 }
     }
 
     /// Binds the maps, if they are new.
@@ -58,6 +105,18 @@ impl WaterPass {
             Sampler(&self.sampler),
         ];
         self.maps = Some((maps.generation, group(device, "maps", &self.layout, &resources)));
+    }
+
+    /// Makes the pipeline that the picture of a scene needs, if there is none yet.
+    pub fn choose(&mut self, device: &wgpu::Device, scene: &Scene) {
+        let parts = Parts::new(scene, self.scene.film);
+        if let Some(at) = self.pipelines.iter().position(|(made, _)| *made == parts) {
+            let last = self.pipelines.len() - 1;
+            self.pipelines.swap(at, last);
+        } else {
+            let pipeline = parts.pipeline(device, &self.module, self.layouts(), self.scene.film);
+            self.pipelines.push((parts, pipeline));
+        }
     }
 
     /// Layout of the maps' bind group: displacement, gradients, moments, foam, sampler.
@@ -90,7 +149,8 @@ impl WaterPass {
 
     /// Draws the sea.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        pass.set_pipeline(&self.pipeline);
+        let Some((_, pipeline)) = self.pipelines.last() else { return };
+        pass.set_pipeline(pipeline);
         self.draw_mesh(pass);
     }
 
