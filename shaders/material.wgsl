@@ -47,13 +47,6 @@ struct Material {
 const MATERIAL_HALF_KEPT = array<vec2f, 6>(
   vec2f(87.0, 1.55), vec2f(19.0, 1.5), vec2f(19.0, 1.5), vec2f(4.7, 1.7), vec2f(87.0, 1.55), vec2f(4.7, 1.7));
 
-// Noise of a layer at a point beside the eye; `size` is what is filtered over, m.
-struct MaterialNoise {
-  value: vec4f,
-  // Share of the variance of the layer's channel that the mips keep.
-  kept: f32,
-}
-
 fn material_uv(layer: u32, at: vec2f) -> vec2f {
   let turn = material.layers[layer];
   let feet = material.layer_feet[layer / 2u];
@@ -67,9 +60,13 @@ fn material_lod(layer: u32, size: f32) -> f32 {
   return log2(max(size * sqrt(det) * 512.0, 1e-4));
 }
 
-fn material_noise(layer: u32, at: vec2f, size: f32) -> MaterialNoise {
-  let lod = material_lod(layer, size);
-  let value = textureSampleLevel(noise_map, noise_sampler, material_uv(layer, at), max(lod, 0.0));
+// Noise of a layer at a point beside the eye, at a level of detail.
+fn material_noise(layer: u32, at: vec2f, lod: f32) -> vec4f {
+  return textureSampleLevel(noise_map, noise_sampler, material_uv(layer, at), max(lod, 0.0));
+}
+
+// Share of the variance of the layer's channel that a level of detail keeps.
+fn material_kept(layer: u32, lod: f32) -> f32 {
   let half_kept = MATERIAL_HALF_KEPT[layer];
-  return MaterialNoise(value, 1.0 / (1.0 + pow(exp2(lod) / half_kept.x, half_kept.y)));
+  return 1.0 / (1.0 + exp2(half_kept.y * (lod - log2(half_kept.x))));
 }

@@ -10,16 +10,16 @@ const BED_FOLD = 0.15;
 
 // Albedo of the sand at a point beside the eye, filtered over `size` metres.
 fn bed_albedo(at: vec2f, size: f32) -> vec3f {
-  let wide = material_noise(BED_LAYER, at, size);
-  let fine = material_noise(BED_FINE_LAYER, at, size);
+  let wide = material_noise(BED_LAYER, at, material_lod(BED_LAYER, size));
+  let fine = material_noise(BED_FINE_LAYER, at, material_lod(BED_FINE_LAYER, size));
   // Bent ripples: whole periods in a tile, so that they do not move with the eye's foot.
   let uv = material_uv(BED_LAYER, at);
   let bend = 2.5 * textureSampleLevel(noise_map, noise_sampler, uv, 4.0).b;
   let phase = 2.0 * ATM_PI * (dot(uv, BED_RIPPLES) + bend);
   let shown = exp(-pow(1.6 * size / BED_RIPPLE_M, 2.0));
   let ripple = 0.10 * shown * (sin(phase) + 0.25 * sin(2.0 * phase + 0.7));
-  let patches = wide.value.b - 0.5;
-  let grains = fine.value.g - 0.5;
+  let patches = wide.b - 0.5;
+  let grains = fine.g - 0.5;
   return material.bed_colour * clamp(1.0 + 0.35 * patches + 0.22 * grains + ripple, 0.3, 1.5);
 }
 

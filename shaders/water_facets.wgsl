@@ -73,62 +73,51 @@ fn water_facets_seen(f: WaterFacets) -> vec2f {
   return vec2f(water_seen(f.height, f.across, f.tilt, f.sigma), f.height + f.across * f.tilt);
 }
 
-const WATER_NODES = 5;
-const WATER_ALL = -1e4;
+const WATER_NODES = 8;
 
 struct WaterNode {
   slope: vec2f,
-  // Deviation of the slope beside the direction, for this slope along it.
-  side: vec2f,
+  // Variance of the slope beside the direction, for this slope along it.
+  side: f32,
   weight: f32,
   // Slopes that the node stands for.
   width: f32,
 }
 
-// A quadrature over the slopes that are seen, each by its projected area: of those towards the direction beyond `least`.
-fn water_node(f: WaterFacets, least: f32, i: i32) -> WaterNode {
-  // Gauss and Legendre's rule over 0..1.
-  let inner = vec2f(0.2307653449, 0.2393143352);
-  let outer = vec2f(0.0469100770, 0.1184634425);
-  var rule = vec2f(0.5, 0.2844444444);
-  if i != 2 {
-    rule = select(outer, inner, i == 1 || i == 3);
-    rule.x = select(rule.x, 1.0 - rule.x, i > 2);
-  }
+// A quadrature over the slopes that are seen, each by its projected area: even steps, because the sky that they mirror has
+// an edge.
+fn water_node(f: WaterFacets, i: i32) -> WaterNode {
+  let at = (f32(i) + 0.5) / f32(WATER_NODES);
   var t: f32;
   var node: WaterNode;
   var spread = 1.0;
   if material.facets == WATER_GGX {
-    // The visible area beyond a slope alpha tan(a) is (R cos(a + phi) + c) / 2.
-    if least > WATER_ALL {
-      // Finer steps towards the least.
-      rule = vec2f(1.0 - (1.0 - rule.x) * (1.0 - rule.x), 2.0 * (1.0 - rule.x) * rule.y);
-    }
+    // The visible area beyond a slope alpha tan(a) is (R cos(a + phi) + c) / 2: steps of it, finer towards facets seen from
+    // their side, which mirror most.
+    let area = at * (1.4 - 0.4 * at);
     let alpha = 1.41421356 * f.sigma;
     let c = f.height / f.across + f.tilt;
     let r = sqrt(alpha * alpha + c * c);
-    let turn = atan2(c, alpha);
-    let whole = 0.5 * (r * cos(max(atan((least - f.tilt) / alpha), -turn) + turn) + c);
-    let a = acos(clamp((rule.x * 2.0 * whole - c) / r, -1.0, 1.0)) - turn;
+    let a = acos(clamp((area * (r + c) - c) / r, -1.0, 1.0)) - atan2(c, alpha);
     t = 1.41421356 * tan(clamp(a, -1.5, 1.5));
-    node.weight = rule.y * whole;
-    node.width = f.sigma * (1.0 + 0.5 * t * t) * 1.3 * rule.y;
+    node.weight = 1.4 - 0.8 * at;
+    node.width = 1.3 * node.weight * f.sigma * (1.0 + 0.5 * t * t) / f32(WATER_NODES);
     // A wide slope along is likely a wide one beside, too.
-    spread = sqrt(0.5 * (2.0 + t * t));
+    spread = 0.5 * (2.0 + t * t);
   } else {
     // Slopes turned away from the eye are not seen.
     let low = -(f.height / f.across + f.tilt) / f.sigma;
-    let from_t = max(max(low, (least - f.tilt) / f.sigma), -3.2);
+    let from_t = max(low, -2.8);
     // As far as the density reaches: over 1 / t in the far tail.
-    let range = max(3.4 - from_t, 8.0 / max(from_t, 3.3));
-    t = from_t + rule.x * range;
+    let range = max(3.0 - from_t, 8.0 / max(from_t, 2.9));
+    t = from_t + at * range;
     // Scaled so that not all underflow when only the far tail is seen; differences first, that none is lost there.
     let scale = max(low, 0.0);
-    let past = from_t - scale + rule.x * range;
-    node.weight = rule.y * range * exp(-0.5 * past * (t + scale)) * (from_t - low + rule.x * range);
-    node.width = rule.y * range * f.sigma;
+    let past = from_t - scale + at * range;
+    node.weight = exp(-0.5 * past * (t + scale)) * (from_t - low + at * range);
+    node.width = range * f.sigma / f32(WATER_NODES);
   }
   node.slope = f.toward * -(f.tilt + f.sigma * t) + f.side * (f.side_mean - f.shear * t);
-  node.side = f.side * (spread * sqrt(max(f.side_sigma * f.side_sigma - f.shear * f.shear, 0.0)));
+  node.side = spread * max(f.side_sigma * f.side_sigma - f.shear * f.shear, 0.0);
   return node;
 }

@@ -18,7 +18,7 @@ struct WaterFoam {
   cover: f32,
   // Bubbles under the surface, 0..1.
   plume: f32,
-  // Height of the fine relief, 0..1.
+  // Height of the fine relief, around 0.5.
   grain: f32,
   // Slope of its own relief.
   relief: vec2f,
@@ -43,50 +43,76 @@ fn water_foam_level(at: vec2f, footprint: f32) -> vec2f {
 }
 
 // Slope of a channel of a layer, per metre, over a step that the pixel resolves.
-fn water_foam_slope(layer: u32, channel: u32, at: vec2f, size: f32, here: f32) -> vec2f {
-  let lod = max(material_lod(layer, size), 0.0);
-  let step = max(size, 0.5 * exp2(lod) / exp2(material_lod(layer, 1.0)));
-  let x = textureSampleLevel(noise_map, noise_sampler, material_uv(layer, at + vec2f(step, 0.0)), lod)[channel];
-  let z = textureSampleLevel(noise_map, noise_sampler, material_uv(layer, at + vec2f(0.0, step)), lod)[channel];
+fn water_foam_slope(layer: u32, channel: u32, at: vec2f, size: f32, lod: f32, here: f32) -> vec2f {
+  let fine = max(lod, 0.0);
+  let step = max(size, 0.5 * exp2(fine) / exp2(material_lod(layer, 1.0)));
+  let x = material_noise(layer, at + vec2f(step, 0.0), fine)[channel];
+  let z = material_noise(layer, at + vec2f(0.0, step), fine)[channel];
   return vec2f(x - here, z - here) / step;
 }
 
+// The normal distribution (Bowling and others 2009, to 2e-4), and its inverse (Abramowitz and Stegun 26.2.22, to 3e-3).
+fn water_foam_share(x: f32) -> f32 {
+  return 1.0 / (1.0 + exp(clamp(-x * (1.5976 + 0.07056 * x * x), -40.0, 40.0)));
+}
+
+fn water_foam_quantile(share: f32) -> f32 {
+  let t = sqrt(-2.0 * log(min(share, 1.0 - share)));
+  return sign(share - 0.5) * (t - (2.30753 + 0.27061 * t) / (1.0 + t * (0.99229 + 0.04481 * t)));
+}
+
+// Most places along a pixel's footprint at which the noise is looked at.
+const FOAM_TAPS = 3;
+
 fn water_foam(at: vec2f, foot: WaterFootprint) -> WaterFoam {
-  let foam = clamp(water_foam_level(at, foot.size) * frame.foam_gain, vec2f(0.0), vec2f(1.0));
+  let taps = min(foot.taps, FOAM_TAPS);
+  let size = foot.size * pow(f32(foot.taps) / f32(taps), 0.85);
+  let lods = vec4f(material_lod(FOAM_WINDROWS, size), material_lod(FOAM_PATCHES, size), material_lod(FOAM_STRANDS, size),
+    material_lod(FOAM_BUBBLES, size));
+  let kept = vec4f(material_kept(FOAM_WINDROWS, lods.x), material_kept(FOAM_PATCHES, lods.y),
+    material_kept(FOAM_STRANDS, lods.z), material_kept(FOAM_BUBBLES, lods.w));
+  let windrows = material_noise(FOAM_WINDROWS, at, lods.x).b;
   var out: WaterFoam;
-  out.plume = foam.x;
-  out.grain = 0.5;
-  if foam.x < 0.002 {
-    return out;
+  var covered = 0.0;
+  for (var i = 0; i < taps; i++) {
+    let tap = at + foot.axis * ((f32(i) + 0.5) / f32(taps) - 0.5);
+    let foam = clamp(water_foam_level(tap, foot.size) * frame.foam_gain, vec2f(0.0), vec2f(1.0));
+    // Fresh foam is a closed mass of bubbles, old foam a net of thin strands.
+    let fresh = smoothstep(0.0, 0.45, foam.y);
+    // A sum of uniform variables is nearly normal; what of it the pixel cannot resolve softens the edge, so that the mean
+    // over the noise is what is wanted at every distance.
+    let weight = mix(vec4f(0.7, 0.9, 1.1, 0.45), vec4f(0.4, 0.9, 0.8, 0.4), fresh);
+    let whole = dot(weight, weight);
+    let resolved = dot(weight * weight, kept) / whole;
+    let soft = mix(0.2, 0.12, fresh);
+    let patches = material_noise(FOAM_PATCHES, tap, lods.y).r;
+    let strands = material_noise(FOAM_STRANDS, tap, lods.z).r;
+    let bubbles = material_noise(FOAM_BUBBLES, tap, lods.w).g;
+    let z = dot(vec4f(windrows, patches, strands, bubbles) - 0.5, weight) / (0.2887 * sqrt(whole));
+    let wanted = clamp(foam.x, 1e-4, 1.0 - 1e-4);
+    let edge = z + sqrt(1.0 + soft * soft) * water_foam_quantile(wanted);
+    let cut = water_foam_share(edge * inverseSqrt(soft * soft + 1.0 - resolved)) * step(0.002, foam.x);
+    // An old patch is a film that thickens along its strands. What is covered has more than the mean of the strands and of
+    // the grain: both are taken relative to their means over it, fitted to 400,000 draws.
+    let bare = 1.0 - sqrt(wanted);
+    let strand = 2.0 * smoothstep(0.35, 0.95, 0.65 * strands + 0.35 * patches) / (0.58 + 1.4 * bare);
+    let white = mix(FOAM_AGED * mix(1.0, strand, kept.z), 1.0, fresh);
+    let usual = mix(0.66 + 0.19 * bare * bare, 0.5 + 0.36 * bare, fresh);
+    out.cover += clamp(cut * white, 0.0, 1.0);
+    out.plume += foam.x;
+    out.grain += 0.6 * strands + 0.4 * bubbles - usual;
+    covered += cut;
   }
-  let size = foot.size * pow(f32(foot.taps), 0.85);
-  let windrows = material_noise(FOAM_WINDROWS, at, size);
-  let patches = material_noise(FOAM_PATCHES, at, size);
-  let strands = material_noise(FOAM_STRANDS, at, size);
-  let bubbles = material_noise(FOAM_BUBBLES, at, size);
-  // Fresh foam is a closed mass of bubbles, old foam a net of thin strands.
-  let fresh = smoothstep(0.0, 0.45, foam.y);
-  // A sum of uniform variables is nearly normal; what of it the pixel cannot resolve softens the edge, so that the mean
-  // over the noise is what is wanted at every distance. The normal distribution is taken as logistic.
-  let weight = mix(vec4f(0.7, 0.9, 1.1, 0.45), vec4f(0.4, 0.9, 0.8, 0.4), fresh);
-  let kept = vec4f(windrows.kept, patches.kept, strands.kept, bubbles.kept);
-  let whole = dot(weight, weight);
-  let resolved = dot(weight * weight, kept) / whole;
-  let noise = vec4f(windrows.value.b, patches.value.r, strands.value.r, bubbles.value.g);
-  let z = dot(noise - 0.5, weight) / (0.2887 * sqrt(whole));
-  let soft = mix(0.34, 0.20, fresh);
-  let wanted = clamp(foam.x, 1e-4, 1.0 - 1e-4);
-  let edge = 1.702 * z + sqrt(1.0 + soft * soft) * log(wanted / (1.0 - wanted));
-  let cut = 1.0 / (1.0 + exp(clamp(-edge / sqrt(soft * soft + 1.0 - resolved), -40.0, 40.0)));
-  // An old patch is a film that thickens along its strands; over a patch it keeps its mean.
-  let strand = 2.0 * smoothstep(0.35, 0.95, 0.65 * strands.value.r + 0.35 * patches.value.r);
-  let white = mix(FOAM_AGED * mix(1.0, strand, strands.kept), 1.0, fresh);
-  out.cover = clamp(cut * white, 0.0, 1.0);
-  out.grain = mix(0.5, 0.6 * strands.value.r + 0.4 * bubbles.value.g, kept.w);
+  let share = 1.0 / f32(taps);
+  out.cover *= share;
+  out.plume *= share;
+  out.grain = 0.5 + kept.w * out.grain * share;
   if material.foam_relief > 0.0 && kept.z > 0.05 && out.cover > 0.002 {
-    let lumps = water_foam_slope(FOAM_STRANDS, 0u, at, size, strands.value.r) * (kept.z * FOAM_LUMPS_M);
-    let fizz = water_foam_slope(FOAM_BUBBLES, 1u, at, size, bubbles.value.g) * (kept.w * FOAM_BUBBLES_M);
-    let relief = (lumps + fizz) * (material.foam_relief * cut);
+    let strands = material_noise(FOAM_STRANDS, at, lods.z).r;
+    let bubbles = material_noise(FOAM_BUBBLES, at, lods.w).g;
+    let lumps = water_foam_slope(FOAM_STRANDS, 0u, at, size, lods.z, strands) * (kept.z * FOAM_LUMPS_M);
+    let fizz = water_foam_slope(FOAM_BUBBLES, 1u, at, size, lods.w, bubbles) * (kept.w * FOAM_BUBBLES_M);
+    let relief = (lumps + fizz) * (material.foam_relief * covered * share);
     out.relief = relief * min(1.0, 1.2 / max(length(relief), 1e-6));
   }
   return out;

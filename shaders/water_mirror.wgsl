@@ -31,12 +31,15 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
   var sum_f = 0.0;
   var weights = 0.0;
   for (var i = 0; i < WATER_NODES; i++) {
-    let node = water_node(eye, WATER_ALL, i);
+    let node = water_node(eye, i);
     let n = water_normal(node.slope);
-    let f = 0.5 * (water_facet_fresnel(v, node.slope + node.side) + water_facet_fresnel(v, node.slope - node.side));
+    // Slopes beside the direction lengthen the facet's normal, but not its part towards the eye.
+    let tilted = material.fresnel_normals * node.slope;
+    let beside = 1.0 + dot(tilted, tilted) + material.fresnel_normals * material.fresnel_normals * node.side;
+    let f = water_fresnel((v.y - dot(v.xz, tilted)) * inverseSqrt(beside));
     // Between two nodes, and as far as slopes beside the direction turn the ray: less, the flatter it comes.
-    let beside = 1.2 * eye.side_sigma * max(dot(v, n), 0.0);
-    let spread = max(0.8 * node.width, beside) * (128.0 / ATM_PI) + 1e-3;
+    let turned = 1.2 * eye.side_sigma * max(dot(v, n), 0.0);
+    let spread = max(1.6 * node.width, turned) * (128.0 / ATM_PI) + 1e-3;
     sum += node.weight * f * water_environment(reflect(-v, n), clamp(log2(spread), 0.0, 5.0));
     sum_f += node.weight * f;
     weights += node.weight;
