@@ -115,7 +115,7 @@ fn fragment(in: WaterVertex) -> @location(0) vec4f {
   let water = mirror.radiance + (1.0 - mirror.reflectance) / (index * index) * below;
   var surface = water;
   if WATER_FOAM && foam.cover > 0.0 {
-    surface = mix(water, water_foam_light(v, slope.mean, foam), foam.cover);
+    surface = mix(water, water_foam_light(v, slope, foam), foam.cover);
   }
 
   let air = air_between(dir, distance_m);

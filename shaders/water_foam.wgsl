@@ -8,6 +8,8 @@ const FOAM_BUBBLES = 3u;
 // Height of foam's relief, m: of its lumps and of its bubbles.
 const FOAM_LUMPS_M = 0.035;
 const FOAM_BUBBLES_M = 0.006;
+// Deviation of the slope of its bubbles.
+const FOAM_BUBBLES_SLOPE = 0.2;
 // Reflectance of thick fresh foam (Whitlock, Bartlett and Gurganus 1982; Koepke 1984).
 const FOAM_ALBEDO = 0.72;
 // Share of its white that is left when a patch has aged to a film: whitecaps reflect 0.22 over their life (Koepke 1984).
@@ -20,8 +22,9 @@ struct WaterFoam {
   plume: f32,
   // Height of the fine relief, around 0.5.
   grain: f32,
-  // Slope of its own relief.
+  // Slope of its own relief, and the variance of what of it the pixel does not resolve.
   relief: vec2f,
+  rough: f32,
 }
 
 // Foam and fresh breaking from the finest level that is valid here and no finer than the pixel; the mean beyond.
@@ -104,6 +107,7 @@ fn water_foam(at: vec2f, foot: WaterFootprint) -> WaterFoam {
     covered += cut;
   }
   let share = 1.0 / f32(taps);
+  out.rough = FOAM_BUBBLES_SLOPE * FOAM_BUBBLES_SLOPE * material.foam_relief * material.foam_relief * (1.0 - kept.w);
   out.cover *= share;
   out.plume *= share;
   out.grain = 0.5 + kept.w * out.grain * share;
@@ -119,12 +123,17 @@ fn water_foam(at: vec2f, foot: WaterFootprint) -> WaterFoam {
 }
 
 // Radiance of foam: a white body, lit by sun and sky, with the gloss of its wet bubbles.
-fn water_foam_light(v: vec3f, slope: vec2f, foam: WaterFoam) -> vec3f {
-  let n = water_normal(slope + foam.relief);
+fn water_foam_light(v: vec3f, slope: WaterSlope, foam: WaterFoam) -> vec3f {
+  let n = water_normal(slope.mean + foam.relief);
   let l = frame.sun;
-  // Light spreads inside the foam: the shade at its edge is soft.
+  // Light spreads inside the foam: the shade at its edge is soft. The mean over slopes that the pixel does not resolve is
+  // more than that of their mean: what faces away is not darker than dark.
   let cosine = dot(n, l);
-  let wrapped = max(0.8 * cosine + 0.2 * l.y, 0.0);
+  let mean = 0.8 * cosine + 0.2 * l.y;
+  let across = slope.variance.x * l.x * l.x + slope.variance.y * l.z * l.z + 2.0 * slope.variance.z * l.x * l.z;
+  let deviation = 0.8 * n.y * sqrt(max(across + foam.rough * dot(l.xz, l.xz), 1e-6));
+  let off = mean / deviation;
+  let wrapped = max(mean * water_foam_share(off) + deviation * 0.39894228 * exp(-0.5 * min(off * off, 80.0)), 0.0);
   // Hollows see less of the sky.
   let open = (0.55 + 0.45 * n.y) * (0.7 + 0.6 * foam.grain);
   let albedo = material.foam_colour * (FOAM_ALBEDO * (0.85 + 0.3 * foam.grain));
