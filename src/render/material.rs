@@ -18,7 +18,7 @@ type LayerShape = (f64, f64, f64, f64);
 const SHAPES: [LayerShape; LAYERS] = [
     (430.0, 430.0, 0.0, 5.0),
     (71.0, 71.0, 7.0, 2.6),
-    (10.7, 10.7, -23.0, 0.5),
+    (10.7, 10.7, -9.0, 1.9),
     (1.63, 1.63, 41.0, 0.0),
     // The ripples of the sand have 38.6 periods to this tile (water_bed.wgsl).
     (12.35, 12.35, 63.0, 0.0),
