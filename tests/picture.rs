@@ -2,7 +2,6 @@
 
 mod common;
 
-use common::skies::made_up_sky;
 use seastate::cli::render::{FORMAT, picture, picture_of};
 use seastate::gpu::device::Gpu;
 use seastate::model::{Params, query};
@@ -194,101 +193,6 @@ fn the_ocean_is_blue_and_the_coast_green() {
     let ([_, green, blue], [_, coast_green, coast_blue]) = (at("i"), at("3c"));
     assert!(blue > 1.5 * green, "{blue} over {green}");
     assert!(coast_green > coast_blue, "{coast_green} over {coast_blue}");
-}
-
-/// Column of the brightest tenth of the water, -1 (left) to 1.
-fn glitter_column(pixels: &[[u8; 4]]) -> f64 {
-    let width = SIZE[0] as usize;
-    let water = &pixels[60 * width..];
-    let mut bright: Vec<f64> = water.iter().map(|p| luminance(*p)).collect();
-    bright.sort_by(f64::total_cmp);
-    let cut = bright[bright.len() * 95 / 100];
-    let columns: Vec<f64> =
-        (0..water.len()).filter(|&i| luminance(water[i]) > cut).map(|i| (i % width) as f64).collect();
-    columns.iter().sum::<f64>() / columns.len() as f64 / (0.5 * width as f64) - 1.0
-}
-
-#[test]
-fn the_sun_of_a_file_glitters_below_it() {
-    let gpu = gpu();
-    // Half the width of the picture is 37.8 degrees.
-    for (sun, turn, expected) in [(40.0, 0.0, 0.0), (20.0, 0.0, -0.47), (350.0, 70.0, 0.47)] {
-        let mut params =
-            query::parse(&format!("wind=5&fetch=20&n=64&t=5&heading=40&pitch=0&sky=made-up.hdr&skyturn={turn}")).0;
-        params.look.sky.attach(Some(&made_up_sky(sun)));
-        let pixels = render_params(&gpu, &params);
-        assert_eq!(broken(&pixels), 0);
-        let column = glitter_column(&pixels);
-        assert!((column - expected).abs() < 0.2, "sun at {sun}, turned by {turn}: {column}, expected {expected}");
-    }
-}
-
-#[test]
-fn a_sky_that_is_not_at_hand_is_the_built_one() {
-    let gpu = gpu();
-    let wanted = query::parse("n=64&t=5&sky=elsewhere.exr").0;
-    assert!(wanted.look.sky.missing_file().is_some());
-    assert_eq!(render_params(&gpu, &wanted), render(&gpu, "n=64&t=5"));
-}
-
-/// Linear light of a picture that was taken with tone=linear.
-fn linear_mean(pixels: &[[u8; 4]]) -> f64 {
-    let linear = |v: u8| {
-        let c = f64::from(v) / 255.0;
-        if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
-    };
-    pixels.iter().map(|p| 0.2126 * linear(p[0]) + 0.7152 * linear(p[1]) + 0.0722 * linear(p[2])).sum::<f64>()
-        / pixels.len() as f64
-}
-
-#[test]
-fn bloom_loses_no_light() {
-    let gpu = gpu();
-    // Nothing reaches the white of the screen, where light would be lost.
-    let base = "wind=14&n=64&t=20&overcast=1&tone=linear&exposure=-0.6&pitch=-12&dither=0";
-    let sharp = render(&gpu, base);
-    assert!(sharp.iter().all(|p| p[0].max(p[1]).max(p[2]) < 250));
-    let spread = render(&gpu, &format!("{base}&bloom=1"));
-    let (a, b) = (linear_mean(&sharp), linear_mean(&spread));
-    let rough = [&sharp, &spread].map(|p| texture(p, 50, 95));
-    eprintln!("mean {a:.5}, with bloom {b:.5}; texture {rough:?}");
-    assert!((b / a - 1.0).abs() < 0.01, "{a} {b}");
-    assert!(rough[1] < 0.3 * rough[0], "it spreads");
-}
-
-/// Just above and just below a horizon in fog that hides the sea there, the picture is the same.
-#[test]
-fn fog_has_no_seam_at_the_horizon() {
-    let gpu = gpu();
-    for state in [
-        "y=2&pitch=0",
-        "y=20&pitch=0&sun=5",
-        "y=60&pitch=0&sun=60&overcast=0.5",
-        "y=20&pitch=0&sun=-3",
-        "y=400&pitch=1",
-    ] {
-        let pixels = render(&gpu, &format!("{state}&wind=5&fetch=20&n=64&t=5&fov=10&fog=20&fogheight=500&dither=0"));
-        let width = SIZE[0] as usize;
-        let row = |y: usize| pixels[y * width..][..width].iter().map(|p| luminance(*p)).sum::<f64>() / width as f64;
-        for y in 30..62 {
-            assert!((row(y) - row(y + 1)).abs() < 1.5, "{state}: rows {y}: {} and {}", row(y), row(y + 1));
-        }
-    }
-}
-
-/// Night: darker than dusk, dark blue, and neither black nor lifted to day.
-#[test]
-fn night_is_night() {
-    let gpu = gpu();
-    let mean = |state: &str| {
-        let pixels = render(&gpu, &format!("wind=8&n=64&t=5&{state}"));
-        assert_eq!(broken(&pixels), 0);
-        let sum = pixels.iter().fold([0.0; 3], |s, p| std::array::from_fn(|i| s[i] + f64::from(p[i])));
-        sum.map(|s| s / pixels.len() as f64)
-    };
-    let [noon, dusk, night] = ["sun=40", "sun=-7", "sun=-20"].map(mean);
-    assert!(night[2] > 1.5 * night[0] && night[2] > 12.0 && night[1] < 45.0, "{night:?}");
-    assert!(dusk[1] > night[1] && noon[1] > dusk[1], "{noon:?} {dusk:?} {night:?}");
 }
 
 /// The eye of a storm: never in the water, nor is a hole seen in it. What is not water shows the bright horizon's sky.
