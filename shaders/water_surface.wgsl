@@ -163,7 +163,7 @@ fn water_waves(at: vec2f, foot: WaterFootprint, layer: u32, place: vec4f, tile: 
   let wide_lod = select(min(lod + log2(f32(places) / f32(pairs)), long_lod) - 1.0, 16.0, distant);
   // The moments know nothing finer than two texels; closer up they would count resolved waves twice. From where on they
   // count is fitted to the whole.
-  let unresolved = select((1.0 - near) * clamp(lod + 0.5, 0.0, 1.0), 1.0, distant);
+  let unresolved = select((1.0 - near * near) * clamp(lod + 0.5, 0.0, 1.0), 1.0, distant);
   let along = foot.axis * place.z;
   let copies = select(blend.count, 1u, distant);
   for (var i = 0u; i < copies; i++) {
