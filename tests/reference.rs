@@ -197,7 +197,7 @@ fn the_picture_flickers_no_more_than_its_reference() {
         let mut films: [Vec<Vec<f64>>; 3] = Default::default();
         for i in 0..FRAMES {
             viewer.turn_to(&at(i));
-            let pictures = [viewer.normal(), viewer.reference(32, 1 + 2 * i), viewer.reference(32, 2 + 2 * i)];
+            let pictures = [viewer.normal(), viewer.reference(64, 1 + 2 * i), viewer.reference(64, 2 + 2 * i)];
             for (film, picture) in films.iter_mut().zip(&pictures) {
                 film.push(picture.pixels[pixels.clone()].iter().map(|&p| luma(p)).collect());
             }

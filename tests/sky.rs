@@ -112,7 +112,7 @@ fn fog_has_no_seam_at_the_horizon() {
         "y=20&pitch=0&sun=-3",
         "y=400&pitch=1",
     ] {
-        let pixels = render(&gpu, &format!("{state}&wind=5&fetch=20&n=64&t=5&fov=10&fog=40&fogheight=500&dither=0"));
+        let pixels = render(&gpu, &format!("{state}&wind=5&fetch=20&n=64&t=5&fov=10&fog=20&fogheight=500&dither=0"));
         let width = SIZE[0] as usize;
         let row = |y: usize| pixels[y * width..][..width].iter().map(|p| luminance(*p)).sum::<f64>() / width as f64;
         for y in 30..62 {
