@@ -2,6 +2,7 @@
 //!
 //! Everything here is a pure function of [`Params`], so that it can be tested, quoted and reused by itself.
 
+pub mod beaufort;
 pub mod camera;
 pub mod cascades;
 pub mod dispersion;
