@@ -16,15 +16,31 @@ pub const MAX_BYTES: usize = 16 * 1024;
 /// Key of the buoy's spectrum.
 const MEASURED: &str = "measured";
 /// Key of the name of the sky's file.
-const SKY: &str = "sky";
+pub(super) const SKY: &str = "sky";
 const MAX_NOTICES: usize = 24;
 const MAX_SHOWN: usize = 40;
+
+/// What a state string says.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Reading {
+    /// The parameters, defaults where it says nothing.
+    pub params: Params,
+    /// The keys whose values were taken, `measured` and `sky` included.
+    pub taken: Vec<&'static str>,
+    /// One notice for each thing that was not taken as written.
+    pub notices: Vec<String>,
+}
 
 /// Reads a state string, with or without a leading `?`, or a whole pasted URL. Returns the parameters and one notice
 /// for each thing that was not taken as written.
 pub fn parse(text: &str) -> (Params, Vec<String>) {
-    let mut params = Params::default();
-    let mut notices = Vec::new();
+    let Reading { params, notices, .. } = read(text);
+    (params, notices)
+}
+
+/// As [`parse`], for those who want to know which values are the string's own.
+pub fn read(text: &str) -> Reading {
+    let Reading { mut params, mut taken, mut notices } = Reading::default();
     let mut seen: Vec<&str> = Vec::new();
     let mut query = query_part(text);
     if query.len() > MAX_BYTES {
@@ -35,13 +51,19 @@ pub fn parse(text: &str) -> (Params, Vec<String>) {
     for (key, value) in form_urlencoded::parse(query.as_bytes()) {
         if key == MEASURED {
             match Measured::from_state(&value) {
-                Ok(m) => params.sea.measured = Some(Arc::new(m)),
+                Ok(m) => {
+                    params.sea.measured = Some(Arc::new(m));
+                    taken.push(MEASURED);
+                }
                 Err(reason) => notices.push(format!("measured: {reason}: ignored")),
             }
             continue;
         }
         if key == SKY {
             params.look.sky.file = SkyFile::named(&value);
+            if params.look.sky.file.is_some() {
+                taken.push(SKY);
+            }
             continue;
         }
         let Some(field) = fields::find(&key) else {
@@ -53,12 +75,16 @@ pub fn parse(text: &str) -> (Params, Vec<String>) {
         }
         seen.push(field.key);
         match field.parse(&value) {
-            Ok(v) => (field.set)(&mut params, v),
+            Ok(v) => {
+                (field.set)(&mut params, v);
+                taken.push(field.key);
+            }
             Err(Refusal::Ignored) => {
                 notices.push(format!("{}={} is not one of: {}", field.key, shown(&value), field.range()));
             }
             Err(Refusal::Clamped(v)) => {
                 (field.set)(&mut params, v);
+                taken.push(field.key);
                 notices.push(format!(
                     "{}={} is outside {}: {} taken",
                     field.key,
@@ -74,7 +100,9 @@ pub fn parse(text: &str) -> (Params, Vec<String>) {
         notices.truncate(MAX_NOTICES);
         notices.push(format!("and {more} more"));
     }
-    (params, notices)
+    taken.sort_unstable();
+    taken.dedup();
+    Reading { params, taken, notices }
 }
 
 /// Writes the values that differ from the default, in the order of [`FIELDS`], percent-encoded, without a `?`.
@@ -157,6 +185,12 @@ mod tests {
         assert_eq!(write(&p), "skyturn=30&sky=Kloofendal+48d.hdr");
         assert!(p.look.sky.missing_file().is_some_and(|n| n.contains("Kloofendal 48d.hdr")));
         assert_eq!(parse("sky=%00").0, Params::default());
+    }
+
+    #[test]
+    fn what_was_taken_is_known() {
+        let r = read("wind=14&fetch=-3&wind=15&spectrum=nonsense&unknown=1&sky=a.hdr&gamma=3.3");
+        assert_eq!(r.taken, ["fetch", "gamma", "sky", "wind"]);
     }
 
     #[test]
