@@ -1,8 +1,9 @@
 //! The Beaufort scale of wind and the code of sea states, as tables.
 //!
-//! Names, wind ranges, appearance and heights follow the WMO Manual on Codes (WMO-No. 306, volume I.1, Beaufort scale) as
-//! printed in the Met Office's National Meteorological Library fact sheet 6; the sentences are paraphrased. The sea states are
-//! WMO code table 3700. The heights are those of the open sea, far from land, and a guide only, as the WMO says itself.
+//! Names, wind ranges, appearance and heights follow the WMO Manual on Codes (WMO-No. 306, volume I.1, Beaufort scale)
+//! as printed in the Met Office's National Meteorological Library fact sheet 6; the sentences are paraphrased. The sea
+//! states are WMO code table 3700. The heights are those of the open sea, far from land, and a guide only, as the WMO
+//! says itself.
 
 use super::params::{Params, Sea, System};
 
@@ -44,11 +45,12 @@ macro_rules! force {
 
 /// The scale, calm first.
 ///
-/// The fetches were searched for, in round kilometres, so that JONSWAP's significant height is the probable height. From force 4
-/// it is, to 2 %. Light winds never raise the heights of the table: a fully developed sea of 0.8, 2.4 and 4.3 m/s has 0.01,
-/// 0.13 and 0.42 m (Pierson and Moskowitz 1964), where the table has 0.1, 0.2 and 0.6 m. JONSWAP's fits know no full development
-/// and would come to these after 23, 14 and 39 km; the fetches of forces 1 to 3 end instead where the program says that the sea has
-/// left it behind, g F / U^2 = 1.6e4, and give 0.02, 0.16 and 0.52 m. A calm has no waves whatever its fetch.
+/// The fetches were searched for, in round kilometres, so that JONSWAP's significant height is the probable height.
+/// From force 4 it is, to 2 %. Light winds never raise the heights of the table: a fully developed sea of 0.8, 2.4 and
+/// 4.3 m/s has 0.01, 0.13 and 0.42 m (Pierson and Moskowitz 1964), where the table has 0.1, 0.2 and 0.6 m. JONSWAP's
+/// fits know no full development and would come to these after 23, 14 and 39 km; the fetches of forces 1 to 3 end
+/// instead where the program says that the sea has left it behind, g F / U^2 = 1.6e4, and give 0.02, 0.16 and 0.52 m. A
+/// calm has no waves whatever its fetch.
 #[rustfmt::skip]
 pub static FORCES: [Force; 13] = [
     force!(0, "Calm", (0.0, 0.2), 0.0, 0.0, Some(0.0), 1.0, "Sea like a mirror."),
@@ -84,8 +86,8 @@ pub fn number_of(wind_m_s: f64) -> usize {
 }
 
 impl Force {
-    /// `now` with this force's wind and fetch. The local system has its defaults besides, so that its height is the wind's, but
-    /// keeps its direction; everything else stays: the second system, depth, seed, light, camera, time.
+    /// `now` with this force's wind and fetch. The local system has its defaults besides, so that its height is the
+    /// wind's, but keeps its direction; everything else stays: the second system, depth, seed, light, camera, time.
     #[must_use]
     pub fn apply(&self, now: &Params) -> Params {
         let mut next = now.clone();
@@ -110,8 +112,8 @@ const STATES: [(f64, &str); 10] = [
     (f64::INFINITY, "phenomenal"),
 ];
 
-/// The sea state of a significant height: figure and name of WMO code table 3700, after Douglas. A height on a bound has the lower
-/// figure, as the table demands; what is no height is a calm.
+/// The sea state of a significant height: figure and name of WMO code table 3700, after Douglas. A height on a bound
+/// has the lower figure, as the table demands; what is no height is a calm.
 pub fn sea_state(hs_m: f64) -> (u8, &'static str) {
     let is_height = hs_m > 0.0;
     (0u8..)
@@ -146,8 +148,9 @@ mod tests {
         assert_eq!([f64::NAN, -3.0, 0.0, 0.29, 0.3, 1e9, f64::INFINITY].map(number_of), [0, 0, 0, 0, 1, 12, 12]);
     }
 
-    /// From force 4 the fetch can be chosen, and rounding it to two figures moves the height by 2 % at most (it grows with the
-    /// fetch to the power 0.56). Below, the sea is as high as such a wind makes it, and the table says more: see [`FORCES`].
+    /// From force 4 the fetch can be chosen, and rounding it to two figures moves the height by 2 % at most (it grows
+    /// with the fetch to the power 0.56). Below, the sea is as high as such a wind makes it, and the table says more:
+    /// see [`FORCES`].
     #[test]
     fn heights_of_the_textbook() {
         let limits = [0.0, 0.85, 0.25, 0.15, 0.02, 0.02, 0.02, 0.02, 0.02, 0.03, 0.02, 0.02, 0.02];
