@@ -17,6 +17,7 @@ pub mod optics;
 pub mod panorama;
 pub mod params;
 pub mod plan;
+pub mod presets;
 pub mod quadrature;
 pub mod query;
 pub mod slopes;
