@@ -33,7 +33,7 @@ struct WaterVertex {
 
 // Length over which the mesh is filtered at a distance: that between rows; columns are never farther apart than matters.
 fn water_spacing(radius: f32) -> f32 {
-  return 1.3 * max((radius + frame.mesh_radius) * frame.mesh.w, radius * frame.mesh.y);
+  return max((radius + frame.mesh_radius) * frame.mesh.w, radius * frame.mesh.y);
 }
 
 fn water_vertex(i: u32) -> WaterVertex {

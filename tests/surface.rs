@@ -267,7 +267,7 @@ fn the_mesh_is_finer_than_what_it_shows() {
                 rest.iter().map(|p| p.map(|x| x * (1.0 + sign * 0.5 * spacing / radius))).collect()
             };
             let mut heights = |points: &[[f64; 2]]| -> Vec<f64> {
-                bench.ask([0.0; 2], points, 1.3 * spacing, 0.0).iter().map(|d| d.moved[1]).collect()
+                bench.ask([0.0; 2], points, spacing, 0.0).iter().map(|d| d.moved[1]).collect()
             };
             let [middle, before, after] = [&rest, &beside(-1.0), &beside(1.0)].map(|points| heights(points));
             let bend = (0..rest.len()).map(|i| (middle[i] - 0.5 * (before[i] + after[i])).powi(2)).sum::<f64>();
