@@ -33,15 +33,17 @@ fn main(@builtin(local_invocation_index) i: u32) {
     workgroupBarrier();
   }
   if i == 0u {
-    let over = (eye_needed[0] - frame.eye_m) / EYE_SOFTNESS;
-    let rise = select(log(1.0 + exp(over)), over, over > 20.0);
-    frame.eye_m += EYE_SOFTNESS * rise;
     var foot = vec2f(0.0);
     for (var step = 0; step < 12; step++) {
       foot += 0.7 * (-water_displacement(foot, 1.0).xz - foot);
     }
+    // An eye that rides counts its height from the water below it.
+    frame.eye_m += frame.foot.w * water_displacement(foot, 0.5).y;
+    let over = (eye_needed[0] - frame.eye_m) / EYE_SOFTNESS;
+    let rise = select(log(1.0 + exp(over)), over, over > 20.0);
+    frame.eye_m += EYE_SOFTNESS * rise;
     frame.foot.x = foot.x;
     frame.foot.y = foot.y;
-    frame.dip = sqrt(2.0 * frame.eye_m / FRAME_EARTH_M);
+    frame.dip = sqrt(2.0 * max(frame.eye_m, 0.1) / FRAME_EARTH_M);
   }
 }

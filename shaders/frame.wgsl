@@ -35,7 +35,8 @@ struct Frame {
   mesh_rows: u32,
   count: u32,
   foam_count: u32,
-  // Where the water below the eye would lie in a still sea (x, z), and how far waves may carry water, m.
+  // Where the water below the eye would lie in a still sea (x, z), how far waves may carry water, m, and whether (1) the
+  // eye rides on it.
   foot: vec4f,
   downwind: vec2f,
   n: f32,

@@ -2,7 +2,7 @@
 
 use crate::gpu::shaders::Shaders;
 use crate::model::camera::View;
-use crate::model::params::Camera;
+use crate::model::params::{Camera, CameraMode};
 use crate::model::slopes::{self, SlopeVariance};
 use crate::model::views::Scale;
 use crate::model::{Params, Plan};
@@ -155,6 +155,7 @@ impl Ocean {
         Scene {
             view: View::new(&above_water(&self.params), aspect, LOWEST_EYE_M),
             look: self.params.look.clone(),
+            rides: self.params.camera.mode == CameraMode::Buoy,
             scales: std::array::from_fn(|layer| Scale::new(self.params.look.view.shown, plan, layer)),
             sea: SeaLook {
                 chop: sea.lambda().map(|l| l as f32),

@@ -159,3 +159,32 @@ fn keys_fly_the_camera() {
     let camera = seastate::model::query::parse(&harness.state().state()).0.camera;
     assert!(camera.x_m > 0.5 && camera.z_m.abs() < 0.2, "east: {camera:?}");
 }
+
+/// Not a test: pictures of the program in several sizes, to be looked at (`cargo test --test app -- --ignored`).
+#[test]
+#[ignore = "writes pictures to target/tmp/app"]
+fn pictures_to_look_at() {
+    let folder = std::path::PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("app");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    for (name, size, open) in [
+        ("wide", [1920.0, 1080.0], &[][..]),
+        ("usual", [1280.0, 720.0], &["Seas", "Views", "Afloat"][..]),
+        ("plots", [1280.0, 900.0], &["Plots", "Directions", "Sea at a buoy", "Cut through the sea"][..]),
+        ("phone", [390.0, 844.0], &[][..]),
+    ] {
+        let mut harness =
+            Harness::builder().with_size(egui::vec2(size[0], size[1])).with_step_dt(0.25).wgpu().build_eframe(
+                move |cc| {
+                    App::new(cc, "wind=12&n=128&t=30&adaptive=0&afloat=buoy*20*-25_boat*32*-30").expect("a device")
+                },
+            );
+        harness.run_steps(12);
+        for label in open {
+            harness.get_by_label(label).click();
+            harness.run_steps(4);
+        }
+        harness.run_steps(8);
+        harness.render().expect("a picture").save(folder.join(format!("{name}.png"))).expect("a file");
+        assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+    }
+}

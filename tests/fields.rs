@@ -80,6 +80,11 @@ const UNSEEN: &[(&str, &str)] = &[
     ("speed", "how fast the time runs: tests/app.rs lets it run"),
     ("normsteps", "one step is exact to the seventh digit: few_steps_are_felt in model/spreading.rs"),
     ("pause", "whether it runs: tests/app.rs stops it"),
+    ("ui", "the panel alone: tests/app.rs hides it"),
+    ("units", "the panel alone: tests/app.rs changes them"),
+    ("renderscale", "a window's pixels: tests/app.rs counts them"),
+    ("adaptive", "a window's pixels: tests/app.rs lets it follow the time"),
+    ("maxdpr", "a window's pixels: tests/app.rs counts them"),
 ];
 
 /// Least mean difference of a picture, of 255, that counts: one step in one channel of a tenth of the pixels.

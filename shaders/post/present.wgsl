@@ -160,8 +160,26 @@ fn present_smooth(hdr: vec3f, at: vec2i, uv: vec2f) -> vec3f {
   return smoothed / max(1.0 - sky_luminance(smoothed), 1e-5);
 }
 
+// Between the picture's pixels, for a screen that has more of them or fewer. Exposed light out.
+fn present_between(uv: vec2f) -> vec3f {
+  let p = uv * present.size - 0.5;
+  let base = floor(p);
+  let f = p - base;
+  let last = vec2i(present.size) - 1;
+  var sum = vec3f(0.0);
+  for (var k = 0; k < 4; k++) {
+    let corner = vec2i(k & 1, k >> 1u);
+    let weight = select(1.0 - f.x, f.x, corner.x == 1) * select(1.0 - f.y, f.y, corner.y == 1);
+    let light = textureLoad(hdr_map, clamp(vec2i(base) + corner, vec2i(0), last), 0).rgb;
+    sum += weight * present_squeeze(light);
+  }
+  return sum / max(1.0 - sky_luminance(sum), 1e-5);
+}
+
 @fragment
 fn fragment(in: PresentVertex) -> @location(0) vec4f {
+  // Pixels of the picture to one of the screen.
+  let ratio = abs(dpdx(in.uv.x)) * present.size.x;
   let at = vec2u(clamp(in.uv * present.size, vec2f(0.0), present.size - 1.0));
   let hdr = textureLoad(hdr_map, at, 0);
   let bits = bitcast<vec4u>(hdr) & vec4u(0x7f800000u);
@@ -170,7 +188,9 @@ fn fragment(in: PresentVertex) -> @location(0) vec4f {
   }
   let uv = (vec2f(at) + 0.5) / present.size;
   var exposed = hdr.rgb * present_exposure();
-  if PRESENT_SMOOTH {
+  if abs(ratio - 1.0) > 1e-3 {
+    exposed = present_between(in.uv);
+  } else if PRESENT_SMOOTH {
     exposed = present_smooth(hdr.rgb, vec2i(at), uv);
   }
   if present.bloom > 0.0 {

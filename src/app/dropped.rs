@@ -1,9 +1,9 @@
 //! Files dropped on the window or the page: the spectra of a buoy, or a sky.
 
-use super::App;
+use super::{App, picture};
 use crate::model::look::SkyFile;
 use crate::model::measured::{MAX_FILE_BYTES, MAX_FILES, Measured};
-use crate::model::panorama;
+use crate::model::{panorama, presets};
 use egui::DroppedFileHandle;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -12,7 +12,9 @@ type Files = Result<Vec<(String, Vec<u8>)>, String>;
 
 /// The largest file of a name that is read.
 pub fn most_bytes(name: &str) -> usize {
-    if panorama::is_sky(name, &[]) { panorama::MAX_BYTES } else { MAX_FILE_BYTES }
+    // A picture that carries its state may be large, too.
+    let large = panorama::is_sky(name, &[]) || name.to_ascii_lowercase().ends_with(".png");
+    if large { panorama::MAX_BYTES } else { MAX_FILE_BYTES }
 }
 
 /// The sky of a file's contents.
@@ -85,6 +87,26 @@ impl App {
         }
         let Some(files) = self.dropped.take() else { return };
         if let Ok([(name, bytes)]) = files.as_deref()
+            && picture::is_png(bytes)
+        {
+            match picture::state_of(bytes) {
+                Ok(state) => self.open_link(&state),
+                Err(reason) => self.notices = vec![format!("{name}: {reason}")],
+            }
+            return;
+        }
+        if let Ok([(_, bytes)]) = files.as_deref()
+            && let Some(text) = std::str::from_utf8(bytes).ok().filter(|text| presets::is_file(text))
+        {
+            let (seas, notices) = presets::read(text);
+            self.say(&format!("{} seas imported", seas.len()));
+            self.notices = notices;
+            if let Err(reason) = self.seas.add(seas) {
+                self.notices.push(reason);
+            }
+            return;
+        }
+        if let Ok([(name, bytes)]) = files.as_deref()
             && panorama::is_sky(name, bytes)
         {
             match sky(name, bytes) {
@@ -127,7 +149,7 @@ pub fn invite(ctx: &egui::Context) {
     painter.text(
         screen.center(),
         egui::Align2::CENTER_CENTER,
-        "Drop a sky (.hdr, .exr) or a buoy's spectrum (NDBC text or CSV of f, S, direction, spread)",
+        "Drop a sky (.hdr, .exr), a picture saved here, a file of seas,\nor a buoy's spectrum (NDBC text or CSV of f, S, direction, spread)",
         egui::FontId::proportional(20.0),
         egui::Color32::WHITE,
     );

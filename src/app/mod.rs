@@ -4,24 +4,39 @@ mod camera;
 mod caption;
 mod dropped;
 mod faults;
+mod files;
+mod history;
+pub mod keys;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod native;
 mod panel;
+pub mod picture;
 mod plots;
+mod quality;
 mod setup;
+mod share;
+mod tasks;
+mod units;
 mod viewport;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 
+use crate::model::afloat::{self, Float, Waterline};
 use crate::model::look::SkyFile;
 use crate::model::statistics::{Resolved, Theory};
-use crate::model::{Params, Plan, query};
+use crate::model::{Heights, Params, Plan, query};
 use crate::ocean::Ocean;
 use faults::Faults;
 use std::cell::OnceCell;
 
 /// Longest step of the simulated time from one frame to the next, s: a page that was hidden goes on where it was.
 const LONGEST_STEP_S: f64 = 0.1;
+
+/// Things that float are put no farther away than this, m: nobody would see them.
+const FARTHEST_FLOAT_M: f64 = 3000.0;
+
+/// How long an answer stays, s.
+const SAID_S: f64 = 4.0;
 
 /// What is derived from the parameters once, when they change, and not in every frame.
 struct Derived {
@@ -30,17 +45,27 @@ struct Derived {
     theory: Theory,
     /// Sums over all waves: only when somebody looks.
     resolved: OnceCell<Resolved>,
+    /// The waves under what floats: only if something does, or is plotted.
+    waterline: OnceCell<Waterline>,
 }
 
 impl Derived {
     fn new(params: &Params) -> Self {
         let plan = Plan::new(params);
         let theory = Theory::new(&plan);
-        Self { of: params.clone(), plan, theory, resolved: OnceCell::new() }
+        Self { of: params.clone(), plan, theory, resolved: OnceCell::new(), waterline: OnceCell::new() }
     }
 
     fn resolved(&self) -> &Resolved {
         self.resolved.get_or_init(|| Resolved::new(&self.plan, self.theory.m0_m2))
+    }
+
+    fn waterline(&self) -> &Waterline {
+        self.waterline.get_or_init(|| Waterline::new(&self.of))
+    }
+
+    fn heights(&self) -> &Heights {
+        self.waterline().heights()
     }
 }
 
@@ -55,6 +80,22 @@ pub struct App {
     faults: Faults,
     frames: u64,
     dropped: dropped::Dropped,
+    panel: panel::Panel,
+    seas: panel::Seas,
+    history: history::History,
+    quality: quality::Quality,
+    /// Whether the list of keys is open.
+    help: bool,
+    /// A short answer, and until when it is shown (time of egui, s).
+    said: Option<(String, f64)>,
+    /// What was drawn in the last frame, and in how many pixels.
+    drawn: Option<(Params, [u32; 2])>,
+    /// The record of the first buoy, or of the water below the camera.
+    series: plots::Series,
+    /// What the next click puts on the water.
+    placing: Option<afloat::Kind>,
+    /// Pictures that have been saved, or why not.
+    saved: tasks::Inbox<Result<String, String>>,
     /// The last sky that was read, for links that name it.
     sky: Option<SkyFile>,
     /// Set by the viewport while the foam has yet to catch up.
@@ -92,6 +133,16 @@ impl App {
             faults,
             frames: 0,
             dropped: dropped::Dropped::default(),
+            panel: panel::Panel::default(),
+            seas: panel::Seas::load(),
+            history: history::History::default(),
+            quality: quality::Quality::default(),
+            help: false,
+            said: None,
+            drawn: None,
+            series: plots::Series::default(),
+            placing: None,
+            saved: tasks::Inbox::default(),
             sky: sky.filter(|s| s.image.is_some()),
             catching_up: viewport::CatchingUp::default(),
             #[cfg(target_arch = "wasm32")]
@@ -152,14 +203,143 @@ impl App {
         if ctx.egui_wants_keyboard_input() {
             return;
         }
-        if ctx.input(|i| i.key_pressed(egui::Key::Space)) {
-            self.params.clock.paused = !self.params.clock.paused;
+        let pressed = |key| ctx.input(|i| i.key_pressed(key));
+        let plain = |key| ctx.input(|i| i.key_pressed(key) && !i.modifiers.command && !i.modifiers.alt);
+        let command = |key| ctx.input_mut(|i| i.consume_key(egui::Modifiers::COMMAND, key));
+        if ctx.input_mut(|i| i.consume_key(egui::Modifiers::COMMAND | egui::Modifiers::SHIFT, egui::Key::Z))
+            || command(egui::Key::Y)
+        {
+            self.history.redo(&mut self.params);
+        } else if command(egui::Key::Z) {
+            self.history.undo(&mut self.params);
         }
-        let back = caption::keys(&mut self.params.look.view, ctx);
-        if !back && cfg!(not(target_arch = "wasm32")) && ctx.input(|i| i.key_pressed(egui::Key::Escape)) {
+        let clock = &mut self.params.clock;
+        if pressed(egui::Key::Space) {
+            clock.paused = !clock.paused;
+        }
+        if pressed(egui::Key::Home) {
+            clock.t_s = 0.0;
+        }
+        if pressed(egui::Key::Period) {
+            panel::time::step(clock, 1.0);
+        }
+        if pressed(egui::Key::Comma) {
+            panel::time::step(clock, -1.0);
+        }
+        if plain(egui::Key::H) {
+            self.params.screen.panel = !self.params.screen.panel;
+        }
+        if plain(egui::Key::L) {
+            self.copy_link();
+        }
+        if plain(egui::Key::P) {
+            self.save_picture();
+        }
+        if pressed(egui::Key::F1) || pressed(egui::Key::Questionmark) {
+            self.help = !self.help;
+        }
+        let help = self.help && pressed(egui::Key::Escape);
+        if help {
+            self.help = false;
+        }
+        let back = help || caption::keys(&mut self.params.look.view, ctx);
+        if !back && cfg!(not(target_arch = "wasm32")) && pressed(egui::Key::Escape) {
             ctx.send_viewport_cmd(egui::ViewportCommand::Close);
         }
         camera::keys(&mut self.params.camera, ctx);
+    }
+
+    /// Where the record is taken: its name, m east and m south.
+    fn series_place(&self) -> (&'static str, [f64; 2]) {
+        match self.params.floats.first() {
+            Some(float) => ("the first buoy", [float.x_m, float.z_m]),
+            None => ("the camera's foot", [self.params.camera.x_m, self.params.camera.z_m]),
+        }
+    }
+
+    /// Keeps the record of a buoy while there is one, or while its plot is looked at.
+    fn record(&mut self, ctx: &egui::Context) {
+        let wanted = !self.params.floats.is_empty() || plots::is_recording(ctx);
+        if !wanted || self.params.clock.paused && self.series.is_current(self.params.clock.t_s) {
+            return;
+        }
+        let (_, place) = self.series_place();
+        let (sea, level_m) = (self.derived.heights(), self.params.sea.level_m);
+        let height = |t_s| sea.sample(place[0], place[1], t_s).height_m - level_m;
+        self.series.advance(self.params.clock.t_s, place, height);
+    }
+
+    /// Puts a buoy where the pointer is (B), or what the panel has asked for where the sea is clicked.
+    fn place(&mut self, response: &egui::Response, ctx: &egui::Context) {
+        if self.placing.is_some() && response.hovered() {
+            ctx.set_cursor_icon(egui::CursorIcon::Crosshair);
+        }
+        let key = !ctx.egui_wants_keyboard_input() && ctx.input(|i| i.key_pressed(egui::Key::B));
+        let (kind, at) = match (response.clicked().then_some(self.placing).flatten(), key) {
+            (Some(kind), _) => (kind, response.interact_pointer_pos()),
+            (None, true) => (afloat::Kind::Buoy, response.hover_pos().or(Some(response.rect.center()))),
+            (None, false) => return,
+        };
+        self.placing = None;
+        let Some(at) = at else { return };
+        let Some([x_m, z_m]) = self.sea_at(at, response.rect) else {
+            self.say("There is no water there.");
+            return;
+        };
+        if self.params.floats.len() >= afloat::MOST {
+            self.say("There is no room for more.");
+            return;
+        }
+        let round = |x: f64| (10.0 * x).round() / 10.0;
+        self.params.floats.push(Float { kind, x_m: round(x_m), z_m: round(z_m) });
+    }
+
+    /// The place on the sea under a point of the window, m east and south.
+    fn sea_at(&self, at: egui::Pos2, rect: egui::Rect) -> Option<[f64; 2]> {
+        let camera = &self.params.camera;
+        let aspect = f64::from(rect.width() / rect.height().max(1.0));
+        let view = crate::model::camera::View::new(camera, aspect, 0.0);
+        let to = (at - rect.center()) / (0.5 * rect.size());
+        let ray = view.ray(f64::from(to.x), -f64::from(to.y));
+        let level_m = self.params.sea.level_m;
+        let mut height_m = level_m;
+        let mut place = None;
+        // The ray meets the waves, not the still water.
+        for _ in 0..8 {
+            let distance = (height_m - camera.y_m) / ray.y;
+            if !(ray.y < -1e-3 && distance < FARTHEST_FLOAT_M) {
+                return place;
+            }
+            let [x, z] = [camera.x_m + distance * ray.x, camera.z_m + distance * ray.z];
+            height_m = self.derived.heights().sample(x, z, self.params.clock.t_s).height_m.min(camera.y_m - 0.3);
+            place = Some([x, z]);
+        }
+        place
+    }
+
+    /// Says something for a few seconds.
+    fn say(&mut self, text: &str) {
+        let until = self.ctx.input(|i| i.time) + SAID_S;
+        self.said = Some((text.to_owned(), until));
+        self.ctx.request_repaint_after(std::time::Duration::from_secs_f64(SAID_S));
+    }
+
+    /// Shows what was said last, as long as it counts.
+    fn answer(&mut self, ctx: &egui::Context) {
+        if self.said.as_ref().is_some_and(|(_, until)| ctx.input(|i| i.time) > *until) {
+            self.said = None;
+        }
+        let Some((text, _)) = &self.said else { return };
+        let area = egui::Area::new(egui::Id::unique("said")).anchor(egui::Align2::CENTER_TOP, egui::vec2(0.0, 16.0));
+        area.interactable(false).show(ctx, |ui| {
+            egui::Frame::window(ui.style()).show(ui, |ui| ui.label(text));
+        });
+    }
+
+    /// The parameters of the frame at hand: those of the state, on the grid that the machine keeps up with.
+    fn to_draw(&self) -> Params {
+        let grid = self.quality.grid(&self.params.grid, &self.params.screen);
+        Params { grid, ..self.params.clone() }
     }
 }
 
@@ -184,13 +364,31 @@ impl eframe::App for App {
         self.keys(&ctx);
         self.advance(&ctx);
         self.take_dropped(&ctx);
+        self.take_saved();
+        let (held, now_s, dt) = ctx.input(|i| (i.pointer.any_down(), i.time, f64::from(i.unstable_dt)));
+        self.history.watch(&self.params, held, now_s);
+        if self.history.is_open() {
+            ctx.request_repaint();
+        }
         if (&self.derived.of.grid, &self.derived.of.sea) != (&self.params.grid, &self.params.sea) {
             self.derived = Derived::new(&self.params);
+            self.series.clear();
         }
-        let response = viewport::show(ui, &self.params, &self.catching_up);
+        self.record(&ctx);
+        self.quality.watch(dt, self.params.clock.paused, self.params.screen.adaptive);
+        let params = self.to_draw();
+        let limit = self.render_state.device.limits().max_texture_dimension_2d;
+        let pixels = |points| self.quality.picture_size(points, ctx.pixels_per_point(), &params.screen, limit);
+        let (response, size) = viewport::show(ui, &params, &self.catching_up, pixels);
+        self.drawn = Some((params, size));
+        self.place(&response, &ctx);
         camera::pointer(&mut self.params.camera, &response, &ctx);
         caption::show(&self.params, &self.derived.plan, &ctx);
-        panel::show(self, &ctx);
+        if self.params.screen.panel {
+            panel::show(self, &ctx);
+        }
+        keys::help(&mut self.help, &ctx);
+        self.answer(&ctx);
         dropped::invite(&ctx);
         if self.catching_up.is_set() {
             ctx.request_repaint();

@@ -19,19 +19,23 @@ impl CatchingUp {
     }
 }
 
-/// Fills what is left of `ui` with the sea.
-pub fn show(ui: &mut egui::Ui, params: &Params, catching_up: &CatchingUp) -> egui::Response {
+/// Fills what is left of `ui` with the sea; `pixels` says how many it gets. Returns them, too.
+pub fn show(
+    ui: &mut egui::Ui,
+    params: &Params,
+    catching_up: &CatchingUp,
+    pixels: impl FnOnce(egui::Vec2) -> [u32; 2],
+) -> (egui::Response, [u32; 2]) {
     let response = egui::CentralPanel::default()
         .frame(egui::Frame::NONE)
         .show(ui, |ui| ui.allocate_response(ui.available_size(), egui::Sense::click_and_drag()))
         .inner;
-    let pixels = response.rect.size() * ui.ctx().pixels_per_point();
-    let size = [pixels.x.round() as u32, pixels.y.round() as u32];
+    let size = pixels(response.rect.size());
     if size[0] > 0 && size[1] > 0 {
         let frame = SeaFrame { params: params.clone(), size, catching_up: catching_up.clone() };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(response.rect, frame));
     }
-    response
+    (response, size)
 }
 
 /// One frame, by value.
@@ -53,9 +57,7 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         let Some(ocean) = resources.get_mut::<Ocean>() else { return Vec::new() };
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("ocean") });
         ocean.set_params(device, queue, &self.params);
-        let limit = device.limits().max_texture_dimension_2d;
-        let size = self.size.map(|side| side.min(limit));
-        let caught_up = ocean.encode(device, queue, &mut encoder, size, STEPS_PER_FRAME);
+        let caught_up = ocean.encode(device, queue, &mut encoder, self.size, STEPS_PER_FRAME);
         self.catching_up.0.store(!caught_up, Ordering::Relaxed);
         vec![encoder.finish()]
     }

@@ -267,6 +267,7 @@ fn keys() -> String {
     }
     text += "measured   a buoy's spectrum, shown by spectrum=measured: bands f*S or f*S*alpha1*alpha2*r1*r2, separated by _\n";
     text += "           Hz, m2/Hz, degrees that the waves come from, and 0..1. Written by the program when it reads a file.\n";
+    text += "afloat     what floats where: buoy or boat, metres east, metres south, joined by *, separated by _ (at most 16)\n";
     text +=
         "sky        name of a sky's file, equirectangular .hdr or .exr, that is dropped on the sea or given by --sky\n";
     text

@@ -2,6 +2,7 @@
 //!
 //! Everything here is a pure function of [`Params`], so that it can be tested, quoted and reused by itself.
 
+pub mod afloat;
 pub mod beaufort;
 pub mod camera;
 pub mod cascades;
@@ -20,6 +21,7 @@ pub mod plan;
 pub mod presets;
 pub mod quadrature;
 pub mod query;
+pub mod record;
 pub mod slopes;
 pub mod spectra;
 pub mod spreading;

@@ -3,6 +3,7 @@
 //! The sub-structs are the levels of invalidation: `grid` reallocates, `sea` reruns the spectrum pass, the rest are
 //! uniforms. There are no dirty flags: whoever owns a resource compares with the parameters it was made from.
 
+use super::afloat::Float;
 pub use super::look::Look;
 use super::measured::Measured;
 use std::sync::Arc;
@@ -20,6 +21,10 @@ pub struct Params {
     pub camera: Camera,
     /// Simulated time.
     pub clock: Clock,
+    /// What floats on it.
+    pub floats: Vec<Float>,
+    /// How a window or a page shows it.
+    pub screen: Screen,
 }
 
 /// Resolution of the simulation.
@@ -334,11 +339,24 @@ pub struct Camera {
     pub pitch_deg: f64,
     /// Vertical field of view, degrees.
     pub fov_deg: f64,
+    /// What dragging and the keys do, and whether the eye rides on the water.
+    pub mode: CameraMode,
+}
+
+/// How the camera is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CameraMode {
+    /// It looks around where it is, and flies.
+    Fly,
+    /// It turns around the point of the sea in the middle of the picture.
+    Orbit,
+    /// It rides on the water, its height above the water below it.
+    Buoy,
 }
 
 impl Default for Camera {
     fn default() -> Self {
-        Self { x_m: 0.0, y_m: 7.0, z_m: 0.0, heading_deg: 40.0, pitch_deg: -4.0, fov_deg: 50.0 }
+        Self { x_m: 0.0, y_m: 7.0, z_m: 0.0, heading_deg: 40.0, pitch_deg: -4.0, fov_deg: 50.0, mode: CameraMode::Fly }
     }
 }
 
@@ -356,5 +374,35 @@ pub struct Clock {
 impl Default for Clock {
     fn default() -> Self {
         Self { t_s: 0.0, speed: 1.0, paused: false }
+    }
+}
+
+/// Units of the panel; the state string is always metric.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Units {
+    /// Metres, kilometres, metres a second.
+    Metric,
+    /// Feet, nautical miles, knots.
+    Nautical,
+}
+
+/// How a window or a page shows the sea: nothing of this changes the sea, its light or the view.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Screen {
+    /// Whether the panel is there; a page that is embedded does without.
+    pub panel: bool,
+    /// Units of the panel.
+    pub units: Units,
+    /// Pixels of the picture along a side, over those of the window.
+    pub render_scale: f64,
+    /// Whether the picture gets coarser where frames take long.
+    pub adaptive: bool,
+    /// Most pixels of the picture per point of the window, along a side.
+    pub most_dpr: f64,
+}
+
+impl Default for Screen {
+    fn default() -> Self {
+        Self { panel: true, units: Units::Metric, render_scale: 1.0, adaptive: true, most_dpr: 2.0 }
     }
 }

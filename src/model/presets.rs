@@ -56,7 +56,7 @@ fn role(group: Group) -> Role {
         Group::Sea | Group::Swell | Group::Water | Group::Foam => Role::Sea,
         Group::Sky | Group::Surface | Group::Film => Role::Light,
         Group::Camera => Role::Camera,
-        Group::Grid | Group::View | Group::Clock => Role::Kept,
+        Group::Grid | Group::View | Group::Clock | Group::Screen => Role::Kept,
     }
 }
 
@@ -64,6 +64,12 @@ fn role(group: Group) -> Role {
 pub fn built_in() -> &'static [Preset] {
     static SEAS: LazyLock<Vec<Preset>> = LazyLock::new(|| read(include_str!("../../assets/presets/seas.txt")).0);
     &SEAS
+}
+
+/// Whether a text looks like a file of seas: its first line that is no comment is a name in brackets.
+pub fn is_file(text: &str) -> bool {
+    let first = text.lines().map(str::trim).find(|line| !line.is_empty() && !line.starts_with('#'));
+    first.is_some_and(|line| line.starts_with('[') && line.ends_with(']'))
 }
 
 impl Preset {

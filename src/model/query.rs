@@ -1,10 +1,11 @@
 //! The state string: one query string that holds all shareable state.
 //!
 //! `wind=14&fetch=300&seed=7&t=40` is the URL on the web, the argument of the desktop program and of every command.
-//! All values are rows of [`FIELDS`] but two: `measured` holds a buoy's spectrum (`measured::Measured::to_state`), `sky` the
-//! name of a sky's file, which a link cannot hold.
+//! All values are rows of [`FIELDS`] but three: `measured` holds a buoy's spectrum (`measured::Measured::to_state`), `sky` the
+//! name of a sky's file, which a link cannot hold, `afloat` what floats where (`afloat::write`).
 //! Reading never fails: what cannot be taken becomes a notice. Only values that differ from the default are written.
 
+use super::afloat;
 use super::fields::{self, FIELDS, Refusal};
 use super::look::SkyFile;
 use super::measured::Measured;
@@ -17,6 +18,8 @@ pub const MAX_BYTES: usize = 16 * 1024;
 const MEASURED: &str = "measured";
 /// Key of the name of the sky's file.
 pub(super) const SKY: &str = "sky";
+/// Key of what floats.
+pub(super) const FLOATS: &str = "afloat";
 const MAX_NOTICES: usize = 24;
 const MAX_SHOWN: usize = 40;
 
@@ -56,6 +59,16 @@ pub fn read(text: &str) -> Reading {
                     taken.push(MEASURED);
                 }
                 Err(reason) => notices.push(format!("measured: {reason}: ignored")),
+            }
+            continue;
+        }
+        if key == FLOATS {
+            match afloat::read(&value) {
+                Ok(floats) => {
+                    params.floats = floats;
+                    taken.push(FLOATS);
+                }
+                Err(reason) => notices.push(format!("afloat: {reason}: ignored")),
             }
             continue;
         }
@@ -117,6 +130,9 @@ pub fn write(params: &Params) -> String {
     }
     if let Some(measured) = &params.sea.measured {
         out.append_pair(MEASURED, &measured.to_state());
+    }
+    if !params.floats.is_empty() {
+        out.append_pair(FLOATS, &afloat::write(&params.floats));
     }
     if let Some(file) = &params.look.sky.file {
         out.append_pair(SKY, &file.name);

@@ -184,7 +184,7 @@ impl FrameUniform {
             count: maps.cascades.len() as u32,
             foam_count: maps.foam_levels.len() as u32,
             downwind: sea.downwind,
-            foot: [0.0, 0.0, reach_m(sea), 0.0],
+            foot: [0.0, 0.0, reach_m(sea), f32::from(u8::from(scene.rides))],
             n: maps.n as f32,
             wind_m_s: sea.wind_m_s,
             hs_m: sea.hs_m,

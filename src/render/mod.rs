@@ -56,6 +56,8 @@ const REFERENCE_PIXELS: f64 = 1280.0 * 720.0;
 pub struct Scene {
     /// Eye and projection.
     pub view: View,
+    /// Whether the eye's height counts from the water below it.
+    pub rides: bool,
     /// Light, sky and film.
     pub look: Look,
     /// What the maps do not tell of the sea.

@@ -28,11 +28,13 @@ pub enum Group {
     Camera,
     /// Simulated time.
     Clock,
+    /// The window or the page.
+    Screen,
 }
 
 impl Group {
     /// Every group, in the order of the panel.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Sea,
         Self::Swell,
         Self::Water,
@@ -44,6 +46,7 @@ impl Group {
         Self::Camera,
         Self::Clock,
         Self::Grid,
+        Self::Screen,
     ];
 
     /// Heading in the panel.
@@ -60,6 +63,7 @@ impl Group {
             Self::View => "Drawing",
             Self::Camera => "Camera",
             Self::Clock => "Time",
+            Self::Screen => "Window",
         }
     }
 }
@@ -278,6 +282,7 @@ pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
         view::camera(),
         view::grid(),
         view::patches(),
+        view::screen(),
     ]
     .concat()
 });

@@ -1,8 +1,16 @@
 //! Rows of the camera, of time and of resolution.
 
+use super::super::params::{CameraMode, Units};
 use super::super::views::VIEWS;
-use super::{Field, Group, Kind, logarithmic, number};
+use super::{Field, Group, Kind, index_of, logarithmic, number};
 use std::sync::LazyLock;
+
+words!(MODES, MODE_WORDS, CameraMode,
+    "fly" => CameraMode::Fly,
+    "orbit" => CameraMode::Orbit,
+    "buoy" => CameraMode::Buoy,
+);
+words!(UNITS, UNIT_WORDS, Units, "metric" => Units::Metric, "nautical" => Units::Nautical);
 
 const SIZES: [u32; 5] = [64, 128, 256, 512, 1024];
 
@@ -35,6 +43,8 @@ pub(super) fn camera() -> Vec<Field> { vec![
         "Viewing direction above (+) or below (-) the horizontal."),
     row!("fov", "Field of view", "deg", Camera, number(10.0, 100.0), [camera.fov_deg],
         "Vertical field of view; kept when the window changes shape."),
+    row!("camera", "Mode", Camera, MODE_WORDS of MODES, [camera.mode],
+        "fly: dragging looks around, the keys fly; orbit: the camera turns around the sea in the middle of the picture; buoy: it rides on the water, its height counted from the water below it."),
     row!("loop", "Loop", "s", Clock, number(0.0, 3600.0), [sea.loop_s],
         "Period after which the sea repeats exactly; 0 means never (a day). Every wave's frequency is rounded to fit.").zero("none"),
     row!("t", "Time", "s", Clock, number(0.0, 1e7), [clock.t_s],
@@ -67,6 +77,21 @@ pub(super) fn views() -> Vec<Field> {
             |p| f64::from(p.look.view.cascade), |p, v| p.look.view.cascade = v as u32).zero("all"),
     ]
 }
+
+/// How a window or a page shows it.
+#[rustfmt::skip]
+pub(super) fn screen() -> Vec<Field> { vec![
+    row!("ui", "Panel", Screen, flag [screen.panel],
+        "Whether the panel is shown; 0 for a page that is embedded in another. Key H."),
+    row!("units", "Units", Screen, UNIT_WORDS of UNITS, [screen.units],
+        "Units of the panel: metric, or feet, nautical miles and knots. The state string is always metric."),
+    row!("renderscale", "Render scale", "", Screen, number(0.25, 2.0), [screen.render_scale],
+        "Pixels of the picture along a side, over those of the window: less is faster and softer, more is smoother."),
+    row!("adaptive", "Adaptive quality", Screen, flag [screen.adaptive],
+        "Where frames take long the picture gets fewer pixels, and more again when there is time. The sea itself never changes by that."),
+    row!("maxdpr", "Pixel ratio, at most", "", Screen, number(0.5, 4.0), [screen.most_dpr],
+        "Most pixels of the picture per point of the window, along a side: phones and dense screens have more than anyone sees."),
+]}
 
 /// FFT size and cascades.
 #[rustfmt::skip]

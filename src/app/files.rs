@@ -1,0 +1,103 @@
+//! What the program leaves on a disk: pictures and texts to save, and the user's own seas.
+
+/// Saves bytes under a name: in the folder for pictures (or the current one) on a desktop, as a download on a page. Says
+/// where.
+///
+/// # Errors
+/// One sentence with the reason.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn save(name: &str, bytes: &[u8]) -> Result<String, String> {
+    let pictures = directories::UserDirs::new().and_then(|d| d.picture_dir().map(std::path::Path::to_owned));
+    let folder = std::env::var_os("SEASTATE_SAVE_DIR").map(std::path::PathBuf::from).or(pictures);
+    let folder = folder.filter(|f| f.is_dir()).unwrap_or_else(|| std::path::PathBuf::from("."));
+    let (stem, end) = name.rsplit_once('.').unwrap_or((name, ""));
+    // Nothing that is there is written over.
+    let names = std::iter::once(name.to_owned()).chain((2..1000).map(|i| format!("{stem}-{i}.{end}")));
+    for path in names.map(|name| folder.join(name)) {
+        let fault = |e: std::io::Error| format!("cannot write {}: {e}", path.display());
+        match std::fs::File::create_new(&path) {
+            Ok(mut file) => {
+                std::io::Write::write_all(&mut file, bytes).map_err(fault)?;
+                return Ok(format!("saved {}", path.display()));
+            }
+            Err(e) if e.kind() == std::io::ErrorKind::AlreadyExists => {}
+            Err(e) => return Err(fault(e)),
+        }
+    }
+    Err(format!("there are too many files like {name} in {}", folder.display()))
+}
+
+/// Saves bytes under a name: in the folder for pictures (or the current one) on a desktop, as a download on a page. Says
+/// where.
+///
+/// # Errors
+/// One sentence with the reason.
+#[cfg(target_arch = "wasm32")]
+pub fn save(name: &str, bytes: &[u8]) -> Result<String, String> {
+    use wasm_bindgen::JsCast as _;
+    let run = || -> Result<(), wasm_bindgen::JsValue> {
+        let parts = js_sys::Array::of1(&js_sys::Uint8Array::from(bytes).into());
+        let blob = web_sys::Blob::new_with_u8_array_sequence(&parts)?;
+        let url = web_sys::Url::create_object_url_with_blob(&blob)?;
+        let document = web_sys::window().and_then(|w| w.document()).ok_or("no document")?;
+        let anchor: web_sys::HtmlAnchorElement = document.create_element("a")?.unchecked_into();
+        anchor.set_href(&url);
+        anchor.set_download(name);
+        anchor.click();
+        web_sys::Url::revoke_object_url(&url)
+    };
+    run().map(|()| format!("downloaded {name}")).map_err(|e| format!("cannot save {name}: {e:?}"))
+}
+
+/// Name of the file, or key of the browser's storage, of the user's own seas.
+const SEAS: &str = "seas.txt";
+
+/// The user's own seas, as text; empty if there are none.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn load_seas() -> String {
+    seas_path().and_then(|path| std::fs::read_to_string(path).ok()).unwrap_or_default()
+}
+
+/// Keeps the user's own seas for the next time.
+///
+/// # Errors
+/// One sentence with the reason.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn store_seas(text: &str) -> Result<(), String> {
+    let path = seas_path().ok_or("there is no folder for the program's data")?;
+    let fault = |e: std::io::Error| format!("cannot write {}: {e}", path.display());
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder).map_err(fault)?;
+    }
+    // A full disk must not cost the seas that are there: the old file stays until the new one is whole.
+    let new = path.with_extension("new");
+    std::fs::write(&new, text).and_then(|()| std::fs::rename(&new, &path)).map_err(fault)
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn seas_path() -> Option<std::path::PathBuf> {
+    let given = std::env::var_os("SEASTATE_DATA_DIR").map(std::path::PathBuf::from);
+    let usual = || directories::ProjectDirs::from("", "", "seastate").map(|d| d.data_dir().to_owned());
+    given.or_else(usual).map(|folder| folder.join(SEAS))
+}
+
+/// The user's own seas, as text; empty if there are none.
+#[cfg(target_arch = "wasm32")]
+pub fn load_seas() -> String {
+    storage().and_then(|s| s.get_item(SEAS).ok().flatten()).unwrap_or_default()
+}
+
+/// Keeps the user's own seas for the next time.
+///
+/// # Errors
+/// One sentence with the reason.
+#[cfg(target_arch = "wasm32")]
+pub fn store_seas(text: &str) -> Result<(), String> {
+    let storage = storage().ok_or("this browser keeps nothing for this page")?;
+    storage.set_item(SEAS, text).map_err(|_| "the browser's storage is full or switched off".to_owned())
+}
+
+#[cfg(target_arch = "wasm32")]
+fn storage() -> Option<web_sys::Storage> {
+    web_sys::window().and_then(|w| w.local_storage().ok().flatten())
+}

@@ -1,0 +1,108 @@
+//! Read-outs: theory beside what is computed, and what the machine makes of it.
+
+use super::super::App;
+use super::super::units::Scale;
+
+/// The four numbers that everybody asks for, and the sea in a word.
+pub fn show(app: &App, ui: &mut egui::Ui) {
+    let t = &app.derived.theory;
+    let metres = Scale::of("m", app.params.screen.units);
+    egui::Grid::new("read-outs").num_columns(4).show(ui, |ui| {
+        let value = |ui: &mut egui::Ui, label: &str, text: String, help: &str| {
+            ui.weak(label).on_hover_text(help);
+            ui.strong(text).on_hover_text(help);
+        };
+        value(ui, "Hs", metres.text(t.hs_m, 2), "Significant wave height, 4 sqrt(m0): the mean of the highest third.");
+        value(ui, "Tp", format!("{:.1} s", t.tp_s), "Period of the peak of the spectrum.");
+        ui.end_row();
+        value(ui, "Length", metres.text(t.lambda_p_m, 0), "Wavelength of the peak.");
+        value(ui, "Tz", format!("{:.1} s", t.tm02_s), "Mean zero-crossing period, 2 pi sqrt(m0 / m2).");
+        ui.end_row();
+        let from = t.mean_from_deg.map_or("none".to_owned(), |d| format!("{d:.0}°"));
+        value(ui, "From", from, "Mean direction that the waves come from, clockwise from north.");
+        value(
+            ui,
+            "Spread",
+            format!("{:.0}°", t.spread_deg),
+            "Directional spread sqrt(2 (1 - r1)), weighted by energy: 81° is no direction at all.",
+        );
+        ui.end_row();
+    });
+}
+
+/// Theory beside what the cascades hold.
+pub fn more(app: &App, ui: &mut egui::Ui) {
+    let (t, r) = (&app.derived.theory, app.derived.resolved());
+    let metres = Scale::of("m", app.params.screen.units);
+    egui::Grid::new("more numbers").num_columns(3).striped(true).show(ui, |ui| {
+        let mut row = |label: &str, theory: String, resolved: String, help: &str| {
+            ui.weak(label).on_hover_text(help);
+            ui.label(theory).on_hover_text(help);
+            ui.label(resolved).on_hover_text(help);
+            ui.end_row();
+        };
+        let none = String::new;
+        row("", "theory".into(), "computed".into(), "What the spectrum promises, and what the waves on the grid hold.");
+        row("Hs", metres.text(t.hs_m, 3), metres.text(r.hs_m, 3), "Significant wave height, 4 sqrt(m0).");
+        row("Tm01", format!("{:.2} s", t.tm01_s), format!("{:.2} s", r.tm01_s), "Mean period, 2 pi m0 / m1.");
+        row("Tm02", format!("{:.2} s", t.tm02_s), format!("{:.2} s", r.tm02_s), "Mean zero-crossing period.");
+        row("Mean length", metres.text(t.lambda_mean_m, 1), none(), "Wavelength of the mean period Tm01.");
+        row(
+            "Steepness",
+            format!("{:.4}", t.steepness),
+            none(),
+            "Hs over the wavelength of the peak; waves break near 0.07.",
+        );
+        row(
+            "Slopes",
+            format!("{:.4}", t.mss),
+            format!("{:.4}", r.mss),
+            &format!("Mean square slope of waves longer than {:.2} m.", std::f64::consts::TAU / t.k_max.max(1e-9)),
+        );
+        row("Spread", format!("{:.1}°", t.spread_deg), format!("{:.1}°", r.spread_deg), "Directional spread.");
+        row(
+            "Benjamin-Feir",
+            format!("{:.2}", t.benjamin_feir),
+            none(),
+            "Benjamin-Feir index: near 1 freak waves become likely in a narrow, long-crested sea (Janssen 2003).",
+        );
+        row(
+            "Whitecaps",
+            format!("{:.2} %", 100.0 * t.whitecap_fraction),
+            none(),
+            "Coverage by whitecaps at this wind (Monahan and O'Muircheartaigh 1980).",
+        );
+        row("Energy held", none(), format!("{:.2} %", 100.0 * r.m0_fraction), "Share of the variance on the grid.");
+    });
+}
+
+/// What the program is and what it runs on.
+pub fn about(app: &App, ui: &mut egui::Ui) {
+    let plan = &app.derived.plan;
+    ui.label(format!("Seastate {}", env!("CARGO_PKG_VERSION")));
+    let info = app.render_state.adapter.get_info();
+    let name = if info.name.is_empty() { "GPU" } else { &info.name };
+    ui.label(format!("{name} ({})", info.backend));
+    let [width, height] = app.quality.size();
+    ui.label(format!(
+        "{:.0} frames a second of {width} x {height} pixels, {}",
+        app.quality.frames_a_second(),
+        app.quality.word()
+    ));
+    ui.label(format!(
+        "{} x {} points in {} cascades:",
+        app.quality.fft_size(plan.n),
+        app.quality.fft_size(plan.n),
+        plan.cascades.len()
+    ));
+    for c in &plan.cascades {
+        let longest = if c.k_low > 0.0 { std::f64::consts::TAU / c.k_low } else { c.patch_m };
+        ui.label(format!(
+            "patch {:.1} m: waves of {:.2} to {:.1} m",
+            c.patch_m,
+            std::f64::consts::TAU / c.k_high,
+            longest
+        ));
+    }
+    ui.label(format!("{:.1} % of the sea's energy is computed", 100.0 * plan.captured().min(1.0)));
+}

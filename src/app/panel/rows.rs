@@ -1,0 +1,146 @@
+//! A row for each parameter, made from FIELDS: slider, typed value with unit, choice, flag or colour.
+
+use super::super::units::Scale;
+use crate::model::Params;
+use crate::model::fields::{FIELDS, Field, Group, Kind, Refusal};
+use crate::model::params::Units;
+
+/// Whether a parameter answers a search: every word stands in its name, key, group or explanation.
+pub fn found(field: &Field, words: &str) -> bool {
+    let text = format!("{} {} {} {}", field.key, field.label, field.group.label(), field.help).to_lowercase();
+    words.to_lowercase().split_whitespace().all(|word| text.contains(word))
+}
+
+/// The rows of a group that answer a search.
+pub fn group(params: &mut Params, group: Group, words: &str, ui: &mut egui::Ui) {
+    let units = params.screen.units;
+    egui::Grid::new(group.label()).num_columns(3).show(ui, |ui| {
+        for field in FIELDS.iter().filter(|f| f.group == group && found(f, words)) {
+            row(params, field, units, ui);
+            ui.end_row();
+        }
+    });
+}
+
+fn row(params: &mut Params, field: &'static Field, units: Units, ui: &mut egui::Ui) {
+    let unit = if field.unit.is_empty() { String::new() } else { format!(" {}", field.unit) };
+    let help = format!(
+        "{}\n{} = {}{unit}, default {}",
+        field.help,
+        field.key,
+        field.range(),
+        field.format(field.default_value())
+    );
+    let label = ui.label(field.label).on_hover_text(&help);
+    let before = (field.get)(params);
+    let mut value = before;
+    edit(field, &mut value, units, ui).labelled_by(label.id).on_hover_text(&help);
+    let default = field.default_value();
+    let undo = egui::Button::new("×").small().frame(false);
+    let undo = ui.add_enabled(value != default, undo);
+    undo.widget_info(|| {
+        let name = format!("{}: back to the default", field.label);
+        egui::WidgetInfo::labeled(egui::Role::Button, value != default, name)
+    });
+    if undo.on_hover_text("Back to the default.").clicked() {
+        value = default;
+    }
+    if value != before {
+        // A slider stays in the range; what a typed value was clamped to is seen in the slider itself.
+        let (Ok(v) | Err(Refusal::Clamped(v))) = field.accept(value) else { return };
+        (field.set)(params, v);
+    }
+}
+
+fn edit(field: &'static Field, value: &mut f64, units: Units, ui: &mut egui::Ui) -> egui::Response {
+    match field.kind {
+        Kind::Number { min, max, log } => number(field, value, (min, max, log), units, ui),
+        Kind::Heading => ui.add(egui::Slider::new(value, 0.0..=360.0).suffix("°").max_decimals(1)),
+        Kind::Integer { min, max } if max > 1000 => {
+            ui.add(egui::DragValue::new(value).range(f64::from(min)..=f64::from(max)).max_decimals(0))
+        }
+        Kind::Integer { min, max } => {
+            ui.add(with_zero(field, egui::Slider::new(value, f64::from(min)..=f64::from(max)).integer(), 1.0, units))
+        }
+        Kind::Choice(words) => {
+            let mut index = *value as usize;
+            let response = egui::ComboBox::from_id_salt(field.key)
+                .selected_text(words[index.min(words.len() - 1)])
+                .show_ui(ui, |ui| {
+                    for (i, word) in words.iter().enumerate() {
+                        ui.selectable_value(&mut index, i, *word);
+                    }
+                })
+                .response;
+            *value = index as f64;
+            response
+        }
+        Kind::Flag => {
+            let mut on = *value != 0.0;
+            let response = ui.checkbox(&mut on, "");
+            *value = f64::from(u8::from(on));
+            response
+        }
+        Kind::Colour => colour(field, value, ui),
+    }
+}
+
+/// A slider in the panel's units. The metric value changes only when the user moves it, so that looking at it in feet does
+/// not round it.
+fn number(
+    field: &'static Field,
+    value: &mut f64,
+    (min, max, log): (f64, f64, bool),
+    units: Units,
+    ui: &mut egui::Ui,
+) -> egui::Response {
+    let scale = Scale::of_field(field, units);
+    let mut shown = *value * scale.factor;
+    let before = shown;
+    let slider =
+        egui::Slider::new(&mut shown, min * scale.factor..=max * scale.factor).logarithmic(log).smart_aim(true);
+    let response = ui.add(with_zero(field, slider, scale.factor, units));
+    if shown != before {
+        // Decimals beyond what is shown would only make the link longer.
+        let digits = if scale.factor == 1.0 { shown } else { significant(shown / scale.factor) };
+        *value = digits;
+    }
+    response
+}
+
+/// Six significant digits.
+fn significant(x: f64) -> f64 {
+    format!("{x:.5e}").parse().unwrap_or(x)
+}
+
+/// A colour picker; a colour that stands for a word is set by touching it and goes back by the row's cross.
+fn colour(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Response {
+    let bits = *value as u32;
+    let mut rgb = [16, 8, 0].map(|shift| (bits >> shift) as u8);
+    ui.horizontal(|ui| {
+        let response = ui.color_edit_button_srgb(&mut rgb);
+        ui.weak(field.format(*value));
+        *value = rgb.iter().fold(0.0, |sum, &c| 256.0 * sum + f64::from(c));
+        response
+    })
+    .inner
+}
+
+/// A slider that shows, and takes, units and the word that stands for 0.
+fn with_zero<'a>(field: &'static Field, slider: egui::Slider<'a>, factor: f64, units: Units) -> egui::Slider<'a> {
+    let scale = Scale::of_field(field, units);
+    let unit = scale.suffix();
+    // From nothing to a hundred kilometres: without a scale of its own a slider could only jump.
+    let most = if let Kind::Number { max, .. } = field.kind { max * factor } else { 0.0 };
+    let wide = !field.zero.is_empty() && most > 100.0 * factor;
+    let slider = if wide { slider.logarithmic(true).smallest_positive(1e-6 * most) } else { slider };
+    slider
+        .custom_formatter(move |value, digits| match value {
+            0.0 if !field.zero.is_empty() => field.zero.to_owned(),
+            _ => format!("{}{unit}", egui::emath::format_with_decimals_in_range(value, digits)),
+        })
+        .custom_parser(move |text| {
+            let zero = !field.zero.is_empty() && text.trim().eq_ignore_ascii_case(field.zero);
+            if zero { Some(0.0) } else { scale.parse(text) }
+        })
+}

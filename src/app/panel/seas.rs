@@ -1,0 +1,157 @@
+//! Seas by name: the wind by Beaufort's scale, presets, and the user's own.
+
+use super::super::units::Scale;
+use super::super::{App, files};
+use super::time::named;
+use crate::model::beaufort::{self, FORCES};
+use crate::model::presets::{self, Preset};
+
+/// The user's own seas, and what is being typed.
+#[derive(Default)]
+pub struct Seas {
+    own: Vec<Preset>,
+    name: String,
+}
+
+impl Seas {
+    /// Those of the last time.
+    pub fn load() -> Self {
+        Self { own: presets::read(&files::load_seas()).0, name: String::new() }
+    }
+
+    /// Adds seas, in place of those of the same names, and keeps them for the next time.
+    ///
+    /// # Errors
+    /// One sentence, if they cannot be kept.
+    pub fn add(&mut self, new: Vec<Preset>) -> Result<(), String> {
+        for preset in new {
+            match self.own.iter_mut().find(|p| p.name == preset.name) {
+                Some(old) => *old = preset,
+                None => self.own.push(preset),
+            }
+        }
+        self.store()
+    }
+
+    fn store(&self) -> Result<(), String> {
+        files::store_seas(&presets::write(&self.own))
+    }
+}
+
+/// Beaufort's scale as a slider: the first thing to play with.
+pub fn wind(app: &mut App, ui: &mut egui::Ui) {
+    let wind_m_s = app.params.sea.local().wind_m_s;
+    let now = beaufort::number_of(wind_m_s);
+    let mut number = now;
+    ui.horizontal(|ui| {
+        let label = ui.strong("Wind");
+        ui.spacing_mut().slider_width = (ui.available_width() - 120.0).max(90.0);
+        let slider = egui::Slider::new(&mut number, 0..=12).prefix("Beaufort ");
+        let help = "Sets the wind of this force, and a fetch for which the sea is as high as the scale says.";
+        ui.add(slider).labelled_by(label.id).on_hover_text(help);
+    });
+    if number != now {
+        app.params = FORCES[number].apply(&app.params);
+    }
+    let force = &FORCES[now];
+    let metres = Scale::of("m", app.params.screen.units);
+    let speed = Scale::of("m/s", app.params.screen.units);
+    let (code, word) = beaufort::sea_state(app.derived.theory.hs_m);
+    ui.label(format!("{} {}: {}", force.name, speed.text(wind_m_s, 1), force.appearance))
+        .on_hover_text("Beaufort scale, WMO");
+    ui.weak(format!(
+        "Textbook height {}, this sea {}; sea state {code}, {word} (Douglas)",
+        metres.text(force.probable_m, 1),
+        metres.text(app.derived.theory.hs_m, 1),
+    ));
+}
+
+/// The program's seas and the user's.
+pub fn show(app: &mut App, ui: &mut egui::Ui) {
+    let mut chosen = None;
+    ui.horizontal_wrapped(|ui| {
+        for preset in presets::built_in() {
+            if ui.button(&preset.name).on_hover_text(format!("{}\n{}", preset.about, preset.source)).clicked() {
+                chosen = Some(preset.clone());
+            }
+        }
+    });
+    let mut dropped = None;
+    if !app.seas.own.is_empty() {
+        ui.separator();
+        ui.horizontal_wrapped(|ui| {
+            for preset in &app.seas.own {
+                if ui.button(&preset.name).on_hover_text(&preset.state).clicked() {
+                    chosen = Some(preset.clone());
+                }
+                let cross = ui.small_button("×").on_hover_text("Forget this sea.");
+                if named(cross, &format!("Forget {}", preset.name)).clicked() {
+                    dropped = Some(preset.name.clone());
+                }
+            }
+        });
+    }
+    if let Some(preset) = chosen {
+        app.turn_to_preset(&preset);
+    }
+    if let Some(name) = dropped {
+        app.seas.own.retain(|p| p.name != name);
+        app.complain(|app| app.seas.store());
+    }
+    ui.separator();
+    ui.horizontal(|ui| {
+        let label = ui.label("Keep as");
+        let field = egui::TextEdit::singleline(&mut app.seas.name).hint_text("name of this sea").desired_width(150.0);
+        ui.add(field).labelled_by(label.id);
+        let name = app.seas.name.trim().to_owned();
+        if ui.add_enabled(!name.is_empty(), egui::Button::new("Keep")).clicked() {
+            app.seas.name.clear();
+            let preset = Preset::of(&name, &app.params);
+            app.complain(|app| app.seas.add(vec![preset]));
+        }
+        if ui
+            .add_enabled(!app.seas.own.is_empty(), egui::Button::new("Export"))
+            .on_hover_text("Saves your seas as a text file: drop it on another Seastate to import them.")
+            .clicked()
+        {
+            let text = presets::write(&app.seas.own);
+            match files::save("seas.txt", text.as_bytes()) {
+                Ok(said) => app.say(&said),
+                Err(reason) => app.notices.push(reason),
+            }
+        }
+    });
+    ui.weak("Drop a file of seas here to import it.");
+}
+
+/// The seed: another draw of the same sea.
+pub fn seed(app: &mut App, ui: &mut egui::Ui) {
+    ui.horizontal(|ui| {
+        if ui.button("New seed").on_hover_text("Another sea with the same spectrum.").clicked() {
+            let old = app.params.sea.seed;
+            app.params.sea.seed = crate::model::noise::pcg4d([old, app.frames as u32, 7, 11])[0] % 100_000;
+        }
+        ui.checkbox(&mut app.panel.seed_locked, "Lock").on_hover_text("Named seas and Reset leave the seed as it is.");
+    });
+}
+
+impl App {
+    /// Turns to a named sea: light and camera only as far as it names them.
+    pub(in crate::app) fn turn_to_preset(&mut self, preset: &Preset) {
+        let seed = self.params.sea.seed;
+        let (params, notices) = preset.apply(&self.params);
+        self.params = params;
+        self.params.look.sky.attach(self.sky.as_ref());
+        self.notices = notices;
+        if self.panel.seed_locked {
+            self.params.sea.seed = seed;
+        }
+    }
+
+    /// Says what went wrong, if it did.
+    fn complain(&mut self, what: impl FnOnce(&mut Self) -> Result<(), String>) {
+        if let Err(reason) = what(self) {
+            self.notices.push(reason);
+        }
+    }
+}

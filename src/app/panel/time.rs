@@ -1,0 +1,65 @@
+//! The time: stop, step, speed, scrub and go to.
+
+use super::super::App;
+use crate::model::params::Clock;
+
+/// One step while time stands still, s.
+pub const STEP_S: f64 = 1.0 / 60.0;
+/// The slider reaches at least this far, s.
+const REACH_S: f64 = 120.0;
+
+/// Buttons and the slider.
+pub fn show(app: &mut App, ui: &mut egui::Ui) {
+    let loop_s = app.params.sea.loop_s;
+    let clock = &mut app.params.clock;
+    ui.horizontal(|ui| {
+        if ui.button(if clock.paused { "Play" } else { "Pause" }).on_hover_text("Space").clicked() {
+            clock.paused = !clock.paused;
+        }
+        named(ui.button("|<"), "Back to time 0")
+            .on_hover_text("Back to time 0 (Home)")
+            .clicked()
+            .then(|| clock.t_s = 0.0);
+        if named(ui.button("<"), "One frame back").on_hover_text("One frame back (,)").clicked() {
+            step(clock, -1.0);
+        }
+        if named(ui.button(">"), "One frame forward").on_hover_text("One frame forward (.)").clicked() {
+            step(clock, 1.0);
+        }
+        let speed = egui::DragValue::new(&mut clock.speed).range(0.0..=10.0).speed(0.02).prefix("speed ").suffix("x");
+        ui.add(speed).on_hover_text("Simulated seconds per second.");
+    });
+    ui.horizontal(|ui| {
+        // The slider shows one loop, or a round stretch of time that the present lies in.
+        let reach = if loop_s > 0.0 { loop_s } else { REACH_S.max(REACH_S * (clock.t_s / REACH_S).floor() + REACH_S) };
+        let from = if loop_s > 0.0 { loop_s * (clock.t_s / loop_s).floor() } else { reach - REACH_S };
+        let end = if loop_s > 0.0 { from + loop_s } else { reach };
+        ui.spacing_mut().slider_width = (ui.available_width() - 110.0).max(80.0);
+        let mut t = clock.t_s;
+        let slider = egui::Slider::new(&mut t, from..=end).show_value(false).step_by(0.0);
+        if named(ui.add(slider), "Time").on_hover_text("Drag through the time; it stands still meanwhile.").dragged() {
+            clock.t_s = t;
+            clock.paused = true;
+        }
+        let exact = egui::DragValue::new(&mut clock.t_s)
+            .range(0.0..=1e7)
+            .speed(0.1)
+            .prefix("t = ")
+            .suffix(" s")
+            .max_decimals(2);
+        ui.add(exact).on_hover_text("Simulated time: type where to go.");
+    });
+}
+
+/// Moves by frames and stands still.
+pub fn step(clock: &mut Clock, frames: f64) {
+    clock.paused = true;
+    clock.t_s = (clock.t_s + frames * STEP_S).max(0.0);
+}
+
+/// Tells a screen reader what a sign means.
+pub fn named(response: egui::Response, name: &str) -> egui::Response {
+    let kind = egui::Role::Button;
+    response.widget_info(|| egui::WidgetInfo::labeled(kind, true, name));
+    response
+}

@@ -1,0 +1,117 @@
+//! The directional spectrum as a wheel: energy by where the waves come from, long waves inside, and the wind.
+
+use super::super::App;
+use super::Table;
+use crate::model::Plan;
+use egui::{Color32, Mesh, Pos2, Stroke, pos2, vec2};
+
+const DIRECTIONS: usize = 72;
+const RINGS: usize = 28;
+/// Side of the wheel, points.
+const SIDE: f32 = 240.0;
+
+/// What the wheel shows, made once for a sea.
+#[derive(Default)]
+struct Wheel {
+    /// omega of the rings' middles, rad/s.
+    omega: Vec<f64>,
+    /// S(omega, from), m^2 s/rad, ring by ring.
+    density: Vec<f64>,
+}
+
+impl Wheel {
+    fn new(plan: &Plan) -> Self {
+        let (low, high) = (plan.support().0, 3.0 * plan.omega_p);
+        let omega: Vec<f64> = (0..RINGS).map(|i| low + (high - low) * (i as f64 + 0.5) / RINGS as f64).collect();
+        let at = |w: f64, i: usize| -> f64 {
+            // Waves from here run the other way: x east, z south.
+            let from = std::f64::consts::TAU * i as f64 / DIRECTIONS as f64;
+            let k = [-from.sin(), from.cos()];
+            plan.systems.iter().map(|s| s.spectrum.density(w) * s.direction_density(w, k)).sum()
+        };
+        let density = omega.iter().flat_map(|&w| (0..DIRECTIONS).map(move |i| (w, i))).map(|(w, i)| at(w, i)).collect();
+        Self { omega, density }
+    }
+}
+
+/// Black over blue to yellow: dark to bright in every kind of sight (cividis, Nunez et al. 2018).
+fn colour(x: f64) -> Color32 {
+    const STOPS: [[f64; 3]; 5] =
+        [[0.0, 0.13, 0.30], [0.25, 0.30, 0.42], [0.49, 0.48, 0.47], [0.73, 0.68, 0.43], [1.0, 0.91, 0.27]];
+    let at = x.clamp(0.0, 1.0) * 4.0;
+    let i = (at as usize).min(3);
+    let f = at - i as f64;
+    let [r, g, b] = std::array::from_fn(|c| (255.0 * (STOPS[i][c] * (1.0 - f) + STOPS[i + 1][c] * f)) as u8);
+    Color32::from_rgb(r, g, b)
+}
+
+/// The wheel: north up, each place where waves come from.
+pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
+    let wheel = Wheel::new(&app.derived.plan);
+    ui.weak("Where the waves come from, north up; long waves inside, short ones outside");
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), SIDE), egui::Sense::hover());
+    let centre = rect.center();
+    let radius = 0.5 * SIDE - 16.0;
+    let at = |from: f32, r: f32| centre + r * vec2(from.sin(), -from.cos());
+    let most = wheel.density.iter().copied().fold(1e-12, f64::max);
+    let mut mesh = Mesh::default();
+    for ring in 0..RINGS {
+        let [inner, outer] = [ring, ring + 1].map(|i| radius * i as f32 / RINGS as f32);
+        for i in 0..DIRECTIONS {
+            let [a, b] = [i as f32 - 0.5, i as f32 + 0.5].map(|i| std::f32::consts::TAU * i / DIRECTIONS as f32);
+            // A root lets the weaker directions be seen, too.
+            let fill = colour((wheel.density[ring * DIRECTIONS + i] / most).sqrt());
+            let first = mesh.vertices.len() as u32;
+            for p in [at(a, inner), at(b, inner), at(b, outer), at(a, outer)] {
+                mesh.colored_vertex(p, fill);
+            }
+            mesh.add_triangle(first, first + 1, first + 2);
+            mesh.add_triangle(first, first + 2, first + 3);
+        }
+    }
+    let painter = ui.painter_at(rect);
+    painter.add(mesh);
+    painter.circle_stroke(centre, radius, Stroke::new(1.0, Color32::GRAY));
+    for (name, from) in [("N", 0.0), ("E", 0.25), ("S", 0.5), ("W", 0.75)] {
+        let font = egui::FontId::proportional(12.0);
+        painter.text(
+            at(std::f32::consts::TAU * from, radius + 9.0),
+            egui::Align2::CENTER_CENTER,
+            name,
+            font,
+            Color32::LIGHT_GRAY,
+        );
+    }
+    let wind = app.params.sea.local().from_deg.to_radians() as f32;
+    arrow(&painter, at(wind, radius), at(wind, 0.62 * radius));
+    if let Some(p) = response.hover_pos() {
+        let to = p - centre;
+        let ring = (to.length() / radius * RINGS as f32) as usize;
+        if ring < RINGS {
+            let from = to.x.atan2(-to.y).rem_euclid(std::f32::consts::TAU);
+            let i = (from / std::f32::consts::TAU * DIRECTIONS as f32).round() as usize % DIRECTIONS;
+            let omega = wheel.omega[ring];
+            response.on_hover_text_at_pointer(format!(
+                "from {:.0}°, T {:.1} s\nS {:.3} m² s/rad",
+                from.to_degrees(),
+                std::f64::consts::TAU / omega,
+                wheel.density[ring * DIRECTIONS + i]
+            ));
+        }
+    }
+    ui.weak("The arrow is the local wind. Brightness is the root of the density.");
+    let rows = (0..RINGS * DIRECTIONS).map(|j| {
+        vec![wheel.omega[j / DIRECTIONS], 360.0 * (j % DIRECTIONS) as f64 / DIRECTIONS as f64, wheel.density[j]]
+    });
+    Table { name: "directions.csv", heading: "omega (rad/s),from (deg),S (m2 s/rad)".into(), rows: rows.collect() }
+}
+
+fn arrow(painter: &egui::Painter, from: Pos2, to: Pos2) {
+    let stroke = Stroke::new(2.5, Color32::WHITE);
+    painter.line_segment([from, to], stroke);
+    let back = (from - to).normalized() * 9.0;
+    let side = vec2(-back.y, back.x) * 0.5;
+    painter.line_segment([to, to + back + side], stroke);
+    painter.line_segment([to, to + back - side], stroke);
+    painter.circle_filled(pos2(from.x, from.y), 2.5, Color32::WHITE);
+}

@@ -1,0 +1,190 @@
+//! Things that float: where they are, and how they lie on the waves.
+//!
+//! They ride on [`Heights`], the sum of the very waves that the GPU draws, at the time of the frame: nothing is read back, so
+//! nothing is late, whatever the frame rate.
+
+use super::heights::Heights;
+use super::params::Params;
+use super::plan::Plan;
+
+/// Most things that a sea carries.
+pub const MOST: usize = 16;
+/// Rms error of a height over Hs.
+const ERROR: f64 = 0.018;
+/// Waves that tilt a hull: the long ones; short ones slap against it.
+const TILTING: usize = 500;
+/// More points of a lattice only add short waves.
+const MOST_POINTS: u32 = 128;
+
+/// What floats.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A moored buoy, 3 m high.
+    Buoy,
+    /// A small open boat, 7 m long, bow to the waves.
+    Boat,
+}
+
+impl Kind {
+    /// Every kind and its word in the state string.
+    pub const ALL: [(&'static str, Self); 2] = [("buoy", Self::Buoy), ("boat", Self::Boat)];
+
+    /// Its word in the state string.
+    pub fn word(self) -> &'static str {
+        Self::ALL.iter().find(|(_, k)| *k == self).map_or("", |(word, _)| word)
+    }
+
+    /// Half the length and half the width of what lies in the water, m.
+    fn half_m(self) -> [f64; 2] {
+        match self {
+            Self::Buoy => [0.8, 0.8],
+            Self::Boat => [3.2, 1.0],
+        }
+    }
+}
+
+/// Something that floats, moored to a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Float {
+    /// What it is.
+    pub kind: Kind,
+    /// East of the origin, m.
+    pub x_m: f64,
+    /// South of the origin, m.
+    pub z_m: f64,
+}
+
+/// Reads a list as it stands in a state string: `buoy*12*-30_boat*0*40`.
+///
+/// # Errors
+/// One sentence that says what is wrong.
+pub fn read(text: &str) -> Result<Vec<Float>, String> {
+    let one = |part: &str| -> Option<Float> {
+        let mut parts = part.split('*');
+        let word = parts.next()?;
+        let kind = Kind::ALL.iter().find(|(w, _)| w.eq_ignore_ascii_case(word))?.1;
+        let mut metres = || parts.next()?.trim().parse::<f64>().ok().filter(|x| x.is_finite() && x.abs() <= 1e6);
+        let float = Float { kind, x_m: metres()?, z_m: metres()? };
+        parts.next().is_none().then_some(float)
+    };
+    let mut floats = Vec::new();
+    for part in text.split('_').filter(|p| !p.is_empty()) {
+        if floats.len() == MOST {
+            return Err(format!("more than {MOST} things float"));
+        }
+        floats.push(one(part).ok_or("a thing that floats is buoy or boat, metres east, metres south, joined by *")?);
+    }
+    Ok(floats)
+}
+
+/// Writes a list for a state string.
+pub fn write(floats: &[Float]) -> String {
+    let one = |f: &Float| format!("{}*{}*{}", f.kind.word(), f.x_m, f.z_m);
+    floats.iter().map(one).collect::<Vec<_>>().join("_")
+}
+
+/// How something lies on the water.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// What it is.
+    pub kind: Kind,
+    /// Point of its waterline in the middle, m: the surface there.
+    pub place: [f64; 3],
+    /// Unit vector up its mast.
+    pub up: [f64; 3],
+    /// Unit vector to its bow.
+    pub ahead: [f64; 3],
+}
+
+/// The waves under what floats.
+#[derive(Clone, Debug)]
+pub struct Waterline {
+    exact: Heights,
+    long: Heights,
+    bow: [f64; 2],
+}
+
+impl Waterline {
+    /// For the sea of these parameters.
+    pub fn new(params: &Params) -> Self {
+        let mut params = params.clone();
+        params.grid.n = params.grid.n.min(MOST_POINTS);
+        Self::of(&Plan::new(&params))
+    }
+
+    fn of(plan: &Plan) -> Self {
+        let [x, z] = plan.downwind;
+        Self { exact: Heights::for_error(plan, ERROR * plan.hs_m()), long: Heights::new(plan, TILTING), bow: [-x, -z] }
+    }
+
+    /// The waves that heights are summed of.
+    pub fn heights(&self) -> &Heights {
+        &self.exact
+    }
+
+    /// How something lies at time `t_s`.
+    pub fn pose(&self, float: &Float, t_s: f64) -> Pose {
+        let [length, width] = float.kind.half_m();
+        let ([bx, bz], [sx, sz]) = (self.bow, [-self.bow[1], self.bow[0]]);
+        let at = |along: f64, across: f64| {
+            let [x, z] = [float.x_m + along * bx + across * sx, float.z_m + along * bz + across * sz];
+            self.long.sample(x, z, t_s).height_m
+        };
+        // The hull lies on the mean slope under it.
+        let pitch = (at(length, 0.0) - at(-length, 0.0)) / (2.0 * length);
+        let roll = (at(0.0, width) - at(0.0, -width)) / (2.0 * width);
+        let ahead = unit([bx, pitch, bz]);
+        let side = unit([sx, roll, sz]);
+        let up = unit(cross(side, ahead));
+        let middle = self.exact.sample(float.x_m, float.z_m, t_s);
+        Pose { kind: float.kind, place: [float.x_m, middle.height_m, float.z_m], up, ahead }
+    }
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn unit(v: [f64; 3]) -> [f64; 3] {
+    let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
+    v.map(|x| x / length)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::query;
+
+    #[test]
+    fn a_list_is_read_back() {
+        let floats =
+            [Float { kind: Kind::Buoy, x_m: 12.5, z_m: -30.0 }, Float { kind: Kind::Boat, x_m: 0.0, z_m: 40.0 }];
+        assert_eq!(write(&floats), "buoy*12.5*-30_boat*0*40");
+        assert_eq!(read("buoy*12.5*-30_boat*0*40").as_deref(), Ok(&floats[..]));
+        assert_eq!(read(""), Ok(vec![]));
+        for bad in ["raft*1*2", "buoy", "buoy*1", "buoy*1*2*3", "buoy*NaN*0", "buoy*1e9*0", "*", "buoy*1*2 boat"] {
+            assert!(read(bad).is_err(), "{bad}");
+        }
+        assert!(read(&"buoy*1*2_".repeat(MOST + 1)).is_err());
+    }
+
+    #[test]
+    fn a_hull_lies_on_the_water() {
+        let params = query::parse("wind=12&n=64&level=2").0;
+        let line = Waterline::new(&params);
+        for kind in [Kind::Buoy, Kind::Boat] {
+            let float = Float { kind, x_m: 30.0, z_m: 7.0 };
+            for t in 0..20 {
+                let pose = line.pose(&float, f64::from(t));
+                let dot: f64 = (0..3).map(|i| pose.up[i] * pose.ahead[i]).sum();
+                assert!(dot.abs() < 1e-9 && pose.up[1] > 0.8, "{pose:?}");
+                // Port is to the left of the bow when the mast is up.
+                assert!((pose.place[1] - 2.0).abs() < 3.0);
+            }
+        }
+        // On a flat sea everything stands upright.
+        let calm = Waterline::new(&query::parse("wind=0&n=64").0);
+        let pose = calm.pose(&Float { kind: Kind::Boat, x_m: 0.0, z_m: 0.0 }, 3.0);
+        assert!((pose.up[1] - 1.0).abs() < 1e-9 && pose.place[1].abs() < 1e-9, "{pose:?}");
+    }
+}
