@@ -1,6 +1,7 @@
 //! The façade: a sea and its picture. The only type that the shells use.
 
 use crate::gpu::shaders::Shaders;
+use crate::model::afloat::{Pose, Waterline};
 use crate::model::camera::View;
 use crate::model::params::{Camera, CameraMode};
 use crate::model::slopes::{self, SlopeVariance};
@@ -26,6 +27,8 @@ pub struct Ocean {
     reference: Option<Reference>,
     format: wgpu::TextureFormat,
     slopes: Slopes,
+    /// The waves under what floats, once something does.
+    waterline: Option<Waterline>,
 }
 
 /// Slopes of a plan, for the shading.
@@ -48,7 +51,7 @@ impl Ocean {
         let sim = Simulation::new(device, queue, Plan::new(params), &shaders);
         let renderer = Renderer::new(device, queue, format);
         let slopes = Slopes::new(sim.plan());
-        Self { params: params.clone(), shaders, sim, renderer, reference: None, format, slopes }
+        Self { params: params.clone(), shaders, sim, renderer, reference: None, format, slopes, waterline: None }
     }
 
     /// Turns to other parameters; costs nothing when only the time, the camera or the light changed.
@@ -56,6 +59,7 @@ impl Ocean {
         if (&params.grid, &params.sea) != (&self.params.grid, &self.params.sea) {
             self.sim.set_plan(device, queue, Plan::new(params), &self.shaders);
             self.slopes = Slopes::new(self.sim.plan());
+            self.waterline = None;
         }
         self.params = params.clone();
     }
@@ -80,6 +84,9 @@ impl Ocean {
         size: [u32; 2],
         most_steps: usize,
     ) -> bool {
+        if !self.params.floats.is_empty() && self.waterline.is_none() {
+            self.waterline = Some(Waterline::new(&self.params));
+        }
         let scene = self.scene(size);
         let centre = [self.params.camera.x_m, self.params.camera.z_m];
         let caught_up = self.sim.encode(queue, encoder, self.params.clock.t_s, centre, most_steps);
@@ -156,6 +163,8 @@ impl Ocean {
             view: View::new(&above_water(&self.params), aspect, LOWEST_EYE_M),
             look: self.params.look.clone(),
             rides: self.params.camera.mode == CameraMode::Buoy,
+            floats: self.poses(),
+            level_m: sea.level_m,
             scales: std::array::from_fn(|layer| Scale::new(self.params.look.view.shown, plan, layer)),
             sea: SeaLook {
                 chop: sea.lambda().map(|l| l as f32),
@@ -171,6 +180,14 @@ impl Ocean {
                 cloud_drift_m: plan.downwind.map(|w| w * CLOUDS_OVER_WIND * wind_m_s * self.params.clock.t_s),
             },
         }
+    }
+}
+
+impl Ocean {
+    /// How what floats lies on the water at the time of the parameters; empty before the first frame with it.
+    pub fn poses(&self) -> Vec<Pose> {
+        let Some(waterline) = &self.waterline else { return Vec::new() };
+        self.params.floats.iter().map(|f| waterline.pose(f, self.params.clock.t_s)).collect()
     }
 }
 

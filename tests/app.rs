@@ -160,6 +160,132 @@ fn keys_fly_the_camera() {
     assert!(camera.x_m > 0.5 && camera.z_m.abs() < 0.2, "east: {camera:?}");
 }
 
+fn params(h: &Harness<'_, App>) -> seastate::model::Params {
+    seastate::model::query::parse(&h.state().state()).0
+}
+
+#[test]
+fn beaufort_and_named_seas_set_the_sea_and_undo_takes_it_back() {
+    let mut harness = open("n=64&pause=1&seed=9&y=12");
+    harness.get_by_label("Seas").click();
+    harness.run_steps(30);
+    harness.get_by_label("North Sea gale").click();
+    harness.run_steps(40);
+    let gale = params(&harness);
+    assert!(gale.sea.local().wind_m_s > 15.0, "{:?}", gale.sea.local());
+    assert_eq!((gale.sea.seed, gale.camera.y_m, gale.grid.n), (9, 12.0, 64), "a named sea is a sea");
+    harness.get_by_label("Undo").click();
+    harness.run_steps(2);
+    assert_eq!(harness.state().state(), "seed=9&y=12&pause=1&n=64");
+    harness.get_by_label("Redo").click();
+    harness.run_steps(2);
+    assert_eq!(params(&harness), gale);
+}
+
+#[test]
+fn a_search_finds_parameters_and_units_change() {
+    let mut harness = open("n=64&pause=1&units=nautical&wind=10");
+    // 10 m/s, and the height of this sea in feet.
+    harness.get_by_label_contains("19.4 kn");
+    let hs = format!("{:.2} ft", seastate::model::Plan::new(&params(&harness)).hs_m() / 0.3048);
+    assert!(harness.query_all_by_label(&hs).next().is_some(), "{hs}");
+    assert!(harness.query_by_label("Bloom").is_none());
+    harness.get_by_label("Search").click();
+    harness.get_by_label("Search").type_text("bloom");
+    harness.run_steps(30);
+    assert!(harness.query_all_by_label("Bloom").next().is_some());
+}
+
+#[test]
+fn keys_hide_the_panel_step_the_time_and_open_the_help() {
+    let mut harness = open("n=64&pause=1&t=5");
+    harness.key_press(egui::Key::H);
+    harness.run_steps(2);
+    assert_eq!(harness.state().state(), "t=5&pause=1&n=64&ui=0");
+    assert!(harness.query_by_label("Copy link").is_none());
+    harness.key_press(egui::Key::H);
+    for _ in 0..6 {
+        harness.key_press(egui::Key::Period);
+        harness.run_steps(1);
+    }
+    assert!((params(&harness).clock.t_s - 5.1).abs() < 1e-9);
+    harness.key_press(egui::Key::F1);
+    harness.run_steps(2);
+    harness.get_by_label("fly over the water; with Shift faster");
+    // Escape closes the list, not the window.
+    harness.key_press(egui::Key::Escape);
+    harness.run_steps(2);
+    assert!(harness.query_by_label("fly over the water; with Shift faster").is_none());
+    harness.key_press(egui::Key::C);
+    harness.run_steps(2);
+    assert_eq!(params(&harness).camera.mode, seastate::model::params::CameraMode::Orbit);
+}
+
+#[test]
+fn a_picture_is_saved_with_its_sea_and_brings_it_back() {
+    let folder = std::env::temp_dir().join(format!("seastate-picture-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let mut harness = open("wind=17&n=64&pause=1&t=3");
+    harness.state_mut().set_save_folder(folder.clone());
+    harness.render().expect("a picture");
+    harness.key_press(egui::Key::P);
+    for _ in 0..100 {
+        harness.run_steps(1);
+        if harness.query_by_label_contains("saved ").is_some() {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(50));
+    }
+    let path = folder.join("seastate-wind17-t3.png");
+    let image = image::open(&path).expect("a picture").to_rgb8();
+    assert_eq!(image.dimensions(), (900, 500));
+    let first = image.get_pixel(5, 5);
+    assert!(image.pixels().any(|p| p != first), "the picture is not one colour");
+    harness.state_mut().set_state("n=64&pause=1");
+    drop_files(&mut harness, std::slice::from_ref(&path));
+    assert_eq!(harness.state().state(), "wind=17&t=3&pause=1&n=64");
+    std::fs::remove_dir_all(&folder).expect("the folder is removed");
+}
+
+#[test]
+fn buoys_are_moored_where_the_sea_is_clicked() {
+    let mut harness = open("n=64&pause=1&heading=90&pitch=-20");
+    harness.get_by_label("Afloat").click();
+    harness.run_steps(30);
+    harness.get_by_label("Moor a buoy").click();
+    harness.run_steps(2);
+    harness.drag_at(egui::pos2(300.0, 250.0));
+    harness.drop_at(egui::pos2(300.0, 250.0));
+    harness.run_steps(3);
+    let floats = params(&harness).floats;
+    assert_eq!(floats.len(), 1, "{}", harness.state().state());
+    // Twenty degrees below the horizon from seven metres, a little to the left of east.
+    assert!((5.0..40.0).contains(&floats[0].x_m) && floats[0].z_m < 0.0, "{floats:?}");
+    assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+}
+
+#[test]
+fn the_picture_has_as_many_pixels_as_asked_for() {
+    let harness = open("n=64&pause=1&renderscale=0.5");
+    assert_eq!(harness.state().picture_size(), [450, 250]);
+    let harness = open("n=64&pause=1&maxdpr=0.5");
+    assert_eq!(harness.state().picture_size(), [450, 250]);
+    let harness = open("n=64&pause=1");
+    assert_eq!(harness.state().picture_size(), [900, 500]);
+    // Frames of a quarter of a second, on and on.
+    let slow = |state: &'static str| {
+        let mut harness = Harness::builder()
+            .with_size(egui::vec2(900.0, 500.0))
+            .with_step_dt(0.25)
+            .wgpu()
+            .build_eframe(move |cc| App::new(cc, state).expect("a device"));
+        harness.run_steps(24);
+        harness.state().picture_size()[0]
+    };
+    assert!(slow("n=64") < 700);
+    assert_eq!(slow("n=64&adaptive=0"), 900);
+}
+
 /// Not a test: pictures of the program in several sizes, to be looked at (`cargo test --test app -- --ignored`).
 #[test]
 #[ignore = "writes pictures to target/tmp/app"]

@@ -1,15 +1,16 @@
 //! What the program leaves on a disk: pictures and texts to save, and the user's own seas.
 
-/// Saves bytes under a name: in the folder for pictures (or the current one) on a desktop, as a download on a page. Says
-/// where.
+use std::path::Path;
+
+/// Saves bytes under a name: in a folder (else that for pictures, else the current one) on a desktop, as a download on a
+/// page. Says where.
 ///
 /// # Errors
 /// One sentence with the reason.
 #[cfg(not(target_arch = "wasm32"))]
-pub fn save(name: &str, bytes: &[u8]) -> Result<String, String> {
-    let pictures = directories::UserDirs::new().and_then(|d| d.picture_dir().map(std::path::Path::to_owned));
-    let folder = std::env::var_os("SEASTATE_SAVE_DIR").map(std::path::PathBuf::from).or(pictures);
-    let folder = folder.filter(|f| f.is_dir()).unwrap_or_else(|| std::path::PathBuf::from("."));
+pub fn save(folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, String> {
+    let pictures = || directories::UserDirs::new().and_then(|d| d.picture_dir().map(Path::to_owned));
+    let folder = folder.map(Path::to_owned).or_else(pictures).filter(|f| f.is_dir()).unwrap_or_else(|| ".".into());
     let (stem, end) = name.rsplit_once('.').unwrap_or((name, ""));
     // Nothing that is there is written over.
     let names = std::iter::once(name.to_owned()).chain((2..1000).map(|i| format!("{stem}-{i}.{end}")));
@@ -27,13 +28,13 @@ pub fn save(name: &str, bytes: &[u8]) -> Result<String, String> {
     Err(format!("there are too many files like {name} in {}", folder.display()))
 }
 
-/// Saves bytes under a name: in the folder for pictures (or the current one) on a desktop, as a download on a page. Says
-/// where.
+/// Saves bytes under a name: in a folder (else that for pictures, else the current one) on a desktop, as a download on a
+/// page. Says where.
 ///
 /// # Errors
 /// One sentence with the reason.
 #[cfg(target_arch = "wasm32")]
-pub fn save(name: &str, bytes: &[u8]) -> Result<String, String> {
+pub fn save(_folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, String> {
     use wasm_bindgen::JsCast as _;
     let run = || -> Result<(), wasm_bindgen::JsValue> {
         let parts = js_sys::Array::of1(&js_sys::Uint8Array::from(bytes).into());

@@ -15,7 +15,7 @@ pub const KEYS: &[(&str, &str)] = &[
     ("H", "hide and show the panel"),
     ("L", "copy the link"),
     ("P", "save a picture that remembers its sea"),
-    ("Ctrl+Z, Ctrl+Y", "undo and redo (⌘ on a Mac)"),
+    ("Ctrl+Z, Ctrl+Y", "undo and redo (Cmd on a Mac)"),
     ("F1 or ?", "this list"),
     ("Escape", "close this list, leave a view; then close the window"),
 ];

@@ -94,6 +94,7 @@ pub struct App {
     series: plots::Series,
     /// What the next click puts on the water.
     placing: Option<afloat::Kind>,
+    save_folder: Option<std::path::PathBuf>,
     /// Pictures that have been saved, or why not.
     saved: tasks::Inbox<Result<String, String>>,
     /// The last sky that was read, for links that name it.
@@ -142,6 +143,7 @@ impl App {
             drawn: None,
             series: plots::Series::default(),
             placing: None,
+            save_folder: None,
             saved: tasks::Inbox::default(),
             sky: sky.filter(|s| s.image.is_some()),
             catching_up: viewport::CatchingUp::default(),
@@ -162,6 +164,16 @@ impl App {
         self.params.look.sky.attach(self.sky.as_ref());
         // Called from outside a frame too, when time stands still and nothing else asks for one.
         self.ctx.request_repaint();
+    }
+
+    /// Pixels of the last picture.
+    pub fn picture_size(&self) -> [u32; 2] {
+        self.quality.size()
+    }
+
+    /// Where pictures and tables are saved, instead of the folder for pictures; a page downloads them.
+    pub fn set_save_folder(&mut self, folder: std::path::PathBuf) {
+        self.save_folder = Some(folder);
     }
 
     /// Frames painted so far.

@@ -24,7 +24,14 @@ pub fn wgpu_configuration() -> egui_wgpu::WgpuConfiguration {
 pub fn style(ctx: &egui::Context) {
     ctx.set_theme(egui::Theme::Dark);
     ctx.all_styles_mut(|style| {
-        style.visuals.window_fill = egui::Color32::from_rgba_unmultiplied(14, 22, 30, 225);
+        // Opaque enough for its text to be read over a sunlit sea.
+        style.visuals.window_fill = egui::Color32::from_rgba_unmultiplied(12, 20, 28, 242);
+        style.visuals.panel_fill = style.visuals.window_fill;
+        style.visuals.override_text_color = Some(egui::Color32::from_gray(225));
+        style.visuals.weak_text_alpha = 0.75;
+        style.visuals.widgets.inactive.weak_bg_fill = egui::Color32::from_rgb(38, 54, 68);
+        style.visuals.widgets.inactive.bg_fill = egui::Color32::from_rgb(52, 70, 86);
+        style.visuals.selection.bg_fill = egui::Color32::from_rgb(0, 92, 128);
         style.visuals.window_shadow = egui::Shadow::NONE;
         style.spacing.slider_width = 130.0;
     });

@@ -79,6 +79,7 @@ impl App {
         queue.submit([encoder.finish()]);
         let swapped = matches!(format, wgpu::TextureFormat::Bgra8Unorm | wgpu::TextureFormat::Bgra8UnormSrgb);
         let (inbox, ctx, name) = (self.saved.clone(), self.ctx.clone(), picture_name(&params));
+        let folder = self.save_folder.clone();
         tasks::spawn(async move {
             let made = copy.read(&device).await.and_then(|mut pixels| {
                 if swapped {
@@ -86,7 +87,7 @@ impl App {
                 }
                 picture::encode(size, &pixels, &state, &link)
             });
-            inbox.put(made.and_then(|png| files::save(&name, &png)), &ctx);
+            inbox.put(made.and_then(|png| files::save(folder.as_deref(), &name, &png)), &ctx);
         });
     }
 

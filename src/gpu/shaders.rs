@@ -51,6 +51,7 @@ const MODULES: &[(&str, &[Part])] = &[
     ("sky_filter", &[part!("sky_filter.wgsl")]),
     ("sky_light", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, part!("sky_light.wgsl")]),
     ("sky", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, AIR, part!("sky.wgsl")]),
+    ("floats", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, AIR, part!("floats.wgsl")]),
     ("eye", &[MATHS, NOISE, TILES, FRAME, WATER_SURFACE, part!("eye.wgsl")]),
     (
         "water",

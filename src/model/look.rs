@@ -86,8 +86,8 @@ impl Default for SkyLook {
     fn default() -> Self {
         Self {
             sun_by: SunBy::Direction,
-            sun_deg: 28.0,
-            sun_azimuth_deg: 75.0,
+            sun_deg: 24.0,
+            sun_azimuth_deg: 340.0,
             day: 172.0,
             hour: 9.0,
             latitude_deg: 45.0,

@@ -5,6 +5,7 @@
 
 mod debug;
 mod eye;
+mod floats;
 mod frame;
 mod kit;
 mod material;
@@ -22,11 +23,13 @@ pub use reference::{Grid, Reference};
 
 use crate::gpu::layout::{Layout, MAX_CASCADES};
 use crate::gpu::shaders::Shaders;
+use crate::model::afloat::Pose;
 use crate::model::look::Look;
 use crate::model::views::{Scale, Shown};
 use crate::sim::Maps;
 use debug::DebugPass;
 use eye::EyePass;
+use floats::FloatsPass;
 use frame::FrameUniform;
 use kit::Uniform;
 use material::MaterialUniform;
@@ -64,6 +67,10 @@ pub struct Scene {
     pub sea: SeaLook,
     /// What the colours of a view stand for, layer by layer of its maps; the picture has no use for it.
     pub scales: [Scale; MAX_CASCADES],
+    /// What floats, in the world.
+    pub floats: Vec<Pose>,
+    /// Height of the still water in the world, m.
+    pub level_m: f64,
 }
 
 /// A part of the picture that can be recorded by itself, to be timed.
@@ -85,6 +92,7 @@ pub struct Renderer {
     eye: EyePass,
     water: WaterPass,
     background: sky::Background,
+    floats: FloatsPass,
     present: PresentPass,
     targets: Option<Targets>,
     target_format: wgpu::TextureFormat,
@@ -127,6 +135,7 @@ impl Renderer {
         let background = sky::Background::new(device, &shaders, &scene, &sky);
         let water = WaterPass::new(device, &shaders, scene);
         let eye = EyePass::new(device, &shaders, &frame, &water);
+        let floats = FloatsPass::new(device, &shaders);
         let present = PresentPass::new(device, &shaders, &sky.light, target_format, smooth);
         Self {
             frame,
@@ -135,6 +144,7 @@ impl Renderer {
             eye,
             water,
             background,
+            floats,
             present,
             targets: None,
             target_format,
@@ -189,6 +199,8 @@ impl Renderer {
         self.water.choose(device, scene);
         self.water.bind_maps(device, maps);
         self.water.set_mesh(device, queue, mesh);
+        let foot = [scene.view.eye.x, scene.view.eye.z];
+        self.floats.write(device, queue, &self.water.scene, &scene.floats, foot, scene.level_m);
     }
 
     /// Records the view that the look asks for instead of the picture.
@@ -221,6 +233,7 @@ impl Renderer {
         let mut pass = targets.begin(encoder);
         self.background.draw(&mut pass, &self.water.scene, &self.sky);
         self.water.draw(&mut pass);
+        self.floats.draw(&mut pass, &self.water.scene);
     }
 
     /// Records one part of the picture last drawn, by itself, whether it is stale or not.

@@ -46,7 +46,8 @@ pub fn show(app: &mut App, ctx: &egui::Context) {
     } else {
         window
             .default_pos(screen.right_top() + egui::vec2(-366.0, 12.0))
-            .default_width(340.0)
+            .default_width(346.0)
+            .default_height(screen.height() - 60.0)
             .max_height(screen.height() - 60.0)
     };
     window.show(ctx, |ui| {

@@ -115,7 +115,7 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
             .clicked()
         {
             let text = presets::write(&app.seas.own);
-            match files::save("seas.txt", text.as_bytes()) {
+            match files::save(app.save_folder.as_deref(), "seas.txt", text.as_bytes()) {
                 Ok(said) => app.say(&said),
                 Err(reason) => app.notices.push(reason),
             }

@@ -55,7 +55,7 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
     section(ui, "Cut through the sea", false, &mut wanted, |ui| profile::show(app, ui));
     if let Some(table) = wanted {
         let text = table.csv(&app.state());
-        match files::save(table.name, text.as_bytes()) {
+        match files::save(app.save_folder.as_deref(), table.name, text.as_bytes()) {
             Ok(said) => app.say(&said),
             Err(reason) => app.notices.push(reason),
         }

@@ -1,0 +1,54 @@
+// Buoys and boats: painted hulls in the light of the sun, the sky and the sea. Their triangles come from render/floats.rs.
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(1) var<uniform> sky: Sky;
+@group(0) @binding(2) var<uniform> light: Light;
+@group(0) @binding(3) var sky_view_map: texture_2d<f32>;
+@group(0) @binding(4) var environment_map: texture_2d<f32>;
+@group(0) @binding(5) var sky_sampler: sampler;
+@group(0) @binding(6) var noise_map: texture_2d<f32>;
+@group(0) @binding(7) var noise_sampler: sampler;
+@group(0) @binding(8) var transmittance_map: texture_2d<f32>;
+
+// Place beside the eye's foot and height over the still water, colour (rgba8); normal.
+@group(1) @binding(0) var<storage, read> float_vertices: array<vec4f>;
+
+// Share of the light that the sea sends back up.
+const FLOAT_BOUNCE = vec3f(0.03, 0.05, 0.06);
+
+struct FloatVertex {
+  @builtin(position) clip: vec4f,
+  @location(0) place: vec3f,
+  @location(1) normal: vec3f,
+  @location(2) colour: vec3f,
+}
+
+@vertex
+fn vertex(@builtin(vertex_index) i: u32) -> FloatVertex {
+  let a = float_vertices[2u * i];
+  let normal = float_vertices[2u * i + 1u].xyz;
+  let drop = dot(a.xz, a.xz) / (2.0 * FRAME_EARTH_M);
+  let place = vec3f(a.x, a.y - drop - frame.eye_m, a.z);
+  let encoded = unpack4x8unorm(bitcast<u32>(a.w)).rgb;
+  // Close enough to sRGB's curve for paint.
+  return FloatVertex(frame.clip_from_relative * vec4f(place, 1.0), place, normal, encoded * encoded);
+}
+
+@fragment
+fn fragment(in: FloatVertex) -> @location(0) vec4f {
+  let n = normalize(in.normal);
+  let distance_m = length(in.place);
+  let dir = in.place / distance_m;
+  let up = 0.5 + 0.5 * n.y;
+  let sun = light.sun * max(dot(n, frame.sun), 0.0);
+  let around = light.sky * up + (light.sky + light.sun * max(frame.sun.y, 0.0)) * FLOAT_BOUNCE * (1.0 - up);
+  // A coat of clear lacquer mirrors a little of the sky.
+  let mirror = reflect(dir, n);
+  let sheen = 0.04 + 0.96 * pow(clamp(1.0 + dot(dir, n), 0.0, 1.0), 5.0);
+  let sky_there = light.sky * (0.32 * (0.5 + 0.5 * mirror.y));
+  let half = normalize(frame.sun - dir);
+  let glint = 0.04 * 20.0 * pow(max(dot(n, half), 0.0), 160.0) * light.sun * max(dot(n, frame.sun), 0.0);
+  let surface = in.colour * (sun + around) / ATM_PI + 0.5 * sheen * sky_there + glint / ATM_PI;
+  let air = air_between(dir, distance_m);
+  return frame_colour(surface * air[1] + air[0]);
+}
