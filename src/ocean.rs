@@ -54,6 +54,16 @@ impl Ocean {
         Self { params: params.clone(), shaders, sim, renderer, reference: None, format, slopes, waterline: None }
     }
 
+    /// The same, with light and depth of the picture to be read back.
+    pub fn with_layers(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        format: wgpu::TextureFormat,
+        params: &Params,
+    ) -> Self {
+        Self { renderer: Renderer::with_layers(device, queue, format), ..Self::new(device, queue, format, params) }
+    }
+
     /// Turns to other parameters; costs nothing when only the time, the camera or the light changed.
     pub fn set_params(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, params: &Params) {
         if (&params.grid, &params.sea) != (&self.params.grid, &self.params.sea) {
@@ -108,6 +118,11 @@ impl Ocean {
     /// Linear light of the recorded frame, half floats, for read-back.
     pub fn light(&self) -> Option<&wgpu::Texture> {
         self.renderer.light()
+    }
+
+    /// Depth of the recorded frame, see [`Renderer::depth`].
+    pub fn depth(&self) -> Option<&wgpu::Texture> {
+        self.renderer.depth()
     }
 
     /// Draws the recorded frame into the viewport of a pass.

@@ -53,3 +53,12 @@ fn the_gallery_is_what_its_table_would_write() {
         assert_eq!(query::write(&params), sea.state, "{}", sea.title);
     }
 }
+
+#[test]
+fn the_readme_lists_the_keys() {
+    let readme = include_str!("../README.md");
+    for (key, does) in seastate::app::keys::KEYS {
+        let row = format!("| {key} | {does} |");
+        assert!(readme.contains(&row), "README.md lacks: {row}");
+    }
+}

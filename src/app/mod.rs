@@ -5,6 +5,8 @@ mod caption;
 mod dropped;
 mod faults;
 mod files;
+#[cfg(target_arch = "wasm32")]
+mod finder;
 mod history;
 pub mod keys;
 #[cfg(not(target_arch = "wasm32"))]
@@ -103,6 +105,8 @@ pub struct App {
     catching_up: viewport::CatchingUp,
     #[cfg(target_arch = "wasm32")]
     address: web::Address,
+    #[cfg(target_arch = "wasm32")]
+    finder: finder::Finder,
 }
 
 impl App {
@@ -126,6 +130,10 @@ impl App {
         let ocean = Ocean::new(&render_state.device, &render_state.queue, render_state.target_format, &params);
         render_state.renderer.write().callback_resources.insert(ocean);
         setup::style(&cc.egui_ctx);
+        #[cfg(target_arch = "wasm32")]
+        let finder = finder::Finder::default();
+        #[cfg(target_arch = "wasm32")]
+        cc.egui_ctx.add_plugin(finder.clone());
         Ok(Self {
             derived: Derived::new(&params),
             notices,
@@ -149,6 +157,8 @@ impl App {
             catching_up: viewport::CatchingUp::default(),
             #[cfg(target_arch = "wasm32")]
             address: web::Address::new(&params),
+            #[cfg(target_arch = "wasm32")]
+            finder,
             params,
         })
     }

@@ -36,7 +36,11 @@ impl WebHandle {
     pub async fn start(&self, canvas: web_sys::HtmlCanvasElement) -> Result<(), JsValue> {
         let options = eframe::WebOptions { wgpu_options: setup::wgpu_configuration(), ..Default::default() };
         let create = |cc: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, Box<dyn std::error::Error + Send + Sync>> {
-            Ok(Box::new(App::new(cc, &address_query())?))
+            let mut app = App::new(cc, &address_query())?;
+            if prefers_stillness() {
+                app.params.clock.paused = true;
+            }
+            Ok(Box::new(app))
         };
         self.runner.start(canvas, options, Box::new(create)).await
     }
@@ -76,6 +80,21 @@ impl WebHandle {
         self.with(|app| app.settled()).unwrap_or_default()
     }
 
+    /// Place of the widget with a label, in points: x, y, width, height. For tests; ask again after a frame.
+    pub fn place(&self, label: &str) -> Option<Vec<f64>> {
+        self.with(|app| app.finder.place(label, &app.ctx)).flatten().map(|r| r.to_vec())
+    }
+
+    /// Labels and values of all widgets, for tests.
+    pub fn labels(&self) -> Vec<String> {
+        self.with(|app| app.finder.labels(&app.ctx)).unwrap_or_default()
+    }
+
+    /// Pixels of the last picture.
+    pub fn picture_size(&self) -> Vec<u32> {
+        self.with(|app| app.picture_size().to_vec()).unwrap_or_default()
+    }
+
     /// Why the GPU was lost, if it was.
     pub fn device_lost(&self) -> Option<String> {
         self.with(|app| app.device_lost()).flatten()
@@ -112,6 +131,12 @@ impl WebHandle {
     fn with<T>(&self, f: impl FnOnce(&mut App) -> T) -> Option<T> {
         self.runner.app_mut::<App>().map(|mut app| f(&mut app))
     }
+}
+
+/// Whether the visitor has asked for less motion.
+fn prefers_stillness() -> bool {
+    let asked = web_sys::window().and_then(|w| w.match_media("(prefers-reduced-motion: reduce)").ok().flatten());
+    asked.is_some_and(|m| m.matches())
 }
 
 fn address_query() -> String {

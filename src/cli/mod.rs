@@ -5,6 +5,7 @@ pub mod check;
 pub mod compare;
 pub mod export;
 pub mod flip;
+pub mod frames;
 pub mod gallery;
 pub mod objectives;
 pub mod parameters;
@@ -92,9 +93,19 @@ enum Command {
         /// Width and height in pixels
         #[arg(long, default_value = "1280x720", value_parser = parse_size)]
         size: [u32; 2],
-        /// Where to write the PNG
+        /// Where to write the PNG; with --frames the folder for frame-00000.png and on
         #[arg(short, long, default_value = "sea.png")]
         output: PathBuf,
+        /// Renders so many pictures, a sequence in time
+        #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1_000_000), conflicts_with = "reference")]
+        frames: Option<u32>,
+        /// Pictures to a second of the sequence
+        #[arg(long, default_value_t = 30.0)]
+        fps: f64,
+        /// With --frames: also writes an OpenEXR file each, with linear light (R, G, B), distance along the view in m (Z) and
+        /// the normal in world axes (N.X east, N.Y up, N.Z south)
+        #[arg(long, requires = "frames")]
+        layers: bool,
         /// Draws the truth that the picture approximates: many samples a pixel, none of them filtered
         #[arg(long)]
         reference: bool,
@@ -200,7 +211,11 @@ fn fail(message: &str) -> i32 {
 fn run(cli: Cli) -> Result<i32, String> {
     match cli.command {
         None => crate::app::native::run(&cli.sea.read_aloud()?).map(|()| 0),
-        Some(Command::Render { sea, size, output, reference, samples, reference_seed }) => {
+        Some(Command::Render { sea, size, output, frames: Some(count), fps, layers, .. }) => {
+            let sequence = frames::Sequence { count, fps, layers };
+            pollster::block_on(frames::run(&sea.read_aloud()?, size, &sequence, &output)).and_then(|said| print(&said))
+        }
+        Some(Command::Render { sea, size, output, reference, samples, reference_seed, .. }) => {
             let reference = reference.then_some(reference::Sampling { samples, seed: reference_seed });
             pollster::block_on(render::run(&sea.read_aloud()?, size, reference, &output)).map(|()| 0)
         }

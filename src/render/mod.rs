@@ -118,6 +118,11 @@ impl Renderer {
         Self::on_film(device, queue, target_format, Film::screen(samples), true)
     }
 
+    /// The same with one sample a pixel, and with [`Self::light`] and [`Self::depth`] to be read back.
+    pub fn with_layers(device: &wgpu::Device, queue: &wgpu::Queue, target_format: wgpu::TextureFormat) -> Self {
+        Self::on_film(device, queue, target_format, Film::layers(), true)
+    }
+
     /// The same on any film; `smooth` asks the present pass for smooth edges.
     fn on_film(
         device: &wgpu::Device,
@@ -249,6 +254,12 @@ impl Renderer {
     /// Linear light of the picture last drawn, for read-back.
     pub fn light(&self) -> Option<&wgpu::Texture> {
         self.targets.as_ref().map(|t| t.hdr.texture())
+    }
+
+    /// Depth of the picture last drawn, near (0.1 m) over the distance along the view, 0 for the sky; to be read back from a
+    /// renderer made by [`Self::with_layers`].
+    pub fn depth(&self) -> Option<&wgpu::Texture> {
+        self.targets.as_ref().map(|t| t.depth.texture())
     }
 
     /// Draws the tone-mapped picture, or the view, into the current viewport.

@@ -22,6 +22,11 @@ impl Film {
         Self { samples, format: HDR_FORMAT, usage: wgpu::TextureUsages::empty() }
     }
 
+    /// A picture whose light and depth are read back: one sample a pixel.
+    pub fn layers() -> Self {
+        Self { samples: 1, format: HDR_FORMAT, usage: wgpu::TextureUsages::COPY_SRC }
+    }
+
     /// Light of single samples, for a reference: half floats would cut off the sun.
     pub const fn reference() -> Self {
         let format = wgpu::TextureFormat::Rgba32Float;
@@ -36,7 +41,9 @@ pub struct Targets {
     pub hdr: wgpu::TextureView,
     /// Several coverage samples a pixel, if there are any.
     samples: Option<wgpu::TextureView>,
-    depth: wgpu::TextureView,
+    /// Near / distance, kept only on a film that is read back.
+    pub depth: wgpu::TextureView,
+    keeps_depth: bool,
 }
 
 impl Targets {
@@ -61,7 +68,8 @@ impl Targets {
             size,
             hdr: texture("hdr", hdr, 1, wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC | usage),
             samples: (samples > 1).then(|| texture("hdr samples", hdr, samples, none)),
-            depth: texture("depth", DEPTH_FORMAT, samples, none),
+            depth: texture("depth", DEPTH_FORMAT, samples, usage),
+            keeps_depth: !usage.is_empty(),
         }
     }
 
@@ -81,7 +89,10 @@ impl Targets {
             })],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: &self.depth,
-                depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store: wgpu::StoreOp::Discard }),
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(0.0),
+                    store: if self.keeps_depth { wgpu::StoreOp::Store } else { wgpu::StoreOp::Discard },
+                }),
                 stencil_ops: None,
             }),
             timestamp_writes: None,

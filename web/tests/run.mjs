@@ -9,6 +9,7 @@ import { brotliCompressSync, constants } from 'node:zlib';
 import { parseArgs } from 'node:util';
 import { NAMES, launch } from './browsers.mjs';
 import { ladder } from './ladder.mjs';
+import { explorer } from './explorer.mjs';
 import { sea } from './sea.mjs';
 import { serve } from './server.mjs';
 
@@ -77,6 +78,7 @@ for (const name of NAMES.filter((each) => !options.browser || each === options.b
   if (!browser) continue;
   try {
     await sea({ ...context, browser });
+    await explorer({ ...context, browser });
     await ladder({ ...context, browser });
   } finally {
     await browser.close().catch(() => {});

@@ -5,13 +5,14 @@ import { join } from 'node:path';
 import { compareHalves, compareHeights } from './maps.mjs';
 import { SEA, change, crop, fromPng, measure, notASea, spread } from './stats.mjs';
 
-const STATE = 'wind=15&fetch=300&t=20&n=64';
+// Without the panel, which would cover a window as small as this one, and with all pixels however slow the processor is.
+const STATE = 'wind=15&fetch=300&t=20&n=64&ui=0&adaptive=0';
 // The water left of the panel and below the horizon, in fractions of the window.
 const WATER = [0.02, 0.62, 0.5, 0.98];
 
 /** Opens a state and waits for its picture. */
-async function openSea({ browser, origin }, state, folder = '') {
-  const tab = await browser.open(`${origin}/${folder}?${state}`);
+export async function openSea({ browser, origin }, state, { folder = '', ...settings } = {}) {
+  const tab = await browser.open(`${origin}/${folder}?${state}`, settings);
   await tab.until('the first picture', () => document.body.classList.contains('running') || document.body.dataset.rung);
   assert.equal(await tab.evaluate(() => document.body.dataset.rung), undefined, await tab.evaluate(() => document.body.innerText));
   await frames(tab, 3);
@@ -19,17 +20,17 @@ async function openSea({ browser, origin }, state, folder = '') {
 }
 
 /** Waits for so many more frames with a complete picture; asks for them too, since a paused sea draws none by itself. */
-async function frames(tab, count) {
+export async function frames(tab, count) {
   const have = await tab.evaluate(() => window.seastate.frames());
   await tab.until(`${count} more frames`, (enough) => window.seastate.settled() && window.seastate.frames() >= enough, have + count);
 }
 
 const values = (query) => Object.fromEntries(new URLSearchParams(query));
-const stateOf = async (tab) => values(await tab.evaluate(() => window.seastate.state()));
-const addressOf = async (tab) => values(await tab.evaluate(() => location.search));
+export const stateOf = async (tab) => values(await tab.evaluate(() => window.seastate.state()));
+export const addressOf = async (tab) => values(await tab.evaluate(() => location.search));
 
 /** The numbers of `expected` in `found`, whatever else that holds. */
-function agree(found, expected, what) {
+export function agree(found, expected, what) {
   for (const [name, value] of Object.entries(expected)) assert.equal(Number(found[name]), value, `${what}: ${name} in ${JSON.stringify(found)}`);
 }
 
@@ -70,7 +71,7 @@ export async function sea(context) {
   await test(`${browser.name}: a paused sea stands still, another time is another picture`, async () => {
     const pictures = [];
     for (const [name, time] of [['t20', 20], ['t20-again', 20], ['t26', 26]]) {
-      const tab = await openSea(context, `wind=15&fetch=300&t=${time}&n=64&pause=1`);
+      const tab = await openSea(context, `wind=15&fetch=300&t=${time}&n=64&pause=1&ui=0`);
       pictures.push(crop(await shot(tab, name), WATER));
       agree(await stateOf(tab), { t: time }, 'paused');
       await tab.close();
@@ -95,7 +96,7 @@ export async function sea(context) {
     const tab = await openSea(context, `${STATE}&pause=1`);
     try {
       const first = crop(await shot(tab, 'back-a'), WATER);
-      await tab.evaluate(() => window.seastate.set_state('wind=22&fetch=300&t=20&n=64&pause=1'));
+      await tab.evaluate(() => window.seastate.set_state('wind=22&fetch=300&t=20&n=64&pause=1&ui=0'));
       await tab.until('the new wind in the address', () => new URLSearchParams(location.search).get('wind') === '22');
       agree(await stateOf(tab), { wind: 22, fetch: 300 }, 'after the change');
       await frames(tab, 3);
@@ -116,7 +117,7 @@ export async function sea(context) {
   });
 
   await test(`${browser.name}: a dropped buoy becomes the sea, a bad file changes nothing`, async () => {
-    const tab = await openSea(context, 'n=64&pause=1&t=20');
+    const tab = await openSea(context, 'n=64&pause=1&t=20&ui=0');
     const drop = (files) => tab.evaluate((list) => {
       const data = new DataTransfer();
       for (const [name, text] of list) data.items.add(new File([text], name));
@@ -170,7 +171,7 @@ export async function sea(context) {
   });
 
   await test(`${browser.name}: opens from a subfolder, packed`, async () => {
-    const tab = await openSea(context, STATE, 'fault/wasm-gzip/');
+    const tab = await openSea(context, STATE, { folder: 'fault/wasm-gzip/' });
     try {
       assert.ok(spread(await shot(tab, 'subfolder')) > SEA.spread);
     } finally {

@@ -2,7 +2,7 @@
 
 use super::super::units::Scale;
 use super::super::{App, files};
-use super::time::named;
+use super::time::{named, named_value};
 use crate::model::beaufort::{self, FORCES};
 use crate::model::presets::{self, Preset};
 
@@ -46,9 +46,12 @@ pub fn wind(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal(|ui| {
         let label = ui.strong("Wind");
         ui.spacing_mut().slider_width = (ui.available_width() - 120.0).max(90.0);
-        let slider = egui::Slider::new(&mut number, 0..=12).prefix("Beaufort ");
+        let slider = egui::Slider::new(&mut number, 0..=12).show_value(false);
         let help = "Sets the wind of this force, and a fetch for which the sea is as high as the scale says.";
-        ui.add(slider).labelled_by(label.id).on_hover_text(help);
+        let slider = ui.add(slider).labelled_by(label.id).on_hover_text(help);
+        named_value(slider, "Beaufort", number as f64);
+        let typed = egui::DragValue::new(&mut number).range(0..=12).prefix("Beaufort ").speed(0.1);
+        ui.add(typed).labelled_by(label.id).on_hover_text(help);
     });
     if number != now {
         app.params = FORCES[number].apply(&app.params);

@@ -37,17 +37,21 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
         ui.spacing_mut().slider_width = (ui.available_width() - 110.0).max(80.0);
         let mut t = clock.t_s;
         let slider = egui::Slider::new(&mut t, from..=end).show_value(false).step_by(0.0);
-        if named(ui.add(slider), "Time").on_hover_text("Drag through the time; it stands still meanwhile.").dragged() {
+        if named_value(ui.add(slider), "Time", t)
+            .on_hover_text("Drag through the time; it stands still meanwhile.")
+            .dragged()
+        {
             clock.t_s = t;
             clock.paused = true;
         }
+        let t_s = clock.t_s;
         let exact = egui::DragValue::new(&mut clock.t_s)
             .range(0.0..=1e7)
             .speed(0.1)
             .prefix("t = ")
             .suffix(" s")
             .max_decimals(2);
-        ui.add(exact).on_hover_text("Simulated time: type where to go.");
+        named_value(ui.add(exact), "Time in seconds", t_s).on_hover_text("Simulated time: type where to go.");
     });
 }
 
@@ -61,5 +65,11 @@ pub fn step(clock: &mut Clock, frames: f64) {
 pub fn named(response: egui::Response, name: &str) -> egui::Response {
     let kind = egui::Role::Button;
     response.widget_info(|| egui::WidgetInfo::labeled(kind, true, name));
+    response
+}
+
+/// The same for a value.
+pub fn named_value(response: egui::Response, name: &str, value: f64) -> egui::Response {
+    response.widget_info(|| egui::WidgetInfo::slider(true, value, name));
     response
 }

@@ -1,0 +1,117 @@
+//! `seastate render --frames`: a sequence of pictures, and what a compositor asks for beside them.
+
+use super::render::{FORMAT, on_film, picture_of};
+use crate::gpu::device::Gpu;
+use crate::gpu::readback;
+use crate::model::Params;
+use crate::model::views::{Choice, Shown, Surface};
+use crate::ocean::Ocean;
+use exr::prelude::*;
+use std::path::Path;
+
+/// Distance of the near plane, m: depth is this over the distance.
+const NEAR_M: f32 = 0.1;
+/// What stands for the distance of the sky, m, as compositors have it.
+const SKY_M: f32 = 1e10;
+
+/// What to render.
+#[derive(Clone, Debug)]
+pub struct Sequence {
+    /// Number of pictures.
+    pub count: u32,
+    /// Pictures to a second of simulated time.
+    pub fps: f64,
+    /// Whether light, distance and normals are written, too.
+    pub layers: bool,
+}
+
+/// Renders a sequence from the time of a state on into a folder; says what it has written. Time runs at the state's speed.
+///
+/// # Errors
+/// One sentence, if there is no adapter or a file cannot be written.
+pub async fn run(
+    params: &Params,
+    size: [u32; 2],
+    sequence: &Sequence,
+    folder: &Path,
+) -> std::result::Result<String, String> {
+    if !(sequence.fps.is_finite() && sequence.fps > 0.0) {
+        return Err("--fps must be above 0".into());
+    }
+    std::fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+    let gpu = Gpu::request().await?;
+    let (device, queue) = (&gpu.device, &gpu.queue);
+    let mut params = params.clone();
+    let start_s = params.clock.t_s;
+    let new = if sequence.layers { Ocean::with_layers } else { Ocean::new };
+    let mut ocean = new(device, queue, FORMAT, &params);
+    for i in 0..sequence.count {
+        params.clock.t_s = start_s + f64::from(i) / sequence.fps * params.clock.speed;
+        ocean.set_params(device, queue, &params);
+        let pixels = picture_of(&gpu, &mut ocean, size).await?;
+        let path = folder.join(format!("frame-{i:05}.png"));
+        let image = image::RgbaImage::from_raw(size[0], size[1], pixels).ok_or("the picture has a wrong size")?;
+        image.save(&path).map_err(|e| format!("cannot write {}: {e}", path.display()))?;
+        if sequence.layers {
+            write_layers(&gpu, &mut ocean, &params, size, &path.with_extension("exr")).await?;
+        }
+    }
+    let what = if sequence.layers { "pictures and layers" } else { "pictures" };
+    Ok(format!("{} {what} in {}", sequence.count, folder.display()))
+}
+
+/// Light of the picture last drawn, then distance and normals of the same moment.
+async fn write_layers(
+    gpu: &Gpu,
+    ocean: &mut Ocean,
+    params: &Params,
+    size: [u32; 2],
+    path: &Path,
+) -> std::result::Result<(), String> {
+    let light = light_of(gpu, ocean).await?;
+    let mut view = params.clone();
+    view.look.view = Choice { shown: Shown::Surface(Surface::Normals), cascade: 0 };
+    ocean.set_params(&gpu.device, &gpu.queue, &view);
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("layers") });
+    ocean.encode_fully(&gpu.device, &gpu.queue, &mut encoder, size);
+    on_film(gpu, encoder, size, |pass| ocean.present(pass)).await?;
+    let normals = light_of(gpu, ocean).await?;
+    let texture = ocean.depth().ok_or("nothing was drawn")?;
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("depth") });
+    let copy = readback::stage_texture(&gpu.device, &mut encoder, texture, 0);
+    gpu.queue.submit([encoder.finish()]);
+    let depth: Vec<f32> = bytemuck::pod_collect_to_vec(&copy.read(&gpu.device).await?);
+    let width = size[0] as usize;
+    let channels = SpecificChannels::build()
+        .with_channel("R")
+        .with_channel("G")
+        .with_channel("B")
+        .with_channel("Z")
+        .with_channel("N.X")
+        .with_channel("N.Y")
+        .with_channel("N.Z")
+        .with_pixel_fn(|at: Vec2<usize>| {
+            let i = at.y() * width + at.x();
+            let [r, g, b] = [0, 1, 2].map(|c| light[4 * i + c]);
+            if depth[i] <= 0.0 {
+                return (r, g, b, SKY_M, 0.0, 0.0, 0.0);
+            }
+            // The view holds x east, north, up from 0 to 1.
+            let [east, north, up] = [0, 1, 2].map(|c| 2.0 * normals[4 * i + c] - 1.0);
+            (r, g, b, NEAR_M / depth[i], east, up, -north)
+        });
+    Image::from_channels((width, size[1] as usize), channels)
+        .write()
+        .to_file(path)
+        .map_err(|e| format!("cannot write {}: {e}", path.display()))
+}
+
+/// The light of the frame last drawn, RGBA, row by row.
+async fn light_of(gpu: &Gpu, ocean: &Ocean) -> std::result::Result<Vec<f32>, String> {
+    let texture = ocean.light().ok_or("nothing was drawn")?;
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("light") });
+    let copy = readback::stage_texture(&gpu.device, &mut encoder, texture, 0);
+    gpu.queue.submit([encoder.finish()]);
+    let halves: Vec<f16> = bytemuck::pod_collect_to_vec(&copy.read(&gpu.device).await?);
+    Ok(halves.iter().map(|h| h.to_f32()).collect())
+}

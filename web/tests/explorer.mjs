@@ -1,0 +1,193 @@
+// The page as a person uses it: the panel, mouse and fingers, links in two tabs, pictures that are dropped back.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { frames, openSea, stateOf } from './sea.mjs';
+import { SEA, change, crop, fromPng, spread } from './stats.mjs';
+
+// Few pixels of sea under a panel of the usual size.
+const STATE = 'n=64&pause=1&t=20&renderscale=0.3&adaptive=0';
+const SIZE = [1000, 640];
+const SEA_RECT = [0.02, 0.02, 0.6, 0.98];
+
+export async function explorer(context) {
+  const { test, out, browser } = context;
+  const shot = (tab, name) => tab.screenshot(join(out, `${browser.name}-${name}.png`)).then(fromPng);
+  const place = async (tab, label) => {
+    const [x, y, width, height] = await tab.until(`"${label}" on the panel`, (name) => window.seastate.place(name), label);
+    return { x, y, width, height, middle: [x + width / 2, y + height / 2] };
+  };
+  const click = async (tab, label) => {
+    await tab.page.mouse.move(...(await place(tab, label)).middle);
+    await frames(tab, 2);
+    await tab.page.mouse.down();
+    await frames(tab, 1);
+    await tab.page.mouse.up();
+    await frames(tab, 2);
+  };
+  const drag = async (tab, from, to) => {
+    const { mouse } = tab.page;
+    await mouse.move(...from);
+    await frames(tab, 2);
+    await mouse.down();
+    await frames(tab, 1);
+    for (let i = 1; i <= 5; i += 1) {
+      await mouse.move(from[0] + ((to[0] - from[0]) * i) / 5, from[1] + ((to[1] - from[1]) * i) / 5);
+      await frames(tab, 1);
+    }
+    await mouse.up();
+    await frames(tab, 2);
+  };
+
+  await test(`${browser.name}: Beaufort 8 by the slider, a typed value, undo`, async () => {
+    const tab = await openSea(context, STATE, { size: SIZE });
+    try {
+      const slider = await place(tab, 'Beaufort');
+      // The handle runs from end to end of the rail, its own width apart.
+      const at = (n) => [slider.x + 8 + ((slider.width - 16) * n) / 12, slider.y + slider.height / 2];
+      await drag(tab, at(6), at(8));
+      const gale = await stateOf(tab);
+      assert.ok(Number(gale.wind) > 17.2 && Number(gale.wind) < 20.7, `wind ${gale.wind}`);
+      await click(tab, 'Undo');
+      assert.equal((await stateOf(tab)).wind, undefined, 'undone');
+      // The time is typed.
+      await click(tab, 'Time in seconds');
+      await tab.page.keyboard.type('33');
+      await tab.page.keyboard.press('Enter');
+      await frames(tab, 3);
+      assert.equal((await stateOf(tab)).t, '33', 'typed');
+      assert.deepEqual(tab.errors, [], 'console errors');
+      await shot(tab, 'panel');
+      return `wind ${gale.wind} m/s`;
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: play, pause, scrub`, async () => {
+    const tab = await openSea(context, STATE, { size: SIZE });
+    try {
+      await click(tab, 'Play');
+      await tab.until('time to run', () => Number(new URLSearchParams(window.seastate.state()).get('t')) > 20.5);
+      await click(tab, 'Pause');
+      const stopped = await stateOf(tab);
+      assert.equal(stopped.pause, '1');
+      const slider = await place(tab, 'Time');
+      const y = slider.y + slider.height / 2;
+      await drag(tab, [slider.x + 0.3 * slider.width, y], [slider.x + 0.75 * slider.width, y]);
+      const scrubbed = Number((await stateOf(tab)).t);
+      assert.ok(scrubbed > 80 && scrubbed < 100, `t ${scrubbed}`);
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: orbit by mouse and by touch`, async () => {
+    const tab = await openSea(context, `${STATE}&camera=orbit&pitch=-20&y=20&ui=0`, { size: SIZE });
+    try {
+      const before = await stateOf(tab);
+      await drag(tab, [300, 300], [400, 300]);
+      const turned = await stateOf(tab);
+      assert.ok(turned.heading !== before.heading && turned.x !== undefined, JSON.stringify(turned));
+      const touch = tab.page.touchscreen;
+      await touch.touchStart(300, 300);
+      await frames(tab, 2);
+      for (const x of [330, 360, 390]) {
+        await touch.touchMove(x, 300);
+        await frames(tab, 1);
+      }
+      await touch.touchEnd();
+      await frames(tab, 2);
+      const touched = await stateOf(tab);
+      assert.notEqual(touched.heading, turned.heading, 'one finger turns');
+      assert.deepEqual(tab.errors, [], 'console errors');
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: the address opens the same picture in a second tab`, async () => {
+    const tab = await openSea(context, `${STATE}&wind=17&fetch=200&sun=15&sunaz=50&ui=0`, { size: SIZE });
+    try {
+      await drag(tab, [300, 300], [340, 280]);
+      await tab.until('the address', () => new URLSearchParams(location.search).get('heading'));
+      const first = await shot(tab, 'first-tab');
+      const link = await tab.evaluate(() => location.search.slice(1));
+      const other = await openSea(context, link, { size: SIZE });
+      const second = await shot(other, 'second-tab');
+      await other.close();
+      const apart = change(first, second);
+      assert.ok(apart < 0.01, `the pictures differ by ${apart.toFixed(4)}`);
+      return `difference ${apart.toFixed(4)}`;
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: copies the link, and a saved picture brings its sea back`, async () => {
+    // What the page puts on the clipboard and what it downloads is caught, whatever the browser allows.
+    const before = () => {
+      window.copied = [];
+      const clipboard = { writeText: (text) => { window.copied.push(text); return Promise.resolve(); }, write: () => Promise.resolve() };
+      Object.defineProperty(navigator, 'clipboard', { value: clipboard, configurable: true });
+      window.saved = [];
+      HTMLAnchorElement.prototype.click = function caught() { window.saved.push({ name: this.download, blob: fetch(this.href).then((r) => r.blob()) }); };
+    };
+    const tab = await openSea(context, `${STATE}&wind=18`, { size: SIZE, before });
+    try {
+      await click(tab, 'Copy link');
+      const link = await tab.until('the link', () => window.copied[0]);
+      assert.ok(new URL(link).searchParams.get('wind') === '18', link);
+      await click(tab, 'Picture');
+      await tab.until('the picture', () => window.saved.length > 0);
+      await tab.evaluate(() => window.seastate.set_state('n=64&pause=1&renderscale=0.3'));
+      await frames(tab, 2);
+      await tab.evaluate(async () => {
+        const { name, blob } = window.saved[0];
+        const data = new DataTransfer();
+        data.items.add(new File([await blob], name, { type: 'image/png' }));
+        document.querySelector('canvas').dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+      });
+      await tab.until('the sea of the picture', () => new URLSearchParams(window.seastate.state()).get('wind') === '18');
+      assert.deepEqual(tab.errors, [], 'console errors');
+      return (await tab.evaluate(() => window.saved[0].name));
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: H hides the panel, a phone has a sheet`, async () => {
+    const tab = await openSea(context, STATE, { size: SIZE });
+    try {
+      const full = crop(await shot(tab, 'with-panel'), [0.68, 0.05, 0.98, 0.4]);
+      await tab.page.mouse.click(200, 500);
+      await tab.page.keyboard.press('h');
+      await tab.until('the panel to go', () => new URLSearchParams(window.seastate.state()).get('ui') === '0');
+      await frames(tab, 2);
+      const bare = crop(await shot(tab, 'without-panel'), [0.68, 0.05, 0.98, 0.4]);
+      assert.ok(change(full, bare) > SEA.change, 'the panel is gone');
+      await tab.page.keyboard.press('h');
+      await tab.page.setViewport({ width: 390, height: 844, deviceScaleFactor: 1 });
+      await tab.until('the narrow window', () => document.querySelector('canvas').clientWidth === 390);
+      await frames(tab, 4);
+      const phone = await shot(tab, 'phone');
+      assert.ok(spread(crop(phone, [0.02, 0.5, 0.98, 0.9])) > 0, 'a sea above the sheet');
+      const labels = await tab.until('the sheet', () => window.seastate.labels().find((l) => l.includes('Beaufort 6: tap')));
+      assert.ok(labels);
+      assert.deepEqual(tab.errors, [], 'console errors');
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: who wants less motion starts with a still sea`, async () => {
+    const tab = await openSea(context, 'n=64&t=20&ui=0', { before: () => {
+      const ask = window.matchMedia.bind(window);
+      window.matchMedia = (query) => (query.includes('prefers-reduced-motion') ? Object.create(MediaQueryList.prototype, { matches: { value: true } }) : ask(query));
+    } });
+    try {
+      assert.equal((await stateOf(tab)).pause, '1');
+    } finally {
+      await tab.close();
+    }
+  });
+}
