@@ -181,3 +181,39 @@ fn bench_times_every_pass() {
     }
     assert!(json["adapter"].is_string() && json["n"] == 64);
 }
+
+#[test]
+fn a_sequence_is_pictures_in_time_with_layers() {
+    let folder = folder("frames");
+    let text = folder.to_string_lossy().into_owned();
+    let args = [
+        "render",
+        "wind=12&n=64&t=5&y=10&pitch=-15",
+        "--frames",
+        "2",
+        "--fps",
+        "4",
+        "--layers",
+        "--size",
+        "48x32",
+        "-o",
+        &text,
+    ];
+    let output = seastate(&args);
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(output.status.success() && said.contains("2 pictures and layers"), "{output:?}");
+    let picture = |i: u32| image::open(folder.join(format!("frame-{i:05}.png"))).expect("a picture").to_rgb8();
+    assert_ne!(picture(0), picture(1), "time goes on");
+    let layers = exr::prelude::read_first_flat_layer_from_file(folder.join("frame-00000.exr")).expect("layers");
+    let channel = |name: &str| -> Vec<f32> {
+        let found =
+            layers.layer_data.channel_data.list.iter().find(|c| c.name.eq(name)).expect("a channel of that name");
+        found.sample_data.values_as_f32().collect()
+    };
+    let (distance, up) = (channel("Z"), channel("N.Y"));
+    let row = |values: &[f32], y: usize| values[y * 48..][..48].iter().sum::<f32>() / 48.0;
+    // Sky above, water below: from ten metres the lowest rays, 40 degrees down, come down after some fifteen.
+    assert!(row(&distance, 0) > 1e9, "{}", row(&distance, 0));
+    assert!((8.0..25.0).contains(&row(&distance, 31)), "{}", row(&distance, 31));
+    assert!((0.8..=1.0).contains(&row(&up, 31)), "{}", row(&up, 31));
+}
