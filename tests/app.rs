@@ -231,7 +231,7 @@ fn a_picture_is_saved_with_its_sea_and_brings_it_back() {
     harness.key_press(egui::Key::P);
     for _ in 0..100 {
         harness.run_steps(1);
-        if harness.query_by_label_contains("saved ").is_some() {
+        if harness.query_by_label_contains("seastate-wind17").is_some() {
             break;
         }
         std::thread::sleep(std::time::Duration::from_millis(50));
@@ -244,6 +244,38 @@ fn a_picture_is_saved_with_its_sea_and_brings_it_back() {
     harness.state_mut().set_state("n=64&pause=1");
     drop_files(&mut harness, std::slice::from_ref(&path));
     assert_eq!(harness.state().state(), "wind=17&t=3&pause=1&n=64");
+    std::fs::remove_dir_all(&folder).expect("the folder is removed");
+}
+
+#[test]
+fn the_maps_are_saved_as_layers_of_one_file() {
+    let folder = std::env::temp_dir().join(format!("seastate-maps-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let mut harness = open("wind=17&n=64&pause=1&t=3");
+    harness.state_mut().set_save_folder(folder.clone());
+    for label in ["Share", "Save maps"] {
+        harness.get_by_label(label).scroll_to_me();
+        harness.run_steps(30);
+        harness.get_by_label(label).click();
+        harness.run_steps(30);
+    }
+    for _ in 0..200 {
+        harness.run_steps(1);
+        if harness.query_by_label_contains("seastate-maps.exr").is_some() {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(50));
+    }
+    let image = exr::prelude::read_all_flat_layers_from_file(folder.join("seastate-maps.exr")).expect("maps");
+    let plan = seastate::model::Plan::new(&params(&harness));
+    assert_eq!(image.layer_data.len(), plan.cascades.len());
+    // The variance of the heights of all cascades is that of the sea.
+    let variance = |layer: &exr::prelude::Layer<exr::prelude::AnyChannels<exr::prelude::FlatSamples>>| {
+        let heights = layer.channel_data.list.iter().find(|c| c.name.eq("Y")).expect("heights");
+        heights.sample_data.values_as_f32().map(|h| f64::from(h).powi(2)).sum::<f64>() / (64.0 * 64.0)
+    };
+    let hs = 4.0 * image.layer_data.iter().map(variance).sum::<f64>().sqrt();
+    assert!((hs / plan.hs_m() - 1.0).abs() < 0.25, "{hs} of {}", plan.hs_m());
     std::fs::remove_dir_all(&folder).expect("the folder is removed");
 }
 

@@ -9,6 +9,7 @@ mod files;
 mod finder;
 mod history;
 pub mod keys;
+pub mod maps;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod native;
 mod panel;

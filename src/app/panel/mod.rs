@@ -247,5 +247,9 @@ fn share(app: &mut App, ui: &mut egui::Ui) {
     {
         app.copy_frame();
     }
+    let maps = "Saves displacement and slopes of every cascade at this moment as one OpenEXR file: docs/use-the-maps.md.";
+    if ui.button("Save maps").on_hover_text(maps).clicked() {
+        app.save_maps();
+    }
     ui.weak("Drop a picture that was saved here to see its sea again.");
 }
