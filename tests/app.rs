@@ -5,9 +5,13 @@ use egui_kittest::kittest::Queryable;
 use seastate::app::App;
 
 fn open(state: &str) -> Harness<'static, App> {
+    open_in(state, [900.0, 500.0])
+}
+
+fn open_in(state: &str, size: [f32; 2]) -> Harness<'static, App> {
     let state = state.to_owned();
     let mut harness = Harness::builder()
-        .with_size(egui::vec2(900.0, 500.0))
+        .with_size(egui::vec2(size[0], size[1]))
         .with_pixels_per_point(1.0)
         .with_step_dt(1.0 / 60.0)
         .wgpu()
@@ -251,11 +255,9 @@ fn a_picture_is_saved_with_its_sea_and_brings_it_back() {
 fn the_maps_are_saved_as_layers_of_one_file() {
     let folder = std::env::temp_dir().join(format!("seastate-maps-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder");
-    let mut harness = open("wind=17&n=64&pause=1&t=3");
+    let mut harness = open_in("wind=17&n=64&pause=1&t=3", [900.0, 900.0]);
     harness.state_mut().set_save_folder(folder.clone());
     for label in ["Share", "Save maps"] {
-        harness.get_by_label(label).scroll_to_me();
-        harness.run_steps(30);
         harness.get_by_label(label).click();
         harness.run_steps(30);
     }

@@ -131,13 +131,15 @@ fn notices(app: &App, ui: &mut egui::Ui) {
 fn parameters(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal(|ui| {
         let label = ui.label("Search");
-        let width = ui.available_width() - 40.0;
-        let words = egui::TextEdit::singleline(&mut app.panel.search).hint_text("all parameters").desired_width(width);
-        ui.add(words).labelled_by(label.id);
-        let clear = ui.add_enabled(!app.panel.search.is_empty(), egui::Button::new("×").small());
-        if time::named(clear, "Clear the search").clicked() {
-            app.panel.search.clear();
-        }
+        // From the right: what takes the rest must not push its neighbour out of the panel.
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let clear = ui.add_enabled(!app.panel.search.is_empty(), egui::Button::new("×").small());
+            if time::named(clear, "Clear the search").clicked() {
+                app.panel.search.clear();
+            }
+            let words = egui::TextEdit::singleline(&mut app.panel.search).hint_text("all parameters");
+            ui.add(words.desired_width(f32::INFINITY)).labelled_by(label.id);
+        });
     });
     let words = app.panel.search.trim().to_owned();
     let mut any = false;
@@ -230,15 +232,16 @@ fn share(app: &mut App, ui: &mut egui::Ui) {
     ui.label("The address of the page is always the whole sea: send it, bookmark it, go back and forward.");
     ui.horizontal(|ui| {
         let label = ui.label("Open link");
-        let width = ui.available_width() - 50.0;
-        let field =
-            egui::TextEdit::singleline(&mut app.panel.link).hint_text("paste an address here").desired_width(width);
-        let typed = ui.add(field).labelled_by(label.id);
-        let entered = typed.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
-        if (ui.button("Open").clicked() || entered) && !app.panel.link.trim().is_empty() {
-            let link = std::mem::take(&mut app.panel.link);
-            app.open_link(&link);
-        }
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let pressed = ui.button("Open").clicked();
+            let field = egui::TextEdit::singleline(&mut app.panel.link).hint_text("paste an address here");
+            let typed = ui.add(field.desired_width(f32::INFINITY)).labelled_by(label.id);
+            let entered = typed.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
+            if (pressed || entered) && !app.panel.link.trim().is_empty() {
+                let link = std::mem::take(&mut app.panel.link);
+                app.open_link(&link);
+            }
+        });
     });
     if ui
         .button("Copy frame")
@@ -247,7 +250,8 @@ fn share(app: &mut App, ui: &mut egui::Ui) {
     {
         app.copy_frame();
     }
-    let maps = "Saves displacement and slopes of every cascade at this moment as one OpenEXR file: docs/use-the-maps.md.";
+    let maps =
+        "Saves displacement and slopes of every cascade at this moment as one OpenEXR file: docs/use-the-maps.md.";
     if ui.button("Save maps").on_hover_text(maps).clicked() {
         app.save_maps();
     }

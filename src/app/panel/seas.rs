@@ -45,7 +45,7 @@ pub fn wind(app: &mut App, ui: &mut egui::Ui) {
     let mut number = now;
     ui.horizontal(|ui| {
         let label = ui.strong("Wind");
-        ui.spacing_mut().slider_width = (ui.available_width() - 120.0).max(90.0);
+        ui.spacing_mut().slider_width = (ui.available_width() - 130.0).max(80.0);
         let slider = egui::Slider::new(&mut number, 0..=12).show_value(false);
         let help = "Sets the wind of this force, and a fetch for which the sea is as high as the scale says.";
         let slider = ui.add(slider).labelled_by(label.id).on_hover_text(help);

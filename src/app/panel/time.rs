@@ -34,7 +34,7 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
         let reach = if loop_s > 0.0 { loop_s } else { REACH_S.max(REACH_S * (clock.t_s / REACH_S).floor() + REACH_S) };
         let from = if loop_s > 0.0 { loop_s * (clock.t_s / loop_s).floor() } else { reach - REACH_S };
         let end = if loop_s > 0.0 { from + loop_s } else { reach };
-        ui.spacing_mut().slider_width = (ui.available_width() - 110.0).max(80.0);
+        ui.spacing_mut().slider_width = (ui.available_width() - 120.0).max(80.0);
         let mut t = clock.t_s;
         let slider = egui::Slider::new(&mut t, from..=end).show_value(false).step_by(0.0);
         if named_value(ui.add(slider), "Time", t)
