@@ -255,7 +255,7 @@ fn a_picture_is_saved_with_its_sea_and_brings_it_back() {
 fn the_maps_are_saved_as_layers_of_one_file() {
     let folder = std::env::temp_dir().join(format!("seastate-maps-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder");
-    let mut harness = open_in("wind=17&n=64&pause=1&t=3", [900.0, 900.0]);
+    let mut harness = open_in("wind=17&n=64&pause=1&t=3", [900.0, 1400.0]);
     harness.state_mut().set_save_folder(folder.clone());
     for label in ["Share", "Save maps"] {
         harness.get_by_label(label).click();

@@ -8,7 +8,7 @@ use exr::prelude::*;
 use std::io::Cursor;
 
 /// The file's bytes: displacement X, Y, Z (m, chop applied) and slopes of the undisplaced surface, cascade by cascade;
-/// column i holds x = i patch / n to the east, row j z = j patch / n to the south. The state string is in its comments.
+/// column i holds x = i patch / n to the east, row j z = j patch / n to the south. The state string is its attribute `seastate`.
 ///
 /// # Errors
 /// If the maps cannot be written.
@@ -34,8 +34,7 @@ pub fn encode(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<V
     let layers: SmallVec<[Layer<AnyChannels<FlatSamples>>; 2]> = (0..maps.cascades()).map(layer).collect();
     let size = IntegerBounds::from_dimensions((n, n));
     let mut image = Image::from_layers(ImageAttributes::new(size), layers);
-    let about = format!("Seastate {state}");
-    image.attributes.other.insert("comments".into(), AttributeValue::Text(about.as_str().into()));
+    image.attributes.other.insert("seastate".into(), AttributeValue::Text(state.into()));
     let mut bytes = Cursor::new(Vec::new());
     image.write().to_buffered(&mut bytes).map_err(|e| format!("the maps cannot be written: {e}"))?;
     Ok(bytes.into_inner())
