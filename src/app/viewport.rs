@@ -7,8 +7,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Past times that one frame replays for the foam: a cold start is spread over a few frames instead of stalling one.
 const STEPS_PER_FRAME: usize = 6;
+/// A glide goes on by no more than this in one frame, s.
+const LONGEST_GLIDE_STEP_S: f64 = 0.1;
 
-/// Whether the foam of a cold start is still being replayed.
+/// Whether the foam of a cold start is still being replayed, or the sea glides.
 #[derive(Clone, Default)]
 pub struct CatchingUp(Arc<AtomicBool>);
 
@@ -28,7 +30,8 @@ pub fn show(ui: &mut egui::Ui, params: &Params, catching_up: &CatchingUp) -> egu
     let pixels = response.rect.size() * ui.ctx().pixels_per_point();
     let size = [pixels.x.round() as u32, pixels.y.round() as u32];
     if size[0] > 0 && size[1] > 0 {
-        let frame = SeaFrame { params: params.clone(), size, catching_up: catching_up.clone() };
+        let dt_s = f64::from(ui.input(|i| i.stable_dt)).min(LONGEST_GLIDE_STEP_S);
+        let frame = SeaFrame { params: params.clone(), size, catching_up: catching_up.clone(), dt_s };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(response.rect, frame));
     }
     response
@@ -39,6 +42,8 @@ struct SeaFrame {
     params: Params,
     size: [u32; 2],
     catching_up: CatchingUp,
+    /// Wall time since the last frame, s.
+    dt_s: f64,
 }
 
 impl egui_wgpu::CallbackTrait for SeaFrame {
@@ -52,11 +57,11 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
     ) -> Vec<wgpu::CommandBuffer> {
         let Some(ocean) = resources.get_mut::<Ocean>() else { return Vec::new() };
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("ocean") });
-        ocean.set_params(device, queue, &self.params);
+        ocean.glide_to(device, queue, &self.params, self.dt_s);
         let limit = device.limits().max_texture_dimension_2d;
         let size = self.size.map(|side| side.min(limit));
         let caught_up = ocean.encode(device, queue, &mut encoder, size, STEPS_PER_FRAME);
-        self.catching_up.0.store(!caught_up, Ordering::Relaxed);
+        self.catching_up.0.store(!caught_up || ocean.is_gliding(), Ordering::Relaxed);
         vec![encoder.finish()]
     }
 

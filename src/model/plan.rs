@@ -145,6 +145,12 @@ impl Plan {
         self.systems.is_empty()
     }
 
+    /// Whether another plan's sea is made of the same waves, with other amplitudes: only they differ at any time.
+    pub fn has_same_waves(&self, other: &Self) -> bool {
+        let waves = |p: &Self| (p.n, p.untile, p.period_s, p.sea.seed, p.dispersion);
+        waves(self) == waves(other) && self.cascades == other.cascades
+    }
+
     /// S(omega) of all systems, m^2 s.
     pub fn density(&self, omega: f64) -> f64 {
         self.systems.iter().map(|s| s.spectrum.density(omega)).sum()
