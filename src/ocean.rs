@@ -89,9 +89,10 @@ impl Ocean {
         self.sim.plan()
     }
 
-    /// The seas that are drawn at this moment. Undisplaced heights (and displacements, slopes, velocities) are the sum of
-    /// those of their plans, each cascade times its weight: what a boat needs to stay on the water while the sea glides.
-    /// At rest one sea with weights of 1. Where a slider is dragged, neighbours of its seas stand for one another.
+    /// The seas that are drawn at this moment. Heights of water particles over [`Self::level_m`] (and displacements, slopes,
+    /// velocities) are the sum of those of their plans, each cascade times its weight: what a boat needs to stay on the
+    /// water while the sea glides. At rest one sea with weights of 1. Where a slider is dragged, seas of neighbouring frames
+    /// stand for one another.
     pub fn drawn_seas(&self) -> Vec<DrawnSea> {
         let maps = self.sim.maps();
         let (fading, own) = maps.cascades.split_at(maps.fading);
@@ -101,6 +102,11 @@ impl Ocean {
             mixture.0.iter().map(|(plan, share)| DrawnSea { plan: plan.clone(), weights: weights(*share) }).collect()
         };
         old.into_iter().flat_map(|old| of(old, fading)).chain(of(now, own)).collect()
+    }
+
+    /// Height of the still water that is drawn, m: on its way to the state's while the sea glides.
+    pub fn level_m(&self) -> f64 {
+        self.numbers.value(self.sim.share()).level_m
     }
 
     /// The simulation, for read-back.

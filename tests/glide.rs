@@ -144,6 +144,7 @@ fn a_glide_ends_exactly_on_the_state() {
             frames += 1;
         }
         assert!((45..=FRAMES).contains(&frames), "{sea}: {frames} frames");
+        assert_eq!(window.ocean.level_m(), window.params.sea.level_m, "{sea}");
         let (got, want) = (window.picture(), still.picture());
         assert!(between != want, "{sea}: it takes its time");
         assert!(got == want, "{sea}: {} of 255 from the picture of the state", difference(&got, &want));
