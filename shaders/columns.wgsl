@@ -1,4 +1,4 @@
-// The inverse transform along z, and the maps: layer = cascade.
+// The inverse transform along z, and the maps: a layer for each cascade.
 //   displacement: Dx, eta, Dz, dDx/dz     gradients: d eta/dx, d eta/dz, dDx/dx, dDz/dz     (chop not applied)
 
 @group(0) @binding(0) var<uniform> sea: Sea;
@@ -11,9 +11,9 @@ fn columns_store(pair: u32, c: u32, x: u32, z: u32, base: u32, v: vec4f) {
   // Packed order is Dx, Dz, eta, dDx/dz.
   let value = select(v, v.xzyw, pair == 0u);
   if pair == 0u {
-    textureStore(displacement, vec2u(x, z), c, value);
+    textureStore(displacement, vec2u(x, z), sea.first_layer + c, value);
   } else {
-    textureStore(gradients, vec2u(x, z), c, value);
+    textureStore(gradients, vec2u(x, z), sea.first_layer + c, value);
   }
   if sea.keep_f32 != 0u {
     lines[base + z * N + x] = value;

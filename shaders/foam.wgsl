@@ -5,9 +5,8 @@
 // solved exactly over the step, so that the result does not depend on the frame rate and stays in [0, 1].
 
 struct FoamLevel {
-  uv01: vec4f, // texture coordinates of the first cell's corner on cascades 0 and 1
-  uv23: vec4f, // and on 2 and 3
-  tiles: array<TilePlace, 4>, // and on the lattices of their copies
+  uv: array<vec4f, 4>, // texture coordinates of the first cell's corner on the cascades, two by two
+  tiles: array<TilePlace, 8>, // and on the lattices of their copies
   cell: vec2i, // first cell in range
   previous: vec2i, // and at the last step
   texel_m: f32,
@@ -16,12 +15,26 @@ struct FoamLevel {
   start: f32, // foam of a cell that comes into range
 }
 
+struct FoamCascade {
+  patch_m: f32,
+  layer: u32, // of the maps
+  // An element of a uniform's array is a multiple of 16 bytes.
+  unused_0: u32,
+  unused_1: u32,
+}
+
 struct Foam {
   levels: array<FoamLevel, 4>,
+  cascades: array<FoamCascade, 8>, // those that are drawn: of one sea, or of two while one fades into the other
   dt: f32,
   decay: f32, // 1 / e-folding time
   rate: f32,
   size: u32, // cells along a side
+  count: u32, // cascades in use
+  // The size is a multiple of 16 bytes.
+  unused_0: u32,
+  unused_1: u32,
+  unused_2: u32,
 }
 
 @group(0) @binding(0) var<uniform> sea: Sea;
@@ -36,10 +49,11 @@ struct Foam {
 fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
   var stretch = vec2f(0.0);
   var shear = vec2f(0.0);
-  for (var c = 0u; c < sea.count; c++) {
-    let corners = select(foam.levels[level].uv23, foam.levels[level].uv01, c < 2u);
+  for (var c = 0u; c < foam.count; c++) {
+    let corners = foam.levels[level].uv[c >> 1u];
     let corner = select(corners.zw, corners.xy, (c & 1u) == 0u);
-    let patch_m = sea.cascades[c].patch_m;
+    let patch_m = foam.cascades[c].patch_m;
+    let layer = foam.cascades[c].layer;
     let uv = corner + offset / patch_m;
     // One level finer than a cell: between the texels of a level that is all noise the variance would sag.
     let lod = max(log2(foam.levels[level].texel_m * f32(sea.n) / patch_m) - 1.0, 0.0);
@@ -47,8 +61,8 @@ fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
     let blend = tile_blend(tile, offset);
     for (var i = 0u; i < blend.count; i++) {
       let at = uv + tile_shift(tile, blend, i);
-      let g = textureSampleLevel(gradients, repeat, at, c, lod);
-      let d = textureSampleLevel(displacement, repeat, at, c, lod);
+      let g = textureSampleLevel(gradients, repeat, at, layer, lod);
+      let d = textureSampleLevel(displacement, repeat, at, layer, lod);
       let slope = vec2f(blend.along_x[i], blend.along_z[i]);
       stretch += blend.weight[i] * g.zw + slope * d.xz;
       shear += blend.weight[i] * d.ww + slope.yx * d.xz;

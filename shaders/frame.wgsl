@@ -14,17 +14,18 @@ struct Frame {
   pixel: f32,
   sun: vec3f,
   chop_x: f32,
-  // Texture coordinates of the eye's foot, 1 / patch, unit of the moments.
-  cascades: array<vec4f, 4>,
-  // A copy of the finest cascade, shrunk: ripples that no cascade holds. The last is the scale of its slopes.
-  ripples: vec4f,
+  // Texture coordinates of the eye's foot, 1 / patch, unit of the moments. Those of one sea, or of two while one fades into
+  // the other.
+  cascades: array<vec4f, 8>,
+  // Texels to the shortest wave of each, layer of its maps, and what its variance is short of while it fades.
+  layers: array<vec4f, 8>,
+  // A copy of the finest cascade of each sea, shrunk: ripples that no cascade holds. The last is the scale of its slopes.
+  ripples: array<vec4f, 2>,
   // Lattices of the copies of the cascades and of the ripples, at the eye's foot: TilePlace's turn and rest; cell, key, on.
-  tile_lattice: array<vec4f, 5>,
-  tile_cell: array<vec4i, 5>,
+  tile_lattice: array<vec4f, 10>,
+  tile_cell: array<vec4i, 10>,
   // Covariance of the slopes that neither the maps nor the ripples hold: xx, zz, xz.
   residual: vec4f,
-  // Texels to the shortest wave of each cascade.
-  sampling: vec4f,
   // Foam levels: centre relative to the eye, half the valid side, 1 / texel; and texture coordinates of the eye's foot.
   foam_place: array<vec4f, 4>,
   foam_uv: array<vec4f, 4>,
@@ -35,6 +36,11 @@ struct Frame {
   mesh_rows: u32,
   count: u32,
   foam_count: u32,
+  // How many ripples there are, and the cascades that they are copies of.
+  ripple_count: u32,
+  ripple_cascade_0: u32,
+  ripple_cascade_1: u32,
+  unused: u32,
   // Where the water below the eye would lie in a still sea (x, z), how far waves may carry water, m, and whether (1) the
   // eye rides on it.
   foot: vec4f,

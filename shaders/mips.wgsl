@@ -12,12 +12,12 @@ override FIRST: bool = false; // the moments come from slopes instead of moments
 @group(0) @binding(5) var gradients_out: texture_storage_2d_array<rgba16float, write>;
 @group(0) @binding(6) var moments_out: texture_storage_2d_array<rgba16float, write>;
 
-fn mips_moment(at: vec2u, layer: u32, slopes: vec2f) -> vec4f {
+fn mips_moment(at: vec2u, cascade: u32, slopes: vec2f) -> vec4f {
   if FIRST {
     let products = vec3f(slopes.x * slopes.x, slopes.y * slopes.y, slopes.x * slopes.y);
-    return vec4f(products / sea.cascades[layer].moment_scale, 0.0);
+    return vec4f(products / sea.cascades[cascade].moment_scale, 0.0);
   }
-  return textureLoad(moments_in, at, layer, 0);
+  return textureLoad(moments_in, at, sea.first_layer + cascade, 0);
 }
 
 @compute @workgroup_size(8, 8)
@@ -26,17 +26,18 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   if id.x >= size.x || id.y >= size.y {
     return;
   }
+  let layer = sea.first_layer + id.z;
   var d = vec4f(0.0);
   var g = vec4f(0.0);
   var m = vec4f(0.0);
   for (var i = 0u; i < 4u; i++) {
     let at = 2u * id.xy + vec2u(i & 1u, i >> 1u);
-    let slopes = textureLoad(gradients_in, at, id.z, 0);
-    d += textureLoad(displacement_in, at, id.z, 0);
+    let slopes = textureLoad(gradients_in, at, layer, 0);
+    d += textureLoad(displacement_in, at, layer, 0);
     g += slopes;
     m += mips_moment(at, id.z, slopes.xy);
   }
-  textureStore(displacement_out, id.xy, id.z, 0.25 * d);
-  textureStore(gradients_out, id.xy, id.z, 0.25 * g);
-  textureStore(moments_out, id.xy, id.z, 0.25 * m);
+  textureStore(displacement_out, id.xy, layer, 0.25 * d);
+  textureStore(gradients_out, id.xy, layer, 0.25 * g);
+  textureStore(moments_out, id.xy, layer, 0.25 * m);
 }

@@ -42,7 +42,7 @@ fn main(@builtin(local_invocation_id) local: vec3u, @builtin(workgroup_id) group
   let c = group.z;
   let exchange = local.y * N;
   for (var i = 0u; i < R1; i++) {
-    rows_h[i] = rows_evolve(c, i * R2 + t, z);
+    rows_h[i] = sea.weights[c] * rows_evolve(c, i * R2 + t, z);
   }
   for (var pair = 0u; pair < 2u; pair++) {
     for (var i = 0u; i < R1; i++) {

@@ -17,6 +17,7 @@ struct SeaTerm {
 struct Sea {
   cascades: array<SeaCascade, 4>,
   terms: array<SeaTerm, 6>,
+  weights: vec4f, // amplitude of each cascade: 1, unless one sea fades into another
   chop: vec2f, // along x and z
   n: u32,
   count: u32, // cascades in use
@@ -25,10 +26,10 @@ struct Sea {
   keep_f32: u32, // not 0: the column pass leaves its result in the intermediate buffer
   term_count: u32,
   stride: u32, // quadruples in an entry of the table
+  first_layer: u32, // of the maps
+  ease: f32, // how far the spectrum pass takes h0 from what it is to what the table says; 1 is all the way
   // The size is a multiple of 16 bytes.
-  unused_0: u32,
-  unused_1: u32,
-  unused_2: u32,
+  unused: u32,
 }
 
 // Signed wave-vector index of lattice position i: 0 .. n/2 - 1, then -n/2 .. -1.

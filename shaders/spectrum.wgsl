@@ -1,4 +1,4 @@
-// h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz), once per sea. S(k) is a sum of parts: lobes around the direction of a wave
+// h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz), once per sea, or a step of the way there from another sea of the same waves. S(k) is a sum of parts: lobes around the direction of a wave
 // system, and distributions that a buoy has measured.
 
 @group(0) @binding(0) var<uniform> sea: Sea;
@@ -62,5 +62,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let gauss = noise_gauss(noise_words(sea.seed, cascade.key, ix, iz));
     h = gauss * sqrt(variance);
   }
-  h0[(id.z * n + id.y) * n + id.x] = h;
+  let at = (id.z * n + id.y) * n + id.x;
+  // Chosen, not mixed, where the way ends: it must end exactly.
+  h0[at] = select(mix(h0[at], h, sea.ease), h, sea.ease >= 1.0);
 }

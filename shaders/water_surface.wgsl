@@ -48,7 +48,7 @@ fn water_spline_tap(s: WaterSpline, k: i32) -> vec3f {
   return vec3f(x, z, wx * wz);
 }
 
-// The lattice of a cascade's copies; that of the ripples is the last.
+// The lattice of a cascade's copies; those of the ripples are the last.
 fn water_tile(i: u32) -> TilePlace {
   let lattice = frame.tile_lattice[i];
   let cell = frame.tile_cell[i];
@@ -60,6 +60,7 @@ fn water_displacement(at: vec2f, spacing: f32) -> vec3f {
   var sum = vec3f(0.0);
   for (var c = 0u; c < frame.count; c++) {
     let place = frame.cascades[c];
+    let layer = u32(frame.layers[c].y);
     let uv = place.xy + at * place.z;
     let lod = log2(max(spacing * place.z * frame.n, 1e-3));
     // Nothing is left of waves that are shorter than two vertices.
@@ -74,7 +75,7 @@ fn water_displacement(at: vec2f, spacing: f32) -> vec3f {
         let shift = tile_shift(tile, blend, i);
         for (var k = 0; k < taps; k++) {
           let tap = water_spline_tap(spline, k);
-          let d = textureSampleLevel(displacement_map, wave_sampler, tap.xy + shift, c, lod);
+          let d = textureSampleLevel(displacement_map, wave_sampler, tap.xy + shift, layer, lod);
           sum += (share * blend.weight[i] * tap.z) * d.xyz;
         }
       }
@@ -140,8 +141,10 @@ struct WaterWaves {
 }
 
 // From the map's texture coordinates at the eye's foot, 1 / patch and unit of the moments.
-fn water_waves(at: vec2f, foot: WaterFootprint, layer: u32, place: vec4f, tile: TilePlace) -> WaterWaves {
+fn water_waves(at: vec2f, foot: WaterFootprint, cascade: u32, place: vec4f, tile: TilePlace) -> WaterWaves {
   var out: WaterWaves;
+  let map = frame.layers[cascade];
+  let layer = u32(map.y);
   let uv = place.xy + at * place.z;
   let texels = foot.size * place.z * frame.n;
   let long = max(length(foot.axis) * place.z * frame.n, texels);
@@ -150,7 +153,7 @@ fn water_waves(at: vec2f, foot: WaterFootprint, layer: u32, place: vec4f, tile: 
   let share = 1.0 - smoothstep(WATER_FADE, WATER_FAR, sqrt(wide * long) / frame.n);
   let distant = share <= 0.0;
   // Magnified: smooth between texels, in one place.
-  let near = select(0.0, 1.0 - smoothstep(0.8, 1.25, long), frame.sampling[layer] < WATER_SMOOTH);
+  let near = select(0.0, 1.0 - smoothstep(0.8, 1.25, long), map.x < WATER_SMOOTH);
   let spline = water_spline(uv, frame.n, near);
   // Several texels in the footprint: as many taps as are worth it (one between texels blurs as much as a box of 1.4), half
   // as many for the smoother moments, and one for the displacement, whose part in the slope is of second order. The weights
@@ -185,7 +188,7 @@ fn water_waves(at: vec2f, foot: WaterFootprint, layer: u32, place: vec4f, tile: 
     let d = share * textureSampleLevel(displacement_map, wave_sampler, uv + shift, layer, long_lod);
     water_add(&out, g, d, vec3f(blend.weight[i], blend.along_x[i], blend.along_z[i]));
     // Copies are independent: their variances add with the squares of the weights.
-    let weight = unresolved * select(blend.weight[i] * blend.weight[i], 1.0, distant);
+    let weight = map.z * unresolved * select(blend.weight[i] * blend.weight[i], 1.0, distant);
     out.variance += weight * max(second - vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
   }
   return out;
@@ -214,12 +217,12 @@ fn water_slope(at: vec2f, foot: WaterFootprint) -> WaterSlope {
     variance += waves.variance;
   }
   // Ripples below the finest cascade, as a shrunk copy of it: slopes of short gravity waves are nearly scale-free.
-  if frame.ripples.w > 0.0 {
-    let c = frame.count - 1u;
-    let place = vec4f(frame.ripples.xyz, frame.cascades[c].w);
-    let waves = water_waves(at, foot, c, place, water_tile(4u));
-    slope += frame.ripples.w * waves.slope;
-    variance += frame.ripples.w * frame.ripples.w * waves.variance;
+  for (var r = 0u; r < frame.ripple_count; r++) {
+    let c = select(frame.ripple_cascade_1, frame.ripple_cascade_0, r == 0u);
+    let ripples = frame.ripples[r];
+    let waves = water_waves(at, foot, c, vec4f(ripples.xyz, frame.cascades[c].w), water_tile(8u + r));
+    slope += ripples.w * waves.slope;
+    variance += ripples.w * ripples.w * waves.variance;
   }
   let l = vec2f(frame.chop_x, frame.chop_z);
   let sx = 1.0 + l.x * stretch.x;

@@ -1,22 +1,24 @@
 //! The façade: a sea and its picture. The only type that the shells use.
 
+mod drawn;
+
 use crate::gpu::shaders::Shaders;
-use crate::model::afloat::{Pose, Waterline};
+use crate::model::afloat::{self, Pose, Waterline};
 use crate::model::camera::View;
 use crate::model::params::{Camera, CameraMode};
-use crate::model::slopes::{self, SlopeVariance};
 use crate::model::views::Scale;
 use crate::model::{Params, Plan};
-use crate::render::{Reference, Renderer, Scene, SeaLook};
-use crate::sim::{MAX_STEPS, Simulation};
+use crate::render::{Fading, Reference, Renderer, Scene, SeaLook};
+use crate::sim::glide::Drawn;
+use crate::sim::{MAX_STEPS, MapCascade, Moved, Simulation, Turn};
+use drawn::{Mixture, Numbers};
+use std::sync::Arc;
 
 pub use crate::render::{Grid, Part};
+pub use drawn::DrawnSea;
 
 /// Lowest eye above the still water, m; the picture raises it over the waves that come.
 const LOWEST_EYE_M: f64 = 0.5;
-
-/// Speed of low clouds over the wind 10 m above the sea: the logarithmic profile up to the top of the boundary layer.
-const CLOUDS_OVER_WIND: f64 = 1.4;
 
 /// A sea on a device, with its renderer.
 pub struct Ocean {
@@ -26,22 +28,10 @@ pub struct Ocean {
     renderer: Renderer,
     reference: Option<Reference>,
     format: wgpu::TextureFormat,
-    slopes: Slopes,
-    /// The waves under what floats, once something does.
-    waterline: Option<Waterline>,
-}
-
-/// Slopes of a plan, for the shading.
-struct Slopes {
-    residual: SlopeVariance,
-    finest: SlopeVariance,
-}
-
-impl Slopes {
-    fn new(plan: &Plan) -> Self {
-        let finest = plan.cascades.last().map_or([0.0; 2], |c| slopes::between(plan, c.k_low, c.k_high));
-        Self { residual: slopes::residual(plan, slopes::resolved(plan)), finest }
-    }
+    numbers: Drawn<Numbers>,
+    seas: Drawn<Mixture>,
+    /// The waves under what floats, of the seas that are drawn.
+    waterlines: Vec<(Arc<Plan>, Waterline)>,
 }
 
 impl Ocean {
@@ -50,8 +40,9 @@ impl Ocean {
         let shaders = Shaders::default();
         let sim = Simulation::new(device, queue, Plan::new(params), &shaders);
         let renderer = Renderer::new(device, queue, format);
-        let slopes = Slopes::new(sim.plan());
-        Self { params: params.clone(), shaders, sim, renderer, reference: None, format, slopes, waterline: None }
+        let numbers = Drawn::new(Numbers::new(sim.plan(), &params.look));
+        let seas = Drawn::new(Mixture::new(sim.plan()));
+        Self { params: params.clone(), shaders, sim, renderer, reference: None, format, numbers, seas, waterlines: Vec::new() }
     }
 
     /// The same, with light and depth of the picture to be read back.
@@ -64,19 +55,72 @@ impl Ocean {
         Self { renderer: Renderer::with_layers(device, queue, format), ..Self::new(device, queue, format, params) }
     }
 
-    /// Turns to other parameters; costs nothing when only the time, the camera or the light changed.
+    /// Turns to other parameters at once; costs nothing when only the time, the camera or the light changed.
     pub fn set_params(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, params: &Params) {
-        if (&params.grid, &params.sea) != (&self.params.grid, &self.params.sea) {
+        if (&params.grid, &params.sea) != (&self.params.grid, &self.params.sea) || self.is_gliding() {
             self.sim.set_plan(device, queue, Plan::new(params), &self.shaders);
-            self.slopes = Slopes::new(self.sim.plan());
-            self.waterline = None;
+            self.follow(params, &Moved { turn: Some(Turn::Jump), ..Moved::default() });
+        }
+        self.take(params);
+    }
+
+    /// Turns to other parameters as a window does, `dt_s` of wall time after its last frame: the sea glides to what they say
+    /// and ends exactly there. Look, camera and time are taken at once, and so is another grid. Call it once a frame, before
+    /// [`Self::encode`], and go on while [`Self::is_gliding`], even if time stands still.
+    pub fn glide_to(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, params: &Params, dt_s: f64) {
+        if params.grid != self.params.grid {
+            return self.set_params(device, queue, params);
+        }
+        let plan = (params.sea != self.params.sea).then(|| Plan::new(params));
+        if plan.is_some() || self.is_gliding() {
+            let moved = self.sim.glide_to((device, queue), plan, &self.shaders, params.clock.t_s, dt_s);
+            self.follow(params, &moved);
+        }
+        self.take(params);
+    }
+
+    /// Whether the sea is on its way to what the parameters say.
+    pub fn is_gliding(&self) -> bool {
+        self.sim.is_gliding()
+    }
+
+    fn follow(&mut self, params: &Params, moved: &Moved) {
+        let plan = self.sim.plan();
+        self.numbers.follow(moved, || Numbers::new(plan, &params.look));
+        self.seas.follow(moved, || Mixture::new(plan));
+    }
+
+    fn take(&mut self, params: &Params) {
+        if !drawn::refracts_alike(params, &self.params) {
+            let focusing_m = drawn::focusing_m(self.sim.plan(), &params.look);
+            self.numbers.change(|n| n.focusing_m = focusing_m);
         }
         self.params = params.clone();
     }
 
-    /// What is computed.
+    /// What is computed, or glided to.
     pub fn plan(&self) -> &Plan {
         self.sim.plan()
+    }
+
+    /// The seas that are drawn at this moment. Heights of water particles over [`Self::level_m`] (and displacements, slopes,
+    /// velocities) are the sum of those of their plans, each cascade times its weight: what a boat needs to stay on the
+    /// water while the sea glides. At rest one sea with weights of 1. Where a slider is dragged, seas of neighbouring frames
+    /// stand for one another.
+    pub fn drawn_seas(&self) -> Vec<DrawnSea> {
+        let maps = self.sim.maps();
+        let (fading, own) = maps.cascades.split_at(maps.fading);
+        let (old, now) = self.seas.parts();
+        let of = |mixture: &Mixture, cascades: &[MapCascade]| -> Vec<DrawnSea> {
+            let weights = |share: f64| cascades.iter().map(|c| share * f64::from(c.weight)).collect();
+            mixture.0.iter().map(|(plan, share)| DrawnSea { plan: plan.clone(), weights: weights(*share) }).collect()
+        };
+        old.into_iter().flat_map(|old| of(old, fading)).chain(of(now, own)).collect()
+    }
+
+    /// Height of the still water that is drawn, m: on its way to the state's while the sea glides.
+    pub fn level_m(&self) -> f64 {
+        self.numbers.value(self.sim.share()).level_m
     }
 
     /// The simulation, for read-back.
@@ -94,9 +138,7 @@ impl Ocean {
         size: [u32; 2],
         most_steps: usize,
     ) -> bool {
-        if !self.params.floats.is_empty() && self.waterline.is_none() {
-            self.waterline = Some(Waterline::new(&self.params));
-        }
+        self.lay_waterlines();
         let scene = self.scene(size);
         let centre = [self.params.camera.x_m, self.params.camera.z_m];
         let caught_up = self.sim.encode(queue, encoder, self.params.clock.t_s, centre, most_steps);
@@ -167,32 +209,30 @@ impl Ocean {
     /// What the renderer draws in `width` x `height` pixels.
     pub fn scene(&self, [width, height]: [u32; 2]) -> Scene {
         let plan = self.sim.plan();
-        let sea = &self.params.sea;
-        let hs_m = plan.hs_m();
-        let wind_m_s = sea.local().wind_m_s;
+        let share = self.sim.share();
+        let numbers = self.numbers.value(share);
+        let (old, now) = self.numbers.parts();
         let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
-        let peak_k = plan.dispersion.wave_number(plan.omega_p);
-        let mirror = &self.params.look.surface.mirror;
-        let reach_m = sea.depth_m * (1.0 - mirror.index_air / mirror.index_water);
         Scene {
-            view: View::new(&above_water(&self.params), aspect, LOWEST_EYE_M),
+            view: View::new(&above_water(&self.params.camera, numbers.level_m), aspect, LOWEST_EYE_M),
             look: self.params.look.clone(),
             rides: self.params.camera.mode == CameraMode::Buoy,
             floats: self.poses(),
-            level_m: sea.level_m,
+            level_m: numbers.level_m,
             scales: std::array::from_fn(|layer| Scale::new(self.params.look.view.shown, plan, layer)),
             sea: SeaLook {
-                chop: sea.lambda().map(|l| l as f32),
-                hs_m: hs_m as f32,
-                depth_m: sea.depth_m as f32,
-                wind_m_s: wind_m_s as f32,
-                downwind: plan.downwind.map(|x| x as f32),
-                residual: self.slopes.residual,
-                finest: self.slopes.finest,
-                focusing_m: slopes::focusing_m(plan, reach_m.max(0.0)) as f32,
+                chop: numbers.chop.map(|l| l as f32),
+                hs_m: numbers.hs_m as f32,
+                depth_m: numbers.depth_m as f32,
+                wind_m_s: numbers.wind_m_s as f32,
+                downwind: numbers.downwind.map(|x| x as f32),
+                residual: numbers.residual,
+                finest: now.finest,
+                fading: old.map(|old| Fading { finest: old.finest, share: 1.0 - share }),
+                focusing_m: numbers.focusing_m as f32,
                 mean_foam: self.sim.foam_coverage() as f32,
-                lambda_p_m: (std::f64::consts::TAU / peak_k) as f32,
-                cloud_drift_m: plan.downwind.map(|w| w * CLOUDS_OVER_WIND * wind_m_s * self.params.clock.t_s),
+                lambda_p_m: numbers.lambda_p_m as f32,
+                cloud_drift_m: numbers.clouds_m_s.map(|v| v * self.params.clock.t_s),
             },
         }
     }
@@ -201,13 +241,31 @@ impl Ocean {
 impl Ocean {
     /// How what floats lies on the water at the time of the parameters; empty before the first frame with it.
     pub fn poses(&self) -> Vec<Pose> {
-        let Some(waterline) = &self.waterline else { return Vec::new() };
-        self.params.floats.iter().map(|f| waterline.pose(f, self.params.clock.t_s)).collect()
+        let (seas, level_m) = (self.drawn_seas(), self.level_m());
+        let on = |sea: &DrawnSea| self.waterlines.iter().find(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)).map(|(_, w)| w);
+        let lines: Option<Vec<_>> = seas.iter().map(|sea| Some((on(sea)?, sea.weights[0]))).collect();
+        let Some(lines) = lines else { return Vec::new() };
+        self.params.floats.iter().map(|f| afloat::pose(&lines, f, self.params.clock.t_s, level_m)).collect()
+    }
+
+    /// Keeps a waterline for every sea that is drawn while something floats.
+    fn lay_waterlines(&mut self) {
+        if self.params.floats.is_empty() {
+            self.waterlines.clear();
+            return;
+        }
+        let seas = self.drawn_seas();
+        self.waterlines.retain(|(plan, _)| seas.iter().any(|sea| Arc::ptr_eq(plan, &sea.plan)));
+        for sea in seas {
+            if !self.waterlines.iter().any(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)) {
+                let line = Waterline::new(&sea.plan);
+                self.waterlines.push((sea.plan, line));
+            }
+        }
     }
 }
 
 /// The camera with its height over the still water: the surface is drawn around 0, wherever its level lies in the world.
-fn above_water(params: &Params) -> Camera {
-    let camera = &params.camera;
-    Camera { y_m: camera.y_m - params.sea.level_m, ..camera.clone() }
+fn above_water(camera: &Camera, level_m: f64) -> Camera {
+    Camera { y_m: camera.y_m - level_m, ..camera.clone() }
 }

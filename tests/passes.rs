@@ -55,14 +55,14 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("columns", "let value = select(v,", "let value = 1.01 * select(v,", "columns"),
     (
         "mips",
-        "textureStore(moments_out, id.xy, id.z, 0.25 * m)",
-        "textureStore(moments_out, id.xy, id.z, 0.2525 * m)",
+        "textureStore(moments_out, id.xy, layer, 0.25 * m)",
+        "textureStore(moments_out, id.xy, layer, 0.2525 * m)",
         "mips moments",
     ),
     (
         "mips",
-        "textureStore(gradients_out, id.xy, id.z, 0.25 * g)",
-        "textureStore(gradients_out, id.xy, id.z, 0.2525 * g)",
+        "textureStore(gradients_out, id.xy, layer, 0.25 * g)",
+        "textureStore(gradients_out, id.xy, layer, 0.2525 * g)",
         "mips gradients",
     ),
     ("foam", "let l = sea.chop;", "let l = 1.01 * sea.chop;", "foam"),

@@ -118,7 +118,7 @@ fn raising_n_keeps_every_wave() {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let step = sim.push_step(&gpu.queue, 0.0, false);
         sim.passes.spectrum.run(&mut encoder, &sim.resources, step);
-        let staging = readback::stage_buffer(&gpu.device, &mut encoder, &sim.resources.h0);
+        let staging = readback::stage_buffer(&gpu.device, &mut encoder, &sim.resources.sea.h0);
         gpu.queue.submit([encoder.finish()]);
         let bytes = pollster::block_on(readback::read(&gpu.device, staging)).expect("read-back");
         bytemuck::pod_collect_to_vec::<u8, [f32; 2]>(&bytes)

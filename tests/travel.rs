@@ -29,7 +29,7 @@ fn speed(state: &str, ix: i32, iz: i32, about: f64) -> f64 {
     h0[at] = [0.3, -0.1];
     let mut heights = |t_s: f64| -> Vec<f64> {
         let step = sim.push_step(&gpu.queue, t_s, true);
-        gpu.queue.write_buffer(&sim.resources.h0, 0, bytemuck::cast_slice(&h0));
+        gpu.queue.write_buffer(&sim.resources.sea.h0, 0, bytemuck::cast_slice(&h0));
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         sim.passes.rows.run(&mut encoder, &sim.resources, step);
         sim.passes.columns.run(&mut encoder, &sim.resources, step);

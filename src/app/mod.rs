@@ -64,7 +64,7 @@ impl Derived {
     }
 
     fn waterline(&self) -> &Waterline {
-        self.waterline.get_or_init(|| Waterline::new(&self.of))
+        self.waterline.get_or_init(|| Waterline::new(&self.plan))
     }
 
     fn heights(&self) -> &Heights {

@@ -7,8 +7,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Past times that one frame replays for the foam: a cold start is spread over a few frames instead of stalling one.
 const STEPS_PER_FRAME: usize = 6;
+/// A glide goes on by no more than this in one frame, s.
+const LONGEST_GLIDE_STEP_S: f64 = 0.1;
 
-/// Whether the foam of a cold start is still being replayed.
+/// Whether the foam of a cold start is still being replayed, or the sea glides.
 #[derive(Clone, Default)]
 pub struct CatchingUp(Arc<AtomicBool>);
 
@@ -32,7 +34,8 @@ pub fn show(
         .inner;
     let size = pixels(response.rect.size());
     if size[0] > 0 && size[1] > 0 {
-        let frame = SeaFrame { params: params.clone(), size, catching_up: catching_up.clone() };
+        let dt_s = f64::from(ui.input(|i| i.stable_dt)).min(LONGEST_GLIDE_STEP_S);
+        let frame = SeaFrame { params: params.clone(), size, catching_up: catching_up.clone(), dt_s };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(response.rect, frame));
     }
     (response, size)
@@ -43,6 +46,8 @@ struct SeaFrame {
     params: Params,
     size: [u32; 2],
     catching_up: CatchingUp,
+    /// Wall time since the last frame, s.
+    dt_s: f64,
 }
 
 impl egui_wgpu::CallbackTrait for SeaFrame {
@@ -56,9 +61,9 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
     ) -> Vec<wgpu::CommandBuffer> {
         let Some(ocean) = resources.get_mut::<Ocean>() else { return Vec::new() };
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("ocean") });
-        ocean.set_params(device, queue, &self.params);
+        ocean.glide_to(device, queue, &self.params, self.dt_s);
         let caught_up = ocean.encode(device, queue, &mut encoder, self.size, STEPS_PER_FRAME);
-        self.catching_up.0.store(!caught_up, Ordering::Relaxed);
+        self.catching_up.0.store(!caught_up || ocean.is_gliding(), Ordering::Relaxed);
         vec![encoder.finish()]
     }
 

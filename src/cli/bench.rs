@@ -46,6 +46,7 @@ pub async fn run(params: &Params, size: [u32; 2], repeat: u32) -> Result<Report,
     let plan = Plan::new(params);
     let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan.clone(), &Shaders::default());
     let step = sim.push_step(&gpu.queue, params.clock.t_s, false);
+    let foam = sim.push_foam_step(&gpu.queue, params.clock.t_s, [params.camera.x_m, params.camera.z_m]);
     let mut timings = Vec::new();
     {
         let (p, r) = (&sim.passes, &sim.resources);
@@ -57,7 +58,7 @@ pub async fn run(params: &Params, size: [u32; 2], repeat: u32) -> Result<Report,
         add("rows", &|e| p.rows.run(e, r, step))?;
         add("columns", &|e| p.columns.run(e, r, step))?;
         add("mips", &|e| p.mips.run(e, r, step))?;
-        add("foam", &|e| p.foam.run(e, r, step, 0))?;
+        add("foam", &|e| p.foam.run(e, r, step, foam))?;
     }
     let mut ocean = Ocean::new(&gpu.device, &gpu.queue, render::FORMAT, params);
     let target = render::target(&gpu.device, size);

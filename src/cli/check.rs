@@ -76,7 +76,7 @@ pub async fn run(gpu: &Gpu, params: &Params, shaders: &Shaders) -> Result<Vec<Li
     let got: Vec<[f32; 2]> = {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         sim.passes.spectrum.run(&mut encoder, &sim.resources, step);
-        let staging = readback::stage_buffer(&gpu.device, &mut encoder, &sim.resources.h0);
+        let staging = readback::stage_buffer(&gpu.device, &mut encoder, &sim.resources.sea.h0);
         gpu.queue.submit([encoder.finish()]);
         bytemuck::pod_collect_to_vec(&readback::read(&gpu.device, staging).await?)
     };
@@ -86,7 +86,7 @@ pub async fn run(gpu: &Gpu, params: &Params, shaders: &Shaders) -> Result<Vec<Li
     }
     // Rows, from the oracle's h0.
     let flat: Vec<[f32; 2]> = h0.iter().flatten().map(|h| h.map(|x| x as f32)).collect();
-    gpu.queue.write_buffer(&sim.resources.h0, 0, bytemuck::cast_slice(&flat));
+    gpu.queue.write_buffer(&sim.resources.sea.h0, 0, bytemuck::cast_slice(&flat));
     let got = {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         sim.passes.rows.run(&mut encoder, &sim.resources, step);

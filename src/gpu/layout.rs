@@ -4,6 +4,8 @@ use bytemuck::{Pod, Zeroable};
 
 /// Most cascades of a sea.
 pub const MAX_CASCADES: usize = 4;
+/// Most cascades that are drawn: those of a sea, and of the one that it fades out of.
+pub const MAX_DRAWN: usize = 2 * MAX_CASCADES;
 /// Levels of the foam clipmap.
 pub const FOAM_LEVELS: usize = 4;
 
@@ -44,6 +46,8 @@ pub struct SeaUniform {
     pub cascades: [SeaCascade; MAX_CASCADES],
     /// Parts of the directional spectrum.
     pub terms: [SeaTerm; MAX_TERMS],
+    /// Amplitude of each cascade: 1, unless one sea fades into another.
+    pub weights: [f32; MAX_CASCADES],
     /// Horizontal displacement along x and z.
     pub chop: [f32; 2],
     /// FFT size.
@@ -60,8 +64,12 @@ pub struct SeaUniform {
     pub term_count: u32,
     /// Quadruples in an entry of the table.
     pub stride: u32,
+    /// Layer of the maps that the first cascade goes to.
+    pub first_layer: u32,
+    /// How far the spectrum pass takes h0 from what it is to what the table says; 1 is all the way.
+    pub ease: f32,
     /// The size is a multiple of 16 bytes.
-    pub unused: [u32; 3],
+    pub unused: u32,
 }
 
 /// WGSL `TilePlace`: the lattice of a patch's copies as seen from a point.
@@ -85,9 +93,9 @@ pub struct TilePlace {
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 pub struct FoamLevelUniform {
     /// Texture coordinates of the first cell's corner on each cascade.
-    pub uv: [[f32; 2]; MAX_CASCADES],
+    pub uv: [[f32; 2]; MAX_DRAWN],
     /// And on the lattices of their copies.
-    pub tiles: [TilePlace; MAX_CASCADES],
+    pub tiles: [TilePlace; MAX_DRAWN],
     /// First cell in range.
     pub cell: [i32; 2],
     /// First cell in range at the last step.
@@ -102,12 +110,26 @@ pub struct FoamLevelUniform {
     pub start: f32,
 }
 
+/// WGSL `FoamCascade`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+pub struct FoamCascade {
+    /// Side of the patch, m.
+    pub patch_m: f32,
+    /// Of the maps.
+    pub layer: u32,
+    /// An element of a uniform's array is a multiple of 16 bytes.
+    pub unused: [u32; 2],
+}
+
 /// WGSL `Foam`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 pub struct FoamUniform {
     /// Levels, finest first.
     pub levels: [FoamLevelUniform; FOAM_LEVELS],
+    /// The cascades that are drawn.
+    pub cascades: [FoamCascade; MAX_DRAWN],
     /// Time step, s.
     pub dt: f32,
     /// 1 / e-folding time.
@@ -116,6 +138,10 @@ pub struct FoamUniform {
     pub rate: f32,
     /// Cells along a side.
     pub size: u32,
+    /// Cascades in use.
+    pub count: u32,
+    /// The size is a multiple of 16 bytes.
+    pub unused: [u32; 3],
 }
 
 /// A WGSL struct as Rust sees it: its name, members with offsets in bytes, and size.
@@ -132,16 +158,20 @@ pub const LAYOUTS: &[Layout] = &[
     layout!("SeaCascade", SeaCascade, patch_m as "patch_m", dk as "dk", key as "key", moment_scale as "moment_scale"),
     layout!("SeaTerm", SeaTerm, travel as "travel", kind as "kind", slot as "slot"),
     layout!(
-        "Sea", SeaUniform, cascades as "cascades", terms as "terms", chop as "chop", n as "n", count as "count",
+        "Sea", SeaUniform, cascades as "cascades", terms as "terms", weights as "weights", chop as "chop", n as "n", count as "count",
         seed as "seed", phase_time as "phase_time", keep_f32 as "keep_f32", term_count as "term_count",
-        stride as "stride"
+        stride as "stride", first_layer as "first_layer", ease as "ease"
     ),
     layout!(
         "TilePlace", TilePlace, turn as "turn", rest as "rest", cell as "cell", key as "key", on as "on"
     ),
     layout!(
-        "FoamLevel", FoamLevelUniform, uv as "uv01", tiles as "tiles", cell as "cell", previous as "previous", texel_m as "texel_m",
+        "FoamLevel", FoamLevelUniform, uv as "uv", tiles as "tiles", cell as "cell", previous as "previous", texel_m as "texel_m",
         threshold as "threshold", slope as "slope", start as "start"
     ),
-    layout!("Foam", FoamUniform, levels as "levels", dt as "dt", decay as "decay", rate as "rate", size as "size"),
+    layout!("FoamCascade", FoamCascade, patch_m as "patch_m", layer as "layer"),
+    layout!(
+        "Foam", FoamUniform, levels as "levels", cascades as "cascades", dt as "dt", decay as "decay", rate as "rate",
+        size as "size", count as "count"
+    ),
 ];

@@ -4,7 +4,6 @@
 //! nothing is late, whatever the frame rate.
 
 use super::heights::Heights;
-use super::params::Params;
 use super::plan::Plan;
 
 /// Most things that a sea carries.
@@ -102,19 +101,20 @@ pub struct Waterline {
     exact: Heights,
     long: Heights,
     bow: [f64; 2],
+    level_m: f64,
 }
 
 impl Waterline {
-    /// For the sea of these parameters.
-    pub fn new(params: &Params) -> Self {
-        let mut params = params.clone();
-        params.grid.n = params.grid.n.min(MOST_POINTS);
-        Self::of(&Plan::new(&params))
-    }
-
-    fn of(plan: &Plan) -> Self {
+    /// For a sea.
+    pub fn new(plan: &Plan) -> Self {
+        let plan = &plan.coarser(MOST_POINTS);
         let [x, z] = plan.downwind;
-        Self { exact: Heights::for_error(plan, ERROR * plan.hs_m()), long: Heights::new(plan, TILTING), bow: [-x, -z] }
+        Self {
+            exact: Heights::for_error(plan, ERROR * plan.hs_m()),
+            long: Heights::new(plan, TILTING),
+            bow: [-x, -z],
+            level_m: plan.sea.level_m,
+        }
     }
 
     /// The waves that heights are summed of.
@@ -122,23 +122,35 @@ impl Waterline {
         &self.exact
     }
 
-    /// How something lies at time `t_s`.
-    pub fn pose(&self, float: &Float, t_s: f64) -> Pose {
+    /// Height over the still water, and the mean slope under the hull, along and across it.
+    fn lies(&self, float: &Float, bow: [f64; 2], t_s: f64) -> [f64; 3] {
         let [length, width] = float.kind.half_m();
-        let ([bx, bz], [sx, sz]) = (self.bow, [-self.bow[1], self.bow[0]]);
+        let ([bx, bz], [sx, sz]) = (bow, [-bow[1], bow[0]]);
         let at = |along: f64, across: f64| {
             let [x, z] = [float.x_m + along * bx + across * sx, float.z_m + along * bz + across * sz];
             self.long.sample(x, z, t_s).height_m
         };
-        // The hull lies on the mean slope under it.
         let pitch = (at(length, 0.0) - at(-length, 0.0)) / (2.0 * length);
         let roll = (at(0.0, width) - at(0.0, -width)) / (2.0 * width);
-        let ahead = unit([bx, pitch, bz]);
-        let side = unit([sx, roll, sz]);
-        let up = unit(cross(side, ahead));
-        let middle = self.exact.sample(float.x_m, float.z_m, t_s);
-        Pose { kind: float.kind, place: [float.x_m, middle.height_m, float.z_m], up, ahead }
+        [self.exact.sample(float.x_m, float.z_m, t_s).height_m - self.level_m, pitch, roll]
     }
+}
+
+/// How something lies at time `t_s` on the sum of seas, each with its amplitude, over still water at `level_m`. The bow points
+/// against the wind of the last.
+pub fn pose(seas: &[(&Waterline, f64)], float: &Float, t_s: f64, level_m: f64) -> Pose {
+    let bow = seas.last().map_or([0.0, -1.0], |(line, _)| line.bow);
+    let mut sum = [level_m, 0.0, 0.0];
+    for (line, weight) in seas {
+        let lies = line.lies(float, bow, t_s);
+        for (sum, part) in sum.iter_mut().zip(lies) {
+            *sum += weight * part;
+        }
+    }
+    let [height_m, pitch, roll] = sum;
+    let ahead = unit([bow[0], pitch, bow[1]]);
+    let side = unit([-bow[1], roll, bow[0]]);
+    Pose { kind: float.kind, place: [float.x_m, height_m, float.z_m], up: unit(cross(side, ahead)), ahead }
 }
 
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
@@ -170,12 +182,12 @@ mod tests {
 
     #[test]
     fn a_hull_lies_on_the_water() {
-        let params = query::parse("wind=12&n=64&level=2").0;
-        let line = Waterline::new(&params);
+        let plan = |state: &str| Plan::new(&query::parse(state).0);
+        let line = Waterline::new(&plan("wind=12&n=64&level=2"));
         for kind in [Kind::Buoy, Kind::Boat] {
             let float = Float { kind, x_m: 30.0, z_m: 7.0 };
             for t in 0..20 {
-                let pose = line.pose(&float, f64::from(t));
+                let pose = pose(&[(&line, 1.0)], &float, f64::from(t), 2.0);
                 let dot: f64 = (0..3).map(|i| pose.up[i] * pose.ahead[i]).sum();
                 assert!(dot.abs() < 1e-9 && pose.up[1] > 0.8, "{pose:?}");
                 // Port is to the left of the bow when the mast is up.
@@ -183,8 +195,8 @@ mod tests {
             }
         }
         // On a flat sea everything stands upright.
-        let calm = Waterline::new(&query::parse("wind=0&n=64").0);
-        let pose = calm.pose(&Float { kind: Kind::Boat, x_m: 0.0, z_m: 0.0 }, 3.0);
+        let calm = Waterline::new(&plan("wind=0&n=64"));
+        let pose = pose(&[(&calm, 1.0)], &Float { kind: Kind::Boat, x_m: 0.0, z_m: 0.0 }, 3.0, 0.0);
         assert!((pose.up[1] - 1.0).abs() < 1e-9 && pose.place[1].abs() < 1e-9, "{pose:?}");
     }
 }

@@ -15,6 +15,7 @@ pub mod look;
 pub mod measured;
 pub mod noise;
 pub mod optics;
+pub mod overlap;
 pub mod panorama;
 pub mod params;
 pub mod plan;

@@ -140,9 +140,27 @@ impl Plan {
         plan
     }
 
+    /// The same sea on a lattice of at most `n` points a side: without the shortest waves, all others as they are.
+    #[must_use]
+    pub fn coarser(&self, n: u32) -> Self {
+        let mut plan = self.clone();
+        plan.n = plan.n.min(n);
+        for cascade in &mut plan.cascades {
+            let nyquist = f64::from(plan.n / 2) * cascade.dk();
+            cascade.k_high = cascade.k_high.min(nyquist).max(cascade.k_low);
+        }
+        plan
+    }
+
     /// Whether there are no waves at all.
     pub fn is_calm(&self) -> bool {
         self.systems.is_empty()
+    }
+
+    /// Whether another plan's sea is made of the same waves, with other amplitudes: only they differ at any time.
+    pub fn has_same_waves(&self, other: &Self) -> bool {
+        let waves = |p: &Self| (p.n, p.untile, p.period_s, p.sea.seed, p.dispersion);
+        waves(self) == waves(other) && self.cascades == other.cascades
     }
 
     /// S(omega) of all systems, m^2 s.
@@ -336,6 +354,14 @@ mod tests {
                     assert!(a.k_high <= b.k_high);
                 }
             }
+        }
+    }
+
+    #[test]
+    fn a_coarser_plan_is_that_of_fewer_points() {
+        for state in ["wind=12", "wind=4&fetch=10", "spectrum=tma&depth=5&overlap=1", "scale2=1"] {
+            let (fine, coarse) = (plan(&format!("{state}&n=512")).coarser(128), plan(&format!("{state}&n=128")));
+            assert_eq!((fine.n, &fine.cascades), (coarse.n, &coarse.cascades), "{state}");
         }
     }
 

@@ -82,7 +82,8 @@ impl DebugUniform {
             Shown::Surface(surface) => 1 + surface as u32,
         };
         let foam = matches!(view.shown, Shown::Map(Map::Foam | Map::Source));
-        let most = if foam { maps.foam_levels.len() } else { maps.cascades.len() };
+        // Of two seas, the one that fades is not shown.
+        let most = if foam { maps.foam_levels.len() } else { maps.sea().len() };
         let layers = view.layers(most);
         let (corners, side) = squares(layers.len() as u32, size);
         let mut tiles = [DebugTile::default(); MAX_CASCADES];
@@ -90,7 +91,7 @@ impl DebugUniform {
             let scale = scene.scales[layer];
             // Moments are stored in units of their own.
             let unit = match view.shown {
-                Shown::Map(Map::MomentXx | Map::MomentZz | Map::MomentXz) => maps.cascades[layer].moment_scale,
+                Shown::Map(Map::MomentXx | Map::MomentZz | Map::MomentXz) => maps.sea()[layer].moment_scale,
                 _ => 1.0,
             };
             let first = match view.shown {
@@ -103,11 +104,18 @@ impl DebugUniform {
                 }
                 _ => [0; 2],
             };
+            // Of spectra a cascade, of the mesh's views one of those that are drawn, else a layer.
+            let source = match view.shown {
+                Shown::Map(Map::InitialSpectrum | Map::Spectrum) => layer,
+                Shown::Surface(_) => maps.fading + layer,
+                _ if foam => layer,
+                _ => maps.sea()[layer].layer as usize,
+            };
             *tile = DebugTile {
                 corner: corner.map(|x| x as f32),
                 first,
                 side: side as f32,
-                layer: layer as u32,
+                layer: source as u32,
                 low: scale.low as f32 / unit,
                 high: scale.high as f32 / unit,
             };

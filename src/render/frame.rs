@@ -2,7 +2,7 @@
 
 use super::Scene;
 use super::mesh::Mesh;
-use crate::gpu::layout::{FOAM_LEVELS, Layout, MAX_CASCADES, TilePlace};
+use crate::gpu::layout::{FOAM_LEVELS, Layout, MAX_DRAWN, TilePlace};
 use crate::model::slopes::SlopeVariance;
 use crate::sim::Maps;
 use bytemuck::{Pod, Zeroable};
@@ -15,6 +15,8 @@ pub use crate::model::camera::View;
 const RIPPLE_RATIO: f64 = 13.1;
 /// Share of the unresolved slopes that the ripples show; the rest stays roughness.
 const RIPPLE_SHARE: f64 = 0.8;
+/// Most ripples: those of a sea, and of the one that it fades out of.
+const MAX_RIPPLES: usize = 2;
 
 /// What a picture must know of the sea besides the maps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +35,8 @@ pub struct SeaLook {
     pub residual: SlopeVariance,
     /// And of those that the finest cascade holds.
     pub finest: SlopeVariance,
+    /// The sea that it fades out of.
+    pub fading: Option<Fading>,
     /// Waves shorter than this focus no light on the bed, m.
     pub focusing_m: f32,
     /// Foam beyond the foam levels.
@@ -41,6 +45,15 @@ pub struct SeaLook {
     pub lambda_p_m: f32,
     /// How far the clouds have drifted along x and z, m.
     pub cloud_drift_m: [f64; 2],
+}
+
+/// A sea that fades into the one that is looked at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fading {
+    /// Mean square slopes, along and across the wind, of the waves that its finest cascade holds.
+    pub finest: SlopeVariance,
+    /// What is left of it: its share of the variance.
+    pub share: f64,
 }
 
 /// WGSL `Frame`.
@@ -56,12 +69,12 @@ pub struct FrameUniform {
     pixel: f32,
     sun: [f32; 3],
     chop_x: f32,
-    cascades: [[f32; 4]; MAX_CASCADES],
-    ripples: [f32; 4],
-    tile_lattice: [[f32; 4]; MAX_CASCADES + 1],
-    tile_cell: [[i32; 4]; MAX_CASCADES + 1],
+    cascades: [[f32; 4]; MAX_DRAWN],
+    layers: [[f32; 4]; MAX_DRAWN],
+    ripples: [[f32; 4]; MAX_RIPPLES],
+    tile_lattice: [[f32; 4]; MAX_DRAWN + MAX_RIPPLES],
+    tile_cell: [[i32; 4]; MAX_DRAWN + MAX_RIPPLES],
     residual: [f32; 4],
-    sampling: [f32; MAX_CASCADES],
     foam_place: [[f32; 4]; FOAM_LEVELS],
     foam_uv: [[f32; 4]; FOAM_LEVELS],
     mesh: [f32; 4],
@@ -69,6 +82,9 @@ pub struct FrameUniform {
     mesh_rows: u32,
     count: u32,
     foam_count: u32,
+    ripple_count: u32,
+    ripple_cascades: [u32; MAX_RIPPLES],
+    unused: u32,
     foot: [f32; 4],
     downwind: [f32; 2],
     n: f32,
@@ -84,7 +100,9 @@ pub struct FrameUniform {
 }
 
 macro_rules! offsets {
-    ($($field:ident),+) => { &[$((stringify!($field), offset_of!(FrameUniform, $field))),+] };
+    ($($field:ident),+ ; $($more:tt)*) => {
+        &[$((stringify!($field), offset_of!(FrameUniform, $field))),+, $($more)*]
+    };
 }
 
 impl FrameUniform {
@@ -102,11 +120,11 @@ impl FrameUniform {
             sun,
             chop_x,
             cascades,
+            layers,
             ripples,
             tile_lattice,
             tile_cell,
             residual,
-            sampling,
             foam_place,
             foam_uv,
             mesh,
@@ -114,6 +132,7 @@ impl FrameUniform {
             mesh_rows,
             count,
             foam_count,
+            ripple_count,
             downwind,
             foot,
             n,
@@ -125,7 +144,8 @@ impl FrameUniform {
             sun_blur,
             sun_peak,
             chop_z,
-            footprint
+            footprint;
+            ("ripple_cascade_0", offset_of!(FrameUniform, ripple_cascades))
         ),
         size_of::<Self>(),
     );
@@ -135,15 +155,24 @@ impl FrameUniform {
         let (view, look, sea) = (&scene.view, &scene.look, &scene.sea);
         let foot = [view.eye.x, view.eye.z];
         let n = f64::from(maps.n);
-        let mut cascades = [[0.0; 4]; MAX_CASCADES];
-        let mut sampling = [0.0; MAX_CASCADES];
-        for ((out, texels), map) in cascades.iter_mut().zip(&mut sampling).zip(&maps.cascades) {
-            *texels = (map.shortest_m * n / map.patch_m) as f32;
+        let (mut cascades, mut layers) = ([[0.0; 4]; MAX_DRAWN], [[0.0; 4]; MAX_DRAWN]);
+        for ((out, layer), map) in cascades.iter_mut().zip(&mut layers).zip(&maps.cascades) {
+            *layer = [(map.shortest_m * n / map.patch_m) as f32, map.layer as f32, map.gain, 0.0];
             let [u, v] = foot.map(|x| ((x / map.patch_m).rem_euclid(1.0) + 0.5 / n) as f32);
             *out = [u, v, (1.0 / map.patch_m) as f32, map.moment_scale];
         }
-        let (ripples, residual) = ripples(maps, foot, sea);
-        let tiles = tiles(maps, foot);
+        let mut tiles = tiles(maps, foot);
+        let (shown, residual) = ripples(maps, sea);
+        let (mut ripples, mut ripple_cascades) = ([[0.0; 4]; MAX_RIPPLES], [0; MAX_RIPPLES]);
+        for (i, &(cascade, share)) in shown.iter().enumerate() {
+            let finest = &maps.cascades[cascade];
+            let patch = finest.patch_m / RIPPLE_RATIO;
+            // The texel's half is not worth keeping here; another offset keeps the copies from lining up at the origin.
+            let [u, v] = foot.map(|x| ((x / patch).rem_euclid(1.0) + 0.381_966) as f32);
+            ripples[i] = [u, v, (1.0 / patch) as f32, share.sqrt() as f32];
+            ripple_cascades[i] = cascade as u32;
+            tiles[MAX_DRAWN + i] = finest.tiling.shrunk(RIPPLE_RATIO).place(foot).into();
+        }
         let mut foam_place = [[0.0; 4]; FOAM_LEVELS];
         let mut foam_uv = [[0.0; 4]; FOAM_LEVELS];
         for ((place, uv), level) in foam_place.iter_mut().zip(&mut foam_uv).zip(&maps.foam_levels) {
@@ -171,9 +200,9 @@ impl FrameUniform {
             sun: look.sky.sun_direction().map(|x| x as f32),
             chop_x: sea.chop[0],
             cascades,
+            layers,
             ripples,
             tile_lattice: tiles.map(|t| [t.turn[0], t.turn[1], t.rest[0], t.rest[1]]),
-            sampling,
             tile_cell: tiles.map(|t| [t.cell[0], t.cell[1], t.key as i32, t.on as i32]),
             residual,
             foam_place,
@@ -183,6 +212,9 @@ impl FrameUniform {
             mesh_rows: mesh.rows,
             count: maps.cascades.len() as u32,
             foam_count: maps.foam_levels.len() as u32,
+            ripple_count: shown.len() as u32,
+            ripple_cascades,
+            unused: 0,
             downwind: sea.downwind,
             foot: [0.0, 0.0, reach_m(sea), f32::from(u8::from(scene.rides))],
             n: maps.n as f32,
@@ -221,30 +253,30 @@ pub fn dip(eye_m: f64) -> f64 {
     (r / (r + eye_m.max(0.0))).min(1.0).acos()
 }
 
-/// The shrunk copy of the finest cascade, and the covariance (xx, zz, xz) of what it leaves of the unresolved slopes.
-fn ripples(maps: &Maps, foot: [f64; 2], sea: &SeaLook) -> ([f32; 4], [f32; 4]) {
-    let [along, across] = sea.residual;
-    // The copy has the cascade's slopes along and across the wind: no more of either than there is.
-    let share = |i: usize| if sea.finest[i] > 1e-5 { sea.residual[i] / sea.finest[i] } else { 0.0 };
-    let share = (RIPPLE_SHARE * share(0).min(share(1))).min(1.0);
-    let Some(finest) = maps.cascades.last().filter(|_| share > 0.0) else {
-        return ([0.0; 4], covariance(sea, [along, across]));
-    };
-    let patch = finest.patch_m / RIPPLE_RATIO;
-    // The texel's half is not worth keeping here; another offset keeps the copies from lining up at the origin.
-    let [u, v] = foot.map(|x| ((x / patch).rem_euclid(1.0) + 0.381_966) as f32);
-    let left = [along - share * sea.finest[0], across - share * sea.finest[1]];
-    ([u, v, (1.0 / patch) as f32, share.sqrt() as f32], covariance(sea, left))
+/// The cascades of which shrunk copies are shown with their share of those slopes, and the covariance (xx, zz, xz) of what
+/// they leave of the unresolved slopes.
+fn ripples(maps: &Maps, sea: &SeaLook) -> (Vec<(usize, f64)>, [f32; 4]) {
+    let mut left = sea.residual;
+    let mut shown = Vec::new();
+    let own = (maps.cascades.len(), sea.finest, 1.0 - sea.fading.map_or(0.0, |f| f.share));
+    let fading = sea.fading.map(|f| (maps.fading, f.finest, f.share));
+    for (end, finest, weight) in std::iter::once(own).chain(fading).filter(|(end, ..)| *end > 0) {
+        // The copy has the cascade's slopes along and across the wind: no more of either than there is.
+        let share = |i: usize| if finest[i] > 1e-5 { sea.residual[i] / finest[i] } else { 0.0 };
+        let share = (RIPPLE_SHARE * share(0).min(share(1))).min(1.0);
+        if share > 0.0 {
+            shown.push((end - 1, share));
+            left = [left[0] - share * weight * finest[0], left[1] - share * weight * finest[1]];
+        }
+    }
+    (shown, covariance(sea, left.map(|l| l.max(0.0))))
 }
 
-/// The lattices of the cascades' copies, then that of the ripples.
-fn tiles(maps: &Maps, foot: [f64; 2]) -> [TilePlace; MAX_CASCADES + 1] {
-    let mut out = [TilePlace::default(); MAX_CASCADES + 1];
+/// The lattices of the cascades' copies, and room for those of the ripples.
+fn tiles(maps: &Maps, foot: [f64; 2]) -> [TilePlace; MAX_DRAWN + MAX_RIPPLES] {
+    let mut out = [TilePlace::default(); MAX_DRAWN + MAX_RIPPLES];
     for (out, map) in out.iter_mut().zip(&maps.cascades) {
         *out = map.tiling.place(foot).into();
-    }
-    if let Some(finest) = maps.cascades.last() {
-        out[MAX_CASCADES] = finest.tiling.shrunk(RIPPLE_RATIO).place(foot).into();
     }
     out
 }

@@ -131,6 +131,7 @@ mod tests {
             downwind: [1.0, 0.0],
             residual: [0.005; 2],
             finest: [0.005; 2],
+            fading: None,
             focusing_m: 1.0,
             mean_foam: 0.0,
             lambda_p_m: 100.0,

@@ -18,7 +18,7 @@ mod sky;
 mod targets;
 mod water;
 
-pub use frame::{SeaLook, View};
+pub use frame::{Fading, SeaLook, View};
 pub use reference::{Grid, Reference};
 
 use crate::gpu::layout::{Layout, MAX_CASCADES};

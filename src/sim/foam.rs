@@ -1,7 +1,8 @@
 //! When and where foam is computed: the lattice of replayed times, and the world-anchored levels.
 
-use super::maps::FoamLevel;
-use crate::gpu::layout::{FOAM_LEVELS, FoamLevelUniform, FoamUniform, MAX_CASCADES, TilePlace};
+use super::glide::{Mix, mix, mix2};
+use super::maps::{FoamLevel, Maps};
+use crate::gpu::layout::{FOAM_LEVELS, FoamCascade, FoamLevelUniform, FoamUniform, MAX_DRAWN, TilePlace};
 use crate::model::{Plan, foam};
 
 /// Evaluations of a cold start.
@@ -38,43 +39,80 @@ pub struct FoamClock {
     changed_at_s: Option<f64>,
     /// Middle of the levels at the last step.
     centre: [f64; 2],
-    /// Where foam forms, per level, for the current plan.
+    numbers: Numbers,
+}
+
+/// What the foam takes from a plan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Numbers {
+    /// Horizontal displacement along x and z.
+    pub chop: [f64; 2],
+    /// Where foam forms, per level.
     sources: [foam::Source; FOAM_LEVELS],
     /// Mean foam to be expected.
-    coverage: f64,
+    pub coverage: f64,
+    decay_s: f64,
+    rate_per_s: f64,
+}
+
+impl Numbers {
+    /// On levels of `size` cells a side.
+    pub fn new(size: u32, plan: &Plan) -> Self {
+        let foam = foam::Whiteness::new(plan);
+        Self {
+            chop: plan.sea.lambda(),
+            sources: std::array::from_fn(|level| foam.source(plan, texel_m(size, level))),
+            coverage: foam.coverage,
+            decay_s: plan.sea.foam.decay_s,
+            rate_per_s: plan.sea.foam.rate_per_s,
+        }
+    }
+}
+
+impl Mix for Numbers {
+    fn mix(&self, to: &Self, share: f64) -> Self {
+        let source = |level: usize| {
+            let (a, b) = (self.sources[level], to.sources[level]);
+            // The threshold of a sea without foam stands for nothing.
+            let threshold = match (a.slope > 0.0, b.slope > 0.0) {
+                (true, false) => a.threshold,
+                (false, true) => b.threshold,
+                _ => mix(a.threshold, b.threshold, share),
+            };
+            foam::Source { threshold, slope: mix(a.slope, b.slope, share) }
+        };
+        Self {
+            chop: mix2(self.chop, to.chop, share),
+            sources: std::array::from_fn(source),
+            coverage: mix(self.coverage, to.coverage, share),
+            decay_s: mix(self.decay_s, to.decay_s, share),
+            rate_per_s: mix(self.rate_per_s, to.rate_per_s, share),
+        }
+    }
 }
 
 impl FoamClock {
-    /// Levels of `size` cells a side, for a plan.
-    pub fn new(size: u32, plan: &Plan) -> Self {
-        let mut clock = Self {
-            size,
-            at_s: None,
-            replay: Vec::new(),
-            cells: None,
-            changed_at_s: None,
-            centre: [0.0; 2],
-            sources: [foam::Source::default(); FOAM_LEVELS],
-            coverage: 0.0,
-        };
-        clock.set_plan(plan);
-        clock
+    /// Levels of `size` cells a side.
+    pub fn new(size: u32, numbers: Numbers) -> Self {
+        Self { size, at_s: None, replay: Vec::new(), cells: None, changed_at_s: None, centre: [0.0; 2], numbers }
     }
 
-    /// Turns to another sea; the foam that is there stays while time runs.
-    pub fn set_plan(&mut self, plan: &Plan) {
+    /// Takes the numbers of a sea on its way to another.
+    pub fn set_numbers(&mut self, numbers: Numbers) {
+        self.numbers = numbers;
+    }
+
+    /// The sea is another now; the foam that is there stays while time runs.
+    pub fn set_changed(&mut self) {
         self.changed_at_s = self.at_s;
-        let foam = foam::Whiteness::new(plan);
-        self.coverage = foam.coverage;
-        self.sources = std::array::from_fn(|level| foam.source(plan, self.texel_m(level)));
     }
 
     /// The next steps towards `t_s`, at most `most`: none when the foam is there already. A cold start (the first call, a
     /// jump of time, or another sea or place while time stands still) replays a lattice of times that depends on `t_s`
     /// alone, so that a still depends on the state alone.
-    pub fn steps_to(&mut self, t_s: f64, centre: [f64; 2], plan: &Plan, most: usize) -> Vec<Step> {
+    pub fn steps_to(&mut self, t_s: f64, centre: [f64; 2], most: usize) -> Vec<Step> {
         let jumped = |at: f64| t_s < at || t_s - at > LONGEST_STEP_S;
-        let memory_s = REPLAY_DECAYS * plan.sea.foam.decay_s;
+        let memory_s = REPLAY_DECAYS * self.numbers.decay_s;
         if self.changed_at_s.is_some_and(|changed| t_s - changed > memory_s) {
             self.changed_at_s = None;
         }
@@ -84,7 +122,7 @@ impl FoamClock {
         if self.at_s.is_none_or(jumped) && self.replay.is_empty() || elsewhere {
             self.changed_at_s = None;
             self.centre = centre;
-            self.replay = replay(t_s, plan.sea.foam.decay_s);
+            self.replay = replay(t_s, self.numbers.decay_s);
             self.replay.reverse();
         }
         if !stands {
@@ -116,9 +154,9 @@ impl FoamClock {
         steps
     }
 
-    /// Mean foam to be expected of the current plan.
-    pub fn coverage(&self) -> f64 {
-        self.coverage
+    /// What the foam goes by.
+    pub fn numbers(&self) -> &Numbers {
+        &self.numbers
     }
 
     /// Whether the foam has come to `t_s`.
@@ -131,29 +169,29 @@ impl FoamClock {
         let half = f64::from(self.size / 2);
         (0..FOAM_LEVELS)
             .map(|level| {
-                let texel_m = self.texel_m(level);
+                let texel_m = texel_m(self.size, level);
                 let centre = self.first_cell(level, centre).map(|c| (f64::from(c) + half) * texel_m);
                 FoamLevel { texel_m, centre }
             })
             .collect()
     }
 
-    /// The uniform of one step.
-    pub fn uniform(&mut self, step: &Step, centre: [f64; 2], plan: &Plan) -> FoamUniform {
+    /// The uniform of one step on maps.
+    pub fn uniform(&mut self, step: &Step, centre: [f64; 2], maps: &Maps) -> FoamUniform {
         let cells: [[i32; 2]; FOAM_LEVELS] = std::array::from_fn(|level| self.first_cell(level, centre));
         // Before the first step no cell is known: anything out of range says so.
         let nowhere = [[i32::MIN / 2; 2]; FOAM_LEVELS];
         let previous = if step.fresh { nowhere } else { self.cells.unwrap_or(nowhere) };
         self.cells = Some(cells);
         let levels = std::array::from_fn(|level| {
-            let texel_m = self.texel_m(level);
-            let source = self.sources[level];
+            let texel_m = texel_m(self.size, level);
+            let source = self.numbers.sources[level];
             let corner = cells[level].map(|c| f64::from(c) * texel_m);
-            let (mut uv, mut tiles) = ([[0.0; 2]; MAX_CASCADES], [TilePlace::default(); MAX_CASCADES]);
-            for ((uv, tile), cascade) in uv.iter_mut().zip(&mut tiles).zip(&plan.cascades) {
-                let half_texel = 0.5 / f64::from(plan.n);
+            let (mut uv, mut tiles) = ([[0.0; 2]; MAX_DRAWN], [TilePlace::default(); MAX_DRAWN]);
+            for ((uv, tile), cascade) in uv.iter_mut().zip(&mut tiles).zip(&maps.cascades) {
+                let half_texel = 0.5 / f64::from(maps.n);
                 *uv = corner.map(|x| ((x / cascade.patch_m).rem_euclid(1.0) + half_texel) as f32);
-                *tile = plan.tiling(cascade).place(corner).into();
+                *tile = cascade.tiling.place(corner).into();
             }
             FoamLevelUniform {
                 uv,
@@ -163,26 +201,34 @@ impl FoamClock {
                 texel_m: texel_m as f32,
                 threshold: source.threshold as f32,
                 slope: source.slope as f32,
-                start: self.coverage as f32,
+                start: self.numbers.coverage as f32,
             }
         });
+        let mut cascades = [FoamCascade::default(); MAX_DRAWN];
+        for (out, cascade) in cascades.iter_mut().zip(&maps.cascades) {
+            *out = FoamCascade { patch_m: cascade.patch_m as f32, layer: cascade.layer, unused: [0; 2] };
+        }
         FoamUniform {
             levels,
+            cascades,
             dt: step.dt_s as f32,
-            decay: (1.0 / plan.sea.foam.decay_s) as f32,
-            rate: plan.sea.foam.rate_per_s as f32,
+            decay: (1.0 / self.numbers.decay_s) as f32,
+            rate: self.numbers.rate_per_s as f32,
             size: self.size,
+            count: maps.cascades.len() as u32,
+            unused: [0; 3],
         }
-    }
-
-    fn texel_m(&self, level: usize) -> f64 {
-        FINEST_SIDE_M * LEVEL_RATIO.powi(level as i32) / f64::from(self.size)
     }
 
     fn first_cell(&self, level: usize, centre: [f64; 2]) -> [i32; 2] {
         let half = self.size as i32 / 2;
-        centre.map(|x| (x / self.texel_m(level)).floor() as i32 - half)
+        centre.map(|x| (x / texel_m(self.size, level)).floor() as i32 - half)
     }
+}
+
+/// Size of a cell of a level, m.
+fn texel_m(size: u32, level: usize) -> f64 {
+    FINEST_SIDE_M * LEVEL_RATIO.powi(level as i32) / f64::from(size)
 }
 
 /// The steps of a cold start at `t_s`: ages of fixed length over the last decay times, shorter and shorter. What has just
@@ -206,7 +252,7 @@ mod tests {
     fn a_cold_start_ends_at_its_time_and_depends_on_it_alone() {
         let plan = Plan::new(&Params::default());
         for t in [0.0, 20.0, 20.1, 1e6] {
-            let steps = FoamClock::new(64, &plan).steps_to(t, [0.0; 2], &plan, usize::MAX);
+            let steps = FoamClock::new(64, Numbers::new(64, &plan)).steps_to(t, [0.0; 2], usize::MAX);
             assert_eq!(steps.len(), REPLAY_STEPS);
             assert_eq!(steps[REPLAY_STEPS - 1].t_s, t);
             for pair in steps.windows(2) {
@@ -218,19 +264,19 @@ mod tests {
     #[test]
     fn a_replay_in_parts_catches_up_with_time() {
         let plan = Plan::new(&Params::default());
-        let mut clock = FoamClock::new(64, &plan);
+        let mut clock = FoamClock::new(64, Numbers::new(64, &plan));
         let mut t = 5.0;
         let mut total = 0;
         for _ in 0..20 {
             t += 0.02;
-            total += clock.steps_to(t, [0.0; 2], &plan, 6).len();
+            total += clock.steps_to(t, [0.0; 2], 6).len();
         }
         assert_eq!(clock.at_s, Some(t));
         assert!(total >= REPLAY_STEPS);
-        assert_eq!(clock.steps_to(t, [0.0; 2], &plan, 6), vec![], "nothing to do while time stands still");
-        clock.set_plan(&plan);
-        assert!(clock.steps_to(t, [0.0; 2], &plan, 6)[0].fresh, "another sea at the same time starts anew");
-        while !clock.steps_to(t, [0.0; 2], &plan, 6).is_empty() {}
-        assert!(clock.steps_to(t, [50.0, 0.0], &plan, 6)[0].fresh, "and so does another place");
+        assert_eq!(clock.steps_to(t, [0.0; 2], 6), vec![], "nothing to do while time stands still");
+        clock.set_changed();
+        assert!(clock.steps_to(t, [0.0; 2], 6)[0].fresh, "another sea at the same time starts anew");
+        while !clock.steps_to(t, [0.0; 2], 6).is_empty() {}
+        assert!(clock.steps_to(t, [50.0, 0.0], 6)[0].fresh, "and so does another place");
     }
 }

@@ -1,8 +1,10 @@
 //! The read-only product of the simulation: all that the renderer sees of it.
 
+use super::glide::{Turn, weights};
 use super::resources::{Resources, view};
 use crate::gpu::layout::TilePlace;
 use crate::model::Plan;
+use crate::model::overlap::Overlap;
 use crate::model::tiling::{Place, Tiling};
 use std::f64::consts::TAU;
 
@@ -10,7 +12,7 @@ use std::f64::consts::TAU;
 /// x = i patch/n, z = j patch/n: uv = x / patch + 0.5 / n, repeating.
 #[derive(Debug)]
 pub struct Maps {
-    /// 2d array, rgba16float, layer = cascade, with mips: Dx, eta, Dz (m) and dDx/dz; chop not applied.
+    /// 2d array, rgba16float, a layer for each cascade, with mips: Dx, eta, Dz (m) and dDx/dz; chop not applied.
     pub displacement: wgpu::TextureView,
     /// The same shape: d eta/dx, d eta/dz, dDx/dx, dDz/dz.
     pub gradients: wgpu::TextureView,
@@ -19,14 +21,16 @@ pub struct Maps {
     pub moments: wgpu::TextureView,
     /// 2d array, rgba16float, layer = foam level, repeating: foam and present source, both 0..1, undisplaced.
     pub foam: wgpu::TextureView,
-    /// h0, complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
+    /// h0 of the sea, complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
     pub h0: wgpu::Buffer,
-    /// Turns (u32) and orbit (f32) per triangle entry and cascade.
+    /// Turns (u32) and orbit (f32) per triangle entry and cascade of the sea.
     pub wave: wgpu::Buffer,
     /// Phase of all waves at the time of the maps, t / period in units of 2^-32.
     pub phase_time: u32,
-    /// Longest waves first.
+    /// All that are drawn: those of a sea that fades, if any, then those of the sea. Longest waves first.
     pub cascades: Vec<MapCascade>,
+    /// How many of them belong to a sea that fades.
+    pub fading: usize,
     /// Finest first.
     pub foam_levels: Vec<FoamLevel>,
     /// Cells along a side of a foam level.
@@ -48,6 +52,12 @@ pub struct MapCascade {
     pub shortest_m: f64,
     /// Unit of the moments.
     pub moment_scale: f32,
+    /// Layer of the maps.
+    pub layer: u32,
+    /// Amplitude that the maps are drawn with: 1, unless one sea fades into another.
+    pub weight: f32,
+    /// What the variance of its slopes is short of meanwhile: seas that have waves in common add by their amplitudes.
+    pub gain: f32,
 }
 
 impl From<Place> for TilePlace {
@@ -74,36 +84,89 @@ pub struct FoamLevel {
 impl Maps {
     /// Views of the resources of a plan.
     pub fn new(plan: &Plan, resources: &Resources) -> Self {
-        let mut maps = Self {
+        Self {
             displacement: view(&resources.displacement, None),
             gradients: view(&resources.gradients, None),
             moments: view(&resources.moments, None),
             foam: view(&resources.foam, None),
-            h0: resources.h0.clone(),
-            wave: resources.wave.clone(),
+            h0: resources.sea.h0.clone(),
+            wave: resources.sea.wave.clone(),
             phase_time: 0,
-            cascades: Vec::new(),
+            cascades: MapCascade::all(plan, resources),
+            fading: 0,
             foam_levels: Vec::new(),
             foam_n: resources.foam_n,
             n: resources.n,
             generation: 0,
-        };
-        maps.update(plan);
-        maps
+        }
     }
 
-    /// Takes over the patches of a plan of the same size.
-    pub(super) fn update(&mut self, plan: &Plan) {
-        self.cascades = plan
-            .cascades
-            .iter()
-            .map(|c| {
+    /// The cascades of the sea alone.
+    pub fn sea(&self) -> &[MapCascade] {
+        &self.cascades[self.fading..]
+    }
+
+    /// Takes over a plan of the same size.
+    pub(super) fn turn(&mut self, plan: &Plan, resources: &Resources, turn: Turn) {
+        match turn {
+            Turn::Jump => {
+                self.cascades.clear();
+                self.fading = 0;
+            }
+            Turn::Ease => self.cascades.truncate(self.fading),
+            Turn::Fade => {
+                self.end_fade();
+                self.fading = self.cascades.len();
+            }
+        }
+        self.cascades.extend(MapCascade::all(plan, resources));
+        (self.h0, self.wave) = (resources.sea.h0.clone(), resources.sea.wave.clone());
+    }
+
+    /// Sets the weights of a fade in which the sea has this share.
+    pub(super) fn weigh(&mut self, overlaps: &[Overlap], share: f64) {
+        let fading = self.fading;
+        for (i, cascade) in self.cascades.iter_mut().enumerate() {
+            let overlap = overlaps.get(i).copied().unwrap_or_default();
+            let ([old, new], gain) = weights(&overlap, share);
+            (cascade.weight, cascade.gain) = (if i < fading { old } else { new } as f32, gain as f32);
+        }
+    }
+
+    /// The sea that fades is gone.
+    pub(super) fn end_fade(&mut self) {
+        self.cascades.drain(..self.fading);
+        self.fading = 0;
+    }
+
+    /// Takes over new textures.
+    pub(super) fn rebind(&mut self, resources: &Resources) {
+        self.displacement = view(&resources.displacement, None);
+        self.gradients = view(&resources.gradients, None);
+        self.moments = view(&resources.moments, None);
+        self.generation += 1;
+    }
+}
+
+impl MapCascade {
+    fn all(plan: &Plan, resources: &Resources) -> Vec<Self> {
+        (resources.sea.first_layer..)
+            .zip(&plan.cascades)
+            .map(|(layer, c)| {
                 // Half the cascade's mean square slope is one component's; half floats then hold numbers near 1.
                 let mss = plan.slope_variance_between(c.k_low, c.k_high);
                 let moment_scale = if mss > 1e-12 { 0.5 * mss as f32 } else { 1.0 };
                 let shortest_m = TAU / c.k_high.max(c.dk());
-                MapCascade { patch_m: c.patch_m, tiling: plan.tiling(c), shortest_m, moment_scale }
+                Self {
+                    patch_m: c.patch_m,
+                    tiling: plan.tiling(c),
+                    shortest_m,
+                    moment_scale,
+                    layer,
+                    weight: 1.0,
+                    gain: 1.0,
+                }
             })
-            .collect();
+            .collect()
     }
 }

@@ -1,35 +1,47 @@
 //! The sea on the GPU: what is computed, when, and what comes out.
 //!
 //! A frame is two dispatches for the waves of all cascades (rows, columns), the mips, and the foam; the spectrum pass runs
-//! only when the sea changed. [`Maps`] is the read-only product.
+//! only when the sea changed. [`Maps`] is the read-only product. While one sea fades into another (`glide`) both are
+//! evaluated, one after the other, and their maps lie in one another's layers.
 
 pub mod foam;
+pub mod glide;
 pub mod maps;
 pub mod passes;
 pub mod resources;
+mod sea;
 pub mod transform;
 
+pub use glide::{Moved, Turn};
 pub use maps::{FoamLevel, MapCascade, Maps};
 
 use crate::gpu::kernel::UniformRing;
-use crate::gpu::layout::{FoamUniform, MAX_CASCADES, MAX_TERMS, SeaCascade, SeaTerm, SeaUniform};
+use crate::gpu::layout::{FoamUniform, SeaUniform};
 use crate::gpu::readback;
 use crate::gpu::shaders::Shaders;
-use crate::model::spreading::Cosine;
-use crate::model::waves::TermKind;
-use crate::model::{Plan, table};
+use crate::model::Plan;
+use crate::model::overlap::Overlap;
 use foam::FoamClock;
-use passes::Passes;
+use glide::{Drawn, Glide};
+use passes::{Passes, Step};
 use resources::Resources;
+use sea::{Evaluation, Sea};
 
 /// Evaluations of the sea with foam that one submission may hold.
 pub const MAX_STEPS: usize = foam::REPLAY_STEPS;
-/// Uniforms of a submission: those, the spectrum's, and one evaluation without foam.
-const SLOTS: usize = MAX_STEPS + 2;
+/// Uniforms of a submission: of those and one without foam, for two seas, and the spectrum's.
+const SEA_SLOTS: usize = 2 * (MAX_STEPS + 1) + 1;
 
 /// A sea on a device.
 pub struct Simulation {
-    plan: Plan,
+    sea: Sea,
+    /// The sea that it came from, while that fades.
+    fading: Option<Sea>,
+    /// A sea that has to wait until then.
+    next: Option<Plan>,
+    glide: Glide,
+    /// What the two have in common, in the order of the maps' cascades; none when nothing fades.
+    overlaps: Vec<Overlap>,
     /// Buffers and textures, public so that `check` and the tests can feed a pass from the oracle.
     pub resources: Resources,
     /// The passes, public for the same reason.
@@ -38,59 +50,176 @@ pub struct Simulation {
     sea_steps: UniformRing<SeaUniform>,
     foam_steps: UniformRing<FoamUniform>,
     foam: FoamClock,
-    terms: Terms,
-    spectrum_is_stale: bool,
+    foam_numbers: Drawn<foam::Numbers>,
+    /// How much of the way to the table h0 has yet to be taken: 1 when it has never been drawn, 0 when it is there.
+    spectrum_due: f64,
+    spectra: u64,
 }
 
 impl Simulation {
     /// Allocates a sea.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, plan: Plan, shaders: &Shaders) -> Self {
         let resources = Resources::new(device, queue, &plan);
-        let sea_steps = UniformRing::new(device, "sea", SLOTS);
-        let foam_steps = UniformRing::new(device, "foam", SLOTS);
+        let sea_steps = UniformRing::new(device, "sea", SEA_SLOTS);
+        let foam_steps = UniformRing::new(device, "foam", MAX_STEPS);
         let passes = Passes::new(device, shaders, &resources, &sea_steps, &foam_steps);
         let maps = Maps::new(&plan, &resources);
-        let foam = FoamClock::new(resources.foam_n, &plan);
-        let terms = Terms::new(&plan);
-        let mut sim =
-            Self { plan, resources, passes, maps, sea_steps, foam_steps, foam, terms, spectrum_is_stale: true };
+        let foam_numbers = Drawn::new(foam::Numbers::new(resources.foam_n, &plan));
+        let foam = FoamClock::new(resources.foam_n, foam_numbers.value(1.0));
+        let mut sim = Self {
+            sea: Sea::new(plan),
+            fading: None,
+            next: None,
+            glide: Glide::default(),
+            overlaps: Vec::new(),
+            resources,
+            passes,
+            maps,
+            sea_steps,
+            foam_steps,
+            foam,
+            foam_numbers,
+            spectrum_due: 1.0,
+            spectra: 0,
+        };
         sim.upload_tables(device, queue);
         sim
     }
 
-    /// Turns to another sea. Its foam goes on from the old one's.
+    /// Turns to another sea at once, and ends a glide. Its foam goes on from the old one's.
     pub fn set_plan(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, plan: Plan, shaders: &Shaders) {
-        if plan == self.plan {
+        if plan == self.sea.plan && !self.is_gliding() {
             return;
         }
-        if (plan.n, plan.cascades.len()) != (self.plan.n, self.plan.cascades.len()) {
+        if (plan.n, plan.cascades.len()) != (self.sea.plan.n, self.sea.plan.cascades.len()) {
             let generation = self.maps.generation + 1;
             *self = Self::new(device, queue, plan, shaders);
             self.maps.generation = generation;
             return;
         }
-        self.plan = plan;
-        self.upload_tables(device, queue);
-        self.maps.update(&self.plan);
-        self.foam.set_plan(&self.plan);
-        self.spectrum_is_stale = true;
+        self.next = None;
+        self.turn(device, queue, plan, Turn::Jump, 0.0);
+        self.follow(&Moved { turn: Some(Turn::Jump), ..Moved::default() });
+        self.foam.set_changed();
     }
 
-    fn upload_tables(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) {
-        self.terms = Terms::new(&self.plan);
-        if self.resources.upload_tables(device, queue, &self.plan) {
-            self.passes.spectrum.bind(device, &self.resources, &self.sea_steps);
+    /// Goes on by `dt_s` of wall time towards the sea of the last plan that was given, or to another now; at the time `t_s`
+    /// of the sea. Call it once a frame, before [`Self::encode`]. A plan of another FFT size or tiling is turned to at once.
+    ///
+    /// Amplitudes ease in place: one spectrum pass a frame, whatever the goal does meanwhile. Other waves fade in, for which
+    /// room for a second sea is allocated once; a plan that comes while other waves fade in waits for its turn.
+    pub fn glide_to(
+        &mut self,
+        (device, queue): (&wgpu::Device, &wgpu::Queue),
+        plan: Option<Plan>,
+        shaders: &Shaders,
+        t_s: f64,
+        dt_s: f64,
+    ) -> Moved {
+        let goal = plan.or_else(|| self.next.take_if(|_| self.fading.is_none()));
+        let mut turn = None;
+        if let Some(plan) = goal {
+            self.next = None;
+            if (plan.n, plan.untile) != (self.sea.plan.n, self.sea.plan.untile) {
+                self.set_plan(device, queue, plan, shaders);
+                return Moved { turn: Some(Turn::Jump), ..Moved::default() };
+            }
+            match (plan.has_same_waves(&self.sea.plan), &self.fading) {
+                (true, _) => turn = (plan != self.sea.plan).then_some(Turn::Ease),
+                (false, None) => turn = Some(Turn::Fade),
+                (false, Some(_)) => {
+                    self.next = Some(plan);
+                    return self.advance(None, dt_s);
+                }
+            }
+            if let Some(turn) = turn {
+                self.turn(device, queue, plan, turn, t_s);
+            }
         }
+        self.advance(turn, dt_s)
+    }
+
+    fn turn(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, plan: Plan, turn: Turn, t_s: f64) {
+        let mut maps_are_new = false;
+        if turn == Turn::Fade {
+            maps_are_new = self.resources.turn(device, &plan);
+        }
+        let old = std::mem::replace(&mut self.sea, Sea::new(plan));
+        if turn == Turn::Fade {
+            self.overlaps = Overlap::all(&old.plan, &self.sea.plan, t_s).concat();
+        }
+        match turn {
+            Turn::Jump => self.fading = None,
+            Turn::Ease => {}
+            Turn::Fade => self.fading = Some(old),
+        }
+        self.glide.start(turn);
+        let buffers_are_new = self.upload_tables(device, queue);
+        if turn == Turn::Fade || buffers_are_new {
+            self.passes.bind_waves(device, &self.resources, &self.sea_steps);
+        }
+        if maps_are_new {
+            self.passes.bind_maps(device, &self.resources, &self.sea_steps, &self.foam_steps);
+            self.maps.rebind(&self.resources);
+        }
+        self.maps.turn(&self.sea.plan, &self.resources, turn);
+        if turn != Turn::Ease {
+            self.spectrum_due = 1.0;
+        }
+    }
+
+    fn upload_tables(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) -> bool {
+        self.resources.upload_tables(device, queue, &self.sea.plan)
+    }
+
+    /// A step of the glide, after a turn.
+    fn advance(&mut self, turn: Option<Turn>, dt_s: f64) -> Moved {
+        let was_gliding = self.glide.is_running();
+        let moved = Moved { turn, ..self.glide.advance(dt_s) };
+        self.spectrum_due = 1.0 - (1.0 - self.spectrum_due) * (1.0 - moved.ease);
+        self.follow(&moved);
+        if was_gliding && !self.is_gliding() {
+            self.foam.set_changed();
+        }
+        moved
+    }
+
+    /// Takes over what a step changed.
+    fn follow(&mut self, moved: &Moved) {
+        if moved.faded {
+            self.fading = None;
+            self.maps.end_fade();
+            self.overlaps.clear();
+        }
+        let (size, plan) = (self.resources.foam_n, &self.sea.plan);
+        self.foam_numbers.follow(moved, || foam::Numbers::new(size, plan));
+        self.foam.set_numbers(self.foam_numbers.value(self.glide.share()));
+        self.maps.weigh(&self.overlaps, self.glide.share());
+    }
+
+    /// Whether the sea has not come to its plan yet.
+    pub fn is_gliding(&self) -> bool {
+        self.glide.is_running() || self.next.is_some()
+    }
+
+    /// Share of the sea in the variance of what is drawn; the rest is that of the sea that it fades out of.
+    pub fn share(&self) -> f64 {
+        self.glide.share()
+    }
+
+    /// How often the spectrum pass has run.
+    pub fn spectra(&self) -> u64 {
+        self.spectra
     }
 
     /// Mean foam to be expected: what lies beyond the foam levels.
     pub fn foam_coverage(&self) -> f64 {
-        self.foam.coverage()
+        self.foam.numbers().coverage
     }
 
-    /// The sea that is computed.
+    /// The sea that is computed, or that is being turned to.
     pub fn plan(&self) -> &Plan {
-        &self.plan
+        &self.sea.plan
     }
 
     /// What the renderer sees.
@@ -108,14 +237,14 @@ impl Simulation {
         centre: [f64; 2],
         most_steps: usize,
     ) -> bool {
-        let steps = self.foam.steps_to(t_s, centre, &self.plan, most_steps.min(MAX_STEPS));
+        let steps = self.foam.steps_to(t_s, centre, most_steps.min(MAX_STEPS));
         self.begin(encoder, t_s);
         for step in &steps {
             self.encode_foam_step(encoder, step, centre);
         }
         let caught_up = self.foam.is_at(t_s);
         if steps.is_empty() || !caught_up {
-            self.encode_waves(encoder, t_s);
+            self.encode_waves(encoder, t_s, false);
         }
         self.end(queue);
         caught_up
@@ -123,8 +252,8 @@ impl Simulation {
 
     /// The waves at the time of a step, and the foam with them.
     fn encode_foam_step(&mut self, encoder: &mut wgpu::CommandEncoder, step: &foam::Step, centre: [f64; 2]) {
-        let sea = self.encode_waves(encoder, step.t_s);
-        let foam = self.foam_steps.push(&self.foam.uniform(step, centre, &self.plan));
+        let sea = self.encode_waves(encoder, step.t_s, false);
+        let foam = self.foam_steps.push(&self.foam.uniform(step, centre, &self.maps));
         self.passes.foam.run(encoder, &self.resources, sea, foam);
         self.maps.foam_levels = self.foam.levels(centre);
     }
@@ -133,10 +262,11 @@ impl Simulation {
     fn begin(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
         self.sea_steps.restart();
         self.foam_steps.restart();
-        if self.spectrum_is_stale {
-            let step = self.sea_steps.push(&self.sea_uniform(t_s, false));
+        if self.spectrum_due > 0.0 {
+            let step = self.push(Evaluation { t_s, keep_f32: false, ease: self.spectrum_due }, false);
             self.passes.spectrum.run(encoder, &self.resources, step);
-            self.spectrum_is_stale = false;
+            self.spectrum_due = 0.0;
+            self.spectra += 1;
         }
     }
 
@@ -154,32 +284,38 @@ impl Simulation {
         t_s: f64,
         centre: [f64; 2],
     ) -> Option<foam::Step> {
-        let step = self.foam.steps_to(t_s, centre, &self.plan, 1).into_iter().next()?;
+        let step = self.foam.steps_to(t_s, centre, 1).into_iter().next()?;
         self.begin(encoder, t_s);
         self.encode_foam_step(encoder, &step, centre);
         self.end(queue);
         Some(step)
     }
 
-    /// The waves of all cascades at one time: two dispatches, and their mips. Returns the uniform's offset.
-    fn encode_waves(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64) -> u32 {
-        let step = self.sea_steps.push(&self.sea_uniform(t_s, false));
-        self.maps.phase_time = self.plan.phase_time(t_s);
-        self.passes.rows.run(encoder, &self.resources, step);
-        self.passes.columns.run(encoder, &self.resources, step);
-        self.passes.mips.run(encoder, &self.resources, step);
+    /// The waves of all cascades at one time: two dispatches, and their mips; the same before that for a sea that fades.
+    /// Returns the step of the sea.
+    fn encode_waves(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64, keep_f32: bool) -> Step {
+        let evaluation = Evaluation { t_s, keep_f32, ease: 1.0 };
+        if self.fading.is_some() {
+            let step = self.push(evaluation, true);
+            self.encode_evaluation(encoder, step);
+        }
+        let step = self.push(evaluation, false);
+        self.maps.phase_time = self.sea.plan.phase_time(t_s);
+        self.encode_evaluation(encoder, step);
         step
     }
 
-    /// Records the waves at `t_s` with an f32 copy of the maps left in the intermediate buffer (layout: cascade, pair,
-    /// z, x; pair 0 is the displacement map, pair 1 the gradients).
-    pub fn encode_f32(&mut self, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
-        self.begin(encoder, t_s);
-        let step = self.sea_steps.push(&self.sea_uniform(t_s, true));
-        self.maps.phase_time = self.plan.phase_time(t_s);
+    fn encode_evaluation(&self, encoder: &mut wgpu::CommandEncoder, step: Step) {
         self.passes.rows.run(encoder, &self.resources, step);
         self.passes.columns.run(encoder, &self.resources, step);
         self.passes.mips.run(encoder, &self.resources, step);
+    }
+
+    /// Records the waves at `t_s` with an f32 copy of the maps left in the intermediate buffer (layout: cascade, pair,
+    /// z, x; pair 0 is the displacement map, pair 1 the gradients). A sea that fades leaves none.
+    pub fn encode_f32(&mut self, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
+        self.begin(encoder, t_s);
+        self.encode_waves(encoder, t_s, true);
         self.end(queue);
     }
 
@@ -193,65 +329,39 @@ impl Simulation {
         let staging = readback::stage_buffer(device, &mut encoder, &self.resources.lines);
         queue.submit([encoder.finish()]);
         let bytes = readback::read(device, staging).await?;
-        Ok(MapsF32 { n: self.plan.n as usize, texels: bytemuck::pod_collect_to_vec(&bytes) })
+        let plan = &self.sea.plan;
+        let n = plan.n as usize;
+        let mut texels = bytemuck::pod_collect_to_vec(&bytes);
+        // The buffer may have room for more.
+        texels.truncate(2 * n * n * plan.cascades.len());
+        Ok(MapsF32 { n, texels })
     }
 
     /// The uniform of one evaluation, for `check` and the tests that run a pass alone.
-    pub fn push_step(&mut self, queue: &wgpu::Queue, t_s: f64, keep_f32: bool) -> u32 {
+    pub fn push_step(&mut self, queue: &wgpu::Queue, t_s: f64, keep_f32: bool) -> Step {
         self.sea_steps.restart();
-        let step = self.sea_steps.push(&self.sea_uniform(t_s, keep_f32));
+        let step = self.push(Evaluation { t_s, keep_f32, ease: 1.0 }, false);
         self.sea_steps.upload(queue);
         step
     }
 
-    fn sea_uniform(&self, t_s: f64, keep_f32: bool) -> SeaUniform {
-        let plan = &self.plan;
-        let mut cascades = [SeaCascade::default(); MAX_CASCADES];
-        for (out, (cascade, map)) in cascades.iter_mut().zip(plan.cascades.iter().zip(&self.maps.cascades)) {
-            *out = SeaCascade {
-                patch_m: cascade.patch_m as f32,
-                dk: cascade.dk() as f32,
-                key: cascade.key,
-                moment_scale: map.moment_scale,
-            };
-        }
-        SeaUniform {
-            cascades,
-            terms: self.terms.parts,
-            chop: plan.sea.lambda().map(|l| l as f32),
-            n: plan.n,
-            count: plan.cascades.len() as u32,
-            seed: plan.sea.seed,
-            phase_time: plan.phase_time(t_s),
-            keep_f32: u32::from(keep_f32),
-            term_count: self.terms.count,
-            stride: self.terms.stride,
-            unused: [0; 3],
-        }
+    /// The uniform of one step of the foam on the maps as they are, for `bench`.
+    pub fn push_foam_step(&mut self, queue: &wgpu::Queue, t_s: f64, centre: [f64; 2]) -> u32 {
+        self.foam_steps.restart();
+        let step = foam::Step { t_s, dt_s: 0.0, fresh: false };
+        let foam = self.foam_steps.push(&self.foam.uniform(&step, centre, &self.maps));
+        self.foam_steps.upload(queue);
+        foam
     }
-}
 
-/// The parts of a plan's spectrum as the spectrum pass sees them.
-struct Terms {
-    parts: [SeaTerm; MAX_TERMS],
-    count: u32,
-    stride: u32,
-}
-
-impl Terms {
-    fn new(plan: &Plan) -> Self {
-        let (terms, stride) = table::terms(plan);
-        let mut parts = [SeaTerm::default(); MAX_TERMS];
-        for (out, part) in parts.iter_mut().zip(&terms) {
-            let kind = match part.kind {
-                TermKind::Lobe(Cosine::None) => 0,
-                TermKind::Lobe(Cosine::Full) => 1,
-                TermKind::Lobe(Cosine::Forward) => 2,
-                TermKind::Measured => 3,
-            };
-            *out = SeaTerm { travel: part.travel.map(|x| x as f32), kind, slot: part.slot as u32 };
-        }
-        Self { parts, count: terms.len() as u32, stride: stride as u32 }
+    fn push(&mut self, evaluation: Evaluation, fades: bool) -> Step {
+        let (fading, own) = self.maps.cascades.split_at(self.maps.fading);
+        let (sea, maps) = match &self.fading {
+            Some(sea) if fades => (sea, fading),
+            _ => (&self.sea, own),
+        };
+        let uniform = sea.uniform(maps, self.foam.numbers().chop, evaluation);
+        Step { uniform: self.sea_steps.push(&uniform), count: uniform.count, fades }
     }
 }
 

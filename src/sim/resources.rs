@@ -1,7 +1,8 @@
-//! Buffers and textures of a simulation, allocated once for an FFT size and a number of cascades.
+//! Buffers and textures of a simulation, allocated once for an FFT size and a number of cascades, and once more when the
+//! first sea fades into another.
 
 use super::transform::{TWIDDLES, twiddles};
-use crate::gpu::layout::FOAM_LEVELS;
+use crate::gpu::layout::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN};
 use crate::model::Plan;
 use crate::model::table::{self, Table};
 
@@ -15,23 +16,22 @@ const SMALLEST_MIP: u32 = 4;
 pub struct Resources {
     /// FFT size.
     pub n: u32,
-    /// Cascades.
+    /// Cascades of the sea.
     pub count: u32,
     /// Cells along a side of a foam level.
     pub foam_n: u32,
-    /// Variances and lobes, as many quadruples of f32 as the sea has parts per triangle entry and cascade.
-    pub radial: wgpu::Buffer,
-    /// Turns (u32) and orbit (f32) per triangle entry and cascade.
-    pub wave: wgpu::Buffer,
+    /// The waves of the sea.
+    pub sea: Waves,
+    /// Those of the sea that fades, or room for the next one. None until a sea fades.
+    pub other: Option<Waves>,
     /// e^(2 pi i j / 1024), f32.
     pub twiddle: wgpu::Buffer,
-    /// h0, complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
-    pub h0: wgpu::Buffer,
-    /// Transformed lines, two complex f32 pairs, \[cascade\]\[pair\]\[iz\]\[x\].
+    /// Transformed lines, two complex f32 pairs, \[cascade\]\[pair\]\[iz\]\[x\]. Two seas take turns: both at once would not
+    /// fit into one binding at n = 1024.
     pub lines: wgpu::Buffer,
     /// Foam, f32, \[level\]\[z\]\[x\].
     pub foam_history: wgpu::Buffer,
-    /// Displacement maps with mips, layer = cascade.
+    /// Displacement maps with mips, a layer for each cascade.
     pub displacement: wgpu::Texture,
     /// Gradient maps with mips.
     pub gradients: wgpu::Texture,
@@ -41,6 +41,33 @@ pub struct Resources {
     pub foam: wgpu::Texture,
     /// Linear, repeating.
     pub repeat: wgpu::Sampler,
+    /// How often anything was allocated since the start.
+    pub allocations: u32,
+}
+
+/// The waves of one sea.
+#[derive(Debug)]
+pub struct Waves {
+    /// Variances and lobes, as many quadruples of f32 as the sea has parts per triangle entry and cascade.
+    pub radial: wgpu::Buffer,
+    /// Turns (u32) and orbit (f32) per triangle entry and cascade.
+    pub wave: wgpu::Buffer,
+    /// h0, complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
+    pub h0: wgpu::Buffer,
+    /// Layer of the maps that the first cascade goes to.
+    pub first_layer: u32,
+}
+
+impl Waves {
+    fn new(device: &wgpu::Device, n: u32, count: usize, quadruples: usize, first_layer: u32) -> Self {
+        let entries = (table::len(n) * count) as u64;
+        Self {
+            radial: storage(device, "radial", 16 * entries * quadruples as u64),
+            wave: storage(device, "wave", 8 * entries),
+            h0: storage(device, "h0", 8 * points(n) * count as u64),
+            first_layer,
+        }
+    }
 }
 
 impl Resources {
@@ -48,44 +75,22 @@ impl Resources {
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, plan: &Plan) -> Self {
         let (n, count) = (plan.n, plan.cascades.len() as u32);
         let foam_n = n.min(256);
-        let points = u64::from(n) * u64::from(n) * u64::from(count);
-        let entries = table::len(n) as u64 * u64::from(count);
-        let storage = |label, size| {
-            let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC;
-            device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
-        };
-        let map = |label, side: u32, layers, mips| {
-            device.create_texture(&wgpu::TextureDescriptor {
-                label: Some(label),
-                size: wgpu::Extent3d { width: side, height: side, depth_or_array_layers: layers },
-                mip_level_count: mips,
-                sample_count: 1,
-                dimension: wgpu::TextureDimension::D2,
-                format: MAP_FORMAT,
-                usage: wgpu::TextureUsages::TEXTURE_BINDING
-                    | wgpu::TextureUsages::STORAGE_BINDING
-                    | wgpu::TextureUsages::COPY_SRC
-                    | wgpu::TextureUsages::COPY_DST,
-                view_formats: &[],
-            })
-        };
-        let mips = (n / SMALLEST_MIP).ilog2() + 1;
-        let twiddle = storage("twiddle", (TWIDDLES * size_of::<[f32; 2]>()) as u64);
+        let twiddle = storage(device, "twiddle", (TWIDDLES * size_of::<[f32; 2]>()) as u64);
+        let [displacement, gradients, moments] = maps(device, n, count);
         queue.write_buffer(&twiddle, 0, bytemuck::cast_slice(&twiddles()));
         Self {
             n,
             count,
             foam_n,
-            radial: radial(device, entries * table::terms(plan).1 as u64),
-            wave: storage("wave", 8 * entries),
+            sea: Waves::new(device, n, plan.cascades.len(), table::terms(plan).1, 0),
+            other: None,
             twiddle,
-            h0: storage("h0", 8 * points),
-            lines: storage("lines", 32 * points),
-            foam_history: storage("foam history", 4 * FOAM_LEVELS as u64 * u64::from(foam_n * foam_n)),
-            displacement: map("displacement", n, count, mips),
-            gradients: map("gradients", n, count, mips),
-            moments: map("moments", n / 2, count, mips - 1),
-            foam: map("foam", foam_n, FOAM_LEVELS as u32, 1),
+            lines: storage(device, "lines", 32 * points(n) * u64::from(count)),
+            foam_history: storage(device, "foam history", 4 * FOAM_LEVELS as u64 * u64::from(foam_n * foam_n)),
+            displacement,
+            gradients,
+            moments,
+            foam: map(device, "foam", foam_n, FOAM_LEVELS as u32, 1),
             repeat: device.create_sampler(&wgpu::SamplerDescriptor {
                 label: Some("repeat"),
                 address_mode_u: wgpu::AddressMode::Repeat,
@@ -95,7 +100,26 @@ impl Resources {
                 mipmap_filter: wgpu::MipmapFilterMode::Linear,
                 ..Default::default()
             }),
+            allocations: 1,
         }
+    }
+
+    /// Makes room for a second sea, and either may have as many cascades as there can be. The maps are new and empty.
+    fn widen(&mut self, device: &wgpu::Device, plan: &Plan) -> Waves {
+        [self.displacement, self.gradients, self.moments] = maps(device, self.n, MAX_DRAWN as u32);
+        self.lines = storage(device, "lines", 32 * points(self.n) * MAX_CASCADES as u64);
+        self.allocations += 1;
+        Waves::new(device, self.n, MAX_CASCADES, table::terms(plan).1, MAX_CASCADES as u32)
+    }
+
+    /// The sea becomes the one that fades, and there is room for another. Returns whether the maps are new.
+    pub fn turn(&mut self, device: &wgpu::Device, plan: &Plan) -> bool {
+        let (other, is_new) = match self.other.take() {
+            Some(other) => (other, false),
+            None => (self.widen(device, plan), true),
+        };
+        self.other = Some(std::mem::replace(&mut self.sea, other));
+        is_new
     }
 
     /// Mip levels of the displacement and gradient maps.
@@ -103,7 +127,7 @@ impl Resources {
         self.displacement.mip_level_count()
     }
 
-    /// Tabulates a sea of the same size and cascades and sends it to the GPU; returns whether `radial` had to grow.
+    /// Tabulates a sea of the same size and sends it to the GPU; returns whether its buffers had to grow.
     pub fn upload_tables(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, plan: &Plan) -> bool {
         let mut values: Vec<[f32; 4]> = Vec::new();
         let mut waves = Vec::new();
@@ -111,22 +135,57 @@ impl Resources {
             values.extend(table.values.iter().map(|v| v.map(|x| x as f32)));
             waves.extend(table.waves.iter().map(|w| [w.turns, (w.orbit as f32).to_bits()]));
         }
-        let grows = size_of_val(values.as_slice()) as u64 > self.radial.size();
+        self.count = plan.cascades.len() as u32;
+        let sea = &mut self.sea;
+        let grows = size_of_val(values.as_slice()) as u64 > sea.radial.size();
         if grows {
-            self.radial = radial(device, values.len() as u64);
+            sea.radial = storage(device, "radial", size_of_val(values.as_slice()) as u64);
         }
-        queue.write_buffer(&self.radial, 0, bytemuck::cast_slice(&values));
-        queue.write_buffer(&self.wave, 0, bytemuck::cast_slice(&waves));
-        grows
+        // The sea that was there first has no room for more cascades than its own.
+        let widens = size_of_val(waves.as_slice()) as u64 > sea.wave.size();
+        if widens {
+            sea.wave = storage(device, "wave", (8 * table::len(self.n) * MAX_CASCADES) as u64);
+            sea.h0 = storage(device, "h0", 8 * points(self.n) * MAX_CASCADES as u64);
+        }
+        self.allocations += u32::from(grows || widens);
+        queue.write_buffer(&sea.radial, 0, bytemuck::cast_slice(&values));
+        queue.write_buffer(&sea.wave, 0, bytemuck::cast_slice(&waves));
+        grows || widens
     }
 }
 
-fn radial(device: &wgpu::Device, quadruples: u64) -> wgpu::Buffer {
-    device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("radial"),
-        size: 16 * quadruples,
-        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
+fn points(n: u32) -> u64 {
+    u64::from(n) * u64::from(n)
+}
+
+fn storage(device: &wgpu::Device, label: &str, size: u64) -> wgpu::Buffer {
+    let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC;
+    device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
+}
+
+/// Displacement, gradients and moments.
+fn maps(device: &wgpu::Device, n: u32, layers: u32) -> [wgpu::Texture; 3] {
+    let mips = (n / SMALLEST_MIP).ilog2() + 1;
+    [
+        map(device, "displacement", n, layers, mips),
+        map(device, "gradients", n, layers, mips),
+        map(device, "moments", n / 2, layers, mips - 1),
+    ]
+}
+
+fn map(device: &wgpu::Device, label: &str, side: u32, layers: u32, mips: u32) -> wgpu::Texture {
+    device.create_texture(&wgpu::TextureDescriptor {
+        label: Some(label),
+        size: wgpu::Extent3d { width: side, height: side, depth_or_array_layers: layers },
+        mip_level_count: mips,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: MAP_FORMAT,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING
+            | wgpu::TextureUsages::STORAGE_BINDING
+            | wgpu::TextureUsages::COPY_SRC
+            | wgpu::TextureUsages::COPY_DST,
+        view_formats: &[],
     })
 }
 
