@@ -449,3 +449,47 @@ fn the_blend_keeps_heights_and_slopes() {
         assert!((hs - 1.0).abs() < 0.02 && (mss / exact[1] - 1.0).abs() < 0.02, "{state}: {hs} {}", mss / exact[1]);
     }
 }
+
+/// What floats lies on the surface that is drawn: at the place of a buoy, frame by frame, within 3 % of Hs.
+#[test]
+fn a_buoy_floats_on_what_is_drawn() {
+    use seastate::model::afloat::{self, Float, Kind, Waterline};
+    for state in ["wind=10&fetch=100&n=128&t=20", "wind=24&fetch=500&n=128&t=900", "wind=3&fetch=20&n=128&level=5&t=7"] {
+        let mut bench = Bench::new(state);
+        let plan = bench.ocean.plan().clone();
+        let line = Waterline::new(&plan);
+        let buoys: Vec<[f64; 2]> = places(24, [0.0; 2], 400.0);
+        let (mut sum, mut count, mut lost) = (0.0, 0, 0);
+        // Frames of 1/60 s, then of 1/10 s.
+        let times = (0..6).map(|i| f64::from(i) / 60.0).chain((1..6).map(|i| f64::from(i) / 10.0));
+        let start_s = bench.params.clock.t_s;
+        for t_s in times.map(|t| start_s + t) {
+            bench.params.clock.t_s = t_s;
+            bench.evolve();
+            // Where the water that is drawn at the buoys would lie in a still sea.
+            let mut rest = buoys.clone();
+            let mut drawn = bench.ask([0.0; 2], &rest, 0.02, 0.0);
+            for _ in 0..40 {
+                for (i, at) in rest.iter_mut().enumerate() {
+                    for (axis, side) in [0, 2].into_iter().enumerate() {
+                        at[axis] -= 0.7 * (at[axis] + drawn[i].moved[side] - buoys[i][axis]);
+                    }
+                }
+                drawn = bench.ask([0.0; 2], &rest, 0.02, 0.0);
+            }
+            for ((at, rest), drawn) in buoys.iter().zip(&rest).zip(&drawn) {
+                if (rest[0] + drawn.moved[0] - at[0]).hypot(rest[1] + drawn.moved[2] - at[1]) > 0.01 {
+                    lost += 1;
+                    continue;
+                }
+                let float = Float { kind: Kind::Buoy, x_m: at[0], z_m: at[1] };
+                let pose = afloat::pose(&[(&line, 1.0)], &float, t_s, plan.sea.level_m);
+                sum += (pose.place[1] - plan.sea.level_m - drawn.moved[1]).powi(2);
+                count += 1;
+            }
+        }
+        let apart = (sum / f64::from(count)).sqrt() / plan.hs_m();
+        eprintln!("{state}: {:.2} % of Hs, {lost} of {} in folds", 100.0 * apart, count + lost);
+        assert!(apart < 0.03 && lost * 20 < count, "{state}: {apart}");
+    }
+}

@@ -234,6 +234,6 @@ fn the_wireframe_shows_the_mesh() {
         let pixels = pictures.render(&view(&state, Shown::Surface(Surface::Wireframe), 0), [240, 135]);
         pixels.iter().map(|p| f64::from(p[1])).sum::<f64>() / pixels.len() as f64
     };
-    let (coarse, fine) = (bright(0.5), bright(2.0));
+    let (coarse, fine) = (bright(0.1), bright(0.4));
     assert!(fine > 1.3 * coarse, "{coarse} {fine}");
 }

@@ -459,7 +459,7 @@ mod tests {
         is("wind=8&seed=3", "wind=8&seed=3&sun=5&haze=3&tone=aces&mesh=2&y=30&heading=10&t=9&n=128");
         is("seed=1", "sun=5&haze=3&tone=aces&mesh=2&y=30&heading=10&t=9&n=128");
         is("overcast=1", "seed=7&overcast=1&mesh=2&y=30&heading=10&t=9&n=128");
-        is("sun=28", "seed=7&mesh=2&y=30&heading=10&t=9&n=128");
+        is("sun=24", "seed=7&mesh=2&y=30&heading=10&t=9&n=128");
         is("heading=90", "seed=7&sun=5&haze=3&tone=aces&mesh=2&y=30&heading=90&t=9&n=128");
         let (state, notices) = applied("n=512&t=3&mesh=1&wind=8", now);
         assert_eq!(
