@@ -42,7 +42,17 @@ impl Ocean {
         let renderer = Renderer::new(device, queue, format);
         let numbers = Drawn::new(Numbers::new(sim.plan(), &params.look));
         let seas = Drawn::new(Mixture::new(sim.plan()));
-        Self { params: params.clone(), shaders, sim, renderer, reference: None, format, numbers, seas, waterlines: Vec::new() }
+        Self {
+            params: params.clone(),
+            shaders,
+            sim,
+            renderer,
+            reference: None,
+            format,
+            numbers,
+            seas,
+            waterlines: Vec::new(),
+        }
     }
 
     /// The same, with light and depth of the picture to be read back.

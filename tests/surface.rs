@@ -454,7 +454,8 @@ fn the_blend_keeps_heights_and_slopes() {
 #[test]
 fn a_buoy_floats_on_what_is_drawn() {
     use seastate::model::afloat::{self, Float, Kind, Waterline};
-    for state in ["wind=10&fetch=100&n=128&t=20", "wind=24&fetch=500&n=128&t=900", "wind=3&fetch=20&n=128&level=5&t=7"] {
+    for state in ["wind=10&fetch=100&n=128&t=20", "wind=24&fetch=500&n=128&t=900", "wind=3&fetch=20&n=128&level=5&t=7"]
+    {
         let mut bench = Bench::new(state);
         let plan = bench.ocean.plan().clone();
         let line = Waterline::new(&plan);

@@ -15,6 +15,8 @@ use std::io::Cursor;
 pub fn encode(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<Vec<u8>, String> {
     let chop = plan.sea.lambda().map(|l| l as f32);
     let n = maps.n;
+    let encoding =
+        Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
     let layer = |c: usize| {
         let (d, g) = (maps.displacement(c), maps.gradients(c));
         let channel = |name: &str, value: &dyn Fn(usize) -> f32| {
@@ -29,7 +31,7 @@ pub fn encode(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<V
         ]);
         let patch = plan.cascades[c].patch_m;
         let attributes = LayerAttributes::named(format!("cascade{c} patch {patch:.4} m").as_str());
-        Layer::new((n, n), attributes, Encoding::SMALL_LOSSLESS, AnyChannels::sort(channels))
+        Layer::new((n, n), attributes, encoding, AnyChannels::sort(channels))
     };
     let layers: SmallVec<[Layer<AnyChannels<FlatSamples>>; 2]> = (0..maps.cascades()).map(layer).collect();
     let size = IntegerBounds::from_dimensions((n, n));

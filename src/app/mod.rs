@@ -26,6 +26,7 @@ pub mod web;
 
 use crate::model::afloat::{self, Float, Waterline};
 use crate::model::look::SkyFile;
+use crate::model::params::Camera;
 use crate::model::statistics::{Resolved, Theory};
 use crate::model::{Heights, Params, Plan, query};
 use crate::ocean::Ocean;
@@ -91,6 +92,8 @@ pub struct App {
     help: bool,
     /// A short answer, and until when it is shown (time of egui, s).
     said: Option<(String, f64)>,
+    /// Camera, and the time if it stands, as they were when nobody moved them.
+    rested: Option<(Camera, Option<f64>)>,
     /// What was drawn in the last frame, and in how many pixels.
     drawn: Option<(Params, [u32; 2])>,
     /// The record of the first buoy, or of the water below the camera.
@@ -150,6 +153,7 @@ impl App {
             help: false,
             said: None,
             drawn: None,
+            rested: Some((params.camera.clone(), params.clock.paused.then_some(params.clock.t_s))),
             series: plots::Series::default(),
             placing: None,
             save_folder: None,
@@ -173,6 +177,7 @@ impl App {
     pub fn set_state(&mut self, state: &str) {
         (self.params, self.notices) = query::parse(state);
         self.params.look.sky.attach(self.sky.as_ref());
+        self.rested = Some((self.params.camera.clone(), self.params.clock.paused.then_some(self.params.clock.t_s)));
         // Called from outside a frame too, when time stands still and nothing else asks for one.
         self.ctx.request_repaint();
     }
@@ -347,6 +352,24 @@ impl App {
         self.ctx.request_repaint_after(std::time::Duration::from_secs_f64(SAID_S));
     }
 
+    /// A view that nobody moves is exactly the one that the link names, and so is a time that stands still.
+    fn rest(&mut self, ctx: &egui::Context) {
+        if ctx.input(|i| i.pointer.any_down() || !i.keys_down.is_empty() || i.any_touches()) {
+            return;
+        }
+        let place = |p: &Params| (p.camera.clone(), p.clock.paused.then_some(p.clock.t_s));
+        // What a link said to more digits stays as it is until somebody moves.
+        if self.rested.as_ref() == Some(&place(&self.params)) {
+            return;
+        }
+        let named = tidy(&self.params);
+        self.params.camera = named.camera;
+        if self.params.clock.paused {
+            self.params.clock.t_s = named.clock.t_s;
+        }
+        self.rested = Some(place(&self.params));
+    }
+
     /// Shows what was said last, as long as it counts.
     fn answer(&mut self, ctx: &egui::Context) {
         if self.said.as_ref().is_some_and(|(_, until)| ctx.input(|i| i.time) > *until) {
@@ -416,6 +439,7 @@ impl eframe::App for App {
         if self.catching_up.is_set() {
             ctx.request_repaint();
         }
+        self.rest(&ctx);
         self.frames += 1;
     }
 }
@@ -427,7 +451,8 @@ fn tidy(params: &Params) -> Params {
     let tidy =
         |x: f64, digits: usize| format!("{:.digits$}", round(x, 10f64.powi(-(digits as i32)))).parse().unwrap_or(x);
     let mut p = params.clone();
-    p.clock.t_s = tidy(p.clock.t_s, 1);
+    // Steps of single frames are kept apart; a time that runs is another one when it is read.
+    p.clock.t_s = tidy(p.clock.t_s, if p.clock.paused { 3 } else { 1 });
     for metres in [&mut p.camera.x_m, &mut p.camera.y_m, &mut p.camera.z_m] {
         *metres = tidy(*metres, 1);
     }

@@ -66,6 +66,7 @@ pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Resu
         "axes": "+x east, +y up, +z south; column i holds x = i patch_m / n, row j holds z = j patch_m / n",
         "chop_xz": plan.sea.lambda(),
         "level_m": plan.sea.level_m,
+        "untile": plan.untile,
         "notices": plan.notices,
         "cascades": plan.cascades.iter().enumerate().map(|(i, c)| serde_json::json!({
             "displacement": format!("cascade{i}_displacement.exr"),
@@ -74,10 +75,11 @@ pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Resu
         })).collect::<Vec<_>>(),
         "foam": {
             "file": "foam.exr", "n": size, "side_m": size as f64 * foam_level.texel_m, "corner_xz_m": corner,
-            "what": "foam 0..1 in undisplaced coordinates; the first row lies at the smallest z",
+            "what": "foam 0..1 in undisplaced coordinates; the first row lies at the smallest z; of the sea as it is drawn, blended from shifted copies of the patches unless untile is false",
         },
     });
-    save(&folder.join("plan.json"), serde_json::to_string_pretty(&about).unwrap_or_default().as_bytes())
+    let text = serde_json::to_string_pretty(&about).unwrap_or_default() + "\n";
+    save(&folder.join("plan.json"), text.as_bytes())
 }
 
 /// The displacement maps as the renderer samples them: rgba16float, level 0.
@@ -96,7 +98,11 @@ fn write(path: &Path, n: usize, channels: &[Channel<'_>]) -> std::result::Result
         .iter()
         .map(|(name, value)| AnyChannel::new(*name, FlatSamples::F32((0..n * n).map(value).collect())))
         .collect();
-    let image = Image::from_channels((n, n), AnyChannels::sort(list));
+    // Lines in order: the same state gives the same bytes, and every reader takes them.
+    let encoding =
+        Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
+    let layer = Layer::new((n, n), LayerAttributes::default(), encoding, AnyChannels::sort(list));
+    let image = Image::from_layer(layer);
     image.write().to_file(path).map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 

@@ -29,6 +29,10 @@ pub fn page() -> String {
         "`sky` is the name of a sky's file, an equirectangular `.hdr` or `.exr` in linear light, that is dropped on the sea or \
          given by `--sky`. A link cannot hold the picture: where it is not at hand the built sky is shown, with a notice.",
     );
+    page.prose(
+        "`afloat` says what floats where: `buoy` or `boat`, metres east, metres south, joined by \\*, separated by _: \
+         `buoy*20*-30_boat*0*40`. At most 16 things float.",
+    );
     page.heading(2, "The list of objectives");
     page.prose(
         "One of the texts that this program answers to has a numbered list of what an ocean renderer must let its user \

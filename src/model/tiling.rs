@@ -12,7 +12,7 @@
 //!
 //! with the barycentric coordinates b. Copies are uncorrelated and sum W^2 is 1, so that every variance is that of the
 //! patch, and the surface is as Gaussian as the patch. 45 % of the plane sees one copy, 41 % two: 1.69 on average. Points
-//! one patch apart have 5 % of their shifts in common, 1.2 patches and more apart nothing.
+//! one patch apart have 5 % of their shifts in common, 1.3 patches and more apart nothing.
 //!
 //! - **Derivatives** are those of the blended surface: the gradients of the weights, 5.3 / patch (rms), times heights and
 //!   displacements belong to them. That is 11 % of the slope of waves that fit 7.5 times into the patch, the longest of a

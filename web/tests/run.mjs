@@ -13,7 +13,7 @@ import { explorer } from './explorer.mjs';
 import { sea } from './sea.mjs';
 import { serve } from './server.mjs';
 
-const { values: options } = parseArgs({ options: { browser: { type: 'string' }, only: { type: 'string', default: '' } } });
+const { values: options } = parseArgs({ options: { browser: { type: 'string' }, only: { type: 'string', default: '' }, explorer: { type: 'boolean' } } });
 const top = fileURLToPath(new URL('../..', import.meta.url));
 const dist = join(top, 'dist');
 const out = fileURLToPath(new URL('out', import.meta.url));
@@ -77,9 +77,9 @@ for (const name of NAMES.filter((each) => !options.browser || each === options.b
   browser ??= failed.some((each) => each.startsWith(`${name}: starts`)) ? undefined : await launch(name);
   if (!browser) continue;
   try {
-    await sea({ ...context, browser });
+    if (!options.explorer) await sea({ ...context, browser });
     await explorer({ ...context, browser });
-    await ladder({ ...context, browser });
+    if (!options.explorer) await ladder({ ...context, browser });
   } finally {
     await browser.close().catch(() => {});
   }
