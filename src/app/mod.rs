@@ -425,7 +425,9 @@ impl eframe::App for App {
         let params = self.to_draw();
         let limit = self.render_state.device.limits().max_texture_dimension_2d;
         let pixels = |points| self.quality.picture_size(points, ctx.pixels_per_point(), &params.screen, limit);
-        let (response, size) = viewport::show(ui, &params, &self.catching_up, pixels);
+        // Clicks only where one is waited for: a finger that rests before it moves would be a long press, and no drag.
+        let sense = if self.placing.is_some() { egui::Sense::click_and_drag() } else { egui::Sense::drag() };
+        let (response, size) = viewport::show(ui, &params, &self.catching_up, sense, pixels);
         self.drawn = Some((params, size));
         self.place(&response, &ctx);
         camera::pointer(&mut self.params.camera, &response, &ctx);

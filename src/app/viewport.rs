@@ -21,16 +21,17 @@ impl CatchingUp {
     }
 }
 
-/// Fills what is left of `ui` with the sea; `pixels` says how many it gets. Returns them, too.
+/// Fills what is left of `ui` with the sea; `sense` says what it notices, `pixels` how many it gets. Returns them, too.
 pub fn show(
     ui: &mut egui::Ui,
     params: &Params,
     catching_up: &CatchingUp,
+    sense: egui::Sense,
     pixels: impl FnOnce(egui::Vec2) -> [u32; 2],
 ) -> (egui::Response, [u32; 2]) {
     let response = egui::CentralPanel::default()
         .frame(egui::Frame::NONE)
-        .show(ui, |ui| ui.allocate_response(ui.available_size(), egui::Sense::click_and_drag()))
+        .show(ui, |ui| ui.allocate_response(ui.available_size(), sense))
         .inner;
     let size = pixels(response.rect.size());
     if size[0] > 0 && size[1] > 0 {

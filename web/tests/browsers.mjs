@@ -20,6 +20,7 @@ const CHROMIUM_FLAGS = [
 ];
 const FIREFOX_PREFS = {
   'dom.webgpu.enabled': true,
+  'dom.w3c_touch_events.enabled': 1,
   'gfx.webgpu.ignore-blocklist': true,
   'app.update.enabled': false,
   'browser.shell.checkDefaultBrowser': false,
