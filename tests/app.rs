@@ -238,7 +238,7 @@ fn a_picture_is_saved_with_its_sea_and_brings_it_back() {
         if harness.query_by_label_contains("seastate-wind17").is_some() {
             break;
         }
-        std::thread::sleep(std::time::Duration::from_millis(50));
+        std::thread::park_timeout(std::time::Duration::from_millis(50));
     }
     let path = folder.join("seastate-wind17-t3.png");
     let image = image::open(&path).expect("a picture").to_rgb8();
@@ -266,7 +266,7 @@ fn the_maps_are_saved_as_layers_of_one_file() {
         if harness.query_by_label_contains("seastate-maps.exr").is_some() {
             break;
         }
-        std::thread::sleep(std::time::Duration::from_millis(50));
+        std::thread::park_timeout(std::time::Duration::from_millis(50));
     }
     let image = exr::prelude::read_all_flat_layers_from_file(folder.join("seastate-maps.exr")).expect("maps");
     let plan = seastate::model::Plan::new(&params(&harness));

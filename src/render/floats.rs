@@ -241,9 +241,9 @@ mod tests {
                 let middle = (facet.corners[0] + facet.corners[1] + facet.corners[2]) / 3.0;
                 if middle.y < 0.0 && facet.normals[0].z.abs() < 0.9 {
                     if facet.normals[0].dot(middle - DVec3::new(0.0, 0.3, middle.z)) > 0.0 {
-                        out += 1
+                        out += 1;
                     } else {
-                        inward += 1
+                        inward += 1;
                     }
                 }
             }
