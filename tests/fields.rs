@@ -71,6 +71,7 @@ const NEEDS: &[(&str, &str, &str)] = &[
     ("foamroughness", "sunaz=40&sun=20&overcast=0", ""),
     ("foamrelief", "y=3&pitch=-30&wind=26&overcast=0", ""),
     ("extent", "", "0.5"),
+    ("camera", "", "buoy"),
     ("caustics", "sun=60&overcast=0&depth=4&wind=6&pitch=-30", ""),
     ("bedcolour", "sun=60&overcast=0&depth=4&wind=6&pitch=-30", ""),
 ];

@@ -231,7 +231,7 @@ fn the_wireframe_shows_the_mesh() {
     let mut pictures = Pictures::default();
     let mut bright = |mesh: f64| {
         let state = format!("wind=5&n=64&pitch=-35&mesh={mesh}");
-        let pixels = pictures.render(&view(&state, Shown::Surface(Surface::Wireframe), 0), [240, 135]);
+        let pixels = pictures.render(&view(&state, Shown::Surface(Surface::Wireframe), 0), [480, 270]);
         pixels.iter().map(|p| f64::from(p[1])).sum::<f64>() / pixels.len() as f64
     };
     let (coarse, fine) = (bright(0.1), bright(0.4));

@@ -242,10 +242,12 @@ impl App {
             self.history.undo(&mut self.params);
         }
         let clock = &mut self.params.clock;
-        if pressed(egui::Key::Space) {
+        // Space presses the button that has the keyboard's focus, arrows move its slider.
+        let free = ctx.memory(|m| m.focused().is_none());
+        if free && pressed(egui::Key::Space) {
             clock.paused = !clock.paused;
         }
-        if pressed(egui::Key::Home) {
+        if free && pressed(egui::Key::Home) {
             clock.t_s = 0.0;
         }
         if pressed(egui::Key::Period) {
@@ -274,7 +276,9 @@ impl App {
         if !back && cfg!(not(target_arch = "wasm32")) && pressed(egui::Key::Escape) {
             ctx.send_viewport_cmd(egui::ViewportCommand::Close);
         }
-        camera::keys(&mut self.params.camera, ctx);
+        if free {
+            camera::keys(&mut self.params.camera, ctx);
+        }
     }
 
     /// Where the record is taken: its name, m east and m south.

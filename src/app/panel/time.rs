@@ -58,7 +58,8 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
 /// Moves by frames and stands still.
 pub fn step(clock: &mut Clock, frames: f64) {
     clock.paused = true;
-    clock.t_s = (clock.t_s + frames * STEP_S).max(0.0);
+    // Onto whole frames, so that as many steps back return to the same moment.
+    clock.t_s = ((clock.t_s / STEP_S).round() + frames).max(0.0) * STEP_S;
 }
 
 /// Tells a screen reader what a sign means.
