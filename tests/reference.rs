@@ -154,7 +154,7 @@ fn the_picture_is_near_its_reference() {
             for (sun, azimuth) in [(50, 75), (8, 55)] {
                 let pitch = if y == 200 { -12 } else { -4 };
                 let p = params(&format!("{sea}&n=128&t=20&y={y}&pitch={pitch}&sun={sun}&sunaz={azimuth}"));
-                let viewer = viewer.get_or_insert_with(|| Viewer::new([384, 216], &p));
+                let viewer = viewer.get_or_insert_with(|| Viewer::new([192, 108], &p));
                 viewer.turn_to(&p);
                 let normal = viewer.normal();
                 let Agreed { samples, noise, picture } = viewer.agreed();
