@@ -1,4 +1,5 @@
-// h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz), once per sea, or a step of the way there from another sea of the same waves. S(k) is a sum of parts: lobes around the direction of a wave
+// h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz), once per sea, or a step of the way there from another sea of the same waves.
+// S(k) is a sum of parts: lobes around the direction of a wave
 // system, and distributions that a buoy has measured.
 
 @group(0) @binding(0) var<uniform> sea: Sea;

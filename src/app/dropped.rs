@@ -1,14 +1,17 @@
 //! Files dropped on the window or the page: the spectra of a buoy, or a sky.
 
+#[cfg(target_arch = "wasm32")]
+use super::tasks;
+use super::tasks::Inbox;
 use super::{App, picture};
 use crate::model::look::SkyFile;
 use crate::model::measured::{MAX_FILE_BYTES, MAX_FILES, Measured};
 use crate::model::{panorama, presets};
 use egui::DroppedFileHandle;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 /// Names and contents, or why there are none.
-type Files = Result<Vec<(String, Vec<u8>)>, String>;
+pub type Files = Result<Vec<(String, Vec<u8>)>, String>;
 
 /// The largest file of a name that is read.
 pub fn most_bytes(name: &str) -> usize {
@@ -27,53 +30,33 @@ pub fn sky(name: &str, bytes: &[u8]) -> Result<SkyFile, String> {
     Ok(SkyFile { image: Some(Arc::new(image)), ..file })
 }
 
-/// The files of the last drop, once they are read: a browser takes its time.
-#[derive(Clone, Default)]
-pub struct Dropped(Arc<Mutex<Option<Files>>>);
+/// Reads what was dropped on a window.
+#[cfg(not(target_arch = "wasm32"))]
+fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context) {
+    let paths: Vec<_> = handles.iter().map(|h| h.path().to_owned()).collect();
+    inbox.put(super::native::read_files(&paths), ctx);
+}
 
-impl Dropped {
-    fn put(&self, files: Files) {
-        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some(files);
-    }
-
-    fn take(&self) -> Option<Files> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).take()
-    }
-
-    /// Reads what was dropped on a window.
-    #[cfg(not(target_arch = "wasm32"))]
-    fn read(&self, handles: &[DroppedFileHandle], _ctx: &egui::Context) {
-        let paths: Vec<_> = handles.iter().map(|h| h.path().to_owned()).collect();
-        self.put(super::native::read_files(&paths));
-    }
-
-    /// Reads what was dropped on the page, and asks for a frame when it is there.
-    #[cfg(target_arch = "wasm32")]
-    fn read(&self, handles: &[DroppedFileHandle], ctx: &egui::Context) {
-        let (dropped, handles, ctx) = (self.clone(), handles.to_vec(), ctx.clone());
-        wasm_bindgen_futures::spawn_local(async move {
-            let mut files = Vec::new();
-            for handle in &handles {
-                let name = handle.path().to_string_lossy().into_owned();
-                // Asked before it is read: a film dropped by mistake would fill the tab's memory.
-                let size = handle.web_file().map_or(0.0, |f| f.size());
-                if size > most_bytes(&name) as f64 {
-                    return dropped.finish(Err(format!("{name}: too large for a buoy's file or a sky")), &ctx);
-                }
-                match handle.bytes_async().await {
-                    Ok(bytes) => files.push((name, bytes)),
-                    Err(reason) => return dropped.finish(Err(format!("cannot read {name}: {reason}")), &ctx),
-                }
+/// Reads what was dropped on the page, and asks for a frame when it is there.
+#[cfg(target_arch = "wasm32")]
+fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context) {
+    let (inbox, handles, ctx) = (inbox.clone(), handles.to_vec(), ctx.clone());
+    tasks::spawn(async move {
+        let mut files = Vec::new();
+        for handle in &handles {
+            let name = handle.path().to_string_lossy().into_owned();
+            // Asked before it is read: a film dropped by mistake would fill the tab's memory.
+            let size = handle.web_file().map_or(0.0, |f| f.size());
+            if size > most_bytes(&name) as f64 {
+                return inbox.put(Err(format!("{name}: too large for a buoy's file or a sky")), &ctx);
             }
-            dropped.finish(Ok(files), &ctx);
-        });
-    }
-
-    #[cfg(target_arch = "wasm32")]
-    fn finish(&self, files: Files, ctx: &egui::Context) {
-        self.put(files);
-        ctx.request_repaint();
-    }
+            match handle.bytes_async().await {
+                Ok(bytes) => files.push((name, bytes)),
+                Err(reason) => return inbox.put(Err(format!("cannot read {name}: {reason}")), &ctx),
+            }
+        }
+        inbox.put(Ok(files), &ctx);
+    });
 }
 
 impl App {
@@ -83,9 +66,9 @@ impl App {
         if handles.len() > MAX_FILES {
             self.notices = vec![format!("a buoy has at most {MAX_FILES} files: {} were dropped", handles.len())];
         } else if !handles.is_empty() {
-            self.dropped.read(&handles, ctx);
+            read(&self.dropped, &handles, ctx);
         }
-        let Some(files) = self.dropped.take() else { return };
+        let Some(files) = self.dropped.take().pop() else { return };
         if let Ok([(name, bytes)]) = files.as_deref()
             && picture::is_png(bytes)
         {

@@ -1,5 +1,6 @@
 //! The program that people see: one eframe app for the page and the window. The only room that knows egui and the browser.
 
+mod access;
 mod camera;
 mod caption;
 mod dropped;
@@ -51,25 +52,34 @@ struct Derived {
     resolved: OnceCell<Resolved>,
     /// The waves under what floats: only if something does, or is plotted.
     waterline: OnceCell<Waterline>,
+    /// Directions of the waves: only when their plot is looked at.
+    wheel: OnceCell<plots::polar::Wheel>,
 }
 
 impl Derived {
     fn new(params: &Params) -> Self {
         let plan = Plan::new(params);
         let theory = Theory::new(&plan);
-        Self { of: params.clone(), plan, theory, resolved: OnceCell::new(), waterline: OnceCell::new() }
+        Self {
+            of: params.clone(),
+            plan,
+            theory,
+            resolved: OnceCell::new(),
+            waterline: OnceCell::new(),
+            wheel: OnceCell::new(),
+        }
     }
 
     fn resolved(&self) -> &Resolved {
         self.resolved.get_or_init(|| Resolved::new(&self.plan, self.theory.m0_m2))
     }
 
-    fn waterline(&self) -> &Waterline {
-        self.waterline.get_or_init(|| Waterline::new(&self.plan))
+    fn heights(&self) -> &Heights {
+        self.waterline.get_or_init(|| Waterline::new(&self.plan)).heights()
     }
 
-    fn heights(&self) -> &Heights {
-        self.waterline().heights()
+    fn wheel(&self) -> &plots::polar::Wheel {
+        self.wheel.get_or_init(|| plots::polar::Wheel::new(&self.plan))
     }
 }
 
@@ -83,7 +93,8 @@ pub struct App {
     ctx: egui::Context,
     faults: Faults,
     frames: u64,
-    dropped: dropped::Dropped,
+    /// Files of drops, once they are read: a browser takes its time.
+    dropped: tasks::Inbox<dropped::Files>,
     panel: panel::Panel,
     seas: panel::Seas,
     history: history::History,
@@ -145,7 +156,7 @@ impl App {
             ctx: cc.egui_ctx.clone(),
             faults,
             frames: 0,
-            dropped: dropped::Dropped::default(),
+            dropped: tasks::Inbox::default(),
             panel: panel::Panel::default(),
             seas: panel::Seas::load(),
             history: history::History::default(),
@@ -153,7 +164,7 @@ impl App {
             help: false,
             said: None,
             drawn: None,
-            rested: Some((params.camera.clone(), params.clock.paused.then_some(params.clock.t_s))),
+            rested: Some(standing(&params)),
             series: plots::Series::default(),
             placing: None,
             save_folder: None,
@@ -177,7 +188,7 @@ impl App {
     pub fn set_state(&mut self, state: &str) {
         (self.params, self.notices) = query::parse(state);
         self.params.look.sky.attach(self.sky.as_ref());
-        self.rested = Some((self.params.camera.clone(), self.params.clock.paused.then_some(self.params.clock.t_s)));
+        self.rested = Some(standing(&self.params));
         // Called from outside a frame too, when time stands still and nothing else asks for one.
         self.ctx.request_repaint();
     }
@@ -361,9 +372,8 @@ impl App {
         if ctx.input(|i| i.pointer.any_down() || !i.keys_down.is_empty() || i.any_touches()) {
             return;
         }
-        let place = |p: &Params| (p.camera.clone(), p.clock.paused.then_some(p.clock.t_s));
         // What a link said to more digits stays as it is until somebody moves.
-        if self.rested.as_ref() == Some(&place(&self.params)) {
+        if self.rested.as_ref() == Some(&standing(&self.params)) {
             return;
         }
         let named = tidy(&self.params);
@@ -371,7 +381,7 @@ impl App {
         if self.params.clock.paused {
             self.params.clock.t_s = named.clock.t_s;
         }
-        self.rested = Some(place(&self.params));
+        self.rested = Some(standing(&self.params));
     }
 
     /// Shows what was said last, as long as it counts.
@@ -448,6 +458,11 @@ impl eframe::App for App {
         self.rest(&ctx);
         self.frames += 1;
     }
+}
+
+/// The camera, and the time if it stands.
+fn standing(params: &Params) -> (Camera, Option<f64>) {
+    (params.camera.clone(), params.clock.paused.then_some(params.clock.t_s))
 }
 
 /// The parameters as a link writes them: without digits that nobody can see.

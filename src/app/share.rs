@@ -94,10 +94,19 @@ impl App {
     /// Says what has been saved since the last frame.
     pub(super) fn take_saved(&mut self) {
         for result in self.saved.take() {
-            match result {
-                Ok(said) => self.say(&said),
-                Err(reason) => self.notices.push(reason),
-            }
+            self.report(result);
+        }
+    }
+
+    /// Saves bytes under a name and says where, or why not.
+    pub(super) fn save(&mut self, name: &str, bytes: &[u8]) {
+        self.report(files::save(self.save_folder.as_deref(), name, bytes));
+    }
+
+    fn report(&mut self, result: Result<String, String>) {
+        match result {
+            Ok(said) => self.say(&said),
+            Err(reason) => self.notices.push(reason),
         }
     }
 }

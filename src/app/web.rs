@@ -90,11 +90,6 @@ impl WebHandle {
         self.with(|app| app.finder.labels(&app.ctx)).unwrap_or_default()
     }
 
-    /// Pixels of the last picture.
-    pub fn picture_size(&self) -> Vec<u32> {
-        self.with(|app| app.picture_size().to_vec()).unwrap_or_default()
-    }
-
     /// Why the GPU was lost, if it was.
     pub fn device_lost(&self) -> Option<String> {
         self.with(|app| app.device_lost()).flatten()

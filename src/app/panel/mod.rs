@@ -5,6 +5,7 @@ mod rows;
 mod seas;
 pub mod time;
 
+use super::access::named;
 use super::{App, plots};
 use crate::model::afloat::Kind;
 use crate::model::fields::{FIELDS, Group};
@@ -111,7 +112,7 @@ fn actions(app: &mut App, ui: &mut egui::Ui) {
                 app.params.sea.seed = seed;
             }
         }
-        if time::named(ui.button("?"), "Keys and gestures").on_hover_text("Keys and gestures (F1)").clicked() {
+        if named(ui.button("?"), "Keys and gestures").on_hover_text("Keys and gestures (F1)").clicked() {
             app.help = !app.help;
         }
     });
@@ -134,7 +135,7 @@ fn parameters(app: &mut App, ui: &mut egui::Ui) {
         // From the right: what takes the rest must not push its neighbour out of the panel.
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let clear = ui.add_enabled(!app.panel.search.is_empty(), egui::Button::new("×").small());
-            if time::named(clear, "Clear the search").clicked() {
+            if named(clear, "Clear the search").clicked() {
                 app.panel.search.clear();
             }
             let words = egui::TextEdit::singleline(&mut app.panel.search).hint_text("all parameters");
@@ -214,7 +215,7 @@ fn afloat(app: &mut App, ui: &mut egui::Ui) {
             let south = metres.text(float.z_m, 0);
             ui.label(format!("{} at {east} east, {south} south: {}", float.kind.word(), metres.text(height, 2)));
             let cross = ui.small_button("×").on_hover_text("Lifts it out of the water.");
-            if time::named(cross, &format!("Lift {} {}", float.kind.word(), i + 1)).clicked() {
+            if named(cross, &format!("Lift {} {}", float.kind.word(), i + 1)).clicked() {
                 lifted = Some(i);
             }
         });

@@ -1,5 +1,6 @@
 //! A row for each parameter, made from FIELDS: slider, typed value with unit, choice, flag or colour.
 
+use super::super::access::named;
 use super::super::units::Scale;
 use crate::model::Params;
 use crate::model::fields::{FIELDS, Field, Group, Kind, Refusal};
@@ -37,11 +38,7 @@ fn row(params: &mut Params, field: &'static Field, units: Units, ui: &mut egui::
     edit(field, &mut value, units, ui).labelled_by(label.id).on_hover_text(&help);
     let default = field.default_value();
     let undo = egui::Button::new("×").small().frame(false);
-    let undo = ui.add_enabled(value != default, undo);
-    undo.widget_info(|| {
-        let name = format!("{}: back to the default", field.label);
-        egui::WidgetInfo::labeled(egui::Role::Button, value != default, name)
-    });
+    let undo = named(ui.add_enabled(value != default, undo), &format!("{}: back to the default", field.label));
     if undo.on_hover_text("Back to the default.").clicked() {
         value = default;
     }

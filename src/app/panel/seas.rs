@@ -1,8 +1,8 @@
 //! Seas by name: the wind by Beaufort's scale, presets, and the user's own.
 
+use super::super::access::{named, named_value};
 use super::super::units::Scale;
 use super::super::{App, files};
-use super::time::{named, named_value};
 use crate::model::beaufort::{self, FORCES};
 use crate::model::presets::{self, Preset};
 
@@ -118,10 +118,7 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
             .clicked()
         {
             let text = presets::write(&app.seas.own);
-            match files::save(app.save_folder.as_deref(), "seas.txt", text.as_bytes()) {
-                Ok(said) => app.say(&said),
-                Err(reason) => app.notices.push(reason),
-            }
+            app.save("seas.txt", text.as_bytes());
         }
     });
     ui.weak("Drop a file of seas here to import it.");

@@ -1,6 +1,7 @@
 //! The time: stop, step, speed, scrub and go to.
 
 use super::super::App;
+use super::super::access::{named, named_value};
 use crate::model::params::Clock;
 
 /// One step while time stands still, s.
@@ -60,17 +61,4 @@ pub fn step(clock: &mut Clock, frames: f64) {
     clock.paused = true;
     // Onto whole frames, so that as many steps back return to the same moment.
     clock.t_s = ((clock.t_s / STEP_S).round() + frames).max(0.0) * STEP_S;
-}
-
-/// Tells a screen reader what a sign means.
-pub fn named(response: egui::Response, name: &str) -> egui::Response {
-    let kind = egui::Role::Button;
-    response.widget_info(|| egui::WidgetInfo::labeled(kind, true, name));
-    response
-}
-
-/// The same for a value.
-pub fn named_value(response: egui::Response, name: &str, value: f64) -> egui::Response {
-    response.widget_info(|| egui::WidgetInfo::slider(true, value, name));
-    response
 }

@@ -1,12 +1,13 @@
 //! Plots of the panel: the spectrum, its directions, the sea at a point over time, and a cut through it. Each can be saved
 //! as CSV. Colours are those of Okabe and Ito (2008), which the colour-blind tell apart too; lines differ in dashes as well.
 
-mod polar;
+pub mod polar;
 mod profile;
 mod series;
 mod spectrum;
 
-use super::{App, files};
+use super::App;
+use super::access::named;
 use egui::Color32;
 use std::fmt::Write as _;
 
@@ -55,10 +56,7 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
     section(ui, "Cut through the sea", false, &mut wanted, |ui| profile::show(app, ui));
     if let Some(table) = wanted {
         let text = table.csv(&app.state());
-        match files::save(app.save_folder.as_deref(), table.name, text.as_bytes()) {
-            Ok(said) => app.say(&said),
-            Err(reason) => app.notices.push(reason),
-        }
+        app.save(table.name, text.as_bytes());
     }
 }
 
@@ -73,7 +71,7 @@ fn section(
     egui::CollapsingHeader::new(title).default_open(open).show(ui, |ui| {
         let table = plot(ui);
         let button = ui.small_button("CSV").on_hover_text("Saves these numbers.");
-        if super::panel::time::named(button, &format!("{title}: save as CSV")).clicked() {
+        if named(button, &format!("{title}: save as CSV")).clicked() {
             *wanted = Some(table);
         }
     });

@@ -11,8 +11,7 @@ const RINGS: usize = 28;
 const SIDE: f32 = 240.0;
 
 /// What the wheel shows, made once for a sea.
-#[derive(Default)]
-struct Wheel {
+pub struct Wheel {
     /// omega of the rings' middles, rad/s.
     omega: Vec<f64>,
     /// S(omega, from), m^2 s/rad, ring by ring.
@@ -20,7 +19,8 @@ struct Wheel {
 }
 
 impl Wheel {
-    fn new(plan: &Plan) -> Self {
+    /// For a sea.
+    pub fn new(plan: &Plan) -> Self {
         let (low, high) = (plan.support().0, 3.0 * plan.omega_p);
         let omega: Vec<f64> = (0..RINGS).map(|i| low + (high - low) * (i as f64 + 0.5) / RINGS as f64).collect();
         let at = |w: f64, i: usize| -> f64 {
@@ -47,7 +47,7 @@ fn colour(x: f64) -> Color32 {
 
 /// The wheel: north up, each place where waves come from.
 pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
-    let wheel = Wheel::new(&app.derived.plan);
+    let wheel = app.derived.wheel();
     ui.weak("Where the waves come from, north up; long waves inside, short ones outside");
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), SIDE), egui::Sense::hover());
     let centre = rect.center();
