@@ -1,15 +1,5 @@
 // Buoys and boats: painted hulls in the light of the sun, the sky and the sea. Their triangles come from render/floats.rs.
 
-@group(0) @binding(0) var<uniform> frame: Frame;
-@group(0) @binding(1) var<uniform> sky: Sky;
-@group(0) @binding(2) var<uniform> light: Light;
-@group(0) @binding(3) var sky_view_map: texture_2d<f32>;
-@group(0) @binding(4) var environment_map: texture_2d<f32>;
-@group(0) @binding(5) var sky_sampler: sampler;
-@group(0) @binding(6) var noise_map: texture_2d<f32>;
-@group(0) @binding(7) var noise_sampler: sampler;
-@group(0) @binding(8) var transmittance_map: texture_2d<f32>;
-
 // Place beside the eye's foot and height over the still water, colour (rgba8); normal.
 @group(1) @binding(0) var<storage, read> float_vertices: array<vec4f>;
 

@@ -1,14 +1,5 @@
 // The sea: a log-polar mesh around the eye, displaced, and its light.
 
-@group(0) @binding(0) var<uniform> frame: Frame;
-@group(0) @binding(1) var<uniform> sky: Sky;
-@group(0) @binding(2) var<uniform> light: Light;
-@group(0) @binding(3) var sky_view_map: texture_2d<f32>;
-@group(0) @binding(4) var environment_map: texture_2d<f32>;
-@group(0) @binding(5) var sky_sampler: sampler;
-@group(0) @binding(6) var noise_map: texture_2d<f32>;
-@group(0) @binding(7) var noise_sampler: sampler;
-@group(0) @binding(8) var transmittance_map: texture_2d<f32>;
 @group(0) @binding(9) var<uniform> material: Material;
 @group(1) @binding(0) var displacement_map: texture_2d_array<f32>;
 @group(1) @binding(1) var gradients_map: texture_2d_array<f32>;

@@ -1,7 +1,7 @@
 //! Links and pictures: what leaves the program so that somebody else sees the same sea.
 
 use super::{App, files, picture, tasks};
-use crate::gpu::readback;
+use crate::gpu::offscreen::Picture;
 use crate::model::{Params, query};
 use crate::ocean::Ocean;
 
@@ -51,42 +51,16 @@ impl App {
         let (state, link) = (query::write(&params), self.link());
         let (device, queue) = (self.render_state.device.clone(), self.render_state.queue.clone());
         let format = self.render_state.target_format;
-        let target = target(&device, format, size);
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("screenshot") });
-        {
+        let encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("screenshot") });
+        let made = {
             let renderer = self.render_state.renderer.read();
             let Some(ocean) = renderer.callback_resources.get::<Ocean>() else { return };
-            let view = target.create_view(&wgpu::TextureViewDescriptor::default());
-            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-                label: Some("screenshot"),
-                color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                    view: &view,
-                    depth_slice: None,
-                    resolve_target: None,
-                    ops: wgpu::Operations {
-                        load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
-                        store: wgpu::StoreOp::Store,
-                    },
-                })],
-                depth_stencil_attachment: None,
-                timestamp_writes: None,
-                occlusion_query_set: None,
-                multiview_mask: None,
-            });
-            ocean.present(&mut pass);
-        }
-        let copy = readback::stage_texture(&device, &mut encoder, &target, 0);
-        queue.submit([encoder.finish()]);
-        let swapped = matches!(format, wgpu::TextureFormat::Bgra8Unorm | wgpu::TextureFormat::Bgra8UnormSrgb);
+            Picture::submit(&device, &queue, encoder, format, size, |pass| ocean.present(pass))
+        };
         let (inbox, ctx, name) = (self.saved.clone(), self.ctx.clone(), picture_name(&params));
         let folder = self.save_folder.clone();
         tasks::spawn(async move {
-            let made = copy.read(&device).await.and_then(|mut pixels| {
-                if swapped {
-                    pixels.chunks_exact_mut(4).for_each(|p| p.swap(0, 2));
-                }
-                picture::encode(size, &pixels, &state, &link)
-            });
+            let made = made.read(&device).await.and_then(|pixels| picture::encode(size, &pixels, &state, &link));
             inbox.put(made.and_then(|png| files::save(folder.as_deref(), &name, &png)), &ctx);
         });
     }
@@ -109,19 +83,6 @@ impl App {
             Err(reason) => self.notices.push(reason),
         }
     }
-}
-
-fn target(device: &wgpu::Device, format: wgpu::TextureFormat, size: [u32; 2]) -> wgpu::Texture {
-    device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("screenshot"),
-        size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-        view_formats: &[],
-    })
 }
 
 /// A name that says what the picture shows.

@@ -4,6 +4,7 @@
 
 use super::render;
 use crate::gpu::device::Gpu;
+use crate::gpu::offscreen;
 use crate::gpu::shaders::Shaders;
 use crate::model::{Params, Plan, query};
 use crate::ocean::{Ocean, Part};
@@ -61,7 +62,7 @@ pub async fn run(params: &Params, size: [u32; 2], repeat: u32) -> Result<Report,
         add("foam", &|e| p.foam.run(e, r, step, foam))?;
     }
     let mut ocean = Ocean::new(&gpu.device, &gpu.queue, render::FORMAT, params);
-    let target = render::target(&gpu.device, size);
+    let target = offscreen::target(&gpu.device, render::FORMAT, size);
     let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("picture") });
     ocean.encode_fully(&gpu.device, &gpu.queue, &mut encoder, size);
     gpu.queue.submit([encoder.finish()]);
@@ -69,14 +70,14 @@ pub async fn run(params: &Params, size: [u32; 2], repeat: u32) -> Result<Report,
         timings.push(time(&gpu, repeat, pass, |_, encoder| ocean.record(encoder, part))?);
     }
     timings.push(time(&gpu, repeat, "present", |_, encoder| {
-        render::on_target(encoder, &target, |pass| ocean.present(pass));
+        offscreen::draw_over(encoder, &target, |pass| ocean.present(pass));
     })?);
     let mut frame = params.clone();
     timings.push(time(&gpu, repeat, "frame", |i, encoder| {
         frame.clock.t_s = params.clock.t_s + f64::from(i) / 60.0;
         ocean.set_params(&gpu.device, &gpu.queue, &frame);
         ocean.encode_fully(&gpu.device, &gpu.queue, encoder, size);
-        render::on_target(encoder, &target, |pass| ocean.present(pass));
+        offscreen::draw_over(encoder, &target, |pass| ocean.present(pass));
     })?);
     let info = gpu.adapter.get_info();
     Ok(Report {

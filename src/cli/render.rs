@@ -2,7 +2,7 @@
 
 use super::reference::{self, Sampling};
 use crate::gpu::device::Gpu;
-use crate::gpu::readback;
+use crate::gpu::offscreen::Picture;
 use crate::model::Params;
 use crate::ocean::Ocean;
 use std::path::Path;
@@ -51,50 +51,9 @@ pub async fn picture_of(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2]) -> Result<
 /// If the GPU does not give its memory back.
 pub async fn on_film(
     gpu: &Gpu,
-    mut encoder: wgpu::CommandEncoder,
+    encoder: wgpu::CommandEncoder,
     size: [u32; 2],
     present: impl FnOnce(&mut wgpu::RenderPass<'_>),
 ) -> Result<Vec<u8>, String> {
-    let target = target(&gpu.device, size);
-    on_target(&mut encoder, &target, present);
-    let copy = readback::stage_texture(&gpu.device, &mut encoder, &target, 0);
-    gpu.queue.submit([encoder.finish()]);
-    copy.read(&gpu.device).await
-}
-
-/// A texture that stands for the screen.
-pub fn target(device: &wgpu::Device, size: [u32; 2]) -> wgpu::Texture {
-    device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("picture"),
-        size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format: FORMAT,
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-        view_formats: &[],
-    })
-}
-
-/// Records a pass that draws over a target.
-pub fn on_target(
-    encoder: &mut wgpu::CommandEncoder,
-    target: &wgpu::Texture,
-    draw: impl FnOnce(&mut wgpu::RenderPass<'_>),
-) {
-    let view = target.create_view(&wgpu::TextureViewDescriptor::default());
-    let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-        label: Some("picture"),
-        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-            view: &view,
-            depth_slice: None,
-            resolve_target: None,
-            ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
-        })],
-        depth_stencil_attachment: None,
-        timestamp_writes: None,
-        occlusion_query_set: None,
-        multiview_mask: None,
-    });
-    draw(&mut pass);
+    Picture::submit(&gpu.device, &gpu.queue, encoder, FORMAT, size, present).read(&gpu.device).await
 }

@@ -3,5 +3,6 @@
 pub mod device;
 pub mod kernel;
 pub mod layout;
+pub mod offscreen;
 pub mod readback;
 pub mod shaders;

@@ -26,6 +26,8 @@ const SKY_MODEL: Part = part!("sky_model.wgsl");
 const FOG: Part = part!("fog.wgsl");
 const AIR: Part = part!("air.wgsl");
 const FRAME: Part = part!("frame.wgsl");
+/// What the passes of the picture read.
+const SCENE: Part = part!("scene.wgsl");
 const WATER_SURFACE: Part = part!("water_surface.wgsl");
 const WATER_FOAM: Part = part!("water_foam.wgsl");
 /// Light and matter of the water.
@@ -50,8 +52,8 @@ const MODULES: &[(&str, &[Part])] = &[
     ("sky_environment", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, part!("sky_environment.wgsl")]),
     ("sky_filter", &[part!("sky_filter.wgsl")]),
     ("sky_light", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, part!("sky_light.wgsl")]),
-    ("sky", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, AIR, part!("sky.wgsl")]),
-    ("floats", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, AIR, part!("floats.wgsl")]),
+    ("sky", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, SCENE, AIR, part!("sky.wgsl")]),
+    ("floats", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, SCENE, AIR, part!("floats.wgsl")]),
     ("eye", &[MATHS, NOISE, TILES, FRAME, WATER_SURFACE, part!("eye.wgsl")]),
     (
         "water",
@@ -64,6 +66,7 @@ const MODULES: &[(&str, &[Part])] = &[
             NOISE,
             TILES,
             FRAME,
+            SCENE,
             AIR,
             MATERIAL,
             WATER_SURFACE,

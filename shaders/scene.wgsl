@@ -1,0 +1,11 @@
+// What every pass of the picture reads: the frame, the sky and its light. The bind group is made in render/kit.rs.
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(1) var<uniform> sky: Sky;
+@group(0) @binding(2) var<uniform> light: Light;
+@group(0) @binding(3) var sky_view_map: texture_2d<f32>;
+@group(0) @binding(4) var environment_map: texture_2d<f32>;
+@group(0) @binding(5) var sky_sampler: sampler;
+@group(0) @binding(6) var noise_map: texture_2d<f32>;
+@group(0) @binding(7) var noise_sampler: sampler;
+@group(0) @binding(8) var transmittance_map: texture_2d<f32>;
