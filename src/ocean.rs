@@ -3,6 +3,7 @@
 mod drawn;
 
 use crate::gpu::shaders::Shaders;
+use crate::gpu::timer::Timer;
 use crate::model::afloat::{self, Pose, Waterline};
 use crate::model::camera::View;
 use crate::model::params::{Camera, CameraMode};
@@ -10,6 +11,7 @@ use crate::model::views::Scale;
 use crate::model::{Params, Plan};
 use crate::render::{Fading, Reference, Renderer, Scene, SeaLook};
 use crate::sim::glide::Drawn;
+use crate::sim::probe::Probe;
 use crate::sim::{MAX_STEPS, MapCascade, Moved, Simulation, Turn};
 use drawn::{Mixture, Numbers};
 use std::sync::Arc;
@@ -32,14 +34,18 @@ pub struct Ocean {
     seas: Drawn<Mixture>,
     /// The waves under what floats, of the seas that are drawn.
     waterlines: Vec<(Arc<Plan>, Waterline)>,
+    timer: Timer,
 }
 
 impl Ocean {
     /// Allocates a sea whose picture goes to targets of `format`.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, format: wgpu::TextureFormat, params: &Params) -> Self {
         let shaders = Shaders::default();
-        let sim = Simulation::new(device, queue, Plan::new(params), &shaders);
-        let renderer = Renderer::new(device, queue, format);
+        let mut sim = Simulation::new(device, queue, Plan::new(params), &shaders);
+        let mut renderer = Renderer::new(device, queue, format);
+        let timer = Timer::new(device, queue);
+        sim.set_timer(timer.clone());
+        renderer.set_timer(timer.clone());
         let numbers = Drawn::new(Numbers::new(sim.plan(), &params.look));
         let seas = Drawn::new(Mixture::new(sim.plan()));
         Self {
@@ -52,6 +58,7 @@ impl Ocean {
             numbers,
             seas,
             waterlines: Vec::new(),
+            timer,
         }
     }
 
@@ -62,7 +69,10 @@ impl Ocean {
         format: wgpu::TextureFormat,
         params: &Params,
     ) -> Self {
-        Self { renderer: Renderer::with_layers(device, queue, format), ..Self::new(device, queue, format, params) }
+        let mut renderer = Renderer::with_layers(device, queue, format);
+        let ocean = Self::new(device, queue, format, params);
+        renderer.set_timer(ocean.timer.clone());
+        Self { renderer, ..ocean }
     }
 
     /// Turns to other parameters at once; costs nothing when only the time, the camera or the light changed.
@@ -131,6 +141,16 @@ impl Ocean {
     /// Height of the still water that is drawn, m: on its way to the state's while the sea glides.
     pub fn level_m(&self) -> f64 {
         self.numbers.value(self.sim.share()).level_m
+    }
+
+    /// Times the passes of frames that are recorded between its `begin` and `end`; see [`Timer`].
+    pub fn timer(&self) -> &Timer {
+        &self.timer
+    }
+
+    /// Records copies of the maps of the frame that has been recorded; see [`Probe`].
+    pub fn probe(&self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) -> Option<Probe> {
+        self.sim.probe(device, encoder)
     }
 
     /// The simulation, for read-back.
@@ -246,9 +266,7 @@ impl Ocean {
             },
         }
     }
-}
 
-impl Ocean {
     /// How what floats lies on the water at the time of the parameters; empty before the first frame with it.
     pub fn poses(&self) -> Vec<Pose> {
         let (seas, level_m) = (self.drawn_seas(), self.level_m());

@@ -14,7 +14,7 @@ fn open_in(state: &str, size: [f32; 2]) -> Harness<'static, App> {
         .with_size(egui::vec2(size[0], size[1]))
         .with_pixels_per_point(1.0)
         .with_step_dt(1.0 / 60.0)
-        .wgpu()
+        .wgpu_setup(seastate::app::setup::wgpu_configuration().wgpu_setup)
         .build_eframe(move |cc| App::new(cc, &state).expect("a device"));
     harness.run_steps(3);
     harness
@@ -311,13 +311,37 @@ fn the_picture_has_as_many_pixels_as_asked_for() {
         let mut harness = Harness::builder()
             .with_size(egui::vec2(900.0, 500.0))
             .with_step_dt(0.25)
-            .wgpu()
+            .wgpu_setup(seastate::app::setup::wgpu_configuration().wgpu_setup)
             .build_eframe(move |cc| App::new(cc, state).expect("a device"));
         harness.run_steps(24);
         harness.state().picture_size()[0]
     };
     assert!(slow("n=64") < 700);
     assert_eq!(slow("n=64&adaptive=0"), 900);
+}
+
+#[test]
+fn the_sea_is_measured_and_its_passes_are_timed() {
+    let mut harness = open_in("wind=10&fetch=100&n=128&pause=1&t=5&renderscale=0.3", [700.0, 1400.0]);
+    for section in ["Plots", "More numbers", "Time of a frame"] {
+        harness.get_by_label(section).click();
+        harness.run_steps(8);
+    }
+    for frame in 0.. {
+        harness.render().expect("a frame");
+        harness.run_steps(1);
+        let measured = harness.query_by_label("Measured: mean of one moment.").is_some();
+        let timed = harness.query_by_label("columns").is_some();
+        if measured && timed {
+            break;
+        }
+        assert!(frame < 200, "measured {measured}, timed {timed}");
+    }
+    assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+    // Another sea is measured anew.
+    harness.state_mut().set_state("wind=14&n=128&pause=1&t=5");
+    harness.run_steps(2);
+    assert!(harness.query_by_label("Measured: mean of one moment.").is_none());
 }
 
 /// Not a test: pictures of the program in several sizes, to be looked at (`cargo test --test app -- --ignored`).

@@ -213,6 +213,38 @@ fn mean(foam: &[f64]) -> f64 {
 }
 
 #[test]
+fn the_maps_of_a_frame_are_read_back_as_they_are() {
+    use seastate::model::survey::Survey;
+    let gpu = gpu();
+    let mut sim = common::simulation(&gpu, "wind=12&n=128&t=9");
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    assert!(sim.encode(&gpu.queue, &mut encoder, 9.0, [0.0; 2], MAX_STEPS));
+    let probe = sim.probe(&gpu.device, &mut encoder).expect("one sea");
+    gpu.queue.submit([encoder.finish()]);
+    let probed = pollster::block_on(probe.read(&gpu.device)).expect("read-back");
+    let maps = read(&gpu, &mut sim, 9.0);
+    let variance = |of: &dyn Fn(usize) -> f64| (0..maps.cascades()).map(of).sum::<f64>();
+    let mean = |texels: &[[f32; 4]], channel: usize| {
+        texels.iter().map(|t| f64::from(t[channel]).powi(2)).sum::<f64>() / texels.len() as f64
+    };
+    let m0 = variance(&|c| mean(maps.displacement(c), 1));
+    let mss = variance(&|c| mean(maps.gradients(c), 0) + mean(maps.gradients(c), 1));
+    // Half floats of the maps.
+    assert!((probed.hs_m / (4.0 * m0.sqrt()) - 1.0).abs() < 1e-3, "{} {m0}", probed.hs_m);
+    assert!((probed.mss / mss - 1.0).abs() < 2e-3, "{} {mss}", probed.mss);
+    assert!(probed.coverage > 0.0 && probed.coverage < 0.1, "{}", probed.coverage);
+    // Its spectrum is that of the sea: all of the variance, and most of it where theory has it.
+    let width = probed.plan.omega_p / 8.0;
+    let mut survey = Survey::new(&probed.plan, probed.heights_m.clone(), width, 4000);
+    let bins = survey.advance(&probed.plan, usize::MAX).expect("all at once").to_vec();
+    assert!((bins.iter().sum::<f64>() / m0 - 1.0).abs() < 2e-3);
+    let theory = |i: usize| probed.plan.density((i as f64 + 0.5) * width) * width;
+    let both: f64 = bins.iter().enumerate().map(|(i, x)| x.min(theory(i))).sum();
+    eprintln!("shared with theory: {:.3} of m0", both / m0);
+    assert!(both / m0 > 0.8, "{}", both / m0);
+}
+
+#[test]
 fn a_calm_sea_has_no_foam() {
     let gpu = gpu();
     for state in ["wind=0", "wind=0&whitecaps=fixed&foamthreshold=1&foambias=1"] {

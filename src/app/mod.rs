@@ -8,6 +8,7 @@ mod faults;
 mod files;
 #[cfg(target_arch = "wasm32")]
 mod finder;
+mod gauges;
 mod history;
 pub mod keys;
 pub mod maps;
@@ -17,7 +18,7 @@ mod panel;
 pub mod picture;
 mod plots;
 mod quality;
-mod setup;
+pub mod setup;
 mod share;
 mod tasks;
 mod units;
@@ -118,6 +119,8 @@ pub struct App {
     sky: Option<SkyFile>,
     /// Set by the viewport while the foam has yet to catch up.
     catching_up: viewport::CatchingUp,
+    gauges: gauges::Gauges,
+    measured: gauges::Measured,
     #[cfg(target_arch = "wasm32")]
     address: web::Address,
     #[cfg(target_arch = "wasm32")]
@@ -171,6 +174,8 @@ impl App {
             saved: tasks::Inbox::default(),
             sky: sky.filter(|s| s.image.is_some()),
             catching_up: viewport::CatchingUp::default(),
+            gauges: gauges::Gauges::default(),
+            measured: gauges::Measured::default(),
             #[cfg(target_arch = "wasm32")]
             address: web::Address::new(&params),
             #[cfg(target_arch = "wasm32")]
@@ -302,7 +307,7 @@ impl App {
 
     /// Keeps the record of a buoy while there is one, or while its plot is looked at.
     fn record(&mut self, ctx: &egui::Context) {
-        let wanted = !self.params.floats.is_empty() || plots::is_recording(ctx);
+        let wanted = !self.params.floats.is_empty() || gauges::is_looked_at(ctx, gauges::Look::Record);
         if !wanted || self.params.clock.paused && self.series.is_current(self.params.clock.t_s) {
             return;
         }
@@ -433,15 +438,17 @@ impl eframe::App for App {
         if (&self.derived.of.grid, &self.derived.of.sea) != (&self.params.grid, &self.params.sea) {
             self.derived = Derived::new(&self.params);
             self.series.clear();
+            self.measured.clear();
         }
         self.record(&ctx);
+        self.measure(&ctx);
         self.quality.watch(dt, self.params.clock.paused, self.params.screen.adaptive);
         let params = self.to_draw();
         let limit = self.render_state.device.limits().max_texture_dimension_2d;
         let pixels = |points| self.quality.picture_size(points, ctx.pixels_per_point(), &params.screen, limit);
         // Clicks only where one is waited for: a finger that rests before it moves would be a long press, and no drag.
         let sense = if self.placing.is_some() { egui::Sense::click_and_drag() } else { egui::Sense::drag() };
-        let (response, size) = viewport::show(ui, &params, &self.catching_up, sense, pixels);
+        let (response, size) = viewport::show(ui, &params, (&self.catching_up, &self.gauges), sense, pixels);
         self.drawn = Some((params, size));
         self.place(&response, &ctx);
         camera::pointer(&mut self.params.camera, &response, &ctx);

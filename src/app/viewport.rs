@@ -1,9 +1,11 @@
 //! The sea in the window: recorded off-screen in `prepare`, blitted in `paint`.
 
+use super::gauges::Gauges;
 use crate::model::Params;
 use crate::ocean::Ocean;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use web_time::Instant;
 
 /// Past times that one frame replays for the foam: a cold start is spread over a few frames instead of stalling one.
 const STEPS_PER_FRAME: usize = 6;
@@ -25,7 +27,7 @@ impl CatchingUp {
 pub fn show(
     ui: &mut egui::Ui,
     params: &Params,
-    catching_up: &CatchingUp,
+    (catching_up, gauges): (&CatchingUp, &Gauges),
     sense: egui::Sense,
     pixels: impl FnOnce(egui::Vec2) -> [u32; 2],
 ) -> (egui::Response, [u32; 2]) {
@@ -36,7 +38,8 @@ pub fn show(
     let size = pixels(response.rect.size());
     if size[0] > 0 && size[1] > 0 {
         let dt_s = f64::from(ui.input(|i| i.stable_dt)).min(LONGEST_GLIDE_STEP_S);
-        let frame = SeaFrame { params: params.clone(), size, catching_up: catching_up.clone(), dt_s };
+        let frame =
+            SeaFrame { params: params.clone(), size, catching_up: catching_up.clone(), gauges: gauges.clone(), dt_s };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(response.rect, frame));
     }
     (response, size)
@@ -47,11 +50,13 @@ struct SeaFrame {
     params: Params,
     size: [u32; 2],
     catching_up: CatchingUp,
+    gauges: Gauges,
     /// Wall time since the last frame, s.
     dt_s: f64,
 }
 
 impl egui_wgpu::CallbackTrait for SeaFrame {
+    #[expect(clippy::disallowed_methods, reason = "web_time's Instant is the one that browsers have")]
     fn prepare(
         &self,
         device: &wgpu::Device,
@@ -62,8 +67,11 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
     ) -> Vec<wgpu::CommandBuffer> {
         let Some(ocean) = resources.get_mut::<Ocean>() else { return Vec::new() };
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("ocean") });
+        let begun = Instant::now();
+        self.gauges.begin(ocean, &mut encoder);
         ocean.glide_to(device, queue, &self.params, self.dt_s);
         let caught_up = ocean.encode(device, queue, &mut encoder, self.size, STEPS_PER_FRAME);
+        self.gauges.end(ocean, device, &mut encoder, begun.elapsed().as_secs_f64());
         self.catching_up.0.store(!caught_up || ocean.is_gliding(), Ordering::Relaxed);
         vec![encoder.finish()]
     }

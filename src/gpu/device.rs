@@ -1,10 +1,12 @@
-//! What Seastate demands of a GPU: WebGPU's base limits and no optional feature.
+//! What Seastate demands of a GPU: WebGPU's base limits. Of optional features it takes timestamps, to say what costs what.
 
-/// The device that every shell asks for.
-pub fn descriptor() -> wgpu::DeviceDescriptor<'static> {
+use super::timer;
+
+/// The device that every shell asks an adapter for.
+pub fn descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     wgpu::DeviceDescriptor {
         label: Some("seastate"),
-        required_features: wgpu::Features::empty(),
+        required_features: adapter.features() & (timer::FEATURES | timer::BETWEEN_PASSES),
         required_limits: wgpu::Limits::default(),
         ..Default::default()
     }
@@ -59,7 +61,7 @@ impl Gpu {
         };
         let name = adapter.get_info().name;
         let (device, queue) = adapter
-            .request_device(&self::descriptor())
+            .request_device(&self::descriptor(&adapter))
             .await
             .map_err(|e| format!("the GPU \"{name}\" cannot be used: {e}"))?;
         Ok(Self { adapter, device, queue })

@@ -6,3 +6,4 @@ pub mod layout;
 pub mod offscreen;
 pub mod readback;
 pub mod shaders;
+pub mod timer;

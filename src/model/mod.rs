@@ -28,8 +28,10 @@ pub mod spectra;
 pub mod spreading;
 pub mod statistics;
 pub mod sun;
+pub mod survey;
 pub mod table;
 pub mod tiling;
+mod transform;
 pub mod views;
 pub mod waves;
 

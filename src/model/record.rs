@@ -1,6 +1,7 @@
 //! What a record of heights at one point tells: its spectrum after Welch (1967).
 
-use std::f64::consts::{PI, TAU};
+use super::transform::Transform;
+use std::f64::consts::TAU;
 
 /// Samples of a segment: long enough to tell two swells apart, short enough for an average of several.
 const SEGMENT: usize = 512;
@@ -14,6 +15,7 @@ pub fn spectrum(heights_m: &[f64], rate_hz: f64) -> Vec<[f64; 2]> {
     }
     let window: Vec<f64> = (0..SEGMENT).map(|i| 0.5 - 0.5 * (TAU * i as f64 / SEGMENT as f64).cos()).collect();
     let power: f64 = window.iter().map(|w| w * w).sum();
+    let transform = Transform::new(SEGMENT);
     let mut sum = vec![0.0; SEGMENT / 2 + 1];
     for s in 0..segments {
         // The newest samples always count: segments are laid from the end.
@@ -21,7 +23,7 @@ pub fn spectrum(heights_m: &[f64], rate_hz: f64) -> Vec<[f64; 2]> {
         let part = &heights_m[first..first + SEGMENT];
         let mean = part.iter().sum::<f64>() / SEGMENT as f64;
         let mut line: Vec<[f64; 2]> = part.iter().zip(&window).map(|(h, w)| [(h - mean) * w, 0.0]).collect();
-        transform(&mut line);
+        transform.run(&mut line);
         for (sum, x) in sum.iter_mut().zip(&line) {
             *sum += x[0] * x[0] + x[1] * x[1];
         }
@@ -30,36 +32,6 @@ pub fn spectrum(heights_m: &[f64], rate_hz: f64) -> Vec<[f64; 2]> {
     let unit = 2.0 / (segments as f64 * power * rate_hz * TAU);
     let omega = |i: usize| TAU * rate_hz * i as f64 / SEGMENT as f64;
     sum.iter().enumerate().skip(1).map(|(i, x)| [omega(i), x * unit]).collect()
-}
-
-/// Fourier transform in place of a power of two of points, radix 2.
-fn transform(x: &mut [[f64; 2]]) {
-    let n = x.len();
-    let mut j = 0;
-    for i in 1..n {
-        let mut bit = n >> 1;
-        while j & bit != 0 {
-            j ^= bit;
-            bit >>= 1;
-        }
-        j |= bit;
-        if i < j {
-            x.swap(i, j);
-        }
-    }
-    let mut length = 2;
-    while length <= n {
-        for start in (0..n).step_by(length) {
-            for k in 0..length / 2 {
-                let (sin, cos) = (-2.0 * PI * k as f64 / length as f64).sin_cos();
-                let (a, b) = (x[start + k], x[start + k + length / 2]);
-                let t = [b[0] * cos - b[1] * sin, b[0] * sin + b[1] * cos];
-                x[start + k] = [a[0] + t[0], a[1] + t[1]];
-                x[start + k + length / 2] = [a[0] - t[0], a[1] - t[1]];
-            }
-        }
-        length *= 2;
-    }
 }
 
 #[cfg(test)]

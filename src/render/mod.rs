@@ -23,6 +23,7 @@ pub use reference::{Grid, Reference};
 
 use crate::gpu::layout::{Layout, MAX_CASCADES};
 use crate::gpu::shaders::Shaders;
+use crate::gpu::timer::Timer;
 use crate::model::afloat::Pose;
 use crate::model::look::Look;
 use crate::model::views::{Scale, Shown};
@@ -100,6 +101,7 @@ pub struct Renderer {
     debug: Option<DebugPass>,
     /// Whether a view was drawn last.
     shows_view: bool,
+    timer: Timer,
 }
 
 impl Renderer {
@@ -155,7 +157,13 @@ impl Renderer {
             target_format,
             debug: None,
             shows_view: false,
+            timer: Timer::default(),
         }
+    }
+
+    /// Has its passes timed, each by its name.
+    pub fn set_timer(&mut self, timer: Timer) {
+        self.timer = timer;
     }
 
     /// Records the HDR picture of `size` pixels.
@@ -184,9 +192,11 @@ impl Renderer {
         self.shows_view = scene.look.view.shown != Shown::Picture;
         if self.shows_view {
             self.record_view(device, queue, encoder, maps, scene);
+            self.timer.mark(encoder, "view");
         } else {
             self.record_picture(device, queue, encoder, scene);
             self.present.spread(encoder);
+            self.timer.mark(encoder, "bloom");
         }
     }
 
@@ -234,11 +244,15 @@ impl Renderer {
     ) {
         let Some(targets) = &self.targets else { return };
         self.eye.run(encoder, scene, &self.water);
+        self.timer.mark(encoder, "eye");
         self.sky.update(device, queue, encoder, scene);
+        self.timer.mark(encoder, "sky tables");
         let mut pass = targets.begin(encoder);
         self.background.draw(&mut pass, &self.water.scene, &self.sky);
         self.water.draw(&mut pass);
         self.floats.draw(&mut pass, &self.water.scene);
+        drop(pass);
+        self.timer.mark(encoder, "picture");
     }
 
     /// Records one part of the picture last drawn, by itself, whether it is stale or not.

@@ -8,6 +8,7 @@ pub mod foam;
 pub mod glide;
 pub mod maps;
 pub mod passes;
+pub mod probe;
 pub mod resources;
 mod sea;
 pub mod transform;
@@ -19,6 +20,7 @@ use crate::gpu::kernel::UniformRing;
 use crate::gpu::layout::{FoamUniform, SeaUniform};
 use crate::gpu::readback;
 use crate::gpu::shaders::Shaders;
+use crate::gpu::timer::Timer;
 use crate::model::Plan;
 use crate::model::overlap::Overlap;
 use foam::FoamClock;
@@ -54,6 +56,7 @@ pub struct Simulation {
     /// How much of the way to the table h0 has yet to be taken: 1 when it has never been drawn, 0 when it is there.
     spectrum_due: f64,
     spectra: u64,
+    timer: Timer,
 }
 
 impl Simulation {
@@ -81,9 +84,15 @@ impl Simulation {
             foam_numbers,
             spectrum_due: 1.0,
             spectra: 0,
+            timer: Timer::default(),
         };
         sim.upload_tables(device, queue);
         sim
+    }
+
+    /// Has its passes timed, each by its name.
+    pub fn set_timer(&mut self, timer: Timer) {
+        self.timer = timer;
     }
 
     /// Turns to another sea at once, and ends a glide. Its foam goes on from the old one's.
@@ -92,9 +101,9 @@ impl Simulation {
             return;
         }
         if (plan.n, plan.cascades.len()) != (self.sea.plan.n, self.sea.plan.cascades.len()) {
-            let generation = self.maps.generation + 1;
+            let (generation, timer) = (self.maps.generation + 1, self.timer.clone());
             *self = Self::new(device, queue, plan, shaders);
-            self.maps.generation = generation;
+            (self.maps.generation, self.timer) = (generation, timer);
             return;
         }
         self.next = None;
@@ -255,6 +264,7 @@ impl Simulation {
         let sea = self.encode_waves(encoder, step.t_s, false);
         let foam = self.foam_steps.push(&self.foam.uniform(step, centre, &self.maps));
         self.passes.foam.run(encoder, &self.resources, sea, foam);
+        self.timer.mark(encoder, "foam");
         self.maps.foam_levels = self.foam.levels(centre);
     }
 
@@ -265,6 +275,7 @@ impl Simulation {
         if self.spectrum_due > 0.0 {
             let step = self.push(Evaluation { t_s, keep_f32: false, ease: self.spectrum_due }, false);
             self.passes.spectrum.run(encoder, &self.resources, step);
+            self.timer.mark(encoder, "spectrum");
             self.spectrum_due = 0.0;
             self.spectra += 1;
         }
@@ -307,8 +318,11 @@ impl Simulation {
 
     fn encode_evaluation(&self, encoder: &mut wgpu::CommandEncoder, step: Step) {
         self.passes.rows.run(encoder, &self.resources, step);
+        self.timer.mark(encoder, "rows");
         self.passes.columns.run(encoder, &self.resources, step);
+        self.timer.mark(encoder, "columns");
         self.passes.mips.run(encoder, &self.resources, step);
+        self.timer.mark(encoder, "mips");
     }
 
     /// Records the waves at `t_s` with an f32 copy of the maps left in the intermediate buffer (layout: cascade, pair,

@@ -82,6 +82,7 @@ fn contents(app: &mut App, ui: &mut egui::Ui) {
     egui::CollapsingHeader::new("More numbers").show(ui, |ui| numbers::more(app, ui));
     parameters(app, ui);
     egui::CollapsingHeader::new("Share").show(ui, |ui| share(app, ui));
+    egui::CollapsingHeader::new("Time of a frame").show(ui, |ui| numbers::cost(app, ui));
     egui::CollapsingHeader::new("This program").show(ui, |ui| numbers::about(app, ui));
 }
 

@@ -1,6 +1,7 @@
 //! Read-outs: theory beside what is computed, and what the machine makes of it.
 
 use super::super::App;
+use super::super::gauges::{Look, looked_at};
 use super::super::units::Scale;
 
 /// The four numbers that everybody asks for, and the sea in a word.
@@ -30,50 +31,85 @@ pub fn show(app: &App, ui: &mut egui::Ui) {
     });
 }
 
-/// Theory beside what the cascades hold.
+/// Theory beside what the cascades hold, and what was measured in the maps on the GPU.
 pub fn more(app: &App, ui: &mut egui::Ui) {
+    looked_at(ui.ctx(), Look::Maps);
     let (t, r) = (&app.derived.theory, app.derived.resolved());
     let metres = Scale::of("m", app.params.screen.units);
-    egui::Grid::new("more numbers").num_columns(3).striped(true).show(ui, |ui| {
-        let mut row = |label: &str, theory: String, resolved: String, help: &str| {
+    egui::Grid::new("more numbers").num_columns(4).striped(true).show(ui, |ui| {
+        let mut row = |label: &str, values: [String; 3], help: &str| {
             ui.weak(label).on_hover_text(help);
-            ui.label(theory).on_hover_text(help);
-            ui.label(resolved).on_hover_text(help);
+            for value in values {
+                ui.label(value).on_hover_text(help);
+            }
             ui.end_row();
         };
         let none = String::new;
-        row("", "theory".into(), "computed".into(), "What the spectrum promises, and what the waves on the grid hold.");
-        row("Hs", metres.text(t.hs_m, 3), metres.text(r.hs_m, 3), "Significant wave height, 4 sqrt(m0).");
-        row("Tm01", format!("{:.2} s", t.tm01_s), format!("{:.2} s", r.tm01_s), "Mean period, 2 pi m0 / m1.");
-        row("Tm02", format!("{:.2} s", t.tm02_s), format!("{:.2} s", r.tm02_s), "Mean zero-crossing period.");
-        row("Mean length", metres.text(t.lambda_mean_m, 1), none(), "Wavelength of the mean period Tm01.");
+        let known = |value: Option<f64>, text: &dyn Fn(f64) -> String| value.map_or_else(none, text);
+        let m = &app.measured;
+        row(
+            "",
+            ["theory", "computed", "measured"].map(str::to_owned),
+            "What the spectrum promises, what the waves on the grid hold, and what was read from the GPU's maps.",
+        );
+        let hs = [metres.text(t.hs_m, 3), metres.text(r.hs_m, 3), known(m.hs_m(), &|x| metres.text(x, 3))];
+        row("Hs", hs, "Significant wave height, 4 sqrt(m0).");
+        row("Tm01", [format!("{:.2} s", t.tm01_s), format!("{:.2} s", r.tm01_s), none()], "Mean period, 2 pi m0 / m1.");
+        row("Tm02", [format!("{:.2} s", t.tm02_s), format!("{:.2} s", r.tm02_s), none()], "Mean zero-crossing period.");
+        let length = [metres.text(t.lambda_mean_m, 1), none(), none()];
+        row("Mean length", length, "Wavelength of the mean period Tm01.");
         row(
             "Steepness",
-            format!("{:.4}", t.steepness),
-            none(),
+            [format!("{:.4}", t.steepness), none(), none()],
             "Hs over the wavelength of the peak; waves break near 0.07.",
         );
         row(
             "Slopes",
-            format!("{:.4}", t.mss),
-            format!("{:.4}", r.mss),
+            [format!("{:.4}", t.mss), format!("{:.4}", r.mss), known(m.mss(), &|x| format!("{x:.4}"))],
             &format!("Mean square slope of waves longer than {:.2} m.", std::f64::consts::TAU / t.k_max.max(1e-9)),
         );
-        row("Spread", format!("{:.1}°", t.spread_deg), format!("{:.1}°", r.spread_deg), "Directional spread.");
+        let spread = [format!("{:.1}°", t.spread_deg), format!("{:.1}°", r.spread_deg), none()];
+        row("Spread", spread, "Directional spread.");
         row(
             "Benjamin-Feir",
-            format!("{:.2}", t.benjamin_feir),
-            none(),
+            [format!("{:.2}", t.benjamin_feir), none(), none()],
             "Benjamin-Feir index: near 1 freak waves become likely in a narrow, long-crested sea (Janssen 2003).",
         );
+        let percent = |x: f64| format!("{:.2} %", 100.0 * x);
         row(
             "Whitecaps",
-            format!("{:.2} %", 100.0 * t.whitecap_fraction),
-            none(),
-            "Coverage by whitecaps at this wind (Monahan and O'Muircheartaigh 1980).",
+            [percent(t.whitecap_fraction), none(), known(m.coverage(), &percent)],
+            "Coverage by whitecaps at this wind (Monahan and O'Muircheartaigh 1980), and that of the foam around the camera.",
         );
-        row("Energy held", none(), format!("{:.2} %", 100.0 * r.m0_fraction), "Share of the variance on the grid.");
+        row("Energy held", [none(), percent(r.m0_fraction), none()], "Share of the variance on the grid.");
     });
+    let readings = app.measured.readings();
+    if readings > 0 {
+        let moments = if readings == 1 { "one moment".to_owned() } else { format!("{readings} moments") };
+        ui.weak(format!("Measured: mean of {moments}."));
+    }
+}
+
+/// What a frame costs, pass by pass.
+pub fn cost(app: &App, ui: &mut egui::Ui) {
+    looked_at(ui.ctx(), Look::Times);
+    ui.label(format!("Recording a frame: {:.2} ms of the CPU", app.gauges.record_ms()));
+    match app.gauges.passes() {
+        None => {
+            ui.weak("This GPU does not tell how long its passes take: it has no timestamps.");
+        }
+        Some(passes) => {
+            egui::Grid::new("passes").num_columns(2).striped(true).show(ui, |ui| {
+                let all: f64 = passes.iter().map(|(_, ms)| ms).sum();
+                for (pass, ms) in passes.iter().copied().chain([("all on the GPU", all)]) {
+                    ui.weak(pass);
+                    ui.label(format!("{ms:.2} ms"));
+                    ui.end_row();
+                }
+            });
+            ui.weak("Without the panel and the last blit, smoothed over frames.");
+        }
+    }
 }
 
 /// What the program is and what it runs on.

@@ -8,10 +8,12 @@ mod spectrum;
 
 use super::App;
 use super::access::named;
+use super::gauges::{Look, looked_at};
 use egui::Color32;
 use std::fmt::Write as _;
 
 pub use series::Series;
+pub use spectrum::highest_omega;
 
 /// Colours of lines, in order.
 const COLOURS: [Color32; 6] = [
@@ -47,10 +49,13 @@ impl Table {
 /// All plots, one below the other.
 pub fn show(app: &mut App, ui: &mut egui::Ui) {
     let mut wanted = None;
-    section(ui, "Spectrum", true, &mut wanted, |ui| spectrum::show(app, ui));
+    section(ui, "Spectrum", true, &mut wanted, |ui| {
+        looked_at(ui.ctx(), Look::Maps);
+        spectrum::show(app, ui)
+    });
     section(ui, "Directions", false, &mut wanted, |ui| polar::show(app, ui));
     section(ui, "Sea at a buoy", false, &mut wanted, |ui| {
-        looked_at(ui.ctx());
+        looked_at(ui.ctx(), Look::Record);
         series::show(app, ui)
     });
     section(ui, "Cut through the sea", false, &mut wanted, |ui| profile::show(app, ui));
@@ -75,16 +80,4 @@ fn section(
             *wanted = Some(table);
         }
     });
-}
-
-/// Notes that the record is being looked at.
-fn looked_at(ctx: &egui::Context) {
-    let frame = ctx.cumulative_frame_nr();
-    ctx.data_mut(|d| d.insert_temp(egui::Id::unique("recording"), frame));
-}
-
-/// Whether the record was looked at in the last frame.
-pub fn is_recording(ctx: &egui::Context) -> bool {
-    let frame: Option<u64> = ctx.data(|d| d.get_temp(egui::Id::unique("recording")));
-    frame.is_some_and(|f| ctx.cumulative_frame_nr() <= f + 1)
 }

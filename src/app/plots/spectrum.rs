@@ -2,23 +2,31 @@
 
 use super::super::App;
 use super::{COLOURS, HEIGHT, Table};
+use crate::model::Plan;
 use egui_plot::{Legend, Line, LineStyle, Plot, PlotPoints, VLine};
 
 const POINTS: usize = 240;
 
-/// The whole sea and each system, the peak, the edges of the cascades, and the spectrum of the buoy's record.
+/// End of the plot, rad/s.
+pub fn highest_omega(plan: &Plan) -> f64 {
+    let highest = plan.systems.iter().map(|s| s.spectrum.omega_p).fold(plan.omega_p, f64::max);
+    (3.5 * plan.omega_p).max(2.0 * highest)
+}
+
+/// The whole sea and each system, the peak, the edges of the cascades, what the maps on the GPU hold, and the spectrum of
+/// the buoy's record.
 pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
     let plan = &app.derived.plan;
     let (low, peak) = (plan.support().0, plan.omega_p);
-    let highest = plan.systems.iter().map(|s| s.spectrum.omega_p).fold(peak, f64::max);
-    let end = (3.5 * peak).max(2.0 * highest);
+    let end = highest_omega(plan);
     let omega = |i: usize| low + (end - low) * i as f64 / POINTS as f64;
     let curve = |density: &dyn Fn(f64) -> f64| -> Vec<[f64; 2]> {
         (0..=POINTS).map(|i| [omega(i), density(omega(i))]).collect()
     };
     ui.weak("Variance density S(ω), m² s, over ω, rad/s");
     let several = plan.systems.len() > 1;
-    let measured = app.series.spectrum();
+    let record = app.series.spectrum();
+    let maps = app.measured.spectrum();
     let plot = Plot::new("spectrum")
         .height(HEIGHT)
         .allow_drag(false)
@@ -51,18 +59,29 @@ pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
                 plot.vline(line.color(egui::Color32::GRAY));
             }
         }
-        if measured.len() > 2 {
-            let points: Vec<[f64; 2]> = measured.iter().copied().filter(|p| p[0] <= end).collect();
+        if let Some((width, density)) = &maps {
+            let step = |i: usize| [i as f64 * width, (i + 1) as f64 * width];
+            let points: Vec<[f64; 2]> =
+                density.iter().enumerate().flat_map(|(i, s)| step(i).map(|omega| [omega, *s])).collect();
+            plot.line(Line::new("measured", PlotPoints::from(points)).color(COLOURS[3]).width(1.0));
+        }
+        if record.len() > 2 {
+            let points: Vec<[f64; 2]> = record.iter().copied().filter(|p| p[0] <= end).collect();
             plot.line(
                 Line::new("buoy's record", PlotPoints::from(points)).color(COLOURS[4]).style(LineStyle::dashed_dense()),
             );
         }
     });
+    let measured = |omega: f64| {
+        let (width, density) = maps.as_ref()?;
+        density.get((omega / width) as usize).copied()
+    };
     let rows = (0..=POINTS).map(|i| {
         let w = omega(i);
         let systems = plan.systems.iter().map(move |s| s.spectrum.density(w));
-        [w, plan.density(w)].into_iter().chain(systems).collect()
+        [w, plan.density(w)].into_iter().chain(systems).chain(measured(w)).collect()
     });
     let names: String = (1..=plan.systems.len()).map(|i| format!(",S{i} (m2 s)")).collect();
-    Table { name: "spectrum.csv", heading: format!("omega (rad/s),S (m2 s){names}"), rows: rows.collect() }
+    let last = if maps.is_some() { ",measured (m2 s)" } else { "" };
+    Table { name: "spectrum.csv", heading: format!("omega (rad/s),S (m2 s){names}{last}"), rows: rows.collect() }
 }

@@ -1,0 +1,228 @@
+//! What is measured while the sea runs, and only while somebody looks: how long the passes take, and what the maps hold.
+//! Nothing here waits for the GPU; what it gives back arrives in a later frame.
+
+use super::{App, tasks};
+use crate::model::survey::Survey;
+use crate::ocean::Ocean;
+use crate::sim::probe::{Probe, Probed};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// Between two readings of the maps, s.
+const EVERY_S: f64 = 1.0;
+/// Points of the maps that are transformed in one frame: a few milliseconds in a browser.
+const POINTS_A_FRAME: usize = 1 << 16;
+/// Bins of the measured spectrum.
+const BINS: usize = 72;
+/// Share of a new frame in the smoothed time of recording.
+const SHARE: f64 = 0.1;
+
+/// What is measured only because somebody looks at it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Look {
+    /// The record of a buoy.
+    Record,
+    /// What the maps hold.
+    Maps,
+    /// Times of the passes.
+    Times,
+}
+
+impl Look {
+    fn id(self) -> egui::Id {
+        egui::Id::unique(("looked at", self))
+    }
+}
+
+/// Notes that something is shown in this frame.
+pub fn looked_at(ctx: &egui::Context, what: Look) {
+    let frame = ctx.cumulative_frame_nr();
+    ctx.data_mut(|d| d.insert_temp(what.id(), frame));
+}
+
+/// Whether it was shown in the last frame.
+pub fn is_looked_at(ctx: &egui::Context, what: Look) -> bool {
+    let frame: Option<u64> = ctx.data(|d| d.get_temp(what.id()));
+    frame.is_some_and(|f| ctx.cumulative_frame_nr() <= f + 1)
+}
+
+/// What the app and the frames that it records tell one another.
+#[derive(Clone, Default)]
+pub struct Gauges(Arc<Mutex<Inner>>);
+
+#[derive(Default)]
+struct Inner {
+    wants_times: bool,
+    wants_probe: bool,
+    /// Copies that the last frame recorded.
+    probe: Option<Probe>,
+    /// Time that the CPU takes to record a frame, s, smoothed.
+    record_s: f64,
+    /// Whether the GPU tells, and what, ms.
+    passes: Option<Vec<(&'static str, f64)>>,
+}
+
+impl Gauges {
+    fn inner(&self) -> MutexGuard<'_, Inner> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Before a frame is recorded.
+    pub fn begin(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder) {
+        if self.inner().wants_times {
+            ocean.timer().begin(encoder);
+        }
+    }
+
+    /// After it, `record_s` later.
+    pub fn end(&self, ocean: &Ocean, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, record_s: f64) {
+        let mut inner = self.inner();
+        ocean.timer().end(encoder);
+        inner.record_s =
+            if inner.record_s > 0.0 { inner.record_s + SHARE * (record_s - inner.record_s) } else { record_s };
+        inner.passes = ocean.timer().is_available().then(|| ocean.timer().times());
+        if std::mem::take(&mut inner.wants_probe) {
+            inner.probe = ocean.probe(device, encoder);
+        }
+    }
+
+    /// Time that the CPU takes to record a frame, ms.
+    pub fn record_ms(&self) -> f64 {
+        1e3 * self.inner().record_s
+    }
+
+    /// Time of each pass on the GPU, ms; None if it does not tell.
+    pub fn passes(&self) -> Option<Vec<(&'static str, f64)>> {
+        self.inner().passes.clone()
+    }
+}
+
+/// What was read from the maps of the sea at hand: means over some moments.
+#[derive(Default)]
+pub struct Measured {
+    /// Which sea it is of; what arrives of another is thrown away.
+    sea: u64,
+    inbox: tasks::Inbox<(u64, Result<Probed, String>)>,
+    waiting: Waiting,
+    survey: Option<(Survey, Probed)>,
+    /// When the last reading was taken: egui's time (s), and that of the sea.
+    last: Option<(f64, f64)>,
+    sums: Sums,
+}
+
+#[derive(Default, PartialEq)]
+enum Waiting {
+    #[default]
+    No,
+    /// For a frame that copies the maps; while one sea fades into another none does.
+    Copying,
+    /// For the GPU.
+    Reading,
+}
+
+#[derive(Default)]
+struct Sums {
+    readings: f64,
+    hs2_m2: f64,
+    mss: f64,
+    coverage: f64,
+    width_rad_s: f64,
+    bins_m2: Vec<f64>,
+}
+
+impl Measured {
+    /// Forgets the sea: another one is drawn.
+    pub fn clear(&mut self) {
+        *self = Self { sea: self.sea + 1, inbox: self.inbox.clone(), ..Self::default() };
+    }
+
+    /// Number of moments that it is the mean of.
+    pub fn readings(&self) -> usize {
+        self.sums.readings as usize
+    }
+
+    fn mean(&self, sum: f64) -> Option<f64> {
+        (self.sums.readings > 0.0).then(|| sum / self.sums.readings)
+    }
+
+    /// Significant wave height, m.
+    pub fn hs_m(&self) -> Option<f64> {
+        self.mean(self.sums.hs2_m2).map(f64::sqrt)
+    }
+
+    /// Mean square slope.
+    pub fn mss(&self) -> Option<f64> {
+        self.mean(self.sums.mss)
+    }
+
+    /// Share of the sea around the camera that foam covers.
+    pub fn coverage(&self) -> Option<f64> {
+        self.mean(self.sums.coverage)
+    }
+
+    /// S(omega): width of a bin (rad/s), and density in each (m^2 s).
+    pub fn spectrum(&self) -> Option<(f64, Vec<f64>)> {
+        let width = self.sums.width_rad_s;
+        let unit = 1.0 / (self.sums.readings * width);
+        (self.sums.readings > 0.0).then(|| (width, self.sums.bins_m2.iter().map(|sum| sum * unit).collect()))
+    }
+
+    fn add(&mut self, probed: &Probed, bins_m2: &[f64], width_rad_s: f64) {
+        let sums = &mut self.sums;
+        sums.readings += 1.0;
+        sums.hs2_m2 += probed.hs_m * probed.hs_m;
+        sums.mss += probed.mss;
+        sums.coverage += probed.coverage;
+        sums.width_rad_s = width_rad_s;
+        sums.bins_m2.resize(bins_m2.len(), 0.0);
+        sums.bins_m2.iter_mut().zip(bins_m2).for_each(|(sum, x)| *sum += x);
+    }
+}
+
+impl App {
+    /// Goes on with what is measured of the sea that is drawn.
+    pub(super) fn measure(&mut self, ctx: &egui::Context) {
+        self.gauges.inner().wants_times = is_looked_at(ctx, Look::Times);
+        let sea = self.measured.sea;
+        // Submitted with the last frame.
+        let probe = self.gauges.inner().probe.take();
+        if self.measured.waiting == Waiting::Copying {
+            self.measured.waiting = if probe.is_some() { Waiting::Reading } else { Waiting::No };
+        }
+        if let Some(probe) = probe {
+            let (device, inbox, ctx) = (self.render_state.device.clone(), self.measured.inbox.clone(), ctx.clone());
+            tasks::spawn(async move { inbox.put((sea, probe.read(&device).await), &ctx) });
+        }
+        let end = super::plots::highest_omega(&self.derived.plan);
+        let width = end / BINS as f64;
+        for (of, probed) in self.measured.inbox.take() {
+            if of != sea {
+                continue;
+            }
+            self.measured.waiting = Waiting::No;
+            match probed {
+                Ok(mut probed) => {
+                    let maps = std::mem::take(&mut probed.heights_m);
+                    self.measured.survey = Some((Survey::new(&probed.plan, maps, width, BINS), probed));
+                }
+                Err(reason) => self.notices.push(format!("the sea was not measured: {reason}")),
+            }
+        }
+        if let Some((survey, probed)) = &mut self.measured.survey {
+            ctx.request_repaint();
+            if let Some(bins) = survey.advance(&probed.plan, POINTS_A_FRAME) {
+                let bins = bins.to_vec();
+                if let Some((_, probed)) = self.measured.survey.take() {
+                    self.measured.add(&probed, &bins, width);
+                }
+            }
+        }
+        let (now_s, t_s) = (ctx.input(|i| i.time), self.params.clock.t_s);
+        let due = self.measured.last.is_none_or(|(at_s, of_s)| now_s > at_s + EVERY_S && of_s != t_s);
+        let free = self.measured.waiting == Waiting::No && self.measured.survey.is_none();
+        if is_looked_at(ctx, Look::Maps) && due && free && !self.catching_up.is_set() {
+            self.gauges.inner().wants_probe = true;
+            (self.measured.waiting, self.measured.last) = (Waiting::Copying, Some((now_s, t_s)));
+            ctx.request_repaint();
+        }
+    }
+}
