@@ -344,30 +344,72 @@ fn the_sea_is_measured_and_its_passes_are_timed() {
     assert!(harness.query_by_label("Measured: mean of one moment.").is_none());
 }
 
+#[test]
+fn the_sheet_of_a_phone_opens_and_closes_with_a_tap() {
+    let mut harness = open_in("wind=8&n=64&pause=1", [390.0, 844.0]);
+    assert!(harness.query_by_label("Copy link").is_none(), "the sea comes first");
+    for _ in 0..2 {
+        harness.get_by_label_contains("tap to change").click();
+        harness.run_steps(4);
+        // A finger can hit what is in it, and it leaves half of the sea.
+        for label in ["Copy link", "Reset", "Picture"] {
+            let rect = harness.get_by_label(label).rect();
+            assert!(rect.height() >= 44.0 && rect.top() > 0.4 * 844.0, "{label}: {rect:?}");
+        }
+        let title = harness.get_by_label_contains("m, Beaufort 5");
+        assert!(title.rect().height() >= 44.0 && title.rect().width() > 300.0, "{:?}", title.rect());
+        title.click();
+        harness.run_steps(4);
+        assert!(harness.query_by_label("Copy link").is_none());
+    }
+}
+
 /// Not a test: pictures of the program in several sizes, to be looked at (`cargo test --test app -- --ignored`).
 #[test]
 #[ignore = "writes pictures to target/tmp/app"]
 fn pictures_to_look_at() {
     let folder = std::path::PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("app");
     std::fs::create_dir_all(&folder).expect("a folder");
-    for (name, size, open) in [
-        ("wide", [1920.0, 1080.0], &[][..]),
-        ("usual", [1280.0, 720.0], &["Seas", "Views", "Afloat"][..]),
-        ("plots", [1280.0, 900.0], &["Plots", "Directions", "Sea at a buoy", "Cut through the sea"][..]),
-        ("phone", [390.0, 844.0], &[][..]),
+    let bright = "wind=3&sun=50&sunaz=20&heading=0&n=128&t=30&adaptive=0";
+    let busy = "wind=12&n=128&t=30&adaptive=0&afloat=buoy*20*-25_boat*32*-30";
+    let storm = "wind=28&fetch=600&sun=12&n=128&t=30&adaptive=0";
+    for (name, state, size, open) in [
+        ("wide", bright, [1920.0, 1080.0], &[][..]),
+        ("wide-busy", busy, [1920.0, 1080.0], &["Seas", "Views", "Afloat", "Plots", "Share"][..]),
+        ("usual", busy, [1280.0, 720.0], &["Seas", "Views", "Afloat"][..]),
+        ("usual-bright", bright, [1280.0, 720.0], &[][..]),
+        ("numbers", storm, [1280.0, 900.0], &["More numbers", "Time of a frame", "This program"][..]),
+        ("plots", busy, [1280.0, 900.0], &["Plots", "Directions", "Sea at a buoy", "Cut through the sea"][..]),
+        ("phone", bright, [390.0, 844.0], &[][..]),
+        ("phone-open", storm, [390.0, 844.0], &["sheet"][..]),
+        ("phone-plots", busy, [390.0, 844.0], &["sheet", "Plots"][..]),
+        ("help", storm, [1280.0, 720.0], &["keys"][..]),
     ] {
-        let mut harness =
-            Harness::builder().with_size(egui::vec2(size[0], size[1])).with_step_dt(0.25).wgpu().build_eframe(
-                move |cc| {
-                    App::new(cc, "wind=12&n=128&t=30&adaptive=0&afloat=buoy*20*-25_boat*32*-30").expect("a device")
-                },
-            );
+        if std::env::var("ONLY").is_ok_and(|only| !name.contains(&only)) {
+            continue;
+        }
+        let mut harness = Harness::builder()
+            .with_size(egui::vec2(size[0], size[1]))
+            .with_step_dt(0.25)
+            .wgpu_setup(seastate::app::setup::wgpu_configuration().wgpu_setup)
+            .build_eframe(move |cc| App::new(cc, state).expect("a device"));
         harness.run_steps(12);
         for label in open {
-            harness.get_by_label(label).click();
+            match *label {
+                "keys" => harness.key_press(egui::Key::F1),
+                "sheet" => harness.get_by_label_contains("tap to change").click(),
+                _ => {
+                    harness.get_by_label(label).scroll_to_me();
+                    harness.run_steps(4);
+                    harness.get_by_label(label).click();
+                }
+            }
             harness.run_steps(4);
         }
-        harness.run_steps(8);
+        for _ in 0..6 {
+            harness.render().expect("a picture");
+            harness.run_steps(4);
+        }
         harness.render().expect("a picture").save(folder.join(format!("{name}.png"))).expect("a file");
         assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
     }

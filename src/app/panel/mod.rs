@@ -25,47 +25,77 @@ pub struct Panel {
     search: String,
     /// Link to open.
     link: String,
+    /// Whether the sheet of a narrow screen is open.
+    sheet_is_open: bool,
     /// Whether the user's and the program's seas keep the seed.
     pub seed_locked: bool,
 }
 
-/// Shows the panel over the sea.
+/// Shows the panel over the sea: a window, or on a narrow screen a sheet at its bottom.
 pub fn show(app: &mut App, ctx: &egui::Context) {
     let screen = ctx.content_rect();
-    let narrow = screen.width() < NARROW_POINTS;
-    let title = if narrow { summary(app) } else { "Seastate".to_owned() };
-    let window = egui::Window::new(title).id(egui::Id::unique(("panel", narrow))).vscroll(true);
-    let window = if narrow {
-        let width = screen.width() - 14.0;
-        window
-            .anchor(egui::Align2::CENTER_BOTTOM, egui::Vec2::ZERO)
-            .default_open(false)
-            .resizable(false)
-            .min_width(width)
-            .max_width(width)
-            .max_height(0.55 * screen.height())
-    } else {
-        window
-            .default_pos(screen.right_top() + egui::vec2(-366.0, 12.0))
-            .default_width(346.0)
-            .default_height(screen.height() - 60.0)
-            .max_height(screen.height() - 60.0)
-    };
+    if screen.width() < NARROW_POINTS {
+        return sheet(app, ctx, screen);
+    }
+    let window = egui::Window::new("Seastate")
+        .id(egui::Id::unique("panel"))
+        .vscroll(true)
+        .default_pos(screen.right_top() + egui::vec2(-366.0, 12.0))
+        .default_width(346.0)
+        .default_height(screen.height() - 60.0)
+        .max_height(screen.height() - 60.0);
     window.show(ctx, |ui| {
-        if narrow || ctx.input(|i| i.any_touches()) {
-            ui.spacing_mut().interact_size.y = TOUCH_POINTS;
-            ui.spacing_mut().icon_width = 22.0;
+        if ctx.input(|i| i.any_touches()) {
+            for_fingers(ui);
         }
         contents(app, ui);
     });
 }
 
-/// The sea in one line: the title of a closed sheet.
+/// The panel of a phone. It starts closed, as a line that says what the sea is and opens when it is tapped.
+fn sheet(app: &mut App, ctx: &egui::Context, screen: egui::Rect) {
+    let area = egui::Area::new(egui::Id::unique("sheet")).anchor(egui::Align2::CENTER_BOTTOM, egui::Vec2::ZERO);
+    area.order(egui::Order::Middle).show(ctx, |ui| {
+        let margin = egui::Margin { left: 8, right: 8, top: 4, bottom: 8 };
+        egui::Frame::window(ui.style()).inner_margin(margin).show(ui, |ui| {
+            ui.set_width(screen.width() - 20.0);
+            for_fingers(ui);
+            let title = egui::Button::new(summary(app)).frame(false);
+            let response = ui.add_sized([ui.available_width(), TOUCH_POINTS], title);
+            let icon = response.clone().with_new_rect(egui::Rect::from_center_size(
+                response.rect.left_center() + egui::vec2(12.0, 0.0),
+                egui::Vec2::splat(18.0),
+            ));
+            let openness = if app.panel.sheet_is_open { 1.0 } else { 0.0 };
+            egui::collapsing_header::paint_default_icon(ui, openness, &icon);
+            if response.clicked() {
+                app.panel.sheet_is_open = !app.panel.sheet_is_open;
+            }
+            if app.panel.sheet_is_open {
+                // An area is as high as its contents were: without a least height the sheet would never grow.
+                let height = 0.5 * screen.height();
+                let scroll = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height);
+                scroll.auto_shrink(false).show(ui, |ui| contents(app, ui));
+            }
+        });
+    });
+}
+
+/// What a finger can hit.
+fn for_fingers(ui: &mut egui::Ui) {
+    ui.spacing_mut().interact_size.y = TOUCH_POINTS;
+    ui.spacing_mut().icon_width = 22.0;
+}
+
+/// The sea in one line: the title of the sheet.
 fn summary(app: &App) -> String {
     let metres = super::units::Scale::of("m", app.params.screen.units);
     let wind = app.params.sea.local().wind_m_s;
     let hs = metres.text(app.derived.theory.hs_m, 1);
-    format!("Hs {hs}, Beaufort {}: tap to change", beaufort::number_of(wind))
+    {
+        let ask = if app.panel.sheet_is_open { "" } else { ": tap to change" };
+        format!("Hs {hs}, Beaufort {}{ask}", beaufort::number_of(wind))
+    }
 }
 
 fn contents(app: &mut App, ui: &mut egui::Ui) {

@@ -8,6 +8,8 @@ use super::super::units::Scale;
 pub fn show(app: &App, ui: &mut egui::Ui) {
     let t = &app.derived.theory;
     let metres = Scale::of("m", app.params.screen.units);
+    // Nothing here is touched.
+    let tall = std::mem::replace(&mut ui.spacing_mut().interact_size.y, 18.0);
     egui::Grid::new("read-outs").num_columns(4).show(ui, |ui| {
         let value = |ui: &mut egui::Ui, label: &str, text: String, help: &str| {
             ui.weak(label).on_hover_text(help);
@@ -29,6 +31,7 @@ pub fn show(app: &App, ui: &mut egui::Ui) {
         );
         ui.end_row();
     });
+    ui.spacing_mut().interact_size.y = tall;
 }
 
 /// Theory beside what the cascades hold, and what was measured in the maps on the GPU.

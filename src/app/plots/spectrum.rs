@@ -3,7 +3,7 @@
 use super::super::App;
 use super::{COLOURS, HEIGHT, Table};
 use crate::model::Plan;
-use egui_plot::{Legend, Line, LineStyle, Plot, PlotPoints, VLine};
+use egui_plot::{Bar, BarChart, Legend, Line, LineStyle, Plot, PlotPoints, VLine};
 
 const POINTS: usize = 240;
 
@@ -43,6 +43,11 @@ pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
             egui_plot::HoverPosition::Elsewhere { .. } => None,
         });
     plot.show(ui, |plot| {
+        if let Some((width, density)) = &maps {
+            let bar = |i: usize, s: f64| Bar::new((i as f64 + 0.5) * width, s).width(*width);
+            let bars = density.iter().enumerate().map(|(i, s)| bar(i, *s)).collect();
+            plot.bar_chart(BarChart::new("measured", bars).color(COLOURS[3].gamma_multiply(0.35)));
+        }
         plot.line(Line::new("theory", PlotPoints::from(curve(&|w| plan.density(w)))).color(COLOURS[0]).width(2.0));
         plot.vline(VLine::new("peak", peak).color(COLOURS[0].gamma_multiply(0.6)).width(1.0));
         if several {
@@ -58,12 +63,6 @@ pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
                 let line = VLine::new("cascades", edge).style(LineStyle::dotted_dense()).width(1.0);
                 plot.vline(line.color(egui::Color32::GRAY));
             }
-        }
-        if let Some((width, density)) = &maps {
-            let step = |i: usize| [i as f64 * width, (i + 1) as f64 * width];
-            let points: Vec<[f64; 2]> =
-                density.iter().enumerate().flat_map(|(i, s)| step(i).map(|omega| [omega, *s])).collect();
-            plot.line(Line::new("measured", PlotPoints::from(points)).color(COLOURS[3]).width(1.0));
         }
         if record.len() > 2 {
             let points: Vec<[f64; 2]> = record.iter().copied().filter(|p| p[0] <= end).collect();
