@@ -97,6 +97,17 @@ use_software_vulkan() {
   fi
 }
 
+# A display for the window, and a hand for it.
+need_display() {
+  local missing=()
+  have Xvfb || missing+=(xvfb)
+  have xdotool || missing+=(xdotool)
+  # Opened at run time, so no program's dependencies name it.
+  ls /usr/lib*/libxkbcommon-x11.so.0 /usr/lib/*/libxkbcommon-x11.so.0 2>/dev/null | grep -q . ||
+    missing+=(libxkbcommon-x11-0)
+  need_packages "${missing[@]}"
+}
+
 # Both browsers, node, and the tests' packages.
 need_browsers() {
   local missing=()

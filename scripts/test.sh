@@ -5,7 +5,7 @@ set -euo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-STEPS=(format clippy clippy-page library native page-tools page browsers)
+STEPS=(format clippy clippy-page library native window page-tools page browsers)
 only=
 case ${1:-} in
   '') ;;
@@ -36,12 +36,14 @@ library() {
   echo "library: clean, $(sort -u <<<"$tree" | wc -l) packages"
 }
 native() { cargo test --locked --no-fail-fast; }
+window() { cargo test --locked --test window -- --ignored; }
 page_tools() { (cd web/tests && node --test); }
 page() { build_page && ls -l dist; }
 browsers() { cargo build --locked --bin seastate && (cd web/tests && node run.mjs); }
 
 need_rust
 need_software_vulkan
+need_display
 need_wasm_tools
 need_browsers
 use_software_vulkan

@@ -6,8 +6,6 @@ mod caption;
 mod dropped;
 mod faults;
 mod files;
-#[cfg(target_arch = "wasm32")]
-mod finder;
 mod gauges;
 mod history;
 pub mod keys;
@@ -18,6 +16,8 @@ mod panel;
 pub mod picture;
 mod plots;
 mod quality;
+#[cfg(target_arch = "wasm32")]
+mod readers;
 pub mod setup;
 mod share;
 mod tasks;
@@ -124,7 +124,7 @@ pub struct App {
     #[cfg(target_arch = "wasm32")]
     address: web::Address,
     #[cfg(target_arch = "wasm32")]
-    finder: finder::Finder,
+    readers: readers::Readers,
 }
 
 impl App {
@@ -149,9 +149,9 @@ impl App {
         render_state.renderer.write().callback_resources.insert(ocean);
         setup::style(&cc.egui_ctx);
         #[cfg(target_arch = "wasm32")]
-        let finder = finder::Finder::default();
+        let readers = readers::Readers::default();
         #[cfg(target_arch = "wasm32")]
-        cc.egui_ctx.add_plugin(finder.clone());
+        cc.egui_ctx.add_plugin(readers.clone());
         Ok(Self {
             derived: Derived::new(&params),
             notices,
@@ -179,7 +179,7 @@ impl App {
             #[cfg(target_arch = "wasm32")]
             address: web::Address::new(&params),
             #[cfg(target_arch = "wasm32")]
-            finder,
+            readers,
             params,
         })
     }

@@ -56,7 +56,7 @@ struct SeaFrame {
 }
 
 impl egui_wgpu::CallbackTrait for SeaFrame {
-    #[expect(clippy::disallowed_methods, reason = "web_time's Instant is the one that browsers have")]
+    #[cfg_attr(not(target_arch = "wasm32"), expect(clippy::disallowed_methods, reason = "no browser runs this one"))]
     fn prepare(
         &self,
         device: &wgpu::Device,

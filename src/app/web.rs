@@ -1,5 +1,6 @@
 //! The page: what JavaScript calls, and the address kept in step with the state.
 
+use super::readers::Item;
 use super::{App, setup, tidy};
 use crate::gpu::readback;
 use crate::gpu::shaders::Shaders;
@@ -82,12 +83,31 @@ impl WebHandle {
 
     /// Place of the widget with a label, in points: x, y, width, height. For tests; ask again after a frame.
     pub fn place(&self, label: &str) -> Option<Vec<f64>> {
-        self.with(|app| app.finder.place(label, &app.ctx)).flatten().map(|r| r.to_vec())
+        let items = self.items();
+        // What is told last of a name counts: a window's title comes before what is in it.
+        items.iter().rev().find(|item| item.label == label).map(|item| item.place.to_vec())
     }
 
     /// Labels and values of all widgets, for tests.
     pub fn labels(&self) -> Vec<String> {
-        self.with(|app| app.finder.labels(&app.ctx)).unwrap_or_default()
+        self.items().iter().map(|item| format!("{}: {}", item.label, item.value)).collect()
+    }
+
+    /// What screen readers are told: an array of objects for widgets and texts in reading order, with `id`, `role` (that of
+    /// AccessKit), `label`, `value`, `now`, `least`, `greatest`, `on`, `open`, `disabled`; empty until a frame after the
+    /// first question.
+    pub fn described(&self) -> js_sys::Array {
+        self.items().iter().map(described).collect()
+    }
+
+    /// The sea in one line, and what the program said last.
+    pub fn told(&self) -> String {
+        self.with(|app| app.told()).unwrap_or_default()
+    }
+
+    /// Does to a widget what a screen reader asks for: `click`, `focus`, `set` a number, `type` a text.
+    pub fn act(&self, id: &str, action: &str, value: f64, text: &str) {
+        self.with(|app| app.readers.act(&app.ctx, id, action, value, text));
     }
 
     /// Why the GPU was lost, if it was.
@@ -123,9 +143,32 @@ impl WebHandle {
         Ok(out.into())
     }
 
+    fn items(&self) -> Vec<Item> {
+        self.with(|app| app.readers.items(&app.ctx)).unwrap_or_default()
+    }
+
     fn with<T>(&self, f: impl FnOnce(&mut App) -> T) -> Option<T> {
         self.runner.app_mut::<App>().map(|mut app| f(&mut app))
     }
+}
+
+fn described(item: &Item) -> JsValue {
+    let out = js_sys::Object::new();
+    // Setting a property of a fresh object cannot fail.
+    let set = |key: &str, value: JsValue| drop(js_sys::Reflect::set(&out, &key.into(), &value));
+    set("id", item.id.as_str().into());
+    set("role", item.role.as_str().into());
+    set("label", item.label.as_str().into());
+    set("value", item.value.as_str().into());
+    if let Some([now, least, greatest]) = item.number {
+        set("now", now.into());
+        set("least", least.into());
+        set("greatest", greatest.into());
+    }
+    set("on", item.on.into());
+    set("open", item.open.into());
+    set("disabled", item.disabled.into());
+    out.into()
 }
 
 /// Whether the visitor has asked for less motion.
@@ -162,6 +205,12 @@ impl Address {
 }
 
 impl App {
+    /// The sea in one line, and what was said last.
+    fn told(&self) -> String {
+        let sea = super::panel::summary(self);
+        self.said.as_ref().map_or_else(|| sea.clone(), |(said, _)| format!("{sea}. {said}"))
+    }
+
     /// Follows the address when the user went back or forward; else writes the state to it. A change of the sea or the
     /// light is a new entry of the history, time and camera replace the current one.
     pub(super) fn keep_address(&mut self) {

@@ -194,8 +194,42 @@ export async function explorer(context) {
       await frames(tab, 4);
       const phone = await shot(tab, 'phone');
       assert.ok(spread(crop(phone, [0.02, 0.5, 0.98, 0.9])) > 0, 'a sea above the sheet');
-      const labels = await tab.until('the sheet', () => window.seastate.labels().find((l) => l.includes('Beaufort 6: tap')));
-      assert.ok(labels);
+      const label = await tab.until('the sheet', () => window.seastate.labels().find((l) => l.includes('Beaufort 6: tap')));
+      await click(tab, label.replace(/: $/, ''));
+      const button = await place(tab, 'Copy link');
+      assert.ok(button.height >= 44 && button.y > 844 * 0.4 && button.y < 844, `a finger hits what is in the sheet: ${JSON.stringify(button)}`);
+      await shot(tab, 'phone-sheet');
+      assert.deepEqual(tab.errors, [], 'console errors');
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: a screen reader lists the panel and uses it`, async () => {
+    const tab = await openSea(context, STATE, { size: SIZE });
+    try {
+      assert.equal(await tab.evaluate(() => document.getElementById('controls').childElementCount), 0, 'nothing is mirrored unasked');
+      await tab.evaluate(() => document.getElementById('readers-ask').focus());
+      await tab.page.keyboard.press('Enter');
+      const find = (what) => tab.until(`an element for ${what}`, (name) => [...document.getElementById('controls').children].some((e) => (e.ariaLabel ?? e.textContent) === name), what);
+      const wind = () => tab.evaluate(() => Number(new URLSearchParams(window.seastate.state()).get('wind') ?? 12));
+      await find('Copy link');
+      await find('Beaufort');
+      const before = await wind();
+      await tab.evaluate(() => {
+        const slider = [...document.querySelectorAll('#controls input[type=range]')].find((e) => e.ariaLabel === 'Beaufort');
+        slider.value = 8;
+        slider.dispatchEvent(new Event('input'));
+      });
+      await tab.until('Beaufort 8 to be told', () => document.getElementById('told').textContent.includes('Beaufort 8'));
+      assert.ok((await wind()) > before + 3, 'the wind follows');
+      // Buttons open and run, too; elements come and go with their widgets.
+      const press = (name) => tab.evaluate((label) => [...document.querySelectorAll('#controls button')].find((e) => e.textContent === label).click(), name);
+      assert.equal(await tab.evaluate(() => [...document.querySelectorAll('#controls button')].some((e) => e.textContent === 'Hurricane')), false);
+      await press('Seas');
+      await find('Hurricane');
+      await press('Play');
+      await tab.until('the sea to run', () => new URLSearchParams(window.seastate.state()).get('pause') === null);
       assert.deepEqual(tab.errors, [], 'console errors');
     } finally {
       await tab.close();

@@ -60,7 +60,8 @@ fn sheet(app: &mut App, ctx: &egui::Context, screen: egui::Rect) {
         egui::Frame::window(ui.style()).inner_margin(margin).show(ui, |ui| {
             ui.set_width(screen.width() - 20.0);
             for_fingers(ui);
-            let title = egui::Button::new(summary(app)).frame(false);
+            let ask = if app.panel.sheet_is_open { "" } else { ": tap to change" };
+            let title = egui::Button::new(summary(app) + ask).frame(false);
             let response = ui.add_sized([ui.available_width(), TOUCH_POINTS], title);
             let icon = response.clone().with_new_rect(egui::Rect::from_center_size(
                 response.rect.left_center() + egui::vec2(12.0, 0.0),
@@ -87,15 +88,12 @@ fn for_fingers(ui: &mut egui::Ui) {
     ui.spacing_mut().icon_width = 22.0;
 }
 
-/// The sea in one line: the title of the sheet.
-fn summary(app: &App) -> String {
+/// The sea in one line.
+pub fn summary(app: &App) -> String {
     let metres = super::units::Scale::of("m", app.params.screen.units);
     let wind = app.params.sea.local().wind_m_s;
     let hs = metres.text(app.derived.theory.hs_m, 1);
-    {
-        let ask = if app.panel.sheet_is_open { "" } else { ": tap to change" };
-        format!("Hs {hs}, Beaufort {}{ask}", beaufort::number_of(wind))
-    }
+    format!("Hs {hs}, Beaufort {}", beaufort::number_of(wind))
 }
 
 fn contents(app: &mut App, ui: &mut egui::Ui) {

@@ -1,0 +1,143 @@
+//! Screen readers on a page. eframe has no bridge from AccessKit to a browser, so the tree is handed to the page's script,
+//! which mirrors it in elements (web/readers.js), and what is done to those comes back as AccessKit's requests.
+//!
+//! The tree is made only once somebody has asked for it. Tests that use the panel as a person does find widgets by it, too.
+
+use egui::accesskit::{Action, ActionData, ActionRequest, Node, NodeId, Role, Toggled, TreeId, TreeUpdate};
+use std::collections::{HashMap, VecDeque};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// A widget, or a text.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Item {
+    /// Of the widget, as text: it has 64 bits.
+    pub id: String,
+    /// AccessKit's name of its role.
+    pub role: String,
+    /// Name, and what it says.
+    pub label: String,
+    pub value: String,
+    /// Value, least, greatest.
+    pub number: Option<[f64; 3]>,
+    /// Whether it is on, whether it is open.
+    pub on: Option<bool>,
+    pub open: Option<bool>,
+    pub disabled: bool,
+    /// Place in points: x, y, width, height.
+    pub place: [f64; 4],
+}
+
+/// What the page and the program tell one another.
+#[derive(Clone, Default)]
+pub struct Readers(Arc<Mutex<Inner>>);
+
+#[derive(Default)]
+struct Inner {
+    /// In the order in which they are read.
+    items: Vec<Item>,
+    /// What the page has asked for, a batch for each frame.
+    requests: VecDeque<Vec<egui::Event>>,
+    tree: Option<TreeId>,
+}
+
+impl Readers {
+    fn inner(&self) -> MutexGuard<'_, Inner> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// What is on the screen, once a frame has been drawn since the first question.
+    pub fn items(&self, ctx: &egui::Context) -> Vec<Item> {
+        if self.inner().tree.is_none() {
+            ctx.enable_accesskit();
+            ctx.request_repaint();
+        }
+        self.inner().items.clone()
+    }
+
+    /// Does to a widget what its element was asked for: `click`, `focus`, `set` a number, `type` a text and leave.
+    pub fn act(&self, ctx: &egui::Context, id: &str, action: &str, value: f64, text: &str) {
+        let mut inner = self.inner();
+        let (Ok(id), Some(target_tree)) = (id.parse().map(NodeId), inner.tree) else { return };
+        let ask = |action, data| {
+            egui::Event::AccessKitActionRequest(ActionRequest { action, target_tree, target_node: id, data })
+        };
+        let key = |key, modifiers| {
+            [true, false].map(|pressed| egui::Event::Key { key, physical_key: None, pressed, repeat: false, modifiers })
+        };
+        match action {
+            "click" => inner.requests.push_back(vec![ask(Action::Click, None)]),
+            "focus" => inner.requests.push_back(vec![ask(Action::Focus, None)]),
+            "set" => inner.requests.push_back(vec![ask(Action::SetValue, Some(ActionData::NumericValue(value)))]),
+            "type" => {
+                inner.requests.push_back(vec![ask(Action::Focus, None)]);
+                let mut keys = key(egui::Key::A, egui::Modifiers::COMMAND).to_vec();
+                keys.push(egui::Event::Text(text.to_owned()));
+                inner.requests.push_back(keys);
+                inner.requests.push_back(key(egui::Key::Enter, egui::Modifiers::NONE).to_vec());
+            }
+            _ => return,
+        }
+        ctx.request_repaint();
+    }
+}
+
+impl egui::Plugin for Readers {
+    fn debug_name(&self) -> &'static str {
+        "readers"
+    }
+
+    fn input_hook(&mut self, ctx: &egui::Context, input: &mut egui::RawInput) {
+        let mut inner = self.inner();
+        if let Some(batch) = inner.requests.pop_front() {
+            input.events.extend(batch);
+        }
+        if !inner.requests.is_empty() {
+            ctx.request_repaint();
+        }
+    }
+
+    fn output_hook(&mut self, _ctx: &egui::Context, output: &mut egui::FullOutput) {
+        let Some(update) = &output.platform_output.accesskit_update else { return };
+        let items = items(update);
+        let mut inner = self.inner();
+        (inner.items, inner.tree) = (items, Some(update.tree_id));
+    }
+}
+
+/// Widgets and texts of a tree in reading order.
+fn items(update: &TreeUpdate) -> Vec<Item> {
+    let nodes: HashMap<NodeId, &Node> = update.nodes.iter().map(|(id, node)| (*id, node)).collect();
+    let mut items = Vec::new();
+    let mut waiting: Vec<NodeId> = update.tree.iter().map(|tree| tree.root).collect();
+    while let Some(id) = waiting.pop() {
+        let Some(node) = nodes.get(&id) else { continue };
+        waiting.extend(node.children().iter().rev());
+        items.extend(item(id, node, &nodes));
+    }
+    items
+}
+
+fn item(id: NodeId, node: &Node, nodes: &HashMap<NodeId, &Node>) -> Option<Item> {
+    let by = || nodes.get(node.labelled_by().first()?).and_then(|by| by.label().or(by.value()));
+    let label = node.label().or_else(by).unwrap_or_default().to_owned();
+    let value = node.value().unwrap_or_default().to_owned();
+    if label.is_empty() && value.is_empty() || node.role() == Role::GenericContainer {
+        return None;
+    }
+    let number = node.numeric_value().map(|value| {
+        let end = |end: Option<f64>| end.filter(|x| x.is_finite()).unwrap_or(value);
+        [value, end(node.min_numeric_value()), end(node.max_numeric_value())]
+    });
+    let place = node.bounds().map_or([0.0; 4], |r| [r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0]);
+    Some(Item {
+        id: id.0.to_string(),
+        role: format!("{:?}", node.role()),
+        label,
+        value,
+        number,
+        on: node.toggled().map(|t| t == Toggled::True),
+        open: node.is_expanded(),
+        disabled: node.is_disabled(),
+        place,
+    })
+}

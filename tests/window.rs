@@ -1,0 +1,218 @@
+//! The window as a person uses it, on a display of its own: Xvfb shows it, xdotool is the hand and the keyboard, and what the
+//! program does is read from the pictures that it saves, which carry their state. `scripts/test.sh --only window` installs
+//! both and runs it: `cargo test --test window -- --ignored`.
+
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use seastate::app::App;
+use seastate::model::params::CameraMode;
+use seastate::model::{Params, query};
+use std::io::{BufRead, BufReader};
+use std::path::PathBuf;
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// Few pixels of sea under a window of the usual size.
+const STATE: &str = "n=64&pause=1&t=20&mesh=0.1&renderscale=0.25&adaptive=0";
+const SIZE: [f32; 2] = [1280.0, 720.0];
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// Ends with its owner.
+struct Process(Child);
+
+impl Drop for Process {
+    fn drop(&mut self) {
+        // It may have ended by itself.
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+/// The program on a display.
+struct Desk {
+    program: Process,
+    _display: Process,
+    name: String,
+    folder: PathBuf,
+    window: String,
+}
+
+#[expect(clippy::disallowed_methods, reason = "another process is waited for")]
+fn until<T>(what: &str, mut try_it: impl FnMut() -> Option<T>) -> T {
+    let begun = Instant::now();
+    loop {
+        if let Some(found) = try_it() {
+            return found;
+        }
+        assert!(begun.elapsed() < PATIENCE, "{what}: nothing within {} s", PATIENCE.as_secs());
+        std::thread::sleep(Duration::from_millis(50));
+    }
+}
+
+impl Desk {
+    fn open(state: &str) -> Self {
+        let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("window");
+        // Of the last run.
+        let _ = std::fs::remove_dir_all(&folder);
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let mut display = Command::new("Xvfb")
+            .args(["-displayfd", "1", "-screen", "0", "1400x800x24", "-nolisten", "tcp"])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("Xvfb; scripts/test.sh installs it");
+        let mut number = String::new();
+        BufReader::new(display.stdout.take().expect("its output")).read_line(&mut number).expect("a display");
+        let display = Process(display);
+        let name = format!(":{}", number.trim());
+        let program = Command::new(env!("CARGO_BIN_EXE_seastate"))
+            .arg(state)
+            .current_dir(&folder)
+            .env("DISPLAY", &name)
+            .env("HOME", &folder)
+            .env("XDG_RUNTIME_DIR", &folder)
+            .env_remove("WAYLAND_DISPLAY")
+            .env_remove("WAYLAND_SOCKET")
+            .env_remove("XDG_CONFIG_HOME")
+            .spawn()
+            .expect("the program");
+        let mut desk = Self { program: Process(program), _display: display, name, folder, window: String::new() };
+        desk.window = until("a window", || {
+            let found = desk.hand(&["search", "--onlyvisible", "--name", "^Seastate$"]);
+            found.lines().next().map(str::to_owned)
+        });
+        desk.hand(&["windowmove", "--sync", &desk.window, "0", "0"]);
+        desk.hand(&["windowfocus", "--sync", &desk.window]);
+        desk
+    }
+
+    /// Runs xdotool.
+    fn hand(&self, words: &[&str]) -> String {
+        let out = Command::new("xdotool").args(words).env("DISPLAY", &self.name).output();
+        String::from_utf8_lossy(&out.expect("xdotool; scripts/test.sh installs it").stdout).into_owned()
+    }
+
+    fn key(&self, key: &str) {
+        self.hand(&["key", key]);
+    }
+
+    fn to(&self, [x, y]: [f32; 2]) {
+        self.hand(&["mousemove", &x.round().to_string(), &y.round().to_string()]);
+    }
+
+    fn click(&self, at: [f32; 2]) {
+        self.to(at);
+        self.hand(&["sleep", "0.3", "click", "1", "sleep", "0.3"]);
+    }
+
+    fn drag(&self, from: [f32; 2], to: [f32; 2]) {
+        self.to(from);
+        self.hand(&["sleep", "0.3", "mousedown", "1", "sleep", "0.2"]);
+        for i in 1u8..=6 {
+            let share = f32::from(i) / 6.0;
+            self.to([from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])]);
+            self.hand(&["sleep", "0.15"]);
+        }
+        self.hand(&["mouseup", "1", "sleep", "0.3"]);
+    }
+
+    /// Has a picture saved and reads the state in it.
+    fn look(&self) -> Params {
+        self.key("p");
+        let path = until("a picture", || {
+            let mut files = std::fs::read_dir(&self.folder).ok()?.flatten().map(|f| f.path());
+            files.find(|path| path.extension().is_some_and(|e| e == "png"))
+        });
+        let state = until("a whole picture", || seastate::app::picture::state_of(&std::fs::read(&path).ok()?).ok());
+        std::fs::remove_file(&path).expect("the picture is ours");
+        let (params, notices) = query::parse(&state);
+        assert_eq!(notices, Vec::<String>::new(), "{state}");
+        params
+    }
+
+    /// Looks until the state is as wanted: a frame takes its time in software. Then once more, as a picture shows the frame
+    /// before the key, and a drag may not have ended in it.
+    fn look_for(&self, what: &str, wanted: impl Fn(&Params) -> bool) -> Params {
+        until(what, || Some(self.look()).filter(&wanted));
+        self.look()
+    }
+}
+
+/// Middles of widgets of the same program in a window of the same size.
+fn places(state: &str, labels: &[&str]) -> Vec<[f32; 2]> {
+    let state = state.to_owned();
+    let mut harness = Harness::builder()
+        .with_size(egui::vec2(SIZE[0], SIZE[1]))
+        .with_pixels_per_point(1.0)
+        .wgpu_setup(seastate::app::setup::wgpu_configuration().wgpu_setup)
+        .build_eframe(move |cc| App::new(cc, &state).expect("a device"));
+    harness.run_steps(4);
+    // A slider comes before its number.
+    let first = |label: &&str| harness.get_all_by_label(label).next().expect("a widget").rect().center();
+    labels.iter().map(first).map(|at| [at.x, at.y]).collect()
+}
+
+#[test]
+#[ignore = "needs Xvfb and xdotool: scripts/test.sh has them"]
+fn the_window_is_used_as_a_person_does() {
+    let widgets = places(STATE, &["Beaufort", "Time", "Play", "Reset"]);
+    let [beaufort, time, play, reset] = widgets[..] else { panic!("{widgets:?}") };
+    let mut desk = Desk::open(STATE);
+    let first = desk.look();
+    assert_eq!(first, query::parse(STATE).0);
+
+    // A slider is dragged, and undone.
+    desk.drag(beaufort, [beaufort[0] + 40.0, beaufort[1]]);
+    let windy = desk.look_for("more wind", |p| p.sea.local().wind_m_s > first.sea.local().wind_m_s);
+    desk.key("ctrl+z");
+    desk.look_for("the old wind", |p| p.sea.local().wind_m_s == first.sea.local().wind_m_s);
+    desk.key("ctrl+shift+z");
+    desk.look_for("the new wind", |p| p.sea.local().wind_m_s == windy.sea.local().wind_m_s);
+
+    // The left button looks around, over the sea; the panel keeps the pointer for itself.
+    desk.drag([300.0, 300.0], [420.0, 330.0]);
+    let turned = desk.look_for("a turn", |p| p.camera.heading_deg != first.camera.heading_deg);
+    assert_eq!(turned.camera.mode, CameraMode::Fly);
+    desk.drag([beaufort[0], 400.0], [beaufort[0] + 60.0, 430.0]);
+    assert_eq!(desk.look().camera, turned.camera);
+    // The wheel goes closer.
+    desk.to([300.0, 300.0]);
+    desk.hand(&["sleep", "0.2", "click", "--repeat", "3", "--delay", "120", "4"]);
+    let closer = desk.look_for("a step ahead", |p| p.camera != turned.camera);
+    // And keys fly.
+    desk.hand(&["keydown", "w", "sleep", "1.0", "keyup", "w"]);
+    desk.look_for("a flight", |p| p.camera.z_m != closer.camera.z_m || p.camera.x_m != closer.camera.x_m);
+
+    // Time is scrubbed, runs, and stands.
+    desk.drag(time, [time[0] + 30.0, time[1]]);
+    let later = desk.look_for("another time", |p| p.clock.t_s != first.clock.t_s);
+    desk.click(play);
+    desk.look_for("a sea that runs", |p| !p.clock.paused && p.clock.t_s > later.clock.t_s);
+    desk.key("space");
+    let stood = desk.look_for("a sea that stands", |p| p.clock.paused);
+    assert_eq!(desk.look().clock, stood.clock);
+
+    // The panel goes and comes back; views have a key, and Escape leaves them before it closes the window.
+    desk.key("h");
+    desk.look_for("no panel", |p| !p.screen.panel);
+    desk.key("h");
+    desk.look_for("a panel", |p| p.screen.panel);
+    desk.key("v");
+    desk.look_for("a view", |p| p.look.view != first.look.view);
+    desk.key("Escape");
+    desk.look_for("the picture again", |p| p.look.view == first.look.view);
+
+    desk.click(reset);
+    desk.look_for("the default sea", |p| p.sea == Params::default().sea);
+
+    // Another size; the same sea.
+    desk.key("space");
+    let before = desk.look_for("a sea that stands", |p| p.clock.paused);
+    for [width, height] in [["640", "480"], ["1280", "720"]] {
+        desk.hand(&["windowsize", "--sync", &desk.window, width, height]);
+        assert_eq!(desk.look(), before);
+    }
+    desk.key("Escape");
+    let status = until("the end", || desk.program.0.try_wait().ok().flatten());
+    assert!(status.success(), "{status}");
+}
