@@ -1,6 +1,7 @@
 //! How eframe is asked for a device, and how the app looks.
 
 use crate::gpu::device;
+use egui::epaint::text::{GlyphBitmap, GlyphRasterizer, GlyphRasterizerRequest, RasterizedGlyph};
 use std::sync::Arc;
 
 /// wgpu as every shell wants it: the program's backends and device.
@@ -20,8 +21,30 @@ pub fn wgpu_configuration() -> egui_wgpu::WgpuConfiguration {
     egui_wgpu::WgpuConfiguration { wgpu_setup: egui_wgpu::WgpuSetup::CreateNew(setup), ..Default::default() }
 }
 
+/// The sign on the colour picker's button that copies, which the program's fonts lack: a board with a clip.
+fn clipboard_sign(request: &GlyphRasterizerRequest<'_>) -> Option<RasterizedGlyph> {
+    if request.cluster != "\u{1f4cb}" {
+        return None;
+    }
+    let height = request.font_size_px.round().max(8.0) as usize;
+    let width = height * 3 / 4;
+    let line = (height / 10).max(1);
+    let board = |x: usize, y: usize| {
+        let edge = |at: usize, end: usize| at < line || at >= end - line;
+        let clip = y < 3 * line && x.abs_diff(width / 2) <= width / 4;
+        clip || y >= line && (edge(x, width) || edge(y - line, height - line))
+    };
+    let ink = |i: usize| if board(i % width, i / width) { egui::Color32::WHITE } else { egui::Color32::TRANSPARENT };
+    let image = egui::ColorImage::new([width, height], (0..width * height).map(ink).collect());
+    // From the base line upwards.
+    let offset_px = egui::vec2(0.0, line as f32 - height as f32);
+    let advance_px = (width + line) as f32;
+    Some(RasterizedGlyph { bitmap: GlyphBitmap { image, offset_px, is_color: false }, advance_px })
+}
+
 /// Dark, a little translucent, so that the sea stays the subject.
 pub fn style(ctx: &egui::Context) {
+    ctx.add_glyph_rasterizer(GlyphRasterizer::new("seastate::clipboard", clipboard_sign));
     ctx.set_theme(egui::Theme::Dark);
     ctx.all_styles_mut(|style| {
         // Opaque enough for its text to be read over a sunlit sea.

@@ -38,7 +38,10 @@ fn row(params: &mut Params, field: &'static Field, units: Units, ui: &mut egui::
     edit(field, &mut value, units, ui).labelled_by(label.id).on_hover_text(&help);
     let default = field.default_value();
     let undo = egui::Button::new("×").small().frame(false);
-    let undo = named(ui.add_enabled(value != default, undo), &format!("{}: back to the default", field.label));
+    let undo = named(
+        ui.add_enabled(value != default, undo),
+        &format!("{}, {}: back to the default", field.group.label(), field.label),
+    );
     if undo.on_hover_text("Back to the default.").clicked() {
         value = default;
     }

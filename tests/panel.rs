@@ -1,0 +1,132 @@
+//! Every row of FIELDS in the panel and in the state string.
+
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+use seastate::app::App;
+use seastate::model::fields::{FIELDS, Field, Kind};
+use seastate::model::{Params, query};
+
+/// Two other values than the default.
+fn others(field: &Field) -> [f64; 2] {
+    let default = field.default_value();
+    let candidates: Vec<f64> = match field.kind {
+        Kind::Number { min, max, .. } => [0.3, 0.6, 0.45].map(|s: f64| min + s * (max - min)).to_vec(),
+        Kind::Heading => [70.0, 200.5, 311.0].to_vec(),
+        Kind::Integer { min, max } => (min..=max).take(4).map(f64::from).chain([f64::from(max)]).collect(),
+        Kind::Choice(words) => (0..words.len()).map(|i| i as f64).collect(),
+        Kind::Flag => vec![0.0, 1.0],
+        Kind::Colour => [0x0012_3456, 0x00fe_dcba].map(f64::from).to_vec(),
+    };
+    let mut taken = candidates.into_iter().filter_map(|v| field.accept(v).ok()).filter(|v| *v != default);
+    let first = taken.next().unwrap_or_else(|| panic!("{} has one value only", field.key));
+    [first, taken.next().unwrap_or(first)]
+}
+
+#[test]
+fn the_state_string_carries_every_parameter_exactly() {
+    for field in FIELDS.iter() {
+        for value in others(field) {
+            let mut params = Params::default();
+            (field.set)(&mut params, value);
+            assert_eq!((field.get)(&params), value, "{}", field.key);
+            let state = query::write(&params);
+            assert_eq!(state, format!("{}={}", field.key, field.format(value)));
+            let (read, notices) = query::parse(&state);
+            assert_eq!((read, notices), (params, Vec::new()), "{state}");
+        }
+    }
+}
+
+fn params(harness: &Harness<'_, App>) -> Params {
+    query::parse(&harness.state().state()).0
+}
+
+/// The widget of a row: what is called as its label, and is nearest to the row's cross.
+fn widget<'a>(harness: &'a Harness<'_, App>, field: &Field) -> egui_kittest::Node<'a> {
+    let row = harness.get_by_label(&cross(field)).rect().center().y;
+    let far = |node: &egui_kittest::Node<'_>| (node.rect().center().y - row).abs();
+    let mut named = harness.query_all_by_label(field.label);
+    named
+        .find(|node| node.accesskit_node().role() != egui::accesskit::Role::Label && far(node) < 12.0)
+        .unwrap_or_else(|| panic!("{} is not in the panel", field.key))
+}
+
+/// Two waves systems have rows of the same names.
+fn cross(field: &Field) -> String {
+    format!("{}, {}: back to the default", field.group.label(), field.label)
+}
+
+/// A sea that is quick to make, at rest.
+const BASE: &str = "pause=1&n=64&cascades=1";
+
+#[test]
+fn the_panel_sets_every_parameter_and_takes_it_back() {
+    let mut harness = Harness::builder()
+        .with_size(egui::vec2(900.0, 6000.0))
+        .with_pixels_per_point(1.0)
+        .wgpu_setup(seastate::app::setup::wgpu_configuration().wgpu_setup)
+        .build_eframe(|cc| App::new(cc, BASE).expect("a device"));
+    harness.run_steps(3);
+    for field in FIELDS.iter() {
+        harness.state_mut().set_state(BASE);
+        harness.run_steps(2);
+        harness.get_by_label("Clear the search").click();
+        harness.run_steps(2);
+        harness.get_by_label("Search").focus();
+        harness.run_steps(2);
+        harness.get_by_label("Search").type_text(field.key);
+        harness.run_steps(3);
+        let [value, _] = others(field);
+        let before = (field.get)(&params(&harness));
+        let value = if value == before { others(field)[1] } else { value };
+        match field.kind {
+            Kind::Number { .. } | Kind::Integer { .. } | Kind::Heading => {
+                widget(&harness, field).set_value_accesskit(value);
+                harness.run_steps(2);
+                let now = (field.get)(&params(&harness));
+                // A slider takes what it shows.
+                assert!((now - value).abs() <= 0.01 * value.abs().max(0.1), "{}: {now} instead of {value}", field.key);
+            }
+            Kind::Flag => {
+                widget(&harness, field).click_accesskit();
+                harness.run_steps(2);
+                assert_eq!((field.get)(&params(&harness)), 1.0 - before, "{}", field.key);
+            }
+            Kind::Choice(words) => {
+                widget(&harness, field).click_accesskit();
+                harness.run_steps(4);
+                let word = words[value as usize];
+                let chosen = harness.get_all_by_label(word).last().expect("a word");
+                chosen.click_accesskit();
+                harness.run_steps(4);
+                assert_eq!((field.get)(&params(&harness)), value, "{}", field.key);
+            }
+            Kind::Colour => {
+                // Its picker is egui's own.
+                widget(&harness, field).click_accesskit();
+                harness.run_steps(3);
+                harness.key_press(egui::Key::Escape);
+                harness.run_steps(3);
+                let mut with = params(&harness);
+                (field.set)(&mut with, value);
+                harness.state_mut().set_state(&query::write(&with));
+                harness.run_steps(2);
+            }
+        }
+        if !params(&harness).screen.panel {
+            continue;
+        }
+        // What it is set to is exactly what a link to it opens.
+        let set = params(&harness);
+        harness.state_mut().set_state(&query::write(&set));
+        harness.run_steps(2);
+        let mut now = params(&harness);
+        if !now.clock.paused {
+            now.clock.t_s = set.clock.t_s;
+        }
+        assert_eq!(now, set, "{}", field.key);
+        harness.get_by_label(&cross(field)).click_accesskit();
+        harness.run_steps(2);
+        assert_eq!((field.get)(&params(&harness)), field.default_value(), "{}", field.key);
+    }
+}
