@@ -2,6 +2,11 @@
 
 @group(1) @binding(0) var file_map: texture_2d<f32>;
 
+// Parts of the picture's background: a file's sky instead of the computed one, stars, fog. Clouds are in sky_model.wgsl.
+override SKY_FILE = true;
+override SKY_STARS = true;
+override SKY_FOG = true;
+
 struct SkyVertex {
   @builtin(position) clip: vec4f,
   @location(0) ray: vec3f,
@@ -70,7 +75,7 @@ fn fragment(in: SkyVertex) -> @location(0) vec4f {
   let dir = normalize(in.ray);
   let above = max(asin(clamp(dir.y, -1.0, 1.0)) + frame.dip, 0.0);
   var radiance = vec3f(0.0);
-  if sky.file > 0.0 {
+  if SKY_FILE && sky.file > 0.0 {
     // The file's horizon is drawn down to where the eye sees it; its ground stays out of the filter.
     let lowered = above - frame.dip * (1.0 - exp(-above / (3.0 * frame.dip + 1e-6)));
     let elevation = max(lowered, 0.75 * ATM_PI / f32(textureDimensions(file_map).y));
@@ -82,14 +87,14 @@ fn fragment(in: SkyVertex) -> @location(0) vec4f {
     radiance = air.rgb;
     if dir.y > -frame.dip {
       var beyond = sky_disc(dir);
-      if sky.sun.y < -0.05 {
+      if SKY_STARS && sky.sun.y < -0.05 {
         let through = atm_transmittance(transmittance_map, sky_sampler, 0.001 * frame.eye_m, dir.y, 1e-3);
         beyond += sky_stars(dir) * through.y;
       }
       radiance += beyond * (air.w * (1.0 - sky.overcast));
     }
   }
-  if sky.fog.x > 0.0 {
+  if SKY_FOG && sky.fog.x > 0.0 {
     let fog = air_fog(dir, FOG_FAR_M);
     radiance = radiance * fog.w + fog.rgb;
   }

@@ -5,6 +5,9 @@
 const SKY_CLOUD_KM = 1.1;
 const SKY_TILE_KM = 34.0;
 
+// Whether there may be clouds.
+override SKY_CLOUDS = true;
+
 // Clear air; `above` is the elevation above the visible horizon.
 fn sky_clear(dir: vec3f, above: f32) -> vec3f {
   let flat_dir = normalize(dir.xz + vec2f(1e-9, 0.0));
@@ -37,7 +40,7 @@ fn sky_cloud_noise(p: vec2f, lod: f32) -> f32 {
 fn sky_radiance(dir: vec3f, above: f32, pixel: f32, drift: vec2f) -> vec4f {
   let clear = sky_clear(dir, above);
   let o = sky.overcast;
-  if o <= 0.0 || above < 0.0 {
+  if !SKY_CLOUDS || o <= 0.0 || above < 0.0 {
     let air = mix(clear, sky_deck(above), o * o);
     return vec4f(select(air, clear, o <= 0.0), 1.0);
   }

@@ -167,6 +167,40 @@ impl<'a> Program<'a> {
     }
 }
 
+/// The pipelines of a pass, one for each set of parts that was needed so far: what is not there is not in it, because a
+/// software GPU pays for both sides of a branch, and any GPU for its registers.
+pub struct Variants<P>(Vec<(P, wgpu::RenderPipeline)>);
+
+impl<P> Default for Variants<P> {
+    fn default() -> Self {
+        Self(Vec::new())
+    }
+}
+
+impl<P: Copy + PartialEq> Variants<P> {
+    /// Turns to the pipeline of these parts, and makes it if there is none yet.
+    pub fn choose(&mut self, parts: P, make: impl FnOnce(P) -> wgpu::RenderPipeline) {
+        // The last is the one to draw with.
+        match self.0.iter().position(|(made, _)| *made == parts) {
+            Some(at) => {
+                let last = self.0.len() - 1;
+                self.0.swap(at, last);
+            }
+            None => self.0.push((parts, make(parts))),
+        }
+    }
+
+    /// The pipeline to draw with.
+    pub fn chosen(&self) -> Option<&wgpu::RenderPipeline> {
+        self.0.last().map(|(_, pipeline)| pipeline)
+    }
+}
+
+/// A constant of a module that says whether a part is there.
+pub fn part(name: &str, is_there: bool) -> (&str, f64) {
+    (name, f64::from(u8::from(is_there)))
+}
+
 /// A pipeline of the HDR pass: reverse-Z.
 pub fn hdr_pipeline(
     device: &wgpu::Device,

@@ -3,6 +3,7 @@
 //! A frame: the sky's look-up tables (only when the light changed), sky and water into an HDR target, tone curve to the
 //! screen. Every pass is a pure function of [`Scene`] and [`Maps`].
 
+mod background;
 mod debug;
 mod eye;
 mod floats;
@@ -28,6 +29,7 @@ use crate::model::afloat::Pose;
 use crate::model::look::Look;
 use crate::model::views::{Scale, Shown};
 use crate::sim::Maps;
+use background::Background;
 use debug::DebugPass;
 use eye::EyePass;
 use floats::FloatsPass;
@@ -92,7 +94,7 @@ pub struct Renderer {
     sky: Sky,
     eye: EyePass,
     water: WaterPass,
-    background: sky::Background,
+    background: Background,
     floats: FloatsPass,
     present: PresentPass,
     targets: Option<Targets>,
@@ -139,7 +141,7 @@ impl Renderer {
         let noise = NoiseTexture::new(device, queue);
         let sky = Sky::new(device, queue, &shaders, &noise);
         let scene = kit::SceneGroup::new(device, &frame, &material, &sky, &noise, film);
-        let background = sky::Background::new(device, &shaders, &scene, &sky);
+        let background = Background::new(device, &shaders);
         let water = WaterPass::new(device, &shaders, scene);
         let eye = EyePass::new(device, &shaders, &frame, &water);
         let floats = FloatsPass::new(device, &shaders);
@@ -212,6 +214,7 @@ impl Renderer {
         self.material.write(queue, &MaterialUniform::new(scene));
         self.frame.write(queue, frame);
         self.water.choose(device, scene);
+        self.background.choose(device, &self.water.scene, &self.sky, scene);
         self.water.bind_maps(device, maps);
         self.water.set_mesh(device, queue, mesh);
         let foot = [scene.view.eye.x, scene.view.eye.z];

@@ -3,7 +3,7 @@
 
 use super::Scene;
 use super::frame::dip;
-use super::kit::{Program, SceneGroup, Slot, Uniform, group, hdr_pipeline, layout};
+use super::kit::{Slot, Uniform, group, layout};
 use super::noise::NoiseTexture;
 use super::panorama::PanoramaTextures;
 use super::targets::HDR_FORMAT;
@@ -374,28 +374,6 @@ impl Sky {
         }
         self.lit.iter().for_each(|step| step.run(encoder));
         self.made_for = Some(wanted);
-    }
-}
-
-/// shaders/sky.wgsl: what stands behind the sea.
-pub struct Background {
-    pipeline: wgpu::RenderPipeline,
-}
-
-impl Background {
-    /// Compiles the pass.
-    pub fn new(device: &wgpu::Device, shaders: &Shaders, scene: &SceneGroup, sky: &Sky) -> Self {
-        let module = shaders.module(device, "sky");
-        let layouts = [Some(&scene.layout), Some(&sky.panorama.layout)];
-        Self { pipeline: hdr_pipeline(device, "sky", &Program::new(&module), &layouts, scene.film, false) }
-    }
-
-    /// Draws it.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, scene: &SceneGroup, sky: &Sky) {
-        pass.set_pipeline(&self.pipeline);
-        pass.set_bind_group(0, &scene.group, &[]);
-        pass.set_bind_group(1, &sky.panorama.group, &[]);
-        pass.draw(0..3, 0..1);
     }
 }
 

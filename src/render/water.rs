@@ -1,15 +1,14 @@
 //! shaders/water.wgsl: the mesh of the sea, displaced and lit.
 
 use super::Scene;
-use super::kit::{Program, SceneGroup, Slot, group, hdr_pipeline, layout};
+use super::kit::{Program, SceneGroup, Slot, Variants, group, hdr_pipeline, layout, part};
 use super::material;
 use super::mesh::Mesh;
 use super::targets::Film;
 use crate::gpu::shaders::Shaders;
 use crate::sim::Maps;
 
-/// What a picture's water consists of. Each has a pipeline of its own, made when it is first seen: what is not there is
-/// not in it, because a software GPU pays for both sides of a branch, and any GPU for its registers.
+/// What a picture's water consists of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Parts {
     /// A bed can be seen.
@@ -40,7 +39,6 @@ impl Parts {
         layouts: [&wgpu::BindGroupLayout; 2],
         film: Film,
     ) -> wgpu::RenderPipeline {
-        let part = |name, is_there: bool| (name, f64::from(u8::from(is_there)));
         let constants = [
             part("WATER_BED", self.bed),
             part("WATER_CAUSTICS", self.caustics),
@@ -57,8 +55,7 @@ pub struct WaterPass {
     /// Light, sky and frame.
     pub scene: SceneGroup,
     module: wgpu::ShaderModule,
-    /// Those that were needed so far; the last is the one to draw with.
-    pipelines: Vec<(Parts, wgpu::RenderPipeline)>,
+    pipelines: Variants<Parts>,
     layout: wgpu::BindGroupLayout,
     sampler: wgpu::Sampler,
     maps: Option<(u64, wgpu::BindGroup)>,
@@ -88,7 +85,7 @@ impl WaterPass {
             mipmap_filter: wgpu::MipmapFilterMode::Linear,
             ..Default::default()
         });
-        Self { scene, module, pipelines: Vec::new(), layout, sampler, maps: None, indices: None, count: 0 }
+        Self { scene, module, pipelines: Variants::default(), layout, sampler, maps: None, indices: None, count: 0 }
     }
 
     /// Binds the maps, if they are new.
@@ -110,13 +107,8 @@ impl WaterPass {
     /// Makes the pipeline that the picture of a scene needs, if there is none yet.
     pub fn choose(&mut self, device: &wgpu::Device, scene: &Scene) {
         let parts = Parts::new(scene, self.scene.film);
-        if let Some(at) = self.pipelines.iter().position(|(made, _)| *made == parts) {
-            let last = self.pipelines.len() - 1;
-            self.pipelines.swap(at, last);
-        } else {
-            let pipeline = parts.pipeline(device, &self.module, self.layouts(), self.scene.film);
-            self.pipelines.push((parts, pipeline));
-        }
+        let (module, layouts, film) = (&self.module, [&self.scene.layout, &self.layout], self.scene.film);
+        self.pipelines.choose(parts, |parts| parts.pipeline(device, module, layouts, film));
     }
 
     /// Layout of the maps' bind group: displacement, gradients, moments, foam, sampler.
@@ -149,7 +141,7 @@ impl WaterPass {
 
     /// Draws the sea.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        let Some((_, pipeline)) = self.pipelines.last() else { return };
+        let Some(pipeline) = self.pipelines.chosen() else { return };
         pass.set_pipeline(pipeline);
         self.draw_mesh(pass);
     }
