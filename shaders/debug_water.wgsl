@@ -28,7 +28,9 @@ fn debug_lines(at: vec3f, width: vec3f) -> f32 {
 @fragment
 fn debug_fragment(in: DebugWaterVertex) -> @location(0) vec4f {
   let at = in.rest.xz;
-  let foot = water_footprint(dpdx(at), dpdy(at));
+  let dx = dpdx(at);
+  let dy = dpdy(at);
+  let foot = water_footprint(dx, dy);
   let facet = normalize(cross(dpdy(in.place), dpdx(in.place)));
   // Triangles are bounded by columns, rows and the diagonals that run against both.
   let edges = vec3f(in.lattice, in.lattice.x + in.lattice.y);
@@ -43,7 +45,7 @@ fn debug_fragment(in: DebugWaterVertex) -> @location(0) vec4f {
     case 2u: { return debug_colour(slope.jacobian, tile); }
     case 3u: { return debug_colour(slope.variance.x + slope.variance.y, tile); }
     case 4u: { return debug_colour(log2(max(foot.size * frame.cascades[tile.layer].z * frame.n, 1e-6)), tile); }
-    case 5u: { return debug_colour(water_foam(at, foot).cover, tile); }
+    case 5u: { return debug_colour(water_foam(at, dx, dy).cover, tile); }
     default: {
       let fill = vec3f(0.05, 0.12, 0.17) * (0.4 + 0.6 * abs(dot(facet, vec3f(0.48, 0.8, 0.36))));
       return vec4f(mix(fill, vec3f(0.62, 0.88, 0.94), 0.8 * debug_lines(edges, width)), 1.0);

@@ -40,5 +40,5 @@ fn fragment(in: FloatVertex) -> @location(0) vec4f {
   let glint = 0.04 * 20.0 * pow(max(dot(n, half), 0.0), 160.0) * light.sun * max(dot(n, frame.sun), 0.0);
   let surface = in.colour * (sun + around) / ATM_PI + 0.5 * sheen * sky_there + glint / ATM_PI;
   let air = air_between(dir, distance_m);
-  return frame_colour(surface * air[1] + air[0]);
+  return frame_colour(surface * air[1] + air[0], 1.0 / distance_m);
 }

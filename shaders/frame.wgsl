@@ -62,8 +62,9 @@ struct Frame {
 
 const FRAME_EARTH_M = 6371000.0;
 
-// Marks a colour that is not a number, for the present pass to paint. A sample of a reference stays as it is.
-fn frame_colour(c: vec3f) -> vec4f {
+// Colour, and 1 and more for how near it is, by which the present pass finds edges: 1 / distance is even along a plane, and 0
+// for the sky. Marks a colour that is not a number, for that pass to paint. A sample of a reference stays as it is.
+fn frame_colour(c: vec3f, nearness: f32) -> vec4f {
   if frame.footprint == 0.0 {
     return vec4f(c, 0.0);
   }
@@ -71,5 +72,5 @@ fn frame_colour(c: vec3f) -> vec4f {
   if any(bits == vec3u(0x7f800000u)) {
     return vec4f(0.0);
   }
-  return vec4f(clamp(c, vec3f(0.0), vec3f(6e4)), 1.0);
+  return vec4f(clamp(c, vec3f(0.0), vec3f(6e4)), 1.0 + min(1e4 * nearness, 6e4));
 }

@@ -43,9 +43,9 @@ struct Material {
 }
 
 // Texels over which the channel of a layer (cloud, net, net, bubbles; cloud, bubbles) keeps half its variance, and how
-// steeply that falls: fitted to the mips of noise.rs.
+// steeply that falls: fitted to the mips of noise.rs as the sampler reads them, between texels and between levels.
 const MATERIAL_HALF_KEPT = array<vec2f, 6>(
-  vec2f(87.0, 1.55), vec2f(19.0, 1.5), vec2f(19.0, 1.5), vec2f(4.7, 1.7), vec2f(87.0, 1.55), vec2f(4.7, 1.7));
+  vec2f(42.0, 1.8), vec2f(10.9, 1.5), vec2f(10.9, 1.5), vec2f(2.7, 1.65), vec2f(42.0, 1.8), vec2f(2.7, 1.65));
 
 fn material_uv(layer: u32, at: vec2f) -> vec2f {
   let turn = material.layers[layer];

@@ -98,5 +98,5 @@ fn fragment(in: SkyVertex) -> @location(0) vec4f {
     let fog = air_fog(dir, FOG_FAR_M);
     radiance = radiance * fog.w + fog.rgb;
   }
-  return frame_colour(min(radiance, vec3f(6e4)));
+  return frame_colour(min(radiance, vec3f(6e4)), 0.0);
 }

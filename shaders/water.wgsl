@@ -67,8 +67,9 @@ fn fragment(in: WaterVertex) -> @location(0) vec4f {
   let bend_x = dpdx(slope.mean);
   let bend_y = dpdy(slope.mean);
   let bend = (1.0 / 12.0) * (vec3f(bend_x * bend_x, bend_x.x * bend_x.y) + vec3f(bend_y * bend_y, bend_y.x * bend_y.y));
-  let most_bend = min(1.0, 0.08 / max(max(bend.x, bend.y), 1e-6));
-  slope.variance = water_covariance(slope.variance + bend * (most_bend * frame.footprint));
+  let most_bend = frame.footprint * min(1.0, 0.08 / max(max(bend.x, bend.y), 1e-6));
+  slope.variance = water_covariance(slope.variance + bend * most_bend);
+  slope.lean += 0.25 * sqrt(most_bend) * select(bend_y, bend_x, dot(dx, dx) > dot(dy, dy));
 
   let distance_m = length(in.place);
   let dir = in.place / distance_m;
@@ -87,7 +88,7 @@ fn fragment(in: WaterVertex) -> @location(0) vec4f {
 
   var foam: WaterFoam;
   if WATER_FOAM {
-    foam = water_foam(at, foot);
+    foam = water_foam(at, dx, dy);
   }
   let mirror = water_mirror_among(v, slope, around);
   // A facet that leans away from the eye is not what the eye sees.
@@ -114,5 +115,5 @@ fn fragment(in: WaterVertex) -> @location(0) vec4f {
   if WATER_SAMPLES {
     return vec4f(colour, water_weight(v, slope, around));
   }
-  return frame_colour(colour);
+  return frame_colour(colour, 1.0 / distance_m);
 }

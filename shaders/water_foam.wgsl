@@ -64,58 +64,80 @@ fn water_foam_quantile(share: f32) -> f32 {
   return sign(share - 0.5) * (t - (2.30753 + 0.27061 * t) / (1.0 + t * (0.99229 + 0.04481 * t)));
 }
 
-// Most places along a pixel's footprint at which the noise is looked at.
-const FOAM_TAPS = 3;
+// Most places in a pixel at which the noise is looked at.
+const FOAM_TAPS = 8;
+// Places along a pixel at which the level of foam, which changes less, is looked at.
+const FOAM_LEVELS = 3;
+// Length in which the finest of the noise changes, m.
+const FOAM_FINEST_M = 0.02;
 
-fn water_foam(at: vec2f, foot: WaterFootprint) -> WaterFoam {
-  let taps = min(foot.taps, FOAM_TAPS);
-  let size = foot.size * pow(f32(foot.taps) / f32(taps), 0.85);
-  let lods = vec4f(material_lod(FOAM_WINDROWS, size), material_lod(FOAM_PATCHES, size), material_lod(FOAM_STRANDS, size),
-    material_lod(FOAM_BUBBLES, size));
+// Foam of a pixel whose sides on the undisplaced sea are dx and dy.
+fn water_foam(at: vec2f, dx: vec2f, dy: vec2f) -> WaterFoam {
+  let swap = dot(dx, dx) > dot(dy, dy);
+  let along = select(dy, dx, swap);
+  let across = select(dx, dy, swap);
+  let large = length(along);
+  let small = max(abs(dx.x * dy.y - dx.y * dy.x) / max(large, 1e-9), 1e-6);
+  let whole_m = WATER_TAP * sqrt(small * large);
+  var level = vec2f(0.0);
+  for (var i = 0; i < FOAM_LEVELS; i++) {
+    level += water_foam_level(at + along * ((f32(i) + 0.5) / f32(FOAM_LEVELS) - 0.5), whole_m);
+  }
+  let foam = clamp(level * (frame.foam_gain / f32(FOAM_LEVELS)), vec2f(0.0), vec2f(1.0));
+  var out: WaterFoam;
+  out.plume = foam.x;
+  let taps = select(clamp(i32(ceil(large / FOAM_FINEST_M)), 1, FOAM_TAPS), 0, foam.x < 0.002);
+  let share = 1.0 / f32(max(taps, 1));
+  // A tap stands for its part of the pixel. Windrows are longer than most pixels and bubbles shorter: one look is enough.
+  let size = WATER_TAP * max(sqrt(small * large * share), large * share);
+  let lods = vec4f(material_lod(FOAM_WINDROWS, WATER_TAP * large), material_lod(FOAM_PATCHES, size),
+    material_lod(FOAM_STRANDS, size), material_lod(FOAM_BUBBLES, whole_m));
   let kept = vec4f(material_kept(FOAM_WINDROWS, lods.x), material_kept(FOAM_PATCHES, lods.y),
     material_kept(FOAM_STRANDS, lods.z), material_kept(FOAM_BUBBLES, lods.w));
   let windrows = material_noise(FOAM_WINDROWS, at, lods.x).b;
-  var out: WaterFoam;
+  let bubbles = material_noise(FOAM_BUBBLES, at, lods.w).g;
+  // Fresh foam is a closed mass of bubbles, old foam a net of thin strands.
+  let fresh = smoothstep(0.0, 0.45, foam.y);
+  // A sum of uniform variables is nearly normal; what of it the pixel cannot resolve softens the edge, so that the mean
+  // over the noise is what is wanted at every distance.
+  let weight = mix(vec4f(0.7, 0.9, 1.1, 0.45), vec4f(0.4, 0.9, 0.8, 0.4), fresh);
+  let total = dot(weight, weight);
+  let resolved = dot(weight * weight, kept) / total;
+  let soft = mix(0.2, 0.12, fresh);
+  let wanted = clamp(foam.x, 1e-4, 1.0 - 1e-4);
+  let edge = sqrt(1.0 + soft * soft) * water_foam_quantile(wanted);
+  let sharp = inverseSqrt(soft * soft + 1.0 - resolved);
+  // An old patch is a film that thickens along its strands, the less steeply the less of them is resolved. What is covered
+  // has more than the mean of the strands and of the grain: both are taken relative to their means over it, fitted to
+  // 400,000 draws.
+  let bare = 1.0 - sqrt(wanted);
+  let shown = 0.775 * kept.z + 0.225 * kept.y;
+  let thickens = inverseSqrt(0.018 + 0.045 * (1.0 - shown));
+  let thick = mix(0.55, 0.58 + 1.4 * bare, shown);
+  let usual = mix(0.66 + 0.19 * bare * bare, 0.5 + 0.36 * bare, fresh);
   var covered = 0.0;
   for (var i = 0; i < taps; i++) {
-    let tap = at + foot.axis * ((f32(i) + 0.5) / f32(taps) - 0.5);
-    let foam = clamp(water_foam_level(tap, foot.size) * frame.foam_gain, vec2f(0.0), vec2f(1.0));
-    // Fresh foam is a closed mass of bubbles, old foam a net of thin strands.
-    let fresh = smoothstep(0.0, 0.45, foam.y);
-    // A sum of uniform variables is nearly normal; what of it the pixel cannot resolve softens the edge, so that the mean
-    // over the noise is what is wanted at every distance.
-    let weight = mix(vec4f(0.7, 0.9, 1.1, 0.45), vec4f(0.4, 0.9, 0.8, 0.4), fresh);
-    let whole = dot(weight, weight);
-    let resolved = dot(weight * weight, kept) / whole;
-    let soft = mix(0.2, 0.12, fresh);
+    // Even along the pixel, and by the golden ratio across it.
+    let k = f32(i) - 0.5 * f32(taps - 1);
+    let tap = at + along * (k * share) + across * (fract(0.5 + 0.618034 * k) - 0.5);
     let patches = material_noise(FOAM_PATCHES, tap, lods.y).r;
     let strands = material_noise(FOAM_STRANDS, tap, lods.z).r;
-    let bubbles = material_noise(FOAM_BUBBLES, tap, lods.w).g;
-    let z = dot(vec4f(windrows, patches, strands, bubbles) - 0.5, weight) / (0.2887 * sqrt(whole));
-    let wanted = clamp(foam.x, 1e-4, 1.0 - 1e-4);
-    let edge = z + sqrt(1.0 + soft * soft) * water_foam_quantile(wanted);
-    let cut = water_foam_share(edge * inverseSqrt(soft * soft + 1.0 - resolved)) * step(0.002, foam.x);
-    // An old patch is a film that thickens along its strands. What is covered has more than the mean of the strands and of
-    // the grain: both are taken relative to their means over it, fitted to 400,000 draws.
-    let bare = 1.0 - sqrt(wanted);
-    let strand = 2.0 * smoothstep(0.35, 0.95, 0.65 * strands + 0.35 * patches) / (0.58 + 1.4 * bare);
-    let white = mix(FOAM_AGED * mix(1.0, strand, kept.z), 1.0, fresh);
-    let usual = mix(0.66 + 0.19 * bare * bare, 0.5 + 0.36 * bare, fresh);
-    out.cover += clamp(cut * white, 0.0, 1.0);
-    out.plume += foam.x;
+    let z = dot(vec4f(windrows, patches, strands, bubbles) - 0.5, weight) / (0.2887 * sqrt(total));
+    let cut = water_foam_share((z + edge) * sharp);
+    let strand = 2.0 * water_foam_share((0.65 * strands + 0.35 * patches - 0.65) * thickens) / thick;
+    out.cover += clamp(cut * mix(FOAM_AGED * strand, 1.0, fresh), 0.0, 1.0);
     out.grain += 0.6 * strands + 0.4 * bubbles - usual;
     covered += cut;
   }
-  let share = 1.0 / f32(taps);
   out.rough = FOAM_BUBBLES_SLOPE * FOAM_BUBBLES_SLOPE * material.foam_relief * material.foam_relief * (1.0 - kept.w);
   out.cover *= share;
-  out.plume *= share;
   out.grain = 0.5 + kept.w * out.grain * share;
-  if material.foam_relief > 0.0 && kept.z > 0.05 && out.cover > 0.002 {
-    let strands = material_noise(FOAM_STRANDS, at, lods.z).r;
-    let bubbles = material_noise(FOAM_BUBBLES, at, lods.w).g;
-    let lumps = water_foam_slope(FOAM_STRANDS, 0u, at, size, lods.z, strands) * (kept.z * FOAM_LUMPS_M);
-    let fizz = water_foam_slope(FOAM_BUBBLES, 1u, at, size, lods.w, bubbles) * (kept.w * FOAM_BUBBLES_M);
+  let lumps_lod = material_lod(FOAM_STRANDS, whole_m);
+  let lumps_kept = material_kept(FOAM_STRANDS, lumps_lod);
+  if material.foam_relief > 0.0 && lumps_kept > 0.05 && out.cover > 0.002 {
+    let strands = material_noise(FOAM_STRANDS, at, lumps_lod).r;
+    let lumps = water_foam_slope(FOAM_STRANDS, 0u, at, whole_m, lumps_lod, strands) * (lumps_kept * FOAM_LUMPS_M);
+    let fizz = water_foam_slope(FOAM_BUBBLES, 1u, at, whole_m, lods.w, bubbles) * (kept.w * FOAM_BUBBLES_M);
     let relief = (lumps + fizz) * (material.foam_relief * covered * share);
     out.relief = relief * min(1.0, 1.2 / max(length(relief), 1e-6));
   }

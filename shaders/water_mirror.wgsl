@@ -47,7 +47,24 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
   var out: WaterMirror;
   out.radiance = sum * (material.reflection / weights);
   out.reflectance = sum_f / weights;
-  out.radiance += water_glitter(v, slope, eye, around, out.reflectance);
+  if WATER_SAMPLES {
+    out.radiance += water_glitter(v, slope, eye, around, out.reflectance);
+    return out;
+  }
+  // The two halves of a long pixel glitter each by its own slopes: what lies between a wave's face and its back is neither.
+  let lean = vec3f(slope.lean * slope.lean, slope.lean.x * slope.lean.y);
+  var part = slope;
+  part.variance = water_covariance(max(slope.variance - lean, vec3f(0.3 * slope.variance.xy, -1.0)));
+  var glitter = vec3f(0.0);
+  var seen = 0.0;
+  for (var i = 0; i < 2; i++) {
+    part.mean = slope.mean + select(slope.lean, -slope.lean, i == 0);
+    let facets = water_facets(v, part);
+    let share = max(water_facets_seen(facets).x, 1e-5);
+    glitter += share * water_glitter(v, part, facets, part, out.reflectance);
+    seen += share;
+  }
+  out.radiance += glitter / seen;
   return out;
 }
 

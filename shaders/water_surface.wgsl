@@ -90,6 +90,8 @@ struct WaterSlope {
   // Variances of the slope within it: xx, zz, xz.
   variance: vec3f,
   jacobian: f32,
+  // How much the farther half of a long pixel's slope has more than the mean, and the nearer less.
+  lean: vec2f,
 }
 
 // Unit normal of a surface of this slope.
@@ -138,6 +140,8 @@ struct WaterWaves {
   shear: vec2f,
   // Variances of the slope: xx, zz, xz.
   variance: vec3f,
+  // Of the slope, as in WaterSlope.
+  lean: vec2f,
 }
 
 // From the map's texture coordinates at the eye's foot, 1 / patch and unit of the moments.
@@ -172,11 +176,15 @@ fn water_waves(at: vec2f, foot: WaterFootprint, cascade: u32, place: vec4f, tile
   for (var i = 0u; i < copies; i++) {
     let shift = tile_shift(tile, blend, i);
     var g = vec4f(0.0);
+    var lean = vec2f(0.0);
     for (var k = 0; k < taps; k++) {
       let smooth_tap = water_spline_tap(spline, k);
-      let plain_tap = vec3f(uv + along * ((f32(k) + 0.5) / f32(places) - 0.5), 1.0 / f32(places));
+      let off = (f32(k) + 0.5) / f32(places) - 0.5;
+      let plain_tap = vec3f(uv + along * off, 1.0 / f32(places));
       let tap = select(plain_tap, smooth_tap, near > 0.0);
-      g += tap.z * textureSampleLevel(gradients_map, wave_sampler, tap.xy + shift, layer, lod);
+      let there = tap.z * textureSampleLevel(gradients_map, wave_sampler, tap.xy + shift, layer, lod);
+      g += there;
+      lean += select(sign(off), 0.0, near > 0.0) * there.xy;
     }
     var second = vec3f(0.0);
     for (var k = 0; k < pairs; k++) {
@@ -184,6 +192,7 @@ fn water_waves(at: vec2f, foot: WaterFootprint, cascade: u32, place: vec4f, tile
       second += textureSampleLevel(moments_map, wave_sampler, tap, layer, wide_lod).xyz;
     }
     g *= share;
+    out.lean += share * blend.weight[i] * lean;
     second *= place.w / f32(pairs);
     let d = share * textureSampleLevel(displacement_map, wave_sampler, uv + shift, layer, long_lod);
     water_add(&out, g, d, vec3f(blend.weight[i], blend.along_x[i], blend.along_z[i]));
@@ -207,6 +216,7 @@ fn water_slope(at: vec2f, foot: WaterFootprint) -> WaterSlope {
   var slope = vec2f(0.0);
   var stretch = vec2f(0.0);
   var shear = vec2f(0.0);
+  var lean = vec2f(0.0);
   // Cox and Munk 1954: waves shorter than the finest cascade.
   var variance = frame.residual.xyz;
   for (var c = 0u; c < frame.count; c++) {
@@ -215,6 +225,7 @@ fn water_slope(at: vec2f, foot: WaterFootprint) -> WaterSlope {
     stretch += waves.stretch;
     shear += waves.shear;
     variance += waves.variance;
+    lean += waves.lean;
   }
   // Ripples below the finest cascade, as a shrunk copy of it: slopes of short gravity waves are nearly scale-free.
   for (var r = 0u; r < frame.ripple_count; r++) {
@@ -223,6 +234,7 @@ fn water_slope(at: vec2f, foot: WaterFootprint) -> WaterSlope {
     let waves = water_waves(at, foot, c, vec4f(ripples.xyz, frame.cascades[c].w), water_tile(8u + r));
     slope += ripples.w * waves.slope;
     variance += ripples.w * ripples.w * waves.variance;
+    lean += ripples.w * waves.lean;
   }
   let l = vec2f(frame.chop_x, frame.chop_z);
   let sx = 1.0 + l.x * stretch.x;
@@ -236,5 +248,6 @@ fn water_slope(at: vec2f, foot: WaterFootprint) -> WaterSlope {
   out.mean *= min(1.0, 1.6 / max(steep, 1e-6));
   out.variance = water_covariance(variance);
   out.jacobian = jacobian;
+  out.lean = vec2f(lean.x * sz - lean.y * l.y * shear.y, lean.y * sx - lean.x * l.x * shear.x) * over;
   return out;
 }

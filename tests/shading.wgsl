@@ -54,7 +54,7 @@ fn ask(@builtin(global_invocation_id) id: vec3u) {
       material.caustic_m = a.z;
       answer.x = bed_caustic(a.xy, b.x);
     }
-    case 6u: { answer.x = water_again(water_facets(a.xyz, WaterSlope(c.xy, vec3f(c.zw, b.w), 1.0)), b.x); }
+    case 6u: { answer.x = water_again(water_facets(a.xyz, WaterSlope(c.xy, vec3f(c.zw, b.w), 1.0, vec2f(0.0))), b.x); }
     default: { answer = vec4f(water_normal(a.xy), 0.0); }
   }
   answers[id.x] = answer;

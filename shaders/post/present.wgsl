@@ -130,26 +130,33 @@ fn present_at(uv: vec2f) -> vec3f {
   return present_squeeze(textureSampleLevel(hdr_map, hdr_sampler, uv, 0.0).rgb);
 }
 
-fn present_corner(at: vec2i) -> f32 {
+// How bright and how near.
+fn present_corner(at: vec2i) -> vec2f {
   let last = vec2i(present.size) - 1;
-  return sky_luminance(present_squeeze(textureLoad(hdr_map, clamp(at, vec2i(0), last), 0).rgb));
+  let corner = textureLoad(hdr_map, clamp(at, vec2i(0), last), 0);
+  return vec2f(sky_luminance(present_squeeze(corner.rgb)), corner.a);
 }
 
+// Change of nearness, over the nearness, that is not that of one surface.
+const PRESENT_EDGE = 0.15;
+
 // Edges smoothed along their direction, after FXAA by Timothy Lottes (2009): crests and the horizon have no other
-// smoothing where there is one sample a pixel. Exposed light in and out.
-fn present_smooth(hdr: vec3f, at: vec2i, uv: vec2f) -> vec3f {
-  let middle = present_squeeze(hdr);
+// smoothing where there is one sample a pixel. What lies on one surface, foam and glitter, is filtered already and would only
+// be blurred. Exposed light in and out.
+fn present_smooth(hdr: vec4f, at: vec2i, uv: vec2f) -> vec3f {
+  let middle = present_squeeze(hdr.rgb);
   let nw = present_corner(at + vec2i(-1, -1));
   let ne = present_corner(at + vec2i(1, -1));
   let sw = present_corner(at + vec2i(-1, 1));
   let se = present_corner(at + vec2i(1, 1));
   let here = sky_luminance(middle);
-  let low = min(here, min(min(nw, ne), min(sw, se)));
-  let high = max(here, max(max(nw, ne), max(sw, se)));
+  let low = min(here, min(min(nw.x, ne.x), min(sw.x, se.x)));
+  let high = max(here, max(max(nw.x, ne.x), max(sw.x, se.x)));
+  let bend = max(abs(nw.y + se.y - 2.0 * hdr.a), abs(ne.y + sw.y - 2.0 * hdr.a));
   var smoothed = middle;
-  if high - low > max(0.03, 0.16 * high) {
-    let across = vec2f(sw + se - nw - ne, nw + sw - ne - se);
-    let reduce = max((nw + ne + sw + se) * 0.03, 0.008);
+  if bend >= PRESENT_EDGE * (hdr.a - 1.0) && high - low > max(0.03, 0.16 * high) {
+    let across = vec2f(sw.x + se.x - nw.x - ne.x, nw.x + sw.x - ne.x - se.x);
+    let reduce = max((nw.x + ne.x + sw.x + se.x) * 0.03, 0.008);
     let pixels = clamp(across / (min(abs(across.x), abs(across.y)) + reduce), vec2f(-6.0), vec2f(6.0));
     let along = pixels / present.size;
     let inner = 0.5 * (present_at(uv - along / 6.0) + present_at(uv + along / 6.0));
@@ -191,7 +198,7 @@ fn fragment(in: PresentVertex) -> @location(0) vec4f {
   if abs(ratio - 1.0) > 1e-3 {
     exposed = present_between(in.uv);
   } else if PRESENT_SMOOTH {
-    exposed = present_smooth(hdr.rgb, vec2i(at), uv);
+    exposed = present_smooth(hdr, vec2i(at), uv);
   }
   if present.bloom > 0.0 {
     exposed = mix(exposed, textureSampleLevel(bloom_map, hdr_sampler, uv, 0.0).rgb * present_exposure(), present.bloom);
