@@ -103,7 +103,7 @@ need_display() {
   have Xvfb || missing+=(xvfb)
   have xdotool || missing+=(xdotool)
   # Opened at run time, so no program's dependencies name it.
-  ls /usr/lib*/libxkbcommon-x11.so.0 /usr/lib/*/libxkbcommon-x11.so.0 2>/dev/null | grep -q . ||
+  compgen -G '/usr/lib*/libxkbcommon-x11.so.0' >/dev/null || compgen -G '/usr/lib/*/libxkbcommon-x11.so.0' >/dev/null ||
     missing+=(libxkbcommon-x11-0)
   need_packages "${missing[@]}"
 }
