@@ -11,12 +11,12 @@ use crate::model::views::Scale;
 use crate::model::{Params, Plan};
 use crate::render::{Fading, Reference, Renderer, Scene, SeaLook};
 use crate::sim::glide::Drawn;
-use crate::sim::probe::Probe;
 use crate::sim::{MAX_STEPS, MapCascade, Moved, Simulation, Turn};
 use drawn::{Mixture, Numbers};
 use std::sync::Arc;
 
 pub use crate::render::{Grid, Part};
+pub use crate::sim::probe::{Probe, Probed};
 pub use drawn::DrawnSea;
 
 /// Lowest eye above the still water, m; the picture raises it over the waves that come.

@@ -23,7 +23,13 @@ function mirrorOf(item, sea) {
   if (item.now !== undefined) {
     const slider = item.role === 'Slider';
     const element = input(slider ? 'range' : 'number');
-    element.step = 'any';
+    // Keys move it as they move the slider itself, whose scale may be logarithmic.
+    element.addEventListener('keydown', (event) => {
+      const way = { ArrowRight: 'more', ArrowUp: 'more', ArrowLeft: 'less', ArrowDown: 'less' }[event.key];
+      if (!slider || !way) return;
+      event.preventDefault();
+      sea.act(item.id, way, 0, '');
+    });
     element.addEventListener(slider ? 'input' : 'change', () => {
       const value = element.valueAsNumber;
       if (Number.isFinite(value)) sea.act(item.id, 'set', value, '');
@@ -65,9 +71,9 @@ function follow(element, item) {
   if (element instanceof HTMLInputElement) {
     attribute(element, 'aria-label', item.label || 'value');
     if (item.now !== undefined) {
-      const ends = item.least < item.greatest;
-      attribute(element, 'min', ends ? item.least : undefined);
-      attribute(element, 'max', ends ? item.greatest : undefined);
+      attribute(element, 'min', item.least);
+      attribute(element, 'max', item.greatest);
+      attribute(element, 'step', item.step ?? 'any');
       attribute(element, 'aria-valuetext', item.value || undefined);
     }
     const value = item.now === undefined ? item.value : String(item.now);
@@ -88,22 +94,24 @@ function follow(element, item) {
 export function mirror(sea, list, told) {
   const elements = new Map();
   return () => {
-    const known = new Set();
-    let at = list.firstElementChild;
+    const items = new Map();
     for (const item of sea.described()) {
       const key = `${item.id} ${item.role} ${item.now === undefined}`;
-      if (known.has(key)) continue;
-      known.add(key);
+      if (!items.has(key)) items.set(key, item);
+    }
+    // First what has gone, so that what stays need not move: an element that is moved loses the keyboard.
+    for (const [key, element] of elements) {
+      if (items.has(key)) continue;
+      element.remove();
+      elements.delete(key);
+    }
+    let at = list.firstElementChild;
+    for (const [key, item] of items) {
       if (!elements.has(key)) elements.set(key, mirrorOf(item, sea));
       const element = elements.get(key);
       follow(element, item);
       if (element === at) at = at.nextElementSibling;
       else list.insertBefore(element, at);
-    }
-    for (const [key, element] of elements) {
-      if (known.has(key)) continue;
-      element.remove();
-      elements.delete(key);
     }
     const now = sea.told();
     if (told.textContent !== now) told.textContent = now;
@@ -114,8 +122,10 @@ if (typeof document !== 'undefined') {
   const ask = document.getElementById('readers-ask');
   ask?.addEventListener('click', () => {
     if (!window.seastate) return;
-    document.getElementById('readers').hidden = false;
+    const section = document.getElementById('readers');
+    section.hidden = false;
     ask.hidden = true;
+    section.focus();
     const step = mirror(window.seastate, document.getElementById('controls'), document.getElementById('told'));
     step();
     setInterval(step, EVERY_MS);

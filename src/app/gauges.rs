@@ -2,9 +2,8 @@
 //! Nothing here waits for the GPU; what it gives back arrives in a later frame.
 
 use super::{App, tasks};
-use crate::model::survey::Survey;
-use crate::ocean::Ocean;
-use crate::sim::probe::{Probe, Probed};
+use crate::model::survey::{Found, Survey};
+use crate::ocean::{Ocean, Probe, Probed};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Between two readings of the maps, s.
@@ -52,9 +51,12 @@ pub struct Gauges(Arc<Mutex<Inner>>);
 #[derive(Default)]
 struct Inner {
     wants_times: bool,
-    wants_probe: bool,
+    /// Of which sea, see [`Measured`].
+    wants_probe: Option<u64>,
     /// Copies that the last frame recorded.
-    probe: Option<Probe>,
+    probe: Option<(u64, Probe)>,
+    /// Whether the last frame was painted: only then it was submitted, too.
+    is_painted: bool,
     /// Time that the CPU takes to record a frame, s, smoothed.
     record_s: f64,
     /// Whether the GPU tells, and what, ms.
@@ -68,21 +70,40 @@ impl Gauges {
 
     /// Before a frame is recorded.
     pub fn begin(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder) {
-        if self.inner().wants_times {
-            ocean.timer().begin(encoder);
+        let mut inner = self.inner();
+        let is_submitted = std::mem::take(&mut inner.is_painted);
+        // What was recorded and never submitted, because the window had nothing to paint on, holds nothing.
+        if !is_submitted && let Some((sea, _)) = inner.probe.take() {
+            inner.wants_probe = Some(sea);
+        }
+        if inner.wants_times {
+            ocean.timer().begin(encoder, is_submitted);
         }
     }
 
-    /// After it, `record_s` later.
-    pub fn end(&self, ocean: &Ocean, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, record_s: f64) {
+    /// After it, `record_s` later; `is_whole` if nothing of the picture is still on its way.
+    pub fn end(
+        &self,
+        ocean: &Ocean,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        record_s: f64,
+        is_whole: bool,
+    ) {
         let mut inner = self.inner();
         ocean.timer().end(encoder);
         inner.record_s =
             if inner.record_s > 0.0 { inner.record_s + SHARE * (record_s - inner.record_s) } else { record_s };
         inner.passes = ocean.timer().is_available().then(|| ocean.timer().times());
-        if std::mem::take(&mut inner.wants_probe) {
-            inner.probe = ocean.probe(device, encoder);
+        if is_whole && let Some(sea) = inner.wants_probe {
+            inner.probe = ocean.probe(device, encoder).map(|probe| (sea, probe));
+            inner.wants_probe = inner.probe.is_none().then_some(sea);
         }
+    }
+
+    /// The frame is painted.
+    pub fn painted(&self) {
+        self.inner().is_painted = true;
     }
 
     /// Time that the CPU takes to record a frame, ms.
@@ -102,21 +123,12 @@ pub struct Measured {
     /// Which sea it is of; what arrives of another is thrown away.
     sea: u64,
     inbox: tasks::Inbox<(u64, Result<Probed, String>)>,
-    waiting: Waiting,
+    /// A frame has been asked for copies, or they are on their way.
+    waiting: bool,
     survey: Option<(Survey, Probed)>,
-    /// When the last reading was taken: egui's time (s), and that of the sea.
+    /// When the last reading was asked for: egui's time (s), and that of the sea.
     last: Option<(f64, f64)>,
     sums: Sums,
-}
-
-#[derive(Default, PartialEq)]
-enum Waiting {
-    #[default]
-    No,
-    /// For a frame that copies the maps; while one sea fades into another none does.
-    Copying,
-    /// For the GPU.
-    Reading,
 }
 
 #[derive(Default)]
@@ -166,62 +178,66 @@ impl Measured {
         (self.sums.readings > 0.0).then(|| (width, self.sums.bins_m2.iter().map(|sum| sum * unit).collect()))
     }
 
-    fn add(&mut self, probed: &Probed, bins_m2: &[f64], width_rad_s: f64) {
+    fn add(&mut self, probed: &Probed, found: &Found, width_rad_s: f64) {
         let sums = &mut self.sums;
         sums.readings += 1.0;
-        sums.hs2_m2 += probed.hs_m * probed.hs_m;
+        sums.hs2_m2 += 16.0 * found.m0_m2;
         sums.mss += probed.mss;
         sums.coverage += probed.coverage;
         sums.width_rad_s = width_rad_s;
-        sums.bins_m2.resize(bins_m2.len(), 0.0);
-        sums.bins_m2.iter_mut().zip(bins_m2).for_each(|(sum, x)| *sum += x);
+        sums.bins_m2.resize(found.bins_m2.len(), 0.0);
+        sums.bins_m2.iter_mut().zip(&found.bins_m2).for_each(|(sum, x)| *sum += x);
     }
 }
 
 impl App {
+    /// Another sea is drawn: what was measured of the last one counts no more.
+    pub(super) fn forget_measured(&mut self) {
+        self.measured.clear();
+        let mut inner = self.gauges.inner();
+        (inner.wants_probe, inner.probe) = (None, None);
+    }
+
     /// Goes on with what is measured of the sea that is drawn.
     pub(super) fn measure(&mut self, ctx: &egui::Context) {
-        self.gauges.inner().wants_times = is_looked_at(ctx, Look::Times);
-        let sea = self.measured.sea;
+        let mut inner = self.gauges.inner();
+        inner.wants_times = is_looked_at(ctx, Look::Times);
         // Submitted with the last frame.
-        let probe = self.gauges.inner().probe.take();
-        if self.measured.waiting == Waiting::Copying {
-            self.measured.waiting = if probe.is_some() { Waiting::Reading } else { Waiting::No };
-        }
-        if let Some(probe) = probe {
+        let probe = if inner.is_painted { inner.probe.take() } else { None };
+        drop(inner);
+        if let Some((sea, probe)) = probe {
             let (device, inbox, ctx) = (self.render_state.device.clone(), self.measured.inbox.clone(), ctx.clone());
             tasks::spawn(async move { inbox.put((sea, probe.read(&device).await), &ctx) });
         }
         let end = super::plots::highest_omega(&self.derived.plan);
         let width = end / BINS as f64;
         for (of, probed) in self.measured.inbox.take() {
-            if of != sea {
+            if of != self.measured.sea {
                 continue;
             }
-            self.measured.waiting = Waiting::No;
+            self.measured.waiting = false;
             match probed {
-                Ok(mut probed) => {
-                    let maps = std::mem::take(&mut probed.heights_m);
-                    self.measured.survey = Some((Survey::new(&probed.plan, maps, width, BINS), probed));
+                Ok(probed) => self.measured.survey = Some((Survey::new(&probed.plan, width, BINS), probed)),
+                Err(reason) => {
+                    let notice = format!("the sea was not measured: {reason}");
+                    if self.notices.last() != Some(&notice) {
+                        self.notices.push(notice);
+                    }
                 }
-                Err(reason) => self.notices.push(format!("the sea was not measured: {reason}")),
             }
         }
-        if let Some((survey, probed)) = &mut self.measured.survey {
+        if let Some((mut survey, probed)) = self.measured.survey.take() {
             ctx.request_repaint();
-            if let Some(bins) = survey.advance(&probed.plan, POINTS_A_FRAME) {
-                let bins = bins.to_vec();
-                if let Some((_, probed)) = self.measured.survey.take() {
-                    self.measured.add(&probed, &bins, width);
-                }
+            match survey.advance(&probed.plan, POINTS_A_FRAME, |cascade, z| probed.row(cascade, z)) {
+                Some(found) => self.measured.add(&probed, found, width),
+                None => self.measured.survey = Some((survey, probed)),
             }
         }
         let (now_s, t_s) = (ctx.input(|i| i.time), self.params.clock.t_s);
         let due = self.measured.last.is_none_or(|(at_s, of_s)| now_s > at_s + EVERY_S && of_s != t_s);
-        let free = self.measured.waiting == Waiting::No && self.measured.survey.is_none();
-        if is_looked_at(ctx, Look::Maps) && due && free && !self.catching_up.is_set() {
-            self.gauges.inner().wants_probe = true;
-            (self.measured.waiting, self.measured.last) = (Waiting::Copying, Some((now_s, t_s)));
+        if is_looked_at(ctx, Look::Maps) && due && !self.measured.waiting && self.measured.survey.is_none() {
+            self.gauges.inner().wants_probe = Some(self.measured.sea);
+            (self.measured.waiting, self.measured.last) = (true, Some((now_s, t_s)));
             ctx.request_repaint();
         }
     }

@@ -208,6 +208,11 @@ impl App {
         self.save_folder = Some(folder);
     }
 
+    /// Significant wave height in the GPU's maps, m, once it has been measured while its number or its plot is shown.
+    pub fn measured_hs_m(&self) -> Option<f64> {
+        self.measured.hs_m()
+    }
+
     /// Frames painted so far.
     pub fn frames(&self) -> u64 {
         self.frames
@@ -438,7 +443,7 @@ impl eframe::App for App {
         if (&self.derived.of.grid, &self.derived.of.sea) != (&self.params.grid, &self.params.sea) {
             self.derived = Derived::new(&self.params);
             self.series.clear();
-            self.measured.clear();
+            self.forget_measured();
         }
         self.record(&ctx);
         self.measure(&ctx);

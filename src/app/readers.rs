@@ -17,8 +17,8 @@ pub struct Item {
     /// Name, and what it says.
     pub label: String,
     pub value: String,
-    /// Value, least, greatest.
-    pub number: Option<[f64; 3]>,
+    /// Value; least, greatest and step, if there are any.
+    pub number: Option<(f64, [Option<f64>; 3])>,
     /// Whether it is on, whether it is open.
     pub on: Option<bool>,
     pub open: Option<bool>,
@@ -54,7 +54,8 @@ impl Readers {
         self.inner().items.clone()
     }
 
-    /// Does to a widget what its element was asked for: `click`, `focus`, `set` a number, `type` a text and leave.
+    /// Does to a widget what its element was asked for: `click`, `focus`, `more`, `less`, `set` a number, `type` a
+    /// text and leave.
     pub fn act(&self, ctx: &egui::Context, id: &str, action: &str, value: f64, text: &str) {
         let mut inner = self.inner();
         let (Ok(id), Some(target_tree)) = (id.parse().map(NodeId), inner.tree) else { return };
@@ -66,12 +67,19 @@ impl Readers {
         };
         match action {
             "click" => inner.requests.push_back(vec![ask(Action::Click, None)]),
+            "more" => inner.requests.push_back(vec![ask(Action::Increment, None)]),
+            "less" => inner.requests.push_back(vec![ask(Action::Decrement, None)]),
             "focus" => inner.requests.push_back(vec![ask(Action::Focus, None)]),
             "set" => inner.requests.push_back(vec![ask(Action::SetValue, Some(ActionData::NumericValue(value)))]),
             "type" => {
                 inner.requests.push_back(vec![ask(Action::Focus, None)]);
                 let mut keys = key(egui::Key::A, egui::Modifiers::COMMAND).to_vec();
-                keys.push(egui::Event::Text(text.to_owned()));
+                // No text takes nothing away.
+                if text.is_empty() {
+                    keys.extend(key(egui::Key::Backspace, egui::Modifiers::NONE));
+                } else {
+                    keys.push(egui::Event::Text(text.to_owned()));
+                }
                 inner.requests.push_back(keys);
                 inner.requests.push_back(key(egui::Key::Enter, egui::Modifiers::NONE).to_vec());
             }
@@ -124,10 +132,9 @@ fn item(id: NodeId, node: &Node, nodes: &HashMap<NodeId, &Node>) -> Option<Item>
     if label.is_empty() && value.is_empty() || node.role() == Role::GenericContainer {
         return None;
     }
-    let number = node.numeric_value().map(|value| {
-        let end = |end: Option<f64>| end.filter(|x| x.is_finite()).unwrap_or(value);
-        [value, end(node.min_numeric_value()), end(node.max_numeric_value())]
-    });
+    let known = |end: Option<f64>| end.filter(|x| x.is_finite());
+    let about = [node.min_numeric_value(), node.max_numeric_value(), node.numeric_value_step()].map(known);
+    let number = node.numeric_value().map(|value| (value, about));
     let place = node.bounds().map_or([0.0; 4], |r| [r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0]);
     Some(Item {
         id: id.0.to_string(),

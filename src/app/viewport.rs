@@ -71,8 +71,9 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         self.gauges.begin(ocean, &mut encoder);
         ocean.glide_to(device, queue, &self.params, self.dt_s);
         let caught_up = ocean.encode(device, queue, &mut encoder, self.size, STEPS_PER_FRAME);
-        self.gauges.end(ocean, device, &mut encoder, begun.elapsed().as_secs_f64());
-        self.catching_up.0.store(!caught_up || ocean.is_gliding(), Ordering::Relaxed);
+        let is_whole = caught_up && !ocean.is_gliding();
+        self.gauges.end(ocean, device, &mut encoder, begun.elapsed().as_secs_f64(), is_whole);
+        self.catching_up.0.store(!is_whole, Ordering::Relaxed);
         vec![encoder.finish()]
     }
 
@@ -83,6 +84,7 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         resources: &egui_wgpu::CallbackResources,
     ) {
         if let Some(ocean) = resources.get::<Ocean>() {
+            self.gauges.painted();
             ocean.present(pass);
         }
     }

@@ -94,7 +94,7 @@ impl WebHandle {
     }
 
     /// What screen readers are told: an array of objects for widgets and texts in reading order, with `id`, `role` (that of
-    /// AccessKit), `label`, `value`, `now`, `least`, `greatest`, `on`, `open`, `disabled`; empty until a frame after the
+    /// AccessKit), `label`, `value`, `now`, `least`, `greatest`, `step`, `on`, `open`, `disabled`; empty until a frame after the
     /// first question.
     pub fn described(&self) -> js_sys::Array {
         self.items().iter().map(described).collect()
@@ -105,7 +105,7 @@ impl WebHandle {
         self.with(|app| app.told()).unwrap_or_default()
     }
 
-    /// Does to a widget what a screen reader asks for: `click`, `focus`, `set` a number, `type` a text.
+    /// Does to a widget what a screen reader asks for: `click`, `focus`, `more`, `less`, `set` a number, `type` a text.
     pub fn act(&self, id: &str, action: &str, value: f64, text: &str) {
         self.with(|app| app.readers.act(&app.ctx, id, action, value, text));
     }
@@ -160,10 +160,11 @@ fn described(item: &Item) -> JsValue {
     set("role", item.role.as_str().into());
     set("label", item.label.as_str().into());
     set("value", item.value.as_str().into());
-    if let Some([now, least, greatest]) = item.number {
+    if let Some((now, [least, greatest, step])) = item.number {
         set("now", now.into());
         set("least", least.into());
         set("greatest", greatest.into());
+        set("step", step.into());
     }
     set("on", item.on.into());
     set("open", item.open.into());

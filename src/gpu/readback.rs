@@ -9,7 +9,7 @@ pub fn stage_buffer(device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, s
     staging
 }
 
-/// Rows of a texture's mip level 0, all layers, each row padded to a multiple of 256 bytes.
+/// Rows of layers of a texture, each padded to a multiple of 256 bytes.
 pub struct TextureCopy {
     staging: wgpu::Buffer,
     row_bytes: usize,
@@ -23,9 +23,20 @@ pub fn stage_texture(
     texture: &wgpu::Texture,
     mip_level: u32,
 ) -> TextureCopy {
+    stage_layers(device, encoder, texture, mip_level, 0..texture.depth_or_array_layers())
+}
+
+/// The same of some layers.
+pub fn stage_layers(
+    device: &wgpu::Device,
+    encoder: &mut wgpu::CommandEncoder,
+    texture: &wgpu::Texture,
+    mip_level: u32,
+    layers: std::ops::Range<u32>,
+) -> TextureCopy {
     let width = (texture.width() >> mip_level).max(1);
     let height = (texture.height() >> mip_level).max(1);
-    let layers = texture.depth_or_array_layers();
+    let (first, layers) = (layers.start, layers.end - layers.start);
     let texel = texture.format().block_copy_size(None).unwrap_or(4);
     let row_bytes = width * texel;
     let padded = row_bytes.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
@@ -34,7 +45,7 @@ pub fn stage_texture(
         wgpu::TexelCopyTextureInfo {
             texture,
             mip_level,
-            origin: wgpu::Origin3d::ZERO,
+            origin: wgpu::Origin3d { x: 0, y: 0, z: first },
             aspect: wgpu::TextureAspect::All,
         },
         wgpu::TexelCopyBufferInfo {
@@ -55,7 +66,12 @@ impl TextureCopy {
     pub async fn read(self, device: &wgpu::Device) -> Result<Vec<u8>, String> {
         let (row, padded) = (self.row_bytes, self.padded);
         let bytes = read(device, self.staging).await?;
-        Ok(bytes.chunks(padded).flat_map(|line| &line[..row]).copied().collect())
+        if row == padded {
+            return Ok(bytes);
+        }
+        let mut texels = Vec::with_capacity(bytes.len() / padded * row);
+        bytes.chunks(padded).for_each(|line| texels.extend_from_slice(&line[..row]));
+        Ok(texels)
     }
 }
 

@@ -30,7 +30,7 @@ struct State {
     phase: Phase,
     /// Names of the parts of the frame, in the order of the marks that end them.
     parts: Vec<&'static str>,
-    /// Smoothed times of the parts, ms, in the order of the frame.
+    /// Smoothed times of the parts of the last frame, ms.
     times: Vec<(&'static str, f64)>,
 }
 
@@ -77,9 +77,12 @@ impl Timer {
         self.0.is_some()
     }
 
-    /// Starts a frame, unless the last one is still being read. To be called after that one's submission.
-    pub fn begin(&self, encoder: &mut wgpu::CommandEncoder) {
+    /// Starts a frame, unless the last one is still being read; `is_submitted` says whether that one was submitted since.
+    pub fn begin(&self, encoder: &mut wgpu::CommandEncoder, is_submitted: bool) {
         let Some(mut state) = self.state() else { return };
+        if !is_submitted && matches!(state.phase, Phase::Recorded) {
+            state.phase = Phase::Idle;
+        }
         state.collect();
         if matches!(state.phase, Phase::Idle) {
             state.phase = Phase::Recording;
@@ -113,16 +116,9 @@ impl Timer {
         state.phase = Phase::Recorded;
     }
 
-    /// The parts of a frame and how long each takes, ms, smoothed over the frames since [`Self::forget`].
+    /// The parts of the last frame that was timed, and how long each takes, ms, smoothed over the frames that had it.
     pub fn times(&self) -> Vec<(&'static str, f64)> {
         self.state().map_or_else(Vec::new, |state| state.times.clone())
-    }
-
-    /// Forgets the times so far: another sea, or another size.
-    pub fn forget(&self) {
-        if let Some(mut state) = self.state() {
-            state.times.clear();
-        }
     }
 
     fn state(&self) -> Option<MutexGuard<'_, State>> {
@@ -139,7 +135,7 @@ impl State {
     fn mark(&mut self, encoder: &mut wgpu::CommandEncoder, part: &'static str) {
         let at = self.slot(self.parts.len());
         self.parts.push(part);
-        if at + 1 >= MARKS {
+        if self.slot(self.parts.len()) > MARKS {
             return;
         }
         if self.between_passes {
@@ -196,12 +192,11 @@ impl State {
                 None => frame.push((part, ms)),
             }
         }
-        // Parts that some frames lack stay out of the way of the order of those that all have.
-        for (name, ms) in frame {
-            match self.times.iter_mut().find(|(known, _)| *known == name) {
-                Some((_, smooth)) => *smooth += SHARE * (ms - *smooth),
-                None => self.times.push((name, ms)),
-            }
-        }
+        let before = std::mem::take(&mut self.times);
+        let smooth = |(name, ms): (&'static str, f64)| match before.iter().find(|(known, _)| *known == name) {
+            Some((_, smooth)) => (name, smooth + SHARE * (ms - smooth)),
+            None => (name, ms),
+        };
+        self.times = frame.into_iter().map(smooth).collect();
     }
 }

@@ -8,57 +8,74 @@ use super::transform::Transform;
 #[derive(Clone, Debug)]
 pub struct Survey {
     transform: Transform,
-    n: usize,
-    /// Maps that are still to be transformed, the last first: index of the cascade, n x n heights (m, 0).
-    maps: Vec<(usize, Vec<[f64; 2]>)>,
-    /// Lines of the last map that are done: n rows, then n columns.
+    /// The cascade whose map is being transformed, and that map.
+    cascade: usize,
+    map: Vec<[f64; 2]>,
+    /// Lines of it that are done: n rows, then n columns.
     done: usize,
     width_rad_s: f64,
-    bins_m2: Vec<f64>,
+    found: Found,
+}
+
+/// What a survey finds.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Found {
+    /// Variance of the heights, m^2.
+    pub m0_m2: f64,
+    /// That of each bin, m^2.
+    pub bins_m2: Vec<f64>,
 }
 
 impl Survey {
-    /// A survey of maps of heights (m; n x n, row by row), one of each of the plan's cascades, into `bins` bins of
-    /// `width_rad_s`. What is faster than the last bin is left out.
+    /// A survey of the maps of a plan's cascades into `bins` bins of `width_rad_s`. What is faster than the last is in none.
     ///
     /// # Panics
-    /// If a map has another size than the plan's, or there are more maps than cascades.
-    pub fn new(plan: &Plan, maps: Vec<Vec<f64>>, width_rad_s: f64, bins: usize) -> Self {
+    /// If the plan's size is no power of two.
+    pub fn new(plan: &Plan, width_rad_s: f64, bins: usize) -> Self {
         let n = plan.n as usize;
-        assert!(maps.len() <= plan.cascades.len() && maps.iter().all(|map| map.len() == n * n), "maps of another plan");
-        let complex = |map: Vec<f64>| map.into_iter().map(|h| [h, 0.0]).collect();
         Self {
             transform: Transform::new(n),
-            n,
-            maps: maps.into_iter().map(complex).enumerate().collect(),
+            cascade: 0,
+            map: vec![[0.0; 2]; n * n],
             done: 0,
             width_rad_s,
-            bins_m2: vec![0.0; bins],
+            found: Found { m0_m2: 0.0, bins_m2: vec![0.0; bins] },
         }
     }
 
-    /// Transforms about `points` points more. Returns the variance of each bin, m^2, when all is done.
-    pub fn advance(&mut self, plan: &Plan, points: usize) -> Option<&[f64]> {
-        let n = self.n;
+    /// Transforms about `points` points more of the maps whose rows `row` tells: heights (m) by cascade and row, always the
+    /// same ones. Returns what was found when all is done.
+    pub fn advance<R: Iterator<Item = f64>>(
+        &mut self,
+        plan: &Plan,
+        points: usize,
+        row: impl Fn(usize, usize) -> R,
+    ) -> Option<&Found> {
+        let n = plan.n as usize;
         let mut column = vec![[0.0; 2]; n];
         for _ in 0..points.div_ceil(n) {
-            let Some((cascade, map)) = self.maps.last_mut() else { return Some(&self.bins_m2) };
+            if self.cascade == plan.cascades.len() {
+                break;
+            }
             if self.done < n {
-                self.transform.run(&mut map[n * self.done..n * (self.done + 1)]);
+                let line = &mut self.map[n * self.done..n * (self.done + 1)];
+                line.iter_mut().zip(row(self.cascade, self.done)).for_each(|(to, height)| *to = [height, 0.0]);
+                self.found.m0_m2 += line.iter().map(|h| h[0] * h[0]).sum::<f64>() / (n * n) as f64;
+                self.transform.run(line);
             } else {
                 // Columns are counted at once, so they need not be put back.
                 let x = self.done - n;
-                column.iter_mut().enumerate().for_each(|(z, value)| *value = map[n * z + x]);
+                column.iter_mut().enumerate().for_each(|(z, value)| *value = self.map[n * z + x]);
                 self.transform.run(&mut column);
-                count(plan, *cascade, x, &column, self.width_rad_s, &mut self.bins_m2);
+                count(plan, self.cascade, x, &column, self.width_rad_s, &mut self.found.bins_m2);
             }
             self.done += 1;
             if self.done == 2 * n {
-                self.maps.pop();
+                self.cascade += 1;
                 self.done = 0;
             }
         }
-        None
+        (self.cascade == plan.cascades.len()).then_some(&self.found)
     }
 }
 
@@ -95,20 +112,25 @@ mod tests {
             let phase = |i: usize| TAU * (ix * (i % n) as f64 + iz * (i / n) as f64) / n as f64;
             (0..n * n).map(|i| 0.7 + amplitude * (phase(i) + 0.3).cos()).collect()
         };
+        let maps = [map(0.5, 3.0, 4.0), map(0.2, 10.0, 0.0)];
+        let row = |cascade: usize, z: usize| maps[cascade][n * z..n * (z + 1)].iter().copied();
         let width = 0.01;
-        let mut survey = Survey::new(&plan, vec![map(0.5, 3.0, 4.0), map(0.2, 10.0, 0.0)], width, 2000);
+        let mut survey = Survey::new(&plan, width, 2000);
         let mut rounds = 0;
         let bins = loop {
             rounds += 1;
-            if let Some(bins) = survey.advance(&plan, 1000) {
-                break bins.to_vec();
+            if let Some(found) = survey.advance(&plan, 1000, row) {
+                break found.clone();
             }
         };
+        let (m0_m2, bins) = (bins.m0_m2, bins.bins_m2);
         assert!(rounds > 4, "{rounds}");
         for (cascade, turns, variance) in [(0, 5.0, 0.125), (1, 10.0, 0.02)] {
             let bin = (plan.dispersion.omega(plan.cascades[cascade].dk() * turns) / width) as usize;
             assert!((bins[bin] - variance).abs() < 1e-12, "{} {variance}", bins[bin]);
         }
         assert!((bins.iter().sum::<f64>() - 0.145).abs() < 1e-12);
+        // The mean level is in the variance about 0, and no wave.
+        assert!((m0_m2 - 0.145 - 2.0 * 0.49).abs() < 1e-12, "{m0_m2}");
     }
 }

@@ -5,13 +5,15 @@ use crate::gpu::readback::{self, TextureCopy};
 use crate::model::Plan;
 use half::f16;
 
+/// Texels of the gradients that are looked at, at most: their mean is sharp enough, and a page has other things to do.
+const MOST_SLOPES: usize = 1 << 17;
+
 /// Copies of the maps of a frame that is being recorded.
 pub struct Probe {
     displacement: TextureCopy,
     gradients: TextureCopy,
     foam: TextureCopy,
     plan: Plan,
-    first_layer: usize,
 }
 
 /// What the maps of one moment hold.
@@ -19,58 +21,60 @@ pub struct Probe {
 pub struct Probed {
     /// The sea that was computed.
     pub plan: Plan,
-    /// Heights of each cascade, n x n, row by row, m.
-    pub heights_m: Vec<Vec<f64>>,
-    /// Significant wave height 4 sqrt(m0), m: the variances of all cascades.
-    pub hs_m: f64,
     /// Mean square slope of the undisplaced surface.
     pub mss: f64,
-    /// Mean foam over the levels around the camera.
+    /// Mean foam over the squares around the camera, as it was computed: the look may show more or less of it.
     pub coverage: f64,
+    /// Displacement maps, cascade by cascade.
+    texels: Vec<[f16; 4]>,
 }
 
 impl Simulation {
-    /// Records copies of the maps as they are at this point of the submission; None while one sea fades into another.
+    /// Records copies of the maps as they are at this point of the submission; None while the sea is on its way to its plan.
     pub fn probe(&self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) -> Option<Probe> {
-        if self.fading.is_some() {
+        if self.is_gliding() {
             return None;
         }
         let r = &self.resources;
+        let layers = r.sea.first_layer..r.sea.first_layer + self.sea.plan.cascades.len() as u32;
         Some(Probe {
-            displacement: readback::stage_texture(device, encoder, &r.displacement, 0),
-            gradients: readback::stage_texture(device, encoder, &r.gradients, 0),
+            displacement: readback::stage_layers(device, encoder, &r.displacement, 0, layers.clone()),
+            gradients: readback::stage_layers(device, encoder, &r.gradients, 0, layers),
             foam: readback::stage_texture(device, encoder, &r.foam, 0),
             plan: self.sea.plan.clone(),
-            first_layer: r.sea.first_layer as usize,
         })
     }
 }
 
 impl Probe {
-    /// The numbers, after the submission.
+    /// The maps, after the submission.
     ///
     /// # Errors
     /// If the GPU does not give its memory back.
     pub async fn read(self, device: &wgpu::Device) -> Result<Probed, String> {
         let texels = |bytes: Vec<u8>| -> Vec<[f16; 4]> { bytemuck::pod_collect_to_vec(&bytes) };
-        let displacement = texels(self.displacement.read(device).await?);
         let gradients = texels(self.gradients.read(device).await?);
         let foam = texels(self.foam.read(device).await?);
-        let points = (self.plan.n * self.plan.n) as usize;
-        let layers = self.first_layer..self.first_layer + self.plan.cascades.len();
-        let own = |all: &[[f16; 4]], channel: usize| -> Vec<Vec<f64>> {
-            let map = |layer: usize| &all[layer * points..(layer + 1) * points];
-            layers.clone().map(|layer| map(layer).iter().map(|t| t[channel].to_f64()).collect()).collect()
-        };
-        let variance = |maps: &[Vec<f64>]| maps.iter().map(|map| mean(map.iter().map(|v| v * v))).sum::<f64>();
-        let heights_m = own(&displacement, 1);
+        // Odd, so that it does not run along the columns.
+        let stride = (gradients.len() / MOST_SLOPES) | 1;
+        let looked_at = gradients.iter().step_by(stride);
+        let slope = |t: &[f16; 4]| t[0].to_f64().powi(2) + t[1].to_f64().powi(2);
+        // Each map has its share of the variance, and all have one size.
+        let maps = self.plan.cascades.len() as f64;
         Ok(Probed {
-            hs_m: 4.0 * variance(&heights_m).sqrt(),
-            mss: variance(&own(&gradients, 0)) + variance(&own(&gradients, 1)),
+            mss: maps * mean(looked_at.map(slope)),
             coverage: mean(foam.iter().map(|t| t[0].to_f64())),
-            heights_m,
+            texels: texels(self.displacement.read(device).await?),
             plan: self.plan,
         })
+    }
+}
+
+impl Probed {
+    /// Heights along a row of a cascade's map, m.
+    pub fn row(&self, cascade: usize, z: usize) -> impl Iterator<Item = f64> {
+        let n = self.plan.n as usize;
+        self.texels[(cascade * n + z) * n..][..n].iter().map(|t| t[1].to_f64())
     }
 }
 

@@ -223,6 +223,23 @@ export async function explorer(context) {
       });
       await tab.until('Beaufort 8 to be told', () => document.getElementById('told').textContent.includes('Beaufort 8'));
       assert.ok((await wind()) > before + 3, 'the wind follows');
+      // By keys, too.
+      const eight = await wind();
+      await tab.evaluate(() => [...document.querySelectorAll('#controls input[type=range]')].find((e) => e.ariaLabel === 'Beaufort').focus());
+      await tab.page.keyboard.press('ArrowRight');
+      await tab.until('Beaufort 9 to be told', () => document.getElementById('told').textContent.includes('Beaufort 9'));
+      assert.ok((await wind()) > eight, 'an arrow moves it');
+      assert.equal(await tab.evaluate(() => document.activeElement.ariaLabel), 'Beaufort', 'and it keeps the keyboard');
+      // A text is typed, and taken away.
+      const search = (words) => tab.evaluate((text) => {
+        const field = [...document.querySelectorAll('#controls input[type=text]')].find((e) => e.ariaLabel === 'Search');
+        field.value = text;
+        field.dispatchEvent(new Event('change'));
+      }, words);
+      await search('caustics');
+      await find('Caustics');
+      await search('');
+      await tab.until('the search to end', () => ![...document.getElementById('controls').children].some((e) => (e.ariaLabel ?? e.textContent) === 'Caustics'));
       // Buttons open and run, too; elements come and go with their widgets.
       const press = (name) => tab.evaluate((label) => [...document.querySelectorAll('#controls button')].find((e) => e.textContent === label).click(), name);
       assert.equal(await tab.evaluate(() => [...document.querySelectorAll('#controls button')].some((e) => e.textContent === 'Hurricane')), false);

@@ -82,7 +82,7 @@ pub fn more(app: &App, ui: &mut egui::Ui) {
         row(
             "Whitecaps",
             [percent(t.whitecap_fraction), none(), known(m.coverage(), &percent)],
-            "Coverage by whitecaps at this wind (Monahan and O'Muircheartaigh 1980), and that of the foam around the camera.",
+            "Coverage by whitecaps at this wind (Monahan and O'Muircheartaigh 1980), and the mean of the foam that is computed around the camera, however much of it is shown.",
         );
         row("Energy held", [none(), percent(r.m0_fraction), none()], "Share of the variance on the grid.");
     });

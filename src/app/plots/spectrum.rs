@@ -73,7 +73,7 @@ pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
     });
     let measured = |omega: f64| {
         let (width, density) = maps.as_ref()?;
-        density.get((omega / width) as usize).copied()
+        density.get(((omega / width) as usize).min(density.len() - 1)).copied()
     };
     let rows = (0..=POINTS).map(|i| {
         let w = omega(i);
