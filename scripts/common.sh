@@ -128,6 +128,9 @@ need_browsers() {
 }
 
 # The page as it is shipped, into dist/.
+# SEASTATE_URL, where the page will be: previews of its links need whole addresses.
 build_page() {
-  NO_COLOR=true trunk build --release "$@"
+  NO_COLOR=true trunk build --release "$@" || return 1
+  [ -z "${SEASTATE_URL:-}" ] ||
+    sed -i "s|\(property=\"og:image\" content=\"\)still.jpg|\1${SEASTATE_URL%/}/still.jpg|" dist/index.html
 }
