@@ -84,8 +84,9 @@ impl WebHandle {
     /// Place of the widget with a label, in points: x, y, width, height. For tests; ask again after a frame.
     pub fn place(&self, label: &str) -> Option<Vec<f64>> {
         let items = self.items();
-        // What is told last of a name counts: a window's title comes before what is in it.
-        items.iter().rev().find(|item| item.label == label).map(|item| item.place.to_vec())
+        let named = || items.iter().filter(|item| item.label == label);
+        // A slider comes before its number, and a text is no widget.
+        named().find(|item| item.role != "Label").or_else(|| named().next()).map(|item| item.place.to_vec())
     }
 
     /// Labels and values of all widgets, for tests.

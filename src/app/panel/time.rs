@@ -40,7 +40,7 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
         let slider = egui::Slider::new(&mut t, from..=end).show_value(false).step_by(0.0);
         if named_value(ui.add(slider), "Time", t)
             .on_hover_text("Drag through the time; it stands still meanwhile.")
-            .dragged()
+            .changed()
         {
             clock.t_s = t;
             clock.paused = true;
