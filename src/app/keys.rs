@@ -29,6 +29,8 @@ pub fn help(open: &mut bool, ctx: &egui::Context) {
         .anchor(egui::Align2::CENTER_CENTER, egui::Vec2::ZERO)
         .max_width(ctx.content_rect().width() - 24.0)
         .max_height(ctx.content_rect().height() - 60.0)
+        // All keys at once, where there is room for them.
+        .default_size([440.0, 510.0])
         .vscroll(true)
         .show(ctx, |ui| {
             egui::Grid::new("keys").num_columns(2).striped(true).spacing([16.0, 6.0]).show(ui, |ui| {
