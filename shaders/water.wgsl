@@ -79,10 +79,12 @@ fn fragment(in: WaterVertex) -> @location(0) vec4f {
   let n = water_normal(slope.mean);
 
   slope.variance += vec3f(vec2f(material.rough_variance), 0.0);
-  // The waves that the mesh shows hide and shade by themselves, where they are seen; those between, by their statistics.
+  // The waves that the mesh shows hide and shade by themselves, where they are seen; those between, by their statistics. The
+  // mesh shows no ripples, however fine it is.
   var around = slope;
   if WATER_SAMPLES {
-    around = water_slope(at, WaterFootprint(vec2f(0.0), water_spacing(length(at)), 1));
+    let shown = WaterFootprint(vec2f(0.0), water_spacing(length(at)), 1);
+    around = water_slope_within(at, shown, WaterFootprint(vec2f(0.0), 1e6, 1));
     around.variance += vec3f(vec2f(material.rough_variance), 0.0);
   }
 

@@ -213,6 +213,11 @@ fn water_add(waves: ptr<function, WaterWaves>, g: vec4f, d: vec4f, weight: vec3f
 
 // Mean and variance of the slope within a footprint.
 fn water_slope(at: vec2f, foot: WaterFootprint) -> WaterSlope {
+  return water_slope_within(at, foot, foot);
+}
+
+// The same with another footprint for the ripples.
+fn water_slope_within(at: vec2f, foot: WaterFootprint, ripple_foot: WaterFootprint) -> WaterSlope {
   var slope = vec2f(0.0);
   var stretch = vec2f(0.0);
   var shear = vec2f(0.0);
@@ -231,7 +236,7 @@ fn water_slope(at: vec2f, foot: WaterFootprint) -> WaterSlope {
   for (var r = 0u; r < frame.ripple_count; r++) {
     let c = select(frame.ripple_cascade_1, frame.ripple_cascade_0, r == 0u);
     let ripples = frame.ripples[r];
-    let waves = water_waves(at, foot, c, vec4f(ripples.xyz, frame.cascades[c].w), water_tile(8u + r));
+    let waves = water_waves(at, ripple_foot, c, vec4f(ripples.xyz, frame.cascades[c].w), water_tile(8u + r));
     slope += ripples.w * waves.slope;
     variance += ripples.w * ripples.w * waves.variance;
     lean += ripples.w * waves.lean;

@@ -137,8 +137,8 @@ fn present_corner(at: vec2i) -> vec2f {
   return vec2f(sky_luminance(present_squeeze(corner.rgb)), corner.a);
 }
 
-// Change of nearness, over the nearness, that is not that of one surface.
-const PRESENT_EDGE = 0.15;
+// A step in the distance that is an edge, m: less is one surface, whatever its slope.
+const PRESENT_EDGE_M = 0.3;
 
 // Edges smoothed along their direction, after FXAA by Timothy Lottes (2009): crests and the horizon have no other
 // smoothing where there is one sample a pixel. What lies on one surface, foam and glitter, is filtered already and would only
@@ -154,7 +154,9 @@ fn present_smooth(hdr: vec4f, at: vec2i, uv: vec2f) -> vec3f {
   let high = max(here, max(max(nw.x, ne.x), max(sw.x, se.x)));
   let bend = max(abs(nw.y + se.y - 2.0 * hdr.a), abs(ne.y + sw.y - 2.0 * hdr.a));
   var smoothed = middle;
-  if bend >= PRESENT_EDGE * (hdr.a - 1.0) && high - low > max(0.03, 0.16 * high) {
+  // Nearness is 1e4 / distance (frame.wgsl): its change for such a step.
+  let edge = 1e-4 * PRESENT_EDGE_M * (hdr.a - 1.0) * (hdr.a - 1.0);
+  if bend >= edge && high - low > max(0.03, 0.16 * high) {
     let across = vec2f(sw.x + se.x - nw.x - ne.x, nw.x + sw.x - ne.x - se.x);
     let reduce = max((nw.x + ne.x + sw.x + se.x) * 0.03, 0.008);
     let pixels = clamp(across / (min(abs(across.x), abs(across.y)) + reduce), vec2f(-6.0), vec2f(6.0));
