@@ -7,16 +7,18 @@
 @group(0) @binding(3) var displacement: texture_storage_2d_array<rgba16float, write>;
 @group(0) @binding(4) var gradients: texture_storage_2d_array<rgba16float, write>;
 
-fn columns_store(pair: u32, c: u32, x: u32, z: u32, base: u32, v: vec4f) {
-  // Packed order is Dx, Dz, eta, dDx/dz.
-  let value = select(v, v.xzyw, pair == 0u);
-  if pair == 0u {
-    textureStore(displacement, vec2u(x, z), sea.first_layer + c, value);
-  } else {
-    textureStore(gradients, vec2u(x, z), sea.first_layer + c, value);
-  }
+// Packed order is Dx, Dz, eta, dDx/dz.
+fn columns_store_0(c: u32, x: u32, z: u32, v: vec4f) {
+  textureStore(displacement, vec2u(x, z), sea.first_layer + c, v.xzyw);
   if sea.keep_f32 != 0u {
-    lines[base + z * N + x] = value;
+    lines[(2u * c * N + z) * N + x] = v.xzyw;
+  }
+}
+
+fn columns_store_1(c: u32, x: u32, z: u32, v: vec4f) {
+  textureStore(gradients, vec2u(x, z), sea.first_layer + c, v);
+  if sea.keep_f32 != 0u {
+    lines[((2u * c + 1u) * N + z) * N + x] = v;
   }
 }
 
@@ -45,7 +47,12 @@ fn main(@builtin(local_invocation_id) local: vec3u, @builtin(workgroup_id) group
       }
       fft_registers(R2);
       for (var k2 = 0u; k2 < R2; k2++) {
-        columns_store(pair, c, x, k1 + R1 * k2, base, fft_v[fft_slot(k2, R2)]);
+        let v = fft_v[fft_slot(k2, R2)];
+        if pair == 0u {
+          columns_store_0(c, x, k1 + R1 * k2, v);
+        } else {
+          columns_store_1(c, x, k1 + R1 * k2, v);
+        }
       }
     }
   }

@@ -6,7 +6,7 @@
 @group(0) @binding(3) var moments_map: texture_2d_array<f32>;
 @group(0) @binding(4) var foam_map: texture_2d_array<f32>;
 @group(0) @binding(5) var<storage, read> h0: array<vec2f>; // [cascade][iz][ix]
-@group(0) @binding(6) var<storage, read> wave: array<vec2u>; // turns, bits of the orbit, per triangle entry
+@group(0) @binding(6) var<storage, read> wave: array<vec2u>; // turns, bits of orbit / |k|, per triangle entry
 
 struct DebugMapVertex {
   @builtin(position) clip: vec4f,

@@ -1,22 +1,11 @@
-// Inverse transform of one line of N = R1 x R2 points, two complex signals at a time (xy and zw of a vec4f).
-//
-// T = R2 threads share a line. Thread t holds the points n1 R2 + t in registers, transforms over n1, multiplies by
-// W_N^(t k1), exchanges once through workgroup memory, and transforms over n2; it ends with X[k1 + R1 k2].
-// 64 = 8 x 8, 128 = 16 x 8, 256 = 16 x 16, 512 = 32 x 16, 1024 = 32 x 32.
+// Both halves of the transform in one dispatch: T = R2 threads share a line. Thread t transforms the points n1 R2 + t in its
+// registers, exchanges once through workgroup memory, and transforms over n2.
 
-override N: u32 = 256u;
-override R1: u32 = 16u;
-override R2: u32 = 16u;
 override LINES: u32 = 4u; // lines of a workgroup
 override EXCHANGE: u32 = 1024u; // LINES x N
 
 var<private> fft_v: array<vec4f, 32>;
 var<workgroup> fft_shared: array<vec4f, EXCHANGE>;
-
-// Both complex numbers of v times w.
-fn fft_mul(v: vec4f, w: vec2f) -> vec4f {
-  return v * w.x + vec4f(-v.y, v.x, -v.w, v.z) * w.y;
-}
 
 fn fft_twist(i: u32, re: f32, im: f32) {
   fft_v[i] = fft_mul(fft_v[i], vec2f(re, im));

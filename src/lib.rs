@@ -15,6 +15,8 @@
 
 #[cfg(feature = "app")]
 pub mod app;
+#[cfg(feature = "app")]
+pub mod bench;
 #[cfg(all(feature = "desktop", not(target_arch = "wasm32")))]
 pub mod cli;
 #[cfg(feature = "gpu")]

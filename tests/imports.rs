@@ -11,8 +11,9 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("sim", &["model", "gpu"]),
     ("render", &["model", "gpu", "sim"]),
     ("ocean", &["model", "gpu", "sim", "render"]),
-    ("app", &["model", "gpu", "sim", "ocean"]),
-    ("cli", &["model", "gpu", "sim", "ocean", "oracle", "app"]),
+    ("bench", &["model", "gpu", "sim", "ocean"]),
+    ("app", &["model", "gpu", "sim", "ocean", "bench"]),
+    ("cli", &["model", "gpu", "sim", "ocean", "oracle", "bench", "app"]),
 ];
 /// Crates that a room must not name.
 const FORBIDDEN: &[(&str, &[&str])] = &[
@@ -22,6 +23,7 @@ const FORBIDDEN: &[(&str, &[&str])] = &[
     ("sim", &["egui", "eframe", "web_sys"]),
     ("render", &["egui", "eframe", "web_sys"]),
     ("ocean", &["egui", "eframe", "web_sys"]),
+    ("bench", &["egui", "eframe", "web_sys"]),
     ("cli", &["egui", "eframe", "web_sys"]),
 ];
 

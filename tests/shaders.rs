@@ -14,9 +14,9 @@ fn parsed() -> Vec<(&'static str, naga::Module)> {
     Shaders::default()
         .all()
         .map(|(name, text)| {
-            let module = naga::front::wgsl::parse_str(text).unwrap_or_else(|e| {
-                let line = e.location(text).map_or(0, |l| l.line_number as usize);
-                panic!("{name}, {:?}: {}", locate(name, line), e.emit_to_string(text))
+            let module = naga::front::wgsl::parse_str(&text).unwrap_or_else(|e| {
+                let line = e.location(&text).map_or(0, |l| l.line_number as usize);
+                panic!("{name}, {:?}: {}", locate(name, line), e.emit_to_string(&text))
             });
             (name, module)
         })
@@ -34,7 +34,7 @@ fn every_module_is_valid_without_optional_features() {
 }
 
 fn module_text(name: &str) -> String {
-    Shaders::default().all().find(|(n, _)| *n == name).map(|(_, text)| text.to_owned()).unwrap_or_default()
+    Shaders::default().all().find(|(n, _)| *n == name).map(|(_, text)| text).unwrap_or_default()
 }
 
 #[test]

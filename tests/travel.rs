@@ -31,7 +31,7 @@ fn speed(state: &str, ix: i32, iz: i32, about: f64) -> f64 {
         let step = sim.push_step(&gpu.queue, t_s, true);
         gpu.queue.write_buffer(&sim.resources.sea.h0, 0, bytemuck::cast_slice(&h0));
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        sim.passes.rows.run(&mut encoder, &sim.resources, step);
+        sim.passes.rows.run(&mut encoder, step);
         sim.passes.columns.run(&mut encoder, &sim.resources, step);
         let staging = readback::stage_buffer(&gpu.device, &mut encoder, &sim.resources.lines);
         gpu.queue.submit([encoder.finish()]);

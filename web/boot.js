@@ -230,6 +230,19 @@ function watchTraps() {
   addEventListener('unhandledrejection', (event) => trapped(event.reason));
 }
 
+/** Instead of the sea, with `bench=1` (or the number of repetitions) in the address: what it costs on this GPU. */
+async function bench(handle) {
+  const query = new URLSearchParams(location.search);
+  const repeat = Math.max(5, Number(query.get('bench')) || 0);
+  query.delete('bench');
+  const measured = await handle.bench(query.toString(), repeat, (what) => say(`Measuring: ${what}…`));
+  const table = element('bench');
+  table.textContent = measured.text;
+  table.hidden = false;
+  element('loading').hidden = true;
+  window.measured = measured;
+}
+
 async function boot() {
   document.documentElement.classList.add('booted');
   const abort = new AbortController();
@@ -246,6 +259,7 @@ async function boot() {
       await glue.default({ module_or_path: module });
       handle = new glue.WebHandle();
       window.seastate = handle;
+      if (new URLSearchParams(location.search).has('bench')) return await bench(handle);
       await handle.start(element('sea'));
     } catch (error) {
       const panic = panicText(handle) ?? (error instanceof WebAssembly.RuntimeError ? String(error) : undefined);

@@ -2,6 +2,8 @@
 
 use super::readers::Item;
 use super::{App, setup, tidy};
+use crate::bench::{self, Options, Row};
+use crate::gpu::device::Gpu;
 use crate::gpu::readback;
 use crate::gpu::shaders::Shaders;
 use crate::model::{Params, Plan, query};
@@ -144,6 +146,26 @@ impl WebHandle {
         Ok(out.into())
     }
 
+    /// Measures what a state costs on this browser's GPU, on a device of its own; `seastate bench --baseline` of the page.
+    /// `progress` is told what comes next. Gives an object with `text`, the table, and `passes`, objects with `pass`, `n`,
+    /// `cascades`, `width`, `height`, `ms`.
+    ///
+    /// # Errors
+    /// If there is no GPU, or it is lost meanwhile.
+    pub async fn bench(&self, state: String, repeat: u32, progress: js_sys::Function) -> Result<JsValue, JsValue> {
+        let gpu = Gpu::request().await?;
+        let options = Options { sizes: vec![[1280, 720]], repeat, matrix: false, baseline: true };
+        // What a listener does is its own affair.
+        let tell = |what: &str| drop(progress.call1(&JsValue::NULL, &what.into()));
+        let device = (&gpu.device, &gpu.queue);
+        let report = bench::run(device, &gpu.adapter.get_info(), &query::parse(&state).0, &options, tell).await?;
+        let passes: js_sys::Array = report.rows.iter().map(measured).collect();
+        let out = js_sys::Object::new();
+        js_sys::Reflect::set(&out, &"text".into(), &report.to_string().into())?;
+        js_sys::Reflect::set(&out, &"passes".into(), &passes)?;
+        Ok(out.into())
+    }
+
     fn items(&self) -> Vec<Item> {
         self.with(|app| app.readers.items(&app.ctx)).unwrap_or_default()
     }
@@ -151,6 +173,19 @@ impl WebHandle {
     fn with<T>(&self, f: impl FnOnce(&mut App) -> T) -> Option<T> {
         self.runner.app_mut::<App>().map(|mut app| f(&mut app))
     }
+}
+
+fn measured(row: &Row) -> JsValue {
+    let out = js_sys::Object::new();
+    // Setting a property of a fresh object cannot fail.
+    let set = |key: &str, value: JsValue| drop(js_sys::Reflect::set(&out, &key.into(), &value));
+    set("pass", row.pass.into());
+    set("n", row.sea.map(|[n, _]| n).into());
+    set("cascades", row.sea.map(|[_, cascades]| cascades).into());
+    set("width", row.size.map(|[width, _]| width).into());
+    set("height", row.size.map(|[_, height]| height).into());
+    set("ms", row.timing.ms().into());
+    out.into()
 }
 
 fn described(item: &Item) -> JsValue {

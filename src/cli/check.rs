@@ -89,7 +89,7 @@ pub async fn run(gpu: &Gpu, params: &Params, shaders: &Shaders) -> Result<Vec<Li
     gpu.queue.write_buffer(&sim.resources.sea.h0, 0, bytemuck::cast_slice(&flat));
     let got = {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        sim.passes.rows.run(&mut encoder, &sim.resources, step);
+        sim.passes.rows.run(&mut encoder, step);
         read_lines(gpu, &sim, encoder).await?
     };
     for (c, want) in rows.iter().enumerate() {

@@ -14,6 +14,7 @@ pub mod render;
 pub mod stats;
 pub mod validate;
 
+use crate::bench::Options;
 use crate::gpu::device::Gpu;
 use crate::model::fields::FIELDS;
 use crate::model::measured::Measured;
@@ -160,10 +161,19 @@ enum Command {
     Bench {
         #[command(flatten)]
         sea: SeaArgs,
-        /// Width and height of the picture in pixels
-        #[arg(long, default_value = "1280x720", value_parser = parse_size)]
-        size: [u32; 2],
-        /// Repetitions of each pass
+        /// Width and height of a picture in pixels; may be given several times
+        #[arg(long = "size", default_value = "1280x720", value_parser = parse_size)]
+        sizes: Vec<[u32; 2]>,
+        /// Leaves the picture out
+        #[arg(long)]
+        no_picture: bool,
+        /// Measures the simulation for n from 128 to 1024 and 1 to 4 cascades, and pictures of three sizes
+        #[arg(long)]
+        matrix: bool,
+        /// Also measures the waves as the browser demos compute them: a dispatch for every stage of every transform
+        #[arg(long)]
+        baseline: bool,
+        /// Submissions for each number
         #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
         repeat: u32,
         /// Prints JSON
@@ -234,9 +244,14 @@ fn run(cli: Cli) -> Result<i32, String> {
             print(&if json { report.json(&notices) } else { report.to_string() })
         }
         Some(Command::Check { sea }) => pollster::block_on(check(&sea.read_aloud()?)),
-        Some(Command::Bench { sea, size, repeat, json }) => {
-            let report = pollster::block_on(bench::run(&sea.read_aloud()?, size, repeat))?;
-            print(&if json { report.json() } else { report.to_string() })
+        Some(Command::Bench { sea, sizes, no_picture, matrix, baseline, repeat, json }) => {
+            let sizes = match (no_picture, matrix) {
+                (true, _) => Vec::new(),
+                (_, true) => bench::MATRIX_SIZES.to_vec(),
+                _ => sizes,
+            };
+            let options = Options { sizes, repeat, matrix, baseline };
+            print(&pollster::block_on(bench::run(&sea.read_aloud()?, &options, json))?)
         }
         Some(Command::Validate(options)) => validate::run(&options).and_then(|said| print(&said)),
         Some(Command::Gallery(options)) => gallery::run(&options).and_then(|said| print(&said)),

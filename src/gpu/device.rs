@@ -59,9 +59,29 @@ impl Gpu {
                 .await
                 .map_err(|_| NO_ADAPTER.to_owned())?,
         };
+        Self::open(adapter).await
+    }
+
+    /// Opens the browser's GPU without a canvas.
+    ///
+    /// # Errors
+    /// If there is none, or it cannot be used.
+    #[cfg(target_arch = "wasm32")]
+    pub async fn request() -> Result<Self, String> {
+        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+        descriptor.backends = backends();
+        let options = wgpu::RequestAdapterOptions {
+            power_preference: wgpu::PowerPreference::HighPerformance,
+            ..Default::default()
+        };
+        let adapter = wgpu::Instance::new(descriptor).request_adapter(&options).await;
+        Self::open(adapter.map_err(|e| e.to_string())?).await
+    }
+
+    async fn open(adapter: wgpu::Adapter) -> Result<Self, String> {
         let name = adapter.get_info().name;
         let (device, queue) = adapter
-            .request_device(&self::descriptor(&adapter))
+            .request_device(&descriptor(&adapter))
             .await
             .map_err(|e| format!("the GPU \"{name}\" cannot be used: {e}"))?;
         Ok(Self { adapter, device, queue })

@@ -1,6 +1,7 @@
 //! wgpu plumbing that knows nothing of rendering: what we demand of a device, the shader table, layouts, read-back.
 
 pub mod device;
+pub mod fft;
 pub mod kernel;
 pub mod layout;
 pub mod offscreen;

@@ -82,14 +82,34 @@ pub async fn read(device: &wgpu::Device, staging: wgpu::Buffer) -> Result<Vec<u8
         // The receiver lives until the end of this function.
         let _ = sender.send(result);
     });
-    #[cfg(not(target_arch = "wasm32"))]
-    device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| e.to_string())?;
-    #[cfg(target_arch = "wasm32")]
-    let _ = device;
+    wait(device)?;
     receiver.await.map_err(|e| e.to_string())?.map_err(|e| e.to_string())?;
     let bytes = staging.slice(..).get_mapped_range().map_err(|e| e.to_string())?.to_vec();
     staging.unmap();
     Ok(bytes)
+}
+
+/// Waits until all that was submitted is done.
+///
+/// # Errors
+/// If the device is gone.
+pub async fn done(device: &wgpu::Device, queue: &wgpu::Queue) -> Result<(), String> {
+    let (sender, receiver) = oneshot::channel();
+    queue.on_submitted_work_done(move || {
+        // The receiver lives until the end of this function.
+        let _ = sender.send(());
+    });
+    wait(device)?;
+    receiver.await.map_err(|e| e.to_string())
+}
+
+/// A browser calls back by itself; elsewhere somebody has to wait.
+fn wait(device: &wgpu::Device) -> Result<(), String> {
+    #[cfg(not(target_arch = "wasm32"))]
+    device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| e.to_string())?;
+    #[cfg(target_arch = "wasm32")]
+    let _ = device;
+    Ok(())
 }
 
 fn staging(device: &wgpu::Device, size: u64) -> wgpu::Buffer {

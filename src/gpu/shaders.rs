@@ -1,5 +1,6 @@
 //! Every shader module, joined from plain WGSL files. Names are prefixed by their part (`sea_`, `noise_`).
 
+use super::fft::{Transform, Way};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -19,7 +20,9 @@ const MATHS: Part = part!("maths.wgsl");
 const SEA: Part = part!("sea.wgsl");
 const NOISE: Part = part!("noise.wgsl");
 const TILES: Part = part!("tiles.wgsl");
+const FFT_COMMON: Part = part!("fft_common.wgsl");
 const FFT: Part = part!("fft.wgsl");
+const ROWS_WAVES: Part = part!("rows_waves.wgsl");
 const ATMOSPHERE: Part = part!("atmosphere.wgsl");
 const SKY: Part = part!("sky_common.wgsl");
 const SKY_MODEL: Part = part!("sky_model.wgsl");
@@ -42,8 +45,12 @@ const DEBUG: Part = part!("debug.wgsl");
 /// Module names and the parts they are joined from; the last part holds the entry points.
 const MODULES: &[(&str, &[Part])] = &[
     ("spectrum", &[MATHS, SEA, NOISE, part!("spectrum.wgsl")]),
-    ("rows", &[MATHS, SEA, FFT, part!("rows.wgsl")]),
-    ("columns", &[SEA, FFT, part!("columns.wgsl")]),
+    ("rows", &[MATHS, SEA, FFT_COMMON, FFT, ROWS_WAVES, part!("rows.wgsl")]),
+    ("rows_first", &[MATHS, SEA, FFT_COMMON, ROWS_WAVES, part!("rows_first.wgsl")]),
+    ("lines_second", &[FFT_COMMON, part!("lines_second.wgsl")]),
+    ("columns", &[SEA, FFT_COMMON, FFT, part!("columns.wgsl")]),
+    ("columns_first", &[FFT_COMMON, part!("columns_first.wgsl")]),
+    ("columns_second", &[FFT_COMMON, part!("columns_second.wgsl")]),
     ("mips", &[SEA, part!("mips.wgsl")]),
     ("foam", &[MATHS, SEA, NOISE, TILES, part!("foam.wgsl")]),
     ("sky_transmittance", &[ATMOSPHERE, SKY, part!("sky_transmittance.wgsl")]),
@@ -99,12 +106,13 @@ fn modules() -> impl Iterator<Item = (&'static str, Vec<&'static Part>)> {
 #[derive(Clone, Debug)]
 pub struct Shaders {
     sources: BTreeMap<&'static str, Cow<'static, str>>,
+    way: Option<Way>,
 }
 
 impl Default for Shaders {
     fn default() -> Self {
         let join = |parts: Vec<&Part>| parts.iter().map(|p| p.text).collect::<Vec<_>>().join("\n");
-        Self { sources: modules().map(|(name, parts)| (name, Cow::Owned(join(parts)))).collect() }
+        Self { sources: modules().map(|(name, parts)| (name, Cow::Owned(join(parts)))).collect(), way: None }
     }
 }
 
@@ -121,9 +129,26 @@ impl Shaders {
         self
     }
 
-    /// Names and joined texts.
-    pub fn all(&self) -> impl Iterator<Item = (&'static str, &str)> {
-        self.sources.iter().map(|(name, text)| (*name, text.as_ref()))
+    /// The same with one way of transforming on every adapter: how it is tested and measured where it is not the rule.
+    #[must_use]
+    pub fn with_way(self, way: Way) -> Self {
+        Self { way: Some(way), ..self }
+    }
+
+    /// How lines are transformed on a device.
+    pub fn way(&self, device: &wgpu::Device) -> Way {
+        self.way.unwrap_or_else(|| Way::of(device))
+    }
+
+    /// Names and joined texts; what is written out is that of 256 points.
+    pub fn all(&self) -> impl Iterator<Item = (&'static str, String)> {
+        let transform = Transform::new(256);
+        self.sources.keys().map(move |name| (*name, self.source(name, transform)))
+    }
+
+    fn source(&self, name: &str, transform: Transform) -> String {
+        let source = self.sources.get(name).unwrap_or_else(|| panic!("no shader module {name}"));
+        format!("{source}\n{}", transform.straight_code(name).unwrap_or_default())
     }
 
     /// Compiles a module.
@@ -135,6 +160,17 @@ impl Shaders {
         device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(label),
             source: wgpu::ShaderSource::Wgsl(Cow::Borrowed(source)),
+        })
+    }
+
+    /// Compiles a module together with what is written out for a transform.
+    ///
+    /// # Panics
+    /// If there is none of that name.
+    pub fn straight(&self, device: &wgpu::Device, name: &str, transform: Transform) -> wgpu::ShaderModule {
+        device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(name),
+            source: wgpu::ShaderSource::Wgsl(Cow::Owned(self.source(name, transform))),
         })
     }
 }
@@ -162,9 +198,9 @@ mod tests {
     fn lines_are_found_again() {
         let shaders = Shaders::default();
         let (_, text) = shaders.all().find(|(name, _)| *name == "rows").unwrap();
-        let line = text.lines().position(|l| l.contains("fn rows_pack")).unwrap() + 1;
+        let line = text.lines().position(|l| l.contains("fn rows_pack_0")).unwrap() + 1;
         let (file, at) = locate("rows", line).unwrap();
-        assert_eq!(file, "rows.wgsl");
-        assert!(include_str!("../../shaders/rows.wgsl").lines().nth(at - 1).unwrap().contains("fn rows_pack"));
+        assert_eq!(file, "rows_waves.wgsl");
+        assert!(include_str!("../../shaders/rows_waves.wgsl").lines().nth(at - 1).unwrap().contains("fn rows_pack_0"));
     }
 }

@@ -24,6 +24,8 @@ use super::noise::pcg4d;
 
 /// Barycentric coordinate at which a copy begins.
 const EDGE: f64 = 0.25;
+/// Copies that a point sees, on average.
+pub const MEAN_COPIES: f64 = 1.69;
 /// Shifts are multiples of 1 / STEPS of the patch; STEPS = 2^(32 - 26).
 const STEPS: f64 = 64.0;
 /// Keeps the shifts from the numbers that the waves are drawn with.
@@ -162,7 +164,7 @@ mod tests {
             assert!((square - 1.0).abs() < 1e-12);
             copies += blend.iter().filter(|c| c.weight > 0.0).count();
         }
-        assert!((f64::from(copies as u32) / 20_000.0 - 1.69).abs() < 0.02, "{copies}");
+        assert!((f64::from(copies as u32) / 20_000.0 - MEAN_COPIES).abs() < 0.02, "{copies}");
     }
 
     #[test]

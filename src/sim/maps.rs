@@ -23,7 +23,7 @@ pub struct Maps {
     pub foam: wgpu::TextureView,
     /// h0 of the sea, complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
     pub h0: wgpu::Buffer,
-    /// Turns (u32) and orbit (f32) per triangle entry and cascade of the sea.
+    /// Turns (u32) and orbit over wave number (f32, m) per triangle entry and cascade of the sea.
     pub wave: wgpu::Buffer,
     /// Phase of all waves at the time of the maps, t / period in units of 2^-32.
     pub phase_time: u32,

@@ -11,7 +11,6 @@ pub mod passes;
 pub mod probe;
 pub mod resources;
 mod sea;
-pub mod transform;
 
 pub use glide::{Moved, Turn};
 pub use maps::{FoamLevel, MapCascade, Maps};
@@ -62,7 +61,7 @@ pub struct Simulation {
 impl Simulation {
     /// Allocates a sea.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, plan: Plan, shaders: &Shaders) -> Self {
-        let resources = Resources::new(device, queue, &plan);
+        let resources = Resources::new(device, queue, &plan, shaders.way(device));
         let sea_steps = UniformRing::new(device, "sea", SEA_SLOTS);
         let foam_steps = UniformRing::new(device, "foam", MAX_STEPS);
         let passes = Passes::new(device, shaders, &resources, &sea_steps, &foam_steps);
@@ -317,7 +316,7 @@ impl Simulation {
     }
 
     fn encode_evaluation(&self, encoder: &mut wgpu::CommandEncoder, step: Step) {
-        self.passes.rows.run(encoder, &self.resources, step);
+        self.passes.rows.run(encoder, step);
         self.timer.mark(encoder, "rows");
         self.passes.columns.run(encoder, &self.resources, step);
         self.timer.mark(encoder, "columns");
@@ -375,7 +374,13 @@ impl Simulation {
             _ => (&self.sea, own),
         };
         let uniform = sea.uniform(maps, self.foam.numbers().chop, evaluation);
-        Step { uniform: self.sea_steps.push(&uniform), count: uniform.count, fades }
+        Step {
+            uniform: self.sea_steps.push(&uniform),
+            count: uniform.count,
+            fades,
+            first_layer: uniform.first_layer,
+            keep_f32: evaluation.keep_f32,
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The compute passes, in the order of the frame. A pass is a kernel, its bindings and its number of workgroups.
 
-use super::resources::{Resources, Waves, view};
-use super::transform::Transform;
+use super::resources::{Resources, Straight, Waves, view};
+use crate::gpu::fft::Transform;
 use crate::gpu::kernel::{Kernel, Slot, UniformRing};
 use crate::gpu::layout::{FOAM_LEVELS, FoamUniform, SeaUniform};
 use crate::gpu::shaders::Shaders;
@@ -18,6 +18,10 @@ pub struct Step {
     pub count: u32,
     /// Whether it is the sea that fades.
     pub fades: bool,
+    /// First layer of its maps.
+    pub first_layer: u32,
+    /// Whether the column pass leaves its result in the intermediate buffer.
+    pub keep_f32: bool,
 }
 
 /// All passes of a simulation.
@@ -52,10 +56,17 @@ impl Passes {
         }
     }
 
+    /// Compute dispatches of a frame at rest: waves, mips and foam.
+    pub fn dispatches(&self) -> u32 {
+        let halves =
+            u32::from(self.rows.second.is_some()) + u32::from(matches!(self.columns, ColumnsPass::Straight(_)));
+        3 + halves + self.mips.groups.len() as u32
+    }
+
     /// Binds anew what belongs to a sea: its buffers are others.
     pub fn bind_waves(&mut self, device: &wgpu::Device, r: &Resources, sea: &UniformRing<SeaUniform>) {
         self.spectrum.group = SpectrumPass::group(device, &self.spectrum.kernel, r, sea);
-        self.rows.groups = RowsPass::groups(device, &self.rows.kernel, r, sea);
+        self.rows.bind(device, r, sea);
     }
 
     /// Binds anew what reads and writes maps, and the intermediate buffer.
@@ -66,7 +77,8 @@ impl Passes {
         sea: &UniformRing<SeaUniform>,
         foam: &UniformRing<FoamUniform>,
     ) {
-        self.columns.group = ColumnsPass::group(device, &self.columns.kernel, r, sea);
+        self.rows.bind(device, r, sea);
+        self.columns.bind(device, r, sea);
         self.mips.groups = MipsPass::groups(device, [&self.mips.first, &self.mips.next], r, sea);
         self.foam.group = FoamPass::group(device, &self.foam.kernel, r, sea, foam);
     }
@@ -96,67 +108,143 @@ impl SpectrumPass {
     }
 }
 
-/// shaders/rows.wgsl
-pub struct RowsPass {
+/// One half of a transform, or all of it.
+pub struct Half {
     kernel: Kernel,
+    size: [u32; 3],
+    has_uniform: bool,
+}
+
+impl Half {
+    fn run(&self, encoder: &mut wgpu::CommandEncoder, group: &wgpu::BindGroup, sea: Step) {
+        let [x, y, layers] = self.size;
+        let offsets: &[u32] = if self.has_uniform { &[sea.uniform] } else { &[] };
+        self.kernel.run(encoder, group, offsets, [x, y, layers * sea.count]);
+    }
+}
+
+/// shaders/rows.wgsl, or rows_first.wgsl and lines_second.wgsl.
+pub struct RowsPass {
+    first: Half,
+    second: Option<Half>,
     /// Of the sea, and of the one that fades.
     groups: [Option<wgpu::BindGroup>; 2],
-    transform: Transform,
+    second_group: Option<wgpu::BindGroup>,
 }
 
 impl RowsPass {
     fn new(device: &wgpu::Device, shaders: &Shaders, r: &Resources, sea: &UniformRing<SeaUniform>) -> Self {
-        let transform = Transform::new(r.n);
-        let module = shaders.module(device, "rows");
-        let slots = [SEA, Slot::Read, Slot::Read, Slot::Read, Slot::Write];
-        let kernel = Kernel::new(device, "sea/rows", &module, &slots, &transform.constants());
-        let groups = Self::groups(device, &kernel, r, sea);
-        Self { kernel, groups, transform }
-    }
-
-    fn groups(
-        device: &wgpu::Device,
-        kernel: &Kernel,
-        r: &Resources,
-        sea: &UniformRing<SeaUniform>,
-    ) -> [Option<wgpu::BindGroup>; 2] {
-        let group = |waves: &Waves| {
-            kernel.bind(
-                device,
-                &[
-                    sea.binding(),
-                    waves.h0.as_entire_binding(),
-                    waves.wave.as_entire_binding(),
-                    r.twiddle.as_entire_binding(),
-                    r.lines.as_entire_binding(),
-                ],
-            )
+        let t = Transform::new(r.n);
+        let mut slots = vec![SEA, Slot::Read, Slot::Read, Slot::Read, Slot::Write];
+        let (first, second) = match &r.straight {
+            None => {
+                let module = shaders.module(device, "rows");
+                let kernel = Kernel::new(device, "sea/rows", &module, &slots, &t.exchanged_constants());
+                (Half { kernel, size: [r.n / t.lines, 1, 1], has_uniform: true }, None)
+            }
+            Some(_) => {
+                slots.push(Slot::Write);
+                let constants = &t.straight_constants();
+                let module = shaders.straight(device, "rows_first", t);
+                let kernel = Kernel::new(device, "sea/rows/first", &module, &slots, constants);
+                let first = Half { kernel, size: [t.r2 / 8, r.n / 8, 1], has_uniform: true };
+                let module = shaders.straight(device, "lines_second", t);
+                let kernel = Kernel::new(device, "sea/rows/second", &module, &[Slot::Read, Slot::Write], constants);
+                (first, Some(Half { kernel, size: [t.r1 / 8, r.n / 8, 2], has_uniform: false }))
+            }
         };
-        [Some(group(&r.sea)), r.other.as_ref().map(group)]
+        let mut pass = Self { first, second, groups: [None, None], second_group: None };
+        pass.bind(device, r, sea);
+        pass
     }
 
-    /// Evolves and transforms all cascades in one dispatch.
-    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, sea: Step) {
+    fn bind(&mut self, device: &wgpu::Device, r: &Resources, sea: &UniformRing<SeaUniform>) {
+        let group = |waves: &Waves| {
+            let mut bound = vec![
+                sea.binding(),
+                waves.h0.as_entire_binding(),
+                waves.wave.as_entire_binding(),
+                r.twiddle.as_entire_binding(),
+                r.lines.as_entire_binding(),
+            ];
+            bound.extend(r.straight.iter().map(|s| s.halves.as_entire_binding()));
+            self.first.kernel.bind(device, &bound)
+        };
+        self.groups = [Some(group(&r.sea)), r.other.as_ref().map(group)];
+        self.second_group = self.second.as_ref().zip(r.straight.as_ref()).map(|(second, s)| {
+            second.kernel.bind(device, &[s.halves.as_entire_binding(), r.lines.as_entire_binding()])
+        });
+    }
+
+    /// Evolves and transforms all cascades.
+    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, sea: Step) {
         let Some(group) = &self.groups[usize::from(sea.fades)] else { return };
-        self.kernel.run(encoder, group, &[sea.uniform], [r.n / self.transform.lines, 1, sea.count]);
+        self.first.run(encoder, group, sea);
+        if let (Some(second), Some(group)) = (&self.second, &self.second_group) {
+            second.run(encoder, group, sea);
+        }
     }
 }
 
-/// shaders/columns.wgsl
-pub struct ColumnsPass {
-    kernel: Kernel,
-    group: wgpu::BindGroup,
-    transform: Transform,
+/// shaders/columns.wgsl, or columns_first.wgsl and columns_second.wgsl.
+pub enum ColumnsPass {
+    /// In one dispatch.
+    Exchanged(Half, wgpu::BindGroup),
+    /// In two, and a copy.
+    Straight(Box<StraightColumns>),
+}
+
+/// The halves of the transform along z, each with what it is bound to.
+pub struct StraightColumns {
+    first: (Half, wgpu::BindGroup),
+    /// Without and with a copy in f32.
+    second: [Half; 2],
+    second_group: wgpu::BindGroup,
 }
 
 impl ColumnsPass {
     fn new(device: &wgpu::Device, shaders: &Shaders, r: &Resources, sea: &UniformRing<SeaUniform>) -> Self {
-        let transform = Transform::new(r.n);
-        let module = shaders.module(device, "columns");
-        let slots = [SEA, Slot::Read, Slot::Write, Slot::Image, Slot::Image];
-        let kernel = Kernel::new(device, "sea/columns", &module, &slots, &transform.constants());
-        let group = Self::group(device, &kernel, r, sea);
-        Self { kernel, group, transform }
+        let t = Transform::new(r.n);
+        let Some(straight) = &r.straight else {
+            let module = shaders.module(device, "columns");
+            let slots = [SEA, Slot::Read, Slot::Write, Slot::Image, Slot::Image];
+            let kernel = Kernel::new(device, "sea/columns", &module, &slots, &t.exchanged_constants());
+            let group = Self::group(device, &kernel, r, sea);
+            return Self::Exchanged(Half { kernel, size: [r.n / t.lines, 1, 1], has_uniform: true }, group);
+        };
+        let slots = [Slot::Read, Slot::Read, Slot::Write];
+        let module = shaders.straight(device, "columns_first", t);
+        let kernel = Kernel::new(device, "sea/columns/first", &module, &slots, &t.straight_constants());
+        let first_group = Self::first_group(device, &kernel, r, straight);
+        let first = Half { kernel, size: [r.n / 8, t.r2 / 8, 2], has_uniform: false };
+        let module = shaders.straight(device, "columns_second", t);
+        let slots = [Slot::Read, Slot::Write, Slot::Write];
+        let second = [0.0, 1.0].map(|keep| {
+            let constants = [t.straight_constants(), [("KEEP_F32", keep)]].concat();
+            let kernel = Kernel::new(device, "sea/columns/second", &module, &slots, &constants);
+            Half { kernel, size: [r.n / 8, t.r1 / 8, 1], has_uniform: false }
+        });
+        let second_group = Self::second_group(device, &second[0].kernel, r, straight);
+        Self::Straight(Box::new(StraightColumns { first: (first, first_group), second, second_group }))
+    }
+
+    fn bind(&mut self, device: &wgpu::Device, r: &Resources, sea: &UniformRing<SeaUniform>) {
+        match (self, &r.straight) {
+            (Self::Straight(columns), Some(straight)) => {
+                columns.first.1 = Self::first_group(device, &columns.first.0.kernel, r, straight);
+                columns.second_group = Self::second_group(device, &columns.second[0].kernel, r, straight);
+            }
+            (Self::Exchanged(all, group), _) => *group = Self::group(device, &all.kernel, r, sea),
+            (Self::Straight(_), None) => {}
+        }
+    }
+
+    fn first_group(device: &wgpu::Device, kernel: &Kernel, r: &Resources, s: &Straight) -> wgpu::BindGroup {
+        kernel.bind(device, &[&r.twiddle, &r.lines, &s.halves].map(wgpu::Buffer::as_entire_binding))
+    }
+
+    fn second_group(device: &wgpu::Device, kernel: &Kernel, r: &Resources, s: &Straight) -> wgpu::BindGroup {
+        kernel.bind(device, &[&s.halves, &s.maps, &r.lines].map(wgpu::Buffer::as_entire_binding))
     }
 
     fn group(device: &wgpu::Device, kernel: &Kernel, r: &Resources, sea: &UniformRing<SeaUniform>) -> wgpu::BindGroup {
@@ -172,10 +260,43 @@ impl ColumnsPass {
         )
     }
 
-    /// Transforms and unpacks all cascades in one dispatch.
+    /// Transforms and unpacks all cascades.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, sea: Step) {
-        self.kernel.run(encoder, &self.group, &[sea.uniform], [r.n / self.transform.lines, 1, sea.count]);
+        match (self, &r.straight) {
+            (Self::Straight(columns), Some(straight)) => {
+                columns.first.0.run(encoder, &columns.first.1, sea);
+                columns.second[usize::from(sea.keep_f32)].run(encoder, &columns.second_group, sea);
+                let bytes = 8 * u64::from(r.n * r.n * sea.count);
+                for (map, at) in [(&r.displacement, 0), (&r.gradients, bytes)] {
+                    copy_layers(encoder, (&straight.maps, at), map, sea);
+                }
+            }
+            (Self::Exchanged(all, group), _) => all.run(encoder, group, sea),
+            (Self::Straight(_), None) => {}
+        }
     }
+}
+
+/// Copies a step's layers of half floats from a place in a buffer to level 0 of a map.
+fn copy_layers(
+    encoder: &mut wgpu::CommandEncoder,
+    (buffer, offset): (&wgpu::Buffer, u64),
+    texture: &wgpu::Texture,
+    sea: Step,
+) {
+    let side = texture.width();
+    let rows = (Some(8 * side), Some(side));
+    encoder.copy_buffer_to_texture(
+        wgpu::TexelCopyBufferInfo {
+            buffer,
+            layout: wgpu::TexelCopyBufferLayout { offset, bytes_per_row: rows.0, rows_per_image: rows.1 },
+        },
+        wgpu::TexelCopyTextureInfo {
+            origin: wgpu::Origin3d { x: 0, y: 0, z: sea.first_layer },
+            ..texture.as_image_copy()
+        },
+        wgpu::Extent3d { width: side, height: side, depth_or_array_layers: sea.count },
+    );
 }
 
 /// shaders/mips.wgsl

@@ -1,9 +1,10 @@
 //! Buffers and textures of a simulation, allocated once for an FFT size and a number of cascades, and once more when the
 //! first sea fades into another.
 
-use super::transform::{TWIDDLES, twiddles};
+use crate::gpu::fft::{TWIDDLES, Way, twiddles};
 use crate::gpu::layout::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN};
 use crate::model::Plan;
+use crate::model::plan::Wave;
 use crate::model::table::{self, Table};
 
 /// Format of every map.
@@ -29,6 +30,8 @@ pub struct Resources {
     /// Transformed lines, two complex f32 pairs, \[cascade\]\[pair\]\[iz\]\[x\]. Two seas take turns: both at once would not
     /// fit into one binding at n = 1024.
     pub lines: wgpu::Buffer,
+    /// What transforms in two dispatches need besides.
+    pub straight: Option<Straight>,
     /// Foam, f32, \[level\]\[z\]\[x\].
     pub foam_history: wgpu::Buffer,
     /// Displacement maps with mips, a layer for each cascade.
@@ -45,12 +48,28 @@ pub struct Resources {
     pub allocations: u32,
 }
 
+/// Buffers of transforms that are written out ([`Way::Straight`]).
+#[derive(Debug)]
+pub struct Straight {
+    /// Lines whose transform is half done, as large as the lines.
+    pub halves: wgpu::Buffer,
+    /// Both maps in half floats, \[map\]\[cascade\]\[z\]\[x\], on their way to the textures.
+    pub maps: wgpu::Buffer,
+}
+
+impl Straight {
+    fn new(device: &wgpu::Device, n: u32, count: u64) -> Self {
+        let halves = storage(device, "halves", line_bytes(n, count));
+        Self { halves, maps: storage(device, "maps", 16 * points(n) * count) }
+    }
+}
+
 /// The waves of one sea.
 #[derive(Debug)]
 pub struct Waves {
     /// Variances and lobes, as many quadruples of f32 as the sea has parts per triangle entry and cascade.
     pub radial: wgpu::Buffer,
-    /// Turns (u32) and orbit (f32) per triangle entry and cascade.
+    /// Turns (u32) and orbit over wave number (f32, m) per triangle entry and cascade.
     pub wave: wgpu::Buffer,
     /// h0, complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
     pub h0: wgpu::Buffer,
@@ -72,7 +91,7 @@ impl Waves {
 
 impl Resources {
     /// Allocates for the size and cascades of a plan.
-    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, plan: &Plan) -> Self {
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, plan: &Plan, way: Way) -> Self {
         let (n, count) = (plan.n, plan.cascades.len() as u32);
         let foam_n = n.min(256);
         let twiddle = storage(device, "twiddle", (TWIDDLES * size_of::<[f32; 2]>()) as u64);
@@ -85,7 +104,8 @@ impl Resources {
             sea: Waves::new(device, n, plan.cascades.len(), table::terms(plan).1, 0),
             other: None,
             twiddle,
-            lines: storage(device, "lines", 32 * points(n) * u64::from(count)),
+            lines: storage(device, "lines", line_bytes(n, u64::from(count))),
+            straight: (way == Way::Straight).then(|| Straight::new(device, n, u64::from(count))),
             foam_history: storage(device, "foam history", 4 * FOAM_LEVELS as u64 * u64::from(foam_n * foam_n)),
             displacement,
             gradients,
@@ -107,7 +127,8 @@ impl Resources {
     /// Makes room for a second sea, and either may have as many cascades as there can be. The maps are new and empty.
     fn widen(&mut self, device: &wgpu::Device, plan: &Plan) -> Waves {
         [self.displacement, self.gradients, self.moments] = maps(device, self.n, MAX_DRAWN as u32);
-        self.lines = storage(device, "lines", 32 * points(self.n) * MAX_CASCADES as u64);
+        self.lines = storage(device, "lines", line_bytes(self.n, MAX_CASCADES as u64));
+        self.straight = self.straight.take().map(|_| Straight::new(device, self.n, MAX_CASCADES as u64));
         self.allocations += 1;
         Waves::new(device, self.n, MAX_CASCADES, table::terms(plan).1, MAX_CASCADES as u32)
     }
@@ -133,7 +154,9 @@ impl Resources {
         let mut waves = Vec::new();
         for table in Table::all(plan) {
             values.extend(table.values.iter().map(|v| v.map(|x| x as f32)));
-            waves.extend(table.waves.iter().map(|w| [w.turns, (w.orbit as f32).to_bits()]));
+            // Outside the band there is no wave and nothing to divide by.
+            let slant = |w: &Wave| if w.k > 0.0 { (w.orbit / w.k) as f32 } else { 0.0 };
+            waves.extend(table.waves.iter().map(|w| [w.turns, slant(w).to_bits()]));
         }
         self.count = plan.cascades.len() as u32;
         let sea = &mut self.sea;
@@ -156,6 +179,10 @@ impl Resources {
 
 fn points(n: u32) -> u64 {
     u64::from(n) * u64::from(n)
+}
+
+fn line_bytes(n: u32, cascades: u64) -> u64 {
+    32 * points(n) * cascades
 }
 
 fn storage(device: &wgpu::Device, label: &str, size: u64) -> wgpu::Buffer {

@@ -1,0 +1,12 @@
+// Inverse transform of lines of N = R1 x R2 points, two complex signals at a time (xy and zw of a vec4f): over n1 of the points
+// n1 R2 + n2, times W_N^(n2 k1), and over n2, which ends with X[k1 + R1 k2].
+// 64 = 8 x 8, 128 = 16 x 8, 256 = 16 x 16, 512 = 32 x 16, 1024 = 32 x 32.
+
+override N: u32 = 256u;
+override R1: u32 = 16u;
+override R2: u32 = 16u;
+
+// Both complex numbers of v times w.
+fn fft_mul(v: vec4f, w: vec2f) -> vec4f {
+  return v * w.x + vec4f(-v.y, v.x, -v.w, v.z) * w.y;
+}

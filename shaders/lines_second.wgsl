@@ -1,0 +1,9 @@
+// The second half of the transform along x by itself, a thread for every k1. Both cascades and pairs are layers.
+
+@group(0) @binding(0) var<storage, read> halves: array<vec4f>; // [cascade][pair][iz][k1][n2]
+@group(0) @binding(1) var<storage, read_write> lines: array<vec4f>; // [cascade][pair][iz][x]
+
+@compute @workgroup_size(8, 8)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+  lines_second((id.z * N + id.y) * N, id.x);
+}

@@ -1,0 +1,321 @@
+//! What every pass costs, beside what the adapter could do at best and what the browser demos' way would cost on it. The same
+//! in a window's program and on a page.
+
+pub mod ceilings;
+pub mod clock;
+pub mod cost;
+#[path = "../../benches/per_stage/mod.rs"]
+pub mod per_stage;
+
+use crate::gpu::offscreen;
+use crate::gpu::shaders::Shaders;
+use crate::model::{Params, Plan, query};
+use crate::ocean::{Ocean, Part};
+use crate::sim::Simulation;
+use ceilings::Ceilings;
+use clock::{Clock, Timing};
+use cost::Cost;
+use per_stage::{Kernel, PerStage};
+use std::fmt;
+
+/// Format of the pictures that are timed.
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+/// The full matrix.
+const MATRIX_N: [u32; 4] = [128, 256, 512, 1024];
+const MATRIX_CASCADES: [u32; 4] = [1, 2, 3, 4];
+/// Seas that the demos' way is measured with, n and cascades.
+const BASELINES: [[u32; 2]; 2] = [[256, 3], [512, 4]];
+
+/// What to measure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// Sizes of pictures; none leaves the picture out.
+    pub sizes: Vec<[u32; 2]>,
+    /// Submissions for each number.
+    pub repeat: u32,
+    /// Also the simulation for every n and number of cascades.
+    pub matrix: bool,
+    /// Also the demos' way.
+    pub baseline: bool,
+}
+
+/// One measured pass.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// What was measured.
+    pub pass: &'static str,
+    /// FFT size and number of cascades, for passes of the simulation.
+    pub sea: Option<[u32; 2]>,
+    /// Pixels, for passes of the picture.
+    pub size: Option<[u32; 2]>,
+    /// How long it takes.
+    pub timing: Timing,
+    /// What it has to move and to compute.
+    pub cost: Option<Cost>,
+    /// Compute dispatches, where they were counted.
+    pub dispatches: Option<u32>,
+}
+
+impl Row {
+    fn sim(pass: &'static str, sea: [u32; 2], timing: Timing, cost: Option<Cost>) -> Self {
+        Self { pass, sea: Some(sea), size: None, timing, cost, dispatches: None }
+    }
+}
+
+/// The result.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report {
+    /// The state that was measured.
+    pub state: String,
+    /// Name of the adapter and of its backend.
+    pub adapter: String,
+    /// Whether times are the GPU's own.
+    pub has_stamps: bool,
+    /// Submissions for each number.
+    pub repeat: u32,
+    /// What the adapter can do.
+    pub ceilings: Ceilings,
+    /// All that was measured.
+    pub rows: Vec<Row>,
+}
+
+/// Measures a state on a device. `progress` is told what comes next.
+///
+/// # Errors
+/// If waiting for the GPU fails.
+pub async fn run(
+    (device, queue): (&wgpu::Device, &wgpu::Queue),
+    adapter: &wgpu::AdapterInfo,
+    params: &Params,
+    options: &Options,
+    mut progress: impl FnMut(&str),
+) -> Result<Report, String> {
+    let clock = Clock::new(device, queue, options.repeat);
+    progress("ceilings");
+    let ceilings = Ceilings::measure(&clock).await?;
+    let mut rows = Vec::new();
+    if options.matrix {
+        for n in MATRIX_N {
+            for cascades in MATRIX_CASCADES {
+                progress(&format!("simulation, n {n}, cascades {cascades}"));
+                rows.extend(simulation(&clock, &with_grid(params, [n, cascades])).await?);
+            }
+        }
+    } else {
+        progress("simulation");
+        rows.extend(simulation(&clock, params).await?);
+    }
+    if options.baseline {
+        for sea in BASELINES {
+            progress(&format!("a dispatch per stage, n {}, cascades {}", sea[0], sea[1]));
+            rows.extend(baseline(&clock, &with_grid(params, sea)).await?);
+        }
+    }
+    for &size in &options.sizes {
+        progress(&format!("picture of {}x{} pixels", size[0], size[1]));
+        rows.extend(picture(&clock, params, size).await?);
+    }
+    Ok(Report {
+        state: query::write(params),
+        adapter: format!("{} ({})", adapter.name, adapter.backend),
+        has_stamps: clock.has_stamps(),
+        repeat: clock.repeat,
+        ceilings,
+        rows,
+    })
+}
+
+fn with_grid(params: &Params, [n, cascades]: [u32; 2]) -> Params {
+    let mut out = params.clone();
+    (out.grid.n, out.grid.cascades) = (n, cascades);
+    out
+}
+
+/// The passes of the simulation, each by itself, and the step of a frame.
+async fn simulation(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, String> {
+    let mut sim = Simulation::new(clock.device, clock.queue, Plan::new(params), &Shaders::default());
+    let centre = [params.camera.x_m, params.camera.z_m];
+    let step = sim.push_step(clock.queue, params.clock.t_s, false);
+    let foam = sim.push_foam_step(clock.queue, params.clock.t_s, centre);
+    let (n, count) = (sim.resources.n, sim.resources.count);
+    let sea = [n, count];
+    let (p, r) = (&sim.passes, &sim.resources);
+    let spectrum = clock.time(|_, e| p.spectrum.run(e, r, step)).await?;
+    let rows = clock.time(|_, e| p.rows.run(e, step)).await?;
+    let columns = clock.time(|_, e| p.columns.run(e, r, step)).await?;
+    let waves = clock.time(|_, e| {
+        p.rows.run(e, step);
+        p.columns.run(e, r, step);
+    });
+    let waves = waves.await?;
+    let mips = clock.time(|_, e| p.mips.run(e, r, step)).await?;
+    let foam_pass = clock.time(|_, e| p.foam.run(e, r, step, foam)).await?;
+    let foam_cost = cost::foam(r.foam_n, count);
+    let dispatches = p.dispatches();
+    let mut out = vec![
+        Row::sim("spectrum", sea, spectrum, None),
+        Row::sim("rows", sea, rows, Some(cost::rows(n, count))),
+        Row::sim("columns", sea, columns, Some(cost::columns(n, count))),
+        Row::sim("waves", sea, waves, Some(cost::waves(n, count))),
+        Row::sim("mips", sea, mips, Some(cost::mips(n, count))),
+        Row::sim("foam", sea, foam_pass, Some(foam_cost)),
+    ];
+    let step = clock.time(|_, e| {
+        p.rows.run(e, step);
+        p.columns.run(e, r, step);
+        p.mips.run(e, r, step);
+        p.foam.run(e, r, step, foam);
+    });
+    let whole = cost::waves(n, count) + cost::mips(n, count) + foam_cost;
+    out.push(Row { dispatches: Some(dispatches), ..Row::sim("step", sea, step.await?, Some(whole)) });
+    Ok(out)
+}
+
+/// The waves in the program's way and in the demos', and single transforms.
+async fn baseline(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, String> {
+    let (device, queue) = (clock.device, clock.queue);
+    let mut sim = Simulation::new(device, queue, Plan::new(params), &Shaders::default());
+    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("spectrum") });
+    sim.encode(queue, &mut encoder, params.clock.t_s, [0.0; 2], 0);
+    queue.submit([encoder.finish()]);
+    let sea = [sim.resources.n, sim.resources.count];
+    let theirs = PerStage::new(device, queue, &sim);
+    let step = sim.push_step(queue, params.clock.t_s, false);
+    let (p, r) = (&sim.passes, &sim.resources);
+    let ours = clock.time(|_, e| {
+        p.rows.run(e, step);
+        p.columns.run(e, r, step);
+    });
+    let ours = Row::sim("waves", sea, ours.await?, Some(cost::waves(sea[0], sea[1])));
+    let timing = clock.time(|_, e| theirs.run(e)).await?;
+    let theirs = Row {
+        dispatches: Some(theirs.dispatches() as u32),
+        ..Row::sim("waves, a dispatch per stage", sea, timing, None)
+    };
+    let mut out = vec![ours, theirs];
+    let fits = sea[0] <= device.limits().max_compute_invocations_per_workgroup;
+    for (pass, kernel) in
+        [("one field, a dispatch per stage", Kernel::Stages), ("one field, shared radix 2", Kernel::Shared)]
+    {
+        if kernel == Kernel::Stages || fits {
+            let field = PerStage::one_field(device, queue, sea[0], kernel);
+            let timing = clock.time(|_, e| field.run(e)).await?;
+            let dispatches = Some(field.dispatches() as u32);
+            out.push(Row { dispatches, ..Row::sim(pass, [sea[0], 1], timing, None) });
+        }
+    }
+    Ok(out)
+}
+
+/// The passes of the picture, and whole frames with waves and foam, each a sixtieth of a second after the last.
+async fn picture(clock: &Clock<'_>, params: &Params, size: [u32; 2]) -> Result<Vec<Row>, String> {
+    let (device, queue) = (clock.device, clock.queue);
+    let mut ocean = Ocean::new(device, queue, FORMAT, params);
+    let target = offscreen::target(device, FORMAT, size);
+    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("picture") });
+    ocean.encode_fully(device, queue, &mut encoder, size);
+    queue.submit([encoder.finish()]);
+    let row = |pass, timing| Row { pass, sea: None, size: Some(size), timing, cost: None, dispatches: None };
+    let mut out = Vec::new();
+    for (pass, part) in [("sky tables", Part::Light), ("background", Part::Background), ("water", Part::Water)] {
+        out.push(row(pass, clock.time(|_, encoder| ocean.record(encoder, part)).await?));
+    }
+    let present = clock.time(|_, encoder| offscreen::draw_over(encoder, &target, |pass| ocean.present(pass)));
+    out.push(row("present", present.await?));
+    let mut frame = params.clone();
+    // A frame's uniforms are of one submission.
+    let mut one = Clock::new(device, queue, clock.repeat);
+    one.at_once = 1;
+    let frames = one.time(|i, encoder| {
+        frame.clock.t_s = params.clock.t_s + f64::from(i) / 60.0;
+        ocean.set_params(device, queue, &frame);
+        ocean.encode_fully(device, queue, encoder, size);
+        offscreen::draw_over(encoder, &target, |pass| ocean.present(pass));
+    });
+    out.push(row("frame", frames.await?));
+    Ok(out)
+}
+
+impl Report {
+    /// Time of a pass over that of another of the same sea or, without one, of any.
+    fn ratio(&self, of: &Row, over: &'static str) -> Option<f64> {
+        let other = self.rows.iter().rfind(|r| r.pass == over && r.sea.map(|s| s[0]) == of.sea.map(|s| s[0]))?;
+        Some(of.timing.ms() / other.timing.ms())
+    }
+
+    /// What the comparison with the demos' way comes to, a sentence a line.
+    pub fn comparisons(&self) -> Vec<String> {
+        let mut out = Vec::new();
+        for theirs in self.rows.iter().filter(|r| r.pass == "waves, a dispatch per stage") {
+            let [n, cascades] = theirs.sea.unwrap_or_default();
+            if let Some(ratio) = self.ratio(theirs, "waves") {
+                out.push(format!(
+                    "waves of {cascades} x {n}^2: {ratio:.1} times faster than with a dispatch per stage"
+                ));
+            }
+        }
+        for stages in self.rows.iter().filter(|r| r.pass == "one field, a dispatch per stage") {
+            if let Some(ratio) = self.ratio(stages, "one field, shared radix 2") {
+                let n = stages.sea.unwrap_or_default()[0];
+                out.push(format!("one field of {n}^2: a dispatch per stage takes {ratio:.3} of shared radix 2"));
+            }
+        }
+        let step = self.rows.iter().find(|r| r.pass == "waves, a dispatch per stage");
+        for frame in self.rows.iter().filter(|r| r.pass == "frame") {
+            if let (Some(step), Some([w, h])) = (step, frame.size) {
+                let ratio = frame.timing.ms() / step.timing.ms();
+                out.push(format!(
+                    "frame of {w}x{h}: {ratio:.2} times the waves of 3 x 256^2 with a dispatch per stage"
+                ));
+            }
+        }
+        out
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let c = &self.ceilings;
+        writeln!(f, "{}, '{}', {} submissions each", self.adapter, self.state, self.repeat)?;
+        writeln!(
+            f,
+            "copy {:.2} GB/s, empty dispatch {:.4} ms, fragment arithmetic {:.2} GFLOP/s; {}",
+            c.copy_gb_s,
+            c.launch_ms,
+            c.shading_gflop_s,
+            if self.has_stamps { "GPU times by timestamps" } else { "no timestamps: times until the GPU is done" }
+        )?;
+        writeln!(
+            f,
+            "{:<32} {:>12} {:>10} {:>10} {:>20} {:>10} {:>8} {:>8} {:>9}",
+            "pass", "of", "GPU, ms", "done, ms", "10 % to 90 %", "CPU, ms", "MB", "MFLOP", "x memory"
+        )?;
+        let number = |value: Option<f64>, digits: usize| value.map_or("-".to_owned(), |v| format!("{v:.digits$}"));
+        for row in &self.rows {
+            let t = &row.timing;
+            let of = match (row.sea, row.size) {
+                (Some([n, cascades]), _) => format!("{cascades} x {n}^2"),
+                (_, Some([w, h])) => format!("{w}x{h}"),
+                _ => String::new(),
+            };
+            let floor_ms = row.cost.map(|cost| 1e-6 * cost.bytes / c.copy_gb_s);
+            writeln!(
+                f,
+                "{:<32} {of:>12} {:>10} {:>10.3} {:>10.3} {:>9.3} {:>10} {:>8} {:>8} {:>9}",
+                row.pass,
+                number(t.gpu, 3),
+                t.spread[1],
+                t.spread[0],
+                t.spread[2],
+                number(t.cpu, 3),
+                number(row.cost.map(|cost| 1e-6 * cost.bytes), 2),
+                number(row.cost.map(|cost| 1e-6 * cost.flops), 1),
+                number(floor_ms.map(|floor| t.ms() / floor), 1),
+            )?;
+        }
+        for (row, dispatches) in self.rows.iter().filter_map(|r| Some((r, r.dispatches?))) {
+            writeln!(f, "{}: {dispatches} compute dispatches", row.pass)?;
+        }
+        self.comparisons().iter().try_for_each(|line| writeln!(f, "{line}"))
+    }
+}

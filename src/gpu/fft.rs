@@ -1,0 +1,238 @@
+//! How a line of n points is transformed on the GPU: in what steps, by which threads, and the WGSL of steps that are written out.
+//!
+//! There are two ways (shaders/fft_common.wgsl has the formula). **Exchanged**: one dispatch for a line, whose threads pass
+//! their halves on through workgroup memory; the least traffic through memory, for a GPU. **Straight**: two dispatches, each
+//! thread by itself with all its points in registers, written out without loops, arrays or barriers; for adapters that are
+//! CPUs, where a barrier means that every thread's state is put away and taken up again. The rule is the adapter's kind.
+
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+
+/// Points of the table of twiddle factors: the longest line.
+pub const TWIDDLES: usize = 1024;
+/// Workgroup memory that a kernel may use, in vec4f: WebGPU's base limit.
+const EXCHANGE_LIMIT: u32 = 1024;
+
+/// How the halves of a transform follow each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// In one dispatch, through workgroup memory.
+    Exchanged,
+    /// In two.
+    Straight,
+}
+
+impl Way {
+    /// The faster one for a device.
+    pub fn of(device: &wgpu::Device) -> Self {
+        match device.adapter_info().device_type {
+            wgpu::DeviceType::Cpu => Self::Straight,
+            _ => Self::Exchanged,
+        }
+    }
+}
+
+/// The factorisation n = r1 x r2 and how many lines share a workgroup.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Transform {
+    /// Points of a line.
+    pub n: u32,
+    /// Points that a thread transforms first.
+    pub r1: u32,
+    /// Points that it transforms second; also the threads of a line.
+    pub r2: u32,
+    /// Lines of a workgroup, where they are exchanged.
+    pub lines: u32,
+}
+
+impl Transform {
+    /// The kernel for lines of `n` points, a power of two from 64 to 1024.
+    pub fn new(n: u32) -> Self {
+        let log = n.ilog2();
+        let r1 = 1 << log.div_ceil(2);
+        let r2 = n / r1;
+        // At least a warp's worth of threads, as far as the workgroup memory reaches.
+        let lines = (64 / r2).clamp(1, EXCHANGE_LIMIT / n);
+        Self { n, r1, r2, lines }
+    }
+
+    /// Override constants of the kernels that exchange.
+    pub fn exchanged_constants(&self) -> [(&'static str, f64); 5] {
+        let exchange = self.lines * self.n;
+        [("N", self.n), ("R1", self.r1), ("R2", self.r2), ("LINES", self.lines), ("EXCHANGE", exchange)]
+            .map(|(name, value)| (name, f64::from(value)))
+    }
+
+    /// The constants of the kernels that are written out.
+    pub fn straight_constants(&self) -> [(&'static str, f64); 1] {
+        [("N", f64::from(self.n))]
+    }
+
+    /// What is written out of a module, by its name: the functions that its entry point calls.
+    pub fn straight_code(&self, module: &str) -> Option<String> {
+        let Self { n, r1, r2, .. } = *self;
+        let mut code = Code::default();
+        match module {
+            "rows_first" => {
+                code.open("rows_first(c: u32, t: u32, z: u32)");
+                let waves: Vec<String> =
+                    (0..r1).map(|i| code.value(&format!("rows_wave(c, t + {}u, z)", i * r2))).collect();
+                let factors = code.factors(r1, n);
+                for pair in 0..2 {
+                    let packed = (0..r1).zip(&waves);
+                    let x = packed
+                        .map(|(i, wave)| code.value(&format!("rows_pack_{pair}(c, t + {}u, z, {wave})", i * r2)))
+                        .collect();
+                    code.line(&format!("let to_{pair} = ((2u * c + {pair}u) * {n}u + z) * {n}u + t;"));
+                    for (k1, v) in (0..).zip(code.transform(x)) {
+                        code.line(&format!("halves[to_{pair} + {}u] = fft_mul({v}, {});", k1 as u32 * r2, factors[k1]));
+                    }
+                }
+            }
+            "lines_second" => {
+                code.open("lines_second(line: u32, k1: u32)");
+                let x = (0..r2).map(|n2| code.value(&format!("halves[line + k1 * {r2}u + {n2}u]"))).collect();
+                for (k2, v) in (0..).zip(code.transform(x)) {
+                    code.line(&format!("lines[line + k1 + {}u] = {v};", k2 * r1));
+                }
+            }
+            "columns_first" => {
+                code.open("columns_first(column: u32, t: u32)");
+                let factors = code.factors(r1, n);
+                let x = (0..r1).map(|i| code.value(&format!("lines[column + (t + {}u) * {n}u]", i * r2))).collect();
+                for (k1, v) in (0..).zip(code.transform(x)) {
+                    let to = k1 as u32 * r2;
+                    code.line(&format!("halves[column + (t + {to}u) * {n}u] = fft_mul({v}, {});", factors[k1]));
+                }
+            }
+            "columns_second" => {
+                code.open("columns_second(c: u32, cascades: u32, x: u32, k1: u32)");
+                for pair in 0..2 {
+                    code.line(&format!("let from_{pair} = ((2u * c + {pair}u) * {n}u + k1 * {r2}u) * {n}u + x;"));
+                    let points = (0..r2).map(|n2| code.value(&format!("halves[from_{pair} + {}u]", n2 * n))).collect();
+                    // Packed order is Dx, Dz, eta, dDx/dz.
+                    let order = ["xzyw", "xyzw"][pair];
+                    for (k2, v) in (0..).zip(code.transform(points)) {
+                        let place = format!("{pair}u, c, cascades, x, k1 + {}u", k2 * r1);
+                        code.line(&format!("columns_store({place}, {v}.{order});"));
+                    }
+                }
+            }
+            _ => return None,
+        }
+        Some(code.close())
+    }
+}
+
+/// A function of WGSL in the making; its values have names of their own.
+#[derive(Default)]
+struct Code {
+    text: String,
+    values: u32,
+}
+
+impl Code {
+    fn open(&mut self, signature: &str) {
+        let _ = writeln!(self.text, "fn {signature} {{");
+    }
+
+    fn close(self) -> String {
+        self.text + "}\n"
+    }
+
+    fn line(&mut self, text: &str) {
+        let _ = writeln!(self.text, "  {text}");
+    }
+
+    fn value(&mut self, expression: &str) -> String {
+        self.values += 1;
+        let name = format!("v{}", self.values);
+        self.line(&format!("let {name} = {expression};"));
+        name
+    }
+
+    /// W_n^(t k1) for every k1, each a product of two before it, so that errors grow with the logarithm.
+    fn factors(&mut self, r1: u32, n: u32) -> Vec<String> {
+        let mut factors = vec!["vec2f(1.0, 0.0)".to_owned()];
+        if r1 > 1 {
+            factors.push(self.value(&format!("twiddle[t * {}u]", TWIDDLES as u32 / n)));
+        }
+        for k in 2..r1 as usize {
+            let (a, b) = (&factors[k / 2], &factors[k - k / 2]);
+            let product = format!("vec2f({a}.x * {b}.x - {a}.y * {b}.y, {a}.x * {b}.y + {a}.y * {b}.x)");
+            factors.push(self.value(&product));
+        }
+        factors
+    }
+
+    /// The inverse transform of some vec4f, each two complex numbers, in natural order.
+    fn transform(&mut self, x: Vec<String>) -> Vec<String> {
+        let n = x.len();
+        match n {
+            1 => x,
+            2 => {
+                let (a, b) = (&x[0], &x[1]);
+                vec![self.value(&format!("{a} + {b}")), self.value(&format!("{a} - {b}"))]
+            }
+            4 => {
+                let [a, b, c, d] = [&x[0], &x[1], &x[2], &x[3]];
+                let (s0, s1) = (self.value(&format!("{a} + {c}")), self.value(&format!("{a} - {c}")));
+                let (s2, e) = (self.value(&format!("{b} + {d}")), self.value(&format!("{b} - {d}")));
+                let s3 = self.value(&format!("vec4f(-{e}.y, {e}.x, -{e}.w, {e}.z)"));
+                [(&s0, '+', &s2), (&s1, '+', &s3), (&s0, '-', &s2), (&s1, '-', &s3)]
+                    .map(|(u, sign, w)| self.value(&format!("{u} {sign} {w}")))
+                    .to_vec()
+            }
+            _ => {
+                // Over four points that lie n / 4 apart, a factor, and over what is left.
+                let m = n / 4;
+                let mut rows: Vec<Vec<String>> = vec![Vec::new(); 4];
+                for n2 in 0..m {
+                    let quarter = (0..4).map(|i| x[n2 + m * i].clone()).collect();
+                    for (k1, v) in self.transform(quarter).into_iter().enumerate() {
+                        rows[k1].push(self.turned(&v, (n2 * k1) as f64 / n as f64));
+                    }
+                }
+                let parts: Vec<Vec<String>> = rows.into_iter().map(|row| self.transform(row)).collect();
+                (0..n).map(|k| parts[k % 4][k / 4].clone()).collect()
+            }
+        }
+    }
+
+    /// A value times e^(2 pi i turns), for less than a turn.
+    fn turned(&mut self, v: &str, turns: f64) -> String {
+        if turns == 0.0 {
+            return v.to_owned();
+        }
+        if turns == 0.25 {
+            return self.value(&format!("vec4f(-{v}.y, {v}.x, -{v}.w, {v}.z)"));
+        }
+        let (sin, cos) = (TAU * turns).sin_cos();
+        self.value(&format!("fft_mul({v}, vec2f({cos:.9}, {sin:.9}))"))
+    }
+}
+
+/// e^(2 pi i j / 1024), rounded from f64.
+pub fn twiddles() -> Vec<[f32; 2]> {
+    (0..TWIDDLES)
+        .map(|j| {
+            let angle = TAU * j as f64 / TWIDDLES as f64;
+            [angle.cos() as f32, angle.sin() as f32]
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kernels_fit_the_base_limits() {
+        for n in [64, 128, 256, 512, 1024] {
+            let t = Transform::new(n);
+            assert_eq!(t.r1 * t.r2, n);
+            assert!(t.r1 >= t.r2 && [8, 16, 32].contains(&t.r1) && [8, 16, 32].contains(&t.r2));
+            assert!(t.lines * t.n <= EXCHANGE_LIMIT && n % t.lines == 0 && t.lines * t.r2 <= 256);
+        }
+    }
+}
