@@ -4,19 +4,18 @@
 @group(0) @binding(0) var<uniform> sea: Sea;
 @group(0) @binding(1) var<storage, read> twiddle: array<vec2f>; // e^(2 pi i j / 1024)
 @group(0) @binding(2) var<storage, read_write> lines: array<vec4f>; // [cascade][pair][z][x]
-@group(0) @binding(3) var displacement: texture_storage_2d_array<rgba16float, write>;
-@group(0) @binding(4) var gradients: texture_storage_2d_array<rgba16float, write>;
+@group(0) @binding(3) var maps: texture_storage_2d_array<rgba16float, write>; // of each kind a third of the layers
 
 // Packed order is Dx, Dz, eta, dDx/dz.
 fn columns_store_0(c: u32, x: u32, z: u32, v: vec4f) {
-  textureStore(displacement, vec2u(x, z), sea.first_layer + c, v.xzyw);
+  textureStore(maps, vec2u(x, z), sea.first_layer + c, v.xzyw);
   if sea.keep_f32 != 0u {
     lines[(2u * c * N + z) * N + x] = v.xzyw;
   }
 }
 
 fn columns_store_1(c: u32, x: u32, z: u32, v: vec4f) {
-  textureStore(gradients, vec2u(x, z), sea.first_layer + c, v);
+  textureStore(maps, vec2u(x, z), textureNumLayers(maps) / 3u + sea.first_layer + c, v);
   if sea.keep_f32 != 0u {
     lines[((2u * c + 1u) * N + z) * N + x] = v;
   }

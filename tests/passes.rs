@@ -8,6 +8,7 @@ use seastate::gpu::readback;
 use seastate::gpu::shaders::Shaders;
 use seastate::model::{Plan, query};
 use seastate::sim::Simulation;
+use seastate::sim::resources::MapKind;
 
 fn run(state: &str, shaders: &Shaders) -> Vec<Line> {
     pollster::block_on(async {
@@ -57,23 +58,27 @@ fn other_seas_agree_with_the_oracle() {
 /// One fault of 1 % in each pass: where it stands, and which lines must turn red.
 const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("spectrum", "h = gauss * sqrt(variance)", "h = 1.01 * gauss * sqrt(variance)", "spectrum"),
-    (
-        "mips",
-        "textureStore(moments_out, id.xy, layer, 0.25 * m)",
-        "textureStore(moments_out, id.xy, layer, 0.2525 * m)",
-        "mips moments",
-    ),
-    (
-        "mips",
-        "textureStore(gradients_out, id.xy, layer, 0.25 * g)",
-        "textureStore(gradients_out, id.xy, layer, 0.2525 * g)",
-        "mips gradients",
-    ),
     ("foam", "let l = sea.chop;", "let l = 1.01 * sea.chop;", "foam"),
 ];
 
-/// The same in the transforms, whose modules differ.
-const TRANSFORM_FAULTS: &[(Way, &str, &str, &str, &str)] = &[
+/// The same in what differs between adapters.
+const FAULTS_OF_A_WAY: &[(Way, &str, &str, &str, &str)] = &[
+    (
+        Way::Exchanged,
+        "mips_chain",
+        "0.25 * sum.gradients, 0.25 * sum.moments);\n      mips_store",
+        "0.25 * sum.gradients, 0.2525 * sum.moments);\n      mips_store",
+        "mips moments",
+    ),
+    (
+        Way::Exchanged,
+        "mips_chain",
+        "return MipsTexel(0.25 * sum.displacement, 0.25",
+        "return MipsTexel(0.25 * sum.displacement, 0.2525",
+        "mips gradients",
+    ),
+    (Way::Straight, "mips_level", "0.25 * sum.moments)", "0.2525 * sum.moments)", "mips moments"),
+    (Way::Straight, "mips_level", "MipsTexel(0.25", "MipsTexel(0.2525", "mips displacement"),
     (Way::Exchanged, "rows", "forward + backward", "forward + 1.01 * backward", "rows"),
     (
         Way::Exchanged,
@@ -101,7 +106,7 @@ fn a_planted_fault_of_one_per_cent_is_found() {
     for (module, from, to, red) in FAULTS {
         assert_found(Shaders::default().patched(module, from, to), red, to);
     }
-    for (way, module, from, to, red) in TRANSFORM_FAULTS {
+    for (way, module, from, to, red) in FAULTS_OF_A_WAY {
         assert_found(Shaders::default().with_way(*way).patched(module, from, to), red, to);
     }
 }
@@ -131,10 +136,11 @@ fn the_demos_way_makes_the_same_maps() {
         };
         for cascade in 0..2 {
             for (ours, theirs) in [
-                (&sim.resources.displacement, &theirs.displacement[cascade]),
-                (&sim.resources.gradients, &theirs.gradients[cascade]),
+                (MapKind::Displacement, &theirs.displacement[cascade]),
+                (MapKind::Gradients, &theirs.gradients[cascade]),
             ] {
-                let (a, b) = (read(ours, cascade as u32), read(theirs, 0));
+                let layer = sim.resources.layers(ours).start + cascade as u32;
+                let (a, b) = (read(&sim.resources.maps, layer), read(theirs, 0));
                 let square = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>();
                 let difference: Vec<f64> = a.iter().zip(&b).map(|(a, b)| a - b).collect();
                 let error = (square(&difference) / square(&a)).sqrt();

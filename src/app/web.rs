@@ -7,6 +7,7 @@ use crate::gpu::device::Gpu;
 use crate::gpu::readback;
 use crate::gpu::shaders::Shaders;
 use crate::model::{Params, Plan, query};
+use crate::sim::resources::MapKind;
 use crate::sim::{MAX_STEPS, Simulation};
 use wasm_bindgen::prelude::*;
 use web_time::Instant;
@@ -134,7 +135,7 @@ impl WebHandle {
         let heights: Vec<f32> = (0..maps.cascades()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("read back") });
         sim.encode(queue, &mut encoder, t_s, [0.0; 2], MAX_STEPS);
-        let copy = readback::stage_texture(device, &mut encoder, &sim.resources.displacement, 0);
+        let copy = sim.resources.stage(device, &mut encoder, MapKind::Displacement, 0);
         queue.submit([encoder.finish()]);
         let halves: Vec<u16> = bytemuck::pod_collect_to_vec(&copy.read(device).await?);
         let out = js_sys::Object::new();

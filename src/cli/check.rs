@@ -2,12 +2,13 @@
 //! error names one pass. The tests run the same comparison, also with planted faults.
 
 use crate::gpu::device::Gpu;
-use crate::gpu::readback;
+use crate::gpu::readback::{self, TextureCopy};
 use crate::gpu::shaders::Shaders;
 use crate::model::foam::Whiteness;
 use crate::model::{Params, Plan};
 use crate::oracle::{self, Complex, Texel, maps::Planes};
 use crate::sim::Simulation;
+use crate::sim::resources::{MapKind, Resources};
 use half::f16;
 use std::fmt;
 
@@ -112,7 +113,7 @@ pub async fn run(gpu: &Gpu, params: &Params, shaders: &Shaders) -> Result<Vec<Li
         }
     }
     let r = &sim.resources;
-    let level0 = [read_texture(gpu, &r.displacement, 0).await?, read_texture(gpu, &r.gradients, 0).await?];
+    let level0 = [read_map(gpu, r, MapKind::Displacement, 0).await?, read_map(gpu, r, MapKind::Gradients, 0).await?];
     for (c, want) in maps.iter().enumerate() {
         for (pair, what) in [(0, "maps displacement"), (1, "maps gradients")] {
             let got = level0[pair][c * n * n..][..n * n].iter().copied();
@@ -124,15 +125,15 @@ pub async fn run(gpu: &Gpu, params: &Params, shaders: &Shaders) -> Result<Vec<Li
         let above = n >> (level - 1);
         let below = above / 2;
         let scale = |c: usize| f64::from(sim.maps().cascades[c].moment_scale);
-        for (what, texture, shift) in [
-            ("mips displacement", &r.displacement, 0),
-            ("mips gradients", &r.gradients, 0),
-            ("mips moments", &r.moments, 1),
+        for (what, kind) in [
+            ("mips displacement", MapKind::Displacement),
+            ("mips gradients", MapKind::Gradients),
+            ("mips moments", MapKind::Moments),
         ] {
-            let moments_from_slopes = shift == 1 && level == 1;
-            let source = if moments_from_slopes { &r.gradients } else { texture };
-            let from = read_texture(gpu, source, if moments_from_slopes { 0 } else { level - 1 - shift }).await?;
-            let got = read_texture(gpu, texture, level - shift).await?;
+            let moments_from_slopes = kind == MapKind::Moments && level == 1;
+            let source = if moments_from_slopes { MapKind::Gradients } else { kind };
+            let from = read_map(gpu, r, source, level - 1).await?;
+            let got = read_map(gpu, r, kind, level).await?;
             for c in 0..plan.cascades.len() {
                 let from = &from[c * above * above..][..above * above];
                 let from = if moments_from_slopes { oracle::maps::moments(from, scale(c)) } else { from.to_vec() };
@@ -173,8 +174,8 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, shaders: &Shaders) -> Result<Lin
         let mut maps = Vec::new();
         for mip in 0..sim.resources.mips() {
             maps.push([
-                read_texture(gpu, &sim.resources.displacement, mip).await?,
-                read_texture(gpu, &sim.resources.gradients, mip).await?,
+                read_map(gpu, &sim.resources, MapKind::Displacement, mip).await?,
+                read_map(gpu, &sim.resources, MapKind::Gradients, mip).await?,
             ]);
         }
         let origin = foam_level.centre.map(|c| c - 0.5 * size as f64 * foam_level.texel_m);
@@ -207,7 +208,7 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, shaders: &Shaders) -> Result<Lin
             want[i] = oracle::foam::step(want[i], s, sea.foam.rate_per_s, sea.foam.decay_s, step.dt_s);
         }
         // Places of the cells: toroidal.
-        let texels = read_texture(gpu, &sim.resources.foam, 0).await?;
+        let texels = read_foam(gpu, &sim.resources).await?;
         let first = origin.map(|o| (o / foam_level.texel_m).round() as i64);
         got = (0..size * size)
             .map(|i| {
@@ -235,9 +236,19 @@ async fn read_lines(gpu: &Gpu, sim: &Simulation, mut encoder: wgpu::CommandEncod
 }
 
 /// One mip level of a map as f64.
-async fn read_texture(gpu: &Gpu, texture: &wgpu::Texture, mip: u32) -> Result<Vec<Texel>, String> {
+async fn read_map(gpu: &Gpu, r: &Resources, kind: MapKind, level: u32) -> Result<Vec<Texel>, String> {
     let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    let copy = readback::stage_texture(&gpu.device, &mut encoder, texture, mip);
+    let copy = r.stage(&gpu.device, &mut encoder, kind, level);
+    read(gpu, encoder, copy).await
+}
+
+async fn read_foam(gpu: &Gpu, r: &Resources) -> Result<Vec<Texel>, String> {
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let copy = readback::stage_texture(&gpu.device, &mut encoder, &r.foam, 0);
+    read(gpu, encoder, copy).await
+}
+
+async fn read(gpu: &Gpu, encoder: wgpu::CommandEncoder, copy: TextureCopy) -> Result<Vec<Texel>, String> {
     gpu.queue.submit([encoder.finish()]);
     let texels: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&copy.read(&gpu.device).await?);
     Ok(texels.into_iter().map(|t| t.map(f64::from)).collect())

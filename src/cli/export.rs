@@ -2,9 +2,9 @@
 
 use super::stats::foam_levels;
 use crate::gpu::device::Gpu;
-use crate::gpu::readback;
 use crate::gpu::shaders::Shaders;
 use crate::model::{Params, Plan, query};
+use crate::sim::resources::MapKind;
 use crate::sim::{MAX_STEPS, Simulation};
 use exr::prelude::*;
 use std::path::Path;
@@ -87,7 +87,7 @@ async fn half_maps(gpu: &Gpu, params: &Params, plan: &Plan) -> std::result::Resu
     let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan.clone(), &Shaders::default());
     let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     sim.encode(&gpu.queue, &mut encoder, params.clock.t_s, [0.0; 2], MAX_STEPS);
-    let copy = readback::stage_texture(&gpu.device, &mut encoder, &sim.resources.displacement, 0);
+    let copy = sim.resources.stage(&gpu.device, &mut encoder, MapKind::Displacement, 0);
     gpu.queue.submit([encoder.finish()]);
     copy.read(&gpu.device).await
 }

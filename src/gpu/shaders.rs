@@ -23,6 +23,7 @@ const TILES: Part = part!("tiles.wgsl");
 const FFT_COMMON: Part = part!("fft_common.wgsl");
 const FFT: Part = part!("fft.wgsl");
 const ROWS_WAVES: Part = part!("rows_waves.wgsl");
+const MIPS: Part = part!("mips.wgsl");
 const ATMOSPHERE: Part = part!("atmosphere.wgsl");
 const SKY: Part = part!("sky_common.wgsl");
 const SKY_MODEL: Part = part!("sky_model.wgsl");
@@ -51,7 +52,8 @@ const MODULES: &[(&str, &[Part])] = &[
     ("columns", &[SEA, FFT_COMMON, FFT, part!("columns.wgsl")]),
     ("columns_first", &[FFT_COMMON, part!("columns_first.wgsl")]),
     ("columns_second", &[FFT_COMMON, part!("columns_second.wgsl")]),
-    ("mips", &[SEA, part!("mips.wgsl")]),
+    ("mips_level", &[SEA, MIPS, part!("mips_level.wgsl")]),
+    ("mips_chain", &[SEA, MIPS, part!("mips_chain.wgsl")]),
     ("foam", &[MATHS, SEA, NOISE, TILES, part!("foam.wgsl")]),
     ("sky_transmittance", &[ATMOSPHERE, SKY, part!("sky_transmittance.wgsl")]),
     ("sky_multiple", &[ATMOSPHERE, SKY, part!("sky_multiple.wgsl")]),

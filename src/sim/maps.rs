@@ -1,7 +1,7 @@
 //! The read-only product of the simulation: all that the renderer sees of it.
 
 use super::glide::{Turn, weights};
-use super::resources::{Resources, view};
+use super::resources::{MapKind, Resources, view};
 use crate::gpu::layout::TilePlace;
 use crate::model::Plan;
 use crate::model::overlap::Overlap;
@@ -85,9 +85,9 @@ impl Maps {
     /// Views of the resources of a plan.
     pub fn new(plan: &Plan, resources: &Resources) -> Self {
         Self {
-            displacement: view(&resources.displacement, None),
-            gradients: view(&resources.gradients, None),
-            moments: view(&resources.moments, None),
+            displacement: resources.map_view(MapKind::Displacement),
+            gradients: resources.map_view(MapKind::Gradients),
+            moments: resources.map_view(MapKind::Moments),
             foam: view(&resources.foam, None),
             h0: resources.sea.h0.clone(),
             wave: resources.sea.wave.clone(),
@@ -141,9 +141,9 @@ impl Maps {
 
     /// Takes over new textures.
     pub(super) fn rebind(&mut self, resources: &Resources) {
-        self.displacement = view(&resources.displacement, None);
-        self.gradients = view(&resources.gradients, None);
-        self.moments = view(&resources.moments, None);
+        self.displacement = resources.map_view(MapKind::Displacement);
+        self.gradients = resources.map_view(MapKind::Gradients);
+        self.moments = resources.map_view(MapKind::Moments);
         self.generation += 1;
     }
 }

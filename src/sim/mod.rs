@@ -1,6 +1,7 @@
 //! The sea on the GPU: what is computed, when, and what comes out.
 //!
-//! A frame is two dispatches for the waves of all cascades (rows, columns), the mips, and the foam; the spectrum pass runs
+//! A frame is two dispatches for the waves of all cascades (rows, columns), one or two for the mips, and one for the foam (more where
+//! barriers are dear); the spectrum pass runs
 //! only when the sea changed. [`Maps`] is the read-only product. While one sea fades into another (`glide`) both are
 //! evaluated, one after the other, and their maps lie in one another's layers.
 

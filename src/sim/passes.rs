@@ -1,10 +1,11 @@
 //! The compute passes, in the order of the frame. A pass is a kernel, its bindings and its number of workgroups.
 
-use super::resources::{Resources, Straight, Waves, view};
+use super::resources::{MapKind, Resources, Straight, Waves, map, view};
 use crate::gpu::fft::Transform;
 use crate::gpu::kernel::{Kernel, Slot, UniformRing};
 use crate::gpu::layout::{FOAM_LEVELS, FoamUniform, SeaUniform};
 use crate::gpu::shaders::Shaders;
+use std::ops::Range;
 
 const SEA: Slot = Slot::Uniform(size_of::<SeaUniform>() as u64);
 const FOAM: Slot = Slot::Uniform(size_of::<FoamUniform>() as u64);
@@ -60,7 +61,7 @@ impl Passes {
     pub fn dispatches(&self) -> u32 {
         let halves =
             u32::from(self.rows.second.is_some()) + u32::from(matches!(self.columns, ColumnsPass::Straight(_)));
-        3 + halves + self.mips.groups.len() as u32
+        3 + halves + self.mips.steps.len() as u32
     }
 
     /// Binds anew what belongs to a sea: its buffers are others.
@@ -79,7 +80,7 @@ impl Passes {
     ) {
         self.rows.bind(device, r, sea);
         self.columns.bind(device, r, sea);
-        self.mips.groups = MipsPass::groups(device, [&self.mips.first, &self.mips.next], r, sea);
+        self.mips.bind(device, r, sea);
         self.foam.group = FoamPass::group(device, &self.foam.kernel, r, sea, foam);
     }
 }
@@ -207,7 +208,7 @@ impl ColumnsPass {
         let t = Transform::new(r.n);
         let Some(straight) = &r.straight else {
             let module = shaders.module(device, "columns");
-            let slots = [SEA, Slot::Read, Slot::Write, Slot::Image, Slot::Image];
+            let slots = [SEA, Slot::Read, Slot::Write, Slot::Image];
             let kernel = Kernel::new(device, "sea/columns", &module, &slots, &t.exchanged_constants());
             let group = Self::group(device, &kernel, r, sea);
             return Self::Exchanged(Half { kernel, size: [r.n / t.lines, 1, 1], has_uniform: true }, group);
@@ -254,8 +255,7 @@ impl ColumnsPass {
                 sea.binding(),
                 r.twiddle.as_entire_binding(),
                 r.lines.as_entire_binding(),
-                wgpu::BindingResource::TextureView(&view(&r.displacement, Some(0))),
-                wgpu::BindingResource::TextureView(&view(&r.gradients, Some(0))),
+                wgpu::BindingResource::TextureView(&view(&r.maps, Some(0))),
             ],
         )
     }
@@ -267,8 +267,9 @@ impl ColumnsPass {
                 columns.first.0.run(encoder, &columns.first.1, sea);
                 columns.second[usize::from(sea.keep_f32)].run(encoder, &columns.second_group, sea);
                 let bytes = 8 * u64::from(r.n * r.n * sea.count);
-                for (map, at) in [(&r.displacement, 0), (&r.gradients, bytes)] {
-                    copy_layers(encoder, (&straight.maps, at), map, sea);
+                for (kind, at) in [(MapKind::Displacement, 0), (MapKind::Gradients, bytes)] {
+                    let first = r.layers(kind).start + sea.first_layer;
+                    copy_layers(encoder, (&straight.maps, at), &r.maps, first..first + sea.count);
                 }
             }
             (Self::Exchanged(all, group), _) => all.run(encoder, group, sea),
@@ -277,12 +278,12 @@ impl ColumnsPass {
     }
 }
 
-/// Copies a step's layers of half floats from a place in a buffer to level 0 of a map.
+/// Copies layers of half floats from a place in a buffer to level 0 of the maps.
 fn copy_layers(
     encoder: &mut wgpu::CommandEncoder,
     (buffer, offset): (&wgpu::Buffer, u64),
     texture: &wgpu::Texture,
-    sea: Step,
+    layers: Range<u32>,
 ) {
     let side = texture.width();
     let rows = (Some(8 * side), Some(side));
@@ -292,61 +293,79 @@ fn copy_layers(
             layout: wgpu::TexelCopyBufferLayout { offset, bytes_per_row: rows.0, rows_per_image: rows.1 },
         },
         wgpu::TexelCopyTextureInfo {
-            origin: wgpu::Origin3d { x: 0, y: 0, z: sea.first_layer },
+            origin: wgpu::Origin3d { x: 0, y: 0, z: layers.start },
             ..texture.as_image_copy()
         },
-        wgpu::Extent3d { width: side, height: side, depth_or_array_layers: sea.count },
+        wgpu::Extent3d { width: side, height: side, depth_or_array_layers: layers.end - layers.start },
     );
 }
 
-/// shaders/mips.wgsl
+/// shaders/mips.wgsl with mips_chain.wgsl, or with mips_level.wgsl where barriers are dear.
 pub struct MipsPass {
-    first: Kernel,
-    next: Kernel,
-    groups: Vec<wgpu::BindGroup>,
+    steps: Vec<MipsStep>,
+    /// Stands for levels that a chain does not reach.
+    nothing: wgpu::TextureView,
 }
+
+/// One dispatch.
+struct MipsStep {
+    kernel: Kernel,
+    group: wgpu::BindGroup,
+    /// Level that it starts from, and levels that it makes.
+    above: u32,
+    levels: u32,
+}
+
+/// Levels of a chain: base limits allow so many storage textures.
+const CHAIN: u32 = 4;
 
 impl MipsPass {
     fn new(device: &wgpu::Device, shaders: &Shaders, r: &Resources, sea: &UniformRing<SeaUniform>) -> Self {
-        let module = shaders.module(device, "mips");
-        let slots = [SEA, Slot::Texture, Slot::Texture, Slot::Texture, Slot::Image, Slot::Image, Slot::Image];
-        let first = Kernel::new(device, "sea/mips", &module, &slots, &[("FIRST", 1.0)]);
-        let next = Kernel::new(device, "sea/mips", &module, &slots, &[("FIRST", 0.0)]);
-        let groups = Self::groups(device, [&first, &next], r, sea);
-        Self { first, next, groups }
+        let chained = r.straight.is_none();
+        let module = shaders.module(device, if chained { "mips_chain" } else { "mips_level" });
+        let images = if chained { CHAIN } else { 1 };
+        let slots: Vec<Slot> = [SEA, Slot::Texture].into_iter().chain((0..images).map(|_| Slot::Image)).collect();
+        let nothing = view(&map(device, "nothing", 1, 1, 1), None);
+        let steps = (0..r.mips() - 1).step_by(images as usize).map(|above| {
+            let levels = images.min(r.mips() - 1 - above);
+            let mut constants = vec![("FIRST", f64::from(u32::from(above == 0)))];
+            if chained {
+                constants.push(("LEVELS", f64::from(levels)));
+            }
+            let kernel = Kernel::new(device, "sea/mips", &module, &slots, &constants);
+            let group = Self::group(device, &kernel, r, sea, (above, levels, images), &nothing);
+            MipsStep { kernel, group, above, levels }
+        });
+        Self { steps: steps.collect(), nothing }
     }
 
-    fn groups(
+    fn group(
         device: &wgpu::Device,
-        [first, next]: [&Kernel; 2],
+        kernel: &Kernel,
         r: &Resources,
         sea: &UniformRing<SeaUniform>,
-    ) -> Vec<wgpu::BindGroup> {
-        (1..r.mips())
-            .map(|level| {
-                let (kernel, moments) = match level {
-                    // The first level makes the moments from slopes; what is bound for them is not read.
-                    1 => (first, view(&r.gradients, Some(0))),
-                    _ => (next, view(&r.moments, Some(level - 2))),
-                };
-                let inputs = [view(&r.displacement, Some(level - 1)), view(&r.gradients, Some(level - 1)), moments];
-                let outputs = [
-                    view(&r.displacement, Some(level)),
-                    view(&r.gradients, Some(level)),
-                    view(&r.moments, Some(level - 1)),
-                ];
-                let views = inputs.iter().chain(&outputs).map(wgpu::BindingResource::TextureView);
-                kernel.bind(device, &std::iter::once(sea.binding()).chain(views).collect::<Vec<_>>())
-            })
-            .collect()
+        (above, levels, images): (u32, u32, u32),
+        nothing: &wgpu::TextureView,
+    ) -> wgpu::BindGroup {
+        let views: Vec<_> = (0..=levels).map(|i| view(&r.maps, Some(above + i))).collect();
+        let spare = (levels..images).map(|_| nothing);
+        let views = views.iter().chain(spare).map(wgpu::BindingResource::TextureView);
+        kernel.bind(device, &std::iter::once(sea.binding()).chain(views).collect::<Vec<_>>())
     }
 
-    /// Fills every level above 0, one dispatch each.
+    fn bind(&mut self, device: &wgpu::Device, r: &Resources, sea: &UniformRing<SeaUniform>) {
+        let images = if r.straight.is_none() { CHAIN } else { 1 };
+        for step in &mut self.steps {
+            let levels = (step.above, step.levels, images);
+            step.group = Self::group(device, &step.kernel, r, sea, levels, &self.nothing);
+        }
+    }
+
+    /// Fills every level above 0.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, sea: Step) {
-        for (level, group) in (1..).zip(&self.groups) {
-            let kernel = if level == 1 { &self.first } else { &self.next };
-            let groups = (r.n >> level).div_ceil(8);
-            kernel.run(encoder, group, &[sea.uniform], [groups, groups, sea.count]);
+        for step in &self.steps {
+            let groups = (r.n >> (step.above + 1)).div_ceil(8);
+            step.kernel.run(encoder, &step.group, &[sea.uniform], [groups, groups, sea.count]);
         }
     }
 }
@@ -384,8 +403,8 @@ impl FoamPass {
             &[
                 sea.binding(),
                 foam.binding(),
-                wgpu::BindingResource::TextureView(&view(&r.displacement, None)),
-                wgpu::BindingResource::TextureView(&view(&r.gradients, None)),
+                wgpu::BindingResource::TextureView(&r.map_view(MapKind::Displacement)),
+                wgpu::BindingResource::TextureView(&r.map_view(MapKind::Gradients)),
                 wgpu::BindingResource::Sampler(&r.repeat),
                 r.foam_history.as_entire_binding(),
                 wgpu::BindingResource::TextureView(&view(&r.foam, Some(0))),

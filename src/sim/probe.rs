@@ -1,6 +1,7 @@
 //! What lies in the maps of the frame that was drawn last, read back without holding it up: the sea as the GPU has it.
 
 use super::Simulation;
+use super::resources::MapKind;
 use crate::gpu::readback::{self, TextureCopy};
 use crate::model::Plan;
 use half::f16;
@@ -36,10 +37,14 @@ impl Simulation {
             return None;
         }
         let r = &self.resources;
-        let layers = r.sea.first_layer..r.sea.first_layer + self.sea.plan.cascades.len() as u32;
+        let mut copy = |kind| {
+            let first = r.layers(kind).start + r.sea.first_layer;
+            let layers = first..first + self.sea.plan.cascades.len() as u32;
+            readback::stage_layers(device, encoder, &r.maps, 0, layers)
+        };
         Some(Probe {
-            displacement: readback::stage_layers(device, encoder, &r.displacement, 0, layers.clone()),
-            gradients: readback::stage_layers(device, encoder, &r.gradients, 0, layers),
+            displacement: copy(MapKind::Displacement),
+            gradients: copy(MapKind::Gradients),
             foam: readback::stage_texture(device, encoder, &r.foam, 0),
             plan: self.sea.plan.clone(),
         })

@@ -3,14 +3,27 @@
 
 use crate::gpu::fft::{TWIDDLES, Way, twiddles};
 use crate::gpu::layout::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN};
+use crate::gpu::readback::{self, TextureCopy};
 use crate::model::Plan;
 use crate::model::plan::Wave;
 use crate::model::table::{self, Table};
+use std::ops::Range;
 
 /// Format of every map.
 pub const MAP_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Smallest mip of a map is this many texels a side.
 const SMALLEST_MIP: u32 = 4;
+
+/// A kind of map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MapKind {
+    /// Dx, eta, Dz and dDx/dz.
+    Displacement,
+    /// d eta/dx, d eta/dz, dDx/dx, dDz/dz.
+    Gradients,
+    /// Second moments of the slopes, from level 1 down.
+    Moments,
+}
 
 /// Everything that a simulation holds on the GPU, without parameters.
 #[derive(Debug)]
@@ -34,12 +47,9 @@ pub struct Resources {
     pub straight: Option<Straight>,
     /// Foam, f32, \[level\]\[z\]\[x\].
     pub foam_history: wgpu::Buffer,
-    /// Displacement maps with mips, a layer for each cascade.
-    pub displacement: wgpu::Texture,
-    /// Gradient maps with mips.
-    pub gradients: wgpu::Texture,
-    /// Slope moments with mips, from half the size down.
-    pub moments: wgpu::Texture,
+    /// All maps with mips; see [`Self::layers`]. One texture, so that a pass may write several levels of all of them: base limits
+    /// allow four storage textures.
+    pub maps: wgpu::Texture,
     /// Visible foam, layer = level.
     pub foam: wgpu::Texture,
     /// Linear, repeating.
@@ -95,7 +105,6 @@ impl Resources {
         let (n, count) = (plan.n, plan.cascades.len() as u32);
         let foam_n = n.min(256);
         let twiddle = storage(device, "twiddle", (TWIDDLES * size_of::<[f32; 2]>()) as u64);
-        let [displacement, gradients, moments] = maps(device, n, count);
         queue.write_buffer(&twiddle, 0, bytemuck::cast_slice(&twiddles()));
         Self {
             n,
@@ -107,9 +116,7 @@ impl Resources {
             lines: storage(device, "lines", line_bytes(n, u64::from(count))),
             straight: (way == Way::Straight).then(|| Straight::new(device, n, u64::from(count))),
             foam_history: storage(device, "foam history", 4 * FOAM_LEVELS as u64 * u64::from(foam_n * foam_n)),
-            displacement,
-            gradients,
-            moments,
+            maps: maps(device, n, count),
             foam: map(device, "foam", foam_n, FOAM_LEVELS as u32, 1),
             repeat: device.create_sampler(&wgpu::SamplerDescriptor {
                 label: Some("repeat"),
@@ -126,7 +133,7 @@ impl Resources {
 
     /// Makes room for a second sea, and either may have as many cascades as there can be. The maps are new and empty.
     fn widen(&mut self, device: &wgpu::Device, plan: &Plan) -> Waves {
-        [self.displacement, self.gradients, self.moments] = maps(device, self.n, MAX_DRAWN as u32);
+        self.maps = maps(device, self.n, MAX_DRAWN as u32);
         self.lines = storage(device, "lines", line_bytes(self.n, MAX_CASCADES as u64));
         self.straight = self.straight.take().map(|_| Straight::new(device, self.n, MAX_CASCADES as u64));
         self.allocations += 1;
@@ -143,9 +150,38 @@ impl Resources {
         is_new
     }
 
-    /// Mip levels of the displacement and gradient maps.
+    /// Mip levels of the maps.
     pub fn mips(&self) -> u32 {
-        self.displacement.mip_level_count()
+        self.maps.mip_level_count()
+    }
+
+    /// Layers of a kind of map: one for each cascade that can be drawn.
+    pub fn layers(&self, kind: MapKind) -> Range<u32> {
+        let room = self.maps.depth_or_array_layers() / MAP_KINDS;
+        kind as u32 * room..(kind as u32 + 1) * room
+    }
+
+    /// Records the copy of a level of a kind of map, all layers.
+    pub fn stage(
+        &self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        kind: MapKind,
+        level: u32,
+    ) -> TextureCopy {
+        readback::stage_layers(device, encoder, &self.maps, level, self.layers(kind))
+    }
+
+    /// A kind of map with all its levels.
+    pub fn map_view(&self, kind: MapKind) -> wgpu::TextureView {
+        let layers = self.layers(kind);
+        self.maps.create_view(&wgpu::TextureViewDescriptor {
+            dimension: Some(wgpu::TextureViewDimension::D2Array),
+            base_array_layer: layers.start,
+            array_layer_count: Some(layers.end - layers.start),
+            base_mip_level: u32::from(kind == MapKind::Moments),
+            ..Default::default()
+        })
     }
 
     /// Tabulates a sea of the same size and sends it to the GPU; returns whether its buffers had to grow.
@@ -190,17 +226,16 @@ fn storage(device: &wgpu::Device, label: &str, size: u64) -> wgpu::Buffer {
     device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
 }
 
-/// Displacement, gradients and moments.
-fn maps(device: &wgpu::Device, n: u32, layers: u32) -> [wgpu::Texture; 3] {
+/// Kinds of maps.
+const MAP_KINDS: u32 = 3;
+
+fn maps(device: &wgpu::Device, n: u32, layers: u32) -> wgpu::Texture {
     let mips = (n / SMALLEST_MIP).ilog2() + 1;
-    [
-        map(device, "displacement", n, layers, mips),
-        map(device, "gradients", n, layers, mips),
-        map(device, "moments", n / 2, layers, mips - 1),
-    ]
+    map(device, "maps", n, MAP_KINDS * layers, mips)
 }
 
-fn map(device: &wgpu::Device, label: &str, side: u32, layers: u32, mips: u32) -> wgpu::Texture {
+/// An array of maps that shaders read and write.
+pub fn map(device: &wgpu::Device, label: &str, side: u32, layers: u32, mips: u32) -> wgpu::Texture {
     device.create_texture(&wgpu::TextureDescriptor {
         label: Some(label),
         size: wgpu::Extent3d { width: side, height: side, depth_or_array_layers: layers },
