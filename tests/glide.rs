@@ -6,9 +6,9 @@ use common::{gpu, params};
 use half::f16;
 use seastate::cli::render::{FORMAT, picture_of};
 use seastate::gpu::device::Gpu;
-use seastate::gpu::readback;
 use seastate::model::{Heights, Params};
 use seastate::ocean::Ocean;
+use seastate::sim::resources::MapKind;
 
 const SIZE: [u32; 2] = [96, 64];
 const FRAME_S: f64 = 1.0 / 60.0;
@@ -62,7 +62,7 @@ impl Window {
     fn heights(&mut self) -> Vec<(f64, Vec<f64>)> {
         let device = &self.gpu.device;
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let copy = readback::stage_texture(device, &mut encoder, &self.ocean.simulation().resources.displacement, 0);
+        let copy = self.ocean.simulation().resources.stage(device, &mut encoder, MapKind::Displacement, 0);
         self.gpu.queue.submit([encoder.finish()]);
         let texels: Vec<[f16; 4]> =
             bytemuck::pod_collect_to_vec(&pollster::block_on(copy.read(device)).expect("read-back"));

@@ -1,9 +1,8 @@
 //! The sea on the GPU: what is computed, when, and what comes out.
 //!
-//! A frame is two dispatches for the waves of all cascades (rows, columns), one or two for the mips, and one for the foam (more where
-//! barriers are dear); the spectrum pass runs
-//! only when the sea changed. [`Maps`] is the read-only product. While one sea fades into another (`glide`) both are
-//! evaluated, one after the other, and their maps lie in one another's layers.
+//! A frame is two dispatches for the waves of all cascades (rows, columns), one or two for the mips, and one for the foam
+//! (more where barriers are dear); the spectrum pass runs only when the sea changed. [`Maps`] is the read-only product. While
+//! one sea fades into another (`glide`) both are evaluated, one after the other, and their maps lie in one another's layers.
 
 pub mod foam;
 pub mod glide;
