@@ -171,15 +171,24 @@ fn check_says_that_all_is_well() {
 
 #[test]
 fn bench_times_every_pass() {
-    let output = seastate(&["bench", "n=64", "--size", "64x64", "--repeat", "2", "--json"]);
+    let output = seastate(&["bench", "n=64&cascades=2", "--size", "64x64", "--repeat", "2", "--json"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
-    for pass in ["spectrum", "rows", "columns", "mips", "foam", "sky tables", "background", "water", "present", "frame"]
-    {
-        let ms = |which: &str| json["passes"][pass][which].as_f64().expect(pass);
+    let passes = json["passes"].as_array().expect("passes");
+    let row = |pass: &str| passes.iter().find(|row| row["pass"] == pass).unwrap_or_else(|| panic!("{pass}"));
+    let sim = ["spectrum", "rows", "columns", "waves", "mips", "foam", "step"];
+    for pass in sim.iter().chain(&["sky tables", "background", "water", "present", "frame"]) {
+        let ms = |which: &str| row(pass)[which].as_f64().expect(pass);
         assert!(ms("least_ms") > 0.0 && ms("least_ms") <= ms("median_ms"), "{pass}");
     }
-    assert!(json["adapter"].is_string() && json["n"] == 64);
+    for pass in &sim[1..] {
+        assert_eq!((&row(pass)["n"], &row(pass)["cascades"]), (&64.into(), &2.into()), "{pass}");
+        assert!(row(pass)["bytes"].as_f64() > Some(1e5) && row(pass)["flops"].as_f64() > Some(1e4), "{pass}");
+    }
+    assert!(row("step")["dispatches"].as_u64() > Some(3));
+    assert_eq!(row("water")["size"], serde_json::json!([64, 64]));
+    assert!(["copy_gb_s", "launch_ms", "shading_gflop_s"].iter().all(|c| json[c].as_f64() > Some(0.0)));
+    assert!(json["adapter"].is_string());
 }
 
 #[test]

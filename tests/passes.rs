@@ -111,6 +111,17 @@ fn a_planted_fault_of_one_per_cent_is_found() {
     }
 }
 
+#[test]
+fn a_gpu_gets_few_dispatches_whatever_the_cascades() {
+    let gpu = pollster::block_on(Gpu::request()).expect("a GPU adapter");
+    for (n, cascades) in [(64, 1), (128, 4), (256, 3), (512, 4), (1024, 1)] {
+        let params = query::parse(&format!("n={n}&cascades={cascades}")).0;
+        let shaders = Shaders::default().with_way(Way::Exchanged);
+        let sim = Simulation::new(&gpu.device, &gpu.queue, Plan::new(&params), &shaders);
+        assert!(sim.passes.dispatches() <= 5, "n {n}, {cascades} cascades: {}", sim.passes.dispatches());
+    }
+}
+
 /// What the program is measured beside is as right as it is, for even and odd numbers of stages.
 #[test]
 fn the_demos_way_makes_the_same_maps() {

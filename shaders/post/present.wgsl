@@ -138,7 +138,7 @@ fn present_corner(at: vec2i) -> vec2f {
 }
 
 // A step in the distance that is an edge, m: less is one surface, whatever its slope.
-const PRESENT_EDGE_M = 0.3;
+const PRESENT_EDGE_M = 1.5;
 
 // Edges smoothed along their direction, after FXAA by Timothy Lottes (2009): crests and the horizon have no other
 // smoothing where there is one sample a pixel. What lies on one surface, foam and glitter, is filtered already and would only
