@@ -4,7 +4,6 @@ use super::readers::Item;
 use super::{App, setup, tidy};
 use crate::bench::{self, Options, Row};
 use crate::gpu::device::Gpu;
-use crate::gpu::readback;
 use crate::gpu::shaders::Shaders;
 use crate::model::{Params, Plan, query};
 use crate::sim::resources::MapKind;
