@@ -70,7 +70,9 @@ need_cargo_tool() {
   if have "$1" && [ "$("$1" --version 2>/dev/null | awk '{ print $2 }')" = "$2" ]; then return 0; fi
   say "Building $3 $2 (once, 5 to 10 minutes)"
   # In a target folder of its own: cargo would throw it away otherwise, and a broken run would begin from nothing.
+  # With the versions that its authors tested, unless one of them is no longer to be had.
   CARGO_TARGET_DIR=$TOOLS/build cargo install "$3" --version "$2" --locked --root "$TOOLS" ||
+    CARGO_TARGET_DIR=$TOOLS/build cargo install "$3" --version "$2" --root "$TOOLS" ||
     die "could not build $3 $2"
   rm -rf "$TOOLS/build"
 }

@@ -1,6 +1,6 @@
 // Quantities of the drawn surface on its own mesh. Joined to all of the water's parts, so that it sees what the picture sees.
 
-@group(2) @binding(0) var<uniform> debug: Debug;
+@group(3) @binding(0) var<uniform> debug: Debug;
 
 struct DebugWaterVertex {
   @builtin(position) clip: vec4f,

@@ -1,4 +1,4 @@
-// The sea: a log-polar mesh around the eye, displaced, and its light.
+// The light of the sea.
 
 @group(0) @binding(9) var<uniform> material: Material;
 @group(1) @binding(0) var displacement_map: texture_2d_array<f32>;
@@ -14,40 +14,6 @@ override WATER_FOAM: bool = true;
 // Samples of a reference.
 override WATER_SAMPLES: bool = false;
 
-struct WaterVertex {
-  @builtin(position) clip: vec4f,
-  // Relative to the eye.
-  @location(0) place: vec3f,
-  // The undisplaced point, and the height of the wave.
-  @location(1) rest: vec3f,
-}
-
-// Length over which the mesh is filtered at a distance: that between rows; columns are never farther apart than matters.
-fn water_spacing(radius: f32) -> f32 {
-  return max((radius + frame.mesh_radius) * frame.mesh.w, radius * frame.mesh.y);
-}
-
-fn water_vertex(i: u32) -> WaterVertex {
-  let column = i / frame.mesh_rows;
-  let row = i % frame.mesh_rows;
-  let azimuth = frame.mesh.x + f32(column) * frame.mesh.y;
-  let t = frame.mesh.z + f32(row) * frame.mesh.w;
-  let radius = frame.mesh_radius * (exp(t) - 1.0);
-  // Near the eye the lattice lies around the water that is below it.
-  let foot = frame.foot.xy * exp(-radius / (4.0 * frame.foot.z));
-  let at = foot + radius * vec2f(sin(azimuth), -cos(azimuth));
-  let moved = water_displacement(at, water_spacing(radius));
-  let flat = at + moved.xz;
-  let drop = dot(flat, flat) / (2.0 * FRAME_EARTH_M);
-  let place = vec3f(flat.x, moved.y - drop - frame.eye_m, flat.y);
-  return WaterVertex(frame.clip_from_relative * vec4f(place, 1.0), place, vec3f(at.x, moved.y, at.y));
-}
-
-@vertex
-fn vertex(@builtin(vertex_index) i: u32) -> WaterVertex {
-  return water_vertex(i);
-}
-
 // Weight of a sample of a reference: its slope came from a place of the mesh, but it is seen by the area that it turns to
 // the eye. The mean over what the mesh cannot show is 1.
 fn water_weight(v: vec3f, slope: WaterSlope, mesh: WaterSlope) -> f32 {
@@ -56,25 +22,36 @@ fn water_weight(v: vec3f, slope: WaterSlope, mesh: WaterSlope) -> f32 {
   return clamp(own / max(shown, 1e-6), 1e-5, 1e3);
 }
 
-@fragment
-fn fragment(in: WaterVertex) -> @location(0) vec4f {
-  let at = in.rest.xz;
-  let dx = dpdx(at) * frame.footprint;
-  let dy = dpdy(at) * frame.footprint;
-  let foot = water_footprint(dx, dy);
-  var slope = water_slope(at, foot);
-  // Slopes that change within the pixel glitter as one (Tokuyoshi and Kaplanyan 2019), spread evenly over it.
-  let bend_x = dpdx(slope.mean);
-  let bend_y = dpdy(slope.mean);
+// A point of the surface that a pixel shows.
+struct WaterPoint {
+  // Relative to the eye.
+  place: vec3f,
+  // The undisplaced point, and the height of the wave.
+  rest: vec3f,
+  // Sides of the pixel on the undisplaced sea.
+  dx: vec2f,
+  dy: vec2f,
+}
+
+// Slopes that change within the pixel glitter as one (Tokuyoshi and Kaplanyan 2019), spread evenly over it: the slope with
+// its change over the pixel's sides, of which that along x is the longer if `along_x`.
+fn water_bent(slope: WaterSlope, bend_x: vec2f, bend_y: vec2f, along_x: bool) -> WaterSlope {
   let bend = (1.0 / 12.0) * (vec3f(bend_x * bend_x, bend_x.x * bend_x.y) + vec3f(bend_y * bend_y, bend_y.x * bend_y.y));
   let most_bend = frame.footprint * min(1.0, 0.08 / max(max(bend.x, bend.y), 1e-6));
-  slope.variance = water_covariance(slope.variance + bend * most_bend);
-  slope.lean += 0.25 * sqrt(most_bend) * select(bend_y, bend_x, dot(dx, dx) > dot(dy, dy));
+  var out = slope;
+  out.variance = water_covariance(slope.variance + bend * most_bend);
+  out.lean += 0.25 * sqrt(most_bend) * select(bend_y, bend_x, along_x);
+  return out;
+}
 
-  let distance_m = length(in.place);
-  let dir = in.place / distance_m;
+// What the eye sees of a point whose slope within the pixel is `seen`.
+fn water_light(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> vec4f {
+  let at = point.rest.xz;
+  var slope = seen;
+  let distance_m = length(point.place);
+  let dir = point.place / distance_m;
   // Frame of the vertical there.
-  let up = normalize(vec3f(in.place.x / FRAME_EARTH_M, 1.0, in.place.z / FRAME_EARTH_M));
+  let up = normalize(vec3f(point.place.x / FRAME_EARTH_M, 1.0, point.place.z / FRAME_EARTH_M));
   let v = normalize(vec3f(-dir.x, max(dot(-dir, up), 1e-4), -dir.z));
   let n = water_normal(slope.mean);
 
@@ -83,23 +60,23 @@ fn fragment(in: WaterVertex) -> @location(0) vec4f {
   // mesh shows no ripples, however fine it is.
   var around = slope;
   if WATER_SAMPLES {
-    let shown = WaterFootprint(vec2f(0.0), water_spacing(length(at)), 1);
+    let shown = WaterFootprint(vec2f(0.0), mesh_spacing(length(at)), 1);
     around = water_slope_within(at, shown, WaterFootprint(vec2f(0.0), 1e6, 1));
     around.variance += vec3f(vec2f(material.rough_variance), 0.0);
   }
 
   var foam: WaterFoam;
   if WATER_FOAM {
-    foam = water_foam(at, dx, dy);
+    foam = water_foam(at, point.dx, point.dy);
   }
   let mirror = water_mirror_among(v, slope, around);
   // A facet that leans away from the eye is not what the eye sees.
   let ray = water_refract(-v, n);
-  let rise = in.rest.y / max(frame.hs_m, 0.05);
+  let rise = point.rest.y / max(frame.hs_m, 0.05);
   var below = water_deep(n, ray, foam.plume);
   if WATER_BED {
     let blur = 0.25 * sqrt(slope.variance.x + slope.variance.y);
-    below = water_bed(below, in.place.xz, in.rest.y, ray, foot.size, blur);
+    below = water_bed(below, point.place.xz, point.rest.y, ray, foot.size, blur);
   }
   if material.height_scatter > 0.0 {
     below += water_crest(n, ray, rise, slope.jacobian, foam.plume);

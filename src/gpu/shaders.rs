@@ -32,6 +32,7 @@ const AIR: Part = part!("air.wgsl");
 const FRAME: Part = part!("frame.wgsl");
 /// What the passes of the picture read.
 const SCENE: Part = part!("scene.wgsl");
+const MESH: Part = part!("mesh_common.wgsl");
 const WATER_SURFACE: Part = part!("water_surface.wgsl");
 const WATER_FOAM: Part = part!("water_foam.wgsl");
 /// Light and matter of the water.
@@ -41,6 +42,7 @@ const WATER_FACETS: Part = part!("water_facets.wgsl");
 const WATER_MIRROR: Part = part!("water_mirror.wgsl");
 const WATER_BODY: Part = part!("water_body.wgsl");
 const WATER_BED: Part = part!("water_bed.wgsl");
+const WATER_FORWARD: Part = part!("water_forward.wgsl");
 const DEBUG: Part = part!("debug.wgsl");
 
 /// Module names and the parts they are joined from; the last part holds the entry points.
@@ -63,6 +65,7 @@ const MODULES: &[(&str, &[Part])] = &[
     ("sky_light", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, part!("sky_light.wgsl")]),
     ("sky", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, SCENE, AIR, part!("sky.wgsl")]),
     ("floats", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, SCENE, AIR, part!("floats.wgsl")]),
+    ("mesh", &[MATHS, NOISE, TILES, FRAME, MESH, WATER_SURFACE, part!("mesh.wgsl")]),
     ("eye", &[MATHS, NOISE, TILES, FRAME, WATER_SURFACE, part!("eye.wgsl")]),
     (
         "water",
@@ -78,6 +81,7 @@ const MODULES: &[(&str, &[Part])] = &[
             SCENE,
             AIR,
             MATERIAL,
+            MESH,
             WATER_SURFACE,
             WATER_FRESNEL,
             WATER_FACETS,
@@ -95,7 +99,11 @@ const MODULES: &[(&str, &[Part])] = &[
 ];
 
 /// Modules that hold another whole, and what they add to it.
-const EXTENSIONS: &[(&str, &str, &[Part])] = &[("debug_water", "water", &[DEBUG, part!("debug_water.wgsl")])];
+const EXTENSIONS: &[(&str, &str, &[Part])] = &[
+    ("water_forward", "water", &[WATER_FORWARD]),
+    ("water_deferred", "water", &[part!("water_deferred.wgsl")]),
+    ("debug_water", "water", &[WATER_FORWARD, DEBUG, part!("debug_water.wgsl")]),
+];
 
 /// The parts of every module.
 fn modules() -> impl Iterator<Item = (&'static str, Vec<&'static Part>)> {

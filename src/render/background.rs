@@ -1,7 +1,7 @@
 //! shaders/sky.wgsl: the sky behind the sea.
 
 use super::Scene;
-use super::kit::{Program, SceneGroup, Variants, hdr_pipeline, part};
+use super::kit::{Onto, Program, SceneGroup, Variants, hdr_pipeline, part};
 use super::sky::Sky;
 use crate::gpu::shaders::Shaders;
 
@@ -48,7 +48,7 @@ impl Background {
                 part("SKY_FOG", parts.fog),
             ];
             let program = Program { constants: &constants, ..Program::new(&self.module) };
-            hdr_pipeline(device, "sky", &program, &layouts, group.film, false)
+            hdr_pipeline(device, "sky", &program, &layouts, &Onto::film(&group.film, false))
         });
     }
 

@@ -2,7 +2,7 @@
 //! (shaders/debug_water.wgsl). Made when the first view is asked for; the picture pays nothing for them.
 
 use super::Scene;
-use super::kit::{Program, Slot, Uniform, group, hdr_pipeline, layout, screen_pipeline};
+use super::kit::{Onto, Program, Slot, Uniform, group, hdr_pipeline, layout, screen_pipeline};
 use super::targets::Targets;
 use super::water::WaterPass;
 use crate::gpu::layout::{Layout, MAX_CASCADES};
@@ -171,14 +171,14 @@ impl DebugPass {
         let map_layout = layout(device, "view/map", fragment, &slots);
         let module = shaders.module(device, "debug_map");
         let layouts = [Some(&map_layout)];
-        let map = hdr_pipeline(device, "view/map", &Program::new(&module), &layouts, water.scene.film, false);
+        let map = hdr_pipeline(device, "view/map", &Program::new(&module), &layouts, &Onto::film(&water.scene.film, false));
         let surface_layout = layout(device, "view/surface", fragment, &[slot]);
         let surface_group = group(device, "view/surface", &surface_layout, &[uniform.buffer.as_entire_binding()]);
         let module = shaders.module(device, "debug_water");
         let program = Program { entries: ["debug_vertex", "debug_fragment"], ..Program::new(&module) };
-        let [scene, maps] = water.layouts();
-        let layouts = [Some(scene), Some(maps), Some(&surface_layout)];
-        let surface = hdr_pipeline(device, "view/surface", &program, &layouts, water.scene.film, true);
+        let [scene, maps, mesh] = water.layouts();
+        let layouts = [Some(scene), Some(maps), Some(mesh), Some(&surface_layout)];
+        let surface = hdr_pipeline(device, "view/surface", &program, &layouts, &Onto::film(&water.scene.film, true));
         let show_layout = layout(device, "view/show", fragment, &[Slot::Texture]);
         let show =
             screen_pipeline(device, "view/show", &shaders.module(device, "debug_show"), &show_layout, target, &[]);
@@ -197,10 +197,10 @@ impl DebugPass {
         use wgpu::BindingResource::TextureView;
         self.uniform.write(queue, &DebugUniform::new(scene, maps, targets.size));
         self.show_group = Some(group(device, "view/show", &self.show_layout, &[TextureView(&targets.hdr)]));
-        let mut pass = targets.begin(encoder);
+        let mut pass = targets.begin(encoder, false);
         if let Shown::Surface(_) = scene.look.view.shown {
             pass.set_pipeline(&self.surface);
-            pass.set_bind_group(2, &self.surface_group, &[]);
+            pass.set_bind_group(3, &self.surface_group, &[]);
             water.draw_mesh(&mut pass);
         } else {
             let resources = [

@@ -1,6 +1,6 @@
 //! shaders/floats.wgsl: buoys and boats on the water. A handful of small hulls, turned on the CPU.
 
-use super::kit::{Program, SceneGroup, Slot, group, hdr_pipeline, layout};
+use super::kit::{Onto, Program, SceneGroup, Slot, group, hdr_pipeline, layout};
 use crate::gpu::shaders::Shaders;
 use crate::model::afloat::{self, Kind, Pose};
 use bytemuck::{Pod, Zeroable};
@@ -95,7 +95,7 @@ impl FloatsPass {
         self.count = vertices.len() as u32;
         self.pipeline.get_or_insert_with(|| {
             let layouts = [Some(&scene.layout), Some(&self.layout)];
-            hdr_pipeline(device, "floats", &Program::new(&self.module), &layouts, scene.film, true)
+            hdr_pipeline(device, "floats", &Program::new(&self.module), &layouts, &Onto::film(&scene.film, true))
         });
     }
 

@@ -38,6 +38,8 @@ pub enum Slot {
     Read(usize),
     Write(usize),
     Texture,
+    /// A texture of floats that is not sampled.
+    Texels,
     Array,
     Image,
     Sampler,
@@ -60,6 +62,11 @@ impl Slot {
             Self::Read(size) => buffer(wgpu::BufferBindingType::Storage { read_only: true }, size),
             Self::Write(size) => buffer(wgpu::BufferBindingType::Storage { read_only: false }, size),
             Self::Texture => texture(wgpu::TextureViewDimension::D2),
+            Self::Texels => wgpu::BindingType::Texture {
+                sample_type: wgpu::TextureSampleType::Float { filterable: false },
+                view_dimension: wgpu::TextureViewDimension::D2,
+                multisampled: false,
+            },
             Self::Array => texture(wgpu::TextureViewDimension::D2Array),
             Self::Image => wgpu::BindingType::StorageTexture {
                 access: wgpu::StorageTextureAccess::WriteOnly,
@@ -201,14 +208,31 @@ pub fn part(name: &str, is_there: bool) -> (&str, f64) {
     (name, f64::from(u8::from(is_there)))
 }
 
-/// A pipeline of the HDR pass: reverse-Z.
+/// How a pipeline of the picture meets its attachments.
+pub struct Onto<'a> {
+    pub formats: &'a [wgpu::TextureFormat],
+    /// Coverage samples a pixel.
+    pub samples: u32,
+    /// Reverse-Z.
+    pub depth: wgpu::CompareFunction,
+    pub depth_write: bool,
+}
+
+impl<'a> Onto<'a> {
+    /// The light of a film: what is nearest is seen.
+    pub fn film(film: &'a Film, depth_write: bool) -> Self {
+        let formats = std::slice::from_ref(&film.format);
+        Self { formats, samples: film.samples, depth: wgpu::CompareFunction::GreaterEqual, depth_write }
+    }
+}
+
+/// A pipeline of the picture.
 pub fn hdr_pipeline(
     device: &wgpu::Device,
     label: &str,
     program: &Program<'_>,
     layouts: &[Option<&wgpu::BindGroupLayout>],
-    film: Film,
-    depth_write: bool,
+    onto: &Onto<'_>,
 ) -> wgpu::RenderPipeline {
     let Program { module, entries: [vertex, fragment], constants } = *program;
     let compilation_options = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
@@ -217,6 +241,7 @@ pub fn hdr_pipeline(
         bind_group_layouts: layouts,
         immediate_size: 0,
     });
+    let targets: Vec<_> = onto.formats.iter().map(|&format| Some(format.into())).collect();
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(label),
         layout: Some(&layout),
@@ -229,17 +254,17 @@ pub fn hdr_pipeline(
         primitive: wgpu::PrimitiveState::default(),
         depth_stencil: Some(wgpu::DepthStencilState {
             format: DEPTH_FORMAT,
-            depth_write_enabled: Some(depth_write),
-            depth_compare: Some(wgpu::CompareFunction::GreaterEqual),
+            depth_write_enabled: Some(onto.depth_write),
+            depth_compare: Some(onto.depth),
             stencil: wgpu::StencilState::default(),
             bias: wgpu::DepthBiasState::default(),
         }),
-        multisample: wgpu::MultisampleState { count: film.samples, ..Default::default() },
+        multisample: wgpu::MultisampleState { count: onto.samples, ..Default::default() },
         fragment: Some(wgpu::FragmentState {
             module,
             entry_point: Some(fragment),
             compilation_options,
-            targets: &[Some(film.format.into())],
+            targets: &targets,
         }),
         multiview_mask: None,
         cache: None,

@@ -5,6 +5,7 @@
 
 mod background;
 mod debug;
+mod displace;
 mod eye;
 mod floats;
 mod frame;
@@ -83,7 +84,9 @@ pub enum Part {
     Light,
     /// What stands behind the sea.
     Background,
-    /// The sea.
+    /// The mesh of the sea and, where the sea is lit afterwards, what it shows.
+    Mesh,
+    /// The sea, its mesh with it.
     Water,
 }
 
@@ -142,7 +145,7 @@ impl Renderer {
         let sky = Sky::new(device, queue, &shaders, &noise);
         let scene = kit::SceneGroup::new(device, &frame, &material, &sky, &noise, film);
         let background = Background::new(device, &shaders);
-        let water = WaterPass::new(device, &shaders, scene);
+        let water = WaterPass::new(device, &shaders, scene, &frame);
         let eye = EyePass::new(device, &shaders, &frame, &water);
         let floats = FloatsPass::new(device, &shaders);
         let present = PresentPass::new(device, &shaders, &sky.light, target_format, smooth);
@@ -186,6 +189,7 @@ impl Renderer {
             self.targets = Some(targets);
         }
         if let Some(targets) = &self.targets {
+            self.water.bind_targets(device, targets);
             self.present.bind(device, targets, &scene.look.film);
             self.present.write(queue, scene, size);
         }
@@ -216,7 +220,7 @@ impl Renderer {
         self.water.choose(device, scene);
         self.background.choose(device, &self.water.scene, &self.sky, scene);
         self.water.bind_maps(device, maps);
-        self.water.set_mesh(device, queue, mesh);
+        self.water.mesh.set(device, queue, mesh);
         let foot = [scene.view.eye.x, scene.view.eye.z];
         self.floats.write(device, queue, &self.water.scene, &scene.floats, foot, scene.level_m);
     }
@@ -232,6 +236,9 @@ impl Renderer {
     ) {
         let Some(targets) = &self.targets else { return };
         self.eye.run(encoder, scene, &self.water);
+        if let (Shown::Surface(_), Some(maps)) = (&scene.look.view.shown, self.water.maps_group()) {
+            self.water.mesh.run(encoder, maps);
+        }
         let make = || DebugPass::new(device, &Shaders::default(), &self.water, self.target_format);
         let debug = self.debug.get_or_insert_with(make);
         debug.draw((device, queue), encoder, (maps, scene), &self.water, targets);
@@ -250,7 +257,9 @@ impl Renderer {
         self.timer.mark(encoder, "eye");
         self.sky.update(device, queue, encoder, scene);
         self.timer.mark(encoder, "sky tables");
-        let mut pass = targets.begin(encoder);
+        let after_mesh = self.water.prepare(encoder, targets);
+        self.timer.mark(encoder, "mesh");
+        let mut pass = targets.begin(encoder, after_mesh);
         self.background.draw(&mut pass, &self.water.scene, &self.sky);
         self.water.draw(&mut pass);
         self.floats.draw(&mut pass, &self.water.scene);
@@ -263,8 +272,16 @@ impl Renderer {
         let Some(targets) = &self.targets else { return };
         match part {
             Part::Light => self.sky.record(encoder),
-            Part::Background => self.background.draw(&mut targets.begin(encoder), &self.water.scene, &self.sky),
-            Part::Water => self.water.draw(&mut targets.begin(encoder)),
+            Part::Background => {
+                self.background.draw(&mut targets.begin(encoder, false), &self.water.scene, &self.sky);
+            }
+            Part::Mesh => {
+                self.water.prepare(encoder, targets);
+            }
+            Part::Water => {
+                let after_mesh = self.water.prepare(encoder, targets);
+                self.water.draw(&mut targets.begin(encoder, after_mesh));
+            }
         }
     }
 

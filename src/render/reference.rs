@@ -14,7 +14,7 @@ use half::f16;
 /// Light of single samples.
 const SAMPLES: Film = Film::reference();
 /// Their mean, on its way to the present pass.
-const MEAN: Film = Film { samples: 1, format: HDR_FORMAT, usage: wgpu::TextureUsages::COPY_DST };
+const MEAN: Film = Film { samples: 1, format: HDR_FORMAT, usage: wgpu::TextureUsages::COPY_DST, deferred: false };
 
 /// Vertices of the mesh for each sample of a grid.
 const VERTICES_PER_SAMPLE: f64 = 0.6;

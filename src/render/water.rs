@@ -1,10 +1,11 @@
-//! shaders/water.wgsl: the mesh of the sea, displaced and lit.
+//! The sea: shaders/water_forward.wgsl lights it while its mesh is drawn, shaders/water_deferred.wgsl once a pixel after the
+//! mesh was drawn.
 
-use super::Scene;
-use super::kit::{Program, SceneGroup, Slot, Variants, group, hdr_pipeline, layout, part};
-use super::material;
-use super::mesh::Mesh;
-use super::targets::Film;
+use super::displace::DisplacePass;
+use super::frame::FrameUniform;
+use super::kit::{Onto, Program, SceneGroup, Slot, Uniform, Variants, group, hdr_pipeline, layout, part};
+use super::targets::{Film, SHOWN_FORMATS, Targets};
+use super::{Scene, material};
 use crate::gpu::shaders::Shaders;
 use crate::sim::Maps;
 
@@ -32,50 +33,71 @@ impl Parts {
         }
     }
 
-    fn pipeline(
-        self,
-        device: &wgpu::Device,
-        module: &wgpu::ShaderModule,
-        layouts: [&wgpu::BindGroupLayout; 2],
-        film: Film,
-    ) -> wgpu::RenderPipeline {
-        let constants = [
+    fn constants(self) -> [(&'static str, f64); 4] {
+        [
             part("WATER_BED", self.bed),
             part("WATER_CAUSTICS", self.caustics),
             part("WATER_FOAM", self.foam),
             part("WATER_SAMPLES", self.samples),
-        ];
-        let program = Program { constants: &constants, ..Program::new(module) };
-        hdr_pipeline(device, "water", &program, &layouts.map(Some), film, true)
+        ]
     }
 }
 
-/// The water's pipelines, index buffer and maps.
+/// The water's pipelines, mesh and maps.
 pub struct WaterPass {
     /// Light, sky and frame.
     pub scene: SceneGroup,
+    /// Its mesh.
+    pub mesh: DisplacePass,
     module: wgpu::ShaderModule,
     pipelines: Variants<Parts>,
+    deferred: Option<Deferred>,
     layout: wgpu::BindGroupLayout,
     sampler: wgpu::Sampler,
     maps: Option<(u64, wgpu::BindGroup)>,
-    indices: Option<Indices>,
-    count: u32,
 }
 
-struct Indices {
-    rows: u32,
-    columns: u32,
-    buffer: wgpu::Buffer,
+/// What lights the sea after its mesh was drawn.
+struct Deferred {
+    mesh: wgpu::RenderPipeline,
+    layout: wgpu::BindGroupLayout,
+    shown: Option<([wgpu::TextureView; 2], wgpu::BindGroup)>,
+}
+
+impl Deferred {
+    fn new(device: &wgpu::Device, module: &wgpu::ShaderModule, layouts: [&wgpu::BindGroupLayout; 3]) -> Self {
+        let onto = Onto {
+            formats: &SHOWN_FORMATS,
+            samples: 1,
+            depth: wgpu::CompareFunction::GreaterEqual,
+            depth_write: true,
+        };
+        let program = Program { entries: ["mesh_vertex", "mesh_fragment"], ..Program::new(module) };
+        let mesh = hdr_pipeline(device, "water/mesh", &program, &layouts.map(Some), &onto);
+        let layout =
+            layout(device, "shown", wgpu::ShaderStages::FRAGMENT, &[Slot::Texels, Slot::Texels]);
+        Self { mesh, layout, shown: None }
+    }
+
+    /// Binds what the mesh shows in these targets, if it is not bound yet.
+    fn bind(&mut self, device: &wgpu::Device, targets: &Targets) {
+        let Some(shown) = &targets.shown else { return };
+        if self.shown.as_ref().is_some_and(|(bound, _)| bound == shown) {
+            return;
+        }
+        let resources = shown.each_ref().map(wgpu::BindingResource::TextureView);
+        self.shown = Some((shown.clone(), group(device, "shown", &self.layout, &resources)));
+    }
 }
 
 impl WaterPass {
     /// Compiles the pass.
-    pub fn new(device: &wgpu::Device, shaders: &Shaders, scene: SceneGroup) -> Self {
+    pub fn new(device: &wgpu::Device, shaders: &Shaders, scene: SceneGroup, frame: &Uniform<FrameUniform>) -> Self {
         let slots = [Slot::Array, Slot::Array, Slot::Array, Slot::Array, Slot::Sampler];
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
         let layout = layout(device, "maps", stages, &slots);
-        let module = shaders.module(device, "water");
+        let deferred = scene.film.deferred;
+        let module = shaders.module(device, if deferred { "water_deferred" } else { "water_forward" });
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("waves"),
             address_mode_u: wgpu::AddressMode::Repeat,
@@ -85,7 +107,9 @@ impl WaterPass {
             mipmap_filter: wgpu::MipmapFilterMode::Linear,
             ..Default::default()
         });
-        Self { scene, module, pipelines: Variants::default(), layout, sampler, maps: None, indices: None, count: 0 }
+        let mesh = DisplacePass::new(device, shaders, frame, &layout);
+        let deferred = deferred.then(|| Deferred::new(device, &module, [&scene.layout, &layout, mesh.layout()]));
+        Self { scene, mesh, module, pipelines: Variants::default(), deferred, layout, sampler, maps: None }
     }
 
     /// Binds the maps, if they are new.
@@ -104,11 +128,30 @@ impl WaterPass {
         self.maps = Some((maps.generation, group(device, "maps", &self.layout, &resources)));
     }
 
+    /// Binds what the mesh shows in these targets, if the sea is lit afterwards.
+    pub fn bind_targets(&mut self, device: &wgpu::Device, targets: &Targets) {
+        if let Some(deferred) = &mut self.deferred {
+            deferred.bind(device, targets);
+        }
+    }
+
     /// Makes the pipeline that the picture of a scene needs, if there is none yet.
     pub fn choose(&mut self, device: &wgpu::Device, scene: &Scene) {
         let parts = Parts::new(scene, self.scene.film);
-        let (module, layouts, film) = (&self.module, [&self.scene.layout, &self.layout], self.scene.film);
-        self.pipelines.choose(parts, |parts| parts.pipeline(device, module, layouts, film));
+        let (module, film) = (&self.module, self.scene.film);
+        let shown = self.deferred.as_ref().map(|d| &d.layout);
+        let layouts = [&self.scene.layout, &self.layout, shown.unwrap_or(self.mesh.layout())].map(Some);
+        let entries = if shown.is_some() { ["light_vertex", "light_fragment"] } else { ["vertex", "fragment"] };
+        self.pipelines.choose(parts, |parts| {
+            let constants = parts.constants();
+            let program = Program { module, entries, constants: &constants };
+            // What is lit afterwards stands behind what is drawn, before the sky.
+            let onto = match shown {
+                Some(_) => Onto { depth: wgpu::CompareFunction::LessEqual, ..Onto::film(&film, false) },
+                None => Onto::film(&film, true),
+            };
+            hdr_pipeline(device, "water", &program, &layouts, &onto)
+        });
     }
 
     /// Layout of the maps' bind group: displacement, gradients, moments, foam, sampler.
@@ -121,42 +164,39 @@ impl WaterPass {
         self.maps.as_ref().map(|(_, group)| group)
     }
 
-    /// Takes a mesh; the index buffer is made anew only when its density changed.
-    pub fn set_mesh(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, mesh: &Mesh) {
-        self.count = mesh.index_count();
-        let same = |i: &Indices| (i.rows, i.columns) == (mesh.rows, mesh.most_columns);
-        if self.indices.as_ref().is_some_and(same) {
-            return;
-        }
-        let indices = mesh.indices();
-        let buffer = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("mesh"),
-            size: size_of_val(&indices[..]) as u64,
-            usage: wgpu::BufferUsages::INDEX | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
-        queue.write_buffer(&buffer, 0, bytemuck::cast_slice(&indices));
-        self.indices = Some(Indices { rows: mesh.rows, columns: mesh.most_columns, buffer });
+    /// Records the displacement of the mesh and, if the sea is lit afterwards, what it shows: whether it did.
+    pub fn prepare(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets) -> bool {
+        let Some(maps) = self.maps_group() else { return false };
+        self.mesh.run(encoder, maps);
+        let Some(deferred) = &self.deferred else { return false };
+        let Some(mut pass) = targets.begin_mesh(encoder) else { return false };
+        pass.set_pipeline(&deferred.mesh);
+        self.draw_mesh(&mut pass);
+        true
     }
 
-    /// Draws the sea.
+    /// Draws the sea that [`Self::prepare`] prepared.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         let Some(pipeline) = self.pipelines.chosen() else { return };
         pass.set_pipeline(pipeline);
-        self.draw_mesh(pass);
+        let Some(deferred) = &self.deferred else { return self.draw_mesh(pass) };
+        let (Some(maps), Some((_, shown))) = (self.maps_group(), &deferred.shown) else { return };
+        pass.set_bind_group(0, &self.scene.group, &[]);
+        pass.set_bind_group(1, maps, &[]);
+        pass.set_bind_group(2, shown, &[]);
+        pass.draw(0..3, 0..1);
     }
 
     /// Layouts of the bind groups that the mesh is drawn with.
-    pub fn layouts(&self) -> [&wgpu::BindGroupLayout; 2] {
-        [&self.scene.layout, &self.layout]
+    pub fn layouts(&self) -> [&wgpu::BindGroupLayout; 3] {
+        [&self.scene.layout, &self.layout, self.mesh.layout()]
     }
 
-    /// Draws the mesh with the pipeline of the pass.
+    /// Draws the displaced mesh with the pipeline of the pass.
     pub fn draw_mesh(&self, pass: &mut wgpu::RenderPass<'_>) {
-        let (Some((_, maps)), Some(indices)) = (&self.maps, &self.indices) else { return };
+        let Some(maps) = self.maps_group() else { return };
         pass.set_bind_group(0, &self.scene.group, &[]);
         pass.set_bind_group(1, maps, &[]);
-        pass.set_index_buffer(indices.buffer.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..self.count, 0, 0..1);
+        self.mesh.draw(pass);
     }
 }

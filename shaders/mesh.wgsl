@@ -1,0 +1,28 @@
+// Displaces the mesh of the sea.
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(1) var<storage, read_write> mesh_vertices: array<MeshVertex>;
+@group(1) @binding(0) var displacement_map: texture_2d_array<f32>;
+@group(1) @binding(1) var gradients_map: texture_2d_array<f32>;
+@group(1) @binding(2) var moments_map: texture_2d_array<f32>;
+@group(1) @binding(3) var foam_map: texture_2d_array<f32>;
+@group(1) @binding(4) var wave_sampler: sampler;
+
+// A thread a vertex: rows along x, columns along y.
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+  if id.x >= frame.mesh_rows {
+    return;
+  }
+  let azimuth = frame.mesh.x + f32(id.y) * frame.mesh.y;
+  let t = frame.mesh.z + f32(id.x) * frame.mesh.w;
+  let radius = frame.mesh_radius * (exp(t) - 1.0);
+  // Near the eye the lattice lies around the water that is below it.
+  let foot = frame.foot.xy * exp(-radius / (4.0 * frame.foot.z));
+  let at = foot + radius * vec2f(sin(azimuth), -cos(azimuth));
+  let moved = water_displacement(at, mesh_spacing(radius));
+  let flat = at + moved.xz;
+  let drop = dot(flat, flat) / (2.0 * FRAME_EARTH_M);
+  let place = vec3f(flat.x, moved.y - drop - frame.eye_m, flat.y);
+  mesh_vertices[id.y * frame.mesh_rows + id.x] = MeshVertex(place, moved.y, at, vec2f(0.0));
+}
