@@ -7,6 +7,7 @@
 @group(1) @binding(2) var moments_map: texture_2d_array<f32>;
 @group(1) @binding(3) var foam_map: texture_2d_array<f32>;
 @group(1) @binding(4) var wave_sampler: sampler;
+@group(1) @binding(5) var level_sampler: sampler;
 
 const EYE_POINTS = 256u;
 // Height of the eye over the water below it, m, and how steeply the water around it may rise to that height.

@@ -7,15 +7,17 @@
 @group(1) @binding(2) var moments_map: texture_2d_array<f32>;
 @group(1) @binding(3) var foam_map: texture_2d_array<f32>;
 @group(1) @binding(4) var wave_sampler: sampler;
+@group(1) @binding(5) var level_sampler: sampler;
 
-// A thread a vertex: rows along x, columns along y.
+// A thread a vertex: columns along x, rows along y. Neighbours read their maps at one level, which a software GPU does together.
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
-  if id.x >= frame.mesh_rows {
+  let vertex = id.x * frame.mesh_rows + id.y;
+  if vertex >= arrayLength(&mesh_vertices) {
     return;
   }
-  let azimuth = frame.mesh.x + f32(id.y) * frame.mesh.y;
-  let t = frame.mesh.z + f32(id.x) * frame.mesh.w;
+  let azimuth = frame.mesh.x + f32(id.x) * frame.mesh.y;
+  let t = frame.mesh.z + f32(id.y) * frame.mesh.w;
   let radius = frame.mesh_radius * (exp(t) - 1.0);
   // Near the eye the lattice lies around the water that is below it.
   let foot = frame.foot.xy * exp(-radius / (4.0 * frame.foot.z));
@@ -24,5 +26,5 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let flat = at + moved.xz;
   let drop = dot(flat, flat) / (2.0 * FRAME_EARTH_M);
   let place = vec3f(flat.x, moved.y - drop - frame.eye_m, flat.y);
-  mesh_vertices[id.y * frame.mesh_rows + id.x] = MeshVertex(place, moved.y, at, vec2f(0.0));
+  mesh_vertices[vertex] = MeshVertex(place, moved.y, at, vec2f(0.0));
 }

@@ -6,6 +6,7 @@
 @group(1) @binding(2) var moments_map: texture_2d_array<f32>;
 @group(1) @binding(3) var foam_map: texture_2d_array<f32>;
 @group(1) @binding(4) var wave_sampler: sampler;
+@group(1) @binding(5) var level_sampler: sampler;
 
 // What the picture's water consists of; twin of Parts in render/water.rs.
 override WATER_BED: bool = false;

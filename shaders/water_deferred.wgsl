@@ -32,6 +32,16 @@ fn mesh_fragment(in: MeshFragment) -> MeshShown {
 @group(2) @binding(0) var point_map: texture_2d<f32>;
 @group(2) @binding(1) var sides_map: texture_2d<f32>;
 
+// Sides of a pixel as the first of its quad has them, unless that one is much another's: pixels that read their maps at one
+// level read them together on a software GPU, which takes a quarter of the time.
+fn water_shared_sides(pixel: vec2i) -> vec4f {
+  let own = textureLoad(sides_map, pixel, 0);
+  let first = textureLoad(sides_map, pixel & vec2i(-2), 0);
+  let off = first - own;
+  let is_like = dot(off.xy, off.xy) < 0.1 * dot(own.xy, own.xy) && dot(off.zw, off.zw) < 0.1 * dot(own.zw, own.zw);
+  return select(own, first, is_like);
+}
+
 struct LightFragment {
   @builtin(position) clip: vec4f,
   @location(0) ray: vec3f,
@@ -48,7 +58,7 @@ fn light_vertex(@builtin(vertex_index) i: u32) -> LightFragment {
 fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let pixel = vec2i(in.clip.xy);
   let shown = textureLoad(point_map, pixel, 0);
-  let sides = textureLoad(sides_map, pixel, 0);
+  let sides = water_shared_sides(pixel);
   let at = shown.xy;
   let foot = water_footprint(sides.xy, sides.zw);
   let slope = water_slope(at, foot);

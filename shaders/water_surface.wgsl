@@ -160,19 +160,22 @@ fn water_waves(at: vec2f, foot: WaterFootprint, cascade: u32, place: vec4f, tile
   let near = select(0.0, 1.0 - smoothstep(0.8, 1.25, long), map.x < WATER_SMOOTH);
   let spline = water_spline(uv, frame.n, near);
   // Several texels in the footprint: as many taps as are worth it (one between texels blurs as much as a box of 1.4), half
-  // as many for the smoother moments, and one for the displacement, whose part in the slope is of second order. The weights
-  // are those of the middle. Of a distant map there is only its variance.
-  let places = select(clamp(i32(ceil(long / max(wide, 1.4) - 0.3)), 1, foot.taps), 1, distant);
-  let taps = select(places, WATER_SPLINE_TAPS, near > 0.0);
-  let pairs = (places + 1) / 2;
+  // as many for the smoother moments, and one for the displacement, whose part in the slope is of second order: both from
+  // the nearest level. The weights
+  // are those of the middle. Of a distant map there is only its variance. What counts for nothing is not read: the loops are
+  // empty then, since a software GPU reads on both sides of a branch.
+  let places = clamp(i32(ceil(long / max(wide, 1.4) - 0.3)), 1, foot.taps);
+  let taps = select(select(places, WATER_SPLINE_TAPS, near > 0.0), 0, distant);
   let lod = log2(max(texels, 1e-6));
   let long_lod = log2(max(WATER_TAP * long, 1e-6));
-  let wide_lod = select(min(lod + log2(f32(places) / f32(pairs)), long_lod) - 1.0, 16.0, distant);
   // The moments know nothing finer than two texels; closer up they would count resolved waves twice. From where on they
   // count is fitted to the whole.
   let unresolved = select((1.0 - near * near) * clamp(lod + 0.5, 0.0, 1.0), 1.0, distant);
+  let pairs = select((select(places, 1, distant) + 1) / 2, 0, unresolved <= 0.0);
+  let wide_lod = select(min(lod + log2(f32(places) / f32(max(pairs, 1))), long_lod) - 1.0, 16.0, distant);
   let along = foot.axis * place.z;
   let copies = select(blend.count, 1u, distant);
+  let resolved = select(1, 0, distant);
   for (var i = 0u; i < copies; i++) {
     let shift = tile_shift(tile, blend, i);
     var g = vec4f(0.0);
@@ -189,13 +192,15 @@ fn water_waves(at: vec2f, foot: WaterFootprint, cascade: u32, place: vec4f, tile
     var second = vec3f(0.0);
     for (var k = 0; k < pairs; k++) {
       let tap = uv + shift + along * ((f32(k) + 0.5) / f32(pairs) - 0.5);
-      second += textureSampleLevel(moments_map, wave_sampler, tap, layer, wide_lod).xyz;
+      second += textureSampleLevel(moments_map, level_sampler, tap, layer, wide_lod).xyz;
     }
     g *= share;
     out.lean += share * blend.weight[i] * lean;
-    second *= place.w / f32(pairs);
-    let d = share * textureSampleLevel(displacement_map, wave_sampler, uv + shift, layer, long_lod);
-    water_add(&out, g, d, vec3f(blend.weight[i], blend.along_x[i], blend.along_z[i]));
+    second *= place.w / f32(max(pairs, 1));
+    for (var k = 0; k < resolved; k++) {
+      let d = share * textureSampleLevel(displacement_map, level_sampler, uv + shift, layer, long_lod);
+      water_add(&out, g, d, vec3f(blend.weight[i], blend.along_x[i], blend.along_z[i]));
+    }
     // Copies are independent: their variances add with the squares of the weights.
     let weight = map.z * unresolved * select(blend.weight[i] * blend.weight[i], 1.0, distant);
     out.variance += weight * max(second - vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));

@@ -217,7 +217,9 @@ async fn picture(clock: &Clock<'_>, params: &Params, size: [u32; 2]) -> Result<V
     queue.submit([encoder.finish()]);
     let row = |pass, timing| Row { pass, sea: None, size: Some(size), timing, cost: None, dispatches: None };
     let mut out = Vec::new();
-    for (pass, part) in [("sky tables", Part::Light), ("background", Part::Background), ("mesh", Part::Mesh), ("water", Part::Water)] {
+    for (pass, part) in
+        [("sky tables", Part::Light), ("background", Part::Background), ("mesh", Part::Mesh), ("water", Part::Water)]
+    {
         out.push(row(pass, clock.time(|_, encoder| ocean.record(encoder, part)).await?));
     }
     let present = clock.time(|_, encoder| offscreen::draw_over(encoder, &target, |pass| ocean.present(pass)));

@@ -171,7 +171,8 @@ impl DebugPass {
         let map_layout = layout(device, "view/map", fragment, &slots);
         let module = shaders.module(device, "debug_map");
         let layouts = [Some(&map_layout)];
-        let map = hdr_pipeline(device, "view/map", &Program::new(&module), &layouts, &Onto::film(&water.scene.film, false));
+        let map =
+            hdr_pipeline(device, "view/map", &Program::new(&module), &layouts, &Onto::film(&water.scene.film, false));
         let surface_layout = layout(device, "view/surface", fragment, &[slot]);
         let surface_group = group(device, "view/surface", &surface_layout, &[uniform.buffer.as_entire_binding()]);
         let module = shaders.module(device, "debug_water");

@@ -100,7 +100,7 @@ impl DisplacePass {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &buffers.group, &[]);
         pass.set_bind_group(1, maps, &[]);
-        pass.dispatch_workgroups(buffers.rows.div_ceil(THREADS), self.columns + 1, 1);
+        pass.dispatch_workgroups((self.columns + 1).div_ceil(THREADS), buffers.rows, 1);
     }
 
     /// Draws the mesh with the pipeline of the pass; its vertices stand in group 2.

@@ -77,9 +77,8 @@ impl Targets {
             samples: (samples > 1).then(|| texture("hdr samples", hdr, samples, none)),
             depth: texture("depth", DEPTH_FORMAT, samples, usage),
             keeps_depth: !usage.is_empty(),
-            shown: deferred.then(|| {
-                SHOWN_FORMATS.map(|format| texture("shown", format, 1, wgpu::TextureUsages::TEXTURE_BINDING))
-            }),
+            shown: deferred
+                .then(|| SHOWN_FORMATS.map(|format| texture("shown", format, 1, wgpu::TextureUsages::TEXTURE_BINDING))),
         }
     }
 
@@ -87,7 +86,8 @@ impl Targets {
     pub fn begin_mesh<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> Option<wgpu::RenderPass<'a>> {
         let [point, sides] = self.shown.as_ref()?;
         let attachment = |view| {
-            let ops = wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store };
+            let ops =
+                wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store };
             Some(wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops })
         };
         Some(encoder.begin_render_pass(&wgpu::RenderPassDescriptor {

@@ -53,7 +53,8 @@ pub struct WaterPass {
     pipelines: Variants<Parts>,
     deferred: Option<Deferred>,
     layout: wgpu::BindGroupLayout,
-    sampler: wgpu::Sampler,
+    /// Between levels of the maps, and of the nearest one.
+    samplers: [wgpu::Sampler; 2],
     maps: Option<(u64, wgpu::BindGroup)>,
 }
 
@@ -66,16 +67,11 @@ struct Deferred {
 
 impl Deferred {
     fn new(device: &wgpu::Device, module: &wgpu::ShaderModule, layouts: [&wgpu::BindGroupLayout; 3]) -> Self {
-        let onto = Onto {
-            formats: &SHOWN_FORMATS,
-            samples: 1,
-            depth: wgpu::CompareFunction::GreaterEqual,
-            depth_write: true,
-        };
+        let onto =
+            Onto { formats: &SHOWN_FORMATS, samples: 1, depth: wgpu::CompareFunction::GreaterEqual, depth_write: true };
         let program = Program { entries: ["mesh_vertex", "mesh_fragment"], ..Program::new(module) };
         let mesh = hdr_pipeline(device, "water/mesh", &program, &layouts.map(Some), &onto);
-        let layout =
-            layout(device, "shown", wgpu::ShaderStages::FRAGMENT, &[Slot::Texels, Slot::Texels]);
+        let layout = layout(device, "shown", wgpu::ShaderStages::FRAGMENT, &[Slot::Texels, Slot::Texels]);
         Self { mesh, layout, shown: None }
     }
 
@@ -93,23 +89,25 @@ impl Deferred {
 impl WaterPass {
     /// Compiles the pass.
     pub fn new(device: &wgpu::Device, shaders: &Shaders, scene: SceneGroup, frame: &Uniform<FrameUniform>) -> Self {
-        let slots = [Slot::Array, Slot::Array, Slot::Array, Slot::Array, Slot::Sampler];
+        let slots = [Slot::Array, Slot::Array, Slot::Array, Slot::Array, Slot::Sampler, Slot::Sampler];
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
         let layout = layout(device, "maps", stages, &slots);
         let deferred = scene.film.deferred;
         let module = shaders.module(device, if deferred { "water_deferred" } else { "water_forward" });
-        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("waves"),
-            address_mode_u: wgpu::AddressMode::Repeat,
-            address_mode_v: wgpu::AddressMode::Repeat,
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            mipmap_filter: wgpu::MipmapFilterMode::Linear,
-            ..Default::default()
+        let samplers = [wgpu::MipmapFilterMode::Linear, wgpu::MipmapFilterMode::Nearest].map(|mipmap_filter| {
+            device.create_sampler(&wgpu::SamplerDescriptor {
+                label: Some("waves"),
+                address_mode_u: wgpu::AddressMode::Repeat,
+                address_mode_v: wgpu::AddressMode::Repeat,
+                mag_filter: wgpu::FilterMode::Linear,
+                min_filter: wgpu::FilterMode::Linear,
+                mipmap_filter,
+                ..Default::default()
+            })
         });
         let mesh = DisplacePass::new(device, shaders, frame, &layout);
         let deferred = deferred.then(|| Deferred::new(device, &module, [&scene.layout, &layout, mesh.layout()]));
-        Self { scene, mesh, module, pipelines: Variants::default(), deferred, layout, sampler, maps: None }
+        Self { scene, mesh, module, pipelines: Variants::default(), deferred, layout, samplers, maps: None }
     }
 
     /// Binds the maps, if they are new.
@@ -123,7 +121,8 @@ impl WaterPass {
             TextureView(&maps.gradients),
             TextureView(&maps.moments),
             TextureView(&maps.foam),
-            Sampler(&self.sampler),
+            Sampler(&self.samplers[0]),
+            Sampler(&self.samplers[1]),
         ];
         self.maps = Some((maps.generation, group(device, "maps", &self.layout, &resources)));
     }
@@ -154,7 +153,7 @@ impl WaterPass {
         });
     }
 
-    /// Layout of the maps' bind group: displacement, gradients, moments, foam, sampler.
+    /// Layout of the maps' bind group: displacement, gradients, moments, foam, samplers.
     pub fn maps_layout(&self) -> &wgpu::BindGroupLayout {
         &self.layout
     }
