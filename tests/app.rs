@@ -153,6 +153,42 @@ fn a_dropped_sky_is_shown_and_carried_by_name() {
     assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
 }
 
+/// Whatever is dropped or pasted: what cannot be read is said, and nothing else changes.
+#[test]
+fn what_cannot_be_read_changes_nothing() {
+    let folder = std::env::temp_dir().join(format!("seastate-hostile-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let state = "wind=17&t=3&pause=1&n=64";
+    let mut harness = open(state);
+    let lost = seastate::app::picture::encode([1, 1], &[0; 4], "hello & goodbye", "").expect("a picture");
+    let plain = seastate::app::picture::encode([1, 1], &[0; 4], "", "").expect("a picture");
+    let cases: [(&str, &[u8], &str); 9] = [
+        ("a.png", b"\x89PNG\r\n\x1a\nnonsense", "not a picture"),
+        ("b.png", &lost[..lost.len() / 2], "not a picture"),
+        ("c.png", &lost, "that is no sea"),
+        ("d.exr", b"\x76\x2f\x31\x01nonsense", "d.exr: "),
+        ("e.hdr", b"#?RADIANCE\n\n-Y 500000 +X 1000000\n", "save it smaller"),
+        ("f.jpg", b"\xff\xd8\xff\xe0\0\x10JFIF", "no text"),
+        ("g.txt", b"", "empty"),
+        ("h.csv", b"0.1,1,1e999\n", "columns"),
+        ("i.txt", b"[a]\nabout: without a state\n", "no state"),
+    ];
+    for (name, bytes, says) in cases {
+        let path = folder.join(name);
+        std::fs::write(&path, bytes).expect("a file");
+        drop_files(&mut harness, &[path]);
+        assert_eq!(harness.state().state(), state, "{name}");
+        assert!(harness.query_by_label_contains(says).is_some(), "{name}: {}", harness.state().state());
+    }
+    // A picture of the default sea is one, though its state says nothing.
+    let path = folder.join("plain.png");
+    std::fs::write(&path, plain).expect("a file");
+    drop_files(&mut harness, &[path]);
+    assert_eq!(harness.state().state(), "");
+    assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+    std::fs::remove_dir_all(&folder).expect("the folder is removed");
+}
+
 #[test]
 fn keys_fly_the_camera() {
     let mut harness = open("n=64&pause=1&heading=90&x=0");

@@ -13,7 +13,6 @@ pub mod maps;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod native;
 mod panel;
-pub mod picture;
 mod plots;
 mod quality;
 #[cfg(target_arch = "wasm32")]
@@ -25,6 +24,8 @@ mod units;
 mod viewport;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
+
+pub use crate::model::picture;
 
 use crate::model::afloat::{self, Float, Waterline};
 use crate::model::look::SkyFile;
@@ -145,6 +146,7 @@ impl App {
         let (mut params, notices) = query::parse(state);
         params.look.sky.attach(sky.as_ref());
         let faults = Faults::watch(&render_state.device);
+        let seas = panel::Seas::load();
         let ocean = Ocean::new(&render_state.device, &render_state.queue, render_state.target_format, &params);
         render_state.renderer.write().callback_resources.insert(ocean);
         setup::style(&cc.egui_ctx);
@@ -154,14 +156,14 @@ impl App {
         cc.egui_ctx.add_plugin(readers.clone());
         Ok(Self {
             derived: Derived::new(&params),
-            notices,
+            notices: [notices, seas.notices()].concat(),
             render_state,
             ctx: cc.egui_ctx.clone(),
             faults,
             frames: 0,
             dropped: tasks::Inbox::default(),
             panel: panel::Panel::default(),
-            seas: panel::Seas::load(),
+            seas,
             history: history::History::default(),
             quality: quality::Quality::default(),
             help: false,

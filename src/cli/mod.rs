@@ -25,6 +25,8 @@ use std::path::PathBuf;
 
 /// Exit code of bad arguments and of a missing GPU.
 const USAGE: i32 = 2;
+/// Most pixels of a picture along a side.
+const MAX_SIDE: u32 = 8192;
 
 #[derive(Parser)]
 #[command(
@@ -306,7 +308,7 @@ fn keys() -> String {
 fn parse_size(text: &str) -> Result<[u32; 2], String> {
     let parts = text.split_once(['x', 'X']).and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
     match parts {
-        Some(size) if size.iter().all(|side| (1..=8192).contains(side)) => Ok(size),
-        _ => Err("a size is WIDTHxHEIGHT, each from 1 to 8192, such as 1280x720".to_owned()),
+        Some(size) if size.iter().all(|side| (1..=MAX_SIDE).contains(side)) => Ok(size),
+        _ => Err(format!("a size is WIDTHxHEIGHT, each from 1 to {MAX_SIDE}, such as 1280x720")),
     }
 }

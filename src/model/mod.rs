@@ -18,6 +18,8 @@ pub mod optics;
 pub mod overlap;
 pub mod panorama;
 pub mod params;
+#[cfg(feature = "files")]
+pub mod picture;
 pub mod plan;
 pub mod presets;
 pub mod quadrature;

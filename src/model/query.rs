@@ -12,8 +12,8 @@ use super::measured::Measured;
 use super::params::Params;
 use std::sync::Arc;
 
-/// Longest state string that is read; the rest is ignored with a notice.
-pub const MAX_BYTES: usize = 16 * 1024;
+/// Longest state string that is read; the rest is ignored with a notice. The longest that [`write`] writes is shorter.
+pub const MAX_BYTES: usize = 32 * 1024;
 /// Key of the buoy's spectrum.
 const MEASURED: &str = "measured";
 /// Key of the name of the sky's file.
@@ -85,8 +85,9 @@ pub fn read(text: &str) -> Reading {
         };
         if seen.contains(&field.key) {
             notices.push(format!("{} appears more than once: the last one counts", field.key));
+        } else {
+            seen.push(field.key);
         }
-        seen.push(field.key);
         match field.parse(&value) {
             Ok(v) => {
                 (field.set)(&mut params, v);

@@ -9,7 +9,7 @@ use super::access::named;
 use super::{App, plots};
 use crate::model::afloat::Kind;
 use crate::model::fields::{FIELDS, Group};
-use crate::model::{Params, beaufort};
+use crate::model::{Params, beaufort, query};
 
 pub use seas::Seas;
 
@@ -17,6 +17,9 @@ pub use seas::Seas;
 const NARROW_POINTS: f32 = 640.0;
 /// Least side of what a finger must hit, points.
 const TOUCH_POINTS: f32 = 44.0;
+
+/// Longest text to look for.
+const MOST_LETTERS: usize = 100;
 
 /// What the panel itself remembers.
 #[derive(Default)]
@@ -167,7 +170,8 @@ fn parameters(app: &mut App, ui: &mut egui::Ui) {
             if named(clear, "Clear the search").clicked() {
                 app.panel.search.clear();
             }
-            let words = egui::TextEdit::singleline(&mut app.panel.search).hint_text("all parameters");
+            let words =
+                egui::TextEdit::singleline(&mut app.panel.search).hint_text("all parameters").char_limit(MOST_LETTERS);
             ui.add(words.desired_width(f32::INFINITY)).labelled_by(label.id);
         });
     });
@@ -265,6 +269,7 @@ fn share(app: &mut App, ui: &mut egui::Ui) {
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let pressed = ui.button("Open").clicked();
             let field = egui::TextEdit::singleline(&mut app.panel.link).hint_text("paste an address here");
+            let field = field.char_limit(query::MAX_BYTES);
             let typed = ui.add(field.desired_width(f32::INFINITY)).labelled_by(label.id);
             let entered = typed.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
             if (pressed || entered) && !app.panel.link.trim().is_empty() {
