@@ -34,6 +34,7 @@ pub mod survey;
 pub mod table;
 pub mod tiling;
 mod transform;
+mod versions;
 pub mod views;
 pub mod waves;
 
