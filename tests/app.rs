@@ -178,7 +178,7 @@ fn what_cannot_be_read_changes_nothing() {
         std::fs::write(&path, bytes).expect("a file");
         drop_files(&mut harness, &[path]);
         assert_eq!(harness.state().state(), state, "{name}");
-        assert!(harness.query_by_label_contains(says).is_some(), "{name}: {}", harness.state().state());
+        assert!(harness.query_by_label_contains(says).is_some(), "{name}: {}", harness.state().report());
     }
     // A picture of the default sea is one, though its state says nothing.
     let path = folder.join("plain.png");
@@ -187,6 +187,41 @@ fn what_cannot_be_read_changes_nothing() {
     assert_eq!(harness.state().state(), "");
     assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
     std::fs::remove_dir_all(&folder).expect("the folder is removed");
+}
+
+#[test]
+fn the_report_says_what_runs_on_what_and_is_copied() {
+    let mut harness = open_in("wind=17&t=3&pause=1&n=64&nonsense=1", [900.0, 1400.0]);
+    harness.get_by_label_contains(concat!("Seastate ", env!("CARGO_PKG_VERSION")));
+    harness.get_by_label("This program").scroll_to_me();
+    harness.run_steps(4);
+    harness.get_by_label("This program").click();
+    harness.run_steps(30);
+    let info = harness.state().render_state().adapter.get_info();
+    assert!(harness.query_all_by_label_contains(&info.name).next().is_some(), "{}", info.name);
+    harness.get_by_label("Copy report").scroll_to_me();
+    harness.run_steps(4);
+    harness.get_by_label("Copy report").click();
+    let copied = |command: &egui::OutputCommand| match command {
+        egui::OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    };
+    let report = (0..4).find_map(|_| {
+        harness.run_steps(1);
+        harness.output().platform_output.commands.iter().find_map(copied)
+    });
+    let report = report.expect("something is copied");
+    harness.run_steps(2);
+    harness.get_by_label_contains("Report copied");
+    for line in [
+        "state: wind=17&t=3&pause=1&n=64\n",
+        "last error: none\n",
+        "notice: unknown key \"nonsense\"",
+        "picture: 900 x 1400",
+        "texture side: ",
+    ] {
+        assert!(report.contains(line), "{line}: {report}");
+    }
 }
 
 #[test]

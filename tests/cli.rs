@@ -123,6 +123,7 @@ fn odd_arguments_are_refused_or_read() {
         &["compare", &png, &png, "--ppd", "NaN"],
         &["compare", "/", "/"],
         &["bench", "--repeat", "99999999999"],
+        &["info", "--yaml"],
     ] {
         let output = seastate(args);
         assert_eq!((output.status.code(), complaints(&output).len()), (Some(2), 1), "{args:?}: {output:?}");
@@ -130,6 +131,30 @@ fn odd_arguments_are_refused_or_read() {
     let output = seastate(&["stats", &long, "--json"]);
     assert!(output.status.success(), "{output:?}");
     assert!(String::from_utf8_lossy(&output.stdout).contains("is longer than"), "{output:?}");
+}
+
+#[test]
+fn info_says_what_runs_on_what() {
+    let output = seastate(&["info", "--json"]);
+    assert!(output.status.success(), "{output:?}");
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(json["seastate"], env!("CARGO_PKG_VERSION"));
+    let lock = include_str!("../Cargo.lock");
+    let locked = lock.split("name = \"wgpu\"\nversion = \"").nth(1).and_then(|rest| rest.split('"').next());
+    assert_eq!(json["wgpu"].as_str(), locked, "the version that is told is the one that is built");
+    assert!(json["adapter"].as_str().is_some_and(|name| !name.is_empty()), "{json}");
+    assert!(json["system"].as_str().is_some_and(|system| system.contains(std::env::consts::ARCH)));
+    let limit = |name: &str| json["limits"][name]["adapter"].as_u64().unwrap_or_else(|| panic!("{name}: {json}"));
+    assert!(limit("texture_side") >= 8192 && limit("workgroup_memory_bytes") >= 16_384, "{json}");
+    let software = json["kind"] == "Cpu";
+    assert_eq!(json["ways"]["samples_a_pixel"], if software { "1" } else { "4" });
+    let way = json["ways"]["transform"].as_str().expect("a way");
+    assert!(way.starts_with(if software { "straight" } else { "exchanged" }), "{way}");
+    let output = seastate(&["info"]);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    for name in ["Seastate", "wgpu", "adapter", "backend", "driver", "features", "texture side"] {
+        assert!(text.lines().any(|line| line.starts_with(name)), "{name}: {text}");
+    }
 }
 
 #[test]

@@ -17,6 +17,7 @@ mod plots;
 mod quality;
 #[cfg(target_arch = "wasm32")]
 mod readers;
+mod report;
 pub mod setup;
 mod share;
 mod tasks;
@@ -122,6 +123,9 @@ pub struct App {
     catching_up: viewport::CatchingUp,
     gauges: gauges::Gauges,
     measured: gauges::Measured,
+    /// What the browser calls itself.
+    #[cfg(target_arch = "wasm32")]
+    browser: String,
     #[cfg(target_arch = "wasm32")]
     address: web::Address,
     #[cfg(target_arch = "wasm32")]
@@ -178,6 +182,8 @@ impl App {
             catching_up: viewport::CatchingUp::default(),
             gauges: gauges::Gauges::default(),
             measured: gauges::Measured::default(),
+            #[cfg(target_arch = "wasm32")]
+            browser: cc.integration_info.web_info.user_agent.clone(),
             #[cfg(target_arch = "wasm32")]
             address: web::Address::new(&params),
             #[cfg(target_arch = "wasm32")]

@@ -7,6 +7,7 @@ pub mod export;
 pub mod flip;
 pub mod frames;
 pub mod gallery;
+pub mod info;
 pub mod objectives;
 pub mod parameters;
 pub mod reference;
@@ -182,6 +183,12 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Says what the program is, which GPU it takes and what it makes of it
+    Info {
+        /// Prints JSON
+        #[arg(long)]
+        json: bool,
+    },
     /// Writes the validation page and its figures: the program's numbers against theory and published measurements
     Validate(validate::Options),
     /// Renders the gallery's pictures and writes its page
@@ -255,6 +262,7 @@ fn run(cli: Cli) -> Result<i32, String> {
             let options = Options { sizes, repeat, matrix, baseline };
             print(&pollster::block_on(bench::run(&sea.read_aloud()?, &options, json))?)
         }
+        Some(Command::Info { json }) => print(&pollster::block_on(info::run(json))?),
         Some(Command::Validate(options)) => validate::run(&options).and_then(|said| print(&said)),
         Some(Command::Gallery(options)) => gallery::run(&options).and_then(|said| print(&said)),
         Some(Command::Keys { markdown }) => print(&if markdown { parameters::page() } else { keys() }),
