@@ -353,6 +353,28 @@ fn the_maps_are_saved_as_layers_of_one_file() {
 }
 
 #[test]
+fn the_smallest_windows_are_drawn() {
+    let mut harness = open("n=64&pause=1&renderscale=0.25&afloat=buoy*5*-9");
+    harness.key_press(egui::Key::F1);
+    for size in [
+        [1.0, 1.0],
+        [1.0, 500.0],
+        [900.0, 1.0],
+        [99.0, 99.0],
+        [101.0, 101.0],
+        [639.0, 101.0],
+        [641.0, 101.0],
+        [900.0, 500.0],
+    ] {
+        harness.set_size(egui::vec2(size[0], size[1]));
+        harness.run_steps(3);
+        harness.render().expect("a picture");
+    }
+    assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+    harness.get_by_label("Copy link");
+}
+
+#[test]
 fn buoys_are_moored_where_the_sea_is_clicked() {
     let mut harness = open("n=64&pause=1&heading=90&pitch=-20");
     harness.get_by_label("Afloat").click();

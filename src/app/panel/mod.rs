@@ -15,6 +15,8 @@ pub use seas::Seas;
 
 /// Below this width the panel is a sheet at the bottom that starts closed: a phone shows the sea first.
 const NARROW_POINTS: f32 = 640.0;
+/// Smaller than this along a side there is no room for a panel, and its margins would leave less than nothing.
+const LEAST_POINTS: f32 = 100.0;
 /// Least side of what a finger must hit, points.
 const TOUCH_POINTS: f32 = 44.0;
 
@@ -37,6 +39,9 @@ pub struct Panel {
 /// Shows the panel over the sea: a window, or on a narrow screen a sheet at its bottom.
 pub fn show(app: &mut App, ctx: &egui::Context) {
     let screen = ctx.content_rect();
+    if screen.width().min(screen.height()) < LEAST_POINTS {
+        return;
+    }
     if screen.width() < NARROW_POINTS {
         return sheet(app, ctx, screen);
     }
