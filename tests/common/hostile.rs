@@ -10,9 +10,11 @@ const SKY: [usize; 2] = [256, 129];
 /// Stands between the files of one buoy.
 const NEXT_FILE: u8 = 0x1c;
 
-/// Every check, by the name of its target and of the folder of its cases.
-pub const CHECKS: [(&str, fn(&[u8])); 5] =
-    [("state", state), ("sky", sky), ("buoy", buoy), ("seas", seas), ("picture", picture)];
+/// A target, which is the folder of its cases, too, and its check.
+type Check = (&'static str, fn(&[u8]));
+
+/// Every check.
+pub const CHECKS: [Check; 5] = [("state", state), ("sky", sky), ("buoy", buoy), ("seas", seas), ("picture", picture)];
 
 /// A state string: reading never fails, and what was read is written in a form that is read back to the same.
 pub fn state(bytes: &[u8]) {
