@@ -9,6 +9,7 @@
 //! Features, each holding the one before:
 //! - none: [`model`] (and [`oracle`]): spectra, plans, statistics, and the height of the sea at a point
 //!   ([`model::heights`]), in plain Rust without a GPU.
+//! - `files`: skies from files, and pictures that carry a state, read with every limit before memory is asked for.
 //! - `gpu`: the simulation and the picture on a wgpu device that the program brings.
 //! - `app`: the eframe app of the page and the window.
 //! - `desktop` (default): the command line.

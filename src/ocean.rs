@@ -1,5 +1,6 @@
 //! The façade: a sea and its picture. The only type that the shells use.
 
+pub mod about;
 mod drawn;
 
 use crate::gpu::shaders::Shaders;

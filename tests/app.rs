@@ -153,6 +153,77 @@ fn a_dropped_sky_is_shown_and_carried_by_name() {
     assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
 }
 
+/// Whatever is dropped or pasted: what cannot be read is said, and nothing else changes.
+#[test]
+fn what_cannot_be_read_changes_nothing() {
+    let folder = std::env::temp_dir().join(format!("seastate-hostile-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let state = "wind=17&t=3&pause=1&n=64";
+    let mut harness = open(state);
+    let lost = seastate::app::picture::encode([1, 1], &[0; 4], "hello & goodbye", "").expect("a picture");
+    let plain = seastate::app::picture::encode([1, 1], &[0; 4], "", "").expect("a picture");
+    let cases: [(&str, &[u8], &str); 9] = [
+        ("a.png", b"\x89PNG\r\n\x1a\nnonsense", "not a picture"),
+        ("b.png", &lost[..lost.len() / 2], "not a picture"),
+        ("c.png", &lost, "that is no sea"),
+        ("d.exr", b"\x76\x2f\x31\x01nonsense", "d.exr: "),
+        ("e.hdr", b"#?RADIANCE\n\n-Y 500000 +X 1000000\n", "save it smaller"),
+        ("f.jpg", b"\xff\xd8\xff\xe0\0\x10JFIF", "no text"),
+        ("g.txt", b"", "empty"),
+        ("h.csv", b"0.1,1,1e999\n", "columns"),
+        ("i.txt", b"[a]\nabout: without a state\n", "no state"),
+    ];
+    for (name, bytes, says) in cases {
+        let path = folder.join(name);
+        std::fs::write(&path, bytes).expect("a file");
+        drop_files(&mut harness, &[path]);
+        assert_eq!(harness.state().state(), state, "{name}");
+        assert!(harness.query_by_label_contains(says).is_some(), "{name}: {}", harness.state().report());
+    }
+    // A picture of the default sea is one, though its state says nothing.
+    let path = folder.join("plain.png");
+    std::fs::write(&path, plain).expect("a file");
+    drop_files(&mut harness, &[path]);
+    assert_eq!(harness.state().state(), "");
+    assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+    std::fs::remove_dir_all(&folder).expect("the folder is removed");
+}
+
+#[test]
+fn the_report_says_what_runs_on_what_and_is_copied() {
+    let mut harness = open_in("wind=17&t=3&pause=1&n=64&nonsense=1", [900.0, 1400.0]);
+    harness.get_by_label_contains(concat!("Seastate ", env!("CARGO_PKG_VERSION")));
+    harness.get_by_label("This program").scroll_to_me();
+    harness.run_steps(4);
+    harness.get_by_label("This program").click();
+    harness.run_steps(30);
+    let info = harness.state().render_state().adapter.get_info();
+    assert!(harness.query_all_by_label_contains(&info.name).next().is_some(), "{}", info.name);
+    harness.get_by_label("Copy report").scroll_to_me();
+    harness.run_steps(4);
+    harness.get_by_label("Copy report").click();
+    let copied = |command: &egui::OutputCommand| match command {
+        egui::OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    };
+    let report = (0..4).find_map(|_| {
+        harness.run_steps(1);
+        harness.output().platform_output.commands.iter().find_map(copied)
+    });
+    let report = report.expect("something is copied");
+    harness.run_steps(2);
+    harness.get_by_label_contains("Report copied");
+    for line in [
+        "state: wind=17&t=3&pause=1&n=64\n",
+        "last error: none\n",
+        "notice: unknown key \"nonsense\"",
+        "picture: 900 x 1400",
+        "texture side: ",
+    ] {
+        assert!(report.contains(line), "{line}: {report}");
+    }
+}
+
 #[test]
 fn keys_fly_the_camera() {
     let mut harness = open("n=64&pause=1&heading=90&x=0");
@@ -279,6 +350,28 @@ fn the_maps_are_saved_as_layers_of_one_file() {
     let hs = 4.0 * image.layer_data.iter().map(variance).sum::<f64>().sqrt();
     assert!((hs / plan.hs_m() - 1.0).abs() < 0.25, "{hs} of {}", plan.hs_m());
     std::fs::remove_dir_all(&folder).expect("the folder is removed");
+}
+
+#[test]
+fn the_smallest_windows_are_drawn() {
+    let mut harness = open("n=64&pause=1&renderscale=0.25&afloat=buoy*5*-9");
+    harness.key_press(egui::Key::F1);
+    for size in [
+        [1.0, 1.0],
+        [1.0, 500.0],
+        [900.0, 1.0],
+        [99.0, 99.0],
+        [101.0, 101.0],
+        [639.0, 101.0],
+        [641.0, 101.0],
+        [900.0, 500.0],
+    ] {
+        harness.set_size(egui::vec2(size[0], size[1]));
+        harness.run_steps(3);
+        harness.render().expect("a picture");
+    }
+    assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+    harness.get_by_label("Copy link");
 }
 
 #[test]

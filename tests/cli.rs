@@ -54,6 +54,109 @@ fn a_bad_sky_is_one_line_that_names_it() {
     }
 }
 
+/// Files that claim, unpacked, to be far larger than they are: each is refused by name, in an address space of 4 GB.
+#[cfg(target_os = "linux")]
+#[test]
+fn bombs_are_refused_with_little_memory() {
+    let folder = folder("bombs");
+    let exr = {
+        let image = image::Rgb32FImage::from_pixel(64, 32, image::Rgb([1.0; 3]));
+        let mut bytes = std::io::Cursor::new(Vec::new());
+        image.write_to(&mut bytes, image::ImageFormat::OpenExr).expect("a file");
+        let mut bytes = bytes.into_inner();
+        // No count of the blocks that the windows would have to agree with.
+        let count = bytes.windows(11).position(|w| w == b"chunkCount\0").expect("a count");
+        bytes[count] = b'C';
+        for name in ["dataWindow\0box2i\0", "displayWindow\0box2i\0"] {
+            let at = bytes.windows(name.len()).position(|w| w == name.as_bytes()).expect("a window") + name.len() + 4;
+            bytes[at + 8..at + 16].copy_from_slice(&[99_999i32, 49_999].map(i32::to_le_bytes).concat());
+        }
+        bytes
+    };
+    let hdr = [&b"#?RADIANCE\n\n-Y 8000 +X 16000\n"[..], &[9; 4096]].concat();
+    let files = [
+        ("--sky", "vast.exr", exr, "save it smaller"),
+        ("--sky", "short.hdr", hdr, "ends too early"),
+        ("--sky", "size.hdr", b"#?RADIANCE\n\n-Y 500000 +X 1000000\n".to_vec(), "save it smaller"),
+        ("--spectrum", "long.csv", b"0.1,1\n".repeat(3 << 20), "larger than 16 MiB"),
+        ("--spectrum", "packed.txt", b"\x1f\x8b\x08\0\0".to_vec(), "unpack it first"),
+        ("--spectrum", "film.mp4", b"\0\0\0\x18ftypmp42\xff\xfe".repeat(100), "no text"),
+    ];
+    for (option, name, bytes, reason) in files {
+        let path = folder.join(name);
+        std::fs::write(&path, bytes).expect("a file");
+        let script = format!(
+            "ulimit -v 4000000; exec '{}' render n=64 {option} '{}'",
+            env!("CARGO_BIN_EXE_seastate"),
+            path.display()
+        );
+        let output = Command::new("sh").args(["-c", &script]).output().expect("a shell");
+        let said = complaints(&output);
+        assert_eq!((output.status.code(), said.len()), (Some(2), 1), "{output:?}");
+        assert!(said[0].contains(name) && said[0].contains(reason), "{said:?}");
+    }
+    // The same program stands on a device, which never ends, and on a folder.
+    for (option, path, reason) in
+        [("--spectrum", "/dev/zero", "larger than"), ("--sky", "/dev/zero", "neither"), ("--sky", "/", "cannot read")]
+    {
+        let output = seastate(&["render", "n=64", option, path]);
+        let said = complaints(&output);
+        assert!(output.status.code() == Some(2) && said.len() == 1 && said[0].contains(reason), "{said:?}");
+    }
+}
+
+#[test]
+fn odd_arguments_are_refused_or_read() {
+    let long = format!("wind=14&n=64&{}", "fetch=3&".repeat(8000));
+    let folder = folder("odd");
+    let png = folder.join("a.png");
+    std::fs::write(&png, b"\x89PNG\r\n\x1a\nnonsense").expect("a file");
+    let png = png.to_string_lossy().into_owned();
+    for args in [
+        &["render", "wind=10", "--frames", "0"][..],
+        &["render", "wind=10", "--frames", "2", "--fps", "NaN", "-o", &png],
+        &["render", "wind=10", "--size", "8193x1"],
+        &["render", "wind=10", "--size", "-1x-1"],
+        &["render", "wind=10", "--size", "18446744073709551617x1"],
+        &["render", "wind=10", "--reference", "--samples", "0"],
+        &["compare", &png, &png],
+        &["compare", &png, &png, "--ppd", "NaN"],
+        &["compare", "/", "/"],
+        &["bench", "--repeat", "99999999999"],
+        &["info", "--yaml"],
+    ] {
+        let output = seastate(args);
+        assert_eq!((output.status.code(), complaints(&output).len()), (Some(2), 1), "{args:?}: {output:?}");
+    }
+    let output = seastate(&["stats", &long, "--json"]);
+    assert!(output.status.success(), "{output:?}");
+    assert!(String::from_utf8_lossy(&output.stdout).contains("is longer than"), "{output:?}");
+}
+
+#[test]
+fn info_says_what_runs_on_what() {
+    let output = seastate(&["info", "--json"]);
+    assert!(output.status.success(), "{output:?}");
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(json["seastate"], env!("CARGO_PKG_VERSION"));
+    let lock = include_str!("../Cargo.lock");
+    let locked = lock.split("name = \"wgpu\"\nversion = \"").nth(1).and_then(|rest| rest.split('"').next());
+    assert_eq!(json["wgpu"].as_str(), locked, "the version that is told is the one that is built");
+    assert!(json["adapter"].as_str().is_some_and(|name| !name.is_empty()), "{json}");
+    assert!(json["system"].as_str().is_some_and(|system| system.contains(std::env::consts::ARCH)));
+    let limit = |name: &str| json["limits"][name]["adapter"].as_u64().unwrap_or_else(|| panic!("{name}: {json}"));
+    assert!(limit("texture_side") >= 8192 && limit("workgroup_memory_bytes") >= 16_384, "{json}");
+    let software = json["kind"] == "Cpu";
+    assert_eq!(json["ways"]["samples_a_pixel"], if software { "1" } else { "4" });
+    let way = json["ways"]["transform"].as_str().expect("a way");
+    assert!(way.starts_with(if software { "straight" } else { "exchanged" }), "{way}");
+    let output = seastate(&["info"]);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    for name in ["Seastate", "wgpu", "adapter", "backend", "driver", "features", "texture side"] {
+        assert!(text.lines().any(|line| line.starts_with(name)), "{name}: {text}");
+    }
+}
+
 #[test]
 fn help_and_version_are_no_errors() {
     for args in [&["--help"][..], &["--version"], &["render", "--help"], &["keys"]] {

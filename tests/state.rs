@@ -1,6 +1,9 @@
 //! The state string: whatever it is given, reading never fails, and writing what was read is stable.
 
-use seastate::model::fields::{FIELDS, Kind};
+use seastate::model::afloat::{self, Float};
+use seastate::model::fields::{FIELDS, Field, Kind};
+use seastate::model::look::SkyFile;
+use seastate::model::measured::{Direction, MAX_BANDS, Measured};
 use seastate::model::table::Table;
 use seastate::model::{Params, Plan, noise, query};
 
@@ -161,6 +164,86 @@ fn corners_of_every_range_give_a_finite_plan() {
             }
         }
     }
+}
+
+/// Least, greatest and some values between, those of a slider's ends and those with all digits.
+fn values(field: &Field, dice: &mut Dice) -> Vec<f64> {
+    let unit = |dice: &mut Dice| f64::from(dice.next()) / f64::from(u32::MAX);
+    let mut some = |make: &dyn Fn(f64) -> f64| (0..20).map(|_| make(unit(dice))).collect::<Vec<_>>();
+    match field.kind {
+        Kind::Number { min, max, .. } => {
+            let tiny = if min <= 0.0 { [0.0, 1e-300, f64::MIN_POSITIVE, 1e-7] } else { [min; 4] };
+            [vec![min, max], tiny.to_vec(), some(&|u| min + (max - min) * u), some(&|u| min + (max - min) * u.powi(30))]
+                .concat()
+        }
+        Kind::Heading => [vec![0.0, 359.999_999_999], some(&|u| 359.9 * u)].concat(),
+        Kind::Integer { min, max } => {
+            let (low, high) = (f64::from(min), f64::from(max));
+            [vec![low, high], some(&|u| (low + (high - low) * u).round())].concat()
+        }
+        Kind::Choice(words) => (0..words.len()).map(|i| i as f64).collect(),
+        Kind::Flag => vec![0.0, 1.0],
+        Kind::Colour => [vec![0.0, f64::from(0x00ff_ffff)], some(&|u| (u * f64::from(0x00ff_ffff)).round())].concat(),
+    }
+}
+
+#[test]
+fn every_value_of_every_field_comes_back() {
+    let mut dice = Dice(7);
+    for field in FIELDS.iter() {
+        for value in values(field, &mut dice) {
+            assert_eq!(field.accept(value), Ok(value), "{}", field.key);
+            let mut params = Params::default();
+            (field.set)(&mut params, value);
+            assert_eq!((field.get)(&params), value, "{}", field.key);
+            let state = query::write(&params);
+            assert_eq!(query::parse(&state), (params, vec![]), "{state}");
+            assert!(state.len() < 60, "{state}");
+        }
+    }
+}
+
+#[test]
+fn what_is_out_of_range_becomes_the_nearest_value_and_a_notice() {
+    for field in FIELDS.iter() {
+        let (low, high) = match field.kind {
+            Kind::Number { min, max, .. } => (min, max),
+            Kind::Integer { min, max } => (f64::from(min), f64::from(max)),
+            Kind::Heading | Kind::Choice(_) | Kind::Flag | Kind::Colour => continue,
+        };
+        for (text, want) in
+            [("-1e300".to_owned(), low), ("1e300".to_owned(), high), (format!("{}", high * 1.001 + 1.0), high)]
+        {
+            let (params, notices) = query::parse(&format!("{}={text}", field.key));
+            assert_eq!(((field.get)(&params), notices.len()), (want, 1), "{}={text}: {notices:?}", field.key);
+        }
+        for text in ["NaN", "inf", "-inf", "", "one", "0x1", "1,5"] {
+            let (params, notices) = query::parse(&format!("{}={text}", field.key));
+            assert_eq!((params, notices.len()), (Params::default(), 1), "{}={text}", field.key);
+        }
+    }
+}
+
+/// The longest state that can be: all fields with all their digits, a buoy of most bands, all that floats, a long sky.
+#[test]
+fn no_state_is_too_long_to_be_read() {
+    let mut params = Params::default();
+    for field in FIELDS.iter() {
+        // Of many values the one with the longest text.
+        let values = values(field, &mut Dice(3));
+        let longest = values.into_iter().max_by_key(|v| field.format(*v).len()).expect("a value");
+        (field.set)(&mut params, longest);
+    }
+    let bands: Vec<_> = (0..MAX_BANDS).map(|i| (1.001e-3 * (i + 100) as f64, 1.234e-7 + 1e-10 * i as f64)).collect();
+    let direction = Direction { alpha1_deg: 234.5, alpha2_deg: 123.4, r1: 0.123, r2: 0.234 };
+    let buoy = Measured::new(&bands, Some(&vec![direction; MAX_BANDS])).expect("a sea");
+    params.sea.measured = Some(std::sync::Arc::new(buoy));
+    let far = Float { kind: afloat::Kind::Buoy, x_m: -123_456.789_012_345_67, z_m: -1.234_567_890_123_456_7e-101 };
+    params.floats = vec![far; afloat::MOST];
+    params.look.sky.file = SkyFile::named(&"🌊".repeat(200));
+    let state = query::write(&params);
+    assert!((10_000..=query::MAX_BYTES).contains(&state.len()), "{}", state.len());
+    assert_eq!(query::parse(&state), (params, vec![]));
 }
 
 #[test]

@@ -5,6 +5,7 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use seastate::app::App;
+use seastate::model::noise::pcg4d;
 use seastate::model::params::CameraMode;
 use seastate::model::{Params, query};
 use std::io::{BufRead, BufReader};
@@ -50,8 +51,9 @@ fn until<T>(what: &str, mut try_it: impl FnMut() -> Option<T>) -> T {
 }
 
 impl Desk {
-    fn open(state: &str) -> Self {
-        let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("window");
+    /// `name` tells its folder from that of another test.
+    fn open(name: &str, state: &str) -> Self {
+        let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
         // Of the last run.
         let _ = std::fs::remove_dir_all(&folder);
         std::fs::create_dir_all(&folder).expect("a folder");
@@ -157,7 +159,7 @@ fn places(state: &str, labels: &[&str]) -> Vec<[f32; 2]> {
 fn the_window_is_used_as_a_person_does() {
     let widgets = places(STATE, &["Beaufort", "Time", "Play", "Reset"]);
     let [beaufort, time, play, reset] = widgets[..] else { panic!("{widgets:?}") };
-    let mut desk = Desk::open(STATE);
+    let mut desk = Desk::open("window", STATE);
     let first = desk.look();
     assert_eq!(first, query::parse(STATE).0);
 
@@ -212,6 +214,39 @@ fn the_window_is_used_as_a_person_does() {
         desk.hand(&["windowsize", "--sync", &desk.window, width, height]);
         assert_eq!(desk.look(), before);
     }
+    desk.key("Escape");
+    let status = until("the end", || desk.program.0.try_wait().ok().flatten());
+    assert!(status.success(), "{status}");
+}
+
+/// Two hundred sizes down to a single pixel, some of them while the window is not shown: no end, and the same sea.
+#[test]
+#[ignore = "needs Xvfb and xdotool: scripts/test.sh has them"]
+fn the_window_survives_any_size() {
+    let mut desk = Desk::open("window-sizes", STATE);
+    let before = desk.look();
+    for i in 0..200_u32 {
+        let dice = pcg4d([i, 1, 2, 3]);
+        let [width, height] = match i % 10 {
+            0 => [1, 1],
+            1 => [1, 1 + dice[0] % 800],
+            2 => [1 + dice[0] % 1400, 1],
+            _ => [1 + dice[0] % 1400, 1 + dice[1] % 800],
+        };
+        // Without a window manager, this is what minimising and restoring do.
+        if i % 25 == 12 {
+            desk.hand(&["windowunmap", &desk.window, "sleep", "0.1"]);
+        }
+        desk.hand(&["windowsize", &desk.window, &width.to_string(), &height.to_string(), "sleep", "0.05"]);
+        if i % 25 == 14 {
+            desk.hand(&["windowmap", &desk.window, "sleep", "0.1"]);
+        }
+        let ended = desk.program.0.try_wait().expect("a process");
+        assert!(ended.is_none(), "{width} x {height}, the {i}th: {ended:?}");
+    }
+    desk.hand(&["windowsize", "--sync", &desk.window, "1280", "720"]);
+    desk.hand(&["windowfocus", "--sync", &desk.window]);
+    assert_eq!(desk.look(), before);
     desk.key("Escape");
     let status = until("the end", || desk.program.0.try_wait().ok().flatten());
     assert!(status.success(), "{status}");

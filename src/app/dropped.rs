@@ -82,10 +82,11 @@ impl App {
             && let Some(text) = std::str::from_utf8(bytes).ok().filter(|text| presets::is_file(text))
         {
             let (seas, notices) = presets::read(text);
-            self.say(&format!("{} seas imported", seas.len()));
+            let count = seas.len();
             self.notices = notices;
-            if let Err(reason) = self.seas.add(seas) {
-                self.notices.push(reason);
+            match self.seas.add(seas) {
+                Ok(()) => self.say(&format!("{count} seas imported")),
+                Err(reason) => self.notices.push(reason),
             }
             return;
         }

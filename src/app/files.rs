@@ -53,10 +53,42 @@ pub fn save(_folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, 
 /// Name of the file, or key of the browser's storage, of the user's own seas.
 const SEAS: &str = "seas.txt";
 
-/// The user's own seas, as text; empty if there are none.
+/// Where seas are kept that could not be read whole.
+const SEAS_ASIDE: &str = "seas-damaged.txt";
+
+/// The user's own seas, as text; empty if there are none. What is no text in them is replaced.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn load_seas() -> String {
-    seas_path().and_then(|path| std::fs::read_to_string(path).ok()).unwrap_or_default()
+    seas_path().and_then(|path| read_seas(&path)).unwrap_or_default()
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn read_seas(path: &Path) -> Option<String> {
+    use std::io::Read as _;
+    let mut bytes = Vec::new();
+    // One byte more than is read is enough to be noticed.
+    let most = crate::model::presets::MAX_FILE_BYTES as u64 + 1;
+    std::fs::File::open(path).ok()?.take(most).read_to_end(&mut bytes).ok()?;
+    Some(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// Copies the user's own seas to a place where nothing is written over them.
+///
+/// # Errors
+/// One sentence with the reason.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn put_seas_aside() -> Result<(), String> {
+    copy_aside(&seas_path().ok_or("there is no folder for the program's data")?)
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn copy_aside(path: &Path) -> Result<(), String> {
+    let (stem, end) = SEAS_ASIDE.rsplit_once('.').unwrap_or((SEAS_ASIDE, "txt"));
+    // Those of an earlier time stay, too.
+    let names = std::iter::once(SEAS_ASIDE.to_owned()).chain((2..1000).map(|i| format!("{stem}-{i}.{end}")));
+    let free = names.map(|name| path.with_file_name(name)).find(|aside| !aside.exists());
+    let aside = free.ok_or("there are too many files of damaged seas")?;
+    std::fs::copy(path, &aside).map(drop).map_err(|e| format!("cannot write {}: {e}", aside.display()))
 }
 
 /// Keeps the user's own seas for the next time.
@@ -88,6 +120,17 @@ pub fn load_seas() -> String {
     storage().and_then(|s| s.get_item(SEAS).ok().flatten()).unwrap_or_default()
 }
 
+/// Copies the user's own seas to a place where nothing is written over them.
+///
+/// # Errors
+/// One sentence with the reason.
+#[cfg(target_arch = "wasm32")]
+pub fn put_seas_aside() -> Result<(), String> {
+    let storage = storage().ok_or("this browser keeps nothing for this page")?;
+    let full = |_| "the browser's storage is full or switched off".to_owned();
+    storage.set_item(SEAS_ASIDE, &load_seas()).map_err(full)
+}
+
 /// Keeps the user's own seas for the next time.
 ///
 /// # Errors
@@ -101,4 +144,30 @@ pub fn store_seas(text: &str) -> Result<(), String> {
 #[cfg(target_arch = "wasm32")]
 fn storage() -> Option<web_sys::Storage> {
     web_sys::window().and_then(|w| w.local_storage().ok().flatten())
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn damaged_seas_are_read_as_far_as_they_go_and_put_aside() {
+        let folder = std::env::temp_dir().join(format!("seastate-seas-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let path = folder.join(SEAS);
+        assert_eq!(read_seas(&path), None);
+        std::fs::write(&path, b"[a]\nstate: wind=3\n[b]\nabout: \xff\xfe\nstate: wind=4\n[c]\n").expect("a file");
+        let (seas, notices) = crate::model::presets::read(&read_seas(&path).expect("text"));
+        assert_eq!((seas.len(), notices.len()), (2, 1));
+        copy_aside(&path).expect("a copy");
+        std::fs::write(&path, "").expect("a file");
+        copy_aside(&path).expect("another copy");
+        assert_eq!(std::fs::read(folder.join(SEAS_ASIDE)).expect("the copy").len(), 50);
+        assert!(std::fs::read(folder.join("seas-damaged-2.txt")).expect("the second").is_empty());
+        // Longer than a file may be: what is too much is noticed, not taken for the end.
+        std::fs::write(&path, "[a]\nstate: wind=3\n".repeat(100_000)).expect("a file");
+        let (_, notices) = crate::model::presets::read(&read_seas(&path).expect("text"));
+        assert!(notices.iter().any(|n| n.contains("KiB")), "{notices:?}");
+        std::fs::remove_dir_all(&folder).expect("the folder is removed");
+    }
 }

@@ -95,6 +95,8 @@ fn key(params: &Params) -> Params {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::fields::{FIELDS, Group, Kind};
+    use crate::model::noise::pcg4d;
 
     fn with_wind(wind_m_s: f64) -> Params {
         let mut p = Params::default();
@@ -133,5 +135,52 @@ mod tests {
         history.watch(&with_wind(5.0), false, 1.0);
         history.watch(&with_wind(5.0), false, 2.0);
         assert_eq!(history.can(), (true, false), "another change leaves nothing to redo");
+    }
+
+    /// Random values of random rows, one after the other: back to the first, forth to the last, each exactly.
+    #[test]
+    fn every_value_is_undone_and_redone() {
+        let mut history = History::default();
+        let mut now_s = 0.0;
+        let mut rest = |history: &mut History, p: &Params| {
+            for _ in 0..2 {
+                now_s += 1.0;
+                history.watch(p, false, now_s);
+            }
+        };
+        let mut steps = vec![Params::default()];
+        rest(&mut history, &steps[0]);
+        let fields = || FIELDS.iter().filter(|f| !matches!(f.group, Group::Camera | Group::Clock));
+        for (i, field) in (0..).zip(fields()) {
+            let mut p = steps[steps.len() - 1].clone();
+            let value = match field.kind {
+                Kind::Number { min, max, .. } => {
+                    min + (max - min) * f64::from(pcg4d([i, 9, 9, 9])[0]) / f64::from(u32::MAX)
+                }
+                Kind::Integer { min, max } => f64::from(min + pcg4d([i, 9, 9, 9])[0] % (max - min).max(1)),
+                Kind::Choice(words) => words.len() as f64 - 1.0,
+                Kind::Heading => 217.3,
+                Kind::Flag => 1.0 - (field.get)(&p),
+                Kind::Colour => f64::from(0x0012_3456),
+            };
+            (field.set)(&mut p, value);
+            if p != steps[steps.len() - 1] {
+                rest(&mut history, &p);
+                steps.push(p);
+            }
+        }
+        let kept = steps.len().min(MOST_STEPS + 1);
+        assert!(steps.len() > 100, "{}", steps.len());
+        let mut p = steps[steps.len() - 1].clone();
+        for want in steps.iter().rev().take(kept).skip(1) {
+            history.undo(&mut p);
+            assert_eq!(&p, want);
+        }
+        assert!(!history.can().0);
+        for want in steps.iter().rev().take(kept - 1).rev() {
+            history.redo(&mut p);
+            assert_eq!(&p, want);
+        }
+        assert!(!history.can().1);
     }
 }

@@ -13,11 +13,11 @@ pub mod maps;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod native;
 mod panel;
-pub mod picture;
 mod plots;
 mod quality;
 #[cfg(target_arch = "wasm32")]
 mod readers;
+mod report;
 pub mod setup;
 mod share;
 mod tasks;
@@ -25,6 +25,8 @@ mod units;
 mod viewport;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
+
+pub use crate::model::picture;
 
 use crate::model::afloat::{self, Float, Waterline};
 use crate::model::look::SkyFile;
@@ -121,6 +123,9 @@ pub struct App {
     catching_up: viewport::CatchingUp,
     gauges: gauges::Gauges,
     measured: gauges::Measured,
+    /// What the browser calls itself.
+    #[cfg(target_arch = "wasm32")]
+    browser: String,
     #[cfg(target_arch = "wasm32")]
     address: web::Address,
     #[cfg(target_arch = "wasm32")]
@@ -145,6 +150,7 @@ impl App {
         let (mut params, notices) = query::parse(state);
         params.look.sky.attach(sky.as_ref());
         let faults = Faults::watch(&render_state.device);
+        let seas = panel::Seas::load();
         let ocean = Ocean::new(&render_state.device, &render_state.queue, render_state.target_format, &params);
         render_state.renderer.write().callback_resources.insert(ocean);
         setup::style(&cc.egui_ctx);
@@ -154,14 +160,14 @@ impl App {
         cc.egui_ctx.add_plugin(readers.clone());
         Ok(Self {
             derived: Derived::new(&params),
-            notices,
+            notices: [notices, seas.notices()].concat(),
             render_state,
             ctx: cc.egui_ctx.clone(),
             faults,
             frames: 0,
             dropped: tasks::Inbox::default(),
             panel: panel::Panel::default(),
-            seas: panel::Seas::load(),
+            seas,
             history: history::History::default(),
             quality: quality::Quality::default(),
             help: false,
@@ -176,6 +182,8 @@ impl App {
             catching_up: viewport::CatchingUp::default(),
             gauges: gauges::Gauges::default(),
             measured: gauges::Measured::default(),
+            #[cfg(target_arch = "wasm32")]
+            browser: cc.integration_info.web_info.user_agent.clone(),
             #[cfg(target_arch = "wasm32")]
             address: web::Address::new(&params),
             #[cfg(target_arch = "wasm32")]

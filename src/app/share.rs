@@ -36,8 +36,14 @@ impl App {
         self.say("Frame copied: paste it into a page.");
     }
 
-    /// Turns to the sea of a link, or of a bare state string.
+    /// Turns to the sea of a link, or of a bare state string. A text of which nothing can be taken leaves the sea as it is.
     pub(super) fn open_link(&mut self, text: &str) {
+        let reading = query::read(text);
+        if reading.taken.is_empty() && !reading.notices.is_empty() {
+            self.notices = reading.notices;
+            self.notices.push("that is no sea: this one stays".to_owned());
+            return;
+        }
         self.set_state(text);
         if self.notices.is_empty() {
             self.say("Opened.");
@@ -68,16 +74,16 @@ impl App {
     /// Says what has been saved since the last frame.
     pub(super) fn take_saved(&mut self) {
         for result in self.saved.take() {
-            self.report(result);
+            self.tell(result);
         }
     }
 
     /// Saves bytes under a name and says where, or why not.
     pub(super) fn save(&mut self, name: &str, bytes: &[u8]) {
-        self.report(files::save(self.save_folder.as_deref(), name, bytes));
+        self.tell(files::save(self.save_folder.as_deref(), name, bytes));
     }
 
-    fn report(&mut self, result: Result<String, String>) {
+    fn tell(&mut self, result: Result<String, String>) {
         match result {
             Ok(said) => self.say(&said),
             Err(reason) => self.notices.push(reason),

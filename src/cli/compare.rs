@@ -1,6 +1,7 @@
 //! `seastate compare`: how different two pictures look.
 
 use super::flip::{self, Picture};
+use image::{ImageError, ImageFormat, ImageReader, Limits};
 use std::path::Path;
 
 /// Compares two PNGs; the text to print. `map` is written with the difference of every pixel.
@@ -17,15 +18,25 @@ pub fn run(reference: &Path, test: &Path, map: Option<&Path>, pixels_per_degree:
         let grey = errors.iter().map(|e| (255.0 * e).round() as u8).collect();
         let image =
             image::GrayImage::from_raw(a.width as u32, a.height as u32, grey).ok_or("the map has a wrong size")?;
-        image
-            .save_with_format(path, image::ImageFormat::Png)
-            .map_err(|e| format!("cannot write {}: {e}", path.display()))?;
+        image.save_with_format(path, ImageFormat::Png).map_err(|e| format!("cannot write {}: {e}", path.display()))?;
     }
     Ok(format!("mean FLIP {:.4}", flip::mean(&errors)))
 }
 
 fn read(path: &Path) -> Result<Picture, String> {
-    let image = image::open(path).map_err(|e| format!("cannot read {}: {e}", path.display()))?.into_rgb8();
+    let fault = |e: &dyn std::fmt::Display| format!("cannot read {}: {e}", path.display());
+    let mut reader = ImageReader::open(path).map_err(|e| fault(&e))?;
+    reader.set_format(ImageFormat::Png);
+    let mut limits = Limits::default();
+    (limits.max_image_width, limits.max_image_height) = (Some(super::MAX_SIDE), Some(super::MAX_SIDE));
+    reader.limits(limits);
+    let image = match reader.decode() {
+        Ok(image) => image.into_rgb8(),
+        Err(ImageError::Limits(_)) => {
+            return Err(fault(&format!("it has more than {0} x {0} pixels: make it smaller", super::MAX_SIDE)));
+        }
+        Err(e) => return Err(fault(&e)),
+    };
     let (width, height) = (image.width() as usize, image.height() as usize);
     Ok(Picture { width, height, pixels: image.pixels().map(|p| p.0).collect() })
 }

@@ -7,6 +7,7 @@ pub mod export;
 pub mod flip;
 pub mod frames;
 pub mod gallery;
+pub mod info;
 pub mod objectives;
 pub mod parameters;
 pub mod reference;
@@ -25,6 +26,8 @@ use std::path::PathBuf;
 
 /// Exit code of bad arguments and of a missing GPU.
 const USAGE: i32 = 2;
+/// Most pixels of a picture along a side.
+const MAX_SIDE: u32 = 8192;
 
 #[derive(Parser)]
 #[command(
@@ -180,6 +183,12 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Says what the program is, which GPU it takes and what it makes of it
+    Info {
+        /// Prints JSON
+        #[arg(long)]
+        json: bool,
+    },
     /// Writes the validation page and its figures: the program's numbers against theory and published measurements
     Validate(validate::Options),
     /// Renders the gallery's pictures and writes its page
@@ -253,6 +262,7 @@ fn run(cli: Cli) -> Result<i32, String> {
             let options = Options { sizes, repeat, matrix, baseline };
             print(&pollster::block_on(bench::run(&sea.read_aloud()?, &options, json))?)
         }
+        Some(Command::Info { json }) => print(&pollster::block_on(info::run(json))?),
         Some(Command::Validate(options)) => validate::run(&options).and_then(|said| print(&said)),
         Some(Command::Gallery(options)) => gallery::run(&options).and_then(|said| print(&said)),
         Some(Command::Keys { markdown }) => print(&if markdown { parameters::page() } else { keys() }),
@@ -306,7 +316,7 @@ fn keys() -> String {
 fn parse_size(text: &str) -> Result<[u32; 2], String> {
     let parts = text.split_once(['x', 'X']).and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
     match parts {
-        Some(size) if size.iter().all(|side| (1..=8192).contains(side)) => Ok(size),
-        _ => Err("a size is WIDTHxHEIGHT, each from 1 to 8192, such as 1280x720".to_owned()),
+        Some(size) if size.iter().all(|side| (1..=MAX_SIDE).contains(side)) => Ok(size),
+        _ => Err(format!("a size is WIDTHxHEIGHT, each from 1 to {MAX_SIDE}, such as 1280x720")),
     }
 }

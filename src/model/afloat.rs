@@ -3,6 +3,7 @@
 //! They ride on [`Heights`], the sum of the very waves that the GPU draws, at the time of the frame: nothing is read back, so
 //! nothing is late, whatever the frame rate.
 
+use super::fields::shortest;
 use super::heights::Heights;
 use super::plan::Plan;
 
@@ -78,7 +79,7 @@ pub fn read(text: &str) -> Result<Vec<Float>, String> {
 
 /// Writes a list for a state string.
 pub fn write(floats: &[Float]) -> String {
-    let one = |f: &Float| format!("{}*{}*{}", f.kind.word(), f.x_m, f.z_m);
+    let one = |f: &Float| format!("{}*{}*{}", f.kind.word(), shortest(f.x_m), shortest(f.z_m));
     floats.iter().map(one).collect::<Vec<_>>().join("_")
 }
 

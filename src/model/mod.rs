@@ -18,6 +18,8 @@ pub mod optics;
 pub mod overlap;
 pub mod panorama;
 pub mod params;
+#[cfg(feature = "files")]
+pub mod picture;
 pub mod plan;
 pub mod presets;
 pub mod quadrature;
@@ -32,6 +34,7 @@ pub mod survey;
 pub mod table;
 pub mod tiling;
 mod transform;
+mod versions;
 pub mod views;
 pub mod waves;
 

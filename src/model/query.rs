@@ -4,16 +4,18 @@
 //! All values are rows of [`FIELDS`] but three: `measured` holds a buoy's spectrum (`measured::Measured::to_state`), `sky` the
 //! name of a sky's file, which a link cannot hold, `afloat` what floats where (`afloat::write`).
 //! Reading never fails: what cannot be taken becomes a notice. Only values that differ from the default are written.
+//! `v` says which version of the words a string is in, once there are several (`versions.rs`).
 
 use super::afloat;
 use super::fields::{self, FIELDS, Refusal};
 use super::look::SkyFile;
 use super::measured::Measured;
 use super::params::Params;
+use super::versions::{self, STEPS, Step};
 use std::sync::Arc;
 
-/// Longest state string that is read; the rest is ignored with a notice.
-pub const MAX_BYTES: usize = 16 * 1024;
+/// Longest state string that is read; the rest is ignored with a notice. The longest that [`write`] writes is shorter.
+pub const MAX_BYTES: usize = 32 * 1024;
 /// Key of the buoy's spectrum.
 const MEASURED: &str = "measured";
 /// Key of the name of the sky's file.
@@ -43,6 +45,11 @@ pub fn parse(text: &str) -> (Params, Vec<String>) {
 
 /// As [`parse`], for those who want to know which values are the string's own.
 pub fn read(text: &str) -> Reading {
+    read_by(text, STEPS)
+}
+
+/// As [`read`], where these steps lead to the newest version.
+fn read_by(text: &str, steps: &[Step]) -> Reading {
     let Reading { mut params, mut taken, mut notices } = Reading::default();
     let mut seen: Vec<&str> = Vec::new();
     let mut query = query_part(text);
@@ -51,7 +58,9 @@ pub fn read(text: &str) -> Reading {
         query = &query[..end];
         notices.push(format!("the state string is longer than {MAX_BYTES} bytes: the rest was ignored"));
     }
-    for (key, value) in form_urlencoded::parse(query.as_bytes()) {
+    let (pairs, notice) = versions::brought_forward(form_urlencoded::parse(query.as_bytes()).collect(), steps);
+    notices.extend(notice);
+    for (key, value) in pairs {
         if key == MEASURED {
             match Measured::from_state(&value) {
                 Ok(m) => {
@@ -85,8 +94,9 @@ pub fn read(text: &str) -> Reading {
         };
         if seen.contains(&field.key) {
             notices.push(format!("{} appears more than once: the last one counts", field.key));
+        } else {
+            seen.push(field.key);
         }
-        seen.push(field.key);
         match field.parse(&value) {
             Ok(v) => {
                 (field.set)(&mut params, v);
@@ -120,8 +130,16 @@ pub fn read(text: &str) -> Reading {
 
 /// Writes the values that differ from the default, in the order of [`FIELDS`], percent-encoded, without a `?`.
 pub fn write(params: &Params) -> String {
+    write_by(params, STEPS)
+}
+
+/// As [`write`], where these steps lead to the newest version.
+fn write_by(params: &Params, steps: &[Step]) -> String {
     let defaults = Params::default();
     let mut out = form_urlencoded::Serializer::new(String::new());
+    if let Some(version) = versions::to_write(steps) {
+        out.append_pair(versions::KEY, &version);
+    }
     for field in FIELDS.iter() {
         let value = (field.get)(params);
         if value != (field.get)(&defaults) {
@@ -161,6 +179,7 @@ fn shown(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::versions::Pairs;
     use super::*;
 
     #[test]
@@ -207,6 +226,63 @@ mod tests {
     fn what_was_taken_is_known() {
         let r = read("wind=14&fetch=-3&wind=15&spectrum=nonsense&unknown=1&sky=a.hdr&gamma=3.3");
         assert_eq!(r.taken, ["fetch", "gamma", "sky", "wind"]);
+    }
+
+    /// Two versions that never were: the second took the wind in m/s where the first had knots, the third named the seed `seed`
+    /// instead of `draw` and made 100 km of fetch the default's 150.
+    const MADE_UP: &[Step] = &[in_metres_a_second, with_another_default];
+
+    fn in_metres_a_second(mut pairs: Pairs<'_>) -> Pairs<'_> {
+        for (_, value) in pairs.iter_mut().filter(|(key, _)| key == "wind") {
+            if let Ok(knots) = value.parse::<f64>() {
+                *value = (knots / 2.0).to_string().into();
+            }
+        }
+        pairs
+    }
+
+    fn with_another_default(mut pairs: Pairs<'_>) -> Pairs<'_> {
+        for (key, _) in pairs.iter_mut().filter(|(key, _)| key == "draw") {
+            *key = "seed".into();
+        }
+        if pairs.iter().all(|(key, _)| key != "fetch") {
+            pairs.push(("fetch".into(), "100".into()));
+        }
+        pairs
+    }
+
+    #[test]
+    fn old_links_say_in_new_words_what_they_said() {
+        for (link, want) in [
+            ("wind=20&draw=7", "v=3&wind=10&fetch=100&seed=7"),
+            ("v=1&wind=20&draw=7&fetch=80", "v=3&wind=10&fetch=80&seed=7"),
+            ("wind=20&v=2&draw=7", "v=3&wind=20&fetch=100&seed=7"),
+            ("v=1&wind=20&v=3", "v=3&wind=20"),
+            ("v=3&wind=20&seed=7", "v=3&wind=20&seed=7"),
+            ("?v=3", "v=3"),
+            ("", "v=3&fetch=100"),
+        ] {
+            let Reading { params, notices, .. } = read_by(link, MADE_UP);
+            assert_eq!((write_by(&params, MADE_UP).as_str(), notices), (want, vec![]), "{link}");
+            assert_eq!(read_by(want, MADE_UP).params, params, "{link}");
+        }
+        assert_eq!(read_by("v=2&wind=20&wrong=1", MADE_UP).taken, ["fetch", "wind"]);
+    }
+
+    #[test]
+    fn versions_that_are_not_known_are_noticed() {
+        for (link, says) in [
+            ("v=4&wind=20", "newer than this program's 3"),
+            ("v=0&wind=20", "no version"),
+            ("v=a&wind=20", "no version"),
+        ] {
+            let Reading { params, notices, .. } = read_by(link, MADE_UP);
+            assert_eq!(params.sea.local().wind_m_s, 20.0, "{link}");
+            assert!(notices.len() == 1 && notices[0].contains(says), "{notices:?}");
+        }
+        // Today there is one version, and no string names it.
+        assert_eq!((parse("v=1&wind=20").1, write(&parse("v=1&wind=20").0)), (vec![], "wind=20".to_owned()));
+        assert_eq!(parse("v=2&wind=20").1.len(), 1);
     }
 
     #[test]

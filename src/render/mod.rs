@@ -324,7 +324,7 @@ pub fn material_bytes(scene: &Scene) -> Vec<u8> {
 
 /// Coverage samples a pixel: several on a GPU; one in software, where they cost six times the rest of the frame. The page
 /// cannot always tell which it has and takes one; the present pass smooths edges in any case.
-fn samples(device: &wgpu::Device) -> u32 {
+pub fn samples(device: &wgpu::Device) -> u32 {
     let in_software = cfg!(target_arch = "wasm32") || device.adapter_info().device_type == wgpu::DeviceType::Cpu;
     if in_software { 1 } else { 4 }
 }

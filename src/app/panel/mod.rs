@@ -9,14 +9,19 @@ use super::access::named;
 use super::{App, plots};
 use crate::model::afloat::Kind;
 use crate::model::fields::{FIELDS, Group};
-use crate::model::{Params, beaufort};
+use crate::model::{Params, beaufort, query};
 
 pub use seas::Seas;
 
 /// Below this width the panel is a sheet at the bottom that starts closed: a phone shows the sea first.
 const NARROW_POINTS: f32 = 640.0;
+/// Smaller than this along a side there is no room for a panel, and its margins would leave less than nothing.
+const LEAST_POINTS: f32 = 100.0;
 /// Least side of what a finger must hit, points.
 const TOUCH_POINTS: f32 = 44.0;
+
+/// Longest text to look for.
+const MOST_LETTERS: usize = 100;
 
 /// What the panel itself remembers.
 #[derive(Default)]
@@ -34,6 +39,9 @@ pub struct Panel {
 /// Shows the panel over the sea: a window, or on a narrow screen a sheet at its bottom.
 pub fn show(app: &mut App, ctx: &egui::Context) {
     let screen = ctx.content_rect();
+    if screen.width().min(screen.height()) < LEAST_POINTS {
+        return;
+    }
     if screen.width() < NARROW_POINTS {
         return sheet(app, ctx, screen);
     }
@@ -112,6 +120,7 @@ fn contents(app: &mut App, ui: &mut egui::Ui) {
     egui::CollapsingHeader::new("Share").show(ui, |ui| share(app, ui));
     egui::CollapsingHeader::new("Time of a frame").show(ui, |ui| numbers::cost(app, ui));
     egui::CollapsingHeader::new("This program").show(ui, |ui| numbers::about(app, ui));
+    ui.weak(format!("Seastate {}", crate::ocean::about::VERSION));
 }
 
 /// What one reaches for most.
@@ -167,7 +176,8 @@ fn parameters(app: &mut App, ui: &mut egui::Ui) {
             if named(clear, "Clear the search").clicked() {
                 app.panel.search.clear();
             }
-            let words = egui::TextEdit::singleline(&mut app.panel.search).hint_text("all parameters");
+            let words =
+                egui::TextEdit::singleline(&mut app.panel.search).hint_text("all parameters").char_limit(MOST_LETTERS);
             ui.add(words.desired_width(f32::INFINITY)).labelled_by(label.id);
         });
     });
@@ -265,6 +275,7 @@ fn share(app: &mut App, ui: &mut egui::Ui) {
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let pressed = ui.button("Open").clicked();
             let field = egui::TextEdit::singleline(&mut app.panel.link).hint_text("paste an address here");
+            let field = field.char_limit(query::MAX_BYTES);
             let typed = ui.add(field.desired_width(f32::INFINITY)).labelled_by(label.id);
             let entered = typed.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
             if (pressed || entered) && !app.panel.link.trim().is_empty() {

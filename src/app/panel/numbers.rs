@@ -116,24 +116,19 @@ pub fn cost(app: &App, ui: &mut egui::Ui) {
 }
 
 /// What the program is and what it runs on.
-pub fn about(app: &App, ui: &mut egui::Ui) {
+pub fn about(app: &mut App, ui: &mut egui::Ui) {
+    let help = "Copies all of this, the state and what went wrong as plain text.";
+    if ui.button("Copy report").on_hover_text(help).clicked() {
+        app.copy_report();
+    }
+    egui::Grid::new("about").num_columns(2).striped(true).max_col_width(210.0).show(ui, |ui| {
+        for (name, value) in app.about() {
+            ui.weak(name);
+            ui.add(egui::Label::new(value).wrap());
+            ui.end_row();
+        }
+    });
     let plan = &app.derived.plan;
-    ui.label(format!("Seastate {}", env!("CARGO_PKG_VERSION")));
-    let info = app.render_state.adapter.get_info();
-    let name = if info.name.is_empty() { "GPU" } else { &info.name };
-    ui.label(format!("{name} ({})", info.backend));
-    let [width, height] = app.quality.size();
-    ui.label(format!(
-        "{:.0} frames a second of {width} x {height} pixels, {}",
-        app.quality.frames_a_second(),
-        app.quality.word()
-    ));
-    ui.label(format!(
-        "{} x {} points in {} cascades:",
-        app.quality.fft_size(plan.n),
-        app.quality.fft_size(plan.n),
-        plan.cascades.len()
-    ));
     for c in &plan.cascades {
         let longest = if c.k_low > 0.0 { std::f64::consts::TAU / c.k_low } else { c.patch_m };
         ui.label(format!(

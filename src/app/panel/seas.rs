@@ -11,12 +11,21 @@ use crate::model::presets::{self, Preset};
 pub struct Seas {
     own: Vec<Preset>,
     name: String,
+    /// What was wrong with the kept seas: then what there is of them is put aside before anything is written over it.
+    damage: Vec<String>,
+    is_aside: bool,
 }
 
 impl Seas {
     /// Those of the last time.
     pub fn load() -> Self {
-        Self { own: presets::read(&files::load_seas()).0, name: String::new() }
+        let (own, damage) = presets::read(&files::load_seas());
+        Self { own, damage, ..Self::default() }
+    }
+
+    /// What could not be taken of the last time's.
+    pub fn notices(&self) -> Vec<String> {
+        self.damage.iter().map(|notice| format!("your own seas: {notice}")).collect()
     }
 
     /// Adds seas, in place of those of the same names, and keeps them for the next time.
@@ -24,16 +33,15 @@ impl Seas {
     /// # Errors
     /// One sentence, if they cannot be kept.
     pub fn add(&mut self, new: Vec<Preset>) -> Result<(), String> {
-        for preset in new {
-            match self.own.iter_mut().find(|p| p.name == preset.name) {
-                Some(old) => *old = preset,
-                None => self.own.push(preset),
-            }
-        }
+        presets::add(&mut self.own, new)?;
         self.store()
     }
 
-    fn store(&self) -> Result<(), String> {
+    fn store(&mut self) -> Result<(), String> {
+        if !self.damage.is_empty() && !self.is_aside {
+            files::put_seas_aside()?;
+            self.is_aside = true;
+        }
         files::store_seas(&presets::write(&self.own))
     }
 }
@@ -104,7 +112,8 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
     ui.separator();
     ui.horizontal(|ui| {
         let label = ui.label("Keep as");
-        let field = egui::TextEdit::singleline(&mut app.seas.name).hint_text("name of this sea").desired_width(150.0);
+        let field = egui::TextEdit::singleline(&mut app.seas.name).hint_text("name of this sea");
+        let field = field.char_limit(presets::MAX_NAME).desired_width(150.0);
         ui.add(field).labelled_by(label.id);
         let name = app.seas.name.trim().to_owned();
         if ui.add_enabled(!name.is_empty(), egui::Button::new("Keep")).clicked() {

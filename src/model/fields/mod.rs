@@ -196,7 +196,7 @@ impl Field {
             Kind::Choice(words) => words.get(value as usize).copied().unwrap_or_default().to_owned(),
             Kind::Colour if value == 0.0 && !self.zero.is_empty() => self.zero.to_owned(),
             Kind::Colour => format!("{:06x}", value as u32),
-            _ => format!("{value}"),
+            _ => shortest(value),
         }
     }
 
@@ -219,6 +219,11 @@ impl Field {
 /// Looks a parameter up by its key.
 pub fn find(key: &str) -> Option<&'static Field> {
     FIELDS.iter().find(|f| f.key == key)
+}
+
+/// The shortest text of a number that reads back to the same; with an exponent where zeros would fill a line.
+pub(super) fn shortest(value: f64) -> String {
+    if value != 0.0 && value.abs() < 1e-6 { format!("{value:e}") } else { value.to_string() }
 }
 
 fn wrap_degrees(value: f64) -> f64 {

@@ -85,6 +85,9 @@ fn decode<'a>(name: &str, bytes: &'a [u8]) -> Result<File<'a>, String> {
     match std::str::from_utf8(bytes) {
         Ok(text) if text.lines().all(|l| content(l).is_empty()) => Err(format!("{name}: the file is empty")),
         Ok(text) => Ok(File { name, text }),
+        Err(_) if bytes.contains(&0) => {
+            Err(format!("{name}: the file is no text: a buoy's spectrum is NDBC's text or a table as CSV"))
+        }
         Err(e) => {
             let line = 1 + bytes[..e.valid_up_to()].iter().filter(|&&b| b == b'\n').count();
             Err(format!("{name}, line {line}: the text is not valid UTF-8"))

@@ -2,15 +2,19 @@
 //!
 //! Columns go around clockwise from the south of the file's own north, its middle; rows go down from the zenith.
 
+#[cfg(feature = "files")]
+mod hdr;
+#[cfg(feature = "files")]
+mod openexr;
 mod pack;
-#[cfg(feature = "app")]
+#[cfg(feature = "files")]
 mod read;
 mod sun;
 #[cfg(test)]
 mod tests;
 
-#[cfg(feature = "app")]
-pub use read::{MAX_BYTES, is_sky, read};
+#[cfg(feature = "files")]
+pub use read::{MAX_BYTES, is_sky, read, read_within};
 pub use sun::Sun;
 
 use std::f64::consts::{PI, TAU};
@@ -51,12 +55,9 @@ impl Panorama {
     /// # Errors
     /// One sentence, when this is no picture of a sky.
     pub fn new(width: usize, height: usize, pixels: Vec<[f32; 3]>) -> Result<Self, String> {
-        if pixels.len() != width * height || height < MIN_WIDTH / 2 {
-            return Err(format!("{width} x {height} pixels are too few for a sky"));
-        }
-        // A row more or less is no reason to refuse.
-        if (width as f64 / height as f64 - 2.0).abs() > 0.1 {
-            return Err(format!("{width} x {height}: an equirectangular sky is twice as wide as high"));
+        Self::check_shape(width, height)?;
+        if pixels.len() != width * height {
+            return Err(format!("{} pixels are no picture of {width} x {height}", pixels.len()));
         }
         let mut notices = Vec::new();
         let mut pixels = pixels;
@@ -88,7 +89,9 @@ impl Panorama {
             notices.push("no compact sun: the sky alone lights the sea".to_owned());
         }
         let gain = NOON / whole;
-        let scale = |pixels: &mut Vec<[f32; 3]>| pixels.iter_mut().flatten().for_each(|v| *v *= gain as f32);
+        // What is vast beside the light of the sky, below the horizon say, stays a number.
+        let scaled = |v: f32| (f64::from(v) * gain).min(f64::from(pack::MOST)) as f32;
+        let scale = |pixels: &mut Vec<[f32; 3]>| pixels.iter_mut().flatten().for_each(|v| *v = scaled(*v));
         let mut calm = resample(width, height, &sunless, CALM);
         scale(&mut calm);
         drop(sunless);
@@ -96,6 +99,18 @@ impl Panorama {
         let sun = sun.map(|s| Sun { irradiance: s.irradiance.map(|e| e * gain), ..s });
         let irradiance = irradiance.map(|e| e * gain);
         Ok(Self { width, height, mips: mips(width, height, pixels), calm, sun, irradiance, gain, notices })
+    }
+
+    /// Refuses what cannot be the picture of a whole sky.
+    fn check_shape(width: usize, height: usize) -> Result<(), String> {
+        if height < MIN_WIDTH / 2 {
+            return Err(format!("{width} x {height} pixels are too few for a sky"));
+        }
+        // A row more or less is no reason to refuse.
+        if (width as f64 / height as f64 - 2.0).abs() > 0.1 {
+            return Err(format!("{width} x {height}: an equirectangular sky is twice as wide as high"));
+        }
+        Ok(())
     }
 }
 

@@ -1,7 +1,7 @@
 //! Three numbers that share an exponent, as GPUs read them (RGB9E5): a third of the memory of f32.
 
 /// Largest number that can be packed.
-const MOST: f32 = 65408.0;
+pub(super) const MOST: f32 = 65408.0;
 
 /// Packs a colour; what is larger than 65408 becomes that.
 pub(super) fn rgb9e5(c: [f32; 3]) -> u32 {

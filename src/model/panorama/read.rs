@@ -1,28 +1,19 @@
-//! Reading a sky's file: Radiance `.hdr` and OpenEXR.
+//! Reading a sky's file: what it is, and how large it may be. All limits hold before memory is asked for.
 
-use super::Panorama;
-use image::{ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
-use std::io::Cursor;
+use super::{Panorama, hdr, openexr};
 
 /// Largest file that is read.
 pub const MAX_BYTES: usize = 512 << 20;
-/// Widest picture that is decoded.
-const MAX_DECODED_WIDTH: u32 = 16384;
-/// Memory that decoding may take.
-const MAX_MEMORY: u64 = if cfg!(target_arch = "wasm32") { 1 << 30 } else { 4 << 30 };
+/// Most columns and rows that are decoded, a row to spare; a page has less memory.
+const MOST: [usize; 2] = if cfg!(target_arch = "wasm32") { [11_586, 5_794] } else { [16_384, 8_193] };
+
+/// Linear light, row by row from the top, with the width and the height.
+pub(super) type Pixels = (usize, usize, Vec<[f32; 3]>);
 
 /// Whether a file is meant to be a sky: by its first bytes, or else by its name.
 pub fn is_sky(name: &str, bytes: &[u8]) -> bool {
     let lower = name.to_lowercase();
-    format(bytes).is_some() || lower.ends_with(".hdr") || lower.ends_with(".exr")
-}
-
-fn format(bytes: &[u8]) -> Option<ImageFormat> {
-    if bytes.starts_with(b"#?RADIANCE") || bytes.starts_with(b"#?RGBE") {
-        Some(ImageFormat::Hdr)
-    } else {
-        bytes.starts_with(&[0x76, 0x2f, 0x31, 0x01]).then_some(ImageFormat::OpenExr)
-    }
+    hdr::begins(bytes) || openexr::begins(bytes) || lower.ends_with(".hdr") || lower.ends_with(".exr")
 }
 
 /// The sky of a file.
@@ -30,40 +21,46 @@ fn format(bytes: &[u8]) -> Option<ImageFormat> {
 /// # Errors
 /// One sentence that names the file and the reason.
 pub fn read(name: &str, bytes: &[u8]) -> Result<Panorama, String> {
-    decode(bytes).map_err(|reason| format!("{name}: {reason}"))
+    read_within(name, bytes, MOST)
 }
 
-fn decode(bytes: &[u8]) -> Result<Panorama, String> {
+/// The same where a picture has no more columns and rows than these.
+///
+/// # Errors
+/// One sentence that names the file and the reason.
+pub fn read_within(name: &str, bytes: &[u8], most: [usize; 2]) -> Result<Panorama, String> {
+    let read = || {
+        let (width, height, pixels) = decode(bytes, most)?;
+        Panorama::new(width, height, pixels)
+    };
+    read().map_err(|reason| format!("{name}: {reason}"))
+}
+
+fn decode(bytes: &[u8], most: [usize; 2]) -> Result<Pixels, String> {
     if bytes.len() > MAX_BYTES {
-        return Err(format!("larger than {} MB", MAX_BYTES >> 20));
+        Err(format!("larger than {} MiB: save it with fewer pixels", MAX_BYTES >> 20))
+    } else if hdr::begins(bytes) {
+        hdr::decode(bytes, most)
+    } else if openexr::begins(bytes) {
+        openexr::decode(bytes, most)
+    } else {
+        Err("neither a Radiance .hdr nor an OpenEXR file".to_owned())
     }
-    let format = format(bytes).ok_or("neither a Radiance .hdr nor an OpenEXR file")?;
-    let mut limits = Limits::default();
-    limits.max_image_width = Some(MAX_DECODED_WIDTH);
-    limits.max_image_height = Some(MAX_DECODED_WIDTH / 2 + 1);
-    limits.max_alloc = Some(MAX_MEMORY);
-    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
-    reader.limits(limits.clone());
-    // The header alone, so that a file that claims to be enormous is refused before memory is asked for.
-    let decoder = reader.into_decoder().map_err(|e| said(&e))?;
-    let (width, height) = decoder.dimensions();
-    limits.check_dimensions(width, height).map_err(|_| {
-        format!(
-            "{width} x {height} pixels, more than the {MAX_DECODED_WIDTH} x {} that are read",
-            MAX_DECODED_WIDTH / 2
-        )
-    })?;
-    let image = image::DynamicImage::from_decoder(decoder).map_err(|e| said(&e))?.into_rgb32f();
-    let pixels = image.pixels().map(|p| p.0).collect();
-    Panorama::new(width as usize, height as usize, pixels)
 }
 
-/// An error of the decoder on one line.
-fn said(error: &ImageError) -> String {
-    if let ImageError::IoError(e) = error
-        && e.kind() == std::io::ErrorKind::UnexpectedEof
-    {
-        return "it ends too early".to_owned();
+/// Refuses a picture by the size that it claims.
+pub(super) fn check_size([width, height]: [usize; 2], most: [usize; 2]) -> Result<(), String> {
+    if width > most[0] || height > most[1] {
+        let [columns, rows] = most;
+        return Err(format!("{width} x {height} pixels, where {columns} x {rows} are read: save it smaller"));
     }
-    error.to_string().lines().next().unwrap_or("not readable").to_owned()
+    Panorama::check_shape(width, height)
+}
+
+/// Room for a picture, or a sentence instead of the end of the program.
+pub(super) fn room(pixels: usize) -> Result<Vec<[f32; 3]>, String> {
+    let mut out = Vec::new();
+    let asked = out.try_reserve_exact(pixels);
+    asked.map_err(|_| "there is not enough memory for it: save it smaller".to_owned())?;
+    Ok(out)
 }

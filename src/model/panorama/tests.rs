@@ -82,6 +82,18 @@ fn a_hot_pixel_is_no_sun_and_broken_ones_are_mended() {
 }
 
 #[test]
+fn vast_and_faint_light_stays_a_number() {
+    let (width, height) = (64, 32);
+    for (sky, ground) in [(1e-45, f32::MAX), (1e-45, 0.0), (f32::MAX, 1e-45), (1e-30, 1e30)] {
+        let half = width * height / 2;
+        let pixels = [vec![[sky; 3]; half], vec![[ground; 3]; half]].concat();
+        let panorama = Panorama::new(width, height, pixels).unwrap();
+        assert!(panorama.calm.iter().flatten().all(|v| v.is_finite() && *v >= 0.0), "{sky} {ground}");
+        assert!((luminance64(panorama.irradiance) / NOON - 1.0).abs() < 0.01, "{sky} {ground}");
+    }
+}
+
+#[test]
 fn what_is_no_sky_is_refused() {
     let grey = |w: usize, h: usize| Panorama::new(w, h, vec![[0.5; 3]; w * h]);
     assert!(grey(100, 100).unwrap_err().contains("twice as wide"));
@@ -103,7 +115,7 @@ fn a_wide_picture_is_reduced() {
     assert!(mips.iter().flatten().all(|v| *v == mips[0][0]));
 }
 
-#[cfg(feature = "app")]
+#[cfg(feature = "desktop")]
 mod files {
     use super::*;
     use image::{ImageFormat, Rgb, Rgb32FImage};

@@ -17,7 +17,7 @@ use std::sync::LazyLock;
 mod tests;
 
 /// Largest file of seas that is read; the rest is ignored with a notice.
-pub const MAX_FILE_BYTES: usize = 256 * 1024;
+pub const MAX_FILE_BYTES: usize = 1024 * 1024;
 /// Most seas of a file.
 pub const MAX_PRESETS: usize = 200;
 /// Longest name, characters.
@@ -147,6 +147,28 @@ fn printable(text: &str, longest: usize) -> String {
     let clean: String = text.chars().filter(|c| !c.is_control()).collect();
     let short: String = clean.trim().chars().take(longest).collect();
     short.trim_end().to_owned()
+}
+
+/// Puts seas in place of those of the same names, or after the others.
+///
+/// # Errors
+/// One sentence, if that is more than a file holds; then nothing has changed.
+pub fn add(to: &mut Vec<Preset>, new: Vec<Preset>) -> Result<(), String> {
+    let mut all = to.clone();
+    for preset in new {
+        match all.iter_mut().find(|p| p.name == preset.name) {
+            Some(old) => *old = preset,
+            None => all.push(preset),
+        }
+    }
+    if all.len() > MAX_PRESETS || write(&all).len() > MAX_FILE_BYTES {
+        let kib = MAX_FILE_BYTES / 1024;
+        return Err(format!(
+            "more than {MAX_PRESETS} seas or {kib} KiB of them are not kept: forget some of yours first"
+        ));
+    }
+    *to = all;
+    Ok(())
 }
 
 /// Writes seas as a file that [`read`] takes. Control characters are left out, and so are seas without a name.

@@ -230,6 +230,25 @@ fn what_is_wrong_becomes_a_notice() {
 }
 
 #[test]
+fn more_than_a_file_holds_is_not_added() {
+    let sea = |name: usize, state: &str| Preset { name: name.to_string(), state: state.into(), ..Preset::default() };
+    let mut own: Vec<Preset> = (0..MAX_PRESETS).map(|i| sea(i, "wind=3")).collect();
+    let before = own.clone();
+    assert!(add(&mut own, vec![sea(0, "wind=4"), sea(MAX_PRESETS, "wind=5")]).is_err_and(|e| e.contains("200 seas")));
+    assert_eq!(own, before, "all or nothing");
+    assert_eq!((add(&mut own, vec![sea(7, "wind=4")]), own.len(), own[7].state.as_str()), (Ok(()), 200, "wind=4"));
+    let long = "x".repeat(query::MAX_BYTES);
+    let mut own = Vec::new();
+    for i in 0.. {
+        if add(&mut own, vec![sea(i, &long)]).is_err() {
+            break;
+        }
+    }
+    assert_eq!(read(&write(&own)), (own.clone(), vec![]), "all that is kept is read again");
+    assert!(own.len() > 20, "{}", own.len());
+}
+
+#[test]
 fn hostile_files_do_no_harm() {
     let whole = include_str!("../../../assets/presets/seas.txt");
     for end in (0..whole.len()).step_by(7).filter(|&i| whole.is_char_boundary(i)) {

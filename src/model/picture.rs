@@ -1,11 +1,12 @@
 //! A picture that remembers its sea: a PNG whose metadata holds the state string, and its way back.
 
+use super::query::MAX_BYTES;
 use std::io::Cursor;
 
 /// Keyword of the text chunk with the state string.
 const KEYWORD: &str = "seastate";
-/// The longest text that is looked for in a picture.
-const MOST_TEXT: usize = 64 * 1024;
+/// Memory that the pieces before the pixels may take.
+const MOST_MEMORY: usize = 4 * 1024 * 1024;
 
 /// A PNG of RGBA pixels that carries a state string and the address that shows it.
 ///
@@ -39,15 +40,15 @@ pub fn is_png(bytes: &[u8]) -> bool {
 /// # Errors
 /// One sentence, if it is no picture or carries none.
 pub fn state_of(bytes: &[u8]) -> Result<String, String> {
-    let limits = png::Limits { bytes: 4 * 1024 * 1024 };
-    let decoder = png::Decoder::new_with_limits(Cursor::new(bytes), limits);
+    let decoder = png::Decoder::new_with_limits(Cursor::new(bytes), png::Limits { bytes: MOST_MEMORY });
     let reader = decoder.read_info().map_err(|e| format!("not a picture that can be read: {e}"))?;
     let found = reader.info().utf8_text.iter().find(|t| t.keyword == KEYWORD);
-    let text = found.and_then(|t| t.get_text().ok()).ok_or("the picture does not say of which sea it is")?;
-    if text.len() > MOST_TEXT {
-        return Err("the picture's state is too long".into());
-    }
-    Ok(text)
+    let mut chunk = found.ok_or("the picture does not say of which sea it is")?.clone();
+    let too_long = || format!("the picture's state is longer than {MAX_BYTES} bytes");
+    // Packed text is unpacked no farther than that: a few bytes may stand for a gigabyte.
+    chunk.decompress_text_with_limit(MAX_BYTES).map_err(|_| too_long())?;
+    let text = chunk.get_text().map_err(|e| format!("the picture's state cannot be read: {e}"))?;
+    if text.len() > MAX_BYTES { Err(too_long()) } else { Ok(text) }
 }
 
 #[cfg(test)]
@@ -61,8 +62,10 @@ mod tests {
             .expect("a picture");
         assert_eq!(state_of(&bytes).as_deref(), Ok(state));
         assert!(is_png(&bytes));
-        let image = image::load_from_memory(&bytes);
-        assert!(image.is_ok_and(|i| i.to_rgb8().into_raw() == [255, 0, 0, 0, 0, 255]));
+        let mut reader = png::Decoder::new(Cursor::new(&bytes)).read_info().expect("a picture");
+        let mut pixels = [0; 6];
+        reader.next_frame(&mut pixels).expect("its pixels");
+        assert_eq!(pixels, [255, 0, 0, 0, 0, 255]);
     }
 
     #[test]
@@ -73,6 +76,21 @@ mod tests {
         let encoder = png::Encoder::new(&mut plain, 1, 1);
         encoder.write_header().and_then(|mut w| w.write_image_data(&[7])).expect("a picture");
         assert!(state_of(&plain).is_err_and(|e| e.contains("does not say")));
+        // 64 MiB of one letter in 64 KiB.
+        let mut bomb = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bomb, 1, 1);
+        let mut chunk = png::text_metadata::ITXtChunk::new(KEYWORD, "x".repeat(1 << 26));
+        chunk.compressed = true;
+        chunk.compress_text().expect("packed");
+        encoder.set_color(png::ColorType::Grayscale);
+        let mut writer = encoder.write_header().expect("a picture");
+        writer.write_text_chunk(&chunk).expect("a chunk");
+        writer.write_image_data(&[7]).expect("a pixel");
+        writer.finish().expect("a picture");
+        assert!(bomb.len() < 1 << 20, "{}", bomb.len());
+        assert!(state_of(&bomb).is_err_and(|e| e.contains("longer than")), "{:?}", state_of(&bomb));
+        let long = encode([1, 1], &[0; 4], &"x".repeat(MAX_BYTES + 1), "").expect("a picture");
+        assert!(state_of(&long).is_err_and(|e| e.contains("longer than")));
         let whole = encode([1, 1], &[0; 4], "wind=3", "").expect("a picture");
         for end in 0..whole.len() {
             let _ = state_of(&whole[..end]);

@@ -1,0 +1,106 @@
+//! Writes what the fuzz targets start from: a dictionary and one good file of each kind, made here or shipped.
+
+use exr::prelude::*;
+use seastate::model::fields::{FIELDS, Kind};
+use seastate::model::{picture, presets, query};
+use std::path::Path;
+
+fn main() -> std::io::Result<()> {
+    let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus");
+    let put = |target: &str, name: &str, bytes: &[u8]| {
+        let folder = corpus.join(target);
+        std::fs::create_dir_all(&folder)?;
+        std::fs::write(folder.join(name), bytes)
+    };
+    let buoy = include_str!("../../assets/spectra/two-systems.txt");
+    let measured = seastate::model::measured::Measured::read(&[("b.txt".into(), buoy.into())]).expect("a sample").0;
+    let mut states: Vec<String> = presets::built_in().iter().map(|p| p.state.clone()).collect();
+    states.push(format!("spectrum=measured&measured={}", measured.to_state()));
+    states.push("sky=a%20b.hdr&afloat=buoy*1*2_boat*-3*4.5&foamcolour=ff0011&t=1e5#x".into());
+    for (i, state) in states.iter().enumerate() {
+        put("state", &i.to_string(), state.as_bytes())?;
+    }
+    let png = picture::encode([2, 2], &[9; 16], &query::write(&query::parse(&states[2]).0), "x").expect("a picture");
+    put("picture", "0", &png)?;
+    put("seas", "0", include_bytes!("../../assets/presets/seas.txt"))?;
+    put("seas", "1", b"[a]\nabout: b\nsource: c\nstate: wind=3\nstate: sun=4\n# d\n[a]\nstate:\n")?;
+    put("buoy", "links", measured.to_state().as_bytes())?;
+    put("buoy", "sections", format!("b.txt\n{buoy}").as_bytes())?;
+    put(
+        "buoy",
+        "realtime",
+        format!("b.data_spec\n{}", include_str!("../../assets/spectra/pierson-moskowitz.data_spec")).as_bytes(),
+    )?;
+    put("buoy", "table", format!("b.csv\n{}", include_str!("../../assets/spectra/jonswap-10ms-100km.csv")).as_bytes())?;
+    put("buoy", "archive", b"44025w2023.txt\n#YY MM DD hh mm .02 .05 .1\n2023 1 1 0 0 0. 1.5 2\n\x1c44025d2023.txt\n#YY MM DD hh mm .02 .05 .1\n2023 1 1 0 0 10 20 30\n")?;
+    for (name, bytes) in skies() {
+        put("sky", &name, &bytes)?;
+    }
+    let words = FIELDS.iter().flat_map(|f| match f.kind {
+        Kind::Choice(words) => words.to_vec(),
+        _ => vec![f.key],
+    });
+    let more = [
+        "measured",
+        "afloat",
+        "sky",
+        "alpha1",
+        "kind: r1",
+        "#YY MM DD hh mm",
+        "[a]",
+        "state:",
+        "about:",
+        "999.0",
+        "MM",
+    ];
+    let dictionary: Vec<String> = words.chain(more).map(|word| format!("\"{word}\"\n")).collect();
+    std::fs::write(corpus.join("words.dict"), dictionary.concat())
+}
+
+/// A small sky in every form that is read.
+fn skies() -> Vec<(String, Vec<u8>)> {
+    let light = |at: Vec2<usize>| {
+        let sun = if at == Vec2(20, 4) { 900.0 } else { 0.0 };
+        (0.3 + sun, 0.5 + 0.01 * at.x() as f32 + sun, 1.0 + sun)
+    };
+    let mut out = Vec::new();
+    for compression in [
+        Compression::Uncompressed,
+        Compression::RLE,
+        Compression::ZIP1,
+        Compression::ZIP16,
+        Compression::PIZ,
+        Compression::PXR24,
+        Compression::B44,
+        Compression::B44A,
+    ] {
+        for blocks in [Blocks::ScanLines, Blocks::Tiles(Vec2(16, 8))] {
+            let half = |at| {
+                let (r, g, b) = light(at);
+                (f16::from_f32(r), f16::from_f32(g), b)
+            };
+            let layer = Layer::new(
+                Vec2(32, 16),
+                LayerAttributes::default(),
+                Encoding { compression, blocks, line_order: LineOrder::Increasing },
+                SpecificChannels::rgb(half),
+            );
+            let mut bytes = std::io::Cursor::new(Vec::new());
+            if Image::from_layer(layer).write().to_buffered(&mut bytes).is_ok() {
+                out.push((
+                    format!("{}-{compression:?}.exr", if blocks == Blocks::ScanLines { "rows" } else { "tiles" }),
+                    bytes.into_inner(),
+                ));
+            }
+        }
+    }
+    let pixel = [[128_u8, 64, 32, 129]; 16];
+    let head = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n";
+    let runs = [&[2, 2, 0, 16][..], &[144, 128], &[128 + 15, 64, 1, 64], &[144, 32], &[144, 129]].concat().repeat(8);
+    for (name, rows) in
+        [("bare", pixel.concat().repeat(8)), ("old", [128, 64, 32, 129, 1, 1, 1, 15].repeat(8)), ("runs", runs)]
+    {
+        out.push((format!("{name}.hdr"), [&head[..], &rows].concat()));
+    }
+    out
+}

@@ -1,0 +1,42 @@
+//! What somebody who reports a fault should send along: program, GPU, state, errors, frames.
+
+use super::App;
+use crate::ocean::about::About;
+
+impl App {
+    /// Names and values: what runs on what, how fast, and what went wrong last.
+    pub(super) fn about(&self) -> Vec<(&'static str, String)> {
+        let mut rows = About::new(&self.render_state.adapter, &self.render_state.device).rows();
+        #[cfg(target_arch = "wasm32")]
+        rows.push(("browser", self.browser.clone()));
+        let [width, height] = self.quality.size();
+        let quality = self.quality.word();
+        let points = self.quality.fft_size(self.derived.plan.n);
+        rows.push(("picture", format!("{width} x {height} pixels, {quality}")));
+        rows.push(("sea", format!("{points} x {points} points in {} cascades", self.derived.plan.cascades.len())));
+        rows.push(("frames", format!("{}, {:.0} a second", self.frames, self.quality.frames_a_second())));
+        rows.push(("recording", format!("{:.2} ms of the CPU", self.gauges.record_ms())));
+        let errors = self.errors();
+        let last = self.device_lost().or_else(|| errors.last().cloned());
+        rows.push(("last error", last.unwrap_or_else(|| "none".to_owned())));
+        rows
+    }
+
+    /// The same as plain text, with the state, all errors and what was noticed.
+    pub fn report(&self) -> String {
+        let mut lines: Vec<String> = self.about().iter().map(|(name, value)| format!("{name}: {value}")).collect();
+        for (pass, ms) in self.gauges.passes().unwrap_or_default() {
+            lines.push(format!("pass {pass}: {ms:.2} ms"));
+        }
+        lines.extend(self.errors().iter().map(|error| format!("error: {error}")));
+        lines.extend(self.notices.iter().map(|notice| format!("notice: {notice}")));
+        lines.push(format!("state: {}", self.state()));
+        lines.join("\n") + "\n"
+    }
+
+    /// Copies the report and says so.
+    pub(super) fn copy_report(&mut self) {
+        self.ctx.copy_text(self.report());
+        self.say("Report copied: paste it where you tell of the fault.");
+    }
+}

@@ -1,0 +1,89 @@
+//! What a device is and what the program makes of it, for a report: adapter, driver, limits, features, and the ways that are
+//! chosen by these.
+
+use crate::gpu::fft::Way;
+use crate::gpu::timer;
+use crate::render;
+
+/// The version of this program.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+/// The version of wgpu; a test holds it against Cargo.lock.
+pub const WGPU_VERSION: &str = "30.0.1";
+
+/// A device, in words and numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct About {
+    /// What it is called, as far as it says.
+    pub adapter: String,
+    /// Discrete, integrated, virtual, CPU or other.
+    pub kind: String,
+    /// The interface that it is driven by.
+    pub backend: String,
+    /// Driver and its version; a browser names none.
+    pub driver: String,
+    /// Vendor's and device's numbers, as PCI has them; 0 if they are not told.
+    pub ids: [u32; 2],
+    /// Optional features that the program uses here.
+    pub features: Vec<&'static str>,
+    /// What the program asks for, and what the adapter could give.
+    pub limits: Vec<(&'static str, [u64; 2])>,
+    /// Choices that follow from the adapter.
+    pub ways: Vec<(&'static str, String)>,
+}
+
+impl About {
+    /// Of a device and the adapter that it came from.
+    pub fn new(adapter: &wgpu::Adapter, device: &wgpu::Device) -> Self {
+        let info = adapter.get_info();
+        let (asked, could) = (device.limits(), adapter.limits());
+        let limit = |name, of: fn(&wgpu::Limits) -> u64| (name, [of(&asked), of(&could)]);
+        let features = [("timestamps", timer::FEATURES), ("timestamps between passes", timer::BETWEEN_PASSES)];
+        let transform = match Way::of(device) {
+            Way::Exchanged => "exchanged: a dispatch for each axis, through workgroup memory",
+            Way::Straight => "straight: two dispatches for each axis, without barriers",
+        };
+        Self {
+            adapter: if info.name.is_empty() { "not told".to_owned() } else { info.name },
+            kind: format!("{:?}", info.device_type),
+            backend: info.backend.to_string(),
+            driver: format!("{} {}", info.driver, info.driver_info).trim().to_owned(),
+            ids: [info.vendor, info.device],
+            features: features.iter().filter(|(_, f)| device.features().contains(*f)).map(|(name, _)| *name).collect(),
+            limits: vec![
+                limit("texture side", |l| l.max_texture_dimension_2d.into()),
+                limit("texture layers", |l| l.max_texture_array_layers.into()),
+                limit("buffer, bytes", |l| l.max_buffer_size),
+                limit("storage binding, bytes", |l| l.max_storage_buffer_binding_size),
+                limit("storage buffers in a stage", |l| l.max_storage_buffers_per_shader_stage.into()),
+                limit("storage textures in a stage", |l| l.max_storage_textures_per_shader_stage.into()),
+                limit("workgroup memory, bytes", |l| l.max_compute_workgroup_storage_size.into()),
+                limit("threads of a workgroup", |l| l.max_compute_invocations_per_workgroup.into()),
+            ],
+            ways: vec![("transform", transform.to_owned()), ("samples a pixel", render::samples(device).to_string())],
+        }
+    }
+
+    /// Everything as names and values, the program's own version first.
+    pub fn rows(&self) -> Vec<(&'static str, String)> {
+        let known = |text: &str| if text.is_empty() { "not told".to_owned() } else { text.to_owned() };
+        let [vendor, device] = self.ids;
+        let mut rows = vec![
+            ("Seastate", VERSION.to_owned()),
+            ("wgpu", WGPU_VERSION.to_owned()),
+            ("system", system()),
+            ("adapter", format!("{} ({})", self.adapter, self.kind)),
+            ("backend", self.backend.clone()),
+            ("driver", known(&self.driver)),
+            ("vendor, device", format!("{vendor:#06x}, {device:#06x}")),
+            ("features", if self.features.is_empty() { "none".to_owned() } else { self.features.join(", ") }),
+        ];
+        rows.extend(self.ways.iter().cloned());
+        rows.extend(self.limits.iter().map(|(name, [asked, could])| (*name, format!("{asked} of {could}"))));
+        rows
+    }
+}
+
+/// The system that the program was built for.
+pub fn system() -> String {
+    format!("{} {}", std::env::consts::OS, std::env::consts::ARCH).trim().to_owned()
+}

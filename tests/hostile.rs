@@ -1,0 +1,124 @@
+//! Files and texts that are broken, lie or were made to do harm: each is refused in words, and nothing panics.
+
+#[path = "common/hostile.rs"]
+mod hostile;
+
+use exr::prelude::*;
+use hostile::CHECKS;
+use seastate::model::panorama;
+use std::path::PathBuf;
+
+/// Every case that fuzzing has kept or found (fuzz/), through the checks of its target.
+#[test]
+fn kept_cases_do_no_harm() {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/cases");
+    let mut bytes = 0;
+    for (target, check) in CHECKS {
+        let files = std::fs::read_dir(folder.join(target)).unwrap_or_else(|e| panic!("tests/cases/{target}: {e}"));
+        let mut paths: Vec<PathBuf> = files.map(|file| file.expect("a file").path()).collect();
+        paths.sort();
+        assert!(paths.len() > 20, "{target}: {}", paths.len());
+        for path in paths {
+            let case = std::fs::read(&path).expect("a case");
+            bytes += case.len();
+            // Shown only when it fails: which case it was.
+            eprintln!("{}", path.display());
+            check(&case);
+        }
+    }
+    assert!(bytes < 1 << 20, "{bytes} bytes of cases: keep fewer");
+}
+
+/// A small sky in the form of OpenEXR: rows, and no count of the blocks that a lie would have to agree with.
+fn exr() -> Vec<u8> {
+    let rows =
+        Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
+    let pixels = SpecificChannels::rgb(|at: Vec2<usize>| (at.x() as f32, 1f32, at.y() as f32));
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    let image = Image::from_layer(Layer::new((64, 32), LayerAttributes::default(), rows, pixels));
+    image.write().to_buffered(&mut bytes).expect("a file");
+    let mut bytes = bytes.into_inner();
+    let end = after(&bytes, b"chunkCount\0");
+    bytes[end - 2] = b'_';
+    bytes
+}
+
+/// The place behind a piece of a file.
+fn after(bytes: &[u8], piece: &[u8]) -> usize {
+    bytes.windows(piece.len()).position(|w| w == piece).expect("the piece is there") + piece.len()
+}
+
+/// The same file with other windows: x and y of the first and the last pixel.
+fn with_windows(data: [i32; 4], display: [i32; 4]) -> Vec<u8> {
+    let mut bytes = exr();
+    for (name, window) in [("dataWindow", data), ("displayWindow", display)] {
+        // Type, and length of the value.
+        let at = after(&bytes, format!("{name}\0box2i\0").as_bytes()) + 4;
+        bytes[at..at + 16].copy_from_slice(&window.map(i32::to_le_bytes).concat());
+    }
+    bytes
+}
+
+fn refusal(bytes: &[u8]) -> String {
+    panorama::read("sky.exr", bytes).map(drop).expect_err("refused")
+}
+
+#[test]
+fn a_sky_that_claims_to_be_enormous_is_refused_before_memory_is_asked_for() {
+    assert!(panorama::read("sky.exr", &exr()).is_ok());
+    let whole = [0, 0, 63, 31];
+    let huge = [0, 0, 1_000_000_000, 500_000_000];
+    for (data, display) in [(huge, whole), (whole, huge), (huge, huge)] {
+        let reason = refusal(&with_windows(data, display));
+        let says = "sky.exr: 1000000001 x 500000001 pixels, where 16384 x 8193 are read: save it smaller";
+        assert_eq!(reason, says);
+    }
+    // Within the limits, but of a file of some kilobytes.
+    assert!(refusal(&with_windows([0, 0, 16_383, 8_191], [0, 0, 16_383, 8_191])).contains("ends too early"));
+    for edge in [i32::MIN, i32::MIN / 2, -1, i32::MAX / 2, i32::MAX] {
+        refusal(&with_windows([edge, edge, edge, edge], whole));
+        refusal(&with_windows(whole, [edge, edge, edge, edge]));
+        refusal(&with_windows([edge, 0, 63, 31], [0, edge, 63, 31]));
+    }
+}
+
+#[test]
+fn a_sky_of_a_single_enormous_block_is_refused() {
+    // A thousand channels, compressed so that 256 rows are a block.
+    let mut bytes = exr();
+    let at = after(&bytes, b"compression\0compression\0") + 4;
+    bytes[at] = 9;
+    let at = after(&bytes, b"channels\0chlist\0");
+    let length = u32::from_le_bytes(bytes[at..at + 4].try_into().expect("four bytes"));
+    let channel = |name: &str| {
+        let [kind, one] = [2u32, 1].map(u32::to_le_bytes);
+        [name.as_bytes(), &[0], &kind, &[0; 4], &one, &one].concat()
+    };
+    let names = (0..1000).map(|i| format!("{i:03}")).chain(["B", "G", "R"].map(str::to_owned));
+    let mut list: Vec<u8> = names.flat_map(|name| channel(&name)).collect();
+    list.push(0);
+    bytes.splice(at + 4..at + 4 + length as usize, list.iter().copied());
+    bytes[at..at + 4].copy_from_slice(&(list.len() as u32).to_le_bytes());
+    refusal(&bytes);
+    for name in ["dataWindow", "displayWindow"] {
+        let at = after(&bytes, format!("{name}\0box2i\0").as_bytes()) + 4;
+        bytes[at..at + 16].copy_from_slice(&[0, 0, 16_383, 8_191].map(i32::to_le_bytes).concat());
+    }
+    assert!(refusal(&bytes).contains("256 MiB: save it in rows or smaller tiles"), "{}", refusal(&bytes));
+}
+
+#[test]
+fn skies_that_end_early_or_have_a_wrong_byte_are_refused_or_read() {
+    let whole = exr();
+    for end in 0..whole.len() {
+        let reason = refusal(&whole[..end]);
+        assert!(reason.starts_with("sky.exr: ") && reason.len() > 20 && reason.lines().count() == 1, "{reason}");
+    }
+    for i in 0..whole.len().min(1500) {
+        for flip in [0x01, 0x80, 0xff] {
+            let mut bytes = whole.clone();
+            bytes[i] ^= flip;
+            hostile::sky(&bytes);
+        }
+    }
+}

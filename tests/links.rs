@@ -1,0 +1,53 @@
+//! A link means for good what it meant when it was made: tests/links.txt.
+
+use seastate::cli::gallery::SEAS;
+use seastate::model::statistics::Theory;
+use seastate::model::{Plan, presets, query};
+
+/// Largest error of a height, relative: the file has four decimals, quadrature is far better.
+const TOLERANCE: f64 = 2e-3;
+
+/// Height and link of every line.
+fn links() -> Vec<(f64, &'static str)> {
+    let lines = include_str!("links.txt").lines().filter(|line| !line.starts_with('#') && !line.is_empty());
+    let split = |line: &'static str| {
+        let (height, link) = line.split_once(' ')?;
+        Some((height.parse().ok()?, link))
+    };
+    lines.map(|line| split(line).unwrap_or_else(|| panic!("{line}: no height and link"))).collect()
+}
+
+#[test]
+fn every_link_opens_the_sea_that_it_opened_before() {
+    let links = links();
+    assert!(links.len() >= 44, "lines are added, never taken away: {}", links.len());
+    for (height_m, link) in links {
+        let (params, notices) = query::parse(link);
+        assert_eq!(notices, Vec::<String>::new(), "{link}");
+        let hs_m = Theory::new(&Plan::new(&params)).hs_m;
+        assert!((hs_m / height_m - 1.0).abs() < TOLERANCE, "{link}: {hs_m} m, and {height_m} m before");
+        let today = query::write(&params);
+        assert_eq!(query::parse(&today), (params, vec![]), "{link}");
+    }
+}
+
+#[test]
+fn what_the_program_and_its_pages_link_to_is_among_them() {
+    let known: Vec<_> = links().iter().map(|(_, link)| query::parse(link).0).collect();
+    let gallery = SEAS.iter().map(|sea| sea.state.to_owned());
+    let built_in = presets::built_in().iter().map(|preset| preset.state.clone());
+    let all = gallery.chain(built_in).chain(quoted(include_str!("../README.md")));
+    let missing: Vec<String> = all.filter(|state| !known.contains(&query::parse(state).0)).collect();
+    assert_eq!(missing, Vec::<String>::new(), "tests/links.txt lacks these");
+}
+
+/// State strings in a page: what stands in quotes, has a key that is known and no mistake.
+fn quoted(page: &str) -> Vec<String> {
+    let pieces =
+        page.split(['\'', '`', '"']).filter(|piece| piece.contains('=') && !piece.contains(char::is_whitespace));
+    let states = pieces.filter(|piece| {
+        let reading = query::read(piece);
+        !reading.taken.is_empty() && reading.notices.is_empty()
+    });
+    states.map(str::to_owned).collect()
+}

@@ -1,0 +1,124 @@
+//! Random and extreme states through the whole path, from the spectrum to the picture: maps hold finite numbers, no pixel is
+//! broken (the last pass paints magenta what is not a number), wgpu has nothing to complain of (it would panic), and the state is what
+//! its link says.
+
+mod common;
+
+use common::{gpu, params, read};
+use seastate::cli::render::{FORMAT, on_film};
+use seastate::gpu::device::Gpu;
+use seastate::gpu::shaders::Shaders;
+use seastate::model::fields::{FIELDS, Field, Kind};
+use seastate::model::noise::pcg4d;
+use seastate::model::{Params, Plan, query};
+use seastate::ocean::Ocean;
+use seastate::sim::Simulation;
+use std::collections::BTreeMap;
+
+const SIZE: [u32; 2] = [48, 32];
+
+/// Least and greatest value.
+fn ends(field: &Field) -> [f64; 2] {
+    match field.kind {
+        Kind::Number { min, max, .. } => [min, max],
+        Kind::Heading => [0.0, 359.99],
+        Kind::Integer { min, max } => [f64::from(min), f64::from(max)],
+        Kind::Choice(words) => [0.0, words.len() as f64 - 1.0],
+        Kind::Flag => [0.0, 1.0],
+        Kind::Colour => [0.0, f64::from(0x00ff_ffff)],
+    }
+}
+
+/// Odd numbers are random states. Even ones have a share of their values at an end of its range, from one value (each field has its
+/// turn, at either end) to nearly all.
+fn state(number: u32) -> Params {
+    let mut p = if number.is_multiple_of(2) { params("n=64") } else { common::random_params("n=64", number) };
+    if number.is_multiple_of(2) {
+        let fields = FIELDS.len() as u32;
+        let (turn, end) = (number / 2 % fields, number / 2 / fields % 2);
+        let share = number / 2 / fields / 2 % 5;
+        for (j, field) in (0..).zip(FIELDS.iter()) {
+            let dice = pcg4d([number, j, 5, 55]);
+            let chosen = if j == turn { Some(end) } else { (dice[0] % 5 < share).then_some(dice[1] % 2) };
+            if let Some(end) = chosen {
+                (field.set)(&mut p, ends(field)[end as usize]);
+            }
+        }
+    }
+    // Larger lattices hold the same waves and more of them, and take their time here.
+    p.grid.n = if number % 16 < 14 { 64 } else { 128 };
+    p
+}
+
+struct Lab {
+    gpu: Gpu,
+    /// For each size of a sea, so that its passes are compiled once.
+    seas: BTreeMap<(u32, usize), (Simulation, Ocean)>,
+}
+
+impl Lab {
+    /// What is wrong with a state.
+    fn fault(&mut self, p: &Params) -> Option<String> {
+        let (device, queue) = (&self.gpu.device, &self.gpu.queue);
+        let plan = Plan::new(p);
+        let link = query::write(p);
+        if query::parse(&link) != (p.clone(), vec![]) {
+            return Some("is another one in its link".to_owned());
+        }
+        let make = || {
+            let sim = Simulation::new(device, queue, plan.clone(), &Shaders::default());
+            (sim, Ocean::new(device, queue, FORMAT, p))
+        };
+        let (sim, ocean) = self.seas.entry((plan.n, plan.cascades.len())).or_insert_with(make);
+        sim.set_plan(device, queue, plan, &Shaders::default());
+        let maps = read(&self.gpu, sim, p.clock.t_s);
+        let infinite = maps.texels.iter().flatten().filter(|v| !v.is_finite()).count();
+        if infinite > 0 {
+            return Some(format!("has {infinite} numbers in its maps that are none"));
+        }
+        ocean.set_params(device, queue, p);
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        // A few steps of the foam are enough to break a picture.
+        ocean.encode(device, queue, &mut encoder, SIZE, 3);
+        let drawn = pollster::block_on(on_film(&self.gpu, encoder, SIZE, |pass| ocean.present(pass)));
+        let pixels = drawn.expect("a picture");
+        let broken = pixels.chunks(4).filter(|p| p[0] > 250 && p[1] < 5 && p[2] > 250).count();
+        (broken > 0).then(|| format!("has {broken} broken pixels"))
+    }
+}
+
+/// The faults of states by their numbers.
+fn faults(numbers: impl Iterator<Item = u32>) -> Vec<String> {
+    let mut lab = Lab { gpu: gpu(), seas: BTreeMap::new() };
+    let mut out = Vec::new();
+    for number in numbers {
+        let p = state(number);
+        if let Some(fault) = lab.fault(&p) {
+            eprintln!("state {number} {fault}: {}", query::write(&p));
+            out.push(format!("state {number} {fault}: {}", query::write(&p)));
+        }
+    }
+    out
+}
+
+#[test]
+fn extreme_states_are_drawn() {
+    // Spread over all of the long run's.
+    assert_eq!(faults((0..60).map(|i| i * 83 % 5000)), Vec::<String>::new());
+}
+
+#[test]
+#[ignore = "takes half an hour on a software GPU"]
+fn five_thousand_states_are_drawn() {
+    assert_eq!(faults(0..5000), Vec::<String>::new());
+}
+
+#[test]
+fn every_field_has_its_turn_at_both_ends() {
+    for (j, field) in FIELDS.iter().enumerate().filter(|(_, f)| f.key != "n") {
+        for (end, value) in (0..).zip(ends(field)) {
+            let number = 2 * (j + end * FIELDS.len()) as u32;
+            assert!(number < 5000 && (field.get)(&state(number)) == value, "{} = {value}", field.key);
+        }
+    }
+}
