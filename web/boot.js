@@ -6,8 +6,12 @@
 const STALL_SECONDS = 20; // without a byte
 const ADAPTER_SECONDS = 30; // without an answer
 const SLOW_SECONDS = 20; // until the first picture, before the page asks for patience
-const LOSS_WINDOW_SECONDS = 120; // in which the page brings back a lost device
-const LOSS_TRIES = 2; // at most so often
+const WATCH_MS = 250; // between two looks at the program
+const START_TRIES = 3; // of a device that is refused
+const COVER_SECONDS = 10; // that the last picture waits for the foam of the next
+const LOSS_WINDOW_SECONDS = 60; // in which lost devices are counted
+const LOSS_REVIVALS = 8; // in place, the same program with another device; after that
+const LOSS_RELOADS = 2; // by loading the page again; after that the page gives up
 const LOSS_KEY = 'seastate-device-lost';
 
 // What the program asks of a device beyond a few buffers: WebGPU's own base limits.
@@ -157,26 +161,70 @@ async function download(signal) {
   }
 }
 
-/** A lost device comes back with the page, since the address holds the state; but not for ever. */
-function recover(handle, reason) {
-  try {
-    handle.destroy();
-  } catch {
-    // It was going away anyway.
-  }
+const pause = (seconds) => new Promise((resolve) => setTimeout(resolve, seconds * 1000));
+
+/** Notes a loss, and says how many there were lately; loading the page again does not forget them. */
+function countLoss() {
   const now = Date.now();
-  let losses = [];
   try {
-    losses = JSON.parse(sessionStorage.getItem(LOSS_KEY) ?? '[]').filter((at) => now - at < LOSS_WINDOW_SECONDS * 1000);
-    sessionStorage.setItem(LOSS_KEY, JSON.stringify([...losses, now]));
+    const losses = JSON.parse(sessionStorage.getItem(LOSS_KEY) ?? '[]').filter((at) => now - at < LOSS_WINDOW_SECONDS * 1000);
+    losses.push(now);
+    sessionStorage.setItem(LOSS_KEY, JSON.stringify(losses));
+    return losses.length;
   } catch {
-    losses = Array(LOSS_TRIES).fill(now); // without a memory no second try
+    return Infinity; // without a memory it could go on for ever
   }
-  if (losses.length < LOSS_TRIES) {
-    console.warn(`seastate: the graphics device was lost (${reason}), loading the page again`);
-    location.reload();
-  } else {
-    show('lost', reason);
+}
+
+function forgetLosses() {
+  try {
+    sessionStorage.removeItem(LOSS_KEY);
+  } catch {
+    // Nothing was noted, then.
+  }
+}
+
+/** Starts on a canvas; an answer that never comes counts as a refusal. */
+function start(handle, canvas) {
+  return Promise.race([handle.start(canvas), after(ADAPTER_SECONDS, () => new Error(`no device in ${ADAPTER_SECONDS} s`))]);
+}
+
+/**
+ * Brings a lost device back: the same program goes on with another one, on another canvas, under the last picture of the
+ * old. Where that does not help, the page is loaded again, since the address holds the state; but not for ever. Gives the
+ * old canvas, or nothing if there is nothing more to watch.
+ */
+async function recover(handle, reason) {
+  for (;;) {
+    const losses = countLoss();
+    if (losses > LOSS_REVIVALS + LOSS_RELOADS) {
+      forgetLosses();
+      show('lost', reason);
+      return undefined;
+    }
+    if (losses > LOSS_REVIVALS || handle.has_panicked()) {
+      console.warn(`seastate: the graphics device was lost (${reason}), loading the page again`);
+      location.reload();
+      return undefined;
+    }
+    console.warn(`seastate: the graphics device was lost (${reason}), opening another`);
+    const old = element('sea');
+    const fresh = old.cloneNode();
+    const hasKeyboard = document.activeElement === old;
+    old.removeAttribute('id');
+    old.inert = true;
+    old.before(fresh);
+    try {
+      await start(handle, fresh);
+      if (hasKeyboard) fresh.focus();
+      return old;
+    } catch (error) {
+      reason = String(error?.message ?? error);
+      fresh.remove();
+      old.id = 'sea';
+      old.inert = false;
+      await pause(1);
+    }
   }
 }
 
@@ -186,45 +234,53 @@ function panicText(handle) {
   return handle.panic_message() ?? 'no message';
 }
 
-/** Panicked, lost, or drawing? Until the first picture often, then each second. */
+/** Panicked, lost, or drawing? */
 function watch(handle) {
-  const begun = performance.now();
-  let running = false;
-  const look = () => {
-    try {
-      next();
-    } catch (error) {
-      // A trap inside one of these questions.
-      show('panic', panicText(handle) ?? String(error));
-    }
-  };
-  const next = () => {
-    const panic = panicText(handle);
-    if (panic !== undefined) {
-      show('panic', panic);
-      return;
-    }
+  let begun = performance.now();
+  let before = 0; // frames of devices that are gone
+  let shown = false; // a picture of this device
+  let cover; // the canvas that still shows one of the last device
+  let panicked = false;
+  const look = () => next().catch((error) => show('panic', panicText(handle) ?? String(error)));
+  const next = async () => {
+    const seconds = (performance.now() - begun) / 1000;
     const lost = handle.device_lost();
+    const panic = panicText(handle);
     if (lost !== undefined) {
-      recover(handle, lost);
-      return;
-    }
-    if (!running && handle.frames() > 0) {
-      running = true;
+      before = handle.frames();
+      const old = await recover(handle, lost);
+      if (!old) return;
+      if (shown) cover = old;
+      else old.remove();
+      [begun, shown] = [performance.now(), false];
+    } else if (panic !== undefined) {
+      // The loss that made it panic may be told a little later.
+      if (panicked) {
+        show('panic', panic);
+        return;
+      }
+      panicked = true;
+    } else if (!shown && handle.frames() > before && (!cover || handle.settled() || seconds > COVER_SECONDS)) {
+      shown = true;
+      cover?.remove();
+      cover = undefined;
       document.body.classList.add('running');
       element('loading').hidden = true;
-    } else if (!running && performance.now() - begun > SLOW_SECONDS * 1000) {
+    } else if (!shown && seconds > SLOW_SECONDS) {
       say('Preparing the shaders: a slow graphics card can take a minute…');
     }
-    setTimeout(look, running ? 1000 : 100);
+    setTimeout(look, WATCH_MS);
   };
   look();
 }
 
-/** A trap that no panic announced (memory exhausted, stack overflow). */
+/** A trap that no panic announced (memory exhausted, stack overflow), and no loss either. */
 function watchTraps() {
   const trapped = (error) => {
-    if (error instanceof WebAssembly.RuntimeError && !document.body.dataset.rung) show('panic', String(error));
+    if (!(error instanceof WebAssembly.RuntimeError)) return;
+    setTimeout(() => {
+      if (!document.body.dataset.rung && window.seastate?.device_lost() === undefined) show('panic', String(error));
+    }, 2 * WATCH_MS);
   };
   addEventListener('error', (event) => trapped(event.error));
   addEventListener('unhandledrejection', (event) => trapped(event.reason));
@@ -235,12 +291,26 @@ async function bench(handle) {
   const query = new URLSearchParams(location.search);
   const repeat = Math.max(5, Number(query.get('bench')) || 0);
   query.delete('bench');
-  const measured = await handle.bench(query.toString(), repeat, (what) => say(`Measuring: ${what}…`));
+  const tell = (what) => say(`Measuring: ${what}…`);
+  // Once more if the device was lost on the way; each run has one of its own.
+  const measured = await handle.bench(query.toString(), repeat, tell).catch(() => handle.bench(query.toString(), repeat, tell));
   const table = element('bench');
   table.textContent = measured.text;
   table.hidden = false;
   element('loading').hidden = true;
   window.measured = measured;
+}
+
+/** Starts on the page's canvas; a browser that has just lost its graphics process may refuse at first. */
+async function begin(handle) {
+  for (let left = START_TRIES - 1; ; left -= 1) {
+    try {
+      return await start(handle, element('sea'));
+    } catch (error) {
+      if (left <= 0 || handle.has_panicked()) throw error;
+      await pause(0.5);
+    }
+  }
 }
 
 async function boot() {
@@ -260,7 +330,7 @@ async function boot() {
       handle = new glue.WebHandle();
       window.seastate = handle;
       if (new URLSearchParams(location.search).has('bench')) return await bench(handle);
-      await handle.start(element('sea'));
+      await begin(handle);
     } catch (error) {
       const panic = panicText(handle) ?? (error instanceof WebAssembly.RuntimeError ? String(error) : undefined);
       throw panic === undefined ? new Rung('start', String(error?.message ?? error)) : new Rung('panic', panic);

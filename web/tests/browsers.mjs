@@ -48,6 +48,11 @@ export async function launch(name) {
     name,
     version: await browser.version(),
     open: (url, settings) => open(browser, url, settings),
+    crashGpu: async () => {
+      const session = await browser.target().createCDPSession();
+      await session.send('Browser.crashGpuProcess');
+      await session.detach();
+    },
     close: () => browser.close(),
   };
 }

@@ -62,12 +62,13 @@ export async function ladder({ test, out, origin, browser }) {
     });
   }
 
-  await test(`${browser.name}: ladder: a lost device comes back twice`, async () => {
+  await test(`${browser.name}: ladder: a device that is lost at once is given up after some tries`, async () => {
     const tab = await browser.open(`${origin}/fault/stub/${QUERY}&play=lost`);
     try {
       await tab.until('the last rung', () => document.body.dataset.rung === 'lost');
-      const reloads = tab.log.filter((line) => line.includes('loading the page again')).length;
-      assert.equal(reloads, 2);
+      const said = (what) => tab.log.filter((line) => line.includes(what)).length;
+      assert.deepEqual([said('opening another'), said('loading the page again')], [8, 2]);
+      assert.equal(await tab.evaluate(() => document.querySelectorAll('canvas').length), 1, 'canvases are not heaped up');
     } finally {
       await tab.close();
     }

@@ -10,6 +10,7 @@ import { parseArgs } from 'node:util';
 import { NAMES, launch } from './browsers.mjs';
 import { ladder } from './ladder.mjs';
 import { explorer } from './explorer.mjs';
+import { losses } from './losses.mjs';
 import { sea } from './sea.mjs';
 import { serve } from './server.mjs';
 
@@ -89,6 +90,7 @@ for (const name of NAMES.filter((each) => !options.browser || each === options.b
   try {
     if (!options.explorer) await sea({ ...context, browser });
     await explorer({ ...context, browser });
+    if (!options.explorer) await losses({ ...context, browser });
     if (!options.explorer) await ladder({ ...context, browser });
   } finally {
     await browser.close().catch(() => {});

@@ -12,7 +12,7 @@ export class WebHandle {
     if (play === 'reject') throw 'no device: the stub refuses';
     this.#began = performance.now();
     if (play === 'sleep') return;
-    this.#frames = 1;
+    this.#frames += 1;
   }
 
   #later() {
