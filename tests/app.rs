@@ -430,7 +430,7 @@ fn pictures_to_look_at() {
 fn open_shell(berth: &Berth, state: &str) -> Harness<'static, Shell> {
     let (berth, state) = (berth.clone(), state.to_owned());
     let mut harness = Harness::builder()
-        .with_size(egui::vec2(900.0, 500.0))
+        .with_size(egui::vec2(300.0, 170.0))
         .with_pixels_per_point(1.0)
         .with_step_dt(1.0 / 60.0)
         .wgpu_setup(seastate::app::setup::wgpu_configuration().wgpu_setup)
@@ -439,13 +439,15 @@ fn open_shell(berth: &Berth, state: &str) -> Harness<'static, Shell> {
     harness
 }
 
+/// The picture once foam and glide have ended; a frame is recorded when it is rendered.
 fn settle(harness: &mut Harness<'_, Shell>) -> image::RgbaImage {
-    while !harness.state_mut().app().expect("an app").settled() {
+    loop {
         harness.run_steps(1);
+        let picture = harness.render().expect("a picture");
+        if harness.state_mut().app().expect("an app").settled() {
+            return picture;
+        }
     }
-    // Until what was said is no longer shown.
-    harness.run_steps(300);
-    harness.render().expect("a picture")
 }
 
 #[test]

@@ -165,11 +165,16 @@ impl WebHandle {
     /// If there is no GPU, or it is lost meanwhile.
     pub async fn bench(&self, state: String, repeat: u32, progress: js_sys::Function) -> Result<JsValue, JsValue> {
         let gpu = Gpu::request().await?;
+        let faults = Faults::watch(&gpu.device);
         let options = Options { sizes: vec![[1280, 720]], repeat, matrix: false, baseline: true };
         // What a listener does is its own affair.
         let tell = |what: &str| drop(progress.call1(&JsValue::NULL, &what.into()));
         let device = (&gpu.device, &gpu.queue);
         let report = bench::run(device, &gpu.adapter.get_info(), &query::parse(&state).0, &options, tell).await?;
+        // A lost device does all at once, and nothing.
+        if let Some(reason) = faults.lost().or_else(|| faults.errors().first().cloned()) {
+            return Err(reason.into());
+        }
         let passes: js_sys::Array = report.rows.iter().map(measured).collect();
         let out = js_sys::Object::new();
         js_sys::Reflect::set(&out, &"text".into(), &report.to_string().into())?;

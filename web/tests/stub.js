@@ -37,6 +37,10 @@ export class WebHandle {
     return location.search.slice(1);
   }
 
+  settled() {
+    return true;
+  }
+
   frames() {
     if (play === 'throw') throw new WebAssembly.RuntimeError('unreachable in an answer');
     return this.#frames;
