@@ -41,6 +41,8 @@ impl Shell {
     /// Takes the app out, to wait for another device.
     pub fn leave(&mut self, berth: &Berth) {
         if let Some(app) = self.0.take() {
+            // One that was merely too small holds its memory still.
+            app.render_state.device.destroy();
             berth.replace(Some(app));
         }
     }
@@ -80,6 +82,10 @@ impl App {
     /// If eframe has no wgpu device; the app is as it was, then.
     pub fn move_to(&mut self, cc: &eframe::CreationContext<'_>) -> Result<(), String> {
         self.render_state = cc.wgpu_render_state.clone().ok_or(super::NO_WGPU)?;
+        let refused = self.faults.refused();
+        if refused {
+            self.quality.refuse();
+        }
         self.faults = lay_out(&self.render_state, &self.to_draw());
         // What is open, scrolled and half typed; but the button that was held may be up by now.
         let memory = self.ctx.memory(Clone::clone);
@@ -95,7 +101,9 @@ impl App {
         self.catching_up = viewport::CatchingUp::default();
         self.gauges = gauges::Gauges::default();
         self.measured = gauges::Measured::default();
-        if self.params.screen.panel {
+        if refused {
+            self.say_next("The graphics card is short of memory: the picture has fewer pixels now.");
+        } else if self.params.screen.panel {
             self.say_next("The graphics device was lost and is back.");
         }
         Ok(())
