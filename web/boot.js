@@ -14,8 +14,12 @@ const LOSS_REVIVALS = 8; // in place, the same program with another device; afte
 const LOSS_RELOADS = 2; // by loading the page again; after that the page gives up
 const LOSS_KEY = 'seastate-device-lost';
 
+// Where pages are written, and none is kept.
+const LOCAL = new Set(['localhost', '127.0.0.1', '[::1]']);
+
 // What the program asks of a device beyond a few buffers: WebGPU's own base limits.
 const LIMITS = {
+  maxTextureDimension2D: 8192,
   maxComputeInvocationsPerWorkgroup: 256,
   maxComputeWorkgroupStorageSize: 16384,
   maxStorageTexturesPerShaderStage: 4,
@@ -64,9 +68,24 @@ function after(seconds, make) {
 }
 
 function checkBrowser() {
+  if (location.protocol === 'file:') throw new Rung('file');
   if (typeof WebAssembly !== 'object' || typeof WebAssembly.compileStreaming !== 'function') throw new Rung('no-wasm');
   if (!isSecureContext) throw new Rung('insecure', location.origin);
   if (!navigator.gpu) throw new Rung('no-webgpu', navigator.userAgent);
+}
+
+let density; // of the screen's pixels, when the canvas was last fitted
+
+/**
+ * Keeps the canvas, which has all pixels of the screen, within what the device can draw on. eframe looks at its size alone,
+ * which another density (another screen) leaves as it is: that moves it a hair.
+ */
+function fit() {
+  if (density === devicePixelRatio) return;
+  const { style } = document.documentElement;
+  style.setProperty('--most', `${Math.floor(LIMITS.maxTextureDimension2D / devicePixelRatio)}px`);
+  if (density) style.setProperty('--nudge', style.getPropertyValue('--nudge') === '0.02px' ? '0px' : '0.02px');
+  density = devicePixelRatio;
 }
 
 async function checkAdapter() {
@@ -86,8 +105,14 @@ async function checkAdapter() {
 
 const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
 
-/** The response again, with its bytes counted while the compiler takes them. */
-function counted(response) {
+/** Whether bytes are those of a sum, as in an `integrity` attribute. */
+async function isWhole(bytes, sum) {
+  const digest = new Uint8Array(await crypto.subtle.digest('SHA-384', bytes));
+  return sum === `sha384-${btoa(String.fromCharCode(...digest))}`;
+}
+
+/** The response again, with its bytes counted, and kept in `parts`, while the compiler takes them. */
+function counted(response, parts) {
   // With a Content-Encoding the length is that of the packed bytes, but the packed bytes cannot be counted: no total then.
   const packed = response.headers.has('content-encoding');
   const total = packed ? 0 : Number(response.headers.get('content-length') ?? 0);
@@ -121,6 +146,7 @@ function counted(response) {
         return;
       }
       received += chunk.value.byteLength;
+      parts.push(chunk.value);
       if (total > 0 && received <= total) {
         bar.max = total;
         bar.value = received;
@@ -140,6 +166,16 @@ function counted(response) {
   return new Response(stream, { headers: { 'content-type': 'application/wasm' } });
 }
 
+/** Imports a module, if it is what its sum says: import() takes it from the link that has asked for it. */
+function importWhole(address, sum) {
+  const link = document.createElement('link');
+  link.rel = 'modulepreload';
+  link.href = address;
+  link.integrity = sum;
+  document.head.append(link);
+  return import(address);
+}
+
 /** Fetches both halves of the program; compiles the large one while it arrives. */
 async function download(signal) {
   const names = document.querySelector('meta[name="seastate-program"]').dataset;
@@ -150,11 +186,16 @@ async function download(signal) {
       clearTimeout(connecting);
       hide('stalled');
     });
-    const glue = import(here(names.glue));
+    const glue = importWhole(here(names.glue), names.glueIntegrity);
     glue.catch(() => {}); // awaited below
     const response = await answer;
     if (!response.ok) throw new Rung('download', `${names.wasm}: ${response.status} ${response.statusText}`);
-    const module = await WebAssembly.compileStreaming(counted(response));
+    // fetch() would check the sum, too, but hand out nothing before all has come.
+    const parts = [];
+    const module = await WebAssembly.compileStreaming(counted(response, parts));
+    if (!(await isWhole(await new Blob(parts).arrayBuffer(), names.wasmIntegrity))) {
+      throw new Rung('download', `${names.wasm} is not what the page was built with`);
+    }
     return { glue: await glue, module };
   } catch (error) {
     throw error instanceof Rung ? error : new Rung('download', String(error));
@@ -234,6 +275,29 @@ function panicText(handle) {
   return handle.panic_message() ?? 'no message';
 }
 
+/**
+ * Keeps a copy of the page for times without a network. Not where pages are written: another one may be at this address
+ * tomorrow, and must not meet a worker of this one.
+ */
+async function keepOffline() {
+  const workers = navigator.serviceWorker;
+  if (!workers) return;
+  try {
+    if (!LOCAL.has(location.hostname)) {
+      await workers.register('sw.js', { updateViaCache: 'none' });
+      return;
+    }
+    const worker = await workers.getRegistration();
+    if (!worker) return;
+    await worker.unregister();
+    const copies = (await caches.keys()).filter((name) => name.startsWith(`seastate ${worker.scope} `));
+    await Promise.all(copies.map((name) => caches.delete(name)));
+  } catch (error) {
+    // The page works without.
+    console.info(`seastate: no copy for times without a network: ${error}`);
+  }
+}
+
 /** Panicked, lost, or drawing? */
 function watch(handle) {
   let begun = performance.now();
@@ -243,6 +307,7 @@ function watch(handle) {
   let panicked = false;
   const look = () => next().catch((error) => show('panic', panicText(handle) ?? String(error)));
   const next = async () => {
+    fit();
     const seconds = (performance.now() - begun) / 1000;
     const lost = handle.device_lost();
     const panic = panicText(handle);
@@ -264,6 +329,7 @@ function watch(handle) {
       shown = true;
       cover?.remove();
       cover = undefined;
+      if (!document.body.classList.contains('running')) keepOffline();
       document.body.classList.add('running');
       element('loading').hidden = true;
     } else if (!shown && seconds > SLOW_SECONDS) {
@@ -319,6 +385,8 @@ async function boot() {
   try {
     checkBrowser();
     watchTraps();
+    fit();
+    addEventListener('resize', fit);
     const program = download(abort.signal);
     program.catch(() => {}); // awaited below
     await checkAdapter();
