@@ -129,10 +129,6 @@ need_browsers() {
   fi
 }
 
-# The page as it is shipped, into dist/.
+# The page as it is shipped, into dist/; scripts/finish.sh does the last of it.
 # SEASTATE_URL, where the page will be: previews of its links need whole addresses.
-build_page() {
-  NO_COLOR=true trunk build --release "$@" || return 1
-  [ -z "${SEASTATE_URL:-}" ] ||
-    sed -i "s|\(property=\"og:image\" content=\"\)still.jpg|\1${SEASTATE_URL%/}/still.jpg|" dist/index.html
-}
+build_page() { NO_COLOR=true trunk build --release "$@"; }

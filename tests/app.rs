@@ -3,6 +3,7 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use seastate::app::App;
+use seastate::app::lifeboat::{Berth, Shell};
 
 fn open(state: &str) -> Harness<'static, App> {
     open_in(state, [900.0, 500.0])
@@ -516,4 +517,60 @@ fn pictures_to_look_at() {
         harness.render().expect("a picture").save(folder.join(format!("{name}.png"))).expect("a file");
         assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
     }
+}
+
+/// A window whose app can leave it, as the program's own.
+fn open_shell(berth: &Berth, state: &str) -> Harness<'static, Shell> {
+    let (berth, state) = (berth.clone(), state.to_owned());
+    let mut harness = Harness::builder()
+        .with_size(egui::vec2(300.0, 170.0))
+        .with_pixels_per_point(1.0)
+        .with_step_dt(1.0 / 60.0)
+        .wgpu_setup(seastate::app::setup::wgpu_configuration().wgpu_setup)
+        .build_eframe(move |cc| Shell::new(cc, &berth, |cc| App::new(cc, &state)).expect("a device"));
+    harness.run_steps(3);
+    harness
+}
+
+/// The picture once foam and glide have ended; a frame is recorded when it is rendered.
+fn settle(harness: &mut Harness<'_, Shell>) -> image::RgbaImage {
+    loop {
+        harness.run_steps(1);
+        let picture = harness.render().expect("a picture");
+        if harness.state_mut().app().expect("an app").settled() {
+            return picture;
+        }
+    }
+}
+
+#[test]
+fn the_app_outlives_its_device() {
+    let berth = Berth::default();
+    let mut harness = open_shell(&berth, "n=64&wind=20&pause=1&t=20&ui=0");
+    let before = settle(&mut harness);
+    let app = harness.state_mut().app().expect("an app");
+    app.set_state("n=64&wind=9&pause=1&t=20&ui=0");
+    harness.run_steps(60);
+    harness.key_press(egui::Key::Period);
+    harness.run_steps(2);
+    let app = harness.state_mut().app().expect("an app");
+    let (state, device) = (app.state(), app.render_state().device.clone());
+    device.destroy();
+    let _ = device.poll(wgpu::PollType::Poll);
+    assert!(app.device_lost().is_some());
+    harness.state_mut().leave(&berth);
+    assert!(harness.state_mut().app().is_none());
+    drop(harness);
+
+    let mut harness = open_shell(&berth, "wind=3");
+    let app = harness.state_mut().app().expect("the app of before");
+    assert_eq!((app.state(), app.device_lost()), (state, None));
+    harness.key_press(egui::Key::Comma);
+    harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);
+    let after = settle(&mut harness);
+    let app = harness.state_mut().app().expect("an app");
+    assert!(app.errors().is_empty(), "{:?}", app.errors());
+    assert!(app.state().contains("wind=20"), "what was set before the loss can be undone: {}", app.state());
+    let apart = before.iter().zip(after.iter()).map(|(a, b)| u64::from(a.abs_diff(*b))).sum::<u64>();
+    assert!((apart as f64) < 0.001 * 255.0 * before.len() as f64, "{apart}");
 }

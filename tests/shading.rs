@@ -164,6 +164,7 @@ impl Bench {
             cache: None,
         });
         let sampler = self.ocean.simulation().resources.repeat.clone();
+        let levels = common::level_sampler(device);
         let maps = self.ocean.simulation().maps();
         let groups = [
             group(
@@ -186,6 +187,7 @@ impl Bench {
                     (1, BindingResource::TextureView(&maps.gradients)),
                     (2, BindingResource::TextureView(&maps.moments)),
                     (4, BindingResource::Sampler(&sampler)),
+                    (5, BindingResource::Sampler(&levels)),
                 ],
             ),
         ];

@@ -100,6 +100,7 @@ impl Bench {
         let answers = vec![[[f32::NAN; 4]; 3]; points.len()];
         let answers = buffer(bytemuck::cast_slice(&answers), BufferUsages::STORAGE | BufferUsages::COPY_SRC);
         let sampler = self.ocean.simulation().resources.repeat.clone();
+        let levels = common::level_sampler(device);
         let maps = self.ocean.simulation().maps();
         let group = |index: u32, resources: &[(u32, BindingResource<'_>)]| {
             let entries: Vec<_> = (resources.iter())
@@ -120,6 +121,7 @@ impl Bench {
                     (1, BindingResource::TextureView(&maps.gradients)),
                     (2, BindingResource::TextureView(&maps.moments)),
                     (4, BindingResource::Sampler(&sampler)),
+                    (5, BindingResource::Sampler(&levels)),
                 ],
             ),
             group(2, &[(0, questions.as_entire_binding()), (1, answers.as_entire_binding())]),

@@ -6,12 +6,20 @@
 const STALL_SECONDS = 20; // without a byte
 const ADAPTER_SECONDS = 30; // without an answer
 const SLOW_SECONDS = 20; // until the first picture, before the page asks for patience
-const LOSS_WINDOW_SECONDS = 120; // in which the page brings back a lost device
-const LOSS_TRIES = 2; // at most so often
+const WATCH_MS = 250; // between two looks at the program
+const START_TRIES = 3; // of a device that is refused
+const COVER_SECONDS = 10; // that the last picture waits for the foam of the next
+const LOSS_WINDOW_SECONDS = 60; // in which lost devices are counted
+const LOSS_REVIVALS = 8; // in place, the same program with another device; after that
+const LOSS_RELOADS = 2; // by loading the page again; after that the page gives up
 const LOSS_KEY = 'seastate-device-lost';
+
+// Where pages are written, and none is kept.
+const LOCAL = new Set(['localhost', '127.0.0.1', '[::1]']);
 
 // What the program asks of a device beyond a few buffers: WebGPU's own base limits.
 const LIMITS = {
+  maxTextureDimension2D: 8192,
   maxComputeInvocationsPerWorkgroup: 256,
   maxComputeWorkgroupStorageSize: 16384,
   maxStorageTexturesPerShaderStage: 4,
@@ -60,9 +68,24 @@ function after(seconds, make) {
 }
 
 function checkBrowser() {
+  if (location.protocol === 'file:') throw new Rung('file');
   if (typeof WebAssembly !== 'object' || typeof WebAssembly.compileStreaming !== 'function') throw new Rung('no-wasm');
   if (!isSecureContext) throw new Rung('insecure', location.origin);
   if (!navigator.gpu) throw new Rung('no-webgpu', navigator.userAgent);
+}
+
+let density; // of the screen's pixels, when the canvas was last fitted
+
+/**
+ * Keeps the canvas, which has all pixels of the screen, within what the device can draw on. eframe looks at its size alone,
+ * which another density (another screen) leaves as it is: that moves it a hair.
+ */
+function fit() {
+  if (density === devicePixelRatio) return;
+  const { style } = document.documentElement;
+  style.setProperty('--most', `${Math.floor(LIMITS.maxTextureDimension2D / devicePixelRatio)}px`);
+  if (density) style.setProperty('--nudge', style.getPropertyValue('--nudge') === '0.02px' ? '0px' : '0.02px');
+  density = devicePixelRatio;
 }
 
 async function checkAdapter() {
@@ -82,8 +105,14 @@ async function checkAdapter() {
 
 const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
 
-/** The response again, with its bytes counted while the compiler takes them. */
-function counted(response) {
+/** Whether bytes are those of a sum, as in an `integrity` attribute. */
+async function isWhole(bytes, sum) {
+  const digest = new Uint8Array(await crypto.subtle.digest('SHA-384', bytes));
+  return sum === `sha384-${btoa(String.fromCharCode(...digest))}`;
+}
+
+/** The response again, with its bytes counted, and kept in `parts`, while the compiler takes them. */
+function counted(response, parts) {
   // With a Content-Encoding the length is that of the packed bytes, but the packed bytes cannot be counted: no total then.
   const packed = response.headers.has('content-encoding');
   const total = packed ? 0 : Number(response.headers.get('content-length') ?? 0);
@@ -117,6 +146,7 @@ function counted(response) {
         return;
       }
       received += chunk.value.byteLength;
+      parts.push(chunk.value);
       if (total > 0 && received <= total) {
         bar.max = total;
         bar.value = received;
@@ -136,6 +166,16 @@ function counted(response) {
   return new Response(stream, { headers: { 'content-type': 'application/wasm' } });
 }
 
+/** Imports a module, if it is what its sum says: import() takes it from the link that has asked for it. */
+function importWhole(address, sum) {
+  const link = document.createElement('link');
+  link.rel = 'modulepreload';
+  link.href = address;
+  link.integrity = sum;
+  document.head.append(link);
+  return import(address);
+}
+
 /** Fetches both halves of the program; compiles the large one while it arrives. */
 async function download(signal) {
   const names = document.querySelector('meta[name="seastate-program"]').dataset;
@@ -146,37 +186,86 @@ async function download(signal) {
       clearTimeout(connecting);
       hide('stalled');
     });
-    const glue = import(here(names.glue));
+    const glue = importWhole(here(names.glue), names.glueIntegrity);
     glue.catch(() => {}); // awaited below
     const response = await answer;
     if (!response.ok) throw new Rung('download', `${names.wasm}: ${response.status} ${response.statusText}`);
-    const module = await WebAssembly.compileStreaming(counted(response));
+    // fetch() would check the sum, too, but hand out nothing before all has come.
+    const parts = [];
+    const module = await WebAssembly.compileStreaming(counted(response, parts));
+    if (!(await isWhole(await new Blob(parts).arrayBuffer(), names.wasmIntegrity))) {
+      throw new Rung('download', `${names.wasm} is not what the page was built with`);
+    }
     return { glue: await glue, module };
   } catch (error) {
     throw error instanceof Rung ? error : new Rung('download', String(error));
   }
 }
 
-/** A lost device comes back with the page, since the address holds the state; but not for ever. */
-function recover(handle, reason) {
-  try {
-    handle.destroy();
-  } catch {
-    // It was going away anyway.
-  }
+const pause = (seconds) => new Promise((resolve) => setTimeout(resolve, seconds * 1000));
+
+/** Notes a loss, and says how many there were lately; loading the page again does not forget them. */
+function countLoss() {
   const now = Date.now();
-  let losses = [];
   try {
-    losses = JSON.parse(sessionStorage.getItem(LOSS_KEY) ?? '[]').filter((at) => now - at < LOSS_WINDOW_SECONDS * 1000);
-    sessionStorage.setItem(LOSS_KEY, JSON.stringify([...losses, now]));
+    const losses = JSON.parse(sessionStorage.getItem(LOSS_KEY) ?? '[]').filter((at) => now - at < LOSS_WINDOW_SECONDS * 1000);
+    losses.push(now);
+    sessionStorage.setItem(LOSS_KEY, JSON.stringify(losses));
+    return losses.length;
   } catch {
-    losses = Array(LOSS_TRIES).fill(now); // without a memory no second try
+    return Infinity; // without a memory it could go on for ever
   }
-  if (losses.length < LOSS_TRIES) {
-    console.warn(`seastate: the graphics device was lost (${reason}), loading the page again`);
-    location.reload();
-  } else {
-    show('lost', reason);
+}
+
+function forgetLosses() {
+  try {
+    sessionStorage.removeItem(LOSS_KEY);
+  } catch {
+    // Nothing was noted, then.
+  }
+}
+
+/** Starts on a canvas; an answer that never comes counts as a refusal. */
+function start(handle, canvas) {
+  return Promise.race([handle.start(canvas), after(ADAPTER_SECONDS, () => new Error(`no device in ${ADAPTER_SECONDS} s`))]);
+}
+
+/**
+ * Brings a lost device back: the same program goes on with another one, on another canvas, under the last picture of the
+ * old. Where that does not help, the page is loaded again, since the address holds the state; but not for ever. Gives the
+ * old canvas, or nothing if there is nothing more to watch.
+ */
+async function recover(handle, reason) {
+  for (;;) {
+    const losses = countLoss();
+    if (losses > LOSS_REVIVALS + LOSS_RELOADS) {
+      forgetLosses();
+      show('lost', reason);
+      return undefined;
+    }
+    if (losses > LOSS_REVIVALS || handle.has_panicked()) {
+      console.warn(`seastate: the graphics device was lost (${reason}), loading the page again`);
+      location.reload();
+      return undefined;
+    }
+    console.warn(`seastate: the graphics device was lost (${reason}), opening another`);
+    const old = element('sea');
+    const fresh = old.cloneNode();
+    const hasKeyboard = document.activeElement === old;
+    old.removeAttribute('id');
+    old.inert = true;
+    old.before(fresh);
+    try {
+      await start(handle, fresh);
+      if (hasKeyboard) fresh.focus();
+      return old;
+    } catch (error) {
+      reason = String(error?.message ?? error);
+      fresh.remove();
+      old.id = 'sea';
+      old.inert = false;
+      await pause(1);
+    }
   }
 }
 
@@ -186,45 +275,78 @@ function panicText(handle) {
   return handle.panic_message() ?? 'no message';
 }
 
-/** Panicked, lost, or drawing? Until the first picture often, then each second. */
+/**
+ * Keeps a copy of the page for times without a network. Not where pages are written: another one may be at this address
+ * tomorrow, and must not meet a worker of this one.
+ */
+async function keepOffline() {
+  const workers = navigator.serviceWorker;
+  if (!workers) return;
+  try {
+    if (!LOCAL.has(location.hostname)) {
+      await workers.register('sw.js', { updateViaCache: 'none' });
+      return;
+    }
+    const worker = await workers.getRegistration();
+    if (!worker) return;
+    await worker.unregister();
+    const copies = (await caches.keys()).filter((name) => name.startsWith(`seastate ${worker.scope} `));
+    await Promise.all(copies.map((name) => caches.delete(name)));
+  } catch (error) {
+    // The page works without.
+    console.info(`seastate: no copy for times without a network: ${error}`);
+  }
+}
+
+/** Panicked, lost, or drawing? */
 function watch(handle) {
-  const begun = performance.now();
-  let running = false;
-  const look = () => {
-    try {
-      next();
-    } catch (error) {
-      // A trap inside one of these questions.
-      show('panic', panicText(handle) ?? String(error));
-    }
-  };
-  const next = () => {
-    const panic = panicText(handle);
-    if (panic !== undefined) {
-      show('panic', panic);
-      return;
-    }
+  let begun = performance.now();
+  let before = 0; // frames of devices that are gone
+  let shown = false; // a picture of this device
+  let cover; // the canvas that still shows one of the last device
+  let panicked = false;
+  const look = () => next().catch((error) => show('panic', panicText(handle) ?? String(error)));
+  const next = async () => {
+    fit();
+    const seconds = (performance.now() - begun) / 1000;
     const lost = handle.device_lost();
+    const panic = panicText(handle);
     if (lost !== undefined) {
-      recover(handle, lost);
-      return;
-    }
-    if (!running && handle.frames() > 0) {
-      running = true;
+      before = handle.frames();
+      const old = await recover(handle, lost);
+      if (!old) return;
+      if (shown) cover = old;
+      else old.remove();
+      [begun, shown] = [performance.now(), false];
+    } else if (panic !== undefined) {
+      // The loss that made it panic may be told a little later.
+      if (panicked) {
+        show('panic', panic);
+        return;
+      }
+      panicked = true;
+    } else if (!shown && handle.frames() > before && (!cover || handle.settled() || seconds > COVER_SECONDS)) {
+      shown = true;
+      cover?.remove();
+      cover = undefined;
+      if (!document.body.classList.contains('running')) keepOffline();
       document.body.classList.add('running');
       element('loading').hidden = true;
-    } else if (!running && performance.now() - begun > SLOW_SECONDS * 1000) {
+    } else if (!shown && seconds > SLOW_SECONDS) {
       say('Preparing the shaders: a slow graphics card can take a minute…');
     }
-    setTimeout(look, running ? 1000 : 100);
+    setTimeout(look, WATCH_MS);
   };
   look();
 }
 
-/** A trap that no panic announced (memory exhausted, stack overflow). */
+/** A trap that no panic announced (memory exhausted, stack overflow), and no loss either. */
 function watchTraps() {
   const trapped = (error) => {
-    if (error instanceof WebAssembly.RuntimeError && !document.body.dataset.rung) show('panic', String(error));
+    if (!(error instanceof WebAssembly.RuntimeError)) return;
+    setTimeout(() => {
+      if (!document.body.dataset.rung && window.seastate?.device_lost() === undefined) show('panic', String(error));
+    }, 2 * WATCH_MS);
   };
   addEventListener('error', (event) => trapped(event.error));
   addEventListener('unhandledrejection', (event) => trapped(event.reason));
@@ -235,12 +357,26 @@ async function bench(handle) {
   const query = new URLSearchParams(location.search);
   const repeat = Math.max(5, Number(query.get('bench')) || 0);
   query.delete('bench');
-  const measured = await handle.bench(query.toString(), repeat, (what) => say(`Measuring: ${what}…`));
+  const tell = (what) => say(`Measuring: ${what}…`);
+  // Once more if the device was lost on the way; each run has one of its own.
+  const measured = await handle.bench(query.toString(), repeat, tell).catch(() => handle.bench(query.toString(), repeat, tell));
   const table = element('bench');
   table.textContent = measured.text;
   table.hidden = false;
   element('loading').hidden = true;
   window.measured = measured;
+}
+
+/** Starts on the page's canvas; a browser that has just lost its graphics process may refuse at first. */
+async function begin(handle) {
+  for (let left = START_TRIES - 1; ; left -= 1) {
+    try {
+      return await start(handle, element('sea'));
+    } catch (error) {
+      if (left <= 0 || handle.has_panicked()) throw error;
+      await pause(0.5);
+    }
+  }
 }
 
 async function boot() {
@@ -249,6 +385,8 @@ async function boot() {
   try {
     checkBrowser();
     watchTraps();
+    fit();
+    addEventListener('resize', fit);
     const program = download(abort.signal);
     program.catch(() => {}); // awaited below
     await checkAdapter();
@@ -260,7 +398,7 @@ async function boot() {
       handle = new glue.WebHandle();
       window.seastate = handle;
       if (new URLSearchParams(location.search).has('bench')) return await bench(handle);
-      await handle.start(element('sea'));
+      await begin(handle);
     } catch (error) {
       const panic = panicText(handle) ?? (error instanceof WebAssembly.RuntimeError ? String(error) : undefined);
       throw panic === undefined ? new Rung('start', String(error?.message ?? error)) : new Rung('panic', panic);

@@ -8,6 +8,8 @@ const MAX_SHOWN: usize = 8;
 struct Inner {
     errors: Vec<String>,
     lost: Option<String>,
+    /// Whether it was given up because its memory does not suffice.
+    refused: bool,
 }
 
 /// Errors of a device, shared with its callbacks.
@@ -19,11 +21,14 @@ impl Faults {
     pub fn watch(device: &wgpu::Device) -> Self {
         let faults = Self::default();
         let on_error = faults.clone();
-        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| on_error.add(error.to_string())));
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| match error {
+            wgpu::Error::OutOfMemory { .. } => on_error.refuse(error.to_string()),
+            _ => on_error.add(error.to_string()),
+        }));
         let on_lost = faults.clone();
         device.set_device_lost_callback(move |reason, message| {
             log::error!("GPU device lost ({reason:?}): {message}");
-            on_lost.inner().lost = Some(format!("the GPU was lost ({reason:?}): {message}"));
+            on_lost.inner().lost.get_or_insert_with(|| format!("the GPU was lost ({reason:?}): {message}"));
         });
         faults
     }
@@ -36,6 +41,19 @@ impl Faults {
     /// Why the device was lost.
     pub fn lost(&self) -> Option<String> {
         self.inner().lost.clone()
+    }
+
+    /// Whether the graphics memory did not suffice.
+    pub fn refused(&self) -> bool {
+        self.inner().refused
+    }
+
+    /// What a device could not hold is missing from then on in every frame: it counts as lost.
+    fn refuse(&self, error: String) {
+        log::error!("{error}");
+        let mut inner = self.inner();
+        inner.refused = true;
+        inner.lost.get_or_insert(error);
     }
 
     fn add(&self, error: String) {

@@ -40,8 +40,8 @@ impl History {
         self.latest.as_ref().map(|(p, _)| p) != self.current.as_ref()
     }
 
-    /// Makes a step of what has changed since the last one.
-    fn commit(&mut self) {
+    /// Makes a step of what has changed since the last one, rested or not.
+    pub fn commit(&mut self) {
         let Some((latest, _)) = self.latest.clone() else { return };
         if let Some(current) = self.current.replace(latest.clone())
             && current != latest

@@ -9,6 +9,7 @@ mod files;
 mod gauges;
 mod history;
 pub mod keys;
+pub mod lifeboat;
 pub mod maps;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod native;
@@ -33,7 +34,6 @@ use crate::model::look::SkyFile;
 use crate::model::params::Camera;
 use crate::model::statistics::{Resolved, Theory};
 use crate::model::{Heights, Params, Plan, query};
-use crate::ocean::Ocean;
 use faults::Faults;
 use std::cell::OnceCell;
 
@@ -45,6 +45,8 @@ const FARTHEST_FLOAT_M: f64 = 3000.0;
 
 /// How long an answer stays, s.
 const SAID_S: f64 = 4.0;
+
+const NO_WGPU: &str = "eframe was started without wgpu";
 
 /// What is derived from the parameters once, when they change, and not in every frame.
 struct Derived {
@@ -146,13 +148,11 @@ impl App {
     /// # Errors
     /// If eframe has no wgpu device.
     pub fn with_sky(cc: &eframe::CreationContext<'_>, state: &str, sky: Option<SkyFile>) -> Result<Self, String> {
-        let render_state = cc.wgpu_render_state.clone().ok_or("eframe was started without wgpu")?;
+        let render_state = cc.wgpu_render_state.clone().ok_or(NO_WGPU)?;
         let (mut params, notices) = query::parse(state);
         params.look.sky.attach(sky.as_ref());
-        let faults = Faults::watch(&render_state.device);
         let seas = panel::Seas::load();
-        let ocean = Ocean::new(&render_state.device, &render_state.queue, render_state.target_format, &params);
-        render_state.renderer.write().callback_resources.insert(ocean);
+        let faults = lifeboat::lay_out(&render_state, &params);
         setup::style(&cc.egui_ctx);
         #[cfg(target_arch = "wasm32")]
         let readers = readers::Readers::default();
@@ -385,6 +385,11 @@ impl App {
         self.ctx.request_repaint_after(std::time::Duration::from_secs_f64(SAID_S));
     }
 
+    /// The same in the next frame, of an egui that does not know the time yet.
+    fn say_next(&mut self, text: &str) {
+        self.said = Some((text.to_owned(), f64::INFINITY));
+    }
+
     /// A view that nobody moves is exactly the one that the link names, and so is a time that stands still.
     fn rest(&mut self, ctx: &egui::Context) {
         if ctx.input(|i| i.pointer.any_down() || !i.keys_down.is_empty() || i.any_touches()) {
@@ -404,8 +409,14 @@ impl App {
 
     /// Shows what was said last, as long as it counts.
     fn answer(&mut self, ctx: &egui::Context) {
-        if self.said.as_ref().is_some_and(|(_, until)| ctx.input(|i| i.time) > *until) {
-            self.said = None;
+        let now_s = ctx.input(|i| i.time);
+        match &mut self.said {
+            Some((_, until)) if now_s > *until => self.said = None,
+            Some((_, until)) if until.is_infinite() => {
+                *until = now_s + SAID_S;
+                ctx.request_repaint_after(std::time::Duration::from_secs_f64(SAID_S));
+            }
+            _ => {}
         }
         let Some((text, _)) = &self.said else { return };
         let area = egui::Area::new(egui::Id::unique("said")).anchor(egui::Align2::CENTER_TOP, egui::vec2(0.0, 16.0));
@@ -422,11 +433,6 @@ impl App {
 }
 
 impl eframe::App for App {
-    #[cfg(target_arch = "wasm32")]
-    fn as_any_mut(&mut self) -> Option<&mut dyn std::any::Any> {
-        Some(self)
-    }
-
     fn logic(&mut self, _ctx: &egui::Context, _frame: &mut eframe::Frame) {
         #[cfg(target_arch = "wasm32")]
         self.keep_address();
@@ -435,8 +441,7 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
         if self.faults.lost().is_some() {
-            // Painting anything with a lost device panics inside egui-wgpu; the shell says what happened.
-            ctx.send_viewport_cmd(egui::ViewportCommand::Close);
+            // Painting anything with a lost device panics inside egui-wgpu; the shell takes the app to another.
             return;
         }
         self.keys(&ctx);

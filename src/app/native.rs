@@ -1,35 +1,56 @@
 //! The desktop window.
 
 use super::dropped::most_bytes;
+use super::lifeboat::{Berth, Shell};
 use super::{App, setup};
 use crate::model::look::SkyFile;
 use crate::model::{Params, query};
+use std::cell::Cell;
 use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex};
+use std::rc::Rc;
+use std::time::Duration;
+use web_time::Instant;
 
-/// Tries to come back after a lost device before giving up.
-const MOST_LOSSES: usize = 3;
+/// Losses of the device, and refusals of another, that are borne within [`LOSS_WINDOW`] before giving up.
+const MOST_LOSSES: usize = 8;
+const LOSS_WINDOW: Duration = Duration::from_secs(60);
+/// A driver that starts anew needs a moment, s.
+const NEXT_TRY: Duration = Duration::from_secs(1);
 
 /// Opens a window on a state; returns when it is closed.
 ///
 /// # Errors
 /// One sentence, if there is no display or no GPU.
+#[expect(clippy::disallowed_methods, reason = "no browser runs this one")]
 pub fn run(params: &Params) -> Result<(), String> {
     let sky = params.look.sky.file.clone();
     env_logger::Builder::from_env(env_logger::Env::default().default_filter_or("warn,wgpu_hal=error")).init();
-    let mut state = query::write(params);
-    for _ in 0..MOST_LOSSES {
-        let lost: Arc<Mutex<Option<String>>> = Arc::default();
-        open(&state, sky.as_ref(), &lost)?;
-        // Left behind by the app when its device was lost; a closed window leaves nothing.
-        match lost.lock().ok().and_then(|mut lost| lost.take()) {
-            Some(at) => state = at,
-            None => return Ok(()),
+    let state = query::write(params);
+    let (berth, place) = (Berth::default(), Rc::default());
+    let mut losses: Vec<Instant> = Vec::new();
+    loop {
+        let opened = open(&state, sky.as_ref(), &berth, &place);
+        // Left behind when its device was lost; a closed window leaves nothing.
+        let Some(at) = berth.borrow().as_ref().map(App::state) else { return opened };
+        losses.retain(|then| then.elapsed() < LOSS_WINDOW);
+        losses.push(Instant::now());
+        if losses.len() > MOST_LOSSES {
+            return Err(format!("the GPU was lost {MOST_LOSSES} times within a minute; the sea was '{at}'"));
         }
-        eprintln!("seastate: the GPU was lost; opening '{state}' again");
+        match opened {
+            Ok(()) => eprintln!("seastate: the GPU was lost; going on with another device"),
+            Err(reason) => {
+                eprintln!("seastate: no other device yet: {reason}");
+                wait(NEXT_TRY);
+            }
+        }
     }
-    Err(format!("the GPU was lost {MOST_LOSSES} times; the sea was '{state}'"))
+}
+
+#[expect(clippy::disallowed_methods, reason = "no window is open")]
+fn wait(time: Duration) {
+    std::thread::sleep(time);
 }
 
 /// Reads files with their names; nothing larger than the program takes may be.
@@ -58,41 +79,73 @@ pub fn read_sky(path: &Path) -> Result<SkyFile, String> {
     super::dropped::sky(&files[0].0, &files[0].1)
 }
 
-fn open(state: &str, sky: Option<&SkyFile>, lost: &Arc<Mutex<Option<String>>>) -> Result<(), String> {
-    let options = eframe::NativeOptions {
-        viewport: egui::ViewportBuilder::default()
+/// Where a window is, so that the next one opens there.
+#[derive(Clone, Copy, Default)]
+struct Place {
+    position: Option<egui::Pos2>,
+    size: Option<egui::Vec2>,
+    maximized: bool,
+    fullscreen: bool,
+}
+
+impl Place {
+    fn of(viewport: &egui::ViewportInfo) -> Self {
+        Self {
+            position: viewport.outer_rect.map(|r| r.min),
+            size: viewport.inner_rect.map(|r| r.size()),
+            maximized: viewport.maximized.unwrap_or_default(),
+            fullscreen: viewport.fullscreen.unwrap_or_default(),
+        }
+    }
+
+    fn viewport(self) -> egui::ViewportBuilder {
+        let viewport = egui::ViewportBuilder::default()
             .with_title("Seastate")
             .with_app_id("seastate")
-            .with_inner_size([1280.0, 720.0])
-            .with_min_inner_size([160.0, 120.0]),
+            .with_inner_size(self.size.unwrap_or(egui::vec2(1280.0, 720.0)))
+            .with_min_inner_size([160.0, 120.0])
+            .with_maximized(self.maximized)
+            .with_fullscreen(self.fullscreen);
+        match self.position {
+            Some(position) => viewport.with_position(position),
+            None => viewport,
+        }
+    }
+}
+
+fn open(state: &str, sky: Option<&SkyFile>, berth: &Berth, place: &Rc<Cell<Place>>) -> Result<(), String> {
+    let options = eframe::NativeOptions {
+        viewport: place.get().viewport(),
         renderer: eframe::Renderer::Wgpu,
         wgpu_options: setup::wgpu_configuration(),
         ..Default::default()
     };
-    let (state, sky, lost) = (state.to_owned(), sky.cloned(), Arc::clone(lost));
+    let (state, sky, berth, place) = (state.to_owned(), sky.cloned(), berth.clone(), place.clone());
     let create = move |cc: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, Box<dyn std::error::Error + Send + Sync>> {
-        Ok(Box::new(Window { app: App::with_sky(cc, &state, sky)?, lost }))
+        let shell = Shell::new(cc, &berth, |cc| App::with_sky(cc, &state, sky))?;
+        Ok(Box::new(Window { shell, berth, place }))
     };
     eframe::run_native("Seastate", options, Box::new(create)).map_err(|e| format!("cannot open a window: {e}"))
 }
 
-/// The app, leaving its state behind when the device is lost.
+/// The window, which lets the app go when its device is lost.
 struct Window {
-    app: App,
-    lost: Arc<Mutex<Option<String>>>,
+    shell: Shell,
+    berth: Berth,
+    place: Rc<Cell<Place>>,
 }
 
 impl eframe::App for Window {
     fn logic(&mut self, ctx: &egui::Context, frame: &mut eframe::Frame) {
-        if self.app.device_lost().is_some()
-            && let Ok(mut lost) = self.lost.lock()
-        {
-            *lost = Some(self.app.state());
+        if self.shell.app().is_some_and(|app| app.device_lost().is_some()) {
+            self.place.set(ctx.input(|i| Place::of(i.viewport())));
+            self.shell.leave(&self.berth);
+            ctx.send_viewport_cmd(egui::ViewportCommand::Close);
         }
-        self.app.logic(ctx, frame);
+        self.shell.logic(ctx, frame);
     }
 
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
-        self.app.ui(ui, frame);
+        self.shell.ui(ui, frame);
     }
 }

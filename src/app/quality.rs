@@ -10,6 +10,9 @@ const SHORT_S: f64 = 1.0 / 55.0;
 const LEAST_SCALE: f64 = 0.4;
 /// Fewest points along a side of a cascade: with these no gap opens between the bands.
 const LEAST_N: u32 = 128;
+/// What each second refusal of memory leaves of the pixels along a side, and the fewest points that it leaves of a cascade.
+const REFUSED_SCALE: f64 = 0.7;
+const REFUSED_N: u32 = 64;
 /// How long frames must have been long before something is given up, and short before it is tried again, s.
 const PATIENCE_S: f64 = 0.6;
 const TRIAL_S: f64 = 3.0;
@@ -31,6 +34,8 @@ pub struct Quality {
     /// Wait before the next trial, s: longer after each that failed.
     trial_s: f64,
     tried: bool,
+    /// How often the graphics memory did not suffice.
+    refusals: u32,
     still: bool,
     size: [u32; 2],
 }
@@ -44,6 +49,7 @@ impl Default for Quality {
             pressure_s: 0.0,
             trial_s: TRIAL_S,
             tried: false,
+            refusals: 0,
             still: true,
             size: [0; 2],
         }
@@ -94,25 +100,39 @@ impl Quality {
         }
     }
 
+    /// The graphics memory did not suffice: from now on fewer pixels and points in turn, moving or not.
+    pub fn refuse(&mut self) {
+        self.refusals += 1;
+    }
+
+    /// Share of the pixels along a side that the memory allows.
+    fn most_scale(&self) -> f64 {
+        REFUSED_SCALE.powi(self.refusals.div_ceil(2) as i32)
+    }
+
     /// Pixels of the picture in a window of so many points with so many pixels each, at most `limit` along a side.
     pub fn picture_size(&mut self, points: egui::Vec2, pixels_per_point: f32, screen: &Screen, limit: u32) -> [u32; 2] {
         let density = f64::from(pixels_per_point).min(screen.most_dpr) * screen.render_scale;
-        let own = if self.still || !screen.adaptive { 1.0 } else { self.scale };
+        let own = if self.still || !screen.adaptive { 1.0 } else { self.scale }.min(self.most_scale());
         self.size = [points.x, points.y].map(|side| ((f64::from(side) * density * own).round() as u32).min(limit));
         self.size
     }
 
     /// The grid to compute on.
     pub fn grid(&self, grid: &Grid, screen: &Screen) -> Grid {
-        if self.still || !screen.adaptive {
-            return grid.clone();
-        }
-        Grid { n: self.fft_size(grid.n), ..grid.clone() }
+        let n = if screen.adaptive { self.fft_size(grid.n) } else { self.affordable(grid.n) };
+        Grid { n, ..grid.clone() }
     }
 
     /// Points along a side of a cascade of which `n` are asked for.
     pub fn fft_size(&self, n: u32) -> u32 {
+        let n = self.affordable(n);
         if self.still { n } else { (n >> self.halvings).max(LEAST_N.min(n)) }
+    }
+
+    /// What the memory allows of `n` points.
+    fn affordable(&self, n: u32) -> u32 {
+        (n >> (self.refusals / 2).min(8)).max(REFUSED_N.min(n))
     }
 
     /// Pixels of the last picture.
@@ -127,6 +147,10 @@ impl Quality {
 
     /// What is given up, in words.
     pub fn word(&self) -> String {
+        if self.refusals > 0 {
+            let scale = self.most_scale().min(if self.still { 1.0 } else { self.scale });
+            return format!("{:.0} % of the pixels, for want of graphics memory", 100.0 * scale * scale);
+        }
         if self.still || self.scale >= 1.0 && self.halvings == 0 {
             return "full quality".to_owned();
         }
@@ -179,6 +203,22 @@ mod tests {
         assert_eq!(quality.picture_size(points, 3.0, &screen, 8192), [2000, 1000]);
         assert_eq!(quality.grid(&grid, &screen), grid);
         assert_eq!(quality.picture_size(points, 3.0, &screen, 512), [512, 512]);
+    }
+
+    #[test]
+    fn refused_memory_costs_pixels_and_points_even_of_a_still() {
+        let mut quality = Quality::default();
+        let screen = Screen { adaptive: false, ..Screen::default() };
+        let points = egui::vec2(1000.0, 500.0);
+        let grid = Grid { n: 256, ..Grid::default() };
+        let mut found = Vec::new();
+        for _ in 0..8 {
+            found.push((quality.picture_size(points, 1.0, &screen, 8192)[0], quality.grid(&grid, &screen).n));
+            quality.refuse();
+        }
+        let wanted = [(1000, 256), (700, 256), (700, 128), (490, 128), (490, 64), (343, 64), (343, 64), (240, 64)];
+        assert_eq!(found, wanted);
+        assert!(quality.word().contains("memory"), "{}", quality.word());
     }
 
     #[test]

@@ -45,6 +45,14 @@ impl Readers {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// Goes on with another egui.
+    pub fn move_to(&self, ctx: &egui::Context) {
+        ctx.add_plugin(self.clone());
+        if self.inner().tree.is_some() {
+            ctx.enable_accesskit();
+        }
+    }
+
     /// What is on the screen, once a frame has been drawn since the first question.
     pub fn items(&self, ctx: &egui::Context) -> Vec<Item> {
         if self.inner().tree.is_none() {

@@ -1,5 +1,7 @@
 //! The page: what JavaScript calls, and the address kept in step with the state.
 
+use super::faults::Faults;
+use super::lifeboat::{Berth, Shell};
 use super::readers::Item;
 use super::{App, setup, tidy};
 use crate::bench::{self, Options, Row};
@@ -8,6 +10,8 @@ use crate::gpu::shaders::Shaders;
 use crate::model::{Params, Plan, query};
 use crate::sim::resources::MapKind;
 use crate::sim::{MAX_STEPS, Simulation};
+use std::cell::RefCell;
+use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 use web_time::Instant;
 
@@ -18,6 +22,10 @@ const WRITE_EVERY_S: f32 = 0.7;
 #[wasm_bindgen]
 pub struct WebHandle {
     runner: eframe::WebRunner,
+    /// The app between two devices.
+    berth: Berth,
+    /// Those of the device that the app draws with; known even when the app has panicked.
+    faults: Rc<RefCell<Faults>>,
 }
 
 #[wasm_bindgen]
@@ -29,21 +37,24 @@ impl WebHandle {
         console_error_panic_hook::set_once();
         // A second handle on the same page finds the log in place.
         let _ = eframe::WebLogger::init(log::LevelFilter::Warn);
-        Self { runner: eframe::WebRunner::new() }
+        Self { runner: eframe::WebRunner::new(), berth: Berth::default(), faults: Rc::default() }
     }
 
-    /// Starts on a canvas with the state of the address. Rejects with a sentence.
+    /// Starts on a canvas with the state of the address; or, after a device was lost, goes on there with another. Rejects
+    /// with a sentence, and may be called again then.
     ///
     /// # Errors
     /// If there is no usable WebGPU.
     pub async fn start(&self, canvas: web_sys::HtmlCanvasElement) -> Result<(), JsValue> {
         let options = eframe::WebOptions { wgpu_options: setup::wgpu_configuration(), ..Default::default() };
-        let create = |cc: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, Box<dyn std::error::Error + Send + Sync>> {
-            let mut app = App::new(cc, &address_query())?;
-            if prefers_stillness() {
-                app.params.clock.paused = true;
-            }
-            Ok(Box::new(app))
+        if let Some(mut shell) = self.runner.app_mut::<Shell>() {
+            shell.leave(&self.berth);
+        }
+        let (berth, faults) = (self.berth.clone(), self.faults.clone());
+        let create = move |cc: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, Box<dyn std::error::Error + Send + Sync>> {
+            let mut shell = Shell::new(cc, &berth, from_address)?;
+            faults.replace(shell.app().map(|app| app.faults.clone()).unwrap_or_default());
+            Ok(Box::new(shell))
         };
         self.runner.start(canvas, options, Box::new(create)).await
     }
@@ -115,7 +126,7 @@ impl WebHandle {
 
     /// Why the GPU was lost, if it was.
     pub fn device_lost(&self) -> Option<String> {
-        self.with(|app| app.device_lost()).flatten()
+        self.faults.borrow().lost()
     }
 
     /// The maps of a state at its time, for tests: `n`, `cascades`, `heights` (f32 copy of eta) and `displacement`
@@ -154,11 +165,16 @@ impl WebHandle {
     /// If there is no GPU, or it is lost meanwhile.
     pub async fn bench(&self, state: String, repeat: u32, progress: js_sys::Function) -> Result<JsValue, JsValue> {
         let gpu = Gpu::request().await?;
+        let faults = Faults::watch(&gpu.device);
         let options = Options { sizes: vec![[1280, 720]], repeat, matrix: false, baseline: true };
         // What a listener does is its own affair.
         let tell = |what: &str| drop(progress.call1(&JsValue::NULL, &what.into()));
         let device = (&gpu.device, &gpu.queue);
         let report = bench::run(device, &gpu.adapter.get_info(), &query::parse(&state).0, &options, tell).await?;
+        // A lost device does all at once, and nothing.
+        if let Some(reason) = faults.lost().or_else(|| faults.errors().first().cloned()) {
+            return Err(reason.into());
+        }
         let passes: js_sys::Array = report.rows.iter().map(measured).collect();
         let out = js_sys::Object::new();
         js_sys::Reflect::set(&out, &"text".into(), &report.to_string().into())?;
@@ -171,7 +187,8 @@ impl WebHandle {
     }
 
     fn with<T>(&self, f: impl FnOnce(&mut App) -> T) -> Option<T> {
-        self.runner.app_mut::<App>().map(|mut app| f(&mut app))
+        let mut shell = self.runner.app_mut::<Shell>()?;
+        shell.app().map(f)
     }
 }
 
@@ -212,6 +229,15 @@ fn described(item: &Item) -> JsValue {
 fn prefers_stillness() -> bool {
     let asked = web_sys::window().and_then(|w| w.match_media("(prefers-reduced-motion: reduce)").ok().flatten());
     asked.is_some_and(|m| m.matches())
+}
+
+/// The app on the state of the address.
+fn from_address(cc: &eframe::CreationContext<'_>) -> Result<App, String> {
+    let mut app = App::new(cc, &address_query())?;
+    if prefers_stillness() {
+        app.params.clock.paused = true;
+    }
+    Ok(app)
 }
 
 fn address_query() -> String {

@@ -84,3 +84,17 @@ pub fn random_params(start: &str, number: u32) -> Params {
     }
     p
 }
+
+/// The picture's sampler of the nearest level of a map.
+#[allow(dead_code, reason = "not every test binary draws the surface")]
+pub fn level_sampler(device: &wgpu::Device) -> wgpu::Sampler {
+    device.create_sampler(&wgpu::SamplerDescriptor {
+        label: Some("levels"),
+        address_mode_u: wgpu::AddressMode::Repeat,
+        address_mode_v: wgpu::AddressMode::Repeat,
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        mipmap_filter: wgpu::MipmapFilterMode::Nearest,
+        ..Default::default()
+    })
+}

@@ -48,9 +48,25 @@ export async function launch(name) {
     name,
     version: await browser.version(),
     open: (url, settings) => open(browser, url, settings),
+    crashGpu: async () => {
+      const session = await browser.target().createCDPSession();
+      await session.send('Browser.crashGpuProcess');
+      await session.detach();
+    },
+    processes: async () => {
+      const session = await browser.target().createCDPSession();
+      const { processInfo } = await session.send('SystemInfo.getProcessInfo');
+      await session.detach();
+      return processInfo;
+    },
     close: () => browser.close(),
   };
 }
+
+const strays = [];
+
+/** Requests that have left the page's origin, and cookies that it has set, since the last call. */
+export const takeStrays = () => strays.splice(0);
 
 /** Opens a page; `before` runs in it ahead of its own scripts. What it logs as an error is kept in `errors`. */
 async function open(browser, url, { size = [320, 200], before } = {}) {
@@ -64,6 +80,16 @@ async function open(browser, url, { size = [320, 200], before } = {}) {
     if (message.type() === 'error') errors.push(message.text());
   });
   page.on('pageerror', (error) => errors.push(String(error)));
+  const { origin } = new URL(url);
+  page.on('request', (request) => {
+    const address = new URL(request.url());
+    // The page in a frame has an origin of its own.
+    const isOurs = address.origin === origin || address.hostname === '127.0.0.1' || ['about:', 'blob:', 'data:', 'file:'].includes(address.protocol);
+    if (!isOurs) strays.push(`a request to ${address}`);
+  });
+  page.on('response', (response) => {
+    if ('set-cookie' in response.headers()) strays.push(`a cookie from ${response.url()}`);
+  });
   if (before) await page.evaluateOnNewDocument(before);
   await page.goto(url, { waitUntil: 'domcontentloaded' });
 
@@ -86,6 +112,10 @@ async function open(browser, url, { size = [320, 200], before } = {}) {
     evaluate,
     until,
     screenshot: async (path) => Buffer.from(await page.screenshot({ path })),
-    close: () => page.close(),
+    close: async () => {
+      const cookie = await evaluate(() => document.cookie).catch(() => '');
+      if (cookie) strays.push(`a cookie: ${cookie}`);
+      await page.close();
+    },
   };
 }

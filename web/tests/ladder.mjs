@@ -1,6 +1,7 @@
 // Each rung of the ladder, by taking away what it speaks of. A page that cannot run must say so, and must never be blank.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { fromPng, spread } from './stats.mjs';
 
 const QUERY = '?wind=15&fetch=300&t=20&n=64';
@@ -18,6 +19,7 @@ const lowLimits = () => {
 };
 
 const RUNGS = [
+  { rung: 'old', before: () => { delete HTMLScriptElement.prototype.noModule; } },
   { rung: 'no-wasm', before: () => { delete globalThis.WebAssembly; } },
   { rung: 'insecure', before: () => { Object.defineProperty(globalThis, 'isSecureContext', { value: false }); } },
   { rung: 'no-webgpu', before: () => { delete Navigator.prototype.gpu; } },
@@ -28,6 +30,8 @@ const RUNGS = [
   { rung: 'download', name: 'another file in its place', folder: 'fault/wasm-html' },
   { rung: 'download', name: 'cut off', folder: 'fault/wasm-cut' },
   { rung: 'download', name: 'loader missing', folder: 'fault/glue-404' },
+  { rung: 'download', name: 'another program, as valid', folder: 'fault/wasm-other', reason: /not what the page was built with/ },
+  { rung: 'download', name: 'another loader, as valid', folder: 'fault/glue-other' },
   { rung: 'stalled', folder: 'fault/wasm-stall', reason: /MB have come/ },
   { rung: 'start', folder: 'fault/stub', play: 'reject', reason: /no device: the stub refuses/ },
   { rung: 'panic', folder: 'fault/stub', play: 'panic', reason: /the stub panicked at src\/stub.rs:1/ },
@@ -36,7 +40,7 @@ const RUNGS = [
   { rung: 'lost', folder: 'fault/stub', play: 'lost', reason: /the stub was unplugged/ },
 ];
 
-export async function ladder({ test, out, origin, browser }) {
+export async function ladder({ test, out, dist, origin, browser }) {
   for (const { rung, name, before, folder, play, reason } of RUNGS) {
     await test(`${browser.name}: ladder: ${rung}${name ? `, ${name}` : ''}`, async () => {
       const url = `${origin}/${folder ? `${folder}/` : ''}${QUERY}${play ? `&play=${play}` : ''}`;
@@ -62,12 +66,42 @@ export async function ladder({ test, out, origin, browser }) {
     });
   }
 
-  await test(`${browser.name}: ladder: a lost device comes back twice`, async () => {
+  await test(`${browser.name}: ladder: a device that is lost at once is given up after some tries`, async () => {
     const tab = await browser.open(`${origin}/fault/stub/${QUERY}&play=lost`);
     try {
       await tab.until('the last rung', () => document.body.dataset.rung === 'lost');
-      const reloads = tab.log.filter((line) => line.includes('loading the page again')).length;
-      assert.equal(reloads, 2);
+      const said = (what) => tab.log.filter((line) => line.includes(what)).length;
+      assert.deepEqual([said('opening another'), said('loading the page again')], [8, 2]);
+      assert.equal(await tab.evaluate(() => document.querySelectorAll('canvas').length), 1, 'canvases are not heaped up');
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: ladder: file`, async () => {
+    const tab = await browser.open(pathToFileURL(join(dist, 'index.html')).href);
+    try {
+      const shown = await tab.until('a rung', () => document.body.dataset.rung);
+      assert.equal(shown, 'file');
+      assert.match(await tab.evaluate(() => document.getElementById('ladder').innerText), /web server/);
+      assert.ok(spread(fromPng(await tab.screenshot(join(out, `${browser.name}-ladder-file.png`)))) > 4, 'the page is blank');
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: every rung says what to do, and names another way`, async () => {
+    const tab = await browser.open(`${origin}/fault/stub/${QUERY}&play=reject`);
+    try {
+      await tab.until('a rung', () => document.body.dataset.rung);
+      const rungs = await tab.evaluate(() => [...document.querySelectorAll('section[data-rung]')].map((each) => [each.dataset.rung, each.querySelector('p').textContent, each.querySelector('h2').textContent]));
+      const tested = new Set([...RUNGS.map((each) => each.rung), 'file']);
+      assert.deepEqual(new Set(rungs.map(([rung]) => rung)), tested, 'every rung is tested');
+      for (const [rung, text, title] of rungs) {
+        assert.match(text, /: (open|update|allow|switch|check|close|load)|again/, rung);
+        assert.ok(title.length > 10, rung);
+      }
+      assert.match(await tab.evaluate(() => document.getElementById('kept').innerText), /Windows, macOS and Linux/);
     } finally {
       await tab.close();
     }

@@ -1,4 +1,4 @@
-// Opens the built page in Chromium and Firefox and says what holds: `node run.mjs [--browser NAME] [--only TEXT]`.
+// Opens the built page in Chromium and Firefox and says what holds: `node run.mjs [--browser NAME] [--only 'TEXT|TEXT']`.
 //
 // `dist/` must be built, and the native program too: it gives the reference for "one state, one sea on every stack".
 import { execFileSync } from 'node:child_process';
@@ -7,9 +7,12 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { brotliCompressSync, constants } from 'node:zlib';
 import { parseArgs } from 'node:util';
-import { NAMES, launch } from './browsers.mjs';
+import { NAMES, launch, takeStrays } from './browsers.mjs';
 import { ladder } from './ladder.mjs';
 import { explorer } from './explorer.mjs';
+import { losses } from './losses.mjs';
+import { odds } from './odds.mjs';
+import { offline } from './offline.mjs';
 import { sea } from './sea.mjs';
 import { serve } from './server.mjs';
 
@@ -30,11 +33,13 @@ let passed = 0;
 const failed = [];
 
 async function test(name, body) {
-  if (!name.includes(options.only)) return;
+  if (!options.only.split('|').some((part) => name.includes(part))) return;
   const begun = Date.now();
   const seconds = () => `${((Date.now() - begun) / 1000).toFixed(1)} s`;
   try {
     const note = await body();
+    const strays = takeStrays();
+    if (strays.length > 0) throw new Error(`something left the page: ${strays.join(', ')}`);
     passed += 1;
     console.log(`ok    ${name}${note ? `: ${note}` : ''} (${seconds()})`);
   } catch (error) {
@@ -57,7 +62,7 @@ function native(state) {
 }
 
 const server = await serve(dist);
-const context = { test, out, top, origin: server.origin, native };
+const context = { test, out, top, dist, origin: server.origin, port: server.port, native };
 
 /** Bytes of a file as a host sends it: pictures are packed already. */
 function sent(file) {
@@ -89,6 +94,9 @@ for (const name of NAMES.filter((each) => !options.browser || each === options.b
   try {
     if (!options.explorer) await sea({ ...context, browser });
     await explorer({ ...context, browser });
+    if (!options.explorer) await losses({ ...context, browser });
+    if (!options.explorer) await odds({ ...context, browser });
+    if (!options.explorer) await offline({ ...context, browser });
     if (!options.explorer) await ladder({ ...context, browser });
   } finally {
     await browser.close().catch(() => {});

@@ -1,7 +1,8 @@
 // A static server for the tests: the built page, and the same page with one thing broken.
 //
 // `/` is the page. `/fault/<name>/` is the page in another folder with the fault of that name, so that no browser has to
-// intercept anything, and the page is seen to work from a subfolder.
+// intercept anything, and the page is seen to work from a subfolder. Headers are those that `_headers` asks a host for.
+// `/frame/` holds the page in a frame; what stands behind its `?` is the frame's.
 import { createServer } from 'node:http';
 import { readFile } from 'node:fs/promises';
 import { extname, join, normalize } from 'node:path';
@@ -31,22 +32,44 @@ const FAULTS = {
   'wasm-cut': (path) => isWasm(path) && { cut: true },
   'wasm-gzip': (path) => isWasm(path) && { gzip: true },
   'glue-404': (path) => isGlue(path) && { status: 404 },
-  // The program is replaced by stub.js, which reads in the address what it has to play.
-  stub: (path) => isGlue(path) && { file: STUB },
+  // Still valid: a custom section more, a comment more.
+  'wasm-other': (path) => isWasm(path) && { edit: (body) => Buffer.concat([body, Buffer.from([0, 2, 1, 120])]) },
+  'glue-other': (path) => isGlue(path) && { edit: (body) => Buffer.concat([body, Buffer.from('\n// more\n')]) },
+  // The program is replaced by stub.js, which reads in the address what it has to play; the page does not look at its sum.
+  stub: (path) => (isGlue(path) ? { file: STUB } : path === 'index.html' && { edit: (body) => body.toString().replace(/data-glue-integrity="[^"]*"/, 'data-glue-integrity=""') }),
 };
 
-export async function serve(root) {
+/** Headers for each path, from the text of a `_headers` file: a path, and below it, indented, its headers. */
+export function readHeaders(text) {
+  const rules = [];
+  for (const line of text.split('\n').filter(Boolean)) {
+    if (!line.startsWith(' ')) rules.push({ path: line, headers: {} });
+    else rules.at(-1).headers[line.slice(0, line.indexOf(':')).trim().toLowerCase()] = line.slice(line.indexOf(':') + 1).trim();
+  }
+  return (path) => Object.assign({}, ...rules.filter((rule) => rule.path === '/*' || rule.path === path).map((rule) => rule.headers));
+}
+
+/** Serves a folder; `edit` may change a file: it gets path and bytes. A port is needed only to come back at the same. */
+export async function serve(root, { port = 0, edit = (_, body) => body } = {}) {
+  const headersOf = readHeaders(await readFile(join(root, '_headers'), 'utf8'));
   const server = createServer(async (request, response) => {
-    let path = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
+    const url = new URL(request.url, 'http://localhost');
+    let path = decodeURIComponent(url.pathname);
+    if (path === '/frame/') {
+      response.writeHead(200, { 'content-type': TYPES['.html'] });
+      response.end(`<!DOCTYPE html><title>A frame</title><link rel="icon" href="data:,"><iframe src="http://127.0.0.1:${server.address().port}/${url.search}" width="300" height="180"></iframe>`);
+      return;
+    }
     let fault = 'none';
     const match = /^\/fault\/([a-z0-9-]+)\/(.*)$/.exec(path);
     if (match) [fault, path] = [match[1], match[2]];
     path = normalize(`/${path}`).slice(1) || 'index.html'; // nothing above the root
     const change = FAULTS[fault]?.(path) || {};
-    const head = { 'content-type': change.type ?? TYPES[extname(path)] ?? 'application/octet-stream', 'cache-control': 'no-store' };
+    const head = { 'content-type': change.type ?? TYPES[extname(path)] ?? 'application/octet-stream', ...headersOf(`/${path}`) };
     try {
       if (!(fault in FAULTS) || change.status) throw new Error('not here');
-      const body = change.body ?? (await readFile(change.file ?? join(root, path)));
+      const whole = change.body ?? edit(path, await readFile(change.file ?? join(root, path)));
+      const body = Buffer.from(change.edit ? change.edit(whole) : whole);
       if (change.gzip) {
         const packed = gzipSync(body, { level: 1 });
         response.writeHead(200, { ...head, 'content-encoding': 'gzip', 'content-length': packed.length });
@@ -60,14 +83,15 @@ export async function serve(root) {
         response.end(body);
       }
     } catch {
-      response.writeHead(change.status ?? 404, { 'content-type': 'text/plain' });
+      response.writeHead(change.status ?? 404, { 'content-type': 'text/plain', 'cache-control': 'no-store' });
       response.end('not here');
     }
   });
-  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  await new Promise((resolve) => server.listen(port, '127.0.0.1', resolve));
   const origin = `http://127.0.0.1:${server.address().port}`;
   return {
     origin,
+    port: server.address().port,
     close: () => {
       server.closeAllConnections();
       return new Promise((resolve) => server.close(resolve));

@@ -104,8 +104,25 @@ export function change(a, b) {
   return scale > 0 ? rms(p.map((value, i) => value - q[i])) / scale : 0;
 }
 
+/** The mean difference of two pictures of one size, as a share of the range. */
+export function apart(a, b) {
+  if (a.width !== b.width || a.height !== b.height) throw new Error(`${a.width} x ${a.height} beside ${b.width} x ${b.height}`);
+  return a.luma.reduce((sum, v, i) => sum + Math.abs(v - b.luma[i]), 0) / a.luma.length / 255;
+}
+
 /** The standard deviation of the luma: a blank page has none. */
 export function spread({ luma }) {
   const mean = luma.reduce((sum, v) => sum + v, 0) / luma.length;
   return rms(luma.map((v) => v - mean));
+}
+
+/** Numbers from 0 to 1, the same ones for the same seed (mulberry32). */
+export function random(seed) {
+  let a = seed;
+  return () => {
+    a = (a + 0x6d2b79f5) | 0;
+    let t = Math.imul(a ^ (a >>> 15), 1 | a);
+    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
+    return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
+  };
 }

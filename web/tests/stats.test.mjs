@@ -1,19 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { SEA, change, measure, notASea, spread } from './stats.mjs';
+import { SEA, apart, change, measure, notASea, random, spread } from './stats.mjs';
 
 const [width, height] = [400, 160];
-
-/** A small repeatable generator (mulberry32). */
-function random(seed) {
-  let a = seed;
-  return () => {
-    a = (a + 0x6d2b79f5) | 0;
-    let t = Math.imul(a ^ (a >>> 15), 1 | a);
-    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
-    return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
-  };
-}
 
 function picture(at) {
   const luma = new Float64Array(width * height);
@@ -79,4 +68,11 @@ test('a change of brightness alone is no motion', () => {
 test('a blank page has no spread', () => {
   assert.equal(spread(notSeas['a flat plane']), 0);
   assert.ok(spread(waves(20)) > SEA.spread);
+});
+
+test('pictures are as far apart as their mean difference', () => {
+  const [a, b] = [picture(() => 100), picture((x) => (x < width / 4 ? 151 : 100))];
+  assert.equal(apart(a, a), 0);
+  assert.ok(Math.abs(apart(a, b) - 0.05) < 1e-9);
+  assert.throws(() => apart(a, { ...b, width: 2 * b.width }));
 });

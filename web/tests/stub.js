@@ -12,7 +12,7 @@ export class WebHandle {
     if (play === 'reject') throw 'no device: the stub refuses';
     this.#began = performance.now();
     if (play === 'sleep') return;
-    this.#frames = 1;
+    this.#frames += 1;
   }
 
   #later() {
@@ -35,6 +35,10 @@ export class WebHandle {
 
   state() {
     return location.search.slice(1);
+  }
+
+  settled() {
+    return true;
   }
 
   frames() {

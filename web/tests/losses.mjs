@@ -1,0 +1,182 @@
+// The graphics device is taken away at any moment: the same sea comes back, at the same time, and the page is not loaded again.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { frames, openSea } from './sea.mjs';
+import { apart, fromPng, random } from './stats.mjs';
+
+const STATE = 'wind=15&fetch=300&t=20&pause=1&n=64&ui=0&adaptive=0&mesh=0.1&renderscale=0.5&afloat=buoy*4*-30';
+const SIZE = [320, 200];
+const LOSSES = 20;
+const SEED = 2026;
+const ALIKE = 0.01; // mean difference of two pictures
+
+// Run in the page ahead of its own scripts: no names from here. Keeps every device; `strikes` are the ages (ms) at which
+// the next ones are destroyed.
+const keepDevices = () => {
+  window.devices = [];
+  window.strikes = [];
+  const real = GPUAdapter.prototype.requestDevice;
+  GPUAdapter.prototype.requestDevice = async function requestDevice(...rest) {
+    const device = await real.apply(this, rest);
+    window.devices.push(device);
+    const age = window.strikes.shift();
+    if (age === 0) device.destroy();
+    else if (age > 0) setTimeout(() => device.destroy(), age);
+    return device;
+  };
+};
+
+const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+export async function losses(context) {
+  const { test, out, browser } = context;
+  const shot = (tab, name) => tab.screenshot(join(out, `${browser.name}-${name}.png`)).then(fromPng);
+  const turn = (tab, state) => tab.evaluate((text) => window.seastate.set_state(text), state);
+  const stateIn = (tab) => tab.evaluate(() => window.seastate.state());
+  const count = (tab) => tab.evaluate(() => window.devices.length);
+  const destroy = (tab) => tab.evaluate(() => window.devices.at(-1).destroy());
+  // The cover with the last picture goes when the next picture is complete.
+  const isBack = (tab, since) => tab.until('the sea to come back', (had) => document.body.dataset.rung
+    || (window.devices.length > had && window.seastate.device_lost() === undefined
+      && document.body.classList.contains('running') && document.querySelectorAll('canvas').length === 1), since);
+
+  // What happens around a loss; the state is left as STATE says, but for the time of a sea that ran.
+  const moments = {
+    still: async (tab) => {
+      await destroy(tab);
+    },
+    running: async (tab, dice) => {
+      await turn(tab, STATE.replace('&pause=1', ''));
+      await sleep(1500 * dice());
+      await destroy(tab);
+    },
+    slider: async (tab, dice) => {
+      for (let i = 0; i < 8; i += 1) {
+        await turn(tab, STATE.replace('wind=15', `wind=${8 + i}`));
+        if (i === 5) await destroy(tab);
+        await sleep(60 * dice());
+      }
+    },
+    resize: async (tab, dice) => {
+      await tab.page.setViewport({ width: 300 + Math.round(100 * dice()), height: 240, deviceScaleFactor: 1 });
+      await sleep(200 * dice());
+      await destroy(tab);
+    },
+    start: async (tab, dice) => {
+      await tab.evaluate((age) => { window.strikes = [age]; }, dice() < 0.3 ? 0 : Math.ceil(1000 * dice()));
+      await destroy(tab);
+    },
+  };
+
+  await test(`${browser.name}: a device lost ${LOSSES} times, and always the same sea`, async () => {
+    const whole = await openSea(context, STATE, { size: SIZE });
+    const reference = await shot(whole, 'lost-nothing');
+    // A later sea is another picture: the measure tells them apart.
+    await turn(whole, STATE.replace('t=20', 't=21'));
+    await frames(whole, 3);
+    const later = apart(reference, await shot(whole, 'lost-later'));
+    assert.ok(later > 2 * ALIKE, `a second later differs by ${later.toFixed(4)}`);
+    await whole.close();
+
+    const tab = await openSea(context, STATE, { size: SIZE, before: keepDevices });
+    const dice = random(SEED);
+    const names = Object.keys(moments);
+    const found = { apart: [], seconds: [], reloads: 0 };
+    try {
+      await tab.evaluate(() => { window.stayed = true; });
+      for (let i = 0; i < LOSSES; i += 1) {
+        const name = names[Math.floor(names.length * dice())];
+        const had = await count(tab);
+        const begun = Date.now();
+        await moments[name](tab, dice);
+        // A second loss, during the start, makes another device.
+        assert.equal(await isBack(tab, had + (name === 'start' ? 1 : 0)), true, `loss ${i}, ${name}`);
+        found.seconds.push((Date.now() - begun) / 1000);
+        if (!(await tab.evaluate(() => window.stayed))) {
+          found.reloads += 1;
+          await tab.evaluate(() => { window.stayed = true; });
+        }
+        const state = new URLSearchParams(await stateIn(tab));
+        assert.equal(state.get('wind'), '15', `loss ${i}, ${name}: the sea of before`);
+        assert.equal(state.get('afloat'), 'buoy*4*-30', `loss ${i}, ${name}: the buoy`);
+        if (name === 'running') {
+          assert.ok(state.get('pause') === null && Number(state.get('t')) >= 20 && Number(state.get('t')) < 30, `loss ${i}: it runs on, ${state}`);
+          await turn(tab, STATE);
+        } else {
+          assert.equal(state.get('t'), '20', `loss ${i}, ${name}: the time of before`);
+        }
+        if (name === 'resize') await tab.page.setViewport({ width: SIZE[0], height: SIZE[1], deviceScaleFactor: 1 });
+        await frames(tab, 3);
+        const picture = await shot(tab, `lost-${i}`);
+        found.apart.push(apart(reference, picture));
+        assert.ok(found.apart[i] < ALIKE, `loss ${i}, ${name}: differs by ${found.apart[i].toFixed(4)}`);
+      }
+      assert.ok(found.reloads <= LOSSES - 15, `${found.reloads} reloads`);
+      const sorted = found.seconds.toSorted((a, b) => a - b);
+      return `${found.reloads} reloads, pictures differ by ${Math.max(...found.apart).toFixed(5)} at most (a second later: ${later.toFixed(3)}); back after ${sorted[LOSSES >> 1].toFixed(1)} s, at most ${sorted.at(-1).toFixed(1)} s`;
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: foam with a past comes back, and so does what was undone`, async () => {
+    const tab = await openSea(context, STATE.replace('&pause=1', '').replace('wind=15', 'wind=20'), { size: SIZE, before: keepDevices });
+    try {
+      const t = () => tab.evaluate(() => Number(new URLSearchParams(window.seastate.state()).get('t')));
+      await tab.until('three seconds of sea', () => Number(new URLSearchParams(window.seastate.state()).get('t')) > 23);
+      await tab.evaluate(() => document.querySelector('canvas').focus());
+      await tab.page.keyboard.press('Space');
+      await tab.until('the stop', () => new URLSearchParams(window.seastate.state()).get('pause') === '1');
+      await frames(tab, 3);
+      const [at, before] = [await t(), await shot(tab, 'foam-before')];
+      const had = await count(tab);
+      await destroy(tab);
+      assert.equal(await isBack(tab, had), true);
+      assert.equal(await t(), at, 'the time');
+      await frames(tab, 3);
+      const difference = apart(before, await shot(tab, 'foam-after'));
+      assert.ok(difference < ALIKE, `differs by ${difference.toFixed(4)}`);
+      // The keyboard is still the sea's.
+      await tab.page.keyboard.press('Space');
+      await tab.until('the sea to go on', () => new URLSearchParams(window.seastate.state()).get('pause') === null);
+      return `differs by ${difference.toFixed(5)}`;
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: a device lost in the first start, and in a measurement`, async () => {
+    const strikeFirst = `(${keepDevices})(); window.strikes = [30];`;
+    const tab = await browser.open(`${context.origin}/?${STATE}`, { size: SIZE, before: strikeFirst });
+    try {
+      assert.equal(await isBack(tab, 1), true);
+      assert.equal(new URLSearchParams(await stateIn(tab)).get('t'), '20');
+    } finally {
+      await tab.close();
+    }
+    const bench = await browser.open(`${context.origin}/?n=64&bench=1`, { size: SIZE, before: `(${keepDevices})(); window.strikes = [300];` });
+    try {
+      await bench.until('the measurement to begin again', () => document.body.dataset.rung || window.devices.length > 1);
+      assert.equal(await bench.evaluate(() => document.body.dataset.rung), undefined);
+    } finally {
+      await bench.close();
+    }
+  });
+
+  if (browser.name !== 'chromium') return;
+  await test(`${browser.name}: the browser's graphics process is killed`, async () => {
+    const tab = await openSea(context, STATE, { size: SIZE, before: keepDevices });
+    try {
+      const reference = await shot(tab, 'gpu-before');
+      const had = await count(tab);
+      await browser.crashGpu();
+      assert.equal(await isBack(tab, had), true, await tab.evaluate(() => document.body.innerText));
+      await frames(tab, 3);
+      const difference = apart(reference, await shot(tab, 'gpu-after'));
+      assert.ok(difference < ALIKE, `differs by ${difference.toFixed(4)}`);
+      return `differs by ${difference.toFixed(5)}`;
+    } finally {
+      await tab.close();
+    }
+  });
+}

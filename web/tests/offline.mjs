@@ -1,0 +1,75 @@
+// The page without a network, from frames, and what it leaves behind.
+import assert from 'node:assert/strict';
+import { openSea } from './sea.mjs';
+import { serve } from './server.mjs';
+
+const STATE = 'wind=15&fetch=300&t=20&pause=1&n=64&ui=0&mesh=0.1';
+
+export async function offline(context) {
+  const { test, browser, dist } = context;
+
+  await test(`${browser.name}: once seen, the page opens without a network, and a new version is taken at once`, async () => {
+    let server = await serve(dist);
+    const { port } = server;
+    // A name that is no local address to the page, in a folder: both are as on a host.
+    const at = { browser, origin: `http://sea.localhost:${port}` };
+    const folder = 'fault/none/';
+    const open = () => openSea(at, STATE, { folder });
+    try {
+      let tab = await open();
+      const [first] = await tab.until('a copy', async () => (await navigator.serviceWorker.ready).active?.state === 'activated' && (await caches.keys()).length > 0 && caches.keys());
+      await tab.close();
+      await server.close();
+      tab = await open();
+      assert.deepEqual(tab.errors, [], 'console errors');
+      assert.equal(new URLSearchParams(await tab.evaluate(() => window.seastate.state())).get('wind'), '15');
+      await tab.close();
+
+      // Another version: another title, hence another sum.
+      const edit = (path, body) => {
+        if (path === 'index.html') return body.toString().replace(/<title>[^<]*/, '<title>Later');
+        return path === 'sw.js' ? body.toString().replace(/`\$\{OURS\}[^`]*`/, '`${OURS}later`') : body;
+      };
+      server = await serve(dist, { port, edit });
+      tab = await open();
+      assert.equal(await tab.evaluate(() => document.title), 'Later', 'a page from the network is the network\'s');
+      await tab.until('the copy of the new version alone', async (old) => {
+        const names = await caches.keys();
+        return names.length === 1 && names[0] !== old;
+      }, first);
+      await tab.close();
+      await server.close();
+      tab = await open();
+      assert.equal(await tab.evaluate(() => document.title), 'Later', 'without a network, too');
+      await tab.close();
+    } finally {
+      await server.close().catch(() => {});
+    }
+  });
+
+  await test(`${browser.name}: no copy at a local address, and one that is there goes`, async () => {
+    let tab = await openSea(context, STATE);
+    await tab.evaluate(() => navigator.serviceWorker.register('sw.js'));
+    await tab.until('a worker', async () => (await navigator.serviceWorker.getRegistration())?.active);
+    await tab.close();
+    tab = await openSea(context, STATE);
+    try {
+      await tab.until('the worker to go', async () => (await navigator.serviceWorker.getRegistration()) === undefined);
+      await tab.until('its copy, too', async () => (await caches.keys()).length === 0);
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: shows in a frame of another page`, async () => {
+    const tab = await browser.open(`http://localhost:${context.port}/frame/?${STATE}`);
+    try {
+      const frame = await tab.page.waitForFrame((each) => each.url().startsWith('http://127.0.0.1'));
+      await frame.waitForFunction(() => document.body.classList.contains('running') || document.body.dataset.rung);
+      assert.equal(await frame.evaluate(() => document.body.dataset.rung), undefined, await frame.evaluate(() => document.body.innerText));
+      assert.deepEqual(tab.errors, [], 'console errors');
+    } finally {
+      await tab.close();
+    }
+  });
+}
