@@ -1,6 +1,8 @@
 //! Light and normals of the picture: the very functions of the water module, run in a compute kernel that `shading.wgsl`
 //! appends to it, against exact optics and geometry in f64; and that the errata of the source texts would be found.
 
+mod common;
+
 use glam::{DMat2, DVec2, DVec3};
 use half::f16;
 use seastate::gpu::device::Gpu;

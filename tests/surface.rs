@@ -257,7 +257,7 @@ fn the_mesh_is_finer_than_what_it_shows() {
         let [turn, step] = [lattice[1], lattice[3]].map(f64::from);
         let pixel = 2.0 * scene.view.tan_half[1] / pixels;
         for radius in [10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0] {
-            // As in water.wgsl.
+            // As in mesh_common.wgsl.
             let spacing = f64::max((radius + scale) * step, radius * turn);
             let rest: Vec<[f64; 2]> = (0..1000)
                 .map(|i| {

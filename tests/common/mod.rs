@@ -86,7 +86,6 @@ pub fn random_params(start: &str, number: u32) -> Params {
 }
 
 /// The picture's sampler of the nearest level of a map.
-#[allow(dead_code, reason = "not every test binary draws the surface")]
 pub fn level_sampler(device: &wgpu::Device) -> wgpu::Sampler {
     device.create_sampler(&wgpu::SamplerDescriptor {
         label: Some("levels"),
