@@ -9,6 +9,7 @@ const SLOW_SECONDS = 20; // until the first picture, before the page asks for pa
 const WATCH_MS = 250; // between two looks at the program
 const START_TRIES = 3; // of a device that is refused
 const COVER_SECONDS = 10; // that the last picture waits for the foam of the next
+const FRAME_SECONDS = 10; // without a frame of the browser's, after a loss
 const LOSS_WINDOW_SECONDS = 60; // in which lost devices are counted
 const LOSS_REVIVALS = 8; // in place, the same program with another device; after that
 const LOSS_RELOADS = 2; // by loading the page again; after that the page gives up
@@ -258,6 +259,7 @@ async function recover(handle, reason) {
     try {
       await start(handle, fresh);
       if (hasKeyboard) fresh.focus();
+      watchFrames();
       return old;
     } catch (error) {
       reason = String(error?.message ?? error);
@@ -296,6 +298,24 @@ async function keepOffline() {
     // The page works without.
     console.info(`seastate: no copy for times without a network: ${error}`);
   }
+}
+
+/**
+ * Firefox (153) draws nothing in a tab any more, whatever is loaded there, once a lost device has presented a frame. Its
+ * title can still be changed.
+ */
+function watchFrames() {
+  const { title } = document;
+  const late = setTimeout(() => {
+    if (document.hidden) return;
+    show('lost', 'the browser draws no more frames here: open the address in a new tab');
+    document.title = 'Please open the sea in a new tab';
+  }, FRAME_SECONDS * 1000);
+  requestAnimationFrame(() => {
+    clearTimeout(late);
+    hide('lost');
+    document.title = title;
+  });
 }
 
 /** Panicked, lost, or drawing? */

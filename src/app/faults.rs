@@ -1,5 +1,6 @@
 //! What goes wrong on the GPU after the start: each distinct error is logged once and shown; a lost device is a state.
 
+use futures_channel::oneshot;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 const MAX_SHOWN: usize = 8;
@@ -10,6 +11,18 @@ struct Inner {
     lost: Option<String>,
     /// Whether it was given up because its memory does not suffice.
     refused: bool,
+    /// Who waits to be told of the loss.
+    waiting: Vec<oneshot::Sender<()>>,
+}
+
+impl Inner {
+    fn lose(&mut self, reason: String) {
+        self.lost.get_or_insert(reason);
+        for who in self.waiting.drain(..) {
+            // Whoever has gone need not know.
+            let _ = who.send(());
+        }
+    }
 }
 
 /// Errors of a device, shared with its callbacks.
@@ -28,7 +41,7 @@ impl Faults {
         let on_lost = faults.clone();
         device.set_device_lost_callback(move |reason, message| {
             log::error!("GPU device lost ({reason:?}): {message}");
-            on_lost.inner().lost.get_or_insert_with(|| format!("the GPU was lost ({reason:?}): {message}"));
+            on_lost.inner().lose(format!("the GPU was lost ({reason:?}): {message}"));
         });
         faults
     }
@@ -43,6 +56,21 @@ impl Faults {
         self.inner().lost.clone()
     }
 
+    /// Ends when the device is lost.
+    #[cfg(target_arch = "wasm32")]
+    pub fn when_lost(&self) -> impl Future<Output = ()> + 'static {
+        let (tell, told) = oneshot::channel();
+        let mut inner = self.inner();
+        inner.waiting.push(tell);
+        if let Some(reason) = inner.lost.clone() {
+            inner.lose(reason);
+        }
+        async move {
+            // Nobody is left to tell, or somebody has told.
+            let _ = told.await;
+        }
+    }
+
     /// Whether the graphics memory did not suffice.
     pub fn refused(&self) -> bool {
         self.inner().refused
@@ -53,7 +81,7 @@ impl Faults {
         log::error!("{error}");
         let mut inner = self.inner();
         inner.refused = true;
-        inner.lost.get_or_insert(error);
+        inner.lose(error);
     }
 
     fn add(&self, error: String) {

@@ -3,7 +3,7 @@
 use super::faults::Faults;
 use super::lifeboat::{Berth, Shell};
 use super::readers::Item;
-use super::{App, setup, tidy};
+use super::{App, setup, tasks, tidy};
 use crate::bench::{self, Options, Row};
 use crate::gpu::device::Gpu;
 use crate::gpu::shaders::Shaders;
@@ -56,7 +56,9 @@ impl WebHandle {
             faults.replace(shell.app().map(|app| app.faults.clone()).unwrap_or_default());
             Ok(Box::new(shell))
         };
-        self.runner.start(canvas, options, Box::new(create)).await
+        self.runner.start(canvas, options, Box::new(create)).await?;
+        tasks::spawn(leave_when_lost(self.runner.clone(), self.berth.clone(), self.faults.borrow().clone()));
+        Ok(())
     }
 
     /// Stops and lets go of the canvas.
@@ -187,6 +189,9 @@ impl WebHandle {
     }
 
     fn with<T>(&self, f: impl FnOnce(&mut App) -> T) -> Option<T> {
+        if let Some(app) = self.berth.borrow_mut().as_mut() {
+            return Some(f(app));
+        }
         let mut shell = self.runner.app_mut::<Shell>()?;
         shell.app().map(f)
     }
@@ -229,6 +234,15 @@ fn described(item: &Item) -> JsValue {
 fn prefers_stillness() -> bool {
     let asked = web_sys::window().and_then(|w| w.match_media("(prefers-reduced-motion: reduce)").ok().flatten());
     asked.is_some_and(|m| m.matches())
+}
+
+/// Stops eframe before its next frame: one that a lost device presents halts all of Firefox's tab.
+async fn leave_when_lost(runner: eframe::WebRunner, berth: Berth, faults: Faults) {
+    faults.when_lost().await;
+    if let Some(mut shell) = runner.app_mut::<Shell>() {
+        shell.leave(&berth);
+    }
+    runner.destroy();
 }
 
 /// The app on the state of the address.

@@ -15,6 +15,28 @@ const ALIKE = 0.01; // mean difference of two pictures
 const keepDevices = () => {
   window.devices = [];
   window.strikes = [];
+  // Firefox (153) draws nothing in a tab any more, not even another page, once a device is destroyed with a frame on its way
+  // to the screen. There it is lost between two frames.
+  if (navigator.userAgent.includes('Firefox')) {
+    const frame = window.requestAnimationFrame.bind(window);
+    const destroy = GPUDevice.prototype.destroy;
+    let told = Promise.resolve();
+    GPUDevice.prototype.destroy = function destroyed() {
+      told = Promise.all([told, this.lost]);
+      const idle = this.queue.onSubmittedWorkDone().catch(() => {}).then(() => new Promise((resolve) => setTimeout(resolve, 500)));
+      idle.then(() => destroy.call(this));
+    };
+    const gone = new Set();
+    const cancel = window.cancelAnimationFrame.bind(window);
+    window.requestAnimationFrame = (callback) => {
+      const id = frame((now) => told.then(() => gone.has(id) || callback(now)));
+      return id;
+    };
+    window.cancelAnimationFrame = (id) => {
+      gone.add(id);
+      cancel(id);
+    };
+  }
   const real = GPUAdapter.prototype.requestDevice;
   GPUAdapter.prototype.requestDevice = async function requestDevice(...rest) {
     const device = await real.apply(this, rest);
@@ -125,7 +147,7 @@ export async function losses(context) {
       const t = () => tab.evaluate(() => Number(new URLSearchParams(window.seastate.state()).get('t')));
       await tab.until('three seconds of sea', () => Number(new URLSearchParams(window.seastate.state()).get('t')) > 23);
       await tab.evaluate(() => document.querySelector('canvas').focus());
-      await tab.page.keyboard.press('Space');
+      await tab.page.keyboard.press(' ');
       await tab.until('the stop', () => new URLSearchParams(window.seastate.state()).get('pause') === '1');
       await frames(tab, 3);
       const [at, before] = [await t(), await shot(tab, 'foam-before')];
@@ -137,7 +159,7 @@ export async function losses(context) {
       const difference = apart(before, await shot(tab, 'foam-after'));
       assert.ok(difference < ALIKE, `differs by ${difference.toFixed(4)}`);
       // The keyboard is still the sea's.
-      await tab.page.keyboard.press('Space');
+      await tab.page.keyboard.press(' ');
       await tab.until('the sea to go on', () => new URLSearchParams(window.seastate.state()).get('pause') === null);
       return `differs by ${difference.toFixed(5)}`;
     } finally {

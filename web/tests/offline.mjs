@@ -50,7 +50,7 @@ export async function offline(context) {
   await test(`${browser.name}: no copy at a local address, and one that is there goes`, async () => {
     let tab = await openSea(context, STATE);
     await tab.evaluate(() => navigator.serviceWorker.register('sw.js'));
-    await tab.until('a worker', async () => (await navigator.serviceWorker.getRegistration())?.active);
+    await tab.until('a worker', async () => Boolean((await navigator.serviceWorker.getRegistration())?.active));
     await tab.close();
     tab = await openSea(context, STATE);
     try {
