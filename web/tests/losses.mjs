@@ -59,7 +59,7 @@ export async function losses(context) {
   const destroy = (tab) => tab.evaluate(() => window.devices.at(-1).destroy());
   // The cover with the last picture goes when the next picture is complete.
   const isBack = (tab, since) => tab.until('the sea to come back', (had) => document.body.dataset.rung
-    || (window.devices.length > had && window.seastate.device_lost() === undefined
+    || ((window.devices.length > had || !window.stayed) && window.seastate.device_lost() === undefined
       && document.body.classList.contains('running') && document.querySelectorAll('canvas').length === 1), since);
 
   // What happens around a loss; the state is left as STATE says, but for the time of a sea that ran.
@@ -102,12 +102,15 @@ export async function losses(context) {
 
     const tab = await openSea(context, STATE, { size: SIZE, before: keepDevices });
     const dice = random(SEED);
-    const names = Object.keys(moments);
+    // A first frame cannot be held back: it is painted from a ResizeObserver, and halts Firefox's tab (above).
+    const names = Object.keys(moments).filter((name) => browser.name !== 'firefox' || name !== 'start');
     const found = { apart: [], seconds: [], reloads: 0 };
     try {
-      await tab.evaluate(() => { window.stayed = true; });
+      await tab.evaluate(() => { window.stayed = true; }); // until it is loaded again
       for (let i = 0; i < LOSSES; i += 1) {
         const name = names[Math.floor(names.length * dice())];
+        // Eight within a minute are a loop to the page.
+        await tab.until('room for more losses', () => JSON.parse(sessionStorage.getItem('seastate-device-lost') ?? '[]').filter((at) => Date.now() - at < 60e3).length < 7);
         const had = await count(tab);
         const begun = Date.now();
         await moments[name](tab, dice);
@@ -141,8 +144,11 @@ export async function losses(context) {
     }
   });
 
+  // Elsewhere every page has stayed.
+  const staying = `(${keepDevices})(); window.stayed = true;`;
+
   await test(`${browser.name}: foam with a past comes back, and so does what was undone`, async () => {
-    const tab = await openSea(context, STATE.replace('&pause=1', '').replace('wind=15', 'wind=20'), { size: SIZE, before: keepDevices });
+    const tab = await openSea(context, STATE.replace('&pause=1', '').replace('wind=15', 'wind=20'), { size: SIZE, before: staying });
     try {
       const t = () => tab.evaluate(() => Number(new URLSearchParams(window.seastate.state()).get('t')));
       await tab.until('three seconds of sea', () => Number(new URLSearchParams(window.seastate.state()).get('t')) > 23);
@@ -168,7 +174,7 @@ export async function losses(context) {
   });
 
   await test(`${browser.name}: a device lost in the first start, and in a measurement`, async () => {
-    const strikeFirst = `(${keepDevices})(); window.strikes = [30];`;
+    const strikeFirst = `${staying} window.strikes = [30];`;
     const tab = await browser.open(`${context.origin}/?${STATE}`, { size: SIZE, before: strikeFirst });
     try {
       assert.equal(await isBack(tab, 1), true);
@@ -187,7 +193,7 @@ export async function losses(context) {
 
   if (browser.name !== 'chromium') return;
   await test(`${browser.name}: the browser's graphics process is killed`, async () => {
-    const tab = await openSea(context, STATE, { size: SIZE, before: keepDevices });
+    const tab = await openSea(context, STATE, { size: SIZE, before: staying });
     try {
       const reference = await shot(tab, 'gpu-before');
       const had = await count(tab);
