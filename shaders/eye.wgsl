@@ -2,12 +2,6 @@
 // that the picture's passes read afterwards. A pure function of the maps, so that a still depends on the state alone.
 
 @group(0) @binding(0) var<storage, read_write> frame: Frame;
-@group(1) @binding(0) var displacement_map: texture_2d_array<f32>;
-@group(1) @binding(1) var gradients_map: texture_2d_array<f32>;
-@group(1) @binding(2) var moments_map: texture_2d_array<f32>;
-@group(1) @binding(3) var foam_map: texture_2d_array<f32>;
-@group(1) @binding(4) var wave_sampler: sampler;
-@group(1) @binding(5) var level_sampler: sampler;
 
 const EYE_POINTS = 256u;
 // Height of the eye over the water below it, m, and how steeply the water around it may rise to that height.

@@ -2,12 +2,6 @@
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read_write> mesh_vertices: array<MeshVertex>;
-@group(1) @binding(0) var displacement_map: texture_2d_array<f32>;
-@group(1) @binding(1) var gradients_map: texture_2d_array<f32>;
-@group(1) @binding(2) var moments_map: texture_2d_array<f32>;
-@group(1) @binding(3) var foam_map: texture_2d_array<f32>;
-@group(1) @binding(4) var wave_sampler: sampler;
-@group(1) @binding(5) var level_sampler: sampler;
 
 // A thread a vertex: columns along x, rows along y. Neighbours read their maps at one level, which a software GPU does together.
 @compute @workgroup_size(64)

@@ -1,12 +1,6 @@
 // The light of the sea.
 
 @group(0) @binding(9) var<uniform> material: Material;
-@group(1) @binding(0) var displacement_map: texture_2d_array<f32>;
-@group(1) @binding(1) var gradients_map: texture_2d_array<f32>;
-@group(1) @binding(2) var moments_map: texture_2d_array<f32>;
-@group(1) @binding(3) var foam_map: texture_2d_array<f32>;
-@group(1) @binding(4) var wave_sampler: sampler;
-@group(1) @binding(5) var level_sampler: sampler;
 
 // What the picture's water consists of; twin of Parts in render/water.rs.
 override WATER_BED: bool = false;

@@ -1,5 +1,13 @@
 // The surface from the maps of the simulation: every cascade blended from shifted copies (tiles.wgsl).
 
+@group(1) @binding(0) var displacement_map: texture_2d_array<f32>;
+@group(1) @binding(1) var gradients_map: texture_2d_array<f32>;
+@group(1) @binding(2) var moments_map: texture_2d_array<f32>;
+@group(1) @binding(3) var foam_map: texture_2d_array<f32>;
+// Between the levels of a map, and of the nearest one.
+@group(1) @binding(4) var wave_sampler: sampler;
+@group(1) @binding(5) var level_sampler: sampler;
+
 // Geometric mean of a footprint's sides over the patch from which on the slopes of a cascade fade into variance, and where
 // nothing else is left: its longest waves are as short as the footprint, and 2 % of its slopes would be left in their mean.
 const WATER_FADE = 0.08;

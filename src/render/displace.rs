@@ -62,7 +62,7 @@ impl DisplacePass {
     }
 
     /// Layout of the bind group that a pass needs to draw the mesh.
-    pub fn layout(&self) -> &wgpu::BindGroupLayout {
+    pub fn drawn_layout(&self) -> &wgpu::BindGroupLayout {
         &self.drawn_layout
     }
 

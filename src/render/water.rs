@@ -106,7 +106,7 @@ impl WaterPass {
             })
         });
         let mesh = DisplacePass::new(device, shaders, frame, &layout);
-        let deferred = deferred.then(|| Deferred::new(device, &module, [&scene.layout, &layout, mesh.layout()]));
+        let deferred = deferred.then(|| Deferred::new(device, &module, [&scene.layout, &layout, mesh.drawn_layout()]));
         Self { scene, mesh, module, pipelines: Variants::default(), deferred, layout, samplers, maps: None }
     }
 
@@ -139,7 +139,7 @@ impl WaterPass {
         let parts = Parts::new(scene, self.scene.film);
         let (module, film) = (&self.module, self.scene.film);
         let shown = self.deferred.as_ref().map(|d| &d.layout);
-        let layouts = [&self.scene.layout, &self.layout, shown.unwrap_or(self.mesh.layout())].map(Some);
+        let layouts = [&self.scene.layout, &self.layout, shown.unwrap_or(self.mesh.drawn_layout())].map(Some);
         let entries = if shown.is_some() { ["light_vertex", "light_fragment"] } else { ["vertex", "fragment"] };
         self.pipelines.choose(parts, |parts| {
             let constants = parts.constants();
@@ -188,7 +188,7 @@ impl WaterPass {
 
     /// Layouts of the bind groups that the mesh is drawn with.
     pub fn layouts(&self) -> [&wgpu::BindGroupLayout; 3] {
-        [&self.scene.layout, &self.layout, self.mesh.layout()]
+        [&self.scene.layout, &self.layout, self.mesh.drawn_layout()]
     }
 
     /// Draws the displaced mesh with the pipeline of the pass.
