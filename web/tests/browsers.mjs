@@ -3,7 +3,7 @@
 import { existsSync } from 'node:fs';
 import puppeteer from 'puppeteer-core';
 
-const PATIENCE = Number(process.env.SEASTATE_PATIENCE ?? 300) * 1000; // software adapters on two cores
+const PATIENCE = Number(process.env.SEASTATE_PATIENCE ?? 120) * 1000; // software adapters on two cores
 
 const CHROMIUM_FLAGS = [
   '--no-sandbox',

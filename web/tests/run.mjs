@@ -32,8 +32,8 @@ if (!existsSync(join(dist, 'index.html'))) {
 let passed = 0;
 const failed = [];
 
-async function test(name, body) {
-  if (!options.only.split('|').some((part) => name.includes(part))) return;
+async function test(name, body, isNeeded = false) {
+  if (!isNeeded && !options.only.split('|').some((part) => name.includes(part))) return;
   const begun = Date.now();
   const seconds = () => `${((Date.now() - begun) / 1000).toFixed(1)} s`;
   try {
@@ -83,22 +83,17 @@ await test('the page: small enough', () => {
   return note;
 });
 
+const groups = options.explorer ? { explorer } : { sea, explorer, losses, odds, offline, ladder };
 for (const name of NAMES.filter((each) => !options.browser || each === options.browser)) {
-  let browser;
-  await test(`${name}: starts`, async () => {
-    browser = await launch(name);
-    return browser.version;
-  });
-  browser ??= failed.some((each) => each.startsWith(`${name}: starts`)) ? undefined : await launch(name);
-  if (!browser) continue;
-  try {
-    if (!options.explorer) await sea({ ...context, browser });
-    await explorer({ ...context, browser });
-    if (!options.explorer) await losses({ ...context, browser });
-    if (!options.explorer) await odds({ ...context, browser });
-    if (!options.explorer) await offline({ ...context, browser });
-    if (!options.explorer) await ladder({ ...context, browser });
-  } finally {
+  for (const [group, body] of Object.entries(groups)) {
+    // A browser for each group: one that a test has broken breaks no other group.
+    let browser;
+    await test(`${name}: starts for ${group}`, async () => {
+      browser = await launch(name);
+      return browser.version;
+    }, true);
+    if (!browser) continue;
+    await body({ ...context, browser });
     await browser.close().catch(() => {});
   }
 }
