@@ -78,7 +78,7 @@ fn v_goes_through_the_views() {
 #[test]
 fn notices_of_the_state_are_shown() {
     let harness = open("n=64&pause=1&colour=red");
-    harness.get_by_label_contains("unknown key \"colour\"");
+    harness.get_by_label_contains("unknown setting \"colour\"");
 }
 
 /// A file as a window hands it over.
@@ -217,7 +217,7 @@ fn the_report_says_what_runs_on_what_and_is_copied() {
     for line in [
         "state: wind=17&t=3&pause=1&n=64\n",
         "last error: none\n",
-        "notice: unknown key \"nonsense\"",
+        "notice: unknown setting \"nonsense\"",
         "picture: 900 x 1400",
         "texture side: ",
     ] {

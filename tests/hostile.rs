@@ -104,7 +104,11 @@ fn a_sky_of_a_single_enormous_block_is_refused() {
         let at = after(&bytes, format!("{name}\0box2i\0").as_bytes()) + 4;
         bytes[at..at + 16].copy_from_slice(&[0, 0, 16_383, 8_191].map(i32::to_le_bytes).concat());
     }
-    assert!(refusal(&bytes).contains("256 MiB: save it in rows or smaller tiles"), "{}", refusal(&bytes));
+    assert!(
+        refusal(&bytes).contains("256 MiB: save it as scanlines with ZIP, or in smaller tiles"),
+        "{}",
+        refusal(&bytes)
+    );
 }
 
 #[test]

@@ -16,6 +16,8 @@ use std::time::{Duration, Instant};
 /// Few pixels of sea under a window of the usual size.
 const STATE: &str = "n=64&pause=1&t=20&mesh=0.1&renderscale=0.25&adaptive=0";
 const SIZE: [f32; 2] = [1280.0, 720.0];
+/// What the program says on stderr.
+const SAID: &str = "said.txt";
 const PATIENCE: Duration = Duration::from_secs(60);
 
 /// Ends with its owner.
@@ -73,19 +75,39 @@ impl Desk {
             .env("DISPLAY", &name)
             .env("HOME", &folder)
             .env("XDG_RUNTIME_DIR", &folder)
+            .env("SEASTATE_REHEARSE_LOSS", "1")
             .env_remove("WAYLAND_DISPLAY")
             .env_remove("WAYLAND_SOCKET")
             .env_remove("XDG_CONFIG_HOME")
+            .stderr(std::fs::File::create(folder.join(SAID)).expect("a file"))
             .spawn()
             .expect("the program");
         let mut desk = Self { program: Process(program), _display: display, name, folder, window: String::new() };
-        desk.window = until("a window", || {
-            let found = desk.hand(&["search", "--onlyvisible", "--name", "^Seastate$"]);
+        desk.find();
+        desk
+    }
+
+    /// Takes the GPU away; `key` says when.
+    fn lose(&mut self, key: &str) {
+        let losses = || {
+            let said = std::fs::read_to_string(self.folder.join(SAID)).unwrap_or_default();
+            said.matches("going on with another device").count()
+        };
+        let before = losses();
+        self.key(key);
+        until("the loss", || (losses() > before).then_some(()));
+        self.find();
+    }
+
+    /// Takes hold of the program's window.
+    fn find(&mut self) {
+        let window = until("a window", || {
+            let found = self.hand(&["search", "--onlyvisible", "--name", "^Seastate$"]);
             found.lines().next().map(str::to_owned)
         });
-        desk.hand(&["windowmove", "--sync", &desk.window, "0", "0"]);
-        desk.hand(&["windowfocus", "--sync", &desk.window]);
-        desk
+        self.hand(&["windowmove", "--sync", &window, "0", "0"]);
+        self.hand(&["windowfocus", "--sync", &window]);
+        self.window = window;
     }
 
     /// Runs xdotool.
@@ -120,16 +142,24 @@ impl Desk {
 
     /// Has a picture saved and reads the state in it.
     fn look(&self) -> Params {
+        self.picture().0
+    }
+
+    /// Has a picture saved; with its state.
+    fn picture(&self) -> (Params, image::RgbaImage) {
         self.key("p");
         let path = until("a picture", || {
             let mut files = std::fs::read_dir(&self.folder).ok()?.flatten().map(|f| f.path());
             files.find(|path| path.extension().is_some_and(|e| e == "png"))
         });
-        let state = until("a whole picture", || seastate::app::picture::state_of(&std::fs::read(&path).ok()?).ok());
+        let (state, bytes) = until("a whole picture", || {
+            let bytes = std::fs::read(&path).ok()?;
+            seastate::app::picture::state_of(&bytes).ok().map(|state| (state, bytes))
+        });
         std::fs::remove_file(&path).expect("the picture is ours");
         let (params, notices) = query::parse(&state);
         assert_eq!(notices, Vec::<String>::new(), "{state}");
-        params
+        (params, image::load_from_memory(&bytes).expect("a PNG").to_rgba8())
     }
 
     /// Looks until the state is as wanted: a frame takes its time in software. Then once more, as a picture shows the frame
@@ -247,6 +277,65 @@ fn the_window_survives_any_size() {
     desk.hand(&["windowsize", "--sync", &desk.window, "1280", "720"]);
     desk.hand(&["windowfocus", "--sync", &desk.window]);
     assert_eq!(desk.look(), before);
+    desk.key("Escape");
+    let status = until("the end", || desk.program.0.try_wait().ok().flatten());
+    assert!(status.success(), "{status}");
+}
+
+/// Mean difference of two pictures of one size, 0 to 1.
+fn apart(a: &image::RgbaImage, b: &image::RgbaImage) -> f64 {
+    assert_eq!(a.dimensions(), b.dimensions());
+    let sum: u64 = a.iter().zip(b.iter()).map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
+    sum as f64 / (255.0 * a.len() as f64)
+}
+
+/// The GPU is taken away while the sea stands, runs, is turned, and while the window changes: the same sea comes back.
+#[test]
+#[ignore = "needs Xvfb and xdotool: scripts/test.sh has them"]
+fn the_window_outlives_its_gpu() {
+    let mut desk = Desk::open("window-losses", &format!("{STATE}&wind=17&heading=20&afloat=buoy*4*-30"));
+    for moment in ["still", "running", "turning", "resized", "painted", "still"] {
+        // Foam takes some frames to come back, or to stand.
+        let mut last = desk.picture();
+        let (before, picture) = until("a picture that stays", || {
+            let earlier = std::mem::replace(&mut last, desk.picture());
+            (earlier == last).then(|| last.clone())
+        });
+        match moment {
+            "running" => desk.hand(&["key", "space", "sleep", "0.4"]),
+            "turning" => {
+                desk.hand(&["mousemove", "300", "300", "mousedown", "1", "mousemove", "330", "300", "sleep", "0.1"])
+            }
+            "resized" => desk.hand(&["windowsize", &desk.window, "700", "420"]),
+            _ => String::new(),
+        };
+        desk.lose(if moment == "painted" { "F11" } else { "F12" });
+        match moment {
+            "running" => {
+                desk.key("space");
+                let mut after = desk.look_for("a sea that stands", |p| p.clock.paused);
+                let seconds = after.clock.t_s - before.clock.t_s;
+                assert!(seconds > 0.0 && seconds < 30.0, "{seconds} s");
+                after.clock = before.clock.clone();
+                assert_eq!(after, before);
+                continue;
+            }
+            "turning" => {
+                desk.hand(&["mouseup", "1"]);
+                let mut after = desk.look();
+                after.camera = before.camera.clone();
+                assert_eq!(after, before);
+                continue;
+            }
+            _ => {}
+        };
+        until(&format!("the picture of before, {moment}"), || {
+            desk.hand(&["windowsize", &desk.window, "1280", "720", "sleep", "0.2"]);
+            let (after, again) = desk.picture();
+            assert_eq!(after, before, "{moment}");
+            (again.dimensions() == picture.dimensions() && apart(&again, &picture) < 0.01).then_some(())
+        });
+    }
     desk.key("Escape");
     let status = until("the end", || desk.program.0.try_wait().ok().flatten());
     assert!(status.success(), "{status}");

@@ -50,7 +50,7 @@ function show(rung, reason) {
   }
   element('reason').textContent = reason ?? '';
   element('reason').hidden = !reason;
-  element('state').textContent = `seastate '${location.search.slice(1)}'`;
+  element('state').textContent = `seastate "${location.search.slice(1)}"`;
   element('loading').hidden = true;
   element('ladder').hidden = false;
   document.body.dataset.rung = rung;
@@ -100,7 +100,7 @@ async function checkAdapter() {
   if (!adapter) throw new Rung('no-adapter', navigator.userAgent);
   const low = Object.entries(LIMITS).filter(([name, need]) => !(adapter.limits[name] >= need));
   if (low.length > 0) {
-    throw new Rung('limits', low.map(([name, need]) => `${name} is ${adapter.limits[name]}, needed are ${need}`).join('\n'));
+    throw new Rung('limits', low.map(([name, need]) => `${name}: ${need} needed, this one has ${adapter.limits[name]}`).join('\n'));
   }
 }
 
@@ -308,12 +308,12 @@ function watchFrames() {
   const { title } = document;
   const late = setTimeout(() => {
     if (document.hidden) return;
-    show('lost', 'the browser draws no more frames here: open the address in a new tab');
+    show('tab');
     document.title = 'Please open the sea in a new tab';
   }, FRAME_SECONDS * 1000);
   requestAnimationFrame(() => {
     clearTimeout(late);
-    hide('lost');
+    hide('tab');
     document.title = title;
   });
 }
@@ -353,7 +353,7 @@ function watch(handle) {
       document.body.classList.add('running');
       element('loading').hidden = true;
     } else if (!shown && seconds > SLOW_SECONDS) {
-      say('Preparing the shaders: a slow graphics card can take a minute…');
+      say('Preparing the graphics: the first time this can take a minute…');
     }
     setTimeout(look, WATCH_MS);
   };

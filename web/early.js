@@ -5,7 +5,7 @@
   if (!rung) return;
   document.addEventListener('DOMContentLoaded', function () {
     document.querySelector('section[data-rung="' + rung + '"]').hidden = false;
-    document.getElementById('state').textContent = "seastate '" + location.search.slice(1) + "'";
+    document.getElementById('state').textContent = 'seastate "' + location.search.slice(1) + '"';
     document.getElementById('loading').hidden = true;
     document.getElementById('ladder').hidden = false;
     document.body.setAttribute('data-rung', rung);

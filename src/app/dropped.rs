@@ -48,7 +48,7 @@ fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context
             // Asked before it is read: a film dropped by mistake would fill the tab's memory.
             let size = handle.web_file().map_or(0.0, |f| f.size());
             if size > most_bytes(&name) as f64 {
-                return inbox.put(Err(format!("{name}: too large for a buoy's file or a sky")), &ctx);
+                return inbox.put(Err(format!("{name}: too large for any file that Seastate reads: a buoy's spectrum (text) or a sky (.hdr, .exr)")), &ctx);
             }
             match handle.bytes_async().await {
                 Ok(bytes) => files.push((name, bytes)),

@@ -127,7 +127,8 @@ pub fn load_seas() -> String {
 #[cfg(target_arch = "wasm32")]
 pub fn put_seas_aside() -> Result<(), String> {
     let storage = storage().ok_or("this browser keeps nothing for this page")?;
-    let full = |_| "the browser's storage is full or switched off".to_owned();
+    let full =
+        |_| "not kept: this site's storage in the browser is full or switched off (a private window?)".to_owned();
     storage.set_item(SEAS_ASIDE, &load_seas()).map_err(full)
 }
 
@@ -138,7 +139,9 @@ pub fn put_seas_aside() -> Result<(), String> {
 #[cfg(target_arch = "wasm32")]
 pub fn store_seas(text: &str) -> Result<(), String> {
     let storage = storage().ok_or("this browser keeps nothing for this page")?;
-    storage.set_item(SEAS, text).map_err(|_| "the browser's storage is full or switched off".to_owned())
+    storage.set_item(SEAS, text).map_err(|_| {
+        "not kept: this site's storage in the browser is full or switched off (a private window?)".to_owned()
+    })
 }
 
 #[cfg(target_arch = "wasm32")]

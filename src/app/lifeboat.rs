@@ -102,9 +102,9 @@ impl App {
         self.gauges = gauges::Gauges::default();
         self.measured = gauges::Measured::default();
         if refused {
-            self.say_next("The graphics card is short of memory: the picture has fewer pixels now.");
+            self.say_next("The graphics card is short of memory, so the picture is less sharp: close other programs or tabs and start again.");
         } else if self.params.screen.panel {
-            self.say_next("The graphics device was lost and is back.");
+            self.say_next("The graphics card was lost for a moment; the sea goes on.");
         }
         Ok(())
     }

@@ -7,6 +7,7 @@ use crate::model::look::SkyFile;
 use crate::model::{Params, query};
 use std::cell::Cell;
 use std::io::Read;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::time::Duration;
@@ -17,6 +18,10 @@ const MOST_LOSSES: usize = 8;
 const LOSS_WINDOW: Duration = Duration::from_secs(60);
 /// A driver that starts anew needs a moment, s.
 const NEXT_TRY: Duration = Duration::from_secs(1);
+/// With this in the environment, two keys take the GPU away, at a frame's beginning or end: so what happens then can be tried.
+const REHEARSAL: &str = "SEASTATE_REHEARSE_LOSS";
+const EARLY: egui::Key = egui::Key::F12;
+const LATE: egui::Key = egui::Key::F11;
 
 /// Opens a window on a state; returns when it is closed.
 ///
@@ -30,17 +35,21 @@ pub fn run(params: &Params) -> Result<(), String> {
     let (berth, place) = (Berth::default(), Rc::default());
     let mut losses: Vec<Instant> = Vec::new();
     loop {
-        let opened = open(&state, sky.as_ref(), &berth, &place);
+        let opened = catch_unwind(AssertUnwindSafe(|| open(&state, sky.as_ref(), &berth, &place)));
         // Left behind when its device was lost; a closed window leaves nothing.
-        let Some(at) = berth.borrow().as_ref().map(App::state) else { return opened };
+        let Some(at) = berth.borrow().as_ref().map(App::state) else {
+            return opened.unwrap_or_else(|panic| resume_unwind(panic));
+        };
         losses.retain(|then| then.elapsed() < LOSS_WINDOW);
         losses.push(Instant::now());
         if losses.len() > MOST_LOSSES {
-            return Err(format!("the GPU was lost {MOST_LOSSES} times within a minute; the sea was '{at}'"));
+            return Err(format!(
+                "the GPU was lost {MOST_LOSSES} times within a minute: update its driver, then go on with: seastate \"{at}\""
+            ));
         }
         match opened {
-            Ok(()) => eprintln!("seastate: the GPU was lost; going on with another device"),
-            Err(reason) => {
+            Ok(Ok(())) | Err(_) => eprintln!("seastate: the GPU was lost; going on with another device"),
+            Ok(Err(reason)) => {
                 eprintln!("seastate: no other device yet: {reason}");
                 wait(NEXT_TRY);
             }
@@ -123,9 +132,11 @@ fn open(state: &str, sky: Option<&SkyFile>, berth: &Berth, place: &Rc<Cell<Place
     let (state, sky, berth, place) = (state.to_owned(), sky.cloned(), berth.clone(), place.clone());
     let create = move |cc: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, Box<dyn std::error::Error + Send + Sync>> {
         let shell = Shell::new(cc, &berth, |cc| App::with_sky(cc, &state, sky))?;
-        Ok(Box::new(Window { shell, berth, place }))
+        let rehearses = std::env::var_os(REHEARSAL).is_some();
+        Ok(Box::new(Window { shell, berth, place, rehearses, doomed: false }))
     };
-    eframe::run_native("Seastate", options, Box::new(create)).map_err(|e| format!("cannot open a window: {e}"))
+    eframe::run_native("Seastate", options, Box::new(create))
+        .map_err(|e| format!("cannot open a window: {e} (without a desktop, 'seastate render' writes pictures)"))
 }
 
 /// The window, which lets the app go when its device is lost.
@@ -133,12 +144,39 @@ struct Window {
     shell: Shell,
     berth: Berth,
     place: Rc<Cell<Place>>,
+    /// Whether the keys take the device away.
+    rehearses: bool,
+    /// Whether the device goes at the end of this frame.
+    doomed: bool,
+}
+
+impl Window {
+    /// Whether the device is lost; asks it.
+    fn is_lost(&mut self) -> bool {
+        self.shell.app().is_some_and(|app| {
+            // Losses are told in here, whatever it returns.
+            let _ = app.render_state().device.poll(wgpu::PollType::Poll);
+            app.device_lost().is_some()
+        })
+    }
+
+    fn destroy_device(&mut self) {
+        if let Some(app) = self.shell.app() {
+            app.render_state().device.destroy();
+        }
+    }
 }
 
 impl eframe::App for Window {
     fn logic(&mut self, ctx: &egui::Context, frame: &mut eframe::Frame) {
-        if self.shell.app().is_some_and(|app| app.device_lost().is_some()) {
-            self.place.set(ctx.input(|i| Place::of(i.viewport())));
+        let rehearsed = |key| self.rehearses && ctx.input(|i| i.key_pressed(key));
+        self.doomed = rehearsed(LATE);
+        if rehearsed(EARLY) {
+            self.destroy_device();
+        }
+        self.place.set(ctx.input(|i| Place::of(i.viewport())));
+        if self.is_lost() {
+            // Nothing is left to paint, which egui could not do.
             self.shell.leave(&self.berth);
             ctx.send_viewport_cmd(egui::ViewportCommand::Close);
         }
@@ -147,5 +185,17 @@ impl eframe::App for Window {
 
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         self.shell.ui(ui, frame);
+        if std::mem::take(&mut self.doomed) {
+            self.destroy_device();
+        }
+    }
+}
+
+impl Drop for Window {
+    fn drop(&mut self) {
+        // egui panics where a device is lost between a frame's beginning and its end: the app outlives that, too.
+        if std::thread::panicking() && self.is_lost() {
+            self.shell.leave(&self.berth);
+        }
     }
 }

@@ -15,7 +15,7 @@ pub fn wgpu_configuration() -> egui_wgpu::WgpuConfiguration {
         let name = name.to_lowercase();
         setup.native_adapter_selector = Some(Arc::new(move |adapters: &[wgpu::Adapter], _surface| {
             let found = adapters.iter().find(|a| a.get_info().name.to_lowercase().contains(&name));
-            found.cloned().ok_or_else(|| format!("no GPU adapter is called \"{name}\""))
+            found.cloned().ok_or_else(|| format!("WGPU_ADAPTER_NAME: no GPU is called \"{name}\""))
         }));
     }
     egui_wgpu::WgpuConfiguration { wgpu_setup: egui_wgpu::WgpuSetup::CreateNew(setup), ..Default::default() }

@@ -47,9 +47,9 @@ impl Gpu {
                 let all = instance.enumerate_adapters(backends()).await;
                 let known: Vec<String> = all.iter().map(|a| a.get_info().name).collect();
                 let wanted = |a: &wgpu::Adapter| a.get_info().name.to_lowercase().contains(&name.to_lowercase());
-                all.into_iter()
-                    .find(wanted)
-                    .ok_or_else(|| format!("no GPU adapter is called \"{name}\"; there are: {}", known.join(", ")))?
+                all.into_iter().find(wanted).ok_or_else(|| {
+                    format!("WGPU_ADAPTER_NAME: no GPU is called \"{name}\"; there are: {}", known.join(", "))
+                })?
             }
             None => instance
                 .request_adapter(&wgpu::RequestAdapterOptions {

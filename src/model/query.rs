@@ -89,7 +89,7 @@ fn read_by(text: &str, steps: &[Step]) -> Reading {
             continue;
         }
         let Some(field) = fields::find(&key) else {
-            notices.push(format!("unknown key \"{}\" ignored", shown(&key)));
+            notices.push(format!("unknown setting \"{}\" ignored", shown(&key)));
             continue;
         };
         if seen.contains(&field.key) {
@@ -273,8 +273,8 @@ mod tests {
     fn versions_that_are_not_known_are_noticed() {
         for (link, says) in [
             ("v=4&wind=20", "newer than this program's 3"),
-            ("v=0&wind=20", "no version"),
-            ("v=a&wind=20", "no version"),
+            ("v=0&wind=20", "read as the newest"),
+            ("v=a&wind=20", "read as the newest"),
         ] {
             let Reading { params, notices, .. } = read_by(link, MADE_UP);
             assert_eq!(params.sea.local().wind_m_s, 20.0, "{link}");

@@ -31,7 +31,7 @@ pub(super) fn brought_forward<'a>(pairs: Pairs<'a>, steps: &[Step]) -> (Pairs<'a
             );
             (newest, Some(notice))
         }
-        Some(_) => (newest, Some("v is no version of a link: ignored".to_owned())),
+        Some(_) => (newest, Some("the link's version (v) is none that there is: read as the newest".to_owned())),
     };
     (steps[version - 1..].iter().fold(pairs, |pairs, step| step(pairs)), notice)
 }

@@ -43,7 +43,8 @@ export async function launch(name) {
   const { paths, options } = KINDS[name];
   const executablePath = paths.find((path) => path && existsSync(path));
   if (!executablePath) throw new Error(`no ${name} found (${paths.filter(Boolean).join(', ')})`);
-  const browser = await puppeteer.launch({ ...options, executablePath, headless: true, timeout: PATIENCE, protocolTimeout: PATIENCE });
+  // A copy: the driver takes features out of the list that it is given.
+  const browser = await puppeteer.launch({ ...structuredClone(options), executablePath, headless: true, timeout: PATIENCE, protocolTimeout: PATIENCE });
   return {
     name,
     version: await browser.version(),

@@ -25,7 +25,7 @@ const RUNGS = [
   { rung: 'no-webgpu', before: () => { delete Navigator.prototype.gpu; } },
   { rung: 'no-adapter', before: () => { GPU.prototype.requestAdapter = async () => null; } },
   { rung: 'no-adapter', name: 'request refused', before: () => { GPU.prototype.requestAdapter = async () => { throw new Error('refused by the test'); }; }, reason: /refused by the test/ },
-  { rung: 'limits', before: lowLimits, reason: /maxComputeWorkgroupStorageSize is 8192, needed are 16384/ },
+  { rung: 'limits', before: lowLimits, reason: /maxComputeWorkgroupStorageSize: 16384 needed, this one has 8192/ },
   { rung: 'download', name: 'program missing', folder: 'fault/wasm-404', reason: /404/ },
   { rung: 'download', name: 'another file in its place', folder: 'fault/wasm-html' },
   { rung: 'download', name: 'cut off', folder: 'fault/wasm-cut' },
@@ -38,6 +38,7 @@ const RUNGS = [
   { rung: 'panic', name: 'a trap without words', folder: 'fault/stub', play: 'trap', reason: /unreachable executed/ },
   { rung: 'panic', name: 'while answering the page', folder: 'fault/stub', play: 'throw', reason: /unreachable in an answer/ },
   { rung: 'lost', folder: 'fault/stub', play: 'lost', reason: /the stub was unplugged/ },
+  { rung: 'tab', folder: 'fault/stub', play: 'halt', before: () => { window.requestAnimationFrame = () => 0; } },
 ];
 
 export async function ladder({ test, out, dist, origin, browser }) {

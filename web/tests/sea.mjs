@@ -7,6 +7,8 @@ import { SEA, change, crop, fromPng, measure, notASea, spread } from './stats.mj
 
 // Without the panel, which would cover a window as small as this one, and with all pixels however slow the processor is.
 const STATE = 'wind=15&fetch=300&t=20&n=64&ui=0&adaptive=0';
+// And few pixels and a coarse mesh, where the picture is not what is asked for.
+const LEAN = `${STATE}&mesh=0.1&renderscale=0.5`;
 // The water left of the panel and below the horizon, in fractions of the window.
 const WATER = [0.02, 0.62, 0.5, 0.98];
 
@@ -71,7 +73,7 @@ export async function sea(context) {
   await test(`${browser.name}: a paused sea stands still, another time is another picture`, async () => {
     const pictures = [];
     for (const [name, time] of [['t20', 20], ['t20-again', 20], ['t26', 26]]) {
-      const tab = await openSea(context, `wind=15&fetch=300&t=${time}&n=64&pause=1&ui=0`);
+      const tab = await openSea(context, `wind=15&fetch=300&t=${time}&n=64&pause=1&ui=0&mesh=0.1&renderscale=0.5`);
       pictures.push(crop(await shot(tab, name), WATER));
       agree(await stateOf(tab), { t: time }, 'paused');
       await tab.close();
@@ -93,10 +95,10 @@ export async function sea(context) {
   });
 
   await test(`${browser.name}: a changed value changes the address, back restores it`, async () => {
-    const tab = await openSea(context, `${STATE}&pause=1`);
+    const tab = await openSea(context, `${LEAN}&pause=1`);
     try {
       const first = crop(await shot(tab, 'back-a'), WATER);
-      await tab.evaluate(() => window.seastate.set_state('wind=22&fetch=300&t=20&n=64&pause=1&ui=0'));
+      await tab.evaluate((state) => window.seastate.set_state(state), `${LEAN}&pause=1`.replace('wind=15', 'wind=22'));
       await tab.until('the new wind in the address', () => new URLSearchParams(location.search).get('wind') === '22');
       agree(await stateOf(tab), { wind: 22, fetch: 300 }, 'after the change');
       await frames(tab, 3);
@@ -141,7 +143,7 @@ export async function sea(context) {
   });
 
   await test(`${browser.name}: the mouse moves the camera, and the address follows`, async () => {
-    const tab = await openSea(context, `${STATE}&pause=1`);
+    const tab = await openSea(context, `${LEAN}&pause=1`);
     try {
       const before = await tab.evaluate(() => location.search);
       const { mouse } = tab.page;
@@ -171,7 +173,7 @@ export async function sea(context) {
   });
 
   await test(`${browser.name}: opens from a subfolder, packed`, async () => {
-    const tab = await openSea(context, STATE, { folder: 'fault/wasm-gzip/' });
+    const tab = await openSea(context, LEAN, { folder: 'fault/wasm-gzip/' });
     try {
       assert.ok(spread(await shot(tab, 'subfolder')) > SEA.spread);
     } finally {
@@ -181,7 +183,7 @@ export async function sea(context) {
 
   await test(`${browser.name}: the same sea as the native program`, async () => {
     const reference = context.native(STATE);
-    const tab = await openSea(context, `${STATE}&pause=1`);
+    const tab = await openSea(context, `${LEAN}&pause=1`);
     try {
       const found = await tab.evaluate(async (state) => {
         const maps = await window.seastate.read_back(state);

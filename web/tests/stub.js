@@ -1,4 +1,4 @@
-// Stands in for the program where a test needs it to fail: `?play=reject|panic|throw|trap|lost|sleep`.
+// Stands in for the program where a test needs it to fail: `?play=reject|panic|throw|trap|lost|halt|sleep`.
 const play = new URLSearchParams(location.search).get('play');
 
 export default async function init() {}
@@ -6,11 +6,13 @@ export default async function init() {}
 export class WebHandle {
   #frames = 0;
   #began = 0;
+  #starts = 0;
 
   async start(canvas) {
     if (!(canvas instanceof HTMLCanvasElement)) throw new Error('not a canvas');
     if (play === 'reject') throw 'no device: the stub refuses';
     this.#began = performance.now();
+    this.#starts += 1;
     if (play === 'sleep') return;
     this.#frames += 1;
   }
@@ -30,7 +32,8 @@ export class WebHandle {
   }
 
   device_lost() {
-    return play === 'lost' && this.#later() ? 'the stub was unplugged' : undefined;
+    const isLost = play === 'lost' || (play === 'halt' && this.#starts === 1);
+    return isLost && this.#later() ? 'the stub was unplugged' : undefined;
   }
 
   state() {

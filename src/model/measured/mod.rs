@@ -240,7 +240,7 @@ fn frequency(f: f64, before: Option<f64>) -> Result<f64, String> {
     }
     match before {
         Some(b) if kept <= b => {
-            Err(format!("the frequency {} does not follow {}: frequencies must ascend", shown(f), shown(b)))
+            Err(format!("the frequency {} comes after {}: frequencies must ascend", shown(f), shown(b)))
         }
         _ => Ok(kept),
     }

@@ -93,7 +93,10 @@ fn newest_density<'s, 'a>(sections: &'s [Section<'a>], notices: &mut Vec<String>
     }
     match newest {
         Some(_) => Err("no record has a complete spectral density with waves in it".into()),
-        None => Err("the files hold no record of spectral density".into()),
+        None => {
+            Err("the files hold no spectrum: of a buoy at NDBC, the raw spectral wave data is wanted (data_spec)"
+                .into())
+        }
     }
 }
 

@@ -29,7 +29,7 @@ pub(super) fn decode(bytes: &[u8], most: [usize; 2]) -> Result<Pixels, String> {
     Ok((width, height, pixels))
 }
 
-const TOO_SHORT: &str = "it ends too early";
+const TOO_SHORT: &str = "it ends too early: download or save it again";
 
 /// What has not been read yet.
 struct Rest<'a>(&'a [u8]);
@@ -67,7 +67,9 @@ fn header(rest: &mut Rest<'_>) -> Result<(usize, usize), String> {
             break;
         }
         if line.strip_prefix(b"FORMAT=").is_some_and(|format| format.trim_ascii() != b"32-bit_rle_rgbe") {
-            return Err("its pixels are not 32-bit_rle_rgbe: save it as RGBE".to_owned());
+            return Err(
+                "its colours are stored in another way (XYZE): save it as Radiance RGBE or as OpenEXR".to_owned()
+            );
         }
         if whole - rest.0.len() > MAX_HEADER {
             return Err("its header does not end".to_owned());
@@ -206,7 +208,7 @@ mod tests {
             ("#?RADIANCE\n", "does not end"),
             ("#?RGBE\n\n-Y 0 +X 0\n", "too few"),
             ("#?RGBE\n\n-Y 500 +X 1000\n", TOO_SHORT),
-            ("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 8 +X 16\n", "save it as RGBE"),
+            ("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 8 +X 16\n", "save it as Radiance RGBE"),
         ] {
             let got = decode(head.as_bytes(), [1000, 500]);
             assert!(got.as_ref().is_err_and(|e| e.contains(what)), "{head}: {got:?}");

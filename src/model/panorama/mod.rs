@@ -83,7 +83,7 @@ impl Panorama {
         let whole = luminance64(irradiance)
             + sun.as_ref().map_or(0.0, |s| luminance64(s.irradiance) * s.elevation_deg.to_radians().sin().max(0.0));
         if whole <= 0.0 {
-            return Err("there is no light above the horizon".to_owned());
+            return Err("its upper half, the sky, is black: is it upside down?".to_owned());
         }
         if sun.is_none() {
             notices.push("no compact sun: the sky alone lights the sea".to_owned());
@@ -108,7 +108,7 @@ impl Panorama {
         }
         // A row more or less is no reason to refuse.
         if (width as f64 / height as f64 - 2.0).abs() > 0.1 {
-            return Err(format!("{width} x {height}: an equirectangular sky is twice as wide as high"));
+            return Err(format!("{width} x {height}: a sky all around (equirectangular) is twice as wide as high"));
         }
         Ok(())
     }

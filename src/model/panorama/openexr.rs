@@ -75,11 +75,13 @@ fn check(header: &Header, file_bytes: usize, most: [usize; 2]) -> Result<(), Str
     let bytes = block[0].checked_mul(block[1]).and_then(|n| n.checked_mul(header.channels.bytes_per_pixel));
     if bytes.is_none_or(|n| n > MAX_BLOCK) {
         let mib = MAX_BLOCK >> 20;
-        return Err(format!("one of its blocks of pixels is larger than {mib} MiB: save it in rows or smaller tiles"));
+        return Err(format!(
+            "one of its blocks of pixels is larger than {mib} MiB: save it as scanlines with ZIP, or in smaller tiles"
+        ));
     }
     // Each block has its place in the file's table.
     if header.chunk_count > file_bytes / 8 {
-        return Err("it ends too early".to_owned());
+        return Err("it ends too early: download or save it again".to_owned());
     }
     Ok(())
 }
@@ -87,8 +89,12 @@ fn check(header: &Header, file_bytes: usize, most: [usize; 2]) -> Result<(), Str
 /// An error of the decoder on one line.
 fn said(error: &Error) -> String {
     match error {
-        Error::Invalid(what) if what.contains("missing bytes") => "it ends too early".to_owned(),
-        Error::Io(e) if e.kind() == std::io::ErrorKind::UnexpectedEof => "it ends too early".to_owned(),
+        Error::Invalid(what) if what.contains("missing bytes") => {
+            "it ends too early: download or save it again".to_owned()
+        }
+        Error::Io(e) if e.kind() == std::io::ErrorKind::UnexpectedEof => {
+            "it ends too early: download or save it again".to_owned()
+        }
         Error::Invalid(what) => format!("it is broken: {}", line(what)),
         Error::NotSupported(what) => format!("this form of OpenEXR is not read: {}", line(what)),
         other => line(&other.to_string()),

@@ -98,8 +98,8 @@ fn what_is_no_sky_is_refused() {
     let grey = |w: usize, h: usize| Panorama::new(w, h, vec![[0.5; 3]; w * h]);
     assert!(grey(100, 100).unwrap_err().contains("twice as wide"));
     assert!(grey(8, 4).unwrap_err().contains("too few"));
-    assert!(Panorama::new(64, 32, vec![[0.0; 3]; 64 * 32]).unwrap_err().contains("no light"));
-    assert!(Panorama::new(64, 32, vec![[f32::NAN; 3]; 64 * 32]).unwrap_err().contains("no light"));
+    assert!(Panorama::new(64, 32, vec![[0.0; 3]; 64 * 32]).unwrap_err().contains("is black"));
+    assert!(Panorama::new(64, 32, vec![[f32::NAN; 3]; 64 * 32]).unwrap_err().contains("is black"));
     assert!(Panorama::new(64, 32, vec![[1.0; 3]; 5]).is_err());
     let wide = grey(2 * MAX_WIDTH, 256);
     assert!(wide.unwrap_err().contains("twice as wide"));

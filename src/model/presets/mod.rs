@@ -121,7 +121,7 @@ impl Preset {
             next.look.sky.attach(loaded.as_ref());
         }
         if !left.is_empty() {
-            notices.push(format!("no part of a named sea, left as it was: {}", left.join(", ")));
+            notices.push(format!("a named sea does not set these, they stay as they are: {}", left.join(", ")));
         }
         (next, notices)
     }

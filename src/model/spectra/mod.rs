@@ -104,7 +104,7 @@ impl FrequencySpectrum {
         let (kind, notice) = match (system.spectrum, &sea.measured) {
             (SpectrumKind::Measured, None) => (
                 SpectrumKind::Jonswap,
-                Some("spectrum=measured needs a buoy's file: jonswap is shown until one is given".to_owned()),
+                Some("spectrum=measured needs a buoy's file, dropped here or given with --spectrum: until then JONSWAP is shown".to_owned()),
             ),
             (kind, _) => (kind, None),
         };

@@ -62,7 +62,7 @@ fn hostile_states_are_refused() {
         (".1*1_.2*1*1*1*0*0_.3*1", "band 2 of the measured sea: some bands have directions and some have none"),
         (".1*1*361*1*0*0_", "band 1 of the measured sea: a direction is not within 0 to 360 degrees"),
         (".1*1*1*1*2*0_", "band 1 of the measured sea: a directional moment is not within 0 to 1"),
-        (".2*1_.1*1_.3*1", "the measured sea: the frequency 0.1 does not follow 0.2: frequencies must ascend"),
+        (".2*1_.1*1_.3*1", "the measured sea: the frequency 0.1 comes after 0.2: frequencies must ascend"),
         (".1*0_.2*0_.3*0", "the measured sea: the spectral density is zero everywhere: there are no waves"),
         (&bands(257), "the measured sea: 257 bands of frequency, where 3 to 256 are needed"),
         (&bands(1500), "the measured sea: 257 bands of frequency, where 3 to 256 are needed"),

@@ -9,8 +9,8 @@ fn malformed_tables_say_where_and_why() {
     let long = format!("0.1,{}\n", "1,".repeat(5000));
     let many: String = (1..=257).map(|i| format!("{},1\n", f64::from(i) / 1000.0)).collect();
     for (text, want) in [
-        ("0.05,1\n0.06,1\n0.05,1\n", "b.csv, line 3: the frequency 0.05 does not follow 0.06: frequencies must ascend"),
-        ("0.1,1\n0.10001,1\n", "b.csv, line 2: the frequency 0.10001 does not follow 0.1: frequencies must ascend"),
+        ("0.05,1\n0.06,1\n0.05,1\n", "b.csv, line 3: the frequency 0.05 comes after 0.06: frequencies must ascend"),
+        ("0.1,1\n0.10001,1\n", "b.csv, line 2: the frequency 0.10001 comes after 0.1: frequencies must ascend"),
         ("f,S\n0,1\n", "b.csv, line 2: the frequency 0 is not above 0 and at most 2 Hz"),
         ("-0.1,1\n", "b.csv, line 1: the frequency -0.1 is not above 0 and at most 2 Hz"),
         ("2.1,1\n", "b.csv, line 1: the frequency 2.1 is not above 0 and at most 2 Hz"),
@@ -61,7 +61,7 @@ fn malformed_buoy_files_say_where_and_why() {
         (row("2026 11 21 06 00 9.999 1 (0.1) 2 (x)"), "line 2: after \"2\" a frequency in parentheses is missing"),
         (
             row("2026 11 21 06 00 9.999 1 (0.1) 2 (0.1)"),
-            "line 2: the frequency 0.1 does not follow 0.1: frequencies must ascend",
+            "line 2: the frequency 0.1 comes after 0.1: frequencies must ascend",
         ),
         (row("2026 11 21 06 00 9.999 1 (0.1) 2 (0.2)"), "line 2: 2 bands of frequency, where 3 to 256 are needed"),
         (
@@ -74,10 +74,7 @@ fn malformed_buoy_files_say_where_and_why() {
         (format!("{BANDS}2026 11 21 06 00 1 2\n"), "line 2: 2 values for the 3 frequencies of line 1"),
         (format!("{BANDS}2026 11 21 06 00 1 2 x\n"), "line 2: the value \"x\" is not a number"),
         (format!("1 2 3\n{BANDS}"), "line 1: \"1 2 3\" stands before the first header line"),
-        (
-            "#YY MM DD hh mm .05 .04\n".into(),
-            "line 1: the frequency 0.04 does not follow 0.05: frequencies must ascend",
-        ),
+        ("#YY MM DD hh mm .05 .04\n".into(), "line 1: the frequency 0.04 comes after 0.05: frequencies must ascend"),
         ("#YY MM DD hh mm .05 x\n".into(), "line 1: the frequency \"x\" is not a number"),
         ("#YY MM DD hh mm .05 3\n".into(), "line 1: the frequency 3 is not above 0 and at most 2 Hz"),
         ("#YY MM DD hh mm\n".into(), "line 1: the header names neither frequencies nor values"),
@@ -85,7 +82,10 @@ fn malformed_buoy_files_say_where_and_why() {
     ] {
         assert_eq!(message("b.data_spec", &text), format!("b.data_spec, {want}"), "{text}");
     }
-    assert_eq!(message("b", SPEC), "the files hold no record of spectral density");
+    assert_eq!(
+        message("b", SPEC),
+        "the files hold no spectrum: of a buoy at NDBC, the raw spectral wave data is wanted (data_spec)"
+    );
     let unknown = format!("{BANDS}2026 11 21 06 00 1 2 3\n{BANDS}2026 11 21 06 00 4 5 6\n");
     let what = "neither the file's name nor a comment (such as \"# alpha1\") says what follows this header";
     assert_eq!(message("b.txt", &unknown), format!("b.txt, line 1: {what}"));
