@@ -9,6 +9,8 @@ const EYE_CLEARANCE = 0.8;
 const EYE_STEEPNESS = 0.7;
 // Over this many metres the eye begins to rise before a crest is there.
 const EYE_SOFTNESS = 0.25;
+// At its own point, 12 for the foot, and at the foot.
+const EYE_LOOKS = 14;
 
 var<workgroup> eye_needed: array<f32, EYE_POINTS>;
 
@@ -18,7 +20,24 @@ fn main(@builtin(local_invocation_index) i: u32) {
   let reach = 1.0 + frame.foot.z;
   let turn = f32(i) * 2.39996323;
   let at = reach * sqrt((f32(i) + 0.5) / f32(EYE_POINTS)) * vec2f(cos(turn), sin(turn));
-  let moved = water_displacement(at, reach / sqrt(f32(EYE_POINTS)));
+  // Every thread looks at its own point; the first goes on to where the water below the eye comes from, and to its height. One
+  // loop, for what looks is long and would be written out for each call.
+  var moved = vec3f(0.0);
+  var under = vec3f(0.0);
+  var foot = vec2f(0.0);
+  let looks = select(1, EYE_LOOKS, i == 0u);
+  for (var look = 0; look < looks; look++) {
+    var width = select(1.0, 0.5, look == EYE_LOOKS - 1);
+    if look == 0 {
+      width = reach / sqrt(f32(EYE_POINTS));
+    }
+    under = water_displacement(select(foot, at, look == 0), width);
+    if look == 0 {
+      moved = under;
+    } else if look < EYE_LOOKS - 1 {
+      foot += 0.7 * (-under.xz - foot);
+    }
+  }
   eye_needed[i] = moved.y + EYE_CLEARANCE - EYE_STEEPNESS * length(at + moved.xz);
   workgroupBarrier();
   for (var step = EYE_POINTS / 2u; step > 0u; step /= 2u) {
@@ -28,12 +47,8 @@ fn main(@builtin(local_invocation_index) i: u32) {
     workgroupBarrier();
   }
   if i == 0u {
-    var foot = vec2f(0.0);
-    for (var step = 0; step < 12; step++) {
-      foot += 0.7 * (-water_displacement(foot, 1.0).xz - foot);
-    }
     // An eye that rides counts its height from the water below it.
-    frame.eye_m += frame.foot.w * water_displacement(foot, 0.5).y;
+    frame.eye_m += frame.foot.w * under.y;
     let over = (eye_needed[0] - frame.eye_m) / EYE_SOFTNESS;
     let rise = select(log(1.0 + exp(over)), over, over > 20.0);
     frame.eye_m += EYE_SOFTNESS * rise;

@@ -1,5 +1,7 @@
 // Irradiances and exposure. `clear` runs before the environment is made and measures the cloudless sky, from which the
-// overcast deck takes its brightness; `whole` runs after it and measures what is really there.
+// overcast deck takes its brightness; `whole` runs after it and measures what is really there. Both are sums: 256 threads sum
+// parts of the sky (`clear_parts`, `whole_parts`), and a dispatch of one thread the parts. Barriers between them would cost software
+// GPUs dearly, in compilation most of all.
 
 @group(0) @binding(0) var<uniform> sky: Sky;
 @group(0) @binding(1) var<storage, read_write> light: Light;
@@ -10,27 +12,23 @@
 // Of the sky model; the clouds are not asked for here.
 @group(0) @binding(6) var noise_map: texture_2d<f32>;
 @group(0) @binding(7) var noise_sampler: sampler;
+@group(0) @binding(8) var<storage, read_write> light_parts: array<vec4f, 256>;
 
 const LIGHT_THREADS = 256u;
 // Share of the global irradiance that a closed deck lets through.
 const LIGHT_DECK = 0.28;
 
-var<workgroup> light_sums: array<vec4f, 256>;
-
-fn light_reduce(thread: u32, mine: vec4f) -> vec4f {
-  light_sums[thread] = mine;
-  workgroupBarrier();
-  for (var step = LIGHT_THREADS / 2u; step > 0u; step /= 2u) {
-    if thread < step {
-      light_sums[thread] += light_sums[thread + step];
-    }
-    workgroupBarrier();
+fn light_total() -> vec4f {
+  var total = vec4f(0.0);
+  for (var i = 0u; i < LIGHT_THREADS; i++) {
+    total += light_parts[i];
   }
-  return light_sums[0];
+  return total;
 }
 
-@compute @workgroup_size(256)
-fn clear(@builtin(local_invocation_index) thread: u32) {
+@compute @workgroup_size(64)
+fn clear_parts(@builtin(global_invocation_id) id: vec3u) {
+  let thread = id.x;
   var sum = vec4f(0.0);
   for (var i = thread; i < 2048u; i += LIGHT_THREADS) {
     let azimuth = 2.0 * ATM_PI * (f32(i % 64u) + 0.5) / 64.0;
@@ -39,39 +37,43 @@ fn clear(@builtin(local_invocation_index) thread: u32) {
     let dir = vec3f(sin(azimuth) * sqrt(1.0 - s * s), s, -cos(azimuth) * sqrt(1.0 - s * s));
     sum += vec4f(sky_clear(dir, asin(s)), 0.0) * (ATM_PI / 2048.0);
   }
-  let total = light_reduce(thread, sum);
-  if thread == 0u {
-    let through = atm_transmittance(transmittance_map, sky_sampler, 0.0, sky.sun.y, sky.sun_radius);
-    var beam = atm_rgb(through) * sky.tint;
-    var diffuse = total.rgb;
-    if sky.file > 0.0 {
-      beam = sky.file_sun;
-      diffuse = sky.file_sky;
-    }
-    let high = max(sky.sun.y, 0.0);
-    let globally = diffuse + beam * high;
-    light.direct = pow(1.0 - sky.overcast, 1.5);
-    light.sun = beam * light.direct;
-    light.sky = diffuse;
-    // A deck scatters all colours alike; a trace of the blue sky above it stays.
-    let grey = mix(vec3f(sky_luminance(globally)), globally, 0.35) * vec3f(0.92, 1.0, 1.09);
-    light.deck = grey * (LIGHT_DECK * 9.0 / (7.0 * ATM_PI));
-    light.fog_sky = vec3f(0.0);
-    light.fog_sun = vec3f(0.0);
-    if sky.fog.x > 0.0 {
-      // The sun that reaches the middle of the fog, and the light of all directions there: what the fog above has taken
-      // from the sun comes as diffuse light. About as much goes up as comes down.
-      let o = sky.overcast * sky.overcast;
-      let sunlight = fog_through(0.5 * max(sky.fog.w, 0.0), sky.sun.y, 0.0, FOG_FAR_M);
-      light.fog_sun = light.sun * sunlight;
-      let lost = light.sun * (high * (1.0 - sunlight));
-      light.fog_sky = (mix(diffuse, LIGHT_DECK * grey, o) + lost) * (0.6 / ATM_PI);
-    }
+  light_parts[thread] = sum;
+}
+
+@compute @workgroup_size(1)
+fn clear() {
+  let total = light_total();
+  let through = atm_transmittance(transmittance_map, sky_sampler, 0.0, sky.sun.y, sky.sun_radius);
+  var beam = atm_rgb(through) * sky.tint;
+  var diffuse = total.rgb;
+  if sky.file > 0.0 {
+    beam = sky.file_sun;
+    diffuse = sky.file_sky;
+  }
+  let high = max(sky.sun.y, 0.0);
+  let globally = diffuse + beam * high;
+  light.direct = pow(1.0 - sky.overcast, 1.5);
+  light.sun = beam * light.direct;
+  light.sky = diffuse;
+  // A deck scatters all colours alike; a trace of the blue sky above it stays.
+  let grey = mix(vec3f(sky_luminance(globally)), globally, 0.35) * vec3f(0.92, 1.0, 1.09);
+  light.deck = grey * (LIGHT_DECK * 9.0 / (7.0 * ATM_PI));
+  light.fog_sky = vec3f(0.0);
+  light.fog_sun = vec3f(0.0);
+  if sky.fog.x > 0.0 {
+    // The sun that reaches the middle of the fog, and the light of all directions there: what the fog above has taken
+    // from the sun comes as diffuse light. About as much goes up as comes down.
+    let o = sky.overcast * sky.overcast;
+    let sunlight = fog_through(0.5 * max(sky.fog.w, 0.0), sky.sun.y, 0.0, FOG_FAR_M);
+    light.fog_sun = light.sun * sunlight;
+    let lost = light.sun * (high * (1.0 - sunlight));
+    light.fog_sky = (mix(diffuse, LIGHT_DECK * grey, o) + lost) * (0.6 / ATM_PI);
   }
 }
 
-@compute @workgroup_size(256)
-fn whole(@builtin(local_invocation_index) thread: u32) {
+@compute @workgroup_size(64)
+fn whole_parts(@builtin(global_invocation_id) id: vec3u) {
+  let thread = id.x;
   let size = textureDimensions(environment_map, 1);
   let half_rows = size.y / 2u;
   var sum = vec4f(0.0);
@@ -85,18 +87,21 @@ fn whole(@builtin(local_invocation_index) thread: u32) {
     let low = exp(-elevation * elevation / 0.18) * solid;
     sum += vec4f(radiance * (sin(elevation) * solid), min(sky_luminance(radiance), 6.0 * sky_luminance(light.deck) + 1e-4) * low);
   }
-  let total = light_reduce(thread, sum);
-  if thread == 0u {
-    light.sky = total.rgb;
-    if sky.fog.x > 0.0 {
-      light.sun *= fog_through(0.0, sky.sun.y, 0.0, FOG_FAR_M);
-    }
-    // Solid angle of the weight above, once around.
-    let band = total.w / 2.1;
-    let ground = sky_luminance(total.rgb + light.sun * max(sky.sun.y, 0.0)) / ATM_PI;
-    // In the day's unit.
-    light.key = max((0.85 * band + 0.2 * ground) / sky.unit, 1e-9);
-    // An eye adapts, but not wholly: dusk stays darker than noon, and night is night.
-    light.exposure = 0.66 / pow(light.key, 0.77) / sky.unit;
+  light_parts[thread] = sum;
+}
+
+@compute @workgroup_size(1)
+fn whole() {
+  let total = light_total();
+  light.sky = total.rgb;
+  if sky.fog.x > 0.0 {
+    light.sun *= fog_through(0.0, sky.sun.y, 0.0, FOG_FAR_M);
   }
+  // Solid angle of the weight above, once around.
+  let band = total.w / 2.1;
+  let ground = sky_luminance(total.rgb + light.sun * max(sky.sun.y, 0.0)) / ATM_PI;
+  // In the day's unit.
+  light.key = max((0.85 * band + 0.2 * ground) / sky.unit, 1e-9);
+  // An eye adapts, but not wholly: dusk stays darker than noon, and night is night.
+  light.exposure = 0.66 / pow(light.key, 0.77) / sky.unit;
 }

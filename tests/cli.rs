@@ -290,7 +290,7 @@ fn bench_times_every_pass() {
     }
     assert!(row("step")["dispatches"].as_u64() > Some(3));
     assert_eq!(row("water")["size"], serde_json::json!([64, 64]));
-    assert!(["copy_gb_s", "launch_ms", "shading_gflop_s"].iter().all(|c| json[c].as_f64() > Some(0.0)));
+    assert!(["copy_gb_s", "launch_ms", "shading_gflop_s", "reads_g_s"].iter().all(|c| json[c].as_f64() > Some(0.0)));
     assert!(json["adapter"].is_string());
 }
 

@@ -7,7 +7,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use web_time::Instant;
 
-/// Past times that one frame replays for the foam: a cold start is spread over a few frames instead of stalling one.
+/// Past times that one frame replays for the foam: a cold start is spread over a few frames instead of stalling one. For
+/// n = 256 and above; fewer points are soon computed.
 const STEPS_PER_FRAME: usize = 6;
 /// A glide goes on by no more than this in one frame, s.
 const LONGEST_GLIDE_STEP_S: f64 = 0.1;
@@ -45,6 +46,10 @@ pub fn show(
     (response, size)
 }
 
+fn steps_per_frame(n: u32) -> usize {
+    STEPS_PER_FRAME * (256 / n).max(1).pow(2) as usize
+}
+
 /// One frame, by value.
 struct SeaFrame {
     params: Params,
@@ -70,7 +75,7 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         let begun = Instant::now();
         self.gauges.begin(ocean, &mut encoder);
         ocean.glide_to(device, queue, &self.params, self.dt_s);
-        let caught_up = ocean.encode(device, queue, &mut encoder, self.size, STEPS_PER_FRAME);
+        let caught_up = ocean.encode(device, queue, &mut encoder, self.size, steps_per_frame(ocean.plan().n));
         let is_whole = caught_up && !ocean.is_gliding();
         self.gauges.end(ocean, device, &mut encoder, begun.elapsed().as_secs_f64(), is_whole);
         self.catching_up.0.store(!is_whole, Ordering::Relaxed);

@@ -8,8 +8,13 @@ const COPY_BYTES: u64 = 128 << 20;
 const CHAIN: u32 = 32;
 /// Multiplications and additions of a pixel of the arithmetic ceiling: 8 chains of this many.
 const CHAIN_OPS: u32 = 256;
-/// Side of the square that is drawn for it.
+/// Side of the square that is drawn for the last two ceilings.
 const SIDE: u32 = 512;
+/// Reads of a pixel.
+const READS: u32 = 16;
+/// Points along a side of the map that is read, and its levels.
+const MAP_SIDE: u32 = 256;
+const MAP_LEVELS: u32 = 9;
 
 /// Ceilings of an adapter.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +25,9 @@ pub struct Ceilings {
     pub launch_ms: f64,
     /// Multiplications and additions of a fragment shader that does nothing else, in 1e9 a second.
     pub shading_gflop_s: f64,
+    /// Reads of a map by a fragment shader that does nothing else, in 1e9 a second: between two levels of four half floats, all
+    /// pixels of a quad at one level.
+    pub reads_g_s: f64,
 }
 
 impl Ceilings {
@@ -53,10 +61,18 @@ impl Ceilings {
         let launch_ms = chain.await?.ms() / f64::from(CHAIN);
 
         let target = crate::gpu::offscreen::target(device, TARGET, [SIDE; 2]);
-        let arithmetic = arithmetic_pipeline(device);
+        let arithmetic = over_all(device, "arithmetic", ARITHMETIC);
         let shading = clock.time(|_, encoder| {
             crate::gpu::offscreen::draw_over(encoder, &target, |pass| {
                 pass.set_pipeline(&arithmetic);
+                pass.draw(0..3, 0..1);
+            });
+        });
+        let reading = Reading::new(device);
+        let reads = clock.time(|_, encoder| {
+            crate::gpu::offscreen::draw_over(encoder, &target, |pass| {
+                pass.set_pipeline(&reading.pipeline);
+                pass.set_bind_group(0, &reading.group, &[]);
                 pass.draw(0..3, 0..1);
             });
         });
@@ -65,6 +81,7 @@ impl Ceilings {
             copy_gb_s: 2e-6 * COPY_BYTES as f64 / copy.ms(),
             launch_ms,
             shading_gflop_s: 1e-6 * flops / shading.await?.ms(),
+            reads_g_s: 1e-6 * f64::from(SIDE * SIDE * READS) / reads.await?.ms(),
         })
     }
 }
@@ -88,9 +105,6 @@ fn empty_pipeline(device: &wgpu::Device) -> wgpu::ComputePipeline {
 
 /// Eight chains, so that none waits for itself; the factors are read off the place, so that nothing is known beforehand.
 const ARITHMETIC: &str = "
-@vertex fn vertex(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {
-  return vec4f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0, 0.0, 1.0);
-}
 @fragment fn fragment(@builtin(position) at: vec4f) -> @location(0) vec4f {
   let by = at.xyxy * 1e-4;
   var a = at;
@@ -102,13 +116,74 @@ const ARITHMETIC: &str = "
   return a + b;
 }";
 
-fn arithmetic_pipeline(device: &wgpu::Device) -> wgpu::RenderPipeline {
+/// Each at another place, most of a map's side apart.
+const READ: &str = "
+@group(0) @binding(0) var map: texture_2d<f32>;
+@group(0) @binding(1) var between: sampler;
+@fragment fn fragment(@builtin(position) at: vec4f) -> @location(0) vec4f {
+  var sum = vec4f(0.0);
+  for (var i = 0u; i < 16u; i++) {
+    sum += textureSampleLevel(map, between, at.xy * 0.0041 + f32(i) * vec2f(0.37, 0.61), 0.5);
+  }
+  return sum;
+}";
+
+/// What reads a map.
+struct Reading {
+    pipeline: wgpu::RenderPipeline,
+    group: wgpu::BindGroup,
+}
+
+impl Reading {
+    fn new(device: &wgpu::Device) -> Self {
+        let pipeline = over_all(device, "reads", READ);
+        let map = device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("reads"),
+            size: wgpu::Extent3d { width: MAP_SIDE, height: MAP_SIDE, depth_or_array_layers: 1 },
+            mip_level_count: MAP_LEVELS,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: TARGET,
+            usage: wgpu::TextureUsages::TEXTURE_BINDING,
+            view_formats: &[],
+        });
+        let between = device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("reads"),
+            address_mode_u: wgpu::AddressMode::Repeat,
+            address_mode_v: wgpu::AddressMode::Repeat,
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            mipmap_filter: wgpu::MipmapFilterMode::Linear,
+            ..Default::default()
+        });
+        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("reads"),
+            layout: &pipeline.get_bind_group_layout(0),
+            entries: &[
+                wgpu::BindGroupEntry {
+                    binding: 0,
+                    resource: wgpu::BindingResource::TextureView(&map.create_view(&Default::default())),
+                },
+                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&between) },
+            ],
+        });
+        Self { pipeline, group }
+    }
+}
+
+const OVER_ALL: &str = "
+@vertex fn vertex(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {
+  return vec4f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0, 0.0, 1.0);
+}";
+
+/// A pipeline that covers the whole target with a fragment shader.
+fn over_all(device: &wgpu::Device, label: &str, fragment: &str) -> wgpu::RenderPipeline {
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some("arithmetic"),
-        source: wgpu::ShaderSource::Wgsl(ARITHMETIC.into()),
+        label: Some(label),
+        source: wgpu::ShaderSource::Wgsl([OVER_ALL, fragment].concat().into()),
     });
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some("arithmetic"),
+        label: Some(label),
         layout: None,
         vertex: wgpu::VertexState {
             module: &module,

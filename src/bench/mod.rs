@@ -235,6 +235,17 @@ async fn picture(clock: &Clock<'_>, params: &Params, size: [u32; 2]) -> Result<V
         offscreen::draw_over(encoder, &target, |pass| ocean.present(pass));
     });
     out.push(row("frame", frames.await?));
+    // The same while somebody drags the wind.
+    let dragged = one.time(|i, encoder| {
+        frame.clock.t_s += 1.0 / 60.0;
+        if let Some(wind) = frame.sea.systems.first_mut() {
+            wind.wind_m_s = params.sea.local().wind_m_s + 0.01 * f64::from(i % 50);
+        }
+        ocean.glide_to(device, queue, &frame, 1.0 / 60.0);
+        ocean.encode_fully(device, queue, encoder, size);
+        offscreen::draw_over(encoder, &target, |pass| ocean.present(pass));
+    });
+    out.push(row("frame, wind dragged", dragged.await?));
     Ok(out)
 }
 
@@ -281,10 +292,11 @@ impl fmt::Display for Report {
         writeln!(f, "{}, '{}', {} submissions each", self.adapter, self.state, self.repeat)?;
         writeln!(
             f,
-            "copy {:.2} GB/s, empty dispatch {:.4} ms, fragment arithmetic {:.2} GFLOP/s; {}",
+            "copy {:.2} GB/s, empty dispatch {:.4} ms, fragment arithmetic {:.2} GFLOP/s, reads of a map {:.4} G/s; {}",
             c.copy_gb_s,
             c.launch_ms,
             c.shading_gflop_s,
+            c.reads_g_s,
             if self.has_stamps { "GPU times by timestamps" } else { "no timestamps: times until the GPU is done" }
         )?;
         writeln!(

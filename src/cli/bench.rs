@@ -25,6 +25,7 @@ fn value(report: &Report) -> Value {
     json!({
         "state": report.state, "adapter": report.adapter, "timestamps": report.has_stamps, "submissions": report.repeat,
         "copy_gb_s": ceilings.copy_gb_s, "launch_ms": ceilings.launch_ms, "shading_gflop_s": ceilings.shading_gflop_s,
+        "reads_g_s": ceilings.reads_g_s,
         "passes": report.rows.iter().map(row).collect::<Vec<_>>(), "comparisons": report.comparisons(),
     })
 }

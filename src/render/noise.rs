@@ -2,6 +2,7 @@
 //! spread evenly over 0..1, so that a threshold of 1 - c covers the share c.
 
 use crate::model::noise::pcg4d;
+use std::sync::OnceLock;
 
 /// Texels along a side.
 const SIDE: u32 = 512;
@@ -26,10 +27,8 @@ impl NoiseTexture {
             usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
             view_formats: &[],
         });
-        let mut level = tile(SIDE);
-        for mip_level in 0..mips {
+        for (mip_level, bytes) in (0..).zip(levels()) {
             let side = SIDE >> mip_level;
-            let bytes: Vec<u8> = level.iter().flatten().map(|x| (x * 255.0).round() as u8).collect();
             queue.write_texture(
                 wgpu::TexelCopyTextureInfo {
                     texture: &texture,
@@ -37,11 +36,10 @@ impl NoiseTexture {
                     origin: wgpu::Origin3d::ZERO,
                     aspect: wgpu::TextureAspect::All,
                 },
-                &bytes,
+                bytes,
                 wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * side), rows_per_image: Some(side) },
                 wgpu::Extent3d { width: side, height: side, depth_or_array_layers: 1 },
             );
-            level = halve(&level, side as usize);
         }
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("noise"),
@@ -56,27 +54,48 @@ impl NoiseTexture {
     }
 }
 
+/// The bytes of every level, computed once: a device that follows another has them at once.
+fn levels() -> &'static [Vec<u8>] {
+    static LEVELS: OnceLock<Vec<Vec<u8>>> = OnceLock::new();
+    LEVELS.get_or_init(|| {
+        let mut level = tile(SIDE);
+        (0..=SIDE.ilog2())
+            .map(|mip_level| {
+                let bytes = level.iter().flatten().map(|x| (x * 255.0).round() as u8).collect();
+                level = halve(&level, (SIDE >> mip_level) as usize);
+                bytes
+            })
+            .collect()
+    })
+}
+
 fn tile(side: u32) -> Vec<[f32; 4]> {
     let field = |f: &dyn Fn(f32, f32) -> f32| -> Vec<f32> {
         let at = |i: u32| (i as f32 + 0.5) / side as f32;
         let values: Vec<f32> = (0..side * side).map(|i| f(at(i % side), at(i / side))).collect();
         equalise(&values)
     };
+    let [bend_x, bend_y, fray_x, fray_y, patches] =
+        [(6, 11), (6, 12), (23, 13), (23, 14), (5, 4)].map(|(period, key)| Lattice::arrows(period, key));
+    let [wide, middle, narrow] = [(7, 1), (17, 2), (41, 3)].map(|(period, key)| Lattice::points(period, key));
     let net = field(&|x, y| {
         // Bent coordinates: no straight edges in foam.
-        let (bx, by) = (gradient_noise(x, y, 6, 11), gradient_noise(x, y, 6, 12));
-        let (fx, fy) = (gradient_noise(x, y, 23, 13), gradient_noise(x, y, 23, 14));
-        let (x, y) = (x + 0.055 * bx + 0.012 * fx, y + 0.055 * by + 0.012 * fy);
-        1.1 * edges(x, y, 7, 1)
-            + 0.8 * edges(x, y, 17, 2)
-            + 0.5 * edges(x, y, 41, 3)
-            + 0.35 * gradient_noise(x, y, 5, 4)
+        let (bx, by) = (bend_x.gradient_noise(x, y), bend_y.gradient_noise(x, y));
+        let (fx, fy) = (fray_x.gradient_noise(x, y), fray_y.gradient_noise(x, y));
+        let (u, v) = (x + 0.055 * bx + 0.012 * fx, y + 0.055 * by + 0.012 * fy);
+        1.1 * wide.edges(u, v)
+            + 0.8 * middle.edges(u, v)
+            + 0.5 * narrow.edges(u, v)
+            + 0.35 * patches.gradient_noise(u, v)
     });
-    let bubbles = field(&|x, y| edges(x, y, 37, 5) + 0.7 * edges(x, y, 83, 6) + 0.4 * gradient_noise(x, y, 19, 7));
+    let (large, small, groups) = (Lattice::points(37, 5), Lattice::points(83, 6), Lattice::arrows(19, 7));
+    let bubbles = field(&|x, y| large.edges(x, y) + 0.7 * small.edges(x, y) + 0.4 * groups.gradient_noise(x, y));
+    let wind = Lattice::arrows(5, 20);
+    let octaves: [Lattice; 7] = std::array::from_fn(|o| Lattice::arrows(4 << o, 21 + o as u32));
     let cloud = field(&|x, y| {
-        let bend = 0.03 * gradient_noise(x, y, 5, 20);
+        let bend = 0.03 * wind.gradient_noise(x, y);
         let (x, y) = (x + bend, y - bend);
-        (0..7).map(|o| 0.56f32.powi(o) * gradient_noise(x, y, 4 << o, 21 + o as u32)).sum()
+        (0..).zip(&octaves).map(|(o, octave)| 0.56f32.powi(o) * octave.gradient_noise(x, y)).sum()
     });
     (0..(side * side) as usize).map(|i| [net[i], bubbles[i], cloud[i], 1.0]).collect()
 }
@@ -103,46 +122,70 @@ fn halve(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
         .collect()
 }
 
-/// Two numbers in 0..1 for a cell of a periodic lattice.
-fn cell(ix: i32, iy: i32, period: i32, key: u32) -> [f32; 2] {
-    let h = pcg4d([ix.rem_euclid(period) as u32, iy.rem_euclid(period) as u32, key, 0x5ea]);
-    [h[0], h[1]].map(|h| (h >> 8) as f32 / 16_777_216.0)
+/// A periodic lattice of cells with two numbers each.
+struct Lattice {
+    period: i32,
+    cells: Vec<[f32; 2]>,
 }
 
-/// Worley noise: 0 in the middle of a cell, 1 on its edge.
-fn edges(x: f32, y: f32, period: i32, key: u32) -> f32 {
-    let (x, y) = (x * period as f32, y * period as f32);
-    let (cx, cy) = (x.floor() as i32, y.floor() as i32);
-    let (mut first, mut second) = (9.0f32, 9.0f32);
-    for iy in cy - 1..=cy + 1 {
-        for ix in cx - 1..=cx + 1 {
-            let [a, b] = cell(ix, iy, period, key);
-            let d = (ix as f32 + a - x).hypot(iy as f32 + b - y);
-            if d < first {
-                second = first;
-                first = d;
-            } else if d < second {
-                second = d;
+impl Lattice {
+    /// A point in each cell.
+    fn points(period: i32, key: u32) -> Self {
+        let number = |h: u32| (h >> 8) as f32 / 16_777_216.0;
+        let cell = |i: i32| {
+            let h = pcg4d([(i % period) as u32, (i / period) as u32, key, 0x5ea]);
+            [number(h[0]), number(h[1])]
+        };
+        Self { period, cells: (0..period * period).map(cell).collect() }
+    }
+
+    /// A unit vector at each cell's corner.
+    fn arrows(period: i32, key: u32) -> Self {
+        let Self { cells, .. } = Self::points(period, key);
+        let arrow = |[a, _]: [f32; 2]| {
+            let (sin, cos) = (a * std::f32::consts::TAU).sin_cos();
+            [cos, sin]
+        };
+        Self { period, cells: cells.into_iter().map(arrow).collect() }
+    }
+
+    fn at(&self, ix: i32, iy: i32) -> [f32; 2] {
+        let p = self.period;
+        self.cells[(iy.rem_euclid(p) * p + ix.rem_euclid(p)) as usize]
+    }
+
+    /// Worley noise: 0 in the middle of a cell, 1 on its edge.
+    fn edges(&self, x: f32, y: f32) -> f32 {
+        let (x, y) = (x * self.period as f32, y * self.period as f32);
+        let (cx, cy) = (x.floor() as i32, y.floor() as i32);
+        // Squared.
+        let (mut first, mut second) = (81.0f32, 81.0f32);
+        for iy in cy - 1..=cy + 1 {
+            for ix in cx - 1..=cx + 1 {
+                let [a, b] = self.at(ix, iy);
+                let (dx, dy) = (ix as f32 + a - x, iy as f32 + b - y);
+                let d = dx * dx + dy * dy;
+                second = second.min(d.max(first));
+                first = first.min(d);
             }
         }
+        1.0 - (second.sqrt() - first.sqrt()).min(1.0).sqrt()
     }
-    1.0 - (second - first).min(1.0).sqrt()
-}
 
-/// Perlin noise, about -0.7..0.7.
-fn gradient_noise(x: f32, y: f32, period: i32, key: u32) -> f32 {
-    let (x, y) = (x * period as f32, y * period as f32);
-    let (ix, iy) = (x.floor() as i32, y.floor() as i32);
-    let (fx, fy) = (x - ix as f32, y - iy as f32);
-    let corner = |dx: i32, dy: i32| {
-        let [a, _] = cell(ix + dx, iy + dy, period, key);
-        let (sin, cos) = (a * std::f32::consts::TAU).sin_cos();
-        cos * (fx - dx as f32) + sin * (fy - dy as f32)
-    };
-    let fade = |t: f32| t * t * t * (t * (6.0 * t - 15.0) + 10.0);
-    let (u, v) = (fade(fx), fade(fy));
-    let mix = |a: f32, b: f32, t: f32| a + t * (b - a);
-    mix(mix(corner(0, 0), corner(1, 0), u), mix(corner(0, 1), corner(1, 1), u), v)
+    /// Perlin noise, about -0.7..0.7.
+    fn gradient_noise(&self, x: f32, y: f32) -> f32 {
+        let (x, y) = (x * self.period as f32, y * self.period as f32);
+        let (ix, iy) = (x.floor() as i32, y.floor() as i32);
+        let (fx, fy) = (x - ix as f32, y - iy as f32);
+        let corner = |dx: i32, dy: i32| {
+            let [cos, sin] = self.at(ix + dx, iy + dy);
+            cos * (fx - dx as f32) + sin * (fy - dy as f32)
+        };
+        let fade = |t: f32| t * t * t * (t * (6.0 * t - 15.0) + 10.0);
+        let (u, v) = (fade(fx), fade(fy));
+        let mix = |a: f32, b: f32, t: f32| a + t * (b - a);
+        mix(mix(corner(0, 0), corner(1, 0), u), mix(corner(0, 1), corner(1, 1), u), v)
+    }
 }
 
 #[cfg(test)]

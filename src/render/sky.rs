@@ -18,6 +18,9 @@ const TRANSMITTANCE: [u32; 2] = [256, 64];
 const MULTIPLE: [u32; 2] = [64, 32];
 const VIEW: [u32; 2] = [192, 128];
 const ENVIRONMENT: [u32; 2] = [256, 128];
+/// Workgroups of 64 threads that sum the light, and the bytes of their sums (shaders/sky_light.wgsl).
+const LIGHT_GROUPS: u32 = 4;
+const LIGHT_PARTS_BYTES: u64 = 16 * 64 * LIGHT_GROUPS as u64;
 /// Mips of the environment, down to 8 x 4.
 const MIPS: u32 = 6;
 
@@ -266,7 +269,13 @@ impl Sky {
             ),
         ];
         let light_module = module("sky_light");
-        let measure = |label, entry| {
+        let light_parts = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("light/parts"),
+            size: LIGHT_PARTS_BYTES,
+            usage: wgpu::BufferUsages::STORAGE,
+            mapped_at_creation: false,
+        });
+        let measure = |label, entry, groups| {
             let slots = [
                 sky_slot,
                 Slot::Write(light_size),
@@ -276,6 +285,7 @@ impl Sky {
                 Slot::Texture,
                 Slot::Texture,
                 Slot::Sampler,
+                Slot::Write(LIGHT_PARTS_BYTES as usize),
             ];
             let resources = [
                 sky.clone(),
@@ -286,8 +296,9 @@ impl Sky {
                 TextureView(&environment),
                 TextureView(&noise.view),
                 Sampler(&noise.sampler),
+                light_parts.as_entire_binding(),
             ];
-            Step::new(device, label, (&light_module, entry), &slots, &resources, [1, 1])
+            Step::new(device, label, (&light_module, entry), &slots, &resources, [groups, 1])
         };
         let mut lit = vec![
             Step::new(
@@ -304,7 +315,8 @@ impl Sky {
                 ],
                 tiles(VIEW),
             ),
-            measure("sky/light clear", "clear"),
+            measure("sky/light clear parts", "clear_parts", LIGHT_GROUPS),
+            measure("sky/light clear", "clear", 1),
             Step::new(
                 device,
                 "sky/environment",
@@ -339,7 +351,8 @@ impl Sky {
             let size = ENVIRONMENT.map(|s| s >> level);
             Step::new(device, "sky/filter", (&filter, "main"), &[Slot::Texture, Slot::Image], &resources, tiles(size))
         }));
-        lit.push(measure("sky/light whole", "whole"));
+        lit.push(measure("sky/light whole parts", "whole_parts", LIGHT_GROUPS));
+        lit.push(measure("sky/light whole", "whole", 1));
         Self { uniform, light, transmittance, view, environment, sampler, panorama, air, lit, made_for: None }
     }
 
