@@ -152,7 +152,9 @@ impl App {
         let (mut params, notices) = query::parse(state);
         params.look.sky.attach(sky.as_ref());
         let seas = panel::Seas::load();
-        let faults = lifeboat::lay_out(&render_state, &params);
+        let quality = quality::Quality::on(render_state.adapter.get_info().device_type, params.clock.paused);
+        let grid = quality.grid(&params.grid, &params.screen);
+        let faults = lifeboat::lay_out(&render_state, &Params { grid, ..params.clone() });
         setup::style(&cc.egui_ctx);
         #[cfg(target_arch = "wasm32")]
         let readers = readers::Readers::default();
@@ -169,7 +171,7 @@ impl App {
             panel: panel::Panel::default(),
             seas,
             history: history::History::default(),
-            quality: quality::Quality::default(),
+            quality,
             help: false,
             said: None,
             drawn: None,

@@ -8,6 +8,9 @@ const LONG_S: f64 = 1.0 / 40.0;
 const SHORT_S: f64 = 1.0 / 55.0;
 /// Fewest pixels along a side, over those asked for.
 const LEAST_SCALE: f64 = 0.4;
+/// Pixels along a side that an adapter starts with which is a CPU, over those asked for, and its fewest: there a frame of
+/// 1280x720 takes seconds, and the first one stands between a visitor and the sea.
+const CPU_SCALE: f64 = 0.25;
 /// Fewest points along a side of a cascade: with these no gap opens between the bands.
 const LEAST_N: u32 = 128;
 /// What each second refusal of memory leaves of the pixels along a side, and the fewest points that it leaves of a cascade.
@@ -18,7 +21,7 @@ const PATIENCE_S: f64 = 0.6;
 const TRIAL_S: f64 = 3.0;
 /// The longest wait between two trials, s.
 const MOST_TRIAL_S: f64 = 60.0;
-/// A frame after a pause, a hidden tab or a stall says nothing of the picture's cost, s.
+/// A frame after a pause, a hidden tab or a stall says nothing of the picture's cost, s; two in a row do.
 const ODD_S: f64 = 4.0;
 
 /// Follows the frame time.
@@ -27,6 +30,8 @@ pub struct Quality {
     frame_s: f64,
     /// Pixels along a side over those asked for.
     scale: f64,
+    /// The fewest.
+    least_scale: f64,
     /// Halvings of n.
     halvings: u32,
     /// How long frames have been long (positive) or short (negative), s.
@@ -36,34 +41,40 @@ pub struct Quality {
     tried: bool,
     /// How often the graphics memory did not suffice.
     refusals: u32,
+    /// Whether the last frame was an odd one.
+    was_odd: bool,
     still: bool,
     size: [u32; 2],
 }
 
-impl Default for Quality {
-    fn default() -> Self {
+impl Quality {
+    /// To start with on an adapter of a kind, with a sea that stands still or not.
+    pub fn on(kind: wgpu::DeviceType, still: bool) -> Self {
+        let is_cpu = kind == wgpu::DeviceType::Cpu;
         Self {
             frame_s: 1.0 / 60.0,
-            scale: 1.0,
-            halvings: 0,
+            scale: if is_cpu { CPU_SCALE } else { 1.0 },
+            least_scale: if is_cpu { CPU_SCALE } else { LEAST_SCALE },
+            halvings: u32::from(is_cpu),
+            was_odd: false,
             pressure_s: 0.0,
             trial_s: TRIAL_S,
             tried: false,
             refusals: 0,
-            still: true,
+            still,
             size: [0; 2],
         }
     }
-}
 
-impl Quality {
     /// Takes the time since the last frame into account. A sea that stands still has all the time in the world.
     pub fn watch(&mut self, dt_s: f64, still: bool, adaptive: bool) {
         let was_still = std::mem::replace(&mut self.still, still);
-        if still || was_still || dt_s <= 0.0 || dt_s > ODD_S {
+        let was_odd = std::mem::replace(&mut self.was_odd, dt_s > ODD_S);
+        if still || was_still || dt_s <= 0.0 || (self.was_odd && !was_odd) {
             self.pressure_s = 0.0;
             return;
         }
+        let dt_s = dt_s.min(ODD_S);
         // One long frame is no trend, five are.
         self.frame_s += (dt_s - self.frame_s) * 0.2;
         if !adaptive {
@@ -82,10 +93,10 @@ impl Quality {
             if std::mem::take(&mut self.tried) {
                 self.trial_s = (2.0 * self.trial_s).min(MOST_TRIAL_S);
             }
-            if self.scale > LEAST_SCALE {
+            if self.scale > self.least_scale {
                 // Most of a frame is its pixels: as many fewer as it takes too long, but no leap.
                 let wanted = (0.9 * LONG_S / self.frame_s).sqrt().clamp(0.7, 0.95);
-                self.scale = (self.scale * wanted).max(LEAST_SCALE);
+                self.scale = (self.scale * wanted).max(self.least_scale);
             } else {
                 self.halvings = (self.halvings + 1).min(3);
             }
@@ -174,7 +185,7 @@ mod tests {
 
     #[test]
     fn slow_frames_cost_pixels_and_fast_ones_bring_them_back() {
-        let mut quality = Quality::default();
+        let mut quality = Quality::on(wgpu::DeviceType::DiscreteGpu, true);
         let screen = Screen::default();
         let points = egui::vec2(1000.0, 500.0);
         run(&mut quality, 1.0, |_| 1.0 / 60.0);
@@ -189,7 +200,7 @@ mod tests {
 
     #[test]
     fn what_stands_still_and_what_may_not_adapt_is_whole() {
-        let mut quality = Quality::default();
+        let mut quality = Quality::on(wgpu::DeviceType::DiscreteGpu, true);
         let points = egui::vec2(1000.0, 500.0);
         run(&mut quality, 20.0, |_| 0.3);
         let mut screen = Screen::default();
@@ -207,7 +218,7 @@ mod tests {
 
     #[test]
     fn refused_memory_costs_pixels_and_points_even_of_a_still() {
-        let mut quality = Quality::default();
+        let mut quality = Quality::on(wgpu::DeviceType::DiscreteGpu, true);
         let screen = Screen { adaptive: false, ..Screen::default() };
         let points = egui::vec2(1000.0, 500.0);
         let grid = Grid { n: 256, ..Grid::default() };
@@ -223,7 +234,7 @@ mod tests {
 
     #[test]
     fn trials_that_fail_become_rare() {
-        let mut quality = Quality::default();
+        let mut quality = Quality::on(wgpu::DeviceType::DiscreteGpu, true);
         // All pixels are just too many, nine tenths are fast.
         let frame = |q: &Quality| if q.scale > 0.93 { 0.03 } else { 1.0 / 60.0 };
         run(&mut quality, 400.0, frame);

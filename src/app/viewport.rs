@@ -10,6 +10,8 @@ use web_time::Instant;
 /// Past times that one frame replays for the foam: a cold start is spread over a few frames instead of stalling one. For
 /// n = 256 and above; fewer points are soon computed.
 const STEPS_PER_FRAME: usize = 6;
+/// The same on an adapter that is a CPU.
+const CPU_STEPS_PER_FRAME: usize = 1;
 /// A glide goes on by no more than this in one frame, s.
 const LONGEST_GLIDE_STEP_S: f64 = 0.1;
 
@@ -46,8 +48,10 @@ pub fn show(
     (response, size)
 }
 
-fn steps_per_frame(n: u32) -> usize {
-    STEPS_PER_FRAME * (256 / n).max(1).pow(2) as usize
+fn steps_per_frame(device: &wgpu::Device, n: u32) -> usize {
+    let is_cpu = device.adapter_info().device_type == wgpu::DeviceType::Cpu;
+    let most = if is_cpu { CPU_STEPS_PER_FRAME } else { STEPS_PER_FRAME };
+    most * (256 / n).max(1).pow(2) as usize
 }
 
 /// One frame, by value.
@@ -75,7 +79,7 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         let begun = Instant::now();
         self.gauges.begin(ocean, &mut encoder);
         ocean.glide_to(device, queue, &self.params, self.dt_s);
-        let caught_up = ocean.encode(device, queue, &mut encoder, self.size, steps_per_frame(ocean.plan().n));
+        let caught_up = ocean.encode(device, queue, &mut encoder, self.size, steps_per_frame(device, ocean.plan().n));
         let is_whole = caught_up && !ocean.is_gliding();
         self.gauges.end(ocean, device, &mut encoder, begun.elapsed().as_secs_f64(), is_whole);
         self.catching_up.0.store(!is_whole, Ordering::Relaxed);
