@@ -36,7 +36,8 @@ library() {
   echo "library: clean, $(sort -u <<<"$tree" | wc -l) packages"
 }
 native() { cargo test --locked --no-fail-fast; }
-window() { cargo test --locked --test window -- --ignored; }
+# One at a time: displays that start together take each other's place.
+window() { cargo test --locked --test window -- --ignored --test-threads 1; }
 page_tools() { (cd web/tests && node --test); }
 page() { build_page && ls -l dist; }
 browsers() { cargo build --locked --bin seastate && (cd web/tests && node run.mjs); }

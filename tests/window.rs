@@ -1,6 +1,6 @@
 //! The window as a person uses it, on a display of its own: Xvfb shows it, xdotool is the hand and the keyboard, and what the
 //! program does is read from the pictures that it saves, which carry their state. `scripts/test.sh --only window` installs
-//! both and runs it: `cargo test --test window -- --ignored`.
+//! both and runs it: `cargo test --test window -- --ignored --test-threads 1`.
 
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
