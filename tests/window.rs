@@ -152,14 +152,16 @@ impl Desk {
             let mut files = std::fs::read_dir(&self.folder).ok()?.flatten().map(|f| f.path());
             files.find(|path| path.extension().is_some_and(|e| e == "png"))
         });
-        let (state, bytes) = until("a whole picture", || {
+        // It may still be written.
+        let (state, picture) = until("a whole picture", || {
             let bytes = std::fs::read(&path).ok()?;
-            seastate::app::picture::state_of(&bytes).ok().map(|state| (state, bytes))
+            let picture = image::load_from_memory(&bytes).ok()?;
+            seastate::app::picture::state_of(&bytes).ok().map(|state| (state, picture))
         });
         std::fs::remove_file(&path).expect("the picture is ours");
         let (params, notices) = query::parse(&state);
         assert_eq!(notices, Vec::<String>::new(), "{state}");
-        (params, image::load_from_memory(&bytes).expect("a PNG").to_rgba8())
+        (params, picture.to_rgba8())
     }
 
     /// Looks until the state is as wanted: a frame takes its time in software. Then once more, as a picture shows the frame
