@@ -1,14 +1,14 @@
-// The second half of the transform along z by itself, and the maps: half floats in a buffer, which is copied to the textures
+// The second half of the transform along z by itself, and the maps in a buffer (maps_half.wgsl or maps_float.wgsl), which is copied to the textures
 // (a software GPU takes longer to write a texel than to transform it).
 
 override KEEP_F32: bool = false; // also leaves the result in the intermediate buffer
 
 @group(0) @binding(0) var<storage, read> halves: array<vec4f>; // [cascade][pair][k1][n2][x]
-@group(0) @binding(1) var<storage, read_write> maps: array<vec2u>; // [pair][cascade][z][x]
+@group(0) @binding(1) var<storage, read_write> maps: array<MapsTexel>; // [pair][cascade][z][x]
 @group(0) @binding(2) var<storage, read_write> lines: array<vec4f>; // [cascade][pair][z][x]
 
 fn columns_store(pair: u32, c: u32, cascades: u32, x: u32, z: u32, value: vec4f) {
-  maps[((pair * cascades + c) * N + z) * N + x] = vec2u(pack2x16float(value.xy), pack2x16float(value.zw));
+  maps[((pair * cascades + c) * N + z) * N + x] = maps_texel(value);
   if KEEP_F32 {
     lines[((2u * c + pair) * N + z) * N + x] = value;
   }

@@ -3,7 +3,6 @@
 mod common;
 
 use common::{gpu, params};
-use half::f16;
 use seastate::cli::render::{FORMAT, picture_of};
 use seastate::gpu::device::Gpu;
 use seastate::model::{Heights, Params};
@@ -64,11 +63,10 @@ impl Window {
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let copy = self.ocean.simulation().resources.stage(device, &mut encoder, MapKind::Displacement, 0);
         self.gpu.queue.submit([encoder.finish()]);
-        let texels: Vec<[f16; 4]> =
-            bytemuck::pod_collect_to_vec(&pollster::block_on(copy.read(device)).expect("read-back"));
+        let texels = pollster::block_on(copy.read_map(device)).expect("read-back");
         let n2 = (self.ocean.plan().n as usize).pow(2);
         let maps = self.ocean.simulation().maps();
-        let layer = |layer: u32| texels[layer as usize * n2..][..n2].iter().map(|t| t[1].to_f64()).collect();
+        let layer = |layer: u32| texels[layer as usize * n2..][..n2].iter().map(|t| f64::from(t[1])).collect();
         maps.cascades.iter().map(|c| (c.patch_m, layer(c.layer))).collect()
     }
 

@@ -3,7 +3,6 @@
 mod common;
 
 use common::{gpu, maps, params, read};
-use half::f16;
 use seastate::cli::stats;
 use seastate::gpu::device::Gpu;
 use seastate::gpu::readback;
@@ -200,10 +199,9 @@ fn foam(gpu: &Gpu, state: &str, run: Option<(f64, f64)>) -> Vec<f64> {
     let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     let copy = readback::stage_texture(&gpu.device, &mut encoder, &sim.resources.foam, 0);
     gpu.queue.submit([encoder.finish()]);
-    let bytes = pollster::block_on(copy.read(&gpu.device)).expect("read-back");
-    let texels: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&bytes);
+    let texels = pollster::block_on(copy.read_map(&gpu.device)).expect("read-back");
     let size = sim.resources.foam_n as usize;
-    let values: Vec<f64> = texels.iter().map(|t| t[0].to_f64()).collect();
+    let values: Vec<f64> = texels.iter().map(|t| f64::from(t[0])).collect();
     assert!(values.iter().all(|f| (0.0..=1.0).contains(f)), "foam is bounded");
     values.chunks(size * size).map(|level| level.iter().sum::<f64>() / level.len() as f64).collect()
 }

@@ -3,6 +3,7 @@
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use seastate::gpu::layout::{self, Layout};
+use seastate::gpu::map_format::MapFormat;
 use seastate::gpu::shaders::{Shaders, locate};
 use std::collections::BTreeSet;
 
@@ -11,8 +12,10 @@ fn layouts() -> Vec<Layout> {
 }
 
 fn parsed() -> Vec<(&'static str, naga::Module)> {
+    let floats = Shaders::default().with_maps(MapFormat::Float);
     Shaders::default()
         .all()
+        .chain(floats.all())
         .map(|(name, text)| {
             let module = naga::front::wgsl::parse_str(&text).unwrap_or_else(|e| {
                 let line = e.location(&text).map_or(0, |l| l.line_number as usize);

@@ -10,6 +10,7 @@ use crate::gpu::shaders::Shaders;
 use crate::model::{Params, Plan, query};
 use crate::sim::resources::MapKind;
 use crate::sim::{MAX_STEPS, Simulation};
+use half::f16;
 use std::cell::RefCell;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
@@ -149,7 +150,8 @@ impl WebHandle {
         sim.encode(queue, &mut encoder, t_s, [0.0; 2], MAX_STEPS);
         let copy = sim.resources.stage(device, &mut encoder, MapKind::Displacement, 0);
         queue.submit([encoder.finish()]);
-        let halves: Vec<u16> = bytemuck::pod_collect_to_vec(&copy.read(device).await?);
+        let texels = copy.read_map(device).await?;
+        let halves: Vec<u16> = texels.iter().flatten().map(|&x| f16::from_f32(x).to_bits()).collect();
         let out = js_sys::Object::new();
         let set = |key: &str, value: &JsValue| js_sys::Reflect::set(&out, &key.into(), value);
         set("n", &JsValue::from(maps.n as u32))?;

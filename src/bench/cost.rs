@@ -2,6 +2,7 @@
 //! value once, so that a cache can make no pass better than its budget.
 
 use crate::gpu::layout::FOAM_LEVELS;
+use crate::gpu::map_format::MapFormat;
 use crate::model::tiling::MEAN_COPIES;
 
 /// A budget.
@@ -37,24 +38,25 @@ pub fn rows(n: u32, cascades: u32) -> Cost {
     texels(n, cascades, 49.0, 30.0 + 14.0 + 40.0 + transforms(n))
 }
 
-/// The transform along z and the maps: four complex numbers in (32), eight half floats out (16).
-pub fn columns(n: u32, cascades: u32) -> Cost {
-    texels(n, cascades, 48.0, transforms(n))
+/// The transform along z and the maps: four complex numbers in (32), two texels out.
+pub fn columns(n: u32, cascades: u32, maps: MapFormat) -> Cost {
+    texels(n, cascades, 32.0 + 2.0 * f64::from(maps.bytes()), transforms(n))
 }
 
 /// The waves: both together.
-pub fn waves(n: u32, cascades: u32) -> Cost {
-    rows(n, cascades) + columns(n, cascades)
+pub fn waves(n: u32, cascades: u32, maps: MapFormat) -> Cost {
+    rows(n, cascades) + columns(n, cascades, maps)
 }
 
-/// Mips: the maps in (16), a third of three maps out (8), four values of eleven channels added for each texel that comes out.
-pub fn mips(n: u32, cascades: u32) -> Cost {
-    texels(n, cascades, 16.0 + 8.0, 4.0 * 14.0 / 3.0)
+/// Mips: two texels in, a third of three out, four values of eleven channels added for each texel that comes out.
+pub fn mips(n: u32, cascades: u32, maps: MapFormat) -> Cost {
+    texels(n, cascades, 3.0 * f64::from(maps.bytes()), 4.0 * 14.0 / 3.0)
 }
 
-/// Foam: history in and out (8), the picture out (8), and for each cascade and copy four texels of two maps (64), with the
-/// arithmetic of their mixture and of the blend.
-pub fn foam(foam_n: u32, cascades: u32) -> Cost {
-    let samples = f64::from(cascades) * MEAN_COPIES;
-    texels(foam_n, FOAM_LEVELS as u32, 16.0 + 64.0 * samples, 40.0 + 60.0 * f64::from(cascades) + 60.0 * samples)
+/// Foam: history in and out (8), a texel out, and for each cascade and copy four texels of two maps, with the arithmetic of their
+/// mixture and of the blend.
+pub fn foam(foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
+    let (samples, texel) = (f64::from(cascades) * MEAN_COPIES, f64::from(maps.bytes()));
+    let flops = 40.0 + 60.0 * f64::from(cascades) + 60.0 * samples;
+    texels(foam_n, FOAM_LEVELS as u32, 8.0 + texel + 8.0 * texel * samples, flops)
 }

@@ -150,14 +150,14 @@ async fn simulation(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, Stri
     let waves = waves.await?;
     let mips = clock.time(|_, e| p.mips.run(e, r, step)).await?;
     let foam_pass = clock.time(|_, e| p.foam.run(e, r, step, foam)).await?;
-    let foam_cost = cost::foam(r.foam_n, count);
+    let foam_cost = cost::foam(r.foam_n, count, r.format);
     let dispatches = p.dispatches();
     let mut out = vec![
         Row::sim("spectrum", sea, spectrum, None),
         Row::sim("rows", sea, rows, Some(cost::rows(n, count))),
-        Row::sim("columns", sea, columns, Some(cost::columns(n, count))),
-        Row::sim("waves", sea, waves, Some(cost::waves(n, count))),
-        Row::sim("mips", sea, mips, Some(cost::mips(n, count))),
+        Row::sim("columns", sea, columns, Some(cost::columns(n, count, r.format))),
+        Row::sim("waves", sea, waves, Some(cost::waves(n, count, r.format))),
+        Row::sim("mips", sea, mips, Some(cost::mips(n, count, r.format))),
         Row::sim("foam", sea, foam_pass, Some(foam_cost)),
     ];
     let step = clock.time(|_, e| {
@@ -166,7 +166,7 @@ async fn simulation(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, Stri
         p.mips.run(e, r, step);
         p.foam.run(e, r, step, foam);
     });
-    let whole = cost::waves(n, count) + cost::mips(n, count) + foam_cost;
+    let whole = cost::waves(n, count, r.format) + cost::mips(n, count, r.format) + foam_cost;
     out.push(Row { dispatches: Some(dispatches), ..Row::sim("step", sea, step.await?, Some(whole)) });
     Ok(out)
 }
@@ -186,7 +186,7 @@ async fn baseline(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, String
         p.rows.run(e, step);
         p.columns.run(e, r, step);
     });
-    let ours = Row::sim("waves", sea, ours.await?, Some(cost::waves(sea[0], sea[1])));
+    let ours = Row::sim("waves", sea, ours.await?, Some(cost::waves(sea[0], sea[1], r.format)));
     let timing = clock.time(|_, e| theirs.run(e)).await?;
     let theirs = Row {
         dispatches: Some(theirs.dispatches() as u32),

@@ -9,7 +9,6 @@ use crate::model::{Params, Plan};
 use crate::oracle::{self, Complex, Texel, maps::Planes};
 use crate::sim::Simulation;
 use crate::sim::resources::{MapKind, Resources};
-use half::f16;
 use std::fmt;
 
 /// One line of the table.
@@ -250,7 +249,7 @@ async fn read_foam(gpu: &Gpu, r: &Resources) -> Result<Vec<Texel>, String> {
 
 async fn read(gpu: &Gpu, encoder: wgpu::CommandEncoder, copy: TextureCopy) -> Result<Vec<Texel>, String> {
     gpu.queue.submit([encoder.finish()]);
-    let texels: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&copy.read(&gpu.device).await?);
+    let texels = copy.read_map(&gpu.device).await?;
     Ok(texels.into_iter().map(|t| t.map(f64::from)).collect())
 }
 

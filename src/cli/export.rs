@@ -82,14 +82,15 @@ pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Resu
     save(&folder.join("plan.json"), text.as_bytes())
 }
 
-/// The displacement maps as the renderer samples them: rgba16float, level 0.
+/// The displacement maps as the renderer samples them, level 0, in half floats.
 async fn half_maps(gpu: &Gpu, params: &Params, plan: &Plan) -> std::result::Result<Vec<u8>, String> {
     let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan.clone(), &Shaders::default());
     let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     sim.encode(&gpu.queue, &mut encoder, params.clock.t_s, [0.0; 2], MAX_STEPS);
     let copy = sim.resources.stage(&gpu.device, &mut encoder, MapKind::Displacement, 0);
     gpu.queue.submit([encoder.finish()]);
-    copy.read(&gpu.device).await
+    let halves: Vec<[f16; 4]> = copy.read_map(&gpu.device).await?.iter().map(|t| t.map(f16::from_f32)).collect();
+    Ok(bytemuck::cast_slice(&halves).to_vec())
 }
 
 /// Writes a square image of f32 channels.

@@ -9,7 +9,6 @@ use crate::model::{Params, Plan, noise, query};
 use crate::oracle::foam::jacobian;
 use crate::oracle::{self, transform};
 use crate::sim::{MAX_STEPS, MapsF32, Simulation};
-use half::f16;
 use serde_json::{Value, json};
 use std::f64::consts::{PI, TAU};
 use std::fmt;
@@ -295,9 +294,9 @@ pub(super) async fn foam_levels(
     sim.encode(&gpu.queue, &mut encoder, t_s, centre, MAX_STEPS);
     let copy = readback::stage_texture(&gpu.device, &mut encoder, &sim.resources.foam, 0);
     gpu.queue.submit([encoder.finish()]);
-    let texels: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&copy.read(&gpu.device).await?);
+    let texels = copy.read_map(&gpu.device).await?;
     let size = sim.resources.foam_n as usize;
-    Ok(texels.chunks(size * size).map(|level| level.iter().map(|t| t[0].to_f32()).collect()).collect())
+    Ok(texels.chunks(size * size).map(|level| level.iter().map(|t| t[0]).collect()).collect())
 }
 
 /// Mean and standard error.

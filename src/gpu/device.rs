@@ -1,12 +1,14 @@
-//! What Seastate demands of a GPU: WebGPU's base limits. Of optional features it takes timestamps, to say what costs what.
+//! What Seastate demands of a GPU: WebGPU's base limits. Of optional features it takes timestamps, to say what costs what,
+//! and filters of floats (map_format.rs).
 
+use super::map_format::MapFormat;
 use super::timer;
 
 /// The device that every shell asks an adapter for.
 pub fn descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     wgpu::DeviceDescriptor {
         label: Some("seastate"),
-        required_features: adapter.features() & (timer::FEATURES | timer::BETWEEN_PASSES),
+        required_features: adapter.features() & (timer::FEATURES | timer::BETWEEN_PASSES | MapFormat::FEATURES),
         required_limits: wgpu::Limits::default(),
         ..Default::default()
     }

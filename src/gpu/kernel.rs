@@ -1,5 +1,7 @@
 //! A compute pipeline with its one bind group's layout.
 
+use super::map_format::MapFormat;
+
 /// What stands at a binding, in order from 0.
 #[derive(Clone, Copy, Debug)]
 pub enum Slot {
@@ -11,8 +13,8 @@ pub enum Slot {
     Write,
     /// A filterable 2d array texture.
     Texture,
-    /// A 2d array of rgba16float that is written.
-    Image,
+    /// A 2d array of maps that is written.
+    Image(MapFormat),
     /// A filtering sampler.
     Sampler,
 }
@@ -33,9 +35,9 @@ impl Slot {
                 view_dimension: wgpu::TextureViewDimension::D2Array,
                 multisampled: false,
             },
-            Self::Image => wgpu::BindingType::StorageTexture {
+            Self::Image(maps) => wgpu::BindingType::StorageTexture {
                 access: wgpu::StorageTextureAccess::WriteOnly,
-                format: wgpu::TextureFormat::Rgba16Float,
+                format: maps.texture(),
                 view_dimension: wgpu::TextureViewDimension::D2Array,
             },
             Self::Sampler => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),

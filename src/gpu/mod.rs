@@ -4,6 +4,7 @@ pub mod device;
 pub mod fft;
 pub mod kernel;
 pub mod layout;
+pub mod map_format;
 pub mod offscreen;
 pub mod readback;
 pub mod shaders;

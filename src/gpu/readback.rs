@@ -1,5 +1,6 @@
 //! Getting bytes back from the GPU, natively and in the browser.
 
+use super::map_format::MapFormat;
 use futures_channel::oneshot;
 
 /// A buffer that a copy can be read from, with the copy recorded.
@@ -12,6 +13,7 @@ pub fn stage_buffer(device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, s
 /// Rows of layers of a texture, each padded to a multiple of 256 bytes.
 pub struct TextureCopy {
     staging: wgpu::Buffer,
+    format: wgpu::TextureFormat,
     row_bytes: usize,
     padded: usize,
 }
@@ -58,7 +60,7 @@ pub fn stage_layers(
         },
         wgpu::Extent3d { width, height, depth_or_array_layers: layers },
     );
-    TextureCopy { staging, row_bytes: row_bytes as usize, padded: padded as usize }
+    TextureCopy { staging, format: texture.format(), row_bytes: row_bytes as usize, padded: padded as usize }
 }
 
 impl TextureCopy {
@@ -72,6 +74,15 @@ impl TextureCopy {
         let mut texels = Vec::with_capacity(bytes.len() / padded * row);
         bytes.chunks(padded).for_each(|line| texels.extend_from_slice(&line[..row]));
         Ok(texels)
+    }
+
+    /// The numbers of a map in either format ([`MapFormat`]). After the submit.
+    ///
+    /// # Errors
+    /// If the GPU does not give its memory back.
+    pub async fn read_map(self, device: &wgpu::Device) -> Result<Vec<[f32; 4]>, String> {
+        let format = self.format;
+        Ok(MapFormat::texels(format, &self.read(device).await?))
     }
 }
 

@@ -1,6 +1,7 @@
 //! Every shader module, joined from plain WGSL files. Names are prefixed by their part (`sea_`, `noise_`).
 
 use super::fft::{Transform, Way};
+use super::map_format::MapFormat;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -117,12 +118,17 @@ fn modules() -> impl Iterator<Item = (&'static str, Vec<&'static Part>)> {
 pub struct Shaders {
     sources: BTreeMap<&'static str, Cow<'static, str>>,
     way: Option<Way>,
+    maps: Option<MapFormat>,
 }
 
 impl Default for Shaders {
     fn default() -> Self {
         let join = |parts: Vec<&Part>| parts.iter().map(|p| p.text).collect::<Vec<_>>().join("\n");
-        Self { sources: modules().map(|(name, parts)| (name, Cow::Owned(join(parts)))).collect(), way: None }
+        Self {
+            sources: modules().map(|(name, parts)| (name, Cow::Owned(join(parts)))).collect(),
+            way: None,
+            maps: None,
+        }
     }
 }
 
@@ -150,15 +156,28 @@ impl Shaders {
         self.way.unwrap_or_else(|| Way::of(device))
     }
 
-    /// Names and joined texts; what is written out is that of 256 points.
-    pub fn all(&self) -> impl Iterator<Item = (&'static str, String)> {
-        let transform = Transform::new(256);
-        self.sources.keys().map(move |name| (*name, self.source(name, transform)))
+    /// The same with maps of one format on every adapter that can filter it.
+    #[must_use]
+    pub fn with_maps(self, maps: MapFormat) -> Self {
+        Self { maps: Some(maps), ..self }
     }
 
-    fn source(&self, name: &str, transform: Transform) -> String {
+    /// How maps are kept on a device.
+    pub fn maps(&self, device: &wgpu::Device) -> MapFormat {
+        self.maps.unwrap_or_else(|| MapFormat::of(device))
+    }
+
+    /// Names and joined texts; what is written out is that of 256 points, and maps are of half floats unless they are chosen.
+    pub fn all(&self) -> impl Iterator<Item = (&'static str, String)> {
+        let transform = Transform::new(256);
+        let maps = self.maps.unwrap_or(MapFormat::Half);
+        self.sources.keys().map(move |name| (*name, self.source(name, transform, maps)))
+    }
+
+    fn source(&self, name: &str, transform: Transform, maps: MapFormat) -> String {
         let source = self.sources.get(name).unwrap_or_else(|| panic!("no shader module {name}"));
-        format!("{source}\n{}", transform.straight_code(name).unwrap_or_default())
+        let packed = if name == "columns_second" { maps.packed() } else { "" };
+        maps.shader(&format!("{source}\n{packed}\n{}", transform.straight_code(name).unwrap_or_default()))
     }
 
     /// Compiles a module.
@@ -169,7 +188,7 @@ impl Shaders {
         let (label, source) = self.sources.get_key_value(name).unwrap_or_else(|| panic!("no shader module {name}"));
         device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(label),
-            source: wgpu::ShaderSource::Wgsl(Cow::Borrowed(source)),
+            source: wgpu::ShaderSource::Wgsl(Cow::Owned(self.maps(device).shader(source))),
         })
     }
 
@@ -180,7 +199,7 @@ impl Shaders {
     pub fn straight(&self, device: &wgpu::Device, name: &str, transform: Transform) -> wgpu::ShaderModule {
         device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(name),
-            source: wgpu::ShaderSource::Wgsl(Cow::Owned(self.source(name, transform))),
+            source: wgpu::ShaderSource::Wgsl(Cow::Owned(self.source(name, transform, self.maps(device)))),
         })
     }
 }

@@ -4,7 +4,8 @@ use super::frame::FrameUniform;
 use super::material::MaterialUniform;
 use super::noise::NoiseTexture;
 use super::sky::{LightBuffer, Sky, SkyUniform};
-use super::targets::{DEPTH_FORMAT, Film, HDR_FORMAT};
+use super::targets::{DEPTH_FORMAT, Film};
+use crate::gpu::map_format::MapFormat;
 use bytemuck::Pod;
 use std::marker::PhantomData;
 use std::num::NonZeroU64;
@@ -41,7 +42,8 @@ pub enum Slot {
     /// A texture of floats that is not sampled.
     Texels,
     Array,
-    Image,
+    /// A texture that is written.
+    Image(MapFormat),
     Sampler,
 }
 
@@ -68,9 +70,9 @@ impl Slot {
                 multisampled: false,
             },
             Self::Array => texture(wgpu::TextureViewDimension::D2Array),
-            Self::Image => wgpu::BindingType::StorageTexture {
+            Self::Image(maps) => wgpu::BindingType::StorageTexture {
                 access: wgpu::StorageTextureAccess::WriteOnly,
-                format: HDR_FORMAT,
+                format: maps.texture(),
                 view_dimension: wgpu::TextureViewDimension::D2,
             },
             Self::Sampler => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),

@@ -6,7 +6,6 @@ use super::frame::dip;
 use super::kit::{Slot, Uniform, group, layout};
 use super::noise::NoiseTexture;
 use super::panorama::PanoramaTextures;
-use super::targets::HDR_FORMAT;
 use crate::gpu::layout::Layout;
 use crate::gpu::shaders::Shaders;
 use crate::model::fields::linear_rgb;
@@ -203,6 +202,7 @@ impl Sky {
     /// Compiles the passes; nothing is computed yet.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, shaders: &Shaders, noise: &NoiseTexture) -> Self {
         use wgpu::BindingResource::{Sampler, TextureView};
+        let maps = shaders.maps(device);
         let texture = |label, size: [u32; 2], mips| {
             device.create_texture(&wgpu::TextureDescriptor {
                 label: Some(label),
@@ -210,7 +210,7 @@ impl Sky {
                 mip_level_count: mips,
                 sample_count: 1,
                 dimension: wgpu::TextureDimension::D2,
-                format: HDR_FORMAT,
+                format: maps.texture(),
                 usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING,
                 view_formats: &[],
             })
@@ -255,7 +255,7 @@ impl Sky {
                 device,
                 "sky/transmittance",
                 (&module("sky_transmittance"), "main"),
-                &[sky_slot, Slot::Image],
+                &[sky_slot, Slot::Image(maps)],
                 &[sky.clone(), TextureView(&transmittance)],
                 tiles(TRANSMITTANCE),
             ),
@@ -263,7 +263,7 @@ impl Sky {
                 device,
                 "sky/multiple",
                 (&module("sky_multiple"), "main"),
-                &[sky_slot, Slot::Texture, Slot::Sampler, Slot::Image],
+                &[sky_slot, Slot::Texture, Slot::Sampler, Slot::Image(maps)],
                 &[sky.clone(), TextureView(&transmittance), Sampler(&sampler), TextureView(&multiple)],
                 tiles(MULTIPLE),
             ),
@@ -305,7 +305,7 @@ impl Sky {
                 device,
                 "sky/view",
                 (&module("sky_view"), "main"),
-                &[sky_slot, Slot::Texture, Slot::Texture, Slot::Sampler, Slot::Image],
+                &[sky_slot, Slot::Texture, Slot::Texture, Slot::Sampler, Slot::Image(maps)],
                 &[
                     sky.clone(),
                     TextureView(&transmittance),
@@ -329,7 +329,7 @@ impl Sky {
                     Slot::Texture,
                     Slot::Sampler,
                     Slot::Texture,
-                    Slot::Image,
+                    Slot::Image(maps),
                 ],
                 &[
                     sky.clone(),
@@ -349,7 +349,14 @@ impl Sky {
             let views = [mip(&surroundings, level - 1), mip(&surroundings, level)];
             let resources = [TextureView(&views[0]), TextureView(&views[1])];
             let size = ENVIRONMENT.map(|s| s >> level);
-            Step::new(device, "sky/filter", (&filter, "main"), &[Slot::Texture, Slot::Image], &resources, tiles(size))
+            Step::new(
+                device,
+                "sky/filter",
+                (&filter, "main"),
+                &[Slot::Texture, Slot::Image(maps)],
+                &resources,
+                tiles(size),
+            )
         }));
         lit.push(measure("sky/light whole parts", "whole_parts", LIGHT_GROUPS));
         lit.push(measure("sky/light whole", "whole", 1));

@@ -12,14 +12,14 @@ use std::f64::consts::TAU;
 /// x = i patch/n, z = j patch/n: uv = x / patch + 0.5 / n, repeating.
 #[derive(Debug)]
 pub struct Maps {
-    /// 2d array, rgba16float, a layer for each cascade, with mips: Dx, eta, Dz (m) and dDx/dz; chop not applied.
+    /// 2d array, four numbers, a layer for each cascade, with mips: Dx, eta, Dz (m) and dDx/dz; chop not applied.
     pub displacement: wgpu::TextureView,
     /// The same shape: d eta/dx, d eta/dz, dDx/dx, dDz/dz.
     pub gradients: wgpu::TextureView,
     /// n/2 a side, with mips: second moments of the slopes (xx, zz, xz, 0) in units of `moment_scale`; mip j belongs
     /// to mip j + 1 of the others.
     pub moments: wgpu::TextureView,
-    /// 2d array, rgba16float, layer = foam level, repeating: foam and present source, both 0..1, undisplaced.
+    /// 2d array, layer = foam level, repeating: foam and present source, both 0..1, undisplaced.
     pub foam: wgpu::TextureView,
     /// h0 of the sea, complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
     pub h0: wgpu::Buffer,

@@ -208,7 +208,7 @@ impl ColumnsPass {
         let t = Transform::new(r.n);
         let Some(straight) = &r.straight else {
             let module = shaders.module(device, "columns");
-            let slots = [SEA, Slot::Read, Slot::Write, Slot::Image];
+            let slots = [SEA, Slot::Read, Slot::Write, Slot::Image(r.format)];
             let kernel = Kernel::new(device, "sea/columns", &module, &slots, &t.exchanged_constants());
             let group = Self::group(device, &kernel, r, sea);
             return Self::Exchanged(Half { kernel, size: [r.n / t.lines, 1, 1], has_uniform: true }, group);
@@ -266,7 +266,7 @@ impl ColumnsPass {
             (Self::Straight(columns), Some(straight)) => {
                 columns.first.0.run(encoder, &columns.first.1, sea);
                 columns.second[usize::from(sea.keep_f32)].run(encoder, &columns.second_group, sea);
-                let bytes = 8 * u64::from(r.n * r.n * sea.count);
+                let bytes = u64::from(r.format.bytes()) * u64::from(r.n * r.n * sea.count);
                 for (kind, at) in [(MapKind::Displacement, 0), (MapKind::Gradients, bytes)] {
                     let first = r.layers(kind).start + sea.first_layer;
                     copy_layers(encoder, (&straight.maps, at), &r.maps, first..first + sea.count);
@@ -278,7 +278,7 @@ impl ColumnsPass {
     }
 }
 
-/// Copies layers of half floats from a place in a buffer to level 0 of the maps.
+/// Copies layers from a place in a buffer to level 0 of the maps.
 fn copy_layers(
     encoder: &mut wgpu::CommandEncoder,
     (buffer, offset): (&wgpu::Buffer, u64),
@@ -286,7 +286,8 @@ fn copy_layers(
     layers: Range<u32>,
 ) {
     let side = texture.width();
-    let rows = (Some(8 * side), Some(side));
+    let texel = texture.format().block_copy_size(None).unwrap_or(8);
+    let rows = (Some(texel * side), Some(side));
     encoder.copy_buffer_to_texture(
         wgpu::TexelCopyBufferInfo {
             buffer,
@@ -324,8 +325,9 @@ impl MipsPass {
         let chained = r.straight.is_none();
         let module = shaders.module(device, if chained { "mips_chain" } else { "mips_level" });
         let images = if chained { CHAIN } else { 1 };
-        let slots: Vec<Slot> = [SEA, Slot::Texture].into_iter().chain((0..images).map(|_| Slot::Image)).collect();
-        let nothing = view(&map(device, "nothing", 1, 1, 1), None);
+        let slots: Vec<Slot> =
+            [SEA, Slot::Texture].into_iter().chain((0..images).map(|_| Slot::Image(r.format))).collect();
+        let nothing = view(&map(device, "nothing", 1, 1, 1, r.format), None);
         let steps = (0..r.mips() - 1).step_by(images as usize).map(|above| {
             let levels = images.min(r.mips() - 1 - above);
             let mut constants = vec![("FIRST", f64::from(u32::from(above == 0)))];
@@ -385,7 +387,7 @@ impl FoamPass {
         foam: &UniformRing<FoamUniform>,
     ) -> Self {
         let module = shaders.module(device, "foam");
-        let slots = [SEA, FOAM, Slot::Texture, Slot::Texture, Slot::Sampler, Slot::Write, Slot::Image];
+        let slots = [SEA, FOAM, Slot::Texture, Slot::Texture, Slot::Sampler, Slot::Write, Slot::Image(r.format)];
         let kernel = Kernel::new(device, "sea/foam", &module, &slots, &[]);
         let group = Self::group(device, &kernel, r, sea, foam);
         Self { kernel, group }

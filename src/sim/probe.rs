@@ -4,7 +4,6 @@ use super::Simulation;
 use super::resources::MapKind;
 use crate::gpu::readback::{self, TextureCopy};
 use crate::model::Plan;
-use half::f16;
 
 /// Texels of the gradients that are looked at, at most: their mean is sharp enough, and a page has other things to do.
 const MOST_SLOPES: usize = 1 << 17;
@@ -27,7 +26,7 @@ pub struct Probed {
     /// Mean foam over the squares around the camera, as it was computed: the look may show more or less of it.
     pub coverage: f64,
     /// Displacement maps, cascade by cascade.
-    texels: Vec<[f16; 4]>,
+    texels: Vec<[f32; 4]>,
 }
 
 impl Simulation {
@@ -57,19 +56,18 @@ impl Probe {
     /// # Errors
     /// If the GPU does not give its memory back.
     pub async fn read(self, device: &wgpu::Device) -> Result<Probed, String> {
-        let texels = |bytes: Vec<u8>| -> Vec<[f16; 4]> { bytemuck::pod_collect_to_vec(&bytes) };
-        let gradients = texels(self.gradients.read(device).await?);
-        let foam = texels(self.foam.read(device).await?);
+        let gradients = self.gradients.read_map(device).await?;
+        let foam = self.foam.read_map(device).await?;
         // Odd, so that it does not run along the columns.
         let stride = (gradients.len() / MOST_SLOPES) | 1;
         let looked_at = gradients.iter().step_by(stride);
-        let slope = |t: &[f16; 4]| t[0].to_f64().powi(2) + t[1].to_f64().powi(2);
+        let slope = |t: &[f32; 4]| f64::from(t[0]).powi(2) + f64::from(t[1]).powi(2);
         // Each map has its share of the variance, and all have one size.
         let maps = self.plan.cascades.len() as f64;
         Ok(Probed {
             mss: maps * mean(looked_at.map(slope)),
-            coverage: mean(foam.iter().map(|t| t[0].to_f64())),
-            texels: texels(self.displacement.read(device).await?),
+            coverage: mean(foam.iter().map(|t| f64::from(t[0]))),
+            texels: self.displacement.read_map(device).await?,
             plan: self.plan,
         })
     }
@@ -79,7 +77,7 @@ impl Probed {
     /// Heights along a row of a cascade's map, m.
     pub fn row(&self, cascade: usize, z: usize) -> impl Iterator<Item = f64> {
         let n = self.plan.n as usize;
-        self.texels[(cascade * n + z) * n..][..n].iter().map(|t| t[1].to_f64())
+        self.texels[(cascade * n + z) * n..][..n].iter().map(|t| f64::from(t[1]))
     }
 }
 

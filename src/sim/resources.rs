@@ -3,14 +3,13 @@
 
 use crate::gpu::fft::{TWIDDLES, Way, twiddles};
 use crate::gpu::layout::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN};
+use crate::gpu::map_format::MapFormat;
 use crate::gpu::readback::{self, TextureCopy};
 use crate::model::Plan;
 use crate::model::plan::Wave;
 use crate::model::table::{self, Table};
 use std::ops::Range;
 
-/// Format of every map.
-pub const MAP_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Smallest mip of a map is this many texels a side.
 const SMALLEST_MIP: u32 = 4;
 
@@ -47,6 +46,8 @@ pub struct Resources {
     pub straight: Option<Straight>,
     /// Foam, f32, \[level\]\[z\]\[x\].
     pub foam_history: wgpu::Buffer,
+    /// Of the maps and of the foam.
+    pub format: MapFormat,
     /// All maps with mips; see [`Self::layers`]. One texture, so that a pass may write several levels of all of them: base limits
     /// allow four storage textures.
     pub maps: wgpu::Texture,
@@ -63,14 +64,14 @@ pub struct Resources {
 pub struct Straight {
     /// Lines whose transform is half done, as large as the lines.
     pub halves: wgpu::Buffer,
-    /// Both maps in half floats, \[map\]\[cascade\]\[z\]\[x\], on their way to the textures.
+    /// Both maps, \[map\]\[cascade\]\[z\]\[x\], on their way to the textures.
     pub maps: wgpu::Buffer,
 }
 
 impl Straight {
-    fn new(device: &wgpu::Device, n: u32, count: u64) -> Self {
+    fn new(device: &wgpu::Device, n: u32, count: u64, format: MapFormat) -> Self {
         let halves = storage(device, "halves", line_bytes(n, count));
-        Self { halves, maps: storage(device, "maps", 16 * points(n) * count) }
+        Self { halves, maps: storage(device, "maps", 2 * u64::from(format.bytes()) * points(n) * count) }
     }
 }
 
@@ -101,7 +102,7 @@ impl Waves {
 
 impl Resources {
     /// Allocates for the size and cascades of a plan.
-    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, plan: &Plan, way: Way) -> Self {
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, plan: &Plan, way: Way, format: MapFormat) -> Self {
         let (n, count) = (plan.n, plan.cascades.len() as u32);
         let foam_n = n.min(256);
         let twiddle = storage(device, "twiddle", (TWIDDLES * size_of::<[f32; 2]>()) as u64);
@@ -114,10 +115,11 @@ impl Resources {
             other: None,
             twiddle,
             lines: storage(device, "lines", line_bytes(n, u64::from(count))),
-            straight: (way == Way::Straight).then(|| Straight::new(device, n, u64::from(count))),
+            straight: (way == Way::Straight).then(|| Straight::new(device, n, u64::from(count), format)),
             foam_history: storage(device, "foam history", 4 * FOAM_LEVELS as u64 * u64::from(foam_n * foam_n)),
-            maps: maps(device, n, count),
-            foam: map(device, "foam", foam_n, FOAM_LEVELS as u32, 1),
+            format,
+            maps: maps(device, n, count, format),
+            foam: map(device, "foam", foam_n, FOAM_LEVELS as u32, 1, format),
             repeat: device.create_sampler(&wgpu::SamplerDescriptor {
                 label: Some("repeat"),
                 address_mode_u: wgpu::AddressMode::Repeat,
@@ -133,9 +135,9 @@ impl Resources {
 
     /// Makes room for a second sea, and either may have as many cascades as there can be. The maps are new and empty.
     fn widen(&mut self, device: &wgpu::Device, plan: &Plan) -> Waves {
-        self.maps = maps(device, self.n, MAX_DRAWN as u32);
+        self.maps = maps(device, self.n, MAX_DRAWN as u32, self.format);
         self.lines = storage(device, "lines", line_bytes(self.n, MAX_CASCADES as u64));
-        self.straight = self.straight.take().map(|_| Straight::new(device, self.n, MAX_CASCADES as u64));
+        self.straight = self.straight.take().map(|_| Straight::new(device, self.n, MAX_CASCADES as u64, self.format));
         self.allocations += 1;
         Waves::new(device, self.n, MAX_CASCADES, table::terms(plan).1, MAX_CASCADES as u32)
     }
@@ -229,20 +231,20 @@ fn storage(device: &wgpu::Device, label: &str, size: u64) -> wgpu::Buffer {
 /// Kinds of maps.
 const MAP_KINDS: u32 = 3;
 
-fn maps(device: &wgpu::Device, n: u32, layers: u32) -> wgpu::Texture {
+fn maps(device: &wgpu::Device, n: u32, layers: u32, format: MapFormat) -> wgpu::Texture {
     let mips = (n / SMALLEST_MIP).ilog2() + 1;
-    map(device, "maps", n, MAP_KINDS * layers, mips)
+    map(device, "maps", n, MAP_KINDS * layers, mips, format)
 }
 
 /// An array of maps that shaders read and write.
-pub fn map(device: &wgpu::Device, label: &str, side: u32, layers: u32, mips: u32) -> wgpu::Texture {
+pub fn map(device: &wgpu::Device, label: &str, side: u32, layers: u32, mips: u32, format: MapFormat) -> wgpu::Texture {
     device.create_texture(&wgpu::TextureDescriptor {
         label: Some(label),
         size: wgpu::Extent3d { width: side, height: side, depth_or_array_layers: layers },
         mip_level_count: mips,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
-        format: MAP_FORMAT,
+        format: format.texture(),
         usage: wgpu::TextureUsages::TEXTURE_BINDING
             | wgpu::TextureUsages::STORAGE_BINDING
             | wgpu::TextureUsages::COPY_SRC

@@ -1,8 +1,8 @@
 //! shaders/post/bloom.wgsl: a chain of halved pictures, down and up again. Nothing is made or recorded while it is off.
 
+use crate::gpu::map_format::MapFormat;
 use crate::gpu::shaders::Shaders;
 use crate::render::kit::{Slot, group, layout};
-use crate::render::targets::HDR_FORMAT;
 
 /// Most halvings.
 const MOST_LEVELS: usize = 8;
@@ -15,6 +15,7 @@ pub struct Bloom {
     up: wgpu::ComputePipeline,
     layout: wgpu::BindGroupLayout,
     sampler: wgpu::Sampler,
+    format: MapFormat,
     chain: Option<Chain>,
 }
 
@@ -26,7 +27,8 @@ struct Chain {
 impl Bloom {
     /// Compiles the passes.
     pub fn new(device: &wgpu::Device, shaders: &Shaders) -> Self {
-        let slots = [Slot::Texture, Slot::Sampler, Slot::Image, Slot::Texture];
+        let format = shaders.maps(device);
+        let slots = [Slot::Texture, Slot::Sampler, Slot::Image(format), Slot::Texture];
         let layout = layout(device, "bloom", wgpu::ShaderStages::COMPUTE, &slots);
         let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some("bloom"),
@@ -50,7 +52,7 @@ impl Bloom {
             min_filter: wgpu::FilterMode::Linear,
             ..Default::default()
         });
-        Self { down: pipeline("down"), up: pipeline("up"), layout, sampler, chain: None }
+        Self { down: pipeline("down"), up: pipeline("up"), layout, sampler, format, chain: None }
     }
 
     /// Makes the chain of a picture, or lets it go.
@@ -83,7 +85,7 @@ impl Bloom {
                 mip_level_count: 1,
                 sample_count: 1,
                 dimension: wgpu::TextureDimension::D2,
-                format: HDR_FORMAT,
+                format: self.format.texture(),
                 usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING,
                 view_formats: &[],
             });

@@ -1,0 +1,67 @@
+//! How textures of four numbers are kept that shaders read between texels: the maps of the sea, the tables of the sky.
+//!
+//! **Half**: half the traffic, which is what a GPU waits for. **Float**: for adapters that are CPUs, where the numbers of every
+//! texel are converted one by one: SwiftShader reads half floats in five times the time of floats, llvmpipe both in the same.
+
+use half::f16;
+
+/// The two ways to keep them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MapFormat {
+    /// Half floats.
+    Half,
+    /// Floats; the device must be able to filter them.
+    Float,
+}
+
+impl MapFormat {
+    /// The feature without which floats cannot be read between texels.
+    pub const FEATURES: wgpu::Features = wgpu::Features::FLOAT32_FILTERABLE;
+
+    /// The faster one for a device.
+    pub fn of(device: &wgpu::Device) -> Self {
+        let is_cpu = device.adapter_info().device_type == wgpu::DeviceType::Cpu;
+        if is_cpu && device.features().contains(Self::FEATURES) { Self::Float } else { Self::Half }
+    }
+
+    /// Of the textures.
+    pub fn texture(self) -> wgpu::TextureFormat {
+        match self {
+            Self::Half => wgpu::TextureFormat::Rgba16Float,
+            Self::Float => wgpu::TextureFormat::Rgba32Float,
+        }
+    }
+
+    /// Bytes of a texel.
+    pub const fn bytes(self) -> u32 {
+        match self {
+            Self::Half => 8,
+            Self::Float => 16,
+        }
+    }
+
+    /// A shader's text, written for half floats, for this format.
+    pub fn shader(self, text: &str) -> String {
+        match self {
+            Self::Half => text.to_owned(),
+            Self::Float => text.replace("rgba16float", "rgba32float"),
+        }
+    }
+
+    /// WGSL of what the copies of maps in buffers consist of.
+    pub fn packed(self) -> &'static str {
+        match self {
+            Self::Half => include_str!("../../shaders/maps_half.wgsl"),
+            Self::Float => include_str!("../../shaders/maps_float.wgsl"),
+        }
+    }
+
+    /// Texels from bytes of a texture of either format.
+    pub fn texels(format: wgpu::TextureFormat, bytes: &[u8]) -> Vec<[f32; 4]> {
+        if format == wgpu::TextureFormat::Rgba32Float {
+            return bytemuck::pod_collect_to_vec(bytes);
+        }
+        let halves: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(bytes);
+        halves.into_iter().map(|t| t.map(f16::to_f32)).collect()
+    }
+}
