@@ -65,7 +65,7 @@ fn water_foam_quantile(share: f32) -> f32 {
 }
 
 // Most places in a pixel at which the noise is looked at.
-const FOAM_TAPS = 8;
+const FOAM_TAPS = 4;
 // Places along a pixel at which the level of foam, which changes less, is looked at.
 const FOAM_LEVELS = 3;
 // Length in which the finest of the noise changes, m.

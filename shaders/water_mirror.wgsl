@@ -95,7 +95,11 @@ fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlo
     return vec3f(0.0);
   }
   let mirror_slope = -h.xz / h.y;
-  let all = water_facets(v, around);
+  // A picture's pixel is all of its surface.
+  var all = eye;
+  if WATER_SAMPLES {
+    all = water_facets(v, around);
+  }
   let seen = water_facets_seen(all);
   let lit = water_facets_seen(water_facets(l, around));
   // Of the part over that of all.

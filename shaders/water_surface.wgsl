@@ -123,7 +123,7 @@ struct WaterFootprint {
   taps: i32,
 }
 
-const WATER_TAPS = 5;
+const WATER_TAPS = 3;
 // Size of a tap over the length that it stands for: 1 / sqrt(3), because a mip read with interpolation between its texels
 // (a box and a tent) blurs as much as a box of sqrt(3) times the texel.
 const WATER_TAP = 0.58;
@@ -169,9 +169,8 @@ fn water_waves(at: vec2f, foot: WaterFootprint, cascade: u32, place: vec4f, tile
   let spline = water_spline(uv, frame.n, near);
   // Several texels in the footprint: as many taps as are worth it (one between texels blurs as much as a box of 1.4), half
   // as many for the smoother moments, and one for the displacement, whose part in the slope is of second order: both from
-  // the nearest level. The weights
-  // are those of the middle. Of a distant map there is only its variance. What counts for nothing is not read: the loops are
-  // empty then, since a software GPU reads on both sides of a branch.
+  // the nearest level. The weights are those of the middle. Of a distant map there is only its variance. What counts for
+  // nothing is not read: the loops are empty then, since a software GPU reads on both sides of a branch.
   let places = clamp(i32(ceil(long / max(wide, 1.4) - 0.3)), 1, foot.taps);
   let taps = select(select(places, WATER_SPLINE_TAPS, near > 0.0), 0, distant);
   let lod = log2(max(texels, 1e-6));

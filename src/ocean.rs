@@ -208,6 +208,11 @@ impl Ocean {
         self.renderer.record(encoder, part);
     }
 
+    /// Vertices of the mesh of the last picture.
+    pub fn vertices(&self) -> u32 {
+        self.renderer.vertices()
+    }
+
     /// Records unfiltered samples of the sea as the last frame left it; see [`Reference::draw`].
     pub fn encode_samples(
         &mut self,

@@ -1,5 +1,5 @@
-//! What the passes of the simulation move and compute, counted by hand from their shaders: the least that each has to, every
-//! value once, so that a cache can make no pass better than its budget.
+//! What the passes move and compute, counted from their shaders: the least that each has to, every value once, so that a cache
+//! can make no pass better than its budget.
 
 use crate::gpu::layout::FOAM_LEVELS;
 use crate::gpu::map_format::MapFormat;
@@ -59,4 +59,70 @@ pub fn foam(foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
     let (samples, texel) = (f64::from(cascades) * MEAN_COPIES, f64::from(maps.bytes()));
     let flops = 40.0 + 60.0 * f64::from(cascades) + 60.0 * samples;
     texels(foam_n, FOAM_LEVELS as u32, 8.0 + texel + 8.0 * texel * samples, flops)
+}
+
+/// Work of a shader for a vertex or a pixel that has all of the default picture: additions and multiplications, roots, quotients and
+/// transcendental functions as four, and reads of textures. `tests/costs.rs` counts them in the shaders.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shading {
+    /// Arithmetic.
+    pub flops: f64,
+    /// Texels or filtered samples.
+    pub reads: f64,
+}
+
+/// A vertex of the mesh that is displaced.
+pub const VERTEX: Shading = Shading { flops: 2680.0, reads: 33.8 };
+/// The same, drawn.
+pub const DRAWN_VERTEX: Shading = Shading { flops: 32.0, reads: 0.0 };
+/// A pixel of the mesh.
+pub const SHOWN: Shading = Shading { flops: 26.0, reads: 0.0 };
+/// A pixel of the sea that is lit.
+pub const LIGHT: Shading = Shading { flops: 13800.0, reads: 92.7 };
+/// A pixel of the sky.
+pub const BACKGROUND: Shading = Shading { flops: 2100.0, reads: 8.0 };
+/// A pixel that is presented.
+pub const PRESENT: Shading = Shading { flops: 770.0, reads: 10.0 };
+
+/// What a picture consists of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Picture {
+    /// Pixels.
+    pub pixels: f64,
+    /// Share of them that lies below the horizon.
+    pub sea: f64,
+    /// Vertices of the mesh.
+    pub vertices: f64,
+    /// Bytes of the displacement maps with their mips; slopes and their moments take as many each.
+    pub map_bytes: f64,
+}
+
+impl Picture {
+    /// The mesh: a vertex written, read and three times named by a triangle of the two that it stands for (88), the displacement, and
+    /// what a pixel shows (24) with its depth (4).
+    pub fn mesh(&self) -> Cost {
+        let seen = self.pixels * self.sea;
+        Cost {
+            bytes: 88.0 * self.vertices + 28.0 * seen + self.map_bytes,
+            flops: (VERTEX.flops + DRAWN_VERTEX.flops) * self.vertices + SHOWN.flops * seen,
+        }
+    }
+
+    /// The mesh and its light: what a pixel shows (24), its depth (4), the light (8), the three maps.
+    pub fn water(&self) -> Cost {
+        let seen = self.pixels * self.sea;
+        let light = Cost { bytes: 36.0 * seen + 3.0 * self.map_bytes, flops: LIGHT.flops * seen };
+        self.mesh() + light
+    }
+
+    /// The sky: light (8) and depth (4).
+    pub fn background(&self) -> Cost {
+        let seen = self.pixels * (1.0 - self.sea);
+        Cost { bytes: 12.0 * seen, flops: BACKGROUND.flops * seen }
+    }
+
+    /// The light in (8), four bytes out.
+    pub fn present(&self) -> Cost {
+        Cost { bytes: 12.0 * self.pixels, flops: PRESENT.flops * self.pixels }
+    }
 }

@@ -9,6 +9,7 @@ pub mod per_stage;
 
 use crate::gpu::offscreen;
 use crate::gpu::shaders::Shaders;
+use crate::model::camera::View;
 use crate::model::{Params, Plan, query};
 use crate::ocean::{Ocean, Part};
 use crate::sim::Simulation;
@@ -216,14 +217,24 @@ async fn picture(clock: &Clock<'_>, params: &Params, size: [u32; 2]) -> Result<V
     ocean.encode_fully(device, queue, &mut encoder, size);
     queue.submit([encoder.finish()]);
     let row = |pass, timing| Row { pass, sea: None, size: Some(size), timing, cost: None, dispatches: None };
+    let counted = counted(params, &mut ocean, size);
+    let r = &ocean.simulation().resources;
+    let foam = cost::foam(r.foam_n, r.count, r.format);
+    let simulation = cost::waves(r.n, r.count, r.format) + cost::mips(r.n, r.count, r.format) + foam;
     let mut out = Vec::new();
     for (pass, part) in
         [("sky tables", Part::Light), ("background", Part::Background), ("mesh", Part::Mesh), ("water", Part::Water)]
     {
-        out.push(row(pass, clock.time(|_, encoder| ocean.record(encoder, part)).await?));
+        let cost = match part {
+            Part::Light => None,
+            Part::Background => Some(counted.background()),
+            Part::Mesh => Some(counted.mesh()),
+            Part::Water => Some(counted.water()),
+        };
+        out.push(Row { cost, ..row(pass, clock.time(|_, encoder| ocean.record(encoder, part)).await?) });
     }
     let present = clock.time(|_, encoder| offscreen::draw_over(encoder, &target, |pass| ocean.present(pass)));
-    out.push(row("present", present.await?));
+    out.push(Row { cost: Some(counted.present()), ..row("present", present.await?) });
     let mut frame = params.clone();
     // A frame's uniforms are of one submission.
     let mut one = Clock::new(device, queue, clock.repeat);
@@ -234,7 +245,8 @@ async fn picture(clock: &Clock<'_>, params: &Params, size: [u32; 2]) -> Result<V
         ocean.encode_fully(device, queue, encoder, size);
         offscreen::draw_over(encoder, &target, |pass| ocean.present(pass));
     });
-    out.push(row("frame", frames.await?));
+    let whole = simulation + counted.water() + counted.background() + counted.present();
+    out.push(Row { cost: Some(whole), ..row("frame", frames.await?) });
     // The same while somebody drags the wind.
     let dragged = one.time(|i, encoder| {
         frame.clock.t_s += 1.0 / 60.0;
@@ -247,6 +259,23 @@ async fn picture(clock: &Clock<'_>, params: &Params, size: [u32; 2]) -> Result<V
     });
     out.push(row("frame, wind dragged", dragged.await?));
     Ok(out)
+}
+
+/// What the picture of a state consists of.
+fn counted(params: &Params, ocean: &mut Ocean, size: [u32; 2]) -> cost::Picture {
+    let vertices = f64::from(ocean.vertices());
+    let r = &ocean.simulation().resources;
+    let [width, height] = size.map(f64::from);
+    let view = View::new(&params.camera, width / height, 0.0);
+    // Half of the picture is below an eye that looks along the horizon.
+    let horizon = (-params.camera.pitch_deg.to_radians()).tan() / view.tan_half[1];
+    let texels = f64::from(r.n * r.n) * f64::from(r.count) * 4.0 / 3.0;
+    cost::Picture {
+        pixels: width * height,
+        sea: (0.5 + 0.5 * horizon).clamp(0.0, 1.0),
+        vertices,
+        map_bytes: texels * f64::from(r.format.bytes()),
+    }
 }
 
 impl Report {
@@ -301,8 +330,8 @@ impl fmt::Display for Report {
         )?;
         writeln!(
             f,
-            "{:<32} {:>12} {:>10} {:>10} {:>20} {:>10} {:>8} {:>8} {:>9}",
-            "pass", "of", "GPU, ms", "done, ms", "10 % to 90 %", "CPU, ms", "MB", "MFLOP", "x memory"
+            "{:<32} {:>12} {:>10} {:>10} {:>20} {:>10} {:>8} {:>9} {:>9} {:>12}",
+            "pass", "of", "GPU, ms", "done, ms", "10 % to 90 %", "CPU, ms", "MB", "MFLOP", "x memory", "x arithmetic"
         )?;
         let number = |value: Option<f64>, digits: usize| value.map_or("-".to_owned(), |v| format!("{v:.digits$}"));
         for row in &self.rows {
@@ -315,7 +344,7 @@ impl fmt::Display for Report {
             let floor_ms = row.cost.map(|cost| 1e-6 * cost.bytes / c.copy_gb_s);
             writeln!(
                 f,
-                "{:<32} {of:>12} {:>10} {:>10.3} {:>10.3} {:>9.3} {:>10} {:>8} {:>8} {:>9}",
+                "{:<32} {of:>12} {:>10} {:>10.3} {:>10.3} {:>9.3} {:>10} {:>8} {:>9} {:>9} {:>12}",
                 row.pass,
                 number(t.gpu, 3),
                 t.spread[1],
@@ -325,6 +354,7 @@ impl fmt::Display for Report {
                 number(row.cost.map(|cost| 1e-6 * cost.bytes), 2),
                 number(row.cost.map(|cost| 1e-6 * cost.flops), 1),
                 number(floor_ms.map(|floor| t.ms() / floor), 1),
+                number(row.cost.map(|cost| t.ms() / (1e-6 * cost.flops / c.shading_gflop_s)), 1),
             )?;
         }
         for (row, dispatches) in self.rows.iter().filter_map(|r| Some((r, r.dispatches?))) {

@@ -2,6 +2,7 @@
 //! chosen by these.
 
 use crate::gpu::fft::Way;
+use crate::gpu::map_format::MapFormat;
 use crate::gpu::timer;
 use crate::render;
 
@@ -37,10 +38,18 @@ impl About {
         let info = adapter.get_info();
         let (asked, could) = (device.limits(), adapter.limits());
         let limit = |name, of: fn(&wgpu::Limits) -> u64| (name, [of(&asked), of(&could)]);
-        let features = [("timestamps", timer::FEATURES), ("timestamps between passes", timer::BETWEEN_PASSES)];
+        let features = [
+            ("timestamps", timer::FEATURES),
+            ("timestamps between passes", timer::BETWEEN_PASSES),
+            ("filtered floats", MapFormat::FEATURES),
+        ];
         let transform = match Way::of(device) {
             Way::Exchanged => "exchanged: a dispatch for each axis, through workgroup memory",
             Way::Straight => "straight: two dispatches for each axis, without barriers",
+        };
+        let maps = match MapFormat::of(device) {
+            MapFormat::Half => "half floats",
+            MapFormat::Float => "floats",
         };
         Self {
             adapter: if info.name.is_empty() { "not told".to_owned() } else { info.name },
@@ -59,7 +68,11 @@ impl About {
                 limit("workgroup memory, bytes", |l| l.max_compute_workgroup_storage_size.into()),
                 limit("threads of a workgroup", |l| l.max_compute_invocations_per_workgroup.into()),
             ],
-            ways: vec![("transform", transform.to_owned()), ("samples a pixel", render::samples(device).to_string())],
+            ways: vec![
+                ("transform", transform.to_owned()),
+                ("maps", maps.to_owned()),
+                ("samples a pixel", render::samples(device).to_string()),
+            ],
         }
     }
 

@@ -92,6 +92,11 @@ impl DisplacePass {
         });
     }
 
+    /// Vertices that the view needs.
+    pub fn vertices(&self) -> u32 {
+        self.buffers.as_ref().map_or(0, |b| (self.columns + 1) * b.rows)
+    }
+
     /// Records the displacement of the vertices that the view needs.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, maps: &wgpu::BindGroup) {
         let Some(buffers) = &self.buffers else { return };

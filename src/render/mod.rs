@@ -285,6 +285,11 @@ impl Renderer {
         }
     }
 
+    /// Vertices of the mesh last drawn.
+    pub fn vertices(&self) -> u32 {
+        self.water.mesh.vertices()
+    }
+
     /// Linear light of the picture last drawn, for read-back.
     pub fn light(&self) -> Option<&wgpu::Texture> {
         self.targets.as_ref().map(|t| t.hdr.texture())
