@@ -1,6 +1,7 @@
 //! What the adapter can do at best, measured beside the passes.
 
 use super::clock::Clock;
+use crate::gpu::map_format::MapFormat;
 
 /// Size of the buffers that are copied: beyond the caches of most GPUs, within the base limits.
 const COPY_BYTES: u64 = 128 << 20;
@@ -25,8 +26,8 @@ pub struct Ceilings {
     pub launch_ms: f64,
     /// Multiplications and additions of a fragment shader that does nothing else, in 1e9 a second.
     pub shading_gflop_s: f64,
-    /// Reads of a map by a fragment shader that does nothing else, in 1e9 a second: between two levels of four half floats, all
-    /// pixels of a quad at one level.
+    /// Reads of a map by a fragment shader that does nothing else, in 1e9 a second: between two levels of four numbers as
+    /// the program's maps have them here, all pixels of a quad at one level.
     pub reads_g_s: f64,
 }
 
@@ -143,7 +144,7 @@ impl Reading {
             mip_level_count: MAP_LEVELS,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
-            format: TARGET,
+            format: MapFormat::of(device).texture(),
             usage: wgpu::TextureUsages::TEXTURE_BINDING,
             view_formats: &[],
         });

@@ -6,6 +6,7 @@ use crate::gpu::kernel::{Kernel, Slot, UniformRing};
 use crate::gpu::layout::{FOAM_LEVELS, FoamUniform, SeaUniform};
 use crate::gpu::shaders::Shaders;
 use std::ops::Range;
+use std::sync::OnceLock;
 
 const SEA: Slot = Slot::Uniform(size_of::<SeaUniform>() as u64);
 const FOAM: Slot = Slot::Uniform(size_of::<FoamUniform>() as u64);
@@ -198,9 +199,34 @@ pub enum ColumnsPass {
 /// The halves of the transform along z, each with what it is bound to.
 pub struct StraightColumns {
     first: (Half, wgpu::BindGroup),
-    /// Without and with a copy in f32.
-    second: [Half; 2],
+    second: Half,
     second_group: wgpu::BindGroup,
+    /// With a copy in f32, compiled when it is first wanted: a window never does.
+    kept: OnceLock<Half>,
+    code: SecondCode,
+}
+
+/// What second halves of columns are compiled from.
+struct SecondCode {
+    device: wgpu::Device,
+    module: wgpu::ShaderModule,
+    transform: Transform,
+}
+
+impl SecondCode {
+    fn compile(&self, keep_f32: bool) -> Half {
+        let Transform { n, r1, .. } = self.transform;
+        let constants = [("N", f64::from(n)), ("KEEP_F32", f64::from(u8::from(keep_f32)))];
+        let slots = [Slot::Read, Slot::Write, Slot::Write];
+        let kernel = Kernel::new(&self.device, "sea/columns/second", &self.module, &slots, &constants);
+        Half { kernel, size: [n / 8, r1 / 8, 1], has_uniform: false }
+    }
+}
+
+impl StraightColumns {
+    fn second(&self, keep_f32: bool) -> &Half {
+        if keep_f32 { self.kept.get_or_init(|| self.code.compile(true)) } else { &self.second }
+    }
 }
 
 impl ColumnsPass {
@@ -219,21 +245,18 @@ impl ColumnsPass {
         let first_group = Self::first_group(device, &kernel, r, straight);
         let first = Half { kernel, size: [r.n / 8, t.r2 / 8, 2], has_uniform: false };
         let module = shaders.straight(device, "columns_second", t);
-        let slots = [Slot::Read, Slot::Write, Slot::Write];
-        let second = [0.0, 1.0].map(|keep| {
-            let constants = [t.straight_constants(), [("KEEP_F32", keep)]].concat();
-            let kernel = Kernel::new(device, "sea/columns/second", &module, &slots, &constants);
-            Half { kernel, size: [r.n / 8, t.r1 / 8, 1], has_uniform: false }
-        });
-        let second_group = Self::second_group(device, &second[0].kernel, r, straight);
-        Self::Straight(Box::new(StraightColumns { first: (first, first_group), second, second_group }))
+        let code = SecondCode { device: device.clone(), module, transform: t };
+        let second = code.compile(false);
+        let second_group = Self::second_group(device, &second.kernel, r, straight);
+        let first = (first, first_group);
+        Self::Straight(Box::new(StraightColumns { first, second, second_group, kept: OnceLock::new(), code }))
     }
 
     fn bind(&mut self, device: &wgpu::Device, r: &Resources, sea: &UniformRing<SeaUniform>) {
         match (self, &r.straight) {
             (Self::Straight(columns), Some(straight)) => {
                 columns.first.1 = Self::first_group(device, &columns.first.0.kernel, r, straight);
-                columns.second_group = Self::second_group(device, &columns.second[0].kernel, r, straight);
+                columns.second_group = Self::second_group(device, &columns.second.kernel, r, straight);
             }
             (Self::Exchanged(all, group), _) => *group = Self::group(device, &all.kernel, r, sea),
             (Self::Straight(_), None) => {}
@@ -265,7 +288,7 @@ impl ColumnsPass {
         match (self, &r.straight) {
             (Self::Straight(columns), Some(straight)) => {
                 columns.first.0.run(encoder, &columns.first.1, sea);
-                columns.second[usize::from(sea.keep_f32)].run(encoder, &columns.second_group, sea);
+                columns.second(sea.keep_f32).run(encoder, &columns.second_group, sea);
                 let bytes = u64::from(r.format.bytes()) * u64::from(r.n * r.n * sea.count);
                 for (kind, at) in [(MapKind::Displacement, 0), (MapKind::Gradients, bytes)] {
                     let first = r.layers(kind).start + sea.first_layer;
