@@ -9,16 +9,17 @@ fn main(@builtin(local_invocation_id) local: vec3u, @builtin(workgroup_id) group
   let z = group.x * LINES + local.y;
   let c = group.z;
   let exchange = local.y * N;
+  let line = rows_line(c, z);
   for (var i = 0u; i < R1; i++) {
-    rows_h[i] = rows_wave(c, i * R2 + t, z);
+    rows_h[i] = rows_wave(line, i * R2 + t);
   }
   for (var pair = 0u; pair < 2u; pair++) {
     for (var i = 0u; i < R1; i++) {
       let x = i * R2 + t;
       if pair == 0u {
-        fft_v[i] = rows_pack_0(c, x, z, rows_h[i]);
+        fft_v[i] = rows_pack_0(line, x, rows_h[i]);
       } else {
-        fft_v[i] = rows_pack_1(c, x, z, rows_h[i]);
+        fft_v[i] = rows_pack_1(line, x, rows_h[i]);
       }
     }
     fft_registers(R1);

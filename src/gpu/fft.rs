@@ -75,13 +75,14 @@ impl Transform {
         match module {
             "rows_first" => {
                 code.open("rows_first(c: u32, t: u32, z: u32)");
+                code.line("let line = rows_line(c, z);");
                 let waves: Vec<String> =
-                    (0..r1).map(|i| code.value(&format!("rows_wave(c, t + {}u, z)", i * r2))).collect();
+                    (0..r1).map(|i| code.value(&format!("rows_wave(line, t + {}u)", i * r2))).collect();
                 let factors = code.factors(r1, n);
                 for pair in 0..2 {
                     let packed = (0..r1).zip(&waves);
                     let x = packed
-                        .map(|(i, wave)| code.value(&format!("rows_pack_{pair}(c, t + {}u, z, {wave})", i * r2)))
+                        .map(|(i, wave)| code.value(&format!("rows_pack_{pair}(line, t + {}u, {wave})", i * r2)))
                         .collect();
                     code.line(&format!("let to_{pair} = ((2u * c + {pair}u) * {n}u + z) * {n}u + t;"));
                     for (k1, v) in (0..).zip(code.transform(x)) {
