@@ -128,7 +128,11 @@ export async function explorer(context) {
     const tab = await openSea(context, `${STATE}&wind=17&fetch=200&sun=15&sunaz=50&ui=0`, { size: SIZE });
     try {
       await drag(tab, [300, 300], [340, 280]);
-      await tab.until('the address', () => new URLSearchParams(location.search).get('heading'));
+      // The address follows while the pointer moves: it has to be that of the picture that stands.
+      const heading = (text) => new URLSearchParams(text).get('heading');
+      await frames(tab, 3);
+      const shown = heading(await tab.evaluate(() => window.seastate.state()));
+      await tab.until('the address', (at) => new URLSearchParams(location.search).get('heading') === at, shown);
       const first = await shot(tab, 'first-tab');
       const link = await tab.evaluate(() => location.search.slice(1));
       const other = await openSea(context, link, { size: SIZE });
