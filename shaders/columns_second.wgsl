@@ -1,5 +1,5 @@
-// The second half of the transform along z by itself, and the maps in a buffer (maps_half.wgsl or maps_float.wgsl), which is copied to the textures
-// (a software GPU takes longer to write a texel than to transform it).
+// The second half of the transform along z by itself, and the maps in a buffer (maps_half.wgsl or maps_float.wgsl), which is
+// copied to the textures (a software GPU takes longer to write a texel than to transform it).
 
 override KEEP_F32: bool = false; // also leaves the result in the intermediate buffer
 

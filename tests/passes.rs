@@ -66,37 +66,37 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
 ];
 
 /// The same in what differs between adapters.
-const FAULTS_OF_A_WAY: &[(Way, &str, &str, &str, &str)] = &[
+const FAULTS_OF_A_WAY: &[((Way, MapFormat), &str, &str, &str, &str)] = &[
     (
-        Way::Exchanged,
+        GPU,
         "mips_chain",
         "0.25 * sum.gradients, 0.25 * sum.moments);\n      mips_store",
         "0.25 * sum.gradients, 0.2525 * sum.moments);\n      mips_store",
         "mips moments",
     ),
     (
-        Way::Exchanged,
+        GPU,
         "mips_chain",
         "return MipsTexel(0.25 * sum.displacement, 0.25",
         "return MipsTexel(0.25 * sum.displacement, 0.2525",
         "mips gradients",
     ),
-    (Way::Straight, "mips_level", "0.25 * sum.moments)", "0.2525 * sum.moments)", "mips moments"),
-    (Way::Straight, "mips_level", "MipsTexel(0.25", "MipsTexel(0.2525", "mips displacement"),
-    (Way::Exchanged, "rows", "forward + backward", "forward + 1.01 * backward", "rows"),
+    (CPU, "mips_level", "0.25 * sum.moments)", "0.2525 * sum.moments)", "mips moments"),
+    (CPU, "mips_level", "MipsTexel(0.25", "MipsTexel(0.2525", "mips displacement"),
+    (GPU, "rows", "forward + backward", "forward + 1.01 * backward", "rows"),
     (
-        Way::Exchanged,
+        GPU,
         "columns",
         "    lines[(2u * c * N + z) * N + x] = v",
         "    lines[(2u * c * N + z) * N + x] = 1.01 * v",
         "columns",
     ),
-    (Way::Exchanged, "columns", "c, v.xzyw)", "c, 1.01 * v.xzyw)", "maps"),
-    (Way::Straight, "rows_first", "forward + backward", "forward + 1.01 * backward", "rows"),
-    (Way::Straight, "lines_second", "v * w.x", "1.01 * v * w.x", "rows"),
-    (Way::Straight, "columns_first", "v * w.x", "1.01 * v * w.x", "columns"),
-    (Way::Straight, "columns_second", "* N + x] = value", "* N + x] = 1.01 * value", "columns"),
-    (Way::Straight, "columns_second", "maps_texel(value)", "maps_texel(1.01 * value)", "maps"),
+    (GPU, "columns", "c, v.xzyw)", "c, 1.01 * v.xzyw)", "maps"),
+    (CPU, "rows_first", "forward + backward", "forward + 1.01 * backward", "rows"),
+    (CPU, "lines_second", "v * w.x", "1.01 * v * w.x", "rows"),
+    (CPU, "columns_first", "v * w.x", "1.01 * v * w.x", "columns"),
+    (CPU, "columns_second", "* N + x] = value", "* N + x] = 1.01 * value", "columns"),
+    (CPU, "columns_second", "maps_texel(value)", "maps_texel(1.01 * value)", "maps"),
 ];
 
 #[test]
@@ -110,8 +110,8 @@ fn a_planted_fault_of_one_per_cent_is_found() {
     for (module, from, to, red) in FAULTS {
         assert_found(Shaders::default().patched(module, from, to), red, to);
     }
-    for (way, module, from, to, red) in FAULTS_OF_A_WAY {
-        assert_found(Shaders::default().with_way(*way).patched(module, from, to), red, to);
+    for ((way, maps), module, from, to, red) in FAULTS_OF_A_WAY {
+        assert_found(Shaders::default().with_way(*way).with_maps(*maps).patched(module, from, to), red, to);
     }
 }
 

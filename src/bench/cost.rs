@@ -61,6 +61,11 @@ pub fn foam(foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
     texels(foam_n, FOAM_LEVELS as u32, 8.0 + texel + 8.0 * texel * samples, flops)
 }
 
+/// All of the simulation in a frame at rest, with foam of `foam_n` cells along a side.
+pub fn step(n: u32, foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
+    waves(n, cascades, maps) + mips(n, cascades, maps) + foam(foam_n, cascades, maps)
+}
+
 /// Work of a shader for a vertex or a pixel that has all of the default picture: additions and multiplications, roots, quotients and
 /// transcendental functions as four, and reads of textures. `tests/costs.rs` counts them in the shaders.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -151,7 +151,6 @@ async fn simulation(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, Stri
     let waves = waves.await?;
     let mips = clock.time(|_, e| p.mips.run(e, r, step)).await?;
     let foam_pass = clock.time(|_, e| p.foam.run(e, r, step, foam)).await?;
-    let foam_cost = cost::foam(r.foam_n, count, r.format);
     let dispatches = p.dispatches();
     let mut out = vec![
         Row::sim("spectrum", sea, spectrum, None),
@@ -159,7 +158,7 @@ async fn simulation(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, Stri
         Row::sim("columns", sea, columns, Some(cost::columns(n, count, r.format))),
         Row::sim("waves", sea, waves, Some(cost::waves(n, count, r.format))),
         Row::sim("mips", sea, mips, Some(cost::mips(n, count, r.format))),
-        Row::sim("foam", sea, foam_pass, Some(foam_cost)),
+        Row::sim("foam", sea, foam_pass, Some(cost::foam(r.foam_n, count, r.format))),
     ];
     let step = clock.time(|_, e| {
         p.rows.run(e, step);
@@ -167,7 +166,7 @@ async fn simulation(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, Stri
         p.mips.run(e, r, step);
         p.foam.run(e, r, step, foam);
     });
-    let whole = cost::waves(n, count, r.format) + cost::mips(n, count, r.format) + foam_cost;
+    let whole = cost::step(n, r.foam_n, count, r.format);
     out.push(Row { dispatches: Some(dispatches), ..Row::sim("step", sea, step.await?, Some(whole)) });
     Ok(out)
 }
@@ -219,8 +218,7 @@ async fn picture(clock: &Clock<'_>, params: &Params, size: [u32; 2]) -> Result<V
     let row = |pass, timing| Row { pass, sea: None, size: Some(size), timing, cost: None, dispatches: None };
     let counted = counted(params, &mut ocean, size);
     let r = &ocean.simulation().resources;
-    let foam = cost::foam(r.foam_n, r.count, r.format);
-    let simulation = cost::waves(r.n, r.count, r.format) + cost::mips(r.n, r.count, r.format) + foam;
+    let simulation = cost::step(r.n, r.foam_n, r.count, r.format);
     let mut out = Vec::new();
     for (pass, part) in
         [("sky tables", Part::Light), ("background", Part::Background), ("mesh", Part::Mesh), ("water", Part::Water)]

@@ -4,6 +4,7 @@
 //! texel are converted one by one: SwiftShader reads half floats in five times the time of floats, llvmpipe both in the same.
 
 use half::f16;
+use std::borrow::Cow;
 
 /// The two ways to keep them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,18 +42,12 @@ impl MapFormat {
     }
 
     /// A shader's text, written for half floats, for this format.
-    pub fn shader(self, text: &str) -> String {
+    pub fn shader(self, text: Cow<'_, str>) -> Cow<'_, str> {
+        const IN_BUFFERS: [&str; 2] =
+            [include_str!("../../shaders/maps_half.wgsl"), include_str!("../../shaders/maps_float.wgsl")];
         match self {
-            Self::Half => text.to_owned(),
-            Self::Float => text.replace("rgba16float", "rgba32float"),
-        }
-    }
-
-    /// WGSL of what the copies of maps in buffers consist of.
-    pub fn packed(self) -> &'static str {
-        match self {
-            Self::Half => include_str!("../../shaders/maps_half.wgsl"),
-            Self::Float => include_str!("../../shaders/maps_float.wgsl"),
+            Self::Half => text,
+            Self::Float => text.replace("rgba16float", "rgba32float").replace(IN_BUFFERS[0], IN_BUFFERS[1]).into(),
         }
     }
 

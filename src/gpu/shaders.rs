@@ -54,7 +54,7 @@ const MODULES: &[(&str, &[Part])] = &[
     ("lines_second", &[FFT_COMMON, part!("lines_second.wgsl")]),
     ("columns", &[SEA, FFT_COMMON, FFT, part!("columns.wgsl")]),
     ("columns_first", &[FFT_COMMON, part!("columns_first.wgsl")]),
-    ("columns_second", &[FFT_COMMON, part!("columns_second.wgsl")]),
+    ("columns_second", &[FFT_COMMON, part!("maps_half.wgsl"), part!("columns_second.wgsl")]),
     ("mips_level", &[SEA, MIPS, part!("mips_level.wgsl")]),
     ("mips_chain", &[SEA, MIPS, part!("mips_chain.wgsl")]),
     ("foam", &[MATHS, SEA, NOISE, TILES, part!("foam.wgsl")]),
@@ -176,8 +176,8 @@ impl Shaders {
 
     fn source(&self, name: &str, transform: Transform, maps: MapFormat) -> String {
         let source = self.sources.get(name).unwrap_or_else(|| panic!("no shader module {name}"));
-        let packed = if name == "columns_second" { maps.packed() } else { "" };
-        maps.shader(&format!("{source}\n{packed}\n{}", transform.straight_code(name).unwrap_or_default()))
+        let code = format!("{source}\n{}", transform.straight_code(name).unwrap_or_default());
+        maps.shader(code.into()).into_owned()
     }
 
     /// Compiles a module.
@@ -188,7 +188,7 @@ impl Shaders {
         let (label, source) = self.sources.get_key_value(name).unwrap_or_else(|| panic!("no shader module {name}"));
         device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(label),
-            source: wgpu::ShaderSource::Wgsl(Cow::Owned(self.maps(device).shader(source))),
+            source: wgpu::ShaderSource::Wgsl(self.maps(device).shader(Cow::Borrowed(source))),
         })
     }
 

@@ -216,7 +216,8 @@ struct SecondCode {
 impl SecondCode {
     fn compile(&self, keep_f32: bool) -> Half {
         let Transform { n, r1, .. } = self.transform;
-        let constants = [("N", f64::from(n)), ("KEEP_F32", f64::from(u8::from(keep_f32)))];
+        let keep = [("KEEP_F32", f64::from(u8::from(keep_f32)))];
+        let constants = [self.transform.straight_constants(), keep].concat();
         let slots = [Slot::Read, Slot::Write, Slot::Write];
         let kernel = Kernel::new(&self.device, "sea/columns/second", &self.module, &slots, &constants);
         Half { kernel, size: [n / 8, r1 / 8, 1], has_uniform: false }
