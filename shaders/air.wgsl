@@ -1,5 +1,9 @@
 // Air and fog between the eye and the sea. Needs the module variables frame, sky, light and those of the sky model.
 
+// What there may be: a file's sky instead of the computed one, fog.
+override SKY_FILE = true;
+override SKY_FOG = true;
+
 // Light of a file's sky low in this direction: what far air takes its colour from.
 fn air_horizon(dir: vec3f) -> vec3f {
   let u = atan2(dir.x, -dir.z) / (2.0 * ATM_PI);
@@ -16,11 +20,11 @@ fn air_clear(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   let extinction = ATM_RAYLEIGH * mean.x + ATM_MIE * (sky.haze * mean.y);
   let sun = atm_rgb(vec4f(1.0));
   let through = atm_rgb(exp(-extinction * km)) / sun;
-  if sky.file > 0.0 {
+  if SKY_FILE && sky.file > 0.0 {
     return array<vec3f, 2>(air_horizon(dir) * (1.0 - through), through);
   }
   // The table holds the air down to the still sea in this direction; a crest before it has less air in front.
-  let below = min(asin(clamp(dir.y, -1.0, 1.0)) + frame.dip, -1e-5);
+  let below = min(atm_asin(dir.y) + frame.dip, -1e-5);
   let fall = sin(frame.dip - below);
   let root = max(fall * fall - sin(frame.dip) * sin(frame.dip), 0.0);
   let whole_km = ATM_GROUND * (fall - sqrt(root));
@@ -50,7 +54,7 @@ fn air_fog(dir: vec3f, distance_m: f32) -> vec4f {
 // Air and fog between the eye and a point of the sea: the light that is added, and the share that is let through.
 fn air_between(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   let air = air_clear(dir, distance_m);
-  if sky.fog.x <= 0.0 {
+  if !SKY_FOG || sky.fog.x <= 0.0 {
     return air;
   }
   let fog = air_fog(dir, distance_m);

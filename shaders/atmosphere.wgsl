@@ -57,9 +57,19 @@ fn atm_mie_phase(c: f32) -> f32 {
   return k * (1.0 + c * c) / pow(max(1.0 + g * g - 2.0 * g * c, 1e-4), 1.5);
 }
 
+// Arc sine, to 3e-7 (Moshier's Cephes): SwiftShader calls the C library for that of WGSL, once for each pixel.
+fn atm_asin(x: f32) -> f32 {
+  let a = min(abs(x), 1.0);
+  let is_steep = a > 0.5;
+  let z = select(a * a, 0.5 - 0.5 * a, is_steep);
+  let r = select(a, sqrt(z), is_steep);
+  let angle = r + r * z * (1.6666752422e-1 + z * (7.4953002686e-2 + z * (4.5470025998e-2 + z * (2.4181311049e-2 + z * 4.2163199048e-2))));
+  return sign(x) * select(angle, 0.5 * ATM_PI - 2.0 * angle, is_steep);
+}
+
 // Angle from the horizontal down to the horizon.
 fn atm_dip(h: f32) -> f32 {
-  return asin(clamp(sqrt(max(h, 0.0) * (2.0 * ATM_GROUND + h)) / (ATM_GROUND + h), 0.0, 1.0));
+  return atm_asin(sqrt(max(h, 0.0) * (2.0 * ATM_GROUND + h)) / (ATM_GROUND + h));
 }
 
 fn atm_to_top(h: f32, mu: f32) -> f32 {
@@ -95,7 +105,7 @@ const ATM_T_SIZE = vec2f(256.0, 64.0);
 // Share of sunlight that arrives at altitude h from the elevation whose sine is mu; `radius` is that of the sun's disc.
 fn atm_transmittance(map: texture_2d<f32>, s: sampler, h: f32, mu: f32, radius: f32) -> vec4f {
   let dip = atm_dip(h);
-  let above = asin(clamp(mu, -1.0, 1.0)) + dip;
+  let above = atm_asin(mu) + dip;
   let u = sqrt(max(above, 0.0) / (0.5 * ATM_PI + dip));
   let v = sqrt(clamp(h / ATM_TOP, 0.0, 1.0));
   let uv = vec2f(atm_to_texels(u, ATM_T_SIZE.x), atm_to_texels(v, ATM_T_SIZE.y));

@@ -31,7 +31,7 @@ fn main(@builtin(local_invocation_index) i: u32) {
     if look == 0 {
       width = reach / sqrt(f32(EYE_POINTS));
     }
-    under = water_displacement(select(foot, at, look == 0), width);
+    under = water_moved(select(foot, at, look == 0), width, false).displacement;
     if look == 0 {
       moved = under;
     } else if look < EYE_LOOKS - 1 {

@@ -14,14 +14,12 @@ struct Frame {
   pixel: f32,
   sun: vec3f,
   chop_x: f32,
-  // Texture coordinates of the eye's foot, 1 / patch, unit of the moments. Those of one sea, or of two while one fades into
-  // the other.
-  cascades: array<vec4f, 8>,
-  // Texels to the shortest wave of each, layer of its maps, and what its variance is short of while it fades.
-  layers: array<vec4f, 8>,
-  // A copy of the finest cascade of each sea, shrunk: ripples that no cascade holds. The last is the scale of its slopes.
-  ripples: array<vec4f, 2>,
-  // Lattices of the copies of the cascades and of the ripples, at the eye's foot: TilePlace's turn and rest; cell, key, on.
+  // Texture coordinates of the eye's foot, 1 / patch, unit of the moments. Of the cascades of one sea, or of two while one fades
+  // into the other; and after them of the ripples that no cascade holds: a copy of the finest cascade of each sea, shrunk.
+  cascades: array<vec4f, 10>,
+  // Texels to the shortest wave of each, layer of its maps, what its variance is short of while it fades, scale of its slopes.
+  layers: array<vec4f, 10>,
+  // Lattices of their copies, at the eye's foot: TilePlace's turn and rest; cell, key, on.
   tile_lattice: array<vec4f, 10>,
   tile_cell: array<vec4i, 10>,
   // Covariance of the slopes that neither the maps nor the ripples hold: xx, zz, xz.
@@ -36,11 +34,11 @@ struct Frame {
   mesh_rows: u32,
   count: u32,
   foam_count: u32,
-  // How many ripples there are, and the cascades that they are copies of.
+  // Of those of `cascades` that are ripples; `count` is without them.
   ripple_count: u32,
-  ripple_cascade_0: u32,
-  ripple_cascade_1: u32,
-  unused: u32,
+  unused_0: u32,
+  unused_1: u32,
+  unused_2: u32,
   // Where the water below the eye would lie in a still sea (x, z), how far waves may carry water, m, and whether (1) the
   // eye rides on it.
   foot: vec4f,

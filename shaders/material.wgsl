@@ -3,12 +3,10 @@
 struct Material {
   // Absorption of the water at the display's primaries, 1/m.
   absorption: vec3f,
-  // 0 exact, 1 Schlick.
-  fresnel: u32,
+  ambient: f32,
   // Backscattering, 1/m.
   backscatter: vec3f,
-  // Distribution of slopes: 0 Gaussian, 1 GGX, 2 Blinn-Phong.
-  facets: u32,
+  index_air: f32,
   // Scattering in all, 1/m.
   scatter: vec3f,
   bubbles: f32,
@@ -21,8 +19,6 @@ struct Material {
   // Texture coordinates of a layer of noise: matrix columns (xy, zw) for metres beside the eye's foot, and of the foot.
   layers: array<vec4f, 6>,
   layer_feet: array<vec4f, 3>,
-  ambient: f32,
-  index_air: f32,
   index_water: f32,
   fresnel_shine: f32,
   fresnel_scale: f32,

@@ -4,10 +4,10 @@
 @group(0) @binding(1) var<storage, read_write> mesh_vertices: array<MeshVertex>;
 
 // A thread a vertex: columns along x, rows along y. Neighbours read their maps at one level, which a software GPU does together.
-@compute @workgroup_size(64)
+@compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
   let vertex = id.x * frame.mesh_rows + id.y;
-  if vertex >= arrayLength(&mesh_vertices) {
+  if id.y >= frame.mesh_rows || vertex >= arrayLength(&mesh_vertices) {
     return;
   }
   let azimuth = frame.mesh.x + f32(id.x) * frame.mesh.y;
@@ -16,9 +16,11 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   // Near the eye the lattice lies around the water that is below it.
   let foot = frame.foot.xy * exp(-radius / (4.0 * frame.foot.z));
   let at = foot + radius * vec2f(sin(azimuth), -cos(azimuth));
-  let moved = water_displacement(at, mesh_spacing(radius));
+  let water = water_moved(at, mesh_spacing(radius), true);
+  let moved = water.displacement;
   let flat = at + moved.xz;
   let drop = dot(flat, flat) / (2.0 * FRAME_EARTH_M);
   let place = vec3f(flat.x, moved.y - drop - frame.eye_m, flat.y);
-  mesh_vertices[vertex] = MeshVertex(place, moved.y, at, vec2f(0.0));
+  let carried = water.carried;
+  mesh_vertices[vertex] = MeshVertex(place, moved.y, at, carried.slope, carried.stretch, carried.shear);
 }

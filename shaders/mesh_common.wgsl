@@ -7,7 +7,10 @@ struct MeshVertex {
   height: f32,
   // The undisplaced point beside the eye's foot.
   rest: vec2f,
-  unused: vec2f,
+  // What it carries of the slopes (WaterSums).
+  slope: vec2f,
+  stretch: vec2f,
+  shear: vec2f,
 }
 
 // Length over which the mesh is filtered at a distance: that between rows; columns are never farther apart than matters.

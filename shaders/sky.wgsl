@@ -2,10 +2,8 @@
 
 @group(1) @binding(0) var file_map: texture_2d<f32>;
 
-// Parts of the picture's background: a file's sky instead of the computed one, stars, fog. Clouds are in sky_model.wgsl.
-override SKY_FILE = true;
+// A part of the picture's background. Clouds are in sky_model.wgsl, a file's sky and fog in air.wgsl.
 override SKY_STARS = true;
-override SKY_FOG = true;
 
 struct SkyVertex {
   @builtin(position) clip: vec4f,
@@ -73,7 +71,7 @@ fn sky_stars(dir: vec3f) -> vec3f {
 @fragment
 fn fragment(in: SkyVertex) -> @location(0) vec4f {
   let dir = normalize(in.ray);
-  let above = max(asin(clamp(dir.y, -1.0, 1.0)) + frame.dip, 0.0);
+  let above = max(atm_asin(dir.y) + frame.dip, 0.0);
   var radiance = vec3f(0.0);
   if SKY_FILE && sky.file > 0.0 {
     // The file's horizon is drawn down to where the eye sees it; its ground stays out of the filter.

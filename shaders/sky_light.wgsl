@@ -35,7 +35,7 @@ fn clear_parts(@builtin(global_invocation_id) id: vec3u) {
     // Equal steps of sin^2: each sample stands for the same irradiance.
     let s = sqrt((f32(i / 64u) + 0.5) / 32.0);
     let dir = vec3f(sin(azimuth) * sqrt(1.0 - s * s), s, -cos(azimuth) * sqrt(1.0 - s * s));
-    sum += vec4f(sky_clear(dir, asin(s)), 0.0) * (ATM_PI / 2048.0);
+    sum += vec4f(sky_clear(dir, atm_asin(s)), 0.0) * (ATM_PI / 2048.0);
   }
   light_parts[thread] = sum;
 }

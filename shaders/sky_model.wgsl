@@ -12,7 +12,7 @@ override SKY_CLOUDS = true;
 fn sky_clear(dir: vec3f, above: f32) -> vec3f {
   let flat_dir = normalize(dir.xz + vec2f(1e-9, 0.0));
   let flat_sun = normalize(sky.sun.xz + vec2f(1e-9, 0.0));
-  let azimuth = acos(clamp(dot(flat_dir, flat_sun), -1.0, 1.0));
+  let azimuth = 0.5 * ATM_PI - atm_asin(dot(flat_dir, flat_sun));
   let half_rows = SKY_VIEW_SIZE.y / 2.0;
   let span = select(0.5 * ATM_PI - sky.dip, 0.5 * ATM_PI + sky.dip, above >= 0.0);
   let s = sqrt(min(abs(above) / span, 1.0)) * (half_rows - 1.0);
@@ -70,5 +70,5 @@ fn sky_radiance(dir: vec3f, above: f32, pixel: f32, drift: vec2f) -> vec4f {
 // Where a direction lies in a sky's file: its middle is the horizon at the heading `turn`.
 fn sky_file_uv(dir: vec3f) -> vec2f {
   let azimuth = atan2(dir.x, -dir.z) / (2.0 * ATM_PI);
-  return vec2f(0.5 + azimuth - sky.turn, 0.5 - asin(clamp(dir.y, -1.0, 1.0)) / ATM_PI);
+  return vec2f(0.5 + azimuth - sky.turn, 0.5 - atm_asin(dir.y) / ATM_PI);
 }

@@ -56,7 +56,7 @@ fn water_light(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> vec
   var around = slope;
   if WATER_SAMPLES {
     let shown = WaterFootprint(vec2f(0.0), mesh_spacing(length(at)), 1);
-    around = water_slope_within(at, shown, WaterFootprint(vec2f(0.0), 1e6, 1));
+    around = water_slope_beyond(at, shown, WaterFootprint(vec2f(0.0), 1e6, 1), WaterSums(), false);
     around.variance += vec3f(vec2f(material.rough_variance), 0.0);
   }
 
@@ -80,7 +80,7 @@ fn water_light(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> vec
   let index = material.index_water / material.index_air;
   let water = mirror.radiance + (1.0 - mirror.reflectance) / (index * index) * below;
   var surface = water;
-  if WATER_FOAM && foam.cover > 0.0 {
+  for (var is_foamy = WATER_FOAM && foam.cover > 0.0; is_foamy; is_foamy = false) {
     surface = mix(water, water_foam_light(v, slope, foam), foam.cover);
   }
 

@@ -1,15 +1,16 @@
 // Distributions of slopes: Gaussian, as Cox and Munk 1954 found it on the sea (Beckmann's), or Trowbridge and Reitz's (GGX)
-// with alpha^2 = 2 sigma^2; both with a mean and any covariance.
+// with alpha^2 = 2 sigma^2; both with a mean and any covariance. Or Blinn and Phong's lobe. Parts of the pipeline: a software
+// GPU computes both sides of a branch.
 
-const WATER_GGX = 1u;
-const WATER_PHONG = 2u;
+override WATER_GGX: bool = false;
+override WATER_PHONG: bool = false;
 
 // Area seen from a direction over horizontal area: cosine with Smith's masking, for slopes towards that direction with
 // this mean and deviation.
 fn water_seen(height: f32, across: f32, mean: f32, sigma: f32) -> f32 {
   let facing = height + across * mean;
   let scale = max(across * sigma, 1e-6);
-  if material.facets == WATER_GGX {
+  if WATER_GGX {
     return 0.5 * (facing + sqrt(facing * facing + 2.0 * scale * scale));
   }
   let a = facing / scale;
@@ -29,7 +30,7 @@ fn water_slope_density(off: vec2f, variance: vec3f) -> f32 {
   let det = max(xx * zz - xz * xz, 0.02 * xx * zz);
   let square = (zz * off.x * off.x - 2.0 * xz * off.x * off.y + xx * off.y * off.y) / det;
   let peak = 1.0 / (2.0 * ATM_PI * sqrt(det));
-  if material.facets == WATER_GGX {
+  if WATER_GGX {
     let w = 1.0 + 0.5 * max(square, 0.0);
     return peak / (w * w);
   }
@@ -91,14 +92,14 @@ fn water_node(f: WaterFacets, i: i32) -> WaterNode {
   var t: f32;
   var node: WaterNode;
   var spread = 1.0;
-  if material.facets == WATER_GGX {
+  if WATER_GGX {
     // The visible area beyond a slope alpha tan(a) is (R cos(a + phi) + c) / 2: steps of it, finer towards facets seen from
     // their side, which mirror most.
     let area = at * (1.4 - 0.4 * at);
     let alpha = 1.41421356 * f.sigma;
     let c = f.height / f.across + f.tilt;
     let r = sqrt(alpha * alpha + c * c);
-    let a = acos(clamp((area * (r + c) - c) / r, -1.0, 1.0)) - atan2(c, alpha);
+    let a = 0.5 * ATM_PI - atm_asin((area * (r + c) - c) / r) - atan2(c, alpha);
     t = 1.41421356 * tan(clamp(a, -1.5, 1.5));
     node.weight = 1.4 - 0.8 * at;
     node.width = 1.3 * node.weight * f.sigma * (1.0 + 0.5 * t * t) / f32(WATER_NODES);

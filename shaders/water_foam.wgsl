@@ -29,20 +29,19 @@ struct WaterFoam {
 
 // Foam and fresh breaking from the finest level that is valid here and no finer than the pixel; the mean beyond.
 fn water_foam_level(at: vec2f, footprint: f32) -> vec2f {
-  var foam = vec2f(frame.mean_foam, 0.1 * frame.mean_foam);
-  for (var i = frame.foam_count; i > 0u; i--) {
-    let level = i - 1u;
+  var foam = vec2f(0.0);
+  var left = 1.0;
+  for (var level = 0u; level < frame.foam_count && left > 0.0; level++) {
     let place = frame.foam_place[level];
     let off = abs(at - place.xy);
     let inside = 1.0 - smoothstep(0.8, 1.0, max(off.x, off.y) / place.z);
     let coarse = clamp(2.0 - 0.5 * footprint * place.w, 0.0, 1.0);
     let share = inside * coarse;
-    if share > 0.0 {
-      let uv = frame.foam_uv[level];
-      foam = mix(foam, textureSampleLevel(foam_map, wave_sampler, uv.xy + at * uv.z, level, 0.0).xy, share);
-    }
+    let uv = frame.foam_uv[level];
+    foam += (left * share) * textureSampleLevel(foam_map, level_sampler, uv.xy + at * uv.z, level, 0.0).xy;
+    left *= 1.0 - share;
   }
-  return foam;
+  return foam + (left * frame.mean_foam) * vec2f(1.0, 0.1);
 }
 
 // Slope of a channel of a layer, per metre, over a step that the pixel resolves.
@@ -79,15 +78,30 @@ fn water_foam(at: vec2f, dx: vec2f, dy: vec2f) -> WaterFoam {
   let large = length(along);
   let small = max(abs(dx.x * dy.y - dx.y * dy.x) / max(large, 1e-9), 1e-6);
   let whole_m = WATER_TAP * sqrt(small * large);
+  // As many places as there are texels of the finest level along the pixel.
+  let places = clamp(i32(ceil(large * frame.foam_place[0].w)), 1, FOAM_LEVELS);
   var level = vec2f(0.0);
-  for (var i = 0; i < FOAM_LEVELS; i++) {
-    level += water_foam_level(at + along * ((f32(i) + 0.5) / f32(FOAM_LEVELS) - 0.5), whole_m);
+  for (var i = 0; i < places; i++) {
+    level += water_foam_level(at + along * ((f32(i) + 0.5) / f32(places) - 0.5), whole_m);
   }
-  let foam = clamp(level * (frame.foam_gain / f32(FOAM_LEVELS)), vec2f(0.0), vec2f(1.0));
+  let foam = clamp(level * (frame.foam_gain / f32(places)), vec2f(0.0), vec2f(1.0));
+  var out = WaterFoam(0.0, foam.x, 0.5, vec2f(0.0), 0.0);
+  // A loop that runs once, not a branch, of which a software GPU computes both sides: most of the sea has no foam.
+  for (var is_seen = foam.x >= 0.002; is_seen; is_seen = false) {
+    out = water_foam_seen(at, along, across, vec2f(large, small), foam);
+  }
+  return out;
+}
+
+// The same where there is any: sides of the pixel and their lengths; foam and fresh breaking.
+fn water_foam_seen(at: vec2f, along: vec2f, across: vec2f, sides: vec2f, foam: vec2f) -> WaterFoam {
+  let large = sides.x;
+  let small = sides.y;
+  let whole_m = WATER_TAP * sqrt(small * large);
+  let taps = clamp(i32(ceil(large / FOAM_FINEST_M)), 1, FOAM_TAPS);
+  let share = 1.0 / f32(taps);
   var out: WaterFoam;
   out.plume = foam.x;
-  let taps = select(clamp(i32(ceil(large / FOAM_FINEST_M)), 1, FOAM_TAPS), 0, foam.x < 0.002);
-  let share = 1.0 / f32(max(taps, 1));
   // A tap stands for its part of the pixel. Windrows are longer than most pixels and bubbles shorter: one look is enough.
   let size = WATER_TAP * max(sqrt(small * large * share), large * share);
   let lods = vec4f(material_lod(FOAM_WINDROWS, WATER_TAP * large), material_lod(FOAM_PATCHES, size),

@@ -1,5 +1,8 @@
 // Reflectance of a smooth piece of the surface.
 
+// Schlick's in place of the exact one.
+override WATER_SCHLICK: bool = false;
+
 // Unpolarised reflectance of a dielectric, from the cosine in the first medium and the second's relative index; total
 // where the second is the thinner and light cannot enter.
 fn water_dielectric(cosine: f32, index: f32) -> f32 {
@@ -25,7 +28,7 @@ fn water_schlick(cosine: f32, index: f32) -> f32 {
 // Reflectance towards air as the material has it.
 fn water_fresnel(cosine: f32) -> f32 {
   let index = material.index_water / material.index_air;
-  if material.fresnel == 1u {
+  if WATER_SCHLICK {
     return clamp(material.fresnel_scale * water_schlick(cosine, index), 0.0, 1.0);
   }
   return clamp(material.fresnel_scale * water_dielectric(cosine, index), 0.0, 1.0);

@@ -8,7 +8,7 @@ struct WaterMirror {
 }
 
 fn water_environment(dir: vec3f, lod: f32) -> vec3f {
-  let uv = vec2f(atan2(dir.x, -dir.z) / (2.0 * ATM_PI), asin(clamp(dir.y, -1.0, 1.0)) / ATM_PI + 0.5);
+  let uv = vec2f(atan2(dir.x, -dir.z) / (2.0 * ATM_PI), atm_asin(dir.y) / ATM_PI + 0.5);
   return textureSampleLevel(environment_map, sky_sampler, uv, lod).rgb;
 }
 
@@ -21,7 +21,7 @@ fn water_mirror(v: vec3f, surface: WaterSlope) -> WaterMirror {
 fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> WaterMirror {
   var slope = surface;
   var around = others;
-  if material.facets == WATER_PHONG {
+  if WATER_PHONG {
     // The lobe of a shininess in place of the slopes that the pixel does not resolve.
     slope.variance = vec3f(vec2f(1.0 / (material.shininess + 2.0)), 0.0);
     around.variance = slope.variance;
@@ -74,7 +74,7 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
 fn water_again(f: WaterFacets, reflectance: f32) -> f32 {
   let a = clamp((f.height + f.across * f.tilt) / (f.across * f.sigma), 0.0, 1e3);
   var lost = 0.16 * a / (1.0 + 0.7 * a) * exp(-min(a * a / 8.41, 80.0));
-  if material.facets == WATER_GGX {
+  if WATER_GGX {
     lost = 0.17 * a / ((1.0 + 0.62 * a) * (1.0 + a * a / 9.0));
   }
   return reflectance * lost / (1.0 - lost);
@@ -109,7 +109,7 @@ fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlo
     f = water_facet_fresnel(v, mirror_slope);
   }
   var brightness: f32;
-  if material.facets == WATER_PHONG {
+  if WATER_PHONG {
     // Normalised over the half vectors; the larger cosine in place of the product keeps it below 1 (Neumann et al. 1999).
     let n = water_normal(slope.mean);
     let cosines = vec2f(dot(n, l), dot(n, v));

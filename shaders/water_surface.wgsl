@@ -21,12 +21,11 @@ struct WaterSpline {
   before: vec2f,
   middle: vec2f,
   after: vec2f,
-  // Along each axis: of the texel before, the two in the middle, the one after.
-  outer: vec4f,
-  inner: vec2f,
+  // Weights of the five taps: of the middle one, of those before and after along x, and along z.
+  at_middle: f32,
+  along_x: vec2f,
+  along_z: vec2f,
 }
-
-const WATER_SPLINE_TAPS = 5;
 
 // At texture coordinates of a map of n texels.
 fn water_spline(uv: vec2f, n: f32, smoothness: f32) -> WaterSpline {
@@ -37,23 +36,19 @@ fn water_spline(uv: vec2f, n: f32, smoothness: f32) -> WaterSpline {
   let w2 = mix(f, f * (f * (2.0 - 1.5 * f) + 0.5), smoothness);
   let w3 = smoothness * (f * f * (0.5 * f - 0.5));
   let w12 = 1.0 - w0 - w3;
-  var out: WaterSpline;
-  out.before = (base - 0.5) / n;
-  out.middle = (base + 0.5 + w2 / w12) / n;
-  out.after = (base + 2.5) / n;
-  let scale = inverseSqrt(1.0 - (w0.x + w3.x) * (w0.y + w3.y));
-  out.outer = scale * vec4f(w0, w3);
-  out.inner = scale * w12;
-  return out;
+  let over = 1.0 / (1.0 - (w0.x + w3.x) * (w0.y + w3.y));
+  return WaterSpline(
+    (base - 0.5) / n, (base + 0.5 + w2 / w12) / n, (base + 2.5) / n,
+    over * w12.x * w12.y, (over * w12.y) * vec2f(w0.x, w3.x), (over * w12.x) * vec2f(w0.y, w3.y));
 }
 
-// Texture coordinates of a tap, and its weight: the middle, then before and after along x and along z.
-fn water_spline_tap(s: WaterSpline, k: i32) -> vec3f {
-  let x = select(select(s.middle.x, s.before.x, k == 1), s.after.x, k == 2);
-  let z = select(select(s.middle.y, s.before.y, k == 3), s.after.y, k == 4);
-  let wx = select(select(s.inner.x, s.outer.x, k == 1), s.outer.z, k == 2);
-  let wz = select(select(s.inner.y, s.outer.y, k == 3), s.outer.w, k == 4);
-  return vec3f(x, z, wx * wz);
+// The finest level of a map there.
+fn water_splined(map: texture_2d_array<f32>, s: WaterSpline, layer: u32) -> vec4f {
+  return s.at_middle * textureSampleLevel(map, level_sampler, s.middle, layer, 0.0)
+    + s.along_x.x * textureSampleLevel(map, level_sampler, vec2f(s.before.x, s.middle.y), layer, 0.0)
+    + s.along_x.y * textureSampleLevel(map, level_sampler, vec2f(s.after.x, s.middle.y), layer, 0.0)
+    + s.along_z.x * textureSampleLevel(map, level_sampler, vec2f(s.middle.x, s.before.y), layer, 0.0)
+    + s.along_z.y * textureSampleLevel(map, level_sampler, vec2f(s.middle.x, s.after.y), layer, 0.0);
 }
 
 // The lattice of a cascade's copies; those of the ripples are the last.
@@ -63,33 +58,79 @@ fn water_tile(i: u32) -> TilePlace {
   return TilePlace(lattice.xy, lattice.zw, cell.xy, bitcast<u32>(cell.z), u32(cell.w));
 }
 
-// Displacement of all cascades at a point beside the eye, filtered to `spacing` metres, chop applied.
-fn water_displacement(at: vec2f, spacing: f32) -> vec3f {
+// Sums over the cascades, before chop.
+struct WaterSums {
+  // Slope of the height.
+  slope: vec2f,
+  // dDx/dx and dDz/dz, dDx/dz and dDz/dx.
+  stretch: vec2f,
+  shear: vec2f,
+}
+
+// With a copy of this weight, whose derivatives along x and z stand behind it.
+fn water_sum(sums: WaterSums, g: vec4f, d: vec4f, weight: vec3f) -> WaterSums {
+  return WaterSums(
+    sums.slope + weight.x * g.xy + weight.yz * d.y,
+    sums.stretch + weight.x * g.zw + weight.yz * d.xz,
+    sums.shear + weight.x * d.ww + weight.zy * d.xz);
+}
+
+// Steps of the mesh to the shortest wave of a cascade from where on its vertices carry all of the slopes, and below which none.
+// The vertices read slopes only where maps are magnified (water_moved): such a wave counts as one of at most so many texels.
+const WATER_CARRIED = vec2f(12.0, 7.0);
+
+// Share of a cascade's slopes that the vertices of the mesh carry at a point beside the eye: those of waves that are long there beside
+// the steps of the mesh and the pixels.
+fn water_carried(cascade: u32, at: vec2f) -> f32 {
+  let shortest_m = min(frame.layers[cascade].x, WATER_CARRIED.y) / (frame.cascades[cascade].z * frame.n);
+  let pixel_m = frame.pixel * (dot(at, at) + frame.eye_m * frame.eye_m) / max(frame.eye_m, 0.1);
+  let step_m = max(mesh_spacing(length(at)), 2.0 * pixel_m);
+  return smoothstep(WATER_CARRIED.y, WATER_CARRIED.x, shortest_m / step_m);
+}
+
+struct WaterMoved {
+  displacement: vec3f,
+  // What of the slopes it carries.
+  carried: WaterSums,
+}
+
+// A point beside the eye, filtered to `spacing` metres, with chop; and what of the slopes it carries, if that is asked for.
+fn water_moved(at: vec2f, spacing: f32, carries: bool) -> WaterMoved {
   var sum = vec3f(0.0);
+  var out: WaterMoved;
   for (var c = 0u; c < frame.count; c++) {
     let place = frame.cascades[c];
     let layer = u32(frame.layers[c].y);
-    let uv = place.xy + at * place.z;
     let lod = log2(max(spacing * place.z * frame.n, 1e-3));
     // Nothing is left of waves that are shorter than two vertices.
     let share = clamp(log2(frame.n) - 2.0 - lod, 0.0, 1.0);
-    if share > 0.0 {
-      let tile = water_tile(c);
-      let blend = tile_blend(tile, at);
-      let smoothness = clamp(-2.0 * lod, 0.0, 1.0);
-      let spline = water_spline(uv, frame.n, smoothness);
-      let taps = select(1, WATER_SPLINE_TAPS, smoothness > 0.0);
-      for (var i = 0u; i < blend.count; i++) {
-        let shift = tile_shift(tile, blend, i);
-        for (var k = 0; k < taps; k++) {
-          let tap = water_spline_tap(spline, k);
-          let d = textureSampleLevel(displacement_map, wave_sampler, tap.xy + shift, layer, lod);
-          sum += (share * blend.weight[i] * tap.z) * d.xyz;
+    let smoothness = clamp(-2.0 * lod, 0.0, 1.0);
+    let carried = select(0.0, water_carried(c, at), carries);
+    let tile = water_tile(c);
+    let blend = tile_blend(tile, at);
+    let copies = select(0u, blend.count, share > 0.0);
+    for (var i = 0u; i < copies; i++) {
+      let uv = place.xy + at * place.z + tile_shift(tile, blend, i);
+      var d = vec4f(0.0);
+      var g = vec4f(0.0);
+      // Loops, not a branch, of which a software GPU computes both sides.
+      for (var plain = smoothness <= 0.0; plain; plain = false) {
+        d = share * textureSampleLevel(displacement_map, wave_sampler, uv, layer, lod);
+      }
+      for (var magnified = smoothness > 0.0; magnified; magnified = false) {
+        let spline = water_spline(uv, frame.n, smoothness);
+        d = water_splined(displacement_map, spline, layer);
+        if carries {
+          g = carried * water_splined(gradients_map, spline, layer);
         }
       }
+      sum += blend.weight[i] * d.xyz;
+      let weight = vec3f(blend.weight[i], blend.along_x[i], blend.along_z[i]);
+      out.carried = water_sum(out.carried, g, carried * d, weight);
     }
   }
-  return sum * vec3f(frame.chop_x, 1.0, frame.chop_z);
+  out.displacement = sum * vec3f(frame.chop_x, 1.0, frame.chop_z);
+  return out;
 }
 
 struct WaterSlope {
@@ -138,41 +179,35 @@ fn water_footprint(dx: vec2f, dy: vec2f) -> WaterFootprint {
   return WaterFootprint(select(dy, dx, x > y), WATER_TAP * max(small, large / f32(taps)), taps);
 }
 
-// The waves of one map within a footprint, before chop.
+// Sums over the waves within a footprint.
 struct WaterWaves {
-  // Of the height; and what the gradients of the weights add to it.
-  slope: vec2f,
-  lift: vec2f,
-  // dDx/dx and dDz/dz, dDx/dz and dDz/dx.
-  stretch: vec2f,
-  shear: vec2f,
+  sums: WaterSums,
   // Variances of the slope: xx, zz, xz.
   variance: vec3f,
   // Of the slope, as in WaterSlope.
   lean: vec2f,
 }
 
-// From the map's texture coordinates at the eye's foot, 1 / patch and unit of the moments.
-fn water_waves(at: vec2f, foot: WaterFootprint, cascade: u32, place: vec4f, tile: TilePlace) -> WaterWaves {
-  var out: WaterWaves;
+// Adds the waves of a cascade or of ripples, but for the share of them that the mesh carries.
+fn water_add_waves(out: ptr<function, WaterWaves>, at: vec2f, foot: WaterFootprint, cascade: u32, carried: f32) {
+  let place = frame.cascades[cascade];
   let map = frame.layers[cascade];
   let layer = u32(map.y);
-  let uv = place.xy + at * place.z;
-  let texels = foot.size * place.z * frame.n;
-  let long = max(length(foot.axis) * place.z * frame.n, texels);
-  let blend = tile_blend(tile, at);
+  let scale = place.z * frame.n;
+  let texels = foot.size * scale;
   let wide = texels / WATER_TAP;
+  let long = max(length(foot.axis) * scale, texels);
   let share = 1.0 - smoothstep(WATER_FADE, WATER_FAR, sqrt(wide * long) / frame.n);
   let distant = share <= 0.0;
   // Magnified: smooth between texels, in one place.
   let near = select(0.0, 1.0 - smoothstep(0.8, 1.25, long), map.x < WATER_SMOOTH);
-  let spline = water_spline(uv, frame.n, near);
   // Several texels in the footprint: as many taps as are worth it (one between texels blurs as much as a box of 1.4), half
   // as many for the smoother moments, and one for the displacement, whose part in the slope is of second order: both from
   // the nearest level. The weights are those of the middle. Of a distant map there is only its variance. What counts for
   // nothing is not read: the loops are empty then, since a software GPU reads on both sides of a branch.
   let places = clamp(i32(ceil(long / max(wide, 1.4) - 0.3)), 1, foot.taps);
-  let taps = select(select(places, WATER_SPLINE_TAPS, near > 0.0), 0, distant);
+  let taps = select(places, 0, distant || near > 0.0);
+  let splines = select(0, 1, near > 0.0 && !distant);
   let lod = log2(max(texels, 1e-6));
   let long_lod = log2(max(WATER_TAP * long, 1e-6));
   // The moments know nothing finer than two texels; closer up they would count resolved waves twice. From where on they
@@ -181,90 +216,88 @@ fn water_waves(at: vec2f, foot: WaterFootprint, cascade: u32, place: vec4f, tile
   let pairs = select((select(places, 1, distant) + 1) / 2, 0, unresolved <= 0.0);
   let wide_lod = select(min(lod + log2(f32(places) / f32(max(pairs, 1))), long_lod) - 1.0, 16.0, distant);
   let along = foot.axis * place.z;
+  // Ripples are slopes alone.
+  let gain = (1.0 - carried) * map.w;
+  let own = select(0.0, 1.0 - carried, cascade < frame.count);
+  let tile = water_tile(cascade);
+  let blend = tile_blend(tile, at);
   let copies = select(blend.count, 1u, distant);
-  let resolved = select(1, 0, distant);
   for (var i = 0u; i < copies; i++) {
-    let shift = tile_shift(tile, blend, i);
+    let uv = place.xy + at * place.z + tile_shift(tile, blend, i);
+    let weight = vec3f(blend.weight[i], blend.along_x[i], blend.along_z[i]);
     var g = vec4f(0.0);
     var lean = vec2f(0.0);
     for (var k = 0; k < taps; k++) {
-      let smooth_tap = water_spline_tap(spline, k);
       let off = (f32(k) + 0.5) / f32(places) - 0.5;
-      let plain_tap = vec3f(uv + along * off, 1.0 / f32(places));
-      let tap = select(plain_tap, smooth_tap, near > 0.0);
-      let there = tap.z * textureSampleLevel(gradients_map, wave_sampler, tap.xy + shift, layer, lod);
+      let there = textureSampleLevel(gradients_map, wave_sampler, uv + along * off, layer, lod);
       g += there;
-      lean += select(sign(off), 0.0, near > 0.0) * there.xy;
+      lean += sign(off) * there.xy;
+    }
+    g *= 1.0 / f32(places);
+    for (var k = 0; k < splines; k++) {
+      g = water_splined(gradients_map, water_spline(uv, frame.n, near), layer);
     }
     var second = vec3f(0.0);
     for (var k = 0; k < pairs; k++) {
-      let tap = uv + shift + along * ((f32(k) + 0.5) / f32(pairs) - 0.5);
+      let tap = uv + along * ((f32(k) + 0.5) / f32(pairs) - 0.5);
       second += textureSampleLevel(moments_map, level_sampler, tap, layer, wide_lod).xyz;
     }
     g *= share;
-    out.lean += share * blend.weight[i] * lean;
     second *= place.w / f32(max(pairs, 1));
-    for (var k = 0; k < resolved; k++) {
-      let d = share * textureSampleLevel(displacement_map, level_sampler, uv + shift, layer, long_lod);
-      water_add(&out, g, d, vec3f(blend.weight[i], blend.along_x[i], blend.along_z[i]));
-    }
+    (*out).lean += (gain * share * weight.x / f32(places)) * lean;
+    let d = (own * share) * textureSampleLevel(displacement_map, level_sampler, uv, layer, long_lod);
+    (*out).sums = water_sum((*out).sums, vec4f(gain * g.xy, own * g.zw), d, weight);
     // Copies are independent: their variances add with the squares of the weights.
-    let weight = map.z * unresolved * select(blend.weight[i] * blend.weight[i], 1.0, distant);
-    out.variance += weight * max(second - vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
+    let part = map.w * map.w * map.z * unresolved * select(weight.x * weight.x, 1.0, distant);
+    (*out).variance += part * max(second - vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
   }
-  return out;
-}
-
-// Adds a copy with its weight and the weight's derivatives along x and z.
-fn water_add(waves: ptr<function, WaterWaves>, g: vec4f, d: vec4f, weight: vec3f) {
-  (*waves).slope += weight.x * g.xy;
-  (*waves).lift += weight.yz * d.y;
-  (*waves).stretch += weight.x * g.zw + weight.yz * d.xz;
-  (*waves).shear += weight.x * d.ww + weight.zy * d.xz;
 }
 
 // Mean and variance of the slope within a footprint.
 fn water_slope(at: vec2f, foot: WaterFootprint) -> WaterSlope {
-  return water_slope_within(at, foot, foot);
+  return water_slope_beyond(at, foot, foot, WaterSums(), false);
 }
 
-// The same with another footprint for the ripples.
-fn water_slope_within(at: vec2f, foot: WaterFootprint, ripple_foot: WaterFootprint) -> WaterSlope {
-  var slope = vec2f(0.0);
-  var stretch = vec2f(0.0);
-  var shear = vec2f(0.0);
-  var lean = vec2f(0.0);
+// The same beyond what the mesh carries of it, if it does; and with another footprint for the ripples.
+fn water_slope_beyond(
+  at: vec2f, foot: WaterFootprint, ripple_foot: WaterFootprint, carried: WaterSums, carries: bool,
+) -> WaterSlope {
+  var waves: WaterWaves;
+  waves.sums = carried;
   // Cox and Munk 1954: waves shorter than the finest cascade.
-  var variance = frame.residual.xyz;
-  for (var c = 0u; c < frame.count; c++) {
-    let waves = water_waves(at, foot, c, frame.cascades[c], water_tile(c));
-    slope += waves.slope + waves.lift;
-    stretch += waves.stretch;
-    shear += waves.shear;
-    variance += waves.variance;
-    lean += waves.lean;
+  waves.variance = frame.residual.xyz;
+  // Ripples below the finest cascade are a shrunk copy of it: slopes of short gravity waves are nearly scale-free.
+  var first = 0u;
+  while carries && first < frame.count && water_carried(first, at) >= 1.0 {
+    first++;
   }
-  // Ripples below the finest cascade, as a shrunk copy of it: slopes of short gravity waves are nearly scale-free.
-  for (var r = 0u; r < frame.ripple_count; r++) {
-    let c = select(frame.ripple_cascade_1, frame.ripple_cascade_0, r == 0u);
-    let ripples = frame.ripples[r];
-    let waves = water_waves(at, ripple_foot, c, vec4f(ripples.xyz, frame.cascades[c].w), water_tile(8u + r));
-    slope += ripples.w * waves.slope;
-    variance += ripples.w * ripples.w * waves.variance;
-    lean += ripples.w * waves.lean;
+  for (var c = first; c < frame.count + frame.ripple_count; c++) {
+    let is_ripple = c >= frame.count;
+    let share = select(0.0, water_carried(c, at), carries && !is_ripple);
+    let within = WaterFootprint(
+      select(foot.axis, ripple_foot.axis, is_ripple), select(foot.size, ripple_foot.size, is_ripple),
+      select(foot.taps, ripple_foot.taps, is_ripple));
+    water_add_waves(&waves, at, within, c, share);
   }
+  let sums = waves.sums;
   let l = vec2f(frame.chop_x, frame.chop_z);
-  let sx = 1.0 + l.x * stretch.x;
-  let sz = 1.0 + l.y * stretch.y;
-  let jacobian = sx * sz - l.x * l.y * shear.x * shear.y;
+  let sx = 1.0 + l.x * sums.stretch.x;
+  let sz = 1.0 + l.y * sums.stretch.y;
+  let jacobian = sx * sz - l.x * l.y * sums.shear.x * sums.shear.y;
   // Where the surface folds the slope has no meaning: it stays finite under the foam.
   let over = 1.0 / max(jacobian, 0.25);
   var out: WaterSlope;
-  out.mean = vec2f(slope.x * sz - slope.y * l.y * shear.y, slope.y * sx - slope.x * l.x * shear.x) * over;
+  out.mean = water_tilted(sums.slope, sums, vec2f(sx, sz)) * over;
   let steep = length(out.mean);
   out.mean *= min(1.0, 1.6 / max(steep, 1e-6));
-  out.variance = water_covariance(variance);
+  out.variance = water_covariance(waves.variance);
   out.jacobian = jacobian;
-  out.lean = vec2f(lean.x * sz - lean.y * l.y * shear.y, lean.y * sx - lean.x * l.x * shear.x) * over;
+  out.lean = water_tilted(waves.lean, sums, vec2f(sx, sz)) * over;
   return out;
+}
+
+// A slope of the undisplaced sea on the displaced one, times the Jacobian; `sides` are those of a unit square there.
+fn water_tilted(slope: vec2f, sums: WaterSums, sides: vec2f) -> vec2f {
+  let l = vec2f(frame.chop_x, frame.chop_z);
+  return vec2f(slope.x * sides.y - slope.y * l.y * sums.shear.y, slope.y * sides.x - slope.x * l.x * sums.shear.x);
 }

@@ -10,14 +10,17 @@ use seastate::model::tiling::MEAN_COPIES;
 /// A transcendental function, a root or a quotient runs at a quarter of the rate of an addition.
 const SPECIAL: f64 = 4.0;
 
-/// How often the loops of a function run, in their order. A sea of four cascades and the ripples of one.
+/// How often the loops of a function run, in their order; of two that stand in for each other, that of more work. A sea of four
+/// cascades and the ripples of one; the mesh carries nothing of the slopes of this pixel.
 fn trips(function: &str) -> &'static [f64] {
     match function {
-        "water_displacement" => &[4.0, MEAN_COPIES, 5.0],
-        "water_slope_within" => &[4.0, 1.0],
-        "water_waves" => &[MEAN_COPIES, 3.0, 2.0, 1.0],
+        "water_moved" => &[4.0, MEAN_COPIES, 0.0, 1.0],
+        "water_slope_beyond" => &[0.0, 5.0],
+        "water_add_waves" => &[MEAN_COPIES, 3.0, 0.0, 2.0],
         "water_mirror_among" => &[8.0, 2.0],
-        "water_foam" => &[3.0, 4.0],
+        "water_foam" => &[3.0, 1.0],
+        "water_foam_seen" => &[4.0],
+        "water_light" => &[1.0],
         "water_foam_level" | "present_between" => &[4.0],
         _ => &[],
     }

@@ -15,7 +15,7 @@ fn ask_mirror(v: vec3f, sun: vec3f, mean: vec2f, variance: vec3f) -> vec4f {
 }
 
 fn ask_fresnel(cosine: f32, kind: vec4f, indices: vec4f) -> f32 {
-  material.fresnel = u32(kind.x);
+  WATER_SCHLICK = kind.x > 0.0;
   material.fresnel_shine = kind.y;
   material.fresnel_scale = kind.z;
   material.index_water = indices.y;
@@ -39,7 +39,8 @@ fn ask(@builtin(global_invocation_id) id: vec3u) {
   let b = questions[id.x][1];
   let c = questions[id.x][2];
   let d = questions[id.x][3];
-  material.facets = u32(d.x);
+  WATER_GGX = d.x == 1.0;
+  WATER_PHONG = d.x == 2.0;
   material.shininess = 120.0;
   // A mirror image as bright as it comes.
   frame.sun_peak = 1e9;
@@ -49,7 +50,7 @@ fn ask(@builtin(global_invocation_id) id: vec3u) {
     case 1u: { answer.x = water_seen(a.x, a.y, a.z, b.x); }
     case 2u: { answer = ask_mirror(a.xyz, b.xyz, c.xy, vec3f(c.zw, b.w)); }
     case 3u: { answer = ask_slope(a.xy, a.z); }
-    case 4u: { answer = vec4f(water_displacement(a.xy, a.z), 0.0); }
+    case 4u: { answer = vec4f(water_moved(a.xy, a.z, false).displacement, 0.0); }
     case 7u: {
       material.caustic_m = a.z;
       answer.x = bed_caustic(a.xy, b.x);

@@ -19,16 +19,20 @@ use wgpu::{BindingResource, BufferUsages};
 
 const KERNEL: &str = "
 @group(2) @binding(0) var<storage, read> questions: array<vec4f>;
-@group(2) @binding(1) var<storage, read_write> answers: array<array<vec4f, 3>>;
+@group(2) @binding(1) var<storage, read_write> answers: array<array<vec4f, 4>>;
 
 @compute @workgroup_size(64)
 fn ask(@builtin(global_invocation_id) id: vec3u) {
   if id.x < arrayLength(&answers) {
     let q = questions[id.x];
-    let slope = water_slope(q.xy, WaterFootprint(vec2f(q.w, 0.0), q.z, 1));
-    answers[id.x][0] = vec4f(water_displacement(q.xy, q.z), 0.0);
+    let foot = WaterFootprint(vec2f(q.w, 0.0), q.z, 1);
+    let slope = water_slope(q.xy, foot);
+    let vertex = water_moved(q.xy, mesh_spacing(length(q.xy)), true);
+    let split = water_slope_beyond(q.xy, foot, foot, vertex.carried, true);
+    answers[id.x][0] = vec4f(water_moved(q.xy, q.z, false).displacement, 0.0);
     answers[id.x][1] = vec4f(slope.mean, slope.jacobian, 0.0);
     answers[id.x][2] = vec4f(slope.variance, 0.0);
+    answers[id.x][3] = vec4f(split.mean, length(vertex.carried.slope), 0.0);
   }
 }
 ";
@@ -41,7 +45,13 @@ struct Drawn {
     jacobian: f64,
     /// xx, zz, xz.
     variance: [f64; 3],
+    /// The slope as a vertex and a pixel share it, and the length of what the vertex has of it before chop.
+    split: [f64; 2],
+    carried: f64,
 }
+
+/// Of the picture whose frame the questions are asked in.
+const PIXELS: [u32; 2] = [1280, 720];
 
 /// A sea at its time.
 struct Bench {
@@ -86,10 +96,10 @@ impl Bench {
         let Gpu { device, queue, .. } = &self.gpu;
         [self.params.camera.x_m, self.params.camera.z_m] = foot;
         self.ocean.set_params(device, queue, &self.params);
-        let mut scene = self.ocean.scene([64, 64]);
+        let mut scene = self.ocean.scene(PIXELS);
         // No ripples beyond the maps.
         scene.sea.residual = [0.0; 2];
-        let frame = render::frame_bytes(&scene, self.ocean.simulation().maps(), [64, 64]);
+        let frame = render::frame_bytes(&scene, self.ocean.simulation().maps(), PIXELS);
         let buffer =
             |contents: &[u8], usage| device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage });
         let frame = buffer(&frame, BufferUsages::UNIFORM);
@@ -97,7 +107,7 @@ impl Bench {
             .map(|p| [(p[0] - foot[0]) as f32, (p[1] - foot[1]) as f32, size as f32, long as f32])
             .collect();
         let questions = buffer(bytemuck::cast_slice(&questions), BufferUsages::STORAGE);
-        let answers = vec![[[f32::NAN; 4]; 3]; points.len()];
+        let answers = vec![[[f32::NAN; 4]; 4]; points.len()];
         let answers = buffer(bytemuck::cast_slice(&answers), BufferUsages::STORAGE | BufferUsages::COPY_SRC);
         let sampler = self.ocean.simulation().resources.repeat.clone();
         let levels = common::level_sampler(device);
@@ -138,10 +148,12 @@ impl Bench {
         let staging = readback::stage_buffer(device, &mut encoder, &answers);
         queue.submit([encoder.finish()]);
         let bytes = pollster::block_on(readback::read(device, staging)).expect("read-back");
-        let answers: Vec<[[f32; 4]; 3]> = bytemuck::pod_collect_to_vec(&bytes);
-        let drawn = |a: [[f32; 4]; 3]| {
-            let [[x, y, z, _], [sx, sz, jacobian, _], [xx, zz, xz, _]] = a.map(|a| a.map(f64::from));
-            Drawn { moved: [x, y, z], slope: [sx, sz], jacobian, variance: [xx, zz, xz] }
+        let answers: Vec<[[f32; 4]; 4]> = bytemuck::pod_collect_to_vec(&bytes);
+        let drawn = |a: [[f32; 4]; 4]| {
+            let [[x, y, z, _], [sx, sz, jacobian, _], [xx, zz, xz, _], [split_x, split_z, carried, _]] =
+                a.map(|a| a.map(f64::from));
+            let split = [split_x, split_z];
+            Drawn { moved: [x, y, z], slope: [sx, sz], jacobian, variance: [xx, zz, xz], split, carried }
         };
         answers.into_iter().map(drawn).collect()
     }
@@ -276,6 +288,29 @@ fn the_mesh_is_finer_than_what_it_shows() {
             let seen = (bend / rest.len() as f64).sqrt() / radius.hypot(scene.view.eye.y) / pixel;
             eprintln!("{state}: at {radius} m, {spacing:.2} m from row to row: {seen:.3} pixels");
             assert!(seen < 0.5, "{state} at {radius} m: {seen} pixels");
+        }
+    }
+}
+
+/// Vertices of the mesh carry the slopes of long waves, and pixels add the rest: together, at a vertex, all of them, whatever the
+/// resolution of the maps.
+#[test]
+fn a_vertex_and_a_pixel_share_the_slopes() {
+    for state in ["n=64", "n=256", "n=256&y=60", "n=512&y=60", "n=1024&cascades=2&y=60"] {
+        let mut bench = Bench::new(&format!("wind=12&fetch=150&t=20&{state}"));
+        for side_m in [20.0, 200.0, 2000.0] {
+            let points = places(2000, [0.0; 2], side_m);
+            let drawn = bench.ask([0.0; 2], &points, 1e-3, 0.0);
+            let drawn = drawn.iter().filter(|d| d.jacobian > 0.35);
+            let [mut whole, mut off, mut carried] = [0.0; 3];
+            for d in drawn {
+                whole += d.slope[0].hypot(d.slope[1]);
+                off += (d.split[0] - d.slope[0]).hypot(d.split[1] - d.slope[1]);
+                carried += d.carried;
+            }
+            eprintln!("{state}, over {side_m} m: off by {:.4}, {:.2} carried", off / whole, carried / whole);
+            assert!(off < 0.01 * whole, "{state}, over {side_m} m: {off} of {whole}");
+            assert!(side_m > 20.0 || carried > 0.1 * whole, "{state}: {carried} of {whole}");
         }
     }
 }

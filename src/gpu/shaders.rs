@@ -67,7 +67,7 @@ const MODULES: &[(&str, &[Part])] = &[
     ("sky", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, SCENE, AIR, part!("sky.wgsl")]),
     ("floats", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, SCENE, AIR, part!("floats.wgsl")]),
     ("mesh", &[MATHS, NOISE, TILES, FRAME, MESH, WATER_SURFACE, part!("mesh.wgsl")]),
-    ("eye", &[MATHS, NOISE, TILES, FRAME, WATER_SURFACE, part!("eye.wgsl")]),
+    ("eye", &[MATHS, NOISE, TILES, FRAME, MESH, WATER_SURFACE, part!("eye.wgsl")]),
     (
         "water",
         &[

@@ -7,9 +7,9 @@ use super::mesh::Mesh;
 use crate::gpu::shaders::Shaders;
 
 /// Bytes of a `MeshVertex`.
-const VERTEX: u64 = 32;
-/// Threads of a workgroup, as the shader has them.
-const THREADS: u32 = 64;
+const VERTEX: u64 = 48;
+/// Columns and rows of a workgroup, as the shader has them.
+const THREADS: u32 = 8;
 
 /// The displaced mesh.
 pub struct DisplacePass {
@@ -105,7 +105,7 @@ impl DisplacePass {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &buffers.group, &[]);
         pass.set_bind_group(1, maps, &[]);
-        pass.dispatch_workgroups((self.columns + 1).div_ceil(THREADS), buffers.rows, 1);
+        pass.dispatch_workgroups((self.columns + 1).div_ceil(THREADS), buffers.rows.div_ceil(THREADS), 1);
     }
 
     /// Draws the mesh with the pipeline of the pass; its vertices stand in group 2.

@@ -17,6 +17,8 @@ const RIPPLE_RATIO: f64 = 13.1;
 const RIPPLE_SHARE: f64 = 0.8;
 /// Most ripples: those of a sea, and of the one that it fades out of.
 const MAX_RIPPLES: usize = 2;
+/// Most cascades and ripples.
+const MAX_SHOWN: usize = MAX_DRAWN + MAX_RIPPLES;
 
 /// What a picture must know of the sea besides the maps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,11 +71,10 @@ pub struct FrameUniform {
     pixel: f32,
     sun: [f32; 3],
     chop_x: f32,
-    cascades: [[f32; 4]; MAX_DRAWN],
-    layers: [[f32; 4]; MAX_DRAWN],
-    ripples: [[f32; 4]; MAX_RIPPLES],
-    tile_lattice: [[f32; 4]; MAX_DRAWN + MAX_RIPPLES],
-    tile_cell: [[i32; 4]; MAX_DRAWN + MAX_RIPPLES],
+    cascades: [[f32; 4]; MAX_SHOWN],
+    layers: [[f32; 4]; MAX_SHOWN],
+    tile_lattice: [[f32; 4]; MAX_SHOWN],
+    tile_cell: [[i32; 4]; MAX_SHOWN],
     residual: [f32; 4],
     foam_place: [[f32; 4]; FOAM_LEVELS],
     foam_uv: [[f32; 4]; FOAM_LEVELS],
@@ -83,8 +84,7 @@ pub struct FrameUniform {
     count: u32,
     foam_count: u32,
     ripple_count: u32,
-    ripple_cascades: [u32; MAX_RIPPLES],
-    unused: u32,
+    unused: [u32; 3],
     foot: [f32; 4],
     downwind: [f32; 2],
     n: f32,
@@ -100,8 +100,8 @@ pub struct FrameUniform {
 }
 
 macro_rules! offsets {
-    ($($field:ident),+ ; $($more:tt)*) => {
-        &[$((stringify!($field), offset_of!(FrameUniform, $field))),+, $($more)*]
+    ($($field:ident),+) => {
+        &[$((stringify!($field), offset_of!(FrameUniform, $field))),+]
     };
 }
 
@@ -121,7 +121,6 @@ impl FrameUniform {
             chop_x,
             cascades,
             layers,
-            ripples,
             tile_lattice,
             tile_cell,
             residual,
@@ -144,8 +143,7 @@ impl FrameUniform {
             sun_blur,
             sun_peak,
             chop_z,
-            footprint;
-            ("ripple_cascade_0", offset_of!(FrameUniform, ripple_cascades))
+            footprint
         ),
         size_of::<Self>(),
     );
@@ -155,23 +153,23 @@ impl FrameUniform {
         let (view, look, sea) = (&scene.view, &scene.look, &scene.sea);
         let foot = [view.eye.x, view.eye.z];
         let n = f64::from(maps.n);
-        let (mut cascades, mut layers) = ([[0.0; 4]; MAX_DRAWN], [[0.0; 4]; MAX_DRAWN]);
+        let (mut cascades, mut layers) = ([[0.0; 4]; MAX_SHOWN], [[0.0; 4]; MAX_SHOWN]);
         for ((out, layer), map) in cascades.iter_mut().zip(&mut layers).zip(&maps.cascades) {
-            *layer = [(map.shortest_m * n / map.patch_m) as f32, map.layer as f32, map.gain, 0.0];
+            *layer = [(map.shortest_m * n / map.patch_m) as f32, map.layer as f32, map.gain, 1.0];
             let [u, v] = foot.map(|x| ((x / map.patch_m).rem_euclid(1.0) + 0.5 / n) as f32);
             *out = [u, v, (1.0 / map.patch_m) as f32, map.moment_scale];
         }
         let mut tiles = tiles(maps, foot);
         let (shown, residual) = ripples(maps, sea);
-        let (mut ripples, mut ripple_cascades) = ([[0.0; 4]; MAX_RIPPLES], [0; MAX_RIPPLES]);
         for (i, &(cascade, share)) in shown.iter().enumerate() {
-            let finest = &maps.cascades[cascade];
+            let (at, finest) = (maps.cascades.len() + i, &maps.cascades[cascade]);
             let patch = finest.patch_m / RIPPLE_RATIO;
             // The texel's half is not worth keeping here; another offset keeps the copies from lining up at the origin.
             let [u, v] = foot.map(|x| ((x / patch).rem_euclid(1.0) + 0.381_966) as f32);
-            ripples[i] = [u, v, (1.0 / patch) as f32, share.sqrt() as f32];
-            ripple_cascades[i] = cascade as u32;
-            tiles[MAX_DRAWN + i] = finest.tiling.shrunk(RIPPLE_RATIO).place(foot).into();
+            cascades[at] = [u, v, (1.0 / patch) as f32, finest.moment_scale];
+            layers[at] = layers[cascade];
+            layers[at][3] = share.sqrt() as f32;
+            tiles[at] = finest.tiling.shrunk(RIPPLE_RATIO).place(foot).into();
         }
         let mut foam_place = [[0.0; 4]; FOAM_LEVELS];
         let mut foam_uv = [[0.0; 4]; FOAM_LEVELS];
@@ -201,7 +199,6 @@ impl FrameUniform {
             chop_x: sea.chop[0],
             cascades,
             layers,
-            ripples,
             tile_lattice: tiles.map(|t| [t.turn[0], t.turn[1], t.rest[0], t.rest[1]]),
             tile_cell: tiles.map(|t| [t.cell[0], t.cell[1], t.key as i32, t.on as i32]),
             residual,
@@ -213,8 +210,7 @@ impl FrameUniform {
             count: maps.cascades.len() as u32,
             foam_count: maps.foam_levels.len() as u32,
             ripple_count: shown.len() as u32,
-            ripple_cascades,
-            unused: 0,
+            unused: [0; 3],
             downwind: sea.downwind,
             foot: [0.0, 0.0, reach_m(sea), f32::from(u8::from(scene.rides))],
             n: maps.n as f32,
@@ -273,8 +269,8 @@ fn ripples(maps: &Maps, sea: &SeaLook) -> (Vec<(usize, f64)>, [f32; 4]) {
 }
 
 /// The lattices of the cascades' copies, and room for those of the ripples.
-fn tiles(maps: &Maps, foot: [f64; 2]) -> [TilePlace; MAX_DRAWN + MAX_RIPPLES] {
-    let mut out = [TilePlace::default(); MAX_DRAWN + MAX_RIPPLES];
+fn tiles(maps: &Maps, foot: [f64; 2]) -> [TilePlace; MAX_SHOWN] {
+    let mut out = [TilePlace::default(); MAX_SHOWN];
     for (out, map) in out.iter_mut().zip(&maps.cascades) {
         *out = map.tiling.place(foot).into();
     }

@@ -39,8 +39,8 @@ pub enum Slot {
     Read(usize),
     Write(usize),
     Texture,
-    /// A texture of floats that is not sampled.
-    Texels,
+    /// A texture of words, which are not sampled.
+    Words,
     Array,
     /// A texture that is written.
     Image(MapFormat),
@@ -64,8 +64,8 @@ impl Slot {
             Self::Read(size) => buffer(wgpu::BufferBindingType::Storage { read_only: true }, size),
             Self::Write(size) => buffer(wgpu::BufferBindingType::Storage { read_only: false }, size),
             Self::Texture => texture(wgpu::TextureViewDimension::D2),
-            Self::Texels => wgpu::BindingType::Texture {
-                sample_type: wgpu::TextureSampleType::Float { filterable: false },
+            Self::Words => wgpu::BindingType::Texture {
+                sample_type: wgpu::TextureSampleType::Uint,
                 view_dimension: wgpu::TextureViewDimension::D2,
                 multisampled: false,
             },

@@ -3,7 +3,7 @@
 use super::Scene;
 use crate::gpu::layout::Layout;
 use crate::model::fields::linear_rgb;
-use crate::model::look::{Body, Fresnel, Specular};
+use crate::model::look::Body;
 use crate::model::optics::Water;
 use bytemuck::{Pod, Zeroable};
 use std::mem::offset_of;
@@ -32,9 +32,9 @@ const BED_SEEN: f64 = 1e-3;
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct MaterialUniform {
     absorption: [f32; 3],
-    fresnel: u32,
+    ambient: f32,
     backscatter: [f32; 3],
-    facets: u32,
+    index_air: f32,
     scatter: [f32; 3],
     bubbles: f32,
     bubble_colour: [f32; 3],
@@ -45,8 +45,6 @@ pub struct MaterialUniform {
     diffuse: f32,
     layers: [[f32; 4]; LAYERS],
     layer_feet: [[f32; 2]; LAYERS],
-    ambient: f32,
-    index_air: f32,
     index_water: f32,
     fresnel_shine: f32,
     fresnel_scale: f32,
@@ -61,6 +59,7 @@ pub struct MaterialUniform {
     reflection: f32,
     caustics: f32,
     caustic_m: f32,
+    unused: [f32; 2],
 }
 
 macro_rules! offsets {
@@ -73,10 +72,10 @@ impl MaterialUniform {
     pub const LAYOUT: Layout = (
         "Material",
         offsets!(
-            absorption, fresnel, backscatter, facets, scatter, bubbles, bubble_colour, height_scatter, foam_colour,
-            view_scatter, bed_colour, diffuse, layers, layer_feet, ambient, index_air, index_water, fresnel_shine,
-            fresnel_scale, fresnel_normals, shininess, specular_scale, specular_fresnel, specular_cut, rough_variance,
-            foam_roughness, foam_relief, reflection, caustics, caustic_m
+            absorption, ambient, backscatter, index_air, scatter, bubbles, bubble_colour, height_scatter, foam_colour,
+            view_scatter, bed_colour, diffuse, layers, layer_feet, index_water, fresnel_shine, fresnel_scale,
+            fresnel_normals, shininess, specular_scale, specular_fresnel, specular_cut, rough_variance, foam_roughness,
+            foam_relief, reflection, caustics, caustic_m
         ),
         size_of::<Self>(),
     );
@@ -94,13 +93,9 @@ impl MaterialUniform {
         let placed = SHAPES.map(|shape| place(shape, downwind, gale * gale * (3.0 - 2.0 * gale), foot));
         Self {
             absorption: single(water.absorption),
-            fresnel: u32::from(mirror.fresnel == Fresnel::Schlick),
+            ambient: body.ambient as f32,
             backscatter: single(water.backscatter),
-            facets: match mirror.specular {
-                Specular::Gaussian => 0,
-                Specular::Ggx => 1,
-                Specular::BlinnPhong => 2,
-            },
+            index_air: mirror.index_air as f32,
             scatter: single(water.scatter),
             bubbles: body.bubbles as f32,
             bubble_colour: colour(body.bubble_colour),
@@ -111,8 +106,6 @@ impl MaterialUniform {
             diffuse: body.diffuse as f32,
             layers: placed.map(|(turn, _)| turn),
             layer_feet: placed.map(|(_, foot)| foot),
-            ambient: body.ambient as f32,
-            index_air: mirror.index_air as f32,
             index_water: mirror.index_water as f32,
             fresnel_shine: mirror.fresnel_shine as f32,
             fresnel_scale: mirror.fresnel_scale as f32,
@@ -128,6 +121,7 @@ impl MaterialUniform {
             reflection: mirror.reflection as f32,
             caustics: bed.caustics as f32,
             caustic_m: scene.sea.focusing_m,
+            unused: [0.0; 2],
         }
     }
 }

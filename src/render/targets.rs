@@ -4,9 +4,8 @@
 pub const HDR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Reverse-Z: near / distance.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-/// Of what the mesh leaves for the light: the point and the sides of the pixel there (`MeshShown`).
-pub const SHOWN_FORMATS: [wgpu::TextureFormat; 2] =
-    [wgpu::TextureFormat::Rgba32Float, wgpu::TextureFormat::Rgba16Float];
+/// Of what the mesh leaves for the light: the point; the sides of the pixel there and the slopes that the mesh carries (`MeshShown`).
+pub const SHOWN_FORMATS: [wgpu::TextureFormat; 2] = [wgpu::TextureFormat::Rgba32Uint; 2];
 
 /// What the passes of the picture draw into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,7 +83,7 @@ impl Targets {
 
     /// Opens the pass that draws the mesh of the sea, to be lit in that of [`Self::begin`].
     pub fn begin_mesh<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> Option<wgpu::RenderPass<'a>> {
-        let [point, sides] = self.shown.as_ref()?;
+        let [point, slopes] = self.shown.as_ref()?;
         let attachment = |view| {
             let ops =
                 wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store };
@@ -92,7 +91,7 @@ impl Targets {
         };
         Some(encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("mesh"),
-            color_attachments: &[attachment(point), attachment(sides)],
+            color_attachments: &[attachment(point), attachment(slopes)],
             depth_stencil_attachment: Some(self.depth(wgpu::LoadOp::Clear(0.0), true)),
             ..Default::default()
         }))

@@ -7,6 +7,7 @@ use super::kit::{Onto, Program, SceneGroup, Slot, Uniform, Variants, group, hdr_
 use super::targets::{Film, SHOWN_FORMATS, Targets};
 use super::{Scene, material};
 use crate::gpu::shaders::Shaders;
+use crate::model::look::{Fresnel, Specular};
 use crate::sim::Maps;
 
 /// What a picture's water consists of.
@@ -17,6 +18,14 @@ struct Parts {
     /// The waves focus light on it.
     caustics: bool,
     foam: bool,
+    /// Blinn and Phong's lobe, or Trowbridge and Reitz's, in place of the Gaussian.
+    phong: bool,
+    ggx: bool,
+    /// Schlick's reflectance in place of the exact one.
+    schlick: bool,
+    /// The sky is a file's.
+    file: bool,
+    fog: bool,
     /// Samples of a reference, which are not filtered.
     samples: bool,
 }
@@ -29,15 +38,25 @@ impl Parts {
             bed,
             caustics: bed && surface.bed.caustics > 0.0,
             foam: surface.foam.shown > 0.0,
+            phong: surface.mirror.specular == Specular::BlinnPhong,
+            ggx: surface.mirror.specular == Specular::Ggx,
+            schlick: surface.mirror.fresnel == Fresnel::Schlick,
+            file: scene.look.sky.panorama().is_some(),
+            fog: scene.look.sky.fog.extinction_per_km > 0.0,
             samples: film == Film::reference(),
         }
     }
 
-    fn constants(self) -> [(&'static str, f64); 4] {
+    fn constants(self) -> [(&'static str, f64); 9] {
         [
             part("WATER_BED", self.bed),
             part("WATER_CAUSTICS", self.caustics),
             part("WATER_FOAM", self.foam),
+            part("WATER_PHONG", self.phong),
+            part("WATER_GGX", self.ggx),
+            part("WATER_SCHLICK", self.schlick),
+            part("SKY_FILE", self.file),
+            part("SKY_FOG", self.fog),
             part("WATER_SAMPLES", self.samples),
         ]
     }
@@ -71,7 +90,7 @@ impl Deferred {
             Onto { formats: &SHOWN_FORMATS, samples: 1, depth: wgpu::CompareFunction::GreaterEqual, depth_write: true };
         let program = Program { entries: ["mesh_vertex", "mesh_fragment"], ..Program::new(module) };
         let mesh = hdr_pipeline(device, "water/mesh", &program, &layouts.map(Some), &onto);
-        let layout = layout(device, "shown", wgpu::ShaderStages::FRAGMENT, &[Slot::Texels, Slot::Texels]);
+        let layout = layout(device, "shown", wgpu::ShaderStages::FRAGMENT, &[Slot::Words; 2]);
         Self { mesh, layout, shown: None }
     }
 
