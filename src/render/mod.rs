@@ -141,7 +141,7 @@ impl Renderer {
         let shaders = Shaders::default();
         let frame = Uniform::new(device, "frame");
         let material = Uniform::new(device, "material");
-        let noise = NoiseTexture::new(device, queue);
+        let noise = NoiseTexture::new(device);
         let sky = Sky::new(device, queue, &shaders, &noise);
         let scene = kit::SceneGroup::new(device, &frame, &material, &sky, &noise, film);
         let background = Background::new(device, &shaders);
@@ -149,6 +149,9 @@ impl Renderer {
         let eye = EyePass::new(device, &shaders, &frame, &water);
         let floats = FloatsPass::new(device, &shaders);
         let present = PresentPass::new(device, &shaders, &sky.light, target_format, smooth);
+        // A browser hears of the pipelines, and compiles them while the noise is made.
+        queue.submit([]);
+        noise.fill(queue);
         Self {
             frame,
             material,

@@ -9,13 +9,14 @@ const SIDE: u32 = 512;
 
 /// The texture and its sampler.
 pub struct NoiseTexture {
+    texture: wgpu::Texture,
     pub view: wgpu::TextureView,
     pub sampler: wgpu::Sampler,
 }
 
 impl NoiseTexture {
-    /// Computes and uploads the tile.
-    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Self {
+    /// Without its tile: see [`Self::fill`].
+    pub fn new(device: &wgpu::Device) -> Self {
         let mips = SIDE.ilog2() + 1;
         let texture = device.create_texture(&wgpu::TextureDescriptor {
             label: Some("noise"),
@@ -27,20 +28,6 @@ impl NoiseTexture {
             usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
             view_formats: &[],
         });
-        for (mip_level, bytes) in (0..).zip(levels()) {
-            let side = SIDE >> mip_level;
-            queue.write_texture(
-                wgpu::TexelCopyTextureInfo {
-                    texture: &texture,
-                    mip_level,
-                    origin: wgpu::Origin3d::ZERO,
-                    aspect: wgpu::TextureAspect::All,
-                },
-                bytes,
-                wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * side), rows_per_image: Some(side) },
-                wgpu::Extent3d { width: side, height: side, depth_or_array_layers: 1 },
-            );
-        }
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("noise"),
             address_mode_u: wgpu::AddressMode::Repeat,
@@ -50,7 +37,25 @@ impl NoiseTexture {
             mipmap_filter: wgpu::MipmapFilterMode::Linear,
             ..Default::default()
         });
-        Self { view: texture.create_view(&wgpu::TextureViewDescriptor::default()), sampler }
+        Self { view: texture.create_view(&wgpu::TextureViewDescriptor::default()), texture, sampler }
+    }
+
+    /// Computes and uploads the tile.
+    pub fn fill(&self, queue: &wgpu::Queue) {
+        for (mip_level, bytes) in (0..).zip(levels()) {
+            let side = SIDE >> mip_level;
+            queue.write_texture(
+                wgpu::TexelCopyTextureInfo {
+                    texture: &self.texture,
+                    mip_level,
+                    origin: wgpu::Origin3d::ZERO,
+                    aspect: wgpu::TextureAspect::All,
+                },
+                bytes,
+                wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * side), rows_per_image: Some(side) },
+                wgpu::Extent3d { width: side, height: side, depth_or_array_layers: 1 },
+            );
+        }
     }
 }
 
@@ -95,20 +100,33 @@ fn tile(side: u32) -> Vec<[f32; 4]> {
     let cloud = field(&|x, y| {
         let bend = 0.03 * wind.gradient_noise(x, y);
         let (x, y) = (x + bend, y - bend);
-        (0..).zip(&octaves).map(|(o, octave)| 0.56f32.powi(o) * octave.gradient_noise(x, y)).sum()
+        let mut weight = 1.0;
+        octaves.iter().fold(0.0, |sum, octave| {
+            let part = weight * octave.gradient_noise(x, y);
+            weight *= 0.56;
+            sum + part
+        })
     });
     (0..(side * side) as usize).map(|i| [net[i], bubbles[i], cloud[i], 1.0]).collect()
 }
 
-/// Ranks instead of values.
+/// Ranks instead of values, to a bin of 1/65536 of their range: far less than a byte tells.
 fn equalise(values: &[f32]) -> Vec<f32> {
-    let mut order: Vec<u32> = (0..values.len() as u32).collect();
-    order.sort_by(|&a, &b| values[a as usize].total_cmp(&values[b as usize]));
-    let mut out = vec![0.0; values.len()];
-    for (rank, i) in order.into_iter().enumerate() {
-        out[i as usize] = (rank as f32 + 0.5) / values.len() as f32;
-    }
-    out
+    const BINS: usize = 1 << 16;
+    let (low, high) = values.iter().fold((f32::MAX, f32::MIN), |(low, high), &v| (low.min(v), high.max(v)));
+    let scale = (BINS - 1) as f32 / (high - low).max(f32::MIN_POSITIVE);
+    let bin = |v: f32| ((v - low) * scale) as usize;
+    let mut counts = vec![0u32; BINS];
+    values.iter().for_each(|&v| counts[bin(v)] += 1);
+    let mut before = 0;
+    let ranks: Vec<f32> = counts
+        .into_iter()
+        .map(|count| {
+            before += count;
+            (before as f32 - 0.5 * count as f32) / values.len() as f32
+        })
+        .collect();
+    values.iter().map(|&v| ranks[bin(v)]).collect()
 }
 
 fn halve(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
@@ -125,60 +143,74 @@ fn halve(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
 /// A periodic lattice of cells with two numbers each.
 struct Lattice {
     period: i32,
+    /// With a margin of the cells that come around: divisions would take most of the time.
     cells: Vec<[f32; 2]>,
 }
 
 impl Lattice {
     /// A point in each cell.
     fn points(period: i32, key: u32) -> Self {
-        let number = |h: u32| (h >> 8) as f32 / 16_777_216.0;
-        let cell = |i: i32| {
-            let h = pcg4d([(i % period) as u32, (i / period) as u32, key, 0x5ea]);
-            [number(h[0]), number(h[1])]
-        };
-        Self { period, cells: (0..period * period).map(cell).collect() }
+        Self::new(period, key, |cell| cell)
     }
 
     /// A unit vector at each cell's corner.
     fn arrows(period: i32, key: u32) -> Self {
-        let Self { cells, .. } = Self::points(period, key);
-        let arrow = |[a, _]: [f32; 2]| {
+        Self::new(period, key, |[a, _]| {
             let (sin, cos) = (a * std::f32::consts::TAU).sin_cos();
             [cos, sin]
-        };
-        Self { period, cells: cells.into_iter().map(arrow).collect() }
+        })
     }
 
-    fn at(&self, ix: i32, iy: i32) -> [f32; 2] {
-        let p = self.period;
-        self.cells[(iy.rem_euclid(p) * p + ix.rem_euclid(p)) as usize]
+    /// Of functions of two random numbers in 0..1.
+    fn new(period: i32, key: u32, f: impl Fn([f32; 2]) -> [f32; 2]) -> Self {
+        let number = |h: u32| (h >> 8) as f32 / 16_777_216.0;
+        let inner: Vec<_> = (0..period * period)
+            .map(|i| {
+                let h = pcg4d([(i % period) as u32, (i / period) as u32, key, 0x5ea]);
+                f([number(h[0]), number(h[1])])
+            })
+            .collect();
+        let wide = period + 2;
+        let around = |i: i32| (i - 1).rem_euclid(period);
+        let cells = (0..wide * wide).map(|i| inner[(around(i / wide) * period + around(i % wide)) as usize]).collect();
+        Self { period, cells }
+    }
+
+    /// Where a place of the tile lies among the cells: the index of the cell before its own along both axes, and the place within
+    /// its own.
+    fn place(&self, x: f32, y: f32) -> (usize, [f32; 2]) {
+        let [x, y] = [x, y].map(|x| (x - x.floor()) * self.period as f32);
+        let [ix, iy] = [x, y].map(|x| (x as usize).min(self.period as usize - 1));
+        (iy * self.wide() + ix, [x - ix as f32, y - iy as f32])
+    }
+
+    /// Cells of a row.
+    fn wide(&self) -> usize {
+        self.period as usize + 2
     }
 
     /// Worley noise: 0 in the middle of a cell, 1 on its edge.
     fn edges(&self, x: f32, y: f32) -> f32 {
-        let (x, y) = (x * self.period as f32, y * self.period as f32);
-        let (cx, cy) = (x.floor() as i32, y.floor() as i32);
-        // Squared.
-        let (mut first, mut second) = (81.0f32, 81.0f32);
-        for iy in cy - 1..=cy + 1 {
-            for ix in cx - 1..=cx + 1 {
-                let [a, b] = self.at(ix, iy);
-                let (dx, dy) = (ix as f32 + a - x, iy as f32 + b - y);
-                let d = dx * dx + dy * dy;
+        let (before, [x, y]) = self.place(x, y);
+        // Bits of squared distances, which are in the order of the numbers: WebAssembly takes the least of two integers sooner.
+        let (mut first, mut second) = (u32::MAX, u32::MAX);
+        for dy in 0..3 {
+            let row = &self.cells[before + dy * self.wide()..][..3];
+            for (dx, [a, b]) in row.iter().enumerate() {
+                let (dx, dy) = (dx as f32 - 1.0 + a - x, dy as f32 - 1.0 + b - y);
+                let d = (dx * dx + dy * dy).to_bits();
                 second = second.min(d.max(first));
                 first = first.min(d);
             }
         }
-        1.0 - (second.sqrt() - first.sqrt()).min(1.0).sqrt()
+        1.0 - (f32::from_bits(second).sqrt() - f32::from_bits(first).sqrt()).min(1.0).sqrt()
     }
 
     /// Perlin noise, about -0.7..0.7.
     fn gradient_noise(&self, x: f32, y: f32) -> f32 {
-        let (x, y) = (x * self.period as f32, y * self.period as f32);
-        let (ix, iy) = (x.floor() as i32, y.floor() as i32);
-        let (fx, fy) = (x - ix as f32, y - iy as f32);
-        let corner = |dx: i32, dy: i32| {
-            let [cos, sin] = self.at(ix + dx, iy + dy);
+        let (before, [fx, fy]) = self.place(x, y);
+        let corner = |dx: usize, dy: usize| {
+            let [cos, sin] = self.cells[before + (dy + 1) * self.wide() + dx + 1];
             cos * (fx - dx as f32) + sin * (fy - dy as f32)
         };
         let fade = |t: f32| t * t * t * (t * (6.0 * t - 15.0) + 10.0);

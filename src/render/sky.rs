@@ -407,7 +407,8 @@ mod tests {
     /// The light on the sea under some skies.
     fn lights(skies: &[SkyLook]) -> Vec<LightBuffer> {
         let gpu = pollster::block_on(Gpu::request()).unwrap();
-        let noise = NoiseTexture::new(&gpu.device, &gpu.queue);
+        let noise = NoiseTexture::new(&gpu.device);
+        noise.fill(&gpu.queue);
         let sky = Sky::new(&gpu.device, &gpu.queue, &Shaders::default(), &noise);
         let light = |look: &SkyLook| {
             sky.uniform.write(&gpu.queue, &SkyUniform::of(look, 8.0));
