@@ -7,6 +7,7 @@ const STALL_SECONDS = 20; // without a byte
 const ADAPTER_SECONDS = 30; // without an answer
 const SLOW_SECONDS = 20; // until the first picture, before the page asks for patience
 const WATCH_MS = 250; // between two looks at the program
+const START_MS = 50; // the same until its first picture
 const START_TRIES = 3; // of a device that is refused
 const COVER_SECONDS = 10; // that the last picture waits for the foam of the next
 const FRAME_SECONDS = 10; // without a frame of the browser's, after a loss
@@ -321,7 +322,6 @@ function watchFrames() {
 /** Panicked, lost, or drawing? */
 function watch(handle) {
   let begun = performance.now();
-  let before = 0; // frames of devices that are gone
   let shown = false; // a picture of this device
   let cover; // the canvas that still shows one of the last device
   let panicked = false;
@@ -332,7 +332,6 @@ function watch(handle) {
     const lost = handle.device_lost();
     const panic = panicText(handle);
     if (lost !== undefined) {
-      before = handle.frames();
       const old = await recover(handle, lost);
       if (!old) return;
       if (shown) cover = old;
@@ -345,7 +344,7 @@ function watch(handle) {
         return;
       }
       panicked = true;
-    } else if (!shown && handle.frames() > before && (!cover || handle.settled() || seconds > COVER_SECONDS)) {
+    } else if (!shown && handle.seen() && (!cover || handle.settled() || seconds > COVER_SECONDS)) {
       shown = true;
       cover?.remove();
       cover = undefined;
@@ -355,7 +354,7 @@ function watch(handle) {
     } else if (!shown && seconds > SLOW_SECONDS) {
       say('Preparing the graphics: the first time this can take a minute…');
     }
-    setTimeout(look, WATCH_MS);
+    setTimeout(look, shown || panicked ? WATCH_MS : START_MS);
   };
   look();
 }

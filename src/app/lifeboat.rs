@@ -98,7 +98,7 @@ impl App {
         self.ctx = ctx;
         // Another window counts its time from zero.
         self.history.commit();
-        self.catching_up = viewport::CatchingUp::default();
+        self.progress = viewport::Progress::default();
         self.gauges = gauges::Gauges::default();
         self.measured = gauges::Measured::default();
         if refused {

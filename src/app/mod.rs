@@ -121,8 +121,8 @@ pub struct App {
     saved: tasks::Inbox<Result<String, String>>,
     /// The last sky that was read, for links that name it.
     sky: Option<SkyFile>,
-    /// Set by the viewport while the foam has yet to catch up.
-    catching_up: viewport::CatchingUp,
+    /// Told by the viewport's frames.
+    progress: viewport::Progress,
     gauges: gauges::Gauges,
     measured: gauges::Measured,
     /// What the browser calls itself.
@@ -181,7 +181,7 @@ impl App {
             save_folder: None,
             saved: tasks::Inbox::default(),
             sky: sky.filter(|s| s.image.is_some()),
-            catching_up: viewport::CatchingUp::default(),
+            progress: viewport::Progress::default(),
             gauges: gauges::Gauges::default(),
             measured: gauges::Measured::default(),
             #[cfg(target_arch = "wasm32")]
@@ -228,10 +228,15 @@ impl App {
         self.frames
     }
 
+    /// Whether a picture has been finished on the device that the app draws with.
+    pub fn is_seen(&self) -> bool {
+        self.progress.is_seen()
+    }
+
     /// Asks for one more frame, and says whether the picture is complete: whether the foam of a cold start has caught up.
     pub fn settled(&self) -> bool {
         self.ctx.request_repaint();
-        self.frames > 0 && !self.catching_up.is_set()
+        self.frames > 0 && !self.progress.is_catching_up()
     }
 
     /// Why the GPU was lost, if it was.
@@ -468,7 +473,7 @@ impl eframe::App for App {
         let pixels = |points| self.quality.picture_size(points, ctx.pixels_per_point(), &params.screen, limit);
         // Clicks only where one is waited for: a finger that rests before it moves would be a long press, and no drag.
         let sense = if self.placing.is_some() { egui::Sense::click_and_drag() } else { egui::Sense::drag() };
-        let (response, size) = viewport::show(ui, &params, (&self.catching_up, &self.gauges), sense, pixels);
+        let (response, size) = viewport::show(ui, &params, (&self.progress, &self.gauges), sense, pixels);
         self.drawn = Some((params, size));
         self.place(&response, &ctx);
         camera::pointer(&mut self.params.camera, &response, &ctx);
@@ -479,7 +484,7 @@ impl eframe::App for App {
         keys::help(&mut self.help, &ctx);
         self.answer(&ctx);
         dropped::invite(&ctx);
-        if self.catching_up.is_set() {
+        if self.progress.wants_frame() {
             ctx.request_repaint();
         }
         self.rest(&ctx);

@@ -15,14 +15,49 @@ const CPU_STEPS_PER_FRAME: usize = 1;
 /// A glide goes on by no more than this in one frame, s.
 const LONGEST_GLIDE_STEP_S: f64 = 0.1;
 
-/// Whether the foam of a cold start is still being replayed, or the sea glides.
+/// What the frames drawn with a device tell the app.
 #[derive(Clone, Default)]
-pub struct CatchingUp(Arc<AtomicBool>);
+pub struct Progress(Arc<Marks>);
 
-impl CatchingUp {
+#[derive(Default)]
+struct Marks {
+    /// The foam of a cold start is still being replayed, or the sea glides.
+    catching_up: AtomicBool,
+    /// The first picture was recorded.
+    begun: AtomicBool,
+    /// The GPU was asked to say when it has finished that.
+    asked: AtomicBool,
+    /// It has.
+    seen: AtomicBool,
+}
+
+impl Progress {
     /// Whether another frame is needed even if time stands still.
-    pub fn is_set(&self) -> bool {
-        self.0.load(Ordering::Relaxed)
+    pub fn wants_frame(&self) -> bool {
+        self.is_catching_up() || !self.is_seen()
+    }
+
+    /// Whether the foam of a cold start is still being replayed, or the sea glides.
+    pub fn is_catching_up(&self) -> bool {
+        self.0.catching_up.load(Ordering::Relaxed)
+    }
+
+    /// Whether the GPU has finished a picture: compiling what it draws with takes it seconds.
+    pub fn is_seen(&self) -> bool {
+        self.0.seen.load(Ordering::Relaxed)
+    }
+
+    /// Whether the GPU is still at the first picture: no other is ordered meanwhile, which would only take it from that.
+    fn is_awaited(&self) -> bool {
+        self.0.asked.load(Ordering::Relaxed) && !self.is_seen()
+    }
+
+    /// Called before a frame is recorded: by the second one, the first has been submitted.
+    fn ask(&self, queue: &wgpu::Queue) {
+        if self.0.begun.swap(true, Ordering::Relaxed) && !self.0.asked.swap(true, Ordering::Relaxed) {
+            let marks = self.0.clone();
+            queue.on_submitted_work_done(move || marks.seen.store(true, Ordering::Relaxed));
+        }
     }
 }
 
@@ -30,7 +65,7 @@ impl CatchingUp {
 pub fn show(
     ui: &mut egui::Ui,
     params: &Params,
-    (catching_up, gauges): (&CatchingUp, &Gauges),
+    (progress, gauges): (&Progress, &Gauges),
     sense: egui::Sense,
     pixels: impl FnOnce(egui::Vec2) -> [u32; 2],
 ) -> (egui::Response, [u32; 2]) {
@@ -41,8 +76,7 @@ pub fn show(
     let size = pixels(response.rect.size());
     if size[0] > 0 && size[1] > 0 {
         let dt_s = f64::from(ui.input(|i| i.stable_dt)).min(LONGEST_GLIDE_STEP_S);
-        let frame =
-            SeaFrame { params: params.clone(), size, catching_up: catching_up.clone(), gauges: gauges.clone(), dt_s };
+        let frame = SeaFrame { params: params.clone(), size, progress: progress.clone(), gauges: gauges.clone(), dt_s };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(response.rect, frame));
     }
     (response, size)
@@ -58,7 +92,7 @@ fn steps_per_frame(device: &wgpu::Device, n: u32) -> usize {
 struct SeaFrame {
     params: Params,
     size: [u32; 2],
-    catching_up: CatchingUp,
+    progress: Progress,
     gauges: Gauges,
     /// Wall time since the last frame, s.
     dt_s: f64,
@@ -76,13 +110,17 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
     ) -> Vec<wgpu::CommandBuffer> {
         let Some(ocean) = resources.get_mut::<Ocean>() else { return Vec::new() };
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("ocean") });
+        self.progress.ask(queue);
+        if self.progress.is_awaited() {
+            return Vec::new();
+        }
         let begun = Instant::now();
         self.gauges.begin(ocean, &mut encoder);
         ocean.glide_to(device, queue, &self.params, self.dt_s);
         let caught_up = ocean.encode(device, queue, &mut encoder, self.size, steps_per_frame(device, ocean.plan().n));
         let is_whole = caught_up && !ocean.is_gliding();
         self.gauges.end(ocean, device, &mut encoder, begun.elapsed().as_secs_f64(), is_whole);
-        self.catching_up.0.store(!is_whole, Ordering::Relaxed);
+        self.progress.0.catching_up.store(!is_whole, Ordering::Relaxed);
         vec![encoder.finish()]
     }
 

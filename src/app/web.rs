@@ -92,6 +92,11 @@ impl WebHandle {
         self.with(|app| app.frames() as f64).unwrap_or_default()
     }
 
+    /// Whether a picture of the device at hand has been finished by the GPU, and not only ordered.
+    pub fn seen(&self) -> bool {
+        self.with(|app| app.is_seen()).unwrap_or_default()
+    }
+
     /// Asks for one more frame, and says whether the picture is complete: the foam of a cold start takes a few frames.
     pub fn settled(&self) -> bool {
         self.with(|app| app.settled()).unwrap_or_default()
