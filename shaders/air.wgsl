@@ -53,10 +53,12 @@ fn air_fog(dir: vec3f, distance_m: f32) -> vec4f {
 
 // Air and fog between the eye and a point of the sea: the light that is added, and the share that is let through.
 fn air_between(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
-  let air = air_clear(dir, distance_m);
-  if !SKY_FOG || sky.fog.x <= 0.0 {
-    return air;
+  var air = air_clear(dir, distance_m);
+  if SKY_FOG {
+    if sky.fog.x > 0.0 {
+      let fog = air_fog(dir, distance_m);
+      air = array<vec3f, 2>(air[0] * fog.w + fog.rgb, air[1] * fog.w);
+    }
   }
-  let fog = air_fog(dir, distance_m);
-  return array<vec3f, 2>(air[0] * fog.w + fog.rgb, air[1] * fog.w);
+  return air;
 }

@@ -106,6 +106,8 @@ fn water_moved(at: vec2f, spacing: f32, carries: bool) -> WaterMoved {
     let share = clamp(log2(frame.n) - 2.0 - lod, 0.0, 1.0);
     let smoothness = clamp(-2.0 * lod, 0.0, 1.0);
     let carried = select(0.0, water_carried(c, at), carries);
+    // Near the foot of an eye among waves a vertex is farther from its row than the share that it carries knows.
+    let is_fine = smoothness > 0.0 || carried > 0.0;
     let tile = water_tile(c);
     let blend = tile_blend(tile, at);
     let copies = select(0u, blend.count, share > 0.0);
@@ -114,10 +116,10 @@ fn water_moved(at: vec2f, spacing: f32, carries: bool) -> WaterMoved {
       var d = vec4f(0.0);
       var g = vec4f(0.0);
       // Loops, not a branch, of which a software GPU computes both sides.
-      for (var plain = smoothness <= 0.0; plain; plain = false) {
+      for (var plain = !is_fine; plain; plain = false) {
         d = share * textureSampleLevel(displacement_map, wave_sampler, uv, layer, lod);
       }
-      for (var magnified = smoothness > 0.0; magnified; magnified = false) {
+      for (var fine = is_fine; fine; fine = false) {
         let spline = water_spline(uv, frame.n, smoothness);
         d = water_splined(displacement_map, spline, layer);
         if carries {
@@ -204,7 +206,7 @@ fn water_add_waves(out: ptr<function, WaterWaves>, at: vec2f, foot: WaterFootpri
   // Several texels in the footprint: as many taps as are worth it (one between texels blurs as much as a box of 1.4), half
   // as many for the smoother moments, and one for the displacement, whose part in the slope is of second order: both from
   // the nearest level. The weights are those of the middle. Of a distant map there is only its variance. What counts for
-  // nothing is not read: the loops are empty then, since a software GPU reads on both sides of a branch.
+  // nothing is not read, but for the displacement: the loops are empty then, since a software GPU reads on both sides of a branch.
   let places = clamp(i32(ceil(long / max(wide, 1.4) - 0.3)), 1, foot.taps);
   let taps = select(places, 0, distant || near > 0.0);
   let splines = select(0, 1, near > 0.0 && !distant);
@@ -266,12 +268,13 @@ fn water_slope_beyond(
   waves.sums = carried;
   // Cox and Munk 1954: waves shorter than the finest cascade.
   waves.variance = frame.residual.xyz;
-  // Ripples below the finest cascade are a shrunk copy of it: slopes of short gravity waves are nearly scale-free.
+  // What the mesh has all of is not looked at.
   var first = 0u;
   while carries && first < frame.count && water_carried(first, at) >= 1.0 {
     first++;
   }
   for (var c = first; c < frame.count + frame.ripple_count; c++) {
+    // Ripples below the finest cascade are a shrunk copy of it: slopes of short gravity waves are nearly scale-free.
     let is_ripple = c >= frame.count;
     let share = select(0.0, water_carried(c, at), carries && !is_ripple);
     let within = WaterFootprint(

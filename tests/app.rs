@@ -357,6 +357,11 @@ fn the_maps_are_saved_as_layers_of_one_file() {
 fn the_smallest_windows_are_drawn() {
     let mut harness = open("n=64&pause=1&renderscale=0.25&afloat=buoy*5*-9");
     harness.key_press(egui::Key::F1);
+    // The first picture is waited for.
+    while !harness.state().settled() {
+        harness.run_steps(1);
+        harness.render().expect("a picture");
+    }
     for size in [
         [1.0, 1.0],
         [1.0, 500.0],

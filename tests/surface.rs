@@ -27,7 +27,7 @@ fn ask(@builtin(global_invocation_id) id: vec3u) {
     let q = questions[id.x];
     let foot = WaterFootprint(vec2f(q.w, 0.0), q.z, 1);
     let slope = water_slope(q.xy, foot);
-    let vertex = water_moved(q.xy, mesh_spacing(length(q.xy)), true);
+    let vertex = water_moved(q.xy, 1.5 * mesh_spacing(length(q.xy)), true);
     let split = water_slope_beyond(q.xy, foot, foot, vertex.carried, true);
     answers[id.x][0] = vec4f(water_moved(q.xy, q.z, false).displacement, 0.0);
     answers[id.x][1] = vec4f(slope.mean, slope.jacobian, 0.0);

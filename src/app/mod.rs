@@ -236,7 +236,7 @@ impl App {
     /// Asks for one more frame, and says whether the picture is complete: whether the foam of a cold start has caught up.
     pub fn settled(&self) -> bool {
         self.ctx.request_repaint();
-        self.frames > 0 && !self.progress.is_catching_up()
+        self.progress.is_seen() && !self.progress.is_catching_up()
     }
 
     /// Why the GPU was lost, if it was.
@@ -255,7 +255,8 @@ impl App {
     }
 
     fn advance(&mut self, ctx: &egui::Context) {
-        if self.params.clock.paused {
+        // Nor does time go on while the first picture is still being made.
+        if self.params.clock.paused || self.progress.is_awaited() {
             return;
         }
         let dt = f64::from(ctx.input(|i| i.stable_dt)).min(LONGEST_STEP_S);
@@ -467,7 +468,9 @@ impl eframe::App for App {
         }
         self.record(&ctx);
         self.measure(&ctx);
-        self.quality.watch(dt, self.params.clock.paused, self.params.screen.adaptive);
+        if !self.progress.is_awaited() {
+            self.quality.watch(dt, self.params.clock.paused, self.params.screen.adaptive);
+        }
         let params = self.to_draw();
         let limit = self.render_state.device.limits().max_texture_dimension_2d;
         let pixels = |points| self.quality.picture_size(points, ctx.pixels_per_point(), &params.screen, limit);

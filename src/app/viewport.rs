@@ -23,7 +23,7 @@ pub struct Progress(Arc<Marks>);
 struct Marks {
     /// The foam of a cold start is still being replayed, or the sea glides.
     catching_up: AtomicBool,
-    /// The first picture was recorded.
+    /// The first picture was painted, so that it is submitted, too.
     begun: AtomicBool,
     /// The GPU was asked to say when it has finished that.
     asked: AtomicBool,
@@ -48,13 +48,13 @@ impl Progress {
     }
 
     /// Whether the GPU is still at the first picture: no other is ordered meanwhile, which would only take it from that.
-    fn is_awaited(&self) -> bool {
+    pub fn is_awaited(&self) -> bool {
         self.0.asked.load(Ordering::Relaxed) && !self.is_seen()
     }
 
-    /// Called before a frame is recorded: by the second one, the first has been submitted.
+    /// Called before a frame is recorded: the one before has been submitted, if it was painted.
     fn ask(&self, queue: &wgpu::Queue) {
-        if self.0.begun.swap(true, Ordering::Relaxed) && !self.0.asked.swap(true, Ordering::Relaxed) {
+        if self.0.begun.load(Ordering::Relaxed) && !self.0.asked.swap(true, Ordering::Relaxed) {
             let marks = self.0.clone();
             queue.on_submitted_work_done(move || marks.seen.store(true, Ordering::Relaxed));
         }
@@ -73,8 +73,8 @@ pub fn show(
         .frame(egui::Frame::NONE)
         .show(ui, |ui| ui.allocate_response(ui.available_size(), sense))
         .inner;
-    let size = pixels(response.rect.size());
-    if size[0] > 0 && size[1] > 0 {
+    let size = pixels(response.rect.size()).map(|s| s.max(1));
+    if response.rect.is_positive() {
         let dt_s = f64::from(ui.input(|i| i.stable_dt)).min(LONGEST_GLIDE_STEP_S);
         let frame = SeaFrame { params: params.clone(), size, progress: progress.clone(), gauges: gauges.clone(), dt_s };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(response.rect, frame));
@@ -109,11 +109,11 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         resources: &mut egui_wgpu::CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
         let Some(ocean) = resources.get_mut::<Ocean>() else { return Vec::new() };
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("ocean") });
         self.progress.ask(queue);
         if self.progress.is_awaited() {
             return Vec::new();
         }
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("ocean") });
         let begun = Instant::now();
         self.gauges.begin(ocean, &mut encoder);
         ocean.glide_to(device, queue, &self.params, self.dt_s);
@@ -132,7 +132,11 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
     ) {
         if let Some(ocean) = resources.get::<Ocean>() {
             self.gauges.painted();
-            ocean.present(pass);
+            self.progress.0.begun.store(true, Ordering::Relaxed);
+            // A page still shows that it is loading, or the last picture of a lost device.
+            if cfg!(not(target_arch = "wasm32")) || !self.progress.is_awaited() {
+                ocean.present(pass);
+            }
         }
     }
 }

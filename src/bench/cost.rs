@@ -83,7 +83,7 @@ pub const DRAWN_VERTEX: Shading = Shading { flops: 32.0, reads: 0.0 };
 /// A pixel of the mesh.
 pub const SHOWN: Shading = Shading { flops: 36.0, reads: 0.0 };
 /// A pixel of the sea that is lit.
-pub const LIGHT: Shading = Shading { flops: 11900.0, reads: 92.7 };
+pub const LIGHT: Shading = Shading { flops: 10900.0, reads: 90.7 };
 /// A pixel of the sky.
 pub const BACKGROUND: Shading = Shading { flops: 2200.0, reads: 8.0 };
 /// A pixel that is presented.

@@ -7,7 +7,7 @@ use super::mesh::Mesh;
 use crate::gpu::shaders::Shaders;
 
 /// Bytes of a `MeshVertex`.
-const VERTEX: u64 = 48;
+pub const VERTEX: u64 = 48;
 /// Columns and rows of a workgroup, as the shader has them.
 const THREADS: u32 = 8;
 

@@ -10,6 +10,8 @@ use std::f64::consts::{PI, TAU};
 /// Columns and rows at density 1.
 const COLUMNS: f64 = 240.0;
 const ROWS: f64 = 1120.0;
+/// Vertices at density 1.
+pub const VERTICES: f64 = COLUMNS * ROWS;
 /// Columns that are drawn row by row, so that a vertex is still in the GPU's cache when its next row comes.
 pub const BLOCK: u32 = 8;
 /// Rows start at a multiple of this, so that a change of pitch moves few of them.

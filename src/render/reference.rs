@@ -4,8 +4,9 @@
 //! A grid of samples is drawn as a larger picture, several times with its samples moved. Whoever draws averages the linear
 //! light ([`Grid`] says which samples are a pixel's) and hands the mean back to be shown by the usual film.
 
+use super::displace;
 use super::frame::FrameUniform;
-use super::mesh::Mesh;
+use super::mesh::{self, Mesh};
 use super::targets::{Film, HDR_FORMAT, Targets};
 use super::{Renderer, Scene};
 use crate::sim::Maps;
@@ -16,10 +17,10 @@ const SAMPLES: Film = Film::reference();
 /// Their mean, on its way to the present pass.
 const MEAN: Film = Film { samples: 1, format: HDR_FORMAT, usage: wgpu::TextureUsages::COPY_DST, deferred: false };
 
-/// Vertices of the mesh for each sample of a grid.
-const VERTICES_PER_SAMPLE: f64 = 0.6;
-/// Vertices of the mesh at density 1.
-const VERTICES: f64 = 240.0 * 560.0;
+/// Vertices of the mesh for each sample of a grid, as long as they fit into a buffer.
+const VERTICES_PER_SAMPLE: f64 = 1.2;
+/// Share of the largest buffer that they may fill: columns and rows are rounded up.
+const FILLED: f64 = 0.95;
 
 /// One sample in each cell of a grid of `side` x `side` cells a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,7 +76,9 @@ impl Reference {
         };
         let texture = targets.hdr.texture().clone();
         renderer.targets = Some(targets);
-        let density = VERTICES_PER_SAMPLE * f64::from(size[0]) * f64::from(size[1]) / VERTICES;
+        let room = FILLED * device.limits().max_storage_buffer_binding_size as f64 / displace::VERTEX as f64;
+        let vertices = (VERTICES_PER_SAMPLE * f64::from(size[0]) * f64::from(size[1])).min(room);
+        let density = vertices / mesh::VERTICES;
         let mesh = Mesh::new(&scene.view, &scene.sea, density, scene.look.extent_km);
         let frame = FrameUniform::new(scene, maps, &mesh, size).unfiltered(grid.shift());
         renderer.prepare((device, queue), maps, scene, &mesh, &frame);

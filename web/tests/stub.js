@@ -44,9 +44,9 @@ export class WebHandle {
     return true;
   }
 
-  frames() {
+  seen() {
     if (play === 'throw') throw new WebAssembly.RuntimeError('unreachable in an answer');
-    return this.#frames;
+    return this.#frames > 0;
   }
 }
 
