@@ -14,7 +14,7 @@ fn columns_store(pair: u32, c: u32, cascades: u32, x: u32, z: u32, value: vec4f)
   }
 }
 
-@compute @workgroup_size(8, 8)
+@compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) groups: vec3u) {
   columns_second(id.z, groups.z, id.x, id.y);
 }

@@ -220,7 +220,7 @@ impl SecondCode {
         let constants = [self.transform.straight_constants(), keep].concat();
         let slots = [Slot::Read, Slot::Write, Slot::Write];
         let kernel = Kernel::new(&self.device, "sea/columns/second", &self.module, &slots, &constants);
-        Half { kernel, size: [n / 8, r1 / 8, 1], has_uniform: false }
+        Half { kernel, size: [n / 64, r1, 1], has_uniform: false }
     }
 }
 
@@ -244,7 +244,7 @@ impl ColumnsPass {
         let module = shaders.straight(device, "columns_first", t);
         let kernel = Kernel::new(device, "sea/columns/first", &module, &slots, &t.straight_constants());
         let first_group = Self::first_group(device, &kernel, r, straight);
-        let first = Half { kernel, size: [r.n / 8, t.r2 / 8, 2], has_uniform: false };
+        let first = Half { kernel, size: [r.n / 64, t.r2, 2], has_uniform: false };
         let module = shaders.straight(device, "columns_second", t);
         let code = SecondCode { device: device.clone(), module, transform: t };
         let second = code.compile(false);
