@@ -16,11 +16,7 @@ fn main(@builtin(local_invocation_id) local: vec3u, @builtin(workgroup_id) group
   for (var pair = 0u; pair < 2u; pair++) {
     for (var i = 0u; i < R1; i++) {
       let x = i * R2 + t;
-      if pair == 0u {
-        fft_v[i] = rows_pack_0(line, x, rows_h[i]);
-      } else {
-        fft_v[i] = rows_pack_1(line, x, rows_h[i]);
-      }
+      fft_v[i] = rows_pack(pair, line, x, rows_h[i]);
     }
     fft_registers(R1);
     workgroupBarrier();

@@ -40,15 +40,10 @@ fn rows_vector(line: RowsLine, x: u32) -> vec2f {
   return vec2f(f32(sea_signed(x, N)), f32(line.z)) * line.dk;
 }
 
-fn rows_pack_0(line: RowsLine, x: u32, wave: vec3f) -> vec4f {
+fn rows_pack(pair: u32, line: RowsLine, x: u32, wave: vec3f) -> vec4f {
   let k = rows_vector(line, x);
   let unit = k * wave.z;
-  return vec4f(maths_complex_mul(vec2f(-unit.y, unit.x), wave.xy), maths_complex_mul(vec2f(1.0, -k.x * unit.y), wave.xy));
-}
-
-fn rows_pack_1(line: RowsLine, x: u32, wave: vec3f) -> vec4f {
-  let k = rows_vector(line, x);
-  let unit = k * wave.z;
-  let squeeze = vec2f(-k.x * unit.x, -k.y * unit.y);
-  return vec4f(maths_complex_mul(vec2f(-k.y, k.x), wave.xy), maths_complex_mul(squeeze, wave.xy));
+  let first = select(vec2f(-unit.y, unit.x), vec2f(-k.y, k.x), pair == 1u);
+  let second = select(vec2f(1.0, -k.x * unit.y), vec2f(-k.x * unit.x, -k.y * unit.y), pair == 1u);
+  return vec4f(maths_complex_mul(first, wave.xy), maths_complex_mul(second, wave.xy));
 }

@@ -1,5 +1,7 @@
 //! Each GPU pass against its f64 twin, for every FFT size and several seas, and that planted faults are found.
 
+mod common;
+
 use seastate::bench::per_stage::PerStage;
 use seastate::cli::check::{self, Line};
 use seastate::gpu::device::Gpu;
@@ -12,10 +14,9 @@ use seastate::sim::Simulation;
 use seastate::sim::resources::MapKind;
 
 fn run(state: &str, shaders: &Shaders) -> Vec<Line> {
-    pollster::block_on(async {
-        let gpu = Gpu::request().await.expect("a GPU adapter; install mesa-vulkan-drivers");
-        check::run(&gpu, &query::parse(state).0, shaders).await.expect("read-back")
-    })
+    // It can read maps of either format.
+    let gpu = common::gpu_with(MapFormat::Float);
+    pollster::block_on(check::run(&gpu, &query::parse(state).0, shaders)).expect("read-back")
 }
 
 fn assert_right(state: &str, (way, maps): (Way, MapFormat)) {

@@ -3,7 +3,7 @@
 mod common;
 
 use seastate::cli::render::{FORMAT, picture, picture_of};
-use seastate::gpu::device::{self, Gpu};
+use seastate::gpu::device::Gpu;
 use seastate::gpu::map_format::MapFormat;
 use seastate::model::{Params, query};
 use seastate::ocean::Ocean;
@@ -88,17 +88,12 @@ fn a_picture_depends_on_the_state_alone() {
     assert_ne!(first, render(&gpu, "wind=14&n=64&t=20&seed=2"));
 }
 
-/// Graphics cards keep maps and tables in half floats, these machines' adapters in floats.
+/// Graphics cards keep maps and tables in half floats, some software adapters in floats.
 #[test]
 fn half_floats_draw_the_same_picture() {
-    let gpu = gpu();
-    let mut descriptor = device::descriptor(&gpu.adapter);
-    descriptor.required_features.remove(MapFormat::FEATURES);
-    let (device, queue) = pollster::block_on(gpu.adapter.request_device(&descriptor)).expect("a device");
-    let halves = Gpu { adapter: gpu.adapter.clone(), device, queue };
-    assert_eq!([&gpu, &halves].map(|g| MapFormat::of(&g.device)), [MapFormat::Float, MapFormat::Half]);
+    let [floats, halves] = [MapFormat::Float, MapFormat::Half].map(common::gpu_with);
     for state in ["t=40", "wind=18&fetch=400&sun=5&overcast=0.4&bloom=0.5&t=90"] {
-        let [a, b] = [&gpu, &halves].map(|gpu| render(gpu, state));
+        let [a, b] = [&floats, &halves].map(|gpu| render(gpu, state));
         let off = a.iter().flatten().zip(b.iter().flatten()).map(|(a, b)| f64::from(a.abs_diff(*b)));
         let mean = off.clone().sum::<f64>() / off.count() as f64;
         assert!(mean > 0.0 && mean < 1.0, "{state}: {mean} of 255");

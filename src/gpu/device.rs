@@ -1,14 +1,15 @@
 //! What Seastate demands of a GPU: WebGPU's base limits. Of optional features it takes timestamps, to say what costs what,
-//! and filters of floats (map_format.rs).
+//! and filters of floats where these are faster (map_format.rs).
 
 use super::map_format::MapFormat;
 use super::timer;
 
 /// The device that every shell asks an adapter for.
 pub fn descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
+    let wanted = timer::FEATURES | timer::BETWEEN_PASSES | MapFormat::features(&adapter.get_info());
     wgpu::DeviceDescriptor {
         label: Some("seastate"),
-        required_features: adapter.features() & (timer::FEATURES | timer::BETWEEN_PASSES | MapFormat::FEATURES),
+        required_features: adapter.features() & wanted,
         required_limits: wgpu::Limits::default(),
         ..Default::default()
     }

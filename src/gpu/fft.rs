@@ -74,21 +74,34 @@ impl Transform {
         let mut code = Code::default();
         match module {
             "rows_first" => {
+                // h(-k) is the conjugate of h(k), so the waves of a line are those of the line of the opposite waves too. There
+                // they stand in reverse; t = r2 instead of 0 turns the spectrum by what the points are shifted.
                 code.open("rows_first(c: u32, t: u32, z: u32)");
-                code.line("let line = rows_line(c, z);");
+                code.line("let here = rows_line(c, z);");
                 let waves: Vec<String> =
-                    (0..r1).map(|i| code.value(&format!("rows_wave(line, t + {}u)", i * r2))).collect();
-                let factors = code.factors(r1, n);
-                for pair in 0..2 {
-                    let packed = (0..r1).zip(&waves);
-                    let x = packed
-                        .map(|(i, wave)| code.value(&format!("rows_pack_{pair}(line, t + {}u, {wave})", i * r2)))
-                        .collect();
-                    code.line(&format!("let to_{pair} = ((2u * c + {pair}u) * {n}u + z) * {n}u + t;"));
-                    for (k1, v) in (0..).zip(code.transform(x)) {
-                        code.line(&format!("halves[to_{pair} + {}u] = fft_mul({v}, {});", k1 as u32 * r2, factors[k1]));
-                    }
+                    (0..r1).map(|i| code.value(&format!("rows_wave(here, t + {}u)", i * r2))).collect();
+                // In a loop, because these kernels take long to compile.
+                code.line(&format!("let z_opposite = ({n}u - z) & {}u;", n - 1));
+                code.line("for (var i = 0u; i < select(4u, 2u, z == z_opposite); i++) {");
+                code.line("let pair = i & 1u;");
+                code.line("let is_opposite = i > 1u;");
+                code.line("let line = rows_line(c, select(z, z_opposite, is_opposite));");
+                code.line(&format!("let t_line = select(t, {r2}u - t, is_opposite);"));
+                let factors = code.factors("t_line", r1, n);
+                let x = (0..r1 as usize)
+                    .map(|i| {
+                        let (wave, opposite) = (&waves[i], &waves[r1 as usize - 1 - i]);
+                        let wave = format!("select({wave}, vec3f({opposite}.x, -{opposite}.y, {opposite}.z), is_opposite)");
+                        let at = format!("(t_line + {}u) & {}u", i as u32 * r2, n - 1);
+                        code.value(&format!("rows_pack(pair, line, {at}, {wave})"))
+                    })
+                    .collect();
+                let t = format!("(t_line & {}u)", r2 - 1);
+                code.line(&format!("let to = ((2u * c + pair) * {n}u + select(z, z_opposite, is_opposite)) * {n}u + {t};"));
+                for (k1, v) in (0..).zip(code.transform(x)) {
+                    code.line(&format!("halves[to + {}u] = fft_mul({v}, {});", k1 as u32 * r2, factors[k1]));
                 }
+                code.line("}");
             }
             "lines_second" => {
                 code.open("lines_second(line: u32, k1: u32)");
@@ -99,7 +112,7 @@ impl Transform {
             }
             "columns_first" => {
                 code.open("columns_first(column: u32, t: u32)");
-                let factors = code.factors(r1, n);
+                let factors = code.factors("t", r1, n);
                 let x = (0..r1).map(|i| code.value(&format!("lines[column + (t + {}u) * {n}u]", i * r2))).collect();
                 for (k1, v) in (0..).zip(code.transform(x)) {
                     let to = k1 as u32 * r2;
@@ -152,11 +165,11 @@ impl Code {
         name
     }
 
-    /// W_n^(t k1) for every k1, each a product of two before it, so that errors grow with the logarithm.
-    fn factors(&mut self, r1: u32, n: u32) -> Vec<String> {
+    /// W_n^(t k1) for a t and every k1, each a product of two before it, so that errors grow with the logarithm.
+    fn factors(&mut self, t: &str, r1: u32, n: u32) -> Vec<String> {
         let mut factors = vec!["vec2f(1.0, 0.0)".to_owned()];
         if r1 > 1 {
-            factors.push(self.value(&format!("twiddle[t * {}u]", TWIDDLES as u32 / n)));
+            factors.push(self.value(&format!("twiddle[{t} * {}u]", TWIDDLES as u32 / n)));
         }
         for k in 2..r1 as usize {
             let (a, b) = (&factors[k / 2], &factors[k - k / 2]);

@@ -1,7 +1,7 @@
 //! How textures of four numbers are kept that shaders read between texels: the maps of the sea, the tables of the sky.
 //!
-//! **Half**: half the traffic, which is what a GPU waits for. **Float**: for adapters that are CPUs, where the numbers of every
-//! texel are converted one by one: SwiftShader reads half floats in five times the time of floats, llvmpipe both in the same.
+//! **Half**: half the traffic, which is what a GPU waits for, and llvmpipe. **Float**: for other adapters that are CPUs, where the
+//! numbers of every texel are converted one by one: SwiftShader reads half floats in five times the time of floats.
 
 use half::f16;
 use std::borrow::Cow;
@@ -19,10 +19,15 @@ impl MapFormat {
     /// The feature without which floats cannot be read between texels.
     pub const FEATURES: wgpu::Features = wgpu::Features::FLOAT32_FILTERABLE;
 
-    /// The faster one for a device.
+    /// What to ask an adapter for, if it has it: a device has the feature where floats are the faster format.
+    pub fn features(adapter: &wgpu::AdapterInfo) -> wgpu::Features {
+        let is_cpu = adapter.device_type == wgpu::DeviceType::Cpu;
+        if is_cpu && !adapter.name.contains("llvmpipe") { Self::FEATURES } else { wgpu::Features::empty() }
+    }
+
+    /// The one of a device.
     pub fn of(device: &wgpu::Device) -> Self {
-        let is_cpu = device.adapter_info().device_type == wgpu::DeviceType::Cpu;
-        if is_cpu && device.features().contains(Self::FEATURES) { Self::Float } else { Self::Half }
+        if device.features().contains(Self::FEATURES) { Self::Float } else { Self::Half }
     }
 
     /// Of the textures.

@@ -149,7 +149,7 @@ impl RowsPass {
                 let constants = &t.straight_constants();
                 let module = shaders.straight(device, "rows_first", t);
                 let kernel = Kernel::new(device, "sea/rows/first", &module, &slots, constants);
-                let first = Half { kernel, size: [t.r2 / 8, r.n / 8, 1], has_uniform: true };
+                let first = Half { kernel, size: [t.r2 / 8, r.n / 16 + 1, 1], has_uniform: true };
                 let module = shaders.straight(device, "lines_second", t);
                 let kernel = Kernel::new(device, "sea/rows/second", &module, &[Slot::Read, Slot::Write], constants);
                 (first, Some(Half { kernel, size: [t.r1 / 8, r.n / 8, 2], has_uniform: false }))

@@ -4,7 +4,8 @@
 pub mod skies;
 
 use seastate::cli::render::{FORMAT, picture_of};
-use seastate::gpu::device::Gpu;
+use seastate::gpu::device::{self, Gpu};
+use seastate::gpu::map_format::MapFormat;
 use seastate::gpu::shaders::Shaders;
 use seastate::model::fields::{FIELDS, Kind};
 use seastate::model::noise::pcg4d;
@@ -17,6 +18,16 @@ pub fn gpu() -> Gpu {
 }
 
 /// The parameters of a state without mistakes in it.
+/// A device that keeps its maps in this format, whatever its adapter would choose.
+pub fn gpu_with(maps: MapFormat) -> Gpu {
+    let Gpu { adapter, .. } = gpu();
+    let mut descriptor = device::descriptor(&adapter);
+    descriptor.required_features.set(MapFormat::FEATURES, maps == MapFormat::Float);
+    let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).expect("a device");
+    assert_eq!(MapFormat::of(&device), maps);
+    Gpu { adapter, device, queue }
+}
+
 pub fn params(state: &str) -> Params {
     let (params, notices) = query::parse(state);
     assert_eq!(notices, Vec::<String>::new(), "{state}");
