@@ -1,6 +1,6 @@
-// The first half of the transform by itself, a thread for every t of a line and of
-// the line of the opposite waves: no exchange, hence no barrier, which costs a software GPU
-// more than another way through memory. The transforms are written out by gpu/fft.rs.
+// The first half of the transform by itself, a thread for every t of a line and of the line of the opposite waves: no exchange,
+// hence no barrier, which costs a software GPU more than another way through memory. The transforms are written out by
+// gpu/fft.rs.
 
 @group(0) @binding(5) var<storage, read_write> halves: array<vec4f>; // [cascade][pair][iz][k1][t]
 

@@ -36,6 +36,11 @@ fn rows_wave(line: RowsLine, x: u32) -> vec3f {
   return vec3f(line.weight * (forward + backward), bitcast<f32>(entry.y));
 }
 
+// A wave, or the one that stands for it in the line of the opposite waves.
+fn rows_choose(wave: vec3f, opposite: vec3f, is_opposite: bool) -> vec3f {
+  return select(wave, vec3f(opposite.x, -opposite.y, opposite.z), is_opposite);
+}
+
 fn rows_vector(line: RowsLine, x: u32) -> vec2f {
   return vec2f(f32(sea_signed(x, N)), f32(line.z)) * line.dk;
 }

@@ -78,26 +78,28 @@ impl Transform {
                 // they stand in reverse; t = r2 instead of 0 turns the spectrum by what the points are shifted.
                 code.open("rows_first(c: u32, t: u32, z: u32)");
                 code.line("let here = rows_line(c, z);");
-                let waves: Vec<String> =
-                    (0..r1).map(|i| code.value(&format!("rows_wave(here, t + {}u)", i * r2))).collect();
-                // In a loop, because these kernels take long to compile.
                 code.line(&format!("let z_opposite = ({n}u - z) & {}u;", n - 1));
+                // In loops, because a first picture waits for this kernel to be compiled.
+                code.line(&format!("var waves: array<vec3f, {r1}>;"));
+                code.line(&format!("for (var i = 0u; i < {r1}u; i++) {{"));
+                code.line(&format!("waves[i] = rows_wave(here, t + i * {r2}u);"));
+                code.line("}");
                 code.line("for (var i = 0u; i < select(4u, 2u, z == z_opposite); i++) {");
                 code.line("let pair = i & 1u;");
                 code.line("let is_opposite = i > 1u;");
-                code.line("let line = rows_line(c, select(z, z_opposite, is_opposite));");
+                code.line("let z_line = select(z, z_opposite, is_opposite);");
+                code.line("let line = rows_line(c, z_line);");
                 code.line(&format!("let t_line = select(t, {r2}u - t, is_opposite);"));
                 let factors = code.factors("t_line", r1, n);
-                let x = (0..r1 as usize)
+                let x = (0..r1)
                     .map(|i| {
-                        let (wave, opposite) = (&waves[i], &waves[r1 as usize - 1 - i]);
-                        let wave = format!("select({wave}, vec3f({opposite}.x, -{opposite}.y, {opposite}.z), is_opposite)");
-                        let at = format!("(t_line + {}u) & {}u", i as u32 * r2, n - 1);
+                        let wave = format!("rows_choose(waves[{i}], waves[{}], is_opposite)", r1 - 1 - i);
+                        let at = format!("(t_line + {}u) & {}u", i * r2, n - 1);
                         code.value(&format!("rows_pack(pair, line, {at}, {wave})"))
                     })
                     .collect();
                 let t = format!("(t_line & {}u)", r2 - 1);
-                code.line(&format!("let to = ((2u * c + pair) * {n}u + select(z, z_opposite, is_opposite)) * {n}u + {t};"));
+                code.line(&format!("let to = ((2u * c + pair) * {n}u + z_line) * {n}u + {t};"));
                 for (k1, v) in (0..).zip(code.transform(x)) {
                     code.line(&format!("halves[to + {}u] = fft_mul({v}, {});", k1 as u32 * r2, factors[k1]));
                 }
