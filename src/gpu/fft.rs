@@ -2,7 +2,7 @@
 //!
 //! There are two ways (shaders/fft_common.wgsl has the formula). **Exchanged**: one dispatch for a line, whose threads pass
 //! their halves on through workgroup memory; the least traffic through memory, for a GPU. **Straight**: two dispatches, each
-//! thread by itself with all its points in registers, written out without loops, arrays or barriers; for adapters that are
+//! thread by itself with all its points in registers, the transforms written out and without barriers; for adapters that are
 //! CPUs, where a barrier means that every thread's state is put away and taken up again. The rule is the adapter's kind.
 
 use std::f64::consts::TAU;
