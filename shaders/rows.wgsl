@@ -1,5 +1,7 @@
 // All of it in one dispatch, a line's points exchanged through workgroup memory.
 
+@group(0) @binding(4) var<storage, read_write> lines: array<vec4f>; // [cascade][pair][iz][x]
+
 var<private> rows_h: array<vec3f, 32>;
 
 // x of the workgroup: thread of a line; y: line.

@@ -2,7 +2,7 @@
 // hence no barrier, which costs a software GPU more than another way through memory. The transforms are written out by
 // gpu/fft.rs.
 
-@group(0) @binding(5) var<storage, read_write> halves: array<vec4f>; // [cascade][pair][iz][k1][t]
+@group(0) @binding(4) var<storage, read_write> halves: array<vec4f>; // [cascade][pair][iz][k1][t]
 
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {

@@ -6,7 +6,6 @@
 @group(0) @binding(1) var<storage, read> h0: array<vec2f>; // [cascade][iz][ix]
 @group(0) @binding(2) var<storage, read> wave: array<vec2u>; // turns, bits of orbit / |k|, per triangle entry
 @group(0) @binding(3) var<storage, read> twiddle: array<vec2f>; // e^(2 pi i j / 1024)
-@group(0) @binding(4) var<storage, read_write> lines: array<vec4f>; // [cascade][pair][iz][x]
 
 // What the waves of a line have in common.
 struct RowsLine {

@@ -149,7 +149,7 @@ fn info_says_what_runs_on_what() {
     let software = json["kind"] == "Cpu";
     assert_eq!(json["ways"]["samples_a_pixel"], if software { "1" } else { "4" });
     let way = json["ways"]["transform"].as_str().expect("a way");
-    assert!(way.starts_with(if software { "straight" } else { "exchanged" }), "{way}");
+    assert!(way.starts_with(if software { "merged" } else { "exchanged" }), "{way}");
     let output = seastate(&["info"]);
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     for name in ["Seastate", "wgpu", "adapter", "backend", "driver", "features", "texture side"] {

@@ -34,14 +34,18 @@ const OLD_CPU: (Way, MapFormat) = (Way::Straight, MapFormat::Half);
 #[test]
 fn every_size_agrees_with_the_oracle() {
     for n in [64, 128, 256] {
-        [GPU, CPU, OLD_CPU].into_iter().for_each(|kind| assert_right(&format!("wind=10&fetch=100&t=20&n={n}"), kind));
+        [GPU, CPU, OLD_CPU, LLVMPIPE]
+            .into_iter()
+            .for_each(|kind| assert_right(&format!("wind=10&fetch=100&t=20&n={n}"), kind));
     }
 }
 
 #[test]
 fn large_sizes_agree_with_the_oracle() {
     for n in [512, 1024] {
-        [GPU, CPU].into_iter().for_each(|kind| assert_right(&format!("wind=10&fetch=100&t=20&n={n}&cascades=1"), kind));
+        [GPU, CPU, LLVMPIPE]
+            .into_iter()
+            .for_each(|kind| assert_right(&format!("wind=10&fetch=100&t=20&n={n}&cascades=1"), kind));
     }
 }
 
@@ -59,6 +63,9 @@ fn other_seas_agree_with_the_oracle() {
         assert_right(&format!("{state}&n=64"), CPU);
     }
 }
+
+/// llvmpipe.
+const LLVMPIPE: (Way, MapFormat) = (Way::Merged, MapFormat::Half);
 
 /// One fault of 1 % in each pass: where it stands, and which lines must turn red.
 const FAULTS: &[(&str, &str, &str, &str)] = &[
@@ -98,6 +105,10 @@ const FAULTS_OF_A_WAY: &[((Way, MapFormat), &str, &str, &str, &str)] = &[
     (CPU, "columns_first", "v * w.x", "1.01 * v * w.x", "columns"),
     (CPU, "columns_second", "* N + x] = value", "* N + x] = 1.01 * value", "columns"),
     (CPU, "columns_second", "maps_texel(value)", "maps_texel(1.01 * value)", "maps"),
+    (LLVMPIPE, "rows_first", "forward + backward", "forward + 1.01 * backward", "waves"),
+    (LLVMPIPE, "middle", "v * w.x", "1.01 * v * w.x", "waves"),
+    (LLVMPIPE, "columns_last", "long_pack(value)", "long_pack(1.01 * value)", "waves"),
+    (LLVMPIPE, "columns_last", "maps_texel(value)", "maps_texel(1.01 * value)", "maps"),
 ];
 
 #[test]

@@ -4,7 +4,7 @@
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use seastate::gpu::layout::{self, Layout};
 use seastate::gpu::map_format::MapFormat;
-use seastate::gpu::shaders::{Shaders, locate};
+use seastate::gpu::shaders::{MERGED, Shaders, locate};
 use std::collections::BTreeSet;
 
 fn layouts() -> Vec<Layout> {
@@ -30,7 +30,8 @@ fn parsed() -> Vec<(&'static str, naga::Module)> {
 fn every_module_is_valid_without_optional_features() {
     for (name, module) in parsed() {
         // pack2x16float is no option of WebGPU's, but one of naga's for older interfaces.
-        let mut validator = Validator::new(ValidationFlags::all(), Capabilities::SHADER_FLOAT16_IN_FLOAT32);
+        let long = if MERGED.contains(&name) { Capabilities::SHADER_INT64 } else { Capabilities::empty() };
+        let mut validator = Validator::new(ValidationFlags::all(), Capabilities::SHADER_FLOAT16_IN_FLOAT32 | long);
         if let Err(e) = validator.validate(&module) {
             panic!("{name}: {}", e.emit_to_string(&module_text(name)));
         }

@@ -1,12 +1,14 @@
 //! What Seastate demands of a GPU: WebGPU's base limits. Of optional features it takes timestamps, to say what costs what,
-//! and filters of floats where these are faster (map_format.rs).
+//! filters of floats and long numbers where these are faster (map_format.rs, fft.rs).
 
+use super::fft::Way;
 use super::map_format::MapFormat;
 use super::timer;
 
 /// The device that every shell asks an adapter for.
 pub fn descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
-    let wanted = timer::FEATURES | timer::BETWEEN_PASSES | MapFormat::features(&adapter.get_info());
+    let info = adapter.get_info();
+    let wanted = timer::FEATURES | timer::BETWEEN_PASSES | MapFormat::features(&info) | Way::features(&info);
     wgpu::DeviceDescriptor {
         label: Some("seastate"),
         required_features: adapter.features() & wanted,

@@ -1,9 +1,12 @@
 //! How a line of n points is transformed on the GPU: in what steps, by which threads, and the WGSL of steps that are written out.
 //!
-//! There are two ways (shaders/fft_common.wgsl has the formula). **Exchanged**: one dispatch for a line, whose threads pass
+//! There are three ways (shaders/fft_common.wgsl has the formula). **Exchanged**: one dispatch for a line, whose threads pass
 //! their halves on through workgroup memory; the least traffic through memory, for a GPU. **Straight**: two dispatches, each
 //! thread by itself with all its points in registers, the transforms written out and without barriers; for adapters that are
-//! CPUs, where a barrier means that every thread's state is put away and taken up again. The rule is the adapter's kind.
+//! CPUs, where a barrier means that every thread's state is put away and taken up again. **Merged**: the same, but the second
+//! half along x and the first half along z are one dispatch, over a rectangle of points, so that numbers go through memory twice
+//! instead of three times, and up to 64 points are a thread's; for llvmpipe, which reads and writes number by number, and compiles
+//! 64 points in a moment, where SwiftShader takes 9 s. The rule is the adapter's kind and name.
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -20,46 +23,78 @@ pub enum Way {
     Exchanged,
     /// In two.
     Straight,
+    /// In two, of which the second along x is also the first along z.
+    Merged,
 }
 
 impl Way {
-    /// The faster one for a device.
+    /// Without this a device cannot have [`Way::Merged`]: llvmpipe moves one long number in the time of a short one.
+    pub const FEATURES: wgpu::Features = wgpu::Features::SHADER_INT64;
+
+    /// What to ask an adapter for, if it has it: a device has the feature where merging is the faster way.
+    pub fn features(adapter: &wgpu::AdapterInfo) -> wgpu::Features {
+        if adapter.name.contains("llvmpipe") { Self::FEATURES } else { wgpu::Features::empty() }
+    }
+
+    /// The fastest one for a device.
     pub fn of(device: &wgpu::Device) -> Self {
         match device.adapter_info().device_type {
+            wgpu::DeviceType::Cpu if device.features().contains(Self::FEATURES) => Self::Merged,
             wgpu::DeviceType::Cpu => Self::Straight,
             _ => Self::Exchanged,
         }
     }
+
+    /// The same, or the next best if lines of `n` points are too long for it.
+    #[must_use]
+    pub fn for_points(self, n: u32) -> Self {
+        if self == Self::Merged && n > MERGED_LIMIT { Self::Straight } else { self }
+    }
 }
 
-/// The factorisation n = r1 x r2 and how many lines share a workgroup.
+/// Longest line that is merged: a thread has 64 points of it at most.
+const MERGED_LIMIT: u32 = 512;
+
+/// How an axis of n points is split.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Factors {
+    /// Points that a thread transforms first.
+    pub first: u32,
+    /// Points that it transforms second.
+    pub second: u32,
+}
+
+/// The factorisations of n and how many lines share a workgroup.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Transform {
     /// Points of a line.
     pub n: u32,
-    /// Points that a thread transforms first.
-    pub r1: u32,
-    /// Points that it transforms second; also the threads of a line.
-    pub r2: u32,
+    /// How they are transformed.
+    pub way: Way,
+    /// Along x; where lines are exchanged, `second` is also the number of a line's threads.
+    pub x: Factors,
+    /// Along z.
+    pub z: Factors,
     /// Lines of a workgroup, where they are exchanged.
     pub lines: u32,
 }
 
 impl Transform {
-    /// The kernel for lines of `n` points, a power of two from 64 to 1024.
-    pub fn new(n: u32) -> Self {
-        let log = n.ilog2();
-        let r1 = 1 << log.div_ceil(2);
-        let r2 = n / r1;
+    /// The kernels for lines of `n` points, a power of two from 64 to 1024 (to 512 if they are merged).
+    pub fn new(n: u32, way: Way) -> Self {
+        let split = |second: u32| Factors { first: n / second, second };
+        let even = split(1 << (n.ilog2() / 2));
+        let (x, z) = if way == Way::Merged { (split(8), split(64)) } else { (even, even) };
         // At least a warp's worth of threads, as far as the workgroup memory reaches.
-        let lines = (64 / r2).clamp(1, EXCHANGE_LIMIT / n);
-        Self { n, r1, r2, lines }
+        let lines = (64 / even.second).clamp(1, EXCHANGE_LIMIT / n);
+        Self { n, way, x, z, lines }
     }
 
     /// Override constants of the kernels that exchange.
     pub fn exchanged_constants(&self) -> [(&'static str, f64); 5] {
         let exchange = self.lines * self.n;
-        [("N", self.n), ("R1", self.r1), ("R2", self.r2), ("LINES", self.lines), ("EXCHANGE", exchange)]
+        let Factors { first, second } = self.x;
+        [("N", self.n), ("R1", first), ("R2", second), ("LINES", self.lines), ("EXCHANGE", exchange)]
             .map(|(name, value)| (name, f64::from(value)))
     }
 
@@ -70,7 +105,9 @@ impl Transform {
 
     /// What is written out of a module, by its name: the functions that its entry point calls.
     pub fn straight_code(&self, module: &str) -> Option<String> {
-        let Self { n, r1, r2, .. } = *self;
+        let Self { n, x: along_x, z: along_z, .. } = *self;
+        let is_row = module == "rows_first" || module == "lines_second";
+        let Factors { first: r1, second: r2 } = if is_row { along_x } else { along_z };
         let mut code = Code::default();
         match module {
             "rows_first" => {
@@ -132,6 +169,45 @@ impl Transform {
                         let place = format!("{pair}u, c, cascades, x, k1 + {}u", k2 * r1);
                         code.line(&format!("columns_store({place}, {v}.{order});"));
                     }
+                }
+            }
+            "middle" => {
+                code.open("middle(layer: u32, k1: u32, t: u32)");
+                code.line(&format!("let here = layer * {}u;", n * n));
+                let factors = code.factors("t", r1, n);
+                let lines = (0..r1).map(|i| {
+                    code.line(&format!("let line_{i} = here + (t + {}u) * {n}u + k1 * {}u;", i * r2, along_x.second));
+                    let points =
+                        (0..along_x.second).map(|n2| code.value(&format!("long_unpack(lines[line_{i} + {n2}u])")));
+                    let points = points.collect();
+                    code.transform(points)
+                });
+                let lines: Vec<Vec<String>> = lines.collect();
+                for k2 in 0..along_x.second {
+                    let column = lines.iter().map(|line| line[k2 as usize].clone()).collect();
+                    code.line(&format!(
+                        "let tile_{k2} = here + (k1 + {}u) / 8u * {}u + t * 8u + k1 % 8u;",
+                        k2 * along_x.first,
+                        8 * r2
+                    ));
+                    for (k, v) in (0..).zip(code.transform(column)) {
+                        let place = format!("tile_{k2} + {}u", k as u32 * n * r2);
+                        code.line(&format!("halves[{place}] = long_pack(fft_mul({v}, {}));", factors[k]));
+                    }
+                }
+            }
+            "columns_last" => {
+                code.open("columns_last(layer: u32, layers: u32, x: u32, k1: u32)");
+                code.line(&format!(
+                    "let here = layer * {}u + k1 * {}u + x / 8u * {}u + x % 8u;",
+                    n * n,
+                    n * r2,
+                    8 * r2
+                ));
+                let points =
+                    (0..r2).map(|n2| code.value(&format!("long_unpack(halves[here + {}u])", n2 * 8))).collect();
+                for (k2, v) in (0..).zip(code.transform(points)) {
+                    code.line(&format!("columns_store(layer, layers, x, k1 + {}u, {v});", k2 * r1));
                 }
             }
             _ => return None,
@@ -245,10 +321,11 @@ mod tests {
     #[test]
     fn kernels_fit_the_base_limits() {
         for n in [64, 128, 256, 512, 1024] {
-            let t = Transform::new(n);
-            assert_eq!(t.r1 * t.r2, n);
-            assert!(t.r1 >= t.r2 && [8, 16, 32].contains(&t.r1) && [8, 16, 32].contains(&t.r2));
-            assert!(t.lines * t.n <= EXCHANGE_LIMIT && n % t.lines == 0 && t.lines * t.r2 <= 256);
+            let t = Transform::new(n, Way::Exchanged);
+            let Factors { first, second } = t.x;
+            assert_eq!((t.x, first * second), (t.z, n));
+            assert!(first >= second && [8, 16, 32].contains(&first) && [8, 16, 32].contains(&second));
+            assert!(t.lines * t.n <= EXCHANGE_LIMIT && n % t.lines == 0 && t.lines * second <= 256);
         }
     }
 }

@@ -23,6 +23,7 @@ const NOISE: Part = part!("noise.wgsl");
 const TILES: Part = part!("tiles.wgsl");
 const FFT_COMMON: Part = part!("fft_common.wgsl");
 const FFT: Part = part!("fft.wgsl");
+const LONG: Part = part!("long.wgsl");
 const ROWS_WAVES: Part = part!("rows_waves.wgsl");
 const MIPS: Part = part!("mips.wgsl");
 const ATMOSPHERE: Part = part!("atmosphere.wgsl");
@@ -52,9 +53,11 @@ const MODULES: &[(&str, &[Part])] = &[
     ("rows", &[MATHS, SEA, FFT_COMMON, FFT, ROWS_WAVES, part!("rows.wgsl")]),
     ("rows_first", &[MATHS, SEA, FFT_COMMON, ROWS_WAVES, part!("rows_first.wgsl")]),
     ("lines_second", &[FFT_COMMON, part!("lines_second.wgsl")]),
+    ("middle", &[FFT_COMMON, LONG, part!("middle.wgsl")]),
     ("columns", &[SEA, FFT_COMMON, FFT, part!("columns.wgsl")]),
     ("columns_first", &[FFT_COMMON, part!("columns_first.wgsl")]),
     ("columns_second", &[FFT_COMMON, part!("maps_half.wgsl"), part!("columns_second.wgsl")]),
+    ("columns_last", &[FFT_COMMON, LONG, part!("maps_half.wgsl"), part!("columns_last.wgsl")]),
     ("mips_level", &[SEA, MIPS, part!("mips_level.wgsl")]),
     ("mips_chain", &[SEA, MIPS, part!("mips_chain.wgsl")]),
     ("foam", &[MATHS, SEA, NOISE, TILES, part!("foam.wgsl")]),
@@ -98,6 +101,9 @@ const MODULES: &[(&str, &[Part])] = &[
     ("debug_map", &[MATHS, SEA, DEBUG, part!("debug_map.wgsl")]),
     ("debug_show", &[part!("debug_show.wgsl")]),
 ];
+
+/// Modules of [`Way::Merged`]; only they have long numbers.
+pub const MERGED: [&str; 2] = ["middle", "columns_last"];
 
 /// Modules that hold another whole, and what they add to it.
 const EXTENSIONS: &[(&str, &str, &[Part])] = &[
@@ -151,9 +157,9 @@ impl Shaders {
         Self { way: Some(way), ..self }
     }
 
-    /// How lines are transformed on a device.
-    pub fn way(&self, device: &wgpu::Device) -> Way {
-        self.way.unwrap_or_else(|| Way::of(device))
+    /// How lines of `n` points are transformed on a device.
+    pub fn way(&self, device: &wgpu::Device, n: u32) -> Way {
+        self.way.unwrap_or_else(|| Way::of(device)).for_points(n)
     }
 
     /// The same with maps of one format on every adapter that can filter it.
@@ -169,9 +175,11 @@ impl Shaders {
 
     /// Names and joined texts; what is written out is that of 256 points, and maps are of half floats unless they are chosen.
     pub fn all(&self) -> impl Iterator<Item = (&'static str, String)> {
-        let transform = Transform::new(256);
         let maps = self.maps.unwrap_or(MapFormat::Half);
-        self.sources.keys().map(move |name| (*name, self.source(name, transform, maps)))
+        self.sources.keys().map(move |name| {
+            let way = if MERGED.contains(name) { Way::Merged } else { Way::Straight };
+            (*name, self.source(name, Transform::new(256, way), maps))
+        })
     }
 
     fn source(&self, name: &str, transform: Transform, maps: MapFormat) -> String {

@@ -42,10 +42,12 @@ impl About {
             ("timestamps", timer::FEATURES),
             ("timestamps between passes", timer::BETWEEN_PASSES),
             ("filtered floats", MapFormat::FEATURES),
+            ("long numbers", Way::FEATURES),
         ];
         let transform = match Way::of(device) {
             Way::Exchanged => "exchanged: a dispatch for each axis, through workgroup memory",
             Way::Straight => "straight: two dispatches for each axis, without barriers",
+            Way::Merged => "merged: three dispatches for both axes, without barriers",
         };
         let maps = match MapFormat::of(device) {
             MapFormat::Half => "half floats",

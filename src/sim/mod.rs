@@ -61,7 +61,7 @@ pub struct Simulation {
 impl Simulation {
     /// Allocates a sea.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, plan: Plan, shaders: &Shaders) -> Self {
-        let resources = Resources::new(device, queue, &plan, shaders.way(device), shaders.maps(device));
+        let resources = Resources::new(device, queue, &plan, shaders.way(device, plan.n), shaders.maps(device));
         let sea_steps = UniformRing::new(device, "sea", SEA_SLOTS);
         let foam_steps = UniformRing::new(device, "foam", MAX_STEPS);
         let passes = Passes::new(device, shaders, &resources, &sea_steps, &foam_steps);

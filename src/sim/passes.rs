@@ -1,7 +1,7 @@
 //! The compute passes, in the order of the frame. A pass is a kernel, its bindings and its number of workgroups.
 
 use super::resources::{MapKind, Resources, Straight, Waves, map, view};
-use crate::gpu::fft::Transform;
+use crate::gpu::fft::{Transform, Way};
 use crate::gpu::kernel::{Kernel, Slot, UniformRing};
 use crate::gpu::layout::{FOAM_LEVELS, FoamUniform, SeaUniform};
 use crate::gpu::shaders::Shaders;
@@ -125,7 +125,7 @@ impl Half {
     }
 }
 
-/// shaders/rows.wgsl, or rows_first.wgsl and lines_second.wgsl.
+/// shaders/rows.wgsl, or rows_first.wgsl and lines_second.wgsl, or only rows_first.wgsl where the rest is merged with the columns.
 pub struct RowsPass {
     first: Half,
     second: Option<Half>,
@@ -136,40 +136,33 @@ pub struct RowsPass {
 
 impl RowsPass {
     fn new(device: &wgpu::Device, shaders: &Shaders, r: &Resources, sea: &UniformRing<SeaUniform>) -> Self {
-        let t = Transform::new(r.n);
-        let mut slots = vec![SEA, Slot::Read, Slot::Read, Slot::Read, Slot::Write];
-        let (first, second) = match &r.straight {
-            None => {
-                let module = shaders.module(device, "rows");
-                let kernel = Kernel::new(device, "sea/rows", &module, &slots, &t.exchanged_constants());
-                (Half { kernel, size: [r.n / t.lines, 1, 1], has_uniform: true }, None)
-            }
-            Some(_) => {
-                slots.push(Slot::Write);
-                let constants = &t.straight_constants();
-                let module = shaders.straight(device, "rows_first", t);
-                let kernel = Kernel::new(device, "sea/rows/first", &module, &slots, constants);
-                let first = Half { kernel, size: [t.r2 / 8, r.n / 16 + 1, 1], has_uniform: true };
-                let module = shaders.straight(device, "lines_second", t);
-                let kernel = Kernel::new(device, "sea/rows/second", &module, &[Slot::Read, Slot::Write], constants);
-                (first, Some(Half { kernel, size: [t.r1 / 8, r.n / 8, 2], has_uniform: false }))
-            }
+        let t = Transform::new(r.n, r.way);
+        let slots = [SEA, Slot::Read, Slot::Read, Slot::Read, Slot::Write];
+        let first = if r.way == Way::Exchanged {
+            let module = shaders.module(device, "rows");
+            let kernel = Kernel::new(device, "sea/rows", &module, &slots, &t.exchanged_constants());
+            Half { kernel, size: [r.n / t.lines, 1, 1], has_uniform: true }
+        } else {
+            let module = shaders.straight(device, "rows_first", t);
+            let kernel = Kernel::new(device, "sea/rows/first", &module, &slots, &t.straight_constants());
+            Half { kernel, size: [t.x.second / 8, r.n / 16 + 1, 1], has_uniform: true }
         };
+        let second = (r.way == Way::Straight).then(|| {
+            let (module, slots) = (shaders.straight(device, "lines_second", t), [Slot::Read, Slot::Write]);
+            let kernel = Kernel::new(device, "sea/rows/second", &module, &slots, &t.straight_constants());
+            Half { kernel, size: [t.x.first / 8, r.n / 8, 2], has_uniform: false }
+        });
         let mut pass = Self { first, second, groups: [None, None], second_group: None };
         pass.bind(device, r, sea);
         pass
     }
 
     fn bind(&mut self, device: &wgpu::Device, r: &Resources, sea: &UniformRing<SeaUniform>) {
+        // Halves are read from there by whatever comes second.
+        let to = r.straight.as_ref().filter(|_| r.way == Way::Straight).map_or(&r.lines, |s| &s.halves);
         let group = |waves: &Waves| {
-            let mut bound = vec![
-                sea.binding(),
-                waves.h0.as_entire_binding(),
-                waves.wave.as_entire_binding(),
-                r.twiddle.as_entire_binding(),
-                r.lines.as_entire_binding(),
-            ];
-            bound.extend(r.straight.iter().map(|s| s.halves.as_entire_binding()));
+            let buffers = [&waves.h0, &waves.wave, &r.twiddle, to].map(wgpu::Buffer::as_entire_binding);
+            let bound: Vec<_> = std::iter::once(sea.binding()).chain(buffers).collect();
             self.first.kernel.bind(device, &bound)
         };
         self.groups = [Some(group(&r.sea)), r.other.as_ref().map(group)];
@@ -188,7 +181,7 @@ impl RowsPass {
     }
 }
 
-/// shaders/columns.wgsl, or columns_first.wgsl and columns_second.wgsl.
+/// shaders/columns.wgsl, or columns_first.wgsl and columns_second.wgsl, or middle.wgsl and columns_last.wgsl.
 pub enum ColumnsPass {
     /// In one dispatch.
     Exchanged(Half, wgpu::BindGroup),
@@ -215,12 +208,13 @@ struct SecondCode {
 
 impl SecondCode {
     fn compile(&self, keep_f32: bool) -> Half {
-        let Transform { n, r1, .. } = self.transform;
+        let Transform { n, way, z, .. } = self.transform;
         let keep = [("KEEP_F32", f64::from(u8::from(keep_f32)))];
         let constants = [self.transform.straight_constants(), keep].concat();
         let slots = [Slot::Read, Slot::Write, Slot::Write];
         let kernel = Kernel::new(&self.device, "sea/columns/second", &self.module, &slots, &constants);
-        Half { kernel, size: [n / 64, r1, 1], has_uniform: false }
+        let layers = if way == Way::Merged { 2 } else { 1 };
+        Half { kernel, size: [n / 64, z.first, layers], has_uniform: false }
     }
 }
 
@@ -232,7 +226,7 @@ impl StraightColumns {
 
 impl ColumnsPass {
     fn new(device: &wgpu::Device, shaders: &Shaders, r: &Resources, sea: &UniformRing<SeaUniform>) -> Self {
-        let t = Transform::new(r.n);
+        let t = Transform::new(r.n, r.way);
         let Some(straight) = &r.straight else {
             let module = shaders.module(device, "columns");
             let slots = [SEA, Slot::Read, Slot::Write, Slot::Image(r.format)];
@@ -241,11 +235,15 @@ impl ColumnsPass {
             return Self::Exchanged(Half { kernel, size: [r.n / t.lines, 1, 1], has_uniform: true }, group);
         };
         let slots = [Slot::Read, Slot::Read, Slot::Write];
-        let module = shaders.straight(device, "columns_first", t);
+        let ([first, second], size) = match r.way {
+            Way::Merged => (["middle", "columns_last"], [t.x.first / 8, t.z.second / 8, 2]),
+            _ => (["columns_first", "columns_second"], [r.n / 64, t.z.second, 2]),
+        };
+        let module = shaders.straight(device, first, t);
         let kernel = Kernel::new(device, "sea/columns/first", &module, &slots, &t.straight_constants());
         let first_group = Self::first_group(device, &kernel, r, straight);
-        let first = Half { kernel, size: [r.n / 64, t.r2, 2], has_uniform: false };
-        let module = shaders.straight(device, "columns_second", t);
+        let first = Half { kernel, size, has_uniform: false };
+        let module = shaders.straight(device, second, t);
         let code = SecondCode { device: device.clone(), module, transform: t };
         let second = code.compile(false);
         let second_group = Self::second_group(device, &second.kernel, r, straight);

@@ -42,7 +42,9 @@ pub struct Resources {
     /// Transformed lines, two complex f32 pairs, \[cascade\]\[pair\]\[iz\]\[x\]. Two seas take turns: both at once would not
     /// fit into one binding at n = 1024.
     pub lines: wgpu::Buffer,
-    /// What transforms in two dispatches need besides.
+    /// How the lines are transformed.
+    pub way: Way,
+    /// What transforms need besides that are written out.
     pub straight: Option<Straight>,
     /// Foam, f32, \[level\]\[z\]\[x\].
     pub foam_history: wgpu::Buffer,
@@ -59,7 +61,7 @@ pub struct Resources {
     pub allocations: u32,
 }
 
-/// Buffers of transforms that are written out ([`Way::Straight`]).
+/// Buffers of transforms that are written out ([`Way::Straight`] and [`Way::Merged`]).
 #[derive(Debug)]
 pub struct Straight {
     /// Lines whose transform is half done, as large as the lines.
@@ -115,7 +117,8 @@ impl Resources {
             other: None,
             twiddle,
             lines: storage(device, "lines", line_bytes(n, u64::from(count))),
-            straight: (way == Way::Straight).then(|| Straight::new(device, n, u64::from(count), format)),
+            way,
+            straight: (way != Way::Exchanged).then(|| Straight::new(device, n, u64::from(count), format)),
             foam_history: storage(device, "foam history", 4 * FOAM_LEVELS as u64 * u64::from(foam_n * foam_n)),
             format,
             maps: maps(device, n, count, format),
