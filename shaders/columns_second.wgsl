@@ -7,10 +7,13 @@ override KEEP_F32: bool = false; // also leaves the result in the intermediate b
 @group(0) @binding(1) var<storage, read_write> maps: array<MapsTexel>; // [pair][cascade][z][x]
 @group(0) @binding(2) var<storage, read_write> lines: array<vec4f>; // [cascade][pair][z][x]
 
-fn columns_store(pair: u32, c: u32, cascades: u32, x: u32, z: u32, value: vec4f) {
-  maps[((pair * cascades + c) * N + z) * N + x] = maps_texel(value);
+fn columns_store(layer: u32, layers: u32, x: u32, z: u32, packed: vec4f) {
+  let pair = layer & 1u;
+  // Packed order is Dx, Dz, eta, dDx/dz.
+  let value = select(packed.xzyw, packed, pair == 1u);
+  maps[(((pair * layers + layer) >> 1u) * N + z) * N + x] = maps_texel(value);
   if KEEP_F32 {
-    lines[((2u * c + pair) * N + z) * N + x] = value;
+    lines[(layer * N + z) * N + x] = value;
   }
 }
 

@@ -159,16 +159,11 @@ impl Transform {
                 }
             }
             "columns_second" => {
-                code.open("columns_second(c: u32, cascades: u32, x: u32, k1: u32)");
-                for pair in 0..2 {
-                    code.line(&format!("let from_{pair} = ((2u * c + {pair}u) * {n}u + k1 * {r2}u) * {n}u + x;"));
-                    let points = (0..r2).map(|n2| code.value(&format!("halves[from_{pair} + {}u]", n2 * n))).collect();
-                    // Packed order is Dx, Dz, eta, dDx/dz.
-                    let order = ["xzyw", "xyzw"][pair];
-                    for (k2, v) in (0..).zip(code.transform(points)) {
-                        let place = format!("{pair}u, c, cascades, x, k1 + {}u", k2 * r1);
-                        code.line(&format!("columns_store({place}, {v}.{order});"));
-                    }
+                code.open("columns_second(layer: u32, layers: u32, x: u32, k1: u32)");
+                code.line(&format!("let here = (layer * {n}u + k1 * {r2}u) * {n}u + x;"));
+                let points = (0..r2).map(|n2| code.value(&format!("halves[here + {}u]", n2 * n))).collect();
+                for (k2, v) in (0..).zip(code.transform(points)) {
+                    code.line(&format!("columns_store(layer, layers, x, k1 + {}u, {v});", k2 * r1));
                 }
             }
             "middle" => {

@@ -208,13 +208,12 @@ struct SecondCode {
 
 impl SecondCode {
     fn compile(&self, keep_f32: bool) -> Half {
-        let Transform { n, way, z, .. } = self.transform;
+        let Transform { n, z, .. } = self.transform;
         let keep = [("KEEP_F32", f64::from(u8::from(keep_f32)))];
         let constants = [self.transform.straight_constants(), keep].concat();
         let slots = [Slot::Read, Slot::Write, Slot::Write];
         let kernel = Kernel::new(&self.device, "sea/columns/second", &self.module, &slots, &constants);
-        let layers = if way == Way::Merged { 2 } else { 1 };
-        Half { kernel, size: [n / 64, z.first, layers], has_uniform: false }
+        Half { kernel, size: [n / 64, z.first, 2], has_uniform: false }
     }
 }
 
