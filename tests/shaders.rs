@@ -27,7 +27,7 @@ fn parsed() -> Vec<(&'static str, naga::Module)> {
 }
 
 #[test]
-fn every_module_is_valid_without_optional_features() {
+fn every_module_is_valid_with_the_features_of_its_way() {
     for (name, module) in parsed() {
         // pack2x16float is no option of WebGPU's, but one of naga's for older interfaces.
         let long = if MERGED.contains(&name) { Capabilities::SHADER_INT64 } else { Capabilities::empty() };

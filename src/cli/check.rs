@@ -1,5 +1,6 @@
 //! `seastate check`: every GPU pass against its f64 twin. A pass is fed from the oracle's previous stage, so that an
-//! error names one pass. The tests run the same comparison, also with planted faults.
+//! error names one pass (rows and columns are one where they are merged). The tests run the same comparison, also with planted
+//! faults.
 
 use crate::gpu::device::Gpu;
 use crate::gpu::fft::Way;

@@ -6,7 +6,8 @@
 //! CPUs, where a barrier means that every thread's state is put away and taken up again. **Merged**: the same, but the second
 //! half along x and the first half along z are one dispatch, over a rectangle of points, so that numbers go through memory twice
 //! instead of three times, and up to 64 points are a thread's; for llvmpipe, which reads and writes number by number, and compiles
-//! 64 points in a moment, where SwiftShader takes 9 s. The rule is the adapter's kind and name.
+//! 64 points in a moment, where SwiftShader takes 9 s. The rule is the adapter's kind, name and
+//! features: browsers have no numbers of 64 bits, so it is llvmpipe in native programs that merges, up to 512 points.
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;

@@ -151,7 +151,8 @@ impl Shaders {
         self
     }
 
-    /// The same with one way of transforming on every adapter: how it is tested and measured where it is not the rule.
+    /// The same with one way of transforming on every device that can (long numbers are a feature): how it is tested and
+    /// measured where it is not the rule.
     #[must_use]
     pub fn with_way(self, way: Way) -> Self {
         Self { way: Some(way), ..self }

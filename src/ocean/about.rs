@@ -47,7 +47,7 @@ impl About {
         let transform = match Way::of(device) {
             Way::Exchanged => "exchanged: a dispatch for each axis, through workgroup memory",
             Way::Straight => "straight: two dispatches for each axis, without barriers",
-            Way::Merged => "merged: three dispatches for both axes, without barriers",
+            Way::Merged => "merged: three dispatches for both axes of up to 512 points, without barriers",
         };
         let maps = match MapFormat::of(device) {
             MapFormat::Half => "half floats",

@@ -39,8 +39,8 @@ pub struct Resources {
     pub other: Option<Waves>,
     /// e^(2 pi i j / 1024), f32.
     pub twiddle: wgpu::Buffer,
-    /// Transformed lines, two complex f32 pairs, \[cascade\]\[pair\]\[iz\]\[x\]; half transformed in [`Way::Merged`]. Two seas take turns: both at once would not
-    /// fit into one binding at n = 1024.
+    /// Transformed lines, two complex f32 pairs, \[cascade\]\[pair\]\[iz\]\[x\]; in [`Way::Merged`] half transformed,
+    /// \[cascade\]\[pair\]\[iz\]\[k1\]\[t\]. Two seas take turns: both at once would not fit into one binding at n = 1024.
     pub lines: wgpu::Buffer,
     /// How the lines are transformed.
     pub way: Way,

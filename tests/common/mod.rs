@@ -5,6 +5,7 @@ pub mod skies;
 
 use seastate::cli::render::{FORMAT, picture_of};
 use seastate::gpu::device::{self, Gpu};
+use seastate::gpu::fft::Way;
 use seastate::gpu::map_format::MapFormat;
 use seastate::gpu::shaders::Shaders;
 use seastate::model::fields::{FIELDS, Kind};
@@ -17,17 +18,18 @@ pub fn gpu() -> Gpu {
     pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers")
 }
 
-/// The parameters of a state without mistakes in it.
-/// A device that keeps its maps in this format, whatever its adapter would choose.
+/// A device that keeps its maps in this format, and can transform in every way that its adapter knows, whatever would be chosen.
 pub fn gpu_with(maps: MapFormat) -> Gpu {
     let Gpu { adapter, .. } = gpu();
     let mut descriptor = device::descriptor(&adapter);
     descriptor.required_features.set(MapFormat::FEATURES, maps == MapFormat::Float);
+    descriptor.required_features |= adapter.features() & Way::FEATURES;
     let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).expect("a device");
     assert_eq!(MapFormat::of(&device), maps);
     Gpu { adapter, device, queue }
 }
 
+/// The parameters of a state without mistakes in it.
 pub fn params(state: &str) -> Params {
     let (params, notices) = query::parse(state);
     assert_eq!(notices, Vec::<String>::new(), "{state}");
