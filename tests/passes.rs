@@ -107,7 +107,7 @@ const FAULTS_OF_A_WAY: &[((Way, MapFormat), &str, &str, &str, &str)] = &[
     (CPU, "columns_second", "maps_texel(value)", "maps_texel(1.01 * value)", "maps"),
     (LLVMPIPE, "rows_first", "forward + backward", "forward + 1.01 * backward", "waves"),
     (LLVMPIPE, "middle", "v * w.x", "1.01 * v * w.x", "waves"),
-    (LLVMPIPE, "columns_last", "long_pack(value)", "long_pack(1.01 * value)", "waves"),
+    (LLVMPIPE, "columns_last", "* N + x] = value", "* N + x] = 1.01 * value", "waves"),
     (LLVMPIPE, "columns_last", "maps_texel(value)", "maps_texel(1.01 * value)", "maps"),
 ];
 

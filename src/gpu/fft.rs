@@ -159,10 +159,19 @@ impl Transform {
                     code.line(&format!("halves[column + (t + {to}u) * {n}u] = fft_mul({v}, {});", factors[k1]));
                 }
             }
-            "columns_second" => {
+            "columns_second" | "columns_last" => {
                 code.open("columns_second(layer: u32, layers: u32, x: u32, k1: u32)");
-                code.line(&format!("let here = (layer * {n}u + k1 * {r2}u) * {n}u + x;"));
-                let points = (0..r2).map(|n2| code.value(&format!("halves[here + {}u]", n2 * n))).collect();
+                let halves: Vec<String> = if self.way == Way::Merged {
+                    code.line(&format!(
+                        "let here = (layer * {n}u + k1 * {r2}u) * {n}u + x / 8u * {}u + x % 8u;",
+                        8 * r2
+                    ));
+                    (0..r2).map(|n2| format!("long_unpack(halves[here + {}u])", n2 * 8)).collect()
+                } else {
+                    code.line(&format!("let here = (layer * {n}u + k1 * {r2}u) * {n}u + x;"));
+                    (0..r2).map(|n2| format!("halves[here + {}u]", n2 * n)).collect()
+                };
+                let points = halves.iter().map(|half| code.value(half)).collect();
                 for (k2, v) in (0..).zip(code.transform(points)) {
                     code.line(&format!("columns_store(layer, layers, x, k1 + {}u, {v});", k2 * r1));
                 }
@@ -190,20 +199,6 @@ impl Transform {
                         let place = format!("tile_{k2} + {}u", k as u32 * n * r2);
                         code.line(&format!("halves[{place}] = long_pack(fft_mul({v}, {}));", factors[k]));
                     }
-                }
-            }
-            "columns_last" => {
-                code.open("columns_last(layer: u32, layers: u32, x: u32, k1: u32)");
-                code.line(&format!(
-                    "let here = layer * {}u + k1 * {}u + x / 8u * {}u + x % 8u;",
-                    n * n,
-                    n * r2,
-                    8 * r2
-                ));
-                let points =
-                    (0..r2).map(|n2| code.value(&format!("long_unpack(halves[here + {}u])", n2 * 8))).collect();
-                for (k2, v) in (0..).zip(code.transform(points)) {
-                    code.line(&format!("columns_store(layer, layers, x, k1 + {}u, {v});", k2 * r1));
                 }
             }
             _ => return None,

@@ -24,6 +24,7 @@ const TILES: Part = part!("tiles.wgsl");
 const FFT_COMMON: Part = part!("fft_common.wgsl");
 const FFT: Part = part!("fft.wgsl");
 const LONG: Part = part!("long.wgsl");
+const COLUMNS_MAPS: Part = part!("columns_maps.wgsl");
 const ROWS_WAVES: Part = part!("rows_waves.wgsl");
 const MIPS: Part = part!("mips.wgsl");
 const ATMOSPHERE: Part = part!("atmosphere.wgsl");
@@ -56,8 +57,8 @@ const MODULES: &[(&str, &[Part])] = &[
     ("middle", &[FFT_COMMON, LONG, part!("middle.wgsl")]),
     ("columns", &[SEA, FFT_COMMON, FFT, part!("columns.wgsl")]),
     ("columns_first", &[FFT_COMMON, part!("columns_first.wgsl")]),
-    ("columns_second", &[FFT_COMMON, part!("maps_half.wgsl"), part!("columns_second.wgsl")]),
-    ("columns_last", &[FFT_COMMON, LONG, part!("maps_half.wgsl"), part!("columns_last.wgsl")]),
+    ("columns_second", &[FFT_COMMON, part!("maps_half.wgsl"), COLUMNS_MAPS, part!("columns_second.wgsl")]),
+    ("columns_last", &[FFT_COMMON, LONG, part!("maps_half.wgsl"), COLUMNS_MAPS, part!("columns_last.wgsl")]),
     ("mips_level", &[SEA, MIPS, part!("mips_level.wgsl")]),
     ("mips_chain", &[SEA, MIPS, part!("mips_chain.wgsl")]),
     ("foam", &[MATHS, SEA, NOISE, TILES, part!("foam.wgsl")]),
