@@ -7,8 +7,8 @@
 //! - Light is linear until the last shader; depth is reverse-Z.
 //!
 //! Features, each holding the one before:
-//! - none: [`model`] (and [`oracle`]): spectra, plans, statistics, and the height of the sea at a point
-//!   ([`model::heights`]), in plain Rust without a GPU.
+//! - none: [`state`], [`waves`], [`point`], [`optics`], [`files`] and [`oracle`]: spectra, plans, statistics, and the height
+//!   of the sea at a point ([`point::heights`]), in plain Rust without a GPU.
 //! - `files`: skies from files, and pictures that carry a state, read with every limit before memory is asked for.
 //! - `gpu`: the simulation and the picture on a wgpu device that the program brings.
 //! - `app`: the eframe app of the page and the window.
@@ -20,14 +20,20 @@ pub mod app;
 pub mod bench;
 #[cfg(all(feature = "desktop", not(target_arch = "wasm32")))]
 pub mod cli;
+pub mod files;
 #[cfg(feature = "gpu")]
 pub mod gpu;
-pub mod model;
+#[cfg(all(feature = "desktop", not(target_arch = "wasm32")))]
+pub mod lab;
 #[cfg(feature = "gpu")]
 pub mod ocean;
+pub mod optics;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod oracle;
+pub mod point;
 #[cfg(feature = "gpu")]
 pub mod render;
 #[cfg(feature = "gpu")]
 pub mod sim;
+pub mod state;
+pub mod waves;

@@ -37,7 +37,7 @@ fn a_state_opens_and_shows_its_numbers() {
 #[test]
 fn time_runs_and_space_stops_it() {
     let mut harness = open("n=64");
-    let time = |h: &Harness<'_, App>| seastate::model::query::parse(&h.state().state()).0.clock;
+    let time = |h: &Harness<'_, App>| seastate::state::query::parse(&h.state().state()).0.clock;
     harness.run_steps(30);
     assert!(time(&harness).t_s > 0.1);
     harness.key_press(egui::Key::Space);
@@ -232,12 +232,12 @@ fn keys_fly_the_camera() {
     harness.run_steps(10);
     harness.key_up(egui::Key::W);
     harness.run_steps(1);
-    let camera = seastate::model::query::parse(&harness.state().state()).0.camera;
+    let camera = seastate::state::query::parse(&harness.state().state()).0.camera;
     assert!(camera.x_m > 0.5 && camera.z_m.abs() < 0.2, "east: {camera:?}");
 }
 
-fn params(h: &Harness<'_, App>) -> seastate::model::Params {
-    seastate::model::query::parse(&h.state().state()).0
+fn params(h: &Harness<'_, App>) -> seastate::state::Params {
+    seastate::state::query::parse(&h.state().state()).0
 }
 
 #[test]
@@ -263,7 +263,7 @@ fn a_search_finds_parameters_and_units_change() {
     let mut harness = open("n=64&pause=1&units=nautical&wind=10");
     // 10 m/s, and the height of this sea in feet.
     harness.get_by_label_contains("19.4 kn");
-    let hs = format!("{:.2} ft", seastate::model::Plan::new(&params(&harness)).hs_m() / 0.3048);
+    let hs = format!("{:.2} ft", seastate::waves::Plan::new(&params(&harness)).hs_m() / 0.3048);
     assert!(harness.query_all_by_label(&hs).next().is_some(), "{hs}");
     assert!(harness.query_by_label("Bloom").is_none());
     harness.get_by_label("Search").click();
@@ -294,7 +294,7 @@ fn keys_hide_the_panel_step_the_time_and_open_the_help() {
     assert!(harness.query_by_label("fly over the water; with Shift faster").is_none());
     harness.key_press(egui::Key::C);
     harness.run_steps(2);
-    assert_eq!(params(&harness).camera.mode, seastate::model::params::CameraMode::Orbit);
+    assert_eq!(params(&harness).camera.mode, seastate::state::params::CameraMode::Orbit);
 }
 
 #[test]
@@ -341,7 +341,7 @@ fn the_maps_are_saved_as_layers_of_one_file() {
         std::thread::park_timeout(std::time::Duration::from_millis(50));
     }
     let image = exr::prelude::read_all_flat_layers_from_file(folder.join("seastate-maps.exr")).expect("maps");
-    let plan = seastate::model::Plan::new(&params(&harness));
+    let plan = seastate::waves::Plan::new(&params(&harness));
     assert_eq!(image.layer_data.len(), plan.cascades.len());
     // The variance of the heights of all cascades is that of the sea.
     let variance = |layer: &exr::prelude::Layer<exr::prelude::AnyChannels<exr::prelude::FlatSamples>>| {
@@ -448,7 +448,7 @@ fn the_sea_is_measured_and_its_passes_are_timed() {
     harness.run_steps(2);
     assert!(harness.query_by_label("Measured: mean of one moment.").is_none());
     until_measured(&mut harness);
-    let theory = seastate::model::Plan::new(&params(&harness)).hs_m();
+    let theory = seastate::waves::Plan::new(&params(&harness)).hs_m();
     assert!((measured(&harness) / theory - 1.0).abs() < 0.08, "{} {theory}", measured(&harness));
     assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
 }

@@ -5,9 +5,9 @@ mod common;
 
 use common::{gpu, params, read};
 use seastate::gpu::shaders::Shaders;
-use seastate::model::{Plan, noise};
 use seastate::oracle::transform;
 use seastate::sim::Simulation;
+use seastate::waves::{Plan, noise};
 use std::f64::consts::{PI, TAU};
 
 const SEEDS: u32 = 8;

@@ -5,7 +5,7 @@ use naga::valid::{Capabilities, FunctionInfo, ValidationFlags, Validator};
 use naga::{BinaryOperator, Expression, Function, MathFunction, Module, Override, Statement, TypeInner};
 use seastate::bench::cost;
 use seastate::gpu::shaders::Shaders;
-use seastate::model::tiling::MEAN_COPIES;
+use seastate::waves::tiling::MEAN_COPIES;
 
 /// A transcendental function, a root or a quotient runs at a quarter of the rate of an addition.
 const SPECIAL: f64 = 4.0;

@@ -1,10 +1,11 @@
 //! The pages that the program writes about itself are what it would write.
 
-use seastate::cli::gallery::{self, SEAS};
 use seastate::cli::objectives::{AWAITED, OUTSIDE, SECTIONS};
 use seastate::cli::parameters;
-use seastate::model::fields::{FIELDS, find};
-use seastate::model::{Plan, query};
+use seastate::lab::gallery::{self, SEAS};
+use seastate::state::fields::{FIELDS, find};
+use seastate::state::query;
+use seastate::waves::Plan;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 

@@ -4,8 +4,8 @@
 mod common;
 
 use common::{gpu, params};
-use seastate::cli::stats;
-use seastate::cli::validate::words;
+use seastate::lab::stats;
+use seastate::lab::validate::words;
 
 const SEEDS: u32 = 64;
 

@@ -1,9 +1,10 @@
 //! Every spectrum with every spreading over sea states from calm to hurricane and from deep water to 3 m, from theory and
 //! from the amplitudes of the lattices, on the CPU. The GPU measures a covering subset in `tests/ensembles.rs`.
 
-use seastate::cli::validate::{all::STATES, words};
-use seastate::model::statistics::{Resolved, Theory};
-use seastate::model::{Plan, query};
+use seastate::lab::validate::{all::STATES, words};
+use seastate::state::query;
+use seastate::waves::Plan;
+use seastate::waves::statistics::{Resolved, Theory};
 
 /// Whether as many waves run one way as the other.
 fn is_symmetric(spectrum: &str, spread: &str) -> bool {

@@ -4,9 +4,10 @@ mod common;
 
 use common::{Pictures, params};
 use seastate::gpu::shaders::Shaders;
-use seastate::model::fields::{FIELDS, Field, Group, Kind};
-use seastate::model::{Params, Plan};
 use seastate::sim::Simulation;
+use seastate::state::Params;
+use seastate::state::fields::{FIELDS, Field, Group, Kind};
+use seastate::waves::Plan;
 use std::collections::BTreeMap;
 
 /// The sea that most parameters are tried on.

@@ -3,11 +3,12 @@
 mod common;
 
 use common::{gpu, params};
-use seastate::cli::render::{FORMAT, picture_of};
 use seastate::gpu::device::Gpu;
-use seastate::model::{Heights, Params};
 use seastate::ocean::Ocean;
+use seastate::ocean::still::{FORMAT, picture_of};
+use seastate::point::Heights;
 use seastate::sim::resources::MapKind;
+use seastate::state::Params;
 
 const SIZE: [u32; 2] = [96, 64];
 const FRAME_S: f64 = 1.0 / 60.0;
@@ -168,7 +169,7 @@ fn other_waves_fade_in_at_equal_power_and_without_a_jump() {
         let mut window = Window::new(&state);
         let rest = fastest(&mut window, 20, |_, _| {});
         let ends =
-            [window.ocean.plan().hs_m(), seastate::model::Plan::new(&params(to)).hs_m()].map(|hs| hs * hs / 16.0);
+            [window.ocean.plan().hs_m(), seastate::waves::Plan::new(&params(to)).hs_m()].map(|hs| hs * hs / 16.0);
         let mut variances = Vec::new();
         let most = fastest(&mut window, FRAMES, |window, i| {
             if i == 0 {

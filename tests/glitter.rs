@@ -5,11 +5,11 @@ mod common;
 
 use glam::DVec3;
 use half::f16;
-use seastate::cli::render::FORMAT;
 use seastate::gpu::device::Gpu;
 use seastate::gpu::readback;
-use seastate::model::slopes::{SlopeVariance, cox_munk};
 use seastate::ocean::Ocean;
+use seastate::ocean::still::FORMAT;
+use seastate::waves::slopes::{SlopeVariance, cox_munk};
 
 const SIZE: [u32; 2] = [192, 192];
 const INDEX: f64 = 1.333;

@@ -3,12 +3,13 @@
 
 use seastate::gpu::device::Gpu;
 use seastate::gpu::shaders::Shaders;
-use seastate::model::heights::{Heights, Sample};
-use seastate::model::plan::Cascade;
-use seastate::model::{Plan, noise, query};
 use seastate::oracle::surface::{self, Point};
 use seastate::oracle::{Texel, maps, spectrum};
+use seastate::point::heights::{Heights, Sample};
 use seastate::sim::Simulation;
+use seastate::state::query;
+use seastate::waves::plan::Cascade;
+use seastate::waves::{Plan, noise};
 
 const GALE: &str = "wind=20&fetch=500&n=128";
 /// Deep; two systems; shallow with a short chop; ripples; a loop; patches that repeat.

@@ -5,7 +5,7 @@ mod hostile;
 
 use exr::prelude::*;
 use hostile::CHECKS;
-use seastate::model::panorama;
+use seastate::files::panorama;
 use std::path::PathBuf;
 
 /// Every case that fuzzing has kept or found (fuzz/), through the checks of its target.

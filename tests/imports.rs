@@ -1,99 +1,256 @@
-//! Who may import whom (ARCHITECTURE.md, "Who may import whom"), read off the sources.
+//! The plan of the house, read off the sources: who imports whom (the table in ARCHITECTURE.md), how large rooms and files
+//! are, and that no circle of imports is longer than three files.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Each room and the rooms of this crate that it may use.
-const MAY_IMPORT: &[(&str, &[&str])] = &[
-    ("model", &[]),
-    ("oracle", &["model"]),
-    ("gpu", &[]),
-    ("sim", &["model", "gpu"]),
-    ("render", &["model", "gpu", "sim"]),
-    ("ocean", &["model", "gpu", "sim", "render"]),
-    ("bench", &["model", "gpu", "sim", "ocean"]),
-    ("app", &["model", "gpu", "sim", "ocean", "bench"]),
-    ("cli", &["model", "gpu", "sim", "ocean", "oracle", "bench", "app"]),
-];
 /// Crates that a room must not name.
 const FORBIDDEN: &[(&str, &[&str])] = &[
-    ("model", &["wgpu", "egui", "eframe", "web_sys", "bytemuck"]),
-    ("oracle", &["wgpu", "egui", "eframe", "web_sys"]),
-    ("gpu", &["egui", "eframe", "web_sys"]),
-    ("sim", &["egui", "eframe", "web_sys"]),
-    ("render", &["egui", "eframe", "web_sys"]),
-    ("ocean", &["egui", "eframe", "web_sys"]),
-    ("bench", &["egui", "eframe", "web_sys"]),
-    ("cli", &["egui", "eframe", "web_sys"]),
+    ("optics", NO_GPU),
+    ("files", NO_GPU),
+    ("state", NO_GPU),
+    ("waves", NO_GPU),
+    ("point", NO_GPU),
+    ("oracle", NO_GPU),
+    ("gpu", NO_WINDOW),
+    ("sim", NO_WINDOW),
+    ("render", NO_WINDOW),
+    ("ocean", NO_WINDOW),
+    ("bench", NO_WINDOW),
+    ("lab", NO_WINDOW),
+    ("cli", NO_WINDOW),
 ];
+const NO_GPU: &[&str] = &["wgpu", "bytemuck", "egui", "eframe", "web_sys"];
+const NO_WINDOW: &[&str] = &["egui", "eframe", "web_sys"];
 
-fn sources(at: &Path, out: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(at).expect("src") {
+/// Most lines of a file of Rust and of WGSL.
+const RUST_LINES: usize = 400;
+const WGSL_LINES: usize = 250;
+/// Largest share of the source that one room may hold.
+const ROOM_SHARE: f64 = 0.15;
+/// Most files of a circle of imports.
+const CIRCLE: usize = 3;
+
+struct Source {
+    /// Path below the package, such as `src/waves/plan.rs`.
+    name: String,
+    /// First folder below src, or the file's stem.
+    room: String,
+    lines: usize,
+    /// Without comments and unit tests.
+    code: String,
+}
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn files(at: &Path, out: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(at).expect("a folder") {
         let path = entry.expect("entry").path();
-        if path.is_dir() {
-            sources(&path, out);
-        } else if path.extension().is_some_and(|e| e == "rs") {
+        if path.is_dir() { files(&path, out) } else { out.push(path) }
+    }
+}
+
+/// All files below a folder of the package that end in `.extension`.
+fn sources(folder: &str, extension: &str) -> Vec<Source> {
+    let mut paths = Vec::new();
+    files(&root().join(folder), &mut paths);
+    paths.retain(|p| p.extension().is_some_and(|e| e == extension));
+    paths.sort();
+    let source = |path: PathBuf| {
+        let text = fs::read_to_string(&path).expect("source");
+        let name = path.strip_prefix(root()).expect("below the package").to_string_lossy().replace('\\', "/");
+        let room = name.split('/').nth(1).expect("a folder").trim_end_matches(".rs").to_owned();
+        let is_test = name.ends_with("/tests.rs") || name.contains("/tests/");
+        let code = if is_test { "" } else { text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default() };
+        let code = code.lines().map(|l| l.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join("\n");
+        Source { lines: text.lines().count(), name, room, code }
+    };
+    paths.into_iter().map(source).collect()
+}
+
+/// Paths of items that code names from `crate`, `super` or `self` on, with groups taken apart.
+fn paths(code: &str) -> Vec<Vec<String>> {
+    let is_word = |c: char| c.is_alphanumeric() || c == '_';
+    let mut found = Vec::new();
+    for start in ["crate::", "super::", "self::"] {
+        for (at, _) in code.match_indices(start) {
+            let before = code[..at].chars().next_back();
+            if before.is_some_and(|c| is_word(c) || c == ':') {
+                continue;
+            }
+            expand(&code[at..], Vec::new(), &mut found);
+        }
+    }
+    found
+}
+
+/// Adds the paths of a use tree that begins at `text`; returns what follows it.
+fn expand<'a>(text: &'a str, prefix: Vec<String>, out: &mut Vec<Vec<String>>) -> &'a str {
+    let text = text.trim_start();
+    if let Some(mut rest) = text.strip_prefix('{') {
+        loop {
+            rest = expand(rest, prefix.clone(), out).trim_start();
+            match rest.strip_prefix(',') {
+                Some(next) if next.trim_start().starts_with('}') => return &next.trim_start()[1..],
+                Some(next) => rest = next,
+                None => return rest.strip_prefix('}').unwrap_or(rest),
+            }
+        }
+    }
+    let end = text.find(|c: char| !(c.is_alphanumeric() || c == '_')).unwrap_or(text.len());
+    let mut path = prefix;
+    path.push(text[..end].to_owned());
+    match text[end..].strip_prefix("::") {
+        Some(rest) => expand(rest, path, out),
+        None => {
             out.push(path);
+            &text[end..]
         }
     }
 }
 
-/// The room of a file: the first folder below src, or the file itself.
-fn room(root: &Path, file: &Path) -> String {
-    let first = file.strip_prefix(root).expect("below src").components().next().expect("a name");
-    Path::new(first.as_os_str()).file_stem().expect("a stem").to_string_lossy().into_owned()
+/// The file that holds what a path names, seen from a file; the longest part of the path that is a module decides.
+fn target(from: &str, path: &[String], known: &BTreeSet<String>) -> Option<String> {
+    let mut module: Vec<&str> = from.trim_start_matches("src/").trim_end_matches(".rs").split('/').collect();
+    if module.last() == Some(&"mod") {
+        module.pop();
+    }
+    for word in path {
+        match word.as_str() {
+            "crate" => module.clear(),
+            "super" => drop(module.pop()),
+            "self" => {}
+            word => module.push(word),
+        }
+    }
+    (1..=module.len()).rev().find_map(|length| {
+        let stem = format!("src/{}", module[..length].join("/"));
+        [format!("{stem}.rs"), format!("{stem}/mod.rs")].into_iter().find(|name| known.contains(name))
+    })
 }
 
-/// The code of a file: without comments and unit tests, which may use what they like.
-fn code(text: &str) -> String {
-    let text = text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default();
-    text.lines().map(|l| l.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join("\n")
+/// Every import of one file by another.
+fn imports(sources: &[Source]) -> BTreeMap<&str, BTreeSet<String>> {
+    let known: BTreeSet<String> = sources.iter().map(|s| s.name.clone()).collect();
+    let of = |s: &Source| -> BTreeSet<String> {
+        paths(&s.code).iter().filter_map(|p| target(&s.name, p, &known)).filter(|name| *name != s.name).collect()
+    };
+    sources.iter().map(|s| (s.name.as_str(), of(s))).collect()
 }
 
-/// Words that follow `crate::`, with groups `crate::{a, b::c}` taken apart.
-fn edges(code: &str) -> Vec<String> {
-    let word = |s: &str| s.trim().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>();
-    code.split("crate::")
-        .skip(1)
-        .flat_map(|rest| match rest.strip_prefix('{') {
-            Some(group) => group.split('}').next().unwrap_or_default().split(',').map(word).collect(),
-            None => vec![word(rest)],
+/// The table of ARCHITECTURE.md: each room with the rooms that it imports, the lowest first.
+fn table() -> Vec<(String, BTreeSet<String>)> {
+    let text = fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
+    let rows = text.lines().skip_while(|l| !l.starts_with("| room | imports |")).skip(2);
+    rows.take_while(|l| l.starts_with('|'))
+        .map(|row| {
+            let mut cells = row.trim_matches('|').split('|').map(str::trim);
+            let names = |cell: &str| cell.split(',').map(|n| n.trim().trim_matches('`').to_owned()).collect::<Vec<_>>();
+            let room = names(cells.next().expect("a room")).remove(0);
+            let imports = names(cells.next().expect("imports")).into_iter().filter(|n| !n.is_empty()).collect();
+            (room, imports)
         })
-        .filter(|w| !w.is_empty())
         .collect()
 }
 
 #[test]
-fn rooms_import_only_what_they_may() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let mut files = Vec::new();
-    sources(&root, &mut files);
-    let mut seen = 0;
-    for file in files {
-        let room = room(&root, &file);
-        if room == "lib" || room == "main" {
+fn rooms_import_exactly_what_the_table_says() {
+    let sources = sources("src", "rs");
+    let mut seen: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for (from, targets) in imports(&sources) {
+        let room = |name: &str| name.split('/').nth(1).expect("a room").trim_end_matches(".rs").to_owned();
+        if from == "src/lib.rs" || from == "src/main.rs" {
             continue;
         }
-        let text = code(&fs::read_to_string(&file).expect("source"));
-        let (_, allowed) = MAY_IMPORT.iter().find(|(r, _)| *r == room).unwrap_or_else(|| panic!("no rule for {room}"));
-        for target in edges(&text) {
-            seen += 1;
-            let fine =
-                target == room || allowed.contains(&target.as_str()) || !MAY_IMPORT.iter().any(|(r, _)| *r == target);
-            assert!(fine, "{} imports {target}", file.display());
-        }
-        for (_, crates) in FORBIDDEN.iter().filter(|(r, _)| *r == room) {
-            for name in *crates {
-                let named = text.split(|c: char| !(c.is_alphanumeric() || c == '_')).any(|w| w == *name);
-                assert!(!named, "{} names {name}", file.display());
-            }
-        }
-        if room == "render" {
-            for part in text.split("crate::sim::").skip(1) {
-                let seen_only = ["Maps", "MapCascade", "FoamLevel", "{", "maps"].iter().any(|w| part.starts_with(w));
-                assert!(seen_only, "{} sees more of the simulation than its maps", file.display());
-            }
+        let rooms = seen.entry(room(from)).or_default();
+        rooms.extend(targets.iter().map(|t| room(t)).filter(|r| *r != room(from)));
+    }
+    let table = table();
+    let mut below = BTreeSet::new();
+    for (room, imports) in &table {
+        let climbing: Vec<_> = imports.iter().filter(|i| !below.contains(*i)).collect();
+        assert!(climbing.is_empty(), "{room} imports {climbing:?}, which the table lists above it or not at all");
+        below.insert(room.clone());
+    }
+    let table: BTreeMap<_, _> = table.into_iter().collect();
+    assert_eq!(seen, table, "left: what the sources import; right: the table in ARCHITECTURE.md");
+}
+
+#[test]
+fn rooms_name_no_crate_that_is_not_theirs() {
+    for source in sources("src", "rs") {
+        for (_, crates) in FORBIDDEN.iter().filter(|(room, _)| *room == source.room) {
+            let mut words = source.code.split(|c: char| !(c.is_alphanumeric() || c == '_'));
+            let named = words.find(|word| crates.contains(word));
+            assert_eq!(named, None, "{}", source.name);
         }
     }
-    assert!(seen > 30, "the test reads the sources: {seen} edges");
+}
+
+#[test]
+fn the_renderer_sees_only_the_maps_of_the_simulation() {
+    for source in sources("src", "rs").iter().filter(|s| s.room == "render") {
+        for path in paths(&source.code).iter().filter(|p| p.len() > 2 && p[..2] == ["crate", "sim"]) {
+            let seen = ["Maps", "MapCascade", "FoamLevel", "maps"].contains(&path[2].as_str());
+            assert!(seen, "{} imports {}", source.name, path.join("::"));
+        }
+    }
+}
+
+#[test]
+fn circles_of_imports_are_short() {
+    let sources = sources("src", "rs");
+    let imports = imports(&sources);
+    // Everything that a file reaches by one import or more.
+    let reach = |from: &str| {
+        let (mut seen, mut next) = (BTreeSet::new(), vec![from.to_owned()]);
+        while let Some(at) = next.pop() {
+            for to in imports.get(at.as_str()).into_iter().flatten() {
+                if seen.insert(to.clone()) {
+                    next.push(to.clone());
+                }
+            }
+        }
+        seen
+    };
+    let reached: BTreeMap<&str, BTreeSet<String>> = imports.keys().map(|name| (*name, reach(name))).collect();
+    for (name, others) in &reached {
+        let circle: Vec<_> = others.iter().filter(|o| reached[o.as_str()].contains(*name)).collect();
+        assert!(circle.len() <= CIRCLE, "a circle of {} files: {circle:?}", circle.len());
+    }
+}
+
+#[test]
+fn files_and_rooms_are_small() {
+    let (rust, wgsl) = (sources("src", "rs"), sources("shaders", "wgsl"));
+    for (files, most) in [(&rust, RUST_LINES), (&wgsl, WGSL_LINES)] {
+        for file in files {
+            assert!(file.lines <= most, "{} has {} lines, more than {most}", file.name, file.lines);
+        }
+    }
+    let all: usize = rust.iter().chain(&wgsl).map(|f| f.lines).sum();
+    let mut rooms: BTreeMap<&str, usize> = BTreeMap::new();
+    for file in &rust {
+        *rooms.entry(&file.room).or_default() += file.lines;
+    }
+    for (room, lines) in rooms {
+        let share = lines as f64 / all as f64;
+        assert!(share <= ROOM_SHARE, "{room} holds {:.1} % of {all} lines", 100.0 * share);
+    }
+}
+
+#[test]
+fn paths_are_read_off_code() {
+    let found = paths("use crate::a::{self, b::{C, D}, e}; let x = super::f::g(1); xsuper::no();");
+    let found: Vec<String> = found.iter().map(|p| p.join("::")).collect();
+    let expected = ["crate::a::self", "crate::a::b::C", "crate::a::b::D", "crate::a::e", "super::f::g"];
+    assert_eq!(found, expected);
+    let known = ["src/a/mod.rs", "src/a/b.rs", "src/f.rs"].map(str::to_owned).into();
+    let to = |from: &str, path: &str| target(from, &path.split("::").map(str::to_owned).collect::<Vec<_>>(), &known);
+    assert_eq!(to("src/f.rs", "crate::a::b::C").as_deref(), Some("src/a/b.rs"));
+    assert_eq!(to("src/a/b.rs", "super::X").as_deref(), Some("src/a/mod.rs"));
+    assert_eq!(to("src/a/mod.rs", "super::f::g").as_deref(), Some("src/f.rs"));
 }

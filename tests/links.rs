@@ -1,8 +1,9 @@
 //! A link means for good what it meant when it was made: tests/links.txt.
 
-use seastate::cli::gallery::SEAS;
-use seastate::model::statistics::Theory;
-use seastate::model::{Plan, presets, query};
+use seastate::lab::gallery::SEAS;
+use seastate::state::{presets, query};
+use seastate::waves::Plan;
+use seastate::waves::statistics::Theory;
 
 /// Largest error of a height, relative: the file has four decimals, quadrature is far better.
 const TOLERANCE: f64 = 2e-3;

@@ -4,8 +4,8 @@
 mod common;
 
 use common::{gpu, params};
-use seastate::cli::render::{FORMAT, on_film};
 use seastate::ocean::Ocean;
+use seastate::ocean::still::{FORMAT, on_film};
 
 const FRAMES: u32 = 10_000;
 const WARM_UP: u32 = 2_000;

@@ -3,8 +3,8 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use seastate::app::App;
-use seastate::model::fields::{FIELDS, Field, Kind};
-use seastate::model::{Params, query};
+use seastate::state::fields::{FIELDS, Field, Kind};
+use seastate::state::{Params, query};
 
 /// Two other values than the default.
 fn others(field: &Field) -> [f64; 2] {

@@ -3,15 +3,16 @@
 mod common;
 
 use seastate::bench::per_stage::PerStage;
-use seastate::cli::check::{self, Line};
 use seastate::gpu::device::Gpu;
 use seastate::gpu::fft::Way;
 use seastate::gpu::map_format::MapFormat;
 use seastate::gpu::readback;
 use seastate::gpu::shaders::Shaders;
-use seastate::model::{Plan, query};
+use seastate::lab::check::{self, Line};
 use seastate::sim::Simulation;
 use seastate::sim::resources::MapKind;
+use seastate::state::query;
+use seastate::waves::Plan;
 
 fn run(state: &str, shaders: &Shaders) -> Vec<Line> {
     // It can read maps of either format.

@@ -2,12 +2,12 @@
 
 mod common;
 
-use seastate::cli::render::{FORMAT, picture, picture_of};
 use seastate::gpu::device::Gpu;
 use seastate::gpu::map_format::MapFormat;
-use seastate::model::{Params, query};
 use seastate::ocean::Ocean;
+use seastate::ocean::still::{FORMAT, picture, picture_of};
 use seastate::sim::MAX_STEPS;
+use seastate::state::{Params, query};
 
 const SIZE: [u32; 2] = [160, 96];
 

@@ -4,12 +4,13 @@
 mod common;
 
 use common::{gpu, params, random_params};
-use seastate::cli::flip::{PIXELS_PER_DEGREE, Picture, errors, mean};
-use seastate::cli::reference::{self, Sampling};
-use seastate::cli::render::{FORMAT, picture_of};
 use seastate::gpu::device::Gpu;
-use seastate::model::{Params, Plan, query};
+use seastate::lab::flip::{PIXELS_PER_DEGREE, Picture, errors, mean};
+use seastate::lab::reference::{self, Sampling};
 use seastate::ocean::Ocean;
+use seastate::ocean::still::{FORMAT, picture_of};
+use seastate::state::{Params, query};
+use seastate::waves::Plan;
 use std::path::PathBuf;
 
 /// A sea and the pictures of it, one sample a pixel as a page draws them, and the reference.
@@ -238,7 +239,7 @@ fn broken_pixels(states: std::ops::Range<u32>) -> Vec<String> {
         // The foam begins far from its end: a few steps of it are enough to break a picture.
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         ocean.encode(device, queue, &mut encoder, SIZE, 3);
-        let drawn = seastate::cli::render::on_film(&gpu, encoder, SIZE, |pass| ocean.present(pass));
+        let drawn = seastate::ocean::still::on_film(&gpu, encoder, SIZE, |pass| ocean.present(pass));
         let count = magenta(&Picture::from_rgba(SIZE[0], &pollster::block_on(drawn).expect("a picture")));
         if count > 0 {
             broken.push(format!("{count} pixels of state {i}: {}", query::write(&p)));

@@ -3,13 +3,14 @@
 mod common;
 
 use common::{gpu, maps, params, read};
-use seastate::cli::stats;
 use seastate::gpu::device::Gpu;
 use seastate::gpu::readback;
 use seastate::gpu::shaders::Shaders;
-use seastate::model::fields::{FIELDS, Kind};
-use seastate::model::{Params, Plan, statistics};
+use seastate::lab::stats;
 use seastate::sim::{MAX_STEPS, Simulation};
+use seastate::state::Params;
+use seastate::state::fields::{FIELDS, Kind};
+use seastate::waves::{Plan, statistics};
 
 /// Theory, resolved and measured height over 64 seeds, and Parseval for each.
 fn assert_height(state: &str) -> stats::Report {
@@ -212,7 +213,7 @@ fn mean(foam: &[f64]) -> f64 {
 
 #[test]
 fn the_maps_of_a_frame_are_read_back_as_they_are() {
-    use seastate::model::survey::Survey;
+    use seastate::waves::survey::Survey;
     let gpu = gpu();
     let mut sim = common::simulation(&gpu, "wind=12&n=128&t=9");
     let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -282,7 +283,7 @@ fn every_control_of_the_foam_works() {
         let other = cover(more);
         assert_eq!(other > usual, grows, "{more}: {other} instead of {usual}");
         // What lies beyond the levels is estimated: it follows.
-        let plan = |more: &str| seastate::model::foam::Whiteness::new(&Plan::new(&params(&format!("{sea}{more}"))));
+        let plan = |more: &str| seastate::waves::foam::Whiteness::new(&Plan::new(&params(&format!("{sea}{more}"))));
         let guess = plan(more).coverage;
         assert!(
             guess / other < 2.0 && other / guess.max(1e-6) < 2.0 || other < 1e-3,
@@ -325,7 +326,7 @@ impl Probe {
         let sim = self.sims[plan.cascades.len()]
             .get_or_insert_with(|| Simulation::new(device, queue, plan.clone(), &shaders));
         sim.set_plan(device, queue, plan, &shaders);
-        let state = seastate::model::query::write(p);
+        let state = seastate::state::query::write(p);
         let maps = read(&self.gpu, sim, p.clock.t_s);
         let largest = maps
             .texels

@@ -3,9 +3,9 @@
 #[path = "common/skies.rs"]
 mod skies;
 
-use seastate::cli::render::picture;
 use seastate::gpu::device::Gpu;
-use seastate::model::{Params, query};
+use seastate::ocean::still::picture;
+use seastate::state::{Params, query};
 use skies::made_up_sky;
 
 const SIZE: [u32; 2] = [160, 96];

@@ -1,11 +1,12 @@
 //! The state string: whatever it is given, reading never fails, and writing what was read is stable.
 
-use seastate::model::afloat::{self, Float};
-use seastate::model::fields::{FIELDS, Field, Kind};
-use seastate::model::look::SkyFile;
-use seastate::model::measured::{Direction, MAX_BANDS, Measured};
-use seastate::model::table::Table;
-use seastate::model::{Params, Plan, noise, query};
+use seastate::files::measured::{Direction, MAX_BANDS, Measured};
+use seastate::state::fields::{FIELDS, Field, Kind};
+use seastate::state::floats::{self, Float};
+use seastate::state::look::SkyFile;
+use seastate::state::{Params, query};
+use seastate::waves::table::Table;
+use seastate::waves::{Plan, noise};
 
 /// A small deterministic generator on the crate's own hash.
 struct Dice(u32);
@@ -238,8 +239,8 @@ fn no_state_is_too_long_to_be_read() {
     let direction = Direction { alpha1_deg: 234.5, alpha2_deg: 123.4, r1: 0.123, r2: 0.234 };
     let buoy = Measured::new(&bands, Some(&vec![direction; MAX_BANDS])).expect("a sea");
     params.sea.measured = Some(std::sync::Arc::new(buoy));
-    let far = Float { kind: afloat::Kind::Buoy, x_m: -123_456.789_012_345_67, z_m: -1.234_567_890_123_456_7e-101 };
-    params.floats = vec![far; afloat::MOST];
+    let far = Float { kind: floats::Kind::Buoy, x_m: -123_456.789_012_345_67, z_m: -1.234_567_890_123_456_7e-101 };
+    params.floats = vec![far; floats::MOST];
     params.look.sky.file = SkyFile::named(&"🌊".repeat(200));
     let state = query::write(&params);
     assert!((10_000..=query::MAX_BYTES).contains(&state.len()), "{}", state.len());

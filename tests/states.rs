@@ -5,14 +5,15 @@
 mod common;
 
 use common::{gpu, params, read};
-use seastate::cli::render::{FORMAT, on_film};
 use seastate::gpu::device::Gpu;
 use seastate::gpu::shaders::Shaders;
-use seastate::model::fields::{FIELDS, Field, Kind};
-use seastate::model::noise::pcg4d;
-use seastate::model::{Params, Plan, query};
 use seastate::ocean::Ocean;
+use seastate::ocean::still::{FORMAT, on_film};
 use seastate::sim::Simulation;
+use seastate::state::fields::{FIELDS, Field, Kind};
+use seastate::state::{Params, query};
+use seastate::waves::Plan;
+use seastate::waves::noise::pcg4d;
 use std::collections::BTreeMap;
 
 const SIZE: [u32; 2] = [48, 32];

@@ -7,12 +7,13 @@ use common::params;
 use seastate::gpu::device::Gpu;
 use seastate::gpu::readback;
 use seastate::gpu::shaders::Shaders;
-use seastate::model::heights::{Heights, Sample};
-use seastate::model::{Params, Plan, noise};
 use seastate::ocean::Ocean;
 use seastate::oracle::foam::Level;
 use seastate::oracle::{self, Texel, surface};
+use seastate::point::heights::{Heights, Sample};
 use seastate::render;
+use seastate::state::Params;
+use seastate::waves::{Plan, noise};
 use std::f64::consts::TAU;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{BindingResource, BufferUsages};
@@ -490,7 +491,8 @@ fn the_blend_keeps_heights_and_slopes() {
 /// What floats lies on the surface that is drawn: at the place of a buoy, frame by frame, within 3 % of Hs.
 #[test]
 fn a_buoy_floats_on_what_is_drawn() {
-    use seastate::model::afloat::{self, Float, Kind, Waterline};
+    use seastate::point::afloat::{self, Waterline};
+    use seastate::state::floats::{Float, Kind};
     for state in ["wind=10&fetch=100&n=128&t=20", "wind=24&fetch=500&n=128&t=900", "wind=3&fetch=20&n=128&level=5&t=7"]
     {
         let mut bench = Bench::new(state);

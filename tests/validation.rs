@@ -1,7 +1,7 @@
 //! The validation page: it says what the program computes, and the command that writes it works.
 
-use seastate::cli::validate::{self, PARTS, page::PENDING};
 use seastate::gpu::device::Gpu;
+use seastate::lab::validate::{self, PARTS, page::PENDING};
 use std::fs;
 use std::path::PathBuf;
 

@@ -3,9 +3,11 @@
 mod common;
 
 use common::{Pictures, params};
-use seastate::model::views::{Choice, Map, Palette, STOPS, Scale, Shown, Surface, VIEWS};
-use seastate::model::{Params, Plan};
 use seastate::oracle;
+use seastate::state::Params;
+use seastate::state::views::{Choice, Map, Shown, Surface, VIEWS};
+use seastate::waves::Plan;
+use seastate::waves::scale::{Palette, STOPS, Scale};
 use std::f64::consts::{PI, TAU};
 
 type Pixels = Vec<[u8; 4]>;

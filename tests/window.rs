@@ -5,9 +5,9 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use seastate::app::App;
-use seastate::model::noise::pcg4d;
-use seastate::model::params::CameraMode;
-use seastate::model::{Params, query};
+use seastate::state::params::CameraMode;
+use seastate::state::{Params, query};
+use seastate::waves::noise::pcg4d;
 use std::io::{BufRead, BufReader};
 use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};

@@ -1,8 +1,9 @@
 //! Writes what the fuzz targets start from: a dictionary and one good file of each kind, made here or shipped.
 
 use exr::prelude::*;
-use seastate::model::fields::{FIELDS, Kind};
-use seastate::model::{picture, presets, query};
+use seastate::state::fields::{FIELDS, Kind};
+use seastate::files::picture;
+use seastate::state::{presets, query};
 use std::path::Path;
 
 fn main() -> std::io::Result<()> {
@@ -13,7 +14,7 @@ fn main() -> std::io::Result<()> {
         std::fs::write(folder.join(name), bytes)
     };
     let buoy = include_str!("../../assets/spectra/two-systems.txt");
-    let measured = seastate::model::measured::Measured::read(&[("b.txt".into(), buoy.into())]).expect("a sample").0;
+    let measured = seastate::files::measured::Measured::read(&[("b.txt".into(), buoy.into())]).expect("a sample").0;
     let mut states: Vec<String> = presets::built_in().iter().map(|p| p.state.clone()).collect();
     states.push(format!("spectrum=measured&measured={}", measured.to_state()));
     states.push("sky=a%20b.hdr&afloat=buoy*1*2_boat*-3*4.5&foamcolour=ff0011&t=1e5#x".into());

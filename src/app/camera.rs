@@ -1,8 +1,8 @@
 //! Mouse, touch and keyboard move the camera. Only what happens on the sea counts, never on the panel.
 
-use crate::model::Params;
-use crate::model::camera::EARTH_RADIUS_M;
-use crate::model::params::{Camera, CameraMode};
+use crate::state::Params;
+use crate::state::camera::EARTH_RADIUS_M;
+use crate::state::params::{Camera, CameraMode};
 use egui::Key;
 
 /// Slowest and height-proportional speed of flight, m/s and 1/s.
@@ -246,8 +246,8 @@ mod tests {
         let mut params = Params::default();
         for view in VIEWS {
             turn_to(&mut params, view);
-            let state = crate::model::query::write(&params);
-            let (read, notices) = crate::model::query::parse(&state);
+            let state = crate::state::query::write(&params);
+            let (read, notices) = crate::state::query::parse(&state);
             assert_eq!((read, notices), (params.clone(), vec![]), "{}", view.name);
         }
     }

@@ -1,7 +1,9 @@
 //! What a view shows, below it: name, cascades, colours and what they stand for. And the keys that go through the views.
 
-use crate::model::views::{Choice, Palette, Shown, caption};
-use crate::model::{Params, Plan};
+use crate::state::Params;
+use crate::state::views::{Choice, Shown};
+use crate::waves::Plan;
+use crate::waves::scale::{Palette, caption};
 use egui::{Color32, Key};
 
 /// Size of the bar of colours, points.

@@ -4,9 +4,10 @@
 use super::tasks;
 use super::tasks::Inbox;
 use super::{App, picture};
-use crate::model::look::SkyFile;
-use crate::model::measured::{MAX_FILE_BYTES, MAX_FILES, Measured};
-use crate::model::{panorama, presets};
+use crate::files::measured::{MAX_FILE_BYTES, MAX_FILES, Measured};
+use crate::files::panorama;
+use crate::state::look::SkyFile;
+use crate::state::presets;
 use egui::DroppedFileHandle;
 use std::sync::Arc;
 

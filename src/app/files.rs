@@ -67,7 +67,7 @@ fn read_seas(path: &Path) -> Option<String> {
     use std::io::Read as _;
     let mut bytes = Vec::new();
     // One byte more than is read is enough to be noticed.
-    let most = crate::model::presets::MAX_FILE_BYTES as u64 + 1;
+    let most = crate::state::presets::MAX_FILE_BYTES as u64 + 1;
     std::fs::File::open(path).ok()?.take(most).read_to_end(&mut bytes).ok()?;
     Some(String::from_utf8_lossy(&bytes).into_owned())
 }
@@ -160,7 +160,7 @@ mod tests {
         let path = folder.join(SEAS);
         assert_eq!(read_seas(&path), None);
         std::fs::write(&path, b"[a]\nstate: wind=3\n[b]\nabout: \xff\xfe\nstate: wind=4\n[c]\n").expect("a file");
-        let (seas, notices) = crate::model::presets::read(&read_seas(&path).expect("text"));
+        let (seas, notices) = crate::state::presets::read(&read_seas(&path).expect("text"));
         assert_eq!((seas.len(), notices.len()), (2, 1));
         copy_aside(&path).expect("a copy");
         std::fs::write(&path, "").expect("a file");
@@ -169,7 +169,7 @@ mod tests {
         assert!(std::fs::read(folder.join("seas-damaged-2.txt")).expect("the second").is_empty());
         // Longer than a file may be: what is too much is noticed, not taken for the end.
         std::fs::write(&path, "[a]\nstate: wind=3\n".repeat(100_000)).expect("a file");
-        let (_, notices) = crate::model::presets::read(&read_seas(&path).expect("text"));
+        let (_, notices) = crate::state::presets::read(&read_seas(&path).expect("text"));
         assert!(notices.iter().any(|n| n.contains("KiB")), "{notices:?}");
         std::fs::remove_dir_all(&folder).expect("the folder is removed");
     }

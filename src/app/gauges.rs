@@ -2,8 +2,8 @@
 //! Nothing here waits for the GPU; what it gives back arrives in a later frame.
 
 use super::{App, tasks};
-use crate::model::survey::{Found, Survey};
 use crate::ocean::{Ocean, Probe, Probed};
+use crate::waves::survey::{Found, Survey};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Between two readings of the maps, s.

@@ -1,6 +1,6 @@
 //! Undo and redo of what was set. Time and camera move on by themselves and are left out of it.
 
-use crate::model::Params;
+use crate::state::Params;
 
 /// Steps that are kept.
 const MOST_STEPS: usize = 200;
@@ -95,8 +95,8 @@ fn key(params: &Params) -> Params {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::fields::{FIELDS, Group, Kind};
-    use crate::model::noise::pcg4d;
+    use crate::state::fields::{FIELDS, Group, Kind};
+    use crate::waves::noise::pcg4d;
 
     fn with_wind(wind_m_s: f64) -> Params {
         let mut p = Params::default();

@@ -4,8 +4,8 @@
 
 use super::faults::Faults;
 use super::{App, gauges, setup, viewport};
-use crate::model::Params;
 use crate::ocean::Ocean;
+use crate::state::Params;
 use std::cell::RefCell;
 use std::rc::Rc;
 

@@ -2,8 +2,9 @@
 
 use super::{App, files, tasks};
 use crate::gpu::shaders::Shaders;
-use crate::model::{Params, Plan, query};
 use crate::sim::{MapsF32, Simulation};
+use crate::state::{Params, query};
+use crate::waves::Plan;
 use exr::prelude::*;
 use std::io::Cursor;
 

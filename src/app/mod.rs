@@ -27,13 +27,16 @@ mod viewport;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 
-pub use crate::model::picture;
+pub use crate::files::picture;
 
-use crate::model::afloat::{self, Float, Waterline};
-use crate::model::look::SkyFile;
-use crate::model::params::Camera;
-use crate::model::statistics::{Resolved, Theory};
-use crate::model::{Heights, Params, Plan, query};
+use crate::point::Heights;
+use crate::point::afloat::Waterline;
+use crate::state::floats::{self, Float};
+use crate::state::look::SkyFile;
+use crate::state::params::Camera;
+use crate::state::{Params, query};
+use crate::waves::Plan;
+use crate::waves::statistics::{Resolved, Theory};
 use faults::Faults;
 use std::cell::OnceCell;
 
@@ -115,7 +118,7 @@ pub struct App {
     /// The record of the first buoy, or of the water below the camera.
     series: plots::Series,
     /// What the next click puts on the water.
-    placing: Option<afloat::Kind>,
+    placing: Option<floats::Kind>,
     save_folder: Option<std::path::PathBuf>,
     /// Pictures that have been saved, or why not.
     saved: tasks::Inbox<Result<String, String>>,
@@ -346,7 +349,7 @@ impl App {
         let key = !ctx.egui_wants_keyboard_input() && ctx.input(|i| i.key_pressed(egui::Key::B));
         let (kind, at) = match (response.clicked().then_some(self.placing).flatten(), key) {
             (Some(kind), _) => (kind, response.interact_pointer_pos()),
-            (None, true) => (afloat::Kind::Buoy, response.hover_pos().or(Some(response.rect.center()))),
+            (None, true) => (floats::Kind::Buoy, response.hover_pos().or(Some(response.rect.center()))),
             (None, false) => return,
         };
         self.placing = None;
@@ -355,7 +358,7 @@ impl App {
             self.say("There is no water there.");
             return;
         };
-        if self.params.floats.len() >= afloat::MOST {
+        if self.params.floats.len() >= floats::MOST {
             self.say("There is no room for more.");
             return;
         }
@@ -367,7 +370,7 @@ impl App {
     fn sea_at(&self, at: egui::Pos2, rect: egui::Rect) -> Option<[f64; 2]> {
         let camera = &self.params.camera;
         let aspect = f64::from(rect.width() / rect.height().max(1.0));
-        let view = crate::model::camera::View::new(camera, aspect, 0.0);
+        let view = crate::state::camera::View::new(camera, aspect, 0.0);
         let to = (at - rect.center()) / (0.5 * rect.size());
         let ray = view.ray(f64::from(to.x), -f64::from(to.y));
         let level_m = self.params.sea.level_m;

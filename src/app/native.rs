@@ -3,8 +3,8 @@
 use super::dropped::most_bytes;
 use super::lifeboat::{Berth, Shell};
 use super::{App, setup};
-use crate::model::look::SkyFile;
-use crate::model::{Params, query};
+use crate::state::look::SkyFile;
+use crate::state::{Params, query};
 use std::cell::Cell;
 use std::io::Read;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};

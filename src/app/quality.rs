@@ -1,6 +1,6 @@
 //! How many pixels the picture has: those of the window, as far as the machine keeps up with them.
 
-use crate::model::params::{Grid, Screen};
+use crate::state::params::{Grid, Screen};
 
 /// A frame longer than this is seen as a stutter, s.
 const LONG_S: f64 = 1.0 / 40.0;

@@ -2,8 +2,8 @@
 
 use super::{App, files, picture, tasks};
 use crate::gpu::offscreen::Picture;
-use crate::model::{Params, query};
 use crate::ocean::Ocean;
+use crate::state::{Params, query};
 
 impl App {
     /// The page's address with the state, or on the desktop the bare state string.

@@ -1,7 +1,7 @@
 //! Units of the panel. What a field holds stays metric; a slider, a typed value and a read-out are converted.
 
-use crate::model::fields::{Field, Group};
-use crate::model::params::Units;
+use crate::state::fields::{Field, Group};
+use crate::state::params::Units;
 
 /// Units of another system: name, how many make one of the field's unit.
 struct Unit {

@@ -1,8 +1,8 @@
 //! The sea in the window: recorded off-screen in `prepare`, blitted in `paint`.
 
 use super::gauges::Gauges;
-use crate::model::Params;
 use crate::ocean::Ocean;
+use crate::state::Params;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use web_time::Instant;

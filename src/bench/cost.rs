@@ -3,7 +3,7 @@
 
 use crate::gpu::layout::FOAM_LEVELS;
 use crate::gpu::map_format::MapFormat;
-use crate::model::tiling::MEAN_COPIES;
+use crate::waves::tiling::MEAN_COPIES;
 
 /// A budget.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -9,10 +9,11 @@ pub mod per_stage;
 
 use crate::gpu::offscreen;
 use crate::gpu::shaders::Shaders;
-use crate::model::camera::View;
-use crate::model::{Params, Plan, query};
 use crate::ocean::{Ocean, Part};
 use crate::sim::Simulation;
+use crate::state::camera::View;
+use crate::state::{Params, query};
+use crate::waves::Plan;
 use ceilings::Ceilings;
 use clock::{Clock, Timing};
 use cost::Cost;

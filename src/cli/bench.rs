@@ -2,7 +2,7 @@
 
 use crate::bench::{self, Options, Report, Row};
 use crate::gpu::device::Gpu;
-use crate::model::Params;
+use crate::state::Params;
 use serde_json::{Value, json};
 
 /// Pictures of the matrix.

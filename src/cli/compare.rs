@@ -1,6 +1,6 @@
 //! `seastate compare`: how different two pictures look.
 
-use super::flip::{self, Picture};
+use crate::lab::flip::{self, Picture};
 use image::{ImageError, ImageFormat, ImageReader, Limits};
 use std::path::Path;
 

@@ -1,11 +1,12 @@
 //! `seastate export`: the maps as OpenEXR, 32-bit float, named channels; and what they mean as plan.json.
 
-use super::stats::foam_levels;
 use crate::gpu::device::Gpu;
 use crate::gpu::shaders::Shaders;
-use crate::model::{Params, Plan, query};
+use crate::lab::stats::foam_levels;
 use crate::sim::resources::MapKind;
 use crate::sim::{MAX_STEPS, Simulation};
+use crate::state::{Params, query};
+use crate::waves::Plan;
 use exr::prelude::*;
 use std::path::Path;
 

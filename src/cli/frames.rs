@@ -1,11 +1,11 @@
 //! `seastate render --frames`: a sequence of pictures, and what a compositor asks for beside them.
 
-use super::render::{FORMAT, on_film, picture_of};
 use crate::gpu::device::Gpu;
 use crate::gpu::readback;
-use crate::model::Params;
-use crate::model::views::{Choice, Shown, Surface};
 use crate::ocean::Ocean;
+use crate::ocean::still::{FORMAT, on_film, picture_of};
+use crate::state::Params;
+use crate::state::views::{Choice, Shown, Surface};
 use exr::prelude::*;
 use std::path::Path;
 

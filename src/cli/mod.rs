@@ -1,25 +1,20 @@
 //! The native command line: one state string in; a window, a picture, maps or numbers out.
 
 pub mod bench;
-pub mod check;
 pub mod compare;
 pub mod export;
-pub mod flip;
 pub mod frames;
-pub mod gallery;
 pub mod info;
 pub mod objectives;
 pub mod parameters;
-pub mod reference;
 pub mod render;
-pub mod stats;
-pub mod validate;
 
 use crate::bench::Options;
+use crate::files::measured::Measured;
 use crate::gpu::device::Gpu;
-use crate::model::fields::FIELDS;
-use crate::model::measured::Measured;
-use crate::model::{Params, query};
+use crate::lab::{check, flip, gallery, reference, stats, validate};
+use crate::state::fields::FIELDS;
+use crate::state::{Params, query};
 use clap::{Parser, Subcommand};
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -83,7 +78,7 @@ impl SeaArgs {
     fn read_aloud(&self) -> Result<Params, String> {
         let (params, notices) = self.read()?;
         report_notices(&notices);
-        report_notices(&crate::model::Plan::new(&params).notices);
+        report_notices(&crate::waves::Plan::new(&params).notices);
         Ok(params)
     }
 }

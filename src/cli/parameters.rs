@@ -2,8 +2,8 @@
 //! of objectives.
 
 use super::objectives::{OUTSIDE, Objective, SECTIONS};
-use super::validate::page::Page;
-use crate::model::fields::{self, FIELDS, Field, Group};
+use crate::lab::validate::page::Page;
+use crate::state::fields::{self, FIELDS, Field, Group};
 
 /// The page.
 pub fn page() -> String {

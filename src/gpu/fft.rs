@@ -1,6 +1,6 @@
 //! How a line of n points is transformed on the GPU: in what steps, by which threads, and the WGSL of steps that are written out.
 //!
-//! There are three ways (shaders/fft_common.wgsl has the formula). **Exchanged**: one dispatch for a line, whose threads pass
+//! There are three ways (shaders/waves/fft_common.wgsl has the formula). **Exchanged**: one dispatch for a line, whose threads pass
 //! their halves on through workgroup memory; the least traffic through memory, for a GPU. **Straight**: two dispatches, each
 //! thread by itself with all its points in registers, the transforms written out and without barriers; for adapters that are
 //! CPUs, where a barrier means that every thread's state is put away and taken up again. **Merged**: the same, but the second

@@ -49,7 +49,7 @@ impl MapFormat {
     /// A shader's text, written for half floats, for this format.
     pub fn shader(self, text: Cow<'_, str>) -> Cow<'_, str> {
         const IN_BUFFERS: [&str; 2] =
-            [include_str!("../../shaders/maps_half.wgsl"), include_str!("../../shaders/maps_float.wgsl")];
+            [include_str!("../../shaders/waves/maps_half.wgsl"), include_str!("../../shaders/waves/maps_float.wgsl")];
         match self {
             Self::Half => text,
             Self::Float => text.replace("rgba16float", "rgba32float").replace(IN_BUFFERS[0], IN_BUFFERS[1]).into(),

@@ -17,61 +17,64 @@ macro_rules! part {
     };
 }
 
-const MATHS: Part = part!("maths.wgsl");
-const SEA: Part = part!("sea.wgsl");
-const NOISE: Part = part!("noise.wgsl");
-const TILES: Part = part!("tiles.wgsl");
-const FFT_COMMON: Part = part!("fft_common.wgsl");
-const FFT: Part = part!("fft.wgsl");
-const LONG: Part = part!("long.wgsl");
-const COLUMNS_MAPS: Part = part!("columns_maps.wgsl");
-const ROWS_WAVES: Part = part!("rows_waves.wgsl");
-const MIPS: Part = part!("mips.wgsl");
-const ATMOSPHERE: Part = part!("atmosphere.wgsl");
-const SKY: Part = part!("sky_common.wgsl");
-const SKY_MODEL: Part = part!("sky_model.wgsl");
-const FOG: Part = part!("fog.wgsl");
-const AIR: Part = part!("air.wgsl");
-const FRAME: Part = part!("frame.wgsl");
+const MATHS: Part = part!("common/maths.wgsl");
+const SEA: Part = part!("common/sea.wgsl");
+const NOISE: Part = part!("common/noise.wgsl");
+const TILES: Part = part!("common/tiles.wgsl");
+const FFT_COMMON: Part = part!("waves/fft_common.wgsl");
+const FFT: Part = part!("waves/fft.wgsl");
+const LONG: Part = part!("waves/long.wgsl");
+const COLUMNS_MAPS: Part = part!("waves/columns_maps.wgsl");
+const ROWS_WAVES: Part = part!("waves/rows_waves.wgsl");
+const MIPS: Part = part!("waves/mips.wgsl");
+const ATMOSPHERE: Part = part!("sky/atmosphere.wgsl");
+const SKY: Part = part!("sky/common.wgsl");
+const SKY_MODEL: Part = part!("sky/model.wgsl");
+const FOG: Part = part!("sky/fog.wgsl");
+const AIR: Part = part!("sky/air.wgsl");
+const FRAME: Part = part!("common/frame.wgsl");
 /// What the passes of the picture read.
-const SCENE: Part = part!("scene.wgsl");
-const MESH: Part = part!("mesh_common.wgsl");
-const WATER_SURFACE: Part = part!("water_surface.wgsl");
-const WATER_FOAM: Part = part!("water_foam.wgsl");
+const SCENE: Part = part!("common/scene.wgsl");
+const MESH: Part = part!("water/mesh.wgsl");
+const WATER_SURFACE: Part = part!("water/surface.wgsl");
+const WATER_FOAM: Part = part!("water/foam.wgsl");
 /// Light and matter of the water.
-const MATERIAL: Part = part!("material.wgsl");
-const WATER_FRESNEL: Part = part!("water_fresnel.wgsl");
-const WATER_FACETS: Part = part!("water_facets.wgsl");
-const WATER_MIRROR: Part = part!("water_mirror.wgsl");
-const WATER_BODY: Part = part!("water_body.wgsl");
-const WATER_BED: Part = part!("water_bed.wgsl");
-const WATER_FORWARD: Part = part!("water_forward.wgsl");
-const DEBUG: Part = part!("debug.wgsl");
+const MATERIAL: Part = part!("water/material.wgsl");
+const WATER_FRESNEL: Part = part!("water/fresnel.wgsl");
+const WATER_FACETS: Part = part!("water/facets.wgsl");
+const WATER_MIRROR: Part = part!("water/mirror.wgsl");
+const WATER_BODY: Part = part!("water/body.wgsl");
+const WATER_BED: Part = part!("water/bed.wgsl");
+const WATER_FORWARD: Part = part!("water/forward.wgsl");
+const DEBUG: Part = part!("views/common.wgsl");
 
 /// Module names and the parts they are joined from; the last part holds the entry points.
 const MODULES: &[(&str, &[Part])] = &[
-    ("spectrum", &[MATHS, SEA, NOISE, part!("spectrum.wgsl")]),
-    ("rows", &[MATHS, SEA, FFT_COMMON, FFT, ROWS_WAVES, part!("rows.wgsl")]),
-    ("rows_first", &[MATHS, SEA, FFT_COMMON, ROWS_WAVES, part!("rows_first.wgsl")]),
-    ("lines_second", &[FFT_COMMON, part!("lines_second.wgsl")]),
-    ("middle", &[FFT_COMMON, LONG, part!("middle.wgsl")]),
-    ("columns", &[SEA, FFT_COMMON, FFT, part!("columns.wgsl")]),
-    ("columns_first", &[FFT_COMMON, part!("columns_first.wgsl")]),
-    ("columns_second", &[FFT_COMMON, part!("maps_half.wgsl"), COLUMNS_MAPS, part!("columns_second.wgsl")]),
-    ("columns_last", &[FFT_COMMON, LONG, part!("maps_half.wgsl"), COLUMNS_MAPS, part!("columns_last.wgsl")]),
-    ("mips_level", &[SEA, MIPS, part!("mips_level.wgsl")]),
-    ("mips_chain", &[SEA, MIPS, part!("mips_chain.wgsl")]),
-    ("foam", &[MATHS, SEA, NOISE, TILES, part!("foam.wgsl")]),
-    ("sky_transmittance", &[ATMOSPHERE, SKY, part!("sky_transmittance.wgsl")]),
-    ("sky_multiple", &[ATMOSPHERE, SKY, part!("sky_multiple.wgsl")]),
-    ("sky_view", &[ATMOSPHERE, SKY, part!("sky_view.wgsl")]),
-    ("sky_environment", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, part!("sky_environment.wgsl")]),
-    ("sky_filter", &[part!("sky_filter.wgsl")]),
-    ("sky_light", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, part!("sky_light.wgsl")]),
-    ("sky", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, SCENE, AIR, part!("sky.wgsl")]),
-    ("floats", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, SCENE, AIR, part!("floats.wgsl")]),
-    ("mesh", &[MATHS, NOISE, TILES, FRAME, MESH, WATER_SURFACE, part!("mesh.wgsl")]),
-    ("eye", &[MATHS, NOISE, TILES, FRAME, MESH, WATER_SURFACE, part!("eye.wgsl")]),
+    ("spectrum", &[MATHS, SEA, NOISE, part!("waves/spectrum.wgsl")]),
+    ("rows", &[MATHS, SEA, FFT_COMMON, FFT, ROWS_WAVES, part!("waves/rows.wgsl")]),
+    ("rows_first", &[MATHS, SEA, FFT_COMMON, ROWS_WAVES, part!("waves/rows_first.wgsl")]),
+    ("lines_second", &[FFT_COMMON, part!("waves/lines_second.wgsl")]),
+    ("middle", &[FFT_COMMON, LONG, part!("waves/middle.wgsl")]),
+    ("columns", &[SEA, FFT_COMMON, FFT, part!("waves/columns.wgsl")]),
+    ("columns_first", &[FFT_COMMON, part!("waves/columns_first.wgsl")]),
+    ("columns_second", &[FFT_COMMON, part!("waves/maps_half.wgsl"), COLUMNS_MAPS, part!("waves/columns_second.wgsl")]),
+    (
+        "columns_last",
+        &[FFT_COMMON, LONG, part!("waves/maps_half.wgsl"), COLUMNS_MAPS, part!("waves/columns_last.wgsl")],
+    ),
+    ("mips_level", &[SEA, MIPS, part!("waves/mips_level.wgsl")]),
+    ("mips_chain", &[SEA, MIPS, part!("waves/mips_chain.wgsl")]),
+    ("foam", &[MATHS, SEA, NOISE, TILES, part!("foam/foam.wgsl")]),
+    ("sky_transmittance", &[ATMOSPHERE, SKY, part!("sky/transmittance.wgsl")]),
+    ("sky_multiple", &[ATMOSPHERE, SKY, part!("sky/multiple.wgsl")]),
+    ("sky_view", &[ATMOSPHERE, SKY, part!("sky/view.wgsl")]),
+    ("sky_environment", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, part!("sky/environment.wgsl")]),
+    ("sky_filter", &[part!("sky/filter.wgsl")]),
+    ("sky_light", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, part!("sky/light.wgsl")]),
+    ("sky", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, SCENE, AIR, part!("sky/background.wgsl")]),
+    ("floats", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, SCENE, AIR, part!("water/floats.wgsl")]),
+    ("mesh", &[MATHS, NOISE, TILES, FRAME, MESH, WATER_SURFACE, part!("water/displace.wgsl")]),
+    ("eye", &[MATHS, NOISE, TILES, FRAME, MESH, WATER_SURFACE, part!("water/eye.wgsl")]),
     (
         "water",
         &[
@@ -94,13 +97,13 @@ const MODULES: &[(&str, &[Part])] = &[
             WATER_BODY,
             WATER_BED,
             WATER_FOAM,
-            part!("water.wgsl"),
+            part!("water/water.wgsl"),
         ],
     ),
-    ("bloom", &[part!("post/bloom.wgsl")]),
-    ("present", &[SKY, part!("post/present.wgsl")]),
-    ("debug_map", &[MATHS, SEA, DEBUG, part!("debug_map.wgsl")]),
-    ("debug_show", &[part!("debug_show.wgsl")]),
+    ("bloom", &[part!("film/bloom.wgsl")]),
+    ("present", &[SKY, part!("film/present.wgsl")]),
+    ("debug_map", &[MATHS, SEA, DEBUG, part!("views/map.wgsl")]),
+    ("debug_show", &[part!("views/show.wgsl")]),
 ];
 
 /// Modules of [`Way::Merged`]; only they have long numbers.
@@ -109,8 +112,8 @@ pub const MERGED: [&str; 2] = ["middle", "columns_last"];
 /// Modules that hold another whole, and what they add to it.
 const EXTENSIONS: &[(&str, &str, &[Part])] = &[
     ("water_forward", "water", &[WATER_FORWARD]),
-    ("water_deferred", "water", &[part!("water_deferred.wgsl")]),
-    ("debug_water", "water", &[WATER_FORWARD, DEBUG, part!("debug_water.wgsl")]),
+    ("water_deferred", "water", &[part!("water/light.wgsl")]),
+    ("debug_water", "water", &[WATER_FORWARD, DEBUG, part!("views/surface.wgsl")]),
 ];
 
 /// The parts of every module.
@@ -239,7 +242,9 @@ mod tests {
         let (_, text) = shaders.all().find(|(name, _)| *name == "rows").unwrap();
         let line = text.lines().position(|l| l.contains("fn rows_pack(")).unwrap() + 1;
         let (file, at) = locate("rows", line).unwrap();
-        assert_eq!(file, "rows_waves.wgsl");
-        assert!(include_str!("../../shaders/rows_waves.wgsl").lines().nth(at - 1).unwrap().contains("fn rows_pack("));
+        assert_eq!(file, "waves/rows_waves.wgsl");
+        assert!(
+            include_str!("../../shaders/waves/rows_waves.wgsl").lines().nth(at - 1).unwrap().contains("fn rows_pack(")
+        );
     }
 }

@@ -1,10 +1,11 @@
 //! What is drawn of a sea that may be on its way to another: the numbers that the picture takes from a plan, and the seas
 //! that the waves are those of.
 
-use crate::model::look::Look;
-use crate::model::slopes::{self, SlopeVariance};
-use crate::model::{Params, Plan};
 use crate::sim::glide::{Mix, mix, mix2};
+use crate::state::Params;
+use crate::state::look::Look;
+use crate::waves::Plan;
+use crate::waves::slopes::{self, SlopeVariance};
 use std::sync::Arc;
 
 /// Speed of low clouds over the wind 10 m above the sea: the logarithmic profile up to the top of the boundary layer.
@@ -118,7 +119,7 @@ impl Mix for Mixture {
 /// A sea that is drawn.
 #[derive(Clone, Debug)]
 pub struct DrawnSea {
-    /// Its plan, for [`crate::model::Heights`].
+    /// Its plan, for [`crate::point::Heights`].
     pub plan: Arc<Plan>,
     /// Amplitude of each of its cascades; 1 for a sea at rest.
     pub weights: Vec<f64>,
@@ -127,7 +128,7 @@ pub struct DrawnSea {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::query;
+    use crate::state::query;
 
     #[test]
     fn a_dragged_mixture_stays_short_and_whole() {

@@ -1,4 +1,4 @@
-//! Twin of shaders/foam.wgsl.
+//! Twin of shaders/foam/foam.wgsl.
 
 use super::Texel;
 

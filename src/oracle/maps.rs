@@ -1,8 +1,8 @@
-//! Twins of shaders/rows.wgsl, columns.wgsl and mips.wgsl.
+//! Twins of shaders/waves/rows.wgsl, columns.wgsl and mips.wgsl.
 
 use super::transform::inverse;
 use super::{Complex, Texel, add, mul, scale, signed, turn, unit};
-use crate::model::plan::{Cascade, Plan};
+use crate::waves::plan::{Cascade, Plan};
 use std::f64::consts::TAU;
 
 /// Two planes of n x n texels. As lines: packed complex pairs. As maps: displacement and gradients.

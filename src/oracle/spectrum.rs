@@ -1,8 +1,8 @@
-//! Twin of shaders/spectrum.wgsl: h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz).
+//! Twin of shaders/waves/spectrum.wgsl: h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz).
 
 use super::{Complex, signed};
-use crate::model::noise;
-use crate::model::plan::{Cascade, Plan};
+use crate::waves::noise;
+use crate::waves::plan::{Cascade, Plan};
 
 /// h0 of one cascade, n x n.
 pub fn h0(plan: &Plan, cascade: &Cascade) -> Vec<Complex> {

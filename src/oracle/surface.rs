@@ -1,7 +1,7 @@
-//! Twin of what shaders/water_surface.wgsl and foam.wgsl make of the maps: the blend of shifted copies.
+//! Twin of what shaders/water/surface.wgsl and foam.wgsl make of the maps: the blend of shifted copies.
 
 use super::Texel;
-use crate::model::tiling::Tiling;
+use crate::waves::tiling::Tiling;
 
 /// The fields of one cascade at a point, before chop.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

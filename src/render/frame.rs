@@ -1,15 +1,15 @@
 //! The uniform of a picture: everything relative to the eye, worked out in f64.
 
 use super::Scene;
-use super::mesh::Mesh;
+use super::water::mesh::Mesh;
 use crate::gpu::layout::{FOAM_LEVELS, Layout, MAX_DRAWN, TilePlace};
-use crate::model::slopes::SlopeVariance;
 use crate::sim::Maps;
+use crate::waves::slopes::SlopeVariance;
 use bytemuck::{Pod, Zeroable};
 use std::f64::consts::PI;
 use std::mem::offset_of;
 
-pub use crate::model::camera::View;
+pub use crate::state::camera::View;
 
 /// Shrinkage of the finest cascade for the ripples below it. Not a rung of the ladder of patches.
 const RIPPLE_RATIO: f64 = 13.1;
@@ -245,7 +245,7 @@ fn reach_m(sea: &SeaLook) -> f32 {
 
 /// Angle from the horizontal down to the horizon of the round Earth, rad.
 pub fn dip(eye_m: f64) -> f64 {
-    let r = crate::model::camera::EARTH_RADIUS_M;
+    let r = crate::state::camera::EARTH_RADIUS_M;
     (r / (r + eye_m.max(0.0))).min(1.0).acos()
 }
 

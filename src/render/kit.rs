@@ -1,10 +1,10 @@
 //! Small helpers of the passes: uniforms, bind groups, pipelines of the HDR pass.
 
 use super::frame::FrameUniform;
-use super::material::MaterialUniform;
-use super::noise::NoiseTexture;
 use super::sky::{LightBuffer, Sky, SkyUniform};
 use super::targets::{DEPTH_FORMAT, Film};
+use super::water::material::MaterialUniform;
+use super::water::noise::NoiseTexture;
 use crate::gpu::map_format::MapFormat;
 use bytemuck::Pod;
 use std::marker::PhantomData;

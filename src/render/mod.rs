@@ -3,21 +3,13 @@
 //! A frame: the sky's look-up tables (only when the light changed), sky and water into an HDR target, tone curve to the
 //! screen. Every pass is a pure function of [`Scene`] and [`Maps`].
 
-mod background;
-mod debug;
-mod displace;
-mod eye;
-mod floats;
+pub mod film;
 mod frame;
 mod kit;
-mod material;
-mod mesh;
-mod noise;
-mod panorama;
-pub mod post;
 mod reference;
 mod sky;
 mod targets;
+mod views;
 mod water;
 
 pub use frame::{Fading, SeaLook, View};
@@ -26,23 +18,24 @@ pub use reference::{Grid, Reference};
 use crate::gpu::layout::{Layout, MAX_CASCADES};
 use crate::gpu::shaders::Shaders;
 use crate::gpu::timer::Timer;
-use crate::model::afloat::Pose;
-use crate::model::look::Look;
-use crate::model::views::{Scale, Shown};
+use crate::point::afloat::Pose;
 use crate::sim::Maps;
-use background::Background;
-use debug::DebugPass;
-use eye::EyePass;
-use floats::FloatsPass;
+use crate::state::look::Look;
+use crate::state::views::Shown;
+use crate::waves::scale::Scale;
+use film::present::PresentPass;
 use frame::FrameUniform;
 use kit::Uniform;
-use material::MaterialUniform;
-use mesh::Mesh;
-use noise::NoiseTexture;
-use post::present::PresentPass;
 use sky::Sky;
+use sky::background::Background;
 use targets::{Film, Targets};
-use water::WaterPass;
+use views::DebugPass;
+use water::eye::EyePass;
+use water::floats::FloatsPass;
+use water::light::WaterPass;
+use water::material::MaterialUniform;
+use water::mesh::Mesh;
+use water::noise::NoiseTexture;
 
 /// What the layout test compares with the shaders.
 pub const LAYOUTS: &[Layout] = &[
@@ -50,9 +43,9 @@ pub const LAYOUTS: &[Layout] = &[
     MaterialUniform::LAYOUT,
     sky::SkyUniform::LAYOUT,
     sky::LightBuffer::LAYOUT,
-    post::present::LAYOUT,
-    debug::LAYOUTS[0],
-    debug::LAYOUTS[1],
+    film::present::LAYOUT,
+    views::LAYOUTS[0],
+    views::LAYOUTS[1],
 ];
 
 /// Pixels of the picture for which the mesh's default density is made.

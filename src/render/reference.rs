@@ -4,10 +4,10 @@
 //! A grid of samples is drawn as a larger picture, several times with its samples moved. Whoever draws averages the linear
 //! light ([`Grid`] says which samples are a pixel's) and hands the mean back to be shown by the usual film.
 
-use super::displace;
 use super::frame::FrameUniform;
-use super::mesh::{self, Mesh};
 use super::targets::{Film, HDR_FORMAT, Targets};
+use super::water::displace;
+use super::water::mesh::{self, Mesh};
 use super::{Renderer, Scene};
 use crate::sim::Maps;
 use half::f16;

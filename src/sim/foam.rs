@@ -3,7 +3,7 @@
 use super::glide::{Mix, mix, mix2};
 use super::maps::{FoamLevel, Maps};
 use crate::gpu::layout::{FOAM_LEVELS, FoamCascade, FoamLevelUniform, FoamUniform, MAX_DRAWN, TilePlace};
-use crate::model::{Plan, foam};
+use crate::waves::{Plan, foam};
 
 /// Evaluations of a cold start.
 pub const REPLAY_STEPS: usize = 48;
@@ -246,7 +246,7 @@ fn replay(t_s: f64, decay_s: f64) -> Vec<Step> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Params;
+    use crate::state::Params;
 
     #[test]
     fn a_cold_start_ends_at_its_time_and_depends_on_it_alone() {

@@ -3,10 +3,10 @@
 //! - **The same waves, other amplitudes** (two seas on the same rungs): amplitudes ease towards the new ones in place. Every
 //!   frame takes a part of the way that is left, so that the goal may move at any time: dragging a slider.
 //! - **Other waves** (rungs, depth, gravity, loop, seed): both seas are drawn, and the new one fades in while the old one
-//!   fades out. Independent waves add by their variances, hence the roots; what the two have in common (model/overlap.rs)
+//!   fades out. Independent waves add by their variances, hence the roots; what the two have in common (waves/overlap.rs)
 //!   would add to more than either, and is taken off.
 
-use crate::model::overlap::Overlap;
+use crate::waves::overlap::Overlap;
 
 /// Length of a glide, s of wall time.
 pub const GLIDE_S: f64 = 0.8;

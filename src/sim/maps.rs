@@ -3,9 +3,9 @@
 use super::glide::{Turn, weights};
 use super::resources::{MapKind, Resources, view};
 use crate::gpu::layout::TilePlace;
-use crate::model::Plan;
-use crate::model::overlap::Overlap;
-use crate::model::tiling::{Place, Tiling};
+use crate::waves::Plan;
+use crate::waves::overlap::Overlap;
+use crate::waves::tiling::{Place, Tiling};
 use std::f64::consts::TAU;
 
 /// Views of the current sea and what is needed to sample them. A texel (i, j) of a map holds the point

@@ -86,7 +86,7 @@ impl Passes {
     }
 }
 
-/// shaders/spectrum.wgsl
+/// shaders/waves/spectrum.wgsl
 pub struct SpectrumPass {
     kernel: Kernel,
     group: wgpu::BindGroup,
@@ -125,7 +125,7 @@ impl Half {
     }
 }
 
-/// shaders/rows.wgsl, or rows_first.wgsl and lines_second.wgsl, or only rows_first.wgsl where the rest is merged with the columns.
+/// shaders/waves/rows.wgsl, or rows_first.wgsl and lines_second.wgsl, or only rows_first.wgsl where the rest is merged with the columns.
 pub struct RowsPass {
     first: Half,
     second: Option<Half>,
@@ -181,7 +181,7 @@ impl RowsPass {
     }
 }
 
-/// shaders/columns.wgsl, or columns_first.wgsl and columns_second.wgsl, or middle.wgsl and columns_last.wgsl.
+/// shaders/waves/columns.wgsl, or columns_first.wgsl and columns_second.wgsl, or middle.wgsl and columns_last.wgsl.
 pub enum ColumnsPass {
     /// In one dispatch.
     Exchanged(Half, wgpu::BindGroup),
@@ -322,7 +322,7 @@ fn copy_layers(
     );
 }
 
-/// shaders/mips.wgsl with mips_chain.wgsl, or with mips_level.wgsl where barriers are dear.
+/// shaders/waves/mips.wgsl with mips_chain.wgsl, or with mips_level.wgsl where barriers are dear.
 pub struct MipsPass {
     steps: Vec<MipsStep>,
     /// Stands for levels that a chain does not reach.
@@ -393,7 +393,7 @@ impl MipsPass {
     }
 }
 
-/// shaders/foam.wgsl
+/// shaders/foam/foam.wgsl
 pub struct FoamPass {
     kernel: Kernel,
     group: wgpu::BindGroup,

@@ -3,7 +3,7 @@
 use super::Simulation;
 use super::resources::MapKind;
 use crate::gpu::readback::{self, TextureCopy};
-use crate::model::Plan;
+use crate::waves::Plan;
 
 /// Texels of the gradients that are looked at, at most: their mean is sharp enough, and a page has other things to do.
 const MOST_SLOPES: usize = 1 << 17;

@@ -5,9 +5,9 @@ use crate::gpu::fft::{TWIDDLES, Way, twiddles};
 use crate::gpu::layout::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN};
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::readback::{self, TextureCopy};
-use crate::model::Plan;
-use crate::model::plan::Wave;
-use crate::model::table::{self, Table};
+use crate::waves::Plan;
+use crate::waves::plan::Wave;
+use crate::waves::table::{self, Table};
 use std::ops::Range;
 
 /// Smallest mip of a map is this many texels a side.

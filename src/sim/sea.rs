@@ -2,9 +2,9 @@
 
 use super::maps::MapCascade;
 use crate::gpu::layout::{MAX_CASCADES, MAX_TERMS, SeaCascade, SeaTerm, SeaUniform};
-use crate::model::spreading::Cosine;
-use crate::model::waves::TermKind;
-use crate::model::{Plan, table};
+use crate::waves::spreading::Cosine;
+use crate::waves::system::TermKind;
+use crate::waves::{Plan, table};
 
 /// A plan and the parts of its spectrum.
 pub struct Sea {

@@ -1,9 +1,11 @@
 //! What must hold whatever bytes are read. The fuzz targets run these (fuzz/), and `tests/hostile.rs` over the kept cases.
 #![allow(dead_code, reason = "each target runs one of them")]
 
-use seastate::model::fields::FIELDS;
-use seastate::model::measured::{MAX_STATE_BYTES, Measured};
-use seastate::model::{Params, Plan, panorama, picture, presets, query};
+use seastate::files::measured::{MAX_STATE_BYTES, Measured};
+use seastate::files::{panorama, picture};
+use seastate::state::fields::FIELDS;
+use seastate::state::{Params, presets, query};
+use seastate::waves::Plan;
 
 /// Most columns and rows of a sky here: large ones only take longer.
 const SKY: [usize; 2] = [256, 129];

@@ -3,16 +3,17 @@
 
 pub mod skies;
 
-use seastate::cli::render::{FORMAT, picture_of};
 use seastate::gpu::device::{self, Gpu};
 use seastate::gpu::fft::Way;
 use seastate::gpu::map_format::MapFormat;
 use seastate::gpu::shaders::Shaders;
-use seastate::model::fields::{FIELDS, Kind};
-use seastate::model::noise::pcg4d;
-use seastate::model::{Params, Plan, query};
 use seastate::ocean::Ocean;
+use seastate::ocean::still::{FORMAT, picture_of};
 use seastate::sim::{MapsF32, Simulation};
+use seastate::state::fields::{FIELDS, Kind};
+use seastate::state::{Params, query};
+use seastate::waves::Plan;
+use seastate::waves::noise::pcg4d;
 
 pub fn gpu() -> Gpu {
     pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers")

@@ -1,7 +1,7 @@
 //! Skies that the tests make up.
 
-use seastate::model::look::SkyFile;
-use seastate::model::panorama::Panorama;
+use seastate::files::panorama::Panorama;
+use seastate::state::look::SkyFile;
 use std::sync::Arc;
 
 /// A made-up sky, blue above and white on the horizon, its sun 30 degrees high at a heading.

@@ -7,9 +7,10 @@ pub mod time;
 
 use super::access::named;
 use super::{App, plots};
-use crate::model::afloat::Kind;
-use crate::model::fields::{FIELDS, Group};
-use crate::model::{Params, beaufort, query};
+use crate::state::fields::{FIELDS, Group};
+use crate::state::floats::Kind;
+use crate::state::{Params, query};
+use crate::waves::beaufort;
 
 pub use seas::Seas;
 

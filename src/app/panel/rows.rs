@@ -2,9 +2,9 @@
 
 use super::super::access::named;
 use super::super::units::Scale;
-use crate::model::Params;
-use crate::model::fields::{FIELDS, Field, Group, Kind, Refusal};
-use crate::model::params::Units;
+use crate::state::Params;
+use crate::state::fields::{FIELDS, Field, Group, Kind, Refusal};
+use crate::state::params::Units;
 
 /// Whether a parameter answers a search: every word stands in its name, key, group or explanation.
 pub fn found(field: &Field, words: &str) -> bool {

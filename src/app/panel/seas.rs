@@ -3,8 +3,8 @@
 use super::super::access::{named, named_value};
 use super::super::units::Scale;
 use super::super::{App, files};
-use crate::model::beaufort::{self, FORCES};
-use crate::model::presets::{self, Preset};
+use crate::state::presets::{self, Preset};
+use crate::waves::beaufort::{self, FORCES};
 
 /// The user's own seas, and what is being typed.
 #[derive(Default)]
@@ -138,7 +138,7 @@ pub fn seed(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal(|ui| {
         if ui.button("New seed").on_hover_text("Another sea with the same spectrum.").clicked() {
             let old = app.params.sea.seed;
-            app.params.sea.seed = crate::model::noise::pcg4d([old, app.frames as u32, 7, 11])[0] % 100_000;
+            app.params.sea.seed = crate::waves::noise::pcg4d([old, app.frames as u32, 7, 11])[0] % 100_000;
         }
         ui.checkbox(&mut app.panel.seed_locked, "Lock").on_hover_text("Named seas and Reset leave the seed as it is.");
     });

@@ -2,7 +2,7 @@
 
 use super::super::App;
 use super::super::access::{named, named_value};
-use crate::model::params::Clock;
+use crate::state::params::Clock;
 
 /// One step while time stands still, s.
 pub const STEP_S: f64 = 1.0 / 60.0;

@@ -2,7 +2,7 @@
 
 use super::super::App;
 use super::Table;
-use crate::model::Plan;
+use crate::waves::Plan;
 use egui::{Color32, Mesh, Pos2, Stroke, pos2, vec2};
 
 const DIRECTIONS: usize = 72;

@@ -3,7 +3,7 @@
 use super::super::App;
 use super::super::units::Scale;
 use super::{COLOURS, HEIGHT, Table};
-use crate::model::record;
+use crate::waves::record;
 use egui_plot::{Line, Plot, PlotPoints};
 use std::collections::VecDeque;
 

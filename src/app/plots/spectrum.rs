@@ -2,7 +2,7 @@
 
 use super::super::App;
 use super::{COLOURS, HEIGHT, Table};
-use crate::model::Plan;
+use crate::waves::Plan;
 use egui_plot::{Bar, BarChart, Legend, Line, LineStyle, Plot, PlotPoints, VLine};
 
 const POINTS: usize = 240;

@@ -1,0 +1,153 @@
+//! The reference of a picture: the mean of many unfiltered samples a pixel, under the same exposure and film.
+
+use crate::gpu::device::Gpu;
+use crate::gpu::readback;
+use crate::ocean::still;
+use crate::ocean::{Grid, Ocean};
+use crate::waves::noise::pcg4d;
+
+/// Most samples that are drawn at once.
+const MOST: u64 = 4_200_000;
+
+/// How a reference is sampled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sampling {
+    /// Samples a pixel, at least.
+    pub samples: u32,
+    /// Chooses where they lie.
+    pub seed: u32,
+}
+
+impl Sampling {
+    /// The grids that hold this many samples of a picture, as large as fits in `most` samples and `longest` along a side.
+    fn grids(self, size: [u32; 2], most: u64, longest: u32) -> impl Iterator<Item = Grid> {
+        let fits = |side: &u32| {
+            let [w, h] = size.map(|s| u64::from(s) * u64::from(*side));
+            side * side <= self.samples && w * h <= most && w.max(h) <= u64::from(longest)
+        };
+        let side = [16, 8, 4, 2].into_iter().find(fits).unwrap_or(1);
+        let start = pcg4d([self.seed, 0, 0, 0]).map(|x| f64::from(x) / 4_294_967_296.0);
+        (0..self.samples.div_ceil(side * side)).map(move |i| {
+            // The plane's most even sequence (Roberts 2018), moved by the seed.
+            let at = |from: f64, step: f64| (from + step * f64::from(i)).fract();
+            Grid { size, side, offset: [at(start[0], 0.754_877_666_246_693), at(start[1], 0.569_840_290_998_053)] }
+        })
+    }
+}
+
+/// Sums over the samples of a pixel.
+#[derive(Clone, Copy, Default)]
+struct Sum {
+    sky: [f64; 3],
+    water: [f64; 3],
+    weight: f64,
+    skies: f64,
+    waters: f64,
+}
+
+impl Sum {
+    fn add(&mut self, [r, g, b, weight]: [f32; 4]) {
+        // What is not a number goes the water's way and stays one.
+        let (sum, share) = if weight == 0.0 {
+            self.skies += 1.0;
+            (&mut self.sky, 1.0)
+        } else {
+            self.waters += 1.0;
+            self.weight += f64::from(weight);
+            (&mut self.water, f64::from(weight))
+        };
+        for (sum, light) in sum.iter_mut().zip([r, g, b]) {
+            *sum += share * f64::from(light);
+        }
+    }
+
+    /// The light of the pixel: water by its weights among itself, water and sky by the places that they take.
+    fn mean(&self) -> [f32; 3] {
+        let all = self.skies + self.waters;
+        std::array::from_fn(|i| {
+            let water = if self.waters > 0.0 { self.water[i] / self.weight * self.waters } else { 0.0 };
+            ((self.sky[i] + water) / all) as f32
+        })
+    }
+}
+
+/// Mean linear light of every pixel, row by row, of the sea as its last frame left it.
+///
+/// # Errors
+/// If the GPU does not give its memory back.
+pub async fn light(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: Sampling) -> Result<Vec<[f32; 3]>, String> {
+    let width = size[0] as usize;
+    let mut sums = vec![Sum::default(); width * size[1] as usize];
+    for grid in sampling.grids(size, MOST, gpu.device.limits().max_texture_dimension_2d) {
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("samples") });
+        let texture = ocean.encode_samples(&gpu.device, &gpu.queue, &mut encoder, &grid);
+        let copy = readback::stage_texture(&gpu.device, &mut encoder, &texture, 0);
+        gpu.queue.submit([encoder.finish()]);
+        let bytes = copy.read(&gpu.device).await?;
+        let side = grid.side as usize;
+        for (y, row) in bytes.chunks(16 * width * side).enumerate() {
+            let sums = &mut sums[y / side * width..][..width];
+            for (sum, texels) in sums.iter_mut().zip(row.chunks(16 * side)) {
+                texels.chunks(16).for_each(|texel| sum.add(bytemuck::pod_read_unaligned(texel)));
+            }
+        }
+    }
+    Ok(sums.iter().map(Sum::mean).collect())
+}
+
+/// The pixels of the reference, RGBA, of the sea as its last frame left it.
+///
+/// # Errors
+/// If the GPU does not give its memory back.
+pub async fn picture_of(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: Sampling) -> Result<Vec<u8>, String> {
+    let light = light(gpu, ocean, size, sampling).await?;
+    picture_of_light(gpu, ocean, size, &light).await
+}
+
+/// The pixels of linear light under the exposure and film of the sea's picture.
+///
+/// # Errors
+/// If the GPU does not give its memory back.
+pub async fn picture_of_light(
+    gpu: &Gpu,
+    ocean: &mut Ocean,
+    size: [u32; 2],
+    light: &[[f32; 3]],
+) -> Result<Vec<u8>, String> {
+    let encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("reference") });
+    still::on_film(gpu, encoder, size, |pass| ocean.present_light(&gpu.device, &gpu.queue, pass, size, light)).await
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn grids_hold_the_samples_that_were_asked_for() {
+        for samples in [1, 3, 4, 64, 256, 1000] {
+            for size in [[16, 9], [192, 108], [1280, 720], [8192, 8192]] {
+                let grids: Vec<Grid> = Sampling { samples, seed: 1 }.grids(size, MOST, 8192).collect();
+                let count: u32 = grids.iter().map(|g| g.side * g.side).sum();
+                assert!((samples..samples + grids[0].side.pow(2)).contains(&count), "{samples} {size:?} {count}");
+                assert!(grids.iter().all(|g| g.samples().iter().all(|&s| s <= 8192)), "{size:?}");
+            }
+        }
+        let at =
+            |seed| Sampling { samples: 8, seed }.grids([8192; 2], MOST, 8192).map(|g| g.offset).collect::<Vec<_>>();
+        assert_ne!(at(1), at(2));
+        let mean = at(3).iter().map(|o| o[0]).sum::<f64>() / 8.0;
+        assert!((mean - 0.5).abs() < 0.1, "spread evenly: {mean}");
+    }
+
+    #[test]
+    fn a_pixel_of_water_and_sky_is_shared_by_their_places() {
+        let mut sum = Sum::default();
+        sum.add([1.0, 0.0, 0.0, 0.0]);
+        sum.add([0.0, 1.0, 0.0, 3.0]);
+        sum.add([0.0, 0.0, 1.0, 1.0]);
+        let [r, g, b] = sum.mean();
+        assert!((r - 1.0 / 3.0).abs() < 1e-6 && (g - 0.5).abs() < 1e-6 && (b - 1.0 / 6.0).abs() < 1e-6, "{r} {g} {b}");
+        sum.add([0.0, f32::NAN, 0.0, 1.0]);
+        assert!(sum.mean()[1].is_nan());
+    }
+}

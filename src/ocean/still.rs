@@ -1,0 +1,40 @@
+//! Pictures of single states, read back from the GPU.
+
+use super::Ocean;
+use crate::gpu::device::Gpu;
+use crate::gpu::offscreen::Picture;
+use crate::state::Params;
+
+/// Format of the pictures.
+pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// The pixels of a state, RGBA, row by row from the top.
+///
+/// # Errors
+/// If the GPU does not give its memory back.
+pub async fn picture(gpu: &Gpu, params: &Params, size: [u32; 2]) -> Result<Vec<u8>, String> {
+    picture_of(gpu, &mut Ocean::new(&gpu.device, &gpu.queue, FORMAT, params), size).await
+}
+
+/// The pixels of a sea that may have been running for a while.
+///
+/// # Errors
+/// If the GPU does not give its memory back.
+pub async fn picture_of(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2]) -> Result<Vec<u8>, String> {
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("picture") });
+    ocean.encode_fully(&gpu.device, &gpu.queue, &mut encoder, size);
+    on_film(gpu, encoder, size, |pass| ocean.present(pass)).await
+}
+
+/// The pixels that `present` draws after what is recorded.
+///
+/// # Errors
+/// If the GPU does not give its memory back.
+pub async fn on_film(
+    gpu: &Gpu,
+    encoder: wgpu::CommandEncoder,
+    size: [u32; 2],
+    present: impl FnOnce(&mut wgpu::RenderPass<'_>),
+) -> Result<Vec<u8>, String> {
+    Picture::submit(&gpu.device, &gpu.queue, encoder, FORMAT, size, present).read(&gpu.device).await
+}

@@ -1,0 +1,146 @@
+//! shaders/film/present.wgsl: bloom, exposure, tone curve, gamma, dither.
+
+use super::bloom::Bloom;
+use crate::gpu::layout::Layout;
+use crate::gpu::shaders::Shaders;
+use crate::render::Scene;
+use crate::render::kit::{Slot, Uniform, group, layout, screen_pipeline};
+use crate::render::sky::LightBuffer;
+use crate::render::targets::Targets;
+use crate::state::look::Film;
+use bytemuck::{Pod, Zeroable};
+use std::mem::offset_of;
+
+/// WGSL `Present`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+struct PresentUniform {
+    size: [f32; 2],
+    exposure_gain: f32,
+    fixed_exposure: f32,
+    tone: u32,
+    bloom: f32,
+    dither: f32,
+    pad: f32,
+}
+
+/// Exposure of a clear noon, the sun 60 degrees high: what the film takes that does not adapt.
+pub const NOON_EXPOSURE: f32 = 0.444;
+
+/// For the layout test.
+pub const LAYOUT: Layout = (
+    "Present",
+    &[
+        ("size", offset_of!(PresentUniform, size)),
+        ("exposure_gain", offset_of!(PresentUniform, exposure_gain)),
+        ("fixed_exposure", offset_of!(PresentUniform, fixed_exposure)),
+        ("tone", offset_of!(PresentUniform, tone)),
+        ("bloom", offset_of!(PresentUniform, bloom)),
+        ("dither", offset_of!(PresentUniform, dither)),
+    ],
+    size_of::<PresentUniform>(),
+);
+
+/// Draws the HDR picture into a pass of the screen.
+pub struct PresentPass {
+    uniform: Uniform<PresentUniform>,
+    light: wgpu::Buffer,
+    layout: wgpu::BindGroupLayout,
+    pipeline: wgpu::RenderPipeline,
+    sampler: wgpu::Sampler,
+    bloom: Bloom,
+    /// The size that it is bound for, and whether with bloom.
+    bound: Option<([u32; 2], bool)>,
+    group: Option<wgpu::BindGroup>,
+}
+
+impl PresentPass {
+    /// Compiles the pass for a format of the screen; `smooth` asks for smooth edges.
+    pub fn new(
+        device: &wgpu::Device,
+        shaders: &Shaders,
+        light: &wgpu::Buffer,
+        target_format: wgpu::TextureFormat,
+        smooth: bool,
+    ) -> Self {
+        let slots = [
+            Slot::Uniform(size_of::<PresentUniform>()),
+            Slot::Uniform(size_of::<LightBuffer>()),
+            Slot::Texture,
+            Slot::Sampler,
+            Slot::Texture,
+        ];
+        let layout = layout(device, "present", wgpu::ShaderStages::FRAGMENT, &slots);
+        let constants = [("PRESENT_SMOOTH", f64::from(u8::from(smooth)))];
+        let module = shaders.module(device, "present");
+        let pipeline = screen_pipeline(device, "present", &module, &layout, target_format, &constants);
+        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("hdr"),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            ..Default::default()
+        });
+        Self {
+            uniform: Uniform::new(device, "present"),
+            light: light.clone(),
+            layout,
+            pipeline,
+            sampler,
+            bloom: Bloom::new(device, shaders),
+            bound: None,
+            group: None,
+        }
+    }
+
+    /// Binds targets and the chain of the bloom, if they are not bound yet.
+    pub fn bind(&mut self, device: &wgpu::Device, targets: &Targets, film: &Film) {
+        let wanted = Some((targets.size, film.bloom > 0.0));
+        if self.bound == wanted {
+            return;
+        }
+        self.bloom.bind(device, (film.bloom > 0.0).then_some((&targets.hdr, targets.size)));
+        let resources = [
+            self.uniform.buffer.as_entire_binding(),
+            self.light.as_entire_binding(),
+            wgpu::BindingResource::TextureView(&targets.hdr),
+            wgpu::BindingResource::Sampler(&self.sampler),
+            wgpu::BindingResource::TextureView(self.bloom.result().unwrap_or(&targets.hdr)),
+        ];
+        self.group = Some(group(device, "present", &self.layout, &resources));
+        self.bound = wanted;
+    }
+
+    /// Lets go of targets that are about to be made anew.
+    pub fn unbind(&mut self) {
+        self.bound = None;
+    }
+
+    /// Sends what the film needs to know.
+    pub fn write(&self, queue: &wgpu::Queue, scene: &Scene, size: [u32; 2]) {
+        let film = &scene.look.film;
+        let fixed = NOON_EXPOSURE / crate::render::sky::unit(&scene.look.sky) as f32;
+        let uniform = PresentUniform {
+            size: size.map(|s| s as f32),
+            exposure_gain: (film.exposure_ev as f32).exp2(),
+            fixed_exposure: if film.auto_exposure { 0.0 } else { fixed },
+            tone: film.tone as u32,
+            bloom: film.bloom as f32,
+            dither: f32::from(u8::from(film.dither)),
+            pad: 0.0,
+        };
+        self.uniform.write(queue, &uniform);
+    }
+
+    /// Records what the lens spreads, if it does.
+    pub fn spread(&self, encoder: &mut wgpu::CommandEncoder) {
+        self.bloom.run(encoder);
+    }
+
+    /// Draws into the current viewport.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        let Some(group) = &self.group else { return };
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, group, &[]);
+        pass.draw(0..3, 0..1);
+    }
+}

@@ -1,0 +1,63 @@
+//! shaders/sky/background.wgsl: the sky behind the sea.
+
+use super::Sky;
+use crate::gpu::shaders::Shaders;
+use crate::render::Scene;
+use crate::render::kit::{Onto, Program, SceneGroup, Variants, hdr_pipeline, part};
+
+/// Sine of the sun's elevation below which there are stars; sky.wgsl has it too.
+const STARS_SUN: f64 = -0.05;
+
+/// What stands behind the sea.
+pub struct Background {
+    module: wgpu::ShaderModule,
+    pipelines: Variants<Parts>,
+}
+
+/// What a picture's background consists of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Parts {
+    file: bool,
+    clouds: bool,
+    stars: bool,
+    fog: bool,
+}
+
+impl Background {
+    /// Compiles the pass.
+    pub fn new(device: &wgpu::Device, shaders: &Shaders) -> Self {
+        Self { module: shaders.module(device, "sky"), pipelines: Variants::default() }
+    }
+
+    /// Makes the pipeline that the picture of a scene needs, if there is none yet.
+    pub fn choose(&mut self, device: &wgpu::Device, group: &SceneGroup, sky: &Sky, scene: &Scene) {
+        let look = &scene.look.sky;
+        let file = look.panorama().is_some();
+        let parts = Parts {
+            file,
+            clouds: !file && look.overcast > 0.0,
+            stars: !file && look.sun_direction()[1] < STARS_SUN,
+            fog: look.fog.extinction_per_km > 0.0,
+        };
+        let layouts = [Some(&group.layout), Some(&sky.panorama.layout)];
+        self.pipelines.choose(parts, |parts| {
+            let constants = [
+                part("SKY_FILE", parts.file),
+                part("SKY_CLOUDS", parts.clouds),
+                part("SKY_STARS", parts.stars),
+                part("SKY_FOG", parts.fog),
+            ];
+            let program = Program { constants: &constants, ..Program::new(&self.module) };
+            hdr_pipeline(device, "sky", &program, &layouts, &Onto::film(&group.film, false))
+        });
+    }
+
+    /// Draws it.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, scene: &SceneGroup, sky: &Sky) {
+        let Some(pipeline) = self.pipelines.chosen() else { return };
+        pass.set_pipeline(pipeline);
+        pass.set_bind_group(0, &scene.group, &[]);
+        pass.set_bind_group(1, &sky.panorama.group, &[]);
+        pass.draw(0..3, 0..1);
+    }
+}

@@ -1,0 +1,254 @@
+//! Views instead of the picture: maps of the simulation (shaders/views/map.wgsl) and quantities of the drawn surface
+//! (shaders/views/surface.wgsl). Made when the first view is asked for; the picture pays nothing for them.
+
+use super::Scene;
+use super::kit::{Onto, Program, Slot, Uniform, group, hdr_pipeline, layout, screen_pipeline};
+use super::targets::Targets;
+use super::water::light::WaterPass;
+use crate::gpu::layout::{Layout, MAX_CASCADES};
+use crate::gpu::shaders::Shaders;
+use crate::sim::Maps;
+use crate::state::views::{Map, Shown};
+use crate::waves::scale::STOPS;
+use bytemuck::{Pod, Zeroable};
+use std::cmp::Reverse;
+use std::mem::offset_of;
+
+/// Pixels between two maps side by side.
+const GAP: u32 = 6;
+
+/// WGSL `DebugTile`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+pub struct DebugTile {
+    corner: [f32; 2],
+    first: [u32; 2],
+    side: f32,
+    layer: u32,
+    low: f32,
+    high: f32,
+}
+
+/// WGSL `Debug`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct DebugUniform {
+    stops: [[f32; 4]; STOPS],
+    tiles: [DebugTile; MAX_CASCADES],
+    size: [f32; 2],
+    chop: [f32; 2],
+    kind: u32,
+    tile_count: u32,
+    logarithmic: u32,
+    phase_time: u32,
+}
+
+/// For the layout test.
+pub const LAYOUTS: [Layout; 2] = [
+    (
+        "DebugTile",
+        &[
+            ("corner", offset_of!(DebugTile, corner)),
+            ("first", offset_of!(DebugTile, first)),
+            ("side", offset_of!(DebugTile, side)),
+            ("layer", offset_of!(DebugTile, layer)),
+            ("low", offset_of!(DebugTile, low)),
+            ("high", offset_of!(DebugTile, high)),
+        ],
+        size_of::<DebugTile>(),
+    ),
+    (
+        "Debug",
+        &[
+            ("stops", offset_of!(DebugUniform, stops)),
+            ("tiles", offset_of!(DebugUniform, tiles)),
+            ("size", offset_of!(DebugUniform, size)),
+            ("chop", offset_of!(DebugUniform, chop)),
+            ("kind", offset_of!(DebugUniform, kind)),
+            ("tile_count", offset_of!(DebugUniform, tile_count)),
+            ("logarithmic", offset_of!(DebugUniform, logarithmic)),
+            ("phase_time", offset_of!(DebugUniform, phase_time)),
+        ],
+        size_of::<DebugUniform>(),
+    ),
+];
+
+impl DebugUniform {
+    fn new(scene: &Scene, maps: &Maps, size: [u32; 2]) -> Self {
+        let view = scene.look.view;
+        // Numbers of the kinds in the shaders: 0 is no view.
+        let kind = match view.shown {
+            Shown::Picture => 0,
+            Shown::Map(map) => 1 + map as u32,
+            Shown::Surface(surface) => 1 + surface as u32,
+        };
+        let foam = matches!(view.shown, Shown::Map(Map::Foam | Map::Source));
+        // Of two seas, the one that fades is not shown.
+        let most = if foam { maps.foam_levels.len() } else { maps.sea().len() };
+        let layers = view.layers(most);
+        let (corners, side) = squares(layers.len() as u32, size);
+        let mut tiles = [DebugTile::default(); MAX_CASCADES];
+        for ((tile, layer), corner) in tiles.iter_mut().zip(layers.clone()).zip(corners) {
+            let scale = scene.scales[layer];
+            // Moments are stored in units of their own.
+            let unit = match view.shown {
+                Shown::Map(Map::MomentXx | Map::MomentZz | Map::MomentXz) => maps.sea()[layer].moment_scale,
+                _ => 1.0,
+            };
+            let first = match view.shown {
+                Shown::Map(Map::InitialSpectrum | Map::Spectrum) => [maps.n / 2; 2],
+                Shown::Map(Map::Foam | Map::Source) => {
+                    // The north-western cell in range; cells live at their number modulo the size.
+                    let level = maps.foam_levels[layer];
+                    let cells = f64::from(maps.foam_n);
+                    level.centre.map(|x| (x / level.texel_m - 0.5 * cells).round().rem_euclid(cells) as u32)
+                }
+                _ => [0; 2],
+            };
+            // Of spectra a cascade, of the mesh's views one of those that are drawn, else a layer.
+            let source = match view.shown {
+                Shown::Map(Map::InitialSpectrum | Map::Spectrum) => layer,
+                Shown::Surface(_) => maps.fading + layer,
+                _ if foam => layer,
+                _ => maps.sea()[layer].layer as usize,
+            };
+            *tile = DebugTile {
+                corner: corner.map(|x| x as f32),
+                first,
+                side: side as f32,
+                layer: source as u32,
+                low: scale.low as f32 / unit,
+                high: scale.high as f32 / unit,
+            };
+        }
+        let scale = scene.scales[layers.start.min(MAX_CASCADES - 1)];
+        Self {
+            stops: scale.palette.stops().map(|[r, g, b]| [r, g, b, 1.0]),
+            tiles,
+            size: size.map(|s| s as f32),
+            chop: scene.sea.chop,
+            kind,
+            tile_count: layers.len() as u32,
+            logarithmic: u32::from(scale.logarithmic),
+            phase_time: maps.phase_time,
+        }
+    }
+}
+
+/// Corners and side of `count` equal squares, as large as fit into a picture, in rows from the top left.
+fn squares(count: u32, [width, height]: [u32; 2]) -> (Vec<[u32; 2]>, u32) {
+    let fit = |columns: u32| {
+        let rows = count.div_ceil(columns);
+        let room = |pixels: u32, squares: u32| pixels.saturating_sub((squares + 1) * GAP) / squares;
+        (room(width, columns).min(room(height, rows)).max(1), Reverse(columns))
+    };
+    let (side, Reverse(columns)) = (1..=count.max(1)).map(fit).max().unwrap_or((1, Reverse(1)));
+    let rows = count.div_ceil(columns);
+    let start = |pixels: u32, squares: u32| pixels.saturating_sub(squares * side + (squares - 1) * GAP) / 2;
+    let [left, top] = [start(width, columns), start(height, rows.max(1))];
+    let corner = |i: u32| [left + i % columns * (side + GAP), top + i / columns * (side + GAP)];
+    ((0..count).map(corner).collect(), side)
+}
+
+/// Draws views.
+pub struct DebugPass {
+    uniform: Uniform<DebugUniform>,
+    map_layout: wgpu::BindGroupLayout,
+    map: wgpu::RenderPipeline,
+    surface: wgpu::RenderPipeline,
+    surface_group: wgpu::BindGroup,
+    show_layout: wgpu::BindGroupLayout,
+    show: wgpu::RenderPipeline,
+    show_group: Option<wgpu::BindGroup>,
+}
+
+impl DebugPass {
+    /// Compiles the passes for the water that they show and a format of the screen.
+    pub fn new(device: &wgpu::Device, shaders: &Shaders, water: &WaterPass, target: wgpu::TextureFormat) -> Self {
+        let fragment = wgpu::ShaderStages::FRAGMENT;
+        let uniform = Uniform::<DebugUniform>::new(device, "view");
+        let slot = Slot::Uniform(size_of::<DebugUniform>());
+        let slots = [slot, Slot::Array, Slot::Array, Slot::Array, Slot::Array, Slot::Read(8), Slot::Read(8)];
+        let map_layout = layout(device, "view/map", fragment, &slots);
+        let module = shaders.module(device, "debug_map");
+        let layouts = [Some(&map_layout)];
+        let map =
+            hdr_pipeline(device, "view/map", &Program::new(&module), &layouts, &Onto::film(&water.scene.film, false));
+        let surface_layout = layout(device, "view/surface", fragment, &[slot]);
+        let surface_group = group(device, "view/surface", &surface_layout, &[uniform.buffer.as_entire_binding()]);
+        let module = shaders.module(device, "debug_water");
+        let program = Program { entries: ["debug_vertex", "debug_fragment"], ..Program::new(&module) };
+        let [scene, maps, mesh] = water.layouts();
+        let layouts = [Some(scene), Some(maps), Some(mesh), Some(&surface_layout)];
+        let surface = hdr_pipeline(device, "view/surface", &program, &layouts, &Onto::film(&water.scene.film, true));
+        let show_layout = layout(device, "view/show", fragment, &[Slot::Texture]);
+        let show =
+            screen_pipeline(device, "view/show", &shaders.module(device, "debug_show"), &show_layout, target, &[]);
+        Self { uniform, map_layout, map, surface, surface_group, show_layout, show, show_group: None }
+    }
+
+    /// Records the view of a scene.
+    pub fn draw(
+        &mut self,
+        (device, queue): (&wgpu::Device, &wgpu::Queue),
+        encoder: &mut wgpu::CommandEncoder,
+        (maps, scene): (&Maps, &Scene),
+        water: &WaterPass,
+        targets: &Targets,
+    ) {
+        use wgpu::BindingResource::TextureView;
+        self.uniform.write(queue, &DebugUniform::new(scene, maps, targets.size));
+        self.show_group = Some(group(device, "view/show", &self.show_layout, &[TextureView(&targets.hdr)]));
+        let mut pass = targets.begin(encoder, false);
+        if let Shown::Surface(_) = scene.look.view.shown {
+            pass.set_pipeline(&self.surface);
+            pass.set_bind_group(3, &self.surface_group, &[]);
+            water.draw_mesh(&mut pass);
+        } else {
+            let resources = [
+                self.uniform.buffer.as_entire_binding(),
+                TextureView(&maps.displacement),
+                TextureView(&maps.gradients),
+                TextureView(&maps.moments),
+                TextureView(&maps.foam),
+                maps.h0.as_entire_binding(),
+                maps.wave.as_entire_binding(),
+            ];
+            pass.set_pipeline(&self.map);
+            pass.set_bind_group(0, &group(device, "view/map", &self.map_layout, &resources), &[]);
+            pass.draw(0..3, 0..1);
+        }
+    }
+
+    /// Draws the view into the current viewport.
+    pub fn show(&self, pass: &mut wgpu::RenderPass<'_>) {
+        let Some(group) = &self.show_group else { return };
+        pass.set_pipeline(&self.show);
+        pass.set_bind_group(0, group, &[]);
+        pass.draw(0..3, 0..1);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn squares_fit_side_by_side() {
+        for (count, size, columns) in
+            [(1, [1280, 720], 1), (4, [1280, 720], 2), (4, [2000, 300], 4), (3, [300, 900], 1)]
+        {
+            let (corners, side) = squares(count, size);
+            assert_eq!(corners.len(), count as usize);
+            for (i, a) in corners.iter().enumerate() {
+                assert!((0..2).all(|axis| a[axis] + side <= size[axis]), "{count} in {size:?}: {corners:?} {side}");
+                for b in &corners[..i] {
+                    assert!((0..2).any(|axis| a[axis].abs_diff(b[axis]) >= side + GAP), "{corners:?}");
+                }
+            }
+            let in_first_row = corners.iter().filter(|c| c[1] == corners[0][1]).count();
+            assert_eq!(in_first_row, columns, "{count} in {size:?}: as large as fits");
+        }
+        assert_eq!(squares(4, [1, 1]).1, 1);
+    }
+}

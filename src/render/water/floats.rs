@@ -1,0 +1,254 @@
+//! shaders/water/floats.wgsl: buoys and boats on the water. A handful of small hulls, turned on the CPU.
+
+use crate::gpu::shaders::Shaders;
+use crate::point::afloat::Pose;
+use crate::render::kit::{Onto, Program, SceneGroup, Slot, group, hdr_pipeline, layout};
+use crate::state::floats::{self, Kind};
+use bytemuck::{Pod, Zeroable};
+use glam::{DMat3, DVec3};
+use std::f64::consts::TAU;
+
+/// A vertex as the shader reads it: two `vec4f`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+struct Vertex {
+    place: [f32; 3],
+    /// rgba8, sRGB.
+    colour: u32,
+    normal: [f32; 3],
+    unused: f32,
+}
+
+/// A triangle of a hull: corners, and the colour of its paint. x to the right, y up the mast, z to the stern.
+#[derive(Clone, Copy)]
+struct Facet {
+    corners: [DVec3; 3],
+    normals: [DVec3; 3],
+    colour: u32,
+}
+
+const YELLOW: u32 = 0x0014_b0e8;
+const DARK: u32 = 0x0028_2828;
+const WHITE: u32 = 0x00e8_ecec;
+const RED: u32 = 0x0020_2ab0;
+const WOOD: u32 = 0x0048_6a90;
+const BLUE: u32 = 0x0070_4020;
+
+/// Draws what floats.
+pub struct FloatsPass {
+    module: wgpu::ShaderModule,
+    /// Made when something floats for the first time.
+    pipeline: Option<wgpu::RenderPipeline>,
+    layout: wgpu::BindGroupLayout,
+    vertices: Option<(wgpu::Buffer, wgpu::BindGroup)>,
+    hulls: [Vec<Facet>; 2],
+    count: u32,
+}
+
+impl FloatsPass {
+    /// For pictures of a scene.
+    pub fn new(device: &wgpu::Device, shaders: &Shaders) -> Self {
+        let layout = layout(device, "floats", wgpu::ShaderStages::VERTEX, &[Slot::Read(size_of::<Vertex>())]);
+        let module = shaders.module(device, "floats");
+        Self { module, pipeline: None, layout, vertices: None, hulls: [buoy(), boat()], count: 0 }
+    }
+
+    /// Takes what floats, around the eye's foot (world x, z), over still water at `level_m`.
+    pub fn write(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        scene: &SceneGroup,
+        poses: &[Pose],
+        foot: [f64; 2],
+        level_m: f64,
+    ) {
+        self.count = 0;
+        if poses.is_empty() {
+            return;
+        }
+        let mut vertices = Vec::new();
+        for pose in poses {
+            let [up, ahead] = [pose.up, pose.ahead].map(DVec3::from_array);
+            let turn = DMat3::from_cols(ahead.cross(up), up, -ahead);
+            let origin = DVec3::new(pose.place[0] - foot[0], pose.place[1] - level_m, pose.place[2] - foot[1]);
+            let hull = &self.hulls[usize::from(pose.kind == Kind::Boat)];
+            vertices.extend(hull.iter().flat_map(|facet| (0..3).map(move |i| (facet, i))).map(|(facet, i)| Vertex {
+                place: (origin + turn * facet.corners[i]).as_vec3().to_array(),
+                colour: facet.colour,
+                normal: (turn * facet.normals[i]).as_vec3().to_array(),
+                unused: 0.0,
+            }));
+        }
+        let most = floats::MOST * self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0);
+        let (buffer, _) = self.vertices.get_or_insert_with(|| {
+            let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("floats"),
+                size: (most * size_of::<Vertex>()) as u64,
+                usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            });
+            let group = group(device, "floats", &self.layout, &[buffer.as_entire_binding()]);
+            (buffer, group)
+        });
+        let vertices = &vertices[..vertices.len().min(most)];
+        queue.write_buffer(buffer, 0, bytemuck::cast_slice(vertices));
+        self.count = vertices.len() as u32;
+        self.pipeline.get_or_insert_with(|| {
+            let layouts = [Some(&scene.layout), Some(&self.layout)];
+            hdr_pipeline(device, "floats", &Program::new(&self.module), &layouts, &Onto::film(&scene.film, true))
+        });
+    }
+
+    /// Draws them, after the water.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, scene: &SceneGroup) {
+        let (Some((_, group)), Some(pipeline)) = (&self.vertices, &self.pipeline) else { return };
+        if self.count > 0 {
+            pass.set_pipeline(pipeline);
+            pass.set_bind_group(0, &scene.group, &[]);
+            pass.set_bind_group(1, group, &[]);
+            pass.draw(0..self.count, 0..1);
+        }
+    }
+}
+
+/// A surface of revolution around the mast: radii and heights from below, with the colour of each band.
+fn lathe(profile: &[(f64, f64, u32)]) -> Vec<Facet> {
+    const SIDES: usize = 20;
+    let mut facets = Vec::new();
+    for pair in profile.windows(2) {
+        let ((r0, y0, colour), (r1, y1, _)) = (pair[0], pair[1]);
+        let slope = DVec3::new(y1 - y0, r0 - r1, 0.0).normalize_or(DVec3::Y);
+        let at = |r: f64, y: f64, i: usize| {
+            let (sin, cos) = (TAU * i as f64 / SIDES as f64).sin_cos();
+            (DVec3::new(r * cos, y, r * sin), DVec3::new(slope.x * cos, slope.y, slope.x * sin))
+        };
+        for i in 0..SIDES {
+            let [a, b, c, d] = [at(r0, y0, i), at(r0, y0, i + 1), at(r1, y1, i + 1), at(r1, y1, i)];
+            for [p, q, r] in [[a, b, c], [a, c, d]] {
+                facets.push(Facet { corners: [p.0, q.0, r.0], normals: [p.1, q.1, r.1], colour });
+            }
+        }
+    }
+    facets
+}
+
+/// A moored buoy: a disc in the water, a tower, a lantern.
+fn buoy() -> Vec<Facet> {
+    lathe(&[
+        (0.0, -0.6, DARK),
+        (0.7, -0.45, DARK),
+        (0.95, 0.0, YELLOW),
+        (0.95, 0.42, YELLOW),
+        (0.8, 0.55, YELLOW),
+        (0.0, 0.6, YELLOW),
+        (0.34, 0.6, YELLOW),
+        (0.16, 1.5, RED),
+        (0.13, 1.75, YELLOW),
+        (0.1, 2.2, YELLOW),
+        (0.2, 2.22, DARK),
+        (0.2, 2.3, WHITE),
+        (0.19, 2.55, WHITE),
+        (0.1, 2.7, DARK),
+        (0.0, 2.74, DARK),
+    ])
+}
+
+/// An open boat: stations from bow to stern, each a half of keel, chine, gunwale; and thwarts across.
+fn boat() -> Vec<Facet> {
+    // Distance from the bow, half-width at the gunwale, height of the gunwale, depth of the keel.
+    const STATIONS: [[f64; 4]; 7] = [
+        [0.0, 0.02, 1.05, -0.05],
+        [0.7, 0.42, 0.92, -0.28],
+        [1.8, 0.82, 0.78, -0.36],
+        [3.2, 1.02, 0.66, -0.4],
+        [4.8, 1.0, 0.6, -0.38],
+        [6.2, 0.86, 0.6, -0.32],
+        [7.0, 0.72, 0.64, -0.24],
+    ];
+    let point = |s: [f64; 4], side: f64, row: usize| {
+        let [along, half, rail, keel] = s;
+        let z = along - 3.4;
+        match row {
+            0 => DVec3::new(0.0, keel, z),
+            1 => DVec3::new(side * 0.72 * half, 0.12 + 0.35 * keel, z),
+            2 => DVec3::new(side * 0.95 * half, 0.45 * rail + 0.1, z),
+            3 => DVec3::new(side * half, rail, z),
+            // Inside: the planks' thickness in from the rail, and the floor.
+            4 => DVec3::new(side * (half - 0.06).max(0.0), rail, z),
+            _ => DVec3::new(side * (0.62 * half - 0.05).max(0.0), 0.12, z),
+        }
+    };
+    let colours = [BLUE, WHITE, WHITE, WOOD, WOOD];
+    let mut facets = Vec::new();
+    let mut quad = |[a, b, c, d]: [DVec3; 4], colour: u32| {
+        for [p, q, r] in [[a, b, c], [a, c, d]] {
+            let normal = (q - p).cross(r - p);
+            if normal.length_squared() > 1e-12 {
+                facets.push(Facet { corners: [p, q, r], normals: [normal.normalize(); 3], colour });
+            }
+        }
+    };
+    for pair in STATIONS.windows(2) {
+        for side in [-1.0, 1.0] {
+            for (row, colour) in colours.into_iter().enumerate() {
+                let corners = [
+                    point(pair[0], side, row),
+                    point(pair[1], side, row),
+                    point(pair[1], side, row + 1),
+                    point(pair[0], side, row + 1),
+                ];
+                let [a, b, c, d] = corners;
+                quad(if side > 0.0 { [a, d, c, b] } else { [a, b, c, d] }, colour);
+            }
+        }
+        // The floor.
+        let [a, b] = [pair[0], pair[1]].map(|s| point(s, -1.0, 5));
+        let [c, d] = [pair[1], pair[0]].map(|s| point(s, 1.0, 5));
+        quad([a, b, c, d], WOOD);
+    }
+    let stern = STATIONS[6];
+    for row in 0..3 {
+        let [a, b] = [point(stern, -1.0, row), point(stern, -1.0, row + 1)];
+        let [c, d] = [point(stern, 1.0, row + 1), point(stern, 1.0, row)];
+        quad([a, d, c, b], WHITE);
+    }
+    for along in [2.2, 3.8, 5.4] {
+        let half = 0.86;
+        let [z0, z1] = [along - 3.4 - 0.14, along - 3.4 + 0.14];
+        quad(
+            [
+                DVec3::new(-half, 0.5, z0),
+                DVec3::new(-half, 0.5, z1),
+                DVec3::new(half, 0.5, z1),
+                DVec3::new(half, 0.5, z0),
+            ],
+            WOOD,
+        );
+    }
+    facets
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hulls_face_outwards() {
+        for hull in [buoy(), boat()] {
+            let [mut out, mut inward] = [0, 0];
+            for facet in &hull {
+                // The bottom and the sides look away from the middle of the hull.
+                let middle = (facet.corners[0] + facet.corners[1] + facet.corners[2]) / 3.0;
+                if middle.y < 0.0 && facet.normals[0].z.abs() < 0.9 {
+                    if facet.normals[0].dot(middle - DVec3::new(0.0, 0.3, middle.z)) > 0.0 {
+                        out += 1;
+                    } else {
+                        inward += 1;
+                    }
+                }
+            }
+            assert!(out > 10 && inward == 0, "{out} {inward}");
+        }
+    }
+}

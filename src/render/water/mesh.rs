@@ -1,0 +1,187 @@
+//! The lattice of the water's mesh: azimuth by the logarithm of the distance, around the eye.
+//!
+//! Azimuths lie on a lattice that is fixed in the world, so that turning the camera moves no vertex; rows grow with the
+//! distance and reach past the horizon of the round Earth. There is one mesh, hence no crack.
+
+use crate::render::frame::{SeaLook, View};
+use crate::state::camera::EARTH_RADIUS_M;
+use std::f64::consts::{PI, TAU};
+
+/// Columns and rows at density 1.
+const COLUMNS: f64 = 240.0;
+const ROWS: f64 = 1120.0;
+/// Vertices at density 1.
+pub const VERTICES: f64 = COLUMNS * ROWS;
+/// Columns that are drawn row by row, so that a vertex is still in the GPU's cache when its next row comes.
+pub const BLOCK: u32 = 8;
+/// Rows start at a multiple of this, so that a change of pitch moves few of them.
+const ROW_SNAP: f64 = 0.25;
+
+/// A lattice for one view.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh {
+    /// First azimuth and step, first row and step.
+    pub lattice: [f32; 4],
+    /// Row t lies at radius (e^t - 1), m.
+    pub radius: f32,
+    /// Vertices along a column.
+    pub rows: u32,
+    /// Most columns that the index buffer holds, without the last.
+    pub most_columns: u32,
+    /// Columns that this view needs, a multiple of [`BLOCK`].
+    pub columns: u32,
+}
+
+impl Mesh {
+    /// The lattice that covers a view of a sea; `density` scales the number of vertices, `extent_km` bounds its reach
+    /// (0 is to the horizon).
+    pub fn new(view: &View, sea: &SeaLook, density: f64, extent_km: f64) -> Self {
+        let scale = density.clamp(0.015, 64.0).sqrt();
+        let most_columns = ((COLUMNS * scale / f64::from(BLOCK)).ceil() as u32) * BLOCK;
+        let rows = (ROWS * scale).ceil() as u32;
+        let (lift, shift) = (1.1 * f64::from(sea.hs_m), 0.6 * f64::from(sea.hs_m * sea.chop[0].max(sea.chop[1])));
+        let eye = view.eye.y.max(0.1);
+        let (lowest, widest) = extent(view);
+
+        // Radii are linear up to about `radius` and logarithmic beyond.
+        let radius = (0.5 * (eye - lift)).max(0.04 * eye).max(0.25);
+        let near = if lowest <= -0.5 * PI {
+            0.0
+        } else {
+            ((eye - lift).max(0.0) / (-lowest).max(0.02).tan() - shift).max(0.0)
+        };
+        let far = 1.15 * ((2.0 * EARTH_RADIUS_M * (eye + lift)).sqrt() + (2.0 * EARTH_RADIUS_M * lift).sqrt()) + 500.0;
+        let far = if extent_km > 0.0 { far.min((1e3 * extent_km).max(near + radius)) } else { far };
+        let t = |r: f64| (1.0 + r / radius).ln();
+        let first = (t(near) / ROW_SNAP).floor() * ROW_SNAP;
+        let step = (t(far) - first) / f64::from(rows - 1);
+
+        // The sides: waves lean into the picture from outside it.
+        let lean = 0.04 + 0.5 * (2.0 * shift / (near + 2.0 * shift + 1.0)).min(1.0);
+        let half = (widest + lean).min(PI);
+        let heading = view.right.z.atan2(view.right.x);
+        let fits = |lines: f64| (2.0 * half * lines / TAU).ceil() + 2.0 <= f64::from(most_columns);
+        let lines = (0..80).map(|i| (64.0 * 2f64.powf(0.25 * f64::from(i))).floor()).take_while(|&l| fits(l)).last();
+        let turn = TAU / lines.unwrap_or(f64::from(most_columns) - 2.0);
+        let start = ((heading - half) / turn).floor();
+        let needed = ((2.0 * half / turn).ceil() as u32 + 1).next_multiple_of(BLOCK).min(most_columns);
+        Self {
+            lattice: [(start * turn) as f32, turn as f32, first as f32, step as f32],
+            radius: radius as f32,
+            rows,
+            most_columns,
+            columns: needed,
+        }
+    }
+
+    /// Indices of all columns, in blocks.
+    pub fn indices(&self) -> Vec<u32> {
+        let mut out = Vec::with_capacity((self.most_columns * (self.rows - 1) * 6) as usize);
+        for block in (0..self.most_columns).step_by(BLOCK as usize) {
+            for row in 0..self.rows - 1 {
+                for column in block..block + BLOCK {
+                    let a = column * self.rows + row;
+                    let b = a + self.rows;
+                    out.extend([a, b, a + 1, a + 1, b, b + 1]);
+                }
+            }
+        }
+        out
+    }
+
+    /// How many of them this view needs.
+    pub fn index_count(&self) -> u32 {
+        self.columns * (self.rows - 1) * 6
+    }
+}
+
+/// Lowest elevation in the picture, and the largest azimuth from its middle among directions that may show water.
+fn extent(view: &View) -> (f64, f64) {
+    let down = -glam::DVec3::Y;
+    let depth = down.dot(view.forward);
+    let [tx, ty] = view.tan_half.map(|t| 1.1 * t);
+    if depth > 0.0 && down.dot(view.right).abs() <= tx * depth && down.dot(view.up).abs() <= ty * depth {
+        return (-0.5 * PI, PI);
+    }
+    let ahead = glam::DVec3::new(view.right.z, 0.0, -view.right.x);
+    let (mut lowest, mut widest) = (0.0f64, view.tan_half[0].atan());
+    const EDGE: i32 = 12;
+    for i in -EDGE..=EDGE {
+        let at = f64::from(i) / f64::from(EDGE);
+        for ray in [view.ray(at, -1.0), view.ray(at, 1.0), view.ray(-1.0, at), view.ray(1.0, at)] {
+            let elevation = ray.y.clamp(-1.0, 1.0).asin();
+            lowest = lowest.min(elevation);
+            if elevation < 0.15 {
+                widest = widest.max(ray.dot(view.right).atan2(ray.dot(ahead)).abs());
+            }
+        }
+    }
+    (lowest - 0.01, widest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::state::params::Camera;
+
+    fn sea(hs_m: f32) -> SeaLook {
+        SeaLook {
+            chop: [1.0; 2],
+            hs_m,
+            depth_m: 4000.0,
+            wind_m_s: 10.0,
+            downwind: [1.0, 0.0],
+            residual: [0.005; 2],
+            finest: [0.005; 2],
+            fading: None,
+            focusing_m: 1.0,
+            mean_foam: 0.0,
+            lambda_p_m: 100.0,
+            cloud_drift_m: [0.0; 2],
+        }
+    }
+
+    /// Every ray that meets the sea, even one raised by a wave, does so inside the lattice.
+    #[test]
+    fn the_mesh_covers_the_picture() {
+        for pitch in [-89.0, -60.0, -35.0, -10.0, 0.0, 20.0, 60.0] {
+            for y_m in [1.0, 7.0, 60.0, 5000.0] {
+                for hs in [0.1f32, 4.0, 12.0] {
+                    for heading_deg in [0.0, 123.0, 359.0] {
+                        let camera = Camera { pitch_deg: pitch, y_m, heading_deg, ..Camera::default() };
+                        let view = View::new(&camera, 16.0 / 9.0, 0.0);
+                        let mesh = Mesh::new(&view, &sea(hs), 1.0, 0.0);
+                        let case = format!("pitch {pitch} y {y_m} hs {hs} heading {heading_deg} {mesh:?}");
+                        assert!(mesh.columns <= mesh.most_columns, "{case}");
+                        let [a0, da, t0, dt] = mesh.lattice.map(f64::from);
+                        let near = f64::from(mesh.radius) * t0.exp_m1();
+                        let far = f64::from(mesh.radius) * (t0 + dt * f64::from(mesh.rows - 1)).exp_m1();
+                        assert!(far > view.horizon_m(), "{case}");
+                        for (x, y) in [(-1.0, -1.0), (0.0, -1.0), (1.0, -1.0), (-1.0, 0.0), (1.0, 0.0), (1.0, 1.0)] {
+                            let ray = view.ray(x, y);
+                            if ray.y > -0.02 {
+                                continue;
+                            }
+                            let crest = (y_m - f64::from(hs)).max(0.0) / -ray.y * ray.x.hypot(ray.z);
+                            assert!(near <= crest + 1e-6, "{case}: {near} > {crest}");
+                            let turns = ((ray.x.atan2(-ray.z) - a0) / TAU).rem_euclid(1.0);
+                            assert!(turns * TAU <= da * f64::from(mesh.columns), "{case}: {turns}");
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn turning_keeps_the_lattice() {
+        let mesh = |heading_deg| {
+            let camera = Camera { heading_deg, ..Camera::default() };
+            Mesh::new(&View::new(&camera, 1.5, 0.0), &sea(2.0), 1.0, 0.0)
+        };
+        let (a, b) = (mesh(10.0), mesh(11.3));
+        assert_eq!(a.lattice[1..], b.lattice[1..]);
+        let steps = (b.lattice[0] - a.lattice[0]) / a.lattice[1];
+        assert!((steps - steps.round()).abs() < 1e-3, "{steps}");
+    }
+}

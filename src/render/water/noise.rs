@@ -1,0 +1,235 @@
+//! A tile of noise with mips: foam's net (red), bubbles (green) and cloud (blue). Each is equalised: its values are
+//! spread evenly over 0..1, so that a threshold of 1 - c covers the share c.
+
+use crate::waves::noise::pcg4d;
+use std::sync::OnceLock;
+
+/// Texels along a side.
+const SIDE: u32 = 512;
+
+/// The texture and its sampler.
+pub struct NoiseTexture {
+    texture: wgpu::Texture,
+    pub view: wgpu::TextureView,
+    pub sampler: wgpu::Sampler,
+}
+
+impl NoiseTexture {
+    /// Without its tile: see [`Self::fill`].
+    pub fn new(device: &wgpu::Device) -> Self {
+        let mips = SIDE.ilog2() + 1;
+        let texture = device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("noise"),
+            size: wgpu::Extent3d { width: SIDE, height: SIDE, depth_or_array_layers: 1 },
+            mip_level_count: mips,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: wgpu::TextureFormat::Rgba8Unorm,
+            usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+            view_formats: &[],
+        });
+        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("noise"),
+            address_mode_u: wgpu::AddressMode::Repeat,
+            address_mode_v: wgpu::AddressMode::Repeat,
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            mipmap_filter: wgpu::MipmapFilterMode::Linear,
+            ..Default::default()
+        });
+        Self { view: texture.create_view(&wgpu::TextureViewDescriptor::default()), texture, sampler }
+    }
+
+    /// Computes and uploads the tile.
+    pub fn fill(&self, queue: &wgpu::Queue) {
+        for (mip_level, bytes) in (0..).zip(levels()) {
+            let side = SIDE >> mip_level;
+            queue.write_texture(
+                wgpu::TexelCopyTextureInfo {
+                    texture: &self.texture,
+                    mip_level,
+                    origin: wgpu::Origin3d::ZERO,
+                    aspect: wgpu::TextureAspect::All,
+                },
+                bytes,
+                wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * side), rows_per_image: Some(side) },
+                wgpu::Extent3d { width: side, height: side, depth_or_array_layers: 1 },
+            );
+        }
+    }
+}
+
+/// The bytes of every level, computed once: a device that follows another has them at once.
+fn levels() -> &'static [Vec<u8>] {
+    static LEVELS: OnceLock<Vec<Vec<u8>>> = OnceLock::new();
+    LEVELS.get_or_init(|| {
+        let mut level = tile(SIDE);
+        (0..=SIDE.ilog2())
+            .map(|mip_level| {
+                let bytes = level.iter().flatten().map(|x| (x * 255.0).round() as u8).collect();
+                level = halve(&level, (SIDE >> mip_level) as usize);
+                bytes
+            })
+            .collect()
+    })
+}
+
+fn tile(side: u32) -> Vec<[f32; 4]> {
+    let field = |f: &dyn Fn(f32, f32) -> f32| -> Vec<f32> {
+        let at = |i: u32| (i as f32 + 0.5) / side as f32;
+        let values: Vec<f32> = (0..side * side).map(|i| f(at(i % side), at(i / side))).collect();
+        equalise(&values)
+    };
+    let [bend_x, bend_y, fray_x, fray_y, patches] =
+        [(6, 11), (6, 12), (23, 13), (23, 14), (5, 4)].map(|(period, key)| Lattice::arrows(period, key));
+    let [wide, middle, narrow] = [(7, 1), (17, 2), (41, 3)].map(|(period, key)| Lattice::points(period, key));
+    let net = field(&|x, y| {
+        // Bent coordinates: no straight edges in foam.
+        let (bx, by) = (bend_x.gradient_noise(x, y), bend_y.gradient_noise(x, y));
+        let (fx, fy) = (fray_x.gradient_noise(x, y), fray_y.gradient_noise(x, y));
+        let (u, v) = (x + 0.055 * bx + 0.012 * fx, y + 0.055 * by + 0.012 * fy);
+        1.1 * wide.edges(u, v)
+            + 0.8 * middle.edges(u, v)
+            + 0.5 * narrow.edges(u, v)
+            + 0.35 * patches.gradient_noise(u, v)
+    });
+    let (large, small, groups) = (Lattice::points(37, 5), Lattice::points(83, 6), Lattice::arrows(19, 7));
+    let bubbles = field(&|x, y| large.edges(x, y) + 0.7 * small.edges(x, y) + 0.4 * groups.gradient_noise(x, y));
+    let wind = Lattice::arrows(5, 20);
+    let octaves: [Lattice; 7] = std::array::from_fn(|o| Lattice::arrows(4 << o, 21 + o as u32));
+    let cloud = field(&|x, y| {
+        let bend = 0.03 * wind.gradient_noise(x, y);
+        let (x, y) = (x + bend, y - bend);
+        let mut weight = 1.0;
+        octaves.iter().fold(0.0, |sum, octave| {
+            let part = weight * octave.gradient_noise(x, y);
+            weight *= 0.56;
+            sum + part
+        })
+    });
+    (0..(side * side) as usize).map(|i| [net[i], bubbles[i], cloud[i], 1.0]).collect()
+}
+
+/// Ranks instead of values, to a bin of 1/65536 of their range: far less than a byte tells.
+fn equalise(values: &[f32]) -> Vec<f32> {
+    const BINS: usize = 1 << 16;
+    let (low, high) = values.iter().fold((f32::MAX, f32::MIN), |(low, high), &v| (low.min(v), high.max(v)));
+    let scale = (BINS - 1) as f32 / (high - low).max(f32::MIN_POSITIVE);
+    let bin = |v: f32| ((v - low) * scale) as usize;
+    let mut counts = vec![0u32; BINS];
+    values.iter().for_each(|&v| counts[bin(v)] += 1);
+    let mut before = 0;
+    let ranks: Vec<f32> = counts
+        .into_iter()
+        .map(|count| {
+            before += count;
+            (before as f32 - 0.5 * count as f32) / values.len() as f32
+        })
+        .collect();
+    values.iter().map(|&v| ranks[bin(v)]).collect()
+}
+
+fn halve(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
+    let half = side / 2;
+    let at = |x: usize, y: usize, c: usize| level[y * side + x][c];
+    (0..half * half)
+        .map(|i| {
+            let (x, y) = (2 * (i % half), 2 * (i / half));
+            std::array::from_fn(|c| 0.25 * (at(x, y, c) + at(x + 1, y, c) + at(x, y + 1, c) + at(x + 1, y + 1, c)))
+        })
+        .collect()
+}
+
+/// A periodic lattice of cells with two numbers each.
+struct Lattice {
+    period: i32,
+    /// With a margin of the cells that come around: divisions would take most of the time.
+    cells: Vec<[f32; 2]>,
+}
+
+impl Lattice {
+    /// A point in each cell.
+    fn points(period: i32, key: u32) -> Self {
+        Self::new(period, key, |cell| cell)
+    }
+
+    /// A unit vector at each cell's corner.
+    fn arrows(period: i32, key: u32) -> Self {
+        Self::new(period, key, |[a, _]| {
+            let (sin, cos) = (a * std::f32::consts::TAU).sin_cos();
+            [cos, sin]
+        })
+    }
+
+    /// Of functions of two random numbers in 0..1.
+    fn new(period: i32, key: u32, f: impl Fn([f32; 2]) -> [f32; 2]) -> Self {
+        let number = |h: u32| (h >> 8) as f32 / 16_777_216.0;
+        let inner: Vec<_> = (0..period * period)
+            .map(|i| {
+                let h = pcg4d([(i % period) as u32, (i / period) as u32, key, 0x5ea]);
+                f([number(h[0]), number(h[1])])
+            })
+            .collect();
+        let wide = period + 2;
+        let around = |i: i32| (i - 1).rem_euclid(period);
+        let cells = (0..wide * wide).map(|i| inner[(around(i / wide) * period + around(i % wide)) as usize]).collect();
+        Self { period, cells }
+    }
+
+    /// Where a place of the tile lies among the cells: the index of the cell before its own along both axes, and the place within
+    /// its own.
+    fn place(&self, x: f32, y: f32) -> (usize, [f32; 2]) {
+        let [x, y] = [x, y].map(|x| (x - x.floor()) * self.period as f32);
+        let [ix, iy] = [x, y].map(|x| (x as usize).min(self.period as usize - 1));
+        (iy * self.wide() + ix, [x - ix as f32, y - iy as f32])
+    }
+
+    /// Cells of a row.
+    fn wide(&self) -> usize {
+        self.period as usize + 2
+    }
+
+    /// Worley noise: 0 in the middle of a cell, 1 on its edge.
+    fn edges(&self, x: f32, y: f32) -> f32 {
+        let (before, [x, y]) = self.place(x, y);
+        // Bits of squared distances, which are in the order of the numbers: WebAssembly takes the least of two integers sooner.
+        let (mut first, mut second) = (u32::MAX, u32::MAX);
+        for dy in 0..3 {
+            let row = &self.cells[before + dy * self.wide()..][..3];
+            for (dx, [a, b]) in row.iter().enumerate() {
+                let (dx, dy) = (dx as f32 - 1.0 + a - x, dy as f32 - 1.0 + b - y);
+                let d = (dx * dx + dy * dy).to_bits();
+                second = second.min(d.max(first));
+                first = first.min(d);
+            }
+        }
+        1.0 - (f32::from_bits(second).sqrt() - f32::from_bits(first).sqrt()).min(1.0).sqrt()
+    }
+
+    /// Perlin noise, about -0.7..0.7.
+    fn gradient_noise(&self, x: f32, y: f32) -> f32 {
+        let (before, [fx, fy]) = self.place(x, y);
+        let corner = |dx: usize, dy: usize| {
+            let [cos, sin] = self.cells[before + (dy + 1) * self.wide() + dx + 1];
+            cos * (fx - dx as f32) + sin * (fy - dy as f32)
+        };
+        let fade = |t: f32| t * t * t * (t * (6.0 * t - 15.0) + 10.0);
+        let (u, v) = (fade(fx), fade(fy));
+        let mix = |a: f32, b: f32, t: f32| a + t * (b - a);
+        mix(mix(corner(0, 0), corner(1, 0), u), mix(corner(0, 1), corner(1, 1), u), v)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_threshold_covers_its_share() {
+        let tile = tile(64);
+        for channel in 0..3 {
+            let above = tile.iter().filter(|t| t[channel] > 0.75).count();
+            assert!((above as f32 / tile.len() as f32 - 0.25).abs() < 1e-3);
+        }
+    }
+}

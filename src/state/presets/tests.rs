@@ -1,0 +1,286 @@
+//! What ships, what is read and written, and what a sea leaves alone.
+
+use super::*;
+use crate::files::measured::Measured;
+use crate::state::fields::{Kind, Refusal};
+use crate::waves::statistics::Theory;
+use crate::waves::{Plan, noise};
+use std::collections::HashSet;
+
+/// A small deterministic generator.
+struct Dice(u32);
+
+impl Dice {
+    fn next(&mut self) -> u32 {
+        self.0 += 1;
+        noise::pcg4d([self.0, 5, 6, 7])[0]
+    }
+
+    fn below(&mut self, end: usize) -> usize {
+        self.next() as usize % end
+    }
+}
+
+/// Random values of the rows that `which` names; half of them stay at their defaults.
+fn random(dice: &mut Dice, which: impl Fn(&Field) -> bool) -> Params {
+    let mut p = Params::default();
+    for field in FIELDS.iter().filter(|f| which(f)) {
+        let u = f64::from(dice.next()) / f64::from(u32::MAX);
+        if dice.below(2) == 0 {
+            continue;
+        }
+        let value = match field.kind {
+            Kind::Number { min, max, .. } => min + (max - min) * u,
+            Kind::Integer { min, max } => f64::from(min) + (f64::from(max) - f64::from(min)) * u,
+            Kind::Choice(words) => u * (words.len() as f64 - 1.0),
+            Kind::Heading => 359.9 * u,
+            Kind::Flag => u.round(),
+            Kind::Colour => f64::from(0x00ff_ffff) * u,
+        };
+        // Whole numbers are rounded, which is refused as another value but still the one to take.
+        let taken = match field.accept(value) {
+            Ok(v) | Err(Refusal::Clamped(v)) => v,
+            Err(Refusal::Ignored) => continue,
+        };
+        (field.set)(&mut p, taken);
+    }
+    p
+}
+
+fn same(field: &Field, a: &Params, b: &Params) -> bool {
+    (field.get)(a) == (field.get)(b)
+}
+
+/// Height and peak period as each text claims them.
+const CLAIMS: [(&str, [f64; 2], [f64; 2]); 18] = [
+    ("Calm open ocean", [0.85, 0.95], [9.5, 10.5]),
+    ("Large swells", [5.5, 5.7], [9.5, 10.5]),
+    ("North Sea gale", [5.5, 6.0], [10.5, 11.5]),
+    ("Trade wind", [1.9, 2.1], [11.5, 12.5]),
+    ("Sunset in the trades", [1.6, 1.8], [11.5, 12.5]),
+    ("Southern Ocean", [4.0, 5.0], [12.5, 13.5]),
+    ("Shallow Dutch coast", [1.0, 1.5], [5.0, 6.0]),
+    ("Black Sea MarNeRo", [2.0, 2.5], [6.0, 7.0]),
+    ("Crossing seas", [3.5, 4.0], [7.0, 9.0]),
+    ("Harbour morning", [0.045, 0.055], [0.5, 1.5]),
+    ("Lake in a fresh breeze", [0.5, 0.6], [2.5, 3.5]),
+    ("Mistral", [3.0, 4.0], [7.0, 8.0]),
+    ("Arabian Sea in the monsoon", [4.0, 4.5], [9.0, 10.0]),
+    ("Norwegian Sea storm", [8.5, 9.5], [12.0, 13.0]),
+    ("Hurricane", [12.0, 13.0], [13.0, 14.0]),
+    ("Dead calm with distant swell", [1.45, 1.55], [15.5, 16.5]),
+    ("Ripples of a light breeze", [0.05, 0.15], [1.3, 1.5]),
+    ("Shallow tropical water", [0.3, 0.4], [2.0, 3.0]),
+];
+
+#[test]
+fn the_built_in_seas_are_what_they_say() {
+    let (presets, notices) = read(include_str!("../../../assets/presets/seas.txt"));
+    assert_eq!((presets.as_slice(), notices), (built_in(), vec![]));
+    let names: Vec<&str> = presets.iter().map(|p| p.name.as_str()).collect();
+    assert_eq!(names, CLAIMS.map(|(name, ..)| name), "each has its line in the table, and no two share a name");
+    assert_eq!(names.iter().collect::<HashSet<_>>().len(), names.len());
+    let within = |x: f64, [low, high]: [f64; 2]| (low..=high).contains(&x);
+    for (preset, (name, hs_m, tp_s)) in presets.iter().zip(CLAIMS) {
+        let (params, notices) = preset.apply(&Params::default());
+        assert_eq!(notices, Vec::<String>::new(), "{name}");
+        let plan = Plan::new(&params);
+        assert_eq!(plan.notices, Vec::<String>::new(), "{name}");
+        let theory = Theory::new(&plan);
+        assert!(within(theory.hs_m, hs_m) && within(theory.tp_s, tp_s), "{name}: {} {}", theory.hs_m, theory.tp_s);
+        let texts = [&preset.about, &preset.source];
+        assert!(texts.iter().all(|t| t.len() > 20 && t.ends_with('.')), "{name}");
+        assert!(preset.about.contains("Hs ") && preset.about.contains("Tp "), "{name}");
+    }
+}
+
+#[test]
+fn the_built_in_seas_survive_being_carried() {
+    for preset in built_in() {
+        let (params, _) = preset.apply(&Params::default());
+        let again = Preset::of(&preset.name, &params);
+        assert_eq!(again.apply(&Params::default()), (params, vec![]), "{}", preset.name);
+    }
+}
+
+#[test]
+fn files_come_back_as_they_were_written() {
+    assert_eq!(read(&write(built_in())), (built_in().to_vec(), vec![]));
+    let mut dice = Dice(0);
+    let text = |dice: &mut Dice, most: usize| -> String {
+        let letters = ['a', 'Z', ' ', '#', '[', ']', ':', '=', '&', '%', 'é', '🌊', '\u{2028}', '\u{feff}', '"'];
+        (0..dice.below(most)).map(|_| letters[dice.below(letters.len())]).collect()
+    };
+    for _ in 0..2000 {
+        let presets: Vec<Preset> = (0..dice.below(5))
+            .map(|i| Preset {
+                name: format!("{}{i}", text(&mut dice, 50)),
+                about: text(&mut dice, 200),
+                source: text(&mut dice, 200),
+                state: text(&mut dice, 200),
+            })
+            .map(Preset::tidy)
+            .collect();
+        let (again, notices) = read(&write(&presets));
+        let unique = presets.iter().map(|p| &p.name).collect::<HashSet<_>>().len() == presets.len();
+        assert!(!unique || again == presets, "{presets:?}");
+        assert_eq!(notices, Vec::<String>::new(), "{presets:?}");
+    }
+    let dirty = [Preset { name: " a\nb\t".into(), about: "x\r\n[y]\nstate: wind=3".into(), ..Preset::default() }];
+    let (clean, notices) = read(&write(&dirty));
+    assert_eq!((clean.len(), clean[0].name.as_str(), clean[0].state.as_str()), (1, "ab", ""));
+    assert_eq!((clean[0].about.as_str(), notices), ("x[y]state: wind=3", vec![]));
+}
+
+#[test]
+fn seas_and_light_come_back() {
+    let mut dice = Dice(1);
+    for i in 0..300 {
+        let saved = random(&mut dice, |_| true);
+        let dark = i % 3 == 0;
+        let saved = if dark { random(&mut dice, |f| role(f.group) != Role::Light) } else { saved };
+        let now = random(&mut dice, |_| true);
+        let preset = Preset::of("one", &saved);
+        let (next, notices) = preset.apply(&now);
+        assert_eq!(notices, Vec::<String>::new(), "{}", preset.state);
+        for field in FIELDS.iter() {
+            let default_seed = field.key == SEED && (field.get)(&saved) == field.default_value();
+            let from = match role(field.group) {
+                Role::Sea if !default_seed => &saved,
+                Role::Light if !dark => &saved,
+                _ => &now,
+            };
+            assert!(same(field, &next, from), "{} of {}", field.key, preset.state);
+        }
+        assert_eq!(preset.apply(&next), (next.clone(), vec![]), "applied twice is applied once");
+    }
+}
+
+#[test]
+fn a_sea_changes_what_is_its_own() {
+    let parse = |state: &str| query::parse(state).0;
+    let applied = |state: &str, now: &str| {
+        let preset = Preset { name: "one".into(), state: state.into(), ..Preset::default() };
+        let (next, notices) = preset.apply(&parse(now));
+        (query::write(&next), notices)
+    };
+    let now = "wind=20&hs2=3&scale2=1&depth=50&seed=7&foamdecay=9&foam=0.5\
+        &sun=5&haze=3&tone=aces&mesh=2&y=30&heading=10&t=9&n=128";
+    let is = |state: &str, wanted: &str| {
+        assert_eq!(applied(state, now), (query::write(&parse(wanted)), vec![]), "{state}");
+    };
+    is("", "seed=7&sun=5&haze=3&tone=aces&mesh=2&y=30&heading=10&t=9&n=128");
+    is("wind=8&seed=3", "wind=8&seed=3&sun=5&haze=3&tone=aces&mesh=2&y=30&heading=10&t=9&n=128");
+    is("seed=1", "sun=5&haze=3&tone=aces&mesh=2&y=30&heading=10&t=9&n=128");
+    is("overcast=1", "seed=7&overcast=1&mesh=2&y=30&heading=10&t=9&n=128");
+    is("sun=24", "seed=7&mesh=2&y=30&heading=10&t=9&n=128");
+    is("heading=90", "seed=7&sun=5&haze=3&tone=aces&mesh=2&y=30&heading=90&t=9&n=128");
+    let (state, notices) = applied("n=512&t=3&mesh=1&wind=8", now);
+    assert_eq!(state, query::write(&parse("wind=8&seed=7&sun=5&haze=3&tone=aces&mesh=2&y=30&heading=10&t=9&n=128")));
+    assert_eq!(notices.len(), 1, "{notices:?}");
+    // A value that could not be read names nothing.
+    let (state, notices) = applied("heading=north&sun=low", now);
+    assert_eq!(state, query::write(&parse("seed=7&sun=5&haze=3&tone=aces&mesh=2&y=30&heading=10&t=9&n=128")));
+    assert_eq!(notices.len(), 2, "{notices:?}");
+}
+
+#[test]
+fn buoys_and_skies_come_along() {
+    let bands: Vec<(f64, f64)> = (1..40).map(|i| (0.02 * f64::from(i), 1.0 / f64::from(i))).collect();
+    let measured = Measured::new(&bands, None).expect("a sea");
+    let mut now = query::parse("sky=a.hdr&skyturn=30").0;
+    now.sea.show_measured(measured);
+    let preset = Preset::of("buoy", &now);
+    assert_eq!(preset.apply(&Params::default()), (now.clone(), vec![]));
+    let (next, _) = Preset { state: "wind=8".into(), ..Preset::default() }.apply(&now);
+    assert_eq!((next.sea.measured.is_none(), &next.look), (true, &now.look), "the buoy goes, the light stays");
+    let (next, _) = Preset { state: "sun=3".into(), ..Preset::default() }.apply(&now);
+    assert_eq!(next.look.sky.file, None);
+    let (next, _) = Preset { state: "sky=a.hdr".into(), ..Preset::default() }.apply(&now);
+    assert_eq!((next.look.sky.file, next.look.sky.turn_deg), (now.look.sky.file, 0.0));
+}
+
+#[test]
+fn what_is_wrong_becomes_a_notice() {
+    let of = |text: &str| {
+        let (presets, notices) = read(text);
+        (presets.into_iter().map(|p| (p.name, p.state)).collect::<Vec<_>>(), notices.len())
+    };
+    let one = |name: &str, state: &str| vec![(name.to_owned(), state.to_owned())];
+    assert_eq!(of(""), (vec![], 0));
+    assert_eq!(
+        of("\u{feff}# a comment\r\n\r\n[a]\r\nstate: wind=3\r\n state : sun=4\r\n"),
+        (one("a", "wind=3&sun=4"), 0)
+    );
+    assert_eq!(of("[a]\nstate:\n"), (one("a", ""), 0));
+    assert_eq!(of("[a]\nabout: no state\n"), (vec![], 1));
+    assert_eq!(of("[ ]\nstate: wind=3\n"), (vec![], 1));
+    assert_eq!(of("wind=3\nstate: wind=3\n[a]\nstate: wind=4"), (one("a", "wind=4"), 1));
+    assert_eq!(of("[a]\nstate: wind=3\nhello\nworld: 3\n"), (one("a", "wind=3"), 1));
+    assert_eq!(of("[a]\nstate: wind=3\n[a]\nstate: wind=4\n"), (one("a", "wind=4"), 0));
+    assert_eq!(of(&format!("[{}]\nstate: wind=3", "x".repeat(70))), (one(&"x".repeat(60), "wind=3"), 1));
+    assert_eq!(of(&format!("[a]\nstate: {}", "x".repeat(query::MAX_BYTES + 1))), (vec![], 1));
+    assert_eq!(of("[a\u{7}\u{85}b]\nstate: wi\0nd=3"), (one("ab", "wind=3"), 0));
+    let many: String = (0..MAX_PRESETS + 5).map(|i| format!("[{i}]\nstate: wind=3\n")).collect();
+    assert_eq!((of(&many).0.len(), of(&many).1), (MAX_PRESETS, 1));
+    let long = format!("[a]\nstate: wind=3\nabout: {}\n[b]\nstate: wind=4", "x".repeat(MAX_FILE_BYTES));
+    assert_eq!(of(&long), (one("a", "wind=3"), 1));
+    assert_eq!(of(&"é".repeat(MAX_FILE_BYTES)), (vec![], 1));
+    assert!(read(&"[]\n".repeat(60_000)).1.len() <= MAX_NOTICES + 1);
+}
+
+#[test]
+fn more_than_a_file_holds_is_not_added() {
+    let sea = |name: usize, state: &str| Preset { name: name.to_string(), state: state.into(), ..Preset::default() };
+    let mut own: Vec<Preset> = (0..MAX_PRESETS).map(|i| sea(i, "wind=3")).collect();
+    let before = own.clone();
+    assert!(add(&mut own, vec![sea(0, "wind=4"), sea(MAX_PRESETS, "wind=5")]).is_err_and(|e| e.contains("200 seas")));
+    assert_eq!(own, before, "all or nothing");
+    assert_eq!((add(&mut own, vec![sea(7, "wind=4")]), own.len(), own[7].state.as_str()), (Ok(()), 200, "wind=4"));
+    let long = "x".repeat(query::MAX_BYTES);
+    let mut own = Vec::new();
+    for i in 0.. {
+        if add(&mut own, vec![sea(i, &long)]).is_err() {
+            break;
+        }
+    }
+    assert_eq!(read(&write(&own)), (own.clone(), vec![]), "all that is kept is read again");
+    assert!(own.len() > 20, "{}", own.len());
+}
+
+#[test]
+fn hostile_files_do_no_harm() {
+    let whole = include_str!("../../../assets/presets/seas.txt");
+    for end in (0..whole.len()).step_by(7).filter(|&i| whole.is_char_boundary(i)) {
+        read(&whole[..end]);
+    }
+    let mut seed = 1_u32;
+    let mut byte = || {
+        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (seed >> 24) as u8
+    };
+    for i in 0..400 {
+        let mut bytes = whole.as_bytes().to_vec();
+        if i % 2 == 0 {
+            for b in &mut bytes {
+                *b = byte();
+            }
+        } else {
+            for _ in 0..200 {
+                let at = usize::from(byte()) * usize::from(byte()) % bytes.len();
+                bytes[at] = byte();
+            }
+        }
+        let (presets, notices) = read(&String::from_utf8_lossy(&bytes));
+        assert!(presets.len() <= MAX_PRESETS && notices.len() <= MAX_NOTICES + 1);
+        for preset in &presets {
+            assert_eq!(*preset, preset.clone().tidy());
+            let (params, notices) = preset.apply(&Params::default());
+            assert!(notices.len() <= 26);
+            for field in FIELDS.iter() {
+                assert_eq!(field.accept((field.get)(&params)), Ok((field.get)(&params)), "{}", field.key);
+            }
+        }
+        assert_eq!(read(&write(&presets)).0, presets);
+    }
+}

@@ -1,0 +1,90 @@
+//! What a cascade of one sea has in common with the same patch of another: how they add where one fades into the other.
+
+use super::plan::{Cascade, Plan};
+use std::f64::consts::TAU;
+
+/// Bands over which the waves of a patch are compared.
+const BANDS: usize = 256;
+
+/// Variances of two seas on one patch, m^2.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Overlap {
+    before: f64,
+    after: f64,
+    /// Their covariance: of waves with the same numbers, as far as their phases agree.
+    common: f64,
+}
+
+impl Overlap {
+    /// The cascades of `before` and those of `after` at a time. One without a partner of the same patch, noise and seed has
+    /// nothing in common with the other sea.
+    pub fn all(before: &Plan, after: &Plan, t_s: f64) -> [Vec<Self>; 2] {
+        let mut all = [before, after].map(|plan| vec![Self::default(); plan.cascades.len()]);
+        for (i, old) in before.cascades.iter().enumerate() {
+            let same = |c: &Cascade| (c.patch_m, c.key) == (old.patch_m, old.key) && before.sea.seed == after.sea.seed;
+            if let Some(j) = after.cascades.iter().position(same) {
+                let overlap = Self::between((before, old), (after, &after.cascades[j]), t_s);
+                (all[0][i], all[1][j]) = (overlap, overlap);
+            }
+        }
+        all
+    }
+
+    fn between((before, old): (&Plan, &Cascade), (after, new): (&Plan, &Cascade), t_s: f64) -> Self {
+        let variance = |plan: &Plan, c: &Cascade| plan.variance_between(c.k_low, c.k_high);
+        let (low, high) = (old.k_low.max(new.k_low).max(old.dk()), old.k_high.min(new.k_high));
+        let mut common = 0.0;
+        if low < high {
+            let edge = |i: usize| low * (high / low).powf(i as f64 / BANDS as f64);
+            for i in 0..BANDS {
+                let (a, b) = (edge(i), edge(i + 1));
+                let ring = ((a * b).sqrt() / old.dk()).powi(2).round().max(1.0) as u32;
+                // Whole turns are compared, as they are drawn.
+                let cycles = |plan: &Plan, c: &Cascade| plan.wave(c, ring).omega * t_s / TAU;
+                let apart = TAU * (cycles(before, old) - cycles(after, new)).rem_euclid(1.0);
+                common += (before.variance_between(a, b) * after.variance_between(a, b)).sqrt() * apart.cos();
+            }
+        }
+        // Opposite phases are no reason to make either louder.
+        Self { before: variance(before, old), after: variance(after, new), common: common.max(0.0) }
+    }
+
+    /// Variance of sqrt(1 - share) before + sqrt(share) after, over the mixture (1 - share) : share of their variances. At
+    /// least 1, where they have nothing in common; 2 in the middle of two equal seas.
+    pub fn excess(&self, share: f64) -> f64 {
+        let mixed = (1.0 - share) * self.before + share * self.after;
+        if mixed > 0.0 { 1.0 + 2.0 * (share * (1.0 - share)).sqrt() * self.common / mixed } else { 1.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::state::query;
+
+    fn overlap(before: &str, after: &str, cascade: usize, t_s: f64) -> Overlap {
+        let [before, after] = [before, after].map(|s| Plan::new(&query::parse(s).0));
+        Overlap::all(&before, &after, t_s)[0][cascade]
+    }
+
+    #[test]
+    fn a_sea_has_everything_in_common_with_itself() {
+        for share in [0.1, 0.5, 0.8] {
+            let excess = overlap("wind=9&n=64", "wind=9&n=64", 0, 1e6).excess(share);
+            assert!((excess - 1.0 - 2.0 * (share * (1.0 - share)).sqrt()).abs() < 1e-3, "{excess}");
+        }
+        assert_eq!(overlap("wind=9&n=64", "wind=9&n=64&seed=2", 0, 5.0).excess(0.5), 1.0);
+        assert_eq!(overlap("wind=9&n=64", "wind=30&n=64", 0, 5.0).excess(0.5), 1.0, "no patch in common");
+        assert_eq!(overlap("wind=0&n=64", "wind=0&n=64", 0, 5.0).excess(0.5), 1.0);
+    }
+
+    #[test]
+    fn depth_parts_long_waves_and_late() {
+        // On the same patches by hand.
+        let state = |depth: f64| format!("wind=9&n=64&cascades=2&patch1=300&patch2=40&depth={depth}");
+        let excess = |cascade, t_s| overlap(&state(200.0), &state(8.0), cascade, t_s).excess(0.5);
+        assert!(excess(0, 0.0) > 1.5 && excess(1, 0.0) > 1.95, "nothing has moved yet: {}", excess(0, 0.0));
+        assert!(excess(0, 1000.0) < 1.2, "{}", excess(0, 1000.0));
+        assert!(excess(1, 20.0) > excess(0, 20.0), "short waves do not feel the bed");
+    }
+}

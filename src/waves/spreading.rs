@@ -1,0 +1,330 @@
+//! Directional spreading D(omega, theta): integral over the circle = 1, theta measured from the system's direction.
+//!
+//! D is a sum of lobes and an isotropic part. Every lobe has one form, norm x sech^2(beta theta) x cos^{2s}(theta/2) x
+//! cosine, where the cosine is 1, cos^2(theta), or that over the forward half circle only; so the shader needs a weight and
+//! two numbers for each. Swell adds s_xi = 16 tanh(omega_p/omega) xi^2 to s (Horvath 2015): the sum for the cos^{2s}
+//! family, the product for the others.
+
+use super::dispersion::Dispersion;
+use super::quadrature::panels;
+use super::spectra::{FrequencySpectrum, elfouhaily_delta};
+use crate::state::params::{Sea, SpreadKind, System};
+use std::f64::consts::PI;
+
+/// Most lobes of one system: Elfouhaily's two, blended with another family's one.
+pub const MAX_LOBES: usize = 3;
+/// Above this the lobe is narrower (seven degrees) than the cells of a lattice seven waves from its middle.
+const MAX_S: f64 = 150.0;
+
+/// The spreading of one system.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spreading {
+    /// Families and their shares; the shares of all and `isotropic` add to 1.
+    families: Vec<(SpreadKind, f64)>,
+    isotropic: f64,
+    swell: f64,
+    omega_p: f64,
+    wind_m_s: f64,
+    /// Inverse wave age U omega_p / g.
+    inverse_age: f64,
+    dispersion: Dispersion,
+    norm_steps: u32,
+}
+
+/// The factor of a lobe beside its two bells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cosine {
+    /// 1.
+    None,
+    /// cos^2(theta).
+    Full,
+    /// cos^2(theta) for |theta| < pi/2, else 0.
+    Forward,
+}
+
+/// One lobe at one frequency.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lobe {
+    /// Rate of sech^2(beta theta), per rad.
+    pub beta: f64,
+    /// Exponent of cos^{2s}(theta/2).
+    pub s: f64,
+    /// Third factor.
+    pub cosine: Cosine,
+}
+
+/// The spreading at one frequency.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lobes {
+    /// Share that goes evenly into all directions.
+    pub isotropic: f64,
+    /// Shares and lobes.
+    pub lobes: Vec<(f64, Lobe)>,
+}
+
+impl Spreading {
+    /// The spreading of a system whose spectrum is `spectrum`.
+    pub fn new(sea: &Sea, system: &System, spectrum: &FrequencySpectrum) -> Self {
+        let omega_p = spectrum.omega_p;
+        let own = spectrum.has_own_direction();
+        let (first, second) = if own { (SpreadKind::Cos2, SpreadKind::Cos2) } else { (system.spread, system.blend_to) };
+        let blend = if own { 0.0 } else { system.blend };
+        let mut isotropic = if own { 0.0 } else { system.isotropic };
+        let directed = 1.0 - isotropic;
+        let mut families = Vec::new();
+        for (kind, share) in [(first, (1.0 - blend) * directed), (second, blend * directed)] {
+            if kind == SpreadKind::Isotropic && system.swell == 0.0 {
+                isotropic += share;
+            } else if share > 0.0 {
+                families.push((kind, share));
+            }
+        }
+        Self {
+            families,
+            isotropic,
+            swell: system.swell,
+            omega_p,
+            wind_m_s: system.wind_m_s,
+            inverse_age: system.wind_m_s * omega_p / sea.gravity_m_s2,
+            dispersion: Dispersion::new(sea),
+            norm_steps: sea.norm_steps,
+        }
+    }
+
+    /// The lobes at a frequency (rad/s, positive): always as many, with the same cosines, in the same order.
+    pub fn lobes(&self, omega: f64) -> Lobes {
+        let r = omega / self.omega_p;
+        let swell_s = 16.0 * (1.0 / r).tanh() * self.swell * self.swell;
+        let lobe = |beta, s: f64, cosine| Lobe { beta, s: (s + swell_s).min(MAX_S), cosine };
+        let mut lobes = Vec::with_capacity(MAX_LOBES);
+        for &(kind, share) in &self.families {
+            match kind {
+                SpreadKind::Isotropic => lobes.push((share, lobe(0.0, 0.0, Cosine::None))),
+                SpreadKind::Cos2 => lobes.push((share, lobe(0.0, 0.0, Cosine::Full))),
+                SpreadKind::Cos2Positive => lobes.push((share, lobe(0.0, 0.0, Cosine::Forward))),
+                SpreadKind::Mitsuyasu => {
+                    lobes.push((share, lobe(0.0, mitsuyasu_s(r, self.inverse_age), Cosine::None)));
+                }
+                SpreadKind::Hasselmann => {
+                    lobes.push((share, lobe(0.0, hasselmann_s(r, self.inverse_age), Cosine::None)));
+                }
+                SpreadKind::DonelanBanner => lobes.push((share, lobe(donelan_banner_beta(r), 0.0, Cosine::None))),
+                SpreadKind::Elfouhaily => {
+                    // (1 + Delta cos 2 theta) / 2 pi = ((1 - Delta) + 2 Delta cos^2 theta) / 2 pi, each part times the
+                    // swell's bell; the parts keep their proportion when the product is normalised.
+                    let delta = self.delta(omega);
+                    let (even, odd) = (lobe(0.0, 0.0, Cosine::None), lobe(0.0, 0.0, Cosine::Full));
+                    let parts = [(1.0 - delta) / even.norm(self.norm_steps), 2.0 * delta / odd.norm(self.norm_steps)];
+                    let total = parts[0] + parts[1];
+                    lobes.push((share * parts[0] / total, even));
+                    lobes.push((share * parts[1] / total, odd));
+                }
+            }
+        }
+        Lobes { isotropic: self.isotropic, lobes }
+    }
+
+    fn delta(&self, omega: f64) -> f64 {
+        let speed = |omega: f64| omega / self.dispersion.wave_number(omega);
+        elfouhaily_delta(speed(omega), speed(self.omega_p), self.wind_m_s)
+    }
+
+    /// D(theta) at a frequency, per rad.
+    pub fn density(&self, omega: f64, theta: f64) -> f64 {
+        let at = self.lobes(omega);
+        let sum: f64 =
+            at.lobes.iter().map(|(share, lobe)| share * lobe.norm(self.norm_steps) * lobe.shape(theta)).sum();
+        sum + at.isotropic / (2.0 * PI)
+    }
+
+    /// Integral of D cos(theta) over the circle: the first directional moment.
+    pub fn first_moment(&self, omega: f64) -> f64 {
+        self.lobes(omega).lobes.iter().map(|(share, lobe)| share * lobe.first_moment(self.norm_steps)).sum()
+    }
+
+    /// Panels of the quadrature for norms without a closed form.
+    pub fn norm_steps(&self) -> u32 {
+        self.norm_steps
+    }
+
+    /// Frequencies at which a lobe has a kink or a jump.
+    pub fn breakpoints(&self) -> Vec<f64> {
+        let relative = |kind: SpreadKind| -> &[f64] {
+            match kind {
+                SpreadKind::Mitsuyasu | SpreadKind::Hasselmann => &[1.0],
+                SpreadKind::DonelanBanner => &[0.95, 1.6],
+                _ => &[],
+            }
+        };
+        self.families.iter().flat_map(|&(kind, _)| relative(kind)).map(|r| r * self.omega_p).collect()
+    }
+}
+
+/// s_p (w/wp)^5 below and ^-2.5 above the peak, s_p = 11.5 (wp U/g)^-2.5 (Mitsuyasu et al. 1975).
+fn mitsuyasu_s(r: f64, inverse_age: f64) -> f64 {
+    let peak = 11.5 * inverse_age.max(1e-3).powf(-2.5);
+    (peak * r.powf(if r <= 1.0 { 5.0 } else { -2.5 })).min(MAX_S)
+}
+
+/// 6.97 (w/wp)^4.06 below, 9.77 (w/wp)^mu above the peak (Hasselmann, Dunckel and Ewing 1980).
+fn hasselmann_s(r: f64, inverse_age: f64) -> f64 {
+    if r <= 1.0 { 6.97 * r.powf(4.06) } else { 9.77 * r.powf(-2.33 - 1.45 * (inverse_age - 1.17)) }.min(MAX_S)
+}
+
+/// Donelan et al. 1985 with Banner's 1990 tail.
+fn donelan_banner_beta(r: f64) -> f64 {
+    if r < 0.95 {
+        2.61 * r.powf(1.3)
+    } else if r < 1.6 {
+        2.28 * r.powf(-1.3)
+    } else {
+        10f64.powf(-0.4 + 0.8393 * (-0.567 * (r * r).ln()).exp())
+    }
+}
+
+impl Lobe {
+    /// The lobe, not normalised; theta in rad, any sign, |theta| <= pi.
+    pub fn shape(&self, theta: f64) -> f64 {
+        let sech = 1.0 / (self.beta * theta).cosh();
+        let cosine = match self.cosine {
+            Cosine::None => 1.0,
+            Cosine::Full => theta.cos().powi(2),
+            Cosine::Forward => theta.cos().max(0.0).powi(2),
+        };
+        sech * sech * (0.5 + 0.5 * theta.cos()).max(0.0).powf(self.s) * cosine
+    }
+
+    /// Whether the norm has a closed form.
+    pub fn is_closed(&self) -> bool {
+        match self.cosine {
+            Cosine::None => self.s == 0.0 || self.beta == 0.0,
+            Cosine::Full => self.beta == 0.0,
+            Cosine::Forward => self.s == 0.0 && self.beta == 0.0,
+        }
+    }
+
+    /// Integral of `f` times the lobe from 0 to pi, over pieces of `steps` panels each that grade towards the lobe and
+    /// towards pi, where cos^{2s} with a small s has no derivative.
+    fn half_integral(&self, f: impl Fn(f64) -> f64, steps: u32) -> f64 {
+        let width = (3.0 / (self.beta * self.beta + 0.25 * self.s).sqrt().max(1e-3)).min(0.4 * PI);
+        let ends = [0.0, 0.4 * width, width, 0.5 * PI, PI - 0.1, PI - 0.005, PI];
+        let pieces = if self.cosine == Cosine::Forward { &ends[..4] } else { &ends };
+        panels(|theta| f(theta) * self.shape(theta), pieces, steps)
+    }
+
+    /// The factor that makes the integral over the circle 1: in closed form where there is one, else by quadrature.
+    pub fn norm(&self, steps: u32) -> f64 {
+        match self.cosine {
+            // beta / (2 tanh(beta pi)), with its limit 1 / (2 pi).
+            Cosine::None if self.s == 0.0 && self.beta < 1e-6 => 1.0 / (2.0 * PI),
+            Cosine::None if self.s == 0.0 => self.beta / (2.0 * (self.beta * PI).tanh()),
+            Cosine::None if self.beta == 0.0 => cosine_norm(self.s),
+            // cos^2 = (1 + cos 2 theta) / 2, and the second moment of cos^{2s}(theta/2) is s (s - 1) / ((s + 1)(s + 2)).
+            Cosine::Full if self.beta == 0.0 => {
+                let second = self.s * (self.s - 1.0) / ((self.s + 1.0) * (self.s + 2.0));
+                2.0 * cosine_norm(self.s) / (1.0 + second)
+            }
+            Cosine::Forward if self.s == 0.0 && self.beta == 0.0 => 2.0 / PI,
+            _ => 1.0 / (2.0 * self.half_integral(|_| 1.0, steps)),
+        }
+    }
+
+    /// Integral of the normalised lobe times cos(theta).
+    pub fn first_moment(&self, steps: u32) -> f64 {
+        if self.cosine == Cosine::None && self.beta == 0.0 {
+            return self.s / (self.s + 1.0);
+        }
+        if self.cosine == Cosine::Full && self.s == 0.0 && self.beta == 0.0 {
+            return 0.0;
+        }
+        2.0 * self.norm(steps) * self.half_integral(f64::cos, 2)
+    }
+}
+
+/// 2^{2s-1}/pi Gamma(s+1)^2 / Gamma(2s+1), through lgamma: the direct form overflows and Stirling is 8 % off at s = 0.
+fn cosine_norm(s: f64) -> f64 {
+    ((2.0 * s - 1.0) * std::f64::consts::LN_2 - PI.ln() + 2.0 * libm::lgamma(s + 1.0) - libm::lgamma(2.0 * s + 1.0))
+        .exp()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::waves::quadrature::adaptive;
+
+    const KINDS: [SpreadKind; 7] = [
+        SpreadKind::Isotropic,
+        SpreadKind::Cos2,
+        SpreadKind::Cos2Positive,
+        SpreadKind::Mitsuyasu,
+        SpreadKind::Hasselmann,
+        SpreadKind::DonelanBanner,
+        SpreadKind::Elfouhaily,
+    ];
+
+    fn spreading(system: &System) -> Spreading {
+        let sea = Sea::default();
+        let spectrum = FrequencySpectrum::new(&sea, system);
+        Spreading::new(&sea, system, &spectrum)
+    }
+
+    fn assert_unit(system: &System) {
+        let d = spreading(system);
+        for i in 0..60 {
+            let omega = d.omega_p * 0.1 * 200f64.powf(f64::from(i) / 59.0);
+            let knots = [-PI, -0.5 * PI, -0.5, 0.0, 0.5, 0.5 * PI, PI];
+            let total = adaptive(|theta| d.density(omega, theta), &knots, 1e-8);
+            assert!((total - 1.0).abs() < 1e-5, "{system:?} omega {omega}: {total}");
+        }
+    }
+
+    #[test]
+    fn every_family_integrates_to_one() {
+        for spread in KINDS {
+            for swell in [0.0, 0.01, 0.3, 1.0] {
+                assert_unit(&System { spread, swell, ..Sea::default().systems[0].clone() });
+            }
+        }
+    }
+
+    #[test]
+    fn every_blend_integrates_to_one() {
+        for spread in KINDS {
+            for blend_to in KINDS {
+                let local = Sea::default().systems[0].clone();
+                assert_unit(&System { spread, blend_to, blend: 0.3, isotropic: 0.2, swell: 0.5, ..local });
+            }
+        }
+    }
+
+    #[test]
+    fn a_blend_ends_on_its_families() {
+        let local = Sea::default().systems[0].clone();
+        let at = |blend: f64, isotropic: f64| {
+            let d = spreading(&System { blend_to: SpreadKind::Cos2Positive, blend, isotropic, ..local.clone() });
+            [0.0, 1.0, 2.0].map(|theta| d.density(1.3 * d.omega_p, theta))
+        };
+        assert_eq!(at(1.0, 0.0)[0], 2.0 / PI);
+        assert_eq!(at(0.4, 1.0), [1.0 / (2.0 * PI); 3]);
+        let (a, b, half) = (at(0.0, 0.0), at(1.0, 0.0), at(0.5, 0.0));
+        for i in 0..3 {
+            assert!((half[i] - 0.5 * (a[i] + b[i])).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn known_exponents() {
+        // At U = 10 m/s and F = 100 km: inverse age 1.028.
+        assert!((hasselmann_s(3.0, 1.028) - 0.948).abs() < 0.005, "{}", hasselmann_s(3.0, 1.028));
+        assert!((mitsuyasu_s(1.0, 1.028) - 10.74).abs() < 0.03);
+        assert!((donelan_banner_beta(1.6) - 1.24).abs() < 0.01);
+    }
+
+    #[test]
+    fn few_steps_are_felt() {
+        let lobe = Lobe { beta: 2.0, s: 0.02, cosine: Cosine::None };
+        let exact = lobe.norm(64);
+        let errors = [1, 2, 4].map(|steps| (lobe.norm(steps) / exact - 1.0).abs());
+        assert!(errors[1] < 1e-7 && errors[0] > errors[1], "the number of steps counts: {errors:?}");
+    }
+}

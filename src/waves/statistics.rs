@@ -1,0 +1,298 @@
+//! What is known of a sea without simulating it: integrals of the spectrum, and sums over the waves of the lattices.
+
+use super::noise;
+use super::plan::{Cascade, Plan};
+use super::quadrature::adaptive;
+use super::table::{Table, index};
+use std::f64::consts::TAU;
+
+/// Integrals of the spectrum by adaptive quadrature, independent of the plan's sums.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Theory {
+    /// Variance of the elevation, m^2.
+    pub m0_m2: f64,
+    /// Significant wave height 4 sqrt(m0), m.
+    pub hs_m: f64,
+    /// Peak period, s.
+    pub tp_s: f64,
+    /// Mean period 2 pi m0 / m1, s, of the waves that the cascades can hold.
+    pub tm01_s: f64,
+    /// Mean zero-crossing period 2 pi sqrt(m0 / m2), s, of the waves that the cascades can hold.
+    pub tm02_s: f64,
+    /// Wavelength of the peak, m.
+    pub lambda_p_m: f64,
+    /// Wavelength of the mean period Tm01, m.
+    pub lambda_mean_m: f64,
+    /// Significant steepness Hs / lambda_p.
+    pub steepness: f64,
+    /// Mean square slope of the waves that the cascades can hold.
+    pub mss: f64,
+    /// Wave number at which `mss` and the mean periods end, rad/m.
+    pub k_max: f64,
+    /// Mean direction that the waves come from, degrees clockwise from north; None where there is none.
+    pub mean_from_deg: Option<f64>,
+    /// Energy-weighted directional spread sqrt(2 (1 - r1)), degrees.
+    pub spread_deg: f64,
+    /// Benjamin-Feir index k_p sqrt(m0) Q_p sqrt(2 pi), Q_p = 2 / m0^2 int omega S^2 (Janssen and Bidlot 2009, deep water):
+    /// near 1 freak waves become likely in a narrow-banded long-crested sea.
+    pub benjamin_feir: f64,
+    /// Whitecap coverage of the wind (Monahan and O'Muircheartaigh 1980).
+    pub whitecap_fraction: f64,
+}
+
+/// Sums over the waves that the cascades hold: expectations, no randomness.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Resolved {
+    /// Variance of the elevation, m^2.
+    pub m0_m2: f64,
+    /// Significant wave height, m.
+    pub hs_m: f64,
+    /// Mean period 2 pi m0 / m1, s.
+    pub tm01_s: f64,
+    /// Mean zero-crossing period 2 pi sqrt(m0 / m2), s.
+    pub tm02_s: f64,
+    /// Mean square slope.
+    pub mss: f64,
+    /// Share of the theory's m0.
+    pub m0_fraction: f64,
+    /// First directional moment, the length of the mean of the waves' unit vectors.
+    pub r1: f64,
+    /// Mean direction that the waves come from, degrees; None where there is none.
+    pub mean_from_deg: Option<f64>,
+    /// Energy-weighted directional spread, degrees.
+    pub spread_deg: f64,
+}
+
+const TOLERANCE: f64 = 1e-7;
+/// Below this first directional moment a mean direction means nothing.
+pub const NO_DIRECTION: f64 = 0.01;
+
+impl Theory {
+    /// Integrates the spectrum of a plan.
+    pub fn new(plan: &Plan) -> Self {
+        let k_max = plan.k_max();
+        if plan.is_calm() {
+            return Self { k_max, ..Self::default() };
+        }
+        let waves = plan.dispersion;
+        let s = |w: f64| plan.density(w);
+        let (low, high) = plan.support();
+        let mut knots: Vec<f64> =
+            plan.systems.iter().flat_map(|s| [s.spectrum.breakpoints(), s.spreading.breakpoints()].concat()).collect();
+        knots.extend(plan.systems.iter().map(|s| s.spectrum.support().0));
+        knots.extend((1..8).map(|i| low * (high / low).powf(f64::from(i) / 8.0)));
+        knots.sort_by(f64::total_cmp);
+        let over = |f: &dyn Fn(f64) -> f64, low: f64, high: f64, tolerance: f64| {
+            let inner = knots.iter().copied().filter(|&w| w > low && w < high);
+            adaptive(f, &std::iter::once(low).chain(inner).chain([high]).collect::<Vec<_>>(), tolerance)
+        };
+        // Between the wave numbers that the cascades hold.
+        let held: Vec<(f64, f64)> = (plan.held().into_iter())
+            .map(|(a, b)| (if a > 0.0 { waves.omega(a) } else { 0.0 }, waves.omega(b)))
+            .map(|(a, b)| (a.clamp(low, high), b.clamp(low, high)))
+            .filter(|(a, b)| a < b)
+            .collect();
+        let resolvable = |f: &dyn Fn(f64) -> f64| held.iter().map(|&(a, b)| over(f, a, b, TOLERANCE)).sum::<f64>();
+        let m0 = over(&s, low, high, TOLERANCE);
+        let [m0_held, m1, m2] = [0, 1, 2].map(|power| resolvable(&|w| w.powi(power) * s(w)));
+        let mss = resolvable(&|w| s(w) * waves.wave_number(w).powi(2));
+        let toward = [0, 1].map(|axis| {
+            let moment = |w: f64| {
+                let of = plan.systems.iter().map(|s| s.spectrum.density(w) * s.first_moment(w)[axis]);
+                of.sum::<f64>()
+            };
+            over(&moment, low, high, 1e-5) / m0
+        });
+        let r1 = toward[0].hypot(toward[1]);
+        let omega_p = peak(s, plan.omega_p);
+        let k_p = waves.wave_number(omega_p);
+        let peakedness = 2.0 / (m0 * m0) * over(&|w| w * s(w).powi(2), low, high, 1e-6);
+        // Cascades by hand may hold nothing of the sea.
+        let tm01_s = if m1 > 0.0 { TAU * m0_held / m1 } else { 0.0 };
+        let hs_m = 4.0 * m0.sqrt();
+        Self {
+            m0_m2: m0,
+            hs_m,
+            tp_s: TAU / omega_p,
+            tm01_s,
+            tm02_s: if m2 > 0.0 { TAU * (m0_held / m2).sqrt() } else { 0.0 },
+            lambda_p_m: TAU / k_p,
+            lambda_mean_m: if tm01_s > 0.0 { TAU / waves.wave_number(TAU / tm01_s) } else { 0.0 },
+            steepness: hs_m * k_p / TAU,
+            mss: mss.max(0.0),
+            k_max,
+            mean_from_deg: (r1 > NO_DIRECTION).then(|| from_deg(toward)),
+            spread_deg: spread_deg(r1),
+            benjamin_feir: k_p * m0.sqrt() * peakedness * TAU.sqrt(),
+            whitecap_fraction: monahan_coverage(plan.sea.local().wind_m_s),
+        }
+    }
+}
+
+impl Resolved {
+    /// Sums over the lattices of a plan; `theory_m0` is what the fraction refers to.
+    pub fn new(plan: &Plan, theory_m0: f64) -> Self {
+        let mut sums = Sums::default();
+        for (cascade, table) in plan.cascades.iter().zip(Table::all(plan)) {
+            let half = plan.n as i32 / 2;
+            for iz in 1 - half..half {
+                for ix in 1 - half..half {
+                    let wave = &table.waves[index(ix, iz)];
+                    if wave.k > 0.0 {
+                        let unit = [f64::from(ix), f64::from(iz)].map(|i| i * cascade.dk() / wave.k);
+                        sums.add(4.0 * table.variance(ix, iz), wave.k, wave.omega, unit);
+                    }
+                }
+            }
+        }
+        sums.resolved(theory_m0)
+    }
+}
+
+/// Sums of the variance of waves, m^2, times powers of their frequency and wave number.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Sums {
+    /// m0, m1, m2.
+    pub m: [f64; 3],
+    mss: f64,
+    /// Variance times the unit vector of travel (x, z).
+    pub toward: [f64; 2],
+}
+
+impl Sums {
+    /// Adds a wave of a variance (m^2), wave number, frequency and unit vector of travel (x, z).
+    pub fn add(&mut self, variance: f64, k: f64, omega: f64, unit: [f64; 2]) {
+        for (power, m) in (0..).zip(&mut self.m) {
+            *m += variance * omega.powi(power);
+        }
+        self.mss += variance * k * k;
+        for (sum, u) in self.toward.iter_mut().zip(unit) {
+            *sum += variance * u;
+        }
+    }
+
+    /// What follows from the sums.
+    pub fn resolved(&self, theory_m0: f64) -> Resolved {
+        let [m0, m1, m2] = self.m;
+        if m0 <= 0.0 {
+            return Resolved { m0_fraction: if theory_m0 > 0.0 { 0.0 } else { 1.0 }, ..Resolved::default() };
+        }
+        let r1 = self.toward[0].hypot(self.toward[1]) / m0;
+        Resolved {
+            m0_m2: m0,
+            hs_m: 4.0 * m0.sqrt(),
+            tm01_s: TAU * m0 / m1,
+            tm02_s: TAU * (m0 / m2).sqrt(),
+            mss: self.mss,
+            m0_fraction: if theory_m0 > 0.0 { m0 / theory_m0 } else { 1.0 },
+            r1,
+            mean_from_deg: (r1 > NO_DIRECTION).then(|| from_deg(self.toward)),
+            spread_deg: spread_deg(r1),
+        }
+    }
+}
+
+/// Direction that waves travelling along (x, z) come from, degrees clockwise from north in [0, 360).
+pub fn from_deg([x, z]: [f64; 2]) -> f64 {
+    (-x).atan2(z).to_degrees().rem_euclid(360.0)
+}
+
+/// Whitecap coverage by wind speed, W = 3.84e-6 U^3.41 (Monahan and O'Muircheartaigh 1980), at most 1.
+pub fn monahan_coverage(wind_m_s: f64) -> f64 {
+    (3.84e-6 * wind_m_s.powf(3.41)).min(1.0)
+}
+
+/// Mean square slope of the sea surface, 0.003 + 0.00512 U (Cox and Munk 1954).
+pub fn cox_munk_mss(wind_m_s: f64) -> f64 {
+    0.003 + 0.00512 * wind_m_s
+}
+
+/// h0(k) of a plan's seed for the wave (ix, iz) of a tabulated cascade, m; without the Nyquist row and column.
+pub fn drawn(plan: &Plan, cascade: &Cascade, table: &Table, ix: i32, iz: i32) -> [f64; 2] {
+    let amplitude = table.variance(ix, iz).sqrt();
+    noise::gaussian(noise::words(plan.sea.seed, cascade.key, ix, iz)).map(|x| x * amplitude)
+}
+
+/// Variance of the sea of a plan's seed at `t_s`, m^2, as the sum of the squared amplitudes that were drawn (Parseval).
+pub fn drawn_variance(plan: &Plan, t_s: f64) -> f64 {
+    let phase_time = plan.phase_time(t_s);
+    let mut total = 0.0;
+    for (cascade, table) in plan.cascades.iter().zip(Table::all(plan)) {
+        let half = plan.n as i32 / 2;
+        // A wave and its opposite make one pair: half of the lattice stands for all.
+        for iz in 0..half {
+            for ix in 1 - half..half {
+                let wave = &table.waves[index(ix, iz)];
+                if wave.k == 0.0 || (iz == 0 && ix <= 0) {
+                    continue;
+                }
+                let (a, b) = (drawn(plan, cascade, &table, ix, iz), drawn(plan, cascade, &table, -ix, -iz));
+                let phase = TAU * f64::from(wave.turns.wrapping_mul(phase_time)) / 4_294_967_296.0;
+                let (s, c) = phase.sin_cos();
+                // h(k) = a e^{-i phase} + conj(b) e^{i phase}; h(-k) is its conjugate.
+                let re = (a[0] + b[0]) * c + (a[1] + b[1]) * s;
+                let im = (a[1] - b[1]) * c + (b[0] - a[0]) * s;
+                total += 2.0 * (re * re + im * im);
+            }
+        }
+    }
+    total
+}
+
+/// sqrt(2 (1 - r1)), degrees.
+pub fn spread_deg(r1: f64) -> f64 {
+    (2.0 * (1.0 - r1).max(0.0)).sqrt().to_degrees()
+}
+
+/// Where `s` is largest: a coarse scan around `near`, then golden-section search.
+fn peak(s: impl Fn(f64) -> f64, near: f64) -> f64 {
+    let scan = |i: i32| near * 0.9 * 1.25f64.powf(f64::from(i) / 400.0);
+    let best = (0..=400).max_by(|&a, &b| s(scan(a)).total_cmp(&s(scan(b)))).unwrap_or(0);
+    let (mut a, mut b) = (scan(best - 1), scan(best + 1));
+    let ratio = 0.5 * (5f64.sqrt() - 1.0);
+    for _ in 0..60 {
+        let (c, d) = (b - ratio * (b - a), a + ratio * (b - a));
+        if s(c) > s(d) { b = d } else { a = c }
+    }
+    0.5 * (a + b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::state::query;
+
+    fn theory(state: &str) -> (Plan, Theory) {
+        let plan = Plan::new(&query::parse(state).0);
+        let theory = Theory::new(&plan);
+        (plan, theory)
+    }
+
+    #[test]
+    fn published_heights_and_periods() {
+        let (_, j) = theory("wind=10&fetch=100");
+        assert!((j.hs_m / 2.139 - 1.0).abs() < 5e-4 && (j.tp_s / 6.23 - 1.0).abs() < 5e-4, "{j:?}");
+        let (_, pm) = theory("spectrum=pm&wind=10");
+        assert!((pm.hs_m / 2.245 - 1.0).abs() < 1e-3, "{pm:?}");
+    }
+
+    #[test]
+    fn the_lattices_hold_the_sea() {
+        for state in ["wind=10&fetch=100", "wind=5&fetch=20", "wind=20&fetch=500", "spectrum=tma&depth=5", "swell=1"] {
+            let (plan, t) = theory(state);
+            let r = Resolved::new(&plan, t.m0_m2);
+            assert!(r.m0_fraction > 0.99, "{state} {r:?}");
+            assert!((r.hs_m / t.hs_m - 1.0).abs() < 0.01, "{state} {r:?} {t:?}");
+            assert!((r.mss / t.mss - 1.0).abs() < 0.02, "{state} {r:?} {t:?}");
+            assert!((r.spread_deg / t.spread_deg - 1.0).abs() < 0.05, "{state} {r:?} {t:?}");
+            let from = r.mean_from_deg.unwrap_or(f64::NAN);
+            assert!((from - plan.sea.local().from_deg).abs() < 2.0, "{state} {r:?}");
+        }
+    }
+
+    #[test]
+    fn directions_are_compass_bearings() {
+        assert_eq!(from_deg([0.0, 1.0]), 0.0, "a wave running south comes from north");
+        assert_eq!(from_deg([-1.0, 0.0]), 90.0, "a wave running west comes from east");
+    }
+}

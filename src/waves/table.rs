@@ -1,0 +1,255 @@
+//! What the spectrum pass cannot work out well in f32 on a GPU, tabulated in f64 over |k|.
+//!
+//! A square lattice is symmetric under both mirrors and the exchange of its axes, so 0 <= b <= a <= n/2 covers it:
+//! entry a (a + 1) / 2 + b of a triangle. One entry stands for up to eight waves; nothing is interpolated.
+
+use super::plan::{Cascade, Plan, Wave};
+use super::spreading::{Lobe, Spreading};
+use super::system::{Directions, TermKind, WaveSystem, angle};
+use std::f64::consts::PI;
+
+/// A part of the directional spectrum: how to read its quadruples.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Term {
+    /// Its form.
+    pub kind: TermKind,
+    /// Unit vector (x, z) that its angles are measured from.
+    pub travel: [f64; 2],
+    /// Its first quadruple in an entry.
+    pub slot: usize,
+}
+
+/// The parts of a plan's spectrum and the quadruples of an entry.
+pub fn terms(plan: &Plan) -> (Vec<Term>, usize) {
+    let mut terms = Vec::new();
+    let mut slot = 0;
+    for system in &plan.systems {
+        for kind in system.terms() {
+            terms.push(Term { kind, travel: system.travel, slot });
+            slot += kind.size();
+        }
+    }
+    (terms, slot.max(1))
+}
+
+/// The triangle of one cascade.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// Parts of the spectrum.
+    pub terms: Vec<Term>,
+    /// Quadruples of an entry.
+    pub stride: usize,
+    /// Frequency and orbit per entry; k is 0 outside the band.
+    pub waves: Vec<Wave>,
+    /// Quadruples, `stride` per entry. A variance is that of h0's components, S dkx dkz / 4, without the shape of the lobe
+    /// but with its norm, m^2.
+    pub values: Vec<[f64; 4]>,
+}
+
+/// Entries of the triangle for lattices of `n` points a side.
+pub fn len(n: u32) -> usize {
+    let half = n as usize / 2;
+    (half + 1) * (half + 2) / 2
+}
+
+/// Entry of the wave (ix, iz), signed indices up to n/2 in size.
+pub fn index(ix: i32, iz: i32) -> usize {
+    let (a, b) = (ix.unsigned_abs().max(iz.unsigned_abs()) as usize, ix.unsigned_abs().min(iz.unsigned_abs()) as usize);
+    a * (a + 1) / 2 + b
+}
+
+impl Table {
+    /// Tabulates all cascades of a plan.
+    pub fn all(plan: &Plan) -> Vec<Self> {
+        let norms: Vec<Norms> = plan.systems.iter().map(Norms::new).collect();
+        plan.cascades.iter().map(|c| Self::with_norms(plan, c, &norms)).collect()
+    }
+
+    /// Tabulates one cascade.
+    pub fn new(plan: &Plan, cascade: &Cascade) -> Self {
+        Self::with_norms(plan, cascade, &plan.systems.iter().map(Norms::new).collect::<Vec<_>>())
+    }
+
+    fn with_norms(plan: &Plan, cascade: &Cascade, norms: &[Norms]) -> Self {
+        let half = plan.n / 2;
+        let (terms, stride) = terms(plan);
+        let nothing = Wave { k: 0.0, turns: 1, omega: 0.0, orbit: 0.0 };
+        let entries = len(plan.n);
+        let mut out =
+            Self { terms, stride, waves: Vec::with_capacity(entries), values: Vec::with_capacity(entries * stride) };
+        for a in 0..=half {
+            for b in 0..=a {
+                let i2 = a * a + b * b;
+                let k = cascade.dk() * f64::from(i2).sqrt();
+                if i2 == 0 || !cascade.holds(k) {
+                    out.waves.push(nothing);
+                    out.values.resize(out.values.len() + stride, [0.0; 4]);
+                    continue;
+                }
+                let wave = plan.wave(cascade, i2);
+                for (system, norms) in plan.systems.iter().zip(norms) {
+                    let variance = 0.25 * plan.radial_variance(system, cascade, &wave);
+                    push(&mut out.values, system, norms, variance, wave.omega);
+                }
+                out.waves.push(wave);
+                out.values.resize(out.waves.len() * stride, [0.0; 4]);
+            }
+        }
+        out
+    }
+
+    /// Variance of each component of h0 for the wave (ix, iz), m^2: what the spectrum pass takes the root of.
+    pub fn variance(&self, ix: i32, iz: i32) -> f64 {
+        let entry = index(ix, iz);
+        if self.waves[entry].k == 0.0 {
+            return 0.0;
+        }
+        let k = [f64::from(ix), f64::from(iz)];
+        let value = |slot: usize| self.values[entry * self.stride + slot];
+        let term = |term: &Term| {
+            let [variance, p, q, r] = value(term.slot);
+            match term.kind {
+                TermKind::Lobe(cosine) => variance * Lobe { beta: p, s: q, cosine }.shape(angle(term.travel, k)) + r,
+                TermKind::Measured => {
+                    let (theta, im) = (k[1].atan2(k[0]), value(term.slot + 1)[0]);
+                    // |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2
+                    let (s1, c1) = theta.sin_cos();
+                    let (s2, c2) = (2.0 * theta).sin_cos();
+                    let re = 1.0 - (p * c1 + q * s1) - (r * c2 + im * s2);
+                    let imaginary = (q * c1 - p * s1) + (im * c2 - r * s2);
+                    variance / (re * re + imaginary * imaginary)
+                }
+            }
+        };
+        self.terms.iter().map(term).sum()
+    }
+}
+
+/// The quadruples of one system at one frequency.
+fn push(out: &mut Vec<[f64; 4]>, system: &WaveSystem, norms: &Norms, variance: f64, omega: f64) {
+    match system.directions(omega) {
+        Directions::Measured(mem) => {
+            out.push([variance * mem.norm, mem.phi1[0], mem.phi1[1], mem.phi2[0]]);
+            out.push([mem.phi2[1], 0.0, 0.0, 0.0]);
+        }
+        Directions::Lobes(at) => {
+            let even = variance * at.isotropic / (2.0 * PI);
+            if at.lobes.is_empty() {
+                out.push([0.0, 0.0, 0.0, even]);
+            }
+            for (i, (share, lobe)) in at.lobes.iter().enumerate() {
+                let even = if i == 0 { even } else { 0.0 };
+                out.push([variance * share * norms.at(i, omega, lobe), lobe.beta, lobe.s, even]);
+            }
+        }
+    }
+}
+
+/// The norms of a system's lobes: in closed form where there is one, else from a table over ln(omega) that is split at the
+/// spreading's kinks. Quadrature for every entry would make a slider stutter.
+struct Norms {
+    steps: u32,
+    /// Pieces of each lobe without a closed form.
+    lobes: Vec<Option<Vec<Piece>>>,
+}
+
+struct Piece {
+    ln_low: f64,
+    step: f64,
+    ln_norm: Vec<f64>,
+}
+
+impl Norms {
+    const NODES: usize = 200;
+
+    fn new(system: &WaveSystem) -> Self {
+        let (low, high) = system.spectrum.support();
+        let spreading: &Spreading = &system.spreading;
+        let steps = spreading.norm_steps();
+        let probe = spreading.lobes(low).lobes;
+        let mut knots = spreading.breakpoints();
+        knots.retain(|&w| w > low && w < high);
+        knots.sort_by(f64::total_cmp);
+        knots.insert(0, 0.1 * low);
+        knots.push(high);
+        let lobes = (0..probe.len())
+            .map(|i| {
+                let piece = |w: &[f64]| {
+                    let (ln_low, ln_high) = (w[0].ln(), (w[1] * (1.0 - 1e-12)).ln());
+                    let step = (ln_high - ln_low) / Self::NODES as f64;
+                    let node = |j| {
+                        let omega = (ln_low + step * j as f64).exp().max(w[0]);
+                        spreading.lobes(omega).lobes[i].1.norm(steps).ln()
+                    };
+                    Piece { ln_low, step, ln_norm: (0..=Self::NODES).map(node).collect() }
+                };
+                (!probe[i].1.is_closed()).then(|| knots.windows(2).map(piece).collect())
+            })
+            .collect();
+        Self { steps, lobes }
+    }
+
+    fn at(&self, lobe_index: usize, omega: f64, lobe: &Lobe) -> f64 {
+        let Some(pieces) = &self.lobes[lobe_index] else { return lobe.norm(self.steps) };
+        let ln = omega.ln();
+        let piece = pieces.iter().rev().find(|p| ln >= p.ln_low).unwrap_or(&pieces[0]);
+        // Cubic through the four nearest nodes of the piece.
+        let x = ((ln - piece.ln_low) / piece.step).clamp(0.0, Self::NODES as f64);
+        let first = (x as usize).clamp(1, Self::NODES - 2) - 1;
+        let f = x - first as f64;
+        let weights = [
+            -(f - 1.0) * (f - 2.0) * (f - 3.0) / 6.0,
+            f * (f - 2.0) * (f - 3.0) / 2.0,
+            -f * (f - 1.0) * (f - 3.0) / 2.0,
+            f * (f - 1.0) * (f - 2.0) / 6.0,
+        ];
+        weights.iter().zip(&piece.ln_norm[first..]).map(|(w, y)| w * y).sum::<f64>().exp()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::state::query;
+
+    #[test]
+    fn the_table_is_the_model() {
+        for state in [
+            "swell=0.7",
+            "scale2=1&blend=0.4&blendto=elfouhaily&iso=0.2&swell=0.3",
+            "spread=cos2-positive&swell=1&spectrum=karaev",
+            "spectrum=measured&measured=0.05*0.5*250*251*0.8*0.5_0.1*3*240*241*0.7*0.4_0.2*1*200*230*0.5*0.2",
+        ] {
+            let plan = Plan::new(&query::parse(&format!("{state}&n=64")).0);
+            for cascade in &plan.cascades {
+                let table = Table::new(&plan, cascade);
+                for (ix, iz) in [(12, 0), (9, 9), (-3, 14), (20, -11), (-25, -17)] {
+                    let wave = plan.wave(cascade, (ix * ix + iz * iz) as u32);
+                    if !cascade.holds(wave.k) {
+                        continue;
+                    }
+                    let k = [f64::from(ix), f64::from(iz)];
+                    let system = |s: &WaveSystem| {
+                        0.25 * plan.radial_variance(s, cascade, &wave) * s.direction_density(wave.omega, k)
+                    };
+                    let want: f64 = plan.systems.iter().map(system).sum();
+                    let got = table.variance(ix, iz);
+                    assert!((got - want).abs() <= 1e-6 * want, "{state} {ix} {iz}: {got} {want}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_triangle_covers_the_lattice_once() {
+        let n = 64;
+        let mut seen = vec![0; len(n)];
+        for a in 0..=(n as i32 / 2) {
+            for b in 0..=a {
+                seen[index(a, -b)] += 1;
+                assert_eq!(index(a, b), index(-b, a));
+            }
+        }
+        assert!(seen.iter().all(|&s| s == 1));
+    }
+}
