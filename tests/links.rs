@@ -37,7 +37,8 @@ fn what_the_program_and_its_pages_link_to_is_among_them() {
     let known: Vec<_> = links().iter().map(|(_, link)| query::parse(link).0).collect();
     let gallery = SEAS.iter().map(|sea| sea.state.to_owned());
     let built_in = presets::built_in().iter().map(|preset| preset.state.clone());
-    let all = gallery.chain(built_in).chain(quoted(include_str!("../README.md")));
+    let pages = [include_str!("../README.md"), include_str!("../docs/using.md"), include_str!("../docs/embedding.md")];
+    let all = gallery.chain(built_in).chain(pages.into_iter().flat_map(quoted));
     let missing: Vec<String> = all.filter(|state| !known.contains(&query::parse(state).0)).collect();
     assert_eq!(missing, Vec::<String>::new(), "tests/links.txt lacks these");
 }
