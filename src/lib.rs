@@ -34,6 +34,8 @@ pub mod point;
 #[cfg(feature = "gpu")]
 pub mod render;
 #[cfg(feature = "gpu")]
+pub mod shaders;
+#[cfg(feature = "gpu")]
 pub mod sim;
 pub mod state;
 pub mod waves;

@@ -4,8 +4,8 @@
 mod common;
 
 use common::{gpu, params, read};
-use seastate::gpu::shaders::Shaders;
 use seastate::oracle::transform;
+use seastate::shaders::Shaders;
 use seastate::sim::Simulation;
 use seastate::waves::{Plan, noise};
 use std::f64::consts::{PI, TAU};
@@ -41,16 +41,11 @@ fn welch(series: &[f64]) -> Vec<f64> {
 fn estimates(state: &str) -> (Plan, Vec<Vec<f64>>) {
     let gpu = gpu();
     let plan = Plan::new(&params(state));
-    let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan.clone(), &Shaders::default());
+    let mut sim = Simulation::new(&gpu, plan.clone(), &Shaders::default());
     let n = plan.n;
     let spectra = (1..=SEEDS)
         .map(|seed| {
-            sim.set_plan(
-                &gpu.device,
-                &gpu.queue,
-                Plan::new(&params(&format!("{state}&seed={seed}"))),
-                &Shaders::default(),
-            );
+            sim.set_plan(&gpu, Plan::new(&params(&format!("{state}&seed={seed}"))), &Shaders::default());
             let mut series = vec![Vec::with_capacity(SAMPLES); BUOYS as usize];
             for i in 0..SAMPLES {
                 let maps = read(&gpu, &mut sim, STEP_S * i as f64);

@@ -95,7 +95,7 @@ fn bombs_are_refused_with_little_memory() {
         assert_eq!((output.status.code(), said.len()), (Some(2), 1), "{output:?}");
         assert!(said[0].contains(name) && said[0].contains(reason), "{said:?}");
     }
-    // The same program stands on a device, which never ends, and on a folder.
+    // The same program stands on a gpu, which never ends, and on a folder.
     for (option, path, reason) in
         [("--spectrum", "/dev/zero", "larger than"), ("--sky", "/dev/zero", "neither"), ("--sky", "/", "cannot read")]
     {

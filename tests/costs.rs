@@ -4,7 +4,7 @@
 use naga::valid::{Capabilities, FunctionInfo, ValidationFlags, Validator};
 use naga::{BinaryOperator, Expression, Function, MathFunction, Module, Override, Statement, TypeInner};
 use seastate::bench::cost;
-use seastate::gpu::shaders::Shaders;
+use seastate::shaders::Shaders;
 use seastate::waves::tiling::MEAN_COPIES;
 
 /// A transcendental function, a root or a quotient runs at a quarter of the rate of an addition.

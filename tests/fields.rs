@@ -3,7 +3,7 @@
 mod common;
 
 use common::{Pictures, params};
-use seastate::gpu::shaders::Shaders;
+use seastate::shaders::Shaders;
 use seastate::sim::Simulation;
 use seastate::state::Params;
 use seastate::state::fields::{FIELDS, Field, Group, Kind};
@@ -131,8 +131,8 @@ impl Lab {
     fn maps(&mut self, params: &Params) -> Vec<[f32; 4]> {
         let gpu = &self.pictures.gpu;
         let (plan, shaders) = (Plan::new(params), Shaders::default());
-        let sim = self.sim.get_or_insert_with(|| Simulation::new(&gpu.device, &gpu.queue, plan.clone(), &shaders));
-        sim.set_plan(&gpu.device, &gpu.queue, plan, &shaders);
+        let sim = self.sim.get_or_insert_with(|| Simulation::new(gpu, plan.clone(), &shaders));
+        sim.set_plan(gpu, plan, &shaders);
         common::read(gpu, sim, params.clock.t_s).texels
     }
 

@@ -3,9 +3,9 @@
 mod common;
 
 use common::{gpu, params};
-use seastate::gpu::device::Gpu;
-use seastate::ocean::Ocean;
+use seastate::gpu::Gpu;
 use seastate::ocean::still::{FORMAT, picture_of};
+use seastate::ocean::{Film, Ocean};
 use seastate::point::Heights;
 use seastate::sim::resources::MapKind;
 use seastate::state::Params;
@@ -26,7 +26,7 @@ impl Window {
     fn new(state: &str) -> Self {
         let gpu = gpu();
         let params = params(state);
-        let ocean = Ocean::new(&gpu.device, &gpu.queue, FORMAT, &params);
+        let ocean = Ocean::new(&gpu, FORMAT, Film::Screen, &params);
         let mut window = Self { gpu, ocean, params };
         window.frame(0.0);
         window
@@ -39,19 +39,19 @@ impl Window {
 
     /// One frame that comes `dt_s` after the last; time runs with it unless it stands.
     fn frame(&mut self, dt_s: f64) {
-        let Gpu { device, queue, .. } = &self.gpu;
+        let gpu = &self.gpu;
         if !self.params.clock.paused {
             self.params.clock.t_s += dt_s;
         }
-        self.ocean.glide_to(device, queue, &self.params, dt_s);
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        self.ocean.simulation().encode_f32(queue, &mut encoder, self.params.clock.t_s);
-        queue.submit([encoder.finish()]);
+        self.ocean.glide_to(&self.params, dt_s);
+        let mut encoder = gpu.encoder("test");
+        self.ocean.simulation().encode_f32(gpu, &mut encoder, self.params.clock.t_s);
+        gpu.submit(encoder);
     }
 
     /// The same at once.
     fn jump(&mut self) {
-        self.ocean.set_params(&self.gpu.device, &self.gpu.queue, &self.params);
+        self.ocean.set_params(&self.params);
     }
 
     fn picture(&mut self) -> Vec<u8> {
@@ -60,11 +60,11 @@ impl Window {
 
     /// Heights on the maps of every cascade that is drawn, with the side of its patch.
     fn heights(&mut self) -> Vec<(f64, Vec<f64>)> {
-        let device = &self.gpu.device;
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let copy = self.ocean.simulation().resources.stage(device, &mut encoder, MapKind::Displacement, 0);
-        self.gpu.queue.submit([encoder.finish()]);
-        let texels = pollster::block_on(copy.read_map(device)).expect("read-back");
+        let gpu = &self.gpu;
+        let mut encoder = gpu.encoder("test");
+        let copy = self.ocean.simulation().resources.stage(gpu, &mut encoder, MapKind::Displacement, 0);
+        self.gpu.submit(encoder);
+        let texels = pollster::block_on(copy.read_map(gpu)).expect("read-back");
         let n2 = (self.ocean.plan().n as usize).pow(2);
         let maps = self.ocean.simulation().maps();
         let layer = |layer: u32| texels[layer as usize * n2..][..n2].iter().map(|t| f64::from(t[1])).collect();
@@ -153,7 +153,7 @@ fn a_glide_ends_exactly_on_the_state() {
     }
     let mut fresh = Window::new(&format!("{start}&fetch=100"));
     fresh.params = window.params.clone();
-    fresh.ocean = Ocean::new(&fresh.gpu.device, &fresh.gpu.queue, FORMAT, &fresh.params);
+    fresh.ocean = Ocean::new(&fresh.gpu, FORMAT, Film::Screen, &fresh.params);
     assert!(fresh.picture() == window.picture(), "a sea that was never another");
 }
 

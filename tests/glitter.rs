@@ -5,10 +5,10 @@ mod common;
 
 use glam::DVec3;
 use half::f16;
-use seastate::gpu::device::Gpu;
+use seastate::gpu::Gpu;
 use seastate::gpu::readback;
-use seastate::ocean::Ocean;
 use seastate::ocean::still::FORMAT;
+use seastate::ocean::{Film, Ocean};
 use seastate::waves::slopes::{SlopeVariance, cox_munk};
 
 const SIZE: [u32; 2] = [192, 192];
@@ -23,13 +23,13 @@ fn fresnel(cosine: f64) -> f64 {
 
 /// Red light of every pixel, in linear units, and the directions of the pixels.
 fn light(gpu: &Gpu, state: &str) -> (Vec<f64>, Vec<DVec3>) {
-    let mut ocean = Ocean::new(&gpu.device, &gpu.queue, FORMAT, &common::params(state));
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let mut ocean = Ocean::new(gpu, FORMAT, Film::Screen, &common::params(state));
+    let mut encoder = gpu.encoder("test");
     // Without the past that only foam needs.
-    ocean.encode(&gpu.device, &gpu.queue, &mut encoder, SIZE, 0);
-    let copy = readback::stage_texture(&gpu.device, &mut encoder, ocean.light().expect("a picture"), 0);
-    gpu.queue.submit([encoder.finish()]);
-    let bytes = pollster::block_on(copy.read(&gpu.device)).expect("read-back");
+    ocean.encode(&mut encoder, SIZE, 0);
+    let copy = readback::stage_texture(gpu, &mut encoder, ocean.light().expect("a picture"), 0);
+    gpu.submit(encoder);
+    let bytes = pollster::block_on(copy.read(gpu)).expect("read-back");
     let texels: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&bytes);
     let view = ocean.scene(SIZE).view;
     let dirs = (0..SIZE[0] * SIZE[1]).map(|i| {

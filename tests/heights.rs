@@ -1,11 +1,11 @@
 //! Heights on the CPU: the same sea as the oracle's and the GPU's, the error that was promised, and the geometry of the
 //! displaced surface.
 
-use seastate::gpu::device::Gpu;
-use seastate::gpu::shaders::Shaders;
+use seastate::gpu::Gpu;
 use seastate::oracle::surface::{self, Point};
 use seastate::oracle::{Texel, maps, spectrum};
 use seastate::point::heights::{Heights, Sample};
+use seastate::shaders::Shaders;
 use seastate::sim::Simulation;
 use seastate::state::query;
 use seastate::waves::plan::Cascade;
@@ -102,9 +102,9 @@ fn all_waves_are_the_gpus_sea() {
     let gpu = pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers");
     for state in SEAS {
         let plan = plan(state);
-        let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan.clone(), &Shaders::default());
+        let mut sim = Simulation::new(&gpu, plan.clone(), &Shaders::default());
         for t_s in [0.0, 100_000.25] {
-            let read = pollster::block_on(sim.read_f32(&gpu.device, &gpu.queue, t_s)).expect("read-back");
+            let read = pollster::block_on(sim.read_f32(&gpu, t_s)).expect("read-back");
             for (c, (cascade, sea)) in plan.cascades.iter().zip(by_cascade(&plan)).enumerate() {
                 let n = plan.n as usize;
                 for i in (0..n * n).step_by(97) {

@@ -14,6 +14,7 @@ const FORBIDDEN: &[(&str, &[&str])] = &[
     ("point", NO_GPU),
     ("oracle", NO_GPU),
     ("gpu", NO_WINDOW),
+    ("shaders", NO_WINDOW),
     ("sim", NO_WINDOW),
     ("render", NO_WINDOW),
     ("ocean", NO_WINDOW),

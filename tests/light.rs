@@ -1,9 +1,9 @@
 //! Sky, fog and film by the picture's own WGSL functions, run in a compute kernel that `light.wgsl` appends to them: colours
 //! of four wavelengths against spectra, fog against quadrature, tone curves against their publications.
 
-use seastate::gpu::device::Gpu;
+use seastate::gpu::Gpu;
 use seastate::gpu::readback;
-use seastate::gpu::shaders::Shaders;
+use seastate::shaders::Shaders;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 
 type Case = [[f32; 4]; 2];
@@ -11,15 +11,14 @@ type Case = [[f32; 4]; 2];
 /// Answers of a module to some questions; `answer` is the body of a function of `a` and `b`.
 fn ask(shaders: &Shaders, module: &str, answer: &str, cases: &[Case]) -> Vec<[f64; 4]> {
     let gpu = pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers");
-    let (device, queue) = (&gpu.device, &gpu.queue);
     let (_, source) = shaders.all().find(|(name, _)| *name == module).expect("the module");
     let source =
         format!("{source}\n{}\nfn answer(a: vec4f, b: vec4f) -> vec4f {{ {answer} }}", include_str!("light.wgsl"));
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+    let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some("light"),
         source: wgpu::ShaderSource::Wgsl(source.into()),
     });
-    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+    let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
         label: Some("light"),
         layout: None,
         module: &module,
@@ -28,11 +27,11 @@ fn ask(shaders: &Shaders, module: &str, answer: &str, cases: &[Case]) -> Vec<[f6
         cache: None,
     });
     let buffer =
-        |contents: &[u8], usage| device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage });
+        |contents: &[u8], usage| gpu.device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage });
     let questions = buffer(bytemuck::cast_slice(cases), wgpu::BufferUsages::STORAGE);
     let none = vec![[f32::NAN; 4]; cases.len()];
     let answers = buffer(bytemuck::cast_slice(&none), wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC);
-    let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+    let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: None,
         layout: &pipeline.get_bind_group_layout(2),
         entries: &[
@@ -40,16 +39,16 @@ fn ask(shaders: &Shaders, module: &str, answer: &str, cases: &[Case]) -> Vec<[f6
             wgpu::BindGroupEntry { binding: 1, resource: answers.as_entire_binding() },
         ],
     });
-    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let mut encoder = gpu.encoder("test");
     {
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
         pass.set_pipeline(&pipeline);
         pass.set_bind_group(2, &group, &[]);
         pass.dispatch_workgroups(cases.len().div_ceil(64) as u32, 1, 1);
     }
-    let staging = readback::stage_buffer(device, &mut encoder, &answers);
-    queue.submit([encoder.finish()]);
-    let bytes = pollster::block_on(readback::read(device, staging)).expect("read-back");
+    let staging = readback::stage_buffer(&gpu, &mut encoder, &answers);
+    gpu.submit(encoder);
+    let bytes = pollster::block_on(readback::read(&gpu, staging)).expect("read-back");
     let answers: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);
     answers.into_iter().map(|a| a.map(f64::from)).collect()
 }

@@ -4,8 +4,8 @@
 mod common;
 
 use common::{gpu, params};
-use seastate::ocean::Ocean;
 use seastate::ocean::still::{FORMAT, on_film};
+use seastate::ocean::{Film, Ocean};
 
 const FRAMES: u32 = 10_000;
 const WARM_UP: u32 = 2_000;
@@ -25,7 +25,7 @@ fn resident() -> f64 {
 fn memory_is_constant_over_ten_thousand_frames() {
     let gpu = gpu();
     let mut p = params("n=64&mesh=0.1&t=20&wind=14&afloat=buoy*10*-30");
-    let mut ocean = Ocean::new(&gpu.device, &gpu.queue, FORMAT, &p);
+    let mut ocean = Ocean::new(&gpu, FORMAT, Film::Screen, &p);
     let mut seen = Vec::new();
     for i in 0..FRAMES {
         p.clock.t_s += 1.0 / 60.0;
@@ -33,9 +33,9 @@ fn memory_is_constant_over_ten_thousand_frames() {
             p.sea.systems[0].wind_m_s = 10.0 + 0.05 * f64::from(i % 100);
         }
         let size = SIZES[(i / 250 % 2) as usize];
-        ocean.glide_to(&gpu.device, &gpu.queue, &p, 1.0 / 60.0);
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        ocean.encode(&gpu.device, &gpu.queue, &mut encoder, size, 2);
+        ocean.glide_to(&p, 1.0 / 60.0);
+        let mut encoder = gpu.encoder("test");
+        ocean.encode(&mut encoder, size, 2);
         pollster::block_on(on_film(&gpu, encoder, size, |pass| ocean.present(pass))).expect("a picture");
         // Where it has the size and the wind of the others.
         if i % 500 == 499 {

@@ -3,12 +3,12 @@
 mod common;
 
 use seastate::bench::per_stage::PerStage;
-use seastate::gpu::device::Gpu;
-use seastate::gpu::fft::Way;
+use seastate::gpu::Gpu;
 use seastate::gpu::map_format::MapFormat;
 use seastate::gpu::readback;
-use seastate::gpu::shaders::Shaders;
 use seastate::lab::check::{self, Line};
+use seastate::shaders::Shaders;
+use seastate::shaders::fft::Way;
 use seastate::sim::Simulation;
 use seastate::sim::resources::MapKind;
 use seastate::state::query;
@@ -134,7 +134,7 @@ fn a_gpu_gets_few_dispatches_whatever_the_cascades() {
     for (n, cascades) in [(64, 1), (128, 4), (256, 3), (512, 4), (1024, 1)] {
         let params = query::parse(&format!("n={n}&cascades={cascades}")).0;
         let shaders = Shaders::default().with_way(Way::Exchanged).with_maps(MapFormat::Half);
-        let sim = Simulation::new(&gpu.device, &gpu.queue, Plan::new(&params), &shaders);
+        let sim = Simulation::new(&gpu, Plan::new(&params), &shaders);
         assert!(sim.passes.dispatches() <= 5, "n {n}, {cascades} cascades: {}", sim.passes.dispatches());
     }
 }
@@ -143,23 +143,22 @@ fn a_gpu_gets_few_dispatches_whatever_the_cascades() {
 #[test]
 fn the_demos_way_makes_the_same_maps() {
     let gpu = pollster::block_on(Gpu::request()).expect("a GPU adapter");
-    let (device, queue) = (&gpu.device, &gpu.queue);
     for n in [64u32, 128] {
         let params = query::parse(&format!("wind=10&t=20&n={n}&cascades=2")).0;
-        let mut sim = Simulation::new(device, queue, Plan::new(&params), &Shaders::default());
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        sim.encode(queue, &mut encoder, params.clock.t_s, [0.0; 2], 0);
-        queue.submit([encoder.finish()]);
-        let theirs = PerStage::new(device, queue, &sim);
+        let mut sim = Simulation::new(&gpu, Plan::new(&params), &Shaders::default());
+        let mut encoder = gpu.encoder("test");
+        sim.encode(&gpu, &mut encoder, params.clock.t_s, [0.0; 2], 0);
+        gpu.submit(encoder);
+        let theirs = PerStage::new(&gpu, &sim);
         assert_eq!(theirs.dispatches() as u32, 2 * (4 * 2 * n.ilog2() + 2));
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = gpu.encoder("test");
         theirs.run(&mut encoder);
-        queue.submit([encoder.finish()]);
+        gpu.submit(encoder);
         let read = |texture: &wgpu::Texture, layer: u32| -> Vec<f64> {
-            let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            let copy = readback::stage_layers(device, &mut encoder, texture, 0, layer..layer + 1);
-            queue.submit([encoder.finish()]);
-            let texels = pollster::block_on(copy.read_map(device)).expect("read-back");
+            let mut encoder = gpu.encoder("test");
+            let copy = readback::stage_layers(&gpu, &mut encoder, texture, 0, layer..layer + 1);
+            gpu.submit(encoder);
+            let texels = pollster::block_on(copy.read_map(&gpu)).expect("read-back");
             texels.iter().flatten().map(|&x| f64::from(x)).collect()
         };
         for cascade in 0..2 {

@@ -4,11 +4,11 @@
 mod common;
 
 use common::{gpu, params, random_params};
-use seastate::gpu::device::Gpu;
+use seastate::gpu::Gpu;
 use seastate::lab::flip::{PIXELS_PER_DEGREE, Picture, errors, mean};
 use seastate::lab::reference::{self, Sampling};
-use seastate::ocean::Ocean;
 use seastate::ocean::still::{FORMAT, picture_of};
+use seastate::ocean::{Film, Ocean};
 use seastate::state::{Params, query};
 use seastate::waves::Plan;
 use std::path::PathBuf;
@@ -23,12 +23,12 @@ struct Viewer {
 impl Viewer {
     fn new(size: [u32; 2], p: &Params) -> Self {
         let gpu = gpu();
-        let ocean = Ocean::new(&gpu.device, &gpu.queue, FORMAT, p);
+        let ocean = Ocean::new(&gpu, FORMAT, Film::Screen, p);
         Self { gpu, ocean, size }
     }
 
     fn turn_to(&mut self, p: &Params) {
-        self.ocean.set_params(&self.gpu.device, &self.gpu.queue, p);
+        self.ocean.set_params(p);
     }
 
     fn normal(&mut self) -> Picture {
@@ -229,16 +229,16 @@ fn covariance(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
 fn broken_pixels(states: std::ops::Range<u32>) -> Vec<String> {
     const SIZE: [u32; 2] = [48, 32];
     let gpu = gpu();
-    let (device, queue) = (&gpu.device, &gpu.queue);
     let mut oceans: [Option<Ocean>; 5] = Default::default();
     let mut broken = Vec::new();
     for i in states {
         let p = random_params("n=64", i);
-        let ocean = oceans[Plan::new(&p).cascades.len()].get_or_insert_with(|| Ocean::new(device, queue, FORMAT, &p));
-        ocean.set_params(device, queue, &p);
+        let ocean =
+            oceans[Plan::new(&p).cascades.len()].get_or_insert_with(|| Ocean::new(&gpu, FORMAT, Film::Screen, &p));
+        ocean.set_params(&p);
         // The foam begins far from its end: a few steps of it are enough to break a picture.
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        ocean.encode(device, queue, &mut encoder, SIZE, 3);
+        let mut encoder = gpu.encoder("test");
+        ocean.encode(&mut encoder, SIZE, 3);
         let drawn = seastate::ocean::still::on_film(&gpu, encoder, SIZE, |pass| ocean.present(pass));
         let count = magenta(&Picture::from_rgba(SIZE[0], &pollster::block_on(drawn).expect("a picture")));
         if count > 0 {

@@ -3,10 +3,10 @@
 mod common;
 
 use common::{gpu, maps, params, read};
-use seastate::gpu::device::Gpu;
+use seastate::gpu::Gpu;
 use seastate::gpu::readback;
-use seastate::gpu::shaders::Shaders;
 use seastate::lab::stats;
+use seastate::shaders::Shaders;
 use seastate::sim::{MAX_STEPS, Simulation};
 use seastate::state::Params;
 use seastate::state::fields::{FIELDS, Kind};
@@ -114,13 +114,13 @@ fn raising_n_keeps_every_wave() {
     let gpu = gpu();
     let read = |state: &str| {
         let plan = Plan::new(&params(state));
-        let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan, &Shaders::default());
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let step = sim.push_step(&gpu.queue, 0.0, false);
+        let mut sim = Simulation::new(&gpu, plan, &Shaders::default());
+        let mut encoder = gpu.encoder("test");
+        let step = sim.push_step(&gpu, 0.0, false);
         sim.passes.spectrum.run(&mut encoder, &sim.resources, step);
-        let staging = readback::stage_buffer(&gpu.device, &mut encoder, &sim.resources.sea.h0);
-        gpu.queue.submit([encoder.finish()]);
-        let bytes = pollster::block_on(readback::read(&gpu.device, staging)).expect("read-back");
+        let staging = readback::stage_buffer(&gpu, &mut encoder, &sim.resources.sea.h0);
+        gpu.submit(encoder);
+        let bytes = pollster::block_on(readback::read(&gpu, staging)).expect("read-back");
         bytemuck::pod_collect_to_vec::<u8, [f32; 2]>(&bytes)
     };
     let (small, large) = (read("wind=12&n=64"), read("wind=12&n=128"));
@@ -185,7 +185,7 @@ fn a_loop_closes() {
 /// Mean foam of each level after a cold start, and after running there from `from_s` in steps of `dt_s`.
 fn foam(gpu: &Gpu, state: &str, run: Option<(f64, f64)>) -> Vec<f64> {
     let p = params(state);
-    let mut sim = Simulation::new(&gpu.device, &gpu.queue, Plan::new(&p), &Shaders::default());
+    let mut sim = Simulation::new(gpu, Plan::new(&p), &Shaders::default());
     let mut times = Vec::new();
     if let Some((from_s, dt_s)) = run {
         let steps = ((p.clock.t_s - from_s) / dt_s).round() as u32;
@@ -193,14 +193,14 @@ fn foam(gpu: &Gpu, state: &str, run: Option<(f64, f64)>) -> Vec<f64> {
     }
     times.push(p.clock.t_s);
     for t_s in times {
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        assert!(sim.encode(&gpu.queue, &mut encoder, t_s, [0.0; 2], MAX_STEPS));
-        gpu.queue.submit([encoder.finish()]);
+        let mut encoder = gpu.encoder("test");
+        assert!(sim.encode(gpu, &mut encoder, t_s, [0.0; 2], MAX_STEPS));
+        gpu.submit(encoder);
     }
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    let copy = readback::stage_texture(&gpu.device, &mut encoder, &sim.resources.foam, 0);
-    gpu.queue.submit([encoder.finish()]);
-    let texels = pollster::block_on(copy.read_map(&gpu.device)).expect("read-back");
+    let mut encoder = gpu.encoder("test");
+    let copy = readback::stage_texture(gpu, &mut encoder, &sim.resources.foam, 0);
+    gpu.submit(encoder);
+    let texels = pollster::block_on(copy.read_map(gpu)).expect("read-back");
     let size = sim.resources.foam_n as usize;
     let values: Vec<f64> = texels.iter().map(|t| f64::from(t[0])).collect();
     assert!(values.iter().all(|f| (0.0..=1.0).contains(f)), "foam is bounded");
@@ -216,11 +216,11 @@ fn the_maps_of_a_frame_are_read_back_as_they_are() {
     use seastate::waves::survey::Survey;
     let gpu = gpu();
     let mut sim = common::simulation(&gpu, "wind=12&n=128&t=9");
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    assert!(sim.encode(&gpu.queue, &mut encoder, 9.0, [0.0; 2], MAX_STEPS));
-    let probe = sim.probe(&gpu.device, &mut encoder).expect("one sea");
-    gpu.queue.submit([encoder.finish()]);
-    let probed = pollster::block_on(probe.read(&gpu.device)).expect("read-back");
+    let mut encoder = gpu.encoder("test");
+    assert!(sim.encode(&gpu, &mut encoder, 9.0, [0.0; 2], MAX_STEPS));
+    let probe = sim.probe(&gpu, &mut encoder).expect("one sea");
+    gpu.submit(encoder);
+    let probed = pollster::block_on(probe.read(&gpu)).expect("read-back");
     let maps = read(&gpu, &mut sim, 9.0);
     let variance = |of: &dyn Fn(usize) -> f64| (0..maps.cascades()).map(of).sum::<f64>();
     let mean = |texels: &[[f32; 4]], channel: usize| {
@@ -321,11 +321,10 @@ impl Probe {
         let t = statistics::Theory::new(&plan);
         let numbers = [t.hs_m, t.tp_s, t.tm01_s, t.tm02_s, t.lambda_mean_m, t.mss, t.spread_deg, t.benjamin_feir];
         assert!(numbers.iter().all(|x| x.is_finite() && *x >= 0.0), "{t:?}");
-        let (device, queue) = (&self.gpu.device, &self.gpu.queue);
+        let gpu = &self.gpu;
         let shaders = Shaders::default();
-        let sim = self.sims[plan.cascades.len()]
-            .get_or_insert_with(|| Simulation::new(device, queue, plan.clone(), &shaders));
-        sim.set_plan(device, queue, plan, &shaders);
+        let sim = self.sims[plan.cascades.len()].get_or_insert_with(|| Simulation::new(gpu, plan.clone(), &shaders));
+        sim.set_plan(gpu, plan, &shaders);
         let state = seastate::state::query::write(p);
         let maps = read(&self.gpu, sim, p.clock.t_s);
         let largest = maps

@@ -2,13 +2,13 @@
 //! every struct that they share.
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
-use seastate::gpu::layout::{self, Layout};
+use seastate::gpu::layout::Layout;
 use seastate::gpu::map_format::MapFormat;
-use seastate::gpu::shaders::{MERGED, Shaders, locate};
+use seastate::shaders::{MERGED, Shaders, locate};
 use std::collections::BTreeSet;
 
 fn layouts() -> Vec<Layout> {
-    layout::LAYOUTS.iter().chain(seastate::render::LAYOUTS).copied().collect()
+    seastate::sim::uniforms::LAYOUTS.iter().chain(seastate::render::LAYOUTS).copied().collect()
 }
 
 fn parsed() -> Vec<(&'static str, naga::Module)> {
@@ -60,7 +60,7 @@ fn rust_and_wgsl_agree_on_layouts() {
                     assert_eq!(member.offset as usize, *offset, "{name}: {struct_name}.{member_name}");
                 }
             }
-            for (field, _) in *fields {
+            for (field, _) in fields.iter().filter(|(field, _)| !field.starts_with("unused")) {
                 assert!(
                     members.iter().any(|m| m.name.as_deref() == Some(field)),
                     "{name}: {struct_name} has no {field}"

@@ -5,11 +5,11 @@ mod common;
 
 use glam::{DMat2, DVec2, DVec3};
 use half::f16;
-use seastate::gpu::device::Gpu;
+use seastate::gpu::Gpu;
 use seastate::gpu::readback;
-use seastate::gpu::shaders::Shaders;
-use seastate::ocean::Ocean;
+use seastate::ocean::{Film, Ocean};
 use seastate::render;
+use seastate::shaders::Shaders;
 use seastate::state::query;
 use seastate::waves::slopes;
 use std::collections::BTreeSet;
@@ -116,17 +116,17 @@ impl Bench {
         let gpu = pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers");
         let (params, notices) = query::parse(STATE);
         assert_eq!(notices, Vec::<String>::new());
-        let mut ocean = Ocean::new(&gpu.device, &gpu.queue, wgpu::TextureFormat::Rgba8Unorm, &params);
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        ocean.simulation().encode_f32(&gpu.queue, &mut encoder, params.clock.t_s);
-        gpu.queue.submit([encoder.finish()]);
+        let mut ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, Film::Screen, &params);
+        let mut encoder = gpu.encoder("test");
+        ocean.simulation().encode_f32(&gpu, &mut encoder, params.clock.t_s);
+        gpu.submit(encoder);
         let size = [320, 200];
         let mut scene = ocean.scene(size);
         // Neither ripples nor roughness beyond the maps: the slopes are those of the displaced surface.
         scene.sea.residual = [0.0; 2];
         let frame = render::frame_bytes(&scene, ocean.simulation().maps(), size);
-        let frame = buffer(&gpu.device, &frame, BufferUsages::UNIFORM);
-        let material = buffer(&gpu.device, &render::material_bytes(&scene), BufferUsages::UNIFORM);
+        let frame = buffer(&gpu, &frame, BufferUsages::UNIFORM);
+        let material = buffer(&gpu, &render::material_bytes(&scene), BufferUsages::UNIFORM);
         let environment = environment(&gpu);
         let sky = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
             address_mode_u: wgpu::AddressMode::Repeat,
@@ -138,7 +138,7 @@ impl Bench {
     }
 
     fn kernel(&mut self, shaders: Shaders) -> Kernel<'_> {
-        let device = &self.gpu.device;
+        let gpu = &self.gpu;
         // What the questions set must be variables.
         let shaders = shaders
             .patched(
@@ -158,11 +158,11 @@ impl Bench {
         });
         let (_, water) = shaders.all().find(|(name, _)| *name == "water").expect("the picture's module");
         let source = format!("{water}\n{}", include_str!("shading.wgsl"));
-        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some("shading"),
             source: wgpu::ShaderSource::Wgsl(source.into()),
         });
-        let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
             label: Some("shading"),
             layout: None,
             module: &module,
@@ -171,11 +171,11 @@ impl Bench {
             cache: None,
         });
         let sampler = self.ocean.simulation().resources.repeat.clone();
-        let levels = common::level_sampler(device);
+        let levels = common::level_sampler(gpu);
         let maps = self.ocean.simulation().maps();
         let groups = [
             group(
-                device,
+                gpu,
                 &pipeline,
                 0,
                 &[
@@ -186,7 +186,7 @@ impl Bench {
                 ],
             ),
             group(
-                device,
+                gpu,
                 &pipeline,
                 1,
                 &[
@@ -204,13 +204,13 @@ impl Bench {
 
 impl Kernel<'_> {
     fn ask(&self, cases: &[Case]) -> Vec<[f64; 4]> {
-        let Gpu { device, queue, .. } = &self.bench.gpu;
-        let questions = buffer(device, bytemuck::cast_slice(cases), BufferUsages::STORAGE);
+        let gpu = &self.bench.gpu;
+        let questions = buffer(gpu, bytemuck::cast_slice(cases), BufferUsages::STORAGE);
         let none = vec![[f32::NAN; 4]; cases.len()];
-        let answers = buffer(device, bytemuck::cast_slice(&none), BufferUsages::STORAGE | BufferUsages::COPY_SRC);
+        let answers = buffer(gpu, bytemuck::cast_slice(&none), BufferUsages::STORAGE | BufferUsages::COPY_SRC);
         let own = [(0, questions.as_entire_binding()), (1, answers.as_entire_binding())];
-        let own = group(device, &self.pipeline, 2, &own);
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let own = group(gpu, &self.pipeline, 2, &own);
+        let mut encoder = gpu.encoder("test");
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
             pass.set_pipeline(&self.pipeline);
@@ -219,27 +219,27 @@ impl Kernel<'_> {
             }
             pass.dispatch_workgroups(cases.len().div_ceil(64) as u32, 1, 1);
         }
-        let staging = readback::stage_buffer(device, &mut encoder, &answers);
-        queue.submit([encoder.finish()]);
-        let bytes = pollster::block_on(readback::read(device, staging)).expect("read-back");
+        let staging = readback::stage_buffer(gpu, &mut encoder, &answers);
+        gpu.submit(encoder);
+        let bytes = pollster::block_on(readback::read(gpu, staging)).expect("read-back");
         let answers: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);
         answers.into_iter().map(|a| a.map(f64::from)).collect()
     }
 }
 
-fn buffer(device: &wgpu::Device, contents: &[u8], usage: BufferUsages) -> wgpu::Buffer {
-    device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
+fn buffer(gpu: &Gpu, contents: &[u8], usage: BufferUsages) -> wgpu::Buffer {
+    gpu.device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
 }
 
 fn group(
-    device: &wgpu::Device,
+    gpu: &Gpu,
     pipeline: &wgpu::ComputePipeline,
     index: u32,
     resources: &[(u32, BindingResource<'_>)],
 ) -> wgpu::BindGroup {
     let entries: Vec<_> =
         resources.iter().map(|(binding, r)| wgpu::BindGroupEntry { binding: *binding, resource: r.clone() }).collect();
-    device.create_bind_group(&wgpu::BindGroupDescriptor {
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: None,
         layout: &pipeline.get_bind_group_layout(index),
         entries: &entries,

@@ -3,7 +3,7 @@
 #[path = "common/skies.rs"]
 mod skies;
 
-use seastate::gpu::device::Gpu;
+use seastate::gpu::Gpu;
 use seastate::ocean::still::picture;
 use seastate::state::{Params, query};
 use skies::made_up_sky;

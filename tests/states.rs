@@ -5,10 +5,10 @@
 mod common;
 
 use common::{gpu, params, read};
-use seastate::gpu::device::Gpu;
-use seastate::gpu::shaders::Shaders;
-use seastate::ocean::Ocean;
+use seastate::gpu::Gpu;
 use seastate::ocean::still::{FORMAT, on_film};
+use seastate::ocean::{Film, Ocean};
+use seastate::shaders::Shaders;
 use seastate::sim::Simulation;
 use seastate::state::fields::{FIELDS, Field, Kind};
 use seastate::state::{Params, query};
@@ -60,27 +60,27 @@ struct Lab {
 impl Lab {
     /// What is wrong with a state.
     fn fault(&mut self, p: &Params) -> Option<String> {
-        let (device, queue) = (&self.gpu.device, &self.gpu.queue);
+        let gpu = &self.gpu;
         let plan = Plan::new(p);
         let link = query::write(p);
         if query::parse(&link) != (p.clone(), vec![]) {
             return Some("is another one in its link".to_owned());
         }
         let make = || {
-            let sim = Simulation::new(device, queue, plan.clone(), &Shaders::default());
-            (sim, Ocean::new(device, queue, FORMAT, p))
+            let sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
+            (sim, Ocean::new(gpu, FORMAT, Film::Screen, p))
         };
         let (sim, ocean) = self.seas.entry((plan.n, plan.cascades.len())).or_insert_with(make);
-        sim.set_plan(device, queue, plan, &Shaders::default());
+        sim.set_plan(gpu, plan, &Shaders::default());
         let maps = read(&self.gpu, sim, p.clock.t_s);
         let infinite = maps.texels.iter().flatten().filter(|v| !v.is_finite()).count();
         if infinite > 0 {
             return Some(format!("has {infinite} numbers in its maps that are none"));
         }
-        ocean.set_params(device, queue, p);
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        ocean.set_params(p);
+        let mut encoder = gpu.encoder("test");
         // A few steps of the foam are enough to break a picture.
-        ocean.encode(device, queue, &mut encoder, SIZE, 3);
+        ocean.encode(&mut encoder, SIZE, 3);
         let drawn = pollster::block_on(on_film(&self.gpu, encoder, SIZE, |pass| ocean.present(pass)));
         let pixels = drawn.expect("a picture");
         let broken = pixels.chunks(4).filter(|p| p[0] > 250 && p[1] < 5 && p[2] > 250).count();

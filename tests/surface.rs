@@ -4,14 +4,14 @@
 mod common;
 
 use common::params;
-use seastate::gpu::device::Gpu;
+use seastate::gpu::Gpu;
 use seastate::gpu::readback;
-use seastate::gpu::shaders::Shaders;
-use seastate::ocean::Ocean;
+use seastate::ocean::{Film, Ocean};
 use seastate::oracle::foam::Level;
 use seastate::oracle::{self, Texel, surface};
 use seastate::point::heights::{Heights, Sample};
 use seastate::render;
+use seastate::shaders::Shaders;
 use seastate::state::Params;
 use seastate::waves::{Plan, noise};
 use std::f64::consts::TAU;
@@ -66,7 +66,7 @@ impl Bench {
     fn new(state: &str) -> Self {
         let gpu = common::gpu();
         let params = params(state);
-        let ocean = Ocean::new(&gpu.device, &gpu.queue, wgpu::TextureFormat::Rgba8Unorm, &params);
+        let ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, Film::Screen, &params);
         let shaders = Shaders::default();
         let (_, water) = shaders.all().find(|(name, _)| *name == "water").expect("the picture's module");
         let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
@@ -87,22 +87,23 @@ impl Bench {
     }
 
     fn evolve(&mut self) {
-        let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        self.ocean.simulation().encode_f32(&self.gpu.queue, &mut encoder, self.params.clock.t_s);
-        self.gpu.queue.submit([encoder.finish()]);
+        let mut encoder = self.gpu.encoder("test");
+        self.ocean.simulation().encode_f32(&self.gpu, &mut encoder, self.params.clock.t_s);
+        self.gpu.submit(encoder);
     }
 
     /// The surface at points of the world, seen by an eye over `foot` with pixels of `size` metres, `long` in one direction.
     fn ask(&mut self, foot: [f64; 2], points: &[[f64; 2]], size: f64, long: f64) -> Vec<Drawn> {
-        let Gpu { device, queue, .. } = &self.gpu;
+        let gpu = &self.gpu;
         [self.params.camera.x_m, self.params.camera.z_m] = foot;
-        self.ocean.set_params(device, queue, &self.params);
+        self.ocean.set_params(&self.params);
         let mut scene = self.ocean.scene(PIXELS);
         // No ripples beyond the maps.
         scene.sea.residual = [0.0; 2];
         let frame = render::frame_bytes(&scene, self.ocean.simulation().maps(), PIXELS);
-        let buffer =
-            |contents: &[u8], usage| device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage });
+        let buffer = |contents: &[u8], usage| {
+            gpu.device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
+        };
         let frame = buffer(&frame, BufferUsages::UNIFORM);
         let questions: Vec<[f32; 4]> = (points.iter())
             .map(|p| [(p[0] - foot[0]) as f32, (p[1] - foot[1]) as f32, size as f32, long as f32])
@@ -111,13 +112,13 @@ impl Bench {
         let answers = vec![[[f32::NAN; 4]; 4]; points.len()];
         let answers = buffer(bytemuck::cast_slice(&answers), BufferUsages::STORAGE | BufferUsages::COPY_SRC);
         let sampler = self.ocean.simulation().resources.repeat.clone();
-        let levels = common::level_sampler(device);
+        let levels = common::level_sampler(gpu);
         let maps = self.ocean.simulation().maps();
         let group = |index: u32, resources: &[(u32, BindingResource<'_>)]| {
             let entries: Vec<_> = (resources.iter())
                 .map(|(binding, r)| wgpu::BindGroupEntry { binding: *binding, resource: r.clone() })
                 .collect();
-            device.create_bind_group(&wgpu::BindGroupDescriptor {
+            gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: None,
                 layout: &self.pipeline.get_bind_group_layout(index),
                 entries: &entries,
@@ -137,7 +138,7 @@ impl Bench {
             ),
             group(2, &[(0, questions.as_entire_binding()), (1, answers.as_entire_binding())]),
         ];
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = gpu.encoder("test");
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
             pass.set_pipeline(&self.pipeline);
@@ -146,9 +147,9 @@ impl Bench {
             }
             pass.dispatch_workgroups(points.len().div_ceil(64) as u32, 1, 1);
         }
-        let staging = readback::stage_buffer(device, &mut encoder, &answers);
-        queue.submit([encoder.finish()]);
-        let bytes = pollster::block_on(readback::read(device, staging)).expect("read-back");
+        let staging = readback::stage_buffer(gpu, &mut encoder, &answers);
+        gpu.submit(encoder);
+        let bytes = pollster::block_on(readback::read(gpu, staging)).expect("read-back");
         let answers: Vec<[[f32; 4]; 4]> = bytemuck::pod_collect_to_vec(&bytes);
         let drawn = |a: [[f32; 4]; 4]| {
             let [[x, y, z, _], [sx, sz, jacobian, _], [xx, zz, xz, _], [split_x, split_z, carried, _]] =

@@ -28,14 +28,14 @@ fn speed(state: &str, ix: i32, iz: i32, about: f64) -> f64 {
     let mut h0 = vec![[0.0f32; 2]; N * N * sim.resources.count as usize];
     h0[at] = [0.3, -0.1];
     let mut heights = |t_s: f64| -> Vec<f64> {
-        let step = sim.push_step(&gpu.queue, t_s, true);
+        let step = sim.push_step(&gpu, t_s, true);
         gpu.queue.write_buffer(&sim.resources.sea.h0, 0, bytemuck::cast_slice(&h0));
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = gpu.encoder("test");
         sim.passes.rows.run(&mut encoder, step);
         sim.passes.columns.run(&mut encoder, &sim.resources, step);
-        let staging = readback::stage_buffer(&gpu.device, &mut encoder, &sim.resources.lines);
-        gpu.queue.submit([encoder.finish()]);
-        let bytes = pollster::block_on(readback::read(&gpu.device, staging)).expect("read-back");
+        let staging = readback::stage_buffer(&gpu, &mut encoder, &sim.resources.lines);
+        gpu.submit(encoder);
+        let bytes = pollster::block_on(readback::read(&gpu, staging)).expect("read-back");
         let texels: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);
         texels[..N * N].iter().map(|t| f64::from(t[1])).collect()
     };

@@ -1,6 +1,6 @@
 //! The validation page: it says what the program computes, and the command that writes it works.
 
-use seastate::gpu::device::Gpu;
+use seastate::gpu::Gpu;
 use seastate::lab::validate::{self, PARTS, page::PENDING};
 use std::fs;
 use std::path::PathBuf;

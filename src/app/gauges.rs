@@ -82,21 +82,14 @@ impl Gauges {
     }
 
     /// After it, `record_s` later; `is_whole` if nothing of the picture is still on its way.
-    pub fn end(
-        &self,
-        ocean: &Ocean,
-        device: &wgpu::Device,
-        encoder: &mut wgpu::CommandEncoder,
-        record_s: f64,
-        is_whole: bool,
-    ) {
+    pub fn end(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder, record_s: f64, is_whole: bool) {
         let mut inner = self.inner();
         ocean.timer().end(encoder);
         inner.record_s =
             if inner.record_s > 0.0 { inner.record_s + SHARE * (record_s - inner.record_s) } else { record_s };
         inner.passes = ocean.timer().is_available().then(|| ocean.timer().times());
         if is_whole && let Some(sea) = inner.wants_probe {
-            inner.probe = ocean.probe(device, encoder).map(|probe| (sea, probe));
+            inner.probe = ocean.probe(encoder).map(|probe| (sea, probe));
             inner.wants_probe = inner.probe.is_none().then_some(sea);
         }
     }
@@ -206,8 +199,8 @@ impl App {
         let probe = if inner.is_painted { inner.probe.take() } else { None };
         drop(inner);
         if let Some((sea, probe)) = probe {
-            let (device, inbox, ctx) = (self.render_state.device.clone(), self.measured.inbox.clone(), ctx.clone());
-            tasks::spawn(async move { inbox.put((sea, probe.read(&device).await), &ctx) });
+            let (gpu, inbox, ctx) = (self.gpu(), self.measured.inbox.clone(), ctx.clone());
+            tasks::spawn(async move { inbox.put((sea, probe.read(&gpu).await), &ctx) });
         }
         let end = super::plots::highest_omega(&self.derived.plan);
         let width = end / BINS as f64;

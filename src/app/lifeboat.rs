@@ -4,7 +4,8 @@
 
 use super::faults::Faults;
 use super::{App, gauges, setup, viewport};
-use crate::ocean::Ocean;
+use crate::gpu::Gpu;
+use crate::ocean::{Film, Ocean};
 use crate::state::Params;
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -70,7 +71,8 @@ impl eframe::App for Shell {
 /// Lays a sea out on a device, and watches for what goes wrong there.
 pub fn lay_out(render_state: &egui_wgpu::RenderState, params: &Params) -> Faults {
     let faults = Faults::watch(&render_state.device);
-    let ocean = Ocean::new(&render_state.device, &render_state.queue, render_state.target_format, params);
+    let gpu = Gpu { device: render_state.device.clone(), queue: render_state.queue.clone() };
+    let ocean = Ocean::new(&gpu, render_state.target_format, Film::Screen, params);
     render_state.renderer.write().callback_resources.insert(ocean);
     faults
 }

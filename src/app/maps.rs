@@ -1,8 +1,7 @@
 //! The maps of the sea as one OpenEXR file, from the page as from the window: a layer for each cascade.
 
 use super::{App, files, tasks};
-use crate::gpu::shaders::Shaders;
-use crate::sim::{MapsF32, Simulation};
+use crate::ocean::{self, maps::MapsF32};
 use crate::state::{Params, query};
 use crate::waves::Plan;
 use exr::prelude::*;
@@ -48,12 +47,11 @@ impl App {
     pub(super) fn save_maps(&mut self) {
         let params: Params = super::tidy(&self.params);
         let state = query::write(&params);
-        let (device, queue) = (self.render_state.device.clone(), self.render_state.queue.clone());
+        let gpu = self.gpu();
         let (inbox, ctx, folder) = (self.saved.clone(), self.ctx.clone(), self.save_folder.clone());
         tasks::spawn(async move {
             let plan = Plan::new(&params);
-            let mut sim = Simulation::new(&device, &queue, plan.clone(), &Shaders::default());
-            let read = sim.read_f32(&device, &queue, params.clock.t_s).await;
+            let read = ocean::maps::read(&gpu, &params).await;
             let made = read.and_then(|maps| encode(&plan, &maps, &state));
             inbox.put(made.and_then(|exr| files::save(folder.as_deref(), "seastate-maps.exr", &exr)), &ctx);
         });

@@ -29,6 +29,7 @@ pub mod web;
 
 pub use crate::files::picture;
 
+use crate::gpu::Gpu;
 use crate::point::Heights;
 use crate::point::afloat::Waterline;
 use crate::state::floats::{self, Float};
@@ -250,6 +251,10 @@ impl App {
     /// The distinct GPU errors so far.
     pub fn errors(&self) -> Vec<String> {
         self.faults.errors()
+    }
+
+    fn gpu(&self) -> Gpu {
+        Gpu { device: self.render_state.device.clone(), queue: self.render_state.queue.clone() }
     }
 
     /// The device that the app draws with.

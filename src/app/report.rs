@@ -6,7 +6,7 @@ use crate::ocean::about::About;
 impl App {
     /// Names and values: what runs on what, how fast, and what went wrong last.
     pub(super) fn about(&self) -> Vec<(&'static str, String)> {
-        let mut rows = About::new(&self.render_state.adapter, &self.render_state.device).rows();
+        let mut rows = About::new(&self.render_state.adapter, &self.gpu()).rows();
         #[cfg(target_arch = "wasm32")]
         rows.push(("browser", self.browser.clone()));
         let [width, height] = self.quality.size();

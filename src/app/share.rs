@@ -55,18 +55,18 @@ impl App {
         let Some((params, size)) = self.drawn.clone() else { return };
         let params = super::tidy(&params);
         let (state, link) = (query::write(&params), self.link());
-        let (device, queue) = (self.render_state.device.clone(), self.render_state.queue.clone());
+        let gpu = self.gpu();
         let format = self.render_state.target_format;
-        let encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("screenshot") });
+        let encoder = gpu.encoder("screenshot");
         let made = {
             let renderer = self.render_state.renderer.read();
             let Some(ocean) = renderer.callback_resources.get::<Ocean>() else { return };
-            Picture::submit(&device, &queue, encoder, format, size, |pass| ocean.present(pass))
+            Picture::submit(&gpu, encoder, format, size, |pass| ocean.present(pass))
         };
         let (inbox, ctx, name) = (self.saved.clone(), self.ctx.clone(), picture_name(&params));
         let folder = self.save_folder.clone();
         tasks::spawn(async move {
-            let made = made.read(&device).await.and_then(|pixels| picture::encode(size, &pixels, &state, &link));
+            let made = made.read(&gpu).await.and_then(|pixels| picture::encode(size, &pixels, &state, &link));
             inbox.put(made.and_then(|png| files::save(folder.as_deref(), &name, &png)), &ctx);
         });
     }

@@ -1,6 +1,7 @@
 //! The sea in the window: recorded off-screen in `prepare`, blitted in `paint`.
 
 use super::gauges::Gauges;
+use crate::gpu::Gpu;
 use crate::ocean::Ocean;
 use crate::state::Params;
 use std::sync::Arc;
@@ -53,10 +54,10 @@ impl Progress {
     }
 
     /// Called before a frame is recorded: the one before has been submitted, if it was painted.
-    fn ask(&self, queue: &wgpu::Queue) {
+    fn ask(&self, gpu: &Gpu) {
         if self.0.begun.load(Ordering::Relaxed) && !self.0.asked.swap(true, Ordering::Relaxed) {
             let marks = self.0.clone();
-            queue.on_submitted_work_done(move || marks.seen.store(true, Ordering::Relaxed));
+            gpu.queue.on_submitted_work_done(move || marks.seen.store(true, Ordering::Relaxed));
         }
     }
 }
@@ -82,8 +83,8 @@ pub fn show(
     (response, size)
 }
 
-fn steps_per_frame(device: &wgpu::Device, n: u32) -> usize {
-    let is_cpu = device.adapter_info().device_type == wgpu::DeviceType::Cpu;
+fn steps_per_frame(gpu: &Gpu, n: u32) -> usize {
+    let is_cpu = gpu.device.adapter_info().device_type == wgpu::DeviceType::Cpu;
     let most = if is_cpu { CPU_STEPS_PER_FRAME } else { STEPS_PER_FRAME };
     most * (256 / n).max(1).pow(2) as usize
 }
@@ -102,24 +103,25 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
     #[cfg_attr(not(target_arch = "wasm32"), expect(clippy::disallowed_methods, reason = "no browser runs this one"))]
     fn prepare(
         &self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
+        _device: &wgpu::Device,
+        _queue: &wgpu::Queue,
         _screen: &egui_wgpu::ScreenDescriptor,
         _egui_encoder: &mut wgpu::CommandEncoder,
         resources: &mut egui_wgpu::CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
         let Some(ocean) = resources.get_mut::<Ocean>() else { return Vec::new() };
-        self.progress.ask(queue);
+        self.progress.ask(ocean.gpu());
         if self.progress.is_awaited() {
             return Vec::new();
         }
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("ocean") });
+        let mut encoder = ocean.gpu().encoder("ocean");
         let begun = Instant::now();
         self.gauges.begin(ocean, &mut encoder);
-        ocean.glide_to(device, queue, &self.params, self.dt_s);
-        let caught_up = ocean.encode(device, queue, &mut encoder, self.size, steps_per_frame(device, ocean.plan().n));
+        ocean.glide_to(&self.params, self.dt_s);
+        let most_steps = steps_per_frame(ocean.gpu(), ocean.plan().n);
+        let caught_up = ocean.encode(&mut encoder, self.size, most_steps);
         let is_whole = caught_up && !ocean.is_gliding();
-        self.gauges.end(ocean, device, &mut encoder, begun.elapsed().as_secs_f64(), is_whole);
+        self.gauges.end(ocean, &mut encoder, begun.elapsed().as_secs_f64(), is_whole);
         self.progress.0.catching_up.store(!is_whole, Ordering::Relaxed);
         vec![encoder.finish()]
     }

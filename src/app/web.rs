@@ -5,12 +5,9 @@ use super::lifeboat::{Berth, Shell};
 use super::readers::Item;
 use super::{App, setup, tasks, tidy};
 use crate::bench::{self, Options, Row};
-use crate::gpu::device::Gpu;
-use crate::gpu::shaders::Shaders;
-use crate::sim::resources::MapKind;
-use crate::sim::{MAX_STEPS, Simulation};
+use crate::gpu::Gpu;
+use crate::ocean;
 use crate::state::{Params, query};
-use crate::waves::Plan;
 use half::f16;
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -145,18 +142,11 @@ impl WebHandle {
     /// If the program does not run or the GPU does not give its memory back.
     pub async fn read_back(&self, state: String) -> Result<JsValue, JsValue> {
         let render_state = self.with(|app| app.render_state().clone()).ok_or("the program is not running")?;
-        let (device, queue) = (&render_state.device, &render_state.queue);
+        let gpu = Gpu { device: render_state.device, queue: render_state.queue };
         let (params, _) = query::parse(&state);
-        let plan = Plan::new(&params);
-        let t_s = params.clock.t_s;
-        let mut sim = Simulation::new(device, queue, plan, &Shaders::default());
-        let maps = sim.read_f32(device, queue, t_s).await?;
+        let maps = ocean::maps::read(&gpu, &params).await?;
         let heights: Vec<f32> = (0..maps.cascades()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("read back") });
-        sim.encode(queue, &mut encoder, t_s, [0.0; 2], MAX_STEPS);
-        let copy = sim.resources.stage(device, &mut encoder, MapKind::Displacement, 0);
-        queue.submit([encoder.finish()]);
-        let texels = copy.read_map(device).await?;
+        let texels = ocean::maps::read_displacement(&gpu, &params).await?;
         let halves: Vec<u16> = texels.iter().flatten().map(|&x| f16::from_f32(x).to_bits()).collect();
         let out = js_sys::Object::new();
         let set = |key: &str, value: &JsValue| js_sys::Reflect::set(&out, &key.into(), value);
@@ -179,8 +169,7 @@ impl WebHandle {
         let options = Options { sizes: vec![[1280, 720]], repeat, matrix: false, baseline: true };
         // What a listener does is its own affair.
         let tell = |what: &str| drop(progress.call1(&JsValue::NULL, &what.into()));
-        let device = (&gpu.device, &gpu.queue);
-        let report = bench::run(device, &gpu.adapter.get_info(), &query::parse(&state).0, &options, tell).await?;
+        let report = bench::run(&gpu, &query::parse(&state).0, &options, tell).await?;
         // A lost device does all at once, and nothing.
         if let Some(reason) = faults.lost().or_else(|| faults.errors().first().cloned()) {
             return Err(reason.into());

@@ -1,6 +1,7 @@
 //! What the adapter can do at best, measured beside the passes.
 
 use super::clock::Clock;
+use crate::gpu::Gpu;
 use crate::gpu::map_format::MapFormat;
 
 /// Size of the buffers that are copied: beyond the caches of most GPUs, within the base limits.
@@ -37,9 +38,9 @@ impl Ceilings {
     /// # Errors
     /// If waiting for the GPU fails.
     pub async fn measure(clock: &Clock<'_>) -> Result<Self, String> {
-        let device = clock.device;
+        let gpu = clock.gpu;
         let buffer = |usage| {
-            device.create_buffer(&wgpu::BufferDescriptor {
+            gpu.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some("copy"),
                 size: COPY_BYTES,
                 usage,
@@ -51,7 +52,7 @@ impl Ceilings {
         from.destroy();
         to.destroy();
 
-        let empty = empty_pipeline(device);
+        let empty = empty_pipeline(gpu);
         let chain = clock.time(|_, encoder| {
             for _ in 0..CHAIN {
                 let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
@@ -61,15 +62,15 @@ impl Ceilings {
         });
         let launch_ms = chain.await?.ms() / f64::from(CHAIN);
 
-        let target = crate::gpu::offscreen::target(device, TARGET, [SIDE; 2]);
-        let arithmetic = over_all(device, "arithmetic", ARITHMETIC);
+        let target = crate::gpu::offscreen::target(gpu, TARGET, [SIDE; 2]);
+        let arithmetic = over_all(gpu, "arithmetic", ARITHMETIC);
         let shading = clock.time(|_, encoder| {
             crate::gpu::offscreen::draw_over(encoder, &target, |pass| {
                 pass.set_pipeline(&arithmetic);
                 pass.draw(0..3, 0..1);
             });
         });
-        let reading = Reading::new(device);
+        let reading = Reading::new(gpu);
         let reads = clock.time(|_, encoder| {
             crate::gpu::offscreen::draw_over(encoder, &target, |pass| {
                 pass.set_pipeline(&reading.pipeline);
@@ -89,12 +90,12 @@ impl Ceilings {
 
 const TARGET: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 
-fn empty_pipeline(device: &wgpu::Device) -> wgpu::ComputePipeline {
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+fn empty_pipeline(gpu: &Gpu) -> wgpu::ComputePipeline {
+    let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some("empty"),
         source: wgpu::ShaderSource::Wgsl("@compute @workgroup_size(1) fn main() {}".into()),
     });
-    device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+    gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
         label: Some("empty"),
         layout: None,
         module: &module,
@@ -136,19 +137,19 @@ struct Reading {
 }
 
 impl Reading {
-    fn new(device: &wgpu::Device) -> Self {
-        let pipeline = over_all(device, "reads", READ);
-        let map = device.create_texture(&wgpu::TextureDescriptor {
+    fn new(gpu: &Gpu) -> Self {
+        let pipeline = over_all(gpu, "reads", READ);
+        let map = gpu.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("reads"),
             size: wgpu::Extent3d { width: MAP_SIDE, height: MAP_SIDE, depth_or_array_layers: 1 },
             mip_level_count: MAP_LEVELS,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
-            format: MapFormat::of(device).texture(),
+            format: MapFormat::of(gpu).texture(),
             usage: wgpu::TextureUsages::TEXTURE_BINDING,
             view_formats: &[],
         });
-        let between = device.create_sampler(&wgpu::SamplerDescriptor {
+        let between = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("reads"),
             address_mode_u: wgpu::AddressMode::Repeat,
             address_mode_v: wgpu::AddressMode::Repeat,
@@ -157,7 +158,7 @@ impl Reading {
             mipmap_filter: wgpu::MipmapFilterMode::Linear,
             ..Default::default()
         });
-        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+        let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("reads"),
             layout: &pipeline.get_bind_group_layout(0),
             entries: &[
@@ -178,12 +179,12 @@ const OVER_ALL: &str = "
 }";
 
 /// A pipeline that covers the whole target with a fragment shader.
-fn over_all(device: &wgpu::Device, label: &str, fragment: &str) -> wgpu::RenderPipeline {
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+fn over_all(gpu: &Gpu, label: &str, fragment: &str) -> wgpu::RenderPipeline {
+    let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some(label),
         source: wgpu::ShaderSource::Wgsl([OVER_ALL, fragment].concat().into()),
     });
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+    gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(label),
         layout: None,
         vertex: wgpu::VertexState {

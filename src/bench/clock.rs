@@ -1,5 +1,6 @@
 //! How long recorded work takes: by the GPU's timestamps where it has them, and from the submission to its end.
 
+use crate::gpu::Gpu;
 use crate::gpu::readback;
 use crate::gpu::timer;
 use web_time::Instant;
@@ -31,16 +32,14 @@ impl Timing {
 
 /// Whether the timestamps of a device can be believed: a software GPU writes them when it takes the commands, not when it has
 /// carried them out.
-fn believes_stamps(device: &wgpu::Device) -> bool {
-    device.adapter_info().device_type != wgpu::DeviceType::Cpu && device.features().contains(timer::FEATURES)
+fn believes_stamps(gpu: &Gpu) -> bool {
+    gpu.device.adapter_info().device_type != wgpu::DeviceType::Cpu && gpu.device.features().contains(timer::FEATURES)
 }
 
 /// Measures on a device.
 pub struct Clock<'a> {
     /// Makes resources.
-    pub device: &'a wgpu::Device,
-    /// Takes work.
-    pub queue: &'a wgpu::Queue,
+    pub gpu: &'a Gpu,
     stamps: Option<Stamps>,
     /// Submissions that count, for each piece of work.
     pub repeat: u32,
@@ -56,21 +55,21 @@ struct Stamps {
 }
 
 impl Stamps {
-    fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Option<Self> {
-        believes_stamps(device).then(|| Self {
-            set: device.create_query_set(&wgpu::QuerySetDescriptor {
+    fn new(gpu: &Gpu) -> Option<Self> {
+        believes_stamps(gpu).then(|| Self {
+            set: gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
                 label: Some("bench"),
                 ty: wgpu::QueryType::Timestamp,
                 count: 4,
             }),
-            resolved: device.create_buffer(&wgpu::BufferDescriptor {
+            resolved: gpu.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some("bench"),
                 size: 4 * u64::from(wgpu::QUERY_SIZE),
                 usage: wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC,
                 mapped_at_creation: false,
             }),
-            period_ns: f64::from(queue.get_timestamp_period()),
-            between_passes: device.features().contains(timer::BETWEEN_PASSES),
+            period_ns: f64::from(gpu.queue.get_timestamp_period()),
+            between_passes: gpu.device.features().contains(timer::BETWEEN_PASSES),
         })
     }
 
@@ -93,16 +92,16 @@ impl Stamps {
     }
 
     /// From the end of the first mark to the beginning of the last, ms.
-    async fn read(&self, device: &wgpu::Device, staged: wgpu::Buffer) -> Result<f64, String> {
-        let stamps: Vec<u64> = bytemuck::pod_collect_to_vec(&readback::read(device, staged).await?);
+    async fn read(&self, gpu: &Gpu, staged: wgpu::Buffer) -> Result<f64, String> {
+        let stamps: Vec<u64> = bytemuck::pod_collect_to_vec(&readback::read(gpu, staged).await?);
         Ok(1e-6 * self.period_ns * stamps[2].saturating_sub(stamps[1]) as f64)
     }
 }
 
 impl<'a> Clock<'a> {
     /// A clock that repeats every measurement so often.
-    pub fn new(device: &'a wgpu::Device, queue: &'a wgpu::Queue, repeat: u32) -> Self {
-        Self { device, queue, stamps: Stamps::new(device, queue), repeat: repeat.max(1), at_once: MOST_AT_ONCE }
+    pub fn new(gpu: &'a Gpu, repeat: u32) -> Self {
+        Self { gpu, stamps: Stamps::new(gpu), repeat: repeat.max(1), at_once: MOST_AT_ONCE }
     }
 
     /// Whether the adapter says itself how long it takes.
@@ -122,7 +121,7 @@ impl<'a> Clock<'a> {
         let mut calls = 0;
         let mut submit = async |times: u32| -> Result<(f64, Option<f64>, Option<f64>), String> {
             let (start, spent) = (Instant::now(), cpu_ms());
-            let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+            let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
             self.stamps.iter().for_each(|s| s.mark(&mut encoder, false));
             for _ in 0..times {
                 record(calls, &mut encoder);
@@ -131,14 +130,14 @@ impl<'a> Clock<'a> {
             let staged = self.stamps.as_ref().map(|s| {
                 s.mark(&mut encoder, true);
                 encoder.resolve_query_set(&s.set, 0..4, &s.resolved, 0);
-                readback::stage_buffer(self.device, &mut encoder, &s.resolved)
+                readback::stage_buffer(self.gpu, &mut encoder, &s.resolved)
             });
-            self.queue.submit([encoder.finish()]);
-            readback::done(self.device, self.queue).await?;
+            self.gpu.submit(encoder);
+            readback::done(self.gpu).await?;
             let ms = 1e3 * start.elapsed().as_secs_f64() / f64::from(times);
             let cpu = cpu_ms().zip(spent).map(|(after, before)| (after - before) / f64::from(times));
             let gpu = match (&self.stamps, staged) {
-                (Some(stamps), Some(staged)) => Some(stamps.read(self.device, staged).await? / f64::from(times)),
+                (Some(stamps), Some(staged)) => Some(stamps.read(self.gpu, staged).await? / f64::from(times)),
                 _ => None,
             };
             Ok((ms, gpu, cpu))

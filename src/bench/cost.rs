@@ -1,8 +1,8 @@
 //! What the passes move and compute, counted from their shaders: the least that each has to, every value once, so that a cache
 //! can make no pass better than its budget.
 
-use crate::gpu::layout::FOAM_LEVELS;
 use crate::gpu::map_format::MapFormat;
+use crate::sim::maps::FOAM_LEVELS;
 use crate::waves::tiling::MEAN_COPIES;
 
 /// A budget.

@@ -4,12 +4,12 @@
 pub mod ceilings;
 pub mod clock;
 pub mod cost;
-#[path = "../../benches/per_stage/mod.rs"]
 pub mod per_stage;
 
+use crate::gpu::Gpu;
 use crate::gpu::offscreen;
-use crate::gpu::shaders::Shaders;
-use crate::ocean::{Ocean, Part};
+use crate::ocean::{Film, Ocean, Part};
+use crate::shaders::Shaders;
 use crate::sim::Simulation;
 use crate::state::camera::View;
 use crate::state::{Params, query};
@@ -86,13 +86,13 @@ pub struct Report {
 /// # Errors
 /// If waiting for the GPU fails.
 pub async fn run(
-    (device, queue): (&wgpu::Device, &wgpu::Queue),
-    adapter: &wgpu::AdapterInfo,
+    gpu: &Gpu,
     params: &Params,
     options: &Options,
     mut progress: impl FnMut(&str),
 ) -> Result<Report, String> {
-    let clock = Clock::new(device, queue, options.repeat);
+    let adapter = gpu.device.adapter_info();
+    let clock = Clock::new(gpu, options.repeat);
     progress("ceilings");
     let ceilings = Ceilings::measure(&clock).await?;
     let mut rows = Vec::new();
@@ -135,10 +135,10 @@ fn with_grid(params: &Params, [n, cascades]: [u32; 2]) -> Params {
 
 /// The passes of the simulation, each by itself, and the step of a frame.
 async fn simulation(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, String> {
-    let mut sim = Simulation::new(clock.device, clock.queue, Plan::new(params), &Shaders::default());
+    let mut sim = Simulation::new(clock.gpu, Plan::new(params), &Shaders::default());
     let centre = [params.camera.x_m, params.camera.z_m];
-    let step = sim.push_step(clock.queue, params.clock.t_s, false);
-    let foam = sim.push_foam_step(clock.queue, params.clock.t_s, centre);
+    let step = sim.push_step(clock.gpu, params.clock.t_s, false);
+    let foam = sim.push_foam_step(clock.gpu, params.clock.t_s, centre);
     let (n, count) = (sim.resources.n, sim.resources.count);
     let sea = [n, count];
     let (p, r) = (&sim.passes, &sim.resources);
@@ -174,14 +174,14 @@ async fn simulation(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, Stri
 
 /// The waves in the program's way and in the demos', and single transforms.
 async fn baseline(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, String> {
-    let (device, queue) = (clock.device, clock.queue);
-    let mut sim = Simulation::new(device, queue, Plan::new(params), &Shaders::default());
-    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("spectrum") });
-    sim.encode(queue, &mut encoder, params.clock.t_s, [0.0; 2], 0);
-    queue.submit([encoder.finish()]);
+    let gpu = clock.gpu;
+    let mut sim = Simulation::new(gpu, Plan::new(params), &Shaders::default());
+    let mut encoder = gpu.encoder("spectrum");
+    sim.encode(gpu, &mut encoder, params.clock.t_s, [0.0; 2], 0);
+    gpu.submit(encoder);
     let sea = [sim.resources.n, sim.resources.count];
-    let theirs = PerStage::new(device, queue, &sim);
-    let step = sim.push_step(queue, params.clock.t_s, false);
+    let theirs = PerStage::new(gpu, &sim);
+    let step = sim.push_step(gpu, params.clock.t_s, false);
     let (p, r) = (&sim.passes, &sim.resources);
     let ours = clock.time(|_, e| {
         p.rows.run(e, step);
@@ -194,12 +194,12 @@ async fn baseline(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, String
         ..Row::sim("waves, a dispatch per stage", sea, timing, None)
     };
     let mut out = vec![ours, theirs];
-    let fits = sea[0] <= device.limits().max_compute_invocations_per_workgroup;
+    let fits = sea[0] <= gpu.device.limits().max_compute_invocations_per_workgroup;
     for (pass, kernel) in
         [("one field, a dispatch per stage", Kernel::Stages), ("one field, shared radix 2", Kernel::Shared)]
     {
         if kernel == Kernel::Stages || fits {
-            let field = PerStage::one_field(device, queue, sea[0], kernel);
+            let field = PerStage::one_field(gpu, sea[0], kernel);
             let timing = clock.time(|_, e| field.run(e)).await?;
             let dispatches = Some(field.dispatches() as u32);
             out.push(Row { dispatches, ..Row::sim(pass, [sea[0], 1], timing, None) });
@@ -210,12 +210,12 @@ async fn baseline(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, String
 
 /// The passes of the picture, and whole frames with waves and foam, each a sixtieth of a second after the last.
 async fn picture(clock: &Clock<'_>, params: &Params, size: [u32; 2]) -> Result<Vec<Row>, String> {
-    let (device, queue) = (clock.device, clock.queue);
-    let mut ocean = Ocean::new(device, queue, FORMAT, params);
-    let target = offscreen::target(device, FORMAT, size);
-    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("picture") });
-    ocean.encode_fully(device, queue, &mut encoder, size);
-    queue.submit([encoder.finish()]);
+    let gpu = clock.gpu;
+    let mut ocean = Ocean::new(gpu, FORMAT, Film::Screen, params);
+    let target = offscreen::target(gpu, FORMAT, size);
+    let mut encoder = gpu.encoder("picture");
+    ocean.encode_fully(&mut encoder, size);
+    gpu.submit(encoder);
     let row = |pass, timing| Row { pass, sea: None, size: Some(size), timing, cost: None, dispatches: None };
     let counted = counted(params, &mut ocean, size);
     let r = &ocean.simulation().resources;
@@ -236,12 +236,12 @@ async fn picture(clock: &Clock<'_>, params: &Params, size: [u32; 2]) -> Result<V
     out.push(Row { cost: Some(counted.present()), ..row("present", present.await?) });
     let mut frame = params.clone();
     // A frame's uniforms are of one submission.
-    let mut one = Clock::new(device, queue, clock.repeat);
+    let mut one = Clock::new(gpu, clock.repeat);
     one.at_once = 1;
     let frames = one.time(|i, encoder| {
         frame.clock.t_s = params.clock.t_s + f64::from(i) / 60.0;
-        ocean.set_params(device, queue, &frame);
-        ocean.encode_fully(device, queue, encoder, size);
+        ocean.set_params(&frame);
+        ocean.encode_fully(encoder, size);
         offscreen::draw_over(encoder, &target, |pass| ocean.present(pass));
     });
     let whole = simulation + counted.water() + counted.background() + counted.present();
@@ -252,8 +252,8 @@ async fn picture(clock: &Clock<'_>, params: &Params, size: [u32; 2]) -> Result<V
         if let Some(wind) = frame.sea.systems.first_mut() {
             wind.wind_m_s = params.sea.local().wind_m_s + 0.01 * f64::from(i % 50);
         }
-        ocean.glide_to(device, queue, &frame, 1.0 / 60.0);
-        ocean.encode_fully(device, queue, encoder, size);
+        ocean.glide_to(&frame, 1.0 / 60.0);
+        ocean.encode_fully(encoder, size);
         offscreen::draw_over(encoder, &target, |pass| ocean.present(pass));
     });
     out.push(row("frame, wind dragged", dragged.await?));

@@ -1,7 +1,7 @@
 //! `seastate bench`: what each pass costs.
 
 use crate::bench::{self, Options, Report, Row};
-use crate::gpu::device::Gpu;
+use crate::gpu::Gpu;
 use crate::state::Params;
 use serde_json::{Value, json};
 
@@ -15,8 +15,7 @@ pub const MATRIX_SIZES: [[u32; 2]; 3] = [[640, 360], [1280, 720], [1920, 1080]];
 pub async fn run(params: &Params, options: &Options, as_json: bool) -> Result<String, String> {
     let gpu = Gpu::request().await?;
     let progress = |what: &str| eprintln!("seastate: measuring {what}");
-    let info = gpu.adapter.get_info();
-    let report = bench::run((&gpu.device, &gpu.queue), &info, params, options, progress).await?;
+    let report = bench::run(&gpu, params, options, progress).await?;
     Ok(if as_json { serde_json::to_string_pretty(&value(&report)).unwrap_or_default() } else { report.to_string() })
 }
 

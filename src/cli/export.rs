@@ -1,8 +1,8 @@
 //! `seastate export`: the maps as OpenEXR, 32-bit float, named channels; and what they mean as plan.json.
 
-use crate::gpu::device::Gpu;
-use crate::gpu::shaders::Shaders;
+use crate::gpu::Gpu;
 use crate::lab::stats::foam_levels;
+use crate::shaders::Shaders;
 use crate::sim::resources::MapKind;
 use crate::sim::{MAX_STEPS, Simulation};
 use crate::state::{Params, query};
@@ -25,8 +25,8 @@ pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Resu
     let gpu = Gpu::request().await?;
     let plan = Plan::new(params);
     let n = plan.n as usize;
-    let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan.clone(), &Shaders::default());
-    let maps = sim.read_f32(&gpu.device, &gpu.queue, params.clock.t_s).await?;
+    let mut sim = Simulation::new(&gpu, plan.clone(), &Shaders::default());
+    let maps = sim.read_f32(&gpu, params.clock.t_s).await?;
     let chop = plan.sea.lambda().map(|l| l as f32);
     for c in 0..maps.cascades() {
         let (d, g) = (maps.displacement(c), maps.gradients(c));
@@ -85,12 +85,12 @@ pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Resu
 
 /// The displacement maps as the renderer samples them, level 0, in half floats.
 async fn half_maps(gpu: &Gpu, params: &Params, plan: &Plan) -> std::result::Result<Vec<u8>, String> {
-    let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan.clone(), &Shaders::default());
+    let mut sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
     let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    sim.encode(&gpu.queue, &mut encoder, params.clock.t_s, [0.0; 2], MAX_STEPS);
-    let copy = sim.resources.stage(&gpu.device, &mut encoder, MapKind::Displacement, 0);
-    gpu.queue.submit([encoder.finish()]);
-    let halves: Vec<[f16; 4]> = copy.read_map(&gpu.device).await?.iter().map(|t| t.map(f16::from_f32)).collect();
+    sim.encode(gpu, &mut encoder, params.clock.t_s, [0.0; 2], MAX_STEPS);
+    let copy = sim.resources.stage(gpu, &mut encoder, MapKind::Displacement, 0);
+    gpu.submit(encoder);
+    let halves: Vec<[f16; 4]> = copy.read_map(gpu).await?.iter().map(|t| t.map(f16::from_f32)).collect();
     Ok(bytemuck::cast_slice(&halves).to_vec())
 }
 

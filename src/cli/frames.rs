@@ -1,9 +1,9 @@
 //! `seastate render --frames`: a sequence of pictures, and what a compositor asks for beside them.
 
-use crate::gpu::device::Gpu;
+use crate::gpu::Gpu;
 use crate::gpu::readback;
-use crate::ocean::Ocean;
 use crate::ocean::still::{FORMAT, on_film, picture_of};
+use crate::ocean::{Film, Ocean};
 use crate::state::Params;
 use crate::state::views::{Choice, Shown, Surface};
 use exr::prelude::*;
@@ -40,14 +40,13 @@ pub async fn run(
     }
     std::fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
     let gpu = Gpu::request().await?;
-    let (device, queue) = (&gpu.device, &gpu.queue);
     let mut params = params.clone();
     let start_s = params.clock.t_s;
-    let new = if sequence.layers { Ocean::with_layers } else { Ocean::new };
-    let mut ocean = new(device, queue, FORMAT, &params);
+    let film = if sequence.layers { Film::Layers } else { Film::Screen };
+    let mut ocean = Ocean::new(&gpu, FORMAT, film, &params);
     for i in 0..sequence.count {
         params.clock.t_s = start_s + f64::from(i) / sequence.fps * params.clock.speed;
-        ocean.set_params(device, queue, &params);
+        ocean.set_params(&params);
         let pixels = picture_of(&gpu, &mut ocean, size).await?;
         let path = folder.join(format!("frame-{i:05}.png"));
         let image = image::RgbaImage::from_raw(size[0], size[1], pixels).ok_or("the picture has a wrong size")?;
@@ -71,16 +70,16 @@ async fn write_layers(
     let light = light_of(gpu, ocean).await?;
     let mut view = params.clone();
     view.look.view = Choice { shown: Shown::Surface(Surface::Normals), cascade: 0 };
-    ocean.set_params(&gpu.device, &gpu.queue, &view);
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("layers") });
-    ocean.encode_fully(&gpu.device, &gpu.queue, &mut encoder, size);
+    ocean.set_params(&view);
+    let mut encoder = gpu.encoder("layers");
+    ocean.encode_fully(&mut encoder, size);
     on_film(gpu, encoder, size, |pass| ocean.present(pass)).await?;
     let normals = light_of(gpu, ocean).await?;
     let texture = ocean.depth().ok_or("nothing was drawn")?;
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("depth") });
-    let copy = readback::stage_texture(&gpu.device, &mut encoder, texture, 0);
-    gpu.queue.submit([encoder.finish()]);
-    let depth: Vec<f32> = bytemuck::pod_collect_to_vec(&copy.read(&gpu.device).await?);
+    let mut encoder = gpu.encoder("depth");
+    let copy = readback::stage_texture(gpu, &mut encoder, texture, 0);
+    gpu.submit(encoder);
+    let depth: Vec<f32> = bytemuck::pod_collect_to_vec(&copy.read(gpu).await?);
     let width = size[0] as usize;
     let channels = SpecificChannels::build()
         .with_channel("R")
@@ -109,9 +108,9 @@ async fn write_layers(
 /// The light of the frame last drawn, RGBA, row by row.
 async fn light_of(gpu: &Gpu, ocean: &Ocean) -> std::result::Result<Vec<f32>, String> {
     let texture = ocean.light().ok_or("nothing was drawn")?;
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("light") });
-    let copy = readback::stage_texture(&gpu.device, &mut encoder, texture, 0);
-    gpu.queue.submit([encoder.finish()]);
-    let halves: Vec<f16> = bytemuck::pod_collect_to_vec(&copy.read(&gpu.device).await?);
+    let mut encoder = gpu.encoder("light");
+    let copy = readback::stage_texture(gpu, &mut encoder, texture, 0);
+    gpu.submit(encoder);
+    let halves: Vec<f16> = bytemuck::pod_collect_to_vec(&copy.read(gpu).await?);
     Ok(halves.iter().map(|h| h.to_f32()).collect())
 }

@@ -1,6 +1,6 @@
 //! `seastate info`: the program, the GPU that it takes, and what it makes of it.
 
-use crate::gpu::device::Gpu;
+use crate::gpu::{Gpu, device};
 use crate::ocean::about::{About, VERSION, WGPU_VERSION, system};
 use serde_json::{Map, Value, json};
 use std::fmt::Write as _;
@@ -10,8 +10,8 @@ use std::fmt::Write as _;
 /// # Errors
 /// If there is no adapter.
 pub async fn run(as_json: bool) -> Result<String, String> {
-    let gpu = Gpu::request().await?;
-    let about = About::new(&gpu.adapter, &gpu.device);
+    let adapter = device::adapter().await?;
+    let about = About::new(&adapter, &Gpu::open(&adapter).await?);
     Ok(if as_json { serde_json::to_string_pretty(&value(&about)).unwrap_or_default() } else { text(&about) })
 }
 

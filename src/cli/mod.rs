@@ -11,7 +11,7 @@ pub mod render;
 
 use crate::bench::Options;
 use crate::files::measured::Measured;
-use crate::gpu::device::Gpu;
+use crate::gpu::Gpu;
 use crate::lab::{check, flip, gallery, reference, stats, validate};
 use crate::state::fields::FIELDS;
 use crate::state::{Params, query};
@@ -266,8 +266,8 @@ fn run(cli: Cli) -> Result<i32, String> {
 
 async fn check(params: &Params) -> Result<i32, String> {
     let gpu = Gpu::request().await?;
-    let info = gpu.adapter.get_info();
-    let lines = check::run(&gpu, params, &crate::gpu::shaders::Shaders::default()).await?;
+    let info = gpu.device.adapter_info();
+    let lines = check::run(&gpu, params, &crate::shaders::Shaders::default()).await?;
     let mut text = format!("{} ({})\n", info.name, info.backend);
     let _ = writeln!(text, "{:<34} {:>7} {:>12} {:>12}", "pass", "cascade", "error", "tolerance");
     for line in &lines {

@@ -1,9 +1,9 @@
 //! `seastate render`: a picture of a state, the same on every run.
 
-use crate::gpu::device::Gpu;
+use crate::gpu::Gpu;
 use crate::lab::reference::{self, Sampling};
-use crate::ocean::Ocean;
 use crate::ocean::still::{FORMAT, picture_of};
+use crate::ocean::{Film, Ocean};
 use crate::state::Params;
 use std::path::Path;
 
@@ -13,7 +13,7 @@ use std::path::Path;
 /// One sentence, if there is no adapter or the file cannot be written.
 pub async fn run(params: &Params, size: [u32; 2], reference: Option<Sampling>, output: &Path) -> Result<(), String> {
     let gpu = Gpu::request().await?;
-    let mut ocean = Ocean::new(&gpu.device, &gpu.queue, FORMAT, params);
+    let mut ocean = Ocean::new(&gpu, FORMAT, Film::Screen, params);
     let mut pixels = picture_of(&gpu, &mut ocean, size).await?;
     if let Some(sampling) = reference {
         pixels = reference::picture_of(&gpu, &mut ocean, size, sampling).await?;

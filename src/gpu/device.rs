@@ -1,14 +1,14 @@
 //! What Seastate demands of a GPU: WebGPU's base limits. Of optional features it takes timestamps, to say what costs what,
 //! filters of floats and long numbers where these are faster (map_format.rs, fft.rs).
 
-use super::fft::Way;
+use super::kit::Gpu;
 use super::map_format::MapFormat;
 use super::timer;
 
 /// The device that every shell asks an adapter for.
 pub fn descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     let info = adapter.get_info();
-    let wanted = timer::FEATURES | timer::BETWEEN_PASSES | MapFormat::features(&info) | Way::features(&info);
+    let wanted = timer::FEATURES | timer::BETWEEN_PASSES | MapFormat::features(&info);
     wgpu::DeviceDescriptor {
         label: Some("seastate"),
         required_features: adapter.features() & wanted,
@@ -26,70 +26,51 @@ pub fn backends() -> wgpu::Backends {
     }
 }
 
-/// A device without a window.
-#[derive(Debug)]
-pub struct Gpu {
-    /// Where it came from.
-    pub adapter: wgpu::Adapter,
-    /// Makes resources.
-    pub device: wgpu::Device,
-    /// Takes work.
-    pub queue: wgpu::Queue,
+/// Chooses an adapter for work without a window. `WGPU_ADAPTER_NAME` picks one by a part of its name.
+///
+/// # Errors
+/// One sentence that says what to install when there is no adapter.
+pub async fn adapter() -> Result<wgpu::Adapter, String> {
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    descriptor.backends = backends();
+    let instance = wgpu::Instance::new(descriptor);
+    #[cfg(not(target_arch = "wasm32"))]
+    if let Some(name) = std::env::var("WGPU_ADAPTER_NAME").ok().filter(|name| !name.is_empty()) {
+        let all = instance.enumerate_adapters(backends()).await;
+        let known: Vec<String> = all.iter().map(|a| a.get_info().name).collect();
+        let wanted = |a: &wgpu::Adapter| a.get_info().name.to_lowercase().contains(&name.to_lowercase());
+        return all
+            .into_iter()
+            .find(wanted)
+            .ok_or_else(|| format!("WGPU_ADAPTER_NAME: no GPU is called \"{name}\"; there are: {}", known.join(", ")));
+    }
+    let options =
+        wgpu::RequestAdapterOptions { power_preference: wgpu::PowerPreference::HighPerformance, ..Default::default() };
+    instance
+        .request_adapter(&options)
+        .await
+        .map_err(|e| if cfg!(target_arch = "wasm32") { e.to_string() } else { NO_ADAPTER.to_owned() })
 }
 
 impl Gpu {
-    /// Opens a GPU for headless work. `WGPU_ADAPTER_NAME` picks one by a part of its name.
+    /// Opens a device for work without a window or canvas, on the adapter that [`adapter`] chooses.
     ///
     /// # Errors
-    /// One sentence that says what to install when there is no adapter.
-    #[cfg(not(target_arch = "wasm32"))]
+    /// One sentence, if there is no adapter or it cannot be used.
     pub async fn request() -> Result<Self, String> {
-        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
-        descriptor.backends = backends();
-        let instance = wgpu::Instance::new(descriptor);
-        let adapter = match std::env::var("WGPU_ADAPTER_NAME").ok().filter(|name| !name.is_empty()) {
-            Some(name) => {
-                let all = instance.enumerate_adapters(backends()).await;
-                let known: Vec<String> = all.iter().map(|a| a.get_info().name).collect();
-                let wanted = |a: &wgpu::Adapter| a.get_info().name.to_lowercase().contains(&name.to_lowercase());
-                all.into_iter().find(wanted).ok_or_else(|| {
-                    format!("WGPU_ADAPTER_NAME: no GPU is called \"{name}\"; there are: {}", known.join(", "))
-                })?
-            }
-            None => instance
-                .request_adapter(&wgpu::RequestAdapterOptions {
-                    power_preference: wgpu::PowerPreference::HighPerformance,
-                    ..Default::default()
-                })
-                .await
-                .map_err(|_| NO_ADAPTER.to_owned())?,
-        };
-        Self::open(adapter).await
+        Self::open(&adapter().await?).await
     }
 
-    /// Opens the browser's GPU without a canvas.
+    /// Opens a device on an adapter.
     ///
     /// # Errors
-    /// If there is none, or it cannot be used.
-    #[cfg(target_arch = "wasm32")]
-    pub async fn request() -> Result<Self, String> {
-        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
-        descriptor.backends = backends();
-        let options = wgpu::RequestAdapterOptions {
-            power_preference: wgpu::PowerPreference::HighPerformance,
-            ..Default::default()
-        };
-        let adapter = wgpu::Instance::new(descriptor).request_adapter(&options).await;
-        Self::open(adapter.map_err(|e| e.to_string())?).await
-    }
-
-    async fn open(adapter: wgpu::Adapter) -> Result<Self, String> {
-        let name = adapter.get_info().name;
+    /// One sentence, if it cannot be used.
+    pub async fn open(adapter: &wgpu::Adapter) -> Result<Self, String> {
         let (device, queue) = adapter
-            .request_device(&descriptor(&adapter))
+            .request_device(&descriptor(adapter))
             .await
-            .map_err(|e| format!("the GPU \"{name}\" cannot be used: {e}"))?;
-        Ok(Self { adapter, device, queue })
+            .map_err(|e| format!("the GPU \"{}\" cannot be used: {e}", adapter.get_info().name))?;
+        Ok(Self { device, queue })
     }
 }
 

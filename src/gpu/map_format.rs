@@ -3,6 +3,7 @@
 //! **Half**: half the traffic, which is what a GPU waits for, and llvmpipe. **Float**: for other adapters that are CPUs, where the
 //! numbers of every texel are converted one by one: SwiftShader reads half floats in five times the time of floats.
 
+use super::Gpu;
 use half::f16;
 use std::borrow::Cow;
 
@@ -26,8 +27,8 @@ impl MapFormat {
     }
 
     /// The one of a device.
-    pub fn of(device: &wgpu::Device) -> Self {
-        if device.features().contains(Self::FEATURES) { Self::Float } else { Self::Half }
+    pub fn of(gpu: &Gpu) -> Self {
+        if gpu.device.features().contains(Self::FEATURES) { Self::Float } else { Self::Half }
     }
 
     /// Of the textures.

@@ -1,10 +1,11 @@
 //! A texture that stands for the screen, and the picture that is drawn over it.
 
+use super::Gpu;
 use super::readback::{self, TextureCopy};
 
 /// A texture that can be drawn over and copied from.
-pub fn target(device: &wgpu::Device, format: wgpu::TextureFormat, size: [u32; 2]) -> wgpu::Texture {
-    device.create_texture(&wgpu::TextureDescriptor {
+pub fn target(gpu: &Gpu, format: wgpu::TextureFormat, size: [u32; 2]) -> wgpu::Texture {
+    gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some("offscreen"),
         size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
         mip_level_count: 1,
@@ -49,17 +50,16 @@ pub struct Picture {
 impl Picture {
     /// Records what `draw` draws after what is recorded, and submits all of it.
     pub fn submit(
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
+        gpu: &Gpu,
         mut encoder: wgpu::CommandEncoder,
         format: wgpu::TextureFormat,
         size: [u32; 2],
         draw: impl FnOnce(&mut wgpu::RenderPass<'_>),
     ) -> Self {
-        let target = target(device, format, size);
+        let target = target(gpu, format, size);
         draw_over(&mut encoder, &target, draw);
-        let copy = readback::stage_texture(device, &mut encoder, &target, 0);
-        queue.submit([encoder.finish()]);
+        let copy = readback::stage_texture(gpu, &mut encoder, &target, 0);
+        gpu.submit(encoder);
         Self { copy, swapped: format.remove_srgb_suffix() == wgpu::TextureFormat::Bgra8Unorm }
     }
 
@@ -67,8 +67,8 @@ impl Picture {
     ///
     /// # Errors
     /// If the GPU does not give its memory back.
-    pub async fn read(self, device: &wgpu::Device) -> Result<Vec<u8>, String> {
-        let mut pixels = self.copy.read(device).await?;
+    pub async fn read(self, gpu: &Gpu) -> Result<Vec<u8>, String> {
+        let mut pixels = self.copy.read(gpu).await?;
         if self.swapped {
             pixels.chunks_exact_mut(4).for_each(|p| p.swap(0, 2));
         }

@@ -1,11 +1,12 @@
 //! Getting bytes back from the GPU, natively and in the browser.
 
+use super::Gpu;
 use super::map_format::MapFormat;
 use futures_channel::oneshot;
 
 /// A buffer that a copy can be read from, with the copy recorded.
-pub fn stage_buffer(device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, source: &wgpu::Buffer) -> wgpu::Buffer {
-    let staging = staging(device, source.size());
+pub fn stage_buffer(gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, source: &wgpu::Buffer) -> wgpu::Buffer {
+    let staging = staging(gpu, source.size());
     encoder.copy_buffer_to_buffer(source, 0, &staging, 0, source.size());
     staging
 }
@@ -20,17 +21,17 @@ pub struct TextureCopy {
 
 /// Records the copy of one mip level of a texture, all layers.
 pub fn stage_texture(
-    device: &wgpu::Device,
+    gpu: &Gpu,
     encoder: &mut wgpu::CommandEncoder,
     texture: &wgpu::Texture,
     mip_level: u32,
 ) -> TextureCopy {
-    stage_layers(device, encoder, texture, mip_level, 0..texture.depth_or_array_layers())
+    stage_layers(gpu, encoder, texture, mip_level, 0..texture.depth_or_array_layers())
 }
 
 /// The same of some layers.
 pub fn stage_layers(
-    device: &wgpu::Device,
+    gpu: &Gpu,
     encoder: &mut wgpu::CommandEncoder,
     texture: &wgpu::Texture,
     mip_level: u32,
@@ -42,7 +43,7 @@ pub fn stage_layers(
     let texel = texture.format().block_copy_size(None).unwrap_or(4);
     let row_bytes = width * texel;
     let padded = row_bytes.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-    let staging = staging(device, u64::from(padded) * u64::from(height) * u64::from(layers));
+    let staging = staging(gpu, u64::from(padded) * u64::from(height) * u64::from(layers));
     encoder.copy_texture_to_buffer(
         wgpu::TexelCopyTextureInfo {
             texture,
@@ -65,9 +66,9 @@ pub fn stage_layers(
 
 impl TextureCopy {
     /// The texels, layer by layer and row by row without padding. After the submit.
-    pub async fn read(self, device: &wgpu::Device) -> Result<Vec<u8>, String> {
+    pub async fn read(self, gpu: &Gpu) -> Result<Vec<u8>, String> {
         let (row, padded) = (self.row_bytes, self.padded);
-        let bytes = read(device, self.staging).await?;
+        let bytes = read(gpu, self.staging).await?;
         if row == padded {
             return Ok(bytes);
         }
@@ -80,20 +81,20 @@ impl TextureCopy {
     ///
     /// # Errors
     /// If the GPU does not give its memory back.
-    pub async fn read_map(self, device: &wgpu::Device) -> Result<Vec<[f32; 4]>, String> {
+    pub async fn read_map(self, gpu: &Gpu) -> Result<Vec<[f32; 4]>, String> {
         let format = self.format;
-        Ok(MapFormat::texels(format, &self.read(device).await?))
+        Ok(MapFormat::texels(format, &self.read(gpu).await?))
     }
 }
 
 /// The bytes of a staging buffer, once the submitted work is done.
-pub async fn read(device: &wgpu::Device, staging: wgpu::Buffer) -> Result<Vec<u8>, String> {
+pub async fn read(gpu: &Gpu, staging: wgpu::Buffer) -> Result<Vec<u8>, String> {
     let (sender, receiver) = oneshot::channel();
     staging.slice(..).map_async(wgpu::MapMode::Read, move |result| {
         // The receiver lives until the end of this function.
         let _ = sender.send(result);
     });
-    wait(device)?;
+    wait(gpu)?;
     receiver.await.map_err(|e| e.to_string())?.map_err(|e| e.to_string())?;
     let bytes = staging.slice(..).get_mapped_range().map_err(|e| e.to_string())?.to_vec();
     staging.unmap();
@@ -104,27 +105,27 @@ pub async fn read(device: &wgpu::Device, staging: wgpu::Buffer) -> Result<Vec<u8
 ///
 /// # Errors
 /// If the device is gone.
-pub async fn done(device: &wgpu::Device, queue: &wgpu::Queue) -> Result<(), String> {
+pub async fn done(gpu: &Gpu) -> Result<(), String> {
     let (sender, receiver) = oneshot::channel();
-    queue.on_submitted_work_done(move || {
+    gpu.queue.on_submitted_work_done(move || {
         // The receiver lives until the end of this function.
         let _ = sender.send(());
     });
-    wait(device)?;
+    wait(gpu)?;
     receiver.await.map_err(|e| e.to_string())
 }
 
 /// A browser calls back by itself; elsewhere somebody has to wait.
-fn wait(device: &wgpu::Device) -> Result<(), String> {
+fn wait(gpu: &Gpu) -> Result<(), String> {
     #[cfg(not(target_arch = "wasm32"))]
-    device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| e.to_string())?;
+    gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| e.to_string())?;
     #[cfg(target_arch = "wasm32")]
     let _ = device;
     Ok(())
 }
 
-fn staging(device: &wgpu::Device, size: u64) -> wgpu::Buffer {
-    device.create_buffer(&wgpu::BufferDescriptor {
+fn staging(gpu: &Gpu, size: u64) -> wgpu::Buffer {
+    gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: Some("staging"),
         size,
         usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,

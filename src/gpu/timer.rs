@@ -3,6 +3,7 @@
 //! A frame is timed only while somebody looks, and read back without waiting: the next frame is timed when the last one's
 //! numbers are here. Where the adapter has no timestamps nothing is recorded and nothing is known.
 
+use super::Gpu;
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -47,24 +48,29 @@ enum Phase {
 
 impl Timer {
     /// A timer for a device; one that knows nothing if the device has no timestamps.
-    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Self {
-        if !device.features().contains(FEATURES) {
+    pub fn new(gpu: &Gpu) -> Self {
+        if !gpu.device.features().contains(FEATURES) {
             return Self(None);
         }
         let size = u64::from(MARKS) * u64::from(wgpu::QUERY_SIZE);
         let buffer = |label, usage| {
-            device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
+            gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(label),
+                size,
+                usage,
+                mapped_at_creation: false,
+            })
         };
         let state = State {
-            set: device.create_query_set(&wgpu::QuerySetDescriptor {
+            set: gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
                 label: Some("timer"),
                 ty: wgpu::QueryType::Timestamp,
                 count: MARKS,
             }),
             resolved: buffer("timer", wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC),
             staging: buffer("timer staging", wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST),
-            period_ns: f64::from(queue.get_timestamp_period()),
-            between_passes: device.features().contains(BETWEEN_PASSES),
+            period_ns: f64::from(gpu.queue.get_timestamp_period()),
+            between_passes: gpu.device.features().contains(BETWEEN_PASSES),
             phase: Phase::Idle,
             parts: Vec::new(),
             times: Vec::new(),

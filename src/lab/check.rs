@@ -2,11 +2,11 @@
 //! error names one pass (rows and columns are one where they are merged). The tests run the same comparison, also with planted
 //! faults.
 
-use crate::gpu::device::Gpu;
-use crate::gpu::fft::Way;
+use crate::gpu::Gpu;
 use crate::gpu::readback::{self, TextureCopy};
-use crate::gpu::shaders::Shaders;
 use crate::oracle::{self, Complex, Texel, maps::Planes};
+use crate::shaders::Shaders;
+use crate::shaders::fft::Way;
 use crate::sim::Simulation;
 use crate::sim::resources::{MapKind, Resources};
 use crate::state::Params;
@@ -67,21 +67,21 @@ pub async fn run(gpu: &Gpu, params: &Params, shaders: &Shaders) -> Result<Vec<Li
     let plan = Plan::new(params);
     let n = plan.n as usize;
     let t_s = params.clock.t_s;
-    let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan.clone(), shaders);
+    let mut sim = Simulation::new(gpu, plan.clone(), shaders);
     let mut lines = Vec::new();
     let h0: Vec<Vec<Complex>> = plan.cascades.iter().map(|c| oracle::spectrum::h0(&plan, c)).collect();
     let rows: Vec<Planes> =
         plan.cascades.iter().zip(&h0).map(|(c, h0)| oracle::maps::rows(&plan, c, h0, t_s)).collect();
     let maps: Vec<Planes> = rows.iter().map(|rows| oracle::maps::columns(n, rows)).collect();
 
-    let step = sim.push_step(&gpu.queue, t_s, true);
+    let step = sim.push_step(gpu, t_s, true);
     // Spectrum.
     let got: Vec<[f32; 2]> = {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         sim.passes.spectrum.run(&mut encoder, &sim.resources, step);
-        let staging = readback::stage_buffer(&gpu.device, &mut encoder, &sim.resources.sea.h0);
-        gpu.queue.submit([encoder.finish()]);
-        bytemuck::pod_collect_to_vec(&readback::read(&gpu.device, staging).await?)
+        let staging = readback::stage_buffer(gpu, &mut encoder, &sim.resources.sea.h0);
+        gpu.submit(encoder);
+        bytemuck::pod_collect_to_vec(&readback::read(gpu, staging).await?)
     };
     for (c, want) in h0.iter().enumerate() {
         let got = got[c * n * n..][..n * n].iter().map(|h| h.map(f64::from));
@@ -159,7 +159,7 @@ pub async fn run(gpu: &Gpu, params: &Params, shaders: &Shaders) -> Result<Vec<Li
 
 /// One replay of the foam on the GPU against the oracle's, from the GPU's own maps at each step.
 async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, shaders: &Shaders) -> Result<Line, String> {
-    let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan.clone(), shaders);
+    let mut sim = Simulation::new(gpu, plan.clone(), shaders);
     let centre = [1234.5, -67.8];
     let level = 1;
     let size = sim.resources.foam_n as usize;
@@ -169,8 +169,8 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, shaders: &Shaders) -> Result<Lin
     let mut got = Vec::new();
     for _ in 0..FOAM_STEPS {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let Some(step) = sim.encode_next_foam_step(&gpu.queue, &mut encoder, t_s, centre) else { break };
-        gpu.queue.submit([encoder.finish()]);
+        let Some(step) = sim.encode_next_foam_step(gpu, &mut encoder, t_s, centre) else { break };
+        gpu.submit(encoder);
         let foam_level = sim.maps().foam_levels[level];
         let source = foam.source(plan, foam_level.texel_m);
         let mut cascades = Vec::new();
@@ -238,27 +238,27 @@ fn line(what: &'static str, cascade: usize, error: f64, tolerance: f64) -> Line 
 }
 
 async fn read_lines(gpu: &Gpu, sim: &Simulation, mut encoder: wgpu::CommandEncoder) -> Result<Vec<[f32; 4]>, String> {
-    let staging = readback::stage_buffer(&gpu.device, &mut encoder, &sim.resources.lines);
-    gpu.queue.submit([encoder.finish()]);
-    Ok(bytemuck::pod_collect_to_vec(&readback::read(&gpu.device, staging).await?))
+    let staging = readback::stage_buffer(gpu, &mut encoder, &sim.resources.lines);
+    gpu.submit(encoder);
+    Ok(bytemuck::pod_collect_to_vec(&readback::read(gpu, staging).await?))
 }
 
 /// One mip level of a map as f64.
 async fn read_map(gpu: &Gpu, r: &Resources, kind: MapKind, level: u32) -> Result<Vec<Texel>, String> {
     let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    let copy = r.stage(&gpu.device, &mut encoder, kind, level);
+    let copy = r.stage(gpu, &mut encoder, kind, level);
     read(gpu, encoder, copy).await
 }
 
 async fn read_foam(gpu: &Gpu, r: &Resources) -> Result<Vec<Texel>, String> {
     let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    let copy = readback::stage_texture(&gpu.device, &mut encoder, &r.foam, 0);
+    let copy = readback::stage_texture(gpu, &mut encoder, &r.foam, 0);
     read(gpu, encoder, copy).await
 }
 
 async fn read(gpu: &Gpu, encoder: wgpu::CommandEncoder, copy: TextureCopy) -> Result<Vec<Texel>, String> {
-    gpu.queue.submit([encoder.finish()]);
-    let texels = copy.read_map(&gpu.device).await?;
+    gpu.submit(encoder);
+    let texels = copy.read_map(gpu).await?;
     Ok(texels.into_iter().map(|t| t.map(f64::from)).collect())
 }
 

@@ -1,7 +1,7 @@
 //! `seastate gallery`: docs/gallery.md and its pictures, each from its state string.
 
 use super::validate::page::Page;
-use crate::gpu::device::Gpu;
+use crate::gpu::Gpu;
 use crate::ocean::still;
 use crate::state::query;
 use image::codecs::jpeg::JpegEncoder;

@@ -1,6 +1,6 @@
 //! The reference of a picture: the mean of many unfiltered samples a pixel, under the same exposure and film.
 
-use crate::gpu::device::Gpu;
+use crate::gpu::Gpu;
 use crate::gpu::readback;
 use crate::ocean::still;
 use crate::ocean::{Grid, Ocean};
@@ -79,11 +79,11 @@ pub async fn light(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: Sampl
     let width = size[0] as usize;
     let mut sums = vec![Sum::default(); width * size[1] as usize];
     for grid in sampling.grids(size, MOST, gpu.device.limits().max_texture_dimension_2d) {
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("samples") });
-        let texture = ocean.encode_samples(&gpu.device, &gpu.queue, &mut encoder, &grid);
-        let copy = readback::stage_texture(&gpu.device, &mut encoder, &texture, 0);
-        gpu.queue.submit([encoder.finish()]);
-        let bytes = copy.read(&gpu.device).await?;
+        let mut encoder = gpu.encoder("samples");
+        let texture = ocean.encode_samples(&mut encoder, &grid);
+        let copy = readback::stage_texture(gpu, &mut encoder, &texture, 0);
+        gpu.submit(encoder);
+        let bytes = copy.read(gpu).await?;
         let side = grid.side as usize;
         for (y, row) in bytes.chunks(16 * width * side).enumerate() {
             let sums = &mut sums[y / side * width..][..width];
@@ -114,8 +114,8 @@ pub async fn picture_of_light(
     size: [u32; 2],
     light: &[[f32; 3]],
 ) -> Result<Vec<u8>, String> {
-    let encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("reference") });
-    still::on_film(gpu, encoder, size, |pass| ocean.present_light(&gpu.device, &gpu.queue, pass, size, light)).await
+    let encoder = gpu.encoder("reference");
+    still::on_film(gpu, encoder, size, |pass| ocean.present_light(pass, size, light)).await
 }
 
 #[cfg(test)]

@@ -1,10 +1,10 @@
 //! `seastate stats`: theory, resolved and measured numbers of a sea, side by side.
 
-use crate::gpu::device::Gpu;
+use crate::gpu::Gpu;
 use crate::gpu::readback;
-use crate::gpu::shaders::Shaders;
 use crate::oracle::foam::jacobian;
 use crate::oracle::{self, transform};
+use crate::shaders::Shaders;
 use crate::sim::{MAX_STEPS, MapsF32, Simulation};
 use crate::state::{Params, query};
 use crate::waves::plan::Cascade;
@@ -107,7 +107,7 @@ pub(super) struct Travelling {
 }
 
 async fn measure(gpu: &Gpu, params: &Params, plan: &Plan, seeds: u32) -> Result<Measured, String> {
-    let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan.clone(), &Shaders::default());
+    let mut sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
     let whitecap_fraction = whitecaps(gpu, &mut sim, params.clock.t_s).await?;
     let samples = ensemble(gpu, &mut sim, params, seeds, &mut |_, _| ()).await?;
     Ok(Measured { whitecap_fraction, ..summary(&samples) })
@@ -122,7 +122,6 @@ pub(super) async fn ensemble(
     visit: &mut dyn FnMut(usize, &Travelling),
 ) -> Result<Vec<Sample>, String> {
     let shaders = Shaders::default();
-    let (device, queue) = (&gpu.device, &gpu.queue);
     let t_s = params.clock.t_s;
     let plan = Plan::new(params);
     let look_s = LOOK_RAD / plan.dispersion.omega(plan.k_max());
@@ -131,9 +130,9 @@ pub(super) async fn ensemble(
         let mut params = params.clone();
         params.sea.seed = params.sea.seed.wrapping_add(i);
         let plan = Plan::new(&params);
-        sim.set_plan(device, queue, plan.clone(), &shaders);
-        let now = sim.read_f32(device, queue, t_s).await?;
-        let later = sim.read_f32(device, queue, t_s + look_s).await?;
+        sim.set_plan(gpu, plan.clone(), &shaders);
+        let now = sim.read_f32(gpu, t_s).await?;
+        let later = sim.read_f32(gpu, t_s + look_s).await?;
         samples.push(sample(&plan, &now, &later, [t_s, t_s + look_s], &mut |wave| visit(i as usize, wave)));
     }
     Ok(samples)
@@ -291,11 +290,11 @@ pub(crate) async fn foam_levels(
     t_s: f64,
     centre: [f64; 2],
 ) -> Result<Vec<Vec<f32>>, String> {
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("foam") });
-    sim.encode(&gpu.queue, &mut encoder, t_s, centre, MAX_STEPS);
-    let copy = readback::stage_texture(&gpu.device, &mut encoder, &sim.resources.foam, 0);
-    gpu.queue.submit([encoder.finish()]);
-    let texels = copy.read_map(&gpu.device).await?;
+    let mut encoder = gpu.encoder("foam");
+    sim.encode(gpu, &mut encoder, t_s, centre, MAX_STEPS);
+    let copy = readback::stage_texture(gpu, &mut encoder, &sim.resources.foam, 0);
+    gpu.submit(encoder);
+    let texels = copy.read_map(gpu).await?;
     let size = sim.resources.foam_n as usize;
     Ok(texels.chunks(size * size).map(|level| level.iter().map(|t| t[0]).collect()).collect())
 }

@@ -1,10 +1,10 @@
 //! What a device is and what the program makes of it, for a report: adapter, driver, limits, features, and the ways that are
 //! chosen by these.
 
-use crate::gpu::fft::Way;
+use crate::gpu::Gpu;
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::timer;
-use crate::render;
+use crate::shaders::fft::Way;
 
 /// The version of this program.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -34,22 +34,21 @@ pub struct About {
 
 impl About {
     /// Of a device and the adapter that it came from.
-    pub fn new(adapter: &wgpu::Adapter, device: &wgpu::Device) -> Self {
+    pub fn new(adapter: &wgpu::Adapter, gpu: &Gpu) -> Self {
         let info = adapter.get_info();
-        let (asked, could) = (device.limits(), adapter.limits());
+        let (asked, could) = (gpu.device.limits(), adapter.limits());
         let limit = |name, of: fn(&wgpu::Limits) -> u64| (name, [of(&asked), of(&could)]);
         let features = [
             ("timestamps", timer::FEATURES),
             ("timestamps between passes", timer::BETWEEN_PASSES),
             ("filtered floats", MapFormat::FEATURES),
-            ("long numbers", Way::FEATURES),
         ];
-        let transform = match Way::of(device) {
+        let transform = match Way::of(gpu) {
             Way::Exchanged => "exchanged: a dispatch for each axis, through workgroup memory",
             Way::Straight => "straight: two dispatches for each axis, without barriers",
             Way::Merged => "merged: three dispatches for both axes of up to 512 points, without barriers",
         };
-        let maps = match MapFormat::of(device) {
+        let maps = match MapFormat::of(gpu) {
             MapFormat::Half => "half floats",
             MapFormat::Float => "floats",
         };
@@ -59,7 +58,11 @@ impl About {
             backend: info.backend.to_string(),
             driver: format!("{} {}", info.driver, info.driver_info).trim().to_owned(),
             ids: [info.vendor, info.device],
-            features: features.iter().filter(|(_, f)| device.features().contains(*f)).map(|(name, _)| *name).collect(),
+            features: features
+                .iter()
+                .filter(|(_, f)| gpu.device.features().contains(*f))
+                .map(|(name, _)| *name)
+                .collect(),
             limits: vec![
                 limit("texture side", |l| l.max_texture_dimension_2d.into()),
                 limit("texture layers", |l| l.max_texture_array_layers.into()),
@@ -70,11 +73,7 @@ impl About {
                 limit("workgroup memory, bytes", |l| l.max_compute_workgroup_storage_size.into()),
                 limit("threads of a workgroup", |l| l.max_compute_invocations_per_workgroup.into()),
             ],
-            ways: vec![
-                ("transform", transform.to_owned()),
-                ("maps", maps.to_owned()),
-                ("samples a pixel", render::samples(device).to_string()),
-            ],
+            ways: vec![("transform", transform.to_owned()), ("maps", maps.to_owned())],
         }
     }
 

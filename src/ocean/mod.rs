@@ -2,12 +2,14 @@
 
 pub mod about;
 mod drawn;
+pub mod maps;
 pub mod still;
 
-use crate::gpu::shaders::Shaders;
+use crate::gpu::Gpu;
 use crate::gpu::timer::Timer;
 use crate::point::afloat::{self, Pose, Waterline};
 use crate::render::{Fading, Reference, Renderer, Scene, SeaLook};
+use crate::shaders::Shaders;
 use crate::sim::glide::Drawn;
 use crate::sim::{MAX_STEPS, MapCascade, Moved, Simulation, Turn};
 use crate::state::Params;
@@ -18,7 +20,7 @@ use crate::waves::scale::Scale;
 use drawn::{Mixture, Numbers};
 use std::sync::Arc;
 
-pub use crate::render::{Grid, Part};
+pub use crate::render::{Film, Grid, Part};
 pub use crate::sim::probe::{Probe, Probed};
 pub use drawn::DrawnSea;
 
@@ -27,6 +29,7 @@ const LOWEST_EYE_M: f64 = 0.5;
 
 /// A sea on a device, with its renderer.
 pub struct Ocean {
+    gpu: Gpu,
     params: Params,
     shaders: Shaders,
     sim: Simulation,
@@ -41,17 +44,18 @@ pub struct Ocean {
 }
 
 impl Ocean {
-    /// Allocates a sea whose picture goes to targets of `format`.
-    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, format: wgpu::TextureFormat, params: &Params) -> Self {
+    /// Allocates a sea whose picture is presented to targets of `format`; `film` says whether its light can be read back.
+    pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, film: Film, params: &Params) -> Self {
         let shaders = Shaders::default();
-        let mut sim = Simulation::new(device, queue, Plan::new(params), &shaders);
-        let mut renderer = Renderer::new(device, queue, format);
-        let timer = Timer::new(device, queue);
+        let mut sim = Simulation::new(gpu, Plan::new(params), &shaders);
+        let mut renderer = Renderer::new(gpu, format, film);
+        let timer = Timer::new(gpu);
         sim.set_timer(timer.clone());
         renderer.set_timer(timer.clone());
         let numbers = Drawn::new(Numbers::new(sim.plan(), &params.look));
         let seas = Drawn::new(Mixture::new(sim.plan()));
         Self {
+            gpu: gpu.clone(),
             params: params.clone(),
             shaders,
             sim,
@@ -65,23 +69,10 @@ impl Ocean {
         }
     }
 
-    /// The same, with light and depth of the picture to be read back.
-    pub fn with_layers(
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        format: wgpu::TextureFormat,
-        params: &Params,
-    ) -> Self {
-        let mut renderer = Renderer::with_layers(device, queue, format);
-        let ocean = Self::new(device, queue, format, params);
-        renderer.set_timer(ocean.timer.clone());
-        Self { renderer, ..ocean }
-    }
-
     /// Turns to other parameters at once; costs nothing when only the time, the camera or the light changed.
-    pub fn set_params(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, params: &Params) {
+    pub fn set_params(&mut self, params: &Params) {
         if (&params.grid, &params.sea) != (&self.params.grid, &self.params.sea) || self.is_gliding() {
-            self.sim.set_plan(device, queue, Plan::new(params), &self.shaders);
+            self.sim.set_plan(&self.gpu, Plan::new(params), &self.shaders);
             self.follow(params, &Moved { turn: Some(Turn::Jump), ..Moved::default() });
         }
         self.take(params);
@@ -90,13 +81,13 @@ impl Ocean {
     /// Turns to other parameters as a window does, `dt_s` of wall time after its last frame: the sea glides to what they say
     /// and ends exactly there. Look, camera and time are taken at once, and so is another grid. Call it once a frame, before
     /// [`Self::encode`], and go on while [`Self::is_gliding`], even if time stands still.
-    pub fn glide_to(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, params: &Params, dt_s: f64) {
+    pub fn glide_to(&mut self, params: &Params, dt_s: f64) {
         if params.grid != self.params.grid {
-            return self.set_params(device, queue, params);
+            return self.set_params(params);
         }
         let plan = (params.sea != self.params.sea).then(|| Plan::new(params));
         if plan.is_some() || self.is_gliding() {
-            let moved = self.sim.glide_to((device, queue), plan, &self.shaders, params.clock.t_s, dt_s);
+            let moved = self.sim.glide_to(&self.gpu, plan, &self.shaders, params.clock.t_s, dt_s);
             self.follow(params, &moved);
         }
         self.take(params);
@@ -119,6 +110,11 @@ impl Ocean {
             self.numbers.change(|n| n.focusing_m = focusing_m);
         }
         self.params = params.clone();
+    }
+
+    /// The device and queue of the sea.
+    pub fn gpu(&self) -> &Gpu {
+        &self.gpu
     }
 
     /// What is computed, or glided to.
@@ -152,8 +148,8 @@ impl Ocean {
     }
 
     /// Records copies of the maps of the frame that has been recorded; see [`Probe`].
-    pub fn probe(&self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) -> Option<Probe> {
-        self.sim.probe(device, encoder)
+    pub fn probe(&self, encoder: &mut wgpu::CommandEncoder) -> Option<Probe> {
+        self.sim.probe(&self.gpu, encoder)
     }
 
     /// The simulation, for read-back.
@@ -163,31 +159,18 @@ impl Ocean {
 
     /// Records one frame of `size` pixels. At most `most_steps` past times are replayed for the foam; returns whether
     /// it has caught up.
-    pub fn encode(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        encoder: &mut wgpu::CommandEncoder,
-        size: [u32; 2],
-        most_steps: usize,
-    ) -> bool {
+    pub fn encode(&mut self, encoder: &mut wgpu::CommandEncoder, size: [u32; 2], most_steps: usize) -> bool {
         self.lay_waterlines();
         let scene = self.scene(size);
         let centre = [self.params.camera.x_m, self.params.camera.z_m];
-        let caught_up = self.sim.encode(queue, encoder, self.params.clock.t_s, centre, most_steps);
-        self.renderer.draw(device, queue, encoder, self.sim.maps(), &scene, size);
+        let caught_up = self.sim.encode(&self.gpu, encoder, self.params.clock.t_s, centre, most_steps);
+        self.renderer.draw(&self.gpu, encoder, self.sim.maps(), &scene, size);
         caught_up
     }
 
     /// Records one frame whose foam is complete: a still that depends on the parameters alone.
-    pub fn encode_fully(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        encoder: &mut wgpu::CommandEncoder,
-        size: [u32; 2],
-    ) {
-        self.encode(device, queue, encoder, size, MAX_STEPS);
+    pub fn encode_fully(&mut self, encoder: &mut wgpu::CommandEncoder, size: [u32; 2]) {
+        self.encode(encoder, size, MAX_STEPS);
     }
 
     /// Linear light of the recorded frame, half floats, for read-back.
@@ -216,30 +199,17 @@ impl Ocean {
     }
 
     /// Records unfiltered samples of the sea as the last frame left it; see [`Reference::draw`].
-    pub fn encode_samples(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        encoder: &mut wgpu::CommandEncoder,
-        grid: &Grid,
-    ) -> wgpu::Texture {
+    pub fn encode_samples(&mut self, encoder: &mut wgpu::CommandEncoder, grid: &Grid) -> wgpu::Texture {
         let scene = self.scene(grid.size);
-        let reference = self.reference.get_or_insert_with(|| Reference::new(device, queue, self.format));
-        reference.draw(device, queue, encoder, self.sim.maps(), &scene, grid)
+        let reference = self.reference.get_or_insert_with(|| Reference::new(&self.gpu, self.format));
+        reference.draw(&self.gpu, encoder, self.sim.maps(), &scene, grid)
     }
 
     /// Draws a picture in linear light (RGB, row by row) as the film shows it, with the exposure of the state.
-    pub fn present_light(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        pass: &mut wgpu::RenderPass<'_>,
-        size: [u32; 2],
-        light: &[[f32; 3]],
-    ) {
+    pub fn present_light(&mut self, pass: &mut wgpu::RenderPass<'_>, size: [u32; 2], light: &[[f32; 3]]) {
         let scene = self.scene(size);
         if let Some(reference) = &mut self.reference {
-            reference.show(device, queue, &scene, size, light);
+            reference.show(&self.gpu, &scene, size, light);
             reference.present(pass);
         }
     }

@@ -1,7 +1,7 @@
 //! Pictures of single states, read back from the GPU.
 
-use super::Ocean;
-use crate::gpu::device::Gpu;
+use super::{Film, Ocean};
+use crate::gpu::Gpu;
 use crate::gpu::offscreen::Picture;
 use crate::state::Params;
 
@@ -13,7 +13,7 @@ pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// # Errors
 /// If the GPU does not give its memory back.
 pub async fn picture(gpu: &Gpu, params: &Params, size: [u32; 2]) -> Result<Vec<u8>, String> {
-    picture_of(gpu, &mut Ocean::new(&gpu.device, &gpu.queue, FORMAT, params), size).await
+    picture_of(gpu, &mut Ocean::new(gpu, FORMAT, Film::Screen, params), size).await
 }
 
 /// The pixels of a sea that may have been running for a while.
@@ -21,8 +21,8 @@ pub async fn picture(gpu: &Gpu, params: &Params, size: [u32; 2]) -> Result<Vec<u
 /// # Errors
 /// If the GPU does not give its memory back.
 pub async fn picture_of(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2]) -> Result<Vec<u8>, String> {
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("picture") });
-    ocean.encode_fully(&gpu.device, &gpu.queue, &mut encoder, size);
+    let mut encoder = gpu.encoder("picture");
+    ocean.encode_fully(&mut encoder, size);
     on_film(gpu, encoder, size, |pass| ocean.present(pass)).await
 }
 
@@ -36,5 +36,5 @@ pub async fn on_film(
     size: [u32; 2],
     present: impl FnOnce(&mut wgpu::RenderPass<'_>),
 ) -> Result<Vec<u8>, String> {
-    Picture::submit(&gpu.device, &gpu.queue, encoder, FORMAT, size, present).read(&gpu.device).await
+    Picture::submit(gpu, encoder, FORMAT, size, present).read(gpu).await
 }

@@ -2,12 +2,11 @@
 
 use super::Scene;
 use super::water::mesh::Mesh;
-use crate::gpu::layout::{FOAM_LEVELS, Layout, MAX_DRAWN, TilePlace};
+use crate::gpu::layout::gpu_struct;
 use crate::sim::Maps;
+use crate::sim::maps::{FOAM_LEVELS, MAX_DRAWN, TilePlace};
 use crate::waves::slopes::SlopeVariance;
-use bytemuck::{Pod, Zeroable};
 use std::f64::consts::PI;
-use std::mem::offset_of;
 
 pub use crate::state::camera::View;
 
@@ -58,96 +57,48 @@ pub struct Fading {
     pub share: f64,
 }
 
-/// WGSL `Frame`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct FrameUniform {
-    clip_from_relative: [[f32; 4]; 4],
-    right: [f32; 3],
-    eye_m: f32,
-    up: [f32; 3],
-    dip: f32,
-    forward: [f32; 3],
-    pixel: f32,
-    sun: [f32; 3],
-    chop_x: f32,
-    cascades: [[f32; 4]; MAX_SHOWN],
-    layers: [[f32; 4]; MAX_SHOWN],
-    tile_lattice: [[f32; 4]; MAX_SHOWN],
-    tile_cell: [[i32; 4]; MAX_SHOWN],
-    residual: [f32; 4],
-    foam_place: [[f32; 4]; FOAM_LEVELS],
-    foam_uv: [[f32; 4]; FOAM_LEVELS],
-    mesh: [f32; 4],
-    mesh_radius: f32,
-    mesh_rows: u32,
-    count: u32,
-    foam_count: u32,
-    ripple_count: u32,
-    unused: [u32; 3],
-    foot: [f32; 4],
-    downwind: [f32; 2],
-    n: f32,
-    wind_m_s: f32,
-    hs_m: f32,
-    depth_m: f32,
-    mean_foam: f32,
-    foam_gain: f32,
-    sun_blur: f32,
-    sun_peak: f32,
-    chop_z: f32,
-    footprint: f32,
-}
-
-macro_rules! offsets {
-    ($($field:ident),+) => {
-        &[$((stringify!($field), offset_of!(FrameUniform, $field))),+]
-    };
+gpu_struct! {
+    /// WGSL `Frame`.
+    pub struct FrameUniform as "Frame" {
+        clip_from_relative: [[f32; 4]; 4],
+        right: [f32; 3],
+        eye_m: f32,
+        up: [f32; 3],
+        dip: f32,
+        forward: [f32; 3],
+        pixel: f32,
+        sun: [f32; 3],
+        chop_x: f32,
+        cascades: [[f32; 4]; MAX_SHOWN],
+        layers: [[f32; 4]; MAX_SHOWN],
+        tile_lattice: [[f32; 4]; MAX_SHOWN],
+        tile_cell: [[i32; 4]; MAX_SHOWN],
+        residual: [f32; 4],
+        foam_place: [[f32; 4]; FOAM_LEVELS],
+        foam_uv: [[f32; 4]; FOAM_LEVELS],
+        mesh: [f32; 4],
+        mesh_radius: f32,
+        mesh_rows: u32,
+        count: u32,
+        foam_count: u32,
+        ripple_count: u32,
+        unused: [u32; 3],
+        foot: [f32; 4],
+        downwind: [f32; 2],
+        n: f32,
+        wind_m_s: f32,
+        hs_m: f32,
+        depth_m: f32,
+        mean_foam: f32,
+        foam_gain: f32,
+        sun_blur: f32,
+        sun_peak: f32,
+        chop_z: f32,
+        footprint: f32,
+    }
 }
 
 impl FrameUniform {
-    /// For the layout test.
-    pub const LAYOUT: Layout = (
-        "Frame",
-        offsets!(
-            clip_from_relative,
-            right,
-            eye_m,
-            up,
-            dip,
-            forward,
-            pixel,
-            sun,
-            chop_x,
-            cascades,
-            layers,
-            tile_lattice,
-            tile_cell,
-            residual,
-            foam_place,
-            foam_uv,
-            mesh,
-            mesh_radius,
-            mesh_rows,
-            count,
-            foam_count,
-            ripple_count,
-            downwind,
-            foot,
-            n,
-            wind_m_s,
-            hs_m,
-            depth_m,
-            mean_foam,
-            foam_gain,
-            sun_blur,
-            sun_peak,
-            chop_z,
-            footprint
-        ),
-        size_of::<Self>(),
-    );
-
     /// The uniform of a scene in `size` pixels.
     pub fn new(scene: &Scene, maps: &Maps, mesh: &Mesh, size: [u32; 2]) -> Self {
         let (view, look, sea) = (&scene.view, &scene.look, &scene.sea);

@@ -14,21 +14,24 @@ mod water;
 
 pub use frame::{Fading, SeaLook, View};
 pub use reference::{Grid, Reference};
+pub use targets::Film;
 
-use crate::gpu::layout::{Layout, MAX_CASCADES};
-use crate::gpu::shaders::Shaders;
+use crate::gpu::Gpu;
+use crate::gpu::kit::Uniform;
+use crate::gpu::layout::Layout;
 use crate::gpu::timer::Timer;
 use crate::point::afloat::Pose;
+use crate::shaders::Shaders;
 use crate::sim::Maps;
+use crate::sim::maps::MAX_CASCADES;
 use crate::state::look::Look;
 use crate::state::views::Shown;
 use crate::waves::scale::Scale;
 use film::present::PresentPass;
 use frame::FrameUniform;
-use kit::Uniform;
 use sky::Sky;
 use sky::background::Background;
-use targets::{Film, Targets};
+use targets::Targets;
 use views::DebugPass;
 use water::eye::EyePass;
 use water::floats::FloatsPass;
@@ -43,9 +46,9 @@ pub const LAYOUTS: &[Layout] = &[
     MaterialUniform::LAYOUT,
     sky::SkyUniform::LAYOUT,
     sky::LightBuffer::LAYOUT,
-    film::present::LAYOUT,
-    views::LAYOUTS[0],
-    views::LAYOUTS[1],
+    film::present::PresentUniform::LAYOUT,
+    views::DebugTile::LAYOUT,
+    views::DebugUniform::LAYOUT,
 ];
 
 /// Pixels of the picture for which the mesh's default density is made.
@@ -104,47 +107,21 @@ pub struct Renderer {
 
 impl Renderer {
     /// Compiles all passes. `target_format` is what [`Self::present`] draws into.
-    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, target_format: wgpu::TextureFormat) -> Self {
-        Self::with_samples(device, queue, target_format, samples(device))
-    }
-
-    /// The same with a number of coverage samples a pixel, 1 or 4.
-    pub fn with_samples(
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        target_format: wgpu::TextureFormat,
-        samples: u32,
-    ) -> Self {
-        Self::on_film(device, queue, target_format, Film::screen(samples), true)
-    }
-
-    /// The same with one sample a pixel, and with [`Self::light`] and [`Self::depth`] to be read back.
-    pub fn with_layers(device: &wgpu::Device, queue: &wgpu::Queue, target_format: wgpu::TextureFormat) -> Self {
-        Self::on_film(device, queue, target_format, Film::layers(), true)
-    }
-
-    /// The same on any film; `smooth` asks the present pass for smooth edges.
-    fn on_film(
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        target_format: wgpu::TextureFormat,
-        film: Film,
-        smooth: bool,
-    ) -> Self {
+    pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat, film: Film) -> Self {
         let shaders = Shaders::default();
-        let frame = Uniform::new(device, "frame");
-        let material = Uniform::new(device, "material");
-        let noise = NoiseTexture::new(device);
-        let sky = Sky::new(device, queue, &shaders, &noise);
-        let scene = kit::SceneGroup::new(device, &frame, &material, &sky, &noise, film);
-        let background = Background::new(device, &shaders);
-        let water = WaterPass::new(device, &shaders, scene, &frame);
-        let eye = EyePass::new(device, &shaders, &frame, &water);
-        let floats = FloatsPass::new(device, &shaders);
-        let present = PresentPass::new(device, &shaders, &sky.light, target_format, smooth);
+        let frame = Uniform::new(gpu, "frame");
+        let material = Uniform::new(gpu, "material");
+        let noise = NoiseTexture::new(gpu);
+        let sky = Sky::new(gpu, &shaders, &noise);
+        let scene = kit::SceneGroup::new(gpu, &frame, &material, &sky, &noise, film);
+        let background = Background::new(gpu, &shaders);
+        let water = WaterPass::new(gpu, &shaders, scene, &frame);
+        let eye = EyePass::new(gpu, &shaders, &frame, &water);
+        let floats = FloatsPass::new(gpu, &shaders);
+        let present = PresentPass::new(gpu, &shaders, &sky.light, target_format, film.is_deferred());
         // A browser hears of the pipelines, and compiles them while the noise is made.
-        queue.submit([]);
-        noise.fill(queue);
+        gpu.queue.submit([]);
+        noise.fill(gpu);
         Self {
             frame,
             material,
@@ -168,90 +145,62 @@ impl Renderer {
     }
 
     /// Records the HDR picture of `size` pixels.
-    pub fn draw(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        encoder: &mut wgpu::CommandEncoder,
-        maps: &Maps,
-        scene: &Scene,
-        size: [u32; 2],
-    ) {
+    pub fn draw(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, maps: &Maps, scene: &Scene, size: [u32; 2]) {
         let size = size.map(|s| s.max(1));
         let film = self.water.scene.film;
         if self.targets.as_ref().is_none_or(|t| t.size != size) {
-            let targets = Targets::new(device, size, film);
+            let targets = Targets::new(gpu, size, film);
             self.present.unbind();
             self.targets = Some(targets);
         }
         if let Some(targets) = &self.targets {
-            self.water.bind_targets(device, targets);
-            self.present.bind(device, targets, &scene.look.film);
-            self.present.write(queue, scene, size);
+            self.water.bind_targets(gpu, targets);
+            self.present.bind(gpu, targets, &scene.look.film);
+            self.present.write(gpu, scene, size);
         }
         let mesh = mesh(scene, size);
-        self.prepare((device, queue), maps, scene, &mesh, &FrameUniform::new(scene, maps, &mesh, size));
+        self.prepare(gpu, maps, scene, &mesh, &FrameUniform::new(scene, maps, &mesh, size));
         self.shows_view = scene.look.view.shown != Shown::Picture;
         if self.shows_view {
-            self.record_view(device, queue, encoder, maps, scene);
+            self.record_view(gpu, encoder, maps, scene);
             self.timer.mark(encoder, "view");
         } else {
-            self.record_picture(device, queue, encoder, scene);
+            self.record_picture(gpu, encoder, scene);
             self.present.spread(encoder);
             self.timer.mark(encoder, "bloom");
         }
     }
 
     /// Takes maps, look, mesh and view.
-    fn prepare(
-        &mut self,
-        (device, queue): (&wgpu::Device, &wgpu::Queue),
-        maps: &Maps,
-        scene: &Scene,
-        mesh: &Mesh,
-        frame: &FrameUniform,
-    ) {
-        self.material.write(queue, &MaterialUniform::new(scene));
-        self.frame.write(queue, frame);
-        self.water.choose(device, scene);
-        self.background.choose(device, &self.water.scene, &self.sky, scene);
-        self.water.bind_maps(device, maps);
-        self.water.mesh.set(device, queue, mesh);
+    fn prepare(&mut self, gpu: &Gpu, maps: &Maps, scene: &Scene, mesh: &Mesh, frame: &FrameUniform) {
+        self.material.write(gpu, &MaterialUniform::new(scene));
+        self.frame.write(gpu, frame);
+        self.water.choose(gpu, scene);
+        self.background.choose(gpu, &self.water.scene, &self.sky, scene);
+        self.water.bind_maps(gpu, maps);
+        self.water.mesh.set(gpu, mesh);
         let foot = [scene.view.eye.x, scene.view.eye.z];
-        self.floats.write(device, queue, &self.water.scene, &scene.floats, foot, scene.level_m);
+        self.floats.write(gpu, &self.water.scene, &scene.floats, foot, scene.level_m);
     }
 
     /// Records the view that the look asks for instead of the picture.
-    fn record_view(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        encoder: &mut wgpu::CommandEncoder,
-        maps: &Maps,
-        scene: &Scene,
-    ) {
+    fn record_view(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, maps: &Maps, scene: &Scene) {
         let Some(targets) = &self.targets else { return };
         self.eye.run(encoder, scene, &self.water);
         if let (Shown::Surface(_), Some(maps)) = (&scene.look.view.shown, self.water.maps_group()) {
             self.water.mesh.run(encoder, maps);
         }
-        let make = || DebugPass::new(device, &Shaders::default(), &self.water, self.target_format);
+        let make = || DebugPass::new(gpu, &Shaders::default(), &self.water, self.target_format);
         let debug = self.debug.get_or_insert_with(make);
-        debug.draw((device, queue), encoder, (maps, scene), &self.water, targets);
+        debug.draw(gpu, encoder, (maps, scene), &self.water, targets);
     }
 
     /// Records the passes of the picture into the targets.
-    fn record_picture(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        encoder: &mut wgpu::CommandEncoder,
-        scene: &Scene,
-    ) {
+    fn record_picture(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
         let Some(targets) = &self.targets else { return };
         self.eye.run(encoder, scene, &self.water);
         self.timer.mark(encoder, "eye");
-        self.sky.update(device, queue, encoder, scene);
+        self.sky.update(gpu, encoder, scene);
         self.timer.mark(encoder, "sky tables");
         let after_mesh = self.water.prepare(encoder, targets);
         self.timer.mark(encoder, "mesh");
@@ -292,7 +241,7 @@ impl Renderer {
     }
 
     /// Depth of the picture last drawn, near (0.1 m) over the distance along the view, 0 for the sky; to be read back from a
-    /// renderer made by [`Self::with_layers`].
+    /// renderer for [`Film::Layers`].
     pub fn depth(&self) -> Option<&wgpu::Texture> {
         self.targets.as_ref().map(|t| t.depth.texture())
     }
@@ -321,11 +270,4 @@ pub fn frame_bytes(scene: &Scene, maps: &Maps, size: [u32; 2]) -> Vec<u8> {
 /// The bytes of WGSL `Material`, for the same tests.
 pub fn material_bytes(scene: &Scene) -> Vec<u8> {
     bytemuck::bytes_of(&MaterialUniform::new(scene)).to_vec()
-}
-
-/// Coverage samples a pixel: several on a GPU; one in software, where they cost six times the rest of the frame. The page
-/// cannot always tell which it has and takes one; the present pass smooths edges in any case.
-pub fn samples(device: &wgpu::Device) -> u32 {
-    let in_software = cfg!(target_arch = "wasm32") || device.adapter_info().device_type == wgpu::DeviceType::Cpu;
-    if in_software { 1 } else { 4 }
 }

@@ -1,5 +1,9 @@
 //! The HDR picture and its depth.
 
+use crate::gpu::kit::{Attachments, Depth};
+
+use crate::gpu::Gpu;
+
 /// Format of linear light.
 pub const HDR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Reverse-Z: near / distance.
@@ -7,44 +11,59 @@ pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 /// Of what the mesh leaves for the light: the point; the sides of the pixel there and the slopes that the mesh carries (`MeshShown`).
 pub const SHOWN_FORMATS: [wgpu::TextureFormat; 2] = [wgpu::TextureFormat::Rgba32Uint; 2];
 
-/// What the passes of the picture draw into.
+/// The depth test of what is drawn into the picture: the nearest fragment is seen.
+pub const NEAREST: Depth = Depth { format: DEPTH_FORMAT, compare: wgpu::CompareFunction::GreaterEqual, write: true };
+/// The depth test of what stands behind everything that was drawn.
+pub const BEHIND: Depth = Depth { write: false, ..NEAREST };
+
+/// What becomes of a picture's light and depth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Film {
-    /// Coverage samples a pixel.
-    pub samples: u32,
-    /// Format of the light.
-    pub format: wgpu::TextureFormat,
-    /// What is done with the light besides drawing and presenting it.
-    pub usage: wgpu::TextureUsages,
-    /// The sea is lit once a pixel after its mesh was drawn, not while it is drawn.
-    pub deferred: bool,
+pub enum Film {
+    /// They are only presented.
+    Screen,
+    /// They can also be read back.
+    Layers,
+    /// Light of the single samples of a reference, in single precision: half floats would cut off the sun.
+    Reference,
+    /// The mean light of a reference, written to be presented.
+    Mean,
 }
 
 impl Film {
-    /// The picture of a screen.
-    pub fn screen(samples: u32) -> Self {
-        Self { samples, format: HDR_FORMAT, usage: wgpu::TextureUsages::empty(), deferred: samples == 1 }
+    /// Format of the linear light.
+    pub const fn format(self) -> wgpu::TextureFormat {
+        match self {
+            Self::Reference => wgpu::TextureFormat::Rgba32Float,
+            _ => HDR_FORMAT,
+        }
     }
 
-    /// A picture whose light and depth are read back: one sample a pixel.
-    pub fn layers() -> Self {
-        Self { samples: 1, format: HDR_FORMAT, usage: wgpu::TextureUsages::COPY_SRC, deferred: true }
+    /// Uses of light and depth beyond drawing and presenting.
+    const fn usage(self) -> wgpu::TextureUsages {
+        match self {
+            Self::Screen => wgpu::TextureUsages::empty(),
+            Self::Layers | Self::Reference => wgpu::TextureUsages::COPY_SRC,
+            Self::Mean => wgpu::TextureUsages::COPY_DST,
+        }
     }
 
-    /// Light of single samples, for a reference: half floats would cut off the sun.
-    pub const fn reference() -> Self {
-        let format = wgpu::TextureFormat::Rgba32Float;
-        Self { samples: 1, format, usage: wgpu::TextureUsages::COPY_SRC, deferred: false }
+    /// Whether the water is lit once a pixel after its mesh was drawn. A reference lights every fragment of the mesh, because a
+    /// sample needs the exact point and slopes, which the deferred pass packs.
+    pub const fn is_deferred(self) -> bool {
+        matches!(self, Self::Screen | Self::Layers)
     }
+}
+
+/// The attachments of a pipeline that draws into a picture whose light has this format.
+pub fn attachments(format: &wgpu::TextureFormat, depth: Depth) -> Attachments<'_> {
+    Attachments { formats: std::slice::from_ref(format), depth: Some(depth) }
 }
 
 /// Attachments of one size.
 pub struct Targets {
     pub size: [u32; 2],
-    /// One sample a pixel, to be presented.
+    /// Linear light, to be presented.
     pub hdr: wgpu::TextureView,
-    /// Several coverage samples a pixel, if there are any.
-    samples: Option<wgpu::TextureView>,
     /// Near / distance, kept only on a film that is read back.
     pub depth: wgpu::TextureView,
     keeps_depth: bool,
@@ -53,31 +72,20 @@ pub struct Targets {
 }
 
 impl Targets {
-    pub fn new(device: &wgpu::Device, size: [u32; 2], film: Film) -> Self {
-        let Film { samples, format: hdr, usage, deferred } = film;
-        let texture = |label, format, sample_count, usage| {
-            device
-                .create_texture(&wgpu::TextureDescriptor {
-                    label: Some(label),
-                    size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-                    mip_level_count: 1,
-                    sample_count,
-                    dimension: wgpu::TextureDimension::D2,
-                    format,
-                    usage: wgpu::TextureUsages::RENDER_ATTACHMENT | usage,
-                    view_formats: &[],
-                })
-                .create_view(&wgpu::TextureViewDescriptor::default())
+    pub fn new(gpu: &Gpu, size: [u32; 2], film: Film) -> Self {
+        let usage = film.usage();
+        let texture = |label, format, usage| {
+            let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | usage;
+            let texture = gpu.texture(label, [size[0], size[1], 1], 1, format, usage);
+            texture.create_view(&wgpu::TextureViewDescriptor::default())
         };
-        let none = wgpu::TextureUsages::empty();
+        let sampled = wgpu::TextureUsages::TEXTURE_BINDING;
         Self {
             size,
-            hdr: texture("hdr", hdr, 1, wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC | usage),
-            samples: (samples > 1).then(|| texture("hdr samples", hdr, samples, none)),
-            depth: texture("depth", DEPTH_FORMAT, samples, usage),
+            hdr: texture("hdr", film.format(), sampled | wgpu::TextureUsages::COPY_SRC | usage),
+            depth: texture("depth", DEPTH_FORMAT, usage),
             keeps_depth: !usage.is_empty(),
-            shown: deferred
-                .then(|| SHOWN_FORMATS.map(|format| texture("shown", format, 1, wgpu::TextureUsages::TEXTURE_BINDING))),
+            shown: film.is_deferred().then(|| SHOWN_FORMATS.map(|format| texture("shown", format, sampled))),
         }
     }
 
@@ -99,18 +107,14 @@ impl Targets {
 
     /// Opens the pass of the picture, which finds the depth that the mesh left, or none.
     pub fn begin<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, after_mesh: bool) -> wgpu::RenderPass<'a> {
-        let (view, resolve_target, store) = match &self.samples {
-            Some(samples) => (samples, Some(&self.hdr), wgpu::StoreOp::Discard),
-            None => (&self.hdr, None, wgpu::StoreOp::Store),
-        };
         let load = if after_mesh { wgpu::LoadOp::Load } else { wgpu::LoadOp::Clear(0.0) };
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("picture"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view,
+                view: &self.hdr,
                 depth_slice: None,
-                resolve_target,
-                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store },
+                resolve_target: None,
+                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
             })],
             depth_stencil_attachment: Some(self.depth(load, self.keeps_depth)),
             ..Default::default()

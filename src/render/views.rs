@@ -2,76 +2,48 @@
 //! (shaders/views/surface.wgsl). Made when the first view is asked for; the picture pays nothing for them.
 
 use super::Scene;
-use super::kit::{Onto, Program, Slot, Uniform, group, hdr_pipeline, layout, screen_pipeline};
 use super::targets::Targets;
+use super::targets::{BEHIND, NEAREST, attachments};
 use super::water::light::WaterPass;
-use crate::gpu::layout::{Layout, MAX_CASCADES};
-use crate::gpu::shaders::Shaders;
+use crate::gpu::Gpu;
+use crate::gpu::kit::{Attachments, Program, Slot, Uniform};
+use crate::gpu::layout::gpu_struct;
+use crate::shaders::Shaders;
 use crate::sim::Maps;
+use crate::sim::maps::MAX_CASCADES;
 use crate::state::views::{Map, Shown};
 use crate::waves::scale::STOPS;
-use bytemuck::{Pod, Zeroable};
 use std::cmp::Reverse;
-use std::mem::offset_of;
 
 /// Pixels between two maps side by side.
 const GAP: u32 = 6;
 
-/// WGSL `DebugTile`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
-pub struct DebugTile {
-    corner: [f32; 2],
-    first: [u32; 2],
-    side: f32,
-    layer: u32,
-    low: f32,
-    high: f32,
+gpu_struct! {
+    /// WGSL `DebugTile`.
+    #[derive(Default)]
+    pub struct DebugTile as "DebugTile" {
+        corner: [f32; 2],
+        first: [u32; 2],
+        side: f32,
+        layer: u32,
+        low: f32,
+        high: f32,
+    }
 }
 
-/// WGSL `Debug`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct DebugUniform {
-    stops: [[f32; 4]; STOPS],
-    tiles: [DebugTile; MAX_CASCADES],
-    size: [f32; 2],
-    chop: [f32; 2],
-    kind: u32,
-    tile_count: u32,
-    logarithmic: u32,
-    phase_time: u32,
+gpu_struct! {
+    /// WGSL `Debug`.
+    pub struct DebugUniform as "Debug" {
+        stops: [[f32; 4]; STOPS],
+        tiles: [DebugTile; MAX_CASCADES],
+        size: [f32; 2],
+        chop: [f32; 2],
+        kind: u32,
+        tile_count: u32,
+        logarithmic: u32,
+        phase_time: u32,
+    }
 }
-
-/// For the layout test.
-pub const LAYOUTS: [Layout; 2] = [
-    (
-        "DebugTile",
-        &[
-            ("corner", offset_of!(DebugTile, corner)),
-            ("first", offset_of!(DebugTile, first)),
-            ("side", offset_of!(DebugTile, side)),
-            ("layer", offset_of!(DebugTile, layer)),
-            ("low", offset_of!(DebugTile, low)),
-            ("high", offset_of!(DebugTile, high)),
-        ],
-        size_of::<DebugTile>(),
-    ),
-    (
-        "Debug",
-        &[
-            ("stops", offset_of!(DebugUniform, stops)),
-            ("tiles", offset_of!(DebugUniform, tiles)),
-            ("size", offset_of!(DebugUniform, size)),
-            ("chop", offset_of!(DebugUniform, chop)),
-            ("kind", offset_of!(DebugUniform, kind)),
-            ("tile_count", offset_of!(DebugUniform, tile_count)),
-            ("logarithmic", offset_of!(DebugUniform, logarithmic)),
-            ("phase_time", offset_of!(DebugUniform, phase_time)),
-        ],
-        size_of::<DebugUniform>(),
-    ),
-];
 
 impl DebugUniform {
     fn new(scene: &Scene, maps: &Maps, size: [u32; 2]) -> Self {
@@ -164,41 +136,49 @@ pub struct DebugPass {
 
 impl DebugPass {
     /// Compiles the passes for the water that they show and a format of the screen.
-    pub fn new(device: &wgpu::Device, shaders: &Shaders, water: &WaterPass, target: wgpu::TextureFormat) -> Self {
+    pub fn new(gpu: &Gpu, shaders: &Shaders, water: &WaterPass, target: wgpu::TextureFormat) -> Self {
         let fragment = wgpu::ShaderStages::FRAGMENT;
-        let uniform = Uniform::<DebugUniform>::new(device, "view");
+        let uniform = Uniform::<DebugUniform>::new(gpu, "view");
         let slot = Slot::Uniform(size_of::<DebugUniform>());
-        let slots = [slot, Slot::Array, Slot::Array, Slot::Array, Slot::Array, Slot::Read(8), Slot::Read(8)];
-        let map_layout = layout(device, "view/map", fragment, &slots);
-        let module = shaders.module(device, "debug_map");
-        let layouts = [Some(&map_layout)];
-        let map =
-            hdr_pipeline(device, "view/map", &Program::new(&module), &layouts, &Onto::film(&water.scene.film, false));
-        let surface_layout = layout(device, "view/surface", fragment, &[slot]);
-        let surface_group = group(device, "view/surface", &surface_layout, &[uniform.buffer.as_entire_binding()]);
-        let module = shaders.module(device, "debug_water");
+        let slots = [
+            slot,
+            Slot::TextureArray,
+            Slot::TextureArray,
+            Slot::TextureArray,
+            Slot::TextureArray,
+            Slot::Read(8),
+            Slot::Read(8),
+        ];
+        let map_layout = gpu.layout("view/map", fragment, &slots);
+        let module = shaders.module(gpu, "debug_map");
+        let film = &water.scene.film;
+        let map = gpu.render("view/map", &Program::new(&module), &[&map_layout], &attachments(&film.format(), BEHIND));
+        let surface_layout = gpu.layout("view/surface", fragment, &[slot]);
+        let surface_group = gpu.group("view/surface", &surface_layout, &[uniform.buffer.as_entire_binding()]);
+        let module = shaders.module(gpu, "debug_water");
         let program = Program { entries: ["debug_vertex", "debug_fragment"], ..Program::new(&module) };
         let [scene, maps, mesh] = water.layouts();
-        let layouts = [Some(scene), Some(maps), Some(mesh), Some(&surface_layout)];
-        let surface = hdr_pipeline(device, "view/surface", &program, &layouts, &Onto::film(&water.scene.film, true));
-        let show_layout = layout(device, "view/show", fragment, &[Slot::Texture]);
-        let show =
-            screen_pipeline(device, "view/show", &shaders.module(device, "debug_show"), &show_layout, target, &[]);
+        let layouts = [scene, maps, mesh, &surface_layout];
+        let surface = gpu.render("view/surface", &program, &layouts, &attachments(&film.format(), NEAREST));
+        let show_layout = gpu.layout("view/show", fragment, &[Slot::Texture]);
+        let module = shaders.module(gpu, "debug_show");
+        let onto = Attachments { formats: &[target], depth: None };
+        let show = gpu.render("view/show", &Program::new(&module), &[&show_layout], &onto);
         Self { uniform, map_layout, map, surface, surface_group, show_layout, show, show_group: None }
     }
 
     /// Records the view of a scene.
     pub fn draw(
         &mut self,
-        (device, queue): (&wgpu::Device, &wgpu::Queue),
+        gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
         (maps, scene): (&Maps, &Scene),
         water: &WaterPass,
         targets: &Targets,
     ) {
         use wgpu::BindingResource::TextureView;
-        self.uniform.write(queue, &DebugUniform::new(scene, maps, targets.size));
-        self.show_group = Some(group(device, "view/show", &self.show_layout, &[TextureView(&targets.hdr)]));
+        self.uniform.write(gpu, &DebugUniform::new(scene, maps, targets.size));
+        self.show_group = Some(gpu.group("view/show", &self.show_layout, &[TextureView(&targets.hdr)]));
         let mut pass = targets.begin(encoder, false);
         if let Shown::Surface(_) = scene.look.view.shown {
             pass.set_pipeline(&self.surface);
@@ -215,7 +195,7 @@ impl DebugPass {
                 maps.wave.as_entire_binding(),
             ];
             pass.set_pipeline(&self.map);
-            pass.set_bind_group(0, &group(device, "view/map", &self.map_layout, &resources), &[]);
+            pass.set_bind_group(0, &gpu.group("view/map", &self.map_layout, &resources), &[]);
             pass.draw(0..3, 0..1);
         }
     }

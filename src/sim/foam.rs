@@ -1,8 +1,9 @@
 //! When and where foam is computed: the lattice of replayed times, and the world-anchored levels.
 
 use super::glide::{Mix, mix, mix2};
+use super::maps::{FOAM_LEVELS, MAX_DRAWN, TilePlace};
 use super::maps::{FoamLevel, Maps};
-use crate::gpu::layout::{FOAM_LEVELS, FoamCascade, FoamLevelUniform, FoamUniform, MAX_DRAWN, TilePlace};
+use super::uniforms::{FoamCascade, FoamLevelUniform, FoamUniform};
 use crate::waves::{Plan, foam};
 
 /// Evaluations of a cold start.

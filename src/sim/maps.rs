@@ -2,11 +2,35 @@
 
 use super::glide::{Turn, weights};
 use super::resources::{MapKind, Resources, view};
-use crate::gpu::layout::TilePlace;
+use crate::gpu::layout::gpu_struct;
 use crate::waves::Plan;
 use crate::waves::overlap::Overlap;
 use crate::waves::tiling::{Place, Tiling};
 use std::f64::consts::TAU;
+
+/// Most cascades of a sea.
+pub const MAX_CASCADES: usize = 4;
+/// Most cascades that are drawn: those of a sea, and of the one that it fades out of.
+pub const MAX_DRAWN: usize = 2 * MAX_CASCADES;
+/// Levels of the foam clipmap.
+pub const FOAM_LEVELS: usize = 4;
+
+gpu_struct! {
+    /// WGSL `TilePlace`: the lattice of a patch's copies as seen from a point.
+    #[derive(Default)]
+    pub struct TilePlace as "TilePlace" {
+        /// Cosine and sine of its angle, over the side of a triangle.
+        pub turn: [f32; 2],
+        /// The point in lattice coordinates, beyond its cell.
+        pub rest: [f32; 2],
+        /// Whole lattice coordinates of the point.
+        pub cell: [i32; 2],
+        /// Of the shifts.
+        pub key: u32,
+        /// 0: the patch repeats.
+        pub on: u32,
+    }
+}
 
 /// Views of the current sea and what is needed to sample them. A texel (i, j) of a map holds the point
 /// x = i patch/n, z = j patch/n: uv = x / patch + 0.5 / n, repeating.

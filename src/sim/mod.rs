@@ -11,15 +11,16 @@ pub mod passes;
 pub mod probe;
 pub mod resources;
 mod sea;
+pub mod uniforms;
 
 pub use glide::{Moved, Turn};
 pub use maps::{FoamLevel, MapCascade, Maps};
 
-use crate::gpu::kernel::UniformRing;
-use crate::gpu::layout::{FoamUniform, SeaUniform};
+use crate::gpu::Gpu;
+use crate::gpu::kit::UniformRing;
 use crate::gpu::readback;
-use crate::gpu::shaders::Shaders;
 use crate::gpu::timer::Timer;
+use crate::shaders::Shaders;
 use crate::waves::Plan;
 use crate::waves::overlap::Overlap;
 use foam::FoamClock;
@@ -27,6 +28,7 @@ use glide::{Drawn, Glide};
 use passes::{Passes, Step};
 use resources::Resources;
 use sea::{Evaluation, Sea};
+use uniforms::{FoamUniform, SeaUniform};
 
 /// Evaluations of the sea with foam that one submission may hold.
 pub const MAX_STEPS: usize = foam::REPLAY_STEPS;
@@ -60,11 +62,11 @@ pub struct Simulation {
 
 impl Simulation {
     /// Allocates a sea.
-    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, plan: Plan, shaders: &Shaders) -> Self {
-        let resources = Resources::new(device, queue, &plan, shaders.way(device, plan.n), shaders.maps(device));
-        let sea_steps = UniformRing::new(device, "sea", SEA_SLOTS);
-        let foam_steps = UniformRing::new(device, "foam", MAX_STEPS);
-        let passes = Passes::new(device, shaders, &resources, &sea_steps, &foam_steps);
+    pub fn new(gpu: &Gpu, plan: Plan, shaders: &Shaders) -> Self {
+        let resources = Resources::new(gpu, &plan, shaders.way(gpu, plan.n), shaders.maps(gpu));
+        let sea_steps = UniformRing::new(gpu, "sea", SEA_SLOTS);
+        let foam_steps = UniformRing::new(gpu, "foam", MAX_STEPS);
+        let passes = Passes::new(gpu, shaders, &resources, &sea_steps, &foam_steps);
         let maps = Maps::new(&plan, &resources);
         let foam_numbers = Drawn::new(foam::Numbers::new(resources.foam_n, &plan));
         let foam = FoamClock::new(resources.foam_n, foam_numbers.value(1.0));
@@ -85,7 +87,7 @@ impl Simulation {
             spectra: 0,
             timer: Timer::default(),
         };
-        sim.upload_tables(device, queue);
+        sim.upload_tables(gpu);
         sim
     }
 
@@ -95,18 +97,18 @@ impl Simulation {
     }
 
     /// Turns to another sea at once, and ends a glide. Its foam goes on from the old one's.
-    pub fn set_plan(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, plan: Plan, shaders: &Shaders) {
+    pub fn set_plan(&mut self, gpu: &Gpu, plan: Plan, shaders: &Shaders) {
         if plan == self.sea.plan && !self.is_gliding() {
             return;
         }
         if (plan.n, plan.cascades.len()) != (self.sea.plan.n, self.sea.plan.cascades.len()) {
             let (generation, timer) = (self.maps.generation + 1, self.timer.clone());
-            *self = Self::new(device, queue, plan, shaders);
+            *self = Self::new(gpu, plan, shaders);
             (self.maps.generation, self.timer) = (generation, timer);
             return;
         }
         self.next = None;
-        self.turn(device, queue, plan, Turn::Jump, 0.0);
+        self.turn(gpu, plan, Turn::Jump, 0.0);
         self.follow(&Moved { turn: Some(Turn::Jump), ..Moved::default() });
         self.foam.set_changed();
     }
@@ -116,20 +118,13 @@ impl Simulation {
     ///
     /// Amplitudes ease in place: one spectrum pass a frame, whatever the goal does meanwhile. Other waves fade in, for which
     /// room for a second sea is allocated once; a plan that comes while other waves fade in waits for its turn.
-    pub fn glide_to(
-        &mut self,
-        (device, queue): (&wgpu::Device, &wgpu::Queue),
-        plan: Option<Plan>,
-        shaders: &Shaders,
-        t_s: f64,
-        dt_s: f64,
-    ) -> Moved {
+    pub fn glide_to(&mut self, gpu: &Gpu, plan: Option<Plan>, shaders: &Shaders, t_s: f64, dt_s: f64) -> Moved {
         let goal = plan.or_else(|| self.next.take_if(|_| self.fading.is_none()));
         let mut turn = None;
         if let Some(plan) = goal {
             self.next = None;
             if (plan.n, plan.untile) != (self.sea.plan.n, self.sea.plan.untile) {
-                self.set_plan(device, queue, plan, shaders);
+                self.set_plan(gpu, plan, shaders);
                 return Moved { turn: Some(Turn::Jump), ..Moved::default() };
             }
             match (plan.has_same_waves(&self.sea.plan), &self.fading) {
@@ -141,16 +136,16 @@ impl Simulation {
                 }
             }
             if let Some(turn) = turn {
-                self.turn(device, queue, plan, turn, t_s);
+                self.turn(gpu, plan, turn, t_s);
             }
         }
         self.advance(turn, dt_s)
     }
 
-    fn turn(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, plan: Plan, turn: Turn, t_s: f64) {
+    fn turn(&mut self, gpu: &Gpu, plan: Plan, turn: Turn, t_s: f64) {
         let mut maps_are_new = false;
         if turn == Turn::Fade {
-            maps_are_new = self.resources.turn(device, &plan);
+            maps_are_new = self.resources.turn(gpu, &plan);
         }
         let old = std::mem::replace(&mut self.sea, Sea::new(plan));
         if turn == Turn::Fade {
@@ -162,12 +157,12 @@ impl Simulation {
             Turn::Fade => self.fading = Some(old),
         }
         self.glide.start(turn);
-        let buffers_are_new = self.upload_tables(device, queue);
+        let buffers_are_new = self.upload_tables(gpu);
         if turn == Turn::Fade || buffers_are_new {
-            self.passes.bind_waves(device, &self.resources, &self.sea_steps);
+            self.passes.bind_waves(gpu, &self.resources, &self.sea_steps);
         }
         if maps_are_new {
-            self.passes.bind_maps(device, &self.resources, &self.sea_steps, &self.foam_steps);
+            self.passes.bind_maps(gpu, &self.resources, &self.sea_steps, &self.foam_steps);
             self.maps.rebind(&self.resources);
         }
         self.maps.turn(&self.sea.plan, &self.resources, turn);
@@ -176,8 +171,8 @@ impl Simulation {
         }
     }
 
-    fn upload_tables(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) -> bool {
-        self.resources.upload_tables(device, queue, &self.sea.plan)
+    fn upload_tables(&mut self, gpu: &Gpu) -> bool {
+        self.resources.upload_tables(gpu, &self.sea.plan)
     }
 
     /// A step of the glide, after a turn.
@@ -239,7 +234,7 @@ impl Simulation {
     /// recorded; returns whether the foam has caught up, else call again (the waves are always those of `t_s`).
     pub fn encode(
         &mut self,
-        queue: &wgpu::Queue,
+        gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
         t_s: f64,
         centre: [f64; 2],
@@ -254,7 +249,7 @@ impl Simulation {
         if steps.is_empty() || !caught_up {
             self.encode_waves(encoder, t_s, false);
         }
-        self.end(queue);
+        self.end(gpu);
         caught_up
     }
 
@@ -281,15 +276,15 @@ impl Simulation {
     }
 
     /// Sends the uniforms of a submission.
-    fn end(&self, queue: &wgpu::Queue) {
-        self.sea_steps.upload(queue);
-        self.foam_steps.upload(queue);
+    fn end(&self, gpu: &Gpu) {
+        self.sea_steps.upload(gpu);
+        self.foam_steps.upload(gpu);
     }
 
     /// The next step of the foam towards `t_s` alone, for `check`: the maps stay those that the foam saw. None at its end.
     pub fn encode_next_foam_step(
         &mut self,
-        queue: &wgpu::Queue,
+        gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
         t_s: f64,
         centre: [f64; 2],
@@ -297,7 +292,7 @@ impl Simulation {
         let step = self.foam.steps_to(t_s, centre, 1).into_iter().next()?;
         self.begin(encoder, t_s);
         self.encode_foam_step(encoder, &step, centre);
-        self.end(queue);
+        self.end(gpu);
         Some(step)
     }
 
@@ -326,22 +321,22 @@ impl Simulation {
 
     /// Records the waves at `t_s` with an f32 copy of the maps left in the intermediate buffer (layout: cascade, pair,
     /// z, x; pair 0 is the displacement map, pair 1 the gradients). A sea that fades leaves none.
-    pub fn encode_f32(&mut self, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
+    pub fn encode_f32(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
         self.begin(encoder, t_s);
         self.encode_waves(encoder, t_s, true);
-        self.end(queue);
+        self.end(gpu);
     }
 
     /// The maps at `t_s` in f32, read back: for statistics, export and comparisons between GPUs.
     ///
     /// # Errors
     /// If the GPU refuses to map the memory.
-    pub async fn read_f32(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, t_s: f64) -> Result<MapsF32, String> {
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("read maps") });
-        self.encode_f32(queue, &mut encoder, t_s);
-        let staging = readback::stage_buffer(device, &mut encoder, &self.resources.lines);
-        queue.submit([encoder.finish()]);
-        let bytes = readback::read(device, staging).await?;
+    pub async fn read_f32(&mut self, gpu: &Gpu, t_s: f64) -> Result<MapsF32, String> {
+        let mut encoder = gpu.encoder("read maps");
+        self.encode_f32(gpu, &mut encoder, t_s);
+        let staging = readback::stage_buffer(gpu, &mut encoder, &self.resources.lines);
+        gpu.submit(encoder);
+        let bytes = readback::read(gpu, staging).await?;
         let plan = &self.sea.plan;
         let n = plan.n as usize;
         let mut texels = bytemuck::pod_collect_to_vec(&bytes);
@@ -351,19 +346,19 @@ impl Simulation {
     }
 
     /// The uniform of one evaluation, for `check` and the tests that run a pass alone.
-    pub fn push_step(&mut self, queue: &wgpu::Queue, t_s: f64, keep_f32: bool) -> Step {
+    pub fn push_step(&mut self, gpu: &Gpu, t_s: f64, keep_f32: bool) -> Step {
         self.sea_steps.restart();
         let step = self.push(Evaluation { t_s, keep_f32, ease: 1.0 }, false);
-        self.sea_steps.upload(queue);
+        self.sea_steps.upload(gpu);
         step
     }
 
     /// The uniform of one step of the foam on the maps as they are, for `bench`.
-    pub fn push_foam_step(&mut self, queue: &wgpu::Queue, t_s: f64, centre: [f64; 2]) -> u32 {
+    pub fn push_foam_step(&mut self, gpu: &Gpu, t_s: f64, centre: [f64; 2]) -> u32 {
         self.foam_steps.restart();
         let step = foam::Step { t_s, dt_s: 0.0, fresh: false };
         let foam = self.foam_steps.push(&self.foam.uniform(&step, centre, &self.maps));
-        self.foam_steps.upload(queue);
+        self.foam_steps.upload(gpu);
         foam
     }
 

@@ -1,15 +1,17 @@
 //! The compute passes, in the order of the frame. A pass is a kernel, its bindings and its number of workgroups.
 
+use super::maps::FOAM_LEVELS;
 use super::resources::{MapKind, Resources, Straight, Waves, map, view};
-use crate::gpu::fft::{Transform, Way};
-use crate::gpu::kernel::{Kernel, Slot, UniformRing};
-use crate::gpu::layout::{FOAM_LEVELS, FoamUniform, SeaUniform};
-use crate::gpu::shaders::Shaders;
+use super::uniforms::{FoamUniform, SeaUniform};
+use crate::gpu::Gpu;
+use crate::gpu::kit::{Kernel, Slot, UniformRing};
+use crate::shaders::Shaders;
+use crate::shaders::fft::{Transform, Way};
 use std::ops::Range;
 use std::sync::OnceLock;
 
-const SEA: Slot = Slot::Uniform(size_of::<SeaUniform>() as u64);
-const FOAM: Slot = Slot::Uniform(size_of::<FoamUniform>() as u64);
+const SEA: Slot = Slot::UniformAt(size_of::<SeaUniform>());
+const FOAM: Slot = Slot::UniformAt(size_of::<FoamUniform>());
 
 /// One evaluation of a sea: its uniform and what it goes over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,18 +45,18 @@ pub struct Passes {
 impl Passes {
     /// Compiles and binds everything.
     pub fn new(
-        device: &wgpu::Device,
+        gpu: &Gpu,
         shaders: &Shaders,
         resources: &Resources,
         sea: &UniformRing<SeaUniform>,
         foam: &UniformRing<FoamUniform>,
     ) -> Self {
         Self {
-            spectrum: SpectrumPass::new(device, shaders, resources, sea),
-            rows: RowsPass::new(device, shaders, resources, sea),
-            columns: ColumnsPass::new(device, shaders, resources, sea),
-            mips: MipsPass::new(device, shaders, resources, sea),
-            foam: FoamPass::new(device, shaders, resources, sea, foam),
+            spectrum: SpectrumPass::new(gpu, shaders, resources, sea),
+            rows: RowsPass::new(gpu, shaders, resources, sea),
+            columns: ColumnsPass::new(gpu, shaders, resources, sea),
+            mips: MipsPass::new(gpu, shaders, resources, sea),
+            foam: FoamPass::new(gpu, shaders, resources, sea, foam),
         }
     }
 
@@ -66,23 +68,23 @@ impl Passes {
     }
 
     /// Binds anew what belongs to a sea: its buffers are others.
-    pub fn bind_waves(&mut self, device: &wgpu::Device, r: &Resources, sea: &UniformRing<SeaUniform>) {
-        self.spectrum.group = SpectrumPass::group(device, &self.spectrum.kernel, r, sea);
-        self.rows.bind(device, r, sea);
+    pub fn bind_waves(&mut self, gpu: &Gpu, r: &Resources, sea: &UniformRing<SeaUniform>) {
+        self.spectrum.group = SpectrumPass::group(gpu, &self.spectrum.kernel, r, sea);
+        self.rows.bind(gpu, r, sea);
     }
 
     /// Binds anew what reads and writes maps, and the intermediate buffer.
     pub fn bind_maps(
         &mut self,
-        device: &wgpu::Device,
+        gpu: &Gpu,
         r: &Resources,
         sea: &UniformRing<SeaUniform>,
         foam: &UniformRing<FoamUniform>,
     ) {
-        self.rows.bind(device, r, sea);
-        self.columns.bind(device, r, sea);
-        self.mips.bind(device, r, sea);
-        self.foam.group = FoamPass::group(device, &self.foam.kernel, r, sea, foam);
+        self.rows.bind(gpu, r, sea);
+        self.columns.bind(gpu, r, sea);
+        self.mips.bind(gpu, r, sea);
+        self.foam.group = FoamPass::group(gpu, &self.foam.kernel, r, sea, foam);
     }
 }
 
@@ -93,15 +95,15 @@ pub struct SpectrumPass {
 }
 
 impl SpectrumPass {
-    fn new(device: &wgpu::Device, shaders: &Shaders, r: &Resources, sea: &UniformRing<SeaUniform>) -> Self {
-        let module = shaders.module(device, "spectrum");
-        let kernel = Kernel::new(device, "sea/spectrum", &module, &[SEA, Slot::Read, Slot::Write], &[]);
-        let group = Self::group(device, &kernel, r, sea);
+    fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, sea: &UniformRing<SeaUniform>) -> Self {
+        let module = shaders.module(gpu, "spectrum");
+        let kernel = Kernel::new(gpu, "sea/spectrum", (&module, "main"), &[SEA, Slot::Read(0), Slot::Write(0)], &[]);
+        let group = Self::group(gpu, &kernel, r, sea);
         Self { kernel, group }
     }
 
-    fn group(device: &wgpu::Device, kernel: &Kernel, r: &Resources, sea: &UniformRing<SeaUniform>) -> wgpu::BindGroup {
-        kernel.bind(device, &[sea.binding(), r.sea.radial.as_entire_binding(), r.sea.h0.as_entire_binding()])
+    fn group(gpu: &Gpu, kernel: &Kernel, r: &Resources, sea: &UniformRing<SeaUniform>) -> wgpu::BindGroup {
+        kernel.bind(gpu, &[sea.binding(), r.sea.radial.as_entire_binding(), r.sea.h0.as_entire_binding()])
     }
 
     /// Draws h0 of all cascades.
@@ -135,40 +137,41 @@ pub struct RowsPass {
 }
 
 impl RowsPass {
-    fn new(device: &wgpu::Device, shaders: &Shaders, r: &Resources, sea: &UniformRing<SeaUniform>) -> Self {
+    fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, sea: &UniformRing<SeaUniform>) -> Self {
         let t = Transform::new(r.n, r.way);
-        let slots = [SEA, Slot::Read, Slot::Read, Slot::Read, Slot::Write];
+        let slots = [SEA, Slot::Read(0), Slot::Read(0), Slot::Read(0), Slot::Write(0)];
         let first = if r.way == Way::Exchanged {
-            let module = shaders.module(device, "rows");
-            let kernel = Kernel::new(device, "sea/rows", &module, &slots, &t.exchanged_constants());
+            let module = shaders.module(gpu, "rows");
+            let kernel = Kernel::new(gpu, "sea/rows", (&module, "main"), &slots, &t.exchanged_constants());
             Half { kernel, size: [r.n / t.lines, 1, 1], has_uniform: true }
         } else {
-            let module = shaders.straight(device, "rows_first", t);
-            let kernel = Kernel::new(device, "sea/rows/first", &module, &slots, &t.straight_constants());
+            let module = shaders.straight(gpu, "rows_first", t);
+            let kernel = Kernel::new(gpu, "sea/rows/first", (&module, "main"), &slots, &t.straight_constants());
             Half { kernel, size: [t.x.second / 8, r.n / 16 + 1, 1], has_uniform: true }
         };
         let second = (r.way == Way::Straight).then(|| {
-            let (module, slots) = (shaders.straight(device, "lines_second", t), [Slot::Read, Slot::Write]);
-            let kernel = Kernel::new(device, "sea/rows/second", &module, &slots, &t.straight_constants());
+            let (module, slots) = (shaders.straight(gpu, "lines_second", t), [Slot::Read(0), Slot::Write(0)]);
+            let kernel = Kernel::new(gpu, "sea/rows/second", (&module, "main"), &slots, &t.straight_constants());
             Half { kernel, size: [t.x.first / 8, r.n / 8, 2], has_uniform: false }
         });
         let mut pass = Self { first, second, groups: [None, None], second_group: None };
-        pass.bind(device, r, sea);
+        pass.bind(gpu, r, sea);
         pass
     }
 
-    fn bind(&mut self, device: &wgpu::Device, r: &Resources, sea: &UniformRing<SeaUniform>) {
+    fn bind(&mut self, gpu: &Gpu, r: &Resources, sea: &UniformRing<SeaUniform>) {
         // Halves are read from there by whatever comes second.
         let to = r.straight.as_ref().filter(|_| r.way == Way::Straight).map_or(&r.lines, |s| &s.halves);
         let group = |waves: &Waves| {
             let buffers = [&waves.h0, &waves.wave, &r.twiddle, to].map(wgpu::Buffer::as_entire_binding);
             let bound: Vec<_> = std::iter::once(sea.binding()).chain(buffers).collect();
-            self.first.kernel.bind(device, &bound)
+            self.first.kernel.bind(gpu, &bound)
         };
         self.groups = [Some(group(&r.sea)), r.other.as_ref().map(group)];
-        self.second_group = self.second.as_ref().zip(r.straight.as_ref()).map(|(second, s)| {
-            second.kernel.bind(device, &[s.halves.as_entire_binding(), r.lines.as_entire_binding()])
-        });
+        self.second_group =
+            self.second.as_ref().zip(r.straight.as_ref()).map(|(second, s)| {
+                second.kernel.bind(gpu, &[s.halves.as_entire_binding(), r.lines.as_entire_binding()])
+            });
     }
 
     /// Evolves and transforms all cascades.
@@ -201,7 +204,7 @@ pub struct StraightColumns {
 
 /// What second halves of columns are compiled from.
 struct SecondCode {
-    device: wgpu::Device,
+    gpu: Gpu,
     module: wgpu::ShaderModule,
     transform: Transform,
 }
@@ -211,8 +214,8 @@ impl SecondCode {
         let Transform { n, z, .. } = self.transform;
         let keep = [("KEEP_F32", f64::from(u8::from(keep_f32)))];
         let constants = [self.transform.straight_constants(), keep].concat();
-        let slots = [Slot::Read, Slot::Write, Slot::Write];
-        let kernel = Kernel::new(&self.device, "sea/columns/second", &self.module, &slots, &constants);
+        let slots = [Slot::Read(0), Slot::Write(0), Slot::Write(0)];
+        let kernel = Kernel::new(&self.gpu, "sea/columns/second", (&self.module, "main"), &slots, &constants);
         Half { kernel, size: [n / 64, z.first, 2], has_uniform: false }
     }
 }
@@ -224,54 +227,54 @@ impl StraightColumns {
 }
 
 impl ColumnsPass {
-    fn new(device: &wgpu::Device, shaders: &Shaders, r: &Resources, sea: &UniformRing<SeaUniform>) -> Self {
+    fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, sea: &UniformRing<SeaUniform>) -> Self {
         let t = Transform::new(r.n, r.way);
         let Some(straight) = &r.straight else {
-            let module = shaders.module(device, "columns");
-            let slots = [SEA, Slot::Read, Slot::Write, Slot::Image(r.format)];
-            let kernel = Kernel::new(device, "sea/columns", &module, &slots, &t.exchanged_constants());
-            let group = Self::group(device, &kernel, r, sea);
+            let module = shaders.module(gpu, "columns");
+            let slots = [SEA, Slot::Read(0), Slot::Write(0), Slot::ImageArray(r.format.texture())];
+            let kernel = Kernel::new(gpu, "sea/columns", (&module, "main"), &slots, &t.exchanged_constants());
+            let group = Self::group(gpu, &kernel, r, sea);
             return Self::Exchanged(Half { kernel, size: [r.n / t.lines, 1, 1], has_uniform: true }, group);
         };
-        let slots = [Slot::Read, Slot::Read, Slot::Write];
+        let slots = [Slot::Read(0), Slot::Read(0), Slot::Write(0)];
         let ([first, second], size) = match r.way {
             Way::Merged => (["middle", "columns_last"], [t.x.first / 8, t.z.second / 8, 2]),
             _ => (["columns_first", "columns_second"], [r.n / 64, t.z.second, 2]),
         };
-        let module = shaders.straight(device, first, t);
-        let kernel = Kernel::new(device, "sea/columns/first", &module, &slots, &t.straight_constants());
-        let first_group = Self::first_group(device, &kernel, r, straight);
+        let module = shaders.straight(gpu, first, t);
+        let kernel = Kernel::new(gpu, "sea/columns/first", (&module, "main"), &slots, &t.straight_constants());
+        let first_group = Self::first_group(gpu, &kernel, r, straight);
         let first = Half { kernel, size, has_uniform: false };
-        let module = shaders.straight(device, second, t);
-        let code = SecondCode { device: device.clone(), module, transform: t };
+        let module = shaders.straight(gpu, second, t);
+        let code = SecondCode { gpu: gpu.clone(), module, transform: t };
         let second = code.compile(false);
-        let second_group = Self::second_group(device, &second.kernel, r, straight);
+        let second_group = Self::second_group(gpu, &second.kernel, r, straight);
         let first = (first, first_group);
         Self::Straight(Box::new(StraightColumns { first, second, second_group, kept: OnceLock::new(), code }))
     }
 
-    fn bind(&mut self, device: &wgpu::Device, r: &Resources, sea: &UniformRing<SeaUniform>) {
+    fn bind(&mut self, gpu: &Gpu, r: &Resources, sea: &UniformRing<SeaUniform>) {
         match (self, &r.straight) {
             (Self::Straight(columns), Some(straight)) => {
-                columns.first.1 = Self::first_group(device, &columns.first.0.kernel, r, straight);
-                columns.second_group = Self::second_group(device, &columns.second.kernel, r, straight);
+                columns.first.1 = Self::first_group(gpu, &columns.first.0.kernel, r, straight);
+                columns.second_group = Self::second_group(gpu, &columns.second.kernel, r, straight);
             }
-            (Self::Exchanged(all, group), _) => *group = Self::group(device, &all.kernel, r, sea),
+            (Self::Exchanged(all, group), _) => *group = Self::group(gpu, &all.kernel, r, sea),
             (Self::Straight(_), None) => {}
         }
     }
 
-    fn first_group(device: &wgpu::Device, kernel: &Kernel, r: &Resources, s: &Straight) -> wgpu::BindGroup {
-        kernel.bind(device, &[&r.twiddle, &r.lines, &s.halves].map(wgpu::Buffer::as_entire_binding))
+    fn first_group(gpu: &Gpu, kernel: &Kernel, r: &Resources, s: &Straight) -> wgpu::BindGroup {
+        kernel.bind(gpu, &[&r.twiddle, &r.lines, &s.halves].map(wgpu::Buffer::as_entire_binding))
     }
 
-    fn second_group(device: &wgpu::Device, kernel: &Kernel, r: &Resources, s: &Straight) -> wgpu::BindGroup {
-        kernel.bind(device, &[&s.halves, &s.maps, &r.lines].map(wgpu::Buffer::as_entire_binding))
+    fn second_group(gpu: &Gpu, kernel: &Kernel, r: &Resources, s: &Straight) -> wgpu::BindGroup {
+        kernel.bind(gpu, &[&s.halves, &s.maps, &r.lines].map(wgpu::Buffer::as_entire_binding))
     }
 
-    fn group(device: &wgpu::Device, kernel: &Kernel, r: &Resources, sea: &UniformRing<SeaUniform>) -> wgpu::BindGroup {
+    fn group(gpu: &Gpu, kernel: &Kernel, r: &Resources, sea: &UniformRing<SeaUniform>) -> wgpu::BindGroup {
         kernel.bind(
-            device,
+            gpu,
             &[
                 sea.binding(),
                 r.twiddle.as_entire_binding(),
@@ -342,28 +345,30 @@ struct MipsStep {
 const CHAIN: u32 = 4;
 
 impl MipsPass {
-    fn new(device: &wgpu::Device, shaders: &Shaders, r: &Resources, sea: &UniformRing<SeaUniform>) -> Self {
+    fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, sea: &UniformRing<SeaUniform>) -> Self {
         let chained = r.straight.is_none();
-        let module = shaders.module(device, if chained { "mips_chain" } else { "mips_level" });
+        let module = shaders.module(gpu, if chained { "mips_chain" } else { "mips_level" });
         let images = if chained { CHAIN } else { 1 };
-        let slots: Vec<Slot> =
-            [SEA, Slot::Texture].into_iter().chain((0..images).map(|_| Slot::Image(r.format))).collect();
-        let nothing = view(&map(device, "nothing", 1, 1, 1, r.format), None);
+        let slots: Vec<Slot> = [SEA, Slot::TextureArray]
+            .into_iter()
+            .chain((0..images).map(|_| Slot::ImageArray(r.format.texture())))
+            .collect();
+        let nothing = view(&map(gpu, "nothing", 1, 1, 1, r.format), None);
         let steps = (0..r.mips() - 1).step_by(images as usize).map(|above| {
             let levels = images.min(r.mips() - 1 - above);
             let mut constants = vec![("FIRST", f64::from(u32::from(above == 0)))];
             if chained {
                 constants.push(("LEVELS", f64::from(levels)));
             }
-            let kernel = Kernel::new(device, "sea/mips", &module, &slots, &constants);
-            let group = Self::group(device, &kernel, r, sea, (above, levels, images), &nothing);
+            let kernel = Kernel::new(gpu, "sea/mips", (&module, "main"), &slots, &constants);
+            let group = Self::group(gpu, &kernel, r, sea, (above, levels, images), &nothing);
             MipsStep { kernel, group, above, levels }
         });
         Self { steps: steps.collect(), nothing }
     }
 
     fn group(
-        device: &wgpu::Device,
+        gpu: &Gpu,
         kernel: &Kernel,
         r: &Resources,
         sea: &UniformRing<SeaUniform>,
@@ -373,14 +378,14 @@ impl MipsPass {
         let views: Vec<_> = (0..=levels).map(|i| view(&r.maps, Some(above + i))).collect();
         let spare = (levels..images).map(|_| nothing);
         let views = views.iter().chain(spare).map(wgpu::BindingResource::TextureView);
-        kernel.bind(device, &std::iter::once(sea.binding()).chain(views).collect::<Vec<_>>())
+        kernel.bind(gpu, &std::iter::once(sea.binding()).chain(views).collect::<Vec<_>>())
     }
 
-    fn bind(&mut self, device: &wgpu::Device, r: &Resources, sea: &UniformRing<SeaUniform>) {
+    fn bind(&mut self, gpu: &Gpu, r: &Resources, sea: &UniformRing<SeaUniform>) {
         let images = if r.straight.is_none() { CHAIN } else { 1 };
         for step in &mut self.steps {
             let levels = (step.above, step.levels, images);
-            step.group = Self::group(device, &step.kernel, r, sea, levels, &self.nothing);
+            step.group = Self::group(gpu, &step.kernel, r, sea, levels, &self.nothing);
         }
     }
 
@@ -401,28 +406,36 @@ pub struct FoamPass {
 
 impl FoamPass {
     fn new(
-        device: &wgpu::Device,
+        gpu: &Gpu,
         shaders: &Shaders,
         r: &Resources,
         sea: &UniformRing<SeaUniform>,
         foam: &UniformRing<FoamUniform>,
     ) -> Self {
-        let module = shaders.module(device, "foam");
-        let slots = [SEA, FOAM, Slot::Texture, Slot::Texture, Slot::Sampler, Slot::Write, Slot::Image(r.format)];
-        let kernel = Kernel::new(device, "sea/foam", &module, &slots, &[]);
-        let group = Self::group(device, &kernel, r, sea, foam);
+        let module = shaders.module(gpu, "foam");
+        let slots = [
+            SEA,
+            FOAM,
+            Slot::TextureArray,
+            Slot::TextureArray,
+            Slot::Sampler,
+            Slot::Write(0),
+            Slot::ImageArray(r.format.texture()),
+        ];
+        let kernel = Kernel::new(gpu, "sea/foam", (&module, "main"), &slots, &[]);
+        let group = Self::group(gpu, &kernel, r, sea, foam);
         Self { kernel, group }
     }
 
     fn group(
-        device: &wgpu::Device,
+        gpu: &Gpu,
         kernel: &Kernel,
         r: &Resources,
         sea: &UniformRing<SeaUniform>,
         foam: &UniformRing<FoamUniform>,
     ) -> wgpu::BindGroup {
         kernel.bind(
-            device,
+            gpu,
             &[
                 sea.binding(),
                 foam.binding(),

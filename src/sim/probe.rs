@@ -2,6 +2,7 @@
 
 use super::Simulation;
 use super::resources::MapKind;
+use crate::gpu::Gpu;
 use crate::gpu::readback::{self, TextureCopy};
 use crate::waves::Plan;
 
@@ -31,7 +32,7 @@ pub struct Probed {
 
 impl Simulation {
     /// Records copies of the maps as they are at this point of the submission; None while the sea is on its way to its plan.
-    pub fn probe(&self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) -> Option<Probe> {
+    pub fn probe(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> Option<Probe> {
         if self.is_gliding() {
             return None;
         }
@@ -39,12 +40,12 @@ impl Simulation {
         let mut copy = |kind| {
             let first = r.layers(kind).start + r.sea.first_layer;
             let layers = first..first + self.sea.plan.cascades.len() as u32;
-            readback::stage_layers(device, encoder, &r.maps, 0, layers)
+            readback::stage_layers(gpu, encoder, &r.maps, 0, layers)
         };
         Some(Probe {
             displacement: copy(MapKind::Displacement),
             gradients: copy(MapKind::Gradients),
-            foam: readback::stage_texture(device, encoder, &r.foam, 0),
+            foam: readback::stage_texture(gpu, encoder, &r.foam, 0),
             plan: self.sea.plan.clone(),
         })
     }
@@ -55,9 +56,9 @@ impl Probe {
     ///
     /// # Errors
     /// If the GPU does not give its memory back.
-    pub async fn read(self, device: &wgpu::Device) -> Result<Probed, String> {
-        let gradients = self.gradients.read_map(device).await?;
-        let foam = self.foam.read_map(device).await?;
+    pub async fn read(self, gpu: &Gpu) -> Result<Probed, String> {
+        let gradients = self.gradients.read_map(gpu).await?;
+        let foam = self.foam.read_map(gpu).await?;
         // Odd, so that it does not run along the columns.
         let stride = (gradients.len() / MOST_SLOPES) | 1;
         let looked_at = gradients.iter().step_by(stride);
@@ -67,7 +68,7 @@ impl Probe {
         Ok(Probed {
             mss: maps * mean(looked_at.map(slope)),
             coverage: mean(foam.iter().map(|t| f64::from(t[0]))),
-            texels: self.displacement.read_map(device).await?,
+            texels: self.displacement.read_map(gpu).await?,
             plan: self.plan,
         })
     }

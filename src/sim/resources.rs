@@ -1,10 +1,11 @@
 //! Buffers and textures of a simulation, allocated once for an FFT size and a number of cascades, and once more when the
 //! first sea fades into another.
 
-use crate::gpu::fft::{TWIDDLES, Way, twiddles};
-use crate::gpu::layout::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN};
+use super::maps::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN};
+use crate::gpu::Gpu;
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::readback::{self, TextureCopy};
+use crate::shaders::fft::{TWIDDLES, Way, twiddles};
 use crate::waves::Plan;
 use crate::waves::plan::Wave;
 use crate::waves::table::{self, Table};
@@ -71,9 +72,9 @@ pub struct Straight {
 }
 
 impl Straight {
-    fn new(device: &wgpu::Device, n: u32, count: u64, format: MapFormat) -> Self {
-        let halves = storage(device, "halves", line_bytes(n, count));
-        Self { halves, maps: storage(device, "maps", 2 * u64::from(format.bytes()) * points(n) * count) }
+    fn new(gpu: &Gpu, n: u32, count: u64, format: MapFormat) -> Self {
+        let halves = storage(gpu, "halves", line_bytes(n, count));
+        Self { halves, maps: storage(gpu, "maps", 2 * u64::from(format.bytes()) * points(n) * count) }
     }
 }
 
@@ -91,12 +92,12 @@ pub struct Waves {
 }
 
 impl Waves {
-    fn new(device: &wgpu::Device, n: u32, count: usize, quadruples: usize, first_layer: u32) -> Self {
+    fn new(gpu: &Gpu, n: u32, count: usize, quadruples: usize, first_layer: u32) -> Self {
         let entries = (table::len(n) * count) as u64;
         Self {
-            radial: storage(device, "radial", 16 * entries * quadruples as u64),
-            wave: storage(device, "wave", 8 * entries),
-            h0: storage(device, "h0", 8 * points(n) * count as u64),
+            radial: storage(gpu, "radial", 16 * entries * quadruples as u64),
+            wave: storage(gpu, "wave", 8 * entries),
+            h0: storage(gpu, "h0", 8 * points(n) * count as u64),
             first_layer,
         }
     }
@@ -104,26 +105,26 @@ impl Waves {
 
 impl Resources {
     /// Allocates for the size and cascades of a plan.
-    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, plan: &Plan, way: Way, format: MapFormat) -> Self {
+    pub fn new(gpu: &Gpu, plan: &Plan, way: Way, format: MapFormat) -> Self {
         let (n, count) = (plan.n, plan.cascades.len() as u32);
         let foam_n = n.min(256);
-        let twiddle = storage(device, "twiddle", (TWIDDLES * size_of::<[f32; 2]>()) as u64);
-        queue.write_buffer(&twiddle, 0, bytemuck::cast_slice(&twiddles()));
+        let twiddle = storage(gpu, "twiddle", (TWIDDLES * size_of::<[f32; 2]>()) as u64);
+        gpu.queue.write_buffer(&twiddle, 0, bytemuck::cast_slice(&twiddles()));
         Self {
             n,
             count,
             foam_n,
-            sea: Waves::new(device, n, plan.cascades.len(), table::terms(plan).1, 0),
+            sea: Waves::new(gpu, n, plan.cascades.len(), table::terms(plan).1, 0),
             other: None,
             twiddle,
-            lines: storage(device, "lines", line_bytes(n, u64::from(count))),
+            lines: storage(gpu, "lines", line_bytes(n, u64::from(count))),
             way,
-            straight: (way != Way::Exchanged).then(|| Straight::new(device, n, u64::from(count), format)),
-            foam_history: storage(device, "foam history", 4 * FOAM_LEVELS as u64 * u64::from(foam_n * foam_n)),
+            straight: (way != Way::Exchanged).then(|| Straight::new(gpu, n, u64::from(count), format)),
+            foam_history: storage(gpu, "foam history", 4 * FOAM_LEVELS as u64 * u64::from(foam_n * foam_n)),
             format,
-            maps: maps(device, n, count, format),
-            foam: map(device, "foam", foam_n, FOAM_LEVELS as u32, 1, format),
-            repeat: device.create_sampler(&wgpu::SamplerDescriptor {
+            maps: maps(gpu, n, count, format),
+            foam: map(gpu, "foam", foam_n, FOAM_LEVELS as u32, 1, format),
+            repeat: gpu.device.create_sampler(&wgpu::SamplerDescriptor {
                 label: Some("repeat"),
                 address_mode_u: wgpu::AddressMode::Repeat,
                 address_mode_v: wgpu::AddressMode::Repeat,
@@ -137,19 +138,19 @@ impl Resources {
     }
 
     /// Makes room for a second sea, and either may have as many cascades as there can be. The maps are new and empty.
-    fn widen(&mut self, device: &wgpu::Device, plan: &Plan) -> Waves {
-        self.maps = maps(device, self.n, MAX_DRAWN as u32, self.format);
-        self.lines = storage(device, "lines", line_bytes(self.n, MAX_CASCADES as u64));
-        self.straight = self.straight.take().map(|_| Straight::new(device, self.n, MAX_CASCADES as u64, self.format));
+    fn widen(&mut self, gpu: &Gpu, plan: &Plan) -> Waves {
+        self.maps = maps(gpu, self.n, MAX_DRAWN as u32, self.format);
+        self.lines = storage(gpu, "lines", line_bytes(self.n, MAX_CASCADES as u64));
+        self.straight = self.straight.take().map(|_| Straight::new(gpu, self.n, MAX_CASCADES as u64, self.format));
         self.allocations += 1;
-        Waves::new(device, self.n, MAX_CASCADES, table::terms(plan).1, MAX_CASCADES as u32)
+        Waves::new(gpu, self.n, MAX_CASCADES, table::terms(plan).1, MAX_CASCADES as u32)
     }
 
     /// The sea becomes the one that fades, and there is room for another. Returns whether the maps are new.
-    pub fn turn(&mut self, device: &wgpu::Device, plan: &Plan) -> bool {
+    pub fn turn(&mut self, gpu: &Gpu, plan: &Plan) -> bool {
         let (other, is_new) = match self.other.take() {
             Some(other) => (other, false),
-            None => (self.widen(device, plan), true),
+            None => (self.widen(gpu, plan), true),
         };
         self.other = Some(std::mem::replace(&mut self.sea, other));
         is_new
@@ -167,14 +168,8 @@ impl Resources {
     }
 
     /// Records the copy of a level of a kind of map, all layers.
-    pub fn stage(
-        &self,
-        device: &wgpu::Device,
-        encoder: &mut wgpu::CommandEncoder,
-        kind: MapKind,
-        level: u32,
-    ) -> TextureCopy {
-        readback::stage_layers(device, encoder, &self.maps, level, self.layers(kind))
+    pub fn stage(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, kind: MapKind, level: u32) -> TextureCopy {
+        readback::stage_layers(gpu, encoder, &self.maps, level, self.layers(kind))
     }
 
     /// A kind of map with all its levels.
@@ -190,7 +185,7 @@ impl Resources {
     }
 
     /// Tabulates a sea of the same size and sends it to the GPU; returns whether its buffers had to grow.
-    pub fn upload_tables(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, plan: &Plan) -> bool {
+    pub fn upload_tables(&mut self, gpu: &Gpu, plan: &Plan) -> bool {
         let mut values: Vec<[f32; 4]> = Vec::new();
         let mut waves = Vec::new();
         for table in Table::all(plan) {
@@ -203,17 +198,17 @@ impl Resources {
         let sea = &mut self.sea;
         let grows = size_of_val(values.as_slice()) as u64 > sea.radial.size();
         if grows {
-            sea.radial = storage(device, "radial", size_of_val(values.as_slice()) as u64);
+            sea.radial = storage(gpu, "radial", size_of_val(values.as_slice()) as u64);
         }
         // The sea that was there first has no room for more cascades than its own.
         let widens = size_of_val(waves.as_slice()) as u64 > sea.wave.size();
         if widens {
-            sea.wave = storage(device, "wave", (8 * table::len(self.n) * MAX_CASCADES) as u64);
-            sea.h0 = storage(device, "h0", 8 * points(self.n) * MAX_CASCADES as u64);
+            sea.wave = storage(gpu, "wave", (8 * table::len(self.n) * MAX_CASCADES) as u64);
+            sea.h0 = storage(gpu, "h0", 8 * points(self.n) * MAX_CASCADES as u64);
         }
         self.allocations += u32::from(grows || widens);
-        queue.write_buffer(&sea.radial, 0, bytemuck::cast_slice(&values));
-        queue.write_buffer(&sea.wave, 0, bytemuck::cast_slice(&waves));
+        gpu.queue.write_buffer(&sea.radial, 0, bytemuck::cast_slice(&values));
+        gpu.queue.write_buffer(&sea.wave, 0, bytemuck::cast_slice(&waves));
         grows || widens
     }
 }
@@ -226,22 +221,22 @@ fn line_bytes(n: u32, cascades: u64) -> u64 {
     32 * points(n) * cascades
 }
 
-fn storage(device: &wgpu::Device, label: &str, size: u64) -> wgpu::Buffer {
+fn storage(gpu: &Gpu, label: &str, size: u64) -> wgpu::Buffer {
     let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC;
-    device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
+    gpu.device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
 }
 
 /// Kinds of maps.
 const MAP_KINDS: u32 = 3;
 
-fn maps(device: &wgpu::Device, n: u32, layers: u32, format: MapFormat) -> wgpu::Texture {
+fn maps(gpu: &Gpu, n: u32, layers: u32, format: MapFormat) -> wgpu::Texture {
     let mips = (n / SMALLEST_MIP).ilog2() + 1;
-    map(device, "maps", n, MAP_KINDS * layers, mips, format)
+    map(gpu, "maps", n, MAP_KINDS * layers, mips, format)
 }
 
 /// An array of maps that shaders read and write.
-pub fn map(device: &wgpu::Device, label: &str, side: u32, layers: u32, mips: u32, format: MapFormat) -> wgpu::Texture {
-    device.create_texture(&wgpu::TextureDescriptor {
+pub fn map(gpu: &Gpu, label: &str, side: u32, layers: u32, mips: u32, format: MapFormat) -> wgpu::Texture {
+    gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some(label),
         size: wgpu::Extent3d { width: side, height: side, depth_or_array_layers: layers },
         mip_level_count: mips,

@@ -1,7 +1,8 @@
 //! One sea of a simulation: its plan, as the passes take it.
 
+use super::maps::MAX_CASCADES;
 use super::maps::MapCascade;
-use crate::gpu::layout::{MAX_CASCADES, MAX_TERMS, SeaCascade, SeaTerm, SeaUniform};
+use super::uniforms::{MAX_TERMS, SeaCascade, SeaTerm, SeaUniform};
 use crate::waves::spreading::Cosine;
 use crate::waves::system::TermKind;
 use crate::waves::{Plan, table};

@@ -3,12 +3,12 @@
 
 pub mod skies;
 
-use seastate::gpu::device::{self, Gpu};
-use seastate::gpu::fft::Way;
 use seastate::gpu::map_format::MapFormat;
-use seastate::gpu::shaders::Shaders;
-use seastate::ocean::Ocean;
+use seastate::gpu::{Gpu, device};
 use seastate::ocean::still::{FORMAT, picture_of};
+use seastate::ocean::{Film, Ocean};
+use seastate::shaders::Shaders;
+use seastate::shaders::fft::Way;
 use seastate::sim::{MapsF32, Simulation};
 use seastate::state::fields::{FIELDS, Kind};
 use seastate::state::{Params, query};
@@ -21,13 +21,14 @@ pub fn gpu() -> Gpu {
 
 /// A device that keeps its maps in this format, and can transform in every way that its adapter knows, whatever would be chosen.
 pub fn gpu_with(maps: MapFormat) -> Gpu {
-    let Gpu { adapter, .. } = gpu();
+    let adapter = pollster::block_on(device::adapter()).expect("a GPU adapter; install mesa-vulkan-drivers");
     let mut descriptor = device::descriptor(&adapter);
     descriptor.required_features.set(MapFormat::FEATURES, maps == MapFormat::Float);
     descriptor.required_features |= adapter.features() & Way::FEATURES;
     let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).expect("a device");
-    assert_eq!(MapFormat::of(&device), maps);
-    Gpu { adapter, device, queue }
+    let gpu = Gpu { device, queue };
+    assert_eq!(MapFormat::of(&gpu), maps);
+    gpu
 }
 
 /// The parameters of a state without mistakes in it.
@@ -52,20 +53,20 @@ impl Default for Pictures {
 impl Pictures {
     /// The pixels of a state, which depend on it alone: time, sea or place are others than before, and the foam starts anew.
     pub fn render(&mut self, params: &Params, size: [u32; 2]) -> Vec<[u8; 4]> {
-        let (device, queue) = (&self.gpu.device, &self.gpu.queue);
-        let ocean = self.ocean.get_or_insert_with(|| Ocean::new(device, queue, FORMAT, params));
-        ocean.set_params(device, queue, params);
+        let gpu = &self.gpu;
+        let ocean = self.ocean.get_or_insert_with(|| Ocean::new(gpu, FORMAT, Film::Screen, params));
+        ocean.set_params(params);
         let bytes = pollster::block_on(picture_of(&self.gpu, ocean, size)).expect("a picture");
         bytes.chunks(4).map(|p| [p[0], p[1], p[2], p[3]]).collect()
     }
 }
 
 pub fn simulation(gpu: &Gpu, state: &str) -> Simulation {
-    Simulation::new(&gpu.device, &gpu.queue, Plan::new(&params(state)), &Shaders::default())
+    Simulation::new(gpu, Plan::new(&params(state)), &Shaders::default())
 }
 
 pub fn read(gpu: &Gpu, sim: &mut Simulation, t_s: f64) -> MapsF32 {
-    pollster::block_on(sim.read_f32(&gpu.device, &gpu.queue, t_s)).expect("read-back")
+    pollster::block_on(sim.read_f32(gpu, t_s)).expect("read-back")
 }
 
 /// The maps of a state at a time, in f32.
@@ -100,8 +101,8 @@ pub fn random_params(start: &str, number: u32) -> Params {
 }
 
 /// The picture's sampler of the nearest level of a map.
-pub fn level_sampler(device: &wgpu::Device) -> wgpu::Sampler {
-    device.create_sampler(&wgpu::SamplerDescriptor {
+pub fn level_sampler(gpu: &Gpu) -> wgpu::Sampler {
+    gpu.device.create_sampler(&wgpu::SamplerDescriptor {
         label: Some("levels"),
         address_mode_u: wgpu::AddressMode::Repeat,
         address_mode_v: wgpu::AddressMode::Repeat,

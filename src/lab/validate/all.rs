@@ -3,7 +3,7 @@
 use super::lab::Lab;
 use super::page::{Page, deviation, measured, number, turned};
 use super::words;
-use crate::gpu::device::Gpu;
+use crate::gpu::Gpu;
 use crate::lab::stats::Estimate;
 
 /// Wind (m/s), fetch (km), depth (m): from calm to hurricane, from deep water to 3 m.

@@ -1,8 +1,8 @@
 //! What the GPU is asked: ensembles over seeds with the variance of their waves sorted into bins, foam, and maps.
 
-use crate::gpu::device::Gpu;
-use crate::gpu::shaders::Shaders;
+use crate::gpu::Gpu;
 use crate::lab::stats::{self, Estimate, Measured, Travelling};
+use crate::shaders::Shaders;
 use crate::sim::{MapsF32, Simulation};
 use crate::state::{Params, query};
 use crate::waves::Plan;
@@ -75,7 +75,7 @@ impl Lab<'_> {
         let measured = match self.gpu {
             None => None,
             Some(gpu) => {
-                let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan.clone(), &Shaders::default());
+                let mut sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
                 let mut visit = |seed: usize, wave: &Travelling| {
                     if let Some(bin) = sort(wave) {
                         add(&mut sorted[bin].seen[seed], wave);
@@ -97,7 +97,7 @@ impl Lab<'_> {
         let mut means = Vec::new();
         for seed in 1..=seeds {
             let params = params(&format!("{state}&seed={seed}"))?;
-            let mut sim = Simulation::new(&gpu.device, &gpu.queue, Plan::new(&params), &Shaders::default());
+            let mut sim = Simulation::new(gpu, Plan::new(&params), &Shaders::default());
             let levels = pollster::block_on(stats::foam_levels(gpu, &mut sim, params.clock.t_s, [0.0; 2]))?;
             let count: usize = levels.iter().map(Vec::len).sum();
             means.push(levels.iter().flatten().map(|&f| f64::from(f)).sum::<f64>() / count as f64);
@@ -111,8 +111,8 @@ impl Lab<'_> {
     /// If the GPU does not give its memory back.
     pub fn maps(&self, plan: &Plan, times: &[f64]) -> Result<Option<Vec<MapsF32>>, String> {
         let Some(gpu) = self.gpu else { return Ok(None) };
-        let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan.clone(), &Shaders::default());
-        let mut read = |t_s: &f64| pollster::block_on(sim.read_f32(&gpu.device, &gpu.queue, *t_s));
+        let mut sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
+        let mut read = |t_s: &f64| pollster::block_on(sim.read_f32(gpu, *t_s));
         times.iter().map(&mut read).collect::<Result<_, _>>().map(Some)
     }
 }

@@ -15,7 +15,7 @@ mod spectra;
 mod spreading;
 mod surface;
 
-use crate::gpu::device::Gpu;
+use crate::gpu::Gpu;
 use crate::state::fields::{self, Kind};
 use lab::Lab;
 use page::Page;
@@ -95,7 +95,7 @@ fn introduce(page: &mut Page, lab: &Lab<'_>) {
          says otherwise, in brackets in standard errors: one number in twenty is expected beyond 2 σ, one in 370 beyond 3 σ.",
     );
     if let Some(gpu) = lab.gpu {
-        let info = gpu.adapter.get_info();
+        let info = gpu.device.adapter_info();
         let short = info.name.split(" (").next().unwrap_or_default().to_owned();
         page.prose(&format!("Measured over {} seeds on {short} ({}).", lab.seeds, info.backend));
     }

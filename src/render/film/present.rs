@@ -1,45 +1,30 @@
 //! shaders/film/present.wgsl: bloom, exposure, tone curve, gamma, dither.
 
 use super::bloom::Bloom;
-use crate::gpu::layout::Layout;
-use crate::gpu::shaders::Shaders;
+use crate::gpu::Gpu;
+use crate::gpu::kit::{Attachments, Program, Slot, Uniform};
+use crate::gpu::layout::gpu_struct;
 use crate::render::Scene;
-use crate::render::kit::{Slot, Uniform, group, layout, screen_pipeline};
 use crate::render::sky::LightBuffer;
 use crate::render::targets::Targets;
+use crate::shaders::Shaders;
 use crate::state::look::Film;
-use bytemuck::{Pod, Zeroable};
-use std::mem::offset_of;
 
-/// WGSL `Present`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-struct PresentUniform {
-    size: [f32; 2],
-    exposure_gain: f32,
-    fixed_exposure: f32,
-    tone: u32,
-    bloom: f32,
-    dither: f32,
-    pad: f32,
+gpu_struct! {
+    /// WGSL `Present`.
+    pub struct PresentUniform as "Present" {
+        size: [f32; 2],
+        exposure_gain: f32,
+        fixed_exposure: f32,
+        tone: u32,
+        bloom: f32,
+        dither: f32,
+        unused: f32,
+    }
 }
 
 /// Exposure of a clear noon, the sun 60 degrees high: what the film takes that does not adapt.
 pub const NOON_EXPOSURE: f32 = 0.444;
-
-/// For the layout test.
-pub const LAYOUT: Layout = (
-    "Present",
-    &[
-        ("size", offset_of!(PresentUniform, size)),
-        ("exposure_gain", offset_of!(PresentUniform, exposure_gain)),
-        ("fixed_exposure", offset_of!(PresentUniform, fixed_exposure)),
-        ("tone", offset_of!(PresentUniform, tone)),
-        ("bloom", offset_of!(PresentUniform, bloom)),
-        ("dither", offset_of!(PresentUniform, dither)),
-    ],
-    size_of::<PresentUniform>(),
-);
 
 /// Draws the HDR picture into a pass of the screen.
 pub struct PresentPass {
@@ -57,7 +42,7 @@ pub struct PresentPass {
 impl PresentPass {
     /// Compiles the pass for a format of the screen; `smooth` asks for smooth edges.
     pub fn new(
-        device: &wgpu::Device,
+        gpu: &Gpu,
         shaders: &Shaders,
         light: &wgpu::Buffer,
         target_format: wgpu::TextureFormat,
@@ -70,35 +55,33 @@ impl PresentPass {
             Slot::Sampler,
             Slot::Texture,
         ];
-        let layout = layout(device, "present", wgpu::ShaderStages::FRAGMENT, &slots);
+        let layout = gpu.layout("present", wgpu::ShaderStages::FRAGMENT, &slots);
         let constants = [("PRESENT_SMOOTH", f64::from(u8::from(smooth)))];
-        let module = shaders.module(device, "present");
-        let pipeline = screen_pipeline(device, "present", &module, &layout, target_format, &constants);
-        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("hdr"),
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            ..Default::default()
-        });
+        let module = shaders.module(gpu, "present");
+        let program = Program { constants: &constants, ..Program::new(&module) };
+        let onto = Attachments { formats: &[target_format], depth: None };
+        let pipeline = gpu.render("present", &program, &[&layout], &onto);
+        let clamp = [wgpu::AddressMode::ClampToEdge; 2];
+        let sampler = gpu.sampler("hdr", clamp, wgpu::MipmapFilterMode::Nearest);
         Self {
-            uniform: Uniform::new(device, "present"),
+            uniform: Uniform::new(gpu, "present"),
             light: light.clone(),
             layout,
             pipeline,
             sampler,
-            bloom: Bloom::new(device, shaders),
+            bloom: Bloom::new(gpu, shaders),
             bound: None,
             group: None,
         }
     }
 
     /// Binds targets and the chain of the bloom, if they are not bound yet.
-    pub fn bind(&mut self, device: &wgpu::Device, targets: &Targets, film: &Film) {
+    pub fn bind(&mut self, gpu: &Gpu, targets: &Targets, film: &Film) {
         let wanted = Some((targets.size, film.bloom > 0.0));
         if self.bound == wanted {
             return;
         }
-        self.bloom.bind(device, (film.bloom > 0.0).then_some((&targets.hdr, targets.size)));
+        self.bloom.bind(gpu, (film.bloom > 0.0).then_some((&targets.hdr, targets.size)));
         let resources = [
             self.uniform.buffer.as_entire_binding(),
             self.light.as_entire_binding(),
@@ -106,7 +89,7 @@ impl PresentPass {
             wgpu::BindingResource::Sampler(&self.sampler),
             wgpu::BindingResource::TextureView(self.bloom.result().unwrap_or(&targets.hdr)),
         ];
-        self.group = Some(group(device, "present", &self.layout, &resources));
+        self.group = Some(gpu.group("present", &self.layout, &resources));
         self.bound = wanted;
     }
 
@@ -116,7 +99,7 @@ impl PresentPass {
     }
 
     /// Sends what the film needs to know.
-    pub fn write(&self, queue: &wgpu::Queue, scene: &Scene, size: [u32; 2]) {
+    pub fn write(&self, gpu: &Gpu, scene: &Scene, size: [u32; 2]) {
         let film = &scene.look.film;
         let fixed = NOON_EXPOSURE / crate::render::sky::unit(&scene.look.sky) as f32;
         let uniform = PresentUniform {
@@ -126,9 +109,9 @@ impl PresentPass {
             tone: film.tone as u32,
             bloom: film.bloom as f32,
             dither: f32::from(u8::from(film.dither)),
-            pad: 0.0,
+            unused: 0.0,
         };
-        self.uniform.write(queue, &uniform);
+        self.uniform.write(gpu, &uniform);
     }
 
     /// Records what the lens spreads, if it does.

@@ -1,9 +1,12 @@
 //! shaders/sky/background.wgsl: the sky behind the sea.
 
 use super::Sky;
-use crate::gpu::shaders::Shaders;
+use crate::gpu::Gpu;
+use crate::gpu::kit::Program;
 use crate::render::Scene;
-use crate::render::kit::{Onto, Program, SceneGroup, Variants, hdr_pipeline, part};
+use crate::render::kit::{SceneGroup, Variants, part};
+use crate::render::targets::{BEHIND, attachments};
+use crate::shaders::Shaders;
 
 /// Sine of the sun's elevation below which there are stars; sky.wgsl has it too.
 const STARS_SUN: f64 = -0.05;
@@ -25,12 +28,12 @@ struct Parts {
 
 impl Background {
     /// Compiles the pass.
-    pub fn new(device: &wgpu::Device, shaders: &Shaders) -> Self {
-        Self { module: shaders.module(device, "sky"), pipelines: Variants::default() }
+    pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
+        Self { module: shaders.module(gpu, "sky"), pipelines: Variants::default() }
     }
 
     /// Makes the pipeline that the picture of a scene needs, if there is none yet.
-    pub fn choose(&mut self, device: &wgpu::Device, group: &SceneGroup, sky: &Sky, scene: &Scene) {
+    pub fn choose(&mut self, gpu: &Gpu, group: &SceneGroup, sky: &Sky, scene: &Scene) {
         let look = &scene.look.sky;
         let file = look.panorama().is_some();
         let parts = Parts {
@@ -39,7 +42,7 @@ impl Background {
             stars: !file && look.sun_direction()[1] < STARS_SUN,
             fog: look.fog.extinction_per_km > 0.0,
         };
-        let layouts = [Some(&group.layout), Some(&sky.panorama.layout)];
+        let layouts = [&group.layout, &sky.panorama.layout];
         self.pipelines.choose(parts, |parts| {
             let constants = [
                 part("SKY_FILE", parts.file),
@@ -48,7 +51,7 @@ impl Background {
                 part("SKY_FOG", parts.fog),
             ];
             let program = Program { constants: &constants, ..Program::new(&self.module) };
-            hdr_pipeline(device, "sky", &program, &layouts, &Onto::film(&group.film, false))
+            gpu.render("sky", &program, &layouts, &attachments(&group.film.format(), BEHIND))
         });
     }
 

@@ -6,15 +6,15 @@ pub mod panorama;
 
 use super::Scene;
 use super::frame::dip;
-use super::kit::{Slot, Uniform, group, layout};
 use super::water::noise::NoiseTexture;
-use crate::gpu::layout::Layout;
-use crate::gpu::shaders::Shaders;
+use crate::gpu::Gpu;
+use crate::gpu::kit::{Kernel, Slot, Uniform, mip_view};
+use crate::gpu::layout::gpu_struct;
+use crate::shaders::Shaders;
 use crate::state::fields::linear_rgb;
 use crate::state::look::SkyLook;
-use bytemuck::{Pod, Zeroable};
 use panorama::PanoramaTextures;
-use std::mem::offset_of;
+use wgpu::BindingResource::{Sampler, TextureView};
 
 const TRANSMITTANCE: [u32; 2] = [256, 64];
 const MULTIPLE: [u32; 2] = [64, 32];
@@ -29,43 +29,31 @@ const MIPS: u32 = 6;
 /// How far the clouds drift before the sea mirrors them anew, km: every few seconds, less than a texel of the environment.
 const MIRROR_STEP_KM: f64 = 0.05;
 
-/// WGSL `Sky`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
-pub struct SkyUniform {
-    sun: [f32; 3],
-    haze: f32,
-    tint: [f32; 3],
-    sun_radius: f32,
-    file_sun: [f32; 3],
-    file: f32,
-    file_sky: [f32; 3],
-    file_gain: f32,
-    fog: [f32; 4],
-    eye_km: f32,
-    dip: f32,
-    overcast: f32,
-    sun_falloff: f32,
-    drift: [f32; 2],
-    mirror_drift: [f32; 2],
-    unit: f32,
-    turn: f32,
-    pad: [f32; 2],
-}
-
-macro_rules! offsets {
-    ($kind:ty: $($field:ident),+) => { &[$((stringify!($field), offset_of!($kind, $field))),+] };
+gpu_struct! {
+    /// WGSL `Sky`.
+    pub struct SkyUniform as "Sky" {
+        sun: [f32; 3],
+        haze: f32,
+        tint: [f32; 3],
+        sun_radius: f32,
+        file_sun: [f32; 3],
+        file: f32,
+        file_sky: [f32; 3],
+        file_gain: f32,
+        fog: [f32; 4],
+        eye_km: f32,
+        dip: f32,
+        overcast: f32,
+        sun_falloff: f32,
+        drift: [f32; 2],
+        mirror_drift: [f32; 2],
+        unit: f32,
+        turn: f32,
+        unused: [f32; 2],
+    }
 }
 
 impl SkyUniform {
-    /// For the layout test.
-    pub const LAYOUT: Layout = (
-        "Sky",
-        offsets!(Self: sun, haze, tint, sun_radius, file_sun, file, file_sky, file_gain, fog, eye_km, dip, overcast,
-            sun_falloff, drift, mirror_drift, unit, turn),
-        size_of::<Self>(),
-    );
-
     fn new(scene: &Scene) -> Self {
         // Classes of the eye's height, a quarter of an octave apart: the air seen from within one is the same.
         let class = (4.0 * scene.view.eye.y.max(2.0).log2()).round() / 4.0;
@@ -109,9 +97,14 @@ impl SkyUniform {
             mirror_drift: [0.0; 2],
             unit: unit as f32,
             turn: (look.turn_deg / 360.0) as f32,
-            pad: [0.0; 2],
+            unused: [0.0; 2],
         }
     }
+}
+
+/// Workgroups of 8 x 8 threads that cover a table.
+fn workgroups(size: [u32; 2]) -> [u32; 2] {
+    size.map(|side| side.div_ceil(8))
 }
 
 /// How many times brighter than it is the light of dusk and night is carried: a power of two, so that nothing is rounded.
@@ -120,68 +113,46 @@ pub fn unit(look: &SkyLook) -> f64 {
     (1.2 * below_deg).clamp(0.0, 18.0).floor().exp2()
 }
 
-/// WGSL `Light`: written by the GPU alone.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct LightBuffer {
-    sun: [f32; 3],
-    exposure: f32,
-    sky: [f32; 3],
-    key: f32,
-    deck: [f32; 3],
-    direct: f32,
-    fog_sky: [f32; 3],
-    pad_0: f32,
-    fog_sun: [f32; 3],
-    pad_1: f32,
-}
-
-impl LightBuffer {
-    /// For the layout test.
-    pub const LAYOUT: Layout =
-        ("Light", offsets!(Self: sun, exposure, sky, key, deck, direct, fog_sky, fog_sun), size_of::<Self>());
+gpu_struct! {
+    /// WGSL `Light`: written by the GPU alone.
+    pub struct LightBuffer as "Light" {
+        sun: [f32; 3],
+        exposure: f32,
+        sky: [f32; 3],
+        key: f32,
+        deck: [f32; 3],
+        direct: f32,
+        fog_sky: [f32; 3],
+        unused_0: f32,
+        fog_sun: [f32; 3],
+        unused_1: f32,
+    }
 }
 
 /// A compute pass with its resources.
-struct Step {
-    label: &'static str,
-    pipeline: wgpu::ComputePipeline,
+struct SkyPass {
+    kernel: Kernel,
     group: wgpu::BindGroup,
-    groups: [u32; 2],
+    workgroups: [u32; 2],
 }
 
-impl Step {
+impl SkyPass {
     fn new(
-        device: &wgpu::Device,
+        gpu: &Gpu,
         label: &'static str,
-        (module, entry): (&wgpu::ShaderModule, &str),
-        slots: &[Slot],
-        resources: &[wgpu::BindingResource<'_>],
-        groups: [u32; 2],
+        program: (&wgpu::ShaderModule, &str),
+        bindings: &[(Slot, wgpu::BindingResource<'_>)],
+        workgroups: [u32; 2],
     ) -> Self {
-        let layout = layout(device, label, wgpu::ShaderStages::COMPUTE, slots);
-        let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some(label),
-            bind_group_layouts: &[Some(&layout)],
-            immediate_size: 0,
-        });
-        let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-            label: Some(label),
-            layout: Some(&pipeline_layout),
-            module,
-            entry_point: Some(entry),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            cache: None,
-        });
-        Self { label, pipeline, group: group(device, label, &layout, resources), groups }
+        let (slots, resources): (Vec<Slot>, Vec<_>) = bindings.iter().cloned().unzip();
+        let kernel = Kernel::new(gpu, label, program, &slots, &[]);
+        let group = kernel.bind(gpu, &resources);
+        Self { kernel, group, workgroups }
     }
 
     fn run(&self, encoder: &mut wgpu::CommandEncoder) {
-        let descriptor = wgpu::ComputePassDescriptor { label: Some(self.label), timestamp_writes: None };
-        let mut pass = encoder.begin_compute_pass(&descriptor);
-        pass.set_pipeline(&self.pipeline);
-        pass.set_bind_group(0, &self.group, &[]);
-        pass.dispatch_workgroups(self.groups[0], self.groups[1], 1);
+        let [x, y] = self.workgroups;
+        self.kernel.run(encoder, &self.group, &[], [x, y, 1]);
     }
 }
 
@@ -195,175 +166,146 @@ pub struct Sky {
     pub sampler: wgpu::Sampler,
     /// A sky from a file.
     pub panorama: PanoramaTextures,
-    /// Of the air itself, then of the light in it.
-    air: Vec<Step>,
-    lit: Vec<Step>,
+    /// Passes that depend on the air alone.
+    air: Vec<SkyPass>,
+    /// Passes that depend on the air and on the sun.
+    lit: Vec<SkyPass>,
     made_for: Option<SkyUniform>,
 }
 
 impl Sky {
     /// Compiles the passes; nothing is computed yet.
-    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, shaders: &Shaders, noise: &NoiseTexture) -> Self {
-        use wgpu::BindingResource::{Sampler, TextureView};
-        let maps = shaders.maps(device);
-        let texture = |label, size: [u32; 2], mips| {
-            device.create_texture(&wgpu::TextureDescriptor {
-                label: Some(label),
-                size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-                mip_level_count: mips,
-                sample_count: 1,
-                dimension: wgpu::TextureDimension::D2,
-                format: maps.texture(),
-                usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING,
-                view_formats: &[],
-            })
+    pub fn new(gpu: &Gpu, shaders: &Shaders, noise: &NoiseTexture) -> Self {
+        let format = shaders.maps(gpu).texture();
+        let texture = |label, [width, height]: [u32; 2], mips| {
+            let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING;
+            gpu.texture(label, [width, height, 1], mips, format, usage)
         };
         let whole = |t: &wgpu::Texture| t.create_view(&wgpu::TextureViewDescriptor::default());
-        let mip = |t: &wgpu::Texture, level| {
-            t.create_view(&wgpu::TextureViewDescriptor {
-                base_mip_level: level,
-                mip_level_count: Some(1),
-                ..Default::default()
-            })
-        };
-        let uniform = Uniform::<SkyUniform>::new(device, "sky");
-        let light = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("light"),
-            size: size_of::<LightBuffer>() as u64,
-            usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_SRC,
-            mapped_at_creation: false,
-        });
-        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("sky"),
-            address_mode_u: wgpu::AddressMode::Repeat,
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            mipmap_filter: wgpu::MipmapFilterMode::Linear,
-            ..Default::default()
-        });
-        let transmittance = whole(&texture("sky/transmittance", TRANSMITTANCE, 1));
-        let multiple = whole(&texture("sky/multiple", MULTIPLE, 1));
-        let view = whole(&texture("sky/view", VIEW, 1));
+        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_SRC;
         let surroundings = texture("sky/environment", ENVIRONMENT, MIPS);
-        let environment = whole(&surroundings);
-        let panorama = PanoramaTextures::new(device, queue);
-        let bottom = mip(&surroundings, 0);
-
-        let (sky_slot, light_size) = (Slot::Uniform(size_of::<SkyUniform>()), size_of::<LightBuffer>());
-        let sky = uniform.buffer.as_entire_binding();
-        let tiles = |size: [u32; 2]| size.map(|s| s.div_ceil(8));
-        let module = |name| shaders.module(device, name);
-        let air = vec![
-            Step::new(
-                device,
-                "sky/transmittance",
-                (&module("sky_transmittance"), "main"),
-                &[sky_slot, Slot::Image(maps)],
-                &[sky.clone(), TextureView(&transmittance)],
-                tiles(TRANSMITTANCE),
+        let mut sky = Self {
+            uniform: Uniform::new(gpu, "sky"),
+            light: gpu.buffer("light", size_of::<LightBuffer>() as u64, usage),
+            transmittance: whole(&texture("sky/transmittance", TRANSMITTANCE, 1)),
+            view: whole(&texture("sky/view", VIEW, 1)),
+            environment: whole(&surroundings),
+            sampler: gpu.sampler(
+                "sky",
+                [wgpu::AddressMode::Repeat, wgpu::AddressMode::ClampToEdge],
+                wgpu::MipmapFilterMode::Linear,
             ),
-            Step::new(
-                device,
-                "sky/multiple",
-                (&module("sky_multiple"), "main"),
-                &[sky_slot, Slot::Texture, Slot::Sampler, Slot::Image(maps)],
-                &[sky.clone(), TextureView(&transmittance), Sampler(&sampler), TextureView(&multiple)],
-                tiles(MULTIPLE),
-            ),
-        ];
-        let light_module = module("sky_light");
-        let light_parts = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("light/parts"),
-            size: LIGHT_PARTS_BYTES,
-            usage: wgpu::BufferUsages::STORAGE,
-            mapped_at_creation: false,
-        });
-        let measure = |label, entry, groups| {
-            let slots = [
-                sky_slot,
-                Slot::Write(light_size),
-                Slot::Texture,
-                Slot::Texture,
-                Slot::Sampler,
-                Slot::Texture,
-                Slot::Texture,
-                Slot::Sampler,
-                Slot::Write(LIGHT_PARTS_BYTES as usize),
-            ];
-            let resources = [
-                sky.clone(),
-                light.as_entire_binding(),
-                TextureView(&transmittance),
-                TextureView(&view),
-                Sampler(&sampler),
-                TextureView(&environment),
-                TextureView(&noise.view),
-                Sampler(&noise.sampler),
-                light_parts.as_entire_binding(),
-            ];
-            Step::new(device, label, (&light_module, entry), &slots, &resources, [groups, 1])
+            panorama: PanoramaTextures::new(gpu),
+            air: Vec::new(),
+            lit: Vec::new(),
+            made_for: None,
         };
-        let mut lit = vec![
-            Step::new(
-                device,
-                "sky/view",
-                (&module("sky_view"), "main"),
-                &[sky_slot, Slot::Texture, Slot::Texture, Slot::Sampler, Slot::Image(maps)],
-                &[
-                    sky.clone(),
-                    TextureView(&transmittance),
-                    TextureView(&multiple),
-                    Sampler(&sampler),
-                    TextureView(&view),
-                ],
-                tiles(VIEW),
+        let multiple = whole(&texture("sky/multiple", MULTIPLE, 1));
+        sky.air = sky.air_passes(gpu, shaders, &multiple);
+        sky.lit = sky.lit_passes(gpu, shaders, noise, &multiple, &surroundings);
+        sky
+    }
+
+    fn uniform_binding(&self) -> (Slot, wgpu::BindingResource<'_>) {
+        (Slot::Uniform(size_of::<SkyUniform>()), self.uniform.buffer.as_entire_binding())
+    }
+
+    fn air_passes(&self, gpu: &Gpu, shaders: &Shaders, multiple: &wgpu::TextureView) -> Vec<SkyPass> {
+        let image = Slot::Image(shaders.maps(gpu).texture());
+        vec![
+            SkyPass::new(
+                gpu,
+                "sky/transmittance",
+                (&shaders.module(gpu, "sky_transmittance"), "main"),
+                &[self.uniform_binding(), (image, TextureView(&self.transmittance))],
+                workgroups(TRANSMITTANCE),
             ),
-            measure("sky/light clear parts", "clear_parts", LIGHT_GROUPS),
-            measure("sky/light clear", "clear", 1),
-            Step::new(
-                device,
-                "sky/environment",
-                (&module("sky_environment"), "main"),
+            SkyPass::new(
+                gpu,
+                "sky/multiple",
+                (&shaders.module(gpu, "sky_multiple"), "main"),
                 &[
-                    sky_slot,
-                    Slot::Read(light_size),
-                    Slot::Texture,
-                    Slot::Sampler,
-                    Slot::Texture,
-                    Slot::Sampler,
-                    Slot::Texture,
-                    Slot::Image(maps),
+                    self.uniform_binding(),
+                    (Slot::Texture, TextureView(&self.transmittance)),
+                    (Slot::Sampler, Sampler(&self.sampler)),
+                    (image, TextureView(multiple)),
                 ],
-                &[
-                    sky.clone(),
-                    light.as_entire_binding(),
-                    TextureView(&view),
-                    Sampler(&sampler),
-                    TextureView(&noise.view),
-                    Sampler(&noise.sampler),
-                    TextureView(&panorama.calm_view),
-                    TextureView(&bottom),
-                ],
-                tiles(ENVIRONMENT),
+                workgroups(MULTIPLE),
             ),
+        ]
+    }
+
+    fn lit_passes(
+        &self,
+        gpu: &Gpu,
+        shaders: &Shaders,
+        noise: &NoiseTexture,
+        multiple: &wgpu::TextureView,
+        surroundings: &wgpu::Texture,
+    ) -> Vec<SkyPass> {
+        let image = Slot::Image(shaders.maps(gpu).texture());
+        let view = SkyPass::new(
+            gpu,
+            "sky/view",
+            (&shaders.module(gpu, "sky_view"), "main"),
+            &[
+                self.uniform_binding(),
+                (Slot::Texture, TextureView(&self.transmittance)),
+                (Slot::Texture, TextureView(multiple)),
+                (Slot::Sampler, Sampler(&self.sampler)),
+                (image, TextureView(&self.view)),
+            ],
+            workgroups(VIEW),
+        );
+        let environment = SkyPass::new(
+            gpu,
+            "sky/environment",
+            (&shaders.module(gpu, "sky_environment"), "main"),
+            &[
+                self.uniform_binding(),
+                (Slot::Read(size_of::<LightBuffer>()), self.light.as_entire_binding()),
+                (Slot::Texture, TextureView(&self.view)),
+                (Slot::Sampler, Sampler(&self.sampler)),
+                (Slot::Texture, TextureView(&noise.view)),
+                (Slot::Sampler, Sampler(&noise.sampler)),
+                (Slot::Texture, TextureView(&self.panorama.calm_view)),
+                (image, TextureView(&mip_view(surroundings, 0))),
+            ],
+            workgroups(ENVIRONMENT),
+        );
+        let filter = shaders.module(gpu, "sky_filter");
+        let filters = (1..MIPS).map(|level| {
+            let (from, to) = (mip_view(surroundings, level - 1), mip_view(surroundings, level));
+            let bindings = [(Slot::Texture, TextureView(&from)), (image, TextureView(&to))];
+            let size = ENVIRONMENT.map(|side| side >> level);
+            SkyPass::new(gpu, "sky/filter", (&filter, "main"), &bindings, workgroups(size))
+        });
+        let [clear_parts, clear, whole_parts, whole] = self.light_passes(gpu, shaders, noise);
+        [view, clear_parts, clear, environment].into_iter().chain(filters).chain([whole_parts, whole]).collect()
+    }
+
+    /// The sums of the light: of the clear sky, in parts and then whole, and of the sky with its clouds.
+    fn light_passes(&self, gpu: &Gpu, shaders: &Shaders, noise: &NoiseTexture) -> [SkyPass; 4] {
+        let parts = gpu.storage("light/parts", LIGHT_PARTS_BYTES);
+        let module = shaders.module(gpu, "sky_light");
+        let bindings = [
+            self.uniform_binding(),
+            (Slot::Write(size_of::<LightBuffer>()), self.light.as_entire_binding()),
+            (Slot::Texture, TextureView(&self.transmittance)),
+            (Slot::Texture, TextureView(&self.view)),
+            (Slot::Sampler, Sampler(&self.sampler)),
+            (Slot::Texture, TextureView(&self.environment)),
+            (Slot::Texture, TextureView(&noise.view)),
+            (Slot::Sampler, Sampler(&noise.sampler)),
+            (Slot::Write(LIGHT_PARTS_BYTES as usize), parts.as_entire_binding()),
         ];
-        let filter = module("sky_filter");
-        lit.extend((1..MIPS).map(|level| {
-            let views = [mip(&surroundings, level - 1), mip(&surroundings, level)];
-            let resources = [TextureView(&views[0]), TextureView(&views[1])];
-            let size = ENVIRONMENT.map(|s| s >> level);
-            Step::new(
-                device,
-                "sky/filter",
-                (&filter, "main"),
-                &[Slot::Texture, Slot::Image(maps)],
-                &resources,
-                tiles(size),
-            )
-        }));
-        lit.push(measure("sky/light whole parts", "whole_parts", LIGHT_GROUPS));
-        lit.push(measure("sky/light whole", "whole", 1));
-        Self { uniform, light, transmittance, view, environment, sampler, panorama, air, lit, made_for: None }
+        [
+            ("sky/light clear parts", "clear_parts", LIGHT_GROUPS),
+            ("sky/light clear", "clear", 1),
+            ("sky/light whole parts", "whole_parts", LIGHT_GROUPS),
+            ("sky/light whole", "whole", 1),
+        ]
+        .map(|(label, entry, groups)| SkyPass::new(gpu, label, (&module, entry), &bindings, [groups, 1]))
     }
 
     /// Records all tables.
@@ -372,19 +314,13 @@ impl Sky {
     }
 
     /// Records what the light of a scene makes stale.
-    pub fn update(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        encoder: &mut wgpu::CommandEncoder,
-        scene: &Scene,
-    ) {
+    pub fn update(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
         let wanted = SkyUniform::new(scene);
-        let other_file = self.panorama.show(device, queue, scene.look.sky.panorama());
+        let other_file = self.panorama.show(gpu, scene.look.sky.panorama());
         if self.made_for == Some(wanted) && !other_file {
             return;
         }
-        self.uniform.write(queue, &wanted);
+        self.uniform.write(gpu, &wanted);
         // Clouds drift over the background alone.
         let lit = |u: SkyUniform| SkyUniform { drift: [0.0; 2], ..u };
         if self.made_for.is_some_and(|made| lit(made) == lit(wanted)) && !other_file {
@@ -403,23 +339,23 @@ impl Sky {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gpu::device::Gpu;
+    use crate::gpu::Gpu;
     use crate::gpu::readback;
     use crate::render::film::present::NOON_EXPOSURE;
 
     /// The light on the sea under some skies.
     fn lights(skies: &[SkyLook]) -> Vec<LightBuffer> {
         let gpu = pollster::block_on(Gpu::request()).unwrap();
-        let noise = NoiseTexture::new(&gpu.device);
-        noise.fill(&gpu.queue);
-        let sky = Sky::new(&gpu.device, &gpu.queue, &Shaders::default(), &noise);
+        let noise = NoiseTexture::new(&gpu);
+        noise.fill(&gpu);
+        let sky = Sky::new(&gpu, &Shaders::default(), &noise);
         let light = |look: &SkyLook| {
-            sky.uniform.write(&gpu.queue, &SkyUniform::of(look, 8.0));
+            sky.uniform.write(&gpu, &SkyUniform::of(look, 8.0));
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
             sky.air.iter().chain(&sky.lit).for_each(|step| step.run(&mut encoder));
-            let copy = readback::stage_buffer(&gpu.device, &mut encoder, &sky.light);
-            gpu.queue.submit([encoder.finish()]);
-            let bytes = pollster::block_on(readback::read(&gpu.device, copy)).unwrap();
+            let copy = readback::stage_buffer(&gpu, &mut encoder, &sky.light);
+            gpu.submit(encoder);
+            let bytes = pollster::block_on(readback::read(&gpu, copy)).unwrap();
             bytemuck::pod_read_unaligned(&bytes)
         };
         skies.iter().map(light).collect()

@@ -2,9 +2,10 @@
 //! by index, a vertex is read several times; a software GPU would displace it as often.
 
 use super::mesh::Mesh;
-use crate::gpu::shaders::Shaders;
+use crate::gpu::Gpu;
+use crate::gpu::kit::{Slot, Uniform, begin_compute};
 use crate::render::frame::FrameUniform;
-use crate::render::kit::{Slot, Uniform, group, layout};
+use crate::shaders::Shaders;
 
 /// Bytes of a `MeshVertex`.
 pub const VERTEX: u64 = 48;
@@ -34,29 +35,13 @@ struct Buffers {
 
 impl DisplacePass {
     /// Compiles the pass; `maps` is the layout of the maps' bind group.
-    pub fn new(
-        device: &wgpu::Device,
-        shaders: &Shaders,
-        frame: &Uniform<FrameUniform>,
-        maps: &wgpu::BindGroupLayout,
-    ) -> Self {
+    pub fn new(gpu: &Gpu, shaders: &Shaders, frame: &Uniform<FrameUniform>, maps: &wgpu::BindGroupLayout) -> Self {
         let slots = [Slot::Uniform(size_of::<FrameUniform>()), Slot::Write(VERTEX as usize)];
-        let layout = layout(device, "mesh", wgpu::ShaderStages::COMPUTE, &slots);
-        let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some("mesh"),
-            bind_group_layouts: &[Some(&layout), Some(maps)],
-            immediate_size: 0,
-        });
-        let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-            label: Some("mesh"),
-            layout: Some(&pipeline_layout),
-            module: &shaders.module(device, "mesh"),
-            entry_point: Some("main"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            cache: None,
-        });
+        let layout = gpu.layout("mesh", wgpu::ShaderStages::COMPUTE, &slots);
+        let module = shaders.module(gpu, "mesh");
+        let pipeline = gpu.compute("mesh", (&module, "main"), &[&layout, maps], &[]);
         let vertex = wgpu::ShaderStages::VERTEX;
-        let drawn_layout = crate::render::kit::layout(device, "mesh/drawn", vertex, &[Slot::Read(VERTEX as usize)]);
+        let drawn_layout = gpu.layout("mesh/drawn", vertex, &[Slot::Read(VERTEX as usize)]);
         let frame = frame.buffer.clone();
         Self { pipeline, layout, frame, drawn_layout, buffers: None, columns: 0, count: 0 }
     }
@@ -67,27 +52,24 @@ impl DisplacePass {
     }
 
     /// Takes a mesh; buffers are made anew only when its density changed.
-    pub fn set(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, mesh: &Mesh) {
+    pub fn set(&mut self, gpu: &Gpu, mesh: &Mesh) {
         (self.columns, self.count) = (mesh.columns, mesh.index_count());
         let same = |b: &Buffers| (b.rows, b.most_columns) == (mesh.rows, mesh.most_columns);
         if self.buffers.as_ref().is_some_and(same) {
             return;
         }
-        let buffer = |label, size, usage| {
-            device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
-        };
         let indices = mesh.indices();
         let usage = wgpu::BufferUsages::INDEX | wgpu::BufferUsages::COPY_DST;
-        let index_buffer = buffer("mesh/indices", size_of_val(&indices[..]) as u64, usage);
-        queue.write_buffer(&index_buffer, 0, bytemuck::cast_slice(&indices));
+        let index_buffer = gpu.buffer("mesh/indices", size_of_val(&indices[..]) as u64, usage);
+        gpu.queue.write_buffer(&index_buffer, 0, bytemuck::cast_slice(&indices));
         let size = VERTEX * u64::from(mesh.rows) * u64::from(mesh.most_columns + 1);
-        let vertices = buffer("mesh/vertices", size, wgpu::BufferUsages::STORAGE);
+        let vertices = gpu.buffer("mesh/vertices", size, wgpu::BufferUsages::STORAGE);
         let resources = [self.frame.as_entire_binding(), vertices.as_entire_binding()];
         self.buffers = Some(Buffers {
             rows: mesh.rows,
             most_columns: mesh.most_columns,
-            group: group(device, "mesh", &self.layout, &resources),
-            drawn: group(device, "mesh/drawn", &self.drawn_layout, &[vertices.as_entire_binding()]),
+            group: gpu.group("mesh", &self.layout, &resources),
+            drawn: gpu.group("mesh/drawn", &self.drawn_layout, &[vertices.as_entire_binding()]),
             indices: index_buffer,
         });
     }
@@ -100,8 +82,7 @@ impl DisplacePass {
     /// Records the displacement of the vertices that the view needs.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, maps: &wgpu::BindGroup) {
         let Some(buffers) = &self.buffers else { return };
-        let descriptor = wgpu::ComputePassDescriptor { label: Some("mesh"), timestamp_writes: None };
-        let mut pass = encoder.begin_compute_pass(&descriptor);
+        let mut pass = begin_compute(encoder, "mesh");
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &buffers.group, &[]);
         pass.set_bind_group(1, maps, &[]);

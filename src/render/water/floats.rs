@@ -1,8 +1,11 @@
 //! shaders/water/floats.wgsl: buoys and boats on the water. A handful of small hulls, turned on the CPU.
 
-use crate::gpu::shaders::Shaders;
+use crate::gpu::Gpu;
+use crate::gpu::kit::{Program, Slot};
 use crate::point::afloat::Pose;
-use crate::render::kit::{Onto, Program, SceneGroup, Slot, group, hdr_pipeline, layout};
+use crate::render::kit::SceneGroup;
+use crate::render::targets::{NEAREST, attachments};
+use crate::shaders::Shaders;
 use crate::state::floats::{self, Kind};
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec3};
@@ -47,22 +50,14 @@ pub struct FloatsPass {
 
 impl FloatsPass {
     /// For pictures of a scene.
-    pub fn new(device: &wgpu::Device, shaders: &Shaders) -> Self {
-        let layout = layout(device, "floats", wgpu::ShaderStages::VERTEX, &[Slot::Read(size_of::<Vertex>())]);
-        let module = shaders.module(device, "floats");
+    pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
+        let layout = gpu.layout("floats", wgpu::ShaderStages::VERTEX, &[Slot::Read(size_of::<Vertex>())]);
+        let module = shaders.module(gpu, "floats");
         Self { module, pipeline: None, layout, vertices: None, hulls: [buoy(), boat()], count: 0 }
     }
 
     /// Takes what floats, around the eye's foot (world x, z), over still water at `level_m`.
-    pub fn write(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        scene: &SceneGroup,
-        poses: &[Pose],
-        foot: [f64; 2],
-        level_m: f64,
-    ) {
+    pub fn write(&mut self, gpu: &Gpu, scene: &SceneGroup, poses: &[Pose], foot: [f64; 2], level_m: f64) {
         self.count = 0;
         if poses.is_empty() {
             return;
@@ -82,21 +77,17 @@ impl FloatsPass {
         }
         let most = floats::MOST * self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0);
         let (buffer, _) = self.vertices.get_or_insert_with(|| {
-            let buffer = device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some("floats"),
-                size: (most * size_of::<Vertex>()) as u64,
-                usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            });
-            let group = group(device, "floats", &self.layout, &[buffer.as_entire_binding()]);
+            let bytes = (most * size_of::<Vertex>()) as u64;
+            let buffer = gpu.storage("floats", bytes);
+            let group = gpu.group("floats", &self.layout, &[buffer.as_entire_binding()]);
             (buffer, group)
         });
         let vertices = &vertices[..vertices.len().min(most)];
-        queue.write_buffer(buffer, 0, bytemuck::cast_slice(vertices));
+        gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(vertices));
         self.count = vertices.len() as u32;
         self.pipeline.get_or_insert_with(|| {
-            let layouts = [Some(&scene.layout), Some(&self.layout)];
-            hdr_pipeline(device, "floats", &Program::new(&self.module), &layouts, &Onto::film(&scene.film, true))
+            let layouts = [&scene.layout, &self.layout];
+            gpu.render("floats", &Program::new(&self.module), &layouts, &attachments(&scene.film.format(), NEAREST))
         });
     }
 

@@ -3,11 +3,13 @@
 
 use super::displace::DisplacePass;
 use super::material;
-use crate::gpu::shaders::Shaders;
+use crate::gpu::Gpu;
+use crate::gpu::kit::{Attachments, Depth, Program, Slot, Uniform};
 use crate::render::Scene;
 use crate::render::frame::FrameUniform;
-use crate::render::kit::{Onto, Program, SceneGroup, Slot, Uniform, Variants, group, hdr_pipeline, layout, part};
-use crate::render::targets::{Film, SHOWN_FORMATS, Targets};
+use crate::render::kit::{SceneGroup, Variants, part};
+use crate::render::targets::{BEHIND, Film, NEAREST, SHOWN_FORMATS, Targets, attachments};
+use crate::shaders::Shaders;
 use crate::sim::Maps;
 use crate::state::look::{Fresnel, Specular};
 
@@ -44,7 +46,7 @@ impl Parts {
             schlick: surface.mirror.fresnel == Fresnel::Schlick,
             file: scene.look.sky.panorama().is_some(),
             fog: scene.look.sky.fog.extinction_per_km > 0.0,
-            samples: film == Film::reference(),
+            samples: film == Film::Reference,
         }
     }
 
@@ -86,52 +88,49 @@ struct Deferred {
 }
 
 impl Deferred {
-    fn new(device: &wgpu::Device, module: &wgpu::ShaderModule, layouts: [&wgpu::BindGroupLayout; 3]) -> Self {
-        let onto =
-            Onto { formats: &SHOWN_FORMATS, samples: 1, depth: wgpu::CompareFunction::GreaterEqual, depth_write: true };
+    fn new(gpu: &Gpu, module: &wgpu::ShaderModule, layouts: [&wgpu::BindGroupLayout; 3]) -> Self {
+        let onto = Attachments { formats: &SHOWN_FORMATS, depth: Some(NEAREST) };
         let program = Program { entries: ["mesh_vertex", "mesh_fragment"], ..Program::new(module) };
-        let mesh = hdr_pipeline(device, "water/mesh", &program, &layouts.map(Some), &onto);
-        let layout = layout(device, "shown", wgpu::ShaderStages::FRAGMENT, &[Slot::Words; 2]);
+        let mesh = gpu.render("water/mesh", &program, &layouts, &onto);
+        let layout = gpu.layout("shown", wgpu::ShaderStages::FRAGMENT, &[Slot::TextureUint; 2]);
         Self { mesh, layout, shown: None }
     }
 
     /// Binds what the mesh shows in these targets, if it is not bound yet.
-    fn bind(&mut self, device: &wgpu::Device, targets: &Targets) {
+    fn bind(&mut self, gpu: &Gpu, targets: &Targets) {
         let Some(shown) = &targets.shown else { return };
         if self.shown.as_ref().is_some_and(|(bound, _)| bound == shown) {
             return;
         }
         let resources = shown.each_ref().map(wgpu::BindingResource::TextureView);
-        self.shown = Some((shown.clone(), group(device, "shown", &self.layout, &resources)));
+        self.shown = Some((shown.clone(), gpu.group("shown", &self.layout, &resources)));
     }
 }
 
 impl WaterPass {
     /// Compiles the pass.
-    pub fn new(device: &wgpu::Device, shaders: &Shaders, scene: SceneGroup, frame: &Uniform<FrameUniform>) -> Self {
-        let slots = [Slot::Array, Slot::Array, Slot::Array, Slot::Array, Slot::Sampler, Slot::Sampler];
+    pub fn new(gpu: &Gpu, shaders: &Shaders, scene: SceneGroup, frame: &Uniform<FrameUniform>) -> Self {
+        let slots = [
+            Slot::TextureArray,
+            Slot::TextureArray,
+            Slot::TextureArray,
+            Slot::TextureArray,
+            Slot::Sampler,
+            Slot::Sampler,
+        ];
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
-        let layout = layout(device, "maps", stages, &slots);
-        let deferred = scene.film.deferred;
-        let module = shaders.module(device, if deferred { "water_deferred" } else { "water_forward" });
-        let samplers = [wgpu::MipmapFilterMode::Linear, wgpu::MipmapFilterMode::Nearest].map(|mipmap_filter| {
-            device.create_sampler(&wgpu::SamplerDescriptor {
-                label: Some("waves"),
-                address_mode_u: wgpu::AddressMode::Repeat,
-                address_mode_v: wgpu::AddressMode::Repeat,
-                mag_filter: wgpu::FilterMode::Linear,
-                min_filter: wgpu::FilterMode::Linear,
-                mipmap_filter,
-                ..Default::default()
-            })
-        });
-        let mesh = DisplacePass::new(device, shaders, frame, &layout);
-        let deferred = deferred.then(|| Deferred::new(device, &module, [&scene.layout, &layout, mesh.drawn_layout()]));
+        let layout = gpu.layout("maps", stages, &slots);
+        let deferred = scene.film.is_deferred();
+        let module = shaders.module(gpu, if deferred { "water_deferred" } else { "water_forward" });
+        let samplers = [wgpu::MipmapFilterMode::Linear, wgpu::MipmapFilterMode::Nearest]
+            .map(|mipmap_filter| gpu.sampler("waves", [wgpu::AddressMode::Repeat; 2], mipmap_filter));
+        let mesh = DisplacePass::new(gpu, shaders, frame, &layout);
+        let deferred = deferred.then(|| Deferred::new(gpu, &module, [&scene.layout, &layout, mesh.drawn_layout()]));
         Self { scene, mesh, module, pipelines: Variants::default(), deferred, layout, samplers, maps: None }
     }
 
     /// Binds the maps, if they are new.
-    pub fn bind_maps(&mut self, device: &wgpu::Device, maps: &Maps) {
+    pub fn bind_maps(&mut self, gpu: &Gpu, maps: &Maps) {
         use wgpu::BindingResource::{Sampler, TextureView};
         if self.maps.as_ref().is_some_and(|(generation, _)| *generation == maps.generation) {
             return;
@@ -144,32 +143,32 @@ impl WaterPass {
             Sampler(&self.samplers[0]),
             Sampler(&self.samplers[1]),
         ];
-        self.maps = Some((maps.generation, group(device, "maps", &self.layout, &resources)));
+        self.maps = Some((maps.generation, gpu.group("maps", &self.layout, &resources)));
     }
 
     /// Binds what the mesh shows in these targets, if the sea is lit afterwards.
-    pub fn bind_targets(&mut self, device: &wgpu::Device, targets: &Targets) {
+    pub fn bind_targets(&mut self, gpu: &Gpu, targets: &Targets) {
         if let Some(deferred) = &mut self.deferred {
-            deferred.bind(device, targets);
+            deferred.bind(gpu, targets);
         }
     }
 
     /// Makes the pipeline that the picture of a scene needs, if there is none yet.
-    pub fn choose(&mut self, device: &wgpu::Device, scene: &Scene) {
+    pub fn choose(&mut self, gpu: &Gpu, scene: &Scene) {
         let parts = Parts::new(scene, self.scene.film);
-        let (module, film) = (&self.module, self.scene.film);
+        let (module, format) = (&self.module, self.scene.film.format());
         let shown = self.deferred.as_ref().map(|d| &d.layout);
-        let layouts = [&self.scene.layout, &self.layout, shown.unwrap_or(self.mesh.drawn_layout())].map(Some);
+        let layouts = [&self.scene.layout, &self.layout, shown.unwrap_or(self.mesh.drawn_layout())];
         let entries = if shown.is_some() { ["light_vertex", "light_fragment"] } else { ["vertex", "fragment"] };
         self.pipelines.choose(parts, |parts| {
             let constants = parts.constants();
             let program = Program { module, entries, constants: &constants };
             // What is lit afterwards stands behind what is drawn, before the sky.
             let onto = match shown {
-                Some(_) => Onto { depth: wgpu::CompareFunction::LessEqual, ..Onto::film(&film, false) },
-                None => Onto::film(&film, true),
+                Some(_) => attachments(&format, Depth { compare: wgpu::CompareFunction::LessEqual, ..BEHIND }),
+                None => attachments(&format, NEAREST),
             };
-            hdr_pipeline(device, "water", &program, &layouts, &onto)
+            gpu.render("water", &program, &layouts, &onto)
         });
     }
 

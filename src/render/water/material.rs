@@ -1,12 +1,10 @@
 //! The uniform of what water, foam and bed are made of. Depends on the look, the wind and where the eye stands.
 
-use crate::gpu::layout::Layout;
+use crate::gpu::layout::gpu_struct;
 use crate::optics::water::Water;
 use crate::render::Scene;
 use crate::state::fields::linear_rgb;
 use crate::state::look::Body;
-use bytemuck::{Pod, Zeroable};
-use std::mem::offset_of;
 
 /// Layers of noise: four of foam, two of the bed.
 const LAYERS: usize = 6;
@@ -27,59 +25,42 @@ const SHAPES: [LayerShape; LAYERS] = [
 /// The bed is out of sight where less than this share of vertical light comes back.
 const BED_SEEN: f64 = 1e-3;
 
-/// WGSL `Material`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct MaterialUniform {
-    absorption: [f32; 3],
-    ambient: f32,
-    backscatter: [f32; 3],
-    index_air: f32,
-    scatter: [f32; 3],
-    bubbles: f32,
-    bubble_colour: [f32; 3],
-    height_scatter: f32,
-    foam_colour: [f32; 3],
-    view_scatter: f32,
-    bed_colour: [f32; 3],
-    diffuse: f32,
-    layers: [[f32; 4]; LAYERS],
-    layer_feet: [[f32; 2]; LAYERS],
-    index_water: f32,
-    fresnel_shine: f32,
-    fresnel_scale: f32,
-    fresnel_normals: f32,
-    shininess: f32,
-    specular_scale: f32,
-    specular_fresnel: f32,
-    specular_cut: f32,
-    rough_variance: f32,
-    foam_roughness: f32,
-    foam_relief: f32,
-    reflection: f32,
-    caustics: f32,
-    caustic_m: f32,
-    unused: [f32; 2],
-}
-
-macro_rules! offsets {
-    ($($field:ident),+) => { &[$((stringify!($field), offset_of!(MaterialUniform, $field))),+] };
+gpu_struct! {
+    /// WGSL `Material`.
+    pub struct MaterialUniform as "Material" {
+        absorption: [f32; 3],
+        ambient: f32,
+        backscatter: [f32; 3],
+        index_air: f32,
+        scatter: [f32; 3],
+        bubbles: f32,
+        bubble_colour: [f32; 3],
+        height_scatter: f32,
+        foam_colour: [f32; 3],
+        view_scatter: f32,
+        bed_colour: [f32; 3],
+        diffuse: f32,
+        layers: [[f32; 4]; LAYERS],
+        layer_feet: [[f32; 2]; LAYERS],
+        index_water: f32,
+        fresnel_shine: f32,
+        fresnel_scale: f32,
+        fresnel_normals: f32,
+        shininess: f32,
+        specular_scale: f32,
+        specular_fresnel: f32,
+        specular_cut: f32,
+        rough_variance: f32,
+        foam_roughness: f32,
+        foam_relief: f32,
+        reflection: f32,
+        caustics: f32,
+        caustic_m: f32,
+        unused: [f32; 2],
+    }
 }
 
 impl MaterialUniform {
-    /// For the layout test.
-    #[rustfmt::skip]
-    pub const LAYOUT: Layout = (
-        "Material",
-        offsets!(
-            absorption, ambient, backscatter, index_air, scatter, bubbles, bubble_colour, height_scatter, foam_colour,
-            view_scatter, bed_colour, diffuse, layers, layer_feet, index_water, fresnel_shine, fresnel_scale,
-            fresnel_normals, shininess, specular_scale, specular_fresnel, specular_cut, rough_variance, foam_roughness,
-            foam_relief, reflection, caustics, caustic_m
-        ),
-        size_of::<Self>(),
-    );
-
     /// The material of a scene.
     pub fn new(scene: &Scene) -> Self {
         let surface = &scene.look.surface;

@@ -1,6 +1,7 @@
 //! A tile of noise with mips: foam's net (red), bubbles (green) and cloud (blue). Each is equalised: its values are
 //! spread evenly over 0..1, so that a threshold of 1 - c covers the share c.
 
+use crate::gpu::Gpu;
 use crate::waves::noise::pcg4d;
 use std::sync::OnceLock;
 
@@ -16,45 +17,18 @@ pub struct NoiseTexture {
 
 impl NoiseTexture {
     /// Without its tile: see [`Self::fill`].
-    pub fn new(device: &wgpu::Device) -> Self {
+    pub fn new(gpu: &Gpu) -> Self {
         let mips = SIDE.ilog2() + 1;
-        let texture = device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("noise"),
-            size: wgpu::Extent3d { width: SIDE, height: SIDE, depth_or_array_layers: 1 },
-            mip_level_count: mips,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: wgpu::TextureFormat::Rgba8Unorm,
-            usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
-            view_formats: &[],
-        });
-        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("noise"),
-            address_mode_u: wgpu::AddressMode::Repeat,
-            address_mode_v: wgpu::AddressMode::Repeat,
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            mipmap_filter: wgpu::MipmapFilterMode::Linear,
-            ..Default::default()
-        });
+        let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
+        let texture = gpu.texture("noise", [SIDE, SIDE, 1], mips, wgpu::TextureFormat::Rgba8Unorm, usage);
+        let sampler = gpu.sampler("noise", [wgpu::AddressMode::Repeat; 2], wgpu::MipmapFilterMode::Linear);
         Self { view: texture.create_view(&wgpu::TextureViewDescriptor::default()), texture, sampler }
     }
 
     /// Computes and uploads the tile.
-    pub fn fill(&self, queue: &wgpu::Queue) {
+    pub fn fill(&self, gpu: &Gpu) {
         for (mip_level, bytes) in (0..).zip(levels()) {
-            let side = SIDE >> mip_level;
-            queue.write_texture(
-                wgpu::TexelCopyTextureInfo {
-                    texture: &self.texture,
-                    mip_level,
-                    origin: wgpu::Origin3d::ZERO,
-                    aspect: wgpu::TextureAspect::All,
-                },
-                bytes,
-                wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * side), rows_per_image: Some(side) },
-                wgpu::Extent3d { width: side, height: side, depth_or_array_layers: 1 },
-            );
+            gpu.write_texture(&self.texture, mip_level, bytes);
         }
     }
 }

@@ -9,6 +9,7 @@
 //! 64 points in a moment, where SwiftShader takes 9 s. The rule is the adapter's kind, name and
 //! features: browsers have no numbers of 64 bits, so it is llvmpipe in native programs that merges, up to 512 points.
 
+use crate::gpu::Gpu;
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
@@ -38,9 +39,9 @@ impl Way {
     }
 
     /// The fastest one for a device.
-    pub fn of(device: &wgpu::Device) -> Self {
-        match device.adapter_info().device_type {
-            wgpu::DeviceType::Cpu if device.features().contains(Self::FEATURES) => Self::Merged,
+    pub fn of(gpu: &Gpu) -> Self {
+        match gpu.device.adapter_info().device_type {
+            wgpu::DeviceType::Cpu if gpu.device.features().contains(Self::FEATURES) => Self::Merged,
             wgpu::DeviceType::Cpu => Self::Straight,
             _ => Self::Exchanged,
         }

@@ -1,7 +1,10 @@
 //! Every shader module, joined from plain WGSL files. Names are prefixed by their part (`sea_`, `noise_`).
 
-use super::fft::{Transform, Way};
-use super::map_format::MapFormat;
+pub mod fft;
+
+use crate::gpu::Gpu;
+use crate::gpu::map_format::MapFormat;
+use fft::{Transform, Way};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -163,8 +166,8 @@ impl Shaders {
     }
 
     /// How lines of `n` points are transformed on a device.
-    pub fn way(&self, device: &wgpu::Device, n: u32) -> Way {
-        self.way.unwrap_or_else(|| Way::of(device)).for_points(n)
+    pub fn way(&self, gpu: &Gpu, n: u32) -> Way {
+        self.way.unwrap_or_else(|| Way::of(gpu)).for_points(n)
     }
 
     /// The same with maps of one format on every adapter that can filter it.
@@ -174,8 +177,8 @@ impl Shaders {
     }
 
     /// How maps are kept on a device.
-    pub fn maps(&self, device: &wgpu::Device) -> MapFormat {
-        self.maps.unwrap_or_else(|| MapFormat::of(device))
+    pub fn maps(&self, gpu: &Gpu) -> MapFormat {
+        self.maps.unwrap_or_else(|| MapFormat::of(gpu))
     }
 
     /// Names and joined texts; what is written out is that of 256 points, and maps are of half floats unless they are chosen.
@@ -197,11 +200,11 @@ impl Shaders {
     ///
     /// # Panics
     /// If there is none of that name.
-    pub fn module(&self, device: &wgpu::Device, name: &str) -> wgpu::ShaderModule {
+    pub fn module(&self, gpu: &Gpu, name: &str) -> wgpu::ShaderModule {
         let (label, source) = self.sources.get_key_value(name).unwrap_or_else(|| panic!("no shader module {name}"));
-        device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(label),
-            source: wgpu::ShaderSource::Wgsl(self.maps(device).shader(Cow::Borrowed(source))),
+            source: wgpu::ShaderSource::Wgsl(self.maps(gpu).shader(Cow::Borrowed(source))),
         })
     }
 
@@ -209,10 +212,10 @@ impl Shaders {
     ///
     /// # Panics
     /// If there is none of that name.
-    pub fn straight(&self, device: &wgpu::Device, name: &str, transform: Transform) -> wgpu::ShaderModule {
-        device.create_shader_module(wgpu::ShaderModuleDescriptor {
+    pub fn straight(&self, gpu: &Gpu, name: &str, transform: Transform) -> wgpu::ShaderModule {
+        gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(name),
-            source: wgpu::ShaderSource::Wgsl(Cow::Owned(self.source(name, transform, self.maps(device)))),
+            source: wgpu::ShaderSource::Wgsl(Cow::Owned(self.source(name, transform, self.maps(gpu)))),
         })
     }
 }

@@ -5,6 +5,7 @@
 //! As good as theirs: bind groups are made once, and spectra lie in the order of the transform, so that no pass has to permute
 //! them.
 
+use crate::gpu::Gpu;
 use crate::sim::Simulation;
 use bytemuck::{Pod, Zeroable};
 use std::f64::consts::TAU;
@@ -48,32 +49,32 @@ pub enum Kernel {
 
 impl PerStage {
     /// For the sea of a simulation at its last time; its spectrum must have been drawn.
-    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, sim: &Simulation) -> Self {
+    pub fn new(gpu: &Gpu, sim: &Simulation) -> Self {
         let (maps, n) = (sim.maps(), sim.plan().n);
-        let tools = Tools::new(device, queue, n);
+        let tools = Tools::new(gpu, n);
         let mut out = Self { steps: Vec::new(), displacement: Vec::new(), gradients: Vec::new() };
-        let evolve = pipeline(device, "evolve", include_str!("evolve.wgsl"), &[]);
-        let merge = pipeline(device, "merge", include_str!("merge.wgsl"), &[]);
+        let evolve = pipeline(gpu, "evolve", include_str!("../../shaders/bench/evolve.wgsl"), &[]);
+        let merge = pipeline(gpu, "merge", include_str!("../../shaders/bench/merge.wgsl"), &[]);
         for (cascade, place) in (0..).zip(maps.sea()) {
             let values = Evolve { cascade, dk: (TAU / place.patch_m) as f32, phase_time: maps.phase_time, unused: 0 };
-            let uniform = uniform(device, queue, bytemuck::bytes_of(&values));
-            let fields: [[wgpu::TextureView; 2]; FIELDS] = std::array::from_fn(|_| tools.pair(device));
+            let uniform = uniform(gpu, bytemuck::bytes_of(&values));
+            let fields: [[wgpu::TextureView; 2]; FIELDS] = std::array::from_fn(|_| tools.pair(gpu));
             let mut bound =
                 vec![uniform.as_entire_binding(), maps.h0.as_entire_binding(), maps.wave.as_entire_binding()];
             bound.extend(fields.iter().map(|pair| wgpu::BindingResource::TextureView(&pair[0])));
-            out.steps.push(step(device, &evolve, &bound, [n / 8; 2]));
+            out.steps.push(step(gpu, &evolve, &bound, [n / 8; 2]));
             for pair in &fields {
-                out.steps.extend(tools.transform(device, pair, Kernel::Stages));
+                out.steps.extend(tools.transform(gpu, pair, Kernel::Stages));
             }
             let map = |label| {
-                let map = texture(device, label, [n; 2], wgpu::TextureFormat::Rgba16Float);
+                let map = texture(gpu, label, [n; 2], wgpu::TextureFormat::Rgba16Float);
                 let view = map.create_view(&wgpu::TextureViewDescriptor::default());
                 (map, view)
             };
             let ((displacement, d), (gradients, g)) = (map("displacement"), map("gradients"));
             let views = fields.iter().map(|pair| &pair[0]).chain([&d, &g]);
             let bound: Vec<_> = views.map(wgpu::BindingResource::TextureView).collect();
-            out.steps.push(step(device, &merge, &bound, [n / 8; 2]));
+            out.steps.push(step(gpu, &merge, &bound, [n / 8; 2]));
             out.displacement.push(displacement);
             out.gradients.push(gradients);
         }
@@ -81,9 +82,9 @@ impl PerStage {
     }
 
     /// The inverse transform of one complex field of `n` x `n` points by itself.
-    pub fn one_field(device: &wgpu::Device, queue: &wgpu::Queue, n: u32, kernel: Kernel) -> Self {
-        let tools = Tools::new(device, queue, n);
-        let steps = tools.transform(device, &tools.pair(device), kernel);
+    pub fn one_field(gpu: &Gpu, n: u32, kernel: Kernel) -> Self {
+        let tools = Tools::new(gpu, n);
+        let steps = tools.transform(gpu, &tools.pair(gpu), kernel);
         Self { steps, displacement: Vec::new(), gradients: Vec::new() }
     }
 
@@ -114,10 +115,10 @@ struct Tools {
 }
 
 impl Tools {
-    fn new(device: &wgpu::Device, queue: &wgpu::Queue, n: u32) -> Self {
+    fn new(gpu: &Gpu, n: u32) -> Self {
         let stages = n.ilog2();
-        let butterfly = texture(device, "butterfly", [n, stages], wgpu::TextureFormat::Rgba32Float);
-        queue.write_texture(
+        let butterfly = texture(gpu, "butterfly", [n, stages], wgpu::TextureFormat::Rgba32Float);
+        gpu.queue.write_texture(
             butterfly.as_image_copy(),
             bytemuck::cast_slice(&factors(n)),
             wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(16 * n), rows_per_image: None },
@@ -125,29 +126,36 @@ impl Tools {
         );
         let uniforms = |vertical: u32| (0..stages).map(move |stage| [stage, vertical]);
         // A workgroup has 256 threads at most.
-        let fits = n <= device.limits().max_compute_invocations_per_workgroup;
-        let shared = || pipeline(device, "shared radix 2", include_str!("shared_radix2.wgsl"), &[("N", f64::from(n))]);
+        let fits = n <= gpu.device.limits().max_compute_invocations_per_workgroup;
+        let shared = || {
+            pipeline(
+                gpu,
+                "shared radix 2",
+                include_str!("../../shaders/bench/shared_radix2.wgsl"),
+                &[("N", f64::from(n))],
+            )
+        };
         Self {
             n,
-            stage: pipeline(device, "stage", include_str!("stage.wgsl"), &[]),
+            stage: pipeline(gpu, "stage", include_str!("../../shaders/bench/stage.wgsl"), &[]),
             shared: fits.then(shared),
             butterfly: butterfly.create_view(&wgpu::TextureViewDescriptor::default()),
             stages: (uniforms(0).chain(uniforms(1)))
-                .map(|values| uniform(device, queue, bytemuck::cast_slice(&values)))
+                .map(|values| uniform(gpu, bytemuck::cast_slice(&values)))
                 .collect(),
         }
     }
 
     /// The textures that take turns.
-    fn pair(&self, device: &wgpu::Device) -> [wgpu::TextureView; 2] {
+    fn pair(&self, gpu: &Gpu) -> [wgpu::TextureView; 2] {
         std::array::from_fn(|_| {
-            texture(device, "field", [self.n; 2], wgpu::TextureFormat::Rg32Float)
+            texture(gpu, "field", [self.n; 2], wgpu::TextureFormat::Rg32Float)
                 .create_view(&wgpu::TextureViewDescriptor::default())
         })
     }
 
     /// The steps that transform the first of a pair, and leave the result there: the number of stages is even.
-    fn transform(&self, device: &wgpu::Device, pair: &[wgpu::TextureView; 2], kernel: Kernel) -> Vec<Step> {
+    fn transform(&self, gpu: &Gpu, pair: &[wgpu::TextureView; 2], kernel: Kernel) -> Vec<Step> {
         let half = self.stages.len() / 2;
         let (pipeline, uniforms, size): (_, Vec<_>, _) = match (kernel, &self.shared) {
             (Kernel::Shared, Some(shared)) => (shared, vec![&self.stages[0], &self.stages[half]], [self.n, 1]),
@@ -160,7 +168,7 @@ impl Tools {
                 wgpu::BindingResource::TextureView(&pair[i % 2]),
                 wgpu::BindingResource::TextureView(&pair[(i + 1) % 2]),
             ];
-            step(device, pipeline, &bound, size)
+            step(gpu, pipeline, &bound, size)
         };
         uniforms.into_iter().enumerate().map(bind).collect()
     }
@@ -181,12 +189,12 @@ fn factors(n: u32) -> Vec<[f32; 4]> {
     (0..bits).flat_map(|stage| (0..n).map(move |i| entry(stage, i))).collect()
 }
 
-fn pipeline(device: &wgpu::Device, label: &str, source: &str, constants: &[(&str, f64)]) -> wgpu::ComputePipeline {
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+fn pipeline(gpu: &Gpu, label: &str, source: &str, constants: &[(&str, f64)]) -> wgpu::ComputePipeline {
+    let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some(label),
         source: wgpu::ShaderSource::Wgsl(source.into()),
     });
-    device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+    gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
         label: Some(label),
         layout: None,
         module: &module,
@@ -196,17 +204,12 @@ fn pipeline(device: &wgpu::Device, label: &str, source: &str, constants: &[(&str
     })
 }
 
-fn step(
-    device: &wgpu::Device,
-    pipeline: &wgpu::ComputePipeline,
-    bound: &[wgpu::BindingResource<'_>],
-    size: [u32; 2],
-) -> Step {
+fn step(gpu: &Gpu, pipeline: &wgpu::ComputePipeline, bound: &[wgpu::BindingResource<'_>], size: [u32; 2]) -> Step {
     let entries: Vec<_> = (0..)
         .zip(bound)
         .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource: resource.clone() })
         .collect();
-    let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+    let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: None,
         layout: &pipeline.get_bind_group_layout(0),
         entries: &entries,
@@ -214,29 +217,24 @@ fn step(
     Step { pipeline: pipeline.clone(), group, size }
 }
 
-fn uniform(device: &wgpu::Device, queue: &wgpu::Queue, bytes: &[u8]) -> wgpu::Buffer {
-    let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+fn uniform(gpu: &Gpu, bytes: &[u8]) -> wgpu::Buffer {
+    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: Some("step"),
         size: bytes.len() as u64,
         usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
         mapped_at_creation: false,
     });
-    queue.write_buffer(&buffer, 0, bytes);
+    gpu.queue.write_buffer(&buffer, 0, bytes);
     buffer
 }
 
-fn texture(
-    device: &wgpu::Device,
-    label: &str,
-    [width, height]: [u32; 2],
-    format: wgpu::TextureFormat,
-) -> wgpu::Texture {
+fn texture(gpu: &Gpu, label: &str, [width, height]: [u32; 2], format: wgpu::TextureFormat) -> wgpu::Texture {
     // Only what is computed is written by shaders: the table need not be.
     let written = match format {
         wgpu::TextureFormat::Rgba32Float => wgpu::TextureUsages::COPY_DST,
         _ => wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::COPY_SRC,
     };
-    device.create_texture(&wgpu::TextureDescriptor {
+    gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some(label),
         size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         mip_level_count: 1,

@@ -1,0 +1,413 @@
+//! The GPU kit: a device with its queue, and short ways to make what the passes need.
+
+use std::marker::PhantomData;
+use std::num::NonZeroU64;
+
+/// A device and its queue. Clones share both.
+#[derive(Clone, Debug)]
+pub struct Gpu {
+    /// Makes resources.
+    pub device: wgpu::Device,
+    /// Takes work.
+    pub queue: wgpu::Queue,
+}
+
+/// The resource at a binding.
+#[derive(Clone, Copy, Debug)]
+pub enum Slot {
+    /// A uniform buffer of this many bytes.
+    Uniform(usize),
+    /// A uniform buffer of this many bytes, chosen by a dynamic offset.
+    UniformAt(usize),
+    /// A storage buffer of at least this many bytes that the shader reads.
+    Read(usize),
+    /// A storage buffer of at least this many bytes that the shader writes.
+    Write(usize),
+    /// A filterable 2d texture.
+    Texture,
+    /// A filterable 2d array texture.
+    TextureArray,
+    /// A 2d texture of unsigned integers.
+    TextureUint,
+    /// A 2d storage texture that the shader writes.
+    Image(wgpu::TextureFormat),
+    /// A 2d array storage texture that the shader writes.
+    ImageArray(wgpu::TextureFormat),
+    /// A filtering sampler.
+    Sampler,
+}
+
+impl Slot {
+    fn binding_type(self) -> wgpu::BindingType {
+        let buffer = |ty, has_dynamic_offset, bytes| wgpu::BindingType::Buffer {
+            ty,
+            has_dynamic_offset,
+            min_binding_size: NonZeroU64::new(bytes as u64),
+        };
+        let storage = |read_only| wgpu::BufferBindingType::Storage { read_only };
+        let texture = |sample_type, view_dimension| wgpu::BindingType::Texture {
+            sample_type,
+            view_dimension,
+            multisampled: false,
+        };
+        let filterable = wgpu::TextureSampleType::Float { filterable: true };
+        let image = |format, view_dimension| wgpu::BindingType::StorageTexture {
+            access: wgpu::StorageTextureAccess::WriteOnly,
+            format,
+            view_dimension,
+        };
+        use wgpu::TextureViewDimension::{D2, D2Array};
+        match self {
+            Self::Uniform(bytes) => buffer(wgpu::BufferBindingType::Uniform, false, bytes),
+            Self::UniformAt(bytes) => buffer(wgpu::BufferBindingType::Uniform, true, bytes),
+            Self::Read(bytes) => buffer(storage(true), false, bytes),
+            Self::Write(bytes) => buffer(storage(false), false, bytes),
+            Self::Texture => texture(filterable, D2),
+            Self::TextureArray => texture(filterable, D2Array),
+            Self::TextureUint => texture(wgpu::TextureSampleType::Uint, D2),
+            Self::Image(format) => image(format, D2),
+            Self::ImageArray(format) => image(format, D2Array),
+            Self::Sampler => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
+        }
+    }
+}
+
+/// The shaders of a render pipeline.
+pub struct Program<'a> {
+    /// The module of both entry points.
+    pub module: &'a wgpu::ShaderModule,
+    /// Names of the vertex and of the fragment shader.
+    pub entries: [&'a str; 2],
+    /// Values of the module's override constants.
+    pub constants: &'a [(&'a str, f64)],
+}
+
+impl<'a> Program<'a> {
+    /// Entry points `vertex` and `fragment`, constants at their defaults.
+    pub fn new(module: &'a wgpu::ShaderModule) -> Self {
+        Self { module, entries: ["vertex", "fragment"], constants: &[] }
+    }
+}
+
+/// The attachments of a render pipeline.
+pub struct Attachments<'a> {
+    /// Formats of the colour attachments.
+    pub formats: &'a [wgpu::TextureFormat],
+    /// The depth attachment, if there is one.
+    pub depth: Option<Depth>,
+}
+
+/// How a pipeline uses the depth attachment.
+#[derive(Clone, Copy, Debug)]
+pub struct Depth {
+    /// Format of the attachment.
+    pub format: wgpu::TextureFormat,
+    /// The test that a fragment must pass.
+    pub compare: wgpu::CompareFunction,
+    /// Whether fragments that pass write their depth.
+    pub write: bool,
+}
+
+impl Gpu {
+    /// A command encoder.
+    pub fn encoder(&self, label: &str) -> wgpu::CommandEncoder {
+        self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some(label) })
+    }
+
+    /// Submits the commands of an encoder.
+    pub fn submit(&self, encoder: wgpu::CommandEncoder) {
+        self.queue.submit([encoder.finish()]);
+    }
+
+    /// A buffer of `bytes` bytes.
+    pub fn buffer(&self, label: &str, bytes: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
+        self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(label),
+            size: bytes,
+            usage,
+            mapped_at_creation: false,
+        })
+    }
+
+    /// A storage buffer that can be copied from and to.
+    pub fn storage(&self, label: &str, bytes: u64) -> wgpu::Buffer {
+        let copies = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC;
+        self.buffer(label, bytes, wgpu::BufferUsages::STORAGE | copies)
+    }
+
+    /// A 2d texture of width, height and layers, with one sample a texel.
+    pub fn texture(
+        &self,
+        label: &str,
+        [width, height, layers]: [u32; 3],
+        mip_levels: u32,
+        format: wgpu::TextureFormat,
+        usage: wgpu::TextureUsages,
+    ) -> wgpu::Texture {
+        self.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some(label),
+            size: wgpu::Extent3d { width, height, depth_or_array_layers: layers },
+            mip_level_count: mip_levels,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format,
+            usage,
+            view_formats: &[],
+        })
+    }
+
+    /// Writes one mip level of a texture's first layer.
+    pub fn write_texture(&self, texture: &wgpu::Texture, mip_level: u32, bytes: &[u8]) {
+        let [width, height] = [texture.width(), texture.height()].map(|side| (side >> mip_level).max(1));
+        let row = bytes.len() as u32 / height;
+        self.queue.write_texture(
+            wgpu::TexelCopyTextureInfo { mip_level, ..texture.as_image_copy() },
+            bytes,
+            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: Some(height) },
+            wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        );
+    }
+
+    /// A sampler that interpolates within a mip level, with these address modes along u and v.
+    pub fn sampler(
+        &self,
+        label: &str,
+        [u, v]: [wgpu::AddressMode; 2],
+        mipmap_filter: wgpu::MipmapFilterMode,
+    ) -> wgpu::Sampler {
+        self.device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some(label),
+            address_mode_u: u,
+            address_mode_v: v,
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            mipmap_filter,
+            ..Default::default()
+        })
+    }
+
+    /// The layout of a bind group: its slots, in order from binding 0.
+    pub fn layout(&self, label: &str, visibility: wgpu::ShaderStages, slots: &[Slot]) -> wgpu::BindGroupLayout {
+        let entry = |(binding, slot): (u32, &Slot)| wgpu::BindGroupLayoutEntry {
+            binding,
+            visibility,
+            ty: slot.binding_type(),
+            count: None,
+        };
+        let entries: Vec<_> = (0..).zip(slots).map(entry).collect();
+        let descriptor = wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries };
+        self.device.create_bind_group_layout(&descriptor)
+    }
+
+    /// A bind group: its resources, in order from binding 0.
+    pub fn group(
+        &self,
+        label: &str,
+        layout: &wgpu::BindGroupLayout,
+        resources: &[wgpu::BindingResource<'_>],
+    ) -> wgpu::BindGroup {
+        let entries: Vec<_> = (0..)
+            .zip(resources)
+            .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource: resource.clone() })
+            .collect();
+        self.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
+    }
+
+    /// Compiles a WGSL module.
+    pub fn module(&self, label: &str, source: &str) -> wgpu::ShaderModule {
+        self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(label),
+            source: wgpu::ShaderSource::Wgsl(source.into()),
+        })
+    }
+
+    /// A compute pipeline.
+    pub fn compute(
+        &self,
+        label: &str,
+        (module, entry): (&wgpu::ShaderModule, &str),
+        layouts: &[&wgpu::BindGroupLayout],
+        constants: &[(&str, f64)],
+    ) -> wgpu::ComputePipeline {
+        self.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some(label),
+            layout: Some(&self.pipeline_layout(label, layouts)),
+            module,
+            entry_point: Some(entry),
+            compilation_options: wgpu::PipelineCompilationOptions { constants, ..Default::default() },
+            cache: None,
+        })
+    }
+
+    /// A render pipeline that draws triangles without vertex buffers.
+    pub fn render(
+        &self,
+        label: &str,
+        program: &Program<'_>,
+        layouts: &[&wgpu::BindGroupLayout],
+        onto: &Attachments<'_>,
+    ) -> wgpu::RenderPipeline {
+        let Program { module, entries: [vertex, fragment], constants } = *program;
+        let compilation_options = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
+        let targets: Vec<_> = onto.formats.iter().map(|&format| Some(format.into())).collect();
+        self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some(label),
+            layout: Some(&self.pipeline_layout(label, layouts)),
+            vertex: wgpu::VertexState {
+                module,
+                entry_point: Some(vertex),
+                compilation_options: compilation_options.clone(),
+                buffers: &[],
+            },
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: onto.depth.map(|depth| wgpu::DepthStencilState {
+                format: depth.format,
+                depth_write_enabled: Some(depth.write),
+                depth_compare: Some(depth.compare),
+                stencil: wgpu::StencilState::default(),
+                bias: wgpu::DepthBiasState::default(),
+            }),
+            multisample: wgpu::MultisampleState::default(),
+            fragment: Some(wgpu::FragmentState {
+                module,
+                entry_point: Some(fragment),
+                compilation_options,
+                targets: &targets,
+            }),
+            multiview_mask: None,
+            cache: None,
+        })
+    }
+
+    fn pipeline_layout(&self, label: &str, layouts: &[&wgpu::BindGroupLayout]) -> wgpu::PipelineLayout {
+        let layouts: Vec<_> = layouts.iter().map(|layout| Some(*layout)).collect();
+        self.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some(label),
+            bind_group_layouts: &layouts,
+            immediate_size: 0,
+        })
+    }
+}
+
+/// A compute pipeline with one bind group layout.
+#[derive(Debug)]
+pub struct Kernel {
+    label: &'static str,
+    pipeline: wgpu::ComputePipeline,
+    layout: wgpu::BindGroupLayout,
+}
+
+impl Kernel {
+    /// Compiles an entry point for these bindings and override constants.
+    pub fn new(
+        gpu: &Gpu,
+        label: &'static str,
+        program: (&wgpu::ShaderModule, &str),
+        slots: &[Slot],
+        constants: &[(&str, f64)],
+    ) -> Self {
+        let layout = gpu.layout(label, wgpu::ShaderStages::COMPUTE, slots);
+        let pipeline = gpu.compute(label, program, &[&layout], constants);
+        Self { label, pipeline, layout }
+    }
+
+    /// Binds resources, in the order of the slots.
+    pub fn bind(&self, gpu: &Gpu, resources: &[wgpu::BindingResource<'_>]) -> wgpu::BindGroup {
+        gpu.group(self.label, &self.layout, resources)
+    }
+
+    /// Records one dispatch in a compute pass of its own.
+    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, group: &wgpu::BindGroup, offsets: &[u32], size: [u32; 3]) {
+        let mut pass = begin_compute(encoder, self.label);
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, group, offsets);
+        pass.dispatch_workgroups(size[0], size[1], size[2]);
+    }
+}
+
+/// Begins a compute pass.
+pub fn begin_compute<'a>(encoder: &'a mut wgpu::CommandEncoder, label: &str) -> wgpu::ComputePass<'a> {
+    encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(label), timestamp_writes: None })
+}
+
+/// A view of a texture: its mip levels from `mip_level` on, or that level alone.
+pub fn mip_view(texture: &wgpu::Texture, mip_level: u32) -> wgpu::TextureView {
+    texture.create_view(&wgpu::TextureViewDescriptor {
+        base_mip_level: mip_level,
+        mip_level_count: Some(1),
+        ..Default::default()
+    })
+}
+
+/// A uniform buffer of one struct.
+#[derive(Clone, Debug)]
+pub struct Uniform<T> {
+    /// The buffer.
+    pub buffer: wgpu::Buffer,
+    kind: PhantomData<T>,
+}
+
+impl<T: bytemuck::Pod> Uniform<T> {
+    /// An empty buffer.
+    pub fn new(gpu: &Gpu, label: &str) -> Self {
+        let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST;
+        Self { buffer: gpu.buffer(label, size_of::<T>() as u64, usage), kind: PhantomData }
+    }
+
+    /// Sends a value to the GPU, before the commands of the next submission.
+    pub fn write(&self, gpu: &Gpu, value: &T) {
+        gpu.queue.write_buffer(&self.buffer, 0, bytemuck::bytes_of(value));
+    }
+}
+
+/// One buffer with several values of a uniform struct, told apart by dynamic offsets. All values of a submission are sent
+/// in one write.
+#[derive(Debug)]
+pub struct UniformRing<T> {
+    /// The buffer.
+    pub buffer: wgpu::Buffer,
+    stride: usize,
+    bytes: Vec<u8>,
+    used: usize,
+    kind: PhantomData<T>,
+}
+
+impl<T: bytemuck::Pod> UniformRing<T> {
+    /// Room for `slots` values in one submission.
+    pub fn new(gpu: &Gpu, label: &str, slots: usize) -> Self {
+        let stride = size_of::<T>().next_multiple_of(256);
+        let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
+        let buffer = gpu.buffer(label, (stride * slots) as u64, usage);
+        Self { buffer, stride, bytes: vec![0; stride * slots], used: 0, kind: PhantomData }
+    }
+
+    /// Forgets the values of the last submission.
+    pub fn restart(&mut self) {
+        self.used = 0;
+    }
+
+    /// Adds a value and returns its dynamic offset.
+    ///
+    /// # Panics
+    /// If more values are added than there are slots.
+    pub fn push(&mut self, value: &T) -> u32 {
+        let at = self.used * self.stride;
+        self.bytes[at..at + size_of::<T>()].copy_from_slice(bytemuck::bytes_of(value));
+        self.used += 1;
+        at as u32
+    }
+
+    /// Sends the values to the GPU, before the submission that uses them.
+    pub fn upload(&self, gpu: &Gpu) {
+        gpu.queue.write_buffer(&self.buffer, 0, &self.bytes[..self.used * self.stride]);
+    }
+
+    /// The buffer as a binding.
+    pub fn binding(&self) -> wgpu::BindingResource<'_> {
+        wgpu::BindingResource::Buffer(wgpu::BufferBinding {
+            buffer: &self.buffer,
+            offset: 0,
+            size: NonZeroU64::new(size_of::<T>() as u64),
+        })
+    }
+}
