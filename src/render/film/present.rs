@@ -7,7 +7,7 @@ use crate::render::Scene;
 use crate::render::kit::{Slot, Uniform, group, layout, screen_pipeline};
 use crate::render::sky::LightBuffer;
 use crate::render::targets::Targets;
-use crate::state::look::Film;
+use crate::state::look::FilmLook;
 use bytemuck::{Pod, Zeroable};
 use std::mem::offset_of;
 
@@ -93,7 +93,7 @@ impl PresentPass {
     }
 
     /// Binds targets and the chain of the bloom, if they are not bound yet.
-    pub fn bind(&mut self, device: &wgpu::Device, targets: &Targets, film: &Film) {
+    pub fn bind(&mut self, device: &wgpu::Device, targets: &Targets, film: &FilmLook) {
         let wanted = Some((targets.size, film.bloom > 0.0));
         if self.bound == wanted {
             return;
