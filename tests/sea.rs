@@ -9,7 +9,7 @@ use seastate::lab::stats;
 use seastate::shaders::Shaders;
 use seastate::sim::{MAX_STEPS, Simulation};
 use seastate::state::Params;
-use seastate::state::fields::{FIELDS, Kind};
+use seastate::state::fields::{FIELDS, FieldKind};
 use seastate::waves::{Plan, statistics};
 
 /// Theory, resolved and measured height over 64 seeds, and Parseval for each.
@@ -342,11 +342,11 @@ fn maps_are_finite_at_the_corners_of_every_range() {
     let mut probe = Probe::new();
     for field in FIELDS.iter() {
         let corners = match field.kind {
-            Kind::Number { min, max, .. } => vec![min, max],
-            Kind::Integer { min, max } => vec![f64::from(min), f64::from(max)],
-            Kind::Choice(words) => (0..words.len()).map(|i| i as f64).collect(),
-            Kind::Heading | Kind::Flag => vec![0.0, 1.0],
-            Kind::Colour => vec![0.0],
+            FieldKind::Number { min, max, .. } => vec![min, max],
+            FieldKind::Integer { min, max } => vec![f64::from(min), f64::from(max)],
+            FieldKind::Choice(words) => (0..words.len()).map(|i| i as f64).collect(),
+            FieldKind::Heading | FieldKind::Flag => vec![0.0, 1.0],
+            FieldKind::Colour => vec![0.0],
         };
         for corner in corners {
             for start in ["n=64", "n=64&scale2=1&dispersion=capillary&hs2=3&tp2=10"] {

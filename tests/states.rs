@@ -10,7 +10,7 @@ use seastate::ocean::still::{FORMAT, on_film};
 use seastate::ocean::{Film, Ocean};
 use seastate::shaders::Shaders;
 use seastate::sim::Simulation;
-use seastate::state::fields::{FIELDS, Field, Kind};
+use seastate::state::fields::{FIELDS, Field, FieldKind};
 use seastate::state::{Params, query};
 use seastate::waves::Plan;
 use seastate::waves::noise::pcg4d;
@@ -21,12 +21,12 @@ const SIZE: [u32; 2] = [48, 32];
 /// Least and greatest value.
 fn ends(field: &Field) -> [f64; 2] {
     match field.kind {
-        Kind::Number { min, max, .. } => [min, max],
-        Kind::Heading => [0.0, 359.99],
-        Kind::Integer { min, max } => [f64::from(min), f64::from(max)],
-        Kind::Choice(words) => [0.0, words.len() as f64 - 1.0],
-        Kind::Flag => [0.0, 1.0],
-        Kind::Colour => [0.0, f64::from(0x00ff_ffff)],
+        FieldKind::Number { min, max, .. } => [min, max],
+        FieldKind::Heading => [0.0, 359.99],
+        FieldKind::Integer { min, max } => [f64::from(min), f64::from(max)],
+        FieldKind::Choice(words) => [0.0, words.len() as f64 - 1.0],
+        FieldKind::Flag => [0.0, 1.0],
+        FieldKind::Colour => [0.0, f64::from(0x00ff_ffff)],
     }
 }
 

@@ -493,7 +493,7 @@ fn the_blend_keeps_heights_and_slopes() {
 #[test]
 fn a_buoy_floats_on_what_is_drawn() {
     use seastate::point::afloat::{self, Waterline};
-    use seastate::state::floats::{Float, Kind};
+    use seastate::state::floats::{Float, FloatKind};
     for state in ["wind=10&fetch=100&n=128&t=20", "wind=24&fetch=500&n=128&t=900", "wind=3&fetch=20&n=128&level=5&t=7"]
     {
         let mut bench = Bench::new(state);
@@ -523,7 +523,7 @@ fn a_buoy_floats_on_what_is_drawn() {
                     lost += 1;
                     continue;
                 }
-                let float = Float { kind: Kind::Buoy, x_m: at[0], z_m: at[1] };
+                let float = Float { kind: FloatKind::Buoy, x_m: at[0], z_m: at[1] };
                 let pose = afloat::pose(&[(&line, 1.0)], &float, t_s, plan.sea.level_m);
                 sum += (pose.place[1] - plan.sea.level_m - drawn.moved[1]).powi(2);
                 count += 1;

@@ -5,7 +5,7 @@ mod common;
 use common::{Pictures, params};
 use seastate::oracle;
 use seastate::state::Params;
-use seastate::state::views::{Choice, Map, Shown, Surface, VIEWS};
+use seastate::state::views::{Map, Shown, Surface, VIEWS, ViewChoice};
 use seastate::waves::Plan;
 use seastate::waves::scale::{Palette, STOPS, Scale};
 use std::f64::consts::{PI, TAU};
@@ -14,7 +14,7 @@ type Pixels = Vec<[u8; 4]>;
 
 fn view(state: &str, shown: Shown, cascade: u32) -> Params {
     let mut params = params(state);
-    params.look.view = Choice { shown, cascade };
+    params.look.view = ViewChoice { shown, cascade };
     params
 }
 

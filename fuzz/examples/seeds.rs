@@ -1,7 +1,7 @@
 //! Writes what the fuzz targets start from: a dictionary and one good file of each kind, made here or shipped.
 
 use exr::prelude::*;
-use seastate::state::fields::{FIELDS, Kind};
+use seastate::state::fields::{FIELDS, FieldKind};
 use seastate::files::picture;
 use seastate::state::{presets, query};
 use std::path::Path;
@@ -38,7 +38,7 @@ fn main() -> std::io::Result<()> {
         put("sky", &name, &bytes)?;
     }
     let words = FIELDS.iter().flat_map(|f| match f.kind {
-        Kind::Choice(words) => words.to_vec(),
+        FieldKind::Choice(words) => words.to_vec(),
         _ => vec![f.key],
     });
     let more = [

@@ -4,7 +4,7 @@
 //! nothing is late, whatever the frame rate.
 
 use super::heights::Heights;
-use crate::state::floats::{Float, Kind};
+use crate::state::floats::{Float, FloatKind};
 use crate::waves::Plan;
 
 /// Rms error of a height over Hs.
@@ -18,7 +18,7 @@ const MOST_POINTS: u32 = 128;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
     /// What it is.
-    pub kind: Kind,
+    pub kind: FloatKind,
     /// Point of its waterline in the middle, m: the surface there.
     pub place: [f64; 3],
     /// Unit vector up its mast.
@@ -28,10 +28,10 @@ pub struct Pose {
 }
 
 /// Half the length and half the width of what lies in the water, m.
-fn half_m(kind: Kind) -> [f64; 2] {
+fn half_m(kind: FloatKind) -> [f64; 2] {
     match kind {
-        Kind::Buoy => [0.8, 0.8],
-        Kind::Boat => [3.2, 1.0],
+        FloatKind::Buoy => [0.8, 0.8],
+        FloatKind::Boat => [3.2, 1.0],
     }
 }
 
@@ -111,7 +111,7 @@ mod tests {
     fn a_hull_lies_on_the_water() {
         let plan = |state: &str| Plan::new(&query::parse(state).0);
         let line = Waterline::new(&plan("wind=12&n=64&level=2"));
-        for kind in [Kind::Buoy, Kind::Boat] {
+        for kind in [FloatKind::Buoy, FloatKind::Boat] {
             let float = Float { kind, x_m: 30.0, z_m: 7.0 };
             for t in 0..20 {
                 let pose = pose(&[(&line, 1.0)], &float, f64::from(t), 2.0);
@@ -123,7 +123,7 @@ mod tests {
         }
         // On a flat sea everything stands upright.
         let calm = Waterline::new(&plan("wind=0&n=64"));
-        let pose = pose(&[(&calm, 1.0)], &Float { kind: Kind::Boat, x_m: 0.0, z_m: 0.0 }, 3.0, 0.0);
+        let pose = pose(&[(&calm, 1.0)], &Float { kind: FloatKind::Boat, x_m: 0.0, z_m: 0.0 }, 3.0, 0.0);
         assert!((pose.up[1] - 1.0).abs() < 1e-9 && pose.place[1].abs() < 1e-9, "{pose:?}");
     }
 }

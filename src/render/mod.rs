@@ -259,7 +259,7 @@ impl Renderer {
 /// more of them a pixel, because they cost little there.
 fn mesh(scene: &Scene, size: [u32; 2]) -> Mesh {
     let pixels = f64::from(size[0]) * f64::from(size[1]) / REFERENCE_PIXELS;
-    Mesh::new(&scene.view, &scene.sea, scene.look.mesh * pixels.sqrt().clamp(0.05, 2.0), scene.look.extent_km)
+    Mesh::new(&scene.view, &scene.sea, scene.look.mesh_detail * pixels.sqrt().clamp(0.05, 2.0), scene.look.extent_km)
 }
 
 /// The bytes of WGSL `Frame` for a picture of `size` pixels: for the tests that run the picture's functions by themselves.

@@ -2,7 +2,7 @@
 
 use super::plan::Plan;
 use super::statistics;
-use crate::state::views::{Choice, Map, Shown, Surface};
+use crate::state::views::{Map, Shown, Surface, ViewChoice};
 
 /// Levels of the foam.
 const FOAM_LEVELS: usize = 4;
@@ -125,7 +125,7 @@ pub struct Caption {
 }
 
 /// What the colours of a view of a sea stand for.
-pub fn caption(view: Choice, plan: &Plan) -> Caption {
+pub fn caption(view: ViewChoice, plan: &Plan) -> Caption {
     let levels = matches!(view.shown, Shown::Map(Map::Foam | Map::Source));
     let most = if levels { FOAM_LEVELS } else { plan.cascades.len() };
     let range = |layer: usize| {
@@ -179,7 +179,7 @@ mod tests {
     #[test]
     fn captions_say_what_is_seen() {
         let plan = Plan::new(&query::parse("wind=12&cascades=3").0);
-        let lines = |shown, cascade| caption(Choice { shown, cascade }, &plan).lines;
+        let lines = |shown, cascade| caption(ViewChoice { shown, cascade }, &plan).lines;
         assert_eq!(lines(Shown::Map(Map::Height), 0).len(), 3);
         assert!(lines(Shown::Map(Map::Height), 2)[0].starts_with("cascade 2, patch "));
         assert!(lines(Shown::Map(Map::Height), 2)[0].ends_with(" m"));

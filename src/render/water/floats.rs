@@ -6,7 +6,7 @@ use crate::point::afloat::Pose;
 use crate::render::kit::SceneGroup;
 use crate::render::targets::{NEAREST, attachments};
 use crate::shaders::Shaders;
-use crate::state::floats::{self, Kind};
+use crate::state::floats::{FloatKind, MAX_FLOATS};
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec3};
 use std::f64::consts::TAU;
@@ -67,7 +67,7 @@ impl FloatsPass {
             let [up, ahead] = [pose.up, pose.ahead].map(DVec3::from_array);
             let turn = DMat3::from_cols(ahead.cross(up), up, -ahead);
             let origin = DVec3::new(pose.place[0] - foot[0], pose.place[1] - level_m, pose.place[2] - foot[1]);
-            let hull = &self.hulls[usize::from(pose.kind == Kind::Boat)];
+            let hull = &self.hulls[usize::from(pose.kind == FloatKind::Boat)];
             vertices.extend(hull.iter().flat_map(|facet| (0..3).map(move |i| (facet, i))).map(|(facet, i)| Vertex {
                 place: (origin + turn * facet.corners[i]).as_vec3().to_array(),
                 colour: facet.colour,
@@ -75,7 +75,7 @@ impl FloatsPass {
                 unused: 0.0,
             }));
         }
-        let most = floats::MOST * self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0);
+        let most = MAX_FLOATS * self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0);
         let (buffer, _) = self.vertices.get_or_insert_with(|| {
             let bytes = (most * size_of::<Vertex>()) as u64;
             let buffer = gpu.storage("floats", bytes);
