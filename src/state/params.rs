@@ -5,7 +5,7 @@
 
 use super::floats::Float;
 pub use super::look::Look;
-use crate::files::measured::Measured;
+use crate::files::measured::MeasuredSpectrum;
 use std::sync::Arc;
 
 /// Everything that a link can carry, always valid once it went through [`fields`](super::fields).
@@ -225,7 +225,7 @@ pub struct Sea {
     /// The local wind sea and the swell; their spectra add.
     pub systems: [System; 2],
     /// The buoy's spectrum for systems whose spectrum is `measured`.
-    pub measured: Option<Arc<Measured>>,
+    pub measured: Option<Arc<MeasuredSpectrum>>,
     /// Water depth, m.
     pub depth_m: f64,
     /// Dispersion relation.
@@ -267,7 +267,7 @@ impl Sea {
     }
 
     /// Shows a buoy's spectrum as the local sea.
-    pub fn show_measured(&mut self, measured: Measured) {
+    pub fn show_measured(&mut self, measured: MeasuredSpectrum) {
         self.measured = Some(Arc::new(measured));
         self.systems[0].spectrum = SpectrumKind::Measured;
     }

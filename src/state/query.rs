@@ -1,7 +1,7 @@
 //! The state string: one query string that holds all shareable state.
 //!
 //! `wind=14&fetch=300&seed=7&t=40` is the URL on the web, the argument of the desktop program and of every command.
-//! All values are rows of [`FIELDS`] but three: `measured` holds a buoy's spectrum (`measured::Measured::to_state`), `sky` the
+//! All values are rows of [`FIELDS`] but three: `measured` holds a buoy's spectrum (`MeasuredSpectrum::to_state`), `sky` the
 //! name of a sky's file, which a link cannot hold, `afloat` what floats where (`floats::write`).
 //! Reading never fails: what cannot be taken becomes a notice. Only values that differ from the default are written.
 //! `v` says which version of the words a string is in, once there are several (`versions.rs`).
@@ -11,7 +11,7 @@ use super::floats;
 use super::look::SkyFile;
 use super::params::Params;
 use super::versions::{self, STEPS, Step};
-use crate::files::measured::Measured;
+use crate::files::measured::MeasuredSpectrum;
 use std::sync::Arc;
 
 /// Longest state string that is read; the rest is ignored with a notice. The longest that [`write`] writes is shorter.
@@ -62,7 +62,7 @@ fn read_by(text: &str, steps: &[Step]) -> Reading {
     notices.extend(notice);
     for (key, value) in pairs {
         if key == MEASURED {
-            match Measured::from_state(&value) {
+            match MeasuredSpectrum::from_state(&value) {
                 Ok(m) => {
                     params.sea.measured = Some(Arc::new(m));
                     taken.push(MEASURED);

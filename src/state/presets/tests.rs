@@ -1,7 +1,7 @@
 //! What ships, what is read and written, and what a sea leaves alone.
 
 use super::*;
-use crate::files::measured::Measured;
+use crate::files::measured::MeasuredSpectrum;
 use crate::state::fields::{Kind, Refusal};
 use crate::waves::statistics::Theory;
 use crate::waves::{Plan, noise};
@@ -187,7 +187,7 @@ fn a_sea_changes_what_is_its_own() {
 #[test]
 fn buoys_and_skies_come_along() {
     let bands: Vec<(f64, f64)> = (1..40).map(|i| (0.02 * f64::from(i), 1.0 / f64::from(i))).collect();
-    let measured = Measured::new(&bands, None).expect("a sea");
+    let measured = MeasuredSpectrum::new(&bands, None).expect("a sea");
     let mut now = query::parse("sky=a.hdr&skyturn=30").0;
     now.sea.show_measured(measured);
     let preset = Preset::of("buoy", &now);
