@@ -1,6 +1,6 @@
-//! The state string: whatever it is given, reading never fails, and writing what was read is stable.
+//! The state string: reading never fails, and a state that was read is written and read back unchanged.
 
-use seastate::files::measured::{Direction, MAX_BANDS, Measured};
+use seastate::files::measured::{Direction, MAX_BANDS, MeasuredSpectrum};
 use seastate::state::fields::{FIELDS, Field, FieldKind};
 use seastate::state::floats::{Float, FloatKind, MAX_FLOATS};
 use seastate::state::look::SkyFile;
@@ -8,7 +8,7 @@ use seastate::state::{Params, query};
 use seastate::waves::table::Table;
 use seastate::waves::{Plan, noise};
 
-/// A small deterministic generator on the crate's own hash.
+/// Deterministic random numbers from the hash of the crate.
 struct Dice(u32);
 
 impl Dice {
@@ -118,7 +118,7 @@ fn a_hundred_thousand_hostile_strings() {
             let v = (field.get)(&params);
             assert_eq!(field.accept(v), Ok(v), "{} = {v} from {text:?}", field.key);
         }
-        // The plan is total: some of these seas are strange.
+        // Every sea has a plan, even a strange one.
         if i % 50 == 0 {
             let plan = Plan::new(&params);
             assert!((1..=4).contains(&plan.cascades.len()), "{written}");
@@ -167,7 +167,7 @@ fn corners_of_every_range_give_a_finite_plan() {
     }
 }
 
-/// Least, greatest and some values between, those of a slider's ends and those with all digits.
+/// Values of a field: the ends of its range, small values, and random values with all digits.
 fn values(field: &Field, dice: &mut Dice) -> Vec<f64> {
     let unit = |dice: &mut Dice| f64::from(dice.next()) / f64::from(u32::MAX);
     let mut some = |make: &dyn Fn(f64) -> f64| (0..20).map(|_| make(unit(dice))).collect::<Vec<_>>();
@@ -227,19 +227,19 @@ fn what_is_out_of_range_becomes_the_nearest_value_and_a_notice() {
     }
 }
 
-/// The longest state that can be: all fields with all their digits, a buoy of most bands, all that floats, a long sky.
+/// Writes the longest state: all fields with all digits, a buoy with the most bands, the most floats, and a long sky name.
 #[test]
 fn no_state_is_too_long_to_be_read() {
     let mut params = Params::default();
     for field in FIELDS.iter() {
-        // Of many values the one with the longest text.
+        // The value with the longest text.
         let values = values(field, &mut Dice(3));
         let longest = values.into_iter().max_by_key(|v| field.format(*v).len()).expect("a value");
         (field.set)(&mut params, longest);
     }
     let bands: Vec<_> = (0..MAX_BANDS).map(|i| (1.001e-3 * (i + 100) as f64, 1.234e-7 + 1e-10 * i as f64)).collect();
     let direction = Direction { alpha1_deg: 234.5, alpha2_deg: 123.4, r1: 0.123, r2: 0.234 };
-    let buoy = Measured::new(&bands, Some(&vec![direction; MAX_BANDS])).expect("a sea");
+    let buoy = MeasuredSpectrum::new(&bands, Some(&vec![direction; MAX_BANDS])).expect("a sea");
     params.sea.measured = Some(std::sync::Arc::new(buoy));
     let far = Float { kind: FloatKind::Buoy, x_m: -123_456.789_012_345_67, z_m: -1.234_567_890_123_456_7e-101 };
     params.floats = vec![far; MAX_FLOATS];

@@ -11,7 +11,7 @@ use super::look::SkyFile;
 use super::params::Params;
 use super::text::{limit, quoted};
 use super::versions::{self, VERSION_STEPS, VersionStep};
-use crate::files::measured::Measured;
+use crate::files::measured::MeasuredSpectrum;
 use std::sync::Arc;
 
 /// Longest state string that is read, bytes; the rest is ignored with a notice. [`write()`] never writes a longer one.
@@ -59,7 +59,9 @@ fn read_with(text: &str, steps: &[VersionStep]) -> StateReading {
     let mut seen = Vec::new();
     for (key, value) in pairs {
         match &*key {
-            MEASURED => reading.take(MEASURED, Measured::from_state(&value), |p, m| p.sea.measured = Some(Arc::new(m))),
+            MEASURED => {
+                reading.take(MEASURED, MeasuredSpectrum::from_state(&value), |p, m| p.sea.measured = Some(Arc::new(m)))
+            }
             FLOATS => reading.take(FLOATS, floats::read(&value), |p, floats| p.floats = floats),
             SKY => {
                 reading.params.look.sky.file = SkyFile::named(&value);

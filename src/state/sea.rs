@@ -2,7 +2,7 @@
 
 use super::field::FieldKind::{Choice, Flag, Heading};
 use super::field::{integer, logarithmic, number, parameters, words};
-use crate::files::measured::Measured;
+use crate::files::measured::MeasuredSpectrum;
 use std::sync::Arc;
 
 words! {
@@ -159,7 +159,7 @@ parameters! {
         /// The local wind sea and the swell; their spectra add.
         systems: [System; 2] = [System::default(), System::distant()],
         /// Buoy spectrum of the systems whose spectrum is `measured`.
-        measured: Option<Arc<Measured>> = None,
+        measured: Option<Arc<MeasuredSpectrum>> = None,
         /// Water depth. Shallow water slows and steepens long waves; with tma it also limits their energy.
         depth_m: f64 = 4000.0 => ("depth", "Depth", "m", logarithmic(1.0, 11000.0)),
         /// Dispersion relation. deep: w^2 = g k; finite: w^2 = g k tanh(k h); capillary: w^2 = (g k + sigma/rho k^3)
@@ -209,7 +209,7 @@ impl Sea {
     }
 
     /// Makes a buoy's spectrum the spectrum of the local sea.
-    pub fn show_measured(&mut self, measured: Measured) {
+    pub fn show_measured(&mut self, measured: MeasuredSpectrum) {
         self.measured = Some(Arc::new(measured));
         self.systems[0].spectrum = SpectrumKind::Measured;
     }

@@ -1,7 +1,7 @@
 //! Built-in seas, preset files, and the parameters that a sea sets or keeps.
 
 use super::*;
-use crate::files::measured::Measured;
+use crate::files::measured::MeasuredSpectrum;
 use crate::state::fields::{FieldKind, Refusal};
 use crate::state::text::MAX_NOTICES;
 use crate::waves::statistics::Theory;
@@ -188,7 +188,7 @@ fn a_sea_changes_what_is_its_own() {
 #[test]
 fn buoys_and_skies_come_along() {
     let bands: Vec<(f64, f64)> = (1..40).map(|i| (0.02 * f64::from(i), 1.0 / f64::from(i))).collect();
-    let measured = Measured::new(&bands, None).expect("a sea");
+    let measured = MeasuredSpectrum::new(&bands, None).expect("a sea");
     let mut now = query::parse("sky=a.hdr&skyturn=30").0;
     now.sea.show_measured(measured);
     let preset = Preset::of("buoy", &now);
