@@ -1,4 +1,4 @@
-//! The sea that the GPU computes, against theory: heights, direction, crests, sameness under n, loops, foam.
+//! The simulated sea against theory: wave heights, direction, crests, independence of the FFT size, loops and foam.
 
 mod common;
 
@@ -12,7 +12,7 @@ use seastate::state::Params;
 use seastate::state::fields::{FIELDS, Kind};
 use seastate::waves::{Plan, statistics};
 
-/// Theory, resolved and measured height over 64 seeds, and Parseval for each.
+/// Compares theory, resolved and measured statistics over 64 seeds, and checks Parseval's theorem for each seed.
 fn assert_height(state: &str) -> stats::Report {
     let report = pollster::block_on(stats::run(&gpu(), &params(state), 64)).expect("statistics");
     let (t, r, m) = (report.theory(), report.resolved(), report.measured());
@@ -67,7 +67,7 @@ fn five_metres_of_water() {
 fn waves_travel_downwind() {
     let gpu = gpu();
     for dir in [0.0, 90.0, 215.0] {
-        // The pattern of the long waves moves by the phase speed: correlate two times along the wind.
+        // A moving pattern has d eta/dt = -speed x slope: fit the speed along the wind to two maps 0.4 s apart.
         let state = format!("wind=10&fetch=100&n=128&spread=donelan-banner&swell=1&dir={dir}");
         let plan = Plan::new(&params(&state));
         let (a, b) = (maps(&gpu, &state, 10.0), maps(&gpu, &state, 10.4));
@@ -79,7 +79,7 @@ fn waves_travel_downwind() {
             along -= f64::from(b.displacement(0)[i][1] - d[1]) / 0.4 * slope;
             slope2 += slope * slope;
         }
-        // Phase speed of the slopes' dominant waves: near that of the peak, 9.7 m/s, and downwind.
+        // The phase speed at the peak is 9.7 m/s; shorter waves dominate the slopes and are slower.
         let speed = along / slope2;
         assert!((5.0..11.0).contains(&speed), "dir {dir}: {speed} m/s");
     }
@@ -110,7 +110,7 @@ fn crests_are_sharper_than_troughs() {
 
 #[test]
 fn raising_n_keeps_every_wave() {
-    // The 64-point sea is the 128-point one without its shorter waves: compare coefficients by their transform.
+    // Compare the initial amplitudes h0 of the waves that both lattices hold.
     let gpu = gpu();
     let read = |state: &str| {
         let plan = Plan::new(&params(state));
@@ -167,7 +167,7 @@ fn the_sea_does_not_depend_on_how_it_is_cut_into_waves() {
             assert!((r.spread_deg / reference.spread_deg - 1.0).abs() < 0.05, "{text}");
             let turned = r.mean_from_deg.unwrap_or(f64::NAN) - reference.mean_from_deg.unwrap_or(f64::NAN);
             assert!(turned.abs() < 2.0, "{text}");
-            // Slopes grow with the shortest wave: compare as far as both go.
+            // The mean square slope depends on the cut-off: compare it up to 2 rad/m, which all plans resolve.
             let (a, b) = (plan.slope_variance(2.0), Plan::new(&params(&format!("{sea}&n=512"))).slope_variance(2.0));
             assert!((a / b - 1.0).abs() < 0.02, "{text}: mss to 2 rad/m {a} against {b}");
         }
@@ -182,7 +182,7 @@ fn a_loop_closes() {
     assert_eq!(a.texels, b.texels, "bit for bit");
 }
 
-/// Mean foam of each level after a cold start, and after running there from `from_s` in steps of `dt_s`.
+/// Mean foam of each level after a cold start, or after a run from `from_s` to the state's time in steps of `dt_s`.
 fn foam(gpu: &Gpu, state: &str, run: Option<(f64, f64)>) -> Vec<f64> {
     let p = params(state);
     let mut sim = Simulation::new(&gpu.device, &gpu.queue, Plan::new(&p), &Shaders::default());
@@ -213,7 +213,7 @@ fn mean(foam: &[f64]) -> f64 {
 
 #[test]
 fn the_maps_of_a_frame_are_read_back_as_they_are() {
-    use seastate::waves::survey::Survey;
+    use seastate::waves::map_spectrum::MapSpectrumEstimator;
     let gpu = gpu();
     let mut sim = common::simulation(&gpu, "wind=12&n=128&t=9");
     let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -228,19 +228,19 @@ fn the_maps_of_a_frame_are_read_back_as_they_are() {
     };
     let m0 = variance(&|c| mean(maps.displacement(c), 1));
     let mss = variance(&|c| mean(maps.gradients(c), 0) + mean(maps.gradients(c), 1));
-    // Half floats of the maps.
+    // The probe reads half-float maps.
     assert!((probed.mss / mss - 1.0).abs() < 0.02, "{} {mss}", probed.mss);
     let foam = sim.foam_coverage();
     assert!(probed.coverage / foam > 0.5 && probed.coverage / foam < 2.0, "{} {foam}", probed.coverage);
-    // Its spectrum is that of the sea: all of the variance, and most of it where theory has it.
+    // The estimated spectrum has all of the variance and overlaps with the theoretical spectrum.
     let width = probed.plan.omega_p / 8.0;
-    let mut survey = Survey::new(&probed.plan, width, 4000);
-    let found = survey.advance(&probed.plan, usize::MAX, |c, z| probed.row(c, z)).expect("all at once").clone();
+    let mut estimator = MapSpectrumEstimator::new(&probed.plan, width, 4000);
+    let found = estimator.advance(&probed.plan, usize::MAX, |c, z| probed.row(c, z)).expect("all at once").clone();
     assert!((found.m0_m2 / m0 - 1.0).abs() < 1e-3, "{} {m0}", found.m0_m2);
     assert!((found.bins_m2.iter().sum::<f64>() / m0 - 1.0).abs() < 2e-3);
     let theory = |i: usize| probed.plan.density((i as f64 + 0.5) * width) * width;
     let both: f64 = found.bins_m2.iter().enumerate().map(|(i, x)| x.min(theory(i))).sum();
-    eprintln!("shared with theory: {:.3} of m0", both / m0);
+    eprintln!("overlap with theory: {:.3} of m0", both / m0);
     assert!(both / m0 > 0.8, "{}", both / m0);
 }
 
@@ -256,7 +256,7 @@ fn a_calm_sea_has_no_foam() {
 fn whitecaps_cover_what_the_wind_makes_them() {
     let gpu = gpu();
     for (wind, fetch) in [(7.0, 100.0), (10.0, 200.0), (14.0, 300.0), (20.0, 500.0)] {
-        // Two moments: a light breeze has few whitecaps on the finest level.
+        // The mean at two times, because a light breeze has few whitecaps on the finest level.
         let at = |t: f64| mean(&foam(&gpu, &format!("wind={wind}&fetch={fetch}&n=128&t={t}"), None));
         let (cover, monahan) = (0.5 * (at(5.0) + at(40.0)), statistics::monahan_coverage(wind));
         eprintln!("wind {wind} m/s: {cover:.5}, Monahan {monahan:.5}");
@@ -282,8 +282,8 @@ fn every_control_of_the_foam_works() {
     ] {
         let other = cover(more);
         assert_eq!(other > usual, grows, "{more}: {other} instead of {usual}");
-        // What lies beyond the levels is estimated: it follows.
-        let plan = |more: &str| seastate::waves::foam::Whiteness::new(&Plan::new(&params(&format!("{sea}{more}"))));
+        // The expected coverage, which is used beyond the levels, follows the measured one.
+        let plan = |more: &str| seastate::waves::foam::FoamModel::new(&Plan::new(&params(&format!("{sea}{more}"))));
         let guess = plan(more).coverage;
         assert!(
             guess / other < 2.0 && other / guess.max(1e-6) < 2.0 || other < 1e-3,
@@ -304,7 +304,7 @@ fn foam_does_not_depend_on_how_one_came_there() {
     assert!((fast / cold - 1.0).abs() < 0.03, "cold start {cold}, running {fast}");
 }
 
-/// Reads one evaluation of many seas with as few allocations as possible.
+/// Reads maps of many seas and keeps one simulation per number of cascades.
 struct Probe {
     gpu: Gpu,
     sims: Vec<Option<Simulation>>,
@@ -315,7 +315,7 @@ impl Probe {
         Self { gpu: gpu(), sims: (0..=4).map(|_| None).collect() }
     }
 
-    /// Fails if a map of a sea, in f32 or in half floats, holds anything but finite numbers.
+    /// Fails unless the statistics and the maps of a sea are finite and within the range of half floats.
     fn assert_finite(&mut self, p: &Params) {
         let plan = Plan::new(p);
         let t = statistics::Theory::new(&plan);

@@ -8,9 +8,9 @@ use seastate::gpu::device::Gpu;
 use seastate::gpu::readback;
 use seastate::gpu::shaders::Shaders;
 use seastate::ocean::Ocean;
-use seastate::oracle::foam::Level;
+use seastate::oracle::foam::MipLevel;
 use seastate::oracle::{self, Texel, surface};
-use seastate::point::heights::{Heights, Sample};
+use seastate::point::{Heights, SurfaceSample};
 use seastate::render;
 use seastate::state::Params;
 use seastate::waves::{Plan, noise};
@@ -180,7 +180,7 @@ fn texels(plan: &Plan, cascade: usize, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 fn errors(drawn: &[Drawn], sea: &Heights, points: &[[f64; 2]], t_s: f64) -> [f64; 3] {
     let mut sums = [[0.0; 2]; 3];
     for (drawn, at) in drawn.iter().zip(points) {
-        let Sample { height_m, normal, world_xz, jacobian, .. } = sea.undisplaced(at[0], at[1], t_s);
+        let SurfaceSample { height_m, normal, world_xz, jacobian, .. } = sea.undisplaced(at[0], at[1], t_s);
         let mut add = |what: usize, got: f64, want: f64| {
             sums[what][0] += (got - want).powi(2);
             sums[what][1] += want.powi(2);
@@ -362,7 +362,7 @@ fn slopes_that_a_pixel_cannot_resolve_are_not_lost() {
 /// The heights and slopes of a sea's cascades in f64, as they are drawn.
 struct Twin {
     plan: Plan,
-    maps: Vec<oracle::maps::Planes>,
+    maps: Vec<oracle::maps::MapPair>,
 }
 
 impl Twin {
@@ -376,17 +376,17 @@ impl Twin {
         Self { plan, maps }
     }
 
-    fn at(&self, cascade: usize, at: [f64; 2]) -> surface::Point {
+    fn at(&self, cascade: usize, at: [f64; 2]) -> surface::WaveFields {
         let [displacement, gradients] = &self.maps[cascade];
-        let level = Level { n: self.plan.n as usize, displacement, gradients };
+        let level = MipLevel { n: self.plan.n as usize, displacement, gradients };
         let half = 0.5 / f64::from(self.plan.n);
         surface::blend(&self.plan.tiling(&self.plan.cascades[cascade]), at, |place| {
-            oracle::foam::read(&level, place.map(|p| p + half))
+            oracle::foam::sample_bilinear(&level, place.map(|p| p + half))
         })
     }
 
     fn heights(&self, at: [f64; 2]) -> Vec<f64> {
-        (0..self.maps.len()).map(|c| self.at(c, at).moved[1]).collect()
+        (0..self.maps.len()).map(|c| self.at(c, at).displacement[1]).collect()
     }
 
     /// Mean over a map of a function of its texels.
@@ -478,7 +478,7 @@ fn the_blend_keeps_heights_and_slopes() {
             // At texels, so that interpolation loses nothing.
             for at in texels(&sea.plan, c, &points) {
                 let point = sea.at(c, at);
-                m0 += point.moved[1].powi(2) / points.len() as f64;
+                m0 += point.displacement[1].powi(2) / points.len() as f64;
                 mss += (point.slope[0].powi(2) + point.slope[1].powi(2)) / points.len() as f64;
             }
         }
@@ -491,13 +491,13 @@ fn the_blend_keeps_heights_and_slopes() {
 /// What floats lies on the surface that is drawn: at the place of a buoy, frame by frame, within 3 % of Hs.
 #[test]
 fn a_buoy_floats_on_what_is_drawn() {
-    use seastate::point::afloat::{self, Waterline};
+    use seastate::point::floating::{HullWaves, hull_pose};
     use seastate::state::floats::{Float, Kind};
     for state in ["wind=10&fetch=100&n=128&t=20", "wind=24&fetch=500&n=128&t=900", "wind=3&fetch=20&n=128&level=5&t=7"]
     {
         let mut bench = Bench::new(state);
         let plan = bench.ocean.plan().clone();
-        let line = Waterline::new(&plan);
+        let waves = HullWaves::new(&plan);
         let buoys: Vec<[f64; 2]> = places(24, [0.0; 2], 400.0);
         let (mut sum, mut count, mut lost) = (0.0, 0, 0);
         // Frames of 1/60 s, then of 1/10 s.
@@ -523,8 +523,8 @@ fn a_buoy_floats_on_what_is_drawn() {
                     continue;
                 }
                 let float = Float { kind: Kind::Buoy, x_m: at[0], z_m: at[1] };
-                let pose = afloat::pose(&[(&line, 1.0)], &float, t_s, plan.sea.level_m);
-                sum += (pose.place[1] - plan.sea.level_m - drawn.moved[1]).powi(2);
+                let pose = hull_pose(&[(&waves, 1.0)], &float, t_s, plan.sea.level_m);
+                sum += (pose.position_m[1] - plan.sea.level_m - drawn.moved[1]).powi(2);
                 count += 1;
             }
         }

@@ -18,11 +18,11 @@ pub use reference::{Grid, Reference};
 use crate::gpu::layout::{Layout, MAX_CASCADES};
 use crate::gpu::shaders::Shaders;
 use crate::gpu::timer::Timer;
-use crate::point::afloat::Pose;
+use crate::point::floating::HullPose;
 use crate::sim::Maps;
 use crate::state::look::Look;
 use crate::state::views::Shown;
-use crate::waves::scale::Scale;
+use crate::waves::colour_scale::ColourScale;
 use film::present::PresentPass;
 use frame::FrameUniform;
 use kit::Uniform;
@@ -63,9 +63,9 @@ pub struct Scene {
     /// What the maps do not tell of the sea.
     pub sea: SeaLook,
     /// What the colours of a view stand for, layer by layer of its maps; the picture has no use for it.
-    pub scales: [Scale; MAX_CASCADES],
+    pub scales: [ColourScale; MAX_CASCADES],
     /// What floats, in the world.
-    pub floats: Vec<Pose>,
+    pub floats: Vec<HullPose>,
     /// Height of the still water in the world, m.
     pub level_m: f64,
 }

@@ -9,7 +9,7 @@ use crate::gpu::layout::{Layout, MAX_CASCADES};
 use crate::gpu::shaders::Shaders;
 use crate::sim::Maps;
 use crate::state::views::{Map, Shown};
-use crate::waves::scale::STOPS;
+use crate::waves::colour_scale::STOPS;
 use bytemuck::{Pod, Zeroable};
 use std::cmp::Reverse;
 use std::mem::offset_of;

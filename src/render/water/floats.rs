@@ -1,7 +1,7 @@
 //! shaders/water/floats.wgsl: buoys and boats on the water. A handful of small hulls, turned on the CPU.
 
 use crate::gpu::shaders::Shaders;
-use crate::point::afloat::Pose;
+use crate::point::floating::HullPose;
 use crate::render::kit::{Onto, Program, SceneGroup, Slot, group, hdr_pipeline, layout};
 use crate::state::floats::{self, Kind};
 use bytemuck::{Pod, Zeroable};
@@ -59,7 +59,7 @@ impl FloatsPass {
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         scene: &SceneGroup,
-        poses: &[Pose],
+        poses: &[HullPose],
         foot: [f64; 2],
         level_m: f64,
     ) {
@@ -69,9 +69,10 @@ impl FloatsPass {
         }
         let mut vertices = Vec::new();
         for pose in poses {
-            let [up, ahead] = [pose.up, pose.ahead].map(DVec3::from_array);
+            let [up, ahead] = [pose.up, pose.forward].map(DVec3::from_array);
             let turn = DMat3::from_cols(ahead.cross(up), up, -ahead);
-            let origin = DVec3::new(pose.place[0] - foot[0], pose.place[1] - level_m, pose.place[2] - foot[1]);
+            let origin =
+                DVec3::new(pose.position_m[0] - foot[0], pose.position_m[1] - level_m, pose.position_m[2] - foot[1]);
             let hull = &self.hulls[usize::from(pose.kind == Kind::Boat)];
             vertices.extend(hull.iter().flat_map(|facet| (0..3).map(move |i| (facet, i))).map(|(facet, i)| Vertex {
                 place: (origin + turn * facet.corners[i]).as_vec3().to_array(),
