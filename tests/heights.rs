@@ -1,12 +1,10 @@
 //! `point::Heights` against the oracle and the GPU, its stated error, and the geometry of the displaced surface.
 
-use seastate::gpu::device::Gpu;
-use seastate::gpu::shaders::Shaders;
+mod common;
+
 use seastate::oracle::surface::{self, WaveFields};
 use seastate::oracle::{Texel, maps, spectrum};
 use seastate::point::{Heights, SurfaceSample};
-use seastate::sim::Simulation;
-use seastate::state::query;
 use seastate::waves::plan::Cascade;
 use seastate::waves::{Plan, noise};
 
@@ -22,9 +20,7 @@ const SEAS: [&str; 6] = [
 ];
 
 fn plan(state: &str) -> Plan {
-    let (params, notices) = query::parse(state);
-    assert_eq!(notices, Vec::<String>::new());
-    Plan::new(&params)
+    Plan::new(&common::params(state))
 }
 
 /// Pseudo-random number in [0, 1): number `i` of the given stream.
@@ -76,21 +72,32 @@ fn difference(sea: &SurfaceSample, at: [f64; 2], drawn: &WaveFields, plan: &Plan
     lengths.into_iter().chain(normals).chain([sea.jacobian - jacobian]).fold(0.0, |worst, e| worst.max(e.abs()))
 }
 
+/// Largest difference between `sea` and the maps of a cascade, at every 97th texel.
+fn largest_difference(
+    sea: &Heights,
+    plan: &Plan,
+    cascade: &Cascade,
+    t_s: f64,
+    read: impl Fn(usize) -> [Texel; 2],
+) -> f64 {
+    let at_texel = |i: usize| {
+        let (at, drawn) = drawn(plan, cascade, i, &read);
+        difference(&sea.undisplaced(at[0], at[1], t_s), at, &drawn, plan)
+    };
+    (0..(plan.n * plan.n) as usize).step_by(97).map(at_texel).fold(0.0, f64::max)
+}
+
 #[test]
 fn all_waves_are_the_oracles_sea() {
     for state in SEAS {
         let plan = plan(state);
         for t_s in [0.0, 100_000.25] {
             for (cascade, sea) in plan.cascades.iter().zip(by_cascade(&plan)) {
-                let n = plan.n as usize;
                 let h0 = spectrum::h0(&plan, cascade);
-                let [d, g] = maps::columns(n, &maps::rows(&plan, cascade, &h0, t_s));
-                for i in (0..n * n).step_by(97) {
-                    let (at, drawn) = drawn(&plan, cascade, i, |i| [d[i], g[i]]);
-                    let worst = difference(&sea.undisplaced(at[0], at[1], t_s), at, &drawn, &plan);
-                    // The table interpolates norms, with an error of 1e-6.
-                    assert!(worst < 2e-6, "{state} t {t_s} texel {i}: {worst}");
-                }
+                let [d, g] = maps::columns(plan.n as usize, &maps::rows(&plan, cascade, &h0, t_s));
+                let worst = largest_difference(&sea, &plan, cascade, t_s, |i| [d[i], g[i]]);
+                // The table interpolates norms, with an error of 1e-6.
+                assert!(worst < 2e-6, "{state} t {t_s}: {worst}");
             }
         }
     }
@@ -98,21 +105,16 @@ fn all_waves_are_the_oracles_sea() {
 
 #[test]
 fn all_waves_are_the_gpus_sea() {
-    let gpu = pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers");
+    let gpu = common::gpu();
     for state in SEAS {
         let plan = plan(state);
-        let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan.clone(), &Shaders::default());
+        let mut sim = common::simulation(&gpu, state);
         for t_s in [0.0, 100_000.25] {
-            let read = pollster::block_on(sim.read_f32(&gpu.device, &gpu.queue, t_s)).expect("read-back");
+            let read = common::read(&gpu, &mut sim, t_s);
             for (c, (cascade, sea)) in plan.cascades.iter().zip(by_cascade(&plan)).enumerate() {
-                let n = plan.n as usize;
-                for i in (0..n * n).step_by(97) {
-                    let texels =
-                        |i: usize| [read.displacement(c)[i].map(f64::from), read.gradients(c)[i].map(f64::from)];
-                    let (at, drawn) = drawn(&plan, cascade, i, texels);
-                    let worst = difference(&sea.undisplaced(at[0], at[1], t_s), at, &drawn, &plan);
-                    assert!(worst < 1e-5, "{state} t {t_s} cascade {c} texel {i}: {worst}");
-                }
+                let texels = |i: usize| [read.displacement(c)[i], read.gradients(c)[i]].map(|t| t.map(f64::from));
+                let worst = largest_difference(&sea, &plan, cascade, t_s, texels);
+                assert!(worst < 1e-5, "{state} t {t_s} cascade {c}: {worst}");
             }
         }
     }

@@ -39,28 +39,17 @@ fn ten_metres_per_second_over_a_hundred_kilometres() {
 }
 
 #[test]
-fn a_light_breeze() {
-    assert_height("wind=5&fetch=20");
+fn heights_from_a_light_breeze_to_a_hurricane() {
+    for state in ["wind=5&fetch=20", "wind=20&fetch=500", "wind=30&fetch=1000"] {
+        assert_height(state);
+    }
 }
 
 #[test]
-fn a_gale() {
-    assert_height("wind=20&fetch=500");
-}
-
-#[test]
-fn a_hurricane() {
-    assert_height("wind=30&fetch=1000");
-}
-
-#[test]
-fn twenty_metres_of_water() {
-    assert_height("wind=10&fetch=100&spectrum=tma&depth=20");
-}
-
-#[test]
-fn five_metres_of_water() {
-    assert_height("wind=10&fetch=100&spectrum=tma&depth=5");
+fn heights_in_shallow_water() {
+    for depth_m in [20, 5] {
+        assert_height(&format!("wind=10&fetch=100&spectrum=tma&depth={depth_m}"));
+    }
 }
 
 #[test]
@@ -92,20 +81,14 @@ fn crests_are_sharper_than_troughs() {
     let maps = maps(&gpu, state, 20.0);
     let plan = Plan::new(&params(state));
     let sigma = plan.hs_m() / 4.0;
-    let mut crest = (0.0, 0.0);
-    let mut trough = (0.0, 0.0);
-    for (d, g) in maps.displacement(0).iter().zip(maps.gradients(0)) {
-        let j = f64::from((1.0 + g[2]) * (1.0 + g[3]) - d[3] * d[3]);
-        let side = if f64::from(d[1]) > sigma { &mut crest } else { &mut trough };
-        if f64::from(d[1]).abs() > sigma {
-            *side = (side.0 + j, side.1 + 1.0);
-        }
-    }
-    let (crest, trough) = (crest.0 / crest.1, trough.0 / trough.1);
-    assert!(
-        crest < 0.95 && trough > 1.05,
-        "the surface is squeezed at crests ({crest}) and stretched in troughs ({trough})"
-    );
+    // Mean Jacobian where the elevation times `sign` exceeds one standard deviation.
+    let mean_jacobian = |sign: f64| {
+        let texels = maps.displacement(0).iter().zip(maps.gradients(0));
+        let beyond = texels.filter(|(d, _)| sign * f64::from(d[1]) > sigma);
+        mean(&beyond.map(|(d, g)| f64::from((1.0 + g[2]) * (1.0 + g[3]) - d[3] * d[3])).collect::<Vec<_>>())
+    };
+    let (crest, trough) = (mean_jacobian(1.0), mean_jacobian(-1.0));
+    assert!(crest < 0.95 && trough > 1.05, "squeezed at crests ({crest}), stretched in troughs ({trough})");
 }
 
 #[test]
@@ -113,8 +96,7 @@ fn raising_n_keeps_every_wave() {
     // Compare the initial amplitudes h0 of the waves that both lattices hold.
     let gpu = gpu();
     let read = |state: &str| {
-        let plan = Plan::new(&params(state));
-        let mut sim = Simulation::new(&gpu.device, &gpu.queue, plan, &Shaders::default());
+        let mut sim = common::simulation(&gpu, state);
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let step = sim.push_step(&gpu.queue, 0.0, false);
         sim.passes.spectrum.run(&mut encoder, &sim.resources, step);
@@ -140,6 +122,11 @@ fn raising_n_keeps_every_wave() {
     assert!(kept > 5000, "{kept}");
 }
 
+/// FFT sizes and choices of cascades.
+const GRIDS: &str = "n=128 n=256 n=1024 cascades=3 cascades=4 overlap=1 overlap=1&n=512 \
+    cascades=3&patch1=1500&patch2=260&patch3=31 cascades=4&patch1=1500&patch2=260&patch3=31&patch4=6&overlap=1 \
+    cascades=2&patch1=1500&patch2=140&high1=0.5&low2=0.3";
+
 #[test]
 fn the_sea_does_not_depend_on_how_it_is_cut_into_waves() {
     for sea in ["wind=12", "wind=7&fetch=50&spectrum=tma&depth=6&spread=hasselmann", "wind=10&scale2=1&hs2=1.5&tp2=11"]
@@ -149,18 +136,7 @@ fn the_sea_does_not_depend_on_how_it_is_cut_into_waves() {
             (statistics::Resolved::new(&plan, 1.0), plan)
         };
         let (reference, _) = resolved("n=512");
-        for how in [
-            "n=128",
-            "n=256",
-            "n=1024",
-            "cascades=3",
-            "cascades=4",
-            "overlap=1",
-            "overlap=1&n=512",
-            "cascades=3&patch1=1500&patch2=260&patch3=31",
-            "cascades=4&patch1=1500&patch2=260&patch3=31&patch4=6&overlap=1",
-            "cascades=2&patch1=1500&patch2=140&high1=0.5&low2=0.3",
-        ] {
+        for how in GRIDS.split(' ') {
             let (r, plan) = resolved(how);
             let text = format!("{sea}&{how}: {r:?} against {reference:?}, {:?}", plan.notices);
             assert!((r.hs_m / reference.hs_m - 1.0).abs() < 0.02, "{text}");
@@ -184,15 +160,11 @@ fn a_loop_closes() {
 
 /// Mean foam of each level after a cold start, or after a run from `from_s` to the state's time in steps of `dt_s`.
 fn foam(gpu: &Gpu, state: &str, run: Option<(f64, f64)>) -> Vec<f64> {
-    let p = params(state);
-    let mut sim = Simulation::new(&gpu.device, &gpu.queue, Plan::new(&p), &Shaders::default());
-    let mut times = Vec::new();
-    if let Some((from_s, dt_s)) = run {
-        let steps = ((p.clock.t_s - from_s) / dt_s).round() as u32;
-        times.extend((0..steps).map(|i| from_s + dt_s * f64::from(i)));
-    }
-    times.push(p.clock.t_s);
-    for t_s in times {
+    let mut sim = common::simulation(gpu, state);
+    let end_s = params(state).clock.t_s;
+    let (from_s, dt_s) = run.unwrap_or((end_s, 1.0));
+    let steps = ((end_s - from_s) / dt_s).round() as u32;
+    for t_s in (0..steps).map(|i| from_s + dt_s * f64::from(i)).chain([end_s]) {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         assert!(sim.encode(&gpu.queue, &mut encoder, t_s, [0.0; 2], MAX_STEPS));
         gpu.queue.submit([encoder.finish()]);
@@ -207,8 +179,8 @@ fn foam(gpu: &Gpu, state: &str, run: Option<(f64, f64)>) -> Vec<f64> {
     values.chunks(size * size).map(|level| level.iter().sum::<f64>() / level.len() as f64).collect()
 }
 
-fn mean(foam: &[f64]) -> f64 {
-    foam.iter().sum::<f64>() / foam.len() as f64
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
 }
 
 #[test]

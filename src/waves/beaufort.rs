@@ -9,8 +9,6 @@ use crate::state::params::{Params, Sea, System};
 /// One force of the Beaufort scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Force {
-    /// Beaufort number, 0 to 12.
-    pub number: u8,
     /// Name used in forecasts.
     pub name: &'static str,
     /// Appearance of the open sea.
@@ -19,23 +17,24 @@ pub struct Force {
     pub wind_m_s: (f64, f64),
     /// Probable wave height, m: about the significant height of a developed sea.
     pub probable_m: f64,
-    /// Probable maximum wave height, m; `None` for a hurricane.
-    pub highest_m: Option<f64>,
     /// Representative wind speed, m/s: 0.836 B^1.5, the definition of the scale, rounded to 0.1 m/s.
     pub mean_m_s: f64,
     /// Fetch at which the default spectrum reaches the probable height with that wind, km; see [`FORCES`].
     pub fetch_km: f64,
 }
 
-#[rustfmt::skip]
 const fn force(
-    number: u8, name: &'static str, wind_m_s: (f64, f64), mean_m_s: f64, probable_m: f64, highest_m: Option<f64>,
-    fetch_km: f64, appearance: &'static str,
+    name: &'static str,
+    wind_m_s: (f64, f64),
+    mean_m_s: f64,
+    probable_m: f64,
+    fetch_km: f64,
+    appearance: &'static str,
 ) -> Force {
-    Force { number, name, appearance, wind_m_s, probable_m, highest_m, mean_m_s, fetch_km }
+    Force { name, appearance, wind_m_s, probable_m, mean_m_s, fetch_km }
 }
 
-/// The Beaufort scale in ascending order.
+/// The Beaufort scale. The index is the Beaufort number, 0 to 12.
 ///
 /// From force 4, the fetch makes the significant height of JONSWAP equal the probable height to 2 %. Lighter winds
 /// never reach the heights of the table: fully developed seas of 0.8, 2.4 and 4.3 m/s have 0.01, 0.13 and 0.42 m
@@ -44,33 +43,33 @@ const fn force(
 /// full development, which gives 0.02, 0.16 and 0.52 m. A calm has no waves at any fetch.
 #[rustfmt::skip]
 pub static FORCES: [Force; 13] = [
-    force(0, "Calm", (0.0, 0.2), 0.0, 0.0, Some(0.0), 1.0, "Sea like a mirror."),
-    force(1, "Light air", (0.3, 1.5), 0.8, 0.1, Some(0.1), 1.0,
+    force("Calm", (0.0, 0.2), 0.0, 0.0, 1.0, "Sea like a mirror."),
+    force("Light air", (0.3, 1.5), 0.8, 0.1, 1.0,
         "Ripples like scales, without foam on their crests."),
-    force(2, "Light breeze", (1.6, 3.3), 2.4, 0.2, Some(0.3), 9.0,
+    force("Light breeze", (1.6, 3.3), 2.4, 0.2, 9.0,
         "Small wavelets, short but plainly seen; their crests look glassy and do not break."),
-    force(3, "Gentle breeze", (3.4, 5.4), 4.3, 0.6, Some(1.0), 30.0,
+    force("Gentle breeze", (3.4, 5.4), 4.3, 0.6, 30.0,
         "Large wavelets whose crests begin to break; glassy foam and perhaps a few scattered white horses."),
-    force(4, "Moderate breeze", (5.5, 7.9), 6.7, 1.0, Some(1.5), 50.0,
+    force("Moderate breeze", (5.5, 7.9), 6.7, 1.0, 50.0,
         "Small waves growing longer, with fairly frequent white horses."),
-    force(5, "Fresh breeze", (8.0, 10.7), 9.3, 2.0, Some(2.5), 100.0,
+    force("Fresh breeze", (8.0, 10.7), 9.3, 2.0, 100.0,
         "Moderate waves of a plainly longer form, many white horses and a chance of some spray."),
-    force(6, "Strong breeze", (10.8, 13.8), 12.3, 3.0, Some(4.0), 130.0,
+    force("Strong breeze", (10.8, 13.8), 12.3, 3.0, 130.0,
         "Large waves begin to form; white foam crests are everywhere, with probably some spray."),
-    force(7, "Near gale", (13.9, 17.1), 15.5, 4.0, Some(5.5), 150.0,
+    force("Near gale", (13.9, 17.1), 15.5, 4.0, 150.0,
         "The sea heaps up, and white foam from breaking waves begins to be blown in streaks along the wind."),
-    force(8, "Gale", (17.2, 20.7), 18.9, 5.5, Some(7.5), 200.0,
+    force("Gale", (17.2, 20.7), 18.9, 5.5, 200.0,
         "Moderately high and longer waves; the edges of crests break into spindrift, \
         and foam lies in well-marked streaks along the wind."),
-    force(9, "Strong gale", (20.8, 24.4), 22.6, 7.0, Some(10.0), 230.0,
+    force("Strong gale", (20.8, 24.4), 22.6, 7.0, 230.0,
         "High waves with dense streaks of foam; crests begin to topple and roll over, and spray may dim the view."),
-    force(10, "Storm", (24.5, 28.4), 26.4, 9.0, Some(12.5), 280.0,
+    force("Storm", (24.5, 28.4), 26.4, 9.0, 280.0,
         "Very high waves with long overhanging crests; foam in great patches makes the sea look white, \
         its tumbling is heavy and shock-like, and the view is dimmed."),
-    force(11, "Violent storm", (28.5, 32.6), 30.5, 11.5, Some(16.0), 350.0,
+    force("Violent storm", (28.5, 32.6), 30.5, 11.5, 350.0,
         "Exceptionally high waves that hide medium-sized ships; the sea is covered with long \
         white patches of foam, all crest edges are blown into froth, and the view is dimmed."),
-    force(12, "Hurricane", (32.7, f64::INFINITY), 34.8, 14.0, None, 400.0,
+    force("Hurricane", (32.7, f64::INFINITY), 34.8, 14.0, 400.0,
         "Air full of foam and spray, the sea wholly white with driving spray; hardly anything can be seen."),
 ];
 
@@ -123,11 +122,9 @@ mod tests {
     #[test]
     fn the_scale_is_whole() {
         for (i, f) in FORCES.iter().enumerate() {
-            assert_eq!(usize::from(f.number), i);
             let (low, high) = f.wind_m_s;
             assert!(low <= f.mean_m_s && f.mean_m_s <= high, "{f:?}");
-            assert!((0.836 * f64::from(f.number).powf(1.5) - f.mean_m_s).abs() < 0.051, "{f:?}");
-            assert!(f.highest_m.is_none_or(|h| h >= f.probable_m), "{f:?}");
+            assert!((0.836 * (i as f64).powf(1.5) - f.mean_m_s).abs() < 0.051, "{f:?}");
             let fetch = fields::find("fetch").expect("fetch");
             assert_eq!(fetch.accept(f.fetch_km), Ok(f.fetch_km));
             assert_eq!((number_of(low), number_of(f.mean_m_s)), (i, i));
