@@ -3,7 +3,7 @@
 use crate::state::Params;
 use crate::state::views::{Shown, ViewChoice};
 use crate::waves::Plan;
-use crate::waves::scale::{Palette, caption};
+use crate::waves::colour_scale::{Palette, caption};
 use egui::{Color32, Key};
 
 /// Size of the bar of colours, points.

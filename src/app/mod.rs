@@ -31,7 +31,7 @@ pub use crate::files::picture;
 
 use crate::gpu::Gpu;
 use crate::point::Heights;
-use crate::point::afloat::Waterline;
+use crate::point::floating::HullWaves;
 use crate::state::floats::{Float, FloatKind, MAX_FLOATS};
 use crate::state::look::SkyFile;
 use crate::state::params::Camera;
@@ -60,7 +60,7 @@ struct Derived {
     /// Sums over all waves: only when somebody looks.
     resolved: OnceCell<Resolved>,
     /// The waves under what floats: only if something does, or is plotted.
-    waterline: OnceCell<Waterline>,
+    waterline: OnceCell<HullWaves>,
     /// Directions of the waves: only when their plot is looked at.
     wheel: OnceCell<plots::polar::Wheel>,
 }
@@ -84,7 +84,7 @@ impl Derived {
     }
 
     fn heights(&self) -> &Heights {
-        self.waterline.get_or_init(|| Waterline::new(&self.plan)).heights()
+        self.waterline.get_or_init(|| HullWaves::new(&self.plan)).heights()
     }
 
     fn wheel(&self) -> &plots::polar::Wheel {

@@ -20,13 +20,13 @@ use crate::gpu::Gpu;
 use crate::gpu::kit::Uniform;
 use crate::gpu::layout::Layout;
 use crate::gpu::timer::Timer;
-use crate::point::afloat::Pose;
+use crate::point::floating::HullPose;
 use crate::shaders::Shaders;
 use crate::sim::Maps;
 use crate::sim::maps::MAX_CASCADES;
 use crate::state::look::Look;
 use crate::state::views::Shown;
-use crate::waves::scale::Scale;
+use crate::waves::colour_scale::ColourScale;
 use film::present::PresentPass;
 use frame::FrameUniform;
 use sky::Sky;
@@ -66,9 +66,9 @@ pub struct Scene {
     /// What the maps do not tell of the sea.
     pub sea: SeaLook,
     /// What the colours of a view stand for, layer by layer of its maps; the picture has no use for it.
-    pub scales: [Scale; MAX_CASCADES],
+    pub scales: [ColourScale; MAX_CASCADES],
     /// What floats, in the world.
-    pub floats: Vec<Pose>,
+    pub floats: Vec<HullPose>,
     /// Height of the still water in the world, m.
     pub level_m: f64,
 }
