@@ -157,7 +157,7 @@ pub fn add(to: &mut Vec<Preset>, new: Vec<Preset>) -> Result<(), String> {
     }
     if all.len() > MAX_PRESETS || write(&all).len() > MAX_FILE_BYTES {
         let kib = MAX_FILE_BYTES / 1024;
-        return Err(format!("more than {MAX_PRESETS} seas or {kib} KiB cannot be kept: remove some of your own first"));
+        return Err(format!("more than {MAX_PRESETS} seas or {kib} KiB cannot be kept: forget some of yours first"));
     }
     *to = all;
     Ok(())
