@@ -3,6 +3,7 @@
 //! The sub-structs are the levels of invalidation: `grid` reallocates, `sea` reruns the spectrum pass, the rest are
 //! uniforms. There are no dirty flags: whoever owns a resource compares with the parameters it was made from.
 
+pub use super::fields::spectrum::SpectrumKind;
 use super::floats::Float;
 pub use super::look::Look;
 use crate::files::measured::Measured;
@@ -60,37 +61,6 @@ impl Default for Grid {
     fn default() -> Self {
         Self { n: 256, cascades: 0, overlap: false, untile: true, patches: [Patch::default(); MAX_CASCADES] }
     }
-}
-
-/// Family of the frequency spectrum.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SpectrumKind {
-    /// Equilibrium range alone, Phillips 1958.
-    Phillips,
-    /// Phillips' spectrum in wave numbers as in Tessendorf 2001, with its own directional factor.
-    Tessendorf,
-    /// Generalised A, B spectrum.
-    GeneralisedAb,
-    /// Fully developed sea, Pierson and Moskowitz 1964.
-    PiersonMoskowitz,
-    /// Fetch-limited sea, Hasselmann et al. 1973.
-    Jonswap,
-    /// JONSWAP times the Kitaigorodskii depth factor, Bouws et al. 1985 as used by Horvath 2015.
-    Tma,
-    /// Black Sea, near the shore, Trusca 2007.
-    Marnero,
-    /// JONSWAP with a tail of several slopes down to ripples, Karaev and Balandina 2000.
-    Karaev,
-    /// Gravity and capillary waves in one, Elfouhaily et al. 1997.
-    Elfouhaily,
-    /// Fetch-limited with an omega^-4 range, Donelan, Hamilton and Hui 1985.
-    Donelan,
-    /// Swell and wind sea by six parameters, Ochi and Hubble 1976.
-    OchiHubble,
-    /// Swell and wind sea of the North Sea, Torsethaugen and Haver 2004.
-    Torsethaugen,
-    /// From a buoy's file.
-    Measured,
 }
 
 /// Family of the directional spreading.

@@ -40,7 +40,7 @@ pub fn between(plan: &Plan, low: f64, high: f64) -> SlopeVariance {
 
 /// What all cascades of a plan hold.
 pub fn resolved(plan: &Plan) -> SlopeVariance {
-    plan.held()
+    plan.resolved_bands()
         .into_iter()
         .map(|(low, high)| between(plan, low, high))
         .fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])

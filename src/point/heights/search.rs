@@ -3,7 +3,7 @@
 use super::Heights;
 use super::waves::{Blends, Copies, Sums};
 use crate::state::params::MAX_CASCADES;
-use crate::waves::tiling::Copy;
+use crate::waves::tiling::PatchCopy;
 
 /// Distance (m) from the point asked for at which the search ends.
 const TOLERANCE_M: f64 = 1e-8;
@@ -103,7 +103,7 @@ impl Heights {
             // The remainder is exact: far away the phases are as good as here.
             let at = [0, 1].map(|axis| (point[axis] % patch.side_m - offset[axis]) / patch.side_m);
             for (copy, sums) in blends[i].iter().zip(&mut sums[i]) {
-                let counts = |c: &Copy| c.cell == copy.cell && c.weight > 0.0;
+                let counts = |c: &PatchCopy| c.cell == copy.cell && c.weight > 0.0;
                 if copy.weight > 0.0 || own[i].iter().any(counts) {
                     *sums = Some(patch.sums(at[0] + copy.shift[0], at[1] + copy.shift[1], time));
                 }

@@ -4,7 +4,7 @@ use crate::state::params::MAX_CASCADES;
 use crate::waves::plan::{Cascade, Plan};
 use crate::waves::statistics::drawn;
 use crate::waves::table::{Table, index};
-use crate::waves::tiling::{Copy, Tiling};
+use crate::waves::tiling::{PatchCopy, Tiling};
 use std::cmp::Ordering;
 use std::f64::consts::FRAC_PI_2;
 
@@ -59,7 +59,7 @@ impl Candidate {
 }
 
 /// The copies of every patch that a point sees.
-pub(super) type Blends = [[Copy; 3]; MAX_CASCADES];
+pub(super) type Blends = [[PatchCopy; 3]; MAX_CASCADES];
 
 /// The waves at a point, copy by copy: as many as were summed.
 pub(super) struct Copies {
@@ -88,7 +88,7 @@ pub(super) struct Sums {
 
 impl Sums {
     /// Adds a copy with its weight.
-    fn add(&mut self, of: &Self, copy: &Copy) {
+    fn add(&mut self, of: &Self, copy: &PatchCopy) {
         let (w, [wx, wz]) = (copy.weight, copy.gradient);
         let add2 = |a: [f64; 2], b: [f64; 2]| [a[0] + w * b[0], a[1] + w * b[1]];
         self.eta += w * of.eta;

@@ -1,23 +1,9 @@
 //! Rows of the sea: wave systems, water, whitecaps.
 
+use super::spectrum::{SPECTRA, SPECTRUM_HELP, SPECTRUM_WORDS};
 use super::{Field, Group, Kind, index_of, logarithmic, number};
-use crate::state::params::{DepthFactor, DispersionKind, SpectrumKind, SpreadKind, Whitecaps};
+use crate::state::params::{DepthFactor, DispersionKind, SpreadKind, Whitecaps};
 
-words!(SPECTRA, SPECTRUM_WORDS, SpectrumKind,
-    "phillips" => SpectrumKind::Phillips,
-    "tessendorf" => SpectrumKind::Tessendorf,
-    "ab" => SpectrumKind::GeneralisedAb,
-    "pm" => SpectrumKind::PiersonMoskowitz,
-    "jonswap" => SpectrumKind::Jonswap,
-    "tma" => SpectrumKind::Tma,
-    "marnero" => SpectrumKind::Marnero,
-    "karaev" => SpectrumKind::Karaev,
-    "elfouhaily" => SpectrumKind::Elfouhaily,
-    "donelan" => SpectrumKind::Donelan,
-    "ochi-hubble" => SpectrumKind::OchiHubble,
-    "torsethaugen" => SpectrumKind::Torsethaugen,
-    "measured" => SpectrumKind::Measured,
-);
 words!(SPREADS, SPREAD_WORDS, SpreadKind,
     "isotropic" => SpreadKind::Isotropic,
     "cos2" => SpreadKind::Cos2,
@@ -46,7 +32,7 @@ macro_rules! system_rows {
     ($group:ident, $i:literal, $suffix:literal) => {
         [
             row!(concat!("spectrum", $suffix), "Spectrum", $group, SPECTRUM_WORDS of SPECTRA, [sea.systems[$i].spectrum],
-                "Frequency spectrum. phillips: equilibrium range alone (1958); tessendorf: in wave numbers, with its own cos^2 in directions (2001); ab: A w^-5 exp(-B w^-4); pm: fully developed (Pierson and Moskowitz 1964); jonswap: fetch-limited (Hasselmann et al. 1973); tma: the same in shallow water (Bouws et al. 1985); marnero: Black Sea (Trusca 2007); karaev: with ripples (2000); elfouhaily: gravity and capillary waves (1997); donelan: w^-4 range (1985); ochi-hubble and torsethaugen: two peaks (1976, 2004); measured: a buoy's file."),
+                SPECTRUM_HELP),
             row!(concat!("scale", $suffix), "Scale", "", $group, number(0.0, 5.0), [sea.systems[$i].scale],
                 "Scale on the height of this system: 1 is the physical one, 0 switches it off.").zero("off"),
             row!(concat!("wind", $suffix), "Wind", "m/s", $group, number(0.0, 60.0), [sea.systems[$i].wind_m_s],
