@@ -6,7 +6,7 @@ use crate::gpu::layout::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN};
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::readback::{self, TextureCopy};
 use crate::waves::Plan;
-use crate::waves::plan::Wave;
+use crate::waves::lattice::Wave;
 use crate::waves::table::{self, Table};
 use std::ops::Range;
 

@@ -7,6 +7,7 @@ pub mod cascades;
 pub mod dispersion;
 pub mod energy;
 pub mod foam;
+pub mod lattice;
 pub mod noise;
 pub mod overlap;
 pub mod plan;

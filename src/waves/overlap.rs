@@ -31,7 +31,7 @@ impl Overlap {
     }
 
     fn between((before, old): (&Plan, &Cascade), (after, new): (&Plan, &Cascade), t_s: f64) -> Self {
-        let variance = |plan: &Plan, c: &Cascade| plan.variance_between(c.k_low, c.k_high);
+        let variance = |plan: &Plan, c: &Cascade| plan.energy.m0_between(c.k_low, c.k_high);
         let (low, high) = (old.k_low.max(new.k_low).max(old.dk()), old.k_high.min(new.k_high));
         let mut covariance = 0.0;
         if low < high {
@@ -42,7 +42,8 @@ impl Overlap {
                 // The rounded frequencies of the drawn waves.
                 let cycles = |plan: &Plan, c: &Cascade| plan.wave(c, ring).omega * t_s / TAU;
                 let apart = TAU * (cycles(before, old) - cycles(after, new)).rem_euclid(1.0);
-                covariance += (before.variance_between(a, b) * after.variance_between(a, b)).sqrt() * apart.cos();
+                let variances = before.energy.m0_between(a, b) * after.energy.m0_between(a, b);
+                covariance += variances.sqrt() * apart.cos();
             }
         }
         // A negative covariance would amplify both seas.

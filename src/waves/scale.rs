@@ -64,8 +64,8 @@ impl Scale {
     /// The scale of a view of a sea, for one layer (from 0) of its maps.
     pub fn new(shown: Shown, plan: &Plan, layer: usize) -> Self {
         let band = plan.cascades.get(layer).map_or((0.0, 0.0), |c| (c.k_low, c.k_high));
-        let mss = plan.slope_variance_between(band.0, band.1);
-        let m0 = plan.variance_between(band.0, band.1);
+        let mss = plan.energy.mss_between(band.0, band.1);
+        let m0 = plan.energy.m0_between(band.0, band.1);
         // A calm has a scale too.
         let (slope, height_m) = (mss.sqrt().max(1e-4), m0.sqrt().max(1e-3));
         // Orbits in shallow water are flatter than high.

@@ -61,7 +61,7 @@ pub fn focusing_m(plan: &Plan, reach_m: f64) -> f64 {
     let mut variance = 0.0;
     for i in 0..STEPS {
         let (a, b) = (low * (step * i as f64).exp(), low * (step * (i + 1) as f64).exp());
-        variance += plan.slope_variance_between(a, b) * a * b * reach_m * reach_m;
+        variance += plan.energy.mss_between(a, b) * a * b * reach_m * reach_m;
         if variance > STRAIN_VARIANCE {
             return PI / a;
         }

@@ -47,27 +47,29 @@ impl WaveSystem {
         self.spectrum.measured.as_ref().is_some_and(|m| m.directions().is_some())
     }
 
+    /// Maximum entropy distribution of the buoy's directional moments at frequency `omega`, rad/s. Its moments can
+    /// differ from the measured ones, which need not be those of any distribution.
+    fn measured(&self, omega: f64) -> Option<Mem> {
+        self.spectrum.measured.as_ref()?.moments(omega).map(Mem::new)
+    }
+
     /// Directional distribution at frequency `omega`, rad/s.
     pub fn directions(&self, omega: f64) -> Directions {
-        match self.spectrum.measured.as_ref().and_then(|m| m.moments(omega)) {
-            Some(moments) => Directions::Measured(Mem::new(moments)),
-            None => Directions::Lobes(self.spreading.lobes(omega)),
-        }
+        self.measured(omega).map_or_else(|| Directions::Lobes(self.spreading.lobes(omega)), Directions::Measured)
     }
 
     /// Directional spreading D, per rad, at frequency `omega` (rad/s) in the direction of the wave vector `k`.
     pub fn direction_density(&self, omega: f64, k: [f64; 2]) -> f64 {
-        match self.directions(omega) {
-            Directions::Measured(mem) => mem.density(k[1].atan2(k[0])),
-            Directions::Lobes(_) => self.spreading.density(omega, angle(self.travel, k)),
+        match self.measured(omega) {
+            Some(mem) => mem.density(k[1].atan2(k[0])),
+            None => self.spreading.density(omega, angle(self.travel, k)),
         }
     }
 
     /// First directional moment in world axes (x, z): the integral of D times the unit vector of travel.
     pub fn first_moment(&self, omega: f64) -> [f64; 2] {
-        match self.spectrum.measured.as_ref().and_then(|m| m.moments(omega)) {
-            // The distribution's own moment: measured moments can be ones that no distribution has.
-            Some(moments) => Mem::new(moments).first_moment(),
+        match self.measured(omega) {
+            Some(mem) => mem.first_moment(),
             None => {
                 let r1 = self.spreading.first_moment(omega);
                 self.travel.map(|t| t * r1)
@@ -91,10 +93,7 @@ impl WaveSystem {
 impl TermKind {
     /// Number of vectors of four numbers that the term takes per wave.
     pub fn size(self) -> usize {
-        match self {
-            Self::Lobe(_) => 1,
-            Self::Measured => 2,
-        }
+        if self == Self::Measured { 2 } else { 1 }
     }
 }
 

@@ -4,7 +4,8 @@
 //! A square lattice is symmetric under both reflections and the exchange of its axes. So the triangle 0 <= b <= a <=
 //! n/2 covers it; the wave (a, b) is entry a (a + 1) / 2 + b. One entry serves up to eight waves without interpolation.
 
-use super::plan::{Cascade, Plan, Wave};
+use super::lattice::Wave;
+use super::plan::{Cascade, Plan};
 use super::spreading::Lobe;
 use super::system::{Directions, TermKind, WaveSystem, angle};
 use std::f64::consts::PI;

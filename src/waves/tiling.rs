@@ -40,26 +40,22 @@ pub struct Tiling {
     /// Side of the patch, m.
     pub patch_m: f64,
     /// Cosine and sine of the lattice's rotation, divided by the side of its triangles, 1/m.
-    turn: [f64; 2],
+    pub turn: [f64; 2],
     /// Key of the hash that gives the shifts.
-    key: u32,
+    pub key: u32,
     /// Whether copies are blended; if false, the patch repeats.
-    on: bool,
+    pub on: bool,
 }
 
 /// The triangle lattice relative to one point, as a shader needs it near that point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// Cosine and sine of the lattice's rotation, divided by the side of its triangles, 1/m.
-    pub turn: [f64; 2],
+    /// The lattice.
+    pub tiling: Tiling,
     /// Fractional part of the point's lattice coordinates, 0 to 1.
     pub rest: [f64; 2],
     /// Integer part of the point's lattice coordinates, wrapped to 32 bits.
     pub cell: [i32; 2],
-    /// Key of the hash that gives the shifts.
-    pub key: u32,
-    /// Whether copies are blended; if false, the patch repeats.
-    pub on: bool,
 }
 
 /// A shifted copy of a patch as one point sees it.
@@ -94,12 +90,10 @@ impl Tiling {
         let q = [u, v].map(|axis| axis[0] * at[0] + axis[1] * at[1]);
         let whole = q.map(f64::floor);
         Place {
-            turn: self.turn,
+            tiling: *self,
             rest: [q[0] - whole[0], q[1] - whole[1]],
             // The cast through 64 bits wraps; a direct cast would saturate.
             cell: whole.map(|w| w as i64 as i32),
-            key: self.key,
-            on: self.on,
         }
     }
 

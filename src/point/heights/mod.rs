@@ -41,7 +41,8 @@
 //! - **Sameness**: a sample depends on the sea, the point and the time alone, not on what was asked before or by which
 //!   thread. Nothing is allocated, nothing locked.
 
-use crate::waves::plan::{self, Plan};
+use crate::waves::Plan;
+use crate::waves::lattice::phase_time;
 use waves::{Candidate, Patch, Sums, candidates};
 
 mod search;
@@ -173,7 +174,7 @@ impl Heights {
         if ![x_m, z_m, t_s].iter().all(|v| v.is_finite()) {
             return self.still();
         }
-        let time = plan::phase_time(self.period_s, t_s);
+        let time = phase_time(self.period_s, t_s);
         let (offset, sums, converged) = self.invert([x_m, z_m], time);
         self.describe([x_m, z_m], offset, &sums, converged)
     }
@@ -190,7 +191,7 @@ impl Heights {
             return self.still();
         }
         let blends = self.blends([x0_m, z0_m], [0.0; 2]);
-        let sums = self.sums([x0_m, z0_m], [0.0; 2], plan::phase_time(self.period_s, t_s), &blends);
+        let sums = self.sums([x0_m, z0_m], [0.0; 2], phase_time(self.period_s, t_s), &blends);
         self.describe([x0_m, z0_m], [0.0; 2], &sums, true)
     }
 

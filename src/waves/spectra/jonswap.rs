@@ -72,8 +72,8 @@ fn full_development(inputs: &Inputs<'_>) -> Option<String> {
     })
 }
 
-/// Significant wave height (m) and peak frequency (rad/s) that the user has set. JONSWAP's growth curves supply the missing
-/// ones.
+/// Significant wave height (m) and peak frequency (rad/s) that the user has set. JONSWAP's growth curves supply the
+/// missing ones.
 pub fn height_and_peak(inputs: &Inputs<'_>) -> (f64, f64) {
     let grown = Jonswap::grown(inputs);
     let grown_height = || {
@@ -85,8 +85,8 @@ pub fn height_and_peak(inputs: &Inputs<'_>) -> (f64, f64) {
 }
 
 impl Jonswap {
-    /// The mean spectrum, gamma = 3.3, for wind and fetch alone: alpha = 0.076 x^-0.22 and omega_p = 22 (g/U) x^(-1/3) with
-    /// the dimensionless fetch x = g F / U^2.
+    /// The mean spectrum, gamma = 3.3, for wind and fetch alone: alpha = 0.076 x^-0.22 and omega_p = 22 (g/U) x^(-1/3)
+    /// with the dimensionless fetch x = g F / U^2.
     fn grown(inputs: &Inputs<'_>) -> Self {
         let (g, x) = (inputs.gravity_m_s2, inputs.fetch);
         let alpha = 0.076 * x.powf(-0.22);

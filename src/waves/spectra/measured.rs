@@ -4,13 +4,10 @@ use super::spectrum::FrequencySpectrum;
 use crate::files::measured::Measured;
 use std::sync::Arc;
 
-/// S(omega) of the buoy's bands. The bands themselves split the quadrature.
-pub fn spectrum(measured: &Arc<Measured>) -> FrequencySpectrum {
-    let (lowest, breakpoints) = (measured.support().0.max(1e-3), measured.breakpoints());
-    let data = Arc::clone(measured);
-    FrequencySpectrum {
-        lowest,
-        breakpoints,
-        ..FrequencySpectrum::new(measured.omega_p(), move |omega| data.density(omega))
-    }
+/// S(omega) of the buoy's bands. Quadrature is split at the bands.
+pub fn spectrum(data: &Arc<Measured>) -> FrequencySpectrum {
+    let (lowest, breakpoints, measured) = (data.support().0.max(1e-3), data.breakpoints(), Some(Arc::clone(data)));
+    let shape = Arc::clone(data);
+    let spectrum = FrequencySpectrum::new(data.omega_p(), move |omega| shape.density(omega));
+    FrequencySpectrum { lowest, breakpoints, measured, ..spectrum }
 }

@@ -1,8 +1,9 @@
-//! Frequency spectra S(omega): one-sided variance density of the elevation, m^2 s; the integral over omega, rad/s, is m0.
+//! Frequency spectra S(omega): one-sided variance density of the elevation, m^2 s; the integral over omega, rad/s, is
+//! m0.
 //!
 //! Each family is a file with a function that makes a [`FrequencySpectrum`] from [`Inputs`]. A new family takes three
-//! files: its own, this one (its `mod` line and its arm of [`family`]), and `state/fields/spectrum.rs` (its variant and its
-//! word).
+//! files: its own, this one (its `mod` line and its arm of [`family`]), and `state/fields/spectrum.rs` (its variant and
+//! its word).
 
 mod donelan;
 mod elfouhaily;
@@ -34,8 +35,8 @@ const MIN_M0_M2: f64 = 1e-12;
 /// Shortest peak period that the user can set, s: waves of 14 cm.
 const MIN_PEAK_PERIOD_S: f64 = 0.3;
 
-/// The frequency spectrum of one system of a sea, with all its scales. It is 0 without wind, unless the system has a height
-/// and a period of its own or a buoy's data.
+/// The frequency spectrum of one system of a sea, with all its scales. It is 0 without wind, unless the system has a
+/// height and a period of its own or a buoy's data.
 pub fn of_system(sea: &Sea, system: &System) -> FrequencySpectrum {
     let (dispersion, gravity_m_s2) = (Dispersion::new(sea), sea.gravity_m_s2);
     let is_measured = system.spectrum == SpectrumKind::Measured;
@@ -49,8 +50,8 @@ pub fn of_system(sea: &Sea, system: &System) -> FrequencySpectrum {
         family(&Inputs { sea, system, dispersion, gravity_m_s2, wind_m_s, fetch, omega_p })
     };
     if is_measured && sea.measured.is_none() {
-        let notice = "spectrum=measured needs a buoy's file: drop one here or give it with --spectrum; until then jonswap \
-                      is used";
+        let notice = "spectrum=measured needs a buoy's file: drop one here or give it with --spectrum; until then \
+                      jonswap is used";
         spectrum.notice = Some(notice.to_owned());
     }
     spectrum.fade = (system.fade_m > 0.0).then_some((system.fade_m, dispersion));
