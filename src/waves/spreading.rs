@@ -111,7 +111,9 @@ impl Spreading {
                 SpreadKind::Elfouhaily => {
                     // (1 + Delta cos 2 theta) / 2 pi = ((1 - Delta) + 2 Delta cos^2 theta) / 2 pi, both terms times the
                     // swell factor. Normalisation of the product keeps their proportion.
-                    let (delta, terms) = (self.delta(omega), [Cosine::None, Cosine::Full].map(|c| lobe(0.0, 0.0, c)));
+                    let speed = |omega: f64| omega / self.dispersion.wave_number(omega);
+                    let delta = elfouhaily_delta(speed(omega), speed(self.omega_p), self.wind_m_s);
+                    let terms = [Cosine::None, Cosine::Full].map(|c| lobe(0.0, 0.0, c));
                     let [even, squared] = terms.map(|lobe| lobe.norm(self.norm_steps));
                     let parts = [(1.0 - delta) / even, 2.0 * delta / squared];
                     lobes.extend([0, 1].map(|i| (share * parts[i] / (parts[0] + parts[1]), terms[i])));
@@ -121,12 +123,6 @@ impl Spreading {
             lobes.push((share, lobe));
         }
         Lobes { isotropic: self.isotropic, lobes }
-    }
-
-    /// Delta of Elfouhaily's spreading.
-    fn delta(&self, omega: f64) -> f64 {
-        let speed = |omega: f64| omega / self.dispersion.wave_number(omega);
-        elfouhaily_delta(speed(omega), speed(self.omega_p), self.wind_m_s)
     }
 
     /// D(theta), per rad, at frequency `omega`, rad/s.
@@ -191,15 +187,6 @@ impl Lobe {
         sech * sech * (0.5 + 0.5 * theta.cos()).max(0.0).powf(self.s) * cosine
     }
 
-    /// Whether the norm has a closed form.
-    pub fn is_closed(&self) -> bool {
-        match self.cosine {
-            Cosine::None => self.s == 0.0 || self.beta == 0.0,
-            Cosine::Full => self.beta == 0.0,
-            Cosine::Forward => self.s == 0.0 && self.beta == 0.0,
-        }
-    }
-
     /// Integral of `f` times the lobe from 0 to pi, over pieces of `steps` panels each. The pieces are shorter in the
     /// lobe and near pi, where cos^{2s} with a small s has no derivative.
     fn half_integral(&self, f: impl Fn(f64) -> f64, steps: u32) -> f64 {
@@ -211,7 +198,12 @@ impl Lobe {
 
     /// The factor that makes the integral over the circle 1: in closed form where one exists, else by quadrature.
     pub fn norm(&self, steps: u32) -> f64 {
-        match self.cosine {
+        self.closed_norm().unwrap_or_else(|| 1.0 / (2.0 * self.half_integral(|_| 1.0, steps)))
+    }
+
+    /// The norm in closed form, if one exists.
+    pub fn closed_norm(&self) -> Option<f64> {
+        Some(match self.cosine {
             // beta / (2 tanh(beta pi)); its limit for beta = 0 is 1 / (2 pi).
             Cosine::None if self.s == 0.0 && self.beta < 1e-6 => 1.0 / (2.0 * PI),
             Cosine::None if self.s == 0.0 => self.beta / (2.0 * (self.beta * PI).tanh()),
@@ -222,8 +214,8 @@ impl Lobe {
                 2.0 * cosine_norm(self.s) / (1.0 + second)
             }
             Cosine::Forward if self.s == 0.0 && self.beta == 0.0 => 2.0 / PI,
-            _ => 1.0 / (2.0 * self.half_integral(|_| 1.0, steps)),
-        }
+            _ => return None,
+        })
     }
 
     /// Integral of the normalised lobe times cos(theta).

@@ -8,6 +8,7 @@ use super::lattice::Wave;
 use super::plan::{Cascade, Plan};
 use super::spreading::Lobe;
 use super::system::{Directions, TermKind, WaveSystem, angle};
+use crate::files::measured::Mem;
 use std::f64::consts::PI;
 
 /// One term of the directional spectrum of a plan. The spectrum of a wave is the sum of all terms.
@@ -23,8 +24,7 @@ pub struct Term {
 
 /// The terms of a plan's spectrum, and the number of value vectors per entry, at least 1.
 pub fn terms(plan: &Plan) -> (Vec<Term>, usize) {
-    let mut terms = Vec::new();
-    let mut slot = 0;
+    let (mut terms, mut slot) = (Vec::new(), 0);
     for system in &plan.systems {
         for kind in system.terms() {
             terms.push(Term { kind, travel: system.travel, slot });
@@ -113,13 +113,8 @@ impl Table {
             match term.kind {
                 TermKind::Lobe(cosine) => variance * Lobe { beta: p, s: q, cosine }.shape(angle(term.travel, k)) + r,
                 TermKind::Measured => {
-                    let (theta, im) = (k[1].atan2(k[0]), value(term.slot + 1)[0]);
-                    // |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2
-                    let (s1, c1) = theta.sin_cos();
-                    let (s2, c2) = (2.0 * theta).sin_cos();
-                    let re = 1.0 - (p * c1 + q * s1) - (r * c2 + im * s2);
-                    let imaginary = (q * c1 - p * s1) + (im * c2 - r * s2);
-                    variance / (re * re + imaginary * imaginary)
+                    let phi2 = [r, value(term.slot + 1)[0]];
+                    Mem { norm: variance, phi1: [p, q], phi2 }.density(k[1].atan2(k[0]))
                 }
             }
         };
@@ -186,7 +181,7 @@ impl Norms {
                     };
                     Piece { ln_low, step, ln_norm: (0..=Self::NODES).map(node).collect() }
                 };
-                (!probe[i].1.is_closed()).then(|| knots.windows(2).map(piece).collect())
+                probe[i].1.closed_norm().is_none().then(|| knots.windows(2).map(piece).collect())
             })
             .collect();
         Self { steps, lobes }

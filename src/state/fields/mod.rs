@@ -230,8 +230,8 @@ fn wrap_degrees(value: f64) -> f64 {
 /// A table of words and what they stand for, and the words alone.
 macro_rules! words {
     ($table:ident, $words:ident, $kind:ty, $($word:literal => $value:expr),+ $(,)?) => {
-        pub(super) const $table: &[(&str, $kind)] = &[$(($word, $value)),+];
-        pub(super) const $words: &[&str] = &[$($word),+];
+        pub(crate) const $table: &[(&str, $kind)] = &[$(($word, $value)),+];
+        pub(crate) const $words: &[&str] = &[$($word),+];
     };
 }
 
@@ -267,7 +267,7 @@ macro_rules! row {
 
 mod look;
 mod sea;
-pub(super) mod spectrum;
+pub(crate) mod spectrum;
 mod view;
 
 /// Every parameter, in the order in which the state string writes them.

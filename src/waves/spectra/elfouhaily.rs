@@ -31,9 +31,11 @@ pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
         let curvature = 0.5 * (alpha_p * speed(k_p) * long + alpha_m * C_M * short) / speed(k);
         curvature / k.powi(3)
     };
-    let ripples = [100.0, 370.0, 1500.0].map(|k| dispersion.omega(k));
     let density = move |omega| dispersion.density_over_omega(density_k, omega);
-    FrequencySpectrum::new(dispersion.omega(k_p), density).with_kinks(ripples)
+    let mut spectrum = FrequencySpectrum::new(dispersion.omega(k_p), density);
+    // Around the bump of the capillary waves.
+    spectrum.breakpoints.extend([100.0, 370.0, 1500.0].map(|k| dispersion.omega(k)));
+    spectrum
 }
 
 /// Friction velocity of the wind at 10 m, m/s: drag coefficient of Wu 1982.

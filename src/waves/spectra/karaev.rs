@@ -35,7 +35,9 @@ pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
         None => around_peak(omega),
         Some(i) => start[i] * (from[i] / omega).powf(power[i]),
     };
-    FrequencySpectrum { notice, ..FrequencySpectrum::new(omega_p, density).with_kinks(from) }
+    let mut spectrum = FrequencySpectrum::new(omega_p, density);
+    spectrum.breakpoints.extend(from);
+    FrequencySpectrum { notice, ..spectrum }
 }
 
 #[cfg(test)]

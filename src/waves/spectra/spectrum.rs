@@ -89,13 +89,6 @@ impl FrequencySpectrum {
         Self { lowest, breakpoints, ..Self::new(omega_p, shape) }
     }
 
-    /// Adds frequencies at which S has a kink.
-    #[must_use]
-    pub fn with_kinks(mut self, kinks: impl IntoIterator<Item = f64>) -> Self {
-        self.breakpoints.extend(kinks);
-        self
-    }
-
     /// Multiplies the variance by `factor`.
     #[must_use]
     pub fn scaled(mut self, factor: f64) -> Self {
