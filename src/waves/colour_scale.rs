@@ -64,7 +64,7 @@ impl ColourScale {
     /// Colour scale of a view, for one layer of the maps (cascade or foam level, counted from 0).
     pub fn new(shown: Shown, plan: &Plan, layer: usize) -> Self {
         let (k_low, k_high) = plan.cascades.get(layer).map_or((0.0, 0.0), |c| (c.k_low, c.k_high));
-        let (mss, m0) = (plan.slope_variance_between(k_low, k_high), plan.variance_between(k_low, k_high));
+        let (mss, m0) = (plan.energy.mss_between(k_low, k_high), plan.energy.m0_between(k_low, k_high));
         // Lower limits, so that a calm sea has a scale.
         let (slope, height_m) = (mss.sqrt().max(1e-4), m0.sqrt().max(1e-3));
         // In shallow water the horizontal displacement exceeds the vertical one.

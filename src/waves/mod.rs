@@ -1,4 +1,4 @@
-//! The theory of the waves, in f64: spectra, spreading, dispersion, and the plan that divides a sea among cascades.
+//! Wave theory in f64: spectra, directional spreading, dispersion, and the plan that divides a sea among cascades.
 //!
 //! Everything here is a pure function of [`crate::state::Params`].
 
@@ -9,6 +9,7 @@ pub mod dispersion;
 pub mod energy;
 mod fft;
 pub mod foam;
+pub mod lattice;
 pub mod map_spectrum;
 pub mod noise;
 pub mod overlap;

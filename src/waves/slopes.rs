@@ -42,7 +42,7 @@ pub fn between(plan: &Plan, k_low: f64, k_high: f64) -> SlopeVariance {
 
 /// Mean square slopes that all cascades of a plan resolve.
 pub fn resolved(plan: &Plan) -> SlopeVariance {
-    plan.held()
+    plan.resolved_bands()
         .into_iter()
         .map(|(low, high)| between(plan, low, high))
         .fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])
@@ -65,7 +65,7 @@ pub fn focusing_m(plan: &Plan, reach_m: f64) -> f64 {
     let mut variance = 0.0;
     for i in 0..STEPS {
         let (a, b) = (low * (step * i as f64).exp(), low * (step * (i + 1) as f64).exp());
-        variance += plan.slope_variance_between(a, b) * a * b * reach_m * reach_m;
+        variance += plan.energy.mss_between(a, b) * a * b * reach_m * reach_m;
         if variance > STRAIN_VARIANCE {
             return PI / a;
         }

@@ -89,8 +89,11 @@ impl Theory {
         let dispersion = plan.dispersion;
         let s = |w: f64| plan.density(w);
         let (low, high) = plan.support();
-        let mut knots: Vec<f64> =
-            plan.systems.iter().flat_map(|s| [s.spectrum.breakpoints(), s.spreading.breakpoints()].concat()).collect();
+        let mut knots: Vec<f64> = plan
+            .systems
+            .iter()
+            .flat_map(|s| [s.spectrum.breakpoints.clone(), s.spreading.breakpoints()].concat())
+            .collect();
         knots.extend(plan.systems.iter().map(|s| s.spectrum.support().0));
         knots.extend((1..8).map(|i| low * (high / low).powf(f64::from(i) / 8.0)));
         knots.sort_by(f64::total_cmp);
@@ -98,7 +101,7 @@ impl Theory {
             let inner = knots.iter().copied().filter(|&w| w > low && w < high);
             adaptive(f, &std::iter::once(low).chain(inner).chain([high]).collect::<Vec<_>>(), tolerance)
         };
-        let bands: Vec<(f64, f64)> = (plan.held().into_iter())
+        let bands: Vec<(f64, f64)> = (plan.resolved_bands().into_iter())
             .map(|(a, b)| (if a > 0.0 { dispersion.omega(a) } else { 0.0 }, dispersion.omega(b)))
             .map(|(a, b)| (a.clamp(low, high), b.clamp(low, high)))
             .filter(|(a, b)| a < b)

@@ -23,7 +23,8 @@
 //!   period, 20 microseconds for a day.
 //! - **Determinism**: a sample depends only on the plan, the point and the time. Sampling neither allocates nor locks.
 
-use crate::waves::plan::{self, Plan};
+use crate::waves::Plan;
+use crate::waves::lattice::phase_time;
 use waves::{Candidate, PatchWaves, WaveSums, candidates};
 
 mod search;
@@ -170,7 +171,7 @@ impl Heights {
         if ![x_m, z_m, t_s].iter().all(|v| v.is_finite()) {
             return self.still_water();
         }
-        let time = plan::phase_time(self.period_s, t_s);
+        let time = phase_time(self.period_s, t_s);
         let (offset, sums, converged) = self.invert([x_m, z_m], time);
         self.describe([x_m, z_m], offset, &sums, converged)
     }
@@ -187,7 +188,7 @@ impl Heights {
             return self.still_water();
         }
         let blends = self.blends([x0_m, z0_m], [0.0; 2]);
-        let sums = self.sums([x0_m, z0_m], [0.0; 2], plan::phase_time(self.period_s, t_s), &blends);
+        let sums = self.sums([x0_m, z0_m], [0.0; 2], phase_time(self.period_s, t_s), &blends);
         self.describe([x0_m, z0_m], [0.0; 2], &sums, true)
     }
 

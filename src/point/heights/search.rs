@@ -3,7 +3,7 @@
 use super::Heights;
 use super::waves::{Blends, CopySums, WaveSums};
 use crate::state::params::MAX_CASCADES;
-use crate::waves::tiling::Copy;
+use crate::waves::tiling::PatchCopy;
 
 /// Distance from the requested point at which the search ends, m.
 const TOLERANCE_M: f64 = 1e-8;
@@ -106,7 +106,7 @@ impl Heights {
             // The remainder is exact, so the phases keep their precision far from the origin.
             let at = [0, 1].map(|axis| (point[axis] % patch.side_m - offset[axis]) / patch.side_m);
             for (copy, sums) in blends[i].iter().zip(&mut sums[i]) {
-                let same = |c: &Copy| c.cell == copy.cell && c.weight > 0.0;
+                let same = |c: &PatchCopy| c.cell == copy.cell && c.weight > 0.0;
                 if copy.weight > 0.0 || own[i].iter().any(same) {
                     *sums = Some(patch.sums(at[0] + copy.shift[0], at[1] + copy.shift[1], time));
                 }

@@ -4,7 +4,7 @@ use crate::state::params::MAX_CASCADES;
 use crate::waves::plan::{Cascade, Plan};
 use crate::waves::statistics::{initial_amplitude, lattice};
 use crate::waves::table::{Table, index};
-use crate::waves::tiling::{Copy, Tiling};
+use crate::waves::tiling::{PatchCopy, Tiling};
 use std::cmp::Ordering;
 use std::f64::consts::FRAC_PI_2;
 
@@ -64,7 +64,7 @@ impl Candidate {
 }
 
 /// The copies of every patch at one point.
-pub(super) type Blends = [[Copy; 3]; MAX_CASCADES];
+pub(super) type Blends = [[PatchCopy; 3]; MAX_CASCADES];
 
 /// Wave sums at a point for each copy of every patch; `None` where a copy was not evaluated.
 pub(super) struct CopySums {
@@ -95,7 +95,7 @@ pub(super) struct WaveSums {
 
 impl WaveSums {
     /// Adds the sums of a copy with its weight.
-    fn add(&mut self, of: &Self, copy: &Copy) {
+    fn add(&mut self, of: &Self, copy: &PatchCopy) {
         let (w, [wx, wz], [dx, dz]) = (copy.weight, copy.gradient, of.d);
         self.eta += w * of.eta;
         add_scaled(&mut self.slope, w, of.slope);
