@@ -1,5 +1,5 @@
-//! Virtual buoys on the GPU's maps: Welch's estimate of the spectrum from their time series is the requested spectrum. The
-//! maps belong to the undisplaced grid, so chop has no effect.
+//! Virtual buoys on the GPU's maps: Welch's estimate of the spectrum from their time series is the requested spectrum.
+//! The maps belong to the undisplaced grid, so chop has no effect.
 
 mod common;
 

@@ -1,4 +1,4 @@
-//! Files and texts that are broken, make false claims or are malicious: each is refused with a message, without a panic.
+//! Files and texts that are broken, make false claims or are malicious: each is refused with a message.
 
 #[path = "common/hostile.rs"]
 mod hostile;
@@ -29,7 +29,7 @@ fn kept_cases_do_no_harm() {
     assert!(bytes < 1 << 20, "{bytes} bytes of cases: keep fewer");
 }
 
-/// A small sky in OpenEXR, as scanlines. Its attribute `chunkCount` is renamed, so that changed sizes cannot disagree
+/// A small sky in OpenEXR, as scanlines. Its attribute `chunkCount` is renamed, because changed sizes would disagree
 /// with it.
 fn exr() -> Vec<u8> {
     let rows =

@@ -5,7 +5,7 @@ use seastate::state::{presets, query};
 use seastate::waves::Plan;
 use seastate::waves::statistics::Theory;
 
-/// Largest relative error of a height. The heights in the file have four decimals; the error of the quadrature is smaller.
+/// Largest relative error of a height: the file has four decimals, and the error of the quadrature is smaller.
 const TOLERANCE: f64 = 2e-3;
 
 /// Significant wave height in m and link of every line.

@@ -227,7 +227,7 @@ fn what_is_out_of_range_becomes_the_nearest_value_and_a_notice() {
     }
 }
 
-/// Writes the longest state: all fields with all digits, a buoy with the most bands, the most floats, and a long sky name.
+/// Writes the longest state: all fields with all digits, a buoy with the most bands, the most floats, a long sky name.
 #[test]
 fn no_state_is_too_long_to_be_read() {
     let mut params = Params::default();

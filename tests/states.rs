@@ -1,6 +1,6 @@
-//! Random and extreme states go through all passes, from the spectrum to the picture: maps hold finite numbers, no pixel is
-//! magenta (the last pass paints pixels magenta that are not a number), wgpu reports no error (an error panics), and a link
-//! brings the state back unchanged.
+//! Random and extreme states go through all passes, from the spectrum to the picture: maps hold finite numbers, no
+//! pixel is magenta (the last pass paints pixels magenta that are not a number), wgpu reports no error (an error
+//! panics), and a link brings the state back unchanged.
 
 mod common;
 
@@ -30,8 +30,8 @@ fn ends(field: &Field) -> [f64; 2] {
     }
 }
 
-/// The state with a number. Odd numbers give random states. Even numbers give states with values at an end of their range:
-/// from a single value, of each field in turn at either end, up to nearly all values.
+/// The state with a number. Odd numbers give random states. Even numbers give states with values at an end of their
+/// range: from a single value, of each field in turn at either end, up to nearly all values.
 fn state(number: u32) -> Params {
     let mut p = if number.is_multiple_of(2) { params("n=64") } else { common::random_params("n=64", number) };
     if number.is_multiple_of(2) {

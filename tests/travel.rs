@@ -1,6 +1,6 @@
 //! A single wave on the GPU travels downwind at the phase speed omega / k of each dispersion relation. Loops are not
-//! tested, because they round omega to multiples of 2 pi / period. Without a loop the period is a day, and the error at most
-//! 4e-5 rad/s.
+//! tested, because they round omega to multiples of 2 pi / period. Without a loop the period is a day, and the error at
+//! most 4e-5 rad/s.
 
 mod common;
 

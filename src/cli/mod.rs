@@ -61,9 +61,9 @@ impl SeaArgs {
         let (mut params, mut notices) = query::parse(self.state.as_deref().unwrap_or_default());
         if !self.spectrum.is_empty() {
             let files = crate::app::native::read_files(&self.spectrum)?;
-            let (measured, more) = MeasuredSpectrum::read(&files)?;
-            notices.extend(more);
-            params.sea.show_measured(measured);
+            let file = MeasuredSpectrum::read(&files)?;
+            notices.extend(file.notices);
+            params.sea.show_measured(file.spectrum);
         }
         if let Some(path) = &self.sky {
             let file = crate::app::native::read_sky(path)?;

@@ -8,8 +8,7 @@ const KEYWORD: &str = "seastate";
 /// Most memory for the chunks before the pixels, bytes.
 const MAX_MEMORY: usize = 4 * 1024 * 1024;
 
-/// Encodes RGBA pixels as a PNG of RGB pixels with a state string and the address that shows this state; an empty address
-/// is left out.
+/// Encodes RGBA pixels as a PNG of RGB pixels with a state string and, unless it is empty, a link to this state.
 ///
 /// # Errors
 /// One sentence, if the pixels do not fit the size.

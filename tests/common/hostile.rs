@@ -1,5 +1,5 @@
-//! Properties that hold for any bytes that are read. Each fuzz target (fuzz/) runs one of these checks; `tests/hostile.rs`
-//! runs all of them over the kept cases.
+//! Properties that hold for any bytes that are read. Each fuzz target (fuzz/) runs one of these checks;
+//! `tests/hostile.rs` runs all of them over the kept cases.
 #![allow(dead_code, reason = "each fuzz target runs one check")]
 
 use seastate::files::measured::{MAX_STATE_BYTES, MeasuredSpectrum};
@@ -46,7 +46,7 @@ pub fn buoy(bytes: &[u8]) {
         (String::from_utf8_lossy(&file[..end]).into_owned(), file[end..].to_vec())
     };
     let files: Vec<_> = bytes.split(|b| *b == NEXT_FILE).map(named).collect();
-    let read = MeasuredSpectrum::read(&files).map(|(sea, _)| sea);
+    let read = MeasuredSpectrum::read(&files).map(|file| file.spectrum);
     let carried = MeasuredSpectrum::from_state(&String::from_utf8_lossy(bytes));
     for sea in read.into_iter().chain(carried) {
         let text = sea.to_state();

@@ -17,8 +17,8 @@ pub struct Direction {
 }
 
 impl Direction {
-    /// Parameters of a cos^{2s}(theta/2) lobe with the given mean direction and circular spread sqrt(2 (1 - r1)), both in
-    /// degrees. With s = r1/(1 - r1), r2 = s (s - 1)/((s + 1)(s + 2)) = r1 (2 r1 - 1)/(2 - r1) (Longuet-Higgins,
+    /// Parameters of a cos^{2s}(theta/2) lobe with the given mean direction and circular spread sqrt(2 (1 - r1)), both
+    /// in degrees. With s = r1/(1 - r1), r2 = s (s - 1)/((s + 1)(s + 2)) = r1 (2 r1 - 1)/(2 - r1) (Longuet-Higgins,
     /// Cartwright and Smith 1963). Below s = 1 it is negative: the principal direction is across the mean one.
     pub fn from_spread(from_deg: f64, spread_deg: f64) -> Self {
         let r1 = (1.0 - 0.5 * spread_deg.to_radians().powi(2)).clamp(0.0, 1.0);
@@ -60,6 +60,10 @@ pub(super) fn filled(
         notices.push(format!("only {have} of {all} bands have a direction: the spectrum is used without directions"));
         return None;
     }
-    let nearest = |f: f64| known.iter().min_by(|a, b| (a.0 - f).abs().total_cmp(&(b.0 - f).abs())).map(|k| k.1);
-    bands.iter().zip(directions).map(|(b, d)| d.or_else(|| nearest(b.0))).collect()
+    bands.iter().zip(directions).map(|(b, d)| d.or_else(|| Some(nearest(&known, b.0)?.1))).collect()
+}
+
+/// The entry (frequency in Hz, value) whose frequency is nearest to `f_hz`.
+pub(super) fn nearest<T>(entries: &[(f64, T)], f_hz: f64) -> Option<&(f64, T)> {
+    entries.iter().min_by(|a, b| (a.0 - f_hz).abs().total_cmp(&(b.0 - f_hz).abs()))
 }

@@ -15,6 +15,6 @@ mod text;
 pub use direction::Direction;
 pub use formats::MAX_FILES;
 pub use mem::Mem;
-pub use spectrum::{MAX_BANDS, MIN_BANDS, MeasuredSpectrum};
+pub use spectrum::{MAX_BANDS, MIN_BANDS, MeasuredSpectrum, SpectrumFile};
 pub use state::MAX_STATE_BYTES;
 pub use text::MAX_FILE_BYTES;

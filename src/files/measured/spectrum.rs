@@ -1,7 +1,7 @@
 //! The measured spectrum: variance densities, heights, and directional moments.
 
 use super::direction::Direction;
-use super::text::{printable, shown};
+use super::text::shown;
 use std::f64::consts::TAU;
 
 /// Most frequency bands of a measured spectrum.
@@ -14,23 +14,24 @@ const MAX_HZ: f64 = 2.0;
 const MAX_DENSITY: f64 = 1e5;
 /// Frequencies (Hz) and densities (m^2/Hz) below this count as 0.
 const TINY: f64 = 1e-9;
-/// Longest title, characters.
-const MAX_TITLE: usize = 80;
 
 /// A measured spectrum: one-sided variance densities in frequency bands, with or without directions. All numbers are
-/// rounded to the precision of a link, so a spectrum and its copy from a link are equal. Comparison ignores the title.
-#[derive(Clone, Debug)]
+/// rounded to the precision of a link, so a spectrum and its copy from a link are equal.
+#[derive(Clone, Debug, PartialEq)]
 pub struct MeasuredSpectrum {
-    f_hz: Vec<f64>,
-    density_m2_hz: Vec<f64>,
+    bands: Vec<(f64, f64)>,
     directions: Option<Vec<Direction>>,
-    title: String,
 }
 
-impl PartialEq for MeasuredSpectrum {
-    fn eq(&self, other: &Self) -> bool {
-        self.f_hz == other.f_hz && self.density_m2_hz == other.density_m2_hz && self.directions == other.directions
-    }
+/// A measured spectrum from files.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpectrumFile {
+    /// The spectrum.
+    pub spectrum: MeasuredSpectrum,
+    /// Name of the file and time of the record, printable and short.
+    pub title: String,
+    /// Messages about what was not used.
+    pub notices: Vec<String>,
 }
 
 impl MeasuredSpectrum {
@@ -44,29 +45,23 @@ impl MeasuredSpectrum {
         if !(MIN_BANDS..=MAX_BANDS).contains(&n) {
             return Err(format!("{n} frequency bands, but {MIN_BANDS} to {MAX_BANDS} are needed"));
         }
-        let (mut f_hz, mut density_m2_hz) = (Vec::with_capacity(n), Vec::with_capacity(n));
+        let mut kept: Vec<(f64, f64)> = Vec::with_capacity(n);
         for &(f, s) in bands {
-            f_hz.push(checked_frequency(f, f_hz.last().copied())?);
-            density_m2_hz.push(checked_density(s)?);
+            kept.push((checked_frequency(f, kept.last().map(|b| b.0))?, checked_density(s)?));
         }
         if let Some(d) = directions.filter(|d| d.len() != n) {
             return Err(format!("{} directions for {n} frequency bands", d.len()));
         }
         let directions = directions.map(|d| d.iter().map(Direction::rounded).collect()).transpose()?;
-        if density_m2_hz.iter().all(|&s| s == 0.0) {
+        if kept.iter().all(|b| b.1 == 0.0) {
             return Err("the variance density is zero in every band: there are no waves".into());
         }
-        Ok(Self { f_hz, density_m2_hz, directions, title: String::new() })
+        Ok(Self { bands: kept, directions })
     }
 
-    /// Frequencies of the bands, Hz, ascending.
-    pub fn f_hz(&self) -> &[f64] {
-        &self.f_hz
-    }
-
-    /// One-sided variance densities S(f) of the bands, m^2/Hz.
-    pub fn density_m2_hz(&self) -> &[f64] {
-        &self.density_m2_hz
+    /// Frequency (Hz, ascending) and one-sided variance density S(f) (m^2/Hz) of each band.
+    pub fn bands(&self) -> &[(f64, f64)] {
+        &self.bands
     }
 
     /// Directional parameters of the bands, if the spectrum has directions.
@@ -74,50 +69,39 @@ impl MeasuredSpectrum {
         self.directions.as_deref()
     }
 
-    /// File and time of the spectrum, printable and short; empty after [`MeasuredSpectrum::from_state`].
-    pub fn title(&self) -> &str {
-        &self.title
-    }
-
-    /// Sets the title without its unprintable characters, cut to 80 characters.
-    pub(super) fn set_title(&mut self, title: &str) {
-        self.title = printable(title, MAX_TITLE);
-    }
-
     /// Variance density S(omega) = S(f) / (2 pi), m^2 s, at omega in rad/s. It is linear in f between bands. Below the
     /// first band it falls to 0 over the width of the first interval. Above the last band it falls as f^-5 (Phillips'
     /// equilibrium range), for the waves that are too short for the buoy.
     pub fn density(&self, omega: f64) -> f64 {
         let f = omega / TAU;
-        let (first, last) = (self.f_hz[0], self.f_hz[self.f_hz.len() - 1]);
-        let s = if f >= last {
-            self.density_m2_hz[self.f_hz.len() - 1] * (last / f).powi(5)
-        } else if f >= first {
+        let (first, last) = (self.bands[0], self.bands[self.bands.len() - 1]);
+        let s = if f >= last.0 {
+            last.1 * (last.0 / f).powi(5)
+        } else if f >= first.0 {
             let (i, t) = self.interval(f);
-            self.density_m2_hz[i] + t * (self.density_m2_hz[i + 1] - self.density_m2_hz[i])
+            self.bands[i].1 + t * (self.bands[i + 1].1 - self.bands[i].1)
         } else {
             let low = self.low_hz();
-            self.density_m2_hz[0] * ((f - low) / (first - low)).max(0.0)
+            first.1 * ((f - low) / (first.0 - low)).max(0.0)
         };
         s / TAU
     }
 
     /// Lowest omega with variance, rad/s; above 0, so that it has a logarithm.
     pub fn lowest_omega(&self) -> f64 {
-        TAU * self.low_hz().max(1e-3 * self.f_hz[0])
+        TAU * self.low_hz().max(1e-3 * self.bands[0].0)
     }
 
     /// Values of omega at which S has a kink, rad/s, ascending: the bands and the foot of the slope below them.
     pub fn breakpoints(&self) -> Vec<f64> {
         let low = (self.low_hz() > 0.0).then(|| self.low_hz());
-        low.iter().chain(&self.f_hz).map(|f| TAU * f).collect()
+        low.into_iter().chain(self.bands.iter().map(|b| b.0)).map(|f| TAU * f).collect()
     }
 
     /// Variance of the measured bands, m^2: the exact integral of [`MeasuredSpectrum::density`] up to the last band.
     pub fn m0_m2(&self) -> f64 {
-        let foot = 0.5 * (self.f_hz[0] - self.low_hz()) * self.density_m2_hz[0];
-        let pairs = self.f_hz.windows(2).zip(self.density_m2_hz.windows(2));
-        foot + pairs.map(|(f, s)| 0.5 * (f[1] - f[0]) * (s[0] + s[1])).sum::<f64>()
+        let foot = 0.5 * (self.bands[0].0 - self.low_hz()) * self.bands[0].1;
+        foot + self.bands.windows(2).map(|w| 0.5 * (w[1].0 - w[0].0) * (w[0].1 + w[1].1)).sum::<f64>()
     }
 
     /// Significant wave height of the measured bands, m: 4 sqrt(m0).
@@ -127,21 +111,22 @@ impl MeasuredSpectrum {
 
     /// Peak frequency, rad/s: the band of the largest density, refined by the parabola through its neighbours.
     pub fn omega_p(&self) -> f64 {
-        let (f, s) = (&self.f_hz, &self.density_m2_hz);
-        let peak = (1..s.len()).fold(0, |best, i| if s[i] > s[best] { i } else { best });
-        if peak == 0 || peak + 1 == s.len() {
-            return TAU * f[peak];
+        let n = self.bands.len();
+        let peak = (1..n).fold(0, |best, i| if self.bands[i].1 > self.bands[best].1 { i } else { best });
+        let (f, s) = self.bands[peak];
+        if peak == 0 || peak + 1 == n {
+            return TAU * f;
         }
-        let (left, right) = (f[peak] - f[peak - 1], f[peak + 1] - f[peak]);
-        let (rise, fall) = (s[peak] - s[peak - 1], s[peak] - s[peak + 1]);
+        let (below, above) = (self.bands[peak - 1], self.bands[peak + 1]);
+        let (left, right, rise, fall) = (f - below.0, above.0 - f, s - below.1, s - above.1);
         let shift = 0.5 * (right * right * rise - left * left * fall) / (right * rise + left * fall);
         let shift = if shift.is_finite() { shift.clamp(-0.5 * left, 0.5 * right) } else { 0.0 };
-        TAU * (f[peak] + shift)
+        TAU * (f + shift)
     }
 
-    /// The moments (re c1, im c1, re c2, im c2), c_n = integral of D e^{i n theta}, of the direction theta = atan2(z, x)
-    /// that waves travel TO (x east, z south), at omega in rad/s. None without directions. The moments, not the angles,
-    /// are linear in f between bands; they are constant below and above.
+    /// The moments (re c1, im c1, re c2, im c2), c_n = integral of D e^{i n theta}, of the direction theta = atan2(z,
+    /// x) that waves travel TO (x east, z south), at omega in rad/s. None without directions. The moments, not the
+    /// angles, are linear in f between bands; they are constant below and above.
     pub fn moments(&self, omega: f64) -> Option<[f64; 4]> {
         let directions = self.directions.as_ref()?;
         let (i, t) = self.interval(omega / TAU);
@@ -151,13 +136,14 @@ impl MeasuredSpectrum {
 
     /// Frequency at which the slope below the first band reaches 0, Hz.
     fn low_hz(&self) -> f64 {
-        (2.0 * self.f_hz[0] - self.f_hz[1]).max(0.0)
+        (2.0 * self.bands[0].0 - self.bands[1].0).max(0.0)
     }
 
     /// Index of the interval between two bands that holds a frequency in Hz, and the position in it, 0 to 1.
     fn interval(&self, f: f64) -> (usize, f64) {
-        let i = self.f_hz.partition_point(|&b| b <= f).clamp(1, self.f_hz.len() - 1) - 1;
-        (i, ((f - self.f_hz[i]) / (self.f_hz[i + 1] - self.f_hz[i])).clamp(0.0, 1.0))
+        let i = self.bands.partition_point(|b| b.0 <= f).clamp(1, self.bands.len() - 1) - 1;
+        let (low, high) = (self.bands[i].0, self.bands[i + 1].0);
+        (i, ((f - low) / (high - low)).clamp(0.0, 1.0))
     }
 }
 

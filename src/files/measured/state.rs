@@ -1,4 +1,5 @@
-//! A measured spectrum as text for a link: bands are separated by `_`, their fields by `*`. No character needs an escape.
+//! A measured spectrum as text for a link: bands are separated by `_`, their fields by `*`. No character needs an
+//! escape.
 
 use super::direction::Direction;
 use super::spectrum::{MAX_BANDS, MeasuredSpectrum};
@@ -10,14 +11,14 @@ pub const MAX_STATE_BYTES: usize = 16 * 1024;
 impl MeasuredSpectrum {
     /// The spectrum as `f*S_f*S_...` or `f*S*alpha1*alpha2*r1*r2_...`, about 1.6 kB for 47 directional bands.
     pub fn to_state(&self) -> String {
-        let band = |(i, (f, s)): (usize, (&f64, &f64))| {
+        let band = |(i, (f, s)): (usize, &(f64, f64))| {
             let mut fields = vec![*f, *s];
             if let Some(d) = self.directions().map(|d| d[i]) {
                 fields.extend([d.alpha1_deg, d.alpha2_deg, d.r1, d.r2]);
             }
             fields.into_iter().map(shortest).collect::<Vec<_>>().join("*")
         };
-        self.f_hz().iter().zip(self.density_m2_hz()).enumerate().map(band).collect::<Vec<_>>().join("_")
+        self.bands().iter().enumerate().map(band).collect::<Vec<_>>().join("_")
     }
 
     /// Reads the text that [`MeasuredSpectrum::to_state`] writes.

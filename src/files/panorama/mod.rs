@@ -2,26 +2,18 @@
 //! the environment that the sea reflects.
 
 #[cfg(feature = "files")]
-mod hdr;
-#[cfg(feature = "files")]
-mod limits;
-#[cfg(feature = "files")]
-mod openexr;
+mod formats;
 mod pack;
-#[cfg(feature = "files")]
-mod read;
 mod sky_image;
 mod sun;
 #[cfg(test)]
 mod tests;
 
 #[cfg(feature = "files")]
-pub use limits::MAX_BYTES;
-#[cfg(feature = "files")]
-pub use read::{is_sky, read, read_within};
+pub use formats::{MAX_BYTES, is_sky, read, read_within};
 pub use sun::Sun;
 
-use sky_image::{SkyImage, luminance};
+use sky_image::{SkyImage, check_shape, luminance};
 
 /// Widest image that is kept; a wider one is reduced by a whole number.
 const MAX_WIDTH: usize = 8192;
@@ -37,8 +29,7 @@ pub struct Panorama {
     pub width: usize,
     /// Rows of the image.
     pub height: usize,
-    /// Mip levels in linear sRGB as RGB9E5, row by row from the zenith. Each has half the size of the one before, rounded
-    /// down.
+    /// Mip levels in linear sRGB as RGB9E5, row by row from the zenith. Sizes are halved and rounded down.
     pub mips: Vec<Vec<u32>>,
     /// [`CALM`] pixels in linear sRGB without the sun, from which the reflected environment is made.
     pub calm: Vec<[f32; 3]>,
@@ -58,7 +49,11 @@ impl Panorama {
     /// # Errors
     /// One sentence, if the image does not show a whole sky or its sky is black.
     pub fn new(width: usize, height: usize, pixels: Vec<[f32; 3]>) -> Result<Self, String> {
-        SkyImage::new(width, height, pixels).and_then(Self::from_image)
+        check_shape(width, height)?;
+        if pixels.len() != width * height {
+            return Err(format!("{} pixels do not fill an image of {width} x {height}", pixels.len()));
+        }
+        Self::from_image(SkyImage { width, height, pixels })
     }
 
     fn from_image(mut image: SkyImage) -> Result<Self, String> {

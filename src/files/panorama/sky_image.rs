@@ -5,8 +5,7 @@ use std::f64::consts::{PI, TAU};
 /// Fewest rows of an image that shows a sky.
 const MIN_HEIGHT: usize = 8;
 
-/// An equirectangular image in linear light. Columns go clockwise around the horizon from the south; the middle column is
-/// north. Rows go down from the zenith.
+/// An equirectangular image in linear light. Columns go clockwise from the south, with north in the middle.
 #[derive(Clone, Debug)]
 pub(super) struct SkyImage {
     pub width: usize,
@@ -16,16 +15,8 @@ pub(super) struct SkyImage {
 }
 
 impl SkyImage {
-    pub fn new(width: usize, height: usize, pixels: Vec<[f32; 3]>) -> Result<Self, String> {
-        check_shape(width, height)?;
-        if pixels.len() != width * height {
-            return Err(format!("{} pixels do not fill an image of {width} x {height}", pixels.len()));
-        }
-        Ok(Self { width, height, pixels })
-    }
-
-    /// Corrects values that are not light: negative ones and NaN become 0, infinite ones the largest finite value. Returns
-    /// the number of corrected pixels.
+    /// Corrects values that are not light: negative ones and NaN become 0, infinite ones the largest finite value.
+    /// Returns the number of corrected pixels.
     pub fn correct(&mut self) -> usize {
         let finite = self.pixels.iter().flatten().copied().filter(|v| v.is_finite());
         let most = finite.fold(0f32, f32::max).min(1e30);
@@ -38,15 +29,14 @@ impl SkyImage {
         corrected
     }
 
-    /// The image reduced by a whole number: means over squares of `by` pixels, without the remainder at the right and the
-    /// bottom.
+    /// The image reduced by a whole number: means over squares of side `by`, without the remainder at right and bottom.
     pub fn reduced(&self, by: usize) -> Self {
         let size = [self.width / by, self.height / by];
         self.resampled_part(size.map(|side| side * by), size)
     }
 
-    /// The image with other numbers of columns and rows. A pixel is the mean of the pixels that it covers, or the nearest
-    /// one if it covers none.
+    /// The image with other numbers of columns and rows. A pixel is the mean of the pixels that it covers, or the
+    /// nearest one if it covers none.
     pub fn resampled(&self, size: [usize; 2]) -> Self {
         self.resampled_part([self.width, self.height], size)
     }

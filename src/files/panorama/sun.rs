@@ -56,13 +56,9 @@ pub(super) fn remove(image: &mut SkyImage) -> Option<Sun> {
         solid_angle += if p.luminance > 0.3 * peak { p.solid_angle } else { 0.0 };
     }
     let radius_rad = (solid_angle / PI).sqrt();
-    let sky_light: f64 = image
-        .pixels
-        .chunks(image.width)
-        .take(image.height / 2)
-        .enumerate()
-        .map(|(y, row)| image.solid_angle(y) * row.iter().map(|p| luminance(*p)).sum::<f64>())
-        .sum();
+    let rows = image.pixels.chunks(image.width).take(image.height / 2).enumerate();
+    let light = |(y, row): (usize, &[[f32; 3]])| image.solid_angle(y) * row.iter().map(|p| luminance(*p)).sum::<f64>();
+    let sky_light: f64 = rows.map(light).sum();
     if luminance(irradiance) < MIN_SHARE * sky_light || radius_rad > MAX_RADIUS {
         return None;
     }
@@ -120,14 +116,9 @@ fn within(reach: f64, middle: [f64; 3], image: &SkyImage) -> Vec<NearPixel> {
             let direction = image.direction(x as f64 + 0.5, y as f64 + 0.5);
             let cosine = direction[0] * middle[0] + direction[1] * middle[1] + direction[2] * middle[2];
             if cosine >= least {
-                let index = y * image.width + x;
-                out.push(NearPixel {
-                    index,
-                    luminance: luminance(image.pixels[index]),
-                    angle: cosine.min(1.0).acos(),
-                    solid_angle: image.solid_angle(y),
-                    direction,
-                });
+                let (index, angle) = (y * image.width + x, cosine.min(1.0).acos());
+                let (luminance, solid_angle) = (luminance(image.pixels[index]), image.solid_angle(y));
+                out.push(NearPixel { index, luminance, angle, solid_angle, direction });
             }
         }
     }

@@ -1,12 +1,12 @@
 //! File formats of measured spectra: each has a module here, and [`Format::of`] is the one place that recognises them.
 //!
-//! A new format needs a module with `recognises` and `read`, and a variant of [`Format`]. A binary format must be recognised
-//! by its first bytes before the files are decoded as text.
+//! A new format needs a module with `recognises` and `read`, and a variant of [`Format`]. A binary format must be
+//! recognised by its first bytes before the files are decoded as text.
 
 mod ndbc;
 mod table;
 
-use super::spectrum::MeasuredSpectrum;
+use super::spectrum::{MeasuredSpectrum, SpectrumFile};
 use super::text::TextFile;
 
 /// Most files of one spectrum.
@@ -27,8 +27,7 @@ impl Format {
 }
 
 impl MeasuredSpectrum {
-    /// Reads one spectrum from one or several files (name, content) and returns it with notices about what was not used.
-    /// These files are read:
+    /// Reads one spectrum from one or several files (name, content). These files are read:
     ///
     /// - NDBC realtime files: `.data_spec`, `.swdir`, `.swdir2`, `.swr1`, `.swr2`;
     /// - NDBC archive files such as `44025w2023.txt` (w density, d alpha1, i alpha2, j r1, k r2), with old headers too;
@@ -41,7 +40,7 @@ impl MeasuredSpectrum {
     ///
     /// # Errors
     /// One sentence with file, line and reason for the first malformed entry of any record.
-    pub fn read(files: &[(String, Vec<u8>)]) -> Result<(Self, Vec<String>), String> {
+    pub fn read(files: &[(String, Vec<u8>)]) -> Result<SpectrumFile, String> {
         if files.len() > MAX_FILES {
             return Err(format!("{} files were given: give at most {MAX_FILES} for one spectrum", files.len()));
         }

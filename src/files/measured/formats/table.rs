@@ -1,7 +1,7 @@
 //! Tables of f, S and, where they are known, direction and spread.
 
 use crate::files::measured::direction::{Direction, filled};
-use crate::files::measured::spectrum::{MAX_BANDS, MeasuredSpectrum, checked_density, checked_frequency};
+use crate::files::measured::spectrum::{MAX_BANDS, MeasuredSpectrum, SpectrumFile, checked_density, checked_frequency};
 use crate::files::measured::text::{MAX_COLUMNS, TextFile, content, number, quoted, shown};
 
 /// Fields that stand for a missing direction or spread, in any case of letters.
@@ -23,7 +23,7 @@ struct Rows {
 }
 
 /// Reads a table.
-pub(super) fn read(files: &[TextFile<'_>]) -> Result<(MeasuredSpectrum, Vec<String>), String> {
+pub(super) fn read(files: &[TextFile<'_>]) -> Result<SpectrumFile, String> {
     let file = &files[0];
     if files.len() > 1 {
         return Err(file.message("a table is a complete spectrum: read it without other files"));
@@ -35,9 +35,8 @@ pub(super) fn read(files: &[TextFile<'_>]) -> Result<(MeasuredSpectrum, Vec<Stri
     let mut notices = Vec::new();
     let Rows { bands, directions, .. } = rows;
     let directions = if directions.is_empty() { None } else { filled(&bands, &directions, &mut notices) };
-    let mut spectrum = MeasuredSpectrum::new(&bands, directions.as_deref()).map_err(|what| file.message(what))?;
-    spectrum.set_title(&file.name);
-    Ok((spectrum, notices))
+    let spectrum = MeasuredSpectrum::new(&bands, directions.as_deref()).map_err(|what| file.message(what))?;
+    Ok(SpectrumFile { spectrum, title: file.name.clone(), notices })
 }
 
 impl Rows {

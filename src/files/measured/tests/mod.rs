@@ -6,7 +6,7 @@ mod physics;
 mod refusals;
 mod samples;
 
-use super::{MAX_STATE_BYTES, MeasuredSpectrum, Mem};
+use super::{MAX_STATE_BYTES, MeasuredSpectrum, Mem, SpectrumFile};
 
 /// Knuth's linear congruential generator, for repeatable tests.
 pub(super) struct Lcg(pub u64);
@@ -27,13 +27,21 @@ impl Lcg {
     }
 }
 
-fn read(files: &[(&str, &str)]) -> Result<(MeasuredSpectrum, Vec<String>), String> {
-    let files: Vec<_> = files.iter().map(|(n, t)| ((*n).to_string(), t.as_bytes().to_vec())).collect();
+fn read<T: AsRef<str>>(files: &[(&str, T)]) -> Result<(MeasuredSpectrum, Vec<String>), String> {
+    read_titled(files).map(|file| (file.spectrum, file.notices))
+}
+
+fn read_titled<T: AsRef<str>>(files: &[(&str, T)]) -> Result<SpectrumFile, String> {
+    let files: Vec<_> = files.iter().map(|(n, t)| ((*n).to_string(), t.as_ref().into())).collect();
     MeasuredSpectrum::read(&files)
 }
 
+fn title<T: AsRef<str>>(files: &[(&str, T)]) -> String {
+    read_titled(files).unwrap_or_else(|e| panic!("{e}")).title
+}
+
 /// The spectrum of files that give no notice.
-fn sea(files: &[(&str, &str)]) -> MeasuredSpectrum {
+fn sea<T: AsRef<str>>(files: &[(&str, T)]) -> MeasuredSpectrum {
     let (sea, notices) = read(files).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(notices, [""; 0]);
     sea
@@ -61,10 +69,6 @@ fn realtime_set() -> Vec<(&'static str, String)> {
         ("44025.swr1", realtime("r1_1 (freq_1)", time, ["0.80", "0.90", "0.70"])),
         ("44025.swr2", realtime("r2_1 (freq_1)", time, ["0.40", "0.60", "0.30"])),
     ]
-}
-
-fn borrowed<'a>(files: &'a [(&'a str, String)]) -> Vec<(&'a str, &'a str)> {
-    files.iter().map(|(n, t)| (*n, t.as_str())).collect()
 }
 
 /// Checks the properties that every spectrum has.

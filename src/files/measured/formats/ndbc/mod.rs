@@ -2,10 +2,10 @@
 
 mod sections;
 
-use crate::files::measured::direction::{Direction, filled};
-use crate::files::measured::spectrum::MeasuredSpectrum;
-use crate::files::measured::text::{TextFile, content};
-use sections::{BandValue, MAX_RECORDS, Record, RecordTime, Section, SectionKind, column_names, read_sections};
+use crate::files::measured::direction::{Direction, filled, nearest};
+use crate::files::measured::spectrum::{MeasuredSpectrum, SpectrumFile};
+use crate::files::measured::text::{TextFile, content, printable};
+use sections::{BandValue, MAX_RECORDS, Record, Section, SectionKind, column_names, read_sections};
 use std::cmp::Reverse;
 
 /// Largest difference between frequencies of the same band, Hz: realtime files write .0325 as 0.033.
@@ -19,7 +19,7 @@ pub(super) fn recognises(file: &TextFile<'_>) -> bool {
 }
 
 /// Reads all files as one spectrum.
-pub(super) fn read(files: &[TextFile<'_>]) -> Result<(MeasuredSpectrum, Vec<String>), String> {
+pub(super) fn read(files: &[TextFile<'_>]) -> Result<SpectrumFile, String> {
     let (mut sections, mut notices, mut records_left) = (Vec::new(), Vec::new(), MAX_RECORDS);
     for file in files {
         sections.extend(read_sections(file, &mut records_left)?);
@@ -29,19 +29,19 @@ pub(super) fn read(files: &[TextFile<'_>]) -> Result<(MeasuredSpectrum, Vec<Stri
     let hundredths = sections.iter().any(Section::is_in_hundredths);
 
     let (section, record, bands) = newest_density(&sections, &mut notices)?;
-    let directions = directions(&sections, record.time, &bands, hundredths, &mut notices)?;
+    let directions = directions(&sections, &record.time, &bands, hundredths, &mut notices)?;
     let spectrum = MeasuredSpectrum::new(&bands, directions.as_deref());
-    let mut spectrum = spectrum.map_err(|what| section.file.message_at(record.line, what))?;
-    spectrum.set_title(&format!("{}, {}", section.file.name, record.time));
-    Ok((spectrum, notices))
+    let spectrum = spectrum.map_err(|what| section.file.message_at(record.line, what))?;
+    let title = printable(&format!("{}, {}", section.file.name, record.time), 80);
+    Ok(SpectrumFile { spectrum, title, notices })
 }
 
 /// Takes the only section of unknown kind as the variance density if no other section is.
 fn settle_kinds(sections: &mut [Section<'_>], notices: &mut Vec<String>) -> Result<(), String> {
     let has_density = sections.iter().any(|s| s.kind == Some(SectionKind::Density));
-    let unknown = sections.iter().filter(|s| s.kind.is_none()).count();
-    let Some(section) = sections.iter_mut().find(|s| s.kind.is_none()) else { return Ok(()) };
-    if unknown > 1 || has_density {
+    let mut unknown = sections.iter_mut().filter(|s| s.kind.is_none());
+    let Some(section) = unknown.next() else { return Ok(()) };
+    if has_density || unknown.next().is_some() {
         let what = "neither the file name nor a comment says what this section holds: \
                     put a comment such as \"# alpha1\" before the header";
         return Err(section.file.message_at(section.line, what));
@@ -55,7 +55,7 @@ fn settle_kinds(sections: &mut [Section<'_>], notices: &mut Vec<String>) -> Resu
 fn record_at<'s, 'a>(
     sections: &'s [Section<'a>],
     kind: SectionKind,
-    time: RecordTime,
+    time: &str,
 ) -> Result<Option<(&'s Section<'a>, &'s Record<'a>)>, String> {
     let in_section = |s: &'s Section<'a>| s.records.iter().find(|r| r.time == time).map(|r| (s, r));
     let mut found = sections.iter().filter(|s| s.kind == Some(kind)).filter_map(in_section);
@@ -78,8 +78,8 @@ fn newest_density<'s, 'a>(
 ) -> Result<DensityRecord<'s, 'a>, String> {
     let densities = sections.iter().filter(|s| s.kind == Some(SectionKind::Density));
     let mut records: Vec<_> = densities.flat_map(|s| s.records.iter().map(move |r| (s, r))).collect();
-    records.sort_by_key(|(_, record)| Reverse(record.time));
-    let Some(newest) = records.first().map(|(_, record)| record.time) else {
+    records.sort_by_key(|(_, record)| Reverse(&record.time));
+    let Some(newest) = records.first().map(|(_, record)| &record.time) else {
         return Err("the files hold no variance density: \
                     add the buoy's raw spectral wave data from the NDBC (.data_spec)"
             .into());
@@ -87,9 +87,9 @@ fn newest_density<'s, 'a>(
     for (section, record) in records {
         let bands: Option<Vec<(f64, f64)>> = section.bands(record)?.into_iter().map(|(f, v)| Some((f, v?))).collect();
         let Some(bands) = bands.filter(|b| b.iter().any(|b| b.1 != 0.0)) else { continue };
-        record_at(sections, SectionKind::Density, record.time)?;
-        if newest != record.time {
-            let time = record.time;
+        record_at(sections, SectionKind::Density, &record.time)?;
+        let time = &record.time;
+        if newest != time {
             let what = format!("the newest record ({newest}) has no complete variance density: {time} is used");
             notices.push(section.file.message(what));
         }
@@ -101,7 +101,7 @@ fn newest_density<'s, 'a>(
 /// The directions at a time in the bands of the variance density: all four parameters in every band, or none.
 fn directions(
     sections: &[Section<'_>],
-    time: RecordTime,
+    time: &str,
     bands: &[(f64, f64)],
     hundredths: bool,
     notices: &mut Vec<String>,
@@ -122,10 +122,7 @@ fn directions(
         return Ok(None);
     };
     let in_band = |&(f, _): &(f64, f64)| {
-        let value = |values: &[BandValue]| {
-            let nearest = values.iter().min_by(|a, b| (a.0 - f).abs().total_cmp(&(b.0 - f).abs()))?;
-            nearest.1.filter(|_| (nearest.0 - f).abs() <= SAME_BAND_HZ)
-        };
+        let value = |values: &[BandValue]| nearest(values, f).filter(|v| (v.0 - f).abs() <= SAME_BAND_HZ)?.1;
         Some(Direction { alpha1_deg: value(alpha1)?, alpha2_deg: value(alpha2)?, r1: value(r1)?, r2: value(r2)? })
     };
     let directions: Vec<_> = bands.iter().map(in_band).collect();

@@ -1,6 +1,6 @@
 //! Limits of sky files, checked before memory is allocated.
 
-use super::sky_image::check_shape;
+use crate::files::panorama::sky_image::check_shape;
 
 /// Largest sky file, bytes.
 pub const MAX_BYTES: usize = 512 << 20;

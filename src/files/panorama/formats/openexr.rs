@@ -1,8 +1,8 @@
-//! OpenEXR files (.exr). The claims of the header are checked against the limits and the length of the file before the crate
-//! `exr` decodes it.
+//! OpenEXR files (.exr). The header is checked against the limits and the length of the file before the crate `exr`
+//! decodes it.
 
 use super::limits::{TOO_SHORT, allocate, check_limit, check_size};
-use super::sky_image::SkyImage;
+use crate::files::panorama::sky_image::SkyImage;
 use exr::error::Error;
 use exr::meta::header::Header;
 use exr::meta::{BlockDescription, magic_number};
@@ -65,7 +65,7 @@ pub(super) fn decode(bytes: &[u8], most: [usize; 2]) -> Result<SkyImage, String>
 
 /// Checks the sizes that the header of a layer claims.
 fn check(header: &Header, file_bytes: usize, most: [usize; 2]) -> Result<(), String> {
-    // The data may reach a little beyond the image, so both have a size.
+    // The data may reach beyond the image, so both sizes are checked.
     for size in [header.layer_size, header.shared_attributes.display_window.size] {
         check_limit([size.width(), size.height()], most)?;
     }

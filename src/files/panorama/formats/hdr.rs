@@ -1,8 +1,8 @@
-//! Radiance files (.hdr; G. Ward, "Real pixels", Graphics Gems II, 1991): a header of text lines, then run-length encoded
-//! rows of pixels with a shared exponent (RGBE).
+//! Radiance files (.hdr; G. Ward, "Real pixels", Graphics Gems II, 1991): a header of text lines, then run-length
+//! encoded rows of pixels with a shared exponent (RGBE).
 
 use super::limits::{TOO_SHORT, allocate, check_size};
-use super::sky_image::SkyImage;
+use crate::files::panorama::sky_image::SkyImage;
 
 /// Longest header, bytes.
 const MAX_HEADER: usize = 64 * 1024;
@@ -18,11 +18,11 @@ pub(super) fn recognises(bytes: &[u8]) -> bool {
 }
 
 pub(super) fn decode(bytes: &[u8], most: [usize; 2]) -> Result<SkyImage, String> {
-    let mut rest = Rest(bytes);
+    let mut rest = bytes;
     let (width, height) = header(&mut rest)?;
     check_size([width, height], most)?;
     // The shortest row has the size of two pixels.
-    if rest.0.len() / 8 < height {
+    if rest.len() / 8 < height {
         return Err(TOO_SHORT.to_owned());
     }
     let mut pixels = allocate(width * height)?;
@@ -34,64 +34,48 @@ pub(super) fn decode(bytes: &[u8], most: [usize; 2]) -> Result<SkyImage, String>
     Ok(SkyImage { width, height, pixels })
 }
 
-/// The unread rest of the file.
-struct Rest<'a>(&'a [u8]);
-
-impl<'a> Rest<'a> {
-    fn take(&mut self, count: usize) -> Result<&'a [u8], String> {
-        let (taken, rest) = self.0.split_at_checked(count).ok_or(TOO_SHORT)?;
-        self.0 = rest;
-        Ok(taken)
-    }
-
-    fn byte(&mut self) -> Result<u8, String> {
-        Ok(self.take(1)?[0])
-    }
-
-    fn pixel(&mut self) -> Result<[u8; 4], String> {
-        let (pixel, rest) = self.0.split_first_chunk().ok_or(TOO_SHORT)?;
-        self.0 = rest;
-        Ok(*pixel)
-    }
-
-    fn line(&mut self) -> Result<&'a [u8], String> {
-        let end = self.0.iter().take(MAX_HEADER).position(|b| *b == b'\n');
-        let line = self.take(end.ok_or(HEADER)?)?;
-        self.take(1)?;
-        Ok(line.strip_suffix(b"\r").unwrap_or(line))
-    }
+/// Takes one pixel off the rest of the file.
+fn pixel(rest: &mut &[u8]) -> Result<[u8; 4], String> {
+    let (pixel, after) = rest.split_first_chunk().ok_or(TOO_SHORT)?;
+    *rest = after;
+    Ok(*pixel)
 }
 
-/// Reads the width and height. Of the lines before them only the colour format matters.
-fn header(rest: &mut Rest<'_>) -> Result<(usize, usize), String> {
-    let whole = rest.0.len();
+/// Takes one line of the header off the rest of the file.
+fn line<'a>(rest: &mut &'a [u8]) -> Result<&'a [u8], String> {
+    let end = rest.iter().take(MAX_HEADER).position(|b| *b == b'\n').ok_or(HEADER)?;
+    let line = &rest.split_off(..=end).ok_or(HEADER)?[..end];
+    Ok(line.strip_suffix(b"\r").unwrap_or(line))
+}
+
+/// Reads the header and returns width and height. Of the other lines only the colour format matters.
+fn header(rest: &mut &[u8]) -> Result<(usize, usize), String> {
+    let whole = rest.len();
     loop {
-        let line = rest.line()?;
+        let line = line(rest)?;
         if line.is_empty() {
             break;
         }
         if line.strip_prefix(b"FORMAT=").is_some_and(|format| format.trim_ascii() != b"32-bit_rle_rgbe") {
             return Err("its colours are not RGBE: save it as Radiance RGBE or as OpenEXR".to_owned());
         }
-        if whole - rest.0.len() > MAX_HEADER {
+        if whole - rest.len() > MAX_HEADER {
             return Err(HEADER.to_owned());
         }
     }
-    let line = String::from_utf8_lossy(rest.line()?);
+    let line = String::from_utf8_lossy(line(rest)?);
     let words: Vec<&str> = line.split_whitespace().collect();
     match words[..] {
         ["-Y", height, "+X", width] => {
             let number = |text: &str| text.parse().map_err(|_| "its size is not a number: save it again".to_owned());
             Ok((number(width)?, number(height)?))
         }
-        _ => {
-            Err("its pixels must run from the top down and left to right (-Y … +X …): save it in that order".to_owned())
-        }
+        _ => Err("its pixels do not run from the top down, left to right (-Y … +X …): save it so".to_owned()),
     }
 }
 
-fn read_row(rest: &mut Rest<'_>, row: &mut [[u8; 4]]) -> Result<(), String> {
-    let first = rest.pixel()?;
+fn read_row(rest: &mut &[u8], row: &mut [[u8; 4]]) -> Result<(), String> {
+    let first = pixel(rest)?;
     if CHANNEL_RUNS.contains(&row.len()) && first[0] == 2 && first[1] == 2 && first[2] < 128 {
         if usize::from(first[2]) << 8 | usize::from(first[3]) != row.len() {
             return Err("the length of a row differs from the width of the image: save it again".to_owned());
@@ -102,18 +86,17 @@ fn read_row(rest: &mut Rest<'_>, row: &mut [[u8; 4]]) -> Result<(), String> {
 }
 
 /// Reads one channel of a row: runs of one value, and single values.
-fn read_channel(rest: &mut Rest<'_>, row: &mut [[u8; 4]], channel: usize) -> Result<(), String> {
+fn read_channel(rest: &mut &[u8], row: &mut [[u8; 4]], channel: usize) -> Result<(), String> {
     let mut at = 0;
     while at < row.len() {
-        let count = rest.byte()?;
-        let is_run = count > 128;
-        let length = usize::from(if is_run { count - 128 } else { count });
+        let count = *rest.split_off_first().ok_or(TOO_SHORT)?;
+        let length = usize::from(if count > 128 { count - 128 } else { count });
         let place = row.get_mut(at..at + length).filter(|_| length > 0).ok_or(RUN)?;
-        if is_run {
-            let value = rest.byte()?;
+        if count > 128 {
+            let value = *rest.split_off_first().ok_or(TOO_SHORT)?;
             place.iter_mut().for_each(|p| p[channel] = value);
         } else {
-            place.iter_mut().zip(rest.take(length)?).for_each(|(p, value)| p[channel] = *value);
+            place.iter_mut().zip(rest.split_off(..length).ok_or(TOO_SHORT)?).for_each(|(p, value)| p[channel] = *value);
         }
         at += length;
     }
@@ -122,24 +105,24 @@ fn read_channel(rest: &mut Rest<'_>, row: &mut [[u8; 4]], channel: usize) -> Res
 
 /// Reads a row of whole pixels. (1, 1, 1, n) repeats the pixel before n times, and directly after another repetition
 /// n x 256 times.
-fn read_pixels(rest: &mut Rest<'_>, first: [u8; 4], row: &mut [[u8; 4]]) -> Result<(), String> {
+fn read_pixels(rest: &mut &[u8], first: [u8; 4], row: &mut [[u8; 4]]) -> Result<(), String> {
     let (mut at, mut shift) = (0_usize, 0);
-    let mut pixel = first;
+    let mut next = first;
     loop {
-        if pixel[..3] == [1; 3] {
+        if next[..3] == [1; 3] {
             let before = *at.checked_sub(1).and_then(|i| row.get(i)).ok_or(RUN)?;
             // A fourth repetition in succession cannot fit, and its shift could overflow.
-            let length = if shift < 24 { usize::from(pixel[3]) << shift } else { row.len() + 1 };
+            let length = if shift < 24 { usize::from(next[3]) << shift } else { row.len() + 1 };
             row.get_mut(at..at + length).ok_or(RUN)?.fill(before);
             (at, shift) = (at + length, shift + 8);
         } else {
-            row[at] = pixel;
+            row[at] = next;
             (at, shift) = (at + 1, 0);
         }
         if at == row.len() {
             return Ok(());
         }
-        pixel = rest.pixel()?;
+        next = pixel(rest)?;
     }
 }
 

@@ -1,8 +1,14 @@
-//! Reads a sky file in one of its formats.
+//! File formats of skies: each has a module here, and [`decode`] is the one place that recognises them.
 
-use super::limits::{MAX_BYTES, MAX_SIZE};
+mod hdr;
+mod limits;
+mod openexr;
+
+pub use limits::MAX_BYTES;
+
+use super::Panorama;
 use super::sky_image::SkyImage;
-use super::{Panorama, hdr, openexr};
+use limits::MAX_SIZE;
 
 /// Whether a file is a sky, by its first bytes or by its name.
 pub fn is_sky(name: &str, bytes: &[u8]) -> bool {
