@@ -114,7 +114,7 @@ impl Table {
                 TermKind::Lobe(cosine) => variance * Lobe { beta: p, s: q, cosine }.shape(angle(term.travel, k)) + r,
                 TermKind::Measured => {
                     let phi2 = [r, value(term.slot + 1)[0]];
-                    Mem { norm: variance, phi1: [p, q], phi2 }.density(k[1].atan2(k[0]))
+                    Mem { norm: variance, phi1: [p, q].into(), phi2: phi2.into() }.density(k[1].atan2(k[0]))
                 }
             }
         };

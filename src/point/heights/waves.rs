@@ -5,11 +5,9 @@ use crate::waves::plan::{Cascade, Plan};
 use crate::waves::statistics::{initial_amplitude, lattice};
 use crate::waves::table::{Table, index};
 use crate::waves::tiling::{PatchCopy, Tiling};
+use glam::DVec4;
 use std::cmp::Ordering;
 use std::f64::consts::FRAC_PI_2;
-
-/// Waves in a [`WaveBlock`], for the vector units of the CPU.
-pub(super) const LANES: usize = 4;
 
 /// The kept waves of one cascade.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,20 +18,21 @@ pub(super) struct PatchWaves {
     pub(super) blocks: Vec<WaveBlock>,
 }
 
-/// Travelling waves eta = Re[h e^{i (k.x - omega t)}] with h = 2 h0. Unused lanes have h = 0.
+/// Four travelling waves eta = Re[h e^{i (k.x - omega t)}] with h = 2 h0, one per lane of the CPU's vector units.
+/// Unused lanes have h = 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct WaveBlock {
     /// Wave vector as whole multiples of dk.
-    ix: [f64; LANES],
-    iz: [f64; LANES],
+    ix: DVec4,
+    iz: DVec4,
     /// Real and imaginary part of h, m.
-    pub(super) re: [f64; LANES],
-    pub(super) im: [f64; LANES],
+    pub(super) re: DVec4,
+    pub(super) im: DVec4,
     /// coth(k h) / |(ix, iz)|: factor from h (ix, iz) to the amplitude of D.
-    orbit: [f64; LANES],
-    omega_rad_s: [f64; LANES],
+    orbit: DVec4,
+    omega_rad_s: DVec4,
     /// Frequency as a multiple of 2 pi / period.
-    turns: [u32; LANES],
+    turns: [u32; 4],
 }
 
 /// A wave that the seed generates.
@@ -132,11 +131,11 @@ impl PatchWaves {
     pub(super) fn new<'a>(plan: &Plan, cascade: &Cascade, waves: impl Iterator<Item = &'a Candidate>) -> Self {
         let mut blocks: Vec<WaveBlock> = Vec::new();
         for (i, candidate) in waves.enumerate() {
-            let lane = i % LANES;
+            let lane = i % 4;
             if lane == 0 {
                 blocks.push(WaveBlock::default());
             }
-            let block = &mut blocks[i / LANES];
+            let block = &mut blocks[i / 4];
             let wave = plan.wave(cascade, candidate.i2());
             block.ix[lane] = f64::from(candidate.ix);
             block.iz[lane] = f64::from(candidate.iz);
@@ -151,46 +150,31 @@ impl PatchWaves {
 
     /// The sums at the position (`x`, `z`), in units of the patch's side; `time` is that of [`Plan::phase_time`].
     pub(super) fn sums(&self, x: f64, z: f64, time: u32) -> WaveSums {
-        type Lanes = [f64; LANES];
-        let times = |a: &Lanes, b: &Lanes| -> Lanes { std::array::from_fn(|l| a[l] * b[l]) };
         // Per lane and without common factors: eta, its slopes, D, strain xx, zz, xz, velocity, potential.
-        let mut sums = [[0.0; LANES]; 12];
-        for WaveBlock { ix, iz, re, im, orbit, omega_rad_s, turns } in &self.blocks {
-            // Each loop over the lanes has one kind of operation, so that the compiler vectorises it.
-            let mut phase = [0.0; LANES];
-            for l in 0..LANES {
-                // Signed integers convert with vector instructions, and whole turns do not matter.
-                let turned = f64::from(turns[l].wrapping_mul(time) as i32) * (1.0 / 4_294_967_296.0);
-                phase[l] = ix[l] * x + iz[l] * z - turned;
-            }
-            let (sin, cos) = sin_cos_turns(phase);
+        let mut sums = [DVec4::ZERO; 12];
+        for &WaveBlock { ix, iz, re, im, orbit, omega_rad_s, turns } in &self.blocks {
+            // Signed integers convert with vector instructions, and whole turns do not matter.
+            let turned = DVec4::from_array(turns.map(|t| f64::from(t.wrapping_mul(time) as i32)));
+            let (sin, cos) = sin_cos_turns(ix * x + iz * z - turned * (1.0 / 4_294_967_296.0));
             // h e^{i (k.x - omega t)}
-            let h_re: Lanes = std::array::from_fn(|l| re[l] * cos[l] - im[l] * sin[l]);
-            let h_im: Lanes = std::array::from_fn(|l| re[l] * sin[l] + im[l] * cos[l]);
-            let (d_re, d_im) = (times(orbit, &h_re), times(orbit, &h_im));
-            let velocity = times(omega_rad_s, &d_re);
-            let (along_x, along_z) = (times(ix, &d_re), times(iz, &d_re));
-            let terms = [
-                h_re,
-                times(ix, &h_im),
-                times(iz, &h_im),
-                times(ix, &d_im),
-                times(iz, &d_im),
-                times(ix, &along_x),
-                times(iz, &along_z),
-                times(iz, &along_x),
-                times(ix, &velocity),
-                times(omega_rad_s, &h_im),
-                times(iz, &velocity),
-                d_re,
-            ];
-            for (sum, term) in sums.iter_mut().zip(&terms) {
-                for l in 0..LANES {
-                    sum[l] += term[l];
-                }
-            }
+            let (h_re, h_im) = (re * cos - im * sin, re * sin + im * cos);
+            let (d_re, d_im) = (orbit * h_re, orbit * h_im);
+            let speed = omega_rad_s * d_re;
+            let (along_x, along_z) = (ix * d_re, iz * d_re);
+            sums[0] += h_re;
+            sums[1] += ix * h_im;
+            sums[2] += iz * h_im;
+            sums[3] += ix * d_im;
+            sums[4] += iz * d_im;
+            sums[5] += ix * along_x;
+            sums[6] += iz * along_z;
+            sums[7] += iz * along_x;
+            sums[8] += ix * speed;
+            sums[9] += omega_rad_s * h_im;
+            sums[10] += iz * speed;
+            sums[11] += d_re;
         }
-        let [eta, sx, sz, dx, dz, xx, zz, xz, ux, uy, uz, potential] = sums.map(|lanes| lanes.iter().sum::<f64>());
+        let [eta, sx, sz, dx, dz, xx, zz, xz, ux, uy, uz, potential] = sums.map(DVec4::element_sum);
         WaveSums {
             eta,
             slope: [-self.dk * sx, -self.dk * sz],
@@ -218,37 +202,22 @@ pub(super) fn candidates(plan: &Plan) -> Vec<Candidate> {
 
 /// Sine and cosine of 2 pi `turns`, with an error below 2e-15, for |turns| below 2^50.
 ///
-/// Without branches and calls, so that the compiler vectorises it: Taylor series at a quarter of the angle (at most pi
-/// / 4), followed by two doublings of the angle.
+/// Without branches and calls, so that the compiler vectorises it: Taylor series at a quarter of the angle, followed by
+/// two doublings of the angle.
 #[inline]
-pub(super) fn sin_cos_turns(turns: [f64; LANES]) -> ([f64; LANES], [f64; LANES]) {
+pub(super) fn sin_cos_turns(turns: DVec4) -> (DVec4, DVec4) {
     // Adding and subtracting 1.5 x 2^52 rounds to a whole number.
     const WHOLE: f64 = 6_755_399_441_055_744.0;
     // Factorials 3!, 5! ... 15! and 2!, 4! ... 16!; the truncated terms are below 5e-17.
     const SIN: [f64; 7] = [6.0, 120.0, 5_040.0, 362_880.0, 39_916_800.0, 6_227_020_800.0, 1_307_674_368_000.0];
     const COS: [f64; 8] =
         [2.0, 24.0, 720.0, 40_320.0, 3_628_800.0, 479_001_600.0, 87_178_291_200.0, 20_922_789_888_000.0];
-    let angle: [f64; LANES] = turns.map(|t| (t - ((t + WHOLE) - WHOLE)) * FRAC_PI_2);
-    let square = angle.map(|a| a * a);
-    let (mut sin, mut cos) = ([1.0 / SIN[6]; LANES], [1.0 / COS[7]; LANES]);
-    for factorial in SIN[..6].iter().rev() {
-        for l in 0..LANES {
-            sin[l] = 1.0 / factorial - square[l] * sin[l];
-        }
-    }
-    for factorial in COS[..7].iter().rev() {
-        for l in 0..LANES {
-            cos[l] = 1.0 / factorial - square[l] * cos[l];
-        }
-    }
-    for l in 0..LANES {
-        sin[l] = angle[l] - angle[l] * square[l] * sin[l];
-        cos[l] = 1.0 - square[l] * cos[l];
-    }
+    let angle = (turns - ((turns + WHOLE) - WHOLE)) * FRAC_PI_2;
+    let square = angle * angle;
+    let series = |factorials: &[f64]| factorials.iter().rev().fold(DVec4::ZERO, |sum, f| 1.0 / f - square * sum);
+    let (mut sin, mut cos) = (angle - angle * square * series(&SIN), 1.0 - square * series(&COS));
     for _ in 0..2 {
-        for l in 0..LANES {
-            (sin[l], cos[l]) = (2.0 * sin[l] * cos[l], 1.0 - 2.0 * sin[l] * sin[l]);
-        }
+        (sin, cos) = (2.0 * sin * cos, 1.0 - 2.0 * sin * sin);
     }
     (sin, cos)
 }
