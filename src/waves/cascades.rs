@@ -7,9 +7,9 @@ use std::f64::consts::TAU;
 
 /// Patch sizes are powers (rungs) of the golden ratio, in m. It is irrational, so no two patches share a period.
 const GOLDEN: f64 = 1.618_033_988_749_895;
-/// Waves per patch at the low edge of a band; fewer would show as a repeated pattern. A circle of this radius, sqrt(177
-/// / pi), encloses exactly as many lattice points (177) as its area. A radius of 7 would pass through four lattice
-/// points and give each band 1 % too much variance.
+/// Waves per patch at the low edge of a band; fewer would show as a repeated pattern. A circle of this radius,
+/// sqrt(177 / pi), encloses exactly as many lattice points (177) as its area. A radius of 7 would pass through four
+/// lattice points and give each band 1 % too much variance.
 const WAVES_AT_LOW_EDGE: f64 = 7.506_054_213;
 /// Rungs of the cascades below the first one. The step of 3 keeps the energetic band inside a 64-point lattice; the
 /// steps of 4 leave no gap from 128 points on.
@@ -24,7 +24,7 @@ const MAX_GRAVITY_K: f64 = 370.0;
 const MAX_CAPILLARY_K: f64 = 6000.0;
 /// Share of m0 that must lie below the nominal high edge of the finest cascade.
 const WANTED_SHARE: f64 = 0.995;
-/// Share of m0 below the band of the first patch size.
+/// Share of m0 below the wave number at which the first patch holds `WAVES_AT_LOW_EDGE` waves.
 const LOW_TAIL: f64 = 5e-4;
 /// Smallest patch that the user can set, m.
 const MIN_PATCH_M: f64 = 0.1;

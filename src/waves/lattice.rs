@@ -19,7 +19,7 @@ const CELL_RULE: [(f64, f64); 4] = [
 pub struct Wave {
     /// Wave number, rad/m.
     pub k: f64,
-    /// Whole turns of the phase in one period of the plan.
+    /// Number of whole cycles in one period of the plan.
     pub turns: u32,
     /// Angular frequency, rad/s: turns x 2 pi / period_s.
     pub omega: f64,

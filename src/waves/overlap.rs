@@ -16,8 +16,8 @@ pub struct Overlap {
 }
 
 impl Overlap {
-    /// One overlap for each cascade of `before` and of `after` at time `t_s`. It is 0 for a cascade without a partner
-    /// of the same patch, noise key and seed.
+    /// One overlap for each cascade of `before` and of `after` at time `t_s`. A cascade without a partner of
+    /// the same patch, noise key and seed has zero overlap.
     pub fn all(before: &Plan, after: &Plan, t_s: f64) -> [Vec<Self>; 2] {
         let mut all = [before, after].map(|plan| vec![Self::default(); plan.cascades.len()]);
         for (i, old) in before.cascades.iter().enumerate() {

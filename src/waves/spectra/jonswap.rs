@@ -17,10 +17,11 @@ pub struct Jonswap {
     pub a: f64,
     /// Peak frequency, rad/s.
     pub omega_p: f64,
+    /// Peak enhancement.
     pub gamma: f64,
 }
 
-/// JONSWAP.
+/// The JONSWAP spectrum.
 pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
     let jonswap = Jonswap::new(inputs);
     let notice = full_development(inputs);
@@ -63,7 +64,7 @@ pub fn depth_factor(inputs: &Inputs<'_>) -> impl Fn(f64) -> f64 + Copy + Send + 
     }
 }
 
-/// Notice about a fetch beyond full development, which the growth curves of JONSWAP do not know.
+/// Notice about a fetch beyond full development, where the growth curves of JONSWAP have no limit.
 fn full_development(inputs: &Inputs<'_>) -> Option<String> {
     let is_set = inputs.system.hs_m > 0.0 || inputs.omega_p.is_some();
     (inputs.fetch > EXCESSIVE_FETCH && !is_set).then(|| {

@@ -1,8 +1,8 @@
 //! Frequency spectra S(omega): one-sided variance density of the elevation, m^2 s; the integral over omega, rad/s, is
 //! m0.
 //!
-//! Each family is a file with a function that makes a [`FrequencySpectrum`] from [`Inputs`]. A new family takes three
-//! files: its own, this one (its `mod` line and its arm of [`family`]), and `state/sea.rs` (its variant and
+//! Each family is a file with a function that makes a [`FrequencySpectrum`] from `Inputs`. A new family takes three
+//! files: its own, this one (its `mod` line and its arm of `family`), and `state/sea.rs` (its variant and
 //! its word).
 
 mod donelan;
