@@ -3,7 +3,8 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use seastate::app::App;
-use seastate::app::lifeboat::{Berth, Shell};
+use seastate::app::device_loss::{AppHost, ParkedApp};
+use seastate::files::picture;
 
 fn open(state: &str) -> Harness<'static, App> {
     open_in(state, [900.0, 500.0])
@@ -161,8 +162,8 @@ fn what_cannot_be_read_changes_nothing() {
     std::fs::create_dir_all(&folder).expect("a folder");
     let state = "wind=17&t=3&pause=1&n=64";
     let mut harness = open(state);
-    let lost = seastate::app::picture::encode([1, 1], &[0; 4], "hello & goodbye", "").expect("a picture");
-    let plain = seastate::app::picture::encode([1, 1], &[0; 4], "", "").expect("a picture");
+    let lost = picture::encode([1, 1], &[0; 4], "hello & goodbye", "").expect("a picture");
+    let plain = picture::encode([1, 1], &[0; 4], "", "").expect("a picture");
     let cases: [(&str, &[u8], &str); 9] = [
         ("a.png", b"\x89PNG\r\n\x1a\nnonsense", "not a picture"),
         ("b.png", &lost[..lost.len() / 2], "not a picture"),
@@ -525,20 +526,20 @@ fn pictures_to_look_at() {
 }
 
 /// A window whose app can leave it, as the program's own.
-fn open_shell(berth: &Berth, state: &str) -> Harness<'static, Shell> {
-    let (berth, state) = (berth.clone(), state.to_owned());
+fn open_host(parked: &ParkedApp, state: &str) -> Harness<'static, AppHost> {
+    let (parked, state) = (parked.clone(), state.to_owned());
     let mut harness = Harness::builder()
         .with_size(egui::vec2(300.0, 170.0))
         .with_pixels_per_point(1.0)
         .with_step_dt(1.0 / 60.0)
         .wgpu_setup(seastate::app::setup::wgpu_configuration().wgpu_setup)
-        .build_eframe(move |cc| Shell::new(cc, &berth, |cc| App::new(cc, &state)).expect("a device"));
+        .build_eframe(move |cc| AppHost::new(cc, &parked, |cc| App::new(cc, &state)).expect("a device"));
     harness.run_steps(3);
     harness
 }
 
 /// The picture once foam and glide have ended; a frame is recorded when it is rendered.
-fn settle(harness: &mut Harness<'_, Shell>) -> image::RgbaImage {
+fn settle(harness: &mut Harness<'_, AppHost>) -> image::RgbaImage {
     loop {
         harness.run_steps(1);
         let picture = harness.render().expect("a picture");
@@ -550,8 +551,8 @@ fn settle(harness: &mut Harness<'_, Shell>) -> image::RgbaImage {
 
 #[test]
 fn the_app_outlives_its_device() {
-    let berth = Berth::default();
-    let mut harness = open_shell(&berth, "n=64&wind=20&pause=1&t=20&ui=0");
+    let parked = ParkedApp::default();
+    let mut harness = open_host(&parked, "n=64&wind=20&pause=1&t=20&ui=0");
     let before = settle(&mut harness);
     let app = harness.state_mut().app().expect("an app");
     app.set_state("n=64&wind=9&pause=1&t=20&ui=0");
@@ -563,11 +564,11 @@ fn the_app_outlives_its_device() {
     device.destroy();
     let _ = device.poll(wgpu::PollType::Poll);
     assert!(app.device_lost().is_some());
-    harness.state_mut().leave(&berth);
+    harness.state_mut().park(&parked);
     assert!(harness.state_mut().app().is_none());
     drop(harness);
 
-    let mut harness = open_shell(&berth, "wind=3");
+    let mut harness = open_host(&parked, "wind=3");
     let app = harness.state_mut().app().expect("the app of before");
     assert_eq!((app.state(), app.device_lost()), (state, None));
     harness.key_press(egui::Key::Comma);

@@ -1,5 +1,5 @@
 // The panel for screen readers: a canvas is a picture to them, so its widgets are mirrored in elements once somebody asks.
-// The program describes its widgets (src/app/readers.rs); what is done to the elements goes back to it.
+// The program describes its widgets (src/app/screen_readers.rs); what is done to the elements goes back to it.
 
 const EVERY_MS = 200;
 

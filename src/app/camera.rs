@@ -1,32 +1,33 @@
-//! Mouse, touch and keyboard move the camera. Only what happens on the sea counts, never on the panel.
+//! Mouse, touch and keyboard move the camera. Input on the panel never does.
 
 use crate::state::Params;
 use crate::state::camera::EARTH_RADIUS_M;
 use crate::state::params::{Camera, CameraMode};
 use egui::Key;
 
-/// Slowest and height-proportional speed of flight, m/s and 1/s.
+/// Speed of flight: a constant part, m/s, and a part proportional to the height, 1/s.
 const SLOWEST_M_S: f64 = 6.0;
 const SPEED_PER_HEIGHT: f64 = 0.8;
+/// Factor of the speed while Shift is held.
 const FASTER: f64 = 8.0;
-/// Heights that a camera may have, m.
+/// Allowed heights of the camera, m.
 const HEIGHTS_M: std::ops::RangeInclusive<f64> = 1.0..=5000.0;
-/// The farthest point that a camera turns around, over its height and in m: a point at the horizon is no centre.
+/// Largest distance of the pivot of an orbit: this many camera heights plus this many metres.
 const FAR_HEIGHTS: f64 = 12.0;
 const FAR_M: f64 = 30.0;
-/// Degrees of an orbit per point that is dragged.
+/// Turn of an orbit per dragged point, degrees.
 const ORBIT_DEG: f64 = 0.3;
 
-/// A place to look from.
+/// A named view of the sea.
 pub struct NamedView {
-    /// Its name.
+    /// Name on the button.
     pub name: &'static str,
-    /// What is seen from there.
+    /// Tooltip.
     pub about: &'static str,
     camera: fn(&Params) -> Camera,
 }
 
-/// Places to look from: the place over the sea stays, the height and the view change.
+/// The named views. They keep the horizontal position and change height and direction.
 pub const VIEWS: &[NamedView] = &[
     NamedView { name: "Deck", about: "Seven metres up, as at the start.", camera: |p| seen(p, 7.0, -4.0, 50.0) },
     NamedView {
@@ -58,7 +59,7 @@ pub const VIEWS: &[NamedView] = &[
             let [x, up, z] = p.look.sky.sun_direction();
             let sun_deg = x.atan2(-z).to_degrees().rem_euclid(360.0);
             Camera {
-                heading_deg: round(sun_deg),
+                heading_deg: sun_deg.round(),
                 ..seen(p, 7.0, (0.4 * up.asin().to_degrees() - 8.0).clamp(-20.0, 10.0), 50.0)
             }
         },
@@ -67,11 +68,7 @@ pub const VIEWS: &[NamedView] = &[
 
 fn seen(p: &Params, y_m: f64, pitch_deg: f64, fov_deg: f64) -> Camera {
     let mode = if p.camera.mode == CameraMode::Buoy { CameraMode::Fly } else { p.camera.mode };
-    Camera { y_m, pitch_deg: round(pitch_deg), fov_deg, mode, ..p.camera.clone() }
-}
-
-fn round(degrees: f64) -> f64 {
-    degrees.round()
+    Camera { y_m, pitch_deg: pitch_deg.round(), fov_deg, mode, ..p.camera.clone() }
 }
 
 /// Goes to a named view.
@@ -79,7 +76,7 @@ pub fn turn_to(params: &mut Params, view: &NamedView) {
     params.camera = (view.camera)(params);
 }
 
-/// Dragging looks around, the wheel and pinching zoom, two fingers also carry the camera.
+/// Dragging looks around, the wheel and pinching zoom, two fingers also move the camera over the sea.
 pub fn pointer(camera: &mut Camera, response: &egui::Response, ctx: &egui::Context) {
     let height = f64::from(response.rect.height()).max(1.0);
     let degrees_per_point = camera.fov_deg / height;
@@ -111,7 +108,7 @@ pub fn pointer(camera: &mut Camera, response: &egui::Response, ctx: &egui::Conte
     }
 }
 
-/// WASD and the arrows fly, Q and E sink and rise, shift hurries, C goes through the modes.
+/// WASD and the arrows fly, Q and E sink and rise, Shift flies faster, C switches the mode.
 pub fn keys(camera: &mut Camera, ctx: &egui::Context) {
     if ctx.input(|i| i.key_pressed(Key::C) && i.modifiers.is_none()) {
         camera.mode = match camera.mode {
@@ -142,29 +139,29 @@ fn turn(camera: &mut Camera, right_deg: f64, up_deg: f64) {
     camera.pitch_deg = (camera.pitch_deg + up_deg).clamp(-89.0, 60.0);
 }
 
-/// Distance along the view to the sea in the middle of the picture, or to as far as a camera turns around.
+/// Distance along the view to the pivot of an orbit, m: the sea in the middle of the picture, within a limit.
 fn pivot_m(camera: &Camera) -> f64 {
     let far = FAR_HEIGHTS * camera.y_m + FAR_M;
     let down = -camera.pitch_deg.to_radians().sin();
-    // The round Earth is flat as far as this reaches.
+    // The curvature of the Earth does not matter at this distance.
     debug_assert!(far < EARTH_RADIUS_M);
     if down > 0.0 { (camera.y_m / down).min(far) } else { far }
 }
 
-/// Unit vector into the picture.
+/// Unit vector of the view direction.
 fn forward(camera: &Camera) -> [f64; 3] {
     let (sin, cos) = camera.heading_deg.to_radians().sin_cos();
     let (up, level) = camera.pitch_deg.to_radians().sin_cos();
     [sin * level, up, -cos * level]
 }
 
-/// Turns around the sea in the middle of the picture, at the same distance.
+/// Turns around the pivot at constant distance.
 fn orbit(camera: &mut Camera, right_deg: f64, up_deg: f64) {
     let distance = pivot_m(camera);
     let before = forward(camera);
-    let pivot = [camera.x_m, camera.y_m, camera.z_m].map(f64::from);
-    let pivot: [f64; 3] = std::array::from_fn(|i| pivot[i] + distance * before[i]);
-    // Not below the horizon, nor so flat that the eye would leave the air.
+    let eye = [camera.x_m, camera.y_m, camera.z_m];
+    let pivot: [f64; 3] = std::array::from_fn(|i| eye[i] + distance * before[i]);
+    // The camera stays above its lowest height.
     let lowest = -((HEIGHTS_M.start() - pivot[1]) / distance).clamp(-1.0, 1.0).asin().to_degrees();
     camera.heading_deg = (camera.heading_deg + right_deg).rem_euclid(360.0);
     camera.pitch_deg = (camera.pitch_deg - up_deg).clamp(-89.0, lowest.max(-89.0));
@@ -173,7 +170,7 @@ fn orbit(camera: &mut Camera, right_deg: f64, up_deg: f64) {
     place(camera, eye);
 }
 
-/// A longer lens, or in orbit a shorter way to the sea in the middle of the picture.
+/// Scales the field of view, or in orbit the distance to the pivot.
 fn zoom(camera: &mut Camera, factor: f64) {
     if camera.mode != CameraMode::Orbit {
         camera.fov_deg = (camera.fov_deg * factor).clamp(10.0, 100.0);
@@ -181,7 +178,7 @@ fn zoom(camera: &mut Camera, factor: f64) {
     }
     let ahead = forward(camera);
     let distance = pivot_m(camera);
-    // As near as the least height lets it, as far as the greatest.
+    // The allowed heights limit the distance.
     let down = (-ahead[1]).max(1e-3);
     let least = if -ahead[1] > 1e-3 { HEIGHTS_M.start() / down } else { 5.0 };
     let wanted = (distance * factor).clamp(least, HEIGHTS_M.end() / down);
@@ -195,7 +192,7 @@ fn place(camera: &mut Camera, [x, y, z]: [f64; 3]) {
     camera.z_m = z.clamp(-1e6, 1e6);
 }
 
-/// Moves over the sea, in metres to the right and ahead.
+/// Moves horizontally, in metres to the right and ahead.
 fn carry(camera: &mut Camera, right_m: f64, ahead_m: f64) {
     let (sin, cos) = camera.heading_deg.to_radians().sin_cos();
     camera.x_m = (camera.x_m + ahead_m * sin + right_m * cos).clamp(-1e6, 1e6);

@@ -1,18 +1,18 @@
-//! The maps of the sea as one OpenEXR file, from the page as from the window: a layer for each cascade.
+//! Export of the maps as one OpenEXR file with a layer for each cascade.
 
-use super::{App, files, tasks};
+use super::{App, rounding, storage, tasks};
 use crate::ocean::{self, maps::MapsF32};
 use crate::state::{Params, query};
 use crate::waves::Plan;
 use exr::prelude::*;
 use std::io::Cursor;
 
-/// The file's bytes: displacement X, Y, Z (m, chop applied) and slopes of the undisplaced surface, cascade by cascade;
-/// column i holds x = i patch / n to the east, row j z = j patch / n to the south. The state string is its attribute `seastate`.
+/// Encodes the maps: displacement X, Y, Z (m, chop applied) and slopes of the undisplaced surface, cascade by cascade.
+/// Column i is at x = i patch / n east, row j at z = j patch / n south. The attribute `seastate` holds the state string.
 ///
 /// # Errors
 /// If the maps cannot be written.
-pub fn encode(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<Vec<u8>, String> {
+fn encode(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<Vec<u8>, String> {
     let chop = plan.sea.lambda().map(|l| l as f32);
     let n = maps.n;
     let encoding =
@@ -43,9 +43,9 @@ pub fn encode(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<V
 }
 
 impl App {
-    /// Saves the maps of the sea at this moment. It arrives in the inbox.
+    /// Saves the maps of the current moment; the result arrives in `saved`.
     pub(super) fn save_maps(&mut self) {
-        let params: Params = super::tidy(&self.params);
+        let params: Params = rounding::rounded(&self.params);
         let state = query::write(&params);
         let gpu = self.gpu();
         let (inbox, ctx, folder) = (self.saved.clone(), self.ctx.clone(), self.save_folder.clone());
@@ -53,7 +53,7 @@ impl App {
             let plan = Plan::new(&params);
             let read = ocean::maps::read(&gpu, &params).await;
             let made = read.and_then(|maps| encode(&plan, &maps, &state));
-            inbox.put(made.and_then(|exr| files::save(folder.as_deref(), "seastate-maps.exr", &exr)), &ctx);
+            inbox.put(made.and_then(|exr| storage::save(folder.as_deref(), "seastate-maps.exr", &exr)), &ctx);
         });
     }
 }

@@ -1,14 +1,12 @@
-//! Read-outs: theory beside what is computed, and what the machine makes of it.
+//! Read-outs: statistics of the theory, of the computed waves and of the maps; times of the passes; the device.
 
 use super::super::App;
-use super::super::gauges::{Look, looked_at};
-use super::super::units::Scale;
 
-/// The four numbers that everybody asks for, and the sea in a word.
+/// The main statistics of the sea.
 pub fn show(app: &App, ui: &mut egui::Ui) {
     let t = &app.derived.theory;
-    let metres = Scale::of("m", app.params.screen.units);
-    // Nothing here is touched.
+    let metres = app.metres();
+    // These rows have no widgets that a finger must hit.
     let tall = std::mem::replace(&mut ui.spacing_mut().interact_size.y, 18.0);
     egui::Grid::new("read-outs").num_columns(4).show(ui, |ui| {
         let value = |ui: &mut egui::Ui, label: &str, text: String, help: &str| {
@@ -34,11 +32,11 @@ pub fn show(app: &App, ui: &mut egui::Ui) {
     ui.spacing_mut().interact_size.y = tall;
 }
 
-/// Theory beside what the cascades hold, and what was measured in the maps on the GPU.
+/// Statistics of the theory, of the waves on the grid, and of the maps on the GPU.
 pub fn more(app: &App, ui: &mut egui::Ui) {
-    looked_at(ui.ctx(), Look::Maps);
+    app.shown.maps.set(true);
     let (t, r) = (&app.derived.theory, app.derived.resolved());
-    let metres = Scale::of("m", app.params.screen.units);
+    let metres = app.metres();
     egui::Grid::new("more numbers").num_columns(4).striped(true).show(ui, |ui| {
         let mut row = |label: &str, values: [String; 3], help: &str| {
             ui.weak(label).on_hover_text(help);
@@ -49,7 +47,7 @@ pub fn more(app: &App, ui: &mut egui::Ui) {
         };
         let none = String::new;
         let known = |value: Option<f64>, text: &dyn Fn(f64) -> String| value.map_or_else(none, text);
-        let m = &app.measured;
+        let m = &app.sea_measurement;
         row(
             "",
             ["theory", "computed", "measured"].map(str::to_owned),
@@ -86,18 +84,18 @@ pub fn more(app: &App, ui: &mut egui::Ui) {
         );
         row("Energy held", [none(), percent(r.m0_fraction), none()], "Share of the variance on the grid.");
     });
-    let readings = app.measured.readings();
+    let readings = app.sea_measurement.readings();
     if readings > 0 {
         let moments = if readings == 1 { "one moment".to_owned() } else { format!("{readings} moments") };
         ui.weak(format!("Measured: mean of {moments}."));
     }
 }
 
-/// What a frame costs, pass by pass.
+/// Time of a frame on CPU and GPU, pass by pass.
 pub fn cost(app: &App, ui: &mut egui::Ui) {
-    looked_at(ui.ctx(), Look::Times);
-    ui.label(format!("Recording a frame: {:.2} ms of the CPU", app.gauges.record_ms()));
-    match app.gauges.passes() {
+    app.shown.times.set(true);
+    ui.label(format!("Recording a frame: {:.2} ms of the CPU", app.frame_measurements.record_ms()));
+    match app.frame_measurements.passes() {
         None => {
             ui.weak("This GPU does not tell how long its passes take: it has no timestamps.");
         }
@@ -115,10 +113,10 @@ pub fn cost(app: &App, ui: &mut egui::Ui) {
     }
 }
 
-/// What the program is and what it runs on.
+/// Program, device and cascades.
 pub fn about(app: &mut App, ui: &mut egui::Ui) {
     let help = "Copies all of this, the state and what went wrong as plain text.";
-    if ui.button("Copy report").on_hover_text(help).clicked() {
+    if super::button(ui, "Copy report", help) {
         app.copy_report();
     }
     egui::Grid::new("about").num_columns(2).striped(true).max_col_width(210.0).show(ui, |ui| {

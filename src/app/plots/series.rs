@@ -1,34 +1,33 @@
-//! The height of the sea at one point over time, as a wave buoy records it: its running significant height and spectrum.
+//! The record of a buoy: the height of the sea at one point over time, with its significant wave height and spectrum.
 
 use super::super::App;
-use super::super::units::Scale;
-use super::{COLOURS, HEIGHT, Table};
+use super::{COLOURS, Table, fixed_plot};
 use crate::waves::record;
-use egui_plot::{Line, Plot, PlotPoints};
+use egui_plot::{Line, PlotPoints};
 use std::collections::VecDeque;
 
-/// Samples a second.
+/// Samples per second.
 const RATE_HZ: f64 = 4.0;
-/// Length of the record, s: half an hour, as buoys keep it.
+/// Length of the record, s: the half hour that is usual for buoys.
 const LENGTH_S: f64 = 1800.0;
-/// Length of what is plotted, s.
+/// Length of the plot, s.
 const SHOWN_S: f64 = 120.0;
-/// A longer gap than this is another record, s.
+/// Longest gap within a record, s; after a longer one a new record starts.
 const LONGEST_GAP_S: f64 = 5.0;
 
 /// A record at one place.
 #[derive(Default)]
 pub struct Series {
-    /// Where, m east and south.
+    /// Position, m east and south.
     place: [f64; 2],
     /// Time and height above the still water, s and m.
     samples: VecDeque<[f64; 2]>,
-    /// omega and S(omega) of the record, and how many samples it was made of.
+    /// omega and S(omega) of the record, and the number of samples they were computed from.
     spectrum: (Vec<[f64; 2]>, usize),
 }
 
 impl Series {
-    /// Takes the heights since the last time, at a fixed rate, whatever the frame rate is.
+    /// Samples the heights since the last call at a fixed rate, independent of the frame rate.
     pub fn advance(&mut self, t_s: f64, place: [f64; 2], height: impl Fn(f64) -> f64) {
         let moved = place != self.place;
         let last = self.samples.back().map(|s| s[0]);
@@ -54,18 +53,18 @@ impl Series {
         }
     }
 
-    /// Whether nothing is missing up to a time.
+    /// Whether the record reaches a time.
     pub fn is_current(&self, t_s: f64) -> bool {
         self.samples.back().is_some_and(|last| (0.0..1.0 / RATE_HZ).contains(&(t_s - last[0])))
     }
 
-    /// Begins anew: another sea.
+    /// Clears the record for another sea.
     pub fn clear(&mut self) {
         self.samples.clear();
         self.spectrum = (Vec::new(), 0);
     }
 
-    /// 4 standard deviations of the record, m.
+    /// Significant wave height of the record, m: four standard deviations, after 30 s.
     pub fn hs_m(&self) -> Option<f64> {
         let n = self.samples.len() as f64;
         if n < 30.0 * RATE_HZ {
@@ -75,31 +74,45 @@ impl Series {
         Some(4.0 * (self.samples.iter().map(|s| (s[1] - mean).powi(2)).sum::<f64>() / n).sqrt())
     }
 
-    /// omega (rad/s) and S(omega) (m^2 s) of the record, once it is long enough.
+    /// omega (rad/s) and S(omega) (m^2 s) of the record; empty at its start.
     pub fn spectrum(&self) -> &[[f64; 2]] {
         &self.spectrum.0
     }
 }
 
-/// The last two minutes, and the record's numbers.
+impl App {
+    /// The name of the place that is recorded, and its position, m east and south.
+    fn record_place(&self) -> (&'static str, [f64; 2]) {
+        match self.params.floats.first() {
+            Some(float) => ("the first buoy", [float.x_m, float.z_m]),
+            None => ("the camera's foot", [self.params.camera.x_m, self.params.camera.z_m]),
+        }
+    }
+
+    /// Continues the record while there is a float or while the plot is shown.
+    pub(in crate::app) fn record(&mut self) {
+        let wanted = self.shown.record.take() || !self.params.floats.is_empty();
+        if !wanted || self.params.clock.paused && self.series.is_current(self.params.clock.t_s) {
+            return;
+        }
+        let (_, place) = self.record_place();
+        let (sea, level_m) = (self.derived.heights(), self.params.sea.level_m);
+        let height = |t_s| sea.sample(place[0], place[1], t_s).height_m - level_m;
+        self.series.advance(self.params.clock.t_s, place, height);
+    }
+}
+
+/// Draws the last two minutes and the significant wave height.
 pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
     let series = &app.series;
-    let metres = Scale::of("m", app.params.screen.units);
+    let metres = app.metres();
     let until = series.samples.back().map_or(0.0, |s| s[0]);
     let from = until - SHOWN_S;
     let shown: Vec<[f64; 2]> =
         series.samples.iter().filter(|s| s[0] >= from).map(|s| [s[0], s[1] * metres.factor]).collect();
-    ui.weak(format!("Height at {} over time, s; {}", app.series_place().0, metres.unit));
+    ui.weak(format!("Height at {} over time, s; {}", app.record_place().0, metres.unit));
     let half = (0.8 * app.derived.theory.hs_m * metres.factor).max(0.05);
-    let plot = Plot::new("series")
-        .height(HEIGHT)
-        .allow_drag(false)
-        .allow_zoom(false)
-        .allow_scroll(false)
-        .include_x(from)
-        .include_x(until)
-        .include_y(-half)
-        .include_y(half);
+    let plot = fixed_plot("series").include_x(from).include_x(until).include_y(-half).include_y(half);
     plot.show(ui, |plot| plot.line(Line::new("height", PlotPoints::from(shown)).color(COLOURS[0])));
     let length = series.samples.len() as f64 / RATE_HZ;
     let hs = series.hs_m().map_or_else(|| "after 30 s".to_owned(), |hs| metres.text(hs, 2));

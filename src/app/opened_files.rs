@@ -1,27 +1,26 @@
-//! Files dropped on the window or the page: the spectra of a buoy, or a sky.
+//! Files dropped on the window or the page: a buoy's spectra, a sky, a saved picture or a list of seas.
 
 #[cfg(target_arch = "wasm32")]
 use super::tasks;
-use super::tasks::Inbox;
-use super::{App, picture};
+use super::{App, tasks::Inbox};
 use crate::files::measured::{MAX_FILE_BYTES, MAX_FILES, Measured};
-use crate::files::panorama;
+use crate::files::{panorama, picture};
 use crate::state::look::SkyFile;
 use crate::state::presets;
 use egui::DroppedFileHandle;
 use std::sync::Arc;
 
-/// Names and contents, or why there are none.
+/// Names and contents of files, or why they cannot be read.
 pub type Files = Result<Vec<(String, Vec<u8>)>, String>;
 
-/// The largest file of a name that is read.
+/// Most bytes that are read from a file of this name.
 pub fn most_bytes(name: &str) -> usize {
-    // A picture that carries its state may be large, too.
+    // A PNG may be a large saved picture.
     let large = panorama::is_sky(name, &[]) || name.to_ascii_lowercase().ends_with(".png");
     if large { panorama::MAX_BYTES } else { MAX_FILE_BYTES }
 }
 
-/// The sky of a file's contents.
+/// Reads a sky from a file's contents.
 ///
 /// # Errors
 /// One sentence that names the file and the reason.
@@ -31,14 +30,14 @@ pub fn sky(name: &str, bytes: &[u8]) -> Result<SkyFile, String> {
     Ok(SkyFile { image: Some(Arc::new(image)), ..file })
 }
 
-/// Reads what was dropped on a window.
+/// Reads files that were dropped on a window.
 #[cfg(not(target_arch = "wasm32"))]
 fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context) {
     let paths: Vec<_> = handles.iter().map(|h| h.path().to_owned()).collect();
     inbox.put(super::native::read_files(&paths), ctx);
 }
 
-/// Reads what was dropped on the page, and asks for a frame when it is there.
+/// Reads files that were dropped on the page, and requests a frame when they are read.
 #[cfg(target_arch = "wasm32")]
 fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context) {
     let (inbox, handles, ctx) = (inbox.clone(), handles.to_vec(), ctx.clone());
@@ -46,7 +45,7 @@ fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context
         let mut files = Vec::new();
         for handle in &handles {
             let name = handle.path().to_string_lossy().into_owned();
-            // Asked before it is read: a film dropped by mistake would fill the tab's memory.
+            // The size is checked before the file is read: a film would fill the tab's memory.
             let size = handle.web_file().map_or(0.0, |f| f.size());
             if size > most_bytes(&name) as f64 {
                 return inbox.put(Err(format!("{name}: too large for any file that Seastate reads: a buoy's spectrum (text) or a sky (.hdr, .exr)")), &ctx);
@@ -61,58 +60,58 @@ fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context
 }
 
 impl App {
-    /// Takes files that were dropped. What cannot be read changes nothing but the notices.
-    pub(super) fn take_dropped(&mut self, ctx: &egui::Context) {
+    /// Opens the files that were dropped. A file that cannot be read changes only the notices.
+    pub(super) fn take_opened_files(&mut self, ctx: &egui::Context) {
         let handles = ctx.input(|i| i.raw.dropped_files.clone());
         if handles.len() > MAX_FILES {
             self.notices = vec![format!("a buoy has at most {MAX_FILES} files: {} were dropped", handles.len())];
         } else if !handles.is_empty() {
-            read(&self.dropped, &handles, ctx);
+            read(&self.opened, &handles, ctx);
         }
-        let Some(files) = self.dropped.take().pop() else { return };
-        if let Ok([(name, bytes)]) = files.as_deref()
-            && picture::is_png(bytes)
-        {
-            match picture::state_of(bytes) {
-                Ok(state) => self.open_link(&state),
-                Err(reason) => self.notices = vec![format!("{name}: {reason}")],
-            }
-            return;
-        }
-        if let Ok([(_, bytes)]) = files.as_deref()
-            && let Some(text) = std::str::from_utf8(bytes).ok().filter(|text| presets::is_file(text))
-        {
-            let (seas, notices) = presets::read(text);
-            let count = seas.len();
-            self.notices = notices;
-            match self.seas.add(seas) {
-                Ok(()) => self.say(&format!("{count} seas imported")),
-                Err(reason) => self.notices.push(reason),
-            }
-            return;
-        }
-        if let Ok([(name, bytes)]) = files.as_deref()
-            && panorama::is_sky(name, bytes)
-        {
-            match sky(name, bytes) {
-                Ok(file) => self.show_sky(file),
-                Err(reason) => self.notices = vec![reason],
-            }
-            return;
-        }
-        match files.and_then(|files| Measured::read(&files)) {
-            Ok((measured, notices)) => {
-                let name = if measured.title().is_empty() { "the buoy's sea" } else { measured.title() };
-                let bands = measured.f_hz().len();
-                self.notices = vec![format!("{name}: {bands} bands, Hs {:.2} m", measured.hs_m())];
-                self.notices.extend(notices);
-                self.params.sea.show_measured(measured);
-            }
-            Err(reason) => self.notices = vec![reason],
+        let Some(files) = self.opened.take().pop() else { return };
+        if let Err(reason) = files.and_then(|files| self.open_files(&files)) {
+            self.notices = vec![reason];
         }
     }
 
-    /// Shows a sky that was read, and says what it is.
+    /// Opens files by their contents; several files are the spectra of one buoy.
+    fn open_files(&mut self, files: &[(String, Vec<u8>)]) -> Result<(), String> {
+        if let [(name, bytes)] = files {
+            if picture::is_png(bytes) {
+                let state = picture::state_of(bytes).map_err(|reason| format!("{name}: {reason}"))?;
+                self.open_link(&state);
+                return Ok(());
+            }
+            if let Some(text) = std::str::from_utf8(bytes).ok().filter(|text| presets::is_file(text)) {
+                self.import_seas(text);
+                return Ok(());
+            }
+            if panorama::is_sky(name, bytes) {
+                self.show_sky(sky(name, bytes)?);
+                return Ok(());
+            }
+        }
+        let (measured, notices) = Measured::read(files)?;
+        let name = if measured.title().is_empty() { "the buoy's sea" } else { measured.title() };
+        let bands = measured.f_hz().len();
+        self.notices = vec![format!("{name}: {bands} bands, Hs {:.2} m", measured.hs_m())];
+        self.notices.extend(notices);
+        self.params.sea.show_measured(measured);
+        Ok(())
+    }
+
+    /// Adds the seas of an exported list to the user's own.
+    fn import_seas(&mut self, text: &str) {
+        let (seas, notices) = presets::read(text);
+        let count = seas.len();
+        self.notices = notices;
+        match self.own_seas.add(seas) {
+            Ok(()) => self.say(&format!("{count} seas imported")),
+            Err(reason) => self.notices.push(reason),
+        }
+    }
+
+    /// Shows a sky, and its size and sun in the notices.
     fn show_sky(&mut self, file: SkyFile) {
         let Some(panorama) = &file.image else { return };
         let sun = panorama.sun.as_ref().map(|s| format!(", sun {:.0}° high", s.elevation_deg)).unwrap_or_default();
@@ -123,8 +122,8 @@ impl App {
     }
 }
 
-/// Says what may be dropped while something hovers over the sea.
-pub fn invite(ctx: &egui::Context) {
+/// Lists the kinds of files that can be dropped, while files hover over the window.
+pub fn show_drop_hint(ctx: &egui::Context) {
     if ctx.input(|i| i.raw.hovered_files.is_empty()) {
         return;
     }
