@@ -8,7 +8,6 @@ pub mod device_loss;
 mod gpu_errors;
 mod history;
 pub mod keys;
-mod maps;
 mod measurements;
 mod message;
 mod mooring;
@@ -32,6 +31,7 @@ mod viewport;
 pub mod web;
 
 use crate::gpu::Gpu;
+use crate::point::buoy_record::BuoyRecord;
 use crate::state::look::SkyFile;
 use crate::state::{Params, floats, query};
 use derived::Derived;
@@ -66,7 +66,7 @@ pub struct App {
     /// Parameters of the last frame, and its size in pixels.
     drawn: Option<(Params, [u32; 2])>,
     /// Heights at the first buoy, or below the camera.
-    series: plots::Series,
+    record: BuoyRecord,
     /// The float that the next click on the sea moors.
     placing: Option<floats::Kind>,
     save_folder: Option<std::path::PathBuf>,
@@ -129,7 +129,7 @@ impl App {
             message: None,
             drawn: None,
             idle_pose: Some(rounding::pose(&params)),
-            series: plots::Series::default(),
+            record: BuoyRecord::default(),
             placing: None,
             save_folder: None,
             saved: tasks::Inbox::default(),
@@ -164,7 +164,7 @@ impl App {
 
     /// Width and height of the last picture in pixels.
     pub fn picture_size(&self) -> [u32; 2] {
-        self.quality.size()
+        self.drawn.as_ref().map_or([0; 2], |(_, size)| *size)
     }
 
     /// Sets the folder for saved files in place of the user's folder for pictures; a page downloads files instead.
@@ -235,7 +235,7 @@ impl App {
     fn update_derived(&mut self) {
         if (&self.derived.of.grid, &self.derived.of.sea) != (&self.params.grid, &self.params.sea) {
             self.derived = Derived::new(&self.params);
-            self.series.clear();
+            self.record.clear();
             self.forget_measurement();
         }
     }
@@ -265,7 +265,7 @@ impl eframe::App for App {
         self.take_saved();
         self.watch_history(&ctx);
         self.update_derived();
-        self.record();
+        self.continue_record();
         self.measure(&ctx);
         if !self.progress.is_awaited() {
             let dt = f64::from(ctx.input(|i| i.unstable_dt));

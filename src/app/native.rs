@@ -1,14 +1,14 @@
 //! The desktop window, and the files that the command line reads for the app.
 
 use super::device_loss::{AppHost, ParkedApp};
-use super::opened_files::{self, most_bytes};
+use super::opened_files;
 use super::{App, setup};
+use crate::files::input::read_all;
 use crate::state::look::SkyFile;
 use crate::state::{Params, query};
 use std::cell::RefCell;
-use std::io::Read;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::rc::Rc;
 use std::time::Duration;
 use web_time::Instant;
@@ -62,28 +62,12 @@ fn wait(time: Duration) {
     std::thread::sleep(time);
 }
 
-/// Reads files with their names; a file over the limit of its kind is read only to one byte beyond the limit.
-///
-/// # Errors
-/// One sentence, naming the file.
-pub fn read_files(paths: &[PathBuf]) -> Result<Vec<(String, Vec<u8>)>, String> {
-    let read = |path: &PathBuf| {
-        let name = path.file_name().map_or_else(|| path.display().to_string(), |n| n.to_string_lossy().into_owned());
-        let fault = |e: std::io::Error| format!("cannot read {}: {e}", path.display());
-        let mut bytes = Vec::new();
-        let file = std::fs::File::open(path).map_err(fault)?;
-        file.take(most_bytes(&name) as u64 + 1).read_to_end(&mut bytes).map_err(fault)?;
-        Ok((name, bytes))
-    };
-    paths.iter().map(read).collect()
-}
-
 /// Reads the sky of a file.
 ///
 /// # Errors
 /// One sentence that names the file and the reason.
 pub fn read_sky(path: &Path) -> Result<SkyFile, String> {
-    let files = read_files(&[path.to_owned()])?;
+    let files = read_all(&[path.to_owned()])?;
     opened_files::sky(&files[0].0, &files[0].1)
 }
 

@@ -3,8 +3,8 @@
 #[cfg(target_arch = "wasm32")]
 use super::tasks;
 use super::{App, tasks::Inbox};
-use crate::files::measured::{MAX_FILE_BYTES, MAX_FILES, Measured};
-use crate::files::{panorama, picture};
+use crate::files::measured::{MAX_FILES, Measured};
+use crate::files::{input, panorama, picture};
 use crate::state::look::SkyFile;
 use crate::state::presets;
 use egui::DroppedFileHandle;
@@ -12,13 +12,6 @@ use std::sync::Arc;
 
 /// Names and contents of files, or why they cannot be read.
 pub type Files = Result<Vec<(String, Vec<u8>)>, String>;
-
-/// Most bytes that are read from a file of this name.
-pub fn most_bytes(name: &str) -> usize {
-    // A PNG may be a large saved picture.
-    let large = panorama::is_sky(name, &[]) || name.to_ascii_lowercase().ends_with(".png");
-    if large { panorama::MAX_BYTES } else { MAX_FILE_BYTES }
-}
 
 /// Reads a sky from a file's contents.
 ///
@@ -34,7 +27,7 @@ pub fn sky(name: &str, bytes: &[u8]) -> Result<SkyFile, String> {
 #[cfg(not(target_arch = "wasm32"))]
 fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context) {
     let paths: Vec<_> = handles.iter().map(|h| h.path().to_owned()).collect();
-    inbox.put(super::native::read_files(&paths), ctx);
+    inbox.put(input::read_all(&paths), ctx);
 }
 
 /// Reads files that were dropped on the page, and requests a frame when they are read.
@@ -47,7 +40,7 @@ fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context
             let name = handle.path().to_string_lossy().into_owned();
             // The size is checked before the file is read: a film would fill the tab's memory.
             let size = handle.web_file().map_or(0.0, |f| f.size());
-            if size > most_bytes(&name) as f64 {
+            if size > input::most_bytes(&name) as f64 {
                 return inbox.put(Err(format!("{name}: too large for any file that Seastate reads: a buoy's spectrum (text) or a sky (.hdr, .exr)")), &ctx);
             }
             match handle.bytes_async().await {

@@ -45,8 +45,6 @@ pub struct Quality {
     was_odd: bool,
     /// Whether time is stopped.
     still: bool,
-    /// Size of the last picture in pixels.
-    size: [u32; 2],
 }
 
 impl Quality {
@@ -64,7 +62,6 @@ impl Quality {
             tried: false,
             refusals: 0,
             still,
-            size: [0; 2],
         }
     }
 
@@ -123,11 +120,10 @@ impl Quality {
     }
 
     /// Size of the picture in pixels for a viewport in points, at most `limit` along a side.
-    pub fn picture_size(&mut self, points: egui::Vec2, pixels_per_point: f32, screen: &Screen, limit: u32) -> [u32; 2] {
+    pub fn picture_size(&self, points: egui::Vec2, pixels_per_point: f32, screen: &Screen, limit: u32) -> [u32; 2] {
         let density = f64::from(pixels_per_point).min(screen.most_dpr) * screen.render_scale;
         let own = if self.still || !screen.adaptive { 1.0 } else { self.scale }.min(self.most_scale());
-        self.size = [points.x, points.y].map(|side| ((f64::from(side) * density * own).round() as u32).min(limit));
-        self.size
+        [points.x, points.y].map(|side| ((f64::from(side) * density * own).round() as u32).min(limit))
     }
 
     /// The requested grid with the points that speed and memory allow.
@@ -137,7 +133,7 @@ impl Quality {
     }
 
     /// Points along a side of a cascade where `n` are requested.
-    pub fn fft_size(&self, n: u32) -> u32 {
+    fn fft_size(&self, n: u32) -> u32 {
         let n = self.affordable(n);
         if self.still { n } else { (n >> self.halvings).max(LEAST_N.min(n)) }
     }
@@ -145,11 +141,6 @@ impl Quality {
     /// Points along a side that the memory allows where `n` are requested.
     fn affordable(&self, n: u32) -> u32 {
         (n >> (self.refusals / 2).min(8)).max(REFUSED_N.min(n))
-    }
-
-    /// Size of the last picture in pixels.
-    pub fn size(&self) -> [u32; 2] {
-        self.size
     }
 
     /// Smoothed frames per second.

@@ -9,9 +9,9 @@ impl App {
         let mut rows = About::new(&self.render_state.adapter, &self.gpu()).rows();
         #[cfg(target_arch = "wasm32")]
         rows.push(("browser", self.browser.clone()));
-        let [width, height] = self.quality.size();
+        let [width, height] = self.picture_size();
         let quality = self.quality.word();
-        let points = self.quality.fft_size(self.derived.plan.n);
+        let points = self.params_to_draw().grid.n;
         rows.push(("picture", format!("{width} x {height} pixels, {quality}")));
         rows.push(("sea", format!("{points} x {points} points in {} cascades", self.derived.plan.cascades.len())));
         rows.push(("frames", format!("{}, {:.0} a second", self.frames, self.quality.frames_a_second())));

@@ -74,14 +74,13 @@ impl ScreenReaders {
         let key = |key, modifiers| {
             [true, false].map(|pressed| egui::Event::Key { key, physical_key: None, pressed, repeat: false, modifiers })
         };
-        match action {
-            "click" => inner.requests.push_back(vec![ask(Action::Click, None)]),
-            "more" => inner.requests.push_back(vec![ask(Action::Increment, None)]),
-            "less" => inner.requests.push_back(vec![ask(Action::Decrement, None)]),
-            "focus" => inner.requests.push_back(vec![ask(Action::Focus, None)]),
-            "set" => inner.requests.push_back(vec![ask(Action::SetValue, Some(ActionData::NumericValue(value)))]),
+        let batches = match action {
+            "click" => vec![vec![ask(Action::Click, None)]],
+            "more" => vec![vec![ask(Action::Increment, None)]],
+            "less" => vec![vec![ask(Action::Decrement, None)]],
+            "focus" => vec![vec![ask(Action::Focus, None)]],
+            "set" => vec![vec![ask(Action::SetValue, Some(ActionData::NumericValue(value)))]],
             "type" => {
-                inner.requests.push_back(vec![ask(Action::Focus, None)]);
                 let mut keys = key(egui::Key::A, egui::Modifiers::COMMAND).to_vec();
                 // An empty text event would not delete the selection.
                 if text.is_empty() {
@@ -89,11 +88,12 @@ impl ScreenReaders {
                 } else {
                     keys.push(egui::Event::Text(text.to_owned()));
                 }
-                inner.requests.push_back(keys);
-                inner.requests.push_back(key(egui::Key::Enter, egui::Modifiers::NONE).to_vec());
+                let confirm = key(egui::Key::Enter, egui::Modifiers::NONE).to_vec();
+                vec![vec![ask(Action::Focus, None)], keys, confirm]
             }
             _ => return,
-        }
+        };
+        inner.requests.extend(batches);
         ctx.request_repaint();
     }
 }

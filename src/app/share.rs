@@ -1,10 +1,11 @@
-//! Links, embedding code and saved pictures.
+//! Links, embedding code, saved pictures and saved maps.
 
-use super::{App, rounding, storage, tasks};
+use super::{App, rounding::rounded, storage, tasks};
 use crate::files::picture;
 use crate::gpu::offscreen::Picture;
-use crate::ocean::Ocean;
+use crate::ocean::{Ocean, maps, maps_file};
 use crate::state::{Params, query};
+use crate::waves::Plan;
 
 impl App {
     /// The page's address with the state, or on the desktop the bare state string.
@@ -23,7 +24,7 @@ impl App {
 
     /// Copies HTML that embeds the sea in another page, without the panel.
     pub(super) fn copy_frame(&mut self) {
-        let mut params = rounding::rounded(&self.params);
+        let mut params = rounded(&self.params);
         params.screen.panel = false;
         let state = query::write(&params);
         #[cfg(target_arch = "wasm32")]
@@ -54,7 +55,7 @@ impl App {
     /// Saves the current picture with its state; the result arrives in `saved`.
     pub(super) fn save_picture(&mut self) {
         let Some((params, size)) = self.drawn.clone() else { return };
-        let params = rounding::rounded(&params);
+        let params = rounded(&params);
         let (state, link) = (query::write(&params), self.link());
         let gpu = self.gpu();
         let format = self.render_state.target_format;
@@ -69,6 +70,20 @@ impl App {
         tasks::spawn(async move {
             let made = made.read(&gpu).await.and_then(|pixels| picture::encode(size, &pixels, &state, &link));
             inbox.put(made.and_then(|png| storage::save(folder.as_deref(), &name, &png)), &ctx);
+        });
+    }
+
+    /// Saves the maps of the current moment; the result arrives in `saved`.
+    pub(super) fn save_maps(&mut self) {
+        let params = rounded(&self.params);
+        let state = query::write(&params);
+        let gpu = self.gpu();
+        let (inbox, ctx, folder) = (self.saved.clone(), self.ctx.clone(), self.save_folder.clone());
+        tasks::spawn(async move {
+            let plan = Plan::new(&params);
+            let read = maps::read(&gpu, &params).await;
+            let made = read.and_then(|read| maps_file::encode(&plan, &read, &state));
+            inbox.put(made.and_then(|exr| storage::save(folder.as_deref(), "seastate-maps.exr", &exr)), &ctx);
         });
     }
 

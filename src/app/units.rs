@@ -58,18 +58,13 @@ impl UnitScale {
         let end = text.rfind(|c: char| c.is_ascii_digit() || c == '.').map_or(0, |i| i + 1);
         let (number, unit) = (text[..end].trim(), text[end..].trim());
         let number: f64 = number.parse().ok()?;
+        let unit = if matches!(unit, "kt" | "kts" | "knots") { "kn" } else { unit };
         if unit.is_empty() || unit == self.unit {
             return Some(number);
         }
-        let same = |u: &&Unit| u.nautical == self.unit || u.metric == self.unit;
-        let kind = NAUTICAL.iter().find(same)?;
-        let metric = match unit {
-            _ if unit == kind.metric => number,
-            "kt" | "kts" | "knots" if kind.nautical == "kn" => number / kind.factor,
-            _ if unit == kind.nautical => number / kind.factor,
-            _ => return None,
-        };
-        Some(metric * self.factor)
+        let pair = NAUTICAL.iter().find(|u| [u.nautical, u.metric].contains(&self.unit))?;
+        let metric = if unit == pair.nautical { number / pair.factor } else { number };
+        [pair.nautical, pair.metric].contains(&unit).then_some(metric * self.factor)
     }
 }
 

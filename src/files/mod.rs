@@ -1,5 +1,6 @@
 //! Readers of files from elsewhere: spectra, skies and pictures. Every limit holds before memory is asked for.
 
+pub mod input;
 pub mod measured;
 pub mod panorama;
 #[cfg(feature = "files")]

@@ -4,6 +4,7 @@ pub mod camera;
 pub mod fields;
 pub mod floats;
 pub mod look;
+pub mod motion;
 mod number;
 pub mod params;
 pub mod presets;

@@ -6,10 +6,10 @@ mod seas;
 pub mod time;
 
 use super::accessible_names::named;
-use super::{App, camera, plots};
+use super::{App, plots};
 use crate::state::fields::{FIELDS, Group};
 use crate::state::floats::Kind;
-use crate::state::{Params, query};
+use crate::state::{Params, motion, query};
 use crate::waves::beaufort;
 
 pub use seas::OwnSeas;
@@ -243,9 +243,9 @@ fn sky_file(params: &mut Params, ui: &mut egui::Ui) {
 /// Named views.
 fn views(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
-        for view in camera::VIEWS {
+        for view in motion::VIEWS {
             if button(ui, view.name, view.about) {
-                camera::turn_to(&mut app.params, view);
+                motion::turn_to(&mut app.params, view);
             }
         }
     });

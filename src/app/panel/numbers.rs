@@ -8,26 +8,26 @@ pub fn show(app: &App, ui: &mut egui::Ui) {
     let metres = app.metres();
     // These rows have no widgets that a finger must hit.
     let tall = std::mem::replace(&mut ui.spacing_mut().interact_size.y, 18.0);
+    let from = t.mean_from_deg.map_or("none".to_owned(), |d| format!("{d:.0}°"));
+    let hs_help = "Significant wave height, 4 sqrt(m0): the mean of the highest third.";
+    let from_help = "Mean direction that the waves come from, clockwise from north.";
+    let spread_help = "Directional spread sqrt(2 (1 - r1)), weighted by energy: 81° is no direction at all.";
+    let rows = [
+        ("Hs", metres.text(t.hs_m, 2), hs_help),
+        ("Tp", format!("{:.1} s", t.tp_s), "Period of the peak of the spectrum."),
+        ("Length", metres.text(t.lambda_p_m, 0), "Wavelength of the peak."),
+        ("Tz", format!("{:.1} s", t.tm02_s), "Mean zero-crossing period, 2 pi sqrt(m0 / m2)."),
+        ("From", from, from_help),
+        ("Spread", format!("{:.0}°", t.spread_deg), spread_help),
+    ];
     egui::Grid::new("read-outs").num_columns(4).show(ui, |ui| {
-        let value = |ui: &mut egui::Ui, label: &str, text: String, help: &str| {
-            ui.weak(label).on_hover_text(help);
-            ui.strong(text).on_hover_text(help);
-        };
-        value(ui, "Hs", metres.text(t.hs_m, 2), "Significant wave height, 4 sqrt(m0): the mean of the highest third.");
-        value(ui, "Tp", format!("{:.1} s", t.tp_s), "Period of the peak of the spectrum.");
-        ui.end_row();
-        value(ui, "Length", metres.text(t.lambda_p_m, 0), "Wavelength of the peak.");
-        value(ui, "Tz", format!("{:.1} s", t.tm02_s), "Mean zero-crossing period, 2 pi sqrt(m0 / m2).");
-        ui.end_row();
-        let from = t.mean_from_deg.map_or("none".to_owned(), |d| format!("{d:.0}°"));
-        value(ui, "From", from, "Mean direction that the waves come from, clockwise from north.");
-        value(
-            ui,
-            "Spread",
-            format!("{:.0}°", t.spread_deg),
-            "Directional spread sqrt(2 (1 - r1)), weighted by energy: 81° is no direction at all.",
-        );
-        ui.end_row();
+        for pair in rows.chunks(2) {
+            for (label, text, help) in pair {
+                ui.weak(*label).on_hover_text(*help);
+                ui.strong(text).on_hover_text(*help);
+            }
+            ui.end_row();
+        }
     });
     ui.spacing_mut().interact_size.y = tall;
 }
@@ -47,41 +47,28 @@ pub fn more(app: &App, ui: &mut egui::Ui) {
         };
         let none = String::new;
         let known = |value: Option<f64>, text: &dyn Fn(f64) -> String| value.map_or_else(none, text);
+        let (seconds, slope) = (|x: f64| format!("{x:.2} s"), |x: f64| format!("{x:.4}"));
+        let (degrees, percent) = (|x: f64| format!("{x:.1}°"), |x: f64| format!("{:.2} %", 100.0 * x));
         let m = &app.sea_measurement;
-        row(
-            "",
-            ["theory", "computed", "measured"].map(str::to_owned),
-            "What the spectrum promises, what the waves on the grid hold, and what was read from the GPU's maps.",
-        );
+        let help = "What the spectrum promises, what the waves on the grid hold, and what was read from the GPU's maps.";
+        row("", ["theory", "computed", "measured"].map(str::to_owned), help);
         let hs = [metres.text(t.hs_m, 3), metres.text(r.hs_m, 3), known(m.hs_m(), &|x| metres.text(x, 3))];
         row("Hs", hs, "Significant wave height, 4 sqrt(m0).");
-        row("Tm01", [format!("{:.2} s", t.tm01_s), format!("{:.2} s", r.tm01_s), none()], "Mean period, 2 pi m0 / m1.");
-        row("Tm02", [format!("{:.2} s", t.tm02_s), format!("{:.2} s", r.tm02_s), none()], "Mean zero-crossing period.");
+        row("Tm01", [seconds(t.tm01_s), seconds(r.tm01_s), none()], "Mean period, 2 pi m0 / m1.");
+        row("Tm02", [seconds(t.tm02_s), seconds(r.tm02_s), none()], "Mean zero-crossing period.");
         let length = [metres.text(t.lambda_mean_m, 1), none(), none()];
         row("Mean length", length, "Wavelength of the mean period Tm01.");
-        row(
-            "Steepness",
-            [format!("{:.4}", t.steepness), none(), none()],
-            "Hs over the wavelength of the peak; waves break near 0.07.",
-        );
-        row(
-            "Slopes",
-            [format!("{:.4}", t.mss), format!("{:.4}", r.mss), known(m.mss(), &|x| format!("{x:.4}"))],
-            &format!("Mean square slope of waves longer than {:.2} m.", std::f64::consts::TAU / t.k_max.max(1e-9)),
-        );
-        let spread = [format!("{:.1}°", t.spread_deg), format!("{:.1}°", r.spread_deg), none()];
-        row("Spread", spread, "Directional spread.");
-        row(
-            "Benjamin-Feir",
-            [format!("{:.2}", t.benjamin_feir), none(), none()],
-            "Benjamin-Feir index: near 1 freak waves become likely in a narrow, long-crested sea (Janssen 2003).",
-        );
-        let percent = |x: f64| format!("{:.2} %", 100.0 * x);
-        row(
-            "Whitecaps",
-            [percent(t.whitecap_fraction), none(), known(m.coverage(), &percent)],
-            "Coverage by whitecaps at this wind (Monahan and O'Muircheartaigh 1980), and the mean of the foam that is computed around the camera, however much of it is shown.",
-        );
+        let help = "Hs over the wavelength of the peak; waves break near 0.07.";
+        row("Steepness", [slope(t.steepness), none(), none()], help);
+        let shortest_m = std::f64::consts::TAU / t.k_max.max(1e-9);
+        let help = format!("Mean square slope of waves longer than {shortest_m:.2} m.");
+        row("Slopes", [slope(t.mss), slope(r.mss), known(m.mss(), &slope)], &help);
+        row("Spread", [degrees(t.spread_deg), degrees(r.spread_deg), none()], "Directional spread.");
+        let help = "Benjamin-Feir index: near 1 freak waves become likely in a narrow, long-crested sea (Janssen 2003).";
+        row("Benjamin-Feir", [format!("{:.2}", t.benjamin_feir), none(), none()], help);
+        let help = "Coverage by whitecaps at this wind (Monahan and O'Muircheartaigh 1980), and the mean of the foam that is \
+                    computed around the camera, however much of it is shown.";
+        row("Whitecaps", [percent(t.whitecap_fraction), none(), known(m.coverage(), &percent)], help);
         row("Energy held", [none(), percent(r.m0_fraction), none()], "Share of the variance on the grid.");
     });
     let readings = app.sea_measurement.readings();

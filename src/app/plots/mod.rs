@@ -12,7 +12,6 @@ use egui::Color32;
 use egui_plot::Plot;
 use std::fmt::Write as _;
 
-pub use series::Series;
 pub use spectrum::highest_omega;
 
 /// Colours of lines, in order.

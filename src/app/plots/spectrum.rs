@@ -24,7 +24,7 @@ pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
     };
     ui.weak("Variance density S(ω), m² s, over ω, rad/s");
     let several = plan.systems.len() > 1;
-    let record = app.series.spectrum();
+    let record = app.record.spectrum();
     let maps = app.sea_measurement.spectrum();
     let plot =
         fixed_plot("spectrum").legend(Legend::default().background_alpha(0.4)).label_formatter(

@@ -1,8 +1,6 @@
-//! Export of the maps as one OpenEXR file with a layer for each cascade.
+//! The maps of a sea as one OpenEXR file with a layer for each cascade.
 
-use super::{App, rounding, storage, tasks};
-use crate::ocean::{self, maps::MapsF32};
-use crate::state::{Params, query};
+use super::maps::MapsF32;
 use crate::waves::Plan;
 use exr::prelude::*;
 use std::io::Cursor;
@@ -12,7 +10,7 @@ use std::io::Cursor;
 ///
 /// # Errors
 /// If the maps cannot be written.
-fn encode(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<Vec<u8>, String> {
+pub fn encode(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<Vec<u8>, String> {
     let chop = plan.sea.lambda().map(|l| l as f32);
     let n = maps.n;
     let encoding =
@@ -40,20 +38,4 @@ fn encode(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<Vec<u
     let mut bytes = Cursor::new(Vec::new());
     image.write().to_buffered(&mut bytes).map_err(|e| format!("the maps cannot be written: {e}"))?;
     Ok(bytes.into_inner())
-}
-
-impl App {
-    /// Saves the maps of the current moment; the result arrives in `saved`.
-    pub(super) fn save_maps(&mut self) {
-        let params: Params = rounding::rounded(&self.params);
-        let state = query::write(&params);
-        let gpu = self.gpu();
-        let (inbox, ctx, folder) = (self.saved.clone(), self.ctx.clone(), self.save_folder.clone());
-        tasks::spawn(async move {
-            let plan = Plan::new(&params);
-            let read = ocean::maps::read(&gpu, &params).await;
-            let made = read.and_then(|maps| encode(&plan, &maps, &state));
-            inbox.put(made.and_then(|exr| storage::save(folder.as_deref(), "seastate-maps.exr", &exr)), &ctx);
-        });
-    }
 }
