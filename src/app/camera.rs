@@ -1,7 +1,9 @@
 //! Mouse, touch and keyboard move the camera. Input on the panel never does.
 
+use super::App;
 use crate::state::motion::{fly, orbit, turn, zoom};
 use crate::state::params::{Camera, CameraMode};
+use crate::state::rounding::{pose, rounded};
 use egui::Key;
 
 /// Speed of flight: a constant part, m/s, and a part proportional to the height, 1/s.
@@ -64,4 +66,24 @@ pub fn keys(camera: &mut Camera, ctx: &egui::Context) {
     let step = dt * (SLOWEST_M_S + SPEED_PER_HEIGHT * camera.y_m) * if hurry { FASTER } else { 1.0 };
     fly(camera, aside * step, ahead * step, rise * step);
     ctx.request_repaint();
+}
+
+impl App {
+    /// Rounds camera and stopped time once no input moves them, so that the picture is exactly the one that a link
+    /// opens.
+    pub(super) fn round_when_idle(&mut self, ctx: &egui::Context) {
+        if ctx.input(|i| i.pointer.any_down() || !i.keys_down.is_empty() || i.any_touches()) {
+            return;
+        }
+        // More digits in a link are kept until the user moves the camera.
+        if self.idle_pose.as_ref() == Some(&pose(&self.params)) {
+            return;
+        }
+        let rounded = rounded(&self.params);
+        self.params.camera = rounded.camera;
+        if self.params.clock.paused {
+            self.params.clock.t_s = rounded.clock.t_s;
+        }
+        self.idle_pose = Some(pose(&self.params));
+    }
 }

@@ -1,6 +1,6 @@
-//! How the app survives a lost device. eframe cannot replace its device, so the host starts eframe again and moves the app
-//! into it with state, time, undo history, panel and record. Only GPU resources are created anew; the foam's past is
-//! replayed from the time, as at any start.
+//! How the app survives a lost device. eframe cannot replace its device, so the host starts eframe again and moves the
+//! app into it with state, time, undo history, panel and record. Only GPU resources are created anew; the foam's past
+//! is replayed from the time, as at any start.
 
 use super::gpu_errors::GpuErrors;
 use super::measurements::{FrameMeasurements, SeaMeasurement};
@@ -11,6 +11,9 @@ use crate::ocean::{Film, Ocean};
 use crate::state::Params;
 use std::cell::RefCell;
 use std::rc::Rc;
+
+/// Result of the closure with which eframe creates its app.
+pub type Created = Result<Box<dyn eframe::App>, Box<dyn std::error::Error + Send + Sync>>;
 
 /// Holds the app between two runs of eframe.
 pub type ParkedApp = Rc<RefCell<Option<App>>>;
@@ -105,7 +108,10 @@ impl App {
         self.frame_measurements = FrameMeasurements::default();
         self.sea_measurement = SeaMeasurement::default();
         if out_of_memory {
-            self.say("The graphics card is short of memory, so the picture is less sharp: close other programs or tabs and start again.");
+            self.say(
+                "The graphics card is short of memory, so the picture is less sharp: close other programs or tabs and \
+                 start again.",
+            );
         } else if self.params.screen.panel {
             self.say("The graphics card was lost for a moment; the sea goes on.");
         }

@@ -1,4 +1,5 @@
-//! GPU errors after the start: each distinct error is logged once and shown in the panel; a device loss ends the frames.
+//! GPU errors after the start: each distinct error is logged once and shown in the panel; a device loss ends the
+//! frames.
 
 use futures_channel::oneshot;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};

@@ -1,5 +1,5 @@
-//! Measurements of the running sea, taken only while the panel shows them: times of the GPU passes, and statistics of the
-//! maps. No frame waits for the GPU; its results arrive in a later frame.
+//! Measurements of the running sea, taken only while the panel shows them: times of the GPU passes, and statistics of
+//! the maps. No frame waits for the GPU; its results arrive in a later frame.
 
 use super::{App, plots, tasks};
 use crate::ocean::{Ocean, Probe, Probed};

@@ -18,7 +18,6 @@ mod panel;
 mod plots;
 mod quality;
 mod report;
-mod rounding;
 #[cfg(target_arch = "wasm32")]
 mod screen_readers;
 pub mod setup;
@@ -33,7 +32,7 @@ pub mod web;
 use crate::gpu::Gpu;
 use crate::point::buoy_record::BuoyRecord;
 use crate::state::look::SkyFile;
-use crate::state::{Params, floats, query};
+use crate::state::{Params, floats, query, rounding};
 use derived::Derived;
 use gpu_errors::GpuErrors;
 

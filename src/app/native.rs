@@ -1,6 +1,6 @@
 //! The desktop window, and the files that the command line reads for the app.
 
-use super::device_loss::{AppHost, ParkedApp};
+use super::device_loss::{AppHost, Created, ParkedApp};
 use super::opened_files;
 use super::{App, setup};
 use crate::files::input::read_all;
@@ -44,7 +44,8 @@ pub fn run(params: &Params) -> Result<(), String> {
         losses.push(Instant::now());
         if losses.len() > MOST_LOSSES {
             return Err(format!(
-                "the GPU was lost {MOST_LOSSES} times within a minute: update its driver, then go on with: seastate \"{at}\""
+                "the GPU was lost {MOST_LOSSES} times within a minute: update its driver, then go on with: \
+                 seastate \"{at}\""
             ));
         }
         match opened {
@@ -95,7 +96,7 @@ fn open(state: &str, sky: Option<&SkyFile>, parked: &ParkedApp, last_window: &La
         ..Default::default()
     };
     let (state, sky, parked, last_window) = (state.to_owned(), sky.cloned(), parked.clone(), last_window.clone());
-    let create = move |cc: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, Box<dyn std::error::Error + Send + Sync>> {
+    let create = move |cc: &eframe::CreationContext<'_>| -> Created {
         let host = AppHost::new(cc, &parked, |cc| App::with_sky(cc, &state, sky))?;
         let rehearses = std::env::var_os(REHEARSAL).is_some();
         Ok(Box::new(Window { host, parked, last_window, rehearses, loses_device: false }))

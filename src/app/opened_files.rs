@@ -41,7 +41,10 @@ fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context
             // The size is checked before the file is read: a film would fill the tab's memory.
             let size = handle.web_file().map_or(0.0, |f| f.size());
             if size > input::most_bytes(&name) as f64 {
-                return inbox.put(Err(format!("{name}: too large for any file that Seastate reads: a buoy's spectrum (text) or a sky (.hdr, .exr)")), &ctx);
+                let reason = format!(
+                    "{name}: too large for any file that Seastate reads: a buoy's spectrum (text) or a sky (.hdr, .exr)"
+                );
+                return inbox.put(Err(reason), &ctx);
             }
             match handle.bytes_async().await {
                 Ok(bytes) => files.push((name, bytes)),
@@ -126,7 +129,8 @@ pub fn show_drop_hint(ctx: &egui::Context) {
     painter.text(
         screen.center(),
         egui::Align2::CENTER_CENTER,
-        "Drop a sky (.hdr, .exr), a picture saved here, a file of seas,\nor a buoy's spectrum (NDBC text or CSV of f, S, direction, spread)",
+        "Drop a sky (.hdr, .exr), a picture saved here, a file of seas,\n\
+         or a buoy's spectrum (NDBC text or CSV of f, S, direction, spread)",
         egui::FontId::proportional(20.0),
         egui::Color32::WHITE,
     );

@@ -12,7 +12,8 @@ const LEAST_SCALE: f64 = 0.4;
 const CPU_SCALE: f64 = 0.25;
 /// Fewest points along a side of a cascade; fewer would leave gaps between the bands.
 const LEAST_N: u32 = 128;
-/// Factor of the pixels along a side after every other out-of-memory error, and the fewest points that such errors leave.
+/// Factor of the pixels along a side after every other out-of-memory error, and the fewest points that such errors
+/// leave.
 const REFUSED_SCALE: f64 = 0.7;
 const REFUSED_N: u32 = 64;
 /// How long frames must be long before the quality falls, and at first short before it rises, s.

@@ -1,5 +1,5 @@
-//! Screen readers on the page. eframe passes no accessibility tree to a browser, so web/readers.js mirrors AccessKit's tree
-//! as HTML elements, and actions on the elements come back as AccessKit requests.
+//! Screen readers on the page. eframe passes no accessibility tree to a browser, so web/readers.js mirrors AccessKit's
+//! tree as HTML elements, and actions on the elements come back as AccessKit requests.
 //!
 //! The tree is built from the first request on. Browser tests find widgets by it, too.
 
@@ -64,7 +64,8 @@ impl ScreenReaders {
         self.inner().items.clone()
     }
 
-    /// Applies an action to a widget: `click`, `focus`, `more`, `less`, `set` to a number, or `type` a text and confirm it.
+    /// Applies an action to a widget: `click`, `focus`, `more`, `less`, `set` to a number, or `type` a text and confirm
+    /// it.
     pub fn act(&self, ctx: &egui::Context, id: &str, action: &str, value: f64, text: &str) {
         let mut inner = self.inner();
         let (Ok(id), Some(target_tree)) = (id.parse().map(NodeId), inner.tree) else { return };

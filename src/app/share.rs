@@ -1,10 +1,10 @@
 //! Links, embedding code, saved pictures and saved maps.
 
-use super::{App, rounding::rounded, storage, tasks};
+use super::{App, storage, tasks};
 use crate::files::picture;
 use crate::gpu::offscreen::Picture;
 use crate::ocean::{Ocean, maps, maps_file};
-use crate::state::{Params, query};
+use crate::state::{Params, query, rounding::rounded};
 use crate::waves::Plan;
 
 impl App {
@@ -33,7 +33,8 @@ impl App {
         let link = format!("https://example.org/seastate/?{state}");
         let link = link.replace('&', "&amp;");
         self.ctx.copy_text(format!(
-            "<iframe src=\"{link}\" title=\"Seastate\" width=\"960\" height=\"540\" style=\"border:0\" allow=\"fullscreen\" loading=\"lazy\"></iframe>"
+            "<iframe src=\"{link}\" title=\"Seastate\" width=\"960\" height=\"540\" style=\"border:0\" \
+             allow=\"fullscreen\" loading=\"lazy\"></iframe>"
         ));
         self.say("Frame copied: paste it into a page.");
     }

@@ -61,8 +61,8 @@ impl Progress {
     }
 }
 
-/// Fills the rest of `ui` with the sea. `pixels` gives the picture's size in pixels from its size in points. Returns the
-/// response to `sense`, and the size in pixels.
+/// Fills the rest of `ui` with the sea. `pixels` gives the picture's size in pixels from its size in points. Returns
+/// the response to `sense`, and the size in pixels.
 pub fn show(
     ui: &mut egui::Ui,
     params: &Params,

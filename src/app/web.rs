@@ -1,14 +1,13 @@
 //! The page: functions that JavaScript calls, and the address that follows the state.
 
-use super::device_loss::{AppHost, ParkedApp};
+use super::device_loss::{AppHost, Created, ParkedApp};
 use super::gpu_errors::GpuErrors;
-use super::rounding::rounded;
 use super::screen_readers::AccessibleItem;
 use super::{App, setup, tasks};
 use crate::bench::{self, Options, Row};
 use crate::gpu::Gpu;
 use crate::ocean;
-use crate::state::{Params, query};
+use crate::state::{Params, query, rounding::rounded};
 use half::f16;
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -51,7 +50,7 @@ impl WebHandle {
             host.park(&self.parked);
         }
         let (parked, gpu_errors) = (self.parked.clone(), self.gpu_errors.clone());
-        let create = move |cc: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, Box<dyn std::error::Error + Send + Sync>> {
+        let create = move |cc: &eframe::CreationContext<'_>| -> Created {
             let mut host = AppHost::new(cc, &parked, from_address)?;
             gpu_errors.replace(host.app().map(|app| app.gpu_errors.clone()).unwrap_or_default());
             Ok(Box::new(host))
@@ -114,7 +113,8 @@ impl WebHandle {
         self.items().iter().map(|item| format!("{}: {}", item.label, item.value)).collect()
     }
 
-    /// Widgets and texts for screen readers: an array of objects in reading order, with `id`, AccessKit's `role`, `label`, `value`, `now`, `least`, `greatest`, `step`, `on`, `open`, `disabled`; empty until a frame after the
+    /// Widgets and texts for screen readers: an array of objects in reading order, with `id`, AccessKit's `role`,
+    /// `label`, `value`, `now`, `least`, `greatest`, `step`, `on`, `open`, `disabled`; empty until a frame after the
     /// first call.
     pub fn described(&self) -> js_sys::Array {
         self.items().iter().map(described).collect()
@@ -135,8 +135,8 @@ impl WebHandle {
         self.gpu_errors.borrow().lost()
     }
 
-    /// The maps of a state at its time, for tests: `n`, `cascades`, and cascade by cascade `heights` (elevation in f32) and
-    /// `displacement` (bits of the half-float texture).
+    /// The maps of a state at its time, for tests: `n`, `cascades`, and cascade by cascade `heights` (elevation in f32)
+    /// and `displacement` (bits of the half-float texture).
     ///
     /// # Errors
     /// If the program does not run or the GPU does not give its memory back.
@@ -156,9 +156,9 @@ impl WebHandle {
         ]))
     }
 
-    /// Times the passes of a state on another device of this browser, as `seastate bench --baseline` does. Calls `progress`
-    /// with the name of the next measurement. Returns an object with `text` (the table) and `passes` (objects with `pass`,
-    /// `n`, `cascades`, `width`, `height`, `ms`).
+    /// Times the passes of a state on another device of this browser, as `seastate bench --baseline` does. Calls
+    /// `progress` with the name of the next measurement. Returns an object with `text` (the table) and `passes`
+    /// (objects with `pass`, `n`, `cascades`, `width`, `height`, `ms`).
     ///
     /// # Errors
     /// If there is no GPU, or it is lost meanwhile.
@@ -286,8 +286,8 @@ impl App {
         self.message.as_ref().map_or_else(|| sea.clone(), |message| format!("{sea}. {}", message.text))
     }
 
-    /// Opens the address after back or forward; otherwise writes the state to it. A change of sea or light adds a history
-    /// entry; a change of time or camera replaces the current entry.
+    /// Opens the address after back or forward; otherwise writes the state to it. A change of sea or light adds a
+    /// history entry; a change of time or camera replaces the current entry.
     pub(super) fn sync_address(&mut self) {
         let query = address_query();
         if query != self.address.query {

@@ -6,7 +6,8 @@ use exr::prelude::*;
 use std::io::Cursor;
 
 /// Encodes the maps: displacement X, Y, Z (m, chop applied) and slopes of the undisplaced surface, cascade by cascade.
-/// Column i is at x = i patch / n east, row j at z = j patch / n south. The attribute `seastate` holds the state string.
+/// Column i is at x = i patch / n east, row j at z = j patch / n south. The attribute `seastate` holds the state
+/// string.
 ///
 /// # Errors
 /// If the maps cannot be written.

@@ -9,6 +9,7 @@ mod number;
 pub mod params;
 pub mod presets;
 pub mod query;
+pub mod rounding;
 mod versions;
 pub mod views;
 

@@ -108,8 +108,8 @@ fn button(ui: &mut egui::Ui, label: &str, help: &str) -> bool {
     ui.button(label).on_hover_text(help).clicked()
 }
 
-/// A label and a text field that fills the line up to the widgets that `right` adds at its right end. Returns the field's
-/// response and the result of `right`.
+/// A label and a text field that fills the line up to the widgets that `right` adds at its right end. Returns the
+/// field's response and the result of `right`.
 fn text_field<T>(
     ui: &mut egui::Ui,
     label: &str,

@@ -50,7 +50,8 @@ pub fn more(app: &App, ui: &mut egui::Ui) {
         let (seconds, slope) = (|x: f64| format!("{x:.2} s"), |x: f64| format!("{x:.4}"));
         let (degrees, percent) = (|x: f64| format!("{x:.1}°"), |x: f64| format!("{:.2} %", 100.0 * x));
         let m = &app.sea_measurement;
-        let help = "What the spectrum promises, what the waves on the grid hold, and what was read from the GPU's maps.";
+        let help = "What the spectrum promises, what the waves on the grid hold, and what was read from the GPU's \
+                    maps.";
         row("", ["theory", "computed", "measured"].map(str::to_owned), help);
         let hs = [metres.text(t.hs_m, 3), metres.text(r.hs_m, 3), known(m.hs_m(), &|x| metres.text(x, 3))];
         row("Hs", hs, "Significant wave height, 4 sqrt(m0).");
@@ -64,10 +65,11 @@ pub fn more(app: &App, ui: &mut egui::Ui) {
         let help = format!("Mean square slope of waves longer than {shortest_m:.2} m.");
         row("Slopes", [slope(t.mss), slope(r.mss), known(m.mss(), &slope)], &help);
         row("Spread", [degrees(t.spread_deg), degrees(r.spread_deg), none()], "Directional spread.");
-        let help = "Benjamin-Feir index: near 1 freak waves become likely in a narrow, long-crested sea (Janssen 2003).";
+        let help = "Benjamin-Feir index: near 1 freak waves become likely in a narrow, long-crested sea (Janssen \
+                    2003).";
         row("Benjamin-Feir", [format!("{:.2}", t.benjamin_feir), none(), none()], help);
-        let help = "Coverage by whitecaps at this wind (Monahan and O'Muircheartaigh 1980), and the mean of the foam that is \
-                    computed around the camera, however much of it is shown.";
+        let help = "Coverage by whitecaps at this wind (Monahan and O'Muircheartaigh 1980), and the mean of the foam \
+                    that is computed around the camera, however much of it is shown.";
         row("Whitecaps", [percent(t.whitecap_fraction), none(), known(m.coverage(), &percent)], help);
         row("Energy held", [none(), percent(r.m0_fraction), none()], "Share of the variance on the grid.");
     });

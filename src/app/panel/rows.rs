@@ -85,7 +85,8 @@ fn edit(field: &'static Field, value: &mut f64, units: Units, ui: &mut egui::Ui)
     }
 }
 
-/// A slider in the user's units. The metric value changes only when the slider moves, so that other units do not round it.
+/// A slider in the user's units. The metric value changes only when the slider moves, so that other units do not round
+/// it.
 fn number(
     field: &'static Field,
     value: &mut f64,

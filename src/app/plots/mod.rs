@@ -1,5 +1,6 @@
-//! Plots of the panel: the spectrum, its directions, the height at a point over time, and a profile of the sea. Each can be
-//! saved as CSV. The colours of Okabe and Ito (2008) are distinct in colour-blind sight; lines also differ in dashes.
+//! Plots of the panel: the spectrum, its directions, the height at a point over time, and a profile of the sea. Each
+//! can be saved as CSV. The colours of Okabe and Ito (2008) are distinct in colour-blind sight; lines also differ in
+//! dashes.
 
 pub mod polar;
 mod profile;

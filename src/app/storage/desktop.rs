@@ -4,8 +4,8 @@ use super::{SEAS, SEAS_ASIDE};
 use std::io::{ErrorKind, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
-/// Saves bytes under a name in `folder`, else in the user's folder for pictures, else in the current one. Existing files
-/// are kept: the name gets a number. Returns a message that names the file.
+/// Saves bytes under a name in `folder`, else in the user's folder for pictures, else in the current one. Existing
+/// files are kept: the name gets a number. Returns a message that names the file.
 ///
 /// # Errors
 /// One sentence with the reason.

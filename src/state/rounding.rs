@@ -1,13 +1,12 @@
 //! The precision of links: camera and time are rounded to the digits that a person can see.
 
-use super::App;
-use crate::state::Params;
-use crate::state::params::Camera;
+use super::Params;
+use super::params::Camera;
 
 /// The camera, and the time while it is stopped, s.
 pub type Pose = (Camera, Option<f64>);
 
-/// The values that [`App::round_when_idle`] rounds.
+/// Camera and stopped time of the parameters.
 pub fn pose(params: &Params) -> Pose {
     (params.camera.clone(), params.clock.paused.then_some(params.clock.t_s))
 }
@@ -24,23 +23,4 @@ pub fn rounded(params: &Params) -> Params {
         round(value, 10.0);
     }
     p
-}
-
-impl App {
-    /// Rounds camera and stopped time once no input moves them, so that the picture is exactly the one that a link opens.
-    pub(super) fn round_when_idle(&mut self, ctx: &egui::Context) {
-        if ctx.input(|i| i.pointer.any_down() || !i.keys_down.is_empty() || i.any_touches()) {
-            return;
-        }
-        // More digits in a link are kept until the user moves the camera.
-        if self.idle_pose.as_ref() == Some(&pose(&self.params)) {
-            return;
-        }
-        let rounded = rounded(&self.params);
-        self.params.camera = rounded.camera;
-        if self.params.clock.paused {
-            self.params.clock.t_s = rounded.clock.t_s;
-        }
-        self.idle_pose = Some(pose(&self.params));
-    }
 }
