@@ -1,9 +1,10 @@
-//! The app under egui_kittest: the same code that runs in the window and on the page, on a software GPU.
+//! The app under egui_kittest on a software adapter: the code that also runs in the window and on the page.
 
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use seastate::app::App;
-use seastate::app::lifeboat::{Berth, Shell};
+use seastate::app::device_loss::{AppHost, ParkedApp};
+use seastate::files::picture;
 
 fn open(state: &str) -> Harness<'static, App> {
     open_in(state, [900.0, 500.0])
@@ -27,7 +28,7 @@ fn a_state_opens_and_shows_its_numbers() {
     let picture = harness.render().expect("a picture");
     assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
     assert_eq!(harness.state().state(), "wind=10&fetch=100&t=5&pause=1&n=64");
-    // Significant height and peak period of this sea, from the literature.
+    // Significant wave height and peak period of this sea, from the literature.
     harness.get_by_label("2.14 m");
     harness.get_by_label("6.2 s");
     let first = picture.get_pixel(20, 250);
@@ -81,7 +82,7 @@ fn notices_of_the_state_are_shown() {
     harness.get_by_label_contains("unknown setting \"colour\"");
 }
 
-/// A file as a window hands it over.
+/// A dropped file.
 #[derive(Debug)]
 struct File(std::path::PathBuf);
 
@@ -144,7 +145,7 @@ fn a_dropped_sky_is_shown_and_carried_by_name() {
     assert_eq!(harness.state().state(), "pause=1&n=64&sky=made+up.hdr");
     harness.get_by_label_contains("half.hdr: it ends too early");
 
-    // A link that names it shows it again, one that names another says so.
+    // A link that names this sky shows it again; a link that names another sky reports that it is missing.
     harness.state_mut().set_state("n=64&pause=1&sky=made+up.hdr");
     harness.run_steps(2);
     assert!(harness.query_by_label_contains("is not loaded").is_none());
@@ -154,15 +155,15 @@ fn a_dropped_sky_is_shown_and_carried_by_name() {
     assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
 }
 
-/// Whatever is dropped or pasted: what cannot be read is said, and nothing else changes.
+/// A file or link that cannot be read adds a notice and changes nothing else.
 #[test]
 fn what_cannot_be_read_changes_nothing() {
     let folder = std::env::temp_dir().join(format!("seastate-hostile-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder");
     let state = "wind=17&t=3&pause=1&n=64";
     let mut harness = open(state);
-    let lost = seastate::app::picture::encode([1, 1], &[0; 4], "hello & goodbye", "").expect("a picture");
-    let plain = seastate::app::picture::encode([1, 1], &[0; 4], "", "").expect("a picture");
+    let lost = picture::encode([1, 1], &[0; 4], "hello & goodbye", "").expect("a picture");
+    let plain = picture::encode([1, 1], &[0; 4], "", "").expect("a picture");
     let cases: [(&str, &[u8], &str); 9] = [
         ("a.png", b"\x89PNG\r\n\x1a\nnonsense", "not a picture"),
         ("b.png", &lost[..lost.len() / 2], "not a picture"),
@@ -181,7 +182,7 @@ fn what_cannot_be_read_changes_nothing() {
         assert_eq!(harness.state().state(), state, "{name}");
         assert!(harness.query_by_label_contains(says).is_some(), "{name}: {}", harness.state().report());
     }
-    // A picture of the default sea is one, though its state says nothing.
+    // The picture of the default sea has an empty state string and opens, too.
     let path = folder.join("plain.png");
     std::fs::write(&path, plain).expect("a file");
     drop_files(&mut harness, &[path]);
@@ -261,7 +262,7 @@ fn beaufort_and_named_seas_set_the_sea_and_undo_takes_it_back() {
 #[test]
 fn a_search_finds_parameters_and_units_change() {
     let mut harness = open("n=64&pause=1&units=nautical&wind=10");
-    // 10 m/s, and the height of this sea in feet.
+    // The wind of 10 m/s in knots, and the wave height in feet.
     harness.get_by_label_contains("19.4 kn");
     let hs = format!("{:.2} ft", seastate::waves::Plan::new(&params(&harness)).hs_m() / 0.3048);
     assert!(harness.query_all_by_label(&hs).next().is_some(), "{hs}");
@@ -357,7 +358,7 @@ fn the_maps_are_saved_as_layers_of_one_file() {
 fn the_smallest_windows_are_drawn() {
     let mut harness = open("n=64&pause=1&renderscale=0.25&afloat=buoy*5*-9");
     harness.key_press(egui::Key::F1);
-    // The first picture is waited for.
+    // Waits for the first picture.
     while !harness.state().settled() {
         harness.run_steps(1);
         harness.render().expect("a picture");
@@ -405,7 +406,7 @@ fn the_picture_has_as_many_pixels_as_asked_for() {
     assert_eq!(harness.state().picture_size(), [450, 250]);
     let harness = open("n=64&pause=1");
     assert_eq!(harness.state().picture_size(), [900, 500]);
-    // Frames of a quarter of a second, on and on.
+    // Every frame takes a quarter of a second.
     let slow = |state: &'static str| {
         let mut harness = Harness::builder()
             .with_size(egui::vec2(900.0, 500.0))
@@ -443,7 +444,7 @@ fn the_sea_is_measured_and_its_passes_are_timed() {
     let measured = |harness: &Harness<'_, App>| harness.state().measured_hs_m().expect("a measured height");
     let first = measured(&harness);
     assert!((first / 2.139 - 1.0).abs() < 0.08, "{first}");
-    // Another sea is measured anew, once it is there, also while time stands still.
+    // Another sea is measured again after its cross-fade, also while time is stopped.
     harness.state_mut().set_state("wind=14&n=128&pause=1&t=5&renderscale=0.3");
     harness.run_steps(2);
     assert!(harness.query_by_label("Measured: mean of one moment.").is_none());
@@ -460,7 +461,7 @@ fn the_sheet_of_a_phone_opens_and_closes_with_a_tap() {
     for _ in 0..2 {
         harness.get_by_label_contains("tap to change").click();
         harness.run_steps(4);
-        // A finger can hit what is in it, and it leaves half of the sea.
+        // Its widgets are large enough for a finger, and it leaves the upper half of the sea visible.
         for label in ["Copy link", "Reset", "Picture"] {
             let rect = harness.get_by_label(label).rect();
             assert!(rect.height() >= 44.0 && rect.top() > 0.4 * 844.0, "{label}: {rect:?}");
@@ -473,7 +474,8 @@ fn the_sheet_of_a_phone_opens_and_closes_with_a_tap() {
     }
 }
 
-/// Not a test: pictures of the program in several sizes, to be looked at (`cargo test --test app -- --ignored`).
+/// Not a test: writes pictures of the program in several sizes for visual inspection (`cargo test --test app --
+/// --ignored`).
 #[test]
 #[ignore = "writes pictures to target/tmp/app"]
 fn pictures_to_look_at() {
@@ -524,21 +526,21 @@ fn pictures_to_look_at() {
     }
 }
 
-/// A window whose app can leave it, as the program's own.
-fn open_shell(berth: &Berth, state: &str) -> Harness<'static, Shell> {
-    let (berth, state) = (berth.clone(), state.to_owned());
+/// The app in its host, which can park it.
+fn open_host(parked: &ParkedApp, state: &str) -> Harness<'static, AppHost> {
+    let (parked, state) = (parked.clone(), state.to_owned());
     let mut harness = Harness::builder()
         .with_size(egui::vec2(300.0, 170.0))
         .with_pixels_per_point(1.0)
         .with_step_dt(1.0 / 60.0)
         .wgpu_setup(seastate::app::setup::wgpu_configuration().wgpu_setup)
-        .build_eframe(move |cc| Shell::new(cc, &berth, |cc| App::new(cc, &state)).expect("a device"));
+        .build_eframe(move |cc| AppHost::new(cc, &parked, |cc| App::new(cc, &state)).expect("a device"));
     harness.run_steps(3);
     harness
 }
 
-/// The picture once foam and glide have ended; a frame is recorded when it is rendered.
-fn settle(harness: &mut Harness<'_, Shell>) -> image::RgbaImage {
+/// The picture after the foam's replay and the cross-fade; a frame is recorded when it is rendered.
+fn settle(harness: &mut Harness<'_, AppHost>) -> image::RgbaImage {
     loop {
         harness.run_steps(1);
         let picture = harness.render().expect("a picture");
@@ -550,8 +552,8 @@ fn settle(harness: &mut Harness<'_, Shell>) -> image::RgbaImage {
 
 #[test]
 fn the_app_outlives_its_device() {
-    let berth = Berth::default();
-    let mut harness = open_shell(&berth, "n=64&wind=20&pause=1&t=20&ui=0");
+    let parked = ParkedApp::default();
+    let mut harness = open_host(&parked, "n=64&wind=20&pause=1&t=20&ui=0");
     let before = settle(&mut harness);
     let app = harness.state_mut().app().expect("an app");
     app.set_state("n=64&wind=9&pause=1&t=20&ui=0");
@@ -563,11 +565,11 @@ fn the_app_outlives_its_device() {
     device.destroy();
     let _ = device.poll(wgpu::PollType::Poll);
     assert!(app.device_lost().is_some());
-    harness.state_mut().leave(&berth);
+    harness.state_mut().park(&parked);
     assert!(harness.state_mut().app().is_none());
     drop(harness);
 
-    let mut harness = open_shell(&berth, "wind=3");
+    let mut harness = open_host(&parked, "wind=3");
     let app = harness.state_mut().app().expect("the app of before");
     assert_eq!((app.state(), app.device_lost()), (state, None));
     harness.key_press(egui::Key::Comma);

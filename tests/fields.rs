@@ -1,4 +1,4 @@
-//! Every parameter does something: another value changes a map or the picture.
+//! Every parameter has an effect: another value changes a map or the picture.
 
 mod common;
 
@@ -10,11 +10,11 @@ use seastate::state::fields::{FIELDS, Field, FieldKind, Group};
 use seastate::waves::Plan;
 use std::collections::BTreeMap;
 
-/// The sea that most parameters are tried on.
+/// The state on which parameters are tested.
 const BASE: &str = "wind=18&fetch=300&n=64&t=5&overcast=0.3&depth=12&sun=25";
 
-/// Where a default hides a parameter: what to add to the base (a later value of a key wins), and the value to try, or ""
-/// for one from the middle of the range. A star stands for the rest of a key.
+/// Parameters that have no effect in the base state: key (a star matches any start of a key), settings to add to the
+/// base (a later value of a key wins), and the value to test, or "" for one from the middle of the range.
 const NEEDS: &[(&str, &str, &str)] = &[
     ("hs", "", "2.5"),
     ("tp", "", "7"),
@@ -77,10 +77,10 @@ const NEEDS: &[(&str, &str, &str)] = &[
     ("bedcolour", "sun=60&overcast=0&depth=4&wind=6&pitch=-30", ""),
 ];
 
-/// What nothing still can show, and why.
+/// Parameters without an effect on a single picture, and the reason.
 const UNSEEN: &[(&str, &str)] = &[
     ("speed", "how fast the time runs: tests/app.rs lets it run"),
-    ("normsteps", "one step is exact to the seventh digit: few_steps_are_felt in model/spreading.rs"),
+    ("normsteps", "one step is exact to the seventh digit: few_steps_are_felt in waves/spreading.rs"),
     ("pause", "whether it runs: tests/app.rs stops it"),
     ("ui", "the panel alone: tests/app.rs hides it"),
     ("units", "the panel alone: tests/app.rs changes them"),
@@ -89,7 +89,7 @@ const UNSEEN: &[(&str, &str)] = &[
     ("maxdpr", "a window's pixels: tests/app.rs counts them"),
 ];
 
-/// Least mean difference of a picture, of 255, that counts: one step in one channel of a tenth of the pixels.
+/// Least mean difference of pictures, of 255, that counts: one step in one channel of a tenth of the pixels.
 const LEAST_PICTURE: f64 = 0.03;
 /// Least difference of the maps, relative to their rms.
 const LEAST_MAPS: f64 = 1e-3;
@@ -102,7 +102,7 @@ fn need(key: &str) -> Option<&'static (&'static str, &'static str, &'static str)
     NEEDS.iter().find(|(pattern, ..)| fits(pattern) && of_second(pattern))
 }
 
-/// Another value than the base has, from the middle of the range.
+/// A value from the middle of the range that differs from the base value.
 fn other(field: &Field, base: f64) -> f64 {
     let candidates = match field.kind {
         FieldKind::Number { min, max, log: false } => vec![0.3 * min + 0.7 * max, 0.7 * min + 0.3 * max],
@@ -122,7 +122,7 @@ fn other(field: &Field, base: f64) -> f64 {
 struct Lab {
     pictures: Pictures,
     sim: Option<Simulation>,
-    /// Maps and pictures of states that were asked for before.
+    /// Maps and pictures by state string.
     maps: BTreeMap<String, Vec<[f32; 4]>>,
     known: BTreeMap<String, Vec<[u8; 4]>>,
 }
@@ -136,7 +136,7 @@ impl Lab {
         common::read(gpu, sim, params.clock.t_s).texels
     }
 
-    /// What of the maps changes, relative to their rms; infinite for maps of another shape.
+    /// Difference of the maps, relative to their rms; infinite for maps of different sizes.
     fn maps_change(&mut self, state: &str, a: &Params, b: &Params) -> f64 {
         let b = self.maps(b);
         if !self.maps.contains_key(state) {
@@ -152,7 +152,7 @@ impl Lab {
         (pairs().map(|(x, y)| (x - y).powi(2)).sum::<f64>() / size).sqrt()
     }
 
-    /// Mean difference of the pictures, of 255.
+    /// Mean difference of the pictures, of 255; `state` is the key of the first one.
     fn picture_change(&mut self, state: &str, a: &Params, b: &Params) -> f64 {
         if !self.known.contains_key(state) {
             let picture = self.pictures.render(a, SIZE);
@@ -200,7 +200,7 @@ fn every_parameter_changes_a_map_or_the_picture() {
     assert!(unseen.is_empty(), "\n{}", unseen.join("\n"));
 }
 
-/// A state string in which a key that stands twice stands once, with its last value.
+/// A state string with each key once, with its last value.
 fn later_wins(state: &str) -> String {
     let pairs: Vec<(&str, &str)> = state.split('&').filter_map(|pair| pair.split_once('=')).collect();
     let last = |i: usize| pairs[i + 1..].iter().all(|(key, _)| *key != pairs[i].0);

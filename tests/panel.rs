@@ -1,4 +1,4 @@
-//! Every row of FIELDS in the panel and in the state string.
+//! Every parameter of FIELDS is set by the panel and carried by the state string.
 
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -6,7 +6,7 @@ use seastate::app::App;
 use seastate::state::fields::{FIELDS, Field, FieldKind};
 use seastate::state::{Params, query};
 
-/// Two other values than the default.
+/// Two values that differ from the default; twice the same if there is only one.
 fn others(field: &Field) -> [f64; 2] {
     let default = field.default_value();
     let candidates: Vec<f64> = match field.kind {
@@ -41,7 +41,7 @@ fn params(harness: &Harness<'_, App>) -> Params {
     query::parse(&harness.state().state()).0
 }
 
-/// The widget of a row: what is called as its label, and is nearest to the row's cross.
+/// The widget of a row: it has the row's label as its name and the height of the row's reset button.
 fn widget<'a>(harness: &'a Harness<'_, App>, field: &Field) -> egui_kittest::Node<'a> {
     let row = harness.get_by_label(&cross(field)).rect().center().y;
     let far = |node: &egui_kittest::Node<'_>| (node.rect().center().y - row).abs();
@@ -51,12 +51,12 @@ fn widget<'a>(harness: &'a Harness<'_, App>, field: &Field) -> egui_kittest::Nod
         .unwrap_or_else(|| panic!("{} is not in the panel", field.key))
 }
 
-/// Two waves systems have rows of the same names.
+/// Name of a row's reset button; labels alone are not unique, because both wave systems have the same ones.
 fn cross(field: &Field) -> String {
     format!("{}, {}: back to the default", field.group.label(), field.label)
 }
 
-/// A sea that is quick to make, at rest.
+/// A sea that is quick to compute, with stopped time.
 const BASE: &str = "pause=1&n=64&cascades=1";
 
 #[test]
@@ -84,7 +84,7 @@ fn the_panel_sets_every_parameter_and_takes_it_back() {
                 widget(&harness, field).set_value_accesskit(value);
                 harness.run_steps(2);
                 let now = (field.get)(&params(&harness));
-                // A slider takes what it shows.
+                // A slider rounds the value to the digits that it shows.
                 assert!((now - value).abs() <= 0.01 * value.abs().max(0.1), "{}: {now} instead of {value}", field.key);
             }
             FieldKind::Flag => {
@@ -102,7 +102,7 @@ fn the_panel_sets_every_parameter_and_takes_it_back() {
                 assert_eq!((field.get)(&params(&harness)), value, "{}", field.key);
             }
             FieldKind::Colour => {
-                // Its picker is egui's own.
+                // The colour picker belongs to egui: the test only opens it.
                 widget(&harness, field).click_accesskit();
                 harness.run_steps(3);
                 harness.key_press(egui::Key::Escape);
@@ -116,7 +116,7 @@ fn the_panel_sets_every_parameter_and_takes_it_back() {
         if !params(&harness).screen.panel {
             continue;
         }
-        // What it is set to is exactly what a link to it opens.
+        // A link to the state opens exactly this value.
         let set = params(&harness);
         harness.state_mut().set_state(&query::write(&set));
         harness.run_steps(2);

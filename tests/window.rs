@@ -1,6 +1,6 @@
-//! The window as a person uses it, on a display of its own: Xvfb shows it, xdotool is the hand and the keyboard, and what the
-//! program does is read from the pictures that it saves, which carry their state. `scripts/test.sh --only window` installs
-//! both and runs it: `cargo test --test window -- --ignored --test-threads 1`.
+//! The desktop window under real input: Xvfb is the display, xdotool moves pointer and keys, and the tests read the
+//! state in the pictures that the program saves. `scripts/test.sh --only window` installs both tools and runs `cargo
+//! test --test window -- --ignored --test-threads 1`.
 
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -13,25 +13,25 @@ use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// Few pixels of sea under a window of the usual size.
+/// A sea with few pixels in a window of the usual size.
 const STATE: &str = "n=64&pause=1&t=20&mesh=0.1&renderscale=0.25&adaptive=0";
 const SIZE: [f32; 2] = [1280.0, 720.0];
-/// What the program says on stderr.
+/// File with the program's stderr.
 const SAID: &str = "said.txt";
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// Ends with its owner.
+/// A process that is killed when this is dropped.
 struct Process(Child);
 
 impl Drop for Process {
     fn drop(&mut self) {
-        // It may have ended by itself.
+        // The process may have ended already.
         let _ = self.0.kill();
         let _ = self.0.wait();
     }
 }
 
-/// The program on a display.
+/// The program on a virtual display.
 struct Desk {
     program: Process,
     _display: Process,
@@ -53,10 +53,10 @@ fn until<T>(what: &str, mut try_it: impl FnMut() -> Option<T>) -> T {
 }
 
 impl Desk {
-    /// `name` tells its folder from that of another test.
+    /// Starts the program in a folder called `name`.
     fn open(name: &str, state: &str) -> Self {
         let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-        // Of the last run.
+        // Removes the files of an earlier run.
         let _ = std::fs::remove_dir_all(&folder);
         std::fs::create_dir_all(&folder).expect("a folder");
         let mut display = Command::new("Xvfb")
@@ -87,7 +87,7 @@ impl Desk {
         desk
     }
 
-    /// Takes the GPU away; `key` says when.
+    /// Destroys the GPU device with F12 (at a frame's start) or F11 (at its end), and waits for the new window.
     fn lose(&mut self, key: &str) {
         let losses = || {
             let said = std::fs::read_to_string(self.folder.join(SAID)).unwrap_or_default();
@@ -99,7 +99,7 @@ impl Desk {
         self.find();
     }
 
-    /// Takes hold of the program's window.
+    /// Finds the program's window, moves it to the corner and focuses it.
     fn find(&mut self) {
         let window = until("a window", || {
             let found = self.hand(&["search", "--onlyvisible", "--name", "^Seastate$"]);
@@ -140,23 +140,23 @@ impl Desk {
         self.hand(&["mouseup", "1", "sleep", "0.3"]);
     }
 
-    /// Has a picture saved and reads the state in it.
+    /// Saves a picture and returns its state.
     fn look(&self) -> Params {
         self.picture().0
     }
 
-    /// Has a picture saved; with its state.
+    /// Saves a picture and returns its state and pixels.
     fn picture(&self) -> (Params, image::RgbaImage) {
         self.key("p");
         let path = until("a picture", || {
             let mut files = std::fs::read_dir(&self.folder).ok()?.flatten().map(|f| f.path());
             files.find(|path| path.extension().is_some_and(|e| e == "png"))
         });
-        // It may still be written.
+        // The file may not be complete yet.
         let (state, picture) = until("a whole picture", || {
             let bytes = std::fs::read(&path).ok()?;
             let picture = image::load_from_memory(&bytes).ok()?;
-            seastate::app::picture::state_of(&bytes).ok().map(|state| (state, picture))
+            seastate::files::picture::state_of(&bytes).ok().map(|state| (state, picture))
         });
         std::fs::remove_file(&path).expect("the picture is ours");
         let (params, notices) = query::parse(&state);
@@ -164,15 +164,15 @@ impl Desk {
         (params, picture.to_rgba8())
     }
 
-    /// Looks until the state is as wanted: a frame takes its time in software. Then once more, as a picture shows the frame
-    /// before the key, and a drag may not have ended in it.
+    /// Saves pictures until the state is as wanted. Then saves one more, because a picture shows the frame before the
+    /// key, in which a drag may still be in progress.
     fn look_for(&self, what: &str, wanted: impl Fn(&Params) -> bool) -> Params {
         until(what, || Some(self.look()).filter(&wanted));
         self.look()
     }
 }
 
-/// Middles of widgets of the same program in a window of the same size.
+/// Centres of widgets, found in a test window of the same size.
 fn places(state: &str, labels: &[&str]) -> Vec<[f32; 2]> {
     let state = state.to_owned();
     let mut harness = Harness::builder()
@@ -181,7 +181,7 @@ fn places(state: &str, labels: &[&str]) -> Vec<[f32; 2]> {
         .wgpu_setup(seastate::app::setup::wgpu_configuration().wgpu_setup)
         .build_eframe(move |cc| App::new(cc, &state).expect("a device"));
     harness.run_steps(4);
-    // A slider comes before its number.
+    // The first widget of a name is the slider, the second its number.
     let first = |label: &&str| harness.get_all_by_label(label).next().expect("a widget").rect().center();
     labels.iter().map(first).map(|at| [at.x, at.y]).collect()
 }
@@ -203,7 +203,7 @@ fn the_window_is_used_as_a_person_does() {
     desk.key("ctrl+shift+z");
     desk.look_for("the new wind", |p| p.sea.local().wind_m_s == windy.sea.local().wind_m_s);
 
-    // The left button looks around, over the sea; the panel keeps the pointer for itself.
+    // The left button looks around over the sea, but not over the panel.
     desk.drag([300.0, 300.0], [420.0, 330.0]);
     let turned = desk.look_for("a turn", |p| p.camera.heading_deg != first.camera.heading_deg);
     assert_eq!(turned.camera.mode, CameraMode::Fly);
@@ -213,7 +213,7 @@ fn the_window_is_used_as_a_person_does() {
     desk.to([300.0, 300.0]);
     desk.hand(&["sleep", "0.2", "click", "--repeat", "3", "--delay", "120", "4"]);
     let closer = desk.look_for("a step ahead", |p| p.camera != turned.camera);
-    // And keys fly.
+    // Keys fly.
     desk.hand(&["keydown", "w", "sleep", "1.0", "keyup", "w"]);
     desk.look_for("a flight", |p| p.camera.z_m != closer.camera.z_m || p.camera.x_m != closer.camera.x_m);
 
@@ -226,7 +226,7 @@ fn the_window_is_used_as_a_person_does() {
     let stood = desk.look_for("a sea that stands", |p| p.clock.paused);
     assert_eq!(desk.look().clock, stood.clock);
 
-    // The panel goes and comes back; views have a key, and Escape leaves them before it closes the window.
+    // H hides and shows the panel; V shows a view, and Escape leaves the view before it closes the window.
     desk.key("h");
     desk.look_for("no panel", |p| !p.screen.panel);
     desk.key("h");
@@ -239,7 +239,7 @@ fn the_window_is_used_as_a_person_does() {
     desk.click(reset);
     desk.look_for("the default sea", |p| p.sea == Params::default().sea);
 
-    // Another size; the same sea.
+    // Another window size keeps the state.
     desk.key("space");
     let before = desk.look_for("a sea that stands", |p| p.clock.paused);
     for [width, height] in [["640", "480"], ["1280", "720"]] {
@@ -251,7 +251,7 @@ fn the_window_is_used_as_a_person_does() {
     assert!(status.success(), "{status}");
 }
 
-/// Two hundred sizes down to a single pixel, some of them while the window is not shown: no end, and the same sea.
+/// The program survives two hundred window sizes down to one pixel, some of them while hidden, and keeps its state.
 #[test]
 #[ignore = "needs Xvfb and xdotool: scripts/test.sh has them"]
 fn the_window_survives_any_size() {
@@ -265,7 +265,7 @@ fn the_window_survives_any_size() {
             2 => [1 + dice[0] % 1400, 1],
             _ => [1 + dice[0] % 1400, 1 + dice[1] % 800],
         };
-        // Without a window manager, this is what minimising and restoring do.
+        // Without a window manager, unmapping and mapping stand for minimising and restoring.
         if i % 25 == 12 {
             desk.hand(&["windowunmap", &desk.window, "sleep", "0.1"]);
         }
@@ -284,20 +284,20 @@ fn the_window_survives_any_size() {
     assert!(status.success(), "{status}");
 }
 
-/// Mean difference of two pictures of one size, 0 to 1.
+/// Mean difference of two pictures of equal size, 0 to 1.
 fn apart(a: &image::RgbaImage, b: &image::RgbaImage) -> f64 {
     assert_eq!(a.dimensions(), b.dimensions());
     let sum: u64 = a.iter().zip(b.iter()).map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
     sum as f64 / (255.0 * a.len() as f64)
 }
 
-/// The GPU is taken away while the sea stands, runs, is turned, and while the window changes: the same sea comes back.
+/// The state survives a device loss while time is stopped, while it runs, during a drag and during a change of size.
 #[test]
 #[ignore = "needs Xvfb and xdotool: scripts/test.sh has them"]
 fn the_window_outlives_its_gpu() {
     let mut desk = Desk::open("window-losses", &format!("{STATE}&wind=17&heading=20&afloat=buoy*4*-30"));
     for moment in ["still", "running", "turning", "resized", "painted", "still"] {
-        // Foam takes some frames to come back, or to stand.
+        // Waits until the foam no longer changes.
         let mut last = desk.picture();
         let (before, picture) = until("a picture that stays", || {
             let earlier = std::mem::replace(&mut last, desk.picture());

@@ -1,5 +1,5 @@
 // The panel for screen readers, which see the canvas as one picture. On request, every widget gets an HTML element.
-// The program describes its widgets (src/app/readers.rs) and receives the actions on their elements.
+// The program describes its widgets (src/app/screen_readers.rs) and receives the actions on their elements.
 
 const EVERY_MS = 200; // interval at which the elements follow the widgets
 

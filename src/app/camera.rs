@@ -1,85 +1,20 @@
-//! Mouse, touch and keyboard move the camera. Only what happens on the sea counts, never on the panel.
+//! Mouse, touch and keyboard move the camera. Input on the panel never does.
 
-use crate::state::Params;
-use crate::state::camera::EARTH_RADIUS_M;
+use super::App;
+use crate::state::motion::{fly, orbit, turn, zoom};
 use crate::state::params::{Camera, CameraMode};
+use crate::state::rounding::{pose, rounded};
 use egui::Key;
 
-/// Slowest and height-proportional speed of flight, m/s and 1/s.
+/// Speed of flight: a constant part, m/s, and a part proportional to the height, 1/s.
 const SLOWEST_M_S: f64 = 6.0;
 const SPEED_PER_HEIGHT: f64 = 0.8;
+/// Factor of the speed while Shift is held.
 const FASTER: f64 = 8.0;
-/// Heights that a camera may have, m.
-const HEIGHTS_M: std::ops::RangeInclusive<f64> = 1.0..=5000.0;
-/// The farthest point that a camera turns around, over its height and in m: a point at the horizon is no centre.
-const FAR_HEIGHTS: f64 = 12.0;
-const FAR_M: f64 = 30.0;
-/// Degrees of an orbit per point that is dragged.
+/// Turn of an orbit per dragged point, degrees.
 const ORBIT_DEG: f64 = 0.3;
 
-/// A place to look from.
-pub struct NamedView {
-    /// Its name.
-    pub name: &'static str,
-    /// What is seen from there.
-    pub about: &'static str,
-    camera: fn(&Params) -> Camera,
-}
-
-/// Places to look from: the place over the sea stays, the height and the view change.
-pub const VIEWS: &[NamedView] = &[
-    NamedView { name: "Deck", about: "Seven metres up, as at the start.", camera: |p| seen(p, 7.0, -4.0, 50.0) },
-    NamedView {
-        name: "Swimmer",
-        about: "An eye just above the water, riding on it.",
-        camera: |p| Camera { mode: CameraMode::Buoy, ..seen(p, 1.0, 2.0, 60.0) },
-    },
-    NamedView { name: "Bridge", about: "From the bridge of a large ship.", camera: |p| seen(p, 28.0, -8.0, 50.0) },
-    NamedView {
-        name: "Cliff",
-        about: "From a hundred metres, with a long lens.",
-        camera: |p| seen(p, 100.0, -7.0, 25.0),
-    },
-    NamedView {
-        name: "Aeroplane",
-        about: "From a kilometre: the pattern of the swell.",
-        camera: |p| seen(p, 1000.0, -25.0, 50.0),
-    },
-    NamedView { name: "Straight down", about: "The water from above.", camera: |p| seen(p, 60.0, -89.0, 50.0) },
-    NamedView {
-        name: "Into the waves",
-        about: "Against the direction that the waves run in.",
-        camera: |p| Camera { heading_deg: p.sea.local().from_deg, ..seen(p, 4.0, -2.0, 50.0) },
-    },
-    NamedView {
-        name: "Into the sun",
-        about: "Along the path of glitter.",
-        camera: |p| {
-            let [x, up, z] = p.look.sky.sun_direction();
-            let sun_deg = x.atan2(-z).to_degrees().rem_euclid(360.0);
-            Camera {
-                heading_deg: round(sun_deg),
-                ..seen(p, 7.0, (0.4 * up.asin().to_degrees() - 8.0).clamp(-20.0, 10.0), 50.0)
-            }
-        },
-    },
-];
-
-fn seen(p: &Params, y_m: f64, pitch_deg: f64, fov_deg: f64) -> Camera {
-    let mode = if p.camera.mode == CameraMode::Buoy { CameraMode::Fly } else { p.camera.mode };
-    Camera { y_m, pitch_deg: round(pitch_deg), fov_deg, mode, ..p.camera.clone() }
-}
-
-fn round(degrees: f64) -> f64 {
-    degrees.round()
-}
-
-/// Goes to a named view.
-pub fn turn_to(params: &mut Params, view: &NamedView) {
-    params.camera = (view.camera)(params);
-}
-
-/// Dragging looks around, the wheel and pinching zoom, two fingers also carry the camera.
+/// Dragging looks around, the wheel and pinching zoom, two fingers also move the camera over the sea.
 pub fn pointer(camera: &mut Camera, response: &egui::Response, ctx: &egui::Context) {
     let height = f64::from(response.rect.height()).max(1.0);
     let degrees_per_point = camera.fov_deg / height;
@@ -87,11 +22,8 @@ pub fn pointer(camera: &mut Camera, response: &egui::Response, ctx: &egui::Conte
         if response.hovered() || response.dragged() {
             zoom(camera, 1.0 / f64::from(touch.zoom_delta.max(0.1)));
             let metres = camera.y_m * 2.0 / height;
-            carry(
-                camera,
-                -f64::from(touch.translation_delta.x) * metres,
-                f64::from(touch.translation_delta.y) * metres,
-            );
+            let [x, y] = [touch.translation_delta.x, touch.translation_delta.y].map(f64::from);
+            fly(camera, -x * metres, y * metres, 0.0);
         }
         return;
     }
@@ -111,7 +43,7 @@ pub fn pointer(camera: &mut Camera, response: &egui::Response, ctx: &egui::Conte
     }
 }
 
-/// WASD and the arrows fly, Q and E sink and rise, shift hurries, C goes through the modes.
+/// WASD and the arrows fly, Q and E sink and rise, Shift flies faster, C switches the mode.
 pub fn keys(camera: &mut Camera, ctx: &egui::Context) {
     if ctx.input(|i| i.key_pressed(Key::C) && i.modifiers.is_none()) {
         camera.mode = match camera.mode {
@@ -132,123 +64,26 @@ pub fn keys(camera: &mut Camera, ctx: &egui::Context) {
     }
     let (dt, hurry) = ctx.input(|i| (f64::from(i.stable_dt).min(0.1), i.modifiers.shift));
     let step = dt * (SLOWEST_M_S + SPEED_PER_HEIGHT * camera.y_m) * if hurry { FASTER } else { 1.0 };
-    carry(camera, aside * step, ahead * step);
-    camera.y_m = (camera.y_m + rise * step).clamp(*HEIGHTS_M.start(), *HEIGHTS_M.end());
+    fly(camera, aside * step, ahead * step, rise * step);
     ctx.request_repaint();
 }
 
-fn turn(camera: &mut Camera, right_deg: f64, up_deg: f64) {
-    camera.heading_deg = (camera.heading_deg + right_deg).rem_euclid(360.0);
-    camera.pitch_deg = (camera.pitch_deg + up_deg).clamp(-89.0, 60.0);
-}
-
-/// Distance along the view to the sea in the middle of the picture, or to as far as a camera turns around.
-fn pivot_m(camera: &Camera) -> f64 {
-    let far = FAR_HEIGHTS * camera.y_m + FAR_M;
-    let down = -camera.pitch_deg.to_radians().sin();
-    // The round Earth is flat as far as this reaches.
-    debug_assert!(far < EARTH_RADIUS_M);
-    if down > 0.0 { (camera.y_m / down).min(far) } else { far }
-}
-
-/// Unit vector into the picture.
-fn forward(camera: &Camera) -> [f64; 3] {
-    let (sin, cos) = camera.heading_deg.to_radians().sin_cos();
-    let (up, level) = camera.pitch_deg.to_radians().sin_cos();
-    [sin * level, up, -cos * level]
-}
-
-/// Turns around the sea in the middle of the picture, at the same distance.
-fn orbit(camera: &mut Camera, right_deg: f64, up_deg: f64) {
-    let distance = pivot_m(camera);
-    let before = forward(camera);
-    let pivot = [camera.x_m, camera.y_m, camera.z_m].map(f64::from);
-    let pivot: [f64; 3] = std::array::from_fn(|i| pivot[i] + distance * before[i]);
-    // Not below the horizon, nor so flat that the eye would leave the air.
-    let lowest = -((HEIGHTS_M.start() - pivot[1]) / distance).clamp(-1.0, 1.0).asin().to_degrees();
-    camera.heading_deg = (camera.heading_deg + right_deg).rem_euclid(360.0);
-    camera.pitch_deg = (camera.pitch_deg - up_deg).clamp(-89.0, lowest.max(-89.0));
-    let after = forward(camera);
-    let eye: [f64; 3] = std::array::from_fn(|i| pivot[i] - distance * after[i]);
-    place(camera, eye);
-}
-
-/// A longer lens, or in orbit a shorter way to the sea in the middle of the picture.
-fn zoom(camera: &mut Camera, factor: f64) {
-    if camera.mode != CameraMode::Orbit {
-        camera.fov_deg = (camera.fov_deg * factor).clamp(10.0, 100.0);
-        return;
-    }
-    let ahead = forward(camera);
-    let distance = pivot_m(camera);
-    // As near as the least height lets it, as far as the greatest.
-    let down = (-ahead[1]).max(1e-3);
-    let least = if -ahead[1] > 1e-3 { HEIGHTS_M.start() / down } else { 5.0 };
-    let wanted = (distance * factor).clamp(least, HEIGHTS_M.end() / down);
-    let eye = [camera.x_m, camera.y_m, camera.z_m];
-    place(camera, std::array::from_fn(|i| eye[i] + (distance - wanted) * ahead[i]));
-}
-
-fn place(camera: &mut Camera, [x, y, z]: [f64; 3]) {
-    camera.x_m = x.clamp(-1e6, 1e6);
-    camera.y_m = y.clamp(*HEIGHTS_M.start(), *HEIGHTS_M.end());
-    camera.z_m = z.clamp(-1e6, 1e6);
-}
-
-/// Moves over the sea, in metres to the right and ahead.
-fn carry(camera: &mut Camera, right_m: f64, ahead_m: f64) {
-    let (sin, cos) = camera.heading_deg.to_radians().sin_cos();
-    camera.x_m = (camera.x_m + ahead_m * sin + right_m * cos).clamp(-1e6, 1e6);
-    camera.z_m = (camera.z_m - ahead_m * cos + right_m * sin).clamp(-1e6, 1e6);
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn pivot(camera: &Camera) -> [f64; 3] {
-        let (d, f) = (pivot_m(camera), forward(camera));
-        let eye = [camera.x_m, camera.y_m, camera.z_m];
-        std::array::from_fn(|i| eye[i] + d * f[i])
-    }
-
-    #[test]
-    fn an_orbit_keeps_its_centre_and_its_distance() {
-        let mut camera = Camera { mode: CameraMode::Orbit, pitch_deg: -30.0, y_m: 40.0, ..Camera::default() };
-        let (centre, distance) = (pivot(&camera), pivot_m(&camera));
-        assert!(centre[1].abs() < 1e-9, "on the water");
-        for (right, up) in [(50.0, 0.0), (0.0, 20.0), (-200.0, -30.0), (10.0, 5.0)] {
-            orbit(&mut camera, right, up);
-            let now = pivot(&camera);
-            assert!((0..3).all(|i| (now[i] - centre[i]).abs() < 1e-6), "{centre:?} {now:?}");
-            assert!((pivot_m(&camera) - distance).abs() < 1e-6);
+impl App {
+    /// Rounds camera and stopped time once no input moves them, so that the picture is exactly the one that a link
+    /// opens.
+    pub(super) fn round_when_idle(&mut self, ctx: &egui::Context) {
+        if ctx.input(|i| i.pointer.any_down() || !i.keys_down.is_empty() || i.any_touches()) {
+            return;
         }
-        zoom(&mut camera, 0.5);
-        let now = pivot(&camera);
-        assert!((0..3).all(|i| (now[i] - centre[i]).abs() < 1e-6), "{centre:?} {now:?}");
-        assert!((pivot_m(&camera) - 0.5 * distance).abs() < 1e-6);
-    }
-
-    #[test]
-    fn no_camera_goes_under() {
-        for pitch_deg in [-89.0, -30.0, -1.0, 0.0, 30.0] {
-            let mut camera = Camera { mode: CameraMode::Orbit, pitch_deg, ..Camera::default() };
-            for i in 0..200 {
-                orbit(&mut camera, f64::from(i), if i % 7 < 4 { 25.0 } else { -30.0 });
-                zoom(&mut camera, if i % 5 < 3 { 0.3 } else { 2.0 });
-                assert!(HEIGHTS_M.contains(&camera.y_m) && camera.pitch_deg <= 60.0, "{camera:?}");
-            }
+        // More digits in a link are kept until the user moves the camera.
+        if self.idle_pose.as_ref() == Some(&pose(&self.params)) {
+            return;
         }
-    }
-
-    #[test]
-    fn every_named_view_is_one_that_a_link_can_carry() {
-        let mut params = Params::default();
-        for view in VIEWS {
-            turn_to(&mut params, view);
-            let state = crate::state::query::write(&params);
-            let (read, notices) = crate::state::query::parse(&state);
-            assert_eq!((read, notices), (params.clone(), vec![]), "{}", view.name);
+        let rounded = rounded(&self.params);
+        self.params.camera = rounded.camera;
+        if self.params.clock.paused {
+            self.params.clock.t_s = rounded.clock.t_s;
         }
+        self.idle_pose = Some(pose(&self.params));
     }
 }

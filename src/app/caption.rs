@@ -1,4 +1,4 @@
-//! What a view shows, below it: name, cascades, colours and what they stand for. And the keys that go through the views.
+//! The caption of a debug view: name, colour bar and explanation; and the keys that switch between views.
 
 use crate::state::Params;
 use crate::state::views::{Shown, ViewChoice};
@@ -6,11 +6,11 @@ use crate::waves::Plan;
 use crate::waves::colour_scale::{Palette, caption};
 use egui::{Color32, Key};
 
-/// Size of the bar of colours, points.
+/// Size of the colour bar, points.
 const BAR: egui::Vec2 = egui::vec2(220.0, 10.0);
 
-/// V goes on to the next view, with shift back; digits choose a cascade; Escape returns to the picture. Returns whether
-/// Escape was used up.
+/// V shows the next view, Shift+V the previous one; digits choose a cascade; Escape returns to the picture. Returns
+/// whether Escape was used.
 pub fn keys(view: &mut ViewChoice, ctx: &egui::Context) -> bool {
     let pressed = |key| ctx.input(|i| i.key_pressed(key));
     if pressed(Key::V) {
@@ -31,7 +31,7 @@ pub fn keys(view: &mut ViewChoice, ctx: &egui::Context) -> bool {
     back
 }
 
-/// Shows the caption of the view, if there is one.
+/// Shows the caption; the ordinary picture has none.
 pub fn show(params: &Params, plan: &Plan, ctx: &egui::Context) {
     let view = params.look.view;
     if view.shown == Shown::Picture {

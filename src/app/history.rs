@@ -1,95 +1,80 @@
-//! Undo and redo of what was set. Time and camera move on by themselves and are left out of it.
+//! Undo and redo of parameter changes. Time and camera move by themselves and are not part of a step.
 
 use crate::state::Params;
+use egui::util::undoer::{Settings, Undoer};
 
 /// Steps that are kept.
 const MOST_STEPS: usize = 200;
-/// A value that has not changed for this long is what the user meant, s.
-const SETTLED_S: f64 = 0.4;
+/// A change becomes a step once the value has been constant for this long, s.
+const SETTLED_S: f32 = 0.4;
 
-/// What was set before, and what was undone.
-#[derive(Default)]
-pub struct History {
-    /// The last state that counts as a step.
-    current: Option<Params>,
-    /// The state at the last look, and since when.
-    latest: Option<(Params, f64)>,
-    undo: Vec<Params>,
-    redo: Vec<Params>,
+/// Parameters before and after each step.
+pub struct History(Undoer<Params>);
+
+impl Default for History {
+    fn default() -> Self {
+        // The undoer's list also holds the current state.
+        let max_undos = MOST_STEPS + 1;
+        Self(Undoer::with_settings(Settings { max_undos, stable_time: SETTLED_S, auto_save_interval: f32::INFINITY }))
+    }
 }
 
 impl History {
-    /// Looks at the parameters, once a frame at time `now_s`. A drag is one step: it counts when the value rests.
+    /// Takes the parameters of the frame at time `now_s`. While the pointer is held nothing counts: a drag is one step.
     pub fn watch(&mut self, params: &Params, held: bool, now_s: f64) {
-        let key = key(params);
-        match &mut self.latest {
-            Some((latest, since)) if *latest != key => (*latest, *since) = (key, now_s),
-            None => self.latest = Some((key, now_s)),
-            Some(_) => {}
-        }
-        let Some((latest, since)) = &self.latest else { return };
-        match &self.current {
-            None => self.current = Some(latest.clone()),
-            Some(current) if current != latest && !held && now_s - since >= SETTLED_S => self.commit(),
-            Some(_) => {}
+        if !held {
+            self.0.feed_state(now_s, &recorded(params));
         }
     }
 
-    /// Whether a change has not become a step yet: someone must look again.
+    /// Whether a change is not a step yet, so that another frame is needed.
     pub fn is_open(&self) -> bool {
-        self.latest.as_ref().map(|(p, _)| p) != self.current.as_ref()
+        self.0.is_in_flux()
     }
 
-    /// Makes a step of what has changed since the last one, rested or not.
-    pub fn commit(&mut self) {
-        let Some((latest, _)) = self.latest.clone() else { return };
-        if let Some(current) = self.current.replace(latest.clone())
-            && current != latest
-        {
-            self.undo.push(current);
-            self.redo.clear();
-            if self.undo.len() > MOST_STEPS {
-                self.undo.remove(0);
-            }
-        }
+    /// Makes a step of the changes since the last one at once.
+    pub fn commit(&mut self, params: &Params) {
+        let now = self.feed(params);
+        self.0.add_undo(&now);
     }
 
-    /// Whether there is something to undo, or to redo.
-    pub fn can(&self) -> (bool, bool) {
-        (!self.undo.is_empty() || self.is_open(), !self.redo.is_empty())
+    /// Whether there is a step to undo, and one to redo.
+    pub fn can(&self, params: &Params) -> (bool, bool) {
+        let now = recorded(params);
+        (self.0.has_undo(&now), self.0.has_redo(&now))
     }
 
     /// Goes one step back.
     pub fn undo(&mut self, params: &mut Params) {
-        self.commit();
-        if let (Some(before), Some(current)) = (self.undo.pop(), self.current.clone()) {
-            self.redo.push(current);
-            self.turn(params, before);
-        }
+        let now = self.feed(params);
+        restore(params, self.0.undo(&now));
     }
 
-    /// Goes one step forward again.
+    /// Goes one step forward.
     pub fn redo(&mut self, params: &mut Params) {
-        self.commit();
-        if let (Some(next), Some(current)) = (self.redo.pop(), self.current.clone()) {
-            self.undo.push(current);
-            self.turn(params, next);
-        }
+        let now = self.feed(params);
+        restore(params, self.0.redo(&now));
     }
 
-    fn turn(&mut self, params: &mut Params, to: Params) {
-        let (clock, camera) = (params.clock.clone(), params.camera.clone());
-        *params = to.clone();
-        (params.clock, params.camera) = (clock, camera);
-        self.latest = Some((to.clone(), f64::NEG_INFINITY));
-        self.current = Some(to);
+    /// Feeds parameters that may have changed since the last frame: a change leaves nothing to redo.
+    fn feed(&mut self, params: &Params) -> Params {
+        let now = recorded(params);
+        self.0.feed_state(f64::NEG_INFINITY, &now);
+        now
     }
 }
 
-/// The parameters without what moves by itself.
-fn key(params: &Params) -> Params {
-    let usual = Params::default();
-    Params { clock: usual.clock, camera: usual.camera, ..params.clone() }
+/// Sets all parameters but time and camera.
+fn restore(params: &mut Params, to: Option<&Params>) {
+    if let Some(to) = to {
+        *params = Params { clock: params.clock.clone(), camera: params.camera.clone(), ..to.clone() };
+    }
+}
+
+/// The parameters with default time and camera.
+fn recorded(params: &Params) -> Params {
+    let Params { clock, camera, .. } = Params::default();
+    Params { clock, camera, ..params.clone() }
 }
 
 #[cfg(test)]
@@ -116,9 +101,9 @@ mod tests {
         p.clock.t_s = 77.0;
         history.undo(&mut p);
         assert_eq!((p.sea.local().wind_m_s, p.clock.t_s), (12.0, 77.0));
-        assert_eq!(history.can(), (false, true));
+        assert_eq!(history.can(&p), (false, true));
         history.redo(&mut p);
-        assert_eq!((p.sea.local().wind_m_s, history.can()), (14.0, (true, false)));
+        assert_eq!((p.sea.local().wind_m_s, history.can(&p)), (14.0, (true, false)));
     }
 
     #[test]
@@ -134,7 +119,7 @@ mod tests {
         history.undo(&mut p);
         history.watch(&with_wind(5.0), false, 1.0);
         history.watch(&with_wind(5.0), false, 2.0);
-        assert_eq!(history.can(), (true, false), "another change leaves nothing to redo");
+        assert_eq!(history.can(&p), (true, false), "another change leaves nothing to redo");
     }
 
     /// Random values of random rows, one after the other: back to the first, forth to the last, each exactly.
@@ -176,11 +161,11 @@ mod tests {
             history.undo(&mut p);
             assert_eq!(&p, want);
         }
-        assert!(!history.can().0);
+        assert!(!history.can(&p).0);
         for want in steps.iter().rev().take(kept - 1).rev() {
             history.redo(&mut p);
             assert_eq!(&p, want);
         }
-        assert!(!history.can().1);
+        assert!(!history.can(&p).1);
     }
 }

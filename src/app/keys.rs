@@ -1,6 +1,9 @@
-//! The keyboard: what a key does, in one table for the help; docs/using.md lists it too.
+//! The keyboard: the table of keys, which docs/using.md lists too, their actions, and the window that shows the table.
 
-/// Keys and what they do.
+use super::{App, camera, caption, panel};
+use egui::{Key, Modifiers};
+
+/// Each key or gesture, and its effect.
 pub const KEYS: &[(&str, &str)] = &[
     ("drag", "look around; in orbit, turn around the sea in the middle"),
     ("wheel, pinch", "zoom; in orbit, come closer"),
@@ -20,7 +23,7 @@ pub const KEYS: &[(&str, &str)] = &[
     ("Escape", "close this list, leave a view; then close the window"),
 ];
 
-/// The list of keys, in a window of its own; `open` is cleared when it is closed.
+/// The window with the table of keys; closing it clears `open`.
 pub fn help(open: &mut bool, ctx: &egui::Context) {
     egui::Window::new("Keys and gestures")
         .open(open)
@@ -29,7 +32,7 @@ pub fn help(open: &mut bool, ctx: &egui::Context) {
         .anchor(egui::Align2::CENTER_CENTER, egui::Vec2::ZERO)
         .max_width(ctx.content_rect().width() - 24.0)
         .max_height(ctx.content_rect().height() - 60.0)
-        // All keys at once, where there is room for them.
+        // High enough for the whole table.
         .default_size([440.0, 510.0])
         .vscroll(true)
         .show(ctx, |ui| {
@@ -43,4 +46,63 @@ pub fn help(open: &mut bool, ctx: &egui::Context) {
             ui.separator();
             ui.label("On a touch screen one finger looks around, two fingers pinch to zoom and move over the water.");
         });
+}
+
+impl App {
+    /// Applies the keys pressed in this frame, unless a text field has the keyboard.
+    pub(super) fn handle_keys(&mut self, ctx: &egui::Context) {
+        if ctx.egui_wants_keyboard_input() {
+            return;
+        }
+        self.undo_keys(ctx);
+        let pressed = |key| ctx.input(|i| i.key_pressed(key));
+        let plain = |key| ctx.input(|i| i.key_pressed(key) && !i.modifiers.command && !i.modifiers.alt);
+        let clock = &mut self.params.clock;
+        // A focused widget uses Space and the arrow keys itself.
+        let free = ctx.memory(|m| m.focused().is_none());
+        if free && pressed(Key::Space) {
+            clock.paused = !clock.paused;
+        }
+        if free && pressed(Key::Home) {
+            clock.t_s = 0.0;
+        }
+        if pressed(Key::Period) {
+            panel::time::step(clock, 1.0);
+        }
+        if pressed(Key::Comma) {
+            panel::time::step(clock, -1.0);
+        }
+        if plain(Key::H) {
+            self.params.screen.panel = !self.params.screen.panel;
+        }
+        if plain(Key::L) {
+            self.copy_link();
+        }
+        if plain(Key::P) {
+            self.save_picture();
+        }
+        if pressed(Key::F1) || pressed(Key::Questionmark) {
+            self.help = !self.help;
+        }
+        let closes_help = self.help && pressed(Key::Escape);
+        if closes_help {
+            self.help = false;
+        }
+        let uses_escape = closes_help || caption::keys(&mut self.params.look.view, ctx);
+        if !uses_escape && cfg!(not(target_arch = "wasm32")) && pressed(Key::Escape) {
+            ctx.send_viewport_cmd(egui::ViewportCommand::Close);
+        }
+        if free {
+            camera::keys(&mut self.params.camera, ctx);
+        }
+    }
+
+    fn undo_keys(&mut self, ctx: &egui::Context) {
+        let pressed = |modifiers, key| ctx.input_mut(|i| i.consume_key(modifiers, key));
+        if pressed(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z) || pressed(Modifiers::COMMAND, Key::Y) {
+            self.history.redo(&mut self.params);
+        } else if pressed(Modifiers::COMMAND, Key::Z) {
+            self.history.undo(&mut self.params);
+        }
+    }
 }

@@ -1,54 +1,55 @@
-//! How many pixels the picture has: those of the window, as far as the machine keeps up with them.
+//! Adaptive quality: a machine that is too slow gets fewer pixels, and then fewer points per cascade.
 
 use crate::state::params::{Grid, Screen};
 
-/// A frame longer than this is seen as a stutter, s.
+/// Frame time above which motion stutters, s.
 const LONG_S: f64 = 1.0 / 40.0;
-/// A frame shorter than this leaves time for more, s: a screen of 60 Hz waits for its next turn.
+/// Frame time below which more pixels are tried, s; a screen of 60 Hz takes 1/60 s.
 const SHORT_S: f64 = 1.0 / 55.0;
-/// Fewest pixels along a side, over those asked for.
+/// Least scale of the pixels along a side, relative to the requested ones.
 const LEAST_SCALE: f64 = 0.4;
-/// Pixels along a side that an adapter starts with which is a CPU, over those asked for, and its fewest: there a frame of
-/// 1280x720 takes seconds, and the first one stands between a visitor and the sea.
+/// First and least scale on a software adapter, where a frame of 1280 x 720 takes seconds.
 const CPU_SCALE: f64 = 0.25;
-/// Fewest points along a side of a cascade: with these no gap opens between the bands.
+/// Fewest points along a side of a cascade; fewer would leave gaps between the bands.
 const LEAST_N: u32 = 128;
-/// What each second refusal of memory leaves of the pixels along a side, and the fewest points that it leaves of a cascade.
+/// Factor of the pixels along a side after every other out-of-memory error, and the fewest points that such errors
+/// leave.
 const REFUSED_SCALE: f64 = 0.7;
 const REFUSED_N: u32 = 64;
-/// How long frames must have been long before something is given up, and short before it is tried again, s.
+/// How long frames must be long before the quality falls, and at first short before it rises, s.
 const PATIENCE_S: f64 = 0.6;
 const TRIAL_S: f64 = 3.0;
 /// The longest wait between two trials, s.
 const MOST_TRIAL_S: f64 = 60.0;
-/// A frame after a pause, a hidden tab or a stall says nothing of the picture's cost, s; two in a row do.
+/// Frame time above which a single frame is ignored, s: it followed a pause, a hidden tab or a stall.
 const ODD_S: f64 = 4.0;
 
-/// Follows the frame time.
+/// Scale of the picture and number of points, controlled by the frame time.
 pub struct Quality {
     /// Smoothed time of a frame, s.
     frame_s: f64,
-    /// Pixels along a side over those asked for.
+    /// Pixels along a side, relative to the requested ones.
     scale: f64,
-    /// The fewest.
+    /// Least value of `scale`.
     least_scale: f64,
     /// Halvings of n.
     halvings: u32,
-    /// How long frames have been long (positive) or short (negative), s.
+    /// Time for which frames have been long (positive) or short (negative), s.
     pressure_s: f64,
-    /// Wait before the next trial, s: longer after each that failed.
+    /// Time of short frames before the quality rises, s: it doubles after each failed trial.
     trial_s: f64,
+    /// Whether the last change raised the quality.
     tried: bool,
-    /// How often the graphics memory did not suffice.
+    /// Number of out-of-memory errors.
     refusals: u32,
-    /// Whether the last frame was an odd one.
+    /// Whether the last frame was longer than [`ODD_S`].
     was_odd: bool,
+    /// Whether time is stopped.
     still: bool,
-    size: [u32; 2],
 }
 
 impl Quality {
-    /// To start with on an adapter of a kind, with a sea that stands still or not.
+    /// Initial quality on a kind of adapter; `still` if time is stopped.
     pub fn on(kind: wgpu::DeviceType, still: bool) -> Self {
         let is_cpu = kind == wgpu::DeviceType::Cpu;
         Self {
@@ -62,11 +63,10 @@ impl Quality {
             tried: false,
             refusals: 0,
             still,
-            size: [0; 2],
         }
     }
 
-    /// Takes the time since the last frame into account. A sea that stands still has all the time in the world.
+    /// Adapts to the time since the last frame. A stopped time always gets full quality.
     pub fn watch(&mut self, dt_s: f64, still: bool, adaptive: bool) {
         let was_still = std::mem::replace(&mut self.still, still);
         let was_odd = std::mem::replace(&mut self.was_odd, dt_s > ODD_S);
@@ -75,7 +75,6 @@ impl Quality {
             return;
         }
         let dt_s = dt_s.min(ODD_S);
-        // One long frame is no trend, five are.
         self.frame_s += (dt_s - self.frame_s) * 0.2;
         if !adaptive {
             (self.scale, self.halvings, self.pressure_s) = (1.0, 0, 0.0);
@@ -94,7 +93,7 @@ impl Quality {
                 self.trial_s = (2.0 * self.trial_s).min(MOST_TRIAL_S);
             }
             if self.scale > self.least_scale {
-                // Most of a frame is its pixels: as many fewer as it takes too long, but no leap.
+                // The cost of a frame is proportional to its pixels; limits keep the change gradual.
                 let wanted = (0.9 * LONG_S / self.frame_s).sqrt().clamp(0.7, 0.95);
                 self.scale = (self.scale * wanted).max(self.least_scale);
             } else {
@@ -111,52 +110,46 @@ impl Quality {
         }
     }
 
-    /// The graphics memory did not suffice: from now on fewer pixels and points in turn, moving or not.
+    /// Lowers the pixels and the points alternately after each out-of-memory error, also for a stopped time.
     pub fn refuse(&mut self) {
         self.refusals += 1;
     }
 
-    /// Share of the pixels along a side that the memory allows.
+    /// Scale of the pixels along a side that the memory allows.
     fn most_scale(&self) -> f64 {
         REFUSED_SCALE.powi(self.refusals.div_ceil(2) as i32)
     }
 
-    /// Pixels of the picture in a window of so many points with so many pixels each, at most `limit` along a side.
-    pub fn picture_size(&mut self, points: egui::Vec2, pixels_per_point: f32, screen: &Screen, limit: u32) -> [u32; 2] {
+    /// Size of the picture in pixels for a viewport in points, at most `limit` along a side.
+    pub fn picture_size(&self, points: egui::Vec2, pixels_per_point: f32, screen: &Screen, limit: u32) -> [u32; 2] {
         let density = f64::from(pixels_per_point).min(screen.max_pixel_ratio) * screen.render_scale;
         let own = if self.still || !screen.adaptive { 1.0 } else { self.scale }.min(self.most_scale());
-        self.size = [points.x, points.y].map(|side| ((f64::from(side) * density * own).round() as u32).min(limit));
-        self.size
+        [points.x, points.y].map(|side| ((f64::from(side) * density * own).round() as u32).min(limit))
     }
 
-    /// The grid to compute on.
+    /// The requested grid with the points that speed and memory allow.
     pub fn grid(&self, grid: &Grid, screen: &Screen) -> Grid {
         let n = if screen.adaptive { self.fft_size(grid.n) } else { self.affordable(grid.n) };
         Grid { n, ..grid.clone() }
     }
 
-    /// Points along a side of a cascade of which `n` are asked for.
-    pub fn fft_size(&self, n: u32) -> u32 {
+    /// Points along a side of a cascade where `n` are requested.
+    fn fft_size(&self, n: u32) -> u32 {
         let n = self.affordable(n);
         if self.still { n } else { (n >> self.halvings).max(LEAST_N.min(n)) }
     }
 
-    /// What the memory allows of `n` points.
+    /// Points along a side that the memory allows where `n` are requested.
     fn affordable(&self, n: u32) -> u32 {
         (n >> (self.refusals / 2).min(8)).max(REFUSED_N.min(n))
     }
 
-    /// Pixels of the last picture.
-    pub fn size(&self) -> [u32; 2] {
-        self.size
-    }
-
-    /// Frames a second, smoothed.
+    /// Smoothed frames per second.
     pub fn frames_a_second(&self) -> f64 {
         1.0 / self.frame_s.max(1e-4)
     }
 
-    /// What is given up, in words.
+    /// The current quality in words.
     pub fn word(&self) -> String {
         if self.refusals > 0 {
             let scale = self.most_scale().min(if self.still { 1.0 } else { self.scale });
@@ -173,7 +166,7 @@ impl Quality {
 mod tests {
     use super::*;
 
-    /// Seconds of frames whose length follows from the quality.
+    /// Runs frames for some seconds; the frame time depends on the quality.
     fn run(quality: &mut Quality, seconds: f64, frame_s: impl Fn(&Quality) -> f64) {
         let mut t = 0.0;
         while t < seconds {
@@ -190,7 +183,7 @@ mod tests {
         let points = egui::vec2(1000.0, 500.0);
         run(&mut quality, 1.0, |_| 1.0 / 60.0);
         assert_eq!(quality.picture_size(points, 1.0, &screen, 8192), [1000, 500]);
-        // A machine that needs 50 ms for all pixels, and less for fewer.
+        // A machine that takes 50 ms for all pixels.
         run(&mut quality, 10.0, |q| 0.05 * q.scale * q.scale);
         let [width, _] = quality.picture_size(points, 1.0, &screen, 8192);
         assert!((500..850).contains(&width), "{width}");
@@ -235,7 +228,7 @@ mod tests {
     #[test]
     fn trials_that_fail_become_rare() {
         let mut quality = Quality::on(wgpu::DeviceType::DiscreteGpu, true);
-        // All pixels are just too many, nine tenths are fast.
+        // Full scale is slow, and nine tenths of it are fast.
         let frame = |q: &Quality| if q.scale > 0.93 { 0.03 } else { 1.0 / 60.0 };
         run(&mut quality, 400.0, frame);
         assert!(quality.trial_s >= 24.0, "{}", quality.trial_s);

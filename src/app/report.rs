@@ -1,31 +1,31 @@
-//! What somebody who reports a fault should send along: program, GPU, state, errors, frames.
+//! The report that belongs to a bug report: program, GPU, state, errors and frame rate.
 
 use super::App;
 use crate::ocean::about::About;
 
 impl App {
-    /// Names and values: what runs on what, how fast, and what went wrong last.
+    /// Names and values of program, device, frame rate and last error.
     pub(super) fn about(&self) -> Vec<(&'static str, String)> {
         let mut rows = About::new(&self.render_state.adapter, &self.gpu()).rows();
         #[cfg(target_arch = "wasm32")]
         rows.push(("browser", self.browser.clone()));
-        let [width, height] = self.quality.size();
+        let [width, height] = self.picture_size();
         let quality = self.quality.word();
-        let points = self.quality.fft_size(self.derived.plan.n);
+        let points = self.params_to_draw().grid.n;
         rows.push(("picture", format!("{width} x {height} pixels, {quality}")));
         rows.push(("sea", format!("{points} x {points} points in {} cascades", self.derived.plan.cascades.len())));
         rows.push(("frames", format!("{}, {:.0} a second", self.frames, self.quality.frames_a_second())));
-        rows.push(("recording", format!("{:.2} ms of the CPU", self.gauges.record_ms())));
+        rows.push(("recording", format!("{:.2} ms of the CPU", self.frame_measurements.record_ms())));
         let errors = self.errors();
         let last = self.device_lost().or_else(|| errors.last().cloned());
         rows.push(("last error", last.unwrap_or_else(|| "none".to_owned())));
         rows
     }
 
-    /// The same as plain text, with the state, all errors and what was noticed.
+    /// The report as plain text, with the state, all errors and all notices.
     pub fn report(&self) -> String {
         let mut lines: Vec<String> = self.about().iter().map(|(name, value)| format!("{name}: {value}")).collect();
-        for (pass, ms) in self.gauges.passes().unwrap_or_default() {
+        for (pass, ms) in self.frame_measurements.passes().unwrap_or_default() {
             lines.push(format!("pass {pass}: {ms:.2} ms"));
         }
         lines.extend(self.errors().iter().map(|error| format!("error: {error}")));
@@ -34,7 +34,7 @@ impl App {
         lines.join("\n") + "\n"
     }
 
-    /// Copies the report and says so.
+    /// Copies the report to the clipboard.
     pub(super) fn copy_report(&mut self) {
         self.ctx.copy_text(self.report());
         self.say("Report copied: paste it where you tell of the fault.");

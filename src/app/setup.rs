@@ -1,10 +1,10 @@
-//! How eframe is asked for a device, and how the app looks.
+//! Configuration of eframe's device, and the visual style.
 
 use crate::gpu::device;
 use egui::epaint::text::{GlyphBitmap, GlyphRasterizer, GlyphRasterizerRequest, RasterizedGlyph};
 use std::sync::Arc;
 
-/// wgpu as every shell wants it: the program's backends and device.
+/// wgpu configuration of page, window and tests: the program's backends, limits and features.
 pub fn wgpu_configuration() -> egui_wgpu::WgpuConfiguration {
     let mut setup = egui_wgpu::WgpuSetupCreateNew::without_display_handle();
     setup.instance_descriptor.backends = device::backends();
@@ -21,7 +21,7 @@ pub fn wgpu_configuration() -> egui_wgpu::WgpuConfiguration {
     egui_wgpu::WgpuConfiguration { wgpu_setup: egui_wgpu::WgpuSetup::CreateNew(setup), ..Default::default() }
 }
 
-/// The sign on the colour picker's button that copies, which the program's fonts lack: a board with a clip.
+/// Draws the clipboard symbol of egui's colour picker, which the program's fonts lack.
 fn clipboard_sign(request: &GlyphRasterizerRequest<'_>) -> Option<RasterizedGlyph> {
     if request.cluster != "\u{1f4cb}" {
         return None;
@@ -36,18 +36,18 @@ fn clipboard_sign(request: &GlyphRasterizerRequest<'_>) -> Option<RasterizedGlyp
     };
     let ink = |i: usize| if board(i % width, i / width) { egui::Color32::WHITE } else { egui::Color32::TRANSPARENT };
     let image = egui::ColorImage::new([width, height], (0..width * height).map(ink).collect());
-    // From the base line upwards.
+    // The offset is measured from the base line.
     let offset_px = egui::vec2(0.0, line as f32 - height as f32);
     let advance_px = (width + line) as f32;
     Some(RasterizedGlyph { bitmap: GlyphBitmap { image, offset_px, is_color: false }, advance_px })
 }
 
-/// Dark, a little translucent, so that the sea stays the subject.
+/// Sets the dark, slightly translucent style.
 pub fn style(ctx: &egui::Context) {
     ctx.add_glyph_rasterizer(GlyphRasterizer::new("seastate::clipboard", clipboard_sign));
     ctx.set_theme(egui::Theme::Dark);
     ctx.all_styles_mut(|style| {
-        // Opaque enough for its text to be read over a sunlit sea.
+        // Opaque enough that text is legible over a sunlit sea.
         style.visuals.window_fill = egui::Color32::from_rgba_unmultiplied(12, 20, 28, 242);
         style.visuals.panel_fill = style.visuals.window_fill;
         style.visuals.override_text_color = Some(egui::Color32::from_gray(225));

@@ -1,9 +1,11 @@
-//! Links and pictures: what leaves the program so that somebody else sees the same sea.
+//! Links, embedding code, saved pictures and saved maps.
 
-use super::{App, files, picture, tasks};
+use super::{App, storage, tasks};
+use crate::files::picture;
 use crate::gpu::offscreen::Picture;
-use crate::ocean::Ocean;
-use crate::state::{Params, query};
+use crate::ocean::{Ocean, maps, maps_file};
+use crate::state::{Params, query, rounding::rounded};
+use crate::waves::Plan;
 
 impl App {
     /// The page's address with the state, or on the desktop the bare state string.
@@ -14,15 +16,15 @@ impl App {
         self.state()
     }
 
-    /// Copies the link and says so.
+    /// Copies the link to the clipboard.
     pub(super) fn copy_link(&mut self) {
         self.ctx.copy_text(self.link());
         self.say("Link copied.");
     }
 
-    /// Copies what embeds the sea in another page, without the panel.
+    /// Copies HTML that embeds the sea in another page, without the panel.
     pub(super) fn copy_frame(&mut self) {
-        let mut params = super::tidy(&self.params);
+        let mut params = rounded(&self.params);
         params.screen.panel = false;
         let state = query::write(&params);
         #[cfg(target_arch = "wasm32")]
@@ -31,12 +33,13 @@ impl App {
         let link = format!("https://example.org/seastate/?{state}");
         let link = link.replace('&', "&amp;");
         self.ctx.copy_text(format!(
-            "<iframe src=\"{link}\" title=\"Seastate\" width=\"960\" height=\"540\" style=\"border:0\" allow=\"fullscreen\" loading=\"lazy\"></iframe>"
+            "<iframe src=\"{link}\" title=\"Seastate\" width=\"960\" height=\"540\" style=\"border:0\" \
+             allow=\"fullscreen\" loading=\"lazy\"></iframe>"
         ));
         self.say("Frame copied: paste it into a page.");
     }
 
-    /// Turns to the sea of a link, or of a bare state string. A text of which nothing can be taken leaves the sea as it is.
+    /// Opens a link or a bare state string. A text without any known setting changes only the notices.
     pub(super) fn open_link(&mut self, text: &str) {
         let reading = query::read(text);
         if reading.taken.is_empty() && !reading.notices.is_empty() {
@@ -50,10 +53,10 @@ impl App {
         }
     }
 
-    /// Saves the picture that is on the screen, with its state. It arrives in the inbox.
+    /// Saves the current picture with its state; the result arrives in `saved`.
     pub(super) fn save_picture(&mut self) {
         let Some((params, size)) = self.drawn.clone() else { return };
-        let params = super::tidy(&params);
+        let params = rounded(&params);
         let (state, link) = (query::write(&params), self.link());
         let gpu = self.gpu();
         let format = self.render_state.target_format;
@@ -67,31 +70,45 @@ impl App {
         let folder = self.save_folder.clone();
         tasks::spawn(async move {
             let made = made.read(&gpu).await.and_then(|pixels| picture::encode(size, &pixels, &state, &link));
-            inbox.put(made.and_then(|png| files::save(folder.as_deref(), &name, &png)), &ctx);
+            inbox.put(made.and_then(|png| storage::save(folder.as_deref(), &name, &png)), &ctx);
         });
     }
 
-    /// Says what has been saved since the last frame.
+    /// Saves the maps of the current moment; the result arrives in `saved`.
+    pub(super) fn save_maps(&mut self) {
+        let params = rounded(&self.params);
+        let state = query::write(&params);
+        let gpu = self.gpu();
+        let (inbox, ctx, folder) = (self.saved.clone(), self.ctx.clone(), self.save_folder.clone());
+        tasks::spawn(async move {
+            let plan = Plan::new(&params);
+            let read = maps::read(&gpu, &params).await;
+            let made = read.and_then(|read| maps_file::encode(&plan, &read, &state));
+            inbox.put(made.and_then(|exr| storage::save(folder.as_deref(), "seastate-maps.exr", &exr)), &ctx);
+        });
+    }
+
+    /// Shows the results of saves that have finished since the last frame.
     pub(super) fn take_saved(&mut self) {
         for result in self.saved.take() {
-            self.tell(result);
+            self.show_result(result);
         }
     }
 
-    /// Saves bytes under a name and says where, or why not.
+    /// Saves bytes under a name and shows the result.
     pub(super) fn save(&mut self, name: &str, bytes: &[u8]) {
-        self.tell(files::save(self.save_folder.as_deref(), name, bytes));
+        self.show_result(storage::save(self.save_folder.as_deref(), name, bytes));
     }
 
-    fn tell(&mut self, result: Result<String, String>) {
+    fn show_result(&mut self, result: Result<String, String>) {
         match result {
-            Ok(said) => self.say(&said),
+            Ok(message) => self.say(&message),
             Err(reason) => self.notices.push(reason),
         }
     }
 }
 
-/// A name that says what the picture shows.
+/// File name of a picture, with wind speed and time.
 fn picture_name(params: &Params) -> String {
     format!("seastate-wind{:.0}-t{:.0}.png", params.sea.local().wind_m_s, params.clock.t_s)
 }

@@ -1,9 +1,10 @@
-//! Units of the panel. What a field holds stays metric; a slider, a typed value and a read-out are converted.
+//! Units of the panel. Parameters are metric; sliders, typed values and read-outs are converted.
 
+use super::App;
 use crate::state::fields::{Field, Group};
 use crate::state::params::Units;
 
-/// Units of another system: name, how many make one of the field's unit.
+/// A metric unit, its nautical counterpart, and the number of nautical units in one metric unit.
 struct Unit {
     metric: &'static str,
     nautical: &'static str,
@@ -16,17 +17,17 @@ const NAUTICAL: [Unit; 3] = [
     Unit { metric: "km", nautical: "nmi", factor: 1.0 / 1.852 },
 ];
 
-/// How a quantity of a metric unit is shown.
+/// Unit in which a metric quantity is shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scale {
-    /// Unit to show, or "".
+pub struct UnitScale {
+    /// Shown unit, or "" for a number.
     pub unit: &'static str,
-    /// Shown value over the metric one.
+    /// Shown value divided by the metric value.
     pub factor: f64,
 }
 
-impl Scale {
-    /// For a metric unit.
+impl UnitScale {
+    /// Scale of a metric unit.
     pub fn of(unit: &'static str, units: Units) -> Self {
         match NAUTICAL.iter().find(|u| units == Units::Nautical && u.metric == unit) {
             Some(u) => Self { unit: u.nautical, factor: u.factor },
@@ -34,7 +35,7 @@ impl Scale {
         }
     }
 
-    /// For a parameter. Patches and cut-offs belong to the computation and stay metric.
+    /// Scale of a parameter. Patches and cut-offs belong to the computation and stay metric.
     pub fn of_field(field: &Field, units: Units) -> Self {
         Self::of(field.unit, if field.group == Group::Grid { Units::Metric } else { units })
     }
@@ -45,30 +46,32 @@ impl Scale {
         format!("{:.decimals$}{space}{}", value * self.factor, self.unit)
     }
 
-    /// What stands behind a number in a slider.
+    /// Suffix of a number in a slider.
     pub fn suffix(self) -> String {
         if self.unit.is_empty() || self.unit == "°" { self.unit.to_owned() } else { format!(" {}", self.unit) }
     }
 
-    /// Reads a typed number in the shown unit, or in any unit that this kind of quantity has ("20 kn", "6ft", "3 m").
-    /// Returns the shown value.
+    /// Parses a typed number in the shown unit, or in either unit of the quantity ("20 kn", "6ft", "3 m"). Returns the
+    /// shown value.
     pub fn parse(self, text: &str) -> Option<f64> {
         let text = text.trim().replace(',', ".");
         let end = text.rfind(|c: char| c.is_ascii_digit() || c == '.').map_or(0, |i| i + 1);
         let (number, unit) = (text[..end].trim(), text[end..].trim());
         let number: f64 = number.parse().ok()?;
+        let unit = if matches!(unit, "kt" | "kts" | "knots") { "kn" } else { unit };
         if unit.is_empty() || unit == self.unit {
             return Some(number);
         }
-        let same = |u: &&Unit| u.nautical == self.unit || u.metric == self.unit;
-        let kind = NAUTICAL.iter().find(same)?;
-        let metric = match unit {
-            _ if unit == kind.metric => number,
-            "kt" | "kts" | "knots" if kind.nautical == "kn" => number / kind.factor,
-            _ if unit == kind.nautical => number / kind.factor,
-            _ => return None,
-        };
-        Some(metric * self.factor)
+        let pair = NAUTICAL.iter().find(|u| [u.nautical, u.metric].contains(&self.unit))?;
+        let metric = if unit == pair.nautical { number / pair.factor } else { number };
+        [pair.nautical, pair.metric].contains(&unit).then_some(metric * self.factor)
+    }
+}
+
+impl App {
+    /// Scale of lengths in the user's units.
+    pub(super) fn metres(&self) -> UnitScale {
+        UnitScale::of("m", self.params.screen.units)
     }
 }
 
@@ -78,22 +81,22 @@ mod tests {
 
     #[test]
     fn knots_feet_and_miles() {
-        let scale = |unit| Scale::of(unit, Units::Nautical);
+        let scale = |unit| UnitScale::of(unit, Units::Nautical);
         assert_eq!(scale("m/s").text(10.0, 1), "19.4 kn");
         assert_eq!(scale("m").text(3.0, 1), "9.8 ft");
         assert_eq!(scale("km").text(1.852, 1), "1.0 nmi");
         assert_eq!(scale("s").text(8.0, 1), "8.0 s");
-        assert_eq!(Scale::of("deg", Units::Metric).text(40.0, 0), "40°");
+        assert_eq!(UnitScale::of("deg", Units::Metric).text(40.0, 0), "40°");
     }
 
     #[test]
     fn typed_units_are_understood() {
-        let metric = Scale::of("m/s", Units::Metric);
+        let metric = UnitScale::of("m/s", Units::Metric);
         assert!((metric.parse("20 kn").expect("knots") - 10.288_888).abs() < 1e-5);
-        assert!((Scale::of("m/s", Units::Nautical).parse("10m/s").expect("m/s") - 19.438_444).abs() < 1e-5);
-        assert_eq!(Scale::of("m", Units::Metric).parse("3,5"), Some(3.5));
+        assert!((UnitScale::of("m/s", Units::Nautical).parse("10m/s").expect("m/s") - 19.438_444).abs() < 1e-5);
+        assert_eq!(UnitScale::of("m", Units::Metric).parse("3,5"), Some(3.5));
         assert_eq!(metric.parse("20 ft"), None);
         assert_eq!(metric.parse("fast"), None);
-        assert_eq!(Scale::of("deg", Units::Metric).parse("-4°"), Some(-4.0));
+        assert_eq!(UnitScale::of("deg", Units::Metric).parse("-4°"), Some(-4.0));
     }
 }

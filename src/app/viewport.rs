@@ -1,6 +1,6 @@
-//! The sea in the window: recorded off-screen in `prepare`, blitted in `paint`.
+//! The sea in the window: a paint callback that records the frame off-screen in `prepare` and blits it in `paint`.
 
-use super::gauges::Gauges;
+use super::measurements::FrameMeasurements;
 use crate::gpu::Gpu;
 use crate::ocean::Ocean;
 use crate::state::Params;
@@ -8,52 +8,51 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use web_time::Instant;
 
-/// Past times that one frame replays for the foam: a cold start is spread over a few frames instead of stalling one. For
-/// n = 256 and above; fewer points are soon computed.
+/// Past foam steps that one frame replays after a cold start, for n = 256 and above; smaller grids replay more.
 const STEPS_PER_FRAME: usize = 6;
-/// The same on an adapter that is a CPU.
+/// Past foam steps that one frame replays on a software adapter.
 const CPU_STEPS_PER_FRAME: usize = 1;
-/// A glide goes on by no more than this in one frame, s.
-const LONGEST_GLIDE_STEP_S: f64 = 0.1;
+/// Longest step of a cross-fade from one frame to the next, s.
+const LONGEST_FADE_STEP_S: f64 = 0.1;
 
-/// What the frames drawn with a device tell the app.
+/// Progress of the pictures on one device, shared with the paint callback.
 #[derive(Clone, Default)]
 pub struct Progress(Arc<Marks>);
 
 #[derive(Default)]
 struct Marks {
-    /// The foam of a cold start is still being replayed, or the sea glides.
+    /// A foam replay or a cross-fade is in progress.
     catching_up: AtomicBool,
-    /// The first picture was painted, so that it is submitted, too.
+    /// The first picture was painted and is therefore submitted.
     begun: AtomicBool,
-    /// The GPU was asked to say when it has finished that.
+    /// The callback for the end of that submission is installed.
     asked: AtomicBool,
-    /// It has.
+    /// The GPU has finished the first picture.
     seen: AtomicBool,
 }
 
 impl Progress {
-    /// Whether another frame is needed even if time stands still.
+    /// Whether another frame is needed even while time is stopped.
     pub fn wants_frame(&self) -> bool {
         self.is_catching_up() || !self.is_seen()
     }
 
-    /// Whether the foam of a cold start is still being replayed, or the sea glides.
+    /// Whether a foam replay or a cross-fade is in progress.
     pub fn is_catching_up(&self) -> bool {
         self.0.catching_up.load(Ordering::Relaxed)
     }
 
-    /// Whether the GPU has finished a picture: compiling what it draws with takes it seconds.
+    /// Whether the GPU has finished a picture: compiling the pipelines takes seconds.
     pub fn is_seen(&self) -> bool {
         self.0.seen.load(Ordering::Relaxed)
     }
 
-    /// Whether the GPU is still at the first picture: no other is ordered meanwhile, which would only take it from that.
+    /// Whether the GPU is still working on the first picture; no other frame is recorded until it is finished.
     pub fn is_awaited(&self) -> bool {
         self.0.asked.load(Ordering::Relaxed) && !self.is_seen()
     }
 
-    /// Called before a frame is recorded: the one before has been submitted, if it was painted.
+    /// Installs the completion callback once the first painted frame has been submitted. Call before recording a frame.
     fn ask(&self, gpu: &Gpu) {
         if self.0.begun.load(Ordering::Relaxed) && !self.0.asked.swap(true, Ordering::Relaxed) {
             let marks = self.0.clone();
@@ -62,11 +61,12 @@ impl Progress {
     }
 }
 
-/// Fills what is left of `ui` with the sea; `sense` says what it notices, `pixels` how many it gets. Returns them, too.
+/// Fills the rest of `ui` with the sea. `pixels` gives the picture's size in pixels from its size in points. Returns
+/// the response to `sense`, and the size in pixels.
 pub fn show(
     ui: &mut egui::Ui,
     params: &Params,
-    (progress, gauges): (&Progress, &Gauges),
+    (progress, measurements): (&Progress, &FrameMeasurements),
     sense: egui::Sense,
     pixels: impl FnOnce(egui::Vec2) -> [u32; 2],
 ) -> (egui::Response, [u32; 2]) {
@@ -76,8 +76,9 @@ pub fn show(
         .inner;
     let size = pixels(response.rect.size()).map(|s| s.max(1));
     if response.rect.is_positive() {
-        let dt_s = f64::from(ui.input(|i| i.stable_dt)).min(LONGEST_GLIDE_STEP_S);
-        let frame = SeaFrame { params: params.clone(), size, progress: progress.clone(), gauges: gauges.clone(), dt_s };
+        let dt_s = f64::from(ui.input(|i| i.stable_dt)).min(LONGEST_FADE_STEP_S);
+        let (progress, measurements) = (progress.clone(), measurements.clone());
+        let frame = SeaFrame { params: params.clone(), size, progress, measurements, dt_s };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(response.rect, frame));
     }
     (response, size)
@@ -89,12 +90,12 @@ fn steps_per_frame(gpu: &Gpu, n: u32) -> usize {
     most * (256 / n).max(1).pow(2) as usize
 }
 
-/// One frame, by value.
+/// One frame.
 struct SeaFrame {
     params: Params,
     size: [u32; 2],
     progress: Progress,
-    gauges: Gauges,
+    measurements: FrameMeasurements,
     /// Wall time since the last frame, s.
     dt_s: f64,
 }
@@ -116,12 +117,12 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         }
         let mut encoder = ocean.gpu().encoder("ocean");
         let begun = Instant::now();
-        self.gauges.begin(ocean, &mut encoder);
+        self.measurements.begin(ocean, &mut encoder);
         ocean.glide_to(&self.params, self.dt_s);
         let most_steps = steps_per_frame(ocean.gpu(), ocean.plan().n);
         let caught_up = ocean.encode(&mut encoder, self.size, most_steps);
         let is_whole = caught_up && !ocean.is_gliding();
-        self.gauges.end(ocean, &mut encoder, begun.elapsed().as_secs_f64(), is_whole);
+        self.measurements.end(ocean, &mut encoder, begun.elapsed().as_secs_f64(), is_whole);
         self.progress.0.catching_up.store(!is_whole, Ordering::Relaxed);
         vec![encoder.finish()]
     }
@@ -133,9 +134,9 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         resources: &egui_wgpu::CallbackResources,
     ) {
         if let Some(ocean) = resources.get::<Ocean>() {
-            self.gauges.painted();
+            self.measurements.painted();
             self.progress.0.begun.store(true, Ordering::Relaxed);
-            // A page still shows that it is loading, or the last picture of a lost device.
+            // Until the first picture the page shows its loading screen, or the last picture of a lost device.
             if cfg!(not(target_arch = "wasm32")) || !self.progress.is_awaited() {
                 ocean.present(pass);
             }

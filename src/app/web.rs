@@ -1,20 +1,20 @@
-//! The page: what JavaScript calls, and the address kept in step with the state.
+//! The page: functions that JavaScript calls, and the address that follows the state.
 
-use super::faults::Faults;
-use super::lifeboat::{Berth, Shell};
-use super::readers::Item;
-use super::{App, setup, tasks, tidy};
+use super::device_loss::{AppHost, Created, ParkedApp};
+use super::gpu_errors::GpuErrors;
+use super::screen_readers::AccessibleItem;
+use super::{App, setup, tasks};
 use crate::bench::{self, Options, Row};
 use crate::gpu::Gpu;
 use crate::ocean;
-use crate::state::{Params, query};
+use crate::state::{Params, query, rounding::rounded};
 use half::f16;
 use std::cell::RefCell;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 use web_time::Instant;
 
-/// Least time between two writes of the address, s: browsers refuse more than about three a second.
+/// Least time between two writes of the address, s: browsers refuse more than about three per second.
 const WRITE_EVERY_S: f32 = 0.7;
 
 /// The running program, as the page sees it.
@@ -22,9 +22,9 @@ const WRITE_EVERY_S: f32 = 0.7;
 pub struct WebHandle {
     runner: eframe::WebRunner,
     /// The app between two devices.
-    berth: Berth,
-    /// Those of the device that the app draws with; known even when the app has panicked.
-    faults: Rc<RefCell<Faults>>,
+    parked: ParkedApp,
+    /// Errors of the current device; readable even after the app has panicked.
+    gpu_errors: Rc<RefCell<GpuErrors>>,
 }
 
 #[wasm_bindgen]
@@ -34,33 +34,33 @@ impl WebHandle {
     #[expect(clippy::new_without_default, reason = "made by JavaScript")]
     pub fn new() -> Self {
         console_error_panic_hook::set_once();
-        // A second handle on the same page finds the log in place.
+        // Fails for a second handle on the same page, which shares the log.
         let _ = eframe::WebLogger::init(log::LevelFilter::Warn);
-        Self { runner: eframe::WebRunner::new(), berth: Berth::default(), faults: Rc::default() }
+        Self { runner: eframe::WebRunner::new(), parked: ParkedApp::default(), gpu_errors: Rc::default() }
     }
 
-    /// Starts on a canvas with the state of the address; or, after a device was lost, goes on there with another. Rejects
-    /// with a sentence, and may be called again then.
+    /// Starts on a canvas with the state of the address, or continues there with another device after a device loss.
+    /// Rejects with a sentence, and may be called again then.
     ///
     /// # Errors
     /// If there is no usable WebGPU.
     pub async fn start(&self, canvas: web_sys::HtmlCanvasElement) -> Result<(), JsValue> {
         let options = eframe::WebOptions { wgpu_options: setup::wgpu_configuration(), ..Default::default() };
-        if let Some(mut shell) = self.runner.app_mut::<Shell>() {
-            shell.leave(&self.berth);
+        if let Some(mut host) = self.runner.app_mut::<AppHost>() {
+            host.park(&self.parked);
         }
-        let (berth, faults) = (self.berth.clone(), self.faults.clone());
-        let create = move |cc: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, Box<dyn std::error::Error + Send + Sync>> {
-            let mut shell = Shell::new(cc, &berth, from_address)?;
-            faults.replace(shell.app().map(|app| app.faults.clone()).unwrap_or_default());
-            Ok(Box::new(shell))
+        let (parked, gpu_errors) = (self.parked.clone(), self.gpu_errors.clone());
+        let create = move |cc: &eframe::CreationContext<'_>| -> Created {
+            let mut host = AppHost::new(cc, &parked, from_address)?;
+            gpu_errors.replace(host.app().map(|app| app.gpu_errors.clone()).unwrap_or_default());
+            Ok(Box::new(host))
         };
         self.runner.start(canvas, options, Box::new(create)).await?;
-        tasks::spawn(leave_when_lost(self.runner.clone(), self.berth.clone(), self.faults.borrow().clone()));
+        tasks::spawn(park_when_lost(self.runner.clone(), self.parked.clone(), self.gpu_errors.borrow().clone()));
         Ok(())
     }
 
-    /// Stops and lets go of the canvas.
+    /// Stops the program and releases the canvas.
     pub fn destroy(&self) {
         self.runner.destroy();
     }
@@ -80,7 +80,7 @@ impl WebHandle {
         self.with(|app| app.state()).unwrap_or_default()
     }
 
-    /// Turns to another state, as if the user had set every value.
+    /// Replaces the state, as if the user had set every value.
     pub fn set_state(&self, state: &str) {
         self.with(|app| app.set_state(state));
     }
@@ -90,21 +90,21 @@ impl WebHandle {
         self.with(|app| app.frames() as f64).unwrap_or_default()
     }
 
-    /// Whether a picture of the device at hand has been finished by the GPU, and not only ordered.
+    /// Whether the GPU has finished a picture on the current device.
     pub fn seen(&self) -> bool {
         self.with(|app| app.is_seen()).unwrap_or_default()
     }
 
-    /// Asks for one more frame, and says whether the picture is complete: the foam of a cold start takes a few frames.
+    /// Requests one more frame and returns whether the picture is complete: foam takes a few frames after a cold start.
     pub fn settled(&self) -> bool {
         self.with(|app| app.settled()).unwrap_or_default()
     }
 
-    /// Place of the widget with a label, in points: x, y, width, height. For tests; ask again after a frame.
+    /// Bounds of the widget with a label, in points: x, y, width, height. For tests; valid until the next frame.
     pub fn place(&self, label: &str) -> Option<Vec<f64>> {
         let items = self.items();
         let named = || items.iter().filter(|item| item.label == label);
-        // A slider comes before its number, and a text is no widget.
+        // The first widget is a slider, and the second its number; texts come last.
         named().find(|item| item.role != "Label").or_else(|| named().next()).map(|item| item.place.to_vec())
     }
 
@@ -113,30 +113,30 @@ impl WebHandle {
         self.items().iter().map(|item| format!("{}: {}", item.label, item.value)).collect()
     }
 
-    /// What screen readers are told: an array of objects for widgets and texts in reading order, with `id`, `role` (that of
-    /// AccessKit), `label`, `value`, `now`, `least`, `greatest`, `step`, `on`, `open`, `disabled`; empty until a frame after the
-    /// first question.
+    /// Widgets and texts for screen readers: an array of objects in reading order, with `id`, AccessKit's `role`,
+    /// `label`, `value`, `now`, `least`, `greatest`, `step`, `on`, `open`, `disabled`; empty until a frame after the
+    /// first call.
     pub fn described(&self) -> js_sys::Array {
         self.items().iter().map(described).collect()
     }
 
-    /// The sea in one line, and what the program said last.
+    /// The sea in one line, and the current message.
     pub fn told(&self) -> String {
         self.with(|app| app.told()).unwrap_or_default()
     }
 
-    /// Does to a widget what a screen reader asks for: `click`, `focus`, `more`, `less`, `set` a number, `type` a text.
+    /// Applies a screen reader's action to a widget: `click`, `focus`, `more`, `less`, `set` a number, `type` a text.
     pub fn act(&self, id: &str, action: &str, value: f64, text: &str) {
-        self.with(|app| app.readers.act(&app.ctx, id, action, value, text));
+        self.with(|app| app.screen_readers.act(&app.ctx, id, action, value, text));
     }
 
     /// Why the GPU was lost, if it was.
     pub fn device_lost(&self) -> Option<String> {
-        self.faults.borrow().lost()
+        self.gpu_errors.borrow().lost()
     }
 
-    /// The maps of a state at its time, for tests: `n`, `cascades`, `heights` (f32 copy of eta) and `displacement`
-    /// (the bits of the half-float map), cascade by cascade.
+    /// The maps of a state at its time, for tests: `n`, `cascades`, and cascade by cascade `heights` (elevation in f32)
+    /// and `displacement` (bits of the half-float texture).
     ///
     /// # Errors
     /// If the program does not run or the GPU does not give its memory back.
@@ -148,101 +148,102 @@ impl WebHandle {
         let heights: Vec<f32> = (0..maps.cascades()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
         let texels = ocean::maps::read_displacement(&gpu, &params).await?;
         let halves: Vec<u16> = texels.iter().flatten().map(|&x| f16::from_f32(x).to_bits()).collect();
-        let out = js_sys::Object::new();
-        let set = |key: &str, value: &JsValue| js_sys::Reflect::set(&out, &key.into(), value);
-        set("n", &JsValue::from(maps.n as u32))?;
-        set("cascades", &JsValue::from(maps.cascades() as u32))?;
-        set("heights", &js_sys::Float32Array::from(&heights[..]))?;
-        set("displacement", &js_sys::Uint16Array::from(&halves[..]))?;
-        Ok(out.into())
+        Ok(object([
+            ("n", (maps.n as u32).into()),
+            ("cascades", (maps.cascades() as u32).into()),
+            ("heights", js_sys::Float32Array::from(&heights[..]).into()),
+            ("displacement", js_sys::Uint16Array::from(&halves[..]).into()),
+        ]))
     }
 
-    /// Measures what a state costs on this browser's GPU, on a device of its own; `seastate bench --baseline` of the page.
-    /// `progress` is told what comes next. Gives an object with `text`, the table, and `passes`, objects with `pass`, `n`,
-    /// `cascades`, `width`, `height`, `ms`.
+    /// Times the passes of a state on another device of this browser, as `seastate bench --baseline` does. Calls
+    /// `progress` with the name of the next measurement. Returns an object with `text` (the table) and `passes`
+    /// (objects with `pass`, `n`, `cascades`, `width`, `height`, `ms`).
     ///
     /// # Errors
     /// If there is no GPU, or it is lost meanwhile.
     pub async fn bench(&self, state: String, repeat: u32, progress: js_sys::Function) -> Result<JsValue, JsValue> {
         let gpu = Gpu::request().await?;
-        let faults = Faults::watch(&gpu.device);
+        let errors = GpuErrors::watch(&gpu.device);
         let options = Options { sizes: vec![[1280, 720]], repeat, matrix: false, baseline: true };
-        // What a listener does is its own affair.
+        // An exception of the listener does not matter.
         let tell = |what: &str| drop(progress.call1(&JsValue::NULL, &what.into()));
         let report = bench::run(&gpu, &query::parse(&state).0, &options, tell).await?;
-        // A lost device does all at once, and nothing.
-        if let Some(reason) = faults.lost().or_else(|| faults.errors().first().cloned()) {
+        // A lost device completes every pass at once without computing anything.
+        if let Some(reason) = errors.lost().or_else(|| errors.errors().first().cloned()) {
             return Err(reason.into());
         }
-        let passes: js_sys::Array = report.rows.iter().map(measured).collect();
-        let out = js_sys::Object::new();
-        js_sys::Reflect::set(&out, &"text".into(), &report.to_string().into())?;
-        js_sys::Reflect::set(&out, &"passes".into(), &passes)?;
-        Ok(out.into())
+        let passes: js_sys::Array = report.rows.iter().map(timed_pass).collect();
+        Ok(object([("text", report.to_string().into()), ("passes", passes.into())]))
     }
 
-    fn items(&self) -> Vec<Item> {
-        self.with(|app| app.readers.items(&app.ctx)).unwrap_or_default()
+    fn items(&self) -> Vec<AccessibleItem> {
+        self.with(|app| app.screen_readers.items(&app.ctx)).unwrap_or_default()
     }
 
     fn with<T>(&self, f: impl FnOnce(&mut App) -> T) -> Option<T> {
-        if let Some(app) = self.berth.borrow_mut().as_mut() {
+        if let Some(app) = self.parked.borrow_mut().as_mut() {
             return Some(f(app));
         }
-        let mut shell = self.runner.app_mut::<Shell>()?;
-        shell.app().map(f)
+        let mut host = self.runner.app_mut::<AppHost>()?;
+        host.app().map(f)
     }
 }
 
-fn measured(row: &Row) -> JsValue {
-    let out = js_sys::Object::new();
-    // Setting a property of a fresh object cannot fail.
-    let set = |key: &str, value: JsValue| drop(js_sys::Reflect::set(&out, &key.into(), &value));
-    set("pass", row.pass.into());
-    set("n", row.sea.map(|[n, _]| n).into());
-    set("cascades", row.sea.map(|[_, cascades]| cascades).into());
-    set("width", row.size.map(|[width, _]| width).into());
-    set("height", row.size.map(|[_, height]| height).into());
-    set("ms", row.timing.ms().into());
-    out.into()
-}
-
-fn described(item: &Item) -> JsValue {
-    let out = js_sys::Object::new();
-    // Setting a property of a fresh object cannot fail.
-    let set = |key: &str, value: JsValue| drop(js_sys::Reflect::set(&out, &key.into(), &value));
-    set("id", item.id.as_str().into());
-    set("role", item.role.as_str().into());
-    set("label", item.label.as_str().into());
-    set("value", item.value.as_str().into());
-    if let Some((now, [least, greatest, step])) = item.number {
-        set("now", now.into());
-        set("least", least.into());
-        set("greatest", greatest.into());
-        set("step", step.into());
+/// A JavaScript object with the given properties.
+fn object<const N: usize>(properties: [(&str, JsValue); N]) -> JsValue {
+    let object = js_sys::Object::new();
+    for (key, value) in properties {
+        // Setting a property of a new object cannot fail.
+        let _ = js_sys::Reflect::set(&object, &key.into(), &value);
     }
-    set("on", item.on.into());
-    set("open", item.open.into());
-    set("disabled", item.disabled.into());
-    out.into()
+    object.into()
 }
 
-/// Whether the visitor has asked for less motion.
+fn timed_pass(row: &Row) -> JsValue {
+    object([
+        ("pass", row.pass.into()),
+        ("n", row.sea.map(|[n, _]| n).into()),
+        ("cascades", row.sea.map(|[_, cascades]| cascades).into()),
+        ("width", row.size.map(|[width, _]| width).into()),
+        ("height", row.size.map(|[_, height]| height).into()),
+        ("ms", row.timing.ms().into()),
+    ])
+}
+
+fn described(item: &AccessibleItem) -> JsValue {
+    let [least, greatest, step] = item.number.map_or([None; 3], |(_, range)| range);
+    object([
+        ("id", item.id.as_str().into()),
+        ("role", item.role.as_str().into()),
+        ("label", item.label.as_str().into()),
+        ("value", item.value.as_str().into()),
+        ("now", item.number.map(|(now, _)| now).into()),
+        ("least", least.into()),
+        ("greatest", greatest.into()),
+        ("step", step.into()),
+        ("on", item.on.into()),
+        ("open", item.open.into()),
+        ("disabled", item.disabled.into()),
+    ])
+}
+
+/// Whether the browser asks for reduced motion.
 fn prefers_stillness() -> bool {
     let asked = web_sys::window().and_then(|w| w.match_media("(prefers-reduced-motion: reduce)").ok().flatten());
     asked.is_some_and(|m| m.matches())
 }
 
-/// Stops eframe before its next frame: one that a lost device presents halts all of Firefox's tab.
-async fn leave_when_lost(runner: eframe::WebRunner, berth: Berth, faults: Faults) {
-    faults.when_lost().await;
-    if let Some(mut shell) = runner.app_mut::<Shell>() {
-        shell.leave(&berth);
+/// Stops eframe before its next frame after a device loss: presenting a frame with a lost device hangs a Firefox tab.
+async fn park_when_lost(runner: eframe::WebRunner, parked: ParkedApp, gpu_errors: GpuErrors) {
+    gpu_errors.when_lost().await;
+    if let Some(mut host) = runner.app_mut::<AppHost>() {
+        host.park(&parked);
     }
     runner.destroy();
 }
 
-/// The app on the state of the address.
+/// Creates an app with the state of the address.
 fn from_address(cc: &eframe::CreationContext<'_>) -> Result<App, String> {
     let mut app = App::new(cc, &address_query())?;
     if prefers_stillness() {
@@ -262,51 +263,51 @@ pub fn link(state: &str) -> String {
     if state.is_empty() { base } else { format!("{base}?{state}") }
 }
 
-/// What the address says, so that only changes are written and going back is noticed.
+/// The address as last read or written, to write only changes and to notice back and forward.
 pub struct Address {
-    /// The query as last read or written.
+    /// Query of the address.
     query: String,
-    /// The parameters of the current entry of the history.
+    /// Parameters of the current history entry.
     entry: Params,
     written: Instant,
 }
 
 impl Address {
-    /// The address that the program was started with.
+    /// The address with which the program starts.
     pub fn new(params: &Params) -> Self {
-        Self { query: address_query(), entry: tidy(params), written: Instant::now() }
+        Self { query: address_query(), entry: rounded(params), written: Instant::now() }
     }
 }
 
 impl App {
-    /// The sea in one line, and what was said last.
+    /// The sea in one line, and the current message.
     fn told(&self) -> String {
         let sea = super::panel::summary(self);
-        self.said.as_ref().map_or_else(|| sea.clone(), |(said, _)| format!("{sea}. {said}"))
+        self.message.as_ref().map_or_else(|| sea.clone(), |message| format!("{sea}. {}", message.text))
     }
 
-    /// Follows the address when the user went back or forward; else writes the state to it. A change of the sea or the
-    /// light is a new entry of the history, time and camera replace the current one.
-    pub(super) fn keep_address(&mut self) {
+    /// Opens the address after back or forward; otherwise writes the state to it. A change of sea or light adds a
+    /// history entry; a change of time or camera replaces the current entry.
+    pub(super) fn sync_address(&mut self) {
         let query = address_query();
         if query != self.address.query {
             let clock = self.params.clock.clone();
             self.set_state(&query);
-            // Going back means the sea and the view, not the time, unless time was part of the question.
+            // A running clock keeps its time unless the link stops it.
             if !clock.paused && !self.params.clock.paused {
                 self.params.clock.t_s = clock.t_s;
             }
             self.address.query = query;
-            self.address.entry = tidy(&self.params);
+            self.address.entry = rounded(&self.params);
             return;
         }
-        let now = tidy(&self.params);
+        let now = rounded(&self.params);
         let state = query::write(&now);
         if state == query::write(&self.address.entry) {
             return;
         }
         if self.address.written.elapsed().as_secs_f32() < WRITE_EVERY_S {
-            // Written a little later, even if nothing else asks for a frame until then.
+            // Requests the frame that writes the address later.
             self.ctx.request_repaint_after(std::time::Duration::from_secs_f32(WRITE_EVERY_S));
             return;
         }
@@ -318,7 +319,7 @@ impl App {
         } else {
             history.push_state_with_url(&JsValue::NULL, "", Some(&address))
         };
-        // A refusal (too many writes) is tried again at the next turn.
+        // The browser refuses too many writes; the next turn tries again.
         if written.is_ok() {
             self.address.query = address_query();
             self.address.entry = now;

@@ -60,7 +60,7 @@ impl SeaArgs {
     fn read(&self) -> Result<(Params, Vec<String>), String> {
         let (mut params, mut notices) = query::parse(self.state.as_deref().unwrap_or_default());
         if !self.spectrum.is_empty() {
-            let files = crate::app::native::read_files(&self.spectrum)?;
+            let files = crate::files::input::read_all(&self.spectrum)?;
             let file = MeasuredSpectrum::read(&files)?;
             notices.extend(file.notices);
             params.sea.show_measured(file.spectrum);

@@ -3,6 +3,8 @@
 pub mod about;
 mod drawn;
 pub mod maps;
+#[cfg(feature = "files")]
+pub mod maps_file;
 pub mod still;
 
 use crate::gpu::Gpu;

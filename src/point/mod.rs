@@ -1,5 +1,6 @@
 //! The sea at a point, computed on the CPU: height, normal and orbital velocity, and the position of floating hulls.
 
+pub mod buoy_record;
 pub mod floating;
 pub mod heights;
 

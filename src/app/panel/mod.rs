@@ -1,39 +1,39 @@
-//! The panel: the sea in numbers, what it is made of, every parameter of FIELDS, plots, and what went wrong.
+//! The panel: read-outs, named seas, every parameter of FIELDS, plots, notices and errors.
 
 mod numbers;
 mod rows;
 mod seas;
 pub mod time;
 
-use super::access::named;
+use super::accessible_names::named;
 use super::{App, plots};
 use crate::state::fields::{FIELDS, Group};
 use crate::state::floats::FloatKind;
-use crate::state::{Params, query};
+use crate::state::{Params, motion, query};
 use crate::waves::beaufort;
 
-pub use seas::Seas;
+pub use seas::OwnSeas;
 
-/// Below this width the panel is a sheet at the bottom that starts closed: a phone shows the sea first.
+/// Width of the window, points, below which the panel is a sheet at the bottom that starts closed.
 const NARROW_POINTS: f32 = 640.0;
-/// Smaller than this along a side there is no room for a panel, and its margins would leave less than nothing.
+/// Shorter side of the window, points, below which no panel is shown: its margins would leave no room.
 const LEAST_POINTS: f32 = 100.0;
-/// Least side of what a finger must hit, points.
+/// Least side of a widget on a touch screen, points.
 const TOUCH_POINTS: f32 = 44.0;
 
-/// Longest text to look for.
+/// Most letters of a search.
 const MOST_LETTERS: usize = 100;
 
-/// What the panel itself remembers.
+/// State of the panel that is not a parameter.
 #[derive(Default)]
 pub struct Panel {
-    /// Words to look for among the parameters.
+    /// Words of the search.
     search: String,
-    /// Link to open.
+    /// Typed link.
     link: String,
     /// Whether the sheet of a narrow screen is open.
     sheet_is_open: bool,
-    /// Whether the user's and the program's seas keep the seed.
+    /// Whether named seas and Reset keep the seed.
     pub seed_locked: bool,
 }
 
@@ -55,20 +55,20 @@ pub fn show(app: &mut App, ctx: &egui::Context) {
         .max_height(screen.height() - 60.0);
     window.show(ctx, |ui| {
         if ctx.input(|i| i.any_touches()) {
-            for_fingers(ui);
+            enlarge_for_touch(ui);
         }
         contents(app, ui);
     });
 }
 
-/// The panel of a phone. It starts closed, as a line that says what the sea is and opens when it is tapped.
+/// The panel of a narrow window: a line with the summary of the sea, which opens and closes the rest when it is tapped.
 fn sheet(app: &mut App, ctx: &egui::Context, screen: egui::Rect) {
     let area = egui::Area::new(egui::Id::unique("sheet")).anchor(egui::Align2::CENTER_BOTTOM, egui::Vec2::ZERO);
     area.order(egui::Order::Middle).show(ctx, |ui| {
         let margin = egui::Margin { left: 8, right: 8, top: 4, bottom: 8 };
         egui::Frame::window(ui.style()).inner_margin(margin).show(ui, |ui| {
             ui.set_width(screen.width() - 20.0);
-            for_fingers(ui);
+            enlarge_for_touch(ui);
             let ask = if app.panel.sheet_is_open { "" } else { ": tap to change" };
             let title = egui::Button::new(summary(app) + ask).frame(false);
             let response = ui.add_sized([ui.available_width(), TOUCH_POINTS], title);
@@ -82,7 +82,7 @@ fn sheet(app: &mut App, ctx: &egui::Context, screen: egui::Rect) {
                 app.panel.sheet_is_open = !app.panel.sheet_is_open;
             }
             if app.panel.sheet_is_open {
-                // An area is as high as its contents were: without a least height the sheet would never grow.
+                // An area takes the height of its last contents: without a least height the sheet would never grow.
                 let height = 0.5 * screen.height();
                 let scroll = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height);
                 scroll.auto_shrink(false).show(ui, |ui| contents(app, ui));
@@ -91,18 +91,41 @@ fn sheet(app: &mut App, ctx: &egui::Context, screen: egui::Rect) {
     });
 }
 
-/// What a finger can hit.
-fn for_fingers(ui: &mut egui::Ui) {
+/// Makes widgets large enough for fingers.
+fn enlarge_for_touch(ui: &mut egui::Ui) {
     ui.spacing_mut().interact_size.y = TOUCH_POINTS;
     ui.spacing_mut().icon_width = 22.0;
 }
 
 /// The sea in one line.
 pub fn summary(app: &App) -> String {
-    let metres = super::units::Scale::of("m", app.params.screen.units);
-    let wind = app.params.sea.local().wind_m_s;
-    let hs = metres.text(app.derived.theory.hs_m, 1);
-    format!("Hs {hs}, Beaufort {}", beaufort::number_of(wind))
+    let hs = app.metres().text(app.derived.theory.hs_m, 1);
+    format!("Hs {hs}, Beaufort {}", beaufort::number_of(app.params.sea.local().wind_m_s))
+}
+
+/// A button with a tooltip; returns whether it was clicked.
+fn button(ui: &mut egui::Ui, label: &str, help: &str) -> bool {
+    ui.button(label).on_hover_text(help).clicked()
+}
+
+/// A label and a text field that fills the line up to the widgets that `right` adds at its right end. Returns the
+/// field's response and the result of `right`.
+fn text_field<T>(
+    ui: &mut egui::Ui,
+    label: &str,
+    text: &mut String,
+    (hint, most_letters): (&str, usize),
+    right: impl FnOnce(&mut egui::Ui) -> T,
+) -> (egui::Response, T) {
+    let label = ui.label(label);
+    // From right to left, so that the field takes only the room that is left.
+    let layout = egui::Layout::right_to_left(egui::Align::Center);
+    ui.with_layout(layout, |ui| {
+        let right = right(ui);
+        let field = egui::TextEdit::singleline(text).hint_text(hint).char_limit(most_letters);
+        (ui.add(field.desired_width(f32::INFINITY)).labelled_by(label.id), right)
+    })
+    .inner
 }
 
 fn contents(app: &mut App, ui: &mut egui::Ui) {
@@ -124,27 +147,23 @@ fn contents(app: &mut App, ui: &mut egui::Ui) {
     ui.weak(format!("Seastate {}", crate::ocean::about::VERSION));
 }
 
-/// What one reaches for most.
+/// The most frequent actions.
 fn actions(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
-        if ui.button("Copy link").on_hover_text("Copies the state of this sea and camera (L).").clicked() {
+        if button(ui, "Copy link", "Copies the state of this sea and camera (L).") {
             app.copy_link();
         }
-        if ui
-            .button("Picture")
-            .on_hover_text("Saves a PNG that remembers its sea: drop it here to return (P).")
-            .clicked()
-        {
+        if button(ui, "Picture", "Saves a PNG that remembers its sea: drop it here to return (P).") {
             app.save_picture();
         }
-        let (can_undo, can_redo) = app.history.can();
+        let (can_undo, can_redo) = app.history.can(&app.params);
         if ui.add_enabled(can_undo, egui::Button::new("Undo")).on_hover_text("Ctrl+Z").clicked() {
             app.history.undo(&mut app.params);
         }
         if ui.add_enabled(can_redo, egui::Button::new("Redo")).on_hover_text("Ctrl+Y").clicked() {
             app.history.redo(&mut app.params);
         }
-        if ui.button("Reset").on_hover_text("Every value back to its default.").clicked() {
+        if button(ui, "Reset", "Every value back to its default.") {
             let seed = app.params.sea.seed;
             app.set_state("");
             if app.panel.seed_locked {
@@ -167,20 +186,17 @@ fn notices(app: &App, ui: &mut egui::Ui) {
     }
 }
 
-/// Every parameter, by group, or those that a search finds.
+/// Every parameter by group, or those that the search finds.
 fn parameters(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal(|ui| {
-        let label = ui.label("Search");
-        // From the right: what takes the rest must not push its neighbour out of the panel.
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let clear = ui.add_enabled(!app.panel.search.is_empty(), egui::Button::new("×").small());
-            if named(clear, "Clear the search").clicked() {
-                app.panel.search.clear();
-            }
-            let words =
-                egui::TextEdit::singleline(&mut app.panel.search).hint_text("all parameters").char_limit(MOST_LETTERS);
-            ui.add(words.desired_width(f32::INFINITY)).labelled_by(label.id);
+        let search = &mut app.panel.search;
+        let searching = !search.is_empty();
+        let (_, clears) = text_field(ui, "Search", search, ("all parameters", MOST_LETTERS), |ui| {
+            named(ui.add_enabled(searching, egui::Button::new("×").small()), "Clear the search").clicked()
         });
+        if clears {
+            search.clear();
+        }
     });
     let words = app.panel.search.trim().to_owned();
     let mut any = false;
@@ -190,7 +206,7 @@ fn parameters(app: &mut App, ui: &mut egui::Ui) {
             continue;
         }
         any = true;
-        // A search opens what it finds; without one each group is as the user left it.
+        // A search opens the groups of its results; without a search each group keeps the user's choice.
         let searching = !words.is_empty();
         egui::CollapsingHeader::new(group.label()).id_salt((group.label(), searching)).default_open(searching).show(
             ui,
@@ -209,7 +225,7 @@ fn parameters(app: &mut App, ui: &mut egui::Ui) {
     }
 }
 
-/// The sky's file by name, and the way back to the built sky.
+/// The name of the sky file, with a button that removes it.
 fn sky_file(params: &mut Params, ui: &mut egui::Ui) {
     let Some(file) = &params.look.sky.file else {
         ui.weak("Drop a .hdr or .exr file for another sky.");
@@ -224,12 +240,12 @@ fn sky_file(params: &mut Params, ui: &mut egui::Ui) {
     });
 }
 
-/// Places to look from.
+/// Named views.
 fn views(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
-        for view in super::camera::VIEWS {
-            if ui.button(view.name).on_hover_text(view.about).clicked() {
-                super::camera::turn_to(&mut app.params, view);
+        for view in motion::VIEWS {
+            if button(ui, view.name, view.about) {
+                motion::turn_to(&mut app.params, view);
             }
         }
     });
@@ -250,9 +266,8 @@ fn afloat(app: &mut App, ui: &mut egui::Ui) {
     for (i, float) in app.params.floats.iter().enumerate() {
         ui.horizontal(|ui| {
             let height = app.derived.heights().sample(float.x_m, float.z_m, app.params.clock.t_s).height_m;
-            let metres = super::units::Scale::of("m", app.params.screen.units);
-            let east = metres.text(float.x_m, 0);
-            let south = metres.text(float.z_m, 0);
+            let metres = app.metres();
+            let [east, south] = [float.x_m, float.z_m].map(|x| metres.text(x, 0));
             ui.label(format!("{} at {east} east, {south} south: {}", float.kind.word(), metres.text(height, 2)));
             let cross = ui.small_button("×").on_hover_text("Lifts it out of the water.");
             if named(cross, &format!("Lift {} {}", float.kind.word(), i + 1)).clicked() {
@@ -268,33 +283,24 @@ fn afloat(app: &mut App, ui: &mut egui::Ui) {
     }
 }
 
-/// Other ways to pass a sea on.
+/// Further ways to share a sea.
 fn share(app: &mut App, ui: &mut egui::Ui) {
     ui.label("The address of the page is always the whole sea: send it, bookmark it, go back and forward.");
     ui.horizontal(|ui| {
-        let label = ui.label("Open link");
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let pressed = ui.button("Open").clicked();
-            let field = egui::TextEdit::singleline(&mut app.panel.link).hint_text("paste an address here");
-            let field = field.char_limit(query::MAX_BYTES);
-            let typed = ui.add(field.desired_width(f32::INFINITY)).labelled_by(label.id);
-            let entered = typed.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
-            if (pressed || entered) && !app.panel.link.trim().is_empty() {
-                let link = std::mem::take(&mut app.panel.link);
-                app.open_link(&link);
-            }
-        });
+        let hint = ("paste an address here", query::MAX_BYTES);
+        let (field, pressed) = text_field(ui, "Open link", &mut app.panel.link, hint, |ui| ui.button("Open").clicked());
+        let entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
+        if (pressed || entered) && !app.panel.link.trim().is_empty() {
+            let link = std::mem::take(&mut app.panel.link);
+            app.open_link(&link);
+        }
     });
-    if ui
-        .button("Copy frame")
-        .on_hover_text("Copies an <iframe> that shows this sea in another page, without the panel.")
-        .clicked()
-    {
+    if button(ui, "Copy frame", "Copies an <iframe> that shows this sea in another page, without the panel.") {
         app.copy_frame();
     }
     let maps =
         "Saves displacement and slopes of every cascade at this moment as one OpenEXR file: docs/use-the-maps.md.";
-    if ui.button("Save maps").on_hover_text(maps).clicked() {
+    if button(ui, "Save maps", maps) {
         app.save_maps();
     }
     ui.weak("Drop a picture that was saved here to see its sea again.");

@@ -1,44 +1,42 @@
-//! Read-outs: theory beside what is computed, and what the machine makes of it.
+//! Read-outs: statistics of the theory, of the computed waves and of the maps; times of the passes; the device.
 
 use super::super::App;
-use super::super::gauges::{Look, looked_at};
-use super::super::units::Scale;
 
-/// The four numbers that everybody asks for, and the sea in a word.
+/// The main statistics of the sea.
 pub fn show(app: &App, ui: &mut egui::Ui) {
     let t = &app.derived.theory;
-    let metres = Scale::of("m", app.params.screen.units);
-    // Nothing here is touched.
+    let metres = app.metres();
+    // These rows have no widgets that a finger must hit.
     let tall = std::mem::replace(&mut ui.spacing_mut().interact_size.y, 18.0);
+    let from = t.mean_from_deg.map_or("none".to_owned(), |d| format!("{d:.0}°"));
+    let hs_help = "Significant wave height, 4 sqrt(m0): the mean of the highest third.";
+    let from_help = "Mean direction that the waves come from, clockwise from north.";
+    let spread_help = "Directional spread sqrt(2 (1 - r1)), weighted by energy: 81° is no direction at all.";
+    let rows = [
+        ("Hs", metres.text(t.hs_m, 2), hs_help),
+        ("Tp", format!("{:.1} s", t.tp_s), "Period of the peak of the spectrum."),
+        ("Length", metres.text(t.lambda_p_m, 0), "Wavelength of the peak."),
+        ("Tz", format!("{:.1} s", t.tm02_s), "Mean zero-crossing period, 2 pi sqrt(m0 / m2)."),
+        ("From", from, from_help),
+        ("Spread", format!("{:.0}°", t.spread_deg), spread_help),
+    ];
     egui::Grid::new("read-outs").num_columns(4).show(ui, |ui| {
-        let value = |ui: &mut egui::Ui, label: &str, text: String, help: &str| {
-            ui.weak(label).on_hover_text(help);
-            ui.strong(text).on_hover_text(help);
-        };
-        value(ui, "Hs", metres.text(t.hs_m, 2), "Significant wave height, 4 sqrt(m0): the mean of the highest third.");
-        value(ui, "Tp", format!("{:.1} s", t.tp_s), "Period of the peak of the spectrum.");
-        ui.end_row();
-        value(ui, "Length", metres.text(t.lambda_p_m, 0), "Wavelength of the peak.");
-        value(ui, "Tz", format!("{:.1} s", t.tm02_s), "Mean zero-crossing period, 2 pi sqrt(m0 / m2).");
-        ui.end_row();
-        let from = t.mean_from_deg.map_or("none".to_owned(), |d| format!("{d:.0}°"));
-        value(ui, "From", from, "Mean direction that the waves come from, clockwise from north.");
-        value(
-            ui,
-            "Spread",
-            format!("{:.0}°", t.spread_deg),
-            "Directional spread sqrt(2 (1 - r1)), weighted by energy: 81° is no direction at all.",
-        );
-        ui.end_row();
+        for pair in rows.chunks(2) {
+            for (label, text, help) in pair {
+                ui.weak(*label).on_hover_text(*help);
+                ui.strong(text).on_hover_text(*help);
+            }
+            ui.end_row();
+        }
     });
     ui.spacing_mut().interact_size.y = tall;
 }
 
-/// Theory beside what the cascades hold, and what was measured in the maps on the GPU.
+/// Statistics of the theory, of the waves on the grid, and of the maps on the GPU.
 pub fn more(app: &App, ui: &mut egui::Ui) {
-    looked_at(ui.ctx(), Look::Maps);
+    app.shown.maps.set(true);
     let (t, r) = (&app.derived.theory, app.derived.resolved());
-    let metres = Scale::of("m", app.params.screen.units);
+    let metres = app.metres();
     egui::Grid::new("more numbers").num_columns(4).striped(true).show(ui, |ui| {
         let mut row = |label: &str, values: [String; 3], help: &str| {
             ui.weak(label).on_hover_text(help);
@@ -49,55 +47,44 @@ pub fn more(app: &App, ui: &mut egui::Ui) {
         };
         let none = String::new;
         let known = |value: Option<f64>, text: &dyn Fn(f64) -> String| value.map_or_else(none, text);
-        let m = &app.measured;
-        row(
-            "",
-            ["theory", "computed", "measured"].map(str::to_owned),
-            "What the spectrum promises, what the waves on the grid hold, and what was read from the GPU's maps.",
-        );
+        let (seconds, slope) = (|x: f64| format!("{x:.2} s"), |x: f64| format!("{x:.4}"));
+        let (degrees, percent) = (|x: f64| format!("{x:.1}°"), |x: f64| format!("{:.2} %", 100.0 * x));
+        let m = &app.sea_measurement;
+        let help = "What the spectrum promises, what the waves on the grid hold, and what was read from the GPU's \
+                    maps.";
+        row("", ["theory", "computed", "measured"].map(str::to_owned), help);
         let hs = [metres.text(t.hs_m, 3), metres.text(r.hs_m, 3), known(m.hs_m(), &|x| metres.text(x, 3))];
         row("Hs", hs, "Significant wave height, 4 sqrt(m0).");
-        row("Tm01", [format!("{:.2} s", t.tm01_s), format!("{:.2} s", r.tm01_s), none()], "Mean period, 2 pi m0 / m1.");
-        row("Tm02", [format!("{:.2} s", t.tm02_s), format!("{:.2} s", r.tm02_s), none()], "Mean zero-crossing period.");
+        row("Tm01", [seconds(t.tm01_s), seconds(r.tm01_s), none()], "Mean period, 2 pi m0 / m1.");
+        row("Tm02", [seconds(t.tm02_s), seconds(r.tm02_s), none()], "Mean zero-crossing period.");
         let length = [metres.text(t.lambda_mean_m, 1), none(), none()];
         row("Mean length", length, "Wavelength of the mean period Tm01.");
-        row(
-            "Steepness",
-            [format!("{:.4}", t.steepness), none(), none()],
-            "Hs over the wavelength of the peak; waves break near 0.07.",
-        );
-        row(
-            "Slopes",
-            [format!("{:.4}", t.mss), format!("{:.4}", r.mss), known(m.mss(), &|x| format!("{x:.4}"))],
-            &format!("Mean square slope of waves longer than {:.2} m.", std::f64::consts::TAU / t.k_max.max(1e-9)),
-        );
-        let spread = [format!("{:.1}°", t.spread_deg), format!("{:.1}°", r.spread_deg), none()];
-        row("Spread", spread, "Directional spread.");
-        row(
-            "Benjamin-Feir",
-            [format!("{:.2}", t.benjamin_feir), none(), none()],
-            "Benjamin-Feir index: near 1 freak waves become likely in a narrow, long-crested sea (Janssen 2003).",
-        );
-        let percent = |x: f64| format!("{:.2} %", 100.0 * x);
-        row(
-            "Whitecaps",
-            [percent(t.whitecap_fraction), none(), known(m.coverage(), &percent)],
-            "Coverage by whitecaps at this wind (Monahan and O'Muircheartaigh 1980), and the mean of the foam that is computed around the camera, however much of it is shown.",
-        );
+        let help = "Hs over the wavelength of the peak; waves break near 0.07.";
+        row("Steepness", [slope(t.steepness), none(), none()], help);
+        let shortest_m = std::f64::consts::TAU / t.k_max.max(1e-9);
+        let help = format!("Mean square slope of waves longer than {shortest_m:.2} m.");
+        row("Slopes", [slope(t.mss), slope(r.mss), known(m.mss(), &slope)], &help);
+        row("Spread", [degrees(t.spread_deg), degrees(r.spread_deg), none()], "Directional spread.");
+        let help = "Benjamin-Feir index: near 1 freak waves become likely in a narrow, long-crested sea (Janssen \
+                    2003).";
+        row("Benjamin-Feir", [format!("{:.2}", t.benjamin_feir), none(), none()], help);
+        let help = "Coverage by whitecaps at this wind (Monahan and O'Muircheartaigh 1980), and the mean of the foam \
+                    that is computed around the camera, however much of it is shown.";
+        row("Whitecaps", [percent(t.whitecap_fraction), none(), known(m.coverage(), &percent)], help);
         row("Energy held", [none(), percent(r.m0_fraction), none()], "Share of the variance on the grid.");
     });
-    let readings = app.measured.readings();
+    let readings = app.sea_measurement.readings();
     if readings > 0 {
         let moments = if readings == 1 { "one moment".to_owned() } else { format!("{readings} moments") };
         ui.weak(format!("Measured: mean of {moments}."));
     }
 }
 
-/// What a frame costs, pass by pass.
+/// Time of a frame on CPU and GPU, pass by pass.
 pub fn cost(app: &App, ui: &mut egui::Ui) {
-    looked_at(ui.ctx(), Look::Times);
-    ui.label(format!("Recording a frame: {:.2} ms of the CPU", app.gauges.record_ms()));
-    match app.gauges.passes() {
+    app.shown.times.set(true);
+    ui.label(format!("Recording a frame: {:.2} ms of the CPU", app.frame_measurements.record_ms()));
+    match app.frame_measurements.passes() {
         None => {
             ui.weak("This GPU does not tell how long its passes take: it has no timestamps.");
         }
@@ -115,10 +102,10 @@ pub fn cost(app: &App, ui: &mut egui::Ui) {
     }
 }
 
-/// What the program is and what it runs on.
+/// Program, device and cascades.
 pub fn about(app: &mut App, ui: &mut egui::Ui) {
     let help = "Copies all of this, the state and what went wrong as plain text.";
-    if ui.button("Copy report").on_hover_text(help).clicked() {
+    if super::button(ui, "Copy report", help) {
         app.copy_report();
     }
     egui::Grid::new("about").num_columns(2).striped(true).max_col_width(210.0).show(ui, |ui| {

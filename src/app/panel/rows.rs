@@ -1,18 +1,18 @@
-//! A row for each parameter, made from FIELDS: slider, typed value with unit, choice, flag or colour.
+//! A row for each parameter of FIELDS: slider, typed value with unit, choice, flag or colour.
 
-use super::super::access::named;
-use super::super::units::Scale;
+use super::super::accessible_names::named;
+use super::super::units::UnitScale;
 use crate::state::Params;
 use crate::state::fields::{FIELDS, Field, FieldKind, Group, Refusal};
 use crate::state::params::Units;
 
-/// Whether a parameter answers a search: every word stands in its name, key, group or explanation.
+/// Whether a search finds a parameter: every word occurs in its label, key, group or explanation.
 pub fn found(field: &Field, words: &str) -> bool {
     let text = format!("{} {} {} {}", field.key, field.label, field.group.label(), field.help).to_lowercase();
     words.to_lowercase().split_whitespace().all(|word| text.contains(word))
 }
 
-/// The rows of a group that answer a search.
+/// The rows of a group that the search finds.
 pub fn group(params: &mut Params, group: Group, words: &str, ui: &mut egui::Ui) {
     let units = params.screen.units;
     egui::Grid::new(group.label()).num_columns(3).show(ui, |ui| {
@@ -46,7 +46,7 @@ fn row(params: &mut Params, field: &'static Field, units: Units, ui: &mut egui::
         value = default;
     }
     if value != before {
-        // A slider stays in the range; what a typed value was clamped to is seen in the slider itself.
+        // The slider shows the value to which a typed one was clamped.
         let (Ok(v) | Err(Refusal::Clamped(v))) = field.accept(value) else { return };
         (field.set)(params, v);
     }
@@ -85,8 +85,8 @@ fn edit(field: &'static Field, value: &mut f64, units: Units, ui: &mut egui::Ui)
     }
 }
 
-/// A slider in the panel's units. The metric value changes only when the user moves it, so that looking at it in feet does
-/// not round it.
+/// A slider in the user's units. The metric value changes only when the slider moves, so that other units do not round
+/// it.
 fn number(
     field: &'static Field,
     value: &mut f64,
@@ -94,14 +94,14 @@ fn number(
     units: Units,
     ui: &mut egui::Ui,
 ) -> egui::Response {
-    let scale = Scale::of_field(field, units);
+    let scale = UnitScale::of_field(field, units);
     let mut shown = *value * scale.factor;
     let before = shown;
     let slider =
         egui::Slider::new(&mut shown, min * scale.factor..=max * scale.factor).logarithmic(log).smart_aim(true);
     let response = ui.add(with_zero(field, slider, scale.factor, units));
     if shown != before {
-        // Decimals beyond what is shown would only make the link longer.
+        // More digits would only make the link longer.
         let digits = if scale.factor == 1.0 { shown } else { significant(shown / scale.factor) };
         *value = digits;
     }
@@ -113,7 +113,7 @@ fn significant(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
 
-/// A colour picker; a colour that stands for a word is set by touching it and goes back by the row's cross.
+/// A colour picker with the value as text.
 fn colour(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Response {
     let bits = *value as u32;
     let mut rgb = [16, 8, 0].map(|shift| (bits >> shift) as u8);
@@ -126,11 +126,11 @@ fn colour(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Response {
     .inner
 }
 
-/// A slider that shows, and takes, units and the word that stands for 0.
+/// Adds to a slider the unit and the word for 0, as it shows them and as the user types them.
 fn with_zero<'a>(field: &'static Field, slider: egui::Slider<'a>, factor: f64, units: Units) -> egui::Slider<'a> {
-    let scale = Scale::of_field(field, units);
+    let scale = UnitScale::of_field(field, units);
     let unit = scale.suffix();
-    // From nothing to a hundred kilometres: without a scale of its own a slider could only jump.
+    // A linear slider over a wide range could not set small values.
     let most = if let FieldKind::Number { max, .. } = field.kind { max * factor } else { 0.0 };
     let wide = !field.zero.is_empty() && most > 100.0 * factor;
     let slider = if wide { slider.logarithmic(true).smallest_positive(1e-6 * most) } else { slider };

@@ -1,37 +1,40 @@
-//! Seas by name: the wind by Beaufort's scale, presets, and the user's own.
+//! The wind by Beaufort's scale, the program's named seas, and the user's own.
 
-use super::super::access::{named, named_value};
-use super::super::units::Scale;
-use super::super::{App, files};
+use super::super::accessible_names::{named, named_value};
+use super::super::units::UnitScale;
+use super::super::{App, storage};
+use super::button;
 use crate::state::presets::{self, Preset};
 use crate::waves::beaufort::{self, FORCES};
 
-/// The user's own seas, and what is being typed.
+/// The user's own named seas.
 #[derive(Default)]
-pub struct Seas {
+pub struct OwnSeas {
     own: Vec<Preset>,
+    /// Typed name of a sea to keep.
     name: String,
-    /// What was wrong with the kept seas: then what there is of them is put aside before anything is written over it.
+    /// Errors in the stored seas; if there are any, the stored text is copied before it is overwritten.
     damage: Vec<String>,
+    /// Whether the damaged text has been copied.
     is_aside: bool,
 }
 
-impl Seas {
-    /// Those of the last time.
+impl OwnSeas {
+    /// Loads the stored seas.
     pub fn load() -> Self {
-        let (own, damage) = presets::read(&files::load_seas());
+        let (own, damage) = presets::read(&storage::load_seas());
         Self { own, damage, ..Self::default() }
     }
 
-    /// What could not be taken of the last time's.
+    /// Errors in the stored seas.
     pub fn notices(&self) -> Vec<String> {
         self.damage.iter().map(|notice| format!("your own seas: {notice}")).collect()
     }
 
-    /// Adds seas, in place of those of the same names, and keeps them for the next time.
+    /// Adds seas, replacing those of the same names, and stores them.
     ///
     /// # Errors
-    /// One sentence, if they cannot be kept.
+    /// One sentence, if they cannot be stored.
     pub fn add(&mut self, new: Vec<Preset>) -> Result<(), String> {
         presets::add(&mut self.own, new)?;
         self.store()
@@ -39,14 +42,14 @@ impl Seas {
 
     fn store(&mut self) -> Result<(), String> {
         if !self.damage.is_empty() && !self.is_aside {
-            files::put_seas_aside()?;
+            storage::put_seas_aside()?;
             self.is_aside = true;
         }
-        files::store_seas(&presets::write(&self.own))
+        storage::store_seas(&presets::write(&self.own))
     }
 }
 
-/// Beaufort's scale as a slider: the first thing to play with.
+/// The wind as a slider over Beaufort's scale.
 pub fn wind(app: &mut App, ui: &mut egui::Ui) {
     let wind_m_s = app.params.sea.local().wind_m_s;
     let now = beaufort::number_of(wind_m_s);
@@ -65,8 +68,8 @@ pub fn wind(app: &mut App, ui: &mut egui::Ui) {
         app.params = FORCES[number].apply(&app.params);
     }
     let force = &FORCES[now];
-    let metres = Scale::of("m", app.params.screen.units);
-    let speed = Scale::of("m/s", app.params.screen.units);
+    let metres = app.metres();
+    let speed = UnitScale::of("m/s", app.params.screen.units);
     let (code, word) = beaufort::sea_state(app.derived.theory.hs_m);
     ui.label(format!("{} {}: {}", force.name, speed.text(wind_m_s, 1), force.appearance))
         .on_hover_text("Beaufort scale, WMO");
@@ -82,17 +85,17 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
     let mut chosen = None;
     ui.horizontal_wrapped(|ui| {
         for preset in presets::built_in() {
-            if ui.button(&preset.name).on_hover_text(format!("{}\n{}", preset.about, preset.source)).clicked() {
+            if button(ui, &preset.name, &format!("{}\n{}", preset.about, preset.source)) {
                 chosen = Some(preset.clone());
             }
         }
     });
     let mut dropped = None;
-    if !app.seas.own.is_empty() {
+    if !app.own_seas.own.is_empty() {
         ui.separator();
         ui.horizontal_wrapped(|ui| {
-            for preset in &app.seas.own {
-                if ui.button(&preset.name).on_hover_text(&preset.state).clicked() {
+            for preset in &app.own_seas.own {
+                if button(ui, &preset.name, &preset.state) {
                     chosen = Some(preset.clone());
                 }
                 let cross = ui.small_button("×").on_hover_text("Forget this sea.");
@@ -106,37 +109,37 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
         app.turn_to_preset(&preset);
     }
     if let Some(name) = dropped {
-        app.seas.own.retain(|p| p.name != name);
-        app.complain(|app| app.seas.store());
+        app.own_seas.own.retain(|p| p.name != name);
+        app.complain(|app| app.own_seas.store());
     }
     ui.separator();
     ui.horizontal(|ui| {
         let label = ui.label("Keep as");
-        let field = egui::TextEdit::singleline(&mut app.seas.name).hint_text("name of this sea");
+        let field = egui::TextEdit::singleline(&mut app.own_seas.name).hint_text("name of this sea");
         let field = field.char_limit(presets::MAX_NAME).desired_width(150.0);
         ui.add(field).labelled_by(label.id);
-        let name = app.seas.name.trim().to_owned();
+        let name = app.own_seas.name.trim().to_owned();
         if ui.add_enabled(!name.is_empty(), egui::Button::new("Keep")).clicked() {
-            app.seas.name.clear();
+            app.own_seas.name.clear();
             let preset = Preset::of(&name, &app.params);
-            app.complain(|app| app.seas.add(vec![preset]));
+            app.complain(|app| app.own_seas.add(vec![preset]));
         }
         if ui
-            .add_enabled(!app.seas.own.is_empty(), egui::Button::new("Export"))
+            .add_enabled(!app.own_seas.own.is_empty(), egui::Button::new("Export"))
             .on_hover_text("Saves your seas as a text file: drop it on another Seastate to import them.")
             .clicked()
         {
-            let text = presets::write(&app.seas.own);
+            let text = presets::write(&app.own_seas.own);
             app.save("seas.txt", text.as_bytes());
         }
     });
     ui.weak("Drop a file of seas here to import it.");
 }
 
-/// The seed: another draw of the same sea.
+/// The seed of the random phases.
 pub fn seed(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal(|ui| {
-        if ui.button("New seed").on_hover_text("Another sea with the same spectrum.").clicked() {
+        if button(ui, "New seed", "Another sea with the same spectrum.") {
             let old = app.params.sea.seed;
             app.params.sea.seed = crate::waves::noise::pcg4d([old, app.frames as u32, 7, 11])[0] % 100_000;
         }
@@ -145,8 +148,8 @@ pub fn seed(app: &mut App, ui: &mut egui::Ui) {
 }
 
 impl App {
-    /// Turns to a named sea: light and camera only as far as it names them.
-    pub(in crate::app) fn turn_to_preset(&mut self, preset: &Preset) {
+    /// Opens a named sea; light and camera change only if the sea names them.
+    fn turn_to_preset(&mut self, preset: &Preset) {
         let seed = self.params.sea.seed;
         let (params, notices) = preset.apply(&self.params);
         self.params = params;
@@ -157,7 +160,7 @@ impl App {
         }
     }
 
-    /// Says what went wrong, if it did.
+    /// Adds the error of an action to the notices.
     fn complain(&mut self, what: impl FnOnce(&mut Self) -> Result<(), String>) {
         if let Err(reason) = what(self) {
             self.notices.push(reason);

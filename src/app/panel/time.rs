@@ -1,12 +1,13 @@
-//! The time: stop, step, speed, scrub and go to.
+//! Controls of the clock: stop, step, speed, slider and typed time.
 
 use super::super::App;
-use super::super::access::{named, named_value};
+use super::super::accessible_names::{named, named_value};
+use super::button;
 use crate::state::params::Clock;
 
-/// One step while time stands still, s.
-pub const STEP_S: f64 = 1.0 / 60.0;
-/// The slider reaches at least this far, s.
+/// One step of a stopped clock, s.
+const STEP_S: f64 = 1.0 / 60.0;
+/// Length of the slider without a loop, s.
 const REACH_S: f64 = 120.0;
 
 /// Buttons and the slider.
@@ -14,13 +15,12 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
     let loop_s = app.params.sea.loop_s;
     let clock = &mut app.params.clock;
     ui.horizontal(|ui| {
-        if ui.button(if clock.paused { "Play" } else { "Pause" }).on_hover_text("Space").clicked() {
+        if button(ui, if clock.paused { "Play" } else { "Pause" }, "Space") {
             clock.paused = !clock.paused;
         }
-        named(ui.button("|<"), "Back to time 0")
-            .on_hover_text("Back to time 0 (Home)")
-            .clicked()
-            .then(|| clock.t_s = 0.0);
+        if named(ui.button("|<"), "Back to time 0").on_hover_text("Back to time 0 (Home)").clicked() {
+            clock.t_s = 0.0;
+        }
         if named(ui.button("<"), "One frame back").on_hover_text("One frame back (,)").clicked() {
             step(clock, -1.0);
         }
@@ -31,13 +31,12 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
         ui.add(speed).on_hover_text("Simulated seconds per second.");
     });
     ui.horizontal(|ui| {
-        // The slider shows one loop, or a round stretch of time that the present lies in.
-        let reach = if loop_s > 0.0 { loop_s } else { REACH_S.max(REACH_S * (clock.t_s / REACH_S).floor() + REACH_S) };
-        let from = if loop_s > 0.0 { loop_s * (clock.t_s / loop_s).floor() } else { reach - REACH_S };
-        let end = if loop_s > 0.0 { from + loop_s } else { reach };
+        // The slider covers the loop, or the stretch of time, that contains the current time.
+        let length = if loop_s > 0.0 { loop_s } else { REACH_S };
+        let from = length * (clock.t_s / length).floor();
         ui.spacing_mut().slider_width = (ui.available_width() - 120.0).max(80.0);
         let mut t = clock.t_s;
-        let slider = egui::Slider::new(&mut t, from..=end).show_value(false).step_by(0.0);
+        let slider = egui::Slider::new(&mut t, from..=from + length).show_value(false).step_by(0.0);
         if named_value(ui.add(slider), "Time", t)
             .on_hover_text("Drag through the time; it stands still meanwhile.")
             .changed()
@@ -56,9 +55,9 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
     });
 }
 
-/// Moves by frames and stands still.
+/// Stops the clock and moves it by a number of frames.
 pub fn step(clock: &mut Clock, frames: f64) {
     clock.paused = true;
-    // Onto whole frames, so that as many steps back return to the same moment.
+    // Whole frames, so that steps forward and back return to the same time.
     clock.t_s = ((clock.t_s / STEP_S).round() + frames).max(0.0) * STEP_S;
 }

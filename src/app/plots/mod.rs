@@ -1,5 +1,6 @@
-//! Plots of the panel: the spectrum, its directions, the sea at a point over time, and a cut through it. Each can be saved
-//! as CSV. Colours are those of Okabe and Ito (2008), which the colour-blind tell apart too; lines differ in dashes as well.
+//! Plots of the panel: the spectrum, its directions, the height at a point over time, and a profile of the sea. Each
+//! can be saved as CSV. The colours of Okabe and Ito (2008) are distinct in colour-blind sight; lines also differ in
+//! dashes.
 
 pub mod polar;
 mod profile;
@@ -7,12 +8,11 @@ mod series;
 mod spectrum;
 
 use super::App;
-use super::access::named;
-use super::gauges::{Look, looked_at};
+use super::accessible_names::named;
 use egui::Color32;
+use egui_plot::Plot;
 use std::fmt::Write as _;
 
-pub use series::Series;
 pub use spectrum::highest_omega;
 
 /// Colours of lines, in order.
@@ -27,7 +27,7 @@ const COLOURS: [Color32; 6] = [
 /// Height of a plot, points.
 const HEIGHT: f32 = 150.0;
 
-/// A table to save: name of the file, heading, rows.
+/// The data of a plot as a table: file name, column headings, rows.
 pub struct Table {
     name: &'static str,
     heading: String,
@@ -35,7 +35,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// As CSV, after the state that it belongs to.
+    /// The table as CSV, with the state string in a comment.
     fn csv(&self, state: &str) -> String {
         let mut text = format!("# Seastate {state}\n{}\n", self.heading);
         for row in &self.rows {
@@ -46,16 +46,21 @@ impl Table {
     }
 }
 
+/// A plot that the pointer cannot move.
+fn fixed_plot(name: &str) -> Plot<'_> {
+    Plot::new(name).height(HEIGHT).allow_drag(false).allow_zoom(false).allow_scroll(false)
+}
+
 /// All plots, one below the other.
 pub fn show(app: &mut App, ui: &mut egui::Ui) {
     let mut wanted = None;
     section(ui, "Spectrum", true, &mut wanted, |ui| {
-        looked_at(ui.ctx(), Look::Maps);
+        app.shown.maps.set(true);
         spectrum::show(app, ui)
     });
     section(ui, "Directions", false, &mut wanted, |ui| polar::show(app, ui));
     section(ui, "Sea at a buoy", false, &mut wanted, |ui| {
-        looked_at(ui.ctx(), Look::Record);
+        app.shown.record.set(true);
         series::show(app, ui)
     });
     section(ui, "Cut through the sea", false, &mut wanted, |ui| profile::show(app, ui));
@@ -65,7 +70,7 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
     }
 }
 
-/// A plot with its button; the table is made only when it is asked for.
+/// A plot with a button that requests its table.
 fn section(
     ui: &mut egui::Ui,
     title: &str,

@@ -1,30 +1,30 @@
-//! The directional spectrum as a wheel: energy by where the waves come from, long waves inside, and the wind.
+//! The directional spectrum in polar coordinates: directions that the waves come from, long waves inside, and the wind.
 
 use super::super::App;
 use super::Table;
 use crate::waves::Plan;
-use egui::{Color32, Mesh, Pos2, Stroke, pos2, vec2};
+use egui::{Color32, Mesh, Stroke, vec2};
 
 const DIRECTIONS: usize = 72;
 const RINGS: usize = 28;
-/// Side of the wheel, points.
+/// Side of the plot, points.
 const SIDE: f32 = 240.0;
 
-/// What the wheel shows, made once for a sea.
+/// Directional spectrum at the plot's resolution.
 pub struct Wheel {
-    /// omega of the rings' middles, rad/s.
+    /// omega at the middle of each ring, rad/s.
     omega: Vec<f64>,
     /// S(omega, from), m^2 s/rad, ring by ring.
     density: Vec<f64>,
 }
 
 impl Wheel {
-    /// For a sea.
+    /// Samples the directional spectrum of a sea.
     pub fn new(plan: &Plan) -> Self {
         let (low, high) = (plan.support().0, 3.0 * plan.omega_p);
         let omega: Vec<f64> = (0..RINGS).map(|i| low + (high - low) * (i as f64 + 0.5) / RINGS as f64).collect();
         let at = |w: f64, i: usize| -> f64 {
-            // Waves from here run the other way: x east, z south.
+            // The wave vector (x east, z south) points away from where the waves come from.
             let from = std::f64::consts::TAU * i as f64 / DIRECTIONS as f64;
             let k = [-from.sin(), from.cos()];
             plan.systems.iter().map(|s| s.spectrum.density(w) * s.direction_density(w, k)).sum()
@@ -34,7 +34,7 @@ impl Wheel {
     }
 }
 
-/// Black over blue to yellow: dark to bright in every kind of sight (cividis, Nunez et al. 2018).
+/// The colour map cividis from 0 to 1 (Nunez et al. 2018): its brightness increases in colour-blind sight, too.
 fn colour(x: f64) -> Color32 {
     const STOPS: [[f64; 3]; 5] =
         [[0.0, 0.13, 0.30], [0.25, 0.30, 0.42], [0.49, 0.48, 0.47], [0.73, 0.68, 0.43], [1.0, 0.91, 0.27]];
@@ -45,7 +45,7 @@ fn colour(x: f64) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// The wheel: north up, each place where waves come from.
+/// Draws the directional spectrum with north up.
 pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
     let wheel = app.derived.wheel();
     ui.weak("Where the waves come from, north up; long waves inside, short ones outside");
@@ -59,7 +59,7 @@ pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
         let [inner, outer] = [ring, ring + 1].map(|i| radius * i as f32 / RINGS as f32);
         for i in 0..DIRECTIONS {
             let [a, b] = [i as f32 - 0.5, i as f32 + 0.5].map(|i| std::f32::consts::TAU * i / DIRECTIONS as f32);
-            // A root lets the weaker directions be seen, too.
+            // The square root makes weak directions visible.
             let fill = colour((wheel.density[ring * DIRECTIONS + i] / most).sqrt());
             let first = mesh.vertices.len() as u32;
             for p in [at(a, inner), at(b, inner), at(b, outer), at(a, outer)] {
@@ -83,7 +83,9 @@ pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
         );
     }
     let wind = app.params.sea.local().from_deg.to_radians() as f32;
-    arrow(&painter, at(wind, radius), at(wind, 0.62 * radius));
+    let tail = at(wind, radius);
+    painter.arrow(tail, 0.38 * (centre - tail), Stroke::new(2.5, Color32::WHITE));
+    painter.circle_filled(tail, 2.5, Color32::WHITE);
     if let Some(p) = response.hover_pos() {
         let to = p - centre;
         let ring = (to.length() / radius * RINGS as f32) as usize;
@@ -104,14 +106,4 @@ pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
         vec![wheel.omega[j / DIRECTIONS], 360.0 * (j % DIRECTIONS) as f64 / DIRECTIONS as f64, wheel.density[j]]
     });
     Table { name: "directions.csv", heading: "omega (rad/s),from (deg),S (m2 s/rad)".into(), rows: rows.collect() }
-}
-
-fn arrow(painter: &egui::Painter, from: Pos2, to: Pos2) {
-    let stroke = Stroke::new(2.5, Color32::WHITE);
-    painter.line_segment([from, to], stroke);
-    let back = (from - to).normalized() * 9.0;
-    let side = vec2(-back.y, back.x) * 0.5;
-    painter.line_segment([to, to + back + side], stroke);
-    painter.line_segment([to, to + back - side], stroke);
-    painter.circle_filled(pos2(from.x, from.y), 2.5, Color32::WHITE);
 }

@@ -1,13 +1,12 @@
-//! A cut through the sea: its heights along the direction of view, at this moment.
+//! A profile of the sea along the direction of view at the current time.
 
 use super::super::App;
-use super::super::units::Scale;
-use super::{COLOURS, HEIGHT, Table};
-use egui_plot::{HLine, Line, Plot, PlotPoints};
+use super::{COLOURS, Table, fixed_plot};
+use egui_plot::{HLine, Line, PlotPoints};
 
 const POINTS: usize = 160;
 
-/// Heights from the camera's foot ahead, over four wavelengths of the peak.
+/// Heights ahead of the camera, over four wavelengths of the spectral peak.
 pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
     let camera = &app.params.camera;
     let (sin, cos) = camera.heading_deg.to_radians().sin_cos();
@@ -17,18 +16,12 @@ pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
         (0..POINTS).map(|i| [camera.x_m + sin * distance(i), camera.z_m - cos * distance(i)]).collect();
     let heights: Vec<f64> =
         app.derived.heights().sample_many(&points, app.params.clock.t_s).iter().map(|s| s.height_m).collect();
-    let metres = Scale::of("m", app.params.screen.units);
+    let metres = app.metres();
     ui.weak(format!("Height over distance ahead of the camera, {}", metres.unit));
     let shown: Vec<[f64; 2]> = (0..POINTS).map(|i| [distance(i), heights[i]].map(|x| x * metres.factor)).collect();
     let half = (0.9 * app.derived.theory.hs_m * metres.factor).max(0.05);
     let level = app.params.sea.level_m * metres.factor;
-    let plot = Plot::new("profile")
-        .height(HEIGHT)
-        .allow_drag(false)
-        .allow_zoom(false)
-        .allow_scroll(false)
-        .include_y(level - half)
-        .include_y(level + half);
+    let plot = fixed_plot("profile").include_y(level - half).include_y(level + half);
     plot.show(ui, |plot| {
         plot.hline(HLine::new("still water", level).color(egui::Color32::GRAY).width(1.0));
         plot.line(Line::new("surface", PlotPoints::from(shown)).color(COLOURS[0]).fill((level - half) as f32));

@@ -1,20 +1,19 @@
-//! S(omega): theory, each system, what the cascades hold, and what was measured.
+//! S(omega) of the whole sea, of each wave system, of the maps on the GPU, and of the buoy's record.
 
 use super::super::App;
-use super::{COLOURS, HEIGHT, Table};
+use super::{COLOURS, Table, fixed_plot};
 use crate::waves::Plan;
-use egui_plot::{Bar, BarChart, Legend, Line, LineStyle, Plot, PlotPoints, VLine};
+use egui_plot::{Bar, BarChart, Legend, Line, LineStyle, PlotPoints, VLine};
 
 const POINTS: usize = 240;
 
-/// End of the plot, rad/s.
+/// Highest frequency of the plot, rad/s.
 pub fn highest_omega(plan: &Plan) -> f64 {
     let highest = plan.systems.iter().map(|s| s.spectrum.omega_p).fold(plan.omega_p, f64::max);
     (3.5 * plan.omega_p).max(2.0 * highest)
 }
 
-/// The whole sea and each system, the peak, the edges of the cascades, what the maps on the GPU hold, and the spectrum of
-/// the buoy's record.
+/// Draws the spectra, the peak, and the edges of the cascades.
 pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
     let plan = &app.derived.plan;
     let (low, peak) = (plan.support().0, plan.omega_p);
@@ -25,23 +24,20 @@ pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
     };
     ui.weak("Variance density S(ω), m² s, over ω, rad/s");
     let several = plan.systems.len() > 1;
-    let record = app.series.spectrum();
-    let maps = app.measured.spectrum();
-    let plot = Plot::new("spectrum")
-        .height(HEIGHT)
-        .allow_drag(false)
-        .allow_zoom(false)
-        .allow_scroll(false)
-        .legend(Legend::default().background_alpha(0.4))
-        .label_formatter(|pointed| match pointed {
-            egui_plot::HoverPosition::NearDataPoint { plot_name, position, .. } => Some(format!(
-                "{plot_name}\nω {:.3} rad/s, T {:.1} s\nS {:.3} m² s",
-                position.x,
-                std::f64::consts::TAU / position.x.max(1e-3),
-                position.y
-            )),
-            egui_plot::HoverPosition::Elsewhere { .. } => None,
-        });
+    let record = app.record.spectrum();
+    let maps = app.sea_measurement.spectrum();
+    let plot =
+        fixed_plot("spectrum").legend(Legend::default().background_alpha(0.4)).label_formatter(
+            |pointed| match pointed {
+                egui_plot::HoverPosition::NearDataPoint { plot_name, position, .. } => Some(format!(
+                    "{plot_name}\nω {:.3} rad/s, T {:.1} s\nS {:.3} m² s",
+                    position.x,
+                    std::f64::consts::TAU / position.x.max(1e-3),
+                    position.y
+                )),
+                egui_plot::HoverPosition::Elsewhere { .. } => None,
+            },
+        );
     plot.show(ui, |plot| {
         if let Some((width, density)) = &maps {
             let bar = |i: usize, s: f64| Bar::new((i as f64 + 0.5) * width, s).width(*width);

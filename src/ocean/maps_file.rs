@@ -1,14 +1,13 @@
-//! The maps of the sea as one OpenEXR file, from the page as from the window: a layer for each cascade.
+//! The maps of a sea as one OpenEXR file with a layer for each cascade.
 
-use super::{App, files, tasks};
-use crate::ocean::{self, maps::MapsF32};
-use crate::state::{Params, query};
+use super::maps::MapsF32;
 use crate::waves::Plan;
 use exr::prelude::*;
 use std::io::Cursor;
 
-/// The file's bytes: displacement X, Y, Z (m, chop applied) and slopes of the undisplaced surface, cascade by cascade;
-/// column i holds x = i patch / n to the east, row j z = j patch / n to the south. The state string is its attribute `seastate`.
+/// Encodes the maps: displacement X, Y, Z (m, chop applied) and slopes of the undisplaced surface, cascade by cascade.
+/// Column i is at x = i patch / n east, row j at z = j patch / n south. The attribute `seastate` holds the state
+/// string.
 ///
 /// # Errors
 /// If the maps cannot be written.
@@ -40,20 +39,4 @@ pub fn encode(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<V
     let mut bytes = Cursor::new(Vec::new());
     image.write().to_buffered(&mut bytes).map_err(|e| format!("the maps cannot be written: {e}"))?;
     Ok(bytes.into_inner())
-}
-
-impl App {
-    /// Saves the maps of the sea at this moment. It arrives in the inbox.
-    pub(super) fn save_maps(&mut self) {
-        let params: Params = super::tidy(&self.params);
-        let state = query::write(&params);
-        let gpu = self.gpu();
-        let (inbox, ctx, folder) = (self.saved.clone(), self.ctx.clone(), self.save_folder.clone());
-        tasks::spawn(async move {
-            let plan = Plan::new(&params);
-            let read = ocean::maps::read(&gpu, &params).await;
-            let made = read.and_then(|maps| encode(&plan, &maps, &state));
-            inbox.put(made.and_then(|exr| files::save(folder.as_deref(), "seastate-maps.exr", &exr)), &ctx);
-        });
-    }
 }

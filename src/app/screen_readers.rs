@@ -1,51 +1,53 @@
-//! Screen readers on a page. eframe has no bridge from AccessKit to a browser, so the tree is handed to the page's script,
-//! which mirrors it in elements (web/readers.js), and what is done to those comes back as AccessKit's requests.
+//! Screen readers on the page. eframe passes no accessibility tree to a browser, so web/readers.js mirrors AccessKit's
+//! tree as HTML elements, and actions on the elements come back as AccessKit requests.
 //!
-//! The tree is made only once somebody has asked for it. Tests that use the panel as a person does find widgets by it, too.
+//! The tree is built from the first request on. Browser tests find widgets by it, too.
 
 use egui::accesskit::{Action, ActionData, ActionRequest, Node, NodeId, Role, Toggled, TreeId, TreeUpdate};
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// A widget, or a text.
+/// A widget or a text of the accessibility tree.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Item {
-    /// Of the widget, as text: it has 64 bits.
+pub struct AccessibleItem {
+    /// AccessKit's 64-bit id as a decimal number.
     pub id: String,
-    /// AccessKit's name of its role.
+    /// AccessKit's name of the role.
     pub role: String,
-    /// Name, and what it says.
+    /// Accessible name.
     pub label: String,
+    /// Value as text.
     pub value: String,
-    /// Value; least, greatest and step, if there are any.
+    /// Numeric value, with minimum, maximum and step where they exist.
     pub number: Option<(f64, [Option<f64>; 3])>,
-    /// Whether it is on, whether it is open.
+    /// Whether a toggle is on.
     pub on: Option<bool>,
+    /// Whether a section is expanded.
     pub open: Option<bool>,
     pub disabled: bool,
-    /// Place in points: x, y, width, height.
+    /// Bounds in points: x, y, width, height.
     pub place: [f64; 4],
 }
 
-/// What the page and the program tell one another.
+/// The tree and the page's requests, shared with the egui plugin.
 #[derive(Clone, Default)]
-pub struct Readers(Arc<Mutex<Inner>>);
+pub struct ScreenReaders(Arc<Mutex<Inner>>);
 
 #[derive(Default)]
 struct Inner {
-    /// In the order in which they are read.
-    items: Vec<Item>,
-    /// What the page has asked for, a batch for each frame.
+    /// Items in reading order.
+    items: Vec<AccessibleItem>,
+    /// Input events for the next frames, one batch per frame.
     requests: VecDeque<Vec<egui::Event>>,
     tree: Option<TreeId>,
 }
 
-impl Readers {
+impl ScreenReaders {
     fn inner(&self) -> MutexGuard<'_, Inner> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Goes on with another egui.
+    /// Continues with another egui context.
     pub fn move_to(&self, ctx: &egui::Context) {
         ctx.add_plugin(self.clone());
         if self.inner().tree.is_some() {
@@ -53,8 +55,8 @@ impl Readers {
         }
     }
 
-    /// What is on the screen, once a frame has been drawn since the first question.
-    pub fn items(&self, ctx: &egui::Context) -> Vec<Item> {
+    /// Items of the last frame; empty until a frame after the first call.
+    pub fn items(&self, ctx: &egui::Context) -> Vec<AccessibleItem> {
         if self.inner().tree.is_none() {
             ctx.enable_accesskit();
             ctx.request_repaint();
@@ -62,8 +64,8 @@ impl Readers {
         self.inner().items.clone()
     }
 
-    /// Does to a widget what its element was asked for: `click`, `focus`, `more`, `less`, `set` a number, `type` a
-    /// text and leave.
+    /// Applies an action to a widget: `click`, `focus`, `more`, `less`, `set` to a number, or `type` a text and confirm
+    /// it.
     pub fn act(&self, ctx: &egui::Context, id: &str, action: &str, value: f64, text: &str) {
         let mut inner = self.inner();
         let (Ok(id), Some(target_tree)) = (id.parse().map(NodeId), inner.tree) else { return };
@@ -73,31 +75,31 @@ impl Readers {
         let key = |key, modifiers| {
             [true, false].map(|pressed| egui::Event::Key { key, physical_key: None, pressed, repeat: false, modifiers })
         };
-        match action {
-            "click" => inner.requests.push_back(vec![ask(Action::Click, None)]),
-            "more" => inner.requests.push_back(vec![ask(Action::Increment, None)]),
-            "less" => inner.requests.push_back(vec![ask(Action::Decrement, None)]),
-            "focus" => inner.requests.push_back(vec![ask(Action::Focus, None)]),
-            "set" => inner.requests.push_back(vec![ask(Action::SetValue, Some(ActionData::NumericValue(value)))]),
+        let batches = match action {
+            "click" => vec![vec![ask(Action::Click, None)]],
+            "more" => vec![vec![ask(Action::Increment, None)]],
+            "less" => vec![vec![ask(Action::Decrement, None)]],
+            "focus" => vec![vec![ask(Action::Focus, None)]],
+            "set" => vec![vec![ask(Action::SetValue, Some(ActionData::NumericValue(value)))]],
             "type" => {
-                inner.requests.push_back(vec![ask(Action::Focus, None)]);
                 let mut keys = key(egui::Key::A, egui::Modifiers::COMMAND).to_vec();
-                // No text takes nothing away.
+                // An empty text event would not delete the selection.
                 if text.is_empty() {
                     keys.extend(key(egui::Key::Backspace, egui::Modifiers::NONE));
                 } else {
                     keys.push(egui::Event::Text(text.to_owned()));
                 }
-                inner.requests.push_back(keys);
-                inner.requests.push_back(key(egui::Key::Enter, egui::Modifiers::NONE).to_vec());
+                let confirm = key(egui::Key::Enter, egui::Modifiers::NONE).to_vec();
+                vec![vec![ask(Action::Focus, None)], keys, confirm]
             }
             _ => return,
-        }
+        };
+        inner.requests.extend(batches);
         ctx.request_repaint();
     }
 }
 
-impl egui::Plugin for Readers {
+impl egui::Plugin for ScreenReaders {
     fn debug_name(&self) -> &'static str {
         "readers"
     }
@@ -120,8 +122,8 @@ impl egui::Plugin for Readers {
     }
 }
 
-/// Widgets and texts of a tree in reading order.
-fn items(update: &TreeUpdate) -> Vec<Item> {
+/// Widgets and texts of an update in reading order.
+fn items(update: &TreeUpdate) -> Vec<AccessibleItem> {
     let nodes: HashMap<NodeId, &Node> = update.nodes.iter().map(|(id, node)| (*id, node)).collect();
     let mut items = Vec::new();
     let mut waiting: Vec<NodeId> = update.tree.iter().map(|tree| tree.root).collect();
@@ -133,7 +135,7 @@ fn items(update: &TreeUpdate) -> Vec<Item> {
     items
 }
 
-fn item(id: NodeId, node: &Node, nodes: &HashMap<NodeId, &Node>) -> Option<Item> {
+fn item(id: NodeId, node: &Node, nodes: &HashMap<NodeId, &Node>) -> Option<AccessibleItem> {
     let by = || nodes.get(node.labelled_by().first()?).and_then(|by| by.label().or(by.value()));
     let label = node.label().or_else(by).unwrap_or_default().to_owned();
     let value = node.value().unwrap_or_default().to_owned();
@@ -144,7 +146,7 @@ fn item(id: NodeId, node: &Node, nodes: &HashMap<NodeId, &Node>) -> Option<Item>
     let about = [node.min_numeric_value(), node.max_numeric_value(), node.numeric_value_step()].map(known);
     let number = node.numeric_value().map(|value| (value, about));
     let place = node.bounds().map_or([0.0; 4], |r| [r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0]);
-    Some(Item {
+    Some(AccessibleItem {
         id: id.0.to_string(),
         role: format!("{:?}", node.role()),
         label,

@@ -1,0 +1,58 @@
+//! Buoys and boats are moored where the user clicks the sea or presses B over it.
+
+use super::App;
+use crate::state::camera::View;
+use crate::state::floats::{self, Float};
+
+/// Largest distance from the camera at which a float is moored, m: beyond it nobody would see the float.
+const FARTHEST_FLOAT_M: f64 = 3000.0;
+/// Fixed-point steps that find where a ray of sight meets the waves.
+const RAY_STEPS: usize = 8;
+
+impl App {
+    /// Moors a buoy under the pointer when B is pressed, or the float chosen in the panel where the sea is clicked.
+    pub(super) fn moor(&mut self, response: &egui::Response, ctx: &egui::Context) {
+        if self.placing.is_some() && response.hovered() {
+            ctx.set_cursor_icon(egui::CursorIcon::Crosshair);
+        }
+        let key = !ctx.egui_wants_keyboard_input() && ctx.input(|i| i.key_pressed(egui::Key::B));
+        let (kind, at) = match (response.clicked().then_some(self.placing).flatten(), key) {
+            (Some(kind), _) => (kind, response.interact_pointer_pos()),
+            (None, true) => (floats::FloatKind::Buoy, response.hover_pos().or(Some(response.rect.center()))),
+            (None, false) => return,
+        };
+        self.placing = None;
+        let Some(at) = at else { return };
+        let Some([x_m, z_m]) = self.sea_at(at, response.rect) else {
+            self.say("There is no water there.");
+            return;
+        };
+        if self.params.floats.len() >= floats::MAX_FLOATS {
+            self.say("There is no room for more.");
+            return;
+        }
+        let round = |x: f64| (10.0 * x).round() / 10.0;
+        self.params.floats.push(Float { kind, x_m: round(x_m), z_m: round(z_m) });
+    }
+
+    /// The place on the sea that is seen at a point of the window, m east and south.
+    fn sea_at(&self, at: egui::Pos2, rect: egui::Rect) -> Option<[f64; 2]> {
+        let camera = &self.params.camera;
+        let aspect = f64::from(rect.width() / rect.height().max(1.0));
+        let view = View::new(camera, aspect, 0.0);
+        let to = (at - rect.center()) / (0.5 * rect.size());
+        let ray = view.ray(f64::from(to.x), -f64::from(to.y));
+        let mut height_m = self.params.sea.level_m;
+        let mut place = None;
+        for _ in 0..RAY_STEPS {
+            let distance = (height_m - camera.y_m) / ray.y;
+            if !(ray.y < -1e-3 && distance < FARTHEST_FLOAT_M) {
+                return place;
+            }
+            let [x, z] = [camera.x_m + distance * ray.x, camera.z_m + distance * ray.z];
+            height_m = self.derived.heights().sample(x, z, self.params.clock.t_s).height_m.min(camera.y_m - 0.3);
+            place = Some([x, z]);
+        }
+        place
+    }
+}

@@ -1,0 +1,137 @@
+//! Files dropped on the window or the page: a buoy's spectra, a sky, a saved picture or a list of seas.
+
+#[cfg(target_arch = "wasm32")]
+use super::tasks;
+use super::{App, tasks::Inbox};
+use crate::files::measured::{MAX_FILES, MeasuredSpectrum};
+use crate::files::{input, panorama, picture};
+use crate::state::look::SkyFile;
+use crate::state::presets;
+use egui::DroppedFileHandle;
+use std::sync::Arc;
+
+/// Names and contents of files, or why they cannot be read.
+pub type Files = Result<Vec<(String, Vec<u8>)>, String>;
+
+/// Reads a sky from a file's contents.
+///
+/// # Errors
+/// One sentence that names the file and the reason.
+pub fn sky(name: &str, bytes: &[u8]) -> Result<SkyFile, String> {
+    let image = panorama::read(name, bytes)?;
+    let file = SkyFile::named(name).ok_or("the sky's file has no name")?;
+    Ok(SkyFile { image: Some(Arc::new(image)), ..file })
+}
+
+/// Reads files that were dropped on a window.
+#[cfg(not(target_arch = "wasm32"))]
+fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context) {
+    let paths: Vec<_> = handles.iter().map(|h| h.path().to_owned()).collect();
+    inbox.put(input::read_all(&paths), ctx);
+}
+
+/// Reads files that were dropped on the page, and requests a frame when they are read.
+#[cfg(target_arch = "wasm32")]
+fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context) {
+    let (inbox, handles, ctx) = (inbox.clone(), handles.to_vec(), ctx.clone());
+    tasks::spawn(async move {
+        let mut files = Vec::new();
+        for handle in &handles {
+            let name = handle.path().to_string_lossy().into_owned();
+            // The size is checked before the file is read: a film would fill the tab's memory.
+            let size = handle.web_file().map_or(0.0, |f| f.size());
+            if size > input::most_bytes(&name) as f64 {
+                let reason = format!(
+                    "{name}: too large for any file that Seastate reads: a buoy's spectrum (text) or a sky (.hdr, .exr)"
+                );
+                return inbox.put(Err(reason), &ctx);
+            }
+            match handle.bytes_async().await {
+                Ok(bytes) => files.push((name, bytes)),
+                Err(reason) => return inbox.put(Err(format!("cannot read {name}: {reason}")), &ctx),
+            }
+        }
+        inbox.put(Ok(files), &ctx);
+    });
+}
+
+impl App {
+    /// Opens the files that were dropped. A file that cannot be read changes only the notices.
+    pub(super) fn take_opened_files(&mut self, ctx: &egui::Context) {
+        let handles = ctx.input(|i| i.raw.dropped_files.clone());
+        if handles.len() > MAX_FILES {
+            self.notices = vec![format!("a buoy has at most {MAX_FILES} files: {} were dropped", handles.len())];
+        } else if !handles.is_empty() {
+            read(&self.opened, &handles, ctx);
+        }
+        let Some(files) = self.opened.take().pop() else { return };
+        if let Err(reason) = files.and_then(|files| self.open_files(&files)) {
+            self.notices = vec![reason];
+        }
+    }
+
+    /// Opens files by their contents; several files are the spectra of one buoy.
+    fn open_files(&mut self, files: &[(String, Vec<u8>)]) -> Result<(), String> {
+        if let [(name, bytes)] = files {
+            if picture::is_png(bytes) {
+                let state = picture::state_of(bytes).map_err(|reason| format!("{name}: {reason}"))?;
+                self.open_link(&state);
+                return Ok(());
+            }
+            if let Some(text) = std::str::from_utf8(bytes).ok().filter(|text| presets::is_file(text)) {
+                self.import_seas(text);
+                return Ok(());
+            }
+            if panorama::is_sky(name, bytes) {
+                self.show_sky(sky(name, bytes)?);
+                return Ok(());
+            }
+        }
+        let file = MeasuredSpectrum::read(files)?;
+        let (title, spectrum) = (file.title, file.spectrum);
+        let title = if title.is_empty() { "the buoy's sea" } else { &title };
+        self.notices = vec![format!("{title}: {} bands, Hs {:.2} m", spectrum.bands().len(), spectrum.hs_m())];
+        self.notices.extend(file.notices);
+        self.params.sea.show_measured(spectrum);
+        Ok(())
+    }
+
+    /// Adds the seas of an exported list to the user's own.
+    fn import_seas(&mut self, text: &str) {
+        let (seas, notices) = presets::read(text);
+        let count = seas.len();
+        self.notices = notices;
+        match self.own_seas.add(seas) {
+            Ok(()) => self.say(&format!("{count} seas imported")),
+            Err(reason) => self.notices.push(reason),
+        }
+    }
+
+    /// Shows a sky, and its size and sun in the notices.
+    fn show_sky(&mut self, file: SkyFile) {
+        let Some(panorama) = &file.image else { return };
+        let sun = panorama.sun.as_ref().map(|s| format!(", sun {:.0}° high", s.elevation_deg)).unwrap_or_default();
+        self.notices = vec![format!("{}: {} x {}{sun}", file.name, panorama.width, panorama.height)];
+        self.notices.extend(panorama.notices.iter().cloned());
+        self.params.look.sky.file = Some(file.clone());
+        self.sky = Some(file);
+    }
+}
+
+/// Lists the kinds of files that can be dropped, while files hover over the window.
+pub fn show_drop_hint(ctx: &egui::Context) {
+    if ctx.input(|i| i.raw.hovered_files.is_empty()) {
+        return;
+    }
+    let painter = ctx.debug_painter();
+    let screen = ctx.content_rect();
+    painter.rect_filled(screen, 0.0, egui::Color32::from_black_alpha(140));
+    painter.text(
+        screen.center(),
+        egui::Align2::CENTER_CENTER,
+        "Drop a sky (.hdr, .exr), a picture saved here, a file of seas,\n\
+         or a buoy's spectrum (NDBC text or CSV of f, S, direction, spread)",
+        egui::FontId::proportional(20.0),
+        egui::Color32::WHITE,
+    );
+}

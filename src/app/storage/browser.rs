@@ -1,0 +1,47 @@
+//! Downloads, and local storage for the user's own seas; see desktop.rs for the functions.
+
+use super::{SEAS, SEAS_ASIDE};
+use std::path::Path;
+use wasm_bindgen::{JsCast as _, JsValue};
+
+/// Downloads bytes under a name. Returns a message.
+pub fn save(_folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, String> {
+    let run = || -> Result<(), JsValue> {
+        let parts = js_sys::Array::of1(&js_sys::Uint8Array::from(bytes).into());
+        let blob = web_sys::Blob::new_with_u8_array_sequence(&parts)?;
+        let url = web_sys::Url::create_object_url_with_blob(&blob)?;
+        let document = web_sys::window().and_then(|w| w.document()).ok_or("no document")?;
+        let anchor: web_sys::HtmlAnchorElement = document.create_element("a")?.unchecked_into();
+        anchor.set_href(&url);
+        anchor.set_download(name);
+        anchor.click();
+        web_sys::Url::revoke_object_url(&url)
+    };
+    run().map(|()| format!("downloaded {name}")).map_err(|e| format!("cannot save {name}: {e:?}"))
+}
+
+/// The user's own seas as text, empty without any.
+pub fn load_seas() -> String {
+    storage().and_then(|s| s.get_item(SEAS).ok().flatten()).unwrap_or_default()
+}
+
+/// Copies the user's own seas to another key.
+pub fn put_seas_aside() -> Result<(), String> {
+    store(SEAS_ASIDE, &load_seas())
+}
+
+/// Stores the user's own seas.
+pub fn store_seas(text: &str) -> Result<(), String> {
+    store(SEAS, text)
+}
+
+fn store(key: &str, text: &str) -> Result<(), String> {
+    let storage = storage().ok_or("this browser keeps nothing for this page")?;
+    storage.set_item(key, text).map_err(|_| {
+        "not kept: this site's storage in the browser is full or switched off (a private window?)".to_owned()
+    })
+}
+
+fn storage() -> Option<web_sys::Storage> {
+    web_sys::window().and_then(|w| w.local_storage().ok().flatten())
+}

@@ -1,0 +1,108 @@
+//! Files in the user's folders.
+
+use super::{SEAS, SEAS_ASIDE};
+use std::io::{ErrorKind, Read as _, Write as _};
+use std::path::{Path, PathBuf};
+
+/// Saves bytes under a name in `folder`, else in the user's folder for pictures, else in the current one. Existing
+/// files are kept: the name gets a number. Returns a message that names the file.
+///
+/// # Errors
+/// One sentence with the reason.
+pub fn save(folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, String> {
+    let pictures = || directories::UserDirs::new().and_then(|d| d.picture_dir().map(Path::to_owned));
+    let folder = folder.map(Path::to_owned).or_else(pictures).filter(|f| f.is_dir()).unwrap_or_else(|| ".".into());
+    for path in numbered(name).map(|name| folder.join(name)) {
+        let fault = |e: std::io::Error| format!("cannot write {}: {e}", path.display());
+        match std::fs::File::create_new(&path) {
+            Ok(mut file) => {
+                file.write_all(bytes).map_err(fault)?;
+                return Ok(format!("saved {}", path.display()));
+            }
+            Err(e) if e.kind() == ErrorKind::AlreadyExists => {}
+            Err(e) => return Err(fault(e)),
+        }
+    }
+    Err(format!("there are too many files like {name} in {}", folder.display()))
+}
+
+/// A file name, then the same name with `-2`, `-3` and so on before its extension.
+fn numbered(name: &str) -> impl Iterator<Item = String> {
+    let (stem, end) = name.rsplit_once('.').unwrap_or((name, ""));
+    std::iter::once(name.to_owned()).chain((2..1000).map(move |i| format!("{stem}-{i}.{end}")))
+}
+
+/// The user's own seas as text, empty without any; invalid UTF-8 is replaced.
+pub fn load_seas() -> String {
+    seas_path().ok().and_then(|path| read_seas(&path)).unwrap_or_default()
+}
+
+fn read_seas(path: &Path) -> Option<String> {
+    let mut bytes = Vec::new();
+    // One byte more than the limit, so that the parser notices a longer file.
+    let most = crate::state::presets::MAX_FILE_BYTES as u64 + 1;
+    std::fs::File::open(path).ok()?.take(most).read_to_end(&mut bytes).ok()?;
+    Some(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// Copies the user's own seas to another file, which the program never overwrites.
+///
+/// # Errors
+/// One sentence with the reason.
+pub fn put_seas_aside() -> Result<(), String> {
+    copy_aside(&seas_path()?)
+}
+
+fn copy_aside(path: &Path) -> Result<(), String> {
+    let free = numbered(SEAS_ASIDE).map(|name| path.with_file_name(name)).find(|aside| !aside.exists());
+    let aside = free.ok_or("there are too many files of damaged seas")?;
+    std::fs::copy(path, &aside).map(drop).map_err(|e| format!("cannot write {}: {e}", aside.display()))
+}
+
+/// Stores the user's own seas.
+///
+/// # Errors
+/// One sentence with the reason.
+pub fn store_seas(text: &str) -> Result<(), String> {
+    let path = seas_path()?;
+    let fault = |e: std::io::Error| format!("cannot write {}: {e}", path.display());
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder).map_err(fault)?;
+    }
+    // The old file stays until the new one is complete, so that a full disk loses nothing.
+    let new = path.with_extension("new");
+    std::fs::write(&new, text).and_then(|()| std::fs::rename(&new, &path)).map_err(fault)
+}
+
+fn seas_path() -> Result<PathBuf, String> {
+    let given = std::env::var_os("SEASTATE_DATA_DIR").map(PathBuf::from);
+    let usual = || directories::ProjectDirs::from("", "", "seastate").map(|d| d.data_dir().to_owned());
+    let folder = given.or_else(usual).ok_or("there is no folder for the program's data")?;
+    Ok(folder.join(SEAS))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn damaged_seas_are_read_as_far_as_they_go_and_put_aside() {
+        let folder = std::env::temp_dir().join(format!("seastate-seas-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let path = folder.join(SEAS);
+        assert_eq!(read_seas(&path), None);
+        std::fs::write(&path, b"[a]\nstate: wind=3\n[b]\nabout: \xff\xfe\nstate: wind=4\n[c]\n").expect("a file");
+        let (seas, notices) = crate::state::presets::read(&read_seas(&path).expect("text"));
+        assert_eq!((seas.len(), notices.len()), (2, 1));
+        copy_aside(&path).expect("a copy");
+        std::fs::write(&path, "").expect("a file");
+        copy_aside(&path).expect("another copy");
+        assert_eq!(std::fs::read(folder.join(SEAS_ASIDE)).expect("the copy").len(), 50);
+        assert!(std::fs::read(folder.join("seas-damaged-2.txt")).expect("the second").is_empty());
+        // A file over the limit is noticed, not silently cut.
+        std::fs::write(&path, "[a]\nstate: wind=3\n".repeat(100_000)).expect("a file");
+        let (_, notices) = crate::state::presets::read(&read_seas(&path).expect("text"));
+        assert!(notices.iter().any(|n| n.contains("KiB")), "{notices:?}");
+        std::fs::remove_dir_all(&folder).expect("the folder is removed");
+    }
+}

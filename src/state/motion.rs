@@ -1,0 +1,185 @@
+//! Motion of the camera: looking around, orbiting, zooming, flying, and the named views.
+
+use super::Params;
+use super::camera::{EARTH_RADIUS_M, View};
+use super::params::{Camera, CameraMode};
+use glam::DVec3;
+
+/// Allowed heights of the camera, m.
+const LOWEST_M: f64 = 1.0;
+const HIGHEST_M: f64 = 5000.0;
+/// Largest distance of the pivot of an orbit: this many camera heights plus this many metres.
+const FAR_HEIGHTS: f64 = 12.0;
+const FAR_M: f64 = 30.0;
+
+/// A named view of the sea.
+pub struct NamedView {
+    /// Name on the button.
+    pub name: &'static str,
+    /// Tooltip.
+    pub about: &'static str,
+    camera: fn(&Params) -> Camera,
+}
+
+/// The named views. They keep the horizontal position and change height and direction.
+pub const VIEWS: &[NamedView] = &[
+    NamedView { name: "Deck", about: "Seven metres up, as at the start.", camera: |p| seen(p, 7.0, -4.0, 50.0) },
+    NamedView {
+        name: "Swimmer",
+        about: "An eye just above the water, riding on it.",
+        camera: |p| Camera { mode: CameraMode::Buoy, ..seen(p, 1.0, 2.0, 60.0) },
+    },
+    NamedView { name: "Bridge", about: "From the bridge of a large ship.", camera: |p| seen(p, 28.0, -8.0, 50.0) },
+    NamedView {
+        name: "Cliff",
+        about: "From a hundred metres, with a long lens.",
+        camera: |p| seen(p, 100.0, -7.0, 25.0),
+    },
+    NamedView {
+        name: "Aeroplane",
+        about: "From a kilometre: the pattern of the swell.",
+        camera: |p| seen(p, 1000.0, -25.0, 50.0),
+    },
+    NamedView { name: "Straight down", about: "The water from above.", camera: |p| seen(p, 60.0, -89.0, 50.0) },
+    NamedView {
+        name: "Into the waves",
+        about: "Against the direction that the waves run in.",
+        camera: |p| Camera { heading_deg: p.sea.local().from_deg, ..seen(p, 4.0, -2.0, 50.0) },
+    },
+    NamedView {
+        name: "Into the sun",
+        about: "Along the path of glitter.",
+        camera: |p| {
+            let [x, up, z] = p.look.sky.sun_direction();
+            let sun_deg = x.atan2(-z).to_degrees().rem_euclid(360.0);
+            Camera {
+                heading_deg: sun_deg.round(),
+                ..seen(p, 7.0, (0.4 * up.asin().to_degrees() - 8.0).clamp(-20.0, 10.0), 50.0)
+            }
+        },
+    },
+];
+
+/// A camera at the current horizontal position and heading.
+fn seen(p: &Params, y_m: f64, pitch_deg: f64, fov_deg: f64) -> Camera {
+    let mode = if p.camera.mode == CameraMode::Buoy { CameraMode::Fly } else { p.camera.mode };
+    Camera { y_m, pitch_deg: pitch_deg.round(), fov_deg, mode, ..p.camera.clone() }
+}
+
+/// Goes to a named view.
+pub fn turn_to(params: &mut Params, view: &NamedView) {
+    params.camera = (view.camera)(params);
+}
+
+/// Turns the view by angles to the right and up, degrees.
+pub fn turn(camera: &mut Camera, right_deg: f64, up_deg: f64) {
+    camera.heading_deg = (camera.heading_deg + right_deg).rem_euclid(360.0);
+    camera.pitch_deg = (camera.pitch_deg + up_deg).clamp(-89.0, 60.0);
+}
+
+/// Distance along the view to the pivot of an orbit, m: the sea in the middle of the picture, within a limit.
+fn pivot_m(camera: &Camera) -> f64 {
+    let far = FAR_HEIGHTS * camera.y_m + FAR_M;
+    let down = -camera.pitch_deg.to_radians().sin();
+    // The curvature of the Earth does not matter at this distance.
+    debug_assert!(far < EARTH_RADIUS_M);
+    if down > 0.0 { (camera.y_m / down).min(far) } else { far }
+}
+
+/// Position of the camera, m, and unit vector of the view direction.
+fn eye_and_forward(camera: &Camera) -> (DVec3, DVec3) {
+    let view = View::new(camera, 1.0, f64::NEG_INFINITY);
+    (view.eye, view.forward)
+}
+
+/// Turns around the pivot at constant distance, by angles in degrees.
+pub fn orbit(camera: &mut Camera, right_deg: f64, up_deg: f64) {
+    let distance = pivot_m(camera);
+    let (eye, before) = eye_and_forward(camera);
+    let pivot = eye + distance * before;
+    // The camera stays above its lowest height.
+    let lowest = -((LOWEST_M - pivot.y) / distance).clamp(-1.0, 1.0).asin().to_degrees();
+    camera.heading_deg = (camera.heading_deg + right_deg).rem_euclid(360.0);
+    camera.pitch_deg = (camera.pitch_deg - up_deg).clamp(-89.0, lowest.max(-89.0));
+    let (_, after) = eye_and_forward(camera);
+    place(camera, pivot - distance * after);
+}
+
+/// Scales the field of view, or in orbit the distance to the pivot.
+pub fn zoom(camera: &mut Camera, factor: f64) {
+    if camera.mode != CameraMode::Orbit {
+        camera.fov_deg = (camera.fov_deg * factor).clamp(10.0, 100.0);
+        return;
+    }
+    let (eye, ahead) = eye_and_forward(camera);
+    let distance = pivot_m(camera);
+    // The allowed heights limit the distance.
+    let down = (-ahead.y).max(1e-3);
+    let least = if -ahead.y > 1e-3 { LOWEST_M / down } else { 5.0 };
+    let wanted = (distance * factor).clamp(least, HIGHEST_M / down);
+    place(camera, eye + (distance - wanted) * ahead);
+}
+
+/// Flies by metres to the right, ahead and up.
+pub fn fly(camera: &mut Camera, right_m: f64, ahead_m: f64, up_m: f64) {
+    let (sin, cos) = camera.heading_deg.to_radians().sin_cos();
+    let step = DVec3::new(ahead_m * sin + right_m * cos, up_m, right_m * sin - ahead_m * cos);
+    place(camera, DVec3::new(camera.x_m, camera.y_m, camera.z_m) + step);
+}
+
+/// Moves to a position, within the limits of the parameters.
+fn place(camera: &mut Camera, eye: DVec3) {
+    camera.x_m = eye.x.clamp(-1e6, 1e6);
+    camera.y_m = eye.y.clamp(LOWEST_M, HIGHEST_M);
+    camera.z_m = eye.z.clamp(-1e6, 1e6);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pivot(camera: &Camera) -> DVec3 {
+        let (eye, forward) = eye_and_forward(camera);
+        eye + pivot_m(camera) * forward
+    }
+
+    #[test]
+    fn an_orbit_keeps_its_centre_and_its_distance() {
+        let mut camera = Camera { mode: CameraMode::Orbit, pitch_deg: -30.0, y_m: 40.0, ..Camera::default() };
+        let (centre, distance) = (pivot(&camera), pivot_m(&camera));
+        assert!(centre.y.abs() < 1e-9, "on the water");
+        for (right, up) in [(50.0, 0.0), (0.0, 20.0), (-200.0, -30.0), (10.0, 5.0)] {
+            orbit(&mut camera, right, up);
+            let now = pivot(&camera);
+            assert!((now - centre).abs().max_element() < 1e-6, "{centre:?} {now:?}");
+            assert!((pivot_m(&camera) - distance).abs() < 1e-6);
+        }
+        zoom(&mut camera, 0.5);
+        let now = pivot(&camera);
+        assert!((now - centre).abs().max_element() < 1e-6, "{centre:?} {now:?}");
+        assert!((pivot_m(&camera) - 0.5 * distance).abs() < 1e-6);
+    }
+
+    #[test]
+    fn no_camera_goes_under() {
+        for pitch_deg in [-89.0, -30.0, -1.0, 0.0, 30.0] {
+            let mut camera = Camera { mode: CameraMode::Orbit, pitch_deg, ..Camera::default() };
+            for i in 0..200 {
+                orbit(&mut camera, f64::from(i), if i % 7 < 4 { 25.0 } else { -30.0 });
+                zoom(&mut camera, if i % 5 < 3 { 0.3 } else { 2.0 });
+                assert!((LOWEST_M..=HIGHEST_M).contains(&camera.y_m) && camera.pitch_deg <= 60.0, "{camera:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn every_named_view_is_one_that_a_link_can_carry() {
+        let mut params = Params::default();
+        for view in VIEWS {
+            turn_to(&mut params, view);
+            let state = crate::state::query::write(&params);
+            let (read, notices) = crate::state::query::parse(&state);
+            assert_eq!((read, notices), (params.clone(), vec![]), "{}", view.name);
+        }
+    }
+}
