@@ -218,7 +218,7 @@ impl App {
             self.measured.waiting = false;
             match probed {
                 Ok(probed) => {
-                    self.measured.estimate = Some((MapSpectrumEstimator::new(&probed.plan, width, BINS), probed))
+                    self.measured.estimate = Some((MapSpectrumEstimator::new(&probed.plan, width, BINS), probed));
                 }
                 Err(reason) => {
                     let notice = format!("the sea was not measured: {reason}");
