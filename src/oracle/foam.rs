@@ -13,8 +13,7 @@ pub struct MipLevel<'a> {
     pub gradients: &'a [Texel],
 }
 
-/// Displacement and gradient texels at the texture coordinates `uv` (1 is one patch), with bilinear filtering and
-/// repetition.
+/// Displacement and gradient texels at `uv` (1 is one patch), with bilinear filtering and repetition.
 pub fn sample_bilinear(level: &MipLevel<'_>, uv: [f64; 2]) -> [Texel; 2] {
     let n = level.n as i64;
     let [u, v] = uv.map(|c| c * level.n as f64 - 0.5);

@@ -40,8 +40,7 @@ pub fn rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> MapPair
             return [0.0; 4];
         }
         let orbit = plan.wave(cascade, (ix * ix + iz * iz) as u32).orbit;
-        // docs/sea.md, "Synthesis": D = i k/|k| h, its derivatives -(kx kz/|k|) h and so on, with coth(k h) on all of
-        // D.
+        // docs/sea.md, "Synthesis": D = i k/|k| coth(k depth) h, dDx/dz = -(kx kz/|k|) coth(k depth) h.
         let h = h[i];
         let pack = |f: Complex, g: Complex| add(f, times_i(g));
         let (first, second) = if pair == 0 {

@@ -6,8 +6,7 @@ use std::f64::consts::TAU;
 /// Samples in a segment: long enough to separate two swells, short enough to average several segments.
 const SEGMENT: usize = 512;
 
-/// One-sided variance density S(omega) of `heights_m`, sampled at `rate_hz`, as pairs of omega (rad/s) and density (m^2
-/// s).
+/// One-sided variance density S(omega) of `heights_m` sampled at `rate_hz`: pairs of omega (rad/s) and S (m^2 s).
 ///
 /// The mean of periodograms of segments that overlap by half, each without its mean and with a Hann window. The last
 /// segment ends at the newest sample. Empty if the record is shorter than one segment.

@@ -57,7 +57,8 @@ pub fn residual(plan: &Plan, resolved: SlopeVariance) -> SlopeVariance {
 /// Half the wavelength, m, below which waves form no distinct caustics on the bed.
 ///
 /// Refracted rays converge with the strain `reach_m` times the curvature of the surface, where `reach_m` is the depth
-/// times 1 - n1/n2. Once the longer waves alone have a strain variance of 0.4, the images of shorter waves overlap.
+/// times 1 - n_air/n_water. Once the longer waves alone have a strain variance of 0.4, the images of shorter waves
+/// overlap.
 pub fn focusing_m(plan: &Plan, reach_m: f64) -> f64 {
     const STRAIN_VARIANCE: f64 = 0.4;
     let (low, high) = (plan.dispersion.wave_number(plan.support().0).max(1e-4), plan.k_max().max(2e-4));

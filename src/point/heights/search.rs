@@ -11,18 +11,16 @@ const TOLERANCE_M: f64 = 1e-8;
 const MAX_EVALUATIONS: usize = 64;
 /// Lower limit of the potential's curvatures, which keeps a step finite at the edge of a fold.
 const MIN_CURVATURE: f64 = 1e-3;
-/// Smallest decrease of the potential for a step, as a fraction of the decrease that its gradient predicts (Armijo
-/// rule).
+/// Armijo rule: smallest decrease of the potential in a step, as a fraction of the decrease predicted by its gradient.
 const ARMIJO: f64 = 1e-4;
 /// Residual below which rounding hides the potential's decrease and the residual must decrease instead, m.
 const NEAR_M: f64 = 1e-3;
 
 impl Heights {
-    /// Finds the offset d = lambda D(x - d) at the point x. Returns d, the sums there, and whether the search
-    /// converged.
+    /// Finds the offset d = lambda D(x - d) at the point x. Returns d, the sums there, and whether it converged.
     ///
-    /// D is the gradient of a potential, so with d = sqrt(lambda) e the solutions are the stationary points of 1/2
-    /// |e|^2 + potential(x - sqrt(lambda) e): its gradient is the residual, and the determinant of its Hessian is the
+    /// D is the gradient of a potential, so with d = sqrt(lambda) e the solutions are the stationary points of
+    /// |e|^2 / 2 + potential(x - sqrt(lambda) e): its gradient is the residual, and the determinant of its Hessian is the
     /// Jacobian. The function grows without bound, so it has a minimum even in a folded sea, and at a minimum the water
     /// is upright. Newton steps find a minimum; curvatures inside folds are made positive, and a step is halved until
     /// the function decreases.
@@ -68,8 +66,7 @@ impl Heights {
         (offset(e), at, error[0].hypot(error[1]) <= TOLERANCE_M)
     }
 
-    /// Newton step for a gradient `g` and a strain (dDx/dx, dDz/dz, dDx/dz), with the absolute values of the
-    /// curvatures.
+    /// Newton step for a gradient `g` and a strain (dDx/dx, dDz/dz, dDx/dz), with absolute values of the curvatures.
     pub(super) fn step(&self, g: [f64; 2], [xx, zz, xz]: [f64; 3]) -> [f64; 2] {
         let [rx, rz] = self.root;
         // The Hessian is mean I + [half, cross; cross, -half], with the eigenvalues mean +- radius.
