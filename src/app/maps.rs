@@ -1,7 +1,7 @@
 //! The maps of the sea as one OpenEXR file, from the page as from the window: a layer for each cascade.
 
 use super::{App, files, tasks};
-use crate::ocean::{self, maps::MapsF32};
+use crate::ocean::{MapsF32, Ocean};
 use crate::state::{Params, query};
 use crate::waves::Plan;
 use exr::prelude::*;
@@ -51,7 +51,7 @@ impl App {
         let (inbox, ctx, folder) = (self.saved.clone(), self.ctx.clone(), self.save_folder.clone());
         tasks::spawn(async move {
             let plan = Plan::new(&params);
-            let read = ocean::maps::read(&gpu, &params).await;
+            let read = Ocean::waves_only(&gpu, &params).read_maps().await;
             let made = read.and_then(|maps| encode(&plan, &maps, &state));
             inbox.put(made.and_then(|exr| files::save(folder.as_deref(), "seastate-maps.exr", &exr)), &ctx);
         });

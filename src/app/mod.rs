@@ -36,7 +36,7 @@ use crate::state::floats::{self, Float};
 use crate::state::look::SkyFile;
 use crate::state::params::Camera;
 use crate::state::{Params, query};
-use crate::waves::Plan;
+use crate::waves::{Plan, SeaChange};
 use crate::waves::statistics::{Resolved, Theory};
 use faults::Faults;
 use std::cell::OnceCell;
@@ -77,6 +77,22 @@ impl Derived {
             waterline: OnceCell::new(),
             wheel: OnceCell::new(),
         }
+    }
+
+    /// Follows the parameters, with as little work as their change needs. Returns the level of the sea that changed.
+    fn follow(&mut self, params: &Params) -> Option<SeaChange> {
+        let change = SeaChange::between(&self.of, params);
+        match change {
+            None => return None,
+            Some(SeaChange::Waves) => *self = Self::new(params),
+            Some(SeaChange::Surface) => {
+                self.plan = self.plan.with_surface(&params.sea);
+                self.waterline = OnceCell::new();
+            }
+            Some(SeaChange::Foam) => self.plan = self.plan.with_surface(&params.sea),
+        }
+        self.of = params.clone();
+        change
     }
 
     fn resolved(&self) -> &Resolved {
@@ -469,9 +485,10 @@ impl eframe::App for App {
         if self.history.is_open() {
             ctx.request_repaint();
         }
-        if (&self.derived.of.grid, &self.derived.of.sea) != (&self.params.grid, &self.params.sea) {
-            self.derived = Derived::new(&self.params);
-            self.series.clear();
+        if let Some(change) = self.derived.follow(&self.params) {
+            if change > SeaChange::Foam {
+                self.series.clear();
+            }
             self.forget_measured();
         }
         self.record(&ctx);
@@ -524,4 +541,30 @@ fn tidy(params: &Params) -> Params {
         *degrees = tidy(*degrees, 1);
     }
     p
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn foam_leaves_theory_and_heights_as_they_are() {
+        let mut params = Params::default();
+        params.grid.n = 64;
+        let mut derived = Derived::new(&params);
+        let first = derived.plan.clone();
+        derived.heights();
+        params.sea.foam.decay_s = 9.0;
+        assert_eq!(derived.follow(&params), Some(SeaChange::Foam));
+        assert_eq!(derived.follow(&params), None);
+        assert!(derived.plan.shares_integrals(&first) && derived.waterline.get().is_some());
+        assert_eq!(derived.plan, Plan::new(&params));
+        params.sea.chop = 0.5;
+        assert_eq!(derived.follow(&params), Some(SeaChange::Surface));
+        assert!(derived.plan.shares_integrals(&first) && derived.waterline.get().is_none());
+        assert_eq!(derived.plan, Plan::new(&params));
+        params.sea.depth_m = 10.0;
+        assert_eq!(derived.follow(&params), Some(SeaChange::Waves));
+        assert!(!derived.plan.shares_integrals(&first));
+    }
 }

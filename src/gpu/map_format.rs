@@ -5,7 +5,6 @@
 
 use super::Gpu;
 use half::f16;
-use std::borrow::Cow;
 
 /// The two ways to keep them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,13 +46,11 @@ impl MapFormat {
         }
     }
 
-    /// A shader's text, written for half floats, for this format.
-    pub fn shader(self, text: Cow<'_, str>) -> Cow<'_, str> {
-        const IN_BUFFERS: [&str; 2] =
-            [include_str!("../../shaders/waves/maps_half.wgsl"), include_str!("../../shaders/waves/maps_float.wgsl")];
+    /// The WGSL name of [`Self::texture`].
+    pub const fn wgsl(self) -> &'static str {
         match self {
-            Self::Half => text,
-            Self::Float => text.replace("rgba16float", "rgba32float").replace(IN_BUFFERS[0], IN_BUFFERS[1]).into(),
+            Self::Half => "rgba16float",
+            Self::Float => "rgba32float",
         }
     }
 

@@ -120,7 +120,7 @@ fn wait(gpu: &Gpu) -> Result<(), String> {
     #[cfg(not(target_arch = "wasm32"))]
     gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| e.to_string())?;
     #[cfg(target_arch = "wasm32")]
-    let _ = device;
+    let _ = gpu;
     Ok(())
 }
 

@@ -4,7 +4,7 @@
 use crate::gpu::Gpu;
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::timer;
-use crate::shaders::fft::Way;
+use crate::sim::transform::TransformWay;
 
 /// The version of this program.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -43,10 +43,9 @@ impl About {
             ("timestamps between passes", timer::BETWEEN_PASSES),
             ("filtered floats", MapFormat::FEATURES),
         ];
-        let transform = match Way::of(gpu) {
-            Way::Exchanged => "exchanged: a dispatch for each axis, through workgroup memory",
-            Way::Straight => "straight: two dispatches for each axis, without barriers",
-            Way::Merged => "merged: three dispatches for both axes of up to 512 points, without barriers",
+        let transform = match TransformWay::of(gpu) {
+            TransformWay::Workgroup => "workgroup: one dispatch for each axis, through workgroup memory",
+            TransformWay::Unrolled => "unrolled: two dispatches for each axis, without barriers",
         };
         let maps = match MapFormat::of(gpu) {
             MapFormat::Half => "half floats",

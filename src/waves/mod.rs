@@ -4,6 +4,7 @@
 
 pub mod beaufort;
 pub mod cascades;
+pub mod change;
 pub mod dispersion;
 pub mod energy;
 pub mod foam;
@@ -23,4 +24,5 @@ pub mod table;
 pub mod tiling;
 mod transform;
 
+pub use change::SeaChange;
 pub use plan::Plan;
