@@ -1,9 +1,9 @@
-// Foam on world-anchored levels, in undisplaced coordinates. Cell (X, Z) of a level covers [X, X + 1) x [Z, Z + 1) texels
-// and is stored at (X mod size, Z mod size), so that a moving camera only rewrites cells that come into range.
+// Foam on world-anchored levels, in undisplaced coordinates. Cell (X, Z) of a level covers [X, X + 1) x [Z, Z + 1)
+// texels and is stored at (X mod size, Z mod size), so that a moving camera only rewrites cells that come into range.
 //
-// The source s in [0, 1] is positive where the Jacobian of the sum of cascades falls below a threshold. The foam F follows
-// dF/dt = rate s (1 - F) - F / decay, solved exactly over the time step: the result does not depend on the frame rate and
-// stays in [0, 1].
+// The source s in [0, 1] is positive where the Jacobian of the sum of cascades falls below a threshold. The foam F
+// follows dF/dt = rate s (1 - F) - F / decay, solved exactly over the time step: the result does not depend on the
+// frame rate and stays in [0, 1].
 
 struct FoamLevel {
   uv: array<vec4f, 4>, // texture coordinates of the first cell's corner on the cascades, two by two

@@ -4,7 +4,7 @@
 @group(0) @binding(0) var<uniform> sea: Sea;
 @group(0) @binding(1) var<storage, read> twiddle: array<vec2f>; // e^(2 pi i j / 1024)
 @group(0) @binding(2) var<storage, read_write> lines: array<vec4f>; // [cascade][pair][z][x]
-@group(0) @binding(3) var maps: texture_storage_2d_array<rgba16float, write>; // a third of the layers for each kind of map
+@group(0) @binding(3) var maps: texture_storage_2d_array<rgba16float, write>; // a third of the layers per kind
 
 // v is packed: Dx, Dz, eta, dDx/dz.
 fn columns_store_0(c: u32, x: u32, z: u32, v: vec4f) {

@@ -1,6 +1,6 @@
-// A texel of the next mip level of all maps: displacement and gradients averaged over 2 x 2 texels, and the second moments of
-// the slopes, from which the renderer derives the roughness that a pixel cannot resolve. Moments start at mip level 1: the
-// moments of level 0 are products of its slopes.
+// A texel of the next mip level of all maps: displacement and gradients averaged over 2 x 2 texels, and the second
+// moments of the slopes, from which the renderer derives the roughness that a pixel cannot resolve. Moments start at
+// mip level 1: the moments of level 0 are products of its slopes.
 
 override FIRST: bool = false; // whether `above` is level 0, whose moments are products of its slopes
 

@@ -1,5 +1,5 @@
-// Runs on GPUs: up to four mip levels in one dispatch. A workgroup covers 16 x 16 texels of the level above; its threads pass
-// their means on through workgroup memory.
+// Runs on GPUs: up to four mip levels in one dispatch. A workgroup covers 16 x 16 texels of the level above; its
+// threads pass their means on through workgroup memory.
 
 override LEVELS: u32 = 4u;
 

@@ -1,6 +1,6 @@
-// h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz), once per sea; during an interpolation between two seas of the same waves, one
-// step from the current h0 towards this value. S(k) is a sum of terms: lobes around the direction of a wave system, and
-// directional distributions measured by a buoy.
+// h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz), once per sea; during an interpolation between two seas of the same waves,
+// one step from the current h0 towards this value. S(k) is a sum of terms: lobes around the direction of a wave system,
+// and directional distributions measured by a buoy.
 
 @group(0) @binding(0) var<uniform> sea: Sea;
 @group(0) @binding(1) var<storage, read> radial: array<vec4f>; // waves/table.rs: `stride` quadruples per triangle entry

@@ -1,7 +1,7 @@
-// Runs on software adapters: the second half of the transform along z, and the maps. Thread (x, k1) of layer
-// 2 cascade + pair. The maps go to a buffer that is copied to the textures, because a software adapter takes longer to store
-// a texel than to compute it. shaders/unrolled.rs generates columns_second; map_texel_half.wgsl or map_texel_float.wgsl
-// defines MapTexel.
+// Runs on software adapters: the second half of the transform along z, and the maps. Thread (x, k1) computes one pair
+// of a cascade. The maps go to a buffer that is copied to the textures, because a software adapter takes longer to
+// store a texel than to compute it. src/shaders/unrolled.rs generates columns_second; map_texel_half.wgsl or
+// map_texel_float.wgsl defines MapTexel.
 
 override KEEP_F32: bool = false; // whether the maps are also left in `lines`, in f32
 

@@ -1,5 +1,6 @@
-// Runs on software adapters: the waves at a time, and the first half of their transform along x. Thread (t, z) computes the
-// line z and the line of the opposite wave vectors, N - z. shaders/unrolled.rs generates rows_first.
+// Runs on software adapters: the waves at a time, and the first half of their transform along x. Thread (t, z) computes
+// both pairs of the line z and of the line N - z, which has the opposite wave vectors. src/shaders/unrolled.rs
+// generates rows_first.
 
 @group(0) @binding(4) var<storage, read_write> halves: array<vec4f>; // [cascade][pair][iz][k1][t]
 

@@ -36,8 +36,8 @@ use crate::state::floats::{self, Float};
 use crate::state::look::SkyFile;
 use crate::state::params::Camera;
 use crate::state::{Params, query};
-use crate::waves::{Plan, SeaChange};
 use crate::waves::statistics::{Resolved, Theory};
+use crate::waves::{Plan, SeaChange};
 use faults::Faults;
 use std::cell::OnceCell;
 

@@ -1,5 +1,5 @@
-//! `seastate check`: every GPU pass against its f64 twin. Each pass reads the oracle's result of the previous pass, so that an
-//! error belongs to one pass. The tests run the same comparison, also with planted faults.
+//! `seastate check`: every GPU pass against its f64 twin. Each pass reads the oracle's result of the previous pass, so
+//! that an error belongs to one pass. The tests run the same comparison, also with planted faults.
 
 use crate::gpu::Gpu;
 use crate::gpu::readback::{self, TextureCopy};
@@ -58,8 +58,9 @@ mod tolerance {
     pub const FOAM: f64 = 5e-3;
 }
 
-/// Least root mean square to which errors of half floats are related. Half floats are at least 2^-24 apart, and a texel of
-/// four truncated ones is off by up to 2^-23, which is 2^-11 of this. Matters for the slopes of the longest waves of a calm sea.
+/// Least root mean square to which errors of half floats are related. Half floats are at least 2^-24 apart, and a texel
+/// of four truncated ones is off by up to 2^-23, which is 2^-11 of this. Matters for the slopes of the longest waves of
+/// a calm sea.
 const SMALLEST_HALF: f64 = 2.441_406_25e-4;
 
 /// Steps of the replay for which the foam is compared.
@@ -79,12 +80,7 @@ pub async fn run(gpu: &Gpu, params: &Params) -> Result<Vec<Line>, String> {
 ///
 /// # Errors
 /// If the GPU does not give its memory back.
-pub async fn run_with(
-    gpu: &Gpu,
-    params: &Params,
-    shaders: &Shaders,
-    way: TransformWay,
-) -> Result<Vec<Line>, String> {
+pub async fn run_with(gpu: &Gpu, params: &Params, shaders: &Shaders, way: TransformWay) -> Result<Vec<Line>, String> {
     let plan = Plan::new(params);
     let t_s = params.clock.t_s;
     let mut sim = Simulation::with_way(gpu, plan.clone(), shaders, way);

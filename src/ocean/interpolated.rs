@@ -1,5 +1,5 @@
-//! What is drawn of a sea that may be in a transition: the parameters that the picture takes from a plan, and the plans whose
-//! waves are drawn.
+//! What is drawn of a sea that may be in a transition: the parameters that the picture takes from a plan, and the plans
+//! whose waves are drawn.
 
 use crate::sim::transition::{Interpolate, interpolate, interpolate2};
 use crate::state::Params;

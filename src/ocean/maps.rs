@@ -26,8 +26,8 @@ impl Ocean {
         self.sim.read_f32(&self.gpu, self.params.clock.t_s).await
     }
 
-    /// The displacement maps at the time of the parameters as the textures hold them: Dx, eta, Dz (m) and dDx/dz, cascade by
-    /// cascade.
+    /// The displacement maps at the time of the parameters as the textures hold them: Dx, eta, Dz (m) and dDx/dz,
+    /// cascade by cascade.
     ///
     /// # Errors
     /// If the GPU does not give its memory back.

@@ -48,8 +48,8 @@ pub struct Ocean {
 }
 
 impl Ocean {
-    /// Allocates a sea and compiles its renderer for render targets of `format`; `film` says whether the light of a frame can
-    /// be read back.
+    /// Allocates a sea and compiles its renderer for render targets of `format`; `film` says whether the light of a
+    /// frame can be read back.
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, film: Film, params: &Params) -> Self {
         let mut ocean = Self::waves_only(gpu, params);
         (ocean.format, ocean.film) = (format, film);
@@ -57,8 +57,8 @@ impl Ocean {
         ocean
     }
 
-    /// Allocates a sea whose maps are computed and read back. If a frame is drawn nevertheless, the renderer is compiled then,
-    /// for [`still::FORMAT`].
+    /// Allocates a sea whose maps are computed and read back. If a frame is drawn nevertheless, the renderer is
+    /// compiled then, for [`still::FORMAT`].
     pub fn waves_only(gpu: &Gpu, params: &Params) -> Self {
         let shaders = Shaders::default();
         let mut sim = Simulation::new(gpu, Plan::new(params), &shaders);
@@ -82,8 +82,8 @@ impl Ocean {
         }
     }
 
-    /// Takes over parameters at once. Costs nothing if only the time, the camera or the light changed, and does no more than
-    /// the changed level of the sea needs ([`SeaChange`]).
+    /// Takes over parameters at once. Costs nothing if only the time, the camera or the light changed, and does no more
+    /// than the changed level of the sea needs ([`SeaChange`]).
     pub fn set_params(&mut self, params: &Params) {
         let change = SeaChange::between(&self.params, params);
         if change.is_some() || self.in_transition() {
@@ -94,9 +94,10 @@ impl Ocean {
         self.take(params);
     }
 
-    /// Takes over parameters as a window does, `dt_s` of wall time after the previous frame: the sea makes a transition to
-    /// the new parameters and ends exactly on them. Look, camera, time and another grid are taken over at once. Call it once
-    /// per frame before [`Self::encode`], and continue while [`Self::in_transition`], even if time stands still.
+    /// Takes over parameters as a window does, `dt_s` of wall time after the previous frame: the sea makes a transition
+    /// to the new parameters and ends exactly on them. Look, camera, time and another grid are taken over at once. Call
+    /// it once per frame before [`Self::encode`], and continue while [`Self::in_transition`], even if time stands
+    /// still.
     pub fn transition_to(&mut self, params: &Params, dt_s: f64) {
         if params.grid != self.params.grid {
             return self.set_params(params);
@@ -154,9 +155,10 @@ impl Ocean {
         self.sim.plan()
     }
 
-    /// The seas that are drawn at this moment. The height of a water particle over [`Self::level_m`] (and its displacement,
-    /// slope and velocity) is the sum over their plans, each cascade times its weight. Outside transitions this is one sea
-    /// with weights of 1. While a slider is dragged, plans of neighbouring frames are merged.
+    /// The seas that are drawn at this moment. The height of a water particle over [`Self::level_m`] (and its
+    /// displacement, slope and velocity) is the sum over their plans, each cascade times its weight. Outside
+    /// transitions this is one sea with weights of 1. While a slider is dragged, plans of neighbouring frames are
+    /// merged.
     pub fn drawn_seas(&self) -> Vec<DrawnSea> {
         let maps = self.sim.maps();
         let (fading, own) = maps.cascades.split_at(maps.fading);
@@ -193,14 +195,13 @@ impl Ocean {
         &mut self.sim
     }
 
-    /// Records one frame of `size` pixels, with at most `most_steps` time steps of the foam. Returns whether the foam has
-    /// reached the time of the parameters.
+    /// Records one frame of `size` pixels, with at most `most_steps` time steps of the foam. Returns whether the foam
+    /// has reached the time of the parameters.
     pub fn encode(&mut self, encoder: &mut wgpu::CommandEncoder, size: [u32; 2], most_steps: usize) -> bool {
         self.lay_waterlines();
         let scene = self.scene(size);
         let caught_up = self.encode_waves(encoder, most_steps);
-        let renderer =
-            self.renderer.get_or_insert_with(|| renderer(&self.gpu, self.format, self.film, &self.timer));
+        let renderer = self.renderer.get_or_insert_with(|| renderer(&self.gpu, self.format, self.film, &self.timer));
         renderer.draw(&self.gpu, encoder, self.sim.maps(), &scene, size);
         caught_up
     }
@@ -292,8 +293,8 @@ impl Ocean {
         }
     }
 
-    /// Positions and orientations of the floating objects at the time of the parameters; empty before the first frame with
-    /// them.
+    /// Positions and orientations of the floating objects at the time of the parameters; empty before the first frame
+    /// with them.
     pub fn poses(&self) -> Vec<Pose> {
         let (seas, level_m) = (self.drawn_seas(), self.level_m());
         let on = |sea: &DrawnSea| self.waterlines.iter().find(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)).map(|(_, w)| w);

@@ -5,8 +5,8 @@ pub mod unrolled;
 
 use crate::gpu::Gpu;
 use crate::gpu::map_format::MapFormat;
-use unrolled::UnrolledKernel;
 use std::collections::BTreeMap;
+use unrolled::UnrolledKernel;
 
 /// One WGSL file.
 struct Part {
@@ -130,10 +130,7 @@ pub struct Shaders {
 impl Default for Shaders {
     fn default() -> Self {
         let join = |parts: Vec<&Part>| parts.iter().map(|p| p.text).collect::<Vec<_>>().join("\n");
-        Self {
-            sources: modules().map(|(name, parts)| (name, join(parts))).collect(),
-            format: None,
-        }
+        Self { sources: modules().map(|(name, parts)| (name, join(parts))).collect(), format: None }
     }
 }
 
@@ -161,7 +158,8 @@ impl Shaders {
         self.format.unwrap_or_else(|| MapFormat::of(gpu))
     }
 
-    /// Names and WGSL texts of all modules: unrolled kernels for 256 points, and half-float maps unless a format was set.
+    /// Names and WGSL texts of all modules: unrolled kernels for 256 points, and half-float maps unless a format was
+    /// set.
     pub fn all(&self) -> impl Iterator<Item = (&'static str, String)> {
         let format = self.format.unwrap_or(MapFormat::Half);
         self.sources.keys().map(move |&name| {
@@ -225,6 +223,8 @@ mod tests {
         let line = text.lines().position(|l| l.contains("fn evolve_pack(")).unwrap() + 1;
         let (file, at) = locate("waves/rows", line).unwrap();
         assert_eq!(file, "waves/evolve.wgsl");
-        assert!(include_str!("../../shaders/waves/evolve.wgsl").lines().nth(at - 1).unwrap().contains("fn evolve_pack("));
+        assert!(
+            include_str!("../../shaders/waves/evolve.wgsl").lines().nth(at - 1).unwrap().contains("fn evolve_pack(")
+        );
     }
 }

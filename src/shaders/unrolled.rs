@@ -1,6 +1,6 @@
-//! WGSL of the unrolled transform, which runs on software adapters: straight-line code without barriers, because a software
-//! adapter stores and reloads the state of every thread at a barrier. Each half of a transform is a dispatch of its own, in
-//! which a thread holds all its points in variables.
+//! WGSL of the unrolled transform, which runs on software adapters: straight-line code without barriers, because a
+//! software adapter stores and reloads the state of every thread at a barrier. Each half of a transform is a dispatch
+//! of its own, in which a thread holds all its points in variables.
 
 use super::fft::{Factors, TWIDDLES};
 use std::f64::consts::TAU;
@@ -44,9 +44,9 @@ impl UnrolledKernel {
     }
 }
 
-/// h(-k) is the conjugate of h(k), so the waves of line z, in reverse order, also give the waves of line n - z. Thread t
-/// therefore transforms the points t + i second of line z, and the points second - t + i second of line n - z. For t = 0 the
-/// latter begin at point `second` instead of 0, a shift that the twiddle factors undo.
+/// h(-k) is the conjugate of h(k), so the waves of line z, in reverse order, also give the waves of line n - z. Thread
+/// t therefore transforms the points t + i second of line z, and the points second - t + i second of line n - z. For t
+/// = 0 the latter begin at point `second` instead of 0, a shift that the twiddle factors undo.
 fn rows_first(n: u32) -> String {
     let Factors { first, second } = Factors::new(n);
     let mut code = Code::open("rows_first(c: u32, t: u32, z: u32)");
@@ -139,8 +139,8 @@ impl Code {
         name
     }
 
-    /// W_n^(t k1) for a variable t and every k1 below `first`. Each is a product of two earlier ones, so that rounding errors
-    /// grow with the logarithm of k1.
+    /// W_n^(t k1) for a variable t and every k1 below `first`. Each is a product of two earlier ones, so that rounding
+    /// errors grow with the logarithm of k1.
     fn factors(&mut self, t: &str, first: u32, n: u32) -> Vec<String> {
         let mut factors = vec!["vec2f(1.0, 0.0)".to_owned()];
         factors.push(self.value(&format!("twiddle[{t} * {}u]", TWIDDLES as u32 / n)));

@@ -27,13 +27,13 @@ impl Simulation {
         self.foam.set_changed();
     }
 
-    /// Advances the transition to the plan that was set last by `dt_s` of wall time, or starts a transition to `plan`, at the
-    /// sea's time `t_s`. Call it once per frame before [`Self::encode`]. A plan with another FFT size or tiling is taken over
-    /// at once.
+    /// Advances the transition to the plan that was set last by `dt_s` of wall time, or starts a transition to `plan`,
+    /// at the sea's time `t_s`. Call it once per frame before [`Self::encode`]. A plan with another FFT size or tiling
+    /// is taken over at once.
     ///
-    /// The foam, the surface and the amplitudes are interpolated in place; only the last needs a spectrum pass per frame. Other
-    /// waves are cross-faded, for which a second sea is allocated once. A plan that arrives during a cross-fade waits, unless
-    /// it has the waves of the new sea.
+    /// The foam, the surface and the amplitudes are interpolated in place; only the last needs a spectrum pass per
+    /// frame. Other waves are cross-faded, for which a second sea is allocated once. A plan that arrives during a
+    /// cross-fade waits, unless it has the waves of the new sea.
     pub fn transition_to(
         &mut self,
         gpu: &Gpu,
@@ -79,10 +79,9 @@ impl Simulation {
         let are_waves_new = match kind {
             TransitionKind::Foam | TransitionKind::Surface => false,
             TransitionKind::Amplitudes | TransitionKind::CrossFade => true,
-            TransitionKind::Immediate => matches!(
-                self.kind_of_transition(&plan),
-                Some(TransitionKind::Amplitudes | TransitionKind::CrossFade)
-            ),
+            TransitionKind::Immediate => {
+                matches!(self.kind_of_transition(&plan), Some(TransitionKind::Amplitudes | TransitionKind::CrossFade))
+            }
         };
         let is_fade = kind == TransitionKind::CrossFade;
         let are_maps_new = is_fade && self.resources.switch_sea(gpu, &plan);

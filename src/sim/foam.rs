@@ -110,9 +110,9 @@ impl FoamClock {
         self.changed_at_s = self.at_s;
     }
 
-    /// The next time steps towards `t_s`, at most `most`; none if the foam is at `t_s` already. A cold start (the first call,
-    /// a jump of time, or another sea or place while time stands still) replays time steps that depend on `t_s` alone, so that
-    /// a still depends on the state alone.
+    /// The next time steps towards `t_s`, at most `most`; none if the foam is at `t_s` already. A cold start (the first
+    /// call, a jump of time, or another sea or place while time stands still) replays time steps that depend on `t_s`
+    /// alone, so that a still depends on the state alone.
     pub fn steps_to(&mut self, t_s: f64, centre: [f64; 2], most: usize) -> Vec<FoamStep> {
         let jumped = |at: f64| t_s < at || t_s - at > LONGEST_STEP_S;
         let memory_s = REPLAY_DECAYS * self.parameters.decay_s;
@@ -235,8 +235,8 @@ fn texel_m(size: u32, level: usize) -> f64 {
     FINEST_SIDE_M * LEVEL_RATIO.powi(level as i32) / f64::from(size)
 }
 
-/// The time steps of a cold start at `t_s`. They cover the last decay times and get shorter towards `t_s`: recently formed
-/// foam is the brightest and the least faded, so that long steps would be visible there.
+/// The time steps of a cold start at `t_s`. They cover the last decay times and get shorter towards `t_s`: recently
+/// formed foam is the brightest and the least faded, so that long steps would be visible there.
 fn replay(t_s: f64, decay_s: f64) -> Vec<FoamStep> {
     const GRADING: f64 = 1.8;
     let age = |i: usize| {

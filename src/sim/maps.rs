@@ -32,13 +32,14 @@ gpu_struct! {
     }
 }
 
-/// Views of the maps of the drawn cascades, and what a shader needs to sample them. Texel (i, j) of a map holds the point
-/// x = i patch/n, z = j patch/n: uv = x / patch + 0.5 / n, repeating.
+/// Views of the maps of the drawn cascades, and what a shader needs to sample them. Texel (i, j) of a map holds the
+/// point x = i patch/n, z = j patch/n: uv = x / patch + 0.5 / n, repeating.
 #[derive(Debug)]
 pub struct Maps {
     /// 2d array, one layer per cascade, n texels a side, all mip levels: Dx, eta, Dz (m) and dDx/dz, without chop.
     pub displacement: wgpu::TextureView,
-    /// 2d array, one layer per cascade, n texels a side, all mip levels: d eta/dx, d eta/dz, dDx/dx, dDz/dz, without chop.
+    /// 2d array, one layer per cascade, n texels a side, all mip levels: d eta/dx, d eta/dz, dDx/dx, dDz/dz, without
+    /// chop.
     pub gradients: wgpu::TextureView,
     /// 2d array, one layer per cascade, n/2 texels a side: second moments of the slopes (xx, zz, xz, 0) in units of
     /// `moment_scale`. Mip level j belongs to mip level j + 1 of the other maps.
@@ -51,8 +52,8 @@ pub struct Maps {
     pub wave: wgpu::Buffer,
     /// Phase of all waves at the time of the maps, t / period in units of 2^-32.
     pub phase_time: u32,
-    /// The drawn cascades: first those of the sea that fades out, if there is one, then those of the current sea. Longest
-    /// waves first within each sea.
+    /// The drawn cascades: first those of the sea that fades out, if there is one, then those of the current sea.
+    /// Longest waves first within each sea.
     pub cascades: Vec<MapCascade>,
     /// Number of leading `cascades` that belong to the sea that fades out.
     pub fading: usize,
@@ -81,8 +82,8 @@ pub struct MapCascade {
     pub layer: u32,
     /// Amplitude with which the maps are computed: 1 except during a cross-fade.
     pub weight: f32,
-    /// Slope-variance correction during a cross-fade: waves that both seas have in common add by amplitude, while the shaders
-    /// add the variances of all cascades.
+    /// Slope-variance correction during a cross-fade: waves that both seas have in common add by amplitude, while the
+    /// shaders add the variances of all cascades.
     pub gain: f32,
 }
 
@@ -198,8 +199,8 @@ impl MapCascade {
     }
 }
 
-/// The maps of all cascades in f32, without chop. Texels lie cascade by cascade: first n x n of displacement (Dx, eta, Dz,
-/// dDx/dz), then n x n of gradients (d eta/dx, d eta/dz, dDx/dx, dDz/dz), rows along z, columns along x.
+/// The maps of all cascades in f32, without chop. Texels lie cascade by cascade: first n x n of displacement (Dx, eta,
+/// Dz, dDx/dz), then n x n of gradients (d eta/dx, d eta/dz, dDx/dx, dDz/dz), rows along z, columns along x.
 #[derive(Clone, Debug)]
 pub struct MapsF32 {
     /// Texels along a side of a map.

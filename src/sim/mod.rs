@@ -1,8 +1,8 @@
 //! The sea on the GPU: buffers, compute passes, and the order in which they run.
 //!
-//! A frame is a row pass and a column pass for the waves of all cascades, the mip levels, and one time step of the foam. The
-//! spectrum pass runs only when the waves change. [`Maps`] is the read-only product. During a cross-fade (`transition`) two
-//! seas are evaluated one after the other into different layers of the maps.
+//! A frame is a row pass and a column pass for the waves of all cascades, the mip levels, and one time step of the
+//! foam. The spectrum pass runs only when the waves change. [`Maps`] is the read-only product. During a cross-fade
+//! (`transition`) two seas are evaluated one after the other into different layers of the maps.
 
 mod change;
 pub mod foam;
@@ -131,8 +131,8 @@ impl Simulation {
         &self.maps
     }
 
-    /// Records the waves at `t_s` and the foam around `centre` (world x, z, m), with at most `most_steps` time steps of the
-    /// foam. Returns whether the foam has reached `t_s`; if not, call again. The waves are always those at `t_s`.
+    /// Records the waves at `t_s` and the foam around `centre` (world x, z, m), with at most `most_steps` time steps of
+    /// the foam. Returns whether the foam has reached `t_s`; if not, call again. The waves are always those at `t_s`.
     pub fn encode(
         &mut self,
         gpu: &Gpu,
@@ -154,8 +154,8 @@ impl Simulation {
         caught_up
     }
 
-    /// Records the next time step of the foam towards `t_s` alone, for `check`: the maps stay those that the foam read. None
-    /// if the foam is at `t_s`.
+    /// Records the next time step of the foam towards `t_s` alone, for `check`: the maps stay those that the foam read.
+    /// None if the foam is at `t_s`.
     pub fn encode_next_foam_step(
         &mut self,
         gpu: &Gpu,
@@ -203,7 +203,8 @@ impl Simulation {
         slot
     }
 
-    /// Writes the uniform of a time step of length 0 of the foam, to run the foam pass with it. Returns its dynamic offset.
+    /// Writes the uniform of a time step of length 0 of the foam, to run the foam pass with it. Returns its dynamic
+    /// offset.
     pub fn push_foam_step(&mut self, gpu: &Gpu, t_s: f64, centre: [f64; 2]) -> u32 {
         self.rings.foam.restart();
         let step = FoamStep { t_s, dt_s: 0.0, fresh: false };

@@ -190,8 +190,8 @@ impl FoamPass {
         self.group = Self::group(gpu, &self.kernel, r, rings);
     }
 
-    /// Records one time step of all levels. `foam` is the dynamic offset of its uniform. During a cross-fade the slot of
-    /// either sea can be given, because both have the same chop.
+    /// Records one time step of all levels. `foam` is the dynamic offset of its uniform. During a cross-fade the slot
+    /// of either sea can be given, because both have the same chop.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, slot: EvaluationSlot, foam: u32) {
         let size = [r.foam_n / 8, r.foam_n / 8, FOAM_LEVELS as u32];
         self.kernel.run(encoder, &self.group, &[slot.uniform, foam], size);

@@ -1,5 +1,5 @@
-//! Buffers and textures of a simulation: allocated for an FFT size and a number of cascades, and enlarged for two seas at the
-//! first cross-fade.
+//! Buffers and textures of a simulation: allocated for an FFT size and a number of cascades, and enlarged for two seas
+//! at the first cross-fade.
 
 use super::maps::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN};
 use crate::gpu::Gpu;
@@ -40,15 +40,15 @@ pub struct Resources {
     pub current: usize,
     /// e^(2 pi i j / 1024), complex f32.
     pub twiddle: wgpu::Buffer,
-    /// Lines after the transform along x, four complex f32 per point, \[cascade\]\[pair\]\[iz\]\[x\]. Two seas use it one
-    /// after the other, because both at once would exceed the largest binding at n = 1024.
+    /// Lines after the transform along x, four complex f32 per point, \[cascade\]\[pair\]\[iz\]\[x\]. Two seas use it
+    /// one after the other, because both at once would exceed the largest binding at n = 1024.
     pub lines: wgpu::Buffer,
     /// Foam, f32, \[level\]\[z\]\[x\].
     pub foam_history: wgpu::Buffer,
     /// Format of the maps and of the foam texture.
     pub format: MapFormat,
-    /// All maps with their mip levels; see [`Self::layers`]. One texture, so that a pass can write several mip levels of all
-    /// kinds: base limits allow four storage textures.
+    /// All maps with their mip levels; see [`Self::layers`]. One texture, so that a pass can write several mip levels
+    /// of all kinds: base limits allow four storage textures.
     pub maps: wgpu::Texture,
     /// Visible foam, one layer per level.
     pub foam: wgpu::Texture,
@@ -117,8 +117,8 @@ impl Resources {
         (self.current * MAX_CASCADES) as u32
     }
 
-    /// Makes the other wave buffers those of the current sea. The first call allocates them, and maps for two seas with the
-    /// most cascades each; it returns true, because the maps are new and empty.
+    /// Makes the other wave buffers those of the current sea. The first call allocates them, and maps for two seas with
+    /// the most cascades each; it returns true, because the maps are new and empty.
     pub fn switch_sea(&mut self, gpu: &Gpu, plan: &Plan) -> bool {
         let is_first = self.waves.len() == 1;
         if is_first {

@@ -1,11 +1,11 @@
 //! Transitions from one sea to another, as pure numbers.
 //!
 //! - **Interpolation** between seas with the same wave numbers and frequencies: amplitudes, surface parameters and foam
-//!   parameters move towards the goal. Every frame covers a part of the remaining difference, so that the goal may change at
-//!   any time, as when a slider is dragged.
-//! - **Cross-fade** between seas with different waves: both seas are drawn while the new one fades in and the old one fades
-//!   out. Independent waves add by their variances, so amplitudes are square roots of shares. What the two seas have in
-//!   common (waves/overlap.rs) adds by amplitude, and the weights are reduced accordingly.
+//!   parameters move towards the goal. Every frame covers a part of the remaining difference, so that the goal may
+//!   change at any time, as when a slider is dragged.
+//! - **Cross-fade** between seas with different waves: both seas are drawn while the new one fades in and the old one
+//!   fades out. Independent waves add by their variances, so amplitudes are square roots of shares. What the two seas
+//!   have in common (waves/overlap.rs) adds by amplitude, and the weights are reduced accordingly.
 
 use crate::waves::overlap::Overlap;
 
@@ -112,8 +112,8 @@ impl Transition {
     }
 }
 
-/// Amplitudes of a cascade of the old and of the new sea when the new sea has this share of the variance, and the factor by
-/// which the sum of their variances falls short.
+/// Amplitudes of a cascade of the old and of the new sea when the new sea has this share of the variance, and the
+/// factor by which the sum of their variances falls short.
 pub fn weights(overlap: &Overlap, share: f64) -> ([f64; 2], f64) {
     let excess = overlap.excess(share);
     ([((1.0 - share) / excess).sqrt(), (share / excess).sqrt()], excess)
@@ -141,7 +141,8 @@ impl<T: Interpolate> Interpolated<T> {
         Self { fading: None, now: goal.clone(), goal }
     }
 
-    /// Follows a step of a transition. If a transition starts, `goal` is called with the previous goal and returns the new one.
+    /// Follows a step of a transition. If a transition starts, `goal` is called with the previous goal and returns the
+    /// new one.
     pub fn follow(&mut self, step: &TransitionStep, goal: impl FnOnce(&T) -> T) {
         if let Some(kind) = step.start {
             self.goal = goal(&self.goal);

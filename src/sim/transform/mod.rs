@@ -14,10 +14,11 @@ use workgroup::WorkgroupTransform;
 /// How the transforms run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TransformWay {
-    /// One dispatch along each axis; threads exchange points through workgroup memory. Has the least memory traffic: for GPUs.
+    /// One dispatch along each axis; threads exchange points through workgroup memory. Has the least memory traffic:
+    /// for GPUs.
     Workgroup,
-    /// Two dispatches along each axis, without workgroup memory and barriers: for software adapters, which store and reload
-    /// the state of every thread at a barrier.
+    /// Two dispatches along each axis, without workgroup memory and barriers: for software adapters, which store and
+    /// reload the state of every thread at a barrier.
     Unrolled,
 }
 

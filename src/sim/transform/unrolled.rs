@@ -37,8 +37,8 @@ struct Groups {
     columns_second: wgpu::BindGroup,
 }
 
-/// The last kernel, without and with the f32 copy of the maps. The latter is compiled at its first use, because compiling
-/// takes long and a window does not need the copy.
+/// The last kernel, without and with the f32 copy of the maps. The latter is compiled at its first use, because
+/// compiling takes long and a window does not need the copy.
 struct ColumnsSecond {
     gpu: Gpu,
     module: wgpu::ShaderModule,
