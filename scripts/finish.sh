@@ -1,21 +1,21 @@
 #!/usr/bin/env bash
-# What trunk leaves to do for the page, as its last hook: sums of the program in index.html, headers for static hosts, and the
-# worker that keeps the page for times without a network.
+# Trunk's last hook. It puts the checksums of the program into index.html, and writes sw.js (the service worker, which
+# keeps an offline copy of the page) and _headers (HTTP headers for static hosts).
 set -euo pipefail
 
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-cd "${TRUNK_STAGING_DIR:?run by trunk}"
+cd "${TRUNK_STAGING_DIR:?must be set; trunk runs this script}"
 
-# A file's sum as browsers want it.
+# integrity FILE: its checksum in the form of an HTML integrity attribute.
 integrity() {
   local hex
   if command -v sha384sum >/dev/null; then hex=$(sha384sum "$1"); else hex=$(shasum -a 384 "$1"); fi
   printf 'sha384-'
-  # shellcheck disable=SC2059 # the format is the bytes
+  # shellcheck disable=SC2059 # the format holds the escaped bytes
   printf "$(printf '%s' "${hex%% *}" | sed 's/../\\x&/g')" | base64 | tr -d '\n'
 }
 
-# In place, on every system's sed.
+# edit COMMAND FILE: runs sed in place. The option -i differs between systems.
 edit() {
   sed "$1" "$2" >"$2.new"
   mv "$2.new" "$2"
@@ -23,12 +23,14 @@ edit() {
 
 for part in glue wasm; do
   name=$(sed -n "s/.*<meta name=\"seastate-program\".* data-$part=\"\([^\"]*\)\".*/\1/p" index.html)
-  [ -f "$name" ] || { echo "finish: index.html names no $part" >&2 && exit 1; }
+  [ -f "$name" ] || { echo "finish.sh: the $part file that index.html names is missing" >&2 && exit 1; }
   edit "s|data-$part=\"$name\"|& data-$part-integrity=\"$(integrity "$name")\"|" index.html
 done
 
-# Previews of links need whole addresses.
-[ -z "${SEASTATE_URL:-}" ] || edit "s|\(property=\"og:image\" content=\"\)still.jpg|\1${SEASTATE_URL%/}/still.jpg|" index.html
+# Link previews need an absolute address.
+if [ -n "${SEASTATE_URL:-}" ]; then
+  edit "s|\(property=\"og:image\" content=\"\)still.jpg|\1${SEASTATE_URL%/}/still.jpg|" index.html
+fi
 
 files=()
 for file in *; do
@@ -39,9 +41,9 @@ sum=$(integrity index.html)
 list=$(printf '"%s", ' "${files[@]}")
 sed "s|@FILES@|${list%, }|; s|@SUM@|${sum#sha384-}|" "$top/web/sw.js" >sw.js
 
-# Names with a hash stay as they are for ever. The page says the same of its content, but for who may embed it: anybody.
+# Files with a hash in their name never change. The policy is that of index.html, and every site may embed the page.
 policy=$(sed -n 's/.*http-equiv="Content-Security-Policy" content="\([^"]*\)".*/\1/p' index.html)
-[ -n "$policy" ] || { echo "finish: index.html has no Content-Security-Policy" >&2 && exit 1; }
+[ -n "$policy" ] || { echo "finish.sh: index.html has no Content-Security-Policy" >&2 && exit 1; }
 {
   printf '/*\n  Content-Security-Policy: %s; frame-ancestors *\n' "$policy"
   printf '  X-Content-Type-Options: nosniff\n  Referrer-Policy: no-referrer\n'

@@ -1,46 +1,75 @@
 #!/usr/bin/env bash
-# Installs what is missing and runs every test: scripts/test.sh [--only STEP]
-# The GPU is Mesa's software one everywhere, so that every machine runs the same; no graphics card is needed.
+# Installs missing tools and runs the tests. Usage: see below.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-STEPS=(format clippy clippy-page library native window page-tools page browsers)
-only=
+# The steps of each way, in order. `page` runs beside the steps before it.
+WHOLE=(format clippy clippy-page library page-tools native window page browsers)
+QUICK=(format clippy clippy-page library page-tools cpu passes smoke)
+# Integration tests of which most or all need no GPU; those of the library itself run with them.
+CPU_TESTS=(cli costs docs families heights hostile imports links shaders state validation)
+
+usage() {
+  cat <<USAGE
+usage: scripts/test.sh [--quick | --only STEP]
+  Installs missing tools and runs every test. The GPU is Mesa's software driver: no graphics card is needed.
+  --quick      the checks after a change, in minutes: format, lints, the library without features, the tests that
+               need no GPU, the GPU passes, and the page in Chromium
+  --only STEP  one step of the whole run (${WHOLE[*]})
+               or of the quick run (${QUICK[*]:5})
+USAGE
+}
+
+steps=("${WHOLE[@]}")
 case ${1:-} in
   '') ;;
-  --only) only=${2:-} ;;
-  *) only=none ;;
+  --quick) steps=("${QUICK[@]}") ;;
+  --only)
+    steps=("${2:-}")
+    [[ " ${WHOLE[*]} ${QUICK[*]} " == *" ${2:-none} "* ]] || { usage >&2 && exit 2; }
+    ;;
+  -h | --help) usage && exit 0 ;;
+  *) usage >&2 && exit 2 ;;
 esac
-if [ -n "$only" ] && [[ ! " ${STEPS[*]} " == *" $only "* ]]; then
-  printf 'usage: scripts/test.sh [--only STEP]\n  steps: %s\n' "${STEPS[*]}" >&2
-  exit 2
-fi
 
-# `cargo` also builds the program that gives the browsers their reference.
 format() { cargo fmt --check && echo "rustfmt: clean"; }
 clippy() { cargo clippy --locked --all-targets -- -D warnings && echo "clippy: clean"; }
 clippy_page() {
   cargo clippy --locked --lib --no-default-features --features app --target wasm32-unknown-unknown -- -D warnings &&
     echo "clippy (wasm): clean"
 }
-# The library by itself: it compiles, and nothing of GPUs, windows or files is in its tree.
+# The library without features must compile, and must depend on no crate for GPUs, windows or files.
 library() {
   cargo clippy --locked --lib --no-default-features -- -D warnings || return 1
   local tree unwanted
   tree=$(cargo tree --locked --no-default-features --edges normal --prefix none --target all) || return 1
   if unwanted=$(grep -E '^(wgpu|naga|egui|eframe|winit|exr|image|clap|web-sys|wasm-bindgen)' <<<"$tree"); then
-    printf 'the library alone depends on:\n%s\n' "$unwanted" >&2
+    printf 'the library without features depends on:\n%s\n' "$unwanted" >&2
     return 1
   fi
   echo "library: clean, $(sort -u <<<"$tree" | wc -l) packages"
 }
-native() { cargo test --locked --no-fail-fast; }
-# One at a time: displays that start together take each other's place.
-window() { cargo test --locked --test window -- --ignored --test-threads 1; }
 page_tools() { (cd web/tests && node --test); }
+native() { cargo test --locked --no-fail-fast; }
+cpu() {
+  local test targets=(--lib)
+  for test in "${CPU_TESTS[@]}"; do targets+=(--test "$test"); done
+  cargo test --locked --no-fail-fast "${targets[@]}"
+}
+passes() { cargo test --locked --test passes; }
+# One test at a time: two displays that start together may choose the same number.
+window() { cargo test --locked --test window -- --ignored --test-threads 1; }
 page() { build_page && ls -l dist; }
-browsers() { cargo build --locked --bin seastate && (cd web/tests && node run.mjs); }
+# A test of the command line builds the program with the features of the other tests, so that nothing is built twice.
+browsers() { cargo test --locked --no-run --test cli && (cd web/tests && node run.mjs); }
+# A debug build of the page takes a fraction of the time.
+smoke() {
+  local dist=${CARGO_TARGET_DIR:-$PWD/target}/quick-page
+  mkdir -p "$dist"
+  NO_COLOR=true trunk build --dist "$dist" &&
+    (cd web/tests && node run.mjs --dist "$dist" --browser chromium --group sea --only 'a sea is seen')
+}
 
 need_rust
 need_software_vulkan
@@ -51,11 +80,29 @@ use_software_vulkan
 
 failed=()
 began=$SECONDS
-for step in "${STEPS[@]}"; do
-  [ -z "$only" ] || [ "$only" = "$step" ] || continue
+page_log= page_job=
+if [[ " ${steps[*]} " == *" native "*" page "* ]]; then
+  # The page has a build folder of its own, and the last minutes of its build use one core.
+  page_log=$(mktemp)
+  set -m # gives the job a process group of its own
+  page >"$page_log" 2>&1 &
+  page_job=$!
+  set +m
+  trap 'kill -- "-$page_job" 2>/dev/null || true; rm -f "$page_log"' EXIT
+fi
+finish_page() {
+  local status=0
+  wait "$page_job" || status=$?
+  cat "$page_log"
+  return "$status"
+}
+
+for step in "${steps[@]}"; do
   say "$step"
   start=$SECONDS
-  if "${step//-/_}"; then
+  run=${step//-/_}
+  [ "$step" != page ] || [ -z "$page_job" ] || run=finish_page
+  if "$run"; then
     note "$step: ok ($((SECONDS - start)) s)"
   else
     note "$step: FAILED ($((SECONDS - start)) s)"

@@ -56,10 +56,10 @@ fn the_gallery_is_what_its_table_would_write() {
 }
 
 #[test]
-fn the_readme_lists_the_keys() {
-    let readme = include_str!("../README.md");
+fn the_users_guide_lists_the_keys() {
+    let guide = include_str!("../docs/using.md");
     for (key, does) in seastate::app::keys::KEYS {
         let row = format!("| {key} | {does} |");
-        assert!(readme.contains(&row), "README.md lacks: {row}");
+        assert!(guide.contains(&row), "docs/using.md lacks: {row}");
     }
 }

@@ -1,14 +1,14 @@
-//! A link means for good what it meant when it was made: tests/links.txt.
+//! Links keep their meaning: each link in tests/links.txt opens a sea of the recorded significant wave height.
 
 use seastate::lab::gallery::SEAS;
 use seastate::state::{presets, query};
 use seastate::waves::Plan;
 use seastate::waves::statistics::Theory;
 
-/// Largest error of a height, relative: the file has four decimals, quadrature is far better.
+/// Largest relative error of a height: the file has four decimals, and the error of the quadrature is smaller.
 const TOLERANCE: f64 = 2e-3;
 
-/// Height and link of every line.
+/// Significant wave height in m and link of every line.
 fn links() -> Vec<(f64, &'static str)> {
     let lines = include_str!("links.txt").lines().filter(|line| !line.starts_with('#') && !line.is_empty());
     let split = |line: &'static str| {
@@ -37,12 +37,13 @@ fn what_the_program_and_its_pages_link_to_is_among_them() {
     let known: Vec<_> = links().iter().map(|(_, link)| query::parse(link).0).collect();
     let gallery = SEAS.iter().map(|sea| sea.state.to_owned());
     let built_in = presets::built_in().iter().map(|preset| preset.state.clone());
-    let all = gallery.chain(built_in).chain(quoted(include_str!("../README.md")));
+    let pages = [include_str!("../README.md"), include_str!("../docs/using.md"), include_str!("../docs/embedding.md")];
+    let all = gallery.chain(built_in).chain(pages.into_iter().flat_map(quoted));
     let missing: Vec<String> = all.filter(|state| !known.contains(&query::parse(state).0)).collect();
     assert_eq!(missing, Vec::<String>::new(), "tests/links.txt lacks these");
 }
 
-/// State strings in a page: what stands in quotes, has a key that is known and no mistake.
+/// State strings in a document: quoted words with a known key that are read without a notice.
 fn quoted(page: &str) -> Vec<String> {
     let pieces =
         page.split(['\'', '`', '"']).filter(|piece| piece.contains('=') && !piece.contains(char::is_whitespace));

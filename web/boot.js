@@ -1,25 +1,26 @@
-// Brings the program into the page, and says in plain words what stands in the way.
+// Loads and starts the program, and shows a message in plain words when something fails.
 //
-// Every way in which this can fail is a rung of the ladder in index.html. Nothing here knows anything about the sea: the state
-// is the address, and the program reads it there.
+// Each kind of failure has a message, a "rung" of the "ladder", in index.html. This file knows nothing about the sea:
+// the program reads its state from the page's address.
 
-const STALL_SECONDS = 20; // without a byte
-const ADAPTER_SECONDS = 30; // without an answer
-const SLOW_SECONDS = 20; // until the first picture, before the page asks for patience
-const WATCH_MS = 250; // between two looks at the program
-const START_MS = 50; // the same until its first picture
-const START_TRIES = 3; // of a device that is refused
-const COVER_SECONDS = 10; // that the last picture waits for the foam of the next
-const FRAME_SECONDS = 10; // without a frame of the browser's, after a loss
-const LOSS_WINDOW_SECONDS = 60; // in which lost devices are counted
-const LOSS_REVIVALS = 8; // in place, the same program with another device; after that
-const LOSS_RELOADS = 2; // by loading the page again; after that the page gives up
-const LOSS_KEY = 'seastate-device-lost';
+const STALL_SECONDS = 20; // without a byte, before a download counts as stalled
+const ADAPTER_SECONDS = 30; // limit for a graphics adapter or device to answer
+const SLOW_SECONDS = 20; // without a first picture, before the page asks for patience
+const WATCH_MS = 250; // interval of watch()
+const START_MS = 50; // interval of watch() until the first picture
+const START_TRIES = 3; // attempts to start, if the browser refuses a device
+const COVER_SECONDS = 10; // longest time that the old canvas covers the new one while foam builds up on a new device
+const FRAME_SECONDS = 10; // without an animation frame after a device loss, before the tab counts as dead
+const LOSS_WINDOW_SECONDS = 60; // period over which device losses are counted
+const LOSS_REVIVALS = 8; // device losses answered with a new device
+const LOSS_RELOADS = 2; // further device losses answered by reloading the page; after these the page gives up
+const LOSS_KEY = 'seastate-device-lost'; // sessionStorage key of the recent loss times
+const BOX_TOLERANCE_PX = 2; // snapping to whole device pixels moves an edge by less than one
 
-// Where pages are written, and none is kept.
+// Hosts used for development: no offline copy is kept there.
 const LOCAL = new Set(['localhost', '127.0.0.1', '[::1]']);
 
-// What the program asks of a device beyond a few buffers: WebGPU's own base limits.
+// Limits that the program needs from the device. Each is WebGPU's default limit.
 const LIMITS = {
   maxTextureDimension2D: 8192,
   maxComputeInvocationsPerWorkgroup: 256,
@@ -31,7 +32,7 @@ const LIMITS = {
 
 const element = (id) => document.getElementById(id);
 
-/** A reason to show the ladder instead of the sea. */
+/** An error with the name of the rung that explains it, and a technical reason. */
 class Rung extends Error {
   constructor(rung, reason) {
     super(reason ?? rung);
@@ -44,7 +45,7 @@ function say(text) {
   element('status').textContent = text;
 }
 
-/** Shows one rung; `reason` is the technical text under it. */
+/** Shows one rung, with the technical text `reason` below it. */
 function show(rung, reason) {
   for (const section of document.querySelectorAll('[data-rung]')) {
     section.hidden = section.dataset.rung !== rung;
@@ -57,7 +58,7 @@ function show(rung, reason) {
   document.body.dataset.rung = rung;
 }
 
-/** Takes a passing rung back. */
+/** Hides a rung whose cause has gone. */
 function hide(rung) {
   if (document.body.dataset.rung !== rung) return;
   delete document.body.dataset.rung;
@@ -65,6 +66,7 @@ function hide(rung) {
   element('loading').hidden = document.body.classList.contains('running');
 }
 
+/** Rejects after some seconds with the error that `make` returns. */
 function after(seconds, make) {
   return new Promise((_, reject) => setTimeout(() => reject(make()), seconds * 1000));
 }
@@ -76,11 +78,11 @@ function checkBrowser() {
   if (!navigator.gpu) throw new Rung('no-webgpu', navigator.userAgent);
 }
 
-let density; // of the screen's pixels, when the canvas was last fitted
+let density; // devicePixelRatio at the last fit()
 
 /**
- * Keeps the canvas, which has all pixels of the screen, within what the device can draw on. eframe looks at its size alone,
- * which another density (another screen) leaves as it is: that moves it a hair.
+ * Limits the canvas to the largest texture of the device. eframe only watches the canvas's size in CSS pixels, which
+ * stays the same when the device pixel ratio changes: a nudge of 0.02 px makes it measure the canvas again.
  */
 function fit() {
   if (density === devicePixelRatio) return;
@@ -88,6 +90,31 @@ function fit() {
   style.setProperty('--most', `${Math.floor(LIMITS.maxTextureDimension2D / devicePixelRatio)}px`);
   if (density) style.setProperty('--nudge', style.getPropertyValue('--nudge') === '0.02px' ? '0px' : '0.02px');
   density = devicePixelRatio;
+}
+
+/**
+ * Corrects the canvas's size in device pixels. eframe takes it from `devicePixelContentBoxSize`, but scales its
+ * interface by `devicePixelRatio`. Where the two disagree (a ratio emulated by developer tools, some embedded views),
+ * words overlap and taps miss. In that case the size becomes the size in CSS pixels times the ratio.
+ */
+function mendPixelSize() {
+  const { prototype } = ResizeObserverEntry;
+  const original = Object.getOwnPropertyDescriptor(prototype, 'devicePixelContentBoxSize');
+  if (!original) return; // without it, eframe multiplies the size in CSS pixels by the ratio
+  Object.defineProperty(prototype, 'devicePixelContentBoxSize', {
+    ...original,
+    get() {
+      const reported = original.get.call(this);
+      const size = { inlineSize: this.contentRect.width, blockSize: this.contentRect.height };
+      const value = (name) => Math.round(size[name] * devicePixelRatio);
+      const agrees = (name) => Math.abs(reported[0][name] - value(name)) <= BOX_TOLERANCE_PX;
+      if (agrees('inlineSize') && agrees('blockSize')) return reported;
+      const own = (name) => ({ value: value(name) });
+      return [
+        Object.create(ResizeObserverSize.prototype, { inlineSize: own('inlineSize'), blockSize: own('blockSize') }),
+      ];
+    },
+  });
 }
 
 async function checkAdapter() {
@@ -101,21 +128,24 @@ async function checkAdapter() {
   if (!adapter) throw new Rung('no-adapter', navigator.userAgent);
   const low = Object.entries(LIMITS).filter(([name, need]) => !(adapter.limits[name] >= need));
   if (low.length > 0) {
-    throw new Rung('limits', low.map(([name, need]) => `${name}: ${need} needed, this one has ${adapter.limits[name]}`).join('\n'));
+    throw new Rung(
+      'limits',
+      low.map(([name, need]) => `${name}: ${need} needed, this one has ${adapter.limits[name]}`).join('\n'),
+    );
   }
 }
 
 const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
 
-/** Whether bytes are those of a sum, as in an `integrity` attribute. */
+/** Whether bytes have a checksum in the form of an `integrity` attribute. */
 async function isWhole(bytes, sum) {
   const digest = new Uint8Array(await crypto.subtle.digest('SHA-384', bytes));
   return sum === `sha384-${btoa(String.fromCharCode(...digest))}`;
 }
 
-/** The response again, with its bytes counted, and kept in `parts`, while the compiler takes them. */
+/** Returns a response with the same bytes that shows their progress and keeps them in `parts` while they are read. */
 function counted(response, parts) {
-  // With a Content-Encoding the length is that of the packed bytes, but the packed bytes cannot be counted: no total then.
+  // With a Content-Encoding, Content-Length counts compressed bytes, and the stream holds decompressed ones: no total.
   const packed = response.headers.has('content-encoding');
   const total = packed ? 0 : Number(response.headers.get('content-length') ?? 0);
   const bar = element('bar');
@@ -168,7 +198,7 @@ function counted(response, parts) {
   return new Response(stream, { headers: { 'content-type': 'application/wasm' } });
 }
 
-/** Imports a module, if it is what its sum says: import() takes it from the link that has asked for it. */
+/** Imports a module with a given checksum: the browser checks the link's file, and import() reuses that file. */
 function importWhole(address, sum) {
   const link = document.createElement('link');
   link.rel = 'modulepreload';
@@ -178,7 +208,7 @@ function importWhole(address, sum) {
   return import(address);
 }
 
-/** Fetches both halves of the program; compiles the large one while it arrives. */
+/** Fetches the program's WebAssembly and its JavaScript loader; compiles the WebAssembly while it arrives. */
 async function download(signal) {
   const names = document.querySelector('meta[name="seastate-program"]').dataset;
   const here = (name) => new URL(name, document.baseURI);
@@ -192,7 +222,7 @@ async function download(signal) {
     glue.catch(() => {}); // awaited below
     const response = await answer;
     if (!response.ok) throw new Rung('download', `${names.wasm}: ${response.status} ${response.statusText}`);
-    // fetch() would check the sum, too, but hand out nothing before all has come.
+    // fetch() can check the checksum itself, but then releases no byte before the last has come.
     const parts = [];
     const module = await WebAssembly.compileStreaming(counted(response, parts));
     if (!(await isWhole(await new Blob(parts).arrayBuffer(), names.wasmIntegrity))) {
@@ -206,16 +236,18 @@ async function download(signal) {
 
 const pause = (seconds) => new Promise((resolve) => setTimeout(resolve, seconds * 1000));
 
-/** Notes a loss, and says how many there were lately; loading the page again does not forget them. */
+/** Records a device loss and returns the number of recent losses. The record survives a reload of the page. */
 function countLoss() {
   const now = Date.now();
   try {
-    const losses = JSON.parse(sessionStorage.getItem(LOSS_KEY) ?? '[]').filter((at) => now - at < LOSS_WINDOW_SECONDS * 1000);
+    const losses = JSON.parse(sessionStorage.getItem(LOSS_KEY) ?? '[]').filter(
+      (at) => now - at < LOSS_WINDOW_SECONDS * 1000,
+    );
     losses.push(now);
     sessionStorage.setItem(LOSS_KEY, JSON.stringify(losses));
     return losses.length;
   } catch {
-    return Infinity; // without a memory it could go on for ever
+    return Infinity; // without sessionStorage the page could reload for ever
   }
 }
 
@@ -223,19 +255,22 @@ function forgetLosses() {
   try {
     sessionStorage.removeItem(LOSS_KEY);
   } catch {
-    // Nothing was noted, then.
+    // Without sessionStorage nothing was recorded.
   }
 }
 
-/** Starts on a canvas; an answer that never comes counts as a refusal. */
+/** Starts the program on a canvas. No answer within ADAPTER_SECONDS counts as a failure. */
 function start(handle, canvas) {
-  return Promise.race([handle.start(canvas), after(ADAPTER_SECONDS, () => new Error(`no device in ${ADAPTER_SECONDS} s`))]);
+  return Promise.race([
+    handle.start(canvas),
+    after(ADAPTER_SECONDS, () => new Error(`no device in ${ADAPTER_SECONDS} s`)),
+  ]);
 }
 
 /**
- * Brings a lost device back: the same program goes on with another one, on another canvas, under the last picture of the
- * old. Where that does not help, the page is loaded again, since the address holds the state; but not for ever. Gives the
- * old canvas, or nothing if there is nothing more to watch.
+ * Recovers from a device loss: the running program gets a new device and a new canvas, which the old canvas covers with
+ * the last picture. After too many losses the page is reloaded (the address holds the state); after further losses it
+ * gives up. Returns the old canvas, or undefined if the page reloads or has given up.
  */
 async function recover(handle, reason) {
   for (;;) {
@@ -272,15 +307,15 @@ async function recover(handle, reason) {
   }
 }
 
-/** What the program said when it panicked; nothing if it has not. */
+/** Message of the program's panic, or undefined without a panic. */
 function panicText(handle) {
   if (!handle?.has_panicked()) return undefined;
   return handle.panic_message() ?? 'no message';
 }
 
 /**
- * Keeps a copy of the page for times without a network. Not where pages are written: another one may be at this address
- * tomorrow, and must not meet a worker of this one.
+ * Registers the service worker, which keeps an offline copy of the page. On development hosts it removes worker and
+ * copies instead: a later page on the same host and port must not be served from them.
  */
 async function keepOffline() {
   const workers = navigator.serviceWorker;
@@ -296,14 +331,14 @@ async function keepOffline() {
     const copies = (await caches.keys()).filter((name) => name.startsWith(`seastate ${worker.scope} `));
     await Promise.all(copies.map((name) => caches.delete(name)));
   } catch (error) {
-    // The page works without.
-    console.info(`seastate: no copy for times without a network: ${error}`);
+    // The page works without a copy.
+    console.info(`seastate: no offline copy: ${error}`);
   }
 }
 
 /**
- * Firefox (153) draws nothing in a tab any more, whatever is loaded there, once a lost device has presented a frame. Its
- * title can still be changed.
+ * Asks the visitor to open a new tab if the browser stops drawing in this one. In Firefox 153 a tab stays blank,
+ * whatever is loaded in it, once a lost device has presented a frame. The tab's title can still be changed.
  */
 function watchFrames() {
   const { title } = document;
@@ -319,12 +354,12 @@ function watchFrames() {
   });
 }
 
-/** Panicked, lost, or drawing? */
+/** Polls the program for a device loss, a panic and its first picture, and reacts to each. */
 function watch(handle) {
   let begun = performance.now();
-  let shown = false; // a picture of this device
-  let cover; // the canvas that still shows one of the last device
-  let panicked = false;
+  let shown = false; // whether the current device has drawn a picture
+  let cover; // old canvas with the last picture of the lost device
+  let panicked = false; // whether the previous poll found a panic
   const look = () => next().catch((error) => show('panic', panicText(handle) ?? String(error)));
   const next = async () => {
     fit();
@@ -338,7 +373,7 @@ function watch(handle) {
       else old.remove();
       [begun, shown] = [performance.now(), false];
     } else if (panic !== undefined) {
-      // The loss that made it panic may be told a little later.
+      // A device loss that caused the panic may be reported a little later: one more poll.
       if (panicked) {
         show('panic', panic);
         return;
@@ -359,7 +394,7 @@ function watch(handle) {
   look();
 }
 
-/** A trap that no panic announced (memory exhausted, stack overflow), and no loss either. */
+/** Shows WebAssembly traps that come without a panic or a device loss (memory exhausted, stack overflow). */
 function watchTraps() {
   const trapped = (error) => {
     if (!(error instanceof WebAssembly.RuntimeError)) return;
@@ -371,14 +406,16 @@ function watchTraps() {
   addEventListener('unhandledrejection', (event) => trapped(event.reason));
 }
 
-/** Instead of the sea, with `bench=1` (or the number of repetitions) in the address: what it costs on this GPU. */
+/** Measures the passes on this GPU instead of showing the sea; `bench=` in the address is the number of repetitions. */
 async function bench(handle) {
   const query = new URLSearchParams(location.search);
   const repeat = Math.max(5, Number(query.get('bench')) || 0);
   query.delete('bench');
   const tell = (what) => say(`Measuring: ${what}…`);
-  // Once more if the device was lost on the way; each run has one of its own.
-  const measured = await handle.bench(query.toString(), repeat, tell).catch(() => handle.bench(query.toString(), repeat, tell));
+  // A second attempt, if the device was lost during the first. Each attempt has a device of its own.
+  const measured = await handle
+    .bench(query.toString(), repeat, tell)
+    .catch(() => handle.bench(query.toString(), repeat, tell));
   const table = element('bench');
   table.textContent = measured.text;
   table.hidden = false;
@@ -386,7 +423,7 @@ async function bench(handle) {
   window.measured = measured;
 }
 
-/** Starts on the page's canvas; a browser that has just lost its graphics process may refuse at first. */
+/** Starts the program on the page's canvas. A browser whose GPU process has just crashed may refuse at first. */
 async function begin(handle) {
   for (let left = START_TRIES - 1; ; left -= 1) {
     try {
@@ -404,6 +441,7 @@ async function boot() {
   try {
     checkBrowser();
     watchTraps();
+    mendPixelSize();
     fit();
     addEventListener('resize', fit);
     const program = download(abort.signal);

@@ -1,4 +1,5 @@
-// For the page opened as a file, and for browsers that are too old: neither runs boot.js, which is a module. Old JavaScript.
+// Shows the rung for a page opened as a file, or for a browser without modules: both cannot run boot.js, a module.
+// Written in old JavaScript, which such browsers understand.
 (function () {
   'use strict';
   var rung = location.protocol === 'file:' ? 'file' : 'noModule' in document.createElement('script') ? '' : 'old';

@@ -1,11 +1,11 @@
-// The panel for screen readers: a canvas is a picture to them, so its widgets are mirrored in elements once somebody asks.
-// The program describes its widgets (src/app/readers.rs); what is done to the elements goes back to it.
+// The panel for screen readers, which see the canvas as one picture. On request, every widget gets an HTML element.
+// The program describes its widgets (src/app/readers.rs) and receives the actions on their elements.
 
-const EVERY_MS = 200;
+const EVERY_MS = 200; // interval at which the elements follow the widgets
 
-const TEXTS = new Set(['Label', 'Heading', 'Paragraph']);
+const TEXTS = new Set(['Label', 'Heading', 'Paragraph']); // AccessKit roles of plain text
 
-// What stands for a widget: the element, and how it follows.
+// Creates the element for a widget; its events go to the program.
 function mirrorOf(item, sea) {
   const button = (role) => {
     const element = document.createElement('button');
@@ -23,7 +23,7 @@ function mirrorOf(item, sea) {
   if (item.now !== undefined) {
     const slider = item.role === 'Slider';
     const element = input(slider ? 'range' : 'number');
-    // Keys move it as they move the slider itself, whose scale may be logarithmic.
+    // Arrow keys take the program's own steps, because the slider's scale may be logarithmic.
     element.addEventListener('keydown', (event) => {
       const way = { ArrowRight: 'more', ArrowUp: 'more', ArrowLeft: 'less', ArrowDown: 'less' }[event.key];
       if (!slider || !way) return;
@@ -61,11 +61,13 @@ function mirrorOf(item, sea) {
   }
 }
 
+// Sets an attribute, or removes it if the value is missing.
 function attribute(element, name, value) {
   if (value === undefined || value === null) element.removeAttribute(name);
   else if (element.getAttribute(name) !== String(value)) element.setAttribute(name, String(value));
 }
 
+// Updates an element from its widget's description.
 function follow(element, item) {
   const name = [item.label, item.value].filter(Boolean).join(': ');
   if (element instanceof HTMLInputElement) {
@@ -77,7 +79,7 @@ function follow(element, item) {
       attribute(element, 'aria-valuetext', item.value || undefined);
     }
     const value = item.now === undefined ? item.value : String(item.now);
-    // What is being typed stays until it is done.
+    // A text field keeps what the visitor is typing.
     if (document.activeElement !== element || element.type === 'range') {
       if (element.value !== value) element.value = value;
     }
@@ -90,7 +92,7 @@ function follow(element, item) {
   attribute(element, 'aria-disabled', item.disabled || undefined);
 }
 
-// Keeps the elements in step with the widgets, in reading order.
+// Returns a function that updates the elements in `list` from the widgets, in reading order, and the text in `told`.
 export function mirror(sea, list, told) {
   const elements = new Map();
   return () => {
@@ -99,7 +101,7 @@ export function mirror(sea, list, told) {
       const key = `${item.id} ${item.role} ${item.now === undefined}`;
       if (!items.has(key)) items.set(key, item);
     }
-    // First what has gone, so that what stays need not move: an element that is moved loses the keyboard.
+    // Removes old elements first, so that the others need not move: an element that moves loses the keyboard focus.
     for (const [key, element] of elements) {
       if (items.has(key)) continue;
       element.remove();

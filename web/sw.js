@@ -1,25 +1,29 @@
-// Keeps the page for times without a network. Registered by boot.js, but not at local addresses.
+// The service worker: keeps an offline copy of the page. boot.js registers it, except on development hosts.
 //
-// A copy is one version whole: this file names its files by their content, and changes when one of them does. With a network
-// the page always comes from there, and asks for its own files by name and sum: an old page never meets a new program.
+// A copy holds all files of one version. Their names contain a hash of their content, so this file changes when one of
+// them changes. With a network, the page itself always comes from the network and asks for its own files by name and
+// checksum: an old page never loads a new program.
 
-const FILES = [@FILES@];
-// Other pages of this origin may be seas, too.
+const FILES = [@FILES@]; // scripts/finish.sh fills in the names, and the checksum of index.html below
+// Prefix of this page's copies: other pages of the same origin may keep copies of their own.
 const OURS = `seastate ${registration.scope} `;
 const COPY = `${OURS}@SUM@`;
-const PATIENCE_MS = 5000; // with a network that does not answer
+const PATIENCE_MS = 5000; // for the network to answer, before the copy is used
 
-/** Fetches all of this version, or nothing. */
+/** Stores all files of this version, or none. */
 async function keep() {
   const page = await fetch('./', { cache: 'no-cache' });
   const text = page.ok ? await page.clone().text() : '';
-  if (!FILES.every((name) => text.includes(name))) throw new Error('the page is of another version: the next visit tries again');
+  if (!FILES.every((name) => text.includes(name))) {
+    throw new Error('index.html belongs to another version; the next visit tries again');
+  }
   const copy = await caches.open(COPY);
   await copy.addAll(FILES);
   await copy.put('./', page);
   await skipWaiting();
 }
 
+/** Deletes the copies of other versions. */
 async function tidy() {
   const names = await caches.keys();
   await Promise.all(names.filter((name) => name.startsWith(OURS) && name !== COPY).map((name) => caches.delete(name)));
@@ -28,6 +32,7 @@ async function tidy() {
 
 const kept = async (name) => (await caches.open(COPY)).match(name);
 
+/** The page from the network, or its copy if the network fails, is late or answers with a server error. */
 async function page(request) {
   const network = fetch(request);
   network.catch(() => {}); // awaited below
@@ -36,7 +41,7 @@ async function page(request) {
     const answer = await Promise.race([network, late]);
     if (answer && answer.status < 500) return answer;
   } catch {
-    // No network.
+    // Without a network the copy is used.
   }
   return (await kept('./')) ?? network;
 }

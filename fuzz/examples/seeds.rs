@@ -1,8 +1,9 @@
-//! Writes what the fuzz targets start from: a dictionary and one good file of each kind, made here or shipped.
+//! Writes the seed corpus of the fuzz targets: a dictionary and valid files of each format.
 
 use exr::prelude::*;
-use seastate::state::fields::{FIELDS, Kind};
+use seastate::files::measured::MeasuredSpectrum;
 use seastate::files::picture;
+use seastate::state::fields::{FIELDS, FieldKind};
 use seastate::state::{presets, query};
 use std::path::Path;
 
@@ -14,7 +15,7 @@ fn main() -> std::io::Result<()> {
         std::fs::write(folder.join(name), bytes)
     };
     let buoy = include_str!("../../assets/spectra/two-systems.txt");
-    let measured = seastate::files::measured::Measured::read(&[("b.txt".into(), buoy.into())]).expect("a sample").0;
+    let measured = MeasuredSpectrum::read(&[("b.txt".into(), buoy.into())]).expect("a sample").spectrum;
     let mut states: Vec<String> = presets::built_in().iter().map(|p| p.state.clone()).collect();
     states.push(format!("spectrum=measured&measured={}", measured.to_state()));
     states.push("sky=a%20b.hdr&afloat=buoy*1*2_boat*-3*4.5&foamcolour=ff0011&t=1e5#x".into());
@@ -33,12 +34,14 @@ fn main() -> std::io::Result<()> {
         format!("b.data_spec\n{}", include_str!("../../assets/spectra/pierson-moskowitz.data_spec")).as_bytes(),
     )?;
     put("buoy", "table", format!("b.csv\n{}", include_str!("../../assets/spectra/jonswap-10ms-100km.csv")).as_bytes())?;
-    put("buoy", "archive", b"44025w2023.txt\n#YY MM DD hh mm .02 .05 .1\n2023 1 1 0 0 0. 1.5 2\n\x1c44025d2023.txt\n#YY MM DD hh mm .02 .05 .1\n2023 1 1 0 0 10 20 30\n")?;
+    let header = "#YY MM DD hh mm .02 .05 .1\n2023 1 1 0 0";
+    let archive = format!("44025w2023.txt\n{header} 0. 1.5 2\n\x1c44025d2023.txt\n{header} 10 20 30\n");
+    put("buoy", "archive", archive.as_bytes())?;
     for (name, bytes) in skies() {
         put("sky", &name, &bytes)?;
     }
     let words = FIELDS.iter().flat_map(|f| match f.kind {
-        Kind::Choice(words) => words.to_vec(),
+        FieldKind::Choice(words) => words.to_vec(),
         _ => vec![f.key],
     });
     let more = [
@@ -58,7 +61,7 @@ fn main() -> std::io::Result<()> {
     std::fs::write(corpus.join("words.dict"), dictionary.concat())
 }
 
-/// A small sky in every form that is read.
+/// A small sky in every file format and encoding that is read.
 fn skies() -> Vec<(String, Vec<u8>)> {
     let light = |at: Vec2<usize>| {
         let sun = if at == Vec2(20, 4) { 900.0 } else { 0.0 };

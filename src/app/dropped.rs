@@ -4,7 +4,7 @@
 use super::tasks;
 use super::tasks::Inbox;
 use super::{App, picture};
-use crate::files::measured::{MAX_FILE_BYTES, MAX_FILES, Measured};
+use crate::files::measured::{MAX_FILE_BYTES, MAX_FILES, MeasuredSpectrum, SpectrumFile};
 use crate::files::panorama;
 use crate::state::look::SkyFile;
 use crate::state::presets;
@@ -100,13 +100,11 @@ impl App {
             }
             return;
         }
-        match files.and_then(|files| Measured::read(&files)) {
-            Ok((measured, notices)) => {
-                let name = if measured.title().is_empty() { "the buoy's sea" } else { measured.title() };
-                let bands = measured.f_hz().len();
-                self.notices = vec![format!("{name}: {bands} bands, Hs {:.2} m", measured.hs_m())];
+        match files.and_then(|files| MeasuredSpectrum::read(&files)) {
+            Ok(SpectrumFile { spectrum, title, notices }) => {
+                self.notices = vec![format!("{title}: {} bands, Hs {:.2} m", spectrum.bands().len(), spectrum.hs_m())];
                 self.notices.extend(notices);
-                self.params.sea.show_measured(measured);
+                self.params.sea.show_measured(spectrum);
             }
             Err(reason) => self.notices = vec![reason],
         }

@@ -1,4 +1,4 @@
-//! The keyboard: what a key does, in one table that the help and the README are made from.
+//! The keyboard: what a key does, in one table for the help; docs/using.md lists it too.
 
 /// Keys and what they do.
 pub const KEYS: &[(&str, &str)] = &[

@@ -3,7 +3,7 @@
 
 use crate::gpu::Gpu;
 use crate::gpu::readback::{self, TextureCopy};
-use crate::oracle::{self, Complex, Texel, maps::Planes};
+use crate::oracle::{self, Complex, Texel, maps::MapPair};
 use crate::shaders::Shaders;
 use crate::sim::Simulation;
 use crate::sim::foam::FoamStep;
@@ -12,7 +12,7 @@ use crate::sim::resources::{MapKind, Resources};
 use crate::sim::transform::TransformWay;
 use crate::state::Params;
 use crate::waves::Plan;
-use crate::waves::foam::Whiteness;
+use crate::waves::foam::FoamModel;
 use crate::waves::plan::Cascade;
 use crate::waves::tiling::Tiling;
 use std::fmt;
@@ -87,9 +87,9 @@ pub async fn run_with(gpu: &Gpu, params: &Params, shaders: &Shaders, way: Transf
     let slot = sim.push_evaluation(gpu, t_s, true);
     let mut check = Check { gpu, plan: &plan, sim: &sim, slot, lines: Vec::new() };
     let h0: Vec<Vec<Complex>> = plan.cascades.iter().map(|c| oracle::spectrum::h0(&plan, c)).collect();
-    let rows: Vec<Planes> =
+    let rows: Vec<MapPair> =
         plan.cascades.iter().zip(&h0).map(|(c, h0)| oracle::maps::rows(&plan, c, h0, t_s)).collect();
-    let maps: Vec<Planes> = rows.iter().map(|rows| oracle::maps::columns(plan.n as usize, rows)).collect();
+    let maps: Vec<MapPair> = rows.iter().map(|rows| oracle::maps::columns(plan.n as usize, rows)).collect();
     check.spectrum(&h0).await?;
     check.rows(&h0, &rows).await?;
     check.columns(&rows, &maps).await?;
@@ -127,7 +127,7 @@ impl Check<'_> {
     }
 
     /// The row pass, from the oracle's h0.
-    async fn rows(&mut self, h0: &[Vec<Complex>], rows: &[Planes]) -> Result<(), String> {
+    async fn rows(&mut self, h0: &[Vec<Complex>], rows: &[MapPair]) -> Result<(), String> {
         let flat: Vec<[f32; 2]> = h0.iter().flatten().map(|h| h.map(|x| x as f32)).collect();
         self.gpu.queue.write_buffer(&self.sim.resources.sea().h0, 0, bytemuck::cast_slice(&flat));
         let mut encoder = self.gpu.encoder("check");
@@ -136,7 +136,7 @@ impl Check<'_> {
     }
 
     /// The column pass, from the oracle's rows; also records the mip levels of its maps.
-    async fn columns(&mut self, rows: &[Planes], maps: &[Planes]) -> Result<(), String> {
+    async fn columns(&mut self, rows: &[MapPair], maps: &[MapPair]) -> Result<(), String> {
         let r = &self.sim.resources;
         let flat: Vec<[f32; 4]> = rows.iter().flatten().flatten().map(|t| t.map(|x| x as f32)).collect();
         self.gpu.queue.write_buffer(&r.lines, 0, bytemuck::cast_slice(&flat));
@@ -150,7 +150,7 @@ impl Check<'_> {
     async fn transformed(
         &mut self,
         mut encoder: wgpu::CommandEncoder,
-        want: &[Planes],
+        want: &[MapPair],
         names: [&'static str; 2],
     ) -> Result<(), String> {
         let staging = readback::stage_buffer(self.gpu, &mut encoder, &self.sim.resources.lines);
@@ -167,7 +167,7 @@ impl Check<'_> {
     }
 
     /// Mip level 0 of the maps, which the column pass has written.
-    async fn maps(&mut self, maps: &[Planes]) -> Result<(), String> {
+    async fn maps(&mut self, maps: &[MapPair]) -> Result<(), String> {
         let points = (self.plan.n * self.plan.n) as usize;
         let kinds = [(MapKind::Displacement, "maps displacement"), (MapKind::Gradients, "maps gradients")];
         for (pair, (kind, what)) in kinds.into_iter().enumerate() {
@@ -215,7 +215,7 @@ impl Check<'_> {
 async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<Line, String> {
     let centre = [1234.5, -67.8];
     let size = sim.resources.foam_n as usize;
-    let mut want: Vec<f64> = vec![Whiteness::new(plan).coverage; size * size];
+    let mut want: Vec<f64> = vec![FoamModel::new(plan).coverage; size * size];
     let mut got = Vec::new();
     for _ in 0..FOAM_STEPS {
         let mut encoder = gpu.encoder("check");
@@ -241,14 +241,14 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<L
 
 /// The oracle's time step of all cells of a level whose corner and cell size (m) are given.
 fn step_foam(foam: &mut [f64], plan: &Plan, pyramid: &Pyramid, (corner, texel_m): ([f64; 2], f64), step: FoamStep) {
-    let source = Whiteness::new(plan).source(plan, texel_m);
+    let source = FoamModel::new(plan).source(plan, texel_m);
     let size = foam.len().isqrt();
     for (i, cell) in foam.iter_mut().enumerate() {
         let at = [i % size, i / size];
         let world: [f64; 2] = std::array::from_fn(|a| corner[a] + (at[a] as f64 + 0.5) * texel_m);
         let j = oracle::foam::jacobian(pyramid.surface(world).strain, plan.sea.lambda());
         let s = ((source.threshold - j) * source.slope).clamp(0.0, 1.0);
-        *cell = oracle::foam::step(*cell, s, plan.sea.foam.rate_per_s, plan.sea.foam.decay_s, step.dt_s);
+        *cell = oracle::foam::foam_after(*cell, s, plan.sea.foam.rate_per_s, plan.sea.foam.decay_s, step.dt_s);
     }
 }
 
@@ -279,8 +279,8 @@ impl Pyramid {
     }
 
     /// The sum of all cascades at a point of the world, between texels and between mip levels.
-    fn surface(&self, world: [f64; 2]) -> oracle::surface::Point {
-        let mut sum = oracle::surface::Point::default();
+    fn surface(&self, world: [f64; 2]) -> oracle::surface::WaveFields {
+        let mut sum = oracle::surface::WaveFields::default();
         for (c, (tiling, lod)) in self.cascades.iter().enumerate() {
             let low = lod.floor();
             let mips = [(low as usize, 1.0 - (lod - low)), (low as usize + 1, lod - low)];
@@ -291,7 +291,7 @@ impl Pyramid {
                     let n = self.n >> mip;
                     let [displacement, gradients] =
                         self.levels[mip].each_ref().map(|texels| &texels[c * n * n..][..n * n]);
-                    let add = oracle::foam::read(&oracle::foam::Level { n, displacement, gradients }, uv);
+                    let add = oracle::foam::sample_bilinear(&oracle::foam::MipLevel { n, displacement, gradients }, uv);
                     for (texel, add) in texels.iter_mut().zip(add) {
                         *texel = std::array::from_fn(|k| texel[k] + weight * add[k]);
                     }

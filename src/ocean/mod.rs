@@ -8,7 +8,7 @@ pub mod still;
 
 use crate::gpu::Gpu;
 use crate::gpu::timer::Timer;
-use crate::point::afloat::{self, Pose, Waterline};
+use crate::point::floating::{HullPose, HullWaves, hull_pose};
 use crate::render::{Fading, Reference, Renderer, Scene, SeaLook};
 use crate::shaders::Shaders;
 use crate::sim::transition::{Interpolated, TransitionKind, TransitionStep};
@@ -16,7 +16,7 @@ use crate::sim::{MAX_STEPS, MapCascade, Simulation};
 use crate::state::Params;
 use crate::state::camera::View;
 use crate::state::params::{Camera, CameraMode};
-use crate::waves::scale::Scale;
+use crate::waves::colour_scale::ColourScale;
 use crate::waves::{Plan, SeaChange};
 use interpolated::{SurfaceParameters, WeightedPlans};
 use std::sync::Arc;
@@ -43,7 +43,7 @@ pub struct Ocean {
     surface: Interpolated<SurfaceParameters>,
     plans: Interpolated<WeightedPlans>,
     /// The waves under the floating objects, for each drawn plan.
-    waterlines: Vec<(Arc<Plan>, Waterline)>,
+    waterlines: Vec<(Arc<Plan>, HullWaves)>,
     timer: Timer,
 }
 
@@ -275,7 +275,7 @@ impl Ocean {
             rides: self.params.camera.mode == CameraMode::Buoy,
             floats: self.poses(),
             level_m: surface.level_m,
-            scales: std::array::from_fn(|layer| Scale::new(self.params.look.view.shown, plan, layer)),
+            scales: std::array::from_fn(|layer| ColourScale::new(self.params.look.view.shown, plan, layer)),
             sea: SeaLook {
                 chop: surface.chop.map(|l| l as f32),
                 hs_m: surface.hs_m as f32,
@@ -295,12 +295,12 @@ impl Ocean {
 
     /// Positions and orientations of the floating objects at the time of the parameters; empty before the first frame
     /// with them.
-    pub fn poses(&self) -> Vec<Pose> {
+    pub fn poses(&self) -> Vec<HullPose> {
         let (seas, level_m) = (self.drawn_seas(), self.level_m());
         let on = |sea: &DrawnSea| self.waterlines.iter().find(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)).map(|(_, w)| w);
         let lines: Option<Vec<_>> = seas.iter().map(|sea| Some((on(sea)?, sea.weights[0]))).collect();
         let Some(lines) = lines else { return Vec::new() };
-        self.params.floats.iter().map(|f| afloat::pose(&lines, f, self.params.clock.t_s, level_m)).collect()
+        self.params.floats.iter().map(|f| hull_pose(&lines, f, self.params.clock.t_s, level_m)).collect()
     }
 
     /// Creates the waterlines of the drawn seas, if anything floats.
@@ -313,7 +313,7 @@ impl Ocean {
         self.waterlines.retain(|(plan, _)| seas.iter().any(|sea| Arc::ptr_eq(plan, &sea.plan)));
         for sea in seas {
             if !self.waterlines.iter().any(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)) {
-                let line = Waterline::new(&sea.plan);
+                let line = HullWaves::new(&sea.plan);
                 self.waterlines.push((sea.plan, line));
             }
         }

@@ -50,7 +50,7 @@ pub struct FoamParameters {
     /// Horizontal displacement factor along x and z.
     pub chop: [f64; 2],
     /// Threshold and slope of the source, per level.
-    sources: [foam::Source; FOAM_LEVELS],
+    sources: [foam::FoamSource; FOAM_LEVELS],
     /// Expected mean foam, 0 to 1.
     pub coverage: f64,
     decay_s: f64,
@@ -60,7 +60,7 @@ pub struct FoamParameters {
 impl FoamParameters {
     /// The parameters of a plan on levels of `size` cells a side.
     pub fn new(size: u32, plan: &Plan) -> Self {
-        let foam = foam::Whiteness::new(plan);
+        let foam = foam::FoamModel::new(plan);
         Self {
             chop: plan.sea.lambda(),
             sources: std::array::from_fn(|level| foam.source(plan, texel_m(size, level))),
@@ -81,7 +81,7 @@ impl Interpolate for FoamParameters {
                 (false, true) => b.threshold,
                 _ => interpolate(a.threshold, b.threshold, share),
             };
-            foam::Source { threshold, slope: interpolate(a.slope, b.slope, share) }
+            foam::FoamSource { threshold, slope: interpolate(a.slope, b.slope, share) }
         };
         Self {
             chop: interpolate2(self.chop, to.chop, share),

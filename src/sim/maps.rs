@@ -90,11 +90,11 @@ pub struct MapCascade {
 impl From<Place> for TilePlace {
     fn from(place: Place) -> Self {
         Self {
-            turn: place.turn.map(|x| x as f32),
+            turn: place.tiling.turn.map(|x| x as f32),
             rest: place.rest.map(|x| x as f32),
             cell: place.cell,
-            key: place.key,
-            on: u32::from(place.on),
+            key: place.tiling.key,
+            on: u32::from(place.tiling.on),
         }
     }
 }
@@ -182,7 +182,7 @@ impl MapCascade {
             .zip(&plan.cascades)
             .map(|(layer, c)| {
                 // Half the cascade's mean square slope, the variance of one component: moments in this unit are near 1.
-                let mss = plan.slope_variance_between(c.k_low, c.k_high);
+                let mss = plan.energy.mss_between(c.k_low, c.k_high);
                 let moment_scale = if mss > 1e-12 { 0.5 * mss as f32 } else { 1.0 };
                 let shortest_m = TAU / c.k_high.max(c.dk());
                 Self {

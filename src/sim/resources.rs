@@ -7,7 +7,7 @@ use crate::gpu::map_format::MapFormat;
 use crate::gpu::readback::{self, TextureCopy};
 use crate::shaders::fft::{TWIDDLES, twiddles};
 use crate::waves::Plan;
-use crate::waves::plan::Wave;
+use crate::waves::lattice::Wave;
 use crate::waves::table::{self, Table};
 use std::ops::Range;
 

@@ -25,7 +25,7 @@ impl SeaChange {
     pub fn between_seas(a: &Sea, b: &Sea) -> Option<Self> {
         // A parameter that is not named here belongs to the waves.
         let without_foam = |sea: &Sea| Sea { foam: Foam::default(), ..sea.clone() };
-        let waves = |sea: &Sea| Sea { chop: 0.0, chop_xz: [0.0; 2], level_m: 0.0, ..without_foam(sea) };
+        let waves = |sea: &Sea| Sea { chop: 0.0, chop_x: 0.0, chop_z: 0.0, level_m: 0.0, ..without_foam(sea) };
         if a == b {
             None
         } else if without_foam(a) == without_foam(b) {
@@ -41,16 +41,16 @@ impl SeaChange {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::state::fields::{FIELDS, Group, Kind};
+    use crate::state::fields::{FIELDS, FieldKind, Group};
     use crate::waves::Plan;
 
     /// The default state with one parameter changed to its largest, or else its smallest value.
     fn changed(key: &str) -> Params {
         let field = FIELDS.iter().find(|f| f.key == key).unwrap();
         let (low, high) = match field.kind {
-            Kind::Number { min, max, .. } => (min, max),
-            Kind::Integer { min, max } => (f64::from(min), f64::from(max)),
-            Kind::Choice(words) => (0.0, words.len() as f64 - 1.0),
+            FieldKind::Number { min, max, .. } => (min, max),
+            FieldKind::Integer { min, max } => (f64::from(min), f64::from(max)),
+            FieldKind::Choice(words) => (0.0, words.len() as f64 - 1.0),
             _ => (0.0, 1.0),
         };
         let mut params = Params::default();
@@ -66,7 +66,7 @@ mod tests {
             let expected = match (field.key, field.group) {
                 ("whitecaps" | "foamthreshold" | "foambias" | "foamdecay" | "foamrate", _) => Some(SeaChange::Foam),
                 ("chop" | "chopx" | "chopz" | "level", _) => Some(SeaChange::Surface),
-                (_, Group::Sea | Group::Swell | Group::Water | Group::Grid) => Some(SeaChange::Waves),
+                ("loop", _) | (_, Group::Sea | Group::Swell | Group::Water | Group::Grid) => Some(SeaChange::Waves),
                 _ => None,
             };
             assert_eq!(change, expected, "{}", field.key);

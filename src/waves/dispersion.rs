@@ -1,74 +1,80 @@
-//! Linear dispersion of waves over a flat bottom, its derivative and its inverse. docs/sea.md, "Dispersion".
+//! Linear dispersion relation over a flat bottom, its derivative and its inverse (docs/sea.md, "Dispersion").
 //!
-//! All three relations are one, omega^2 = (g k + sigma/rho k^3) tanh(k h): deep water has an infinite h, gravity waves no
-//! sigma.
+//! One relation covers all three kinds, omega^2 = (g k + sigma/rho k^3) tanh(k h): in deep water the depth h is
+//! infinite, for gravity waves the surface tension sigma is 0.
 
 use crate::state::params::{DispersionKind, Sea};
 
-/// A dispersion relation.
+/// The dispersion relation of a sea.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dispersion {
-    gravity: f64,
+    gravity_m_s2: f64,
     /// Infinite for deep water.
     depth_m: f64,
-    /// sigma / rho, m^3/s^2.
-    tension: f64,
+    /// Surface tension over density, sigma / rho.
+    tension_m3_s2: f64,
 }
 
 impl Dispersion {
-    /// The relation of a sea.
+    /// The relation that the sea's parameters choose.
     pub fn new(sea: &Sea) -> Self {
         let finite = Self::finite(sea.gravity_m_s2, sea.depth_m);
         match sea.dispersion {
             DispersionKind::Deep => Self { depth_m: f64::INFINITY, ..finite },
             DispersionKind::Finite => finite,
-            DispersionKind::Capillary => Self { tension: sea.tension_n_m / sea.density_kg_m3, ..finite },
+            DispersionKind::Capillary => Self { tension_m3_s2: sea.tension_n_m / sea.density_kg_m3, ..finite },
         }
     }
 
-    /// Gravity waves in water of a depth (m).
-    pub fn finite(gravity: f64, depth_m: f64) -> Self {
-        Self { gravity, depth_m, tension: 0.0 }
+    /// Gravity waves in water of finite depth.
+    pub fn finite(gravity_m_s2: f64, depth_m: f64) -> Self {
+        Self { gravity_m_s2, depth_m, tension_m3_s2: 0.0 }
     }
 
-    /// Whether short waves are held by surface tension.
+    /// Whether surface tension acts on short waves.
     pub fn is_capillary(&self) -> bool {
-        self.tension > 0.0
+        self.tension_m3_s2 > 0.0
     }
 
     /// Angular frequency (rad/s) of wave number `k` (rad/m).
     pub fn omega(&self, k: f64) -> f64 {
-        ((self.gravity + self.tension * k * k) * k * (k * self.depth_m).tanh()).sqrt()
+        ((self.gravity_m_s2 + self.tension_m3_s2 * k * k) * k * (k * self.depth_m).tanh()).sqrt()
     }
 
     /// Group velocity d omega / dk (m/s) of wave number `k` (rad/m, positive).
     pub fn group_velocity(&self, k: f64) -> f64 {
         let kh = k * self.depth_m;
         // k h / cosh^2(k h) vanishes long before cosh overflows.
-        let curve = if kh > 300.0 { 0.0 } else { kh / (kh.cosh() * kh.cosh()) };
-        let stiff = self.tension * k * k;
-        ((self.gravity + 3.0 * stiff) * kh.tanh() + (self.gravity + stiff) * curve) / (2.0 * self.omega(k))
+        let shallow = if kh > 300.0 { 0.0 } else { kh / (kh.cosh() * kh.cosh()) };
+        let (g, capillary) = (self.gravity_m_s2, self.tension_m3_s2 * k * k);
+        ((g + 3.0 * capillary) * kh.tanh() + (g + capillary) * shallow) / (2.0 * self.omega(k))
+    }
+
+    /// Converts a spectrum over wave number, S(k) in m^3, to S(omega) = S(k) dk / d omega, m^2 s, at `omega` in rad/s.
+    pub fn density_over_omega(&self, density_over_k: impl Fn(f64) -> f64, omega: f64) -> f64 {
+        let k = self.wave_number(omega);
+        density_over_k(k) / self.group_velocity(k)
     }
 
     /// Wave number (rad/m) of angular frequency `omega_rad_s` (positive).
     ///
-    /// Newton in the logarithms of both, where the relation is nearly straight (its slope lies between 1/2 and 3/2), from
-    /// the start of Guo 2002 for gravity waves or that of pure capillary waves.
+    /// Newton's method on ln(omega) over ln(k), which is nearly linear: its slope lies between 1/2 and 3/2. It starts
+    /// from the approximation of Guo 2002 for gravity waves or from pure capillary waves.
     pub fn wave_number(&self, omega_rad_s: f64) -> f64 {
-        let deep = omega_rad_s * omega_rad_s / self.gravity;
-        let x = omega_rad_s * (self.depth_m / self.gravity).sqrt();
+        let deep = omega_rad_s * omega_rad_s / self.gravity_m_s2;
+        let x = omega_rad_s * (self.depth_m / self.gravity_m_s2).sqrt();
         let mut k = if x > 8.0 { deep } else { deep * (1.0 - (-x.powf(2.4908)).exp()).powf(-1.0 / 2.4908) };
-        if self.tension > 0.0 {
-            k = k.min((omega_rad_s * omega_rad_s / self.tension).cbrt());
+        if self.is_capillary() {
+            k = k.min((omega_rad_s * omega_rad_s / self.tension_m3_s2).cbrt());
         }
-        for _ in 0..if self.tension > 0.0 { 7 } else { 4 } {
+        for _ in 0..if self.is_capillary() { 7 } else { 4 } {
             let omega = self.omega(k);
             k *= ((omega_rad_s / omega).ln() * omega / (k * self.group_velocity(k))).exp();
         }
         k
     }
 
-    /// Horizontal over vertical axis of the particle orbits at the surface: coth(k h).
+    /// Ratio of the horizontal to the vertical axis of a particle's orbit at the surface, coth(k h).
     pub fn orbit(&self, k: f64) -> f64 {
         1.0 / (k * self.depth_m).tanh()
     }
@@ -114,11 +120,12 @@ mod tests {
 
     #[test]
     fn known_speeds() {
-        // The slowest wave on water: 0.23 m/s at 370 rad/m (Elfouhaily et al. 1997); 2 m of water under a long wave.
+        // The lowest phase speed on water: 0.23 m/s at 370 rad/m (Elfouhaily et al. 1997).
         let capillary = Dispersion::new(&Sea { dispersion: DispersionKind::Capillary, ..Sea::default() });
         let slowest =
             (100..1000).map(f64::from).min_by(|a, b| (capillary.omega(*a) / a).total_cmp(&(capillary.omega(*b) / b)));
         assert!((slowest.unwrap() - 365.0).abs() < 6.0 && (capillary.omega(370.0) / 370.0 - 0.231).abs() < 0.002);
+        // A long wave over 2 m of water.
         let shallow = Dispersion::finite(9.81, 2.0);
         assert!((shallow.omega(0.05) - 0.221).abs() < 0.001);
     }

@@ -1,35 +1,36 @@
-//! Running integrals of a spectrum over a logarithmic grid of frequencies, for the plan's own choices. The theory that is
-//! printed comes from an independent quadrature (`statistics`).
+//! Running integrals of a spectrum over a logarithmic frequency grid, from which the plan makes its choices. Published
+//! numbers come from an independent quadrature (`statistics`).
 
 use super::dispersion::Dispersion;
 
-/// Integrals up to each point of the grid.
-#[derive(Clone, Debug, PartialEq)]
+/// Running integrals of a spectrum, one entry per grid frequency.
+#[derive(Clone, Debug)]
 pub struct Energy {
+    /// Grid frequencies, rad/s, ascending.
     omega: Vec<f64>,
+    /// Wave numbers of the grid frequencies, rad/m.
     k: Vec<f64>,
-    m0: Vec<f64>,
-    mss: Vec<f64>,
-    strain: Vec<f64>,
-    peak: f64,
+    /// Variance of the elevation (m^2), mean square slope, and variance of the horizontal strain dDx/dx + dDz/dz up to
+    /// each grid frequency.
+    sums: Vec<[f64; 3]>,
+    /// Frequency of the largest S, rad/s, to the grid's step of about 1 %.
+    pub omega_p: f64,
 }
 
 impl Energy {
     const STEPS: usize = 1600;
 
-    /// Integrates S(omega) from `low` to `high` rad/s.
+    /// Integrates S(omega), m^2 s, from `low` to `high`, rad/s.
     pub fn new(density: impl Fn(f64) -> f64, (low, high): (f64, f64), dispersion: &Dispersion) -> Self {
         let step = (high / low).ln() / Self::STEPS as f64;
-        let mut out = Self { omega: vec![], k: vec![], m0: vec![], mss: vec![], strain: vec![], peak: low };
-        let mut sums = [0.0; 3];
-        let mut before = [0.0; 3];
-        let mut highest = 0.0;
+        let mut out = Self { omega: vec![], k: vec![], sums: vec![], omega_p: low };
+        let (mut sums, mut before, mut highest) = ([0.0; 3], [0.0; 3], 0.0);
         for i in 0..=Self::STEPS {
             let omega = low * (step * i as f64).exp();
             let k = dispersion.wave_number(omega);
             let s = density(omega);
             if s > highest {
-                (highest, out.peak) = (s, omega);
+                (highest, out.omega_p) = (s, omega);
             }
             let share = s * omega * step;
             let now = [share, share * k * k, share * (k * dispersion.orbit(k)).powi(2)];
@@ -39,62 +40,51 @@ impl Energy {
             before = now;
             out.omega.push(omega);
             out.k.push(k);
-            out.m0.push(sums[0]);
-            out.mss.push(sums[1]);
-            out.strain.push(sums[2]);
+            out.sums.push(sums);
         }
         out
     }
 
     /// Variance of the elevation, m^2.
     pub fn m0(&self) -> f64 {
-        self.m0[Self::STEPS]
+        self.sums[Self::STEPS][0]
     }
 
-    /// Frequency at which S is largest, rad/s, to the grid's step of about 1 %.
-    pub fn omega_p(&self) -> f64 {
-        self.peak
-    }
-
-    /// Frequency below which the share `q` of m0 lies.
+    /// Frequency (rad/s) below which the share `q` of m0 lies.
     pub fn quantile(&self, q: f64) -> f64 {
-        let i = self.m0.partition_point(|&m| m < q * self.m0()).min(Self::STEPS);
+        let i = self.sums.partition_point(|s| s[0] < q * self.m0()).min(Self::STEPS);
         self.omega[i]
     }
 
-    /// Variance of the waves between two wave numbers, m^2.
+    /// Variance of the elevation between two wave numbers (rad/m), m^2.
     pub fn m0_between(&self, low: f64, high: f64) -> f64 {
-        self.between(&self.m0, low, high)
+        self.between(0, low, high)
     }
 
-    /// Mean square slope of the waves between two wave numbers.
+    /// Mean square slope between two wave numbers (rad/m).
     pub fn mss_between(&self, low: f64, high: f64) -> f64 {
-        self.between(&self.mss, low, high)
+        self.between(1, low, high)
     }
 
-    /// Variance of dDx/dx + dDz/dz of the waves between two wave numbers, each weighted by `response` of its wave number.
+    /// Variance of dDx/dx + dDz/dz between two wave numbers (rad/m), weighted by `response` of the wave number.
     pub fn filtered_strain(&self, low: f64, high: f64, response: impl Fn(f64) -> f64) -> f64 {
         let piece = |i: usize| {
             let (a, b) = (self.k[i - 1].max(low), self.k[i].min(high));
-            if a < b { self.between(&self.strain, a, b) * response(0.5 * (a + b)) } else { 0.0 }
+            if a < b { self.between(2, a, b) * response(0.5 * (a + b)) } else { 0.0 }
         };
         (1..self.k.len()).map(piece).sum()
     }
 
-    fn between(&self, sums: &[f64], low: f64, high: f64) -> f64 {
-        (self.at(sums, high) - self.at(sums, low)).max(0.0)
-    }
-
-    /// A running integral at wave number `k`, linear between the grid's points.
-    fn at(&self, sums: &[f64], k: f64) -> f64 {
-        let i = self.k.partition_point(|&x| x < k);
-        if i == 0 {
-            return 0.0;
-        }
-        if i > Self::STEPS {
-            return sums[Self::STEPS];
-        }
-        let f = (k - self.k[i - 1]) / (self.k[i] - self.k[i - 1]);
-        sums[i - 1] + f * (sums[i] - sums[i - 1])
+    /// Difference of one of the three sums between two wave numbers; the sums are linear between grid points.
+    fn between(&self, which: usize, low: f64, high: f64) -> f64 {
+        let at = |k: f64| match self.k.partition_point(|&x| x < k) {
+            0 => 0.0,
+            i if i > Self::STEPS => self.sums[Self::STEPS][which],
+            i => {
+                let (a, b) = (self.sums[i - 1][which], self.sums[i][which]);
+                a + (k - self.k[i - 1]) / (self.k[i] - self.k[i - 1]) * (b - a)
+            }
+        };
+        (at(high) - at(low)).max(0.0)
     }
 }

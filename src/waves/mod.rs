@@ -1,28 +1,29 @@
-//! The theory of the waves, in f64: spectra, spreading, dispersion, and the plan that divides a sea among cascades.
+//! Wave theory in f64: spectra, directional spreading, dispersion, and the plan that divides a sea among cascades.
 //!
 //! Everything here is a pure function of [`crate::state::Params`].
 
 pub mod beaufort;
 pub mod cascades;
 pub mod change;
+pub mod colour_scale;
 pub mod dispersion;
 pub mod energy;
+mod fft;
 pub mod foam;
+pub mod lattice;
+pub mod map_spectrum;
 pub mod noise;
 pub mod overlap;
 pub mod plan;
 pub mod quadrature;
 pub mod record;
-pub mod scale;
 pub mod slopes;
 pub mod spectra;
 pub mod spreading;
 pub mod statistics;
-pub mod survey;
 pub mod system;
 pub mod table;
 pub mod tiling;
-mod transform;
 
 pub use change::SeaChange;
 pub use plan::Plan;

@@ -1,23 +1,23 @@
-//! What a cascade of one sea has in common with the same patch of another: how they add where one fades into the other.
+//! Covariance of two seas during a cross-fade: cascades with the same patch and random numbers are correlated.
 
 use super::plan::{Cascade, Plan};
 use std::f64::consts::TAU;
 
-/// Bands over which the waves of a patch are compared.
+/// Number of wave-number bands in which two cascades are compared.
 const BANDS: usize = 256;
 
-/// Variances of two seas on one patch, m^2.
+/// Variances and covariance of two seas on one patch, m^2.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Overlap {
     before: f64,
     after: f64,
-    /// Their covariance: of waves with the same numbers, as far as their phases agree.
-    common: f64,
+    /// Covariance of the waves with equal wave vectors and random numbers; it falls with their phase difference.
+    covariance: f64,
 }
 
 impl Overlap {
-    /// The cascades of `before` and those of `after` at a time. One without a partner of the same patch, noise and seed has
-    /// nothing in common with the other sea.
+    /// One overlap for each cascade of `before` and of `after` at time `t_s`. A cascade without a partner of
+    /// the same patch, noise key and seed has zero overlap.
     pub fn all(before: &Plan, after: &Plan, t_s: f64) -> [Vec<Self>; 2] {
         let mut all = [before, after].map(|plan| vec![Self::default(); plan.cascades.len()]);
         for (i, old) in before.cascades.iter().enumerate() {
@@ -31,29 +31,30 @@ impl Overlap {
     }
 
     fn between((before, old): (&Plan, &Cascade), (after, new): (&Plan, &Cascade), t_s: f64) -> Self {
-        let variance = |plan: &Plan, c: &Cascade| plan.variance_between(c.k_low, c.k_high);
+        let variance = |plan: &Plan, c: &Cascade| plan.energy.m0_between(c.k_low, c.k_high);
         let (low, high) = (old.k_low.max(new.k_low).max(old.dk()), old.k_high.min(new.k_high));
-        let mut common = 0.0;
+        let mut covariance = 0.0;
         if low < high {
             let edge = |i: usize| low * (high / low).powf(i as f64 / BANDS as f64);
             for i in 0..BANDS {
                 let (a, b) = (edge(i), edge(i + 1));
                 let ring = ((a * b).sqrt() / old.dk()).powi(2).round().max(1.0) as u32;
-                // Whole turns are compared, as they are drawn.
+                // The rounded frequencies of the drawn waves.
                 let cycles = |plan: &Plan, c: &Cascade| plan.wave(c, ring).omega * t_s / TAU;
                 let apart = TAU * (cycles(before, old) - cycles(after, new)).rem_euclid(1.0);
-                common += (before.variance_between(a, b) * after.variance_between(a, b)).sqrt() * apart.cos();
+                let variances = before.energy.m0_between(a, b) * after.energy.m0_between(a, b);
+                covariance += variances.sqrt() * apart.cos();
             }
         }
-        // Opposite phases are no reason to make either louder.
-        Self { before: variance(before, old), after: variance(after, new), common: common.max(0.0) }
+        // A negative covariance would amplify both seas.
+        Self { before: variance(before, old), after: variance(after, new), covariance: covariance.max(0.0) }
     }
 
-    /// Variance of sqrt(1 - share) before + sqrt(share) after, over the mixture (1 - share) : share of their variances. At
-    /// least 1, where they have nothing in common; 2 in the middle of two equal seas.
+    /// Ratio of the variance of the sum sqrt(1 - share) before + sqrt(share) after to the mean variance
+    /// (1 - share) Var(before) + share Var(after). It is 1 for uncorrelated seas and 2 halfway between two equal seas.
     pub fn excess(&self, share: f64) -> f64 {
-        let mixed = (1.0 - share) * self.before + share * self.after;
-        if mixed > 0.0 { 1.0 + 2.0 * (share * (1.0 - share)).sqrt() * self.common / mixed } else { 1.0 }
+        let mean = (1.0 - share) * self.before + share * self.after;
+        if mean > 0.0 { 1.0 + 2.0 * (share * (1.0 - share)).sqrt() * self.covariance / mean } else { 1.0 }
     }
 }
 
@@ -80,7 +81,7 @@ mod tests {
 
     #[test]
     fn depth_parts_long_waves_and_late() {
-        // On the same patches by hand.
+        // The patches are set by hand, so that both seas have the same.
         let state = |depth: f64| format!("wind=9&n=64&cascades=2&patch1=300&patch2=40&depth={depth}");
         let excess = |cascade, t_s| overlap(&state(200.0), &state(8.0), cascade, t_s).excess(0.5);
         assert!(excess(0, 0.0) > 1.5 && excess(1, 0.0) > 1.95, "nothing has moved yet: {}", excess(0, 0.0));

@@ -1,4 +1,5 @@
-//! From parameters to what is computed: a pure, total function that clamps, derives and chooses the cascades.
+//! The plan of a sea: everything that the simulation derives from the parameters. Planning is a pure function that
+//! never fails: it clamps values, chooses the cascades and collects notices for the user.
 
 use super::cascades;
 use super::dispersion::Dispersion;
@@ -11,120 +12,86 @@ use std::sync::Arc;
 
 pub use super::cascades::Cascade;
 
-/// Significant height over depth beyond which waves break (docs/sea.md).
+/// Largest significant wave height over depth; higher waves break (docs/sea.md).
 const DEPTH_LIMIT: f64 = 0.6;
-/// Variance of the strain beyond which the numbers leave the range of half floats.
-const MOST_STRAIN: f64 = 25.0;
-/// Variance below which there are no waves, m^2: a hundredth of a millimetre.
-const LEAST_M2: f64 = 1e-12;
-/// Cells from the origin within which S is averaged over a cell.
-const COARSE_CELLS: f64 = 40.0;
-/// Four-point Gauss-Legendre rule over [-1/2, 1/2].
-const CELL_RULE: [(f64, f64); 4] = [
-    (-0.430_568_155_797_026_3, 0.173_927_422_568_726_93),
-    (-0.169_990_521_792_428_13, 0.326_072_577_431_273_07),
-    (0.169_990_521_792_428_13, 0.326_072_577_431_273_07),
-    (0.430_568_155_797_026_3, 0.173_927_422_568_726_93),
-];
-/// Period without a loop: a day.
+/// Largest variance of the horizontal strain; half floats cannot store steeper waves.
+const MAX_STRAIN_VARIANCE: f64 = 25.0;
+/// Smallest variance of a sea with waves, m^2: Hs = 4 micrometres.
+const MIN_M0_M2: f64 = 1e-12;
+/// Period of a sea without a loop: a day.
 const DAY_S: f64 = 86_400.0;
 
-/// Everything that the simulation needs to know of a sea.
-#[derive(Clone, Debug, PartialEq)]
+/// Everything that the simulation derives from the parameters of a sea.
+#[derive(Clone, Debug)]
 pub struct Plan {
-    /// FFT size.
+    /// FFT size: points along one side of a cascade's lattice.
     pub n: u32,
-    /// Patches, longest waves first.
+    /// Cascades, longest waves first.
     pub cascades: Vec<Cascade>,
-    /// Whether they are blended from shifted copies instead of repeated.
+    /// Whether patches are drawn as blends of shifted copies, so that they do not repeat.
     pub untile: bool,
-    /// All frequencies are multiples of 2 pi / period_s.
+    /// Period of the sea, s: all angular frequencies are multiples of 2 pi / period_s.
     pub period_s: f64,
-    /// The sea that it is made for.
+    /// Parameters that the plan is made from.
     pub sea: Sea,
-    /// The systems that have waves, with height scales and depth cap.
+    /// Wave systems that have waves, with height scales and depth limit applied.
     pub systems: Vec<WaveSystem>,
     /// Dispersion relation.
     pub dispersion: Dispersion,
-    /// Where the whole spectrum is largest, rad/s.
+    /// Peak frequency of the sum of all spectra, rad/s.
     pub omega_p: f64,
     /// Unit vector (x, z) towards which the local wind blows.
     pub downwind: [f64; 2],
-    /// What the user should know.
+    /// Notices for the user.
     pub notices: Vec<String>,
-    energy: Arc<Energy>,
+    /// Running integrals of the sum of all spectra.
+    pub energy: Arc<Energy>,
 }
 
-/// Wave quantities that depend on |k| alone.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wave {
-    /// Wave number, rad/m.
-    pub k: f64,
-    /// Frequency as a multiple of 2 pi / period.
-    pub turns: u32,
-    /// Angular frequency turns x 2 pi / period, rad/s.
-    pub omega: f64,
-    /// Horizontal over vertical orbit axis, coth(k h).
-    pub orbit: f64,
+impl PartialEq for Plan {
+    /// All other fields follow from these.
+    fn eq(&self, other: &Self) -> bool {
+        (self.n, self.untile) == (other.n, other.untile) && self.cascades == other.cascades && self.sea == other.sea
+    }
 }
 
 impl Plan {
-    /// Plans the sea of `params`. Never fails: a calm gives one empty cascade.
+    /// Plans the sea of `params`. A calm has one empty cascade.
     pub fn new(params: &Params) -> Self {
-        let sea = params.sea.clone();
+        let (sea, n) = (params.sea.clone(), params.grid.n);
         let dispersion = Dispersion::new(&sea);
-        let mut notices = Vec::new();
         let mut systems: Vec<WaveSystem> = sea.systems.iter().map(|s| WaveSystem::new(&sea, s)).collect();
-        for (system, waves) in sea.systems.iter().zip(&systems) {
-            notices.extend(waves.spectrum.notice.clone());
-            let fixed = system.spread != SpreadKind::DonelanBanner && system.spread != SpreadKind::Cos2;
-            if waves.spectrum.has_own_direction() && fixed {
-                notices.push("tessendorf carries its own cos^2 in directions: spread is not used".into());
-            }
-            if waves.has_measured_directions() {
-                notices.push("the directions are the buoy's: dir and spread are not used".into());
-            }
-        }
-        for (system, usual) in sea.systems.iter().zip(&Sea::default().systems) {
-            let windy = (system.wind_m_s, system.fetch_km) != (usual.wind_m_s, usual.fetch_km);
-            if system.scale > 0.0 && system.hs_m > 0.0 && system.tp_s > 0.0 && windy {
-                notices.push("height and period are given (hs, tp): wind and fetch matter little to them".into());
-            }
-        }
-        let off = &sea.systems[1];
-        if off.scale == 0.0 && *off != Sea::default().systems[1] {
-            notices.push("the second system is switched off: set scale2".into());
-        }
-        systems.retain(|s| !s.spectrum.is_calm());
+        let mut notices = system_notices(&sea, &systems);
+        systems.retain(|s| !s.spectrum.is_calm);
         let mut energy = integrate(&systems, &dispersion);
-        if energy.m0() < LEAST_M2 && !systems.is_empty() {
-            notices.push("nothing is left of the waves: their short-wave fade is longer than they are".into());
+        if energy.m0() < MIN_M0_M2 && !systems.is_empty() {
+            notices.push("the short-wave fade removes all waves: it is longer than they are".into());
             systems.clear();
             energy = integrate(&systems, &dispersion);
         }
-        let hs = 4.0 * energy.m0().sqrt();
-        let limit = DEPTH_LIMIT * sea.depth_m;
+        let (hs, limit) = (4.0 * energy.m0().sqrt(), DEPTH_LIMIT * sea.depth_m);
         if hs > limit {
-            notices
-                .push(format!("waves of {hs:.1} m cannot stand in {} m of water: capped at {limit:.1} m", sea.depth_m));
-            scale_all(&mut systems, (limit / hs).powi(2));
-            energy = integrate(&systems, &dispersion);
+            notices.push(format!(
+                "a significant wave height of {hs:.1} m is too high for {} m of water: capped at {limit:.1} m",
+                sea.depth_m
+            ));
+            energy = rescale(&mut systems, (limit / hs).powi(2), &dispersion);
         }
-        // Far beyond what breaks, but half floats must hold the slopes.
-        let strain = energy.filtered_strain(0.0, cascades::shortest(&dispersion), |_| 1.0);
-        if strain > MOST_STRAIN {
-            notices.push(format!("waves with slopes of {:.0} cannot stand: lowered", strain.sqrt()));
-            scale_all(&mut systems, MOST_STRAIN / strain);
-            energy = integrate(&systems, &dispersion);
+        let strain = energy.filtered_strain(0.0, cascades::max_wave_number(&dispersion), |_| 1.0);
+        if strain > MAX_STRAIN_VARIANCE {
+            notices.push(format!(
+                "waves with an rms slope of {:.0} are too steep: their height is reduced",
+                strain.sqrt()
+            ));
+            energy = rescale(&mut systems, MAX_STRAIN_VARIANCE / strain, &dispersion);
         }
         let period_s = if sea.loop_s > 0.0 { sea.loop_s.max(1.0) } else { DAY_S };
-        let omega_p = energy.omega_p();
+        let omega_p = energy.omega_p;
         if sea.loop_s > 0.0 && period_s * omega_p < 30.0 * TAU {
             notices.push(
-                "the loop is shorter than thirty waves of the peak: the rounded frequencies change the sea".into(),
+                "the loop is shorter than 30 peak periods: rounding the frequencies to it changes the sea".into(),
             );
         }
-        let n = params.grid.n;
         let cascades = cascades::choose(&energy, &dispersion, &params.grid);
         let downwind = system::travel(sea.local().from_deg);
         let untile = params.grid.untile;
@@ -134,7 +101,7 @@ impl Plan {
         let captured = plan.captured();
         if captured < 0.99 && !plan.is_calm() {
             plan.notices.push(format!(
-                "{n} x {n} points in {} cascade(s) hold {:.1} % of the sea's energy",
+                "{} cascade(s) of {n} x {n} points hold {:.1} % of the wave energy",
                 plan.cascades.len(),
                 100.0 * captured
             ));
@@ -142,7 +109,8 @@ impl Plan {
         plan
     }
 
-    /// The same sea on a lattice of at most `n` points a side: without the shortest waves, all others as they are.
+    /// The same sea on a lattice of at most `n` points a side. The shortest waves are left out; all others are
+    /// unchanged.
     #[must_use]
     pub fn coarser(&self, n: u32) -> Self {
         let mut plan = self.clone();
@@ -172,7 +140,7 @@ impl Plan {
         self.systems.is_empty()
     }
 
-    /// Whether another plan's sea is made of the same waves, with other amplitudes: only they differ at any time.
+    /// Whether two plans have the same wave numbers, frequencies and random numbers; only their amplitudes may differ.
     pub fn has_same_waves(&self, other: &Self) -> bool {
         let waves = |p: &Self| (p.n, p.untile, p.period_s, p.sea.seed, p.dispersion);
         waves(self) == waves(other) && self.cascades == other.cascades
@@ -183,42 +151,33 @@ impl Plan {
         self.systems.iter().map(|s| s.spectrum.density(omega)).sum()
     }
 
-    /// Range of omega (rad/s) below which S is negligible and above which m0 is.
+    /// Integration range of omega, rad/s: S is negligible below it, m0 above it.
     pub fn support(&self) -> (f64, f64) {
         support(&self.systems)
     }
 
-    /// Share of m0 that the cascades hold.
+    /// Fraction of m0 that the cascades contain, 0 to 1.
     pub fn captured(&self) -> f64 {
         let total = self.energy.m0();
         if total <= 0.0 {
             return 1.0;
         }
-        self.held().iter().map(|&(low, high)| self.energy.m0_between(low, high)).sum::<f64>() / total
+        self.resolved_bands().iter().map(|&(low, high)| self.energy.m0_between(low, high)).sum::<f64>() / total
     }
 
-    /// The wave numbers that the cascades hold, rad/m, as ascending intervals.
-    pub fn held(&self) -> Vec<(f64, f64)> {
-        cascades::held(&self.cascades)
+    /// Wave numbers (rad/m) that at least one cascade contains, as ascending intervals without overlap.
+    pub fn resolved_bands(&self) -> Vec<(f64, f64)> {
+        cascades::resolved_bands(&self.cascades)
     }
 
-    /// Mean square slope of the waves that the lattices hold with wave numbers below `k_limit` (rad/m).
+    /// Mean square slope of the resolved waves with wave numbers below `k_limit`, rad/m.
     pub fn slope_variance(&self, k_limit: f64) -> f64 {
-        self.held().iter().map(|&(low, high)| self.energy.mss_between(low, high.min(k_limit))).sum()
+        self.resolved_bands().iter().map(|&(low, high)| self.energy.mss_between(low, high.min(k_limit))).sum()
     }
 
-    /// Mean square slope of the waves between two wave numbers (rad/m).
-    pub fn slope_variance_between(&self, low: f64, high: f64) -> f64 {
-        self.energy.mss_between(low, high)
-    }
-
-    /// Variance of the elevation by the waves between two wave numbers (rad/m), m^2.
-    pub fn variance_between(&self, low: f64, high: f64) -> f64 {
-        self.energy.m0_between(low, high)
-    }
-
-    /// Variance of dDx/dx + dDz/dz, the linear part of the Jacobian at chop 1, as read from the maps' mips on a grid of
-    /// `texel_m`. In shallow water it exceeds the mean square slope: orbits are flatter.
+    /// Variance of the horizontal strain dDx/dx + dDz/dz, the linear part of the Jacobian at chop 1, as a grid with
+    /// spacing `texel_m` reads it from the mip levels of the maps. It exceeds the mean square slope in shallow water,
+    /// where orbits are flatter.
     pub fn strain_variance(&self, texel_m: f64) -> f64 {
         let band = |cascade: &Cascade| {
             let map_texel_m = cascade.patch_m / f64::from(self.n);
@@ -235,7 +194,7 @@ impl Plan {
         self.cascades.iter().map(|c| c.k_high).fold(0.0, f64::max)
     }
 
-    /// Significant wave height 4 sqrt(m0) of the spectrum, m, from the plan's own sums.
+    /// Significant wave height 4 sqrt(m0) of the spectrum, m.
     pub fn hs_m(&self) -> f64 {
         4.0 * self.energy.m0().sqrt()
     }
@@ -244,73 +203,45 @@ impl Plan {
     pub fn tiling(&self, cascade: &Cascade) -> Tiling {
         Tiling::new(cascade.patch_m, cascade.key, self.sea.seed, self.untile)
     }
-
-    /// The wave at squared lattice distance `i2` = ix^2 + iz^2 (not 0) of a cascade.
-    pub fn wave(&self, cascade: &Cascade, i2: u32) -> Wave {
-        let k = cascade.dk() * f64::from(i2).sqrt();
-        let turns = (self.dispersion.omega(k) * self.period_s / TAU).round().clamp(1.0, f64::from(u32::MAX)) as u32;
-        let omega = f64::from(turns) * TAU / self.period_s;
-        Wave { k, turns, omega, orbit: self.dispersion.orbit(k) }
-    }
-
-    /// Share of the variance at a wave number that each cascade holding it gets: overlapping cascades are independent, so
-    /// that it is their variances that add (amplitudes go with 1 / sqrt(n)).
-    pub fn share(&self, k: f64) -> f64 {
-        let count = self.cascades.iter().filter(|c| c.holds(k)).count();
-        1.0 / count.max(1) as f64
-    }
-
-    /// S(k) dk^2 of a system without the directional factor: the variance of a lattice cell per radian of direction, m^2.
-    ///
-    /// Where a cell is a sizeable part of the peak's width, S is averaged over the cell's extent in |k|: sampling it at
-    /// the lattice points alone misses or doubles the narrow peak of a JONSWAP sea (2 % of m0).
-    pub fn radial_variance(&self, system: &WaveSystem, cascade: &Cascade, wave: &Wave) -> f64 {
-        let dk = cascade.dk();
-        let density =
-            |k: f64, omega: f64| system.spectrum.density(omega) * self.dispersion.group_velocity(k) / k * dk * dk;
-        let variance = if wave.k > COARSE_CELLS * dk {
-            density(wave.k, wave.omega)
-        } else {
-            let mean = |low: f64, high: f64| -> f64 {
-                let at = |&(x, w): &(f64, f64)| {
-                    let k = 0.5 * (low + high) + x * (high - low);
-                    w * density(k, self.dispersion.omega(k))
-                };
-                (high - low) / dk * CELL_RULE.iter().map(at).sum::<f64>()
-            };
-            let (low, high) = (wave.k - 0.5 * dk, wave.k + 0.5 * dk);
-            match system.spectrum.jump().map(|omega| self.dispersion.wave_number(omega)) {
-                Some(k) if k > low && k < high => mean(low, k) + mean(k, high),
-                _ => mean(low, high),
-            }
-        };
-        variance * self.share(wave.k)
-    }
-
-    /// The phase of all waves at time `t_s`: t / period in units of 2^-32, wrapped. A wave's phase in turns is its
-    /// `turns` times this, in wrapping 32-bit arithmetic: exact after hours, and a loop closes bit for bit.
-    pub fn phase_time(&self, t_s: f64) -> u32 {
-        phase_time(self.period_s, t_s)
-    }
 }
 
-/// Multiplies the variance of all systems.
-fn scale_all(systems: &mut [WaveSystem], factor: f64) {
-    for system in systems {
+/// Notices about the parameters of the two systems.
+fn system_notices(sea: &Sea, systems: &[WaveSystem]) -> Vec<String> {
+    let defaults = Sea::default().systems;
+    let mut notices = Vec::new();
+    for (system, waves) in sea.systems.iter().zip(systems) {
+        notices.extend(waves.spectrum.notice.clone());
+        let sets_spread = system.spread != SpreadKind::DonelanBanner && system.spread != SpreadKind::Cos2;
+        if waves.spectrum.has_own_direction && sets_spread {
+            notices.push("tessendorf has its own cos^2 directional spreading: spread is ignored".into());
+        }
+        if waves.has_measured_directions() {
+            notices.push("the directions come from the buoy's data: dir and spread are ignored".into());
+        }
+    }
+    for (system, default) in sea.systems.iter().zip(&defaults) {
+        let sets_wind = (system.wind_m_s, system.fetch_km) != (default.wind_m_s, default.fetch_km);
+        if system.scale > 0.0 && system.hs_m > 0.0 && system.tp_s > 0.0 && sets_wind {
+            notices.push("height and period are set (hs, tp): wind and fetch have little effect on them".into());
+        }
+    }
+    if sea.systems[1].scale == 0.0 && sea.systems[1] != defaults[1] {
+        notices.push("the second wave system is off: set scale2 to switch it on".into());
+    }
+    notices
+}
+
+/// Multiplies the variance of all systems by `factor` and integrates them again.
+fn rescale(systems: &mut [WaveSystem], factor: f64, dispersion: &Dispersion) -> Energy {
+    for system in &mut *systems {
         system.spectrum = system.spectrum.clone().scaled(factor);
     }
-}
-
-/// [`Plan::phase_time`] for a period in s.
-pub fn phase_time(period_s: f64, t_s: f64) -> u32 {
-    let turn = (t_s / period_s).rem_euclid(1.0);
-    (turn * 4_294_967_296.0).round() as u64 as u32
+    integrate(systems, dispersion)
 }
 
 fn support(systems: &[WaveSystem]) -> (f64, f64) {
-    let ends = systems.iter().map(|s| s.spectrum.support());
-    let whole = ends.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), (a, b)| (low.min(a), high.max(b)));
-    if whole.0.is_finite() { whole } else { (0.1, 100.0) }
+    let ranges = systems.iter().map(|s| s.spectrum.support());
+    ranges.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))).unwrap_or((0.1, 100.0))
 }
 
 fn integrate(systems: &[WaveSystem], dispersion: &Dispersion) -> Energy {
@@ -318,9 +249,9 @@ fn integrate(systems: &[WaveSystem], dispersion: &Dispersion) -> Energy {
     Energy::new(density, support(systems), dispersion)
 }
 
-/// Share of a wave's variance that is left when a map is read off between its texels: the mean over a box of one texel
-/// (unless it is level 0, where texels are points) and linear interpolation, averaged over directions and positions.
-/// `kw` is the wave number times the texel.
+/// Share of a wave's variance that remains when a map is read by linear interpolation between its texels, averaged over
+/// directions and positions. `kw` is the wave number times the texel size. `boxed` is true for mip levels above 0,
+/// whose texels are means over their area.
 fn sampling_response(kw: f64, boxed: bool) -> f64 {
     const DIRECTIONS: u32 = 6;
     let axis = |x: f64| {

@@ -1,9 +1,9 @@
-//! Directional spreading D(omega, theta): integral over the circle = 1, theta measured from the system's direction.
+//! Directional spreading D(omega, theta), per rad: its integral over the circle is 1. Theta is the angle from the
+//! system's direction of travel.
 //!
-//! D is a sum of lobes and an isotropic part. Every lobe has one form, norm x sech^2(beta theta) x cos^{2s}(theta/2) x
-//! cosine, where the cosine is 1, cos^2(theta), or that over the forward half circle only; so the shader needs a weight and
-//! two numbers for each. Swell adds s_xi = 16 tanh(omega_p/omega) xi^2 to s (Horvath 2015): the sum for the cos^{2s}
-//! family, the product for the others.
+//! D is an isotropic part plus a sum of lobes of one form, norm x sech^2(beta theta) x cos^{2s}(theta/2) x cosine
+//! factor, so the shader needs a weight and two numbers for each lobe. Swell adds s_xi = 16 tanh(omega_p/omega) xi^2 to
+//! s (Horvath 2015). For families without a cos^{2s} lobe this multiplies the lobe by cos^{2 s_xi}(theta/2).
 
 use super::dispersion::Dispersion;
 use super::quadrature::panels;
@@ -11,27 +11,30 @@ use super::spectra::{FrequencySpectrum, elfouhaily_delta};
 use crate::state::params::{Sea, SpreadKind, System};
 use std::f64::consts::PI;
 
-/// Most lobes of one system: Elfouhaily's two, blended with another family's one.
-pub const MAX_LOBES: usize = 3;
-/// Above this the lobe is narrower (seven degrees) than the cells of a lattice seven waves from its middle.
+/// Maximum number of lobes of one system: Elfouhaily's two, blended with one of another family.
+const MAX_LOBES: usize = 3;
+/// Largest exponent s. A lobe with a larger s is narrower (7 degrees) than a lattice cell at seven waves per patch.
 const MAX_S: f64 = 150.0;
 
-/// The spreading of one system.
-#[derive(Clone, Debug, PartialEq)]
+/// Directional spreading of one wave system.
+#[derive(Clone, Debug)]
 pub struct Spreading {
-    /// Families and their shares; the shares of all and `isotropic` add to 1.
+    /// Families and their shares of the energy; all shares and `isotropic` add to 1.
     families: Vec<(SpreadKind, f64)>,
     isotropic: f64,
+    /// Swell parameter xi, 0 to 1.
     swell: f64,
+    /// Peak frequency, rad/s.
     omega_p: f64,
     wind_m_s: f64,
     /// Inverse wave age U omega_p / g.
     inverse_age: f64,
     dispersion: Dispersion,
-    norm_steps: u32,
+    /// Panels of 15 points in each piece of the quadrature for norms without a closed form.
+    pub norm_steps: u32,
 }
 
-/// The factor of a lobe beside its two bells.
+/// Third factor of a lobe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cosine {
     /// 1.
@@ -42,34 +45,34 @@ pub enum Cosine {
     Forward,
 }
 
-/// One lobe at one frequency.
+/// A lobe of the spreading at one frequency: sech^2(beta theta) x cos^{2s}(theta/2) x cosine factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lobe {
-    /// Rate of sech^2(beta theta), per rad.
+    /// Rate beta of sech^2(beta theta), per rad.
     pub beta: f64,
-    /// Exponent of cos^{2s}(theta/2).
+    /// Exponent s of cos^{2s}(theta/2).
     pub s: f64,
-    /// Third factor.
+    /// Cosine factor.
     pub cosine: Cosine,
 }
 
-/// The spreading at one frequency.
-#[derive(Clone, Debug, PartialEq)]
+/// The spreading at one frequency. All shares add to 1.
 pub struct Lobes {
-    /// Share that goes evenly into all directions.
+    /// Share of the energy that is isotropic.
     pub isotropic: f64,
-    /// Shares and lobes.
+    /// Share of the energy of each lobe.
     pub lobes: Vec<(f64, Lobe)>,
 }
 
 impl Spreading {
-    /// The spreading of a system whose spectrum is `spectrum`.
+    /// The spreading of a system with the frequency spectrum `spectrum`.
     pub fn new(sea: &Sea, system: &System, spectrum: &FrequencySpectrum) -> Self {
         let omega_p = spectrum.omega_p;
-        let own = spectrum.has_own_direction();
-        let (first, second) = if own { (SpreadKind::Cos2, SpreadKind::Cos2) } else { (system.spread, system.blend_to) };
-        let blend = if own { 0.0 } else { system.blend };
-        let mut isotropic = if own { 0.0 } else { system.isotropic };
+        let (first, second, blend, mut isotropic) = if spectrum.has_own_direction {
+            (SpreadKind::Cos2, SpreadKind::Cos2, 0.0, 0.0)
+        } else {
+            (system.spread, system.blend_to, system.blend, system.isotropic)
+        };
         let directed = 1.0 - isotropic;
         let mut families = Vec::new();
         for (kind, share) in [(first, (1.0 - blend) * directed), (second, blend * directed)] {
@@ -91,45 +94,38 @@ impl Spreading {
         }
     }
 
-    /// The lobes at a frequency (rad/s, positive): always as many, with the same cosines, in the same order.
+    /// The lobes at frequency `omega`, rad/s, positive. Their number, order and cosine factors do not depend on it.
     pub fn lobes(&self, omega: f64) -> Lobes {
         let r = omega / self.omega_p;
         let swell_s = 16.0 * (1.0 / r).tanh() * self.swell * self.swell;
         let lobe = |beta, s: f64, cosine| Lobe { beta, s: (s + swell_s).min(MAX_S), cosine };
         let mut lobes = Vec::with_capacity(MAX_LOBES);
         for &(kind, share) in &self.families {
-            match kind {
-                SpreadKind::Isotropic => lobes.push((share, lobe(0.0, 0.0, Cosine::None))),
-                SpreadKind::Cos2 => lobes.push((share, lobe(0.0, 0.0, Cosine::Full))),
-                SpreadKind::Cos2Positive => lobes.push((share, lobe(0.0, 0.0, Cosine::Forward))),
-                SpreadKind::Mitsuyasu => {
-                    lobes.push((share, lobe(0.0, mitsuyasu_s(r, self.inverse_age), Cosine::None)));
-                }
-                SpreadKind::Hasselmann => {
-                    lobes.push((share, lobe(0.0, hasselmann_s(r, self.inverse_age), Cosine::None)));
-                }
-                SpreadKind::DonelanBanner => lobes.push((share, lobe(donelan_banner_beta(r), 0.0, Cosine::None))),
+            let lobe = match kind {
+                SpreadKind::Isotropic => lobe(0.0, 0.0, Cosine::None),
+                SpreadKind::Cos2 => lobe(0.0, 0.0, Cosine::Full),
+                SpreadKind::Cos2Positive => lobe(0.0, 0.0, Cosine::Forward),
+                SpreadKind::Mitsuyasu => lobe(0.0, mitsuyasu_s(r, self.inverse_age), Cosine::None),
+                SpreadKind::Hasselmann => lobe(0.0, hasselmann_s(r, self.inverse_age), Cosine::None),
+                SpreadKind::DonelanBanner => lobe(donelan_banner_beta(r), 0.0, Cosine::None),
                 SpreadKind::Elfouhaily => {
-                    // (1 + Delta cos 2 theta) / 2 pi = ((1 - Delta) + 2 Delta cos^2 theta) / 2 pi, each part times the
-                    // swell's bell; the parts keep their proportion when the product is normalised.
-                    let delta = self.delta(omega);
-                    let (even, odd) = (lobe(0.0, 0.0, Cosine::None), lobe(0.0, 0.0, Cosine::Full));
-                    let parts = [(1.0 - delta) / even.norm(self.norm_steps), 2.0 * delta / odd.norm(self.norm_steps)];
-                    let total = parts[0] + parts[1];
-                    lobes.push((share * parts[0] / total, even));
-                    lobes.push((share * parts[1] / total, odd));
+                    // (1 + Delta cos 2 theta) / 2 pi = ((1 - Delta) + 2 Delta cos^2 theta) / 2 pi, both terms times the
+                    // swell factor. Normalisation of the product keeps their proportion.
+                    let speed = |omega: f64| omega / self.dispersion.wave_number(omega);
+                    let delta = elfouhaily_delta(speed(omega), speed(self.omega_p), self.wind_m_s);
+                    let terms = [Cosine::None, Cosine::Full].map(|c| lobe(0.0, 0.0, c));
+                    let [even, squared] = terms.map(|lobe| lobe.norm(self.norm_steps));
+                    let parts = [(1.0 - delta) / even, 2.0 * delta / squared];
+                    lobes.extend([0, 1].map(|i| (share * parts[i] / (parts[0] + parts[1]), terms[i])));
+                    continue;
                 }
-            }
+            };
+            lobes.push((share, lobe));
         }
         Lobes { isotropic: self.isotropic, lobes }
     }
 
-    fn delta(&self, omega: f64) -> f64 {
-        let speed = |omega: f64| omega / self.dispersion.wave_number(omega);
-        elfouhaily_delta(speed(omega), speed(self.omega_p), self.wind_m_s)
-    }
-
-    /// D(theta) at a frequency, per rad.
+    /// D(theta), per rad, at frequency `omega`, rad/s.
     pub fn density(&self, omega: f64, theta: f64) -> f64 {
         let at = self.lobes(omega);
         let sum: f64 =
@@ -137,17 +133,12 @@ impl Spreading {
         sum + at.isotropic / (2.0 * PI)
     }
 
-    /// Integral of D cos(theta) over the circle: the first directional moment.
+    /// First directional moment, the integral of D cos(theta) over the circle, at frequency `omega`, rad/s.
     pub fn first_moment(&self, omega: f64) -> f64 {
         self.lobes(omega).lobes.iter().map(|(share, lobe)| share * lobe.first_moment(self.norm_steps)).sum()
     }
 
-    /// Panels of the quadrature for norms without a closed form.
-    pub fn norm_steps(&self) -> u32 {
-        self.norm_steps
-    }
-
-    /// Frequencies at which a lobe has a kink or a jump.
+    /// Frequencies (rad/s) at which a lobe's parameters have a kink or a jump.
     pub fn breakpoints(&self) -> Vec<f64> {
         let relative = |kind: SpreadKind| -> &[f64] {
             match kind {
@@ -160,18 +151,20 @@ impl Spreading {
     }
 }
 
-/// s_p (w/wp)^5 below and ^-2.5 above the peak, s_p = 11.5 (wp U/g)^-2.5 (Mitsuyasu et al. 1975).
+/// s = s_p r^5 below and s_p r^-2.5 above the peak, r = omega / omega_p, s_p = 11.5 (U omega_p / g)^-2.5 (Mitsuyasu et
+/// al. 1975).
 fn mitsuyasu_s(r: f64, inverse_age: f64) -> f64 {
     let peak = 11.5 * inverse_age.max(1e-3).powf(-2.5);
     (peak * r.powf(if r <= 1.0 { 5.0 } else { -2.5 })).min(MAX_S)
 }
 
-/// 6.97 (w/wp)^4.06 below, 9.77 (w/wp)^mu above the peak (Hasselmann, Dunckel and Ewing 1980).
+/// s = 6.97 r^4.06 below, 9.77 r^(-2.33 - 1.45 (U omega_p / g - 1.17)) above the peak, r = omega / omega_p (Hasselmann,
+/// Dunckel and Ewing 1980).
 fn hasselmann_s(r: f64, inverse_age: f64) -> f64 {
     if r <= 1.0 { 6.97 * r.powf(4.06) } else { 9.77 * r.powf(-2.33 - 1.45 * (inverse_age - 1.17)) }.min(MAX_S)
 }
 
-/// Donelan et al. 1985 with Banner's 1990 tail.
+/// beta at r = omega / omega_p: Donelan et al. 1985 with the tail of Banner 1990.
 fn donelan_banner_beta(r: f64) -> f64 {
     if r < 0.95 {
         2.61 * r.powf(1.3)
@@ -183,7 +176,7 @@ fn donelan_banner_beta(r: f64) -> f64 {
 }
 
 impl Lobe {
-    /// The lobe, not normalised; theta in rad, any sign, |theta| <= pi.
+    /// The lobe at theta, -pi to pi rad, before normalisation.
     pub fn shape(&self, theta: f64) -> f64 {
         let sech = 1.0 / (self.beta * theta).cosh();
         let cosine = match self.cosine {
@@ -194,17 +187,8 @@ impl Lobe {
         sech * sech * (0.5 + 0.5 * theta.cos()).max(0.0).powf(self.s) * cosine
     }
 
-    /// Whether the norm has a closed form.
-    pub fn is_closed(&self) -> bool {
-        match self.cosine {
-            Cosine::None => self.s == 0.0 || self.beta == 0.0,
-            Cosine::Full => self.beta == 0.0,
-            Cosine::Forward => self.s == 0.0 && self.beta == 0.0,
-        }
-    }
-
-    /// Integral of `f` times the lobe from 0 to pi, over pieces of `steps` panels each that grade towards the lobe and
-    /// towards pi, where cos^{2s} with a small s has no derivative.
+    /// Integral of `f` times the lobe from 0 to pi, over pieces of `steps` panels each. The pieces are shorter in the
+    /// lobe and near pi, where cos^{2s} with a small s has no derivative.
     fn half_integral(&self, f: impl Fn(f64) -> f64, steps: u32) -> f64 {
         let width = (3.0 / (self.beta * self.beta + 0.25 * self.s).sqrt().max(1e-3)).min(0.4 * PI);
         let ends = [0.0, 0.4 * width, width, 0.5 * PI, PI - 0.1, PI - 0.005, PI];
@@ -212,21 +196,26 @@ impl Lobe {
         panels(|theta| f(theta) * self.shape(theta), pieces, steps)
     }
 
-    /// The factor that makes the integral over the circle 1: in closed form where there is one, else by quadrature.
+    /// The factor that makes the integral over the circle 1: in closed form where one exists, else by quadrature.
     pub fn norm(&self, steps: u32) -> f64 {
-        match self.cosine {
-            // beta / (2 tanh(beta pi)), with its limit 1 / (2 pi).
+        self.closed_norm().unwrap_or_else(|| 1.0 / (2.0 * self.half_integral(|_| 1.0, steps)))
+    }
+
+    /// The norm in closed form, if one exists.
+    pub fn closed_norm(&self) -> Option<f64> {
+        Some(match self.cosine {
+            // beta / (2 tanh(beta pi)); its limit for beta = 0 is 1 / (2 pi).
             Cosine::None if self.s == 0.0 && self.beta < 1e-6 => 1.0 / (2.0 * PI),
             Cosine::None if self.s == 0.0 => self.beta / (2.0 * (self.beta * PI).tanh()),
             Cosine::None if self.beta == 0.0 => cosine_norm(self.s),
-            // cos^2 = (1 + cos 2 theta) / 2, and the second moment of cos^{2s}(theta/2) is s (s - 1) / ((s + 1)(s + 2)).
+            // cos^2 = (1 + cos 2 theta) / 2; the second moment of cos^{2s}(theta/2) is s (s - 1) / ((s + 1)(s + 2)).
             Cosine::Full if self.beta == 0.0 => {
                 let second = self.s * (self.s - 1.0) / ((self.s + 1.0) * (self.s + 2.0));
                 2.0 * cosine_norm(self.s) / (1.0 + second)
             }
             Cosine::Forward if self.s == 0.0 && self.beta == 0.0 => 2.0 / PI,
-            _ => 1.0 / (2.0 * self.half_integral(|_| 1.0, steps)),
-        }
+            _ => return None,
+        })
     }
 
     /// Integral of the normalised lobe times cos(theta).
@@ -241,7 +230,8 @@ impl Lobe {
     }
 }
 
-/// 2^{2s-1}/pi Gamma(s+1)^2 / Gamma(2s+1), through lgamma: the direct form overflows and Stirling is 8 % off at s = 0.
+/// Norm of cos^{2s}(theta/2), 2^{2s-1}/pi Gamma(s+1)^2 / Gamma(2s+1), through ln Gamma: the direct form overflows, and
+/// Stirling's approximation is 8 % off at s = 0.
 fn cosine_norm(s: f64) -> f64 {
     ((2.0 * s - 1.0) * std::f64::consts::LN_2 - PI.ln() + 2.0 * libm::lgamma(s + 1.0) - libm::lgamma(2.0 * s + 1.0))
         .exp()
@@ -251,6 +241,7 @@ fn cosine_norm(s: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::waves::quadrature::adaptive;
+    use crate::waves::spectra;
 
     const KINDS: [SpreadKind; 7] = [
         SpreadKind::Isotropic,
@@ -264,7 +255,7 @@ mod tests {
 
     fn spreading(system: &System) -> Spreading {
         let sea = Sea::default();
-        let spectrum = FrequencySpectrum::new(&sea, system);
+        let spectrum = spectra::of_system(&sea, system);
         Spreading::new(&sea, system, &spectrum)
     }
 
@@ -314,7 +305,7 @@ mod tests {
 
     #[test]
     fn known_exponents() {
-        // At U = 10 m/s and F = 100 km: inverse age 1.028.
+        // The inverse wave age is 1.028 at U = 10 m/s and F = 100 km.
         assert!((hasselmann_s(3.0, 1.028) - 0.948).abs() < 0.005, "{}", hasselmann_s(3.0, 1.028));
         assert!((mitsuyasu_s(1.0, 1.028) - 10.74).abs() < 0.03);
         assert!((donelan_banner_beta(1.6) - 1.24).abs() < 0.01);

@@ -1,28 +1,30 @@
-//! What the spectrum pass cannot work out well in f32 on a GPU, tabulated in f64 over |k|.
+//! Tables over |k| for the spectrum pass: frequencies, variances and spreading parameters, computed in f64 because f32
+//! on a GPU is not accurate enough.
 //!
-//! A square lattice is symmetric under both mirrors and the exchange of its axes, so 0 <= b <= a <= n/2 covers it:
-//! entry a (a + 1) / 2 + b of a triangle. One entry stands for up to eight waves; nothing is interpolated.
+//! A square lattice is symmetric under both reflections and the exchange of its axes. So the triangle 0 <= b <= a <=
+//! n/2 covers it; the wave (a, b) is entry a (a + 1) / 2 + b. One entry serves up to eight waves without interpolation.
 
-use super::plan::{Cascade, Plan, Wave};
-use super::spreading::{Lobe, Spreading};
+use super::lattice::Wave;
+use super::plan::{Cascade, Plan};
+use super::spreading::Lobe;
 use super::system::{Directions, TermKind, WaveSystem, angle};
+use crate::files::measured::Mem;
 use std::f64::consts::PI;
 
-/// A part of the directional spectrum: how to read its quadruples.
+/// One term of the directional spectrum of a plan. The spectrum of a wave is the sum of all terms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Term {
-    /// Its form.
+    /// Form of the term, which gives the meaning of its values.
     pub kind: TermKind,
-    /// Unit vector (x, z) that its angles are measured from.
+    /// Unit vector (x, z) of the direction of travel from which angles are measured.
     pub travel: [f64; 2],
-    /// Its first quadruple in an entry.
+    /// Index of the term's first vector of values in an entry.
     pub slot: usize,
 }
 
-/// The parts of a plan's spectrum and the quadruples of an entry.
+/// The terms of a plan's spectrum, and the number of value vectors per entry, at least 1.
 pub fn terms(plan: &Plan) -> (Vec<Term>, usize) {
-    let mut terms = Vec::new();
-    let mut slot = 0;
+    let (mut terms, mut slot) = (Vec::new(), 0);
     for system in &plan.systems {
         for kind in system.terms() {
             terms.push(Term { kind, travel: system.travel, slot });
@@ -32,29 +34,30 @@ pub fn terms(plan: &Plan) -> (Vec<Term>, usize) {
     (terms, slot.max(1))
 }
 
-/// The triangle of one cascade.
-#[derive(Clone, Debug, PartialEq)]
+/// The table of one cascade.
+#[derive(Clone, Debug)]
 pub struct Table {
-    /// Parts of the spectrum.
+    /// Terms of the spectrum.
     pub terms: Vec<Term>,
-    /// Quadruples of an entry.
+    /// Number of value vectors per entry.
     pub stride: usize,
-    /// Frequency and orbit per entry; k is 0 outside the band.
+    /// Wave of each entry; k is 0 outside the band.
     pub waves: Vec<Wave>,
-    /// Quadruples, `stride` per entry. A variance is that of h0's components, S dkx dkz / 4, without the shape of the lobe
-    /// but with its norm, m^2.
+    /// Values of the terms ([`TermKind`]), `stride` vectors per entry. The variance, m^2, is that of each component of
+    /// h0, S dkx dkz / 4, times the norm of the lobe but without its shape.
     pub values: Vec<[f64; 4]>,
 }
 
-/// Entries of the triangle for lattices of `n` points a side.
+/// Number of entries for a lattice of `n` points a side.
 pub fn len(n: u32) -> usize {
     let half = n as usize / 2;
     (half + 1) * (half + 2) / 2
 }
 
-/// Entry of the wave (ix, iz), signed indices up to n/2 in size.
+/// Entry of the wave with signed lattice indices (ix, iz), each from -n/2 to n/2.
 pub fn index(ix: i32, iz: i32) -> usize {
-    let (a, b) = (ix.unsigned_abs().max(iz.unsigned_abs()) as usize, ix.unsigned_abs().min(iz.unsigned_abs()) as usize);
+    let [x, z] = [ix, iz].map(|i| i.unsigned_abs() as usize);
+    let (a, b) = (x.max(z), x.min(z));
     a * (a + 1) / 2 + b
 }
 
@@ -73,7 +76,7 @@ impl Table {
     fn with_norms(plan: &Plan, cascade: &Cascade, norms: &[Norms]) -> Self {
         let half = plan.n / 2;
         let (terms, stride) = terms(plan);
-        let nothing = Wave { k: 0.0, turns: 1, omega: 0.0, orbit: 0.0 };
+        let outside = Wave { k: 0.0, turns: 1, omega: 0.0, orbit: 0.0 };
         let entries = len(plan.n);
         let mut out =
             Self { terms, stride, waves: Vec::with_capacity(entries), values: Vec::with_capacity(entries * stride) };
@@ -82,23 +85,22 @@ impl Table {
                 let i2 = a * a + b * b;
                 let k = cascade.dk() * f64::from(i2).sqrt();
                 if i2 == 0 || !cascade.holds(k) {
-                    out.waves.push(nothing);
-                    out.values.resize(out.values.len() + stride, [0.0; 4]);
-                    continue;
+                    out.waves.push(outside);
+                } else {
+                    let wave = plan.wave(cascade, i2);
+                    for (system, norms) in plan.systems.iter().zip(norms) {
+                        let variance = 0.25 * plan.radial_variance(system, cascade, &wave);
+                        push(&mut out.values, system, norms, variance, wave.omega);
+                    }
+                    out.waves.push(wave);
                 }
-                let wave = plan.wave(cascade, i2);
-                for (system, norms) in plan.systems.iter().zip(norms) {
-                    let variance = 0.25 * plan.radial_variance(system, cascade, &wave);
-                    push(&mut out.values, system, norms, variance, wave.omega);
-                }
-                out.waves.push(wave);
                 out.values.resize(out.waves.len() * stride, [0.0; 4]);
             }
         }
         out
     }
 
-    /// Variance of each component of h0 for the wave (ix, iz), m^2: what the spectrum pass takes the root of.
+    /// Variance of each component of h0 for the wave (ix, iz), m^2. The spectrum pass computes the same number.
     pub fn variance(&self, ix: i32, iz: i32) -> f64 {
         let entry = index(ix, iz);
         if self.waves[entry].k == 0.0 {
@@ -111,13 +113,8 @@ impl Table {
             match term.kind {
                 TermKind::Lobe(cosine) => variance * Lobe { beta: p, s: q, cosine }.shape(angle(term.travel, k)) + r,
                 TermKind::Measured => {
-                    let (theta, im) = (k[1].atan2(k[0]), value(term.slot + 1)[0]);
-                    // |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2
-                    let (s1, c1) = theta.sin_cos();
-                    let (s2, c2) = (2.0 * theta).sin_cos();
-                    let re = 1.0 - (p * c1 + q * s1) - (r * c2 + im * s2);
-                    let imaginary = (q * c1 - p * s1) + (im * c2 - r * s2);
-                    variance / (re * re + imaginary * imaginary)
+                    let phi2 = [r, value(term.slot + 1)[0]];
+                    Mem { norm: variance, phi1: [p, q].into(), phi2: phi2.into() }.density(k[1].atan2(k[0]))
                 }
             }
         };
@@ -125,7 +122,7 @@ impl Table {
     }
 }
 
-/// The quadruples of one system at one frequency.
+/// Appends the values of one system at one frequency. `variance` is S dkx dkz / 4 per radian, m^2.
 fn push(out: &mut Vec<[f64; 4]>, system: &WaveSystem, norms: &Norms, variance: f64, omega: f64) {
     match system.directions(omega) {
         Directions::Measured(mem) => {
@@ -145,14 +142,15 @@ fn push(out: &mut Vec<[f64; 4]>, system: &WaveSystem, norms: &Norms, variance: f
     }
 }
 
-/// The norms of a system's lobes: in closed form where there is one, else from a table over ln(omega) that is split at the
-/// spreading's kinks. Quadrature for every entry would make a slider stutter.
+/// Norms of a system's lobes. Lobes without a closed form are tabulated over ln(omega) in pieces that end at the kinks
+/// of the spreading: quadrature for every entry would be too slow while a slider moves.
 struct Norms {
     steps: u32,
-    /// Pieces of each lobe without a closed form.
+    /// Pieces of each lobe; `None` for a closed form.
     lobes: Vec<Option<Vec<Piece>>>,
 }
 
+/// Values of ln(norm) at `NODES` + 1 equidistant values of ln(omega).
 struct Piece {
     ln_low: f64,
     step: f64,
@@ -164,8 +162,8 @@ impl Norms {
 
     fn new(system: &WaveSystem) -> Self {
         let (low, high) = system.spectrum.support();
-        let spreading: &Spreading = &system.spreading;
-        let steps = spreading.norm_steps();
+        let spreading = &system.spreading;
+        let steps = spreading.norm_steps;
         let probe = spreading.lobes(low).lobes;
         let mut knots = spreading.breakpoints();
         knots.retain(|&w| w > low && w < high);
@@ -183,7 +181,7 @@ impl Norms {
                     };
                     Piece { ln_low, step, ln_norm: (0..=Self::NODES).map(node).collect() }
                 };
-                (!probe[i].1.is_closed()).then(|| knots.windows(2).map(piece).collect())
+                probe[i].1.closed_norm().is_none().then(|| knots.windows(2).map(piece).collect())
             })
             .collect();
         Self { steps, lobes }
@@ -193,7 +191,7 @@ impl Norms {
         let Some(pieces) = &self.lobes[lobe_index] else { return lobe.norm(self.steps) };
         let ln = omega.ln();
         let piece = pieces.iter().rev().find(|p| ln >= p.ln_low).unwrap_or(&pieces[0]);
-        // Cubic through the four nearest nodes of the piece.
+        // Cubic interpolation between the four nearest nodes of the piece.
         let x = ((ln - piece.ln_low) / piece.step).clamp(0.0, Self::NODES as f64);
         let first = (x as usize).clamp(1, Self::NODES - 2) - 1;
         let f = x - first as f64;

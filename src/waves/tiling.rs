@@ -1,125 +1,120 @@
-//! A sea without a period: the drawn surface is a blend of shifted copies of each patch (after Heitz and Neyret, "High-
-//! Performance By-Example Noise using a Histogram-Preserving Blending Operator", 2018; a Gaussian surface needs no
-//! histogram). Twin of shaders/common/tiles.wgsl, and what the foam and the heights on the CPU share with the picture.
+//! Drawing a patch without visible repetition: the surface is a blend of shifted copies of each patch (after Heitz and
+//! Neyret, "High-Performance By-Example Noise using a Histogram-Preserving Blending Operator", 2018; a Gaussian surface
+//! needs no histogram). The GPU twin is shaders/common/tiles.wgsl; foam and the heights on the CPU use the same blend.
 //!
-//! The plane of undisplaced points is cut into equilateral triangles with sides as long as the patch, turned differently
-//! for every patch. Every vertex has a copy f(x + shift) of the patch's fields, the shift drawn by a hash of the vertex;
-//! a point sees those of its triangle,
+//! The plane of undisplaced points is divided into equilateral triangles with sides as long as the patch; the triangle
+//! lattice of each patch has another rotation. Each vertex has a copy f(x + shift) of the patch's fields; a hash of the
+//! vertex gives the shift. A point sees the copies of the three vertices of its triangle,
 //!
 //! ```text
 //! sum_i W_i(x) f(x + shift_i),  W_i = w_i / sqrt(sum_j w_j^2),  w_i = max(b_i - 1/4, 0)^2
 //! ```
 //!
-//! with the barycentric coordinates b. Copies are uncorrelated and sum W^2 is 1, so that every variance is that of the
-//! patch, and the surface is as Gaussian as the patch. 45 % of the plane sees one copy, 41 % two: 1.69 on average. Points
-//! one patch apart have 5 % of their shifts in common, 1.3 patches and more apart nothing.
+//! with the barycentric coordinates b. Copies are uncorrelated and the sum of W^2 is 1, so the blend is Gaussian with
+//! the variances of the patch. 45 % of the plane sees one copy, 41 % two; the mean is 1.69. Points one patch apart have
+//! 5 % of their shifts in common, points 1.3 patches and more apart none.
 //!
-//! - **Derivatives** are those of the blended surface: the gradients of the weights, 5.3 / patch (rms), times heights and
-//!   displacements belong to them. That is 11 % of the slope of waves that fit 7.5 times into the patch, the longest of a
-//!   band, and goes with their length: 1 % of their variance, and far less of a sea's.
-//! - **Shifts** are multiples of 1/64 of the patch: whole texels for every n, so that copies share the weights of an
-//!   interpolation, a blend at a texel is exact, and n does not change the sea.
+//! - **Derivatives** are those of the blended surface. They include the gradients of the weights, 5.3 / patch (rms),
+//!   times heights and displacements. That is 11 % of the slope of the longest waves of a band, 7.5 to a patch, and
+//!   falls with the wavelength: 1 % of their slope variance, and far less of a whole sea's.
+//! - **Shifts** are multiples of 1/64 of the patch, which are whole texels for every n. So all copies share the weights
+//!   of an interpolation, a blend at a texel is exact, and n does not change the sea.
 
 use super::noise::pcg4d;
 
-/// Barycentric coordinate at which a copy begins.
+/// Barycentric coordinate above which a copy is visible.
 const EDGE: f64 = 0.25;
-/// Copies that a point sees, on average.
+/// Mean number of copies that a point sees.
 pub const MEAN_COPIES: f64 = 1.69;
 /// Shifts are multiples of 1 / STEPS of the patch; STEPS = 2^(32 - 26).
 const STEPS: f64 = 64.0;
-/// Keeps the shifts from the numbers that the waves are drawn with.
+/// Makes the shifts independent of the random numbers of the waves.
 const SALT: u32 = 0x7469_6c65;
-/// Turns by this angle (rad), the golden one, from key to key: no two lattices line up.
+/// Rotation of the triangle lattice from one key to the next, the golden angle, rad: no two lattices align.
 const TURN: f64 = 2.399_963_229_728_653;
 const INV_SQRT_3: f64 = 0.577_350_269_189_625_8;
 
-/// How one patch covers the plane.
+/// The triangle lattice with which one patch covers the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tiling {
     /// Side of the patch, m.
     pub patch_m: f64,
-    /// Cosine and sine of the lattice's angle, over the side of its triangles (1/m).
-    turn: [f64; 2],
-    /// Of the shifts' hash.
-    key: u32,
-    /// Off: the patch repeats.
-    on: bool,
-}
-
-/// A lattice as seen from one point: what a shader needs near it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
-    /// Cosine and sine of the lattice's angle, over the side of its triangles (1/m).
+    /// Cosine and sine of the lattice's rotation, divided by the side of its triangles, 1/m.
     pub turn: [f64; 2],
-    /// The point in lattice coordinates, 0..1 beyond `cell`.
-    pub rest: [f64; 2],
-    /// Whole lattice coordinates, wrapped to 32 bits.
-    pub cell: [i32; 2],
-    /// Of the shifts' hash.
+    /// Key of the hash that gives the shifts.
     pub key: u32,
-    /// Off: the patch repeats.
+    /// Whether copies are blended; if false, the patch repeats.
     pub on: bool,
 }
 
-/// One of the copies that a point sees.
+/// The triangle lattice relative to one point, as a shader needs it near that point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// The lattice.
+    pub tiling: Tiling,
+    /// Fractional part of the point's lattice coordinates, 0 to 1.
+    pub rest: [f64; 2],
+    /// Integer part of the point's lattice coordinates, wrapped to 32 bits.
+    pub cell: [i32; 2],
+}
+
+/// A shifted copy of a patch as one point sees it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Copy {
-    /// W, 0 for a copy that is not seen.
+pub struct PatchCopy {
+    /// Weight W, 0 to 1; 0 for an invisible copy.
     pub weight: f64,
     /// dW/dx and dW/dz, 1/m.
     pub gradient: [f64; 2],
-    /// The vertex that it belongs to.
+    /// Lattice coordinates of the copy's vertex.
     pub cell: [i32; 2],
-    /// What is added to x and z, in units of the patch.
+    /// Shift along x and z, as a fraction of the patch.
     pub shift: [f64; 2],
 }
 
 impl Tiling {
-    /// The tiling of a patch whose waves are drawn with `key` and `seed`; `on` is false for a patch that repeats.
+    /// The tiling of a patch whose random numbers have `key` and `seed`. If `on` is false, the patch repeats.
     pub fn new(patch_m: f64, key: u32, seed: u32, on: bool) -> Self {
         let (sin, cos) = (TURN * f64::from(key)).sin_cos();
         Self { patch_m, turn: [cos / patch_m, sin / patch_m], key: pcg4d([key, seed, SALT, 0])[0], on }
     }
 
-    /// The same for a copy of the patch that is smaller by `ratio`, independent of it.
+    /// An independent tiling for the patch shrunk by the factor `ratio`.
     #[must_use]
     pub fn shrunk(&self, ratio: f64) -> Self {
         Self { on: self.on, ..Self::new(self.patch_m / ratio, self.key, SALT, true) }
     }
 
-    /// The lattice as seen from an undisplaced point (x, z), m.
+    /// The lattice relative to an undisplaced point (x, z), m.
     pub fn place(&self, at: [f64; 2]) -> Place {
         let [u, v] = self.axes();
         let q = [u, v].map(|axis| axis[0] * at[0] + axis[1] * at[1]);
         let whole = q.map(f64::floor);
         Place {
-            turn: self.turn,
+            tiling: *self,
             rest: [q[0] - whole[0], q[1] - whole[1]],
-            // Through 64 bits: wraps instead of stopping at the ends.
+            // The cast through 64 bits wraps; a direct cast would saturate.
             cell: whole.map(|w| w as i64 as i32),
-            key: self.key,
-            on: self.on,
         }
     }
 
-    /// The copies that an undisplaced point (x, z) in m sees.
-    pub fn blend(&self, at: [f64; 2]) -> [Copy; 3] {
-        let mut out = [[0, 0], [1, 0], [0, 1]].map(|cell| Copy { cell, ..Copy::default() });
+    /// The copies that an undisplaced point (x, z), m, sees.
+    pub fn blend(&self, at: [f64; 2]) -> [PatchCopy; 3] {
+        let mut out = [[0, 0], [1, 0], [0, 1]].map(|cell| PatchCopy { cell, ..PatchCopy::default() });
         if !self.on {
             out[0].weight = 1.0;
             return out;
         }
         let Place { rest, cell, .. } = self.place(at);
         let [u, v] = self.axes();
-        // Corners of the lower triangle from its first vertex; of the upper one, counted back from the opposite vertex.
+        // A cell has two triangles. The lower one is measured from its first vertex, the upper one from the opposite
+        // vertex.
         let upper = rest[0] + rest[1] > 1.0;
         let (sign, [fu, fv]) = if upper { (-1.0, rest.map(|f| 1.0 - f)) } else { (1.0, rest) };
         let b = [1.0 - fu - fv, fu, fv];
         let slopes = [[-u[0] - v[0], -u[1] - v[1]], u, v].map(|s| s.map(|s| sign * s));
         let raw = b.map(|b| (b - EDGE).max(0.0));
         let norm = 1.0 / raw.iter().map(|r| r.powi(4)).sum::<f64>().sqrt();
-        // sum w dw, for the derivative of the norm.
+        // Sum of w dw, divided by the sum of w^2, for the derivative of the norm.
         let pull = [0, 1].map(|axis| (0..3).map(|i| 2.0 * raw[i].powi(3) * slopes[i][axis]).sum::<f64>() * norm * norm);
         for (i, copy) in out.iter_mut().enumerate() {
             let corner = copy.cell;
@@ -147,7 +142,7 @@ mod tests {
         Tiling::new(100.0, 70, 1, true)
     }
 
-    /// Points over many cells, in no order.
+    /// Pseudo-random points over many cells.
     fn points(count: u32) -> impl Iterator<Item = [f64; 2]> {
         (0..count).map(|i| {
             let h = pcg4d([i, 5, 6, 7]);
@@ -181,15 +176,15 @@ mod tests {
                 };
                 let [before, after] = [beside(-h), beside(h)];
                 for copy in &blend {
-                    // The same vertex, whichever triangle the neighbour lies in.
-                    let of = |b: &[Copy; 3]| b.iter().find(|c| c.cell == copy.cell).map_or(0.0, |c| c.weight);
+                    // The copy of the same vertex, whichever triangle the neighbour lies in.
+                    let of = |b: &[PatchCopy; 3]| b.iter().find(|c| c.cell == copy.cell).map_or(0.0, |c| c.weight);
                     let slope = (of(&after) - of(&before)) / (2.0 * h);
                     assert!((slope - copy.gradient[axis]).abs() < 2e-4, "{at:?}: {slope} {copy:?}");
                     square += copy.gradient[axis].powi(2);
                 }
             }
         }
-        // 5.3 / patch, as the head of this file says.
+        // 5.3 / patch, as stated at the top of this file.
         assert!(((square / 5000.0).sqrt() * 100.0 - 5.3).abs() < 0.1, "{}", (square / 5000.0).sqrt());
     }
 
@@ -200,7 +195,8 @@ mod tests {
                 .map(|at| {
                     let there = [at[0] + distance * angle.cos(), at[1] + distance * angle.sin()];
                     let [a, b] = [at, there].map(|p| tiling().blend(p));
-                    let shared = |c: &Copy| b.iter().find(|d| d.cell == c.cell).map_or(0.0, |d| d.weight * c.weight);
+                    let shared =
+                        |c: &PatchCopy| b.iter().find(|d| d.cell == c.cell).map_or(0.0, |d| d.weight * c.weight);
                     a.iter().map(shared).sum::<f64>()
                 })
                 .sum();

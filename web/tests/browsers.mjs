@@ -1,9 +1,9 @@
-// Both browsers behind one small face. Both draw WebGPU on the processor, so that a machine without a graphics card can run
-// the tests: Chromium with SwiftShader, Firefox with the lavapipe driver of Mesa.
+// Starts Chromium and Firefox and opens pages in them, through the same functions. Both use software adapters, so that
+// the tests run on machines without a GPU: Chromium uses SwiftShader, Firefox uses Mesa's lavapipe.
 import { existsSync } from 'node:fs';
 import puppeteer from 'puppeteer-core';
 
-const PATIENCE = Number(process.env.SEASTATE_PATIENCE ?? 120) * 1000; // software adapters on two cores
+const PATIENCE_MS = Number(process.env.SEASTATE_PATIENCE ?? 120) * 1000; // for software adapters on two cores
 
 const CHROMIUM_FLAGS = [
   '--no-sandbox',
@@ -29,7 +29,13 @@ const FIREFOX_PREFS = {
 
 const KINDS = {
   chromium: {
-    paths: [process.env.CHROMIUM, '/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome', '/opt/google/chrome/chrome'],
+    paths: [
+      process.env.CHROMIUM,
+      '/usr/bin/chromium',
+      '/usr/bin/chromium-browser',
+      '/usr/bin/google-chrome',
+      '/opt/google/chrome/chrome',
+    ],
     options: { browser: 'chrome', args: CHROMIUM_FLAGS },
   },
   firefox: {
@@ -43,17 +49,28 @@ export async function launch(name) {
   const { paths, options } = KINDS[name];
   const executablePath = paths.find((path) => path && existsSync(path));
   if (!executablePath) throw new Error(`no ${name} found (${paths.filter(Boolean).join(', ')})`);
-  // A copy: the driver takes features out of the list that it is given.
-  const browser = await puppeteer.launch({ ...structuredClone(options), executablePath, headless: true, timeout: PATIENCE, protocolTimeout: PATIENCE });
+  const browser = await puppeteer.launch({
+    ...structuredClone(options), // puppeteer removes entries from the list of features in it
+    executablePath,
+    headless: true,
+    timeout: PATIENCE_MS,
+    protocolTimeout: PATIENCE_MS,
+  });
+  const strays = [];
   return {
     name,
     version: await browser.version(),
-    open: (url, settings) => open(browser, url, settings),
+    /** Opens a page; see below. */
+    open: (url, settings) => open(browser, url, settings, strays),
+    /** Requests that have left the page's origin, and cookies that it has set, since the last call. */
+    takeStrays: () => strays.splice(0),
+    /** Kills the GPU process; Chromium only. */
     crashGpu: async () => {
       const session = await browser.target().createCDPSession();
       await session.send('Browser.crashGpuProcess');
       await session.detach();
     },
+    /** Types and ids of the browser's processes; Chromium only. */
     processes: async () => {
       const session = await browser.target().createCDPSession();
       const { processInfo } = await session.send('SystemInfo.getProcessInfo');
@@ -64,15 +81,13 @@ export async function launch(name) {
   };
 }
 
-const strays = [];
-
-/** Requests that have left the page's origin, and cookies that it has set, since the last call. */
-export const takeStrays = () => strays.splice(0);
-
-/** Opens a page; `before` runs in it ahead of its own scripts. What it logs as an error is kept in `errors`. */
-async function open(browser, url, { size = [320, 200], before } = {}) {
+/**
+ * Opens a page with a viewport of `size` CSS pixels. `before` runs in it ahead of its own scripts. The page's console
+ * messages are collected in `log`, its errors in `errors`.
+ */
+async function open(browser, url, { size = [320, 200], before } = {}, strays) {
   const page = await browser.newPage();
-  page.setDefaultTimeout(PATIENCE);
+  page.setDefaultTimeout(PATIENCE_MS);
   await page.setViewport({ width: size[0], height: size[1], deviceScaleFactor: 1 });
   const errors = [];
   const log = [];
@@ -84,8 +99,9 @@ async function open(browser, url, { size = [320, 200], before } = {}) {
   const { origin } = new URL(url);
   page.on('request', (request) => {
     const address = new URL(request.url());
-    // The page in a frame has an origin of its own.
-    const isOurs = address.origin === origin || address.hostname === '127.0.0.1' || ['about:', 'blob:', 'data:', 'file:'].includes(address.protocol);
+    // A page in a frame has an origin of its own, at 127.0.0.1.
+    const isLocal = ['about:', 'blob:', 'data:', 'file:'].includes(address.protocol);
+    const isOurs = address.origin === origin || address.hostname === '127.0.0.1' || isLocal;
     if (!isOurs) strays.push(`a request to ${address}`);
   });
   page.on('response', (response) => {
@@ -95,14 +111,17 @@ async function open(browser, url, { size = [320, 200], before } = {}) {
   await page.goto(url, { waitUntil: 'domcontentloaded' });
 
   const evaluate = (body, ...values) => page.evaluate(body, ...values);
-  /** Waits until `body` gives something true in the page, and returns it. */
+  /** Waits until `body`, run in the page, returns something true, and returns that. `what` names it in errors. */
   async function until(what, body, ...values) {
-    const end = Date.now() + PATIENCE;
+    const end = Date.now() + PATIENCE_MS;
     for (;;) {
-      // A page that is just being loaded again cannot answer.
+      // While the page is being loaded again, evaluate() fails.
       const found = await evaluate(body, ...values).catch(() => undefined);
       if (found) return found;
-      if (Date.now() > end) throw new Error(`waited in vain for ${what}; the page says: ${await evaluate(() => document.body.innerText)}; log: ${log.join(' | ')}`);
+      if (Date.now() > end) {
+        const text = await evaluate(() => document.body.innerText);
+        throw new Error(`waited in vain for ${what}; the page says: ${text}; log: ${log.join(' | ')}`);
+      }
       await new Promise((resolve) => setTimeout(resolve, 100));
     }
   }

@@ -1,47 +1,80 @@
-// The page as a person uses it: the panel, mouse and fingers, links in two tabs, pictures that are dropped back.
+// The page in a visitor's hands: the panel, mouse and touch, links, saved pictures, screen readers.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { frames, openSea, stateOf } from './sea.mjs';
 import { SEA, change, crop, fromPng, spread } from './stats.mjs';
 
-// Few pixels of sea under a panel of the usual size.
+// Few pixels of sea below a panel of the usual size.
 const STATE = 'n=64&pause=1&t=20&mesh=0.1&renderscale=0.25&adaptive=0';
 const SIZE = [760, 520];
-
 
 export async function explorer(context) {
   const { test, out, browser } = context;
   const shot = (tab, name) => tab.screenshot(join(out, `${browser.name}-${name}.png`)).then(fromPng);
   const place = async (tab, label) => {
-    const [x, y, width, height] = await tab.until(`"${label}" on the panel`, (name) => window.seastate.place(name) && [...window.seastate.place(name)], label);
+    const [x, y, width, height] = await tab.until(
+      `"${label}" on the panel`,
+      (name) => window.seastate.place(name) && [...window.seastate.place(name)],
+      label,
+    );
     return { x, y, width, height, middle: [x + width / 2, y + height / 2] };
   };
-  // So many more frames, whether or not their foam is complete.
+  /** Waits for `count` more frames, whether or not their foam is complete. */
   const turns = async (tab, count) => {
     const have = await tab.evaluate(() => window.seastate.frames());
-    await tab.until(`${count} more frames`, (enough) => { window.seastate.settled(); return window.seastate.frames() >= enough; }, have + count);
+    await tab.until(
+      `${count} more frames`,
+      (enough) => {
+        window.seastate.settled();
+        return window.seastate.frames() >= enough;
+      },
+      have + count,
+    );
   };
   const click = async (tab, label) => {
     await tab.page.mouse.move(...(await place(tab, label)).middle);
     await turns(tab, 2);
-    // At once: what is held for long is no click, and a frame takes its time here.
+    // Without a frame in between: frames are slow here, and a long press is no click.
     await tab.page.mouse.down();
     await tab.page.mouse.up();
     await turns(tab, 2);
   };
-  // One finger. Firefox's driver has none that works without a touch screen: there the page makes the events itself.
+  // Touch events of one finger. Firefox's driver needs a touch screen for them, so there the page creates the events.
   const fingerOf = (tab) => async (kind, x, y) => {
     const touch = tab.page.touchscreen;
     if (browser.name === 'chromium') {
-      await { touchstart: () => touch.touchStart(x, y), touchmove: () => touch.touchMove(x, y), touchend: () => touch.touchEnd() }[kind]();
+      await {
+        touchstart: () => touch.touchStart(x, y),
+        touchmove: () => touch.touchMove(x, y),
+        touchend: () => touch.touchEnd(),
+      }[kind]();
       return;
     }
-    await tab.evaluate((type, at) => {
-      const canvas = document.querySelector('canvas');
-      const point = new Touch({ identifier: 1, target: canvas, clientX: at[0], clientY: at[1], pageX: at[0], pageY: at[1] });
-      const down = type === 'touchend' ? [] : [point];
-      canvas.dispatchEvent(new TouchEvent(type, { touches: down, targetTouches: down, changedTouches: [point], bubbles: true, cancelable: true }));
-    }, kind, [x, y]);
+    await tab.evaluate(
+      (type, at) => {
+        const canvas = document.querySelector('canvas');
+        const point = new Touch({
+          identifier: 1,
+          target: canvas,
+          clientX: at[0],
+          clientY: at[1],
+          pageX: at[0],
+          pageY: at[1],
+        });
+        const down = type === 'touchend' ? [] : [point];
+        canvas.dispatchEvent(
+          new TouchEvent(type, {
+            touches: down,
+            targetTouches: down,
+            changedTouches: [point],
+            bubbles: true,
+            cancelable: true,
+          }),
+        );
+      },
+      kind,
+      [x, y],
+    );
   };
   const drag = async (tab, from, to) => {
     const { mouse } = tab.page;
@@ -61,14 +94,14 @@ export async function explorer(context) {
     const tab = await openSea(context, STATE, { size: SIZE });
     try {
       const slider = await place(tab, 'Beaufort');
-      // The handle runs from end to end of the rail, its own width apart.
+      // The handle's centre stays 8 points away from the ends of the rail.
       const at = (n) => [slider.x + 8 + ((slider.width - 16) * n) / 12, slider.y + slider.height / 2];
       await drag(tab, at(6), at(8));
       const gale = await stateOf(tab);
       assert.ok(Number(gale.wind) > 17.2 && Number(gale.wind) < 20.7, `wind ${gale.wind}`);
       await click(tab, 'Undo');
       assert.equal((await stateOf(tab)).wind, undefined, 'undone');
-      // The time is typed.
+      // A typed time.
       await click(tab, 'Time in seconds');
       await tab.page.keyboard.type('33');
       await tab.page.keyboard.press('Enter');
@@ -128,7 +161,7 @@ export async function explorer(context) {
     const tab = await openSea(context, `${STATE}&wind=17&fetch=200&sun=15&sunaz=50&ui=0`, { size: SIZE });
     try {
       await drag(tab, [300, 300], [340, 280]);
-      // The address follows while the pointer moves: it has to be that of the picture that stands.
+      // The address follows the moving pointer with a delay: it must be the address of the picture.
       const heading = (text) => new URLSearchParams(text).get('heading');
       await frames(tab, 3);
       const shown = heading(await tab.evaluate(() => window.seastate.state()));
@@ -147,17 +180,28 @@ export async function explorer(context) {
   });
 
   await test(`${browser.name}: copies the link, and a saved picture brings its sea back`, async () => {
-    // What the page puts on the clipboard and what it downloads is caught, whatever the browser allows.
+    // Catches texts for the clipboard and downloads, whatever the browser allows.
     const before = () => {
       window.copied = [];
-      const clipboard = { writeText: (text) => { window.copied.push(text); return Promise.resolve(); }, write: () => Promise.resolve() };
+      const clipboard = {
+        writeText: (text) => {
+          window.copied.push(text);
+          return Promise.resolve();
+        },
+        write: () => Promise.resolve(),
+      };
       Object.defineProperty(navigator, 'clipboard', { value: clipboard, configurable: true });
       window.saved = [];
-      // The page's security policy lets nobody fetch a blob's address: the blob is kept when it gets one.
+      // The page's security policy forbids fetching a blob by its address: the blob is kept when it gets the address.
       const address = URL.createObjectURL.bind(URL);
       let last;
-      URL.createObjectURL = (blob) => { last = blob; return address(blob); };
-      HTMLAnchorElement.prototype.click = function caught() { window.saved.push({ name: this.download, blob: last }); };
+      URL.createObjectURL = (blob) => {
+        last = blob;
+        return address(blob);
+      };
+      HTMLAnchorElement.prototype.click = function caught() {
+        window.saved.push({ name: this.download, blob: last });
+      };
     };
     const tab = await openSea(context, `${STATE}&wind=18`, { size: SIZE, before });
     try {
@@ -172,11 +216,16 @@ export async function explorer(context) {
         const { name, blob } = window.saved[0];
         const data = new DataTransfer();
         data.items.add(new File([blob], name, { type: 'image/png' }));
-        document.querySelector('canvas').dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+        document
+          .querySelector('canvas')
+          .dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
       });
-      await tab.until('the sea of the picture', () => new URLSearchParams(window.seastate.state()).get('wind') === '18');
+      await tab.until(
+        'the sea of the picture',
+        () => new URLSearchParams(window.seastate.state()).get('wind') === '18',
+      );
       assert.deepEqual(tab.errors, [], 'console errors');
-      return (await tab.evaluate(() => window.saved[0].name));
+      return await tab.evaluate(() => window.saved[0].name);
     } finally {
       await tab.close();
     }
@@ -198,10 +247,15 @@ export async function explorer(context) {
       await frames(tab, 4);
       const phone = await shot(tab, 'phone');
       assert.ok(spread(crop(phone, [0.02, 0.5, 0.98, 0.9])) > 0, 'a sea above the sheet');
-      const label = await tab.until('the sheet', () => window.seastate.labels().find((l) => l.includes('Beaufort 6: tap')));
+      const label = await tab.until('the sheet', () =>
+        window.seastate.labels().find((l) => l.includes('Beaufort 6: tap')),
+      );
       await click(tab, label.replace(/: $/, ''));
       const button = await place(tab, 'Copy link');
-      assert.ok(button.height >= 44 && button.y > 844 * 0.4 && button.y < 844, `a finger hits what is in the sheet: ${JSON.stringify(button)}`);
+      assert.ok(
+        button.height >= 44 && button.y > 844 * 0.4 && button.y < 844,
+        `a finger hits what is in the sheet: ${JSON.stringify(button)}`,
+      );
       await shot(tab, 'phone-sheet');
       assert.deepEqual(tab.errors, [], 'console errors');
     } finally {
@@ -212,41 +266,75 @@ export async function explorer(context) {
   await test(`${browser.name}: a screen reader lists the panel and uses it`, async () => {
     const tab = await openSea(context, STATE, { size: SIZE });
     try {
-      assert.equal(await tab.evaluate(() => document.getElementById('controls').childElementCount), 0, 'nothing is mirrored unasked');
+      assert.equal(
+        await tab.evaluate(() => document.getElementById('controls').childElementCount),
+        0,
+        'nothing is mirrored unasked',
+      );
       await tab.evaluate(() => document.getElementById('readers-ask').focus());
       await tab.page.keyboard.press('Enter');
-      const find = (what) => tab.until(`an element for ${what}`, (name) => [...document.getElementById('controls').children].some((e) => (e.ariaLabel ?? e.textContent) === name), what);
+      const find = (what) =>
+        tab.until(
+          `an element for ${what}`,
+          (name) =>
+            [...document.getElementById('controls').children].some((e) => (e.ariaLabel ?? e.textContent) === name),
+          what,
+        );
       const wind = () => tab.evaluate(() => Number(new URLSearchParams(window.seastate.state()).get('wind') ?? 12));
       await find('Copy link');
       await find('Beaufort');
       const before = await wind();
       await tab.evaluate(() => {
-        const slider = [...document.querySelectorAll('#controls input[type=range]')].find((e) => e.ariaLabel === 'Beaufort');
+        const slider = [...document.querySelectorAll('#controls input[type=range]')].find(
+          (e) => e.ariaLabel === 'Beaufort',
+        );
         slider.value = 8;
         slider.dispatchEvent(new Event('input'));
       });
-      await tab.until('Beaufort 8 to be told', () => document.getElementById('told').textContent.includes('Beaufort 8'));
+      await tab.until('Beaufort 8 to be told', () =>
+        document.getElementById('told').textContent.includes('Beaufort 8'),
+      );
       assert.ok((await wind()) > before + 3, 'the wind follows');
-      // By keys, too.
+      // Arrow keys work, too.
       const eight = await wind();
-      await tab.evaluate(() => [...document.querySelectorAll('#controls input[type=range]')].find((e) => e.ariaLabel === 'Beaufort').focus());
+      await tab.evaluate(() =>
+        [...document.querySelectorAll('#controls input[type=range]')].find((e) => e.ariaLabel === 'Beaufort').focus(),
+      );
       await tab.page.keyboard.press('ArrowRight');
-      await tab.until('Beaufort 9 to be told', () => document.getElementById('told').textContent.includes('Beaufort 9'));
+      await tab.until('Beaufort 9 to be told', () =>
+        document.getElementById('told').textContent.includes('Beaufort 9'),
+      );
       assert.ok((await wind()) > eight, 'an arrow moves it');
       assert.equal(await tab.evaluate(() => document.activeElement.ariaLabel), 'Beaufort', 'and it keeps the keyboard');
-      // A text is typed, and taken away.
-      const search = (words) => tab.evaluate((text) => {
-        const field = [...document.querySelectorAll('#controls input[type=text]')].find((e) => e.ariaLabel === 'Search');
-        field.value = text;
-        field.dispatchEvent(new Event('change'));
-      }, words);
+      // A typed text appears, and can be removed.
+      const search = (words) =>
+        tab.evaluate((text) => {
+          const field = [...document.querySelectorAll('#controls input[type=text]')].find(
+            (e) => e.ariaLabel === 'Search',
+          );
+          field.value = text;
+          field.dispatchEvent(new Event('change'));
+        }, words);
       await search('caustics');
       await find('Caustics');
       await search('');
-      await tab.until('the search to end', () => ![...document.getElementById('controls').children].some((e) => (e.ariaLabel ?? e.textContent) === 'Caustics'));
-      // Buttons open and run, too; elements come and go with their widgets.
-      const press = (name) => tab.evaluate((label) => [...document.querySelectorAll('#controls button')].find((e) => e.textContent === label).click(), name);
-      assert.equal(await tab.evaluate(() => [...document.querySelectorAll('#controls button')].some((e) => e.textContent === 'Hurricane')), false);
+      await tab.until(
+        'the search to end',
+        () =>
+          ![...document.getElementById('controls').children].some((e) => (e.ariaLabel ?? e.textContent) === 'Caustics'),
+      );
+      // Buttons work; elements come and go with their widgets.
+      const press = (name) =>
+        tab.evaluate(
+          (label) => [...document.querySelectorAll('#controls button')].find((e) => e.textContent === label).click(),
+          name,
+        );
+      assert.equal(
+        await tab.evaluate(() =>
+          [...document.querySelectorAll('#controls button')].some((e) => e.textContent === 'Hurricane'),
+        ),
+        false,
+      );
       await press('Seas');
       await find('Hurricane');
       await press('Play');
@@ -258,10 +346,15 @@ export async function explorer(context) {
   });
 
   await test(`${browser.name}: who wants less motion starts with a still sea`, async () => {
-    const tab = await openSea(context, 'n=64&t=20&ui=0&mesh=0.1', { before: () => {
-      const ask = window.matchMedia.bind(window);
-      window.matchMedia = (query) => (query.includes('prefers-reduced-motion') ? Object.create(MediaQueryList.prototype, { matches: { value: true } }) : ask(query));
-    } });
+    const tab = await openSea(context, 'n=64&t=20&ui=0&mesh=0.1', {
+      before: () => {
+        const ask = window.matchMedia.bind(window);
+        window.matchMedia = (query) =>
+          query.includes('prefers-reduced-motion')
+            ? Object.create(MediaQueryList.prototype, { matches: { value: true } })
+            : ask(query);
+      },
+    });
     try {
       assert.equal((await stateOf(tab)).pause, '1');
     } finally {

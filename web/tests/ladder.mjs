@@ -1,4 +1,5 @@
-// Each rung of the ladder, by taking away what it speaks of. A page that cannot run must say so, and must never be blank.
+// Each rung of the ladder in index.html, provoked by removing what the page needs. A page that cannot run must show
+// why, and must never be blank.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -6,7 +7,7 @@ import { fromPng, spread } from './stats.mjs';
 
 const QUERY = '?wind=15&fetch=300&t=20&n=64';
 
-// Run in the page ahead of its own scripts: no names from here.
+// Runs in the page ahead of its own scripts, so it cannot use names of this file. Lowers one limit of the adapter.
 const lowLimits = () => {
   const real = GPU.prototype.requestAdapter;
   GPU.prototype.requestAdapter = async function (...rest) {
@@ -14,7 +15,15 @@ const lowLimits = () => {
     const limits = new Proxy(adapter.limits, {
       get: (target, name) => (name === 'maxComputeWorkgroupStorageSize' ? 8192 : Reflect.get(target, name, target)),
     });
-    return new Proxy(adapter, { get: (target, name) => (name === 'limits' ? limits : Reflect.get(target, name, target)) });
+    const get = (target, name) => (name === 'limits' ? limits : Reflect.get(target, name, target));
+    return new Proxy(adapter, { get });
+  };
+};
+
+// Runs in the page, too.
+const refuse = () => {
+  GPU.prototype.requestAdapter = async () => {
+    throw new Error('refused by the test');
   };
 };
 
@@ -24,19 +33,19 @@ const RUNGS = [
   { rung: 'insecure', before: () => { Object.defineProperty(globalThis, 'isSecureContext', { value: false }); } },
   { rung: 'no-webgpu', before: () => { delete Navigator.prototype.gpu; } },
   { rung: 'no-adapter', before: () => { GPU.prototype.requestAdapter = async () => null; } },
-  { rung: 'no-adapter', name: 'request refused', before: () => { GPU.prototype.requestAdapter = async () => { throw new Error('refused by the test'); }; }, reason: /refused by the test/ },
+  { rung: 'no-adapter', name: 'request refused', before: refuse, reason: /refused by the test/ },
   { rung: 'limits', before: lowLimits, reason: /maxComputeWorkgroupStorageSize: 16384 needed, this one has 8192/ },
   { rung: 'download', name: 'program missing', folder: 'fault/wasm-404', reason: /404/ },
   { rung: 'download', name: 'another file in its place', folder: 'fault/wasm-html' },
   { rung: 'download', name: 'cut off', folder: 'fault/wasm-cut' },
   { rung: 'download', name: 'loader missing', folder: 'fault/glue-404' },
-  { rung: 'download', name: 'another program, as valid', folder: 'fault/wasm-other', reason: /not what the page was built with/ },
-  { rung: 'download', name: 'another loader, as valid', folder: 'fault/glue-other' },
+  { rung: 'download', name: 'another program', folder: 'fault/wasm-other', reason: /not what the page was built/ },
+  { rung: 'download', name: 'another loader', folder: 'fault/glue-other' },
   { rung: 'stalled', folder: 'fault/wasm-stall', reason: /MB have come/ },
   { rung: 'start', folder: 'fault/stub', play: 'reject', reason: /no device: the stub refuses/ },
   { rung: 'panic', folder: 'fault/stub', play: 'panic', reason: /the stub panicked at src\/stub.rs:1/ },
   { rung: 'panic', name: 'a trap without words', folder: 'fault/stub', play: 'trap', reason: /unreachable executed/ },
-  { rung: 'panic', name: 'while answering the page', folder: 'fault/stub', play: 'throw', reason: /unreachable in an answer/ },
+  { rung: 'panic', name: 'while answering', folder: 'fault/stub', play: 'throw', reason: /unreachable in an answer/ },
   { rung: 'lost', folder: 'fault/stub', play: 'lost', reason: /the stub was unplugged/ },
   { rung: 'tab', folder: 'fault/stub', play: 'halt', before: () => { window.requestAnimationFrame = () => 0; } },
 ];
@@ -50,7 +59,9 @@ export async function ladder({ test, out, dist, origin, browser }) {
         const shown = await tab.until('a rung', () => document.body.dataset.rung);
         assert.equal(shown, rung);
         const text = await tab.evaluate(() => document.getElementById('ladder').innerText);
-        const visible = await tab.evaluate(() => [...document.querySelectorAll('[data-rung]')].filter((each) => each.tagName === 'SECTION' && each.checkVisibility()).map((each) => each.dataset.rung));
+        const visible = await tab.evaluate(() => [...document.querySelectorAll('section[data-rung]')]
+          .filter((each) => each.checkVisibility())
+          .map((each) => each.dataset.rung));
         assert.deepEqual(visible, [rung], 'exactly one rung is to be seen');
         assert.match(text, /wind=15&fetch=300&t=20&n=64/, 'the state is kept');
         if (reason) assert.match(text, reason);
@@ -73,7 +84,8 @@ export async function ladder({ test, out, dist, origin, browser }) {
       await tab.until('the last rung', () => document.body.dataset.rung === 'lost');
       const said = (what) => tab.log.filter((line) => line.includes(what)).length;
       assert.deepEqual([said('opening another'), said('loading the page again')], [8, 2]);
-      assert.equal(await tab.evaluate(() => document.querySelectorAll('canvas').length), 1, 'canvases are not heaped up');
+      const canvases = await tab.evaluate(() => document.querySelectorAll('canvas').length);
+      assert.equal(canvases, 1, 'canvases are not heaped up');
     } finally {
       await tab.close();
     }
@@ -85,7 +97,8 @@ export async function ladder({ test, out, dist, origin, browser }) {
       const shown = await tab.until('a rung', () => document.body.dataset.rung);
       assert.equal(shown, 'file');
       assert.match(await tab.evaluate(() => document.getElementById('ladder').innerText), /web server/);
-      assert.ok(spread(fromPng(await tab.screenshot(join(out, `${browser.name}-ladder-file.png`)))) > 4, 'the page is blank');
+      const picture = fromPng(await tab.screenshot(join(out, `${browser.name}-ladder-file.png`)));
+      assert.ok(spread(picture) > 4, 'the page is blank');
     } finally {
       await tab.close();
     }
@@ -95,7 +108,11 @@ export async function ladder({ test, out, dist, origin, browser }) {
     const tab = await browser.open(`${origin}/fault/stub/${QUERY}&play=reject`);
     try {
       await tab.until('a rung', () => document.body.dataset.rung);
-      const rungs = await tab.evaluate(() => [...document.querySelectorAll('section[data-rung]')].map((each) => [each.dataset.rung, each.querySelector('p').textContent, each.querySelector('h2').textContent]));
+      const rungs = await tab.evaluate(() => [...document.querySelectorAll('section[data-rung]')].map((each) => [
+        each.dataset.rung,
+        each.querySelector('p').textContent,
+        each.querySelector('h2').textContent,
+      ]));
       const tested = new Set([...RUNGS.map((each) => each.rung), 'file']);
       assert.deepEqual(new Set(rungs.map(([rung]) => rung)), tested, 'every rung is tested');
       for (const [rung, text, title] of rungs) {

@@ -1,7 +1,7 @@
-// Two stacks, one sea: how far apart are their maps?
+// Differences between the maps of the native program and of the page.
 import assert from 'node:assert/strict';
 
-/** A half float in bits as a number. */
+/** The number that the 16 bits of a half float stand for. */
 export function half(bits) {
   const [sign, exponent, fraction] = [bits >> 15 ? -1 : 1, (bits >> 10) & 31, bits & 1023];
   if (exponent === 0) return sign * fraction * 2 ** -24;
@@ -9,7 +9,7 @@ export function half(bits) {
   return sign * (1 + fraction / 1024) * 2 ** (exponent - 15);
 }
 
-/** rms of the difference of the heights, all cascades together, over the significant height of the reference. */
+/** RMS difference of the heights of all cascades together, divided by the reference's significant wave height. */
 export function compareHeights(reference, found, { n, cascades }) {
   const size = n * n;
   assert.equal(reference.length, cascades * size, 'native heights: length');
@@ -27,7 +27,7 @@ export function compareHeights(reference, found, { n, cascades }) {
   return Math.sqrt(error) / hs;
 }
 
-/** The worst layer and channel: rms of the difference over the rms of the reference. */
+/** RMS difference divided by the reference's RMS, in the layer and channel where it is largest. */
 export function compareHalves(reference, found, { n, cascades }) {
   const size = n * n;
   assert.equal(reference.length, cascades * size * 4, 'native displacement: length');

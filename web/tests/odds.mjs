@@ -1,4 +1,4 @@
-// What seldom happens: memory that is refused, canvases of no size and of any, other pixels, clocks that jump.
+// Rare events: refused memory, canvases of odd sizes, other device pixel ratios, clocks that jump.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { frames, openSea, stateOf } from './sea.mjs';
@@ -6,7 +6,9 @@ import { SEA, fromPng, spread } from './stats.mjs';
 
 const STATE = 'wind=15&fetch=300&t=20&pause=1&n=64&mesh=0.1&adaptive=0&ui=0';
 
-// Run in the page ahead of its own scripts. What has the shape of the picture is refused where it is larger than 200 pixels.
+// The next functions run in the page ahead of its own scripts, so they cannot use names of this file.
+
+// Refuses textures with the picture's shape that are wider than 200 pixels.
 const shortOfMemory = () => {
   window.widths = [];
   window.heard = new Set();
@@ -23,6 +25,11 @@ const shortOfMemory = () => {
   };
 };
 
+// Tells scripts a device pixel ratio of 1.5, while elements are measured with a ratio of 1.
+const emulatedRatio = () => {
+  Object.defineProperty(window, 'devicePixelRatio', { value: 1.5 });
+};
+
 const skewedClock = () => {
   window.skew = 0;
   const real = performance.now.bind(performance);
@@ -32,13 +39,20 @@ const skewedClock = () => {
 export async function odds(context) {
   const { test, out, browser } = context;
   const picture = async (tab, name) => fromPng(await tab.screenshot(join(out, `${browser.name}-${name}.png`)));
-  // Errors of devices that were given up are logged, and rightly.
+  // Does not look at the console's errors: those of an abandoned device are right.
   const isSea = async (tab, name) => assert.ok(spread(await picture(tab, name)) > SEA.spread, 'the page is blank');
 
   await test(`${browser.name}: memory that is refused costs pixels, and the page says so`, async () => {
     const tab = await browser.open(`${context.origin}/?${STATE}`, { size: [320, 200], before: shortOfMemory });
     try {
-      await tab.until('a picture that fits', () => document.body.dataset.rung || (window.widths.at(-1) < 200 && window.seastate.device_lost() === undefined && [...window.heard].some((said) => said?.includes('short of memory'))));
+      await tab.until(
+        'a picture that fits',
+        () =>
+          document.body.dataset.rung ||
+          (window.widths.at(-1) < 200 &&
+            window.seastate.device_lost() === undefined &&
+            [...window.heard].some((said) => said?.includes('short of memory'))),
+      );
       assert.equal(await tab.evaluate(() => document.body.dataset.rung), undefined);
       await frames(tab, 2);
       await isSea(tab, 'refused');
@@ -55,16 +69,20 @@ export async function odds(context) {
     const canvas = () => tab.evaluate(() => ['width', 'height'].map((side) => document.querySelector('canvas')[side]));
     const become = (what, size, test) => tab.until(`a canvas ${what}`, test, size);
     try {
-      await tab.evaluate(() => { document.querySelector('canvas').style.height = '0'; });
+      await tab.evaluate(() => {
+        document.querySelector('canvas').style.height = '0';
+      });
       await become('without height', 0, () => document.querySelector('canvas').height <= 1);
       await new Promise((resolve) => setTimeout(resolve, 500));
-      await tab.evaluate(() => { document.querySelector('canvas').style.height = ''; });
+      await tab.evaluate(() => {
+        document.querySelector('canvas').style.height = '';
+      });
       await become('of before', 200, (height) => document.querySelector('canvas').height === height);
       await frames(tab, 2);
       await isSea(tab, 'unfolded');
       await tab.page.setViewport({ width: 320, height: 200, deviceScaleFactor: 2 });
-      // Emulation says 2 to scripts and 1 to what measures elements: all that can be seen is that the page measures anew.
-      await become('that is measured anew', 0, () => document.documentElement.style.getPropertyValue('--nudge') === '0.02px');
+      // The emulation tells scripts a ratio of 2, while elements may still be measured with a ratio of 1.
+      await become('of twice the pixels', 400, (height) => document.querySelector('canvas').height === height);
       await frames(tab, 2);
       await tab.page.setViewport({ width: 9000, height: 40, deviceScaleFactor: 1 });
       await become('of the widest kind', 8192, (width) => document.querySelector('canvas').width === width);
@@ -81,12 +99,40 @@ export async function odds(context) {
     }
   });
 
+  await test(`${browser.name}: a canvas measured with another pixel ratio than scripts see`, async () => {
+    const state = 'n=64&pause=1&t=20&mesh=0.1&renderscale=0.25&adaptive=0';
+    const tab = await openSea(context, state, { size: [760, 520], before: emulatedRatio });
+    try {
+      const canvas = await tab.evaluate(() => {
+        const { width, height, clientWidth, clientHeight } = document.querySelector('canvas');
+        return { width, height, clientWidth, clientHeight };
+      });
+      assert.deepEqual(canvas, { width: 1140, height: 780, clientWidth: 760, clientHeight: 520 });
+      const [x, y, width, height] = await tab.until('the panel', () => {
+        const place = window.seastate.place('Play');
+        return place && [...place];
+      });
+      assert.ok(
+        x > 380 && x + width < 760 && y + height < 520,
+        `the panel is at the right edge: ${[x, y, width, height]}`,
+      );
+      await tab.page.mouse.click(x + width / 2, y + height / 2);
+      await tab.until('the sea to run', () => new URLSearchParams(window.seastate.state()).get('pause') === null);
+      assert.deepEqual(tab.errors, [], 'console errors');
+    } finally {
+      await tab.close();
+    }
+  });
+
   await test(`${browser.name}: after an hour's sleep the sea goes on where it was`, async () => {
     const tab = await openSea(context, STATE.replace('&pause=1', ''), { before: skewedClock });
     try {
-      const now = () => tab.evaluate(() => [Number(new URLSearchParams(window.seastate.state()).get('t')), window.seastate.frames()]);
+      const now = () =>
+        tab.evaluate(() => [Number(new URLSearchParams(window.seastate.state()).get('t')), window.seastate.frames()]);
       const [t, frame] = await now();
-      await tab.evaluate(() => { window.skew = 3600e3; });
+      await tab.evaluate(() => {
+        window.skew = 3600e3;
+      });
       await frames(tab, 5);
       const [later, last] = await now();
       assert.ok(later > t && later - t <= 0.1 * (last - frame) + 0.11, `${later - t} s in ${last - frame} frames`);
@@ -96,7 +142,7 @@ export async function odds(context) {
     }
   });
 
-  if (browser.name !== 'chromium') return; // whose driver alone can switch scripts off
+  if (browser.name !== 'chromium') return; // Firefox's driver cannot switch scripts off
   await test(`${browser.name}: without scripts the page says so`, async () => {
     const tab = await browser.open('about:blank');
     try {

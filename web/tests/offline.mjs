@@ -1,4 +1,4 @@
-// The page without a network, from frames, and what it leaves behind.
+// The page without a network, its service worker and copies, and the page in a frame.
 import assert from 'node:assert/strict';
 import { openSea } from './sea.mjs';
 import { serve } from './server.mjs';
@@ -8,16 +8,22 @@ const STATE = 'wind=15&fetch=300&t=20&pause=1&n=64&ui=0&mesh=0.1';
 export async function offline(context) {
   const { test, browser, dist } = context;
 
-  await test(`${browser.name}: once seen, the page opens without a network, and a new version is taken at once`, async () => {
+  await test(`${browser.name}: a visited page opens without a network, and a new version is used at once`, async () => {
     let server = await serve(dist);
     const { port } = server;
-    // A name that is no local address to the page, in a folder: both are as on a host.
+    // A host name that the page does not count as a development host, and a folder, as on a real host.
     const at = { browser, origin: `http://sea.localhost:${port}` };
     const folder = 'fault/none/';
     const open = () => openSea(at, STATE, { folder });
     try {
       let tab = await open();
-      const [first] = await tab.until('a copy', async () => (await navigator.serviceWorker.ready).active?.state === 'activated' && (await caches.keys()).length > 0 && caches.keys());
+      const [first] = await tab.until(
+        'a copy',
+        async () =>
+          (await navigator.serviceWorker.ready).active?.state === 'activated' &&
+          (await caches.keys()).length > 0 &&
+          caches.keys(),
+      );
       await tab.close();
       await server.close();
       tab = await open();
@@ -25,18 +31,22 @@ export async function offline(context) {
       assert.equal(new URLSearchParams(await tab.evaluate(() => window.seastate.state())).get('wind'), '15');
       await tab.close();
 
-      // Another version: another title, hence another sum.
+      // Another version of the page: another title, so another checksum.
       const edit = (path, body) => {
         if (path === 'index.html') return body.toString().replace(/<title>[^<]*/, '<title>Later');
         return path === 'sw.js' ? body.toString().replace(/`\$\{OURS\}[^`]*`/, '`${OURS}later`') : body;
       };
       server = await serve(dist, { port, edit });
       tab = await open();
-      assert.equal(await tab.evaluate(() => document.title), 'Later', 'a page from the network is the network\'s');
-      await tab.until('the copy of the new version alone', async (old) => {
-        const names = await caches.keys();
-        return names.length === 1 && names[0] !== old;
-      }, first);
+      assert.equal(await tab.evaluate(() => document.title), 'Later', "a page from the network is the network's");
+      await tab.until(
+        'the copy of the new version alone',
+        async (old) => {
+          const names = await caches.keys();
+          return names.length === 1 && names[0] !== old;
+        },
+        first,
+      );
       await tab.close();
       await server.close();
       tab = await open();
@@ -66,7 +76,11 @@ export async function offline(context) {
     try {
       const frame = await tab.page.waitForFrame((each) => each.url().startsWith('http://127.0.0.1'));
       await frame.waitForFunction(() => document.body.classList.contains('running') || document.body.dataset.rung);
-      assert.equal(await frame.evaluate(() => document.body.dataset.rung), undefined, await frame.evaluate(() => document.body.innerText));
+      assert.equal(
+        await frame.evaluate(() => document.body.dataset.rung),
+        undefined,
+        await frame.evaluate(() => document.body.innerText),
+      );
       assert.deepEqual(tab.errors, [], 'console errors');
     } finally {
       await tab.close();

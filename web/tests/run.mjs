@@ -1,39 +1,66 @@
-// Opens the built page in Chromium and Firefox and says what holds: `node run.mjs [--browser NAME] [--only 'TEXT|TEXT']`.
-//
-// `dist/` must be built, and the native program too: it gives the reference for "one state, one sea on every stack".
-import { execFileSync } from 'node:child_process';
+// Opens the built page in Chromium and Firefox, side by side, and checks it.
+import { execFile } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync } from 'node:fs';
-import { join } from 'node:path';
+import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { parseArgs, promisify } from 'node:util';
 import { brotliCompressSync, constants } from 'node:zlib';
-import { parseArgs } from 'node:util';
-import { NAMES, launch, takeStrays } from './browsers.mjs';
-import { ladder } from './ladder.mjs';
+import { NAMES, launch } from './browsers.mjs';
 import { explorer } from './explorer.mjs';
+import { ladder } from './ladder.mjs';
 import { losses } from './losses.mjs';
 import { odds } from './odds.mjs';
 import { offline } from './offline.mjs';
 import { sea } from './sea.mjs';
 import { serve } from './server.mjs';
 
-const { values: options } = parseArgs({ options: { browser: { type: 'string' }, only: { type: 'string', default: '' }, explorer: { type: 'boolean' } } });
-const top = fileURLToPath(new URL('../..', import.meta.url));
-const dist = join(top, 'dist');
-const out = fileURLToPath(new URL('out', import.meta.url));
-const budget = JSON.parse(readFileSync(join(top, 'web', 'budget.json'), 'utf8'));
+const USAGE = `usage: node run.mjs [--browser NAME] [--group NAME] [--only 'TEXT|TEXT'] [--dist DIR]
+  --browser NAME  only chromium or firefox
+  --group NAME    only one group of tests: sea, explorer, losses, odds, offline or ladder
+  --only TEXTS    only tests with one of these texts in their name
+  --dist DIR      folder of the built page (default: dist)
+The native program must be built, too: target/debug/seastate, or the path in SEASTATE_BIN.`;
 
-rmSync(out, { recursive: true, force: true });
-mkdirSync(out, { recursive: true });
-if (!existsSync(join(dist, 'index.html'))) {
-  console.error('browser tests: there is no dist/index.html: run `trunk build --release` first');
+const GROUPS = { sea, explorer, losses, odds, offline, ladder };
+const top = fileURLToPath(new URL('../..', import.meta.url));
+const out = fileURLToPath(new URL('out', import.meta.url));
+
+function stop(message) {
+  console.error(`run.mjs: ${message}`);
   process.exit(2);
 }
 
+/** The command line's options, checked. */
+function readOptions() {
+  const options = {
+    browser: { type: 'string' },
+    group: { type: 'string' },
+    only: { type: 'string', default: '' },
+    dist: { type: 'string', default: join(top, 'dist') },
+  };
+  let values;
+  try {
+    ({ values } = parseArgs({ options }));
+  } catch (error) {
+    stop(`${error.message}\n${USAGE}`);
+  }
+  const { browser, group } = values;
+  if (browser && !NAMES.includes(browser)) stop(`there is no browser ${browser}\n${USAGE}`);
+  if (group && !(group in GROUPS)) stop(`there is no group ${group}\n${USAGE}`);
+  return { ...values, dist: resolve(values.dist) };
+}
+
+const { dist, ...options } = readOptions();
+if (!existsSync(join(dist, 'index.html'))) stop(`${dist} has no index.html: run \`trunk build --release\` first`);
+rmSync(out, { recursive: true, force: true });
+mkdirSync(out, { recursive: true });
+
 let passed = 0;
 const failed = [];
+const isWanted = (name) => options.only.split('|').some((part) => name.includes(part));
 
-async function test(name, body, isNeeded = false) {
-  if (!isNeeded && !options.only.split('|').some((part) => name.includes(part))) return;
+/** Runs one test and prints its result; `takeStrays` returns what has left the page's origin meanwhile. */
+async function run(name, body, takeStrays = () => []) {
   const begun = Date.now();
   const seconds = () => `${((Date.now() - begun) / 1000).toFixed(1)} s`;
   try {
@@ -48,56 +75,79 @@ async function test(name, body, isNeeded = false) {
   }
 }
 
-/** The native program's heights and displacements for a state. */
-function native(state) {
+/** Heights and displacements of a state, computed by the native program. */
+async function compute(state) {
   const target = process.env.CARGO_TARGET_DIR ?? join(top, 'target');
   const program = process.env.SEASTATE_BIN ?? join(target, 'debug', 'seastate');
   const folder = join(out, 'native');
-  execFileSync(program, ['export', state, '-o', folder, '--raw'], { stdio: ['ignore', 'ignore', 'inherit'] });
+  await promisify(execFile)(program, ['export', state, '-o', folder, '--raw']);
   const bytes = (name) => {
     const file = readFileSync(join(folder, name));
     return file.buffer.slice(file.byteOffset, file.byteOffset + file.byteLength);
   };
-  return { heights: new Float32Array(bytes('heights.f32')), displacement: new Uint16Array(bytes('displacement.f16')) };
+  return {
+    heights: new Float32Array(bytes('heights.f32')),
+    displacement: new Uint16Array(bytes('displacement.f16')),
+  };
 }
 
-const server = await serve(dist);
-const context = { test, out, top, dist, origin: server.origin, port: server.port, native };
+const computed = new Map();
 
-/** Bytes of a file as a host sends it: pictures are packed already. */
-function sent(file) {
+/** The same, computed once for both browsers. */
+function native(state) {
+  if (!computed.has(state)) computed.set(state, compute(state));
+  return computed.get(state);
+}
+
+/** Size of a file as a host sends it, bytes: compressed by brotli, except for pictures. */
+function sentBytes(file) {
   const raw = readFileSync(join(dist, file));
   if (/\.(jpg|png)$/.test(file)) return raw.length;
-  const params = { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_LGWIN]: 24, [constants.BROTLI_PARAM_SIZE_HINT]: raw.length };
+  const params = {
+    [constants.BROTLI_PARAM_QUALITY]: 11,
+    [constants.BROTLI_PARAM_LGWIN]: 24,
+    [constants.BROTLI_PARAM_SIZE_HINT]: raw.length,
+  };
   return brotliCompressSync(raw, { params }).length;
 }
 
-await test('the page: small enough', () => {
-  const files = readdirSync(dist).map((file) => [file, sent(file)]);
+function isSmallEnough() {
+  const budget = JSON.parse(readFileSync(join(top, 'web', 'budget.json'), 'utf8'));
+  const files = readdirSync(dist).map((file) => [file, sentBytes(file)]);
   const sum = (list) => list.reduce((total, [, bytes]) => total + bytes, 0);
   const found = { all: sum(files), wasm: sum(files.filter(([file]) => file.endsWith('.wasm'))) };
   const note = `${found.all} bytes with brotli, ${found.wasm} of them wasm`;
   for (const part of ['all', 'wasm']) {
-    if (!(found[part] > 0 && found[part] <= budget[part])) throw new Error(`${note}; the budget for ${part} is ${budget[part]}`);
+    if (!(found[part] > 0 && found[part] <= budget[part])) {
+      throw new Error(`${note}; the budget for ${part} is ${budget[part]}`);
+    }
   }
   return note;
-});
+}
 
-const groups = options.explorer ? { explorer } : { sea, explorer, losses, odds, offline, ladder };
-for (const name of NAMES.filter((each) => !options.browser || each === options.browser)) {
-  for (const [group, body] of Object.entries(groups)) {
-    // A browser for each group: one that a test has broken breaks no other group.
+/** All groups in one browser. Each group has its own process, so that a crash in one leaves the others alone. */
+async function runBrowser(name, context) {
+  for (const [group, body] of Object.entries(GROUPS)) {
+    if (options.group && options.group !== group) continue;
     let browser;
-    await test(`${name}: starts for ${group}`, async () => {
+    await run(`${name}: starts for ${group}`, async () => {
       browser = await launch(name);
       return browser.version;
-    }, true);
+    });
     if (!browser) continue;
-    await body({ ...context, browser });
+    const test = async (title, steps) => isWanted(title) && run(title, steps, browser.takeStrays);
+    await body({ ...context, browser, test });
     await browser.close().catch(() => {});
   }
 }
 
+if (!options.group && isWanted('the page: small enough')) await run('the page: small enough', isSmallEnough);
+const server = await serve(dist);
+const context = { out, top, dist, origin: server.origin, port: server.port, native };
+const names = NAMES.filter((name) => !options.browser || options.browser === name);
+await Promise.all(names.map((name) => runBrowser(name, context)));
 await server.close();
-console.log(`browser tests: ${passed} passed, ${failed.length} failed${failed.length ? `: ${failed.join('; ')}` : ''}`);
-process.exit(failed.length || passed === 0 ? 1 : 0);
+
+const list = failed.length > 0 ? `: ${failed.join('; ')}` : '';
+console.log(`browser tests: ${passed} passed, ${failed.length} failed${list}`);
+process.exit(failed.length > 0 || passed === 0 ? 1 : 0);

@@ -1,39 +1,49 @@
-// The sea itself: seen, moving, the same on every stack, and in step with the address.
+// The sea itself: visible, moving, the same as the native program's, and in step with the address.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { compareHalves, compareHeights } from './maps.mjs';
 import { SEA, change, crop, fromPng, measure, notASea, spread } from './stats.mjs';
 
-// Without the panel, which would cover a window as small as this one, and with all pixels however slow the processor is.
+// Without the panel, which would cover a window this small, and with all pixels, however slow the processor is.
 const STATE = 'wind=15&fetch=300&t=20&n=64&ui=0&adaptive=0';
-// And few pixels and a coarse mesh, where the picture is not what is asked for.
+// With few pixels and a coarse mesh, for tests that do not look closely at the picture.
 const LEAN = `${STATE}&mesh=0.1&renderscale=0.5`;
-// The water left of the panel and below the horizon, in fractions of the window.
+// A part of the picture below the horizon, in fractions of the window: left, top, right, bottom.
 const WATER = [0.02, 0.62, 0.5, 0.98];
 
 /** Opens a state and waits for its picture. */
 export async function openSea({ browser, origin }, state, { folder = '', ...settings } = {}) {
   const tab = await browser.open(`${origin}/${folder}?${state}`, settings);
   await tab.until('the first picture', () => document.body.classList.contains('running') || document.body.dataset.rung);
-  assert.equal(await tab.evaluate(() => document.body.dataset.rung), undefined, await tab.evaluate(() => document.body.innerText));
+  assert.equal(
+    await tab.evaluate(() => document.body.dataset.rung),
+    undefined,
+    await tab.evaluate(() => document.body.innerText),
+  );
   await frames(tab, 3);
   return tab;
 }
 
-/** Waits for so many more frames with a complete picture; asks for them too, since a paused sea draws none by itself. */
+/** Waits for `count` more frames and a complete picture. Requests the frames: a paused sea draws none by itself. */
 export async function frames(tab, count) {
   const have = await tab.evaluate(() => window.seastate.frames());
-  await tab.until(`${count} more frames`, (enough) => window.seastate.settled() && window.seastate.frames() >= enough, have + count);
+  await tab.until(
+    `${count} more frames`,
+    (enough) => window.seastate.settled() && window.seastate.frames() >= enough,
+    have + count,
+  );
 }
 
 const values = (query) => Object.fromEntries(new URLSearchParams(query));
 export const stateOf = async (tab) => values(await tab.evaluate(() => window.seastate.state()));
 export const addressOf = async (tab) => values(await tab.evaluate(() => location.search));
 
-/** The numbers of `expected` in `found`, whatever else that holds. */
+/** Asserts that `found` has the numbers of `expected`; it may have more. */
 export function agree(found, expected, what) {
-  for (const [name, value] of Object.entries(expected)) assert.equal(Number(found[name]), value, `${what}: ${name} in ${JSON.stringify(found)}`);
+  for (const [name, value] of Object.entries(expected)) {
+    assert.equal(Number(found[name]), value, `${what}: ${name} in ${JSON.stringify(found)}`);
+  }
 }
 
 export async function sea(context) {
@@ -48,7 +58,8 @@ export async function sea(context) {
       assert.deepEqual(notASea(water), [], JSON.stringify(measure(water)));
       assert.deepEqual(tab.errors, [], 'console errors');
       const { detail, tiles, coherence } = measure(water);
-      return `detail ${detail.toFixed(2)}, in ${(100 * tiles).toFixed(0)} % of the water, coherence ${coherence.toFixed(2)}`;
+      const share = (100 * tiles).toFixed(0);
+      return `detail ${detail.toFixed(2)}, in ${share} % of the water, coherence ${coherence.toFixed(2)}`;
     } finally {
       await tab.close();
     }
@@ -59,7 +70,11 @@ export async function sea(context) {
     try {
       const before = await stateOf(tab);
       const first = crop(await shot(tab, 'moves-a'), WATER);
-      await tab.until('two seconds of sea', (start) => Number(new URLSearchParams(window.seastate.state()).get('t')) > start + 2, Number(before.t));
+      await tab.until(
+        'two seconds of sea',
+        (start) => Number(new URLSearchParams(window.seastate.state()).get('t')) > start + 2,
+        Number(before.t),
+      );
       await frames(tab, 2);
       const second = crop(await shot(tab, 'moves-b'), WATER);
       const moved = change(first, second);
@@ -72,7 +87,7 @@ export async function sea(context) {
 
   await test(`${browser.name}: a paused sea stands still, another time is another picture`, async () => {
     const pictures = [];
-    for (const [name, time] of [['t20', 20], ['t20-again', 20], ['t26', 26]]) {
+    for (const [name, time] of Object.entries({ t20: 20, 't20-again': 20, t26: 26 })) {
       const tab = await openSea(context, `wind=15&fetch=300&t=${time}&n=64&pause=1&ui=0&mesh=0.1&renderscale=0.5`);
       pictures.push(crop(await shot(tab, name), WATER));
       agree(await stateOf(tab), { t: time }, 'paused');
@@ -105,7 +120,10 @@ export async function sea(context) {
       const changed = crop(await shot(tab, 'back-b'), WATER);
       assert.ok(change(first, changed) > 0.3, 'the picture has changed');
       await tab.evaluate(() => history.back());
-      await tab.until('the old wind in the program', () => new URLSearchParams(window.seastate.state()).get('wind') === '15');
+      await tab.until(
+        'the old wind in the program',
+        () => new URLSearchParams(window.seastate.state()).get('wind') === '15',
+      );
       agree(await addressOf(tab), { wind: 15, fetch: 300 }, 'after going back');
       await frames(tab, 3);
       const restored = crop(await shot(tab, 'back-c'), WATER);
@@ -120,15 +138,21 @@ export async function sea(context) {
 
   await test(`${browser.name}: a dropped buoy becomes the sea, a bad file changes nothing`, async () => {
     const tab = await openSea(context, 'n=64&pause=1&t=20&ui=0');
-    const drop = (files) => tab.evaluate((list) => {
-      const data = new DataTransfer();
-      for (const [name, text] of list) data.items.add(new File([text], name));
-      document.querySelector('canvas').dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
-    }, files);
+    const drop = (files) =>
+      tab.evaluate((list) => {
+        const data = new DataTransfer();
+        for (const [name, text] of list) data.items.add(new File([text], name));
+        document
+          .querySelector('canvas')
+          .dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+      }, files);
     try {
       const text = readFileSync(join(context.top, 'assets', 'spectra', 'two-systems.txt'), 'utf8');
       await drop([['two-systems.txt', text]]);
-      await tab.until('the buoy in the address', () => new URLSearchParams(location.search).get('spectrum') === 'measured');
+      await tab.until(
+        'the buoy in the address',
+        () => new URLSearchParams(location.search).get('spectrum') === 'measured',
+      );
       const state = await stateOf(tab);
       assert.ok(state.measured.split('_').length > 30, state.measured);
       await frames(tab, 3);
@@ -182,7 +206,7 @@ export async function sea(context) {
   });
 
   await test(`${browser.name}: the same sea as the native program`, async () => {
-    const reference = context.native(STATE);
+    const reference = await context.native(STATE);
     const tab = await openSea(context, `${LEAN}&pause=1`);
     try {
       const found = await tab.evaluate(async (state) => {
@@ -193,7 +217,12 @@ export async function sea(context) {
           for (let i = 0; i < bytes.length; i += 0x8000) out += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
           return btoa(out);
         };
-        return { n: maps.n, cascades: maps.cascades, heights: text(maps.heights), displacement: text(maps.displacement) };
+        return {
+          n: maps.n,
+          cascades: maps.cascades,
+          heights: text(maps.heights),
+          displacement: text(maps.displacement),
+        };
       }, STATE);
       const bytes = (text) => new Uint8Array(Buffer.from(text, 'base64')).buffer;
       const heights = compareHeights(reference.heights, new Float32Array(bytes(found.heights)), found);

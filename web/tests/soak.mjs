@@ -1,6 +1,6 @@
-// Hours at sea: moves sliders at random for a while and watches the memory. Run by hand: `node soak.mjs [--minutes 30] [--seed 1]`.
+// Moves sliders at random for a while and watches the memory. Run by hand: `node soak.mjs [--minutes 30] [--seed 1]`.
 //
-// Reads the processes of Chromium in /proc, hence Linux. `dist/` must be built.
+// Reads Chromium's processes in /proc: Linux only. `dist/` must be built.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -10,20 +10,24 @@ import { frames, openSea } from './sea.mjs';
 import { serve } from './server.mjs';
 import { random } from './stats.mjs';
 
-const { values: options } = parseArgs({ options: { minutes: { type: 'string', default: '30' }, seed: { type: 'string', default: '1' } } });
+const { values: options } = parseArgs({
+  options: { minutes: { type: 'string', default: '30' }, seed: { type: 'string', default: '1' } },
+});
 const MINUTES = Number(options.minutes);
-const WARM_UP = 0.2; // of the time
-const MOST_GROWTH = 0.05;
-// Few pixels, so that a software GPU gets through many moves; all sizes of buffers.
+const WARM_UP = 0.2; // share of the time before memory counts
+const MOST_GROWTH = 0.05; // share of the memory
+// Few pixels, so that a software adapter makes many moves.
 const BASE = { wind: 14, fetch: 300, n: 64, mesh: 0.2, renderscale: 0.5, adaptive: 0 };
 const SIZES = [[640, 420], [500, 360], [360, 560]];
 const MOVES = {
   wind: [3, 28], fetch: [5, 800], dir: [0, 360], seed: [1, 1e6], swell: [0, 1], depth: [3, 4000], chop: [0, 1.5],
-  sun: [-10, 60], haze: [0, 1], overcast: [0, 1], heading: [0, 359], pitch: [-30, 10], y: [2, 40], scale2: [0, 1], foamdecay: [1, 10],
+  sun: [-10, 60], haze: [0, 1], overcast: [0, 1], heading: [0, 359], pitch: [-30, 10], y: [2, 40], scale2: [0, 1],
+  foamdecay: [1, 10],
 };
 const CHOICES = {
-  n: [64, 128], cascades: [1, 2, 3, 4], spectrum: ['jonswap', 'pm', 'elfouhaily', 'donelan', 'tma'], whitecaps: ['monahan', 'fixed'], view: ['picture', 'height', 'wireframe'],
-  camera: ['fly', 'orbit', 'buoy'], afloat: ['buoy*10*-30', 'buoy*10*-30_boat*0*-40'], ui: [0, 1], bloom: [0, 0.3],
+  n: [64, 128], cascades: [1, 2, 3, 4], spectrum: ['jonswap', 'pm', 'elfouhaily', 'donelan', 'tma'],
+  whitecaps: ['monahan', 'fixed'], view: ['picture', 'height', 'wireframe'], camera: ['fly', 'orbit', 'buoy'],
+  afloat: ['buoy*10*-30', 'buoy*10*-30_boat*0*-40'], ui: [0, 1], bloom: [0, 0.3],
 };
 
 const dice = random(Number(options.seed));
@@ -31,9 +35,9 @@ const one = (list) => list[Math.floor(list.length * dice())];
 const between = ([low, high]) => Number((low + (high - low) * dice()).toFixed(2));
 const text = (state) => Object.entries(state).map(([key, value]) => `${key}=${value}`).join('&');
 const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
-const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
+const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
 
-// Run in the page ahead of its own scripts.
+// Runs in the page ahead of its own scripts. Keeps the program's memory in `wasmMemory`.
 const keepMemory = () => {
   const real = WebAssembly.instantiate;
   WebAssembly.instantiate = async (...rest) => {
@@ -44,7 +48,7 @@ const keepMemory = () => {
   };
 };
 
-/** Resident memory of a process, bytes. */
+/** Resident memory of a process in bytes. */
 const resident = (id) => 1024 * Number(/^VmRSS:\s+(\d+) kB$/m.exec(readFileSync(`/proc/${id}/status`, 'utf8'))[1]);
 
 const server = await serve(join(fileURLToPath(new URL('../..', import.meta.url)), 'dist'));
@@ -64,7 +68,7 @@ async function measure() {
   return {
     heap: metrics.find((each) => each.name === 'JSHeapUsedSize').value,
     wasm: await tab.evaluate(() => window.wasmMemory.buffer.byteLength),
-    // The largest: that of the sea.
+    // The largest renderer process is the page's.
     renderer: Math.max(...of('renderer')),
     gpu: Math.max(...of('GPU')),
   };
@@ -80,7 +84,7 @@ async function move() {
     const [width, height] = one(SIZES);
     await tab.page.setViewport({ width, height, deviceScaleFactor: 1 });
   }
-  // A slider that is dragged, or one value.
+  // A dragged slider, or one new value.
   const steps = dice() < 0.5 ? 10 : 1;
   const [from, to] = [between(MOVES.wind), between(MOVES.wind)];
   for (let i = 1; i <= steps; i += 1) {
@@ -103,7 +107,8 @@ while (share() < 1) {
   }
   samples.push({ at: share(), ...(await measure()) });
   const { at, ...bytes } = samples.at(-1);
-  console.log(`${(at * MINUTES).toFixed(1)} min, ${moves} moves: ${Object.entries(bytes).map(([name, n]) => `${name} ${(n / 1e6).toFixed(1)} MB`).join(', ')}`);
+  const sizes = Object.entries(bytes).map(([name, n]) => `${name} ${(n / 1e6).toFixed(1)} MB`);
+  console.log(`${(at * MINUTES).toFixed(1)} min, ${moves} moves: ${sizes.join(', ')}`);
 }
 
 const warm = samples.filter((sample) => sample.at > WARM_UP);
@@ -114,8 +119,10 @@ const total = growth(({ heap, wasm, renderer }) => heap + wasm + renderer);
 if (!(total < MOST_GROWTH)) faults.push(`memory grew by ${(100 * total).toFixed(1)} %`);
 const rung = await tab.evaluate(() => document.body.dataset.rung);
 if (rung) faults.push(`the page ended on the rung ${rung}`);
-const each = ['heap', 'wasm', 'renderer', 'gpu'].map((name) => `${name} ${(100 * growth((sample) => sample[name])).toFixed(1)} %`);
-console.log(`soak: ${MINUTES} min, ${moves} moves, growth ${(100 * total).toFixed(1)} % (${each.join(', ')})${faults.length ? `; FAULTS: ${faults.join('; ')}` : ', no error'}`);
+const percent = (share) => `${(100 * share).toFixed(1)} %`;
+const each = ['heap', 'wasm', 'renderer', 'gpu'].map((name) => `${name} ${percent(growth((sample) => sample[name]))}`);
+const verdict = faults.length > 0 ? `FAULTS: ${faults.join('; ')}` : 'no error';
+console.log(`soak: ${MINUTES} min, ${moves} moves, growth ${percent(total)} (${each.join(', ')}); ${verdict}`);
 await browser.close();
 await server.close();
 process.exit(faults.length ? 1 : 0);

@@ -1,8 +1,8 @@
-// Is there a sea on the picture? Numbers that open water passes and that a flat plane, a plain gradient, a frozen frame and
-// noise fail. stats.test.mjs holds them to that.
+// Statistics that tell a picture of open water from a flat plane, a gradient, a frozen frame and noise; stats.test.mjs
+// checks that they do.
 import { PNG } from 'pngjs';
 
-/** A picture as luma 0..255 in a Float64Array. */
+/** Decodes a PNG into luma from 0 to 255. */
 export function fromPng(buffer) {
   const { width, height, data } = PNG.sync.read(Buffer.from(buffer));
   const luma = new Float64Array(width * height);
@@ -12,7 +12,7 @@ export function fromPng(buffer) {
   return { width, height, luma };
 }
 
-/** The part of a picture, in fractions of its size. */
+/** Part of a picture; the edges are fractions of its size. */
 export function crop({ width, height, luma }, [left, top, right, bottom]) {
   const [x0, x1] = [Math.round(left * width), Math.round(right * width)];
   const [y0, y1] = [Math.round(top * height), Math.round(bottom * height)];
@@ -21,7 +21,7 @@ export function crop({ width, height, luma }, [left, top, right, bottom]) {
   return { width: x1 - x0, height: y1 - y0, luma: out };
 }
 
-/** Means of 2 x 2 pixels: halves dither and grain, leaves waves. */
+/** Halves the resolution by means of 2 x 2 pixels, which halves dither and grain and keeps waves. */
 function half({ width, height, luma }) {
   const [w, h] = [width >> 1, height >> 1];
   const out = new Float64Array(w * h);
@@ -37,7 +37,7 @@ function half({ width, height, luma }) {
 const rms = (values) => Math.sqrt(values.reduce((sum, v) => sum + v * v, 0) / Math.max(values.length, 1));
 const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
 
-/** Second differences along the rows: nothing is left of a plane or of a gradient in any direction. */
+/** Second differences along the rows ("detail"): zero for a plane and for a gradient in any direction. */
 function rowDetail({ width, height, luma }, lag = 2) {
   const w = width - 2 * lag;
   const out = new Float64Array(w * height);
@@ -50,7 +50,7 @@ function rowDetail({ width, height, luma }, lag = 2) {
   return { width: w, height, luma: out };
 }
 
-/** The rms of the detail in tiles of `size` x `size`. */
+/** RMS of the detail in each tile of `size` x `size` pixels. */
 function tiles({ width, height, luma }, size = 12) {
   const out = [];
   for (let y = 0; y + size <= height; y += size) {
@@ -63,7 +63,7 @@ function tiles({ width, height, luma }, size = 12) {
   return out;
 }
 
-/** The correlation of neighbours of the detail along the rows: about 0 for noise, as the detail is taken two pixels apart. */
+/** Correlation of the detail between neighbours in a row: about 0 for noise, because the detail's lag is two pixels. */
 function coherence({ width, height, luma }) {
   let [cross, square] = [0, 0];
   for (let y = 0; y < height; y += 1) {
@@ -75,9 +75,10 @@ function coherence({ width, height, luma }) {
   return square > 0 ? cross / square : 0;
 }
 
+/** Least values for a sea: of `measure`, and of `change` for a moving one. */
 export const SEA = { detail: 1.2, tiles: 0.7, coherence: 0.1, change: 0.8, spread: 4 };
 
-/** Detail in the median tile, the share of tiles that have some, the coherence of the detail, the spread of the luma. */
+/** Detail in the median tile, share of tiles with detail, coherence of the detail, spread of the luma. */
 export function measure(picture) {
   const detail = rowDetail(half(picture));
   const each = tiles(detail);
@@ -89,7 +90,7 @@ export function measure(picture) {
   };
 }
 
-/** What is missing for a sea; empty if nothing. */
+/** The values below those of SEA, as texts; empty for a sea. */
 export function notASea(picture) {
   const found = measure(picture);
   return ['detail', 'tiles', 'coherence', 'spread']
@@ -97,26 +98,28 @@ export function notASea(picture) {
     .map((name) => `${name} ${found[name].toFixed(3)} < ${SEA[name]}`);
 }
 
-/** The rms of the change of detail between two pictures, in units of the detail itself: 0 frozen, 1.4 unrelated. */
+/** RMS change of the detail between two pictures, in units of its RMS: 0 if frozen, 1.4 if unrelated. */
 export function change(a, b) {
   const [p, q] = [rowDetail(half(a)).luma, rowDetail(half(b)).luma];
   const scale = Math.hypot(rms(p), rms(q)) / Math.SQRT2;
   return scale > 0 ? rms(p.map((value, i) => value - q[i])) / scale : 0;
 }
 
-/** The mean difference of two pictures of one size, as a share of the range. */
+/** Mean difference of two pictures of the same size, as a share of the range. */
 export function apart(a, b) {
-  if (a.width !== b.width || a.height !== b.height) throw new Error(`${a.width} x ${a.height} beside ${b.width} x ${b.height}`);
+  if (a.width !== b.width || a.height !== b.height) {
+    throw new Error(`sizes differ: ${a.width} x ${a.height}, ${b.width} x ${b.height}`);
+  }
   return a.luma.reduce((sum, v, i) => sum + Math.abs(v - b.luma[i]), 0) / a.luma.length / 255;
 }
 
-/** The standard deviation of the luma: a blank page has none. */
+/** Standard deviation of the luma: 0 for a blank page. */
 export function spread({ luma }) {
   const mean = luma.reduce((sum, v) => sum + v, 0) / luma.length;
   return rms(luma.map((v) => v - mean));
 }
 
-/** Numbers from 0 to 1, the same ones for the same seed (mulberry32). */
+/** Generator of random numbers from 0 to 1, the same for the same seed (mulberry32). */
 export function random(seed) {
   let a = seed;
   return () => {

@@ -10,7 +10,7 @@ function picture(at) {
   return { width, height, luma };
 }
 
-/** Sines in perspective: what waves are to the statistic. */
+/** Sine waves in perspective, as a stand-in for a sea. */
 function waves(time, amplitude = 1) {
   const next = random(7);
   const parts = Array.from({ length: 60 }, () => {
@@ -21,7 +21,10 @@ function waves(time, amplitude = 1) {
   return picture((x, y) => {
     const distance = 3000 / (y + 30);
     const side = ((x - width / 2) * distance) / 300;
-    const slope = parts.reduce((sum, p) => sum + p.a * Math.cos(p.kx * side + p.kz * distance - p.w * time + p.phase), 0);
+    const slope = parts.reduce(
+      (sum, p) => sum + p.a * Math.cos(p.kx * side + p.kz * distance - p.w * time + p.phase),
+      0,
+    );
     return 70 + 0.2 * y + amplitude * 4 * slope;
   });
 }

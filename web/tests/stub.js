@@ -1,4 +1,4 @@
-// Stands in for the program where a test needs it to fail: `?play=reject|panic|throw|trap|lost|halt|sleep`.
+// Replaces the program where a test needs it to fail: `?play=reject|panic|throw|trap|lost|halt|sleep`.
 const play = new URLSearchParams(location.search).get('play');
 
 export default async function init() {}
@@ -50,4 +50,8 @@ export class WebHandle {
   }
 }
 
-if (play === 'trap') setTimeout(() => { throw new WebAssembly.RuntimeError('unreachable executed'); }, 1500);
+if (play === 'trap') {
+  setTimeout(() => {
+    throw new WebAssembly.RuntimeError('unreachable executed');
+  }, 1500);
+}

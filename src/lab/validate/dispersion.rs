@@ -95,7 +95,7 @@ pub fn write(page: &mut Page, lab: &Lab<'_>) -> Result<(), String> {
         let speed = |k: f64| waves.omega(k) / k;
         figure = figure.with(Series::new(label, i, Mark::Line(curve(&x, 120, speed))));
         let seen = speeds(lab, &plan)?;
-        let held = plan.held();
+        let held = plan.resolved_bands();
         let (low, high) = (plan.cascades[0].dk(), held.last().map_or(0.0, |h| h.1));
         let mut cells = vec![PENDING.to_owned(); 4];
         if let Some(seen) = seen {

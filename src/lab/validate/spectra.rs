@@ -115,7 +115,7 @@ fn young_measured(sea: &Sea) -> Estimate {
 
 /// Measured densities of the bins that the cascades hold wholly.
 fn points(sea: &Sea) -> Vec<[f64; 3]> {
-    let held = sea.plan.held();
+    let held = sea.plan.resolved_bands();
     let waves = sea.plan.dispersion;
     let whole = |i: usize| {
         let (a, b) = (waves.wave_number(edge(i)), waves.wave_number(edge(i + 1)));

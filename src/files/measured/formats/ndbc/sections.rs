@@ -1,0 +1,254 @@
+//! Sections of NDBC files (measurement descriptions, ndbc.noaa.gov/faq/measdes.shtml), each a header line and the
+//! records under it. In realtime sections a frequency in parentheses follows each value; in archive sections the header
+//! lists the frequencies.
+
+use crate::files::measured::spectrum::{MAX_BANDS, checked_frequency};
+use crate::files::measured::text::{MAX_COLUMNS, TextFile, content, number, quoted, shown};
+use std::str::SplitWhitespace;
+
+/// Most header lines of one file.
+const MAX_SECTIONS: usize = 64;
+/// Most records of all files: a year of five sections every ten minutes is 262 800.
+pub(super) const MAX_RECORDS: usize = 400_000;
+
+/// Quantity that a section holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum SectionKind {
+    Density,
+    Alpha1,
+    Alpha2,
+    R1,
+    R2,
+}
+
+/// Each kind with its name, the letter before the year in the name of an archive file (`44025w2023.txt`), the prefix of
+/// its columns in a realtime header, and words for it in a comment, among them the extension of the realtime file.
+const KINDS: [(SectionKind, &str, u8, &str, &[&str]); 5] = [
+    (SectionKind::Density, "variance density", b'w', "spec", &["density", "spectral density", "data_spec", "swden"]),
+    (SectionKind::Alpha1, "alpha1", b'd', "alpha1", &["alpha1", "swdir"]),
+    (SectionKind::Alpha2, "alpha2", b'i', "alpha2", &["alpha2", "swdir2"]),
+    (SectionKind::R1, "r1", b'j', "r1", &["r1", "swr1"]),
+    (SectionKind::R2, "r2", b'k', "r2", &["r2", "swr2"]),
+];
+
+impl SectionKind {
+    /// Name in messages.
+    pub(super) fn name(self) -> &'static str {
+        KINDS[self as usize].1
+    }
+
+    /// The kind that a comment such as `# alpha1` or `# kind: r1` names.
+    fn from_comment(comment: &str) -> Option<Self> {
+        let text = comment.trim_start_matches('#').trim().to_ascii_lowercase();
+        let word = text.strip_prefix("kind").map_or(text.as_str(), |t| t.trim_start().trim_start_matches([':', '=']));
+        KINDS.iter().find(|kind| kind.4.contains(&word.trim())).map(|kind| kind.0)
+    }
+
+    /// The kind of a column in a realtime header.
+    fn from_column(column: &str) -> Option<Self> {
+        let column = column.to_ascii_lowercase();
+        let prefix = if column == "sep_freq" { "spec" } else { column.split_once('_')?.0 };
+        KINDS.iter().find(|kind| kind.3 == prefix).map(|kind| kind.0)
+    }
+
+    /// The kind of an archive file, by its name.
+    fn from_file_name(name: &str) -> Option<Self> {
+        let stem = name.split('.').next().unwrap_or_default().as_bytes();
+        let [.., station, letter, a, b, c, d] = stem else { return None };
+        let has_digits = [station, a, b, c, d].iter().all(|c| c.is_ascii_digit());
+        KINDS.iter().find(|kind| has_digits && kind.2 == letter.to_ascii_lowercase()).map(|kind| kind.0)
+    }
+}
+
+/// A header line and the records under it.
+pub(super) struct Section<'a> {
+    pub file: &'a TextFile<'a>,
+    /// Line of the header, counted from 1.
+    pub line: usize,
+    /// None where neither header, comment nor file name says what the section holds.
+    pub kind: Option<SectionKind>,
+    has_minutes: bool,
+    /// Frequencies of an archive section, Hz; None in a realtime section.
+    frequencies: Option<Vec<f64>>,
+    /// Whether a value above 1.5 occurs.
+    has_large_value: bool,
+    pub records: Vec<Record<'a>>,
+}
+
+/// A line of values.
+pub(super) struct Record<'a> {
+    /// Line in the file, counted from 1.
+    pub line: usize,
+    /// Time such as `2026-11-21 06:00 UTC`; the order of the texts is the order of the times.
+    pub time: String,
+    /// The words after the time.
+    values: SplitWhitespace<'a>,
+}
+
+/// Frequency of a band in Hz and the value there, None where it is missing.
+pub(super) type BandValue = (f64, Option<f64>);
+
+/// Whether a header line has minutes, and its column names after `YY MM DD hh [mm]`. None for any other line.
+pub(super) fn column_names(line: &str) -> Option<(bool, SplitWhitespace<'_>)> {
+    let is = |word: Option<&str>, label: &str| word.is_some_and(|word| word.eq_ignore_ascii_case(label));
+    let mut words = line.trim_start_matches('#').split_whitespace();
+    let year = words.next();
+    if !(is(year, "YY") || is(year, "YYYY")) || !["MM", "DD", "hh"].iter().all(|label| is(words.next(), label)) {
+        return None;
+    }
+    let mut after_minutes = words.clone();
+    let has_minutes = is(after_minutes.next(), "mm");
+    Some((has_minutes, if has_minutes { after_minutes } else { words }))
+}
+
+/// Reads the sections of a file and checks the syntax of all records, of which at most `records_left` are read.
+pub(super) fn read_sections<'a>(file: &'a TextFile<'a>, records_left: &mut usize) -> Result<Vec<Section<'a>>, String> {
+    let mut sections: Vec<Section<'a>> = Vec::new();
+    let mut comment = None;
+    let mut add_line = |line: usize, text: &'a str| {
+        if text.split_whitespace().nth(MAX_COLUMNS).is_some() {
+            return Err(format!("more than {MAX_COLUMNS} columns"));
+        }
+        if let Some((has_minutes, columns)) = column_names(text) {
+            if sections.len() == MAX_SECTIONS {
+                return Err(format!("more than {MAX_SECTIONS} header lines"));
+            }
+            let (kind, frequencies) = header(columns, &file.name)?;
+            let kind = kind.or(comment.take()).or_else(|| SectionKind::from_file_name(&file.name));
+            let records = Vec::new();
+            sections.push(Section { file, line, kind, has_minutes, frequencies, has_large_value: false, records });
+        } else if text.starts_with('#') {
+            comment = SectionKind::from_comment(text).or(comment);
+        } else if !text.is_empty() {
+            let before_header = || format!("{} stands before the first header line", quoted(text));
+            let section = sections.last_mut().ok_or_else(before_header)?;
+            *records_left = records_left.checked_sub(1).ok_or_else(|| format!("more than {MAX_RECORDS} records"))?;
+            let mut values = text.split_whitespace();
+            let time = take_time(&mut values, section.has_minutes)?;
+            let bands = section.values(values.clone())?;
+            section.has_large_value |= bands.iter().any(|band| band.1.is_some_and(|v| v > 1.5));
+            section.records.push(Record { line, time, values });
+        }
+        Ok(())
+    };
+    for (line, text) in (1..).zip(file.text.lines()) {
+        add_line(line, content(text)).map_err(|what| file.message_at(line, what))?;
+    }
+    Ok(sections)
+}
+
+/// Takes the time (year, month, day, hour and perhaps minute) from the first words of a record.
+fn take_time(words: &mut SplitWhitespace<'_>, has_minutes: bool) -> Result<String, String> {
+    let limits = [("year", 0, 9999), ("month", 1, 12), ("day", 1, 31), ("hour", 0, 23), ("minute", 0, 59)];
+    let mut time = [0_u16; 5];
+    for (slot, (name, low, high)) in time.iter_mut().zip(limits).take(if has_minutes { 5 } else { 4 }) {
+        let text = words.next().ok_or_else(|| format!("the record ends before its {name}"))?;
+        let value = text.parse().ok().filter(|v| (low..=high).contains(v));
+        *slot = value.ok_or_else(|| format!("{} is not a valid {name}", quoted(text)))?;
+    }
+    let [year, month, day, hour, minute] = time;
+    // Years have two digits until 1998.
+    let year = match year {
+        0..50 => year + 2000,
+        50..100 => year + 1900,
+        _ => year,
+    };
+    Ok(format!("{year:04}-{month:02}-{day:02} {hour:02}:{minute:02} UTC"))
+}
+
+/// The kind that the columns of a realtime header name, or the frequencies in an archive header.
+fn header(columns: SplitWhitespace<'_>, file_name: &str) -> Result<(Option<SectionKind>, Option<Vec<f64>>), String> {
+    let first = columns.clone().next().ok_or("the header names neither frequencies nor values")?;
+    if number(first).is_none() {
+        let kind = SectionKind::from_column(first);
+        let kind = kind.ok_or_else(|| format!("the column {} does not belong in a spectral file", quoted(first)))?;
+        // Some .swr2 files have the column names of r1.
+        let is_r2 = kind == SectionKind::R1 && file_name.to_ascii_lowercase().ends_with(".swr2");
+        return Ok((Some(if is_r2 { SectionKind::R2 } else { kind }), None));
+    }
+    let mut frequencies = Vec::new();
+    for column in columns {
+        let f = number(column).ok_or_else(|| format!("the frequency {} is not a number", quoted(column)))?;
+        frequencies.push(checked_frequency(f, frequencies.last().copied())?);
+        if frequencies.len() > MAX_BANDS {
+            return Err(format!("more than {MAX_BANDS} frequency bands"));
+        }
+    }
+    Ok((None, Some(frequencies)))
+}
+
+impl Section<'_> {
+    fn is_angle(&self) -> bool {
+        matches!(self.kind, Some(SectionKind::Alpha1 | SectionKind::Alpha2))
+    }
+
+    fn is_moment(&self) -> bool {
+        matches!(self.kind, Some(SectionKind::R1 | SectionKind::R2))
+    }
+
+    /// Whether this is an archive section whose r1 or r2 must be in hundredths.
+    pub(super) fn is_in_hundredths(&self) -> bool {
+        self.frequencies.is_some() && self.has_large_value && self.is_moment()
+    }
+
+    /// Whether a value stands for a missing one. A direction of 99 degrees does not.
+    fn is_missing(&self, v: f64) -> bool {
+        let missing_99 = self.is_moment() || !self.is_angle() && self.frequencies.is_some();
+        v == 999.0 || v == 9999.0 || v == 99.0 && missing_99
+    }
+
+    /// The values of a record.
+    pub(super) fn bands(&self, record: &Record<'_>) -> Result<Vec<BandValue>, String> {
+        self.values(record.values.clone()).map_err(|what| self.file.message_at(record.line, what))
+    }
+
+    /// The values of a directional record, angles in degrees and moments from 0 to 1.5, with their range checked.
+    pub(super) fn directional(&self, record: &Record<'_>, hundredths: bool) -> Result<Vec<BandValue>, String> {
+        let mut bands = self.bands(record)?;
+        let scale = if !self.is_angle() && hundredths && self.frequencies.is_some() { 0.01 } else { 1.0 };
+        let high = if self.is_angle() { 360.0 } else { 1.5 };
+        for v in bands.iter_mut().filter_map(|band| band.1.as_mut()) {
+            let given = *v;
+            *v *= scale;
+            if !(0.0..=high).contains(v) {
+                let (name, most) = (self.kind.map_or("value", SectionKind::name), high / scale);
+                let what = format!("{name} of {} is not within 0 to {}", shown(given), shown(most));
+                return Err(self.file.message_at(record.line, what));
+            }
+        }
+        Ok(bands)
+    }
+
+    /// The values of a record from the words after its time.
+    fn values(&self, mut words: SplitWhitespace<'_>) -> Result<Vec<BandValue>, String> {
+        let value = |text: &str| match number(text) {
+            Some(v) => Ok(Some(v).filter(|&v| !self.is_missing(v))),
+            None if text == "MM" => Ok(None),
+            None => Err(format!("the value {} is not a number", quoted(text))),
+        };
+        if let Some(frequencies) = &self.frequencies {
+            let (n, wanted, line) = (words.clone().count(), frequencies.len(), self.line);
+            if n != wanted {
+                return Err(format!("{n} values for the {wanted} frequencies of line {line}"));
+            }
+            return words.zip(frequencies).map(|(text, f)| Ok((*f, value(text)?))).collect();
+        }
+        // Files of variance density have the separation frequency first, without parentheses after it.
+        if words.clone().nth(1).is_none_or(|second| !second.starts_with('('))
+            && let Some(separation) = words.next()
+        {
+            value(separation)?;
+        }
+        let mut bands: Vec<BandValue> = Vec::new();
+        while let Some(text) = words.next() {
+            let v = value(text)?;
+            let f = words.next().and_then(|f| f.strip_prefix('(')?.strip_suffix(')')).and_then(number);
+            let f = f.ok_or_else(|| format!("after {} a frequency in parentheses is missing", quoted(text)))?;
+            bands.push((checked_frequency(f, bands.last().map(|band| band.0))?, v));
+            if bands.len() > MAX_BANDS {
+                return Err(format!("more than {MAX_BANDS} frequency bands"));
+            }
+        }
+        if bands.is_empty() { Err("the record has no values".into()) } else { Ok(bands) }
+    }
+}

@@ -1,0 +1,175 @@
+//! The measured spectrum: variance densities, heights, and directional moments.
+
+use super::direction::Direction;
+use super::text::shown;
+use std::f64::consts::TAU;
+
+/// Most frequency bands of a measured spectrum.
+pub const MAX_BANDS: usize = 256;
+/// Fewest frequency bands of a measured spectrum.
+pub const MIN_BANDS: usize = 3;
+/// Highest frequency of a band, Hz.
+const MAX_HZ: f64 = 2.0;
+/// Upper bound of a variance density, exclusive, m^2/Hz.
+const MAX_DENSITY: f64 = 1e5;
+/// Frequencies (Hz) and densities (m^2/Hz) below this count as 0.
+const TINY: f64 = 1e-9;
+
+/// A measured spectrum: one-sided variance densities in frequency bands, with or without directions. All numbers are
+/// rounded to the precision of a link, so a spectrum and its copy from a link are equal.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeasuredSpectrum {
+    bands: Vec<(f64, f64)>,
+    directions: Option<Vec<Direction>>,
+}
+
+/// A measured spectrum from files.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpectrumFile {
+    /// The spectrum.
+    pub spectrum: MeasuredSpectrum,
+    /// Name of the file and time of the record, printable and short.
+    pub title: String,
+    /// Messages about what was not used.
+    pub notices: Vec<String>,
+}
+
+impl MeasuredSpectrum {
+    /// A spectrum of bands (frequency in Hz, ascending; one-sided variance density in m^2/Hz), with one direction for
+    /// each band or none at all.
+    ///
+    /// # Errors
+    /// One sentence, if the number of bands is not within [`MIN_BANDS`] to [`MAX_BANDS`] or a value is out of range.
+    pub fn new(bands: &[(f64, f64)], directions: Option<&[Direction]>) -> Result<Self, String> {
+        let n = bands.len();
+        if !(MIN_BANDS..=MAX_BANDS).contains(&n) {
+            return Err(format!("{n} frequency bands, but {MIN_BANDS} to {MAX_BANDS} are needed"));
+        }
+        let mut kept: Vec<(f64, f64)> = Vec::with_capacity(n);
+        for &(f, s) in bands {
+            kept.push((checked_frequency(f, kept.last().map(|b| b.0))?, checked_density(s)?));
+        }
+        if let Some(d) = directions.filter(|d| d.len() != n) {
+            return Err(format!("{} directions for {n} frequency bands", d.len()));
+        }
+        let directions = directions.map(|d| d.iter().map(Direction::rounded).collect()).transpose()?;
+        if kept.iter().all(|b| b.1 == 0.0) {
+            return Err("the variance density is zero in every band: there are no waves".into());
+        }
+        Ok(Self { bands: kept, directions })
+    }
+
+    /// Frequency (Hz, ascending) and one-sided variance density S(f) (m^2/Hz) of each band.
+    pub fn bands(&self) -> &[(f64, f64)] {
+        &self.bands
+    }
+
+    /// Directional parameters of the bands, if the spectrum has directions.
+    pub fn directions(&self) -> Option<&[Direction]> {
+        self.directions.as_deref()
+    }
+
+    /// Variance density S(omega) = S(f) / (2 pi), m^2 s, at omega in rad/s. It is linear in f between bands. Below the
+    /// first band it falls to 0 over the width of the first interval. Above the last band it falls as f^-5 (Phillips'
+    /// equilibrium range), for the waves that are too short for the buoy.
+    pub fn density(&self, omega: f64) -> f64 {
+        let f = omega / TAU;
+        let (first, last) = (self.bands[0], self.bands[self.bands.len() - 1]);
+        let s = if f >= last.0 {
+            last.1 * (last.0 / f).powi(5)
+        } else if f >= first.0 {
+            let (i, t) = self.interval(f);
+            self.bands[i].1 + t * (self.bands[i + 1].1 - self.bands[i].1)
+        } else {
+            let low = self.low_hz();
+            first.1 * ((f - low) / (first.0 - low)).max(0.0)
+        };
+        s / TAU
+    }
+
+    /// Lowest omega with variance, rad/s; above 0, so that it has a logarithm.
+    pub fn lowest_omega(&self) -> f64 {
+        TAU * self.low_hz().max(1e-3 * self.bands[0].0)
+    }
+
+    /// Values of omega at which S has a kink, rad/s, ascending: the bands and the foot of the slope below them.
+    pub fn breakpoints(&self) -> Vec<f64> {
+        let low = (self.low_hz() > 0.0).then(|| self.low_hz());
+        low.into_iter().chain(self.bands.iter().map(|b| b.0)).map(|f| TAU * f).collect()
+    }
+
+    /// Variance of the measured bands, m^2: the exact integral of [`MeasuredSpectrum::density`] up to the last band.
+    pub fn m0_m2(&self) -> f64 {
+        let foot = 0.5 * (self.bands[0].0 - self.low_hz()) * self.bands[0].1;
+        foot + self.bands.windows(2).map(|w| 0.5 * (w[1].0 - w[0].0) * (w[0].1 + w[1].1)).sum::<f64>()
+    }
+
+    /// Significant wave height of the measured bands, m: 4 sqrt(m0).
+    pub fn hs_m(&self) -> f64 {
+        4.0 * self.m0_m2().sqrt()
+    }
+
+    /// Peak frequency, rad/s: the band of the largest density, refined by the parabola through its neighbours.
+    pub fn omega_p(&self) -> f64 {
+        let n = self.bands.len();
+        let peak = (1..n).fold(0, |best, i| if self.bands[i].1 > self.bands[best].1 { i } else { best });
+        let (f, s) = self.bands[peak];
+        if peak == 0 || peak + 1 == n {
+            return TAU * f;
+        }
+        let (below, above) = (self.bands[peak - 1], self.bands[peak + 1]);
+        let (left, right, rise, fall) = (f - below.0, above.0 - f, s - below.1, s - above.1);
+        let shift = 0.5 * (right * right * rise - left * left * fall) / (right * rise + left * fall);
+        let shift = if shift.is_finite() { shift.clamp(-0.5 * left, 0.5 * right) } else { 0.0 };
+        TAU * (f + shift)
+    }
+
+    /// The moments (re c1, im c1, re c2, im c2), c_n = integral of D e^{i n theta}, of the direction theta = atan2(z,
+    /// x) that waves travel TO (x east, z south), at omega in rad/s. None without directions. The moments, not the
+    /// angles, are linear in f between bands; they are constant below and above.
+    pub fn moments(&self, omega: f64) -> Option<[f64; 4]> {
+        let directions = self.directions.as_ref()?;
+        let (i, t) = self.interval(omega / TAU);
+        let (a, b) = (directions[i].moments(), directions[i + 1].moments());
+        Some(std::array::from_fn(|n| a[n] + t * (b[n] - a[n])))
+    }
+
+    /// Frequency at which the slope below the first band reaches 0, Hz.
+    fn low_hz(&self) -> f64 {
+        (2.0 * self.bands[0].0 - self.bands[1].0).max(0.0)
+    }
+
+    /// Index of the interval between two bands that holds a frequency in Hz, and the position in it, 0 to 1.
+    fn interval(&self, f: f64) -> (usize, f64) {
+        let i = self.bands.partition_point(|b| b.0 <= f).clamp(1, self.bands.len() - 1) - 1;
+        let (low, high) = (self.bands[i].0, self.bands[i + 1].0);
+        (i, ((f - low) / (high - low)).clamp(0.0, 1.0))
+    }
+}
+
+/// The frequency of a band in Hz, rounded; `before` is the rounded frequency of the band before it.
+pub(super) fn checked_frequency(f: f64, before: Option<f64>) -> Result<f64, String> {
+    let kept = four_digits(f);
+    if !(kept > 0.0 && kept <= MAX_HZ) {
+        return Err(format!("the frequency {} Hz must be above 0 and at most {MAX_HZ} Hz", shown(f)));
+    }
+    match before.filter(|b| kept <= *b) {
+        Some(b) => Err(format!("the frequency {} Hz follows {} Hz: frequencies must ascend", shown(f), shown(b))),
+        None => Ok(kept),
+    }
+}
+
+/// The variance density of a band in m^2/Hz, rounded.
+pub(super) fn checked_density(s: f64) -> Result<f64, String> {
+    let kept = four_digits(s);
+    if s >= 0.0 && kept < MAX_DENSITY {
+        Ok(kept)
+    } else {
+        Err(format!("the variance density {} m^2/Hz must be at least 0 and below {MAX_DENSITY} m^2/Hz", shown(s)))
+    }
+}
+
+/// A number rounded to four significant decimal digits; below [`TINY`] it becomes 0.
+fn four_digits(v: f64) -> f64 {
+    if v.abs() < TINY { 0.0 } else { format!("{v:.3e}").parse().unwrap_or(f64::NAN) }
+}

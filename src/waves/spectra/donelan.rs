@@ -1,0 +1,24 @@
+//! A fetch-limited sea with an omega^-4 range above the peak (Donelan, Hamilton and Hui 1985).
+
+use super::spectrum::{FrequencySpectrum, Inputs, peak_enhancement};
+
+/// S(omega) = alpha g^2 omega^-4 omega_p^-1 exp(-(omega_p/omega)^4) gamma^Gamma. The fit covers U/c_p from 0.83 (full
+/// development) to 5 and frequencies up to about 3.5 omega_p; above, S has more slope variance than the sea.
+pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
+    let (g, u) = (inputs.gravity_m_s2, inputs.wind_m_s);
+    let grown = (11.6 * inputs.fetch.powf(-0.23)).clamp(0.83, 5.0);
+    let omega_p = inputs.omega_p.unwrap_or(grown * g / u);
+    let inverse_age = (u * omega_p / g).clamp(0.83, 5.0);
+    let alpha = 0.006 * inverse_age.powf(0.55);
+    let a = alpha * g * g / omega_p;
+    let (gamma, sigma) = peak_form(inverse_age);
+    FrequencySpectrum::new(omega_p, move |omega| {
+        let r = omega / omega_p;
+        a / omega.powi(4) * (-1.0 / r.powi(4)).exp() * peak_enhancement(r, gamma, sigma)
+    })
+}
+
+/// Peak enhancement factor gamma and peak width sigma at inverse wave age U/c_p.
+pub fn peak_form(inverse_age: f64) -> (f64, f64) {
+    (1.7 + 6.0 * inverse_age.max(1.0).log10(), 0.08 * (1.0 + 4.0 / inverse_age.powi(3)))
+}

@@ -1,0 +1,154 @@
+//! JONSWAP, the fetch-limited sea, and TMA, its product with a depth factor.
+
+use super::spectrum::{FrequencySpectrum, Inputs, peak_enhancement};
+use crate::state::params::DepthFactor;
+use crate::waves::dispersion::Dispersion;
+use crate::waves::quadrature::adaptive;
+
+/// Dimensionless fetch at which JONSWAP is as high as a fully developed sea.
+const FULL_FETCH: f64 = 1.1e4;
+/// Dimensionless fetch at which JONSWAP exceeds the fully developed height by a quarter.
+const EXCESSIVE_FETCH: f64 = 1.6e4;
+
+/// S(omega) = alpha g^2 omega^-5 exp(-5/4 (omega_p/omega)^4) gamma^Gamma (Hasselmann et al. 1973).
+#[derive(Clone, Copy)]
+pub struct Jonswap {
+    /// alpha g^2, m^2/s^4.
+    pub a: f64,
+    /// Peak frequency, rad/s.
+    pub omega_p: f64,
+    /// Peak enhancement.
+    pub gamma: f64,
+}
+
+/// The JONSWAP spectrum.
+pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
+    let jonswap = Jonswap::new(inputs);
+    let notice = full_development(inputs);
+    FrequencySpectrum { notice, ..FrequencySpectrum::new(jonswap.omega_p, move |omega| jonswap.density(omega)) }
+}
+
+/// TMA: JONSWAP times the depth factor, on request with alpha and gamma of Bouws et al. 1985.
+pub fn tma(inputs: &Inputs<'_>) -> FrequencySpectrum {
+    let (g, sea) = (inputs.gravity_m_s2, inputs.sea);
+    let mut tma = Jonswap::new(inputs);
+    if sea.bouws {
+        let k_p = Dispersion::finite(g, sea.depth_m).wave_number(tma.omega_p);
+        let kappa = inputs.wind_m_s * inputs.wind_m_s * k_p / g;
+        tma.a = 0.0078 * kappa.powf(0.49) * g * g;
+        tma.gamma = 2.47 * kappa.powf(0.39);
+    }
+    let factor = depth_factor(inputs);
+    let mut out = FrequencySpectrum::new(tma.omega_p, move |omega| tma.density(omega) * factor(omega));
+    if sea.depth_factor == DepthFactor::Branches {
+        out.breakpoints.extend([1.0, 2.0].map(|x| x / (sea.depth_m / g).sqrt()));
+    }
+    FrequencySpectrum { notice: full_development(inputs), ..out }
+}
+
+/// Depth factor of Kitaigorodskii et al. 1975 as a function of omega in rad/s.
+pub fn depth_factor(inputs: &Inputs<'_>) -> impl Fn(f64) -> f64 + Copy + Send + Sync + use<> {
+    let (form, g, depth_m) = (inputs.sea.depth_factor, inputs.gravity_m_s2, inputs.sea.depth_m);
+    let dispersion = Dispersion::finite(g, depth_m);
+    move |omega| match form {
+        DepthFactor::Exact => {
+            let kh = depth_m * dispersion.wave_number(omega);
+            let shallow = if kh > 300.0 { 0.0 } else { 2.0 * kh / (2.0 * kh).sinh() };
+            kh.tanh().powi(2) / (1.0 + shallow)
+        }
+        DepthFactor::Branches => match omega * (depth_m / g).sqrt() {
+            x if x <= 1.0 => 0.5 * x * x,
+            x if x < 2.0 => 1.0 - 0.5 * (2.0 - x).powi(2),
+            _ => 1.0,
+        },
+    }
+}
+
+/// Notice about a fetch beyond full development, where the growth curves of JONSWAP have no limit.
+fn full_development(inputs: &Inputs<'_>) -> Option<String> {
+    let is_set = inputs.system.hs_m > 0.0 || inputs.omega_p.is_some();
+    (inputs.fetch > EXCESSIVE_FETCH && !is_set).then(|| {
+        let fetch_km = inputs.fetch_km(FULL_FETCH);
+        format!("the sea is fully developed after {fetch_km:.0} km (spectrum=pm); jonswap and tma keep growing")
+    })
+}
+
+/// Significant wave height (m) and peak frequency (rad/s) that the user has set. JONSWAP's growth curves supply the
+/// missing ones.
+pub fn height_and_peak(inputs: &Inputs<'_>) -> (f64, f64) {
+    let grown = Jonswap::grown(inputs);
+    let grown_height = || {
+        let knots = [0.3, 1.0, 1.5, 5.0, 400.0].map(|r| r * grown.omega_p);
+        4.0 * adaptive(|w| grown.density(w), &knots, 1e-9).sqrt()
+    };
+    let hs_m = if inputs.system.hs_m > 0.0 { inputs.system.hs_m } else { grown_height() };
+    (hs_m, inputs.omega_p.unwrap_or(grown.omega_p))
+}
+
+impl Jonswap {
+    /// The mean spectrum, gamma = 3.3, for wind and fetch alone: alpha = 0.076 x^-0.22 and omega_p = 22 (g/U) x^(-1/3)
+    /// with the dimensionless fetch x = g F / U^2.
+    fn grown(inputs: &Inputs<'_>) -> Self {
+        let (g, x) = (inputs.gravity_m_s2, inputs.fetch);
+        let alpha = 0.076 * x.powf(-0.22);
+        Self { a: alpha * g * g, omega_p: 22.0 * g / inputs.wind_m_s / x.cbrt(), gamma: 3.3 }
+    }
+
+    /// The spectrum with the gamma and the peak frequency that the user has set.
+    pub fn new(inputs: &Inputs<'_>) -> Self {
+        let grown = Self::grown(inputs);
+        Self { omega_p: inputs.omega_p.unwrap_or(grown.omega_p), gamma: inputs.system.gamma, ..grown }
+    }
+
+    /// S(omega), m^2 s, at `omega` in rad/s.
+    pub fn density(&self, omega: f64) -> f64 {
+        let r = omega / self.omega_p;
+        let sigma = if r <= 1.0 { 0.07 } else { 0.09 };
+        self.a / omega.powi(5) * (-1.25 / r.powi(4)).exp() * peak_enhancement(r, self.gamma, sigma)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{G, at, close, same};
+    use super::*;
+    use crate::state::params::{Sea, SpectrumKind};
+
+    #[test]
+    fn jonswap_meets_its_own_energy_law_at_short_fetch() {
+        // 1.6e-7 x (Hasselmann et al. 1973); at longer fetch the fits of alpha and omega_p deviate from it.
+        let x = 100.0;
+        let energy = at(SpectrumKind::Jonswap, 10.0, x * 100.0 / G / 1000.0, same).m0_m2() * (G / 100.0).powi(2);
+        close(energy, 1.6e-7 * x, 0.1);
+    }
+
+    #[test]
+    fn the_depth_factor() {
+        let phi = |form: DepthFactor, omega_h: f64| {
+            let set = |sea: &mut Sea| {
+                sea.depth_m = 20.0;
+                sea.depth_factor = form;
+            };
+            let omega = omega_h / (20.0 / G).sqrt();
+            at(SpectrumKind::Tma, 10.0, 100.0, set).density(omega)
+                / at(SpectrumKind::Jonswap, 10.0, 100.0, set).density(omega)
+        };
+        for (omega_h, value) in [(0.9, 0.405), (1.5, 0.875), (2.0, 1.0), (3.0, 1.0), (10.0, 1.0)] {
+            close(phi(DepthFactor::Branches, omega_h), value, 1e-9);
+        }
+        for i in 1..60 {
+            let omega_h = 0.8 + 0.1 * f64::from(i);
+            let (exact, fit) = (phi(DepthFactor::Exact, omega_h), phi(DepthFactor::Branches, omega_h));
+            assert!((exact - fit).abs() < 0.024 && exact <= 1.0 + 1e-9, "{omega_h}: {exact} {fit}");
+            assert!(phi(DepthFactor::Exact, omega_h + 0.1) >= exact - 1e-9, "monotone");
+        }
+    }
+
+    #[test]
+    fn bouws_constants() {
+        // U = 10 m/s over 100 km in deep water has alpha 0.0080 and gamma 2.52.
+        let s = at(SpectrumKind::Tma, 10.0, 100.0, |sea| sea.bouws = true);
+        let gamma = s.density(s.omega_p) / (0.0080 * G * G / s.omega_p.powi(5) * (-1.25f64).exp());
+        close(gamma, 2.52, 5e-3);
+    }
+}

@@ -1,0 +1,13 @@
+//! A wave buoy's measured spectrum.
+
+use super::spectrum::FrequencySpectrum;
+use crate::files::measured::MeasuredSpectrum;
+use std::sync::Arc;
+
+/// S(omega) of the buoy's bands. Quadrature is split at the bands.
+pub fn spectrum(data: &Arc<MeasuredSpectrum>) -> FrequencySpectrum {
+    let (lowest, breakpoints, measured) = (data.lowest_omega().max(1e-3), data.breakpoints(), Some(Arc::clone(data)));
+    let shape = Arc::clone(data);
+    let spectrum = FrequencySpectrum::new(data.omega_p(), move |omega| shape.density(omega));
+    FrequencySpectrum { lowest, breakpoints, measured, ..spectrum }
+}

@@ -1,0 +1,13 @@
+//! The equilibrium range alone (Phillips 1958).
+
+use super::generalised_ab::{ALPHA, pierson_moskowitz};
+use super::spectrum::{FrequencySpectrum, Inputs};
+
+/// S(omega) = alpha g^2 omega^-5 for omega >= omega_p, else 0. Alpha and omega_p are those of Pierson and Moskowitz
+/// 1964. The density is per rad/s, so it has no factor 2 pi.
+pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
+    let a = ALPHA * inputs.gravity_m_s2 * inputs.gravity_m_s2;
+    let omega_p = pierson_moskowitz(inputs).omega_p;
+    let density = move |omega: f64| if omega < omega_p { 0.0 } else { a / omega.powi(5) };
+    FrequencySpectrum { jump: Some(omega_p), lowest: omega_p, ..FrequencySpectrum::new(omega_p, density) }
+}
