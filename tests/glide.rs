@@ -9,6 +9,8 @@ use seastate::ocean::{Film, Ocean};
 use seastate::point::Heights;
 use seastate::sim::resources::MapKind;
 use seastate::state::Params;
+use seastate::waves::SeaChange;
+use std::sync::Arc;
 
 const SIZE: [u32; 2] = [96, 64];
 const FRAME_S: f64 = 1.0 / 60.0;
@@ -43,7 +45,7 @@ impl Window {
         if !self.params.clock.paused {
             self.params.clock.t_s += dt_s;
         }
-        self.ocean.glide_to(&self.params, dt_s);
+        self.ocean.transition_to(&self.params, dt_s);
         let mut encoder = gpu.encoder("test");
         self.ocean.simulation().encode_f32(gpu, &mut encoder, self.params.clock.t_s);
         gpu.submit(encoder);
@@ -135,7 +137,7 @@ fn a_glide_ends_exactly_on_the_state() {
         let mut frames = 0;
         window.frame(FRAME_S);
         let mut between = Vec::new();
-        while window.ocean.is_gliding() {
+        while window.ocean.in_transition() {
             if frames == 20 {
                 between = window.picture();
             }
@@ -178,7 +180,7 @@ fn other_waves_fade_in_at_equal_power_and_without_a_jump() {
                 variances.push(window.variance());
             }
         });
-        assert!(!window.ocean.is_gliding());
+        assert!(!window.ocean.in_transition());
         let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
         let (least, largest) = variances.iter().fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(*v), b.max(*v)));
         let mut other = Window::new(&state);
@@ -214,7 +216,7 @@ fn the_same_waves_grow_in_place() {
         assert!(off < 2e-3, "{scale}: {off} m");
         before = scale;
     }
-    assert!(!window.ocean.is_gliding() && (before - 1.5).abs() < 1e-3, "{before}");
+    assert!(!window.ocean.in_transition() && (before - 1.5).abs() < 1e-3, "{before}");
 }
 
 #[test]
@@ -233,7 +235,7 @@ fn a_drag_costs_one_spectrum_a_frame() {
     for _ in 0..FRAMES {
         window.frame(FRAME_S);
     }
-    assert!(!window.ocean.is_gliding());
+    assert!(!window.ocean.in_transition());
     let after = window.ocean.simulation().spectra();
     window.frame(FRAME_S);
     assert_eq!(window.ocean.simulation().spectra(), after, "at rest there is nothing to draw");
@@ -241,6 +243,83 @@ fn a_drag_costs_one_spectrum_a_frame() {
     assert_eq!(window.ocean.simulation().maps().generation, generation);
     let rest = rest.max(fastest(&mut window, 20, |_, _| {}));
     assert!(most < 1.5 * rest, "{most} against {rest}");
+}
+
+#[test]
+fn a_change_costs_what_its_level_needs() {
+    let start = "wind=16&n=64&t=30&pause=1&pitch=-15";
+    for (key, values, level) in [
+        ("foamdecay", [8.0, 12.0, 20.0], SeaChange::Foam),
+        ("foambias", [0.05, 0.1, 0.2], SeaChange::Foam),
+        ("chop", [0.9, 0.8, 0.7], SeaChange::Surface),
+        ("level", [0.2, 0.5, 1.0], SeaChange::Surface),
+        ("height", [0.9, 0.8, 0.7], SeaChange::Waves),
+        ("depth", [30.0, 20.0, 10.0], SeaChange::Waves),
+    ] {
+        for at_once in [false, true] {
+            let mut window = Window::new(start);
+            let first = window.picture();
+            let (plan, drawn) = (window.ocean.plan().clone(), window.ocean.drawn_seas()[0].plan.clone());
+            let work = |window: &mut Window| {
+                let sim = window.ocean.simulation();
+                (sim.spectra(), sim.resources.tabulations)
+            };
+            let before = work(&mut window);
+            for value in values {
+                window.wish(&format!("wind=16&n=64&{key}={value}"));
+                if at_once {
+                    window.jump();
+                }
+                window.frame(FRAME_S);
+            }
+            while window.ocean.in_transition() {
+                window.frame(FRAME_S);
+            }
+            let after = work(&mut window);
+            let is_new = level == SeaChange::Waves;
+            assert_eq!(after.0 > before.0, is_new, "{key}: spectrum passes");
+            assert_eq!(after.1 > before.1, is_new, "{key}: tables");
+            assert_eq!(!window.ocean.plan().shares_integrals(&plan), is_new, "{key}: integrals of the spectrum");
+            if !at_once {
+                let same = Arc::ptr_eq(&window.ocean.drawn_seas()[0].plan, &drawn);
+                assert_eq!(same, level == SeaChange::Foam, "{key}: heights on the CPU");
+            }
+            let picture = window.picture();
+            assert!(picture != first, "{key} is visible");
+            let mut fresh = Window::new(start);
+            fresh.params = window.params.clone();
+            fresh.ocean = Ocean::new(&fresh.gpu, FORMAT, Film::Screen, &fresh.params);
+            assert!(fresh.picture() == picture, "{key}: the picture of an ocean that was never another");
+            let maps = [&mut window, &mut fresh]
+                .map(|w| common::read(&w.gpu, w.ocean.simulation(), w.params.clock.t_s).texels);
+            assert!(maps[0] == maps[1], "{key}: the maps");
+        }
+    }
+}
+
+#[test]
+fn foam_during_other_transitions_lets_them_end() {
+    for waves in ["wind=9&n=64&height=1.3", "wind=14&fetch=300&n=64"] {
+        let mut window = Window::new("wind=9&n=64&t=30&pause=1");
+        window.wish(waves);
+        for i in 0..5 {
+            window.frame(FRAME_S);
+            window.wish(&format!("{waves}&foamdecay={}", 5 + i));
+        }
+        // A third sea waits for the end of the cross-fade, and its foam with it.
+        window.wish(&format!("{waves}&foamdecay=9&seed=3"));
+        window.frame(FRAME_S);
+        window.wish(&format!("{waves}&foamdecay=12&seed=3"));
+        for _ in 0..3 * FRAMES {
+            window.frame(FRAME_S);
+        }
+        assert!(!window.ocean.in_transition());
+        let mut fresh = Window::new("wind=9&n=64&t=30&pause=1");
+        fresh.params = window.params.clone();
+        fresh.ocean = Ocean::new(&fresh.gpu, FORMAT, Film::Screen, &fresh.params);
+        assert_eq!(window.ocean.plan(), fresh.ocean.plan(), "{waves}");
+        assert!(fresh.picture() == window.picture(), "{waves}");
+    }
 }
 
 #[test]
@@ -264,7 +343,7 @@ fn a_drag_over_rungs_and_depths_has_no_jump() {
         for _ in 0..3 * FRAMES {
             window.frame(FRAME_S);
         }
-        assert!(!window.ocean.is_gliding());
+        assert!(!window.ocean.in_transition());
         let after = fastest(&mut window, 20, |_, _| {});
         eprintln!("{from}: {before:.4} m a frame before, {most:.4} at most, {after:.4} after");
         assert!(most < 3.0 * before.max(after), "{from}: {before} {most} {after}");

@@ -33,7 +33,7 @@ fn memory_is_constant_over_ten_thousand_frames() {
             p.sea.systems[0].wind_m_s = 10.0 + 0.05 * f64::from(i % 100);
         }
         let size = SIZES[(i / 250 % 2) as usize];
-        ocean.glide_to(&p, 1.0 / 60.0);
+        ocean.transition_to(&p, 1.0 / 60.0);
         let mut encoder = gpu.encoder("test");
         ocean.encode(&mut encoder, size, 2);
         pollster::block_on(on_film(&gpu, encoder, size, |pass| ocean.present(pass))).expect("a picture");

@@ -8,45 +8,49 @@ use seastate::gpu::map_format::MapFormat;
 use seastate::gpu::readback;
 use seastate::lab::check::{self, Line};
 use seastate::shaders::Shaders;
-use seastate::shaders::fft::Way;
 use seastate::sim::Simulation;
 use seastate::sim::resources::MapKind;
+use seastate::sim::transform::TransformWay;
 use seastate::state::query;
 use seastate::waves::Plan;
 
-fn run(state: &str, shaders: &Shaders) -> Vec<Line> {
-    // It can read maps of either format.
+/// How an adapter computes the waves.
+type Kind = (TransformWay, MapFormat);
+const GPU: Kind = (TransformWay::Workgroup, MapFormat::Half);
+/// A software adapter that filters float textures.
+const SOFTWARE: Kind = (TransformWay::Unrolled, MapFormat::Float);
+/// llvmpipe, and software adapters that cannot filter float textures.
+const LLVMPIPE: Kind = (TransformWay::Unrolled, MapFormat::Half);
+
+fn run(state: &str, (way, format): Kind, shaders: Shaders) -> Vec<Line> {
+    // This device can filter both formats.
     let gpu = common::gpu_with(MapFormat::Float);
-    pollster::block_on(check::run(&gpu, &query::parse(state).0, shaders)).expect("read-back")
+    let shaders = shaders.with_maps(format);
+    pollster::block_on(check::run_with(&gpu, &query::parse(state).0, &shaders, way)).expect("read-back")
 }
 
-fn assert_right(state: &str, (way, maps): (Way, MapFormat)) {
-    let lines = run(state, &Shaders::default().with_way(way).with_maps(maps));
+fn assert_right(state: &str, kind: Kind) {
+    let lines = run(state, kind, Shaders::default());
     let table: Vec<String> = lines.iter().map(ToString::to_string).collect();
-    eprintln!("{state} {way:?} {maps:?}\n{}", table.join("\n"));
-    assert!(lines.iter().all(Line::passes), "{state} {way:?} {maps:?}\n{}", table.join("\n"));
+    eprintln!("{state} {kind:?}\n{}", table.join("\n"));
+    assert!(lines.iter().all(Line::passes), "{state} {kind:?}\n{}", table.join("\n"));
 }
-
-const GPU: (Way, MapFormat) = (Way::Exchanged, MapFormat::Half);
-const CPU: (Way, MapFormat) = (Way::Straight, MapFormat::Float);
-/// An adapter that is a CPU and cannot filter floats.
-const OLD_CPU: (Way, MapFormat) = (Way::Straight, MapFormat::Half);
 
 #[test]
 fn every_size_agrees_with_the_oracle() {
     for n in [64, 128, 256] {
-        [GPU, CPU, OLD_CPU, LLVMPIPE]
-            .into_iter()
-            .for_each(|kind| assert_right(&format!("wind=10&fetch=100&t=20&n={n}"), kind));
+        for kind in [GPU, SOFTWARE, LLVMPIPE] {
+            assert_right(&format!("wind=10&fetch=100&t=20&n={n}"), kind);
+        }
     }
 }
 
 #[test]
 fn large_sizes_agree_with_the_oracle() {
     for n in [512, 1024] {
-        [GPU, CPU, LLVMPIPE]
-            .into_iter()
-            .for_each(|kind| assert_right(&format!("wind=10&fetch=100&t=20&n={n}&cascades=1"), kind));
+        for kind in [GPU, SOFTWARE, LLVMPIPE] {
+            assert_right(&format!("wind=10&fetch=100&t=20&n={n}&cascades=1"), kind);
+        }
     }
 }
 
@@ -61,70 +65,57 @@ fn other_seas_agree_with_the_oracle() {
         "spread=cos2-positive&blendto=hasselmann&blend=0.4&iso=0.2&scale2=1&hs2=2&tp2=12&dir2=310&overlap=1",
         "spectrum=measured&measured=0.05*0.5*250*251*0.8*0.5_0.1*3*240*241*0.7*0.4_0.2*1*200*230*0.5*0.2_0.4*0.1*190*190*0.4*0.1",
     ] {
-        assert_right(&format!("{state}&n=64"), CPU);
+        assert_right(&format!("{state}&n=64"), SOFTWARE);
     }
 }
 
-/// llvmpipe.
-const LLVMPIPE: (Way, MapFormat) = (Way::Merged, MapFormat::Half);
-
-/// One fault of 1 % in each pass: where it stands, and which lines must turn red.
-const FAULTS: &[(&str, &str, &str, &str)] = &[
-    ("spectrum", "h = gauss * sqrt(variance)", "h = 1.01 * gauss * sqrt(variance)", "spectrum"),
-    ("foam", "let l = sea.chop;", "let l = 1.01 * sea.chop;", "foam"),
-];
-
-/// The same in what differs between adapters.
-const FAULTS_OF_A_WAY: &[((Way, MapFormat), &str, &str, &str, &str)] = &[
+/// One fault of 1 % in each kernel: the adapter, the module, the text that is replaced, its replacement, and the beginning of a
+/// line that must fail.
+const FAULTS: &[(Kind, &str, &str, &str, &str)] = &[
+    (GPU, "waves/spectrum", "h = gauss * sqrt(variance)", "h = 1.01 * gauss * sqrt(variance)", "spectrum"),
+    (SOFTWARE, "waves/spectrum", "h = gauss * sqrt(variance)", "h = 1.01 * gauss * sqrt(variance)", "spectrum"),
+    (GPU, "foam/foam", "let l = sea.chop;", "let l = 1.01 * sea.chop;", "foam"),
+    (SOFTWARE, "foam/foam", "let l = sea.chop;", "let l = 1.01 * sea.chop;", "foam"),
     (
         GPU,
-        "mips_chain",
+        "waves/mips",
         "0.25 * sum.gradients, 0.25 * sum.moments);\n      mips_store",
         "0.25 * sum.gradients, 0.2525 * sum.moments);\n      mips_store",
         "mips moments",
     ),
     (
         GPU,
-        "mips_chain",
+        "waves/mips",
         "return MipsTexel(0.25 * sum.displacement, 0.25",
         "return MipsTexel(0.25 * sum.displacement, 0.2525",
         "mips gradients",
     ),
-    (CPU, "mips_level", "0.25 * sum.moments)", "0.2525 * sum.moments)", "mips moments"),
-    (CPU, "mips_level", "MipsTexel(0.25", "MipsTexel(0.2525", "mips displacement"),
-    (GPU, "rows", "forward + backward", "forward + 1.01 * backward", "rows"),
+    (SOFTWARE, "waves/unrolled_mips", "0.25 * sum.moments)", "0.2525 * sum.moments)", "mips moments"),
+    (SOFTWARE, "waves/unrolled_mips", "MipsTexel(0.25", "MipsTexel(0.2525", "mips displacement"),
+    (GPU, "waves/rows", "forward + backward", "forward + 1.01 * backward", "rows"),
     (
         GPU,
-        "columns",
+        "waves/columns",
         "    lines[(2u * c * N + z) * N + x] = v",
         "    lines[(2u * c * N + z) * N + x] = 1.01 * v",
         "columns",
     ),
-    (GPU, "columns", "c, v.xzyw)", "c, 1.01 * v.xzyw)", "maps"),
-    (CPU, "rows_first", "forward + backward", "forward + 1.01 * backward", "rows"),
-    (CPU, "lines_second", "v * w.x", "1.01 * v * w.x", "rows"),
-    (CPU, "columns_first", "v * w.x", "1.01 * v * w.x", "columns"),
-    (CPU, "columns_second", "* N + x] = value", "* N + x] = 1.01 * value", "columns"),
-    (CPU, "columns_second", "maps_texel(value)", "maps_texel(1.01 * value)", "maps"),
-    (LLVMPIPE, "rows_first", "forward + backward", "forward + 1.01 * backward", "waves"),
-    (LLVMPIPE, "middle", "v * w.x", "1.01 * v * w.x", "waves"),
-    (LLVMPIPE, "columns_last", "* N + x] = value", "* N + x] = 1.01 * value", "waves"),
-    (LLVMPIPE, "columns_last", "maps_texel(value)", "maps_texel(1.01 * value)", "maps"),
+    (GPU, "waves/columns", "c, v.xzyw)", "c, 1.01 * v.xzyw)", "maps"),
+    (SOFTWARE, "waves/unrolled_rows_first", "forward + backward", "forward + 1.01 * backward", "rows"),
+    (SOFTWARE, "waves/unrolled_rows_second", "v * w.x", "1.01 * v * w.x", "rows"),
+    (SOFTWARE, "waves/unrolled_columns_first", "v * w.x", "1.01 * v * w.x", "columns"),
+    (SOFTWARE, "waves/unrolled_columns_second", "* N + x] = value", "* N + x] = 1.01 * value", "columns"),
+    (SOFTWARE, "waves/unrolled_columns_second", "map_texel(value)", "map_texel(1.01 * value)", "maps"),
+    (LLVMPIPE, "waves/unrolled_columns_second", "map_texel(value)", "map_texel(1.01 * value)", "maps"),
 ];
 
 #[test]
 fn a_planted_fault_of_one_per_cent_is_found() {
     let state = "wind=15&fetch=300&t=5&n=64";
-    let assert_found = |shaders: Shaders, red: &str, fault: &str| {
-        let lines = run(state, &shaders);
+    for &(kind, module, from, to, red) in FAULTS {
+        let lines = run(state, kind, Shaders::default().patched(module, from, to));
         let found = lines.iter().filter(|l| !l.passes()).map(|l| l.what).collect::<Vec<_>>();
-        assert!(found.iter().any(|what| what.starts_with(red)), "\"{fault}\" went unseen: {found:?}");
-    };
-    for (module, from, to, red) in FAULTS {
-        assert_found(Shaders::default().patched(module, from, to), red, to);
-    }
-    for ((way, maps), module, from, to, red) in FAULTS_OF_A_WAY {
-        assert_found(Shaders::default().with_way(*way).with_maps(*maps).patched(module, from, to), red, to);
+        assert!(found.iter().any(|what| what.starts_with(red)), "\"{to}\" in {module} went unseen: {found:?}");
     }
 }
 
@@ -133,8 +124,7 @@ fn a_gpu_gets_few_dispatches_whatever_the_cascades() {
     let gpu = pollster::block_on(Gpu::request()).expect("a GPU adapter");
     for (n, cascades) in [(64, 1), (128, 4), (256, 3), (512, 4), (1024, 1)] {
         let params = query::parse(&format!("n={n}&cascades={cascades}")).0;
-        let shaders = Shaders::default().with_way(Way::Exchanged).with_maps(MapFormat::Half);
-        let sim = Simulation::new(&gpu, Plan::new(&params), &shaders);
+        let sim = Simulation::with_way(&gpu, Plan::new(&params), &Shaders::default(), TransformWay::Workgroup);
         assert!(sim.passes.dispatches() <= 5, "n {n}, {cascades} cascades: {}", sim.passes.dispatches());
     }
 }
@@ -149,7 +139,7 @@ fn the_demos_way_makes_the_same_maps() {
         let mut encoder = gpu.encoder("test");
         sim.encode(&gpu, &mut encoder, params.clock.t_s, [0.0; 2], 0);
         gpu.submit(encoder);
-        let theirs = PerStage::new(&gpu, &sim);
+        let theirs = PerStage::new(&gpu, sim.maps());
         assert_eq!(theirs.dispatches() as u32, 2 * (4 * 2 * n.ilog2() + 2));
         let mut encoder = gpu.encoder("test");
         theirs.run(&mut encoder);

@@ -98,9 +98,9 @@ fn raising_n_keeps_every_wave() {
     let read = |state: &str| {
         let mut sim = common::simulation(&gpu, state);
         let mut encoder = gpu.encoder("test");
-        let step = sim.push_step(&gpu, 0.0, false);
+        let step = sim.push_evaluation(&gpu, 0.0, false);
         sim.passes.spectrum.run(&mut encoder, &sim.resources, step);
-        let staging = readback::stage_buffer(&gpu, &mut encoder, &sim.resources.sea.h0);
+        let staging = readback::stage_buffer(&gpu, &mut encoder, &sim.resources.sea().h0);
         gpu.submit(encoder);
         let bytes = pollster::block_on(readback::read(&gpu, staging)).expect("read-back");
         bytemuck::pod_collect_to_vec::<u8, [f32; 2]>(&bytes)

@@ -26,14 +26,14 @@ fn speed(state: &str, ix: i32, iz: i32, about: f64) -> f64 {
     let gpu = gpu();
     let mut sim = simulation(&gpu, state);
     let at = (iz.rem_euclid(N as i32) as usize) * N + ix.rem_euclid(N as i32) as usize;
-    let mut h0 = vec![[0.0f32; 2]; N * N * sim.resources.count as usize];
+    let mut h0 = vec![[0.0f32; 2]; N * N * sim.plan().cascades.len()];
     h0[at] = [0.3, -0.1];
     let mut heights = |t_s: f64| -> Vec<f64> {
-        let step = sim.push_step(&gpu, t_s, true);
-        gpu.queue.write_buffer(&sim.resources.sea.h0, 0, bytemuck::cast_slice(&h0));
+        let slot = sim.push_evaluation(&gpu, t_s, true);
+        gpu.queue.write_buffer(&sim.resources.sea().h0, 0, bytemuck::cast_slice(&h0));
         let mut encoder = gpu.encoder("test");
-        sim.passes.rows.run(&mut encoder, step);
-        sim.passes.columns.run(&mut encoder, &sim.resources, step);
+        sim.passes.transform.rows(&mut encoder, slot);
+        sim.passes.transform.columns(&mut encoder, &sim.resources, slot);
         let staging = readback::stage_buffer(&gpu, &mut encoder, &sim.resources.lines);
         gpu.submit(encoder);
         let bytes = pollster::block_on(readback::read(&gpu, staging)).expect("read-back");

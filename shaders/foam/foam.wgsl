@@ -1,37 +1,38 @@
-// Foam on world-anchored levels, in undisplaced coordinates. Cell (X, Z) of a level covers [X, X + 1) x [Z, Z + 1) texels
-// and lives at (X mod size, Z mod size), so that a moving camera rewrites only what came into range.
+// Foam on world-anchored levels, in undisplaced coordinates. Cell (X, Z) of a level covers [X, X + 1) x [Z, Z + 1)
+// texels and is stored at (X mod size, Z mod size), so that a moving camera only rewrites cells that come into range.
 //
-// Source s in [0, 1] where the Jacobian of the sum of cascades falls below a threshold; dF/dt = rate s (1 - F) - F / decay,
-// solved exactly over the step, so that the result does not depend on the frame rate and stays in [0, 1].
+// The source s in [0, 1] is positive where the Jacobian of the sum of cascades falls below a threshold. The foam F
+// follows dF/dt = rate s (1 - F) - F / decay, solved exactly over the time step: the result does not depend on the
+// frame rate and stays in [0, 1].
 
 struct FoamLevel {
   uv: array<vec4f, 4>, // texture coordinates of the first cell's corner on the cascades, two by two
-  tiles: array<TilePlace, 8>, // and on the lattices of their copies
+  tiles: array<TilePlace, 8>, // the same corner on the lattices of the cascades' copies
   cell: vec2i, // first cell in range
-  previous: vec2i, // and at the last step
+  previous: vec2i, // first cell in range at the previous step
   texel_m: f32,
-  threshold: f32, // of the Jacobian
+  threshold: f32, // Jacobian below which foam forms
   slope: f32, // source per unit of Jacobian below the threshold
   start: f32, // foam of a cell that comes into range
 }
 
 struct FoamCascade {
   patch_m: f32,
-  layer: u32, // of the maps
-  // An element of a uniform's array is a multiple of 16 bytes.
+  layer: u32, // layer of the maps
+  // Padding: an array element in a uniform buffer is a multiple of 16 bytes.
   unused_0: u32,
   unused_1: u32,
 }
 
 struct Foam {
   levels: array<FoamLevel, 4>,
-  cascades: array<FoamCascade, 8>, // those that are drawn: of one sea, or of two while one fades into the other
-  dt: f32,
-  decay: f32, // 1 / e-folding time
-  rate: f32,
+  cascades: array<FoamCascade, 8>, // the drawn cascades of one sea, or of two seas during a cross-fade
+  dt: f32, // time step, s
+  decay: f32, // 1 / e-folding time, 1/s
+  rate: f32, // growth at full source, 1/s
   size: u32, // cells along a side
   count: u32, // cascades in use
-  // The size is a multiple of 16 bytes.
+  // Padding: the size is a multiple of 16 bytes.
   unused_0: u32,
   unused_1: u32,
   unused_2: u32,
@@ -45,7 +46,7 @@ struct Foam {
 @group(0) @binding(5) var<storage, read_write> history: array<f32>; // [level][z][x]
 @group(0) @binding(6) var picture: texture_storage_2d_array<rgba16float, write>;
 
-// Of the surface that is drawn: the same blend of copies as in water_surface.wgsl.
+// Jacobian of the drawn surface: the same blend of copies as in water/surface.wgsl.
 fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
   var stretch = vec2f(0.0);
   var shear = vec2f(0.0);
@@ -55,7 +56,7 @@ fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
     let patch_m = foam.cascades[c].patch_m;
     let layer = foam.cascades[c].layer;
     let uv = corner + offset / patch_m;
-    // One level finer than a cell: between the texels of a level that is all noise the variance would sag.
+    // One mip level finer than a cell, because linear interpolation between uncorrelated texels loses variance.
     let lod = max(log2(foam.levels[level].texel_m * f32(sea.n) / patch_m) - 1.0, 0.0);
     let tile = foam.levels[level].tiles[c];
     let blend = tile_blend(tile, offset);
@@ -76,7 +77,7 @@ fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
 fn main(@builtin(global_invocation_id) id: vec3u) {
   let size = i32(foam.size);
   let level = id.z;
-  // The cell in range that lives at this place.
+  // The cell in range that is stored at this texel.
   let first = foam.levels[level].cell;
   let ahead = ((vec2i(id.xy) - first) % size + size) % size;
   let before = first + ahead - foam.levels[level].previous;

@@ -1,42 +1,62 @@
-// One level of the mip chains of all maps: displacement and gradients averaged over 2 x 2, and the second moments of the slopes,
-// from which the renderer makes the roughness that a pixel cannot resolve. Moments start one level down: those of level 0 are
-// the squares of the slopes themselves. Joined with a pass: a level or several in a dispatch.
+// Runs on GPUs: up to four mip levels in one dispatch. A workgroup covers 16 x 16 texels of the level above; its
+// threads pass their means on through workgroup memory.
 
-override FIRST: bool = false; // the moments come from slopes instead of moments
+override LEVELS: u32 = 4u;
 
-@group(0) @binding(0) var<uniform> sea: Sea;
-@group(0) @binding(1) var above: texture_2d_array<f32>; // displacement, gradients, moments: a third of the layers each
+@group(0) @binding(2) var below_1: texture_storage_2d_array<rgba16float, write>;
+@group(0) @binding(3) var below_2: texture_storage_2d_array<rgba16float, write>;
+@group(0) @binding(4) var below_3: texture_storage_2d_array<rgba16float, write>;
+@group(0) @binding(5) var below_4: texture_storage_2d_array<rgba16float, write>;
 
-struct MipsTexel {
-  displacement: vec4f,
-  gradients: vec4f,
-  moments: vec4f,
-}
+var<workgroup> mips_shared: array<MipsTexel, 64>;
 
-// Layers of one kind of map.
-fn mips_room() -> u32 {
-  return textureNumLayers(above) / 3u;
-}
-
-fn mips_moment(at: vec2u, cascade: u32, room: u32, slopes: vec2f) -> vec4f {
-  if FIRST {
-    let products = vec3f(slopes.x * slopes.x, slopes.y * slopes.y, slopes.x * slopes.y);
-    return vec4f(products / sea.cascades[cascade].moment_scale, 0.0);
-  }
-  return textureLoad(above, at, 2u * room + sea.first_layer + cascade, 0);
-}
-
-// Mean of the four texels above one.
-fn mips_mean(at: vec2u, cascade: u32) -> MipsTexel {
+fn mips_store(level: u32, at: vec2u, layer: u32, mean: MipsTexel) {
   let room = mips_room();
-  let layer = sea.first_layer + cascade;
-  var sum: MipsTexel;
-  for (var i = 0u; i < 4u; i++) {
-    let source = 2u * at + vec2u(i & 1u, i >> 1u);
-    let slopes = textureLoad(above, source, room + layer, 0);
-    sum.displacement += textureLoad(above, source, layer, 0);
-    sum.gradients += slopes;
-    sum.moments += mips_moment(source, cascade, room, slopes.xy);
+  switch level {
+    case 1u: {
+      textureStore(below_1, at, layer, mean.displacement);
+      textureStore(below_1, at, room + layer, mean.gradients);
+      textureStore(below_1, at, 2u * room + layer, mean.moments);
+    }
+    case 2u: {
+      textureStore(below_2, at, layer, mean.displacement);
+      textureStore(below_2, at, room + layer, mean.gradients);
+      textureStore(below_2, at, 2u * room + layer, mean.moments);
+    }
+    case 3u: {
+      textureStore(below_3, at, layer, mean.displacement);
+      textureStore(below_3, at, room + layer, mean.gradients);
+      textureStore(below_3, at, 2u * room + layer, mean.moments);
+    }
+    default: {
+      textureStore(below_4, at, layer, mean.displacement);
+      textureStore(below_4, at, room + layer, mean.gradients);
+      textureStore(below_4, at, 2u * room + layer, mean.moments);
+    }
   }
-  return MipsTexel(0.25 * sum.displacement, 0.25 * sum.gradients, 0.25 * sum.moments);
+}
+
+@compute @workgroup_size(8, 8)
+fn main(@builtin(local_invocation_id) local: vec3u, @builtin(workgroup_id) group: vec3u) {
+  let layer = sea.first_layer + group.z;
+  // Stores outside a level smaller than a workgroup have no effect.
+  var mean = mips_mean(8u * group.xy + local.xy, group.z);
+  mips_store(1u, 8u * group.xy + local.xy, layer, mean);
+  for (var level = 2u; level <= LEVELS; level++) {
+    let side = 16u >> level;
+    workgroupBarrier();
+    mips_shared[8u * local.y + local.x] = mean;
+    workgroupBarrier();
+    if local.x < side && local.y < side {
+      var sum: MipsTexel;
+      for (var i = 0u; i < 4u; i++) {
+        let part = mips_shared[8u * (2u * local.y + (i >> 1u)) + 2u * local.x + (i & 1u)];
+        sum.displacement += part.displacement;
+        sum.gradients += part.gradients;
+        sum.moments += part.moments;
+      }
+      mean = MipsTexel(0.25 * sum.displacement, 0.25 * sum.gradients, 0.25 * sum.moments);
+      mips_store(level, side * group.xy + local.xy, layer, mean);
+    }
+  }
 }

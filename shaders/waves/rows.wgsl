@@ -1,24 +1,24 @@
-// All of it in one dispatch, a line's points exchanged through workgroup memory.
+// Runs on GPUs: the waves at a time and their inverse transform along x, in one dispatch.
 
 @group(0) @binding(4) var<storage, read_write> lines: array<vec4f>; // [cascade][pair][iz][x]
 
 var<private> rows_h: array<vec3f, 32>;
 
-// x of the workgroup: thread of a line; y: line.
+// local.x: thread of a line; local.y: line.
 @compute @workgroup_size(R2, LINES)
 fn main(@builtin(local_invocation_id) local: vec3u, @builtin(workgroup_id) group: vec3u) {
   let t = local.x;
   let z = group.x * LINES + local.y;
   let c = group.z;
   let exchange = local.y * N;
-  let line = rows_line(c, z);
+  let line = evolve_line(c, z);
   for (var i = 0u; i < R1; i++) {
-    rows_h[i] = rows_wave(line, i * R2 + t);
+    rows_h[i] = evolve_wave(line, i * R2 + t);
   }
   for (var pair = 0u; pair < 2u; pair++) {
     for (var i = 0u; i < R1; i++) {
       let x = i * R2 + t;
-      fft_v[i] = rows_pack(pair, line, x, rows_h[i]);
+      fft_v[i] = evolve_pack(pair, line, x, rows_h[i]);
     }
     fft_registers(R1);
     workgroupBarrier();

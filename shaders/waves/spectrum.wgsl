@@ -1,19 +1,19 @@
-// h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz), once per sea, or a step of the way there from another sea of the same waves.
-// S(k) is a sum of parts: lobes around the direction of a wave
-// system, and distributions that a buoy has measured.
+// h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz), once per sea; during an interpolation between two seas of the same waves,
+// one step from the current h0 towards this value. S(k) is a sum of terms: lobes around the direction of a wave system,
+// and directional distributions measured by a buoy.
 
 @group(0) @binding(0) var<uniform> sea: Sea;
-@group(0) @binding(1) var<storage, read> radial: array<vec4f>; // model/table.rs: `stride` quadruples per triangle entry
+@group(0) @binding(1) var<storage, read> radial: array<vec4f>; // waves/table.rs: `stride` quadruples per triangle entry
 @group(0) @binding(2) var<storage, read_write> h0: array<vec2f>; // [cascade][iz][ix]
 
-// sech^2(beta theta) cos^{2s}(theta/2), with cos^2 over the circle (kind 1) or its forward half (kind 2).
+// sech^2(beta theta) cos^{2s}(theta/2), times cos^2 over the whole circle (kind 1) or over its forward half (kind 2).
 fn spectrum_lobe(term: SeaTerm, beta: f32, s: f32, k: vec2f) -> f32 {
   let along = dot(term.travel, k);
   let across = abs(term.travel.x * k.y - term.travel.y * k.x);
   let x = beta * maths_atan2_upper(across, along);
   let e = maths_exp(-x);
   let sech = 2.0 * e / (1.0 + e * e);
-  // cos^2(theta/2) = (1 + cos) / 2; against the waves as sin^2 / (2 (1 - cos)), which does not cancel.
+  // cos^2(theta/2) = (1 + cos) / 2; in the backward half as sin^2 / (2 (1 - cos)), which does not cancel.
   let unit = vec2f(along, across) / length(k);
   let half_cos2 = select(0.5 + 0.5 * unit.x, 0.5 * unit.y * unit.y / (1.0 - unit.x), unit.x < 0.0);
   var shape = sech * sech * select(maths_exp(s * maths_ln(max(half_cos2, 1e-30))), 1.0, s == 0.0);
@@ -23,7 +23,7 @@ fn spectrum_lobe(term: SeaTerm, beta: f32, s: f32, k: vec2f) -> f32 {
   return shape;
 }
 
-// 1 / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2: maximum entropy (Lygre and Krogstad 1986).
+// 1 / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2: maximum-entropy distribution (Lygre and Krogstad 1986).
 fn spectrum_measured(phi1: vec2f, phi2: vec2f, k: vec2f) -> f32 {
   let unit = k / length(k);
   let back = vec2f(unit.x, -unit.y);
@@ -64,6 +64,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     h = gauss * sqrt(variance);
   }
   let at = (id.z * n + id.y) * n + id.x;
-  // Chosen, not mixed, where the way ends: it must end exactly.
-  h0[at] = select(mix(h0[at], h, sea.ease), h, sea.ease >= 1.0);
+  // The last step selects h, because mix would not end on it exactly.
+  h0[at] = select(mix(h0[at], h, sea.blend), h, sea.blend >= 1.0);
 }

@@ -4,8 +4,8 @@ use super::plots::polar::Wheel;
 use crate::point::Heights;
 use crate::point::floating::HullWaves;
 use crate::state::Params;
-use crate::waves::Plan;
 use crate::waves::statistics::{Resolved, Theory};
+use crate::waves::{Plan, SeaChange};
 use std::cell::OnceCell;
 
 /// Plan and statistics of one sea; the expensive ones are computed at their first use.
@@ -39,6 +39,22 @@ impl Derived {
         }
     }
 
+    /// Follows the parameters with as little work as their change needs. Returns the level of the sea that changed.
+    pub fn follow(&mut self, params: &Params) -> Option<SeaChange> {
+        let change = SeaChange::between(&self.of, params);
+        match change {
+            None => return None,
+            Some(SeaChange::Waves) => *self = Self::new(params),
+            Some(SeaChange::Surface) => {
+                self.plan = self.plan.with_surface(&params.sea);
+                self.waterline = OnceCell::new();
+            }
+            Some(SeaChange::Foam) => self.plan = self.plan.with_surface(&params.sea),
+        }
+        self.of = params.clone();
+        change
+    }
+
     /// Statistics of the waves on the grid.
     pub fn resolved(&self) -> &Resolved {
         self.resolved.get_or_init(|| Resolved::new(&self.plan, self.theory.m0_m2))
@@ -52,5 +68,31 @@ impl Derived {
     /// Directional spectrum for its plot.
     pub fn wheel(&self) -> &Wheel {
         self.wheel.get_or_init(|| Wheel::new(&self.plan))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn foam_leaves_theory_and_heights_as_they_are() {
+        let mut params = Params::default();
+        params.grid.n = 64;
+        let mut derived = Derived::new(&params);
+        let first = derived.plan.clone();
+        derived.heights();
+        params.sea.foam.decay_s = 9.0;
+        assert_eq!(derived.follow(&params), Some(SeaChange::Foam));
+        assert_eq!(derived.follow(&params), None);
+        assert!(derived.plan.shares_integrals(&first) && derived.waterline.get().is_some());
+        assert_eq!(derived.plan, Plan::new(&params));
+        params.sea.chop = 0.5;
+        assert_eq!(derived.follow(&params), Some(SeaChange::Surface));
+        assert!(derived.plan.shares_integrals(&first) && derived.waterline.get().is_none());
+        assert_eq!(derived.plan, Plan::new(&params));
+        params.sea.depth_m = 10.0;
+        assert_eq!(derived.follow(&params), Some(SeaChange::Waves));
+        assert!(!derived.plan.shares_integrals(&first));
     }
 }

@@ -33,6 +33,7 @@ use crate::gpu::Gpu;
 use crate::point::buoy_record::BuoyRecord;
 use crate::state::look::SkyFile;
 use crate::state::{Params, floats, query, rounding};
+use crate::waves::SeaChange;
 use derived::Derived;
 use gpu_errors::GpuErrors;
 
@@ -232,11 +233,11 @@ impl App {
 
     /// Recomputes what follows from the parameters if they describe another sea.
     fn update_derived(&mut self) {
-        if (&self.derived.of.grid, &self.derived.of.sea) != (&self.params.grid, &self.params.sea) {
-            self.derived = Derived::new(&self.params);
+        let Some(change) = self.derived.follow(&self.params) else { return };
+        if change > SeaChange::Foam {
             self.record.clear();
-            self.forget_measurement();
         }
+        self.forget_measurement();
     }
 
     /// The parameters to draw: the state's own, on the grid that the machine is fast enough for.

@@ -3,7 +3,7 @@
 use super::{App, storage, tasks};
 use crate::files::picture;
 use crate::gpu::offscreen::Picture;
-use crate::ocean::{Ocean, maps, maps_file};
+use crate::ocean::{Ocean, maps_file};
 use crate::state::{Params, query, rounding::rounded};
 use crate::waves::Plan;
 
@@ -82,7 +82,7 @@ impl App {
         let (inbox, ctx, folder) = (self.saved.clone(), self.ctx.clone(), self.save_folder.clone());
         tasks::spawn(async move {
             let plan = Plan::new(&params);
-            let read = maps::read(&gpu, &params).await;
+            let read = Ocean::waves_only(&gpu, &params).read_maps().await;
             let made = read.and_then(|read| maps_file::encode(&plan, &read, &state));
             inbox.put(made.and_then(|exr| storage::save(folder.as_deref(), "seastate-maps.exr", &exr)), &ctx);
         });

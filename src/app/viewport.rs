@@ -118,10 +118,10 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         let mut encoder = ocean.gpu().encoder("ocean");
         let begun = Instant::now();
         self.measurements.begin(ocean, &mut encoder);
-        ocean.glide_to(&self.params, self.dt_s);
+        ocean.transition_to(&self.params, self.dt_s);
         let most_steps = steps_per_frame(ocean.gpu(), ocean.plan().n);
         let caught_up = ocean.encode(&mut encoder, self.size, most_steps);
-        let is_whole = caught_up && !ocean.is_gliding();
+        let is_whole = caught_up && !ocean.in_transition();
         self.measurements.end(ocean, &mut encoder, begun.elapsed().as_secs_f64(), is_whole);
         self.progress.0.catching_up.store(!is_whole, Ordering::Relaxed);
         vec![encoder.finish()]

@@ -6,7 +6,7 @@ use super::screen_readers::AccessibleItem;
 use super::{App, setup, tasks};
 use crate::bench::{self, Options, Row};
 use crate::gpu::Gpu;
-use crate::ocean;
+use crate::ocean::Ocean;
 use crate::state::{Params, query, rounding::rounded};
 use half::f16;
 use std::cell::RefCell;
@@ -144,9 +144,10 @@ impl WebHandle {
         let render_state = self.with(|app| app.render_state().clone()).ok_or("the program is not running")?;
         let gpu = Gpu { device: render_state.device, queue: render_state.queue };
         let (params, _) = query::parse(&state);
-        let maps = ocean::maps::read(&gpu, &params).await?;
+        let mut ocean = Ocean::waves_only(&gpu, &params);
+        let maps = ocean.read_maps().await?;
         let heights: Vec<f32> = (0..maps.cascades()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
-        let texels = ocean::maps::read_displacement(&gpu, &params).await?;
+        let texels = ocean.read_displacement().await?;
         let halves: Vec<u16> = texels.iter().flatten().map(|&x| f16::from_f32(x).to_bits()).collect();
         Ok(object([
             ("n", (maps.n as u32).into()),

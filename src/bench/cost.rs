@@ -2,7 +2,7 @@
 //! can make no pass better than its budget.
 
 use crate::gpu::map_format::MapFormat;
-use crate::sim::maps::FOAM_LEVELS;
+use crate::ocean::FOAM_LEVELS;
 use crate::waves::tiling::MEAN_COPIES;
 
 /// A budget.
@@ -33,8 +33,7 @@ fn transforms(n: u32) -> f64 {
 }
 
 /// Waves at a time and their transform along x: h0 of a wave and of the opposite one (16), an eighth of an entry of the table
-/// (1), four complex numbers out (32). Adapters that are CPUs compute a wave once for two lines; that is not taken off. Where
-/// rows and columns are merged, three of the eight steps of 256 points along x are taken with the columns; they count here.
+/// (1), four complex numbers out (32). Software adapters compute a wave once for two lines; that is not subtracted.
 pub fn rows(n: u32, cascades: u32) -> Cost {
     texels(n, cascades, 49.0, 30.0 + 14.0 + 40.0 + transforms(n))
 }

@@ -8,12 +8,10 @@ pub mod per_stage;
 
 use crate::gpu::Gpu;
 use crate::gpu::offscreen;
+use crate::ocean::passes::{MapSizes, WavePass};
 use crate::ocean::{Film, Ocean, Part};
-use crate::shaders::Shaders;
-use crate::sim::Simulation;
 use crate::state::camera::View;
 use crate::state::{Params, query};
-use crate::waves::Plan;
 use ceilings::Ceilings;
 use clock::{Clock, Timing};
 use cost::Cost;
@@ -133,76 +131,60 @@ fn with_grid(params: &Params, [n, cascades]: [u32; 2]) -> Params {
     out
 }
 
-/// The passes of the simulation, each by itself, and the step of a frame.
+/// The passes of the simulation, each by itself, and all of a frame.
 async fn simulation(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, String> {
-    let mut sim = Simulation::new(clock.gpu, Plan::new(params), &Shaders::default());
-    let centre = [params.camera.x_m, params.camera.z_m];
-    let step = sim.push_step(clock.gpu, params.clock.t_s, false);
-    let foam = sim.push_foam_step(clock.gpu, params.clock.t_s, centre);
-    let (n, count) = (sim.resources.n, sim.resources.count);
-    let sea = [n, count];
-    let (p, r) = (&sim.passes, &sim.resources);
-    let spectrum = clock.time(|_, e| p.spectrum.run(e, r, step)).await?;
-    let rows = clock.time(|_, e| p.rows.run(e, step)).await?;
-    let columns = clock.time(|_, e| p.columns.run(e, r, step)).await?;
-    let waves = clock.time(|_, e| {
-        p.rows.run(e, step);
-        p.columns.run(e, r, step);
-    });
-    let waves = waves.await?;
-    let mips = clock.time(|_, e| p.mips.run(e, r, step)).await?;
-    let foam_pass = clock.time(|_, e| p.foam.run(e, r, step, foam)).await?;
-    let dispatches = p.dispatches();
-    let mut out = vec![
-        Row::sim("spectrum", sea, spectrum, None),
-        Row::sim("rows", sea, rows, Some(cost::rows(n, count))),
-        Row::sim("columns", sea, columns, Some(cost::columns(n, count, r.format))),
-        Row::sim("waves", sea, waves, Some(cost::waves(n, count, r.format))),
-        Row::sim("mips", sea, mips, Some(cost::mips(n, count, r.format))),
-        Row::sim("foam", sea, foam_pass, Some(cost::foam(r.foam_n, count, r.format))),
+    let mut ocean = Ocean::waves_only(clock.gpu, params);
+    let MapSizes { n, cascades, foam_n, format } = ocean.map_sizes();
+    let passes = ocean.wave_passes();
+    let waves = [WavePass::Rows, WavePass::Columns];
+    let step = [WavePass::Rows, WavePass::Columns, WavePass::Mips, WavePass::Foam];
+    let measured: [(_, &[WavePass], _); 7] = [
+        ("spectrum", &[WavePass::Spectrum], None),
+        ("rows", &[WavePass::Rows], Some(cost::rows(n, cascades))),
+        ("columns", &[WavePass::Columns], Some(cost::columns(n, cascades, format))),
+        ("waves", &waves, Some(cost::waves(n, cascades, format))),
+        ("mips", &[WavePass::Mips], Some(cost::mips(n, cascades, format))),
+        ("foam", &[WavePass::Foam], Some(cost::foam(foam_n, cascades, format))),
+        ("step", &step, Some(cost::step(n, foam_n, cascades, format))),
     ];
-    let step = clock.time(|_, e| {
-        p.rows.run(e, step);
-        p.columns.run(e, r, step);
-        p.mips.run(e, r, step);
-        p.foam.run(e, r, step, foam);
-    });
-    let whole = cost::step(n, r.foam_n, count, r.format);
-    out.push(Row { dispatches: Some(dispatches), ..Row::sim("step", sea, step.await?, Some(whole)) });
-    Ok(out)
+    let mut rows = Vec::new();
+    for (name, recorded, cost) in measured {
+        let timing = clock.time(|_, e| recorded.iter().for_each(|&pass| passes.record(e, pass))).await?;
+        let dispatches = (name == "step").then(|| passes.dispatches());
+        rows.push(Row { dispatches, ..Row::sim(name, [n, cascades], timing, cost) });
+    }
+    Ok(rows)
 }
 
 /// The waves in the program's way and in the demos', and single transforms.
 async fn baseline(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, String> {
     let gpu = clock.gpu;
-    let mut sim = Simulation::new(gpu, Plan::new(params), &Shaders::default());
-    let mut encoder = gpu.encoder("spectrum");
-    sim.encode(gpu, &mut encoder, params.clock.t_s, [0.0; 2], 0);
-    gpu.submit(encoder);
-    let sea = [sim.resources.n, sim.resources.count];
-    let theirs = PerStage::new(gpu, &sim);
-    let step = sim.push_step(gpu, params.clock.t_s, false);
-    let (p, r) = (&sim.passes, &sim.resources);
+    let mut ocean = Ocean::waves_only(gpu, params);
+    ocean.read_maps().await?;
+    let MapSizes { n, cascades, format, .. } = ocean.map_sizes();
+    let sea = [n, cascades];
+    let theirs = PerStage::new(gpu, ocean.maps());
+    let passes = ocean.wave_passes();
     let ours = clock.time(|_, e| {
-        p.rows.run(e, step);
-        p.columns.run(e, r, step);
+        passes.record(e, WavePass::Rows);
+        passes.record(e, WavePass::Columns);
     });
-    let ours = Row::sim("waves", sea, ours.await?, Some(cost::waves(sea[0], sea[1], r.format)));
+    let ours = Row::sim("waves", sea, ours.await?, Some(cost::waves(n, cascades, format)));
     let timing = clock.time(|_, e| theirs.run(e)).await?;
     let theirs = Row {
         dispatches: Some(theirs.dispatches() as u32),
         ..Row::sim("waves, a dispatch per stage", sea, timing, None)
     };
     let mut out = vec![ours, theirs];
-    let fits = sea[0] <= gpu.device.limits().max_compute_invocations_per_workgroup;
+    let fits = n <= gpu.device.limits().max_compute_invocations_per_workgroup;
     for (pass, kernel) in
         [("one field, a dispatch per stage", Kernel::Stages), ("one field, shared radix 2", Kernel::Shared)]
     {
         if kernel == Kernel::Stages || fits {
-            let field = PerStage::one_field(gpu, sea[0], kernel);
+            let field = PerStage::one_field(gpu, n, kernel);
             let timing = clock.time(|_, e| field.run(e)).await?;
             let dispatches = Some(field.dispatches() as u32);
-            out.push(Row { dispatches, ..Row::sim(pass, [sea[0], 1], timing, None) });
+            out.push(Row { dispatches, ..Row::sim(pass, [n, 1], timing, None) });
         }
     }
     Ok(out)
@@ -217,9 +199,9 @@ async fn picture(clock: &Clock<'_>, params: &Params, size: [u32; 2]) -> Result<V
     ocean.encode_fully(&mut encoder, size);
     gpu.submit(encoder);
     let row = |pass, timing| Row { pass, sea: None, size: Some(size), timing, cost: None, dispatches: None };
-    let counted = counted(params, &mut ocean, size);
-    let r = &ocean.simulation().resources;
-    let simulation = cost::step(r.n, r.foam_n, r.count, r.format);
+    let counted = counted(params, &ocean, size);
+    let MapSizes { n, cascades, foam_n, format } = ocean.map_sizes();
+    let simulation = cost::step(n, foam_n, cascades, format);
     let mut out = Vec::new();
     for (pass, part) in
         [("sky tables", Part::Light), ("background", Part::Background), ("mesh", Part::Mesh), ("water", Part::Water)]
@@ -252,7 +234,7 @@ async fn picture(clock: &Clock<'_>, params: &Params, size: [u32; 2]) -> Result<V
         if let Some(wind) = frame.sea.systems.first_mut() {
             wind.wind_m_s = params.sea.local().wind_m_s + 0.01 * f64::from(i % 50);
         }
-        ocean.glide_to(&frame, 1.0 / 60.0);
+        ocean.transition_to(&frame, 1.0 / 60.0);
         ocean.encode_fully(encoder, size);
         offscreen::draw_over(encoder, &target, |pass| ocean.present(pass));
     });
@@ -261,19 +243,18 @@ async fn picture(clock: &Clock<'_>, params: &Params, size: [u32; 2]) -> Result<V
 }
 
 /// What the picture of a state consists of.
-fn counted(params: &Params, ocean: &mut Ocean, size: [u32; 2]) -> cost::Picture {
-    let vertices = f64::from(ocean.vertices());
-    let r = &ocean.simulation().resources;
+fn counted(params: &Params, ocean: &Ocean, size: [u32; 2]) -> cost::Picture {
+    let sizes = ocean.map_sizes();
     let [width, height] = size.map(f64::from);
     let view = View::new(&params.camera, width / height, 0.0);
     // Half of the picture is below an eye that looks along the horizon.
     let horizon = (-params.camera.pitch_deg.to_radians()).tan() / view.tan_half[1];
-    let texels = f64::from(r.n * r.n) * f64::from(r.count) * 4.0 / 3.0;
+    let texels = f64::from(sizes.n * sizes.n) * f64::from(sizes.cascades) * 4.0 / 3.0;
     cost::Picture {
         pixels: width * height,
         sea: (0.5 + 0.5 * horizon).clamp(0.0, 1.0),
-        vertices,
-        map_bytes: texels * f64::from(r.format.bytes()),
+        vertices: f64::from(ocean.vertices()),
+        map_bytes: texels * f64::from(sizes.format.bytes()),
     }
 }
 

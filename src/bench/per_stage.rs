@@ -6,7 +6,7 @@
 //! them.
 
 use crate::gpu::Gpu;
-use crate::sim::Simulation;
+use crate::ocean::Maps;
 use bytemuck::{Pod, Zeroable};
 use std::f64::consts::TAU;
 
@@ -48,9 +48,9 @@ pub enum Kernel {
 }
 
 impl PerStage {
-    /// For the sea of a simulation at its last time; its spectrum must have been drawn.
-    pub fn new(gpu: &Gpu, sim: &Simulation) -> Self {
-        let (maps, n) = (sim.maps(), sim.plan().n);
+    /// The dispatches for the waves of the maps' current sea at the time of the maps; its h0 must have been computed.
+    pub fn new(gpu: &Gpu, maps: &Maps) -> Self {
+        let n = maps.n;
         let tools = Tools::new(gpu, n);
         let mut out = Self { steps: Vec::new(), displacement: Vec::new(), gradients: Vec::new() };
         let evolve = pipeline(gpu, "evolve", include_str!("../../shaders/bench/evolve.wgsl"), &[]);

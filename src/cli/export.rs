@@ -1,12 +1,8 @@
 //! `seastate export`: the maps as OpenEXR, 32-bit float, named channels; and what they mean as plan.json.
 
 use crate::gpu::Gpu;
-use crate::lab::stats::foam_levels;
-use crate::shaders::Shaders;
-use crate::sim::resources::MapKind;
-use crate::sim::{MAX_STEPS, Simulation};
+use crate::ocean::Ocean;
 use crate::state::{Params, query};
-use crate::waves::Plan;
 use exr::prelude::*;
 use std::path::Path;
 
@@ -23,10 +19,11 @@ type Channel<'a> = (&'static str, Box<dyn Fn(usize) -> f32 + 'a>);
 pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Result<(), String> {
     std::fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
     let gpu = Gpu::request().await?;
-    let plan = Plan::new(params);
-    let n = plan.n as usize;
-    let mut sim = Simulation::new(&gpu, plan.clone(), &Shaders::default());
-    let maps = sim.read_f32(&gpu, params.clock.t_s).await?;
+    let mut ocean = Ocean::waves_only(&gpu, params);
+    let maps = ocean.read_maps().await?;
+    let foam = ocean.read_foam().await?.remove(FOAM_LEVEL);
+    let plan = ocean.plan().clone();
+    let n = maps.n;
     let chop = plan.sea.lambda().map(|l| l as f32);
     for c in 0..maps.cascades() {
         let (d, g) = (maps.displacement(c), maps.gradients(c));
@@ -45,20 +42,14 @@ pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Resu
         ];
         write(&folder.join(format!("cascade{c}_gradients.exr")), n, &gradients)?;
     }
-    let centre = [params.camera.x_m, params.camera.z_m];
-    let levels = foam_levels(&gpu, &mut sim, params.clock.t_s, centre).await?;
-    let foam_level = sim.maps().foam_levels[FOAM_LEVEL];
-    let size = sim.resources.foam_n as usize;
-    let corner = foam_level.centre.map(|x| x - 0.5 * size as f64 * foam_level.texel_m);
-    let first = corner.map(|x| (x / foam_level.texel_m).round() as i64);
-    let place = |i: usize, axis: usize| (first[axis] + i as i64).rem_euclid(size as i64) as usize;
-    let foam = |i: usize| levels[FOAM_LEVEL][place(i / size, 1) * size + place(i % size, 0)];
-    let channels: [Channel<'_>; 1] = [("foam", Box::new(foam))];
-    write(&folder.join("foam.exr"), size, &channels)?;
+    let channels: [Channel<'_>; 1] = [("foam", Box::new(|i| foam.foam[i]))];
+    write(&folder.join("foam.exr"), foam.n, &channels)?;
     if raw {
         let heights: Vec<f32> = (0..maps.cascades()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
         save(&folder.join("heights.f32"), bytemuck::cast_slice(&heights))?;
-        save(&folder.join("displacement.f16"), &half_maps(&gpu, params, &plan).await?)?;
+        let texels = ocean.read_displacement().await?;
+        let halves: Vec<f16> = texels.iter().flatten().map(|&x| f16::from_f32(x)).collect();
+        save(&folder.join("displacement.f16"), bytemuck::cast_slice(&halves))?;
     }
     let about = serde_json::json!({
         "state": query::write(params),
@@ -75,23 +66,12 @@ pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Resu
             "n": plan.n, "patch_m": c.patch_m, "k_low": c.k_low, "k_high": c.k_high,
         })).collect::<Vec<_>>(),
         "foam": {
-            "file": "foam.exr", "n": size, "side_m": size as f64 * foam_level.texel_m, "corner_xz_m": corner,
+            "file": "foam.exr", "n": foam.n, "side_m": foam.n as f64 * foam.texel_m, "corner_xz_m": foam.corner,
             "what": "foam 0..1 in undisplaced coordinates; the first row lies at the smallest z; of the sea as it is drawn, blended from shifted copies of the patches unless untile is false",
         },
     });
     let text = serde_json::to_string_pretty(&about).unwrap_or_default() + "\n";
     save(&folder.join("plan.json"), text.as_bytes())
-}
-
-/// The displacement maps as the renderer samples them, level 0, in half floats.
-async fn half_maps(gpu: &Gpu, params: &Params, plan: &Plan) -> std::result::Result<Vec<u8>, String> {
-    let mut sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    sim.encode(gpu, &mut encoder, params.clock.t_s, [0.0; 2], MAX_STEPS);
-    let copy = sim.resources.stage(gpu, &mut encoder, MapKind::Displacement, 0);
-    gpu.submit(encoder);
-    let halves: Vec<[f16; 4]> = copy.read_map(gpu).await?.iter().map(|t| t.map(f16::from_f32)).collect();
-    Ok(bytemuck::cast_slice(&halves).to_vec())
 }
 
 /// Writes a square image of f32 channels.

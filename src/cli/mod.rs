@@ -267,7 +267,7 @@ fn run(cli: Cli) -> Result<i32, String> {
 async fn check(params: &Params) -> Result<i32, String> {
     let gpu = Gpu::request().await?;
     let info = gpu.device.adapter_info();
-    let lines = check::run(&gpu, params, &crate::shaders::Shaders::default()).await?;
+    let lines = check::run(&gpu, params).await?;
     let mut text = format!("{} ({})\n", info.name, info.backend);
     let _ = writeln!(text, "{:<34} {:>7} {:>12} {:>12}", "pass", "cascade", "error", "tolerance");
     for line in &lines {

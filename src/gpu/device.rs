@@ -1,11 +1,11 @@
-//! What Seastate demands of a GPU: WebGPU's base limits. Of optional features it takes timestamps, to say what costs what,
-//! filters of floats and long numbers where these are faster (map_format.rs, fft.rs).
+//! Adapters and devices. The program requires WebGPU's base limits. Optional features are timestamps, to time passes,
+//! and filterable float textures on adapters where these are faster ([`MapFormat`]).
 
 use super::kit::Gpu;
 use super::map_format::MapFormat;
 use super::timer;
 
-/// The device that every shell asks an adapter for.
+/// The device that the program requests from an adapter.
 pub fn descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     let info = adapter.get_info();
     let wanted = timer::FEATURES | timer::BETWEEN_PASSES | MapFormat::features(&info);
@@ -17,7 +17,8 @@ pub fn descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     }
 }
 
-/// Backends that the program uses: the browser's WebGPU there, modern native ones here.
+/// Backends that the program uses: WebGPU in a browser, otherwise those of the environment variable `WGPU_BACKEND` or
+/// Vulkan, Metal and Direct3D 12.
 pub fn backends() -> wgpu::Backends {
     if cfg!(target_arch = "wasm32") {
         wgpu::Backends::BROWSER_WEBGPU
@@ -26,10 +27,10 @@ pub fn backends() -> wgpu::Backends {
     }
 }
 
-/// Chooses an adapter for work without a window. `WGPU_ADAPTER_NAME` picks one by a part of its name.
+/// Chooses an adapter for work without a window: the one whose name contains `WGPU_ADAPTER_NAME`, else the fastest.
 ///
 /// # Errors
-/// One sentence that says what to install when there is no adapter.
+/// One sentence that says what to install, if there is no adapter.
 pub async fn adapter() -> Result<wgpu::Adapter, String> {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
     descriptor.backends = backends();
@@ -56,7 +57,7 @@ impl Gpu {
     /// Opens a device for work without a window or canvas, on the adapter that [`adapter`] chooses.
     ///
     /// # Errors
-    /// One sentence, if there is no adapter or it cannot be used.
+    /// One sentence, if there is no adapter or it gives no device.
     pub async fn request() -> Result<Self, String> {
         Self::open(&adapter().await?).await
     }
@@ -64,7 +65,7 @@ impl Gpu {
     /// Opens a device on an adapter.
     ///
     /// # Errors
-    /// One sentence, if it cannot be used.
+    /// One sentence, if the adapter gives no device.
     pub async fn open(adapter: &wgpu::Adapter) -> Result<Self, String> {
         let (device, queue) = adapter
             .request_device(&descriptor(adapter))
@@ -74,6 +75,6 @@ impl Gpu {
     }
 }
 
-/// What to do when there is no adapter.
-pub const NO_ADAPTER: &str = "no Vulkan, Metal or Direct3D 12 adapter found: install your GPU's driver, or the software \
-     one (Debian and Ubuntu: mesa-vulkan-drivers, Fedora: mesa-vulkan-drivers, Arch: vulkan-swrast)";
+/// The message for a system without an adapter.
+pub const NO_ADAPTER: &str = "no Vulkan, Metal or Direct3D 12 adapter found: install your GPU's driver, or the \
+     software one (Debian and Ubuntu: mesa-vulkan-drivers, Fedora: mesa-vulkan-drivers, Arch: vulkan-swrast)";

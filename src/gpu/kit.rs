@@ -360,8 +360,8 @@ impl<T: bytemuck::Pod> Uniform<T> {
     }
 }
 
-/// One buffer with several values of a uniform struct, told apart by dynamic offsets. All values of a submission are sent
-/// in one write.
+/// One buffer with several values of a uniform struct, told apart by dynamic offsets. All values of a submission are
+/// sent in one write.
 #[derive(Debug)]
 pub struct UniformRing<T> {
     /// The buffer.

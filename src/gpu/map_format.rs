@@ -1,37 +1,37 @@
-//! How textures of four numbers are kept that shaders read between texels: the maps of the sea, the tables of the sky.
+//! The format of textures with four components that compute passes write and that shaders filter.
 //!
-//! **Half**: half the traffic, which is what a GPU waits for, and llvmpipe. **Float**: for other adapters that are CPUs, where the
-//! numbers of every texel are converted one by one: SwiftShader reads half floats in five times the time of floats.
+//! Half floats have half the memory traffic of floats, which limits GPUs and llvmpipe. Other software adapters convert
+//! every half float that they read: SwiftShader takes five times as long to filter half-float textures as to filter
+//! float textures.
 
 use super::Gpu;
 use half::f16;
-use std::borrow::Cow;
 
-/// The two ways to keep them.
+/// A texture format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapFormat {
     /// Half floats.
     Half,
-    /// Floats; the device must be able to filter them.
+    /// Floats, for devices that can filter them.
     Float,
 }
 
 impl MapFormat {
-    /// The feature without which floats cannot be read between texels.
+    /// The feature that makes float textures filterable.
     pub const FEATURES: wgpu::Features = wgpu::Features::FLOAT32_FILTERABLE;
 
-    /// What to ask an adapter for, if it has it: a device has the feature where floats are the faster format.
+    /// The feature to request from an adapter, if it has it: [`Self::FEATURES`] where floats are the faster format.
     pub fn features(adapter: &wgpu::AdapterInfo) -> wgpu::Features {
         let is_cpu = adapter.device_type == wgpu::DeviceType::Cpu;
         if is_cpu && !adapter.name.contains("llvmpipe") { Self::FEATURES } else { wgpu::Features::empty() }
     }
 
-    /// The one of a device.
+    /// The faster format on a device.
     pub fn of(gpu: &Gpu) -> Self {
         if gpu.device.features().contains(Self::FEATURES) { Self::Float } else { Self::Half }
     }
 
-    /// Of the textures.
+    /// The format as wgpu names it.
     pub fn texture(self) -> wgpu::TextureFormat {
         match self {
             Self::Half => wgpu::TextureFormat::Rgba16Float,
@@ -47,17 +47,15 @@ impl MapFormat {
         }
     }
 
-    /// A shader's text, written for half floats, for this format.
-    pub fn shader(self, text: Cow<'_, str>) -> Cow<'_, str> {
-        const IN_BUFFERS: [&str; 2] =
-            [include_str!("../../shaders/waves/maps_half.wgsl"), include_str!("../../shaders/waves/maps_float.wgsl")];
+    /// The format as WGSL names it.
+    pub const fn wgsl(self) -> &'static str {
         match self {
-            Self::Half => text,
-            Self::Float => text.replace("rgba16float", "rgba32float").replace(IN_BUFFERS[0], IN_BUFFERS[1]).into(),
+            Self::Half => "rgba16float",
+            Self::Float => "rgba32float",
         }
     }
 
-    /// Texels from bytes of a texture of either format.
+    /// Texels from the bytes of a texture of either format.
     pub fn texels(format: wgpu::TextureFormat, bytes: &[u8]) -> Vec<[f32; 4]> {
         if format == wgpu::TextureFormat::Rgba32Float {
             return bytemuck::pod_collect_to_vec(bytes);

@@ -1,4 +1,4 @@
-//! wgpu plumbing that knows nothing of oceans.
+//! Tools on top of wgpu. Nothing here depends on what is computed or drawn.
 
 pub mod device;
 pub mod kit;

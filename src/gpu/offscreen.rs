@@ -1,23 +1,15 @@
-//! A texture that stands for the screen, and the picture that is drawn over it.
+//! A render target without a window, and its read-back.
 
 use super::Gpu;
 use super::readback::{self, TextureCopy};
 
-/// A texture that can be drawn over and copied from.
+/// A render target that can be copied from.
 pub fn target(gpu: &Gpu, format: wgpu::TextureFormat, size: [u32; 2]) -> wgpu::Texture {
-    gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("offscreen"),
-        size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-        view_formats: &[],
-    })
+    let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
+    gpu.texture("offscreen", [size[0], size[1], 1], 1, format, usage)
 }
 
-/// Records a pass that draws over a target.
+/// Records a render pass that clears a target and draws on it.
 pub fn draw_over(
     encoder: &mut wgpu::CommandEncoder,
     target: &wgpu::Texture,
@@ -40,15 +32,15 @@ pub fn draw_over(
     draw(&mut pass);
 }
 
-/// A picture that has been handed to the GPU.
+/// A picture whose commands have been submitted.
 pub struct Picture {
     copy: TextureCopy,
-    /// Blue comes first.
+    /// Whether the format stores blue first.
     swapped: bool,
 }
 
 impl Picture {
-    /// Records what `draw` draws after what is recorded, and submits all of it.
+    /// Records `draw` and the read-back of its picture after the commands of `encoder`, and submits them.
     pub fn submit(
         gpu: &Gpu,
         mut encoder: wgpu::CommandEncoder,
@@ -63,7 +55,7 @@ impl Picture {
         Self { copy, swapped: format.remove_srgb_suffix() == wgpu::TextureFormat::Bgra8Unorm }
     }
 
-    /// Its pixels, RGBA, row by row from the top.
+    /// Reads the pixels: RGBA, row by row from the top.
     ///
     /// # Errors
     /// If the GPU does not give its memory back.

@@ -1,17 +1,17 @@
-//! Getting bytes back from the GPU, natively and in the browser.
+//! Read-back of buffers and textures, natively and in the browser.
 
 use super::Gpu;
 use super::map_format::MapFormat;
 use futures_channel::oneshot;
 
-/// A buffer that a copy can be read from, with the copy recorded.
+/// Records a copy of a buffer and returns the staging buffer, for [`read`].
 pub fn stage_buffer(gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, source: &wgpu::Buffer) -> wgpu::Buffer {
     let staging = staging(gpu, source.size());
     encoder.copy_buffer_to_buffer(source, 0, &staging, 0, source.size());
     staging
 }
 
-/// Rows of layers of a texture, each padded to a multiple of 256 bytes.
+/// A copy of a texture in a staging buffer, whose rows are padded to a multiple of 256 bytes.
 pub struct TextureCopy {
     staging: wgpu::Buffer,
     format: wgpu::TextureFormat,
@@ -19,7 +19,7 @@ pub struct TextureCopy {
     padded: usize,
 }
 
-/// Records the copy of one mip level of a texture, all layers.
+/// Records a copy of one mip level of a texture, all layers.
 pub fn stage_texture(
     gpu: &Gpu,
     encoder: &mut wgpu::CommandEncoder,
@@ -29,7 +29,7 @@ pub fn stage_texture(
     stage_layers(gpu, encoder, texture, mip_level, 0..texture.depth_or_array_layers())
 }
 
-/// The same of some layers.
+/// Records a copy of one mip level of the given layers of a texture.
 pub fn stage_layers(
     gpu: &Gpu,
     encoder: &mut wgpu::CommandEncoder,
@@ -65,7 +65,10 @@ pub fn stage_layers(
 }
 
 impl TextureCopy {
-    /// The texels, layer by layer and row by row without padding. After the submit.
+    /// Reads the texels, layer by layer and row by row without padding. Call it after the submission.
+    ///
+    /// # Errors
+    /// If the GPU does not give its memory back.
     pub async fn read(self, gpu: &Gpu) -> Result<Vec<u8>, String> {
         let (row, padded) = (self.row_bytes, self.padded);
         let bytes = read(gpu, self.staging).await?;
@@ -77,7 +80,7 @@ impl TextureCopy {
         Ok(texels)
     }
 
-    /// The numbers of a map in either format ([`MapFormat`]). After the submit.
+    /// Reads the texels of a texture whose format is one of [`MapFormat`]. Call it after the submission.
     ///
     /// # Errors
     /// If the GPU does not give its memory back.
@@ -87,7 +90,10 @@ impl TextureCopy {
     }
 }
 
-/// The bytes of a staging buffer, once the submitted work is done.
+/// Reads a staging buffer after the submitted work is done.
+///
+/// # Errors
+/// If the GPU does not give its memory back.
 pub async fn read(gpu: &Gpu, staging: wgpu::Buffer) -> Result<Vec<u8>, String> {
     let (sender, receiver) = oneshot::channel();
     staging.slice(..).map_async(wgpu::MapMode::Read, move |result| {
@@ -101,10 +107,10 @@ pub async fn read(gpu: &Gpu, staging: wgpu::Buffer) -> Result<Vec<u8>, String> {
     Ok(bytes)
 }
 
-/// Waits until all that was submitted is done.
+/// Waits until all submitted work is done.
 ///
 /// # Errors
-/// If the device is gone.
+/// If the device is lost.
 pub async fn done(gpu: &Gpu) -> Result<(), String> {
     let (sender, receiver) = oneshot::channel();
     gpu.queue.on_submitted_work_done(move || {
@@ -115,7 +121,7 @@ pub async fn done(gpu: &Gpu) -> Result<(), String> {
     receiver.await.map_err(|e| e.to_string())
 }
 
-/// A browser calls back by itself; elsewhere somebody has to wait.
+/// Makes wgpu call the callbacks. A browser does so by itself.
 fn wait(gpu: &Gpu) -> Result<(), String> {
     #[cfg(not(target_arch = "wasm32"))]
     gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| e.to_string())?;
@@ -125,10 +131,5 @@ fn wait(gpu: &Gpu) -> Result<(), String> {
 }
 
 fn staging(gpu: &Gpu, size: u64) -> wgpu::Buffer {
-    gpu.device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("staging"),
-        size,
-        usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    })
+    gpu.buffer("staging", size, wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST)
 }

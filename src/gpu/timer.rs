@@ -1,22 +1,22 @@
-//! How long the GPU takes for each part of a frame, by timestamps between the parts.
+//! GPU times of the parts of a frame, from timestamps between the parts.
 //!
-//! A frame is timed only while somebody looks, and read back without waiting: the next frame is timed when the last one's
-//! numbers are here. Where the adapter has no timestamps nothing is recorded and nothing is known.
+//! The read-back does not wait: the next frame is timed once the times of the previous one have arrived. On adapters
+//! without timestamps a timer records nothing and returns no times.
 
 use super::Gpu;
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// The feature that timing needs; the program runs without it.
+/// The feature that timing needs.
 pub const FEATURES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY;
-/// What saves the empty passes, where there is such a thing.
+/// The feature that allows timestamps between passes; without it, an empty pass writes them.
 pub const BETWEEN_PASSES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS;
-/// Most timestamps of a frame: two for each mark where they are made by empty passes.
+/// Most timestamps of a frame: one per mark, or two where empty passes write them.
 const MARKS: u32 = 256;
-/// Share of a new frame in the smoothed times.
+/// Weight of a new frame in the smoothed times.
 const SHARE: f64 = 0.2;
 
-/// Times the parts of frames. A clone times the same frames.
+/// Times the parts of frames. Clones share the times.
 #[derive(Clone, Debug, Default)]
 pub struct Timer(Option<Arc<Mutex<State>>>);
 
@@ -25,7 +25,7 @@ struct State {
     set: wgpu::QuerySet,
     resolved: wgpu::Buffer,
     staging: wgpu::Buffer,
-    /// ns for each unit of a timestamp.
+    /// Unit of a timestamp, ns.
     period_ns: f64,
     between_passes: bool,
     phase: Phase,
@@ -38,37 +38,29 @@ struct State {
 #[derive(Debug)]
 enum Phase {
     Idle,
-    /// Marks go to the frame at hand, whose wanted marks were counted even if there was no room.
+    /// A frame is being recorded. Its marks are counted even beyond the room for timestamps.
     Recording,
-    /// The frame has been recorded; it is submitted before the next one is.
+    /// A frame has been recorded; it is submitted before the next frame.
     Recorded,
-    /// Waiting for the memory: 0, then 1 when it is here or 2 when it will not be.
+    /// The staging buffer is being mapped: 0 while waiting, 1 if it is mapped, 2 if mapping failed.
     Mapping(Arc<AtomicU8>),
 }
 
 impl Timer {
-    /// A timer for a device; one that knows nothing if the device has no timestamps.
+    /// A timer for a device.
     pub fn new(gpu: &Gpu) -> Self {
         if !gpu.device.features().contains(FEATURES) {
             return Self(None);
         }
         let size = u64::from(MARKS) * u64::from(wgpu::QUERY_SIZE);
-        let buffer = |label, usage| {
-            gpu.device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some(label),
-                size,
-                usage,
-                mapped_at_creation: false,
-            })
-        };
         let state = State {
             set: gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
                 label: Some("timer"),
                 ty: wgpu::QueryType::Timestamp,
                 count: MARKS,
             }),
-            resolved: buffer("timer", wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC),
-            staging: buffer("timer staging", wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST),
+            resolved: gpu.buffer("timer", size, wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC),
+            staging: gpu.buffer("timer staging", size, wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST),
             period_ns: f64::from(gpu.queue.get_timestamp_period()),
             between_passes: gpu.device.features().contains(BETWEEN_PASSES),
             phase: Phase::Idle,
@@ -78,12 +70,13 @@ impl Timer {
         Self(Some(Arc::new(Mutex::new(state))))
     }
 
-    /// Whether the device can say how long something took.
+    /// Whether the device has timestamps.
     pub fn is_available(&self) -> bool {
         self.0.is_some()
     }
 
-    /// Starts a frame, unless the last one is still being read; `is_submitted` says whether that one was submitted since.
+    /// Starts a frame, unless the previous one is still being read. `is_submitted` tells whether the previous frame has
+    /// been submitted.
     pub fn begin(&self, encoder: &mut wgpu::CommandEncoder, is_submitted: bool) {
         let Some(mut state) = self.state() else { return };
         if !is_submitted && matches!(state.phase, Phase::Recorded) {
@@ -97,7 +90,7 @@ impl Timer {
         }
     }
 
-    /// Ends a part: what was recorded since the last mark. Parts of one name are added up.
+    /// Ends a part of the frame: the commands since the previous mark. Times of parts with the same name are added.
     pub fn mark(&self, encoder: &mut wgpu::CommandEncoder, part: &'static str) {
         let Some(mut state) = self.state() else { return };
         if matches!(state.phase, Phase::Recording) {
@@ -113,7 +106,7 @@ impl Timer {
         }
         let marks = state.slot(state.parts.len());
         if marks > MARKS {
-            // More parts than there is room for, while foam catches up: another frame will do.
+            // Too many parts; a later frame with fewer parts is timed instead.
             state.phase = Phase::Idle;
             return;
         }
@@ -122,7 +115,7 @@ impl Timer {
         state.phase = Phase::Recorded;
     }
 
-    /// The parts of the last frame that was timed, and how long each takes, ms, smoothed over the frames that had it.
+    /// Names and times (ms) of the parts of the last timed frame, smoothed over the frames that contain each part.
     pub fn times(&self) -> Vec<(&'static str, f64)> {
         self.state().map_or_else(Vec::new, |state| state.times.clone())
     }
@@ -133,7 +126,7 @@ impl Timer {
 }
 
 impl State {
-    /// First timestamp of a mark.
+    /// Index of the first timestamp of a mark.
     fn slot(&self, mark: usize) -> u32 {
         mark as u32 * if self.between_passes { 1 } else { 2 }
     }
@@ -147,7 +140,7 @@ impl State {
         if self.between_passes {
             encoder.write_timestamp(&self.set, at);
         } else {
-            // A browser has timestamps at the ends of passes alone, and both of one pass must be others.
+            // Browsers only have timestamps at the ends of passes, and a pass's two timestamp indices must differ.
             drop(encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
                 label: Some("mark"),
                 timestamp_writes: Some(wgpu::ComputePassTimestampWrites {
@@ -159,7 +152,7 @@ impl State {
         }
     }
 
-    /// Takes what has arrived, and asks for what has been submitted.
+    /// Reads times that have arrived, and requests those of a submitted frame.
     fn collect(&mut self) {
         match &self.phase {
             Phase::Recorded => {
@@ -190,7 +183,7 @@ impl State {
         let stamp = |mark: usize| stamps.get(self.slot(mark) as usize).copied().unwrap_or(0);
         let mut frame: Vec<(&'static str, f64)> = Vec::new();
         for (mark, part) in self.parts.iter().enumerate().skip(1) {
-            // A stamp that was never written, or a clock that was set back, says nothing.
+            // A timestamp that was not written, or a clock that was set back, counts as no time.
             let units = stamp(mark).saturating_sub(stamp(mark - 1));
             let ms = 1e-6 * self.period_ns * units as f64;
             match frame.iter_mut().find(|(name, _)| name == part) {

@@ -1,34 +1,37 @@
-//! `seastate check`: every GPU pass against its f64 twin. A pass is fed from the oracle's previous stage, so that an
-//! error names one pass (rows and columns are one where they are merged). The tests run the same comparison, also with planted
-//! faults.
+//! `seastate check`: every GPU pass against its f64 twin. Each pass reads the oracle's result of the previous pass, so
+//! that an error belongs to one pass. The tests run the same comparison, also with planted faults.
 
 use crate::gpu::Gpu;
 use crate::gpu::readback::{self, TextureCopy};
 use crate::oracle::{self, Complex, Texel, maps::MapPair};
 use crate::shaders::Shaders;
-use crate::shaders::fft::Way;
 use crate::sim::Simulation;
+use crate::sim::foam::FoamStep;
+use crate::sim::planned_sea::EvaluationSlot;
 use crate::sim::resources::{MapKind, Resources};
+use crate::sim::transform::TransformWay;
 use crate::state::Params;
 use crate::waves::Plan;
 use crate::waves::foam::FoamModel;
+use crate::waves::plan::Cascade;
+use crate::waves::tiling::Tiling;
 use std::fmt;
 
-/// One line of the table.
+/// One comparison, a line of the table.
 #[derive(Clone, Debug)]
 pub struct Line {
-    /// Pass and quantity.
+    /// Pass and quantity that are compared.
     pub what: &'static str,
-    /// Cascade.
+    /// Index of the cascade; for the foam, of the level.
     pub cascade: usize,
     /// Root mean square error over the root mean square of the oracle's values.
     pub error: f64,
-    /// Largest that is accepted.
+    /// Largest accepted error.
     pub tolerance: f64,
 }
 
 impl Line {
-    /// Whether the error is within the tolerance; not-a-number is not.
+    /// Whether the error is within the tolerance. An error that is not a number is not.
     pub fn passes(&self) -> bool {
         self.error <= self.tolerance
     }
@@ -41,98 +44,149 @@ impl fmt::Display for Line {
     }
 }
 
-/// Tolerances, with their reasons. f32 carries 6e-8 of relative rounding per operation.
+/// Tolerances and their reasons. An operation in f32 has a relative rounding error of 6e-8.
 mod tolerance {
-    /// Hash exact; logarithm, sine, arc tangent and exponential of a few units in the last place each.
+    /// The hash is exact; logarithm, sine, arc tangent and exponential have errors of a few units in the last place.
     pub const SPECTRUM: f64 = 1e-6;
-    /// log2(n) butterflies: the demand on the transform.
+    /// log2(n) butterflies.
     pub const TRANSFORM: f64 = 1e-6;
-    /// The rounding of a half float, 2^-11 at most and 2^-12 on average.
+    /// Rounding to half floats: 2^-11 at most and 2^-12 on average.
     pub const HALF: f64 = 4.9e-4;
-    /// A mean of four half floats, rounded again.
+    /// Mean of four half floats, rounded to a half float.
     pub const MIP: f64 = 4.9e-4;
-    /// Bilinear weights of 8 bits and half-float maps, before the threshold's slope.
+    /// Bilinear weights of 8 bits and half-float maps, amplified by the slope of the source.
     pub const FOAM: f64 = 5e-3;
 }
 
-/// Half floats are 2^-24 apart or more. A texel of four that are cut off there is off by up to 2^-23, 2^-11 of this:
-/// errors in smaller numbers (the slopes of the longest waves of a calm sea) count against it.
+/// Least root mean square to which errors of half floats are related. Half floats are at least 2^-24 apart, and a texel
+/// of four truncated ones is off by up to 2^-23, which is 2^-11 of this. Matters for the slopes of the longest waves of
+/// a calm sea.
 const SMALLEST_HALF: f64 = 2.441_406_25e-4;
 
-/// Runs all passes of a state at its time. `shaders` are the program's own, or a test's with a fault.
+/// Steps of the replay for which the foam is compared.
+const FOAM_STEPS: usize = 4;
+/// The foam level that is compared.
+const FOAM_LEVEL: usize = 1;
+
+/// Compares all passes of a state at its time.
 ///
 /// # Errors
 /// If the GPU does not give its memory back.
-pub async fn run(gpu: &Gpu, params: &Params, shaders: &Shaders) -> Result<Vec<Line>, String> {
+pub async fn run(gpu: &Gpu, params: &Params) -> Result<Vec<Line>, String> {
+    run_with(gpu, params, &Shaders::default(), TransformWay::of(gpu)).await
+}
+
+/// Compares all passes of a state at its time, with the given shaders and the given way of the transform.
+///
+/// # Errors
+/// If the GPU does not give its memory back.
+pub async fn run_with(gpu: &Gpu, params: &Params, shaders: &Shaders, way: TransformWay) -> Result<Vec<Line>, String> {
     let plan = Plan::new(params);
-    let n = plan.n as usize;
     let t_s = params.clock.t_s;
-    let mut sim = Simulation::new(gpu, plan.clone(), shaders);
-    let mut lines = Vec::new();
+    let mut sim = Simulation::with_way(gpu, plan.clone(), shaders, way);
+    let slot = sim.push_evaluation(gpu, t_s, true);
+    let mut check = Check { gpu, plan: &plan, sim: &sim, slot, lines: Vec::new() };
     let h0: Vec<Vec<Complex>> = plan.cascades.iter().map(|c| oracle::spectrum::h0(&plan, c)).collect();
     let rows: Vec<MapPair> =
         plan.cascades.iter().zip(&h0).map(|(c, h0)| oracle::maps::rows(&plan, c, h0, t_s)).collect();
-    let maps: Vec<MapPair> = rows.iter().map(|rows| oracle::maps::columns(n, rows)).collect();
-
-    let step = sim.push_step(gpu, t_s, true);
-    // Spectrum.
-    let got: Vec<[f32; 2]> = {
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        sim.passes.spectrum.run(&mut encoder, &sim.resources, step);
-        let staging = readback::stage_buffer(gpu, &mut encoder, &sim.resources.sea.h0);
-        gpu.submit(encoder);
-        bytemuck::pod_collect_to_vec(&readback::read(gpu, staging).await?)
-    };
-    for (c, want) in h0.iter().enumerate() {
-        let got = got[c * n * n..][..n * n].iter().map(|h| h.map(f64::from));
-        lines.push(line("spectrum h0", c, error(got, want.iter().copied()), tolerance::SPECTRUM));
+    let maps: Vec<MapPair> = rows.iter().map(|rows| oracle::maps::columns(plan.n as usize, rows)).collect();
+    check.spectrum(&h0).await?;
+    check.rows(&h0, &rows).await?;
+    check.columns(&rows, &maps).await?;
+    check.maps(&maps).await?;
+    for level in 1..sim.resources.mips() {
+        check.mips(level).await?;
     }
-    // Rows, from the oracle's h0.
-    let flat: Vec<[f32; 2]> = h0.iter().flatten().map(|h| h.map(|x| x as f32)).collect();
-    gpu.queue.write_buffer(&sim.resources.sea.h0, 0, bytemuck::cast_slice(&flat));
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    sim.passes.rows.run(&mut encoder, step);
-    let is_merged = sim.resources.way == Way::Merged;
-    if !is_merged {
-        let got = read_lines(gpu, &sim, encoder).await?;
-        for (c, want) in rows.iter().enumerate() {
-            for (pair, what) in [(0, "rows Dx Dz eta Dxz"), (1, "rows eta_x eta_z Dxx Dzz")] {
-                let got = plane(&got, c, pair, n);
-                lines.push(line(what, c, error(got, want[pair].iter().copied()), tolerance::TRANSFORM));
+    let mut lines = check.lines;
+    lines.push(foam(gpu, &plan, t_s, Simulation::with_way(gpu, plan.clone(), shaders, way)).await?);
+    Ok(lines)
+}
+
+/// The comparison of one evaluation.
+struct Check<'a> {
+    gpu: &'a Gpu,
+    plan: &'a Plan,
+    sim: &'a Simulation,
+    slot: EvaluationSlot,
+    lines: Vec<Line>,
+}
+
+impl Check<'_> {
+    async fn spectrum(&mut self, h0: &[Vec<Complex>]) -> Result<(), String> {
+        let r = &self.sim.resources;
+        let mut encoder = self.gpu.encoder("check");
+        self.sim.passes.spectrum.run(&mut encoder, r, self.slot);
+        let staging = readback::stage_buffer(self.gpu, &mut encoder, &r.sea().h0);
+        self.gpu.submit(encoder);
+        let got: Vec<[f32; 2]> = bytemuck::pod_collect_to_vec(&readback::read(self.gpu, staging).await?);
+        for (c, (want, got)) in h0.iter().zip(got.chunks((r.n * r.n) as usize)).enumerate() {
+            let got = got.iter().map(|h| h.map(f64::from));
+            self.lines.push(line("spectrum h0", c, error(got, want.iter().copied()), tolerance::SPECTRUM));
+        }
+        Ok(())
+    }
+
+    /// The row pass, from the oracle's h0.
+    async fn rows(&mut self, h0: &[Vec<Complex>], rows: &[MapPair]) -> Result<(), String> {
+        let flat: Vec<[f32; 2]> = h0.iter().flatten().map(|h| h.map(|x| x as f32)).collect();
+        self.gpu.queue.write_buffer(&self.sim.resources.sea().h0, 0, bytemuck::cast_slice(&flat));
+        let mut encoder = self.gpu.encoder("check");
+        self.sim.passes.transform.rows(&mut encoder, self.slot);
+        self.transformed(encoder, rows, ["rows Dx Dz eta Dxz", "rows eta_x eta_z Dxx Dzz"]).await
+    }
+
+    /// The column pass, from the oracle's rows; also records the mip levels of its maps.
+    async fn columns(&mut self, rows: &[MapPair], maps: &[MapPair]) -> Result<(), String> {
+        let r = &self.sim.resources;
+        let flat: Vec<[f32; 4]> = rows.iter().flatten().flatten().map(|t| t.map(|x| x as f32)).collect();
+        self.gpu.queue.write_buffer(&r.lines, 0, bytemuck::cast_slice(&flat));
+        let mut encoder = self.gpu.encoder("check");
+        self.sim.passes.transform.columns(&mut encoder, r, self.slot);
+        self.sim.passes.mips.run(&mut encoder, r, self.slot);
+        self.transformed(encoder, maps, ["columns displacement", "columns gradients"]).await
+    }
+
+    /// Compares the lines that the commands of `encoder` leave in the intermediate buffer.
+    async fn transformed(
+        &mut self,
+        mut encoder: wgpu::CommandEncoder,
+        want: &[MapPair],
+        names: [&'static str; 2],
+    ) -> Result<(), String> {
+        let staging = readback::stage_buffer(self.gpu, &mut encoder, &self.sim.resources.lines);
+        self.gpu.submit(encoder);
+        let got: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&readback::read(self.gpu, staging).await?);
+        let points = (self.plan.n * self.plan.n) as usize;
+        for (c, want) in want.iter().enumerate() {
+            for (pair, what) in names.into_iter().enumerate() {
+                let got = got[(2 * c + pair) * points..][..points].iter().map(|t| t.map(f64::from));
+                self.lines.push(line(what, c, error(got, want[pair].iter().copied()), tolerance::TRANSFORM));
             }
         }
-        // Columns, from the oracle's rows. Where the two are merged there are no rows between them.
-        let flat: Vec<[f32; 4]> = rows.iter().flatten().flatten().map(|t| t.map(|x| x as f32)).collect();
-        gpu.queue.write_buffer(&sim.resources.lines, 0, bytemuck::cast_slice(&flat));
-        encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        Ok(())
     }
-    // And mips of what the columns made.
-    sim.passes.columns.run(&mut encoder, &sim.resources, step);
-    sim.passes.mips.run(&mut encoder, &sim.resources, step);
-    let got = read_lines(gpu, &sim, encoder).await?;
-    for (c, want) in maps.iter().enumerate() {
-        let [displacement, gradients] = match is_merged {
-            false => ["columns displacement", "columns gradients"],
-            true => ["waves displacement", "waves gradients"],
-        };
-        for (pair, what) in [(0, displacement), (1, gradients)] {
-            let got = plane(&got, c, pair, n);
-            lines.push(line(what, c, error(got, want[pair].iter().copied()), tolerance::TRANSFORM));
+
+    /// Mip level 0 of the maps, which the column pass has written.
+    async fn maps(&mut self, maps: &[MapPair]) -> Result<(), String> {
+        let points = (self.plan.n * self.plan.n) as usize;
+        let kinds = [(MapKind::Displacement, "maps displacement"), (MapKind::Gradients, "maps gradients")];
+        for (pair, (kind, what)) in kinds.into_iter().enumerate() {
+            let got = read_map(self.gpu, &self.sim.resources, kind, 0).await?;
+            for (c, want) in maps.iter().enumerate() {
+                let got = got[c * points..][..points].iter().copied();
+                let rms = root_mean_square(want[pair].iter().copied()).max(SMALLEST_HALF);
+                let error = distance(got, want[pair].iter().copied()) / rms;
+                self.lines.push(line(what, c, error, tolerance::HALF));
+            }
         }
+        Ok(())
     }
-    let r = &sim.resources;
-    let level0 = [read_map(gpu, r, MapKind::Displacement, 0).await?, read_map(gpu, r, MapKind::Gradients, 0).await?];
-    for (c, want) in maps.iter().enumerate() {
-        for (pair, what) in [(0, "maps displacement"), (1, "maps gradients")] {
-            let got = level0[pair][c * n * n..][..n * n].iter().copied();
-            let rms = root_mean_square(want[pair].iter().copied()).max(SMALLEST_HALF);
-            lines.push(line(what, c, distance(got, want[pair].iter().copied()) / rms, tolerance::HALF));
-        }
-    }
-    for level in 1..r.mips() {
-        let above = n >> (level - 1);
+
+    /// A mip level of all maps, from the GPU's level above.
+    async fn mips(&mut self, level: u32) -> Result<(), String> {
+        let (gpu, r) = (self.gpu, &self.sim.resources);
+        let above = self.plan.n as usize >> (level - 1);
         let below = above / 2;
-        let scale = |c: usize| f64::from(sim.maps().cascades[c].moment_scale);
         for (what, kind) in [
             ("mips displacement", MapKind::Displacement),
             ("mips gradients", MapKind::Gradients),
@@ -142,116 +196,127 @@ pub async fn run(gpu: &Gpu, params: &Params, shaders: &Shaders) -> Result<Vec<Li
             let source = if moments_from_slopes { MapKind::Gradients } else { kind };
             let from = read_map(gpu, r, source, level - 1).await?;
             let got = read_map(gpu, r, kind, level).await?;
-            for c in 0..plan.cascades.len() {
+            for (c, cascade) in self.sim.maps().cascades.iter().enumerate() {
                 let from = &from[c * above * above..][..above * above];
-                let from = if moments_from_slopes { oracle::maps::moments(from, scale(c)) } else { from.to_vec() };
+                let scale = f64::from(cascade.moment_scale);
+                let from = if moments_from_slopes { oracle::maps::moments(from, scale) } else { from.to_vec() };
                 let want = oracle::maps::mip(above, &from);
                 let got = got[c * below * below..][..below * below].iter().copied();
-                // A wave that the mean removes leaves rounding behind: errors count against the level above.
+                // Waves that cancel in the mean leave rounding errors, so the error relates to the level above.
                 let rms = root_mean_square(from.iter().copied()).max(SMALLEST_HALF);
-                lines.push(line(what, c, distance(got, want.iter().copied()) / rms, tolerance::MIP));
+                self.lines.push(line(what, c, distance(got, want.iter().copied()) / rms, tolerance::MIP));
             }
         }
+        Ok(())
     }
-    lines.push(foam(gpu, &plan, t_s, shaders).await?);
-    Ok(lines)
 }
 
-/// One replay of the foam on the GPU against the oracle's, from the GPU's own maps at each step.
-async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, shaders: &Shaders) -> Result<Line, String> {
-    let mut sim = Simulation::new(gpu, plan.clone(), shaders);
+/// A replay of the foam on the GPU and by the oracle, which reads the GPU's maps at each step.
+async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<Line, String> {
     let centre = [1234.5, -67.8];
-    let level = 1;
     let size = sim.resources.foam_n as usize;
-    let foam = FoamModel::new(plan);
-    let mut want: Vec<f64> = vec![foam.coverage; size * size];
-    let sea = &plan.sea;
+    let mut want: Vec<f64> = vec![FoamModel::new(plan).coverage; size * size];
     let mut got = Vec::new();
     for _ in 0..FOAM_STEPS {
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = gpu.encoder("check");
         let Some(step) = sim.encode_next_foam_step(gpu, &mut encoder, t_s, centre) else { break };
         gpu.submit(encoder);
-        let foam_level = sim.maps().foam_levels[level];
-        let source = foam.source(plan, foam_level.texel_m);
-        let mut cascades = Vec::new();
-        for cascade in &plan.cascades {
-            let texels = 0.5 * foam_level.texel_m * f64::from(plan.n) / cascade.patch_m;
-            let lod = texels.log2().clamp(0.0, f64::from(sim.resources.mips() - 1));
-            cascades.push((plan.tiling(cascade), lod));
-        }
-        let mut maps = Vec::new();
-        for mip in 0..sim.resources.mips() {
-            maps.push([
-                read_map(gpu, &sim.resources, MapKind::Displacement, mip).await?,
-                read_map(gpu, &sim.resources, MapKind::Gradients, mip).await?,
-            ]);
-        }
-        let origin = foam_level.centre.map(|c| c - 0.5 * size as f64 * foam_level.texel_m);
-        for i in 0..size * size {
-            let at = [i % size, i / size];
-            let world: [f64; 2] = std::array::from_fn(|a| origin[a] + (at[a] as f64 + 0.5) * foam_level.texel_m);
-            let mut sum = oracle::surface::WaveFields::default();
-            for (c, (tiling, lod)) in cascades.iter().enumerate() {
-                let read = |place: [f64; 2]| {
-                    let uv = place.map(|p| p + 0.5 / f64::from(plan.n));
-                    let low = lod.floor();
-                    let mut texels = [[0.0; 4]; 2];
-                    for (mip, weight) in [(low as usize, 1.0 - (lod - low)), (low as usize + 1, lod - low)] {
-                        if weight > 0.0 {
-                            let n = plan.n as usize >> mip;
-                            let part = |plane: usize| &maps[mip][plane][c * n * n..][..n * n];
-                            let of = oracle::foam::MipLevel { n, displacement: part(0), gradients: part(1) };
-                            let add = oracle::foam::sample_bilinear(&of, uv);
-                            for (texel, add) in texels.iter_mut().zip(add) {
-                                *texel = std::array::from_fn(|k| texel[k] + weight * add[k]);
-                            }
-                        }
-                    }
-                    texels
-                };
-                sum = sum.plus(&oracle::surface::blend(tiling, world, read));
-            }
-            let j = oracle::foam::jacobian(sum.strain, sea.lambda());
-            let s = ((source.threshold - j) * source.slope).clamp(0.0, 1.0);
-            want[i] = oracle::foam::foam_after(want[i], s, sea.foam.rate_per_s, sea.foam.decay_s, step.dt_s);
-        }
-        // Places of the cells: toroidal.
+        let level = sim.maps().foam_levels[FOAM_LEVEL];
+        let corner = level.centre.map(|c| c - 0.5 * size as f64 * level.texel_m);
+        let pyramid = Pyramid::read(gpu, &sim, level.texel_m).await?;
+        step_foam(&mut want, plan, &pyramid, (corner, level.texel_m), step);
         let texels = read_foam(gpu, &sim.resources).await?;
-        let first = origin.map(|o| (o / foam_level.texel_m).round() as i64);
-        got = (0..size * size)
-            .map(|i| {
-                let place = [(i % size) as i64, (i / size) as i64];
-                let at: [usize; 2] = std::array::from_fn(|a| (first[a] + place[a]).rem_euclid(size as i64) as usize);
-                texels[level * size * size + at[1] * size + at[0]][0]
-            })
-            .collect();
+        // A cell is stored at its index modulo the size of the level.
+        let first = corner.map(|o| (o / level.texel_m).round() as i64);
+        let stored = |i: usize| {
+            let place = [(i % size) as i64, (i / size) as i64];
+            let at: [usize; 2] = std::array::from_fn(|a| (first[a] + place[a]).rem_euclid(size as i64) as usize);
+            texels[FOAM_LEVEL * size * size + at[1] * size + at[0]][0]
+        };
+        got = (0..size * size).map(stored).collect();
     }
     let pack = |v: &[f64]| v.iter().map(|&f| [f]).collect::<Vec<_>>();
-    Ok(line("foam", level, error(pack(&got).into_iter(), pack(&want).into_iter()), tolerance::FOAM))
+    Ok(line("foam", FOAM_LEVEL, error(pack(&got).into_iter(), pack(&want).into_iter()), tolerance::FOAM))
 }
 
-/// Steps of the replay that the foam is followed for.
-const FOAM_STEPS: usize = 4;
+/// The oracle's time step of all cells of a level whose corner and cell size (m) are given.
+fn step_foam(foam: &mut [f64], plan: &Plan, pyramid: &Pyramid, (corner, texel_m): ([f64; 2], f64), step: FoamStep) {
+    let source = FoamModel::new(plan).source(plan, texel_m);
+    let size = foam.len().isqrt();
+    for (i, cell) in foam.iter_mut().enumerate() {
+        let at = [i % size, i / size];
+        let world: [f64; 2] = std::array::from_fn(|a| corner[a] + (at[a] as f64 + 0.5) * texel_m);
+        let j = oracle::foam::jacobian(pyramid.surface(world).strain, plan.sea.lambda());
+        let s = ((source.threshold - j) * source.slope).clamp(0.0, 1.0);
+        *cell = oracle::foam::foam_after(*cell, s, plan.sea.foam.rate_per_s, plan.sea.foam.decay_s, step.dt_s);
+    }
+}
+
+/// The GPU's maps with their mip levels, and the mip level of each cascade that a foam level reads.
+struct Pyramid {
+    n: usize,
+    /// Displacement and gradients of each mip level.
+    levels: Vec<[Vec<Texel>; 2]>,
+    cascades: Vec<(Tiling, f64)>,
+}
+
+impl Pyramid {
+    /// Reads the maps for a foam level of cells of `texel_m`.
+    async fn read(gpu: &Gpu, sim: &Simulation, texel_m: f64) -> Result<Self, String> {
+        let (r, plan) = (&sim.resources, sim.plan());
+        let mut levels = Vec::new();
+        for mip in 0..r.mips() {
+            levels.push([
+                read_map(gpu, r, MapKind::Displacement, mip).await?,
+                read_map(gpu, r, MapKind::Gradients, mip).await?,
+            ]);
+        }
+        let cascade = |cascade: &Cascade| {
+            let texels = 0.5 * texel_m * f64::from(plan.n) / cascade.patch_m;
+            (plan.tiling(cascade), texels.log2().clamp(0.0, f64::from(r.mips() - 1)))
+        };
+        Ok(Self { n: plan.n as usize, levels, cascades: plan.cascades.iter().map(cascade).collect() })
+    }
+
+    /// The sum of all cascades at a point of the world, between texels and between mip levels.
+    fn surface(&self, world: [f64; 2]) -> oracle::surface::WaveFields {
+        let mut sum = oracle::surface::WaveFields::default();
+        for (c, (tiling, lod)) in self.cascades.iter().enumerate() {
+            let low = lod.floor();
+            let mips = [(low as usize, 1.0 - (lod - low)), (low as usize + 1, lod - low)];
+            let read = |place: [f64; 2]| {
+                let uv = place.map(|p| p + 0.5 / self.n as f64);
+                let mut texels = [[0.0; 4]; 2];
+                for (mip, weight) in mips.into_iter().filter(|(_, weight)| *weight > 0.0) {
+                    let n = self.n >> mip;
+                    let [displacement, gradients] =
+                        self.levels[mip].each_ref().map(|texels| &texels[c * n * n..][..n * n]);
+                    let add = oracle::foam::sample_bilinear(&oracle::foam::MipLevel { n, displacement, gradients }, uv);
+                    for (texel, add) in texels.iter_mut().zip(add) {
+                        *texel = std::array::from_fn(|k| texel[k] + weight * add[k]);
+                    }
+                }
+                texels
+            };
+            sum = sum.plus(&oracle::surface::blend(tiling, world, read));
+        }
+        sum
+    }
+}
 
 fn line(what: &'static str, cascade: usize, error: f64, tolerance: f64) -> Line {
     Line { what, cascade, error, tolerance }
 }
 
-async fn read_lines(gpu: &Gpu, sim: &Simulation, mut encoder: wgpu::CommandEncoder) -> Result<Vec<[f32; 4]>, String> {
-    let staging = readback::stage_buffer(gpu, &mut encoder, &sim.resources.lines);
-    gpu.submit(encoder);
-    Ok(bytemuck::pod_collect_to_vec(&readback::read(gpu, staging).await?))
-}
-
-/// One mip level of a map as f64.
+/// All layers of a mip level of a kind of map.
 async fn read_map(gpu: &Gpu, r: &Resources, kind: MapKind, level: u32) -> Result<Vec<Texel>, String> {
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let mut encoder = gpu.encoder("check");
     let copy = r.stage(gpu, &mut encoder, kind, level);
     read(gpu, encoder, copy).await
 }
 
 async fn read_foam(gpu: &Gpu, r: &Resources) -> Result<Vec<Texel>, String> {
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let mut encoder = gpu.encoder("check");
     let copy = readback::stage_texture(gpu, &mut encoder, &r.foam, 0);
     read(gpu, encoder, copy).await
 }
@@ -260,10 +325,6 @@ async fn read(gpu: &Gpu, encoder: wgpu::CommandEncoder, copy: TextureCopy) -> Re
     gpu.submit(encoder);
     let texels = copy.read_map(gpu).await?;
     Ok(texels.into_iter().map(|t| t.map(f64::from)).collect())
-}
-
-fn plane(texels: &[[f32; 4]], cascade: usize, pair: usize, n: usize) -> impl Iterator<Item = Texel> + '_ {
-    texels[(2 * cascade + pair) * n * n..][..n * n].iter().map(|t| t.map(f64::from))
 }
 
 /// Root mean square difference.

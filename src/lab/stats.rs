@@ -284,7 +284,7 @@ async fn whitecaps(gpu: &Gpu, sim: &mut Simulation, t_s: f64) -> Result<f64, Str
 }
 
 /// Foam of every level around `centre` after a cold start at `t_s`, as it lies in memory (toroidal).
-pub(crate) async fn foam_levels(
+pub(super) async fn foam_levels(
     gpu: &Gpu,
     sim: &mut Simulation,
     t_s: f64,

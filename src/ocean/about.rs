@@ -1,39 +1,38 @@
-//! What a device is and what the program makes of it, for a report: adapter, driver, limits, features, and the ways that are
-//! chosen by these.
+//! Description of a device for a report: adapter, driver, limits, features, and the choices that follow from them.
 
 use crate::gpu::Gpu;
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::timer;
-use crate::shaders::fft::Way;
+use crate::sim::transform::TransformWay;
 
 /// The version of this program.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
-/// The version of wgpu; a test holds it against Cargo.lock.
+/// The version of wgpu; a test compares it with Cargo.lock.
 pub const WGPU_VERSION: &str = "30.0.1";
 
-/// A device, in words and numbers.
+/// Description of a device.
 #[derive(Clone, Debug, PartialEq)]
 pub struct About {
-    /// What it is called, as far as it says.
+    /// Name of the adapter, or "not told".
     pub adapter: String,
-    /// Discrete, integrated, virtual, CPU or other.
+    /// Kind of adapter: discrete GPU, integrated GPU, virtual GPU, CPU or other.
     pub kind: String,
-    /// The interface that it is driven by.
+    /// Graphics interface, such as Vulkan.
     pub backend: String,
-    /// Driver and its version; a browser names none.
+    /// Name and version of the driver; empty in a browser.
     pub driver: String,
-    /// Vendor's and device's numbers, as PCI has them; 0 if they are not told.
+    /// PCI numbers of vendor and device; 0 if unknown.
     pub ids: [u32; 2],
-    /// Optional features that the program uses here.
+    /// Optional features that the device has and the program uses.
     pub features: Vec<&'static str>,
-    /// What the program asks for, and what the adapter could give.
+    /// Names of limits, each with the value that the program requests and the value that the adapter offers.
     pub limits: Vec<(&'static str, [u64; 2])>,
-    /// Choices that follow from the adapter.
+    /// Choices that follow from the adapter, each with its name.
     pub ways: Vec<(&'static str, String)>,
 }
 
 impl About {
-    /// Of a device and the adapter that it came from.
+    /// Describes a device and its adapter.
     pub fn new(adapter: &wgpu::Adapter, gpu: &Gpu) -> Self {
         let info = adapter.get_info();
         let (asked, could) = (gpu.device.limits(), adapter.limits());
@@ -43,10 +42,9 @@ impl About {
             ("timestamps between passes", timer::BETWEEN_PASSES),
             ("filtered floats", MapFormat::FEATURES),
         ];
-        let transform = match Way::of(gpu) {
-            Way::Exchanged => "exchanged: a dispatch for each axis, through workgroup memory",
-            Way::Straight => "straight: two dispatches for each axis, without barriers",
-            Way::Merged => "merged: three dispatches for both axes of up to 512 points, without barriers",
+        let transform = match TransformWay::of(gpu) {
+            TransformWay::Workgroup => "workgroup: one dispatch for each axis, through workgroup memory",
+            TransformWay::Unrolled => "unrolled: two dispatches for each axis, without barriers",
         };
         let maps = match MapFormat::of(gpu) {
             MapFormat::Half => "half floats",
@@ -77,7 +75,7 @@ impl About {
         }
     }
 
-    /// Everything as names and values, the program's own version first.
+    /// Everything as names and values.
     pub fn rows(&self) -> Vec<(&'static str, String)> {
         let known = |text: &str| if text.is_empty() { "not told".to_owned() } else { text.to_owned() };
         let [vendor, device] = self.ids;
@@ -97,7 +95,7 @@ impl About {
     }
 }
 
-/// The system that the program was built for.
+/// The operating system and processor that the program was built for.
 pub fn system() -> String {
     format!("{} {}", std::env::consts::OS, std::env::consts::ARCH).trim().to_owned()
 }

@@ -1,31 +1,65 @@
-//! The maps of single states, read back from the GPU.
+//! Read-back of the maps and of the foam.
 
-use crate::gpu::Gpu;
-use crate::shaders::Shaders;
+use super::{MAX_STEPS, MapsF32, Ocean};
+use crate::gpu::readback;
 use crate::sim::resources::MapKind;
-use crate::sim::{MAX_STEPS, Simulation};
-use crate::state::Params;
-use crate::waves::Plan;
 
-pub use crate::sim::MapsF32;
-
-/// The maps of a state at its time in single precision, before they are rounded to the format of the textures.
-///
-/// # Errors
-/// If the GPU does not give its memory back.
-pub async fn read(gpu: &Gpu, params: &Params) -> Result<MapsF32, String> {
-    Simulation::new(gpu, Plan::new(params), &Shaders::default()).read_f32(gpu, params.clock.t_s).await
+/// The foam of one level, in undisplaced coordinates.
+#[derive(Clone, Debug)]
+pub struct FoamMap {
+    /// Cells along a side.
+    pub n: usize,
+    /// Size of a cell, m.
+    pub texel_m: f64,
+    /// World x and z of the corner with the smallest coordinates, m.
+    pub corner: [f64; 2],
+    /// Foam of the cells, 0 to 1: rows along x, from the smallest z on.
+    pub foam: Vec<f32>,
 }
 
-/// The displacement maps of a state at its time as the textures hold them: Dx, eta, Dz and dDx/dz, cascade by cascade.
-///
-/// # Errors
-/// If the GPU does not give its memory back.
-pub async fn read_displacement(gpu: &Gpu, params: &Params) -> Result<Vec<[f32; 4]>, String> {
-    let mut sim = Simulation::new(gpu, Plan::new(params), &Shaders::default());
-    let mut encoder = gpu.encoder("read displacement");
-    sim.encode(gpu, &mut encoder, params.clock.t_s, [0.0; 2], MAX_STEPS);
-    let copy = sim.resources.stage(gpu, &mut encoder, MapKind::Displacement, 0);
-    gpu.submit(encoder);
-    copy.read_map(gpu).await
+impl Ocean {
+    /// The maps at the time of the parameters in f32, before they are rounded to the format of the textures.
+    ///
+    /// # Errors
+    /// If the GPU does not give its memory back.
+    pub async fn read_maps(&mut self) -> Result<MapsF32, String> {
+        self.sim.read_f32(&self.gpu, self.params.clock.t_s).await
+    }
+
+    /// The displacement maps at the time of the parameters as the textures hold them: Dx, eta, Dz (m) and dDx/dz,
+    /// cascade by cascade.
+    ///
+    /// # Errors
+    /// If the GPU does not give its memory back.
+    pub async fn read_displacement(&mut self) -> Result<Vec<[f32; 4]>, String> {
+        let mut encoder = self.gpu.encoder("read displacement");
+        self.encode_waves(&mut encoder, MAX_STEPS);
+        let r = &self.sim.resources;
+        let layers = r.sea_layers(MapKind::Displacement, self.plan().cascades.len());
+        let copy = readback::stage_layers(&self.gpu, &mut encoder, &r.maps, 0, layers);
+        self.gpu.submit(encoder);
+        copy.read_map(&self.gpu).await
+    }
+
+    /// The foam at the time of the parameters on all levels around the camera, finest level first.
+    ///
+    /// # Errors
+    /// If the GPU does not give its memory back.
+    pub async fn read_foam(&mut self) -> Result<Vec<FoamMap>, String> {
+        let mut encoder = self.gpu.encoder("read foam");
+        self.encode_waves(&mut encoder, MAX_STEPS);
+        let copy = readback::stage_texture(&self.gpu, &mut encoder, &self.sim.resources.foam, 0);
+        self.gpu.submit(encoder);
+        let texels = copy.read_map(&self.gpu).await?;
+        let n = self.sim.resources.foam_n as usize;
+        let map = |(level, texels): (&crate::sim::FoamLevel, &[[f32; 4]])| {
+            let corner = level.centre.map(|x| x - 0.5 * n as f64 * level.texel_m);
+            // A cell is stored at its index modulo n.
+            let first = corner.map(|x| (x / level.texel_m).round() as i64);
+            let place = |i: usize, axis: usize| (first[axis] + i as i64).rem_euclid(n as i64) as usize;
+            let foam = (0..n * n).map(|i| texels[place(i / n, 1) * n + place(i % n, 0)][0]).collect();
+            FoamMap { n, texel_m: level.texel_m, corner, foam }
+        };
+        Ok(self.maps().foam_levels.iter().zip(texels.chunks(n * n)).map(map).collect())
+    }
 }

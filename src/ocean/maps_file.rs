@@ -1,6 +1,6 @@
 //! The maps of a sea as one OpenEXR file with a layer for each cascade.
 
-use super::maps::MapsF32;
+use super::MapsF32;
 use crate::waves::Plan;
 use exr::prelude::*;
 use std::io::Cursor;

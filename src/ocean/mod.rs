@@ -1,10 +1,11 @@
 //! The façade: a sea and its picture. The only type that the shells use.
 
 pub mod about;
-mod drawn;
+mod interpolated;
 pub mod maps;
 #[cfg(feature = "files")]
 pub mod maps_file;
+pub mod passes;
 pub mod still;
 
 use crate::gpu::Gpu;
@@ -12,21 +13,22 @@ use crate::gpu::timer::Timer;
 use crate::point::floating::{HullPose, HullWaves, hull_pose};
 use crate::render::{Fading, Reference, Renderer, Scene, SeaLook};
 use crate::shaders::Shaders;
-use crate::sim::glide::Drawn;
-use crate::sim::{MAX_STEPS, MapCascade, Moved, Simulation, Turn};
+use crate::sim::transition::{Interpolated, TransitionKind, TransitionStep};
+use crate::sim::{MAX_STEPS, MapCascade, Simulation};
 use crate::state::Params;
 use crate::state::camera::View;
 use crate::state::params::{Camera, CameraMode};
-use crate::waves::Plan;
 use crate::waves::colour_scale::ColourScale;
-use drawn::{Mixture, Numbers};
+use crate::waves::{Plan, SeaChange};
+use interpolated::{SurfaceParameters, WeightedPlans};
 use std::sync::Arc;
 
 pub use crate::render::{Film, Grid, Part};
+pub use crate::sim::maps::{FOAM_LEVELS, Maps, MapsF32};
 pub use crate::sim::probe::{Probe, Probed};
-pub use drawn::DrawnSea;
+pub use interpolated::DrawnSea;
 
-/// Lowest eye above the still water, m; the picture raises it over the waves that come.
+/// Least height of the eye above the still water, m; the picture raises it above the approaching waves.
 const LOWEST_EYE_M: f64 = 0.5;
 
 /// A sea on a device, with its renderer.
@@ -35,81 +37,112 @@ pub struct Ocean {
     params: Params,
     shaders: Shaders,
     sim: Simulation,
-    renderer: Renderer,
+    /// None until the first frame of an ocean that was made for its waves only.
+    renderer: Option<Renderer>,
     reference: Option<Reference>,
     format: wgpu::TextureFormat,
-    numbers: Drawn<Numbers>,
-    seas: Drawn<Mixture>,
-    /// The waves under what floats, of the seas that are drawn.
+    film: Film,
+    surface: Interpolated<SurfaceParameters>,
+    plans: Interpolated<WeightedPlans>,
+    /// The waves under the floating objects, for each drawn plan.
     waterlines: Vec<(Arc<Plan>, HullWaves)>,
     timer: Timer,
 }
 
 impl Ocean {
-    /// Allocates a sea whose picture is presented to targets of `format`; `film` says whether its light can be read back.
+    /// Allocates a sea and compiles its renderer for render targets of `format`; `film` says whether the light of a
+    /// frame can be read back.
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, film: Film, params: &Params) -> Self {
+        let mut ocean = Self::waves_only(gpu, params);
+        (ocean.format, ocean.film) = (format, film);
+        ocean.renderer = Some(renderer(gpu, format, film, &ocean.timer));
+        ocean
+    }
+
+    /// Allocates a sea whose maps are computed and read back. If a frame is drawn nevertheless, the renderer is
+    /// compiled then, for [`still::FORMAT`].
+    pub fn waves_only(gpu: &Gpu, params: &Params) -> Self {
         let shaders = Shaders::default();
         let mut sim = Simulation::new(gpu, Plan::new(params), &shaders);
-        let mut renderer = Renderer::new(gpu, format, film);
         let timer = Timer::new(gpu);
         sim.set_timer(timer.clone());
-        renderer.set_timer(timer.clone());
-        let numbers = Drawn::new(Numbers::new(sim.plan(), &params.look));
-        let seas = Drawn::new(Mixture::new(sim.plan()));
+        let surface = Interpolated::new(SurfaceParameters::new(sim.plan(), &params.look));
+        let plans = Interpolated::new(WeightedPlans::new(sim.plan()));
         Self {
             gpu: gpu.clone(),
             params: params.clone(),
             shaders,
             sim,
-            renderer,
+            renderer: None,
             reference: None,
-            format,
-            numbers,
-            seas,
+            format: still::FORMAT,
+            film: Film::Screen,
+            surface,
+            plans,
             waterlines: Vec::new(),
             timer,
         }
     }
 
-    /// Turns to other parameters at once; costs nothing when only the time, the camera or the light changed.
+    /// Takes over parameters at once. Costs nothing if only the time, the camera or the light changed, and does no more
+    /// than the changed level of the sea needs ([`SeaChange`]).
     pub fn set_params(&mut self, params: &Params) {
-        if (&params.grid, &params.sea) != (&self.params.grid, &self.params.sea) || self.is_gliding() {
-            self.sim.set_plan(&self.gpu, Plan::new(params), &self.shaders);
-            self.follow(params, &Moved { turn: Some(Turn::Jump), ..Moved::default() });
+        let change = SeaChange::between(&self.params, params);
+        if change.is_some() || self.in_transition() {
+            let plan = self.plan_of(params, change);
+            self.sim.set_plan(&self.gpu, plan, &self.shaders);
+            self.follow(params, &TransitionStep::IMMEDIATE);
         }
         self.take(params);
     }
 
-    /// Turns to other parameters as a window does, `dt_s` of wall time after its last frame: the sea glides to what they say
-    /// and ends exactly there. Look, camera and time are taken at once, and so is another grid. Call it once a frame, before
-    /// [`Self::encode`], and go on while [`Self::is_gliding`], even if time stands still.
-    pub fn glide_to(&mut self, params: &Params, dt_s: f64) {
+    /// Takes over parameters as a window does, `dt_s` of wall time after the previous frame: the sea makes a transition
+    /// to the new parameters and ends exactly on them. Look, camera, time and another grid are taken over at once. Call
+    /// it once per frame before [`Self::encode`], and continue while [`Self::in_transition`], even if time stands
+    /// still.
+    pub fn transition_to(&mut self, params: &Params, dt_s: f64) {
         if params.grid != self.params.grid {
             return self.set_params(params);
         }
-        let plan = (params.sea != self.params.sea).then(|| Plan::new(params));
-        if plan.is_some() || self.is_gliding() {
-            let moved = self.sim.glide_to(&self.gpu, plan, &self.shaders, params.clock.t_s, dt_s);
-            self.follow(params, &moved);
+        let change = SeaChange::between(&self.params, params);
+        if change.is_some() || self.in_transition() {
+            let plan = change.map(|_| self.plan_of(params, change));
+            let step = self.sim.transition_to(&self.gpu, plan, &self.shaders, params.clock.t_s, dt_s);
+            self.follow(params, &step);
         }
         self.take(params);
     }
 
-    /// Whether the sea is on its way to what the parameters say.
-    pub fn is_gliding(&self) -> bool {
-        self.sim.is_gliding()
+    /// Whether a transition to the parameters is under way.
+    pub fn in_transition(&self) -> bool {
+        self.sim.in_transition()
     }
 
-    fn follow(&mut self, params: &Params, moved: &Moved) {
+    /// The plan of parameters that differ from the present ones in a level of the sea.
+    fn plan_of(&self, params: &Params, change: Option<SeaChange>) -> Plan {
+        match change {
+            Some(SeaChange::Waves) => Plan::new(params),
+            Some(SeaChange::Foam | SeaChange::Surface) | None => self.sim.goal().with_surface(&params.sea),
+        }
+    }
+
+    fn follow(&mut self, params: &Params, step: &TransitionStep) {
         let plan = self.sim.plan();
-        self.numbers.follow(moved, || Numbers::new(plan, &params.look));
-        self.seas.follow(moved, || Mixture::new(plan));
+        self.surface.follow(step, |goal| match step.start {
+            Some(TransitionKind::Foam) => goal.clone(),
+            Some(TransitionKind::Surface) => goal.with_surface(plan),
+            _ => SurfaceParameters::new(plan, &params.look),
+        });
+        self.plans.follow(step, |goal| match step.start {
+            Some(TransitionKind::Foam) => goal.clone(),
+            _ => WeightedPlans::new(plan),
+        });
     }
 
     fn take(&mut self, params: &Params) {
-        if !drawn::refracts_alike(params, &self.params) {
-            let focusing_m = drawn::focusing_m(self.sim.plan(), &params.look);
-            self.numbers.change(|n| n.focusing_m = focusing_m);
+        if !interpolated::refracts_alike(params, &self.params) {
+            let focusing_m = interpolated::focusing_m(self.sim.plan(), &params.look);
+            self.surface.change(|surface| surface.focusing_m = focusing_m);
         }
         self.params = params.clone();
     }
@@ -119,54 +152,59 @@ impl Ocean {
         &self.gpu
     }
 
-    /// What is computed, or glided to.
+    /// The plan of the current sea: during a transition the sea that it leads to.
     pub fn plan(&self) -> &Plan {
         self.sim.plan()
     }
 
-    /// The seas that are drawn at this moment. Heights of water particles over [`Self::level_m`] (and displacements, slopes,
-    /// velocities) are the sum of those of their plans, each cascade times its weight: what a boat needs to stay on the
-    /// water while the sea glides. At rest one sea with weights of 1. Where a slider is dragged, seas of neighbouring frames
-    /// stand for one another.
+    /// The seas that are drawn at this moment. The height of a water particle over [`Self::level_m`] (and its
+    /// displacement, slope and velocity) is the sum over their plans, each cascade times its weight. Outside
+    /// transitions this is one sea with weights of 1. While a slider is dragged, plans of neighbouring frames are
+    /// merged.
     pub fn drawn_seas(&self) -> Vec<DrawnSea> {
         let maps = self.sim.maps();
         let (fading, own) = maps.cascades.split_at(maps.fading);
-        let (old, now) = self.seas.parts();
-        let of = |mixture: &Mixture, cascades: &[MapCascade]| -> Vec<DrawnSea> {
+        let (old, now) = self.plans.parts();
+        let of = |plans: &WeightedPlans, cascades: &[MapCascade]| -> Vec<DrawnSea> {
             let weights = |share: f64| cascades.iter().map(|c| share * f64::from(c.weight)).collect();
-            mixture.0.iter().map(|(plan, share)| DrawnSea { plan: plan.clone(), weights: weights(*share) }).collect()
+            plans.0.iter().map(|(plan, share)| DrawnSea { plan: plan.clone(), weights: weights(*share) }).collect()
         };
         old.into_iter().flat_map(|old| of(old, fading)).chain(of(now, own)).collect()
     }
 
-    /// Height of the still water that is drawn, m: on its way to the state's while the sea glides.
+    /// Height of the still water that is drawn, m; during a transition on its way to the height in the parameters.
     pub fn level_m(&self) -> f64 {
-        self.numbers.value(self.sim.share()).level_m
+        self.surface.value(self.sim.share()).level_m
     }
 
-    /// Times the passes of frames that are recorded between its `begin` and `end`; see [`Timer`].
+    /// The timer of the passes; see [`Timer`].
     pub fn timer(&self) -> &Timer {
         &self.timer
     }
 
-    /// Records copies of the maps of the frame that has been recorded; see [`Probe`].
+    /// Records copies of the maps of the recorded frame; see [`Probe`]. None during a transition.
     pub fn probe(&self, encoder: &mut wgpu::CommandEncoder) -> Option<Probe> {
         self.sim.probe(&self.gpu, encoder)
     }
 
-    /// The simulation, for read-back.
+    /// The maps of the last recorded evaluation.
+    pub fn maps(&self) -> &Maps {
+        self.sim.maps()
+    }
+
+    /// The simulation, for the laboratory and the tests.
     pub fn simulation(&mut self) -> &mut Simulation {
         &mut self.sim
     }
 
-    /// Records one frame of `size` pixels. At most `most_steps` past times are replayed for the foam; returns whether
-    /// it has caught up.
+    /// Records one frame of `size` pixels, with at most `most_steps` time steps of the foam. Returns whether the foam
+    /// has reached the time of the parameters.
     pub fn encode(&mut self, encoder: &mut wgpu::CommandEncoder, size: [u32; 2], most_steps: usize) -> bool {
         self.lay_waterlines();
         let scene = self.scene(size);
-        let centre = [self.params.camera.x_m, self.params.camera.z_m];
-        let caught_up = self.sim.encode(&self.gpu, encoder, self.params.clock.t_s, centre, most_steps);
-        self.renderer.draw(&self.gpu, encoder, self.sim.maps(), &scene, size);
+        let caught_up = self.encode_waves(encoder, most_steps);
+        let renderer = self.renderer.get_or_insert_with(|| renderer(&self.gpu, self.format, self.film, &self.timer));
+        renderer.draw(&self.gpu, encoder, self.sim.maps(), &scene, size);
         caught_up
     }
 
@@ -175,39 +213,49 @@ impl Ocean {
         self.encode(encoder, size, MAX_STEPS);
     }
 
-    /// Linear light of the recorded frame, half floats, for read-back.
+    /// Records the maps and the foam of a frame. Returns whether the foam has reached the time of the parameters.
+    fn encode_waves(&mut self, encoder: &mut wgpu::CommandEncoder, most_steps: usize) -> bool {
+        let centre = [self.params.camera.x_m, self.params.camera.z_m];
+        self.sim.encode(&self.gpu, encoder, self.params.clock.t_s, centre, most_steps)
+    }
+
+    /// The linear light of the recorded frame in half floats, if the film allows its read-back.
     pub fn light(&self) -> Option<&wgpu::Texture> {
-        self.renderer.light()
+        self.renderer.as_ref().and_then(Renderer::light)
     }
 
-    /// Depth of the recorded frame, see [`Renderer::depth`].
+    /// The depth of the recorded frame; see [`Renderer::depth`].
     pub fn depth(&self) -> Option<&wgpu::Texture> {
-        self.renderer.depth()
+        self.renderer.as_ref().and_then(Renderer::depth)
     }
 
-    /// Draws the recorded frame into the viewport of a pass.
+    /// Draws the recorded frame into the viewport of a render pass.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
-        self.renderer.present(pass);
+        if let Some(renderer) = &self.renderer {
+            renderer.present(pass);
+        }
     }
 
-    /// Records one part of the last picture by itself, to be timed.
+    /// Records one part of the last frame alone, to be timed.
     pub fn record(&self, encoder: &mut wgpu::CommandEncoder, part: Part) {
-        self.renderer.record(encoder, part);
+        if let Some(renderer) = &self.renderer {
+            renderer.record(encoder, part);
+        }
     }
 
-    /// Vertices of the mesh of the last picture.
+    /// Number of vertices of the last frame's mesh.
     pub fn vertices(&self) -> u32 {
-        self.renderer.vertices()
+        self.renderer.as_ref().map_or(0, Renderer::vertices)
     }
 
-    /// Records unfiltered samples of the sea as the last frame left it; see [`Reference::draw`].
+    /// Records unfiltered samples of the sea of the last frame; see [`Reference::draw`].
     pub fn encode_samples(&mut self, encoder: &mut wgpu::CommandEncoder, grid: &Grid) -> wgpu::Texture {
         let scene = self.scene(grid.size);
         let reference = self.reference.get_or_insert_with(|| Reference::new(&self.gpu, self.format));
         reference.draw(&self.gpu, encoder, self.sim.maps(), &scene, grid)
     }
 
-    /// Draws a picture in linear light (RGB, row by row) as the film shows it, with the exposure of the state.
+    /// Draws a picture in linear light (RGB, row by row) as the film shows it, with the exposure of the parameters.
     pub fn present_light(&mut self, pass: &mut wgpu::RenderPass<'_>, size: [u32; 2], light: &[[f32; 3]]) {
         let scene = self.scene(size);
         if let Some(reference) = &mut self.reference {
@@ -220,34 +268,35 @@ impl Ocean {
     pub fn scene(&self, [width, height]: [u32; 2]) -> Scene {
         let plan = self.sim.plan();
         let share = self.sim.share();
-        let numbers = self.numbers.value(share);
-        let (old, now) = self.numbers.parts();
+        let surface = self.surface.value(share);
+        let (old, now) = self.surface.parts();
         let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
         Scene {
-            view: View::new(&above_water(&self.params.camera, numbers.level_m), aspect, LOWEST_EYE_M),
+            view: View::new(&above_water(&self.params.camera, surface.level_m), aspect, LOWEST_EYE_M),
             look: self.params.look.clone(),
             rides: self.params.camera.mode == CameraMode::Buoy,
             floats: self.poses(),
-            level_m: numbers.level_m,
+            level_m: surface.level_m,
             scales: std::array::from_fn(|layer| ColourScale::new(self.params.look.view.shown, plan, layer)),
             sea: SeaLook {
-                chop: numbers.chop.map(|l| l as f32),
-                hs_m: numbers.hs_m as f32,
-                depth_m: numbers.depth_m as f32,
-                wind_m_s: numbers.wind_m_s as f32,
-                downwind: numbers.downwind.map(|x| x as f32),
-                residual: numbers.residual,
+                chop: surface.chop.map(|l| l as f32),
+                hs_m: surface.hs_m as f32,
+                depth_m: surface.depth_m as f32,
+                wind_m_s: surface.wind_m_s as f32,
+                downwind: surface.downwind.map(|x| x as f32),
+                residual: surface.residual,
                 finest: now.finest,
                 fading: old.map(|old| Fading { finest: old.finest, share: 1.0 - share }),
-                focusing_m: numbers.focusing_m as f32,
+                focusing_m: surface.focusing_m as f32,
                 mean_foam: self.sim.foam_coverage() as f32,
-                lambda_p_m: numbers.lambda_p_m as f32,
-                cloud_drift_m: numbers.clouds_m_s.map(|v| v * self.params.clock.t_s),
+                lambda_p_m: surface.lambda_p_m as f32,
+                cloud_drift_m: surface.clouds_m_s.map(|v| v * self.params.clock.t_s),
             },
         }
     }
 
-    /// How what floats lies on the water at the time of the parameters; empty before the first frame with it.
+    /// Positions and orientations of the floating objects at the time of the parameters; empty before the first frame
+    /// with them.
     pub fn poses(&self) -> Vec<HullPose> {
         let (seas, level_m) = (self.drawn_seas(), self.level_m());
         let on = |sea: &DrawnSea| self.waterlines.iter().find(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)).map(|(_, w)| w);
@@ -256,7 +305,7 @@ impl Ocean {
         self.params.floats.iter().map(|f| hull_pose(&lines, f, self.params.clock.t_s, level_m)).collect()
     }
 
-    /// Keeps a waterline for every sea that is drawn while something floats.
+    /// Creates the waterlines of the drawn seas, if anything floats.
     fn lay_waterlines(&mut self) {
         if self.params.floats.is_empty() {
             self.waterlines.clear();
@@ -273,7 +322,13 @@ impl Ocean {
     }
 }
 
-/// The camera with its height over the still water: the surface is drawn around 0, wherever its level lies in the world.
+/// The camera with its height relative to the still water, because the surface is drawn around height 0.
 fn above_water(camera: &Camera, level_m: f64) -> Camera {
     Camera { y_m: camera.y_m - level_m, ..camera.clone() }
+}
+
+fn renderer(gpu: &Gpu, format: wgpu::TextureFormat, film: Film, timer: &Timer) -> Renderer {
+    let mut renderer = Renderer::new(gpu, format, film);
+    renderer.set_timer(timer.clone());
+    renderer
 }

@@ -5,10 +5,10 @@ use crate::gpu::Gpu;
 use crate::gpu::offscreen::Picture;
 use crate::state::Params;
 
-/// Format of the pictures.
+/// Format of the pictures that are read back.
 pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-/// The pixels of a state, RGBA, row by row from the top.
+/// Draws a state. Returns its pixels: RGBA, row by row from the top.
 ///
 /// # Errors
 /// If the GPU does not give its memory back.
@@ -16,7 +16,7 @@ pub async fn picture(gpu: &Gpu, params: &Params, size: [u32; 2]) -> Result<Vec<u
     picture_of(gpu, &mut Ocean::new(gpu, FORMAT, Film::Screen, params), size).await
 }
 
-/// The pixels of a sea that may have been running for a while.
+/// Draws an ocean at its present parameters. Returns its pixels: RGBA, row by row from the top.
 ///
 /// # Errors
 /// If the GPU does not give its memory back.
@@ -26,7 +26,7 @@ pub async fn picture_of(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2]) -> Result<
     on_film(gpu, encoder, size, |pass| ocean.present(pass)).await
 }
 
-/// The pixels that `present` draws after what is recorded.
+/// Submits the commands of `encoder` and what `present` draws. Returns the pixels: RGBA, row by row from the top.
 ///
 /// # Errors
 /// If the GPU does not give its memory back.

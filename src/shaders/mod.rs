@@ -1,12 +1,12 @@
 //! Every shader module, joined from plain WGSL files. Names are prefixed by their part (`sea_`, `noise_`).
 
 pub mod fft;
+pub mod unrolled;
 
 use crate::gpu::Gpu;
 use crate::gpu::map_format::MapFormat;
-use fft::{Transform, Way};
-use std::borrow::Cow;
 use std::collections::BTreeMap;
+use unrolled::UnrolledKernel;
 
 /// One WGSL file.
 struct Part {
@@ -24,12 +24,10 @@ const MATHS: Part = part!("common/maths.wgsl");
 const SEA: Part = part!("common/sea.wgsl");
 const NOISE: Part = part!("common/noise.wgsl");
 const TILES: Part = part!("common/tiles.wgsl");
-const FFT_COMMON: Part = part!("waves/fft_common.wgsl");
 const FFT: Part = part!("waves/fft.wgsl");
-const LONG: Part = part!("waves/long.wgsl");
-const COLUMNS_MAPS: Part = part!("waves/columns_maps.wgsl");
-const ROWS_WAVES: Part = part!("waves/rows_waves.wgsl");
-const MIPS: Part = part!("waves/mips.wgsl");
+const WORKGROUP_FFT: Part = part!("waves/workgroup_fft.wgsl");
+const EVOLVE: Part = part!("waves/evolve.wgsl");
+const MIP_MEAN: Part = part!("waves/mip_mean.wgsl");
 const ATMOSPHERE: Part = part!("sky/atmosphere.wgsl");
 const SKY: Part = part!("sky/common.wgsl");
 const SKY_MODEL: Part = part!("sky/model.wgsl");
@@ -51,23 +49,22 @@ const WATER_BED: Part = part!("water/bed.wgsl");
 const WATER_FORWARD: Part = part!("water/forward.wgsl");
 const DEBUG: Part = part!("views/common.wgsl");
 
+/// Texels of the maps in a buffer, by their format.
+const MAP_TEXEL_HALF: &str = include_str!("../../shaders/waves/map_texel_half.wgsl");
+const MAP_TEXEL_FLOAT: &str = include_str!("../../shaders/waves/map_texel_float.wgsl");
+
 /// Module names and the parts they are joined from; the last part holds the entry points.
 const MODULES: &[(&str, &[Part])] = &[
-    ("spectrum", &[MATHS, SEA, NOISE, part!("waves/spectrum.wgsl")]),
-    ("rows", &[MATHS, SEA, FFT_COMMON, FFT, ROWS_WAVES, part!("waves/rows.wgsl")]),
-    ("rows_first", &[MATHS, SEA, FFT_COMMON, ROWS_WAVES, part!("waves/rows_first.wgsl")]),
-    ("lines_second", &[FFT_COMMON, part!("waves/lines_second.wgsl")]),
-    ("middle", &[FFT_COMMON, LONG, part!("waves/middle.wgsl")]),
-    ("columns", &[SEA, FFT_COMMON, FFT, part!("waves/columns.wgsl")]),
-    ("columns_first", &[FFT_COMMON, part!("waves/columns_first.wgsl")]),
-    ("columns_second", &[FFT_COMMON, part!("waves/maps_half.wgsl"), COLUMNS_MAPS, part!("waves/columns_second.wgsl")]),
-    (
-        "columns_last",
-        &[FFT_COMMON, LONG, part!("waves/maps_half.wgsl"), COLUMNS_MAPS, part!("waves/columns_last.wgsl")],
-    ),
-    ("mips_level", &[SEA, MIPS, part!("waves/mips_level.wgsl")]),
-    ("mips_chain", &[SEA, MIPS, part!("waves/mips_chain.wgsl")]),
-    ("foam", &[MATHS, SEA, NOISE, TILES, part!("foam/foam.wgsl")]),
+    ("waves/spectrum", &[MATHS, SEA, NOISE, part!("waves/spectrum.wgsl")]),
+    ("waves/rows", &[MATHS, SEA, FFT, WORKGROUP_FFT, EVOLVE, part!("waves/rows.wgsl")]),
+    ("waves/columns", &[SEA, FFT, WORKGROUP_FFT, part!("waves/columns.wgsl")]),
+    ("waves/mips", &[SEA, MIP_MEAN, part!("waves/mips.wgsl")]),
+    ("waves/unrolled_rows_first", &[MATHS, SEA, FFT, EVOLVE, part!("waves/unrolled_rows_first.wgsl")]),
+    ("waves/unrolled_rows_second", &[FFT, part!("waves/unrolled_rows_second.wgsl")]),
+    ("waves/unrolled_columns_first", &[FFT, part!("waves/unrolled_columns_first.wgsl")]),
+    ("waves/unrolled_columns_second", &[FFT, part!("waves/unrolled_columns_second.wgsl")]),
+    ("waves/unrolled_mips", &[SEA, MIP_MEAN, part!("waves/unrolled_mips.wgsl")]),
+    ("foam/foam", &[MATHS, SEA, NOISE, TILES, part!("foam/foam.wgsl")]),
     ("sky_transmittance", &[ATMOSPHERE, SKY, part!("sky/transmittance.wgsl")]),
     ("sky_multiple", &[ATMOSPHERE, SKY, part!("sky/multiple.wgsl")]),
     ("sky_view", &[ATMOSPHERE, SKY, part!("sky/view.wgsl")]),
@@ -109,9 +106,6 @@ const MODULES: &[(&str, &[Part])] = &[
     ("debug_show", &[part!("views/show.wgsl")]),
 ];
 
-/// Modules of [`Way::Merged`]; only they have long numbers.
-pub const MERGED: [&str; 2] = ["middle", "columns_last"];
-
 /// Modules that hold another whole, and what they add to it.
 const EXTENSIONS: &[(&str, &str, &[Part])] = &[
     ("water_forward", "water", &[WATER_FORWARD]),
@@ -126,22 +120,17 @@ fn modules() -> impl Iterator<Item = (&'static str, Vec<&'static Part>)> {
     MODULES.iter().map(|(name, parts)| (*name, parts.iter().collect())).chain(extended)
 }
 
-/// The sources that a device's modules are made from.
+/// The WGSL sources of all modules.
 #[derive(Clone, Debug)]
 pub struct Shaders {
-    sources: BTreeMap<&'static str, Cow<'static, str>>,
-    way: Option<Way>,
-    maps: Option<MapFormat>,
+    sources: BTreeMap<&'static str, String>,
+    format: Option<MapFormat>,
 }
 
 impl Default for Shaders {
     fn default() -> Self {
         let join = |parts: Vec<&Part>| parts.iter().map(|p| p.text).collect::<Vec<_>>().join("\n");
-        Self {
-            sources: modules().map(|(name, parts)| (name, Cow::Owned(join(parts)))).collect(),
-            way: None,
-            maps: None,
-        }
+        Self { sources: modules().map(|(name, parts)| (name, join(parts))).collect(), format: None }
     }
 }
 
@@ -154,69 +143,57 @@ impl Shaders {
     pub fn patched(mut self, module: &str, from: &str, to: &str) -> Self {
         let source = self.sources.get_mut(module).unwrap_or_else(|| panic!("no shader module {module}"));
         assert_eq!(source.matches(from).count(), 1, "\"{from}\" should stand once in {module}");
-        *source = Cow::Owned(source.replace(from, to));
+        *source = source.replace(from, to);
         self
     }
 
-    /// The same with one way of transforming on every device that can (long numbers are a feature): how it is tested and
-    /// measured where it is not the rule.
+    /// These sources with maps of one format instead of the device's fastest.
     #[must_use]
-    pub fn with_way(self, way: Way) -> Self {
-        Self { way: Some(way), ..self }
+    pub fn with_maps(self, format: MapFormat) -> Self {
+        Self { format: Some(format), ..self }
     }
 
-    /// How lines of `n` points are transformed on a device.
-    pub fn way(&self, gpu: &Gpu, n: u32) -> Way {
-        self.way.unwrap_or_else(|| Way::of(gpu)).for_points(n)
-    }
-
-    /// The same with maps of one format on every adapter that can filter it.
-    #[must_use]
-    pub fn with_maps(self, maps: MapFormat) -> Self {
-        Self { maps: Some(maps), ..self }
-    }
-
-    /// How maps are kept on a device.
+    /// Format of the maps on a device.
     pub fn maps(&self, gpu: &Gpu) -> MapFormat {
-        self.maps.unwrap_or_else(|| MapFormat::of(gpu))
+        self.format.unwrap_or_else(|| MapFormat::of(gpu))
     }
 
-    /// Names and joined texts; what is written out is that of 256 points, and maps are of half floats unless they are chosen.
+    /// Names and WGSL texts of all modules: unrolled kernels for 256 points, and half-float maps unless a format was
+    /// set.
     pub fn all(&self) -> impl Iterator<Item = (&'static str, String)> {
-        let maps = self.maps.unwrap_or(MapFormat::Half);
-        self.sources.keys().map(move |name| {
-            let way = if MERGED.contains(name) { Way::Merged } else { Way::Straight };
-            (*name, self.source(name, Transform::new(256, way), maps))
+        let format = self.format.unwrap_or(MapFormat::Half);
+        self.sources.keys().map(move |&name| {
+            let kernel = UnrolledKernel::ALL.into_iter().find(|kernel| kernel.module() == name);
+            (name, kernel.map_or_else(|| self.text(name, format), |kernel| self.unrolled_text(kernel, 256, format)))
         })
-    }
-
-    fn source(&self, name: &str, transform: Transform, maps: MapFormat) -> String {
-        let source = self.sources.get(name).unwrap_or_else(|| panic!("no shader module {name}"));
-        let code = format!("{source}\n{}", transform.straight_code(name).unwrap_or_default());
-        maps.shader(code.into()).into_owned()
     }
 
     /// Compiles a module.
     ///
     /// # Panics
-    /// If there is none of that name.
+    /// If no module has that name.
     pub fn module(&self, gpu: &Gpu, name: &str) -> wgpu::ShaderModule {
-        let (label, source) = self.sources.get_key_value(name).unwrap_or_else(|| panic!("no shader module {name}"));
-        gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some(label),
-            source: wgpu::ShaderSource::Wgsl(self.maps(gpu).shader(Cow::Borrowed(source))),
-        })
+        gpu.module(name, &self.text(name, self.maps(gpu)))
     }
 
-    /// Compiles a module together with what is written out for a transform.
-    ///
-    /// # Panics
-    /// If there is none of that name.
-    pub fn straight(&self, gpu: &Gpu, name: &str, transform: Transform) -> wgpu::ShaderModule {
-        gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some(name),
-            source: wgpu::ShaderSource::Wgsl(Cow::Owned(self.source(name, transform, self.maps(gpu)))),
-        })
+    /// Compiles a kernel of the unrolled transform for lines of `n` points.
+    pub fn unrolled(&self, gpu: &Gpu, kernel: UnrolledKernel, n: u32) -> wgpu::ShaderModule {
+        gpu.module(kernel.module(), &self.unrolled_text(kernel, n, self.maps(gpu)))
+    }
+
+    fn text(&self, name: &str, format: MapFormat) -> String {
+        let source = self.sources.get(name).unwrap_or_else(|| panic!("no shader module {name}"));
+        // The sources declare half-float storage textures.
+        source.replace("rgba16float", format.wgsl())
+    }
+
+    fn unrolled_text(&self, kernel: UnrolledKernel, n: u32, format: MapFormat) -> String {
+        let map_texel = match (kernel, format) {
+            (UnrolledKernel::ColumnsSecond, MapFormat::Half) => MAP_TEXEL_HALF,
+            (UnrolledKernel::ColumnsSecond, MapFormat::Float) => MAP_TEXEL_FLOAT,
+            _ => "",
+        };
+        [self.text(kernel.module(), format).as_str(), &kernel.code(n), map_texel].join("\n")
     }
 }
 
@@ -242,12 +219,12 @@ mod tests {
     #[test]
     fn lines_are_found_again() {
         let shaders = Shaders::default();
-        let (_, text) = shaders.all().find(|(name, _)| *name == "rows").unwrap();
-        let line = text.lines().position(|l| l.contains("fn rows_pack(")).unwrap() + 1;
-        let (file, at) = locate("rows", line).unwrap();
-        assert_eq!(file, "waves/rows_waves.wgsl");
+        let (_, text) = shaders.all().find(|(name, _)| *name == "waves/rows").unwrap();
+        let line = text.lines().position(|l| l.contains("fn evolve_pack(")).unwrap() + 1;
+        let (file, at) = locate("waves/rows", line).unwrap();
+        assert_eq!(file, "waves/evolve.wgsl");
         assert!(
-            include_str!("../../shaders/waves/rows_waves.wgsl").lines().nth(at - 1).unwrap().contains("fn rows_pack(")
+            include_str!("../../shaders/waves/evolve.wgsl").lines().nth(at - 1).unwrap().contains("fn evolve_pack(")
         );
     }
 }

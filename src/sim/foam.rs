@@ -1,63 +1,64 @@
-//! When and where foam is computed: the lattice of replayed times, and the world-anchored levels.
+//! When the foam is computed, and where its world-anchored levels lie.
 
-use super::glide::{Mix, mix, mix2};
-use super::maps::{FOAM_LEVELS, MAX_DRAWN, TilePlace};
-use super::maps::{FoamLevel, Maps};
+use super::maps::{FOAM_LEVELS, FoamLevel, MAX_DRAWN, Maps, TilePlace};
+use super::transition::{Interpolate, interpolate, interpolate2};
 use super::uniforms::{FoamCascade, FoamLevelUniform, FoamUniform};
 use crate::waves::{Plan, foam};
 
-/// Evaluations of a cold start.
+/// Time steps of a cold start.
 pub const REPLAY_STEPS: usize = 48;
-/// Decay times that a cold start looks back.
+/// Length of the replayed past in decay times.
 const REPLAY_DECAYS: f64 = 5.0;
-/// A longer step than this is a jump, and starts anew.
+/// Longest time step, s. A longer one is a jump of time and causes a cold start.
 const LONGEST_STEP_S: f64 = 1.0;
-/// Side of the finest level, m, and ratio of neighbouring levels.
+/// Side of the finest level, m.
 const FINEST_SIDE_M: f64 = 64.0;
+/// Ratio of the sides of neighbouring levels.
 const LEVEL_RATIO: f64 = 4.0;
 
-/// One step of the foam.
+/// One time step of the foam.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Step {
-    /// Time at its end, s.
+pub struct FoamStep {
+    /// Time at the end of the step, s.
     pub t_s: f64,
-    /// Its length, s.
+    /// Length of the step, s.
     pub dt_s: f64,
-    /// Whether nothing before it counts.
+    /// Whether the foam before the step is discarded.
     pub fresh: bool,
 }
 
-/// Knows how far the foam has come and where its levels lie.
+/// Time and place of the foam.
 #[derive(Debug)]
 pub struct FoamClock {
     size: u32,
     /// Time of the last step; None before the first.
     at_s: Option<f64>,
-    /// Lattice times that a cold start has yet to replay, earliest first.
-    replay: Vec<Step>,
+    /// Steps that a cold start has yet to replay, the next one last.
+    replay: Vec<FoamStep>,
+    /// First cell of each level at the last step.
     cells: Option<[[i32; 2]; FOAM_LEVELS]>,
-    /// Time of the last step before the sea changed, while foam of the old sea may be left.
+    /// Time of the last step before the sea changed, as long as foam of the previous sea may be left.
     changed_at_s: Option<f64>,
-    /// Middle of the levels at the last step.
+    /// Centre of the levels at the last step, world x and z, m.
     centre: [f64; 2],
-    numbers: Numbers,
+    parameters: FoamParameters,
 }
 
-/// What the foam takes from a plan.
+/// The parameters of the foam that follow from a plan.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Numbers {
-    /// Horizontal displacement along x and z.
+pub struct FoamParameters {
+    /// Horizontal displacement factor along x and z.
     pub chop: [f64; 2],
-    /// Where foam forms, per level.
+    /// Threshold and slope of the source, per level.
     sources: [foam::FoamSource; FOAM_LEVELS],
-    /// Mean foam to be expected.
+    /// Expected mean foam, 0 to 1.
     pub coverage: f64,
     decay_s: f64,
     rate_per_s: f64,
 }
 
-impl Numbers {
-    /// On levels of `size` cells a side.
+impl FoamParameters {
+    /// The parameters of a plan on levels of `size` cells a side.
     pub fn new(size: u32, plan: &Plan) -> Self {
         let foam = foam::FoamModel::new(plan);
         Self {
@@ -70,50 +71,51 @@ impl Numbers {
     }
 }
 
-impl Mix for Numbers {
-    fn mix(&self, to: &Self, share: f64) -> Self {
+impl Interpolate for FoamParameters {
+    fn interpolate(&self, to: &Self, share: f64) -> Self {
         let source = |level: usize| {
             let (a, b) = (self.sources[level], to.sources[level]);
-            // The threshold of a sea without foam stands for nothing.
+            // Without foam (slope 0) the threshold has no meaning.
             let threshold = match (a.slope > 0.0, b.slope > 0.0) {
                 (true, false) => a.threshold,
                 (false, true) => b.threshold,
-                _ => mix(a.threshold, b.threshold, share),
+                _ => interpolate(a.threshold, b.threshold, share),
             };
-            foam::FoamSource { threshold, slope: mix(a.slope, b.slope, share) }
+            foam::FoamSource { threshold, slope: interpolate(a.slope, b.slope, share) }
         };
         Self {
-            chop: mix2(self.chop, to.chop, share),
+            chop: interpolate2(self.chop, to.chop, share),
             sources: std::array::from_fn(source),
-            coverage: mix(self.coverage, to.coverage, share),
-            decay_s: mix(self.decay_s, to.decay_s, share),
-            rate_per_s: mix(self.rate_per_s, to.rate_per_s, share),
+            coverage: interpolate(self.coverage, to.coverage, share),
+            decay_s: interpolate(self.decay_s, to.decay_s, share),
+            rate_per_s: interpolate(self.rate_per_s, to.rate_per_s, share),
         }
     }
 }
 
 impl FoamClock {
-    /// Levels of `size` cells a side.
-    pub fn new(size: u32, numbers: Numbers) -> Self {
-        Self { size, at_s: None, replay: Vec::new(), cells: None, changed_at_s: None, centre: [0.0; 2], numbers }
+    /// A clock before its first step, for levels of `size` cells a side.
+    pub fn new(size: u32, parameters: FoamParameters) -> Self {
+        Self { size, at_s: None, replay: Vec::new(), cells: None, changed_at_s: None, centre: [0.0; 2], parameters }
     }
 
-    /// Takes the numbers of a sea on its way to another.
-    pub fn set_numbers(&mut self, numbers: Numbers) {
-        self.numbers = numbers;
+    /// Replaces the parameters; the foam and its time stay.
+    pub fn set_parameters(&mut self, parameters: FoamParameters) {
+        self.parameters = parameters;
     }
 
-    /// The sea is another now; the foam that is there stays while time runs.
+    /// Notes that the sea has changed. The existing foam stays while time runs; if time stands still, the next call of
+    /// [`Self::steps_to`] causes a cold start.
     pub fn set_changed(&mut self) {
         self.changed_at_s = self.at_s;
     }
 
-    /// The next steps towards `t_s`, at most `most`: none when the foam is there already. A cold start (the first call, a
-    /// jump of time, or another sea or place while time stands still) replays a lattice of times that depends on `t_s`
+    /// The next time steps towards `t_s`, at most `most`; none if the foam is at `t_s` already. A cold start (the first
+    /// call, a jump of time, or another sea or place while time stands still) replays time steps that depend on `t_s`
     /// alone, so that a still depends on the state alone.
-    pub fn steps_to(&mut self, t_s: f64, centre: [f64; 2], most: usize) -> Vec<Step> {
+    pub fn steps_to(&mut self, t_s: f64, centre: [f64; 2], most: usize) -> Vec<FoamStep> {
         let jumped = |at: f64| t_s < at || t_s - at > LONGEST_STEP_S;
-        let memory_s = REPLAY_DECAYS * self.numbers.decay_s;
+        let memory_s = REPLAY_DECAYS * self.parameters.decay_s;
         if self.changed_at_s.is_some_and(|changed| t_s - changed > memory_s) {
             self.changed_at_s = None;
         }
@@ -123,7 +125,7 @@ impl FoamClock {
         if self.at_s.is_none_or(jumped) && self.replay.is_empty() || elsewhere {
             self.changed_at_s = None;
             self.centre = centre;
-            self.replay = replay(t_s, self.numbers.decay_s);
+            self.replay = replay(t_s, self.parameters.decay_s);
             self.replay.reverse();
         }
         if !stands {
@@ -133,11 +135,11 @@ impl FoamClock {
         while steps.len() < most {
             match self.replay.pop() {
                 Some(step) => {
-                    // Time may have gone on since the replay was planned; its last step leads to where time is now.
+                    // Time may have moved on since the replay was planned; its last step then ends at the present time.
                     let last = self.replay.is_empty();
                     let from = step.t_s - step.dt_s;
                     let t = if last && t_s >= from && t_s - from <= LONGEST_STEP_S { t_s } else { step.t_s };
-                    steps.push(Step { t_s: t, dt_s: t - from, fresh: step.fresh });
+                    steps.push(FoamStep { t_s: t, dt_s: t - from, fresh: step.fresh });
                     self.at_s = Some(t);
                 }
                 None => {
@@ -145,7 +147,7 @@ impl FoamClock {
                         && t_s > at
                         && !jumped(at)
                     {
-                        steps.push(Step { t_s, dt_s: t_s - at, fresh: false });
+                        steps.push(FoamStep { t_s, dt_s: t_s - at, fresh: false });
                         self.at_s = Some(t_s);
                     }
                     break;
@@ -155,17 +157,17 @@ impl FoamClock {
         steps
     }
 
-    /// What the foam goes by.
-    pub fn numbers(&self) -> &Numbers {
-        &self.numbers
+    /// The present parameters.
+    pub fn parameters(&self) -> &FoamParameters {
+        &self.parameters
     }
 
-    /// Whether the foam has come to `t_s`.
+    /// Whether the foam has reached `t_s`.
     pub fn is_at(&self, t_s: f64) -> bool {
         self.replay.is_empty() && self.at_s == Some(t_s)
     }
 
-    /// The levels around `centre` (world x, z).
+    /// The levels around `centre` (world x, z, m).
     pub fn levels(&self, centre: [f64; 2]) -> Vec<FoamLevel> {
         let half = f64::from(self.size / 2);
         (0..FOAM_LEVELS)
@@ -177,16 +179,16 @@ impl FoamClock {
             .collect()
     }
 
-    /// The uniform of one step on maps.
-    pub fn uniform(&mut self, step: &Step, centre: [f64; 2], maps: &Maps) -> FoamUniform {
+    /// The uniform of one time step, with the maps at its end.
+    pub fn uniform(&mut self, step: &FoamStep, centre: [f64; 2], maps: &Maps) -> FoamUniform {
         let cells: [[i32; 2]; FOAM_LEVELS] = std::array::from_fn(|level| self.first_cell(level, centre));
-        // Before the first step no cell is known: anything out of range says so.
-        let nowhere = [[i32::MIN / 2; 2]; FOAM_LEVELS];
-        let previous = if step.fresh { nowhere } else { self.cells.unwrap_or(nowhere) };
+        // A first cell that is out of range marks all cells as unknown.
+        let unknown = [[i32::MIN / 2; 2]; FOAM_LEVELS];
+        let previous = if step.fresh { unknown } else { self.cells.unwrap_or(unknown) };
         self.cells = Some(cells);
         let levels = std::array::from_fn(|level| {
             let texel_m = texel_m(self.size, level);
-            let source = self.numbers.sources[level];
+            let source = self.parameters.sources[level];
             let corner = cells[level].map(|c| f64::from(c) * texel_m);
             let (mut uv, mut tiles) = ([[0.0; 2]; MAX_DRAWN], [TilePlace::default(); MAX_DRAWN]);
             for ((uv, tile), cascade) in uv.iter_mut().zip(&mut tiles).zip(&maps.cascades) {
@@ -202,7 +204,7 @@ impl FoamClock {
                 texel_m: texel_m as f32,
                 threshold: source.threshold as f32,
                 slope: source.slope as f32,
-                start: self.numbers.coverage as f32,
+                start: self.parameters.coverage as f32,
             }
         });
         let mut cascades = [FoamCascade::default(); MAX_DRAWN];
@@ -213,14 +215,15 @@ impl FoamClock {
             levels,
             cascades,
             dt: step.dt_s as f32,
-            decay: (1.0 / self.numbers.decay_s) as f32,
-            rate: self.numbers.rate_per_s as f32,
+            decay: (1.0 / self.parameters.decay_s) as f32,
+            rate: self.parameters.rate_per_s as f32,
             size: self.size,
             count: maps.cascades.len() as u32,
             unused: [0; 3],
         }
     }
 
+    /// First cell in range along x and z of a level around `centre`.
     fn first_cell(&self, level: usize, centre: [f64; 2]) -> [i32; 2] {
         let half = self.size as i32 / 2;
         centre.map(|x| (x / texel_m(self.size, level)).floor() as i32 - half)
@@ -232,16 +235,16 @@ fn texel_m(size: u32, level: usize) -> f64 {
     FINEST_SIDE_M * LEVEL_RATIO.powi(level as i32) / f64::from(size)
 }
 
-/// The steps of a cold start at `t_s`: ages of fixed length over the last decay times, shorter and shorter. What has just
-/// broken is the whitest and has not been smeared by fading, so that is where long steps would be seen.
-fn replay(t_s: f64, decay_s: f64) -> Vec<Step> {
+/// The time steps of a cold start at `t_s`. They cover the last decay times and get shorter towards `t_s`: recently
+/// formed foam is the brightest and the least faded, so that long steps would be visible there.
+fn replay(t_s: f64, decay_s: f64) -> Vec<FoamStep> {
     const GRADING: f64 = 1.8;
     let age = |i: usize| {
         let back = (REPLAY_STEPS - 1).saturating_sub(i) as f64 / (REPLAY_STEPS - 1) as f64;
         REPLAY_DECAYS * decay_s * back.powf(GRADING)
     };
     let dt = |i: usize| age(i.saturating_sub(1)) - age(i.max(1));
-    (0..REPLAY_STEPS).map(|i| Step { t_s: t_s - age(i), dt_s: dt(i), fresh: i == 0 }).collect()
+    (0..REPLAY_STEPS).map(|i| FoamStep { t_s: t_s - age(i), dt_s: dt(i), fresh: i == 0 }).collect()
 }
 
 #[cfg(test)]
@@ -253,7 +256,7 @@ mod tests {
     fn a_cold_start_ends_at_its_time_and_depends_on_it_alone() {
         let plan = Plan::new(&Params::default());
         for t in [0.0, 20.0, 20.1, 1e6] {
-            let steps = FoamClock::new(64, Numbers::new(64, &plan)).steps_to(t, [0.0; 2], usize::MAX);
+            let steps = FoamClock::new(64, FoamParameters::new(64, &plan)).steps_to(t, [0.0; 2], usize::MAX);
             assert_eq!(steps.len(), REPLAY_STEPS);
             assert_eq!(steps[REPLAY_STEPS - 1].t_s, t);
             for pair in steps.windows(2) {
@@ -265,7 +268,7 @@ mod tests {
     #[test]
     fn a_replay_in_parts_catches_up_with_time() {
         let plan = Plan::new(&Params::default());
-        let mut clock = FoamClock::new(64, Numbers::new(64, &plan));
+        let mut clock = FoamClock::new(64, FoamParameters::new(64, &plan));
         let mut t = 5.0;
         let mut total = 0;
         for _ in 0..20 {

@@ -1,7 +1,7 @@
-//! The read-only product of the simulation: all that the renderer sees of it.
+//! The read-only product of the simulation: everything that the renderer sees of it.
 
-use super::glide::{Turn, weights};
-use super::resources::{MapKind, Resources, view};
+use super::resources::{MapKind, Resources, array_view};
+use super::transition::{TransitionKind, weights};
 use crate::gpu::layout::gpu_struct;
 use crate::waves::Plan;
 use crate::waves::overlap::Overlap;
@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 
 /// Most cascades of a sea.
 pub const MAX_CASCADES: usize = 4;
-/// Most cascades that are drawn: those of a sea, and of the one that it fades out of.
+/// Most cascades that are drawn: those of two seas during a cross-fade.
 pub const MAX_DRAWN: usize = 2 * MAX_CASCADES;
 /// Levels of the foam clipmap.
 pub const FOAM_LEVELS: usize = 4;
@@ -19,68 +19,71 @@ gpu_struct! {
     /// WGSL `TilePlace`: the lattice of a patch's copies as seen from a point.
     #[derive(Default)]
     pub struct TilePlace as "TilePlace" {
-        /// Cosine and sine of its angle, over the side of a triangle.
+        /// Cosine and sine of the lattice's angle, over the side of a triangle.
         pub turn: [f32; 2],
-        /// The point in lattice coordinates, beyond its cell.
+        /// Fractional lattice coordinates of the point.
         pub rest: [f32; 2],
         /// Whole lattice coordinates of the point.
         pub cell: [i32; 2],
-        /// Of the shifts.
+        /// Noise key of the shifts.
         pub key: u32,
-        /// 0: the patch repeats.
+        /// 0 if the patch repeats instead.
         pub on: u32,
     }
 }
 
-/// Views of the current sea and what is needed to sample them. A texel (i, j) of a map holds the point
-/// x = i patch/n, z = j patch/n: uv = x / patch + 0.5 / n, repeating.
+/// Views of the maps of the drawn cascades, and what a shader needs to sample them. Texel (i, j) of a map holds the
+/// point x = i patch/n, z = j patch/n: uv = x / patch + 0.5 / n, repeating.
 #[derive(Debug)]
 pub struct Maps {
-    /// 2d array, four numbers, a layer for each cascade, with mips: Dx, eta, Dz (m) and dDx/dz; chop not applied.
+    /// 2d array, one layer per cascade, n texels a side, all mip levels: Dx, eta, Dz (m) and dDx/dz, without chop.
     pub displacement: wgpu::TextureView,
-    /// The same shape: d eta/dx, d eta/dz, dDx/dx, dDz/dz.
+    /// 2d array, one layer per cascade, n texels a side, all mip levels: d eta/dx, d eta/dz, dDx/dx, dDz/dz, without
+    /// chop.
     pub gradients: wgpu::TextureView,
-    /// n/2 a side, with mips: second moments of the slopes (xx, zz, xz, 0) in units of `moment_scale`; mip j belongs
-    /// to mip j + 1 of the others.
+    /// 2d array, one layer per cascade, n/2 texels a side: second moments of the slopes (xx, zz, xz, 0) in units of
+    /// `moment_scale`. Mip level j belongs to mip level j + 1 of the other maps.
     pub moments: wgpu::TextureView,
-    /// 2d array, layer = foam level, repeating: foam and present source, both 0..1, undisplaced.
+    /// 2d array, one layer per foam level, repeating: foam and current source, both 0 to 1, in undisplaced coordinates.
     pub foam: wgpu::TextureView,
-    /// h0 of the sea, complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
+    /// h0 of the current sea, complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
     pub h0: wgpu::Buffer,
-    /// Turns (u32) and orbit over wave number (f32, m) per triangle entry and cascade of the sea.
+    /// Turns (u32) and orbit over wave number (f32, m) per triangle entry and cascade of the current sea.
     pub wave: wgpu::Buffer,
     /// Phase of all waves at the time of the maps, t / period in units of 2^-32.
     pub phase_time: u32,
-    /// All that are drawn: those of a sea that fades, if any, then those of the sea. Longest waves first.
+    /// The drawn cascades: first those of the sea that fades out, if there is one, then those of the current sea.
+    /// Longest waves first within each sea.
     pub cascades: Vec<MapCascade>,
-    /// How many of them belong to a sea that fades.
+    /// Number of leading `cascades` that belong to the sea that fades out.
     pub fading: usize,
-    /// Finest first.
+    /// Foam levels, finest first.
     pub foam_levels: Vec<FoamLevel>,
     /// Cells along a side of a foam level.
     pub foam_n: u32,
-    /// Texels along a side of a map.
+    /// Texels along a side of a map's mip level 0.
     pub n: u32,
-    /// Changes when the views are new.
+    /// Increases when the views are replaced.
     pub generation: u64,
 }
 
-/// One cascade's maps.
+/// The maps of one cascade.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MapCascade {
     /// Side of the patch, m.
     pub patch_m: f64,
-    /// How it covers the plane.
+    /// How copies of the patch cover the plane.
     pub tiling: Tiling,
-    /// Its shortest wave, m.
+    /// Wavelength of the shortest wave, m.
     pub shortest_m: f64,
-    /// Unit of the moments.
+    /// Unit of the slope moments.
     pub moment_scale: f32,
     /// Layer of the maps.
     pub layer: u32,
-    /// Amplitude that the maps are drawn with: 1, unless one sea fades into another.
+    /// Amplitude with which the maps are computed: 1 except during a cross-fade.
     pub weight: f32,
-    /// What the variance of its slopes is short of meanwhile: seas that have waves in common add by their amplitudes.
+    /// Slope-variance correction during a cross-fade: waves that both seas have in common add by amplitude, while the
+    /// shaders add the variances of all cascades.
     pub gain: f32,
 }
 
@@ -96,12 +99,12 @@ impl From<Place> for TilePlace {
     }
 }
 
-/// One level of the foam: valid within half of foam_n texels of its centre.
+/// One level of the foam. It covers foam_n cells around its centre along each axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoamLevel {
     /// Size of a cell, m.
     pub texel_m: f64,
-    /// World x and z of the middle.
+    /// World x and z of the centre, m.
     pub centre: [f64; 2],
 }
 
@@ -112,9 +115,9 @@ impl Maps {
             displacement: resources.map_view(MapKind::Displacement),
             gradients: resources.map_view(MapKind::Gradients),
             moments: resources.map_view(MapKind::Moments),
-            foam: view(&resources.foam, None),
-            h0: resources.sea.h0.clone(),
-            wave: resources.sea.wave.clone(),
+            foam: array_view(&resources.foam, None),
+            h0: resources.sea().h0.clone(),
+            wave: resources.sea().wave.clone(),
             phase_time: 0,
             cascades: MapCascade::all(plan, resources),
             fading: 0,
@@ -125,29 +128,30 @@ impl Maps {
         }
     }
 
-    /// The cascades of the sea alone.
+    /// The cascades of the current sea.
     pub fn sea(&self) -> &[MapCascade] {
         &self.cascades[self.fading..]
     }
 
-    /// Takes over a plan of the same size.
-    pub(super) fn turn(&mut self, plan: &Plan, resources: &Resources, turn: Turn) {
-        match turn {
-            Turn::Jump => {
+    /// Takes over the waves of a plan of the same FFT size when a transition to them starts.
+    pub(super) fn start(&mut self, plan: &Plan, resources: &Resources, kind: TransitionKind) {
+        match kind {
+            TransitionKind::Foam | TransitionKind::Surface => return,
+            TransitionKind::Immediate => {
                 self.cascades.clear();
                 self.fading = 0;
             }
-            Turn::Ease => self.cascades.truncate(self.fading),
-            Turn::Fade => {
+            TransitionKind::Amplitudes => self.cascades.truncate(self.fading),
+            TransitionKind::CrossFade => {
                 self.end_fade();
                 self.fading = self.cascades.len();
             }
         }
         self.cascades.extend(MapCascade::all(plan, resources));
-        (self.h0, self.wave) = (resources.sea.h0.clone(), resources.sea.wave.clone());
+        (self.h0, self.wave) = (resources.sea().h0.clone(), resources.sea().wave.clone());
     }
 
-    /// Sets the weights of a fade in which the sea has this share.
+    /// Sets the weights during a cross-fade in which the current sea has this share of the variance.
     pub(super) fn weigh(&mut self, overlaps: &[Overlap], share: f64) {
         let fading = self.fading;
         for (i, cascade) in self.cascades.iter_mut().enumerate() {
@@ -157,13 +161,13 @@ impl Maps {
         }
     }
 
-    /// The sea that fades is gone.
+    /// Removes the cascades of the sea that has faded out.
     pub(super) fn end_fade(&mut self) {
         self.cascades.drain(..self.fading);
         self.fading = 0;
     }
 
-    /// Takes over new textures.
+    /// Takes over replaced textures.
     pub(super) fn rebind(&mut self, resources: &Resources) {
         self.displacement = resources.map_view(MapKind::Displacement);
         self.gradients = resources.map_view(MapKind::Gradients);
@@ -174,10 +178,10 @@ impl Maps {
 
 impl MapCascade {
     fn all(plan: &Plan, resources: &Resources) -> Vec<Self> {
-        (resources.sea.first_layer..)
+        (resources.first_layer()..)
             .zip(&plan.cascades)
             .map(|(layer, c)| {
-                // Half the cascade's mean square slope is one component's; half floats then hold numbers near 1.
+                // Half the cascade's mean square slope, the variance of one component: moments in this unit are near 1.
                 let mss = plan.energy.mss_between(c.k_low, c.k_high);
                 let moment_scale = if mss > 1e-12 { 0.5 * mss as f32 } else { 1.0 };
                 let shortest_m = TAU / c.k_high.max(c.dk());
@@ -192,5 +196,32 @@ impl MapCascade {
                 }
             })
             .collect()
+    }
+}
+
+/// The maps of all cascades in f32, without chop. Texels lie cascade by cascade: first n x n of displacement (Dx, eta,
+/// Dz, dDx/dz), then n x n of gradients (d eta/dx, d eta/dz, dDx/dx, dDz/dz), rows along z, columns along x.
+#[derive(Clone, Debug)]
+pub struct MapsF32 {
+    /// Texels along a side of a map.
+    pub n: usize,
+    /// All texels.
+    pub texels: Vec<[f32; 4]>,
+}
+
+impl MapsF32 {
+    /// Number of cascades.
+    pub fn cascades(&self) -> usize {
+        self.texels.len() / (2 * self.n * self.n)
+    }
+
+    /// Dx, eta, Dz (m) and dDx/dz of one cascade.
+    pub fn displacement(&self, cascade: usize) -> &[[f32; 4]] {
+        &self.texels[2 * cascade * self.n * self.n..][..self.n * self.n]
+    }
+
+    /// d eta/dx, d eta/dz, dDx/dx and dDz/dz of one cascade.
+    pub fn gradients(&self, cascade: usize) -> &[[f32; 4]] {
+        &self.texels[(2 * cascade + 1) * self.n * self.n..][..self.n * self.n]
     }
 }

@@ -1,4 +1,4 @@
-//! What lies in the maps of the frame that was drawn last, read back without holding it up: the sea as the GPU has it.
+//! Read-back of the maps of a drawn frame without waiting for the GPU.
 
 use super::Simulation;
 use super::resources::MapKind;
@@ -6,7 +6,7 @@ use crate::gpu::Gpu;
 use crate::gpu::readback::{self, TextureCopy};
 use crate::waves::Plan;
 
-/// Texels of the gradients that are looked at, at most: their mean is sharp enough, and a page has other things to do.
+/// Most texels of the gradients that enter the mean square slope: enough for a precise mean, few enough for a page.
 const MOST_SLOPES: usize = 1 << 17;
 
 /// Copies of the maps of a frame that is being recorded.
@@ -17,56 +17,53 @@ pub struct Probe {
     plan: Plan,
 }
 
-/// What the maps of one moment hold.
+/// Contents of the maps at one time.
 #[derive(Clone, Debug)]
 pub struct Probed {
-    /// The sea that was computed.
+    /// The plan of the sea.
     pub plan: Plan,
     /// Mean square slope of the undisplaced surface.
     pub mss: f64,
-    /// Mean foam over the squares around the camera, as it was computed: the look may show more or less of it.
+    /// Mean computed foam over all levels, 0 to 1, before the factor with which it is shown.
     pub coverage: f64,
     /// Displacement maps, cascade by cascade.
     texels: Vec<[f32; 4]>,
 }
 
 impl Simulation {
-    /// Records copies of the maps as they are at this point of the submission; None while the sea is on its way to its plan.
+    /// Records copies of the maps as they are at this point of the submission. None during a transition.
     pub fn probe(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> Option<Probe> {
-        if self.is_gliding() {
+        if self.in_transition() {
             return None;
         }
         let r = &self.resources;
-        let mut copy = |kind| {
-            let first = r.layers(kind).start + r.sea.first_layer;
-            let layers = first..first + self.sea.plan.cascades.len() as u32;
-            readback::stage_layers(gpu, encoder, &r.maps, 0, layers)
-        };
+        let cascades = self.plan().cascades.len();
+        let mut copy = |kind| readback::stage_layers(gpu, encoder, &r.maps, 0, r.sea_layers(kind, cascades));
         Some(Probe {
             displacement: copy(MapKind::Displacement),
             gradients: copy(MapKind::Gradients),
             foam: readback::stage_texture(gpu, encoder, &r.foam, 0),
-            plan: self.sea.plan.clone(),
+            plan: self.plan().clone(),
         })
     }
 }
 
 impl Probe {
-    /// The maps, after the submission.
+    /// Reads the maps, after the submission.
     ///
     /// # Errors
     /// If the GPU does not give its memory back.
     pub async fn read(self, gpu: &Gpu) -> Result<Probed, String> {
         let gradients = self.gradients.read_map(gpu).await?;
         let foam = self.foam.read_map(gpu).await?;
-        // Odd, so that it does not run along the columns.
+        // An odd stride visits all columns.
         let stride = (gradients.len() / MOST_SLOPES) | 1;
-        let looked_at = gradients.iter().step_by(stride);
+        let samples = gradients.iter().step_by(stride);
         let slope = |t: &[f32; 4]| f64::from(t[0]).powi(2) + f64::from(t[1]).powi(2);
-        // Each map has its share of the variance, and all have one size.
+        // The mean square slope is the sum over the cascades, whose maps have equally many texels.
         let maps = self.plan.cascades.len() as f64;
         Ok(Probed {
-            mss: maps * mean(looked_at.map(slope)),
+            mss: maps * mean(samples.map(slope)),
             coverage: mean(foam.iter().map(|t| f64::from(t[0]))),
             texels: self.displacement.read_map(gpu).await?,
             plan: self.plan,

@@ -1,7 +1,43 @@
-//! The uniform structs of the simulation's passes.
+//! The uniform structs of the simulation's passes, and the buffers that hold them.
 
 use super::maps::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN, TilePlace};
+use crate::gpu::Gpu;
+use crate::gpu::kit::{Slot, UniformRing};
 use crate::gpu::layout::{Layout, gpu_struct};
+
+/// The uniforms of a submission.
+pub struct UniformRings {
+    /// One for each evaluation of a sea.
+    pub sea: UniformRing<SeaUniform>,
+    /// One for each time step of the foam.
+    pub foam: UniformRing<FoamUniform>,
+}
+
+impl UniformRings {
+    /// Binding of `sea`.
+    pub const SEA: Slot = Slot::UniformAt(size_of::<SeaUniform>());
+    /// Binding of `foam`.
+    pub const FOAM: Slot = Slot::UniformAt(size_of::<FoamUniform>());
+
+    /// Allocates both buffers, for submissions of at most `foam_steps` time steps of the foam.
+    pub fn new(gpu: &Gpu, foam_steps: usize) -> Self {
+        // An evaluation for each time step and one without foam, for two seas, and the spectrum pass.
+        let evaluations = 2 * (foam_steps + 1) + 1;
+        Self { sea: UniformRing::new(gpu, "sea", evaluations), foam: UniformRing::new(gpu, "foam", foam_steps) }
+    }
+
+    /// Discards the uniforms of the last submission.
+    pub fn restart(&mut self) {
+        self.sea.restart();
+        self.foam.restart();
+    }
+
+    /// Sends the uniforms to the GPU.
+    pub fn upload(&self, gpu: &Gpu) {
+        self.sea.upload(gpu);
+        self.foam.upload(gpu);
+    }
+}
 
 gpu_struct! {
     /// WGSL `SeaCascade`.
@@ -11,25 +47,25 @@ gpu_struct! {
         pub patch_m: f32,
         /// 2 pi / patch_m.
         pub dk: f32,
-        /// Of the noise.
+        /// Noise key.
         pub key: u32,
-        /// Unit of the slope moments in half floats.
+        /// Unit of the slope moments in the maps.
         pub moment_scale: f32,
     }
 }
 
-/// Most parts of the directional spectrum: three lobes for each of two systems.
+/// Most terms of the directional spectrum: three lobes for each of two wave systems.
 pub const MAX_TERMS: usize = 6;
 
 gpu_struct! {
     /// WGSL `SeaTerm`.
     #[derive(Default)]
     pub struct SeaTerm as "SeaTerm" {
-        /// Unit vector (x, z) that angles are measured from.
+        /// Unit vector (x, z) from which angles are measured.
         pub travel: [f32; 2],
         /// 0 lobe, 1 lobe with cos^2, 2 lobe with forward cos^2, 3 measured.
         pub kind: u32,
-        /// First quadruple in an entry of the table.
+        /// First quadruple within an entry of the table.
         pub slot: u32,
     }
 }
@@ -38,33 +74,33 @@ gpu_struct! {
     /// WGSL `Sea`.
     #[derive(Default)]
     pub struct SeaUniform as "Sea" {
-        /// Patches.
+        /// Cascades, longest waves first.
         pub cascades: [SeaCascade; MAX_CASCADES],
-        /// Parts of the directional spectrum.
+        /// Terms of the directional spectrum.
         pub terms: [SeaTerm; MAX_TERMS],
-        /// Amplitude of each cascade: 1, unless one sea fades into another.
+        /// Amplitude of each cascade: 1 except during a cross-fade.
         pub weights: [f32; MAX_CASCADES],
-        /// Horizontal displacement along x and z.
+        /// Horizontal displacement factor along x and z.
         pub chop: [f32; 2],
         /// FFT size.
         pub n: u32,
         /// Cascades in use.
         pub count: u32,
-        /// Of the noise.
+        /// Seed of the noise.
         pub seed: u32,
         /// t / period in units of 2^-32.
         pub phase_time: u32,
-        /// Not 0: the column pass leaves an f32 copy of the maps in the intermediate buffer.
+        /// Not 0: the column pass also leaves the maps in the intermediate buffer, in f32.
         pub keep_f32: u32,
-        /// Parts in use.
+        /// Terms in use.
         pub term_count: u32,
-        /// Quadruples in an entry of the table.
+        /// Quadruples per entry of the table.
         pub stride: u32,
-        /// Layer of the maps that the first cascade goes to.
+        /// Map layer of the first cascade.
         pub first_layer: u32,
-        /// How far the spectrum pass takes h0 from what it is to what the table says; 1 is all the way.
-        pub ease: f32,
-        /// The size is a multiple of 16 bytes.
+        /// Weight of the tabulated amplitudes in the spectrum pass; 1 replaces the current h0.
+        pub blend: f32,
+        /// Pads the size to a multiple of 16 bytes.
         pub unused: u32,
     }
 }
@@ -73,13 +109,13 @@ gpu_struct! {
     /// WGSL `FoamLevel`.
     #[derive(Default)]
     pub struct FoamLevelUniform as "FoamLevel" {
-        /// Texture coordinates of the first cell's corner on each cascade.
+        /// Texture coordinates of the first cell's corner on each cascade's map.
         pub uv: [[f32; 2]; MAX_DRAWN],
-        /// And on the lattices of their copies.
+        /// The first cell's corner on the lattice of each cascade's copies.
         pub tiles: [TilePlace; MAX_DRAWN],
         /// First cell in range.
         pub cell: [i32; 2],
-        /// First cell in range at the last step.
+        /// First cell in range at the previous time step.
         pub previous: [i32; 2],
         /// Size of a cell, m.
         pub texel_m: f32,
@@ -87,7 +123,7 @@ gpu_struct! {
         pub threshold: f32,
         /// Source per unit of Jacobian below the threshold.
         pub slope: f32,
-        /// Foam of a cell that comes into range.
+        /// Foam of a cell that comes into range, 0 to 1.
         pub start: f32,
     }
 }
@@ -98,9 +134,9 @@ gpu_struct! {
     pub struct FoamCascade as "FoamCascade" {
         /// Side of the patch, m.
         pub patch_m: f32,
-        /// Of the maps.
+        /// Layer of the maps.
         pub layer: u32,
-        /// An element of a uniform's array is a multiple of 16 bytes.
+        /// Pads an array element to a multiple of 16 bytes.
         pub unused: [u32; 2],
     }
 }
@@ -111,11 +147,11 @@ gpu_struct! {
     pub struct FoamUniform as "Foam" {
         /// Levels, finest first.
         pub levels: [FoamLevelUniform; FOAM_LEVELS],
-        /// The cascades that are drawn.
+        /// The drawn cascades.
         pub cascades: [FoamCascade; MAX_DRAWN],
         /// Time step, s.
         pub dt: f32,
-        /// 1 / e-folding time.
+        /// 1 / e-folding time, 1/s.
         pub decay: f32,
         /// Growth at full source, 1/s.
         pub rate: f32,
@@ -123,7 +159,7 @@ gpu_struct! {
         pub size: u32,
         /// Cascades in use.
         pub count: u32,
-        /// The size is a multiple of 16 bytes.
+        /// Pads the size to a multiple of 16 bytes.
         pub unused: [u32; 3],
     }
 }

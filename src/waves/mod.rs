@@ -4,6 +4,7 @@
 
 pub mod beaufort;
 pub mod cascades;
+pub mod change;
 pub mod colour_scale;
 pub mod dispersion;
 pub mod energy;
@@ -24,4 +25,5 @@ pub mod system;
 pub mod table;
 pub mod tiling;
 
+pub use change::SeaChange;
 pub use plan::Plan;

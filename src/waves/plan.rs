@@ -8,6 +8,7 @@ use super::system::{self, WaveSystem};
 use super::tiling::Tiling;
 use crate::state::params::{Params, Sea, SpreadKind};
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 pub use super::cascades::Cascade;
 
@@ -44,7 +45,7 @@ pub struct Plan {
     /// Notices for the user.
     pub notices: Vec<String>,
     /// Running integrals of the sum of all spectra.
-    pub energy: Energy,
+    pub energy: Arc<Energy>,
 }
 
 impl PartialEq for Plan {
@@ -94,6 +95,7 @@ impl Plan {
         let cascades = cascades::choose(&energy, &dispersion, &params.grid);
         let downwind = system::travel(sea.local().from_deg);
         let untile = params.grid.untile;
+        let energy = Arc::new(energy);
         let mut plan =
             Self { n, cascades, untile, period_s, sea, systems, dispersion, omega_p, downwind, notices, energy };
         let captured = plan.captured();
@@ -118,6 +120,19 @@ impl Plan {
             cascade.k_high = cascade.k_high.min(nyquist).max(cascade.k_low);
         }
         plan
+    }
+
+    /// This plan with the surface and foam parameters of `sea`, whose waves are those of the plan; see
+    /// [`SeaChange`](super::SeaChange). Shares the integrals with this plan.
+    #[must_use]
+    pub fn with_surface(&self, sea: &Sea) -> Self {
+        Self { sea: sea.clone(), ..self.clone() }
+    }
+
+    /// Whether one plan was derived from the other, by [`Self::with_surface`] or [`Self::coarser`], without integrating the
+    /// spectrum anew.
+    pub fn shares_integrals(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.energy, &other.energy)
     }
 
     /// Whether there are no waves at all.

@@ -8,7 +8,6 @@ use seastate::gpu::{Gpu, device};
 use seastate::ocean::still::{FORMAT, picture_of};
 use seastate::ocean::{Film, Ocean};
 use seastate::shaders::Shaders;
-use seastate::shaders::fft::Way;
 use seastate::sim::{MapsF32, Simulation};
 use seastate::state::fields::{FIELDS, FieldKind};
 use seastate::state::{Params, query};
@@ -19,12 +18,11 @@ pub fn gpu() -> Gpu {
     pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers")
 }
 
-/// A device that keeps its maps in this format, and can transform in every way that its adapter knows, whatever would be chosen.
+/// A device on which maps have this format, whichever would be chosen.
 pub fn gpu_with(maps: MapFormat) -> Gpu {
     let adapter = pollster::block_on(device::adapter()).expect("a GPU adapter; install mesa-vulkan-drivers");
     let mut descriptor = device::descriptor(&adapter);
     descriptor.required_features.set(MapFormat::FEATURES, maps == MapFormat::Float);
-    descriptor.required_features |= adapter.features() & Way::FEATURES;
     let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).expect("a device");
     let gpu = Gpu { device, queue };
     assert_eq!(MapFormat::of(&gpu), maps);

@@ -1,5 +1,6 @@
-// The first half of the transform along z by itself, a thread for every t of a column.
-// A workgroup reads and writes 64 columns side by side: of long pieces of lines a CPU's caches fetch the next in time.
+// Runs on software adapters: the first half of the transform along z. Thread (x, t) computes one pair of a cascade. A
+// workgroup reads and writes 64 neighbouring columns, so that the CPU's cache prefetches them. src/shaders/unrolled.rs
+// generates columns_first.
 
 @group(0) @binding(0) var<storage, read> twiddle: array<vec2f>; // e^(2 pi i j / 1024)
 @group(0) @binding(1) var<storage, read> lines: array<vec4f>; // [cascade][pair][z][x]

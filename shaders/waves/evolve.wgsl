@@ -1,5 +1,5 @@
-// h(k, t) of every wave, eight real fields packed in four complex ones, and their inverse transform along x.
-// Packing: F + i G -> f + i g for real f, g. Two packed pairs:
+// h(k, t) of every wave, and its eight real fields packed in four complex ones.
+// Packing: F + i G transforms to f + i g with real f and g. Two pairs of complex fields:
 //   0: (Dx, Dz), (eta, dDx/dz)     1: (eta_x, eta_z), (dDx/dx, dDz/dz)
 
 @group(0) @binding(0) var<uniform> sea: Sea;
@@ -7,25 +7,25 @@
 @group(0) @binding(2) var<storage, read> wave: array<vec2u>; // turns, bits of orbit / |k|, per triangle entry
 @group(0) @binding(3) var<storage, read> twiddle: array<vec2f>; // e^(2 pi i j / 1024)
 
-// What the waves of a line have in common.
-struct RowsLine {
-  here: u32, // first point of the line in h0
-  opposite: u32, // and of the line of the opposite waves
-  entries: u32, // first entry of the cascade in the table
+// The values that all waves of a line share.
+struct EvolveLine {
+  here: u32, // index in h0 of the line's first point
+  opposite: u32, // index in h0 of the first point of the line with the opposite wave vectors
+  entries: u32, // first entry of the cascade in the table of waves
   z: i32,
   dk: f32,
   weight: f32,
 }
 
-fn rows_line(c: u32, z: u32) -> RowsLine {
+fn evolve_line(c: u32, z: u32) -> EvolveLine {
   let base = c * N * N;
   let opposite = base + ((N - z) & (N - 1u)) * N;
   let entries = c * sea_triangle_len(N);
-  return RowsLine(base + z * N, opposite, entries, sea_signed(z, N), sea.cascades[c].dk, sea.weights[c]);
+  return EvolveLine(base + z * N, opposite, entries, sea_signed(z, N), sea.cascades[c].dk, sea.weights[c]);
 }
 
-// h(k, t) = h0(k) e^(-i w t) + conj(h0(-k)) e^(+i w t), and the orbit over |k|.
-fn rows_wave(line: RowsLine, x: u32) -> vec3f {
+// xy: h(k, t) = h0(k) e^(-i w t) + conj(h0(-k)) e^(+i w t); z: orbit / |k|.
+fn evolve_wave(line: EvolveLine, x: u32) -> vec3f {
   let a = h0[line.here + x];
   let b = h0[line.opposite + ((N - x) & (N - 1u))];
   let entry = wave[line.entries + sea_triangle(sea_signed(x, N), line.z)];
@@ -35,17 +35,13 @@ fn rows_wave(line: RowsLine, x: u32) -> vec3f {
   return vec3f(line.weight * (forward + backward), bitcast<f32>(entry.y));
 }
 
-// A wave, or the one that stands for it in the line of the opposite waves.
-fn rows_choose(wave: vec3f, opposite: vec3f, is_opposite: bool) -> vec3f {
-  return select(wave, vec3f(opposite.x, -opposite.y, opposite.z), is_opposite);
-}
-
-fn rows_vector(line: RowsLine, x: u32) -> vec2f {
+fn evolve_vector(line: EvolveLine, x: u32) -> vec2f {
   return vec2f(f32(sea_signed(x, N)), f32(line.z)) * line.dk;
 }
 
-fn rows_pack(pair: u32, line: RowsLine, x: u32, wave: vec3f) -> vec4f {
-  let k = rows_vector(line, x);
+// One pair of complex fields of a wave, packed.
+fn evolve_pack(pair: u32, line: EvolveLine, x: u32, wave: vec3f) -> vec4f {
+  let k = evolve_vector(line, x);
   let unit = k * wave.z;
   let first = select(vec2f(-unit.y, unit.x), vec2f(-k.y, k.x), pair == 1u);
   let second = select(vec2f(1.0, -k.x * unit.y), vec2f(-k.x * unit.x, -k.y * unit.y), pair == 1u);

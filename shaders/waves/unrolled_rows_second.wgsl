@@ -1,9 +1,10 @@
-// The second half of the transform along x by itself, a thread for every k1. Both cascades and pairs are layers.
+// Runs on software adapters: the second half of the transform along x. Thread (k1, z) computes one pair of a cascade.
+// src/shaders/unrolled.rs generates rows_second.
 
 @group(0) @binding(0) var<storage, read> halves: array<vec4f>; // [cascade][pair][iz][k1][n2]
 @group(0) @binding(1) var<storage, read_write> lines: array<vec4f>; // [cascade][pair][iz][x]
 
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
-  lines_second((id.z * N + id.y) * N, id.x);
+  rows_second((id.z * N + id.y) * N, id.x);
 }

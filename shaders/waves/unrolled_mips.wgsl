@@ -1,4 +1,4 @@
-// A level in a dispatch: without a barrier, for adapters that are CPUs.
+// Runs on software adapters: one mip level in one dispatch, without a barrier.
 
 @group(0) @binding(2) var below: texture_storage_2d_array<rgba16float, write>;
 

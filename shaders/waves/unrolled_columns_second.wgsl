@@ -1,0 +1,25 @@
+// Runs on software adapters: the second half of the transform along z, and the maps. Thread (x, k1) computes one pair
+// of a cascade. The maps go to a buffer that is copied to the textures, because a software adapter takes longer to
+// store a texel than to compute it. src/shaders/unrolled.rs generates columns_second; map_texel_half.wgsl or
+// map_texel_float.wgsl defines MapTexel.
+
+override KEEP_F32: bool = false; // whether the maps are also left in `lines`, in f32
+
+@group(0) @binding(0) var<storage, read> halves: array<vec4f>; // [cascade][pair][k1][n2][x]
+@group(0) @binding(1) var<storage, read_write> maps: array<MapTexel>; // [pair][cascade][z][x]
+@group(0) @binding(2) var<storage, read_write> lines: array<vec4f>; // [cascade][pair][z][x]
+
+fn columns_store(layer: u32, layers: u32, x: u32, z: u32, packed: vec4f) {
+  let pair = layer & 1u;
+  // Pair 0 is packed: Dx, Dz, eta, dDx/dz.
+  let value = select(packed.xzyw, packed, pair == 1u);
+  maps[(((pair * layers + layer) >> 1u) * N + z) * N + x] = map_texel(value);
+  if KEEP_F32 {
+    lines[(layer * N + z) * N + x] = value;
+  }
+}
+
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) groups: vec3u) {
+  columns_second(id.z, groups.z, id.x, id.y);
+}

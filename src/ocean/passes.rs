@@ -1,0 +1,79 @@
+//! Single passes of the simulation, to be timed.
+
+use super::Ocean;
+use crate::gpu::map_format::MapFormat;
+use crate::sim::Simulation;
+use crate::sim::planned_sea::EvaluationSlot;
+
+/// A pass of the simulation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WavePass {
+    /// h0 of all waves.
+    Spectrum,
+    /// The waves at a time, and their transform along x.
+    Rows,
+    /// The transform along z, and the maps.
+    Columns,
+    /// The mip levels of the maps, and the slope moments.
+    Mips,
+    /// One time step of the foam.
+    Foam,
+}
+
+/// Sizes of a simulation's maps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MapSizes {
+    /// FFT size.
+    pub n: u32,
+    /// Number of cascades.
+    pub cascades: u32,
+    /// Cells along a side of a foam level.
+    pub foam_n: u32,
+    /// Format of the maps and of the foam texture.
+    pub format: MapFormat,
+}
+
+/// The passes of the simulation at the time of the parameters. Each can be recorded alone and repeatedly.
+pub struct WavePasses<'a> {
+    sim: &'a Simulation,
+    slot: EvaluationSlot,
+    /// Dynamic offset of the foam's uniform.
+    foam: u32,
+}
+
+impl Ocean {
+    /// Writes the uniforms of the passes at the time of the parameters.
+    pub fn wave_passes(&mut self) -> WavePasses<'_> {
+        let t_s = self.params.clock.t_s;
+        let centre = [self.params.camera.x_m, self.params.camera.z_m];
+        let slot = self.sim.push_evaluation(&self.gpu, t_s, false);
+        let foam = self.sim.push_foam_step(&self.gpu, t_s, centre);
+        WavePasses { sim: &self.sim, slot, foam }
+    }
+
+    /// The sizes of the maps.
+    pub fn map_sizes(&self) -> MapSizes {
+        let r = &self.sim.resources;
+        let cascades = self.plan().cascades.len() as u32;
+        MapSizes { n: r.n, cascades, foam_n: r.foam_n, format: r.format }
+    }
+}
+
+impl WavePasses<'_> {
+    /// Records one pass.
+    pub fn record(&self, encoder: &mut wgpu::CommandEncoder, pass: WavePass) {
+        let (passes, r) = (&self.sim.passes, &self.sim.resources);
+        match pass {
+            WavePass::Spectrum => passes.spectrum.run(encoder, r, self.slot),
+            WavePass::Rows => passes.transform.rows(encoder, self.slot),
+            WavePass::Columns => passes.transform.columns(encoder, r, self.slot),
+            WavePass::Mips => passes.mips.run(encoder, r, self.slot),
+            WavePass::Foam => passes.foam.run(encoder, r, self.slot, self.foam),
+        }
+    }
+
+    /// Number of compute dispatches of a frame in which neither the sea nor the time jumps.
+    pub fn dispatches(&self) -> u32 {
+        self.sim.passes.dispatches()
+    }
+}

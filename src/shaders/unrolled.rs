@@ -1,0 +1,200 @@
+//! WGSL of the unrolled transform, which runs on software adapters: straight-line code without barriers, because a
+//! software adapter stores and reloads the state of every thread at a barrier. Each half of a transform is a dispatch
+//! of its own, in which a thread holds all its points in variables.
+
+use super::fft::{Factors, TWIDDLES};
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+
+/// A kernel of the unrolled transform.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UnrolledKernel {
+    /// The waves at a time, and the first half of the transform along x.
+    RowsFirst,
+    /// The second half along x.
+    RowsSecond,
+    /// The first half along z.
+    ColumnsFirst,
+    /// The second half along z, and the maps.
+    ColumnsSecond,
+}
+
+impl UnrolledKernel {
+    /// All kernels, in the order of their dispatches.
+    pub const ALL: [Self; 4] = [Self::RowsFirst, Self::RowsSecond, Self::ColumnsFirst, Self::ColumnsSecond];
+
+    /// Name of the shader module.
+    pub fn module(self) -> &'static str {
+        match self {
+            Self::RowsFirst => "waves/unrolled_rows_first",
+            Self::RowsSecond => "waves/unrolled_rows_second",
+            Self::ColumnsFirst => "waves/unrolled_columns_first",
+            Self::ColumnsSecond => "waves/unrolled_columns_second",
+        }
+    }
+
+    /// The WGSL function that the module's entry point calls, for lines of `n` points.
+    pub fn code(self, n: u32) -> String {
+        match self {
+            Self::RowsFirst => rows_first(n),
+            Self::RowsSecond => rows_second(n),
+            Self::ColumnsFirst => columns_first(n),
+            Self::ColumnsSecond => columns_second(n),
+        }
+    }
+}
+
+/// h(-k) is the conjugate of h(k), so the waves of line z, in reverse order, also give the waves of line n - z. Thread
+/// t therefore transforms the points t + i second of line z, and the points second - t + i second of line n - z. For t
+/// = 0 the latter begin at point `second` instead of 0, a shift that the twiddle factors undo.
+fn rows_first(n: u32) -> String {
+    let Factors { first, second } = Factors::new(n);
+    let mut code = Code::open("rows_first(c: u32, t: u32, z: u32)");
+    code.line("let here = evolve_line(c, z);");
+    code.line(&format!("let z_opposite = ({n}u - z) & {}u;", n - 1));
+    // Loops, because they compile faster than straight-line code, and the first picture waits for this kernel.
+    code.line(&format!("var waves: array<vec3f, {first}>;"));
+    code.line(&format!("for (var i = 0u; i < {first}u; i++) {{"));
+    code.line(&format!("waves[i] = evolve_wave(here, t + i * {second}u);"));
+    code.line("}");
+    code.line("for (var i = 0u; i < select(4u, 2u, z == z_opposite); i++) {");
+    code.line("let pair = i & 1u;");
+    code.line("let is_opposite = i > 1u;");
+    code.line("let z_line = select(z, z_opposite, is_opposite);");
+    code.line("let line = evolve_line(c, z_line);");
+    code.line(&format!("let t_line = select(t, {second}u - t, is_opposite);"));
+    let factors = code.factors("t_line", first, n);
+    let points = (0..first)
+        .map(|i| {
+            let wave = format!("rows_choose(waves[{i}], waves[{}], is_opposite)", first - 1 - i);
+            let at = format!("(t_line + {}u) & {}u", i * second, n - 1);
+            code.value(&format!("evolve_pack(pair, line, {at}, {wave})"))
+        })
+        .collect();
+    code.line(&format!("let to = ((2u * c + pair) * {n}u + z_line) * {n}u + (t_line & {}u);", second - 1));
+    for (k1, (v, factor)) in code.transform(points).into_iter().zip(factors).enumerate() {
+        code.line(&format!("halves[to + {}u] = fft_mul({v}, {factor});", k1 as u32 * second));
+    }
+    code.line("}");
+    code.close()
+}
+
+fn rows_second(n: u32) -> String {
+    let Factors { first, second } = Factors::new(n);
+    let mut code = Code::open("rows_second(line: u32, k1: u32)");
+    let points = (0..second).map(|n2| code.value(&format!("halves[line + k1 * {second}u + {n2}u]"))).collect();
+    for (k2, v) in (0..).zip(code.transform(points)) {
+        code.line(&format!("lines[line + k1 + {}u] = {v};", k2 * first));
+    }
+    code.close()
+}
+
+fn columns_first(n: u32) -> String {
+    let Factors { first, second } = Factors::new(n);
+    let mut code = Code::open("columns_first(column: u32, t: u32)");
+    let factors = code.factors("t", first, n);
+    let points = (0..first).map(|i| code.value(&format!("lines[column + (t + {}u) * {n}u]", i * second))).collect();
+    for (k1, (v, factor)) in code.transform(points).into_iter().zip(factors).enumerate() {
+        let to = k1 as u32 * second;
+        code.line(&format!("halves[column + (t + {to}u) * {n}u] = fft_mul({v}, {factor});"));
+    }
+    code.close()
+}
+
+fn columns_second(n: u32) -> String {
+    let Factors { first, second } = Factors::new(n);
+    let mut code = Code::open("columns_second(layer: u32, layers: u32, x: u32, k1: u32)");
+    code.line(&format!("let here = (layer * {n}u + k1 * {second}u) * {n}u + x;"));
+    let points = (0..second).map(|n2| code.value(&format!("halves[here + {}u]", n2 * n))).collect();
+    for (k2, v) in (0..).zip(code.transform(points)) {
+        code.line(&format!("columns_store(layer, layers, x, k1 + {}u, {v});", k2 * first));
+    }
+    code.close()
+}
+
+/// A WGSL function under construction. Every value gets a name of its own.
+struct Code {
+    text: String,
+    values: u32,
+}
+
+impl Code {
+    fn open(signature: &str) -> Self {
+        Self { text: format!("fn {signature} {{\n"), values: 0 }
+    }
+
+    fn close(self) -> String {
+        self.text + "}\n"
+    }
+
+    fn line(&mut self, text: &str) {
+        let _ = writeln!(self.text, "  {text}");
+    }
+
+    /// Declares a value and returns its name.
+    fn value(&mut self, expression: &str) -> String {
+        self.values += 1;
+        let name = format!("v{}", self.values);
+        self.line(&format!("let {name} = {expression};"));
+        name
+    }
+
+    /// W_n^(t k1) for a variable t and every k1 below `first`. Each is a product of two earlier ones, so that rounding
+    /// errors grow with the logarithm of k1.
+    fn factors(&mut self, t: &str, first: u32, n: u32) -> Vec<String> {
+        let mut factors = vec!["vec2f(1.0, 0.0)".to_owned()];
+        factors.push(self.value(&format!("twiddle[{t} * {}u]", TWIDDLES as u32 / n)));
+        for k in 2..first as usize {
+            let (a, b) = (&factors[k / 2], &factors[k - k / 2]);
+            let product = format!("vec2f({a}.x * {b}.x - {a}.y * {b}.y, {a}.x * {b}.y + {a}.y * {b}.x)");
+            factors.push(self.value(&product));
+        }
+        factors
+    }
+
+    /// The inverse transform of vec4f values, each two complex numbers, in natural order.
+    fn transform(&mut self, x: Vec<String>) -> Vec<String> {
+        let n = x.len();
+        match n {
+            1 => x,
+            2 => {
+                let (a, b) = (&x[0], &x[1]);
+                vec![self.value(&format!("{a} + {b}")), self.value(&format!("{a} - {b}"))]
+            }
+            4 => {
+                let [a, b, c, d] = [&x[0], &x[1], &x[2], &x[3]];
+                let (s0, s1) = (self.value(&format!("{a} + {c}")), self.value(&format!("{a} - {c}")));
+                let (s2, e) = (self.value(&format!("{b} + {d}")), self.value(&format!("{b} - {d}")));
+                let s3 = self.rotated(&e, 0.25);
+                [(&s0, '+', &s2), (&s1, '+', &s3), (&s0, '-', &s2), (&s1, '-', &s3)]
+                    .map(|(u, sign, w)| self.value(&format!("{u} {sign} {w}")))
+                    .to_vec()
+            }
+            _ => {
+                // Four-point transforms of points n / 4 apart, twiddle factors, then transforms of n / 4 points.
+                let m = n / 4;
+                let mut rows: Vec<Vec<String>> = vec![Vec::new(); 4];
+                for n2 in 0..m {
+                    let quarter = (0..4).map(|i| x[n2 + m * i].clone()).collect();
+                    for (k1, v) in self.transform(quarter).into_iter().enumerate() {
+                        rows[k1].push(self.rotated(&v, (n2 * k1) as f64 / n as f64));
+                    }
+                }
+                let parts: Vec<Vec<String>> = rows.into_iter().map(|row| self.transform(row)).collect();
+                (0..n).map(|k| parts[k % 4][k / 4].clone()).collect()
+            }
+        }
+    }
+
+    /// A value times e^(2 pi i turns), for turns in [0, 1).
+    fn rotated(&mut self, v: &str, turns: f64) -> String {
+        if turns == 0.0 {
+            return v.to_owned();
+        }
+        if turns == 0.25 {
+            return self.value(&format!("vec4f(-{v}.y, {v}.x, -{v}.w, {v}.z)"));
+        }
+        let (sin, cos) = (TAU * turns).sin_cos();
+        self.value(&format!("fft_mul({v}, vec2f({cos:.9}, {sin:.9}))"))
+    }
+}

@@ -1,0 +1,138 @@
+//! How a simulation takes over another plan: at once or by a transition, with as little work as the difference needs.
+
+use super::Simulation;
+use super::foam::FoamParameters;
+use super::planned_sea::PlannedSea;
+use super::transition::{TransitionKind, TransitionStep};
+use crate::gpu::Gpu;
+use crate::shaders::Shaders;
+use crate::waves::overlap::Overlap;
+use crate::waves::{Plan, SeaChange};
+
+impl Simulation {
+    /// Replaces the plan at once and ends any transition. The foam of the previous sea stays while time runs.
+    pub fn set_plan(&mut self, gpu: &Gpu, plan: Plan, shaders: &Shaders) {
+        if plan == self.sea.plan && !self.in_transition() {
+            return;
+        }
+        if (plan.n, plan.cascades.len()) != (self.sea.plan.n, self.sea.plan.cascades.len()) {
+            let (generation, timer) = (self.maps.generation + 1, self.timer.clone());
+            *self = Self::with_way(gpu, plan, shaders, self.passes.transform.way());
+            (self.maps.generation, self.timer) = (generation, timer);
+            return;
+        }
+        self.next = None;
+        self.start(gpu, plan, TransitionKind::Immediate, 0.0);
+        self.follow(&TransitionStep::IMMEDIATE);
+        self.foam.set_changed();
+    }
+
+    /// Advances the transition to the plan that was set last by `dt_s` of wall time, or starts a transition to `plan`,
+    /// at the sea's time `t_s`. Call it once per frame before [`Self::encode`]. A plan with another FFT size or tiling
+    /// is taken over at once.
+    ///
+    /// The foam, the surface and the amplitudes are interpolated in place; only the last needs a spectrum pass per
+    /// frame. Other waves are cross-faded, for which a second sea is allocated once. A plan that arrives during a
+    /// cross-fade waits, unless it has the waves of the new sea.
+    pub fn transition_to(
+        &mut self,
+        gpu: &Gpu,
+        plan: Option<Plan>,
+        shaders: &Shaders,
+        t_s: f64,
+        dt_s: f64,
+    ) -> TransitionStep {
+        let goal = plan.or_else(|| self.next.take_if(|_| self.fading.is_none()));
+        let mut start = None;
+        if let Some(plan) = goal {
+            self.next = None;
+            if (plan.n, plan.untile) != (self.sea.plan.n, self.sea.plan.untile) {
+                self.set_plan(gpu, plan, shaders);
+                return TransitionStep::IMMEDIATE;
+            }
+            start = self.kind_of_transition(&plan);
+            if start == Some(TransitionKind::CrossFade) && self.fading.is_some() {
+                self.next = Some(plan);
+                start = None;
+            } else if let Some(kind) = start {
+                self.start(gpu, plan, kind, t_s);
+            }
+        }
+        self.advance(start, dt_s)
+    }
+
+    /// The transition that leads from the current sea to a plan; None if they are equal.
+    fn kind_of_transition(&self, plan: &Plan) -> Option<TransitionKind> {
+        let now = &self.sea.plan;
+        if !plan.has_same_waves(now) {
+            return Some(TransitionKind::CrossFade);
+        }
+        SeaChange::between_seas(&now.sea, &plan.sea).map(|change| match change {
+            SeaChange::Foam => TransitionKind::Foam,
+            SeaChange::Surface => TransitionKind::Surface,
+            SeaChange::Waves => TransitionKind::Amplitudes,
+        })
+    }
+
+    /// Makes `plan` the current sea and starts the transition to it.
+    fn start(&mut self, gpu: &Gpu, plan: Plan, kind: TransitionKind, t_s: f64) {
+        let are_waves_new = match kind {
+            TransitionKind::Foam | TransitionKind::Surface => false,
+            TransitionKind::Amplitudes | TransitionKind::CrossFade => true,
+            TransitionKind::Immediate => {
+                matches!(self.kind_of_transition(&plan), Some(TransitionKind::Amplitudes | TransitionKind::CrossFade))
+            }
+        };
+        let is_fade = kind == TransitionKind::CrossFade;
+        let are_maps_new = is_fade && self.resources.switch_sea(gpu, &plan);
+        let old = std::mem::replace(&mut self.sea, PlannedSea::new(plan));
+        if is_fade {
+            self.overlaps = Overlap::all(&old.plan, &self.sea.plan, t_s).concat();
+            self.fading = Some(old);
+        } else if kind == TransitionKind::Immediate {
+            self.fading = None;
+            self.overlaps.clear();
+        }
+        let replaces_h0 = match kind {
+            TransitionKind::Immediate => are_waves_new || self.transition.moves_amplitudes(),
+            _ => is_fade,
+        };
+        self.transition.start(kind);
+        let are_buffers_new = are_waves_new && self.resources.upload_tables(gpu, &self.sea.plan);
+        if are_maps_new || are_buffers_new {
+            self.passes.bind(gpu, &self.resources, &self.rings);
+        }
+        if are_maps_new {
+            self.maps.rebind(&self.resources);
+        }
+        self.maps.start(&self.sea.plan, &self.resources, kind);
+        if replaces_h0 {
+            self.spectrum_due = 1.0;
+        }
+    }
+
+    /// Advances the transition after the start of `start`.
+    fn advance(&mut self, start: Option<TransitionKind>, dt_s: f64) -> TransitionStep {
+        let was_in_transition = self.transition.is_running();
+        let step = TransitionStep { start, ..self.transition.advance(dt_s) };
+        self.spectrum_due = 1.0 - (1.0 - self.spectrum_due) * (1.0 - step.amplitudes);
+        self.follow(&step);
+        if was_in_transition && !self.in_transition() {
+            self.foam.set_changed();
+        }
+        step
+    }
+
+    /// Applies a step of a transition to the foam's parameters and to the weights of the maps.
+    fn follow(&mut self, step: &TransitionStep) {
+        if step.faded {
+            self.fading = None;
+            self.maps.end_fade();
+            self.overlaps.clear();
+        }
+        let (size, plan) = (self.resources.foam_n, &self.sea.plan);
+        self.foam_parameters.follow(step, |_| FoamParameters::new(size, plan));
+        self.foam.set_parameters(self.foam_parameters.value(self.transition.share()));
+        self.maps.weigh(&self.overlaps, self.transition.share());
+    }
+}

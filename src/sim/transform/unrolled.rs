@@ -1,0 +1,166 @@
+//! The transforms on software adapters (shaders/waves/unrolled_*.wgsl).
+
+use crate::gpu::Gpu;
+use crate::gpu::kit::{Kernel, Slot};
+use crate::shaders::Shaders;
+use crate::shaders::fft::Factors;
+use crate::shaders::unrolled::UnrolledKernel;
+use crate::sim::planned_sea::EvaluationSlot;
+use crate::sim::resources::{MapKind, Resources, Waves};
+use crate::sim::uniforms::UniformRings;
+use std::sync::OnceLock;
+
+/// The row passes and the column passes.
+pub struct UnrolledTransform {
+    n: u32,
+    rows_first: Kernel,
+    rows_second: Kernel,
+    columns_first: Kernel,
+    columns_second: ColumnsSecond,
+    buffers: Buffers,
+    groups: Groups,
+}
+
+/// Buffers between the dispatches.
+struct Buffers {
+    /// Lines after the first half of a transform, as large as `Resources::lines`.
+    halves: wgpu::Buffer,
+    /// Displacement and gradients of all cascades before they are copied to the textures, \[map\]\[cascade\]\[z\]\[x\].
+    maps: wgpu::Buffer,
+}
+
+struct Groups {
+    /// One for each sea's wave buffers.
+    rows_first: Vec<wgpu::BindGroup>,
+    rows_second: wgpu::BindGroup,
+    columns_first: wgpu::BindGroup,
+    columns_second: wgpu::BindGroup,
+}
+
+/// The last kernel, without and with the f32 copy of the maps. The latter is compiled at its first use, because
+/// compiling takes long and a window does not need the copy.
+struct ColumnsSecond {
+    gpu: Gpu,
+    module: wgpu::ShaderModule,
+    n: u32,
+    plain: Kernel,
+    with_f32: OnceLock<Kernel>,
+}
+
+impl ColumnsSecond {
+    fn new(gpu: &Gpu, shaders: &Shaders, n: u32) -> Self {
+        let module = shaders.unrolled(gpu, UnrolledKernel::ColumnsSecond, n);
+        let plain = Self::compile(gpu, &module, n, false);
+        Self { gpu: gpu.clone(), module, n, plain, with_f32: OnceLock::new() }
+    }
+
+    fn compile(gpu: &Gpu, module: &wgpu::ShaderModule, n: u32, keep_f32: bool) -> Kernel {
+        let constants = [("N", f64::from(n)), ("KEEP_F32", f64::from(u8::from(keep_f32)))];
+        let slots = [Slot::Read(0), Slot::Write(0), Slot::Write(0)];
+        Kernel::new(gpu, "sea/columns/second", (module, "main"), &slots, &constants)
+    }
+
+    fn kernel(&self, keep_f32: bool) -> &Kernel {
+        if keep_f32 {
+            self.with_f32.get_or_init(|| Self::compile(&self.gpu, &self.module, self.n, true))
+        } else {
+            &self.plain
+        }
+    }
+}
+
+impl UnrolledTransform {
+    /// Allocates the buffers, compiles the passes and binds them.
+    pub fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, rings: &UniformRings) -> Self {
+        let n = r.n;
+        let kernel = |label, kernel, slots: &[Slot]| {
+            let module = shaders.unrolled(gpu, kernel, n);
+            Kernel::new(gpu, label, (&module, "main"), slots, &[("N", f64::from(n))])
+        };
+        let (read, write) = (Slot::Read(0), Slot::Write(0));
+        let rows_first = [UniformRings::SEA, read, read, read, write];
+        let rows_first = kernel("sea/rows/first", UnrolledKernel::RowsFirst, &rows_first);
+        let rows_second = kernel("sea/rows/second", UnrolledKernel::RowsSecond, &[read, write]);
+        let columns_first = kernel("sea/columns/first", UnrolledKernel::ColumnsFirst, &[read, read, write]);
+        let columns_second = ColumnsSecond::new(gpu, shaders, n);
+        let buffers = Buffers::new(gpu, r);
+        let kernels = [&rows_first, &rows_second, &columns_first, &columns_second.plain];
+        let groups = Groups::new(gpu, kernels, &buffers, r, rings);
+        Self { n, rows_first, rows_second, columns_first, columns_second, buffers, groups }
+    }
+
+    /// Binds resources that have been replaced, after allocating buffers for as many cascades.
+    pub fn bind(&mut self, gpu: &Gpu, r: &Resources, rings: &UniformRings) {
+        if self.buffers.halves.size() != r.lines.size() {
+            self.buffers = Buffers::new(gpu, r);
+        }
+        let kernels = [&self.rows_first, &self.rows_second, &self.columns_first, &self.columns_second.plain];
+        self.groups = Groups::new(gpu, kernels, &self.buffers, r, rings);
+    }
+
+    /// Records the waves at the evaluation's time and their transform along x.
+    pub fn rows(&self, encoder: &mut wgpu::CommandEncoder, slot: EvaluationSlot) {
+        let (n, Factors { first, second }) = (self.n, Factors::new(self.n));
+        // One line of threads for two opposite lines of waves: n / 2 + 1 lines in workgroups of 8.
+        let size = [second / 8, n / 16 + 1, slot.count];
+        self.rows_first.run(encoder, &self.groups.rows_first[slot.waves], &[slot.uniform], size);
+        self.rows_second.run(encoder, &self.groups.rows_second, &[], [first / 8, n / 8, 2 * slot.count]);
+    }
+
+    /// Records the transform along z and the maps.
+    pub fn columns(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, slot: EvaluationSlot) {
+        let (n, Factors { first, second }) = (self.n, Factors::new(self.n));
+        self.columns_first.run(encoder, &self.groups.columns_first, &[], [n / 64, second, 2 * slot.count]);
+        let kernel = self.columns_second.kernel(slot.keep_f32);
+        kernel.run(encoder, &self.groups.columns_second, &[], [n / 64, first, 2 * slot.count]);
+        for (kind, index) in [(MapKind::Displacement, 0), (MapKind::Gradients, 1)] {
+            let offset = index * u64::from(r.format.bytes() * n * n * slot.count);
+            let first_layer = r.layers(kind).start + slot.first_layer;
+            encoder.copy_buffer_to_texture(
+                wgpu::TexelCopyBufferInfo {
+                    buffer: &self.buffers.maps,
+                    layout: wgpu::TexelCopyBufferLayout {
+                        offset,
+                        bytes_per_row: Some(r.format.bytes() * n),
+                        rows_per_image: Some(n),
+                    },
+                },
+                wgpu::TexelCopyTextureInfo {
+                    origin: wgpu::Origin3d { x: 0, y: 0, z: first_layer },
+                    ..r.maps.as_image_copy()
+                },
+                wgpu::Extent3d { width: n, height: n, depth_or_array_layers: slot.count },
+            );
+        }
+    }
+}
+
+impl Buffers {
+    fn new(gpu: &Gpu, r: &Resources) -> Self {
+        // A vec4f of the lines becomes a texel of a map.
+        let texels = r.lines.size() / size_of::<[f32; 4]>() as u64;
+        Self {
+            halves: gpu.storage("halves", r.lines.size()),
+            maps: gpu.storage("maps", texels * u64::from(r.format.bytes())),
+        }
+    }
+}
+
+impl Groups {
+    /// `kernels` in the order of their dispatches.
+    fn new(gpu: &Gpu, kernels: [&Kernel; 4], buffers: &Buffers, r: &Resources, rings: &UniformRings) -> Self {
+        let [rows_first, rows_second, columns_first, columns_second] = kernels;
+        let [twiddle, lines] = [&r.twiddle, &r.lines].map(wgpu::Buffer::as_entire_binding);
+        let [halves, maps] = [&buffers.halves, &buffers.maps].map(wgpu::Buffer::as_entire_binding);
+        let of_waves = |waves: &Waves| {
+            let [h0, wave] = [&waves.h0, &waves.wave].map(wgpu::Buffer::as_entire_binding);
+            rows_first.bind(gpu, &[rings.sea.binding(), h0, wave, twiddle.clone(), halves.clone()])
+        };
+        Self {
+            rows_first: r.waves.iter().map(of_waves).collect(),
+            rows_second: rows_second.bind(gpu, &[halves.clone(), lines.clone()]),
+            columns_first: columns_first.bind(gpu, &[twiddle.clone(), lines.clone(), halves.clone()]),
+            columns_second: columns_second.bind(gpu, &[halves.clone(), maps, lines.clone()]),
+        }
+    }
+}

@@ -1,0 +1,263 @@
+//! Transitions from one sea to another, as pure numbers.
+//!
+//! - **Interpolation** between seas with the same wave numbers and frequencies: amplitudes, surface parameters and foam
+//!   parameters move towards the goal. Every frame covers a part of the remaining difference, so that the goal may
+//!   change at any time, as when a slider is dragged.
+//! - **Cross-fade** between seas with different waves: both seas are drawn while the new one fades in and the old one
+//!   fades out. Independent waves add by their variances, so amplitudes are square roots of shares. What the two seas
+//!   have in common (waves/overlap.rs) adds by amplitude, and the weights are reduced accordingly.
+
+use crate::waves::overlap::Overlap;
+
+/// Duration of a transition, s of wall time.
+pub const TRANSITION_S: f64 = 0.8;
+
+/// How a sea becomes another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TransitionKind {
+    /// At once.
+    Immediate,
+    /// Interpolation of the foam parameters.
+    Foam,
+    /// Interpolation of the surface parameters and of the foam parameters that follow from them.
+    Surface,
+    /// Interpolation of the amplitudes of the waves, and of the surface and foam parameters.
+    Amplitudes,
+    /// Cross-fade.
+    CrossFade,
+}
+
+/// Progress of a transition in one frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TransitionStep {
+    /// The transition that starts in this frame; everything else in this struct happens after the start.
+    pub start: Option<TransitionKind>,
+    /// Share of the remaining difference to the goal that interpolated parameters cover, 0 to 1.
+    pub interpolation: f64,
+    /// Share of the remaining difference to the goal that the amplitudes of the waves cover, 0 to 1.
+    pub amplitudes: f64,
+    /// Whether a cross-fade ends in this frame.
+    pub faded: bool,
+}
+
+impl TransitionStep {
+    /// An immediate transition.
+    pub const IMMEDIATE: Self =
+        Self { start: Some(TransitionKind::Immediate), interpolation: 0.0, amplitudes: 0.0, faded: false };
+}
+
+/// Progress of the transitions that are under way.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Transition {
+    interpolation: Option<Interpolation>,
+    /// Share of the cross-fade's duration that has passed, 0 to 1.
+    cross_fade: Option<f64>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Interpolation {
+    /// Share of the duration that has passed, 0 to 1.
+    progress: f64,
+    /// Whether the amplitudes of the waves are interpolated, too.
+    amplitudes: bool,
+}
+
+impl Transition {
+    /// Starts a transition, or restarts it towards another goal.
+    pub fn start(&mut self, kind: TransitionKind) {
+        match kind {
+            TransitionKind::Immediate => *self = Self::default(),
+            TransitionKind::Foam | TransitionKind::Surface | TransitionKind::Amplitudes => {
+                let amplitudes = kind == TransitionKind::Amplitudes || self.moves_amplitudes();
+                self.interpolation = Some(Interpolation { progress: 0.0, amplitudes });
+            }
+            // The sea that fades out keeps its present amplitudes; the new sea starts with its final ones.
+            TransitionKind::CrossFade => *self = Self { interpolation: None, cross_fade: Some(0.0) },
+        }
+    }
+
+    /// Advances by `dt_s` of wall time.
+    pub fn advance(&mut self, dt_s: f64) -> TransitionStep {
+        let elapsed = (dt_s / TRANSITION_S).max(0.0);
+        let mut step = TransitionStep::default();
+        if let Some(Interpolation { progress: from, amplitudes }) = self.interpolation {
+            let to = (from + elapsed).min(1.0);
+            // The remaining difference shrinks with the cube of the remaining time: a goal that moves in every frame is
+            // followed with a lag of a third of the duration.
+            step.interpolation = 1.0 - ((1.0 - to) / (1.0 - from)).powi(3);
+            step.amplitudes = if amplitudes { step.interpolation } else { 0.0 };
+            self.interpolation = (to < 1.0).then_some(Interpolation { progress: to, amplitudes });
+        }
+        if let Some(from) = self.cross_fade {
+            let to = from + elapsed;
+            step.faded = to >= 1.0;
+            self.cross_fade = (to < 1.0).then_some(to);
+        }
+        step
+    }
+
+    /// Share of the new sea in the variance during a cross-fade; 1 otherwise.
+    pub fn share(&self) -> f64 {
+        self.cross_fade.map_or(1.0, |x| x * x * (3.0 - 2.0 * x))
+    }
+
+    /// Whether the amplitudes of the waves are being interpolated.
+    pub fn moves_amplitudes(&self) -> bool {
+        self.interpolation.is_some_and(|interpolation| interpolation.amplitudes)
+    }
+
+    /// Whether any transition is under way.
+    pub fn is_running(&self) -> bool {
+        self.interpolation.is_some() || self.cross_fade.is_some()
+    }
+}
+
+/// Amplitudes of a cascade of the old and of the new sea when the new sea has this share of the variance, and the
+/// factor by which the sum of their variances falls short.
+pub fn weights(overlap: &Overlap, share: f64) -> ([f64; 2], f64) {
+    let excess = overlap.excess(share);
+    ([((1.0 - share) / excess).sqrt(), (share / excess).sqrt()], excess)
+}
+
+/// Parameters that can be interpolated.
+pub trait Interpolate: Clone {
+    /// The parameters at a share of the way to `to`; at share 1 exactly `to`.
+    #[must_use]
+    fn interpolate(&self, to: &Self, share: f64) -> Self;
+}
+
+/// Parameters that follow the transitions of a sea.
+#[derive(Clone, Debug)]
+pub struct Interpolated<T> {
+    /// Parameters of the sea that fades out.
+    fading: Option<T>,
+    now: T,
+    goal: T,
+}
+
+impl<T: Interpolate> Interpolated<T> {
+    /// Parameters at rest.
+    pub fn new(goal: T) -> Self {
+        Self { fading: None, now: goal.clone(), goal }
+    }
+
+    /// Follows a step of a transition. If a transition starts, `goal` is called with the previous goal and returns the
+    /// new one.
+    pub fn follow(&mut self, step: &TransitionStep, goal: impl FnOnce(&T) -> T) {
+        if let Some(kind) = step.start {
+            self.goal = goal(&self.goal);
+            match kind {
+                TransitionKind::Immediate => *self = Self::new(self.goal.clone()),
+                TransitionKind::Foam | TransitionKind::Surface | TransitionKind::Amplitudes => {}
+                TransitionKind::CrossFade => self.fading = Some(std::mem::replace(&mut self.now, self.goal.clone())),
+            }
+        }
+        if step.interpolation >= 1.0 {
+            self.now = self.goal.clone();
+        } else if step.interpolation > 0.0 {
+            self.now = self.now.interpolate(&self.goal, step.interpolation);
+        }
+        if step.faded {
+            self.fading = None;
+        }
+    }
+
+    /// The parameters of the sea that fades out, if there is one, and of the sea itself.
+    pub fn parts(&self) -> (Option<&T>, &T) {
+        (self.fading.as_ref(), &self.now)
+    }
+
+    /// The parameters when the new sea has this share in a cross-fade.
+    pub fn value(&self, share: f64) -> T {
+        match &self.fading {
+            Some(old) if share < 1.0 => old.interpolate(&self.now, share),
+            _ => self.now.clone(),
+        }
+    }
+
+    /// Applies the same change to the parameters of both seas and of the goal.
+    pub fn change(&mut self, change: impl Fn(&mut T)) {
+        self.fading.iter_mut().chain([&mut self.now, &mut self.goal]).for_each(change);
+    }
+}
+
+/// A number at a share of the way from `from` to `to`; at share 1 exactly `to`.
+pub fn interpolate(from: f64, to: f64, share: f64) -> f64 {
+    if share >= 1.0 { to } else { from + (to - from) * share }
+}
+
+/// A pair of numbers at a share of the way from `from` to `to`; at share 1 exactly `to`.
+pub fn interpolate2(from: [f64; 2], to: [f64; 2], share: f64) -> [f64; 2] {
+    [interpolate(from[0], to[0], share), interpolate(from[1], to[1], share)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    impl Interpolate for f64 {
+        fn interpolate(&self, to: &Self, share: f64) -> Self {
+            interpolate(*self, *to, share)
+        }
+    }
+
+    #[test]
+    fn an_interpolated_number_ends_exactly_wherever_its_goal_went() {
+        let (mut transition, mut drawn) = (Transition::default(), Interpolated::new(2.0));
+        let mut before = 2.0;
+        for i in 0..200 {
+            let mut start = None;
+            if i < 30 {
+                transition.start(TransitionKind::Amplitudes);
+                start = Some(TransitionKind::Amplitudes);
+            }
+            let step = TransitionStep { start, ..transition.advance(1.0 / 60.0) };
+            drawn.follow(&step, |_| 2.1 + 0.1 * f64::from(i));
+            let now = drawn.value(transition.share());
+            assert!(now >= before && now - before < 0.11, "{i}: {before} to {now}");
+            before = now;
+            // 0.8 s after the last change, not earlier: 48 frames, or one more by rounding.
+            assert!(transition.is_running() == (i < 76) || i == 76, "{i}");
+        }
+        assert_eq!(drawn.value(1.0), 2.1 + 0.1 * 29.0);
+    }
+
+    #[test]
+    fn a_fade_starts_and_ends_on_its_seas() {
+        let (mut transition, mut drawn) = (Transition::default(), Interpolated::new(5.0));
+        transition.start(TransitionKind::CrossFade);
+        let mut step = TransitionStep { start: Some(TransitionKind::CrossFade), ..transition.advance(0.0) };
+        drawn.follow(&step, |_| 7.0);
+        assert_eq!((drawn.value(transition.share()), transition.share()), (5.0, 0.0));
+        let mut before = 5.0;
+        while transition.is_running() {
+            step = transition.advance(0.016);
+            drawn.follow(&step, |_| unreachable!("the goal stays"));
+            let now = drawn.value(transition.share());
+            assert!(now > before && now - before < 0.1);
+            before = now;
+        }
+        assert!(step.faded && drawn.parts() == (None, &7.0) && before == 7.0);
+    }
+
+    #[test]
+    fn foam_leaves_the_amplitudes_unless_they_are_under_way() {
+        let mut transition = Transition::default();
+        transition.start(TransitionKind::Foam);
+        let step = transition.advance(0.1);
+        assert!(step.interpolation > 0.0 && step.amplitudes == 0.0);
+        transition.start(TransitionKind::Amplitudes);
+        transition.advance(0.1);
+        transition.start(TransitionKind::Surface);
+        assert!(transition.advance(TRANSITION_S).amplitudes == 1.0, "the waves come to their goal, too");
+        assert!(!transition.is_running());
+    }
+
+    #[test]
+    fn independent_seas_keep_their_power_and_common_ones_their_amplitude() {
+        let ([a, b], gain) = weights(&Overlap::default(), 0.3);
+        assert!((a * a + b * b - 1.0).abs() < 1e-12 && gain == 1.0);
+        assert_eq!(weights(&Overlap::default(), 1.0), ([0.0, 1.0], 1.0));
+        assert_eq!(weights(&Overlap::default(), 0.0), ([1.0, 0.0], 1.0));
+    }
+}
