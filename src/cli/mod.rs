@@ -5,7 +5,6 @@ pub mod compare;
 pub mod export;
 pub mod frames;
 pub mod info;
-pub mod objectives;
 pub mod parameters;
 pub mod render;
 

@@ -1,9 +1,7 @@
-//! docs/parameters.md, made from FIELDS by `seastate keys --markdown`: every parameter, and which of them answer the list
-//! of objectives.
+//! docs/parameters.md, written from [`FIELDS`] by `seastate keys --markdown`.
 
-use super::objectives::{OUTSIDE, Objective, SECTIONS};
 use crate::lab::validate::page::Page;
-use crate::state::fields::{self, FIELDS, Field, Group};
+use crate::state::fields::{FIELDS, Field, Group};
 
 /// The page.
 pub fn page() -> String {
@@ -33,16 +31,6 @@ pub fn page() -> String {
         "`afloat` says what floats where: `buoy` or `boat`, metres east, metres south, joined by \\*, separated by _: \
          `buoy*20*-30_boat*0*40`. At most 16 things float.",
     );
-    page.heading(2, "The list of objectives");
-    page.prose(
-        "One of the texts that this program answers to has a numbered list of what an ocean renderer must let its user \
-         do. This is where each stands here.",
-    );
-    for (title, objectives) in SECTIONS {
-        page.heading(3, title);
-        let rows: Vec<_> = objectives.iter().map(answer).collect();
-        page.table(&["objective", "", "keys", "how"], &rows);
-    }
     format!("{}\n", page.text().trim_end())
 }
 
@@ -54,13 +42,6 @@ fn row(field: &Field) -> Vec<String> {
     let default = field.default_value();
     let default = if default == 0.0 && !field.zero.is_empty() { field.zero.to_owned() } else { field.format(default) };
     vec![code(field.key), field.label.into(), unit.into(), field.range(), default, escaped(field.help)]
-}
-
-fn answer(objective: &Objective) -> Vec<String> {
-    let (number, text, keys, how) = *objective;
-    let known: Vec<String> =
-        keys.iter().filter(|key| fields::find(key).is_some() || OUTSIDE.contains(key)).map(|key| code(key)).collect();
-    vec![number.into(), text.into(), known.join(" "), how.into()]
 }
 
 fn code(key: &str) -> String {
