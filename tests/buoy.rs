@@ -1,5 +1,5 @@
-//! Virtual buoys on the GPU's maps: the spectrum estimated from their time series (Welch) is the one that was asked for.
-//! The maps are those of the undisplaced grid, so chop is out of it.
+//! Virtual buoys on the GPU's maps: Welch's estimate of the spectrum from their time series is the requested spectrum. The
+//! maps belong to the undisplaced grid, so chop has no effect.
 
 mod common;
 
@@ -12,7 +12,7 @@ use std::f64::consts::{PI, TAU};
 
 const SEEDS: u32 = 8;
 const BUOYS: u32 = 32;
-/// Sampling interval, s; waves above its Nyquist frequency of 7.9 rad/s hold a few hundred thousandths of the energy.
+/// Sampling interval, s. Waves above its Nyquist frequency of 7.9 rad/s hold less than 1e-4 of the variance.
 const STEP_S: f64 = 0.4;
 const SAMPLES: usize = 512;
 const SEGMENT: usize = 256;
@@ -22,7 +22,7 @@ fn bin() -> f64 {
     TAU / (SEGMENT as f64 * STEP_S)
 }
 
-/// One-sided variance density at the frequencies i x bin, m^2 s: Hann windows, half overlapping.
+/// One-sided variance density at the frequencies i x bin, m^2 s, with Hann windows that overlap by half.
 fn welch(series: &[f64]) -> Vec<f64> {
     let window = |i: usize| 0.5 - 0.5 * (TAU * i as f64 / SEGMENT as f64).cos();
     let power: f64 = (0..SEGMENT).map(|i| window(i).powi(2)).sum();
@@ -37,7 +37,7 @@ fn welch(series: &[f64]) -> Vec<f64> {
     out
 }
 
-/// The estimate of every seed.
+/// The plan of a state, and the estimated spectrum of every seed.
 fn estimates(state: &str) -> (Plan, Vec<Vec<f64>>) {
     let gpu = gpu();
     let plan = Plan::new(&params(state));
@@ -50,7 +50,7 @@ fn estimates(state: &str) -> (Plan, Vec<Vec<f64>>) {
             for i in 0..SAMPLES {
                 let maps = read(&gpu, &mut sim, STEP_S * i as f64);
                 for (buoy, series) in (0..).zip(&mut series) {
-                    // The cascades are independent and homogeneous: a buoy sits at a texel of each.
+                    // The cascades are independent and homogeneous, so a buoy may use any texel of each.
                     let height = |c: usize| {
                         let at = noise::pcg4d([buoy, c as u32, seed, 5]);
                         f64::from(maps.displacement(c)[(at[0] % n * n + at[1] % n) as usize][1])
@@ -71,18 +71,18 @@ fn mean(spectra: &[Vec<f64>], i: usize) -> f64 {
 
 #[test]
 fn the_spectrum_of_a_buoy_is_the_one_that_was_asked_for() {
-    // By hand, so that 64 points a side hold all the waves without a gap.
+    // Patches set by hand, so that 64 x 64 points hold all waves without a gap.
     let (plan, spectra) =
         estimates("wind=10&fetch=100&n=64&chop=0&cascades=4&patch1=1364&patch2=322&patch3=76&patch4=18");
     let peak = (1..SEGMENT / 2).max_by(|&a, &b| mean(&spectra, a).total_cmp(&mean(&spectra, b))).expect("bins");
     assert!((peak as f64 * bin() - plan.omega_p).abs() < bin(), "peak at {} rad/s", peak as f64 * bin());
-    // Bands of bins: the window smears two bins, a fraction of a band.
+    // Bands of several bins, because the window spreads a wave over three.
     for band in [10..14, 14..17, 17..20, 20..25, 25..32, 32..45, 45..64] {
         let energies: Vec<f64> = spectra.iter().map(|s| band.clone().map(|i| s[i] * bin()).sum()).collect();
         let value = energies.iter().sum::<f64>() / f64::from(SEEDS);
         let spread = energies.iter().map(|e| (e - value).powi(2)).sum::<f64>();
         let error = (spread / f64::from(SEEDS - 1) / f64::from(SEEDS)).sqrt();
-        // What the window makes of S: its kernel is (-1/2, 1, -1/2) in amplitudes, hence 1/6, 2/3, 1/6 in power.
+        // The window smooths S: its kernel is (-1/2, 1, -1/2) in amplitudes, hence 1/6, 2/3, 1/6 in variance.
         let steps = 400;
         let theory: f64 = band
             .clone()
@@ -103,7 +103,7 @@ fn two_systems_give_two_peaks() {
     );
     let s = |i: usize| mean(&spectra, i);
     let highest = |bins: std::ops::Range<usize>| bins.max_by(|&a, &b| s(a).total_cmp(&s(b))).expect("bins");
-    // Swell at 0.52 rad/s; the wind sea of 9 m/s over 40 km at 1.4 rad/s.
+    // The swell peaks at 0.52 rad/s, the wind sea of 9 m/s over 40 km at 1.4 rad/s.
     let (swell, wind) = (highest(5..15), highest(16..40));
     let plan = Plan::new(&params("wind=9&fetch=40"));
     assert!((swell as f64 * bin() - TAU / 12.0).abs() < bin(), "swell at bin {swell}");

@@ -1,5 +1,5 @@
-//! What the GPU computes against theory, over 64 seeds: a subset that covers every spectrum, every spreading and every sea
-//! state, from calm to hurricane and from deep water to 3 m. The full set: `seastate validate --all`.
+//! Simulated seas against theory over 64 seeds: a subset that covers every spectrum, every spreading and every
+//! dispersion relation, from calm to hurricane and from deep water to 3 m. `seastate validate --all` runs the full set.
 
 mod common;
 
@@ -9,7 +9,7 @@ use seastate::lab::validate::words;
 
 const SEEDS: u32 = 64;
 
-/// Spectrum, spreading, wind (m/s), fetch (km), depth (m), and what else there is.
+/// Spectrum, spreading, wind (m/s), fetch (km), depth (m), and further fields of the state string.
 const SEAS: [(&str, &str, f64, f64, f64, &str); 16] = [
     ("phillips", "hasselmann", 10.0, 100.0, 4000.0, ""),
     ("tessendorf", "donelan-banner", 15.0, 300.0, 4000.0, ""),
@@ -45,7 +45,7 @@ fn assert_sea((spectrum, spread, wind, fetch, depth, more): (&str, &str, f64, f6
     let within = |what: &str, measured: &stats::Estimate, resolved: f64| {
         let error = measured.error.expect("64 seeds have a standard error");
         let off = (measured.value - resolved).abs();
-        // In a sea of few waves the error itself may be smaller than the rounding of f32.
+        // With few waves the standard error may be smaller than the rounding error of f32.
         assert!(off < 5.0 * error + 1e-6 * resolved.abs(), "{what}: off by {off}, error {error}\n{state}\n{report}");
     };
     assert!((m.hs_m.value / r.hs_m - 1.0).abs() < 0.03, "{state}\n{report}");
@@ -63,7 +63,7 @@ fn assert_sea((spectrum, spread, wind, fetch, depth, more): (&str, &str, f64, f6
             within("r1", &m.r1, r.r1);
             within("spread", &m.spread_deg, r.spread_deg);
         }
-        // Two looks tell apart what a snapshot cannot: as many waves run one way as the other.
+        // Maps at two times separate opposite directions, here with equal variances.
         (None, _) => assert!(m.r1.value < 0.01 + 5.0 * m.r1.error.unwrap_or(0.0), "{state}\n{report}"),
         (from, measured) => panic!("from {from:?}, measured {measured:?}\n{state}\n{report}"),
     }

@@ -6,7 +6,7 @@ use common::{Pictures, params};
 use seastate::shaders::Shaders;
 use seastate::sim::Simulation;
 use seastate::state::Params;
-use seastate::state::fields::{FIELDS, Field, Group, Kind};
+use seastate::state::fields::{FIELDS, Field, FieldKind, Group};
 use seastate::waves::Plan;
 use std::collections::BTreeMap;
 
@@ -105,15 +105,15 @@ fn need(key: &str) -> Option<&'static (&'static str, &'static str, &'static str)
 /// Another value than the base has, from the middle of the range.
 fn other(field: &Field, base: f64) -> f64 {
     let candidates = match field.kind {
-        Kind::Number { min, max, log: false } => vec![0.3 * min + 0.7 * max, 0.7 * min + 0.3 * max],
-        Kind::Number { min, max, log: true } => vec![(min * max).sqrt(), (min * max * max).cbrt()],
-        Kind::Heading => vec![(base + 140.0).rem_euclid(360.0)],
-        Kind::Integer { min, max } => vec![(f64::from(min) + f64::from(max)) / 2.0, f64::from(max)],
-        Kind::Choice(words) => vec![(base + 1.0) % words.len() as f64],
-        Kind::Flag => vec![1.0 - base],
-        Kind::Colour => vec![f64::from(0x00ff_7010)],
+        FieldKind::Number { min, max, log: false } => vec![0.3 * min + 0.7 * max, 0.7 * min + 0.3 * max],
+        FieldKind::Number { min, max, log: true } => vec![(min * max).sqrt(), (min * max * max).cbrt()],
+        FieldKind::Heading => vec![(base + 140.0).rem_euclid(360.0)],
+        FieldKind::Integer { min, max } => vec![(f64::from(min) + f64::from(max)) / 2.0, f64::from(max)],
+        FieldKind::Choice(words) => vec![(base + 1.0) % words.len() as f64],
+        FieldKind::Flag => vec![1.0 - base],
+        FieldKind::Colour => vec![f64::from(0x00ff_7010)],
     };
-    let whole = |v: f64| if matches!(field.kind, Kind::Integer { .. }) { v.round() } else { v };
+    let whole = |v: f64| if matches!(field.kind, FieldKind::Integer { .. }) { v.round() } else { v };
     let accepted = candidates.into_iter().filter_map(|v| field.accept(whole(v)).ok());
     accepted.into_iter().find(|v| *v != base).unwrap_or_else(|| panic!("{} has one value only", field.key))
 }

@@ -1,5 +1,5 @@
-//! The sun's glitter in rendered pictures, measured as Cox and Munk measured the sea in theirs (1954): the brightness of
-//! every place tells how frequent the slope is that mirrors the sun there.
+//! Mean square slopes from the sun glitter in rendered pictures, by the method of Cox and Munk (1954): the brightness
+//! of a pixel is proportional to the probability density of the slope that reflects the sun there.
 
 mod common;
 
@@ -21,15 +21,15 @@ fn fresnel(cosine: f64) -> f64 {
     0.5 * (s * s + p * p)
 }
 
-/// Red light of every pixel, in linear units, and the directions of the pixels.
+/// Linear red radiance and view direction of every pixel.
 fn light(gpu: &Gpu, state: &str) -> (Vec<f64>, Vec<DVec3>) {
-    let mut ocean = Ocean::new(gpu, FORMAT, Film::Screen, &common::params(state));
+    let mut ocean = Ocean::new(&gpu, FORMAT, Film::Screen, &common::params(state));
     let mut encoder = gpu.encoder("test");
-    // Without the past that only foam needs.
+    // No foam replay.
     ocean.encode(&mut encoder, SIZE, 0);
-    let copy = readback::stage_texture(gpu, &mut encoder, ocean.light().expect("a picture"), 0);
+    let copy = readback::stage_texture(&gpu, &mut encoder, ocean.light().expect("a picture"), 0);
     gpu.submit(encoder);
-    let bytes = pollster::block_on(copy.read(gpu)).expect("read-back");
+    let bytes = pollster::block_on(copy.read(&gpu)).expect("read-back");
     let texels: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&bytes);
     let view = ocean.scene(SIZE).view;
     let dirs = (0..SIZE[0] * SIZE[1]).map(|i| {
@@ -40,10 +40,10 @@ fn light(gpu: &Gpu, state: &str) -> (Vec<f64>, Vec<DVec3>) {
     (texels.iter().map(|t| t[0].to_f64()).collect(), dirs.collect())
 }
 
-/// Slope variances along and across the wind that a picture from above shows, the sun in the zenith: a normal density is
-/// fitted to the brightness over bins of slope.
+/// Slope variances along and across the wind from a picture looking down, with the sun in the zenith: the fit of a
+/// normal density to the brightness in bins of slope.
 fn measured(gpu: &Gpu, wind: f64, more: &str) -> SlopeVariance {
-    // Waves come from the north: along the wind is along z. High enough to see many waves, low enough to see no air.
+    // Waves come from the north, so z is along the wind. The camera sees many waves but little air.
     let state = format!("wind={wind}&dir=0&n=128&t=20&foam=0&y=1500&pitch=-89&heading=0&fov=100&sun=90&haze=0{more}");
     let (bright, dirs) = light(gpu, &state);
     let (dark, _) = light(gpu, &format!("{state}&glitter=0"));
@@ -83,7 +83,7 @@ fn measured(gpu: &Gpu, wind: f64, more: &str) -> SlopeVariance {
     [-0.5 / fit[3], -0.5 / fit[4]]
 }
 
-/// Gauss' elimination without exchange of rows, for a positive definite matrix.
+/// Gaussian elimination without pivoting, for a positive definite matrix.
 fn solve(mut m: [[f64; 6]; 5]) -> [f64; 5] {
     for i in 0..5 {
         let pivot = m[i];
@@ -111,7 +111,7 @@ fn the_glitter_is_as_wide_as_cox_and_munk_found_it() {
     }
 }
 
-/// The measure itself: twice the slopes are seen as such, and the axes are told apart.
+/// Check of the method: the measured variances grow by the variance of the added roughness on both axes.
 #[test]
 fn the_measure_sees_added_roughness() {
     let gpu = common::gpu();

@@ -1,18 +1,15 @@
-//! Heights on the CPU: the same sea as the oracle's and the GPU's, the error that was promised, and the geometry of the
-//! displaced surface.
+//! `point::Heights` against the oracle and the GPU, its stated error, and the geometry of the displaced surface.
 
-use seastate::gpu::Gpu;
-use seastate::oracle::surface::{self, Point};
+mod common;
+
+use seastate::oracle::surface::{self, WaveFields};
 use seastate::oracle::{Texel, maps, spectrum};
-use seastate::point::heights::{Heights, Sample};
-use seastate::shaders::Shaders;
-use seastate::sim::Simulation;
-use seastate::state::query;
+use seastate::point::{Heights, SurfaceSample};
 use seastate::waves::plan::Cascade;
 use seastate::waves::{Plan, noise};
 
 const GALE: &str = "wind=20&fetch=500&n=128";
-/// Deep; two systems; shallow with a short chop; ripples; a loop; patches that repeat.
+/// Deep water; two wave systems; shallow water and different chop along x; capillary waves; a loop; plain patches.
 const SEAS: [&str; 6] = [
     "wind=10&fetch=100&n=64&dispersion=deep",
     "wind=12&scale2=1&n=64&dir=13",
@@ -23,17 +20,15 @@ const SEAS: [&str; 6] = [
 ];
 
 fn plan(state: &str) -> Plan {
-    let (params, notices) = query::parse(state);
-    assert_eq!(notices, Vec::<String>::new());
-    Plan::new(&params)
+    Plan::new(&common::params(state))
 }
 
-/// A number in 0..1 that depends on two.
-fn random(i: usize, what: u32) -> f64 {
-    f64::from(noise::pcg4d([i as u32, what, 3, 4])[0]) / 4_294_967_296.0
+/// Pseudo-random number in [0, 1): number `i` of the given stream.
+fn random(i: usize, stream: u32) -> f64 {
+    f64::from(noise::pcg4d([i as u32, stream, 3, 4])[0]) / 4_294_967_296.0
 }
 
-/// Points (x, z) over a square around the origin, m, and times over an hour.
+/// Random points (x, z) in a square around the origin, m, with times within an hour, s.
 fn places(count: usize, side_m: f64) -> impl Iterator<Item = ([f64; 2], f64)> {
     (0..count).map(move |i| ([0, 1].map(|axis| (random(i, axis) - 0.5) * side_m), 3600.0 * random(i, 2)))
 }
@@ -42,7 +37,7 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
-/// All waves of each cascade alone; for bands that do not overlap.
+/// All waves of each cascade separately. The bands must not overlap.
 fn by_cascade(plan: &Plan) -> Vec<Heights> {
     let one = |cascade: &Cascade| {
         let mut alone = plan.clone();
@@ -52,29 +47,44 @@ fn by_cascade(plan: &Plan) -> Vec<Heights> {
     plan.cascades.iter().map(one).collect()
 }
 
-/// A texel of a cascade somewhere in the world, and what is drawn there of its maps.
-fn drawn(plan: &Plan, cascade: &Cascade, i: usize, read: impl Fn(usize) -> [Texel; 2]) -> ([f64; 2], Point) {
+/// A world position of texel `i` of a cascade, m, and the blended fields of its maps there.
+fn drawn(plan: &Plan, cascade: &Cascade, i: usize, read: impl Fn(usize) -> [Texel; 2]) -> ([f64; 2], WaveFields) {
     let n = plan.n as usize;
     let patches = noise::pcg4d([i as u32, 8, 9, 10]);
     let at = [i % n, i / n].map(|i| i as f64 / n as f64);
     let at = [0, 1].map(|axis| (at[axis] + f64::from(patches[axis] % 100) - 50.0) * cascade.patch_m);
-    // The shifts of copies are whole texels.
+    // Copies are shifted by whole texels.
     let texel = |place: f64| ((place * n as f64).round() as usize) % n;
     (at, surface::blend(&plan.tiling(cascade), at, |place| read(texel(place[1]) * n + texel(place[0]))))
 }
 
-/// Largest difference of the sample from what is drawn, in units of `hs`, or of the slope's rms for gradients.
-fn difference(sea: &Sample, at: [f64; 2], drawn: &Point, plan: &Plan) -> f64 {
+/// Largest difference between a sample and the drawn fields: lengths in units of Hs, normals and Jacobians as they are.
+fn difference(sea: &SurfaceSample, at: [f64; 2], drawn: &WaveFields, plan: &Plan) -> f64 {
     let [lx, lz] = plan.sea.lambda();
-    let Point { moved: d, slope: [sx, sz], strain: [xx, zz, xz, zx] } = *drawn;
+    let WaveFields { displacement: d, slope: [sx, sz], strain: [xx, zz, xz, zx] } = *drawn;
     let world = [at[0] + lx * d[0], at[1] + lz * d[2]];
     let jacobian = (1.0 + lx * xx) * (1.0 + lz * zz) - lx * lz * xz * zx;
     let normal = [-(sx * (1.0 + lz * zz) - sz * lz * zx), jacobian, -(sz * (1.0 + lx * xx) - sx * lx * xz)];
     let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
-    let hs = plan.hs_m();
-    let metres = [sea.height_m - d[1], sea.world_xz[0] - world[0], sea.world_xz[1] - world[1]].map(|e| e / hs);
-    let plain = [0, 1, 2].map(|i| length * (sea.normal[i] - normal[i] / length));
-    metres.into_iter().chain(plain).chain([sea.jacobian - jacobian]).fold(0.0, |worst, e| worst.max(e.abs()))
+    let lengths = [sea.height_m - d[1], sea.world_xz[0] - world[0], sea.world_xz[1] - world[1]];
+    let lengths = lengths.map(|e| e / plan.hs_m());
+    let normals = [0, 1, 2].map(|i| length * (sea.normal[i] - normal[i] / length));
+    lengths.into_iter().chain(normals).chain([sea.jacobian - jacobian]).fold(0.0, |worst, e| worst.max(e.abs()))
+}
+
+/// Largest difference between `sea` and the maps of a cascade, at every 97th texel.
+fn largest_difference(
+    sea: &Heights,
+    plan: &Plan,
+    cascade: &Cascade,
+    t_s: f64,
+    read: impl Fn(usize) -> [Texel; 2],
+) -> f64 {
+    let at_texel = |i: usize| {
+        let (at, drawn) = drawn(plan, cascade, i, &read);
+        difference(&sea.undisplaced(at[0], at[1], t_s), at, &drawn, plan)
+    };
+    (0..(plan.n * plan.n) as usize).step_by(97).map(at_texel).fold(0.0, f64::max)
 }
 
 #[test]
@@ -83,15 +93,11 @@ fn all_waves_are_the_oracles_sea() {
         let plan = plan(state);
         for t_s in [0.0, 100_000.25] {
             for (cascade, sea) in plan.cascades.iter().zip(by_cascade(&plan)) {
-                let n = plan.n as usize;
                 let h0 = spectrum::h0(&plan, cascade);
-                let [d, g] = maps::columns(n, &maps::rows(&plan, cascade, &h0, t_s));
-                for i in (0..n * n).step_by(97) {
-                    let (at, drawn) = drawn(&plan, cascade, i, |i| [d[i], g[i]]);
-                    let worst = difference(&sea.undisplaced(at[0], at[1], t_s), at, &drawn, &plan);
-                    // The table's norms are interpolated, within 1e-6 of the oracle's.
-                    assert!(worst < 2e-6, "{state} t {t_s} texel {i}: {worst}");
-                }
+                let [d, g] = maps::columns(plan.n as usize, &maps::rows(&plan, cascade, &h0, t_s));
+                let worst = largest_difference(&sea, &plan, cascade, t_s, |i| [d[i], g[i]]);
+                // The table interpolates norms, with an error of 1e-6.
+                assert!(worst < 2e-6, "{state} t {t_s}: {worst}");
             }
         }
     }
@@ -99,21 +105,16 @@ fn all_waves_are_the_oracles_sea() {
 
 #[test]
 fn all_waves_are_the_gpus_sea() {
-    let gpu = pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers");
+    let gpu = common::gpu();
     for state in SEAS {
         let plan = plan(state);
-        let mut sim = Simulation::new(&gpu, plan.clone(), &Shaders::default());
+        let mut sim = common::simulation(&gpu, state);
         for t_s in [0.0, 100_000.25] {
-            let read = pollster::block_on(sim.read_f32(&gpu, t_s)).expect("read-back");
+            let read = common::read(&gpu, &mut sim, t_s);
             for (c, (cascade, sea)) in plan.cascades.iter().zip(by_cascade(&plan)).enumerate() {
-                let n = plan.n as usize;
-                for i in (0..n * n).step_by(97) {
-                    let texels =
-                        |i: usize| [read.displacement(c)[i].map(f64::from), read.gradients(c)[i].map(f64::from)];
-                    let (at, drawn) = drawn(&plan, cascade, i, texels);
-                    let worst = difference(&sea.undisplaced(at[0], at[1], t_s), at, &drawn, &plan);
-                    assert!(worst < 1e-5, "{state} t {t_s} cascade {c} texel {i}: {worst}");
-                }
+                let texels = |i: usize| [read.displacement(c)[i], read.gradients(c)[i]].map(|t| t.map(f64::from));
+                let worst = largest_difference(&sea, &plan, cascade, t_s, texels);
+                assert!(worst < 1e-5, "{state} t {t_s} cascade {c}: {worst}");
             }
         }
     }
@@ -140,7 +141,7 @@ fn overlapping_cascades_share_their_waves() {
         let [d, g] = maps::columns(64, &maps::rows(&plan, cascade, &h0, 50.0));
         let texel = |place: f64| ((place * 64.0).round() as usize) % 64;
         let read = |place: [f64; 2]| [&d, &g].map(|map| map[texel(place[1]) * 64 + texel(place[0])]);
-        surface::blend(&plan.tiling(cascade), [0.0; 2], read).moved[1]
+        surface::blend(&plan.tiling(cascade), [0.0; 2], read).displacement[1]
     });
     assert!((sea.height_m - oracle.sum::<f64>()).abs() < 1e-5 * plan.hs_m());
 }
@@ -162,7 +163,7 @@ fn the_error_is_the_one_promised() {
         let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
         let most = errors.iter().fold(0.0f64, |most, e| most.max(e.abs()));
         let promised = some.residual_rms_m();
-        // At points of the world the waves left out also displace the water.
+        // At fixed points of the world the omitted waves also displace the water sideways.
         let world = places.iter().take(300).map(|&([x, z], t)| {
             let [a, b] = [&some, &full].map(|sea| sea.sample(x, z, t).height_m);
             (a - b) * (a - b)
@@ -172,7 +173,7 @@ fn the_error_is_the_one_promised() {
             "{modes} of {}: share {:.5}, promised {promised:.4} m, measured {rms:.4} m, most {most:.3} m, world {world:.4} m, \
              slope {:.4}",
             full.modes(),
-            some.share(),
+            some.variance_fraction(),
             some.residual_slope_rms()
         );
         assert!((rms / promised - 1.0).abs() < 0.1, "{modes}: {rms} against {promised}");
@@ -233,7 +234,7 @@ fn the_velocity_is_that_of_the_water() {
     for state in ["wind=20&fetch=500&n=64", SEAS[1], "spectrum=tma&depth=5&wind=15&n=64", SEAS[3]] {
         let plan = plan(state);
         let sea = Heights::new(&plan, usize::MAX);
-        // Times are multiples of 2^-32 of the period.
+        // The time resolution of the phases.
         let tick = plan.period_s / 4_294_967_296.0;
         let dt = 100.0 * tick;
         for (i, ([x, z], _)) in places(50, 5000.0).enumerate() {
@@ -270,7 +271,7 @@ fn the_same_question_has_the_same_answer() {
     assert_eq!(looped.sample(3.0, 4.0, 7.0), looped.sample(3.0, 4.0, 127.0));
 }
 
-fn is_finite(s: &Sample) -> bool {
+fn is_finite(s: &SurfaceSample) -> bool {
     let numbers = [s.height_m, s.jacobian].into_iter();
     let pairs = s.undisplaced_xz.into_iter().chain(s.world_xz);
     numbers.chain(s.normal).chain(s.velocity_m_s).chain(pairs).all(f64::is_finite)
@@ -278,11 +279,11 @@ fn is_finite(s: &Sample) -> bool {
 
 #[test]
 fn extremes() {
-    // Still water: a calm, and no waves at all.
+    // Still water: a calm, and a sum of no waves.
     for (state, modes) in [("wind=0&n=64&level=3", 500), ("wind=12&n=64&level=3", 0)] {
         let sea = Heights::new(&plan(state), modes);
         let here = sea.sample(10.0, -20.0, 30.0);
-        let still = Sample {
+        let still = SurfaceSample {
             height_m: 3.0,
             normal: [0.0, 1.0, 0.0],
             velocity_m_s: [0.0; 3],
@@ -292,13 +293,13 @@ fn extremes() {
             converged: true,
         };
         assert_eq!((sea.modes(), here), (0, still));
-        assert_eq!(sea.share(), if modes == 0 { 0.0 } else { 1.0 });
+        assert_eq!(sea.variance_fraction(), if modes == 0 { 0.0 } else { 1.0 });
     }
-    // The level is that of the world.
+    // Heights include the still-water level.
     let [low, high] =
         ["level=0", "level=3"].map(|l| Heights::new(&plan(&format!("n=64&{l}")), 50).sample(1.0, 2.0, 3.0));
     assert!((high.height_m - low.height_m - 3.0).abs() < 1e-12);
-    // Folds everywhere.
+    // A surface with many folds.
     let torn = Heights::new(&plan("wind=25&fetch=800&n=64&chop=2&height=3"), usize::MAX);
     let (mut lost, mut folds) = (0, 0);
     for ([x, z], t_s) in places(300, 5000.0) {
@@ -310,7 +311,7 @@ fn extremes() {
     }
     eprintln!("torn: {folds} of 300 places lie in folds, lost {lost}");
     assert!(folds > 20 && lost <= 3, "{folds} {lost}");
-    // What is no number.
+    // Infinite and NaN arguments.
     let sea = Heights::new(&plan("n=64&level=3"), 100);
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for (x, z, t) in [(bad, 0.0, 0.0), (0.0, bad, 0.0), (0.0, 0.0, bad)] {
@@ -326,11 +327,11 @@ fn extremes() {
 
 #[test]
 fn far_away_is_as_good_as_here() {
-    // One cascade repeats with its patch: 10 000 km away the same water comes back.
+    // A single cascade without tiling repeats with its patch, also 10 000 km away.
     let plan = plan("wind=20&fetch=500&n=64&cascades=1&patch1=512&untile=0");
     let sea = Heights::new(&plan, usize::MAX);
     for (i, ([x, z], t_s)) in places(100, 512.0).enumerate() {
-        // Whole multiples of 2^-20 m are exact there.
+        // Multiples of 2^-20 m are exact at that distance.
         let [x, z] = [x, z].map(|v| (v * 1_048_576.0).round() / 1_048_576.0);
         let away = 512.0 * (19_531.0 + i as f64);
         let (here, far) = (sea.sample(x, z, t_s), sea.sample(x + away, z - away, t_s));

@@ -1,4 +1,4 @@
-//! Files and texts that are broken, lie or were made to do harm: each is refused in words, and nothing panics.
+//! Files and texts that are broken, make false claims or are malicious: each is refused with a message, without a panic.
 
 #[path = "common/hostile.rs"]
 mod hostile;
@@ -8,7 +8,7 @@ use hostile::CHECKS;
 use seastate::files::panorama;
 use std::path::PathBuf;
 
-/// Every case that fuzzing has kept or found (fuzz/), through the checks of its target.
+/// Runs every case that fuzzing (fuzz/) found or kept through the check of its target.
 #[test]
 fn kept_cases_do_no_harm() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/cases");
@@ -21,7 +21,7 @@ fn kept_cases_do_no_harm() {
         for path in paths {
             let case = std::fs::read(&path).expect("a case");
             bytes += case.len();
-            // Shown only when it fails: which case it was.
+            // The test harness shows this only if the case fails.
             eprintln!("{}", path.display());
             check(&case);
         }
@@ -29,7 +29,8 @@ fn kept_cases_do_no_harm() {
     assert!(bytes < 1 << 20, "{bytes} bytes of cases: keep fewer");
 }
 
-/// A small sky in the form of OpenEXR: rows, and no count of the blocks that a lie would have to agree with.
+/// A small sky in OpenEXR, as scanlines. Its attribute `chunkCount` is renamed, so that changed sizes cannot disagree
+/// with it.
 fn exr() -> Vec<u8> {
     let rows =
         Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
@@ -43,16 +44,16 @@ fn exr() -> Vec<u8> {
     bytes
 }
 
-/// The place behind a piece of a file.
+/// Position directly after a piece of a file.
 fn after(bytes: &[u8], piece: &[u8]) -> usize {
     bytes.windows(piece.len()).position(|w| w == piece).expect("the piece is there") + piece.len()
 }
 
-/// The same file with other windows: x and y of the first and the last pixel.
+/// The file of [`exr`] with other windows: x and y of the first and the last pixel.
 fn with_windows(data: [i32; 4], display: [i32; 4]) -> Vec<u8> {
     let mut bytes = exr();
     for (name, window) in [("dataWindow", data), ("displayWindow", display)] {
-        // Type, and length of the value.
+        // Four bytes for the length of the value.
         let at = after(&bytes, format!("{name}\0box2i\0").as_bytes()) + 4;
         bytes[at..at + 16].copy_from_slice(&window.map(i32::to_le_bytes).concat());
     }
@@ -70,10 +71,10 @@ fn a_sky_that_claims_to_be_enormous_is_refused_before_memory_is_asked_for() {
     let huge = [0, 0, 1_000_000_000, 500_000_000];
     for (data, display) in [(huge, whole), (whole, huge), (huge, huge)] {
         let reason = refusal(&with_windows(data, display));
-        let says = "sky.exr: 1000000001 x 500000001 pixels, where 16384 x 8193 are read: save it smaller";
+        let says = "sky.exr: 1000000001 x 500000001 pixels, but at most 16384 x 8193 are read: save it smaller";
         assert_eq!(reason, says);
     }
-    // Within the limits, but of a file of some kilobytes.
+    // The size is within the limits, but the file has only some kilobytes.
     assert!(refusal(&with_windows([0, 0, 16_383, 8_191], [0, 0, 16_383, 8_191])).contains("ends too early"));
     for edge in [i32::MIN, i32::MIN / 2, -1, i32::MAX / 2, i32::MAX] {
         refusal(&with_windows([edge, edge, edge, edge], whole));
@@ -84,7 +85,7 @@ fn a_sky_that_claims_to_be_enormous_is_refused_before_memory_is_asked_for() {
 
 #[test]
 fn a_sky_of_a_single_enormous_block_is_refused() {
-    // A thousand channels, compressed so that 256 rows are a block.
+    // A thousand channels, with a compression that makes blocks of 256 rows.
     let mut bytes = exr();
     let at = after(&bytes, b"compression\0compression\0") + 4;
     bytes[at] = 9;

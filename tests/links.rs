@@ -1,14 +1,14 @@
-//! A link means for good what it meant when it was made: tests/links.txt.
+//! Links keep their meaning: each link in tests/links.txt opens a sea of the recorded significant wave height.
 
 use seastate::lab::gallery::SEAS;
 use seastate::state::{presets, query};
 use seastate::waves::Plan;
 use seastate::waves::statistics::Theory;
 
-/// Largest error of a height, relative: the file has four decimals, quadrature is far better.
+/// Largest relative error of a height. The heights in the file have four decimals; the error of the quadrature is smaller.
 const TOLERANCE: f64 = 2e-3;
 
-/// Height and link of every line.
+/// Significant wave height in m and link of every line.
 fn links() -> Vec<(f64, &'static str)> {
     let lines = include_str!("links.txt").lines().filter(|line| !line.starts_with('#') && !line.is_empty());
     let split = |line: &'static str| {
@@ -43,7 +43,7 @@ fn what_the_program_and_its_pages_link_to_is_among_them() {
     assert_eq!(missing, Vec::<String>::new(), "tests/links.txt lacks these");
 }
 
-/// State strings in a page: what stands in quotes, has a key that is known and no mistake.
+/// State strings in a document: quoted words with a known key that are read without a notice.
 fn quoted(page: &str) -> Vec<String> {
     let pieces =
         page.split(['\'', '`', '"']).filter(|piece| piece.contains('=') && !piece.contains(char::is_whitespace));

@@ -3,19 +3,19 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use seastate::app::App;
-use seastate::state::fields::{FIELDS, Field, Kind};
+use seastate::state::fields::{FIELDS, Field, FieldKind};
 use seastate::state::{Params, query};
 
 /// Two other values than the default.
 fn others(field: &Field) -> [f64; 2] {
     let default = field.default_value();
     let candidates: Vec<f64> = match field.kind {
-        Kind::Number { min, max, .. } => [0.3, 0.6, 0.45].map(|s: f64| min + s * (max - min)).to_vec(),
-        Kind::Heading => [70.0, 200.5, 311.0].to_vec(),
-        Kind::Integer { min, max } => (min..=max).take(4).map(f64::from).chain([f64::from(max)]).collect(),
-        Kind::Choice(words) => (0..words.len()).map(|i| i as f64).collect(),
-        Kind::Flag => vec![0.0, 1.0],
-        Kind::Colour => [0x0012_3456, 0x00fe_dcba].map(f64::from).to_vec(),
+        FieldKind::Number { min, max, .. } => [0.3, 0.6, 0.45].map(|s: f64| min + s * (max - min)).to_vec(),
+        FieldKind::Heading => [70.0, 200.5, 311.0].to_vec(),
+        FieldKind::Integer { min, max } => (min..=max).take(4).map(f64::from).chain([f64::from(max)]).collect(),
+        FieldKind::Choice(words) => (0..words.len()).map(|i| i as f64).collect(),
+        FieldKind::Flag => vec![0.0, 1.0],
+        FieldKind::Colour => [0x0012_3456, 0x00fe_dcba].map(f64::from).to_vec(),
     };
     let mut taken = candidates.into_iter().filter_map(|v| field.accept(v).ok()).filter(|v| *v != default);
     let first = taken.next().unwrap_or_else(|| panic!("{} has one value only", field.key));
@@ -80,19 +80,19 @@ fn the_panel_sets_every_parameter_and_takes_it_back() {
         let before = (field.get)(&params(&harness));
         let value = if value == before { others(field)[1] } else { value };
         match field.kind {
-            Kind::Number { .. } | Kind::Integer { .. } | Kind::Heading => {
+            FieldKind::Number { .. } | FieldKind::Integer { .. } | FieldKind::Heading => {
                 widget(&harness, field).set_value_accesskit(value);
                 harness.run_steps(2);
                 let now = (field.get)(&params(&harness));
                 // A slider takes what it shows.
                 assert!((now - value).abs() <= 0.01 * value.abs().max(0.1), "{}: {now} instead of {value}", field.key);
             }
-            Kind::Flag => {
+            FieldKind::Flag => {
                 widget(&harness, field).click_accesskit();
                 harness.run_steps(2);
                 assert_eq!((field.get)(&params(&harness)), 1.0 - before, "{}", field.key);
             }
-            Kind::Choice(words) => {
+            FieldKind::Choice(words) => {
                 widget(&harness, field).click_accesskit();
                 harness.run_steps(4);
                 let word = words[value as usize];
@@ -101,7 +101,7 @@ fn the_panel_sets_every_parameter_and_takes_it_back() {
                 harness.run_steps(4);
                 assert_eq!((field.get)(&params(&harness)), value, "{}", field.key);
             }
-            Kind::Colour => {
+            FieldKind::Colour => {
                 // Its picker is egui's own.
                 widget(&harness, field).click_accesskit();
                 harness.run_steps(3);

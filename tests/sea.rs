@@ -1,4 +1,4 @@
-//! The sea that the GPU computes, against theory: heights, direction, crests, sameness under n, loops, foam.
+//! The simulated sea against theory: wave heights, direction, crests, independence of the FFT size, loops and foam.
 
 mod common;
 
@@ -9,10 +9,10 @@ use seastate::lab::stats;
 use seastate::shaders::Shaders;
 use seastate::sim::{MAX_STEPS, Simulation};
 use seastate::state::Params;
-use seastate::state::fields::{FIELDS, Kind};
+use seastate::state::fields::{FIELDS, FieldKind};
 use seastate::waves::{Plan, statistics};
 
-/// Theory, resolved and measured height over 64 seeds, and Parseval for each.
+/// Compares theory, resolved and measured statistics over 64 seeds, and checks Parseval's theorem for each seed.
 fn assert_height(state: &str) -> stats::Report {
     let report = pollster::block_on(stats::run(&gpu(), &params(state), 64)).expect("statistics");
     let (t, r, m) = (report.theory(), report.resolved(), report.measured());
@@ -39,35 +39,24 @@ fn ten_metres_per_second_over_a_hundred_kilometres() {
 }
 
 #[test]
-fn a_light_breeze() {
-    assert_height("wind=5&fetch=20");
+fn heights_from_a_light_breeze_to_a_hurricane() {
+    for state in ["wind=5&fetch=20", "wind=20&fetch=500", "wind=30&fetch=1000"] {
+        assert_height(state);
+    }
 }
 
 #[test]
-fn a_gale() {
-    assert_height("wind=20&fetch=500");
-}
-
-#[test]
-fn a_hurricane() {
-    assert_height("wind=30&fetch=1000");
-}
-
-#[test]
-fn twenty_metres_of_water() {
-    assert_height("wind=10&fetch=100&spectrum=tma&depth=20");
-}
-
-#[test]
-fn five_metres_of_water() {
-    assert_height("wind=10&fetch=100&spectrum=tma&depth=5");
+fn heights_in_shallow_water() {
+    for depth_m in [20, 5] {
+        assert_height(&format!("wind=10&fetch=100&spectrum=tma&depth={depth_m}"));
+    }
 }
 
 #[test]
 fn waves_travel_downwind() {
     let gpu = gpu();
     for dir in [0.0, 90.0, 215.0] {
-        // The pattern of the long waves moves by the phase speed: correlate two times along the wind.
+        // A moving pattern has d eta/dt = -speed x slope: fit the speed along the wind to two maps 0.4 s apart.
         let state = format!("wind=10&fetch=100&n=128&spread=donelan-banner&swell=1&dir={dir}");
         let plan = Plan::new(&params(&state));
         let (a, b) = (maps(&gpu, &state, 10.0), maps(&gpu, &state, 10.4));
@@ -79,7 +68,7 @@ fn waves_travel_downwind() {
             along -= f64::from(b.displacement(0)[i][1] - d[1]) / 0.4 * slope;
             slope2 += slope * slope;
         }
-        // Phase speed of the slopes' dominant waves: near that of the peak, 9.7 m/s, and downwind.
+        // The phase speed at the peak is 9.7 m/s; shorter waves dominate the slopes and are slower.
         let speed = along / slope2;
         assert!((5.0..11.0).contains(&speed), "dir {dir}: {speed} m/s");
     }
@@ -92,29 +81,22 @@ fn crests_are_sharper_than_troughs() {
     let maps = maps(&gpu, state, 20.0);
     let plan = Plan::new(&params(state));
     let sigma = plan.hs_m() / 4.0;
-    let mut crest = (0.0, 0.0);
-    let mut trough = (0.0, 0.0);
-    for (d, g) in maps.displacement(0).iter().zip(maps.gradients(0)) {
-        let j = f64::from((1.0 + g[2]) * (1.0 + g[3]) - d[3] * d[3]);
-        let side = if f64::from(d[1]) > sigma { &mut crest } else { &mut trough };
-        if f64::from(d[1]).abs() > sigma {
-            *side = (side.0 + j, side.1 + 1.0);
-        }
-    }
-    let (crest, trough) = (crest.0 / crest.1, trough.0 / trough.1);
-    assert!(
-        crest < 0.95 && trough > 1.05,
-        "the surface is squeezed at crests ({crest}) and stretched in troughs ({trough})"
-    );
+    // Mean Jacobian where the elevation times `sign` exceeds one standard deviation.
+    let mean_jacobian = |sign: f64| {
+        let texels = maps.displacement(0).iter().zip(maps.gradients(0));
+        let beyond = texels.filter(|(d, _)| sign * f64::from(d[1]) > sigma);
+        mean(&beyond.map(|(d, g)| f64::from((1.0 + g[2]) * (1.0 + g[3]) - d[3] * d[3])).collect::<Vec<_>>())
+    };
+    let (crest, trough) = (mean_jacobian(1.0), mean_jacobian(-1.0));
+    assert!(crest < 0.95 && trough > 1.05, "squeezed at crests ({crest}), stretched in troughs ({trough})");
 }
 
 #[test]
 fn raising_n_keeps_every_wave() {
-    // The 64-point sea is the 128-point one without its shorter waves: compare coefficients by their transform.
+    // Compare the initial amplitudes h0 of the waves that both lattices hold.
     let gpu = gpu();
     let read = |state: &str| {
-        let plan = Plan::new(&params(state));
-        let mut sim = Simulation::new(&gpu, plan, &Shaders::default());
+        let mut sim = common::simulation(&gpu, state);
         let mut encoder = gpu.encoder("test");
         let step = sim.push_step(&gpu, 0.0, false);
         sim.passes.spectrum.run(&mut encoder, &sim.resources, step);
@@ -140,6 +122,11 @@ fn raising_n_keeps_every_wave() {
     assert!(kept > 5000, "{kept}");
 }
 
+/// FFT sizes and choices of cascades.
+const GRIDS: &str = "n=128 n=256 n=1024 cascades=3 cascades=4 overlap=1 overlap=1&n=512 \
+    cascades=3&patch1=1500&patch2=260&patch3=31 cascades=4&patch1=1500&patch2=260&patch3=31&patch4=6&overlap=1 \
+    cascades=2&patch1=1500&patch2=140&high1=0.5&low2=0.3";
+
 #[test]
 fn the_sea_does_not_depend_on_how_it_is_cut_into_waves() {
     for sea in ["wind=12", "wind=7&fetch=50&spectrum=tma&depth=6&spread=hasselmann", "wind=10&scale2=1&hs2=1.5&tp2=11"]
@@ -149,25 +136,14 @@ fn the_sea_does_not_depend_on_how_it_is_cut_into_waves() {
             (statistics::Resolved::new(&plan, 1.0), plan)
         };
         let (reference, _) = resolved("n=512");
-        for how in [
-            "n=128",
-            "n=256",
-            "n=1024",
-            "cascades=3",
-            "cascades=4",
-            "overlap=1",
-            "overlap=1&n=512",
-            "cascades=3&patch1=1500&patch2=260&patch3=31",
-            "cascades=4&patch1=1500&patch2=260&patch3=31&patch4=6&overlap=1",
-            "cascades=2&patch1=1500&patch2=140&high1=0.5&low2=0.3",
-        ] {
+        for how in GRIDS.split(' ') {
             let (r, plan) = resolved(how);
             let text = format!("{sea}&{how}: {r:?} against {reference:?}, {:?}", plan.notices);
             assert!((r.hs_m / reference.hs_m - 1.0).abs() < 0.02, "{text}");
             assert!((r.spread_deg / reference.spread_deg - 1.0).abs() < 0.05, "{text}");
             let turned = r.mean_from_deg.unwrap_or(f64::NAN) - reference.mean_from_deg.unwrap_or(f64::NAN);
             assert!(turned.abs() < 2.0, "{text}");
-            // Slopes grow with the shortest wave: compare as far as both go.
+            // The mean square slope depends on the cut-off: compare it up to 2 rad/m, which all plans resolve.
             let (a, b) = (plan.slope_variance(2.0), Plan::new(&params(&format!("{sea}&n=512"))).slope_variance(2.0));
             assert!((a / b - 1.0).abs() < 0.02, "{text}: mss to 2 rad/m {a} against {b}");
         }
@@ -182,19 +158,15 @@ fn a_loop_closes() {
     assert_eq!(a.texels, b.texels, "bit for bit");
 }
 
-/// Mean foam of each level after a cold start, and after running there from `from_s` in steps of `dt_s`.
+/// Mean foam of each level after a cold start, or after a run from `from_s` to the state's time in steps of `dt_s`.
 fn foam(gpu: &Gpu, state: &str, run: Option<(f64, f64)>) -> Vec<f64> {
-    let p = params(state);
-    let mut sim = Simulation::new(gpu, Plan::new(&p), &Shaders::default());
-    let mut times = Vec::new();
-    if let Some((from_s, dt_s)) = run {
-        let steps = ((p.clock.t_s - from_s) / dt_s).round() as u32;
-        times.extend((0..steps).map(|i| from_s + dt_s * f64::from(i)));
-    }
-    times.push(p.clock.t_s);
-    for t_s in times {
+    let mut sim = common::simulation(gpu, state);
+    let end_s = params(state).clock.t_s;
+    let (from_s, dt_s) = run.unwrap_or((end_s, 1.0));
+    let steps = ((end_s - from_s) / dt_s).round() as u32;
+    for t_s in (0..steps).map(|i| from_s + dt_s * f64::from(i)).chain([end_s]) {
         let mut encoder = gpu.encoder("test");
-        assert!(sim.encode(gpu, &mut encoder, t_s, [0.0; 2], MAX_STEPS));
+        assert!(sim.encode(&gpu, &mut encoder, t_s, [0.0; 2], MAX_STEPS));
         gpu.submit(encoder);
     }
     let mut encoder = gpu.encoder("test");
@@ -207,13 +179,13 @@ fn foam(gpu: &Gpu, state: &str, run: Option<(f64, f64)>) -> Vec<f64> {
     values.chunks(size * size).map(|level| level.iter().sum::<f64>() / level.len() as f64).collect()
 }
 
-fn mean(foam: &[f64]) -> f64 {
-    foam.iter().sum::<f64>() / foam.len() as f64
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
 }
 
 #[test]
 fn the_maps_of_a_frame_are_read_back_as_they_are() {
-    use seastate::waves::survey::Survey;
+    use seastate::waves::map_spectrum::MapSpectrumEstimator;
     let gpu = gpu();
     let mut sim = common::simulation(&gpu, "wind=12&n=128&t=9");
     let mut encoder = gpu.encoder("test");
@@ -228,19 +200,19 @@ fn the_maps_of_a_frame_are_read_back_as_they_are() {
     };
     let m0 = variance(&|c| mean(maps.displacement(c), 1));
     let mss = variance(&|c| mean(maps.gradients(c), 0) + mean(maps.gradients(c), 1));
-    // Half floats of the maps.
+    // The probe reads half-float maps.
     assert!((probed.mss / mss - 1.0).abs() < 0.02, "{} {mss}", probed.mss);
     let foam = sim.foam_coverage();
     assert!(probed.coverage / foam > 0.5 && probed.coverage / foam < 2.0, "{} {foam}", probed.coverage);
-    // Its spectrum is that of the sea: all of the variance, and most of it where theory has it.
+    // The estimated spectrum has all of the variance and overlaps with the theoretical spectrum.
     let width = probed.plan.omega_p / 8.0;
-    let mut survey = Survey::new(&probed.plan, width, 4000);
-    let found = survey.advance(&probed.plan, usize::MAX, |c, z| probed.row(c, z)).expect("all at once").clone();
+    let mut estimator = MapSpectrumEstimator::new(&probed.plan, width, 4000);
+    let found = estimator.advance(&probed.plan, usize::MAX, |c, z| probed.row(c, z)).expect("all at once").clone();
     assert!((found.m0_m2 / m0 - 1.0).abs() < 1e-3, "{} {m0}", found.m0_m2);
     assert!((found.bins_m2.iter().sum::<f64>() / m0 - 1.0).abs() < 2e-3);
     let theory = |i: usize| probed.plan.density((i as f64 + 0.5) * width) * width;
     let both: f64 = found.bins_m2.iter().enumerate().map(|(i, x)| x.min(theory(i))).sum();
-    eprintln!("shared with theory: {:.3} of m0", both / m0);
+    eprintln!("overlap with theory: {:.3} of m0", both / m0);
     assert!(both / m0 > 0.8, "{}", both / m0);
 }
 
@@ -256,7 +228,7 @@ fn a_calm_sea_has_no_foam() {
 fn whitecaps_cover_what_the_wind_makes_them() {
     let gpu = gpu();
     for (wind, fetch) in [(7.0, 100.0), (10.0, 200.0), (14.0, 300.0), (20.0, 500.0)] {
-        // Two moments: a light breeze has few whitecaps on the finest level.
+        // The mean at two times, because a light breeze has few whitecaps on the finest level.
         let at = |t: f64| mean(&foam(&gpu, &format!("wind={wind}&fetch={fetch}&n=128&t={t}"), None));
         let (cover, monahan) = (0.5 * (at(5.0) + at(40.0)), statistics::monahan_coverage(wind));
         eprintln!("wind {wind} m/s: {cover:.5}, Monahan {monahan:.5}");
@@ -282,8 +254,8 @@ fn every_control_of_the_foam_works() {
     ] {
         let other = cover(more);
         assert_eq!(other > usual, grows, "{more}: {other} instead of {usual}");
-        // What lies beyond the levels is estimated: it follows.
-        let plan = |more: &str| seastate::waves::foam::Whiteness::new(&Plan::new(&params(&format!("{sea}{more}"))));
+        // The expected coverage, which is used beyond the levels, follows the measured one.
+        let plan = |more: &str| seastate::waves::foam::FoamModel::new(&Plan::new(&params(&format!("{sea}{more}"))));
         let guess = plan(more).coverage;
         assert!(
             guess / other < 2.0 && other / guess.max(1e-6) < 2.0 || other < 1e-3,
@@ -304,7 +276,7 @@ fn foam_does_not_depend_on_how_one_came_there() {
     assert!((fast / cold - 1.0).abs() < 0.03, "cold start {cold}, running {fast}");
 }
 
-/// Reads one evaluation of many seas with as few allocations as possible.
+/// Reads maps of many seas and keeps one simulation per number of cascades.
 struct Probe {
     gpu: Gpu,
     sims: Vec<Option<Simulation>>,
@@ -315,7 +287,7 @@ impl Probe {
         Self { gpu: gpu(), sims: (0..=4).map(|_| None).collect() }
     }
 
-    /// Fails if a map of a sea, in f32 or in half floats, holds anything but finite numbers.
+    /// Fails unless the statistics and the maps of a sea are finite and within the range of half floats.
     fn assert_finite(&mut self, p: &Params) {
         let plan = Plan::new(p);
         let t = statistics::Theory::new(&plan);
@@ -342,11 +314,11 @@ fn maps_are_finite_at_the_corners_of_every_range() {
     let mut probe = Probe::new();
     for field in FIELDS.iter() {
         let corners = match field.kind {
-            Kind::Number { min, max, .. } => vec![min, max],
-            Kind::Integer { min, max } => vec![f64::from(min), f64::from(max)],
-            Kind::Choice(words) => (0..words.len()).map(|i| i as f64).collect(),
-            Kind::Heading | Kind::Flag => vec![0.0, 1.0],
-            Kind::Colour => vec![0.0],
+            FieldKind::Number { min, max, .. } => vec![min, max],
+            FieldKind::Integer { min, max } => vec![f64::from(min), f64::from(max)],
+            FieldKind::Choice(words) => (0..words.len()).map(|i| i as f64).collect(),
+            FieldKind::Heading | FieldKind::Flag => vec![0.0, 1.0],
+            FieldKind::Colour => vec![0.0],
         };
         for corner in corners {
             for start in ["n=64", "n=64&scale2=1&dispersion=capillary&hs2=3&tp2=10"] {

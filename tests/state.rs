@@ -1,14 +1,14 @@
-//! The state string: whatever it is given, reading never fails, and writing what was read is stable.
+//! The state string: reading never fails, and a state that was read is written and read back unchanged.
 
-use seastate::files::measured::{Direction, MAX_BANDS, Measured};
-use seastate::state::fields::{FIELDS, Field, Kind};
-use seastate::state::floats::{self, Float};
+use seastate::files::measured::{Direction, MAX_BANDS, MeasuredSpectrum};
+use seastate::state::fields::{FIELDS, Field, FieldKind};
+use seastate::state::floats::{Float, FloatKind, MAX_FLOATS};
 use seastate::state::look::SkyFile;
 use seastate::state::{Params, query};
 use seastate::waves::table::Table;
 use seastate::waves::{Plan, noise};
 
-/// A small deterministic generator on the crate's own hash.
+/// Deterministic random numbers from the hash of the crate.
 struct Dice(u32);
 
 impl Dice {
@@ -80,7 +80,7 @@ fn value(dice: &mut Dice) -> String {
         4 => {
             let words: Vec<&str> = FIELDS
                 .iter()
-                .filter_map(|f| if let Kind::Choice(words) = f.kind { Some(words) } else { None })
+                .filter_map(|f| if let FieldKind::Choice(words) = f.kind { Some(words) } else { None })
                 .flatten()
                 .copied()
                 .collect();
@@ -118,7 +118,7 @@ fn a_hundred_thousand_hostile_strings() {
             let v = (field.get)(&params);
             assert_eq!(field.accept(v), Ok(v), "{} = {v} from {text:?}", field.key);
         }
-        // The plan is total: some of these seas are strange.
+        // Every sea has a plan, even a strange one.
         if i % 50 == 0 {
             let plan = Plan::new(&params);
             assert!((1..=4).contains(&plan.cascades.len()), "{written}");
@@ -141,12 +141,12 @@ fn very_long_strings_are_cut() {
 fn corners_of_every_range_give_a_finite_plan() {
     for field in FIELDS.iter() {
         let corners = match field.kind {
-            Kind::Number { min, max, .. } => vec![min, max],
-            Kind::Heading => vec![0.0, 359.99],
-            Kind::Integer { min, max } => vec![f64::from(min), f64::from(max)],
-            Kind::Choice(words) => (0..words.len()).map(|i| i as f64).collect(),
-            Kind::Flag => vec![0.0, 1.0],
-            Kind::Colour => vec![0.0, f64::from(0x00ff_ffff)],
+            FieldKind::Number { min, max, .. } => vec![min, max],
+            FieldKind::Heading => vec![0.0, 359.99],
+            FieldKind::Integer { min, max } => vec![f64::from(min), f64::from(max)],
+            FieldKind::Choice(words) => (0..words.len()).map(|i| i as f64).collect(),
+            FieldKind::Flag => vec![0.0, 1.0],
+            FieldKind::Colour => vec![0.0, f64::from(0x00ff_ffff)],
         };
         for corner in corners {
             let mut params = Params::default();
@@ -167,24 +167,26 @@ fn corners_of_every_range_give_a_finite_plan() {
     }
 }
 
-/// Least, greatest and some values between, those of a slider's ends and those with all digits.
+/// Values of a field: the ends of its range, small values, and random values with all digits.
 fn values(field: &Field, dice: &mut Dice) -> Vec<f64> {
     let unit = |dice: &mut Dice| f64::from(dice.next()) / f64::from(u32::MAX);
     let mut some = |make: &dyn Fn(f64) -> f64| (0..20).map(|_| make(unit(dice))).collect::<Vec<_>>();
     match field.kind {
-        Kind::Number { min, max, .. } => {
+        FieldKind::Number { min, max, .. } => {
             let tiny = if min <= 0.0 { [0.0, 1e-300, f64::MIN_POSITIVE, 1e-7] } else { [min; 4] };
             [vec![min, max], tiny.to_vec(), some(&|u| min + (max - min) * u), some(&|u| min + (max - min) * u.powi(30))]
                 .concat()
         }
-        Kind::Heading => [vec![0.0, 359.999_999_999], some(&|u| 359.9 * u)].concat(),
-        Kind::Integer { min, max } => {
+        FieldKind::Heading => [vec![0.0, 359.999_999_999], some(&|u| 359.9 * u)].concat(),
+        FieldKind::Integer { min, max } => {
             let (low, high) = (f64::from(min), f64::from(max));
             [vec![low, high], some(&|u| (low + (high - low) * u).round())].concat()
         }
-        Kind::Choice(words) => (0..words.len()).map(|i| i as f64).collect(),
-        Kind::Flag => vec![0.0, 1.0],
-        Kind::Colour => [vec![0.0, f64::from(0x00ff_ffff)], some(&|u| (u * f64::from(0x00ff_ffff)).round())].concat(),
+        FieldKind::Choice(words) => (0..words.len()).map(|i| i as f64).collect(),
+        FieldKind::Flag => vec![0.0, 1.0],
+        FieldKind::Colour => {
+            [vec![0.0, f64::from(0x00ff_ffff)], some(&|u| (u * f64::from(0x00ff_ffff)).round())].concat()
+        }
     }
 }
 
@@ -208,9 +210,9 @@ fn every_value_of_every_field_comes_back() {
 fn what_is_out_of_range_becomes_the_nearest_value_and_a_notice() {
     for field in FIELDS.iter() {
         let (low, high) = match field.kind {
-            Kind::Number { min, max, .. } => (min, max),
-            Kind::Integer { min, max } => (f64::from(min), f64::from(max)),
-            Kind::Heading | Kind::Choice(_) | Kind::Flag | Kind::Colour => continue,
+            FieldKind::Number { min, max, .. } => (min, max),
+            FieldKind::Integer { min, max } => (f64::from(min), f64::from(max)),
+            FieldKind::Heading | FieldKind::Choice(_) | FieldKind::Flag | FieldKind::Colour => continue,
         };
         for (text, want) in
             [("-1e300".to_owned(), low), ("1e300".to_owned(), high), (format!("{}", high * 1.001 + 1.0), high)]
@@ -225,22 +227,22 @@ fn what_is_out_of_range_becomes_the_nearest_value_and_a_notice() {
     }
 }
 
-/// The longest state that can be: all fields with all their digits, a buoy of most bands, all that floats, a long sky.
+/// Writes the longest state: all fields with all digits, a buoy with the most bands, the most floats, and a long sky name.
 #[test]
 fn no_state_is_too_long_to_be_read() {
     let mut params = Params::default();
     for field in FIELDS.iter() {
-        // Of many values the one with the longest text.
+        // The value with the longest text.
         let values = values(field, &mut Dice(3));
         let longest = values.into_iter().max_by_key(|v| field.format(*v).len()).expect("a value");
         (field.set)(&mut params, longest);
     }
     let bands: Vec<_> = (0..MAX_BANDS).map(|i| (1.001e-3 * (i + 100) as f64, 1.234e-7 + 1e-10 * i as f64)).collect();
     let direction = Direction { alpha1_deg: 234.5, alpha2_deg: 123.4, r1: 0.123, r2: 0.234 };
-    let buoy = Measured::new(&bands, Some(&vec![direction; MAX_BANDS])).expect("a sea");
+    let buoy = MeasuredSpectrum::new(&bands, Some(&vec![direction; MAX_BANDS])).expect("a sea");
     params.sea.measured = Some(std::sync::Arc::new(buoy));
-    let far = Float { kind: floats::Kind::Buoy, x_m: -123_456.789_012_345_67, z_m: -1.234_567_890_123_456_7e-101 };
-    params.floats = vec![far; floats::MOST];
+    let far = Float { kind: FloatKind::Buoy, x_m: -123_456.789_012_345_67, z_m: -1.234_567_890_123_456_7e-101 };
+    params.floats = vec![far; MAX_FLOATS];
     params.look.sky.file = SkyFile::named(&"🌊".repeat(200));
     let state = query::write(&params);
     assert!((10_000..=query::MAX_BYTES).contains(&state.len()), "{}", state.len());

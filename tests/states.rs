@@ -1,6 +1,6 @@
-//! Random and extreme states through the whole path, from the spectrum to the picture: maps hold finite numbers, no pixel is
-//! broken (the last pass paints magenta what is not a number), wgpu has nothing to complain of (it would panic), and the state is what
-//! its link says.
+//! Random and extreme states go through all passes, from the spectrum to the picture: maps hold finite numbers, no pixel is
+//! magenta (the last pass paints pixels magenta that are not a number), wgpu reports no error (an error panics), and a link
+//! brings the state back unchanged.
 
 mod common;
 
@@ -10,7 +10,7 @@ use seastate::ocean::still::{FORMAT, on_film};
 use seastate::ocean::{Film, Ocean};
 use seastate::shaders::Shaders;
 use seastate::sim::Simulation;
-use seastate::state::fields::{FIELDS, Field, Kind};
+use seastate::state::fields::{FIELDS, Field, FieldKind};
 use seastate::state::{Params, query};
 use seastate::waves::Plan;
 use seastate::waves::noise::pcg4d;
@@ -18,20 +18,20 @@ use std::collections::BTreeMap;
 
 const SIZE: [u32; 2] = [48, 32];
 
-/// Least and greatest value.
+/// Least and greatest value of a field.
 fn ends(field: &Field) -> [f64; 2] {
     match field.kind {
-        Kind::Number { min, max, .. } => [min, max],
-        Kind::Heading => [0.0, 359.99],
-        Kind::Integer { min, max } => [f64::from(min), f64::from(max)],
-        Kind::Choice(words) => [0.0, words.len() as f64 - 1.0],
-        Kind::Flag => [0.0, 1.0],
-        Kind::Colour => [0.0, f64::from(0x00ff_ffff)],
+        FieldKind::Number { min, max, .. } => [min, max],
+        FieldKind::Heading => [0.0, 359.99],
+        FieldKind::Integer { min, max } => [f64::from(min), f64::from(max)],
+        FieldKind::Choice(words) => [0.0, words.len() as f64 - 1.0],
+        FieldKind::Flag => [0.0, 1.0],
+        FieldKind::Colour => [0.0, f64::from(0x00ff_ffff)],
     }
 }
 
-/// Odd numbers are random states. Even ones have a share of their values at an end of its range, from one value (each field has its
-/// turn, at either end) to nearly all.
+/// The state with a number. Odd numbers give random states. Even numbers give states with values at an end of their range:
+/// from a single value, of each field in turn at either end, up to nearly all values.
 fn state(number: u32) -> Params {
     let mut p = if number.is_multiple_of(2) { params("n=64") } else { common::random_params("n=64", number) };
     if number.is_multiple_of(2) {
@@ -46,25 +46,25 @@ fn state(number: u32) -> Params {
             }
         }
     }
-    // Larger lattices hold the same waves and more of them, and take their time here.
+    // Larger lattices only add waves, and take more time.
     p.grid.n = if number % 16 < 14 { 64 } else { 128 };
     p
 }
 
 struct Lab {
     gpu: Gpu,
-    /// For each size of a sea, so that its passes are compiled once.
+    /// One for each lattice size and number of cascades, so that passes are compiled once.
     seas: BTreeMap<(u32, usize), (Simulation, Ocean)>,
 }
 
 impl Lab {
-    /// What is wrong with a state.
+    /// The fault of a state, if it has one.
     fn fault(&mut self, p: &Params) -> Option<String> {
         let gpu = &self.gpu;
         let plan = Plan::new(p);
         let link = query::write(p);
         if query::parse(&link) != (p.clone(), vec![]) {
-            return Some("is another one in its link".to_owned());
+            return Some("changes in its link".to_owned());
         }
         let make = || {
             let sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
@@ -75,7 +75,7 @@ impl Lab {
         let maps = read(&self.gpu, sim, p.clock.t_s);
         let infinite = maps.texels.iter().flatten().filter(|v| !v.is_finite()).count();
         if infinite > 0 {
-            return Some(format!("has {infinite} numbers in its maps that are none"));
+            return Some(format!("has {infinite} numbers in its maps that are not finite"));
         }
         ocean.set_params(p);
         let mut encoder = gpu.encoder("test");
@@ -88,23 +88,21 @@ impl Lab {
     }
 }
 
-/// The faults of states by their numbers.
+/// The faults of the states with the given numbers.
 fn faults(numbers: impl Iterator<Item = u32>) -> Vec<String> {
     let mut lab = Lab { gpu: gpu(), seas: BTreeMap::new() };
-    let mut out = Vec::new();
-    for number in numbers {
+    let fault = |number| {
         let p = state(number);
-        if let Some(fault) = lab.fault(&p) {
-            eprintln!("state {number} {fault}: {}", query::write(&p));
-            out.push(format!("state {number} {fault}: {}", query::write(&p)));
-        }
-    }
-    out
+        let text = format!("state {number} {}: {}", lab.fault(&p)?, query::write(&p));
+        eprintln!("{text}");
+        Some(text)
+    };
+    numbers.filter_map(fault).collect()
 }
 
 #[test]
 fn extreme_states_are_drawn() {
-    // Spread over all of the long run's.
+    // A sample of the states of the long test.
     assert_eq!(faults((0..60).map(|i| i * 83 % 5000)), Vec::<String>::new());
 }
 

@@ -1,5 +1,5 @@
-//! The drawn surface: the picture's own WGSL functions, run in a compute kernel, against the sea of `model::Heights`; that
-//! it stays where it is in the world however far away and whoever looks; and that nothing repeats.
+//! The drawn surface, from the WGSL functions of the picture in a compute kernel: it equals the sea of
+//! `point::Heights`, does not depend on the camera position, and does not repeat.
 
 mod common;
 
@@ -7,9 +7,9 @@ use common::params;
 use seastate::gpu::Gpu;
 use seastate::gpu::readback;
 use seastate::ocean::{Film, Ocean};
-use seastate::oracle::foam::Level;
+use seastate::oracle::foam::MipLevel;
 use seastate::oracle::{self, Texel, surface};
-use seastate::point::heights::{Heights, Sample};
+use seastate::point::{Heights, SurfaceSample};
 use seastate::render;
 use seastate::shaders::Shaders;
 use seastate::state::Params;
@@ -46,15 +46,15 @@ struct Drawn {
     jacobian: f64,
     /// xx, zz, xz.
     variance: [f64; 3],
-    /// The slope as a vertex and a pixel share it, and the length of what the vertex has of it before chop.
+    /// Slope as the sum of the vertex's and the pixel's part, and the length of the vertex's part before chop.
     split: [f64; 2],
     carried: f64,
 }
 
-/// Of the picture whose frame the questions are asked in.
+/// Size of the picture in the frame uniform.
 const PIXELS: [u32; 2] = [1280, 720];
 
-/// A sea at its time.
+/// A sea at one time, with the kernel that reads its surface.
 struct Bench {
     gpu: Gpu,
     ocean: Ocean,
@@ -92,13 +92,14 @@ impl Bench {
         self.gpu.submit(encoder);
     }
 
-    /// The surface at points of the world, seen by an eye over `foot` with pixels of `size` metres, `long` in one direction.
+    /// The surface at undisplaced points (x, z), m, for a camera above `foot` and pixel footprints of `size` metres, or
+    /// `long` metres in one direction.
     fn ask(&mut self, foot: [f64; 2], points: &[[f64; 2]], size: f64, long: f64) -> Vec<Drawn> {
         let gpu = &self.gpu;
         [self.params.camera.x_m, self.params.camera.z_m] = foot;
         self.ocean.set_params(&self.params);
         let mut scene = self.ocean.scene(PIXELS);
-        // No ripples beyond the maps.
+        // Without the slopes that the cascades do not resolve.
         scene.sea.residual = [0.0; 2];
         let frame = render::frame_bytes(&scene, self.ocean.simulation().maps(), PIXELS);
         let buffer = |contents: &[u8], usage| {
@@ -161,7 +162,7 @@ impl Bench {
     }
 }
 
-/// Points over a square around `middle`, in no order.
+/// Random points in a square around `middle`, m.
 fn places(count: usize, middle: [f64; 2], side_m: f64) -> Vec<[f64; 2]> {
     let place = |i: usize| {
         let hash = noise::pcg4d([i as u32, 77, 3, 5]);
@@ -170,18 +171,18 @@ fn places(count: usize, middle: [f64; 2], side_m: f64) -> Vec<[f64; 2]> {
     (0..count).map(place).collect()
 }
 
-/// The nearest texels of a cascade to points.
+/// The position of the cascade's texel nearest to each point.
 fn texels(plan: &Plan, cascade: usize, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let texel_m = plan.cascades[cascade].patch_m / f64::from(plan.n);
     points.iter().map(|p| p.map(|x| (x / texel_m).round() * texel_m)).collect()
 }
 
-/// Root mean square differences of the displacement, slope and Jacobian from what Heights says, over the rms of each. Where
-/// the surface all but folds the slope has no meaning, and the shader bounds it.
+/// Rms errors of the displacement, slope and Jacobian against `sea`, relative to their rms values. Slopes near folds,
+/// which the shader limits, do not count.
 fn errors(drawn: &[Drawn], sea: &Heights, points: &[[f64; 2]], t_s: f64) -> [f64; 3] {
     let mut sums = [[0.0; 2]; 3];
     for (drawn, at) in drawn.iter().zip(points) {
-        let Sample { height_m, normal, world_xz, jacobian, .. } = sea.undisplaced(at[0], at[1], t_s);
+        let SurfaceSample { height_m, normal, world_xz, jacobian, .. } = sea.undisplaced(at[0], at[1], t_s);
         let mut add = |what: usize, got: f64, want: f64| {
             sums[what][0] += (got - want).powi(2);
             sums[what][1] += want.powi(2);
@@ -201,7 +202,7 @@ fn errors(drawn: &[Drawn], sea: &Heights, points: &[[f64; 2]], t_s: f64) -> [f64
 
 #[test]
 fn the_drawn_surface_is_the_sea_of_heights() {
-    // One cascade, at its texels and those of its copies: exact, here and far away, early and late.
+    // At the texels of a single cascade the surface is exact, for any position and time.
     for (state, foot) in [
         ("wind=12&fetch=200&t=20&n=64&cascades=1", [12.3, -45.6]),
         ("wind=12&fetch=200&t=1000000.25&n=64&cascades=1&chopx=0.6", [100_000.0, -99_987.7]),
@@ -214,10 +215,10 @@ fn the_drawn_surface_is_the_sea_of_heights() {
         let drawn = bench.ask(foot, &points, 1e-3, 0.0);
         let errors = errors(&drawn, &Heights::new(&plan, usize::MAX), &points, bench.params.clock.t_s);
         eprintln!("{state}: {errors:?}");
-        // Half floats, and places as f32 relative to the eye.
+        // Errors of half floats, and of positions in f32 relative to the camera.
         assert!(errors[0] < 1e-3 && errors[1] < 2e-3 && errors[2] < 2e-3, "{state}: {errors:?}");
     }
-    // All cascades, anywhere: what interpolation loses, which grows towards the shortest waves.
+    // Between texels of all cascades: the interpolation error, which is largest for the shortest waves.
     let mut bench = Bench::new("wind=12&fetch=200&t=20&n=256");
     let plan = bench.ocean.plan().clone();
     let points = places(600, [300.0, 500.0], 8_000.0);
@@ -250,15 +251,15 @@ fn the_sea_stays_where_it_is() {
     }
 }
 
-/// A member of the frame's uniform.
+/// A member of the frame uniform.
 fn member(bytes: &[u8], name: &str) -> Vec<f32> {
     let (_, members, _) = render::LAYOUTS.iter().find(|(layout, ..)| *layout == "Frame").expect("the frame's layout");
     let (_, offset) = members.iter().find(|(member, _)| *member == name).expect("a member of that name");
     bytes[*offset..][..16].chunks(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect()
 }
 
-/// The lattice of the mesh moves with the eye. Between its vertices the surface is a plane, so that a wave that it shows
-/// must not bend by a pixel from one vertex to the next, or it would be seen to swim.
+/// The mesh moves with the camera and is flat between its vertices. A wave that it shows must bend by less than a pixel
+/// from vertex to vertex, or the surface seems to swim.
 #[test]
 fn the_mesh_is_finer_than_what_it_shows() {
     for (state, pixels) in
@@ -271,7 +272,7 @@ fn the_mesh_is_finer_than_what_it_shows() {
         let [turn, step] = [lattice[1], lattice[3]].map(f64::from);
         let pixel = 2.0 * scene.view.tan_half[1] / pixels;
         for radius in [10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0] {
-            // As in mesh_common.wgsl.
+            // The formula of `mesh_spacing` in WGSL.
             let spacing = f64::max((radius + scale) * step, radius * turn);
             let rest: Vec<[f64; 2]> = (0..1000)
                 .map(|i| {
@@ -294,8 +295,8 @@ fn the_mesh_is_finer_than_what_it_shows() {
     }
 }
 
-/// Vertices of the mesh carry the slopes of long waves, and pixels add the rest: together, at a vertex, all of them, whatever the
-/// resolution of the maps.
+/// Vertices carry the slopes of long waves and pixels add the slopes of short waves. At a vertex their sum is the slope
+/// of all waves, for any resolution of the maps.
 #[test]
 fn a_vertex_and_a_pixel_share_the_slopes() {
     for state in ["n=64", "n=256", "n=256&y=60", "n=512&y=60", "n=1024&cascades=2&y=60"] {
@@ -317,7 +318,7 @@ fn a_vertex_and_a_pixel_share_the_slopes() {
     }
 }
 
-/// Mean square slope: of the mean over a pixel, and with what the pixel cannot resolve, chop off.
+/// Mean square slope that a pixel resolves, and the total with the variance inside the pixel, without chop.
 fn mean_squares(bench: &mut Bench, size: f64, long: f64) -> [f64; 2] {
     let points = places(20_000, [0.0; 2], 60_000.0);
     let drawn = bench.ask([0.0; 2], &points, size, long);
@@ -333,7 +334,7 @@ fn slopes_that_a_pixel_cannot_resolve_are_not_lost() {
         let plan = bench.ocean.plan().clone();
         let whole = plan.slope_variance(f64::INFINITY);
         let mut before = f64::INFINITY;
-        // From a part of the finest map's texel to beyond the largest patch; from a texel on also for long pixels.
+        // Pixels from a fraction of the finest texel to more than the largest patch; long pixels too.
         let texel = plan.cascades[plan.cascades.len() - 1].patch_m / f64::from(plan.n);
         for step in -1..9 {
             let size = texel * 3.5f64.powi(step);
@@ -345,10 +346,10 @@ fn slopes_that_a_pixel_cannot_resolve_are_not_lost() {
                 all / whole,
                 long / whole
             );
-            // From the far end on nothing is read.
+            // The largest pixels resolve no slope at all.
             assert!(resolved < before || (resolved, before) == (0.0, 0.0), "{size} m{untile}");
             if step < 0 {
-                // Between texels the spline loses some of the shortest waves.
+                // Between texels the spline damps the shortest waves.
                 assert!((0.96..1.01).contains(&(all / whole)), "{size} m{untile}");
             } else {
                 let off = (all / whole - 1.0).abs().max((long / whole - 1.0).abs());
@@ -360,10 +361,10 @@ fn slopes_that_a_pixel_cannot_resolve_are_not_lost() {
     }
 }
 
-/// The heights and slopes of a sea's cascades in f64, as they are drawn.
+/// Oracle of the drawn fields of a sea at 30 s, for each cascade.
 struct Twin {
     plan: Plan,
-    maps: Vec<oracle::maps::Planes>,
+    maps: Vec<oracle::maps::MapPair>,
 }
 
 impl Twin {
@@ -377,27 +378,27 @@ impl Twin {
         Self { plan, maps }
     }
 
-    fn at(&self, cascade: usize, at: [f64; 2]) -> surface::Point {
+    fn at(&self, cascade: usize, at: [f64; 2]) -> surface::WaveFields {
         let [displacement, gradients] = &self.maps[cascade];
-        let level = Level { n: self.plan.n as usize, displacement, gradients };
+        let level = MipLevel { n: self.plan.n as usize, displacement, gradients };
         let half = 0.5 / f64::from(self.plan.n);
         surface::blend(&self.plan.tiling(&self.plan.cascades[cascade]), at, |place| {
-            oracle::foam::read(&level, place.map(|p| p + half))
+            oracle::foam::sample_bilinear(&level, place.map(|p| p + half))
         })
     }
 
     fn heights(&self, at: [f64; 2]) -> Vec<f64> {
-        (0..self.maps.len()).map(|c| self.at(c, at).moved[1]).collect()
+        (0..self.maps.len()).map(|c| self.at(c, at).displacement[1]).collect()
     }
 
-    /// Mean over a map of a function of its texels.
+    /// Mean of a function over the texels of one map of a cascade.
     fn mean(&self, cascade: usize, plane: usize, f: impl Fn(&Texel) -> f64) -> f64 {
         let texels: &[Texel] = &self.maps[cascade][plane];
         texels.iter().map(f).sum::<f64>() / texels.len() as f64
     }
 }
 
-/// A lag along a lattice vector of a cascade, the correlation there of the cascade's heights, and of the whole sea's.
+/// A lag along a lattice vector of a cascade, with the autocorrelations of the cascade's heights and of the whole sea.
 struct Lag {
     cascade: usize,
     length_m: f64,
@@ -405,7 +406,7 @@ struct Lag {
     whole: f64,
 }
 
-/// Correlations of the drawn heights along the lattice vectors of every cascade, out to 20 km.
+/// Autocorrelations of the drawn heights along the lattice vectors of every cascade, for lags up to 20 km.
 fn correlations(sea: &Twin) -> Vec<Lag> {
     let points = places(3000, [0.0; 2], 400_000.0);
     let here: Vec<Vec<f64>> = points.iter().map(|&p| sea.heights(p)).collect();
@@ -425,7 +426,7 @@ fn correlations(sea: &Twin) -> Vec<Lag> {
                 let own: f64 = pairs().map(|(h, t)| h[c] * t[c]).sum();
                 let all: f64 = pairs().map(|(h, t)| sum(h) * sum(t)).sum();
                 out.push(Lag { cascade: c, length_m: lag[0].hypot(lag[1]), own: own / square[c], whole: all / whole });
-                // Every multiple at first, then ever fewer.
+                // All small multiples, then increasingly sparse ones.
                 times = (1.4 * times).floor().max(times + 1.0);
             }
         }
@@ -438,7 +439,7 @@ const SEA: &str = "wind=12&fetch=150&n=64";
 #[test]
 fn nothing_repeats() {
     let sea = Twin::new(SEA);
-    // Beyond the groups of the longest waves.
+    // Lags longer than the groups of the peak waves.
     let groups_m = 6.0 * TAU / sea.plan.dispersion.wave_number(sea.plan.omega_p);
     let (mut own, mut whole) = (0.0f64, 0.0f64);
     let lags = correlations(&sea);
@@ -452,14 +453,14 @@ fn nothing_repeats() {
     eprintln!("{} lags: largest correlation of a cascade {own:.3}, of the sea {whole:.3}", lags.len());
     assert!(own < 0.2 && whole < 0.2, "{own} {whole}");
 
-    // The same measure sees the patches where they are only repeated.
+    // Without tiling the same measure finds the period of every patch.
     let plain = Twin::new(&format!("{SEA}&untile=0"));
     let m0: Vec<f64> = (0..plain.maps.len()).map(|c| plain.mean(c, 0, |d| d[1] * d[1])).collect();
     let total: f64 = m0.iter().sum();
     let plain_lags = correlations(&plain);
     assert!(plain_lags.iter().all(|lag| lag.own > 0.999));
     for (c, m0) in m0.iter().enumerate() {
-        // The other cascades are at any of their phases, and add to it or take away.
+        // The other cascades have arbitrary phases there and increase or decrease the correlation.
         let far = plain_lags.iter().filter(|lag| lag.cascade == c && lag.length_m > groups_m);
         let (peak, share) = (far.map(|lag| lag.whole).fold(0.0, f64::max), m0 / total);
         eprintln!("cascade {c} repeats with up to {peak:.3}, and holds {share:.3} of the energy");
@@ -476,10 +477,10 @@ fn the_blend_keeps_heights_and_slopes() {
         for c in 0..sea.maps.len() {
             exact[0] += sea.mean(c, 0, |d| d[1] * d[1]);
             exact[1] += sea.mean(c, 1, |g| g[0] * g[0] + g[1] * g[1]);
-            // At texels, so that interpolation loses nothing.
+            // At texels, where interpolation is exact.
             for at in texels(&sea.plan, c, &points) {
                 let point = sea.at(c, at);
-                m0 += point.moved[1].powi(2) / points.len() as f64;
+                m0 += point.displacement[1].powi(2) / points.len() as f64;
                 mss += (point.slope[0].powi(2) + point.slope[1].powi(2)) / points.len() as f64;
             }
         }
@@ -489,25 +490,25 @@ fn the_blend_keeps_heights_and_slopes() {
     }
 }
 
-/// What floats lies on the surface that is drawn: at the place of a buoy, frame by frame, within 3 % of Hs.
+/// A buoy floats on the drawn surface with an rms error below 3 % of Hs.
 #[test]
 fn a_buoy_floats_on_what_is_drawn() {
-    use seastate::point::afloat::{self, Waterline};
-    use seastate::state::floats::{Float, Kind};
+    use seastate::point::floating::{HullWaves, hull_pose};
+    use seastate::state::floats::{Float, FloatKind};
     for state in ["wind=10&fetch=100&n=128&t=20", "wind=24&fetch=500&n=128&t=900", "wind=3&fetch=20&n=128&level=5&t=7"]
     {
         let mut bench = Bench::new(state);
         let plan = bench.ocean.plan().clone();
-        let line = Waterline::new(&plan);
+        let waves = HullWaves::new(&plan);
         let buoys: Vec<[f64; 2]> = places(24, [0.0; 2], 400.0);
         let (mut sum, mut count, mut lost) = (0.0, 0, 0);
-        // Frames of 1/60 s, then of 1/10 s.
+        // Frames of 1/60 s, then frames of 1/10 s.
         let times = (0..6).map(|i| f64::from(i) / 60.0).chain((1..6).map(|i| f64::from(i) / 10.0));
         let start_s = bench.params.clock.t_s;
         for t_s in times.map(|t| start_s + t) {
             bench.params.clock.t_s = t_s;
             bench.evolve();
-            // Where the water that is drawn at the buoys would lie in a still sea.
+            // Iterate for the undisplaced positions of the water drawn at the buoys.
             let mut rest = buoys.clone();
             let mut drawn = bench.ask([0.0; 2], &rest, 0.02, 0.0);
             for _ in 0..40 {
@@ -523,9 +524,9 @@ fn a_buoy_floats_on_what_is_drawn() {
                     lost += 1;
                     continue;
                 }
-                let float = Float { kind: Kind::Buoy, x_m: at[0], z_m: at[1] };
-                let pose = afloat::pose(&[(&line, 1.0)], &float, t_s, plan.sea.level_m);
-                sum += (pose.place[1] - plan.sea.level_m - drawn.moved[1]).powi(2);
+                let float = Float { kind: FloatKind::Buoy, x_m: at[0], z_m: at[1] };
+                let pose = hull_pose(&[(&waves, 1.0)], &float, t_s, plan.sea.level_m);
+                sum += (pose.position_m[1] - plan.sea.level_m - drawn.moved[1]).powi(2);
                 count += 1;
             }
         }

@@ -1,5 +1,6 @@
-//! A single wave on the GPU travels at omega / k, downwind, for each dispersion relation. Loops are left out: their
-//! frequencies are rounded on purpose, to multiples of 2 pi over the period (without one, over a day: 4e-5 at 1 rad/s).
+//! A single wave on the GPU travels downwind at the phase speed omega / k of each dispersion relation. Loops are not
+//! tested, because they round omega to multiples of 2 pi / period. Without a loop the period is a day, and the error at most
+//! 4e-5 rad/s.
 
 mod common;
 
@@ -9,7 +10,7 @@ use std::f64::consts::TAU;
 
 const N: usize = 64;
 
-/// Phase of the wave (ix, iz) in the heights of the first cascade.
+/// Phase in rad of the wave with the lattice indices (ix, iz) in the heights of the first cascade.
 fn phase(heights: &[f64], ix: i32, iz: i32) -> f64 {
     let (mut re, mut im) = (0.0, 0.0);
     for (i, eta) in heights.iter().enumerate() {
@@ -20,7 +21,7 @@ fn phase(heights: &[f64], ix: i32, iz: i32) -> f64 {
     im.atan2(re)
 }
 
-/// Angular frequency with which the wave (ix, iz) alone goes forward, rad/s.
+/// Angular frequency of the wave (ix, iz) in a sea without other waves, rad/s; `about` is an estimate of it.
 fn speed(state: &str, ix: i32, iz: i32, about: f64) -> f64 {
     let gpu = gpu();
     let mut sim = simulation(&gpu, state);
@@ -41,13 +42,13 @@ fn speed(state: &str, ix: i32, iz: i32, about: f64) -> f64 {
     };
     let (start, step_s) = (5000.0, 0.5 / about);
     let (before, after) = (phase(&heights(start), ix, iz), phase(&heights(start + step_s), ix, iz));
-    // A wave that travels along +k loses phase.
+    // The phase of a wave that travels along +k decreases.
     (before - after + 3.0 * TAU / 2.0).rem_euclid(TAU) / step_s - TAU / 2.0 / step_s
 }
 
 #[test]
 fn every_dispersion_has_its_speed() {
-    // Wind from the west: the waves run along +x. One cascade by hand, so that the lattice is known.
+    // With wind from the west the waves travel along +x. A cascade set by hand has a known lattice.
     for (more, patch_m, depth_m, tension) in [
         ("dispersion=deep&depth=3", 200.0, f64::INFINITY, 0.0),
         ("dispersion=finite&depth=3", 200.0, 3.0, 0.0),

@@ -5,16 +5,16 @@ mod common;
 use common::{Pictures, params};
 use seastate::oracle;
 use seastate::state::Params;
-use seastate::state::views::{Choice, Map, Shown, Surface, VIEWS};
+use seastate::state::views::{Map, Shown, Surface, VIEWS, ViewChoice};
 use seastate::waves::Plan;
-use seastate::waves::scale::{Palette, STOPS, Scale};
+use seastate::waves::colour_scale::{ColourScale, Palette, STOPS};
 use std::f64::consts::{PI, TAU};
 
 type Pixels = Vec<[u8; 4]>;
 
 fn view(state: &str, shown: Shown, cascade: u32) -> Params {
     let mut params = params(state);
-    params.look.view = Choice { shown, cascade };
+    params.look.view = ViewChoice { shown, cascade };
     params
 }
 
@@ -37,7 +37,7 @@ fn texels(pictures: &mut Pictures, params: &Params) -> Pixels {
 }
 
 /// The colour that stands for a value: the twin of debug.wgsl.
-fn colour(scale: &Scale, value: f64) -> [f64; 3] {
+fn colour(scale: &ColourScale, value: f64) -> [f64; 3] {
     let place = if scale.logarithmic {
         (value.max(1e-30) / scale.low).ln() / (scale.high / scale.low).ln()
     } else {
@@ -121,7 +121,7 @@ fn maps_are_shown_as_they_are() {
             if matches!(kind, Map::InitialSpectrum | Map::Spectrum | Map::Foam | Map::Source) {
                 continue;
             }
-            let scale = Scale::new(*shown, &plan, cascade);
+            let scale = ColourScale::new(*shown, &plan, cascade);
             let pixels = texels(&mut pictures, &map(state, kind, cascade as u32 + 1));
             let share = wrong(&pixels, |i| colour(&scale, value(kind, i)));
             assert!(share < 0.002, "{word} of cascade {cascade}: {share} of the texels are off");
@@ -140,13 +140,13 @@ fn spectra_are_those_of_the_oracle() {
     let middle = |i: usize| ((i / 64 + 32) % 64) * 64 + (i % 64 + 32) % 64;
     for cascade in 0..plan.cascades.len() {
         let h0 = oracle::spectrum::h0(&plan, &plan.cascades[cascade]);
-        let scale = Scale::new(Shown::Map(Map::InitialSpectrum), &plan, cascade);
+        let scale = ColourScale::new(Shown::Map(Map::InitialSpectrum), &plan, cascade);
         let first = texels(&mut pictures, &map(&state(5.0), Map::InitialSpectrum, cascade as u32 + 1));
         let share = wrong(&first, |i| colour(&scale, h0[middle(i)][0].hypot(h0[middle(i)][1])));
         assert!(share < 0.002, "h0 of cascade {cascade}: {share} of the waves are off");
         assert_eq!(first, texels(&mut pictures, &map(&state(77.5), Map::InitialSpectrum, cascade as u32 + 1)));
 
-        let scale = Scale::new(Shown::Map(Map::Spectrum), &plan, cascade);
+        let scale = ColourScale::new(Shown::Map(Map::Spectrum), &plan, cascade);
         assert_eq!(scale.palette, Palette::Phase);
         for t in [5.0, 77.5] {
             let h = oracle::maps::evolve(&plan, &plan.cascades[cascade], &h0, t);
@@ -212,7 +212,7 @@ fn mips_follow_the_height_of_the_eye() {
         let state = format!("wind=3&cascades=1&patch1=64&n=64&y={y_m}&pitch=-89&fov=50");
         let plan = Plan::new(&params(&state));
         let shown = Shown::Surface(Surface::Mips);
-        let scale = Scale::new(shown, &plan, 0);
+        let scale = ColourScale::new(shown, &plan, 0);
         let pixels = pictures.render(&view(&state, shown, 1), [60, 60]);
         let levels = (0..1000).map(|i| scale.high * f64::from(i) / 999.0).collect::<Vec<_>>();
         let distance = |p: &[u8; 4], level: f64| {

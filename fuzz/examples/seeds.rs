@@ -1,7 +1,7 @@
-//! Writes what the fuzz targets start from: a dictionary and one good file of each kind, made here or shipped.
+//! Writes the seed corpus of the fuzz targets: a dictionary and valid files of each format, made here or from `assets/`.
 
 use exr::prelude::*;
-use seastate::state::fields::{FIELDS, Kind};
+use seastate::state::fields::{FIELDS, FieldKind};
 use seastate::files::picture;
 use seastate::state::{presets, query};
 use std::path::Path;
@@ -14,7 +14,7 @@ fn main() -> std::io::Result<()> {
         std::fs::write(folder.join(name), bytes)
     };
     let buoy = include_str!("../../assets/spectra/two-systems.txt");
-    let measured = seastate::files::measured::Measured::read(&[("b.txt".into(), buoy.into())]).expect("a sample").0;
+    let measured = seastate::files::measured::MeasuredSpectrum::read(&[("b.txt".into(), buoy.into())]).expect("a sample").0;
     let mut states: Vec<String> = presets::built_in().iter().map(|p| p.state.clone()).collect();
     states.push(format!("spectrum=measured&measured={}", measured.to_state()));
     states.push("sky=a%20b.hdr&afloat=buoy*1*2_boat*-3*4.5&foamcolour=ff0011&t=1e5#x".into());
@@ -38,7 +38,7 @@ fn main() -> std::io::Result<()> {
         put("sky", &name, &bytes)?;
     }
     let words = FIELDS.iter().flat_map(|f| match f.kind {
-        Kind::Choice(words) => words.to_vec(),
+        FieldKind::Choice(words) => words.to_vec(),
         _ => vec![f.key],
     });
     let more = [
@@ -58,7 +58,7 @@ fn main() -> std::io::Result<()> {
     std::fs::write(corpus.join("words.dict"), dictionary.concat())
 }
 
-/// A small sky in every form that is read.
+/// A small sky in every file format and encoding that is read.
 fn skies() -> Vec<(String, Vec<u8>)> {
     let light = |at: Vec2<usize>| {
         let sun = if at == Vec2(20, 4) { 900.0 } else { 0.0 };

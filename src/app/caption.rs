@@ -1,9 +1,9 @@
 //! What a view shows, below it: name, cascades, colours and what they stand for. And the keys that go through the views.
 
 use crate::state::Params;
-use crate::state::views::{Choice, Shown};
+use crate::state::views::{Shown, ViewChoice};
 use crate::waves::Plan;
-use crate::waves::scale::{Palette, caption};
+use crate::waves::colour_scale::{Palette, caption};
 use egui::{Color32, Key};
 
 /// Size of the bar of colours, points.
@@ -11,7 +11,7 @@ const BAR: egui::Vec2 = egui::vec2(220.0, 10.0);
 
 /// V goes on to the next view, with shift back; digits choose a cascade; Escape returns to the picture. Returns whether
 /// Escape was used up.
-pub fn keys(view: &mut Choice, ctx: &egui::Context) -> bool {
+pub fn keys(view: &mut ViewChoice, ctx: &egui::Context) -> bool {
     let pressed = |key| ctx.input(|i| i.key_pressed(key));
     if pressed(Key::V) {
         *view = view.turned(if ctx.input(|i| i.modifiers.shift) { -1 } else { 1 });
@@ -26,7 +26,7 @@ pub fn keys(view: &mut Choice, ctx: &egui::Context) -> bool {
     }
     let back = pressed(Key::Escape);
     if back {
-        *view = Choice::default();
+        *view = ViewChoice::default();
     }
     back
 }

@@ -4,7 +4,7 @@
 use super::tasks;
 use super::tasks::Inbox;
 use super::{App, picture};
-use crate::files::measured::{MAX_FILE_BYTES, MAX_FILES, Measured};
+use crate::files::measured::{MAX_FILE_BYTES, MAX_FILES, MeasuredSpectrum};
 use crate::files::panorama;
 use crate::state::look::SkyFile;
 use crate::state::presets;
@@ -100,7 +100,7 @@ impl App {
             }
             return;
         }
-        match files.and_then(|files| Measured::read(&files)) {
+        match files.and_then(|files| MeasuredSpectrum::read(&files)) {
             Ok((measured, notices)) => {
                 let name = if measured.title().is_empty() { "the buoy's sea" } else { measured.title() };
                 let bands = measured.f_hz().len();

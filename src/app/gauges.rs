@@ -3,7 +3,7 @@
 
 use super::{App, tasks};
 use crate::ocean::{Ocean, Probe, Probed};
-use crate::waves::survey::{Found, Survey};
+use crate::waves::map_spectrum::{MapSpectrum, MapSpectrumEstimator};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Between two readings of the maps, s.
@@ -118,7 +118,7 @@ pub struct Measured {
     inbox: tasks::Inbox<(u64, Result<Probed, String>)>,
     /// A frame has been asked for copies, or they are on their way.
     waiting: bool,
-    survey: Option<(Survey, Probed)>,
+    estimate: Option<(MapSpectrumEstimator, Probed)>,
     /// When the last reading was asked for: egui's time (s), and that of the sea.
     last: Option<(f64, f64)>,
     sums: Sums,
@@ -171,15 +171,15 @@ impl Measured {
         (self.sums.readings > 0.0).then(|| (width, self.sums.bins_m2.iter().map(|sum| sum * unit).collect()))
     }
 
-    fn add(&mut self, probed: &Probed, found: &Found, width_rad_s: f64) {
+    fn add(&mut self, probed: &Probed, spectrum: &MapSpectrum, width_rad_s: f64) {
         let sums = &mut self.sums;
         sums.readings += 1.0;
-        sums.hs2_m2 += 16.0 * found.m0_m2;
+        sums.hs2_m2 += 16.0 * spectrum.m0_m2;
         sums.mss += probed.mss;
         sums.coverage += probed.coverage;
         sums.width_rad_s = width_rad_s;
-        sums.bins_m2.resize(found.bins_m2.len(), 0.0);
-        sums.bins_m2.iter_mut().zip(&found.bins_m2).for_each(|(sum, x)| *sum += x);
+        sums.bins_m2.resize(spectrum.bins_m2.len(), 0.0);
+        sums.bins_m2.iter_mut().zip(&spectrum.bins_m2).for_each(|(sum, x)| *sum += x);
     }
 }
 
@@ -210,7 +210,9 @@ impl App {
             }
             self.measured.waiting = false;
             match probed {
-                Ok(probed) => self.measured.survey = Some((Survey::new(&probed.plan, width, BINS), probed)),
+                Ok(probed) => {
+                    self.measured.estimate = Some((MapSpectrumEstimator::new(&probed.plan, width, BINS), probed))
+                }
                 Err(reason) => {
                     let notice = format!("the sea was not measured: {reason}");
                     if self.notices.last() != Some(&notice) {
@@ -219,16 +221,16 @@ impl App {
                 }
             }
         }
-        if let Some((mut survey, probed)) = self.measured.survey.take() {
+        if let Some((mut estimator, probed)) = self.measured.estimate.take() {
             ctx.request_repaint();
-            match survey.advance(&probed.plan, POINTS_A_FRAME, |cascade, z| probed.row(cascade, z)) {
-                Some(found) => self.measured.add(&probed, found, width),
-                None => self.measured.survey = Some((survey, probed)),
+            match estimator.advance(&probed.plan, POINTS_A_FRAME, |cascade, z| probed.row(cascade, z)) {
+                Some(spectrum) => self.measured.add(&probed, spectrum, width),
+                None => self.measured.estimate = Some((estimator, probed)),
             }
         }
         let (now_s, t_s) = (ctx.input(|i| i.time), self.params.clock.t_s);
         let due = self.measured.last.is_none_or(|(at_s, of_s)| now_s > at_s + EVERY_S && of_s != t_s);
-        if is_looked_at(ctx, Look::Maps) && due && !self.measured.waiting && self.measured.survey.is_none() {
+        if is_looked_at(ctx, Look::Maps) && due && !self.measured.waiting && self.measured.estimate.is_none() {
             self.gauges.inner().wants_probe = Some(self.measured.sea);
             (self.measured.waiting, self.measured.last) = (true, Some((now_s, t_s)));
             ctx.request_repaint();

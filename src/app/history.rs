@@ -95,7 +95,7 @@ fn key(params: &Params) -> Params {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::state::fields::{FIELDS, Group, Kind};
+    use crate::state::fields::{FIELDS, FieldKind, Group};
     use crate::waves::noise::pcg4d;
 
     fn with_wind(wind_m_s: f64) -> Params {
@@ -154,14 +154,14 @@ mod tests {
         for (i, field) in (0..).zip(fields()) {
             let mut p = steps[steps.len() - 1].clone();
             let value = match field.kind {
-                Kind::Number { min, max, .. } => {
+                FieldKind::Number { min, max, .. } => {
                     min + (max - min) * f64::from(pcg4d([i, 9, 9, 9])[0]) / f64::from(u32::MAX)
                 }
-                Kind::Integer { min, max } => f64::from(min + pcg4d([i, 9, 9, 9])[0] % (max - min).max(1)),
-                Kind::Choice(words) => words.len() as f64 - 1.0,
-                Kind::Heading => 217.3,
-                Kind::Flag => 1.0 - (field.get)(&p),
-                Kind::Colour => f64::from(0x0012_3456),
+                FieldKind::Integer { min, max } => f64::from(min + pcg4d([i, 9, 9, 9])[0] % (max - min).max(1)),
+                FieldKind::Choice(words) => words.len() as f64 - 1.0,
+                FieldKind::Heading => 217.3,
+                FieldKind::Flag => 1.0 - (field.get)(&p),
+                FieldKind::Colour => f64::from(0x0012_3456),
             };
             (field.set)(&mut p, value);
             if p != steps[steps.len() - 1] {

@@ -31,8 +31,8 @@ pub use crate::files::picture;
 
 use crate::gpu::Gpu;
 use crate::point::Heights;
-use crate::point::afloat::Waterline;
-use crate::state::floats::{self, Float};
+use crate::point::floating::HullWaves;
+use crate::state::floats::{Float, FloatKind, MAX_FLOATS};
 use crate::state::look::SkyFile;
 use crate::state::params::Camera;
 use crate::state::{Params, query};
@@ -60,7 +60,7 @@ struct Derived {
     /// Sums over all waves: only when somebody looks.
     resolved: OnceCell<Resolved>,
     /// The waves under what floats: only if something does, or is plotted.
-    waterline: OnceCell<Waterline>,
+    waterline: OnceCell<HullWaves>,
     /// Directions of the waves: only when their plot is looked at.
     wheel: OnceCell<plots::polar::Wheel>,
 }
@@ -84,7 +84,7 @@ impl Derived {
     }
 
     fn heights(&self) -> &Heights {
-        self.waterline.get_or_init(|| Waterline::new(&self.plan)).heights()
+        self.waterline.get_or_init(|| HullWaves::new(&self.plan)).heights()
     }
 
     fn wheel(&self) -> &plots::polar::Wheel {
@@ -119,7 +119,7 @@ pub struct App {
     /// The record of the first buoy, or of the water below the camera.
     series: plots::Series,
     /// What the next click puts on the water.
-    placing: Option<floats::Kind>,
+    placing: Option<FloatKind>,
     save_folder: Option<std::path::PathBuf>,
     /// Pictures that have been saved, or why not.
     saved: tasks::Inbox<Result<String, String>>,
@@ -354,7 +354,7 @@ impl App {
         let key = !ctx.egui_wants_keyboard_input() && ctx.input(|i| i.key_pressed(egui::Key::B));
         let (kind, at) = match (response.clicked().then_some(self.placing).flatten(), key) {
             (Some(kind), _) => (kind, response.interact_pointer_pos()),
-            (None, true) => (floats::Kind::Buoy, response.hover_pos().or(Some(response.rect.center()))),
+            (None, true) => (FloatKind::Buoy, response.hover_pos().or(Some(response.rect.center()))),
             (None, false) => return,
         };
         self.placing = None;
@@ -363,7 +363,7 @@ impl App {
             self.say("There is no water there.");
             return;
         };
-        if self.params.floats.len() >= floats::MOST {
+        if self.params.floats.len() >= MAX_FLOATS {
             self.say("There is no room for more.");
             return;
         }

@@ -123,7 +123,7 @@ impl Quality {
 
     /// Pixels of the picture in a window of so many points with so many pixels each, at most `limit` along a side.
     pub fn picture_size(&mut self, points: egui::Vec2, pixels_per_point: f32, screen: &Screen, limit: u32) -> [u32; 2] {
-        let density = f64::from(pixels_per_point).min(screen.most_dpr) * screen.render_scale;
+        let density = f64::from(pixels_per_point).min(screen.max_pixel_ratio) * screen.render_scale;
         let own = if self.still || !screen.adaptive { 1.0 } else { self.scale }.min(self.most_scale());
         self.size = [points.x, points.y].map(|side| ((f64::from(side) * density * own).round() as u32).min(limit));
         self.size

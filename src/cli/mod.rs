@@ -9,7 +9,7 @@ pub mod parameters;
 pub mod render;
 
 use crate::bench::Options;
-use crate::files::measured::Measured;
+use crate::files::measured::MeasuredSpectrum;
 use crate::gpu::Gpu;
 use crate::lab::{check, flip, gallery, reference, stats, validate};
 use crate::state::fields::FIELDS;
@@ -60,7 +60,7 @@ impl SeaArgs {
         let (mut params, mut notices) = query::parse(self.state.as_deref().unwrap_or_default());
         if !self.spectrum.is_empty() {
             let files = crate::app::native::read_files(&self.spectrum)?;
-            let (measured, more) = Measured::read(&files)?;
+            let (measured, more) = MeasuredSpectrum::read(&files)?;
             notices.extend(more);
             params.sea.show_measured(measured);
         }

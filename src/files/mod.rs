@@ -1,4 +1,5 @@
-//! Readers of files from elsewhere: spectra, skies and pictures. Every limit holds before memory is asked for.
+//! Readers of files that users bring: measured spectra, sky images and pictures. Every size limit is checked before
+//! memory is allocated.
 
 pub mod measured;
 pub mod panorama;

@@ -1,17 +1,18 @@
-//! A picture that remembers its sea: a PNG whose metadata holds the state string, and its way back.
+//! PNG pictures that carry their state string in a text chunk.
 
 use super::MAX_STATE_BYTES;
 use std::io::Cursor;
 
 /// Keyword of the text chunk with the state string.
 const KEYWORD: &str = "seastate";
-/// Memory that the pieces before the pixels may take.
-const MOST_MEMORY: usize = 4 * 1024 * 1024;
+/// Most memory for the chunks before the pixels, bytes.
+const MAX_MEMORY: usize = 4 * 1024 * 1024;
 
-/// A PNG of RGBA pixels that carries a state string and the address that shows it.
+/// Encodes RGBA pixels as a PNG of RGB pixels with a state string and the address that shows this state; an empty address
+/// is left out.
 ///
 /// # Errors
-/// If the pixels do not fit the size.
+/// One sentence, if the pixels do not fit the size.
 pub fn encode(size: [u32; 2], pixels: &[u8], state: &str, link: &str) -> Result<Vec<u8>, String> {
     let mut out = Vec::new();
     let mut info = png::Encoder::new(&mut out, size[0], size[1]);
@@ -30,24 +31,24 @@ pub fn encode(size: [u32; 2], pixels: &[u8], state: &str, link: &str) -> Result<
     Ok(out)
 }
 
-/// Whether bytes begin as a PNG does.
+/// Whether a file begins with the signature of a PNG.
 pub fn is_png(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\x89PNG\r\n\x1a\n")
 }
 
-/// The state string that a picture carries. Pixels are not decoded.
+/// Reads the state string of a picture. The pixels are not decoded.
 ///
 /// # Errors
-/// One sentence, if it is no picture or carries none.
+/// One sentence, if the file is not a PNG, or has no state string or too long a one.
 pub fn state_of(bytes: &[u8]) -> Result<String, String> {
-    let decoder = png::Decoder::new_with_limits(Cursor::new(bytes), png::Limits { bytes: MOST_MEMORY });
-    let reader = decoder.read_info().map_err(|e| format!("not a picture that can be read: {e}"))?;
+    let decoder = png::Decoder::new_with_limits(Cursor::new(bytes), png::Limits { bytes: MAX_MEMORY });
+    let reader = decoder.read_info().map_err(|e| format!("this is not a picture that can be decoded: {e}"))?;
     let found = reader.info().utf8_text.iter().find(|t| t.keyword == KEYWORD);
-    let mut chunk = found.ok_or("the picture does not say of which sea it is")?.clone();
-    let too_long = || format!("the picture's state is longer than {MAX_STATE_BYTES} bytes");
-    // Packed text is unpacked no farther than that: a few bytes may stand for a gigabyte.
+    let mut chunk = found.ok_or("the picture carries no state: choose one that Seastate saved")?.clone();
+    let too_long = || format!("the state in the picture is longer than {MAX_STATE_BYTES} bytes");
+    // The limit stops the decompression of text that is larger, perhaps by gigabytes.
     chunk.decompress_text_with_limit(MAX_STATE_BYTES).map_err(|_| too_long())?;
-    let text = chunk.get_text().map_err(|e| format!("the picture's state cannot be read: {e}"))?;
+    let text = chunk.get_text().map_err(|e| format!("the state in the picture cannot be read: {e}"))?;
     if text.len() > MAX_STATE_BYTES { Err(too_long()) } else { Ok(text) }
 }
 
@@ -75,8 +76,8 @@ mod tests {
         let mut plain = Vec::new();
         let encoder = png::Encoder::new(&mut plain, 1, 1);
         encoder.write_header().and_then(|mut w| w.write_image_data(&[7])).expect("a picture");
-        assert!(state_of(&plain).is_err_and(|e| e.contains("does not say")));
-        // 64 MiB of one letter in 64 KiB.
+        assert!(state_of(&plain).is_err_and(|e| e.contains("carries no state")));
+        // A text chunk of 64 KiB that holds 64 MiB of one letter.
         let mut bomb = Vec::new();
         let mut encoder = png::Encoder::new(&mut bomb, 1, 1);
         let mut chunk = png::text_metadata::ITXtChunk::new(KEYWORD, "x".repeat(1 << 26));

@@ -4,14 +4,14 @@
 
 use crate::gpu::Gpu;
 use crate::gpu::readback::{self, TextureCopy};
-use crate::oracle::{self, Complex, Texel, maps::Planes};
+use crate::oracle::{self, Complex, Texel, maps::MapPair};
 use crate::shaders::Shaders;
 use crate::shaders::fft::Way;
 use crate::sim::Simulation;
 use crate::sim::resources::{MapKind, Resources};
 use crate::state::Params;
 use crate::waves::Plan;
-use crate::waves::foam::Whiteness;
+use crate::waves::foam::FoamModel;
 use std::fmt;
 
 /// One line of the table.
@@ -70,9 +70,9 @@ pub async fn run(gpu: &Gpu, params: &Params, shaders: &Shaders) -> Result<Vec<Li
     let mut sim = Simulation::new(gpu, plan.clone(), shaders);
     let mut lines = Vec::new();
     let h0: Vec<Vec<Complex>> = plan.cascades.iter().map(|c| oracle::spectrum::h0(&plan, c)).collect();
-    let rows: Vec<Planes> =
+    let rows: Vec<MapPair> =
         plan.cascades.iter().zip(&h0).map(|(c, h0)| oracle::maps::rows(&plan, c, h0, t_s)).collect();
-    let maps: Vec<Planes> = rows.iter().map(|rows| oracle::maps::columns(n, rows)).collect();
+    let maps: Vec<MapPair> = rows.iter().map(|rows| oracle::maps::columns(n, rows)).collect();
 
     let step = sim.push_step(gpu, t_s, true);
     // Spectrum.
@@ -163,7 +163,7 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, shaders: &Shaders) -> Result<Lin
     let centre = [1234.5, -67.8];
     let level = 1;
     let size = sim.resources.foam_n as usize;
-    let foam = Whiteness::new(plan);
+    let foam = FoamModel::new(plan);
     let mut want: Vec<f64> = vec![foam.coverage; size * size];
     let sea = &plan.sea;
     let mut got = Vec::new();
@@ -190,7 +190,7 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, shaders: &Shaders) -> Result<Lin
         for i in 0..size * size {
             let at = [i % size, i / size];
             let world: [f64; 2] = std::array::from_fn(|a| origin[a] + (at[a] as f64 + 0.5) * foam_level.texel_m);
-            let mut sum = oracle::surface::Point::default();
+            let mut sum = oracle::surface::WaveFields::default();
             for (c, (tiling, lod)) in cascades.iter().enumerate() {
                 let read = |place: [f64; 2]| {
                     let uv = place.map(|p| p + 0.5 / f64::from(plan.n));
@@ -200,8 +200,8 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, shaders: &Shaders) -> Result<Lin
                         if weight > 0.0 {
                             let n = plan.n as usize >> mip;
                             let part = |plane: usize| &maps[mip][plane][c * n * n..][..n * n];
-                            let of = oracle::foam::Level { n, displacement: part(0), gradients: part(1) };
-                            let add = oracle::foam::read(&of, uv);
+                            let of = oracle::foam::MipLevel { n, displacement: part(0), gradients: part(1) };
+                            let add = oracle::foam::sample_bilinear(&of, uv);
                             for (texel, add) in texels.iter_mut().zip(add) {
                                 *texel = std::array::from_fn(|k| texel[k] + weight * add[k]);
                             }
@@ -213,7 +213,7 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, shaders: &Shaders) -> Result<Lin
             }
             let j = oracle::foam::jacobian(sum.strain, sea.lambda());
             let s = ((source.threshold - j) * source.slope).clamp(0.0, 1.0);
-            want[i] = oracle::foam::step(want[i], s, sea.foam.rate_per_s, sea.foam.decay_s, step.dt_s);
+            want[i] = oracle::foam::foam_after(want[i], s, sea.foam.rate_per_s, sea.foam.decay_s, step.dt_s);
         }
         // Places of the cells: toroidal.
         let texels = read_foam(gpu, &sim.resources).await?;

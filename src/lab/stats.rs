@@ -8,7 +8,7 @@ use crate::shaders::Shaders;
 use crate::sim::{MAX_STEPS, MapsF32, Simulation};
 use crate::state::{Params, query};
 use crate::waves::plan::Cascade;
-use crate::waves::statistics::{self, Resolved, Sums, Theory};
+use crate::waves::statistics::{self, Resolved, SpectralMoments, Theory};
 use crate::waves::{Plan, noise};
 use serde_json::{Value, json};
 use std::f64::consts::{PI, TAU};
@@ -89,7 +89,7 @@ pub(super) struct Sample {
     mss: f64,
     skewness: f64,
     kurtosis: f64,
-    travelling: Sums,
+    travelling: SpectralMoments,
     parseval_error: f64,
 }
 
@@ -175,7 +175,7 @@ pub(super) fn summary(samples: &[Sample]) -> Measured {
 fn sample(plan: &Plan, now: &MapsF32, later: &MapsF32, times: [f64; 2], visit: &mut dyn FnMut(&Travelling)) -> Sample {
     let (mut variance, mut mean, mut mss) = (0.0, 0.0, 0.0);
     let count = (now.n * now.n) as f64;
-    let mut travelling = Sums::default();
+    let mut travelling = SpectralMoments::default();
     for (c, cascade) in plan.cascades.iter().enumerate() {
         let sum = now.displacement(c).iter().map(|d| f64::from(d[1])).sum::<f64>() / count;
         mean += sum;
@@ -186,7 +186,7 @@ fn sample(plan: &Plan, now: &MapsF32, later: &MapsF32, times: [f64; 2], visit: &
             visit(wave);
         });
     }
-    let drawn = statistics::drawn_variance(plan, times[0]);
+    let drawn = statistics::realised_variance(plan, times[0]);
     let (skewness, kurtosis) = shape(plan, now);
     let parseval_error = (variance - drawn).abs() / drawn.max(f64::MIN_POSITIVE);
     let parseval_error = if drawn == 0.0 { variance } else { parseval_error };
@@ -208,7 +208,7 @@ fn travel(
     let scale = 1.0 / (n * n) as f64;
     for z in 0..n {
         for x in 0..n {
-            let (ix, iz) = (oracle::signed(x, n), oracle::signed(z, n));
+            let (ix, iz) = (oracle::signed_index(x, n), oracle::signed_index(z, n));
             let wave = plan.wave(cascade, (ix * ix + iz * iz) as u32);
             if (ix, iz) == (0, 0) || !cascade.holds(wave.k) || ix == -(n as i32) / 2 || iz == -(n as i32) / 2 {
                 continue;

@@ -54,14 +54,14 @@ impl Numbers {
 
 /// Waves shorter than this focus no light on the bed, m.
 pub fn focusing_m(plan: &Plan, look: &Look) -> f64 {
-    let mirror = &look.surface.mirror;
-    let reach_m = plan.sea.depth_m * (1.0 - mirror.index_air / mirror.index_water);
+    let reflection = &look.surface.reflection;
+    let reach_m = plan.sea.depth_m * (1.0 - reflection.index_air / reflection.index_water);
     slopes::focusing_m(plan, reach_m.max(0.0))
 }
 
 /// Whether two states differ in what [`focusing_m`] takes from the look.
 pub fn refracts_alike(a: &Params, b: &Params) -> bool {
-    let indices = |p: &Params| (p.look.surface.mirror.index_air, p.look.surface.mirror.index_water);
+    let indices = |p: &Params| (p.look.surface.reflection.index_air, p.look.surface.reflection.index_water);
     indices(a) == indices(b)
 }
 

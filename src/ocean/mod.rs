@@ -7,7 +7,7 @@ pub mod still;
 
 use crate::gpu::Gpu;
 use crate::gpu::timer::Timer;
-use crate::point::afloat::{self, Pose, Waterline};
+use crate::point::floating::{HullPose, HullWaves, hull_pose};
 use crate::render::{Fading, Reference, Renderer, Scene, SeaLook};
 use crate::shaders::Shaders;
 use crate::sim::glide::Drawn;
@@ -16,7 +16,7 @@ use crate::state::Params;
 use crate::state::camera::View;
 use crate::state::params::{Camera, CameraMode};
 use crate::waves::Plan;
-use crate::waves::scale::Scale;
+use crate::waves::colour_scale::ColourScale;
 use drawn::{Mixture, Numbers};
 use std::sync::Arc;
 
@@ -39,7 +39,7 @@ pub struct Ocean {
     numbers: Drawn<Numbers>,
     seas: Drawn<Mixture>,
     /// The waves under what floats, of the seas that are drawn.
-    waterlines: Vec<(Arc<Plan>, Waterline)>,
+    waterlines: Vec<(Arc<Plan>, HullWaves)>,
     timer: Timer,
 }
 
@@ -227,7 +227,7 @@ impl Ocean {
             rides: self.params.camera.mode == CameraMode::Buoy,
             floats: self.poses(),
             level_m: numbers.level_m,
-            scales: std::array::from_fn(|layer| Scale::new(self.params.look.view.shown, plan, layer)),
+            scales: std::array::from_fn(|layer| ColourScale::new(self.params.look.view.shown, plan, layer)),
             sea: SeaLook {
                 chop: numbers.chop.map(|l| l as f32),
                 hs_m: numbers.hs_m as f32,
@@ -246,12 +246,12 @@ impl Ocean {
     }
 
     /// How what floats lies on the water at the time of the parameters; empty before the first frame with it.
-    pub fn poses(&self) -> Vec<Pose> {
+    pub fn poses(&self) -> Vec<HullPose> {
         let (seas, level_m) = (self.drawn_seas(), self.level_m());
         let on = |sea: &DrawnSea| self.waterlines.iter().find(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)).map(|(_, w)| w);
         let lines: Option<Vec<_>> = seas.iter().map(|sea| Some((on(sea)?, sea.weights[0]))).collect();
         let Some(lines) = lines else { return Vec::new() };
-        self.params.floats.iter().map(|f| afloat::pose(&lines, f, self.params.clock.t_s, level_m)).collect()
+        self.params.floats.iter().map(|f| hull_pose(&lines, f, self.params.clock.t_s, level_m)).collect()
     }
 
     /// Keeps a waterline for every sea that is drawn while something floats.
@@ -264,7 +264,7 @@ impl Ocean {
         self.waterlines.retain(|(plan, _)| seas.iter().any(|sea| Arc::ptr_eq(plan, &sea.plan)));
         for sea in seas {
             if !self.waterlines.iter().any(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)) {
-                let line = Waterline::new(&sea.plan);
+                let line = HullWaves::new(&sea.plan);
                 self.waterlines.push((sea.plan, line));
             }
         }

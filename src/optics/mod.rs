@@ -1,4 +1,4 @@
-//! The optical properties of sea water, and the place of the sun.
+//! Optical properties of sea water, and the position of the sun.
 
 pub mod sun;
 pub mod water;

@@ -1,21 +1,22 @@
-//! Optical properties of natural waters at the display's primaries, by Jerlov's types.
+//! Optical properties of natural waters at the primaries of the display, by Jerlov's water types.
 //!
-//! Jerlov 1976 gives the attenuation of daylight Kd for each type. Chlorophyll follows from Kd(490), scattering and
-//! backscattering from chlorophyll (Morel and Maritorena 2001), and absorption is what scattering leaves of Kd.
+//! Jerlov (1976) gives the diffuse attenuation Kd of each type. Chlorophyll follows from Kd(490 nm), scattering and
+//! backscattering from chlorophyll (Morel and Maritorena 2001), absorption from Kd and backscattering.
 
-/// Wavelengths of Jerlov's table, nm.
+/// First wavelength of Jerlov's table, nm.
 const FIRST_NM: f64 = 400.0;
+/// Step of the wavelengths of Jerlov's table, nm.
 const STEP_NM: f64 = 25.0;
 /// Effective wavelengths of red, green and blue, nm.
 const PRIMARIES_NM: [f64; 3] = [610.0, 550.0, 465.0];
-/// Absorption of pure water there, 1/m (Pope and Fry 1997).
+/// Absorption of pure water at [`PRIMARIES_NM`], 1/m (Pope and Fry 1997).
 const PURE_ABSORPTION: [f64; 3] = [0.2644, 0.0565, 0.0101];
-/// Mean cosine of daylight below the surface.
+/// Mean cosine of the downwelling light below the surface.
 const MEAN_COSINE: f64 = 0.9;
-/// Backscattered share of what the minerals of coastal water scatter (Petzold 1972).
+/// Backscattered share of the light that the minerals of coastal water scatter (Petzold 1972).
 const COASTAL_BACKSCATTER: f64 = 0.013;
 
-/// Optical types of ocean (I to III) and coastal water (1C to 9C), clearest first.
+/// Jerlov's optical types of ocean (I to III) and coastal water (1C to 9C), clearest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WaterType {
     /// The clearest ocean.
@@ -45,7 +46,10 @@ impl WaterType {
     pub const ALL: [Self; 10] =
         [Self::I, Self::Ia, Self::Ib, Self::Ii, Self::Iii, Self::C1, Self::C3, Self::C5, Self::C7, Self::C9];
 
-    /// Attenuation of downward irradiance from 400 nm in steps of 25 nm, 1/m (Jerlov 1976, tables XXVI and XXVII).
+    /// Jerlov's name of each type, in lower case.
+    pub const NAMES: &[&str] = &["i", "ia", "ib", "ii", "iii", "1c", "3c", "5c", "7c", "9c"];
+
+    /// Diffuse attenuation of downward irradiance, 1/m, by wavelength (Jerlov 1976, tables XXVI and XXVII).
     #[rustfmt::skip]
     fn attenuation(self) -> [f64; 13] {
         match self {
@@ -66,28 +70,27 @@ impl WaterType {
         matches!(self, Self::C1 | Self::C3 | Self::C5 | Self::C7 | Self::C9)
     }
 
-    /// The next muddier type.
+    /// The next muddier type; the muddiest is its own.
     fn next(self) -> Self {
-        let at = Self::ALL.iter().position(|t| *t == self).unwrap_or(0);
-        Self::ALL[(at + 1).min(Self::ALL.len() - 1)]
+        Self::ALL[(self as usize + 1).min(Self::ALL.len() - 1)]
     }
 }
 
-/// What a water does to light at the display's red, green and blue, 1/m.
+/// Inherent optical properties of a water at the red, green and blue of the display, 1/m.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Water {
+pub struct WaterOptics {
     /// Absorption a.
     pub absorption: [f64; 3],
-    /// Scattering b, in all.
+    /// Total scattering b.
     pub scatter: [f64; 3],
     /// Backscattering bb.
     pub backscatter: [f64; 3],
 }
 
-impl Water {
-    /// The water of a type.
-    pub fn of(kind: WaterType) -> Self {
-        let table = kind.attenuation();
+impl WaterOptics {
+    /// The properties of a water type.
+    pub fn of(water_type: WaterType) -> Self {
+        let table = water_type.attenuation();
         let kd = |nm: f64| {
             let x = (nm - FIRST_NM) / STEP_NM;
             let i = (x as usize).min(table.len() - 2);
@@ -102,7 +105,7 @@ impl Water {
         for (i, nm) in PRIMARIES_NM.into_iter().enumerate() {
             let sea_water = 0.00288 * (nm / 500.0).powf(-4.32);
             let share = 0.002 + 0.01 * (0.5 - 0.25 * log) * (nm / 550.0).powf(slope);
-            let share = if kind.is_coastal() { COASTAL_BACKSCATTER } else { share };
+            let share = if water_type.is_coastal() { COASTAL_BACKSCATTER } else { share };
             out.scatter[i] = sea_water + particles_550;
             out.backscatter[i] = 0.5 * sea_water + share * particles_550;
             out.absorption[i] = (MEAN_COSINE * kd(nm) - out.backscatter[i]).max(PURE_ABSORPTION[i]);
@@ -110,9 +113,9 @@ impl Water {
         out
     }
 
-    /// A water between a type and the next muddier one.
-    pub fn between(kind: WaterType, share: f64) -> Self {
-        let (a, b) = (Self::of(kind), Self::of(kind.next()));
+    /// The properties of a water at `share`, 0..1, of the way from a type to the next muddier one.
+    pub fn between(water_type: WaterType, share: f64) -> Self {
+        let (a, b) = (Self::of(water_type), Self::of(water_type.next()));
         let mix = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|i| a[i].powf(1.0 - share) * b[i].powf(share));
         Self {
             absorption: mix(a.absorption, b.absorption),
@@ -121,10 +124,10 @@ impl Water {
         }
     }
 
-    /// The same particles in a water that absorbs so much that it scatters this colour: white means that a tenth of the
-    /// light comes back.
+    /// These particles in a water whose absorption makes it scatter the given linear RGB colour back; white is a tenth
+    /// of the light.
     #[must_use]
-    pub fn coloured(self, colour: [f64; 3]) -> Self {
+    pub fn with_colour(self, colour: [f64; 3]) -> Self {
         let absorption = std::array::from_fn(|i| {
             let r = (0.1 * colour[i]).max(2e-4);
             0.33 * self.backscatter[i] * (1.0 - r) / r
@@ -132,7 +135,7 @@ impl Water {
         Self { absorption, ..self }
     }
 
-    /// Irradiance reflectance below the surface of deep water; the same formula stands in `water_body.wgsl`.
+    /// Irradiance reflectance just below the surface of deep water; `water/body.wgsl` has the same formula.
     pub fn reflectance(&self) -> [f64; 3] {
         std::array::from_fn(|i| {
             let up = 0.33 * self.backscatter[i];
@@ -140,8 +143,8 @@ impl Water {
         })
     }
 
-    /// Share of vertical light that comes back from a white bed at a depth.
-    pub fn there_and_back(&self, depth_m: f64) -> [f64; 3] {
+    /// Share of vertical light that returns to the surface from a white bed.
+    pub fn two_way_transmittance(&self, depth_m: f64) -> [f64; 3] {
         std::array::from_fn(|i| (-2.0 * (self.absorption[i] + self.backscatter[i]) * depth_m).exp())
     }
 }
@@ -152,41 +155,41 @@ mod tests {
 
     #[test]
     fn the_clear_ocean_is_blue_and_the_coast_green() {
-        // Morel and Prieur 1977 and later: 4 to 6 % in the blue of the clearest ocean, next to nothing in the red.
-        let [r, g, b] = Water::of(WaterType::I).reflectance();
+        // Morel and Prieur 1977: 4 to 6 % in the blue of the clearest ocean, almost none in the red.
+        let [r, g, b] = WaterOptics::of(WaterType::I).reflectance();
         assert!((0.04..0.07).contains(&b) && g < 0.2 * b && r < 0.03 * b, "{r} {g} {b}");
-        let [r, g, b] = Water::of(WaterType::C3).reflectance();
+        let [r, g, b] = WaterOptics::of(WaterType::C3).reflectance();
         assert!(g > b && g > r, "{r} {g} {b}");
-        let [r, g, b] = Water::of(WaterType::C9).reflectance();
+        let [r, g, b] = WaterOptics::of(WaterType::C9).reflectance();
         assert!(r > b && g > b, "{r} {g} {b}");
     }
 
     #[test]
     fn every_step_is_muddier() {
         for pair in WaterType::ALL.windows(2) {
-            let (a, b) = (Water::of(pair[0]), Water::of(pair[1]));
+            let (a, b) = (WaterOptics::of(pair[0]), WaterOptics::of(pair[1]));
             assert!(a.absorption[2] < b.absorption[2] && a.scatter[1] < b.scatter[1], "{pair:?}");
-            let half = Water::between(pair[0], 0.5);
+            let half = WaterOptics::between(pair[0], 0.5);
             assert!(a.absorption[2] < half.absorption[2] && half.absorption[2] < b.absorption[2], "{pair:?}");
             assert_eq!(pair[0].next(), pair[1]);
         }
-        assert_eq!(Water::between(WaterType::Ii, 0.0), Water::of(WaterType::Ii));
+        assert_eq!(WaterOptics::between(WaterType::Ii, 0.0), WaterOptics::of(WaterType::Ii));
     }
 
     #[test]
     fn attenuation_comes_out_again() {
-        // a + bb = 0.9 Kd wherever the water itself does not absorb more.
-        for kind in WaterType::ALL {
-            let water = Water::of(kind);
-            let kd_550 = kind.attenuation()[6];
+        // a + bb = 0.9 Kd unless pure water alone absorbs more.
+        for water_type in WaterType::ALL {
+            let water = WaterOptics::of(water_type);
+            let kd_550 = water_type.attenuation()[6];
             let sum = water.absorption[1] + water.backscatter[1];
-            assert!((sum / (0.9 * kd_550) - 1.0).abs() < 0.05, "{kind:?}: {sum} for {kd_550}");
+            assert!((sum / (0.9 * kd_550) - 1.0).abs() < 0.05, "{water_type:?}: {sum} for {kd_550}");
         }
     }
 
     #[test]
     fn a_colour_comes_back_as_asked() {
-        let got = Water::of(WaterType::Ib).coloured([0.1, 0.5, 1.0]).reflectance();
+        let got = WaterOptics::of(WaterType::Ib).with_colour([0.1, 0.5, 1.0]).reflectance();
         for (got, want) in got.into_iter().zip([0.01, 0.05, 0.1]) {
             assert!((got - want).abs() < 1e-9);
         }

@@ -1,20 +1,21 @@
-//! Twin of shaders/foam/foam.wgsl.
+//! Oracle for shaders/foam/foam.wgsl.
 
 use super::Texel;
 
-/// Maps of one cascade at one mip level.
+/// One mip level of the maps of one cascade.
 #[derive(Clone, Debug)]
-pub struct Level<'a> {
-    /// Texels a side.
+pub struct MipLevel<'a> {
+    /// Texels along a side.
     pub n: usize,
-    /// Displacement map.
+    /// Displacement map, n x n.
     pub displacement: &'a [Texel],
-    /// Gradient map.
+    /// Gradient map, n x n.
     pub gradients: &'a [Texel],
 }
 
-/// Displacement and gradient texels at texture coordinates `uv` (1 is the patch), linear between texel centres, repeating.
-pub fn read(level: &Level<'_>, uv: [f64; 2]) -> [Texel; 2] {
+/// Displacement and gradient texels at the texture coordinates `uv` (1 is one patch), with bilinear filtering and
+/// repetition.
+pub fn sample_bilinear(level: &MipLevel<'_>, uv: [f64; 2]) -> [Texel; 2] {
     let n = level.n as i64;
     let [u, v] = uv.map(|c| c * level.n as f64 - 0.5);
     let (x, z) = (u.floor(), v.floor());
@@ -31,15 +32,16 @@ pub fn read(level: &Level<'_>, uv: [f64; 2]) -> [Texel; 2] {
     out
 }
 
-/// J = (1 + lx dDx/dx)(1 + lz dDz/dz) - lx lz dDx/dz dDz/dx of summed strains, in this order.
+/// Jacobian (1 + lx dDx/dx)(1 + lz dDz/dz) - lx lz dDx/dz dDz/dx for the summed strains dDx/dx, dDz/dz, dDx/dz, dDz/dx
+/// and the chop factors lx, lz.
 pub fn jacobian([xx, zz, xz, zx]: [f64; 4], [lx, lz]: [f64; 2]) -> f64 {
     (1.0 + lx * xx) * (1.0 + lz * zz) - lx * lz * xz * zx
 }
 
-/// Foam after `dt_s` of a constant source in [0, 1]: dF/dt = rate s (1 - F) - F / decay, solved exactly.
-pub fn step(before: f64, source: f64, rate: f64, decay_s: f64, dt_s: f64) -> f64 {
-    let loss = rate * source + 1.0 / decay_s;
-    let goal = rate * source / loss;
+/// Foam F after `dt_s` with a constant source s in [0, 1]: the exact solution of dF/dt = rate s (1 - F) - F / decay.
+pub fn foam_after(before: f64, source: f64, rate_per_s: f64, decay_s: f64, dt_s: f64) -> f64 {
+    let loss = rate_per_s * source + 1.0 / decay_s;
+    let goal = rate_per_s * source / loss;
     goal + (before - goal) * (-loss * dt_s).exp()
 }
 
@@ -52,10 +54,10 @@ mod tests {
         let run = |rate_hz: i32| {
             (0..10 * rate_hz).fold(0.0, |f, i| {
                 let t = f64::from(i) / f64::from(rate_hz);
-                step(f, if (t as i32) % 3 == 0 { 0.8 } else { 0.0 }, 2.0, 4.0, 1.0 / f64::from(rate_hz))
+                foam_after(f, if (t as i32) % 3 == 0 { 0.8 } else { 0.0 }, 2.0, 4.0, 1.0 / f64::from(rate_hz))
             })
         };
         assert!((run(30) / run(144) - 1.0).abs() < 1e-6);
-        assert!(run(30) > 0.0 && (0..1000).fold(0.0, |f, _| step(f, 1.0, 10.0, 4.0, 0.1)) <= 1.0);
+        assert!(run(30) > 0.0 && (0..1000).fold(0.0, |f, _| foam_after(f, 1.0, 10.0, 4.0, 0.1)) <= 1.0);
     }
 }

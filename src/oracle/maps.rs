@@ -1,53 +1,55 @@
-//! Twins of shaders/waves/rows.wgsl, columns.wgsl and mips.wgsl.
+//! Oracles for shaders/waves/rows.wgsl, columns.wgsl and mips.wgsl.
 
 use super::transform::inverse;
-use super::{Complex, Texel, add, mul, scale, signed, turn, unit};
+use super::{Complex, Texel, add, cis, map_columns, mul, scale, signed_index, times_i};
 use crate::waves::plan::{Cascade, Plan};
 use std::f64::consts::TAU;
 
-/// Two planes of n x n texels. As lines: packed complex pairs. As maps: displacement and gradients.
-pub type Planes = [Vec<Texel>; 2];
+/// Two n x n images: the displacement map (Dx, eta, Dz, dDx/dz) and the gradient map (d eta/dx, d eta/dz, dDx/dx,
+/// dDz/dz), or their packed complex fields before the transform along z.
+pub type MapPair = [Vec<Texel>; 2];
 
-/// The waves at `t_s`: h(k, t) of every lattice point.
+/// Amplitudes h(k, t) of every lattice point at `t_s`, n x n.
 pub fn evolve(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> Vec<Complex> {
     let n = plan.n as usize;
     let phase_time = plan.phase_time(t_s);
     (0..n * n)
         .map(|i| {
             let (x, z) = (i % n, i / n);
-            let (ix, iz) = (signed(x, n), signed(z, n));
+            let (ix, iz) = (signed_index(x, n), signed_index(z, n));
             if ix == 0 && iz == 0 {
                 return [0.0, 0.0];
             }
             let turns = plan.wave(cascade, (ix * ix + iz * iz) as u32).turns.wrapping_mul(phase_time);
-            let phase = unit(TAU * f64::from(turns) / 4_294_967_296.0);
+            let phase = cis(TAU * f64::from(turns) / 4_294_967_296.0);
             let back = h0[(n - z) % n * n + (n - x) % n];
             add(mul(h0[i], [phase[0], -phase[1]]), mul([back[0], -back[1]], phase))
         })
         .collect()
 }
 
-/// The eight fields of the sea, packed two to a complex number and transformed along x.
-pub fn rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> Planes {
+/// The eight fields of the maps, packed in pairs f + i g and transformed along x.
+pub fn rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> MapPair {
     let n = plan.n as usize;
     let h = evolve(plan, cascade, h0, t_s);
     let packed = |pair: usize, i: usize| -> Texel {
-        let (ix, iz) = (signed(i % n, n), signed(i / n, n));
+        let (ix, iz) = (signed_index(i % n, n), signed_index(i / n, n));
         let (kx, kz) = (f64::from(ix) * cascade.dk(), f64::from(iz) * cascade.dk());
         let k = kx.hypot(kz);
         if k == 0.0 {
             return [0.0; 4];
         }
         let orbit = plan.wave(cascade, (ix * ix + iz * iz) as u32).orbit;
-        // docs/sea.md, "Synthesis": D = i k/|k| h, its derivatives -(kx kz/|k|) h and so on, with coth(k h) on all of D.
+        // docs/sea.md, "Synthesis": D = i k/|k| h, its derivatives -(kx kz/|k|) h and so on, with coth(k h) on all of
+        // D.
         let h = h[i];
-        let pack = |f: Complex, g: Complex| add(f, turn(g));
+        let pack = |f: Complex, g: Complex| add(f, times_i(g));
         let (first, second) = if pair == 0 {
-            let (dx, dz) = (scale(turn(h), orbit * kx / k), scale(turn(h), orbit * kz / k));
+            let (dx, dz) = (scale(times_i(h), orbit * kx / k), scale(times_i(h), orbit * kz / k));
             (pack(dx, dz), pack(h, scale(h, -orbit * kx * kz / k)))
         } else {
             let (dxx, dzz) = (scale(h, -orbit * kx * kx / k), scale(h, -orbit * kz * kz / k));
-            (pack(scale(turn(h), kx), scale(turn(h), kz)), pack(dxx, dzz))
+            (pack(scale(times_i(h), kx), scale(times_i(h), kz)), pack(dxx, dzz))
         };
         [first[0], first[1], second[0], second[1]]
     };
@@ -57,25 +59,14 @@ pub fn rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> Planes 
     })
 }
 
-/// The maps from lines that were transformed along x.
-pub fn columns(n: usize, lines: &Planes) -> Planes {
-    let planes = [0, 1].map(|pair| {
-        let plane: &[Texel] = &lines[pair];
-        let mut out = vec![[0.0; 4]; n * n];
-        for x in 0..n {
-            let column: Vec<Texel> = (0..n).map(|z| plane[z * n + x]).collect();
-            for (z, texel) in transform_line(&column).into_iter().enumerate() {
-                out[z * n + x] = texel;
-            }
-        }
-        out
-    });
-    let [displacement, gradients] = planes;
-    // Packed as Dx + i Dz and eta + i dDx/dz; the map holds Dx, eta, Dz, dDx/dz.
+/// The maps from the result of [`rows`], by the transform along z.
+pub fn columns(n: usize, rows: &MapPair) -> MapPair {
+    let [displacement, gradients] = [0, 1].map(|pair| map_columns(n, &rows[pair], transform_line));
+    // The packed order is Dx + i Dz, eta + i dDx/dz.
     [displacement.into_iter().map(|t| [t[0], t[2], t[1], t[3]]).collect(), gradients]
 }
 
-/// One level down of any plane: the mean over 2 x 2.
+/// The next mip level of an n x n image: the mean over 2 x 2 texels.
 pub fn mip(n: usize, plane: &[Texel]) -> Vec<Texel> {
     let half = n / 2;
     (0..half * half)
@@ -86,7 +77,7 @@ pub fn mip(n: usize, plane: &[Texel]) -> Vec<Texel> {
         .collect()
 }
 
-/// Products of the slopes of a gradient map (xx, zz, xz, 0) in units of `scale`.
+/// Slope moments of a gradient map divided by `scale`: (slope_x^2, slope_z^2, slope_x slope_z, 0).
 pub fn moments(gradients: &[Texel], scale: f64) -> Vec<Texel> {
     gradients.iter().map(|g| [g[0] * g[0] / scale, g[1] * g[1] / scale, g[0] * g[1] / scale, 0.0]).collect()
 }

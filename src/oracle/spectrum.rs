@@ -1,20 +1,20 @@
-//! Twin of shaders/waves/spectrum.wgsl: h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz).
+//! Oracle for shaders/waves/spectrum.wgsl: h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz).
 
-use super::{Complex, signed};
+use super::{Complex, signed_index};
 use crate::waves::noise;
 use crate::waves::plan::{Cascade, Plan};
 
-/// h0 of one cascade, n x n.
+/// Initial amplitudes h0(k) of one cascade, n x n, m.
 pub fn h0(plan: &Plan, cascade: &Cascade) -> Vec<Complex> {
     let n = plan.n as usize;
-    (0..n * n).map(|i| wave(plan, cascade, signed(i % n, n), signed(i / n, n))).collect()
+    (0..n * n).map(|i| wave(plan, cascade, signed_index(i % n, n), signed_index(i / n, n))).collect()
 }
 
 fn wave(plan: &Plan, cascade: &Cascade, ix: i32, iz: i32) -> Complex {
     let nyquist = -(plan.n as i32) / 2;
     let k = [f64::from(ix) * cascade.dk(), f64::from(iz) * cascade.dk()];
     let length = k[0].hypot(k[1]);
-    // The band's edges are compared as the model does, by the squared index: rounding decides for waves on an edge.
+    // The radius comes from the squared index, as in the plan, so that rounding is the same at the band's edges.
     let i2 = (ix * ix + iz * iz) as u32;
     let radius = cascade.dk() * f64::from(i2).sqrt();
     let outside = i2 == 0 || radius < cascade.k_low || radius >= cascade.k_high;

@@ -1,41 +1,41 @@
-//! Twin of what shaders/water/surface.wgsl and foam.wgsl make of the maps: the blend of shifted copies.
+//! Oracle for the blend of shifted copies in shaders/water/surface.wgsl and shaders/foam/foam.wgsl.
 
 use super::Texel;
 use crate::waves::tiling::Tiling;
 
-/// The fields of one cascade at a point, before chop.
+/// Wave fields at an undisplaced point, without the chop factor.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Point {
-    /// Dx, eta, Dz.
-    pub moved: [f64; 3],
-    /// d eta/dx and d eta/dz.
+pub struct WaveFields {
+    /// Dx, eta, Dz, m.
+    pub displacement: [f64; 3],
+    /// d eta/dx, d eta/dz.
     pub slope: [f64; 2],
     /// dDx/dx, dDz/dz, dDx/dz, dDz/dx.
     pub strain: [f64; 4],
 }
 
-impl Point {
-    /// The sum of two cascades.
+impl WaveFields {
+    /// The sum of two sets of fields.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
         Self {
-            moved: std::array::from_fn(|i| self.moved[i] + other.moved[i]),
+            displacement: std::array::from_fn(|i| self.displacement[i] + other.displacement[i]),
             slope: std::array::from_fn(|i| self.slope[i] + other.slope[i]),
             strain: std::array::from_fn(|i| self.strain[i] + other.strain[i]),
         }
     }
 }
 
-/// The blend at an undisplaced point (x, z) in m. `read` gives the displacement and gradient texels of a copy: of the patch
-/// at a place (x, z) in units of its side.
-pub fn blend(tiling: &Tiling, at: [f64; 2], read: impl Fn([f64; 2]) -> [Texel; 2]) -> Point {
-    let mut out = Point::default();
+/// The blended fields at an undisplaced point `at` (x, z), m. `read` returns the displacement and gradient texels of
+/// the patch at a position (x, z) in units of its side.
+pub fn blend(tiling: &Tiling, at: [f64; 2], read: impl Fn([f64; 2]) -> [Texel; 2]) -> WaveFields {
+    let mut out = WaveFields::default();
     for copy in tiling.blend(at).iter().filter(|c| c.weight > 0.0) {
         let place = [0, 1].map(|i| (at[i] / tiling.patch_m).rem_euclid(1.0) + copy.shift[i]);
         let [[dx, eta, dz, shear], [sx, sz, xx, zz]] = read(place);
         let (w, [wx, wz]) = (copy.weight, copy.gradient);
-        out = out.plus(&Point {
-            moved: [w * dx, w * eta, w * dz],
+        out = out.plus(&WaveFields {
+            displacement: [w * dx, w * eta, w * dz],
             slope: [w * sx + wx * eta, w * sz + wz * eta],
             strain: [w * xx + wx * dx, w * zz + wz * dz, w * shear + wz * dx, w * shear + wx * dz],
         });

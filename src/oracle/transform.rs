@@ -1,9 +1,9 @@
-//! Inverse discrete Fourier transform in f64: sum over k of X[k] e^{+2 pi i j k / n}, not divided by n.
+//! Inverse discrete Fourier transform without normalisation: x_j = sum over k of X_k e^{+2 pi i j k / n}.
 
-use super::{Complex, add, mul, scale, unit};
+use super::{Complex, add, cis, map_columns, mul, scale};
 use std::f64::consts::TAU;
 
-/// Transforms one line, a power of two long.
+/// Transforms one line. Its length is a power of two.
 pub fn inverse(line: &[Complex]) -> Vec<Complex> {
     let n = line.len();
     if n == 1 {
@@ -13,24 +13,17 @@ pub fn inverse(line: &[Complex]) -> Vec<Complex> {
     let (even, odd) = (half(0), half(1));
     let mut out = vec![[0.0; 2]; n];
     for j in 0..n / 2 {
-        let twisted = mul(unit(TAU * j as f64 / n as f64), odd[j]);
+        let twisted = mul(cis(TAU * j as f64 / n as f64), odd[j]);
         out[j] = add(even[j], twisted);
         out[j + n / 2] = add(even[j], scale(twisted, -1.0));
     }
     out
 }
 
-/// Transforms a square of `n` x `n` along both axes.
+/// Transforms an n x n square along both axes.
 pub fn inverse_2d(n: usize, square: &[Complex]) -> Vec<Complex> {
     let rows: Vec<Complex> = square.chunks(n).flat_map(inverse).collect();
-    let mut out = vec![[0.0; 2]; n * n];
-    for x in 0..n {
-        let column: Vec<Complex> = (0..n).map(|z| rows[z * n + x]).collect();
-        for (z, value) in inverse(&column).into_iter().enumerate() {
-            out[z * n + x] = value;
-        }
-    }
-    out
+    map_columns(n, &rows, inverse)
 }
 
 #[cfg(test)]
@@ -44,7 +37,7 @@ mod tests {
             let want = line
                 .iter()
                 .enumerate()
-                .fold([0.0; 2], |sum, (k, &x)| add(sum, mul(x, unit(TAU * (j * k) as f64 / 16.0))));
+                .fold([0.0; 2], |sum, (k, &x)| add(sum, mul(x, cis(TAU * (j * k) as f64 / 16.0))));
             assert!((got[0] - want[0]).abs() + (got[1] - want[1]).abs() < 1e-12);
         }
     }

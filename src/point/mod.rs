@@ -1,6 +1,6 @@
-//! The sea at a point, on the CPU: heights and velocities, and how hulls lie on the water.
+//! The sea at a point, computed on the CPU: height, normal and orbital velocity, and the position of floating hulls.
 
-pub mod afloat;
+pub mod floating;
 pub mod heights;
 
-pub use heights::Heights;
+pub use heights::{Heights, SurfaceSample};

@@ -169,7 +169,7 @@ impl FrameUniform {
             hs_m: sea.hs_m,
             depth_m: sea.depth_m,
             mean_foam: sea.mean_foam,
-            foam_gain: look.surface.foam.shown as f32,
+            foam_gain: look.surface.foam.amount as f32,
             sun_blur: (disc / 8.0) as f32,
             sun_peak: (PI * disc).recip() as f32,
             chop_z: sea.chop[1],

@@ -20,13 +20,13 @@ use crate::gpu::Gpu;
 use crate::gpu::kit::Uniform;
 use crate::gpu::layout::Layout;
 use crate::gpu::timer::Timer;
-use crate::point::afloat::Pose;
+use crate::point::floating::HullPose;
 use crate::shaders::Shaders;
 use crate::sim::Maps;
 use crate::sim::maps::MAX_CASCADES;
 use crate::state::look::Look;
 use crate::state::views::Shown;
-use crate::waves::scale::Scale;
+use crate::waves::colour_scale::ColourScale;
 use film::present::PresentPass;
 use frame::FrameUniform;
 use sky::Sky;
@@ -66,9 +66,9 @@ pub struct Scene {
     /// What the maps do not tell of the sea.
     pub sea: SeaLook,
     /// What the colours of a view stand for, layer by layer of its maps; the picture has no use for it.
-    pub scales: [Scale; MAX_CASCADES],
+    pub scales: [ColourScale; MAX_CASCADES],
     /// What floats, in the world.
-    pub floats: Vec<Pose>,
+    pub floats: Vec<HullPose>,
     /// Height of the still water in the world, m.
     pub level_m: f64,
 }
@@ -259,7 +259,7 @@ impl Renderer {
 /// more of them a pixel, because they cost little there.
 fn mesh(scene: &Scene, size: [u32; 2]) -> Mesh {
     let pixels = f64::from(size[0]) * f64::from(size[1]) / REFERENCE_PIXELS;
-    Mesh::new(&scene.view, &scene.sea, scene.look.mesh * pixels.sqrt().clamp(0.05, 2.0), scene.look.extent_km)
+    Mesh::new(&scene.view, &scene.sea, scene.look.mesh_detail * pixels.sqrt().clamp(0.05, 2.0), scene.look.extent_km)
 }
 
 /// The bytes of WGSL `Frame` for a picture of `size` pixels: for the tests that run the picture's functions by themselves.

@@ -12,7 +12,7 @@ use crate::shaders::Shaders;
 use crate::sim::Maps;
 use crate::sim::maps::MAX_CASCADES;
 use crate::state::views::{Map, Shown};
-use crate::waves::scale::STOPS;
+use crate::waves::colour_scale::STOPS;
 use std::cmp::Reverse;
 
 /// Pixels between two maps side by side.

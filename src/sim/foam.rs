@@ -49,7 +49,7 @@ pub struct Numbers {
     /// Horizontal displacement along x and z.
     pub chop: [f64; 2],
     /// Where foam forms, per level.
-    sources: [foam::Source; FOAM_LEVELS],
+    sources: [foam::FoamSource; FOAM_LEVELS],
     /// Mean foam to be expected.
     pub coverage: f64,
     decay_s: f64,
@@ -59,7 +59,7 @@ pub struct Numbers {
 impl Numbers {
     /// On levels of `size` cells a side.
     pub fn new(size: u32, plan: &Plan) -> Self {
-        let foam = foam::Whiteness::new(plan);
+        let foam = foam::FoamModel::new(plan);
         Self {
             chop: plan.sea.lambda(),
             sources: std::array::from_fn(|level| foam.source(plan, texel_m(size, level))),
@@ -80,7 +80,7 @@ impl Mix for Numbers {
                 (false, true) => b.threshold,
                 _ => mix(a.threshold, b.threshold, share),
             };
-            foam::Source { threshold, slope: mix(a.slope, b.slope, share) }
+            foam::FoamSource { threshold, slope: mix(a.slope, b.slope, share) }
         };
         Self {
             chop: mix2(self.chop, to.chop, share),

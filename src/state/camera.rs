@@ -1,30 +1,30 @@
-//! The camera: from bearing and pitch to matrices. Reverse-Z, infinite far plane, looking along -z in view space.
+//! The view matrix of the camera: reverse-Z, infinite far plane, looking along -z in view space.
 
 use super::params::Camera;
 use glam::{DMat4, DVec3, DVec4};
 
 /// Mean radius of the Earth, m.
 pub const EARTH_RADIUS_M: f64 = 6_371_000.0;
-/// Distance of the near plane, m.
+/// Distance to the near plane, m.
 const NEAR_M: f64 = 0.1;
 
-/// A camera, ready to draw with. Everything drawn is relative to the eye, so that f32 suffices far from the origin.
+/// Position and axes of a camera. Drawing is relative to the eye, so that f32 suffices far from the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// Position of the eye in the world, m.
     pub eye: DVec3,
-    /// Unit vector to the right of the picture.
+    /// Unit vector to the right edge of the picture.
     pub right: DVec3,
-    /// Unit vector to its top.
+    /// Unit vector to the top edge of the picture.
     pub up: DVec3,
-    /// Unit vector into it.
+    /// Unit vector into the picture.
     pub forward: DVec3,
     /// Tangent of half the horizontal and vertical fields of view.
     pub tan_half: [f64; 2],
 }
 
 impl View {
-    /// The view of a camera into a picture of `aspect` = width / height; the eye is kept at least `lowest_m` high.
+    /// The view of a camera. `aspect` is width / height of the picture, `lowest_m` the least height of the eye, m.
     pub fn new(camera: &Camera, aspect: f64, lowest_m: f64) -> Self {
         let (heading, pitch) = (camera.heading_deg.to_radians(), camera.pitch_deg.to_radians());
         let forward = DVec3::new(heading.sin() * pitch.cos(), pitch.sin(), -heading.cos() * pitch.cos());
@@ -39,7 +39,7 @@ impl View {
         }
     }
 
-    /// Clip coordinates from positions relative to the eye.
+    /// Matrix from positions relative to the eye to clip coordinates.
     pub fn clip_from_relative(&self) -> DMat4 {
         let view = DMat4::from_cols(
             DVec4::new(self.right.x, self.up.x, -self.forward.x, 0.0),
@@ -58,7 +58,7 @@ impl View {
         clip * view
     }
 
-    /// Unit vector through a point of the picture, (-1, -1) bottom left to (1, 1) top right.
+    /// Unit vector through a point of the picture: (-1, -1) is bottom left, (1, 1) top right.
     pub fn ray(&self, x: f64, y: f64) -> DVec3 {
         (self.forward + self.right * (x * self.tan_half[0]) + self.up * (y * self.tan_half[1])).normalize()
     }

@@ -1,140 +1,129 @@
 //! The state string: one query string that holds all shareable state.
 //!
-//! `wind=14&fetch=300&seed=7&t=40` is the URL on the web, the argument of the desktop program and of every command.
-//! All values are rows of [`FIELDS`] but three: `measured` holds a buoy's spectrum (`measured::Measured::to_state`), `sky` the
-//! name of a sky's file, which a link cannot hold, `afloat` what floats where (`floats::write`).
-//! Reading never fails: what cannot be taken becomes a notice. Only values that differ from the default are written.
-//! `v` says which version of the words a string is in, once there are several (`versions.rs`).
+//! `wind=14&fetch=300&seed=7&t=40` is the URL on the web, the argument of the desktop program and of every command. The
+//! keys are those of [`FIELDS`] and four more: `measured` holds a buoy's spectrum, `sky` the name of a sky file,
+//! `afloat` the floating objects, and `v` the version of the string ([`versions`]). Reading never fails: a value that
+//! cannot be taken becomes a notice. Only values that differ from the default are written.
 
 use super::fields::{self, FIELDS, Refusal};
 use super::floats;
 use super::look::SkyFile;
 use super::params::Params;
-use super::versions::{self, STEPS, Step};
-use crate::files::measured::Measured;
+use super::text::{limit, quoted};
+use super::versions::{self, VERSION_STEPS, VersionStep};
+use crate::files::measured::MeasuredSpectrum;
 use std::sync::Arc;
 
-/// Longest state string that is read; the rest is ignored with a notice. The longest that [`write`] writes is shorter.
+/// Longest state string that is read, bytes; the rest is ignored with a notice. [`write()`] never writes a longer one.
 pub const MAX_BYTES: usize = crate::files::MAX_STATE_BYTES;
 /// Key of the buoy's spectrum.
 const MEASURED: &str = "measured";
-/// Key of the name of the sky's file.
+/// Key of the name of the sky file.
 pub(super) const SKY: &str = "sky";
-/// Key of what floats.
-pub(super) const FLOATS: &str = "afloat";
-const MAX_NOTICES: usize = 24;
-const MAX_SHOWN: usize = 40;
+/// Key of the floating objects.
+const FLOATS: &str = "afloat";
 
-/// What a state string says.
+/// The content of a state string.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Reading {
-    /// The parameters, defaults where it says nothing.
+pub struct StateReading {
+    /// Parameters; those that the string does not set have their defaults.
     pub params: Params,
-    /// The keys whose values were taken, `measured` and `sky` included.
+    /// Keys whose values were taken, sorted, `measured`, `afloat` and `sky` included.
     pub taken: Vec<&'static str>,
-    /// One notice for each thing that was not taken as written.
+    /// One notice for each value that was not taken as written.
     pub notices: Vec<String>,
 }
 
-/// Reads a state string, with or without a leading `?`, or a whole pasted URL. Returns the parameters and one notice
-/// for each thing that was not taken as written.
+/// Reads a state string, with or without a leading `?`, or a whole URL. Returns the parameters and one notice for each
+/// value that was not taken as written.
 pub fn parse(text: &str) -> (Params, Vec<String>) {
-    let Reading { params, notices, .. } = read(text);
+    let StateReading { params, notices, .. } = read(text);
     (params, notices)
 }
 
-/// As [`parse`], for those who want to know which values are the string's own.
-pub fn read(text: &str) -> Reading {
-    read_by(text, STEPS)
+/// Like [`parse`], and also returns the keys that the string sets.
+pub fn read(text: &str) -> StateReading {
+    read_with(text, VERSION_STEPS)
 }
 
-/// As [`read`], where these steps lead to the newest version.
-fn read_by(text: &str, steps: &[Step]) -> Reading {
-    let Reading { mut params, mut taken, mut notices } = Reading::default();
-    let mut seen: Vec<&str> = Vec::new();
+/// [`read`] with the given steps to the newest version.
+fn read_with(text: &str, steps: &[VersionStep]) -> StateReading {
+    let mut reading = StateReading::default();
     let mut query = query_part(text);
     if query.len() > MAX_BYTES {
-        let end = (0..=MAX_BYTES).rev().find(|&i| query.is_char_boundary(i)).unwrap_or(0);
-        query = &query[..end];
-        notices.push(format!("the state string is longer than {MAX_BYTES} bytes: the rest was ignored"));
+        query = &query[..query.floor_char_boundary(MAX_BYTES)];
+        reading.notices.push(format!("the state string is longer than {MAX_BYTES} bytes: the rest was ignored"));
     }
-    let (pairs, notice) = versions::brought_forward(form_urlencoded::parse(query.as_bytes()).collect(), steps);
-    notices.extend(notice);
+    let (pairs, notice) = versions::upgraded(form_urlencoded::parse(query.as_bytes()).collect(), steps);
+    reading.notices.extend(notice);
+    let mut seen = Vec::new();
     for (key, value) in pairs {
-        if key == MEASURED {
-            match Measured::from_state(&value) {
-                Ok(m) => {
-                    params.sea.measured = Some(Arc::new(m));
-                    taken.push(MEASURED);
-                }
-                Err(reason) => notices.push(format!("measured: {reason}: ignored")),
+        match &*key {
+            MEASURED => {
+                reading.take(MEASURED, MeasuredSpectrum::from_state(&value), |p, m| p.sea.measured = Some(Arc::new(m)))
             }
-            continue;
-        }
-        if key == FLOATS {
-            match floats::read(&value) {
-                Ok(floats) => {
-                    params.floats = floats;
-                    taken.push(FLOATS);
-                }
-                Err(reason) => notices.push(format!("afloat: {reason}: ignored")),
+            FLOATS => reading.take(FLOATS, floats::read(&value), |p, floats| p.floats = floats),
+            SKY => {
+                reading.params.look.sky.file = SkyFile::named(&value);
+                reading.taken.extend(reading.params.look.sky.file.as_ref().map(|_| SKY));
             }
-            continue;
+            _ => reading.take_field(&key, &value, &mut seen),
         }
-        if key == SKY {
-            params.look.sky.file = SkyFile::named(&value);
-            if params.look.sky.file.is_some() {
-                taken.push(SKY);
+    }
+    limit(&mut reading.notices);
+    reading.taken.sort_unstable();
+    reading.taken.dedup();
+    reading
+}
+
+impl StateReading {
+    /// Takes a value with a key outside of [`FIELDS`], or notes why it cannot be read.
+    fn take<T>(&mut self, key: &'static str, value: Result<T, String>, set: impl FnOnce(&mut Params, T)) {
+        match value {
+            Ok(value) => {
+                set(&mut self.params, value);
+                self.taken.push(key);
             }
-            continue;
+            Err(reason) => self.notices.push(format!("{key}: {reason}: ignored")),
         }
-        let Some(field) = fields::find(&key) else {
-            notices.push(format!("unknown setting \"{}\" ignored", shown(&key)));
-            continue;
+    }
+
+    /// Takes the value of a field; `seen` holds the keys before it.
+    fn take_field(&mut self, key: &str, value: &str, seen: &mut Vec<&'static str>) {
+        let Some(field) = fields::find(key) else {
+            self.notices.push(format!("unknown setting \"{}\" ignored", quoted(key)));
+            return;
         };
-        if seen.contains(&field.key) {
-            notices.push(format!("{} appears more than once: the last one counts", field.key));
+        let key = field.key;
+        if seen.contains(&key) {
+            self.notices.push(format!("{key} appears more than once: the last one counts"));
         } else {
-            seen.push(field.key);
+            seen.push(key);
         }
-        match field.parse(&value) {
-            Ok(v) => {
-                (field.set)(&mut params, v);
-                taken.push(field.key);
-            }
+        let parsed = field.parse(value);
+        match parsed {
+            Ok(_) => {}
             Err(Refusal::Ignored) => {
-                notices.push(format!("{}={} is not one of: {}", field.key, shown(&value), field.range()));
+                self.notices.push(format!("{key}={} is not one of: {}", quoted(value), field.range()));
             }
             Err(Refusal::Clamped(v)) => {
-                (field.set)(&mut params, v);
-                taken.push(field.key);
-                notices.push(format!(
-                    "{}={} is outside {}: {} taken",
-                    field.key,
-                    shown(&value),
-                    field.range(),
-                    field.format(v)
-                ));
+                let (range, taken) = (field.range(), field.format(v));
+                self.notices.push(format!("{key}={} is outside {range}: {taken} taken", quoted(value)));
             }
         }
+        let (Ok(taken) | Err(Refusal::Clamped(taken))) = parsed else { return };
+        (field.set)(&mut self.params, taken);
+        self.taken.push(key);
     }
-    if notices.len() > MAX_NOTICES {
-        let more = notices.len() - MAX_NOTICES;
-        notices.truncate(MAX_NOTICES);
-        notices.push(format!("and {more} more"));
-    }
-    taken.sort_unstable();
-    taken.dedup();
-    Reading { params, taken, notices }
 }
 
 /// Writes the values that differ from the default, in the order of [`FIELDS`], percent-encoded, without a `?`.
 pub fn write(params: &Params) -> String {
-    write_by(params, STEPS)
+    write_with(params, VERSION_STEPS)
 }
 
-/// As [`write`], where these steps lead to the newest version.
-fn write_by(params: &Params, steps: &[Step]) -> String {
+/// [`write()`] with the given steps to the newest version.
+fn write_with(params: &Params, steps: &[VersionStep]) -> String {
     let defaults = Params::default();
     let mut out = form_urlencoded::Serializer::new(String::new());
     if let Some(version) = versions::to_write(steps) {
@@ -158,23 +147,14 @@ fn write_by(params: &Params, steps: &[Step]) -> String {
     out.finish()
 }
 
-/// What stands between `?` and `#` of a URL; a bare state string as it is.
+/// The part between `?` and `#` of a URL; a bare state string unchanged.
 fn query_part(text: &str) -> &str {
-    let text = text.trim();
-    let text = text.split('#').next().unwrap_or_default();
+    let text = text.trim().split('#').next().unwrap_or_default();
     match text.split_once('?') {
         Some((_, query)) => query,
         None if text.contains("://") => "",
         None => text,
     }
-}
-
-fn shown(text: &str) -> String {
-    let mut short: String = text.chars().filter(|c| !c.is_control()).take(MAX_SHOWN).collect();
-    if text.chars().count() > MAX_SHOWN {
-        short.push('…');
-    }
-    short
 }
 
 #[cfg(test)]
@@ -228,9 +208,9 @@ mod tests {
         assert_eq!(r.taken, ["fetch", "gamma", "sky", "wind"]);
     }
 
-    /// Two versions that never were: the second took the wind in m/s where the first had knots, the third named the seed `seed`
-    /// instead of `draw` and made 100 km of fetch the default's 150.
-    const MADE_UP: &[Step] = &[in_metres_a_second, with_another_default];
+    /// Two invented steps. Version 1 has the wind in knots, version 2 in m/s; version 3 renames `draw` to `seed` and
+    /// changes the default fetch from 100 to 150 km.
+    const MADE_UP: &[VersionStep] = &[in_metres_a_second, with_another_default];
 
     fn in_metres_a_second(mut pairs: Pairs<'_>) -> Pairs<'_> {
         for (_, value) in pairs.iter_mut().filter(|(key, _)| key == "wind") {
@@ -262,11 +242,11 @@ mod tests {
             ("?v=3", "v=3"),
             ("", "v=3&fetch=100"),
         ] {
-            let Reading { params, notices, .. } = read_by(link, MADE_UP);
-            assert_eq!((write_by(&params, MADE_UP).as_str(), notices), (want, vec![]), "{link}");
-            assert_eq!(read_by(want, MADE_UP).params, params, "{link}");
+            let StateReading { params, notices, .. } = read_with(link, MADE_UP);
+            assert_eq!((write_with(&params, MADE_UP).as_str(), notices), (want, vec![]), "{link}");
+            assert_eq!(read_with(want, MADE_UP).params, params, "{link}");
         }
-        assert_eq!(read_by("v=2&wind=20&wrong=1", MADE_UP).taken, ["fetch", "wind"]);
+        assert_eq!(read_with("v=2&wind=20&wrong=1", MADE_UP).taken, ["fetch", "wind"]);
     }
 
     #[test]
@@ -276,11 +256,11 @@ mod tests {
             ("v=0&wind=20", "read as the newest"),
             ("v=a&wind=20", "read as the newest"),
         ] {
-            let Reading { params, notices, .. } = read_by(link, MADE_UP);
+            let StateReading { params, notices, .. } = read_with(link, MADE_UP);
             assert_eq!(params.sea.local().wind_m_s, 20.0, "{link}");
             assert!(notices.len() == 1 && notices[0].contains(says), "{notices:?}");
         }
-        // Today there is one version, and no string names it.
+        // The program has one version, and no string names it.
         assert_eq!((parse("v=1&wind=20").1, write(&parse("v=1&wind=20").0)), (vec![], "wind=20".to_owned()));
         assert_eq!(parse("v=2&wind=20").1.len(), 1);
     }

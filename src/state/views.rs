@@ -1,22 +1,25 @@
-//! What can be shown instead of the picture: a map of the simulation, or a quantity of the drawn surface, in false colours.
+//! Views that replace the picture, in false colours: maps of the simulation, and quantities of the drawn surface.
 
-/// What is shown instead of the picture.
+use super::field::FieldKind::Choice;
+use super::field::{FieldValue, integer, parameters};
+
+/// The picture, or a view that replaces it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
     /// The picture.
     Picture,
-    /// A map of the simulation, texel by texel, north up.
+    /// A map of the simulation, one texel beside the other, north up.
     Map(Map),
-    /// A quantity on the mesh, seen by the camera.
+    /// A quantity of the drawn surface, seen by the camera.
     Surface(Surface),
 }
 
-/// The maps; the discriminants are those of `debug_map.wgsl`.
+/// A map of the simulation. `debug.kind` in `views/map.wgsl` is the discriminant plus 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Map {
-    /// |h0(k)|.
+    /// Initial spectrum, |h0(k)|.
     InitialSpectrum,
-    /// h(k, t).
+    /// Spectrum at the current time, h(k, t).
     Spectrum,
     /// East displacement.
     Dx,
@@ -36,40 +39,37 @@ pub enum Map {
     StretchZ,
     /// Mean of (d eta/dx)^2 over two by two texels.
     MomentXx,
-    /// Mean of (d eta/dz)^2.
+    /// Mean of (d eta/dz)^2 over two by two texels.
     MomentZz,
-    /// Mean of d eta/dx d eta/dz.
+    /// Mean of d eta/dx d eta/dz over two by two texels.
     MomentXz,
-    /// Jacobian of one cascade alone.
+    /// Jacobian of one cascade.
     Jacobian,
-    /// Foam of a level.
+    /// Foam on one foam level.
     Foam,
-    /// Where foam forms on a level.
+    /// Source of foam on one foam level.
     Source,
 }
 
-/// What is shown on the mesh; the discriminants are those of `debug_water.wgsl`.
+/// A quantity of the drawn surface. `debug.kind` in `views/surface.wgsl` is the discriminant plus 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Surface {
     /// Unit normal: east red, north green, up blue.
     Normals,
     /// Jacobian of the sum of all cascades.
     Jacobian,
-    /// Variance of the slopes that the pixel does not resolve.
+    /// Slope variance that the pixel does not resolve.
     Roughness,
-    /// Level of the mips that a cascade is read from.
+    /// Mip level at which a cascade is sampled.
     Mips,
-    /// Share of the pixel that is foam.
+    /// Share of the pixel that foam covers.
     Foam,
-    /// The triangles.
+    /// Triangles of the mesh.
     Wireframe,
 }
 
-/// A view: its word in the state string, what it is, and the name in its caption.
-pub type Row = (&'static str, Shown, &'static str);
-
-/// All views, in the order in which a key goes through them.
-pub const VIEWS: &[Row] = &[
+/// Word in the state string and caption of every view, in the order in which a key goes through them.
+pub const VIEWS: &[(&str, Shown, &str)] = &[
     ("picture", Shown::Picture, "Picture"),
     ("h0", Shown::Map(Map::InitialSpectrum), "Initial spectrum |h0(k)|"),
     ("spectrum", Shown::Map(Map::Spectrum), "Spectrum h(k, t), phase as hue"),
@@ -95,47 +95,72 @@ pub const VIEWS: &[Row] = &[
     ("wireframe", Shown::Surface(Surface::Wireframe), "Mesh"),
 ];
 
-/// What stands instead of the picture, as a user sets it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Choice {
-    /// What is shown.
-    pub shown: Shown,
-    /// Which cascade (or level of the foam), 1 to 4; 0 is all of them.
-    pub cascade: u32,
-}
-
-impl Default for Choice {
-    fn default() -> Self {
-        Self { shown: Shown::Picture, cascade: 0 }
+/// Words of [`VIEWS`].
+const WORDS: [&str; VIEWS.len()] = {
+    let mut words = [""; VIEWS.len()];
+    let mut i = 0;
+    while i < words.len() {
+        words[i] = VIEWS[i].0;
+        i += 1;
     }
-}
+    words
+};
 
-impl Choice {
+impl Shown {
+    /// Place in [`VIEWS`].
     fn place(self) -> usize {
-        VIEWS.iter().position(|(_, shown, _)| *shown == self.shown).unwrap_or(0)
+        VIEWS.iter().position(|(_, shown, _)| *shown == self).unwrap_or(0)
+    }
+}
+
+impl FieldValue for Shown {
+    fn to_f64(self) -> f64 {
+        self.place() as f64
     }
 
-    /// Its name for people.
+    fn from_f64(value: f64) -> Self {
+        VIEWS[value as usize].1
+    }
+}
+
+parameters! {
+    /// The chosen view.
+    #[derive(Copy, Eq)]
+    pub struct ViewChoice {
+        /// View that replaces the picture (key V). Maps of the simulation, texel by texel: h0, the initial spectrum;
+        /// spectrum, at this time; dx, height, dz, the displacement; dxdz, dxdx, dzdz, its derivatives; slopex, slopez,
+        /// the slopes; momentxx, momentzz, momentxz, the slope moments; jacobian of one cascade; foam; source, where
+        /// foam forms. On the surface: normals; folding, the Jacobian of all cascades; roughness, the slope variance
+        /// within the pixel; mips, the mip level; coverage of foam; wireframe.
+        shown: Shown = Shown::Picture => ("view", "View", "", Choice(&WORDS)),
+        /// Cascade that a view shows, the longest waves first, or foam level, the finest first. 0 shows all side by
+        /// side, and the mips of the finest cascade.
+        cascade: u32 = 0 => ("viewcascade", "View of cascade", "", integer(0, 4), "all"),
+    }
+}
+
+impl ViewChoice {
+    /// Caption of the view.
     pub fn name(self) -> &'static str {
-        VIEWS[self.place()].2
+        VIEWS[self.shown.place()].2
     }
 
-    /// The view that comes `by` places later, around the circle.
+    /// The view `by` places further in [`VIEWS`], which is a circle.
     #[must_use]
     pub fn turned(self, by: isize) -> Self {
-        let at = (self.place() as isize + by).rem_euclid(VIEWS.len() as isize);
+        let at = (self.shown.place() as isize + by).rem_euclid(VIEWS.len() as isize);
         Self { shown: VIEWS[at as usize].1, ..self }
     }
 
-    /// Layers of the maps that are shown, from 0, of `most`.
-    pub fn layers(self, most: usize) -> std::ops::Range<usize> {
+    /// Layers that are shown, from 0, of a map with `count` layers.
+    pub fn layers(self, count: usize) -> std::ops::Range<usize> {
         match (self.shown, self.cascade as usize) {
-            (Shown::Map(_), 0) => 0..most,
-            // On the mesh the finest cascade is the one whose mips are seen.
-            (_, 0) => most.saturating_sub(1)..most,
-            (_, one) => {
-                let last = one.min(most);
-                last.saturating_sub(1)..last
+            (Shown::Map(_), 0) => 0..count,
+            // Views of the surface show the mips of one cascade: by default the finest.
+            (_, 0) => count.saturating_sub(1)..count,
+            (_, cascade) => {
+                let end = cascade.min(count);
+                end.saturating_sub(1)..end
             }
         }
     }
@@ -147,7 +172,7 @@ mod tests {
 
     #[test]
     fn a_key_goes_around_all_views() {
-        let start = Choice::default();
+        let start = ViewChoice::default();
         let mut seen = vec![start];
         while seen.len() < VIEWS.len() {
             seen.push(seen[seen.len() - 1].turned(1));
@@ -164,7 +189,7 @@ mod tests {
         for (_, shown, _) in VIEWS {
             for cascade in 0..=4 {
                 for most in 1..=4 {
-                    let layers = Choice { shown: *shown, cascade }.layers(most);
+                    let layers = ViewChoice { shown: *shown, cascade }.layers(most);
                     assert!(!layers.is_empty() && layers.end <= most, "{shown:?} {cascade} of {most}: {layers:?}");
                 }
             }

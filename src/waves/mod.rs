@@ -4,23 +4,23 @@
 
 pub mod beaufort;
 pub mod cascades;
+pub mod colour_scale;
 pub mod dispersion;
 pub mod energy;
+mod fft;
 pub mod foam;
+pub mod map_spectrum;
 pub mod noise;
 pub mod overlap;
 pub mod plan;
 pub mod quadrature;
 pub mod record;
-pub mod scale;
 pub mod slopes;
 pub mod spectra;
 pub mod spreading;
 pub mod statistics;
-pub mod survey;
 pub mod system;
 pub mod table;
 pub mod tiling;
-mod transform;
 
 pub use plan::Plan;

@@ -1,8 +1,9 @@
-//! Randomness without state: an integer hash of (seed, cascade key, wave-vector index), bit for bit the same in WGSL.
-//!
-//! The index is the signed one, so the noise of a wave does not change when n does.
+//! Random numbers as an integer hash of the seed, the cascade key and the signed wave-vector index, bit for bit the
+//! same in WGSL. The noise of a wave does not depend on the FFT size.
 
-/// `pcg4d` of Jarzynski and Olano, "Hash Functions for GPU Rendering", 2020.
+use std::f64::consts::TAU;
+
+/// The hash `pcg4d` of four words to four words (Jarzynski and Olano, "Hash Functions for GPU Rendering", 2020).
 pub fn pcg4d(v: [u32; 4]) -> [u32; 4] {
     let mut v = v.map(|x| x.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
     let mix = |v: &mut [u32; 4]| {
@@ -17,17 +18,18 @@ pub fn pcg4d(v: [u32; 4]) -> [u32; 4] {
     v
 }
 
-/// The two random words of one wave: radius and angle of a complex Gaussian.
+/// Two random words for the wave with signed index (ix, iz): radius and angle of [`gaussian`].
 pub fn words(seed: u32, key: u32, ix: i32, iz: i32) -> [u32; 2] {
     let h = pcg4d([ix as u32, iz as u32, key, seed]);
     [h[0], h[1]]
 }
 
-/// (xr, xi), independent N(0, 1): Box-Muller, the radius' uniform in (0, 1) so that no infinity exists.
+/// Two independent N(0, 1) numbers by the Box-Muller transform. The first word becomes a uniform number in the open
+/// interval (0, 1), so that the result is finite.
 pub fn gaussian(words: [u32; 2]) -> [f64; 2] {
     let u = (f64::from(words[0] >> 9) + 0.5) / f64::from(1u32 << 23);
     let radius = (-2.0 * u.ln()).sqrt();
-    let angle = f64::from(words[1]) * (std::f64::consts::TAU / 4_294_967_296.0);
+    let angle = f64::from(words[1]) * (TAU / 4_294_967_296.0);
     [radius * angle.cos(), radius * angle.sin()]
 }
 

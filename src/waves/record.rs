@@ -1,37 +1,35 @@
-//! What a record of heights at one point tells: its spectrum after Welch (1967).
+//! Spectrum of a record of heights at one point, by the method of Welch (1967).
 
-use super::transform::Transform;
+use super::fft::Fft;
 use std::f64::consts::TAU;
 
-/// Samples of a segment: long enough to tell two swells apart, short enough for an average of several.
+/// Samples in a segment: long enough to separate two swells, short enough to average several segments.
 const SEGMENT: usize = 512;
 
-/// S(omega) of a record sampled `rate_hz` times a second: pairs of omega (rad/s) and density (m^2 s), from segments that
-/// overlap by half, each with its mean taken off and a Hann window. Empty if the record is shorter than one segment.
+/// One-sided variance density S(omega) of `heights_m`, sampled at `rate_hz`, as pairs of omega (rad/s) and density (m^2
+/// s).
+///
+/// The mean of periodograms of segments that overlap by half, each without its mean and with a Hann window. The last
+/// segment ends at the newest sample. Empty if the record is shorter than one segment.
 pub fn spectrum(heights_m: &[f64], rate_hz: f64) -> Vec<[f64; 2]> {
-    let segments = if heights_m.len() < SEGMENT { 0 } else { (heights_m.len() - SEGMENT) / (SEGMENT / 2) + 1 };
-    if segments == 0 {
-        return Vec::new();
-    }
+    const HOP: usize = SEGMENT / 2;
+    let Some(spare) = heights_m.len().checked_sub(SEGMENT) else { return Vec::new() };
+    let segments = spare / HOP + 1;
     let window: Vec<f64> = (0..SEGMENT).map(|i| 0.5 - 0.5 * (TAU * i as f64 / SEGMENT as f64).cos()).collect();
-    let power: f64 = window.iter().map(|w| w * w).sum();
-    let transform = Transform::new(SEGMENT);
-    let mut sum = vec![0.0; SEGMENT / 2 + 1];
-    for s in 0..segments {
-        // The newest samples always count: segments are laid from the end.
-        let first = heights_m.len() - SEGMENT - (segments - 1 - s) * (SEGMENT / 2);
-        let part = &heights_m[first..first + SEGMENT];
-        let mean = part.iter().sum::<f64>() / SEGMENT as f64;
-        let mut line: Vec<[f64; 2]> = part.iter().zip(&window).map(|(h, w)| [(h - mean) * w, 0.0]).collect();
-        transform.run(&mut line);
-        for (sum, x) in sum.iter_mut().zip(&line) {
-            *sum += x[0] * x[0] + x[1] * x[1];
-        }
+    let window_power: f64 = window.iter().map(|w| w * w).sum();
+    let fft = Fft::new(SEGMENT);
+    let mut power = vec![0.0; SEGMENT / 2 + 1];
+    for s in (0..segments).rev() {
+        let segment = &heights_m[spare - s * HOP..][..SEGMENT];
+        let mean = segment.iter().sum::<f64>() / SEGMENT as f64;
+        let mut line: Vec<[f64; 2]> = segment.iter().zip(&window).map(|(h, w)| [(h - mean) * w, 0.0]).collect();
+        fft.forward(&mut line);
+        power.iter_mut().zip(&line).for_each(|(sum, x)| *sum += x[0] * x[0] + x[1] * x[1]);
     }
-    // Both signs of the frequency, per rad/s.
-    let unit = 2.0 / (segments as f64 * power * rate_hz * TAU);
+    // One-sided, and per rad/s instead of per bin.
+    let unit = 2.0 / (segments as f64 * window_power * rate_hz * TAU);
     let omega = |i: usize| TAU * rate_hz * i as f64 / SEGMENT as f64;
-    sum.iter().enumerate().skip(1).map(|(i, x)| [omega(i), x * unit]).collect()
+    power.iter().enumerate().skip(1).map(|(i, x)| [omega(i), x * unit]).collect()
 }
 
 #[cfg(test)]
@@ -62,7 +60,7 @@ mod tests {
         let step = spectrum[1][0] - spectrum[0][0];
         let hs = 4.0 * spectrum.iter().map(|p| p[1] * step).sum::<f64>().sqrt();
         let want = plan.hs_m();
-        // Half an hour of one sea: a few hundred waves.
+        // Half an hour holds only a few hundred waves.
         assert!((hs / want - 1.0).abs() < 0.15, "{hs} {want}");
         assert_eq!(super::spectrum(&heights[..100], 2.0), Vec::<[f64; 2]>::new());
     }

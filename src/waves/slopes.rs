@@ -1,25 +1,27 @@
-//! Slopes along and across the wind: what the sea has, and what the cascades hold of it.
+//! Mean square slopes along and across the local wind: the clean sea surface of Cox and Munk (1954), the part that the
+//! cascades resolve, and the residual, which only the shading uses.
 
 use super::plan::Plan;
 use super::system::{Directions, WaveSystem, angle};
 use std::f64::consts::{PI, TAU};
 
-/// Mean square slopes along and across the local wind.
+/// Mean square slopes along and across the local wind, dimensionless.
 pub type SlopeVariance = [f64; 2];
 
-/// Steps of the quadratures.
+/// Steps of the quadratures over frequency and direction.
 const STEPS: usize = 64;
 
-/// The clean sea's, 0.00316 U and 0.003 + 0.00192 U (Cox and Munk 1954).
+/// Mean square slopes of a clean sea surface, 0.00316 U and 0.003 + 0.00192 U (Cox and Munk 1954).
 pub fn cox_munk(wind_m_s: f64) -> SlopeVariance {
     [0.00316 * wind_m_s, 0.003 + 0.00192 * wind_m_s]
 }
 
-/// What the waves of a plan between two wave numbers, rad/m, have.
-pub fn between(plan: &Plan, low: f64, high: f64) -> SlopeVariance {
+/// Mean square slopes of the waves with wave numbers from `k_low` to `k_high`, rad/m: the integral of k^2 S(omega) and
+/// the mean of cos^2 or sin^2 of the angle to the wind.
+pub fn between(plan: &Plan, k_low: f64, k_high: f64) -> SlopeVariance {
     let (first, last) = plan.support();
-    let from = first.max(if low > 0.0 { plan.dispersion.omega(low) } else { 0.0 });
-    let to = last.min(plan.dispersion.omega(high));
+    let from = first.max(if k_low > 0.0 { plan.dispersion.omega(k_low) } else { 0.0 });
+    let to = last.min(plan.dispersion.omega(k_high));
     if plan.is_calm() || from >= to {
         return [0.0; 2];
     }
@@ -29,7 +31,7 @@ pub fn between(plan: &Plan, low: f64, high: f64) -> SlopeVariance {
         let omega = from * (step * (i as f64 + 0.5)).exp();
         let weight = omega * step * plan.dispersion.wave_number(omega).powi(2);
         for system in &plan.systems {
-            let along = cosine_square(system, omega, plan.downwind);
+            let along = mean_cos2(system, omega, plan.downwind);
             let mss = weight * system.spectrum.density(omega);
             sum[0] += mss * along;
             sum[1] += mss * (1.0 - along);
@@ -38,7 +40,7 @@ pub fn between(plan: &Plan, low: f64, high: f64) -> SlopeVariance {
     sum
 }
 
-/// What all cascades of a plan hold.
+/// Mean square slopes that all cascades of a plan resolve.
 pub fn resolved(plan: &Plan) -> SlopeVariance {
     plan.held()
         .into_iter()
@@ -46,14 +48,16 @@ pub fn resolved(plan: &Plan) -> SlopeVariance {
         .fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])
 }
 
-/// What is left of Cox and Munk's slopes beyond the cascades; never below 0.
+/// Mean square slopes of Cox and Munk minus `resolved`, at least 0.
 pub fn residual(plan: &Plan, resolved: SlopeVariance) -> SlopeVariance {
-    let whole = cox_munk(plan.sea.local().wind_m_s);
-    [(whole[0] - resolved[0]).max(0.0), (whole[1] - resolved[1]).max(0.0)]
+    let total = cox_munk(plan.sea.local().wind_m_s);
+    [0, 1].map(|axis| (total[axis] - resolved[axis]).max(0.0))
 }
 
-/// Length below which waves focus light closer to the surface than `reach_m` (depth times 1 - 1/n), so that their images on
-/// the bed overlap and even out: the waves longer than that have a strain of the refracted rays of some six tenths.
+/// Half the wavelength, m, below which waves form no distinct caustics on the bed.
+///
+/// Refracted rays converge with the strain `reach_m` times the curvature of the surface, where `reach_m` is the depth
+/// times 1 - n1/n2. Once the longer waves alone have a strain variance of 0.4, the images of shorter waves overlap.
 pub fn focusing_m(plan: &Plan, reach_m: f64) -> f64 {
     const STRAIN_VARIANCE: f64 = 0.4;
     let (low, high) = (plan.dispersion.wave_number(plan.support().0).max(1e-4), plan.k_max().max(2e-4));
@@ -69,21 +73,17 @@ pub fn focusing_m(plan: &Plan, reach_m: f64) -> f64 {
     PI / high
 }
 
-/// Mean of cos^2 of the angle to `axis` over the directions of a system at a frequency.
-fn cosine_square(system: &WaveSystem, omega: f64, axis: [f64; 2]) -> f64 {
-    let at = |i: usize| {
-        let (sin, cos) = (TAU * (i as f64 + 0.5) / STEPS as f64).sin_cos();
-        [cos, sin]
-    };
-    let square = |k: [f64; 2]| (k[0] * axis[0] + k[1] * axis[1]).powi(2);
+/// Mean of cos^2 of the angle between `axis` (unit vector x, z) and the directions of a system at one frequency.
+fn mean_cos2(system: &WaveSystem, omega: f64, axis: [f64; 2]) -> f64 {
     let mean = |density: &dyn Fn([f64; 2]) -> f64| {
-        let (mut sum, mut whole) = (0.0, 0.0);
-        for k in (0..STEPS).map(at) {
-            let d = density(k);
-            sum += d * square(k);
-            whole += d;
+        let (mut sum, mut total) = (0.0, 0.0);
+        for i in 0..STEPS {
+            let (sin, cos) = (TAU * (i as f64 + 0.5) / STEPS as f64).sin_cos();
+            let d = density([cos, sin]);
+            sum += d * (cos * axis[0] + sin * axis[1]).powi(2);
+            total += d;
         }
-        if whole > 0.0 { sum / whole } else { 0.5 }
+        if total > 0.0 { sum / total } else { 0.5 }
     };
     match system.directions(omega) {
         Directions::Measured(mem) => mean(&|k| mem.density(k[1].atan2(k[0]))),
@@ -120,7 +120,7 @@ mod tests {
     fn an_even_sea_has_no_axis() {
         let [along, across] = resolved(&plan("spread=isotropic"));
         assert!((along / across - 1.0).abs() < 1e-9);
-        // cos^2 over the circle has 3/4 along.
+        // For D = cos^2 / pi the mean of cos^2 is 3/4.
         let [along, across] = resolved(&plan("spread=cos2"));
         assert!((along / across - 3.0).abs() < 1e-2, "{along} {across}");
     }

@@ -1,4 +1,4 @@
-//! What is known of a sea without simulating it: integrals of the spectrum, and sums over the waves of the lattices.
+//! Wave statistics without a simulation: integrals of the spectrum, and sums over the waves of the lattices.
 
 use super::noise;
 use super::plan::{Cascade, Plan};
@@ -6,7 +6,18 @@ use super::quadrature::adaptive;
 use super::table::{Table, index};
 use std::f64::consts::TAU;
 
-/// Integrals of the spectrum by adaptive quadrature, independent of the plan's sums.
+/// Wave statistics from integrals of the spectrum by adaptive quadrature, independent of the sums in [`Plan`].
+///
+/// ```
+/// use seastate::state::query;
+/// use seastate::waves::{Plan, statistics::Theory};
+///
+/// let (params, notices) = query::parse("spectrum=jonswap&wind=10&fetch=100");
+/// assert!(notices.is_empty());
+/// let theory = Theory::new(&Plan::new(&params));
+/// assert!((theory.hs_m - 2.139).abs() < 0.002);
+/// assert!((theory.tp_s - 6.23).abs() < 0.01);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Theory {
     /// Variance of the elevation, m^2.
@@ -15,32 +26,32 @@ pub struct Theory {
     pub hs_m: f64,
     /// Peak period, s.
     pub tp_s: f64,
-    /// Mean period 2 pi m0 / m1, s, of the waves that the cascades can hold.
+    /// Mean period 2 pi m0 / m1 of the waves that the cascades resolve, s.
     pub tm01_s: f64,
-    /// Mean zero-crossing period 2 pi sqrt(m0 / m2), s, of the waves that the cascades can hold.
+    /// Mean zero-crossing period 2 pi sqrt(m0 / m2) of the waves that the cascades resolve, s.
     pub tm02_s: f64,
-    /// Wavelength of the peak, m.
+    /// Wavelength at the peak frequency, m.
     pub lambda_p_m: f64,
-    /// Wavelength of the mean period Tm01, m.
+    /// Wavelength for the mean period Tm01, m.
     pub lambda_mean_m: f64,
     /// Significant steepness Hs / lambda_p.
     pub steepness: f64,
-    /// Mean square slope of the waves that the cascades can hold.
+    /// Mean square slope of the waves that the cascades resolve.
     pub mss: f64,
-    /// Wave number at which `mss` and the mean periods end, rad/m.
+    /// Upper limit of the wave numbers in `mss` and the mean periods, rad/m.
     pub k_max: f64,
-    /// Mean direction that the waves come from, degrees clockwise from north; None where there is none.
+    /// Mean direction that the waves come from, degrees clockwise from north; `None` without a mean direction.
     pub mean_from_deg: Option<f64>,
     /// Energy-weighted directional spread sqrt(2 (1 - r1)), degrees.
     pub spread_deg: f64,
-    /// Benjamin-Feir index k_p sqrt(m0) Q_p sqrt(2 pi), Q_p = 2 / m0^2 int omega S^2 (Janssen and Bidlot 2009, deep water):
-    /// near 1 freak waves become likely in a narrow-banded long-crested sea.
+    /// Benjamin-Feir index k_p sqrt(m0) Q_p sqrt(2 pi) with Q_p = 2 / m0^2 int omega S^2 d omega (Janssen and Bidlot
+    /// 2009, deep water). Near 1, freak waves are likely in narrow-banded, long-crested seas.
     pub benjamin_feir: f64,
-    /// Whitecap coverage of the wind (Monahan and O'Muircheartaigh 1980).
+    /// Whitecap coverage of the local wind, see [`monahan_coverage`].
     pub whitecap_fraction: f64,
 }
 
-/// Sums over the waves that the cascades hold: expectations, no randomness.
+/// Expected statistics of the waves on the lattices of a plan.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Resolved {
     /// Variance of the elevation, m^2.
@@ -53,18 +64,19 @@ pub struct Resolved {
     pub tm02_s: f64,
     /// Mean square slope.
     pub mss: f64,
-    /// Share of the theory's m0.
+    /// Variance as a fraction of the theoretical m0.
     pub m0_fraction: f64,
-    /// First directional moment, the length of the mean of the waves' unit vectors.
+    /// First directional moment, 0 to 1: length of the energy-weighted mean of the waves' unit vectors.
     pub r1: f64,
-    /// Mean direction that the waves come from, degrees; None where there is none.
+    /// Mean direction that the waves come from, degrees clockwise from north; `None` without a mean direction.
     pub mean_from_deg: Option<f64>,
     /// Energy-weighted directional spread, degrees.
     pub spread_deg: f64,
 }
 
+/// Relative tolerance of the integrals.
 const TOLERANCE: f64 = 1e-7;
-/// Below this first directional moment a mean direction means nothing.
+/// First directional moment below which a sea has no mean direction.
 pub const NO_DIRECTION: f64 = 0.01;
 
 impl Theory {
@@ -74,7 +86,7 @@ impl Theory {
         if plan.is_calm() {
             return Self { k_max, ..Self::default() };
         }
-        let waves = plan.dispersion;
+        let dispersion = plan.dispersion;
         let s = |w: f64| plan.density(w);
         let (low, high) = plan.support();
         let mut knots: Vec<f64> =
@@ -82,42 +94,39 @@ impl Theory {
         knots.extend(plan.systems.iter().map(|s| s.spectrum.support().0));
         knots.extend((1..8).map(|i| low * (high / low).powf(f64::from(i) / 8.0)));
         knots.sort_by(f64::total_cmp);
-        let over = |f: &dyn Fn(f64) -> f64, low: f64, high: f64, tolerance: f64| {
+        let integral = |f: &dyn Fn(f64) -> f64, low: f64, high: f64, tolerance: f64| {
             let inner = knots.iter().copied().filter(|&w| w > low && w < high);
             adaptive(f, &std::iter::once(low).chain(inner).chain([high]).collect::<Vec<_>>(), tolerance)
         };
-        // Between the wave numbers that the cascades hold.
-        let held: Vec<(f64, f64)> = (plan.held().into_iter())
-            .map(|(a, b)| (if a > 0.0 { waves.omega(a) } else { 0.0 }, waves.omega(b)))
+        let bands: Vec<(f64, f64)> = (plan.held().into_iter())
+            .map(|(a, b)| (if a > 0.0 { dispersion.omega(a) } else { 0.0 }, dispersion.omega(b)))
             .map(|(a, b)| (a.clamp(low, high), b.clamp(low, high)))
             .filter(|(a, b)| a < b)
             .collect();
-        let resolvable = |f: &dyn Fn(f64) -> f64| held.iter().map(|&(a, b)| over(f, a, b, TOLERANCE)).sum::<f64>();
-        let m0 = over(&s, low, high, TOLERANCE);
-        let [m0_held, m1, m2] = [0, 1, 2].map(|power| resolvable(&|w| w.powi(power) * s(w)));
-        let mss = resolvable(&|w| s(w) * waves.wave_number(w).powi(2));
+        let resolved = |f: &dyn Fn(f64) -> f64| bands.iter().map(|&(a, b)| integral(f, a, b, TOLERANCE)).sum::<f64>();
+        let m0 = integral(&s, low, high, TOLERANCE);
+        let [m0_resolved, m1, m2] = [0, 1, 2].map(|power| resolved(&|w| w.powi(power) * s(w)));
+        let mss = resolved(&|w| s(w) * dispersion.wave_number(w).powi(2));
         let toward = [0, 1].map(|axis| {
-            let moment = |w: f64| {
-                let of = plan.systems.iter().map(|s| s.spectrum.density(w) * s.first_moment(w)[axis]);
-                of.sum::<f64>()
-            };
-            over(&moment, low, high, 1e-5) / m0
+            let moment =
+                |w: f64| plan.systems.iter().map(|s| s.spectrum.density(w) * s.first_moment(w)[axis]).sum::<f64>();
+            integral(&moment, low, high, 1e-5) / m0
         });
         let r1 = toward[0].hypot(toward[1]);
         let omega_p = peak(s, plan.omega_p);
-        let k_p = waves.wave_number(omega_p);
-        let peakedness = 2.0 / (m0 * m0) * over(&|w| w * s(w).powi(2), low, high, 1e-6);
-        // Cascades by hand may hold nothing of the sea.
-        let tm01_s = if m1 > 0.0 { TAU * m0_held / m1 } else { 0.0 };
+        let k_p = dispersion.wave_number(omega_p);
+        let peakedness = 2.0 / (m0 * m0) * integral(&|w| w * s(w).powi(2), low, high, 1e-6);
+        // Cascades with bands set by hand may resolve no waves.
+        let tm01_s = if m1 > 0.0 { TAU * m0_resolved / m1 } else { 0.0 };
         let hs_m = 4.0 * m0.sqrt();
         Self {
             m0_m2: m0,
             hs_m,
             tp_s: TAU / omega_p,
             tm01_s,
-            tm02_s: if m2 > 0.0 { TAU * (m0_held / m2).sqrt() } else { 0.0 },
+            tm02_s: if m2 > 0.0 { TAU * (m0_resolved / m2).sqrt() } else { 0.0 },
             lambda_p_m: TAU / k_p,
-            lambda_mean_m: if tm01_s > 0.0 { TAU / waves.wave_number(TAU / tm01_s) } else { 0.0 },
+            lambda_mean_m: if tm01_s > 0.0 { TAU / dispersion.wave_number(TAU / tm01_s) } else { 0.0 },
             steepness: hs_m * k_p / TAU,
             mss: mss.max(0.0),
             k_max,
@@ -130,37 +139,40 @@ impl Theory {
 }
 
 impl Resolved {
-    /// Sums over the lattices of a plan; `theory_m0` is what the fraction refers to.
+    /// Sums over the lattices of a plan; `theory_m0` (m^2) is the reference of `m0_fraction`.
     pub fn new(plan: &Plan, theory_m0: f64) -> Self {
-        let mut sums = Sums::default();
+        let mut moments = SpectralMoments::default();
         for (cascade, table) in plan.cascades.iter().zip(Table::all(plan)) {
-            let half = plan.n as i32 / 2;
-            for iz in 1 - half..half {
-                for ix in 1 - half..half {
-                    let wave = &table.waves[index(ix, iz)];
-                    if wave.k > 0.0 {
-                        let unit = [f64::from(ix), f64::from(iz)].map(|i| i * cascade.dk() / wave.k);
-                        sums.add(4.0 * table.variance(ix, iz), wave.k, wave.omega, unit);
-                    }
+            for (ix, iz) in lattice(plan.n) {
+                let wave = &table.waves[index(ix, iz)];
+                if wave.k > 0.0 {
+                    let unit = [f64::from(ix), f64::from(iz)].map(|i| i * cascade.dk() / wave.k);
+                    moments.add(4.0 * table.variance(ix, iz), wave.k, wave.omega, unit);
                 }
             }
         }
-        sums.resolved(theory_m0)
+        moments.resolved(theory_m0)
     }
 }
 
-/// Sums of the variance of waves, m^2, times powers of their frequency and wave number.
+/// Signed indices (ix, iz) of an n x n lattice, row by row, without the Nyquist row and column.
+pub fn lattice(n: u32) -> impl Iterator<Item = (i32, i32)> {
+    let half = n as i32 / 2;
+    (1 - half..half).flat_map(move |iz| (1 - half..half).map(move |ix| (ix, iz)))
+}
+
+/// Moments of the variance of a set of waves.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Sums {
-    /// m0, m1, m2.
+pub struct SpectralMoments {
+    /// m0, m1, m2: sums of variance times omega^0, omega^1, omega^2, m^2 (rad/s)^i.
     pub m: [f64; 3],
     mss: f64,
-    /// Variance times the unit vector of travel (x, z).
+    /// Sum of variance times the unit vector of travel (x, z), m^2.
     pub toward: [f64; 2],
 }
 
-impl Sums {
-    /// Adds a wave of a variance (m^2), wave number, frequency and unit vector of travel (x, z).
+impl SpectralMoments {
+    /// Adds a wave with a variance (m^2), wave number (rad/m), frequency (rad/s) and unit vector of travel (x, z).
     pub fn add(&mut self, variance: f64, k: f64, omega: f64, unit: [f64; 2]) {
         for (power, m) in (0..).zip(&mut self.m) {
             *m += variance * omega.powi(power);
@@ -171,7 +183,7 @@ impl Sums {
         }
     }
 
-    /// What follows from the sums.
+    /// Statistics of the waves; `theory_m0` (m^2) is the reference of `m0_fraction`.
     pub fn resolved(&self, theory_m0: f64) -> Resolved {
         let [m0, m1, m2] = self.m;
         if m0 <= 0.0 {
@@ -197,7 +209,7 @@ pub fn from_deg([x, z]: [f64; 2]) -> f64 {
     (-x).atan2(z).to_degrees().rem_euclid(360.0)
 }
 
-/// Whitecap coverage by wind speed, W = 3.84e-6 U^3.41 (Monahan and O'Muircheartaigh 1980), at most 1.
+/// Whitecap coverage of a wind at 10 m, W = 3.84e-6 U^3.41 (Monahan and O'Muircheartaigh 1980), at most 1.
 pub fn monahan_coverage(wind_m_s: f64) -> f64 {
     (3.84e-6 * wind_m_s.powf(3.41)).min(1.0)
 }
@@ -207,44 +219,42 @@ pub fn cox_munk_mss(wind_m_s: f64) -> f64 {
     0.003 + 0.00512 * wind_m_s
 }
 
-/// h0(k) of a plan's seed for the wave (ix, iz) of a tabulated cascade, m; without the Nyquist row and column.
-pub fn drawn(plan: &Plan, cascade: &Cascade, table: &Table, ix: i32, iz: i32) -> [f64; 2] {
-    let amplitude = table.variance(ix, iz).sqrt();
-    noise::gaussian(noise::words(plan.sea.seed, cascade.key, ix, iz)).map(|x| x * amplitude)
+/// Initial amplitude h0(k) (re, im) of the wave (ix, iz) of a cascade for the plan's seed, m. `table` is the cascade's;
+/// the indices exclude the Nyquist row and column.
+pub fn initial_amplitude(plan: &Plan, cascade: &Cascade, table: &Table, ix: i32, iz: i32) -> [f64; 2] {
+    let deviation = table.variance(ix, iz).sqrt();
+    noise::gaussian(noise::words(plan.sea.seed, cascade.key, ix, iz)).map(|x| x * deviation)
 }
 
-/// Variance of the sea of a plan's seed at `t_s`, m^2, as the sum of the squared amplitudes that were drawn (Parseval).
-pub fn drawn_variance(plan: &Plan, t_s: f64) -> f64 {
+/// Variance at `t_s` of the sea that the plan's seed generates, m^2: the sum of |h(k, t)|^2 (Parseval's theorem).
+pub fn realised_variance(plan: &Plan, t_s: f64) -> f64 {
     let phase_time = plan.phase_time(t_s);
     let mut total = 0.0;
     for (cascade, table) in plan.cascades.iter().zip(Table::all(plan)) {
-        let half = plan.n as i32 / 2;
-        // A wave and its opposite make one pair: half of the lattice stands for all.
-        for iz in 0..half {
-            for ix in 1 - half..half {
-                let wave = &table.waves[index(ix, iz)];
-                if wave.k == 0.0 || (iz == 0 && ix <= 0) {
-                    continue;
-                }
-                let (a, b) = (drawn(plan, cascade, &table, ix, iz), drawn(plan, cascade, &table, -ix, -iz));
-                let phase = TAU * f64::from(wave.turns.wrapping_mul(phase_time)) / 4_294_967_296.0;
-                let (s, c) = phase.sin_cos();
-                // h(k) = a e^{-i phase} + conj(b) e^{i phase}; h(-k) is its conjugate.
-                let re = (a[0] + b[0]) * c + (a[1] + b[1]) * s;
-                let im = (a[1] - b[1]) * c + (b[0] - a[0]) * s;
-                total += 2.0 * (re * re + im * im);
+        // h(-k) is the conjugate of h(k), so half of the lattice is enough.
+        for (ix, iz) in lattice(plan.n).filter(|&(ix, iz)| iz > 0 || (iz == 0 && ix > 0)) {
+            let wave = &table.waves[index(ix, iz)];
+            if wave.k == 0.0 {
+                continue;
             }
+            let [a, b] = [1, -1].map(|sign| initial_amplitude(plan, cascade, &table, sign * ix, sign * iz));
+            let phase = TAU * f64::from(wave.turns.wrapping_mul(phase_time)) / 4_294_967_296.0;
+            let (s, c) = phase.sin_cos();
+            // h(k, t) = a e^{-i phase} + conj(b) e^{+i phase}.
+            let re = (a[0] + b[0]) * c + (a[1] + b[1]) * s;
+            let im = (a[1] - b[1]) * c + (b[0] - a[0]) * s;
+            total += 2.0 * (re * re + im * im);
         }
     }
     total
 }
 
-/// sqrt(2 (1 - r1)), degrees.
+/// Directional spread sqrt(2 (1 - r1)) for a first directional moment, degrees.
 pub fn spread_deg(r1: f64) -> f64 {
     (2.0 * (1.0 - r1).max(0.0)).sqrt().to_degrees()
 }
 
-/// Where `s` is largest: a coarse scan around `near`, then golden-section search.
+/// Frequency at which `s` is largest, rad/s: a scan from 0.9 to 1.125 times `near`, then a golden-section search.
 fn peak(s: impl Fn(f64) -> f64, near: f64) -> f64 {
     let scan = |i: i32| near * 0.9 * 1.25f64.powf(f64::from(i) / 400.0);
     let best = (0..=400).max_by(|&a, &b| s(scan(a)).total_cmp(&s(scan(b)))).unwrap_or(0);

@@ -1,31 +1,32 @@
-//! What must hold whatever bytes are read. The fuzz targets run these (fuzz/), and `tests/hostile.rs` over the kept cases.
-#![allow(dead_code, reason = "each target runs one of them")]
+//! Properties that hold for any bytes that are read. Each fuzz target (fuzz/) runs one of these checks; `tests/hostile.rs`
+//! runs all of them over the kept cases.
+#![allow(dead_code, reason = "each fuzz target runs one check")]
 
-use seastate::files::measured::{MAX_STATE_BYTES, Measured};
+use seastate::files::measured::{MAX_STATE_BYTES, MeasuredSpectrum};
 use seastate::files::{panorama, picture};
 use seastate::state::fields::FIELDS;
 use seastate::state::{Params, presets, query};
 use seastate::waves::Plan;
 
-/// Most columns and rows of a sky here: large ones only take longer.
+/// Most columns and rows of a sky image; small ones are read faster.
 const SKY: [usize; 2] = [256, 129];
-/// Stands between the files of one buoy.
+/// Separator between the files of one buoy.
 const NEXT_FILE: u8 = 0x1c;
 
-/// A target, which is the folder of its cases, too, and its check.
+/// Name of a fuzz target, which is the folder of its cases too, and its check.
 type Check = (&'static str, fn(&[u8]));
 
-/// Every check.
+/// All checks.
 pub const CHECKS: [Check; 5] = [("state", state), ("sky", sky), ("buoy", buoy), ("seas", seas), ("picture", picture)];
 
-/// A state string: reading never fails, and what was read is written in a form that is read back to the same.
+/// Reads a state string. Reading never fails, and the result is written in a form that is read back as the same state.
 pub fn state(bytes: &[u8]) {
     let (params, notices) = query::parse(&String::from_utf8_lossy(bytes));
     assert!(notices.len() <= 25);
     is_canonical(&params);
 }
 
-/// A file of a sky, cut short, lying or neither.
+/// Reads a sky file, which may be truncated or make false claims.
 pub fn sky(bytes: &[u8]) {
     let Ok(sky) = panorama::read_within("a.exr", bytes, SKY) else { return };
     assert!(sky.width <= SKY[0] && sky.height <= SKY[1]);
@@ -38,20 +39,20 @@ pub fn sky(bytes: &[u8]) {
     }
 }
 
-/// Files of a buoy, each a line with its name and what it holds; and the same bytes as a link carries them.
+/// Reads the files of one buoy, each with its name on the first line; then reads the same bytes as text of a link.
 pub fn buoy(bytes: &[u8]) {
     let named = |file: &[u8]| {
         let end = file.iter().position(|b| *b == b'\n').unwrap_or(0);
         (String::from_utf8_lossy(&file[..end]).into_owned(), file[end..].to_vec())
     };
     let files: Vec<_> = bytes.split(|b| *b == NEXT_FILE).map(named).collect();
-    let read = Measured::read(&files).map(|(sea, _)| sea);
-    let carried = Measured::from_state(&String::from_utf8_lossy(bytes));
+    let read = MeasuredSpectrum::read(&files).map(|(sea, _)| sea);
+    let carried = MeasuredSpectrum::from_state(&String::from_utf8_lossy(bytes));
     for sea in read.into_iter().chain(carried) {
         let text = sea.to_state();
         assert!(text.len() <= MAX_STATE_BYTES, "{} bytes", text.len());
-        assert_eq!(Measured::from_state(&text).as_ref(), Ok(&sea));
-        assert!(sea.hs_m().is_finite() && sea.omega_p() > 0.0 && sea.tail_m2().is_finite());
+        assert_eq!(MeasuredSpectrum::from_state(&text).as_ref(), Ok(&sea));
+        assert!(sea.hs_m().is_finite() && sea.omega_p() > 0.0 && sea.lowest_omega() > 0.0);
         let mut params = Params::default();
         params.sea.show_measured(sea);
         is_canonical(&params);
@@ -61,7 +62,7 @@ pub fn buoy(bytes: &[u8]) {
     }
 }
 
-/// A file of seas.
+/// Reads a file of named seas.
 pub fn seas(bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
     presets::is_file(&text);
@@ -75,7 +76,7 @@ pub fn seas(bytes: &[u8]) {
     }
 }
 
-/// A picture that may carry a state; and a state that a picture carries, whatever it says.
+/// Reads a picture that may carry a state, and writes and reads a picture with any text as its state.
 pub fn picture(bytes: &[u8]) {
     if let Ok(found) = picture::state_of(bytes) {
         state(found.as_bytes());
@@ -86,7 +87,7 @@ pub fn picture(bytes: &[u8]) {
     assert_eq!(found.ok().as_deref(), (text.len() <= query::MAX_BYTES).then_some(&*text));
 }
 
-/// Valid throughout, and the same again after a link.
+/// Checks that all parameters are valid and that a link brings them back unchanged.
 pub fn is_canonical(params: &Params) {
     for field in FIELDS.iter() {
         let value = (field.get)(params);

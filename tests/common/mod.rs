@@ -10,7 +10,7 @@ use seastate::ocean::{Film, Ocean};
 use seastate::shaders::Shaders;
 use seastate::shaders::fft::Way;
 use seastate::sim::{MapsF32, Simulation};
-use seastate::state::fields::{FIELDS, Kind};
+use seastate::state::fields::{FIELDS, FieldKind};
 use seastate::state::{Params, query};
 use seastate::waves::Plan;
 use seastate::waves::noise::pcg4d;
@@ -85,15 +85,15 @@ pub fn random_params(start: &str, number: u32) -> Params {
             continue;
         }
         let value = match field.kind {
-            Kind::Number { min, max, log: true } => min * (max / min).powf(u),
-            Kind::Number { min, max, .. } if dice[1] % 3 == 1 => min + (max - min) * u,
+            FieldKind::Number { min, max, log: true } => min * (max / min).powf(u),
+            FieldKind::Number { min, max, .. } if dice[1] % 3 == 1 => min + (max - min) * u,
             // Ranges from 0 upwards hold most of what is interesting near 0.
-            Kind::Number { min, max, .. } => min + (max - min) * u.powi(6),
-            Kind::Integer { min, max } => (f64::from(min) + (f64::from(max) - f64::from(min)) * u).round(),
-            Kind::Choice(words) => (u * words.len() as f64).floor().min(words.len() as f64 - 1.0),
-            Kind::Heading => 359.9 * u,
-            Kind::Flag => u.round(),
-            Kind::Colour => (u * f64::from(0x0100_0000)).floor(),
+            FieldKind::Number { min, max, .. } => min + (max - min) * u.powi(6),
+            FieldKind::Integer { min, max } => (f64::from(min) + (f64::from(max) - f64::from(min)) * u).round(),
+            FieldKind::Choice(words) => (u * words.len() as f64).floor().min(words.len() as f64 - 1.0),
+            FieldKind::Heading => 359.9 * u,
+            FieldKind::Flag => u.round(),
+            FieldKind::Colour => (u * f64::from(0x0100_0000)).floor(),
         };
         (field.set)(&mut p, field.accept(value).unwrap_or(field.default_value()));
     }

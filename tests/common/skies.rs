@@ -1,10 +1,10 @@
-//! Skies that the tests make up.
+//! Synthetic skies for tests.
 
 use seastate::files::panorama::Panorama;
 use seastate::state::look::SkyFile;
 use std::sync::Arc;
 
-/// A made-up sky, blue above and white on the horizon, its sun 30 degrees high at a heading.
+/// A sky that is blue above and white at the horizon, with its sun at an elevation of 30 degrees and the given azimuth.
 pub fn made_up_sky(sun_azimuth_deg: f64) -> SkyFile {
     let (width, height) = (512, 256);
     let (a, e) = (sun_azimuth_deg.to_radians(), 30f64.to_radians());

@@ -8,7 +8,7 @@ pub mod time;
 use super::access::named;
 use super::{App, plots};
 use crate::state::fields::{FIELDS, Group};
-use crate::state::floats::Kind;
+use crate::state::floats::FloatKind;
 use crate::state::{Params, query};
 use crate::waves::beaufort;
 
@@ -238,10 +238,10 @@ fn views(app: &mut App, ui: &mut egui::Ui) {
 /// Buoys and boats.
 fn afloat(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
-        for (word, kind) in Kind::ALL {
+        for kind in FloatKind::ALL {
             let on = app.placing == Some(kind);
             let help = "Then click on the sea where it shall be moored.";
-            if ui.selectable_label(on, format!("Moor a {word}")).on_hover_text(help).clicked() {
+            if ui.selectable_label(on, format!("Moor a {}", kind.word())).on_hover_text(help).clicked() {
                 app.placing = (!on).then_some(kind);
             }
         }

@@ -3,7 +3,7 @@
 use super::super::access::named;
 use super::super::units::Scale;
 use crate::state::Params;
-use crate::state::fields::{FIELDS, Field, Group, Kind, Refusal};
+use crate::state::fields::{FIELDS, Field, FieldKind, Group, Refusal};
 use crate::state::params::Units;
 
 /// Whether a parameter answers a search: every word stands in its name, key, group or explanation.
@@ -54,15 +54,15 @@ fn row(params: &mut Params, field: &'static Field, units: Units, ui: &mut egui::
 
 fn edit(field: &'static Field, value: &mut f64, units: Units, ui: &mut egui::Ui) -> egui::Response {
     match field.kind {
-        Kind::Number { min, max, log } => number(field, value, (min, max, log), units, ui),
-        Kind::Heading => ui.add(egui::Slider::new(value, 0.0..=360.0).suffix("°").max_decimals(1)),
-        Kind::Integer { min, max } if max > 1000 => {
+        FieldKind::Number { min, max, log } => number(field, value, (min, max, log), units, ui),
+        FieldKind::Heading => ui.add(egui::Slider::new(value, 0.0..=360.0).suffix("°").max_decimals(1)),
+        FieldKind::Integer { min, max } if max > 1000 => {
             ui.add(egui::DragValue::new(value).range(f64::from(min)..=f64::from(max)).max_decimals(0))
         }
-        Kind::Integer { min, max } => {
+        FieldKind::Integer { min, max } => {
             ui.add(with_zero(field, egui::Slider::new(value, f64::from(min)..=f64::from(max)).integer(), 1.0, units))
         }
-        Kind::Choice(words) => {
+        FieldKind::Choice(words) => {
             let mut index = *value as usize;
             let response = egui::ComboBox::from_id_salt(field.key)
                 .selected_text(words[index.min(words.len() - 1)])
@@ -75,13 +75,13 @@ fn edit(field: &'static Field, value: &mut f64, units: Units, ui: &mut egui::Ui)
             *value = index as f64;
             response
         }
-        Kind::Flag => {
+        FieldKind::Flag => {
             let mut on = *value != 0.0;
             let response = ui.checkbox(&mut on, "");
             *value = f64::from(u8::from(on));
             response
         }
-        Kind::Colour => colour(field, value, ui),
+        FieldKind::Colour => colour(field, value, ui),
     }
 }
 
@@ -131,7 +131,7 @@ fn with_zero<'a>(field: &'static Field, slider: egui::Slider<'a>, factor: f64, u
     let scale = Scale::of_field(field, units);
     let unit = scale.suffix();
     // From nothing to a hundred kilometres: without a scale of its own a slider could only jump.
-    let most = if let Kind::Number { max, .. } = field.kind { max * factor } else { 0.0 };
+    let most = if let FieldKind::Number { max, .. } = field.kind { max * factor } else { 0.0 };
     let wide = !field.zero.is_empty() && most > 100.0 * factor;
     let slider = if wide { slider.logarithmic(true).smallest_positive(1e-6 * most) } else { slider };
     slider

@@ -1,12 +1,13 @@
-//! The maximum entropy distribution (Lygre and Krogstad 1986, J. Phys. Oceanogr. 16, 2052-2060).
+//! The maximum entropy method (MEM) for directional distributions (Lygre and Krogstad 1986, J. Phys. Oceanogr. 16,
+//! 2052-2060). Complex numbers are (re, im).
 
 use std::f64::consts::TAU;
 
-/// Largest size of both reflection coefficients, c1 and phi2: at 1 a lobe has no width at all.
+/// Largest magnitude of c1 and phi2: at 1 a lobe has no width.
 const LIMIT: f64 = 0.995;
 
-/// D(theta) = norm / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2: of all distributions with given first and second
-/// Fourier coefficients that of the largest (Burg) entropy. Complex numbers are (re, im).
+/// The directional distribution of the largest (Burg) entropy for given moments c1 and c2:
+/// D(theta) = norm / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mem {
     /// (c1 - c2 c1*) / (1 - |c1|^2).
@@ -18,49 +19,52 @@ pub struct Mem {
 }
 
 impl Mem {
-    /// The distribution with the moments (re c1, im c1, re c2, im c2), c_n the integral of D e^{i n theta}.
+    /// The distribution with the moments (re c1, im c1, re c2, im c2), c_n = integral of D e^{i n theta}.
     ///
-    /// It has exactly these when |c1| <= 0.995 and |c2 - c1^2| <= 0.995 (1 - |c1|^2). Else c1 is shortened and c2 drawn
-    /// towards c1^2 until they are; beyond 1 instead of 0.995 no distribution has them. No numbers mean isotropy.
+    /// Its moments are exact if |c1| <= 0.995 and |c2 - c1^2| <= 0.995 (1 - |c1|^2). Otherwise c1 is shortened and c2 moved
+    /// towards c1^2 until both hold. With 1 in place of 0.995 these are the bounds of any distribution. Moments that are not
+    /// finite give an isotropic distribution.
     pub fn new(moments: [f64; 4]) -> Self {
         let known = moments.iter().all(|m| m.is_finite());
         let [a, b, c, d] = if known { moments.map(|m| m.clamp(-1e6, 1e6)) } else { [0.0; 4] };
         let c1 = shortened([a, b], LIMIT);
-        let free = 1.0 - size2(c1);
+        let free = 1.0 - abs2(c1);
         // phi2 = (c2 - c1^2) / (1 - |c1|^2), the second step of Levinson's recursion; phi1 = c1 - phi2 c1*.
         let square = times(c1, c1);
         let phi2 = shortened([(c - square[0]) / free, (d - square[1]) / free], LIMIT);
         let turned = times(phi2, [c1[0], -c1[1]]);
         let phi1 = [c1[0] - turned[0], c1[1] - turned[1]];
-        Self { phi1, phi2, norm: free * (1.0 - size2(phi2)) / TAU }
+        Self { phi1, phi2, norm: free * (1.0 - abs2(phi2)) / TAU }
     }
 
-    /// c1, as the distribution has it.
+    /// The moment c1 of the distribution.
     pub fn first_moment(&self) -> [f64; 2] {
         // phi1 = c1 - phi2 c1*, solved for c1.
         let turned = times(self.phi2, [self.phi1[0], -self.phi1[1]]);
-        let rest = 1.0 - size2(self.phi2);
+        let rest = 1.0 - abs2(self.phi2);
         [(self.phi1[0] + turned[0]) / rest, (self.phi1[1] + turned[1]) / rest]
     }
 
-    /// D(theta), per rad, theta as in the moments.
+    /// D(theta), per rad.
     pub fn density(&self, theta: f64) -> f64 {
         let (sin, cos) = theta.sin_cos();
         let first = times(self.phi1, [cos, -sin]);
         let second = times(self.phi2, [cos * cos - sin * sin, -2.0 * sin * cos]);
-        self.norm / size2([1.0 - first[0] - second[0], first[1] + second[1]])
+        self.norm / abs2([1.0 - first[0] - second[0], first[1] + second[1]])
     }
 }
 
+/// Product of two complex numbers.
 fn times(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
 }
 
-fn size2(a: [f64; 2]) -> f64 {
+/// Squared magnitude of a complex number.
+fn abs2(a: [f64; 2]) -> f64 {
     a[0] * a[0] + a[1] * a[1]
 }
 
-/// The same direction with a size of at most `limit`.
+/// A complex number with its magnitude limited.
 fn shortened(a: [f64; 2], limit: f64) -> [f64; 2] {
     let size = a[0].hypot(a[1]);
     if size > limit { a.map(|v| limit * (v / size)) } else { a }
@@ -71,8 +75,8 @@ mod tests {
     use super::super::tests::Lcg;
     use super::*;
 
-    /// Integral, first and second moments by the periodic trapezium rule, which errs by e^{-n d} where the poles lie at
-    /// 1 - d; and the smallest density.
+    /// Integral, first and second moments by the periodic trapezium rule, and the smallest density. With poles at radius
+    /// 1 - d the error is e^{-n d}.
     fn integrals(mem: &Mem) -> ([f64; 5], f64) {
         // Poles of z^2 - phi1 z - phi2.
         let [re, im] = times(mem.phi1, mem.phi1);
@@ -104,7 +108,7 @@ mod tests {
             let c1 = [size * turn.cos(), size * turn.sin()];
             let (gain, turn) = (if i % 4 == 0 { 0.9 } else { 0.99 * random.unit() }, TAU * random.unit());
             let square = times(c1, c1);
-            let reach = gain * (1.0 - size2(c1));
+            let reach = gain * (1.0 - abs2(c1));
             let c2 = [square[0] + reach * turn.cos(), square[1] + reach * turn.sin()];
             let mem = Mem::new([c1[0], c1[1], c2[0], c2[1]]);
             let (got, least) = integrals(&mem);
@@ -112,9 +116,9 @@ mod tests {
             for (g, w) in got.iter().zip([1.0, c1[0], c1[1], c2[0], c2[1]]) {
                 assert!((g - w).abs() < 1e-9, "{c1:?} {c2:?}: {got:?}");
             }
-            // The definitions as Lygre and Krogstad write them.
+            // The definitions of Lygre and Krogstad.
             let [r, s] = times(c2, [c1[0], -c1[1]]);
-            let phi1 = [(c1[0] - r) / (1.0 - size2(c1)), (c1[1] - s) / (1.0 - size2(c1))];
+            let phi1 = [(c1[0] - r) / (1.0 - abs2(c1)), (c1[1] - s) / (1.0 - abs2(c1))];
             let phi2 = [c2[0] - times(c1, phi1)[0], c2[1] - times(c1, phi1)[1]];
             let norm = (1.0 - times(phi1, [c1[0], -c1[1]])[0] - times(phi2, [c2[0], -c2[1]])[0]) / TAU;
             let want = [phi1[0], phi1[1], phi2[0], phi2[1], norm];

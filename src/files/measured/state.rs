@@ -1,69 +1,58 @@
-//! A measured sea as text for a link: bands separated by `_`, their fields by `*`, in characters that need no escape.
+//! A measured spectrum as text for a link: bands are separated by `_`, their fields by `*`. No character needs an escape.
 
-use super::{Direction, MAX_BANDS, Measured, number, printable};
-use std::fmt::Write as _;
+use super::direction::Direction;
+use super::spectrum::{MAX_BANDS, MeasuredSpectrum};
+use super::text::{number, quoted};
 
-/// Longest text that [`Measured::from_state`] reads.
+/// Longest text that [`MeasuredSpectrum::from_state`] reads, bytes.
 pub const MAX_STATE_BYTES: usize = 16 * 1024;
 
-impl Measured {
-    /// The sea as `f*S_f*S_...` or `f*S*alpha1*alpha2*r1*r2_...`, about 1.6 kB for 47 directional bands.
+impl MeasuredSpectrum {
+    /// The spectrum as `f*S_f*S_...` or `f*S*alpha1*alpha2*r1*r2_...`, about 1.6 kB for 47 directional bands.
     pub fn to_state(&self) -> String {
-        let mut out = String::new();
-        for (i, (f, s)) in self.f_hz.iter().zip(&self.density_m2_hz).enumerate() {
-            let separator = if i == 0 { "" } else { "_" };
-            // Writing to a string cannot fail.
-            let _ = write!(out, "{separator}{}*{}", shortest(*f), shortest(*s));
-            if let Some(d) = self.directions.as_ref().map(|d| d[i]) {
-                for v in [d.alpha1_deg, d.alpha2_deg, d.r1, d.r2] {
-                    let _ = write!(out, "*{}", shortest(v));
-                }
+        let band = |(i, (f, s)): (usize, (&f64, &f64))| {
+            let mut fields = vec![*f, *s];
+            if let Some(d) = self.directions().map(|d| d[i]) {
+                fields.extend([d.alpha1_deg, d.alpha2_deg, d.r1, d.r2]);
             }
-        }
-        out
+            fields.into_iter().map(shortest).collect::<Vec<_>>().join("*")
+        };
+        self.f_hz().iter().zip(self.density_m2_hz()).enumerate().map(band).collect::<Vec<_>>().join("_")
     }
 
-    /// Reads what [`Measured::to_state`] wrote.
+    /// Reads the text that [`MeasuredSpectrum::to_state`] writes.
     ///
     /// # Errors
     /// One sentence that says what is wrong and in which band.
     pub fn from_state(text: &str) -> Result<Self, String> {
         if text.len() > MAX_STATE_BYTES {
-            return Err(format!("the measured sea is longer than {MAX_STATE_BYTES} bytes"));
+            return Err(format!("the measured spectrum is longer than {MAX_STATE_BYTES} bytes"));
         }
         let (mut bands, mut directions) = (Vec::new(), Vec::new());
         for (i, band) in text.split('_').take(MAX_BANDS + 1).enumerate() {
-            let fail = |what: String| Err(format!("band {} of the measured sea: {what}", i + 1));
-            let mut fields = [0.0; 6];
-            let mut count = 0;
-            for field in band.split('*') {
-                let Some(slot) = fields.get_mut(count) else { break };
-                match number(field) {
-                    Some(v) => *slot = v,
-                    None => return fail(format!("\"{}\" is not a number", printable(field, 20))),
+            let fault = |what: &str| format!("band {} of the measured spectrum: {what}", i + 1);
+            let value = |field| number(field).ok_or_else(|| fault(&format!("{} is not a number", quoted(field))));
+            let fields = band.split('*').take(7).map(value).collect::<Result<Vec<_>, _>>()?;
+            match fields[..] {
+                [f, s] => bands.push((f, s)),
+                [f, s, alpha1_deg, alpha2_deg, r1, r2] => {
+                    if ![alpha1_deg, alpha2_deg].iter().all(|a| (0.0..=360.0).contains(a)) {
+                        return Err(fault("a direction is not within 0 to 360 degrees"));
+                    }
+                    if ![r1, r2].iter().all(|r| (0.0..=1.0).contains(r)) {
+                        return Err(fault("r1 or r2 is not within 0 to 1"));
+                    }
+                    bands.push((f, s));
+                    directions.push(Direction { alpha1_deg, alpha2_deg, r1, r2 });
                 }
-                count += 1;
+                _ => return Err(fault("it has neither 2 nor 6 numbers")),
             }
-            if band.split('*').count() != count || (count != 2 && count != 6) {
-                return fail("it has neither 2 nor 6 numbers".into());
-            }
-            let [f, s, alpha1_deg, alpha2_deg, r1, r2] = fields;
-            if count == 6 {
-                if [alpha1_deg, alpha2_deg].iter().any(|a| !(0.0..=360.0).contains(a)) {
-                    return fail("a direction is not within 0 to 360 degrees".into());
-                }
-                if [r1, r2].iter().any(|r| !(0.0..=1.0).contains(r)) {
-                    return fail("a directional moment is not within 0 to 1".into());
-                }
-                directions.push(Direction { alpha1_deg, alpha2_deg, r1, r2 });
-            }
-            bands.push((f, s));
             if !directions.is_empty() && directions.len() != bands.len() {
-                return fail("some bands have directions and some have none".into());
+                return Err(fault("some bands have directions and some have none"));
             }
         }
         let directions = (!directions.is_empty()).then_some(directions.as_slice());
-        Self::new(&bands, directions).map_err(|what| format!("the measured sea: {what}"))
+        Self::new(&bands, directions).map_err(|what| format!("the measured spectrum: {what}"))
     }
 }
 

@@ -1,37 +1,40 @@
-//! Radiance's .hdr (G. Ward, "Real pixels", Graphics Gems II, 1991): lines of text, then rows of pixels that share an
-//! exponent, each row run by run.
+//! Radiance files (.hdr; G. Ward, "Real pixels", Graphics Gems II, 1991): a header of text lines, then run-length encoded
+//! rows of pixels with a shared exponent (RGBE).
 
-use super::read::{Pixels, check_size, room};
+use super::limits::{TOO_SHORT, allocate, check_size};
+use super::sky_image::SkyImage;
 
-/// Longest header that is looked through.
+/// Longest header, bytes.
 const MAX_HEADER: usize = 64 * 1024;
-/// Rows shorter and longer than this know only the old runs.
-const NEW_RUNS: std::ops::Range<usize> = 8..0x8000;
+/// Widths whose rows may have runs channel by channel; other rows have runs of whole pixels only.
+const CHANNEL_RUNS: std::ops::Range<usize> = 8..0x8000;
 
-pub(super) fn begins(bytes: &[u8]) -> bool {
+const HEADER: &str = "its header does not end: save it again";
+const RUN: &str = "a run of pixels does not fit its row: save it again";
+
+/// Whether a file begins as a Radiance file.
+pub(super) fn recognises(bytes: &[u8]) -> bool {
     bytes.starts_with(b"#?RADIANCE") || bytes.starts_with(b"#?RGBE")
 }
 
-pub(super) fn decode(bytes: &[u8], most: [usize; 2]) -> Result<Pixels, String> {
+pub(super) fn decode(bytes: &[u8], most: [usize; 2]) -> Result<SkyImage, String> {
     let mut rest = Rest(bytes);
     let (width, height) = header(&mut rest)?;
     check_size([width, height], most)?;
-    // However well it is packed, a row takes two pixels or more.
+    // The shortest row has the size of two pixels.
     if rest.0.len() / 8 < height {
         return Err(TOO_SHORT.to_owned());
     }
-    let mut pixels = room(width * height)?;
+    let mut pixels = allocate(width * height)?;
     let mut row = vec![[0; 4]; width];
     for _ in 0..height {
         read_row(&mut rest, &mut row)?;
         pixels.extend(row.iter().map(|p| linear(*p)));
     }
-    Ok((width, height, pixels))
+    Ok(SkyImage { width, height, pixels })
 }
 
-const TOO_SHORT: &str = "it ends too early: download or save it again";
-
-/// What has not been read yet.
+/// The unread rest of the file.
 struct Rest<'a>(&'a [u8]);
 
 impl<'a> Rest<'a> {
@@ -46,19 +49,20 @@ impl<'a> Rest<'a> {
     }
 
     fn pixel(&mut self) -> Result<[u8; 4], String> {
-        let bytes = self.take(4)?;
-        Ok(std::array::from_fn(|i| bytes[i]))
+        let (pixel, rest) = self.0.split_first_chunk().ok_or(TOO_SHORT)?;
+        self.0 = rest;
+        Ok(*pixel)
     }
 
     fn line(&mut self) -> Result<&'a [u8], String> {
         let end = self.0.iter().take(MAX_HEADER).position(|b| *b == b'\n');
-        let line = self.take(end.ok_or("its header does not end")?)?;
+        let line = self.take(end.ok_or(HEADER)?)?;
         self.take(1)?;
         Ok(line.strip_suffix(b"\r").unwrap_or(line))
     }
 }
 
-/// Width and height; the lines before them matter only where they say that the numbers are no red, green and blue.
+/// Reads the width and height. Of the lines before them only the colour format matters.
 fn header(rest: &mut Rest<'_>) -> Result<(usize, usize), String> {
     let whole = rest.0.len();
     loop {
@@ -67,44 +71,45 @@ fn header(rest: &mut Rest<'_>) -> Result<(usize, usize), String> {
             break;
         }
         if line.strip_prefix(b"FORMAT=").is_some_and(|format| format.trim_ascii() != b"32-bit_rle_rgbe") {
-            return Err(
-                "its colours are stored in another way (XYZE): save it as Radiance RGBE or as OpenEXR".to_owned()
-            );
+            return Err("its colours are not RGBE: save it as Radiance RGBE or as OpenEXR".to_owned());
         }
         if whole - rest.0.len() > MAX_HEADER {
-            return Err("its header does not end".to_owned());
+            return Err(HEADER.to_owned());
         }
     }
     let line = String::from_utf8_lossy(rest.line()?);
     let words: Vec<&str> = line.split_whitespace().collect();
     match words[..] {
         ["-Y", height, "+X", width] => {
-            let number = |text: &str| text.parse().map_err(|_| "its size is no number".to_owned());
+            let number = |text: &str| text.parse().map_err(|_| "its size is not a number: save it again".to_owned());
             Ok((number(width)?, number(height)?))
         }
-        _ => Err("its rows do not run from the top down, left to right (-Y … +X …)".to_owned()),
+        _ => {
+            Err("its pixels must run from the top down and left to right (-Y … +X …): save it in that order".to_owned())
+        }
     }
 }
 
 fn read_row(rest: &mut Rest<'_>, row: &mut [[u8; 4]]) -> Result<(), String> {
     let first = rest.pixel()?;
-    if NEW_RUNS.contains(&row.len()) && first[0] == 2 && first[1] == 2 && first[2] < 128 {
+    if CHANNEL_RUNS.contains(&row.len()) && first[0] == 2 && first[1] == 2 && first[2] < 128 {
         if usize::from(first[2]) << 8 | usize::from(first[3]) != row.len() {
-            return Err("a row has another length than the picture's".to_owned());
+            return Err("the length of a row differs from the width of the image: save it again".to_owned());
         }
         return (0..4).try_for_each(|channel| read_channel(rest, row, channel));
     }
     read_pixels(rest, first, row)
 }
 
-/// One channel of a row: runs of one value, and values as they are.
+/// Reads one channel of a row: runs of one value, and single values.
 fn read_channel(rest: &mut Rest<'_>, row: &mut [[u8; 4]], channel: usize) -> Result<(), String> {
     let mut at = 0;
     while at < row.len() {
         let count = rest.byte()?;
-        let (run, length) = if count > 128 { (true, usize::from(count - 128)) } else { (false, usize::from(count)) };
+        let is_run = count > 128;
+        let length = usize::from(if is_run { count - 128 } else { count });
         let place = row.get_mut(at..at + length).filter(|_| length > 0).ok_or(RUN)?;
-        if run {
+        if is_run {
             let value = rest.byte()?;
             place.iter_mut().for_each(|p| p[channel] = value);
         } else {
@@ -115,16 +120,15 @@ fn read_channel(rest: &mut Rest<'_>, row: &mut [[u8; 4]], channel: usize) -> Res
     Ok(())
 }
 
-const RUN: &str = "a run of pixels does not fit its row";
-
-/// Whole pixels; (1, 1, 1, n) repeats the one before n times, and right after another such one n x 256 times.
+/// Reads a row of whole pixels. (1, 1, 1, n) repeats the pixel before n times, and directly after another repetition
+/// n x 256 times.
 fn read_pixels(rest: &mut Rest<'_>, first: [u8; 4], row: &mut [[u8; 4]]) -> Result<(), String> {
     let (mut at, mut shift) = (0_usize, 0);
     let mut pixel = first;
     loop {
         if pixel[..3] == [1; 3] {
             let before = *at.checked_sub(1).and_then(|i| row.get(i)).ok_or(RUN)?;
-            // Rows are shorter than three such steps reach.
+            // A fourth repetition in succession cannot fit, and its shift could overflow.
             let length = if shift < 24 { usize::from(pixel[3]) << shift } else { row.len() + 1 };
             row.get_mut(at..at + length).ok_or(RUN)?.fill(before);
             (at, shift) = (at + length, shift + 8);
@@ -139,7 +143,7 @@ fn read_pixels(rest: &mut Rest<'_>, first: [u8; 4], row: &mut [[u8; 4]]) -> Resu
     }
 }
 
-/// Linear light of a pixel: mantissas over 256 times 2 to the exponent less 128.
+/// Linear light of a pixel: mantissa / 256 x 2^(exponent - 128).
 fn linear([r, g, b, exponent]: [u8; 4]) -> [f32; 3] {
     let unit = if exponent == 0 { 0.0 } else { 2f32.powi(i32::from(exponent) - 136) };
     [r, g, b].map(|mantissa| f32::from(mantissa) * unit)
@@ -155,18 +159,18 @@ mod tests {
     }
 
     fn decoded(width: usize, height: usize, rows: &[u8]) -> Result<Vec<[f32; 3]>, String> {
-        decode(&file(width, height, rows), [1000, 500]).map(|(_, _, pixels)| pixels)
+        decode(&file(width, height, rows), [1000, 500]).map(|image| image.pixels)
     }
 
     #[test]
     fn old_runs_new_runs_and_bare_pixels_are_read() {
-        // 1, 0.5 and 0.25 at exponent 128.
+        // 1, 0.5 and 0.25 with the exponent 129.
         let (p, want) = ([128, 64, 32, 129], [1.0, 0.5, 0.25]);
         let (dark, none) = ([128, 64, 32, 0], [0.0; 3]);
         let bare = [p, dark].concat().repeat(8 * 8);
         let got = decoded(16, 8, &bare).expect("bare pixels");
         assert!((got.len(), got[0], got[1], got[127]) == (128, want, none, none));
-        // 1 + 15; then 1 + 2 + 1 x 256 where a row is 259 long.
+        // Runs of 1 + 15 pixels; then of 1 + 3 + 256 pixels.
         let old = [p, [1, 1, 1, 15]].concat().repeat(8);
         assert_eq!(decoded(16, 8, &old), Ok(vec![want; 128]));
         let long = [p, [1, 1, 1, 3], [1, 1, 1, 1]].concat().repeat(130);
@@ -183,12 +187,12 @@ mod tests {
             (vec![7; 100], TOO_SHORT),
             ([1, 1, 1, 5].repeat(40), RUN),
             ([9, 9, 9, 9, 1, 1, 1, 16].repeat(40), RUN),
-            // A run of nothing shifts the next ones.
+            // An empty repetition also shifts the count of the next one.
             ([vec![9; 4], [1, 1, 1, 0].repeat(9), [1, 1, 1, 1].repeat(60)].concat(), RUN),
             ([&head[..], &[145, 7]].concat().repeat(40), RUN),
             ([&head[..], &[0; 200]].concat(), RUN),
             ([&head[..], &[128; 200]].concat(), RUN),
-            ([2, 2, 0, 17].repeat(40), "another length"),
+            ([2, 2, 0, 17].repeat(40), "length of a row"),
         ] {
             assert!(decoded(16, 8, &rows).is_err_and(|e| e.contains(what)), "{rows:?}: {:?}", decoded(16, 8, &rows));
         }
@@ -199,10 +203,10 @@ mod tests {
         for (head, what) in [
             (
                 "#?RADIANCE\n\n-Y 500000 +X 1000000\n",
-                "1000000 x 500000 pixels, where 1000 x 500 are read: save it smaller",
+                "1000000 x 500000 pixels, but at most 1000 x 500 are read: save it smaller",
             ),
-            ("#?RADIANCE\n\n-Y 99999999999999999999 +X 3\n", "no number"),
-            ("#?RADIANCE\n\n-Y -8 +X 16\n", "no number"),
+            ("#?RADIANCE\n\n-Y 99999999999999999999 +X 3\n", "not a number"),
+            ("#?RADIANCE\n\n-Y -8 +X 16\n", "not a number"),
             ("#?RADIANCE\n\n+Y 8 +X 16\n", "top down"),
             ("#?RADIANCE\n\n", "does not end"),
             ("#?RADIANCE\n", "does not end"),

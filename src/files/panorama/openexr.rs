@@ -1,6 +1,8 @@
-//! OpenEXR's .exr: what the header claims is held against the limits and the file's length before the crate `exr` decodes it.
+//! OpenEXR files (.exr). The claims of the header are checked against the limits and the length of the file before the crate
+//! `exr` decodes it.
 
-use super::read::{Pixels, check_size, room};
+use super::limits::{TOO_SHORT, allocate, check_limit, check_size};
+use super::sky_image::SkyImage;
 use exr::error::Error;
 use exr::meta::header::Header;
 use exr::meta::{BlockDescription, magic_number};
@@ -8,17 +10,18 @@ use exr::prelude::*;
 use std::io::Cursor;
 use std::result::Result;
 
-/// Most bytes of a block of pixels, which are decoded at once.
+/// Largest block of pixels, bytes. A block is decoded as a whole.
 const MAX_BLOCK: usize = 256 << 20;
-/// Pictures of fewer pixels are decoded at once on this thread.
-const SMALL: usize = 1 << 20;
+/// Images of fewer pixels are decoded on the calling thread.
+const PARALLEL_PIXELS: usize = 1 << 20;
 
-pub(super) fn begins(bytes: &[u8]) -> bool {
+/// Whether a file begins with the magic number of OpenEXR.
+pub(super) fn recognises(bytes: &[u8]) -> bool {
     bytes.starts_with(&magic_number::BYTES)
 }
 
-pub(super) fn decode(bytes: &[u8], most: [usize; 2]) -> Result<Pixels, String> {
-    let reader = exr::block::read(Cursor::new(bytes), false).map_err(|e| said(&e))?;
+pub(super) fn decode(bytes: &[u8], most: [usize; 2]) -> Result<SkyImage, String> {
+    let reader = exr::block::read(Cursor::new(bytes), false).map_err(|e| message(&e))?;
     for header in reader.headers() {
         check(header, bytes.len(), most)?;
     }
@@ -26,12 +29,13 @@ pub(super) fn decode(bytes: &[u8], most: [usize; 2]) -> Result<Pixels, String> {
         let has = |name: &str| header.channels.find_index_of_channel(&Text::from(name)).is_some();
         !header.deep && ["R", "G", "B"].into_iter().all(has)
     };
-    let header = reader.headers().iter().find(colours).ok_or("it has no layer with the channels R, G and B")?;
+    let header = reader.headers().iter().find(colours).ok_or("it has no layer with R, G and B: save it as RGB")?;
     let window = header.shared_attributes.display_window;
     let (width, height) = (window.size.width(), window.size.height());
     check_size([width, height], most)?;
-    room(width * height)?;
-    // Where the data begins in the picture: it may stand out, or leave an edge free.
+    // The decoder aborts if an allocation fails, so this one is tried first.
+    allocate(width * height)?;
+    // Position of the data in the image. The data may reach beyond the image or leave an edge free.
     let start = [
         i64::from(header.own_attributes.layer_position.x()) - i64::from(window.position.x()),
         i64::from(header.own_attributes.layer_position.y()) - i64::from(window.position.y()),
@@ -54,19 +58,16 @@ pub(super) fn decode(bytes: &[u8], most: [usize; 2]) -> Result<Pixels, String> {
         )
         .first_valid_layer()
         .all_attributes();
-    let layers = if width * height < SMALL { layers.non_parallel() } else { layers };
-    let image = layers.from_chunks(reader).map_err(|e| said(&e))?;
-    Ok((width, height, image.layer_data.channel_data.pixels))
+    let layers = if width * height < PARALLEL_PIXELS { layers.non_parallel() } else { layers };
+    let image = layers.from_chunks(reader).map_err(|e| message(&e))?;
+    Ok(SkyImage { width, height, pixels: image.layer_data.channel_data.pixels })
 }
 
-/// Refuses a layer by what it claims.
+/// Checks the sizes that the header of a layer claims.
 fn check(header: &Header, file_bytes: usize, most: [usize; 2]) -> Result<(), String> {
-    // Data may reach a little beyond the picture.
+    // The data may reach a little beyond the image, so both have a size.
     for size in [header.layer_size, header.shared_attributes.display_window.size] {
-        if size.width() > most[0] || size.height() > most[1] {
-            let ([columns, rows], (width, height)) = (most, (size.width(), size.height()));
-            return Err(format!("{width} x {height} pixels, where {columns} x {rows} are read: save it smaller"));
-        }
+        check_limit([size.width(), size.height()], most)?;
     }
     let block = match header.blocks {
         BlockDescription::Tiles(tiles) => [tiles.tile_size.width(), tiles.tile_size.height()],
@@ -79,28 +80,21 @@ fn check(header: &Header, file_bytes: usize, most: [usize; 2]) -> Result<(), Str
             "one of its blocks of pixels is larger than {mib} MiB: save it as scanlines with ZIP, or in smaller tiles"
         ));
     }
-    // Each block has its place in the file's table.
+    // The file has a table with eight bytes for each block.
     if header.chunk_count > file_bytes / 8 {
-        return Err("it ends too early: download or save it again".to_owned());
+        return Err(TOO_SHORT.to_owned());
     }
     Ok(())
 }
 
-/// An error of the decoder on one line.
-fn said(error: &Error) -> String {
+/// An error of the decoder as one line.
+fn message(error: &Error) -> String {
+    let first_line = |text: &str| text.lines().next().unwrap_or("no reason given").to_owned();
     match error {
-        Error::Invalid(what) if what.contains("missing bytes") => {
-            "it ends too early: download or save it again".to_owned()
-        }
-        Error::Io(e) if e.kind() == std::io::ErrorKind::UnexpectedEof => {
-            "it ends too early: download or save it again".to_owned()
-        }
-        Error::Invalid(what) => format!("it is broken: {}", line(what)),
-        Error::NotSupported(what) => format!("this form of OpenEXR is not read: {}", line(what)),
-        other => line(&other.to_string()),
+        Error::Invalid(what) if what.contains("missing bytes") => TOO_SHORT.to_owned(),
+        Error::Io(e) if e.kind() == std::io::ErrorKind::UnexpectedEof => TOO_SHORT.to_owned(),
+        Error::Invalid(what) => format!("it is broken, save it again: {}", first_line(what)),
+        Error::NotSupported(what) => format!("this kind of OpenEXR is not supported: {}", first_line(what)),
+        other => first_line(&other.to_string()),
     }
-}
-
-fn line(text: &str) -> String {
-    text.lines().next().unwrap_or("no reason given").to_owned()
 }

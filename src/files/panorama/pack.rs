@@ -1,13 +1,13 @@
-//! Three numbers that share an exponent, as GPUs read them (RGB9E5): a third of the memory of f32.
+//! The texture format RGB9E5: three numbers with a shared exponent, in a third of the memory of f32.
 
-/// Largest number that can be packed.
-pub(super) const MOST: f32 = 65408.0;
+/// Largest number of RGB9E5.
+pub(super) const MAX: f32 = 65408.0;
 
-/// Packs a colour; what is larger than 65408 becomes that.
+/// Packs a colour; larger values become [`MAX`].
 pub(super) fn rgb9e5(c: [f32; 3]) -> u32 {
-    let c = c.map(|v| v.clamp(0.0, MOST));
+    let c = c.map(|v| v.clamp(0.0, MAX));
     let most = c[0].max(c[1]).max(c[2]);
-    // Nine bits of mantissa without a hidden one, exponents from -15 to 16.
+    // Mantissas have nine bits without a hidden one; exponents are -15 to 16.
     let mut exponent = if most > 0.0 { (most.log2().floor() as i32).max(-16) + 1 } else { -15 };
     if (most / step(exponent)).round() >= 512.0 {
         exponent += 1;
@@ -17,7 +17,7 @@ pub(super) fn rgb9e5(c: [f32; 3]) -> u32 {
     r | g << 9 | b << 18 | ((exponent + 15) as u32) << 27
 }
 
-/// Value of the last bit at an exponent.
+/// Value of the last bit of the mantissa at an exponent.
 fn step(exponent: i32) -> f32 {
     2f32.powi(exponent - 9)
 }
@@ -38,6 +38,6 @@ mod tests {
                 assert!((a - b).abs() <= most / 512.0, "{c:?}");
             }
         }
-        assert_eq!(unpack(rgb9e5([1e9, 0.0, 0.0])), [MOST, 0.0, 0.0]);
+        assert_eq!(unpack(rgb9e5([1e9, 0.0, 0.0])), [MAX, 0.0, 0.0]);
     }
 }

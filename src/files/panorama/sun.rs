@@ -1,84 +1,85 @@
-//! The sun in a picture of the sky: the brightest source, if it is compact and stands out.
+//! The sun in an image of the sky: the brightest source, if it is compact and much brighter than the sky around it.
 
-use super::{direction, luminance, luminance64, solid_angle};
+use super::sky_image::{SkyImage, luminance};
 use std::f64::consts::PI;
 
-/// Half the side of the piece of sky that the sun is looked for in once its place is known, rad.
+/// Radius of the area around the brightest cell that is examined, rad.
 const REACH: f64 = 6.0 * PI / 180.0;
-/// What surrounds the sun is measured outside this angle from its middle, rad.
-const AROUND: f64 = 4.0 * PI / 180.0;
-/// The sun is at least so many times brighter than the sky around it.
+/// Inner radius of the ring that shows the sky around the sun, rad.
+const RING: f64 = 4.0 * PI / 180.0;
+/// Least ratio of the luminance of the sun to that of the sky around it.
 const CONTRAST: f64 = 15.0;
-/// Largest radius of a compact source, rad: some files show the sun bloomed.
-const LARGEST: f64 = 3.0 * PI / 180.0;
-/// Least share of the sky's own light, else it is a lamp or a reflection.
-const LEAST_SHARE: f64 = 0.02;
-/// Cells across a full turn in which the brightest place is looked for: a hot pixel alone is no sun.
+/// Largest radius of a sun, rad; bloom makes it large in some files.
+const MAX_RADIUS: f64 = 3.0 * PI / 180.0;
+/// Least ratio of the light of a sun to the light of the sky; a lamp or a reflection has less.
+const MIN_SHARE: f64 = 0.02;
+/// Cells across a full turn in which the brightest place is searched; larger than a pixel because of hot pixels.
 const CELLS: usize = 512;
 
-/// A sun in a picture.
+/// The sun in an image of the sky.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sun {
-    /// Clockwise from the picture's middle, degrees.
+    /// Azimuth, degrees clockwise from the middle column of the image, 0 to 360.
     pub azimuth_deg: f64,
-    /// Above the horizon, degrees.
+    /// Elevation above the horizon, degrees.
     pub elevation_deg: f64,
     /// Radius of a disc of the same solid angle, rad.
     pub radius_rad: f64,
-    /// On a plane that faces it, over the sky around it, in the file's unit.
+    /// Irradiance of a plane that faces the sun, without the sky around it, in the unit of the image.
     pub irradiance: [f64; 3],
 }
 
-/// The sun, and the pixels that show it with what the sky behind them would be.
-pub(super) fn find(width: usize, height: usize, pixels: &[[f32; 3]]) -> Option<(Sun, Vec<(usize, [f32; 3])>)> {
-    let middle = brightest(width, height, pixels)?;
-    let near = within(middle, REACH, width, height);
-    // The median of a ring is the sky behind the sun, whatever clouds or glare stand there.
-    let mut ring: Vec<(f64, [f32; 3])> =
-        near.iter().filter(|p| p.angle > AROUND).map(|p| (luminance(pixels[p.index]), pixels[p.index])).collect();
-    if ring.is_empty() {
+/// Finds the sun and replaces its pixels by the sky around it. None, without a change, if there is no sun.
+pub(super) fn remove(image: &mut SkyImage) -> Option<Sun> {
+    let near = within(REACH, brightest(image)?, image);
+    // The median of the ring stands for the sky behind the sun, despite clouds and glare.
+    let mut ring: Vec<&NearPixel> = near.iter().filter(|p| p.angle > RING).collect();
+    ring.sort_by(|a, b| a.luminance.total_cmp(&b.luminance));
+    let behind = ring.get(ring.len() / 2)?;
+    let sky = image.pixels[behind.index];
+    let peak = near.iter().map(|p| p.luminance).fold(0.0, f64::max);
+    if peak < CONTRAST * behind.luminance.max(1e-12) {
         return None;
     }
-    ring.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (behind_lum, behind) = ring[ring.len() / 2];
-    let peak = near.iter().map(|p| luminance(pixels[p.index])).fold(0.0, f64::max);
-    if peak < CONTRAST * behind_lum.max(1e-12) {
-        return None;
-    }
-    // What is far above the sky behind and not negligible beside the peak belongs to the sun, its own glare included.
-    let cut = (4.0 * behind_lum).max(3e-3 * peak);
-    let sun_pixels: Vec<&Near> = near.iter().filter(|p| p.angle < AROUND && luminance(pixels[p.index]) > cut).collect();
-    let (mut irradiance, mut at, mut solid) = ([0.0; 3], [0.0; 3], 0.0);
+    // Glare far above the sky behind it and not negligible beside the peak belongs to the sun.
+    let cut = (4.0 * behind.luminance).max(3e-3 * peak);
+    let sun_pixels: Vec<&NearPixel> = near.iter().filter(|p| p.angle < RING && p.luminance > cut).collect();
+    let (mut irradiance, mut at, mut solid_angle) = ([0.0; 3], [0.0; 3], 0.0);
     for p in &sun_pixels {
+        let colour = image.pixels[p.index];
         let excess: [f64; 3] =
-            std::array::from_fn(|i| (f64::from(pixels[p.index][i]) - f64::from(behind[i])).max(0.0) * p.solid);
+            std::array::from_fn(|i| (f64::from(colour[i]) - f64::from(sky[i])).max(0.0) * p.solid_angle);
         for i in 0..3 {
             irradiance[i] += excess[i];
-            at[i] += luminance64(excess) * p.direction[i];
+            at[i] += luminance(excess) * p.direction[i];
         }
-        solid += if luminance(pixels[p.index]) > 0.3 * peak { p.solid } else { 0.0 };
+        solid_angle += if p.luminance > 0.3 * peak { p.solid_angle } else { 0.0 };
     }
-    let radius_rad = (solid / PI).sqrt();
-    let sky: f64 = pixels
-        .chunks(width)
-        .take(height / 2)
+    let radius_rad = (solid_angle / PI).sqrt();
+    let sky_light: f64 = image
+        .pixels
+        .chunks(image.width)
+        .take(image.height / 2)
         .enumerate()
-        .map(|(y, row)| solid_angle(y, width, height) * row.iter().map(|p| luminance(*p)).sum::<f64>())
+        .map(|(y, row)| image.solid_angle(y) * row.iter().map(|p| luminance(*p)).sum::<f64>())
         .sum();
-    if luminance64(irradiance) < LEAST_SHARE * sky || radius_rad > LARGEST {
+    if luminance(irradiance) < MIN_SHARE * sky_light || radius_rad > MAX_RADIUS {
         return None;
     }
-    let sun = Sun {
+    for p in &sun_pixels {
+        image.pixels[p.index] = sky;
+    }
+    Some(Sun {
         azimuth_deg: at[0].atan2(-at[2]).to_degrees().rem_euclid(360.0),
         elevation_deg: at[1].atan2(at[0].hypot(at[2])).to_degrees(),
         radius_rad,
         irradiance,
-    };
-    Some((sun, sun_pixels.iter().map(|p| (p.index, behind)).collect()))
+    })
 }
 
-/// Middle of the brightest cell above the horizon.
-fn brightest(width: usize, height: usize, pixels: &[[f32; 3]]) -> Option<[f64; 3]> {
+/// Direction of the brightest cell above the horizon.
+fn brightest(image: &SkyImage) -> Option<[f64; 3]> {
+    let SkyImage { width, height, ref pixels } = *image;
     let side = width.div_ceil(CELLS);
     let mut best = (0.0, [0, 0]);
     for y in (0..height / 2).step_by(side) {
@@ -91,33 +92,42 @@ fn brightest(width: usize, height: usize, pixels: &[[f32; 3]]) -> Option<[f64; 3
             }
         }
     }
-    let half = 0.5 * side as f64;
-    (best.0 > 0.0).then(|| direction(best.1[0] as f64 + half, best.1[1] as f64 + half, width, height))
+    let [x, y] = best.1.map(|corner| corner as f64 + 0.5 * side as f64);
+    (best.0 > 0.0).then(|| image.direction(x, y))
 }
 
-/// A pixel near a place.
-struct Near {
+/// A pixel near the sun.
+struct NearPixel {
     index: usize,
+    luminance: f64,
+    /// Angle from the middle of the brightest cell, rad.
     angle: f64,
-    solid: f64,
+    /// Solid angle, sr.
+    solid_angle: f64,
     direction: [f64; 3],
 }
 
-/// The pixels within an angle of a direction, above the horizon.
-fn within(middle: [f64; 3], reach: f64, width: usize, height: usize) -> Vec<Near> {
+/// The pixels above the horizon within an angle of a direction.
+fn within(reach: f64, middle: [f64; 3], image: &SkyImage) -> Vec<NearPixel> {
     let least = reach.cos();
     let mut out = Vec::new();
-    for y in 0..height / 2 {
-        let sine = direction(0.0, y as f64 + 0.5, width, height)[1];
+    for y in 0..image.height / 2 {
+        let sine = image.direction(0.0, y as f64 + 0.5)[1];
         if (sine.asin() - middle[1].clamp(-1.0, 1.0).asin()).abs() > reach {
             continue;
         }
-        for x in 0..width {
-            let d = direction(x as f64 + 0.5, y as f64 + 0.5, width, height);
-            let cosine = d[0] * middle[0] + d[1] * middle[1] + d[2] * middle[2];
+        for x in 0..image.width {
+            let direction = image.direction(x as f64 + 0.5, y as f64 + 0.5);
+            let cosine = direction[0] * middle[0] + direction[1] * middle[1] + direction[2] * middle[2];
             if cosine >= least {
-                let (angle, solid) = (cosine.min(1.0).acos(), solid_angle(y, width, height));
-                out.push(Near { index: y * width + x, angle, solid, direction: d });
+                let index = y * image.width + x;
+                out.push(NearPixel {
+                    index,
+                    luminance: luminance(image.pixels[index]),
+                    angle: cosine.min(1.0).acos(),
+                    solid_angle: image.solid_angle(y),
+                    direction,
+                });
             }
         }
     }

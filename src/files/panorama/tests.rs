@@ -1,25 +1,27 @@
-//! Made-up skies whose sun is known.
+//! Synthetic skies with a known sun.
 
 use super::*;
+use std::f64::consts::TAU;
 
-/// A sky that brightens towards the horizon, with a sun of a radius and an irradiance.
+/// A sky that is brighter near the horizon, with a sun of the given place in degrees, radius in rad and irradiance.
 fn sky(width: usize, azimuth: f64, elevation_deg: f64, radius: f64, irradiance: [f64; 3]) -> Vec<[f32; 3]> {
     let height = width / 2;
+    let image = SkyImage { width, height, pixels: Vec::new() };
     let (a, e) = (azimuth.to_radians(), elevation_deg.to_radians());
     let to_sun = [a.sin() * e.cos(), e.sin(), -a.cos() * e.cos()];
-    // Each pixel holds the share of it that the disc covers, from a grid of points in it.
+    // A grid of points in each pixel gives the share of the pixel that the disc covers.
     const POINTS: usize = 8;
     let radiance = 1.0 / (TAU * (1.0 - radius.cos()));
     let pixel = |x: usize, y: usize| {
         let mut inside = 0;
         for i in 0..POINTS * POINTS {
             let at = [i % POINTS, i / POINTS].map(|k| (k as f64 + 0.5) / POINTS as f64);
-            let d = direction(x as f64 + at[0], y as f64 + at[1], width, height);
+            let d = image.direction(x as f64 + at[0], y as f64 + at[1]);
             let cosine = d.iter().zip(&to_sun).map(|(a, b)| a * b).sum::<f64>();
             inside += usize::from(cosine > radius.cos());
         }
         let share = inside as f64 / (POINTS * POINTS) as f64;
-        let up = elevation(y as f64 + 0.5, height).sin();
+        let up = image.elevation(y as f64 + 0.5).sin();
         let air = if up > 0.0 { [0.5 + 0.6 * (1.0 - up), 0.7 + 0.4 * (1.0 - up), 1.0] } else { [0.05, 0.08, 0.1] };
         std::array::from_fn(|i| (air[i] + share * radiance * irradiance[i]) as f32)
     };
@@ -45,17 +47,17 @@ fn the_sun_is_found() {
             assert!((found / given - 1.0).abs() < 0.05, "{width}: irradiance {found} for {given}");
         }
         assert!((sun.radius_rad / radius - 1.0).abs() < 0.35, "{width}: radius {}", sun.radius_rad);
-        // It is not mirrored twice.
+        // The sun is not in the reflected environment as well.
         let brightest = sky.calm.iter().map(|c| luminance(*c)).fold(0.0, f64::max);
         assert!(brightest / sky.gain < 1.3, "{width}: {}", brightest / sky.gain);
-        let total = luminance64(sky.irradiance) + luminance64(sun.irradiance) * elevation_deg.to_radians().sin();
+        let total = luminance(sky.irradiance) + luminance(sun.irradiance) * elevation_deg.to_radians().sin();
         assert!((total / NOON - 1.0).abs() < 0.01, "lights like noon: {total}");
     }
 }
 
 #[test]
 fn an_overcast_sky_has_no_sun() {
-    // Ten times brighter around a place of ten degrees, as the sun behind a thin deck.
+    // A glow ten times brighter than the sky and ten degrees wide, like the sun behind a thin cloud deck.
     let (width, height) = (512, 256);
     let glow = |x: usize, y: usize| {
         let (dx, dy) = (x as f64 - 200.0, y as f64 - 60.0);
@@ -64,7 +66,7 @@ fn an_overcast_sky_has_no_sun() {
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| glow(x, y))).collect();
     let sky = Panorama::new(width, height, pixels).unwrap();
     assert_eq!(sky.sun, None);
-    assert!((luminance64(sky.irradiance) / NOON - 1.0).abs() < 0.01);
+    assert!((luminance(sky.irradiance) / NOON - 1.0).abs() < 0.01);
 }
 
 #[test]
@@ -89,7 +91,7 @@ fn vast_and_faint_light_stays_a_number() {
         let pixels = [vec![[sky; 3]; half], vec![[ground; 3]; half]].concat();
         let panorama = Panorama::new(width, height, pixels).unwrap();
         assert!(panorama.calm.iter().flatten().all(|v| v.is_finite() && *v >= 0.0), "{sky} {ground}");
-        assert!((luminance64(panorama.irradiance) / NOON - 1.0).abs() < 0.01, "{sky} {ground}");
+        assert!((luminance(panorama.irradiance) / NOON - 1.0).abs() < 0.01, "{sky} {ground}");
     }
 }
 
@@ -107,10 +109,10 @@ fn what_is_no_sky_is_refused() {
 
 #[test]
 fn a_wide_picture_is_reduced() {
-    let (width, height, pixels) = reduce(6, 4, &(0..24).map(|i| [i as f32; 3]).collect::<Vec<_>>(), 2);
-    assert_eq!((width, height), (3, 2));
-    assert_eq!(pixels[0], [3.5; 3], "mean of 0, 1, 6, 7");
-    let mips = mips(8, 4, vec![[1.0, 0.5, 0.25]; 32]);
+    let image = SkyImage { width: 6, height: 4, pixels: (0..24).map(|i| [i as f32; 3]).collect() }.reduced(2);
+    assert_eq!((image.width, image.height), (3, 2));
+    assert_eq!(image.pixels[0], [3.5; 3], "mean of 0, 1, 6, 7");
+    let mips = mips(SkyImage { width: 8, height: 4, pixels: vec![[1.0, 0.5, 0.25]; 32] });
     assert_eq!(mips.iter().map(Vec::len).collect::<Vec<_>>(), [32, 8, 2]);
     assert!(mips.iter().flatten().all(|v| *v == mips[0][0]));
 }
@@ -161,7 +163,7 @@ mod files {
             let reason = read("bad.hdr", &bytes).unwrap_err();
             assert!(reason.starts_with("bad.hdr: ") && reason.len() > 12 && !reason.contains('\n'), "{reason}");
         }
-        // Whatever bytes stand in it, reading ends without a panic.
+        // Reading a file with a wrong byte does not panic.
         for i in (0..whole.len()).step_by(7) {
             let mut bytes = whole.clone();
             bytes[i] ^= 0x55;

@@ -16,7 +16,7 @@ mod spreading;
 mod surface;
 
 use crate::gpu::Gpu;
-use crate::state::fields::{self, Kind};
+use crate::state::fields::{self, FieldKind};
 use lab::Lab;
 use page::Page;
 use std::path::PathBuf;
@@ -104,7 +104,7 @@ fn introduce(page: &mut Page, lab: &Lab<'_>) {
 /// The words of a choice, without `measured`.
 pub fn words(key: &str) -> Vec<&'static str> {
     match fields::find(key).map(|f| f.kind) {
-        Some(Kind::Choice(words)) => words.iter().copied().filter(|w| *w != "measured").collect(),
+        Some(FieldKind::Choice(words)) => words.iter().copied().filter(|w| *w != "measured").collect(),
         _ => vec![],
     }
 }

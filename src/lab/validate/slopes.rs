@@ -4,7 +4,7 @@ use super::figure::{Axis, Figure, Legend, Mark, Series, curve};
 use super::lab::{Lab, params};
 use super::page::{Page, against, deviation, measured, number};
 use crate::waves::Plan;
-use crate::waves::foam::Whiteness;
+use crate::waves::foam::FoamModel;
 use crate::waves::statistics::{cox_munk_mss, monahan_coverage};
 
 /// Winds of the tables, m/s.
@@ -128,7 +128,7 @@ fn whitecaps(page: &mut Page, lab: &Lab<'_>) -> Result<(), String> {
         let mut points = Vec::new();
         for &wind in if name == "jonswap" { &FOAM_WINDS[..] } else { &FEW_WINDS } {
             let state = format!("spectrum={name}&wind={wind}&fetch=250&n=128&t=30");
-            let expected = Whiteness::new(&Plan::new(&params(&state)?)).coverage;
+            let expected = FoamModel::new(&Plan::new(&params(&state)?)).coverage;
             let seen = lab.foam(&state, FOAM_SEEDS)?;
             if let Some(e) = seen {
                 points.push([wind, e.value, e.error.unwrap_or(0.0)]);

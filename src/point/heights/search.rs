@@ -1,44 +1,46 @@
-//! The water that has been carried to a point of the world: the displacement is inverted.
+//! Search for the water particle at a point of the world: the inverse of the horizontal displacement.
 
 use super::Heights;
-use super::waves::{Blends, Copies, Sums};
+use super::waves::{Blends, CopySums, WaveSums};
 use crate::state::params::MAX_CASCADES;
 use crate::waves::tiling::Copy;
 
-/// Distance (m) from the point asked for at which the search ends.
+/// Distance from the requested point at which the search ends, m.
 const TOLERANCE_M: f64 = 1e-8;
-/// Evaluations after which it is given up; at chop 1 it takes three to five.
-const MOST_EVALUATIONS: usize = 64;
-/// Curvatures of the potential are kept from 0 by this, so that a step stays finite at the edge of a fold.
-const LEAST_CURVATURE: f64 = 1e-3;
-/// Decrease of the potential, as a share of what its slope promises, with which a step is taken (Armijo).
+/// Evaluations before the search fails. At chop 1 it takes three to five.
+const MAX_EVALUATIONS: usize = 64;
+/// Lower limit of the potential's curvatures, which keeps a step finite at the edge of a fold.
+const MIN_CURVATURE: f64 = 1e-3;
+/// Smallest decrease of the potential for a step, as a fraction of the decrease that its gradient predicts (Armijo
+/// rule).
 const ARMIJO: f64 = 1e-4;
-/// Residual (m) below which the potential's decrease drowns in rounding and the residual itself is the judge.
+/// Residual below which rounding hides the potential's decrease and the residual must decrease instead, m.
 const NEAR_M: f64 = 1e-3;
 
 impl Heights {
-    /// Finds the offset d with d = lambda D(x - d): the waves there, and whether it was found.
+    /// Finds the offset d = lambda D(x - d) at the point x. Returns d, the sums there, and whether the search
+    /// converged.
     ///
-    /// D is a gradient, so with d = sqrt(lambda) e the offset is where 1/2 |e|^2 + potential(x - sqrt(lambda) e) is
-    /// stationary: its gradient is the residual and the determinant of its Hessian the Jacobian. The function grows without
-    /// bound, so it has a minimum however folded the sea is, and a minimum is upright water. Newton's steps, with the
-    /// curvatures made positive inside folds and halved until the function falls, lead down to one.
+    /// D is the gradient of a potential, so with d = sqrt(lambda) e the solutions are the stationary points of 1/2
+    /// |e|^2 + potential(x - sqrt(lambda) e): its gradient is the residual, and the determinant of its Hessian is the
+    /// Jacobian. The function grows without bound, so it has a minimum even in a folded sea, and at a minimum the water
+    /// is upright. Newton steps find a minimum; curvatures inside folds are made positive, and a step is halved until
+    /// the function decreases.
     ///
-    /// A blend of copies is a gradient only while its weights are held: a step goes down with the weights of the place that
-    /// it leaves, then they are taken anew. They change by a few thousandths over a displacement, and so does the residual
-    /// that is left, from step to step.
-    pub(super) fn invert(&self, point: [f64; 2], time: u32) -> ([f64; 2], Sums, bool) {
+    /// A blend of copies is a gradient only for fixed weights. Each step therefore uses the weights of its starting
+    /// point, and the weights are updated after the step. Over a displacement they change by a few thousandths.
+    pub(super) fn invert(&self, point: [f64; 2], time: u32) -> ([f64; 2], WaveSums, bool) {
         let root = self.root;
         let offset = |e: [f64; 2]| [root[0] * e[0], root[1] * e[1]];
-        let gradient = |e: [f64; 2], at: &Sums| [e[0] - root[0] * at.d[0], e[1] - root[1] * at.d[1]];
-        let value = |e: [f64; 2], at: &Sums| 0.5 * dot(e, e) + at.potential;
+        let gradient = |e: [f64; 2], at: &WaveSums| [e[0] - root[0] * at.d[0], e[1] - root[1] * at.d[1]];
+        let value = |e: [f64; 2], at: &WaveSums| 0.5 * dot(e, e) + at.potential;
         let mut e = [0.0; 2];
         let mut blends = self.blends(point, offset(e));
         let mut at = self.sums(point, offset(e), time, &blends);
         let mut g = gradient(e, &at);
         let mut step = self.step(g, at.strain);
         let mut scale = 1.0;
-        for _ in 1..MOST_EVALUATIONS {
+        for _ in 1..MAX_EVALUATIONS {
             let error = offset(g);
             if error[0].hypot(error[1]) <= TOLERANCE_M {
                 return (offset(e), at, true);
@@ -66,14 +68,15 @@ impl Heights {
         (offset(e), at, error[0].hypot(error[1]) <= TOLERANCE_M)
     }
 
-    /// Newton's step against a gradient, with the absolute curvatures.
+    /// Newton step for a gradient `g` and a strain (dDx/dx, dDz/dz, dDx/dz), with the absolute values of the
+    /// curvatures.
     pub(super) fn step(&self, g: [f64; 2], [xx, zz, xz]: [f64; 3]) -> [f64; 2] {
         let [rx, rz] = self.root;
-        // Hessian mean +- [half, cross; cross, -half], eigenvalues mean +- radius.
+        // The Hessian is mean I + [half, cross; cross, -half], with the eigenvalues mean +- radius.
         let (a, b, cross) = (1.0 + rx * rx * xx, 1.0 + rz * rz * zz, rx * rz * xz);
         let (mean, half) = (0.5 * (a + b), 0.5 * (a - b));
         let radius = half.hypot(cross);
-        let [high, low] = [mean + radius, mean - radius].map(|c| 1.0 / c.abs().max(LEAST_CURVATURE));
+        let [high, low] = [mean + radius, mean - radius].map(|c| 1.0 / c.abs().max(MIN_CURVATURE));
         let (even, odd) = (0.5 * (high + low), if radius > 0.0 { 0.5 * (high - low) / radius } else { 0.0 });
         let step =
             [-(even * g[0] + odd * (half * g[0] + cross * g[1])), -(even * g[1] + odd * (cross * g[0] - half * g[1]))];
@@ -81,7 +84,7 @@ impl Heights {
         if length > self.longest_step_m { step.map(|s| s * self.longest_step_m / length) } else { step }
     }
 
-    /// What the undisplaced point `point - offset` sees of every patch.
+    /// The copies of every patch at the undisplaced position `point - offset`.
     pub(super) fn blends(&self, point: [f64; 2], offset: [f64; 2]) -> Blends {
         let mut out = Blends::default();
         for (out, patch) in out.iter_mut().zip(&self.patches) {
@@ -90,26 +93,26 @@ impl Heights {
         out
     }
 
-    /// The waves at the undisplaced point `point - offset`, with these weights.
-    pub(super) fn sums(&self, point: [f64; 2], offset: [f64; 2], time: u32, blends: &Blends) -> Sums {
+    /// The wave sums at the undisplaced position `point - offset`, with the weights of `blends`.
+    pub(super) fn sums(&self, point: [f64; 2], offset: [f64; 2], time: u32, blends: &Blends) -> WaveSums {
         self.copies(point, offset, time, blends).blended(blends).0
     }
 
-    /// The copies there that count by these weights, and those of them that count by the point's own.
-    fn copies(&self, point: [f64; 2], offset: [f64; 2], time: u32, blends: &Blends) -> Copies {
+    /// The sums of each copy with a weight in `blends` or in the blend at `point - offset` itself.
+    fn copies(&self, point: [f64; 2], offset: [f64; 2], time: u32, blends: &Blends) -> CopySums {
         let own = self.blends(point, offset);
         let mut sums = [[None; 3]; MAX_CASCADES];
         for (i, patch) in self.patches.iter().enumerate() {
-            // The remainder is exact: far away the phases are as good as here.
+            // The remainder is exact, so the phases keep their precision far from the origin.
             let at = [0, 1].map(|axis| (point[axis] % patch.side_m - offset[axis]) / patch.side_m);
             for (copy, sums) in blends[i].iter().zip(&mut sums[i]) {
-                let counts = |c: &Copy| c.cell == copy.cell && c.weight > 0.0;
-                if copy.weight > 0.0 || own[i].iter().any(counts) {
+                let same = |c: &Copy| c.cell == copy.cell && c.weight > 0.0;
+                if copy.weight > 0.0 || own[i].iter().any(same) {
                     *sums = Some(patch.sums(at[0] + copy.shift[0], at[1] + copy.shift[1], time));
                 }
             }
         }
-        Copies { blends: *blends, sums }
+        CopySums { blends: *blends, sums }
     }
 }
 

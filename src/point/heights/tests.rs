@@ -1,4 +1,4 @@
-//! Sines against the library, and a sample against the sum of all waves.
+//! Tests of the vectorised sines, the choice of waves and the Newton step.
 
 use super::search::dot;
 use super::waves::{LANES, sin_cos_turns};
@@ -31,18 +31,18 @@ fn the_strongest_come_first() {
     let plan = plan("wind=12&n=64");
     let all = Heights::new(&plan, usize::MAX);
     let total = all.kept_m2;
-    assert_eq!((all.residual_rms_m(), all.residual_slope_rms(), all.share()), (0.0, 0.0, 1.0));
+    assert_eq!((all.residual_rms_m(), all.residual_slope_rms(), all.variance_fraction()), (0.0, 0.0, 1.0));
     let mut waves = candidates(&plan);
-    waves.sort_by(|a, b| b.strength().total_cmp(&a.strength()));
+    waves.sort_by(|a, b| b.variance().total_cmp(&a.variance()));
     for modes in [1, 7, 200, 3000] {
         let some = Heights::new(&plan, modes);
         assert_eq!(some.modes(), modes);
-        let kept: f64 = waves[..modes].iter().map(|w| 2.0 * w.strength()).sum();
+        let kept: f64 = waves[..modes].iter().map(Candidate::variance).sum();
         assert!((some.kept_m2 / kept - 1.0).abs() < 1e-12);
         assert!(((some.kept_m2 + some.left_out_m2) / total - 1.0).abs() < 1e-12);
         let lanes = some.patches.iter().flat_map(|p| &p.blocks).flat_map(|b| b.re.iter().zip(&b.im));
         let weakest = lanes.map(|(re, im)| re * re + im * im).filter(|&s| s > 0.0).fold(f64::INFINITY, f64::min);
-        assert!((0.25 * weakest / waves[modes - 1].strength() - 1.0).abs() < 1e-12);
+        assert!((0.5 * weakest / waves[modes - 1].variance() - 1.0).abs() < 1e-12);
     }
     assert_eq!(all.modes(), waves.len());
 }
@@ -74,7 +74,7 @@ fn a_step_is_newtons_where_the_water_is_upright() {
     let h = [1.0 + rx * rx * strain[0], 1.0 + rz * rz * strain[1], rx * rz * strain[2]];
     assert!((h[0] * p[0] + h[2] * p[1] + g[0]).abs() < 1e-15);
     assert!((h[2] * p[0] + h[1] * p[1] + g[1]).abs() < 1e-15);
-    // Inside a fold it still leads down.
+    // Inside a fold the step still decreases the potential.
     for strain in [[-1.7, 0.3, 0.0], [-2.0, -3.0, 0.5], [-2.0 / 3.0, 0.0, 0.0], [0.0, 0.0, 4.0]] {
         assert!(dot(sea.step(g, strain), g) < 0.0);
     }

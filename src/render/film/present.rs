@@ -8,7 +8,7 @@ use crate::render::Scene;
 use crate::render::sky::LightBuffer;
 use crate::render::targets::Targets;
 use crate::shaders::Shaders;
-use crate::state::look::Film;
+use crate::state::look::FilmLook;
 
 gpu_struct! {
     /// WGSL `Present`.
@@ -76,7 +76,7 @@ impl PresentPass {
     }
 
     /// Binds targets and the chain of the bloom, if they are not bound yet.
-    pub fn bind(&mut self, gpu: &Gpu, targets: &Targets, film: &Film) {
+    pub fn bind(&mut self, gpu: &Gpu, targets: &Targets, film: &FilmLook) {
         let wanted = Some((targets.size, film.bloom > 0.0));
         if self.bound == wanted {
             return;

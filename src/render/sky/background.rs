@@ -40,7 +40,7 @@ impl Background {
             file,
             clouds: !file && look.overcast > 0.0,
             stars: !file && look.sun_direction()[1] < STARS_SUN,
-            fog: look.fog.extinction_per_km > 0.0,
+            fog: look.fog_extinction_per_km > 0.0,
         };
         let layouts = [&group.layout, &sky.panorama.layout];
         self.pipelines.choose(parts, |parts| {

@@ -70,9 +70,8 @@ impl SkyUniform {
         let unit = unit(look);
         let near = look.sun_distance_au.recip();
         let file = look.panorama();
-        let file_gain = look.gain_ev.exp2();
+        let file_gain = look.file_gain_ev.exp2();
         let scaled = |e: [f64; 3]| e.map(|e| (e * file_gain) as f32);
-        let fog = &look.fog;
         Self {
             sun: look.sun_direction().map(|x| x as f32),
             haze: look.haze as f32,
@@ -83,10 +82,10 @@ impl SkyUniform {
             file_sky: file.map_or([0.0; 3], |f| scaled(f.irradiance)),
             file_gain: file_gain as f32,
             fog: [
-                (0.001 * fog.extinction_per_km) as f32,
-                fog.start_m as f32,
-                fog.falloff_m as f32,
-                fog.height_m as f32,
+                (0.001 * look.fog_extinction_per_km) as f32,
+                look.fog_start_m as f32,
+                look.fog_falloff_m as f32,
+                look.fog_height_m as f32,
             ],
             eye_km: (0.001 * eye_m) as f32,
             dip: dip(eye_m) as f32,
@@ -96,7 +95,7 @@ impl SkyUniform {
             drift: [0.0; 2],
             mirror_drift: [0.0; 2],
             unit: unit as f32,
-            turn: (look.turn_deg / 360.0) as f32,
+            turn: (look.file_heading_deg / 360.0) as f32,
             unused: [0.0; 2],
         }
     }

@@ -2,11 +2,11 @@
 
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Program, Slot};
-use crate::point::afloat::Pose;
+use crate::point::floating::HullPose;
 use crate::render::kit::SceneGroup;
 use crate::render::targets::{NEAREST, attachments};
 use crate::shaders::Shaders;
-use crate::state::floats::{self, Kind};
+use crate::state::floats::{FloatKind, MAX_FLOATS};
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec3};
 use std::f64::consts::TAU;
@@ -57,17 +57,18 @@ impl FloatsPass {
     }
 
     /// Takes what floats, around the eye's foot (world x, z), over still water at `level_m`.
-    pub fn write(&mut self, gpu: &Gpu, scene: &SceneGroup, poses: &[Pose], foot: [f64; 2], level_m: f64) {
+    pub fn write(&mut self, gpu: &Gpu, scene: &SceneGroup, poses: &[HullPose], foot: [f64; 2], level_m: f64) {
         self.count = 0;
         if poses.is_empty() {
             return;
         }
         let mut vertices = Vec::new();
         for pose in poses {
-            let [up, ahead] = [pose.up, pose.ahead].map(DVec3::from_array);
+            let [up, ahead] = [pose.up, pose.forward].map(DVec3::from_array);
             let turn = DMat3::from_cols(ahead.cross(up), up, -ahead);
-            let origin = DVec3::new(pose.place[0] - foot[0], pose.place[1] - level_m, pose.place[2] - foot[1]);
-            let hull = &self.hulls[usize::from(pose.kind == Kind::Boat)];
+            let origin =
+                DVec3::new(pose.position_m[0] - foot[0], pose.position_m[1] - level_m, pose.position_m[2] - foot[1]);
+            let hull = &self.hulls[usize::from(pose.kind == FloatKind::Boat)];
             vertices.extend(hull.iter().flat_map(|facet| (0..3).map(move |i| (facet, i))).map(|(facet, i)| Vertex {
                 place: (origin + turn * facet.corners[i]).as_vec3().to_array(),
                 colour: facet.colour,
@@ -75,7 +76,7 @@ impl FloatsPass {
                 unused: 0.0,
             }));
         }
-        let most = floats::MOST * self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0);
+        let most = MAX_FLOATS * self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0);
         let (buffer, _) = self.vertices.get_or_insert_with(|| {
             let bytes = (most * size_of::<Vertex>()) as u64;
             let buffer = gpu.storage("floats", bytes);

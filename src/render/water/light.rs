@@ -40,12 +40,12 @@ impl Parts {
         Self {
             bed,
             caustics: bed && surface.bed.caustics > 0.0,
-            foam: surface.foam.shown > 0.0,
-            phong: surface.mirror.specular == Specular::BlinnPhong,
-            ggx: surface.mirror.specular == Specular::Ggx,
-            schlick: surface.mirror.fresnel == Fresnel::Schlick,
+            foam: surface.foam.amount > 0.0,
+            phong: surface.reflection.specular == Specular::BlinnPhong,
+            ggx: surface.reflection.specular == Specular::Ggx,
+            schlick: surface.reflection.fresnel == Fresnel::Schlick,
             file: scene.look.sky.panorama().is_some(),
-            fog: scene.look.sky.fog.extinction_per_km > 0.0,
+            fog: scene.look.sky.fog_extinction_per_km > 0.0,
             samples: film == Film::Reference,
         }
     }

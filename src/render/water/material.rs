@@ -1,10 +1,10 @@
 //! The uniform of what water, foam and bed are made of. Depends on the look, the wind and where the eye stands.
 
 use crate::gpu::layout::gpu_struct;
-use crate::optics::water::Water;
+use crate::optics::water::WaterOptics;
 use crate::render::Scene;
 use crate::state::fields::linear_rgb;
-use crate::state::look::Body;
+use crate::state::look::Scattering;
 
 /// Layers of noise: four of foam, two of the bed.
 const LAYERS: usize = 6;
@@ -64,8 +64,9 @@ impl MaterialUniform {
     /// The material of a scene.
     pub fn new(scene: &Scene) -> Self {
         let surface = &scene.look.surface;
-        let (body, mirror, foam, bed) = (&surface.body, &surface.mirror, &surface.foam, &surface.bed);
-        let water = water(body);
+        let (scattering, reflection) = (&surface.scattering, &surface.reflection);
+        let (foam, bed) = (&surface.foam, &surface.bed);
+        let water = water(scattering);
         let colour = |c: f64| linear_rgb(c).map(|x| x as f32);
         let single = |c: [f64; 3]| c.map(|x| x as f32);
         let downwind = scene.sea.downwind.map(f64::from);
@@ -74,32 +75,32 @@ impl MaterialUniform {
         let placed = SHAPES.map(|shape| place(shape, downwind, gale * gale * (3.0 - 2.0 * gale), foot));
         Self {
             absorption: single(water.absorption),
-            ambient: body.ambient as f32,
+            ambient: scattering.ambient as f32,
             backscatter: single(water.backscatter),
-            index_air: mirror.index_air as f32,
+            index_air: reflection.index_air as f32,
             scatter: single(water.scatter),
-            bubbles: body.bubbles as f32,
-            bubble_colour: colour(body.bubble_colour),
-            height_scatter: body.height as f32,
+            bubbles: scattering.bubbles as f32,
+            bubble_colour: colour(scattering.bubble_colour),
+            height_scatter: scattering.height_scatter as f32,
             foam_colour: colour(foam.colour),
-            view_scatter: body.view as f32,
+            view_scatter: scattering.view_scatter as f32,
             bed_colour: colour(bed.colour),
-            diffuse: body.diffuse as f32,
+            diffuse: scattering.diffuse as f32,
             layers: placed.map(|(turn, _)| turn),
             layer_feet: placed.map(|(_, foot)| foot),
-            index_water: mirror.index_water as f32,
-            fresnel_shine: mirror.fresnel_shine as f32,
-            fresnel_scale: mirror.fresnel_scale as f32,
-            fresnel_normals: mirror.fresnel_normals as f32,
-            shininess: mirror.shininess as f32,
-            specular_scale: mirror.glitter as f32,
-            specular_fresnel: mirror.glitter_fresnel as f32,
-            specular_cut: mirror.glitter_cut as f32,
+            index_water: reflection.index_water as f32,
+            fresnel_shine: reflection.fresnel_shine as f32,
+            fresnel_scale: reflection.fresnel_scale as f32,
+            fresnel_normals: reflection.fresnel_normals as f32,
+            shininess: reflection.shininess as f32,
+            specular_scale: reflection.glitter as f32,
+            specular_fresnel: reflection.glitter_fresnel as f32,
+            specular_cut: reflection.glitter_cut as f32,
             // alpha^2 = 2 sigma^2, alpha = roughness^2.
-            rough_variance: (0.5 * mirror.roughness.powi(4)) as f32,
+            rough_variance: (0.5 * reflection.roughness.powi(4)) as f32,
             foam_roughness: foam.roughness as f32,
             foam_relief: foam.relief as f32,
-            reflection: mirror.reflection as f32,
+            reflection: reflection.sky_strength as f32,
             caustics: bed.caustics as f32,
             caustic_m: scene.sea.focusing_m,
             unused: [0.0; 2],
@@ -108,14 +109,14 @@ impl MaterialUniform {
 }
 
 /// What the water is made of.
-fn water(body: &Body) -> Water {
-    let water = Water::between(body.water, body.mix);
-    if body.scatter_colour > 0.0 { water.coloured(linear_rgb(body.scatter_colour)) } else { water }
+fn water(scattering: &Scattering) -> WaterOptics {
+    let water = WaterOptics::between(scattering.water_type, scattering.next_type_share);
+    if scattering.scatter_colour > 0.0 { water.with_colour(linear_rgb(scattering.scatter_colour)) } else { water }
 }
 
 /// Whether enough light comes back from the bed.
 pub fn bed_is_seen(scene: &Scene) -> bool {
-    let back = water(&scene.look.surface.body).there_and_back(f64::from(scene.sea.depth_m));
+    let back = water(&scene.look.surface.scattering).two_way_transmittance(f64::from(scene.sea.depth_m));
     back.into_iter().any(|share| share > BED_SEEN)
 }
 

@@ -1,31 +1,30 @@
-//! Named seas: those that ship with the program, and users' own files of the same form.
+//! Named seas: the built-in ones, and users' files in the same format.
 //!
-//! A file is text. `[Name]` begins a sea; `about:`, `source:` and `state:` are its lines, each of which may be
-//! repeated: texts are joined by a space, states by `&`. Lines that begin with `#` are comments. Reading never fails:
-//! what cannot be taken becomes a notice.
+//! A file is text. `[Name]` begins a sea, and `about:`, `source:` and `state:` begin its lines. Each kind of line may
+//! be repeated: texts are joined by a space, states by `&`. Lines that begin with `#` are comments. Reading never
+//! fails: a line that cannot be read becomes a notice.
 //!
-//! What a sea carries follows from the groups of [`FIELDS`] alone, see [`Preset::apply`].
+//! The groups of [`FIELDS`] decide which parameters a sea sets, see [`Preset::apply`].
 
 use super::fields::{FIELDS, Field, Group};
-use super::look::SkyFile;
 use super::params::Params;
 use super::query;
+use super::text::{limit, printable, quoted};
 use std::fmt::Write as _;
 use std::sync::LazyLock;
 
 #[cfg(test)]
 mod tests;
 
-/// Largest file of seas that is read; the rest is ignored with a notice.
+/// Largest preset file that is read; the rest is ignored with a notice.
 pub const MAX_FILE_BYTES: usize = 1024 * 1024;
-/// Most seas of a file.
+/// Largest number of seas in a file.
 pub const MAX_PRESETS: usize = 200;
 /// Longest name, characters.
 pub const MAX_NAME: usize = 60;
-/// Longest `about` and `source`, characters.
+/// Longest `about` or `source`, characters.
 pub const MAX_TEXT: usize = 1000;
-const MAX_NOTICES: usize = 24;
-/// The one value of the sea groups that a sea does not reset: which of all seas of the same statistics is shown.
+/// Key that a sea does not reset: the seed only chooses among seas of the same statistics.
 const SEED: &str = "seed";
 
 /// A named sea.
@@ -33,24 +32,24 @@ const SEED: &str = "seed";
 pub struct Preset {
     /// Name, at most [`MAX_NAME`] characters.
     pub name: String,
-    /// What one sees, with typical numbers.
+    /// Description with typical numbers.
     pub about: String,
-    /// Where the numbers come from.
+    /// Source of the numbers.
     pub source: String,
-    /// State string of what it sets; empty is the default sea.
+    /// State string; empty is the default sea.
     pub state: String,
 }
 
-/// What becomes of a parameter when a sea is applied.
+/// Treatment of a parameter when a sea is applied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Role {
-    /// Wind, waves, water, foam: as the sea has it, named or not.
+    /// Wind, waves, water, foam: always set, to the default where the state does not name it.
     Sea,
-    /// Sun, sky, colours, film: all as the sea has them if it names any of them, else left.
+    /// Sun, sky, colours, film: all set if the state names one of them, else kept.
     Light,
-    /// Camera: what the sea names.
+    /// Camera: set where the state names it.
     Camera,
-    /// Time, resolution, views: never the sea's.
+    /// Time, resolution, views: never set.
     Kept,
 }
 
@@ -63,21 +62,21 @@ fn role(group: Group) -> Role {
     }
 }
 
-/// The seas that ship with the program.
+/// The built-in seas.
 pub fn built_in() -> &'static [Preset] {
     static SEAS: LazyLock<Vec<Preset>> = LazyLock::new(|| read(include_str!("../../../assets/presets/seas.txt")).0);
     &SEAS
 }
 
-/// Whether a text looks like a file of seas: its first line that is no comment is a name in brackets.
+/// Whether a text looks like a preset file: its first line that is no comment is a name in brackets.
 pub fn is_file(text: &str) -> bool {
     let first = text.lines().map(str::trim).find(|line| !line.is_empty() && !line.starts_with('#'));
     first.is_some_and(|line| line.starts_with('[') && line.ends_with(']'))
 }
 
 impl Preset {
-    /// The sea and light of `params` under a name, without a description. Camera, time, resolution and views are not in
-    /// it, nor is what stands at its default: a sea in default light carries no light.
+    /// A sea with the waves and the light of `params`, without a description. Camera, time, resolution, views and
+    /// default values are left out: a sea in default light carries no light.
     pub fn of(name: &str, params: &Params) -> Self {
         let mut carried = Params::default();
         for field in FIELDS.iter().filter(|f| matches!(role(f.group), Role::Sea | Role::Light)) {
@@ -88,15 +87,16 @@ impl Preset {
         Self { name: name.to_owned(), state: query::write(&carried), ..Self::default() }.tidy()
     }
 
-    /// This sea in place of that of `now`, and a notice for each thing of its state that was not taken as written.
+    /// The parameters `now` with this sea in place of their own, and one notice for each value of its state that was
+    /// not taken as written.
     ///
-    /// Wind, waves, water and foam go to their defaults and then to what the state names, all but the seed, which stays
-    /// unless it is named; a buoy's spectrum is the state's or none. Sun, sky, colours and film do the same if the
-    /// state names any of them, else they stay. Of the camera only what is named changes; time, resolution and views
-    /// stay. A sky from a file is kept if it is the one that the state names;
-    /// [`SkyLook::missing_file`](super::look::SkyLook::missing_file) tells.
+    /// Wind, waves, water, foam and the buoy's spectrum are reset and then set by the state; the seed is kept unless
+    /// the state names it. Sun, sky, colours and film are reset and set only if the state names one of them. The camera
+    /// changes only where it is named. Time, resolution and views are kept. The image of a sky file is kept if the
+    /// state names the same file; [`SkyLook::missing_file`](super::look::SkyLook::missing_file) tells whether it is
+    /// missing.
     pub fn apply(&self, now: &Params) -> (Params, Vec<String>) {
-        let query::Reading { params: wanted, taken, mut notices } = query::read(&self.state);
+        let query::StateReading { params: wanted, taken, mut notices } = query::read(&self.state);
         let named = |field: &Field| taken.contains(&field.key);
         let light = taken.contains(&query::SKY) || FIELDS.iter().any(|f| role(f.group) == Role::Light && named(f));
         let mut next = now.clone();
@@ -116,18 +116,18 @@ impl Preset {
         }
         next.sea.measured = wanted.sea.measured;
         if light {
-            let loaded: Option<SkyFile> = next.look.sky.file.take();
-            next.look.sky.file = wanted.look.sky.file;
+            let loaded = std::mem::replace(&mut next.look.sky.file, wanted.look.sky.file);
             next.look.sky.attach(loaded.as_ref());
         }
         if !left.is_empty() {
-            notices.push(format!("a named sea does not set these, they stay as they are: {}", left.join(", ")));
+            let left = left.join(", ");
+            notices.push(format!("a named sea does not set these parameters, they keep their values: {left}"));
         }
         (next, notices)
     }
 
-    /// Without control characters and surrounding blanks, texts cut to their longest. Files hold such seas, and what is
-    /// written in this form is read back to the same.
+    /// The sea without control characters and surrounding blanks, its texts cut to their largest length. A sea in this
+    /// form is unchanged by writing and reading.
     #[must_use]
     fn tidy(self) -> Self {
         Self {
@@ -143,16 +143,10 @@ fn copy(field: &Field, from: &Params, to: &mut Params) {
     (field.set)(to, (field.get)(from));
 }
 
-fn printable(text: &str, longest: usize) -> String {
-    let clean: String = text.chars().filter(|c| !c.is_control()).collect();
-    let short: String = clean.trim().chars().take(longest).collect();
-    short.trim_end().to_owned()
-}
-
-/// Puts seas in place of those of the same names, or after the others.
+/// Adds seas to a list. A sea replaces the one of the same name.
 ///
 /// # Errors
-/// One sentence, if that is more than a file holds; then nothing has changed.
+/// One sentence if the list would exceed the limits of a file; the list is then unchanged.
 pub fn add(to: &mut Vec<Preset>, new: Vec<Preset>) -> Result<(), String> {
     let mut all = to.clone();
     for preset in new {
@@ -163,15 +157,13 @@ pub fn add(to: &mut Vec<Preset>, new: Vec<Preset>) -> Result<(), String> {
     }
     if all.len() > MAX_PRESETS || write(&all).len() > MAX_FILE_BYTES {
         let kib = MAX_FILE_BYTES / 1024;
-        return Err(format!(
-            "more than {MAX_PRESETS} seas or {kib} KiB of them are not kept: forget some of yours first"
-        ));
+        return Err(format!("more than {MAX_PRESETS} seas or {kib} KiB cannot be kept: forget some of yours first"));
     }
     *to = all;
     Ok(())
 }
 
-/// Writes seas as a file that [`read`] takes. Control characters are left out, and so are seas without a name.
+/// Writes seas as a file for [`read`], without control characters and without nameless seas.
 pub fn write(presets: &[Preset]) -> String {
     let mut out = String::new();
     for preset in presets {
@@ -192,15 +184,15 @@ pub fn write(presets: &[Preset]) -> String {
     out
 }
 
-/// A sea as it stands in a file.
-struct Block {
+/// A sea while its lines are read.
+struct Entry {
     preset: Preset,
     has_state: bool,
-    /// The first thing that is wrong with it.
+    /// Notice of its first fault.
     fault: Option<String>,
 }
 
-impl Block {
+impl Entry {
     fn new(heading: &str) -> Self {
         let name = printable(heading, MAX_NAME);
         let fault =
@@ -218,9 +210,7 @@ impl Block {
                 (&mut self.preset.state, "&")
             }
             _ => {
-                let shown = printable(key, 40);
-                let fault = format!("\"{shown}\" is none of about, source, state: ignored");
-                self.fault.get_or_insert(fault);
+                self.fault.get_or_insert_with(|| format!("\"{}\" is not about, source or state: ignored", quoted(key)));
                 return;
             }
         };
@@ -231,39 +221,35 @@ impl Block {
         to.push_str(value);
     }
 
-    /// The sea if it is one, and what to say of it.
+    /// The sea if it is complete, and a notice of its fault.
     fn finish(self) -> (Option<Preset>, Option<String>) {
         let preset = self.preset.tidy();
-        let refusal = if preset.name.is_empty() {
-            Some("a sea without a name: ignored".to_owned())
+        let name = &preset.name;
+        let refusal = if name.is_empty() {
+            "a sea without a name: ignored".to_owned()
         } else if !self.has_state {
-            Some(format!("{}: no state: ignored", preset.name))
+            format!("{name}: no state: ignored")
         } else if preset.state.len() > query::MAX_BYTES {
-            Some(format!("{}: its state is longer than {} bytes: ignored", preset.name, query::MAX_BYTES))
+            format!("{name}: the state is longer than {} bytes: ignored", query::MAX_BYTES)
         } else {
-            None
+            let notice = self.fault.map(|fault| format!("{name}: {fault}"));
+            return (Some(preset), notice);
         };
-        match refusal {
-            Some(_) => (None, refusal),
-            None => {
-                let notice = self.fault.map(|fault| format!("{}: {fault}", preset.name));
-                (Some(preset), notice)
-            }
-        }
+        (None, Some(refusal))
     }
 }
 
-/// Reads a file of seas: the seas in their order, and one notice for each that was not taken as written. The states are
-/// not looked into; [`Preset::apply`] says what is wrong with them. A sea of the same name replaces the earlier one.
+/// Reads a preset file: the seas in their order, and one notice for each that was not taken as written. A sea replaces
+/// an earlier one of the same name. The states are not checked here; [`Preset::apply`] notes their faults.
 pub fn read(text: &str) -> (Vec<Preset>, Vec<String>) {
     let mut presets: Vec<Preset> = Vec::new();
     let mut notices = Vec::new();
     let text = cut(text.trim_start_matches('\u{feff}'), &mut notices);
-    let mut block: Option<Block> = None;
+    let mut entry: Option<Entry> = None;
     let mut strays = 0_usize;
     let mut surplus = 0_usize;
-    let mut close = |block: Option<Block>, notices: &mut Vec<String>| {
-        let (preset, notice) = block.map_or((None, None), Block::finish);
+    let mut close = |entry: Option<Entry>, notices: &mut Vec<String>| {
+        let (preset, notice) = entry.map_or((None, None), Entry::finish);
         notices.extend(notice);
         let Some(preset) = preset else { return };
         match presets.iter().position(|p| p.name == preset.name) {
@@ -277,34 +263,30 @@ pub fn read(text: &str) -> (Vec<Preset>, Vec<String>) {
             continue;
         }
         if let Some(heading) = line.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
-            close(block.replace(Block::new(heading)), &mut notices);
-        } else if let Some(block) = &mut block {
-            block.line(line);
+            close(entry.replace(Entry::new(heading)), &mut notices);
+        } else if let Some(entry) = &mut entry {
+            entry.line(line);
         } else {
             strays += 1;
         }
     }
-    close(block, &mut notices);
+    close(entry, &mut notices);
     if strays > 0 {
         notices.push(format!("{strays} line(s) before the first [name]: ignored"));
     }
     if surplus > 0 {
         notices.push(format!("more than {MAX_PRESETS} seas: {surplus} ignored"));
     }
-    if notices.len() > MAX_NOTICES {
-        let more = notices.len() - MAX_NOTICES;
-        notices.truncate(MAX_NOTICES);
-        notices.push(format!("and {more} more"));
-    }
+    limit(&mut notices);
     (presets, notices)
 }
 
-/// The whole lines within [`MAX_FILE_BYTES`].
+/// The complete lines within [`MAX_FILE_BYTES`].
 fn cut<'a>(text: &'a str, notices: &mut Vec<String>) -> &'a str {
     if text.len() <= MAX_FILE_BYTES {
         return text;
     }
     notices.push(format!("the file is longer than {} KiB: the rest was ignored", MAX_FILE_BYTES / 1024));
-    let end = (0..=MAX_FILE_BYTES).rev().find(|&i| text.is_char_boundary(i)).unwrap_or(0);
-    text[..end].rfind('\n').map_or("", |line| &text[..line])
+    let start = &text[..text.floor_char_boundary(MAX_FILE_BYTES)];
+    start.rfind('\n').map_or("", |end| &start[..end])
 }

@@ -1,13 +1,14 @@
-//! What ships, what is read and written, and what a sea leaves alone.
+//! Built-in seas, preset files, and the parameters that a sea sets or keeps.
 
 use super::*;
-use crate::files::measured::Measured;
-use crate::state::fields::{Kind, Refusal};
+use crate::files::measured::MeasuredSpectrum;
+use crate::state::fields::{FieldKind, Refusal};
+use crate::state::text::MAX_NOTICES;
 use crate::waves::statistics::Theory;
 use crate::waves::{Plan, noise};
 use std::collections::HashSet;
 
-/// A small deterministic generator.
+/// A small deterministic random generator.
 struct Dice(u32);
 
 impl Dice {
@@ -21,7 +22,7 @@ impl Dice {
     }
 }
 
-/// Random values of the rows that `which` names; half of them stay at their defaults.
+/// Random values of the fields that `which` selects; half of them stay at their defaults.
 fn random(dice: &mut Dice, which: impl Fn(&Field) -> bool) -> Params {
     let mut p = Params::default();
     for field in FIELDS.iter().filter(|f| which(f)) {
@@ -30,14 +31,14 @@ fn random(dice: &mut Dice, which: impl Fn(&Field) -> bool) -> Params {
             continue;
         }
         let value = match field.kind {
-            Kind::Number { min, max, .. } => min + (max - min) * u,
-            Kind::Integer { min, max } => f64::from(min) + (f64::from(max) - f64::from(min)) * u,
-            Kind::Choice(words) => u * (words.len() as f64 - 1.0),
-            Kind::Heading => 359.9 * u,
-            Kind::Flag => u.round(),
-            Kind::Colour => f64::from(0x00ff_ffff) * u,
+            FieldKind::Number { min, max, .. } => min + (max - min) * u,
+            FieldKind::Integer { min, max } => f64::from(min) + (f64::from(max) - f64::from(min)) * u,
+            FieldKind::Choice(words) => u * (words.len() as f64 - 1.0),
+            FieldKind::Heading => 359.9 * u,
+            FieldKind::Flag => u.round(),
+            FieldKind::Colour => f64::from(0x00ff_ffff) * u,
         };
-        // Whole numbers are rounded, which is refused as another value but still the one to take.
+        // A whole number is rounded, which counts as clamped.
         let taken = match field.accept(value) {
             Ok(v) | Err(Refusal::Clamped(v)) => v,
             Err(Refusal::Ignored) => continue,
@@ -51,7 +52,7 @@ fn same(field: &Field, a: &Params, b: &Params) -> bool {
     (field.get)(a) == (field.get)(b)
 }
 
-/// Height and peak period as each text claims them.
+/// Ranges of significant wave height, m, and peak period, s, that the text of each built-in sea claims.
 const CLAIMS: [(&str, [f64; 2], [f64; 2]); 18] = [
     ("Calm open ocean", [0.85, 0.95], [9.5, 10.5]),
     ("Large swells", [5.5, 5.7], [9.5, 10.5]),
@@ -178,7 +179,7 @@ fn a_sea_changes_what_is_its_own() {
     let (state, notices) = applied("n=512&t=3&mesh=1&wind=8", now);
     assert_eq!(state, query::write(&parse("wind=8&seed=7&sun=5&haze=3&tone=aces&mesh=2&y=30&heading=10&t=9&n=128")));
     assert_eq!(notices.len(), 1, "{notices:?}");
-    // A value that could not be read names nothing.
+    // A value that cannot be read does not count as named.
     let (state, notices) = applied("heading=north&sun=low", now);
     assert_eq!(state, query::write(&parse("seed=7&sun=5&haze=3&tone=aces&mesh=2&y=30&heading=10&t=9&n=128")));
     assert_eq!(notices.len(), 2, "{notices:?}");
@@ -187,7 +188,7 @@ fn a_sea_changes_what_is_its_own() {
 #[test]
 fn buoys_and_skies_come_along() {
     let bands: Vec<(f64, f64)> = (1..40).map(|i| (0.02 * f64::from(i), 1.0 / f64::from(i))).collect();
-    let measured = Measured::new(&bands, None).expect("a sea");
+    let measured = MeasuredSpectrum::new(&bands, None).expect("a sea");
     let mut now = query::parse("sky=a.hdr&skyturn=30").0;
     now.sea.show_measured(measured);
     let preset = Preset::of("buoy", &now);
@@ -197,7 +198,7 @@ fn buoys_and_skies_come_along() {
     let (next, _) = Preset { state: "sun=3".into(), ..Preset::default() }.apply(&now);
     assert_eq!(next.look.sky.file, None);
     let (next, _) = Preset { state: "sky=a.hdr".into(), ..Preset::default() }.apply(&now);
-    assert_eq!((next.look.sky.file, next.look.sky.turn_deg), (now.look.sky.file, 0.0));
+    assert_eq!((next.look.sky.file, next.look.sky.file_heading_deg), (now.look.sky.file, 0.0));
 }
 
 #[test]

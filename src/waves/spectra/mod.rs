@@ -9,7 +9,7 @@ mod wind;
 
 use super::dispersion::Dispersion;
 use super::quadrature::adaptive;
-use crate::files::measured::Measured;
+use crate::files::measured::MeasuredSpectrum;
 use crate::state::params::{Sea, SpectrumKind, System};
 use double::{OchiHubble, Torsethaugen};
 use std::f64::consts::TAU;
@@ -52,7 +52,7 @@ enum Shape {
     Donelan(Donelan),
     OchiHubble(OchiHubble),
     Torsethaugen(Torsethaugen),
-    Measured(Arc<Measured>),
+    Measured(Arc<MeasuredSpectrum>),
 }
 
 /// What a family is made from.
@@ -172,7 +172,7 @@ impl FrequencySpectrum {
     }
 
     /// The buoy's data behind a measured spectrum.
-    pub fn measured(&self) -> Option<&Measured> {
+    pub fn measured(&self) -> Option<&MeasuredSpectrum> {
         if let Shape::Measured(m) = &self.shape { Some(m) } else { None }
     }
 
@@ -221,7 +221,7 @@ impl FrequencySpectrum {
             Shape::Phillips(s) => s.omega_p,
             Shape::OchiHubble(s) => 0.3 * s.lowest_peak(),
             Shape::Torsethaugen(s) => 0.3 * s.lowest_peak(),
-            Shape::Measured(s) => s.support().0.max(1e-3),
+            Shape::Measured(s) => s.lowest_omega().max(1e-3),
             _ => 0.3 * self.omega_p,
         };
         (low, (400.0 * self.omega_p).max(4000.0))

@@ -1,4 +1,4 @@
-//! Files that make a sea.
+//! Files that are read.
 
 use super::super::Direction;
 use super::{BANDS, SPEC, borrowed, message, read, realtime_set, sea};
@@ -13,7 +13,7 @@ fn realtime_files_make_one_sea() {
     assert_eq!(whole.directions().map(|d| d[2]), Some(last), "99 degrees are a direction");
     assert_eq!(whole.title(), "44025.data_spec, 2026-11-21 06:00 UTC");
 
-    // In any order, in one file, under the header of r1, with paths and Windows line ends.
+    // The files in reverse order, joined in one file, with a path and Windows line ends, and r2 under the header of r1.
     files.reverse();
     assert_eq!(sea(&borrowed(&files)), whole);
     files.reverse();
@@ -29,22 +29,22 @@ fn incomplete_directions_are_left_out_with_a_notice() {
     let files = realtime_set();
     let plain = sea(&[("44025.data_spec", &files[0].1)]);
     assert!(plain.directions().is_none());
-    // A kind is missing; or is of another time; or too few bands have it.
+    // A file is missing, has another time, or has values in too few bands.
     let (got, notices) = read(&borrowed(&files[..4])).expect("a sea");
     assert_eq!(got, plain);
-    assert_eq!(notices, ["there is no r2 of 2026-11-21 06:00 UTC: the sea is taken without directions"]);
+    assert_eq!(notices, ["there is no r2 of 2026-11-21 06:00 UTC: the spectrum is used without directions"]);
     let mut other = realtime_set();
     other[3].1 = other[3].1.replace(" 06 00 ", " 05 00 ");
     let (got, notices) = read(&borrowed(&other)).expect("a sea");
     assert_eq!(got, plain);
-    assert_eq!(notices, ["there is no r1 of 2026-11-21 06:00 UTC: the sea is taken without directions"]);
+    assert_eq!(notices, ["there is no r1 of 2026-11-21 06:00 UTC: the spectrum is used without directions"]);
     let mut few = realtime_set();
     few[1].1 = few[1].1.replace("240.0", "999.0").replace("250.0", "MM");
     few[2].1 = few[2].1.replace("100.0", "999.0");
     let (got, notices) = read(&borrowed(&few)).expect("a sea");
     assert_eq!(got, plain);
-    assert_eq!(notices, ["only 0 of 3 bands have a direction: the sea is taken without directions"]);
-    // One of three is enough, and is everyone's.
+    assert_eq!(notices, ["only 0 of 3 bands have a direction: the spectrum is used without directions"]);
+    // One band of three is enough: its direction fills all bands.
     few[2].1 = realtime_set()[2].1.clone();
     let got = sea(&borrowed(&few));
     let last = Direction { alpha1_deg: 99.0, alpha2_deg: 100.0, r1: 0.7, r2: 0.3 };
@@ -59,11 +59,12 @@ fn the_newest_complete_record_counts() {
     for bad in ["4 (0.05) 999.00 (0.1) 6 (0.2)", "4 (0.05) MM (0.1) 6 (0.2)", "0 (0.05) 0.00 (0.1) 0 (0.2)"] {
         let (got, notices) = read(&[("a", &rows(one, bad))]).expect("a sea");
         assert_eq!(got.density_m2_hz(), [1.0, 2.0, 3.0]);
-        let want = "a: the newest record, of 2026-11-21 07:30 UTC, has no complete density: \
-                    that of 2026-11-21 06:00 UTC is taken";
+        let want = "a: the newest record (2026-11-21 07:30 UTC) has no complete variance density: \
+                    2026-11-21 06:00 UTC is used";
         assert_eq!(notices, [want]);
         let none = message("a", &rows(bad, bad));
-        assert_eq!(none, "no record has a complete spectral density with waves in it");
+        let want = "no record has a complete variance density with waves in it: choose other files of the buoy";
+        assert_eq!(none, want);
     }
 }
 
@@ -82,7 +83,7 @@ fn archive_files_are_known_by_their_names() {
     let second = Direction { alpha1_deg: 250.0, alpha2_deg: 251.0, r1: 0.9, r2: 0.6 };
     assert_eq!(got.directions().map(|d| (d[1], d[2])), Some((second, second)));
 
-    // Moments that are not in hundredths stay; a comment beats the name; realtime and archive bands meet.
+    // Moments that are not in hundredths are kept as they are. A comment has precedence over the file name.
     let mut plain = files.clone();
     plain[3].1 = file("0.80 0.90 99");
     plain[4].1 = file("# not a row").replace("2023 06 01 00 40 #", "#") + "2023 06 01 00 40 0.40 0.60 99\n";
@@ -94,16 +95,16 @@ fn archive_files_are_known_by_their_names() {
         .collect();
     assert_eq!(sea(&[("44025w2023.txt", &named)]), got);
 
-    // Old headers: no minutes, no '#', two digits of the year.
+    // Old headers have no minutes, no '#', and two digits of the year.
     let old = "YYYY MM DD hh   .05  .10  .20\n1999 01 02 03  1.0 2.0 3.0\n";
     assert_eq!(sea(&[("44025w1999.txt", old)]).title(), "44025w1999.txt, 1999-01-02 03:00 UTC");
     let old = "YY MM DD hh .05 .10 .20\n96 01 02 03 1.0 2.0 3.0\n";
     assert_eq!(sea(&[("44025w1996.txt", old)]).title(), "44025w1996.txt, 1996-01-02 03:00 UTC");
 
-    // One section without a word on it is the density.
+    // A single section that nothing describes is read as the variance density.
     let (got, notices) = read(&[("4402512023.txt", &files[0].1)]).expect("a sea");
     assert_eq!(got.density_m2_hz(), [0.5, 2.0, 0.3]);
-    assert_eq!(notices, ["4402512023.txt: taken as spectral density, which nothing in it says"]);
+    assert_eq!(notices, ["4402512023.txt: the file does not say what it holds: it is read as variance density"]);
 }
 
 #[test]
@@ -140,5 +141,5 @@ fn tables_are_read_in_every_dress() {
     assert_eq!(got.directions(), Some([west, west, north, north].as_slice()));
     let (got, notices) = read(&[("b", "0.1,1,,\n0.2,1,MM,MM\n0.3,1,9,9\n0.4,1,NaN,9\n")]).expect("a sea");
     assert!(got.directions().is_none());
-    assert_eq!(notices, ["only 1 of 4 bands have a direction: the sea is taken without directions"]);
+    assert_eq!(notices, ["only 1 of 4 bands have a direction: the spectrum is used without directions"]);
 }

@@ -1,7 +1,7 @@
-//! Seas as text.
+//! Spectra as text in links.
 
-use super::super::samples::TWO_SYSTEMS;
-use super::super::{Direction, MAX_BANDS, MAX_STATE_BYTES, MIN_BANDS, Measured};
+use super::super::{Direction, MAX_BANDS, MAX_STATE_BYTES, MIN_BANDS, MeasuredSpectrum};
+use super::samples::TWO_SYSTEMS;
 use super::{Lcg, check, read, sea};
 
 #[test]
@@ -20,29 +20,30 @@ fn states_come_back_bit_for_bit() {
                 r2: random.unit(),
             })
             .collect();
-        let sea = Measured::new(&bands, (i % 2 == 0).then_some(directions.as_slice())).expect("a sea");
+        let sea = MeasuredSpectrum::new(&bands, (i % 2 == 0).then_some(directions.as_slice())).expect("a sea");
         check(&sea);
-        let bits = |sea: &Measured| -> Vec<u64> {
+        let bits = |sea: &MeasuredSpectrum| -> Vec<u64> {
             let all = sea.directions().unwrap_or_default();
             let parts = all.iter().flat_map(|d| [d.alpha1_deg, d.alpha2_deg, d.r1, d.r2]);
             sea.f_hz().iter().chain(sea.density_m2_hz()).copied().chain(parts).map(f64::to_bits).collect()
         };
-        assert_eq!(bits(&Measured::from_state(&sea.to_state()).expect("a sea")), bits(&sea));
+        assert_eq!(bits(&MeasuredSpectrum::from_state(&sea.to_state()).expect("a sea")), bits(&sea));
     }
     let short = sea(&[("b", "0.05,0.50\n0.1,12.3456\n0.2,0.0000123\n0.3,0\n")]);
     assert_eq!(short.to_state(), ".05*.5_.1*12.35_.2*1.23e-5_.3*0");
     assert_eq!(short.title(), "b");
-    assert_eq!(Measured::from_state(".05*.5_.1*12.35_.2*1.23e-5_.3*0"), Ok(short));
+    assert_eq!(MeasuredSpectrum::from_state(".05*.5_.1*12.35_.2*1.23e-5_.3*0"), Ok(short));
 }
 
 #[test]
 fn a_buoys_sea_fits_in_a_link() {
-    let (mut sea, _) = read(&[("two-systems.txt", TWO_SYSTEMS)]).expect("a sample");
+    let (sea, _) = read(&[("two-systems.txt", TWO_SYSTEMS)]).expect("a sample");
     assert!(sea.to_state().len() < 1400, "{}", sea.to_state().len());
-    // Full numbers everywhere.
+    // All numbers with all their digits.
     let worst = Direction { alpha1_deg: 123.4, alpha2_deg: 234.5, r1: 0.123, r2: 0.456 };
-    sea.directions = Some(vec![worst; 47]);
-    sea.density_m2_hz = (0..47).map(|i| [0.1234, 1.234, 12.34][i % 3]).collect();
+    let densities = [0.1234, 1.234, 12.34].into_iter().cycle();
+    let bands: Vec<_> = sea.f_hz().iter().copied().zip(densities).collect();
+    let sea = MeasuredSpectrum::new(&bands, Some(&[worst; 47])).expect("a sea");
     assert!(sea.to_state().len() < 1650, "{}", sea.to_state().len());
 }
 
@@ -51,24 +52,24 @@ fn hostile_states_are_refused() {
     let bands = |n: u32| (1..=n).map(|i| format!("{}*1", f64::from(i) / 1000.0)).collect::<Vec<_>>().join("_");
     let long = "1".repeat(MAX_STATE_BYTES + 1);
     for (text, want) in [
-        ("", "band 1 of the measured sea: \"\" is not a number"),
-        ("_", "band 1 of the measured sea: \"\" is not a number"),
-        (".1*1_.2*1", "the measured sea: 2 bands of frequency, where 3 to 256 are needed"),
-        (".1*1_.2*NaN_.3*1", "band 2 of the measured sea: \"NaN\" is not a number"),
-        (".1*1_.2*1e999_.3*1", "band 2 of the measured sea: \"1e999\" is not a number"),
-        (".1*1_.2*1*3_.3*1", "band 2 of the measured sea: it has neither 2 nor 6 numbers"),
-        (".1*1_.2*1*3*4*5*6*7_.3*1", "band 2 of the measured sea: it has neither 2 nor 6 numbers"),
-        (".1*1*1*1*0*0_.2*1_.3*1", "band 2 of the measured sea: some bands have directions and some have none"),
-        (".1*1_.2*1*1*1*0*0_.3*1", "band 2 of the measured sea: some bands have directions and some have none"),
-        (".1*1*361*1*0*0_", "band 1 of the measured sea: a direction is not within 0 to 360 degrees"),
-        (".1*1*1*1*2*0_", "band 1 of the measured sea: a directional moment is not within 0 to 1"),
-        (".2*1_.1*1_.3*1", "the measured sea: the frequency 0.1 comes after 0.2: frequencies must ascend"),
-        (".1*0_.2*0_.3*0", "the measured sea: the spectral density is zero everywhere: there are no waves"),
-        (&bands(257), "the measured sea: 257 bands of frequency, where 3 to 256 are needed"),
-        (&bands(1500), "the measured sea: 257 bands of frequency, where 3 to 256 are needed"),
-        (&long, "the measured sea is longer than 16384 bytes"),
+        ("", "band 1 of the measured spectrum: \"\" is not a number"),
+        ("_", "band 1 of the measured spectrum: \"\" is not a number"),
+        (".1*1_.2*1", "the measured spectrum: 2 frequency bands, but 3 to 256 are needed"),
+        (".1*1_.2*NaN_.3*1", "band 2 of the measured spectrum: \"NaN\" is not a number"),
+        (".1*1_.2*1e999_.3*1", "band 2 of the measured spectrum: \"1e999\" is not a number"),
+        (".1*1_.2*1*3_.3*1", "band 2 of the measured spectrum: it has neither 2 nor 6 numbers"),
+        (".1*1_.2*1*3*4*5*6*7_.3*1", "band 2 of the measured spectrum: it has neither 2 nor 6 numbers"),
+        (".1*1*1*1*0*0_.2*1_.3*1", "band 2 of the measured spectrum: some bands have directions and some have none"),
+        (".1*1_.2*1*1*1*0*0_.3*1", "band 2 of the measured spectrum: some bands have directions and some have none"),
+        (".1*1*361*1*0*0_", "band 1 of the measured spectrum: a direction is not within 0 to 360 degrees"),
+        (".1*1*1*1*2*0_", "band 1 of the measured spectrum: r1 or r2 is not within 0 to 1"),
+        (".2*1_.1*1_.3*1", "the measured spectrum: the frequency 0.1 Hz follows 0.2 Hz: frequencies must ascend"),
+        (".1*0_.2*0_.3*0", "the measured spectrum: the variance density is zero in every band: there are no waves"),
+        (&bands(257), "the measured spectrum: 257 frequency bands, but 3 to 256 are needed"),
+        (&bands(1500), "the measured spectrum: 257 frequency bands, but 3 to 256 are needed"),
+        (&long, "the measured spectrum is longer than 16384 bytes"),
     ] {
-        assert_eq!(Measured::from_state(text).expect_err(text), want, "{text:.60}");
+        assert_eq!(MeasuredSpectrum::from_state(text).expect_err(text), want, "{text:.60}");
     }
     let mut random = Lcg(5);
     let state = read(&[("two-systems.txt", TWO_SYSTEMS)]).expect("a sample").0.to_state();
@@ -78,7 +79,7 @@ fn hostile_states_are_refused() {
             let at = random.below(bytes.len());
             bytes[at] = b"0123456789*_-.e\xe9x"[random.below(17)];
         }
-        if let Ok(sea) = Measured::from_state(&String::from_utf8_lossy(&bytes)) {
+        if let Ok(sea) = MeasuredSpectrum::from_state(&String::from_utf8_lossy(&bytes)) {
             check(&sea);
         }
     }

@@ -1,13 +1,14 @@
-//! Files good and bad, links, and the physics.
+//! Tests of files that are read or refused, of links, and of the physics.
 
 mod files;
 mod links;
 mod physics;
 mod refusals;
+mod samples;
 
-use super::{MAX_STATE_BYTES, Measured, Mem};
+use super::{MAX_STATE_BYTES, MeasuredSpectrum, Mem};
 
-/// Knuth's generator, for repeatable tests.
+/// Knuth's linear congruential generator, for repeatable tests.
 pub(super) struct Lcg(pub u64);
 
 impl Lcg {
@@ -16,7 +17,7 @@ impl Lcg {
         self.0 >> 33
     }
 
-    /// 0 to below 1.
+    /// A number in [0, 1).
     pub(super) fn unit(&mut self) -> f64 {
         self.next() as f64 / (1_u64 << 31) as f64
     }
@@ -26,19 +27,19 @@ impl Lcg {
     }
 }
 
-fn read(files: &[(&str, &str)]) -> Result<(Measured, Vec<String>), String> {
+fn read(files: &[(&str, &str)]) -> Result<(MeasuredSpectrum, Vec<String>), String> {
     let files: Vec<_> = files.iter().map(|(n, t)| ((*n).to_string(), t.as_bytes().to_vec())).collect();
-    Measured::read(&files)
+    MeasuredSpectrum::read(&files)
 }
 
-/// A sea that reads without notices.
-fn sea(files: &[(&str, &str)]) -> Measured {
+/// The spectrum of files that give no notice.
+fn sea(files: &[(&str, &str)]) -> MeasuredSpectrum {
     let (sea, notices) = read(files).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(notices, [""; 0]);
     sea
 }
 
-/// What is said of a file that is refused.
+/// The message about a file that is refused.
 fn message(name: &str, text: &str) -> String {
     read(&[(name, text)]).expect_err(text)
 }
@@ -46,7 +47,7 @@ fn message(name: &str, text: &str) -> String {
 const SPEC: &str = "#YY  MM DD hh mm Sep_Freq  < spec_1 (freq_1) spec_2 (freq_2) ... >\n";
 const BANDS: &str = "#YY  MM DD hh mm  .0500  .1000  .2000\n";
 
-/// A realtime file: a header and one record of values at 0.05, 0.1 and 0.2 Hz.
+/// A realtime file: a header and one record with values at 0.05, 0.1 and 0.2 Hz.
 fn realtime(columns: &str, time: &str, v: [&str; 3]) -> String {
     format!("#YY  MM DD hh mm {columns} ... >\n{time} {} (0.050) {} (0.100) {} (0.200)\n", v[0], v[1], v[2])
 }
@@ -66,18 +67,17 @@ fn borrowed<'a>(files: &'a [(&'a str, String)]) -> Vec<(&'a str, &'a str)> {
     files.iter().map(|(n, t)| (*n, t.as_str())).collect()
 }
 
-/// What holds for every sea.
-fn check(sea: &Measured) {
+/// Checks the properties that every spectrum has.
+fn check(sea: &MeasuredSpectrum) {
     let state = sea.to_state();
     assert!(state.bytes().all(|b| b.is_ascii_alphanumeric() || b"*-._".contains(&b)), "{state}");
     assert!(state.len() < MAX_STATE_BYTES);
-    let again = Measured::from_state(&state).unwrap_or_else(|e| panic!("{e}: {state}"));
+    let again = MeasuredSpectrum::from_state(&state).unwrap_or_else(|e| panic!("{e}: {state}"));
     assert_eq!(&again, sea, "{state}");
     assert_eq!(again.to_state(), state);
-    let (low, high) = sea.support();
-    assert!(0.0 < low && low < sea.omega_p() && sea.omega_p() < high);
-    assert!(sea.m0_m2() > 0.0 && sea.hs_m().is_finite() && sea.tail_m2() >= 0.0);
     let knots = sea.breakpoints();
+    assert!(0.0 < sea.lowest_omega() && sea.lowest_omega() < sea.omega_p() && sea.omega_p() <= knots[knots.len() - 1]);
+    assert!(sea.m0_m2() > 0.0 && sea.hs_m().is_finite());
     assert!(knots.windows(2).all(|w| w[0] < w[1]));
     for omega in knots.iter().flat_map(|w| [0.9 * w, *w, 1.1 * w]).chain([0.0, -1.0, 1e9]) {
         assert!(sea.density(omega) >= 0.0 && sea.density(omega).is_finite());

@@ -1,7 +1,7 @@
-//! Files that are refused, and with what words.
+//! Files that are refused, and the messages about them.
 
-use super::super::samples::{JONSWAP, PIERSON_MOSKOWITZ, TWO_SYSTEMS};
-use super::super::{Direction, MAX_FILE_BYTES, Measured};
+use super::super::{Direction, MAX_FILE_BYTES, MeasuredSpectrum};
+use super::samples::{JONSWAP, PIERSON_MOSKOWITZ, TWO_SYSTEMS};
 use super::{BANDS, Lcg, SPEC, borrowed, check, message, read, realtime_set, sea};
 
 #[test]
@@ -9,31 +9,31 @@ fn malformed_tables_say_where_and_why() {
     let long = format!("0.1,{}\n", "1,".repeat(5000));
     let many: String = (1..=257).map(|i| format!("{},1\n", f64::from(i) / 1000.0)).collect();
     for (text, want) in [
-        ("0.05,1\n0.06,1\n0.05,1\n", "b.csv, line 3: the frequency 0.05 comes after 0.06: frequencies must ascend"),
-        ("0.1,1\n0.10001,1\n", "b.csv, line 2: the frequency 0.10001 comes after 0.1: frequencies must ascend"),
-        ("f,S\n0,1\n", "b.csv, line 2: the frequency 0 is not above 0 and at most 2 Hz"),
-        ("-0.1,1\n", "b.csv, line 1: the frequency -0.1 is not above 0 and at most 2 Hz"),
-        ("2.1,1\n", "b.csv, line 1: the frequency 2.1 is not above 0 and at most 2 Hz"),
-        ("0.1,-1\n", "b.csv, line 1: the spectral density -1 is not at least 0 and below 100000 m^2/Hz"),
-        ("\n0.1,1e5\n", "b.csv, line 2: the spectral density 100000 is not at least 0 and below 100000 m^2/Hz"),
-        ("0.1,1\n0.2,inf\n", "b.csv, line 2: the spectral density \"inf\" is not a number"),
-        ("0.1,\n", "b.csv, line 1: the spectral density \"\" is not a number"),
-        ("0.1,1e300\n", "b.csv, line 1: the spectral density 1e300 is not at least 0 and below 100000 m^2/Hz"),
-        ("0.1,1e999\n", "b.csv, line 1: the spectral density \"1e999\" is not a number"),
+        ("0.05,1\n0.06,1\n0.05,1\n", "b.csv, line 3: the frequency 0.05 Hz follows 0.06 Hz: frequencies must ascend"),
+        ("0.1,1\n0.10001,1\n", "b.csv, line 2: the frequency 0.10001 Hz follows 0.1 Hz: frequencies must ascend"),
+        ("f,S\n0,1\n", "b.csv, line 2: the frequency 0 Hz must be above 0 and at most 2 Hz"),
+        ("-0.1,1\n", "b.csv, line 1: the frequency -0.1 Hz must be above 0 and at most 2 Hz"),
+        ("2.1,1\n", "b.csv, line 1: the frequency 2.1 Hz must be above 0 and at most 2 Hz"),
+        ("0.1,-1\n", "b.csv, line 1: the variance density -1 m^2/Hz must be at least 0 and below 100000 m^2/Hz"),
+        ("\n0.1,1e5\n", "b.csv, line 2: the variance density 100000 m^2/Hz must be at least 0 and below 100000 m^2/Hz"),
+        ("0.1,1\n0.2,inf\n", "b.csv, line 2: the variance density \"inf\" is not a number"),
+        ("0.1,\n", "b.csv, line 1: the variance density \"\" is not a number"),
+        ("0.1,1e300\n", "b.csv, line 1: the variance density 1e300 m^2/Hz must be at least 0 and below 100000 m^2/Hz"),
+        ("0.1,1e999\n", "b.csv, line 1: the variance density \"1e999\" is not a number"),
         ("0.o5,1\n", "b.csv, line 1: the frequency \"0.o5\" is not a number"),
         ("f,S\ng,T\n", "b.csv, line 2: the frequency \"g\" is not a number"),
-        ("0.1,1,2\n", "b.csv, line 1: 3 columns, where 2 (f, S) or 4 (f, S, direction, spread) are needed"),
-        ("0.1,1\n0.2,1,2,3\n", "b.csv, line 2: 4 columns, where the lines before have 2"),
-        ("0.1 1\n", "b.csv, line 1: no columns: they are separated by comma, semicolon or tab"),
+        ("0.1,1,2\n", "b.csv, line 1: 3 columns, but 2 (f, S) or 4 (f, S, direction, spread) are needed"),
+        ("0.1,1\n0.2,1,2,3\n", "b.csv, line 2: 4 columns, but the lines before have 2"),
+        ("0.1 1\n", "b.csv, line 1: no columns were found: separate them by comma, semicolon or tab"),
         ("0.1,1,west,3\n", "b.csv, line 1: the direction \"west\" is not a number"),
         ("0.1,1,400,3\n", "b.csv, line 1: the direction 400 is not within -360 to 360 degrees"),
         ("0.1,1,40,181\n", "b.csv, line 1: the spread 181 is not within 0 to 180 degrees"),
-        ("0.1,1\n0.2,1\n", "b.csv: 2 bands of frequency, where 3 to 256 are needed"),
-        ("0.1,0\n0.2,0\n0.3,1e-12\n", "b.csv: the spectral density is zero everywhere: there are no waves"),
-        ("", "b.csv: the file is empty"),
-        ("\u{feff}\r\n \n", "b.csv: the file is empty"),
+        ("0.1,1\n0.2,1\n", "b.csv: 2 frequency bands, but 3 to 256 are needed"),
+        ("0.1,0\n0.2,0\n0.3,1e-12\n", "b.csv: the variance density is zero in every band: there are no waves"),
+        ("", "b.csv: the file is empty: choose another one"),
+        ("\u{feff}\r\n \n", "b.csv: the file is empty: choose another one"),
         (&long, "b.csv, line 1: more than 4096 columns"),
-        (&many, "b.csv, line 257: more than 256 bands of frequency"),
+        (&many, "b.csv, line 257: more than 256 frequency bands"),
     ] {
         assert_eq!(message("b.csv", text), want);
     }
@@ -61,22 +61,22 @@ fn malformed_buoy_files_say_where_and_why() {
         (row("2026 11 21 06 00 9.999 1 (0.1) 2 (x)"), "line 2: after \"2\" a frequency in parentheses is missing"),
         (
             row("2026 11 21 06 00 9.999 1 (0.1) 2 (0.1)"),
-            "line 2: the frequency 0.1 comes after 0.1: frequencies must ascend",
+            "line 2: the frequency 0.1 Hz follows 0.1 Hz: frequencies must ascend",
         ),
-        (row("2026 11 21 06 00 9.999 1 (0.1) 2 (0.2)"), "line 2: 2 bands of frequency, where 3 to 256 are needed"),
+        (row("2026 11 21 06 00 9.999 1 (0.1) 2 (0.2)"), "line 2: 2 frequency bands, but 3 to 256 are needed"),
         (
             row("2026 11 21 06 00 9.999 1 (0.1) -2 (0.2) 1 (0.3)"),
-            "line 2: the spectral density -2 is not at least 0 and below 100000 m^2/Hz",
+            "line 2: the variance density -2 m^2/Hz must be at least 0 and below 100000 m^2/Hz",
         ),
-        (many, "line 2: more than 256 bands of frequency"),
+        (many, "line 2: more than 256 frequency bands"),
         (columns, "line 2: more than 4096 columns"),
         (headers, "line 65: more than 64 header lines"),
         (format!("{BANDS}2026 11 21 06 00 1 2\n"), "line 2: 2 values for the 3 frequencies of line 1"),
         (format!("{BANDS}2026 11 21 06 00 1 2 x\n"), "line 2: the value \"x\" is not a number"),
         (format!("1 2 3\n{BANDS}"), "line 1: \"1 2 3\" stands before the first header line"),
-        ("#YY MM DD hh mm .05 .04\n".into(), "line 1: the frequency 0.04 comes after 0.05: frequencies must ascend"),
+        ("#YY MM DD hh mm .05 .04\n".into(), "line 1: the frequency 0.04 Hz follows 0.05 Hz: frequencies must ascend"),
         ("#YY MM DD hh mm .05 x\n".into(), "line 1: the frequency \"x\" is not a number"),
-        ("#YY MM DD hh mm .05 3\n".into(), "line 1: the frequency 3 is not above 0 and at most 2 Hz"),
+        ("#YY MM DD hh mm .05 3\n".into(), "line 1: the frequency 3 Hz must be above 0 and at most 2 Hz"),
         ("#YY MM DD hh mm\n".into(), "line 1: the header names neither frequencies nor values"),
         ("#YY MM DD hh mm WDIR WSPD\n".into(), "line 1: the column \"WDIR\" does not belong in a spectral file"),
     ] {
@@ -84,22 +84,24 @@ fn malformed_buoy_files_say_where_and_why() {
     }
     assert_eq!(
         message("b", SPEC),
-        "the files hold no spectrum: of a buoy at NDBC, the raw spectral wave data is wanted (data_spec)"
+        "the files hold no variance density: add the buoy's raw spectral wave data from the NDBC (.data_spec)"
     );
     let unknown = format!("{BANDS}2026 11 21 06 00 1 2 3\n{BANDS}2026 11 21 06 00 4 5 6\n");
-    let what = "neither the file's name nor a comment (such as \"# alpha1\") says what follows this header";
+    let what = "neither the file name nor a comment says what this section holds: \
+                put a comment such as \"# alpha1\" before the header";
     assert_eq!(message("b.txt", &unknown), format!("b.txt, line 1: {what}"));
-    let what = "a second spectral density of 2026-11-21 06:00 UTC: the first is in 44025w2023.txt, line 2";
+    let what = "variance density of 2026-11-21 06:00 UTC is already in 44025w2023.txt, line 2: \
+                remove one of the two records";
     assert_eq!(message("44025w2023.txt", &unknown), format!("44025w2023.txt, line 4: {what}"));
 }
 
 #[test]
 fn impossible_directions_are_refused_and_large_moments_bounded() {
     for (i, from, to, want) in [
-        (1, "240.0", "361.0", "44025.swdir, line 2: alpha1 of 361 is not possible"),
-        (2, "241.0", "-1.0", "44025.swdir2, line 2: alpha2 of -1 is not possible"),
-        (3, "0.80", "1.60", "44025.swr1, line 2: r1 of 1.6 is not possible"),
-        (4, "0.40", "-0.40", "44025.swr2, line 2: r2 of -0.4 is not possible"),
+        (1, "240.0", "361.0", "44025.swdir, line 2: alpha1 of 361 is not within 0 to 360"),
+        (2, "241.0", "-1.0", "44025.swdir2, line 2: alpha2 of -1 is not within 0 to 360"),
+        (3, "0.80", "1.60", "44025.swr1, line 2: r1 of 1.6 is not within 0 to 1.5"),
+        (4, "0.40", "-0.40", "44025.swr2, line 2: r2 of -0.4 is not within 0 to 1.5"),
     ] {
         let mut files = realtime_set();
         files[i].1 = files[i].1.replace(from, to);
@@ -114,17 +116,23 @@ fn impossible_directions_are_refused_and_large_moments_bounded() {
 
 #[test]
 fn what_is_no_text_or_too_much_is_refused() {
-    let one = |name: &str, bytes: &[u8]| Measured::read(&[(name.into(), bytes.to_vec())]).expect_err(name);
-    assert_eq!(Measured::read(&[]), Err("no file was given".into()));
+    let one = |name: &str, bytes: &[u8]| MeasuredSpectrum::read(&[(name.into(), bytes.to_vec())]).expect_err(name);
+    assert_eq!(MeasuredSpectrum::read(&[]), Err("no file was given".into()));
     let nine = vec![("b.csv".to_string(), b"0.1,1".to_vec()); 9];
-    assert_eq!(Measured::read(&nine), Err("9 files were given: at most 8 make one sea".into()));
-    let want = "b.csv: a table is a whole sea: it cannot be read together with other files";
-    assert_eq!(Measured::read(&nine[..2]), Err(want.into()));
-    assert_eq!(one("b.csv", &vec![b'0'; MAX_FILE_BYTES + 1]), "b.csv: the file is larger than 16 MiB");
-    assert_eq!(one("b.csv", b"0.1,1\n0.2,\xff\n"), "b.csv, line 2: the text is not valid UTF-8");
+    assert_eq!(MeasuredSpectrum::read(&nine), Err("9 files were given: give at most 8 for one spectrum".into()));
+    let want = "b.csv: a table is a complete spectrum: read it without other files";
+    assert_eq!(MeasuredSpectrum::read(&nine[..2]), Err(want.into()));
+    let mixed = [nine[0].clone(), ("b.data_spec".into(), SPEC.into())];
+    let want = "b.data_spec: its format differs from that of b.csv: read it alone";
+    assert_eq!(MeasuredSpectrum::read(&mixed), Err(want.into()));
+    assert_eq!(
+        one("b.csv", &vec![b'0'; MAX_FILE_BYTES + 1]),
+        "b.csv: the file is larger than 16 MiB: keep fewer records in it"
+    );
+    assert_eq!(one("b.csv", b"0.1,1\n0.2,\xff\n"), "b.csv: line 2 is not valid UTF-8: save the file as UTF-8");
     assert_eq!(one("b.txt.gz", b"\x1f\x8b\x08\x00"), "b.txt.gz: the file is compressed: unpack it first");
     assert_eq!(one("b.csv", b"\xff\xfe0\x00"), "b.csv: the file is UTF-16 text: save it as UTF-8");
-    // Names and quotations are made fit to be shown.
+    // Names and quotations are printable and short.
     let name = format!("/tmp/\u{202e}a\n\x1b[31m{}", "x".repeat(500));
     let error = one(&name, format!("0.1,\u{7}{}\n", "y".repeat(5000)).as_bytes());
     assert!(error.len() < 200 && error.starts_with("a[31mxxx") && !error.contains(char::is_control), "{error}");
@@ -159,7 +167,7 @@ fn random_files_never_panic() {
                 (names[random.below(names.len())].to_string(), bytes)
             })
             .collect();
-        match Measured::read(&files) {
+        match MeasuredSpectrum::read(&files) {
             Ok((sea, notices)) => {
                 good += 1;
                 assert!(notices.len() < 8);
@@ -171,6 +179,6 @@ fn random_files_never_panic() {
     assert!(good > 300, "{good}");
     for _ in 0..500 {
         let bytes = (0..random.below(300)).map(|_| random.next() as u8).collect();
-        assert!(Measured::read(&[("b".into(), bytes)]).is_err());
+        assert!(MeasuredSpectrum::read(&[("b".into(), bytes)]).is_err());
     }
 }

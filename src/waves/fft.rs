@@ -1,22 +1,22 @@
-//! Fourier transform of lines, for what is measured on the CPU: records of buoys and maps that were read back. The oracle
-//! has its own, plainer one.
+//! Fast Fourier transform for measurements on the CPU: buoy records and maps that were read back. The oracle has a
+//! separate, plainer implementation.
 
 use std::f64::consts::TAU;
 
-/// A transform of lines of one length, radix 2.
+/// Radix-2 fast Fourier transform of one length.
 #[derive(Clone, Debug)]
-pub struct Transform {
-    /// e^(-2 pi i j / n) for j below n / 2.
+pub struct Fft {
+    /// Twiddle factors e^(-2 pi i j / n) for j below n / 2.
     roots: Vec<[f64; 2]>,
 }
 
-impl Transform {
-    /// For lines of `n` points.
+impl Fft {
+    /// Prepares a transform of `n` points.
     ///
     /// # Panics
-    /// If `n` is no power of two.
+    /// If `n` is not a power of two.
     pub fn new(n: usize) -> Self {
-        assert!(n.is_power_of_two(), "{n} points");
+        assert!(n.is_power_of_two(), "{n} points are not a power of two");
         let root = |j| {
             let (sin, cos) = (-TAU * j as f64 / n as f64).sin_cos();
             [cos, sin]
@@ -24,21 +24,15 @@ impl Transform {
         Self { roots: (0..n / 2).map(root).collect() }
     }
 
-    /// X_k = sum of x_j e^(-2 pi i j k / n), in place.
+    /// Transforms complex numbers (re, im) in place: X_k = sum over j of x_j e^(-2 pi i j k / n).
     ///
     /// # Panics
-    /// If the line has another length.
-    pub fn run(&self, x: &mut [[f64; 2]]) {
+    /// If `x` does not have the length given to [`Fft::new`].
+    pub fn forward(&self, x: &mut [[f64; 2]]) {
         let n = x.len();
-        assert_eq!(n.max(2) / 2, self.roots.len().max(1), "a line of another length");
-        let mut j = 0;
-        for i in 1..n {
-            let mut bit = n >> 1;
-            while j & bit != 0 {
-                j ^= bit;
-                bit >>= 1;
-            }
-            j |= bit;
+        assert_eq!(n.max(2) / 2, self.roots.len().max(1), "wrong length");
+        for i in 0..n {
+            let j = i.reverse_bits().checked_shr(usize::BITS - n.trailing_zeros()).unwrap_or(0);
             if i < j {
                 x.swap(i, j);
             }
@@ -68,7 +62,7 @@ mod tests {
         for n in [1, 2, 8, 64] {
             let line: Vec<[f64; 2]> = (0..n).map(|i| [(0.7 * i as f64).sin(), (1.3 * i as f64).cos() - 0.2]).collect();
             let mut fast = line.clone();
-            Transform::new(n).run(&mut fast);
+            Fft::new(n).forward(&mut fast);
             for (k, got) in fast.iter().enumerate() {
                 let sum = line.iter().enumerate().fold([0.0; 2], |sum, (j, x)| {
                     let (sin, cos) = (-TAU * (j * k) as f64 / n as f64).sin_cos();

@@ -1,30 +1,30 @@
-//! The shipped samples in `assets/spectra`, made anew from known spectra and compared.
+//! The sample files in `assets/spectra`, compared with the same files made from known spectra.
 
-use super::{Direction, Measured};
+use super::super::{Direction, MeasuredSpectrum};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
 const G: f64 = 9.81;
 
-pub(super) const JONSWAP: &str = include_str!("../../../assets/spectra/jonswap-10ms-100km.csv");
-pub(super) const TWO_SYSTEMS: &str = include_str!("../../../assets/spectra/two-systems.txt");
-pub(super) const PIERSON_MOSKOWITZ: &str = include_str!("../../../assets/spectra/pierson-moskowitz.data_spec");
+pub(super) const JONSWAP: &str = include_str!("../../../../assets/spectra/jonswap-10ms-100km.csv");
+pub(super) const TWO_SYSTEMS: &str = include_str!("../../../../assets/spectra/two-systems.txt");
+pub(super) const PIERSON_MOSKOWITZ: &str = include_str!("../../../../assets/spectra/pierson-moskowitz.data_spec");
 
-/// The usual bands of an NDBC buoy, 1e-4 Hz.
+/// Usual frequency bands of an NDBC buoy, 1e-4 Hz.
 const NDBC: [u32; 47] = [
     200, 325, 375, 425, 475, 525, 575, 625, 675, 725, 775, 825, 875, 925, 1000, 1100, 1200, 1300, 1400, 1500, 1600,
     1700, 1800, 1900, 2000, 2100, 2200, 2300, 2400, 2500, 2600, 2700, 2800, 2900, 3000, 3100, 3200, 3300, 3400, 3500,
     3650, 3850, 4050, 4250, 4450, 4650, 4850,
 ];
 
-/// JONSWAP's shape with its peak at `fp`: 1 times f^-5 far above it.
+/// Shape of the JONSWAP spectrum with its peak at `fp`; it tends to f^-5 far above the peak.
 fn shape(f: f64, fp: f64, gamma: f64) -> f64 {
     let sigma = if f <= fp { 0.07 } else { 0.09 };
     let bump = (-(f / fp - 1.0).powi(2) / (2.0 * sigma * sigma)).exp();
     f.powi(-5) * (-1.25 * (fp / f).powi(4)).exp() * gamma.powf(bump)
 }
 
-/// The same with a given significant height.
+/// JONSWAP spectrum with a given significant wave height.
 fn of_height(f: f64, fp: f64, gamma: f64, hs: f64) -> f64 {
     let steps = 100_000;
     let df = 10.0 * fp / f64::from(steps);
@@ -32,7 +32,8 @@ fn of_height(f: f64, fp: f64, gamma: f64, hs: f64) -> f64 {
     hs * hs / 16.0 / m0 * shape(f, fp, gamma)
 }
 
-/// U = 10 m/s, F = 100 km (Hasselmann et al. 1973), spreading of Mitsuyasu et al. 1975.
+/// Table of the JONSWAP spectrum for 10 m/s over 100 km (Hasselmann et al. 1973), with the directional spreading of
+/// Mitsuyasu et al. (1975).
 fn jonswap() -> String {
     let (u, fetch) = (10.0_f64, 1e5_f64);
     let alpha = 0.076 * (u * u / (fetch * G)).powf(0.22);
@@ -43,19 +44,19 @@ fn jonswap() -> String {
          # spread as cos^2s after Mitsuyasu. Hs 2.139 m, Tp 6.23 s.\n\
          f_Hz,S_m2_Hz,direction_deg,spread_deg\n",
     );
-    // Every 0.005 Hz about the peak, every 0.015 Hz above.
+    // Steps of 0.005 Hz around the peak, 0.015 Hz above.
     for f in (30..240).step_by(5).chain((240..=585).step_by(15)).map(|i| f64::from(i) / 1000.0) {
         let s = alpha * G * G / TAU.powi(4) * shape(f, omega_p / TAU, 3.3);
         let r = TAU * f / omega_p;
         let exponent = sp * r.powf(if r <= 1.0 { 5.0 } else { -2.5 });
-        // sqrt(2 (1 - r1)) with r1 = s / (s + 1).
+        // Circular spread sqrt(2 (1 - r1)) with r1 = s / (s + 1).
         let spread = (2.0 / (exponent + 1.0)).sqrt().to_degrees();
         let _ = writeln!(out, "{f:.3},{s:.5},240,{spread:.1}");
     }
     out
 }
 
-/// A narrow swell and a broad wind sea: density, and the moments of their energy-weighted mix.
+/// A narrow swell and a broad wind sea: their variance density, and the directional parameters of their sum.
 fn mix(f: f64) -> (f64, Direction) {
     // Hs, Tp, from, s of cos^2s.
     let (mut sum, mut total) = ([0.0; 4], 0.0);
@@ -73,7 +74,7 @@ fn mix(f: f64) -> (f64, Direction) {
     (total, Direction { alpha1_deg, alpha2_deg, r1: a.hypot(b), r2: c.hypot(d) })
 }
 
-/// Archive style: five sections of one record, moments in hundredths, no direction where there is nothing.
+/// Archive file with five sections of one record each: moments in hundredths, no direction where the density is 0.
 fn two_systems() -> String {
     let bands = NDBC.map(|i| mix(f64::from(i) / 1e4));
     let mut out = String::from(
@@ -102,7 +103,7 @@ fn two_systems() -> String {
     out
 }
 
-/// Realtime style, U = 12 m/s at 10 m (Pierson and Moskowitz 1964 with the wind at 19.5 m).
+/// Realtime file of the Pierson-Moskowitz spectrum (1964, wind at 19.5 m) for 12 m/s at 10 m.
 fn pierson_moskowitz() -> String {
     let fp = (0.8 * 0.74_f64).powf(0.25) * G / (1.026 * 12.0) / TAU;
     let mut out = String::from(
@@ -136,13 +137,13 @@ fn the_shipped_samples_are_what_they_say() {
 
 #[test]
 fn heights_and_peaks_of_the_samples_are_the_known_ones() {
-    let peak_period = |sea: &Measured| TAU / sea.omega_p();
+    let peak_period = |sea: &MeasuredSpectrum| TAU / sea.omega_p();
     for (name, text, hs, tp, directional) in [
         ("jonswap-10ms-100km.csv", JONSWAP, 2.139, 6.23, true),
         ("two-systems.txt", TWO_SYSTEMS, 2.332, 13.0, true),
         ("pierson-moskowitz.data_spec", PIERSON_MOSKOWITZ, 3.233, 8.99, false),
     ] {
-        let (sea, notices) = Measured::read(&[(name.into(), text.into())]).expect(name);
+        let (sea, notices) = MeasuredSpectrum::read(&[(name.into(), text.into())]).expect(name);
         assert!(notices.is_empty(), "{name}: {notices:?}");
         assert!((sea.hs_m() / hs - 1.0).abs() < 0.01, "{name}: Hs {}", sea.hs_m());
         let band = |tp: f64| sea.f_hz().partition_point(|&f| f < 1.0 / tp);
@@ -154,14 +155,14 @@ fn heights_and_peaks_of_the_samples_are_the_known_ones() {
 
 #[test]
 fn the_directions_of_the_samples_are_the_known_ones() {
-    let (sea, _) = Measured::read(&[("a.csv".into(), JONSWAP.into())]).expect("a sample");
+    let (sea, _) = MeasuredSpectrum::read(&[("a.csv".into(), JONSWAP.into())]).expect("a sample");
     for d in sea.directions().expect("directions") {
         assert_eq!((d.alpha1_deg, d.r1 >= d.r2), (240.0, true));
     }
-    let (sea, _) = Measured::read(&[("a.txt".into(), TWO_SYSTEMS.into())]).expect("a sample");
+    let (sea, _) = MeasuredSpectrum::read(&[("a.txt".into(), TWO_SYSTEMS.into())]).expect("a sample");
     let directions = sea.directions().expect("directions");
     let at = |f: f64| directions[sea.f_hz().partition_point(|&b| b < f)];
-    // The swell's tail turns the wind sea a little.
+    // The tail of the swell turns the direction of the wind sea a little.
     assert!((at(0.0775).alpha1_deg - 290.0).abs() < 0.5 && (at(0.0775).r1 - 30.0 / 31.0).abs() < 0.003);
     assert!((at(0.25).alpha1_deg - 200.0).abs() < 10.0 && (at(0.25).r1 - 0.8).abs() < 0.1);
     for ((&f, &s), got) in sea.f_hz().iter().zip(sea.density_m2_hz()).zip(directions).filter(|((_, s), _)| **s > 0.0) {

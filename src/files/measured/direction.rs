@@ -1,0 +1,65 @@
+//! Directional parameters of frequency bands.
+
+use std::f64::consts::PI;
+
+/// Directional parameters of one frequency band in the convention of the NDBC: D(A) = 1/pi (1/2 + r1 cos(A - alpha1) +
+/// r2 cos(2 (A - alpha2))), where A is the direction waves come FROM, degrees clockwise from true north.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Direction {
+    /// Mean direction, degrees in [0, 360).
+    pub alpha1_deg: f64,
+    /// Principal direction, degrees in [0, 360); alpha2 and alpha2 + 180 are equivalent.
+    pub alpha2_deg: f64,
+    /// Magnitude of the first moment, 0 to 1.
+    pub r1: f64,
+    /// Magnitude of the second moment, 0 to 1.
+    pub r2: f64,
+}
+
+impl Direction {
+    /// Parameters of a cos^{2s}(theta/2) lobe with the given mean direction and circular spread sqrt(2 (1 - r1)), both in
+    /// degrees. With s = r1/(1 - r1), r2 = s (s - 1)/((s + 1)(s + 2)) = r1 (2 r1 - 1)/(2 - r1) (Longuet-Higgins,
+    /// Cartwright and Smith 1963). Below s = 1 it is negative: the principal direction is across the mean one.
+    pub fn from_spread(from_deg: f64, spread_deg: f64) -> Self {
+        let r1 = (1.0 - 0.5 * spread_deg.to_radians().powi(2)).clamp(0.0, 1.0);
+        let r2 = r1 * (2.0 * r1 - 1.0) / (2.0 - r1);
+        let alpha2_deg = if r2 < 0.0 { from_deg + 90.0 } else { from_deg };
+        Self { alpha1_deg: from_deg, alpha2_deg, r1, r2: r2.abs() }
+    }
+
+    /// The moments (re c1, im c1, re c2, im c2) of the direction of travel: waves from A travel along (-sin A, cos A),
+    /// which is theta = A + pi/2.
+    pub(super) fn moments(&self) -> [f64; 4] {
+        let theta1 = self.alpha1_deg.to_radians() + 0.5 * PI;
+        let theta2 = 2.0 * self.alpha2_deg.to_radians() + PI;
+        [self.r1 * theta1.cos(), self.r1 * theta1.sin(), self.r2 * theta2.cos(), self.r2 * theta2.sin()]
+    }
+
+    /// Rounded to what a link carries: angles to 0.1 degree in [0, 360), r1 and r2 to 0.001 in [0, 1].
+    pub(super) fn rounded(&self) -> Result<Self, String> {
+        let Self { alpha1_deg, alpha2_deg, r1, r2 } = *self;
+        if ![alpha1_deg, alpha2_deg, r1, r2].iter().all(|v| v.is_finite()) {
+            return Err("a directional parameter is not a finite number".into());
+        }
+        let angle = |v: f64| ((10.0 * v.rem_euclid(360.0)).round() / 10.0) % 360.0 + 0.0;
+        let magnitude = |v: f64| (1000.0 * v.clamp(0.0, 1.0)).round() / 1000.0 + 0.0;
+        Ok(Self { alpha1_deg: angle(alpha1_deg), alpha2_deg: angle(alpha2_deg), r1: magnitude(r1), r2: magnitude(r2) })
+    }
+}
+
+/// Directions of all bands (frequency in Hz, density): a band without one takes the direction of the nearest band that
+/// has one. None, with a notice, where less than a third of the bands has one.
+pub(super) fn filled(
+    bands: &[(f64, f64)],
+    directions: &[Option<Direction>],
+    notices: &mut Vec<String>,
+) -> Option<Vec<Direction>> {
+    let known: Vec<(f64, Direction)> = bands.iter().zip(directions).filter_map(|(b, d)| Some((b.0, (*d)?))).collect();
+    let (have, all) = (known.len(), bands.len());
+    if have == 0 || 3 * have < all {
+        notices.push(format!("only {have} of {all} bands have a direction: the spectrum is used without directions"));
+        return None;
+    }
+    let nearest = |f: f64| known.iter().min_by(|a, b| (a.0 - f).abs().total_cmp(&(b.0 - f).abs())).map(|k| k.1);
+    bands.iter().zip(directions).map(|(b, d)| d.or_else(|| nearest(b.0))).collect()
+}

@@ -1,0 +1,97 @@
+//! Tables of f, S and, where they are known, direction and spread.
+
+use crate::files::measured::direction::{Direction, filled};
+use crate::files::measured::spectrum::{MAX_BANDS, MeasuredSpectrum, checked_density, checked_frequency};
+use crate::files::measured::text::{MAX_COLUMNS, TextFile, content, number, quoted, shown};
+
+/// Fields that stand for a missing direction or spread, in any case of letters.
+const MISSING_WORDS: [&str; 5] = ["", "-", "MM", "NaN", "NA"];
+/// Numbers that stand for a missing direction or spread.
+const MISSING_NUMBERS: [f64; 4] = [999.0, 9999.0, -999.0, -9999.0];
+
+/// The rows of a table that were read so far.
+#[derive(Default)]
+struct Rows {
+    /// Separator of the columns, known from the first line on.
+    separator: Option<char>,
+    /// Number of columns, known from the first line of numbers on.
+    columns: Option<usize>,
+    /// Frequency in Hz and variance density in m^2/Hz.
+    bands: Vec<(f64, f64)>,
+    /// One entry for each band, or empty if the table has two columns.
+    directions: Vec<Option<Direction>>,
+}
+
+/// Reads a table.
+pub(super) fn read(files: &[TextFile<'_>]) -> Result<(MeasuredSpectrum, Vec<String>), String> {
+    let file = &files[0];
+    if files.len() > 1 {
+        return Err(file.message("a table is a complete spectrum: read it without other files"));
+    }
+    let mut rows = Rows::default();
+    for (i, line) in file.text.lines().enumerate() {
+        rows.add_line(line).map_err(|what| file.message_at(i + 1, what))?;
+    }
+    let mut notices = Vec::new();
+    let Rows { bands, directions, .. } = rows;
+    let directions = if directions.is_empty() { None } else { filled(&bands, &directions, &mut notices) };
+    let mut spectrum = MeasuredSpectrum::new(&bands, directions.as_deref()).map_err(|what| file.message(what))?;
+    spectrum.set_title(&file.name);
+    Ok((spectrum, notices))
+}
+
+impl Rows {
+    fn add_line(&mut self, line: &str) -> Result<(), String> {
+        // A tab at the end of a line ends an empty field, so it is not trimmed.
+        let line = line.trim_start_matches('\u{feff}').trim_matches([' ', '\r']);
+        if content(line).is_empty() || line.starts_with('#') {
+            return Ok(());
+        }
+        let found = || ['\t', ';', ','].into_iter().find(|&c| line.contains(c));
+        let separator = self.separator.or_else(found);
+        let separator = separator.ok_or("no columns were found: separate them by comma, semicolon or tab")?;
+        let is_first = self.separator.replace(separator).is_none();
+        let fields: Vec<&str> =
+            line.split(separator).take(MAX_COLUMNS + 1).map(|f| f.trim().trim_matches('"').trim()).collect();
+        let n = fields.len();
+        if n > MAX_COLUMNS {
+            return Err(format!("more than {MAX_COLUMNS} columns"));
+        }
+        let value = |field: &str| if separator == ',' { number(field) } else { number(&field.replace(',', ".")) };
+        if is_first && fields.iter().all(|f| value(f).is_none()) {
+            return Ok(());
+        }
+        match self.columns {
+            Some(before) if before != n => return Err(format!("{n} columns, but the lines before have {before}")),
+            None if n != 2 && n != 4 => {
+                return Err(format!("{n} columns, but 2 (f, S) or 4 (f, S, direction, spread) are needed"));
+            }
+            _ => self.columns = Some(n),
+        }
+        let known = |name: &str, field: &str| {
+            value(field).ok_or_else(|| format!("the {name} {} is not a number", quoted(field)))
+        };
+        let f = checked_frequency(known("frequency", fields[0])?, self.bands.last().map(|b| b.0))?;
+        let s = checked_density(known("variance density", fields[1])?)?;
+        if self.bands.len() == MAX_BANDS {
+            return Err(format!("more than {MAX_BANDS} frequency bands"));
+        }
+        self.bands.push((f, s));
+        let optional = |name: &str, field: &str, [low, high]: [f64; 2]| {
+            if MISSING_WORDS.iter().any(|word| field.eq_ignore_ascii_case(word)) {
+                return Ok(None);
+            }
+            match known(name, field)? {
+                v if MISSING_NUMBERS.contains(&v) => Ok(None),
+                v if (low..=high).contains(&v) => Ok(Some(v)),
+                v => Err(format!("the {name} {} is not within {low} to {high} degrees", shown(v))),
+            }
+        };
+        if let [_, _, from, spread] = fields[..] {
+            let from = optional("direction", from, [-360.0, 360.0])?;
+            let spread = optional("spread", spread, [0.0, 180.0])?;
+            self.directions.push(from.zip(spread).map(|(from, spread)| Direction::from_spread(from, spread)));
+        }
+        Ok(())
+    }
+}

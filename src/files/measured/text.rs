@@ -1,0 +1,89 @@
+//! Text files with their limits, numbers in text, and text quoted in messages.
+
+use std::fmt::Display;
+
+/// Largest file of a measured spectrum, bytes.
+pub const MAX_FILE_BYTES: usize = 16 << 20;
+/// Most columns of a line.
+pub(super) const MAX_COLUMNS: usize = 4096;
+
+/// A text file and its name, which is short and printable.
+pub(super) struct TextFile<'a> {
+    pub name: String,
+    pub text: &'a str,
+}
+
+impl<'a> TextFile<'a> {
+    /// Decodes a file of UTF-8 text that is not empty.
+    pub fn decode(name: &str, bytes: &'a [u8]) -> Result<Self, String> {
+        // A browser gives the bare name, a command line the path.
+        let name = printable(name.rsplit(['/', '\\']).next().unwrap_or_default(), 60);
+        let name = if name.is_empty() { "(no name)".into() } else { name };
+        let reason = if bytes.len() > MAX_FILE_BYTES {
+            format!("the file is larger than {} MiB: keep fewer records in it", MAX_FILE_BYTES >> 20)
+        } else if bytes.starts_with(&[0x1f, 0x8b]) || bytes.starts_with(b"PK\x03\x04") {
+            "the file is compressed: unpack it first".into()
+        } else if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+            "the file is UTF-16 text: save it as UTF-8".into()
+        } else {
+            match std::str::from_utf8(bytes) {
+                Ok(text) if text.lines().any(|line| !content(line).is_empty()) => return Ok(Self { name, text }),
+                Ok(_) => "the file is empty: choose another one".into(),
+                Err(_) if bytes.contains(&0) => "the file is no text: choose an NDBC text file or a CSV table".into(),
+                Err(e) => {
+                    let line = 1 + bytes[..e.valid_up_to()].iter().filter(|&&b| b == b'\n').count();
+                    format!("line {line} is not valid UTF-8: save the file as UTF-8")
+                }
+            }
+        };
+        Err(format!("{name}: {reason}"))
+    }
+
+    /// A message about a line, counted from 1.
+    pub fn message_at(&self, line: usize, what: impl Display) -> String {
+        format!("{}, line {line}: {what}", self.name)
+    }
+
+    /// A message about the whole file.
+    pub fn message(&self, what: impl Display) -> String {
+        format!("{}: {what}", self.name)
+    }
+}
+
+/// A line without byte order mark and surrounding white space.
+pub(super) fn content(line: &str) -> &str {
+    line.trim_start_matches('\u{feff}').trim()
+}
+
+/// A finite decimal number; "inf", "nan" and the like are refused.
+pub(super) fn number(text: &str) -> Option<f64> {
+    let plain = |b: u8| b.is_ascii_digit() || matches!(b, b'.' | b'-' | b'+' | b'e' | b'E');
+    text.bytes().all(plain).then(|| text.parse().ok()).flatten().filter(|v: &f64| v.is_finite())
+}
+
+/// A number for a message, short at any magnitude.
+pub(super) fn shown(v: f64) -> String {
+    if v == 0.0 || (1e-6..1e9).contains(&v.abs()) { v.to_string() } else { format!("{v:e}") }
+}
+
+/// A piece of a file for a message, in quotation marks.
+pub(super) fn quoted(text: &str) -> String {
+    format!("\"{}\"", printable(text, 24))
+}
+
+/// The printable characters of a text, cut to `limit` characters with an ellipsis.
+pub(super) fn printable(text: &str, limit: usize) -> String {
+    // Format characters change or hide the text around them.
+    let hidden = |c: char| {
+        let format =
+            matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}');
+        format || c.is_control()
+    };
+    let mut rest = text.trim().chars().filter(|&c| !hidden(c));
+    let mut out: String = rest.by_ref().take(limit).collect();
+    if rest.next().is_some() {
+        out.pop();
+        out.push('…');
+    }
+    out
+}

@@ -1,0 +1,33 @@
+//! Limits of sky files, checked before memory is allocated.
+
+use super::sky_image::check_shape;
+
+/// Largest sky file, bytes.
+pub const MAX_BYTES: usize = 512 << 20;
+/// Most columns and rows of an image, with one row to spare; a browser page has less memory.
+pub(super) const MAX_SIZE: [usize; 2] = if cfg!(target_arch = "wasm32") { [11_586, 5_794] } else { [16_384, 8_193] };
+
+/// Message about a file that is shorter than its header says.
+pub(super) const TOO_SHORT: &str = "it ends too early: download or save it again";
+
+/// Refuses an image of a wrong shape, or with more columns or rows than `most`.
+pub(super) fn check_size(size: [usize; 2], most: [usize; 2]) -> Result<(), String> {
+    check_limit(size, most)?;
+    check_shape(size[0], size[1])
+}
+
+/// Refuses an image with more columns or rows than `most`.
+pub(super) fn check_limit([width, height]: [usize; 2], most: [usize; 2]) -> Result<(), String> {
+    if width > most[0] || height > most[1] {
+        let [columns, rows] = most;
+        return Err(format!("{width} x {height} pixels, but at most {columns} x {rows} are read: save it smaller"));
+    }
+    Ok(())
+}
+
+/// An empty vector with room for `count` pixels; an error where the memory does not suffice.
+pub(super) fn allocate(count: usize) -> Result<Vec<[f32; 3]>, String> {
+    let mut pixels = Vec::new();
+    pixels.try_reserve_exact(count).map_err(|_| "there is not enough memory for it: save it smaller")?;
+    Ok(pixels)
+}

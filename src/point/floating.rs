@@ -1,0 +1,122 @@
+//! Position and attitude of floating buoys and boats on the waves.
+//!
+//! Hulls follow [`Heights`], the sum of the waves that the GPU draws, at the time of the frame. They need no read-back
+//! and therefore have no delay.
+
+use super::heights::Heights;
+use crate::state::floats::{Float, FloatKind};
+use crate::waves::Plan;
+use glam::DVec3;
+
+/// Rms error of the height, as a fraction of Hs.
+const HEIGHT_ERROR: f64 = 0.018;
+/// Number of the strongest waves, mostly long ones, that pitch and roll a hull.
+const TILTING_WAVES: usize = 500;
+/// Largest FFT size of the plan. More points would only add short waves.
+const MAX_POINTS: u32 = 128;
+
+/// Position and attitude of a floating hull.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HullPose {
+    /// Type of the hull.
+    pub kind: FloatKind,
+    /// Centre of the waterplane in the world (x, y, z), m.
+    pub position_m: [f64; 3],
+    /// Unit vector of the hull's upward axis.
+    pub up: [f64; 3],
+    /// Unit vector towards the bow.
+    pub forward: [f64; 3],
+}
+
+/// Half the length and half the width of the waterplane, m.
+fn half_size_m(kind: FloatKind) -> [f64; 2] {
+    match kind {
+        FloatKind::Buoy => [0.8, 0.8],
+        FloatKind::Boat => [3.2, 1.0],
+    }
+}
+
+/// Waves of one sea that move floating hulls.
+#[derive(Clone, Debug)]
+pub struct HullWaves {
+    /// Waves for the height of the hull.
+    exact: Heights,
+    /// Waves for pitch and roll.
+    long: Heights,
+    /// Unit vector (x, z) against the wind.
+    upwind: [f64; 2],
+    level_m: f64,
+}
+
+impl HullWaves {
+    /// Selects the waves of a plan.
+    pub fn new(plan: &Plan) -> Self {
+        let plan = &plan.coarser(MAX_POINTS);
+        Self {
+            exact: Heights::for_error(plan, HEIGHT_ERROR * plan.hs_m()),
+            long: Heights::new(plan, TILTING_WAVES),
+            upwind: plan.downwind.map(|d| -d),
+            level_m: plan.sea.level_m,
+        }
+    }
+
+    /// Waves for heights with an rms error of 1.8 % of Hs.
+    pub fn heights(&self) -> &Heights {
+        &self.exact
+    }
+
+    /// Heave (m above still water) of a hull whose bow points along `bow` (x, z), and the mean slope of the water along
+    /// the hull (pitch) and across it (roll).
+    fn heave_pitch_roll(&self, float: &Float, bow: [f64; 2], t_s: f64) -> [f64; 3] {
+        let [length, width] = half_size_m(float.kind);
+        let height = |along: f64, across: f64| {
+            let x = float.x_m + along * bow[0] - across * bow[1];
+            let z = float.z_m + along * bow[1] + across * bow[0];
+            self.long.sample(x, z, t_s).height_m
+        };
+        let pitch = (height(length, 0.0) - height(-length, 0.0)) / (2.0 * length);
+        let roll = (height(0.0, width) - height(0.0, -width)) / (2.0 * width);
+        [self.exact.sample(float.x_m, float.z_m, t_s).height_m - self.level_m, pitch, roll]
+    }
+}
+
+/// Position and attitude of a hull at time `t_s` on a sum of seas, each with its amplitude factor, over still water at
+/// `level_m`. The bow points against the wind of the last sea.
+pub fn hull_pose(seas: &[(&HullWaves, f64)], float: &Float, t_s: f64, level_m: f64) -> HullPose {
+    let bow = seas.last().map_or([0.0, -1.0], |(waves, _)| waves.upwind);
+    let mut sum = [level_m, 0.0, 0.0];
+    for (waves, amplitude) in seas {
+        let parts = waves.heave_pitch_roll(float, bow, t_s);
+        sum.iter_mut().zip(parts).for_each(|(sum, part)| *sum += amplitude * part);
+    }
+    let [height_m, pitch, roll] = sum;
+    let unit = |v: DVec3| v / v.length();
+    let forward = unit(DVec3::new(bow[0], pitch, bow[1]));
+    let starboard = unit(DVec3::new(-bow[1], roll, bow[0]));
+    let up = unit(starboard.cross(forward)).to_array();
+    HullPose { kind: float.kind, position_m: [float.x_m, height_m, float.z_m], up, forward: forward.to_array() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::state::query;
+
+    #[test]
+    fn a_hull_lies_on_the_water() {
+        let plan = |state: &str| Plan::new(&query::parse(state).0);
+        let waves = HullWaves::new(&plan("wind=12&n=64&level=2"));
+        for kind in [FloatKind::Buoy, FloatKind::Boat] {
+            let float = Float { kind, x_m: 30.0, z_m: 7.0 };
+            for t in 0..20 {
+                let pose = hull_pose(&[(&waves, 1.0)], &float, f64::from(t), 2.0);
+                let dot: f64 = (0..3).map(|i| pose.up[i] * pose.forward[i]).sum();
+                assert!(dot.abs() < 1e-9 && pose.up[1] > 0.8, "{pose:?}");
+                assert!((pose.position_m[1] - 2.0).abs() < 3.0);
+            }
+        }
+        let calm = HullWaves::new(&plan("wind=0&n=64"));
+        let pose = hull_pose(&[(&calm, 1.0)], &Float { kind: FloatKind::Boat, x_m: 0.0, z_m: 0.0 }, 3.0, 0.0);
+        assert!((pose.up[1] - 1.0).abs() < 1e-9 && pose.position_m[1].abs() < 1e-9, "{pose:?}");
+    }
+}

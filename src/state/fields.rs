@@ -1,0 +1,99 @@
+//! The list of all parameters: the source of the query codec, the panel, the command-line help and property tests.
+
+use super::field::{FieldOf, number};
+use super::look::{BedLook, FilmLook, FoamLook, Look, Reflection, Scattering, SkyLook};
+use super::params::{Camera, Clock, Foam, Grid, Params, PatchOverride, Screen, Sea, System};
+use super::views::ViewChoice;
+use std::sync::LazyLock;
+
+pub use super::field::{FieldKind, Group, Refusal, linear_rgb};
+
+/// One parameter.
+pub type Field = FieldOf<Params>;
+
+/// Every parameter, in the order in which the state string writes them.
+pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
+    // The fields of a struct at its place within `Params`.
+    macro_rules! part {
+        ($struct:ident, $group:ident, $($place:tt)+) => {
+            $struct::fields(Group::$group, |p: &Params| &p.$($place)+, |p: &mut Params| &mut p.$($place)+)
+        };
+    }
+    let parts = [
+        part!(System, Sea, sea.systems[0]),
+        numbered(2, part!(System, Swell, sea.systems[1])),
+        part!(Sea, Water, sea),
+        part!(Foam, Foam, sea.foam),
+        part!(SkyLook, Sky, look.sky),
+        part!(Scattering, Surface, look.surface.scattering),
+        part!(Reflection, Surface, look.surface.reflection),
+        part!(BedLook, Surface, look.surface.bed),
+        part!(FoamLook, Foam, look.surface.foam),
+        part!(FilmLook, Film, look.film),
+        part!(Look, View, look),
+        part!(ViewChoice, View, look.view),
+        part!(Camera, Camera, camera),
+        vec![loop_time()],
+        part!(Clock, Clock, clock),
+        vec![fft_size()],
+        part!(Grid, Grid, grid),
+        patch(1, part!(PatchOverride, Grid, grid.patches[0])),
+        patch(2, part!(PatchOverride, Grid, grid.patches[1])),
+        patch(3, part!(PatchOverride, Grid, grid.patches[2])),
+        patch(4, part!(PatchOverride, Grid, grid.patches[3])),
+        part!(Screen, Screen, screen),
+    ];
+    parts.into_iter().flatten().collect()
+});
+
+/// Appends a number to the keys of fields. The leak is small and happens once, when [`FIELDS`] is made.
+fn numbered(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
+    for field in &mut fields {
+        field.key = format!("{}{number}", field.key).leak();
+    }
+    fields
+}
+
+/// Appends a number to the keys and labels of a patch's fields.
+fn patch(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
+    for field in &mut fields {
+        field.label = format!("{} {number}", field.label).leak();
+    }
+    numbered(number, fields)
+}
+
+/// The loop time: a parameter of the sea, shown with the time.
+fn loop_time() -> Field {
+    Field {
+        key: "loop",
+        label: "Loop",
+        unit: "s",
+        group: Group::Clock,
+        kind: number(0.0, 3600.0),
+        zero: "none",
+        help: "Period after which the sea repeats; 0 means none (a day). Every wave's frequency is rounded to fit.",
+        get: Box::new(|p| p.sea.loop_s),
+        set: Box::new(|p, value| p.sea.loop_s = value),
+    }
+}
+
+/// The FFT size: a whole number with few allowed values.
+fn fft_size() -> Field {
+    const SIZES: [u32; 5] = [64, 128, 256, 512, 1024];
+    Field {
+        key: "n",
+        label: "FFT size",
+        unit: "",
+        group: Group::Grid,
+        kind: FieldKind::Choice(&["64", "128", "256", "512", "1024"]),
+        zero: "",
+        help: "Samples along one side of a cascade. More samples add shorter waves and never change the others.",
+        get: Box::new(|p| SIZES.iter().position(|&n| n == p.grid.n).unwrap_or(2) as f64),
+        set: Box::new(|p, value| p.grid.n = SIZES[value as usize]),
+    }
+}
+
+/// The parameter of a key.
+pub fn find(key: &str) -> Option<&'static Field> {
+    FIELDS.iter().find(|f| f.key == key)
+}

@@ -1,0 +1,135 @@
+//! Sun, sky and fog, and the name of a sky from a file.
+
+use crate::files::panorama::Panorama;
+use crate::optics::sun;
+use crate::state::field::FieldKind::{Choice, Colour, Heading};
+use crate::state::field::{WHITE, integer, logarithmic, number, parameters, words};
+use crate::state::text::printable;
+use std::sync::Arc;
+
+words! {
+    /// How the position of the sun is given.
+    pub enum SunPlacement {
+        /// By elevation and azimuth.
+        Direction = "direction",
+        /// By date, time and latitude.
+        Date = "date",
+    }
+}
+
+parameters! {
+    /// Sun, sky and fog.
+    pub struct SkyLook {
+        /// How the position of the sun is given. direction: by its height and azimuth; date: by day, hour and latitude.
+        sun_placement: SunPlacement = SunPlacement::Direction => ("sunby", "Sun by", "", Choice(SunPlacement::WORDS)),
+        /// Elevation of the sun above the horizon: below -6 it is dusk, below -18 night.
+        sun_deg: f64 = 24.0 => ("sun", "Sun height", "deg", number(-24.0, 90.0)),
+        /// Azimuth of the sun, clockwise from north.
+        sun_azimuth_deg: f64 = 340.0 => ("sunaz", "Sun azimuth", "deg", Heading),
+        /// With sunby=date: day of the year. 1 is 1 January, 80 the March equinox, 172 the June solstice, 355 the
+        /// December solstice (Spencer 1971).
+        day: f64 = 172.0 => ("day", "Day of the year", "", integer(1, 366)),
+        /// With sunby=date: true solar time; the sun is highest at 12.
+        hour: f64 = 9.0 => ("hour", "Solar time", "h", number(0.0, 24.0)),
+        /// With sunby=date: geographic latitude, north positive.
+        latitude_deg: f64 = 45.0 => ("lat", "Latitude", "deg", number(-90.0, 90.0)),
+        /// Tint of the sunlight above the atmosphere, and so of all daylight; white is our sun.
+        sun_colour: f64 = WHITE => ("suncolour", "Sun colour", "", Colour),
+        /// Angular diameter of the sun at a distance of one astronomical unit; the irradiance stays.
+        sun_size_deg: f64 = 0.53 => ("sunsize", "Sun size", "deg", logarithmic(0.1, 10.0)),
+        /// Distance of the sun in astronomical units. Irradiance falls with its square, apparent size with its first
+        /// power. Venus 0.72, Mars 1.52.
+        sun_distance_au: f64 = 1.0 => ("sundistance", "Sun distance", "au", logarithmic(0.1, 10.0)),
+        /// Exponent of the limb darkening: radiance over the disc is the cosine to this power. 0 is an even disc, 0.45
+        /// the sun in green light (Hestroffer and Magnan 1998); the irradiance stays.
+        sun_falloff: f64 = 0.45 => ("sunfalloff", "Limb darkening", "", number(0.0, 4.0)),
+        /// Aerosols relative to a clear maritime day: more give a whiter horizon and redder sunsets.
+        haze: f64 = 1.0 => ("haze", "Haze", "", number(0.0, 10.0)),
+        /// Share of the light that passes through a uniform cloud deck instead of a clear sky.
+        overcast: f64 = 0.0 => ("overcast", "Overcast", "", number(0.0, 1.0)),
+        /// Extinction of the fog below its top; visibility is about 4 km divided by it. 1 is mist, 4 fog, 40 thick fog.
+        fog_extinction_per_km: f64 = 0.0 => ("fog", "Fog", "1/km", number(0.0, 100.0), "none"),
+        /// Distance from the eye at which the fog begins.
+        fog_start_m: f64 = 0.0 => ("fogstart", "Fog begins", "m", number(0.0, 10000.0)),
+        /// Height above the top of the fog over which it thins to 1/e.
+        fog_falloff_m: f64 = 30.0 => ("fogfalloff", "Fog falls off", "m", logarithmic(1.0, 2000.0)),
+        /// Height above the water up to which the fog has its full density.
+        fog_height_m: f64 = 20.0 => ("fogheight", "Fog top", "m", number(0.0, 2000.0)),
+        /// Sky from a file that replaces the computed sky.
+        file: Option<SkyFile> = None,
+        /// Heading of the middle of a sky from a file, clockwise from north.
+        file_heading_deg: f64 = 0.0 => ("skyturn", "Turn the sky", "deg", Heading),
+        /// Brightness of a sky from a file, in stops; at 0 it lights the sea like a clear noon.
+        file_gain_ev: f64 = 0.0 => ("skygain", "Sky brightness", "EV", number(-8.0, 8.0)),
+    }
+}
+
+impl SkyLook {
+    /// The sky from the file, if its image is loaded.
+    pub fn panorama(&self) -> Option<&Arc<Panorama>> {
+        self.file.as_ref()?.image.as_ref()
+    }
+
+    /// Elevation and azimuth of the sun that lights the sea, degrees. A sun in the file takes precedence.
+    pub fn sun_place_deg(&self) -> [f64; 2] {
+        if let Some(sun) = self.panorama().and_then(|p| p.sun.as_ref()) {
+            return [sun.elevation_deg, (sun.azimuth_deg + self.file_heading_deg).rem_euclid(360.0)];
+        }
+        match self.sun_placement {
+            SunPlacement::Direction => [self.sun_deg, self.sun_azimuth_deg],
+            SunPlacement::Date => sun::position_deg(self.day, self.hour, self.latitude_deg),
+        }
+    }
+
+    /// Unit vector to the sun: x east, y up, z south.
+    pub fn sun_direction(&self) -> [f64; 3] {
+        let [elevation, azimuth] = self.sun_place_deg().map(f64::to_radians);
+        [azimuth.sin() * elevation.cos(), elevation.sin(), -azimuth.cos() * elevation.cos()]
+    }
+
+    /// Angular radius of the sun's disc, rad.
+    pub fn sun_radius_rad(&self) -> f64 {
+        (0.5 * self.sun_size_deg.to_radians() / self.sun_distance_au).min(1.0)
+    }
+
+    /// Takes the image of a loaded file if that is the file which the state names.
+    pub fn attach(&mut self, loaded: Option<&SkyFile>) {
+        if let (Some(wanted), Some(loaded)) = (&mut self.file, loaded)
+            && wanted.name == loaded.name
+        {
+            wanted.image.clone_from(&loaded.image);
+        }
+    }
+
+    /// Notice that the file which the state names is not loaded.
+    pub fn missing_file(&self) -> Option<String> {
+        let file = self.file.as_ref().filter(|f| f.image.is_none())?;
+        Some(format!(
+            "the sky \"{}\" is not loaded, the computed sky is shown: drop the file on the sea, or name it with --sky",
+            file.name
+        ))
+    }
+}
+
+/// Sky from a file; a state string carries only its name.
+#[derive(Clone, Debug)]
+pub struct SkyFile {
+    /// Name without folders, at most 80 printable characters.
+    pub name: String,
+    /// The decoded image, once it is loaded.
+    pub image: Option<Arc<Panorama>>,
+}
+
+impl PartialEq for SkyFile {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name && self.image.as_ref().map(Arc::as_ptr) == other.image.as_ref().map(Arc::as_ptr)
+    }
+}
+
+impl SkyFile {
+    /// A file of this name or path, not loaded; `None` if its name has no printable character.
+    pub fn named(path: &str) -> Option<Self> {
+        let name = printable(path.rsplit(['/', '\\']).next().unwrap_or_default(), 80);
+        (!name.is_empty()).then_some(Self { name, image: None })
+    }
+}

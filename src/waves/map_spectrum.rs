@@ -1,0 +1,125 @@
+//! Spectrum over frequency estimated from height maps that were read back from the GPU.
+
+use super::fft::Fft;
+use super::plan::Plan;
+
+/// Variance of the heights, in total and per frequency bin.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MapSpectrum {
+    /// Mean square height, summed over the cascades, m^2.
+    pub m0_m2: f64,
+    /// Variance in each bin of angular frequency, m^2; bin i covers [i, i + 1) bin widths.
+    pub bins_m2: Vec<f64>,
+}
+
+/// Estimates a [`MapSpectrum`] in slices, so that the program can draw frames in between.
+#[derive(Clone, Debug)]
+pub struct MapSpectrumEstimator {
+    fft: Fft,
+    /// Index of the cascade whose map is in `map`.
+    cascade: usize,
+    map: Vec<[f64; 2]>,
+    /// Transformed lines of `map`: n rows, then n columns.
+    done: usize,
+    bin_rad_s: f64,
+    spectrum: MapSpectrum,
+}
+
+impl MapSpectrumEstimator {
+    /// Starts an estimate for the cascades of a plan, with `bins` bins of `bin_rad_s` (rad/s). Waves beyond the last
+    /// bin count only in the total.
+    ///
+    /// # Panics
+    /// If the FFT size of the plan is not a power of two.
+    pub fn new(plan: &Plan, bin_rad_s: f64, bins: usize) -> Self {
+        let n = plan.n as usize;
+        let spectrum = MapSpectrum { m0_m2: 0.0, bins_m2: vec![0.0; bins] };
+        Self { fft: Fft::new(n), cascade: 0, map: vec![[0.0; 2]; n * n], done: 0, bin_rad_s, spectrum }
+    }
+
+    /// Transforms about `points` more points, and returns the spectrum when all maps are done.
+    ///
+    /// `row(cascade, z)` gives the n heights (m) of a map row; all calls must see the same maps and `plan`.
+    pub fn advance<R: Iterator<Item = f64>>(
+        &mut self,
+        plan: &Plan,
+        points: usize,
+        row: impl Fn(usize, usize) -> R,
+    ) -> Option<&MapSpectrum> {
+        let n = plan.n as usize;
+        for _ in 0..points.div_ceil(n) {
+            if self.cascade == plan.cascades.len() {
+                break;
+            }
+            if self.done < n {
+                let line = &mut self.map[n * self.done..n * (self.done + 1)];
+                line.iter_mut().zip(row(self.cascade, self.done)).for_each(|(to, height)| *to = [height, 0.0]);
+                self.spectrum.m0_m2 += line.iter().map(|h| h[0] * h[0]).sum::<f64>() / (n * n) as f64;
+                self.fft.forward(line);
+            } else {
+                let x = self.done - n;
+                let mut column: Vec<[f64; 2]> = self.map[x..].iter().step_by(n).copied().collect();
+                self.fft.forward(&mut column);
+                self.add_column(plan, x, &column);
+            }
+            self.done += 1;
+            if self.done == 2 * n {
+                self.cascade += 1;
+                self.done = 0;
+            }
+        }
+        (self.cascade == plan.cascades.len()).then_some(&self.spectrum)
+    }
+
+    /// Adds the waves in column `x` of the transformed map to their bins.
+    fn add_column(&mut self, plan: &Plan, x: usize, column: &[[f64; 2]]) {
+        let n = column.len();
+        let signed = |i: usize| if i < n / 2 { i as f64 } else { i as f64 - n as f64 };
+        let unit = 1.0 / (n as f64).powi(4);
+        let dk = plan.cascades[self.cascade].dk();
+        for (z, h) in column.iter().enumerate().filter(|(z, _)| (x, *z) != (0, 0)) {
+            let k = dk * signed(x).hypot(signed(z));
+            let bin = (plan.dispersion.omega(k) / self.bin_rad_s) as usize;
+            if let Some(sum) = self.spectrum.bins_m2.get_mut(bin) {
+                *sum += unit * (h[0] * h[0] + h[1] * h[1]);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::state::query;
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn waves_are_found_where_they_are_and_as_large() {
+        let plan = Plan::new(&query::parse("wind=10&n=64&cascades=2").0);
+        let n = 64;
+        // The first map has a wave of 3 periods along x and 4 along z, the second one of 10 periods along x.
+        let map = |amplitude: f64, ix: f64, iz: f64| -> Vec<f64> {
+            let phase = |i: usize| TAU * (ix * (i % n) as f64 + iz * (i / n) as f64) / n as f64;
+            (0..n * n).map(|i| 0.7 + amplitude * (phase(i) + 0.3).cos()).collect()
+        };
+        let maps = [map(0.5, 3.0, 4.0), map(0.2, 10.0, 0.0)];
+        let row = |cascade: usize, z: usize| maps[cascade][n * z..n * (z + 1)].iter().copied();
+        let width = 0.01;
+        let mut estimator = MapSpectrumEstimator::new(&plan, width, 2000);
+        let mut rounds = 0;
+        let MapSpectrum { m0_m2, bins_m2: bins } = loop {
+            rounds += 1;
+            if let Some(spectrum) = estimator.advance(&plan, 1000, row) {
+                break spectrum.clone();
+            }
+        };
+        assert!(rounds > 4, "{rounds}");
+        for (cascade, turns, variance) in [(0, 5.0, 0.125), (1, 10.0, 0.02)] {
+            let bin = (plan.dispersion.omega(plan.cascades[cascade].dk() * turns) / width) as usize;
+            assert!((bins[bin] - variance).abs() < 1e-12, "{} {variance}", bins[bin]);
+        }
+        assert!((bins.iter().sum::<f64>() - 0.145).abs() < 1e-12);
+        // The mean square height includes the mean level, which is in no bin.
+        assert!((m0_m2 - 0.145 - 2.0 * 0.49).abs() < 1e-12, "{m0_m2}");
+    }
+}
