@@ -1,7 +1,7 @@
-//! The pages that the program writes about itself are what it would write.
+//! The committed documents that the program generates are up to date.
 
-use seastate::cli::parameters;
-use seastate::lab::gallery::{self, SEAS};
+use seastate::lab::gallery::{self, PICTURES};
+use seastate::lab::parameters;
 use seastate::state::fields::FIELDS;
 use seastate::state::query;
 use seastate::waves::Plan;
@@ -26,13 +26,13 @@ fn the_page_of_parameters_is_what_the_program_writes() {
 fn the_gallery_is_what_its_table_would_write() {
     assert!(committed("gallery.md") == gallery::page(), "run: seastate gallery");
     let mut files = BTreeSet::new();
-    for sea in SEAS {
-        assert!(files.insert(sea.file()), "{}: two pictures of one name", sea.title);
-        let (params, notices) = query::parse(sea.state);
-        assert_eq!(notices, Vec::<String>::new(), "{}", sea.title);
-        assert_eq!(Plan::new(&params).notices, Vec::<String>::new(), "{}", sea.title);
-        // In the order of FIELDS, and without values that are the default anyway.
-        assert_eq!(query::write(&params), sea.state, "{}", sea.title);
+    for picture in PICTURES {
+        assert!(files.insert(picture.file()), "{}: two pictures of one name", picture.title);
+        let (params, notices) = query::parse(picture.state);
+        assert_eq!(notices, Vec::<String>::new(), "{}", picture.title);
+        assert_eq!(Plan::new(&params).notices, Vec::<String>::new(), "{}", picture.title);
+        // The keys stand in the order of FIELDS, without defaults.
+        assert_eq!(query::write(&params), picture.state, "{}", picture.title);
     }
 }
 

@@ -4,7 +4,7 @@ use super::faults::Faults;
 use super::lifeboat::{Berth, Shell};
 use super::readers::Item;
 use super::{App, setup, tasks, tidy};
-use crate::bench::{self, Options, Row};
+use crate::bench::{self, BenchOptions, PassTiming};
 use crate::gpu::Gpu;
 use crate::ocean;
 use crate::state::{Params, query};
@@ -166,7 +166,7 @@ impl WebHandle {
     pub async fn bench(&self, state: String, repeat: u32, progress: js_sys::Function) -> Result<JsValue, JsValue> {
         let gpu = Gpu::request().await?;
         let faults = Faults::watch(&gpu.device);
-        let options = Options { sizes: vec![[1280, 720]], repeat, matrix: false, baseline: true };
+        let options = BenchOptions { sizes: vec![[1280, 720]], repeat, matrix: false, baseline: true };
         // What a listener does is its own affair.
         let tell = |what: &str| drop(progress.call1(&JsValue::NULL, &what.into()));
         let report = bench::run(&gpu, &query::parse(&state).0, &options, tell).await?;
@@ -194,7 +194,7 @@ impl WebHandle {
     }
 }
 
-fn measured(row: &Row) -> JsValue {
+fn measured(row: &PassTiming) -> JsValue {
     let out = js_sys::Object::new();
     // Setting a property of a fresh object cannot fail.
     let set = |key: &str, value: JsValue| drop(js_sys::Reflect::set(&out, &key.into(), &value));

@@ -1,32 +1,32 @@
-//! `seastate export`: the maps as OpenEXR, 32-bit float, named channels; and what they mean as plan.json.
+//! `seastate export`: the maps as OpenEXR files with named channels of 32-bit floats, and their description as plan.json.
 
+use super::ensemble::foam_levels;
+use super::{create_folder, write_file};
 use crate::gpu::Gpu;
-use crate::lab::stats::foam_levels;
+use crate::ocean::maps::read_displacement;
 use crate::shaders::Shaders;
-use crate::sim::resources::MapKind;
-use crate::sim::{MAX_STEPS, Simulation};
+use crate::sim::Simulation;
 use crate::state::{Params, query};
 use crate::waves::Plan;
 use exr::prelude::*;
 use std::path::Path;
 
-/// The foam level that is exported.
+/// Index of the exported foam level.
 const FOAM_LEVEL: usize = 1;
 
-/// A named channel and its value at texel i, row by row.
+/// Name of a channel, and its value at texel i, row by row.
 type Channel<'a> = (&'static str, Box<dyn Fn(usize) -> f32 + 'a>);
 
-/// Writes the maps of a state at its time to a folder.
+/// Writes the maps of a state at its time to a folder. With `raw`, also writes heights.f32 and displacement.f16.
 ///
 /// # Errors
 /// One sentence, if the folder cannot be written or the GPU does not give its memory back.
-pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Result<(), String> {
-    std::fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
-    let gpu = Gpu::request().await?;
+pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::result::Result<(), String> {
+    create_folder(folder)?;
     let plan = Plan::new(params);
     let n = plan.n as usize;
-    let mut sim = Simulation::new(&gpu, plan.clone(), &Shaders::default());
-    let maps = sim.read_f32(&gpu, params.clock.t_s).await?;
+    let mut sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
+    let maps = sim.read_f32(gpu, params.clock.t_s).await?;
     let chop = plan.sea.lambda().map(|l| l as f32);
     for c in 0..maps.cascades() {
         let (d, g) = (maps.displacement(c), maps.gradients(c));
@@ -46,7 +46,7 @@ pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Resu
         write(&folder.join(format!("cascade{c}_gradients.exr")), n, &gradients)?;
     }
     let centre = [params.camera.x_m, params.camera.z_m];
-    let levels = foam_levels(&gpu, &mut sim, params.clock.t_s, centre).await?;
+    let levels = foam_levels(gpu, &mut sim, params.clock.t_s, centre).await?;
     let foam_level = sim.maps().foam_levels[FOAM_LEVEL];
     let size = sim.resources.foam_n as usize;
     let corner = foam_level.centre.map(|x| x - 0.5 * size as f64 * foam_level.texel_m);
@@ -57,8 +57,11 @@ pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Resu
     write(&folder.join("foam.exr"), size, &channels)?;
     if raw {
         let heights: Vec<f32> = (0..maps.cascades()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
-        save(&folder.join("heights.f32"), bytemuck::cast_slice(&heights))?;
-        save(&folder.join("displacement.f16"), &half_maps(&gpu, params, &plan).await?)?;
+        write_file(&folder.join("heights.f32"), bytemuck::cast_slice(&heights))?;
+        // The displacement maps as the renderer samples them, level 0.
+        let texels = read_displacement(gpu, params).await?;
+        let halves: Vec<f16> = texels.iter().flatten().map(|&x| f16::from_f32(x)).collect();
+        write_file(&folder.join("displacement.f16"), bytemuck::cast_slice(&halves))?;
     }
     let about = serde_json::json!({
         "state": query::write(params),
@@ -76,22 +79,12 @@ pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Resu
         })).collect::<Vec<_>>(),
         "foam": {
             "file": "foam.exr", "n": size, "side_m": size as f64 * foam_level.texel_m, "corner_xz_m": corner,
-            "what": "foam 0..1 in undisplaced coordinates; the first row lies at the smallest z; of the sea as it is drawn, blended from shifted copies of the patches unless untile is false",
+            "what": "foam 0..1 in undisplaced coordinates, first row at the smallest z; for the sea as drawn, which blends shifted \
+                     copies of the patches unless untile is false",
         },
     });
     let text = serde_json::to_string_pretty(&about).unwrap_or_default() + "\n";
-    save(&folder.join("plan.json"), text.as_bytes())
-}
-
-/// The displacement maps as the renderer samples them, level 0, in half floats.
-async fn half_maps(gpu: &Gpu, params: &Params, plan: &Plan) -> std::result::Result<Vec<u8>, String> {
-    let mut sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    sim.encode(gpu, &mut encoder, params.clock.t_s, [0.0; 2], MAX_STEPS);
-    let copy = sim.resources.stage(gpu, &mut encoder, MapKind::Displacement, 0);
-    gpu.submit(encoder);
-    let halves: Vec<[f16; 4]> = copy.read_map(gpu).await?.iter().map(|t| t.map(f16::from_f32)).collect();
-    Ok(bytemuck::cast_slice(&halves).to_vec())
+    write_file(&folder.join("plan.json"), text)
 }
 
 /// Writes a square image of f32 channels.
@@ -100,14 +93,10 @@ fn write(path: &Path, n: usize, channels: &[Channel<'_>]) -> std::result::Result
         .iter()
         .map(|(name, value)| AnyChannel::new(*name, FlatSamples::F32((0..n * n).map(value).collect())))
         .collect();
-    // Lines in order: the same state gives the same bytes, and every reader takes them.
+    // Scan lines in increasing order: equal states give equal bytes, and every reader supports them.
     let encoding =
         Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
     let layer = Layer::new((n, n), LayerAttributes::default(), encoding, AnyChannels::sort(list));
     let image = Image::from_layer(layer);
     image.write().to_file(path).map_err(|e| format!("cannot write {}: {e}", path.display()))
-}
-
-fn save(path: &Path, bytes: &[u8]) -> std::result::Result<(), String> {
-    std::fs::write(path, bytes).map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
