@@ -11,7 +11,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let state = arguments.next().unwrap_or_else(|| "wind=12&t=40".to_owned());
     let path = arguments.next().unwrap_or_else(|| "sea.png".to_owned());
 
-    // A state string always gives valid parameters; what could not be taken as written becomes a notice.
+    // Every state string gives valid parameters. A value that cannot be taken becomes a notice.
     let (params, notices) = query::parse(&state);
     for notice in notices {
         eprintln!("{notice}");

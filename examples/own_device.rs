@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 }
 
 async fn run() -> Result<(), Box<dyn std::error::Error>> {
-    // The host's own device. `device::descriptor` names the optional features that the ocean can use; none is required.
+    // The host's own device. `device::descriptor` asks for the optional features that the ocean uses; none is required.
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
     let adapter = instance.request_adapter(&wgpu::RequestAdapterOptions::default()).await?;
     let (device, queue) = adapter.request_device(&device::descriptor(&adapter)).await?;
@@ -26,7 +26,7 @@ async fn run() -> Result<(), Box<dyn std::error::Error>> {
     let target = gpu.texture("host target", [SIZE[0], SIZE[1], 1], 1, FORMAT, usage);
     let view = target.create_view(&wgpu::TextureViewDescriptor::default());
 
-    // The host's frame loop: parameters may change at any time, and the sea glides to the new ones.
+    // The host's frame loop. Parameters may change at any time; the sea cross-fades to the new ones.
     for frame in 0..3 {
         let dt_s = 1.0 / 60.0;
         params.clock.t_s += dt_s;
@@ -43,14 +43,14 @@ async fn run() -> Result<(), Box<dyn std::error::Error>> {
             })],
             ..Default::default()
         });
-        // The ocean fills the pass's viewport. The host draws its own things before or after it.
+        // The ocean fills the viewport of the pass. The host may draw before or after it.
         ocean.present(&mut pass);
         drop(pass);
         gpu.submit(encoder);
         println!("frame {frame}: foam {}", if foam_is_complete { "complete" } else { "catching up" });
     }
 
-    // Read one row back, to see that the picture has arrived.
+    // Reads the picture back and prints one pixel.
     let mut encoder = gpu.encoder("host read-back");
     let copy = readback::stage_texture(&gpu, &mut encoder, &target, 0);
     gpu.submit(encoder);

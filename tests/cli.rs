@@ -147,7 +147,6 @@ fn info_says_what_runs_on_what() {
     let limit = |name: &str| json["limits"][name]["adapter"].as_u64().unwrap_or_else(|| panic!("{name}: {json}"));
     assert!(limit("texture_side") >= 8192 && limit("workgroup_memory_bytes") >= 16_384, "{json}");
     let software = json["kind"] == "Cpu";
-    assert_eq!(json["ways"]["samples_a_pixel"], if software { "1" } else { "4" });
     let way = json["ways"]["transform"].as_str().expect("a way");
     let has_long = json["features"].as_array().is_some_and(|all| all.iter().any(|name| name == "long numbers"));
     let expected = match (software, has_long) {

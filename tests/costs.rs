@@ -1,5 +1,5 @@
-//! Compares the costs of the picture's passes (src/bench/cost.rs) with the shaders: counts their expressions, each loop with its
-//! largest number of iterations.
+//! Compares the costs of the picture's passes (src/bench/cost.rs) with the shaders: counts their expressions, each loop
+//! with its largest number of iterations.
 
 use naga::valid::{Capabilities, FunctionInfo, ValidationFlags, Validator};
 use naga::{BinaryOperator, Expression, Function, MathFunction, Module, Override, Statement, TypeInner};
@@ -10,8 +10,8 @@ use seastate::waves::tiling::MEAN_COPIES;
 /// Cost of a transcendental function, root or quotient in additions.
 const SPECIAL: f64 = 4.0;
 
-/// Iterations of the loops of a function, in their order. Of two alternative loops, the cheaper one has 0. The sea has four
-/// cascades, one of them with ripples; the pixel takes no slopes from the mesh.
+/// Iterations of the loops of a function, in their order. Of two alternative loops, the cheaper one has 0. The sea has
+/// four cascades, one of them with ripples; the pixel takes no slopes from the mesh.
 fn trips(function: &str) -> &'static [f64] {
     match function {
         "water_moved" => &[4.0, MEAN_COPIES, 0.0, 1.0],

@@ -1,5 +1,5 @@
-//! The structure of the sources: imports between rooms (the table in ARCHITECTURE.md), sizes of rooms and files, and cycles of
-//! imports.
+//! The structure of the sources: imports between rooms (the table in ARCHITECTURE.md), sizes of rooms and files, and
+//! cycles of imports.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

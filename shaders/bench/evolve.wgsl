@@ -1,5 +1,5 @@
-// Baseline of `seastate bench`: the spectra at a time. Each output texture packs two real fields as a complex one, in the same
-// pairs as the program's row pass.
+// Baseline of `seastate bench`: the spectra at a time. Each output texture packs two real fields as a complex one, in
+// the same pairs as the program's row pass.
 
 struct Evolve {
   cascade: u32,

@@ -1,5 +1,5 @@
-// Baseline of `seastate bench`: one radix-2 stage of the inverse transform of one field along one axis, from texture to texture.
-// Factors and source indices come from a texture with one row per stage.
+// Baseline of `seastate bench`: one radix-2 stage of the inverse transform of one field along one axis, from texture to
+// texture. Factors and source indices come from a texture with one row per stage.
 
 struct Stage {
   stage: u32,

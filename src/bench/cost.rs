@@ -1,5 +1,5 @@
-//! Least memory traffic and arithmetic of the passes, counted from their shaders. Every value counts once, so that no cache
-//! makes a pass cheaper than its cost here.
+//! Least memory traffic and arithmetic of the passes, counted from their shaders. Every value counts once, so that no
+//! cache makes a pass cheaper than its cost here.
 
 use crate::gpu::map_format::MapFormat;
 use crate::sim::maps::FOAM_LEVELS;
@@ -32,9 +32,10 @@ fn transforms(n: u32) -> f64 {
     4.0 * 5.0 * f64::from(n.ilog2())
 }
 
-/// The waves at a time and their transform along x: h0 of a wave and of the opposite wave (16), an eighth of a table entry
-/// (1), four complex numbers out (32). Adapters that are CPUs compute a wave once for two lines; that is not taken off. Where
-/// rows and columns are merged, three of the eight steps of 256 points along x are taken with the columns; they count here.
+/// The waves at a time and their transform along x: h0 of a wave and of the opposite wave (16), an eighth of a table
+/// entry (1), four complex numbers out (32). Adapters that are CPUs compute a wave once for two lines; that is not
+/// taken off. Where rows and columns are merged, three of the eight steps of 256 points along x are taken with the
+/// columns; they count here.
 pub fn rows(n: u32, cascades: u32) -> Cost {
     texels(n, cascades, 49.0, 30.0 + 14.0 + 40.0 + transforms(n))
 }
@@ -54,8 +55,8 @@ pub fn mips(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     texels(n, cascades, 3.0 * f64::from(maps.bytes()), 4.0 * 14.0 / 3.0)
 }
 
-/// Foam: history in and out (8), a texel out, and four texels of two maps for each cascade and copy, with their bilinear
-/// weights and the blend of the copies.
+/// Foam: history in and out (8), a texel out, and four texels of two maps for each cascade and copy, with their
+/// bilinear weights and the blend of the copies.
 pub fn foam(foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
     let (samples, texel) = (f64::from(cascades) * MEAN_COPIES, f64::from(maps.bytes()));
     let flops = 40.0 + 60.0 * f64::from(cascades) + 60.0 * samples;
@@ -67,8 +68,8 @@ pub fn step(n: u32, foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
     waves(n, cascades, maps) + mips(n, cascades, maps) + foam(foam_n, cascades, maps)
 }
 
-/// Work of a shader for a vertex or pixel with all parts of the default picture. A root, quotient or transcendental function
-/// counts as four operations. `tests/costs.rs` counts the shaders.
+/// Work of a shader for a vertex or pixel with all parts of the default picture. A root, quotient or transcendental
+/// function counts as four operations. `tests/costs.rs` counts the shaders.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShaderCost {
     /// Operations.
@@ -104,8 +105,8 @@ pub struct PictureContents {
 }
 
 impl PictureContents {
-    /// The mesh: a vertex is written, read, and indexed by six corners of triangles (120); the displacement and gradient maps
-    /// are read; a pixel writes its surface data (32) and depth (4).
+    /// The mesh: a vertex is written, read, and indexed by six corners of triangles (120); the displacement and
+    /// gradient maps are read; a pixel writes its surface data (32) and depth (4).
     pub fn mesh(&self) -> Cost {
         let seen = self.pixels * self.sea;
         Cost {
@@ -114,8 +115,8 @@ impl PictureContents {
         }
     }
 
-    /// The mesh and its lighting: a pixel reads its surface data (32) and depth (4), and writes its light (8); the three
-    /// maps are read.
+    /// The mesh and its lighting: a pixel reads its surface data (32) and depth (4), and writes its light (8); the
+    /// three maps are read.
     pub fn water(&self) -> Cost {
         let seen = self.pixels * self.sea;
         let light = Cost { bytes: 44.0 * seen + 3.0 * self.map_bytes, flops: LIGHT.flops * seen };

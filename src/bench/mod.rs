@@ -1,5 +1,5 @@
-//! Times every pass, beside the limits of the adapter and a baseline: the waves as browser demos compute them. Runs natively
-//! and on the page.
+//! Times every pass, beside the limits of the adapter and a baseline: the waves as browser demos compute them. Runs
+//! natively and on the page.
 
 pub mod ceilings;
 pub mod clock;

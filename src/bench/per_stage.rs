@@ -1,9 +1,9 @@
-//! The baseline: waves as common browser demos compute them. Every radix-2 stage of every field of every cascade is a dispatch
-//! from texture to texture, with factors from a texture; a last dispatch per cascade merges the fields into maps. A test
-//! checks that the maps are the program's.
+//! The baseline: waves as common browser demos compute them. Every radix-2 stage of every field of every cascade is a
+//! dispatch from texture to texture, with factors from a texture; a last dispatch per cascade merges the fields into
+//! maps. A test checks that the maps are the program's.
 //!
-//! The baseline is a fair one: bind groups are created once, and spectra lie in the order of the transform, so that no pass
-//! permutes them.
+//! The baseline is a fair one: bind groups are created once, and spectra lie in the order of the transform, so that no
+//! pass permutes them.
 
 use crate::gpu::Gpu;
 use crate::gpu::kit::begin_compute;

@@ -16,7 +16,8 @@ pub const MAX_SIDE: u32 = 8192;
     version,
     about = "An ocean you can believe: sea states computed on the GPU from oceanographic spectra",
     args_conflicts_with_subcommands = true,
-    after_help = "A STATE is a query string such as 'wind=14&fetch=300&t=40', or a whole page address; see 'seastate keys'.\n\
+    after_help = "A STATE is a query string such as 'wind=14&fetch=300&t=40', or a whole page address; \
+                  see 'seastate keys'.\n\
                   WGPU_ADAPTER_NAME and WGPU_BACKEND choose the GPU."
 )]
 pub struct Cli {
@@ -81,8 +82,8 @@ pub enum Command {
         /// Pictures per second of the sequence
         #[arg(long, default_value_t = 30.0)]
         fps: f64,
-        /// With --frames: also writes an OpenEXR file for each picture, with linear light (R, G, B), distance along the view
-        /// in m (Z) and the normal in world axes (N.X east, N.Y up, N.Z south)
+        /// With --frames: also writes an OpenEXR file for each picture, with linear light (R, G, B), distance along the
+        /// view in m (Z) and the normal in world axes (N.X east, N.Y up, N.Z south)
         #[arg(long, requires = "frames")]
         layers: bool,
         /// Renders the reference that the picture approximates: many unfiltered samples per pixel

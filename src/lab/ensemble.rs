@@ -17,9 +17,9 @@ const ADVANCE_RAD: f64 = 1.0;
 /// Points of the displaced surface that each seed contributes to skewness and kurtosis.
 const POINTS: u32 = 1 << 16;
 
-/// Statistics measured in the f32 copy of the maps. Heights belong to the undisplaced grid; periods and directions to the
-/// waves that two read-backs separate from the opposite waves; skewness and kurtosis to the displaced surface, weighted by
-/// the Jacobian.
+/// Statistics measured in the f32 copy of the maps. Heights belong to the undisplaced grid; periods and directions to
+/// the waves that two read-backs separate from the opposite waves; skewness and kurtosis to the displaced surface,
+/// weighted by the Jacobian.
 #[derive(Debug)]
 pub struct MeasuredStatistics {
     /// Significant wave height from the mean variance over the seeds, m.
@@ -72,7 +72,8 @@ pub struct TravellingWave {
     pub unit: [f64; 2],
 }
 
-/// Measures a state over `seeds` seeds, counted from the state's own. `visit` gets every wave, with the index of its seed.
+/// Measures a state over `seeds` seeds, counted from the state's own. `visit` gets every wave, with the index of its
+/// seed.
 ///
 /// # Errors
 /// If the GPU does not give its memory back.
@@ -170,8 +171,8 @@ fn seed_statistics(
     SeedStatistics { variance, mean, mss, skewness, kurtosis, travelling, parseval_error }
 }
 
-/// Visits the waves of a cascade. With X(k, t) = A e^{-i w t} + B* e^{+i w t} at two times, A is the amplitude of the wave
-/// that travels along k; its variance is 2 |A|^2.
+/// Visits the waves of a cascade. With X(k, t) = A e^{-i w t} + B* e^{+i w t} at two times, A is the amplitude of the
+/// wave that travels along k; its variance is 2 |A|^2.
 fn travelling_waves(
     plan: &Plan,
     cascade: &Cascade,
@@ -211,8 +212,8 @@ pub fn transform_of_heights(n: usize, displacement: &[[f32; 4]]) -> Vec<[f64; 2]
     transform::inverse_2d(n, &heights)
 }
 
-/// Visits elevation and Jacobian at random points of the sum of cascades. The cascades are independent of each other and
-/// statistically homogeneous, so a point of the sum is a random texel of each cascade, without interpolation.
+/// Visits elevation and Jacobian at random points of the sum of cascades. The cascades are independent of each other
+/// and statistically homogeneous, so a point of the sum is a random texel of each cascade, without interpolation.
 pub fn surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f64)) {
     let n = maps.n as u32;
     for i in 0..POINTS {
@@ -230,8 +231,8 @@ pub fn surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f6
     }
 }
 
-/// Mean, standard deviation, skewness and kurtosis from weighted sums of the powers 0 to 4. All but the mean are 0 without
-/// variance.
+/// Mean, standard deviation, skewness and kurtosis from weighted sums of the powers 0 to 4. All but the mean are 0
+/// without variance.
 pub fn distribution_shape(sums: [f64; 5]) -> [f64; 4] {
     let [m1, m2, m3, m4] = [1, 2, 3, 4].map(|p| sums[p] / sums[0]);
     let variance = m2 - m1 * m1;

@@ -29,8 +29,8 @@ impl Estimate {
         Self { value, error: Self::mean(&residuals).error }
     }
 
-    /// A statistic of `count` members with its jackknife error: `statistic` gets the index of the member to leave out, or
-    /// `None` for all members.
+    /// A statistic of `count` members with its jackknife error: `statistic` gets the index of the member to leave out,
+    /// or `None` for all members.
     pub fn jackknife(count: usize, statistic: impl Fn(Option<usize>) -> f64) -> Self {
         let replicates: Vec<f64> = (0..count).map(|i| statistic(Some(i))).collect();
         let error = Self::mean(&replicates).error.map(|e| e * (count as f64 - 1.0));

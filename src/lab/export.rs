@@ -1,4 +1,5 @@
-//! `seastate export`: the maps as OpenEXR files with named channels of 32-bit floats, and their description as plan.json.
+//! `seastate export`: the maps as OpenEXR files with named channels of 32-bit floats, and their description as
+//! plan.json.
 
 use super::ensemble::foam_levels;
 use super::{create_folder, write_file};
@@ -79,8 +80,8 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
         })).collect::<Vec<_>>(),
         "foam": {
             "file": "foam.exr", "n": size, "side_m": size as f64 * foam_level.texel_m, "corner_xz_m": corner,
-            "what": "foam 0..1 in undisplaced coordinates, first row at the smallest z; for the sea as drawn, which blends shifted \
-                     copies of the patches unless untile is false",
+            "what": "foam 0..1 in undisplaced coordinates, first row at the smallest z; for the sea as drawn, which \
+             blends shifted copies of the patches unless untile is false",
         },
     });
     let text = serde_json::to_string_pretty(&about).unwrap_or_default() + "\n";

@@ -1,5 +1,5 @@
-//! LDR-FLIP, the perceived difference of two pictures shown in alternation: Andersson et al., "FLIP: A Difference Evaluator
-//! for Alternating Images", 2020. Names and constants are the paper's.
+//! LDR-FLIP, the perceived difference of two pictures shown in alternation: Andersson et al., "FLIP: A Difference
+//! Evaluator for Alternating Images", 2020. Names and constants are the paper's.
 
 use std::f64::consts::PI;
 
@@ -217,8 +217,8 @@ mod tests {
         if inside { [255, 240, 200] } else { [20, 40, 90] }
     }
 
-    /// The expected means come from NVIDIA's implementation (nv-flip 0.1.2, FLIP 1.2, in f32), at 67.02064 and at 30 pixels
-    /// per degree.
+    /// The expected means come from NVIDIA's implementation (nv-flip 0.1.2, FLIP 1.2, in f32), at 67.02064 and at 30
+    /// pixels per degree.
     #[test]
     fn means_are_those_of_the_authors() {
         let mixed = |x, y| {

@@ -46,7 +46,8 @@ pub const PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "North Sea gale",
         about: "Beaufort 8 in water 40 m deep: the TMA spectrum, steep waves, streaks of foam.",
-        state: "spectrum=tma&wind=19&fetch=300&dir=330&depth=40&sun=18&sunaz=200&overcast=0.85&y=12&heading=150&pitch=-5&t=40",
+        state: "spectrum=tma&wind=19&fetch=300&dir=330&depth=40&sun=18&sunaz=200&overcast=0.85&y=12&heading=150\
+                &pitch=-5&t=40",
     },
     GalleryPicture {
         title: "Southern Ocean storm",
@@ -56,7 +57,8 @@ pub const PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Long swell",
         about: "A swell of three metres and sixteen seconds from a distant storm, under a light breeze.",
-        state: "spectrum=pm&wind=3&scale2=1&dir2=290&hs2=3&tp2=16&swell2=1&sun=20&sunaz=300&y=10&heading=280&pitch=-5&t=40",
+        state: "spectrum=pm&wind=3&scale2=1&dir2=290&hs2=3&tp2=16&swell2=1&sun=20&sunaz=300&y=10&heading=280\
+                &pitch=-5&t=40",
     },
     GalleryPicture {
         title: "Crossing seas",
@@ -86,7 +88,8 @@ pub const PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Close to the ripples",
         about: "A light breeze, seen from a metre above the water: Elfouhaily's spectrum with capillary waves.",
-        state: "spectrum=elfouhaily&wind=3&fetch=5&spread=elfouhaily&dispersion=capillary&sun=25&sunaz=60&y=1.2&heading=50&pitch=-18&t=40",
+        state: "spectrum=elfouhaily&wind=3&fetch=5&spread=elfouhaily&dispersion=capillary&sun=25&sunaz=60&y=1.2\
+                &heading=50&pitch=-18&t=40",
     },
 ];
 
@@ -134,8 +137,8 @@ pub fn page() -> String {
     let mut page = Page::default();
     page.heading(1, "Gallery");
     page.prose(
-        "Each picture shows one state string. The link opens it on the page while scripts/serve.sh runs; every command takes \
-         the string in quotes. `seastate gallery` renders all pictures.",
+        "Each picture shows one state string. The link opens it on the page while scripts/serve.sh runs; every command \
+         takes the string in quotes. `seastate gallery` renders all pictures.",
     );
     for picture in PICTURES {
         page.heading(2, picture.title);

@@ -8,13 +8,14 @@ use std::fmt::Write as _;
 const SPECIAL_KEYS: [(&str, &str); 3] = [
     (
         "measured",
-        "A buoy's spectrum, shown by `spectrum=measured`: bands f\\*S or f\\*S\\*alpha1\\*alpha2\\*r1\\*r2, separated by _, in \
-         Hz, m²/Hz, degrees that the waves come from, and 0..1. The program writes it when it reads a buoy's file.",
+        "A buoy's spectrum, shown by `spectrum=measured`: bands f\\*S or f\\*S\\*alpha1\\*alpha2\\*r1\\*r2, separated \
+         by _, in Hz, m²/Hz, degrees that the waves come from, and 0..1. The program writes it when it reads a buoy's \
+         file.",
     ),
     (
         "sky",
-        "Name of a sky file, an equirectangular `.hdr` or `.exr` in linear light, that is dropped on the window or given by \
-         `--sky`. A link does not contain the file: without it, the built-in sky is shown, with a notice.",
+        "Name of a sky file, an equirectangular `.hdr` or `.exr` in linear light, that is dropped on the window or \
+         given by `--sky`. A link does not contain the file: without it, the built-in sky is shown, with a notice.",
     ),
     (
         "afloat",
@@ -43,8 +44,9 @@ pub fn page() -> String {
     let mut page = Page::default();
     page.heading(1, "Parameters");
     page.prose(
-        "Every parameter has a key in the state string, which holds only the values that differ from their defaults. `seastate \
-         keys --markdown` writes this page from the program's own table; `seastate keys` prints the table to a terminal.",
+        "Every parameter has a key in the state string, which holds only the values that differ from their defaults. \
+         `seastate keys --markdown` writes this page from the program's own table; `seastate keys` prints the table to \
+         a terminal.",
     );
     for group in Group::ALL {
         page.heading(2, group.label());

@@ -19,8 +19,8 @@ pub struct Sampling {
 }
 
 impl Sampling {
-    /// Grids that together hold the samples of a picture of `size` pixels. Each grid has at most `most` samples, and at most
-    /// `longest` along a side.
+    /// Grids that together hold the samples of a picture of `size` pixels. Each grid has at most `most` samples, and at
+    /// most `longest` along a side.
     fn grids(self, size: [u32; 2], most: u64, longest: u32) -> impl Iterator<Item = Grid> {
         let fits = |side: &u32| {
             let [w, h] = size.map(|s| u64::from(s) * u64::from(*side));

@@ -36,6 +36,14 @@ pub struct StateReading {
 
 /// Reads a state string, with or without a leading `?`, or a whole URL. Returns the parameters and one notice for each
 /// value that was not taken as written.
+///
+/// ```
+/// use seastate::state::query;
+///
+/// let (params, notices) = query::parse("?wind=14&fetch=300&unknown=1");
+/// assert_eq!(notices.len(), 1);
+/// assert_eq!(query::write(&params), "wind=14&fetch=300");
+/// ```
 pub fn parse(text: &str) -> (Params, Vec<String>) {
     let StateReading { params, notices, .. } = read(text);
     (params, notices)

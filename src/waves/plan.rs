@@ -29,6 +29,12 @@ const CELL_RULE: [(f64, f64); 4] = [
 const DAY_S: f64 = 86_400.0;
 
 /// Everything that the simulation needs to know of a sea.
+///
+/// ```
+/// let (params, _) = seastate::state::query::parse("wind=10&fetch=100");
+/// let plan = seastate::waves::Plan::new(&params);
+/// assert!((plan.hs_m() - 2.14).abs() < 0.01);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// FFT size.

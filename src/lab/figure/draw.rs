@@ -1,5 +1,5 @@
-//! Draws a figure as SVG. Plotters rounds positions to whole units, so the figure is drawn at four times its size and scaled
-//! down by the view box.
+//! Draws a figure as SVG. Plotters rounds positions to whole units, so the figure is drawn at four times its size and
+//! scaled down by the view box.
 
 use super::{Figure, Legend, Mark, Series};
 use plotters::prelude::*;

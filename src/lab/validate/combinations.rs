@@ -73,9 +73,10 @@ pub fn build(gpu: &Gpu, seeds: u32, only: &str) -> Result<Page, String> {
     page.heading(1, "Validation: every spectrum with every spreading");
     let count = comparisons.errors.len();
     page.prose(&format!(
-        "`seastate validate --all`: {} seas over {seeds} seeds each. Of {count} comparisons of measured with resolved numbers, \
-         {} lie beyond 2 standard errors, {} beyond 3 and {} beyond 4; their root mean square is {:.2} standard errors. With \
-         few seeds the standard errors are themselves uncertain, and these shares are larger than a Gaussian's.",
+        "`seastate validate --all`: {} seas over {seeds} seeds each. Of {count} comparisons of measured with resolved \
+         numbers, {} lie beyond 2 standard errors, {} beyond 3 and {} beyond 4; their root mean square is {:.2} \
+         standard errors. With few seeds the standard errors are themselves uncertain, and these shares are larger \
+         than a Gaussian's.",
         rows.len(),
         comparisons.beyond(2.0),
         comparisons.beyond(3.0),
@@ -86,8 +87,8 @@ pub fn build(gpu: &Gpu, seeds: u32, only: &str) -> Result<Page, String> {
         page.prose(&format!("Beyond 4: {line}"));
     }
     page.table(
-        "sea | Hs, theory | resolved | measured | deviation | Tm02, resolved | measured | deviation | mss, resolved | measured \
-         | deviation | spread, resolved | measured | deviation | from 240°, measured | deviation",
+        "sea | Hs, theory | resolved | measured | deviation | Tm02, resolved | measured | deviation | mss, resolved | \
+         measured | deviation | spread, resolved | measured | deviation | from 240°, measured | deviation",
         &rows,
     );
     Ok(page)

@@ -18,9 +18,9 @@ const FORMS: [(&str, &str); 3] =
 pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     page.heading(2, "5. Depth");
     page.prose(
-        "TMA is JONSWAP times Kitaigorodskii's depth factor. The program has three forms of it: exact, tanh²(kh) / (1 + 2kh / \
-         sinh 2kh); in the three branches of Thompson and Vincent 1983; and exact with the α and γ of Bouws et al. 1985. For \
-         every spectrum, breaking limits the sea to Hs = 0.6 h. Wind 20 m/s over 300 km.",
+        "TMA is JONSWAP times Kitaigorodskii's depth factor. The program has three forms of it: exact, tanh²(kh) / (1 \
+         + 2kh / sinh 2kh); in the three branches of Thompson and Vincent 1983; and exact with the α and γ of Bouws et \
+         al. 1985. For every spectrum, breaking limits the sea to Hs = 0.6 h. Wind 20 m/s over 300 km.",
     );
     let x = Axis::log("depth h, m", 2.0, 200.0);
     let y = Axis::linear("significant wave height Hs, m", 0.0, 9.0);
@@ -70,7 +70,8 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
          Kitaigorodskii et al. 1975; Thompson and Vincent 1983; Bouws et al. 1985.",
     )?;
     page.table(
-        "depth, m | cap, m | exact, theory | resolved | measured | deviation | branches | against exact | Bouws | against exact",
+        "depth, m | cap, m | exact, theory | resolved | measured | deviation | branches | against exact | Bouws \
+         | against exact",
         &rows,
     );
     page.prose(

@@ -101,22 +101,22 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     figure = points.into_iter().fold(figure, Figure::with);
     page.heading(2, "3. Dispersion");
     page.prose(
-        "All waves of these seas run with the wind (`cos2-positive`). The f32 maps are transformed at two times. The angle \
-         between the two coefficients of a wave is its phase advance; divided by k Δt it is the phase speed. From theory, only \
-         the direction of the waves enters. The program rounds frequencies to multiples of 2π per day, at most 0.01 % of the \
-         frequency of a wave of 17 s. This explains most of the worst deviations; in ripples it is the f32 rounding of weak \
-         waves.",
+        "All waves of these seas run with the wind (`cos2-positive`). The f32 maps are transformed at two times. The \
+         angle between the two coefficients of a wave is its phase advance; divided by k Δt it is the phase speed. \
+         From theory, only the direction of the waves enters. The program rounds frequencies to multiples of 2π per \
+         day, at most 0.01 % of the frequency of a wave of 17 s. This explains most of the worst deviations; in \
+         ripples it is the f32 rounding of weak waves.",
     );
     page.figure(
         "dispersion",
         &figure,
-        "Phase speed against wave number: ω² = (g k + σ/ρ k³) tanh(k h) (lines), and the strongest wave measured on the GPU \
-         in each eighth of a decade (points). Theory: Airy 1845; with surface tension Kelvin 1871; σ = 0.074 \
+        "Phase speed against wave number: ω² = (g k + σ/ρ k³) tanh(k h) (lines), and the strongest wave measured on \
+         the GPU in each eighth of a decade (points). Theory: Airy 1845; with surface tension Kelvin 1871; σ = 0.074 \
          N/m, ρ = 1025 kg/m³.",
     )?;
     page.prose(
-        "The table compares measured with theoretical phase speeds over all waves within 60° of the wind whose amplitude is at \
-         least 1/200 of the largest in their cascade.",
+        "The table compares measured with theoretical phase speeds over all waves within 60° of the wind whose \
+         amplitude is at least 1/200 of the largest in their cascade.",
     );
     page.table(
         "water | c at 0.05 rad/m, m/s | c at 1 rad/m | c at 370 rad/m | cascades hold, rad/m | waves measured \

@@ -1,4 +1,5 @@
-//! Measurements for the validation page: ensembles over seeds with the variance of their waves sorted into bins, foam, maps.
+//! Measurements for the validation page: ensembles over seeds with the variance of their waves sorted into bins, foam,
+//! maps.
 
 use crate::gpu::Gpu;
 use crate::lab::ensemble::{self, MeasuredStatistics, TravellingWave};
@@ -68,8 +69,8 @@ impl Measurement<'_> {
         self.binned_sea(state, 0, &|_| None)
     }
 
-    /// Theory and measurement of a state, with its waves sorted into `bins` bins; `bin_of` gives the bin of a wave, or `None`
-    /// for a wave outside of all bins.
+    /// Theory and measurement of a state, with its waves sorted into `bins` bins; `bin_of` gives the bin of a wave, or
+    /// `None` for a wave outside of all bins.
     ///
     /// # Errors
     /// If the state is wrong, or the GPU does not give its memory back.

@@ -50,15 +50,15 @@ fn introduce(page: &mut Page, lab: &Measurement<'_>) {
     page.heading(1, "Validation");
     page.prose(
         "`seastate validate` writes this page and its figures from the program's own output. The seeds are fixed, and \
-         `tests/validation.rs` compares the theoretical numbers of the page with the program. `seastate validate --all` \
-         measures every spectrum with every spreading in thirteen sea states.",
+         `tests/validation.rs` compares the theoretical numbers of the page with the program. `seastate validate \
+         --all` measures every spectrum with every spreading in thirteen sea states.",
     );
     page.prose(
-        "**Theory** integrates the spectrum by adaptive quadrature. **Resolved** sums over the waves that the cascades hold. \
-         **Measured** is read back from the GPU's f32 maps, with the standard error of the mean over the seeds; read-backs at \
-         two times separate waves of opposite directions. **Deviation** compares measured with resolved numbers unless \
-         stated otherwise; the brackets give it in standard errors. One number in twenty is expected beyond 2 σ, one in 370 \
-         beyond 3 σ.",
+        "**Theory** integrates the spectrum by adaptive quadrature. **Resolved** sums over the waves that the cascades \
+         hold. **Measured** is read back from the GPU's f32 maps, with the standard error of the mean over the seeds; \
+         read-backs at two times separate waves of opposite directions. **Deviation** compares measured with resolved \
+         numbers unless stated otherwise; the brackets give it in standard errors. One number in twenty is expected \
+         beyond 2 σ, one in 370 beyond 3 σ.",
     );
     if let Some(gpu) = lab.gpu {
         let info = gpu.device.adapter_info();

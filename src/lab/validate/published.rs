@@ -12,7 +12,8 @@ const WIND: f64 = 10.0;
 /// Wind at 19.5 m over wind at 10 m.
 const U19: f64 = 1.026;
 
-/// Beaufort force, middle of its winds (m/s), probable and probable highest wave height (m; WMO-No. 306 and Met Office).
+/// Beaufort force, middle of its winds (m/s), probable and probable highest wave height (m; WMO-No. 306 and Met
+/// Office).
 const BEAUFORT: [(u32, f64, f64, f64); 10] = [
     (3, 4.4, 0.6, 1.0),
     (4, 6.7, 1.0, 1.5),
@@ -60,10 +61,10 @@ pub fn write(page: &mut Page) -> Result<(), String> {
 fn growth(page: &mut Page) -> Result<(), String> {
     page.heading(3, "Growth with fetch");
     page.prose(
-        "Dimensionless energy ε = m0 g² / U⁴ and peak frequency ν = f_p U / g over the dimensionless fetch x = g F / U². \
-         Published: JONSWAP (Hasselmann et al. 1973) ε = 1.6·10⁻⁷ x, ν = 3.5 x^-0.33; Donelan et al. 1985 ε = 2.74·10⁻³ \
-         (U/c_p)^-3.3 with U/c_p = 11.6 x^-0.23. The program's numbers (ours) are integrals of the spectra `jonswap` and \
-         `donelan`.",
+        "Dimensionless energy ε = m0 g² / U⁴ and peak frequency ν = f_p U / g over the dimensionless fetch x = g F / \
+         U². Published: JONSWAP (Hasselmann et al. 1973) ε = 1.6·10⁻⁷ x, ν = 3.5 x^-0.33; Donelan et al. 1985 ε = \
+         2.74·10⁻³ (U/c_p)^-3.3 with U/c_p = 11.6 x^-0.23. The program's numbers (ours) are integrals of the spectra \
+         `jonswap` and `donelan`.",
     );
     let x = Axis::log("dimensionless fetch g F / U²", 100.0, 10_000.0);
     let grid: Vec<f64> = curve(&x, 24, |x| x).iter().map(|p| p[0]).collect();
@@ -105,11 +106,11 @@ fn growth(page: &mut Page) -> Result<(), String> {
     }
     page.table("g F / U² | spectrum | ε, published | ε, ours | deviation | ν, published | ν, ours | deviation", &rows);
     page.prose(
-        "The JONSWAP fits are not consistent with each other. The spectrum with α = 0.076 x^-0.22, ν = 3.5 x^-1/3 and γ = 3.3 \
-         integrates to ε = 9.9·10⁻⁸ x^1.11, but the separate fit of ε is 1.6·10⁻⁷ x. So `jonswap` holds more energy than that \
-         fit: 4 % more at x = 10² and 76 % more (a third more height) at 10⁴. The program keeps the spectrum. The exponent 1/3 \
-         in ν, instead of 0.33, comes from the rounded dimensional form 22 (g²/UF)^1/3. `donelan` uses its own growth curve \
-         of U/c_p; ε follows from the integral.",
+        "The JONSWAP fits are not consistent with each other. The spectrum with α = 0.076 x^-0.22, ν = 3.5 x^-1/3 and \
+         γ = 3.3 integrates to ε = 9.9·10⁻⁸ x^1.11, but the separate fit of ε is 1.6·10⁻⁷ x. So `jonswap` holds more \
+         energy than that fit: 4 % more at x = 10² and 76 % more (a third more height) at 10⁴. The program keeps the \
+         spectrum. The exponent 1/3 in ν, instead of 0.33, comes from the rounded dimensional form 22 (g²/UF)^1/3. \
+         `donelan` uses its own growth curve of U/c_p; ε follows from the integral.",
     );
     Ok(())
 }
@@ -117,10 +118,10 @@ fn growth(page: &mut Page) -> Result<(), String> {
 fn full_development(page: &mut Page) -> Result<(), String> {
     page.heading(3, "Full development");
     page.prose(
-        "Pierson and Moskowitz 1964 give S with α = 8.1·10⁻³ and β = 0.74 for the wind at 19.5 m. Its integral is m0 = α g² / \
-         4B with B = β (g/U19.5)⁴, so Hs = 2 sqrt(α/β) U²/g = 0.2092 U19.5²/g, published rounded as 0.21. The peak is ω_p = \
-         (4β/5)^1/4 g/U19.5 = 0.877 g/U19.5 or f_p = 0.140 g/U19.5, published as 0.14 g/U19.5 (0.13 g/U10 in Hasselmann et al. \
-         1973). With U19.5 = 1.026 U10, these become 0.2203 U10²/g and 0.1361 g/U10.",
+        "Pierson and Moskowitz 1964 give S with α = 8.1·10⁻³ and β = 0.74 for the wind at 19.5 m. Its integral is m0 = \
+         α g² / 4B with B = β (g/U19.5)⁴, so Hs = 2 sqrt(α/β) U²/g = 0.2092 U19.5²/g, published rounded as 0.21. The \
+         peak is ω_p = (4β/5)^1/4 g/U19.5 = 0.877 g/U19.5 or f_p = 0.140 g/U19.5, published as 0.14 g/U19.5 (0.13 \
+         g/U10 in Hasselmann et al. 1973). With U19.5 = 1.026 U10, these become 0.2203 U10²/g and 0.1361 g/U10.",
     );
     let t = theory(&format!("spectrum=pm&wind={WIND}&n=64"))?;
     let (height, peak) = (t.hs_m * G / (WIND * WIND), WIND / (G * t.tp_s));
@@ -147,9 +148,9 @@ fn sea_state(hs_m: f64) -> usize {
 fn beaufort(page: &mut Page) -> Result<(), String> {
     page.heading(3, "Beaufort scale and sea states");
     page.prose(
-        "The World Meteorological Organization lists probable wave heights in the open sea with the Beaufort scale (Manual on \
-         Codes, WMO-No. 306; the Met Office has the same table). The program's heights are compared with them at the middle of \
-         each force's winds, and classified by the sea states of code table 3700.",
+        "The World Meteorological Organization lists probable wave heights in the open sea with the Beaufort scale \
+         (Manual on Codes, WMO-No. 306; the Met Office has the same table). The program's heights are compared with \
+         them at the middle of each force's winds, and classified by the sea states of code table 3700.",
     );
     let x = Axis::linear("wind at 10 m, m/s", 0.0, 36.0);
     let y = Axis::linear("significant wave height Hs, m", 0.0, 20.0);
@@ -178,8 +179,8 @@ fn beaufort(page: &mut Page) -> Result<(), String> {
     page.figure(
         "beaufort",
         &figure,
-        "Significant wave height against wind: the program's spectra (lines), and probable (points) to probable highest \
-         (shaded) wave heights of the Beaufort scale in the open sea (WMO-No. 306).",
+        "Significant wave height against wind: the program's spectra (lines), and probable (points) to probable \
+         highest (shaded) wave heights of the Beaufort scale in the open sea (WMO-No. 306).",
     )?;
     let mut rows = Vec::new();
     for (force, wind, probable, _) in BEAUFORT {
@@ -202,13 +203,13 @@ fn beaufort(page: &mut Page) -> Result<(), String> {
         &rows,
     );
     page.prose(
-        "The columns \"state\" hold the sea state of code 3700: 2 up to 0.5 m, 3 to 1.25, 4 to 2.5, 5 to 4, 6 to 6, 7 to 9, 8 to \
-         14, 9 above. Up to force 7 the scale describes a fully developed sea, within 35 %. Above force 7, storms seldom blow \
-         long and far enough: Pierson and Moskowitz's heights grow with U² and are twice the probable heights at force 12. \
-         `jonswap` over 500 km is too high at every force, by a factor of four at force 3 and by 14 % at force 12. Its growth \
-         curves are fitted for x = g F / U² up to 10⁴ and have no limit: it is higher than a fully developed sea beyond x = \
-         1.1·10⁴ and longer beyond 1.7·10⁴ (112 and 173 km at 10 m/s). A notice appears where it is a quarter higher. \
-         `donelan` and `elfouhaily` stop growing at full development.",
+        "The columns \"state\" hold the sea state of code 3700: 2 up to 0.5 m, 3 to 1.25, 4 to 2.5, 5 to 4, 6 to 6, 7 \
+         to 9, 8 to 14, 9 above. Up to force 7 the scale describes a fully developed sea, within 35 %. Above force 7, \
+         storms seldom blow long and far enough: Pierson and Moskowitz's heights grow with U² and are twice the \
+         probable heights at force 12. `jonswap` over 500 km is too high at every force, by a factor of four at force \
+         3 and by 14 % at force 12. Its growth curves are fitted for x = g F / U² up to 10⁴ and have no limit: it is \
+         higher than a fully developed sea beyond x = 1.1·10⁴ and longer beyond 1.7·10⁴ (112 and 173 km at 10 m/s). A \
+         notice appears where it is a quarter higher. `donelan` and `elfouhaily` stop growing at full development.",
     );
     Ok(())
 }

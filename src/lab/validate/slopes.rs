@@ -29,9 +29,10 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
 fn slopes(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     page.heading(3, "Mean square slope");
     page.prose(
-        "Cox and Munk 1954 measured the mean square slope in the sun's glitter for winds of 1 to 14 m/s: 0.003 + 0.00512 U ± \
-         0.004. The cascades hold the slope of waves up to k_max (resolved). Shading adds what is missing from Cox and Munk (the \
-         residual, at least 0), so the picture shows the larger of the two. Fetch 250 km, n = 256, half of the seeds.",
+        "Cox and Munk 1954 measured the mean square slope in the sun's glitter for winds of 1 to 14 m/s: 0.003 + \
+         0.00512 U ± 0.004. The cascades hold the slope of waves up to k_max (resolved). Shading adds what is missing \
+         from Cox and Munk (the residual, at least 0), so the picture shows the larger of the two. Fetch 250 km, n = \
+         256, half of the seeds.",
     );
     let half = Measurement { gpu: lab.gpu, seeds: lab.seeds.div_ceil(2) };
     let (rows, points) = slope_rows(&half)?;
@@ -42,20 +43,20 @@ fn slopes(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     page.figure(
         "slopes",
         &figure,
-        "Mean square slope that the cascades hold against wind, by spectrum (lines), measured on the GPU (points), and Cox \
-         and Munk 1954 with their scatter (shaded), extrapolated above 14 m/s.",
+        "Mean square slope that the cascades hold against wind, by spectrum (lines), measured on the GPU (points), and \
+         Cox and Munk 1954 with their scatter (shaded), extrapolated above 14 m/s.",
     )?;
     page.table(
-        "spectrum | wind, m/s | Cox and Munk | k_max, rad/m | resolved | measured | deviation | residual, shaded | resolved + residual \
-         | against Cox and Munk",
+        "spectrum | wind, m/s | Cox and Munk | k_max, rad/m | resolved | measured | deviation | residual, shaded | \
+         resolved + residual | against Cox and Munk",
         &rows,
     );
     page.prose(
-        "With an ω⁻⁵ tail the cascades hold half of the slope or more, and shading adds the rest: by construction the sum is \
-         Cox and Munk's. `donelan` and `torsethaugen` have an ω⁻⁴ tail, fitted up to a few times the peak frequency. Continued \
-         to centimetres it holds three to six times the slope of the sea, and the picture is rougher than Cox and Munk by the \
-         same factor. A `fade` removes it. The steps in a curve lie where the plan changes the number of cascades, and with it \
-         k_max.",
+        "With an ω⁻⁵ tail the cascades hold half of the slope or more, and shading adds the rest: by construction the \
+         sum is Cox and Munk's. `donelan` and `torsethaugen` have an ω⁻⁴ tail, fitted up to a few times the peak \
+         frequency. Continued to centimetres it holds three to six times the slope of the sea, and the picture is \
+         rougher than Cox and Munk by the same factor. A `fade` removes it. The steps in a curve lie where the plan \
+         changes the number of cascades, and with it k_max.",
     );
     Ok(())
 }
@@ -111,10 +112,10 @@ fn slope_rows(lab: &Measurement<'_>) -> Result<(Vec<Vec<String>>, Vec<[f64; 3]>)
 fn whitecaps(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     page.heading(3, "Whitecaps");
     page.prose(
-        "Monahan and O'Muircheartaigh 1980: W = 3.84·10⁻⁶ U^3.41. Measured: mean foam over all levels after a cold start. The \
-         threshold at which foam forms follows from that law and the variance of the Jacobian, with one constant fitted on the \
-         GPU for winds of 7 to 20 m/s. So this table checks the calibration; it is not a prediction. Fetch 250 km, n = 128, \
-         three seeds.",
+        "Monahan and O'Muircheartaigh 1980: W = 3.84·10⁻⁶ U^3.41. Measured: mean foam over all levels after a cold \
+         start. The threshold at which foam forms follows from that law and the variance of the Jacobian, with one \
+         constant fitted on the GPU for winds of 7 to 20 m/s. So this table checks the calibration; it is not a \
+         prediction. Fetch 250 km, n = 128, three seeds.",
     );
     let x = Axis::linear("wind at 10 m, m/s", 4.0, 26.0);
     let mut figure =

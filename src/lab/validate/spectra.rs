@@ -114,17 +114,18 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     }
     page.heading(2, "1. Frequency spectra");
     page.prose(
-        "Wind 10 m/s over 100 km, from 240°, deep water, the default spreading (`donelan-banner`). The measured density is \
-         the variance of all waves whose frequency lies in a bin, divided by the bin's width. Bins that the cascades hold only \
-         in part are left out. The periods and the mean square slope include the waves that the cascades hold.",
+        "Wind 10 m/s over 100 km, from 240°, deep water, the default spreading (`donelan-banner`). The measured \
+         density is the variance of all waves whose frequency lies in a bin, divided by the bin's width. Bins that the \
+         cascades hold only in part are left out. The periods and the mean square slope include the waves that the \
+         cascades hold.",
     );
     let figures: Vec<_> = seas.iter().map(|(name, sea)| (format!("spectrum-{name}"), figure(name, sea))).collect();
     page.figures(
         &figures,
         "Spectral density of the elevation against angular frequency: theory, and band averages measured on the GPU. \
-         Sources: Phillips 1958; Tessendorf 2001; Pierson and Moskowitz 1964; Hasselmann et al. 1973; Bouws et al. 1985; \
-         Trusca 2007; Karaev and Balandina 2000; Elfouhaily et al. 1997; Donelan et al. 1985; Ochi and Hubble 1976; \
-         Torsethaugen and Haver 2004.",
+         Sources: Phillips 1958; Tessendorf 2001; Pierson and Moskowitz 1964; Hasselmann et al. 1973; Bouws et al. \
+         1985; Trusca 2007; Karaev and Balandina 2000; Elfouhaily et al. 1997; Donelan et al. 1985; Ochi and Hubble \
+         1976; Torsethaugen and Haver 2004.",
     )?;
     for (title, digits, quantity) in QUANTITIES {
         page.heading(3, title);
@@ -143,9 +144,9 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     }
     page.heading(3, "Direction, peak and share");
     page.prose(
-        "The table lists the mean direction that the waves come from, degrees; the period of the highest density; the end of \
-         the cascades; and the share of m0 that the cascades hold. `tessendorf` has its own cos² spreading, with equal energy \
-         in opposite directions, and so no mean direction.",
+        "The table lists the mean direction that the waves come from, degrees; the period of the highest density; the \
+         end of the cascades; and the share of m0 that the cascades hold. `tessendorf` has its own cos² spreading, \
+         with equal energy in opposite directions, and so no mean direction.",
     );
     let degrees = |d: Option<f64>| d.map_or("none".to_owned(), |d| number(d, 2));
     let row = |(name, sea): &(&str, MeasuredSea)| {

@@ -96,27 +96,29 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     }
     page.heading(2, "2. Directional spreading");
     page.prose(
-        "JONSWAP, wind 10 m/s over 100 km, from 240°. The waves within 10 % of a frequency are sorted by direction of travel \
-         into bins of 15°. The measured distribution is the variance of a bin divided by the variance of the same waves in a sea \
-         with isotropic spreading.",
+        "JONSWAP, wind 10 m/s over 100 km, from 240°. The waves within 10 % of a frequency are sorted by direction of \
+         travel into bins of 15°. The measured distribution is the variance of a bin divided by the variance of the \
+         same waves in a sea with isotropic spreading.",
     );
     let even = &seas[0].1;
     let figures: Vec<_> = seas.iter().map(|(name, sea)| (format!("spread-{name}"), figure(name, sea, even))).collect();
     page.figures(
         &figures,
-        "Directional distribution at one, two and four times the peak frequency, averaged over the bands: theory (lines) and \
-         measured on the GPU (points with standard errors). Sources: Mitsuyasu et al. 1975; Hasselmann, Dunckel and Ewing 1980; \
-         Donelan et al. 1985 with Banner 1990; Elfouhaily et al. 1997; docs/sea.md lists the others.",
+        "Directional distribution at one, two and four times the peak frequency, averaged over the bands: theory \
+         (lines) and measured on the GPU (points with standard errors). Sources: Mitsuyasu et al. 1975; Hasselmann, \
+         Dunckel and Ewing 1980; Donelan et al. 1985 with Banner 1990; Elfouhaily et al. 1997; docs/sea.md lists the \
+         others.",
     )?;
     page.prose(
-        "The integral of D over the circle must be 1. The spread is sqrt(2 (1 - r1)) with the first directional moment r1 of the \
-         band; 81.03° means that the waves run equally in all directions.",
+        "The integral of D over the circle must be 1. The spread is sqrt(2 (1 - r1)) with the first directional moment \
+         r1 of the band; 81.03° means that the waves run equally in all directions.",
     );
     let rows: Vec<_> = (seas.iter())
         .flat_map(|(name, sea)| RATIOS.into_iter().enumerate().map(move |(band, ratio)| row(name, sea, band, ratio)))
         .collect();
     page.table(
-        "spread | ω / ω_p | ∫D dθ | spread, theory | resolved | measured | deviation | from, theory | measured | deviation",
+        "spread | ω / ω_p | ∫D dθ | spread, theory | resolved | measured | deviation | from, theory | measured \
+         | deviation",
         &rows,
     );
     Ok(())

@@ -17,9 +17,9 @@ const BINS: usize = 50;
 /// Exact distribution of the elevation of a Gaussian sea with horizontal displacement: phi(u) E[J | u], where u is the
 /// elevation over its standard deviation and J the Jacobian.
 ///
-/// Elevation and strain are jointly Gaussian, so that E[J | u] = 1 - s1 u + s2 (u^2 - 1), with s1 = lambda (a + b) / sigma
-/// and s2 = lambda^2 (a b - c^2) / m0, where a, b, c are the sums of kx^2/k, kz^2/k and kx kz/k (times the orbit) over the
-/// variance. (The covariances of the strains among themselves cancel in the determinant.)
+/// Elevation and strain are jointly Gaussian, so that E[J | u] = 1 - s1 u + s2 (u^2 - 1), with s1 = lambda (a + b) /
+/// sigma and s2 = lambda^2 (a b - c^2) / m0, where a, b, c are the sums of kx^2/k, kz^2/k and kx kz/k (times the orbit)
+/// over the variance. (The covariances of the strains among themselves cancel in the determinant.)
 struct ChoppyDistribution {
     sigma: f64,
     s1: f64,
@@ -88,10 +88,11 @@ fn pooled_shape(all: &[SeedHistogram]) -> [Estimate; 4] {
 pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     page.heading(2, "6. The surface");
     page.prose(
-        "Elevations at random points, wind 15 m/s over 300 km. Without chop the surface is Gaussian. With chop, points move \
-         sideways towards the crests. The distribution over the horizontal plane then weights each point by the Jacobian J: its \
-         density is the Gaussian times the mean of J at that elevation, φ(u) (1 - s₁ u + s₂ (u² - 1)). This is exact for the \
-         linear Lagrangian sea (the choppy wave model of Nouguier et al. 2009). No parameter is fitted.",
+        "Elevations at random points, wind 15 m/s over 300 km. Without chop the surface is Gaussian. With chop, points \
+         move sideways towards the crests. The distribution over the horizontal plane then weights each point by the \
+         Jacobian J: its density is the Gaussian times the mean of J at that elevation, φ(u) (1 - s₁ u + s₂ (u² - 1)). \
+         This is exact for the linear Lagrangian sea (the choppy wave model of Nouguier et al. 2009). No parameter is \
+         fitted.",
     );
     let x = Axis::linear("elevation over its standard deviation σ without chop", -HALF_RANGE, HALF_RANGE);
     let gauss = ChoppyDistribution { sigma: 1.0, s1: 0.0, s2: 0.0 };
@@ -124,14 +125,15 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     }
     page.figures(
         &figures,
-        "Probability density of the elevation over all seeds: measured on the GPU (bars), theory (line) and the Gaussian \
-         (dashed).",
+        "Probability density of the elevation over all seeds: measured on the GPU (bars), theory (line) and the \
+         Gaussian (dashed).",
     )?;
     page.table("chop | quantity | theory | measured | deviation", &rows);
     page.prose(
-        "The displaced crests are sharp and the troughs flat, but the skewness of the elevation is near 0; real seas have 0.1 to \
-         0.2 (Longuet-Higgins 1963). The sideways motion alone lowers the level under a group of high waves by as much as it \
-         raises the crests. The second-order waves that compensate for this are missing from a linear model.",
+        "The displaced crests are sharp and the troughs flat, but the skewness of the elevation is near 0; real seas \
+         have 0.1 to 0.2 (Longuet-Higgins 1963). The sideways motion alone lowers the level under a group of high \
+         waves by as much as it raises the crests. The second-order waves that compensate for this are missing from a \
+         linear model.",
     );
     Ok(())
 }
