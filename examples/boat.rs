@@ -2,6 +2,8 @@
 //!
 //! `cargo run --release --example boat --no-default-features`
 
+#![expect(clippy::print_stdout, reason = "the example prints its results")]
+
 use seastate::point::Heights;
 use seastate::state::query;
 use seastate::waves::Plan;

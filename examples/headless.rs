@@ -2,6 +2,8 @@
 //!
 //! `cargo run --release --example headless -- 'wind=14&fetch=300&sun=20' sea.png`
 
+#![expect(clippy::print_stdout, reason = "the example prints its results")]
+
 use seastate::gpu::Gpu;
 use seastate::ocean::still;
 use seastate::state::query;

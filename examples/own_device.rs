@@ -2,6 +2,8 @@
 //!
 //! `cargo run --release --example own_device`
 
+#![expect(clippy::print_stdout, reason = "the example prints its results")]
+
 use seastate::gpu::{Gpu, device, readback};
 use seastate::ocean::{Film, Ocean};
 use seastate::state::query;

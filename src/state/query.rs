@@ -2,7 +2,7 @@
 //!
 //! `wind=14&fetch=300&seed=7&t=40` is the URL on the web, the argument of the desktop program and of every command. The
 //! keys are those of [`FIELDS`] and four more: `measured` holds a buoy's spectrum, `sky` the name of a sky file,
-//! `afloat` the floating objects, and `v` the version of the string ([`versions`]). Reading never fails: a value that
+//! `afloat` the floating objects, and `v` the version of the string (`state::versions`). Reading never fails: a value that
 //! cannot be taken becomes a notice. Only values that differ from the default are written.
 
 use super::fields::{self, FIELDS, Refusal};

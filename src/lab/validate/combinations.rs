@@ -108,7 +108,7 @@ fn row(lab: &Measurement<'_>, state: &str, comparisons: &mut Comparisons) -> Res
         comparisons.compare(state, estimate, expected);
     }
     cells.extend(match r.mean_from_deg {
-        Some(from_deg) => [measured(sea.from_deg(), 2), turned(sea.from_deg(), from_deg)],
+        Some(from_deg) => [measured(sea.direction_deg(), 2), turned(sea.direction_deg(), from_deg)],
         None => ["none".to_owned(), "none".to_owned()],
     });
     Ok(cells)

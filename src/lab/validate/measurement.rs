@@ -145,7 +145,7 @@ impl MeasuredSea {
     }
 
     /// The measured mean direction that the waves come from, degrees; `None` without a GPU or a mean direction.
-    pub fn from_deg(&self) -> Option<Estimate> {
+    pub fn direction_deg(&self) -> Option<Estimate> {
         self.measured.as_ref().and_then(|m| m.from_deg)
     }
 }
