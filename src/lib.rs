@@ -1,18 +1,23 @@
-//! Seastate: an ocean you can believe.
+//! Seastate computes and draws an ocean from oceanographic spectra in real time: with wgpu on a GPU, natively and in
+//! the browser, and in plain Rust for heights at single points.
 //!
-//! Conventions, stated once:
-//! - World axes: right-handed, +x east, +y up, -z north; metres, seconds, radians, unless a name says otherwise.
-//! - `dir` is where the wind comes from, degrees clockwise from north; the waves run the other way.
-//! - S(omega) is the one-sided variance density of the elevation, m^2 s; its integral is m0, and Hs = 4 sqrt(m0).
-//! - Light is linear until the last shader; depth is reverse-Z.
+//! A sea begins as a state string such as `wind=14&fetch=300`. [`state::query::parse`] turns it into parameters,
+//! [`waves::Plan`] into wave systems and cascades, and `ocean::Ocean` simulates and draws it.
 //!
-//! Features, each holding the one before:
-//! - none: [`state`], [`waves`], [`point`], [`optics`], [`files`] and [`oracle`]: spectra, plans, statistics, and the height
-//!   of the sea at a point ([`point::heights`]), in plain Rust without a GPU.
-//! - `files`: skies from files, and pictures that carry a state, read with every limit before memory is asked for.
-//! - `gpu`: the simulation and the picture on a wgpu device that the program brings.
-//! - `app`: the eframe app of the page and the window.
-//! - `desktop` (default): the command line.
+//! Conventions:
+//! - World axes are right-handed: +x east, +y up, -z north. Units are metres, seconds and radians unless a name says
+//!   otherwise.
+//! - `dir` is the direction that the wind comes from, in degrees clockwise from north. Waves travel the opposite way.
+//! - S(omega) is the one-sided variance density of the elevation, m^2 s. Its integral is m0, and Hs = 4 sqrt(m0).
+//! - Colours are linear light until the last shader. Depth is reverse-Z.
+//!
+//! Features, each of which includes the previous ones:
+//! - none: [`state`], [`waves`], [`point`], [`optics`], [`files`] and [`oracle`]. Spectra, plans, statistics, and the
+//!   height of the sea at a point ([`point::heights`]), without a GPU.
+//! - `files`: readers of sky files, and of pictures that carry a state string.
+//! - `gpu`: the simulation and the picture on a wgpu device of the caller (`gpu`, `shaders`, `sim`, `render`, `ocean`).
+//! - `app`: the eframe app of the page and the window (`app`, `bench`).
+//! - `desktop` (default): the laboratory and the command line (`lab`, `cli`).
 
 #[cfg(feature = "app")]
 pub mod app;

@@ -1,4 +1,4 @@
-//! The command line as a user meets it: what it writes, and how it fails.
+//! The command line: its output and its errors.
 
 use std::path::PathBuf;
 use std::process::{Command, Output};
@@ -9,13 +9,13 @@ fn seastate(args: &[&str]) -> Output {
 
 fn folder(name: &str) -> PathBuf {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    // Left from an earlier run, or not there.
+    // The folder may be left from an earlier run.
     let _ = std::fs::remove_dir_all(&path);
     std::fs::create_dir_all(&path).expect("a folder");
     path
 }
 
-/// Lines of stderr without the Vulkan loader's own remarks.
+/// Lines of stderr without the messages of the Vulkan loader.
 fn complaints(output: &Output) -> Vec<String> {
     let text = String::from_utf8_lossy(&output.stderr).into_owned();
     text.lines().filter(|l| !l.contains("XDG_RUNTIME_DIR")).map(str::to_owned).collect()
@@ -54,7 +54,7 @@ fn a_bad_sky_is_one_line_that_names_it() {
     }
 }
 
-/// Files that claim, unpacked, to be far larger than they are: each is refused by name, in an address space of 4 GB.
+/// Files that claim to be far larger unpacked are refused by name, in an address space of 4 GB.
 #[cfg(target_os = "linux")]
 #[test]
 fn bombs_are_refused_with_little_memory() {
@@ -64,7 +64,7 @@ fn bombs_are_refused_with_little_memory() {
         let mut bytes = std::io::Cursor::new(Vec::new());
         image.write_to(&mut bytes, image::ImageFormat::OpenExr).expect("a file");
         let mut bytes = bytes.into_inner();
-        // No count of the blocks that the windows would have to agree with.
+        // Renames the block count, with which the window sizes would have to agree.
         let count = bytes.windows(11).position(|w| w == b"chunkCount\0").expect("a count");
         bytes[count] = b'C';
         for name in ["dataWindow\0box2i\0", "displayWindow\0box2i\0"] {
@@ -95,7 +95,7 @@ fn bombs_are_refused_with_little_memory() {
         assert_eq!((output.status.code(), said.len()), (Some(2), 1), "{output:?}");
         assert!(said[0].contains(name) && said[0].contains(reason), "{said:?}");
     }
-    // The same program stands on a gpu, which never ends, and on a folder.
+    // A device file without an end, and a folder.
     for (option, path, reason) in
         [("--spectrum", "/dev/zero", "larger than"), ("--sky", "/dev/zero", "neither"), ("--sky", "/", "cannot read")]
     {
@@ -147,7 +147,6 @@ fn info_says_what_runs_on_what() {
     let limit = |name: &str| json["limits"][name]["adapter"].as_u64().unwrap_or_else(|| panic!("{name}: {json}"));
     assert!(limit("texture_side") >= 8192 && limit("workgroup_memory_bytes") >= 16_384, "{json}");
     let software = json["kind"] == "Cpu";
-    assert_eq!(json["ways"]["samples_a_pixel"], if software { "1" } else { "4" });
     let way = json["ways"]["transform"].as_str().expect("a way");
     let expected = if software { "unrolled" } else { "workgroup" };
     assert!(way.starts_with(expected), "{way}");
@@ -233,7 +232,7 @@ fn export_writes_named_float_channels() {
         let gradients = channels(&format!("cascade{c}_gradients.exr"));
         let names: Vec<_> = gradients.iter().map(|(n, _)| n.as_str()).collect();
         assert_eq!(names, ["dDx_dx", "dDx_dz", "dDz_dz", "deta_dx", "deta_dz"]);
-        // The heights are those of the bare file, bit for bit.
+        // The heights equal those of heights.f32, bit for bit.
         let raw = std::fs::read(folder.join("heights.f32")).expect("heights.f32");
         let raw: Vec<f32> = bytemuck::pod_collect_to_vec(&raw);
         let FlatSamples::F32(heights) = &displacement[1].1 else { panic!("32-bit floats") };
@@ -325,7 +324,7 @@ fn a_sequence_is_pictures_in_time_with_layers() {
     };
     let (distance, up) = (channel("Z"), channel("N.Y"));
     let row = |values: &[f32], y: usize| values[y * 48..][..48].iter().sum::<f32>() / 48.0;
-    // Sky above, water below: from ten metres the lowest rays, 40 degrees down, come down after some fifteen.
+    // The top row shows sky. The lowest rays, 40 degrees down from a height of 10 m, meet the water after about 15 m.
     assert!(row(&distance, 0) > 1e9, "{}", row(&distance, 0));
     assert!((8.0..25.0).contains(&row(&distance, 31)), "{}", row(&distance, 31));
     assert!((0.8..=1.0).contains(&row(&up, 31)), "{}", row(&up, 31));

@@ -1,5 +1,5 @@
-//! The budget of the picture's passes (src/bench/cost.rs) against the shaders: their expressions are counted, each loop as often as
-//! it runs at most.
+//! Compares the costs of the picture's passes (src/bench/cost.rs) with the shaders: counts their expressions, each loop
+//! with its largest number of iterations.
 
 use naga::valid::{Capabilities, FunctionInfo, ValidationFlags, Validator};
 use naga::{BinaryOperator, Expression, Function, MathFunction, Module, Override, Statement, TypeInner};
@@ -7,11 +7,11 @@ use seastate::bench::cost;
 use seastate::shaders::Shaders;
 use seastate::waves::tiling::MEAN_COPIES;
 
-/// A transcendental function, a root or a quotient runs at a quarter of the rate of an addition.
+/// Cost of a transcendental function, root or quotient in additions.
 const SPECIAL: f64 = 4.0;
 
-/// How often the loops of a function run, in their order; of two that stand in for each other, that of more work. A sea of four
-/// cascades and the ripples of one; the mesh carries nothing of the slopes of this pixel.
+/// Iterations of the loops of a function, in their order. Of two alternative loops, the cheaper one has 0. The sea has
+/// four cascades, one of them with ripples; the pixel takes no slopes from the mesh.
 fn trips(function: &str) -> &'static [f64] {
     match function {
         "water_moved" => &[4.0, MEAN_COPIES, 0.0, 1.0],
@@ -26,7 +26,7 @@ fn trips(function: &str) -> &'static [f64] {
     }
 }
 
-/// Parts of the default picture.
+/// Whether the default picture has a part.
 fn has(part: &Override) -> bool {
     matches!(part.name.as_deref(), Some("WATER_FOAM" | "PRESENT_SMOOTH"))
 }
@@ -105,7 +105,7 @@ impl Counter<'_> {
         body.info[handle].ty.inner_with(&self.module.types)
     }
 
-    /// Of one expression, whose value has `wide` components.
+    /// The cost of an expression whose value has `wide` components.
     fn expression(&self, body: &Body<'_>, expression: &Expression, wide: f64) -> Count {
         let of = |handle| width(self.inner(body, handle));
         let flops = match *expression {
@@ -137,7 +137,7 @@ fn width(inner: &TypeInner) -> f64 {
     }
 }
 
-/// Of a function with a value of `wide` components and a first argument of `of`.
+/// Operations of a function whose value has `wide` components and whose first argument has `of`.
 fn math(fun: MathFunction, wide: f64, of: f64) -> f64 {
     use MathFunction as M;
     match fun {

@@ -4,6 +4,7 @@
 mod common;
 
 use common::{gpu, params};
+use seastate::lab::estimate::Estimate;
 use seastate::lab::stats;
 use seastate::lab::validate::words;
 
@@ -49,7 +50,7 @@ fn assert_sea((spectrum, spread, wind, fetch, depth, more): State) {
     let report = pollster::block_on(stats::run(&gpu(), &params(&state), SEEDS)).expect("statistics");
     let (r, m) = (report.resolved(), report.measured());
     eprintln!("{state}\n{report}");
-    let within = |what: &str, measured: &stats::Estimate, resolved: f64| {
+    let within = |what: &str, measured: &Estimate, resolved: f64| {
         let error = measured.error.expect("64 seeds have a standard error");
         let off = (measured.value - resolved).abs();
         // With few waves the standard error may be smaller than the rounding error of f32.

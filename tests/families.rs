@@ -1,7 +1,7 @@
 //! Theory against the waves on the lattices for every spectrum with every spreading, from calm to hurricane and from
 //! deep water to 3 m, on the CPU. `tests/ensembles.rs` measures a covering subset on the GPU.
 
-use seastate::lab::validate::{all::STATES, words};
+use seastate::lab::validate::{combinations::STATES, words};
 use seastate::state::query;
 use seastate::waves::Plan;
 use seastate::waves::statistics::{Resolved, Theory};

@@ -1,11 +1,11 @@
-//! The plan of the house, read off the sources: who imports whom (the table in ARCHITECTURE.md), how large rooms and files
-//! are, and that no circle of imports is longer than three files.
+//! The structure of the sources: imports between rooms (the table in ARCHITECTURE.md), sizes of rooms and files, and
+//! cycles of imports.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Crates that a room must not name.
+/// Rooms with the crates that they must not name.
 const FORBIDDEN: &[(&str, &[&str])] = &[
     ("optics", NO_GPU),
     ("files", NO_GPU),
@@ -30,11 +30,11 @@ const RUST_LINES: usize = 400;
 const WGSL_LINES: usize = 250;
 /// Largest share of the source that one room may hold.
 const ROOM_SHARE: f64 = 0.15;
-/// Most files of a circle of imports.
+/// Most files in a cycle of imports.
 const CIRCLE: usize = 3;
 
 struct Source {
-    /// Path below the package, such as `src/waves/plan.rs`.
+    /// Path relative to the package, such as `src/waves/plan.rs`.
     name: String,
     /// First folder below src, or the file's stem.
     room: String,
@@ -72,7 +72,7 @@ fn sources(folder: &str, extension: &str) -> Vec<Source> {
     paths.into_iter().map(source).collect()
 }
 
-/// Paths of items that code names from `crate`, `super` or `self` on, with groups taken apart.
+/// Paths in code that begin with `crate`, `super` or `self`; each item of a group gives a path.
 fn paths(code: &str) -> Vec<Vec<String>> {
     let is_word = |c: char| c.is_alphanumeric() || c == '_';
     let mut found = Vec::new();
@@ -113,7 +113,7 @@ fn expand<'a>(text: &'a str, prefix: Vec<String>, out: &mut Vec<Vec<String>>) ->
     }
 }
 
-/// The file that holds what a path names, seen from a file; the longest part of the path that is a module decides.
+/// The file of the item that a path names in the file `from`: the longest prefix of the path that is a module decides.
 fn target(from: &str, path: &[String], known: &BTreeSet<String>) -> Option<String> {
     let mut module: Vec<&str> = from.trim_start_matches("src/").trim_end_matches(".rs").split('/').collect();
     if module.last() == Some(&"mod") {
@@ -133,7 +133,7 @@ fn target(from: &str, path: &[String], known: &BTreeSet<String>) -> Option<Strin
     })
 }
 
-/// Every import of one file by another.
+/// The files that each file imports.
 fn imports(sources: &[Source]) -> BTreeMap<&str, BTreeSet<String>> {
     let known: BTreeSet<String> = sources.iter().map(|s| s.name.clone()).collect();
     let of = |s: &Source| -> BTreeSet<String> {
@@ -142,7 +142,7 @@ fn imports(sources: &[Source]) -> BTreeMap<&str, BTreeSet<String>> {
     sources.iter().map(|s| (s.name.as_str(), of(s))).collect()
 }
 
-/// The table of ARCHITECTURE.md: each room with the rooms that it imports, the lowest first.
+/// The table of ARCHITECTURE.md: each room with its imports, from the lowest room to the highest.
 fn table() -> Vec<(String, BTreeSet<String>)> {
     let text = fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
     let rows = text.lines().skip_while(|l| !l.starts_with("| room | imports |")).skip(2);

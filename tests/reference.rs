@@ -5,7 +5,7 @@ mod common;
 
 use common::{gpu, params, random_params};
 use seastate::gpu::Gpu;
-use seastate::lab::flip::{PIXELS_PER_DEGREE, Picture, errors, mean};
+use seastate::lab::flip::{PIXELS_PER_DEGREE, SrgbPicture, errors, mean};
 use seastate::lab::reference::{self, Sampling};
 use seastate::ocean::still::{FORMAT, picture_of};
 use seastate::ocean::{Film, Ocean};
@@ -31,9 +31,9 @@ impl Viewer {
         self.ocean.set_params(p);
     }
 
-    fn normal(&mut self) -> Picture {
+    fn normal(&mut self) -> SrgbPicture {
         let bytes = pollster::block_on(picture_of(&self.gpu, &mut self.ocean, self.size)).expect("a picture");
-        Picture::from_rgba(self.size[0], &bytes)
+        SrgbPicture::from_rgba(self.size[0], &bytes)
     }
 
     /// The light of the reference of the normal picture that was drawn last.
@@ -42,12 +42,12 @@ impl Viewer {
         pollster::block_on(made).expect("a reference")
     }
 
-    fn shown(&mut self, light: &[[f32; 3]]) -> Picture {
+    fn shown(&mut self, light: &[[f32; 3]]) -> SrgbPicture {
         let made = reference::picture_of_light(&self.gpu, &mut self.ocean, self.size, light);
-        Picture::from_rgba(self.size[0], &pollster::block_on(made).expect("a picture"))
+        SrgbPicture::from_rgba(self.size[0], &pollster::block_on(made).expect("a picture"))
     }
 
-    fn reference(&mut self, samples: u32, seed: u32) -> Picture {
+    fn reference(&mut self, samples: u32, seed: u32) -> SrgbPicture {
         let light = self.light(samples, seed);
         self.shown(&light)
     }
@@ -78,14 +78,14 @@ struct Agreed {
     /// Mean FLIP between the two.
     noise: f64,
     /// Of the samples of both.
-    picture: Picture,
+    picture: SrgbPicture,
 }
 
-fn flip(reference: &Picture, test: &Picture) -> f64 {
+fn flip(reference: &SrgbPicture, test: &SrgbPicture) -> f64 {
     mean(&errors(reference, test, PIXELS_PER_DEGREE).expect("one size"))
 }
 
-fn magenta(picture: &Picture) -> usize {
+fn magenta(picture: &SrgbPicture) -> usize {
     picture.pixels.iter().filter(|p| p[0] > 250 && p[1] < 5 && p[2] > 250).count()
 }
 
@@ -102,7 +102,7 @@ fn horizon_row(p: &Params, height: u32) -> usize {
 }
 
 /// Side by side: reference, picture, difference.
-fn write(name: &str, reference: &Picture, test: &Picture) {
+fn write(name: &str, reference: &SrgbPicture, test: &SrgbPicture) {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("reference");
     std::fs::create_dir_all(&folder).expect("a folder");
     let grey = errors(reference, test, PIXELS_PER_DEGREE).expect("one size");
@@ -240,7 +240,7 @@ fn broken_pixels(states: std::ops::Range<u32>) -> Vec<String> {
         let mut encoder = gpu.encoder("test");
         ocean.encode(&mut encoder, SIZE, 3);
         let drawn = seastate::ocean::still::on_film(&gpu, encoder, SIZE, |pass| ocean.present(pass));
-        let count = magenta(&Picture::from_rgba(SIZE[0], &pollster::block_on(drawn).expect("a picture")));
+        let count = magenta(&SrgbPicture::from_rgba(SIZE[0], &pollster::block_on(drawn).expect("a picture")));
         if count > 0 {
             broken.push(format!("{count} pixels of state {i}: {}", query::write(&p)));
         }

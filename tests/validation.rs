@@ -1,7 +1,7 @@
-//! The validation page: it says what the program computes, and the command that writes it works.
+//! The validation page: its theoretical numbers are the program's, and a part of it can be measured and written.
 
 use seastate::gpu::Gpu;
-use seastate::lab::validate::{self, PARTS, page::PENDING};
+use seastate::lab::validate::{self, PARTS, cells::PENDING};
 use std::fs;
 use std::path::PathBuf;
 
@@ -15,7 +15,7 @@ fn rows(text: &str) -> Vec<Vec<String>> {
     text.lines().filter(|l| l.starts_with('|')).map(cells).collect()
 }
 
-/// The first number of a cell and the unit of its last digit.
+/// The first number of a cell, and the value of one unit of its last digit.
 fn number(cell: &str) -> Option<(f64, f64)> {
     let word: String = cell.chars().take_while(|c| c.is_ascii_digit() || "+-.e".contains(*c)).collect();
     let value = word.parse().ok()?;
@@ -37,7 +37,7 @@ fn agree(a: &str, b: &str) -> bool {
 fn the_page_is_what_the_program_computes() {
     let now = validate::build(None, 12, &PARTS).expect("theory needs no GPU");
     let page = fs::read_to_string(committed().join("validation.md")).expect("docs/validation.md");
-    let (ours, theirs) = (rows(now.text()), rows(&page));
+    let (ours, theirs) = (rows(&now.markdown()), rows(&page));
     assert_eq!(ours.len(), theirs.len(), "rows of tables");
     let (mut compared, mut stale) = (0, Vec::new());
     for (a, b) in ours.iter().zip(&theirs) {
@@ -55,17 +55,17 @@ fn the_page_is_what_the_program_computes() {
         let own = text.lines().filter(|l| !l.starts_with('|') && !l.starts_with("Measured over") && !l.is_empty());
         own.map(str::to_owned).collect()
     };
-    for (ours, theirs) in prose(now.text()).iter().zip(&prose(&page)) {
+    for (ours, theirs) in prose(&now.markdown()).iter().zip(&prose(&page)) {
         assert_eq!(ours, theirs, "run seastate validate");
     }
     assert!(!page.contains(PENDING), "the page is measured");
-    for (name, _) in now.figures() {
+    for (name, _) in now.drawings() {
         let svg = fs::read_to_string(committed().join(format!("validation/{name}.svg"))).expect(name);
         assert!(svg.len() < 60_000, "{name}: {} bytes", svg.len());
         assert!(page.contains(&format!("validation/{name}.svg")), "{name} is shown");
     }
     let files = fs::read_dir(committed().join("validation")).expect("the figures").count();
-    assert_eq!(files, now.figures().len(), "no figure is left over");
+    assert_eq!(files, now.drawings().len(), "no figure is left over");
 }
 
 #[test]
@@ -73,7 +73,7 @@ fn a_slice_is_measured_and_written() {
     let gpu = pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers");
     let page = validate::build(Some(&gpu), 2, &["dispersion"]).expect("a page");
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("validation");
-    // Left from an earlier run, or not there.
+    // The folder may be left from an earlier run.
     let _ = fs::remove_dir_all(&folder);
     page.write(&folder, "validation").expect("the folder is writable");
     let text = fs::read_to_string(folder.join("validation.md")).expect("the page");

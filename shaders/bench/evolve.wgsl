@@ -1,4 +1,5 @@
-// Fields at a time, packed two by two like those of shaders/rows.wgsl: a texture each, as the demos have it.
+// Baseline of `seastate bench`: the spectra at a time. Each output texture packs two real fields as a complex one, in
+// the same pairs as the program's row pass.
 
 struct Evolve {
   cascade: u32,
@@ -9,7 +10,7 @@ struct Evolve {
 
 @group(0) @binding(0) var<uniform> evolve: Evolve;
 @group(0) @binding(1) var<storage, read> h0: array<vec2f>; // [cascade][iz][ix]
-@group(0) @binding(2) var<storage, read> wave: array<vec2u>; // turns, bits of orbit / |k|, per triangle entry
+@group(0) @binding(2) var<storage, read> wave: array<vec2u>; // per table entry: turns, bits of orbit / |k|
 @group(0) @binding(3) var field_0: texture_storage_2d<rg32float, write>;
 @group(0) @binding(4) var field_1: texture_storage_2d<rg32float, write>;
 @group(0) @binding(5) var field_2: texture_storage_2d<rg32float, write>;

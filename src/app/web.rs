@@ -4,7 +4,7 @@ use super::device_loss::{AppHost, Created, ParkedApp};
 use super::gpu_errors::GpuErrors;
 use super::screen_readers::AccessibleItem;
 use super::{App, setup, tasks};
-use crate::bench::{self, Options, Row};
+use crate::bench::{self, BenchOptions, PassTiming};
 use crate::gpu::Gpu;
 use crate::ocean::Ocean;
 use crate::state::{Params, query, rounding::rounded};
@@ -166,7 +166,7 @@ impl WebHandle {
     pub async fn bench(&self, state: String, repeat: u32, progress: js_sys::Function) -> Result<JsValue, JsValue> {
         let gpu = Gpu::request().await?;
         let errors = GpuErrors::watch(&gpu.device);
-        let options = Options { sizes: vec![[1280, 720]], repeat, matrix: false, baseline: true };
+        let options = BenchOptions { sizes: vec![[1280, 720]], repeat, matrix: false, baseline: true };
         // An exception of the listener does not matter.
         let tell = |what: &str| drop(progress.call1(&JsValue::NULL, &what.into()));
         let report = bench::run(&gpu, &query::parse(&state).0, &options, tell).await?;
@@ -201,7 +201,7 @@ fn object<const N: usize>(properties: [(&str, JsValue); N]) -> JsValue {
     object.into()
 }
 
-fn timed_pass(row: &Row) -> JsValue {
+fn timed_pass(row: &PassTiming) -> JsValue {
     object([
         ("pass", row.pass.into()),
         ("n", row.sea.map(|[n, _]| n).into()),

@@ -1,80 +1,75 @@
-//! What the adapter can do at best, measured beside the passes.
+//! Limits of the adapter, measured in the same run as the passes.
 
-use super::clock::Clock;
-use crate::gpu::Gpu;
+use super::clock::Stopwatch;
+use crate::gpu::kit::{Attachments, Program, Slot, begin_compute};
 use crate::gpu::map_format::MapFormat;
+use crate::gpu::{Gpu, offscreen};
 
-/// Size of the buffers that are copied: beyond the caches of most GPUs, within the base limits.
+/// Bytes of the copied buffer: more than the caches of most GPUs, and within the base limits.
 const COPY_BYTES: u64 = 128 << 20;
-/// Dispatches of nothing in a row.
+/// Number of empty dispatches in the measured chain.
 const CHAIN: u32 = 32;
-/// Multiplications and additions of a pixel of the arithmetic ceiling: 8 chains of this many.
+/// Multiply-adds of each of a pixel's eight chains in the arithmetic shader.
 const CHAIN_OPS: u32 = 256;
-/// Side of the square that is drawn for the last two ceilings.
+/// Side of the render target of both fragment shaders, pixels.
 const SIDE: u32 = 512;
-/// Reads of a pixel.
+/// Texture samples per pixel of the reading shader.
 const READS: u32 = 16;
-/// Points along a side of the map that is read, and its levels.
+/// Side of the map that is read, texels, and its number of mip levels.
 const MAP_SIDE: u32 = 256;
 const MAP_LEVELS: u32 = 9;
 
-/// Ceilings of an adapter.
+/// Measured limits of an adapter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ceilings {
-    /// Bytes read and written by a large copy, in 1e9 a second.
+    /// Bandwidth of a large copy, bytes read plus bytes written, GB/s.
     pub copy_gb_s: f64,
-    /// An empty dispatch in a pass of its own, in a chain of them, ms.
+    /// Time of an empty dispatch in its own compute pass, within a chain of such passes, ms.
     pub launch_ms: f64,
-    /// Multiplications and additions of a fragment shader that does nothing else, in 1e9 a second.
+    /// Multiplications and additions of a fragment shader without other work, 1e9 per second.
     pub shading_gflop_s: f64,
-    /// Reads of a map by a fragment shader that does nothing else, in 1e9 a second: between two levels of four numbers as
-    /// the program's maps have them here, all pixels of a quad at one level.
+    /// Trilinear samples of a map in the program's format by a fragment shader without other work, 1e9 per second. All
+    /// pixels of a quad read the same mip level.
     pub reads_g_s: f64,
 }
 
 impl Ceilings {
-    /// Measures them.
+    /// Measures the limits.
     ///
     /// # Errors
     /// If waiting for the GPU fails.
-    pub async fn measure(clock: &Clock<'_>) -> Result<Self, String> {
-        let gpu = clock.gpu;
-        let buffer = |usage| {
-            gpu.device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some("copy"),
-                size: COPY_BYTES,
-                usage,
-                mapped_at_creation: false,
-            })
-        };
-        let (from, to) = (buffer(wgpu::BufferUsages::COPY_SRC), buffer(wgpu::BufferUsages::COPY_DST));
-        let copy = clock.time(|_, encoder| encoder.copy_buffer_to_buffer(&from, 0, &to, 0, COPY_BYTES)).await?;
+    pub async fn measure(stopwatch: &Stopwatch<'_>) -> Result<Self, String> {
+        let gpu = stopwatch.gpu;
+        let [from, to] = [wgpu::BufferUsages::COPY_SRC, wgpu::BufferUsages::COPY_DST]
+            .map(|usage| gpu.buffer("copy", COPY_BYTES, usage));
+        let copy = stopwatch.time(|_, encoder| encoder.copy_buffer_to_buffer(&from, 0, &to, 0, COPY_BYTES)).await?;
         from.destroy();
         to.destroy();
 
-        let empty = empty_pipeline(gpu);
-        let chain = clock.time(|_, encoder| {
+        let module = gpu.module("empty", "@compute @workgroup_size(1) fn main() {}");
+        let empty = gpu.compute("empty", (&module, "main"), &[], &[]);
+        let chain = stopwatch.time(|_, encoder| {
             for _ in 0..CHAIN {
-                let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+                let mut pass = begin_compute(encoder, "empty");
                 pass.set_pipeline(&empty);
                 pass.dispatch_workgroups(1, 1, 1);
             }
         });
         let launch_ms = chain.await?.ms() / f64::from(CHAIN);
 
-        let target = crate::gpu::offscreen::target(gpu, TARGET, [SIDE; 2]);
-        let arithmetic = over_all(gpu, "arithmetic", ARITHMETIC);
-        let shading = clock.time(|_, encoder| {
-            crate::gpu::offscreen::draw_over(encoder, &target, |pass| {
+        let target = offscreen::target(gpu, TARGET, [SIDE; 2]);
+        let arithmetic = full_screen(gpu, "arithmetic", ARITHMETIC, &[]);
+        let shading = stopwatch.time(|_, encoder| {
+            offscreen::draw_over(encoder, &target, |pass| {
                 pass.set_pipeline(&arithmetic);
                 pass.draw(0..3, 0..1);
             });
         });
-        let reading = Reading::new(gpu);
-        let reads = clock.time(|_, encoder| {
-            crate::gpu::offscreen::draw_over(encoder, &target, |pass| {
-                pass.set_pipeline(&reading.pipeline);
-                pass.set_bind_group(0, &reading.group, &[]);
+        let (reading, group) = map_reads(gpu);
+        let reads = stopwatch.time(|_, encoder| {
+            offscreen::draw_over(encoder, &target, |pass| {
+                pass.set_pipeline(&reading);
+                pass.set_bind_group(0, &group, &[]);
                 pass.draw(0..3, 0..1);
             });
         });
@@ -90,22 +85,7 @@ impl Ceilings {
 
 const TARGET: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 
-fn empty_pipeline(gpu: &Gpu) -> wgpu::ComputePipeline {
-    let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some("empty"),
-        source: wgpu::ShaderSource::Wgsl("@compute @workgroup_size(1) fn main() {}".into()),
-    });
-    gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: Some("empty"),
-        layout: None,
-        module: &module,
-        entry_point: Some("main"),
-        compilation_options: wgpu::PipelineCompilationOptions::default(),
-        cache: None,
-    })
-}
-
-/// Eight chains, so that none waits for itself; the factors are read off the place, so that nothing is known beforehand.
+/// Eight independent chains hide the latency. The factors depend on the pixel, so that the compiler cannot fold them.
 const ARITHMETIC: &str = "
 @fragment fn fragment(@builtin(position) at: vec4f) -> @location(0) vec4f {
   let by = at.xyxy * 1e-4;
@@ -118,7 +98,7 @@ const ARITHMETIC: &str = "
   return a + b;
 }";
 
-/// Each at another place, most of a map's side apart.
+/// Consecutive samples are far apart, so that caches help little.
 const READ: &str = "
 @group(0) @binding(0) var map: texture_2d<f32>;
 @group(0) @binding(1) var between: sampler;
@@ -130,79 +110,25 @@ const READ: &str = "
   return sum;
 }";
 
-/// What reads a map.
-struct Reading {
-    pipeline: wgpu::RenderPipeline,
-    group: wgpu::BindGroup,
+/// The pipeline that reads a map, and its bind group.
+fn map_reads(gpu: &Gpu) -> (wgpu::RenderPipeline, wgpu::BindGroup) {
+    let layout = gpu.layout("reads", wgpu::ShaderStages::FRAGMENT, &[Slot::Texture, Slot::Sampler]);
+    let (format, usage) = (MapFormat::of(gpu).texture(), wgpu::TextureUsages::TEXTURE_BINDING);
+    let map = gpu.texture("reads", [MAP_SIDE, MAP_SIDE, 1], MAP_LEVELS, format, usage);
+    let view = map.create_view(&wgpu::TextureViewDescriptor::default());
+    let sampler = gpu.sampler("reads", [wgpu::AddressMode::Repeat; 2], wgpu::MipmapFilterMode::Linear);
+    let resources = [wgpu::BindingResource::TextureView(&view), wgpu::BindingResource::Sampler(&sampler)];
+    let group = gpu.group("reads", &layout, &resources);
+    (full_screen(gpu, "reads", READ, &[&layout]), group)
 }
 
-impl Reading {
-    fn new(gpu: &Gpu) -> Self {
-        let pipeline = over_all(gpu, "reads", READ);
-        let map = gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("reads"),
-            size: wgpu::Extent3d { width: MAP_SIDE, height: MAP_SIDE, depth_or_array_layers: 1 },
-            mip_level_count: MAP_LEVELS,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: MapFormat::of(gpu).texture(),
-            usage: wgpu::TextureUsages::TEXTURE_BINDING,
-            view_formats: &[],
-        });
-        let between = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("reads"),
-            address_mode_u: wgpu::AddressMode::Repeat,
-            address_mode_v: wgpu::AddressMode::Repeat,
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            mipmap_filter: wgpu::MipmapFilterMode::Linear,
-            ..Default::default()
-        });
-        let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("reads"),
-            layout: &pipeline.get_bind_group_layout(0),
-            entries: &[
-                wgpu::BindGroupEntry {
-                    binding: 0,
-                    resource: wgpu::BindingResource::TextureView(&map.create_view(&Default::default())),
-                },
-                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&between) },
-            ],
-        });
-        Self { pipeline, group }
-    }
-}
-
-const OVER_ALL: &str = "
+const FULL_SCREEN: &str = "
 @vertex fn vertex(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {
   return vec4f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }";
 
 /// A pipeline that covers the whole target with a fragment shader.
-fn over_all(gpu: &Gpu, label: &str, fragment: &str) -> wgpu::RenderPipeline {
-    let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some(label),
-        source: wgpu::ShaderSource::Wgsl([OVER_ALL, fragment].concat().into()),
-    });
-    gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some(label),
-        layout: None,
-        vertex: wgpu::VertexState {
-            module: &module,
-            entry_point: Some("vertex"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &[],
-        },
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: None,
-        multisample: wgpu::MultisampleState::default(),
-        fragment: Some(wgpu::FragmentState {
-            module: &module,
-            entry_point: Some("fragment"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &[Some(TARGET.into())],
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
+fn full_screen(gpu: &Gpu, label: &str, fragment: &str, layouts: &[&wgpu::BindGroupLayout]) -> wgpu::RenderPipeline {
+    let module = gpu.module(label, &[FULL_SCREEN, fragment].concat());
+    gpu.render(label, &Program::new(&module), layouts, &Attachments { formats: &[TARGET], depth: None })
 }

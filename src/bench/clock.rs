@@ -1,11 +1,11 @@
-//! How long recorded work takes: by the GPU's timestamps where it has them, and from the submission to its end.
+//! Times recorded work: by the GPU's timestamps where it has them, and from the submission to its end.
 
 use crate::gpu::Gpu;
 use crate::gpu::readback;
 use crate::gpu::timer;
 use web_time::Instant;
 
-/// Time that a submission should take at least, so that what it costs to submit and to wait counts little, ms.
+/// Least time of a submission, ms, so that the cost of submitting and waiting counts little.
 const LEAST_MS: f64 = 10.0;
 /// Most repetitions within one submission.
 const MOST_AT_ONCE: u32 = 64;
@@ -13,35 +13,35 @@ const MOST_AT_ONCE: u32 = 64;
 /// Times of one piece of work, ms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Timing {
-    /// Between timestamps, median; none where the adapter has no timestamps.
+    /// Median time between the timestamps; `None` without timestamps.
     pub gpu: Option<f64>,
-    /// From the submission until the GPU says that it is done, over the repetitions of one submission: the least,
+    /// Least time from the submission to its end, divided by the repetitions in the submission.
     pub least: f64,
-    /// 10th percentile, median, 90th percentile.
+    /// 10th percentile, median and 90th percentile of the time from the submission to its end, per repetition.
     pub spread: [f64; 3],
-    /// Least time on CPUs, of all threads of the process, where the system says.
+    /// Least CPU time of all threads of the process, per repetition; `None` where the system does not tell.
     pub cpu: Option<f64>,
 }
 
 impl Timing {
-    /// What to compare: the GPU's own time where there is one, else the median until it is done.
+    /// The time to compare: by timestamps if there are any, else the median from the submission to its end.
     pub fn ms(&self) -> f64 {
         self.gpu.unwrap_or(self.spread[1])
     }
 }
 
-/// Whether the timestamps of a device can be believed: a software GPU writes them when it takes the commands, not when it has
-/// carried them out.
-fn believes_stamps(gpu: &Gpu) -> bool {
+/// Whether timestamps measure the execution. A software adapter writes them when it takes the commands, before it
+/// executes them.
+fn has_true_timestamps(gpu: &Gpu) -> bool {
     gpu.device.adapter_info().device_type != wgpu::DeviceType::Cpu && gpu.device.features().contains(timer::FEATURES)
 }
 
-/// Measures on a device.
-pub struct Clock<'a> {
-    /// Makes resources.
+/// Times work on a device.
+pub struct Stopwatch<'a> {
+    /// The device.
     pub gpu: &'a Gpu,
     stamps: Option<Stamps>,
-    /// Submissions that count, for each piece of work.
+    /// Measured submissions for each piece of work.
     pub repeat: u32,
     /// Most repetitions within one submission.
     pub at_once: u32,
@@ -56,7 +56,7 @@ struct Stamps {
 
 impl Stamps {
     fn new(gpu: &Gpu) -> Option<Self> {
-        believes_stamps(gpu).then(|| Self {
+        has_true_timestamps(gpu).then(|| Self {
             set: gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
                 label: Some("bench"),
                 ty: wgpu::QueryType::Timestamp,
@@ -73,7 +73,7 @@ impl Stamps {
         })
     }
 
-    /// Writes the first or the last stamp: between passes, or by an empty pass.
+    /// Writes the first or the last pair of timestamps: between passes, or by an empty pass.
     fn mark(&self, encoder: &mut wgpu::CommandEncoder, last: bool) {
         let at = 2 * u32::from(last);
         if self.between_passes {
@@ -91,31 +91,31 @@ impl Stamps {
         }));
     }
 
-    /// From the end of the first mark to the beginning of the last, ms.
+    /// Time from the end of the first mark to the beginning of the last, ms.
     async fn read(&self, gpu: &Gpu, staged: wgpu::Buffer) -> Result<f64, String> {
         let stamps: Vec<u64> = bytemuck::pod_collect_to_vec(&readback::read(gpu, staged).await?);
         Ok(1e-6 * self.period_ns * stamps[2].saturating_sub(stamps[1]) as f64)
     }
 }
 
-impl<'a> Clock<'a> {
-    /// A clock that repeats every measurement so often.
+impl<'a> Stopwatch<'a> {
+    /// A stopwatch that times `repeat` submissions for every piece of work.
     pub fn new(gpu: &'a Gpu, repeat: u32) -> Self {
         Self { gpu, stamps: Stamps::new(gpu), repeat: repeat.max(1), at_once: MOST_AT_ONCE }
     }
 
-    /// Whether the adapter says itself how long it takes.
+    /// Whether times come from timestamps.
     pub fn has_stamps(&self) -> bool {
         self.stamps.is_some()
     }
 
-    /// Times what `record` records, which is told how often it has been called.
+    /// Times the commands that `record` records; its first argument counts its calls.
     ///
     /// # Errors
     /// If waiting for the GPU fails.
     #[cfg_attr(
         not(target_arch = "wasm32"),
-        expect(clippy::disallowed_methods, reason = "web_time's is the standard one there")
+        expect(clippy::disallowed_methods, reason = "web_time::Instant is the standard one there")
     )]
     pub async fn time(&self, mut record: impl FnMut(u32, &mut wgpu::CommandEncoder)) -> Result<Timing, String> {
         let mut calls = 0;
@@ -142,7 +142,7 @@ impl<'a> Clock<'a> {
             };
             Ok((ms, gpu, cpu))
         };
-        // Pipelines may be made at their first use, and buffers cleared.
+        // Warm-up: drivers compile pipelines and clear buffers at their first use.
         submit(1).await?;
         let once = submit(1).await?.0;
         let times = ((LEAST_MS / once.max(1e-3)).ceil() as u32).clamp(1, self.at_once);
@@ -157,14 +157,14 @@ impl<'a> Clock<'a> {
             sorted.sort_by(f64::total_cmp);
             sorted[((sorted.len() - 1) as f64 * q).round() as usize]
         };
-        // A clock of no resolution says nothing.
+        // Timestamps without resolution give 0.
         let gpu = (!stamps.is_empty()).then(|| at(&mut stamps, 0.5)).filter(|&ms| ms > 0.0);
         let spread = [0.1, 0.5, 0.9].map(|q| at(&mut waits, q));
         Ok(Timing { gpu, least: waits[0], spread, cpu: least_cpu })
     }
 }
 
-/// What the threads of this process have spent on CPUs so far, where Linux says it.
+/// CPU time of all threads of this process, ms; `None` where there is no Linux schedstat.
 fn cpu_ms() -> Option<f64> {
     let threads = std::fs::read_dir("/proc/self/task").ok()?;
     let spent = |thread: std::fs::DirEntry| -> Option<f64> {

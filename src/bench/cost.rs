@@ -1,14 +1,14 @@
-//! What the passes move and compute, counted from their shaders: the least that each has to, every value once, so that a cache
-//! can make no pass better than its budget.
+//! Least memory traffic and arithmetic of the passes, counted from their shaders. Every value counts once, so that no
+//! cache makes a pass cheaper than its cost here.
 
 use crate::gpu::map_format::MapFormat;
 use crate::ocean::FOAM_LEVELS;
 use crate::waves::tiling::MEAN_COPIES;
 
-/// A budget.
+/// Memory traffic and arithmetic of a pass.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cost {
-    /// Bytes that are read and written.
+    /// Bytes read and written.
     pub bytes: f64,
     /// Additions and multiplications.
     pub flops: f64,
@@ -21,13 +21,13 @@ impl std::ops::Add for Cost {
     }
 }
 
-/// Of so much for every texel of every cascade.
+/// The cost of this many bytes and operations per texel of every cascade.
 fn texels(n: u32, cascades: u32, bytes: f64, flops: f64) -> Cost {
     let count = f64::from(n) * f64::from(n) * f64::from(cascades);
     Cost { bytes: count * bytes, flops: count * flops }
 }
 
-/// Four complex transforms along one axis, for each point.
+/// Operations per point of four complex transforms along one axis.
 fn transforms(n: u32) -> f64 {
     4.0 * 5.0 * f64::from(n.ilog2())
 }
@@ -43,68 +43,68 @@ pub fn columns(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     texels(n, cascades, 32.0 + 2.0 * f64::from(maps.bytes()), transforms(n))
 }
 
-/// The waves: both together.
+/// The waves: rows and columns together.
 pub fn waves(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     rows(n, cascades) + columns(n, cascades, maps)
 }
 
-/// Mips: two texels in, a third of three out, four values of eleven channels added for each texel that comes out.
+/// Mips: two texels in, a third of three out; each output texel adds four values of eleven channels.
 pub fn mips(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     texels(n, cascades, 3.0 * f64::from(maps.bytes()), 4.0 * 14.0 / 3.0)
 }
 
-/// Foam: history in and out (8), a texel out, and for each cascade and copy four texels of two maps, with the arithmetic of their
-/// mixture and of the blend.
+/// Foam: history in and out (8), a texel out, and four texels of two maps for each cascade and copy, with their
+/// bilinear weights and the blend of the copies.
 pub fn foam(foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
     let (samples, texel) = (f64::from(cascades) * MEAN_COPIES, f64::from(maps.bytes()));
     let flops = 40.0 + 60.0 * f64::from(cascades) + 60.0 * samples;
     texels(foam_n, FOAM_LEVELS as u32, 8.0 + texel + 8.0 * texel * samples, flops)
 }
 
-/// All of the simulation in a frame at rest, with foam of `foam_n` cells along a side.
+/// The whole simulation of a frame without a cross-fade, with foam of `foam_n` cells along a side.
 pub fn step(n: u32, foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
     waves(n, cascades, maps) + mips(n, cascades, maps) + foam(foam_n, cascades, maps)
 }
 
-/// Work of a shader for a vertex or a pixel that has all of the default picture: additions and multiplications, roots, quotients and
-/// transcendental functions as four, and reads of textures. `tests/costs.rs` counts them in the shaders.
+/// Work of a shader for a vertex or pixel with all parts of the default picture. A root, quotient or transcendental
+/// function counts as four operations. `tests/costs.rs` counts the shaders.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shading {
-    /// Arithmetic.
+pub struct ShaderCost {
+    /// Operations.
     pub flops: f64,
-    /// Texels or filtered samples.
+    /// Texture reads: texels or filtered samples.
     pub reads: f64,
 }
 
-/// A vertex of the mesh that is displaced.
-pub const VERTEX: Shading = Shading { flops: 3000.0, reads: 67.6 };
-/// The same, drawn.
-pub const DRAWN_VERTEX: Shading = Shading { flops: 32.0, reads: 0.0 };
-/// A pixel of the mesh.
-pub const SHOWN: Shading = Shading { flops: 36.0, reads: 0.0 };
-/// A pixel of the sea that is lit.
-pub const LIGHT: Shading = Shading { flops: 10900.0, reads: 90.7 };
-/// A pixel of the sky.
-pub const BACKGROUND: Shading = Shading { flops: 2200.0, reads: 8.0 };
-/// A pixel that is presented.
-pub const PRESENT: Shading = Shading { flops: 770.0, reads: 10.0 };
+/// Displacing a vertex of the mesh.
+pub const VERTEX: ShaderCost = ShaderCost { flops: 3000.0, reads: 67.6 };
+/// Drawing a vertex of the mesh.
+pub const DRAWN_VERTEX: ShaderCost = ShaderCost { flops: 32.0, reads: 0.0 };
+/// Drawing a pixel of the mesh.
+pub const SHOWN: ShaderCost = ShaderCost { flops: 36.0, reads: 0.0 };
+/// Lighting a pixel of the sea.
+pub const LIGHT: ShaderCost = ShaderCost { flops: 10900.0, reads: 90.7 };
+/// Drawing a pixel of the sky.
+pub const BACKGROUND: ShaderCost = ShaderCost { flops: 2200.0, reads: 8.0 };
+/// Presenting a pixel.
+pub const PRESENT: ShaderCost = ShaderCost { flops: 770.0, reads: 10.0 };
 
-/// What a picture consists of.
+/// Contents of a picture that determine its cost.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Picture {
-    /// Pixels.
+pub struct PictureContents {
+    /// Number of pixels.
     pub pixels: f64,
-    /// Share of them that lies below the horizon.
+    /// Share of the pixels below the horizon, 0 to 1.
     pub sea: f64,
-    /// Vertices of the mesh.
+    /// Number of vertices of the mesh.
     pub vertices: f64,
-    /// Bytes of the displacement maps with their mips; slopes and their moments take as many each.
+    /// Bytes of the displacement maps with their mips; the gradients and the moments take as many each.
     pub map_bytes: f64,
 }
 
-impl Picture {
-    /// The mesh: a vertex written, read and three times named by a triangle of the two that it stands for (120), the displacement and
-    /// the slopes, and what a pixel shows (32) with its depth (4).
+impl PictureContents {
+    /// The mesh: a vertex is written, read, and indexed by six corners of triangles (120); the displacement and
+    /// gradient maps are read; a pixel writes its surface data (32) and depth (4).
     pub fn mesh(&self) -> Cost {
         let seen = self.pixels * self.sea;
         Cost {
@@ -113,20 +113,21 @@ impl Picture {
         }
     }
 
-    /// The mesh and its light: what a pixel shows (32), its depth (4), the light (8), the three maps.
+    /// The mesh and its lighting: a pixel reads its surface data (32) and depth (4), and writes its light (8); the
+    /// three maps are read.
     pub fn water(&self) -> Cost {
         let seen = self.pixels * self.sea;
         let light = Cost { bytes: 44.0 * seen + 3.0 * self.map_bytes, flops: LIGHT.flops * seen };
         self.mesh() + light
     }
 
-    /// The sky: light (8) and depth (4).
+    /// The sky: a pixel writes its light (8) and reads its depth (4).
     pub fn background(&self) -> Cost {
         let seen = self.pixels * (1.0 - self.sea);
         Cost { bytes: 12.0 * seen, flops: BACKGROUND.flops * seen }
     }
 
-    /// The light in (8), four bytes out.
+    /// Presenting: a pixel reads its light (8) and writes four bytes.
     pub fn present(&self) -> Cost {
         Cost { bytes: 12.0 * self.pixels, flops: PRESENT.flops * self.pixels }
     }

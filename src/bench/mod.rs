@@ -1,5 +1,5 @@
-//! What every pass costs, beside what the adapter could do at best and what the browser demos' way would cost on it. The same
-//! in a window's program and on a page.
+//! Times every pass, beside the limits of the adapter and a baseline: the waves as browser demos compute them. Runs
+//! natively and on the page.
 
 pub mod ceilings;
 pub mod clock;
@@ -13,84 +13,84 @@ use crate::ocean::{Film, Ocean, Part};
 use crate::state::camera::View;
 use crate::state::{Params, query};
 use ceilings::Ceilings;
-use clock::{Clock, Timing};
+use clock::{Stopwatch, Timing};
 use cost::Cost;
-use per_stage::{Kernel, PerStage};
+use per_stage::PerStage;
 use std::fmt;
 
-/// Format of the pictures that are timed.
+/// Format of the timed pictures.
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-/// The full matrix.
+/// FFT sizes and numbers of cascades of the matrix.
 const MATRIX_N: [u32; 4] = [128, 256, 512, 1024];
 const MATRIX_CASCADES: [u32; 4] = [1, 2, 3, 4];
-/// Seas that the demos' way is measured with, n and cascades.
+/// FFT sizes and numbers of cascades for the comparison with the baseline.
 const BASELINES: [[u32; 2]; 2] = [[256, 3], [512, 4]];
 
-/// What to measure.
+/// The measurements to make.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Options {
-    /// Sizes of pictures; none leaves the picture out.
+pub struct BenchOptions {
+    /// Sizes of the pictures, pixels; none leaves the picture out.
     pub sizes: Vec<[u32; 2]>,
     /// Submissions for each number.
     pub repeat: u32,
-    /// Also the simulation for every n and number of cascades.
+    /// Whether to measure the simulation for every n and number of cascades of the matrix.
     pub matrix: bool,
-    /// Also the demos' way.
+    /// Whether to measure the baseline.
     pub baseline: bool,
 }
 
-/// One measured pass.
+/// The measured time of one pass.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Row {
-    /// What was measured.
+pub struct PassTiming {
+    /// Name of the pass.
     pub pass: &'static str,
     /// FFT size and number of cascades, for passes of the simulation.
     pub sea: Option<[u32; 2]>,
-    /// Pixels, for passes of the picture.
+    /// Width and height in pixels, for passes of the picture.
     pub size: Option<[u32; 2]>,
-    /// How long it takes.
+    /// The times.
     pub timing: Timing,
-    /// What it has to move and to compute.
+    /// Least memory traffic and arithmetic, where known.
     pub cost: Option<Cost>,
-    /// Compute dispatches, where they were counted.
+    /// Number of compute dispatches, where counted.
     pub dispatches: Option<u32>,
 }
 
-impl Row {
+impl PassTiming {
     fn sim(pass: &'static str, sea: [u32; 2], timing: Timing, cost: Option<Cost>) -> Self {
         Self { pass, sea: Some(sea), size: None, timing, cost, dispatches: None }
     }
 }
 
-/// The result.
+/// All times of a state on an adapter.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Report {
-    /// The state that was measured.
+pub struct BenchReport {
+    /// State string.
     pub state: String,
     /// Name of the adapter and of its backend.
     pub adapter: String,
-    /// Whether times are the GPU's own.
+    /// Whether times come from timestamps.
     pub has_stamps: bool,
     /// Submissions for each number.
     pub repeat: u32,
-    /// What the adapter can do.
+    /// Limits of the adapter.
     pub ceilings: Ceilings,
-    /// All that was measured.
-    pub rows: Vec<Row>,
+    /// The measured passes.
+    pub rows: Vec<PassTiming>,
 }
 
-/// Measures a state on a device. `progress` is told what comes next.
+/// Measures a state on a device. `progress` gets the name of each measurement before it starts.
 ///
 /// # Errors
 /// If waiting for the GPU fails.
 pub async fn run(
     gpu: &Gpu,
     params: &Params,
-    options: &Options,
+    options: &BenchOptions,
     mut progress: impl FnMut(&str),
-) -> Result<Report, String> {
+) -> Result<BenchReport, String> {
     let adapter = gpu.device.adapter_info();
-    let clock = Clock::new(gpu, options.repeat);
+    let clock = Stopwatch::new(gpu, options.repeat);
     progress("ceilings");
     let ceilings = Ceilings::measure(&clock).await?;
     let mut rows = Vec::new();
@@ -115,7 +115,7 @@ pub async fn run(
         progress(&format!("picture of {}x{} pixels", size[0], size[1]));
         rows.extend(picture(&clock, params, size).await?);
     }
-    Ok(Report {
+    Ok(BenchReport {
         state: query::write(params),
         adapter: format!("{} ({})", adapter.name, adapter.backend),
         has_stamps: clock.has_stamps(),
@@ -132,7 +132,7 @@ fn with_grid(params: &Params, [n, cascades]: [u32; 2]) -> Params {
 }
 
 /// The passes of the simulation, each by itself, and all of a frame.
-async fn simulation(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, String> {
+async fn simulation(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<PassTiming>, String> {
     let mut ocean = Ocean::waves_only(clock.gpu, params);
     let MapSizes { n, cascades, foam_n, format } = ocean.map_sizes();
     let passes = ocean.wave_passes();
@@ -151,13 +151,13 @@ async fn simulation(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, Stri
     for (name, recorded, cost) in measured {
         let timing = clock.time(|_, e| recorded.iter().for_each(|&pass| passes.record(e, pass))).await?;
         let dispatches = (name == "step").then(|| passes.dispatches());
-        rows.push(Row { dispatches, ..Row::sim(name, [n, cascades], timing, cost) });
+        rows.push(PassTiming { dispatches, ..PassTiming::sim(name, [n, cascades], timing, cost) });
     }
     Ok(rows)
 }
 
-/// The waves in the program's way and in the demos', and single transforms.
-async fn baseline(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, String> {
+/// Times the program's waves and the baseline.
+async fn baseline(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<PassTiming>, String> {
     let gpu = clock.gpu;
     let mut ocean = Ocean::waves_only(gpu, params);
     ocean.read_maps().await?;
@@ -169,36 +169,24 @@ async fn baseline(clock: &Clock<'_>, params: &Params) -> Result<Vec<Row>, String
         passes.record(e, WavePass::Rows);
         passes.record(e, WavePass::Columns);
     });
-    let ours = Row::sim("waves", sea, ours.await?, Some(cost::waves(n, cascades, format)));
+    let ours = PassTiming::sim("waves", sea, ours.await?, Some(cost::waves(n, cascades, format)));
     let timing = clock.time(|_, e| theirs.run(e)).await?;
-    let theirs = Row {
+    let theirs = PassTiming {
         dispatches: Some(theirs.dispatches() as u32),
-        ..Row::sim("waves, a dispatch per stage", sea, timing, None)
+        ..PassTiming::sim("waves, a dispatch per stage", sea, timing, None)
     };
-    let mut out = vec![ours, theirs];
-    let fits = n <= gpu.device.limits().max_compute_invocations_per_workgroup;
-    for (pass, kernel) in
-        [("one field, a dispatch per stage", Kernel::Stages), ("one field, shared radix 2", Kernel::Shared)]
-    {
-        if kernel == Kernel::Stages || fits {
-            let field = PerStage::one_field(gpu, n, kernel);
-            let timing = clock.time(|_, e| field.run(e)).await?;
-            let dispatches = Some(field.dispatches() as u32);
-            out.push(Row { dispatches, ..Row::sim(pass, [n, 1], timing, None) });
-        }
-    }
-    Ok(out)
+    Ok(vec![ours, theirs])
 }
 
-/// The passes of the picture, and whole frames with waves and foam, each a sixtieth of a second after the last.
-async fn picture(clock: &Clock<'_>, params: &Params, size: [u32; 2]) -> Result<Vec<Row>, String> {
+/// Times the passes of the picture, and whole frames with waves and foam at 60 frames per second.
+async fn picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) -> Result<Vec<PassTiming>, String> {
     let gpu = clock.gpu;
     let mut ocean = Ocean::new(gpu, FORMAT, Film::Screen, params);
     let target = offscreen::target(gpu, FORMAT, size);
     let mut encoder = gpu.encoder("picture");
     ocean.encode_fully(&mut encoder, size);
     gpu.submit(encoder);
-    let row = |pass, timing| Row { pass, sea: None, size: Some(size), timing, cost: None, dispatches: None };
+    let row = |pass, timing| PassTiming { pass, sea: None, size: Some(size), timing, cost: None, dispatches: None };
     let counted = counted(params, &ocean, size);
     let MapSizes { n, cascades, foam_n, format } = ocean.map_sizes();
     let simulation = cost::step(n, foam_n, cascades, format);
@@ -212,13 +200,13 @@ async fn picture(clock: &Clock<'_>, params: &Params, size: [u32; 2]) -> Result<V
             Part::Mesh => Some(counted.mesh()),
             Part::Water => Some(counted.water()),
         };
-        out.push(Row { cost, ..row(pass, clock.time(|_, encoder| ocean.record(encoder, part)).await?) });
+        out.push(PassTiming { cost, ..row(pass, clock.time(|_, encoder| ocean.record(encoder, part)).await?) });
     }
     let present = clock.time(|_, encoder| offscreen::draw_over(encoder, &target, |pass| ocean.present(pass)));
-    out.push(Row { cost: Some(counted.present()), ..row("present", present.await?) });
+    out.push(PassTiming { cost: Some(counted.present()), ..row("present", present.await?) });
     let mut frame = params.clone();
-    // A frame's uniforms are of one submission.
-    let mut one = Clock::new(gpu, clock.repeat);
+    // The uniforms of a frame hold for one submission.
+    let mut one = Stopwatch::new(gpu, clock.repeat);
     one.at_once = 1;
     let frames = one.time(|i, encoder| {
         frame.clock.t_s = params.clock.t_s + f64::from(i) / 60.0;
@@ -227,8 +215,8 @@ async fn picture(clock: &Clock<'_>, params: &Params, size: [u32; 2]) -> Result<V
         offscreen::draw_over(encoder, &target, |pass| ocean.present(pass));
     });
     let whole = simulation + counted.water() + counted.background() + counted.present();
-    out.push(Row { cost: Some(whole), ..row("frame", frames.await?) });
-    // The same while somebody drags the wind.
+    out.push(PassTiming { cost: Some(whole), ..row("frame", frames.await?) });
+    // Frames while the user drags the wind slider.
     let dragged = one.time(|i, encoder| {
         frame.clock.t_s += 1.0 / 60.0;
         if let Some(wind) = frame.sea.systems.first_mut() {
@@ -243,14 +231,14 @@ async fn picture(clock: &Clock<'_>, params: &Params, size: [u32; 2]) -> Result<V
 }
 
 /// What the picture of a state consists of.
-fn counted(params: &Params, ocean: &Ocean, size: [u32; 2]) -> cost::Picture {
+fn counted(params: &Params, ocean: &Ocean, size: [u32; 2]) -> cost::PictureContents {
     let sizes = ocean.map_sizes();
     let [width, height] = size.map(f64::from);
     let view = View::new(&params.camera, width / height, 0.0);
-    // Half of the picture is below an eye that looks along the horizon.
+    // With a level view, the lower half of the picture is below the horizon.
     let horizon = (-params.camera.pitch_deg.to_radians()).tan() / view.tan_half[1];
     let texels = f64::from(sizes.n * sizes.n) * f64::from(sizes.cascades) * 4.0 / 3.0;
-    cost::Picture {
+    cost::PictureContents {
         pixels: width * height,
         sea: (0.5 + 0.5 * horizon).clamp(0.0, 1.0),
         vertices: f64::from(ocean.vertices()),
@@ -258,14 +246,14 @@ fn counted(params: &Params, ocean: &Ocean, size: [u32; 2]) -> cost::Picture {
     }
 }
 
-impl Report {
-    /// Time of a pass over that of another of the same sea or, without one, of any.
-    fn ratio(&self, of: &Row, over: &'static str) -> Option<f64> {
+impl BenchReport {
+    /// Time of a pass over the time of the last pass called `over` with the same n.
+    fn ratio(&self, of: &PassTiming, over: &'static str) -> Option<f64> {
         let other = self.rows.iter().rfind(|r| r.pass == over && r.sea.map(|s| s[0]) == of.sea.map(|s| s[0]))?;
         Some(of.timing.ms() / other.timing.ms())
     }
 
-    /// What the comparison with the demos' way comes to, a sentence a line.
+    /// Sentences that compare the program with the baseline.
     pub fn comparisons(&self) -> Vec<String> {
         let mut out = Vec::new();
         for theirs in self.rows.iter().filter(|r| r.pass == "waves, a dispatch per stage") {
@@ -276,16 +264,10 @@ impl Report {
                 ));
             }
         }
-        for stages in self.rows.iter().filter(|r| r.pass == "one field, a dispatch per stage") {
-            if let Some(ratio) = self.ratio(stages, "one field, shared radix 2") {
-                let n = stages.sea.unwrap_or_default()[0];
-                out.push(format!("one field of {n}^2: a dispatch per stage takes {ratio:.3} of shared radix 2"));
-            }
-        }
-        let step = self.rows.iter().find(|r| r.pass == "waves, a dispatch per stage");
+        let baseline = self.rows.iter().find(|r| r.pass == "waves, a dispatch per stage");
         for frame in self.rows.iter().filter(|r| r.pass == "frame") {
-            if let (Some(step), Some([w, h])) = (step, frame.size) {
-                let ratio = frame.timing.ms() / step.timing.ms();
+            if let (Some(baseline), Some([w, h])) = (baseline, frame.size) {
+                let ratio = frame.timing.ms() / baseline.timing.ms();
                 out.push(format!(
                     "frame of {w}x{h}: {ratio:.2} times the waves of 3 x 256^2 with a dispatch per stage"
                 ));
@@ -295,7 +277,7 @@ impl Report {
     }
 }
 
-impl fmt::Display for Report {
+impl fmt::Display for BenchReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let c = &self.ceilings;
         writeln!(f, "{}, '{}', {} submissions each", self.adapter, self.state, self.repeat)?;
@@ -306,7 +288,7 @@ impl fmt::Display for Report {
             c.launch_ms,
             c.shading_gflop_s,
             c.reads_g_s,
-            if self.has_stamps { "GPU times by timestamps" } else { "no timestamps: times until the GPU is done" }
+            if self.has_stamps { "GPU times by timestamps" } else { "no timestamps: times from submission to end" }
         )?;
         writeln!(
             f,

@@ -1,35 +1,23 @@
-//! `seastate bench`: what each pass costs.
+//! `seastate bench`: the timings as JSON.
 
-use crate::bench::{self, Options, Report, Row};
-use crate::gpu::Gpu;
-use crate::state::Params;
+use crate::bench::{BenchReport, PassTiming};
 use serde_json::{Value, json};
 
-/// Pictures of the matrix.
+/// Sizes of the pictures that `--matrix` times, pixels.
 pub const MATRIX_SIZES: [[u32; 2]; 3] = [[640, 360], [1280, 720], [1920, 1080]];
 
-/// Measures a state; the report as a table or as JSON.
-///
-/// # Errors
-/// If there is no adapter, or waiting for it fails.
-pub async fn run(params: &Params, options: &Options, as_json: bool) -> Result<String, String> {
-    let gpu = Gpu::request().await?;
-    let progress = |what: &str| eprintln!("seastate: measuring {what}");
-    let report = bench::run(&gpu, params, options, progress).await?;
-    Ok(if as_json { serde_json::to_string_pretty(&value(&report)).unwrap_or_default() } else { report.to_string() })
-}
-
-fn value(report: &Report) -> Value {
+/// A report as JSON.
+pub fn value(report: &BenchReport) -> Value {
     let ceilings = &report.ceilings;
     json!({
         "state": report.state, "adapter": report.adapter, "timestamps": report.has_stamps, "submissions": report.repeat,
         "copy_gb_s": ceilings.copy_gb_s, "launch_ms": ceilings.launch_ms, "shading_gflop_s": ceilings.shading_gflop_s,
         "reads_g_s": ceilings.reads_g_s,
-        "passes": report.rows.iter().map(row).collect::<Vec<_>>(), "comparisons": report.comparisons(),
+        "passes": report.rows.iter().map(pass).collect::<Vec<_>>(), "comparisons": report.comparisons(),
     })
 }
 
-fn row(row: &Row) -> Value {
+fn pass(row: &PassTiming) -> Value {
     let t = &row.timing;
     json!({
         "pass": row.pass, "n": row.sea.map(|s| s[0]), "cascades": row.sea.map(|s| s[1]), "size": row.size,

@@ -1,10 +1,11 @@
-//! `seastate compare`: how different two pictures look.
+//! `seastate compare`: the perceived difference of two pictures.
 
-use crate::lab::flip::{self, Picture};
+use super::args::MAX_SIDE;
+use crate::lab::flip::{self, SrgbPicture};
 use image::{ImageError, ImageFormat, ImageReader, Limits};
 use std::path::Path;
 
-/// Compares two PNGs; the text to print. `map` is written with the difference of every pixel.
+/// Compares two PNG files and returns the text to print. The difference of every pixel is written to `map`.
 ///
 /// # Errors
 /// One sentence, if a file cannot be read or written, or the sizes differ.
@@ -23,20 +24,20 @@ pub fn run(reference: &Path, test: &Path, map: Option<&Path>, pixels_per_degree:
     Ok(format!("mean FLIP {:.4}", flip::mean(&errors)))
 }
 
-fn read(path: &Path) -> Result<Picture, String> {
+fn read(path: &Path) -> Result<SrgbPicture, String> {
     let fault = |e: &dyn std::fmt::Display| format!("cannot read {}: {e}", path.display());
     let mut reader = ImageReader::open(path).map_err(|e| fault(&e))?;
     reader.set_format(ImageFormat::Png);
     let mut limits = Limits::default();
-    (limits.max_image_width, limits.max_image_height) = (Some(super::MAX_SIDE), Some(super::MAX_SIDE));
+    (limits.max_image_width, limits.max_image_height) = (Some(MAX_SIDE), Some(MAX_SIDE));
     reader.limits(limits);
     let image = match reader.decode() {
         Ok(image) => image.into_rgb8(),
         Err(ImageError::Limits(_)) => {
-            return Err(fault(&format!("it has more than {0} x {0} pixels: make it smaller", super::MAX_SIDE)));
+            return Err(fault(&format!("it has more than {MAX_SIDE} x {MAX_SIDE} pixels: make it smaller")));
         }
         Err(e) => return Err(fault(&e)),
     };
     let (width, height) = (image.width() as usize, image.height() as usize);
-    Ok(Picture { width, height, pixels: image.pixels().map(|p| p.0).collect() })
+    Ok(SrgbPicture { width, height, pixels: image.pixels().map(|p| p.0).collect() })
 }

@@ -1,30 +1,15 @@
-//! `seastate info`: the program, the GPU that it takes, and what it makes of it.
+//! `seastate info`: the program, its GPU, and how it uses the GPU.
 
-use crate::gpu::{Gpu, device};
 use crate::ocean::about::{About, VERSION, WGPU_VERSION, system};
 use serde_json::{Map, Value, json};
-use std::fmt::Write as _;
 
-/// The report, as a table or as JSON.
-///
-/// # Errors
-/// If there is no adapter.
-pub async fn run(as_json: bool) -> Result<String, String> {
-    let adapter = device::adapter().await?;
-    let about = About::new(&adapter, &Gpu::open(&adapter).await?);
-    Ok(if as_json { serde_json::to_string_pretty(&value(&about)).unwrap_or_default() } else { text(&about) })
+/// The report as a table.
+pub fn text(about: &About) -> String {
+    about.rows().iter().map(|(name, value)| format!("{name:<28} {value}\n")).collect()
 }
 
-fn text(about: &About) -> String {
-    let mut out = String::new();
-    for (name, value) in about.rows() {
-        // Writing to a string cannot fail.
-        let _ = writeln!(out, "{name:<28} {value}");
-    }
-    out
-}
-
-fn value(about: &About) -> Value {
+/// The report as JSON.
+pub fn value(about: &About) -> Value {
     let limits =
         about.limits.iter().map(|(name, [asked, could])| (key(name), json!({"asked": asked, "adapter": could})));
     let ways = about.ways.iter().map(|(name, way)| (key(name), json!(way)));

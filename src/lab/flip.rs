@@ -1,42 +1,42 @@
-//! FLIP, how different two pictures look to someone who flips between them: Andersson et al., "FLIP: A Difference Evaluator
-//! for Alternating Images", 2020, for pictures of a screen (LDR). Names and numbers are the paper's.
+//! LDR-FLIP, the perceived difference of two pictures shown in alternation: Andersson et al., "FLIP: A Difference
+//! Evaluator for Alternating Images", 2020. Names and constants are the paper's.
 
 use std::f64::consts::PI;
 
-/// Of a 4K screen, 70 cm wide, seen from 70 cm.
+/// Pixels per degree of vision for a 4K screen, 70 cm wide, seen from 70 cm.
 pub const PIXELS_PER_DEGREE: f64 = 67.02064;
 
-/// A picture in sRGB.
+/// An sRGB picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Picture {
+pub struct SrgbPicture {
     /// Pixels along a row.
     pub width: usize,
     /// Rows.
     pub height: usize,
-    /// Row by row.
+    /// Pixels, row by row.
     pub pixels: Vec<[u8; 3]>,
 }
 
-impl Picture {
-    /// From RGBA bytes, row by row.
+impl SrgbPicture {
+    /// A picture from RGBA bytes, row by row.
     pub fn from_rgba(width: u32, bytes: &[u8]) -> Self {
         let pixels: Vec<[u8; 3]> = bytes.chunks_exact(4).map(|p| [p[0], p[1], p[2]]).collect();
         Self { width: width as usize, height: pixels.len() / (width as usize).max(1), pixels }
     }
 }
 
-/// The difference of every pixel, 0 to 1.
+/// The difference of every pixel, 0 to 1, row by row.
 ///
 /// # Errors
 /// If the sizes differ.
-pub fn errors(reference: &Picture, test: &Picture, pixels_per_degree: f64) -> Result<Vec<f64>, String> {
+pub fn errors(reference: &SrgbPicture, test: &SrgbPicture, pixels_per_degree: f64) -> Result<Vec<f64>, String> {
     if (reference.width, reference.height) != (test.width, test.height) {
         return Err(format!(
             "the pictures differ in size: {}x{} and {}x{}",
             reference.width, reference.height, test.width, test.height
         ));
     }
-    let (a, b) = (seen(reference, pixels_per_degree), seen(test, pixels_per_degree));
+    let (a, b) = (perceived(reference, pixels_per_degree), perceived(test, pixels_per_degree));
     let (fa, fb) = (Features::new(reference, pixels_per_degree), Features::new(test, pixels_per_degree));
     let most = hyab(hunt([0.0, 1.0, 0.0]), hunt([0.0, 0.0, 1.0])).powf(QC);
     let error = |i: usize| {
@@ -49,24 +49,25 @@ pub fn errors(reference: &Picture, test: &Picture, pixels_per_degree: f64) -> Re
     Ok((0..a.len()).map(error).collect())
 }
 
-/// Mean of the errors; 0 for no picture at all.
+/// Mean of the errors; 0 without pixels.
 pub fn mean(errors: &[f64]) -> f64 {
     errors.iter().sum::<f64>() / errors.len().max(1) as f64
 }
 
 const QC: f64 = 0.7;
 const QF: f64 = 0.5;
-/// Large colour differences are squeezed into the last part of the range.
+/// Colour differences above PC times the maximum are compressed into the range from PT to 1.
 const PC: f64 = 0.4;
 const PT: f64 = 0.95;
-/// Width of the features that the eye looks for, degrees.
+/// Width of the detected features, degrees of vision.
 const FEATURE_DEG: f64 = 0.082;
-/// Reference white of the screen, XYZ of linear (1, 1, 1).
+/// XYZ from linear sRGB.
 const TO_XYZ: [[f64; 3]; 3] = [
     [10_135_552.0 / 24_577_794.0, 8_788_810.0 / 24_577_794.0, 4_435_075.0 / 24_577_794.0],
     [2_613_072.0 / 12_288_897.0, 8_788_810.0 / 12_288_897.0, 887_015.0 / 12_288_897.0],
     [1_425_312.0 / 73_733_382.0, 8_788_810.0 / 73_733_382.0, 70_074_185.0 / 73_733_382.0],
 ];
+/// Linear sRGB from XYZ.
 const FROM_XYZ: [[f64; 3]; 3] = [
     [3.241_003_275, -1.537_398_934, -0.498_615_861],
     [-0.969_224_334, 1.875_930_071, 0.041_554_224],
@@ -77,6 +78,7 @@ fn times(m: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
     m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
 }
 
+/// XYZ of linear (1, 1, 1), the reference white.
 fn white() -> [f64; 3] {
     times(&TO_XYZ, [1.0; 3])
 }
@@ -86,7 +88,7 @@ fn linear(byte: u8) -> f64 {
     if x <= 0.040_45 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
 }
 
-/// Luminance and two opponent colours in which the eye's contrast sensitivity is measured.
+/// YCxCz of an sRGB colour: luminance and two opponent colours, in which contrast sensitivity is measured.
 fn opponent(rgb: [u8; 3]) -> [f64; 3] {
     let xyz = times(&TO_XYZ, rgb.map(linear));
     let white = white();
@@ -94,15 +96,15 @@ fn opponent(rgb: [u8; 3]) -> [f64; 3] {
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
 
-/// Back to linear light, within what the screen can show.
-fn shown([y, cx, cz]: [f64; 3]) -> [f64; 3] {
+/// Linear sRGB of a YCxCz colour, clamped to the gamut.
+fn linear_rgb([y, cx, cz]: [f64; 3]) -> [f64; 3] {
     let y = (y + 16.0) / 116.0;
     let relative = [y + cx / 500.0, y, y - cz / 200.0];
     let white = white();
     times(&FROM_XYZ, std::array::from_fn(|i| relative[i] * white[i])).map(|c| c.clamp(0.0, 1.0))
 }
 
-/// L*a*b* with colours that fade in the dark (Hunt).
+/// L*a*b* of linear sRGB, with the Hunt effect: chroma shrinks with lightness.
 fn hunt(rgb: [f64; 3]) -> [f64; 3] {
     let delta: f64 = 6.0 / 29.0;
     let f = |t: f64| if t > delta.powi(3) { t.cbrt() } else { t / (3.0 * delta * delta) + 4.0 / 29.0 };
@@ -112,19 +114,20 @@ fn hunt(rgb: [f64; 3]) -> [f64; 3] {
     [l, 0.01 * l * 500.0 * (x - y), 0.01 * l * 200.0 * (y - z)]
 }
 
-/// Distance of colours, also of large ones (Abasi et al. 2020).
+/// HyAB distance, valid for large colour differences (Abasi et al. 2020).
 fn hyab(a: [f64; 3], b: [f64; 3]) -> f64 {
     (a[0] - b[0]).abs() + (a[1] - b[1]).hypot(a[2] - b[2])
 }
 
+/// Maps a colour difference of at most `most` to 0 to 1.
 fn redistribute(x: f64, most: f64) -> f64 {
     let knee = PC * most;
     if x < knee { PT / knee * x } else { PT + (x - knee) / (most - knee) * (1.0 - PT) }
 }
 
-/// What the eye makes of a picture at this distance: each opponent colour blurred by its contrast sensitivity.
-fn seen(picture: &Picture, pixels_per_degree: f64) -> Vec<[f64; 3]> {
-    // Weight and width of each Gaussian, of the sensitivities to luminance, red-green and blue-yellow.
+/// L*a*b* of the picture as perceived at this distance: each opponent colour is filtered by its contrast sensitivity.
+fn perceived(picture: &SrgbPicture, pixels_per_degree: f64) -> Vec<[f64; 3]> {
+    // Weight and width of two Gaussians each for luminance, red-green and blue-yellow.
     const SENSITIVITY: [[[f64; 2]; 2]; 3] =
         [[[1.0, 0.0047], [0.0, 1e-5]], [[1.0, 0.0053], [0.0, 1e-5]], [[34.1, 0.04], [13.5, 0.025]]];
     let colours: Vec<[f64; 3]> = picture.pixels.iter().map(|&p| opponent(p)).collect();
@@ -143,10 +146,10 @@ fn seen(picture: &Picture, pixels_per_degree: f64) -> Vec<[f64; 3]> {
         }
         out.iter_mut().zip(sum).for_each(|(c, s)| c[channel] = s / whole);
     }
-    out.into_iter().map(|c| hunt(shown(c))).collect()
+    out.into_iter().map(|c| hunt(linear_rgb(c))).collect()
 }
 
-/// A plane filtered along rows by one kernel and along columns by another; its edges go on.
+/// Filters a plane along rows by one kernel and along columns by another; border pixels extend beyond the edges.
 fn filtered(plane: &[f64], width: usize, along: &[f64], down: &[f64]) -> Vec<f64> {
     let height = plane.len() / width;
     let reach = (along.len() / 2) as isize;
@@ -165,14 +168,14 @@ fn filtered(plane: &[f64], width: usize, along: &[f64], down: &[f64]) -> Vec<f64
         .collect()
 }
 
-/// How much of an edge and of a point there is at every pixel.
+/// Strength of edges and points at every pixel.
 struct Features {
     edges: Vec<f64>,
     points: Vec<f64>,
 }
 
 impl Features {
-    fn new(picture: &Picture, pixels_per_degree: f64) -> Self {
+    fn new(picture: &SrgbPicture, pixels_per_degree: f64) -> Self {
         let sd = 0.5 * FEATURE_DEG * pixels_per_degree;
         let radius = (3.0 * sd).ceil() as i32;
         let offsets: Vec<f64> = (-radius..=radius).map(f64::from).collect();
@@ -199,9 +202,9 @@ impl Features {
 mod tests {
     use super::*;
 
-    fn picture(width: u32, height: u32, f: impl Fn(u32, u32) -> [u8; 3]) -> Picture {
+    fn picture(width: u32, height: u32, f: impl Fn(u32, u32) -> [u8; 3]) -> SrgbPicture {
         let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| f(x, y)).collect();
-        Picture { width: width as usize, height: height as usize, pixels }
+        SrgbPicture { width: width as usize, height: height as usize, pixels }
     }
 
     fn noise(x: u32, y: u32) -> [u8; 3] {
@@ -214,7 +217,7 @@ mod tests {
         if inside { [255, 240, 200] } else { [20, 40, 90] }
     }
 
-    /// Means of NVIDIA's own implementation (nv-flip 0.1.2, FLIP 1.2, in f32) for the same pictures, at 67.02064 and at 30
+    /// The expected means come from NVIDIA's implementation (nv-flip 0.1.2, FLIP 1.2, in f32), at 67.02064 and at 30
     /// pixels per degree.
     #[test]
     fn means_are_those_of_the_authors() {

@@ -1,8 +1,27 @@
-//! The laboratory: what measures, compares and documents the sea. The tests and the command line run it.
+//! The laboratory: measures, compares, exports and documents the sea. The command line and the tests call it.
 
 pub mod check;
+pub mod ensemble;
+pub mod estimate;
+pub mod export;
+pub mod figure;
 pub mod flip;
 pub mod gallery;
+pub mod page;
+pub mod parameters;
 pub mod reference;
+pub mod render;
 pub mod stats;
 pub mod validate;
+
+use std::path::Path;
+
+/// Writes a file; the error is a sentence with its path.
+fn write_file(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), String> {
+    std::fs::write(path, bytes).map_err(|e| format!("cannot write {}: {e}", path.display()))
+}
+
+/// Creates a folder and its parents; the error is a sentence with its path.
+fn create_folder(path: &Path) -> Result<(), String> {
+    std::fs::create_dir_all(path).map_err(|e| format!("cannot make {}: {e}", path.display()))
+}

@@ -1,4 +1,4 @@
-//! The reference of a picture: the mean of many unfiltered samples a pixel, under the same exposure and film.
+//! The reference of a picture: the mean of many unfiltered samples per pixel, with the picture's exposure and film.
 
 use crate::gpu::Gpu;
 use crate::gpu::readback;
@@ -6,20 +6,21 @@ use crate::ocean::still;
 use crate::ocean::{Grid, Ocean};
 use crate::waves::noise::pcg4d;
 
-/// Most samples that are drawn at once.
-const MOST: u64 = 4_200_000;
+/// Most samples in one render target.
+const MOST_SAMPLES: u64 = 4_200_000;
 
-/// How a reference is sampled.
+/// The sampling of a reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sampling {
-    /// Samples a pixel, at least.
+    /// Least number of samples per pixel.
     pub samples: u32,
-    /// Chooses where they lie.
+    /// Seed of the sample positions.
     pub seed: u32,
 }
 
 impl Sampling {
-    /// The grids that hold this many samples of a picture, as large as fits in `most` samples and `longest` along a side.
+    /// Grids that together hold the samples of a picture of `size` pixels. Each grid has at most `most` samples, and at
+    /// most `longest` along a side.
     fn grids(self, size: [u32; 2], most: u64, longest: u32) -> impl Iterator<Item = Grid> {
         let fits = |side: &u32| {
             let [w, h] = size.map(|s| u64::from(s) * u64::from(*side));
@@ -28,16 +29,16 @@ impl Sampling {
         let side = [16, 8, 4, 2].into_iter().find(fits).unwrap_or(1);
         let start = pcg4d([self.seed, 0, 0, 0]).map(|x| f64::from(x) / 4_294_967_296.0);
         (0..self.samples.div_ceil(side * side)).map(move |i| {
-            // The plane's most even sequence (Roberts 2018), moved by the seed.
+            // The R2 low-discrepancy sequence (Roberts 2018), shifted by the seed.
             let at = |from: f64, step: f64| (from + step * f64::from(i)).fract();
             Grid { size, side, offset: [at(start[0], 0.754_877_666_246_693), at(start[1], 0.569_840_290_998_053)] }
         })
     }
 }
 
-/// Sums over the samples of a pixel.
+/// Sums over the samples of a pixel. A water sample has a positive weight, a sky sample the weight 0.
 #[derive(Clone, Copy, Default)]
-struct Sum {
+struct PixelSum {
     sky: [f64; 3],
     water: [f64; 3],
     weight: f64,
@@ -45,9 +46,9 @@ struct Sum {
     waters: f64,
 }
 
-impl Sum {
+impl PixelSum {
     fn add(&mut self, [r, g, b, weight]: [f32; 4]) {
-        // What is not a number goes the water's way and stays one.
+        // A weight that is not a number counts as water, so that it shows in the result.
         let (sum, share) = if weight == 0.0 {
             self.skies += 1.0;
             (&mut self.sky, 1.0)
@@ -61,7 +62,7 @@ impl Sum {
         }
     }
 
-    /// The light of the pixel: water by its weights among itself, water and sky by the places that they take.
+    /// The light of the pixel: the weighted mean of the water and the mean of the sky, by their shares of the samples.
     fn mean(&self) -> [f32; 3] {
         let all = self.skies + self.waters;
         std::array::from_fn(|i| {
@@ -71,14 +72,14 @@ impl Sum {
     }
 }
 
-/// Mean linear light of every pixel, row by row, of the sea as its last frame left it.
+/// Mean linear light of every pixel, row by row, for the sea of the last frame.
 ///
 /// # Errors
 /// If the GPU does not give its memory back.
 pub async fn light(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: Sampling) -> Result<Vec<[f32; 3]>, String> {
     let width = size[0] as usize;
-    let mut sums = vec![Sum::default(); width * size[1] as usize];
-    for grid in sampling.grids(size, MOST, gpu.device.limits().max_texture_dimension_2d) {
+    let mut sums = vec![PixelSum::default(); width * size[1] as usize];
+    for grid in sampling.grids(size, MOST_SAMPLES, gpu.device.limits().max_texture_dimension_2d) {
         let mut encoder = gpu.encoder("samples");
         let texture = ocean.encode_samples(&mut encoder, &grid);
         let copy = readback::stage_texture(gpu, &mut encoder, &texture, 0);
@@ -92,10 +93,10 @@ pub async fn light(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: Sampl
             }
         }
     }
-    Ok(sums.iter().map(Sum::mean).collect())
+    Ok(sums.iter().map(PixelSum::mean).collect())
 }
 
-/// The pixels of the reference, RGBA, of the sea as its last frame left it.
+/// The reference as RGBA pixels, for the sea of the last frame.
 ///
 /// # Errors
 /// If the GPU does not give its memory back.
@@ -104,7 +105,7 @@ pub async fn picture_of(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: 
     picture_of_light(gpu, ocean, size, &light).await
 }
 
-/// The pixels of linear light under the exposure and film of the sea's picture.
+/// Applies the exposure and film of the sea's picture to linear light; returns RGBA pixels.
 ///
 /// # Errors
 /// If the GPU does not give its memory back.
@@ -126,14 +127,15 @@ mod tests {
     fn grids_hold_the_samples_that_were_asked_for() {
         for samples in [1, 3, 4, 64, 256, 1000] {
             for size in [[16, 9], [192, 108], [1280, 720], [8192, 8192]] {
-                let grids: Vec<Grid> = Sampling { samples, seed: 1 }.grids(size, MOST, 8192).collect();
+                let grids: Vec<Grid> = Sampling { samples, seed: 1 }.grids(size, MOST_SAMPLES, 8192).collect();
                 let count: u32 = grids.iter().map(|g| g.side * g.side).sum();
                 assert!((samples..samples + grids[0].side.pow(2)).contains(&count), "{samples} {size:?} {count}");
                 assert!(grids.iter().all(|g| g.samples().iter().all(|&s| s <= 8192)), "{size:?}");
             }
         }
-        let at =
-            |seed| Sampling { samples: 8, seed }.grids([8192; 2], MOST, 8192).map(|g| g.offset).collect::<Vec<_>>();
+        let at = |seed| {
+            Sampling { samples: 8, seed }.grids([8192; 2], MOST_SAMPLES, 8192).map(|g| g.offset).collect::<Vec<_>>()
+        };
         assert_ne!(at(1), at(2));
         let mean = at(3).iter().map(|o| o[0]).sum::<f64>() / 8.0;
         assert!((mean - 0.5).abs() < 0.1, "spread evenly: {mean}");
@@ -141,7 +143,7 @@ mod tests {
 
     #[test]
     fn a_pixel_of_water_and_sky_is_shared_by_their_places() {
-        let mut sum = Sum::default();
+        let mut sum = PixelSum::default();
         sum.add([1.0, 0.0, 0.0, 0.0]);
         sum.add([0.0, 1.0, 0.0, 3.0]);
         sum.add([0.0, 0.0, 1.0, 1.0]);

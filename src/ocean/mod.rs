@@ -32,6 +32,26 @@ pub use interpolated::DrawnSea;
 const LOWEST_EYE_M: f64 = 0.5;
 
 /// A sea on a device, with its renderer.
+///
+/// ```no_run
+/// use seastate::gpu::Gpu;
+/// use seastate::ocean::{Film, Ocean};
+/// use seastate::state::query;
+///
+/// # async fn frame() -> Result<(), String> {
+/// let gpu = Gpu::request().await?;
+/// let (mut params, _) = query::parse("wind=14&fetch=300");
+/// let mut ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, Film::Screen, &params);
+/// // For each frame: the time, then the commands of the sea.
+/// params.clock.t_s += 1.0 / 60.0;
+/// ocean.set_params(&params);
+/// let mut encoder = gpu.encoder("frame");
+/// ocean.encode(&mut encoder, [1280, 720], 6);
+/// // Here `ocean.present` draws the picture in a render pass on a target of that format.
+/// gpu.submit(encoder);
+/// # Ok(())
+/// # }
+/// ```
 pub struct Ocean {
     gpu: Gpu,
     params: Params,

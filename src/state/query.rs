@@ -2,7 +2,7 @@
 //!
 //! `wind=14&fetch=300&seed=7&t=40` is the URL on the web, the argument of the desktop program and of every command. The
 //! keys are those of [`FIELDS`] and four more: `measured` holds a buoy's spectrum, `sky` the name of a sky file,
-//! `afloat` the floating objects, and `v` the version of the string ([`versions`]). Reading never fails: a value that
+//! `afloat` the floating objects, and `v` the version of the string (`state::versions`). Reading never fails: a value that
 //! cannot be taken becomes a notice. Only values that differ from the default are written.
 
 use super::fields::{self, FIELDS, Refusal};
@@ -36,6 +36,14 @@ pub struct StateReading {
 
 /// Reads a state string, with or without a leading `?`, or a whole URL. Returns the parameters and one notice for each
 /// value that was not taken as written.
+///
+/// ```
+/// use seastate::state::query;
+///
+/// let (params, notices) = query::parse("?wind=14&fetch=300&unknown=1");
+/// assert_eq!(notices.len(), 1);
+/// assert_eq!(query::write(&params), "wind=14&fetch=300");
+/// ```
 pub fn parse(text: &str) -> (Params, Vec<String>) {
     let StateReading { params, notices, .. } = read(text);
     (params, notices)

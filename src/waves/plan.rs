@@ -21,7 +21,13 @@ const MIN_M0_M2: f64 = 1e-12;
 /// Period of a sea without a loop: a day.
 const DAY_S: f64 = 86_400.0;
 
-/// Everything that the simulation derives from the parameters of a sea.
+/// Everything that the simulation needs to know of a sea.
+///
+/// ```
+/// let (params, _) = seastate::state::query::parse("wind=10&fetch=100");
+/// let plan = seastate::waves::Plan::new(&params);
+/// assert!((plan.hs_m() - 2.14).abs() < 0.01);
+/// ```
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// FFT size: points along one side of a cascade's lattice.

@@ -1,13 +1,13 @@
 //! Part 5: water of finite depth.
 
-use super::figure::{Axis, Figure, Legend, Mark, Series, curve};
-use super::lab::Lab;
-use super::page::{Page, against, deviation, measured, number};
-use super::published::theory;
+use super::cells::{against, deviation, measured, number};
+use super::measurement::{Measurement, theory};
+use crate::lab::figure::{Axis, Figure, Legend, Mark, Series, curve};
+use crate::lab::page::Page;
 
 const WIND: &str = "wind=20&fetch=300&n=128";
-const DEPTHS: [f64; 10] = [2.0, 3.0, 5.0, 8.0, 12.0, 20.0, 30.0, 50.0, 100.0, 200.0];
-/// The forms of the depth factor.
+const DEPTHS_M: [f64; 10] = [2.0, 3.0, 5.0, 8.0, 12.0, 20.0, 30.0, 50.0, 100.0, 200.0];
+/// The forms of TMA's depth factor: name and state string.
 const FORMS: [(&str, &str); 3] =
     [("exact", "spectrum=tma"), ("branches", "spectrum=tma&tmafit=branches"), ("Bouws", "spectrum=tma&bouws=1")];
 
@@ -15,21 +15,20 @@ const FORMS: [(&str, &str); 3] =
 ///
 /// # Errors
 /// If the GPU does not give its memory back, or a figure cannot be drawn.
-pub fn write(page: &mut Page, lab: &Lab<'_>) -> Result<(), String> {
+pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     page.heading(2, "5. Depth");
     page.prose(
-        "TMA is JONSWAP times Kitaigorodskii's depth factor: exact, tanh²(kh) / (1 + 2kh / sinh 2kh); in the three branches of \
-         Thompson and Vincent 1983; or exact with the α and γ of Bouws et al. 1985 as well. Whatever the spectrum, the sea is \
-         capped at Hs = 0.6 h, where waves break. Wind 20 m/s over 300 km.",
+        "TMA is JONSWAP times Kitaigorodskii's depth factor. The program has three forms of it: exact, tanh²(kh) / (1 \
+         + 2kh / sinh 2kh); in the three branches of Thompson and Vincent 1983; and exact with the α and γ of Bouws et \
+         al. 1985. For every spectrum, breaking limits the sea to Hs = 0.6 h. Wind 20 m/s over 300 km.",
     );
     let x = Axis::log("depth h, m", 2.0, 200.0);
-    let mut figure = Figure::new(
-        "Wave height against depth",
-        x.clone(),
-        Axis::linear("significant wave height Hs, m", 0.0, 9.0),
-        Legend::LowerRight,
-    )
-    .with(Series::new("cap, 0.6 h", 6, Mark::Dashes(curve(&x, 200, |h| 0.6 * h))));
+    let y = Axis::linear("significant wave height Hs, m", 0.0, 9.0);
+    let mut figure = Figure::new("Wave height against depth", x.clone(), y, Legend::LowerRight).with(Series::new(
+        "cap, 0.6 h",
+        6,
+        Mark::Dashes(curve(&x, 200, |h| 0.6 * h)),
+    ));
     for (i, (name, state)) in FORMS.into_iter().enumerate() {
         let mut line = Vec::new();
         for [depth, _] in curve(&x, 60, |_| 0.0) {
@@ -41,24 +40,20 @@ pub fn write(page: &mut Page, lab: &Lab<'_>) -> Result<(), String> {
     let deep = theory(&format!("spectrum=jonswap&{WIND}"))?.hs_m;
     figure = figure.with(Series::new("jonswap in deep water", 3, Mark::Dashes(curve(&x, 60, |_| deep))));
     let (mut rows, mut points) = (Vec::new(), Vec::new());
-    for depth in DEPTHS {
-        let sea = lab.sea(&format!("{}&{WIND}&depth={depth}", FORMS[0].1), 0, &|_| None)?;
-        let [branches, bouws] = [
-            theory(&format!("{}&{WIND}&depth={depth}", FORMS[1].1))?.hs_m,
-            theory(&format!("{}&{WIND}&depth={depth}", FORMS[2].1))?.hs_m,
-        ];
-        let seen = sea.get(|m| m.hs_m);
-        if let Some(e) = seen {
-            points.push([depth, e.value, e.error.unwrap_or(0.0)]);
-        }
-        let exact = sea.theory.hs_m;
+    for depth in DEPTHS_M {
+        let state = |form: usize| format!("{}&{WIND}&depth={depth}", FORMS[form].1);
+        let sea = lab.sea(&state(0))?;
+        let (exact, resolved) = (sea.theory.hs_m, sea.resolved.hs_m);
+        let (branches, bouws) = (theory(&state(1))?.hs_m, theory(&state(2))?.hs_m);
+        let hs = sea.get(|m| m.hs_m);
+        points.extend(hs.map(|e| e.at(depth)));
         rows.push(vec![
             number(depth, 0),
             number(0.6 * depth, 2),
             number(exact, 3),
-            number(sea.resolved.hs_m, 3),
-            measured(seen.as_ref(), 3),
-            deviation(seen.as_ref(), sea.resolved.hs_m),
+            number(resolved, 3),
+            measured(hs, 3),
+            deviation(hs, resolved),
             number(branches, 3),
             against(branches, exact),
             number(bouws, 3),
@@ -71,25 +66,17 @@ pub fn write(page: &mut Page, lab: &Lab<'_>) -> Result<(), String> {
     page.figure(
         "depth",
         &figure,
-        "Significant wave height against depth for the three forms of TMA, with the cap. Sources: Kitaigorodskii et al. 1975; \
-         Thompson and Vincent 1983; Bouws et al. 1985.",
+        "Significant wave height against depth for the three forms of TMA, with the limit by breaking. Sources: \
+         Kitaigorodskii et al. 1975; Thompson and Vincent 1983; Bouws et al. 1985.",
     )?;
-    let head = [
-        "depth, m",
-        "cap, m",
-        "exact, theory",
-        "resolved",
-        "measured",
-        "deviation",
-        "branches",
-        "against exact",
-        "Bouws",
-        "against exact",
-    ];
-    page.table(&head, &rows);
+    page.table(
+        "depth, m | cap, m | exact, theory | resolved | measured | deviation | branches | against exact | Bouws \
+         | against exact",
+        &rows,
+    );
     page.prose(
-        "The branches are a fit to the exact factor, within 0.023 of it. Bouws' α and γ grow with U² k_p / g, from a \
-         different set of measurements than JONSWAP's, and apply at every depth.",
+        "The branches fit the exact factor within 0.023. Bouws' α and γ grow with U² k_p / g. They come from other \
+         measurements than JONSWAP's, and apply at every depth.",
     );
     Ok(())
 }

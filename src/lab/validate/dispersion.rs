@@ -1,14 +1,15 @@
 //! Part 3: the speed of single waves.
 
-use super::figure::{Axis, Figure, Legend, Mark, Series, curve};
-use super::lab::{Lab, lattice, params};
-use super::page::{PENDING, Page, number};
-use crate::lab::stats::heights_transform;
+use super::cells::{PENDING, number};
+use super::measurement::{Measurement, lattice, params};
+use crate::lab::ensemble::transform_of_heights;
+use crate::lab::figure::{Axis, Figure, Legend, Mark, Series, curve};
+use crate::lab::page::Page;
 use crate::waves::Plan;
 use std::f64::consts::TAU;
 
-/// Name, state and what it is called in the figure. All waves run with the wind, so that a coefficient of the transform is
-/// one wave.
+/// Name in the table, state string, and label in the figure. All waves run with the wind, so that a coefficient of the
+/// transform belongs to one wave.
 const SEAS: [(&str, &str, &str); 6] = [
     ("deep", "dispersion=deep&wind=12&fetch=300", "deep"),
     ("2 m", "depth=2&wind=12&fetch=300", "2 m of water"),
@@ -22,26 +23,26 @@ const SEAS: [(&str, &str, &str); 6] = [
     ),
 ];
 const COMMON: &str = "spread=cos2-positive&dir=270&n=128&seed=1";
-/// A wave counts if its amplitude is at least this share of the largest of its cascade: below, rounding in f32 shows.
-const STRONG: f64 = 5e-3;
-/// Phase by which the fastest wave of a cascade goes on between the two times, rad.
-const ADVANCE: f64 = 2.5;
+/// Least amplitude of a measured wave as a share of the largest of its cascade. In weaker waves, rounding in f32 shows.
+const LEAST_AMPLITUDE: f64 = 5e-3;
+/// Phase advance of the fastest wave of a cascade between the two times, rad.
+const ADVANCE_RAD: f64 = 2.5;
 /// Points of the figure per decade of the wave number.
 const PER_DECADE: f64 = 8.0;
 
-/// A wave: wave number, phase speed, amplitude relative to the largest of its cascade.
-type Seen = [f64; 3];
+/// Wave number (rad/m), phase speed (m/s), and amplitude relative to the largest of the wave's cascade.
+type MeasuredWave = [f64; 3];
 
-/// Phase speeds from the angle between the coefficients of two transforms.
-fn speeds(lab: &Lab<'_>, plan: &Plan) -> Result<Option<Vec<Seen>>, String> {
-    // Times that the clock of 2^-32 periods holds exactly.
+/// Phase speeds from the angle between the coefficients of two transforms; `None` without a GPU.
+fn speeds(lab: &Measurement<'_>, plan: &Plan) -> Result<Option<Vec<MeasuredWave>>, String> {
+    // The clock counts 2^-32 periods. It represents multiples of a tick exactly.
     let tick = plan.period_s / 4_294_967_296.0;
     let mut all = Vec::new();
     let n = plan.n as usize;
     for (c, cascade) in plan.cascades.iter().enumerate() {
-        let ticks = (ADVANCE / plan.dispersion.omega(cascade.k_high) / tick).floor().max(1.0);
+        let ticks = (ADVANCE_RAD / plan.dispersion.omega(cascade.k_high) / tick).floor().max(1.0);
         let Some(maps) = lab.maps(plan, &[0.0, ticks * tick])? else { return Ok(None) };
-        let [before, after] = [0, 1].map(|i| heights_transform(n, maps[i].displacement(c)));
+        let [before, after] = [0, 1].map(|i| transform_of_heights(n, maps[i].displacement(c)));
         let mut found = Vec::new();
         for (ix, iz, k) in lattice(plan, cascade) {
             // Within 60 degrees of the wind, which blows towards +x.
@@ -50,40 +51,30 @@ fn speeds(lab: &Lab<'_>, plan: &Plan) -> Result<Option<Vec<Seen>>, String> {
             }
             let at = iz.rem_euclid(n as i32) as usize * n + ix as usize;
             let (a, b) = (before[at], after[at]);
-            // These are conjugates: the phase grows with omega t.
+            // The coefficients are conjugates: their phase grows with omega t.
             let turn = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]).rem_euclid(TAU);
             found.push([k, turn / (ticks * tick) / k, a[0].hypot(a[1])]);
         }
         let largest = found.iter().map(|f| f[2]).fold(0.0, f64::max);
-        all.extend(found.into_iter().map(|[k, c, a]| [k, c, a / largest]).filter(|f| f[2] > STRONG));
+        all.extend(found.into_iter().map(|[k, c, a]| [k, c, a / largest]).filter(|f| f[2] > LEAST_AMPLITUDE));
     }
     Ok(Some(all))
 }
 
-/// The strongest wave of each bin of the wave number.
-fn thinned(seen: &[Seen]) -> Vec<[f64; 3]> {
-    let bin = |k: f64| (k.log10() * PER_DECADE).floor() as i32;
-    let mut out: Vec<Seen> = Vec::new();
-    let mut sorted = seen.to_vec();
+/// The strongest wave in each bin of the wave number, as points of the figure.
+fn thinned(waves: &[MeasuredWave]) -> Vec<[f64; 3]> {
+    let bin = |wave: &MeasuredWave| (wave[0].log10() * PER_DECADE).floor();
+    let mut sorted = waves.to_vec();
     sorted.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    for wave in sorted {
-        match out.last_mut() {
-            Some(last) if bin(last[0]) == bin(wave[0]) => {
-                if wave[2] > last[2] {
-                    *last = wave;
-                }
-            }
-            _ => out.push(wave),
-        }
-    }
-    out.into_iter().map(|[k, c, _]| [k, c, 0.0]).collect()
+    let strongest = |bin: &[MeasuredWave]| bin.iter().copied().reduce(|a, b| if b[2] > a[2] { b } else { a });
+    sorted.chunk_by(|a, b| bin(a) == bin(b)).filter_map(strongest).map(|[k, c, _]| [k, c, 0.0]).collect()
 }
 
 /// Writes the part.
 ///
 /// # Errors
 /// If the GPU does not give its memory back, or a figure cannot be drawn.
-pub fn write(page: &mut Page, lab: &Lab<'_>) -> Result<(), String> {
+pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     let x = Axis::log("wave number k, rad/m", 0.01, 6000.0);
     let y = Axis::log("phase speed ω/k, m/s", 0.1, 40.0);
     let mut figure = Figure::new("Phase speed", x.clone(), y, Legend::Right);
@@ -91,20 +82,18 @@ pub fn write(page: &mut Page, lab: &Lab<'_>) -> Result<(), String> {
     let mut points = Vec::new();
     for (i, (name, state, label)) in SEAS.into_iter().enumerate() {
         let plan = Plan::new(&params(&format!("{state}&{COMMON}"))?);
-        let waves = plan.dispersion;
-        let speed = |k: f64| waves.omega(k) / k;
+        let speed = |k: f64| plan.dispersion.omega(k) / k;
         figure = figure.with(Series::new(label, i, Mark::Line(curve(&x, 120, speed))));
-        let seen = speeds(lab, &plan)?;
         let held = plan.resolved_bands();
         let (low, high) = (plan.cascades[0].dk(), held.last().map_or(0.0, |h| h.1));
         let mut cells = vec![PENDING.to_owned(); 4];
-        if let Some(seen) = seen {
-            let errors: Vec<f64> = seen.iter().map(|[k, c, _]| c / speed(*k) - 1.0).collect();
+        if let Some(waves) = speeds(lab, &plan)? {
+            let errors: Vec<f64> = waves.iter().map(|[k, c, _]| c / speed(*k) - 1.0).collect();
             let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
             let worst = errors.iter().map(|e| e.abs()).fold(0.0, f64::max);
-            let (low, high) = seen.iter().fold((f64::MAX, 0.0), |(a, b): (f64, f64), s| (a.min(s[0]), b.max(s[0])));
-            cells = vec![seen.len().to_string(), format!("{low:.3} to {high:.1}"), ppm(rms), ppm(worst)];
-            points.push(Series::new("", i, Mark::Points(thinned(&seen))));
+            let (low, high) = waves.iter().fold((f64::MAX, 0.0), |(a, b): (f64, f64), s| (a.min(s[0]), b.max(s[0])));
+            cells = vec![waves.len().to_string(), format!("{low:.3} to {high:.1}"), per_cent(rms), per_cent(worst)];
+            points.push(Series::new("", i, Mark::Points(thinned(&waves))));
         }
         let row = vec![name.to_owned(), number(speed(0.05), 4), number(speed(1.0), 4), number(speed(370.0), 4)];
         rows.push([row, vec![format!("{low:.3} to {high:.1}")], cells].concat());
@@ -112,38 +101,31 @@ pub fn write(page: &mut Page, lab: &Lab<'_>) -> Result<(), String> {
     figure = points.into_iter().fold(figure, Figure::with);
     page.heading(2, "3. Dispersion");
     page.prose(
-        "A sea whose waves all run with the wind (`cos2-positive`), at two times: the angle between the two coefficients of a \
-         wave, in the transforms of the f32 maps, is its phase advance, and that over k Δt its speed. Nothing of the theory \
-         enters but which way the waves run. The frequencies are \
-         rounded to multiples of 2π per day, at most 0.01 % of the frequency of a wave of 17 s: that is most of the \
-         worst deviations, but for the ripples, where it is the rounding of f32 in weak waves.",
+        "All waves of these seas run with the wind (`cos2-positive`). The f32 maps are transformed at two times. The \
+         angle between the two coefficients of a wave is its phase advance; divided by k Δt it is the phase speed. \
+         From theory, only the direction of the waves enters. The program rounds frequencies to multiples of 2π per \
+         day, at most 0.01 % of the frequency of a wave of 17 s. This explains most of the worst deviations; in \
+         ripples it is the f32 rounding of weak waves.",
     );
     page.figure(
         "dispersion",
         &figure,
-        "Phase speed against wave number: ω² = (g k + σ/ρ k³) tanh(k h) (lines) and single waves measured on the GPU \
-         (points): the strongest in each eighth of a decade. Theory: Airy 1845; with surface tension Kelvin 1871; σ = 0.074 \
+        "Phase speed against wave number: ω² = (g k + σ/ρ k³) tanh(k h) (lines), and the strongest wave measured on \
+         the GPU in each eighth of a decade (points). Theory: Airy 1845; with surface tension Kelvin 1871; σ = 0.074 \
          N/m, ρ = 1025 kg/m³.",
     )?;
     page.prose(
-        "Deviation of the measured from the theoretical phase speed over all waves within 60° of the wind whose amplitude is \
-         at least 1/200 of the largest in their cascade.",
+        "The table compares measured with theoretical phase speeds over all waves within 60° of the wind whose \
+         amplitude is at least 1/200 of the largest in their cascade.",
     );
-    let head = [
-        "water",
-        "c at 0.05 rad/m, m/s",
-        "c at 1 rad/m",
-        "c at 370 rad/m",
-        "cascades hold, rad/m",
-        "waves measured",
-        "from k to k, rad/m",
-        "rms deviation",
-        "worst deviation",
-    ];
-    page.table(&head, &rows);
+    page.table(
+        "water | c at 0.05 rad/m, m/s | c at 1 rad/m | c at 370 rad/m | cascades hold, rad/m | waves measured \
+         | from k to k, rad/m | rms deviation | worst deviation",
+        &rows,
+    );
     Ok(())
 }
 
-fn ppm(x: f64) -> String {
+fn per_cent(x: f64) -> String {
     format!("{:.4} %", 100.0 * x)
 }

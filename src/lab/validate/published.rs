@@ -1,19 +1,19 @@
-//! Part 4: what others have measured: growth with fetch, full development, the Beaufort scale.
+//! Part 4: published measurements of growth with fetch, of full development, and the Beaufort scale.
 
-use super::figure::{Axis, Figure, Legend, Mark, Series, curve};
-use super::lab::params;
-use super::page::{Page, against, number};
-use crate::waves::Plan;
-use crate::waves::statistics::Theory;
+use super::cells::{against, number};
+use super::measurement::theory;
+use crate::lab::figure::{Axis, Figure, Legend, Mark, Series, curve};
+use crate::lab::page::Page;
 use std::f64::consts::TAU;
 
 const G: f64 = 9.81;
-/// Wind of the growth curves, m/s: they are the same for all, being dimensionless.
+/// Wind of the growth curves, m/s. The curves are dimensionless, so every wind gives the same.
 const WIND: f64 = 10.0;
-/// U(19.5 m) / U(10 m).
+/// Wind at 19.5 m over wind at 10 m.
 const U19: f64 = 1.026;
 
-/// Beaufort force, middle of its winds (m/s), probable and probable highest wave height (m; WMO-No. 306 and Met Office).
+/// Beaufort force, middle of its winds (m/s), probable and probable highest wave height (m; WMO-No. 306 and Met
+/// Office).
 const BEAUFORT: [(u32, f64, f64, f64); 10] = [
     (3, 4.4, 0.6, 1.0),
     (4, 6.7, 1.0, 1.5),
@@ -29,24 +29,19 @@ const BEAUFORT: [(u32, f64, f64, f64); 10] = [
 /// Upper ends of the sea states 0 to 8, m (WMO code table 3700).
 const SEA_STATES: [f64; 9] = [0.0, 0.1, 0.5, 1.25, 2.5, 4.0, 6.0, 9.0, 14.0];
 
-/// Theory of a state of this part.
-pub fn theory(state: &str) -> Result<Theory, String> {
-    Ok(Theory::new(&Plan::new(&params(state)?)))
-}
-
-/// Dimensionless energy m0 g^2 / U^4 and peak frequency f_p U / g at a dimensionless fetch g F / U^2.
+/// The program's dimensionless energy m0 g^2 / U^4 and peak frequency f_p U / g at a dimensionless fetch g F / U^2.
 fn grown(spectrum: &str, x: f64) -> Result<[f64; 2], String> {
     let fetch_km = x * WIND * WIND / G / 1000.0;
     let t = theory(&format!("spectrum={spectrum}&wind={WIND}&fetch={fetch_km}&n=64"))?;
     Ok([t.m0_m2 * G * G / WIND.powi(4), WIND / (G * t.tp_s)])
 }
 
-/// Hasselmann et al. 1973.
+/// Published dimensionless energy and peak frequency: Hasselmann et al. 1973.
 fn jonswap(x: f64) -> [f64; 2] {
     [1.6e-7 * x, 3.5 * x.powf(-0.33)]
 }
 
-/// Donelan, Hamilton and Hui 1985.
+/// Published dimensionless energy and peak frequency: Donelan, Hamilton and Hui 1985.
 fn donelan(x: f64) -> [f64; 2] {
     let age = 11.6 * x.powf(-0.23);
     [2.74e-3 * age.powf(-3.3), age / TAU]
@@ -66,9 +61,10 @@ pub fn write(page: &mut Page) -> Result<(), String> {
 fn growth(page: &mut Page) -> Result<(), String> {
     page.heading(3, "Growth with fetch");
     page.prose(
-        "Dimensionless energy ε = m0 g² / U⁴ and peak frequency ν = f_p U / g over the dimensionless fetch x = g F / U². \
-         Published: JONSWAP (Hasselmann et al. 1973) ε = 1.6·10⁻⁷ x, ν = 3.5 x^-0.33; Donelan et al. 1985 ε = 2.74·10⁻³ \
-         (U/c_p)^-3.3 with U/c_p = 11.6 x^-0.23. Ours: integrals of the spectra `jonswap` and `donelan`.",
+        "Dimensionless energy ε = m0 g² / U⁴ and peak frequency ν = f_p U / g over the dimensionless fetch x = g F / \
+         U². Published: JONSWAP (Hasselmann et al. 1973) ε = 1.6·10⁻⁷ x, ν = 3.5 x^-0.33; Donelan et al. 1985 ε = \
+         2.74·10⁻³ (U/c_p)^-3.3 with U/c_p = 11.6 x^-0.23. The program's numbers (ours) are integrals of the spectra \
+         `jonswap` and `donelan`.",
     );
     let x = Axis::log("dimensionless fetch g F / U²", 100.0, 10_000.0);
     let grid: Vec<f64> = curve(&x, 24, |x| x).iter().map(|p| p[0]).collect();
@@ -91,7 +87,7 @@ fn growth(page: &mut Page) -> Result<(), String> {
             .with(Series::new("donelan, ours", 1, Mark::Line(line(&ours[1]))));
         figures.push((name.to_owned(), figure));
     }
-    page.gallery(&figures, "Growth curves: published fits (dashed) and integrals of our spectra (full).")?;
+    page.figures(&figures, "Growth curves: published fits (dashed) and integrals of the program's spectra (full).")?;
     let mut rows = Vec::new();
     for x in [100.0, 300.0, 1000.0, 3000.0, 10_000.0] {
         for (name, published) in [("jonswap", jonswap(x)), ("donelan", donelan(x))] {
@@ -108,16 +104,13 @@ fn growth(page: &mut Page) -> Result<(), String> {
             ]);
         }
     }
-    page.table(
-        &["g F / U²", "spectrum", "ε, published", "ε, ours", "deviation", "ν, published", "ν, ours", "deviation"],
-        &rows,
-    );
+    page.table("g F / U² | spectrum | ε, published | ε, ours | deviation | ν, published | ν, ours | deviation", &rows);
     page.prose(
-        "The JONSWAP fits are not consistent with each other: the spectrum with α = 0.076 x^-0.22, ν = 3.5 x^-1/3 and γ = 3.3 \
-         integrates to ε = 9.9·10⁻⁸ x^1.11, where the separate fit of ε has 1.6·10⁻⁷ x. So `jonswap` holds more energy than \
-         that fit, 4 % at x = 10² and 76 % (a third more height) at 10⁴; the program keeps the spectrum. The exponent 1/3 instead \
-         of 0.33 in ν is the rounded dimensional form 22 (g²/UF)^1/3. `donelan` is built from its own growth \
-         curve of U/c_p; ε comes out of the integral.",
+        "The JONSWAP fits are not consistent with each other. The spectrum with α = 0.076 x^-0.22, ν = 3.5 x^-1/3 and \
+         γ = 3.3 integrates to ε = 9.9·10⁻⁸ x^1.11, but the separate fit of ε is 1.6·10⁻⁷ x. So `jonswap` holds more \
+         energy than that fit: 4 % more at x = 10² and 76 % more (a third more height) at 10⁴. The program keeps the \
+         spectrum. The exponent 1/3 in ν, instead of 0.33, comes from the rounded dimensional form 22 (g²/UF)^1/3. \
+         `donelan` uses its own growth curve of U/c_p; ε follows from the integral.",
     );
     Ok(())
 }
@@ -125,10 +118,10 @@ fn growth(page: &mut Page) -> Result<(), String> {
 fn full_development(page: &mut Page) -> Result<(), String> {
     page.heading(3, "Full development");
     page.prose(
-        "Pierson and Moskowitz 1964 give S with α = 8.1·10⁻³ and β = 0.74 for the wind at 19.5 m. Its integral is m0 = α g² / \
-         4B with B = β (g/U19.5)⁴, so Hs = 2 sqrt(α/β) U²/g = 0.2092 U19.5²/g, published rounded as 0.21; and ω_p = (4β/5)^1/4 \
-         g/U19.5 = 0.877 g/U19.5, that is f_p = 0.140 g/U19.5, published as 0.14 g/U19.5 (0.13 g/U10 in Hasselmann et al. \
-         1973). With U19.5 = 1.026 U10 these become 0.2203 U10²/g and 0.1361 g/U10.",
+        "Pierson and Moskowitz 1964 give S with α = 8.1·10⁻³ and β = 0.74 for the wind at 19.5 m. Its integral is m0 = \
+         α g² / 4B with B = β (g/U19.5)⁴, so Hs = 2 sqrt(α/β) U²/g = 0.2092 U19.5²/g, published rounded as 0.21. The \
+         peak is ω_p = (4β/5)^1/4 g/U19.5 = 0.877 g/U19.5 or f_p = 0.140 g/U19.5, published as 0.14 g/U19.5 (0.13 \
+         g/U10 in Hasselmann et al. 1973). With U19.5 = 1.026 U10, these become 0.2203 U10²/g and 0.1361 g/U10.",
     );
     let t = theory(&format!("spectrum=pm&wind={WIND}&n=64"))?;
     let (height, peak) = (t.hs_m * G / (WIND * WIND), WIND / (G * t.tp_s));
@@ -136,7 +129,7 @@ fn full_development(page: &mut Page) -> Result<(), String> {
         vec![what.to_owned(), number(published, 4), number(ours, 4), against(ours, published)]
     };
     page.table(
-        &["quantity", "published", "ours", "deviation"],
+        "quantity | published | ours | deviation",
         &[
             entry("Hs g / U10², from the integral", 0.20925 * U19 * U19, height),
             entry("Hs g / U10², rounded: 0.21 for U19.5", 0.21 * U19 * U19, height),
@@ -155,9 +148,9 @@ fn sea_state(hs_m: f64) -> usize {
 fn beaufort(page: &mut Page) -> Result<(), String> {
     page.heading(3, "Beaufort scale and sea states");
     page.prose(
-        "The probable wave heights in the open sea that the World Meteorological Organization gives with the Beaufort scale \
-         (Manual on Codes, WMO-No. 306; the same table at the Met Office), at the middle of each force's winds, and the sea \
-         states of its code table 3700 that our heights fall into.",
+        "The World Meteorological Organization lists probable wave heights in the open sea with the Beaufort scale \
+         (Manual on Codes, WMO-No. 306; the Met Office has the same table). The program's heights are compared with \
+         them at the middle of each force's winds, and classified by the sea states of code table 3700.",
     );
     let x = Axis::linear("wind at 10 m, m/s", 0.0, 36.0);
     let y = Axis::linear("significant wave height Hs, m", 0.0, 20.0);
@@ -186,8 +179,8 @@ fn beaufort(page: &mut Page) -> Result<(), String> {
     page.figure(
         "beaufort",
         &figure,
-        "Significant wave height against wind: ours (lines) and the probable (points) to probable highest (shaded) wave \
-         heights of the Beaufort scale in the open sea (WMO-No. 306).",
+        "Significant wave height against wind: the program's spectra (lines), and probable (points) to probable \
+         highest (shaded) wave heights of the Beaufort scale in the open sea (WMO-No. 306).",
     )?;
     let mut rows = Vec::new();
     for (force, wind, probable, _) in BEAUFORT {
@@ -205,27 +198,18 @@ fn beaufort(page: &mut Page) -> Result<(), String> {
             sea_state(fetch).to_string(),
         ]);
     }
-    let head = [
-        "force",
-        "wind, m/s",
-        "WMO, m",
-        "state",
-        "pm, m",
-        "deviation",
-        "state",
-        "jonswap 500 km, m",
-        "deviation",
-        "state",
-    ];
-    page.table(&head, &rows);
+    page.table(
+        "force | wind, m/s | WMO, m | state | pm, m | deviation | state | jonswap 500 km, m | deviation | state",
+        &rows,
+    );
     page.prose(
-        "The sea state columns are code 3700: 2 up to 0.5 m, 3 to 1.25, 4 to 2.5, 5 to 4, 6 to 6, 7 to 9, 8 to 14, 9 above. \
-         Up to force 7 a fully developed sea is what the scale describes, within 35 %. Above, storms seldom blow long and far \
-         enough: Pierson and Moskowitz's heights grow with U² and are twice the probable ones at force 12. `jonswap` over 500 \
-         km is too high at every force, by a factor of four at force 3 and 14 % at force 12, because its growth curves, fitted \
-         for x = g F / U² up to 10⁴, know no end: it is higher than a fully developed sea beyond x = 1.1·10⁴ and longer beyond \
-         1.7·10⁴ (112 and 173 km at 10 m/s). The program says so when it is a quarter higher; `donelan` and `elfouhaily` stop at full \
-         development by themselves.",
+        "The columns \"state\" hold the sea state of code 3700: 2 up to 0.5 m, 3 to 1.25, 4 to 2.5, 5 to 4, 6 to 6, 7 \
+         to 9, 8 to 14, 9 above. Up to force 7 the scale describes a fully developed sea, within 35 %. Above force 7, \
+         storms seldom blow long and far enough: Pierson and Moskowitz's heights grow with U² and are twice the \
+         probable heights at force 12. `jonswap` over 500 km is too high at every force, by a factor of four at force \
+         3 and by 14 % at force 12. Its growth curves are fitted for x = g F / U² up to 10⁴ and have no limit: it is \
+         higher than a fully developed sea beyond x = 1.1·10⁴ and longer beyond 1.7·10⁴ (112 and 173 km at 10 m/s). A \
+         notice appears where it is a quarter higher. `donelan` and `elfouhaily` stop growing at full development.",
     );
     Ok(())
 }

@@ -1,29 +1,32 @@
 //! Part 6: the distribution of the surface's elevation.
 
-use super::figure::{Axis, Figure, Legend, Mark, Series, curve};
-use super::lab::{Lab, expected_waves, params};
-use super::page::{PENDING, Page, number};
-use crate::lab::stats::{Estimate, estimate, points};
+use super::cells::{measured, number, offset};
+use super::measurement::{Measurement, expected_waves, params};
+use crate::lab::ensemble::{distribution_shape, surface_points};
+use crate::lab::estimate::Estimate;
+use crate::lab::figure::{Axis, Figure, Legend, Mark, Series, curve};
+use crate::lab::page::Page;
 use crate::waves::Plan;
 use std::f64::consts::TAU;
 
 const STATE: &str = "wind=15&fetch=300&n=128";
-/// Range of the histogram in standard deviations, and its bins.
-const REACH: f64 = 5.0;
+/// Half the range of the histogram in standard deviations, and its number of bins.
+const HALF_RANGE: f64 = 5.0;
 const BINS: usize = 50;
 
-/// Exact distribution of a Gaussian sea displaced sideways: phi(u) E[J | u], u the elevation over its deviation.
+/// Exact distribution of the elevation of a Gaussian sea with horizontal displacement: phi(u) E[J | u], where u is the
+/// elevation over its standard deviation and J the Jacobian.
 ///
-/// Elevation and strain are jointly Gaussian, so that E[J | u] = 1 - s1 u + s2 (u^2 - 1), with s1 = lambda (a + b) / sigma
-/// and s2 = lambda^2 (a b - c^2) / m0, where a, b, c are the sums of kx^2/k, kz^2/k and kx kz/k (times the orbit) over the
-/// variance. (The covariances of the strains among themselves cancel in the determinant.)
-struct Displaced {
+/// Elevation and strain are jointly Gaussian, so that E[J | u] = 1 - s1 u + s2 (u^2 - 1), with s1 = lambda (a + b) /
+/// sigma and s2 = lambda^2 (a b - c^2) / m0, where a, b, c are the sums of kx^2/k, kz^2/k and kx kz/k (times the orbit)
+/// over the variance. (The covariances of the strains among themselves cancel in the determinant.)
+struct ChoppyDistribution {
     sigma: f64,
     s1: f64,
     s2: f64,
 }
 
-impl Displaced {
+impl ChoppyDistribution {
     fn new(plan: &Plan, chop: f64) -> Self {
         let (mut m0, mut a, mut b, mut c) = (0.0, 0.0, 0.0, 0.0);
         expected_waves(plan, &mut |wave| {
@@ -40,34 +43,25 @@ impl Displaced {
         (-0.5 * u * u).exp() / TAU.sqrt() * (1.0 - self.s1 * u + self.s2 * (u * u - 1.0))
     }
 
-    /// Mean, deviation, skewness and kurtosis, lengths in sigma.
+    /// Mean and standard deviation in units of sigma, skewness and kurtosis.
     fn shape(&self) -> [f64; 4] {
-        shape([1.0, -self.s1, 1.0 + 2.0 * self.s2, -3.0 * self.s1, 3.0 + 12.0 * self.s2])
+        distribution_shape([1.0, -self.s1, 1.0 + 2.0 * self.s2, -3.0 * self.s1, 3.0 + 12.0 * self.s2])
     }
 }
 
-/// Mean, deviation, skewness and kurtosis from sums of powers 0 to 4.
-fn shape(sums: [f64; 5]) -> [f64; 4] {
-    let [m1, m2, m3, m4] = [1, 2, 3, 4].map(|p| sums[p] / sums[0]);
-    let variance = m2 - m1 * m1;
-    let third = m3 - 3.0 * m1 * m2 + 2.0 * m1.powi(3);
-    let fourth = m4 - 4.0 * m1 * m3 + 6.0 * m1 * m1 * m2 - 3.0 * m1.powi(4);
-    [m1, variance.sqrt(), third / variance.powf(1.5), fourth / (variance * variance)]
-}
+/// Weights of the histogram's bins, and weighted sums of the powers 0 to 4, of one seed.
+type SeedHistogram = ([f64; BINS], [f64; 5]);
 
-/// Weights of the bins and sums of powers of one seed.
-type Sample = ([f64; BINS], [f64; 5]);
-
-fn samples(lab: &Lab<'_>, state: &str, sigma: f64) -> Result<Option<Vec<Sample>>, String> {
+fn histograms(lab: &Measurement<'_>, state: &str, sigma: f64) -> Result<Option<Vec<SeedHistogram>>, String> {
     let mut all = Vec::new();
     for seed in 1..=2 * lab.seeds {
         let plan = Plan::new(&params(&format!("{state}&seed={seed}"))?);
         let Some(maps) = lab.maps(&plan, &[0.0])? else { return Ok(None) };
         let (mut bins, mut sums) = ([0.0; BINS], [0.0; 5]);
-        points(&plan, &maps[0], &mut |eta, weight| {
+        surface_points(&plan, &maps[0], &mut |eta, weight| {
             let u = eta / sigma;
             sums.iter_mut().zip(0..).for_each(|(sum, power)| *sum += weight * u.powi(power));
-            let place = (u / REACH + 1.0) * 0.5 * BINS as f64;
+            let place = (u / HALF_RANGE + 1.0) * 0.5 * BINS as f64;
             if place >= 0.0 && place < BINS as f64 {
                 bins[place as usize] += weight;
             }
@@ -77,17 +71,13 @@ fn samples(lab: &Lab<'_>, state: &str, sigma: f64) -> Result<Option<Vec<Sample>>
     Ok(Some(all))
 }
 
-/// The shape of all seeds together, with errors by leaving one out at a time.
-fn pooled(all: &[Sample]) -> [Estimate; 4] {
-    let without = |left_out: Option<usize>| {
-        let kept = all.iter().enumerate().filter(|(i, _)| Some(*i) != left_out);
-        shape(kept.fold([0.0; 5], |sum, (_, s)| std::array::from_fn(|p| sum[p] + s.1[p])))
-    };
-    let knives: Vec<[f64; 4]> = (0..all.len()).map(|i| without(Some(i))).collect();
-    let whole = without(None);
+/// The shape of the distribution of all seeds together.
+fn pooled_shape(all: &[SeedHistogram]) -> [Estimate; 4] {
     std::array::from_fn(|q| {
-        let rest = estimate(&knives.iter().map(|k| k[q]).collect::<Vec<_>>());
-        Estimate { value: whole[q], error: rest.error.map(|e| e * (all.len() as f64 - 1.0)) }
+        Estimate::jackknife(all.len(), |left_out| {
+            let kept = all.iter().enumerate().filter(|(i, _)| Some(*i) != left_out);
+            distribution_shape(kept.fold([0.0; 5], |sum, (_, s)| std::array::from_fn(|p| sum[p] + s.1[p])))[q]
+        })
     })
 }
 
@@ -95,66 +85,65 @@ fn pooled(all: &[Sample]) -> [Estimate; 4] {
 ///
 /// # Errors
 /// If the GPU does not give its memory back, or a figure cannot be drawn.
-pub fn write(page: &mut Page, lab: &Lab<'_>) -> Result<(), String> {
+pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     page.heading(2, "6. The surface");
     page.prose(
-        "Elevations at random points, wind 15 m/s over 300 km. Without chop the surface is Gaussian. With it, points move \
-         sideways towards the crests, and the sea as one meets it weights each point by the Jacobian J: its density is the \
-         Gaussian times the mean of J at that elevation, φ(u) (1 - s₁ u + s₂ (u² - 1)), exactly, for the linear Lagrangian \
-         sea (the choppy wave model of Nouguier et al. 2009). No parameter is fitted.",
+        "Elevations at random points, wind 15 m/s over 300 km. Without chop the surface is Gaussian. With chop, points \
+         move sideways towards the crests. The distribution over the horizontal plane then weights each point by the \
+         Jacobian J: its density is the Gaussian times the mean of J at that elevation, φ(u) (1 - s₁ u + s₂ (u² - 1)). \
+         This is exact for the linear Lagrangian sea (the choppy wave model of Nouguier et al. 2009). No parameter is \
+         fitted.",
     );
-    let x = Axis::linear("elevation over its standard deviation σ without chop", -REACH, REACH);
-    let gauss = Displaced { sigma: 1.0, s1: 0.0, s2: 0.0 };
+    let x = Axis::linear("elevation over its standard deviation σ without chop", -HALF_RANGE, HALF_RANGE);
+    let gauss = ChoppyDistribution { sigma: 1.0, s1: 0.0, s2: 0.0 };
     let (mut rows, mut figures) = (Vec::new(), Vec::new());
     for chop in [0.0, 1.0] {
         let state = format!("{STATE}&chop={chop}");
-        let theory = Displaced::new(&Plan::new(&params(&state)?), chop);
-        let mut figure =
-            Figure::new(&format!("Chop {chop}"), x.clone(), Axis::log("probability density", 1e-5, 1.0), Legend::Right);
-        let seen = samples(lab, &state, theory.sigma)?;
-        if let Some(all) = &seen {
-            figure = figure.with(Series::new("measured on the GPU", 5, Mark::Bars(histogram(all))));
+        let theory = ChoppyDistribution::new(&Plan::new(&params(&state)?), chop);
+        let y = Axis::log("probability density", 1e-5, 1.0);
+        let mut figure = Figure::new(&format!("Chop {chop}"), x.clone(), y, Legend::Right);
+        let histograms = histograms(lab, &state, theory.sigma)?;
+        if let Some(all) = &histograms {
+            figure = figure.with(Series::new("measured on the GPU", 5, Mark::Bars(bars(all))));
         }
         figure = figure
             .with(Series::new("Gaussian", 6, Mark::Dashes(curve(&x, 200, |u| gauss.density(u)))))
             .with(Series::new("theory", 1, Mark::Line(curve(&x, 200, |u| theory.density(u)))));
         figures.push((format!("surface-chop{chop}"), figure));
-        let seen = seen.as_deref().map(pooled);
+        let shape = histograms.as_deref().map(pooled_shape);
         let names = ["mean, σ", "deviation, σ", "skewness", "kurtosis"];
         for (q, (name, expected)) in names.into_iter().zip(theory.shape()).enumerate() {
-            let e = seen.as_ref().map(|s| s[q]);
+            let estimate = shape.map(|s| s[q]);
             rows.push(vec![
                 number(chop, 0),
                 name.to_owned(),
                 number(expected, 4),
-                super::page::measured(e.as_ref(), 4),
-                e.map_or(PENDING.to_owned(), |e| apart(&e, expected)),
+                measured(estimate, 4),
+                offset(estimate, expected),
             ]);
         }
     }
-    page.gallery(
+    page.figures(
         &figures,
-        "Density of the elevation, all seeds together: bars measured on the GPU, line theory, dashed the Gaussian.",
+        "Probability density of the elevation over all seeds: measured on the GPU (bars), theory (line) and the \
+         Gaussian (dashed).",
     )?;
-    page.table(&["chop", "quantity", "theory", "measured", "deviation"], &rows);
+    page.table("chop | quantity | theory | measured | deviation", &rows);
     page.prose(
-        "The displaced crests are sharp and the troughs flat, yet the skewness of the elevation is near 0, where real seas have \
-         0.1 to 0.2 (Longuet-Higgins 1963): the sideways motion alone lowers the level under a group of high waves by as much \
-         as it raises the crests, and the second-order waves that would undo that are not in a linear model.",
+        "The displaced crests are sharp and the troughs flat, but the skewness of the elevation is near 0; real seas \
+         have 0.1 to 0.2 (Longuet-Higgins 1963). The sideways motion alone lowers the level under a group of high \
+         waves by as much as it raises the crests. The second-order waves that compensate for this are missing from a \
+         linear model.",
     );
     Ok(())
 }
 
-fn apart(e: &Estimate, expected: f64) -> String {
-    let by = e.value - expected;
-    e.error.filter(|&se| se > 0.0).map_or(format!("{by:+.4}"), |se| format!("{by:+.4} ({:+.1} σ)", by / se))
-}
-
-fn histogram(all: &[Sample]) -> Vec<[f64; 3]> {
-    let width = 2.0 * REACH / BINS as f64;
+/// Bars of the histogram over all seeds: lower and upper edge, and probability density.
+fn bars(all: &[SeedHistogram]) -> Vec<[f64; 3]> {
+    let width = 2.0 * HALF_RANGE / BINS as f64;
     let total: f64 = all.iter().map(|s| s.1[0]).sum();
     let bar = |i: usize| {
-        let low = -REACH + i as f64 * width;
+        let low = -HALF_RANGE + i as f64 * width;
         [low, low + width, all.iter().map(|s| s.0[i]).sum::<f64>() / (total * width)]
     };
     (0..BINS).map(bar).filter(|bar| bar[2] > 1e-5).collect()

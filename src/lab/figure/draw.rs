@@ -1,11 +1,11 @@
-//! Draws a figure as SVG: at four times its size, because plotters places on whole units, and shown at its size by the
-//! view box.
+//! Draws a figure as SVG. Plotters rounds positions to whole units, so the figure is drawn at four times its size and
+//! scaled down by the view box.
 
-use super::figure::{Figure, Legend, Mark, Series};
+use super::{Figure, Legend, Mark, Series};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-/// Units per pixel.
+/// SVG units per pixel.
 const FINE: f64 = 4.0;
 const WIDTH: f64 = 640.0;
 const HEIGHT: f64 = 400.0;
@@ -14,7 +14,7 @@ const MARGIN: [f64; 4] = [74.0, 34.0, 18.0, 50.0];
 const INK: RGBColor = RGBColor(34, 40, 49);
 const GRID: RGBColor = RGBColor(225, 229, 234);
 const FAINT: RGBColor = RGBColor(240, 242, 245);
-/// Colours that the colour-blind tell apart (Okabe and Ito 2008).
+/// Palette for colour-blind readers (Okabe and Ito 2008).
 const COLOURS: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -135,12 +135,12 @@ impl Figure {
         let (wide, high) = (46.0 + 6.4 * longest, 8.0 + 17.0 * named.len() as f64);
         let [left, top, right, bottom] = MARGIN;
         let x = match self.legend {
-            Legend::Left | Legend::LowerLeft => left + 8.0,
+            Legend::Left => left + 8.0,
             Legend::Right | Legend::LowerRight => WIDTH - right - 8.0 - wide,
         };
         let y = match self.legend {
             Legend::Left | Legend::Right => top + 8.0,
-            Legend::LowerLeft | Legend::LowerRight => HEIGHT - bottom - 8.0 - high,
+            Legend::LowerRight => HEIGHT - bottom - 8.0 - high,
         };
         area.draw(&Rectangle::new([(x, y), (x + wide, y + high)].map(whole), WHITE.mix(0.85).filled()))?;
         for (i, series) in named.iter().enumerate() {
@@ -177,7 +177,7 @@ impl Figure {
         self.axes.iter().zip(point).all(|(axis, v)| v.is_finite() && (-1e-9..=1.0 + 1e-9).contains(&axis.place(v)))
     }
 
-    /// The stretches of a curve inside the frame.
+    /// The pieces of a curve inside the frame.
     fn visible<'a>(&self, points: &'a [[f64; 2]]) -> Vec<&'a [[f64; 2]]> {
         points.split(|&p| !self.holds(p)).filter(|piece| piece.len() > 1).collect()
     }

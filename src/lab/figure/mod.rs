@@ -1,15 +1,17 @@
-//! One clean style of figure: axes, curves, points with their errors, shaded ranges, bars.
+//! Figures in one style: axes, curves, points with their errors, shaded ranges, bars.
 
-/// One axis: label with unit, range, logarithmic or not.
+mod draw;
+
+/// An axis: label with unit, range, linear or logarithmic.
 #[derive(Clone, Debug)]
 pub struct Axis {
-    pub(super) label: String,
-    pub(super) low: f64,
-    pub(super) high: f64,
+    label: String,
+    low: f64,
+    high: f64,
     log: bool,
 }
 
-/// What a series looks like.
+/// The data of a series and how they are drawn.
 #[derive(Clone, Debug)]
 pub enum Mark {
     /// A curve.
@@ -24,34 +26,32 @@ pub enum Mark {
     Bars(Vec<[f64; 3]>),
 }
 
-/// A series with its place among the colours; without a label it is not in the legend.
+/// A series: label, index of its colour, data. A series without a label does not appear in the legend.
 #[derive(Clone, Debug)]
 pub struct Series {
-    pub(super) label: String,
-    pub(super) colour: usize,
-    pub(super) mark: Mark,
+    label: String,
+    colour: usize,
+    mark: Mark,
 }
 
-/// Where the legend stands.
+/// Corner of the legend.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Legend {
     /// Top left.
     Left,
     /// Top right.
     Right,
-    /// Bottom left.
-    LowerLeft,
     /// Bottom right.
     LowerRight,
 }
 
-/// A figure.
+/// A figure with a title, axes x and y, a legend and series.
 #[derive(Clone, Debug)]
 pub struct Figure {
-    pub(super) title: String,
-    pub(super) axes: [Axis; 2],
-    pub(super) legend: Legend,
-    pub(super) series: Vec<Series>,
+    title: String,
+    axes: [Axis; 2],
+    legend: Legend,
+    series: Vec<Series>,
 }
 
 impl Axis {
@@ -65,7 +65,7 @@ impl Axis {
         Self { log: true, ..Self::linear(label, low, high) }
     }
 
-    /// Place along the axis, 0 to 1 within its range.
+    /// Position along the axis, 0 to 1 within its range.
     pub fn place(&self, value: f64) -> f64 {
         if self.log {
             (value.max(1e-30) / self.low).ln() / (self.high / self.low).ln()
@@ -79,7 +79,7 @@ impl Axis {
         value.max(self.low).min(self.high)
     }
 
-    /// Grid lines and whether they carry a number.
+    /// Values of the grid lines, and whether they carry a number.
     pub fn ticks(&self) -> Vec<(f64, bool)> {
         let inside = |v: f64| (-1e-9..=1.0 + 1e-9).contains(&self.place(v));
         if self.log {
@@ -100,7 +100,7 @@ impl Axis {
         (first..first + 20).map(|i| (i as f64 * step, true)).filter(|&(v, _)| inside(v)).collect()
     }
 
-    /// A number at the axis.
+    /// The text of a number at the axis.
     pub fn number(&self, value: f64) -> String {
         if self.log && !(1e-3..1e5).contains(&value) {
             let exponent = value.log10().floor() as i32;
@@ -129,18 +129,17 @@ impl Series {
         Self { label: label.to_owned(), colour, mark }
     }
 
-    /// The largest y.
+    /// The largest y, at least 0.
     pub fn highest(&self) -> f64 {
-        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
         match &self.mark {
-            Mark::Line(p) | Mark::Dashes(p) => largest(&mut p.iter().map(|p| p[1])),
-            Mark::Points(p) => largest(&mut p.iter().map(|p| p[1] + p[2])),
-            Mark::Band(p) | Mark::Bars(p) => largest(&mut p.iter().map(|p| p[2])),
+            Mark::Line(p) | Mark::Dashes(p) => p.iter().map(|p| p[1]).fold(0.0, f64::max),
+            Mark::Points(p) => p.iter().map(|p| p[1] + p[2]).fold(0.0, f64::max),
+            Mark::Band(p) | Mark::Bars(p) => p.iter().map(|p| p[2]).fold(0.0, f64::max),
         }
     }
 }
 
-/// `count` + 1 points of a function, evenly along an axis.
+/// Samples a function at `count` + 1 points, evenly spaced along an axis.
 pub fn curve(axis: &Axis, count: u32, f: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
     let at = |i: u32| {
         let t = f64::from(i) / f64::from(count);
@@ -155,14 +154,14 @@ impl Figure {
         Self { title: title.to_owned(), axes: [x, y], legend, series: vec![] }
     }
 
-    /// Adds a series above the ones before.
+    /// Adds a series, drawn over the earlier ones.
     #[must_use]
     pub fn with(mut self, series: Series) -> Self {
         self.series.push(series);
         self
     }
 
-    /// Its title.
+    /// The title.
     pub fn title(&self) -> &str {
         &self.title
     }

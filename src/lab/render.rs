@@ -1,7 +1,8 @@
-//! `seastate render --frames`: a sequence of pictures, and what a compositor asks for beside them.
+//! `seastate render`: pictures as PNG, sequences of pictures, and layers for a compositor.
 
-use crate::gpu::Gpu;
-use crate::gpu::readback;
+use super::create_folder;
+use super::reference::{self, Sampling};
+use crate::gpu::{Gpu, readback};
 use crate::ocean::still::{FORMAT, on_film, picture_of};
 use crate::ocean::{Film, Ocean};
 use crate::state::Params;
@@ -9,27 +10,52 @@ use crate::state::views::{Shown, Surface, ViewChoice};
 use exr::prelude::*;
 use std::path::Path;
 
-/// Distance of the near plane, m: depth is this over the distance.
+/// Distance of the near plane, m. The depth texture holds this over the distance.
 const NEAR_M: f32 = 0.1;
-/// What stands for the distance of the sky, m, as compositors have it.
+/// Distance written for the sky, m, as is usual for compositors.
 const SKY_M: f32 = 1e10;
 
-/// What to render.
+/// A sequence of pictures.
 #[derive(Clone, Debug)]
 pub struct Sequence {
     /// Number of pictures.
     pub count: u32,
-    /// Pictures to a second of simulated time.
+    /// Pictures per second; simulated time also depends on the speed of the state.
     pub fps: f64,
-    /// Whether light, distance and normals are written, too.
+    /// Whether to write linear light, distance and normals as OpenEXR files, too.
     pub layers: bool,
 }
 
-/// Renders a sequence from the time of a state on into a folder; says what it has written. Time runs at the state's speed.
+/// Renders a state at its time and writes a PNG. With `sampling`, writes the reference of that picture instead.
 ///
 /// # Errors
-/// One sentence, if there is no adapter or a file cannot be written.
-pub async fn run(
+/// One sentence, if the GPU does not give its memory back or the file cannot be written.
+pub async fn write_picture(
+    gpu: &Gpu,
+    params: &Params,
+    size: [u32; 2],
+    sampling: Option<Sampling>,
+    path: &Path,
+) -> std::result::Result<(), String> {
+    let mut ocean = Ocean::new(gpu, FORMAT, Film::Screen, params);
+    let mut pixels = picture_of(gpu, &mut ocean, size).await?;
+    if let Some(sampling) = sampling {
+        pixels = reference::picture_of(gpu, &mut ocean, size, sampling).await?;
+    }
+    write_png(pixels, size, path)
+}
+
+fn write_png(pixels: Vec<u8>, size: [u32; 2], path: &Path) -> std::result::Result<(), String> {
+    let image = image::RgbaImage::from_raw(size[0], size[1], pixels).ok_or("the picture has a wrong size")?;
+    image.save_with_format(path, image::ImageFormat::Png).map_err(|e| format!("cannot write {}: {e}", path.display()))
+}
+
+/// Renders a sequence that begins at the time of a state, and writes it to a folder. Returns a summary.
+///
+/// # Errors
+/// One sentence, if the GPU does not give its memory back or a file cannot be written.
+pub async fn write_sequence(
+    gpu: &Gpu,
     params: &Params,
     size: [u32; 2],
     sequence: &Sequence,
@@ -38,28 +64,26 @@ pub async fn run(
     if !(sequence.fps.is_finite() && sequence.fps > 0.0) {
         return Err("--fps must be above 0".into());
     }
-    std::fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
-    let gpu = Gpu::request().await?;
+    create_folder(folder)?;
     let mut params = params.clone();
     let start_s = params.clock.t_s;
     let film = if sequence.layers { Film::Layers } else { Film::Screen };
-    let mut ocean = Ocean::new(&gpu, FORMAT, film, &params);
+    let mut ocean = Ocean::new(gpu, FORMAT, film, &params);
     for i in 0..sequence.count {
         params.clock.t_s = start_s + f64::from(i) / sequence.fps * params.clock.speed;
         ocean.set_params(&params);
-        let pixels = picture_of(&gpu, &mut ocean, size).await?;
+        let pixels = picture_of(gpu, &mut ocean, size).await?;
         let path = folder.join(format!("frame-{i:05}.png"));
-        let image = image::RgbaImage::from_raw(size[0], size[1], pixels).ok_or("the picture has a wrong size")?;
-        image.save(&path).map_err(|e| format!("cannot write {}: {e}", path.display()))?;
+        write_png(pixels, size, &path)?;
         if sequence.layers {
-            write_layers(&gpu, &mut ocean, &params, size, &path.with_extension("exr")).await?;
+            write_layers(gpu, &mut ocean, &params, size, &path.with_extension("exr")).await?;
         }
     }
     let what = if sequence.layers { "pictures and layers" } else { "pictures" };
     Ok(format!("{} {what} in {}", sequence.count, folder.display()))
 }
 
-/// Light of the picture last drawn, then distance and normals of the same moment.
+/// Writes the light of the last picture, and the distance and normals at the same time, as OpenEXR.
 async fn write_layers(
     gpu: &Gpu,
     ocean: &mut Ocean,
@@ -95,7 +119,7 @@ async fn write_layers(
             if depth[i] <= 0.0 {
                 return (r, g, b, SKY_M, 0.0, 0.0, 0.0);
             }
-            // The view holds x east, north, up from 0 to 1.
+            // The view maps the components east, north and up from -1..1 to 0..1.
             let [east, north, up] = [0, 1, 2].map(|c| 2.0 * normals[4 * i + c] - 1.0);
             (r, g, b, NEAR_M / depth[i], east, up, -north)
         });
@@ -105,7 +129,7 @@ async fn write_layers(
         .map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 
-/// The light of the frame last drawn, RGBA, row by row.
+/// Linear light of the last frame, RGBA, row by row.
 async fn light_of(gpu: &Gpu, ocean: &Ocean) -> std::result::Result<Vec<f32>, String> {
     let texture = ocean.light().ok_or("nothing was drawn")?;
     let mut encoder = gpu.encoder("light");

@@ -1,25 +1,26 @@
-//! `seastate export`: the maps as OpenEXR, 32-bit float, named channels; and what they mean as plan.json.
+//! `seastate export`: the maps as OpenEXR files with named channels of 32-bit floats, and their description as
+//! plan.json.
 
+use super::{create_folder, write_file};
 use crate::gpu::Gpu;
 use crate::ocean::Ocean;
 use crate::state::{Params, query};
 use exr::prelude::*;
 use std::path::Path;
 
-/// The foam level that is exported.
+/// Index of the exported foam level.
 const FOAM_LEVEL: usize = 1;
 
-/// A named channel and its value at texel i, row by row.
+/// Name of a channel, and its value at texel i, row by row.
 type Channel<'a> = (&'static str, Box<dyn Fn(usize) -> f32 + 'a>);
 
-/// Writes the maps of a state at its time to a folder.
+/// Writes the maps of a state at its time to a folder. With `raw`, also writes heights.f32 and displacement.f16.
 ///
 /// # Errors
 /// One sentence, if the folder cannot be written or the GPU does not give its memory back.
-pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Result<(), String> {
-    std::fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
-    let gpu = Gpu::request().await?;
-    let mut ocean = Ocean::waves_only(&gpu, params);
+pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::result::Result<(), String> {
+    create_folder(folder)?;
+    let mut ocean = Ocean::waves_only(gpu, params);
     let maps = ocean.read_maps().await?;
     let foam = ocean.read_foam().await?.remove(FOAM_LEVEL);
     let plan = ocean.plan().clone();
@@ -46,10 +47,11 @@ pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Resu
     write(&folder.join("foam.exr"), foam.n, &channels)?;
     if raw {
         let heights: Vec<f32> = (0..maps.cascades()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
-        save(&folder.join("heights.f32"), bytemuck::cast_slice(&heights))?;
+        write_file(&folder.join("heights.f32"), bytemuck::cast_slice(&heights))?;
+        // The displacement maps as the renderer samples them, level 0.
         let texels = ocean.read_displacement().await?;
         let halves: Vec<f16> = texels.iter().flatten().map(|&x| f16::from_f32(x)).collect();
-        save(&folder.join("displacement.f16"), bytemuck::cast_slice(&halves))?;
+        write_file(&folder.join("displacement.f16"), bytemuck::cast_slice(&halves))?;
     }
     let about = serde_json::json!({
         "state": query::write(params),
@@ -67,11 +69,12 @@ pub async fn run(params: &Params, folder: &Path, raw: bool) -> std::result::Resu
         })).collect::<Vec<_>>(),
         "foam": {
             "file": "foam.exr", "n": foam.n, "side_m": foam.n as f64 * foam.texel_m, "corner_xz_m": foam.corner,
-            "what": "foam 0..1 in undisplaced coordinates; the first row lies at the smallest z; of the sea as it is drawn, blended from shifted copies of the patches unless untile is false",
+            "what": "foam 0..1 in undisplaced coordinates, first row at the smallest z; for the sea as drawn, which \
+             blends shifted copies of the patches unless untile is false",
         },
     });
     let text = serde_json::to_string_pretty(&about).unwrap_or_default() + "\n";
-    save(&folder.join("plan.json"), text.as_bytes())
+    write_file(&folder.join("plan.json"), text)
 }
 
 /// Writes a square image of f32 channels.
@@ -80,14 +83,10 @@ fn write(path: &Path, n: usize, channels: &[Channel<'_>]) -> std::result::Result
         .iter()
         .map(|(name, value)| AnyChannel::new(*name, FlatSamples::F32((0..n * n).map(value).collect())))
         .collect();
-    // Lines in order: the same state gives the same bytes, and every reader takes them.
+    // Scan lines in increasing order: equal states give equal bytes, and every reader supports them.
     let encoding =
         Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
     let layer = Layer::new((n, n), LayerAttributes::default(), encoding, AnyChannels::sort(list));
     let image = Image::from_layer(layer);
     image.write().to_file(path).map_err(|e| format!("cannot write {}: {e}", path.display()))
-}
-
-fn save(path: &Path, bytes: &[u8]) -> std::result::Result<(), String> {
-    std::fs::write(path, bytes).map_err(|e| format!("cannot write {}: {e}", path.display()))
 }

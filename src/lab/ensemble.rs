@@ -1,0 +1,269 @@
+//! Measures the sea on the GPU over an ensemble of seeds.
+
+use super::estimate::Estimate;
+use crate::gpu::{Gpu, readback};
+use crate::oracle::foam::jacobian;
+use crate::oracle::{self, transform};
+use crate::shaders::Shaders;
+use crate::sim::{MAX_STEPS, MapsF32, Simulation};
+use crate::state::Params;
+use crate::waves::plan::Cascade;
+use crate::waves::statistics::{self, SpectralMoments};
+use crate::waves::{Plan, noise};
+use std::f64::consts::{PI, TAU};
+
+/// Phase advance of the fastest wave between the two read-backs that separate opposite directions of travel, rad.
+const ADVANCE_RAD: f64 = 1.0;
+/// Points of the displaced surface that each seed contributes to skewness and kurtosis.
+const POINTS: u32 = 1 << 16;
+
+/// Statistics measured in the f32 copy of the maps. Heights belong to the undisplaced grid; periods and directions to
+/// the waves that two read-backs separate from the opposite waves; skewness and kurtosis to the displaced surface,
+/// weighted by the Jacobian.
+#[derive(Debug)]
+pub struct MeasuredStatistics {
+    /// Significant wave height from the mean variance over the seeds, m.
+    pub hs_m: Estimate,
+    /// Mean elevation, m.
+    pub mean_m: Estimate,
+    /// Mean square slope.
+    pub mss: Estimate,
+    /// Mean period 2 pi m0 / m1, s.
+    pub tm01_s: Estimate,
+    /// Mean zero-crossing period 2 pi sqrt(m0 / m2), s.
+    pub tm02_s: Estimate,
+    /// Mean direction that the waves come from, degrees clockwise from north; `None` without a mean direction.
+    pub from_deg: Option<Estimate>,
+    /// First directional moment along the mean direction, 0 to 1.
+    pub r1: Estimate,
+    /// Directional spread sqrt(2 (1 - r1)), degrees.
+    pub spread_deg: Estimate,
+    /// Skewness of the elevation.
+    pub skewness: Estimate,
+    /// Kurtosis of the elevation, 3 for a Gaussian.
+    pub kurtosis: Estimate,
+    /// Largest relative difference between a seed's variance and the sum of its squared amplitudes.
+    pub parseval_error: f64,
+    /// Number of seeds.
+    pub seeds: u32,
+}
+
+/// Statistics of one seed.
+pub struct SeedStatistics {
+    variance: f64,
+    mean: f64,
+    mss: f64,
+    skewness: f64,
+    kurtosis: f64,
+    travelling: SpectralMoments,
+    parseval_error: f64,
+}
+
+/// A wave that travels along its wave vector.
+#[derive(Clone, Copy, Debug)]
+pub struct TravellingWave {
+    /// Variance, m^2.
+    pub variance: f64,
+    /// Wave number, rad/m.
+    pub k: f64,
+    /// Angular frequency, rad/s.
+    pub omega: f64,
+    /// Unit vector of travel (x, z).
+    pub unit: [f64; 2],
+}
+
+/// Measures a state over `seeds` seeds, counted from the state's own. `visit` gets every wave, with the index of its
+/// seed.
+///
+/// # Errors
+/// If the GPU does not give its memory back.
+pub async fn measure(
+    gpu: &Gpu,
+    sim: &mut Simulation,
+    params: &Params,
+    seeds: u32,
+    visit: &mut dyn FnMut(usize, &TravellingWave),
+) -> Result<MeasuredStatistics, String> {
+    let shaders = Shaders::default();
+    let t_s = params.clock.t_s;
+    let plan = Plan::new(params);
+    let later_s = t_s + ADVANCE_RAD / plan.dispersion.omega(plan.k_max());
+    let mut all = Vec::new();
+    for i in 0..seeds {
+        let mut params = params.clone();
+        params.sea.seed = params.sea.seed.wrapping_add(i);
+        let plan = Plan::new(&params);
+        sim.set_plan(gpu, plan.clone(), &shaders);
+        let maps = [sim.read_f32(gpu, t_s).await?, sim.read_f32(gpu, later_s).await?];
+        all.push(seed_statistics(&plan, &maps, [t_s, later_s], &mut |wave| visit(i as usize, wave)));
+    }
+    Ok(summary(&all))
+}
+
+/// Means and standard errors over the seeds.
+fn summary(all: &[SeedStatistics]) -> MeasuredStatistics {
+    let values = |f: &dyn Fn(&SeedStatistics) -> f64| all.iter().map(f).collect::<Vec<_>>();
+    let over = |f: &dyn Fn(&SeedStatistics) -> f64| Estimate::mean(&values(f));
+    let variance = over(&|s| s.variance);
+    let hs_m = 4.0 * variance.value.sqrt();
+    let [m0, m1, m2] = [0, 1, 2].map(|p| values(&|s| s.travelling.m[p]));
+    let [east, south] = [0, 1].map(|axis| values(&|s| s.travelling.toward[axis]));
+    let (x, z) = (east.iter().sum::<f64>(), south.iter().sum::<f64>());
+    let length = x.hypot(z).max(f64::MIN_POSITIVE);
+    let component =
+        |a: f64, b: f64| -> Vec<f64> { east.iter().zip(&south).map(|(e, s)| (e * a + s * b) / length).collect() };
+    // Components along the mean direction and across it.
+    let (along, across) = (component(x, z), component(-z, x));
+    let r1 = Estimate::ratio(&along, &m0);
+    let turn_deg = Estimate::ratio(&across, &along).scaled(180.0 / PI);
+    let tm02 = Estimate::ratio(&m0, &m2);
+    MeasuredStatistics {
+        hs_m: variance.mapped(hs_m, 0.5 * hs_m / variance.value.max(f64::MIN_POSITIVE)),
+        mean_m: over(&|s| s.mean),
+        mss: over(&|s| s.mss),
+        tm01_s: Estimate::ratio(&m0, &m1).scaled(TAU),
+        tm02_s: tm02.mapped(TAU * tm02.value.sqrt(), TAU * 0.5 / tm02.value.sqrt().max(1e-9)),
+        from_deg: (r1.value > statistics::NO_DIRECTION).then(|| turn_deg.mapped(statistics::from_deg([x, z]), 1.0)),
+        r1,
+        spread_deg: spread_deg(r1),
+        skewness: over(&|s| s.skewness),
+        kurtosis: over(&|s| s.kurtosis),
+        parseval_error: all.iter().map(|s| s.parseval_error).fold(0.0, f64::max),
+        seeds: all.len() as u32,
+    }
+}
+
+/// The directional spread of a first directional moment, degrees.
+pub fn spread_deg(r1: Estimate) -> Estimate {
+    let deg = statistics::spread_deg(r1.value);
+    r1.mapped(deg, 180.0 / PI / deg.to_radians().max(1e-9))
+}
+
+/// Statistics of one seed from its maps at two times.
+fn seed_statistics(
+    plan: &Plan,
+    maps: &[MapsF32; 2],
+    times: [f64; 2],
+    visit: &mut dyn FnMut(&TravellingWave),
+) -> SeedStatistics {
+    let (mut variance, mut mean, mut mss) = (0.0, 0.0, 0.0);
+    let now = &maps[0];
+    let count = (now.n * now.n) as f64;
+    let mut travelling = SpectralMoments::default();
+    for (c, cascade) in plan.cascades.iter().enumerate() {
+        let level = now.displacement(c).iter().map(|d| f64::from(d[1])).sum::<f64>() / count;
+        mean += level;
+        variance += now.displacement(c).iter().map(|d| (f64::from(d[1]) - level).powi(2)).sum::<f64>() / count;
+        mss += now.gradients(c).iter().map(|g| f64::from(g[0]).powi(2) + f64::from(g[1]).powi(2)).sum::<f64>() / count;
+        let displacements = [0, 1].map(|i: usize| maps[i].displacement(c));
+        travelling_waves(plan, cascade, displacements, times, &mut |wave| {
+            travelling.add(wave.variance, wave.k, wave.omega, wave.unit);
+            visit(wave);
+        });
+    }
+    let expected = statistics::realised_variance(plan, times[0]);
+    let parseval_error = if expected == 0.0 { variance } else { (variance - expected).abs() / expected };
+    let mut sums = [0.0; 5];
+    surface_points(plan, now, &mut |eta, weight| {
+        sums.iter_mut().zip(0..).for_each(|(sum, power)| *sum += weight * eta.powi(power));
+    });
+    let [_, _, skewness, kurtosis] = distribution_shape(sums);
+    SeedStatistics { variance, mean, mss, skewness, kurtosis, travelling, parseval_error }
+}
+
+/// Visits the waves of a cascade. With X(k, t) = A e^{-i w t} + B* e^{+i w t} at two times, A is the amplitude of the
+/// wave that travels along k; its variance is 2 |A|^2.
+fn travelling_waves(
+    plan: &Plan,
+    cascade: &Cascade,
+    displacements: [&[[f32; 4]]; 2],
+    times: [f64; 2],
+    visit: &mut dyn FnMut(&TravellingWave),
+) {
+    let n = plan.n as usize;
+    let [first, second] = displacements.map(|d| transform_of_heights(n, d));
+    let passed = plan.phase_time(times[1]).wrapping_sub(plan.phase_time(times[0]));
+    let scale = 1.0 / (n * n) as f64;
+    for z in 0..n {
+        for x in 0..n {
+            let (ix, iz) = (oracle::signed_index(x, n), oracle::signed_index(z, n));
+            let wave = plan.wave(cascade, (ix * ix + iz * iz) as u32);
+            if (ix, iz) == (0, 0) || !cascade.holds(wave.k) || ix == -(n as i32) / 2 || iz == -(n as i32) / 2 {
+                continue;
+            }
+            let at = z * n + x;
+            let turn = TAU * f64::from(wave.turns.wrapping_mul(passed)) / 4_294_967_296.0;
+            let (sin, cos) = turn.sin_cos();
+            // The transforms are conjugates: A* = (X2* - X1* e^{-i turn}) / (2 i sin turn).
+            let (a, b) = (first[at], second[at]);
+            let re = b[0] - (a[0] * cos + a[1] * sin);
+            let im = b[1] - (a[1] * cos - a[0] * sin);
+            let amplitude = scale / (2.0 * sin);
+            let variance = 2.0 * (re * re + im * im) * amplitude * amplitude;
+            let unit = [f64::from(ix), f64::from(iz)].map(|i| i * cascade.dk() / wave.k);
+            visit(&TravellingWave { variance, k: wave.k, omega: wave.omega, unit });
+        }
+    }
+}
+
+/// The inverse transform of a map's heights. Heights are real, so it is the conjugate of the forward transform.
+pub fn transform_of_heights(n: usize, displacement: &[[f32; 4]]) -> Vec<[f64; 2]> {
+    let heights: Vec<[f64; 2]> = displacement.iter().map(|d| [f64::from(d[1]), 0.0]).collect();
+    transform::inverse_2d(n, &heights)
+}
+
+/// Visits elevation and Jacobian at random points of the sum of cascades. The cascades are independent of each other
+/// and statistically homogeneous, so a point of the sum is a random texel of each cascade, without interpolation.
+pub fn surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f64)) {
+    let n = maps.n as u32;
+    for i in 0..POINTS {
+        let (mut eta, mut strain) = (0.0, [0.0; 3]);
+        for c in 0..maps.cascades() {
+            let at = noise::pcg4d([i, c as u32, plan.sea.seed, 17]);
+            let at = ((at[0] % n) * n + at[1] % n) as usize;
+            let (d, g) = (maps.displacement(c)[at], maps.gradients(c)[at]);
+            eta += f64::from(d[1]);
+            strain[0] += f64::from(g[2]);
+            strain[1] += f64::from(g[3]);
+            strain[2] += f64::from(d[3]);
+        }
+        visit(eta, jacobian([strain[0], strain[1], strain[2], strain[2]], plan.sea.lambda()));
+    }
+}
+
+/// Mean, standard deviation, skewness and kurtosis from weighted sums of the powers 0 to 4. All but the mean are 0
+/// without variance.
+pub fn distribution_shape(sums: [f64; 5]) -> [f64; 4] {
+    let [m1, m2, m3, m4] = [1, 2, 3, 4].map(|p| sums[p] / sums[0]);
+    let variance = m2 - m1 * m1;
+    if variance <= 0.0 {
+        return [m1, 0.0, 0.0, 0.0];
+    }
+    let third = m3 - 3.0 * m1 * m2 + 2.0 * m1.powi(3);
+    let fourth = m4 - 4.0 * m1 * m3 + 6.0 * m1 * m1 * m2 - 3.0 * m1.powi(4);
+    [m1, variance.sqrt(), third / variance.powf(1.5), fourth / (variance * variance)]
+}
+
+/// Mean foam over all levels after a cold start at `t_s`, 0 to 1.
+///
+/// # Errors
+/// If the GPU does not give its memory back.
+pub async fn mean_foam(gpu: &Gpu, sim: &mut Simulation, t_s: f64) -> Result<f64, String> {
+    let levels = foam_levels(gpu, sim, t_s, [0.0; 2]).await?;
+    let count: usize = levels.iter().map(Vec::len).sum();
+    Ok(levels.iter().flatten().map(|&f| f64::from(f)).sum::<f64>() / count as f64)
+}
+
+/// Foam of every level around `centre` (x, z in m) after a cold start at `t_s`, in the toroidal order of the texture.
+///
+/// # Errors
+/// If the GPU does not give its memory back.
+pub async fn foam_levels(gpu: &Gpu, sim: &mut Simulation, t_s: f64, centre: [f64; 2]) -> Result<Vec<Vec<f32>>, String> {
+    let mut encoder = gpu.encoder("foam");
+    sim.encode(gpu, &mut encoder, t_s, centre, MAX_STEPS);
+    let copy = readback::stage_texture(gpu, &mut encoder, &sim.resources.foam, 0);
+    gpu.submit(encoder);
+    let texels = copy.read_map(gpu).await?;
+    let size = sim.resources.foam_n as usize;
+    Ok(texels.chunks(size * size).map(|level| level.iter().map(|t| t[0]).collect()).collect())
+}

@@ -1,0 +1,54 @@
+//! Estimates from an ensemble: a value with its standard error.
+
+/// A mean over an ensemble.
+#[derive(Clone, Copy, Debug)]
+pub struct Estimate {
+    /// The mean.
+    pub value: f64,
+    /// Standard error of the mean; `None` for a single member.
+    pub error: Option<f64>,
+}
+
+impl Estimate {
+    /// The mean of values and its standard error.
+    pub fn mean(values: &[f64]) -> Self {
+        let count = values.len() as f64;
+        let value = values.iter().sum::<f64>() / count;
+        let squares = values.iter().map(|v| (v - value).powi(2)).sum::<f64>();
+        Self { value, error: (values.len() > 1).then(|| (squares / (count - 1.0) / count).sqrt()) }
+    }
+
+    /// The ratio of two means; its standard error is of first order. 0 if the denominator's mean is 0.
+    pub fn ratio(numerator: &[f64], denominator: &[f64]) -> Self {
+        let mean = denominator.iter().sum::<f64>() / denominator.len() as f64;
+        if mean == 0.0 {
+            return Self { value: 0.0, error: None };
+        }
+        let value = numerator.iter().sum::<f64>() / denominator.len() as f64 / mean;
+        let residuals: Vec<f64> = numerator.iter().zip(denominator).map(|(a, b)| (a - value * b) / mean).collect();
+        Self { value, error: Self::mean(&residuals).error }
+    }
+
+    /// A statistic of `count` members with its jackknife error: `statistic` gets the index of the member to leave out,
+    /// or `None` for all members.
+    pub fn jackknife(count: usize, statistic: impl Fn(Option<usize>) -> f64) -> Self {
+        let replicates: Vec<f64> = (0..count).map(|i| statistic(Some(i))).collect();
+        let error = Self::mean(&replicates).error.map(|e| e * (count as f64 - 1.0));
+        Self { value: statistic(None), error }
+    }
+
+    /// The estimate times a factor.
+    pub fn scaled(self, factor: f64) -> Self {
+        self.mapped(factor * self.value, factor)
+    }
+
+    /// A function of the estimate, given by the function's value and derivative there.
+    pub fn mapped(self, value: f64, derivative: f64) -> Self {
+        Self { value, error: self.error.map(|e| e * derivative.abs()) }
+    }
+
+    /// A point of a figure: x, the value and its standard error (0 for a single member).
+    pub fn at(self, x: f64) -> [f64; 3] {
+        [x, self.value, self.error.unwrap_or(0.0)]
+    }
+}

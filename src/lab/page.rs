@@ -1,0 +1,100 @@
+//! A page of Markdown: headings, prose, tables and figures.
+
+use super::figure::Figure;
+use super::{create_folder, write_file};
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// Markdown with the figures that it shows.
+#[derive(Clone, Debug, Default)]
+pub struct Page {
+    text: String,
+    figures: Vec<(String, String)>,
+}
+
+impl Page {
+    /// Adds a heading; level 1 is the title.
+    pub fn heading(&mut self, level: usize, text: &str) {
+        let _ = writeln!(self.text, "{} {text}\n", "#".repeat(level));
+    }
+
+    /// Adds a paragraph, broken into lines of at most 120 characters.
+    pub fn prose(&mut self, text: &str) {
+        let mut column = 0;
+        for word in text.split_whitespace() {
+            let length = word.chars().count();
+            let gap = match column {
+                0 => "",
+                _ if column + 1 + length > 120 => "\n",
+                _ => " ",
+            };
+            column = if gap == " " { column + 1 + length } else { length };
+            let _ = write!(self.text, "{gap}{word}");
+        }
+        self.text.push_str("\n\n");
+    }
+
+    /// Adds a table. `head` holds the column titles, separated by " | ".
+    pub fn table(&mut self, head: &str, rows: &[Vec<String>]) {
+        let columns = head.split(" | ").count();
+        let _ = writeln!(self.text, "| {head} |\n|{}", "---|".repeat(columns));
+        for row in rows {
+            let _ = writeln!(self.text, "| {} |", row.join(" | "));
+        }
+        self.text.push('\n');
+    }
+
+    /// Adds a figure with its caption; `name` is the stem of its file.
+    ///
+    /// # Errors
+    /// If it cannot be drawn.
+    pub fn figure(&mut self, name: &str, figure: &Figure, caption: &str) -> Result<(), String> {
+        let _ = writeln!(self.text, "![{}](validation/{name}.svg)\n", figure.title());
+        self.prose(&format!("*{caption}*"));
+        self.keep(name, figure)
+    }
+
+    /// Adds figures, two in a row, with one caption.
+    ///
+    /// # Errors
+    /// If one cannot be drawn.
+    pub fn figures(&mut self, figures: &[(String, Figure)], caption: &str) -> Result<(), String> {
+        self.text.push_str("| | |\n|---|---|\n");
+        for pair in figures.chunks(2) {
+            let cell = |(name, figure): &(String, Figure)| format!("![{}](validation/{name}.svg)", figure.title());
+            let cells: Vec<_> = pair.iter().map(cell).collect();
+            let _ = writeln!(self.text, "| {} | {} |", cells[0], cells.get(1).map_or("", String::as_str));
+        }
+        self.text.push('\n');
+        self.prose(&format!("*{caption}*"));
+        figures.iter().try_for_each(|(name, figure)| self.keep(name, figure))
+    }
+
+    fn keep(&mut self, name: &str, figure: &Figure) -> Result<(), String> {
+        self.figures.push((name.to_owned(), figure.svg()?));
+        Ok(())
+    }
+
+    /// The Markdown, with one line feed at its end.
+    pub fn markdown(&self) -> String {
+        format!("{}\n", self.text.trim_end())
+    }
+
+    /// Stems and SVG of the figures.
+    pub fn drawings(&self) -> &[(String, String)] {
+        &self.figures
+    }
+
+    /// Writes `name`.md to a folder, and the figures to its folder validation/.
+    ///
+    /// # Errors
+    /// If a file cannot be written.
+    pub fn write(&self, folder: &Path, name: &str) -> Result<(), String> {
+        let drawings = if self.figures.is_empty() { folder.to_owned() } else { folder.join("validation") };
+        create_folder(&drawings)?;
+        for (figure, svg) in &self.figures {
+            write_file(&drawings.join(format!("{figure}.svg")), svg)?;
+        }
+        write_file(&folder.join(format!("{name}.md")), self.markdown())
+    }
+}

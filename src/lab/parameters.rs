@@ -1,0 +1,77 @@
+//! `seastate keys`: the keys of the state string, from [`FIELDS`], as text and as docs/parameters.md.
+
+use super::page::Page;
+use crate::state::fields::{FIELDS, Field, Group};
+use std::fmt::Write as _;
+
+/// Keys whose values are no numbers: key, and meaning in Markdown. [`listing`] leaves the markup out.
+const SPECIAL_KEYS: [(&str, &str); 3] = [
+    (
+        "measured",
+        "A buoy's spectrum, shown by `spectrum=measured`: bands f\\*S or f\\*S\\*alpha1\\*alpha2\\*r1\\*r2, separated \
+         by _, in Hz, m²/Hz, degrees that the waves come from, and 0..1. The program writes it when it reads a buoy's \
+         file.",
+    ),
+    (
+        "sky",
+        "Name of a sky file, an equirectangular `.hdr` or `.exr` in linear light, that is dropped on the window or \
+         given by `--sky`. A link does not contain the file: without it, the built-in sky is shown, with a notice.",
+    ),
+    (
+        "afloat",
+        "Floating objects: `buoy` or `boat`, metres east, metres south, joined by \\*, separated by _: \
+         `buoy*20*-30_boat*0*40`. At most 16.",
+    ),
+];
+
+/// The keys of the state string as text for a terminal.
+pub fn listing() -> String {
+    let mut text = String::new();
+    for field in FIELDS.iter() {
+        let unit = if field.unit.is_empty() { String::new() } else { format!(" {}", field.unit) };
+        let default = field.format(field.default_value());
+        let _ = writeln!(text, "{:<10} {} (default {default}{unit})", field.key, field.range());
+        let _ = writeln!(text, "           {}", field.help);
+    }
+    for (key, meaning) in SPECIAL_KEYS {
+        let _ = writeln!(text, "{key:<10} {}", meaning.replace(['\\', '`'], ""));
+    }
+    text
+}
+
+/// The Markdown of docs/parameters.md.
+pub fn page() -> String {
+    let mut page = Page::default();
+    page.heading(1, "Parameters");
+    page.prose(
+        "Every parameter has a key in the state string, which holds only the values that differ from their defaults. \
+         `seastate keys --markdown` writes this page from the program's own table; `seastate keys` prints the table to \
+         a terminal.",
+    );
+    for group in Group::ALL {
+        page.heading(2, group.label());
+        let rows: Vec<_> = FIELDS.iter().filter(|f| f.group == group).map(row).collect();
+        page.table("key | name | unit | values | default | meaning", &rows);
+    }
+    page.heading(2, "Other keys");
+    for (key, meaning) in SPECIAL_KEYS {
+        page.prose(&format!("`{key}`: {meaning}"));
+    }
+    page.markdown()
+}
+
+fn row(field: &Field) -> Vec<String> {
+    let unit = match field.unit {
+        "deg" => "°",
+        unit => unit,
+    };
+    let default = field.default_value();
+    let default = if default == 0.0 && !field.zero.is_empty() { field.zero.to_owned() } else { field.format(default) };
+    let key = format!("`{}`", field.key);
+    vec![key, field.label.into(), unit.into(), field.range(), default, escaped(field.help)]
+}
+
+/// Text with Markdown's special characters escaped.
+fn escaped(text: &str) -> String {
+    text.replace('*', "\\*").replace('|', "\\|").replace('_', "\\_")
+}

@@ -1,0 +1,115 @@
+//! `seastate validate --all`: every spectrum with every spreading in thirteen sea states, measured on the GPU.
+
+use super::cells::{deviation, measured, number, turned};
+use super::measurement::Measurement;
+use super::words;
+use crate::gpu::Gpu;
+use crate::lab::estimate::Estimate;
+use crate::lab::page::Page;
+
+/// Wind (m/s), fetch (km), depth (m): from calm to hurricane, from deep water to 3 m.
+pub const STATES: [(f64, f64, f64); 13] = [
+    (1.5, 2.0, 4000.0),
+    (3.0, 10.0, 4000.0),
+    (5.0, 20.0, 100.0),
+    (7.0, 50.0, 30.0),
+    (10.0, 100.0, 4000.0),
+    (10.0, 100.0, 20.0),
+    (10.0, 100.0, 5.0),
+    (10.0, 300.0, 3.0),
+    (15.0, 300.0, 4000.0),
+    (20.0, 500.0, 50.0),
+    (25.0, 50.0, 10.0),
+    (32.0, 1000.0, 4000.0),
+    (45.0, 800.0, 200.0),
+];
+
+/// Compares measured with resolved numbers.
+#[derive(Default)]
+struct Comparisons {
+    /// Differences in standard errors.
+    errors: Vec<f64>,
+    /// Sentences about differences beyond 4 standard errors.
+    outliers: Vec<String>,
+}
+
+impl Comparisons {
+    fn compare(&mut self, state: &str, estimate: Option<Estimate>, expected: f64) {
+        if let Some(Estimate { value, error: Some(error) }) = estimate {
+            self.errors.push((value - expected) / error);
+            if (value - expected).abs() > 4.0 * error {
+                self.outliers.push(format!("`{state}`: {value:.5} ± {error:.5} against {expected:.5}"));
+            }
+        }
+    }
+
+    fn beyond(&self, limit: f64) -> usize {
+        self.errors.iter().filter(|e| e.abs() > limit).count()
+    }
+}
+
+/// The page of all seas whose state string contains `only`.
+///
+/// # Errors
+/// If no state string does, or the GPU does not give its memory back.
+pub fn build(gpu: &Gpu, seeds: u32, only: &str) -> Result<Page, String> {
+    let lab = Measurement { gpu: Some(gpu), seeds };
+    let (mut rows, mut comparisons) = (Vec::new(), Comparisons::default());
+    for spectrum in words("spectrum") {
+        for spread in words("spread") {
+            for (wind, fetch, depth) in STATES {
+                let state =
+                    format!("spectrum={spectrum}&spread={spread}&wind={wind}&fetch={fetch}&depth={depth}&n=128");
+                if state.contains(only) {
+                    rows.push(row(&lab, &state, &mut comparisons)?);
+                }
+            }
+        }
+    }
+    if rows.is_empty() {
+        return Err(format!("no state contains '{only}'"));
+    }
+    let mut page = Page::default();
+    page.heading(1, "Validation: every spectrum with every spreading");
+    let count = comparisons.errors.len();
+    page.prose(&format!(
+        "`seastate validate --all`: {} seas over {seeds} seeds each. Of {count} comparisons of measured with resolved \
+         numbers, {} lie beyond 2 standard errors, {} beyond 3 and {} beyond 4; their root mean square is {:.2} \
+         standard errors. With few seeds the standard errors are themselves uncertain, and these shares are larger \
+         than a Gaussian's.",
+        rows.len(),
+        comparisons.beyond(2.0),
+        comparisons.beyond(3.0),
+        comparisons.beyond(4.0),
+        (comparisons.errors.iter().map(|e| e * e).sum::<f64>() / count as f64).sqrt(),
+    ));
+    for line in &comparisons.outliers {
+        page.prose(&format!("Beyond 4: {line}"));
+    }
+    page.table(
+        "sea | Hs, theory | resolved | measured | deviation | Tm02, resolved | measured | deviation | mss, resolved | \
+         measured | deviation | spread, resolved | measured | deviation | from 240°, measured | deviation",
+        &rows,
+    );
+    Ok(page)
+}
+
+fn row(lab: &Measurement<'_>, state: &str, comparisons: &mut Comparisons) -> Result<Vec<String>, String> {
+    let sea = lab.sea(state)?;
+    let r = &sea.resolved;
+    let mut cells = vec![format!("`{state}`"), number(sea.theory.hs_m, 3)];
+    for (estimate, expected, digits) in [
+        (sea.get(|m| m.hs_m), r.hs_m, 3),
+        (sea.get(|m| m.tm02_s), r.tm02_s, 3),
+        (sea.get(|m| m.mss), r.mss, 5),
+        (sea.get(|m| m.spread_deg), r.spread_deg, 2),
+    ] {
+        cells.extend([number(expected, digits), measured(estimate, digits), deviation(estimate, expected)]);
+        comparisons.compare(state, estimate, expected);
+    }
+    cells.extend(match r.mean_from_deg {
+        Some(from_deg) => [measured(sea.direction_deg(), 2), turned(sea.direction_deg(), from_deg)],
+        None => ["none".to_owned(), "none".to_owned()],
+    });
+    Ok(cells)
+}

@@ -1,0 +1,171 @@
+//! Measurements for the validation page: ensembles over seeds with the variance of their waves sorted into bins, foam,
+//! maps.
+
+use crate::gpu::Gpu;
+use crate::lab::ensemble::{self, MeasuredStatistics, TravellingWave};
+use crate::lab::estimate::Estimate;
+use crate::shaders::Shaders;
+use crate::sim::{MapsF32, Simulation};
+use crate::state::{Params, query};
+use crate::waves::Plan;
+use crate::waves::plan::Cascade;
+use crate::waves::statistics::{Resolved, Theory};
+use crate::waves::table::{Table, index};
+
+/// Measures seas for the page.
+pub struct Measurement<'a> {
+    /// The GPU; `None` leaves all measurements out.
+    pub gpu: Option<&'a Gpu>,
+    /// Seeds of an ensemble.
+    pub seeds: u32,
+}
+
+/// A sea with its theoretical, resolved and measured statistics.
+pub struct MeasuredSea {
+    /// The plan.
+    pub plan: Plan,
+    /// Integrals of the spectrum.
+    pub theory: Theory,
+    /// Sums over the waves on the lattices.
+    pub resolved: Resolved,
+    /// Means over the seeds; `None` without a GPU.
+    pub measured: Option<MeasuredStatistics>,
+    /// The waves, sorted into bins.
+    pub bins: Vec<WaveBin>,
+}
+
+/// The waves in a bin. Each triple holds the variance, m^2, and the variance times the unit vector of travel (x, z).
+#[derive(Clone, Debug, Default)]
+pub struct WaveBin {
+    /// Expected from the lattices.
+    pub expected: [f64; 3],
+    /// Measured, one triple for each seed.
+    pub measured: Vec<[f64; 3]>,
+}
+
+/// Parses a state of the page.
+///
+/// # Errors
+/// If the state string is not taken as written.
+pub fn params(state: &str) -> Result<Params, String> {
+    let (params, notices) = query::parse(state);
+    if notices.is_empty() { Ok(params) } else { Err(format!("{state}: {}", notices.join("; "))) }
+}
+
+/// Theoretical statistics of a state of the page.
+///
+/// # Errors
+/// If the state string is not taken as written.
+pub fn theory(state: &str) -> Result<Theory, String> {
+    Ok(Theory::new(&Plan::new(&params(state)?)))
+}
+
+impl Measurement<'_> {
+    /// Theory and measurement of a state.
+    ///
+    /// # Errors
+    /// If the state is wrong, or the GPU does not give its memory back.
+    pub fn sea(&self, state: &str) -> Result<MeasuredSea, String> {
+        self.binned_sea(state, 0, &|_| None)
+    }
+
+    /// Theory and measurement of a state, with its waves sorted into `bins` bins; `bin_of` gives the bin of a wave, or
+    /// `None` for a wave outside of all bins.
+    ///
+    /// # Errors
+    /// If the state is wrong, or the GPU does not give its memory back.
+    pub fn binned_sea(
+        &self,
+        state: &str,
+        bins: usize,
+        bin_of: &dyn Fn(&TravellingWave) -> Option<usize>,
+    ) -> Result<MeasuredSea, String> {
+        let params = params(state)?;
+        let plan = Plan::new(&params);
+        let theory = Theory::new(&plan);
+        let resolved = Resolved::new(&plan, theory.m0_m2);
+        let mut bins = vec![WaveBin { measured: vec![[0.0; 3]; self.seeds as usize], ..WaveBin::default() }; bins];
+        let add = |sum: &mut [f64; 3], wave: &TravellingWave| {
+            let parts = [wave.variance, wave.variance * wave.unit[0], wave.variance * wave.unit[1]];
+            sum.iter_mut().zip(parts).for_each(|(sum, part)| *sum += part);
+        };
+        if !bins.is_empty() {
+            expected_waves(&plan, &mut |wave| {
+                if let Some(bin) = bin_of(wave) {
+                    add(&mut bins[bin].expected, wave);
+                }
+            });
+        }
+        let measured = match self.gpu {
+            None => None,
+            Some(gpu) => {
+                let mut sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
+                let mut visit = |seed: usize, wave: &TravellingWave| {
+                    if let Some(bin) = bin_of(wave) {
+                        add(&mut bins[bin].measured[seed], wave);
+                    }
+                };
+                Some(pollster::block_on(ensemble::measure(gpu, &mut sim, &params, self.seeds, &mut visit))?)
+            }
+        };
+        Ok(MeasuredSea { plan, theory, resolved, measured, bins })
+    }
+
+    /// Mean foam over all levels after a cold start, over `seeds` seeds; `None` without a GPU.
+    ///
+    /// # Errors
+    /// If the state is wrong, or the GPU does not give its memory back.
+    pub fn foam(&self, state: &str, seeds: u32) -> Result<Option<Estimate>, String> {
+        let Some(gpu) = self.gpu else { return Ok(None) };
+        let mut means = Vec::new();
+        for seed in 1..=seeds {
+            let params = params(&format!("{state}&seed={seed}"))?;
+            let mut sim = Simulation::new(gpu, Plan::new(&params), &Shaders::default());
+            means.push(pollster::block_on(ensemble::mean_foam(gpu, &mut sim, params.clock.t_s))?);
+        }
+        Ok(Some(Estimate::mean(&means)))
+    }
+
+    /// The maps of a plan at several times, s; `None` without a GPU.
+    ///
+    /// # Errors
+    /// If the GPU does not give its memory back.
+    pub fn maps(&self, plan: &Plan, times: &[f64]) -> Result<Option<Vec<MapsF32>>, String> {
+        let Some(gpu) = self.gpu else { return Ok(None) };
+        let mut sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
+        let mut read = |t_s: &f64| pollster::block_on(sim.read_f32(gpu, *t_s));
+        times.iter().map(&mut read).collect::<Result<_, _>>().map(Some)
+    }
+}
+
+impl MeasuredSea {
+    /// A measured quantity; `None` without a GPU.
+    pub fn get(&self, quantity: impl Fn(&MeasuredStatistics) -> Estimate) -> Option<Estimate> {
+        self.measured.as_ref().map(quantity)
+    }
+
+    /// The measured mean direction that the waves come from, degrees; `None` without a GPU or a mean direction.
+    pub fn direction_deg(&self) -> Option<Estimate> {
+        self.measured.as_ref().and_then(|m| m.from_deg)
+    }
+}
+
+/// Visits every wave of a plan with its expected variance.
+pub fn expected_waves(plan: &Plan, visit: &mut dyn FnMut(&TravellingWave)) {
+    for cascade in &plan.cascades {
+        let table = Table::new(plan, cascade);
+        for (ix, iz, k) in lattice(plan, cascade) {
+            let unit = [ix, iz].map(|i| f64::from(i) * cascade.dk() / k);
+            let omega = table.waves[index(ix, iz)].omega;
+            visit(&TravellingWave { variance: 4.0 * table.variance(ix, iz), k, omega, unit });
+        }
+    }
+}
+
+/// Signed indices (x, z) and wave numbers, rad/m, of the waves of a cascade.
+pub fn lattice<'a>(plan: &Plan, cascade: &'a Cascade) -> impl Iterator<Item = (i32, i32, f64)> + 'a {
+    let half = plan.n as i32 / 2;
+    let all = (1 - half..half).flat_map(move |iz| (1 - half..half).map(move |ix| (ix, iz)));
+    let wave = |(ix, iz): (i32, i32)| (ix, iz, cascade.dk() * f64::from(ix * ix + iz * iz).sqrt());
+    all.map(wave).filter(|&(ix, iz, k)| (ix, iz) != (0, 0) && cascade.holds(k))
+}
