@@ -15,7 +15,7 @@ const LOSS_WINDOW_SECONDS = 60; // period over which device losses are counted
 const LOSS_REVIVALS = 8; // device losses answered with a new device
 const LOSS_RELOADS = 2; // further device losses answered by reloading the page; after these the page gives up
 const LOSS_KEY = 'seastate-device-lost'; // sessionStorage key of the recent loss times
-const BOX_TOLERANCE_PX = 2; // snapping to whole device pixels moves an edge by less than one
+const BOX_TOLERANCE_PX = 2; // browsers round the canvas's edges to whole device pixels
 
 // Hosts used for development: no offline copy is kept there.
 const LOCAL = new Set(['localhost', '127.0.0.1', '[::1]']);
@@ -105,14 +105,13 @@ function mendPixelSize() {
     ...original,
     get() {
       const reported = original.get.call(this);
-      const size = { inlineSize: this.contentRect.width, blockSize: this.contentRect.height };
-      const value = (name) => Math.round(size[name] * devicePixelRatio);
-      const agrees = (name) => Math.abs(reported[0][name] - value(name)) <= BOX_TOLERANCE_PX;
-      if (agrees('inlineSize') && agrees('blockSize')) return reported;
-      const own = (name) => ({ value: value(name) });
-      return [
-        Object.create(ResizeObserverSize.prototype, { inlineSize: own('inlineSize'), blockSize: own('blockSize') }),
-      ];
+      const { inlineSize, blockSize } = reported[0];
+      const width = Math.round(this.contentRect.width * devicePixelRatio);
+      const height = Math.round(this.contentRect.height * devicePixelRatio);
+      const error = Math.max(Math.abs(inlineSize - width), Math.abs(blockSize - height));
+      if (error <= BOX_TOLERANCE_PX) return reported;
+      const corrected = { inlineSize: { value: width }, blockSize: { value: height } };
+      return [Object.create(ResizeObserverSize.prototype, corrected)];
     },
   });
 }
