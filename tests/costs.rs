@@ -169,12 +169,12 @@ fn count(module: &str, entry: &str) -> Count {
 #[test]
 fn the_budget_of_the_picture_is_that_of_its_shaders() {
     let of = [
-        ("mesh", "main", cost::VERTEX),
-        ("water_deferred", "mesh_vertex", cost::DRAWN_VERTEX),
-        ("water_deferred", "mesh_fragment", cost::SHOWN),
-        ("water_deferred", "light_fragment", cost::LIGHT),
-        ("sky", "fragment", cost::BACKGROUND),
-        ("present", "fragment", cost::PRESENT),
+        ("water/displace", "main", cost::VERTEX),
+        ("water/light", "mesh_vertex", cost::DRAWN_VERTEX),
+        ("water/light", "mesh_fragment", cost::SHOWN),
+        ("water/light", "light_fragment", cost::LIGHT),
+        ("sky/background", "fragment", cost::BACKGROUND),
+        ("film/present", "fragment", cost::PRESENT),
     ];
     let mut wrong = Vec::new();
     for (module, entry, budget) in of {

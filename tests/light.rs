@@ -155,7 +155,7 @@ fn four_wavelengths_have_the_colours_of_spectra() {
         }
     }
     let cases: Vec<Case> = skies.iter().map(|s| [FOUR.map(|nm| light(nm, *s) as f32), [0.0; 4]]).collect();
-    let found = ask(&Shaders::default(), "sky", "return vec4f(atm_rgb(a), 0.0);", &cases);
+    let found = ask(&Shaders::default(), "sky/background", "return vec4f(atm_rgb(a), 0.0);", &cases);
     let white = rgb(sunlight);
     let mut worst = 0f64;
     for (sky, found) in skies.iter().zip(&found) {
@@ -172,7 +172,7 @@ fn four_wavelengths_have_the_colours_of_spectra() {
     // The coefficients of the shader are those of these tables.
     let found = ask(
         &Shaders::default(),
-        "sky",
+        "sky/background",
         "return select(ATM_OZONE, ATM_RAYLEIGH, a.x > 0.0);",
         &[[[1.0; 4], [0.0; 4]], [[0.0; 4], [0.0; 4]]],
     );
@@ -200,8 +200,11 @@ fn fog_length([eye, mu, start, end]: [f64; 4], [falloff, top]: [f64; 2]) -> f64 
 
 #[test]
 fn fog_is_what_quadrature_gives() {
-    let shaders =
-        Shaders::default().patched("sky", "@group(0) @binding(1) var<uniform> sky: Sky;", "var<private> sky: Sky;");
+    let shaders = Shaders::default().patched(
+        "sky/background",
+        "@group(0) @binding(1) var<uniform> sky: Sky;",
+        "var<private> sky: Sky;",
+    );
     let horizon = |eye: f64| -(2.0 * eye / EARTH_M).sqrt();
     let mut cases = Vec::new();
     for (falloff, top) in [(30.0, 20.0), (5.0, 0.0), (500.0, 100.0), (1.0, 1000.0)] {
@@ -224,7 +227,7 @@ fn fog_is_what_quadrature_gives() {
     }
     let asked: Vec<Case> =
         cases.iter().map(|(ray, fog)| [ray.map(|v| v as f32), [0.0, 0.0, fog[0] as f32, fog[1] as f32]]).collect();
-    let found = ask(&shaders, "sky", "sky.fog = b; return vec4f(fog_length(a.x, a.y, a.z, a.w));", &asked);
+    let found = ask(&shaders, "sky/background", "sky.fog = b; return vec4f(fog_length(a.x, a.y, a.z, a.w));", &asked);
     for ((ray, fog), found) in cases.iter().zip(&found) {
         let exact = fog_length(*ray, *fog);
         let error = (found[0] - exact).abs();
@@ -240,7 +243,7 @@ fn tone(curve: u32, colours: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let cases: Vec<Case> =
         colours.iter().map(|c| [[c[0] as f32, c[1] as f32, c[2] as f32, curve as f32], [0.0; 4]]).collect();
     let body = "return vec4f(present_tone(u32(a.w), a.xyz), 0.0);";
-    ask(&Shaders::default(), "present", body, &cases).into_iter().map(|a| [a[0], a[1], a[2]]).collect()
+    ask(&Shaders::default(), "film/present", body, &cases).into_iter().map(|a| [a[0], a[1], a[2]]).collect()
 }
 
 fn srgb(c: f64) -> f64 {

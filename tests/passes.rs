@@ -71,7 +71,7 @@ const LLVMPIPE: (Way, MapFormat) = (Way::Merged, MapFormat::Half);
 /// One fault of 1 % in each pass: where it stands, and which lines must turn red.
 const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("spectrum", "h = gauss * sqrt(variance)", "h = 1.01 * gauss * sqrt(variance)", "spectrum"),
-    ("foam", "let l = sea.chop;", "let l = 1.01 * sea.chop;", "foam"),
+    ("foam/foam", "let l = sea.chop;", "let l = 1.01 * sea.chop;", "foam"),
 ];
 
 /// The same in what differs between adapters.

@@ -142,21 +142,21 @@ impl Bench {
         // What the questions set must be variables.
         let shaders = shaders
             .patched(
-                "water",
+                "water/light",
                 "var<uniform> frame: Frame;",
                 "var<uniform> picture_frame: Frame;\nvar<private> frame: Frame;",
             )
             .patched(
-                "water",
+                "water/light",
                 "var<uniform> material: Material;",
                 "var<uniform> picture_material: Material;\nvar<private> material: Material;",
             )
-            .patched("water", "@group(0) @binding(2) var<uniform> light: Light;", "var<private> light: Light;");
+            .patched("water/light", "@group(0) @binding(2) var<uniform> light: Light;", "var<private> light: Light;");
         let shaders = ["WATER_GGX", "WATER_PHONG", "WATER_SCHLICK"].into_iter().fold(shaders, |shaders, part| {
             let constant = format!("override {part}: bool");
-            shaders.patched("water", &constant, &format!("var<private> {part}: bool"))
+            shaders.patched("water/light", &constant, &format!("var<private> {part}: bool"))
         });
-        let (_, water) = shaders.all().find(|(name, _)| *name == "water").expect("the picture's module");
+        let (_, water) = shaders.all().find(|(name, _)| *name == "water/light").expect("the picture's module");
         let source = format!("{water}\n{}", include_str!("shading.wgsl"));
         let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some("shading"),
@@ -828,7 +828,7 @@ fn the_errata_would_be_found() {
     let mut bench = Bench::new();
     let mut unproved: BTreeSet<&str> = compare(&mut bench, Shaders::default()).iter().map(|l| l.what).collect();
     for Fault(what, patches, red) in FAULTS {
-        let shaders = patches.iter().fold(Shaders::default(), |s, (from, to)| s.patched("water", from, to));
+        let shaders = patches.iter().fold(Shaders::default(), |s, (from, to)| s.patched("water/light", from, to));
         let lines = compare(&mut bench, shaders);
         let line = lines.iter().find(|l| l.what == *red).expect("a line of that name");
         assert!(!line.passes(), "{what} went unseen:\n{}", table(&lines));

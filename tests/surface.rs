@@ -68,7 +68,7 @@ impl Bench {
         let params = params(state);
         let ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, Film::Screen, &params);
         let shaders = Shaders::default();
-        let (_, water) = shaders.all().find(|(name, _)| *name == "water").expect("the picture's module");
+        let (_, water) = shaders.all().find(|(name, _)| *name == "water/light").expect("the picture's module");
         let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some("surface"),
             source: wgpu::ShaderSource::Wgsl(format!("{water}\n{KERNEL}").into()),

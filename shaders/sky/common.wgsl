@@ -9,7 +9,7 @@ struct Sky {
   sun: vec3f,
   // Aerosol relative to a clear day at sea.
   haze: f32,
-  // The sun's colour and strength relative to ours from here, times `unit`.
+  // The sun's colour and strength relative to ours from here, times `night_gain`.
   tint: vec3f,
   // Angular radius of its disc, rad.
   sun_radius: f32,
@@ -33,7 +33,7 @@ struct Sky {
   drift: vec2f,
   mirror_drift: vec2f,
   // All light of the night is carried that many times brighter, so that half floats hold it; the exposure takes it back.
-  unit: f32,
+  night_gain: f32,
   // Heading of the middle of the file, turns.
   turn: f32,
 }

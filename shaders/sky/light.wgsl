@@ -101,7 +101,7 @@ fn whole() {
   let band = total.w / 2.1;
   let ground = sky_luminance(total.rgb + light.sun * max(sky.sun.y, 0.0)) / ATM_PI;
   // In the day's unit.
-  light.key = max((0.85 * band + 0.2 * ground) / sky.unit, 1e-9);
+  light.key = max((0.85 * band + 0.2 * ground) / sky.night_gain, 1e-9);
   // An eye adapts, but not wholly: dusk stays darker than noon, and night is night.
-  light.exposure = 0.66 / pow(light.key, 0.77) / sky.unit;
+  light.exposure = 0.66 / pow(light.key, 0.77) / sky.night_gain;
 }

@@ -1,7 +1,7 @@
-// False colours of the views. Rust twin: render/debug.rs.
+// False colours of the views. Rust twin: render/view.rs.
 
 // A square of the picture that shows one layer of a map; the views on the mesh take only the scale of the first.
-struct DebugTile {
+struct ViewTile {
   // Top left corner, pixels.
   corner: vec2f,
   // Texel that stands there.
@@ -14,10 +14,10 @@ struct DebugTile {
   high: f32,
 }
 
-struct Debug {
+struct View {
   // Colours of the scale, as the screen takes them.
   stops: array<vec4f, 11>,
-  tiles: array<DebugTile, 4>,
+  tiles: array<ViewTile, 4>,
   size: vec2f,
   chop: vec2f,
   kind: u32,
@@ -29,19 +29,19 @@ struct Debug {
 }
 
 // Place of a value in its scale, 0 to 1.
-fn debug_share(value: f32, tile: DebugTile) -> f32 {
+fn view_share(value: f32, tile: ViewTile) -> f32 {
   let even = (value - tile.low) / (tile.high - tile.low);
   let log_low = log2(max(tile.low, 1e-30));
   let decades = (log2(max(value, 1e-30)) - log_low) / (log2(max(tile.high, 1e-30)) - log_low);
-  return clamp(select(even, decades, debug.logarithmic != 0u), 0.0, 1.0);
+  return clamp(select(even, decades, view.logarithmic != 0u), 0.0, 1.0);
 }
 
 // Alpha 0 marks what is not a number, for the last pass to paint.
-fn debug_colour(value: f32, tile: DebugTile) -> vec4f {
+fn view_colour(value: f32, tile: ViewTile) -> vec4f {
   if (bitcast<u32>(value) & 0x7f800000u) == 0x7f800000u {
     return vec4f(0.0);
   }
-  let at = debug_share(value, tile) * 10.0;
+  let at = view_share(value, tile) * 10.0;
   let below = min(u32(at), 9u);
-  return vec4f(mix(debug.stops[below].rgb, debug.stops[below + 1u].rgb, at - f32(below)), 1.0);
+  return vec4f(mix(view.stops[below].rgb, view.stops[below + 1u].rgb, at - f32(below)), 1.0);
 }

@@ -1,8 +1,8 @@
 // Quantities of the drawn surface on its own mesh. Joined to all of the water's parts, so that it sees what the picture sees.
 
-@group(3) @binding(0) var<uniform> debug: Debug;
+@group(3) @binding(0) var<uniform> view: View;
 
-struct DebugWaterVertex {
+struct SurfaceVertex {
   @builtin(position) clip: vec4f,
   @location(0) place: vec3f,
   @location(1) rest: vec3f,
@@ -11,14 +11,14 @@ struct DebugWaterVertex {
 }
 
 @vertex
-fn debug_vertex(@builtin(vertex_index) i: u32) -> DebugWaterVertex {
+fn view_vertex(@builtin(vertex_index) i: u32) -> SurfaceVertex {
   let water = water_vertex(i);
   let lattice = vec2f(f32(i / frame.mesh_rows), f32(i % frame.mesh_rows));
-  return DebugWaterVertex(water.clip, water.place, water.rest, lattice);
+  return SurfaceVertex(water.clip, water.place, water.rest, lattice);
 }
 
 // Share of a pixel on a line a pixel wide at each whole number of `at`, which changes by `width` over the pixel.
-fn debug_lines(at: vec3f, width: vec3f) -> f32 {
+fn view_lines(at: vec3f, width: vec3f) -> f32 {
   let pixels = abs(fract(at - 0.5) - 0.5) / max(width, vec3f(1e-6));
   // Where lines are closer than two pixels they are but a tint.
   let line = mix(clamp(1.0 - pixels, vec3f(0.0), vec3f(1.0)), min(width, vec3f(1.0)), smoothstep(vec3f(0.3), vec3f(0.6), width));
@@ -26,7 +26,7 @@ fn debug_lines(at: vec3f, width: vec3f) -> f32 {
 }
 
 @fragment
-fn debug_fragment(in: DebugWaterVertex) -> @location(0) vec4f {
+fn view_fragment(in: SurfaceVertex) -> @location(0) vec4f {
   let at = in.rest.xz;
   let dx = dpdx(at);
   let dy = dpdy(at);
@@ -35,20 +35,20 @@ fn debug_fragment(in: DebugWaterVertex) -> @location(0) vec4f {
   // Triangles are bounded by columns, rows and the diagonals that run against both.
   let edges = vec3f(in.lattice, in.lattice.x + in.lattice.y);
   let width = fwidth(edges);
-  let tile = debug.tiles[0];
+  let tile = view.tiles[0];
   let slope = water_slope(at, foot);
-  switch debug.kind {
+  switch view.kind {
     case 1u: {
       let n = water_normal(slope.mean);
       return vec4f(0.5 + 0.5 * vec3f(n.x, -n.z, n.y), 1.0);
     }
-    case 2u: { return debug_colour(slope.jacobian, tile); }
-    case 3u: { return debug_colour(slope.variance.x + slope.variance.y, tile); }
-    case 4u: { return debug_colour(log2(max(foot.size * frame.cascades[tile.layer].z * frame.n, 1e-6)), tile); }
-    case 5u: { return debug_colour(water_foam(at, dx, dy).cover, tile); }
+    case 2u: { return view_colour(slope.jacobian, tile); }
+    case 3u: { return view_colour(slope.variance.x + slope.variance.y, tile); }
+    case 4u: { return view_colour(log2(max(foot.size * frame.cascades[tile.layer].z * frame.n, 1e-6)), tile); }
+    case 5u: { return view_colour(water_foam(at, dx, dy).cover, tile); }
     default: {
       let fill = vec3f(0.05, 0.12, 0.17) * (0.4 + 0.6 * abs(dot(facet, vec3f(0.48, 0.8, 0.36))));
-      return vec4f(mix(fill, vec3f(0.62, 0.88, 0.94), 0.8 * debug_lines(edges, width)), 1.0);
+      return vec4f(mix(fill, vec3f(0.62, 0.88, 0.94), 0.8 * view_lines(edges, width)), 1.0);
     }
   }
 }

@@ -1,14 +1,12 @@
 //! The uniform of a picture: everything relative to the eye, worked out in f64.
 
-use super::Scene;
+use super::scene::{Scene, SeaLook};
 use super::water::mesh::Mesh;
 use crate::gpu::layout::gpu_struct;
 use crate::sim::Maps;
 use crate::sim::maps::{FOAM_LEVELS, MAX_DRAWN, TilePlace};
 use crate::waves::slopes::SlopeVariance;
 use std::f64::consts::PI;
-
-pub use crate::state::camera::View;
 
 /// Shrinkage of the finest cascade for the ripples below it. Not a rung of the ladder of patches.
 const RIPPLE_RATIO: f64 = 13.1;
@@ -18,44 +16,6 @@ const RIPPLE_SHARE: f64 = 0.8;
 const MAX_RIPPLES: usize = 2;
 /// Most cascades and ripples.
 const MAX_SHOWN: usize = MAX_DRAWN + MAX_RIPPLES;
-
-/// What a picture must know of the sea besides the maps.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SeaLook {
-    /// Horizontal displacement along x and z.
-    pub chop: [f32; 2],
-    /// Significant wave height, m.
-    pub hs_m: f32,
-    /// Depth of the water, m.
-    pub depth_m: f32,
-    /// Wind 10 m above the sea, m/s.
-    pub wind_m_s: f32,
-    /// Unit vector (x, z) where the wind blows to.
-    pub downwind: [f32; 2],
-    /// Mean square slopes, along and across the wind, of the waves that no cascade holds.
-    pub residual: SlopeVariance,
-    /// And of those that the finest cascade holds.
-    pub finest: SlopeVariance,
-    /// The sea that it fades out of.
-    pub fading: Option<Fading>,
-    /// Waves shorter than this focus no light on the bed, m.
-    pub focusing_m: f32,
-    /// Foam beyond the foam levels.
-    pub mean_foam: f32,
-    /// Wavelength of the peak, m.
-    pub lambda_p_m: f32,
-    /// How far the clouds have drifted along x and z, m.
-    pub cloud_drift_m: [f64; 2],
-}
-
-/// A sea that fades into the one that is looked at.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fading {
-    /// Mean square slopes, along and across the wind, of the waves that its finest cascade holds.
-    pub finest: SlopeVariance,
-    /// What is left of it: its share of the variance.
-    pub share: f64,
-}
 
 gpu_struct! {
     /// WGSL `Frame`.

@@ -3,36 +3,36 @@
 //! A frame: the sky's look-up tables (only when the light changed), sky and water into an HDR target, tone curve to the
 //! screen. Every pass is a pure function of [`Scene`] and [`Maps`].
 
-pub mod film;
+mod film;
 mod frame;
-mod kit;
 mod reference;
+mod scene;
+mod scene_group;
 mod sky;
 mod targets;
+mod variants;
 mod views;
 mod water;
 
-pub use frame::{Fading, SeaLook, View};
 pub use reference::{Grid, Reference};
+pub use scene::{Fading, Scene, SeaLook};
 pub use targets::Film;
 
 use crate::gpu::Gpu;
 use crate::gpu::kit::Uniform;
 use crate::gpu::layout::Layout;
 use crate::gpu::timer::Timer;
-use crate::point::afloat::Pose;
 use crate::shaders::Shaders;
 use crate::sim::Maps;
-use crate::sim::maps::MAX_CASCADES;
-use crate::state::look::Look;
 use crate::state::views::Shown;
-use crate::waves::scale::Scale;
-use film::present::PresentPass;
+use film::present::{PresentPass, PresentUniform};
 use frame::FrameUniform;
-use sky::Sky;
-use sky::background::Background;
+use scene_group::SceneGroup;
+use sky::background::BackgroundPass;
+use sky::tables::SkyTables;
+use sky::uniform::{LightBuffer, SkyUniform};
 use targets::Targets;
-use views::DebugPass;
+use views::{ViewPass, ViewTile, ViewUniform};
 use water::eye::EyePass;
 use water::floats::FloatsPass;
 use water::light::WaterPass;
@@ -44,34 +44,15 @@ use water::noise::NoiseTexture;
 pub const LAYOUTS: &[Layout] = &[
     FrameUniform::LAYOUT,
     MaterialUniform::LAYOUT,
-    sky::SkyUniform::LAYOUT,
-    sky::LightBuffer::LAYOUT,
-    film::present::PresentUniform::LAYOUT,
-    views::DebugTile::LAYOUT,
-    views::DebugUniform::LAYOUT,
+    SkyUniform::LAYOUT,
+    LightBuffer::LAYOUT,
+    PresentUniform::LAYOUT,
+    ViewTile::LAYOUT,
+    ViewUniform::LAYOUT,
 ];
 
 /// Pixels of the picture for which the mesh's default density is made.
 const REFERENCE_PIXELS: f64 = 1280.0 * 720.0;
-
-/// Everything that a picture depends on besides the maps.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Scene {
-    /// Eye and projection.
-    pub view: View,
-    /// Whether the eye's height counts from the water below it.
-    pub rides: bool,
-    /// Light, sky and film.
-    pub look: Look,
-    /// What the maps do not tell of the sea.
-    pub sea: SeaLook,
-    /// What the colours of a view stand for, layer by layer of its maps; the picture has no use for it.
-    pub scales: [Scale; MAX_CASCADES],
-    /// What floats, in the world.
-    pub floats: Vec<Pose>,
-    /// Height of the still water in the world, m.
-    pub level_m: f64,
-}
 
 /// A part of the picture that can be recorded by itself, to be timed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -90,16 +71,16 @@ pub enum Part {
 pub struct Renderer {
     frame: Uniform<FrameUniform>,
     material: Uniform<MaterialUniform>,
-    sky: Sky,
+    sky: SkyTables,
     eye: EyePass,
     water: WaterPass,
-    background: Background,
+    background: BackgroundPass,
     floats: FloatsPass,
     present: PresentPass,
     targets: Option<Targets>,
     target_format: wgpu::TextureFormat,
     /// Since the first view was asked for.
-    debug: Option<DebugPass>,
+    view: Option<ViewPass>,
     /// Whether a view was drawn last.
     shows_view: bool,
     timer: Timer,
@@ -112,9 +93,9 @@ impl Renderer {
         let frame = Uniform::new(gpu, "frame");
         let material = Uniform::new(gpu, "material");
         let noise = NoiseTexture::new(gpu);
-        let sky = Sky::new(gpu, &shaders, &noise);
-        let scene = kit::SceneGroup::new(gpu, &frame, &material, &sky, &noise, film);
-        let background = Background::new(gpu, &shaders);
+        let sky = SkyTables::new(gpu, &shaders, &noise);
+        let scene = SceneGroup::new(gpu, &frame, &material, &sky, &noise, film);
+        let background = BackgroundPass::new(gpu, &shaders);
         let water = WaterPass::new(gpu, &shaders, scene, &frame);
         let eye = EyePass::new(gpu, &shaders, &frame, &water);
         let floats = FloatsPass::new(gpu, &shaders);
@@ -133,7 +114,7 @@ impl Renderer {
             present,
             targets: None,
             target_format,
-            debug: None,
+            view: None,
             shows_view: false,
             timer: Timer::default(),
         }
@@ -190,9 +171,9 @@ impl Renderer {
         if let (Shown::Surface(_), Some(maps)) = (&scene.look.view.shown, self.water.maps_group()) {
             self.water.mesh.run(encoder, maps);
         }
-        let make = || DebugPass::new(gpu, &Shaders::default(), &self.water, self.target_format);
-        let debug = self.debug.get_or_insert_with(make);
-        debug.draw(gpu, encoder, (maps, scene), &self.water, targets);
+        let make = || ViewPass::new(gpu, &Shaders::default(), &self.water, self.target_format);
+        let view = self.view.get_or_insert_with(make);
+        view.draw(gpu, encoder, (maps, scene), &self.water, targets);
     }
 
     /// Records the passes of the picture into the targets.
@@ -248,8 +229,8 @@ impl Renderer {
 
     /// Draws the tone-mapped picture, or the view, into the current viewport.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
-        match &self.debug {
-            Some(debug) if self.shows_view => debug.show(pass),
+        match &self.view {
+            Some(view) if self.shows_view => view.show(pass),
             _ => self.present.draw(pass),
         }
     }

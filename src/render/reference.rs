@@ -4,11 +4,12 @@
 //! A grid of samples is drawn as a larger picture, several times with its samples moved. Whoever draws averages the linear
 //! light ([`Grid`] says which samples are a pixel's) and hands the mean back to be shown by the usual film.
 
+use super::Renderer;
 use super::frame::FrameUniform;
+use super::scene::Scene;
 use super::targets::{Film, Targets};
 use super::water::displace;
 use super::water::mesh::{self, Mesh};
-use super::{Renderer, Scene};
 use crate::gpu::Gpu;
 use crate::sim::Maps;
 use half::f16;

@@ -8,15 +8,27 @@ use fft::{Transform, Way};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// One WGSL file.
-struct Part {
-    file: &'static str,
-    text: &'static str,
+/// A piece of a module's text.
+enum Part {
+    /// A WGSL file: its path below shaders/ and its text.
+    File(&'static str, &'static str),
+    /// Parts that belong together.
+    Group(&'static [Part]),
+}
+
+impl Part {
+    /// The files of a part, in order.
+    fn files(&self) -> Vec<(&'static str, &'static str)> {
+        match self {
+            Self::File(path, text) => vec![(*path, *text)],
+            Self::Group(parts) => parts.iter().flat_map(Self::files).collect(),
+        }
+    }
 }
 
 macro_rules! part {
     ($file:literal) => {
-        Part { file: $file, text: include_str!(concat!("../../shaders/", $file)) }
+        Part::File($file, include_str!(concat!("../../shaders/", $file)))
     };
 }
 
@@ -31,27 +43,43 @@ const COLUMNS_MAPS: Part = part!("waves/columns_maps.wgsl");
 const ROWS_WAVES: Part = part!("waves/rows_waves.wgsl");
 const MIPS: Part = part!("waves/mips.wgsl");
 const ATMOSPHERE: Part = part!("sky/atmosphere.wgsl");
-const SKY: Part = part!("sky/common.wgsl");
-const SKY_MODEL: Part = part!("sky/model.wgsl");
-const FOG: Part = part!("sky/fog.wgsl");
-const AIR: Part = part!("sky/air.wgsl");
-const FRAME: Part = part!("common/frame.wgsl");
-/// What the passes of the picture read.
-const SCENE: Part = part!("common/scene.wgsl");
-const MESH: Part = part!("water/mesh.wgsl");
-const WATER_SURFACE: Part = part!("water/surface.wgsl");
-const WATER_FOAM: Part = part!("water/foam.wgsl");
+const SKY_COMMON: Part = part!("sky/common.wgsl");
+const VIEWS: Part = part!("views/common.wgsl");
+/// Clear air and the structs of the sky: what the sky's tables are made with.
+const AIR_TABLES: Part = Part::Group(&[ATMOSPHERE, SKY_COMMON]);
+/// Radiance of the sky in a direction.
+const SKY: Part = Part::Group(&[AIR_TABLES, part!("sky/model.wgsl"), part!("sky/fog.wgsl")]);
+/// What every pass of the HDR picture reads.
+const PICTURE: Part =
+    Part::Group(&[SKY, part!("common/frame.wgsl"), part!("common/scene.wgsl"), part!("sky/air.wgsl")]);
+/// The displaced surface.
+const SURFACE: Part = Part::Group(&[
+    MATHS,
+    NOISE,
+    TILES,
+    part!("water/mesh.wgsl"),
+    part!("water/spline.wgsl"),
+    part!("water/surface.wgsl"),
+]);
+/// The surface without the rest of the picture.
+const BARE_SURFACE: Part = Part::Group(&[part!("common/frame.wgsl"), SURFACE]);
 /// Light and matter of the water.
-const MATERIAL: Part = part!("water/material.wgsl");
-const WATER_FRESNEL: Part = part!("water/fresnel.wgsl");
-const WATER_FACETS: Part = part!("water/facets.wgsl");
-const WATER_MIRROR: Part = part!("water/mirror.wgsl");
-const WATER_BODY: Part = part!("water/body.wgsl");
-const WATER_BED: Part = part!("water/bed.wgsl");
-const WATER_FORWARD: Part = part!("water/forward.wgsl");
-const DEBUG: Part = part!("views/common.wgsl");
+const WATER: Part = Part::Group(&[
+    PICTURE,
+    SURFACE,
+    part!("water/slope.wgsl"),
+    part!("water/material.wgsl"),
+    part!("water/fresnel.wgsl"),
+    part!("water/facets.wgsl"),
+    part!("water/mirror.wgsl"),
+    part!("water/body.wgsl"),
+    part!("water/bed.wgsl"),
+    part!("water/foam.wgsl"),
+    part!("water/water.wgsl"),
+]);
 
-/// Module names and the parts they are joined from; the last part holds the entry points.
+/// Module names and the parts they are joined from; the last part holds the entry points. The name of a module of the
+/// picture is the path of that file.
 const MODULES: &[(&str, &[Part])] = &[
     ("spectrum", &[MATHS, SEA, NOISE, part!("waves/spectrum.wgsl")]),
     ("rows", &[MATHS, SEA, FFT_COMMON, FFT, ROWS_WAVES, part!("waves/rows.wgsl")]),
@@ -67,63 +95,32 @@ const MODULES: &[(&str, &[Part])] = &[
     ),
     ("mips_level", &[SEA, MIPS, part!("waves/mips_level.wgsl")]),
     ("mips_chain", &[SEA, MIPS, part!("waves/mips_chain.wgsl")]),
-    ("foam", &[MATHS, SEA, NOISE, TILES, part!("foam/foam.wgsl")]),
-    ("sky_transmittance", &[ATMOSPHERE, SKY, part!("sky/transmittance.wgsl")]),
-    ("sky_multiple", &[ATMOSPHERE, SKY, part!("sky/multiple.wgsl")]),
-    ("sky_view", &[ATMOSPHERE, SKY, part!("sky/view.wgsl")]),
-    ("sky_environment", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, part!("sky/environment.wgsl")]),
-    ("sky_filter", &[part!("sky/filter.wgsl")]),
-    ("sky_light", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, part!("sky/light.wgsl")]),
-    ("sky", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, SCENE, AIR, part!("sky/background.wgsl")]),
-    ("floats", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, SCENE, AIR, part!("water/floats.wgsl")]),
-    ("mesh", &[MATHS, NOISE, TILES, FRAME, MESH, WATER_SURFACE, part!("water/displace.wgsl")]),
-    ("eye", &[MATHS, NOISE, TILES, FRAME, MESH, WATER_SURFACE, part!("water/eye.wgsl")]),
-    (
-        "water",
-        &[
-            ATMOSPHERE,
-            SKY,
-            SKY_MODEL,
-            FOG,
-            MATHS,
-            NOISE,
-            TILES,
-            FRAME,
-            SCENE,
-            AIR,
-            MATERIAL,
-            MESH,
-            WATER_SURFACE,
-            WATER_FRESNEL,
-            WATER_FACETS,
-            WATER_MIRROR,
-            WATER_BODY,
-            WATER_BED,
-            WATER_FOAM,
-            part!("water/water.wgsl"),
-        ],
-    ),
-    ("bloom", &[part!("film/bloom.wgsl")]),
-    ("present", &[SKY, part!("film/present.wgsl")]),
-    ("debug_map", &[MATHS, SEA, DEBUG, part!("views/map.wgsl")]),
-    ("debug_show", &[part!("views/show.wgsl")]),
+    ("foam/foam", &[MATHS, SEA, NOISE, TILES, part!("foam/foam.wgsl")]),
+    ("sky/transmittance", &[AIR_TABLES, part!("sky/transmittance.wgsl")]),
+    ("sky/multiple", &[AIR_TABLES, part!("sky/multiple.wgsl")]),
+    ("sky/view", &[AIR_TABLES, part!("sky/view.wgsl")]),
+    ("sky/environment", &[SKY, part!("sky/environment.wgsl")]),
+    ("sky/filter", &[part!("sky/filter.wgsl")]),
+    ("sky/light", &[SKY, part!("sky/light.wgsl")]),
+    ("sky/background", &[PICTURE, part!("sky/background.wgsl")]),
+    ("water/displace", &[BARE_SURFACE, part!("water/displace.wgsl")]),
+    ("water/eye", &[BARE_SURFACE, part!("water/eye.wgsl")]),
+    ("water/light", &[WATER, part!("water/light.wgsl")]),
+    ("water/forward", &[WATER, part!("water/forward.wgsl")]),
+    ("water/floats", &[PICTURE, part!("water/floats.wgsl")]),
+    ("film/bloom", &[part!("film/bloom.wgsl")]),
+    ("film/present", &[SKY_COMMON, part!("film/present.wgsl")]),
+    ("views/map", &[MATHS, SEA, VIEWS, part!("views/map.wgsl")]),
+    ("views/surface", &[WATER, part!("water/forward.wgsl"), VIEWS, part!("views/surface.wgsl")]),
+    ("views/show", &[part!("views/show.wgsl")]),
 ];
 
 /// Modules of [`Way::Merged`]; only they have long numbers.
 pub const MERGED: [&str; 2] = ["middle", "columns_last"];
 
-/// Modules that hold another whole, and what they add to it.
-const EXTENSIONS: &[(&str, &str, &[Part])] = &[
-    ("water_forward", "water", &[WATER_FORWARD]),
-    ("water_deferred", "water", &[part!("water/light.wgsl")]),
-    ("debug_water", "water", &[WATER_FORWARD, DEBUG, part!("views/surface.wgsl")]),
-];
-
-/// The parts of every module.
-fn modules() -> impl Iterator<Item = (&'static str, Vec<&'static Part>)> {
-    let whole = |name: &'static str| MODULES.iter().filter(move |(n, _)| *n == name).flat_map(|(_, parts)| *parts);
-    let extended = EXTENSIONS.iter().map(move |(name, base, more)| (*name, whole(base).chain(*more).collect()));
-    MODULES.iter().map(|(name, parts)| (*name, parts.iter().collect())).chain(extended)
+/// The files of every module.
+fn modules() -> impl Iterator<Item = (&'static str, Vec<(&'static str, &'static str)>)> {
+    MODULES.iter().map(|(name, parts)| (*name, parts.iter().flat_map(Part::files).collect()))
 }
 
 /// The sources that a device's modules are made from.
@@ -136,9 +133,9 @@ pub struct Shaders {
 
 impl Default for Shaders {
     fn default() -> Self {
-        let join = |parts: Vec<&Part>| parts.iter().map(|p| p.text).collect::<Vec<_>>().join("\n");
+        let join = |files: Vec<(_, &str)>| files.into_iter().map(|(_, text)| text).collect::<Vec<_>>().join("\n");
         Self {
-            sources: modules().map(|(name, parts)| (name, Cow::Owned(join(parts)))).collect(),
+            sources: modules().map(|(name, files)| (name, Cow::Owned(join(files)))).collect(),
             way: None,
             maps: None,
         }
@@ -222,13 +219,13 @@ impl Shaders {
 
 /// File and line (from 1) of a line (from 1) of a joined module.
 pub fn locate(module: &str, line: usize) -> Option<(&'static str, usize)> {
-    let (_, parts) = modules().find(|(name, _)| *name == module)?;
+    let (_, files) = modules().find(|(name, _)| *name == module)?;
     let mut rest = line;
-    for part in parts {
-        // Joining adds one newline after each part.
-        let lines = part.text.matches('\n').count() + 1;
+    for (path, text) in files {
+        // Joining adds one newline after each file.
+        let lines = text.matches('\n').count() + 1;
         if rest <= lines {
-            return Some((part.file, rest));
+            return Some((path, rest));
         }
         rest -= lines;
     }

@@ -412,7 +412,7 @@ impl FoamPass {
         sea: &UniformRing<SeaUniform>,
         foam: &UniformRing<FoamUniform>,
     ) -> Self {
-        let module = shaders.module(gpu, "foam");
+        let module = shaders.module(gpu, "foam/foam");
         let slots = [
             SEA,
             FOAM,

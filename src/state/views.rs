@@ -11,7 +11,7 @@ pub enum Shown {
     Surface(Surface),
 }
 
-/// The maps; the discriminants are those of `debug_map.wgsl`.
+/// The maps; the discriminants are those of shaders/views/map.wgsl.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Map {
     /// |h0(k)|.
@@ -48,7 +48,7 @@ pub enum Map {
     Source,
 }
 
-/// What is shown on the mesh; the discriminants are those of `debug_water.wgsl`.
+/// What is shown on the mesh; the discriminants are those of shaders/views/surface.wgsl.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Surface {
     /// Unit normal: east red, north green, up blue.

@@ -4,8 +4,8 @@ use super::bloom::Bloom;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Attachments, Program, Slot, Uniform};
 use crate::gpu::layout::gpu_struct;
-use crate::render::Scene;
-use crate::render::sky::LightBuffer;
+use crate::render::scene::Scene;
+use crate::render::sky::uniform::{LightBuffer, night_gain};
 use crate::render::targets::Targets;
 use crate::shaders::Shaders;
 use crate::state::look::Film;
@@ -57,7 +57,7 @@ impl PresentPass {
         ];
         let layout = gpu.layout("present", wgpu::ShaderStages::FRAGMENT, &slots);
         let constants = [("PRESENT_SMOOTH", f64::from(u8::from(smooth)))];
-        let module = shaders.module(gpu, "present");
+        let module = shaders.module(gpu, "film/present");
         let program = Program { constants: &constants, ..Program::new(&module) };
         let onto = Attachments { formats: &[target_format], depth: None };
         let pipeline = gpu.render("present", &program, &[&layout], &onto);
@@ -101,7 +101,7 @@ impl PresentPass {
     /// Sends what the film needs to know.
     pub fn write(&self, gpu: &Gpu, scene: &Scene, size: [u32; 2]) {
         let film = &scene.look.film;
-        let fixed = NOON_EXPOSURE / crate::render::sky::unit(&scene.look.sky) as f32;
+        let fixed = NOON_EXPOSURE / night_gain(&scene.look.sky) as f32;
         let uniform = PresentUniform {
             size: size.map(|s| s as f32),
             exposure_gain: (film.exposure_ev as f32).exp2(),

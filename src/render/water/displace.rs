@@ -38,7 +38,7 @@ impl DisplacePass {
     pub fn new(gpu: &Gpu, shaders: &Shaders, frame: &Uniform<FrameUniform>, maps: &wgpu::BindGroupLayout) -> Self {
         let slots = [Slot::Uniform(size_of::<FrameUniform>()), Slot::Write(VERTEX as usize)];
         let layout = gpu.layout("mesh", wgpu::ShaderStages::COMPUTE, &slots);
-        let module = shaders.module(gpu, "mesh");
+        let module = shaders.module(gpu, "water/displace");
         let pipeline = gpu.compute("mesh", (&module, "main"), &[&layout, maps], &[]);
         let vertex = wgpu::ShaderStages::VERTEX;
         let drawn_layout = gpu.layout("mesh/drawn", vertex, &[Slot::Read(VERTEX as usize)]);

@@ -3,7 +3,7 @@
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Program, Slot};
 use crate::point::afloat::Pose;
-use crate::render::kit::SceneGroup;
+use crate::render::scene_group::SceneGroup;
 use crate::render::targets::{NEAREST, attachments};
 use crate::shaders::Shaders;
 use crate::state::floats::{self, Kind};
@@ -52,7 +52,7 @@ impl FloatsPass {
     /// For pictures of a scene.
     pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
         let layout = gpu.layout("floats", wgpu::ShaderStages::VERTEX, &[Slot::Read(size_of::<Vertex>())]);
-        let module = shaders.module(gpu, "floats");
+        let module = shaders.module(gpu, "water/floats");
         Self { module, pipeline: None, layout, vertices: None, hulls: [buoy(), boat()], count: 0 }
     }
 

@@ -5,10 +5,11 @@ use super::displace::DisplacePass;
 use super::material;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Attachments, Depth, Program, Slot, Uniform};
-use crate::render::Scene;
 use crate::render::frame::FrameUniform;
-use crate::render::kit::{SceneGroup, Variants, part};
+use crate::render::scene::Scene;
+use crate::render::scene_group::SceneGroup;
 use crate::render::targets::{BEHIND, Film, NEAREST, SHOWN_FORMATS, Targets, attachments};
+use crate::render::variants::{Variants, part};
 use crate::shaders::Shaders;
 use crate::sim::Maps;
 use crate::state::look::{Fresnel, Specular};
@@ -121,7 +122,7 @@ impl WaterPass {
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
         let layout = gpu.layout("maps", stages, &slots);
         let deferred = scene.film.is_deferred();
-        let module = shaders.module(gpu, if deferred { "water_deferred" } else { "water_forward" });
+        let module = shaders.module(gpu, if deferred { "water/light" } else { "water/forward" });
         let samplers = [wgpu::MipmapFilterMode::Linear, wgpu::MipmapFilterMode::Nearest]
             .map(|mipmap_filter| gpu.sampler("waves", [wgpu::AddressMode::Repeat; 2], mipmap_filter));
         let mesh = DisplacePass::new(gpu, shaders, frame, &layout);

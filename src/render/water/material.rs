@@ -2,7 +2,7 @@
 
 use crate::gpu::layout::gpu_struct;
 use crate::optics::water::Water;
-use crate::render::Scene;
+use crate::render::scene::Scene;
 use crate::state::fields::linear_rgb;
 use crate::state::look::Body;
 

@@ -3,8 +3,9 @@
 //! Azimuths lie on a lattice that is fixed in the world, so that turning the camera moves no vertex; rows grow with the
 //! distance and reach past the horizon of the round Earth. There is one mesh, hence no crack.
 
-use crate::render::frame::{SeaLook, View};
+use crate::render::scene::SeaLook;
 use crate::state::camera::EARTH_RADIUS_M;
+use crate::state::camera::View;
 use std::f64::consts::{PI, TAU};
 
 /// Columns and rows at density 1.
