@@ -1,20 +1,24 @@
-// Quantities of the drawn surface on its own mesh. Joined to all of the water's parts, so that it sees what the picture sees.
+// Quantities of the drawn surface. They are drawn with the mesh, not once a pixel after it as the light is, because the
+// wireframe needs the columns and rows of the vertices, which no G-buffer holds.
 
+@group(2) @binding(0) var<storage, read> mesh_vertices: array<MeshVertex>;
 @group(3) @binding(0) var<uniform> view: View;
 
 struct SurfaceVertex {
   @builtin(position) clip: vec4f,
+  // Relative to the eye.
   @location(0) place: vec3f,
-  @location(1) rest: vec3f,
+  // The undisplaced point.
+  @location(1) rest: vec2f,
   // Column and row of the mesh.
   @location(2) lattice: vec2f,
 }
 
 @vertex
-fn view_vertex(@builtin(vertex_index) i: u32) -> SurfaceVertex {
-  let water = water_vertex(i);
+fn vertex(@builtin(vertex_index) i: u32) -> SurfaceVertex {
+  let v = mesh_vertices[i];
   let lattice = vec2f(f32(i / frame.mesh_rows), f32(i % frame.mesh_rows));
-  return SurfaceVertex(water.clip, water.place, water.rest, lattice);
+  return SurfaceVertex(frame.clip_from_relative * vec4f(v.place, 1.0), v.place, v.rest, lattice);
 }
 
 // Share of a pixel on a line a pixel wide at each whole number of `at`, which changes by `width` over the pixel.
@@ -26,8 +30,8 @@ fn view_lines(at: vec3f, width: vec3f) -> f32 {
 }
 
 @fragment
-fn view_fragment(in: SurfaceVertex) -> @location(0) vec4f {
-  let at = in.rest.xz;
+fn fragment(in: SurfaceVertex) -> @location(0) vec4f {
+  let at = in.rest;
   let dx = dpdx(at);
   let dy = dpdy(at);
   let foot = water_footprint(dx, dy);

@@ -61,9 +61,9 @@ pub enum Part {
     Light,
     /// What stands behind the sea.
     Background,
-    /// The mesh of the sea and, where the sea is lit afterwards, what it shows.
+    /// The mesh of the water and its G-buffer.
     Mesh,
-    /// The sea, its mesh with it.
+    /// The water, with its mesh.
     Water,
 }
 
@@ -99,7 +99,7 @@ impl Renderer {
         let water = WaterPass::new(gpu, &shaders, scene, &frame);
         let eye = EyePass::new(gpu, &shaders, &frame, &water);
         let floats = FloatsPass::new(gpu, &shaders);
-        let present = PresentPass::new(gpu, &shaders, &sky.light, target_format, film.is_deferred());
+        let present = PresentPass::new(gpu, &shaders, &sky.light, target_format, film != Film::Reference);
         // A browser hears of the pipelines, and compiles them while the noise is made.
         gpu.queue.submit([]);
         noise.fill(gpu);
@@ -128,17 +128,9 @@ impl Renderer {
     /// Records the HDR picture of `size` pixels.
     pub fn draw(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, maps: &Maps, scene: &Scene, size: [u32; 2]) {
         let size = size.map(|s| s.max(1));
-        let film = self.water.scene.film;
-        if self.targets.as_ref().is_none_or(|t| t.size != size) {
-            let targets = Targets::new(gpu, size, film);
-            self.present.unbind();
-            self.targets = Some(targets);
-        }
-        if let Some(targets) = &self.targets {
-            self.water.bind_targets(gpu, targets);
-            self.present.bind(gpu, targets, &scene.look.film);
-            self.present.write(gpu, scene, size);
-        }
+        let hdr = self.target(gpu, size).hdr.clone();
+        self.present.bind(gpu, &hdr, &scene.look.film);
+        self.present.write(gpu, scene, size);
         let mesh = mesh(scene, size);
         self.prepare(gpu, maps, scene, &mesh, &FrameUniform::new(scene, maps, &mesh, size));
         self.shows_view = scene.look.view.shown != Shown::Picture;
@@ -152,6 +144,13 @@ impl Renderer {
         }
     }
 
+    /// The targets of this size, made anew if the last ones had another.
+    fn target(&mut self, gpu: &Gpu, size: [u32; 2]) -> &Targets {
+        let targets = self.targets.take().filter(|targets| targets.size == size);
+        let film = self.water.scene.film;
+        self.targets.insert(targets.unwrap_or_else(|| Targets::new(gpu, size, film)))
+    }
+
     /// Takes maps, look, mesh and view.
     fn prepare(&mut self, gpu: &Gpu, maps: &Maps, scene: &Scene, mesh: &Mesh, frame: &FrameUniform) {
         self.material.write(gpu, &MaterialUniform::new(scene));
@@ -159,6 +158,9 @@ impl Renderer {
         self.water.choose(gpu, scene);
         self.background.choose(gpu, &self.water.scene, &self.sky, scene);
         self.water.bind_maps(gpu, maps);
+        if let Some(targets) = &self.targets {
+            self.water.bind_targets(gpu, targets);
+        }
         self.water.mesh.set(gpu, mesh);
         let foot = [scene.view.eye.x, scene.view.eye.z];
         self.floats.write(gpu, &self.water.scene, &scene.floats, foot, scene.level_m);
@@ -168,8 +170,8 @@ impl Renderer {
     fn record_view(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, maps: &Maps, scene: &Scene) {
         let Some(targets) = &self.targets else { return };
         self.eye.run(encoder, scene, &self.water);
-        if let (Shown::Surface(_), Some(maps)) = (&scene.look.view.shown, self.water.maps_group()) {
-            self.water.mesh.run(encoder, maps);
+        if let Shown::Surface(_) = scene.look.view.shown {
+            self.water.displace(encoder);
         }
         let make = || ViewPass::new(gpu, &Shaders::default(), &self.water, self.target_format);
         let view = self.view.get_or_insert_with(make);
@@ -183,9 +185,9 @@ impl Renderer {
         self.timer.mark(encoder, "eye");
         self.sky.update(gpu, encoder, scene);
         self.timer.mark(encoder, "sky tables");
-        let after_mesh = self.water.prepare(encoder, targets);
+        self.water.prepare(encoder, targets);
         self.timer.mark(encoder, "mesh");
-        let mut pass = targets.begin(encoder, after_mesh);
+        let mut pass = targets.begin(encoder, true);
         self.background.draw(&mut pass, &self.water.scene, &self.sky);
         self.water.draw(&mut pass);
         self.floats.draw(&mut pass, &self.water.scene);
@@ -201,12 +203,10 @@ impl Renderer {
             Part::Background => {
                 self.background.draw(&mut targets.begin(encoder, false), &self.water.scene, &self.sky);
             }
-            Part::Mesh => {
-                self.water.prepare(encoder, targets);
-            }
+            Part::Mesh => self.water.prepare(encoder, targets),
             Part::Water => {
-                let after_mesh = self.water.prepare(encoder, targets);
-                self.water.draw(&mut targets.begin(encoder, after_mesh));
+                self.water.prepare(encoder, targets);
+                self.water.draw(&mut targets.begin(encoder, true));
             }
         }
     }

@@ -156,10 +156,10 @@ impl ViewPass {
         let surface_layout = gpu.layout("view/surface", fragment, &[slot]);
         let surface_group = gpu.group("view/surface", &surface_layout, &[uniform.buffer.as_entire_binding()]);
         let module = shaders.module(gpu, "views/surface");
-        let program = Program { entries: ["view_vertex", "view_fragment"], ..Program::new(&module) };
-        let [scene, maps, mesh] = water.layouts();
+        let [scene, maps, mesh] = water.mesh_layouts();
         let layouts = [scene, maps, mesh, &surface_layout];
-        let surface = gpu.render("view/surface", &program, &layouts, &attachments(&film.format(), NEAREST));
+        let surface =
+            gpu.render("view/surface", &Program::new(&module), &layouts, &attachments(&film.format(), NEAREST));
         let show_layout = gpu.layout("view/show", fragment, &[Slot::Texture]);
         let module = shaders.module(gpu, "views/show");
         let onto = Attachments { formats: &[target], depth: None };

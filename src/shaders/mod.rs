@@ -106,12 +106,11 @@ const MODULES: &[(&str, &[Part])] = &[
     ("water/displace", &[BARE_SURFACE, part!("water/displace.wgsl")]),
     ("water/eye", &[BARE_SURFACE, part!("water/eye.wgsl")]),
     ("water/light", &[WATER, part!("water/light.wgsl")]),
-    ("water/forward", &[WATER, part!("water/forward.wgsl")]),
     ("water/floats", &[PICTURE, part!("water/floats.wgsl")]),
     ("film/bloom", &[part!("film/bloom.wgsl")]),
     ("film/present", &[SKY_COMMON, part!("film/present.wgsl")]),
     ("views/map", &[MATHS, SEA, VIEWS, part!("views/map.wgsl")]),
-    ("views/surface", &[WATER, part!("water/forward.wgsl"), VIEWS, part!("views/surface.wgsl")]),
+    ("views/surface", &[WATER, VIEWS, part!("views/surface.wgsl")]),
     ("views/show", &[part!("views/show.wgsl")]),
 ];
 

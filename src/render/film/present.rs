@@ -6,7 +6,6 @@ use crate::gpu::kit::{Attachments, Program, Slot, Uniform};
 use crate::gpu::layout::gpu_struct;
 use crate::render::scene::Scene;
 use crate::render::sky::uniform::{LightBuffer, night_gain};
-use crate::render::targets::Targets;
 use crate::shaders::Shaders;
 use crate::state::look::Film;
 
@@ -34,13 +33,13 @@ pub struct PresentPass {
     pipeline: wgpu::RenderPipeline,
     sampler: wgpu::Sampler,
     bloom: Bloom,
-    /// The size that it is bound for, and whether with bloom.
-    bound: Option<([u32; 2], bool)>,
+    /// The picture that is bound, and whether it has bloom.
+    bound: Option<(wgpu::TextureView, bool)>,
     group: Option<wgpu::BindGroup>,
 }
 
 impl PresentPass {
-    /// Compiles the pass for a format of the screen; `smooth` asks for smooth edges.
+    /// Compiles the pass for a format of the screen. `light` holds the exposure; `smooth` asks for smooth edges.
     pub fn new(
         gpu: &Gpu,
         shaders: &Shaders,
@@ -75,30 +74,26 @@ impl PresentPass {
         }
     }
 
-    /// Binds targets and the chain of the bloom, if they are not bound yet.
-    pub fn bind(&mut self, gpu: &Gpu, targets: &Targets, film: &Film) {
-        let wanted = Some((targets.size, film.bloom > 0.0));
+    /// Binds a picture in linear light, and the chain of its bloom, if they are not bound yet.
+    pub fn bind(&mut self, gpu: &Gpu, hdr: &wgpu::TextureView, film: &Film) {
+        let wanted = Some((hdr.clone(), film.bloom > 0.0));
         if self.bound == wanted {
             return;
         }
-        self.bloom.bind(gpu, (film.bloom > 0.0).then_some((&targets.hdr, targets.size)));
+        let size = [hdr.texture().width(), hdr.texture().height()];
+        self.bloom.bind(gpu, (film.bloom > 0.0).then_some((hdr, size)));
         let resources = [
             self.uniform.buffer.as_entire_binding(),
             self.light.as_entire_binding(),
-            wgpu::BindingResource::TextureView(&targets.hdr),
+            wgpu::BindingResource::TextureView(hdr),
             wgpu::BindingResource::Sampler(&self.sampler),
-            wgpu::BindingResource::TextureView(self.bloom.result().unwrap_or(&targets.hdr)),
+            wgpu::BindingResource::TextureView(self.bloom.result().unwrap_or(hdr)),
         ];
         self.group = Some(gpu.group("present", &self.layout, &resources));
         self.bound = wanted;
     }
 
-    /// Lets go of targets that are about to be made anew.
-    pub fn unbind(&mut self) {
-        self.bound = None;
-    }
-
-    /// Sends what the film needs to know.
+    /// Sends the numbers of a scene's film.
     pub fn write(&self, gpu: &Gpu, scene: &Scene, size: [u32; 2]) {
         let film = &scene.look.film;
         let fixed = NOON_EXPOSURE / night_gain(&scene.look.sky) as f32;
@@ -114,7 +109,7 @@ impl PresentPass {
         self.uniform.write(gpu, &uniform);
     }
 
-    /// Records what the lens spreads, if it does.
+    /// Records the bloom, if there is any.
     pub fn spread(&self, encoder: &mut wgpu::CommandEncoder) {
         self.bloom.run(encoder);
     }

@@ -233,9 +233,10 @@ impl SkyTables {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gpu::Gpu;
     use crate::gpu::readback;
     use crate::render::film::present::NOON_EXPOSURE;
+    use crate::render::sky::uniform::night_gain;
+    use crate::state::look::SkyLook;
 
     /// The light on the sea under some skies.
     fn lights(skies: &[SkyLook]) -> Vec<LightBuffer> {

@@ -97,16 +97,16 @@ impl SkyUniform {
 gpu_struct! {
     /// WGSL `Light`: written by the GPU alone.
     pub struct LightBuffer as "Light" {
-        sun: [f32; 3],
-        exposure: f32,
-        sky: [f32; 3],
-        key: f32,
-        deck: [f32; 3],
-        direct: f32,
-        fog_sky: [f32; 3],
-        unused_0: f32,
-        fog_sun: [f32; 3],
-        unused_1: f32,
+        pub sun: [f32; 3],
+        pub exposure: f32,
+        pub sky: [f32; 3],
+        pub key: f32,
+        pub deck: [f32; 3],
+        pub direct: f32,
+        pub fog_sky: [f32; 3],
+        pub unused_0: f32,
+        pub fog_sun: [f32; 3],
+        pub unused_1: f32,
     }
 }
 
