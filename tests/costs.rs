@@ -1,10 +1,11 @@
 //! The budget of the picture's passes (src/bench/cost.rs) against the shaders: their expressions are counted, each loop as often as
 //! it runs at most.
 
+mod common;
+
 use naga::valid::{Capabilities, FunctionInfo, ValidationFlags, Validator};
 use naga::{BinaryOperator, Expression, Function, MathFunction, Module, Override, Statement, TypeInner};
 use seastate::bench::cost;
-use seastate::shaders::Shaders;
 use seastate::waves::tiling::MEAN_COPIES;
 
 /// A transcendental function, a root or a quotient runs at a quarter of the rate of an addition.
@@ -159,7 +160,7 @@ fn math(fun: MathFunction, wide: f64, of: f64) -> f64 {
 }
 
 fn count(module: &str, entry: &str) -> Count {
-    let (_, text) = Shaders::default().all().find(|(name, _)| *name == module).expect("a module");
+    let (_, text) = common::wgsl::shaders().all().find(|(name, _)| *name == module).expect("a module");
     let parsed = naga::front::wgsl::parse_str(&text).expect("a valid module");
     let info = Validator::new(ValidationFlags::all(), Capabilities::all()).validate(&parsed).expect("a valid module");
     let at = parsed.entry_points.iter().position(|e| e.name == entry).expect("an entry point");

@@ -4,38 +4,7 @@
 // Source s in [0, 1] where the Jacobian of the sum of cascades falls below a threshold; dF/dt = rate s (1 - F) - F / decay,
 // solved exactly over the step, so that the result does not depend on the frame rate and stays in [0, 1].
 
-struct FoamLevel {
-  uv: array<vec4f, 4>, // texture coordinates of the first cell's corner on the cascades, two by two
-  tiles: array<TilePlace, 8>, // and on the lattices of their copies
-  cell: vec2i, // first cell in range
-  previous: vec2i, // and at the last step
-  texel_m: f32,
-  threshold: f32, // of the Jacobian
-  slope: f32, // source per unit of Jacobian below the threshold
-  start: f32, // foam of a cell that comes into range
-}
-
-struct FoamCascade {
-  patch_m: f32,
-  layer: u32, // of the maps
-  // An element of a uniform's array is a multiple of 16 bytes.
-  unused_0: u32,
-  unused_1: u32,
-}
-
-struct Foam {
-  levels: array<FoamLevel, 4>,
-  cascades: array<FoamCascade, 8>, // those that are drawn: of one sea, or of two while one fades into the other
-  dt: f32,
-  decay: f32, // 1 / e-folding time
-  rate: f32,
-  size: u32, // cells along a side
-  count: u32, // cascades in use
-  // The size is a multiple of 16 bytes.
-  unused_0: u32,
-  unused_1: u32,
-  unused_2: u32,
-}
+// The structs are declared in src/sim/uniforms.rs.
 
 @group(0) @binding(0) var<uniform> sea: Sea;
 @group(0) @binding(1) var<uniform> foam: Foam;
@@ -50,17 +19,15 @@ fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
   var stretch = vec2f(0.0);
   var shear = vec2f(0.0);
   for (var c = 0u; c < foam.count; c++) {
-    let corners = foam.levels[level].uv[c >> 1u];
-    let corner = select(corners.zw, corners.xy, (c & 1u) == 0u);
+    let corner = foam.levels[level].corners[c];
     let patch_m = foam.cascades[c].patch_m;
     let layer = foam.cascades[c].layer;
-    let uv = corner + offset / patch_m;
+    let uv = corner.uv + offset / patch_m;
     // One level finer than a cell: between the texels of a level that is all noise the variance would sag.
     let lod = max(log2(foam.levels[level].texel_m * f32(sea.n) / patch_m) - 1.0, 0.0);
-    let tile = foam.levels[level].tiles[c];
-    let blend = tile_blend(tile, offset);
+    let blend = tile_blend(corner.tile, offset);
     for (var i = 0u; i < blend.count; i++) {
-      let at = uv + tile_shift(tile, blend, i);
+      let at = uv + tile_shift(corner.tile, blend, i);
       let g = textureSampleLevel(gradients, repeat, at, layer, lod);
       let d = textureSampleLevel(displacement, repeat, at, layer, lod);
       let slope = vec2f(blend.along_x[i], blend.along_z[i]);

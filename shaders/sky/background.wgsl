@@ -92,7 +92,7 @@ fn fragment(in: SkyVertex) -> @location(0) vec4f {
       radiance += beyond * (air.w * (1.0 - sky.overcast));
     }
   }
-  if SKY_FOG && sky.fog.x > 0.0 {
+  if SKY_FOG && sky.fog.extinction_per_m > 0.0 {
     let fog = air_fog(dir, FOG_FAR_M);
     radiance = radiance * fog.w + fog.rgb;
   }

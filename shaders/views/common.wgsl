@@ -1,32 +1,4 @@
-// False colours of the views. Rust twin: render/view.rs.
-
-// A square of the picture that shows one layer of a map; the views on the mesh take only the scale of the first.
-struct ViewTile {
-  // Top left corner, pixels.
-  corner: vec2f,
-  // Texel that stands there.
-  first: vec2u,
-  // Pixels.
-  side: f32,
-  layer: u32,
-  // Values of the first and the last colour.
-  low: f32,
-  high: f32,
-}
-
-struct View {
-  // Colours of the scale, as the screen takes them.
-  stops: array<vec4f, 11>,
-  tiles: array<ViewTile, 4>,
-  size: vec2f,
-  chop: vec2f,
-  kind: u32,
-  tile_count: u32,
-  // Not 0: the scale is logarithmic.
-  logarithmic: u32,
-  // t / period in units of 2^-32.
-  phase_time: u32,
-}
+// False colours of the views. The structs are declared in src/render/views.rs.
 
 // Place of a value in its scale, 0 to 1.
 fn view_share(value: f32, tile: ViewTile) -> f32 {

@@ -17,7 +17,7 @@ struct SurfaceVertex {
 @vertex
 fn vertex(@builtin(vertex_index) i: u32) -> SurfaceVertex {
   let v = mesh_vertices[i];
-  let lattice = vec2f(f32(i / frame.mesh_rows), f32(i % frame.mesh_rows));
+  let lattice = vec2f(f32(i / frame.mesh.rows), f32(i % frame.mesh.rows));
   return SurfaceVertex(frame.clip_from_relative * vec4f(v.place, 1.0), v.place, v.rest, lattice);
 }
 
@@ -48,7 +48,7 @@ fn fragment(in: SurfaceVertex) -> @location(0) vec4f {
     }
     case 2u: { return view_colour(slope.jacobian, tile); }
     case 3u: { return view_colour(slope.variance.x + slope.variance.y, tile); }
-    case 4u: { return view_colour(log2(max(foot.size * frame.cascades[tile.layer].z * frame.n, 1e-6)), tile); }
+    case 4u: { return view_colour(log2(max(foot.size * frame.cascades[tile.layer].inverse_patch * frame.n, 1e-6)), tile); }
     case 5u: { return view_colour(water_foam(at, dx, dy).cover, tile); }
     default: {
       let fill = vec3f(0.05, 0.12, 0.17) * (0.4 + 0.6 * abs(dot(facet, vec3f(0.48, 0.8, 0.36))));

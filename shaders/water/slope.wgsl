@@ -64,17 +64,15 @@ struct WaterWaves {
 
 // Adds the waves of a cascade or of ripples, but for the share of them that the mesh carries.
 fn water_add_waves(out: ptr<function, WaterWaves>, at: vec2f, foot: WaterFootprint, cascade: u32, carried: f32) {
-  let place = frame.cascades[cascade];
-  let map = frame.layers[cascade];
-  let layer = u32(map.y);
-  let scale = place.z * frame.n;
+  let map = frame.cascades[cascade];
+  let scale = map.inverse_patch * frame.n;
   let texels = foot.size * scale;
   let wide = texels / WATER_TAP;
   let long = max(length(foot.axis) * scale, texels);
   let share = 1.0 - smoothstep(WATER_FADE, WATER_FAR, sqrt(wide * long) / frame.n);
   let distant = share <= 0.0;
   // Magnified: smooth between texels, in one place.
-  let near = select(0.0, 1.0 - smoothstep(0.8, 1.25, long), map.x < WATER_SMOOTH);
+  let near = select(0.0, 1.0 - smoothstep(0.8, 1.25, long), map.wave_texels < WATER_SMOOTH);
   // Several texels in the footprint: as many taps as are worth it (one between texels blurs as much as a box of 1.4), half
   // as many for the smoother moments, and one for the displacement, whose part in the slope is of second order: both from
   // the nearest level. The weights are those of the middle. Of a distant map there is only its variance. What counts for
@@ -89,40 +87,39 @@ fn water_add_waves(out: ptr<function, WaterWaves>, at: vec2f, foot: WaterFootpri
   let unresolved = select((1.0 - near * near) * clamp(lod + 0.5, 0.0, 1.0), 1.0, distant);
   let pairs = select((select(places, 1, distant) + 1) / 2, 0, unresolved <= 0.0);
   let wide_lod = select(min(lod + log2(f32(places) / f32(max(pairs, 1))), long_lod) - 1.0, 16.0, distant);
-  let along = foot.axis * place.z;
+  let along = foot.axis * map.inverse_patch;
   // Ripples are slopes alone.
-  let gain = (1.0 - carried) * map.w;
+  let gain = (1.0 - carried) * map.slope_scale;
   let own = select(0.0, 1.0 - carried, cascade < frame.count);
-  let tile = water_tile(cascade);
-  let blend = tile_blend(tile, at);
+  let blend = tile_blend(map.tile, at);
   let copies = select(blend.count, 1u, distant);
   for (var i = 0u; i < copies; i++) {
-    let uv = place.xy + at * place.z + tile_shift(tile, blend, i);
+    let uv = map.uv + at * map.inverse_patch + tile_shift(map.tile, blend, i);
     let weight = vec3f(blend.weight[i], blend.along_x[i], blend.along_z[i]);
     var g = vec4f(0.0);
     var lean = vec2f(0.0);
     for (var k = 0; k < taps; k++) {
       let off = (f32(k) + 0.5) / f32(places) - 0.5;
-      let there = textureSampleLevel(gradients_map, wave_sampler, uv + along * off, layer, lod);
+      let there = textureSampleLevel(gradients_map, wave_sampler, uv + along * off, map.layer, lod);
       g += there;
       lean += sign(off) * there.xy;
     }
     g *= 1.0 / f32(places);
     for (var k = 0; k < splines; k++) {
-      g = water_splined(gradients_map, water_spline(uv, frame.n, near), layer);
+      g = water_splined(gradients_map, water_spline(uv, frame.n, near), map.layer);
     }
     var second = vec3f(0.0);
     for (var k = 0; k < pairs; k++) {
       let tap = uv + along * ((f32(k) + 0.5) / f32(pairs) - 0.5);
-      second += textureSampleLevel(moments_map, level_sampler, tap, layer, wide_lod).xyz;
+      second += textureSampleLevel(moments_map, level_sampler, tap, map.layer, wide_lod).xyz;
     }
     g *= share;
-    second *= place.w / f32(max(pairs, 1));
+    second *= map.moment_scale / f32(max(pairs, 1));
     (*out).lean += (gain * share * weight.x / f32(places)) * lean;
-    let d = (own * share) * textureSampleLevel(displacement_map, level_sampler, uv, layer, long_lod);
+    let d = (own * share) * textureSampleLevel(displacement_map, level_sampler, uv, map.layer, long_lod);
     (*out).sums = water_sum((*out).sums, vec4f(gain * g.xy, own * g.zw), d, weight);
     // Copies are independent: their variances add with the squares of the weights.
-    let part = map.w * map.w * map.z * unresolved * select(weight.x * weight.x, 1.0, distant);
+    let part = map.slope_scale * map.slope_scale * map.variance_gain * unresolved * select(weight.x * weight.x, 1.0, distant);
     (*out).variance += part * max(second - vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
   }
 }
@@ -139,7 +136,7 @@ fn water_slope_beyond(
   var waves: WaterWaves;
   waves.sums = carried;
   // Cox and Munk 1954: waves shorter than the finest cascade.
-  waves.variance = frame.residual.xyz;
+  waves.variance = frame.residual;
   // What the mesh has all of is not looked at.
   var first = 0u;
   while carries && first < frame.count && water_carried(first, at) >= 1.0 {
@@ -155,7 +152,7 @@ fn water_slope_beyond(
     water_add_waves(&waves, at, within, c, share);
   }
   let sums = waves.sums;
-  let l = vec2f(frame.chop_x, frame.chop_z);
+  let l = frame.chop;
   let sx = 1.0 + l.x * sums.stretch.x;
   let sz = 1.0 + l.y * sums.stretch.y;
   let jacobian = sx * sz - l.x * l.y * sums.shear.x * sums.shear.y;
@@ -173,6 +170,6 @@ fn water_slope_beyond(
 
 // A slope of the undisplaced sea on the displaced one, times the Jacobian; `sides` are those of a unit square there.
 fn water_tilted(slope: vec2f, sums: WaterSums, sides: vec2f) -> vec2f {
-  let l = vec2f(frame.chop_x, frame.chop_z);
+  let l = frame.chop;
   return vec2f(slope.x * sides.y - slope.y * l.y * sums.shear.y, slope.y * sides.x - slope.x * l.x * sums.shear.x);
 }

@@ -1,11 +1,5 @@
 // The displaced surface: every cascade blended from shifted copies (tiles.wgsl).
 
-fn water_tile(i: u32) -> TilePlace {
-  let lattice = frame.tile_lattice[i];
-  let cell = frame.tile_cell[i];
-  return TilePlace(lattice.xy, lattice.zw, cell.xy, bitcast<u32>(cell.z), u32(cell.w));
-}
-
 // Sums over the cascades, before chop.
 struct WaterSums {
   // Slope of the height.
@@ -30,7 +24,8 @@ const WATER_CARRIED = vec2f(12.0, 7.0);
 // Share of a cascade's slopes that the vertices of the mesh carry at a point beside the eye: those of waves that are long there beside
 // the steps of the mesh and the pixels.
 fn water_carried(cascade: u32, at: vec2f) -> f32 {
-  let shortest_m = min(frame.layers[cascade].x, WATER_CARRIED.y) / (frame.cascades[cascade].z * frame.n);
+  let map = frame.cascades[cascade];
+  let shortest_m = min(map.wave_texels, WATER_CARRIED.y) / (map.inverse_patch * frame.n);
   let pixel_m = frame.pixel * (dot(at, at) + frame.eye_m * frame.eye_m) / max(frame.eye_m, 0.1);
   let step_m = max(mesh_spacing(length(at)), 2.0 * pixel_m);
   return smoothstep(WATER_CARRIED.y, WATER_CARRIED.x, shortest_m / step_m);
@@ -47,31 +42,29 @@ fn water_moved(at: vec2f, spacing: f32, carries: bool) -> WaterMoved {
   var sum = vec3f(0.0);
   var out: WaterMoved;
   for (var c = 0u; c < frame.count; c++) {
-    let place = frame.cascades[c];
-    let layer = u32(frame.layers[c].y);
-    let lod = log2(max(spacing * place.z * frame.n, 1e-3));
+    let map = frame.cascades[c];
+    let lod = log2(max(spacing * map.inverse_patch * frame.n, 1e-3));
     // Nothing is left of waves that are shorter than two vertices.
     let share = clamp(log2(frame.n) - 2.0 - lod, 0.0, 1.0);
     let smoothness = clamp(-2.0 * lod, 0.0, 1.0);
     let carried = select(0.0, water_carried(c, at), carries);
     // Near the foot of an eye among waves a vertex is farther from its row than the share that it carries knows.
     let is_fine = smoothness > 0.0 || carried > 0.0;
-    let tile = water_tile(c);
-    let blend = tile_blend(tile, at);
+    let blend = tile_blend(map.tile, at);
     let copies = select(0u, blend.count, share > 0.0);
     for (var i = 0u; i < copies; i++) {
-      let uv = place.xy + at * place.z + tile_shift(tile, blend, i);
+      let uv = map.uv + at * map.inverse_patch + tile_shift(map.tile, blend, i);
       var d = vec4f(0.0);
       var g = vec4f(0.0);
       // Loops, not a branch, of which a software GPU computes both sides.
       for (var plain = !is_fine; plain; plain = false) {
-        d = share * textureSampleLevel(displacement_map, wave_sampler, uv, layer, lod);
+        d = share * textureSampleLevel(displacement_map, wave_sampler, uv, map.layer, lod);
       }
       for (var fine = is_fine; fine; fine = false) {
         let spline = water_spline(uv, frame.n, smoothness);
-        d = water_splined(displacement_map, spline, layer);
+        d = water_splined(displacement_map, spline, map.layer);
         if carries {
-          g = carried * water_splined(gradients_map, spline, layer);
+          g = carried * water_splined(gradients_map, spline, map.layer);
         }
       }
       sum += blend.weight[i] * d.xyz;
@@ -79,6 +72,6 @@ fn water_moved(at: vec2f, spacing: f32, carries: bool) -> WaterMoved {
       out.carried = water_sum(out.carried, g, carried * d, weight);
     }
   }
-  out.displacement = sum * vec3f(frame.chop_x, 1.0, frame.chop_z);
+  out.displacement = sum * vec3f(frame.chop.x, 1.0, frame.chop.y);
   return out;
 }

@@ -1,71 +1,21 @@
-//! What is drawn of a sea that may be on its way to another: the numbers that the picture takes from a plan, and the seas
-//! that the waves are those of.
+//! What is drawn of a sea that may be on its way to another: its appearance, and the seas that the waves are those of.
 
+use crate::render::SeaAppearance;
 use crate::sim::glide::{Mix, mix, mix2};
 use crate::state::Params;
-use crate::state::look::Look;
 use crate::waves::Plan;
-use crate::waves::slopes::{self, SlopeVariance};
 use std::sync::Arc;
 
-/// Speed of low clouds over the wind 10 m above the sea: the logarithmic profile up to the top of the boundary layer.
-const CLOUDS_OVER_WIND: f64 = 1.4;
 /// Most seas that a glide of amplitudes is told as.
 const MOST_SEAS: usize = 4;
 
-/// What the picture takes from a plan.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Numbers {
-    pub chop: [f64; 2],
-    pub hs_m: f64,
-    pub depth_m: f64,
-    /// Of the still water over the origin.
-    pub level_m: f64,
-    pub wind_m_s: f64,
-    pub downwind: [f64; 2],
-    pub clouds_m_s: [f64; 2],
-    /// Slopes along and across the wind of what no cascade holds, and of what the finest one holds.
-    pub residual: SlopeVariance,
-    pub finest: SlopeVariance,
-    pub focusing_m: f64,
-    pub lambda_p_m: f64,
-}
-
-impl Numbers {
-    /// Those of a plan for a look.
-    pub fn new(plan: &Plan, look: &Look) -> Self {
-        let finest = plan.cascades.last().map_or([0.0; 2], |c| slopes::between(plan, c.k_low, c.k_high));
-        let wind_m_s = plan.sea.local().wind_m_s;
-        Self {
-            chop: plan.sea.lambda(),
-            hs_m: plan.hs_m(),
-            depth_m: plan.sea.depth_m,
-            level_m: plan.sea.level_m,
-            wind_m_s,
-            downwind: plan.downwind,
-            clouds_m_s: plan.downwind.map(|w| w * CLOUDS_OVER_WIND * wind_m_s),
-            residual: slopes::residual(plan, slopes::resolved(plan)),
-            finest,
-            focusing_m: focusing_m(plan, look),
-            lambda_p_m: std::f64::consts::TAU / plan.dispersion.wave_number(plan.omega_p),
-        }
-    }
-}
-
-/// Waves shorter than this focus no light on the bed, m.
-pub fn focusing_m(plan: &Plan, look: &Look) -> f64 {
-    let mirror = &look.surface.mirror;
-    let reach_m = plan.sea.depth_m * (1.0 - mirror.index_air / mirror.index_water);
-    slopes::focusing_m(plan, reach_m.max(0.0))
-}
-
-/// Whether two states differ in what [`focusing_m`] takes from the look.
+/// Whether two states have the refractive indices in common on which [`SeaAppearance::focusing_m`] depends.
 pub fn refracts_alike(a: &Params, b: &Params) -> bool {
     let indices = |p: &Params| (p.look.surface.mirror.index_air, p.look.surface.mirror.index_water);
     indices(a) == indices(b)
 }
 
-impl Mix for Numbers {
+impl Mix for SeaAppearance {
     fn mix(&self, to: &Self, share: f64) -> Self {
         let [x, z] = mix2(self.downwind, to.downwind, share);
         let length = x.hypot(z);
@@ -81,7 +31,6 @@ impl Mix for Numbers {
             residual: mix2(self.residual, to.residual, share),
             finest: mix2(self.finest, to.finest, share),
             focusing_m: mix(self.focusing_m, to.focusing_m, share),
-            lambda_p_m: mix(self.lambda_p_m, to.lambda_p_m, share),
         }
     }
 }
@@ -145,16 +94,16 @@ mod tests {
     }
 
     #[test]
-    fn numbers_lie_between() {
-        let numbers = |state: &str| {
+    fn appearances_lie_between() {
+        let appearance = |state: &str| {
             let params = query::parse(state).0;
-            Numbers::new(&Plan::new(&params), &params.look)
+            SeaAppearance::new(&Plan::new(&params), &params.look)
         };
-        let (a, b) = (numbers("wind=8&depth=4000&dir=0"), numbers("wind=16&depth=5&dir=90"));
+        let (a, b) = (appearance("wind=8&depth=4000&dir=0"), appearance("wind=16&depth=5&dir=90"));
         let half = a.mix(&b, 0.5);
         assert!(half.hs_m > a.hs_m.min(b.hs_m) && half.hs_m < a.hs_m.max(b.hs_m));
         assert!((half.depth_m - (4000.0f64 * 5.0).sqrt()).abs() < 1e-9);
         assert!((half.downwind[0].hypot(half.downwind[1]) - 1.0).abs() < 1e-12);
-        assert!(a.mix(&numbers("dir=180"), 0.5).downwind.iter().all(|d| d.is_finite()), "opposite winds");
+        assert!(a.mix(&appearance("dir=180"), 0.5).downwind.iter().all(|d| d.is_finite()), "opposite winds");
     }
 }

@@ -8,7 +8,7 @@ pub mod still;
 use crate::gpu::Gpu;
 use crate::gpu::timer::Timer;
 use crate::point::afloat::{self, Pose, Waterline};
-use crate::render::{Fading, Reference, Renderer, Scene, SeaLook};
+use crate::render::{Fading, Reference, Renderer, Scene, SeaAppearance};
 use crate::shaders::Shaders;
 use crate::sim::glide::Drawn;
 use crate::sim::{MAX_STEPS, MapCascade, Moved, Simulation, Turn};
@@ -17,7 +17,7 @@ use crate::state::camera::View;
 use crate::state::params::{Camera, CameraMode};
 use crate::waves::Plan;
 use crate::waves::scale::Scale;
-use drawn::{Mixture, Numbers};
+use drawn::Mixture;
 use std::sync::Arc;
 
 pub use crate::render::{Film, Grid, Part};
@@ -36,7 +36,7 @@ pub struct Ocean {
     renderer: Renderer,
     reference: Option<Reference>,
     format: wgpu::TextureFormat,
-    numbers: Drawn<Numbers>,
+    appearance: Drawn<SeaAppearance>,
     seas: Drawn<Mixture>,
     /// The waves under what floats, of the seas that are drawn.
     waterlines: Vec<(Arc<Plan>, Waterline)>,
@@ -52,7 +52,7 @@ impl Ocean {
         let timer = Timer::new(gpu);
         sim.set_timer(timer.clone());
         renderer.set_timer(timer.clone());
-        let numbers = Drawn::new(Numbers::new(sim.plan(), &params.look));
+        let appearance = Drawn::new(SeaAppearance::new(sim.plan(), &params.look));
         let seas = Drawn::new(Mixture::new(sim.plan()));
         Self {
             gpu: gpu.clone(),
@@ -62,7 +62,7 @@ impl Ocean {
             renderer,
             reference: None,
             format,
-            numbers,
+            appearance,
             seas,
             waterlines: Vec::new(),
             timer,
@@ -100,14 +100,14 @@ impl Ocean {
 
     fn follow(&mut self, params: &Params, moved: &Moved) {
         let plan = self.sim.plan();
-        self.numbers.follow(moved, || Numbers::new(plan, &params.look));
+        self.appearance.follow(moved, || SeaAppearance::new(plan, &params.look));
         self.seas.follow(moved, || Mixture::new(plan));
     }
 
     fn take(&mut self, params: &Params) {
         if !drawn::refracts_alike(params, &self.params) {
-            let focusing_m = drawn::focusing_m(self.sim.plan(), &params.look);
-            self.numbers.change(|n| n.focusing_m = focusing_m);
+            let focusing_m = SeaAppearance::focusing_m(self.sim.plan(), &params.look);
+            self.appearance.change(|sea| sea.focusing_m = focusing_m);
         }
         self.params = params.clone();
     }
@@ -139,7 +139,7 @@ impl Ocean {
 
     /// Height of the still water that is drawn, m: on its way to the state's while the sea glides.
     pub fn level_m(&self) -> f64 {
-        self.numbers.value(self.sim.share()).level_m
+        self.appearance.value(self.sim.share()).level_m
     }
 
     /// Times the passes of frames that are recorded between its `begin` and `end`; see [`Timer`].
@@ -218,30 +218,19 @@ impl Ocean {
     pub fn scene(&self, [width, height]: [u32; 2]) -> Scene {
         let plan = self.sim.plan();
         let share = self.sim.share();
-        let numbers = self.numbers.value(share);
-        let (old, now) = self.numbers.parts();
+        let (old, now) = self.appearance.parts();
+        let sea = SeaAppearance { finest: now.finest, ..self.appearance.value(share) };
         let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
         Scene {
-            view: View::new(&above_water(&self.params.camera, numbers.level_m), aspect, LOWEST_EYE_M),
+            view: View::new(&above_water(&self.params.camera, sea.level_m), aspect, LOWEST_EYE_M),
             look: self.params.look.clone(),
             rides: self.params.camera.mode == CameraMode::Buoy,
             floats: self.poses(),
-            level_m: numbers.level_m,
             scales: std::array::from_fn(|layer| Scale::new(self.params.look.view.shown, plan, layer)),
-            sea: SeaLook {
-                chop: numbers.chop.map(|l| l as f32),
-                hs_m: numbers.hs_m as f32,
-                depth_m: numbers.depth_m as f32,
-                wind_m_s: numbers.wind_m_s as f32,
-                downwind: numbers.downwind.map(|x| x as f32),
-                residual: numbers.residual,
-                finest: now.finest,
-                fading: old.map(|old| Fading { finest: old.finest, share: 1.0 - share }),
-                focusing_m: numbers.focusing_m as f32,
-                mean_foam: self.sim.foam_coverage() as f32,
-                lambda_p_m: numbers.lambda_p_m as f32,
-                cloud_drift_m: numbers.clouds_m_s.map(|v| v * self.params.clock.t_s),
-            },
+            fading: old.map(|old| Fading { finest: old.finest, share: 1.0 - share }),
+            mean_foam: self.sim.foam_coverage(),
+            cloud_drift_m: sea.clouds_m_s.map(|v| v * self.params.clock.t_s),
+            sea,
         }
     }
 

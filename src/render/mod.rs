@@ -14,41 +14,53 @@ mod variants;
 mod views;
 mod water;
 
+pub use frame::FrameUniform;
 pub use reference::{Grid, Reference};
-pub use scene::{Fading, Scene, SeaLook};
+pub use scene::{Fading, Scene, SeaAppearance};
 pub use targets::Film;
+pub use water::material::MaterialUniform;
 
 use crate::gpu::Gpu;
 use crate::gpu::kit::Uniform;
-use crate::gpu::layout::Layout;
+use crate::gpu::layout::Declaration;
 use crate::gpu::timer::Timer;
 use crate::shaders::Shaders;
 use crate::sim::Maps;
+use crate::sim::maps::TilePlace;
 use crate::state::views::Shown;
 use film::present::{PresentPass, PresentUniform};
-use frame::FrameUniform;
+use frame::{FrameCascade, FrameFoamLevel};
 use scene_group::SceneGroup;
 use sky::background::BackgroundPass;
 use sky::tables::SkyTables;
-use sky::uniform::{LightBuffer, SkyUniform};
+use sky::uniform::{FogUniform, LightBuffer, SkyUniform};
 use targets::Targets;
 use views::{ViewPass, ViewTile, ViewUniform};
+use water::displace::MeshVertex;
 use water::eye::EyePass;
-use water::floats::FloatsPass;
+use water::floats::{FloatsPass, HullVertex};
 use water::light::WaterPass;
-use water::material::MaterialUniform;
-use water::mesh::Mesh;
+use water::material::NoiseLayer;
+use water::mesh::{Mesh, MeshLattice};
 use water::noise::NoiseTexture;
 
-/// What the layout test compares with the shaders.
-pub const LAYOUTS: &[Layout] = &[
-    FrameUniform::LAYOUT,
-    MaterialUniform::LAYOUT,
-    SkyUniform::LAYOUT,
-    LightBuffer::LAYOUT,
-    PresentUniform::LAYOUT,
-    ViewTile::LAYOUT,
-    ViewUniform::LAYOUT,
+/// The structs that the renderer shares with its shaders.
+pub const STRUCTS: &[Declaration] = &[
+    TilePlace::DECLARATION,
+    MeshLattice::DECLARATION,
+    MeshVertex::DECLARATION,
+    HullVertex::DECLARATION,
+    FrameCascade::DECLARATION,
+    FrameFoamLevel::DECLARATION,
+    FrameUniform::DECLARATION,
+    NoiseLayer::DECLARATION,
+    MaterialUniform::DECLARATION,
+    FogUniform::DECLARATION,
+    SkyUniform::DECLARATION,
+    LightBuffer::DECLARATION,
+    PresentUniform::DECLARATION,
+    ViewTile::DECLARATION,
+    ViewUniform::DECLARATION,
 ];
 
 /// Pixels of the picture for which the mesh's default density is made.
@@ -89,7 +101,7 @@ pub struct Renderer {
 impl Renderer {
     /// Compiles all passes. `target_format` is what [`Self::present`] draws into.
     pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat, film: Film) -> Self {
-        let shaders = Shaders::default();
+        let shaders = Shaders::default().with_structs(STRUCTS);
         let frame = Uniform::new(gpu, "frame");
         let material = Uniform::new(gpu, "material");
         let noise = NoiseTexture::new(gpu);
@@ -163,7 +175,7 @@ impl Renderer {
         }
         self.water.mesh.set(gpu, mesh);
         let foot = [scene.view.eye.x, scene.view.eye.z];
-        self.floats.write(gpu, &self.water.scene, &scene.floats, foot, scene.level_m);
+        self.floats.write(gpu, &self.water.scene, &scene.floats, foot, scene.sea.level_m);
     }
 
     /// Records the view that the look asks for instead of the picture.
@@ -173,7 +185,7 @@ impl Renderer {
         if let Shown::Surface(_) = scene.look.view.shown {
             self.water.displace(encoder);
         }
-        let make = || ViewPass::new(gpu, &Shaders::default(), &self.water, self.target_format);
+        let make = || ViewPass::new(gpu, &Shaders::default().with_structs(STRUCTS), &self.water, self.target_format);
         let view = self.view.get_or_insert_with(make);
         view.draw(gpu, encoder, (maps, scene), &self.water, targets);
     }
@@ -243,12 +255,7 @@ fn mesh(scene: &Scene, size: [u32; 2]) -> Mesh {
     Mesh::new(&scene.view, &scene.sea, scene.look.mesh * pixels.sqrt().clamp(0.05, 2.0), scene.look.extent_km)
 }
 
-/// The bytes of WGSL `Frame` for a picture of `size` pixels: for the tests that run the picture's functions by themselves.
-pub fn frame_bytes(scene: &Scene, maps: &Maps, size: [u32; 2]) -> Vec<u8> {
-    bytemuck::bytes_of(&FrameUniform::new(scene, maps, &mesh(scene, size), size)).to_vec()
-}
-
-/// The bytes of WGSL `Material`, for the same tests.
-pub fn material_bytes(scene: &Scene) -> Vec<u8> {
-    bytemuck::bytes_of(&MaterialUniform::new(scene)).to_vec()
+/// The frame of a picture of `size` pixels, for the tests that call the picture's WGSL functions.
+pub fn frame(scene: &Scene, maps: &Maps, size: [u32; 2]) -> FrameUniform {
+    FrameUniform::new(scene, maps, &mesh(scene, size), size)
 }

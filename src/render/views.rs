@@ -19,14 +19,21 @@ use std::cmp::Reverse;
 const GAP: u32 = 6;
 
 gpu_struct! {
-    /// WGSL `ViewTile`.
+    /// WGSL `ViewTile`: a square of the picture that shows one layer of a map. The views on the mesh only use the scale and
+    /// the layer of the first.
     #[derive(Default)]
     pub struct ViewTile as "ViewTile" {
+        /// Top left corner, pixels.
         corner: [f32; 2],
+        /// The texel that stands in the top left corner.
         first: [u32; 2],
+        /// Side, pixels.
         side: f32,
+        /// Layer of the map, cascade of a spectrum, or index of a drawn cascade.
         layer: u32,
+        /// Value of the first colour.
         low: f32,
+        /// Value of the last colour.
         high: f32,
     }
 }
@@ -34,13 +41,20 @@ gpu_struct! {
 gpu_struct! {
     /// WGSL `View`.
     pub struct ViewUniform as "View" {
+        /// Colours of the scale as the screen takes them.
         stops: [[f32; 4]; STOPS],
         tiles: [ViewTile; MAX_CASCADES],
+        /// Width and height of the picture, pixels.
         size: [f32; 2],
+        /// Horizontal displacement factor along x and z.
         chop: [f32; 2],
+        /// The map or the quantity that is shown: 1 + its place among the variants of `Map` or `Surface`.
         kind: u32,
+        /// Tiles in use.
         tile_count: u32,
+        /// 1 if the scale is logarithmic, else 0.
         logarithmic: u32,
+        /// Phase of all waves at the time of the maps, t / period in units of 2^-32.
         phase_time: u32,
     }
 }
@@ -98,7 +112,7 @@ impl ViewUniform {
             stops: scale.palette.stops().map(|[r, g, b]| [r, g, b, 1.0]),
             tiles,
             size: size.map(|s| s as f32),
-            chop: scene.sea.chop,
+            chop: scene.sea.chop.map(|l| l as f32),
             kind,
             tile_count: layers.len() as u32,
             logarithmic: u32::from(scale.logarithmic),

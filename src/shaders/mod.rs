@@ -3,6 +3,7 @@
 pub mod fft;
 
 use crate::gpu::Gpu;
+use crate::gpu::layout::Declaration;
 use crate::gpu::map_format::MapFormat;
 use fft::{Transform, Way};
 use std::borrow::Cow;
@@ -126,6 +127,8 @@ fn modules() -> impl Iterator<Item = (&'static str, Vec<(&'static str, &'static 
 #[derive(Clone, Debug)]
 pub struct Shaders {
     sources: BTreeMap<&'static str, Cow<'static, str>>,
+    /// Structs that Rust shares with the modules.
+    structs: Vec<Declaration>,
     way: Option<Way>,
     maps: Option<MapFormat>,
 }
@@ -135,6 +138,7 @@ impl Default for Shaders {
         let join = |files: Vec<(_, &str)>| files.into_iter().map(|(_, text)| text).collect::<Vec<_>>().join("\n");
         Self {
             sources: modules().map(|(name, files)| (name, Cow::Owned(join(files)))).collect(),
+            structs: Vec::new(),
             way: None,
             maps: None,
         }
@@ -151,6 +155,15 @@ impl Shaders {
         let source = self.sources.get_mut(module).unwrap_or_else(|| panic!("no shader module {module}"));
         assert_eq!(source.matches(from).count(), 1, "\"{from}\" should stand once in {module}");
         *source = Cow::Owned(source.replace(from, to));
+        self
+    }
+
+    /// These sources with structs that Rust declares. A module holds the declarations of those that it names.
+    #[must_use]
+    pub fn with_structs(mut self, structs: &[Declaration]) -> Self {
+        let new = structs.iter().filter(|s| self.structs.iter().all(|known| known.name != s.name)).copied();
+        let new: Vec<_> = new.collect();
+        self.structs.extend(new);
         self
     }
 
@@ -187,9 +200,18 @@ impl Shaders {
     }
 
     fn source(&self, name: &str, transform: Transform, maps: MapFormat) -> String {
+        format!("{}\n{}", self.text(name, maps), transform.straight_code(name).unwrap_or_default())
+    }
+
+    /// A module's text. The declarations of its structs stand last, so that they move no line of the files.
+    fn text(&self, name: &str, maps: MapFormat) -> String {
         let source = self.sources.get(name).unwrap_or_else(|| panic!("no shader module {name}"));
-        let code = format!("{source}\n{}", transform.straight_code(name).unwrap_or_default());
-        maps.shader(code.into()).into_owned()
+        let mut text = maps.shader(Cow::Borrowed(source)).into_owned();
+        let mut open: Vec<_> = self.structs.iter().collect();
+        while let Some(at) = open.iter().position(|declaration| has_word(&text, declaration.name)) {
+            text = format!("{text}\n{}", open.swap_remove(at).wgsl());
+        }
+        text
     }
 
     /// Compiles a module.
@@ -197,11 +219,7 @@ impl Shaders {
     /// # Panics
     /// If there is none of that name.
     pub fn module(&self, gpu: &Gpu, name: &str) -> wgpu::ShaderModule {
-        let (label, source) = self.sources.get_key_value(name).unwrap_or_else(|| panic!("no shader module {name}"));
-        gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some(label),
-            source: wgpu::ShaderSource::Wgsl(self.maps(gpu).shader(Cow::Borrowed(source))),
-        })
+        gpu.module(name, &self.text(name, self.maps(gpu)))
     }
 
     /// Compiles a module together with what is written out for a transform.
@@ -209,11 +227,15 @@ impl Shaders {
     /// # Panics
     /// If there is none of that name.
     pub fn straight(&self, gpu: &Gpu, name: &str, transform: Transform) -> wgpu::ShaderModule {
-        gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some(name),
-            source: wgpu::ShaderSource::Wgsl(Cow::Owned(self.source(name, transform, self.maps(gpu)))),
-        })
+        gpu.module(name, &self.source(name, transform, self.maps(gpu)))
     }
+}
+
+/// Whether a text contains a name that is not a part of a longer one.
+fn has_word(text: &str, name: &str) -> bool {
+    let is_end = |c: Option<char>| !c.is_some_and(|c| c.is_alphanumeric() || c == '_');
+    text.match_indices(name)
+        .any(|(at, _)| is_end(text[..at].chars().next_back()) && is_end(text[at + name.len()..].chars().next()))
 }
 
 /// File and line (from 1) of a line (from 1) of a joined module.

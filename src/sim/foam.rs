@@ -1,9 +1,9 @@
 //! When and where foam is computed: the lattice of replayed times, and the world-anchored levels.
 
 use super::glide::{Mix, mix, mix2};
-use super::maps::{FOAM_LEVELS, MAX_DRAWN, TilePlace};
+use super::maps::{FOAM_LEVELS, MAX_DRAWN};
 use super::maps::{FoamLevel, Maps};
-use super::uniforms::{FoamCascade, FoamLevelUniform, FoamUniform};
+use super::uniforms::{FoamCascade, FoamCorner, FoamLevelUniform, FoamUniform};
 use crate::waves::{Plan, foam};
 
 /// Evaluations of a cold start.
@@ -188,15 +188,14 @@ impl FoamClock {
             let texel_m = texel_m(self.size, level);
             let source = self.numbers.sources[level];
             let corner = cells[level].map(|c| f64::from(c) * texel_m);
-            let (mut uv, mut tiles) = ([[0.0; 2]; MAX_DRAWN], [TilePlace::default(); MAX_DRAWN]);
-            for ((uv, tile), cascade) in uv.iter_mut().zip(&mut tiles).zip(&maps.cascades) {
-                let half_texel = 0.5 / f64::from(maps.n);
-                *uv = corner.map(|x| ((x / cascade.patch_m).rem_euclid(1.0) + half_texel) as f32);
-                *tile = cascade.tiling.place(corner).into();
+            let half_texel = 0.5 / f64::from(maps.n);
+            let mut corners = [FoamCorner::default(); MAX_DRAWN];
+            for (out, cascade) in corners.iter_mut().zip(&maps.cascades) {
+                out.tile = cascade.tiling.place(corner).into();
+                out.uv = corner.map(|x| ((x / cascade.patch_m).rem_euclid(1.0) + half_texel) as f32);
             }
             FoamLevelUniform {
-                uv,
-                tiles,
+                corners,
                 cell: cells[level],
                 previous: previous[level],
                 texel_m: texel_m as f32,

@@ -2,7 +2,7 @@
 
 use super::maps::FOAM_LEVELS;
 use super::resources::{MapKind, Resources, Straight, Waves, map, view};
-use super::uniforms::{FoamUniform, SeaUniform};
+use super::uniforms::{FoamUniform, STRUCTS, SeaUniform};
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Kernel, Slot, UniformRing};
 use crate::shaders::Shaders;
@@ -51,6 +51,7 @@ impl Passes {
         sea: &UniformRing<SeaUniform>,
         foam: &UniformRing<FoamUniform>,
     ) -> Self {
+        let shaders = &shaders.clone().with_structs(STRUCTS);
         Self {
             spectrum: SpectrumPass::new(gpu, shaders, resources, sea),
             rows: RowsPass::new(gpu, shaders, resources, sea),

@@ -1,7 +1,7 @@
 //! The uniform structs of the simulation's passes.
 
 use super::maps::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN, TilePlace};
-use crate::gpu::layout::{Layout, gpu_struct};
+use crate::gpu::layout::{Declaration, gpu_struct};
 
 gpu_struct! {
     /// WGSL `SeaCascade`.
@@ -70,13 +70,24 @@ gpu_struct! {
 }
 
 gpu_struct! {
+    /// WGSL `FoamCorner`: a point of the plane on the maps of a cascade.
+    #[derive(Default)]
+    pub struct FoamCorner as "FoamCorner" {
+        /// The point on the lattice of the patch's copies.
+        pub tile: TilePlace,
+        /// Texture coordinates of the point.
+        pub uv: [f32; 2],
+        /// Pads an array element to a multiple of 16 bytes.
+        pub unused: [u32; 2],
+    }
+}
+
+gpu_struct! {
     /// WGSL `FoamLevel`.
     #[derive(Default)]
     pub struct FoamLevelUniform as "FoamLevel" {
-        /// Texture coordinates of the first cell's corner on each cascade.
-        pub uv: [[f32; 2]; MAX_DRAWN],
-        /// And on the lattices of their copies.
-        pub tiles: [TilePlace; MAX_DRAWN],
+        /// Corner of the first cell in range, on each drawn cascade.
+        pub corners: [FoamCorner; MAX_DRAWN],
         /// First cell in range.
         pub cell: [i32; 2],
         /// First cell in range at the last step.
@@ -129,12 +140,13 @@ gpu_struct! {
 }
 
 /// The structs that the simulation shares with its shaders.
-pub const LAYOUTS: [Layout; 7] = [
-    SeaCascade::LAYOUT,
-    SeaTerm::LAYOUT,
-    SeaUniform::LAYOUT,
-    TilePlace::LAYOUT,
-    FoamLevelUniform::LAYOUT,
-    FoamCascade::LAYOUT,
-    FoamUniform::LAYOUT,
+pub const STRUCTS: &[Declaration] = &[
+    SeaCascade::DECLARATION,
+    SeaTerm::DECLARATION,
+    SeaUniform::DECLARATION,
+    TilePlace::DECLARATION,
+    FoamCorner::DECLARATION,
+    FoamLevelUniform::DECLARATION,
+    FoamCascade::DECLARATION,
+    FoamUniform::DECLARATION,
 ];

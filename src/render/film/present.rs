@@ -12,17 +12,23 @@ use crate::state::look::Film;
 gpu_struct! {
     /// WGSL `Present`.
     pub struct PresentUniform as "Present" {
+        /// Width and height of the picture, pixels.
         size: [f32; 2],
+        /// Factor of the exposure.
         exposure_gain: f32,
+        /// Exposure that does not follow the light, or 0.
         fixed_exposure: f32,
+        /// The tone curve: the place of the variant in `Tone`.
         tone: u32,
+        /// Share of the light that the lens spreads.
         bloom: f32,
+        /// 1 if the picture is dithered, else 0.
         dither: f32,
-        unused: f32,
+        unused: u32,
     }
 }
 
-/// Exposure of a clear noon, the sun 60 degrees high: what the film takes that does not adapt.
+/// Automatic exposure of a clear noon with the sun 60 degrees high; the fixed exposure of a film that does not adapt.
 pub const NOON_EXPOSURE: f32 = 0.444;
 
 /// Draws the HDR picture into a pass of the screen.
@@ -104,7 +110,7 @@ impl PresentPass {
             tone: film.tone as u32,
             bloom: film.bloom as f32,
             dither: f32::from(u8::from(film.dither)),
-            unused: 0.0,
+            unused: 0,
         };
         self.uniform.write(gpu, &uniform);
     }

@@ -37,5 +37,5 @@ impl EyePass {
 
 /// A crest of 1.5 Hs comes once in some 10^7 waves that are Rayleigh distributed.
 fn may_be_wet(scene: &Scene) -> bool {
-    scene.view.eye.y < 3.0 + 1.5 * f64::from(scene.sea.hs_m)
+    scene.view.eye.y < 3.0 + 1.5 * scene.sea.hs_m
 }
