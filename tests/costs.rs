@@ -1,10 +1,11 @@
 //! Compares the costs of the picture's passes (src/bench/cost.rs) with the shaders: counts their expressions, each loop
 //! with its largest number of iterations.
 
+mod common;
+
 use naga::valid::{Capabilities, FunctionInfo, ValidationFlags, Validator};
 use naga::{BinaryOperator, Expression, Function, MathFunction, Module, Override, Statement, TypeInner};
 use seastate::bench::cost;
-use seastate::shaders::Shaders;
 use seastate::waves::tiling::MEAN_COPIES;
 
 /// Cost of a transcendental function, root or quotient in additions.
@@ -159,7 +160,7 @@ fn math(fun: MathFunction, wide: f64, of: f64) -> f64 {
 }
 
 fn count(module: &str, entry: &str) -> Count {
-    let (_, text) = Shaders::default().all().find(|(name, _)| *name == module).expect("a module");
+    let (_, text) = common::wgsl::shaders().all().find(|(name, _)| *name == module).expect("a module");
     let parsed = naga::front::wgsl::parse_str(&text).expect("a valid module");
     let info = Validator::new(ValidationFlags::all(), Capabilities::all()).validate(&parsed).expect("a valid module");
     let at = parsed.entry_points.iter().position(|e| e.name == entry).expect("an entry point");
@@ -169,12 +170,12 @@ fn count(module: &str, entry: &str) -> Count {
 #[test]
 fn the_budget_of_the_picture_is_that_of_its_shaders() {
     let of = [
-        ("mesh", "main", cost::VERTEX),
-        ("water_deferred", "mesh_vertex", cost::DRAWN_VERTEX),
-        ("water_deferred", "mesh_fragment", cost::SHOWN),
-        ("water_deferred", "light_fragment", cost::LIGHT),
-        ("sky", "fragment", cost::BACKGROUND),
-        ("present", "fragment", cost::PRESENT),
+        ("water/displace", "main", cost::VERTEX),
+        ("water/light", "mesh_vertex", cost::DRAWN_VERTEX),
+        ("water/light", "mesh_fragment", cost::SHOWN),
+        ("water/light", "light_fragment", cost::LIGHT),
+        ("sky/background", "fragment", cost::BACKGROUND),
+        ("film/present", "fragment", cost::PRESENT),
     ];
     let mut wrong = Vec::new();
     for (module, entry, budget) in of {

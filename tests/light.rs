@@ -1,57 +1,11 @@
-//! Sky, fog and film by the picture's own WGSL functions, run in a compute kernel that `light.wgsl` appends to them: colours
-//! of four wavelengths against spectra, fog against quadrature, tone curves against their publications.
+//! Sky, fog and film by the picture's own WGSL functions: colours of four wavelengths against spectra, fog against
+//! quadrature, tone curves against their publications.
 
-use seastate::gpu::Gpu;
-use seastate::gpu::readback;
-use seastate::shaders::Shaders;
-use wgpu::util::{BufferInitDescriptor, DeviceExt};
+mod common;
+
+use common::wgsl::{ask, shaders};
 
 type Case = [[f32; 4]; 2];
-
-/// Answers of a module to some questions; `answer` is the body of a function of `a` and `b`.
-fn ask(shaders: &Shaders, module: &str, answer: &str, cases: &[Case]) -> Vec<[f64; 4]> {
-    let gpu = pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers");
-    let (_, source) = shaders.all().find(|(name, _)| *name == module).expect("the module");
-    let source =
-        format!("{source}\n{}\nfn answer(a: vec4f, b: vec4f) -> vec4f {{ {answer} }}", include_str!("light.wgsl"));
-    let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some("light"),
-        source: wgpu::ShaderSource::Wgsl(source.into()),
-    });
-    let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: Some("light"),
-        layout: None,
-        module: &module,
-        entry_point: Some("ask"),
-        compilation_options: wgpu::PipelineCompilationOptions::default(),
-        cache: None,
-    });
-    let buffer =
-        |contents: &[u8], usage| gpu.device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage });
-    let questions = buffer(bytemuck::cast_slice(cases), wgpu::BufferUsages::STORAGE);
-    let none = vec![[f32::NAN; 4]; cases.len()];
-    let answers = buffer(bytemuck::cast_slice(&none), wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC);
-    let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: None,
-        layout: &pipeline.get_bind_group_layout(2),
-        entries: &[
-            wgpu::BindGroupEntry { binding: 0, resource: questions.as_entire_binding() },
-            wgpu::BindGroupEntry { binding: 1, resource: answers.as_entire_binding() },
-        ],
-    });
-    let mut encoder = gpu.encoder("test");
-    {
-        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-        pass.set_pipeline(&pipeline);
-        pass.set_bind_group(2, &group, &[]);
-        pass.dispatch_workgroups(cases.len().div_ceil(64) as u32, 1, 1);
-    }
-    let staging = readback::stage_buffer(&gpu, &mut encoder, &answers);
-    gpu.submit(encoder);
-    let bytes = pollster::block_on(readback::read(&gpu, staging)).expect("read-back");
-    let answers: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);
-    answers.into_iter().map(|a| a.map(f64::from)).collect()
-}
 
 // Colours.
 
@@ -155,7 +109,7 @@ fn four_wavelengths_have_the_colours_of_spectra() {
         }
     }
     let cases: Vec<Case> = skies.iter().map(|s| [FOUR.map(|nm| light(nm, *s) as f32), [0.0; 4]]).collect();
-    let found = ask(&Shaders::default(), "sky", "return vec4f(atm_rgb(a), 0.0);", &cases);
+    let found = ask(&shaders(), "sky/background", "return vec4f(atm_rgb(a), 0.0);", &cases);
     let white = rgb(sunlight);
     let mut worst = 0f64;
     for (sky, found) in skies.iter().zip(&found) {
@@ -171,8 +125,8 @@ fn four_wavelengths_have_the_colours_of_spectra() {
     assert!(worst < 0.03, "{worst}");
     // The coefficients of the shader are those of these tables.
     let found = ask(
-        &Shaders::default(),
-        "sky",
+        &shaders(),
+        "sky/background",
         "return select(ATM_OZONE, ATM_RAYLEIGH, a.x > 0.0);",
         &[[[1.0; 4], [0.0; 4]], [[0.0; 4], [0.0; 4]]],
     );
@@ -201,7 +155,7 @@ fn fog_length([eye, mu, start, end]: [f64; 4], [falloff, top]: [f64; 2]) -> f64 
 #[test]
 fn fog_is_what_quadrature_gives() {
     let shaders =
-        Shaders::default().patched("sky", "@group(0) @binding(1) var<uniform> sky: Sky;", "var<private> sky: Sky;");
+        shaders().patched("sky/background", "@group(0) @binding(1) var<uniform> sky: Sky;", "var<private> sky: Sky;");
     let horizon = |eye: f64| -(2.0 * eye / EARTH_M).sqrt();
     let mut cases = Vec::new();
     for (falloff, top) in [(30.0, 20.0), (5.0, 0.0), (500.0, 100.0), (1.0, 1000.0)] {
@@ -224,7 +178,12 @@ fn fog_is_what_quadrature_gives() {
     }
     let asked: Vec<Case> =
         cases.iter().map(|(ray, fog)| [ray.map(|v| v as f32), [0.0, 0.0, fog[0] as f32, fog[1] as f32]]).collect();
-    let found = ask(&shaders, "sky", "sky.fog = b; return vec4f(fog_length(a.x, a.y, a.z, a.w));", &asked);
+    let found = ask(
+        &shaders,
+        "sky/background",
+        "sky.fog = Fog(b.x, b.y, b.z, b.w); return vec4f(fog_length(a.x, a.y, a.z, a.w));",
+        &asked,
+    );
     for ((ray, fog), found) in cases.iter().zip(&found) {
         let exact = fog_length(*ray, *fog);
         let error = (found[0] - exact).abs();
@@ -240,7 +199,7 @@ fn tone(curve: u32, colours: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let cases: Vec<Case> =
         colours.iter().map(|c| [[c[0] as f32, c[1] as f32, c[2] as f32, curve as f32], [0.0; 4]]).collect();
     let body = "return vec4f(present_tone(u32(a.w), a.xyz), 0.0);";
-    ask(&Shaders::default(), "present", body, &cases).into_iter().map(|a| [a[0], a[1], a[2]]).collect()
+    ask(&shaders(), "film/present", body, &cases).into_iter().map(|a| [a[0], a[1], a[2]]).collect()
 }
 
 fn srgb(c: f64) -> f64 {

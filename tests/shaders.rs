@@ -1,19 +1,23 @@
 //! Every shader module is valid for naga (Firefox and the native program use it), and Rust and WGSL agree on the layout of
 //! every struct that they share.
 
-use naga::valid::{Capabilities, ValidationFlags, Validator};
-use seastate::gpu::layout::Layout;
-use seastate::gpu::map_format::MapFormat;
-use seastate::shaders::{Shaders, locate};
-use std::collections::BTreeSet;
+mod common;
 
-fn layouts() -> Vec<Layout> {
-    seastate::sim::uniforms::LAYOUTS.iter().chain(seastate::render::LAYOUTS).copied().collect()
+use common::wgsl::shaders;
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+use seastate::gpu::layout::Declaration;
+use seastate::gpu::map_format::MapFormat;
+use seastate::shaders::locate;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The shared structs, by their names in WGSL.
+fn declarations() -> BTreeMap<&'static str, Declaration> {
+    seastate::sim::uniforms::STRUCTS.iter().chain(seastate::render::STRUCTS).map(|s| (s.name, *s)).collect()
 }
 
 fn parsed() -> Vec<(&'static str, naga::Module)> {
-    let floats = Shaders::default().with_maps(MapFormat::Float);
-    Shaders::default()
+    let floats = shaders().with_maps(MapFormat::Float);
+    shaders()
         .all()
         .chain(floats.all())
         .map(|(name, text)| {
@@ -38,50 +42,41 @@ fn every_module_is_valid_without_optional_features() {
 }
 
 fn module_text(name: &str) -> String {
-    Shaders::default().all().find(|(n, _)| *n == name).map(|(_, text)| text).unwrap_or_default()
+    shaders().all().find(|(n, _)| *n == name).map(|(_, text)| text).unwrap_or_default()
 }
 
 #[test]
 fn rust_and_wgsl_agree_on_layouts() {
-    let layouts = layouts();
+    let declarations = declarations();
     let mut checked = BTreeSet::new();
     for (name, module) in parsed() {
         for (_, ty) in module.types.iter() {
             let (Some(struct_name), naga::TypeInner::Struct { members, span }) = (&ty.name, &ty.inner) else {
                 continue;
             };
-            let Some((_, fields, size)) = layouts.iter().find(|(wgsl, _, _)| wgsl == struct_name) else { continue };
-            assert_eq!(*span as usize, *size, "{name}: size of {struct_name}");
-            for member in members {
-                let member_name = member.name.as_deref().unwrap_or_default();
-                // A Rust array may stand for several WGSL members; those it names must agree.
-                if let Some((_, offset)) = fields.iter().find(|(field, _)| *field == member_name) {
-                    assert_eq!(member.offset as usize, *offset, "{name}: {struct_name}.{member_name}");
-                }
-            }
-            for (field, _) in fields.iter().filter(|(field, _)| !field.starts_with("unused")) {
-                assert!(
-                    members.iter().any(|m| m.name.as_deref() == Some(field)),
-                    "{name}: {struct_name} has no {field}"
-                );
+            let Some(declaration) = declarations.get(struct_name.as_str()) else { continue };
+            assert_eq!(*span as usize, declaration.size, "{name}: size of {struct_name}");
+            for member in declaration.members.iter().filter(|member| !member.is_padding()) {
+                let offset = members.iter().find(|m| m.name.as_deref() == Some(member.name)).map(|m| m.offset as usize);
+                assert_eq!(offset, Some(member.offset), "{name}: {struct_name}.{}", member.name);
             }
             checked.insert(struct_name.clone());
         }
     }
-    let all: BTreeSet<String> = layouts.iter().map(|(name, _, _)| (*name).to_owned()).collect();
+    let all: BTreeSet<String> = declarations.into_keys().map(str::to_owned).collect();
     assert_eq!(checked, all, "every shared struct is used by a shader");
 }
 
 #[test]
-fn every_uniform_struct_has_a_rust_twin() {
-    let layouts = layouts();
+fn every_uniform_struct_is_declared_in_rust() {
+    let declarations = declarations();
     for (name, module) in parsed() {
         for (_, variable) in module.global_variables.iter() {
             if variable.space != naga::AddressSpace::Uniform {
                 continue;
             }
             let ty = module.types[variable.ty].name.clone().unwrap_or_default();
-            assert!(layouts.iter().any(|(wgsl, _, _)| *wgsl == ty), "{name}: uniform {ty} is not in LAYOUTS");
+            assert!(declarations.contains_key(ty.as_str()), "{name}: uniform {ty} is not declared in Rust");
         }
     }
 }

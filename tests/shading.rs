@@ -1,21 +1,22 @@
-//! Light and normals of the picture: the very functions of the water module, run in a compute kernel that `shading.wgsl`
-//! appends to it, against exact optics and geometry in f64; and that the errata of the source texts would be found.
+//! Light and normals of the picture: the very functions of the water's module, called by `shading.wgsl`, against exact optics
+//! and geometry in f64; and that the errata of the source texts would be found.
 
 mod common;
 
+use common::wgsl::{self, shaders};
 use glam::{DMat2, DVec2, DVec3};
 use half::f16;
 use seastate::gpu::Gpu;
-use seastate::gpu::readback;
 use seastate::ocean::{Film, Ocean};
-use seastate::render;
+use seastate::render::{self, MaterialUniform};
 use seastate::shaders::Shaders;
-use seastate::state::query;
 use seastate::waves::slopes;
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
-use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{BindingResource, BufferUsages};
+
+/// The module that is called.
+const MODULE: &str = "water/light";
 
 /// One cascade that repeats, so that a lattice over its patch sees the whole surface; the eye's foot lies on no texel of its
 /// own. tests/surface.rs knows the blend of copies.
@@ -107,15 +108,13 @@ struct Bench {
 /// The module of the picture with the kernel.
 struct Kernel<'a> {
     bench: &'a Bench,
-    pipeline: wgpu::ComputePipeline,
-    groups: [wgpu::BindGroup; 2],
+    kernel: wgsl::Kernel<4, 1>,
 }
 
 impl Bench {
     fn new() -> Self {
-        let gpu = pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers");
-        let (params, notices) = query::parse(STATE);
-        assert_eq!(notices, Vec::<String>::new());
+        let gpu = common::gpu();
+        let params = common::params(STATE);
         let mut ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, Film::Screen, &params);
         let mut encoder = gpu.encoder("test");
         ocean.simulation().encode_f32(&gpu, &mut encoder, params.clock.t_s);
@@ -124,126 +123,53 @@ impl Bench {
         let mut scene = ocean.scene(size);
         // Neither ripples nor roughness beyond the maps: the slopes are those of the displaced surface.
         scene.sea.residual = [0.0; 2];
-        let frame = render::frame_bytes(&scene, ocean.simulation().maps(), size);
-        let frame = buffer(&gpu, &frame, BufferUsages::UNIFORM);
-        let material = buffer(&gpu, &render::material_bytes(&scene), BufferUsages::UNIFORM);
+        let frame = render::frame(&scene, ocean.simulation().maps(), size);
+        let frame = wgsl::buffer(&gpu, bytemuck::bytes_of(&frame), BufferUsages::UNIFORM);
+        let material = MaterialUniform::new(&scene);
+        let material = wgsl::buffer(&gpu, bytemuck::bytes_of(&material), BufferUsages::UNIFORM);
         let environment = environment(&gpu);
-        let sky = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
-            address_mode_u: wgpu::AddressMode::Repeat,
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            ..Default::default()
-        });
+        let modes = [wgpu::AddressMode::Repeat, wgpu::AddressMode::ClampToEdge];
+        let sky = gpu.sampler("made-up sky", modes, wgpu::MipmapFilterMode::Nearest);
         Self { gpu, ocean, frame, material, environment, sky, foot: DVec2::new(params.camera.x_m, params.camera.z_m) }
     }
 
     fn kernel(&mut self, shaders: Shaders) -> Kernel<'_> {
-        let gpu = &self.gpu;
         // What the questions set must be variables.
         let shaders = shaders
             .patched(
-                "water",
+                MODULE,
                 "var<uniform> frame: Frame;",
                 "var<uniform> picture_frame: Frame;\nvar<private> frame: Frame;",
             )
             .patched(
-                "water",
+                MODULE,
                 "var<uniform> material: Material;",
                 "var<uniform> picture_material: Material;\nvar<private> material: Material;",
             )
-            .patched("water", "@group(0) @binding(2) var<uniform> light: Light;", "var<private> light: Light;");
+            .patched(MODULE, "@group(0) @binding(2) var<uniform> light: Light;", "var<private> light: Light;");
         let shaders = ["WATER_GGX", "WATER_PHONG", "WATER_SCHLICK"].into_iter().fold(shaders, |shaders, part| {
             let constant = format!("override {part}: bool");
-            shaders.patched("water", &constant, &format!("var<private> {part}: bool"))
+            shaders.patched(MODULE, &constant, &format!("var<private> {part}: bool"))
         });
-        let (_, water) = shaders.all().find(|(name, _)| *name == "water").expect("the picture's module");
-        let source = format!("{water}\n{}", include_str!("shading.wgsl"));
-        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("shading"),
-            source: wgpu::ShaderSource::Wgsl(source.into()),
-        });
-        let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-            label: Some("shading"),
-            layout: None,
-            module: &module,
-            entry_point: Some("ask"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            cache: None,
-        });
-        let sampler = self.ocean.simulation().resources.repeat.clone();
-        let levels = common::level_sampler(gpu);
-        let maps = self.ocean.simulation().maps();
-        let groups = [
-            group(
-                gpu,
-                &pipeline,
-                0,
-                &[
-                    (0, self.frame.as_entire_binding()),
-                    (4, BindingResource::TextureView(&self.environment)),
-                    (5, BindingResource::Sampler(&self.sky)),
-                    (9, self.material.as_entire_binding()),
-                ],
-            ),
-            group(
-                gpu,
-                &pipeline,
-                1,
-                &[
-                    (0, BindingResource::TextureView(&maps.displacement)),
-                    (1, BindingResource::TextureView(&maps.gradients)),
-                    (2, BindingResource::TextureView(&maps.moments)),
-                    (4, BindingResource::Sampler(&sampler)),
-                    (5, BindingResource::Sampler(&levels)),
-                ],
-            ),
-        ];
-        Kernel { bench: self, pipeline, groups }
+        let mut kernel = wgsl::Kernel::new(&self.gpu, &shaders, MODULE, include_str!("shading.wgsl"));
+        kernel.bind(
+            0,
+            &[
+                (0, self.frame.as_entire_binding()),
+                (4, BindingResource::TextureView(&self.environment)),
+                (5, BindingResource::Sampler(&self.sky)),
+                (9, self.material.as_entire_binding()),
+            ],
+        );
+        common::bind_maps(&mut kernel, &self.gpu, self.ocean.simulation());
+        Kernel { bench: self, kernel }
     }
 }
 
 impl Kernel<'_> {
     fn ask(&self, cases: &[Case]) -> Vec<[f64; 4]> {
-        let gpu = &self.bench.gpu;
-        let questions = buffer(gpu, bytemuck::cast_slice(cases), BufferUsages::STORAGE);
-        let none = vec![[f32::NAN; 4]; cases.len()];
-        let answers = buffer(gpu, bytemuck::cast_slice(&none), BufferUsages::STORAGE | BufferUsages::COPY_SRC);
-        let own = [(0, questions.as_entire_binding()), (1, answers.as_entire_binding())];
-        let own = group(gpu, &self.pipeline, 2, &own);
-        let mut encoder = gpu.encoder("test");
-        {
-            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-            pass.set_pipeline(&self.pipeline);
-            for (i, group) in (0..).zip([&self.groups[0], &self.groups[1], &own]) {
-                pass.set_bind_group(i, group, &[]);
-            }
-            pass.dispatch_workgroups(cases.len().div_ceil(64) as u32, 1, 1);
-        }
-        let staging = readback::stage_buffer(gpu, &mut encoder, &answers);
-        gpu.submit(encoder);
-        let bytes = pollster::block_on(readback::read(gpu, staging)).expect("read-back");
-        let answers: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);
-        answers.into_iter().map(|a| a.map(f64::from)).collect()
+        self.kernel.ask(cases).into_iter().map(|[answer]| answer).collect()
     }
-}
-
-fn buffer(gpu: &Gpu, contents: &[u8], usage: BufferUsages) -> wgpu::Buffer {
-    gpu.device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
-}
-
-fn group(
-    gpu: &Gpu,
-    pipeline: &wgpu::ComputePipeline,
-    index: u32,
-    resources: &[(u32, BindingResource<'_>)],
-) -> wgpu::BindGroup {
-    let entries: Vec<_> =
-        resources.iter().map(|(binding, r)| wgpu::BindGroupEntry { binding: *binding, resource: r.clone() }).collect();
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: None,
-        layout: &pipeline.get_bind_group_layout(index),
-        entries: &entries,
-    })
 }
 
 /// Blue of the made-up sky: tells every direction from its mirror images.
@@ -261,18 +187,10 @@ fn environment(gpu: &Gpu) -> wgpu::TextureView {
         [1.0, 0.0, sky_blue(dir), 1.0].map(f16::from_f64)
     };
     let texels: Vec<[f16; 4]> = (0..SIZE[0] * SIZE[1]).map(texel).collect();
-    let descriptor = wgpu::TextureDescriptor {
-        label: Some("made-up sky"),
-        size: wgpu::Extent3d { width: SIZE[0], height: SIZE[1], depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format: wgpu::TextureFormat::Rgba16Float,
-        usage: wgpu::TextureUsages::TEXTURE_BINDING,
-        view_formats: &[],
-    };
-    let order = wgpu::util::TextureDataOrder::LayerMajor;
-    let texture = gpu.device.create_texture_with_data(&gpu.queue, &descriptor, order, bytemuck::cast_slice(&texels));
+    let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
+    let size = [SIZE[0], SIZE[1], 1];
+    let texture = gpu.texture("made-up sky", size, 1, wgpu::TextureFormat::Rgba16Float, usage);
+    gpu.write_texture(&texture, 0, bytemuck::cast_slice(&texels));
     texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 
@@ -704,7 +622,7 @@ fn table(lines: &[Line]) -> String {
 
 #[test]
 fn light_and_normals_are_right() {
-    let lines = compare(&mut Bench::new(), Shaders::default());
+    let lines = compare(&mut Bench::new(), shaders());
     eprintln!("{}", table(&lines));
     assert!(lines.iter().all(Line::passes), "{}", table(&lines));
 }
@@ -826,9 +744,9 @@ const FAULTS: &[Fault] = &[
 #[test]
 fn the_errata_would_be_found() {
     let mut bench = Bench::new();
-    let mut unproved: BTreeSet<&str> = compare(&mut bench, Shaders::default()).iter().map(|l| l.what).collect();
+    let mut unproved: BTreeSet<&str> = compare(&mut bench, shaders()).iter().map(|l| l.what).collect();
     for Fault(what, patches, red) in FAULTS {
-        let shaders = patches.iter().fold(Shaders::default(), |s, (from, to)| s.patched("water", from, to));
+        let shaders = patches.iter().fold(shaders(), |s, (from, to)| s.patched(MODULE, from, to));
         let lines = compare(&mut bench, shaders);
         let line = lines.iter().find(|l| l.what == *red).expect("a line of that name");
         assert!(!line.passes(), "{what} went unseen:\n{}", table(&lines));

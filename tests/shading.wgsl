@@ -1,7 +1,4 @@
-// Appended to the picture's water module by shading.rs: asks its functions one question a thread.
-
-@group(2) @binding(0) var<storage, read> questions: array<array<vec4f, 4>>;
-@group(2) @binding(1) var<storage, read_write> answers: array<vec4f>;
+// Appended to the module of the water's light by shading.rs: calls its functions.
 
 fn ask_mirror(v: vec3f, sun: vec3f, mean: vec2f, variance: vec3f) -> vec4f {
   frame.sun = sun;
@@ -28,17 +25,13 @@ fn ask_slope(at: vec2f, size: f32) -> vec4f {
   return vec4f(slope.mean, slope.jacobian, 0.0);
 }
 
-@compute @workgroup_size(64)
-fn ask(@builtin(global_invocation_id) id: vec3u) {
-  if id.x >= arrayLength(&answers) {
-    return;
-  }
+fn answer(question: Question) -> Answer {
   frame = picture_frame;
   material = picture_material;
-  let a = questions[id.x][0];
-  let b = questions[id.x][1];
-  let c = questions[id.x][2];
-  let d = questions[id.x][3];
+  let a = question[0];
+  let b = question[1];
+  let c = question[2];
+  let d = question[3];
   WATER_GGX = d.x == 1.0;
   WATER_PHONG = d.x == 2.0;
   material.shininess = 120.0;
@@ -58,5 +51,5 @@ fn ask(@builtin(global_invocation_id) id: vec3u) {
     case 6u: { answer.x = water_again(water_facets(a.xyz, WaterSlope(c.xy, vec3f(c.zw, b.w), 1.0, vec2f(0.0))), b.x); }
     default: { answer = vec4f(water_normal(a.xy), 0.0); }
   }
-  answers[id.x] = answer;
+  return Answer(answer);
 }

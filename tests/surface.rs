@@ -3,38 +3,30 @@
 
 mod common;
 
-use common::params;
+use common::{params, wgsl};
 use seastate::gpu::Gpu;
-use seastate::gpu::readback;
 use seastate::ocean::{Film, Ocean};
 use seastate::oracle::foam::MipLevel;
 use seastate::oracle::{self, Texel, surface};
 use seastate::point::{Heights, SurfaceSample};
 use seastate::render;
-use seastate::shaders::Shaders;
 use seastate::state::Params;
 use seastate::waves::{Plan, noise};
 use std::f64::consts::TAU;
-use wgpu::util::{BufferInitDescriptor, DeviceExt};
-use wgpu::{BindingResource, BufferUsages};
 
-const KERNEL: &str = "
-@group(2) @binding(0) var<storage, read> questions: array<vec4f>;
-@group(2) @binding(1) var<storage, read_write> answers: array<array<vec4f, 4>>;
-
-@compute @workgroup_size(64)
-fn ask(@builtin(global_invocation_id) id: vec3u) {
-  if id.x < arrayLength(&answers) {
-    let q = questions[id.x];
-    let foot = WaterFootprint(vec2f(q.w, 0.0), q.z, 1);
-    let slope = water_slope(q.xy, foot);
-    let vertex = water_moved(q.xy, 1.5 * mesh_spacing(length(q.xy)), true);
-    let split = water_slope_beyond(q.xy, foot, foot, vertex.carried, true);
-    answers[id.x][0] = vec4f(water_moved(q.xy, q.z, false).displacement, 0.0);
-    answers[id.x][1] = vec4f(slope.mean, slope.jacobian, 0.0);
-    answers[id.x][2] = vec4f(slope.variance, 0.0);
-    answers[id.x][3] = vec4f(split.mean, length(vertex.carried.slope), 0.0);
-  }
+/// The question is a point beside the eye's foot (x, z) and the sides of a pixel, m.
+const ANSWER: &str = "
+fn answer(question: Question) -> Answer {
+  let q = question[0];
+  let foot = WaterFootprint(vec2f(q.w, 0.0), q.z, 1);
+  let slope = water_slope(q.xy, foot);
+  let vertex = water_moved(q.xy, 1.5 * mesh_spacing(length(q.xy)), true);
+  let split = water_slope_beyond(q.xy, foot, foot, vertex.carried, true);
+  return Answer(
+    vec4f(water_moved(q.xy, q.z, false).displacement, 0.0),
+    vec4f(slope.mean, slope.jacobian, 0.0),
+    vec4f(slope.variance, 0.0),
+    vec4f(split.mean, length(vertex.carried.slope), 0.0));
 }
 ";
 
@@ -59,29 +51,17 @@ struct Bench {
     gpu: Gpu,
     ocean: Ocean,
     params: Params,
-    pipeline: wgpu::ComputePipeline,
+    kernel: wgsl::Kernel<1, 4>,
 }
 
 impl Bench {
     fn new(state: &str) -> Self {
         let gpu = common::gpu();
         let params = params(state);
-        let ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, Film::Screen, &params);
-        let shaders = Shaders::default();
-        let (_, water) = shaders.all().find(|(name, _)| *name == "water").expect("the picture's module");
-        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("surface"),
-            source: wgpu::ShaderSource::Wgsl(format!("{water}\n{KERNEL}").into()),
-        });
-        let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-            label: Some("surface"),
-            layout: None,
-            module: &module,
-            entry_point: Some("ask"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            cache: None,
-        });
-        let mut bench = Self { gpu, ocean, params, pipeline };
+        let mut ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, Film::Screen, &params);
+        let mut kernel = wgsl::Kernel::new(&gpu, &wgsl::shaders(), "water/light", ANSWER);
+        common::bind_maps(&mut kernel, &gpu, ocean.simulation());
+        let mut bench = Self { gpu, ocean, params, kernel };
         bench.evolve();
         bench
     }
@@ -95,70 +75,23 @@ impl Bench {
     /// The surface at undisplaced points (x, z), m, for a camera above `foot` and pixel footprints of `size` metres, or
     /// `long` metres in one direction.
     fn ask(&mut self, foot: [f64; 2], points: &[[f64; 2]], size: f64, long: f64) -> Vec<Drawn> {
-        let gpu = &self.gpu;
         [self.params.camera.x_m, self.params.camera.z_m] = foot;
         self.ocean.set_params(&self.params);
         let mut scene = self.ocean.scene(PIXELS);
         // Without the slopes that the cascades do not resolve.
         scene.sea.residual = [0.0; 2];
-        let frame = render::frame_bytes(&scene, self.ocean.simulation().maps(), PIXELS);
-        let buffer = |contents: &[u8], usage| {
-            gpu.device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
-        };
-        let frame = buffer(&frame, BufferUsages::UNIFORM);
-        let questions: Vec<[f32; 4]> = (points.iter())
-            .map(|p| [(p[0] - foot[0]) as f32, (p[1] - foot[1]) as f32, size as f32, long as f32])
+        let frame = render::frame(&scene, self.ocean.simulation().maps(), PIXELS);
+        let frame = wgsl::buffer(&self.gpu, bytemuck::bytes_of(&frame), wgpu::BufferUsages::UNIFORM);
+        self.kernel.bind(0, &[(0, frame.as_entire_binding())]);
+        let questions: Vec<[[f32; 4]; 1]> = (points.iter())
+            .map(|p| [[(p[0] - foot[0]) as f32, (p[1] - foot[1]) as f32, size as f32, long as f32]])
             .collect();
-        let questions = buffer(bytemuck::cast_slice(&questions), BufferUsages::STORAGE);
-        let answers = vec![[[f32::NAN; 4]; 4]; points.len()];
-        let answers = buffer(bytemuck::cast_slice(&answers), BufferUsages::STORAGE | BufferUsages::COPY_SRC);
-        let sampler = self.ocean.simulation().resources.repeat.clone();
-        let levels = common::level_sampler(gpu);
-        let maps = self.ocean.simulation().maps();
-        let group = |index: u32, resources: &[(u32, BindingResource<'_>)]| {
-            let entries: Vec<_> = (resources.iter())
-                .map(|(binding, r)| wgpu::BindGroupEntry { binding: *binding, resource: r.clone() })
-                .collect();
-            gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: None,
-                layout: &self.pipeline.get_bind_group_layout(index),
-                entries: &entries,
-            })
-        };
-        let groups = [
-            group(0, &[(0, frame.as_entire_binding())]),
-            group(
-                1,
-                &[
-                    (0, BindingResource::TextureView(&maps.displacement)),
-                    (1, BindingResource::TextureView(&maps.gradients)),
-                    (2, BindingResource::TextureView(&maps.moments)),
-                    (4, BindingResource::Sampler(&sampler)),
-                    (5, BindingResource::Sampler(&levels)),
-                ],
-            ),
-            group(2, &[(0, questions.as_entire_binding()), (1, answers.as_entire_binding())]),
-        ];
-        let mut encoder = gpu.encoder("test");
-        {
-            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-            pass.set_pipeline(&self.pipeline);
-            for (i, group) in (0..).zip(&groups) {
-                pass.set_bind_group(i, group, &[]);
-            }
-            pass.dispatch_workgroups(points.len().div_ceil(64) as u32, 1, 1);
-        }
-        let staging = readback::stage_buffer(gpu, &mut encoder, &answers);
-        gpu.submit(encoder);
-        let bytes = pollster::block_on(readback::read(gpu, staging)).expect("read-back");
-        let answers: Vec<[[f32; 4]; 4]> = bytemuck::pod_collect_to_vec(&bytes);
-        let drawn = |a: [[f32; 4]; 4]| {
-            let [[x, y, z, _], [sx, sz, jacobian, _], [xx, zz, xz, _], [split_x, split_z, carried, _]] =
-                a.map(|a| a.map(f64::from));
+        let drawn = |a: [[f64; 4]; 4]| {
+            let [[x, y, z, _], [sx, sz, jacobian, _], [xx, zz, xz, _], [split_x, split_z, carried, _]] = a;
             let split = [split_x, split_z];
             Drawn { moved: [x, y, z], slope: [sx, sz], jacobian, variance: [xx, zz, xz], split, carried }
         };
-        answers.into_iter().map(drawn).collect()
+        self.kernel.ask(&questions).into_iter().map(drawn).collect()
     }
 }
 
@@ -251,15 +184,6 @@ fn the_sea_stays_where_it_is() {
     }
 }
 
-/// A member of the frame uniform.
-fn member(bytes: &[u8], name: &str) -> Vec<f32> {
-    let (_, members, _) = render::LAYOUTS.iter().find(|(layout, ..)| *layout == "Frame").expect("the frame's layout");
-    let (_, offset) = members.iter().find(|(member, _)| *member == name).expect("a member of that name");
-    bytes[*offset..][..16].chunks(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect()
-}
-
-/// The mesh moves with the camera and is flat between its vertices. A wave that it shows must bend by less than a pixel
-/// from vertex to vertex, or the surface seems to swim.
 #[test]
 fn the_mesh_is_finer_than_what_it_shows() {
     for (state, pixels) in
@@ -267,9 +191,8 @@ fn the_mesh_is_finer_than_what_it_shows() {
     {
         let mut bench = Bench::new(state);
         let scene = bench.ocean.scene([1280, 720]);
-        let frame = render::frame_bytes(&scene, bench.ocean.simulation().maps(), [1280, 720]);
-        let (lattice, scale) = (member(&frame, "mesh"), f64::from(member(&frame, "mesh_radius")[0]));
-        let [turn, step] = [lattice[1], lattice[3]].map(f64::from);
+        let lattice = render::frame(&scene, bench.ocean.simulation().maps(), [1280, 720]).mesh;
+        let [scale, turn, step] = [lattice.radius_m, lattice.azimuth_step, lattice.row_step].map(f64::from);
         let pixel = 2.0 * scene.view.tan_half[1] / pixels;
         for radius in [10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0] {
             // The formula of `mesh_spacing` in WGSL.

@@ -36,7 +36,7 @@ fn texels(pictures: &mut Pictures, params: &Params) -> Pixels {
     (0..64 * 64).map(|i| pixels[(MARGIN + i / 64) * side + MARGIN + i % 64]).collect()
 }
 
-/// The colour that stands for a value: the twin of debug.wgsl.
+/// The colour that stands for a value: the twin of shaders/views/common.wgsl.
 fn colour(scale: &ColourScale, value: f64) -> [f64; 3] {
     let place = if scale.logarithmic {
         (value.max(1e-30) / scale.low).ln() / (scale.high / scale.low).ln()

@@ -1,4 +1,4 @@
-// Hashed Gaussian noise, bit for bit that of model/noise.rs.
+// Hashed Gaussian noise, bit for bit that of src/waves/noise.rs.
 
 // pcg4d, Jarzynski and Olano 2020.
 fn noise_pcg4d(seed: vec4u) -> vec4u {

@@ -1,13 +1,6 @@
-// A patch without its period: a blend of shifted copies. Twin of model/tiling.rs, which says why it is so.
+// A patch without its period: a blend of shifted copies. Twin of src/waves/tiling.rs, which explains the method.
 
-// The lattice of a patch as seen from a point.
-struct TilePlace {
-  turn: vec2f, // cosine and sine of its angle, over the side of a triangle
-  rest: vec2f, // the point in lattice coordinates, beyond its cell
-  cell: vec2i,
-  key: u32,
-  on: u32, // 0: the patch repeats
-}
+// `TilePlace` of src/sim/maps.rs is the lattice of a patch as seen from a point.
 
 // Barycentric coordinate at which a copy begins.
 const TILE_EDGE = 0.25;

@@ -1,17 +1,5 @@
 // From linear light to the screen: smooth edges, bloom, exposure, tone curve, gamma, dither.
 
-struct Present {
-  size: vec2f,
-  // Over the automatic exposure.
-  exposure_gain: f32,
-  // Exposure that does not follow the light, or 0.
-  fixed_exposure: f32,
-  tone: u32,
-  // Share of the light that is spread.
-  bloom: f32,
-  dither: f32,
-}
-
 // Whether edges are smoothed: a reference averages samples instead.
 override PRESENT_SMOOTH: bool = true;
 

@@ -5,38 +5,7 @@
 // follows dF/dt = rate s (1 - F) - F / decay, solved exactly over the time step: the result does not depend on the
 // frame rate and stays in [0, 1].
 
-struct FoamLevel {
-  uv: array<vec4f, 4>, // texture coordinates of the first cell's corner on the cascades, two by two
-  tiles: array<TilePlace, 8>, // the same corner on the lattices of the cascades' copies
-  cell: vec2i, // first cell in range
-  previous: vec2i, // first cell in range at the previous step
-  texel_m: f32,
-  threshold: f32, // Jacobian below which foam forms
-  slope: f32, // source per unit of Jacobian below the threshold
-  start: f32, // foam of a cell that comes into range
-}
-
-struct FoamCascade {
-  patch_m: f32,
-  layer: u32, // layer of the maps
-  // Padding: an array element in a uniform buffer is a multiple of 16 bytes.
-  unused_0: u32,
-  unused_1: u32,
-}
-
-struct Foam {
-  levels: array<FoamLevel, 4>,
-  cascades: array<FoamCascade, 8>, // the drawn cascades of one sea, or of two seas during a cross-fade
-  dt: f32, // time step, s
-  decay: f32, // 1 / e-folding time, 1/s
-  rate: f32, // growth at full source, 1/s
-  size: u32, // cells along a side
-  count: u32, // cascades in use
-  // Padding: the size is a multiple of 16 bytes.
-  unused_0: u32,
-  unused_1: u32,
-  unused_2: u32,
-}
+// The structs are declared in src/sim/uniforms.rs.
 
 @group(0) @binding(0) var<uniform> sea: Sea;
 @group(0) @binding(1) var<uniform> foam: Foam;
@@ -51,17 +20,15 @@ fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
   var stretch = vec2f(0.0);
   var shear = vec2f(0.0);
   for (var c = 0u; c < foam.count; c++) {
-    let corners = foam.levels[level].uv[c >> 1u];
-    let corner = select(corners.zw, corners.xy, (c & 1u) == 0u);
+    let corner = foam.levels[level].corners[c];
     let patch_m = foam.cascades[c].patch_m;
     let layer = foam.cascades[c].layer;
-    let uv = corner + offset / patch_m;
+    let uv = corner.uv + offset / patch_m;
     // One mip level finer than a cell, because linear interpolation between uncorrelated texels loses variance.
     let lod = max(log2(foam.levels[level].texel_m * f32(sea.n) / patch_m) - 1.0, 0.0);
-    let tile = foam.levels[level].tiles[c];
-    let blend = tile_blend(tile, offset);
+    let blend = tile_blend(corner.tile, offset);
     for (var i = 0u; i < blend.count; i++) {
-      let at = uv + tile_shift(tile, blend, i);
+      let at = uv + tile_shift(corner.tile, blend, i);
       let g = textureSampleLevel(gradients, repeat, at, layer, lod);
       let d = textureSampleLevel(displacement, repeat, at, layer, lod);
       let slope = vec2f(blend.along_x[i], blend.along_z[i]);

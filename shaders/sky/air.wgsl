@@ -39,10 +39,10 @@ fn air_clear(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
 fn air_fog(dir: vec3f, distance_m: f32) -> vec4f {
   // A ray of the sky ends at no sea.
   let mu = select(dir.y, max(dir.y, -sin(frame.dip)), distance_m >= FOG_FAR_M);
-  let through = fog_through(frame.eye_m, mu, sky.fog.y, distance_m);
+  let through = fog_through(frame.eye_m, mu, sky.fog.start_m, distance_m);
   var radiance = fog_radiance(dir);
   // Seen from above, the fog lies at the far end.
-  let over = frame.eye_m - sky.fog.w - sky.fog.z;
+  let over = frame.eye_m - sky.fog.top_m - sky.fog.falloff_m;
   if over > 0.0 && mu < 0.0 {
     let root = sqrt(max(mu * mu - 2.0 * over / FOG_EARTH_M, 0.0));
     let air = air_clear(dir, min(2.0 * over / (root - mu), distance_m));
@@ -55,7 +55,7 @@ fn air_fog(dir: vec3f, distance_m: f32) -> vec4f {
 fn air_between(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   var air = air_clear(dir, distance_m);
   if SKY_FOG {
-    if sky.fog.x > 0.0 {
+    if sky.fog.extinction_per_m > 0.0 {
       let fog = air_fog(dir, distance_m);
       air = array<vec3f, 2>(air[0] * fog.w + fog.rgb, air[1] * fog.w);
     }

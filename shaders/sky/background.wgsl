@@ -65,7 +65,7 @@ fn sky_stars(dir: vec3f) -> vec3f {
   let magnitude = 6.3 + 2.0 * log2(max(place.z, 1e-3)) / 3.3219;
   let lux = 2.5e-6 * exp2(-1.3288 * magnitude) / 6400.0;
   let hue = mix(vec3f(1.15, 0.95, 0.75), vec3f(0.85, 0.97, 1.25), more.x);
-  return hue * (lux * sky.unit * exp(-0.5 * off * off) / (2.0 * ATM_PI * size * size));
+  return hue * (lux * sky.night_gain * exp(-0.5 * off * off) / (2.0 * ATM_PI * size * size));
 }
 
 @fragment
@@ -92,7 +92,7 @@ fn fragment(in: SkyVertex) -> @location(0) vec4f {
       radiance += beyond * (air.w * (1.0 - sky.overcast));
     }
   }
-  if SKY_FOG && sky.fog.x > 0.0 {
+  if SKY_FOG && sky.fog.extinction_per_m > 0.0 {
     let fog = air_fog(dir, FOG_FAR_M);
     radiance = radiance * fog.w + fog.rgb;
   }

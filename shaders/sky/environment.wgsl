@@ -35,7 +35,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   } else {
     radiance = sky_radiance(dir, above, pixel, sky.mirror_drift).rgb;
   }
-  if sky.fog.x > 0.0 {
+  if sky.fog.extinction_per_m > 0.0 {
     radiance = mix(fog_radiance(dir), radiance, fog_through(0.0, dir.y, 0.0, FOG_FAR_M));
   }
   textureStore(environment_out, id.xy, vec4f(min(radiance * gain + own, vec3f(6e4)), 1.0));

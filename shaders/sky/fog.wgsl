@@ -18,8 +18,8 @@ fn fog_altitude(eye_m: f32, mu: f32, t: f32) -> f32 {
 // Length of full density that equals the fog above its top, from a point at distance t on to infinity away from the
 // lowest point of the ray: a Chapman function.
 fn fog_tail(eye_m: f32, mu: f32, t: f32) -> f32 {
-  let width = sqrt(2.0 * FOG_EARTH_M * sky.fog.z);
-  let over = max(fog_altitude(eye_m, mu, t) - sky.fog.w, 0.0) / sky.fog.z;
+  let width = sqrt(2.0 * FOG_EARTH_M * sky.fog.falloff_m);
+  let over = max(fog_altitude(eye_m, mu, t) - sky.fog.top_m, 0.0) / sky.fog.falloff_m;
   return 0.8862269 * width * exp(-min(over, 80.0)) * fog_erfcx(abs(t + mu * FOG_EARTH_M) / width);
 }
 
@@ -39,7 +39,7 @@ fn fog_above(eye_m: f32, mu: f32, start: f32, end: f32) -> f32 {
 
 // Length of full density that equals the fog on a ray between two distances.
 fn fog_length(eye_m: f32, mu: f32, start: f32, end: f32) -> f32 {
-  let over = eye_m - sky.fog.w;
+  let over = eye_m - sky.fog.top_m;
   let disc = mu * mu - 2.0 * over / FOG_EARTH_M;
   // Where the ray enters and leaves the full fog; the stable roots of the parabola.
   var enters = FOG_FAR_M;
@@ -64,7 +64,7 @@ fn fog_through(eye_m: f32, mu: f32, start: f32, end: f32) -> f32 {
   if end <= start {
     return 1.0;
   }
-  return exp(-min(sky.fog.x * fog_length(eye_m, mu, start, end), 80.0));
+  return exp(-min(sky.fog.extinction_per_m * fog_length(eye_m, mu, start, end), 80.0));
 }
 
 fn fog_henyey_greenstein(c: f32, g: f32) -> f32 {

@@ -60,11 +60,11 @@ fn clear() {
   light.deck = grey * (LIGHT_DECK * 9.0 / (7.0 * ATM_PI));
   light.fog_sky = vec3f(0.0);
   light.fog_sun = vec3f(0.0);
-  if sky.fog.x > 0.0 {
+  if sky.fog.extinction_per_m > 0.0 {
     // The sun that reaches the middle of the fog, and the light of all directions there: what the fog above has taken
     // from the sun comes as diffuse light. About as much goes up as comes down.
     let o = sky.overcast * sky.overcast;
-    let sunlight = fog_through(0.5 * max(sky.fog.w, 0.0), sky.sun.y, 0.0, FOG_FAR_M);
+    let sunlight = fog_through(0.5 * max(sky.fog.top_m, 0.0), sky.sun.y, 0.0, FOG_FAR_M);
     light.fog_sun = light.sun * sunlight;
     let lost = light.sun * (high * (1.0 - sunlight));
     light.fog_sky = (mix(diffuse, LIGHT_DECK * grey, o) + lost) * (0.6 / ATM_PI);
@@ -94,14 +94,14 @@ fn whole_parts(@builtin(global_invocation_id) id: vec3u) {
 fn whole() {
   let total = light_total();
   light.sky = total.rgb;
-  if sky.fog.x > 0.0 {
+  if sky.fog.extinction_per_m > 0.0 {
     light.sun *= fog_through(0.0, sky.sun.y, 0.0, FOG_FAR_M);
   }
   // Solid angle of the weight above, once around.
   let band = total.w / 2.1;
   let ground = sky_luminance(total.rgb + light.sun * max(sky.sun.y, 0.0)) / ATM_PI;
   // In the day's unit.
-  light.key = max((0.85 * band + 0.2 * ground) / sky.unit, 1e-9);
+  light.key = max((0.85 * band + 0.2 * ground) / sky.night_gain, 1e-9);
   // An eye adapts, but not wholly: dusk stays darker than noon, and night is night.
-  light.exposure = 0.66 / pow(light.key, 0.77) / sky.unit;
+  light.exposure = 0.66 / pow(light.key, 0.77) / sky.night_gain;
 }

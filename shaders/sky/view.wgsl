@@ -50,6 +50,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   }
   // Starlight and airglow of a moonless night, as blue as the dark-adapted eye sees them; airglow is brighter low in the
   // sky, where one looks through more of it, until the air takes it back.
-  let glow = SKY_NIGHT * sky.unit * (1.0 + 1.2 * pow(1.0 - max(mu, 0.0), 3.0)) * select(0.3, 1.0, upper);
+  let glow = SKY_NIGHT * sky.night_gain * (1.0 + 1.2 * pow(1.0 - max(mu, 0.0), 3.0)) * select(0.3, 1.0, upper);
   textureStore(view_out, id.xy, vec4f(min(atm_rgb(radiance) * sky.tint + glow, vec3f(6e4)), 1.0));
 }

@@ -1,47 +1,19 @@
-// False colours of the views. Rust twin: render/debug.rs.
-
-// A square of the picture that shows one layer of a map; the views on the mesh take only the scale of the first.
-struct DebugTile {
-  // Top left corner, pixels.
-  corner: vec2f,
-  // Texel that stands there.
-  first: vec2u,
-  // Pixels.
-  side: f32,
-  layer: u32,
-  // Values of the first and the last colour.
-  low: f32,
-  high: f32,
-}
-
-struct Debug {
-  // Colours of the scale, as the screen takes them.
-  stops: array<vec4f, 11>,
-  tiles: array<DebugTile, 4>,
-  size: vec2f,
-  chop: vec2f,
-  kind: u32,
-  tile_count: u32,
-  // Not 0: the scale is logarithmic.
-  logarithmic: u32,
-  // t / period in units of 2^-32.
-  phase_time: u32,
-}
+// False colours of the views. The structs are declared in src/render/views.rs.
 
 // Place of a value in its scale, 0 to 1.
-fn debug_share(value: f32, tile: DebugTile) -> f32 {
+fn view_share(value: f32, tile: ViewTile) -> f32 {
   let even = (value - tile.low) / (tile.high - tile.low);
   let log_low = log2(max(tile.low, 1e-30));
   let decades = (log2(max(value, 1e-30)) - log_low) / (log2(max(tile.high, 1e-30)) - log_low);
-  return clamp(select(even, decades, debug.logarithmic != 0u), 0.0, 1.0);
+  return clamp(select(even, decades, view.logarithmic != 0u), 0.0, 1.0);
 }
 
 // Alpha 0 marks what is not a number, for the last pass to paint.
-fn debug_colour(value: f32, tile: DebugTile) -> vec4f {
+fn view_colour(value: f32, tile: ViewTile) -> vec4f {
   if (bitcast<u32>(value) & 0x7f800000u) == 0x7f800000u {
     return vec4f(0.0);
   }
-  let at = debug_share(value, tile) * 10.0;
+  let at = view_share(value, tile) * 10.0;
   let below = min(u32(at), 9u);
-  return vec4f(mix(debug.stops[below].rgb, debug.stops[below + 1u].rgb, at - f32(below)), 1.0);
+  return vec4f(mix(view.stops[below].rgb, view.stops[below + 1u].rgb, at - f32(below)), 1.0);
 }

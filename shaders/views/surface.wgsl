@@ -1,24 +1,28 @@
-// Quantities of the drawn surface on its own mesh. Joined to all of the water's parts, so that it sees what the picture sees.
+// Quantities of the drawn surface. They are drawn with the mesh, not once a pixel after it as the light is, because the
+// wireframe needs the columns and rows of the vertices, which no G-buffer holds.
 
-@group(3) @binding(0) var<uniform> debug: Debug;
+@group(2) @binding(0) var<storage, read> mesh_vertices: array<MeshVertex>;
+@group(3) @binding(0) var<uniform> view: View;
 
-struct DebugWaterVertex {
+struct SurfaceVertex {
   @builtin(position) clip: vec4f,
+  // Relative to the eye.
   @location(0) place: vec3f,
-  @location(1) rest: vec3f,
+  // The undisplaced point.
+  @location(1) rest: vec2f,
   // Column and row of the mesh.
   @location(2) lattice: vec2f,
 }
 
 @vertex
-fn debug_vertex(@builtin(vertex_index) i: u32) -> DebugWaterVertex {
-  let water = water_vertex(i);
-  let lattice = vec2f(f32(i / frame.mesh_rows), f32(i % frame.mesh_rows));
-  return DebugWaterVertex(water.clip, water.place, water.rest, lattice);
+fn vertex(@builtin(vertex_index) i: u32) -> SurfaceVertex {
+  let v = mesh_vertices[i];
+  let lattice = vec2f(f32(i / frame.mesh.rows), f32(i % frame.mesh.rows));
+  return SurfaceVertex(frame.clip_from_relative * vec4f(v.place, 1.0), v.place, v.rest, lattice);
 }
 
 // Share of a pixel on a line a pixel wide at each whole number of `at`, which changes by `width` over the pixel.
-fn debug_lines(at: vec3f, width: vec3f) -> f32 {
+fn view_lines(at: vec3f, width: vec3f) -> f32 {
   let pixels = abs(fract(at - 0.5) - 0.5) / max(width, vec3f(1e-6));
   // Where lines are closer than two pixels they are but a tint.
   let line = mix(clamp(1.0 - pixels, vec3f(0.0), vec3f(1.0)), min(width, vec3f(1.0)), smoothstep(vec3f(0.3), vec3f(0.6), width));
@@ -26,8 +30,8 @@ fn debug_lines(at: vec3f, width: vec3f) -> f32 {
 }
 
 @fragment
-fn debug_fragment(in: DebugWaterVertex) -> @location(0) vec4f {
-  let at = in.rest.xz;
+fn fragment(in: SurfaceVertex) -> @location(0) vec4f {
+  let at = in.rest;
   let dx = dpdx(at);
   let dy = dpdy(at);
   let foot = water_footprint(dx, dy);
@@ -35,20 +39,20 @@ fn debug_fragment(in: DebugWaterVertex) -> @location(0) vec4f {
   // Triangles are bounded by columns, rows and the diagonals that run against both.
   let edges = vec3f(in.lattice, in.lattice.x + in.lattice.y);
   let width = fwidth(edges);
-  let tile = debug.tiles[0];
+  let tile = view.tiles[0];
   let slope = water_slope(at, foot);
-  switch debug.kind {
+  switch view.kind {
     case 1u: {
       let n = water_normal(slope.mean);
       return vec4f(0.5 + 0.5 * vec3f(n.x, -n.z, n.y), 1.0);
     }
-    case 2u: { return debug_colour(slope.jacobian, tile); }
-    case 3u: { return debug_colour(slope.variance.x + slope.variance.y, tile); }
-    case 4u: { return debug_colour(log2(max(foot.size * frame.cascades[tile.layer].z * frame.n, 1e-6)), tile); }
-    case 5u: { return debug_colour(water_foam(at, dx, dy).cover, tile); }
+    case 2u: { return view_colour(slope.jacobian, tile); }
+    case 3u: { return view_colour(slope.variance.x + slope.variance.y, tile); }
+    case 4u: { return view_colour(log2(max(foot.size * frame.cascades[tile.layer].inverse_patch * frame.n, 1e-6)), tile); }
+    case 5u: { return view_colour(water_foam(at, dx, dy).cover, tile); }
     default: {
       let fill = vec3f(0.05, 0.12, 0.17) * (0.4 + 0.6 * abs(dot(facet, vec3f(0.48, 0.8, 0.36))));
-      return vec4f(mix(fill, vec3f(0.62, 0.88, 0.94), 0.8 * debug_lines(edges, width)), 1.0);
+      return vec4f(mix(fill, vec3f(0.62, 0.88, 0.94), 0.8 * view_lines(edges, width)), 1.0);
     }
   }
 }

@@ -6,15 +6,15 @@
 // A thread a vertex: columns along x, rows along y. Neighbours read their maps at one level, which a software GPU does together.
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
-  let vertex = id.x * frame.mesh_rows + id.y;
-  if id.y >= frame.mesh_rows || vertex >= arrayLength(&mesh_vertices) {
+  let vertex = id.x * frame.mesh.rows + id.y;
+  if id.y >= frame.mesh.rows || vertex >= arrayLength(&mesh_vertices) {
     return;
   }
-  let azimuth = frame.mesh.x + f32(id.x) * frame.mesh.y;
-  let t = frame.mesh.z + f32(id.y) * frame.mesh.w;
-  let radius = frame.mesh_radius * (exp(t) - 1.0);
+  let azimuth = frame.mesh.first_azimuth + f32(id.x) * frame.mesh.azimuth_step;
+  let t = frame.mesh.first_row + f32(id.y) * frame.mesh.row_step;
+  let radius = frame.mesh.radius_m * (exp(t) - 1.0);
   // Near the eye the lattice lies around the water that is below it.
-  let foot = frame.foot.xy * exp(-radius / (4.0 * frame.foot.z));
+  let foot = frame.foot * exp(-radius / (4.0 * frame.reach_m));
   let at = foot + radius * vec2f(sin(azimuth), -cos(azimuth));
   let water = water_moved(at, mesh_spacing(radius), true);
   let moved = water.displacement;

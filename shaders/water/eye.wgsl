@@ -17,7 +17,7 @@ var<workgroup> eye_needed: array<f32, EYE_POINTS>;
 @compute @workgroup_size(EYE_POINTS)
 fn main(@builtin(local_invocation_index) i: u32) {
   // A sunflower's points, over all the water that the waves may have carried here.
-  let reach = 1.0 + frame.foot.z;
+  let reach = 1.0 + frame.reach_m;
   let turn = f32(i) * 2.39996323;
   let at = reach * sqrt((f32(i) + 0.5) / f32(EYE_POINTS)) * vec2f(cos(turn), sin(turn));
   // Every thread looks at its own point; the first goes on to where the water below the eye comes from, and to its height. One
@@ -48,12 +48,11 @@ fn main(@builtin(local_invocation_index) i: u32) {
   }
   if i == 0u {
     // An eye that rides counts its height from the water below it.
-    frame.eye_m += frame.foot.w * under.y;
+    frame.eye_m += frame.rides * under.y;
     let over = (eye_needed[0] - frame.eye_m) / EYE_SOFTNESS;
     let rise = select(log(1.0 + exp(over)), over, over > 20.0);
     frame.eye_m += EYE_SOFTNESS * rise;
-    frame.foot.x = foot.x;
-    frame.foot.y = foot.y;
+    frame.foot = foot;
     frame.dip = sqrt(2.0 * max(frame.eye_m, 0.1) / FRAME_EARTH_M);
   }
 }

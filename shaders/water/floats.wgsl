@@ -1,7 +1,7 @@
-// Buoys and boats: painted hulls in the light of the sun, the sky and the sea. Their triangles come from render/floats.rs.
+// Buoys and boats: painted hulls in the light of the sun, the sky and the sea. Their triangles come from
+// src/render/water/floats.rs.
 
-// Place beside the eye's foot and height over the still water, colour (rgba8); normal.
-@group(1) @binding(0) var<storage, read> float_vertices: array<vec4f>;
+@group(1) @binding(0) var<storage, read> hull_vertices: array<HullVertex>;
 
 // Share of the light that the sea sends back up.
 const FLOAT_BOUNCE = vec3f(0.03, 0.05, 0.06);
@@ -15,13 +15,12 @@ struct FloatVertex {
 
 @vertex
 fn vertex(@builtin(vertex_index) i: u32) -> FloatVertex {
-  let a = float_vertices[2u * i];
-  let normal = float_vertices[2u * i + 1u].xyz;
-  let drop = dot(a.xz, a.xz) / (2.0 * FRAME_EARTH_M);
-  let place = vec3f(a.x, a.y - drop - frame.eye_m, a.z);
-  let encoded = unpack4x8unorm(bitcast<u32>(a.w)).rgb;
-  // Close enough to sRGB's curve for paint.
-  return FloatVertex(frame.clip_from_relative * vec4f(place, 1.0), place, normal, encoded * encoded);
+  let hull = hull_vertices[i];
+  let drop = dot(hull.place.xz, hull.place.xz) / (2.0 * FRAME_EARTH_M);
+  let place = hull.place - vec3f(0.0, drop + frame.eye_m, 0.0);
+  // A square is close enough to sRGB's curve for paint.
+  let encoded = unpack4x8unorm(hull.colour).rgb;
+  return FloatVertex(frame.clip_from_relative * vec4f(place, 1.0), place, hull.normal, encoded * encoded);
 }
 
 @fragment

@@ -32,13 +32,13 @@ fn water_foam_level(at: vec2f, footprint: f32) -> vec2f {
   var foam = vec2f(0.0);
   var left = 1.0;
   for (var level = 0u; level < frame.foam_count && left > 0.0; level++) {
-    let place = frame.foam_place[level];
-    let off = abs(at - place.xy);
-    let inside = 1.0 - smoothstep(0.8, 1.0, max(off.x, off.y) / place.z);
-    let coarse = clamp(2.0 - 0.5 * footprint * place.w, 0.0, 1.0);
+    let map = frame.foam_levels[level];
+    let off = abs(at - map.centre);
+    let inside = 1.0 - smoothstep(0.8, 1.0, max(off.x, off.y) / map.half_side_m);
+    let coarse = clamp(2.0 - 0.5 * footprint * map.inverse_cell, 0.0, 1.0);
     let share = inside * coarse;
-    let uv = frame.foam_uv[level];
-    foam += (left * share) * textureSampleLevel(foam_map, level_sampler, uv.xy + at * uv.z, level, 0.0).xy;
+    let uv = map.uv + at * map.inverse_side;
+    foam += (left * share) * textureSampleLevel(foam_map, level_sampler, uv, level, 0.0).xy;
     left *= 1.0 - share;
   }
   return foam + (left * frame.mean_foam) * vec2f(1.0, 0.1);
@@ -79,7 +79,7 @@ fn water_foam(at: vec2f, dx: vec2f, dy: vec2f) -> WaterFoam {
   let small = max(abs(dx.x * dy.y - dx.y * dy.x) / max(large, 1e-9), 1e-6);
   let whole_m = WATER_TAP * sqrt(small * large);
   // As many places as there are texels of the finest level along the pixel.
-  let places = clamp(i32(ceil(large * frame.foam_place[0].w)), 1, FOAM_LEVELS);
+  let places = clamp(i32(ceil(large * frame.foam_levels[0].inverse_cell)), 1, FOAM_LEVELS);
   var level = vec2f(0.0);
   for (var i = 0; i < places; i++) {
     level += water_foam_level(at + along * ((f32(i) + 0.5) / f32(places) - 0.5), whole_m);

@@ -1,5 +1,5 @@
-// The sea lit once a pixel, after its mesh was drawn: triangles about as small as a pixel would have each pixel lit several
-// times. Joined to all of the water's parts.
+// The water lit once a pixel, after its mesh was drawn into a G-buffer: triangles about as small as a pixel would have each
+// pixel lit several times, because GPUs shade quads of pixels.
 
 @group(2) @binding(0) var<storage, read> mesh_vertices: array<MeshVertex>;
 
@@ -18,19 +18,20 @@ fn mesh_vertex(@builtin(vertex_index) i: u32) -> MeshFragment {
   return MeshFragment(frame.clip_from_relative * vec4f(v.place, 1.0), v.place, rest, vec4f(v.slope, v.stretch), v.shear);
 }
 
-// What of the water a pixel shows, in 32 bytes, which is what a pass may write: floats as bits, and pairs of half floats.
-struct MeshShown {
-  // The undisplaced point, the distance from the eye; the height of the wave with the mean of the shears that the mesh carries.
+// The water that a pixel shows, in 32 bytes, which is what a pass may write: floats as bits, and pairs of half floats.
+struct GBuffer {
+  // The undisplaced point and the distance from the eye as floats; the height of the wave and the mean of the shears that
+  // the mesh carries as half floats.
   @location(0) point: vec4u,
-  // Sides of the pixel on the undisplaced sea; the slope and the stretch that the mesh carries.
+  // As half floats: sides of the pixel on the undisplaced sea; the slope and the stretch that the mesh carries.
   @location(1) slopes: vec4u,
 }
 
 @fragment
-fn mesh_fragment(in: MeshFragment) -> MeshShown {
+fn mesh_fragment(in: MeshFragment) -> GBuffer {
   let sides = clamp(vec4f(dpdx(in.rest.xz), dpdy(in.rest.xz)), vec4f(-6e4), vec4f(6e4));
   let height = pack2x16float(vec2f(in.rest.y, 0.5 * (in.shear.x + in.shear.y)));
-  return MeshShown(
+  return GBuffer(
     vec4u(bitcast<vec3u>(vec3f(in.rest.xz, length(in.place))), height),
     vec4u(pack2x16float(sides.xy), pack2x16float(sides.zw), pack2x16float(in.carried.xy), pack2x16float(in.carried.zw)));
 }
@@ -68,12 +69,18 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let pixel = vec2i(in.clip.xy);
   let point = textureLoad(point_map, pixel, 0);
   let packed = textureLoad(slopes_map, pixel, 0);
-  let sides = water_shared_sides(pixel, water_sides(packed));
+  let sides = frame.footprint * water_shared_sides(pixel, water_sides(packed));
   let at = bitcast<vec2f>(point.xy);
   let height = unpack2x16float(point.w);
   let carried = WaterSums(unpack2x16float(packed.z), unpack2x16float(packed.w), height.yy);
   let foot = water_footprint(sides.xy, sides.zw);
-  let slope = water_slope_beyond(at, foot, foot, carried, true);
+  var slope: WaterSlope;
+  if WATER_SAMPLES {
+    // The slopes that the mesh carries are linear between its vertices; a sample needs those of its point.
+    slope = water_slope(at, foot);
+  } else {
+    slope = water_slope_beyond(at, foot, foot, carried, true);
+  }
   // A neighbour that shows other water says nothing of how the slope changes here.
   let off_x = abs(dpdx(at) - sides.xy);
   let off_y = abs(dpdy(at) - sides.zw);

@@ -1,62 +1,4 @@
-// The surface from the maps of the simulation: every cascade blended from shifted copies (tiles.wgsl).
-
-@group(1) @binding(0) var displacement_map: texture_2d_array<f32>;
-@group(1) @binding(1) var gradients_map: texture_2d_array<f32>;
-@group(1) @binding(2) var moments_map: texture_2d_array<f32>;
-@group(1) @binding(3) var foam_map: texture_2d_array<f32>;
-// Between the levels of a map, and of the nearest one.
-@group(1) @binding(4) var wave_sampler: sampler;
-@group(1) @binding(5) var level_sampler: sampler;
-
-// Geometric mean of a footprint's sides over the patch from which on the slopes of a cascade fade into variance, and where
-// nothing else is left: its longest waves are as short as the footprint, and 2 % of its slopes would be left in their mean.
-const WATER_FADE = 0.08;
-const WATER_FAR = 0.16;
-// Slopes of waves of more texels than this are smooth enough between them without a spline.
-const WATER_SMOOTH = 6.0;
-
-// Between texels: from linear (0) to Catmull-Rom's spline over 4 x 4 texels (1), in five bilinear taps; the spline's
-// corners, at most 1.6 % of its weight, are left out. A mixture is one of weights, so it costs no more.
-struct WaterSpline {
-  before: vec2f,
-  middle: vec2f,
-  after: vec2f,
-  // Weights of the five taps: of the middle one, of those before and after along x, and along z.
-  at_middle: f32,
-  along_x: vec2f,
-  along_z: vec2f,
-}
-
-// At texture coordinates of a map of n texels.
-fn water_spline(uv: vec2f, n: f32, smoothness: f32) -> WaterSpline {
-  let p = uv * n - 0.5;
-  let base = floor(p);
-  let f = p - base;
-  let w0 = smoothness * (f * (f * (1.0 - 0.5 * f) - 0.5));
-  let w2 = mix(f, f * (f * (2.0 - 1.5 * f) + 0.5), smoothness);
-  let w3 = smoothness * (f * f * (0.5 * f - 0.5));
-  let w12 = 1.0 - w0 - w3;
-  let over = 1.0 / (1.0 - (w0.x + w3.x) * (w0.y + w3.y));
-  return WaterSpline(
-    (base - 0.5) / n, (base + 0.5 + w2 / w12) / n, (base + 2.5) / n,
-    over * w12.x * w12.y, (over * w12.y) * vec2f(w0.x, w3.x), (over * w12.x) * vec2f(w0.y, w3.y));
-}
-
-// The finest level of a map there.
-fn water_splined(map: texture_2d_array<f32>, s: WaterSpline, layer: u32) -> vec4f {
-  return s.at_middle * textureSampleLevel(map, level_sampler, s.middle, layer, 0.0)
-    + s.along_x.x * textureSampleLevel(map, level_sampler, vec2f(s.before.x, s.middle.y), layer, 0.0)
-    + s.along_x.y * textureSampleLevel(map, level_sampler, vec2f(s.after.x, s.middle.y), layer, 0.0)
-    + s.along_z.x * textureSampleLevel(map, level_sampler, vec2f(s.middle.x, s.before.y), layer, 0.0)
-    + s.along_z.y * textureSampleLevel(map, level_sampler, vec2f(s.middle.x, s.after.y), layer, 0.0);
-}
-
-// The lattice of a cascade's copies; those of the ripples are the last.
-fn water_tile(i: u32) -> TilePlace {
-  let lattice = frame.tile_lattice[i];
-  let cell = frame.tile_cell[i];
-  return TilePlace(lattice.xy, lattice.zw, cell.xy, bitcast<u32>(cell.z), u32(cell.w));
-}
+// The displaced surface: every cascade blended from shifted copies (tiles.wgsl).
 
 // Sums over the cascades, before chop.
 struct WaterSums {
@@ -82,7 +24,8 @@ const WATER_CARRIED = vec2f(12.0, 7.0);
 // Share of a cascade's slopes that the vertices of the mesh carry at a point beside the eye: those of waves that are long there beside
 // the steps of the mesh and the pixels.
 fn water_carried(cascade: u32, at: vec2f) -> f32 {
-  let shortest_m = min(frame.layers[cascade].x, WATER_CARRIED.y) / (frame.cascades[cascade].z * frame.n);
+  let map = frame.cascades[cascade];
+  let shortest_m = min(map.wave_texels, WATER_CARRIED.y) / (map.inverse_patch * frame.n);
   let pixel_m = frame.pixel * (dot(at, at) + frame.eye_m * frame.eye_m) / max(frame.eye_m, 0.1);
   let step_m = max(mesh_spacing(length(at)), 2.0 * pixel_m);
   return smoothstep(WATER_CARRIED.y, WATER_CARRIED.x, shortest_m / step_m);
@@ -99,31 +42,29 @@ fn water_moved(at: vec2f, spacing: f32, carries: bool) -> WaterMoved {
   var sum = vec3f(0.0);
   var out: WaterMoved;
   for (var c = 0u; c < frame.count; c++) {
-    let place = frame.cascades[c];
-    let layer = u32(frame.layers[c].y);
-    let lod = log2(max(spacing * place.z * frame.n, 1e-3));
+    let map = frame.cascades[c];
+    let lod = log2(max(spacing * map.inverse_patch * frame.n, 1e-3));
     // Nothing is left of waves that are shorter than two vertices.
     let share = clamp(log2(frame.n) - 2.0 - lod, 0.0, 1.0);
     let smoothness = clamp(-2.0 * lod, 0.0, 1.0);
     let carried = select(0.0, water_carried(c, at), carries);
     // Near the foot of an eye among waves a vertex is farther from its row than the share that it carries knows.
     let is_fine = smoothness > 0.0 || carried > 0.0;
-    let tile = water_tile(c);
-    let blend = tile_blend(tile, at);
+    let blend = tile_blend(map.tile, at);
     let copies = select(0u, blend.count, share > 0.0);
     for (var i = 0u; i < copies; i++) {
-      let uv = place.xy + at * place.z + tile_shift(tile, blend, i);
+      let uv = map.uv + at * map.inverse_patch + tile_shift(map.tile, blend, i);
       var d = vec4f(0.0);
       var g = vec4f(0.0);
       // Loops, not a branch, of which a software GPU computes both sides.
       for (var plain = !is_fine; plain; plain = false) {
-        d = share * textureSampleLevel(displacement_map, wave_sampler, uv, layer, lod);
+        d = share * textureSampleLevel(displacement_map, wave_sampler, uv, map.layer, lod);
       }
       for (var fine = is_fine; fine; fine = false) {
         let spline = water_spline(uv, frame.n, smoothness);
-        d = water_splined(displacement_map, spline, layer);
+        d = water_splined(displacement_map, spline, map.layer);
         if carries {
-          g = carried * water_splined(gradients_map, spline, layer);
+          g = carried * water_splined(gradients_map, spline, map.layer);
         }
       }
       sum += blend.weight[i] * d.xyz;
@@ -131,176 +72,6 @@ fn water_moved(at: vec2f, spacing: f32, carries: bool) -> WaterMoved {
       out.carried = water_sum(out.carried, g, carried * d, weight);
     }
   }
-  out.displacement = sum * vec3f(frame.chop_x, 1.0, frame.chop_z);
+  out.displacement = sum * vec3f(frame.chop.x, 1.0, frame.chop.y);
   return out;
-}
-
-struct WaterSlope {
-  // Mean slope of the displaced surface over the pixel.
-  mean: vec2f,
-  // Variances of the slope within it: xx, zz, xz.
-  variance: vec3f,
-  jacobian: f32,
-  // How much the farther half of a long pixel's slope has more than the mean, and the nearer less.
-  lean: vec2f,
-}
-
-// Unit normal of a surface of this slope.
-fn water_normal(slope: vec2f) -> vec3f {
-  return normalize(vec3f(-slope.x, 1.0, -slope.y));
-}
-
-// Variances xx, zz, xz that can be a covariance: a sum of estimates may hold more of xz than of xx and zz, and a Gaussian of
-// that would be greatest where there are no slopes.
-fn water_covariance(variance: vec3f) -> vec3f {
-  let most = 0.97 * sqrt(max(variance.x * variance.y, 0.0));
-  return vec3f(variance.xy, clamp(variance.z, -most, most));
-}
-
-// Footprint of a pixel on the undisplaced sea: its length along the longer side, filtered by several taps so that it is
-// not blurred across. Hardware anisotropy is not used: it differs between GPUs and takes minutes in software.
-struct WaterFootprint {
-  axis: vec2f,
-  // Size of one tap, m.
-  size: f32,
-  taps: i32,
-}
-
-const WATER_TAPS = 3;
-// Size of a tap over the length that it stands for: 1 / sqrt(3), because a mip read with interpolation between its texels
-// (a box and a tent) blurs as much as a box of sqrt(3) times the texel.
-const WATER_TAP = 0.58;
-
-fn water_footprint(dx: vec2f, dy: vec2f) -> WaterFootprint {
-  let x = length(dx);
-  let y = length(dy);
-  let large = max(x, y);
-  // Area over length: also right where the two sides are nearly parallel.
-  let small = max(abs(dx.x * dy.y - dx.y * dy.x) / max(large, 1e-9), 1e-6);
-  let taps = clamp(i32(ceil(large / small - 0.3)), 1, WATER_TAPS);
-  return WaterFootprint(select(dy, dx, x > y), WATER_TAP * max(small, large / f32(taps)), taps);
-}
-
-// Sums over the waves within a footprint.
-struct WaterWaves {
-  sums: WaterSums,
-  // Variances of the slope: xx, zz, xz.
-  variance: vec3f,
-  // Of the slope, as in WaterSlope.
-  lean: vec2f,
-}
-
-// Adds the waves of a cascade or of ripples, but for the share of them that the mesh carries.
-fn water_add_waves(out: ptr<function, WaterWaves>, at: vec2f, foot: WaterFootprint, cascade: u32, carried: f32) {
-  let place = frame.cascades[cascade];
-  let map = frame.layers[cascade];
-  let layer = u32(map.y);
-  let scale = place.z * frame.n;
-  let texels = foot.size * scale;
-  let wide = texels / WATER_TAP;
-  let long = max(length(foot.axis) * scale, texels);
-  let share = 1.0 - smoothstep(WATER_FADE, WATER_FAR, sqrt(wide * long) / frame.n);
-  let distant = share <= 0.0;
-  // Magnified: smooth between texels, in one place.
-  let near = select(0.0, 1.0 - smoothstep(0.8, 1.25, long), map.x < WATER_SMOOTH);
-  // Several texels in the footprint: as many taps as are worth it (one between texels blurs as much as a box of 1.4), half
-  // as many for the smoother moments, and one for the displacement, whose part in the slope is of second order: both from
-  // the nearest level. The weights are those of the middle. Of a distant map there is only its variance. What counts for
-  // nothing is not read, but for the displacement: the loops are empty then, since a software GPU reads on both sides of a branch.
-  let places = clamp(i32(ceil(long / max(wide, 1.4) - 0.3)), 1, foot.taps);
-  let taps = select(places, 0, distant || near > 0.0);
-  let splines = select(0, 1, near > 0.0 && !distant);
-  let lod = log2(max(texels, 1e-6));
-  let long_lod = log2(max(WATER_TAP * long, 1e-6));
-  // The moments know nothing finer than two texels; closer up they would count resolved waves twice. From where on they
-  // count is fitted to the whole.
-  let unresolved = select((1.0 - near * near) * clamp(lod + 0.5, 0.0, 1.0), 1.0, distant);
-  let pairs = select((select(places, 1, distant) + 1) / 2, 0, unresolved <= 0.0);
-  let wide_lod = select(min(lod + log2(f32(places) / f32(max(pairs, 1))), long_lod) - 1.0, 16.0, distant);
-  let along = foot.axis * place.z;
-  // Ripples are slopes alone.
-  let gain = (1.0 - carried) * map.w;
-  let own = select(0.0, 1.0 - carried, cascade < frame.count);
-  let tile = water_tile(cascade);
-  let blend = tile_blend(tile, at);
-  let copies = select(blend.count, 1u, distant);
-  for (var i = 0u; i < copies; i++) {
-    let uv = place.xy + at * place.z + tile_shift(tile, blend, i);
-    let weight = vec3f(blend.weight[i], blend.along_x[i], blend.along_z[i]);
-    var g = vec4f(0.0);
-    var lean = vec2f(0.0);
-    for (var k = 0; k < taps; k++) {
-      let off = (f32(k) + 0.5) / f32(places) - 0.5;
-      let there = textureSampleLevel(gradients_map, wave_sampler, uv + along * off, layer, lod);
-      g += there;
-      lean += sign(off) * there.xy;
-    }
-    g *= 1.0 / f32(places);
-    for (var k = 0; k < splines; k++) {
-      g = water_splined(gradients_map, water_spline(uv, frame.n, near), layer);
-    }
-    var second = vec3f(0.0);
-    for (var k = 0; k < pairs; k++) {
-      let tap = uv + along * ((f32(k) + 0.5) / f32(pairs) - 0.5);
-      second += textureSampleLevel(moments_map, level_sampler, tap, layer, wide_lod).xyz;
-    }
-    g *= share;
-    second *= place.w / f32(max(pairs, 1));
-    (*out).lean += (gain * share * weight.x / f32(places)) * lean;
-    let d = (own * share) * textureSampleLevel(displacement_map, level_sampler, uv, layer, long_lod);
-    (*out).sums = water_sum((*out).sums, vec4f(gain * g.xy, own * g.zw), d, weight);
-    // Copies are independent: their variances add with the squares of the weights.
-    let part = map.w * map.w * map.z * unresolved * select(weight.x * weight.x, 1.0, distant);
-    (*out).variance += part * max(second - vec3f(g.x * g.x, g.y * g.y, g.x * g.y), vec3f(0.0, 0.0, -1.0));
-  }
-}
-
-// Mean and variance of the slope within a footprint.
-fn water_slope(at: vec2f, foot: WaterFootprint) -> WaterSlope {
-  return water_slope_beyond(at, foot, foot, WaterSums(), false);
-}
-
-// The same beyond what the mesh carries of it, if it does; and with another footprint for the ripples.
-fn water_slope_beyond(
-  at: vec2f, foot: WaterFootprint, ripple_foot: WaterFootprint, carried: WaterSums, carries: bool,
-) -> WaterSlope {
-  var waves: WaterWaves;
-  waves.sums = carried;
-  // Cox and Munk 1954: waves shorter than the finest cascade.
-  waves.variance = frame.residual.xyz;
-  // What the mesh has all of is not looked at.
-  var first = 0u;
-  while carries && first < frame.count && water_carried(first, at) >= 1.0 {
-    first++;
-  }
-  for (var c = first; c < frame.count + frame.ripple_count; c++) {
-    // Ripples below the finest cascade are a shrunk copy of it: slopes of short gravity waves are nearly scale-free.
-    let is_ripple = c >= frame.count;
-    let share = select(0.0, water_carried(c, at), carries && !is_ripple);
-    let within = WaterFootprint(
-      select(foot.axis, ripple_foot.axis, is_ripple), select(foot.size, ripple_foot.size, is_ripple),
-      select(foot.taps, ripple_foot.taps, is_ripple));
-    water_add_waves(&waves, at, within, c, share);
-  }
-  let sums = waves.sums;
-  let l = vec2f(frame.chop_x, frame.chop_z);
-  let sx = 1.0 + l.x * sums.stretch.x;
-  let sz = 1.0 + l.y * sums.stretch.y;
-  let jacobian = sx * sz - l.x * l.y * sums.shear.x * sums.shear.y;
-  // Where the surface folds the slope has no meaning: it stays finite under the foam.
-  let over = 1.0 / max(jacobian, 0.25);
-  var out: WaterSlope;
-  out.mean = water_tilted(sums.slope, sums, vec2f(sx, sz)) * over;
-  let steep = length(out.mean);
-  out.mean *= min(1.0, 1.6 / max(steep, 1e-6));
-  out.variance = water_covariance(waves.variance);
-  out.jacobian = jacobian;
-  out.lean = water_tilted(waves.lean, sums, vec2f(sx, sz)) * over;
-  return out;
-}
-
-// A slope of the undisplaced sea on the displaced one, times the Jacobian; `sides` are those of a unit square there.
-fn water_tilted(slope: vec2f, sums: WaterSums, sides: vec2f) -> vec2f {
-  let l = vec2f(frame.chop_x, frame.chop_z);
-  return vec2f(slope.x * sides.y - slope.y * l.y * sums.shear.y, slope.y * sides.x - slope.x * l.x * sums.shear.x);
 }

@@ -1,84 +1,21 @@
-//! What is drawn of a sea that may be in a transition: the parameters that the picture takes from a plan, and the plans
-//! whose waves are drawn.
+//! What is drawn of a sea that may be in a transition: its appearance, and the plans whose waves are drawn.
 
+use crate::render::SeaAppearance;
 use crate::sim::transition::{Interpolate, interpolate, interpolate2};
 use crate::state::Params;
-use crate::state::look::Look;
 use crate::waves::Plan;
-use crate::waves::slopes::{self, SlopeVariance};
 use std::sync::Arc;
 
-/// Speed of low clouds over the wind speed at 10 m: the logarithmic profile up to the top of the boundary layer.
-const CLOUDS_OVER_WIND: f64 = 1.4;
 /// Most plans in a weighted sum.
 const MOST_PLANS: usize = 4;
 
-/// Parameters that the picture takes from a plan.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SurfaceParameters {
-    /// Horizontal displacement factor along x and z.
-    pub chop: [f64; 2],
-    /// Significant wave height, m.
-    pub hs_m: f64,
-    pub depth_m: f64,
-    /// Height of the still water above the origin, m.
-    pub level_m: f64,
-    /// Wind speed 10 m above the sea, m/s.
-    pub wind_m_s: f64,
-    /// Unit vector (x, z) towards which the wind blows.
-    pub downwind: [f64; 2],
-    /// Velocity (x, z) of the clouds, m/s.
-    pub clouds_m_s: [f64; 2],
-    /// Slope variance along and across the wind of the waves that no cascade holds.
-    pub residual: SlopeVariance,
-    /// Slope variance along and across the wind of the finest cascade.
-    pub finest: SlopeVariance,
-    /// Shortest wavelength that focuses light on the bed, m.
-    pub focusing_m: f64,
-    /// Wavelength of the spectral peak, m.
-    pub lambda_p_m: f64,
-}
-
-impl SurfaceParameters {
-    /// The parameters of a plan, for the refractive indices of a look.
-    pub fn new(plan: &Plan, look: &Look) -> Self {
-        let finest = plan.cascades.last().map_or([0.0; 2], |c| slopes::between(plan, c.k_low, c.k_high));
-        let wind_m_s = plan.sea.local().wind_m_s;
-        Self {
-            chop: plan.sea.lambda(),
-            hs_m: plan.hs_m(),
-            depth_m: plan.sea.depth_m,
-            level_m: plan.sea.level_m,
-            wind_m_s,
-            downwind: plan.downwind,
-            clouds_m_s: plan.downwind.map(|w| w * CLOUDS_OVER_WIND * wind_m_s),
-            residual: slopes::residual(plan, slopes::resolved(plan)),
-            finest,
-            focusing_m: focusing_m(plan, look),
-            lambda_p_m: std::f64::consts::TAU / plan.dispersion.wave_number(plan.omega_p),
-        }
-    }
-
-    /// These parameters with the surface of a plan of the same waves.
-    pub fn with_surface(&self, plan: &Plan) -> Self {
-        Self { chop: plan.sea.lambda(), level_m: plan.sea.level_m, ..self.clone() }
-    }
-}
-
-/// Shortest wavelength that focuses light on the bed, m.
-pub fn focusing_m(plan: &Plan, look: &Look) -> f64 {
-    let reflection = &look.surface.reflection;
-    let reach_m = plan.sea.depth_m * (1.0 - reflection.index_air / reflection.index_water);
-    slopes::focusing_m(plan, reach_m.max(0.0))
-}
-
-/// Whether two states agree in the refractive indices that [`focusing_m`] depends on.
+/// Whether two states agree in the refractive indices that [`SeaAppearance::focusing_m`] depends on.
 pub fn refracts_alike(a: &Params, b: &Params) -> bool {
     let indices = |p: &Params| (p.look.surface.reflection.index_air, p.look.surface.reflection.index_water);
     indices(a) == indices(b)
 }
 
-impl Interpolate for SurfaceParameters {
+impl Interpolate for SeaAppearance {
     fn interpolate(&self, to: &Self, share: f64) -> Self {
         let [x, z] = interpolate2(self.downwind, to.downwind, share);
         let length = x.hypot(z);
@@ -94,7 +31,6 @@ impl Interpolate for SurfaceParameters {
             residual: interpolate2(self.residual, to.residual, share),
             finest: interpolate2(self.finest, to.finest, share),
             focusing_m: interpolate(self.focusing_m, to.focusing_m, share),
-            lambda_p_m: interpolate(self.lambda_p_m, to.lambda_p_m, share),
         }
     }
 }
@@ -158,16 +94,16 @@ mod tests {
     }
 
     #[test]
-    fn parameters_lie_between() {
-        let parameters = |state: &str| {
+    fn appearances_lie_between() {
+        let appearance = |state: &str| {
             let params = query::parse(state).0;
-            SurfaceParameters::new(&Plan::new(&params), &params.look)
+            SeaAppearance::new(&Plan::new(&params), &params.look)
         };
-        let (a, b) = (parameters("wind=8&depth=4000&dir=0"), parameters("wind=16&depth=5&dir=90"));
+        let (a, b) = (appearance("wind=8&depth=4000&dir=0"), appearance("wind=16&depth=5&dir=90"));
         let half = a.interpolate(&b, 0.5);
         assert!(half.hs_m > a.hs_m.min(b.hs_m) && half.hs_m < a.hs_m.max(b.hs_m));
         assert!((half.depth_m - (4000.0f64 * 5.0).sqrt()).abs() < 1e-9);
         assert!((half.downwind[0].hypot(half.downwind[1]) - 1.0).abs() < 1e-12);
-        assert!(a.interpolate(&parameters("dir=180"), 0.5).downwind.iter().all(|d| d.is_finite()), "opposite winds");
+        assert!(a.interpolate(&appearance("dir=180"), 0.5).downwind.iter().all(|d| d.is_finite()), "opposite winds");
     }
 }

@@ -11,7 +11,7 @@ pub mod still;
 use crate::gpu::Gpu;
 use crate::gpu::timer::Timer;
 use crate::point::floating::{HullPose, HullWaves, hull_pose};
-use crate::render::{Fading, Reference, Renderer, Scene, SeaLook};
+use crate::render::{Fading, Reference, Renderer, Scene, SeaAppearance};
 use crate::shaders::Shaders;
 use crate::sim::transition::{Interpolated, TransitionKind, TransitionStep};
 use crate::sim::{MAX_STEPS, MapCascade, Simulation};
@@ -20,7 +20,7 @@ use crate::state::camera::View;
 use crate::state::params::{Camera, CameraMode};
 use crate::waves::colour_scale::ColourScale;
 use crate::waves::{Plan, SeaChange};
-use interpolated::{SurfaceParameters, WeightedPlans};
+use interpolated::WeightedPlans;
 use std::sync::Arc;
 
 pub use crate::render::{Film, Grid, Part};
@@ -62,7 +62,7 @@ pub struct Ocean {
     reference: Option<Reference>,
     format: wgpu::TextureFormat,
     film: Film,
-    surface: Interpolated<SurfaceParameters>,
+    appearance: Interpolated<SeaAppearance>,
     plans: Interpolated<WeightedPlans>,
     /// The waves under the floating objects, for each drawn plan.
     waterlines: Vec<(Arc<Plan>, HullWaves)>,
@@ -86,7 +86,7 @@ impl Ocean {
         let mut sim = Simulation::new(gpu, Plan::new(params), &shaders);
         let timer = Timer::new(gpu);
         sim.set_timer(timer.clone());
-        let surface = Interpolated::new(SurfaceParameters::new(sim.plan(), &params.look));
+        let appearance = Interpolated::new(SeaAppearance::new(sim.plan(), &params.look));
         let plans = Interpolated::new(WeightedPlans::new(sim.plan()));
         Self {
             gpu: gpu.clone(),
@@ -97,7 +97,7 @@ impl Ocean {
             reference: None,
             format: still::FORMAT,
             film: Film::Screen,
-            surface,
+            appearance,
             plans,
             waterlines: Vec::new(),
             timer,
@@ -148,10 +148,10 @@ impl Ocean {
 
     fn follow(&mut self, params: &Params, step: &TransitionStep) {
         let plan = self.sim.plan();
-        self.surface.follow(step, |goal| match step.start {
+        self.appearance.follow(step, |goal| match step.start {
             Some(TransitionKind::Foam) => goal.clone(),
             Some(TransitionKind::Surface) => goal.with_surface(plan),
-            _ => SurfaceParameters::new(plan, &params.look),
+            _ => SeaAppearance::new(plan, &params.look),
         });
         self.plans.follow(step, |goal| match step.start {
             Some(TransitionKind::Foam) => goal.clone(),
@@ -161,8 +161,8 @@ impl Ocean {
 
     fn take(&mut self, params: &Params) {
         if !interpolated::refracts_alike(params, &self.params) {
-            let focusing_m = interpolated::focusing_m(self.sim.plan(), &params.look);
-            self.surface.change(|surface| surface.focusing_m = focusing_m);
+            let focusing_m = SeaAppearance::focusing_m(self.sim.plan(), &params.look);
+            self.appearance.change(|sea| sea.focusing_m = focusing_m);
         }
         self.params = params.clone();
     }
@@ -194,7 +194,7 @@ impl Ocean {
 
     /// Height of the still water that is drawn, m; during a transition on its way to the height in the parameters.
     pub fn level_m(&self) -> f64 {
-        self.surface.value(self.sim.share()).level_m
+        self.appearance.value(self.sim.share()).level_m
     }
 
     /// The timer of the passes; see [`Timer`].
@@ -288,30 +288,19 @@ impl Ocean {
     pub fn scene(&self, [width, height]: [u32; 2]) -> Scene {
         let plan = self.sim.plan();
         let share = self.sim.share();
-        let surface = self.surface.value(share);
-        let (old, now) = self.surface.parts();
+        let (old, now) = self.appearance.parts();
+        let sea = SeaAppearance { finest: now.finest, ..self.appearance.value(share) };
         let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
         Scene {
-            view: View::new(&above_water(&self.params.camera, surface.level_m), aspect, LOWEST_EYE_M),
+            view: View::new(&above_water(&self.params.camera, sea.level_m), aspect, LOWEST_EYE_M),
             look: self.params.look.clone(),
             rides: self.params.camera.mode == CameraMode::Buoy,
             floats: self.poses(),
-            level_m: surface.level_m,
             scales: std::array::from_fn(|layer| ColourScale::new(self.params.look.view.shown, plan, layer)),
-            sea: SeaLook {
-                chop: surface.chop.map(|l| l as f32),
-                hs_m: surface.hs_m as f32,
-                depth_m: surface.depth_m as f32,
-                wind_m_s: surface.wind_m_s as f32,
-                downwind: surface.downwind.map(|x| x as f32),
-                residual: surface.residual,
-                finest: now.finest,
-                fading: old.map(|old| Fading { finest: old.finest, share: 1.0 - share }),
-                focusing_m: surface.focusing_m as f32,
-                mean_foam: self.sim.foam_coverage() as f32,
-                lambda_p_m: surface.lambda_p_m as f32,
-                cloud_drift_m: surface.clouds_m_s.map(|v| v * self.params.clock.t_s),
-            },
+            fading: old.map(|old| Fading { finest: old.finest, share: 1.0 - share }),
+            mean_foam: self.sim.foam_coverage(),
+            cloud_drift_m: sea.clouds_m_s.map(|v| v * self.params.clock.t_s),
+            sea,
         }
     }
 

@@ -1,100 +1,166 @@
-//! The uniform of a picture: everything relative to the eye, worked out in f64.
+//! The uniform of a picture: the view, the sea and where its maps lie relative to the eye, worked out in f64.
 
-use super::Scene;
-use super::water::mesh::Mesh;
+use super::scene::{Scene, SeaAppearance};
+use super::water::mesh::{Mesh, MeshLattice};
 use crate::gpu::layout::gpu_struct;
 use crate::sim::Maps;
-use crate::sim::maps::{FOAM_LEVELS, MAX_DRAWN, TilePlace};
+use crate::sim::maps::{FOAM_LEVELS, FoamLevel, MAX_DRAWN, MapCascade, TilePlace};
 use crate::waves::slopes::SlopeVariance;
 use std::f64::consts::PI;
 
-pub use crate::state::camera::View;
-
-/// Shrinkage of the finest cascade for the ripples below it. Not a rung of the ladder of patches.
+/// Ratio of the finest cascade's patch to that of its ripples. It is no ratio of two patches, so that they share no period.
 const RIPPLE_RATIO: f64 = 13.1;
-/// Share of the unresolved slopes that the ripples show; the rest stays roughness.
+/// Share of the unresolved slope variance that the ripples show; the rest stays roughness.
 const RIPPLE_SHARE: f64 = 0.8;
-/// Most ripples: those of a sea, and of the one that it fades out of.
+/// Most ripples: one of each of two seas during a cross-fade.
 const MAX_RIPPLES: usize = 2;
 /// Most cascades and ripples.
 const MAX_SHOWN: usize = MAX_DRAWN + MAX_RIPPLES;
 
-/// What a picture must know of the sea besides the maps.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SeaLook {
-    /// Horizontal displacement along x and z.
-    pub chop: [f32; 2],
-    /// Significant wave height, m.
-    pub hs_m: f32,
-    /// Depth of the water, m.
-    pub depth_m: f32,
-    /// Wind 10 m above the sea, m/s.
-    pub wind_m_s: f32,
-    /// Unit vector (x, z) where the wind blows to.
-    pub downwind: [f32; 2],
-    /// Mean square slopes, along and across the wind, of the waves that no cascade holds.
-    pub residual: SlopeVariance,
-    /// And of those that the finest cascade holds.
-    pub finest: SlopeVariance,
-    /// The sea that it fades out of.
-    pub fading: Option<Fading>,
-    /// Waves shorter than this focus no light on the bed, m.
-    pub focusing_m: f32,
-    /// Foam beyond the foam levels.
-    pub mean_foam: f32,
-    /// Wavelength of the peak, m.
-    pub lambda_p_m: f32,
-    /// How far the clouds have drifted along x and z, m.
-    pub cloud_drift_m: [f64; 2],
+gpu_struct! {
+    /// WGSL `FrameCascade`: a cascade as seen from the eye, or its ripples, a shrunk copy whose slopes stand for waves that no
+    /// cascade holds.
+    #[derive(Default)]
+    pub struct FrameCascade as "FrameCascade" {
+        /// The lattice of the patch's copies at the eye's foot.
+        pub tile: TilePlace,
+        /// Texture coordinates of the eye's foot.
+        pub uv: [f32; 2],
+        /// 1 / side of the patch, 1/m.
+        pub inverse_patch: f32,
+        /// Unit of the slope moments.
+        pub moment_scale: f32,
+        /// Texels to the shortest wave.
+        pub wave_texels: f32,
+        /// Layer of the maps.
+        pub layer: u32,
+        /// Slope-variance correction during a cross-fade.
+        pub variance_gain: f32,
+        /// Factor of the slopes: 1 for a cascade.
+        pub slope_scale: f32,
+    }
 }
 
-/// A sea that fades into the one that is looked at.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fading {
-    /// Mean square slopes, along and across the wind, of the waves that its finest cascade holds.
-    pub finest: SlopeVariance,
-    /// What is left of it: its share of the variance.
-    pub share: f64,
+gpu_struct! {
+    /// WGSL `FrameFoamLevel`: a foam level as seen from the eye.
+    #[derive(Default)]
+    pub struct FrameFoamLevel as "FrameFoamLevel" {
+        /// Centre relative to the eye's foot, m.
+        pub centre: [f32; 2],
+        /// Half the side of the valid square, m.
+        pub half_side_m: f32,
+        /// 1 / size of a cell, 1/m.
+        pub inverse_cell: f32,
+        /// Texture coordinates of the eye's foot.
+        pub uv: [f32; 2],
+        /// 1 / side of the level, 1/m.
+        pub inverse_side: f32,
+        unused: u32,
+    }
 }
 
 gpu_struct! {
     /// WGSL `Frame`.
     pub struct FrameUniform as "Frame" {
-        clip_from_relative: [[f32; 4]; 4],
-        right: [f32; 3],
-        eye_m: f32,
-        up: [f32; 3],
-        dip: f32,
-        forward: [f32; 3],
-        pixel: f32,
-        sun: [f32; 3],
-        chop_x: f32,
-        cascades: [[f32; 4]; MAX_SHOWN],
-        layers: [[f32; 4]; MAX_SHOWN],
-        tile_lattice: [[f32; 4]; MAX_SHOWN],
-        tile_cell: [[i32; 4]; MAX_SHOWN],
-        residual: [f32; 4],
-        foam_place: [[f32; 4]; FOAM_LEVELS],
-        foam_uv: [[f32; 4]; FOAM_LEVELS],
-        mesh: [f32; 4],
-        mesh_radius: f32,
-        mesh_rows: u32,
-        count: u32,
-        foam_count: u32,
-        ripple_count: u32,
-        unused: [u32; 3],
-        foot: [f32; 4],
-        downwind: [f32; 2],
-        n: f32,
-        wind_m_s: f32,
-        hs_m: f32,
-        depth_m: f32,
-        mean_foam: f32,
-        foam_gain: f32,
-        sun_blur: f32,
-        sun_peak: f32,
-        chop_z: f32,
-        footprint: f32,
+        /// From positions relative to the eye to clip space, reverse-Z.
+        pub clip_from_relative: glam::Mat4,
+        /// Unit vector to the right of the picture, times the tangent of half the horizontal field of view.
+        pub right: [f32; 3],
+        /// Height of the eye over the still water, m.
+        pub eye_m: f32,
+        /// Unit vector to the top of the picture, times the tangent of half the vertical field of view.
+        pub up: [f32; 3],
+        /// Angle from the horizontal down to the horizon of the round Earth, rad.
+        pub dip: f32,
+        /// Unit vector into the picture.
+        pub forward: [f32; 3],
+        /// Angle of a pixel in the middle of the picture, rad.
+        pub pixel: f32,
+        /// Unit vector to the sun.
+        pub sun: [f32; 3],
+        /// Slope variance that stands for the width of the sun's disc: the sun's image in a mirror is as bright as the disc.
+        pub sun_blur: f32,
+        /// Covariance (xx, zz, xz) of the slopes that neither the maps nor the ripples hold.
+        pub residual: [f32; 3],
+        /// Radiance of the sun's disc over its irradiance, 1/sr.
+        pub sun_peak: f32,
+        /// Horizontal displacement factor along x and z.
+        pub chop: [f32; 2],
+        /// Undisplaced point (x, z) of the water below the eye, relative to the eye's foot, m; written by the GPU.
+        pub foot: [f32; 2],
+        /// Largest horizontal distance over which waves may carry water, m.
+        pub reach_m: f32,
+        /// 1 if the eye's height counts from the water below it, else 0.
+        pub rides: f32,
+        /// Texels along a side of a map.
+        pub n: f32,
+        /// Cascades in use.
+        pub count: u32,
+        /// Ripples in use; they stand after the first `count` cascades.
+        pub ripple_count: u32,
+        /// Foam levels in use.
+        pub foam_count: u32,
+        /// Significant wave height, m.
+        pub hs_m: f32,
+        /// Depth of the water, m.
+        pub depth_m: f32,
+        /// Mean foam beyond the foam levels, 0 to 1.
+        pub mean_foam: f32,
+        /// Factor of the foam that is shown.
+        pub foam_gain: f32,
+        /// Share of a pixel that is filtered over: 1, or 0 for the samples of a reference.
+        pub footprint: f32,
+        unused: u32,
+        /// The lattice of the mesh.
+        pub mesh: MeshLattice,
+        /// The cascades that are drawn, then the ripples.
+        pub cascades: [FrameCascade; MAX_SHOWN],
+        /// The foam levels, finest first.
+        pub foam_levels: [FrameFoamLevel; FOAM_LEVELS],
+    }
+}
+
+impl FrameCascade {
+    /// A cascade as seen from an eye over the point `foot` of the world.
+    fn new(cascade: &MapCascade, foot: [f64; 2], n: f64) -> Self {
+        Self {
+            tile: cascade.tiling.place(foot).into(),
+            uv: foot.map(|x| ((x / cascade.patch_m).rem_euclid(1.0) + 0.5 / n) as f32),
+            inverse_patch: (1.0 / cascade.patch_m) as f32,
+            moment_scale: cascade.moment_scale,
+            wave_texels: (cascade.shortest_m * n / cascade.patch_m) as f32,
+            layer: cascade.layer,
+            variance_gain: cascade.gain,
+            slope_scale: 1.0,
+        }
+    }
+
+    /// The ripples of a cascade, with this share of its slope variance.
+    fn ripples(cascade: &MapCascade, share: f64, foot: [f64; 2], n: f64) -> Self {
+        let patch_m = cascade.patch_m / RIPPLE_RATIO;
+        Self {
+            tile: cascade.tiling.shrunk(RIPPLE_RATIO).place(foot).into(),
+            // An offset of their own keeps the copies of cascade and ripples from coinciding at the origin.
+            uv: foot.map(|x| ((x / patch_m).rem_euclid(1.0) + 0.381_966) as f32),
+            inverse_patch: (1.0 / patch_m) as f32,
+            slope_scale: share.sqrt() as f32,
+            ..Self::new(cascade, foot, n)
+        }
+    }
+}
+
+impl FrameFoamLevel {
+    /// A level of `cells` cells a side as seen from an eye over the point `foot` of the world.
+    fn new(level: &FoamLevel, foot: [f64; 2], cells: u32) -> Self {
+        let side_m = f64::from(cells) * level.texel_m;
+        Self {
+            centre: [0, 1].map(|axis| (level.centre[axis] - foot[axis]) as f32),
+            half_side_m: (0.5 * side_m - 2.0 * level.texel_m) as f32,
+            inverse_cell: (1.0 / level.texel_m) as f32,
+            uv: foot.map(|x| (x / side_m).rem_euclid(1.0) as f32),
+            inverse_side: (1.0 / side_m) as f32,
+            unused: 0,
+        }
     }
 }
 
@@ -104,42 +170,14 @@ impl FrameUniform {
         let (view, look, sea) = (&scene.view, &scene.look, &scene.sea);
         let foot = [view.eye.x, view.eye.z];
         let n = f64::from(maps.n);
-        let (mut cascades, mut layers) = ([[0.0; 4]; MAX_SHOWN], [[0.0; 4]; MAX_SHOWN]);
-        for ((out, layer), map) in cascades.iter_mut().zip(&mut layers).zip(&maps.cascades) {
-            *layer = [(map.shortest_m * n / map.patch_m) as f32, map.layer as f32, map.gain, 1.0];
-            let [u, v] = foot.map(|x| ((x / map.patch_m).rem_euclid(1.0) + 0.5 / n) as f32);
-            *out = [u, v, (1.0 / map.patch_m) as f32, map.moment_scale];
-        }
-        let mut tiles = tiles(maps, foot);
-        let (shown, residual) = ripples(maps, sea);
-        for (i, &(cascade, share)) in shown.iter().enumerate() {
-            let (at, finest) = (maps.cascades.len() + i, &maps.cascades[cascade]);
-            let patch = finest.patch_m / RIPPLE_RATIO;
-            // The texel's half is not worth keeping here; another offset keeps the copies from lining up at the origin.
-            let [u, v] = foot.map(|x| ((x / patch).rem_euclid(1.0) + 0.381_966) as f32);
-            cascades[at] = [u, v, (1.0 / patch) as f32, finest.moment_scale];
-            layers[at] = layers[cascade];
-            layers[at][3] = share.sqrt() as f32;
-            tiles[at] = finest.tiling.shrunk(RIPPLE_RATIO).place(foot).into();
-        }
-        let mut foam_place = [[0.0; 4]; FOAM_LEVELS];
-        let mut foam_uv = [[0.0; 4]; FOAM_LEVELS];
-        for ((place, uv), level) in foam_place.iter_mut().zip(&mut foam_uv).zip(&maps.foam_levels) {
-            let side = f64::from(maps.foam_n) * level.texel_m;
-            let valid = 0.5 * side - 2.0 * level.texel_m;
-            *place = [
-                (level.centre[0] - foot[0]) as f32,
-                (level.centre[1] - foot[1]) as f32,
-                valid as f32,
-                (1.0 / level.texel_m) as f32,
-            ];
-            let [u, v] = foot.map(|x| (x / side).rem_euclid(1.0) as f32);
-            *uv = [u, v, (1.0 / side) as f32, 0.0];
-        }
+        let (shown, residual) = ripples(scene, maps);
+        let ripples = shown.iter().map(|(cascade, share)| FrameCascade::ripples(cascade, *share, foot, n));
+        let cascades = maps.cascades.iter().map(|cascade| FrameCascade::new(cascade, foot, n));
+        let levels = maps.foam_levels.iter().map(|level| FrameFoamLevel::new(level, foot, maps.foam_n));
         let [tx, ty] = view.tan_half;
         let disc = look.sky.sun_radius_rad().sin().powi(2);
         Self {
-            clip_from_relative: view.clip_from_relative().as_mat4().to_cols_array_2d(),
+            clip_from_relative: view.clip_from_relative().as_mat4(),
             right: (view.right * tx).as_vec3().to_array(),
             eye_m: view.eye.y as f32,
             up: (view.up * ty).as_vec3().to_array(),
@@ -147,51 +185,42 @@ impl FrameUniform {
             forward: view.forward.as_vec3().to_array(),
             pixel: (2.0 * ty / f64::from(size[1])) as f32,
             sun: look.sky.sun_direction().map(|x| x as f32),
-            chop_x: sea.chop[0],
-            cascades,
-            layers,
-            tile_lattice: tiles.map(|t| [t.turn[0], t.turn[1], t.rest[0], t.rest[1]]),
-            tile_cell: tiles.map(|t| [t.cell[0], t.cell[1], t.key as i32, t.on as i32]),
-            residual,
-            foam_place,
-            foam_uv,
-            mesh: mesh.lattice,
-            mesh_radius: mesh.radius,
-            mesh_rows: mesh.rows,
-            count: maps.cascades.len() as u32,
-            foam_count: maps.foam_levels.len() as u32,
-            ripple_count: shown.len() as u32,
-            unused: [0; 3],
-            downwind: sea.downwind,
-            foot: [0.0, 0.0, reach_m(sea), f32::from(u8::from(scene.rides))],
-            n: maps.n as f32,
-            wind_m_s: sea.wind_m_s,
-            hs_m: sea.hs_m,
-            depth_m: sea.depth_m,
-            mean_foam: sea.mean_foam,
-            foam_gain: look.surface.foam.amount as f32,
             sun_blur: (disc / 8.0) as f32,
+            residual,
             sun_peak: (PI * disc).recip() as f32,
-            chop_z: sea.chop[1],
+            chop: sea.chop.map(|l| l as f32),
+            foot: [0.0; 2],
+            reach_m: (1.0 + 0.8 * sea.most_chop() * sea.hs_m) as f32,
+            rides: f32::from(u8::from(scene.rides)),
+            n: maps.n as f32,
+            count: maps.cascades.len() as u32,
+            ripple_count: shown.len() as u32,
+            foam_count: maps.foam_levels.len() as u32,
+            hs_m: sea.hs_m as f32,
+            depth_m: sea.depth_m as f32,
+            mean_foam: scene.mean_foam as f32,
+            foam_gain: look.surface.foam.amount as f32,
             footprint: 1.0,
+            unused: 0,
+            mesh: mesh.lattice,
+            cascades: filled(cascades.chain(ripples)),
+            foam_levels: filled(levels),
         }
     }
 
-    /// The same view for unfiltered samples, moved by a part of a pixel (in clip coordinates).
+    /// The same view for unfiltered samples, moved by this way in clip coordinates.
     pub fn unfiltered(self, [x, y]: [f32; 2]) -> Self {
-        let mut clip = self.clip_from_relative;
-        for column in &mut clip {
-            column[0] += x * column[3];
-            column[1] += y * column[3];
-        }
+        let moved = glam::Mat4::from_translation(glam::vec3(x, y, 0.0)) * self.clip_from_relative;
         let forward = std::array::from_fn(|i| self.forward[i] - x * self.right[i] - y * self.up[i]);
-        Self { clip_from_relative: clip, forward, footprint: 0.0, ..self }
+        Self { clip_from_relative: moved, forward, footprint: 0.0, ..self }
     }
 }
 
-/// How far the waves carry water from where it would lie in a still sea, m.
-fn reach_m(sea: &SeaLook) -> f32 {
-    1.0 + 0.8 * sea.chop[0].max(sea.chop[1]) * sea.hs_m
+/// An array that begins with these values; the rest are defaults.
+fn filled<T: Copy + Default, const N: usize>(values: impl Iterator<Item = T>) -> [T; N] {
+    let mut out = [T::default(); N];
+    out.iter_mut().zip(values).for_each(|(out, value)| *out = value);
+    out
 }
 
 /// Angle from the horizontal down to the horizon of the round Earth, rad.
@@ -200,36 +229,28 @@ pub fn dip(eye_m: f64) -> f64 {
     (r / (r + eye_m.max(0.0))).min(1.0).acos()
 }
 
-/// The cascades of which shrunk copies are shown with their share of those slopes, and the covariance (xx, zz, xz) of what
-/// they leave of the unresolved slopes.
-fn ripples(maps: &Maps, sea: &SeaLook) -> (Vec<(usize, f64)>, [f32; 4]) {
+/// The cascades whose ripples are shown, each with its share of their slope variance, and the covariance (xx, zz, xz) of the
+/// unresolved slopes that the ripples leave.
+fn ripples<'a>(scene: &Scene, maps: &'a Maps) -> (Vec<(&'a MapCascade, f64)>, [f32; 3]) {
+    let sea = &scene.sea;
     let mut left = sea.residual;
     let mut shown = Vec::new();
-    let own = (maps.cascades.len(), sea.finest, 1.0 - sea.fading.map_or(0.0, |f| f.share));
-    let fading = sea.fading.map(|f| (maps.fading, f.finest, f.share));
-    for (end, finest, weight) in std::iter::once(own).chain(fading).filter(|(end, ..)| *end > 0) {
-        // The copy has the cascade's slopes along and across the wind: no more of either than there is.
+    let own = (maps.cascades.last(), sea.finest, 1.0 - scene.fading.map_or(0.0, |f| f.share));
+    let fading = scene.fading.map(|f| (maps.cascades[..maps.fading].last(), f.finest, f.share));
+    for (cascade, finest, weight) in std::iter::once(own).chain(fading) {
+        // A copy has the slopes of its cascade along and across the wind: no more of either than there is.
         let share = |i: usize| if finest[i] > 1e-5 { sea.residual[i] / finest[i] } else { 0.0 };
         let share = (RIPPLE_SHARE * share(0).min(share(1))).min(1.0);
-        if share > 0.0 {
-            shown.push((end - 1, share));
+        if let Some(cascade) = cascade.filter(|_| share > 0.0) {
+            shown.push((cascade, share));
             left = [left[0] - share * weight * finest[0], left[1] - share * weight * finest[1]];
         }
     }
     (shown, covariance(sea, left.map(|l| l.max(0.0))))
 }
 
-/// The lattices of the cascades' copies, and room for those of the ripples.
-fn tiles(maps: &Maps, foot: [f64; 2]) -> [TilePlace; MAX_SHOWN] {
-    let mut out = [TilePlace::default(); MAX_SHOWN];
-    for (out, map) in out.iter_mut().zip(&maps.cascades) {
-        *out = map.tiling.place(foot).into();
-    }
-    out
-}
-
-/// Variances along and across the wind in world axes.
-fn covariance(sea: &SeaLook, [along, across]: SlopeVariance) -> [f32; 4] {
-    let [x, z] = sea.downwind.map(f64::from);
-    [along * x * x + across * z * z, along * z * z + across * x * x, (along - across) * x * z, 0.0].map(|v| v as f32)
+/// Covariance (xx, zz, xz) in world axes of variances along and across the wind.
+fn covariance(sea: &SeaAppearance, [along, across]: SlopeVariance) -> [f32; 3] {
+    let [x, z] = sea.downwind;
+    [along * x * x + across * z * z, along * z * z + across * x * x, (along - across) * x * z].map(|v| v as f32)
 }

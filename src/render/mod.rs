@@ -3,75 +3,68 @@
 //! A frame: the sky's look-up tables (only when the light changed), sky and water into an HDR target, tone curve to the
 //! screen. Every pass is a pure function of [`Scene`] and [`Maps`].
 
-pub mod film;
+mod film;
 mod frame;
-mod kit;
 mod reference;
+mod scene;
+mod scene_group;
 mod sky;
 mod targets;
+mod variants;
 mod views;
 mod water;
 
-pub use frame::{Fading, SeaLook, View};
+pub use frame::FrameUniform;
 pub use reference::{Grid, Reference};
+pub use scene::{Fading, Scene, SeaAppearance};
 pub use targets::Film;
+pub use water::material::MaterialUniform;
 
 use crate::gpu::Gpu;
 use crate::gpu::kit::Uniform;
-use crate::gpu::layout::Layout;
+use crate::gpu::layout::Declaration;
 use crate::gpu::timer::Timer;
-use crate::point::floating::HullPose;
 use crate::shaders::Shaders;
 use crate::sim::Maps;
-use crate::sim::maps::MAX_CASCADES;
-use crate::state::look::Look;
+use crate::sim::maps::TilePlace;
 use crate::state::views::Shown;
-use crate::waves::colour_scale::ColourScale;
-use film::present::PresentPass;
-use frame::FrameUniform;
-use sky::Sky;
-use sky::background::Background;
+use film::present::{PresentPass, PresentUniform};
+use frame::{FrameCascade, FrameFoamLevel};
+use scene_group::SceneGroup;
+use sky::background::BackgroundPass;
+use sky::tables::SkyTables;
+use sky::uniform::{FogUniform, LightBuffer, SkyUniform};
 use targets::Targets;
-use views::DebugPass;
+use views::{ViewPass, ViewTile, ViewUniform};
+use water::displace::MeshVertex;
 use water::eye::EyePass;
-use water::floats::FloatsPass;
+use water::floats::{FloatsPass, HullVertex};
 use water::light::WaterPass;
-use water::material::MaterialUniform;
-use water::mesh::Mesh;
+use water::material::NoiseLayer;
+use water::mesh::{Mesh, MeshLattice};
 use water::noise::NoiseTexture;
 
-/// What the layout test compares with the shaders.
-pub const LAYOUTS: &[Layout] = &[
-    FrameUniform::LAYOUT,
-    MaterialUniform::LAYOUT,
-    sky::SkyUniform::LAYOUT,
-    sky::LightBuffer::LAYOUT,
-    film::present::PresentUniform::LAYOUT,
-    views::DebugTile::LAYOUT,
-    views::DebugUniform::LAYOUT,
+/// The structs that the renderer shares with its shaders.
+pub const STRUCTS: &[Declaration] = &[
+    TilePlace::DECLARATION,
+    MeshLattice::DECLARATION,
+    MeshVertex::DECLARATION,
+    HullVertex::DECLARATION,
+    FrameCascade::DECLARATION,
+    FrameFoamLevel::DECLARATION,
+    FrameUniform::DECLARATION,
+    NoiseLayer::DECLARATION,
+    MaterialUniform::DECLARATION,
+    FogUniform::DECLARATION,
+    SkyUniform::DECLARATION,
+    LightBuffer::DECLARATION,
+    PresentUniform::DECLARATION,
+    ViewTile::DECLARATION,
+    ViewUniform::DECLARATION,
 ];
 
 /// Pixels of the picture for which the mesh's default density is made.
 const REFERENCE_PIXELS: f64 = 1280.0 * 720.0;
-
-/// Everything that a picture depends on besides the maps.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Scene {
-    /// Eye and projection.
-    pub view: View,
-    /// Whether the eye's height counts from the water below it.
-    pub rides: bool,
-    /// Light, sky and film.
-    pub look: Look,
-    /// What the maps do not tell of the sea.
-    pub sea: SeaLook,
-    /// What the colours of a view stand for, layer by layer of its maps; the picture has no use for it.
-    pub scales: [ColourScale; MAX_CASCADES],
-    /// What floats, in the world.
-    pub floats: Vec<HullPose>,
-    /// Height of the still water in the world, m.
-    pub level_m: f64,
-}
 
 /// A part of the picture that can be recorded by itself, to be timed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,9 +73,9 @@ pub enum Part {
     Light,
     /// What stands behind the sea.
     Background,
-    /// The mesh of the sea and, where the sea is lit afterwards, what it shows.
+    /// The mesh of the water and its G-buffer.
     Mesh,
-    /// The sea, its mesh with it.
+    /// The water, with its mesh.
     Water,
 }
 
@@ -90,16 +83,16 @@ pub enum Part {
 pub struct Renderer {
     frame: Uniform<FrameUniform>,
     material: Uniform<MaterialUniform>,
-    sky: Sky,
+    sky: SkyTables,
     eye: EyePass,
     water: WaterPass,
-    background: Background,
+    background: BackgroundPass,
     floats: FloatsPass,
     present: PresentPass,
     targets: Option<Targets>,
     target_format: wgpu::TextureFormat,
     /// Since the first view was asked for.
-    debug: Option<DebugPass>,
+    view: Option<ViewPass>,
     /// Whether a view was drawn last.
     shows_view: bool,
     timer: Timer,
@@ -108,17 +101,17 @@ pub struct Renderer {
 impl Renderer {
     /// Compiles all passes. `target_format` is what [`Self::present`] draws into.
     pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat, film: Film) -> Self {
-        let shaders = Shaders::default();
+        let shaders = Shaders::default().with_structs(STRUCTS);
         let frame = Uniform::new(gpu, "frame");
         let material = Uniform::new(gpu, "material");
         let noise = NoiseTexture::new(gpu);
-        let sky = Sky::new(gpu, &shaders, &noise);
-        let scene = kit::SceneGroup::new(gpu, &frame, &material, &sky, &noise, film);
-        let background = Background::new(gpu, &shaders);
+        let sky = SkyTables::new(gpu, &shaders, &noise);
+        let scene = SceneGroup::new(gpu, &frame, &material, &sky, &noise, film);
+        let background = BackgroundPass::new(gpu, &shaders);
         let water = WaterPass::new(gpu, &shaders, scene, &frame);
         let eye = EyePass::new(gpu, &shaders, &frame, &water);
         let floats = FloatsPass::new(gpu, &shaders);
-        let present = PresentPass::new(gpu, &shaders, &sky.light, target_format, film.is_deferred());
+        let present = PresentPass::new(gpu, &shaders, &sky.light, target_format, film != Film::Reference);
         // A browser hears of the pipelines, and compiles them while the noise is made.
         gpu.queue.submit([]);
         noise.fill(gpu);
@@ -133,7 +126,7 @@ impl Renderer {
             present,
             targets: None,
             target_format,
-            debug: None,
+            view: None,
             shows_view: false,
             timer: Timer::default(),
         }
@@ -147,17 +140,9 @@ impl Renderer {
     /// Records the HDR picture of `size` pixels.
     pub fn draw(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, maps: &Maps, scene: &Scene, size: [u32; 2]) {
         let size = size.map(|s| s.max(1));
-        let film = self.water.scene.film;
-        if self.targets.as_ref().is_none_or(|t| t.size != size) {
-            let targets = Targets::new(gpu, size, film);
-            self.present.unbind();
-            self.targets = Some(targets);
-        }
-        if let Some(targets) = &self.targets {
-            self.water.bind_targets(gpu, targets);
-            self.present.bind(gpu, targets, &scene.look.film);
-            self.present.write(gpu, scene, size);
-        }
+        let hdr = self.target(gpu, size).hdr.clone();
+        self.present.bind(gpu, &hdr, &scene.look.film);
+        self.present.write(gpu, scene, size);
         let mesh = mesh(scene, size);
         self.prepare(gpu, maps, scene, &mesh, &FrameUniform::new(scene, maps, &mesh, size));
         self.shows_view = scene.look.view.shown != Shown::Picture;
@@ -171,6 +156,13 @@ impl Renderer {
         }
     }
 
+    /// The targets of this size, made anew if the last ones had another.
+    fn target(&mut self, gpu: &Gpu, size: [u32; 2]) -> &Targets {
+        let targets = self.targets.take().filter(|targets| targets.size == size);
+        let film = self.water.scene.film;
+        self.targets.insert(targets.unwrap_or_else(|| Targets::new(gpu, size, film)))
+    }
+
     /// Takes maps, look, mesh and view.
     fn prepare(&mut self, gpu: &Gpu, maps: &Maps, scene: &Scene, mesh: &Mesh, frame: &FrameUniform) {
         self.material.write(gpu, &MaterialUniform::new(scene));
@@ -178,21 +170,24 @@ impl Renderer {
         self.water.choose(gpu, scene);
         self.background.choose(gpu, &self.water.scene, &self.sky, scene);
         self.water.bind_maps(gpu, maps);
+        if let Some(targets) = &self.targets {
+            self.water.bind_targets(gpu, targets);
+        }
         self.water.mesh.set(gpu, mesh);
         let foot = [scene.view.eye.x, scene.view.eye.z];
-        self.floats.write(gpu, &self.water.scene, &scene.floats, foot, scene.level_m);
+        self.floats.write(gpu, &self.water.scene, &scene.floats, foot, scene.sea.level_m);
     }
 
     /// Records the view that the look asks for instead of the picture.
     fn record_view(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, maps: &Maps, scene: &Scene) {
         let Some(targets) = &self.targets else { return };
         self.eye.run(encoder, scene, &self.water);
-        if let (Shown::Surface(_), Some(maps)) = (&scene.look.view.shown, self.water.maps_group()) {
-            self.water.mesh.run(encoder, maps);
+        if let Shown::Surface(_) = scene.look.view.shown {
+            self.water.displace(encoder);
         }
-        let make = || DebugPass::new(gpu, &Shaders::default(), &self.water, self.target_format);
-        let debug = self.debug.get_or_insert_with(make);
-        debug.draw(gpu, encoder, (maps, scene), &self.water, targets);
+        let make = || ViewPass::new(gpu, &Shaders::default().with_structs(STRUCTS), &self.water, self.target_format);
+        let view = self.view.get_or_insert_with(make);
+        view.draw(gpu, encoder, (maps, scene), &self.water, targets);
     }
 
     /// Records the passes of the picture into the targets.
@@ -202,9 +197,9 @@ impl Renderer {
         self.timer.mark(encoder, "eye");
         self.sky.update(gpu, encoder, scene);
         self.timer.mark(encoder, "sky tables");
-        let after_mesh = self.water.prepare(encoder, targets);
+        self.water.prepare(encoder, targets);
         self.timer.mark(encoder, "mesh");
-        let mut pass = targets.begin(encoder, after_mesh);
+        let mut pass = targets.begin(encoder, true);
         self.background.draw(&mut pass, &self.water.scene, &self.sky);
         self.water.draw(&mut pass);
         self.floats.draw(&mut pass, &self.water.scene);
@@ -220,12 +215,10 @@ impl Renderer {
             Part::Background => {
                 self.background.draw(&mut targets.begin(encoder, false), &self.water.scene, &self.sky);
             }
-            Part::Mesh => {
-                self.water.prepare(encoder, targets);
-            }
+            Part::Mesh => self.water.prepare(encoder, targets),
             Part::Water => {
-                let after_mesh = self.water.prepare(encoder, targets);
-                self.water.draw(&mut targets.begin(encoder, after_mesh));
+                self.water.prepare(encoder, targets);
+                self.water.draw(&mut targets.begin(encoder, true));
             }
         }
     }
@@ -248,8 +241,8 @@ impl Renderer {
 
     /// Draws the tone-mapped picture, or the view, into the current viewport.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
-        match &self.debug {
-            Some(debug) if self.shows_view => debug.show(pass),
+        match &self.view {
+            Some(view) if self.shows_view => view.show(pass),
             _ => self.present.draw(pass),
         }
     }
@@ -262,12 +255,7 @@ fn mesh(scene: &Scene, size: [u32; 2]) -> Mesh {
     Mesh::new(&scene.view, &scene.sea, scene.look.mesh_detail * pixels.sqrt().clamp(0.05, 2.0), scene.look.extent_km)
 }
 
-/// The bytes of WGSL `Frame` for a picture of `size` pixels: for the tests that run the picture's functions by themselves.
-pub fn frame_bytes(scene: &Scene, maps: &Maps, size: [u32; 2]) -> Vec<u8> {
-    bytemuck::bytes_of(&FrameUniform::new(scene, maps, &mesh(scene, size), size)).to_vec()
-}
-
-/// The bytes of WGSL `Material`, for the same tests.
-pub fn material_bytes(scene: &Scene) -> Vec<u8> {
-    bytemuck::bytes_of(&MaterialUniform::new(scene)).to_vec()
+/// The frame of a picture of `size` pixels, for the tests that call the picture's WGSL functions.
+pub fn frame(scene: &Scene, maps: &Maps, size: [u32; 2]) -> FrameUniform {
+    FrameUniform::new(scene, maps, &mesh(scene, size), size)
 }

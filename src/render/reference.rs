@@ -4,11 +4,12 @@
 //! A grid of samples is drawn as a larger picture, several times with its samples moved. Whoever draws averages the linear
 //! light ([`Grid`] says which samples are a pixel's) and hands the mean back to be shown by the usual film.
 
+use super::Renderer;
 use super::frame::FrameUniform;
-use super::targets::{Film, Targets};
+use super::scene::Scene;
+use super::targets::{Film, HDR_FORMAT};
 use super::water::displace;
 use super::water::mesh::{self, Mesh};
-use super::{Renderer, Scene};
 use crate::gpu::Gpu;
 use crate::sim::Maps;
 use half::f16;
@@ -65,14 +66,7 @@ impl Reference {
     ) -> wgpu::Texture {
         let renderer = &mut self.renderer;
         let size = grid.samples();
-        let targets = match renderer.targets.take() {
-            Some(targets) if targets.size == size && targets.hdr.texture().format() == Film::Reference.format() => {
-                targets
-            }
-            _ => Targets::new(gpu, size, Film::Reference),
-        };
-        let texture = targets.hdr.texture().clone();
-        renderer.targets = Some(targets);
+        let texture = renderer.target(gpu, size).hdr.texture().clone();
         let room = FILLED * gpu.device.limits().max_storage_buffer_binding_size as f64 / displace::VERTEX as f64;
         let vertices = (VERTICES_PER_SAMPLE * f64::from(size[0]) * f64::from(size[1])).min(room);
         let density = vertices / mesh::VERTICES;
@@ -84,17 +78,17 @@ impl Reference {
     }
 
     /// Takes a picture in linear light, RGB row by row, to be presented as `scene` is.
-    pub fn show(&mut self, gpu: &Gpu, scene: &Scene, size: [u32; 2], light: &[[f32; 3]]) {
-        let targets = Targets::new(gpu, size, Film::Mean);
-        // The shader's own limit; what is not a number stays so and is painted.
+    pub fn show(&mut self, gpu: &Gpu, scene: &Scene, [width, height]: [u32; 2], light: &[[f32; 3]]) {
+        let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
+        let mean = gpu.texture("reference", [width, height, 1], 1, HDR_FORMAT, usage);
+        // The limit of shaders/common/frame.wgsl. A value that is not a number stays one, and the film paints it.
         let texel = |l: &[f32; 3]| [l[0], l[1], l[2], 1.0].map(|x| f16::from_f32(if x > 6e4 { 6e4 } else { x }));
         let texels: Vec<[f16; 4]> = light.iter().map(texel).collect();
-        gpu.write_texture(targets.hdr.texture(), 0, bytemuck::cast_slice(&texels));
+        gpu.write_texture(&mean, 0, bytemuck::cast_slice(&texels));
         let present = &mut self.renderer.present;
-        present.unbind();
-        present.bind(gpu, &targets, &scene.look.film);
-        present.write(gpu, scene, size);
-        let mut encoder = gpu.encoder("lens");
+        present.bind(gpu, &mean.create_view(&wgpu::TextureViewDescriptor::default()), &scene.look.film);
+        present.write(gpu, scene, [width, height]);
+        let mut encoder = gpu.encoder("reference");
         present.spread(&mut encoder);
         gpu.submit(encoder);
     }

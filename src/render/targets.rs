@@ -1,15 +1,14 @@
-//! The HDR picture and its depth.
-
-use crate::gpu::kit::{Attachments, Depth};
+//! What a picture is drawn into: the G-buffer of the water, linear light and depth.
 
 use crate::gpu::Gpu;
+use crate::gpu::kit::{Attachments, Depth};
 
 /// Format of linear light.
 pub const HDR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
-/// Reverse-Z: near / distance.
+/// Format of the depth, which is reverse-Z: near / distance.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-/// Of what the mesh leaves for the light: the point; the sides of the pixel there and the slopes that the mesh carries (`MeshShown`).
-pub const SHOWN_FORMATS: [wgpu::TextureFormat; 2] = [wgpu::TextureFormat::Rgba32Uint; 2];
+/// Formats of the G-buffer (WGSL `GBuffer`).
+pub const G_BUFFER_FORMATS: [wgpu::TextureFormat; 2] = [wgpu::TextureFormat::Rgba32Uint; 2];
 
 /// The depth test of what is drawn into the picture: the nearest fragment is seen.
 pub const NEAREST: Depth = Depth { format: DEPTH_FORMAT, compare: wgpu::CompareFunction::GreaterEqual, write: true };
@@ -23,34 +22,17 @@ pub enum Film {
     Screen,
     /// They can also be read back.
     Layers,
-    /// Light of the single samples of a reference, in single precision: half floats would cut off the sun.
+    /// The light is that of single samples of a reference, in single precision: half floats would cut off the sun.
     Reference,
-    /// The mean light of a reference, written to be presented.
-    Mean,
 }
 
 impl Film {
     /// Format of the linear light.
     pub const fn format(self) -> wgpu::TextureFormat {
         match self {
+            Self::Screen | Self::Layers => HDR_FORMAT,
             Self::Reference => wgpu::TextureFormat::Rgba32Float,
-            _ => HDR_FORMAT,
         }
-    }
-
-    /// Uses of light and depth beyond drawing and presenting.
-    const fn usage(self) -> wgpu::TextureUsages {
-        match self {
-            Self::Screen => wgpu::TextureUsages::empty(),
-            Self::Layers | Self::Reference => wgpu::TextureUsages::COPY_SRC,
-            Self::Mean => wgpu::TextureUsages::COPY_DST,
-        }
-    }
-
-    /// Whether the water is lit once a pixel after its mesh was drawn. A reference lights every fragment of the mesh, because a
-    /// sample needs the exact point and slopes, which the deferred pass packs.
-    pub const fn is_deferred(self) -> bool {
-        matches!(self, Self::Screen | Self::Layers)
     }
 }
 
@@ -61,61 +43,53 @@ pub fn attachments(format: &wgpu::TextureFormat, depth: Depth) -> Attachments<'_
 
 /// Attachments of one size.
 pub struct Targets {
+    /// Width and height, pixels.
     pub size: [u32; 2],
-    /// Linear light, to be presented.
+    /// Linear light.
     pub hdr: wgpu::TextureView,
     /// Near / distance, kept only on a film that is read back.
     pub depth: wgpu::TextureView,
     keeps_depth: bool,
-    /// What the mesh shows, if the sea is lit afterwards.
-    pub shown: Option<[wgpu::TextureView; 2]>,
+    /// The G-buffer of the water.
+    pub g_buffer: [wgpu::TextureView; 2],
 }
 
 impl Targets {
-    pub fn new(gpu: &Gpu, size: [u32; 2], film: Film) -> Self {
-        let usage = film.usage();
+    /// Attachments of `size` pixels for a film.
+    pub fn new(gpu: &Gpu, [width, height]: [u32; 2], film: Film) -> Self {
+        use wgpu::TextureUsages as Usage;
         let texture = |label, format, usage| {
-            let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | usage;
-            let texture = gpu.texture(label, [size[0], size[1], 1], 1, format, usage);
+            let texture = gpu.texture(label, [width, height, 1], 1, format, Usage::RENDER_ATTACHMENT | usage);
             texture.create_view(&wgpu::TextureViewDescriptor::default())
         };
-        let sampled = wgpu::TextureUsages::TEXTURE_BINDING;
+        let keeps_depth = film != Film::Screen;
+        let depth_usage = if keeps_depth { Usage::COPY_SRC } else { Usage::empty() };
         Self {
-            size,
-            hdr: texture("hdr", film.format(), sampled | wgpu::TextureUsages::COPY_SRC | usage),
-            depth: texture("depth", DEPTH_FORMAT, usage),
-            keeps_depth: !usage.is_empty(),
-            shown: film.is_deferred().then(|| SHOWN_FORMATS.map(|format| texture("shown", format, sampled))),
+            size: [width, height],
+            hdr: texture("hdr", film.format(), Usage::TEXTURE_BINDING | Usage::COPY_SRC),
+            depth: texture("depth", DEPTH_FORMAT, depth_usage),
+            keeps_depth,
+            g_buffer: G_BUFFER_FORMATS.map(|format| texture("g-buffer", format, Usage::TEXTURE_BINDING)),
         }
     }
 
-    /// Opens the pass that draws the mesh of the sea, to be lit in that of [`Self::begin`].
-    pub fn begin_mesh<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> Option<wgpu::RenderPass<'a>> {
-        let [point, slopes] = self.shown.as_ref()?;
-        let attachment = |view| {
-            let ops =
-                wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store };
-            Some(wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops })
-        };
-        Some(encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+    /// Opens the pass that draws the mesh of the water into the G-buffer and the depth.
+    pub fn begin_mesh<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
+        let attachments = self.g_buffer.each_ref().map(|view| Some(attachment(view, wgpu::Color::TRANSPARENT)));
+        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("mesh"),
-            color_attachments: &[attachment(point), attachment(slopes)],
+            color_attachments: &attachments,
             depth_stencil_attachment: Some(self.depth(wgpu::LoadOp::Clear(0.0), true)),
             ..Default::default()
-        }))
+        })
     }
 
-    /// Opens the pass of the picture, which finds the depth that the mesh left, or none.
+    /// Opens the pass of the picture, whose depth is that of the mesh or, without it, infinitely far.
     pub fn begin<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, after_mesh: bool) -> wgpu::RenderPass<'a> {
         let load = if after_mesh { wgpu::LoadOp::Load } else { wgpu::LoadOp::Clear(0.0) };
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("picture"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &self.hdr,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
-            })],
+            color_attachments: &[Some(attachment(&self.hdr, wgpu::Color::BLACK))],
             depth_stencil_attachment: Some(self.depth(load, self.keeps_depth)),
             ..Default::default()
         })
@@ -129,4 +103,10 @@ impl Targets {
             stencil_ops: None,
         }
     }
+}
+
+/// A colour attachment that is cleared and kept.
+fn attachment(view: &wgpu::TextureView, clear: wgpu::Color) -> wgpu::RenderPassColorAttachment<'_> {
+    let ops = wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store: wgpu::StoreOp::Store };
+    wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops }
 }

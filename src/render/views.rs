@@ -1,7 +1,7 @@
 //! Views instead of the picture: maps of the simulation (shaders/views/map.wgsl) and quantities of the drawn surface
 //! (shaders/views/surface.wgsl). Made when the first view is asked for; the picture pays nothing for them.
 
-use super::Scene;
+use super::scene::Scene;
 use super::targets::Targets;
 use super::targets::{BEHIND, NEAREST, attachments};
 use super::water::light::WaterPass;
@@ -19,33 +19,47 @@ use std::cmp::Reverse;
 const GAP: u32 = 6;
 
 gpu_struct! {
-    /// WGSL `DebugTile`.
+    /// WGSL `ViewTile`: a square of the picture that shows one layer of a map. The views on the mesh only use the scale and
+    /// the layer of the first.
     #[derive(Default)]
-    pub struct DebugTile as "DebugTile" {
+    pub struct ViewTile as "ViewTile" {
+        /// Top left corner, pixels.
         corner: [f32; 2],
+        /// The texel that stands in the top left corner.
         first: [u32; 2],
+        /// Side, pixels.
         side: f32,
+        /// Layer of the map, cascade of a spectrum, or index of a drawn cascade.
         layer: u32,
+        /// Value of the first colour.
         low: f32,
+        /// Value of the last colour.
         high: f32,
     }
 }
 
 gpu_struct! {
-    /// WGSL `Debug`.
-    pub struct DebugUniform as "Debug" {
+    /// WGSL `View`.
+    pub struct ViewUniform as "View" {
+        /// Colours of the scale as the screen takes them.
         stops: [[f32; 4]; STOPS],
-        tiles: [DebugTile; MAX_CASCADES],
+        tiles: [ViewTile; MAX_CASCADES],
+        /// Width and height of the picture, pixels.
         size: [f32; 2],
+        /// Horizontal displacement factor along x and z.
         chop: [f32; 2],
+        /// The map or the quantity that is shown: 1 + its place among the variants of `Map` or `Surface`.
         kind: u32,
+        /// Tiles in use.
         tile_count: u32,
+        /// 1 if the scale is logarithmic, else 0.
         logarithmic: u32,
+        /// Phase of all waves at the time of the maps, t / period in units of 2^-32.
         phase_time: u32,
     }
 }
 
-impl DebugUniform {
+impl ViewUniform {
     fn new(scene: &Scene, maps: &Maps, size: [u32; 2]) -> Self {
         let view = scene.look.view;
         // Numbers of the kinds in the shaders: 0 is no view.
@@ -59,7 +73,7 @@ impl DebugUniform {
         let most = if foam { maps.foam_levels.len() } else { maps.sea().len() };
         let layers = view.layers(most);
         let (corners, side) = squares(layers.len() as u32, size);
-        let mut tiles = [DebugTile::default(); MAX_CASCADES];
+        let mut tiles = [ViewTile::default(); MAX_CASCADES];
         for ((tile, layer), corner) in tiles.iter_mut().zip(layers.clone()).zip(corners) {
             let scale = scene.scales[layer];
             // Moments are stored in units of their own.
@@ -84,7 +98,7 @@ impl DebugUniform {
                 _ if foam => layer,
                 _ => maps.sea()[layer].layer as usize,
             };
-            *tile = DebugTile {
+            *tile = ViewTile {
                 corner: corner.map(|x| x as f32),
                 first,
                 side: side as f32,
@@ -98,7 +112,7 @@ impl DebugUniform {
             stops: scale.palette.stops().map(|[r, g, b]| [r, g, b, 1.0]),
             tiles,
             size: size.map(|s| s as f32),
-            chop: scene.sea.chop,
+            chop: scene.sea.chop.map(|l| l as f32),
             kind,
             tile_count: layers.len() as u32,
             logarithmic: u32::from(scale.logarithmic),
@@ -123,8 +137,8 @@ fn squares(count: u32, [width, height]: [u32; 2]) -> (Vec<[u32; 2]>, u32) {
 }
 
 /// Draws views.
-pub struct DebugPass {
-    uniform: Uniform<DebugUniform>,
+pub struct ViewPass {
+    uniform: Uniform<ViewUniform>,
     map_layout: wgpu::BindGroupLayout,
     map: wgpu::RenderPipeline,
     surface: wgpu::RenderPipeline,
@@ -134,12 +148,12 @@ pub struct DebugPass {
     show_group: Option<wgpu::BindGroup>,
 }
 
-impl DebugPass {
+impl ViewPass {
     /// Compiles the passes for the water that they show and a format of the screen.
     pub fn new(gpu: &Gpu, shaders: &Shaders, water: &WaterPass, target: wgpu::TextureFormat) -> Self {
         let fragment = wgpu::ShaderStages::FRAGMENT;
-        let uniform = Uniform::<DebugUniform>::new(gpu, "view");
-        let slot = Slot::Uniform(size_of::<DebugUniform>());
+        let uniform = Uniform::<ViewUniform>::new(gpu, "view");
+        let slot = Slot::Uniform(size_of::<ViewUniform>());
         let slots = [
             slot,
             Slot::TextureArray,
@@ -150,18 +164,18 @@ impl DebugPass {
             Slot::Read(8),
         ];
         let map_layout = gpu.layout("view/map", fragment, &slots);
-        let module = shaders.module(gpu, "debug_map");
+        let module = shaders.module(gpu, "views/map");
         let film = &water.scene.film;
         let map = gpu.render("view/map", &Program::new(&module), &[&map_layout], &attachments(&film.format(), BEHIND));
         let surface_layout = gpu.layout("view/surface", fragment, &[slot]);
         let surface_group = gpu.group("view/surface", &surface_layout, &[uniform.buffer.as_entire_binding()]);
-        let module = shaders.module(gpu, "debug_water");
-        let program = Program { entries: ["debug_vertex", "debug_fragment"], ..Program::new(&module) };
-        let [scene, maps, mesh] = water.layouts();
+        let module = shaders.module(gpu, "views/surface");
+        let [scene, maps, mesh] = water.mesh_layouts();
         let layouts = [scene, maps, mesh, &surface_layout];
-        let surface = gpu.render("view/surface", &program, &layouts, &attachments(&film.format(), NEAREST));
+        let surface =
+            gpu.render("view/surface", &Program::new(&module), &layouts, &attachments(&film.format(), NEAREST));
         let show_layout = gpu.layout("view/show", fragment, &[Slot::Texture]);
-        let module = shaders.module(gpu, "debug_show");
+        let module = shaders.module(gpu, "views/show");
         let onto = Attachments { formats: &[target], depth: None };
         let show = gpu.render("view/show", &Program::new(&module), &[&show_layout], &onto);
         Self { uniform, map_layout, map, surface, surface_group, show_layout, show, show_group: None }
@@ -177,7 +191,7 @@ impl DebugPass {
         targets: &Targets,
     ) {
         use wgpu::BindingResource::TextureView;
-        self.uniform.write(gpu, &DebugUniform::new(scene, maps, targets.size));
+        self.uniform.write(gpu, &ViewUniform::new(scene, maps, targets.size));
         self.show_group = Some(gpu.group("view/show", &self.show_layout, &[TextureView(&targets.hdr)]));
         let mut pass = targets.begin(encoder, false);
         if let Shown::Surface(_) = scene.look.view.shown {

@@ -4,19 +4,32 @@ pub mod fft;
 pub mod unrolled;
 
 use crate::gpu::Gpu;
+use crate::gpu::layout::Declaration;
 use crate::gpu::map_format::MapFormat;
 use std::collections::BTreeMap;
 use unrolled::UnrolledKernel;
 
-/// One WGSL file.
-struct Part {
-    file: &'static str,
-    text: &'static str,
+/// A piece of a module's text.
+enum Part {
+    /// A WGSL file: its path below shaders/ and its text.
+    File(&'static str, &'static str),
+    /// Parts that belong together.
+    Group(&'static [Part]),
+}
+
+impl Part {
+    /// The files of a part, in order.
+    fn files(&self) -> Vec<(&'static str, &'static str)> {
+        match self {
+            Self::File(path, text) => vec![(*path, *text)],
+            Self::Group(parts) => parts.iter().flat_map(Self::files).collect(),
+        }
+    }
 }
 
 macro_rules! part {
     ($file:literal) => {
-        Part { file: $file, text: include_str!(concat!("../../shaders/", $file)) }
+        Part::File($file, include_str!(concat!("../../shaders/", $file)))
     };
 }
 
@@ -29,31 +42,47 @@ const WORKGROUP_FFT: Part = part!("waves/workgroup_fft.wgsl");
 const EVOLVE: Part = part!("waves/evolve.wgsl");
 const MIP_MEAN: Part = part!("waves/mip_mean.wgsl");
 const ATMOSPHERE: Part = part!("sky/atmosphere.wgsl");
-const SKY: Part = part!("sky/common.wgsl");
-const SKY_MODEL: Part = part!("sky/model.wgsl");
-const FOG: Part = part!("sky/fog.wgsl");
-const AIR: Part = part!("sky/air.wgsl");
-const FRAME: Part = part!("common/frame.wgsl");
-/// What the passes of the picture read.
-const SCENE: Part = part!("common/scene.wgsl");
-const MESH: Part = part!("water/mesh.wgsl");
-const WATER_SURFACE: Part = part!("water/surface.wgsl");
-const WATER_FOAM: Part = part!("water/foam.wgsl");
+const SKY_COMMON: Part = part!("sky/common.wgsl");
+const VIEWS: Part = part!("views/common.wgsl");
+/// Clear air and the structs of the sky: what the sky's tables are made with.
+const AIR_TABLES: Part = Part::Group(&[ATMOSPHERE, SKY_COMMON]);
+/// Radiance of the sky in a direction.
+const SKY: Part = Part::Group(&[AIR_TABLES, part!("sky/model.wgsl"), part!("sky/fog.wgsl")]);
+/// What every pass of the HDR picture reads.
+const PICTURE: Part =
+    Part::Group(&[SKY, part!("common/frame.wgsl"), part!("common/scene.wgsl"), part!("sky/air.wgsl")]);
+/// The displaced surface.
+const SURFACE: Part = Part::Group(&[
+    MATHS,
+    NOISE,
+    TILES,
+    part!("water/mesh.wgsl"),
+    part!("water/spline.wgsl"),
+    part!("water/surface.wgsl"),
+]);
+/// The surface without the rest of the picture.
+const BARE_SURFACE: Part = Part::Group(&[part!("common/frame.wgsl"), SURFACE]);
 /// Light and matter of the water.
-const MATERIAL: Part = part!("water/material.wgsl");
-const WATER_FRESNEL: Part = part!("water/fresnel.wgsl");
-const WATER_FACETS: Part = part!("water/facets.wgsl");
-const WATER_MIRROR: Part = part!("water/mirror.wgsl");
-const WATER_BODY: Part = part!("water/body.wgsl");
-const WATER_BED: Part = part!("water/bed.wgsl");
-const WATER_FORWARD: Part = part!("water/forward.wgsl");
-const DEBUG: Part = part!("views/common.wgsl");
+const WATER: Part = Part::Group(&[
+    PICTURE,
+    SURFACE,
+    part!("water/slope.wgsl"),
+    part!("water/material.wgsl"),
+    part!("water/fresnel.wgsl"),
+    part!("water/facets.wgsl"),
+    part!("water/mirror.wgsl"),
+    part!("water/body.wgsl"),
+    part!("water/bed.wgsl"),
+    part!("water/foam.wgsl"),
+    part!("water/water.wgsl"),
+]);
 
 /// Texels of the maps in a buffer, by their format.
 const MAP_TEXEL_HALF: &str = include_str!("../../shaders/waves/map_texel_half.wgsl");
 const MAP_TEXEL_FLOAT: &str = include_str!("../../shaders/waves/map_texel_float.wgsl");
 
-/// Module names and the parts they are joined from; the last part holds the entry points.
+/// Module names and the parts they are joined from; the last part holds the entry points. The name of a module is the
+/// path of that file.
 const MODULES: &[(&str, &[Part])] = &[
     ("waves/spectrum", &[MATHS, SEA, NOISE, part!("waves/spectrum.wgsl")]),
     ("waves/rows", &[MATHS, SEA, FFT, WORKGROUP_FFT, EVOLVE, part!("waves/rows.wgsl")]),
@@ -65,72 +94,43 @@ const MODULES: &[(&str, &[Part])] = &[
     ("waves/unrolled_columns_second", &[FFT, part!("waves/unrolled_columns_second.wgsl")]),
     ("waves/unrolled_mips", &[SEA, MIP_MEAN, part!("waves/unrolled_mips.wgsl")]),
     ("foam/foam", &[MATHS, SEA, NOISE, TILES, part!("foam/foam.wgsl")]),
-    ("sky_transmittance", &[ATMOSPHERE, SKY, part!("sky/transmittance.wgsl")]),
-    ("sky_multiple", &[ATMOSPHERE, SKY, part!("sky/multiple.wgsl")]),
-    ("sky_view", &[ATMOSPHERE, SKY, part!("sky/view.wgsl")]),
-    ("sky_environment", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, part!("sky/environment.wgsl")]),
-    ("sky_filter", &[part!("sky/filter.wgsl")]),
-    ("sky_light", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, part!("sky/light.wgsl")]),
-    ("sky", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, SCENE, AIR, part!("sky/background.wgsl")]),
-    ("floats", &[ATMOSPHERE, SKY, SKY_MODEL, FOG, FRAME, SCENE, AIR, part!("water/floats.wgsl")]),
-    ("mesh", &[MATHS, NOISE, TILES, FRAME, MESH, WATER_SURFACE, part!("water/displace.wgsl")]),
-    ("eye", &[MATHS, NOISE, TILES, FRAME, MESH, WATER_SURFACE, part!("water/eye.wgsl")]),
-    (
-        "water",
-        &[
-            ATMOSPHERE,
-            SKY,
-            SKY_MODEL,
-            FOG,
-            MATHS,
-            NOISE,
-            TILES,
-            FRAME,
-            SCENE,
-            AIR,
-            MATERIAL,
-            MESH,
-            WATER_SURFACE,
-            WATER_FRESNEL,
-            WATER_FACETS,
-            WATER_MIRROR,
-            WATER_BODY,
-            WATER_BED,
-            WATER_FOAM,
-            part!("water/water.wgsl"),
-        ],
-    ),
-    ("bloom", &[part!("film/bloom.wgsl")]),
-    ("present", &[SKY, part!("film/present.wgsl")]),
-    ("debug_map", &[MATHS, SEA, DEBUG, part!("views/map.wgsl")]),
-    ("debug_show", &[part!("views/show.wgsl")]),
+    ("sky/transmittance", &[AIR_TABLES, part!("sky/transmittance.wgsl")]),
+    ("sky/multiple", &[AIR_TABLES, part!("sky/multiple.wgsl")]),
+    ("sky/view", &[AIR_TABLES, part!("sky/view.wgsl")]),
+    ("sky/environment", &[SKY, part!("sky/environment.wgsl")]),
+    ("sky/filter", &[part!("sky/filter.wgsl")]),
+    ("sky/light", &[SKY, part!("sky/light.wgsl")]),
+    ("sky/background", &[PICTURE, part!("sky/background.wgsl")]),
+    ("water/displace", &[BARE_SURFACE, part!("water/displace.wgsl")]),
+    ("water/eye", &[BARE_SURFACE, part!("water/eye.wgsl")]),
+    ("water/light", &[WATER, part!("water/light.wgsl")]),
+    ("water/floats", &[PICTURE, part!("water/floats.wgsl")]),
+    ("film/bloom", &[part!("film/bloom.wgsl")]),
+    ("film/present", &[SKY_COMMON, part!("film/present.wgsl")]),
+    ("views/map", &[MATHS, SEA, VIEWS, part!("views/map.wgsl")]),
+    ("views/surface", &[WATER, VIEWS, part!("views/surface.wgsl")]),
+    ("views/show", &[part!("views/show.wgsl")]),
 ];
 
-/// Modules that hold another whole, and what they add to it.
-const EXTENSIONS: &[(&str, &str, &[Part])] = &[
-    ("water_forward", "water", &[WATER_FORWARD]),
-    ("water_deferred", "water", &[part!("water/light.wgsl")]),
-    ("debug_water", "water", &[WATER_FORWARD, DEBUG, part!("views/surface.wgsl")]),
-];
-
-/// The parts of every module.
-fn modules() -> impl Iterator<Item = (&'static str, Vec<&'static Part>)> {
-    let whole = |name: &'static str| MODULES.iter().filter(move |(n, _)| *n == name).flat_map(|(_, parts)| *parts);
-    let extended = EXTENSIONS.iter().map(move |(name, base, more)| (*name, whole(base).chain(*more).collect()));
-    MODULES.iter().map(|(name, parts)| (*name, parts.iter().collect())).chain(extended)
+/// The files of every module.
+fn modules() -> impl Iterator<Item = (&'static str, Vec<(&'static str, &'static str)>)> {
+    MODULES.iter().map(|(name, parts)| (*name, parts.iter().flat_map(Part::files).collect()))
 }
 
 /// The WGSL sources of all modules.
 #[derive(Clone, Debug)]
 pub struct Shaders {
     sources: BTreeMap<&'static str, String>,
+    /// Structs that Rust shares with the modules.
+    structs: Vec<Declaration>,
     format: Option<MapFormat>,
 }
 
 impl Default for Shaders {
     fn default() -> Self {
-        let join = |parts: Vec<&Part>| parts.iter().map(|p| p.text).collect::<Vec<_>>().join("\n");
-        Self { sources: modules().map(|(name, parts)| (name, join(parts))).collect(), format: None }
+        let join = |files: Vec<(_, &str)>| files.into_iter().map(|(_, text)| text).collect::<Vec<_>>().join("\n");
+        let sources = modules().map(|(name, files)| (name, join(files))).collect();
+        Self { sources, structs: Vec::new(), format: None }
     }
 }
 
@@ -144,6 +144,15 @@ impl Shaders {
         let source = self.sources.get_mut(module).unwrap_or_else(|| panic!("no shader module {module}"));
         assert_eq!(source.matches(from).count(), 1, "\"{from}\" should stand once in {module}");
         *source = source.replace(from, to);
+        self
+    }
+
+    /// These sources with structs that Rust declares. A module holds the declarations of those that it names.
+    #[must_use]
+    pub fn with_structs(mut self, structs: &[Declaration]) -> Self {
+        let new = structs.iter().filter(|s| self.structs.iter().all(|known| known.name != s.name)).copied();
+        let new: Vec<_> = new.collect();
+        self.structs.extend(new);
         self
     }
 
@@ -181,10 +190,16 @@ impl Shaders {
         gpu.module(kernel.module(), &self.unrolled_text(kernel, n, self.maps(gpu)))
     }
 
+    /// A module's text. The declarations of its structs stand last, so that they move no line of the files.
     fn text(&self, name: &str, format: MapFormat) -> String {
         let source = self.sources.get(name).unwrap_or_else(|| panic!("no shader module {name}"));
         // The sources declare half-float storage textures.
-        source.replace("rgba16float", format.wgsl())
+        let mut text = source.replace("rgba16float", format.wgsl());
+        let mut open: Vec<_> = self.structs.iter().collect();
+        while let Some(at) = open.iter().position(|declaration| has_word(&text, declaration.name)) {
+            text = format!("{text}\n{}", open.swap_remove(at).wgsl());
+        }
+        text
     }
 
     fn unrolled_text(&self, kernel: UnrolledKernel, n: u32, format: MapFormat) -> String {
@@ -197,15 +212,22 @@ impl Shaders {
     }
 }
 
+/// Whether a text contains a name that is not a part of a longer one.
+fn has_word(text: &str, name: &str) -> bool {
+    let is_end = |c: Option<char>| !c.is_some_and(|c| c.is_alphanumeric() || c == '_');
+    text.match_indices(name)
+        .any(|(at, _)| is_end(text[..at].chars().next_back()) && is_end(text[at + name.len()..].chars().next()))
+}
+
 /// File and line (from 1) of a line (from 1) of a joined module.
 pub fn locate(module: &str, line: usize) -> Option<(&'static str, usize)> {
-    let (_, parts) = modules().find(|(name, _)| *name == module)?;
+    let (_, files) = modules().find(|(name, _)| *name == module)?;
     let mut rest = line;
-    for part in parts {
-        // Joining adds one newline after each part.
-        let lines = part.text.matches('\n').count() + 1;
+    for (path, text) in files {
+        // Joining adds one newline after each file.
+        let lines = text.matches('\n').count() + 1;
         if rest <= lines {
-            return Some((part.file, rest));
+            return Some((path, rest));
         }
         rest -= lines;
     }

@@ -1,8 +1,8 @@
 //! When the foam is computed, and where its world-anchored levels lie.
 
-use super::maps::{FOAM_LEVELS, FoamLevel, MAX_DRAWN, Maps, TilePlace};
+use super::maps::{FOAM_LEVELS, FoamLevel, MAX_DRAWN, Maps};
 use super::transition::{Interpolate, interpolate, interpolate2};
-use super::uniforms::{FoamCascade, FoamLevelUniform, FoamUniform};
+use super::uniforms::{FoamCascade, FoamCorner, FoamLevelUniform, FoamUniform};
 use crate::waves::{Plan, foam};
 
 /// Time steps of a cold start.
@@ -190,15 +190,14 @@ impl FoamClock {
             let texel_m = texel_m(self.size, level);
             let source = self.parameters.sources[level];
             let corner = cells[level].map(|c| f64::from(c) * texel_m);
-            let (mut uv, mut tiles) = ([[0.0; 2]; MAX_DRAWN], [TilePlace::default(); MAX_DRAWN]);
-            for ((uv, tile), cascade) in uv.iter_mut().zip(&mut tiles).zip(&maps.cascades) {
-                let half_texel = 0.5 / f64::from(maps.n);
-                *uv = corner.map(|x| ((x / cascade.patch_m).rem_euclid(1.0) + half_texel) as f32);
-                *tile = cascade.tiling.place(corner).into();
+            let half_texel = 0.5 / f64::from(maps.n);
+            let mut corners = [FoamCorner::default(); MAX_DRAWN];
+            for (out, cascade) in corners.iter_mut().zip(&maps.cascades) {
+                out.tile = cascade.tiling.place(corner).into();
+                out.uv = corner.map(|x| ((x / cascade.patch_m).rem_euclid(1.0) + half_texel) as f32);
             }
             FoamLevelUniform {
-                uv,
-                tiles,
+                corners,
                 cell: cells[level],
                 previous: previous[level],
                 texel_m: texel_m as f32,

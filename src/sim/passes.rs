@@ -4,7 +4,7 @@ use super::maps::FOAM_LEVELS;
 use super::planned_sea::EvaluationSlot;
 use super::resources::{MapKind, Resources, Waves, array_view, map};
 use super::transform::{Transform, TransformWay};
-use super::uniforms::UniformRings;
+use super::uniforms::{STRUCTS, UniformRings};
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Kernel, Slot};
 use crate::shaders::Shaders;
@@ -24,6 +24,7 @@ pub struct Passes {
 impl Passes {
     /// Compiles and binds all passes.
     pub fn new(gpu: &Gpu, shaders: &Shaders, way: TransformWay, r: &Resources, rings: &UniformRings) -> Self {
+        let shaders = &shaders.clone().with_structs(STRUCTS);
         Self {
             spectrum: SpectrumPass::new(gpu, shaders, r, rings),
             transform: Transform::new(gpu, shaders, way, r, rings),

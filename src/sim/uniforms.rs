@@ -3,7 +3,7 @@
 use super::maps::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN, TilePlace};
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Slot, UniformRing};
-use crate::gpu::layout::{Layout, gpu_struct};
+use crate::gpu::layout::{Declaration, gpu_struct};
 
 /// The uniforms of a submission.
 pub struct UniformRings {
@@ -106,13 +106,24 @@ gpu_struct! {
 }
 
 gpu_struct! {
+    /// WGSL `FoamCorner`: a point of the plane on the maps of a cascade.
+    #[derive(Default)]
+    pub struct FoamCorner as "FoamCorner" {
+        /// The point on the lattice of the patch's copies.
+        pub tile: TilePlace,
+        /// Texture coordinates of the point.
+        pub uv: [f32; 2],
+        /// Pads an array element to a multiple of 16 bytes.
+        pub unused: [u32; 2],
+    }
+}
+
+gpu_struct! {
     /// WGSL `FoamLevel`.
     #[derive(Default)]
     pub struct FoamLevelUniform as "FoamLevel" {
-        /// Texture coordinates of the first cell's corner on each cascade's map.
-        pub uv: [[f32; 2]; MAX_DRAWN],
-        /// The first cell's corner on the lattice of each cascade's copies.
-        pub tiles: [TilePlace; MAX_DRAWN],
+        /// Corner of the first cell in range on each drawn cascade.
+        pub corners: [FoamCorner; MAX_DRAWN],
         /// First cell in range.
         pub cell: [i32; 2],
         /// First cell in range at the previous time step.
@@ -165,12 +176,13 @@ gpu_struct! {
 }
 
 /// The structs that the simulation shares with its shaders.
-pub const LAYOUTS: [Layout; 7] = [
-    SeaCascade::LAYOUT,
-    SeaTerm::LAYOUT,
-    SeaUniform::LAYOUT,
-    TilePlace::LAYOUT,
-    FoamLevelUniform::LAYOUT,
-    FoamCascade::LAYOUT,
-    FoamUniform::LAYOUT,
+pub const STRUCTS: &[Declaration] = &[
+    SeaCascade::DECLARATION,
+    SeaTerm::DECLARATION,
+    SeaUniform::DECLARATION,
+    TilePlace::DECLARATION,
+    FoamCorner::DECLARATION,
+    FoamLevelUniform::DECLARATION,
+    FoamCascade::DECLARATION,
+    FoamUniform::DECLARATION,
 ];

@@ -14,7 +14,7 @@ pub enum Shown {
     Surface(Surface),
 }
 
-/// A map of the simulation. `debug.kind` in `views/map.wgsl` is the discriminant plus 1.
+/// A map of the simulation. The discriminants stand in shaders/views/map.wgsl too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Map {
     /// Initial spectrum, |h0(k)|.
@@ -51,7 +51,7 @@ pub enum Map {
     Source,
 }
 
-/// A quantity of the drawn surface. `debug.kind` in `views/surface.wgsl` is the discriminant plus 1.
+/// A quantity of the drawn surface. The discriminants stand in shaders/views/surface.wgsl too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Surface {
     /// Unit normal: east red, north green, up blue.

@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "every test crate uses some of it")]
 
 pub mod skies;
+pub mod wgsl;
 
 use seastate::gpu::map_format::MapFormat;
 use seastate::gpu::{Gpu, device};
@@ -98,15 +99,17 @@ pub fn random_params(start: &str, number: u32) -> Params {
     p
 }
 
-/// The picture's sampler of the nearest level of a map.
-pub fn level_sampler(gpu: &Gpu) -> wgpu::Sampler {
-    gpu.device.create_sampler(&wgpu::SamplerDescriptor {
-        label: Some("levels"),
-        address_mode_u: wgpu::AddressMode::Repeat,
-        address_mode_v: wgpu::AddressMode::Repeat,
-        mag_filter: wgpu::FilterMode::Linear,
-        min_filter: wgpu::FilterMode::Linear,
-        mipmap_filter: wgpu::MipmapFilterMode::Nearest,
-        ..Default::default()
-    })
+/// Binds the maps of a simulation to the kernel of a module of the water.
+pub fn bind_maps<const Q: usize, const A: usize>(kernel: &mut wgsl::Kernel<Q, A>, gpu: &Gpu, sim: &Simulation) {
+    use wgpu::BindingResource::{Sampler, TextureView};
+    let levels = gpu.sampler("levels", [wgpu::AddressMode::Repeat; 2], wgpu::MipmapFilterMode::Nearest);
+    let maps = sim.maps();
+    let resources = [
+        (0, TextureView(&maps.displacement)),
+        (1, TextureView(&maps.gradients)),
+        (2, TextureView(&maps.moments)),
+        (4, Sampler(&sim.resources.repeat)),
+        (5, Sampler(&levels)),
+    ];
+    kernel.bind(1, &resources);
 }

@@ -28,7 +28,7 @@ impl Bloom {
     pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
         let format = shaders.maps(gpu).texture();
         let slots = [Slot::Texture, Slot::Sampler, Slot::Image(format), Slot::Texture];
-        let module = shaders.module(gpu, "bloom");
+        let module = shaders.module(gpu, "film/bloom");
         let kernel = |entry| Kernel::new(gpu, "bloom", (&module, entry), &slots, &[]);
         let sampler = gpu.sampler("bloom", [wgpu::AddressMode::ClampToEdge; 2], wgpu::MipmapFilterMode::Nearest);
         Self { down: kernel("down"), up: kernel("up"), sampler, format, chain: None }

@@ -4,26 +4,31 @@ use super::bloom::Bloom;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Attachments, Program, Slot, Uniform};
 use crate::gpu::layout::gpu_struct;
-use crate::render::Scene;
-use crate::render::sky::LightBuffer;
-use crate::render::targets::Targets;
+use crate::render::scene::Scene;
+use crate::render::sky::uniform::{LightBuffer, night_gain};
 use crate::shaders::Shaders;
 use crate::state::look::FilmLook;
 
 gpu_struct! {
     /// WGSL `Present`.
     pub struct PresentUniform as "Present" {
+        /// Width and height of the picture, pixels.
         size: [f32; 2],
+        /// Factor of the exposure.
         exposure_gain: f32,
+        /// Exposure that does not follow the light, or 0.
         fixed_exposure: f32,
+        /// The tone curve: the place of the variant in `Tone`.
         tone: u32,
+        /// Share of the light that the lens spreads.
         bloom: f32,
+        /// 1 if the picture is dithered, else 0.
         dither: f32,
-        unused: f32,
+        unused: u32,
     }
 }
 
-/// Exposure of a clear noon, the sun 60 degrees high: what the film takes that does not adapt.
+/// Automatic exposure of a clear noon with the sun 60 degrees high; the fixed exposure of a film that does not adapt.
 pub const NOON_EXPOSURE: f32 = 0.444;
 
 /// Draws the HDR picture into a pass of the screen.
@@ -34,13 +39,13 @@ pub struct PresentPass {
     pipeline: wgpu::RenderPipeline,
     sampler: wgpu::Sampler,
     bloom: Bloom,
-    /// The size that it is bound for, and whether with bloom.
-    bound: Option<([u32; 2], bool)>,
+    /// The picture that is bound, and whether it has bloom.
+    bound: Option<(wgpu::TextureView, bool)>,
     group: Option<wgpu::BindGroup>,
 }
 
 impl PresentPass {
-    /// Compiles the pass for a format of the screen; `smooth` asks for smooth edges.
+    /// Compiles the pass for a format of the screen. `light` holds the exposure; `smooth` asks for smooth edges.
     pub fn new(
         gpu: &Gpu,
         shaders: &Shaders,
@@ -57,7 +62,7 @@ impl PresentPass {
         ];
         let layout = gpu.layout("present", wgpu::ShaderStages::FRAGMENT, &slots);
         let constants = [("PRESENT_SMOOTH", f64::from(u8::from(smooth)))];
-        let module = shaders.module(gpu, "present");
+        let module = shaders.module(gpu, "film/present");
         let program = Program { constants: &constants, ..Program::new(&module) };
         let onto = Attachments { formats: &[target_format], depth: None };
         let pipeline = gpu.render("present", &program, &[&layout], &onto);
@@ -75,33 +80,29 @@ impl PresentPass {
         }
     }
 
-    /// Binds targets and the chain of the bloom, if they are not bound yet.
-    pub fn bind(&mut self, gpu: &Gpu, targets: &Targets, film: &FilmLook) {
-        let wanted = Some((targets.size, film.bloom > 0.0));
+    /// Binds a picture in linear light, and the chain of its bloom, if they are not bound yet.
+    pub fn bind(&mut self, gpu: &Gpu, hdr: &wgpu::TextureView, film: &FilmLook) {
+        let wanted = Some((hdr.clone(), film.bloom > 0.0));
         if self.bound == wanted {
             return;
         }
-        self.bloom.bind(gpu, (film.bloom > 0.0).then_some((&targets.hdr, targets.size)));
+        let size = [hdr.texture().width(), hdr.texture().height()];
+        self.bloom.bind(gpu, (film.bloom > 0.0).then_some((hdr, size)));
         let resources = [
             self.uniform.buffer.as_entire_binding(),
             self.light.as_entire_binding(),
-            wgpu::BindingResource::TextureView(&targets.hdr),
+            wgpu::BindingResource::TextureView(hdr),
             wgpu::BindingResource::Sampler(&self.sampler),
-            wgpu::BindingResource::TextureView(self.bloom.result().unwrap_or(&targets.hdr)),
+            wgpu::BindingResource::TextureView(self.bloom.result().unwrap_or(hdr)),
         ];
         self.group = Some(gpu.group("present", &self.layout, &resources));
         self.bound = wanted;
     }
 
-    /// Lets go of targets that are about to be made anew.
-    pub fn unbind(&mut self) {
-        self.bound = None;
-    }
-
-    /// Sends what the film needs to know.
+    /// Sends the numbers of a scene's film.
     pub fn write(&self, gpu: &Gpu, scene: &Scene, size: [u32; 2]) {
         let film = &scene.look.film;
-        let fixed = NOON_EXPOSURE / crate::render::sky::unit(&scene.look.sky) as f32;
+        let fixed = NOON_EXPOSURE / night_gain(&scene.look.sky) as f32;
         let uniform = PresentUniform {
             size: size.map(|s| s as f32),
             exposure_gain: (film.exposure_ev as f32).exp2(),
@@ -109,12 +110,12 @@ impl PresentPass {
             tone: film.tone as u32,
             bloom: film.bloom as f32,
             dither: f32::from(u8::from(film.dither)),
-            unused: 0.0,
+            unused: 0,
         };
         self.uniform.write(gpu, &uniform);
     }
 
-    /// Records what the lens spreads, if it does.
+    /// Records the bloom, if there is any.
     pub fn spread(&self, encoder: &mut wgpu::CommandEncoder) {
         self.bloom.run(encoder);
     }

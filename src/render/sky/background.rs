@@ -1,18 +1,19 @@
 //! shaders/sky/background.wgsl: the sky behind the sea.
 
-use super::Sky;
+use super::tables::SkyTables;
 use crate::gpu::Gpu;
 use crate::gpu::kit::Program;
-use crate::render::Scene;
-use crate::render::kit::{SceneGroup, Variants, part};
+use crate::render::scene::Scene;
+use crate::render::scene_group::SceneGroup;
 use crate::render::targets::{BEHIND, attachments};
+use crate::render::variants::{Variants, part};
 use crate::shaders::Shaders;
 
 /// Sine of the sun's elevation below which there are stars; sky.wgsl has it too.
 const STARS_SUN: f64 = -0.05;
 
 /// What stands behind the sea.
-pub struct Background {
+pub struct BackgroundPass {
     module: wgpu::ShaderModule,
     pipelines: Variants<Parts>,
 }
@@ -26,14 +27,14 @@ struct Parts {
     fog: bool,
 }
 
-impl Background {
+impl BackgroundPass {
     /// Compiles the pass.
     pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
-        Self { module: shaders.module(gpu, "sky"), pipelines: Variants::default() }
+        Self { module: shaders.module(gpu, "sky/background"), pipelines: Variants::default() }
     }
 
     /// Makes the pipeline that the picture of a scene needs, if there is none yet.
-    pub fn choose(&mut self, gpu: &Gpu, group: &SceneGroup, sky: &Sky, scene: &Scene) {
+    pub fn choose(&mut self, gpu: &Gpu, group: &SceneGroup, sky: &SkyTables, scene: &Scene) {
         let look = &scene.look.sky;
         let file = look.panorama().is_some();
         let parts = Parts {
@@ -56,7 +57,7 @@ impl Background {
     }
 
     /// Draws it.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, scene: &SceneGroup, sky: &Sky) {
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, scene: &SceneGroup, sky: &SkyTables) {
         let Some(pipeline) = self.pipelines.chosen() else { return };
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &scene.group, &[]);

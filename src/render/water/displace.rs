@@ -4,11 +4,28 @@
 use super::mesh::Mesh;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Slot, Uniform, begin_compute};
+use crate::gpu::layout::gpu_struct;
 use crate::render::frame::FrameUniform;
 use crate::shaders::Shaders;
 
-/// Bytes of a `MeshVertex`.
-pub const VERTEX: u64 = 48;
+gpu_struct! {
+    /// WGSL `MeshVertex`.
+    pub struct MeshVertex as "MeshVertex" {
+        /// Place of the displaced point relative to the eye, m.
+        place: [f32; 3],
+        /// Height of the wave over the still sea, m.
+        height: f32,
+        /// Undisplaced point (x, z) beside the eye's foot, m.
+        rest: [f32; 2],
+        /// What the vertex carries of WGSL `WaterSums`.
+        slope: [f32; 2],
+        stretch: [f32; 2],
+        shear: [f32; 2],
+    }
+}
+
+/// Bytes of a vertex.
+pub const VERTEX: u64 = size_of::<MeshVertex>() as u64;
 /// Columns and rows of a workgroup, as the shader has them.
 const THREADS: u32 = 8;
 
@@ -38,7 +55,7 @@ impl DisplacePass {
     pub fn new(gpu: &Gpu, shaders: &Shaders, frame: &Uniform<FrameUniform>, maps: &wgpu::BindGroupLayout) -> Self {
         let slots = [Slot::Uniform(size_of::<FrameUniform>()), Slot::Write(VERTEX as usize)];
         let layout = gpu.layout("mesh", wgpu::ShaderStages::COMPUTE, &slots);
-        let module = shaders.module(gpu, "mesh");
+        let module = shaders.module(gpu, "water/displace");
         let pipeline = gpu.compute("mesh", (&module, "main"), &[&layout, maps], &[]);
         let vertex = wgpu::ShaderStages::VERTEX;
         let drawn_layout = gpu.layout("mesh/drawn", vertex, &[Slot::Read(VERTEX as usize)]);
@@ -54,7 +71,7 @@ impl DisplacePass {
     /// Takes a mesh; buffers are made anew only when its density changed.
     pub fn set(&mut self, gpu: &Gpu, mesh: &Mesh) {
         (self.columns, self.count) = (mesh.columns, mesh.index_count());
-        let same = |b: &Buffers| (b.rows, b.most_columns) == (mesh.rows, mesh.most_columns);
+        let same = |b: &Buffers| (b.rows, b.most_columns) == (mesh.lattice.rows, mesh.most_columns);
         if self.buffers.as_ref().is_some_and(same) {
             return;
         }
@@ -62,11 +79,11 @@ impl DisplacePass {
         let usage = wgpu::BufferUsages::INDEX | wgpu::BufferUsages::COPY_DST;
         let index_buffer = gpu.buffer("mesh/indices", size_of_val(&indices[..]) as u64, usage);
         gpu.queue.write_buffer(&index_buffer, 0, bytemuck::cast_slice(&indices));
-        let size = VERTEX * u64::from(mesh.rows) * u64::from(mesh.most_columns + 1);
+        let size = VERTEX * u64::from(mesh.lattice.rows) * u64::from(mesh.most_columns + 1);
         let vertices = gpu.buffer("mesh/vertices", size, wgpu::BufferUsages::STORAGE);
         let resources = [self.frame.as_entire_binding(), vertices.as_entire_binding()];
         self.buffers = Some(Buffers {
-            rows: mesh.rows,
+            rows: mesh.lattice.rows,
             most_columns: mesh.most_columns,
             group: gpu.group("mesh", &self.layout, &resources),
             drawn: gpu.group("mesh/drawn", &self.drawn_layout, &[vertices.as_entire_binding()]),

@@ -3,8 +3,8 @@
 use super::light::WaterPass;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Slot, Uniform, begin_compute};
-use crate::render::Scene;
 use crate::render::frame::FrameUniform;
+use crate::render::scene::Scene;
 use crate::shaders::Shaders;
 
 /// Raises the eye of a frame over the waves around it.
@@ -18,7 +18,7 @@ impl EyePass {
     pub fn new(gpu: &Gpu, shaders: &Shaders, frame: &Uniform<FrameUniform>, water: &WaterPass) -> Self {
         let slots = [Slot::Write(size_of::<FrameUniform>())];
         let layout = gpu.layout("eye", wgpu::ShaderStages::COMPUTE, &slots);
-        let module = shaders.module(gpu, "eye");
+        let module = shaders.module(gpu, "water/eye");
         let pipeline = gpu.compute("eye", (&module, "main"), &[&layout, water.maps_layout()], &[]);
         let group = gpu.group("eye", &layout, &[frame.buffer.as_entire_binding()]);
         Self { pipeline, group }
@@ -37,5 +37,5 @@ impl EyePass {
 
 /// A crest of 1.5 Hs comes once in some 10^7 waves that are Rayleigh distributed.
 fn may_be_wet(scene: &Scene) -> bool {
-    scene.view.eye.y < 3.0 + 1.5 * f64::from(scene.sea.hs_m)
+    scene.view.eye.y < 3.0 + 1.5 * scene.sea.hs_m
 }

@@ -2,24 +2,25 @@
 
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Program, Slot};
+use crate::gpu::layout::gpu_struct;
 use crate::point::floating::HullPose;
-use crate::render::kit::SceneGroup;
+use crate::render::scene_group::SceneGroup;
 use crate::render::targets::{NEAREST, attachments};
 use crate::shaders::Shaders;
 use crate::state::floats::{FloatKind, MAX_FLOATS};
-use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec3};
 use std::f64::consts::TAU;
 
-/// A vertex as the shader reads it: two `vec4f`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-struct Vertex {
-    place: [f32; 3],
-    /// rgba8, sRGB.
-    colour: u32,
-    normal: [f32; 3],
-    unused: f32,
+gpu_struct! {
+    /// WGSL `HullVertex`.
+    pub struct HullVertex as "HullVertex" {
+        /// Place beside the eye's foot and height over the still water, m.
+        place: [f32; 3],
+        /// Colour of the paint, sRGB, 8 bits a channel, red lowest.
+        colour: u32,
+        normal: [f32; 3],
+        unused: u32,
+    }
 }
 
 /// A triangle of a hull: corners, and the colour of its paint. x to the right, y up the mast, z to the stern.
@@ -51,8 +52,8 @@ pub struct FloatsPass {
 impl FloatsPass {
     /// For pictures of a scene.
     pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
-        let layout = gpu.layout("floats", wgpu::ShaderStages::VERTEX, &[Slot::Read(size_of::<Vertex>())]);
-        let module = shaders.module(gpu, "floats");
+        let layout = gpu.layout("floats", wgpu::ShaderStages::VERTEX, &[Slot::Read(size_of::<HullVertex>())]);
+        let module = shaders.module(gpu, "water/floats");
         Self { module, pipeline: None, layout, vertices: None, hulls: [buoy(), boat()], count: 0 }
     }
 
@@ -69,16 +70,18 @@ impl FloatsPass {
             let origin =
                 DVec3::new(pose.position_m[0] - foot[0], pose.position_m[1] - level_m, pose.position_m[2] - foot[1]);
             let hull = &self.hulls[usize::from(pose.kind == FloatKind::Boat)];
-            vertices.extend(hull.iter().flat_map(|facet| (0..3).map(move |i| (facet, i))).map(|(facet, i)| Vertex {
-                place: (origin + turn * facet.corners[i]).as_vec3().to_array(),
-                colour: facet.colour,
-                normal: (turn * facet.normals[i]).as_vec3().to_array(),
-                unused: 0.0,
+            vertices.extend(hull.iter().flat_map(|facet| (0..3).map(move |i| (facet, i))).map(|(facet, i)| {
+                HullVertex {
+                    place: (origin + turn * facet.corners[i]).as_vec3().to_array(),
+                    colour: facet.colour,
+                    normal: (turn * facet.normals[i]).as_vec3().to_array(),
+                    unused: 0,
+                }
             }));
         }
         let most = MAX_FLOATS * self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0);
         let (buffer, _) = self.vertices.get_or_insert_with(|| {
-            let bytes = (most * size_of::<Vertex>()) as u64;
+            let bytes = (most * size_of::<HullVertex>()) as u64;
             let buffer = gpu.storage("floats", bytes);
             let group = gpu.group("floats", &self.layout, &[buffer.as_entire_binding()]);
             (buffer, group)

@@ -1,17 +1,21 @@
-//! The sea: shaders/water/forward.wgsl lights it while its mesh is drawn, shaders/water/light.wgsl once a pixel after the
-//! mesh was drawn.
+//! The water: its mesh is drawn into a G-buffer, and shaders/water/light.wgsl lights what it shows once a pixel.
 
 use super::displace::DisplacePass;
 use super::material;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Attachments, Depth, Program, Slot, Uniform};
-use crate::render::Scene;
 use crate::render::frame::FrameUniform;
-use crate::render::kit::{SceneGroup, Variants, part};
-use crate::render::targets::{BEHIND, Film, NEAREST, SHOWN_FORMATS, Targets, attachments};
+use crate::render::scene::Scene;
+use crate::render::scene_group::SceneGroup;
+use crate::render::targets::{BEHIND, Film, G_BUFFER_FORMATS, NEAREST, Targets, attachments};
+use crate::render::variants::{Variants, part};
 use crate::shaders::Shaders;
 use crate::sim::Maps;
 use crate::state::look::{Fresnel, Specular};
+use wgpu::BindingResource::{Sampler, TextureView};
+
+/// The depth test of the light: it stands behind the water and before the sky, so that it falls on the pixels of water.
+const BEHIND_WATER: Depth = Depth { compare: wgpu::CompareFunction::LessEqual, ..BEHIND };
 
 /// What a picture's water consists of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,46 +69,23 @@ impl Parts {
     }
 }
 
-/// The water's pipelines, mesh and maps.
+/// The water's mesh, maps and pipelines.
 pub struct WaterPass {
-    /// Light, sky and frame.
+    /// Frame, sky and light.
     pub scene: SceneGroup,
     /// Its mesh.
     pub mesh: DisplacePass,
     module: wgpu::ShaderModule,
-    pipelines: Variants<Parts>,
-    deferred: Option<Deferred>,
-    layout: wgpu::BindGroupLayout,
-    /// Between levels of the maps, and of the nearest one.
+    g_buffer_pipeline: wgpu::RenderPipeline,
+    g_buffer_layout: wgpu::BindGroupLayout,
+    /// The G-buffer of the targets that are drawn into.
+    g_buffer: Option<([wgpu::TextureView; 2], wgpu::BindGroup)>,
+    light: Variants<Parts>,
+    maps_layout: wgpu::BindGroupLayout,
+    /// Between mip levels of the maps, and of the nearest one.
     samplers: [wgpu::Sampler; 2],
+    /// The maps of this generation.
     maps: Option<(u64, wgpu::BindGroup)>,
-}
-
-/// What lights the sea after its mesh was drawn.
-struct Deferred {
-    mesh: wgpu::RenderPipeline,
-    layout: wgpu::BindGroupLayout,
-    shown: Option<([wgpu::TextureView; 2], wgpu::BindGroup)>,
-}
-
-impl Deferred {
-    fn new(gpu: &Gpu, module: &wgpu::ShaderModule, layouts: [&wgpu::BindGroupLayout; 3]) -> Self {
-        let onto = Attachments { formats: &SHOWN_FORMATS, depth: Some(NEAREST) };
-        let program = Program { entries: ["mesh_vertex", "mesh_fragment"], ..Program::new(module) };
-        let mesh = gpu.render("water/mesh", &program, &layouts, &onto);
-        let layout = gpu.layout("shown", wgpu::ShaderStages::FRAGMENT, &[Slot::TextureUint; 2]);
-        Self { mesh, layout, shown: None }
-    }
-
-    /// Binds what the mesh shows in these targets, if it is not bound yet.
-    fn bind(&mut self, gpu: &Gpu, targets: &Targets) {
-        let Some(shown) = &targets.shown else { return };
-        if self.shown.as_ref().is_some_and(|(bound, _)| bound == shown) {
-            return;
-        }
-        let resources = shown.each_ref().map(wgpu::BindingResource::TextureView);
-        self.shown = Some((shown.clone(), gpu.group("shown", &self.layout, &resources)));
-    }
 }
 
 impl WaterPass {
@@ -119,19 +100,30 @@ impl WaterPass {
             Slot::Sampler,
         ];
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
-        let layout = gpu.layout("maps", stages, &slots);
-        let deferred = scene.film.is_deferred();
-        let module = shaders.module(gpu, if deferred { "water_deferred" } else { "water_forward" });
+        let maps_layout = gpu.layout("maps", stages, &slots);
         let samplers = [wgpu::MipmapFilterMode::Linear, wgpu::MipmapFilterMode::Nearest]
             .map(|mipmap_filter| gpu.sampler("waves", [wgpu::AddressMode::Repeat; 2], mipmap_filter));
-        let mesh = DisplacePass::new(gpu, shaders, frame, &layout);
-        let deferred = deferred.then(|| Deferred::new(gpu, &module, [&scene.layout, &layout, mesh.drawn_layout()]));
-        Self { scene, mesh, module, pipelines: Variants::default(), deferred, layout, samplers, maps: None }
+        let mesh = DisplacePass::new(gpu, shaders, frame, &maps_layout);
+        let module = shaders.module(gpu, "water/light");
+        let program = Program { entries: ["mesh_vertex", "mesh_fragment"], ..Program::new(&module) };
+        let onto = Attachments { formats: &G_BUFFER_FORMATS, depth: Some(NEAREST) };
+        let layouts = [&scene.layout, &maps_layout, mesh.drawn_layout()];
+        Self {
+            g_buffer_pipeline: gpu.render("water/mesh", &program, &layouts, &onto),
+            g_buffer_layout: gpu.layout("g-buffer", wgpu::ShaderStages::FRAGMENT, &[Slot::TextureUint; 2]),
+            scene,
+            mesh,
+            module,
+            g_buffer: None,
+            light: Variants::default(),
+            maps_layout,
+            samplers,
+            maps: None,
+        }
     }
 
     /// Binds the maps, if they are new.
     pub fn bind_maps(&mut self, gpu: &Gpu, maps: &Maps) {
-        use wgpu::BindingResource::{Sampler, TextureView};
         if self.maps.as_ref().is_some_and(|(generation, _)| *generation == maps.generation) {
             return;
         }
@@ -143,38 +135,31 @@ impl WaterPass {
             Sampler(&self.samplers[0]),
             Sampler(&self.samplers[1]),
         ];
-        self.maps = Some((maps.generation, gpu.group("maps", &self.layout, &resources)));
+        self.maps = Some((maps.generation, gpu.group("maps", &self.maps_layout, &resources)));
     }
 
-    /// Binds what the mesh shows in these targets, if the sea is lit afterwards.
+    /// Binds the G-buffer of the targets, if it is not bound yet.
     pub fn bind_targets(&mut self, gpu: &Gpu, targets: &Targets) {
-        if let Some(deferred) = &mut self.deferred {
-            deferred.bind(gpu, targets);
+        if self.g_buffer.as_ref().is_none_or(|(bound, _)| *bound != targets.g_buffer) {
+            let resources = targets.g_buffer.each_ref().map(TextureView);
+            self.g_buffer = Some((targets.g_buffer.clone(), gpu.group("g-buffer", &self.g_buffer_layout, &resources)));
         }
     }
 
     /// Makes the pipeline that the picture of a scene needs, if there is none yet.
     pub fn choose(&mut self, gpu: &Gpu, scene: &Scene) {
-        let parts = Parts::new(scene, self.scene.film);
         let (module, format) = (&self.module, self.scene.film.format());
-        let shown = self.deferred.as_ref().map(|d| &d.layout);
-        let layouts = [&self.scene.layout, &self.layout, shown.unwrap_or(self.mesh.drawn_layout())];
-        let entries = if shown.is_some() { ["light_vertex", "light_fragment"] } else { ["vertex", "fragment"] };
-        self.pipelines.choose(parts, |parts| {
-            let constants = parts.constants();
-            let program = Program { module, entries, constants: &constants };
-            // What is lit afterwards stands behind what is drawn, before the sky.
-            let onto = match shown {
-                Some(_) => attachments(&format, Depth { compare: wgpu::CompareFunction::LessEqual, ..BEHIND }),
-                None => attachments(&format, NEAREST),
-            };
-            gpu.render("water", &program, &layouts, &onto)
+        let layouts = [&self.scene.layout, &self.maps_layout, &self.g_buffer_layout];
+        self.light.choose(Parts::new(scene, self.scene.film), |parts| {
+            let program =
+                Program { module, entries: ["light_vertex", "light_fragment"], constants: &parts.constants() };
+            gpu.render("water/light", &program, &layouts, &attachments(&format, BEHIND_WATER))
         });
     }
 
     /// Layout of the maps' bind group: displacement, gradients, moments, foam, samplers.
     pub fn maps_layout(&self) -> &wgpu::BindGroupLayout {
-        &self.layout
+        &self.maps_layout
     }
 
     /// The maps, once they are bound.
@@ -182,32 +167,38 @@ impl WaterPass {
         self.maps.as_ref().map(|(_, group)| group)
     }
 
-    /// Records the displacement of the mesh and, if the sea is lit afterwards, what it shows: whether it did.
-    pub fn prepare(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets) -> bool {
-        let Some(maps) = self.maps_group() else { return false };
-        self.mesh.run(encoder, maps);
-        let Some(deferred) = &self.deferred else { return false };
-        let Some(mut pass) = targets.begin_mesh(encoder) else { return false };
-        pass.set_pipeline(&deferred.mesh);
-        self.draw_mesh(&mut pass);
-        true
+    /// Records the displacement of the mesh.
+    pub fn displace(&self, encoder: &mut wgpu::CommandEncoder) {
+        if let Some(maps) = self.maps_group() {
+            self.mesh.run(encoder, maps);
+        }
     }
 
-    /// Draws the sea that [`Self::prepare`] prepared.
+    /// Records the displacement of the mesh and its G-buffer.
+    pub fn prepare(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
+        self.displace(encoder);
+        let mut pass = targets.begin_mesh(encoder);
+        pass.set_pipeline(&self.g_buffer_pipeline);
+        self.draw_mesh(&mut pass);
+    }
+
+    /// Lights the water of the G-buffer.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        let Some(pipeline) = self.pipelines.chosen() else { return };
+        let (Some(pipeline), Some(maps), Some((_, g_buffer))) =
+            (self.light.chosen(), self.maps_group(), &self.g_buffer)
+        else {
+            return;
+        };
         pass.set_pipeline(pipeline);
-        let Some(deferred) = &self.deferred else { return self.draw_mesh(pass) };
-        let (Some(maps), Some((_, shown))) = (self.maps_group(), &deferred.shown) else { return };
         pass.set_bind_group(0, &self.scene.group, &[]);
         pass.set_bind_group(1, maps, &[]);
-        pass.set_bind_group(2, shown, &[]);
+        pass.set_bind_group(2, g_buffer, &[]);
         pass.draw(0..3, 0..1);
     }
 
     /// Layouts of the bind groups that the mesh is drawn with.
-    pub fn layouts(&self) -> [&wgpu::BindGroupLayout; 3] {
-        [&self.scene.layout, &self.layout, self.mesh.drawn_layout()]
+    pub fn mesh_layouts(&self) -> [&wgpu::BindGroupLayout; 3] {
+        [&self.scene.layout, &self.maps_layout, self.mesh.drawn_layout()]
     }
 
     /// Draws the displaced mesh with the pipeline of the pass.

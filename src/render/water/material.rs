@@ -1,15 +1,16 @@
-//! The uniform of what water, foam and bed are made of. Depends on the look, the wind and where the eye stands.
+//! The uniform of what water, foam and bed are made of. It depends on the look, the sea and the place of the eye.
 
 use crate::gpu::layout::gpu_struct;
 use crate::optics::water::WaterOptics;
-use crate::render::Scene;
+use crate::render::scene::Scene;
 use crate::state::fields::linear_rgb;
 use crate::state::look::Scattering;
+use glam::{DMat2, DVec2};
 
 /// Layers of noise: four of foam, two of the bed.
 const LAYERS: usize = 6;
-/// A layer: sides of its tile along and across its axis, m; angle of the axis to the wind, degrees; how much longer it
-/// gets along the axis in a storm.
+/// A layer: sides of its tile along and across its axis, m; angle of the axis to the wind, degrees; relative growth of the
+/// side along the axis in a storm.
 type LayerShape = (f64, f64, f64, f64);
 /// Windrows, patches, strands and bubbles of foam; sand in patches with ripples, and in grains. Sides and angles share no
 /// period, so that the sum of the layers has none.
@@ -18,45 +19,92 @@ const SHAPES: [LayerShape; LAYERS] = [
     (71.0, 71.0, 7.0, 2.6),
     (10.7, 10.7, -9.0, 1.9),
     (1.63, 1.63, 41.0, 0.0),
-    // The ripples of the sand have 38.6 periods to this tile (water_bed.wgsl).
+    // The ripples of the sand have 38.6 periods to this tile (shaders/water/bed.wgsl).
     (12.35, 12.35, 63.0, 0.0),
     (0.97, 0.97, 11.0, 0.0),
 ];
-/// The bed is out of sight where less than this share of vertical light comes back.
+/// Least share of vertical light that comes back from a visible bed.
 const BED_SEEN: f64 = 1e-3;
 
 gpu_struct! {
-    /// WGSL `Material`.
+    /// WGSL `NoiseLayer`: where a layer of noise lies.
+    pub struct NoiseLayer as "NoiseLayer" {
+        /// From metres beside the eye's foot to texture coordinates.
+        to_uv: glam::Mat2,
+        /// Texture coordinates of the eye's foot.
+        foot_uv: [f32; 2],
+        unused: [u32; 2],
+    }
+}
+
+impl NoiseLayer {
+    /// A layer around the point `foot` of the world. `gale` is how far it is stretched along its axis, 0 to 1.
+    fn new((along_m, across_m, turn_deg, longer): LayerShape, downwind: [f64; 2], gale: f64, foot: [f64; 2]) -> Self {
+        let axis = DVec2::from(downwind).rotate(DVec2::from_angle(turn_deg.to_radians()));
+        let along = axis / (along_m * (1.0 + longer * gale));
+        let across = axis.perp() / across_m;
+        let at = |row: DVec2| row.dot(foot.into()).rem_euclid(1.0) as f32;
+        Self {
+            to_uv: DMat2::from_cols(along, across).transpose().as_mat2(),
+            foot_uv: [at(along), at(across)],
+            unused: [0; 2],
+        }
+    }
+}
+
+gpu_struct! {
+    /// WGSL `Material`. A parameter of the look is added here and in [`Self::new`], and a shader reads it by its name.
     pub struct MaterialUniform as "Material" {
+        /// Absorption of the water at the display's primaries, 1/m.
         absorption: [f32; 3],
+        /// Factor of the sky's light that the water scatters back.
         ambient: f32,
+        /// Backscattering, 1/m.
         backscatter: [f32; 3],
+        /// Refractive index of the air.
         index_air: f32,
+        /// Scattering in all directions, 1/m.
         scatter: [f32; 3],
+        /// Factor of the bubbles below foam.
         bubbles: f32,
         bubble_colour: [f32; 3],
+        /// Factor of the light through crests.
         height_scatter: f32,
         foam_colour: [f32; 3],
+        /// How much the light from below depends on the direction of view.
         view_scatter: f32,
         bed_colour: [f32; 3],
+        /// Factor of the sunlight that the water scatters back.
         diffuse: f32,
-        layers: [[f32; 4]; LAYERS],
-        layer_feet: [[f32; 2]; LAYERS],
+        layers: [NoiseLayer; LAYERS],
+        /// Refractive index of the water.
         index_water: f32,
+        /// Exponent of Schlick's reflectance.
         fresnel_shine: f32,
+        /// Factor of the reflectance.
         fresnel_scale: f32,
+        /// Factor of the slopes that the reflectance sees.
         fresnel_normals: f32,
+        /// Exponent of Blinn and Phong's lobe.
         shininess: f32,
+        /// Factor of the sun's glitter.
         specular_scale: f32,
+        /// Factor of the reflectance for the sun's glitter.
         specular_fresnel: f32,
+        /// Cosine below which the sun's glitter fades out.
         specular_cut: f32,
+        /// Slope variance that is added along each axis.
         rough_variance: f32,
         foam_roughness: f32,
+        /// Factor of the height of foam.
         foam_relief: f32,
+        /// Factor of the mirrored sky.
         reflection: f32,
+        /// Share of the light's focusing on the bed, 0 to 1.
         caustics: f32,
+        /// Shortest wavelength that focuses light on the bed, m.
         caustic_m: f32,
-        unused: [f32; 2],
+        unused: [u32; 2],
     }
 }
 
@@ -69,10 +117,9 @@ impl MaterialUniform {
         let water = water(scattering);
         let colour = |c: f64| linear_rgb(c).map(|x| x as f32);
         let single = |c: [f64; 3]| c.map(|x| x as f32);
-        let downwind = scene.sea.downwind.map(f64::from);
-        let gale = ((f64::from(scene.sea.wind_m_s) - 8.0) / 16.0).clamp(0.0, 1.0);
+        let gale = ((scene.sea.wind_m_s - 8.0) / 16.0).clamp(0.0, 1.0);
+        let gale = gale * gale * (3.0 - 2.0 * gale);
         let foot = [scene.view.eye.x, scene.view.eye.z];
-        let placed = SHAPES.map(|shape| place(shape, downwind, gale * gale * (3.0 - 2.0 * gale), foot));
         Self {
             absorption: single(water.absorption),
             ambient: scattering.ambient as f32,
@@ -86,8 +133,7 @@ impl MaterialUniform {
             view_scatter: scattering.view_scatter as f32,
             bed_colour: colour(bed.colour),
             diffuse: scattering.diffuse as f32,
-            layers: placed.map(|(turn, _)| turn),
-            layer_feet: placed.map(|(_, foot)| foot),
+            layers: SHAPES.map(|shape| NoiseLayer::new(shape, scene.sea.downwind, gale, foot)),
             index_water: reflection.index_water as f32,
             fresnel_shine: reflection.fresnel_shine as f32,
             fresnel_scale: reflection.fresnel_scale as f32,
@@ -102,8 +148,8 @@ impl MaterialUniform {
             foam_relief: foam.relief as f32,
             reflection: reflection.sky_strength as f32,
             caustics: bed.caustics as f32,
-            caustic_m: scene.sea.focusing_m,
-            unused: [0.0; 2],
+            caustic_m: scene.sea.focusing_m as f32,
+            unused: [0; 2],
         }
     }
 }
@@ -114,23 +160,8 @@ fn water(scattering: &Scattering) -> WaterOptics {
     if scattering.scatter_colour > 0.0 { water.with_colour(linear_rgb(scattering.scatter_colour)) } else { water }
 }
 
-/// Whether enough light comes back from the bed.
+/// Whether enough light comes back from the bed to see it.
 pub fn bed_is_seen(scene: &Scene) -> bool {
-    let back = water(&scene.look.surface.scattering).two_way_transmittance(f64::from(scene.sea.depth_m));
+    let back = water(&scene.look.surface.scattering).two_way_transmittance(scene.sea.depth_m);
     back.into_iter().any(|share| share > BED_SEEN)
-}
-
-/// Texture coordinates of a layer: matrix columns for metres beside the eye's foot, and those of the foot.
-fn place(
-    (along_m, across_m, turn_deg, longer): LayerShape,
-    downwind: [f64; 2],
-    gale: f64,
-    foot: [f64; 2],
-) -> ([f32; 4], [f32; 2]) {
-    let (sin, cos) = turn_deg.to_radians().sin_cos();
-    let axis = [cos * downwind[0] - sin * downwind[1], sin * downwind[0] + cos * downwind[1]];
-    let u = axis.map(|x| x / (along_m * (1.0 + longer * gale)));
-    let v = [-axis[1] / across_m, axis[0] / across_m];
-    let at = |row: [f64; 2]| (row[0] * foot[0] + row[1] * foot[1]).rem_euclid(1.0) as f32;
-    ([u[0], v[0], u[1], v[1]].map(|x| x as f32), [at(u), at(v)])
 }

@@ -3,8 +3,10 @@
 //! Azimuths lie on a lattice that is fixed in the world, so that turning the camera moves no vertex; rows grow with the
 //! distance and reach past the horizon of the round Earth. There is one mesh, hence no crack.
 
-use crate::render::frame::{SeaLook, View};
+use crate::gpu::layout::gpu_struct;
+use crate::render::scene::SeaAppearance;
 use crate::state::camera::EARTH_RADIUS_M;
+use crate::state::camera::View;
 use std::f64::consts::{PI, TAU};
 
 /// Columns and rows at density 1.
@@ -17,15 +19,27 @@ pub const BLOCK: u32 = 8;
 /// Rows start at a multiple of this, so that a change of pitch moves few of them.
 const ROW_SNAP: f64 = 0.25;
 
-/// A lattice for one view.
+gpu_struct! {
+    /// WGSL `MeshLattice`: row i of column j lies at azimuth `first_azimuth + j azimuth_step` (rad) and at the distance
+    /// radius_m (e^t - 1) from the eye's foot, t = `first_row + i row_step`.
+    pub struct MeshLattice as "MeshLattice" {
+        pub first_azimuth: f32,
+        pub azimuth_step: f32,
+        pub first_row: f32,
+        pub row_step: f32,
+        /// Distance up to which rows are evenly spaced rather than logarithmically, m.
+        pub radius_m: f32,
+        /// Vertices along a column.
+        pub rows: u32,
+        unused: [u32; 2],
+    }
+}
+
+/// The mesh for one view.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
-    /// First azimuth and step, first row and step.
-    pub lattice: [f32; 4],
-    /// Row t lies at radius (e^t - 1), m.
-    pub radius: f32,
-    /// Vertices along a column.
-    pub rows: u32,
+    /// Where its vertices lie in a still sea.
+    pub lattice: MeshLattice,
     /// Most columns that the index buffer holds, without the last.
     pub most_columns: u32,
     /// Columns that this view needs, a multiple of [`BLOCK`].
@@ -35,11 +49,11 @@ pub struct Mesh {
 impl Mesh {
     /// The lattice that covers a view of a sea; `density` scales the number of vertices, `extent_km` bounds its reach
     /// (0 is to the horizon).
-    pub fn new(view: &View, sea: &SeaLook, density: f64, extent_km: f64) -> Self {
+    pub fn new(view: &View, sea: &SeaAppearance, density: f64, extent_km: f64) -> Self {
         let scale = density.clamp(0.015, 64.0).sqrt();
         let most_columns = ((COLUMNS * scale / f64::from(BLOCK)).ceil() as u32) * BLOCK;
         let rows = (ROWS * scale).ceil() as u32;
-        let (lift, shift) = (1.1 * f64::from(sea.hs_m), 0.6 * f64::from(sea.hs_m * sea.chop[0].max(sea.chop[1])));
+        let (lift, shift) = (1.1 * sea.hs_m, 0.6 * sea.hs_m * sea.most_chop());
         let eye = view.eye.y.max(0.1);
         let (lowest, widest) = extent(view);
 
@@ -66,9 +80,15 @@ impl Mesh {
         let start = ((heading - half) / turn).floor();
         let needed = ((2.0 * half / turn).ceil() as u32 + 1).next_multiple_of(BLOCK).min(most_columns);
         Self {
-            lattice: [(start * turn) as f32, turn as f32, first as f32, step as f32],
-            radius: radius as f32,
-            rows,
+            lattice: MeshLattice {
+                first_azimuth: (start * turn) as f32,
+                azimuth_step: turn as f32,
+                first_row: first as f32,
+                row_step: step as f32,
+                radius_m: radius as f32,
+                rows,
+                unused: [0; 2],
+            },
             most_columns,
             columns: needed,
         }
@@ -76,12 +96,13 @@ impl Mesh {
 
     /// Indices of all columns, in blocks.
     pub fn indices(&self) -> Vec<u32> {
-        let mut out = Vec::with_capacity((self.most_columns * (self.rows - 1) * 6) as usize);
+        let rows = self.lattice.rows;
+        let mut out = Vec::with_capacity((self.most_columns * (rows - 1) * 6) as usize);
         for block in (0..self.most_columns).step_by(BLOCK as usize) {
-            for row in 0..self.rows - 1 {
+            for row in 0..rows - 1 {
                 for column in block..block + BLOCK {
-                    let a = column * self.rows + row;
-                    let b = a + self.rows;
+                    let a = column * rows + row;
+                    let b = a + rows;
                     out.extend([a, b, a + 1, a + 1, b, b + 1]);
                 }
             }
@@ -89,9 +110,9 @@ impl Mesh {
         out
     }
 
-    /// How many of them this view needs.
+    /// Number of indices that this view needs.
     pub fn index_count(&self) -> u32 {
-        self.columns * (self.rows - 1) * 6
+        self.columns * (self.lattice.rows - 1) * 6
     }
 }
 
@@ -124,8 +145,8 @@ mod tests {
     use super::*;
     use crate::state::params::Camera;
 
-    fn sea(hs_m: f32) -> SeaLook {
-        SeaLook {
+    fn sea(hs_m: f64) -> SeaAppearance {
+        SeaAppearance {
             chop: [1.0; 2],
             hs_m,
             depth_m: 4000.0,
@@ -133,11 +154,9 @@ mod tests {
             downwind: [1.0, 0.0],
             residual: [0.005; 2],
             finest: [0.005; 2],
-            fading: None,
             focusing_m: 1.0,
-            mean_foam: 0.0,
-            lambda_p_m: 100.0,
-            cloud_drift_m: [0.0; 2],
+            level_m: 0.0,
+            clouds_m_s: [0.0; 2],
         }
     }
 
@@ -146,23 +165,25 @@ mod tests {
     fn the_mesh_covers_the_picture() {
         for pitch in [-89.0, -60.0, -35.0, -10.0, 0.0, 20.0, 60.0] {
             for y_m in [1.0, 7.0, 60.0, 5000.0] {
-                for hs in [0.1f32, 4.0, 12.0] {
+                for hs in [0.1, 4.0, 12.0] {
                     for heading_deg in [0.0, 123.0, 359.0] {
                         let camera = Camera { pitch_deg: pitch, y_m, heading_deg, ..Camera::default() };
                         let view = View::new(&camera, 16.0 / 9.0, 0.0);
                         let mesh = Mesh::new(&view, &sea(hs), 1.0, 0.0);
                         let case = format!("pitch {pitch} y {y_m} hs {hs} heading {heading_deg} {mesh:?}");
                         assert!(mesh.columns <= mesh.most_columns, "{case}");
-                        let [a0, da, t0, dt] = mesh.lattice.map(f64::from);
-                        let near = f64::from(mesh.radius) * t0.exp_m1();
-                        let far = f64::from(mesh.radius) * (t0 + dt * f64::from(mesh.rows - 1)).exp_m1();
+                        let l = mesh.lattice;
+                        let [a0, da, t0, dt, radius] =
+                            [l.first_azimuth, l.azimuth_step, l.first_row, l.row_step, l.radius_m].map(f64::from);
+                        let near = radius * t0.exp_m1();
+                        let far = radius * (t0 + dt * f64::from(l.rows - 1)).exp_m1();
                         assert!(far > view.horizon_m(), "{case}");
                         for (x, y) in [(-1.0, -1.0), (0.0, -1.0), (1.0, -1.0), (-1.0, 0.0), (1.0, 0.0), (1.0, 1.0)] {
                             let ray = view.ray(x, y);
                             if ray.y > -0.02 {
                                 continue;
                             }
-                            let crest = (y_m - f64::from(hs)).max(0.0) / -ray.y * ray.x.hypot(ray.z);
+                            let crest = (y_m - hs).max(0.0) / -ray.y * ray.x.hypot(ray.z);
                             assert!(near <= crest + 1e-6, "{case}: {near} > {crest}");
                             let turns = ((ray.x.atan2(-ray.z) - a0) / TAU).rem_euclid(1.0);
                             assert!(turns * TAU <= da * f64::from(mesh.columns), "{case}: {turns}");
@@ -179,9 +200,9 @@ mod tests {
             let camera = Camera { heading_deg, ..Camera::default() };
             Mesh::new(&View::new(&camera, 1.5, 0.0), &sea(2.0), 1.0, 0.0)
         };
-        let (a, b) = (mesh(10.0), mesh(11.3));
-        assert_eq!(a.lattice[1..], b.lattice[1..]);
-        let steps = (b.lattice[0] - a.lattice[0]) / a.lattice[1];
+        let (a, b) = (mesh(10.0).lattice, mesh(11.3).lattice);
+        assert_eq!(a, MeshLattice { first_azimuth: a.first_azimuth, ..b });
+        let steps = (b.first_azimuth - a.first_azimuth) / a.azimuth_step;
         assert!((steps - steps.round()).abs() < 1e-3, "{steps}");
     }
 }

@@ -1,0 +1,47 @@
+// Maps of the simulation read between their texels.
+
+@group(1) @binding(0) var displacement_map: texture_2d_array<f32>;
+@group(1) @binding(1) var gradients_map: texture_2d_array<f32>;
+@group(1) @binding(2) var moments_map: texture_2d_array<f32>;
+@group(1) @binding(3) var foam_map: texture_2d_array<f32>;
+// Between the levels of a map, and of the nearest one.
+@group(1) @binding(4) var wave_sampler: sampler;
+@group(1) @binding(5) var level_sampler: sampler;
+
+// Between texels: from linear (0) to Catmull-Rom's spline over 4 x 4 texels (1), in five bilinear taps; the spline's
+// corners, at most 1.6 % of its weight, are left out. A mixture is one of weights, so it costs no more.
+struct WaterSpline {
+  before: vec2f,
+  middle: vec2f,
+  after: vec2f,
+  // Weights of the five taps: of the middle one, of those before and after along x, and along z.
+  at_middle: f32,
+  along_x: vec2f,
+  along_z: vec2f,
+}
+
+// At texture coordinates of a map of n texels.
+fn water_spline(uv: vec2f, n: f32, smoothness: f32) -> WaterSpline {
+  let p = uv * n - 0.5;
+  let base = floor(p);
+  let f = p - base;
+  let w0 = smoothness * (f * (f * (1.0 - 0.5 * f) - 0.5));
+  let w2 = mix(f, f * (f * (2.0 - 1.5 * f) + 0.5), smoothness);
+  let w3 = smoothness * (f * f * (0.5 * f - 0.5));
+  let w12 = 1.0 - w0 - w3;
+  let over = 1.0 / (1.0 - (w0.x + w3.x) * (w0.y + w3.y));
+  return WaterSpline(
+    (base - 0.5) / n, (base + 0.5 + w2 / w12) / n, (base + 2.5) / n,
+    over * w12.x * w12.y, (over * w12.y) * vec2f(w0.x, w3.x), (over * w12.x) * vec2f(w0.y, w3.y));
+}
+
+// The finest level of a map there.
+fn water_splined(map: texture_2d_array<f32>, s: WaterSpline, layer: u32) -> vec4f {
+  return s.at_middle * textureSampleLevel(map, level_sampler, s.middle, layer, 0.0)
+    + s.along_x.x * textureSampleLevel(map, level_sampler, vec2f(s.before.x, s.middle.y), layer, 0.0)
+    + s.along_x.y * textureSampleLevel(map, level_sampler, vec2f(s.after.x, s.middle.y), layer, 0.0)
+    + s.along_z.x * textureSampleLevel(map, level_sampler, vec2f(s.middle.x, s.before.y), layer, 0.0)
+    + s.along_z.y * textureSampleLevel(map, level_sampler, vec2f(s.middle.x, s.after.y), layer, 0.0);
+}
+
+// The lattice of a cascade's copies; those of the ripples are the last.

@@ -1,0 +1,295 @@
+//! The sky's look-up tables: the clear air, the environment that the sea mirrors, and the light on the sea
+//! (shaders/sky/transmittance.wgsl, multiple.wgsl, view.wgsl, environment.wgsl, filter.wgsl, light.wgsl). They are computed
+//! only when the light changed.
+
+use super::panorama::PanoramaTextures;
+use super::uniform::{LightBuffer, SkyUniform};
+use crate::gpu::Gpu;
+use crate::gpu::kit::{Kernel, Slot, Uniform, mip_view};
+use crate::render::scene::Scene;
+use crate::render::water::noise::NoiseTexture;
+use crate::shaders::Shaders;
+use wgpu::BindingResource::{Sampler, TextureView};
+
+/// Width and height of the tables, texels.
+const TRANSMITTANCE: [u32; 2] = [256, 64];
+const MULTIPLE: [u32; 2] = [64, 32];
+const VIEW: [u32; 2] = [192, 128];
+const ENVIRONMENT: [u32; 2] = [256, 128];
+/// Mip levels of the environment, down to 8 x 4 texels.
+const MIPS: u32 = 6;
+/// Workgroups of 64 threads that sum the light, and the bytes of their sums (shaders/sky/light.wgsl).
+const LIGHT_GROUPS: u32 = 4;
+const LIGHT_PARTS_BYTES: u64 = 16 * 64 * LIGHT_GROUPS as u64;
+
+/// Workgroups of 8 x 8 threads that cover a table.
+fn workgroups(size: [u32; 2]) -> [u32; 2] {
+    size.map(|side| side.div_ceil(8))
+}
+
+/// A compute pass with its resources.
+struct TablePass {
+    kernel: Kernel,
+    group: wgpu::BindGroup,
+    workgroups: [u32; 2],
+}
+
+impl TablePass {
+    fn new(
+        gpu: &Gpu,
+        label: &'static str,
+        program: (&wgpu::ShaderModule, &str),
+        bindings: &[(Slot, wgpu::BindingResource<'_>)],
+        workgroups: [u32; 2],
+    ) -> Self {
+        let (slots, resources): (Vec<Slot>, Vec<_>) = bindings.iter().cloned().unzip();
+        let kernel = Kernel::new(gpu, label, program, &slots, &[]);
+        let group = kernel.bind(gpu, &resources);
+        Self { kernel, group, workgroups }
+    }
+
+    fn run(&self, encoder: &mut wgpu::CommandEncoder) {
+        let [x, y] = self.workgroups;
+        self.kernel.run(encoder, &self.group, &[], [x, y, 1]);
+    }
+}
+
+/// The look-up tables and how they are made.
+pub struct SkyTables {
+    pub uniform: Uniform<SkyUniform>,
+    pub light: wgpu::Buffer,
+    pub transmittance: wgpu::TextureView,
+    pub view: wgpu::TextureView,
+    pub environment: wgpu::TextureView,
+    pub sampler: wgpu::Sampler,
+    /// A sky from a file.
+    pub panorama: PanoramaTextures,
+    /// Passes that depend on the air alone.
+    air: Vec<TablePass>,
+    /// Passes that depend on the air and on the sun.
+    lit: Vec<TablePass>,
+    made_for: Option<SkyUniform>,
+}
+
+impl SkyTables {
+    /// Compiles the passes; nothing is computed yet.
+    pub fn new(gpu: &Gpu, shaders: &Shaders, noise: &NoiseTexture) -> Self {
+        let format = shaders.maps(gpu).texture();
+        let texture = |label, [width, height]: [u32; 2], mips| {
+            let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING;
+            gpu.texture(label, [width, height, 1], mips, format, usage)
+        };
+        let whole = |t: &wgpu::Texture| t.create_view(&wgpu::TextureViewDescriptor::default());
+        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_SRC;
+        let surroundings = texture("sky/environment", ENVIRONMENT, MIPS);
+        let mut sky = Self {
+            uniform: Uniform::new(gpu, "sky"),
+            light: gpu.buffer("light", size_of::<LightBuffer>() as u64, usage),
+            transmittance: whole(&texture("sky/transmittance", TRANSMITTANCE, 1)),
+            view: whole(&texture("sky/view", VIEW, 1)),
+            environment: whole(&surroundings),
+            sampler: gpu.sampler(
+                "sky",
+                [wgpu::AddressMode::Repeat, wgpu::AddressMode::ClampToEdge],
+                wgpu::MipmapFilterMode::Linear,
+            ),
+            panorama: PanoramaTextures::new(gpu),
+            air: Vec::new(),
+            lit: Vec::new(),
+            made_for: None,
+        };
+        let multiple = whole(&texture("sky/multiple", MULTIPLE, 1));
+        sky.air = sky.air_passes(gpu, shaders, &multiple);
+        sky.lit = sky.lit_passes(gpu, shaders, noise, &multiple, &surroundings);
+        sky
+    }
+
+    fn uniform_binding(&self) -> (Slot, wgpu::BindingResource<'_>) {
+        (Slot::Uniform(size_of::<SkyUniform>()), self.uniform.buffer.as_entire_binding())
+    }
+
+    fn air_passes(&self, gpu: &Gpu, shaders: &Shaders, multiple: &wgpu::TextureView) -> Vec<TablePass> {
+        let image = Slot::Image(shaders.maps(gpu).texture());
+        vec![
+            TablePass::new(
+                gpu,
+                "sky/transmittance",
+                (&shaders.module(gpu, "sky/transmittance"), "main"),
+                &[self.uniform_binding(), (image, TextureView(&self.transmittance))],
+                workgroups(TRANSMITTANCE),
+            ),
+            TablePass::new(
+                gpu,
+                "sky/multiple",
+                (&shaders.module(gpu, "sky/multiple"), "main"),
+                &[
+                    self.uniform_binding(),
+                    (Slot::Texture, TextureView(&self.transmittance)),
+                    (Slot::Sampler, Sampler(&self.sampler)),
+                    (image, TextureView(multiple)),
+                ],
+                workgroups(MULTIPLE),
+            ),
+        ]
+    }
+
+    fn lit_passes(
+        &self,
+        gpu: &Gpu,
+        shaders: &Shaders,
+        noise: &NoiseTexture,
+        multiple: &wgpu::TextureView,
+        surroundings: &wgpu::Texture,
+    ) -> Vec<TablePass> {
+        let image = Slot::Image(shaders.maps(gpu).texture());
+        let view = TablePass::new(
+            gpu,
+            "sky/view",
+            (&shaders.module(gpu, "sky/view"), "main"),
+            &[
+                self.uniform_binding(),
+                (Slot::Texture, TextureView(&self.transmittance)),
+                (Slot::Texture, TextureView(multiple)),
+                (Slot::Sampler, Sampler(&self.sampler)),
+                (image, TextureView(&self.view)),
+            ],
+            workgroups(VIEW),
+        );
+        let environment = TablePass::new(
+            gpu,
+            "sky/environment",
+            (&shaders.module(gpu, "sky/environment"), "main"),
+            &[
+                self.uniform_binding(),
+                (Slot::Read(size_of::<LightBuffer>()), self.light.as_entire_binding()),
+                (Slot::Texture, TextureView(&self.view)),
+                (Slot::Sampler, Sampler(&self.sampler)),
+                (Slot::Texture, TextureView(&noise.view)),
+                (Slot::Sampler, Sampler(&noise.sampler)),
+                (Slot::Texture, TextureView(&self.panorama.calm_view)),
+                (image, TextureView(&mip_view(surroundings, 0))),
+            ],
+            workgroups(ENVIRONMENT),
+        );
+        let filter = shaders.module(gpu, "sky/filter");
+        let filters = (1..MIPS).map(|level| {
+            let (from, to) = (mip_view(surroundings, level - 1), mip_view(surroundings, level));
+            let bindings = [(Slot::Texture, TextureView(&from)), (image, TextureView(&to))];
+            let size = ENVIRONMENT.map(|side| side >> level);
+            TablePass::new(gpu, "sky/filter", (&filter, "main"), &bindings, workgroups(size))
+        });
+        let [clear_parts, clear, whole_parts, whole] = self.light_passes(gpu, shaders, noise);
+        [view, clear_parts, clear, environment].into_iter().chain(filters).chain([whole_parts, whole]).collect()
+    }
+
+    /// The sums of the light: of the clear sky, in parts and then whole, and of the sky with its clouds.
+    fn light_passes(&self, gpu: &Gpu, shaders: &Shaders, noise: &NoiseTexture) -> [TablePass; 4] {
+        let parts = gpu.storage("light/parts", LIGHT_PARTS_BYTES);
+        let module = shaders.module(gpu, "sky/light");
+        let bindings = [
+            self.uniform_binding(),
+            (Slot::Write(size_of::<LightBuffer>()), self.light.as_entire_binding()),
+            (Slot::Texture, TextureView(&self.transmittance)),
+            (Slot::Texture, TextureView(&self.view)),
+            (Slot::Sampler, Sampler(&self.sampler)),
+            (Slot::Texture, TextureView(&self.environment)),
+            (Slot::Texture, TextureView(&noise.view)),
+            (Slot::Sampler, Sampler(&noise.sampler)),
+            (Slot::Write(LIGHT_PARTS_BYTES as usize), parts.as_entire_binding()),
+        ];
+        [
+            ("sky/light clear parts", "clear_parts", LIGHT_GROUPS),
+            ("sky/light clear", "clear", 1),
+            ("sky/light whole parts", "whole_parts", LIGHT_GROUPS),
+            ("sky/light whole", "whole", 1),
+        ]
+        .map(|(label, entry, groups)| TablePass::new(gpu, label, (&module, entry), &bindings, [groups, 1]))
+    }
+
+    /// Records all tables.
+    pub fn record(&self, encoder: &mut wgpu::CommandEncoder) {
+        self.air.iter().chain(&self.lit).for_each(|pass| pass.run(encoder));
+    }
+
+    /// Records the tables that the light of a scene makes stale.
+    pub fn update(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
+        let wanted = SkyUniform::new(scene);
+        let other_file = self.panorama.show(gpu, scene.look.sky.panorama());
+        let before = self.made_for.replace(wanted);
+        if before == Some(wanted) && !other_file {
+            return;
+        }
+        self.uniform.write(gpu, &wanted);
+        if before.is_some_and(|made| made.lights_like(&wanted)) && !other_file {
+            return;
+        }
+        if before.is_none_or(|made| !made.has_air_of(&wanted)) {
+            self.air.iter().for_each(|pass| pass.run(encoder));
+        }
+        self.lit.iter().for_each(|pass| pass.run(encoder));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::readback;
+    use crate::render::film::present::NOON_EXPOSURE;
+    use crate::render::sky::uniform::night_gain;
+    use crate::state::look::SkyLook;
+
+    /// The light on the sea under some skies.
+    fn lights(skies: &[SkyLook]) -> Vec<LightBuffer> {
+        let gpu = pollster::block_on(Gpu::request()).unwrap();
+        let noise = NoiseTexture::new(&gpu);
+        noise.fill(&gpu);
+        let sky = SkyTables::new(&gpu, &Shaders::default(), &noise);
+        let light = |look: &SkyLook| {
+            sky.uniform.write(&gpu, &SkyUniform::of(look, 8.0));
+            let mut encoder = gpu.device.create_command_encoder(&Default::default());
+            sky.air.iter().chain(&sky.lit).for_each(|pass| pass.run(&mut encoder));
+            let copy = readback::stage_buffer(&gpu, &mut encoder, &sky.light);
+            gpu.submit(encoder);
+            let bytes = pollster::block_on(readback::read(&gpu, copy)).unwrap();
+            bytemuck::pod_read_unaligned(&bytes)
+        };
+        skies.iter().map(light).collect()
+    }
+
+    fn at(sun_deg: f64) -> SkyLook {
+        SkyLook { sun_deg, ..SkyLook::default() }
+    }
+
+    /// Illuminance on the horizontal, lux: the sun above the air gives 128 klx.
+    fn lux(light: &LightBuffer, look: &SkyLook) -> f64 {
+        let up = look.sun_direction()[1].max(0.0);
+        let e: Vec<f64> = (0..3).map(|i| f64::from(light.sky[i]) + f64::from(light.sun[i]) * up).collect();
+        (0.2126 * e[0] + 0.7152 * e[1] + 0.0722 * e[2]) / night_gain(look) * 6400.0
+    }
+
+    /// Noon: the light on the sea is that of a clear day, and the film that does not adapt knows its exposure.
+    #[test]
+    fn light_of_a_clear_noon() {
+        let light = lights(&[at(60.0)])[0];
+        let green = |c: [f32; 3]| c[1] / 20.0;
+        assert!((0.7..0.9).contains(&green(light.sun)), "{light:?}");
+        assert!((0.06..0.2).contains(&green(light.sky)), "{light:?}");
+        assert!(light.sky[2] > light.sky[0], "{light:?}");
+        assert!((light.exposure / NOON_EXPOSURE - 1.0).abs() < 0.02, "{light:?}");
+    }
+
+    /// Clear-sky illuminances on the horizontal at noon, with the sun on the horizon, at the end of civil twilight and on a
+    /// moonless night (Seidelmann, Explanatory Supplement to the Astronomical Almanac, 1992), within a factor.
+    #[test]
+    fn light_from_noon_to_night() {
+        let cases = [(60.0, 9.5e4, 1.3), (0.0, 700.0, 2.0), (-6.0, 3.4, 3.0), (-24.0, 1.5e-3, 2.5)];
+        let skies = cases.map(|(sun, ..)| at(sun));
+        let mut before = f64::INFINITY;
+        for ((light, look), (sun, expected, factor)) in lights(&skies).iter().zip(&skies).zip(cases) {
+            let found = lux(light, look);
+            eprintln!("sun {sun}: {found:.3e} lx, {light:?}");
+            assert!(found < before && (expected / factor..expected * factor).contains(&found), "{sun}: {found} lx");
+            before = found;
+        }
+    }
+}
