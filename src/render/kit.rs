@@ -6,7 +6,8 @@ use super::targets::Film;
 use super::water::material::MaterialUniform;
 use super::water::noise::NoiseTexture;
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Slot, Uniform};
+use crate::gpu::kit::Slot;
+use crate::gpu::uniform::Uniform;
 
 /// The bind group that every pass of the HDR picture shares.
 pub struct SceneGroup {

@@ -17,9 +17,9 @@ pub use reference::{Grid, Reference};
 pub use targets::Film;
 
 use crate::gpu::Gpu;
-use crate::gpu::kit::Uniform;
 use crate::gpu::layout::Layout;
 use crate::gpu::timer::Timer;
+use crate::gpu::uniform::Uniform;
 use crate::point::floating::HullPose;
 use crate::shaders::Shaders;
 use crate::sim::Maps;

@@ -4,7 +4,8 @@
 use super::displace::DisplacePass;
 use super::material;
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Attachments, Depth, Program, Slot, Uniform};
+use crate::gpu::kit::{Attachments, Depth, Program, Slot};
+use crate::gpu::uniform::Uniform;
 use crate::render::Scene;
 use crate::render::frame::FrameUniform;
 use crate::render::kit::{SceneGroup, Variants, part};
