@@ -7,5 +7,6 @@ pub mod map_format;
 pub mod offscreen;
 pub mod readback;
 pub mod timer;
+pub mod uniform;
 
 pub use kit::Gpu;

@@ -21,9 +21,9 @@ pub use targets::Film;
 pub use water::material::MaterialUniform;
 
 use crate::gpu::Gpu;
-use crate::gpu::kit::Uniform;
 use crate::gpu::layout::Declaration;
 use crate::gpu::timer::Timer;
+use crate::gpu::uniform::Uniform;
 use crate::shaders::Shaders;
 use crate::sim::Maps;
 use crate::sim::maps::TilePlace;

@@ -7,7 +7,8 @@ use super::targets::Film;
 use super::water::material::MaterialUniform;
 use super::water::noise::NoiseTexture;
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Slot, Uniform};
+use crate::gpu::kit::Slot;
+use crate::gpu::uniform::Uniform;
 use wgpu::BindingResource::{Sampler, TextureView};
 
 /// Frame, sky, light and material, with the textures that belong to them.

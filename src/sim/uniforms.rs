@@ -2,8 +2,9 @@
 
 use super::maps::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN, TilePlace};
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Slot, UniformRing};
+use crate::gpu::kit::Slot;
 use crate::gpu::layout::{Declaration, gpu_struct};
+use crate::gpu::uniform::UniformRing;
 
 /// The uniforms of a submission.
 pub struct UniformRings {

@@ -2,8 +2,9 @@
 
 use super::bloom::Bloom;
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Attachments, Program, Slot, Uniform};
+use crate::gpu::kit::{Attachments, Program, Slot};
 use crate::gpu::layout::gpu_struct;
+use crate::gpu::uniform::Uniform;
 use crate::render::scene::Scene;
 use crate::render::sky::uniform::{LightBuffer, night_gain};
 use crate::shaders::Shaders;

@@ -5,7 +5,8 @@
 use super::panorama::PanoramaTextures;
 use super::uniform::{LightBuffer, SkyUniform};
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Kernel, Slot, Uniform, mip_view};
+use crate::gpu::kit::{Kernel, Slot, mip_view};
+use crate::gpu::uniform::Uniform;
 use crate::render::scene::Scene;
 use crate::render::water::noise::NoiseTexture;
 use crate::shaders::Shaders;

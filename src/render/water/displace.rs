@@ -3,8 +3,9 @@
 
 use super::mesh::Mesh;
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Slot, Uniform, begin_compute};
+use crate::gpu::kit::{Slot, begin_compute};
 use crate::gpu::layout::gpu_struct;
+use crate::gpu::uniform::Uniform;
 use crate::render::frame::FrameUniform;
 use crate::shaders::Shaders;
 

@@ -2,7 +2,8 @@
 
 use super::light::WaterPass;
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Slot, Uniform, begin_compute};
+use crate::gpu::kit::{Slot, begin_compute};
+use crate::gpu::uniform::Uniform;
 use crate::render::frame::FrameUniform;
 use crate::render::scene::Scene;
 use crate::shaders::Shaders;

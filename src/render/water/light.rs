@@ -3,7 +3,8 @@
 use super::displace::DisplacePass;
 use super::material;
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Attachments, Depth, Program, Slot, Uniform};
+use crate::gpu::kit::{Attachments, Depth, Program, Slot};
+use crate::gpu::uniform::Uniform;
 use crate::render::frame::FrameUniform;
 use crate::render::scene::Scene;
 use crate::render::scene_group::SceneGroup;
