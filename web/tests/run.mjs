@@ -1,10 +1,10 @@
-// Opens the built page in Chromium and Firefox, side by side, and checks it.
+// Opens the built page in Chromium and Firefox and checks it, two groups of tests at a time.
 import { execFile } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs, promisify } from 'node:util';
-import { brotliCompressSync, constants } from 'node:zlib';
+import { brotliCompress, constants } from 'node:zlib';
 import { NAMES, launch } from './browsers.mjs';
 import { explorer } from './explorer.mjs';
 import { ladder } from './ladder.mjs';
@@ -93,14 +93,14 @@ async function compute(state) {
 
 const computed = new Map();
 
-/** The same, computed once for both browsers. */
+/** `compute(state)`, run once for both browsers. */
 function native(state) {
   if (!computed.has(state)) computed.set(state, compute(state));
   return computed.get(state);
 }
 
 /** Size of a file as a host sends it, bytes: compressed by brotli, except for pictures. */
-function sentBytes(file) {
+async function sentBytes(file) {
   const raw = readFileSync(join(dist, file));
   if (/\.(jpg|png)$/.test(file)) return raw.length;
   const params = {
@@ -108,12 +108,12 @@ function sentBytes(file) {
     [constants.BROTLI_PARAM_LGWIN]: 24,
     [constants.BROTLI_PARAM_SIZE_HINT]: raw.length,
   };
-  return brotliCompressSync(raw, { params }).length;
+  return (await promisify(brotliCompress)(raw, { params })).length;
 }
 
-function isSmallEnough() {
+async function isSmallEnough() {
   const budget = JSON.parse(readFileSync(join(top, 'web', 'budget.json'), 'utf8'));
-  const files = readdirSync(dist).map((file) => [file, sentBytes(file)]);
+  const files = await Promise.all(readdirSync(dist).map(async (file) => [file, await sentBytes(file)]));
   const sum = (list) => list.reduce((total, [, bytes]) => total + bytes, 0);
   const found = { all: sum(files), wasm: sum(files.filter(([file]) => file.endsWith('.wasm'))) };
   const note = `${found.all} bytes with brotli, ${found.wasm} of them wasm`;
@@ -125,27 +125,31 @@ function isSmallEnough() {
   return note;
 }
 
-/** All groups in one browser. Each group has its own process, so that a crash in one leaves the others alone. */
-async function runBrowser(name, context) {
-  for (const [group, body] of Object.entries(GROUPS)) {
-    if (options.group && options.group !== group) continue;
-    let browser;
-    await run(`${name}: starts for ${group}`, async () => {
-      browser = await launch(name);
-      return browser.version;
-    });
-    if (!browser) continue;
-    const test = async (title, steps) => isWanted(title) && run(title, steps, browser.takeStrays);
-    await body({ ...context, browser, test });
-    await browser.close().catch(() => {});
-  }
+/** Runs one group in a browser of its own, so that a crash in it leaves the other groups alone. */
+async function runGroup(name, group, context) {
+  let browser;
+  await run(`${name}: starts for ${group}`, async () => {
+    browser = await launch(name);
+    return browser.version;
+  });
+  if (!browser) return;
+  const test = async (title, body) => isWanted(title) && run(title, body, browser.takeStrays);
+  await GROUPS[group]({ ...context, browser, test });
+  await browser.close().catch(() => {});
 }
 
-if (!options.group && isWanted('the page: small enough')) await run('the page: small enough', isSmallEnough);
 const server = await serve(dist);
 const context = { out, top, dist, origin: server.origin, port: server.port, native };
 const names = NAMES.filter((name) => !options.browser || options.browser === name);
-await Promise.all(names.map((name) => runBrowser(name, context)));
+const groups = Object.keys(GROUPS).filter((group) => !options.group || options.group === group);
+const jobs = groups.flatMap((group) => names.map((name) => [name, group]));
+const work = async () => {
+  while (jobs.length > 0) await runGroup(...jobs.shift(), context);
+};
+const size = 'the page: small enough';
+const sized = !options.group && isWanted(size) && run(size, isSmallEnough);
+// Two groups at a time: many tests wait for clocks, and two cores can draw for two browsers.
+await Promise.all([sized, work(), work()]);
 await server.close();
 
 const list = failed.length > 0 ? `: ${failed.join('; ')}` : '';
