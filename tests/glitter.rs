@@ -23,13 +23,13 @@ fn fresnel(cosine: f64) -> f64 {
 
 /// Linear red radiance and view direction of every pixel.
 fn light(gpu: &Gpu, state: &str) -> (Vec<f64>, Vec<DVec3>) {
-    let mut ocean = Ocean::new(&gpu, FORMAT, Film::Screen, &common::params(state));
+    let mut ocean = Ocean::new(gpu, FORMAT, Film::Screen, &common::params(state));
     let mut encoder = gpu.encoder("test");
     // No foam replay.
     ocean.encode(&mut encoder, SIZE, 0);
-    let copy = readback::stage_texture(&gpu, &mut encoder, ocean.light().expect("a picture"), 0);
+    let copy = readback::stage_texture(gpu, &mut encoder, ocean.light().expect("a picture"), 0);
     gpu.submit(encoder);
-    let bytes = pollster::block_on(copy.read(&gpu)).expect("read-back");
+    let bytes = pollster::block_on(copy.read(gpu)).expect("read-back");
     let texels: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&bytes);
     let view = ocean.scene(SIZE).view;
     let dirs = (0..SIZE[0] * SIZE[1]).map(|i| {

@@ -166,7 +166,7 @@ fn foam(gpu: &Gpu, state: &str, run: Option<(f64, f64)>) -> Vec<f64> {
     let steps = ((end_s - from_s) / dt_s).round() as u32;
     for t_s in (0..steps).map(|i| from_s + dt_s * f64::from(i)).chain([end_s]) {
         let mut encoder = gpu.encoder("test");
-        assert!(sim.encode(&gpu, &mut encoder, t_s, [0.0; 2], MAX_STEPS));
+        assert!(sim.encode(gpu, &mut encoder, t_s, [0.0; 2], MAX_STEPS));
         gpu.submit(encoder);
     }
     let mut encoder = gpu.encoder("test");

@@ -1,6 +1,7 @@
 //! Readers of files that users bring: measured spectra, sky images and pictures. Every size limit is checked before
 //! memory is allocated.
 
+#[cfg(feature = "files")]
 pub mod input;
 pub mod measured;
 pub mod panorama;

@@ -68,7 +68,8 @@ fn read_with(text: &str, steps: &[VersionStep]) -> StateReading {
     for (key, value) in pairs {
         match &*key {
             MEASURED => {
-                reading.take(MEASURED, MeasuredSpectrum::from_state(&value), |p, m| p.sea.measured = Some(Arc::new(m)))
+                let spectrum = MeasuredSpectrum::from_state(&value);
+                reading.take(MEASURED, spectrum, |p, spectrum| p.sea.measured = Some(Arc::new(spectrum)));
             }
             FLOATS => reading.take(FLOATS, floats::read(&value), |p, floats| p.floats = floats),
             SKY => {
