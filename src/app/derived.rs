@@ -12,7 +12,7 @@ use std::cell::OnceCell;
 pub struct Derived {
     /// Parameters that the other fields were computed from.
     pub of: Params,
-    /// Plan of the sea on the requested grid.
+    /// Plan for the FFT size that the user asked for; the drawn sea may have a smaller one.
     pub plan: Plan,
     /// Statistics of the continuous spectrum.
     pub theory: Theory,

@@ -23,7 +23,7 @@ pub const KEYS: &[(&str, &str)] = &[
     ("Escape", "close this list, leave a view; then close the window"),
 ];
 
-/// The window with the table of keys; closing it clears `open`.
+/// Help window with the keyboard shortcuts. Closing it sets `open` to false.
 pub fn help(open: &mut bool, ctx: &egui::Context) {
     egui::Window::new("Keys and gestures")
         .open(open)

@@ -99,7 +99,7 @@ pub struct SeaMeasurement {
     /// Number of the current sea; readings of an earlier sea are discarded.
     sea: u64,
     inbox: tasks::Inbox<(u64, Result<Probed, String>)>,
-    /// Whether a reading has been requested and has not arrived.
+    /// Whether a read-back of the maps has been requested and has not arrived.
     waiting: bool,
     /// The reading that is being transformed.
     survey: Option<(MapSpectrumEstimator, Probed)>,

@@ -72,7 +72,7 @@ pub struct App {
     save_folder: Option<std::path::PathBuf>,
     /// Messages of finished saves, or why they failed.
     saved: tasks::Inbox<Result<String, String>>,
-    /// The last sky that was read, for links that name it.
+    /// The sky file that was read last; used again when an opened link names the same file.
     sky: Option<SkyFile>,
     progress: viewport::Progress,
     frame_measurements: measurements::FrameMeasurements,

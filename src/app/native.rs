@@ -110,7 +110,7 @@ struct Window {
     host: AppHost,
     parked: ParkedApp,
     last_window: LastWindow,
-    /// Whether the two keys destroy the device.
+    /// Whether F11 and F12 destroy the GPU device on purpose, to test the recovery.
     rehearses: bool,
     /// Whether the device is destroyed at the end of this frame.
     loses_device: bool,

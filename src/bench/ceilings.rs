@@ -19,7 +19,7 @@ const READS: u32 = 16;
 const MAP_SIDE: u32 = 256;
 const MAP_LEVELS: u32 = 9;
 
-/// Measured limits of an adapter.
+/// Peak rates of an adapter, measured: copying, arithmetic, texture reads, and the cost of a dispatch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ceilings {
     /// Bandwidth of a large copy, bytes read plus bytes written, GB/s.

@@ -73,7 +73,7 @@ pub struct BenchReport {
     pub has_stamps: bool,
     /// Submissions for each number.
     pub repeat: u32,
-    /// Limits of the adapter.
+    /// Peak rates of the adapter.
     pub ceilings: Ceilings,
     /// The measured passes.
     pub rows: Vec<PassTiming>,

@@ -60,7 +60,7 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// WGSL `Frame`.
+    /// Uniform of one frame: eye, projection, cascades and foam levels relative to the eye (WGSL `Frame`).
     pub struct FrameUniform as "Frame" {
         /// From positions relative to the eye to clip space, reverse-Z.
         pub clip_from_relative: glam::Mat4,

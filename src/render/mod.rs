@@ -91,7 +91,7 @@ pub struct Renderer {
     present: PresentPass,
     targets: Option<Targets>,
     target_format: wgpu::TextureFormat,
-    /// Since the first view was asked for.
+    /// Passes of the views, created when a view is first shown.
     view: Option<ViewPass>,
     /// Whether a view was drawn last.
     shows_view: bool,

@@ -26,13 +26,13 @@ gpu_struct! {
     pub struct ViewTile as "ViewTile" {
         /// Top left corner, pixels.
         corner: [f32; 2],
-        /// The texel that stands in the top left corner.
+        /// Map texel that the view shows in its top left corner.
         first: [u32; 2],
         /// Side, pixels.
         side: f32,
         /// Layer of the map, cascade of a spectrum, or index of a drawn cascade.
         layer: u32,
-        /// Value of the first colour.
+        /// Quantity that the first colour of the scale stands for.
         low: f32,
         /// Value of the last colour.
         high: f32,
@@ -40,7 +40,7 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// WGSL `View`.
+    /// Uniform of the views (WGSL `View`).
     pub struct ViewUniform as "View" {
         /// Colours of the scale as the screen takes them.
         stops: [[f32; 4]; STOPS],
@@ -49,7 +49,7 @@ gpu_struct! {
         size: [f32; 2],
         /// Horizontal displacement factor along x and z.
         chop: [f32; 2],
-        /// The map or the quantity that is shown: 1 + its place among the variants of `Map` or `Surface`.
+        /// 1 + the discriminant in `Map` (for the map pass) or in `Surface` (for the surface pass).
         kind: u32,
         /// Tiles in use.
         tile_count: u32,

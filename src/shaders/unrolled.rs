@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 pub enum UnrolledKernel {
     /// The waves at a time, and the first half of the transform along x.
     RowsFirst,
-    /// The second half along x.
+    /// Second of the two dispatches along x.
     RowsSecond,
     /// The first half along z.
     ColumnsFirst,

@@ -25,7 +25,7 @@ gpu_struct! {
         pub rest: [f32; 2],
         /// Whole lattice coordinates of the point.
         pub cell: [i32; 2],
-        /// Noise key of the shifts.
+        /// Seed of the hash that chooses the shift of each copy of the patch.
         pub key: u32,
         /// 0 if the patch repeats instead.
         pub on: u32,

@@ -31,7 +31,7 @@ use transform::TransformWay;
 use transition::{Interpolated, Transition};
 use uniforms::UniformRings;
 
-/// Most time steps of the foam in one submission.
+/// Largest number of foam time steps in one submission.
 pub const MAX_STEPS: usize = foam::REPLAY_STEPS;
 
 /// A sea on a device.

@@ -50,7 +50,7 @@ impl Passes {
 /// shaders/waves/spectrum.wgsl
 pub struct SpectrumPass {
     kernel: Kernel,
-    /// One for each sea's wave buffers.
+    /// One bind group for each sea; there are two during a cross-fade.
     groups: Vec<wgpu::BindGroup>,
 }
 

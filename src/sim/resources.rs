@@ -148,7 +148,7 @@ impl Resources {
         first..first + cascades as u32
     }
 
-    /// Records a copy of a mip level of a kind of map, all layers.
+    /// Records a copy of one mip level of all layers of a map into a buffer that the CPU can read.
     pub fn stage(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, kind: MapKind, level: u32) -> TextureCopy {
         readback::stage_layers(gpu, encoder, &self.maps, level, self.layers(kind))
     }

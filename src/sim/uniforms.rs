@@ -41,7 +41,7 @@ impl UniformRings {
 }
 
 gpu_struct! {
-    /// WGSL `SeaCascade`.
+    /// A cascade in the uniform of a sea (WGSL `SeaCascade`).
     #[derive(Default)]
     pub struct SeaCascade as "SeaCascade" {
         /// Side of the patch, m.
@@ -55,11 +55,11 @@ gpu_struct! {
     }
 }
 
-/// Most terms of the directional spectrum: three lobes for each of two wave systems.
+/// Largest number of terms of the directional spectrum: three lobes for each of two wave systems.
 pub const MAX_TERMS: usize = 6;
 
 gpu_struct! {
-    /// WGSL `SeaTerm`.
+    /// A term of the directional spectrum (WGSL `SeaTerm`).
     #[derive(Default)]
     pub struct SeaTerm as "SeaTerm" {
         /// Unit vector (x, z) from which angles are measured.
@@ -72,7 +72,7 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// WGSL `Sea`.
+    /// Uniform of one evaluation of a sea (WGSL `Sea`).
     #[derive(Default)]
     pub struct SeaUniform as "Sea" {
         /// Cascades, longest waves first.
@@ -95,7 +95,7 @@ gpu_struct! {
         pub keep_f32: u32,
         /// Terms in use.
         pub term_count: u32,
-        /// Quadruples per entry of the table.
+        /// Number of vec4f per entry of the wave table.
         pub stride: u32,
         /// Map layer of the first cascade.
         pub first_layer: u32,
@@ -120,7 +120,7 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// WGSL `FoamLevel`.
+    /// A foam level in the uniform of the foam (WGSL `FoamLevel`).
     #[derive(Default)]
     pub struct FoamLevelUniform as "FoamLevel" {
         /// Corner of the first cell in range on each drawn cascade.
@@ -133,15 +133,15 @@ gpu_struct! {
         pub texel_m: f32,
         /// Jacobian below which foam forms.
         pub threshold: f32,
-        /// Source per unit of Jacobian below the threshold.
+        /// Foam source per unit by which the Jacobian lies below the threshold.
         pub slope: f32,
-        /// Foam of a cell that comes into range, 0 to 1.
+        /// Initial foam of a cell that has just entered the area of its level, 0 to 1.
         pub start: f32,
     }
 }
 
 gpu_struct! {
-    /// WGSL `FoamCascade`.
+    /// A cascade in the uniform of the foam (WGSL `FoamCascade`).
     #[derive(Default)]
     pub struct FoamCascade as "FoamCascade" {
         /// Side of the patch, m.
@@ -154,7 +154,7 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// WGSL `Foam`.
+    /// Uniform of one time step of the foam (WGSL `Foam`).
     #[derive(Default)]
     pub struct FoamUniform as "Foam" {
         /// Levels, finest first.

@@ -25,7 +25,7 @@ pub struct Params {
     pub clock: Clock,
     /// Moored buoys and boats.
     pub floats: Vec<Float>,
-    /// Presentation in the window or on the page.
+    /// Display settings, such as the resolution scale and the open panel. They do not change the sea.
     pub screen: Screen,
 }
 

@@ -24,7 +24,8 @@ const MAX_GRAVITY_K: f64 = 370.0;
 const MAX_CAPILLARY_K: f64 = 6000.0;
 /// Share of m0 that must lie below the nominal high edge of the finest cascade.
 const WANTED_SHARE: f64 = 0.995;
-/// Share of m0 below the wave number at which the first patch holds `WAVES_AT_LOW_EDGE` waves.
+/// The first patch is so large that this share of the variance m0 lies in waves of which fewer than `WAVES_AT_LOW_EDGE`
+/// fit across it.
 const LOW_TAIL: f64 = 5e-4;
 /// Smallest patch that the user can set, m.
 const MIN_PATCH_M: f64 = 0.1;

@@ -48,7 +48,7 @@ impl Palette {
 /// Values that the colours of a view stand for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ColourScale {
-    /// Value of the first colour.
+    /// Quantity that the first colour of the scale stands for.
     pub low: f64,
     /// Value of the last colour.
     pub high: f64,

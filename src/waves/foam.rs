@@ -32,7 +32,7 @@ const MIN_SIGMA: f64 = 1e-6;
 pub struct FoamSource {
     /// Jacobian below which foam forms.
     pub threshold: f64,
-    /// Source per unit of Jacobian below the threshold.
+    /// Foam source per unit by which the Jacobian lies below the threshold.
     pub slope: f64,
 }
 

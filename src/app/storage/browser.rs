@@ -25,7 +25,10 @@ pub fn load_seas() -> String {
     storage().and_then(|s| s.get_item(SEAS).ok().flatten()).unwrap_or_default()
 }
 
-/// Copies the user's own seas to another key.
+/// Backs up the user's own seas under a second key of the browser's storage, before they are written over.
+///
+/// # Errors
+/// If the browser refuses to store them.
 pub fn put_seas_aside() -> Result<(), String> {
     store(SEAS_ASIDE, &load_seas())
 }

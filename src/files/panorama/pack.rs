@@ -17,7 +17,7 @@ pub(super) fn rgb9e5(c: [f32; 3]) -> u32 {
     r | g << 9 | b << 18 | ((exponent + 15) as u32) << 27
 }
 
-/// Value of the last bit of the mantissa at an exponent.
+/// Distance between neighbouring values of a shared-exponent texel (RGB9E5) with this exponent.
 fn step(exponent: i32) -> f32 {
     2f32.powi(exponent - 9)
 }

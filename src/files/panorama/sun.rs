@@ -19,7 +19,7 @@ const CELLS: usize = 512;
 /// The sun in an image of the sky.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sun {
-    /// Azimuth, degrees clockwise from the middle column of the image, 0 to 360.
+    /// Azimuth of the sun's centre, degrees clockwise from the middle column of the image, 0 to 360.
     pub azimuth_deg: f64,
     /// Elevation above the horizon, degrees.
     pub elevation_deg: f64,

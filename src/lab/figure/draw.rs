@@ -5,7 +5,7 @@ use super::{Figure, Legend, Mark, Series};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-/// SVG units per pixel.
+/// SVG user units per pixel of the figure: integer coordinates then resolve a quarter of a pixel.
 const FINE: f64 = 4.0;
 const WIDTH: f64 = 640.0;
 const HEIGHT: f64 = 400.0;

@@ -11,7 +11,7 @@ use crate::waves::quadrature::{adaptive, panels};
 use crate::waves::{Plan, statistics};
 use std::f64::consts::{PI, TAU};
 
-/// State string of this part, without the spreading. The first spreading is `isotropic`.
+/// State string that this part measures, to which each `spread=` is appended.
 const STATE: &str = "wind=10&fetch=100&dir=240&n=256";
 /// Centres of the frequency bands over the peak frequency, and half the width of a band over its centre.
 const RATIOS: [f64; 3] = [1.0, 2.0, 4.0];

@@ -9,7 +9,8 @@ use crate::waves::tiling::PatchCopy;
 const TOLERANCE_M: f64 = 1e-8;
 /// Evaluations before the search fails. At chop 1 it takes three to five.
 const MAX_EVALUATIONS: usize = 64;
-/// Lower limit of the potential's curvatures, which keeps a step finite at the edge of a fold.
+/// Lower limit of the second derivatives of the potential that the search minimises. It keeps a Newton step finite at
+/// the edge of a fold.
 const MIN_CURVATURE: f64 = 1e-3;
 /// Armijo rule: smallest decrease of the potential in a step, as a fraction of the decrease predicted by its gradient.
 const ARMIJO: f64 = 1e-4;

@@ -11,7 +11,7 @@ use crate::shaders::Shaders;
 use crate::state::look::FilmLook;
 
 gpu_struct! {
-    /// WGSL `Present`.
+    /// Uniform of the pass that presents the picture (WGSL `Present`).
     pub struct PresentUniform as "Present" {
         /// Width and height of the picture, pixels.
         size: [f32; 2],

@@ -12,7 +12,7 @@ const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgb9e5Ufloat;
 
 /// The picture that is shown, if any.
 pub struct PanoramaTextures {
-    /// [`CALM`] texels, rewritten in place.
+    /// The sky image without its sun, [`CALM`] texels wide and high. A new image is written into the same texture.
     calm: wgpu::Texture,
     pub calm_view: wgpu::TextureView,
     pub layout: wgpu::BindGroupLayout,

@@ -183,7 +183,9 @@ impl SkyTables {
         [view, clear_parts, clear, environment].into_iter().chain(filters).chain([whole_parts, whole]).collect()
     }
 
-    /// The sums of the light: of the clear sky, in parts and then whole, and of the sky with its clouds.
+    /// Passes that integrate the light of the sky over directions: partial sums and total of the clear sky, then of
+
+    /// the sky with clouds.
     fn light_passes(&self, gpu: &Gpu, shaders: &Shaders, noise: &NoiseTexture) -> [TablePass; 4] {
         let parts = gpu.storage("light/parts", LIGHT_PARTS_BYTES);
         let module = shaders.module(gpu, "sky/light");
@@ -244,7 +246,8 @@ mod tests {
         let gpu = pollster::block_on(Gpu::request()).unwrap();
         let noise = NoiseTexture::new(&gpu);
         noise.fill(&gpu);
-        let sky = SkyTables::new(&gpu, &Shaders::default(), &noise);
+        let shaders = Shaders::default().with_structs(crate::render::STRUCTS);
+        let sky = SkyTables::new(&gpu, &shaders, &noise);
         let light = |look: &SkyLook| {
             sky.uniform.write(&gpu, &SkyUniform::of(look, 8.0));
             let mut encoder = gpu.device.create_command_encoder(&Default::default());

@@ -10,7 +10,7 @@ use crate::render::frame::FrameUniform;
 use crate::shaders::Shaders;
 
 gpu_struct! {
-    /// WGSL `MeshVertex`.
+    /// A vertex of the water's mesh (WGSL `MeshVertex`).
     pub struct MeshVertex as "MeshVertex" {
         /// Place of the displaced point relative to the eye, m.
         place: [f32; 3],

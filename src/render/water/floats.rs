@@ -12,7 +12,7 @@ use glam::{DMat3, DVec3};
 use std::f64::consts::TAU;
 
 gpu_struct! {
-    /// WGSL `HullVertex`.
+    /// A vertex of a hull (WGSL `HullVertex`).
     pub struct HullVertex as "HullVertex" {
         /// Place beside the eye's foot and height over the still water, m.
         place: [f32; 3],

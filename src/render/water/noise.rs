@@ -117,7 +117,8 @@ fn halve(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
 /// A periodic lattice of cells with two numbers each.
 struct Lattice {
     period: i32,
-    /// With a margin of the cells that come around: divisions would take most of the time.
+    /// Offset of the point in each cell. The outermost cells are repeated around the edge, so that a look-up needs no
+    /// modulo.
     cells: Vec<[f32; 2]>,
 }
 

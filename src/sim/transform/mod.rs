@@ -36,7 +36,7 @@ impl TransformWay {
 pub enum Transform {
     /// See [`TransformWay::Workgroup`].
     Workgroup(Box<WorkgroupTransform>),
-    /// See [`TransformWay::Unrolled`].
+    /// Transform without barriers, for software adapters; see [`TransformWay::Unrolled`].
     Unrolled(Box<UnrolledTransform>),
 }
 

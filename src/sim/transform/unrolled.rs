@@ -30,7 +30,7 @@ struct Buffers {
 }
 
 struct Groups {
-    /// One for each sea's wave buffers.
+    /// One bind group for each sea; there are two during a cross-fade.
     rows_first: Vec<wgpu::BindGroup>,
     rows_second: wgpu::BindGroup,
     columns_first: wgpu::BindGroup,

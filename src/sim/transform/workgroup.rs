@@ -23,7 +23,7 @@ pub struct WorkgroupTransform {
 }
 
 struct Groups {
-    /// One for each sea's wave buffers.
+    /// One bind group for each sea; there are two during a cross-fade.
     rows: Vec<wgpu::BindGroup>,
     columns: wgpu::BindGroup,
 }

@@ -49,7 +49,7 @@ enum Role {
     Light,
     /// Camera: set where the state names it.
     Camera,
-    /// Time, resolution, views: never set.
+    /// Time, resolution and views: a preset leaves them as they are.
     Kept,
 }
 

@@ -35,7 +35,7 @@ impl Inputs<'_> {
 pub struct FrequencySpectrum {
     /// One-sided variance density, m^2 s, for omega > 0, before `factor` and `fade`.
     pub(super) shape: Arc<dyn Fn(f64) -> f64 + Send + Sync>,
-    /// Peak frequency; the higher peak of a double-peaked spectrum.
+    /// Peak angular frequency, rad/s; of two peaks, the one with the larger variance density.
     pub omega_p: f64,
     /// Frequency below which S is negligible, positive.
     pub(super) lowest: f64,
