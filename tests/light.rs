@@ -267,3 +267,16 @@ fn tone_curves_are_those_of_the_publications() {
         - 0.002_32;
     close("agx grey", grey(AGX, 0.18), 1.09 * sigmoid.powf(1.25));
 }
+
+/// The sine of an elevation may exceed 1 by rounding; a NaN there would drive the exposure.
+#[test]
+fn airglow_is_finite_beyond_the_zenith() {
+    let above = f32::from_bits(1.0f32.to_bits() + 1);
+    let sines = [above, 1.0, 0.5, 0.0, -1.0];
+    let cases: Vec<[[f32; 4]; 2]> = sines.iter().map(|&mu| [[mu, 0.0, 0.0, 0.0], [0.0; 4]]).collect();
+    let found = ask(&shaders(), "sky/view", "return vec4f(view_airglow(a.x), 0.0, 0.0, 0.0);", &cases);
+    for (mu, found) in sines.iter().zip(found) {
+        let expected = 1.0 + 1.2 * (1.0 - f64::from(mu.clamp(0.0, 1.0))).powi(3);
+        assert!((found[0] - expected).abs() < 1e-6, "{mu}: {} instead of {expected}", found[0]);
+    }
+}

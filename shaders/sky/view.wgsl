@@ -7,6 +7,13 @@
 @group(0) @binding(3) var sky_sampler: sampler;
 @group(0) @binding(4) var view_out: texture_storage_2d<rgba16float, write>;
 
+// Brightness of the night sky over that at the zenith, at the sine `mu` of an elevation: airglow is brighter low in the sky,
+// where the view passes through more of it. Rounding can make the sine exceed 1.
+fn view_airglow(mu: f32) -> f32 {
+  let low = clamp(1.0 - mu, 0.0, 1.0);
+  return 1.0 + 1.2 * low * low * low;
+}
+
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
   let half_rows = SKY_VIEW_SIZE.y / 2.0;
@@ -48,8 +55,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     radiance += through * source * (1.0 - step) / max(m.extinction, vec4f(1e-9));
     through *= step;
   }
-  // Starlight and airglow of a moonless night, as blue as the dark-adapted eye sees them; airglow is brighter low in the
-  // sky, where one looks through more of it, until the air takes it back.
-  let glow = SKY_NIGHT * sky.night_gain * (1.0 + 1.2 * pow(1.0 - max(mu, 0.0), 3.0)) * select(0.3, 1.0, upper);
+  // Starlight and airglow of a moonless night, as blue as the dark-adapted eye sees them.
+  let glow = SKY_NIGHT * sky.night_gain * view_airglow(mu) * select(0.3, 1.0, upper);
   textureStore(view_out, id.xy, vec4f(min(atm_rgb(radiance) * sky.tint + glow, vec3f(6e4)), 1.0));
 }

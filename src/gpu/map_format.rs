@@ -28,7 +28,14 @@ impl MapFormat {
 
     /// The faster format on a device.
     pub fn of(gpu: &Gpu) -> Self {
-        if gpu.device.features().contains(Self::FEATURES) { Self::Float } else { Self::Half }
+        Self::for_adapter(gpu.device.adapter_info().device_type, gpu.device.features())
+    }
+
+    /// Floats on software adapters that can filter them. A graphics card keeps half floats, even if its device has the
+    /// feature, as the device of a host program may.
+    fn for_adapter(device_type: wgpu::DeviceType, features: wgpu::Features) -> Self {
+        let is_cpu = device_type == wgpu::DeviceType::Cpu;
+        if is_cpu && features.contains(Self::FEATURES) { Self::Float } else { Self::Half }
     }
 
     /// The format as wgpu names it.
@@ -62,5 +69,20 @@ impl MapFormat {
         }
         let halves: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(bytes);
         halves.into_iter().map(|t| t.map(f16::to_f32)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_software_adapters_get_floats() {
+        let with = MapFormat::FEATURES;
+        for card in [wgpu::DeviceType::DiscreteGpu, wgpu::DeviceType::IntegratedGpu, wgpu::DeviceType::Other] {
+            assert_eq!(MapFormat::for_adapter(card, with), MapFormat::Half, "{card:?}");
+        }
+        assert_eq!(MapFormat::for_adapter(wgpu::DeviceType::Cpu, with), MapFormat::Float);
+        assert_eq!(MapFormat::for_adapter(wgpu::DeviceType::Cpu, wgpu::Features::empty()), MapFormat::Half);
     }
 }
