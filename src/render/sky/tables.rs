@@ -184,7 +184,6 @@ impl SkyTables {
     }
 
     /// Passes that integrate the light of the sky over directions: partial sums and total of the clear sky, then of
-
     /// the sky with clouds.
     fn light_passes(&self, gpu: &Gpu, shaders: &Shaders, noise: &NoiseTexture) -> [TablePass; 4] {
         let parts = gpu.storage("light/parts", LIGHT_PARTS_BYTES);
