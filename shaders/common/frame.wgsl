@@ -1,4 +1,4 @@
-// What every pass of the picture knows of the view, the sea and its maps: `Frame` of src/render/frame.rs.
+// The uniform of one frame: view, sea and maps. The struct `Frame` is declared in src/render/frame.rs.
 
 const FRAME_EARTH_M = 6371000.0;
 

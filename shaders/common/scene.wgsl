@@ -1,4 +1,4 @@
-// What every pass of the picture reads: the frame, the sky and its light. The bind group is made in src/render/scene_group.rs.
+// Bind group 0 of every pass of the picture: frame, sky and light. It is created in src/render/scene_group.rs.
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<uniform> sky: Sky;

@@ -1,4 +1,4 @@
-// What the water, its foam and the bed are made of: `Material` of src/render/water/material.rs.
+// The material of water, foam and bed. The struct `Material` is declared in src/render/water/material.rs.
 
 // Texels over which the channel of a layer (cloud, net, net, bubbles; cloud, bubbles) keeps half its variance, and how
 // steeply that falls: fitted to the mips of noise.rs as the sampler reads them, between texels and between levels.

@@ -33,7 +33,7 @@ fn water_carried(cascade: u32, at: vec2f) -> f32 {
 
 struct WaterMoved {
   displacement: vec3f,
-  // What of the slopes it carries.
+  // Slopes of the waves that the mesh carries from vertex to pixel.
   carried: WaterSums,
 }
 

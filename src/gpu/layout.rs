@@ -74,7 +74,7 @@ impl Member {
 pub struct Declaration {
     /// The name of the struct in WGSL.
     pub name: &'static str,
-    /// Its members, in order.
+    /// Members of the struct, in order.
     pub members: &'static [Member],
     /// Size in bytes.
     pub size: usize,
@@ -116,7 +116,7 @@ macro_rules! gpu_struct {
         }
 
         impl $rust {
-            /// What WGSL declares.
+            /// Declaration of the struct in WGSL.
             pub const DECLARATION: $crate::gpu::layout::Declaration = $crate::gpu::layout::Declaration {
                 name: $wgsl,
                 members: &[$($crate::gpu::layout::Member {

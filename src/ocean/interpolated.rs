@@ -1,4 +1,4 @@
-//! What is drawn of a sea that may be in a transition: its appearance, and the plans whose waves are drawn.
+//! The drawn state of a sea during a transition: interpolated appearance, and the plans whose waves are drawn.
 
 use crate::render::SeaAppearance;
 use crate::sim::transition::{Interpolate, interpolate, interpolate2};

@@ -48,7 +48,7 @@ const VIEWS: Part = part!("views/common.wgsl");
 const AIR_TABLES: Part = Part::Group(&[ATMOSPHERE, SKY_COMMON]);
 /// Radiance of the sky in a direction.
 const SKY: Part = Part::Group(&[AIR_TABLES, part!("sky/model.wgsl"), part!("sky/fog.wgsl")]);
-/// What every pass of the HDR picture reads.
+/// Bind group 0 of every pass of the HDR picture.
 const PICTURE: Part =
     Part::Group(&[SKY, part!("common/frame.wgsl"), part!("common/scene.wgsl"), part!("sky/air.wgsl")]);
 /// The displaced surface.

@@ -22,9 +22,9 @@ pub struct Mem {
 impl Mem {
     /// The distribution with the moments (re c1, im c1, re c2, im c2), c_n = integral of D e^{i n theta}.
     ///
-    /// Its moments are exact if |c1| <= 0.995 and |c2 - c1^2| <= 0.995 (1 - |c1|^2). Otherwise c1 is shortened and c2
-    /// moved towards c1^2 until both hold. With 1 in place of 0.995 these are the bounds of any distribution. Moments
-    /// that are not finite give an isotropic distribution.
+    /// The distribution has exactly these moments if |c1| <= 0.995 and |c2 - c1^2| <= 0.995 (1 - |c1|^2). Otherwise c1
+    /// is shortened and c2 moved towards c1^2 until both hold. With 1 in place of 0.995 these are the bounds of any
+    /// distribution. Moments that are not finite give an isotropic distribution.
     pub fn new(moments: [f64; 4]) -> Self {
         let known = moments.iter().all(|m| m.is_finite());
         let [a, b, c, d] = if known { moments.map(|m| m.clamp(-1e6, 1e6)) } else { [0.0; 4] };
