@@ -11,20 +11,24 @@ use seastate::waves::tiling::MEAN_COPIES;
 /// Cost of a transcendental function, root or quotient in additions.
 const SPECIAL: f64 = 4.0;
 
-/// Iterations of the loops of a function, in their order. Of two alternative loops, the cheaper one has 0. The sea has
-/// four cascades, one of them with ripples; the pixel takes no slopes from the mesh.
+/// Iterations of the loops of a function, in their order. The sea has four cascades, one of them with ripples; the pixel
+/// takes no slopes from the mesh, and its maps are neither magnified nor distant.
 fn trips(function: &str) -> &'static [f64] {
     match function {
-        "water_moved" => &[4.0, MEAN_COPIES, 0.0, 1.0],
-        "water_slope_beyond" => &[0.0, 5.0],
-        "water_add_waves" => &[MEAN_COPIES, 3.0, 0.0, 2.0],
+        "water_moved" => &[4.0, MEAN_COPIES],
+        "water_slope_beyond" => &[5.0],
+        "water_add_waves" => &[MEAN_COPIES],
+        "water_gradients" | "foam_level" => &[3.0],
+        "water_moments" => &[2.0],
         "water_mirror_among" => &[8.0, 2.0],
-        "water_foam" => &[3.0, 1.0],
-        "water_foam_seen" => &[4.0],
-        "water_light" => &[1.0],
-        "water_foam_level" | "present_between" => &[4.0],
+        "foam_at" | "foam_seen" | "present_between" => &[4.0],
         _ => &[],
     }
+}
+
+/// Whether the branches of a function are those for maps that are magnified or distant.
+fn branches_off(function: &str) -> bool {
+    matches!(function, "water_gradients" | "water_reading")
 }
 
 /// Whether the default picture has a part.
@@ -85,6 +89,7 @@ impl Counter<'_> {
                 let branches = [accept, reject].map(|block| self.block(block, body));
                 match body.function.expressions[*condition] {
                     Expression::Override(part) => branches[usize::from(!has(&self.module.overrides[part]))],
+                    _ if branches_off(body.function.name.as_deref().unwrap_or_default()) => branches[1],
                     _ => branches[0].max(branches[1]),
                 }
             }

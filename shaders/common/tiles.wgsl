@@ -6,8 +6,8 @@
 const TILE_EDGE = 0.25;
 const TILE_INV_SQRT_3 = 0.57735027;
 
-// The copies that a point sees, strongest first: a loop over them is short, where a branch would cost a software GPU both
-// sides.
+// The copies that contribute to a point, strongest first: each with its cell, its weight and the derivatives of the weight.
+// The components x are those of the current copy; `tile_next` goes on to the next one.
 struct TileBlend {
   count: u32,
   weight: vec3f,
@@ -25,7 +25,7 @@ fn tile_lower(a: vec3f, b: vec3f) -> vec3f {
   return select(a, b, a.x >= b.x);
 }
 
-// At a point (m) beside that of the place.
+// The copies at a point (m) relative to that of the place.
 fn tile_blend(place: TilePlace, at: vec2f) -> TileBlend {
   let u = place.turn + TILE_INV_SQRT_3 * vec2f(place.turn.y, -place.turn.x);
   let v = 2.0 * TILE_INV_SQRT_3 * vec2f(-place.turn.y, place.turn.x);
@@ -50,7 +50,7 @@ fn tile_blend(place: TilePlace, at: vec2f) -> TileBlend {
   let raw = max(vec3f(first.x, second.x, third.x) - TILE_EDGE, vec3f(0.0));
   let w = raw * raw;
   let norm = inverseSqrt(dot(w, w));
-  // Gradient of the barycentric coordinates: u and v at their corners, against both at the first.
+  // Gradients of the barycentric coordinates: u and v at their corners, minus both at the first.
   let sign = select(2.0, -2.0, upper);
   let origin = 1.0 - corner_x - corner_z;
   let dx = sign * raw * (corner_x * u.x + corner_z * v.x - origin * (u.x + v.x));
@@ -72,9 +72,20 @@ fn tile_blend(place: TilePlace, at: vec2f) -> TileBlend {
   return out;
 }
 
-// Shift of a copy, in texture coordinates: whole texels for every n.
-fn tile_shift(place: TilePlace, blend: TileBlend, copy: u32) -> vec2f {
-  let cell = vec4u(bitcast<u32>(blend.cell_x[copy]), bitcast<u32>(blend.cell_z[copy]), place.key, 0u);
+// Moves the next copy to the components x. An index that varies would keep the vectors in memory instead of registers.
+fn tile_next(blend: TileBlend) -> TileBlend {
+  return TileBlend(
+    blend.count, blend.weight.yzx, blend.along_x.yzx, blend.along_z.yzx, blend.cell_x.yzx, blend.cell_z.yzx);
+}
+
+// Weight of the current copy and its derivatives along x and z.
+fn tile_weight(blend: TileBlend) -> vec3f {
+  return vec3f(blend.weight.x, blend.along_x.x, blend.along_z.x);
+}
+
+// Shift of the current copy, in texture coordinates: whole texels for every n.
+fn tile_shift(place: TilePlace, blend: TileBlend) -> vec2f {
+  let cell = vec4u(bitcast<u32>(blend.cell_x.x), bitcast<u32>(blend.cell_z.x), place.key, 0u);
   let hash = noise_pcg4d(cell).xy >> vec2u(26u);
   return select(vec2f(0.0), vec2f(hash) * 0.015625, place.on != 0u);
 }

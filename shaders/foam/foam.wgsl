@@ -26,14 +26,15 @@ fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
     let uv = corner.uv + offset / patch_m;
     // One mip level finer than a cell, because linear interpolation between uncorrelated texels loses variance.
     let lod = max(log2(foam.levels[level].texel_m * f32(sea.n) / patch_m) - 1.0, 0.0);
-    let blend = tile_blend(corner.tile, offset);
+    var blend = tile_blend(corner.tile, offset);
     for (var i = 0u; i < blend.count; i++) {
-      let at = uv + tile_shift(corner.tile, blend, i);
+      let at = uv + tile_shift(corner.tile, blend);
       let g = textureSampleLevel(gradients, repeat, at, layer, lod);
       let d = textureSampleLevel(displacement, repeat, at, layer, lod);
-      let slope = vec2f(blend.along_x[i], blend.along_z[i]);
-      stretch += blend.weight[i] * g.zw + slope * d.xz;
-      shear += blend.weight[i] * d.ww + slope.yx * d.xz;
+      let weight = tile_weight(blend);
+      stretch += weight.x * g.zw + weight.yz * d.xz;
+      shear += weight.x * d.ww + weight.zy * d.xz;
+      blend = tile_next(blend);
     }
   }
   let l = sea.chop;

@@ -29,6 +29,13 @@ fn view_lines(at: vec3f, width: vec3f) -> f32 {
   return max(line.x, max(line.y, line.z));
 }
 
+// Share of a pixel's light that comes from foam.
+fn view_foam(at: vec2f, dx: vec2f, dy: vec2f) -> f32 {
+  let pixel = foam_pixel(dx, dy);
+  let level = foam_level(at, pixel);
+  return select(0.0, foam_seen(at, pixel, level).cover, level.x >= FOAM_LEAST);
+}
+
 @fragment
 fn fragment(in: SurfaceVertex) -> @location(0) vec4f {
   let at = in.rest;
@@ -49,7 +56,7 @@ fn fragment(in: SurfaceVertex) -> @location(0) vec4f {
     case 2u: { return view_colour(slope.jacobian, tile); }
     case 3u: { return view_colour(slope.variance.x + slope.variance.y, tile); }
     case 4u: { return view_colour(log2(max(foot.size * frame.cascades[tile.layer].inverse_patch * frame.n, 1e-6)), tile); }
-    case 5u: { return view_colour(water_foam(at, dx, dy).cover, tile); }
+    case 5u: { return view_colour(view_foam(at, dx, dy), tile); }
     default: {
       let fill = vec3f(0.05, 0.12, 0.17) * (0.4 + 0.6 * abs(dot(facet, vec3f(0.48, 0.8, 0.36))));
       return vec4f(mix(fill, vec3f(0.62, 0.88, 0.94), 0.8 * view_lines(edges, width)), 1.0);

@@ -6,7 +6,9 @@
 struct MeshFragment {
   @builtin(position) clip: vec4f,
   @location(0) place: vec3f,
+  // The undisplaced point (x, z), and the height of the wave.
   @location(1) rest: vec3f,
+  // The slope and the stretch that the mesh carries.
   @location(2) carried: vec4f,
   @location(3) shear: vec2f,
 }
@@ -14,11 +16,11 @@ struct MeshFragment {
 @vertex
 fn mesh_vertex(@builtin(vertex_index) i: u32) -> MeshFragment {
   let v = mesh_vertices[i];
-  let rest = vec3f(v.rest.x, v.height, v.rest.y);
-  return MeshFragment(frame.clip_from_relative * vec4f(v.place, 1.0), v.place, rest, vec4f(v.slope, v.stretch), v.shear);
+  let clip = frame.clip_from_relative * vec4f(v.place, 1.0);
+  return MeshFragment(clip, v.place, vec3f(v.rest, v.height), vec4f(v.slope, v.stretch), v.shear);
 }
 
-// The water that a pixel shows, in 32 bytes, which is what a pass may write: floats as bits, and pairs of half floats.
+// The water that a pixel shows, in 32 bytes, which is the most that a pass may write.
 struct GBuffer {
   // The undisplaced point and the distance from the eye as floats; the height of the wave and the mean of the shears that
   // the mesh carries as half floats.
@@ -29,22 +31,25 @@ struct GBuffer {
 
 @fragment
 fn mesh_fragment(in: MeshFragment) -> GBuffer {
-  let sides = clamp(vec4f(dpdx(in.rest.xz), dpdy(in.rest.xz)), vec4f(-6e4), vec4f(6e4));
-  let height = pack2x16float(vec2f(in.rest.y, 0.5 * (in.shear.x + in.shear.y)));
+  let sides = clamp(vec4f(dpdx(in.rest.xy), dpdy(in.rest.xy)), vec4f(-6e4), vec4f(6e4));
+  let height = pack2x16float(vec2f(in.rest.z, 0.5 * (in.shear.x + in.shear.y)));
   return GBuffer(
-    vec4u(bitcast<vec3u>(vec3f(in.rest.xz, length(in.place))), height),
+    vec4u(bitcast<vec3u>(vec3f(in.rest.xy, length(in.place))), height),
     vec4u(pack2x16float(sides.xy), pack2x16float(sides.zw), pack2x16float(in.carried.xy), pack2x16float(in.carried.zw)));
 }
 
 @group(2) @binding(0) var point_map: texture_2d<u32>;
 @group(2) @binding(1) var slopes_map: texture_2d<u32>;
 
+// Whether the adapter is a software rasterizer.
+override SOFTWARE_ADAPTER: bool = false;
+
 fn water_sides(packed: vec4u) -> vec4f {
   return vec4f(unpack2x16float(packed.x), unpack2x16float(packed.y));
 }
 
-// Sides of a pixel as the first of its quad has them, unless that one is much another's: pixels that read their maps at one
-// level read them together on a software GPU, which takes a quarter of the time.
+// The sides of the first pixel of a pixel's quad, if they are nearly its own. A software rasterizer reads a map for a whole
+// quad at once where all of its pixels read the same mip level.
 fn water_shared_sides(pixel: vec2i, own: vec4f) -> vec4f {
   let first = water_sides(textureLoad(slopes_map, pixel & vec2i(-2), 0));
   let off = first - own;
@@ -69,24 +74,29 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let pixel = vec2i(in.clip.xy);
   let point = textureLoad(point_map, pixel, 0);
   let packed = textureLoad(slopes_map, pixel, 0);
-  let sides = frame.footprint * water_shared_sides(pixel, water_sides(packed));
+  var sides = water_sides(packed);
+  if SOFTWARE_ADAPTER {
+    sides = water_shared_sides(pixel, sides);
+  }
+  let dx = frame.footprint * sides.xy;
+  let dy = frame.footprint * sides.zw;
   let at = bitcast<vec2f>(point.xy);
   let height = unpack2x16float(point.w);
-  let carried = WaterSums(unpack2x16float(packed.z), unpack2x16float(packed.w), height.yy);
-  let foot = water_footprint(sides.xy, sides.zw);
+  let foot = water_footprint(dx, dy);
   var slope: WaterSlope;
   if WATER_SAMPLES {
     // The slopes that the mesh carries are linear between its vertices; a sample needs those of its point.
     slope = water_slope(at, foot);
   } else {
+    let carried = WaterSums(unpack2x16float(packed.z), unpack2x16float(packed.w), height.yy);
     slope = water_slope_beyond(at, foot, foot, carried, true);
   }
   // A neighbour that shows other water says nothing of how the slope changes here.
-  let off_x = abs(dpdx(at) - sides.xy);
-  let off_y = abs(dpdy(at) - sides.zw);
-  let bend_x = select(vec2f(0.0), dpdx(slope.mean), off_x.x + off_x.y < 0.5 * length(sides.xy));
-  let bend_y = select(vec2f(0.0), dpdy(slope.mean), off_y.x + off_y.y < 0.5 * length(sides.zw));
-  let bent = water_bent(slope, bend_x, bend_y, dot(sides.xy, sides.xy) > dot(sides.zw, sides.zw));
+  let off_x = abs(dpdx(at) - dx);
+  let off_y = abs(dpdy(at) - dy);
+  let bend_x = select(vec2f(0.0), dpdx(slope.mean), off_x.x + off_x.y < 0.5 * length(dx));
+  let bend_y = select(vec2f(0.0), dpdy(slope.mean), off_y.x + off_y.y < 0.5 * length(dy));
+  let bent = water_bent(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
   let place = normalize(in.ray) * bitcast<f32>(point.z);
-  return water_light(WaterPoint(place, vec3f(at.x, height.x, at.y), sides.xy, sides.zw), foot, bent);
+  return water_light(WaterPoint(place, at, height.x, dx, dy), foot, bent);
 }

@@ -85,8 +85,7 @@ pub fn show(
 }
 
 fn steps_per_frame(gpu: &Gpu, n: u32) -> usize {
-    let is_cpu = gpu.device.adapter_info().device_type == wgpu::DeviceType::Cpu;
-    let most = if is_cpu { CPU_STEPS_PER_FRAME } else { STEPS_PER_FRAME };
+    let most = if gpu.is_software() { CPU_STEPS_PER_FRAME } else { STEPS_PER_FRAME };
     most * (256 / n).max(1).pow(2) as usize
 }
 

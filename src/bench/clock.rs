@@ -33,7 +33,7 @@ impl Timing {
 /// Whether timestamps measure the execution. A software adapter writes them when it takes the commands, before it
 /// executes them.
 fn has_true_timestamps(gpu: &Gpu) -> bool {
-    gpu.device.adapter_info().device_type != wgpu::DeviceType::Cpu && gpu.device.features().contains(timer::FEATURES)
+    !gpu.is_software() && gpu.device.features().contains(timer::FEATURES)
 }
 
 /// Times work on a device.

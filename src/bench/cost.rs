@@ -83,7 +83,7 @@ pub const DRAWN_VERTEX: ShaderCost = ShaderCost { flops: 32.0, reads: 0.0 };
 /// Drawing a pixel of the mesh.
 pub const SHOWN: ShaderCost = ShaderCost { flops: 36.0, reads: 0.0 };
 /// Lighting a pixel of the sea.
-pub const LIGHT: ShaderCost = ShaderCost { flops: 10900.0, reads: 90.7 };
+pub const LIGHT: ShaderCost = ShaderCost { flops: 10550.0, reads: 89.7 };
 /// Drawing a pixel of the sky.
 pub const BACKGROUND: ShaderCost = ShaderCost { flops: 2200.0, reads: 8.0 };
 /// Presenting a pixel.

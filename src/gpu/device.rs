@@ -54,6 +54,11 @@ pub async fn adapter() -> Result<wgpu::Adapter, String> {
 }
 
 impl Gpu {
+    /// Whether the adapter is a software rasterizer.
+    pub fn is_software(&self) -> bool {
+        self.device.adapter_info().device_type == wgpu::DeviceType::Cpu
+    }
+
     /// Opens a device for work without a window or canvas, on the adapter that [`adapter`] chooses.
     ///
     /// # Errors

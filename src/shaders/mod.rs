@@ -66,6 +66,7 @@ const BARE_SURFACE: Part = Part::Group(&[part!("common/frame.wgsl"), SURFACE]);
 const WATER: Part = Part::Group(&[
     PICTURE,
     SURFACE,
+    part!("water/footprint.wgsl"),
     part!("water/slope.wgsl"),
     part!("water/material.wgsl"),
     part!("water/fresnel.wgsl"),

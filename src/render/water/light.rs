@@ -36,10 +36,12 @@ struct Parts {
     fog: bool,
     /// Samples of a reference, which are not filtered.
     samples: bool,
+    /// The adapter is a software rasterizer.
+    software: bool,
 }
 
 impl Parts {
-    fn new(scene: &Scene, film: Film) -> Self {
+    fn new(scene: &Scene, film: Film, software: bool) -> Self {
         let surface = &scene.look.surface;
         let bed = material::bed_is_seen(scene);
         Self {
@@ -52,10 +54,11 @@ impl Parts {
             file: scene.look.sky.panorama().is_some(),
             fog: scene.look.sky.fog_extinction_per_km > 0.0,
             samples: film == Film::Reference,
+            software,
         }
     }
 
-    fn constants(self) -> [(&'static str, f64); 9] {
+    fn constants(self) -> [(&'static str, f64); 10] {
         [
             part("WATER_BED", self.bed),
             part("WATER_CAUSTICS", self.caustics),
@@ -66,6 +69,7 @@ impl Parts {
             part("SKY_FILE", self.file),
             part("SKY_FOG", self.fog),
             part("WATER_SAMPLES", self.samples),
+            part("SOFTWARE_ADAPTER", self.software),
         ]
     }
 }
@@ -151,7 +155,7 @@ impl WaterPass {
     pub fn choose(&mut self, gpu: &Gpu, scene: &Scene) {
         let (module, format) = (&self.module, self.scene.film.format());
         let layouts = [&self.scene.layout, &self.maps_layout, &self.g_buffer_layout];
-        self.light.choose(Parts::new(scene, self.scene.film), |parts| {
+        self.light.choose(Parts::new(scene, self.scene.film, gpu.is_software()), |parts| {
             let program =
                 Program { module, entries: ["light_vertex", "light_fragment"], constants: &parts.constants() };
             gpu.render("water/light", &program, &layouts, &attachments(&format, BEHIND_WATER))

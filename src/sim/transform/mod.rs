@@ -25,10 +25,7 @@ pub enum TransformWay {
 impl TransformWay {
     /// The faster way on a device.
     pub fn of(gpu: &Gpu) -> Self {
-        match gpu.device.adapter_info().device_type {
-            wgpu::DeviceType::Cpu => Self::Unrolled,
-            _ => Self::Workgroup,
-        }
+        if gpu.is_software() { Self::Unrolled } else { Self::Workgroup }
     }
 }
 
