@@ -1,30 +1,32 @@
-//! The view matrix of the camera: reverse-Z, infinite far plane, looking along -z in view space.
+//! View and projection of the camera: reverse-Z depth, infinite far plane, looking along -z in view space.
 
 use super::params::Camera;
 use glam::{DMat4, DVec3, DVec4};
 
 /// Mean radius of the Earth, m.
 pub const EARTH_RADIUS_M: f64 = 6_371_000.0;
-/// Distance to the near plane, m.
+/// Distance from the eye to the near clipping plane, m.
 const NEAR_M: f64 = 0.1;
 
-/// Position and axes of a camera. Drawing is relative to the eye, so that f32 suffices far from the origin.
+/// Position, axes and field of view of a camera. Positions are drawn relative to the eye, because f32 would be too
+/// coarse far from the world origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// Position of the eye in the world, m.
+    /// Position of the eye in world axes (x east, y up, z south), m.
     pub eye: DVec3,
-    /// Unit vector to the right edge of the picture.
+    /// Unit vector towards the right edge of the picture, in world axes.
     pub right: DVec3,
-    /// Unit vector to the top edge of the picture.
+    /// Unit vector towards the top edge of the picture, in world axes.
     pub up: DVec3,
-    /// Unit vector into the picture.
+    /// Unit vector of the viewing direction, in world axes.
     pub forward: DVec3,
-    /// Tangent of half the horizontal and vertical fields of view.
+    /// Tangents of half the horizontal and half the vertical field of view.
     pub tan_half: [f64; 2],
 }
 
 impl View {
-    /// The view of a camera. `aspect` is width / height of the picture, `lowest_m` the least height of the eye, m.
+    /// Makes the view of a camera. `aspect` is width / height of the picture, `lowest_m` the smallest height of the
+    /// eye, m.
     pub fn new(camera: &Camera, aspect: f64, lowest_m: f64) -> Self {
         let (heading, pitch) = (camera.heading_deg.to_radians(), camera.pitch_deg.to_radians());
         let forward = DVec3::new(heading.sin() * pitch.cos(), pitch.sin(), -heading.cos() * pitch.cos());
@@ -39,7 +41,7 @@ impl View {
         }
     }
 
-    /// Matrix from positions relative to the eye to clip coordinates.
+    /// Matrix from positions relative to the eye (world axes, m) to clip coordinates.
     pub fn clip_from_relative(&self) -> DMat4 {
         let view = DMat4::from_cols(
             DVec4::new(self.right.x, self.up.x, -self.forward.x, 0.0),
@@ -58,12 +60,12 @@ impl View {
         clip * view
     }
 
-    /// Unit vector through a point of the picture: (-1, -1) is bottom left, (1, 1) top right.
+    /// Unit vector from the eye through a point of the picture: (-1, -1) is bottom left, (1, 1) top right.
     pub fn ray(&self, x: f64, y: f64) -> DVec3 {
         (self.forward + self.right * (x * self.tan_half[0]) + self.up * (y * self.tan_half[1])).normalize()
     }
 
-    /// Distance to the horizon over the curved Earth, m.
+    /// Distance from the eye to the horizon of a spherical Earth without refraction, m.
     pub fn horizon_m(&self) -> f64 {
         (2.0 * EARTH_RADIUS_M * self.eye.y.max(0.0)).sqrt()
     }

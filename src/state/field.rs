@@ -1,11 +1,12 @@
-//! Fields: the name, the allowed values and the access functions of a parameter.
+//! Fields: descriptions of parameters, with key, label, unit, allowed values, help text, and functions to read and
+//! write the value.
 //!
-//! [`parameters!`] declares a struct together with the fields of its members, [`words!`] an enum for a choice. Both
-//! know no particular struct; [`fields`](super::fields) collects the fields of all of them.
+//! The macro [`parameters!`] declares a struct of parameters with a field for each member; [`words!`] declares an enum
+//! with a word for each variant. [`fields`](super::fields) collects the fields of all structs in one list.
 
 use super::text::shortest;
 
-/// Declares an enum with a word for each variant; the words are the values of a [`FieldKind::Choice`].
+/// Declares an enum with a word for each variant, such as the texts of a [`FieldKind::Choice`] in a state string.
 macro_rules! words {
     (
         $(#[$doc:meta])*
@@ -18,10 +19,10 @@ macro_rules! words {
         impl $name {
             /// All variants, in the order of [`Self::WORDS`].
             pub const ALL: [Self; Self::WORDS.len()] = [$(Self::$variant),+];
-            /// The word of each variant.
+            /// Word of each variant, in the order of declaration.
             pub const WORDS: &'static [&'static str] = &[$($word),+];
 
-            /// The word of this variant.
+            /// Word of this variant, from [`Self::WORDS`].
             pub fn word(self) -> &'static str {
                 Self::WORDS[self as usize]
             }
@@ -39,10 +40,10 @@ macro_rules! words {
     };
 }
 
-/// Declares a struct of parameters, its default values and the fields of its members.
+/// Declares a struct of parameters, its `Default`, and a [`FieldOf`] that describes each member.
 ///
-/// A member is written `name: type = default => ("key", "Label", "unit", kind)`. Where the value 0 stands for a word
-/// such as "auto", that word is the fifth entry. The doc comment of the member is the help text that users read. A
+/// A member is written `name: type = default => ("key", "Label", "unit", kind)`. An optional fifth entry is the word
+/// that stands for the value 0, such as "auto". The doc comment of a member is also the help text that users read. A
 /// member without `=>` has no field.
 macro_rules! parameters {
     (
@@ -66,7 +67,7 @@ macro_rules! parameters {
         }
 
         impl $name {
-            /// The fields of this struct as a part of `P`.
+            /// Returns the fields of this struct, which is a part of the parameter set `P`.
             pub(in crate::state) fn fields<P: 'static>(
                 group: $crate::state::field::Group,
                 part: fn(&P) -> &Self,
@@ -94,7 +95,7 @@ macro_rules! parameters {
             group: $group,
             kind: $kind,
             zero: concat!($($zero)?),
-            // Each line of a doc comment begins with a blank.
+            // Each line of a doc comment begins with a space, which also separates the lines.
             help: concat!($($help),+).trim_start(),
             get: Box::new(move |p| $crate::state::field::FieldValue::to_f64($part(p).$member)),
             set: Box::new(move |p, value| $part_mut(p).$member = $crate::state::field::FieldValue::from_f64(value)),
@@ -105,90 +106,90 @@ macro_rules! parameters {
 pub(super) use {parameters, words};
 
 words! {
-    /// Section of the panel that shows a parameter, in the order of the panel; the words are the headings.
+    /// Section of the control panel in which a parameter appears, in the panel's order. The words are the headings.
     pub enum Group {
-        /// Wind and waves.
+        /// First wave system: wind, spectrum and directional spreading.
         Sea = "Sea",
-        /// The second wave system.
+        /// Second wave system, such as the swell of a distant storm.
         Swell = "Second system",
-        /// Depth, physics and displacement.
+        /// Water depth, dispersion relation, physical constants and choppiness.
         Water = "Water",
-        /// Whitecaps.
+        /// Formation and appearance of whitecaps.
         Foam = "Foam",
-        /// Sun and sky.
+        /// Sun, sky, haze and fog.
         Sky = "Sun and sky",
-        /// Colour and reflection of the water.
+        /// Colour, reflectance and roughness of the water, and the sea bed.
         Surface = "Colour and shine",
-        /// Exposure and tone curve.
+        /// Exposure, tone mapping, bloom and dither.
         Film = "Film",
-        /// Mesh and views.
+        /// Water mesh, and the false-colour views that replace the picture.
         View = "Drawing",
-        /// Viewpoint.
+        /// Position, direction, field of view and control mode of the camera.
         Camera = "Camera",
-        /// Simulated time.
+        /// Simulated time, its speed, and the period after which the sea repeats.
         Clock = "Time",
-        /// Resolution of the simulation.
+        /// FFT size and cascades of the simulation.
         Grid = "Resolution",
-        /// The window or the page.
+        /// Display in the window or web page: panel, units and render scale.
         Screen = "Window",
     }
 }
 
 impl Group {
-    /// Heading in the panel.
+    /// Heading of this section in the control panel.
     pub fn label(self) -> &'static str {
         self.word()
     }
 }
 
-/// The values that a parameter can take. All are carried as f64: a choice by its index, a flag as 0 or 1.
+/// Type and range of a parameter's value. Every value is carried as f64: a choice as its index, a flag as 0 or 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FieldKind {
-    /// A real number in a closed range.
+    /// Real number from `min` to `max`, both included.
     Number {
-        /// Smallest value.
+        /// Smallest allowed value, in the unit of the parameter.
         min: f64,
-        /// Largest value.
+        /// Largest allowed value, in the unit of the parameter.
         max: f64,
-        /// Whether the slider is logarithmic.
+        /// Whether the slider in the control panel has a logarithmic scale.
         log: bool,
     },
-    /// An angle in degrees, wrapped into [0, 360).
+    /// Angle in degrees, wrapped into [0, 360).
     Heading,
-    /// A whole number in a closed range.
+    /// Whole number from `min` to `max`, both included.
     Integer {
-        /// Smallest value.
+        /// Smallest allowed value, in the unit of the parameter.
         min: u32,
-        /// Largest value.
+        /// Largest allowed value, in the unit of the parameter.
         max: u32,
     },
-    /// One of several words.
+    /// One of the given words; the value is the index of the word.
     Choice(&'static [&'static str]),
-    /// Yes (1) or no (0).
+    /// On (1) or off (0).
     Flag,
-    /// An sRGB colour as 0xRRGGBB.
+    /// Colour in sRGB as 0xRRGGBB.
     Colour,
 }
 
-/// A number with a linear slider.
+/// Makes the kind of a real number from `min` to `max` with a linear slider.
 pub(super) const fn number(min: f64, max: f64) -> FieldKind {
     FieldKind::Number { min, max, log: false }
 }
 
-/// A number with a logarithmic slider.
+/// Makes the kind of a real number from `min` to `max` with a logarithmic slider.
 pub(super) const fn logarithmic(min: f64, max: f64) -> FieldKind {
     FieldKind::Number { min, max, log: true }
 }
 
-/// A whole number.
+/// Makes the kind of a whole number from `min` to `max`.
 pub(super) const fn integer(min: u32, max: u32) -> FieldKind {
     FieldKind::Integer { min, max }
 }
 
-/// White as 0xRRGGBB, the largest value of a colour.
+/// White as 0xRRGGBB, which is the largest value of a [`FieldKind::Colour`].
 pub(super) const WHITE: f64 = 0x00ff_ffff as f64;
 
-/// A colour of [`FieldKind::Colour`] in linear light: red, green and blue, 0..1 (IEC 61966-2-1).
+/// Converts an sRGB colour 0xRRGGBB to linear red, green and blue, each 0 to 1 (IEC 61966-2-1).
 pub fn linear_rgb(colour: f64) -> [f64; 3] {
     let bits = colour as u32;
     [16, 8, 0].map(|shift| {
@@ -197,11 +198,11 @@ pub fn linear_rgb(colour: f64) -> [f64; 3] {
     })
 }
 
-/// A type of a parameter and its conversion to the f64 that a field carries.
+/// Type of a parameter, with conversions to and from f64, in which [`FieldOf`] carries all values.
 pub(super) trait FieldValue: Copy {
-    /// The number of this value.
+    /// Converts the value to f64: a choice to its index, a flag to 0 or 1.
     fn to_f64(self) -> f64;
-    /// The value of a number that [`FieldOf::accept`] returned.
+    /// Converts back from an f64 that [`FieldOf::accept`] or [`FieldOf::parse`] returned.
     fn from_f64(value: f64) -> Self;
 }
 
@@ -235,46 +236,47 @@ impl FieldValue for bool {
     }
 }
 
-/// One parameter of a set of parameters `P`.
+/// Description of one parameter in the parameter set `P`.
 pub struct FieldOf<P> {
-    /// Name in the state string.
+    /// Key of the parameter in the state string, such as `wind`.
     pub key: &'static str,
-    /// Name in the panel.
+    /// Label of the parameter in the control panel.
     pub label: &'static str,
-    /// Unit of the value, or "".
+    /// Unit of the value, such as "m/s"; empty if it has none.
     pub unit: &'static str,
-    /// Section of the panel.
+    /// Section of the control panel that shows the parameter.
     pub group: Group,
-    /// Allowed values.
+    /// Type and range of the allowed values.
     pub kind: FieldKind,
-    /// Word for the value 0 where 0 is no quantity, such as "auto"; else "".
+    /// Word for the value 0 where 0 has a special meaning, such as "auto" or "off"; else empty.
     pub zero: &'static str,
-    /// Meaning and source.
+    /// Help text: meaning of the parameter, and the paper that it comes from.
     pub help: &'static str,
-    /// Reads the value.
+    /// Reads the value of the parameter from the set `P`.
     pub get: Box<dyn Fn(&P) -> f64 + Send + Sync>,
-    /// Writes a value that [`Self::accept`] returned.
+    /// Writes a value of the parameter, which [`Self::accept`] or [`Self::parse`] returned, into the set `P`.
     pub set: Box<dyn Fn(&mut P, f64) + Send + Sync>,
 }
 
-/// The reason why a value was not taken as given.
+/// How a value that is not allowed was treated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Refusal {
-    /// It is no value of this parameter and is ignored.
+    /// The value has no meaning for this parameter and is ignored.
     Ignored,
-    /// It is outside the range; this value is taken instead.
+    /// The value is outside the allowed range; the nearest allowed value, given here, is taken instead.
     Clamped(f64),
 }
 
 impl<P: Default> FieldOf<P> {
-    /// The default value.
+    /// Default value of the parameter, from `P::default()`.
     pub fn default_value(&self) -> f64 {
         (self.get)(&P::default())
     }
 }
 
 impl<P> FieldOf<P> {
-    /// The value if it is allowed, else the nearest allowed value as a refusal; NaN and infinities are ignored.
+    /// Checks a value and returns it if it is allowed; headings are wrapped. Otherwise returns the nearest allowed
+    /// value as [`Refusal::Clamped`], or [`Refusal::Ignored`] for NaN and infinities.
     pub fn accept(&self, value: f64) -> Result<f64, Refusal> {
         if !value.is_finite() {
             return Err(Refusal::Ignored);
@@ -290,7 +292,7 @@ impl<P> FieldOf<P> {
         if taken == value { Ok(taken) } else { Err(Refusal::Clamped(taken)) }
     }
 
-    /// Reads a value of a state string.
+    /// Parses a value in a state string: a word of a choice, a flag, a hexadecimal colour or a number.
     pub fn parse(&self, text: &str) -> Result<f64, Refusal> {
         let text = text.trim();
         match self.kind {
@@ -312,7 +314,7 @@ impl<P> FieldOf<P> {
         }
     }
 
-    /// Writes a value for a state string: the shortest text that reads back to the same number.
+    /// Formats a value for a state string as the shortest text that parses to the same value.
     pub fn format(&self, value: f64) -> String {
         match self.kind {
             FieldKind::Choice(words) => words.get(value as usize).copied().unwrap_or_default().to_owned(),
@@ -322,7 +324,7 @@ impl<P> FieldOf<P> {
         }
     }
 
-    /// The allowed values in words, for help texts and tooltips.
+    /// Describes the allowed values for help texts and tooltips, such as "0 (auto) to 30".
     pub fn range(&self) -> String {
         let zero = if self.zero.is_empty() { String::new() } else { format!(" ({})", self.zero) };
         match self.kind {
@@ -337,7 +339,7 @@ impl<P> FieldOf<P> {
     }
 }
 
-/// An angle in degrees, wrapped into [0, 360).
+/// Wraps an angle in degrees into [0, 360).
 fn wrap_degrees(value: f64) -> f64 {
     let wrapped = value.rem_euclid(360.0);
     if wrapped >= 360.0 { 0.0 } else { wrapped + 0.0 }

@@ -1,4 +1,5 @@
-//! The list of all parameters: the source of the query codec, the panel, the command-line help and property tests.
+//! List of all parameters, from which the state string, the panel, the command-line help and the property tests are
+//! made.
 
 use super::field::{FieldOf, number};
 use super::look::{BedLook, FilmLook, FoamLook, Look, Reflection, Scattering, SkyLook};
@@ -8,12 +9,12 @@ use std::sync::LazyLock;
 
 pub use super::field::{FieldKind, Group, Refusal, linear_rgb};
 
-/// One parameter.
+/// Description of one parameter of [`Params`].
 pub type Field = FieldOf<Params>;
 
 /// Every parameter, in the order in which the state string writes them.
 pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
-    // The fields of a struct at its place within `Params`.
+    // Fields of a parameter struct that is found at `$place` in `Params`.
     macro_rules! part {
         ($struct:ident, $group:ident, $($place:tt)+) => {
             $struct::fields(Group::$group, |p: &Params| &p.$($place)+, |p: &mut Params| &mut p.$($place)+)
@@ -46,7 +47,7 @@ pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
     parts.into_iter().flatten().collect()
 });
 
-/// Appends a number to the keys of fields. The leak is small and happens once, when [`FIELDS`] is made.
+/// Appends a number to the keys of fields, as in `wind2`. The new keys are leaked once, when [`FIELDS`] is made.
 fn numbered(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
     for field in &mut fields {
         field.key = format!("{}{number}", field.key).leak();
@@ -54,7 +55,7 @@ fn numbered(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
     fields
 }
 
-/// Appends a number to the keys and labels of a patch's fields.
+/// Appends the number of a cascade to the keys and labels of its fields, as in `patch1` and "Patch 1".
 fn patch(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
     for field in &mut fields {
         field.label = format!("{} {number}", field.label).leak();
@@ -62,7 +63,7 @@ fn patch(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
     numbered(number, fields)
 }
 
-/// The loop time: a parameter of the sea, shown with the time.
+/// Field of the period [`Sea::loop_s`] after which the sea repeats: a parameter of the sea, shown with the time.
 fn loop_time() -> Field {
     Field {
         key: "loop",
@@ -71,13 +72,13 @@ fn loop_time() -> Field {
         group: Group::Clock,
         kind: number(0.0, 3600.0),
         zero: "none",
-        help: "Period after which the sea repeats; 0 means none (a day). Every wave's frequency is rounded to fit.",
+        help: "Period after which the sea repeats; 0 (none) is a day. Wave frequencies become multiples of 1/period.",
         get: Box::new(|p| p.sea.loop_s),
         set: Box::new(|p, value| p.sea.loop_s = value),
     }
 }
 
-/// The FFT size: a whole number with few allowed values.
+/// Field of the FFT size [`Grid::n`], a whole number with five allowed values.
 fn fft_size() -> Field {
     const SIZES: [u32; 5] = [64, 128, 256, 512, 1024];
     Field {
@@ -87,13 +88,13 @@ fn fft_size() -> Field {
         group: Group::Grid,
         kind: FieldKind::Choice(&["64", "128", "256", "512", "1024"]),
         zero: "",
-        help: "Samples along one side of a cascade. More samples add shorter waves and never change the others.",
+        help: "Samples along one side of a cascade. More samples add shorter waves and never change the longer ones.",
         get: Box::new(|p| SIZES.iter().position(|&n| n == p.grid.n).unwrap_or(2) as f64),
         set: Box::new(|p, value| p.grid.n = SIZES[value as usize]),
     }
 }
 
-/// The parameter of a key.
+/// Finds a parameter by its key in the state string.
 pub fn find(key: &str) -> Option<&'static Field> {
     FIELDS.iter().find(|f| f.key == key)
 }

@@ -1,9 +1,9 @@
-//! Moored buoys and boats, as the state holds them.
+//! Floating objects (moored buoys and boats): their kind, their position, and their text in the state string.
 
 use super::field::words;
 use super::text::shortest;
 
-/// Largest number of floating objects.
+/// Largest number of floating objects in one state.
 pub const MAX_FLOATS: usize = 16;
 
 words! {
@@ -11,26 +11,26 @@ words! {
     pub enum FloatKind {
         /// A moored buoy, 3 m high.
         Buoy = "buoy",
-        /// A small open boat, 7 m long, bow to the waves.
+        /// A small open boat, 7 m long, with its bow to the waves.
         Boat = "boat",
     }
 }
 
-/// A floating object, moored to a place.
+/// A floating object, moored at a fixed horizontal position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Float {
-    /// Kind of the object.
+    /// Kind of the object: buoy or boat.
     pub kind: FloatKind,
-    /// East of the origin, m.
+    /// Position of the mooring east of the world origin, m.
     pub x_m: f64,
-    /// South of the origin, m.
+    /// Position of the mooring south of the world origin, m.
     pub z_m: f64,
 }
 
-/// Reads the list of a state string, such as `buoy*12*-30_boat*0*40`.
+/// Parses the floating objects of a state string: kind, metres east and metres south, as in `buoy*12*-30_boat*0*40`.
 ///
 /// # Errors
-/// One sentence that says what is wrong.
+/// Returns one sentence that says what is wrong with the text.
 pub fn read(text: &str) -> Result<Vec<Float>, String> {
     let one = |part: &str| -> Option<Float> {
         let mut parts = part.split('*');
@@ -50,7 +50,7 @@ pub fn read(text: &str) -> Result<Vec<Float>, String> {
     Ok(floats)
 }
 
-/// Writes a list for a state string.
+/// Formats floating objects for a state string; [`read`] is the inverse.
 pub fn write(floats: &[Float]) -> String {
     let one = |f: &Float| format!("{}*{}*{}", f.kind.word(), shortest(f.x_m), shortest(f.z_m));
     floats.iter().map(one).collect::<Vec<_>>().join("_")

@@ -1,4 +1,4 @@
-//! The state of a sea as the user sets it: parameters, their state string, presets and views. All of it is plain data.
+//! State of the simulator that the user sets, as plain data: parameters, their state string, presets, camera and views.
 
 pub mod camera;
 mod field;

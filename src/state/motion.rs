@@ -1,27 +1,29 @@
-//! Motion of the camera: looking around, orbiting, zooming, flying, and the named views.
+//! Camera motion by user input (looking around, orbiting, zooming, flying), and named camera views.
 
 use super::Params;
 use super::camera::{EARTH_RADIUS_M, View};
 use super::params::{Camera, CameraMode};
 use glam::DVec3;
 
-/// Allowed heights of the camera, m.
+/// Smallest height of the camera above the still water, m.
 const LOWEST_M: f64 = 1.0;
+/// Largest height of the camera above the still water, m.
 const HIGHEST_M: f64 = 5000.0;
-/// Largest distance of the pivot of an orbit: this many camera heights plus this many metres.
+/// Largest distance from the camera to the pivot of an orbit, in camera heights; [`FAR_M`] is added.
 const FAR_HEIGHTS: f64 = 12.0;
+/// Constant part of the largest distance from the camera to the pivot of an orbit, m; [`FAR_HEIGHTS`] gives the rest.
 const FAR_M: f64 = 30.0;
 
-/// A named view of the sea.
+/// A named camera view of the sea, which a button of the panel selects.
 pub struct NamedView {
-    /// Name on the button.
+    /// Name of the view, shown on its button.
     pub name: &'static str,
-    /// Tooltip.
+    /// Description of the view, shown as the tooltip of its button.
     pub about: &'static str,
     camera: fn(&Params) -> Camera,
 }
 
-/// The named views. They keep the horizontal position and change height and direction.
+/// All named camera views. Each keeps the horizontal position and sets height, pitch and field of view; some turn too.
 pub const VIEWS: &[NamedView] = &[
     NamedView { name: "Deck", about: "Seven metres up, as at the start.", camera: |p| seen(p, 7.0, -4.0, 50.0) },
     NamedView {
@@ -60,24 +62,26 @@ pub const VIEWS: &[NamedView] = &[
     },
 ];
 
-/// A camera at the current horizontal position and heading.
+/// Camera with the current horizontal position and heading but new height, pitch and field of view. Buoy mode becomes
+/// fly mode.
 fn seen(p: &Params, y_m: f64, pitch_deg: f64, fov_deg: f64) -> Camera {
     let mode = if p.camera.mode == CameraMode::Buoy { CameraMode::Fly } else { p.camera.mode };
     Camera { y_m, pitch_deg: pitch_deg.round(), fov_deg, mode, ..p.camera.clone() }
 }
 
-/// Goes to a named view.
+/// Moves the camera to a named view.
 pub fn turn_to(params: &mut Params, view: &NamedView) {
     params.camera = (view.camera)(params);
 }
 
-/// Turns the view by angles to the right and up, degrees.
+/// Turns the viewing direction to the right and upwards by the given angles, degrees.
 pub fn turn(camera: &mut Camera, right_deg: f64, up_deg: f64) {
     camera.heading_deg = (camera.heading_deg + right_deg).rem_euclid(360.0);
     camera.pitch_deg = (camera.pitch_deg + up_deg).clamp(-89.0, 60.0);
 }
 
-/// Distance along the view to the pivot of an orbit, m: the sea in the middle of the picture, within a limit.
+/// Distance from the camera to the pivot of an orbit, m: to the sea in the middle of the picture, or a limit if that is
+/// farther or there is no sea in the middle.
 fn pivot_m(camera: &Camera) -> f64 {
     let far = FAR_HEIGHTS * camera.y_m + FAR_M;
     let down = -camera.pitch_deg.to_radians().sin();
@@ -92,12 +96,12 @@ fn eye_and_forward(camera: &Camera) -> (DVec3, DVec3) {
     (view.eye, view.forward)
 }
 
-/// Turns around the pivot at constant distance, by angles in degrees.
+/// Moves the camera around the pivot of its orbit at constant distance, by angles in degrees.
 pub fn orbit(camera: &mut Camera, right_deg: f64, up_deg: f64) {
     let distance = pivot_m(camera);
     let (eye, before) = eye_and_forward(camera);
     let pivot = eye + distance * before;
-    // The camera stays above its lowest height.
+    // Pitch at which the camera reaches its smallest allowed height, degrees.
     let lowest = -((LOWEST_M - pivot.y) / distance).clamp(-1.0, 1.0).asin().to_degrees();
     camera.heading_deg = (camera.heading_deg + right_deg).rem_euclid(360.0);
     camera.pitch_deg = (camera.pitch_deg - up_deg).clamp(-89.0, lowest.max(-89.0));
@@ -105,7 +109,7 @@ pub fn orbit(camera: &mut Camera, right_deg: f64, up_deg: f64) {
     place(camera, pivot - distance * after);
 }
 
-/// Scales the field of view, or in orbit the distance to the pivot.
+/// Multiplies the field of view by `factor`, or in orbit mode the distance to the pivot.
 pub fn zoom(camera: &mut Camera, factor: f64) {
     if camera.mode != CameraMode::Orbit {
         camera.fov_deg = (camera.fov_deg * factor).clamp(10.0, 100.0);
@@ -113,21 +117,21 @@ pub fn zoom(camera: &mut Camera, factor: f64) {
     }
     let (eye, ahead) = eye_and_forward(camera);
     let distance = pivot_m(camera);
-    // The allowed heights limit the distance.
+    // The distance is limited so that the camera stays within its allowed heights.
     let down = (-ahead.y).max(1e-3);
     let least = if -ahead.y > 1e-3 { LOWEST_M / down } else { 5.0 };
     let wanted = (distance * factor).clamp(least, HIGHEST_M / down);
     place(camera, eye + (distance - wanted) * ahead);
 }
 
-/// Flies by metres to the right, ahead and up.
+/// Moves the camera to the right, horizontally ahead and up, by distances in metres.
 pub fn fly(camera: &mut Camera, right_m: f64, ahead_m: f64, up_m: f64) {
     let (sin, cos) = camera.heading_deg.to_radians().sin_cos();
     let step = DVec3::new(ahead_m * sin + right_m * cos, up_m, right_m * sin - ahead_m * cos);
     place(camera, DVec3::new(camera.x_m, camera.y_m, camera.z_m) + step);
 }
 
-/// Moves to a position, within the limits of the parameters.
+/// Sets the position of the camera, clamped to the ranges of its parameters.
 fn place(camera: &mut Camera, eye: DVec3) {
     camera.x_m = eye.x.clamp(-1e6, 1e6);
     camera.y_m = eye.y.clamp(LOWEST_M, HIGHEST_M);

@@ -1,8 +1,9 @@
-//! All parameters that a user can set. Values are in the units of the state string; [`Plan`](crate::waves::Plan)
-//! converts them to SI.
+//! All parameters that a user can set, in the units of the state string. [`Plan`](crate::waves::Plan) converts them to
+//! SI.
 //!
-//! The members of [`Params`] are the levels of invalidation: `grid` reallocates, `sea` reruns the spectrum pass, the
-//! rest are uniforms. There are no dirty flags: the owner of a resource compares with the parameters it was made from.
+//! The members of [`Params`] differ in what a change costs: `grid` reallocates GPU resources, `sea` runs the spectrum
+//! pass again, the others change uniform buffers. There are no dirty flags: the owner of a resource compares the
+//! current parameters with those that it was made from.
 
 use super::field::FieldKind::{Choice, Flag, Heading};
 use super::field::{integer, logarithmic, number, parameters, words};
@@ -10,18 +11,18 @@ use super::floats::Float;
 pub use super::look::Look;
 pub use super::sea::{DepthFactor, DispersionKind, Foam, Sea, SpectrumKind, SpreadKind, System, Whitecaps};
 
-/// Everything that a link can carry. Values that were set through [`fields`](super::fields) are always valid.
+/// All state that a link can carry. Values that were set through [`fields`](super::fields) are always valid.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Params {
-    /// Resolution of the simulation.
+    /// Resolution of the simulation: FFT size and cascades.
     pub grid: Grid,
-    /// Sea state.
+    /// Sea state: wave systems, water, displacement and whitecaps.
     pub sea: Sea,
-    /// Light, water and film.
+    /// Appearance: sky, water, exposure and tone mapping.
     pub look: Look,
-    /// Viewpoint.
+    /// Position, direction, field of view and control mode of the camera.
     pub camera: Camera,
-    /// Simulated time.
+    /// Simulated time and its speed.
     pub clock: Clock,
     /// Moored buoys and boats.
     pub floats: Vec<Float>,
@@ -29,79 +30,81 @@ pub struct Params {
     pub screen: Screen,
 }
 
-/// Largest number of cascades.
+/// Largest number of cascades, the patches of different sizes whose sum is the sea.
 pub const MAX_CASCADES: usize = 4;
 
 parameters! {
-    /// Resolution of the simulation.
+    /// Resolution of the simulation: FFT size and cascades.
     pub struct Grid {
-        /// Samples along one side of a cascade: a power of two from 64 to 1024. The field is in `fields.rs`.
+        /// FFT size: samples along one side of a cascade, a power of two from 64 to 1024. Its field is in `fields.rs`.
         n: u32 = 256,
-        /// Number of cascades, whose sum is the sea; 0 lets the plan choose.
+        /// Number of cascades, the patches of different sizes whose sum is the sea; 0 chooses it automatically.
         cascades: u32 = 0 => ("cascades", "Cascades", "", integer(0, MAX_CASCADES as u32), "auto"),
-        /// Each cascade carries all the waves that its lattice can hold, instead of a band of its own. Where n cascades
-        /// hold the same waves they share the energy: each amplitude is scaled by 1/sqrt(n).
+        /// Each cascade carries all the waves that its lattice can hold, instead of a wave-number band of its own.
+        /// Waves that n cascades hold have their amplitude scaled by 1/sqrt(n) in each, which keeps their energy.
         overlap: bool = false => ("overlap", "Overlapping bands", "", Flag),
-        /// Blends the surface from shifted copies of each patch, with weights that keep its statistics (Heitz and
-        /// Neyret 2018); 0 shows the periodic sum of patches.
+        /// Hides the repetition of the patches: blends shifted copies of each patch, with weights that keep its
+        /// statistics (Heitz and Neyret 2018). 0 shows the periodic patches.
         untile: bool = true => ("untile", "No repetition", "", Flag),
-        /// Settings of the cascades by hand, longest patch first.
+        /// Manual settings of each cascade, the longest patch first.
         patches: [PatchOverride; MAX_CASCADES] = [PatchOverride::default(); MAX_CASCADES],
     }
 }
 
 parameters! {
-    /// A cascade as set by hand; 0 leaves a value to the plan.
+    /// Manual settings of one cascade. A value of 0 is replaced by an automatic choice.
     #[derive(Copy)]
     pub struct PatchOverride {
-        /// Side of this cascade's square patch, its length scale; 0 lets the plan choose.
+        /// Side of this cascade's square patch; 0 chooses it automatically.
         side_m: f64 = 0.0 => ("patch", "Patch", "m", number(0.0, 1e5), "auto"),
-        /// Wave number at which the waves of this cascade begin; 0 lets the plan choose.
+        /// Smallest wave number of the waves in this cascade; 0 chooses it automatically.
         k_low: f64 = 0.0 => ("low", "Low cut-off", "rad/m", number(0.0, 1e4), "auto"),
-        /// Wave number below which the waves of this cascade end; 0 lets the plan choose. Overlaps share energy.
+        /// Wave number below which the waves of this cascade end; 0 chooses it automatically. Cascades with the same
+        /// wave numbers share their energy.
         k_high: f64 = 0.0 => ("high", "High cut-off", "rad/m", number(0.0, 1e4), "auto"),
     }
 }
 
 words! {
-    /// Movement of the camera.
+    /// Control mode of the camera.
     pub enum CameraMode {
-        /// The camera looks around from its place, and flies.
+        /// Dragging turns the viewing direction; the keys move the camera.
         Fly = "fly",
-        /// The camera turns around the point of the sea in the middle of the picture.
+        /// Dragging moves the camera around the point of the sea in the middle of the picture.
         Orbit = "orbit",
-        /// The camera rides on the water; its height counts from the water below it.
+        /// The camera rides on the waves; its height counts from the water surface below it.
         Buoy = "buoy",
     }
 }
 
 parameters! {
-    /// Viewpoint. World axes: +x east, +y up, -z north.
+    /// Camera: position, direction, field of view and control mode. World axes: +x east, +y up, -z north.
     pub struct Camera {
-        /// Position of the camera east of the origin.
+        /// Distance of the camera east of the world origin.
         x_m: f64 = 0.0 => ("x", "East", "m", number(-1e6, 1e6)),
-        /// Height of the camera above the still water; passing waves lift it, so that it is never under water.
+        /// Height of the camera above the still water. Waves that reach the camera lift it, so it is never under water.
         y_m: f64 = 7.0 => ("y", "Height", "m", logarithmic(1.0, 5000.0)),
-        /// Position of the camera south of the origin.
+        /// Distance of the camera south of the world origin.
         z_m: f64 = 0.0 => ("z", "South", "m", number(-1e6, 1e6)),
-        /// Viewing direction, clockwise from north.
+        /// Compass heading of the viewing direction, clockwise from north.
         heading_deg: f64 = 40.0 => ("heading", "Heading", "deg", Heading),
-        /// Viewing direction above (+) or below (-) the horizontal.
+        /// Angle of the viewing direction above (+) or below (-) the horizontal.
         pitch_deg: f64 = -4.0 => ("pitch", "Pitch", "deg", number(-89.0, 60.0)),
-        /// Vertical field of view; it stays when the window changes shape.
+        /// Vertical field of view; it does not depend on the shape of the window.
         fov_deg: f64 = 50.0 => ("fov", "Field of view", "deg", number(10.0, 100.0)),
-        /// fly: dragging looks around, the keys fly; orbit: the camera turns around the sea in the middle of the
-        /// picture; buoy: the camera rides on the water, its height counts from the water below it.
+        /// Control mode of the camera. fly: dragging turns the view, the keys move the camera; orbit: dragging moves
+        /// the camera around the point of the sea in the middle of the picture; buoy: the camera rides on the waves,
+        /// and its height counts from the water below it.
         mode: CameraMode = CameraMode::Fly => ("camera", "Mode", "", Choice(CameraMode::WORDS)),
     }
 }
 
 parameters! {
-    /// Simulated time.
+    /// Simulated time and its speed.
     pub struct Clock {
-        /// Simulated time since the start of the sea.
+        /// Simulated time; at 0 the waves have their initial phases.
         t_s: f64 = 0.0 => ("t", "Time", "s", number(0.0, 1e7)),
-        /// Simulated seconds per second.
+        /// Speed of the simulated time: simulated seconds per second of real time.
         speed: f64 = 1.0 => ("speed", "Speed", "x", number(0.0, 10.0)),
         /// Stops the simulated time.
         paused: bool = false => ("pause", "Paused", "", Flag),
@@ -109,29 +112,30 @@ parameters! {
 }
 
 words! {
-    /// Units of the panel; the state string is always metric.
+    /// Units that the control panel shows; the state string is always metric.
     pub enum Units {
-        /// Metres, kilometres, metres per second.
+        /// Metres, kilometres and metres per second.
         Metric = "metric",
-        /// Feet, nautical miles, knots.
+        /// Feet, nautical miles and knots.
         Nautical = "nautical",
     }
 }
 
 parameters! {
-    /// Presentation in the window or on the page; it changes neither the sea nor its light nor the view.
+    /// Display settings of the window or web page. They change neither the sea nor its light nor the camera.
     pub struct Screen {
-        /// Shows the panel; 0 suits a page that is embedded in another. Key H.
+        /// Shows the control panel (key H); 0 hides it, as suits a page that is embedded in another.
         panel: bool = true => ("ui", "Panel", "", Flag),
-        /// Units of the panel: metric, or feet, nautical miles and knots. The state string is always metric.
+        /// Units that the control panel shows: metric, or feet, nautical miles and knots. The state string is always
+        /// metric.
         units: Units = Units::Metric => ("units", "Units", "", Choice(Units::WORDS)),
-        /// Pixels of the picture per pixel of the window, along a side: less is faster and softer, more is smoother.
+        /// Rendered pixels per window pixel along each axis: below 1 is faster and softer, above 1 is smoother.
         render_scale: f64 = 1.0 => ("renderscale", "Render scale", "", number(0.25, 2.0)),
-        /// Lowers the resolution of the picture, and at its limit the FFT size, while frames take long; raises both
-        /// again when there is time. The waves that remain never change.
+        /// Lowers the render resolution, and at its limit the FFT size, while frames take too long; raises both again
+        /// when there is time. The waves that remain never change.
         adaptive: bool = true => ("adaptive", "Adaptive quality", "", Flag),
-        /// Largest number of picture pixels per point of the window, along a side. Phones and dense screens have more
-        /// pixels than the eye resolves.
+        /// Largest number of rendered pixels per logical pixel (point) of the window, along each axis. Phones and dense
+        /// screens have more pixels than the eye resolves.
         max_pixel_ratio: f64 = 2.0 => ("maxdpr", "Pixel ratio, at most", "", number(0.5, 4.0)),
     }
 }

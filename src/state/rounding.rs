@@ -1,22 +1,24 @@
-//! The precision of links: camera and time are rounded to the digits that a person can see.
+//! Rounds camera and simulated time for links, so that a URL has no more digits than a person can see.
 
 use super::Params;
 use super::params::Camera;
 
-/// The camera, and the time while it is stopped, s.
+/// Camera parameters, and the simulated time in s while it is paused; `None` while it runs.
 pub type Pose = (Camera, Option<f64>);
 
-/// Camera and stopped time of the parameters.
+/// Returns the camera, and the simulated time if it is paused.
 pub fn pose(params: &Params) -> Pose {
     (params.camera.clone(), params.clock.paused.then_some(params.clock.t_s))
 }
 
-/// The parameters as a link writes them: camera and running time to one decimal, a stopped time to three.
+/// Copy of the parameters as a link writes them: camera values and a running time to one decimal, a paused time to
+/// three.
 pub fn rounded(params: &Params) -> Params {
     let mut p = params.clone();
-    // Dividing whole numbers gives the double whose shortest text is the decimal fraction.
+    // The quotient of two whole numbers is the f64 nearest to the decimal fraction, so it prints without further
+    // digits.
     let round = |x: &mut f64, steps_per_unit: f64| *x = (*x * steps_per_unit).round() / steps_per_unit;
-    // Single frames of a stopped time differ by 1/60 s.
+    // A paused time can be stepped by single frames of 1/60 s, so it needs milliseconds.
     round(&mut p.clock.t_s, if p.clock.paused { 1000.0 } else { 10.0 });
     let c = &mut p.camera;
     for value in [&mut c.x_m, &mut c.y_m, &mut c.z_m, &mut c.heading_deg, &mut c.pitch_deg, &mut c.fov_deg] {

@@ -1,4 +1,4 @@
-//! The sea state: wave systems, water and whitecaps.
+//! Parameters of the sea state: wave systems, water, displacement and whitecaps.
 
 use super::field::FieldKind::{Choice, Flag, Heading};
 use super::field::{integer, logarithmic, number, parameters, words};
@@ -6,13 +6,13 @@ use crate::files::measured::MeasuredSpectrum;
 use std::sync::Arc;
 
 words! {
-    /// Family of the frequency spectrum.
+    /// Family of the frequency spectrum of a wave system.
     pub enum SpectrumKind {
-        /// Equilibrium range alone, Phillips 1958.
+        /// Equilibrium range only: zero below the peak, omega^-5 above it, Phillips 1958.
         Phillips = "phillips",
-        /// Phillips' spectrum over wave numbers with its own directional factor, Tessendorf 2001.
+        /// Phillips' spectrum over wave vectors with its own cos^2 directional factor, Tessendorf 2001.
         Tessendorf = "tessendorf",
-        /// A omega^-5 exp(-B omega^-4) with given A and B.
+        /// A omega^-5 exp(-B omega^-4) with coefficients A and B that the user sets.
         GeneralisedAb = "ab",
         /// Fully developed sea, Pierson and Moskowitz 1964.
         PiersonMoskowitz = "pm",
@@ -22,7 +22,7 @@ words! {
         Tma = "tma",
         /// Black Sea near the shore, Trusca 2007.
         Marnero = "marnero",
-        /// JONSWAP with a tail of several slopes down to ripples, Karaev and Balandina 2000.
+        /// JONSWAP with a tail of power laws down to capillary waves, Karaev and Balandina 2000.
         Karaev = "karaev",
         /// Unified spectrum of gravity and capillary waves, Elfouhaily et al. 1997.
         Elfouhaily = "elfouhaily",
@@ -32,110 +32,122 @@ words! {
         OchiHubble = "ochi-hubble",
         /// Swell and wind sea of the North Sea, Torsethaugen and Haver 2004.
         Torsethaugen = "torsethaugen",
-        /// Spectrum from a buoy's file.
+        /// Spectrum that a wave buoy measured, from a file.
         Measured = "measured",
     }
 }
 
 words! {
-    /// Family of the directional spreading.
+    /// Family of the directional spreading of a wave system.
     pub enum SpreadKind {
         /// The same energy in every direction.
         Isotropic = "isotropic",
-        /// cos^2 over the whole circle: as much energy runs against the wind as with it.
+        /// cos^2 of the angle to the wind over the full circle: as much energy runs against the wind as with it.
         Cos2 = "cos2",
-        /// cos^2 over the half circle around the wind.
+        /// cos^2 of the angle to the wind over the half circle downwind; no energy runs against the wind.
         Cos2Positive = "cos2-positive",
-        /// cos^{2s}(theta/2), Mitsuyasu et al. 1975.
+        /// cos^{2s}(theta/2) of the angle theta to the wind, with the exponent s of Mitsuyasu et al. 1975.
         Mitsuyasu = "mitsuyasu",
-        /// cos^{2s}(theta/2), Hasselmann, Dunckel and Ewing 1980.
+        /// cos^{2s}(theta/2) of the angle theta to the wind, with the exponent s of Hasselmann, Dunckel and Ewing 1980.
         Hasselmann = "hasselmann",
-        /// sech^2(beta theta), Donelan, Hamilton and Hui 1985 with Banner 1990.
+        /// sech^2(beta theta) of the angle theta to the wind, Donelan, Hamilton and Hui 1985, with Banner's tail of
+        /// 1990.
         DonelanBanner = "donelan-banner",
-        /// 1 + Delta cos(2 theta), Elfouhaily et al. 1997.
+        /// 1 + Delta cos(2 theta) of the angle theta to the wind, Elfouhaily et al. 1997; as strong against the wind as
+        /// with it.
         Elfouhaily = "elfouhaily",
     }
 }
 
 words! {
-    /// Dispersion relation.
+    /// Dispersion relation between angular frequency omega and wave number k.
     pub enum DispersionKind {
-        /// omega^2 = g k at any depth.
+        /// Gravity waves in deep water, whatever the depth is set to: omega^2 = g k.
         Deep = "deep",
-        /// omega^2 = g k tanh(k h).
+        /// Gravity waves in water of depth h: omega^2 = g k tanh(k h).
         Finite = "finite",
-        /// omega^2 = (g k + sigma/rho k^3) tanh(k h).
+        /// Waves with surface tension sigma in water of depth h and density rho: omega^2 = (g k + sigma/rho k^3) tanh(k
+        /// h).
         Capillary = "capillary",
     }
 }
 
 words! {
-    /// Form of Kitaigorodskii's depth factor.
+    /// Formula for Kitaigorodskii's depth factor, by which the TMA spectrum limits waves in shallow water.
     pub enum DepthFactor {
-        /// tanh^2(kh) / (1 + 2kh / sinh 2kh).
+        /// Exact factor tanh^2(kh) / (1 + 2kh / sinh 2kh) of wave number k and depth h.
         Exact = "exact",
-        /// Three branches in omega sqrt(h/g), Thompson and Vincent 1983.
+        /// Fit with three branches in omega sqrt(h/g), with depth h, Thompson and Vincent 1983.
         Branches = "branches",
     }
 }
 
 words! {
-    /// Source of the foam threshold.
+    /// Source of the foam threshold, the Jacobian below which foam forms.
     pub enum Whitecaps {
-        /// The whitecap coverage of the wind, Monahan and O'Muircheartaigh 1980.
+        /// Whitecap coverage at the wind speed, Monahan and O'Muircheartaigh 1980.
         Monahan = "monahan",
-        /// The user.
+        /// Value that the user sets.
         Fixed = "fixed",
     }
 }
 
 parameters! {
-    /// One wave system: a spectrum with its own wind. The default is the local wind sea.
+    /// One wave system: a spectrum with its own wind and directional spreading. The default is the local wind sea.
     pub struct System {
-        /// Frequency spectrum. phillips: equilibrium range alone (1958); tessendorf: over wave numbers, with its own
-        /// cos^2 spreading (2001); ab: A w^-5 exp(-B w^-4); pm: fully developed sea (Pierson and Moskowitz 1964);
-        /// jonswap: fetch-limited sea (Hasselmann et al. 1973); tma: jonswap in shallow water (Bouws et al. 1985);
-        /// marnero: Black Sea (Trusca 2007); karaev: jonswap with ripples (2000); elfouhaily: gravity and capillary
-        /// waves (1997); donelan: fetch-limited with a w^-4 range (1985); ochi-hubble, torsethaugen: two peaks (1976,
-        /// 2004); measured: a buoy's file.
+        /// Frequency spectrum, with angular frequency w. phillips: equilibrium range only (1958); tessendorf: Phillips'
+        /// spectrum over wave vectors, with its own cos^2 spreading (2001); ab: A w^-5 exp(-B w^-4); pm: fully
+        /// developed sea (Pierson and Moskowitz 1964); jonswap: fetch-limited sea (Hasselmann et al. 1973); tma:
+        /// jonswap in shallow water (Bouws et al. 1985); marnero: Black Sea (Trusca 2007); karaev: jonswap with a tail
+        /// down to capillary waves (2000); elfouhaily: gravity and capillary waves (1997); donelan: fetch-limited with
+        /// a w^-4 range (1985); ochi-hubble, torsethaugen: swell and wind sea (1976, 2004); measured: from a buoy's
+        /// file.
         spectrum: SpectrumKind = SpectrumKind::Jonswap => ("spectrum", "Spectrum", "", Choice(SpectrumKind::WORDS)),
-        /// Scale on the height of this system: 1 is the physical height, 0 switches the system off.
+        /// Factor on the wave height of this system: 1 is the physical height, 0 switches the system off.
         scale: f64 = 1.0 => ("scale", "Scale", "", number(0.0, 5.0), "off"),
         /// Wind speed 10 m above the sea: Beaufort 4 is about 7, a gale (Beaufort 8) about 19, a hurricane above 33.
         wind_m_s: f64 = 12.0 => ("wind", "Wind", "m/s", number(0.0, 60.0)),
-        /// Distance over which the wind has blown: a longer fetch makes longer and higher waves (Hasselmann 1973).
+        /// Fetch, the distance over which the wind has blown: a longer one makes longer and higher waves (Hasselmann
+        /// 1973).
         fetch_km: f64 = 150.0 => ("fetch", "Fetch", "km", logarithmic(0.5, 2000.0)),
         /// Direction that wind and waves come from, clockwise from north, as in a forecast.
         from_deg: f64 = 240.0 => ("dir", "From", "deg", Heading),
-        /// Significant wave height; 0 derives it from wind and fetch. marnero: sqrt(2) times its rms height.
+        /// Significant wave height; 0 derives it from wind and fetch. For marnero it is sqrt(2) times the rms wave
+        /// height.
         hs_m: f64 = 0.0 => ("hs", "Height Hs", "m", number(0.0, 30.0), "auto"),
-        /// Peak period; 0 derives it from wind and fetch. marnero: 1.2 times its mean period.
+        /// Peak period; 0 derives it from wind and fetch. For marnero it is 1.2 times the mean period.
         tp_s: f64 = 0.0 => ("tp", "Period Tp", "s", number(0.0, 30.0), "auto"),
-        /// Peak enhancement of jonswap, tma and karaev: 1 is a broad peak, 3.3 the JONSWAP mean, 7 a young sea.
+        /// Peak enhancement factor gamma of jonswap, tma and karaev: 1 is a broad peak, 3.3 the JONSWAP mean, 7 a young
+        /// sea.
         gamma: f64 = 3.3 => ("gamma", "Peak gamma", "", number(1.0, 10.0)),
-        /// A of the spectrum ab in m2/s4 (pm: 0.78), or of tessendorf, without unit (0.0013); 0 takes the value of pm.
+        /// Coefficient A of the spectrum ab (in m2/s4) or of tessendorf (without unit). 0 takes the default: 0.78 as in
+        /// pm for ab, 0.0013 for tessendorf.
         coefficient_a: f64 = 0.0 => ("coefa", "Coefficient A", "", number(0.0, 10.0), "auto"),
-        /// B of the spectrum ab: 1.25 times the fourth power of the peak frequency; 0 takes the value of pm.
+        /// Coefficient B of the spectrum ab, 1.25 times the fourth power of the peak frequency in rad/s; 0 takes the
+        /// value of pm.
         coefficient_b: f64 = 0.0 => ("coefb", "Coefficient B", "1/s4", number(0.0, 1000.0), "auto"),
-        /// Length l of the fade exp(-(k l)^2) on the spectrum: waves much shorter than 2 pi l are left out.
+        /// Length l of the short-wave fade: the spectrum is multiplied by exp(-(k l)^2) at wave number k, which removes
+        /// waves much shorter than 2 pi l.
         fade_m: f64 = 0.0 => ("fade", "Short-wave fade", "m", number(0.0, 20.0), "none"),
-        /// Directional spreading of the energy: isotropic; cos2, as much against the wind as with it; cos2-positive,
-        /// only with the wind; mitsuyasu (1975); hasselmann (1980); donelan-banner (1985, 1990); elfouhaily (1997, as
-        /// much against the wind as with it).
+        /// Directional spreading of the wave energy. isotropic: even; cos2: as much against the wind as with it;
+        /// cos2-positive: only with the wind; mitsuyasu (1975); hasselmann (1980); donelan-banner (1985, 1990);
+        /// elfouhaily (1997): as much against the wind as with it.
         spread: SpreadKind = SpreadKind::DonelanBanner => ("spread", "Spreading", "", Choice(SpreadKind::WORDS)),
-        /// Second directional spreading, for a blend of two.
+        /// Second directional spreading, which can be blended with the first.
         blend_to: SpreadKind = SpreadKind::Isotropic => ("blendto", "Blend to", "", Choice(SpreadKind::WORDS)),
-        /// Share of the second directional spreading in the blend.
+        /// Weight of the second directional spreading in the blend; the first has the rest.
         blend: f64 = 0.0 => ("blend", "Blend", "", number(0.0, 1.0)),
-        /// Share of the energy that is spread evenly over all directions.
+        /// Fraction of the wave energy that is spread evenly over all directions.
         isotropic: f64 = 0.0 => ("iso", "Agitation", "", number(0.0, 1.0)),
-        /// Narrows the directions of the long waves into parallel swell; the height stays (Horvath 2015).
+        /// Narrows the directional spreading of the long waves towards parallel swell (Horvath 2015); the wave height
+        /// does not change.
         swell: f64 = 0.0 => ("swell", "Swell", "", number(0.0, 1.0)),
     }
 }
 
 impl System {
-    /// The swell of a distant storm, switched off: lower and longer than the sea inside that storm.
+    /// Default of the second wave system: swell of a distant storm, switched off. It is lower and longer than the sea
+    /// inside that storm.
     fn distant() -> Self {
         Self {
             scale: 0.0,
@@ -154,16 +166,16 @@ impl System {
 }
 
 parameters! {
-    /// A sea state.
+    /// Sea state: wave systems, water, displacement and foam.
     pub struct Sea {
-        /// The local wind sea and the swell; their spectra add.
+        /// Wave systems: the local wind sea, and a second one such as swell. Their spectra add.
         systems: [System; 2] = [System::default(), System::distant()],
-        /// Buoy spectrum of the systems whose spectrum is `measured`.
+        /// Buoy spectrum that the wave systems with the spectrum `measured` use.
         measured: Option<Arc<MeasuredSpectrum>> = None,
         /// Water depth. Shallow water slows and steepens long waves; with tma it also limits their energy.
         depth_m: f64 = 4000.0 => ("depth", "Depth", "m", logarithmic(1.0, 11000.0)),
-        /// Dispersion relation. deep: w^2 = g k; finite: w^2 = g k tanh(k h); capillary: w^2 = (g k + sigma/rho k^3)
-        /// tanh(k h).
+        /// Dispersion relation of angular frequency w and wave number k. deep: w^2 = g k; finite, at depth h: w^2 = g k
+        /// tanh(k h); capillary, with surface tension sigma and density rho: w^2 = (g k + sigma/rho k^3) tanh(k h).
         dispersion: DispersionKind = DispersionKind::Finite
             => ("dispersion", "Dispersion", "", Choice(DispersionKind::WORDS)),
         /// Surface tension for capillary waves: sea water 0.074, fresh water 0.072.
@@ -172,67 +184,70 @@ parameters! {
         density_kg_m3: f64 = 1025.0 => ("density", "Density", "kg/m3", number(500.0, 2000.0)),
         /// Acceleration of gravity: Earth 9.81, Titan 1.35, Mars 3.71.
         gravity_m_s2: f64 = 9.81 => ("g", "Gravity", "m/s2", logarithmic(0.5, 30.0)),
-        /// Form of Kitaigorodskii's depth factor: exact, or the fit in three branches (Thompson and Vincent 1983).
+        /// Formula for Kitaigorodskii's depth factor of tma: exact, or the fit in three branches (Thompson and Vincent
+        /// 1983).
         depth_factor: DepthFactor = DepthFactor::Exact
             => ("tmafit", "TMA depth factor", "", Choice(DepthFactor::WORDS)),
-        /// tma takes alpha = 0.0078 kappa^0.49 and gamma = 2.47 kappa^0.39 with kappa = U^2 k_p / g (Bouws et al. 1985)
-        /// instead of the values of jonswap.
+        /// Computes alpha and gamma of tma from the dimensionless peak wave number kappa = U^2 k_p / g, as alpha =
+        /// 0.0078 kappa^0.49 and gamma = 2.47 kappa^0.39 (Bouws et al. 1985), instead of taking those of jonswap.
         bouws: bool = false => ("bouws", "TMA alpha, gamma", "", Flag),
-        /// The first branch of karaev carries the depth factor of tma.
+        /// Multiplies karaev around its peak (up to 1.2 times the peak frequency) by the depth factor of tma.
         karaev_tma: bool = false => ("karaevtma", "Karaev in the shallows", "", Flag),
-        /// Quadrature panels, of 15 points each, in each of the six pieces of the integral that normalises a
-        /// directional spreading without a closed form.
+        /// Precision of the integral that normalises a directional spreading without a closed form: number of
+        /// quadrature panels, of 15 points each, in each of its six pieces.
         norm_steps: u32 = 2 => ("normsteps", "Quadrature steps", "", integer(1, 64)),
-        /// Horizontal displacement: 1 is linear theory and sharpens the crests, 0 leaves a sum of sines.
+        /// Choppiness: factor on the horizontal displacement. 1 is linear theory and sharpens the crests, 0 leaves a
+        /// sum of sines.
         chop: f64 = 1.0 => ("chop", "Chop", "", number(0.0, 2.0)),
-        /// Factor on the chop along x (east).
+        /// Additional factor on the horizontal displacement along x (east).
         chop_x: f64 = 1.0 => ("chopx", "Chop east-west", "", number(0.0, 2.0)),
-        /// Factor on the chop along z (south).
+        /// Additional factor on the horizontal displacement along z (south).
         chop_z: f64 = 1.0 => ("chopz", "Chop north-south", "", number(0.0, 2.0)),
-        /// Scale on all displacements; 1 is the physical height.
+        /// Factor on all displacements of the surface; 1 is the physical height.
         height: f64 = 1.0 => ("height", "Height scale", "", logarithmic(0.1, 4.0)),
         /// Height of the still water in the world: the whole surface is raised or lowered.
         level_m: f64 = 0.0 => ("level", "Water level", "m", number(-100.0, 100.0)),
-        /// Seed of the random phases and amplitudes: another seed gives another sea of the same statistics.
+        /// Seed of the random phases and amplitudes: another seed gives another sea with the same statistics.
         seed: u32 = 1 => ("seed", "Seed", "", integer(0, u32::MAX)),
-        /// Period after which the sea repeats, s; 0 means a day. The field is in `fields.rs`, among those of time.
+        /// Period after which the sea repeats, s; 0 means a day. Its field is in `fields.rs`, among those of the time.
         loop_s: f64 = 0.0,
-        /// Whitecaps.
+        /// Formation and decay of whitecap foam.
         foam: Foam = Foam::default(),
     }
 }
 
 impl Sea {
-    /// The local wind sea; its wind is the wind of the picture.
+    /// First wave system: the local wind sea, whose wind also forms the whitecaps.
     pub fn local(&self) -> &System {
         &self.systems[0]
     }
 
-    /// Makes a buoy's spectrum the spectrum of the local sea.
+    /// Stores a buoy's spectrum and makes it the spectrum of the local wind sea.
     pub fn show_measured(&mut self, measured: MeasuredSpectrum) {
         self.measured = Some(Arc::new(measured));
         self.systems[0].spectrum = SpectrumKind::Measured;
     }
 
-    /// Factors on the horizontal displacement along x and z; 1 is linear theory.
+    /// Choppiness along x and z: factors on the horizontal displacement; 1 is linear theory.
     pub fn lambda(&self) -> [f64; 2] {
         [self.chop_x * self.chop, self.chop_z * self.chop]
     }
 }
 
 parameters! {
-    /// Formation and decay of foam.
+    /// Formation and decay of whitecap foam.
     pub struct Foam {
-        /// Source of the foam threshold. monahan: gives the whitecap coverage of the wind (Monahan and O'Muircheartaigh
-        /// 1980); fixed: the Jacobian given below.
+        /// Source of the foam threshold. monahan: set so that the mean foam is the whitecap coverage of the wind (Monahan
+        /// and O'Muircheartaigh 1980); fixed: the parameter foamthreshold.
         whitecaps: Whitecaps = Whitecaps::Monahan => ("whitecaps", "Whitecaps", "", Choice(Whitecaps::WORDS)),
-        /// With whitecaps=fixed: Jacobian below which foam forms; 1 is an undeformed surface, 0 a folding crest.
+        /// With whitecaps=fixed: Jacobian of the displacement below which foam forms; 1 is an undeformed surface, 0 a
+        /// folding crest.
         threshold: f64 = 0.5 => ("foamthreshold", "Foam threshold", "", number(-1.0, 1.0)),
-        /// Added to the threshold, whatever its source: more foam (+) or less (-).
+        /// Offset that is added to the foam threshold: more foam (+) or less (-).
         bias: f64 = 0.0 => ("foambias", "Foam bias", "", number(-1.0, 1.0)),
-        /// Time in which foam fades to 1/e. Whitecap patches last 2 to 10 s (Monahan 1971).
+        /// Time constant in which foam fades to 1/e. Whitecap patches last 2 to 10 s (Monahan 1971).
         decay_s: f64 = 4.0 => ("foamdecay", "Foam decay", "s", logarithmic(0.5, 30.0)),
-        /// Rate at which foam forms where a crest breaks.
+        /// Rate at which foam grows where a crest breaks.
         rate_per_s: f64 = 2.0 => ("foamrate", "Foam growth", "1/s", logarithmic(0.1, 10.0)),
     }
 }

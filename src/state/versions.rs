@@ -1,25 +1,26 @@
-//! Versions of the state string, which keep the meaning of old links.
+//! Versions of the state string, which let old links keep their meaning.
 //!
-//! A string without `v` has version 1. A new version is needed only when a key or its absence changes its meaning
-//! (another unit, formula or default), not when keys are added. Then [`VERSION_STEPS`] gets a step that translates the
-//! old string, and [`query`](super::query) writes `v`. Strings are translated step by step; tests/links.txt holds real
-//! ones.
+//! A state string without the key `v` has version 1. A new version is needed only when a key or its absence changes its
+//! meaning (another unit, formula or default), not when keys are added. Then [`VERSION_STEPS`] gets a function that
+//! translates the old string, and [`query`](super::query) writes `v`. Strings are translated from each version to the
+//! next; tests/links.txt holds links that must keep their meaning.
 
 use std::borrow::Cow;
 
-/// Key of the version.
+/// Key of the version number in a state string.
 pub(super) const KEY: &str = "v";
 
-/// Decoded keys and values in the order of the string.
+/// Keys and values of a state string, percent-decoded, in their order in the string.
 pub(super) type Pairs<'a> = Vec<(Cow<'a, str>, Cow<'a, str>)>;
 
-/// Translates the pairs of one version to the next.
+/// Function that translates keys and values of a state string from one version to the next.
 pub(super) type VersionStep = for<'a> fn(Pairs<'a>) -> Pairs<'a>;
 
-/// The steps from version 1 on. No key has changed its meaning yet.
+/// Translations from version 1 to 2, from 2 to 3 and so on. The list is empty: no key has changed its meaning yet.
 pub(super) const VERSION_STEPS: &[VersionStep] = &[];
 
-/// Translates a string of any version to the newest version, and returns a notice if the version is not known.
+/// Translates keys and values of any version to the newest version by `steps`. Also returns a notice if the version is
+/// unknown.
 pub(super) fn upgraded<'a>(pairs: Pairs<'a>, steps: &[VersionStep]) -> (Pairs<'a>, Option<String>) {
     let newest = steps.len() + 1;
     let (versions, pairs): (Pairs<'a>, Pairs<'a>) = pairs.into_iter().partition(|(key, _)| key == KEY);
@@ -37,7 +38,7 @@ pub(super) fn upgraded<'a>(pairs: Pairs<'a>, steps: &[VersionStep]) -> (Pairs<'a
     (steps[version - 1..].iter().fold(pairs, |pairs, step| step(pairs)), notice)
 }
 
-/// The version to write, if there is more than one.
+/// Version number to write into a state string; `None` while version 1 is the only one.
 pub(super) fn to_write(steps: &[VersionStep]) -> Option<String> {
     (!steps.is_empty()).then(|| (steps.len() + 1).to_string())
 }

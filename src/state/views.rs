@@ -1,74 +1,76 @@
-//! Views that replace the picture, in false colours: maps of the simulation, and quantities of the drawn surface.
+//! False-colour views that replace the picture: maps of the simulation, and quantities on the drawn water surface.
 
 use super::field::FieldKind::Choice;
 use super::field::{FieldValue, integer, parameters};
 
-/// The picture, or a view that replaces it.
+/// What the window shows: the picture or a false-colour view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
-    /// The picture.
+    /// Picture of the sea.
     Picture,
-    /// A map of the simulation, one texel beside the other, north up.
+    /// Map of the simulation, shown flat and texel by texel, with north up.
     Map(Map),
-    /// A quantity of the drawn surface, seen by the camera.
+    /// Quantity on the drawn water surface, seen by the camera.
     Surface(Surface),
 }
 
-/// A map of the simulation. The discriminants stand in shaders/views/map.wgsl too.
+/// Map of the simulation that a view can show. shaders/views/map.wgsl knows each as 1 + its discriminant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Map {
-    /// Initial spectrum, |h0(k)|.
+    /// Magnitude |h0(k)| of the initial spectrum at each wave vector k.
     InitialSpectrum,
-    /// Spectrum at the current time, h(k, t).
+    /// Spectrum h(k, t) at the current time t: magnitude as brightness, phase as hue.
     Spectrum,
-    /// East displacement.
+    /// Horizontal displacement to the east, Dx.
     Dx,
-    /// Elevation.
+    /// Elevation of the surface, eta.
     Height,
-    /// South displacement.
+    /// Horizontal displacement to the south, Dz.
     Dz,
-    /// dDx/dz = dDz/dx.
+    /// Shear dDx/dz = dDz/dx of the horizontal displacement (Dx, Dz); x is east, z south.
     Shear,
-    /// d eta/dx.
+    /// Slope of the elevation eta to the east, d eta/dx.
     SlopeX,
-    /// d eta/dz.
+    /// Slope of the elevation eta to the south, d eta/dz.
     SlopeZ,
-    /// dDx/dx.
+    /// Derivative dDx/dx of the eastward displacement Dx to the east.
     StretchX,
-    /// dDz/dz.
+    /// Derivative dDz/dz of the southward displacement Dz to the south.
     StretchZ,
-    /// Mean of (d eta/dx)^2 over two by two texels.
+    /// Squared slope to the east, (d eta/dx)^2 with the elevation eta, averaged over 2 x 2 texels.
     MomentXx,
-    /// Mean of (d eta/dz)^2 over two by two texels.
+    /// Squared slope to the south, (d eta/dz)^2 with the elevation eta, averaged over 2 x 2 texels.
     MomentZz,
-    /// Mean of d eta/dx d eta/dz over two by two texels.
+    /// Product of the slopes to the east and south, d eta/dx d eta/dz, averaged over 2 x 2 texels.
     MomentXz,
-    /// Jacobian of one cascade.
+    /// Jacobian determinant of the horizontal displacement of one cascade.
     Jacobian,
-    /// Foam on one foam level.
+    /// Amount of foam on one level of the foam map.
     Foam,
-    /// Source of foam on one foam level.
+    /// Foam source (how strongly crests break) on one level of the foam map.
     Source,
 }
 
-/// A quantity of the drawn surface. The discriminants stand in shaders/views/surface.wgsl too.
+/// Quantity on the drawn water surface that a view can show. shaders/views/surface.wgsl knows each as 1 + its
+/// discriminant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Surface {
-    /// Unit normal: east red, north green, up blue.
+    /// Unit normal of the surface; its east component is shown as red, north as green, up as blue.
     Normals,
-    /// Jacobian of the sum of all cascades.
+    /// Jacobian determinant of the horizontal displacement, all cascades together.
     Jacobian,
-    /// Slope variance that the pixel does not resolve.
+    /// Variance of the wave slopes that the pixel does not resolve.
     Roughness,
-    /// Mip level at which a cascade is sampled.
+    /// Mip level at which the pixel samples the maps of a cascade.
     Mips,
-    /// Share of the pixel that foam covers.
+    /// Fraction of the pixel that foam covers.
     Foam,
-    /// Triangles of the mesh.
+    /// Edges of the triangles of the water mesh.
     Wireframe,
 }
 
-/// Word in the state string and caption of every view, in the order in which a key goes through them.
+/// All views, each with its word in the state string and its caption, in the order in which the key V steps through
+/// them.
 pub const VIEWS: &[(&str, Shown, &str)] = &[
     ("picture", Shown::Picture, "Picture"),
     ("h0", Shown::Map(Map::InitialSpectrum), "Initial spectrum |h0(k)|"),
@@ -95,7 +97,7 @@ pub const VIEWS: &[(&str, Shown, &str)] = &[
     ("wireframe", Shown::Surface(Surface::Wireframe), "Mesh"),
 ];
 
-/// Words of [`VIEWS`].
+/// Words of all views in the state string, in the order of [`VIEWS`].
 const WORDS: [&str; VIEWS.len()] = {
     let mut words = [""; VIEWS.len()];
     let mut i = 0;
@@ -107,7 +109,7 @@ const WORDS: [&str; VIEWS.len()] = {
 };
 
 impl Shown {
-    /// Place in [`VIEWS`].
+    /// Index of this view in [`VIEWS`].
     fn place(self) -> usize {
         VIEWS.iter().position(|(_, shown, _)| *shown == self).unwrap_or(0)
     }
@@ -124,39 +126,41 @@ impl FieldValue for Shown {
 }
 
 parameters! {
-    /// The chosen view.
+    /// Choice of the picture or a view, and of the cascade that a view shows.
     #[derive(Copy, Eq)]
     pub struct ViewChoice {
         /// View that replaces the picture (key V). Maps of the simulation, texel by texel: h0, the initial spectrum;
-        /// spectrum, at this time; dx, height, dz, the displacement; dxdz, dxdx, dzdz, its derivatives; slopex, slopez,
-        /// the slopes; momentxx, momentzz, momentxz, the slope moments; jacobian of one cascade; foam; source, where
-        /// foam forms. On the surface: normals; folding, the Jacobian of all cascades; roughness, the slope variance
-        /// within the pixel; mips, the mip level; coverage of foam; wireframe.
+        /// spectrum, the spectrum at this time; dx, height, dz, the displacement; dxdz, dxdx, dzdz, derivatives of the
+        /// horizontal displacement; slopex, slopez, the slopes; momentxx, momentzz, momentxz, products of the slopes;
+        /// jacobian of one cascade; foam; source, where foam forms. On the drawn surface: normals; folding, the
+        /// Jacobian of all cascades; roughness, the slope variance within the pixel; mips, the mip level; coverage of
+        /// foam; wireframe of the mesh.
         shown: Shown = Shown::Picture => ("view", "View", "", Choice(&WORDS)),
-        /// Cascade that a view shows, the longest waves first, or foam level, the finest first. 0 shows all side by
-        /// side, and the mips of the finest cascade.
+        /// Cascade that a view shows (1 has the longest waves), or level of the foam map (1 is the finest). 0 shows all
+        /// side by side; the view mips then shows the finest cascade.
         cascade: u32 = 0 => ("viewcascade", "View of cascade", "", integer(0, 4), "all"),
     }
 }
 
 impl ViewChoice {
-    /// Caption of the view.
+    /// Caption of the chosen view.
     pub fn name(self) -> &'static str {
         VIEWS[self.shown.place()].2
     }
 
-    /// The view `by` places further in [`VIEWS`], which is a circle.
+    /// Choice of the view that is `by` places further in [`VIEWS`]; after the last comes the first.
     #[must_use]
     pub fn turned(self, by: isize) -> Self {
         let at = (self.shown.place() as isize + by).rem_euclid(VIEWS.len() as isize);
         Self { shown: VIEWS[at as usize].1, ..self }
     }
 
-    /// Layers that are shown, from 0, of a map with `count` layers.
+    /// Indices of the array layers that the view shows, of a map with `count` layers: one layer for each cascade or
+    /// foam level.
     pub fn layers(self, count: usize) -> std::ops::Range<usize> {
         match (self.shown, self.cascade as usize) {
             (Shown::Map(_), 0) => 0..count,
-            // Views of the surface show the mips of one cascade: by default the finest.
+            // Views of the surface use one cascade, for mip levels: by default the finest.
             (_, 0) => count.saturating_sub(1)..count,
             (_, cascade) => {
                 let end = cascade.min(count);

@@ -1,4 +1,4 @@
-//! Sun, sky and fog, and the name of a sky from a file.
+//! Parameters of sun, sky and fog, and the sky image that the user may load from a file.
 
 use crate::files::panorama::Panorama;
 use crate::optics::sun;
@@ -8,19 +8,19 @@ use crate::state::text::printable;
 use std::sync::Arc;
 
 words! {
-    /// How the position of the sun is given.
+    /// How the user gives the position of the sun.
     pub enum SunPlacement {
-        /// By elevation and azimuth.
+        /// By elevation and azimuth of the sun.
         Direction = "direction",
-        /// By date, time and latitude.
+        /// By day of the year, solar time and latitude.
         Date = "date",
     }
 }
 
 parameters! {
-    /// Sun, sky and fog.
+    /// Parameters of sun, sky and fog.
     pub struct SkyLook {
-        /// How the position of the sun is given. direction: by its height and azimuth; date: by day, hour and latitude.
+        /// How the position of the sun is given. direction: by elevation and azimuth; date: by day, hour and latitude.
         sun_placement: SunPlacement = SunPlacement::Direction => ("sunby", "Sun by", "", Choice(SunPlacement::WORDS)),
         /// Elevation of the sun above the horizon: below -6 it is dusk, below -18 night.
         sun_deg: f64 = 24.0 => ("sun", "Sun height", "deg", number(-24.0, 90.0)),
@@ -35,42 +35,44 @@ parameters! {
         latitude_deg: f64 = 45.0 => ("lat", "Latitude", "deg", number(-90.0, 90.0)),
         /// Tint of the sunlight above the atmosphere, and so of all daylight; white is our sun.
         sun_colour: f64 = WHITE => ("suncolour", "Sun colour", "", Colour),
-        /// Angular diameter of the sun at a distance of one astronomical unit; the irradiance stays.
+        /// Angular diameter of the sun at a distance of one astronomical unit; it does not change the irradiance.
         sun_size_deg: f64 = 0.53 => ("sunsize", "Sun size", "deg", logarithmic(0.1, 10.0)),
-        /// Distance of the sun in astronomical units. Irradiance falls with its square, apparent size with its first
-        /// power. Venus 0.72, Mars 1.52.
+        /// Distance of the sun. Irradiance falls with its square, apparent diameter with its first power. Venus 0.72,
+        /// Mars 1.52.
         sun_distance_au: f64 = 1.0 => ("sundistance", "Sun distance", "au", logarithmic(0.1, 10.0)),
-        /// Exponent of the limb darkening: radiance over the disc is the cosine to this power. 0 is an even disc, 0.45
-        /// the sun in green light (Hestroffer and Magnan 1998); the irradiance stays.
+        /// Exponent of the limb darkening: the radiance of the disc is proportional to this power of the cosine of the
+        /// emission angle. 0 is an even disc, 0.45 the sun in green light (Hestroffer and Magnan 1998); the irradiance
+        /// does not change.
         sun_falloff: f64 = 0.45 => ("sunfalloff", "Limb darkening", "", number(0.0, 4.0)),
-        /// Aerosols relative to a clear maritime day: more give a whiter horizon and redder sunsets.
+        /// Amount of aerosol relative to a clear maritime day: more gives a whiter horizon and redder sunsets.
         haze: f64 = 1.0 => ("haze", "Haze", "", number(0.0, 10.0)),
-        /// Share of the light that passes through a uniform cloud deck instead of a clear sky.
+        /// Cloud cover: blends from a clear sky (0) to a uniform cloud layer (1).
         overcast: f64 = 0.0 => ("overcast", "Overcast", "", number(0.0, 1.0)),
-        /// Extinction of the fog below its top; visibility is about 4 km divided by it. 1 is mist, 4 fog, 40 thick fog.
+        /// Extinction coefficient of the fog below its top. The visibility in km is about 4 divided by this value: 1 is
+        /// mist, 4 fog, 40 thick fog.
         fog_extinction_per_km: f64 = 0.0 => ("fog", "Fog", "1/km", number(0.0, 100.0), "none"),
         /// Distance from the eye at which the fog begins.
         fog_start_m: f64 = 0.0 => ("fogstart", "Fog begins", "m", number(0.0, 10000.0)),
-        /// Height above the top of the fog over which it thins to 1/e.
+        /// Height over which the fog above its top thins to 1/e.
         fog_falloff_m: f64 = 30.0 => ("fogfalloff", "Fog falls off", "m", logarithmic(1.0, 2000.0)),
-        /// Height above the water up to which the fog has its full density.
+        /// Height of the fog's top above the water; below it the fog has its full density.
         fog_height_m: f64 = 20.0 => ("fogheight", "Fog top", "m", number(0.0, 2000.0)),
-        /// Sky from a file that replaces the computed sky.
+        /// Sky image from a file, which replaces the computed sky.
         file: Option<SkyFile> = None,
-        /// Heading of the middle of a sky from a file, clockwise from north.
+        /// Heading to which the middle column of a sky image points, clockwise from north.
         file_heading_deg: f64 = 0.0 => ("skyturn", "Turn the sky", "deg", Heading),
-        /// Brightness of a sky from a file, in stops; at 0 it lights the sea like a clear noon.
+        /// Brightness of a sky image, in stops; at 0 it lights the sea like a clear noon.
         file_gain_ev: f64 = 0.0 => ("skygain", "Sky brightness", "EV", number(-8.0, 8.0)),
     }
 }
 
 impl SkyLook {
-    /// The sky from the file, if its image is loaded.
+    /// Sky image of the file, if it is loaded.
     pub fn panorama(&self) -> Option<&Arc<Panorama>> {
         self.file.as_ref()?.image.as_ref()
     }
 
-    /// Elevation and azimuth of the sun that lights the sea, degrees. A sun in the file takes precedence.
+    /// Elevation and azimuth of the sun that lights the sea, degrees. A sun in a loaded sky image takes precedence.
     pub fn sun_place_deg(&self) -> [f64; 2] {
         if let Some(sun) = self.panorama().and_then(|p| p.sun.as_ref()) {
             return [sun.elevation_deg, (sun.azimuth_deg + self.file_heading_deg).rem_euclid(360.0)];
@@ -81,7 +83,7 @@ impl SkyLook {
         }
     }
 
-    /// Unit vector to the sun: x east, y up, z south.
+    /// Unit vector towards the sun: x east, y up, z south.
     pub fn sun_direction(&self) -> [f64; 3] {
         let [elevation, azimuth] = self.sun_place_deg().map(f64::to_radians);
         [azimuth.sin() * elevation.cos(), elevation.sin(), -azimuth.cos() * elevation.cos()]
@@ -92,7 +94,7 @@ impl SkyLook {
         (0.5 * self.sun_size_deg.to_radians() / self.sun_distance_au).min(1.0)
     }
 
-    /// Takes the image of a loaded file if that is the file which the state names.
+    /// Takes over the image of a loaded sky file if its name is that of the file in these parameters.
     pub fn attach(&mut self, loaded: Option<&SkyFile>) {
         if let (Some(wanted), Some(loaded)) = (&mut self.file, loaded)
             && wanted.name == loaded.name
@@ -101,7 +103,7 @@ impl SkyLook {
         }
     }
 
-    /// Notice that the file which the state names is not loaded.
+    /// Notice for the user if these parameters name a sky file whose image is not loaded, else `None`.
     pub fn missing_file(&self) -> Option<String> {
         let file = self.file.as_ref().filter(|f| f.image.is_none())?;
         Some(format!(
@@ -111,12 +113,12 @@ impl SkyLook {
     }
 }
 
-/// Sky from a file; a state string carries only its name.
+/// Sky image from a file. A state string carries only the name of the file.
 #[derive(Clone, Debug)]
 pub struct SkyFile {
-    /// Name without folders, at most 80 printable characters.
+    /// File name without folders, at most 80 printable characters.
     pub name: String,
-    /// The decoded image, once it is loaded.
+    /// Decoded image; `None` until the file is loaded.
     pub image: Option<Arc<Panorama>>,
 }
 
@@ -127,7 +129,7 @@ impl PartialEq for SkyFile {
 }
 
 impl SkyFile {
-    /// A file of this name or path, not loaded; `None` if its name has no printable character.
+    /// Makes a sky file with the name at the end of `path` and no image; `None` if the name has no printable character.
     pub fn named(path: &str) -> Option<Self> {
         let name = printable(path.rsplit(['/', '\\']).next().unwrap_or_default(), 80);
         (!name.is_empty()).then_some(Self { name, image: None })

@@ -1,19 +1,19 @@
-//! Appearance of the water, its foam and the bed.
+//! Appearance of the water, its foam and the sea bed.
 
 use crate::optics::water::WaterType;
 use crate::state::field::FieldKind::{Choice, Colour};
 use crate::state::field::{FieldValue, WHITE, logarithmic, number, parameters, words};
 
-/// Appearance of the water, its foam and the bed.
+/// Appearance of the water, its foam and the sea bed.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct SurfaceLook {
-    /// Light from inside the water.
+    /// Light that the water and its bubbles scatter back out.
     pub scattering: Scattering,
-    /// Light reflected by the surface.
+    /// Light reflected by the water surface.
     pub reflection: Reflection,
-    /// Whitecaps.
+    /// Appearance of whitecaps.
     pub foam: FoamLook,
-    /// The bed below shallow water.
+    /// Sea bed, visible through shallow water.
     pub bed: BedLook,
 }
 
@@ -28,92 +28,98 @@ impl FieldValue for WaterType {
 }
 
 parameters! {
-    /// Light from inside the water. Strengths are relative to the physical ones.
+    /// Light that the water and its bubbles scatter back out. A strength of 1 is physical.
     pub struct Scattering {
-        /// Absorption and scattering by Jerlov's optical water types (1976): i, the clearest blue ocean, to iii,
-        /// fertile and greenish; 1c, the clearest coast, to 9c, the muddiest.
+        /// Jerlov's optical water type (1976), which sets absorption and scattering: i, the clearest blue ocean, to
+        /// iii, fertile and greenish; 1c, the clearest coastal water, to 9c, the muddiest.
         water_type: WaterType = WaterType::Ib => ("water", "Water type", "", Choice(WaterType::NAMES)),
-        /// Share of the way from the water type to the next muddier one.
+        /// Interpolation from the water type (0) to the next muddier water type (1).
         next_type_share: f64 = 0.0 => ("watermix", "Towards the next type", "", number(0.0, 1.0)),
-        /// Colour of the light that deep water scatters back: white scatters back a tenth of the light, auto follows
-        /// from the water type.
+        /// Colour of the light that deep water scatters back: white scatters back a tenth of the light; auto derives
+        /// the colour from the water type.
         scatter_colour: f64 = 0.0 => ("scattercolour", "Scatter colour", "", Colour, "auto"),
-        /// Colour of the light that the bubbles under breaking waves scatter; the water absorbs its red.
+        /// Colour of the light that bubbles under breaking waves scatter, before the water absorbs part of its red.
         bubble_colour: f64 = WHITE => ("bubblecolour", "Bubble colour", "", Colour),
         /// Density of the bubbles that breaking waves leave under the surface; 1 is a typical plume.
         bubbles: f64 = 1.0 => ("bubbles", "Bubble density", "", number(0.0, 10.0)),
-        /// Height attenuation factor: strength of the light through crests; it grows with height and sharpness.
+        /// Height attenuation factor: strength of the light that shines through wave crests, most of all through high
+        /// and sharp ones; 1 is physical.
         height_scatter: f64 = 1.0 => ("heightscatter", "Scattering by height", "", number(0.0, 10.0)),
-        /// Reflection strength of the scattering: how much the light from the water depends on the viewing angle.
+        /// Reflection strength of the scattering: how much the light scattered out of the water depends on the viewing
+        /// angle; 1 is physical, 0 is no dependence.
         view_scatter: f64 = 1.0 => ("viewscatter", "Scattering by view", "", number(0.0, 4.0)),
-        /// Strength of the sunlight that the water scatters back.
+        /// Strength of the sunlight that the water scatters back; 1 is physical.
         diffuse: f64 = 1.0 => ("diffuse", "Diffuse strength", "", number(0.0, 5.0)),
-        /// Strength of the skylight that the water scatters back.
+        /// Strength of the skylight that the water scatters back; 1 is physical.
         ambient: f64 = 1.0 => ("ambient", "Ambient strength", "", number(0.0, 5.0)),
     }
 }
 
 words! {
-    /// Formula of the Fresnel reflectance.
+    /// Formula for the Fresnel reflectance of the water.
     pub enum Fresnel {
-        /// Dielectric in unpolarised light.
+        /// Exact Fresnel equations of a dielectric for unpolarised light.
         Exact = "exact",
-        /// Schlick's approximation.
+        /// Schlick's approximation of 1994.
         Schlick = "schlick",
     }
 }
 
 words! {
-    /// Distribution of the slopes that a pixel does not resolve.
+    /// Microfacet distribution: distribution of the wave slopes that a pixel does not resolve.
     pub enum Specular {
-        /// Gaussian slopes (Beckmann's distribution), as Cox and Munk measured them.
+        /// Gaussian slopes (Beckmann's distribution), as Cox and Munk measured them at sea in 1954.
         Gaussian = "gaussian",
-        /// Trowbridge and Reitz's distribution.
+        /// GGX, the distribution of Trowbridge and Reitz 1975, with longer tails than a Gaussian.
         Ggx = "ggx",
-        /// Blinn-Phong lobe of a given shininess.
+        /// Blinn-Phong lobe with a shininess that the user sets.
         BlinnPhong = "blinn-phong",
     }
 }
 
 parameters! {
-    /// Light reflected by the surface.
+    /// Light reflected by the water surface: sky, sun glitter and the Fresnel reflectance of both.
     pub struct Reflection {
-        /// Strength of the reflected sky.
+        /// Strength of the reflected sky; 1 is physical.
         sky_strength: f64 = 1.0 => ("reflection", "Reflection of the sky", "", number(0.0, 2.0)),
         /// Refractive index of the water: fresh water 1.333, sea water 1.34.
         index_water: f64 = 1.333 => ("nwater", "Index of water", "", number(1.0, 3.0)),
         /// Refractive index of the air.
         index_air: f64 = 1.0 => ("nair", "Index of air", "", number(1.0, 3.0)),
-        /// Formula of the Fresnel reflectance. exact: unpolarised light on a dielectric; schlick: approximation (1994).
+        /// Formula for the Fresnel reflectance. exact: Fresnel's equations for unpolarised light; schlick: Schlick's
+        /// approximation (1994).
         fresnel: Fresnel = Fresnel::Exact => ("fresnel", "Fresnel", "", Choice(Fresnel::WORDS)),
-        /// With fresnel=schlick: exponent of the approximation, originally 5.
+        /// With fresnel=schlick: exponent of Schlick's approximation, originally 5.
         fresnel_shine: f64 = 5.0 => ("fresnelshine", "Fresnel shine", "", number(0.0, 20.0)),
-        /// Scale on the Fresnel reflectance, which stays below 1.
+        /// Factor on the Fresnel reflectance; the product is limited to 1.
         fresnel_scale: f64 = 1.0 => ("fresnelscale", "Fresnel scale", "", number(0.0, 4.0)),
-        /// Scale on the slope of the normal in the Fresnel reflectance.
+        /// Factor on the slope of the surface normal from which the Fresnel reflectance is computed; 1 is physical.
         fresnel_normals: f64 = 1.0 => ("fresnelnormals", "Fresnel normals scale", "", number(0.0, 4.0)),
-        /// Distribution of the slopes that a pixel does not resolve. gaussian: as measured at sea (Cox and Munk 1954);
-        /// ggx: longer tails (Trowbridge and Reitz 1975); blinn-phong: a lobe of the given shininess.
+        /// Microfacet distribution, that of the wave slopes that a pixel does not resolve. gaussian: as measured at sea
+        /// (Cox and Munk 1954); ggx: longer tails (Trowbridge and Reitz 1975); blinn-phong: a lobe of the given
+        /// shininess.
         specular: Specular = Specular::Gaussian => ("specular", "Microfacets", "", Choice(Specular::WORDS)),
-        /// With specular=blinn-phong: exponent of the lobe.
+        /// With specular=blinn-phong: exponent of the lobe; a larger one makes a sharper highlight.
         shininess: f64 = 200.0 => ("shininess", "Shininess", "", logarithmic(1.0, 10000.0)),
-        /// Strength of the sun's glitter.
+        /// Strength of the sun glitter, the sun's specular reflection; 1 is physical.
         glitter: f64 = 1.0 => ("glitter", "Specular scale", "", number(0.0, 10.0)),
-        /// Scale on the Fresnel reflectance in the glitter, which stays below 1.
+        /// Factor on the Fresnel reflectance of the sun glitter; the product is limited to 1.
         glitter_fresnel: f64 = 1.0 => ("glitterfresnel", "Specular Fresnel scale", "", number(0.0, 50.0)),
-        /// Cosine to the surface normal: no glitter where the sun or the eye has a smaller one.
+        /// Grazing-angle cut-off of the sun glitter: it fades out where the cosine between the surface normal and the
+        /// direction of the sun or the eye is below this value.
         glitter_cut: f64 = 0.0 => ("glittercut", "Specular low cut-off", "", number(0.0, 1.0)),
-        /// Roughness in addition to the unresolved waves: alpha is its square, the slope variance alpha^2 / 2.
+        /// Roughness r of the water in addition to the unresolved waves: alpha = r^2, slope variance alpha^2 / 2.
         roughness: f64 = 0.0 => ("roughness", "Water roughness", "", number(0.0, 1.0)),
     }
 }
 
 parameters! {
-    /// The bed below shallow water.
+    /// Sea bed, visible through shallow water.
     pub struct BedLook {
-        /// Colour of the sand on the bed, visible in water of a few metres.
+        /// Colour of the sand on the sea bed, visible in water of a few metres.
         colour: f64 = 0x00d8_ccb0 as f64 => ("bedcolour", "Bed colour", "", Colour),
-        /// Share of the light that the waves focus on the bed: 1 is physical, 0 lights it evenly and costs nothing.
+        /// Strength of caustics, the sunlight that waves focus on the sea bed: 1 is physical, 0 lights the bed evenly
+        /// and costs nothing.
         caustics: f64 = 0.0 => ("caustics", "Caustics", "", number(0.0, 1.0), "off"),
     }
 }
@@ -121,13 +127,13 @@ parameters! {
 parameters! {
     /// Appearance of whitecaps.
     pub struct FoamLook {
-        /// Visible amount of foam; 1 shows the computed coverage.
+        /// Factor on the visible foam; 1 shows the coverage that the simulation computes.
         amount: f64 = 1.0 => ("foam", "Foam shown", "", number(0.0, 2.0)),
         /// Colour of the foam.
         colour: f64 = WHITE => ("foamcolour", "Foam colour", "", Colour),
-        /// Roughness of the wet gloss of the foam; alpha is its square.
+        /// Roughness r of the specular reflection of wet foam; its alpha is r^2.
         roughness: f64 = 0.8 => ("foamroughness", "Foam roughness", "", number(0.0, 1.0)),
-        /// Height of the relief of nearby foam; 1 is a few centimetres.
+        /// Height of the relief (bumps) of nearby foam; 1 is a few centimetres.
         relief: f64 = 1.0 => ("foamrelief", "Foam relief", "", number(0.0, 4.0), "flat"),
     }
 }
