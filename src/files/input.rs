@@ -1,20 +1,20 @@
-//! Reads whole files, with a limit for each kind of file.
+//! Reads whole files, with a size limit for each kind of file.
 
 use super::{measured, panorama};
 #[cfg(not(target_arch = "wasm32"))]
 use std::{io::Read as _, path::PathBuf};
 
-/// Most bytes that are read from a file of this name.
+/// Largest number of bytes that are read from a file with this name.
 pub fn most_bytes(name: &str) -> usize {
     // A PNG may be a large saved picture.
     let large = panorama::is_sky(name, &[]) || name.to_ascii_lowercase().ends_with(".png");
     if large { panorama::MAX_BYTES } else { measured::MAX_FILE_BYTES }
 }
 
-/// Reads files with their names; a file over the limit of its kind is read only to one byte beyond the limit.
+/// Reads files and returns their names and contents, at most one byte more than [`most_bytes`] of each.
 ///
 /// # Errors
-/// One sentence, naming the file.
+/// Returns one sentence that names the file, if a file cannot be opened or read.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn read_all(paths: &[PathBuf]) -> Result<Vec<(String, Vec<u8>)>, String> {
     let read = |path: &PathBuf| {

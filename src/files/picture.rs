@@ -1,11 +1,11 @@
-//! PNG pictures that carry their state string in a text chunk.
+//! Saved pictures: PNG files that carry their state string in a text chunk.
 
 use super::MAX_STATE_BYTES;
 use std::io::Cursor;
 
-/// Keyword of the text chunk with the state string.
+/// Keyword of the PNG text chunk that holds the state string.
 const KEYWORD: &str = "seastate";
-/// Most memory for the chunks before the pixels, bytes.
+/// Largest memory for decoding the PNG chunks before the pixels, bytes.
 const MAX_MEMORY: usize = 4 * 1024 * 1024;
 
 /// Encodes RGBA pixels as a PNG of RGB pixels with a state string and, unless it is empty, a link to this state.
@@ -35,7 +35,7 @@ pub fn is_png(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\x89PNG\r\n\x1a\n")
 }
 
-/// Reads the state string of a picture. The pixels are not decoded.
+/// Reads the state string from the text chunk of a PNG picture. The pixels are not decoded.
 ///
 /// # Errors
 /// One sentence, if the file is not a PNG, or has no state string or too long a one.

@@ -8,8 +8,7 @@ pub const EARTH_RADIUS_M: f64 = 6_371_000.0;
 /// Distance from the eye to the near clipping plane, m.
 const NEAR_M: f64 = 0.1;
 
-/// Position, axes and field of view of a camera. Positions are drawn relative to the eye, because f32 would be too
-/// coarse far from the world origin.
+/// Position, axes and field of view of a camera. Drawing is relative to the eye, so f32 suffices far from the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// Position of the eye in world axes (x east, y up, z south), m.
@@ -25,8 +24,7 @@ pub struct View {
 }
 
 impl View {
-    /// Makes the view of a camera. `aspect` is width / height of the picture, `lowest_m` the smallest height of the
-    /// eye, m.
+    /// Makes a camera's view. `aspect` is width / height of the picture, `lowest_m` the smallest height of the eye, m.
     pub fn new(camera: &Camera, aspect: f64, lowest_m: f64) -> Self {
         let (heading, pitch) = (camera.heading_deg.to_radians(), camera.pitch_deg.to_radians());
         let forward = DVec3::new(heading.sin() * pitch.cos(), pitch.sin(), -heading.cos() * pitch.cos());

@@ -1,5 +1,4 @@
-//! Fields: descriptions of parameters, with key, label, unit, allowed values, help text, and functions to read and
-//! write the value.
+//! Fields: descriptions of parameters (key, label, unit, allowed values, help) with functions to read and write them.
 //!
 //! The macro [`parameters!`] declares a struct of parameters with a field for each member; [`words!`] declares an enum
 //! with a word for each variant. [`fields`](super::fields) collects the fields of all structs in one list.

@@ -1,5 +1,4 @@
-//! List of all parameters, from which the state string, the panel, the command-line help and the property tests are
-//! made.
+//! List of all parameters, the source of the state string, the panel, the command-line help and property tests.
 
 use super::field::{FieldOf, number};
 use super::look::{BedLook, FilmLook, FoamLook, Look, Reflection, Scattering, SkyLook};

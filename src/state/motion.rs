@@ -11,7 +11,7 @@ const LOWEST_M: f64 = 1.0;
 const HIGHEST_M: f64 = 5000.0;
 /// Largest distance from the camera to the pivot of an orbit, in camera heights; [`FAR_M`] is added.
 const FAR_HEIGHTS: f64 = 12.0;
-/// Constant part of the largest distance from the camera to the pivot of an orbit, m; [`FAR_HEIGHTS`] gives the rest.
+/// Distance that is added to [`FAR_HEIGHTS`] camera heights for the largest distance to the pivot of an orbit, m.
 const FAR_M: f64 = 30.0;
 
 /// A named camera view of the sea, which a button of the panel selects.
@@ -62,8 +62,8 @@ pub const VIEWS: &[NamedView] = &[
     },
 ];
 
-/// Camera with the current horizontal position and heading but new height, pitch and field of view. Buoy mode becomes
-/// fly mode.
+/// Camera at the current horizontal position and heading with a new height, pitch and field of view; never in buoy
+/// mode.
 fn seen(p: &Params, y_m: f64, pitch_deg: f64, fov_deg: f64) -> Camera {
     let mode = if p.camera.mode == CameraMode::Buoy { CameraMode::Fly } else { p.camera.mode };
     Camera { y_m, pitch_deg: pitch_deg.round(), fov_deg, mode, ..p.camera.clone() }

@@ -1,9 +1,8 @@
 //! All parameters that a user can set, in the units of the state string. [`Plan`](crate::waves::Plan) converts them to
 //! SI.
 //!
-//! The members of [`Params`] differ in what a change costs: `grid` reallocates GPU resources, `sea` runs the spectrum
-//! pass again, the others change uniform buffers. There are no dirty flags: the owner of a resource compares the
-//! current parameters with those that it was made from.
+//! A change of `grid` reallocates GPU resources, of `sea` reruns the spectrum pass, of the rest mostly changes uniform
+//! buffers. There are no dirty flags: the owner of a resource compares with the parameters it was made from.
 
 use super::field::FieldKind::{Choice, Flag, Heading};
 use super::field::{integer, logarithmic, number, parameters, words};
@@ -59,8 +58,7 @@ parameters! {
         side_m: f64 = 0.0 => ("patch", "Patch", "m", number(0.0, 1e5), "auto"),
         /// Smallest wave number of the waves in this cascade; 0 chooses it automatically.
         k_low: f64 = 0.0 => ("low", "Low cut-off", "rad/m", number(0.0, 1e4), "auto"),
-        /// Wave number below which the waves of this cascade end; 0 chooses it automatically. Cascades with the same
-        /// wave numbers share their energy.
+        /// Wave number at which the waves of this cascade end; 0 chooses it automatically. Overlaps share the energy.
         k_high: f64 = 0.0 => ("high", "High cut-off", "rad/m", number(0.0, 1e4), "auto"),
     }
 }
@@ -92,9 +90,9 @@ parameters! {
         pitch_deg: f64 = -4.0 => ("pitch", "Pitch", "deg", number(-89.0, 60.0)),
         /// Vertical field of view; it does not depend on the shape of the window.
         fov_deg: f64 = 50.0 => ("fov", "Field of view", "deg", number(10.0, 100.0)),
-        /// Control mode of the camera. fly: dragging turns the view, the keys move the camera; orbit: dragging moves
-        /// the camera around the point of the sea in the middle of the picture; buoy: the camera rides on the waves,
-        /// and its height counts from the water below it.
+        /// Control mode. fly: dragging turns the view, the keys move the camera; orbit: dragging moves the camera
+        /// around the sea in the middle of the picture; buoy: the camera rides on the waves, its height counts from the
+        /// water.
         mode: CameraMode = CameraMode::Fly => ("camera", "Mode", "", Choice(CameraMode::WORDS)),
     }
 }
@@ -126,8 +124,7 @@ parameters! {
     pub struct Screen {
         /// Shows the control panel (key H); 0 hides it, as suits a page that is embedded in another.
         panel: bool = true => ("ui", "Panel", "", Flag),
-        /// Units that the control panel shows: metric, or feet, nautical miles and knots. The state string is always
-        /// metric.
+        /// Units of the control panel: metric, or feet, nautical miles and knots. The state string is always metric.
         units: Units = Units::Metric => ("units", "Units", "", Choice(Units::WORDS)),
         /// Rendered pixels per window pixel along each axis: below 1 is faster and softer, above 1 is smoother.
         render_scale: f64 = 1.0 => ("renderscale", "Render scale", "", number(0.25, 2.0)),

@@ -1,9 +1,9 @@
-//! The state string: one query string that holds all shareable state.
+//! The state string: one URL query string that holds all shareable state.
 //!
-//! `wind=14&fetch=300&seed=7&t=40` is the URL on the web, the argument of the desktop program and of every command. The
-//! keys are those of [`FIELDS`] and four more: `measured` holds a buoy's spectrum, `sky` the name of a sky file,
-//! `afloat` the floating objects, and `v` the version of the string (`state::versions`). Reading never fails: a value that
-//! cannot be taken becomes a notice. Only values that differ from the default are written.
+//! A string such as `wind=14&fetch=300&seed=7&t=40` follows the `?` of the URL on the web, and is an argument of every
+//! command. The keys are those of [`FIELDS`] and four more: `measured` holds a buoy's spectrum, `sky` the name of a sky
+//! file, `afloat` the floating objects, and `v` the version of the string (`state::versions`). Reading never fails: bad
+//! values become notices. Only values that differ from the default are written.
 
 use super::fields::{self, FIELDS, Refusal};
 use super::floats;
@@ -16,19 +16,19 @@ use std::sync::Arc;
 
 /// Longest state string that is read, bytes; the rest is ignored with a notice. [`write()`] never writes a longer one.
 pub const MAX_BYTES: usize = crate::files::MAX_STATE_BYTES;
-/// Key of the buoy's spectrum.
+/// Key of the measured buoy spectrum in a state string.
 const MEASURED: &str = "measured";
-/// Key of the name of the sky file.
+/// Key of the name of the sky file in a state string.
 pub(super) const SKY: &str = "sky";
-/// Key of the floating objects.
+/// Key of the floating objects in a state string.
 const FLOATS: &str = "afloat";
 
-/// The content of a state string.
+/// Result of reading a state string.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StateReading {
     /// Parameters; those that the string does not set have their defaults.
     pub params: Params,
-    /// Keys whose values were taken, sorted, `measured`, `afloat` and `sky` included.
+    /// Keys whose values were taken from the string, sorted; `measured`, `afloat` and `sky` are among them.
     pub taken: Vec<&'static str>,
     /// One notice for each value that was not taken as written.
     pub notices: Vec<String>,
@@ -54,7 +54,7 @@ pub fn read(text: &str) -> StateReading {
     read_with(text, VERSION_STEPS)
 }
 
-/// [`read`] with the given steps to the newest version.
+/// Does the work of [`read`] with the given version translations, so that tests can invent some.
 fn read_with(text: &str, steps: &[VersionStep]) -> StateReading {
     let mut reading = StateReading::default();
     let mut query = query_part(text);
@@ -86,7 +86,7 @@ fn read_with(text: &str, steps: &[VersionStep]) -> StateReading {
 }
 
 impl StateReading {
-    /// Takes a value with a key outside of [`FIELDS`], or notes why it cannot be read.
+    /// Stores the value of a key that is not in [`FIELDS`], or adds a notice why it cannot be read.
     fn take<T>(&mut self, key: &'static str, value: Result<T, String>, set: impl FnOnce(&mut Params, T)) {
         match value {
             Ok(value) => {
@@ -97,7 +97,7 @@ impl StateReading {
         }
     }
 
-    /// Takes the value of a field; `seen` holds the keys before it.
+    /// Stores the value of a key in [`FIELDS`], or adds a notice. `seen` holds the keys earlier in the string.
     fn take_field(&mut self, key: &str, value: &str, seen: &mut Vec<&'static str>) {
         let Some(field) = fields::find(key) else {
             self.notices.push(format!("unknown setting \"{}\" ignored", quoted(key)));
@@ -126,12 +126,12 @@ impl StateReading {
     }
 }
 
-/// Writes the values that differ from the default, in the order of [`FIELDS`], percent-encoded, without a `?`.
+/// Writes a state string of the values that differ from the default, in the order of [`FIELDS`], percent-encoded.
 pub fn write(params: &Params) -> String {
     write_with(params, VERSION_STEPS)
 }
 
-/// [`write()`] with the given steps to the newest version.
+/// Does the work of [`write()`] with the given version translations, so that tests can invent some.
 fn write_with(params: &Params, steps: &[VersionStep]) -> String {
     let defaults = Params::default();
     let mut out = form_urlencoded::Serializer::new(String::new());
@@ -156,7 +156,7 @@ fn write_with(params: &Params, steps: &[VersionStep]) -> String {
     out.finish()
 }
 
-/// The part between `?` and `#` of a URL; a bare state string unchanged.
+/// Returns the part of a URL between `?` and `#`, or a bare state string.
 fn query_part(text: &str) -> &str {
     let text = text.trim().split('#').next().unwrap_or_default();
     match text.split_once('?') {
@@ -217,8 +217,8 @@ mod tests {
         assert_eq!(r.taken, ["fetch", "gamma", "sky", "wind"]);
     }
 
-    /// Two invented steps. Version 1 has the wind in knots, version 2 in m/s; version 3 renames `draw` to `seed` and
-    /// changes the default fetch from 100 to 150 km.
+    /// Two invented version translations. Version 1 has the wind in knots, version 2 in m/s (taken as half the knots);
+    /// version 3 renames `draw` to `seed` and changes the default fetch from 100 to 150 km.
     const MADE_UP: &[VersionStep] = &[in_metres_a_second, with_another_default];
 
     fn in_metres_a_second(mut pairs: Pairs<'_>) -> Pairs<'_> {
@@ -269,7 +269,7 @@ mod tests {
             assert_eq!(params.sea.local().wind_m_s, 20.0, "{link}");
             assert!(notices.len() == 1 && notices[0].contains(says), "{notices:?}");
         }
-        // The program has one version, and no string names it.
+        // The program has only version 1, which it never writes into a string.
         assert_eq!((parse("v=1&wind=20").1, write(&parse("v=1&wind=20").0)), (vec![], "wind=20".to_owned()));
         assert_eq!(parse("v=2&wind=20").1.len(), 1);
     }

@@ -11,12 +11,10 @@ pub fn pose(params: &Params) -> Pose {
     (params.camera.clone(), params.clock.paused.then_some(params.clock.t_s))
 }
 
-/// Copy of the parameters as a link writes them: camera values and a running time to one decimal, a paused time to
-/// three.
+/// Copy of the parameters as a link writes them: camera and running time to one decimal, a paused time to three.
 pub fn rounded(params: &Params) -> Params {
     let mut p = params.clone();
-    // The quotient of two whole numbers is the f64 nearest to the decimal fraction, so it prints without further
-    // digits.
+    // The quotient of two whole numbers is the f64 nearest to the decimal fraction, so its text is short.
     let round = |x: &mut f64, steps_per_unit: f64| *x = (*x * steps_per_unit).round() / steps_per_unit;
     // A paused time can be stepped by single frames of 1/60 s, so it needs milliseconds.
     round(&mut p.clock.t_s, if p.clock.paused { 1000.0 } else { 10.0 });

@@ -50,11 +50,10 @@ words! {
         Mitsuyasu = "mitsuyasu",
         /// cos^{2s}(theta/2) of the angle theta to the wind, with the exponent s of Hasselmann, Dunckel and Ewing 1980.
         Hasselmann = "hasselmann",
-        /// sech^2(beta theta) of the angle theta to the wind, Donelan, Hamilton and Hui 1985, with Banner's tail of
-        /// 1990.
+        /// sech^2(beta theta) of the angle theta to the wind, Donelan, Hamilton and Hui 1985 with Banner 1990.
         DonelanBanner = "donelan-banner",
-        /// 1 + Delta cos(2 theta) of the angle theta to the wind, Elfouhaily et al. 1997; as strong against the wind as
-        /// with it.
+        /// 1 + Delta cos(2 theta) of the angle theta to the wind, so as strong upwind as downwind, Elfouhaily et al.
+        /// 1997.
         Elfouhaily = "elfouhaily",
     }
 }
@@ -66,8 +65,7 @@ words! {
         Deep = "deep",
         /// Gravity waves in water of depth h: omega^2 = g k tanh(k h).
         Finite = "finite",
-        /// Waves with surface tension sigma in water of depth h and density rho: omega^2 = (g k + sigma/rho k^3) tanh(k
-        /// h).
+        /// Gravity-capillary waves, surface tension sigma, density rho: omega^2 = (g k + sigma/rho k^3) tanh(k h).
         Capillary = "capillary",
     }
 }
@@ -95,30 +93,26 @@ words! {
 parameters! {
     /// One wave system: a spectrum with its own wind and directional spreading. The default is the local wind sea.
     pub struct System {
-        /// Frequency spectrum, with angular frequency w. phillips: equilibrium range only (1958); tessendorf: Phillips'
-        /// spectrum over wave vectors, with its own cos^2 spreading (2001); ab: A w^-5 exp(-B w^-4); pm: fully
-        /// developed sea (Pierson and Moskowitz 1964); jonswap: fetch-limited sea (Hasselmann et al. 1973); tma:
-        /// jonswap in shallow water (Bouws et al. 1985); marnero: Black Sea (Trusca 2007); karaev: jonswap with a tail
-        /// down to capillary waves (2000); elfouhaily: gravity and capillary waves (1997); donelan: fetch-limited with
-        /// a w^-4 range (1985); ochi-hubble, torsethaugen: swell and wind sea (1976, 2004); measured: from a buoy's
-        /// file.
+        /// Frequency spectrum over w in rad/s. phillips: equilibrium range only (1958); tessendorf: Phillips' spectrum
+        /// over wave vectors, with its own cos^2 spreading (2001); ab: A w^-5 exp(-B w^-4); pm: fully developed sea
+        /// (Pierson and Moskowitz 1964); jonswap: fetch-limited sea (Hasselmann et al. 1973); tma: jonswap in shallow
+        /// water (Bouws et al. 1985); marnero: Black Sea (Trusca 2007); karaev: jonswap with a tail of capillary waves
+        /// (2000); elfouhaily: gravity and capillary waves (1997); donelan: fetch-limited with a w^-4 range (1985);
+        /// ochi-hubble, torsethaugen: two peaks (1976, 2004); measured: a buoy's file.
         spectrum: SpectrumKind = SpectrumKind::Jonswap => ("spectrum", "Spectrum", "", Choice(SpectrumKind::WORDS)),
         /// Factor on the wave height of this system: 1 is the physical height, 0 switches the system off.
         scale: f64 = 1.0 => ("scale", "Scale", "", number(0.0, 5.0), "off"),
         /// Wind speed 10 m above the sea: Beaufort 4 is about 7, a gale (Beaufort 8) about 19, a hurricane above 33.
         wind_m_s: f64 = 12.0 => ("wind", "Wind", "m/s", number(0.0, 60.0)),
-        /// Fetch, the distance over which the wind has blown: a longer one makes longer and higher waves (Hasselmann
-        /// 1973).
+        /// Fetch, the distance that the wind has blown over: more makes longer, higher waves (Hasselmann 1973).
         fetch_km: f64 = 150.0 => ("fetch", "Fetch", "km", logarithmic(0.5, 2000.0)),
         /// Direction that wind and waves come from, clockwise from north, as in a forecast.
         from_deg: f64 = 240.0 => ("dir", "From", "deg", Heading),
-        /// Significant wave height; 0 derives it from wind and fetch. For marnero it is sqrt(2) times the rms wave
-        /// height.
+        /// Significant wave height; 0 derives it from wind and fetch. For marnero: sqrt(2) times the rms wave height.
         hs_m: f64 = 0.0 => ("hs", "Height Hs", "m", number(0.0, 30.0), "auto"),
         /// Peak period; 0 derives it from wind and fetch. For marnero it is 1.2 times the mean period.
         tp_s: f64 = 0.0 => ("tp", "Period Tp", "s", number(0.0, 30.0), "auto"),
-        /// Peak enhancement factor gamma of jonswap, tma and karaev: 1 is a broad peak, 3.3 the JONSWAP mean, 7 a young
-        /// sea.
+        /// Peak enhancement factor of jonswap, tma and karaev: 1 is a broad peak, 3.3 the JONSWAP mean, 7 a young sea.
         gamma: f64 = 3.3 => ("gamma", "Peak gamma", "", number(1.0, 10.0)),
         /// Coefficient A of the spectrum ab (in m2/s4) or of tessendorf (without unit). 0 takes the default: 0.78 as in
         /// pm for ab, 0.0013 for tessendorf.
@@ -184,8 +178,7 @@ parameters! {
         density_kg_m3: f64 = 1025.0 => ("density", "Density", "kg/m3", number(500.0, 2000.0)),
         /// Acceleration of gravity: Earth 9.81, Titan 1.35, Mars 3.71.
         gravity_m_s2: f64 = 9.81 => ("g", "Gravity", "m/s2", logarithmic(0.5, 30.0)),
-        /// Formula for Kitaigorodskii's depth factor of tma: exact, or the fit in three branches (Thompson and Vincent
-        /// 1983).
+        /// Formula for the depth factor of tma: exact, or the fit in three branches (Thompson and Vincent 1983).
         depth_factor: DepthFactor = DepthFactor::Exact
             => ("tmafit", "TMA depth factor", "", Choice(DepthFactor::WORDS)),
         /// Computes alpha and gamma of tma from the dimensionless peak wave number kappa = U^2 k_p / g, as alpha =
@@ -196,8 +189,8 @@ parameters! {
         /// Precision of the integral that normalises a directional spreading without a closed form: number of
         /// quadrature panels, of 15 points each, in each of its six pieces.
         norm_steps: u32 = 2 => ("normsteps", "Quadrature steps", "", integer(1, 64)),
-        /// Choppiness: factor on the horizontal displacement. 1 is linear theory and sharpens the crests, 0 leaves a
-        /// sum of sines.
+        /// Choppiness, the factor on the horizontal displacement: 1 is linear theory, 0 a sum of sines without sharp
+        /// crests.
         chop: f64 = 1.0 => ("chop", "Chop", "", number(0.0, 2.0)),
         /// Additional factor on the horizontal displacement along x (east).
         chop_x: f64 = 1.0 => ("chopx", "Chop east-west", "", number(0.0, 2.0)),
@@ -237,11 +230,10 @@ impl Sea {
 parameters! {
     /// Formation and decay of whitecap foam.
     pub struct Foam {
-        /// Source of the foam threshold. monahan: set so that the mean foam is the whitecap coverage of the wind (Monahan
-        /// and O'Muircheartaigh 1980); fixed: the parameter foamthreshold.
+        /// Source of the foam threshold. monahan: set so that the mean foam is the whitecap coverage of the wind
+        /// (Monahan and O'Muircheartaigh 1980); fixed: the parameter foamthreshold.
         whitecaps: Whitecaps = Whitecaps::Monahan => ("whitecaps", "Whitecaps", "", Choice(Whitecaps::WORDS)),
-        /// With whitecaps=fixed: Jacobian of the displacement below which foam forms; 1 is an undeformed surface, 0 a
-        /// folding crest.
+        /// With whitecaps=fixed: Jacobian below which foam forms; 1 is an undeformed surface, 0 a folding crest.
         threshold: f64 = 0.5 => ("foamthreshold", "Foam threshold", "", number(-1.0, 1.0)),
         /// Offset that is added to the foam threshold: more foam (+) or less (-).
         bias: f64 = 0.0 => ("foambias", "Foam bias", "", number(-1.0, 1.0)),

@@ -19,8 +19,7 @@ pub(super) type VersionStep = for<'a> fn(Pairs<'a>) -> Pairs<'a>;
 /// Translations from version 1 to 2, from 2 to 3 and so on. The list is empty: no key has changed its meaning yet.
 pub(super) const VERSION_STEPS: &[VersionStep] = &[];
 
-/// Translates keys and values of any version to the newest version by `steps`. Also returns a notice if the version is
-/// unknown.
+/// Translates the pairs of any version to the newest by `steps`. Also returns a notice if the version is unknown.
 pub(super) fn upgraded<'a>(pairs: Pairs<'a>, steps: &[VersionStep]) -> (Pairs<'a>, Option<String>) {
     let newest = steps.len() + 1;
     let (versions, pairs): (Pairs<'a>, Pairs<'a>) = pairs.into_iter().partition(|(key, _)| key == KEY);

@@ -69,8 +69,7 @@ pub enum Surface {
     Wireframe,
 }
 
-/// All views, each with its word in the state string and its caption, in the order in which the key V steps through
-/// them.
+/// All views with word in the state string and caption, in the order in which the key V steps through them.
 pub const VIEWS: &[(&str, Shown, &str)] = &[
     ("picture", Shown::Picture, "Picture"),
     ("h0", Shown::Map(Map::InitialSpectrum), "Initial spectrum |h0(k)|"),
@@ -130,11 +129,10 @@ parameters! {
     #[derive(Copy, Eq)]
     pub struct ViewChoice {
         /// View that replaces the picture (key V). Maps of the simulation, texel by texel: h0, the initial spectrum;
-        /// spectrum, the spectrum at this time; dx, height, dz, the displacement; dxdz, dxdx, dzdz, derivatives of the
-        /// horizontal displacement; slopex, slopez, the slopes; momentxx, momentzz, momentxz, products of the slopes;
-        /// jacobian of one cascade; foam; source, where foam forms. On the drawn surface: normals; folding, the
-        /// Jacobian of all cascades; roughness, the slope variance within the pixel; mips, the mip level; coverage of
-        /// foam; wireframe of the mesh.
+        /// spectrum, at this time; dx, height, dz, the displacement; dxdz, dxdx, dzdz, its derivatives; slopex, slopez,
+        /// the slopes; momentxx, momentzz, momentxz, products of slopes; jacobian of one cascade; foam; source, where
+        /// foam forms. On the drawn surface: normals; folding, the Jacobian of all cascades; roughness, the slope
+        /// variance within the pixel; mips, the mip level; coverage of foam; wireframe of the mesh.
         shown: Shown = Shown::Picture => ("view", "View", "", Choice(&WORDS)),
         /// Cascade that a view shows (1 has the longest waves), or level of the foam map (1 is the finest). 0 shows all
         /// side by side; the view mips then shows the finest cascade.
@@ -155,8 +153,7 @@ impl ViewChoice {
         Self { shown: VIEWS[at as usize].1, ..self }
     }
 
-    /// Indices of the array layers that the view shows, of a map with `count` layers: one layer for each cascade or
-    /// foam level.
+    /// Indices of the layers of a map that the view shows; the map has `count` layers, one per cascade or foam level.
     pub fn layers(self, count: usize) -> std::ops::Range<usize> {
         match (self.shown, self.cascade as usize) {
             (Shown::Map(_), 0) => 0..count,

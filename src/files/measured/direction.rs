@@ -1,25 +1,26 @@
-//! Directional parameters of frequency bands.
+//! Directional parameters of the frequency bands of a measured spectrum.
 
 use std::f64::consts::PI;
 
-/// Directional parameters of one frequency band in the convention of the NDBC: D(A) = 1/pi (1/2 + r1 cos(A - alpha1) +
-/// r2 cos(2 (A - alpha2))), where A is the direction waves come FROM, degrees clockwise from true north.
+/// Directional parameters of one frequency band in the convention of the NDBC. The directional distribution is D(A) =
+/// 1/pi (1/2 + r1 cos(A - alpha1) + r2 cos(2 (A - alpha2))), where A is the direction waves come FROM, degrees
+/// clockwise from true north.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Direction {
-    /// Mean direction, degrees in [0, 360).
+    /// Mean direction alpha1 that the waves come from, degrees clockwise from north in [0, 360).
     pub alpha1_deg: f64,
-    /// Principal direction, degrees in [0, 360); alpha2 and alpha2 + 180 are equivalent.
+    /// Principal direction alpha2, degrees clockwise from north in [0, 360); alpha2 + 180 is equivalent.
     pub alpha2_deg: f64,
-    /// Magnitude of the first moment, 0 to 1.
+    /// Magnitude r1 of the first directional moment, 0 to 1; 1 is a single direction.
     pub r1: f64,
-    /// Magnitude of the second moment, 0 to 1.
+    /// Magnitude r2 of the second directional moment, 0 to 1; 1 is a single axis.
     pub r2: f64,
 }
 
 impl Direction {
     /// Parameters of a cos^{2s}(theta/2) lobe with the given mean direction and circular spread sqrt(2 (1 - r1)), both
     /// in degrees. With s = r1/(1 - r1), r2 = s (s - 1)/((s + 1)(s + 2)) = r1 (2 r1 - 1)/(2 - r1) (Longuet-Higgins,
-    /// Cartwright and Smith 1963). Below s = 1 it is negative: the principal direction is across the mean one.
+    /// Cartwright and Smith 1963). Below s = 1, r2 is negative: the principal direction is across the mean one.
     pub fn from_spread(from_deg: f64, spread_deg: f64) -> Self {
         let r1 = (1.0 - 0.5 * spread_deg.to_radians().powi(2)).clamp(0.0, 1.0);
         let r2 = r1 * (2.0 * r1 - 1.0) / (2.0 - r1);
@@ -27,15 +28,15 @@ impl Direction {
         Self { alpha1_deg: from_deg, alpha2_deg, r1, r2: r2.abs() }
     }
 
-    /// The moments (re c1, im c1, re c2, im c2) of the direction of travel: waves from A travel along (-sin A, cos A),
-    /// which is theta = A + pi/2.
+    /// Directional moments (re c1, im c1, re c2, im c2) over the direction of travel theta. Waves that come from the
+    /// angle A travel along (x, z) = (-sin A, cos A), so theta = A + pi/2.
     pub(super) fn moments(&self) -> [f64; 4] {
         let theta1 = self.alpha1_deg.to_radians() + 0.5 * PI;
         let theta2 = 2.0 * self.alpha2_deg.to_radians() + PI;
         [self.r1 * theta1.cos(), self.r1 * theta1.sin(), self.r2 * theta2.cos(), self.r2 * theta2.sin()]
     }
 
-    /// Rounded to what a link carries: angles to 0.1 degree in [0, 360), r1 and r2 to 0.001 in [0, 1].
+    /// Rounds to the precision of a link: angles to 0.1 degree in [0, 360), r1 and r2 to 0.001 in [0, 1].
     pub(super) fn rounded(&self) -> Result<Self, String> {
         let Self { alpha1_deg, alpha2_deg, r1, r2 } = *self;
         if ![alpha1_deg, alpha2_deg, r1, r2].iter().all(|v| v.is_finite()) {
@@ -47,8 +48,8 @@ impl Direction {
     }
 }
 
-/// Directions of all bands (frequency in Hz, density): a band without one takes the direction of the nearest band that
-/// has one. None, with a notice, where less than a third of the bands has one.
+/// Fills gaps in the directions of bands (frequency in Hz, variance density): a band without a direction takes that of
+/// the nearest band that has one. Returns None, with a notice, if less than a third of the bands has a direction.
 pub(super) fn filled(
     bands: &[(f64, f64)],
     directions: &[Option<Direction>],
@@ -63,7 +64,7 @@ pub(super) fn filled(
     bands.iter().zip(directions).map(|(b, d)| d.or_else(|| Some(nearest(&known, b.0)?.1))).collect()
 }
 
-/// The entry (frequency in Hz, value) whose frequency is nearest to `f_hz`.
+/// Returns the entry (frequency in Hz, value) whose frequency is nearest to `f_hz`.
 pub(super) fn nearest<T>(entries: &[(f64, T)], f_hz: f64) -> Option<&(f64, T)> {
     entries.iter().min_by(|a, b| (a.0 - f_hz).abs().total_cmp(&(b.0 - f_hz).abs()))
 }

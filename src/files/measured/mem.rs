@@ -4,26 +4,26 @@
 use glam::{DVec2, dvec2};
 use std::f64::consts::TAU;
 
-/// Largest magnitude of c1 and phi2: at 1 a lobe has no width.
+/// Largest magnitude of the first moment c1 and of phi2; with a magnitude of 1 the distribution has no width.
 const LIMIT: f64 = 0.995;
 
 /// The directional distribution of the largest (Burg) entropy for given moments c1 and c2:
 /// D(theta) = norm / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mem {
-    /// (c1 - c2 c1*) / (1 - |c1|^2).
+    /// First coefficient, (c1 - c2 c1*) / (1 - |c1|^2) with the moments c1 and c2; * is the complex conjugate.
     pub phi1: DVec2,
-    /// c2 - c1 phi1.
+    /// Second coefficient, c2 - c1 phi1 with the moments c1 and c2 and the first coefficient phi1.
     pub phi2: DVec2,
-    /// (1 - phi1 c1* - phi2 c2*) / (2 pi), per rad.
+    /// Normalisation (1 - phi1 c1* - phi2 c2*) / (2 pi), per rad; * is the complex conjugate.
     pub norm: f64,
 }
 
 impl Mem {
-    /// The distribution with the moments (re c1, im c1, re c2, im c2), c_n = integral of D e^{i n theta}.
+    /// Makes the distribution with the moments (re c1, im c1, re c2, im c2), c_n = integral of D e^{i n theta}.
     ///
     /// The distribution has exactly these moments if |c1| <= 0.995 and |c2 - c1^2| <= 0.995 (1 - |c1|^2). Otherwise c1
-    /// is shortened and c2 moved towards c1^2 until both hold. With 1 in place of 0.995 these are the bounds of any
+    /// is shortened and c2 moved towards c1^2 until both conditions hold. With 1 in place of 0.995 they hold for any
     /// distribution. Moments that are not finite give an isotropic distribution.
     pub fn new(moments: [f64; 4]) -> Self {
         let known = moments.iter().all(|m| m.is_finite());
@@ -36,14 +36,14 @@ impl Mem {
         Self { phi1, phi2, norm: free * (1.0 - phi2.length_squared()) / TAU }
     }
 
-    /// The moment c1 of the distribution.
+    /// First moment c1 of the distribution, the integral of D e^{i theta}, as (re, im).
     pub fn first_moment(&self) -> [f64; 2] {
         // phi1 = c1 - phi2 c1*, solved for c1.
         let c1 = (self.phi1 + self.phi2.rotate(conjugate(self.phi1))) / (1.0 - self.phi2.length_squared());
         c1.to_array()
     }
 
-    /// D(theta), per rad.
+    /// Density D of the distribution, per rad, in the direction `theta`, rad.
     pub fn density(&self, theta: f64) -> f64 {
         let (sin, cos) = theta.sin_cos();
         let first = self.phi1.rotate(dvec2(cos, -sin));
@@ -56,7 +56,7 @@ fn conjugate(a: DVec2) -> DVec2 {
     dvec2(a.x, -a.y)
 }
 
-/// A complex number, shortened to [`LIMIT`] if its magnitude is larger.
+/// Returns a complex number, shortened to the magnitude [`LIMIT`] if its magnitude is larger.
 fn shortened(a: DVec2) -> DVec2 {
     let size = a.x.hypot(a.y);
     if size > LIMIT { LIMIT * (a / size) } else { a }
@@ -67,10 +67,10 @@ mod tests {
     use super::super::tests::Lcg;
     use super::*;
 
-    /// Integral, first and second moments by the periodic trapezium rule, and the smallest density. With poles at
-    /// radius 1 - d the error is e^{-n d}.
+    /// Integral, first and second moments of a distribution by the periodic trapezium rule, and its smallest density.
+    /// With n samples and poles at radius 1 - d the error is e^{-n d}.
     fn integrals(mem: &Mem) -> ([f64; 5], f64) {
-        // Poles of z^2 - phi1 z - phi2.
+        // Poles of the density: the roots of z^2 - phi1 z - phi2.
         let square = 0.25 * mem.phi1.rotate(mem.phi1) + mem.phi2;
         let root = square.length().sqrt() * DVec2::from_angle(0.5 * square.to_angle());
         let gap = 1.0 - (0.5 * mem.phi1 + root).length().max((0.5 * mem.phi1 - root).length());

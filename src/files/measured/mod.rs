@@ -1,4 +1,4 @@
-//! Measured wave spectra: the spectral files of a wave buoy as a frequency spectrum with directions.
+//! Measured wave spectra: reads the spectral files of a wave buoy as a frequency spectrum with directions.
 //!
 //! [`MeasuredSpectrum::read`] reads files, [`MeasuredSpectrum::to_state`] and [`MeasuredSpectrum::from_state`] carry a
 //! spectrum in a link, and [`Mem`] turns its directional moments into a directional distribution.

@@ -1,16 +1,16 @@
-//! The measured spectrum: variance densities, heights, and directional moments.
+//! A measured wave spectrum: its variance density, wave height, peak frequency and directional moments.
 
 use super::direction::Direction;
 use super::text::shown;
 use std::f64::consts::TAU;
 
-/// Most frequency bands of a measured spectrum.
+/// Largest number of frequency bands of a measured spectrum.
 pub const MAX_BANDS: usize = 256;
-/// Fewest frequency bands of a measured spectrum.
+/// Smallest number of frequency bands of a measured spectrum.
 pub const MIN_BANDS: usize = 3;
-/// Highest frequency of a band, Hz.
+/// Highest frequency that a band may have, Hz.
 const MAX_HZ: f64 = 2.0;
-/// Upper bound of a variance density, exclusive, m^2/Hz.
+/// Bound below which every variance density must be, m^2/Hz.
 const MAX_DENSITY: f64 = 1e5;
 /// Frequencies (Hz) and densities (m^2/Hz) below this count as 0.
 const TINY: f64 = 1e-9;
@@ -23,20 +23,20 @@ pub struct MeasuredSpectrum {
     directions: Option<Vec<Direction>>,
 }
 
-/// A measured spectrum from files.
+/// A measured spectrum that was read from files, with its title and notices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpectrumFile {
-    /// The spectrum.
+    /// The measured spectrum.
     pub spectrum: MeasuredSpectrum,
-    /// Name of the file and time of the record, printable and short.
+    /// Title for the user: name of the file and time of the record, printable and short.
     pub title: String,
-    /// Messages about what was not used.
+    /// Messages about missing data, and about data in the files that were not used.
     pub notices: Vec<String>,
 }
 
 impl MeasuredSpectrum {
-    /// A spectrum of bands (frequency in Hz, ascending; one-sided variance density in m^2/Hz), with one direction for
-    /// each band or none at all.
+    /// Makes a spectrum from bands (frequency in Hz, ascending; one-sided variance density in m^2/Hz), with one
+    /// direction for each band or none at all.
     ///
     /// # Errors
     /// One sentence, if the number of bands is not within [`MIN_BANDS`] to [`MAX_BANDS`] or a value is out of range.
@@ -70,8 +70,8 @@ impl MeasuredSpectrum {
     }
 
     /// Variance density S(omega) = S(f) / (2 pi), m^2 s, at omega in rad/s. It is linear in f between bands. Below the
-    /// first band it falls to 0 over the width of the first interval. Above the last band it falls as f^-5 (Phillips'
-    /// equilibrium range), for the waves that are too short for the buoy.
+    /// first band it falls to 0 over a width of the first interval between bands. Above the last band it falls as f^-5
+    /// (Phillips' equilibrium range), for the waves that are too short for the buoy.
     pub fn density(&self, omega: f64) -> f64 {
         let f = omega / TAU;
         let (first, last) = (self.bands[0], self.bands[self.bands.len() - 1]);
@@ -87,12 +87,13 @@ impl MeasuredSpectrum {
         s / TAU
     }
 
-    /// Lowest omega with variance, rad/s; above 0, so that it has a logarithm.
+    /// Lowest angular frequency with variance, rad/s; above 0, so that its logarithm is finite.
     pub fn lowest_omega(&self) -> f64 {
         TAU * self.low_hz().max(1e-3 * self.bands[0].0)
     }
 
-    /// Values of omega at which S has a kink, rad/s, ascending: the bands and the foot of the slope below them.
+    /// Angular frequencies at which the variance density has a kink, rad/s, ascending: the bands, and the frequency
+    /// below them at which the density reaches 0.
     pub fn breakpoints(&self) -> Vec<f64> {
         let low = (self.low_hz() > 0.0).then(|| self.low_hz());
         low.into_iter().chain(self.bands.iter().map(|b| b.0)).map(|f| TAU * f).collect()
@@ -104,12 +105,13 @@ impl MeasuredSpectrum {
         foot + self.bands.windows(2).map(|w| 0.5 * (w[1].0 - w[0].0) * (w[0].1 + w[1].1)).sum::<f64>()
     }
 
-    /// Significant wave height of the measured bands, m: 4 sqrt(m0).
+    /// Significant wave height of the measured bands, m: 4 sqrt(m0) with the variance m0.
     pub fn hs_m(&self) -> f64 {
         4.0 * self.m0_m2().sqrt()
     }
 
-    /// Peak frequency, rad/s: the band of the largest density, refined by the parabola through its neighbours.
+    /// Peak angular frequency, rad/s: the band of the largest variance density, refined by a parabola through this band
+    /// and its neighbours.
     pub fn omega_p(&self) -> f64 {
         let n = self.bands.len();
         let peak = (1..n).fold(0, |best, i| if self.bands[i].1 > self.bands[best].1 { i } else { best });
@@ -124,9 +126,9 @@ impl MeasuredSpectrum {
         TAU * (f + shift)
     }
 
-    /// The moments (re c1, im c1, re c2, im c2), c_n = integral of D e^{i n theta}, of the direction theta = atan2(z,
-    /// x) that waves travel TO (x east, z south), at omega in rad/s. None without directions. The moments, not the
-    /// angles, are linear in f between bands; they are constant below and above.
+    /// Directional moments (re c1, im c1, re c2, im c2) at omega in rad/s, c_n = integral of D e^{i n theta}, with the
+    /// direction theta = atan2(z, x) that waves travel TO (x east, z south). None without directions. The moments, not
+    /// the angles, are linear in f between bands; they are constant below and above.
     pub fn moments(&self, omega: f64) -> Option<[f64; 4]> {
         let directions = self.directions.as_ref()?;
         let (i, t) = self.interval(omega / TAU);
@@ -134,12 +136,12 @@ impl MeasuredSpectrum {
         Some(std::array::from_fn(|n| a[n] + t * (b[n] - a[n])))
     }
 
-    /// Frequency at which the slope below the first band reaches 0, Hz.
+    /// Frequency below the first band at which the variance density reaches 0, Hz.
     fn low_hz(&self) -> f64 {
         (2.0 * self.bands[0].0 - self.bands[1].0).max(0.0)
     }
 
-    /// Index of the interval between two bands that holds a frequency in Hz, and the position in it, 0 to 1.
+    /// Index of the interval between two bands that holds the frequency `f` in Hz, and position in it, 0 to 1.
     fn interval(&self, f: f64) -> (usize, f64) {
         let i = self.bands.partition_point(|b| b.0 <= f).clamp(1, self.bands.len() - 1) - 1;
         let (low, high) = (self.bands[i].0, self.bands[i + 1].0);
@@ -147,7 +149,7 @@ impl MeasuredSpectrum {
     }
 }
 
-/// The frequency of a band in Hz, rounded; `before` is the rounded frequency of the band before it.
+/// Checks and rounds the frequency of a band, Hz. It must exceed `before`, the rounded frequency of the previous band.
 pub(super) fn checked_frequency(f: f64, before: Option<f64>) -> Result<f64, String> {
     let kept = four_digits(f);
     if !(kept > 0.0 && kept <= MAX_HZ) {
@@ -159,7 +161,7 @@ pub(super) fn checked_frequency(f: f64, before: Option<f64>) -> Result<f64, Stri
     }
 }
 
-/// The variance density of a band in m^2/Hz, rounded.
+/// Checks the variance density of a band in m^2/Hz and rounds it.
 pub(super) fn checked_density(s: f64) -> Result<f64, String> {
     let kept = four_digits(s);
     if s >= 0.0 && kept < MAX_DENSITY {
@@ -169,7 +171,7 @@ pub(super) fn checked_density(s: f64) -> Result<f64, String> {
     }
 }
 
-/// A number rounded to four significant decimal digits; below [`TINY`] it becomes 0.
+/// Rounds a number to four significant decimal digits; a magnitude below [`TINY`] becomes 0.
 fn four_digits(v: f64) -> f64 {
     if v.abs() < TINY { 0.0 } else { format!("{v:.3e}").parse().unwrap_or(f64::NAN) }
 }

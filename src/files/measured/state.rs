@@ -1,5 +1,5 @@
-//! A measured spectrum as text for a link: bands are separated by `_`, their fields by `*`. No character needs an
-//! escape.
+//! Measured spectra as text for links: bands are separated by `_`, the numbers of a band by `*`. No character needs
+//! percent-encoding.
 
 use super::direction::Direction;
 use super::spectrum::{MAX_BANDS, MeasuredSpectrum};
@@ -9,7 +9,8 @@ use super::text::{number, quoted};
 pub const MAX_STATE_BYTES: usize = 16 * 1024;
 
 impl MeasuredSpectrum {
-    /// The spectrum as `f*S_f*S_...` or `f*S*alpha1*alpha2*r1*r2_...`, about 1.6 kB for 47 directional bands.
+    /// Writes the spectrum as `f*S_f*S_...` or `f*S*alpha1*alpha2*r1*r2_...` with f in Hz, S in m^2/Hz and angles in
+    /// degrees; about 1.6 kB for 47 directional bands.
     pub fn to_state(&self) -> String {
         let band = |(i, (f, s)): (usize, &(f64, f64))| {
             let mut fields = vec![*f, *s];
@@ -57,7 +58,7 @@ impl MeasuredSpectrum {
     }
 }
 
-/// The shortest decimal text of a number that is not negative: `.05`, `12.3`, `4e-7`.
+/// Formats a number that is not negative as the shortest decimal text, such as `.05`, `12.3` or `4e-7`.
 fn shortest(v: f64) -> String {
     let plain = v.to_string();
     let plain = plain.strip_prefix('0').filter(|p| !p.is_empty()).unwrap_or(&plain);

@@ -1,20 +1,20 @@
-//! Text files with their limits, numbers in text, and text quoted in messages.
+//! Decodes text files within size limits, parses numbers, and formats text for messages.
 
 use std::fmt::Display;
 
-/// Largest file of a measured spectrum, bytes.
+/// Largest file of a measured spectrum that is read, bytes.
 pub const MAX_FILE_BYTES: usize = 16 << 20;
-/// Most columns of a line.
+/// Largest number of columns in a line of a file.
 pub(super) const MAX_COLUMNS: usize = 4096;
 
-/// A text file and its name, which is short and printable.
+/// A decoded text file and its name, which is short and printable.
 pub(super) struct TextFile<'a> {
     pub name: String,
     pub text: &'a str,
 }
 
 impl<'a> TextFile<'a> {
-    /// Decodes a file of UTF-8 text that is not empty.
+    /// Decodes a file of UTF-8 text. Any other file, and an empty or too large one, is an error.
     pub fn decode(name: &str, bytes: &'a [u8]) -> Result<Self, String> {
         // A browser gives the bare name, a command line the path.
         let name = printable(name.rsplit(['/', '\\']).next().unwrap_or_default(), 60);
@@ -39,41 +39,41 @@ impl<'a> TextFile<'a> {
         Err(format!("{name}: {reason}"))
     }
 
-    /// A message about a line, counted from 1.
+    /// Makes a message about a line of the file; lines are counted from 1.
     pub fn message_at(&self, line: usize, what: impl Display) -> String {
         format!("{}, line {line}: {what}", self.name)
     }
 
-    /// A message about the whole file.
+    /// Makes a message about the whole file.
     pub fn message(&self, what: impl Display) -> String {
         format!("{}: {what}", self.name)
     }
 }
 
-/// A line without byte order mark and surrounding white space.
+/// Returns a line without byte order mark and surrounding white space.
 pub(super) fn content(line: &str) -> &str {
     line.trim_start_matches('\u{feff}').trim()
 }
 
-/// A finite decimal number; "inf", "nan" and the like are refused.
+/// Parses a finite decimal number; None for other text, such as "inf" or "nan".
 pub(super) fn number(text: &str) -> Option<f64> {
     let plain = |b: u8| b.is_ascii_digit() || matches!(b, b'.' | b'-' | b'+' | b'e' | b'E');
     text.bytes().all(plain).then(|| text.parse().ok()).flatten().filter(|v: &f64| v.is_finite())
 }
 
-/// A number for a message, short at any magnitude.
+/// Formats a number for a message, with an exponent if it is very large or very small.
 pub(super) fn shown(v: f64) -> String {
     if v == 0.0 || (1e-6..1e9).contains(&v.abs()) { v.to_string() } else { format!("{v:e}") }
 }
 
-/// A piece of a file for a message, in quotation marks.
+/// Formats a piece of a file for a message: at most 24 characters, in quotation marks.
 pub(super) fn quoted(text: &str) -> String {
     format!("\"{}\"", printable(text, 24))
 }
 
-/// The printable characters of a text, cut to `limit` characters with an ellipsis.
+/// Returns the printable characters of a text, cut to `limit` characters with an ellipsis.
 pub(super) fn printable(text: &str, limit: usize) -> String {
-    // Format characters change or hide the text around them.
+    // Unicode format characters, such as bidirectional marks, change or hide the text around them.
     let hidden = |c: char| {
         let format =
             matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}');

@@ -1,5 +1,5 @@
-//! The sky from an equirectangular image in linear light. The image is made safe, and its sun is found and removed from
-//! the environment that the sea reflects.
+//! Skies from equirectangular images in linear light. Invalid pixels are corrected, and the sun is found and removed
+//! from the environment that the sea reflects.
 
 #[cfg(feature = "files")]
 mod formats;
@@ -15,36 +15,36 @@ pub use sun::Sun;
 
 use sky_image::{SkyImage, check_shape, luminance};
 
-/// Widest image that is kept; a wider one is reduced by a whole number.
+/// Largest width of a sky image that is kept, pixels; a wider image is reduced by a whole-number factor.
 const MAX_WIDTH: usize = 8192;
-/// Columns and rows of [`Panorama::calm`].
+/// Columns and rows of [`Panorama::calm`], the small image without the sun.
 pub const CALM: [usize; 2] = [512, 256];
-/// Horizontal irradiance that every file is scaled to: a clear noon, in the unit of `atmosphere.wgsl`.
+/// Horizontal irradiance that every sky image is scaled to: that of a clear noon, in the unit of `atmosphere.wgsl`.
 const NOON: f64 = 16.0;
 
-/// A sky from a file. Light is in the unit of `atmosphere.wgsl`.
+/// A sky from an image file. Light is in the unit of `atmosphere.wgsl`.
 #[derive(Clone, Debug)]
 pub struct Panorama {
     /// Columns of the image.
     pub width: usize,
     /// Rows of the image.
     pub height: usize,
-    /// Mip levels in linear sRGB as RGB9E5, row by row from the zenith. Sizes are halved and rounded down.
+    /// Mip levels of the image in linear sRGB as RGB9E5, row by row from the zenith. Sizes are halved and rounded down.
     pub mips: Vec<Vec<u32>>,
-    /// [`CALM`] pixels in linear sRGB without the sun, from which the reflected environment is made.
+    /// Small copy of the image without the sun, [`CALM`] pixels in linear sRGB, which the environment map is made from.
     pub calm: Vec<[f32; 3]>,
     /// The sun, if the image shows a compact one.
     pub sun: Option<Sun>,
-    /// Irradiance of a horizontal surface by the sky without the sun.
+    /// Irradiance (red, green, blue) of a horizontal surface by the sky without the sun.
     pub irradiance: [f64; 3],
-    /// Factor from the unit of the file to the unit of `atmosphere.wgsl`.
+    /// Factor by which light in the file was multiplied to be in the unit of `atmosphere.wgsl`.
     pub gain: f64,
-    /// Messages about what was changed in the image.
+    /// Messages about what was corrected, reduced or not found in the image.
     pub notices: Vec<String>,
 }
 
 impl Panorama {
-    /// A sky from the pixels of an equirectangular image, row by row from the zenith, north in its middle column.
+    /// Makes a sky from the pixels of an equirectangular image, row by row from the zenith, north in its middle column.
     ///
     /// # Errors
     /// One sentence, if the image does not show a whole sky or its sky is black.
@@ -80,7 +80,7 @@ impl Panorama {
             return Err("the upper half, which must show the sky, is black: turn the image if it is upside down".into());
         }
         let gain = NOON / whole;
-        // The limit keeps values finite that are vast beside the light of the sky, such as below the horizon.
+        // The limit keeps values finite that are far brighter than the sky, such as lamps below the horizon.
         let scaled = |v: f32| (f64::from(v) * gain).min(f64::from(pack::MAX)) as f32;
         let scale = |pixels: &mut [[f32; 3]]| pixels.iter_mut().flatten().for_each(|v| *v = scaled(*v));
         let mut calm = sunless.resampled(CALM).pixels;
@@ -94,7 +94,7 @@ impl Panorama {
     }
 }
 
-/// All mip levels down to a height of one row, packed.
+/// Makes all mip levels of an image down to a height of one row, packed as RGB9E5.
 fn mips(mut level: SkyImage) -> Vec<Vec<u32>> {
     let mut levels = Vec::new();
     loop {

@@ -1,13 +1,13 @@
 //! The texture format RGB9E5: three numbers with a shared exponent, in a third of the memory of f32.
 
-/// Largest number of RGB9E5.
+/// Largest value that the texture format RGB9E5 can hold.
 pub(super) const MAX: f32 = 65408.0;
 
-/// Packs a colour; larger values become [`MAX`].
+/// Packs a linear colour as RGB9E5; negative values become 0 and too large ones [`MAX`].
 pub(super) fn rgb9e5(c: [f32; 3]) -> u32 {
     let c = c.map(|v| v.clamp(0.0, MAX));
     let most = c[0].max(c[1]).max(c[2]);
-    // Mantissas have nine bits without a hidden one; exponents are -15 to 16.
+    // Mantissas have nine bits without a hidden leading bit; exponents are -15 to 16.
     let mut exponent = if most > 0.0 { (most.log2().floor() as i32).max(-16) + 1 } else { -15 };
     if (most / step(exponent)).round() >= 512.0 {
         exponent += 1;
@@ -17,7 +17,7 @@ pub(super) fn rgb9e5(c: [f32; 3]) -> u32 {
     r | g << 9 | b << 18 | ((exponent + 15) as u32) << 27
 }
 
-/// Distance between neighbouring values of a shared-exponent texel (RGB9E5) with this exponent.
+/// Distance between neighbouring values of an RGB9E5 texel with the shared exponent `exponent`.
 fn step(exponent: i32) -> f32 {
     2f32.powi(exponent - 9)
 }

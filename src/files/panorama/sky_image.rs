@@ -1,8 +1,8 @@
-//! An equirectangular image of the whole sky and its geometry.
+//! An equirectangular image of the whole sky: its geometry, resampling and irradiance.
 
 use std::f64::consts::{PI, TAU};
 
-/// Fewest rows of an image that shows a sky.
+/// Smallest number of rows of an image that is accepted as a sky.
 const MIN_HEIGHT: usize = 8;
 
 /// An equirectangular image in linear light. Columns go clockwise from the south, with north in the middle.
@@ -10,13 +10,13 @@ const MIN_HEIGHT: usize = 8;
 pub(super) struct SkyImage {
     pub width: usize,
     pub height: usize,
-    /// Linear sRGB, row by row from the zenith.
+    /// Pixels in linear sRGB, row by row from the zenith.
     pub pixels: Vec<[f32; 3]>,
 }
 
 impl SkyImage {
-    /// Corrects values that are not light: negative ones and NaN become 0, infinite ones the largest finite value.
-    /// Returns the number of corrected pixels.
+    /// Corrects pixel values that cannot be light: negative values and NaN become 0, infinite ones the largest finite
+    /// value. Returns the number of corrected pixels.
     pub fn correct(&mut self) -> usize {
         let finite = self.pixels.iter().flatten().copied().filter(|v| v.is_finite());
         let most = finite.fold(0f32, f32::max).min(1e30);
@@ -29,19 +29,20 @@ impl SkyImage {
         corrected
     }
 
-    /// The image reduced by a whole number: means over squares of side `by`, without the remainder at right and bottom.
+    /// Returns the image reduced by the whole-number factor `by`: means over squares of `by` x `by` pixels, without the
+    /// remainder at the right and bottom edges.
     pub fn reduced(&self, by: usize) -> Self {
         let size = [self.width / by, self.height / by];
         self.resampled_part(size.map(|side| side * by), size)
     }
 
-    /// The image with other numbers of columns and rows. A pixel is the mean of the pixels that it covers, or the
-    /// nearest one if it covers none.
+    /// Returns the image resampled to `size` columns and rows. A new pixel is the mean of the pixels that it covers, or
+    /// the nearest one if it covers none.
     pub fn resampled(&self, size: [usize; 2]) -> Self {
         self.resampled_part([self.width, self.height], size)
     }
 
-    /// The upper left part of the image, given by its columns and rows, resampled to `size`.
+    /// Resamples the upper left part of the image, given by columns and rows, to another number of columns and rows.
     fn resampled_part(&self, part: [usize; 2], [width, height]: [usize; 2]) -> Self {
         let range = |i: usize, to: usize, from: usize| {
             let start = i * from / to;
@@ -62,7 +63,7 @@ impl SkyImage {
         Self { width, height, pixels }
     }
 
-    /// Irradiance of a horizontal surface by the upper half.
+    /// Irradiance (red, green, blue) of a horizontal surface by the upper half of the image.
     pub fn horizontal_irradiance(&self) -> [f64; 3] {
         let mut sum = [0.0; 3];
         for (y, row) in self.pixels.chunks(self.width).enumerate() {
@@ -77,7 +78,7 @@ impl SkyImage {
         sum
     }
 
-    /// Elevation at a distance from the top edge in rows, rad.
+    /// Elevation angle above the horizon at the distance `y` from the top edge in rows, rad.
     pub fn elevation(&self, y: f64) -> f64 {
         PI * (0.5 - y / self.height as f64)
     }
@@ -87,7 +88,7 @@ impl SkyImage {
         (self.elevation(y as f64).sin() - self.elevation(y as f64 + 1.0).sin()) * TAU / self.width as f64
     }
 
-    /// Unit vector (east, up, south) of a point of the image, in columns and rows from the top left corner.
+    /// Unit vector (east, up, south) towards the point of the image `x` columns and `y` rows from the top left corner.
     pub fn direction(&self, x: f64, y: f64) -> [f64; 3] {
         let (sin_a, cos_a) = (TAU * (x / self.width as f64 - 0.5)).sin_cos();
         let (sin_e, cos_e) = self.elevation(y).sin_cos();
@@ -95,19 +96,19 @@ impl SkyImage {
     }
 }
 
-/// Refuses an image that cannot show a whole sky.
+/// Refuses an image whose size cannot be that of a whole equirectangular sky.
 pub(super) fn check_shape(width: usize, height: usize) -> Result<(), String> {
     if height < MIN_HEIGHT {
         return Err(format!("{width} x {height} pixels are too few for a sky: save it with {MIN_HEIGHT} rows or more"));
     }
-    // One row more or less is accepted.
+    // Small deviations, such as one row more or less, are accepted.
     if (width as f64 / height as f64 - 2.0).abs() > 0.1 {
         return Err(format!("{width} x {height} pixels: an equirectangular sky must be twice as wide as high"));
     }
     Ok(())
 }
 
-/// Luminance of a colour in linear sRGB.
+/// Relative luminance of a colour in linear sRGB.
 pub(super) fn luminance<T: Into<f64>>(c: [T; 3]) -> f64 {
     let [r, g, b] = c.map(Into::into);
     0.2126 * r + 0.7152 * g + 0.0722 * b

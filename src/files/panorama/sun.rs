@@ -3,17 +3,18 @@
 use super::sky_image::{SkyImage, luminance};
 use std::f64::consts::PI;
 
-/// Radius of the area around the brightest cell that is examined, rad.
+/// Angular radius around the brightest search cell within which the sun is examined, rad.
 const REACH: f64 = 6.0 * PI / 180.0;
-/// Inner radius of the ring that shows the sky around the sun, rad.
+/// Inner angular radius of the ring in which the sky around the sun is measured, rad.
 const RING: f64 = 4.0 * PI / 180.0;
-/// Least ratio of the luminance of the sun to that of the sky around it.
+/// Smallest ratio of the luminance of a sun to that of the sky around it.
 const CONTRAST: f64 = 15.0;
-/// Largest radius of a sun, rad; bloom makes it large in some files.
+/// Largest angular radius of a sun, rad. Bloom enlarges the sun in some files.
 const MAX_RADIUS: f64 = 3.0 * PI / 180.0;
-/// Least ratio of the light of a sun to the light of the sky; a lamp or a reflection has less.
+/// Smallest ratio of the light of a sun to the light of the whole sky; a lamp or a reflection has less.
 const MIN_SHARE: f64 = 0.02;
-/// Cells across a full turn in which the brightest place is searched; larger than a pixel because of hot pixels.
+/// Number of search cells across 360 degrees of azimuth. The brightest cell is searched, not pixel, because single
+/// pixels can be faulty.
 const CELLS: usize = 512;
 
 /// The sun in an image of the sky.
@@ -21,18 +22,19 @@ const CELLS: usize = 512;
 pub struct Sun {
     /// Azimuth of the sun's centre, degrees clockwise from the middle column of the image, 0 to 360.
     pub azimuth_deg: f64,
-    /// Elevation above the horizon, degrees.
+    /// Elevation of the sun's centre above the horizon, degrees.
     pub elevation_deg: f64,
-    /// Radius of a disc of the same solid angle, rad.
+    /// Angular radius of a disc with the solid angle of the sun, rad.
     pub radius_rad: f64,
-    /// Irradiance of a plane that faces the sun, without the sky around it, in the unit of the image.
+    /// Irradiance (red, green, blue) by the sun alone of a plane that faces it: in the unit of the image, or once the
+    /// image is scaled to a [`Panorama`](super::Panorama), of `atmosphere.wgsl`.
     pub irradiance: [f64; 3],
 }
 
-/// Finds the sun and replaces its pixels by the sky around it. None, without a change, if there is no sun.
+/// Finds the sun and replaces its pixels by the sky around it. Returns None and changes nothing if there is no sun.
 pub(super) fn remove(image: &mut SkyImage) -> Option<Sun> {
     let near = within(REACH, brightest(image)?, image);
-    // The median of the ring stands for the sky behind the sun, despite clouds and glare.
+    // The median pixel of the ring stands for the sky behind the sun, despite clouds and glare.
     let mut ring: Vec<&NearPixel> = near.iter().filter(|p| p.angle > RING).collect();
     ring.sort_by(|a, b| a.luminance.total_cmp(&b.luminance));
     let behind = ring.get(ring.len() / 2)?;
@@ -41,7 +43,7 @@ pub(super) fn remove(image: &mut SkyImage) -> Option<Sun> {
     if peak < CONTRAST * behind.luminance.max(1e-12) {
         return None;
     }
-    // Glare far above the sky behind it and not negligible beside the peak belongs to the sun.
+    // Glare much brighter than the sky behind it, and not negligible beside the sun's peak, belongs to the sun.
     let cut = (4.0 * behind.luminance).max(3e-3 * peak);
     let sun_pixels: Vec<&NearPixel> = near.iter().filter(|p| p.angle < RING && p.luminance > cut).collect();
     let (mut irradiance, mut at, mut solid_angle) = ([0.0; 3], [0.0; 3], 0.0);
@@ -73,7 +75,7 @@ pub(super) fn remove(image: &mut SkyImage) -> Option<Sun> {
     })
 }
 
-/// Direction of the brightest cell above the horizon.
+/// Unit vector to the brightest search cell (block of pixels) above the horizon; None if the sky is black.
 fn brightest(image: &SkyImage) -> Option<[f64; 3]> {
     let SkyImage { width, height, ref pixels } = *image;
     let side = width.div_ceil(CELLS);
@@ -92,18 +94,18 @@ fn brightest(image: &SkyImage) -> Option<[f64; 3]> {
     (best.0 > 0.0).then(|| image.direction(x, y))
 }
 
-/// A pixel near the sun.
+/// A pixel in the area that is examined for the sun.
 struct NearPixel {
     index: usize,
     luminance: f64,
-    /// Angle from the middle of the brightest cell, rad.
+    /// Angle between the pixel and the middle of the brightest search cell, rad.
     angle: f64,
-    /// Solid angle, sr.
+    /// Solid angle of the pixel, sr.
     solid_angle: f64,
     direction: [f64; 3],
 }
 
-/// The pixels above the horizon within an angle of a direction.
+/// Pixels above the horizon within the angle `reach` (rad) of the direction `middle`.
 fn within(reach: f64, middle: [f64; 3], image: &SkyImage) -> Vec<NearPixel> {
     let least = reach.cos();
     let mut out = Vec::new();

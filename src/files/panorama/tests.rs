@@ -1,15 +1,16 @@
-//! Synthetic skies with a known sun.
+//! Tests of sky images, with synthetic skies whose sun is known.
 
 use super::*;
 use std::f64::consts::TAU;
 
-/// A sky that is brighter near the horizon, with a sun of the given place in degrees, radius in rad and irradiance.
+/// Pixels of a sky that is brighter near the horizon, with a sun of the given azimuth and elevation (degrees), radius
+/// (rad) and irradiance.
 fn sky(width: usize, azimuth: f64, elevation_deg: f64, radius: f64, irradiance: [f64; 3]) -> Vec<[f32; 3]> {
     let height = width / 2;
     let image = SkyImage { width, height, pixels: Vec::new() };
     let (a, e) = (azimuth.to_radians(), elevation_deg.to_radians());
     let to_sun = [a.sin() * e.cos(), e.sin(), -a.cos() * e.cos()];
-    // A grid of points in each pixel gives the share of the pixel that the disc covers.
+    // A grid of points in each pixel gives the fraction of the pixel that the disc covers.
     const POINTS: usize = 8;
     let radiance = 1.0 / (TAU * (1.0 - radius.cos()));
     let pixel = |x: usize, y: usize| {
@@ -47,7 +48,7 @@ fn the_sun_is_found() {
             assert!((found / given - 1.0).abs() < 0.05, "{width}: irradiance {found} for {given}");
         }
         assert!((sun.radius_rad / radius - 1.0).abs() < 0.35, "{width}: radius {}", sun.radius_rad);
-        // The sun is not in the reflected environment as well.
+        // The sun was removed from the reflected environment, so nothing there is brighter than the sky.
         let brightest = sky.calm.iter().map(|c| luminance(*c)).fold(0.0, f64::max);
         assert!(brightest / sky.gain < 1.3, "{width}: {}", brightest / sky.gain);
         let total = luminance(sky.irradiance) + luminance(sun.irradiance) * elevation_deg.to_radians().sin();

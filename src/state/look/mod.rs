@@ -54,9 +54,9 @@ parameters! {
         /// Exposure in stops, relative to the automatic exposure or, without it, to the exposure of a clear noon (sun
         /// at 60 degrees); then a sunset needs about 3, dusk 8, a moonless night 20.
         exposure_ev: f64 = 0.0 => ("exposure", "Exposure", "EV", number(-8.0, 24.0)),
-        /// Tone-mapping curve from scene light to display values. agx: Sobotka (2022), with added contrast and
-        /// saturation; aces: Hill's fit (2016); reinhard: x/(1+x) (2002); neutral: Khronos PBR Neutral (2024); linear:
-        /// clipped at white.
+        /// Tone-mapping curve from scene light to display. agx: Sobotka (2022), with added contrast and saturation;
+        /// aces: Hill's fit (2016); reinhard: x/(1+x) (2002); neutral: Khronos PBR Neutral (2024); linear: clipped at
+        /// white.
         tone: Tone = Tone::Agx => ("tone", "Tone curve", "", Choice(Tone::WORDS)),
         /// Fraction of the light that the lens scatters around bright objects (Jimenez 2014); the total light does not
         /// change. 0.04 is a clean lens, 0.3 a misted one.

@@ -40,9 +40,8 @@ parameters! {
         /// Distance of the sun. Irradiance falls with its square, apparent diameter with its first power. Venus 0.72,
         /// Mars 1.52.
         sun_distance_au: f64 = 1.0 => ("sundistance", "Sun distance", "au", logarithmic(0.1, 10.0)),
-        /// Exponent of the limb darkening: the radiance of the disc is proportional to this power of the cosine of the
-        /// emission angle. 0 is an even disc, 0.45 the sun in green light (Hestroffer and Magnan 1998); the irradiance
-        /// does not change.
+        /// Exponent of the limb darkening: radiance over the disc is the cosine of the emission angle to this power. 0
+        /// is an even disc, 0.45 the sun in green light (Hestroffer and Magnan 1998); the irradiance does not change.
         sun_falloff: f64 = 0.45 => ("sunfalloff", "Limb darkening", "", number(0.0, 4.0)),
         /// Amount of aerosol relative to a clear maritime day: more gives a whiter horizon and redder sunsets.
         haze: f64 = 1.0 => ("haze", "Haze", "", number(0.0, 10.0)),

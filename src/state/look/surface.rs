@@ -86,8 +86,7 @@ parameters! {
         index_water: f64 = 1.333 => ("nwater", "Index of water", "", number(1.0, 3.0)),
         /// Refractive index of the air.
         index_air: f64 = 1.0 => ("nair", "Index of air", "", number(1.0, 3.0)),
-        /// Formula for the Fresnel reflectance. exact: Fresnel's equations for unpolarised light; schlick: Schlick's
-        /// approximation (1994).
+        /// Formula for the Fresnel reflectance. exact: for unpolarised light; schlick: Schlick's approximation (1994).
         fresnel: Fresnel = Fresnel::Exact => ("fresnel", "Fresnel", "", Choice(Fresnel::WORDS)),
         /// With fresnel=schlick: exponent of Schlick's approximation, originally 5.
         fresnel_shine: f64 = 5.0 => ("fresnelshine", "Fresnel shine", "", number(0.0, 20.0)),
@@ -95,9 +94,8 @@ parameters! {
         fresnel_scale: f64 = 1.0 => ("fresnelscale", "Fresnel scale", "", number(0.0, 4.0)),
         /// Factor on the slope of the surface normal from which the Fresnel reflectance is computed; 1 is physical.
         fresnel_normals: f64 = 1.0 => ("fresnelnormals", "Fresnel normals scale", "", number(0.0, 4.0)),
-        /// Microfacet distribution, that of the wave slopes that a pixel does not resolve. gaussian: as measured at sea
-        /// (Cox and Munk 1954); ggx: longer tails (Trowbridge and Reitz 1975); blinn-phong: a lobe of the given
-        /// shininess.
+        /// Microfacet distribution: wave slopes that a pixel does not resolve. gaussian: as measured at sea (Cox and
+        /// Munk 1954); ggx: longer tails (Trowbridge and Reitz 1975); blinn-phong: a lobe of the given shininess.
         specular: Specular = Specular::Gaussian => ("specular", "Microfacets", "", Choice(Specular::WORDS)),
         /// With specular=blinn-phong: exponent of the lobe; a larger one makes a sharper highlight.
         shininess: f64 = 200.0 => ("shininess", "Shininess", "", logarithmic(1.0, 10000.0)),
@@ -118,8 +116,7 @@ parameters! {
     pub struct BedLook {
         /// Colour of the sand on the sea bed, visible in water of a few metres.
         colour: f64 = 0x00d8_ccb0 as f64 => ("bedcolour", "Bed colour", "", Colour),
-        /// Strength of caustics, the sunlight that waves focus on the sea bed: 1 is physical, 0 lights the bed evenly
-        /// and costs nothing.
+        /// Strength of caustics, sunlight focused on the sea bed by waves: 1 is physical; 0 is even and costs nothing.
         caustics: f64 = 0.0 => ("caustics", "Caustics", "", number(0.0, 1.0), "off"),
     }
 }

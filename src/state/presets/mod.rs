@@ -1,10 +1,10 @@
-//! Named seas: the built-in ones, and users' files in the same format.
+//! Presets (named seas): the built-in ones, and users' files in the same format.
 //!
-//! A file is text. `[Name]` begins a sea, and `about:`, `source:` and `state:` begin its lines. Each kind of line may
-//! be repeated: texts are joined by a space, states by `&`. Lines that begin with `#` are comments. Reading never
-//! fails: a line that cannot be read becomes a notice.
+//! A preset file is text. `[Name]` begins a sea, and `about:`, `source:` and `state:` begin its lines. Each kind of
+//! line may be repeated: texts are joined by a space, states by `&`. Lines that begin with `#` are comments. Reading
+//! never fails: a line that cannot be read becomes a notice.
 //!
-//! The groups of [`FIELDS`] decide which parameters a sea sets, see [`Preset::apply`].
+//! The group of a parameter in [`FIELDS`] decides whether a preset sets it, see [`Preset::apply`].
 
 use super::fields::{FIELDS, Field, Group};
 use super::params::Params;
@@ -16,40 +16,40 @@ use std::sync::LazyLock;
 #[cfg(test)]
 mod tests;
 
-/// Largest preset file that is read; the rest is ignored with a notice.
+/// Largest preset file that is read, bytes; the rest is ignored with a notice.
 pub const MAX_FILE_BYTES: usize = 1024 * 1024;
-/// Largest number of seas in a file.
+/// Largest number of presets in a file.
 pub const MAX_PRESETS: usize = 200;
-/// Longest name, characters.
+/// Longest name of a preset, characters.
 pub const MAX_NAME: usize = 60;
-/// Longest `about` or `source`, characters.
+/// Longest `about` or `source` text of a preset, characters.
 pub const MAX_TEXT: usize = 1000;
-/// Key that a sea does not reset: the seed only chooses among seas of the same statistics.
+/// Key of the random seed, which a preset does not reset: it only chooses among seas of the same statistics.
 const SEED: &str = "seed";
 
-/// A named sea.
+/// A preset: a named sea that the user can choose.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Preset {
-    /// Name, at most [`MAX_NAME`] characters.
+    /// Name of the sea, at most [`MAX_NAME`] characters.
     pub name: String,
-    /// Description with typical numbers.
+    /// Description of the sea, with typical wave heights and periods.
     pub about: String,
-    /// Source of the numbers.
+    /// Source of the numbers, such as a paper.
     pub source: String,
-    /// State string; empty is the default sea.
+    /// State string of the sea; empty for the default sea.
     pub state: String,
 }
 
-/// Treatment of a parameter when a sea is applied.
+/// What happens to a parameter when a preset is applied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Role {
-    /// Wind, waves, water, foam: always set, to the default where the state does not name it.
+    /// Wind, waves, water or foam: always set, to its default where the preset does not name it.
     Sea,
-    /// Sun, sky, colours, film: all set if the state names one of them, else kept.
+    /// Sun, sky, colours or film: all are set if the preset names one of them, else all are kept.
     Light,
-    /// Camera: set where the state names it.
+    /// Camera: set only where the preset names it.
     Camera,
-    /// Time, resolution and views: a preset leaves them as they are.
+    /// Time, resolution, views and window: never changed by a preset.
     Kept,
 }
 
@@ -62,21 +62,21 @@ fn role(group: Group) -> Role {
     }
 }
 
-/// The built-in seas.
+/// Returns the presets that come with the program.
 pub fn built_in() -> &'static [Preset] {
     static SEAS: LazyLock<Vec<Preset>> = LazyLock::new(|| read(include_str!("../../../assets/presets/seas.txt")).0);
     &SEAS
 }
 
-/// Whether a text looks like a preset file: its first line that is no comment is a name in brackets.
+/// Whether a text looks like a preset file: its first line that is neither empty nor a comment is a name in brackets.
 pub fn is_file(text: &str) -> bool {
     let first = text.lines().map(str::trim).find(|line| !line.is_empty() && !line.starts_with('#'));
     first.is_some_and(|line| line.starts_with('[') && line.ends_with(']'))
 }
 
 impl Preset {
-    /// A sea with the waves and the light of `params`, without a description. Camera, time, resolution, views and
-    /// default values are left out: a sea in default light carries no light.
+    /// Makes a preset with the waves and the light of `params`, without a description. Camera, time, resolution, views
+    /// and default values are left out, so a sea in default light sets no light.
     pub fn of(name: &str, params: &Params) -> Self {
         let mut carried = Params::default();
         for field in FIELDS.iter().filter(|f| matches!(role(f.group), Role::Sea | Role::Light)) {
@@ -87,14 +87,14 @@ impl Preset {
         Self { name: name.to_owned(), state: query::write(&carried), ..Self::default() }.tidy()
     }
 
-    /// The parameters `now` with this sea in place of their own, and one notice for each value of its state that was
+    /// Returns the parameters `now` changed to this preset, and one notice for each value of its state string that was
     /// not taken as written.
     ///
-    /// Wind, waves, water, foam and the buoy's spectrum are reset and then set by the state; the seed is kept unless
-    /// the state names it. Sun, sky, colours and film are reset and set only if the state names one of them. The camera
-    /// changes only where it is named. Time, resolution and views are kept. The image of a sky file is kept if the
-    /// state names the same file; [`SkyLook::missing_file`](super::look::SkyLook::missing_file) tells whether it is
-    /// missing.
+    /// Wind, waves, water, foam and the buoy's spectrum are reset and then set by the preset; the seed is kept unless
+    /// the preset names it. Sun, sky, colours and film are reset and set only if the preset names one of them. The
+    /// camera changes only where it is named. Time, resolution and views are kept. The image of a sky file is kept if
+    /// the preset names the same file; [`SkyLook::missing_file`](super::look::SkyLook::missing_file) tells whether it
+    /// is missing.
     pub fn apply(&self, now: &Params) -> (Params, Vec<String>) {
         let query::StateReading { params: wanted, taken, mut notices } = query::read(&self.state);
         let named = |field: &Field| taken.contains(&field.key);
@@ -126,8 +126,8 @@ impl Preset {
         (next, notices)
     }
 
-    /// The sea without control characters and surrounding blanks, its texts cut to their largest length. A sea in this
-    /// form is unchanged by writing and reading.
+    /// Removes control characters and surrounding white space, and cuts texts to their largest length. Writing and
+    /// reading leaves the result unchanged.
     #[must_use]
     fn tidy(self) -> Self {
         Self {
@@ -143,7 +143,7 @@ fn copy(field: &Field, from: &Params, to: &mut Params) {
     (field.set)(to, (field.get)(from));
 }
 
-/// Adds seas to a list. A sea replaces the one of the same name.
+/// Adds presets to a list. A preset replaces the one of the same name.
 ///
 /// # Errors
 /// One sentence if the list would exceed the limits of a file; the list is then unchanged.
@@ -163,7 +163,7 @@ pub fn add(to: &mut Vec<Preset>, new: Vec<Preset>) -> Result<(), String> {
     Ok(())
 }
 
-/// Writes seas as a file for [`read`], without control characters and without nameless seas.
+/// Writes presets in the file format of [`read`], without control characters; presets without a name are left out.
 pub fn write(presets: &[Preset]) -> String {
     let mut out = String::new();
     for preset in presets {
@@ -184,11 +184,11 @@ pub fn write(presets: &[Preset]) -> String {
     out
 }
 
-/// A sea while its lines are read.
+/// A preset whose lines are being read from a file.
 struct Entry {
     preset: Preset,
     has_state: bool,
-    /// Notice of its first fault.
+    /// Notice of the first fault in the lines of the preset.
     fault: Option<String>,
 }
 
@@ -221,7 +221,7 @@ impl Entry {
         to.push_str(value);
     }
 
-    /// The sea if it is complete, and a notice of its fault.
+    /// Returns the preset if it is complete, and a notice if it has a fault.
     fn finish(self) -> (Option<Preset>, Option<String>) {
         let preset = self.preset.tidy();
         let name = &preset.name;
@@ -239,8 +239,8 @@ impl Entry {
     }
 }
 
-/// Reads a preset file: the seas in their order, and one notice for each that was not taken as written. A sea replaces
-/// an earlier one of the same name. The states are not checked here; [`Preset::apply`] notes their faults.
+/// Reads a preset file: the presets in their order, and one notice for each that was not taken as written. A preset
+/// replaces an earlier one of the same name. State strings are not checked here; [`Preset::apply`] notes faults.
 pub fn read(text: &str) -> (Vec<Preset>, Vec<String>) {
     let mut presets: Vec<Preset> = Vec::new();
     let mut notices = Vec::new();
@@ -281,7 +281,7 @@ pub fn read(text: &str) -> (Vec<Preset>, Vec<String>) {
     (presets, notices)
 }
 
-/// The complete lines within [`MAX_FILE_BYTES`].
+/// Returns the complete lines within the first [`MAX_FILE_BYTES`] bytes of a text, with a notice if it is longer.
 fn cut<'a>(text: &'a str, notices: &mut Vec<String>) -> &'a str {
     if text.len() <= MAX_FILE_BYTES {
         return text;

@@ -1,4 +1,4 @@
-//! Built-in seas, preset files, and the parameters that a sea sets or keeps.
+//! Tests of built-in presets, preset files, and the parameters that a preset sets or keeps.
 
 use super::*;
 use crate::files::measured::MeasuredSpectrum;
@@ -8,7 +8,7 @@ use crate::waves::statistics::Theory;
 use crate::waves::{Plan, noise};
 use std::collections::HashSet;
 
-/// A small deterministic random generator.
+/// A small deterministic generator of random numbers.
 struct Dice(u32);
 
 impl Dice {
@@ -22,7 +22,7 @@ impl Dice {
     }
 }
 
-/// Random values of the fields that `which` selects; half of them stay at their defaults.
+/// Parameters with random values in the fields that `which` selects; half of these fields stay at their defaults.
 fn random(dice: &mut Dice, which: impl Fn(&Field) -> bool) -> Params {
     let mut p = Params::default();
     for field in FIELDS.iter().filter(|f| which(f)) {
@@ -38,7 +38,7 @@ fn random(dice: &mut Dice, which: impl Fn(&Field) -> bool) -> Params {
             FieldKind::Flag => u.round(),
             FieldKind::Colour => f64::from(0x00ff_ffff) * u,
         };
-        // A whole number is rounded, which counts as clamped.
+        // A whole number has its random value rounded, which `accept` reports as clamped.
         let taken = match field.accept(value) {
             Ok(v) | Err(Refusal::Clamped(v)) => v,
             Err(Refusal::Ignored) => continue,
@@ -52,7 +52,7 @@ fn same(field: &Field, a: &Params, b: &Params) -> bool {
     (field.get)(a) == (field.get)(b)
 }
 
-/// Ranges of significant wave height, m, and peak period, s, that the text of each built-in sea claims.
+/// Ranges of significant wave height, m, and peak period, s, that the description of each built-in preset claims.
 const CLAIMS: [(&str, [f64; 2], [f64; 2]); 18] = [
     ("Calm open ocean", [0.85, 0.95], [9.5, 10.5]),
     ("Large swells", [5.5, 5.7], [9.5, 10.5]),
@@ -179,7 +179,7 @@ fn a_sea_changes_what_is_its_own() {
     let (state, notices) = applied("n=512&t=3&mesh=1&wind=8", now);
     assert_eq!(state, query::write(&parse("wind=8&seed=7&sun=5&haze=3&tone=aces&mesh=2&y=30&heading=10&t=9&n=128")));
     assert_eq!(notices.len(), 1, "{notices:?}");
-    // A value that cannot be read does not count as named.
+    // A key whose value cannot be read does not count as named by the preset.
     let (state, notices) = applied("heading=north&sun=low", now);
     assert_eq!(state, query::write(&parse("seed=7&sun=5&haze=3&tone=aces&mesh=2&y=30&heading=10&t=9&n=128")));
     assert_eq!(notices.len(), 2, "{notices:?}");

@@ -9,10 +9,10 @@ mod table;
 use super::spectrum::{MeasuredSpectrum, SpectrumFile};
 use super::text::TextFile;
 
-/// Most files of one spectrum.
+/// Largest number of files from which one spectrum is read.
 pub const MAX_FILES: usize = 8;
 
-/// Format of a file.
+/// Format of a file that holds a measured spectrum.
 #[derive(Clone, Copy, PartialEq)]
 enum Format {
     Ndbc,
@@ -20,14 +20,14 @@ enum Format {
 }
 
 impl Format {
-    /// The format of a file by its content. Text that no other format recognises is read as a table.
+    /// Recognises the format of a file by its content. Text in no other format is read as a table.
     fn of(file: &TextFile<'_>) -> Self {
         if ndbc::recognises(file) { Self::Ndbc } else { Self::Table }
     }
 }
 
 impl MeasuredSpectrum {
-    /// Reads one spectrum from one or several files (name, content). These files are read:
+    /// Reads one spectrum from one or several files, given as (name, content). These formats are read:
     ///
     /// - NDBC realtime files: `.data_spec`, `.swdir`, `.swdir2`, `.swr1`, `.swr2`;
     /// - NDBC archive files such as `44025w2023.txt` (w density, d alpha1, i alpha2, j r1, k r2), with old headers too;

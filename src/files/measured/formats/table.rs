@@ -1,28 +1,28 @@
-//! Tables of f, S and, where they are known, direction and spread.
+//! Reads a table of frequency f, variance density S and, where they are known, wave direction and directional spread.
 
 use crate::files::measured::direction::{Direction, filled};
 use crate::files::measured::spectrum::{MAX_BANDS, MeasuredSpectrum, SpectrumFile, checked_density, checked_frequency};
 use crate::files::measured::text::{MAX_COLUMNS, TextFile, content, number, quoted, shown};
 
-/// Fields that stand for a missing direction or spread, in any case of letters.
+/// Texts that stand for a missing direction or spread in a table, in upper or lower case.
 const MISSING_WORDS: [&str; 5] = ["", "-", "MM", "NaN", "NA"];
-/// Numbers that stand for a missing direction or spread.
+/// Numbers that stand for a missing direction or spread in a table.
 const MISSING_NUMBERS: [f64; 4] = [999.0, 9999.0, -999.0, -9999.0];
 
 /// The rows of a table that were read so far.
 #[derive(Default)]
 struct Rows {
-    /// Separator of the columns, known from the first line on.
+    /// Character between the columns; None until the first line is read.
     separator: Option<char>,
-    /// Number of columns, known from the first line of numbers on.
+    /// Number of columns; None until the first line of numbers is read.
     columns: Option<usize>,
-    /// Frequency in Hz and variance density in m^2/Hz.
+    /// Frequency in Hz and variance density in m^2/Hz of each row.
     bands: Vec<(f64, f64)>,
-    /// One entry for each band, or empty if the table has two columns.
+    /// Direction of each row, None where it is missing; empty if the table has two columns.
     directions: Vec<Option<Direction>>,
 }
 
-/// Reads a table.
+/// Reads a spectrum from one file that holds a table; more files are an error.
 pub(super) fn read(files: &[TextFile<'_>]) -> Result<SpectrumFile, String> {
     let file = &files[0];
     if files.len() > 1 {
@@ -41,7 +41,7 @@ pub(super) fn read(files: &[TextFile<'_>]) -> Result<SpectrumFile, String> {
 
 impl Rows {
     fn add_line(&mut self, line: &str) -> Result<(), String> {
-        // A tab at the end of a line ends an empty field, so it is not trimmed.
+        // Tabs at the end of a line are not trimmed, because they mark empty fields.
         let line = line.trim_start_matches('\u{feff}').trim_matches([' ', '\r']);
         if content(line).is_empty() || line.starts_with('#') {
             return Ok(());

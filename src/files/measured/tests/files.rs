@@ -1,4 +1,4 @@
-//! Files that are read.
+//! Tests of files that are read as measured spectra.
 
 use super::super::Direction;
 use super::{BANDS, SPEC, message, read, realtime_set, sea, title};
@@ -28,7 +28,7 @@ fn incomplete_directions_are_left_out_with_a_notice() {
     let files = realtime_set();
     let plain = sea(&[("44025.data_spec", &files[0].1)]);
     assert!(plain.directions().is_none());
-    // A file is missing, has another time, or has values in too few bands.
+    // The notice where a directional file is missing, has another time, or has values in too few bands.
     let (got, notices) = read(&files[..4]).expect("a sea");
     assert_eq!(got, plain);
     assert_eq!(notices, ["there is no r2 of 2026-11-21 06:00 UTC: the spectrum is used without directions"]);
@@ -82,7 +82,7 @@ fn archive_files_are_known_by_their_names() {
     let second = Direction { alpha1_deg: 250.0, alpha2_deg: 251.0, r1: 0.9, r2: 0.6 };
     assert_eq!(got.directions().map(|d| (d[1], d[2])), Some((second, second)));
 
-    // Moments that are not in hundredths are kept as they are. A comment has precedence over the file name.
+    // Values of r1 and r2 that are not in hundredths are kept. A comment has precedence over the file name.
     let mut plain = files.clone();
     plain[3].1 = file("0.80 0.90 99");
     plain[4].1 = file("# not a row").replace("2023 06 01 00 40 #", "#") + "2023 06 01 00 40 0.40 0.60 99\n";
@@ -94,13 +94,13 @@ fn archive_files_are_known_by_their_names() {
         .collect();
     assert_eq!(sea(&[("44025w2023.txt", &named)]), got);
 
-    // Old headers have no minutes, no '#', and two digits of the year.
+    // Old headers have no minutes, no '#', and years of two digits.
     let old = "YYYY MM DD hh   .05  .10  .20\n1999 01 02 03  1.0 2.0 3.0\n";
     assert_eq!(title(&[("44025w1999.txt", old)]), "44025w1999.txt, 1999-01-02 03:00 UTC");
     let old = "YY MM DD hh .05 .10 .20\n96 01 02 03 1.0 2.0 3.0\n";
     assert_eq!(title(&[("44025w1996.txt", old)]), "44025w1996.txt, 1996-01-02 03:00 UTC");
 
-    // A single section that nothing describes is read as the variance density.
+    // A single section whose kind nothing tells is read as the variance density.
     let (got, notices) = read(&[("4402512023.txt", &files[0].1)]).expect("a sea");
     assert_eq!(got.bands(), [(0.05, 0.5), (0.1, 2.0), (0.2, 0.3)]);
     assert_eq!(notices, ["4402512023.txt: the file does not say what it holds: it is read as variance density"]);

@@ -1,4 +1,4 @@
-//! Spectra as text in links.
+//! Tests of measured spectra as text in links.
 
 use super::super::{Direction, MAX_BANDS, MAX_STATE_BYTES, MIN_BANDS, MeasuredSpectrum};
 use super::samples::TWO_SYSTEMS;
@@ -38,7 +38,7 @@ fn states_come_back_bit_for_bit() {
 fn a_buoys_sea_fits_in_a_link() {
     let (sea, _) = read(&[("two-systems.txt", TWO_SYSTEMS)]).expect("a sample");
     assert!(sea.to_state().len() < 1400, "{}", sea.to_state().len());
-    // All numbers with all their digits.
+    // The longest spectrum: all its numbers have all their digits.
     let worst = Direction { alpha1_deg: 123.4, alpha2_deg: 234.5, r1: 0.123, r2: 0.456 };
     let densities = [0.1234, 1.234, 12.34].into_iter().cycle();
     let bands: Vec<_> = sea.bands().iter().map(|b| b.0).zip(densities).collect();

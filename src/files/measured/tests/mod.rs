@@ -1,4 +1,4 @@
-//! Tests of files that are read or refused, of links, and of the physics.
+//! Tests of measured spectra: files that are read or refused, links, and the physics.
 
 mod files;
 mod links;
@@ -17,7 +17,7 @@ impl Lcg {
         self.0 >> 33
     }
 
-    /// A number in [0, 1).
+    /// Next random number in [0, 1).
     pub(super) fn unit(&mut self) -> f64 {
         self.next() as f64 / (1_u64 << 31) as f64
     }
@@ -40,14 +40,14 @@ fn title<T: AsRef<str>>(files: &[(&str, T)]) -> String {
     read_titled(files).unwrap_or_else(|e| panic!("{e}")).title
 }
 
-/// The spectrum of files that give no notice.
+/// Reads a spectrum from files and asserts that there is no notice.
 fn sea<T: AsRef<str>>(files: &[(&str, T)]) -> MeasuredSpectrum {
     let (sea, notices) = read(files).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(notices, [""; 0]);
     sea
 }
 
-/// The message about a file that is refused.
+/// Returns the error message about a file that must be refused.
 fn message(name: &str, text: &str) -> String {
     read(&[(name, text)]).expect_err(text)
 }
@@ -55,7 +55,7 @@ fn message(name: &str, text: &str) -> String {
 const SPEC: &str = "#YY  MM DD hh mm Sep_Freq  < spec_1 (freq_1) spec_2 (freq_2) ... >\n";
 const BANDS: &str = "#YY  MM DD hh mm  .0500  .1000  .2000\n";
 
-/// A realtime file: a header and one record with values at 0.05, 0.1 and 0.2 Hz.
+/// Text of an NDBC realtime file: a header and one record with values at 0.05, 0.1 and 0.2 Hz.
 fn realtime(columns: &str, time: &str, v: [&str; 3]) -> String {
     format!("#YY  MM DD hh mm {columns} ... >\n{time} {} (0.050) {} (0.100) {} (0.200)\n", v[0], v[1], v[2])
 }
@@ -71,7 +71,7 @@ fn realtime_set() -> Vec<(&'static str, String)> {
     ]
 }
 
-/// Checks the properties that every spectrum has.
+/// Asserts what holds for every spectrum: finite densities, ascending frequencies, and an exact copy from a link.
 fn check(sea: &MeasuredSpectrum) {
     let state = sea.to_state();
     assert!(state.bytes().all(|b| b.is_ascii_alphanumeric() || b"*-._".contains(&b)), "{state}");

@@ -1,4 +1,4 @@
-//! Variance densities, heights, peaks and directions.
+//! Tests of variance densities, wave heights, peak frequencies and directions of measured spectra.
 
 use super::super::{Direction, MeasuredSpectrum, Mem};
 use super::samples::JONSWAP;
@@ -13,7 +13,7 @@ fn a_broad_lobe_has_its_principal_direction_across() {
     assert_eq!(Direction::from_spread(30.0, 100.0).r1, 0.0);
 }
 
-/// Integral over the intervals between knots, by the midpoint rule.
+/// Integral of a function over the intervals between knots, by the midpoint rule.
 fn integral(f: impl Fn(f64) -> f64, knots: &[f64]) -> f64 {
     let steps = 400;
     let piece = |w: &[f64]| {
@@ -33,7 +33,7 @@ fn the_density_integrates_to_the_variances() {
         knots.insert(0, 0.0);
         assert!((integral(|w| sea.density(w), &knots) / sea.m0_m2() - 1.0).abs() < 1e-9, "{text}");
         let last = knots[knots.len() - 1];
-        // The tail up to 100 times the last frequency; its variance is S f / 4.
+        // Spectral tail up to 100 times the last frequency f; its variance is S f / 4.
         let tail: Vec<f64> = (0..=20).map(|i| last * 100f64.powf(f64::from(i) / 20.0)).collect();
         let variance = 0.25 * sea.density(last) * last;
         assert!((integral(|w| sea.density(w), &tail) / variance - 1.0).abs() < 1e-5, "{text}");
@@ -54,7 +54,7 @@ fn densities_between_below_and_above_the_bands() {
 
 #[test]
 fn the_peak_is_a_parabolas() {
-    // A parabola with its vertex at 0.2 Hz, at uneven steps.
+    // Densities on a parabola with its vertex at 0.2 Hz, at uneven steps.
     let s = |f: f64| 5.0 - 100.0 * (f - 0.2) * (f - 0.2);
     let text: String = [0.12, 0.18, 0.23, 0.31].iter().map(|&f| format!("{f},{}\n", s(f))).collect();
     assert!((sea(&[("b", &text)]).omega_p() / TAU - 0.2).abs() < 1e-9);
@@ -94,7 +94,7 @@ fn the_distribution_has_the_buoys_moments() {
     let d = Direction { alpha1_deg: 240.0, alpha2_deg: 250.0, r1: 0.8, r2: 0.5 };
     let sea = MeasuredSpectrum::new(&[(0.1, 1.0), (0.2, 1.0), (0.3, 1.0)], Some(&[d, d, d])).expect("a sea");
     let mem = Mem::new(sea.moments(1.0).expect("directions"));
-    // Means over the direction A that waves come from: r1 = <cos(A - alpha1)>, r2 = <cos 2 (A - alpha2)>; sines vanish.
+    // Means over the direction A waves come from: r1 = <cos(A - alpha1)>, r2 = <cos 2 (A - alpha2)>; sines have mean 0.
     let n = 4096;
     let mut sums = [0.0; 4];
     for i in 0..n {

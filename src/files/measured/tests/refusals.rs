@@ -1,4 +1,4 @@
-//! Files that are refused, and the messages about them.
+//! Tests of files that are refused as measured spectra, and of the error messages.
 
 use super::super::{Direction, MAX_FILE_BYTES, MeasuredSpectrum};
 use super::samples::{JONSWAP, PIERSON_MOSKOWITZ, TWO_SYSTEMS};
@@ -132,7 +132,7 @@ fn what_is_no_text_or_too_much_is_refused() {
     assert_eq!(one("b.csv", b"0.1,1\n0.2,\xff\n"), "b.csv: line 2 is not valid UTF-8: save the file as UTF-8");
     assert_eq!(one("b.txt.gz", b"\x1f\x8b\x08\x00"), "b.txt.gz: the file is compressed: unpack it first");
     assert_eq!(one("b.csv", b"\xff\xfe0\x00"), "b.csv: the file is UTF-16 text: save it as UTF-8");
-    // Names and quotations are printable and short.
+    // File names and quotations in messages are printable and short.
     let name = format!("/tmp/\u{202e}a\n\x1b[31m{}", "x".repeat(500));
     let error = one(&name, format!("0.1,\u{7}{}\n", "y".repeat(5000)).as_bytes());
     assert!(error.len() < 200 && error.starts_with("a[31mxxx") && !error.contains(char::is_control), "{error}");

@@ -1,4 +1,4 @@
-//! The sample files in `assets/spectra`, compared with the same files made from known spectra.
+//! Tests that the sample files in `assets/spectra` equal files made here from known spectra.
 
 use super::super::{Direction, MeasuredSpectrum};
 use super::{sea, title};
@@ -11,20 +11,20 @@ pub(super) const JONSWAP: &str = include_str!("../../../../assets/spectra/jonswa
 pub(super) const TWO_SYSTEMS: &str = include_str!("../../../../assets/spectra/two-systems.txt");
 pub(super) const PIERSON_MOSKOWITZ: &str = include_str!("../../../../assets/spectra/pierson-moskowitz.data_spec");
 
-/// Usual frequency bands of an NDBC buoy, 1e-4 Hz.
+/// Usual frequency bands of an NDBC buoy, in units of 1e-4 Hz.
 fn ndbc_bands() -> impl Iterator<Item = u32> {
     let steps = (325..=925).step_by(50).chain((1000..=3500).step_by(100)).chain((3650..=4850).step_by(200));
     std::iter::once(200).chain(steps)
 }
 
-/// Shape of the JONSWAP spectrum with its peak at `fp`; it tends to f^-5 far above the peak.
+/// Shape of the JONSWAP spectrum with its peak at the frequency `fp`; it tends to f^-5 far above the peak.
 fn shape(f: f64, fp: f64, gamma: f64) -> f64 {
     let sigma = if f <= fp { 0.07 } else { 0.09 };
     let bump = (-(f / fp - 1.0).powi(2) / (2.0 * sigma * sigma)).exp();
     f.powi(-5) * (-1.25 * (fp / f).powi(4)).exp() * gamma.powf(bump)
 }
 
-/// JONSWAP spectrum with a given significant wave height.
+/// Variance density of a JONSWAP spectrum with significant wave height `hs` (m), m^2/Hz, at the frequency `f` (Hz).
 fn of_height(f: f64, fp: f64, gamma: f64, hs: f64) -> f64 {
     let steps = 100_000;
     let df = 10.0 * fp / f64::from(steps);
@@ -32,8 +32,8 @@ fn of_height(f: f64, fp: f64, gamma: f64, hs: f64) -> f64 {
     hs * hs / 16.0 / m0 * shape(f, fp, gamma)
 }
 
-/// Table of the JONSWAP spectrum for 10 m/s over 100 km (Hasselmann et al. 1973), with the directional spreading of
-/// Mitsuyasu et al. (1975).
+/// Text of a table of the JONSWAP spectrum for a wind of 10 m/s over 100 km (Hasselmann et al. 1973), with the
+/// directional spreading of Mitsuyasu et al. (1975).
 fn jonswap() -> String {
     let (u, fetch) = (10.0_f64, 1e5_f64);
     let alpha = 0.076 * (u * u / (fetch * G)).powf(0.22);
@@ -44,7 +44,7 @@ fn jonswap() -> String {
          # spread as cos^2s after Mitsuyasu. Hs 2.139 m, Tp 6.23 s.\n\
          f_Hz,S_m2_Hz,direction_deg,spread_deg\n",
     );
-    // Steps of 0.005 Hz around the peak, 0.015 Hz above.
+    // Frequencies in steps of 0.005 Hz around the peak, 0.015 Hz above.
     for f in (30..240).step_by(5).chain((240..=585).step_by(15)).map(|i| f64::from(i) / 1000.0) {
         let s = alpha * G * G / TAU.powi(4) * shape(f, omega_p / TAU, 3.3);
         let r = TAU * f / omega_p;
@@ -56,9 +56,9 @@ fn jonswap() -> String {
     out
 }
 
-/// A narrow swell and a broad wind sea: their variance density, and the directional parameters of their sum.
+/// Sum of a narrow swell and a broad wind sea at the frequency `f` (Hz): variance density and directional parameters.
 fn mix(f: f64) -> (f64, Direction) {
-    // Hs, Tp, from, s of cos^2s.
+    // Significant wave height (m), peak period (s), direction from (degrees) and exponent s of cos^2s(theta/2).
     let (mut sum, mut total) = ([0.0; 4], 0.0);
     for (hs, tp, from, s) in [(2.0, 13.0, 290_f64, 30.0), (1.2, 5.0, 200.0, 4.0)] {
         let density = of_height(f, 1.0 / tp, 3.3, hs);
@@ -74,7 +74,7 @@ fn mix(f: f64) -> (f64, Direction) {
     (total, Direction { alpha1_deg, alpha2_deg, r1: a.hypot(b), r2: c.hypot(d) })
 }
 
-/// Archive file with five sections of one record each: moments in hundredths, no direction where the density is 0.
+/// NDBC archive file with five sections of one record each: r1, r2 in hundredths, no direction where the density is 0.
 fn two_systems() -> String {
     let bands: Vec<_> = ndbc_bands().map(|i| mix(f64::from(i) / 1e4)).collect();
     let mut out = String::from(
@@ -103,7 +103,7 @@ fn two_systems() -> String {
     out
 }
 
-/// Realtime file of the Pierson-Moskowitz spectrum (1964, wind at 19.5 m) for 12 m/s at 10 m.
+/// Text of an NDBC realtime file of the Pierson-Moskowitz spectrum (1964, wind at 19.5 m) for 12 m/s at 10 m.
 fn pierson_moskowitz() -> String {
     let fp = (0.8 * 0.74_f64).powf(0.25) * G / (1.026 * 12.0) / TAU;
     let mut out = String::from(
@@ -160,7 +160,7 @@ fn the_directions_of_the_samples_are_the_known_ones() {
     let sea = sea(&[("a.txt", TWO_SYSTEMS)]);
     let directions = sea.directions().expect("directions");
     let at = |f: f64| directions[sea.bands().partition_point(|b| b.0 < f)];
-    // The tail of the swell turns the direction of the wind sea a little.
+    // The spectral tail of the swell turns the direction of the wind sea a little.
     assert!((at(0.0775).alpha1_deg - 290.0).abs() < 0.5 && (at(0.0775).r1 - 30.0 / 31.0).abs() < 0.003);
     assert!((at(0.25).alpha1_deg - 200.0).abs() < 10.0 && (at(0.25).r1 - 0.8).abs() < 0.1);
     for (&(f, s), got) in sea.bands().iter().zip(directions).filter(|(band, _)| band.1 > 0.0) {

@@ -4,15 +4,15 @@
 use super::limits::{TOO_SHORT, allocate, check_size};
 use crate::files::panorama::sky_image::SkyImage;
 
-/// Longest header, bytes.
+/// Longest header of a Radiance file, bytes.
 const MAX_HEADER: usize = 64 * 1024;
-/// Widths whose rows may have runs channel by channel; other rows have runs of whole pixels only.
+/// Image widths, pixels, whose rows may have runs in each channel; other rows have runs of whole pixels only.
 const CHANNEL_RUNS: std::ops::Range<usize> = 8..0x8000;
 
 const HEADER: &str = "its header does not end: save it again";
 const RUN: &str = "a run of pixels does not fit its row: save it again";
 
-/// Whether a file begins as a Radiance file.
+/// Whether a file begins with the signature of a Radiance file.
 pub(super) fn recognises(bytes: &[u8]) -> bool {
     bytes.starts_with(b"#?RADIANCE") || bytes.starts_with(b"#?RGBE")
 }
@@ -21,7 +21,7 @@ pub(super) fn decode(bytes: &[u8], most: [usize; 2]) -> Result<SkyImage, String>
     let mut rest = bytes;
     let (width, height) = header(&mut rest)?;
     check_size([width, height], most)?;
-    // The shortest row has the size of two pixels.
+    // Even the shortest encoded row has eight bytes, the size of two pixels.
     if rest.len() / 8 < height {
         return Err(TOO_SHORT.to_owned());
     }
@@ -34,21 +34,21 @@ pub(super) fn decode(bytes: &[u8], most: [usize; 2]) -> Result<SkyImage, String>
     Ok(SkyImage { width, height, pixels })
 }
 
-/// Takes one pixel off the rest of the file.
+/// Takes one RGBE pixel off the front of `rest`, the unread part of the file.
 fn pixel(rest: &mut &[u8]) -> Result<[u8; 4], String> {
     let (pixel, after) = rest.split_first_chunk().ok_or(TOO_SHORT)?;
     *rest = after;
     Ok(*pixel)
 }
 
-/// Takes one line of the header off the rest of the file.
+/// Takes one header line off the front of `rest`, the unread part of the file.
 fn line<'a>(rest: &mut &'a [u8]) -> Result<&'a [u8], String> {
     let end = rest.iter().take(MAX_HEADER).position(|b| *b == b'\n').ok_or(HEADER)?;
     let line = &rest.split_off(..=end).ok_or(HEADER)?[..end];
     Ok(line.strip_suffix(b"\r").unwrap_or(line))
 }
 
-/// Reads the header and returns width and height. Of the other lines only the colour format matters.
+/// Reads the header and returns the width and height of the image. It must name no colour format except RGBE.
 fn header(rest: &mut &[u8]) -> Result<(usize, usize), String> {
     let whole = rest.len();
     loop {
@@ -85,7 +85,7 @@ fn read_row(rest: &mut &[u8], row: &mut [[u8; 4]]) -> Result<(), String> {
     read_pixels(rest, first, row)
 }
 
-/// Reads one channel of a row: runs of one value, and single values.
+/// Reads one colour channel of a run-length encoded row: runs of one value, and sequences of single values.
 fn read_channel(rest: &mut &[u8], row: &mut [[u8; 4]], channel: usize) -> Result<(), String> {
     let mut at = 0;
     while at < row.len() {
@@ -103,8 +103,8 @@ fn read_channel(rest: &mut &[u8], row: &mut [[u8; 4]], channel: usize) -> Result
     Ok(())
 }
 
-/// Reads a row of whole pixels. (1, 1, 1, n) repeats the pixel before n times, and directly after another repetition
-/// n x 256 times.
+/// Reads a row of whole pixels in the old encoding. (1, 1, 1, n) repeats the pixel before n times, and directly after
+/// another repetition n x 256 times.
 fn read_pixels(rest: &mut &[u8], first: [u8; 4], row: &mut [[u8; 4]]) -> Result<(), String> {
     let (mut at, mut shift) = (0_usize, 0);
     let mut next = first;
@@ -126,7 +126,7 @@ fn read_pixels(rest: &mut &[u8], first: [u8; 4], row: &mut [[u8; 4]]) -> Result<
     }
 }
 
-/// Linear light of a pixel: mantissa / 256 x 2^(exponent - 128).
+/// Converts an RGBE pixel to linear light: mantissa / 256 x 2^(exponent - 128).
 fn linear([r, g, b, exponent]: [u8; 4]) -> [f32; 3] {
     let unit = if exponent == 0 { 0.0 } else { 2f32.powi(i32::from(exponent) - 136) };
     [r, g, b].map(|mantissa| f32::from(mantissa) * unit)
@@ -147,13 +147,13 @@ mod tests {
 
     #[test]
     fn old_runs_new_runs_and_bare_pixels_are_read() {
-        // 1, 0.5 and 0.25 with the exponent 129.
+        // The colour (1, 0.5, 0.25) in RGBE: mantissas with the shared exponent 129.
         let (p, want) = ([128, 64, 32, 129], [1.0, 0.5, 0.25]);
         let (dark, none) = ([128, 64, 32, 0], [0.0; 3]);
         let bare = [p, dark].concat().repeat(8 * 8);
         let got = decoded(16, 8, &bare).expect("bare pixels");
         assert!((got.len(), got[0], got[1], got[127]) == (128, want, none, none));
-        // Runs of 1 + 15 pixels; then of 1 + 3 + 256 pixels.
+        // Rows of one pixel and a run of 15, then of one pixel and runs of 3 and 256.
         let old = [p, [1, 1, 1, 15]].concat().repeat(8);
         assert_eq!(decoded(16, 8, &old), Ok(vec![want; 128]));
         let long = [p, [1, 1, 1, 3], [1, 1, 1, 1]].concat().repeat(130);

@@ -1,22 +1,22 @@
-//! Limits of sky files, checked before memory is allocated.
+//! Size limits of sky image files, checked before memory is allocated.
 
 use crate::files::panorama::sky_image::check_shape;
 
-/// Largest sky file, bytes.
+/// Largest sky image file that is read, bytes.
 pub const MAX_BYTES: usize = 512 << 20;
-/// Most columns and rows of an image, with one row to spare; a browser page has less memory.
+/// Largest columns and rows of a sky image, with one row to spare; fewer in a browser, which has less memory.
 pub(super) const MAX_SIZE: [usize; 2] = if cfg!(target_arch = "wasm32") { [11_586, 5_794] } else { [16_384, 8_193] };
 
 /// Message about a file that is shorter than its header says.
 pub(super) const TOO_SHORT: &str = "it ends too early: download or save it again";
 
-/// Refuses an image of a wrong shape, or with more columns or rows than `most`.
+/// Refuses a sky image of a wrong shape, or with more columns or rows than `most`.
 pub(super) fn check_size(size: [usize; 2], most: [usize; 2]) -> Result<(), String> {
     check_limit(size, most)?;
     check_shape(size[0], size[1])
 }
 
-/// Refuses an image with more columns or rows than `most`.
+/// Refuses a sky image with more columns or rows than `most`.
 pub(super) fn check_limit([width, height]: [usize; 2], most: [usize; 2]) -> Result<(), String> {
     if width > most[0] || height > most[1] {
         let [columns, rows] = most;
@@ -25,7 +25,7 @@ pub(super) fn check_limit([width, height]: [usize; 2], most: [usize; 2]) -> Resu
     Ok(())
 }
 
-/// An empty vector with room for `count` pixels; an error where the memory does not suffice.
+/// Returns an empty vector with room for `count` pixels, or an error where the memory does not suffice.
 pub(super) fn allocate(count: usize) -> Result<Vec<[f32; 3]>, String> {
     let mut pixels = Vec::new();
     pixels.try_reserve_exact(count).map_err(|_| "there is not enough memory for it: save it smaller")?;

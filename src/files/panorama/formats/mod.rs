@@ -1,4 +1,4 @@
-//! File formats of skies: each has a module here, and [`decode`] is the one place that recognises them.
+//! File formats of sky images: each has a module here, and [`decode`] is the one place that recognises them.
 
 mod hdr;
 mod limits;
@@ -10,13 +10,13 @@ use super::Panorama;
 use super::sky_image::SkyImage;
 use limits::MAX_SIZE;
 
-/// Whether a file is a sky, by its first bytes or by its name.
+/// Whether a file is a sky image, by its first bytes or by its name.
 pub fn is_sky(name: &str, bytes: &[u8]) -> bool {
     let lower = name.to_lowercase();
     hdr::recognises(bytes) || openexr::recognises(bytes) || lower.ends_with(".hdr") || lower.ends_with(".exr")
 }
 
-/// Reads a sky file.
+/// Reads a sky image file within the size limits of this platform.
 ///
 /// # Errors
 /// One sentence with the name of the file and the reason.
@@ -24,7 +24,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Panorama, String> {
     read_within(name, bytes, MAX_SIZE)
 }
 
-/// Reads a sky file whose image has at most `most` columns and rows.
+/// Reads a sky image file with at most `most` columns and rows.
 ///
 /// # Errors
 /// One sentence with the name of the file and the reason.

@@ -10,9 +10,9 @@ use exr::prelude::*;
 use std::io::Cursor;
 use std::result::Result;
 
-/// Largest block of pixels, bytes. A block is decoded as a whole.
+/// Largest block of pixels in an OpenEXR file, bytes; the decoder holds a whole block in memory.
 const MAX_BLOCK: usize = 256 << 20;
-/// Images of fewer pixels are decoded on the calling thread.
+/// Number of pixels below which an image is decoded on the calling thread alone.
 const PARALLEL_PIXELS: usize = 1 << 20;
 
 /// Whether a file begins with the magic number of OpenEXR.
@@ -33,9 +33,9 @@ pub(super) fn decode(bytes: &[u8], most: [usize; 2]) -> Result<SkyImage, String>
     let window = header.shared_attributes.display_window;
     let (width, height) = (window.size.width(), window.size.height());
     check_size([width, height], most)?;
-    // The decoder aborts if an allocation fails, so this one is tried first.
+    // The decoder aborts if an allocation fails, so an allocation of the same size is tried first.
     allocate(width * height)?;
-    // Position of the data in the image. The data may reach beyond the image or leave an edge free.
+    // Position of the pixel data in the image. The data may reach beyond the image or leave an edge free.
     let start = [
         i64::from(header.own_attributes.layer_position.x()) - i64::from(window.position.x()),
         i64::from(header.own_attributes.layer_position.y()) - i64::from(window.position.y()),
@@ -63,7 +63,7 @@ pub(super) fn decode(bytes: &[u8], most: [usize; 2]) -> Result<SkyImage, String>
     Ok(SkyImage { width, height, pixels: image.layer_data.channel_data.pixels })
 }
 
-/// Checks the sizes that the header of a layer claims.
+/// Checks the image and block sizes in the header of a layer against the limits and the length of the file.
 fn check(header: &Header, file_bytes: usize, most: [usize; 2]) -> Result<(), String> {
     // The data may reach beyond the image, so both sizes are checked.
     for size in [header.layer_size, header.shared_attributes.display_window.size] {
@@ -87,7 +87,7 @@ fn check(header: &Header, file_bytes: usize, most: [usize; 2]) -> Result<(), Str
     Ok(())
 }
 
-/// An error of the decoder as one line.
+/// Formats an error of the decoder as a message of one line.
 fn message(error: &Error) -> String {
     let first_line = |text: &str| text.lines().next().unwrap_or("no reason given").to_owned();
     match error {

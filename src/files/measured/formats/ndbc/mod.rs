@@ -1,4 +1,5 @@
-//! NDBC files: one spectrum from the newest complete variance density and its directions.
+//! Reads NDBC files (US National Data Buoy Center): one spectrum from the newest complete variance density and the
+//! directions of the same time.
 
 mod sections;
 
@@ -8,24 +9,24 @@ use crate::files::measured::text::{TextFile, content, printable};
 use sections::{BandValue, MAX_RECORDS, Record, Section, SectionKind, column_names, read_sections};
 use std::cmp::Reverse;
 
-/// Largest difference between frequencies of the same band, Hz: realtime files write .0325 as 0.033.
+/// Largest difference between two frequencies that count as the same band, Hz: realtime files write .0325 as 0.033.
 const SAME_BAND_HZ: f64 = 6e-4;
 
 const DIRECTIONAL: [SectionKind; 4] = [SectionKind::Alpha1, SectionKind::Alpha2, SectionKind::R1, SectionKind::R2];
 
-/// Whether a file has a header line of the NDBC.
+/// Whether a file has a header line of the NDBC (US National Data Buoy Center).
 pub(super) fn recognises(file: &TextFile<'_>) -> bool {
     file.text.lines().any(|line| column_names(content(line)).is_some())
 }
 
-/// Reads all files as one spectrum.
+/// Reads one spectrum from all given NDBC files together.
 pub(super) fn read(files: &[TextFile<'_>]) -> Result<SpectrumFile, String> {
     let (mut sections, mut notices, mut records_left) = (Vec::new(), Vec::new(), MAX_RECORDS);
     for file in files {
         sections.extend(read_sections(file, &mut records_left)?);
     }
     settle_kinds(&mut sections, &mut notices)?;
-    // One scale for all archive sections, because the moments of one record may all be small.
+    // All archive sections share one scale of r1 and r2, because the values of one record may all be small.
     let hundredths = sections.iter().any(Section::is_in_hundredths);
 
     let (section, record, bands) = newest_density(&sections, &mut notices)?;
@@ -36,7 +37,8 @@ pub(super) fn read(files: &[TextFile<'_>]) -> Result<SpectrumFile, String> {
     Ok(SpectrumFile { spectrum, title, notices })
 }
 
-/// Takes the only section of unknown kind as the variance density if no other section is.
+/// Takes the only section of unknown kind as the variance density, if no other section is the variance density.
+/// Otherwise a section of unknown kind is an error.
 fn settle_kinds(sections: &mut [Section<'_>], notices: &mut Vec<String>) -> Result<(), String> {
     let has_density = sections.iter().any(|s| s.kind == Some(SectionKind::Density));
     let mut unknown = sections.iter_mut().filter(|s| s.kind.is_none());
@@ -51,7 +53,8 @@ fn settle_kinds(sections: &mut [Section<'_>], notices: &mut Vec<String>) -> Resu
     Ok(())
 }
 
-/// The record of a kind and time. A second one is an error: two buoys, or a file whose kind was guessed wrongly.
+/// Finds the record of a section kind and time. A second such record is an error: it is from another buoy, or the kind
+/// of its file was guessed wrongly.
 fn record_at<'s, 'a>(
     sections: &'s [Section<'a>],
     kind: SectionKind,
@@ -68,10 +71,11 @@ fn record_at<'s, 'a>(
     Ok(first)
 }
 
-/// A section, a record of it, and its bands (frequency in Hz, variance density in m^2/Hz).
+/// A section of variance density, one record of the section, and the bands of the record (frequency in Hz, variance
+/// density in m^2/Hz).
 type DensityRecord<'s, 'a> = (&'s Section<'a>, &'s Record<'a>, Vec<(f64, f64)>);
 
-/// The newest record whose densities are all present and not all zero.
+/// Finds the newest record whose variance densities are all present and not all zero.
 fn newest_density<'s, 'a>(
     sections: &'s [Section<'a>],
     notices: &mut Vec<String>,
@@ -98,7 +102,8 @@ fn newest_density<'s, 'a>(
     Err("no record has a complete variance density with waves in it: choose other files of the buoy".into())
 }
 
-/// The directions at a time in the bands of the variance density: all four parameters in every band, or none.
+/// Directional parameters of the bands of variance density at a given time. Returns None if one of the four parameters
+/// has no record at this time, or too few bands have all four.
 fn directions(
     sections: &[Section<'_>],
     time: &str,

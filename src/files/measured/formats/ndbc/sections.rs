@@ -6,12 +6,12 @@ use crate::files::measured::spectrum::{MAX_BANDS, checked_frequency};
 use crate::files::measured::text::{MAX_COLUMNS, TextFile, content, number, quoted, shown};
 use std::str::SplitWhitespace;
 
-/// Most header lines of one file.
+/// Largest number of header lines in one file.
 const MAX_SECTIONS: usize = 64;
-/// Most records of all files: a year of five sections every ten minutes is 262 800.
+/// Largest number of records in all files together: a year of five sections every ten minutes has 262 800.
 pub(super) const MAX_RECORDS: usize = 400_000;
 
-/// Quantity that a section holds.
+/// Quantity that a section of an NDBC file holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum SectionKind {
     Density,
@@ -21,8 +21,9 @@ pub(super) enum SectionKind {
     R2,
 }
 
-/// Each kind with its name, the letter before the year in the name of an archive file (`44025w2023.txt`), the prefix of
-/// its columns in a realtime header, and words for it in a comment, among them the extension of the realtime file.
+/// Section kinds, each with its name, the letter before the year in an archive file's name (`44025w2023.txt`), the
+/// prefix of columns in a realtime header, and words for it in a comment, one of which is the extension of a realtime
+/// file.
 const KINDS: [(SectionKind, &str, u8, &str, &[&str]); 5] = [
     (SectionKind::Density, "variance density", b'w', "spec", &["density", "spectral density", "data_spec", "swden"]),
     (SectionKind::Alpha1, "alpha1", b'd', "alpha1", &["alpha1", "swdir"]),
@@ -32,26 +33,26 @@ const KINDS: [(SectionKind, &str, u8, &str, &[&str]); 5] = [
 ];
 
 impl SectionKind {
-    /// Name in messages.
+    /// Name of the quantity in messages.
     pub(super) fn name(self) -> &'static str {
         KINDS[self as usize].1
     }
 
-    /// The kind that a comment such as `# alpha1` or `# kind: r1` names.
+    /// Section kind that a comment such as `# alpha1` or `# kind: r1` names.
     fn from_comment(comment: &str) -> Option<Self> {
         let text = comment.trim_start_matches('#').trim().to_ascii_lowercase();
         let word = text.strip_prefix("kind").map_or(text.as_str(), |t| t.trim_start().trim_start_matches([':', '=']));
         KINDS.iter().find(|kind| kind.4.contains(&word.trim())).map(|kind| kind.0)
     }
 
-    /// The kind of a column in a realtime header.
+    /// Section kind of a column such as `alpha1_1` in a realtime header.
     fn from_column(column: &str) -> Option<Self> {
         let column = column.to_ascii_lowercase();
         let prefix = if column == "sep_freq" { "spec" } else { column.split_once('_')?.0 };
         KINDS.iter().find(|kind| kind.3 == prefix).map(|kind| kind.0)
     }
 
-    /// The kind of an archive file, by its name.
+    /// Section kind of an archive file, from the letter in a name such as `44025w2023.txt`.
     fn from_file_name(name: &str) -> Option<Self> {
         let stem = name.split('.').next().unwrap_or_default().as_bytes();
         let [.., station, letter, a, b, c, d] = stem else { return None };
@@ -60,35 +61,35 @@ impl SectionKind {
     }
 }
 
-/// A header line and the records under it.
+/// A section of an NDBC file: a header line and the records under it.
 pub(super) struct Section<'a> {
     pub file: &'a TextFile<'a>,
-    /// Line of the header, counted from 1.
+    /// Line number of the header in its file, counted from 1.
     pub line: usize,
-    /// None where neither header, comment nor file name says what the section holds.
+    /// Quantity of the section; None where neither header, comment nor file name tells it.
     pub kind: Option<SectionKind>,
     has_minutes: bool,
-    /// Frequencies of an archive section, Hz; None in a realtime section.
+    /// Band frequencies in the header of an archive section, Hz; None in a realtime section.
     frequencies: Option<Vec<f64>>,
-    /// Whether a value above 1.5 occurs.
+    /// Whether the section has a value above 1.5, which shows that r1 or r2 is in hundredths.
     has_large_value: bool,
     pub records: Vec<Record<'a>>,
 }
 
-/// A line of values.
+/// A record of a section: one line with the values of one time.
 pub(super) struct Record<'a> {
-    /// Line in the file, counted from 1.
+    /// Line number of the record in its file, counted from 1.
     pub line: usize,
-    /// Time such as `2026-11-21 06:00 UTC`; the order of the texts is the order of the times.
+    /// Time such as `2026-11-21 06:00 UTC`; sorting these texts sorts the times.
     pub time: String,
-    /// The words after the time.
+    /// Words of the line after the time, not yet parsed.
     values: SplitWhitespace<'a>,
 }
 
-/// Frequency of a band in Hz and the value there, None where it is missing.
+/// Frequency of a band in Hz, and the value of the band, or None where it is missing.
 pub(super) type BandValue = (f64, Option<f64>);
 
-/// Whether a header line has minutes, and its column names after `YY MM DD hh [mm]`. None for any other line.
+/// Parses a header line: whether it has minutes, and its column names after `YY MM DD hh [mm]`. None for other lines.
 pub(super) fn column_names(line: &str) -> Option<(bool, SplitWhitespace<'_>)> {
     let is = |word: Option<&str>, label: &str| word.is_some_and(|word| word.eq_ignore_ascii_case(label));
     let mut words = line.trim_start_matches('#').split_whitespace();
@@ -101,7 +102,8 @@ pub(super) fn column_names(line: &str) -> Option<(bool, SplitWhitespace<'_>)> {
     Some((has_minutes, if has_minutes { after_minutes } else { words }))
 }
 
-/// Reads the sections of a file and checks the syntax of all records, of which at most `records_left` are read.
+/// Reads the sections of a file and checks the syntax of their records. Reduces `records_left` by one for each record;
+/// a record after it reaches 0 is an error.
 pub(super) fn read_sections<'a>(file: &'a TextFile<'a>, records_left: &mut usize) -> Result<Vec<Section<'a>>, String> {
     let mut sections: Vec<Section<'a>> = Vec::new();
     let mut comment = None;
@@ -137,7 +139,7 @@ pub(super) fn read_sections<'a>(file: &'a TextFile<'a>, records_left: &mut usize
     Ok(sections)
 }
 
-/// Takes the time (year, month, day, hour and perhaps minute) from the first words of a record.
+/// Takes the time (year, month, day, hour and perhaps minute) from the first words of a record, and formats it.
 fn take_time(words: &mut SplitWhitespace<'_>, has_minutes: bool) -> Result<String, String> {
     let limits = [("year", 0, 9999), ("month", 1, 12), ("day", 1, 31), ("hour", 0, 23), ("minute", 0, 59)];
     let mut time = [0_u16; 5];
@@ -147,7 +149,7 @@ fn take_time(words: &mut SplitWhitespace<'_>, has_minutes: bool) -> Result<Strin
         *slot = value.ok_or_else(|| format!("{} is not a valid {name}", quoted(text)))?;
     }
     let [year, month, day, hour, minute] = time;
-    // Years have two digits until 1998.
+    // NDBC files write years with two digits until 1998.
     let year = match year {
         0..50 => year + 2000,
         50..100 => year + 1900,
@@ -156,7 +158,7 @@ fn take_time(words: &mut SplitWhitespace<'_>, has_minutes: bool) -> Result<Strin
     Ok(format!("{year:04}-{month:02}-{day:02} {hour:02}:{minute:02} UTC"))
 }
 
-/// The kind that the columns of a realtime header name, or the frequencies in an archive header.
+/// Parses the columns of a header: section kind of a realtime header, or frequencies (Hz) of an archive header.
 fn header(columns: SplitWhitespace<'_>, file_name: &str) -> Result<(Option<SectionKind>, Option<Vec<f64>>), String> {
     let first = columns.clone().next().ok_or("the header names neither frequencies nor values")?;
     if number(first).is_none() {
@@ -186,23 +188,24 @@ impl Section<'_> {
         matches!(self.kind, Some(SectionKind::R1 | SectionKind::R2))
     }
 
-    /// Whether this is an archive section whose r1 or r2 must be in hundredths.
+    /// Whether this is an archive section of r1 or r2 whose large values show that it is in hundredths.
     pub(super) fn is_in_hundredths(&self) -> bool {
         self.frequencies.is_some() && self.has_large_value && self.is_moment()
     }
 
-    /// Whether a value stands for a missing one. A direction of 99 degrees does not.
+    /// Whether a value is a code for missing data: 999 or 9999, or 99 except for directions and realtime densities.
     fn is_missing(&self, v: f64) -> bool {
         let missing_99 = self.is_moment() || !self.is_angle() && self.frequencies.is_some();
         v == 999.0 || v == 9999.0 || v == 99.0 && missing_99
     }
 
-    /// The values of a record.
+    /// Values of the bands of a record.
     pub(super) fn bands(&self, record: &Record<'_>) -> Result<Vec<BandValue>, String> {
         self.values(record.values.clone()).map_err(|what| self.file.message_at(record.line, what))
     }
 
-    /// The values of a directional record, angles in degrees and moments from 0 to 1.5, with their range checked.
+    /// Values of the bands of a directional record, angles in degrees or moments r1 and r2. Archive moments in
+    /// hundredths are scaled. A value outside of 0 to 360 degrees or 0 to 1.5 is an error.
     pub(super) fn directional(&self, record: &Record<'_>, hundredths: bool) -> Result<Vec<BandValue>, String> {
         let mut bands = self.bands(record)?;
         let scale = if !self.is_angle() && hundredths && self.frequencies.is_some() { 0.01 } else { 1.0 };
@@ -219,7 +222,7 @@ impl Section<'_> {
         Ok(bands)
     }
 
-    /// The values of a record from the words after its time.
+    /// Parses the words after the time of a record into the values of its bands.
     fn values(&self, mut words: SplitWhitespace<'_>) -> Result<Vec<BandValue>, String> {
         let value = |text: &str| match number(text) {
             Some(v) => Ok(Some(v).filter(|&v| !self.is_missing(v))),
@@ -233,7 +236,7 @@ impl Section<'_> {
             }
             return words.zip(frequencies).map(|(text, f)| Ok((*f, value(text)?))).collect();
         }
-        // Files of variance density have the separation frequency first, without parentheses after it.
+        // Realtime files of variance density have the separation frequency first, without parentheses after it.
         if words.clone().nth(1).is_none_or(|second| !second.starts_with('('))
             && let Some(separation) = words.next()
         {
