@@ -23,7 +23,7 @@ pub struct Params {
     pub camera: Camera,
     /// Simulated time and its speed.
     pub clock: Clock,
-    /// Moored buoys and boats.
+    /// Floating objects: moored buoys and boats.
     pub floats: Vec<Float>,
     /// Display settings, such as the resolution scale and the open panel. They do not change the sea.
     pub screen: Screen,
@@ -104,7 +104,7 @@ parameters! {
         t_s: f64 = 0.0 => ("t", "Time", "s", number(0.0, 1e7)),
         /// Speed of the simulated time: simulated seconds per second of real time.
         speed: f64 = 1.0 => ("speed", "Speed", "x", number(0.0, 10.0)),
-        /// Stops the simulated time.
+        /// Pauses the simulated time.
         paused: bool = false => ("pause", "Paused", "", Flag),
     }
 }

@@ -20,7 +20,7 @@ words! {
         Jonswap = "jonswap",
         /// JONSWAP times the Kitaigorodskii depth factor, Bouws et al. 1985 as used by Horvath 2015.
         Tma = "tma",
-        /// Black Sea near the shore, Trusca 2007.
+        /// MarNeRo spectrum of the Black Sea near the shore, Trusca 2007.
         Marnero = "marnero",
         /// JONSWAP with a tail of power laws down to capillary waves, Karaev and Balandina 2000.
         Karaev = "karaev",
@@ -28,9 +28,9 @@ words! {
         Elfouhaily = "elfouhaily",
         /// Fetch-limited sea with an omega^-4 range, Donelan, Hamilton and Hui 1985.
         Donelan = "donelan",
-        /// Swell and wind sea by six parameters, Ochi and Hubble 1976.
+        /// Spectrum with two peaks, swell and wind sea, given by six parameters, Ochi and Hubble 1976.
         OchiHubble = "ochi-hubble",
-        /// Swell and wind sea of the North Sea, Torsethaugen and Haver 2004.
+        /// Spectrum with two peaks, swell and wind sea, of the North Sea, Torsethaugen and Haver 2004.
         Torsethaugen = "torsethaugen",
         /// Spectrum that a wave buoy measured, from a file.
         Measured = "measured",

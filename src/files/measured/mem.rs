@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 /// Largest magnitude of the first moment c1 and of phi2; with a magnitude of 1 the distribution has no width.
 const LIMIT: f64 = 0.995;
 
-/// The directional distribution of the largest (Burg) entropy for given moments c1 and c2:
+/// The directional distribution of the largest (Burg) entropy for given moments c1 and c2, per rad at the angle theta:
 /// D(theta) = norm / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mem {
@@ -30,7 +30,7 @@ impl Mem {
         let [a, b, c, d] = if known { moments.map(|m| m.clamp(-1e6, 1e6)) } else { [0.0; 4] };
         let c1 = shortened(dvec2(a, b));
         let free = 1.0 - c1.length_squared();
-        // phi2 = (c2 - c1^2) / (1 - |c1|^2), the second step of Levinson's recursion; phi1 = c1 - phi2 c1*.
+        // Levinson's recursion gives phi2 = (c2 - c1^2) / (1 - |c1|^2) and phi1 = c1 - phi2 c1*.
         let phi2 = shortened((dvec2(c, d) - c1.rotate(c1)) / free);
         let phi1 = c1 - phi2.rotate(conjugate(c1));
         Self { phi1, phi2, norm: free * (1.0 - phi2.length_squared()) / TAU }
@@ -38,7 +38,7 @@ impl Mem {
 
     /// First moment c1 of the distribution, the integral of D e^{i theta}, as (re, im).
     pub fn first_moment(&self) -> [f64; 2] {
-        // phi1 = c1 - phi2 c1*, solved for c1.
+        // The equation phi1 = c1 - phi2 c1*, solved for c1.
         let c1 = (self.phi1 + self.phi2.rotate(conjugate(self.phi1))) / (1.0 - self.phi2.length_squared());
         c1.to_array()
     }
@@ -103,7 +103,7 @@ mod tests {
             for (g, w) in got.iter().zip([1.0, c1.x, c1.y, c2.x, c2.y]) {
                 assert!((g - w).abs() < 1e-9, "{c1:?} {c2:?}: {got:?}");
             }
-            // The definitions of Lygre and Krogstad.
+            // The same coefficients by the definitions of Lygre and Krogstad.
             let phi1 = (c1 - c2.rotate(conjugate(c1))) / free;
             let phi2 = c2 - c1.rotate(phi1);
             let norm = (1.0 - phi1.rotate(conjugate(c1)).x - phi2.rotate(conjugate(c2)).x) / TAU;

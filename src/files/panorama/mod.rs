@@ -25,15 +25,15 @@ const NOON: f64 = 16.0;
 /// A sky from an image file. Light is in the unit of `atmosphere.wgsl`.
 #[derive(Clone, Debug)]
 pub struct Panorama {
-    /// Columns of the image.
+    /// Width of the image, pixels.
     pub width: usize,
-    /// Rows of the image.
+    /// Height of the image, pixels.
     pub height: usize,
     /// Mip levels of the image in linear sRGB as RGB9E5, row by row from the zenith. Sizes are halved and rounded down.
     pub mips: Vec<Vec<u32>>,
     /// Small copy of the image without the sun, [`CALM`] pixels in linear sRGB, which the environment map is made from.
     pub calm: Vec<[f32; 3]>,
-    /// The sun, if the image shows a compact one.
+    /// Sun in the image; None if the image shows no compact sun.
     pub sun: Option<Sun>,
     /// Irradiance (red, green, blue) of a horizontal surface by the sky without the sun.
     pub irradiance: [f64; 3],

@@ -135,7 +135,7 @@ fn tables_are_read_in_every_dress() {
     let rows = ["0.05,0.5,-90,W", "0.1,2,,30", "0.2,0.3,270,999", "0.3,0.1,10,W"].join("\n");
     let full = format!("f,S,direction,spread\n{}", rows.replace('W', &spread.to_string()));
     let got = sea(&[("buoy.csv", &full)]);
-    // r1 = 0.8, s = 4, r2 = 4 3 / (5 6).
+    // The spread gives r1 = 0.8, so s = 4 and r2 = 4 x 3 / (5 x 6) = 0.4.
     let west = Direction { alpha1_deg: 270.0, alpha2_deg: 270.0, r1: 0.8, r2: 0.4 };
     let north = Direction { alpha1_deg: 10.0, alpha2_deg: 10.0, ..west };
     assert_eq!(got.directions(), Some([west, west, north, north].as_slice()));

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 #[test]
 fn a_broad_lobe_has_its_principal_direction_across() {
     let d = Direction::from_spread(30.0, (2.0 * (1.0 - 1.0 / 3.0_f64)).sqrt().to_degrees());
-    // s = 1/2: r2 = 0.5 (-0.5) / (1.5 2.5) = -1/15.
+    // With r1 = 1/3, s = 1/2 and r2 = 0.5 x (-0.5) / (1.5 x 2.5) = -1/15.
     assert!((d.r1 - 1.0 / 3.0).abs() < 1e-12 && (d.r2 - 1.0 / 15.0).abs() < 1e-12 && d.alpha2_deg == 120.0, "{d:?}");
     assert_eq!(Direction::from_spread(30.0, 100.0).r1, 0.0);
 }
