@@ -96,7 +96,7 @@ parameters! {
         /// Frequency spectrum over w in rad/s. phillips: equilibrium range only (1958); tessendorf: Phillips' spectrum
         /// over wave vectors, with its own cos^2 spreading (2001); ab: A w^-5 exp(-B w^-4); pm: fully developed sea
         /// (Pierson and Moskowitz 1964); jonswap: fetch-limited sea (Hasselmann et al. 1973); tma: jonswap in shallow
-        /// water (Bouws et al. 1985); marnero: Black Sea (Trusca 2007); karaev: jonswap with a tail of capillary waves
+        /// water (Bouws et al. 1985); marnero: Black Sea (Trusca 2007); karaev: jonswap with a tail to capillary waves
         /// (2000); elfouhaily: gravity and capillary waves (1997); donelan: fetch-limited with a w^-4 range (1985);
         /// ochi-hubble, torsethaugen: two peaks (1976, 2004); measured: a buoy's file.
         spectrum: SpectrumKind = SpectrumKind::Jonswap => ("spectrum", "Spectrum", "", Choice(SpectrumKind::WORDS)),
