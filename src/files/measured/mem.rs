@@ -11,7 +11,7 @@ const LIMIT: f64 = 0.995;
 /// D(theta) = norm / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mem {
-    /// First autoregressive coefficient, (c1 - c2 c1*) / (1 - |c1|^2) with the moments c1 and c2; * is the complex conjugate.
+    /// First autoregressive coefficient, (c1 - c2 c1*) / (1 - |c1|^2), of the moments c1 and c2; c1* is conjugate.
     pub phi1: DVec2,
     /// Second autoregressive coefficient, c2 - c1 phi1 with the moments c1 and c2 and the first one, phi1.
     pub phi2: DVec2,
