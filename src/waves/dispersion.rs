@@ -1,22 +1,22 @@
 //! Linear dispersion relation over a flat bottom, its derivative and its inverse (docs/sea.md, "Dispersion").
 //!
-//! One relation covers all three kinds, omega^2 = (g k + sigma/rho k^3) tanh(k h): in deep water the depth h is
-//! infinite, for gravity waves the surface tension sigma is 0.
+//! One formula covers deep water, finite depth and capillary waves, omega^2 = (g k + sigma/rho k^3) tanh(k h): in deep
+//! water the depth h is infinite, for gravity waves the surface tension sigma is 0.
 
 use crate::state::params::{DispersionKind, Sea};
 
-/// The dispersion relation of a sea.
+/// Dispersion relation of a sea: the angular frequency omega (rad/s) of a wave with wave number k (rad/m).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dispersion {
     gravity_m_s2: f64,
-    /// Infinite for deep water.
+    /// Water depth, m; infinite for deep water.
     depth_m: f64,
-    /// Surface tension over density, sigma / rho.
+    /// Surface tension divided by density, sigma / rho, m^3/s^2; 0 for gravity waves.
     tension_m3_s2: f64,
 }
 
 impl Dispersion {
-    /// The relation that the sea's parameters choose.
+    /// Makes the dispersion relation that is selected in the sea's parameters: deep, finite depth or capillary.
     pub fn new(sea: &Sea) -> Self {
         let finite = Self::finite(sea.gravity_m_s2, sea.depth_m);
         match sea.dispersion {
@@ -26,12 +26,12 @@ impl Dispersion {
         }
     }
 
-    /// Gravity waves in water of finite depth.
+    /// Makes the dispersion relation of gravity waves in water of finite depth, without surface tension.
     pub fn finite(gravity_m_s2: f64, depth_m: f64) -> Self {
         Self { gravity_m_s2, depth_m, tension_m3_s2: 0.0 }
     }
 
-    /// Whether surface tension acts on short waves.
+    /// Whether the dispersion relation includes surface tension.
     pub fn is_capillary(&self) -> bool {
         self.tension_m3_s2 > 0.0
     }
@@ -44,7 +44,7 @@ impl Dispersion {
     /// Group velocity d omega / dk (m/s) of wave number `k` (rad/m, positive).
     pub fn group_velocity(&self, k: f64) -> f64 {
         let kh = k * self.depth_m;
-        // k h / cosh^2(k h) vanishes long before cosh overflows.
+        // k h / cosh^2(k h) is negligible above k h = 300; cosh would overflow above 710.
         let shallow = if kh > 300.0 { 0.0 } else { kh / (kh.cosh() * kh.cosh()) };
         let (g, capillary) = (self.gravity_m_s2, self.tension_m3_s2 * k * k);
         ((g + 3.0 * capillary) * kh.tanh() + (g + capillary) * shallow) / (2.0 * self.omega(k))
@@ -74,7 +74,8 @@ impl Dispersion {
         k
     }
 
-    /// Ratio of the horizontal to the vertical axis of a particle's orbit at the surface, coth(k h).
+    /// Ratio of the horizontal to the vertical axis of the elliptical water particle orbits at the surface, coth(k h);
+    /// 1 in deep water.
     pub fn orbit(&self, k: f64) -> f64 {
         1.0 / (k * self.depth_m).tanh()
     }

@@ -2,8 +2,7 @@
 //! m0.
 //!
 //! Each family is a file with a function that makes a [`FrequencySpectrum`] from `Inputs`. A new family takes three
-//! files: its own, this one (its `mod` line and its arm of `family`), and `state/sea.rs` (its variant and
-//! its word).
+//! files: its own, this one (its `mod` line and its arm of `family`), and `state/sea.rs` (its variant and its word).
 
 mod donelan;
 mod elfouhaily;
