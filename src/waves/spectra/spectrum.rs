@@ -49,7 +49,7 @@ pub struct FrequencySpectrum {
     pub has_own_direction: bool,
     /// Buoy data, if this is a measured spectrum.
     pub measured: Option<Arc<MeasuredSpectrum>>,
-    /// Whether the wave system has no waves at all, because it is switched off or has no wind.
+    /// Whether the wave system has no waves at all, for example because it has no wind.
     pub is_calm: bool,
     /// Notice for the user about this spectrum, if any.
     pub notice: Option<String>,
