@@ -1,8 +1,7 @@
 //! Absorption and scattering of natural waters at the red, green and blue of the display, by Jerlov's water types.
 //!
-//! Jerlov (1976) tabulates the diffuse attenuation coefficient Kd of each type. Chlorophyll concentration follows from
-//! Kd at 490 nm, scattering and backscattering from chlorophyll (Morel and Maritorena 2001), and absorption from Kd and
-//! backscattering.
+//! Jerlov (1976) tabulates the diffuse attenuation Kd of each type. Chlorophyll follows from Kd at 490 nm, scattering
+//! and backscattering from chlorophyll (Morel and Maritorena 2001), absorption from Kd and backscattering.
 
 /// Shortest wavelength of Jerlov's attenuation table, nm.
 const FIRST_NM: f64 = 400.0;
@@ -14,8 +13,7 @@ const PRIMARIES_NM: [f64; 3] = [610.0, 550.0, 465.0];
 const PURE_ABSORPTION: [f64; 3] = [0.2644, 0.0565, 0.0101];
 /// Mean cosine of the angle between downwelling light and the vertical, below the surface.
 const MEAN_COSINE: f64 = 0.9;
-/// Backscattering ratio of mineral particles in coastal water: the fraction of scattered light that goes backward
-/// (Petzold 1972).
+/// Fraction of the light scattered by mineral particles of coastal water that goes backward (Petzold 1972).
 const COASTAL_BACKSCATTER: f64 = 0.013;
 
 /// Jerlov's optical types of ocean (I to III) and coastal water (1C to 9C), clearest first.
@@ -51,8 +49,7 @@ impl WaterType {
     /// Jerlov's name of each water type in the order of `ALL`, in lower case, as written in the state string.
     pub const NAMES: &[&str] = &["i", "ia", "ib", "ii", "iii", "1c", "3c", "5c", "7c", "9c"];
 
-    /// Diffuse attenuation coefficient Kd of downward irradiance, 1/m, at 400 to 700 nm in steps of 25 nm (Jerlov 1976,
-    /// tables XXVI and XXVII).
+    /// Diffuse attenuation Kd, 1/m, at 400 to 700 nm in steps of 25 nm (Jerlov 1976, tables XXVI and XXVII).
     #[rustfmt::skip]
     fn attenuation(self) -> [f64; 13] {
         match self {
@@ -116,8 +113,7 @@ impl WaterOptics {
         out
     }
 
-    /// Optical properties of a water between two types, interpolated geometrically from `water_type` (`share` 0) to the
-    /// next muddier type (`share` 1).
+    /// Optical properties of water between `water_type` (`share` 0) and the next muddier type (`share` 1).
     pub fn between(water_type: WaterType, share: f64) -> Self {
         let (a, b) = (Self::of(water_type), Self::of(water_type.next()));
         let mix = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|i| a[i].powf(1.0 - share) * b[i].powf(share));

@@ -13,8 +13,7 @@ pub struct MipLevel<'a> {
     pub gradients: &'a [Texel],
 }
 
-/// Samples the displacement and gradient maps with bilinear filtering and repetition. `uv` is the position in units of
-/// the patch's side.
+/// Samples displacement and gradient map with bilinear filtering and repetition at `uv`, in units of the patch's side.
 pub fn sample_bilinear(level: &MipLevel<'_>, uv: [f64; 2]) -> [Texel; 2] {
     let n = level.n as i64;
     let [u, v] = uv.map(|c| c * level.n as f64 - 0.5);

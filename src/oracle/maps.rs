@@ -1,5 +1,4 @@
-//! Reference implementations in f64 of the passes that compute the maps: rows.wgsl, columns.wgsl and mips.wgsl in
-//! shaders/waves.
+//! Reference implementations in f64 of the map passes rows.wgsl, columns.wgsl and mips.wgsl in shaders/waves.
 
 use super::transform::inverse;
 use super::{Complex, Texel, add, cis, map_columns, mul, scale, signed_index, times_i};
@@ -10,8 +9,7 @@ use std::f64::consts::TAU;
 /// texels each. Between the two Fourier transforms they hold pairs of complex numbers instead.
 pub type MapPair = [Vec<Texel>; 2];
 
-/// Complex amplitudes h(k, t) of all n x n wave vectors of a cascade at time `t_s` (s), from the initial amplitudes
-/// `h0`.
+/// Complex amplitudes h(k, t) of a cascade's n x n wave vectors at time `t_s` (s), from the initial amplitudes `h0`.
 pub fn evolve(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> Vec<Complex> {
     let n = plan.n as usize;
     let phase_time = plan.phase_time(t_s);
@@ -61,8 +59,7 @@ pub fn rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> MapPair
     })
 }
 
-/// Second half of the inverse Fourier transform: transforms every column (along z) of the result of [`rows`] and
-/// unpacks the maps.
+/// Second half of the inverse Fourier transform: transforms every column of the result of [`rows`], unpacks the maps.
 pub fn columns(n: usize, rows: &MapPair) -> MapPair {
     let [displacement, gradients] = [0, 1].map(|pair| map_columns(n, &rows[pair], transform_line));
     // The packed displacement texel is (Dx + i Dz, eta + i dDx/dz).

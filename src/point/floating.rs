@@ -1,7 +1,6 @@
 //! Position and attitude of floating buoys and boats on the waves.
 //!
-//! Hulls follow [`Heights`], which sums the strongest of the drawn waves on the CPU. So they need no read-back from the
-//! GPU and move without delay.
+//! Hulls follow [`Heights`], which sums the strongest of the drawn waves on the CPU, without read-back or delay.
 
 use super::heights::Heights;
 use crate::state::floats::{Float, FloatKind};

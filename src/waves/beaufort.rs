@@ -13,15 +13,13 @@ pub struct Force {
     pub name: &'static str,
     /// Description of what the open sea looks like at this force.
     pub appearance: &'static str,
-    /// Lowest and highest wind speed of this force at 10 m height, m/s, rounded to 0.1 m/s. The highest speed of a
-    /// hurricane is infinite.
+    /// Lowest and highest wind speed at 10 m height, m/s, rounded to 0.1 m/s; infinity is the upper end of a hurricane.
     pub wind_m_s: (f64, f64),
     /// Probable wave height of the WMO table, m. It is compared with the significant wave height of the simulation.
     pub probable_m: f64,
     /// Representative wind speed at 10 m height, m/s: 0.836 B^1.5 for the Beaufort number B, rounded to 0.1 m/s.
     pub mean_m_s: f64,
-    /// Fetch, km, for which JONSWAP at the wind speed `mean_m_s` has the wave height `probable_m`. [`FORCES`] explains
-    /// the exceptions at forces 1 to 3.
+    /// Fetch, km, with which JONSWAP reaches the height `probable_m` at the wind `mean_m_s` (not at forces 1 to 3).
     pub fetch_km: f64,
 }
 

@@ -14,9 +14,9 @@ const GOLDEN: f64 = 1.618_033_988_749_895;
 /// In units of the lattice spacing it is also the inner radius of the band, sqrt(177 / pi): a circle that encloses 177
 /// lattice points and has the area 177. A radius of 7 would pass through four points and add 1 % to the variance.
 const WAVES_AT_LOW_EDGE: f64 = 7.506_054_213;
-/// Exponent of the golden ratio for the patch of each cascade, counted down from that of the first (largest) patch. The
-/// first step, 3, lets a lattice of 64 x 64 points hold the most energetic band. The steps of 4 leave no gap between
-/// bands from 128 x 128 points up.
+/// Exponent of the golden ratio for each cascade's patch, counted down from the first (largest) patch. The step of 3
+/// fits the most energetic band into 64 x 64 points. The steps of 4 leave no gaps between bands from 128 x 128 points
+/// up.
 const RUNGS_BELOW_FIRST: [i32; MAX_CASCADES] = [0, 3, 7, 11];
 /// FFT size assumed when the number of cascades is chosen, so that this number does not depend on the user's FFT size.
 const NOMINAL_N: f64 = 256.0;
@@ -44,11 +44,10 @@ pub struct Cascade {
     pub patch_m: f64,
     /// Smallest wave number of the cascade's band, rad/m (inclusive).
     pub k_low: f64,
-    /// Largest wave number of the cascade's band, rad/m (exclusive), at most the Nyquist wave number. It equals `k_low`
-    /// if the band is empty.
+    /// Largest wave number of the cascade's band, rad/m (exclusive), at most Nyquist; equal to `k_low` if it is empty.
     pub k_high: f64,
-    /// Key of the cascade's random numbers. Automatic patches of equal size have equal keys, so that a wave keeps its
-    /// random amplitude when the sea changes.
+    /// Key of the cascade's random numbers. Automatic patches of equal size have equal keys and the same random
+    /// numbers.
     pub key: u32,
 }
 

@@ -44,8 +44,7 @@ mod tests {
     use crate::state::fields::{FIELDS, FieldKind, Group};
     use crate::waves::Plan;
 
-    /// The default parameters with the parameter `key` at its largest value, or at its smallest if the largest is the
-    /// default.
+    /// The default parameters with `key` at its largest value, or at its smallest if the largest is the default.
     fn changed(key: &str) -> Params {
         let field = FIELDS.iter().find(|f| f.key == key).unwrap();
         let (low, high) = match field.kind {

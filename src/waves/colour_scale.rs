@@ -25,8 +25,7 @@ pub enum Palette {
 pub const STOPS: usize = 11;
 
 impl Palette {
-    /// The palette's colours from low to high values, in sRGB from 0 to 1: viridis (matplotlib), RdBu reversed
-    /// (ColorBrewer) or grey.
+    /// Colours from low to high values, sRGB from 0 to 1: viridis (matplotlib), reversed RdBu (ColorBrewer) or grey.
     pub fn stops(self) -> [[f32; 3]; STOPS] {
         let hex: [u32; STOPS] = match self {
             Self::Sequential => [
@@ -107,8 +106,7 @@ impl ColourScale {
         Self { low: 1e-4 * high, high, unit: "m", logarithmic: true, palette }
     }
 
-    /// Scale of the Jacobian J, 2.5 standard deviations to either side of 1 (undeformed water). It ends at J = 0, where
-    /// the surface folds, and at J = 2.
+    /// Scale of the Jacobian: 2.5 standard deviations to either side of 1 (flat water), at most from 0 (a fold) to 2.
     fn jacobian(deviation: f64) -> Self {
         let limit = (2.5 * deviation).clamp(1e-3, 1.0);
         Self::linear(1.0 - limit, 1.0 + limit, "", Palette::Diverging)

@@ -74,8 +74,7 @@ impl Dispersion {
         k
     }
 
-    /// Ratio of the horizontal to the vertical axis of the elliptical water particle orbits at the surface, coth(k h);
-    /// 1 in deep water.
+    /// Ratio of the horizontal to the vertical axis of the water particle orbits at the surface, coth(k h).
     pub fn orbit(&self, k: f64) -> f64 {
         1.0 / (k * self.depth_m).tanh()
     }

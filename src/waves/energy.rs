@@ -76,8 +76,7 @@ impl Energy {
         (1..self.k.len()).map(piece).sum()
     }
 
-    /// Increase of one of the three integrals in `sums` from wave number `low` to `high` (rad/m), with linear
-    /// interpolation between grid points.
+    /// Increase of one of the integrals in `sums` from wave number `low` to `high` (rad/m), by linear interpolation.
     fn between(&self, which: usize, low: f64, high: f64) -> f64 {
         let at = |k: f64| match self.k.partition_point(|&x| x < k) {
             0 => 0.0,

@@ -1,5 +1,4 @@
-//! Fast Fourier transform on the CPU, for the spectra of buoy records and of maps read back from the GPU. The reference
-//! implementation in `oracle` does not use it.
+//! Fast Fourier transform on the CPU, for the spectra of buoy records and of maps read back from the GPU.
 
 use std::f64::consts::TAU;
 

@@ -21,11 +21,10 @@ const RAMP: f64 = 0.5;
 
 /// Upper limit of the whitecap coverage that the foam model aims for, as a fraction of the surface.
 const MAX_COVERAGE: f64 = 0.9;
-/// Coefficient (1 - r2^2) / 4 of the strain determinant in [`jacobian`]; r2 is the second directional moment of short
-/// waves.
+/// Coefficient (1 - r2^2) / 4 in [`jacobian`] with the second directional moment r2 of short waves.
 const DETERMINANT: f64 = 0.2;
-/// Texel size at which the user's fixed threshold of the Jacobian applies, m. Grids with other texels get a threshold
-/// that makes foam equally rare.
+/// Texel size at which the user's fixed foam threshold applies, m. At other sizes the threshold makes foam equally
+/// rare.
 const REFERENCE_TEXEL_M: f64 = 0.25;
 /// Standard deviation of the strain below which the water counts as flat and gets no foam.
 const MIN_SIGMA: f64 = 1e-6;
@@ -49,9 +48,8 @@ pub struct FoamModel {
 }
 
 impl FoamModel {
-    /// Derives the foam threshold of a sea. By default it follows from the whitecap coverage of the local wind, so that
-    /// the mean foam does not depend on the FFT size or the foam level. With `whitecaps=fixed` it is the user's
-    /// Jacobian, applied at a texel size of 25 cm.
+    /// Derives the foam threshold of a sea from the whitecap coverage of the local wind, so that the mean foam does not
+    /// depend on FFT size or foam level. With `whitecaps=fixed` it is the user's threshold, applied at 25 cm texels.
     pub fn new(plan: &Plan) -> Self {
         let foam = &plan.sea.foam;
         let sigma = strain_deviation(plan, REFERENCE_TEXEL_M);
@@ -71,8 +69,7 @@ impl FoamModel {
         Self { sigmas, coverage: ratio / (1.0 + ratio) }
     }
 
-    /// Foam source for a foam grid with texels of `texel_m` (m). It depends on the texel because a coarser grid
-    /// resolves less variance of the Jacobian.
+    /// Foam source for a foam grid with texels of `texel_m` (m): a coarser grid resolves less variance of the Jacobian.
     pub fn source(&self, plan: &Plan, texel_m: f64) -> FoamSource {
         let sigma = strain_deviation(plan, texel_m);
         if sigma < MIN_SIGMA || self.sigmas.is_infinite() {

@@ -24,8 +24,7 @@ pub struct Wave {
     pub turns: u32,
     /// Angular frequency, rad/s, rounded to `turns` x 2 pi / period, so that the sea repeats after its period.
     pub omega: f64,
-    /// Ratio of the horizontal to the vertical axis of the elliptical water particle orbits, coth(k h) at water depth
-    /// h.
+    /// Ratio of the horizontal to the vertical axis of the water particle orbits, coth(k h) at the water depth h.
     pub orbit: f64,
 }
 

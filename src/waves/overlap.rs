@@ -1,5 +1,5 @@
-//! Covariance of the old and the new sea during a cross-fade. Two cascades with the same patch size and the same random
-//! numbers are correlated.
+//! Covariance of the old and the new sea in a cross-fade: cascades with equal patches and random numbers are
+//! correlated.
 
 use super::plan::{Cascade, Plan};
 use std::f64::consts::TAU;

@@ -115,8 +115,7 @@ impl Plan {
         plan
     }
 
-    /// Returns the plan of the same sea with an FFT size of at most `n`. The shortest waves are left out; all other
-    /// waves are unchanged.
+    /// Returns the plan of the same sea with an FFT size of at most `n`, which leaves out only the shortest waves.
     #[must_use]
     pub fn coarser(&self, n: u32) -> Self {
         let mut plan = self.clone();
@@ -157,8 +156,7 @@ impl Plan {
         self.systems.iter().map(|s| s.spectrum.density(omega)).sum()
     }
 
-    /// Lowest and highest angular frequency for integrals of the total spectrum, rad/s. Waves outside this range have
-    /// negligible variance.
+    /// Lowest and highest angular frequency, rad/s, between which nearly all variance of the total spectrum lies.
     pub fn support(&self) -> (f64, f64) {
         support(&self.systems)
     }
@@ -257,8 +255,7 @@ fn integrate(systems: &[WaveSystem], dispersion: &Dispersion) -> Energy {
 }
 
 /// Fraction of a wave's variance that remains when a map is sampled with bilinear filtering, averaged over wave
-/// directions and sample positions. `kw` is the wave number times the texel size. `boxed` is true for mip levels above
-/// 0, whose texels are means over their area.
+/// directions and positions. `kw` is wave number times texel size. `boxed` is true for texels that are means (mip > 0).
 fn sampling_response(kw: f64, boxed: bool) -> f64 {
     const DIRECTIONS: u32 = 6;
     let axis = |x: f64| {

@@ -19,8 +19,7 @@ const MAX_DEPTH: u32 = 40;
 /// Largest number of intervals that adaptive quadrature evaluates for one integral.
 const MAX_INTERVALS: u32 = 20_000;
 
-/// Integral of `f` over [a, b] by the 15-point Kronrod rule, and its absolute difference from the 7-point Gauss rule as
-/// an estimate of the error.
+/// Integral of `f` over [a, b] by the Kronrod rule, and its difference from the Gauss rule as an estimate of the error.
 fn kronrod(f: &impl Fn(f64) -> f64, a: f64, b: f64) -> (f64, f64) {
     let (mid, half) = (0.5 * (a + b), 0.5 * (b - a));
     let (mut k, mut g) = (0.0, 0.0);
@@ -58,8 +57,7 @@ fn refine(f: &impl Fn(f64) -> f64, [a, b]: [f64; 2], allowed: f64, floor: f64, d
         + refine(f, [mid, b], 0.5 * allowed, floor, depth - 1, left)
 }
 
-/// Integral of a smooth `f` from the first to the last of `knots`. Each interval between neighbouring knots is divided
-/// into `count` panels of 15 points.
+/// Integral of a smooth `f` from the first to the last of `knots`, with `count` 15-point panels in each interval.
 pub fn panels(f: impl Fn(f64) -> f64, knots: &[f64], count: u32) -> f64 {
     let piece = |w: &[f64]| {
         let step = (w[1] - w[0]) / f64::from(count);

@@ -5,14 +5,13 @@ use super::plan::Plan;
 use super::system::{Directions, WaveSystem, angle};
 use std::f64::consts::{PI, TAU};
 
-/// Mean square slopes [along, across] the direction of the local wind, dimensionless.
+/// Mean square slopes of the sea surface, first along and then across the local wind, dimensionless.
 pub type SlopeVariance = [f64; 2];
 
 /// Number of steps of the numerical integrals over frequency and over direction.
 const STEPS: usize = 64;
 
-/// Mean square slopes of a clean sea surface for a wind speed U at 10 m height (Cox and Munk 1954): 0.00316 U along the
-/// wind, 0.003 + 0.00192 U across it.
+/// Mean square slopes of a clean sea at wind speed U: 0.00316 U along and 0.003 + 0.00192 U across it (Cox, Munk 1954).
 pub fn cox_munk(wind_m_s: f64) -> SlopeVariance {
     [0.00316 * wind_m_s, 0.003 + 0.00192 * wind_m_s]
 }
@@ -49,8 +48,7 @@ pub fn resolved(plan: &Plan) -> SlopeVariance {
         .fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])
 }
 
-/// Mean square slopes of the waves too short for the cascades: the slopes measured by Cox and Munk (1954) for the local
-/// wind minus `resolved`, at least 0.
+/// Mean square slopes of waves too short for the cascades: those of Cox and Munk (1954) minus `resolved`, at least 0.
 pub fn residual(plan: &Plan, resolved: SlopeVariance) -> SlopeVariance {
     let total = cox_munk(plan.sea.local().wind_m_s);
     [0, 1].map(|axis| (total[axis] - resolved[axis]).max(0.0))

@@ -97,8 +97,7 @@ impl Spreading {
         }
     }
 
-    /// Lobes at the angular frequency `omega` (rad/s, positive). The number of lobes, their order and their cosine
-    /// factors are the same at every frequency.
+    /// Lobes at the angular frequency `omega` (rad/s, positive). Their number and cosine factors are always the same.
     pub fn lobes(&self, omega: f64) -> Lobes {
         let r = omega / self.omega_p;
         let swell_s = 16.0 * (1.0 / r).tanh() * self.swell * self.swell;
@@ -129,8 +128,8 @@ impl Spreading {
         Lobes { isotropic: self.isotropic, lobes }
     }
 
-    /// Directional spreading D, per rad, at the angular frequency `omega` (rad/s) and the angle `theta` (rad) from the
-    /// direction of travel.
+    /// Directional spreading D, per rad, at frequency `omega` (rad/s) and angle `theta` (rad) from the direction of
+    /// travel.
     pub fn density(&self, omega: f64, theta: f64) -> f64 {
         let at = self.lobes(omega);
         let sum: f64 =

@@ -176,8 +176,8 @@ pub struct SpectralMoments {
 }
 
 impl SpectralMoments {
-    /// Adds a wave with its elevation variance (m^2), wave number `k` (rad/m), angular frequency `omega` (rad/s) and
-    /// unit vector of travel `unit` (x, z).
+    /// Adds a wave by elevation variance (m^2), wave number `k` (rad/m), `omega` (rad/s) and direction of travel
+    /// `unit`.
     pub fn add(&mut self, variance: f64, k: f64, omega: f64, unit: [f64; 2]) {
         for (power, m) in (0..).zip(&mut self.m) {
             *m += variance * omega.powi(power);
@@ -214,8 +214,7 @@ pub fn from_deg([x, z]: [f64; 2]) -> f64 {
     (-x).atan2(z).to_degrees().rem_euclid(360.0)
 }
 
-/// Fraction of the sea surface covered by whitecaps at a wind speed U at 10 m height, W = 3.84e-6 U^3.41 (Monahan and
-/// O'Muircheartaigh 1980), at most 1.
+/// Fraction of the sea covered by whitecaps at wind speed U, 3.84e-6 U^3.41 (Monahan and O'Muircheartaigh 1980).
 pub fn monahan_coverage(wind_m_s: f64) -> f64 {
     (3.84e-6 * wind_m_s.powf(3.41)).min(1.0)
 }
@@ -261,8 +260,7 @@ pub fn spread_deg(r1: f64) -> f64 {
     (2.0 * (1.0 - r1).max(0.0)).sqrt().to_degrees()
 }
 
-/// Angular frequency (rad/s) at which the spectrum `s` is largest, found by a scan from 0.9 to 1.125 times `near` and a
-/// golden-section search.
+/// Angular frequency (rad/s) at which the spectrum `s` is largest, searched from 0.9 to 1.125 times `near`.
 fn peak(s: impl Fn(f64) -> f64, near: f64) -> f64 {
     let scan = |i: i32| near * 0.9 * 1.25f64.powf(f64::from(i) / 400.0);
     let best = (0..=400).max_by(|&a, &b| s(scan(a)).total_cmp(&s(scan(b)))).unwrap_or(0);

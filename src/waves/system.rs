@@ -30,8 +30,7 @@ pub enum Directions {
 pub enum TermKind {
     /// One lobe of the directional spreading, stored as (variance x norm, beta, s, isotropic variance per rad).
     Lobe(Cosine),
-    /// A measured directional distribution (`Mem`), stored as (variance x norm, Re phi1, Im phi1, Re phi2) and
-    /// (Im phi2, 0, 0, 0).
+    /// A measured distribution [`Mem`], stored as (variance x norm, Re phi1, Im phi1, Re phi2), (Im phi2, 0, 0, 0).
     Measured,
 }
 
@@ -59,8 +58,7 @@ impl WaveSystem {
         self.measured(omega).map_or_else(|| Directions::Lobes(self.spreading.lobes(omega)), Directions::Measured)
     }
 
-    /// Directional spreading D, per rad, at the angular frequency `omega` (rad/s) in the direction of the wave vector
-    /// `k`.
+    /// Directional spreading D, per rad, at frequency `omega` (rad/s) in the direction of the wave vector `k`.
     pub fn direction_density(&self, omega: f64, k: [f64; 2]) -> f64 {
         match self.measured(omega) {
             Some(mem) => mem.density(k[1].atan2(k[0])),
@@ -100,8 +98,7 @@ impl TermKind {
     }
 }
 
-/// Unit vector (x, z) in which waves travel that come from the compass bearing `from_deg` (degrees clockwise from
-/// north).
+/// Unit vector (x, z) along which waves from the compass bearing `from_deg` (degrees clockwise from north) travel.
 pub fn travel(from_deg: f64) -> [f64; 2] {
     let from = from_deg.to_radians();
     [-from.sin(), from.cos()]

@@ -1,8 +1,8 @@
 //! Tables over the wave number |k| that the spectrum shader reads: frequencies, variances and spreading parameters.
 //! They are computed on the CPU in f64 because f32 on a GPU is not accurate enough.
 //!
-//! Up to eight wave vectors of a square lattice have the same |k| by symmetry: (±a, ±b) and (±b, ±a). So a table needs
-//! entries only for 0 <= b <= a <= n/2; the wave vector (a, b) has the entry a (a + 1) / 2 + b.
+//! Up to eight wave vectors of a square lattice have the same |k| by symmetry: (+-a, +-b) and (+-b, +-a). So a table
+//! needs entries only for 0 <= b <= a <= n/2; the wave vector (a, b) has the entry a (a + 1) / 2 + b.
 
 use super::lattice::Wave;
 use super::plan::{Cascade, Plan};
@@ -152,8 +152,7 @@ struct Norms {
     lobes: Vec<Option<Vec<Piece>>>,
 }
 
-/// Interpolation table of a lobe's norm over one frequency interval: ln(norm) at `NODES` + 1 equidistant values of
-/// ln(omega).
+/// Interpolation table of a lobe's norm over a frequency interval: ln(norm) at `NODES` + 1 equidistant ln(omega).
 struct Piece {
     ln_low: f64,
     step: f64,

@@ -15,9 +15,9 @@
 //! the variances of the patch. One copy is visible on 45 % of the plane, two on 41 %; the mean is 1.69. Points one
 //! patch apart have a correlation of 5 % through common copies, points 1.3 patches apart or more none.
 //!
-//! - **Derivatives** are those of the blended surface. They include the gradients of the weights (rms 5.3 divided by the
-//!   patch size) times heights and displacements. For the longest waves of a band, of which 7.5 fit across the patch,
-//!   these terms are 11 % of the slope, or 1 % of the slope variance. They are smaller for shorter waves.
+//! - **Derivatives** are those of the blended surface. They include the gradients of the weights (rms 5.3 divided by
+//!   the patch size) times heights and displacements. For the longest waves of a band, of which 7.5 fit across the
+//!   patch, these terms are 11 % of the slope, or 1 % of the slope variance. They are smaller for shorter waves.
 //! - **Shifts** are multiples of 1/64 of the patch, which are whole texels for every FFT size. So all copies have the
 //!   same interpolation weights, a blend at a texel needs no interpolation, and the FFT size does not change the sea.
 
@@ -27,14 +27,13 @@ use super::noise::pcg4d;
 const EDGE: f64 = 0.25;
 /// Mean number of patch copies that are blended at a point of the plane.
 pub const MEAN_COPIES: f64 = 1.69;
-/// Number of possible shifts of a copy along each axis: shifts are multiples of 1 / STEPS of the patch. It is 2^6, from
-/// the upper 6 bits of a 32-bit hash.
+/// Number of possible shifts of a copy along each axis: a shift is a multiple of 1 / STEPS of the patch size.
 const STEPS: f64 = 64.0;
 /// Hash input that makes the random shifts of copies independent of the random numbers of the waves.
 const SALT: u32 = 0x7469_6c65;
-/// Rotation of the triangle lattice per unit of the cascade's key, rad: the golden angle, so that no two lattices
-/// align.
+/// Rotation of the triangle lattice per unit of the cascade's key, rad: the golden angle, so no two lattices align.
 const TURN: f64 = 2.399_963_229_728_653;
+/// 1 / sqrt(3), for the geometry of equilateral triangles.
 const INV_SQRT_3: f64 = 0.577_350_269_189_625_8;
 
 /// Tiling of the plane with one patch: a lattice of triangles, with a shifted copy of the patch at each vertex.
@@ -110,8 +109,7 @@ impl Tiling {
         }
         let Place { rest, cell, .. } = self.place(at);
         let [u, v] = self.axes();
-        // A cell has two triangles. The lower triangle is measured from the cell's first vertex, the upper triangle
-        // from the opposite vertex.
+        // A cell has two triangles. Coordinates in the upper triangle are measured from the cell's last vertex.
         let upper = rest[0] + rest[1] > 1.0;
         let (sign, [fu, fv]) = if upper { (-1.0, rest.map(|f| 1.0 - f)) } else { (1.0, rest) };
         let b = [1.0 - fu - fv, fu, fv];

@@ -77,8 +77,7 @@ pub struct SurfaceSample {
     pub velocity_m_s: [f64; 3],
     /// Position (x, z) of the water particle before displacement by the waves, m.
     pub undisplaced_xz: [f64; 2],
-    /// Position (x, z) of the water particle after displacement by the waves, m. It is the requested point if
-    /// `converged`.
+    /// Position (x, z) of the water particle after displacement by the waves, m; the requested point if `converged`.
     pub world_xz: [f64; 2],
     /// Jacobian of the horizontal displacement: 1 in undeformed water, below 1 at crests, negative inside a fold.
     pub jacobian: f64,
@@ -212,8 +211,7 @@ impl Heights {
             normal: if length > 0.0 { normal.map(|c| c / length) } else { [0.0, 1.0, 0.0] },
             velocity_m_s: sums.velocity,
             undisplaced_xz: [point[0] - offset[0], point[1] - offset[1]],
-            // Offset and displacement nearly cancel. Their difference is taken first, so that no digits are lost far
-            // away.
+            // Offset and displacement nearly cancel. Taking their difference first keeps the digits of far points.
             world_xz: [point[0] + (lx * sums.d[0] - offset[0]), point[1] + (lz * sums.d[1] - offset[1])],
             jacobian,
             converged,

@@ -1,5 +1,4 @@
-//! Search for the water particle that the waves have displaced to a given point: inverse of the horizontal
-//! displacement.
+//! Search for the water particle that the waves have displaced to a given point (inverse of the displacement).
 
 use super::Heights;
 use super::waves::{Blends, CopySums, WaveSums};
@@ -13,11 +12,9 @@ const MAX_EVALUATIONS: usize = 64;
 /// Smallest second derivative (curvature) that a Newton step of the search assumes. It keeps the step finite at the
 /// edge of a folded crest, where the curvature is 0.
 const MIN_CURVATURE: f64 = 1e-3;
-/// Armijo rule of the search: a step must decrease the function by this fraction of the decrease that its gradient
-/// predicts.
+/// Armijo rule: smallest decrease of the function in a step, as a fraction of the decrease that the gradient predicts.
 const ARMIJO: f64 = 1e-4;
-/// Distance from the requested point, m, below which rounding hides the decrease of the function. A step is then
-/// accepted if it halves the gradient.
+/// Distance from the requested point, m, below which a step may also be accepted for halving the gradient.
 const NEAR_M: f64 = 1e-3;
 
 impl Heights {

@@ -28,8 +28,7 @@ pub(super) struct WaveBlock {
     /// Real (`re`) and imaginary part (`im`) of the complex amplitude h of each lane, m.
     pub(super) re: DVec4,
     pub(super) im: DVec4,
-    /// coth(k depth) / |(ix, iz)| of each lane. Times (ix, iz) and h it is the amplitude of the horizontal
-    /// displacement.
+    /// Factor coth(k depth) / |(ix, iz)| of each lane, which turns h (ix, iz) into the amplitude of D = (Dx, Dz).
     orbit: DVec4,
     omega_rad_s: DVec4,
     /// Angular frequency of each lane as a multiple of 2 pi / period of the sea.
@@ -113,8 +112,7 @@ fn add_scaled<const N: usize>(sum: &mut [f64; N], factor: f64, term: [f64; N]) {
 }
 
 impl CopySums {
-    /// Blends the wave sums of the patch copies with the weights in `blends`. The flag is false if a copy that `blends`
-    /// needs was not evaluated.
+    /// Blends the copies' wave sums with the weights in `blends`. The flag is false if the sums of a copy are missing.
     pub(super) fn blended(&self, blends: &Blends) -> (WaveSums, bool) {
         let (mut all, mut complete) = (WaveSums::default(), true);
         for ((blend, known), sums) in blends.iter().zip(&self.blends).zip(&self.sums) {
@@ -150,14 +148,12 @@ impl PatchWaves {
         Self { side_m: cascade.patch_m, tiling: plan.tiling(cascade), dk: cascade.dk(), blocks }
     }
 
-    /// Wave sums of one patch at the position (`x`, `z`), in units of the patch's side. `time` is that of
-    /// [`Plan::phase_time`].
+    /// Wave sums of a patch at (`x`, `z`), in units of the patch's side, at the time [`Plan::phase_time`].
     pub(super) fn sums(&self, x: f64, z: f64, time: u32) -> WaveSums {
         // Sums per lane, without common factors: eta, its slopes, D, strain (xx, zz, xz), velocity, potential.
         let mut sums = [DVec4::ZERO; 12];
         for &WaveBlock { ix, iz, re, im, orbit, omega_rad_s, turns } in &self.blocks {
-            // Signed integers convert to f64 with vector instructions. The whole turn that this may subtract has no
-            // effect.
+            // Signed integers convert to f64 with vector instructions; a subtracted whole turn has no effect.
             let turned = DVec4::from_array(turns.map(|t| f64::from(t.wrapping_mul(time) as i32)));
             let (sin, cos) = sin_cos_turns(ix * x + iz * z - turned * (1.0 / 4_294_967_296.0));
             // Complex elevation h e^{i (k.x - omega t)}.

@@ -9,8 +9,7 @@ const BETA: f64 = 0.74;
 /// Ratio of the wind speeds at 19.5 m and at 10 m height over the sea, in neutrally stratified air.
 const U19_OVER_U10: f64 = 1.026;
 
-/// Generalised spectrum A omega^-5 exp(-B omega^-4) with the user's A (m^2/s^4) and B (s^-4). A coefficient that is not
-/// set is that of Pierson-Moskowitz.
+/// Spectrum A omega^-5 exp(-B omega^-4) with the user's A (m^2/s^4) and B (s^-4), by default Pierson-Moskowitz' values.
 pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
     let (a, b) = coefficients(inputs);
     let or = |set: f64, default: f64| if set > 0.0 { set } else { default };

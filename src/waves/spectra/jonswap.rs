@@ -10,8 +10,7 @@ const FULL_FETCH: f64 = 1.1e4;
 /// Dimensionless fetch g F / U^2 above which a notice appears: JONSWAP is a quarter higher than a fully developed sea.
 const EXCESSIVE_FETCH: f64 = 1.6e4;
 
-/// JONSWAP spectrum S(omega) = alpha g^2 omega^-5 exp(-5/4 (omega_p/omega)^4) times the peak enhancement for gamma
-/// (Hasselmann et al. 1973).
+/// JONSWAP spectrum alpha g^2 omega^-5 exp(-5/4 (omega_p/omega)^4) times peak enhancement (Hasselmann et al. 1973).
 #[derive(Clone, Copy)]
 pub struct Jonswap {
     /// Phillips' constant alpha times g^2, m^2/s^4.
@@ -29,8 +28,7 @@ pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
     FrequencySpectrum { notice, ..FrequencySpectrum::new(jonswap.omega_p, move |omega| jonswap.density(omega)) }
 }
 
-/// Makes the TMA spectrum of shallow water: JONSWAP times the depth factor, on request with alpha and gamma of Bouws et
-/// al. 1985.
+/// Makes the TMA spectrum for shallow water: JONSWAP times the depth factor, optionally with Bouws' alpha and gamma.
 pub fn tma(inputs: &Inputs<'_>) -> FrequencySpectrum {
     let (g, sea) = (inputs.gravity_m_s2, inputs.sea);
     let mut tma = Jonswap::new(inputs);
@@ -76,8 +74,7 @@ fn full_development(inputs: &Inputs<'_>) -> Option<String> {
     })
 }
 
-/// Significant wave height (m) and angular peak frequency (rad/s) that the user has set. JONSWAP supplies what is not
-/// set from wind and fetch.
+/// Significant wave height (m) and angular peak frequency (rad/s) set by the user, or those of JONSWAP if not set.
 pub fn height_and_peak(inputs: &Inputs<'_>) -> (f64, f64) {
     let grown = Jonswap::grown(inputs);
     let grown_height = || {

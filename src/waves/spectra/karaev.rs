@@ -1,5 +1,4 @@
-//! Karaev's spectrum: JONSWAP around the peak, continued to capillary waves by power laws (Karaev and Balandina 2000,
-//! Karaev et al. 2008).
+//! Spectrum of Karaev and Balandina 2000 and Karaev et al. 2008: JONSWAP with a tail of power laws to capillary waves.
 
 use super::jonswap::{Jonswap, depth_factor};
 use super::spectrum::{FrequencySpectrum, Inputs};

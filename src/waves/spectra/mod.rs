@@ -67,8 +67,7 @@ pub fn of_system(sea: &Sea, system: &System) -> FrequencySpectrum {
     spectrum.scaled(system.scale * system.scale)
 }
 
-/// Makes the spectrum of the family selected in `inputs`, before any scaling. If a measured spectrum is selected but no
-/// buoy data are loaded, it is JONSWAP.
+/// Makes the unscaled spectrum of the family selected in `inputs`; JONSWAP replaces a measured spectrum without data.
 fn family(inputs: &Inputs<'_>) -> FrequencySpectrum {
     match inputs.system.spectrum {
         SpectrumKind::Phillips => phillips::spectrum(inputs),

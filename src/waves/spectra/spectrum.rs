@@ -39,13 +39,12 @@ pub struct FrequencySpectrum {
     pub omega_p: f64,
     /// Angular frequency below which the spectrum is negligible, rad/s, positive.
     pub(super) lowest: f64,
-    /// Angular frequencies (rad/s), in any order, at which quadrature of the spectrum is split into intervals: kinks,
-    /// jumps and points around the peak.
+    /// Angular frequencies (rad/s), in any order, at which quadrature is split: kinks, jumps and points around the
+    /// peak.
     pub breakpoints: Vec<f64>,
     /// Angular frequency at which the spectrum jumps, rad/s; `None` if it is continuous.
     pub jump: Option<f64>,
-    /// Whether the definition of the spectrum includes the directional factor cos^2, which replaces the user's
-    /// spreading.
+    /// Whether the spectrum is defined with its own directional factor cos^2, which replaces the user's spreading.
     pub has_own_direction: bool,
     /// Buoy data, if this is a measured spectrum.
     pub measured: Option<Arc<MeasuredSpectrum>>,
@@ -117,8 +116,7 @@ impl FrequencySpectrum {
         adaptive(|w| self.density(w), &knots, 1e-9)
     }
 
-    /// Lowest and highest angular frequency for integrals of the spectrum, rad/s. Waves outside this range have
-    /// negligible variance.
+    /// Lowest and highest angular frequency, rad/s, between which nearly all variance of the spectrum lies.
     pub fn support(&self) -> (f64, f64) {
         (self.lowest, (400.0 * self.omega_p).max(4000.0))
     }
@@ -130,8 +128,7 @@ impl fmt::Debug for FrequencySpectrum {
     }
 }
 
-/// Peak enhancement factor gamma^exp(-(r - 1)^2 / (2 sigma^2)) of JONSWAP at r = omega / omega_p, with the width sigma
-/// of the peak (Hasselmann et al. 1973).
+/// JONSWAP's peak enhancement gamma^exp(-(r - 1)^2 / (2 sigma^2)) with r = omega / omega_p and the peak width sigma.
 pub fn peak_enhancement(r: f64, gamma: f64, sigma: f64) -> f64 {
     gamma.powf((-(r - 1.0).powi(2) / (2.0 * sigma * sigma)).exp())
 }

@@ -23,8 +23,8 @@ pub fn close(got: f64, want: f64, tolerance: f64) {
     assert!((got / want - 1.0).abs() < tolerance, "{got} instead of {want}");
 }
 
-/// Angular frequencies (rad/s) of the two peaks of a double-peaked spectrum. Each peak has six breakpoints, of which
-/// the third is its peak frequency.
+/// Angular frequencies (rad/s) of both peaks of a double-peaked spectrum: the third of the six breakpoints of each
+/// peak.
 pub fn peaks(s: &FrequencySpectrum) -> [f64; 2] {
     [2, 8].map(|i| s.breakpoints[i])
 }

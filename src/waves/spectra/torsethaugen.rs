@@ -1,5 +1,4 @@
-//! Torsethaugen's double-peaked spectrum of wind sea and swell in the North Sea, in the simplified form (Torsethaugen
-//! and Haver 2004).
+//! Double-peaked spectrum of wind sea and swell in the North Sea (Torsethaugen and Haver 2004, simplified form).
 
 use super::jonswap::height_and_peak;
 use super::spectrum::{FrequencySpectrum, Inputs, peak_enhancement};
