@@ -1,5 +1,4 @@
-//! Reference implementations (oracles) of the GPU passes in f64. They share no table, constant or code with the
-//! shaders.
+//! Reference implementations (oracles) of the GPU passes in f64, without table, constant or code from the shaders.
 //!
 //! Lattices of wave vectors are stored in FFT order, as on the GPU: element i has the signed index i for i < n/2 and
 //! i - n otherwise. Rows run along x, columns along z. The code is slow and simple on purpose.

@@ -15,8 +15,7 @@ const GOLDEN: f64 = 1.618_033_988_749_895;
 /// lattice points and has the area 177. A radius of 7 would pass through four points and add 1 % to the variance.
 const WAVES_AT_LOW_EDGE: f64 = 7.506_054_213;
 /// Exponent of the golden ratio for each cascade's patch, counted down from the first (largest) patch. The step of 3
-/// fits the most energetic band into 64 x 64 points. The steps of 4 leave no gaps between bands from 128 x 128 points
-/// up.
+/// fits the most energetic band into 64 x 64 points. With 128 x 128 points the steps of 4 leave no gaps between bands.
 const RUNGS_BELOW_FIRST: [i32; MAX_CASCADES] = [0, 3, 7, 11];
 /// FFT size assumed when the number of cascades is chosen, so that this number does not depend on the user's FFT size.
 const NOMINAL_N: f64 = 256.0;
@@ -46,8 +45,7 @@ pub struct Cascade {
     pub k_low: f64,
     /// Largest wave number of the cascade's band, rad/m (exclusive), at most Nyquist; equal to `k_low` if it is empty.
     pub k_high: f64,
-    /// Key of the cascade's random numbers. Automatic patches of equal size have equal keys and the same random
-    /// numbers.
+    /// Key of the cascade's random numbers. An automatic patch of a given size has the same key in every sea.
     pub key: u32,
 }
 

@@ -36,12 +36,12 @@ impl Dispersion {
         self.tension_m3_s2 > 0.0
     }
 
-    /// Angular frequency (rad/s) of wave number `k` (rad/m).
+    /// Angular frequency (rad/s) of a wave with the wave number `k` (rad/m).
     pub fn omega(&self, k: f64) -> f64 {
         ((self.gravity_m_s2 + self.tension_m3_s2 * k * k) * k * (k * self.depth_m).tanh()).sqrt()
     }
 
-    /// Group velocity d omega / dk (m/s) of wave number `k` (rad/m, positive).
+    /// Group velocity d omega / dk (m/s) of a wave with the wave number `k` (rad/m, positive).
     pub fn group_velocity(&self, k: f64) -> f64 {
         let kh = k * self.depth_m;
         // k h / cosh^2(k h) is negligible above k h = 300; cosh would overflow above 710.
@@ -50,16 +50,16 @@ impl Dispersion {
         ((g + 3.0 * capillary) * kh.tanh() + (g + capillary) * shallow) / (2.0 * self.omega(k))
     }
 
-    /// Converts a spectrum over wave number, S(k) in m^3, to S(omega) = S(k) dk / d omega, m^2 s, at `omega` in rad/s.
+    /// Converts a spectrum S(k) over wave number (m^3) to S(omega) = S(k) dk / d omega (m^2 s) at `omega` (rad/s).
     pub fn density_over_omega(&self, density_over_k: impl Fn(f64) -> f64, omega: f64) -> f64 {
         let k = self.wave_number(omega);
         density_over_k(k) / self.group_velocity(k)
     }
 
-    /// Wave number (rad/m) of angular frequency `omega_rad_s` (positive).
+    /// Wave number (rad/m) of a wave with the angular frequency `omega_rad_s` (rad/s, positive).
     ///
-    /// Newton's method on ln(omega) over ln(k), which is nearly linear: its slope lies between 1/2 and 3/2. It starts
-    /// from the approximation of Guo 2002 for gravity waves or from pure capillary waves.
+    /// It is found by Newton's method for ln(omega) as a function of ln(k), whose slope is always between 1/2 and 3/2.
+    /// The start value is the approximation of Guo 2002 for gravity waves or the solution for pure capillary waves.
     pub fn wave_number(&self, omega_rad_s: f64) -> f64 {
         let deep = omega_rad_s * omega_rad_s / self.gravity_m_s2;
         let x = omega_rad_s * (self.depth_m / self.gravity_m_s2).sqrt();

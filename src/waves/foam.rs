@@ -23,8 +23,7 @@ const RAMP: f64 = 0.5;
 const MAX_COVERAGE: f64 = 0.9;
 /// Coefficient (1 - r2^2) / 4 in [`jacobian`] with the second directional moment r2 of short waves.
 const DETERMINANT: f64 = 0.2;
-/// Texel size at which the user's fixed foam threshold applies, m. At other sizes the threshold makes foam equally
-/// rare.
+/// Texel size at which the user's fixed foam threshold applies, m. It is adapted to other sizes for equally rare foam.
 const REFERENCE_TEXEL_M: f64 = 0.25;
 /// Standard deviation of the strain below which the water counts as flat and gets no foam.
 const MIN_SIGMA: f64 = 1e-6;

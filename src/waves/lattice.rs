@@ -1,4 +1,4 @@
-//! Wave number, frequency and variance of each wave of a cascade. Its wave vectors form a square lattice.
+//! Wave number, frequency and variance of each wave of a cascade. The wave vectors of a cascade form a square lattice.
 
 use super::plan::{Cascade, Plan};
 use super::system::WaveSystem;

@@ -39,8 +39,7 @@ impl MapSpectrumEstimator {
 
     /// Transforms about `points` more texels of the height maps, and returns the spectrum when all maps are done.
     ///
-    /// `row(cascade, z)` returns the n heights (m) in row z of a cascade's map. Maps and plan must not change
-    /// meanwhile.
+    /// `row(cascade, z)` returns the n heights (m) in row z of a cascade's map. All calls must see the same maps.
     pub fn advance<R: Iterator<Item = f64>>(
         &mut self,
         plan: &Plan,

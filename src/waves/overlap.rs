@@ -1,5 +1,4 @@
-//! Covariance of the old and the new sea in a cross-fade: cascades with equal patches and random numbers are
-//! correlated.
+//! Covariance of the old and the new sea in a cross-fade. Waves with equal random numbers are correlated.
 
 use super::plan::{Cascade, Plan};
 use std::f64::consts::TAU;

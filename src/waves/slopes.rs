@@ -11,7 +11,7 @@ pub type SlopeVariance = [f64; 2];
 /// Number of steps of the numerical integrals over frequency and over direction.
 const STEPS: usize = 64;
 
-/// Mean square slopes of a clean sea at wind speed U: 0.00316 U along and 0.003 + 0.00192 U across it (Cox, Munk 1954).
+/// Mean square slopes of a clean sea along and across a wind U, 0.00316 U and 0.003 + 0.00192 U (Cox and Munk 1954).
 pub fn cox_munk(wind_m_s: f64) -> SlopeVariance {
     [0.00316 * wind_m_s, 0.003 + 0.00192 * wind_m_s]
 }

@@ -128,8 +128,7 @@ impl Spreading {
         Lobes { isotropic: self.isotropic, lobes }
     }
 
-    /// Directional spreading D, per rad, at frequency `omega` (rad/s) and angle `theta` (rad) from the direction of
-    /// travel.
+    /// Directional spreading D, per rad, at frequency `omega` (rad/s) and angle `theta` (rad) from the main direction.
     pub fn density(&self, omega: f64, theta: f64) -> f64 {
         let at = self.lobes(omega);
         let sum: f64 =

@@ -7,7 +7,7 @@ use super::quadrature::adaptive;
 use super::table::{Table, index};
 use std::f64::consts::TAU;
 
-/// Wave statistics from integrals of the spectrum by adaptive quadrature. They check the coarser integrals in [`Plan`].
+/// Wave statistics from integrals of the spectrum by adaptive quadrature. They do not use the integrals in [`Plan`].
 ///
 /// ```
 /// use seastate::state::query;
@@ -25,7 +25,7 @@ pub struct Theory {
     pub m0_m2: f64,
     /// Significant wave height 4 sqrt(m0), m.
     pub hs_m: f64,
-    /// Peak period, s.
+    /// Peak period, s: period of the waves at the peak of the spectrum.
     pub tp_s: f64,
     /// Mean period 2 pi m0 / m1 of the waves that the cascades resolve, s.
     pub tm01_s: f64,
@@ -176,8 +176,7 @@ pub struct SpectralMoments {
 }
 
 impl SpectralMoments {
-    /// Adds a wave by elevation variance (m^2), wave number `k` (rad/m), `omega` (rad/s) and direction of travel
-    /// `unit`.
+    /// Adds a wave by its variance (m^2), wave number `k` (rad/m), frequency `omega` (rad/s) and unit vector of travel.
     pub fn add(&mut self, variance: f64, k: f64, omega: f64, unit: [f64; 2]) {
         for (power, m) in (0..).zip(&mut self.m) {
             *m += variance * omega.powi(power);

@@ -162,10 +162,10 @@ impl Heights {
 
     /// Samples the surface at the point (`x_m`, `z_m`) of the world, m, at time `t_s`, s.
     ///
-    /// Where the surface is folded, several water particles lie at one point. The sample describes one whose surface is
-    /// not overturned, the same for equal arguments; it can change abruptly with them. If the search fails, `converged`
-    /// is false and the sample describes a particle near the point, at `world_xz`. For infinite or NaN arguments the
-    /// sample is still water and `converged` is false. All numbers are finite in every case.
+    /// Where the surface is folded, several water particles lie at one point. The sample describes one where the
+    /// surface is not overturned. It depends only on the arguments, but can jump from one point to the next. If the
+    /// search fails, `converged` is false and the sample describes a particle near the point, at `world_xz`. Infinite
+    /// or NaN arguments give still water, with `converged` false. All numbers of a sample are finite in every case.
     pub fn sample(&self, x_m: f64, z_m: f64, t_s: f64) -> SurfaceSample {
         if ![x_m, z_m, t_s].iter().all(|v| v.is_finite()) {
             return self.still_water();
