@@ -2,12 +2,11 @@
 
 use std::f64::consts::TAU;
 
-/// Length of the year in Spencer's series, days.
+/// Length of the year in Spencer's series for the sun's declination, days.
 const YEAR_DAYS: f64 = 365.0;
 
-/// Declination of the sun, rad. `day` is the day of the year (1 is 1 January), `hour` the hour of the day. Fourier
-/// series of Spencer, "Fourier series representation of the position of the sun", Search 2 (5), 1971; error 0.05
-/// degrees.
+/// Declination of the sun, rad, on the day `day` of the year (1 is 1 January) at the hour `hour` (0 to 24), by Spencer,
+/// "Fourier series representation of the position of the sun", Search 2 (5), 1971; error 0.05 degrees.
 fn declination_rad(day: f64, hour: f64) -> f64 {
     let g = TAU * (day - 1.0 + (hour - 12.0) / 24.0) / YEAR_DAYS;
     0.006_918 - 0.399_912 * g.cos() + 0.070_257 * g.sin() - 0.006_758 * (2.0 * g).cos() + 0.000_907 * (2.0 * g).sin()
@@ -15,8 +14,8 @@ fn declination_rad(day: f64, hour: f64) -> f64 {
         + 0.001_480 * (3.0 * g).sin()
 }
 
-/// Elevation and azimuth (clockwise from north) of the centre of the sun, degrees, without refraction. `hour` is true
-/// solar time: the sun is highest at 12, and no equation of time is needed.
+/// Elevation above the horizon and azimuth (clockwise from north) of the centre of the sun, degrees, without
+/// refraction. `day` is the day of the year from 1. `hour` is true solar time, in which the sun is highest at 12.
 pub fn position_deg(day: f64, hour: f64, latitude_deg: f64) -> [f64; 2] {
     let (sin_d, cos_d) = declination_rad(day, hour).sin_cos();
     let (sin_l, cos_l) = latitude_deg.to_radians().sin_cos();

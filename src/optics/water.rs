@@ -1,55 +1,55 @@
-//! Optical properties of natural waters at the primaries of the display, by Jerlov's water types.
+//! Absorption and scattering of natural waters at the red, green and blue of the display, by Jerlov's water types.
 //!
-//! Jerlov (1976) gives the diffuse attenuation Kd of each type. Chlorophyll follows from Kd(490 nm), scattering and
-//! backscattering from chlorophyll (Morel and Maritorena 2001), absorption from Kd and backscattering.
+//! Jerlov (1976) tabulates the diffuse attenuation Kd of each type. Chlorophyll follows from Kd at 490 nm, scattering
+//! and backscattering from chlorophyll (Morel and Maritorena 2001), absorption from Kd and backscattering.
 
-/// First wavelength of Jerlov's table, nm.
+/// Shortest wavelength of Jerlov's attenuation table, nm.
 const FIRST_NM: f64 = 400.0;
-/// Step of the wavelengths of Jerlov's table, nm.
+/// Difference between successive wavelengths of Jerlov's attenuation table, nm.
 const STEP_NM: f64 = 25.0;
-/// Effective wavelengths of red, green and blue, nm.
+/// Wavelengths that represent the display's red, green and blue, nm.
 const PRIMARIES_NM: [f64; 3] = [610.0, 550.0, 465.0];
-/// Absorption of pure water at [`PRIMARIES_NM`], 1/m (Pope and Fry 1997).
+/// Absorption coefficient of pure water at the wavelengths [`PRIMARIES_NM`], 1/m (Pope and Fry 1997).
 const PURE_ABSORPTION: [f64; 3] = [0.2644, 0.0565, 0.0101];
-/// Mean cosine of the downwelling light below the surface.
+/// Mean cosine of the angle between downwelling light and the vertical, below the surface.
 const MEAN_COSINE: f64 = 0.9;
-/// Backscattered share of the light that the minerals of coastal water scatter (Petzold 1972).
+/// Fraction of the light scattered by mineral particles of coastal water that goes backward (Petzold 1972).
 const COASTAL_BACKSCATTER: f64 = 0.013;
 
 /// Jerlov's optical types of ocean (I to III) and coastal water (1C to 9C), clearest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WaterType {
-    /// The clearest ocean.
+    /// Jerlov type I: the clearest ocean water.
     I,
-    /// Clear tropical ocean.
+    /// Jerlov type IA: clear tropical ocean.
     Ia,
-    /// Subtropical ocean.
+    /// Jerlov type IB: subtropical ocean.
     Ib,
-    /// Mid-latitude ocean.
+    /// Jerlov type II: mid-latitude ocean.
     Ii,
-    /// Fertile ocean.
+    /// Jerlov type III: fertile, greenish ocean.
     Iii,
-    /// Clear coast.
+    /// Jerlov type 1C: clear coastal water.
     C1,
-    /// Coast.
+    /// Jerlov type 3C: ordinary coastal water.
     C3,
-    /// Turbid coast.
+    /// Jerlov type 5C: turbid coastal water.
     C5,
-    /// Bay.
+    /// Jerlov type 7C: turbid water of a bay.
     C7,
-    /// Estuary.
+    /// Jerlov type 9C: muddy water of an estuary.
     C9,
 }
 
 impl WaterType {
-    /// All types, clearest first.
+    /// All water types, clearest first.
     pub const ALL: [Self; 10] =
         [Self::I, Self::Ia, Self::Ib, Self::Ii, Self::Iii, Self::C1, Self::C3, Self::C5, Self::C7, Self::C9];
 
-    /// Jerlov's name of each type, in lower case.
+    /// Jerlov's name of each water type in the order of `ALL`, in lower case, as written in the state string.
     pub const NAMES: &[&str] = &["i", "ia", "ib", "ii", "iii", "1c", "3c", "5c", "7c", "9c"];
 
-    /// Diffuse attenuation of downward irradiance, 1/m, by wavelength (Jerlov 1976, tables XXVI and XXVII).
+    /// Diffuse attenuation Kd, 1/m, at 400 to 700 nm in steps of 25 nm (Jerlov 1976, tables XXVI and XXVII).
     #[rustfmt::skip]
     fn attenuation(self) -> [f64; 13] {
         match self {
@@ -70,25 +70,25 @@ impl WaterType {
         matches!(self, Self::C1 | Self::C3 | Self::C5 | Self::C7 | Self::C9)
     }
 
-    /// The next muddier type; the muddiest is its own.
+    /// Next muddier water type; for the muddiest type, 9C, the type itself.
     fn next(self) -> Self {
         Self::ALL[(self as usize + 1).min(Self::ALL.len() - 1)]
     }
 }
 
-/// Inherent optical properties of a water at the red, green and blue of the display, 1/m.
+/// Inherent optical properties of sea water: coefficients at the red, green and blue of the display, 1/m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WaterOptics {
-    /// Absorption a.
+    /// Absorption coefficient a, 1/m.
     pub absorption: [f64; 3],
-    /// Total scattering b.
+    /// Total scattering coefficient b, 1/m.
     pub scatter: [f64; 3],
-    /// Backscattering bb.
+    /// Backscattering coefficient bb, 1/m.
     pub backscatter: [f64; 3],
 }
 
 impl WaterOptics {
-    /// The properties of a water type.
+    /// Optical properties of one of Jerlov's water types.
     pub fn of(water_type: WaterType) -> Self {
         let table = water_type.attenuation();
         let kd = |nm: f64| {
@@ -113,7 +113,7 @@ impl WaterOptics {
         out
     }
 
-    /// The properties of a water at `share`, 0..1, of the way from a type to the next muddier one.
+    /// Optical properties of water between `water_type` (`share` 0) and the next muddier type (`share` 1).
     pub fn between(water_type: WaterType, share: f64) -> Self {
         let (a, b) = (Self::of(water_type), Self::of(water_type.next()));
         let mix = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|i| a[i].powf(1.0 - share) * b[i].powf(share));
@@ -124,8 +124,8 @@ impl WaterOptics {
         }
     }
 
-    /// These particles in a water whose absorption makes it scatter the given linear RGB colour back; white is a tenth
-    /// of the light.
+    /// Returns the same water with its absorption changed so that deep water scatters back the linear RGB colour
+    /// `colour`, each channel 0 to 1. The value 1 stands for a reflectance of 10 %.
     #[must_use]
     pub fn with_colour(self, colour: [f64; 3]) -> Self {
         let absorption = std::array::from_fn(|i| {
@@ -135,7 +135,7 @@ impl WaterOptics {
         Self { absorption, ..self }
     }
 
-    /// Irradiance reflectance just below the surface of deep water; `water/body.wgsl` has the same formula.
+    /// Irradiance reflectance (0 to 1) just below the surface of deep water; `water/body.wgsl` uses the same formula.
     pub fn reflectance(&self) -> [f64; 3] {
         std::array::from_fn(|i| {
             let up = 0.33 * self.backscatter[i];
@@ -143,7 +143,7 @@ impl WaterOptics {
         })
     }
 
-    /// Share of vertical light that returns to the surface from a white bed.
+    /// Fraction of vertical light that returns to the surface from a white sea bed at the depth `depth_m` (m).
     pub fn two_way_transmittance(&self, depth_m: f64) -> [f64; 3] {
         std::array::from_fn(|i| (-2.0 * (self.absorption[i] + self.backscatter[i]) * depth_m).exp())
     }

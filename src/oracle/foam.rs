@@ -1,19 +1,19 @@
-//! Oracle for shaders/foam/foam.wgsl.
+//! Reference implementation in f64 of the foam pass, shaders/foam/foam.wgsl.
 
 use super::Texel;
 
-/// One mip level of the maps of one cascade.
+/// One mip level of the displacement and gradient maps of one cascade.
 #[derive(Clone, Debug)]
 pub struct MipLevel<'a> {
-    /// Texels along a side.
+    /// Number of texels along a side of the maps, n.
     pub n: usize,
-    /// Displacement map, n x n.
+    /// Displacement map, n x n texels (Dx, eta, Dz, dDx/dz).
     pub displacement: &'a [Texel],
-    /// Gradient map, n x n.
+    /// Gradient map, n x n texels (d eta/dx, d eta/dz, dDx/dx, dDz/dz).
     pub gradients: &'a [Texel],
 }
 
-/// Displacement and gradient texels at `uv` (1 is one patch), with bilinear filtering and repetition.
+/// Samples displacement and gradient map with bilinear filtering and repetition at `uv`, in units of the patch's side.
 pub fn sample_bilinear(level: &MipLevel<'_>, uv: [f64; 2]) -> [Texel; 2] {
     let n = level.n as i64;
     let [u, v] = uv.map(|c| c * level.n as f64 - 0.5);
@@ -31,13 +31,14 @@ pub fn sample_bilinear(level: &MipLevel<'_>, uv: [f64; 2]) -> [Texel; 2] {
     out
 }
 
-/// Jacobian (1 + lx dDx/dx)(1 + lz dDz/dz) - lx lz dDx/dz dDz/dx for the summed strains dDx/dx, dDz/dz, dDx/dz, dDz/dx
-/// and the chop factors lx, lz.
+/// Jacobian (1 + lx dDx/dx)(1 + lz dDz/dz) - lx lz dDx/dz dDz/dx of the displacement, from the strains dDx/dx, dDz/dz,
+/// dDx/dz, dDz/dx summed over the cascades and the chop factors lx, lz.
 pub fn jacobian([xx, zz, xz, zx]: [f64; 4], [lx, lz]: [f64; 2]) -> f64 {
     (1.0 + lx * xx) * (1.0 + lz * zz) - lx * lz * xz * zx
 }
 
-/// Foam F after `dt_s` with a constant source s in [0, 1]: the exact solution of dF/dt = rate s (1 - F) - F / decay.
+/// Foam value F (0 to 1) after the time `dt_s` (s) with a constant foam source s (0 to 1): the exact solution of
+/// dF/dt = rate s (1 - F) - F / decay.
 pub fn foam_after(before: f64, source: f64, rate_per_s: f64, decay_s: f64, dt_s: f64) -> f64 {
     let loss = rate_per_s * source + 1.0 / decay_s;
     let goal = rate_per_s * source / loss;

@@ -1,15 +1,15 @@
-//! Oracles for shaders/waves/rows.wgsl, columns.wgsl and mips.wgsl.
+//! Reference implementations in f64 of the map passes rows.wgsl, columns.wgsl and mips.wgsl in shaders/waves.
 
 use super::transform::inverse;
 use super::{Complex, Texel, add, cis, map_columns, mul, scale, signed_index, times_i};
 use crate::waves::plan::{Cascade, Plan};
 use std::f64::consts::TAU;
 
-/// Two n x n images: the displacement map (Dx, eta, Dz, dDx/dz) and the gradient map (d eta/dx, d eta/dz, dDx/dx,
-/// dDz/dz), or their packed complex fields before the transform along z.
+/// Displacement map (Dx, eta, Dz, dDx/dz) and gradient map (d eta/dx, d eta/dz, dDx/dx, dDz/dz) of a cascade, n x n
+/// texels each. Between the two Fourier transforms they hold pairs of complex numbers instead.
 pub type MapPair = [Vec<Texel>; 2];
 
-/// Amplitudes h(k, t) of every lattice point at `t_s`, n x n.
+/// Complex amplitudes h(k, t) of a cascade's n x n wave vectors at time `t_s` (s), from the initial amplitudes `h0`.
 pub fn evolve(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> Vec<Complex> {
     let n = plan.n as usize;
     let phase_time = plan.phase_time(t_s);
@@ -28,7 +28,8 @@ pub fn evolve(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> Vec<C
         .collect()
 }
 
-/// The eight fields of the maps, packed in pairs f + i g and transformed along x.
+/// First half of the inverse Fourier transform: computes the spectra of the eight map channels, packs pairs of real
+/// channels f and g as f + i g, and transforms every row (along x).
 pub fn rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> MapPair {
     let n = plan.n as usize;
     let h = evolve(plan, cascade, h0, t_s);
@@ -58,14 +59,14 @@ pub fn rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> MapPair
     })
 }
 
-/// The maps from the result of [`rows`], by the transform along z.
+/// Second half of the inverse Fourier transform: transforms every column of the result of [`rows`], unpacks the maps.
 pub fn columns(n: usize, rows: &MapPair) -> MapPair {
     let [displacement, gradients] = [0, 1].map(|pair| map_columns(n, &rows[pair], transform_line));
-    // The packed order is Dx + i Dz, eta + i dDx/dz.
+    // The packed displacement texel is (Dx + i Dz, eta + i dDx/dz).
     [displacement.into_iter().map(|t| [t[0], t[2], t[1], t[3]]).collect(), gradients]
 }
 
-/// The next mip level of an n x n image: the mean over 2 x 2 texels.
+/// Next coarser mip level of an n x n image: each texel is the mean of 2 x 2 texels.
 pub fn mip(n: usize, plane: &[Texel]) -> Vec<Texel> {
     let half = n / 2;
     (0..half * half)
@@ -76,7 +77,7 @@ pub fn mip(n: usize, plane: &[Texel]) -> Vec<Texel> {
         .collect()
 }
 
-/// Slope moments of a gradient map divided by `scale`: (slope_x^2, slope_z^2, slope_x slope_z, 0).
+/// Slope moments (slope_x^2, slope_z^2, slope_x slope_z, 0) of each texel of a gradient map, divided by `scale`.
 pub fn moments(gradients: &[Texel], scale: f64) -> Vec<Texel> {
     gradients.iter().map(|g| [g[0] * g[0] / scale, g[1] * g[1] / scale, g[0] * g[1] / scale, 0.0]).collect()
 }

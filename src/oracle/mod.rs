@@ -1,7 +1,7 @@
-//! Reference implementations in f64 of the GPU passes, without any table, constant or code in common with the shaders.
+//! Reference implementations (oracles) of the GPU passes in f64, without table, constant or code from the shaders.
 //!
-//! Lattices are in FFT order (index i stands for i or i - n), with rows along x and columns along z, as on the GPU. The
-//! code is slow and plain on purpose; only native programs and tests use it.
+//! Lattices of wave vectors are stored in FFT order, as on the GPU: element i has the signed index i for i < n/2 and
+//! i - n otherwise. Rows run along x, columns along z. The code is slow and simple on purpose.
 
 pub mod foam;
 pub mod maps;
@@ -11,7 +11,7 @@ pub mod transform;
 
 /// A complex number (re, im).
 pub type Complex = [f64; 2];
-/// One texel: four real or two complex numbers.
+/// One texel of a map: four real or two complex numbers.
 pub type Texel = [f64; 4];
 
 fn mul(a: Complex, b: Complex) -> Complex {
@@ -22,7 +22,7 @@ fn add(a: Complex, b: Complex) -> Complex {
     [a[0] + b[0], a[1] + b[1]]
 }
 
-/// i a.
+/// Product of the imaginary unit i and `a`.
 fn times_i(a: Complex) -> Complex {
     [-a[1], a[0]]
 }
@@ -31,17 +31,17 @@ fn scale(a: Complex, s: f64) -> Complex {
     [a[0] * s, a[1] * s]
 }
 
-/// e^{i angle}.
+/// Complex exponential e^{i angle} of an angle in rad.
 fn cis(angle: f64) -> Complex {
     [angle.cos(), angle.sin()]
 }
 
-/// Signed wave-vector index of position `i` in FFT order.
+/// Signed wave-vector index (-n/2 to n/2 - 1) of the element `i` (0 to n - 1) of an array in FFT order.
 pub fn signed_index(i: usize, n: usize) -> i32 {
     if i < n / 2 { i as i32 } else { i as i32 - n as i32 }
 }
 
-/// Applies `line` to every column of an n x n square.
+/// Applies the function `line` to every column of an n x n array.
 fn map_columns<T: Copy + Default>(n: usize, square: &[T], line: impl Fn(&[T]) -> Vec<T>) -> Vec<T> {
     let mut out = vec![T::default(); n * n];
     for x in 0..n {

@@ -1,10 +1,11 @@
-//! Oracle for shaders/waves/spectrum.wgsl: h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz).
+//! Reference implementation in f64 of shaders/waves/spectrum.wgsl, the initial amplitudes
+//! h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz) with standard normal xr and xi.
 
 use super::{Complex, signed_index};
 use crate::waves::noise;
 use crate::waves::plan::{Cascade, Plan};
 
-/// Initial amplitudes h0(k) of one cascade, n x n, m.
+/// Initial complex amplitudes h0(k) of all n x n wave vectors of one cascade, m, in FFT order.
 pub fn h0(plan: &Plan, cascade: &Cascade) -> Vec<Complex> {
     let n = plan.n as usize;
     (0..n * n).map(|i| wave(plan, cascade, signed_index(i % n, n), signed_index(i / n, n))).collect()
@@ -14,7 +15,7 @@ fn wave(plan: &Plan, cascade: &Cascade, ix: i32, iz: i32) -> Complex {
     let nyquist = -(plan.n as i32) / 2;
     let k = [f64::from(ix) * cascade.dk(), f64::from(iz) * cascade.dk()];
     let length = k[0].hypot(k[1]);
-    // The radius comes from the squared index, as in the plan, so that rounding is the same at the band's edges.
+    // The wave number is computed from the squared index as in the plan, so that it rounds alike at the band's edges.
     let i2 = (ix * ix + iz * iz) as u32;
     let radius = cascade.dk() * f64::from(i2).sqrt();
     let outside = i2 == 0 || radius < cascade.k_low || radius >= cascade.k_high;

@@ -1,21 +1,22 @@
-//! Oracle for the blend of shifted copies in shaders/water/surface.wgsl and shaders/foam/foam.wgsl.
+//! Reference implementation in f64 of the blend of shifted patch copies in shaders/water/surface.wgsl and
+//! shaders/foam/foam.wgsl.
 
 use super::Texel;
 use crate::waves::tiling::Tiling;
 
-/// Wave fields at an undisplaced point, without the chop factor.
+/// Displacement, slope and strain of the surface at an undisplaced point, before multiplication by the chop factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WaveFields {
-    /// Dx, eta, Dz, m.
+    /// Displacement (Dx, eta, Dz), m, where eta is the elevation.
     pub displacement: [f64; 3],
-    /// d eta/dx, d eta/dz.
+    /// Slopes d eta/dx and d eta/dz of the elevation eta.
     pub slope: [f64; 2],
-    /// dDx/dx, dDz/dz, dDx/dz, dDz/dx.
+    /// Strain of the horizontal displacement: dDx/dx, dDz/dz, dDx/dz, dDz/dx.
     pub strain: [f64; 4],
 }
 
 impl WaveFields {
-    /// The sum of two sets of fields.
+    /// Adds the fields of another wave field, for example of another cascade at the same point.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
         Self {
@@ -26,8 +27,8 @@ impl WaveFields {
     }
 }
 
-/// The blended fields at an undisplaced point `at` (x, z), m. `read` returns the displacement and gradient texels of
-/// the patch at a position (x, z) in units of its side.
+/// Blends the shifted copies of a patch at the undisplaced point `at` (x, z), m. `read` returns the displacement and
+/// gradient texels of the patch at a position (x, z) in units of the patch's side.
 pub fn blend(tiling: &Tiling, at: [f64; 2], read: impl Fn([f64; 2]) -> [Texel; 2]) -> WaveFields {
     let mut out = WaveFields::default();
     for copy in tiling.blend(at).iter().filter(|c| c.weight > 0.0) {

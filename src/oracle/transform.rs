@@ -1,9 +1,10 @@
-//! Inverse discrete Fourier transform without normalisation: x_j = sum over k of X_k e^{+2 pi i j k / n}.
+//! Reference implementation of the inverse discrete Fourier transform without normalisation,
+//! x_j = sum over k of X_k e^{+2 pi i j k / n}.
 
 use super::{Complex, add, cis, map_columns, mul, scale};
 use std::f64::consts::TAU;
 
-/// Transforms one line. Its length is a power of two.
+/// Inverse Fourier transform of one line of complex numbers, whose length must be a power of two.
 pub fn inverse(line: &[Complex]) -> Vec<Complex> {
     let n = line.len();
     if n == 1 {
@@ -20,7 +21,7 @@ pub fn inverse(line: &[Complex]) -> Vec<Complex> {
     out
 }
 
-/// Transforms an n x n square along both axes.
+/// Two-dimensional inverse Fourier transform of an n x n array of complex numbers.
 pub fn inverse_2d(n: usize, square: &[Complex]) -> Vec<Complex> {
     let rows: Vec<Complex> = square.chunks(n).flat_map(inverse).collect();
     map_columns(n, &rows, inverse)

@@ -3,26 +3,27 @@
 use crate::waves::record;
 use std::collections::VecDeque;
 
-/// Samples per second.
+/// Sampling rate of a buoy record, Hz.
 const RATE_HZ: f64 = 4.0;
-/// Length of the record, s: the half hour that is usual for buoys.
+/// Longest buoy record, s: half an hour, as is usual for buoys. Older samples are dropped.
 const LENGTH_S: f64 = 1800.0;
-/// Longest gap within a record, s; after a longer one a new record starts.
+/// Longest gap between two samples of a record, s. After a longer gap a new record starts.
 const LONGEST_GAP_S: f64 = 5.0;
 
-/// A record at one place.
+/// Record of the surface height at one point over up to half an hour.
 #[derive(Default)]
 pub struct BuoyRecord {
-    /// Position, m east and south.
+    /// Position of the buoy (x, z), m.
     place: [f64; 2],
-    /// Time and height above the still water, s and m.
+    /// Samples as pairs of time (s) and height above the still water (m), oldest first.
     samples: VecDeque<[f64; 2]>,
-    /// omega and S(omega) of the record, and the number of samples they were computed from.
+    /// Latest spectrum as pairs of omega (rad/s) and S(omega) (m^2 s), and the number of samples it was computed from.
     spectrum: (Vec<[f64; 2]>, usize),
 }
 
 impl BuoyRecord {
-    /// Samples the heights since the last call at a fixed rate, independent of the frame rate.
+    /// Adds samples up to the time `t_s` (s), at a fixed rate that does not depend on the frame rate. `height(t)`
+    /// returns the height (m) at `place` (x, z), m. After a jump in time or place a new record starts.
     pub fn advance(&mut self, t_s: f64, place: [f64; 2], height: impl Fn(f64) -> f64) {
         let moved = place != self.place;
         let last = self.samples.back().map(|s| s[0]);
@@ -41,35 +42,35 @@ impl BuoyRecord {
         while self.samples.len() > (LENGTH_S * RATE_HZ) as usize {
             self.samples.pop_front();
         }
-        // A new spectrum every ten seconds.
+        // The spectrum is computed anew every ten seconds.
         if self.samples.len() >= self.spectrum.1 + (10.0 * RATE_HZ) as usize {
             let heights: Vec<f64> = self.samples.iter().map(|s| s[1]).collect();
             self.spectrum = (record::spectrum(&heights, RATE_HZ), self.samples.len());
         }
     }
 
-    /// Times and heights above the still water, s and m.
+    /// Samples as pairs of time (s) and height above the still water (m), oldest first.
     pub fn samples(&self) -> &VecDeque<[f64; 2]> {
         &self.samples
     }
 
-    /// Length of the record, s.
+    /// Duration of the record, s.
     pub fn length_s(&self) -> f64 {
         self.samples.len() as f64 / RATE_HZ
     }
 
-    /// Whether the record reaches a time.
+    /// Whether the newest sample is the latest one at or before the time `t_s` (s).
     pub fn is_current(&self, t_s: f64) -> bool {
         self.samples.back().is_some_and(|last| (0.0..1.0 / RATE_HZ).contains(&(t_s - last[0])))
     }
 
-    /// Clears the record for another sea.
+    /// Clears the record, for example because another sea is drawn.
     pub fn clear(&mut self) {
         self.samples.clear();
         self.spectrum = (Vec::new(), 0);
     }
 
-    /// Significant wave height of the record, m: four standard deviations, after 30 s.
+    /// Significant wave height of the record, m: four standard deviations of the height. `None` in the first 30 s.
     pub fn hs_m(&self) -> Option<f64> {
         let n = self.samples.len() as f64;
         if n < 30.0 * RATE_HZ {
@@ -79,7 +80,7 @@ impl BuoyRecord {
         Some(4.0 * (self.samples.iter().map(|s| (s[1] - mean).powi(2)).sum::<f64>() / n).sqrt())
     }
 
-    /// omega (rad/s) and S(omega) (m^2 s) of the record; empty at its start.
+    /// Frequency spectrum of the record: pairs of omega (rad/s) and S(omega) (m^2 s); empty while the record is short.
     pub fn spectrum(&self) -> &[[f64; 2]] {
         &self.spectrum.0
     }

@@ -1,18 +1,17 @@
 //! Position and attitude of floating buoys and boats on the waves.
 //!
-//! Hulls follow [`Heights`], the sum of the waves that the GPU draws, at the time of the frame. They need no read-back
-//! and therefore have no delay.
+//! Hulls follow [`Heights`], which sums the strongest of the drawn waves on the CPU, without read-back or delay.
 
 use super::heights::Heights;
 use crate::state::floats::{Float, FloatKind};
 use crate::waves::Plan;
 use glam::DVec3;
 
-/// Rms error of the height, as a fraction of Hs.
+/// Allowed rms error of a hull's height, as a fraction of the significant wave height.
 const HEIGHT_ERROR: f64 = 0.018;
-/// Number of the strongest waves, mostly long ones, that pitch and roll a hull.
+/// Number of waves that make a hull pitch and roll: the strongest waves, which are mostly long.
 const TILTING_WAVES: usize = 500;
-/// Largest FFT size of the plan. More points would only add short waves.
+/// Largest FFT size whose waves move hulls. A larger FFT would only add short waves.
 const MAX_POINTS: u32 = 128;
 
 /// Position and attitude of a floating hull.
@@ -28,7 +27,7 @@ pub struct HullPose {
     pub forward: [f64; 3],
 }
 
-/// Half the length and half the width of the waterplane, m.
+/// Half the length and half the width of a hull's waterplane, m.
 fn half_size_m(kind: FloatKind) -> [f64; 2] {
     match kind {
         FloatKind::Buoy => [0.8, 0.8],
@@ -39,17 +38,17 @@ fn half_size_m(kind: FloatKind) -> [f64; 2] {
 /// Waves of one sea that move floating hulls.
 #[derive(Clone, Debug)]
 pub struct HullWaves {
-    /// Waves for the height of the hull.
+    /// Waves that lift the hull (heave).
     exact: Heights,
-    /// Waves for pitch and roll.
+    /// Waves that make the hull pitch and roll.
     long: Heights,
-    /// Unit vector (x, z) against the wind.
+    /// Unit vector (x, z) that points into the wind.
     upwind: [f64; 2],
     level_m: f64,
 }
 
 impl HullWaves {
-    /// Selects the waves of a plan.
+    /// Selects the waves of a planned sea that move hulls.
     pub fn new(plan: &Plan) -> Self {
         let plan = &plan.coarser(MAX_POINTS);
         Self {
@@ -60,13 +59,13 @@ impl HullWaves {
         }
     }
 
-    /// Waves for heights with an rms error of 1.8 % of Hs.
+    /// Waves that give surface heights with an rms error of 1.8 % of the significant wave height.
     pub fn heights(&self) -> &Heights {
         &self.exact
     }
 
-    /// Heave (m above still water) of a hull whose bow points along `bow` (x, z), and the mean slope of the water along
-    /// the hull (pitch) and across it (roll).
+    /// Heave (m above still water), pitch and roll of a hull at time `t_s` (s). `bow` is the unit vector (x, z) towards
+    /// the bow. Pitch and roll are the mean slopes of the water along and across the hull.
     fn heave_pitch_roll(&self, float: &Float, bow: [f64; 2], t_s: f64) -> [f64; 3] {
         let [length, width] = half_size_m(float.kind);
         let height = |along: f64, across: f64| {
@@ -80,8 +79,8 @@ impl HullWaves {
     }
 }
 
-/// Position and attitude of a hull at time `t_s` on a sum of seas, each with its amplitude factor, over still water at
-/// `level_m`. The bow points against the wind of the last sea.
+/// Position and attitude of a hull at time `t_s` (s), with the still water at the height `level_m` (m). During a
+/// cross-fade `seas` holds two seas, each with its amplitude factor. The bow points into the wind of the last sea.
 pub fn hull_pose(seas: &[(&HullWaves, f64)], float: &Float, t_s: f64, level_m: f64) -> HullPose {
     let bow = seas.last().map_or([0.0, -1.0], |(waves, _)| waves.upwind);
     let mut sum = [level_m, 0.0, 0.0];

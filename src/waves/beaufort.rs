@@ -9,17 +9,17 @@ use crate::state::params::{Params, Sea, System};
 /// One force of the Beaufort scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Force {
-    /// Name used in forecasts.
+    /// Name of the force in weather forecasts, for example "Fresh breeze".
     pub name: &'static str,
-    /// Appearance of the open sea.
+    /// Description of what the open sea looks like at this force.
     pub appearance: &'static str,
-    /// Lowest and highest wind speed at 10 m, m/s, to 0.1 m/s; the hurricane range has no upper end.
+    /// Lowest and highest wind speed at 10 m height, m/s, rounded to 0.1 m/s; infinity is the upper end of a hurricane.
     pub wind_m_s: (f64, f64),
-    /// Probable wave height, m: about the significant height of a developed sea.
+    /// Probable wave height of the WMO table, m. It is compared with the significant wave height of the simulation.
     pub probable_m: f64,
-    /// Representative wind speed, m/s: 0.836 B^1.5, the definition of the scale, rounded to 0.1 m/s.
+    /// Representative wind speed at 10 m height, m/s: 0.836 B^1.5 for the Beaufort number B, rounded to 0.1 m/s.
     pub mean_m_s: f64,
-    /// Fetch at which the default spectrum reaches the probable height with that wind, km; see [`FORCES`].
+    /// Fetch, km, with which JONSWAP reaches the height `probable_m` at the wind `mean_m_s` (not at forces 1 to 3).
     pub fetch_km: f64,
 }
 
@@ -36,11 +36,12 @@ const fn force(
 
 /// The Beaufort scale. The index is the Beaufort number, 0 to 12.
 ///
-/// From force 4, the fetch makes the significant height of JONSWAP equal the probable height to 2 %. Lighter winds
-/// never reach the heights of the table: fully developed seas of 0.8, 2.4 and 4.3 m/s have 0.01, 0.13 and 0.42 m
-/// (Pierson and Moskowitz 1964) instead of 0.1, 0.2 and 0.6 m. JONSWAP has no full development and would reach the
-/// table after 23, 14 and 39 km. Forces 1 to 3 use g F / U^2 = 1.6e4 instead, the largest fetch without a notice about
-/// full development, which gives 0.02, 0.16 and 0.52 m. A calm has no waves at any fetch.
+/// From force 4 up, the fetch is chosen so that the significant wave height of a JONSWAP sea equals the probable wave
+/// height to 2 %. The lighter winds of forces 1 to 3 cannot raise the waves of the table: fully developed seas of 0.8,
+/// 2.4 and 4.3 m/s have heights of 0.01, 0.13 and 0.42 m (Pierson and Moskowitz 1964) instead of 0.1, 0.2 and 0.6 m.
+/// JONSWAP, which keeps growing with the fetch, would reach the table's heights after 23, 14 and 39 km. Forces 1 to 3
+/// use a dimensionless fetch g F / U^2 of at most 1.6e4 instead, the largest one without a notice about full
+/// development. It gives heights of 0.02, 0.16 and 0.52 m. A calm has no waves at any fetch.
 #[rustfmt::skip]
 pub static FORCES: [Force; 13] = [
     force("Calm", (0.0, 0.2), 0.0, 0.0, 1.0, "Sea like a mirror."),
@@ -73,14 +74,15 @@ pub static FORCES: [Force; 13] = [
         "Air full of foam and spray, the sea wholly white with driving spray; hardly anything can be seen."),
 ];
 
-/// Beaufort number of a wind speed at 10 m (m/s), by the lower ends of the ranges; 0 for negative values and NaN.
+/// Beaufort number (0 to 12) of a wind speed at 10 m height, m/s. A speed in the gap of 0.1 m/s between two forces
+/// counts as the lower force; negative values and NaN count as 0.
 pub fn number_of(wind_m_s: f64) -> usize {
     FORCES.iter().rposition(|f| wind_m_s >= f.wind_m_s.0).unwrap_or(0)
 }
 
 impl Force {
-    /// Returns `now` with this force's wind and fetch. The local wave system keeps its direction and gets the defaults
-    /// otherwise, so that no other setting changes its height. Everything else of `now` stays.
+    /// Returns the parameters `now` with the wind speed and fetch of this force. The local wave system keeps its
+    /// direction; its other parameters are reset, so that they do not change its height. All else stays as in `now`.
     #[must_use]
     pub fn apply(&self, now: &Params) -> Params {
         let mut next = now.clone();
@@ -91,7 +93,7 @@ impl Force {
     }
 }
 
-/// Upper end of each sea state, m, and its name.
+/// Largest significant wave height, m, and name of each sea state from 0 to 9 (WMO code table 3700).
 const STATES: [(f64, &str); 10] = [
     (0.0, "calm, glassy"),
     (0.1, "calm, rippled"),
@@ -105,8 +107,8 @@ const STATES: [(f64, &str); 10] = [
     (f64::INFINITY, "phenomenal"),
 ];
 
-/// Sea state (0 to 9) and its name for a significant wave height, WMO code table 3700 (Douglas scale). A height on a
-/// bound belongs to the lower state, as the table demands; negative values and NaN count as calm.
+/// Sea state code (0 to 9) and its name for a significant wave height in m, by WMO code table 3700. A height on the
+/// boundary of two states gets the lower code, as the table demands; negative values and NaN count as calm.
 pub fn sea_state(hs_m: f64) -> (u8, &'static str) {
     let code = STATES.partition_point(|&(upper_m, _)| hs_m > upper_m);
     (code as u8, STATES[code].1)
@@ -137,7 +139,8 @@ mod tests {
         assert_eq!([f64::NAN, -3.0, 0.0, 0.29, 0.3, 1e9, f64::INFINITY].map(number_of), [0, 0, 0, 0, 1, 12, 12]);
     }
 
-    /// Rounding the fetch to two digits changes the height by at most 2 %. See [`FORCES`] for the winds below force 4.
+    /// Compares the significant wave heights of all forces with the WMO table. The fetches are rounded to two digits,
+    /// which costs up to 2 %; [`FORCES`] explains the larger differences of forces 1 to 3.
     #[test]
     fn heights_of_the_textbook() {
         let limits = [0.0, 0.85, 0.25, 0.15, 0.02, 0.02, 0.02, 0.02, 0.02, 0.03, 0.02, 0.02, 0.02];

@@ -1,66 +1,68 @@
-//! Patch sizes and wave-number bands of the cascades, chosen for a sea or set by the user.
+//! Choice of the cascades, the square patches of different sizes whose sum is the sea: side lengths and wave-number
+//! bands, derived from the spectrum or set by the user.
 
 use super::dispersion::Dispersion;
 use super::energy::Energy;
 use crate::state::params::{Grid, MAX_CASCADES};
 use std::f64::consts::TAU;
 
-/// Patch sizes are powers (rungs) of the golden ratio, in m. It is irrational, so no two patches share a period.
+/// Golden ratio. The sides of the patches are integer powers of it, in m; the exponent is called the rung. The ratio is
+/// irrational, so the sum of two patches never repeats.
 const GOLDEN: f64 = 1.618_033_988_749_895;
-/// Waves per patch at the low edge of a band; fewer would show as a repeated pattern. A circle of this radius,
-/// sqrt(177 / pi), encloses exactly as many lattice points (177) as its area. A radius of 7 would pass through four
-/// lattice points and give each band 1 % too much variance.
+/// Number of wavelengths that fit across a patch at the low edge of its band; fewer would show as a repeated pattern.
+///
+/// In units of the lattice spacing it is also the inner radius of the band, sqrt(177 / pi): a circle that encloses 177
+/// lattice points and has the area 177. A radius of 7 would pass through four points and add 1 % to the variance.
 const WAVES_AT_LOW_EDGE: f64 = 7.506_054_213;
-/// Rungs of the cascades below the first one. The step of 3 keeps the energetic band inside a 64-point lattice; the
-/// steps of 4 leave no gap from 128 points on.
+/// Exponent of the golden ratio for each cascade's patch, counted down from the first (largest) patch. The step of 3
+/// fits the most energetic band into 64 x 64 points. With 128 x 128 points the steps of 4 leave no gaps between bands.
 const RUNGS_BELOW_FIRST: [i32; MAX_CASCADES] = [0, 3, 7, 11];
-/// Lattice size n for which the number of cascades is chosen; the choice must not depend on the actual n.
+/// FFT size assumed when the number of cascades is chosen, so that this number does not depend on the user's FFT size.
 const NOMINAL_N: f64 = 256.0;
-/// Wave number that the finest cascade should reach, rad/m: 20 cm.
+/// Wave number that the finest cascade should at least reach, rad/m: a wavelength of 20 cm.
 const WANTED_K: f64 = 30.0;
-/// Largest wave number of gravity waves, rad/m: the phase-speed minimum between gravity and capillarity, about 1.7 cm.
+/// Largest wave number simulated without surface tension, rad/m (wavelength 1.7 cm). Above it waves are capillary.
 const MAX_GRAVITY_K: f64 = 370.0;
-/// Largest wave number of capillary waves, rad/m: viscosity damps waves shorter than a millimetre.
+/// Largest wave number simulated with surface tension, rad/m (wavelength 1 mm). Viscosity damps shorter waves.
 const MAX_CAPILLARY_K: f64 = 6000.0;
-/// Share of m0 that must lie below the nominal high edge of the finest cascade.
+/// Fraction of the elevation variance m0 that must lie below the Nyquist wave number of the finest cascade.
 const WANTED_SHARE: f64 = 0.995;
-/// The first patch is so large that this share of the variance m0 lies in waves of which fewer than `WAVES_AT_LOW_EDGE`
-/// fit across it.
+/// Fraction of the elevation variance m0 that may lie in waves too long for the first (largest) patch: waves of which
+/// fewer than `WAVES_AT_LOW_EDGE` fit across it.
 const LOW_TAIL: f64 = 5e-4;
-/// Smallest patch that the user can set, m.
+/// Smallest side of a patch that the user can set, m.
 const MIN_PATCH_M: f64 = 0.1;
-/// First noise key of patches that the user sets, beyond the keys of all rungs.
+/// First random-number key for patches whose side the user has set. It lies above the keys of all automatic patches.
 const MANUAL_KEY: u32 = 1000;
 
-/// One square patch of the sea. Its wave vectors form a lattice of n x n points with the spacing 2 pi / patch_m; the
-/// band k_low <= |k| < k_high of them is used.
+/// One square patch of waves; the sea is the sum of several patches of different sizes. The wave vectors k of a patch
+/// form a lattice of n x n points, 2 pi / patch_m apart. Only those with k_low <= |k| < k_high carry waves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cascade {
     /// Side of the square patch, m.
     pub patch_m: f64,
-    /// Low edge of the band, rad/m, included.
+    /// Smallest wave number of the cascade's band, rad/m (inclusive).
     pub k_low: f64,
-    /// High edge of the band, rad/m, excluded, at most the Nyquist wave number of the lattice. An empty band ends at
-    /// `k_low`.
+    /// Largest wave number of the cascade's band, rad/m (exclusive), at most Nyquist; equal to `k_low` if it is empty.
     pub k_high: f64,
-    /// Key of the random numbers: the rung of the patch size, so that a wave keeps its amplitude between plans.
+    /// Key of the cascade's random numbers. An automatic patch of a given size has the same key in every sea.
     pub key: u32,
 }
 
 impl Cascade {
-    /// Lattice spacing, rad/m.
+    /// Distance between neighbouring wave vectors of the lattice, 2 pi / patch_m, rad/m.
     pub fn dk(&self) -> f64 {
         TAU / self.patch_m
     }
 
-    /// Whether the band contains a wave number (rad/m).
+    /// Whether the wave number `k` (rad/m) lies in the cascade's band.
     pub fn holds(&self, k: f64) -> bool {
         k >= self.k_low && k < self.k_high
     }
 }
 
-/// The cascades of a sea, longest waves first. Band edges that the user has not set depend on the sea alone, so a
-/// larger n only adds waves.
+/// Chooses the cascades for a spectrum, longest waves first; settings of the user in `grid` take precedence. Automatic
+/// band edges do not depend on the FFT size, except at the Nyquist wave number: a larger FFT only adds short waves.
 pub fn choose(energy: &Energy, dispersion: &Dispersion, grid: &Grid) -> Vec<Cascade> {
     let is_calm = energy.m0() <= 0.0;
     let k_low = if is_calm { TAU / 10.0 } else { dispersion.wave_number(energy.quantile(LOW_TAIL)) };
@@ -81,7 +83,7 @@ pub fn choose(energy: &Energy, dispersion: &Dispersion, grid: &Grid) -> Vec<Casc
         .collect();
     patches.sort_by(|a, b| b.0.total_cmp(&a.0));
     let k_max = max_wave_number(dispersion);
-    // The whole lattice of a patch of a few centimetres can lie beyond k_max: this keeps the bands ordered.
+    // All wave numbers of a patch of a few centimetres can exceed k_max. The limit keeps the bands in order.
     let low = |i: usize| match patches[i].2.k_low {
         0.0 if i == 0 => 0.0,
         0.0 => (WAVES_AT_LOW_EDGE * TAU / patches[i].0).min(k_max),
@@ -102,12 +104,12 @@ pub fn choose(energy: &Energy, dispersion: &Dispersion, grid: &Grid) -> Vec<Casc
         .collect()
 }
 
-/// Largest wave number that a cascade may have, rad/m.
+/// Largest wave number that any cascade may hold, rad/m; it is higher with surface tension (capillary waves).
 pub fn max_wave_number(dispersion: &Dispersion) -> f64 {
     if dispersion.is_capillary() { MAX_CAPILLARY_K } else { MAX_GRAVITY_K }
 }
 
-/// Wave numbers (rad/m) that at least one cascade contains, as ascending intervals without overlap.
+/// Union of the bands of all cascades: ascending intervals of wave numbers (rad/m) that do not overlap.
 pub fn resolved_bands(cascades: &[Cascade]) -> Vec<(f64, f64)> {
     let mut bands: Vec<(f64, f64)> = cascades.iter().map(|c| (c.k_low, c.k_high)).filter(|(a, b)| a < b).collect();
     bands.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -1,29 +1,29 @@
-//! How much of a sea a change of parameters invalidates.
+//! Classification of parameter changes by how much of a sea has to be computed again.
 
 use crate::state::Params;
 use crate::state::params::{Foam, Sea};
 
-/// The levels of a sea, from the cheapest to the most expensive one to change. A change of a level also changes the levels
-/// before it: the foam's threshold depends on the surface, and the surface on the waves.
+/// What a parameter change makes the program compute again, from the cheapest kind of change to the most expensive one.
+/// Each kind includes the kinds before it: the foam threshold depends on the surface, and the surface on the waves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SeaChange {
-    /// How foam forms and fades: the foam's parameters follow.
+    /// Formation or decay of foam: only the parameters of the foam pass are updated.
     Foam,
-    /// Chop or water level: uniforms and the heights on the CPU follow.
+    /// Chop (horizontal displacement) or water level: uniform buffers and the heights on the CPU are updated.
     Surface,
-    /// The waves: a new [`Plan`](super::Plan), its tables, h0 and the theory follow.
+    /// The waves themselves: a new [`Plan`](super::Plan), its tables, the initial spectrum h0 and the statistics.
     Waves,
 }
 
 impl SeaChange {
-    /// The highest level in which the seas of two states differ; None if they are equal.
+    /// Most expensive kind of change between the seas and grids of two parameter sets; `None` if there is no change.
     pub fn between(a: &Params, b: &Params) -> Option<Self> {
         if a.grid == b.grid { Self::between_seas(&a.sea, &b.sea) } else { Some(Self::Waves) }
     }
 
-    /// The highest level in which two seas on the same grid differ; None if they are equal.
+    /// Most expensive kind of change between two seas with equal grid parameters; `None` if the seas are equal.
     pub fn between_seas(a: &Sea, b: &Sea) -> Option<Self> {
-        // A parameter that is not named here belongs to the waves.
+        // A parameter of the sea that is not reset here counts as a change of the waves.
         let without_foam = |sea: &Sea| Sea { foam: Foam::default(), ..sea.clone() };
         let waves = |sea: &Sea| Sea { chop: 0.0, chop_x: 0.0, chop_z: 0.0, level_m: 0.0, ..without_foam(sea) };
         if a == b {
@@ -44,7 +44,7 @@ mod tests {
     use crate::state::fields::{FIELDS, FieldKind, Group};
     use crate::waves::Plan;
 
-    /// The default state with one parameter changed to its largest, or else its smallest value.
+    /// The default parameters with `key` at its largest value, or at its smallest if the largest is the default.
     fn changed(key: &str) -> Params {
         let field = FIELDS.iter().find(|f| f.key == key).unwrap();
         let (low, high) = match field.kind {

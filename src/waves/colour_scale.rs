@@ -1,30 +1,31 @@
-//! Colour scales and captions of the false-colour views. A scale depends on the plan alone, so it is constant in time.
+//! Colour scales and captions of the false-colour views, which show maps or surface quantities. A scale depends only on
+//! the planned sea, so it does not change with time.
 
 use super::plan::Plan;
 use super::statistics;
 use crate::state::views::{Map, Shown, Surface, ViewChoice};
 
-/// Number of foam levels.
+/// Number of clipmap levels that store foam.
 const FOAM_LEVELS: usize = 4;
 
-/// Colours for the values of a view.
+/// Colour palette of a false-colour view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Palette {
-    /// From dark to bright.
+    /// From dark to bright, for quantities that are not negative.
     Sequential,
-    /// Two hues that meet in white at the middle of the range.
+    /// Blue to red through white at the middle of the range, for quantities with a sign.
     Diverging,
-    /// Brightness for the magnitude, hue for the phase.
+    /// Brightness shows the magnitude of a complex number, hue its phase.
     Phase,
-    /// Colours for directions or triangles, without a scale.
+    /// Fixed colours of normals or mesh triangles, which need no colour bar.
     Direction,
 }
 
-/// Number of evenly spaced colours in a palette.
+/// Number of evenly spaced colours that define a palette; colours between them are interpolated.
 pub const STOPS: usize = 11;
 
 impl Palette {
-    /// Colours in sRGB, 0 to 1: viridis (matplotlib), RdBu (ColorBrewer) or grey.
+    /// Colours from low to high values, sRGB from 0 to 1: viridis (matplotlib), reversed RdBu (ColorBrewer) or grey.
     pub fn stops(self) -> [[f32; 3]; STOPS] {
         let hex: [u32; STOPS] = match self {
             Self::Sequential => [
@@ -35,7 +36,7 @@ impl Palette {
                 0x05_30_61, 0x21_66_ac, 0x43_93_c3, 0x92_c5_de, 0xd1_e5_f0, 0xf7_f7_f7, 0xfd_db_c7, 0xf4_a5_82,
                 0xd6_60_4d, 0xb2_18_2b, 0x67_00_1f,
             ],
-            // Brighter than linear, because the hue darkens the colour.
+            // The exponent below 1 brightens the greys, because the hue of the phase darkens them.
             Self::Phase | Self::Direction => std::array::from_fn(|i| {
                 let grey = (i as f64 / (STOPS - 1) as f64).powf(0.6);
                 0x01_01_01 * (255.0 * grey).round() as u32
@@ -45,27 +46,27 @@ impl Palette {
     }
 }
 
-/// Values that the colours of a view stand for.
+/// Colour scale of a false-colour view: the range of values and the palette that shows it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ColourScale {
-    /// Quantity that the first colour of the scale stands for.
+    /// Value shown in the first colour of the palette, in `unit`.
     pub low: f64,
-    /// Value of the last colour.
+    /// Value shown in the last colour of the palette, in `unit`.
     pub high: f64,
-    /// Unit of `low` and `high`; empty if dimensionless.
+    /// Unit of the values `low` and `high`; empty if they are dimensionless.
     pub unit: &'static str,
-    /// Whether the colours are spaced evenly in the logarithm of the value.
+    /// Whether the scale is logarithmic instead of linear.
     pub logarithmic: bool,
-    /// The colours.
+    /// Palette that maps the range from `low` to `high` to colours.
     pub palette: Palette,
 }
 
 impl ColourScale {
-    /// Colour scale of a view, for one layer of the maps (cascade or foam level, counted from 0).
+    /// Chooses the colour scale of a view for one layer of the maps: the index of the cascade or of the foam level.
     pub fn new(shown: Shown, plan: &Plan, layer: usize) -> Self {
         let (k_low, k_high) = plan.cascades.get(layer).map_or((0.0, 0.0), |c| (c.k_low, c.k_high));
         let (mss, m0) = (plan.energy.mss_between(k_low, k_high), plan.energy.m0_between(k_low, k_high));
-        // Lower limits, so that a calm sea has a scale.
+        // The lower limits give a calm sea a scale of non-zero width.
         let (slope, height_m) = (mss.sqrt().max(1e-4), m0.sqrt().max(1e-3));
         // In shallow water the horizontal displacement exceeds the vertical one.
         let orbit = if m0 > 0.0 { plan.dispersion.orbit((mss / m0).sqrt()) } else { 1.0 };
@@ -98,30 +99,30 @@ impl ColourScale {
         Self { low, high, unit, logarithmic: false, palette }
     }
 
-    /// Four decades of wave amplitudes, for a standard deviation of the height. The strongest wave of a narrow-banded
-    /// sea has about a fifth of it.
+    /// Logarithmic scale over four decades of wave amplitude, up to 0.3 of the standard deviation of the elevation (m).
+    /// The strongest wave of a narrow-banded sea has an amplitude of about 0.2 standard deviations.
     fn amplitude(deviation_m: f64, palette: Palette) -> Self {
         let high = 0.3 * deviation_m;
         Self { low: 1e-4 * high, high, unit: "m", logarithmic: true, palette }
     }
 
-    /// Range around J = 1 (undeformed water), at most down to J = 0, where the surface folds.
+    /// Scale of the Jacobian: 2.5 standard deviations to either side of 1 (flat water), at most from 0 (a fold) to 2.
     fn jacobian(deviation: f64) -> Self {
         let limit = (2.5 * deviation).clamp(1e-3, 1.0);
         Self::linear(1.0 - limit, 1.0 + limit, "", Palette::Diverging)
     }
 }
 
-/// Caption below a view.
+/// Caption below a false-colour view.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Caption {
-    /// Palette of the colour bar; `None` if the colours have no scale.
+    /// Palette of the caption's colour bar; `None` for views without a colour bar.
     pub palette: Option<Palette>,
-    /// Ranges of the values, one line for each layer shown.
+    /// Text of the caption: one line with the range of values for each layer (cascade or foam level) shown.
     pub lines: Vec<String>,
 }
 
-/// What the colours of a view of a sea stand for.
+/// Writes the caption that explains the colours of a view of a planned sea.
 pub fn caption(view: ViewChoice, plan: &Plan) -> Caption {
     let levels = matches!(view.shown, Shown::Map(Map::Foam | Map::Source));
     let layers = view.layers(if levels { FOAM_LEVELS } else { plan.cascades.len() });

@@ -1,22 +1,22 @@
 //! Linear dispersion relation over a flat bottom, its derivative and its inverse (docs/sea.md, "Dispersion").
 //!
-//! One relation covers all three kinds, omega^2 = (g k + sigma/rho k^3) tanh(k h): in deep water the depth h is
-//! infinite, for gravity waves the surface tension sigma is 0.
+//! One formula covers deep water, finite depth and capillary waves, omega^2 = (g k + sigma/rho k^3) tanh(k h): in deep
+//! water the depth h is infinite, for gravity waves the surface tension sigma is 0.
 
 use crate::state::params::{DispersionKind, Sea};
 
-/// The dispersion relation of a sea.
+/// Dispersion relation of a sea: the angular frequency omega (rad/s) of a wave with wave number k (rad/m).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dispersion {
     gravity_m_s2: f64,
-    /// Infinite for deep water.
+    /// Water depth, m; infinite for deep water.
     depth_m: f64,
-    /// Surface tension over density, sigma / rho.
+    /// Surface tension divided by density, sigma / rho, m^3/s^2; 0 for gravity waves.
     tension_m3_s2: f64,
 }
 
 impl Dispersion {
-    /// The relation that the sea's parameters choose.
+    /// Makes the dispersion relation that is selected in the sea's parameters: deep, finite depth or capillary.
     pub fn new(sea: &Sea) -> Self {
         let finite = Self::finite(sea.gravity_m_s2, sea.depth_m);
         match sea.dispersion {
@@ -26,40 +26,40 @@ impl Dispersion {
         }
     }
 
-    /// Gravity waves in water of finite depth.
+    /// Makes the dispersion relation of gravity waves in water of finite depth, without surface tension.
     pub fn finite(gravity_m_s2: f64, depth_m: f64) -> Self {
         Self { gravity_m_s2, depth_m, tension_m3_s2: 0.0 }
     }
 
-    /// Whether surface tension acts on short waves.
+    /// Whether the dispersion relation includes surface tension.
     pub fn is_capillary(&self) -> bool {
         self.tension_m3_s2 > 0.0
     }
 
-    /// Angular frequency (rad/s) of wave number `k` (rad/m).
+    /// Angular frequency (rad/s) of a wave with the wave number `k` (rad/m).
     pub fn omega(&self, k: f64) -> f64 {
         ((self.gravity_m_s2 + self.tension_m3_s2 * k * k) * k * (k * self.depth_m).tanh()).sqrt()
     }
 
-    /// Group velocity d omega / dk (m/s) of wave number `k` (rad/m, positive).
+    /// Group velocity d omega / dk (m/s) of a wave with the wave number `k` (rad/m, positive).
     pub fn group_velocity(&self, k: f64) -> f64 {
         let kh = k * self.depth_m;
-        // k h / cosh^2(k h) vanishes long before cosh overflows.
+        // k h / cosh^2(k h) is negligible above k h = 300; cosh would overflow above 710.
         let shallow = if kh > 300.0 { 0.0 } else { kh / (kh.cosh() * kh.cosh()) };
         let (g, capillary) = (self.gravity_m_s2, self.tension_m3_s2 * k * k);
         ((g + 3.0 * capillary) * kh.tanh() + (g + capillary) * shallow) / (2.0 * self.omega(k))
     }
 
-    /// Converts a spectrum over wave number, S(k) in m^3, to S(omega) = S(k) dk / d omega, m^2 s, at `omega` in rad/s.
+    /// Converts a spectrum S(k) over wave number (m^3) to S(omega) = S(k) dk / d omega (m^2 s) at `omega` (rad/s).
     pub fn density_over_omega(&self, density_over_k: impl Fn(f64) -> f64, omega: f64) -> f64 {
         let k = self.wave_number(omega);
         density_over_k(k) / self.group_velocity(k)
     }
 
-    /// Wave number (rad/m) of angular frequency `omega_rad_s` (positive).
+    /// Wave number (rad/m) of a wave with the angular frequency `omega_rad_s` (rad/s, positive).
     ///
-    /// Newton's method on ln(omega) over ln(k), which is nearly linear: its slope lies between 1/2 and 3/2. It starts
-    /// from the approximation of Guo 2002 for gravity waves or from pure capillary waves.
+    /// It is found by Newton's method for ln(omega) as a function of ln(k), whose slope is always between 1/2 and 3/2.
+    /// The start value is the approximation of Guo 2002 for gravity waves or the solution for pure capillary waves.
     pub fn wave_number(&self, omega_rad_s: f64) -> f64 {
         let deep = omega_rad_s * omega_rad_s / self.gravity_m_s2;
         let x = omega_rad_s * (self.depth_m / self.gravity_m_s2).sqrt();
@@ -74,7 +74,7 @@ impl Dispersion {
         k
     }
 
-    /// Ratio of the horizontal to the vertical axis of a particle's orbit at the surface, coth(k h).
+    /// Ratio of the horizontal to the vertical axis of the water particle orbits at the surface, coth(k h).
     pub fn orbit(&self, k: f64) -> f64 {
         1.0 / (k * self.depth_m).tanh()
     }

@@ -1,26 +1,26 @@
-//! Running integrals of a spectrum over a logarithmic frequency grid, from which the plan makes its choices. Published
-//! numbers come from an independent quadrature (`statistics`).
+//! Cumulative integrals of a spectrum over a logarithmic frequency grid. The plan of a sea uses them to choose patches
+//! and bands. The statistics shown to the user come from a separate, adaptive quadrature (`statistics`).
 
 use super::dispersion::Dispersion;
 
-/// Running integrals of a spectrum, one entry per grid frequency.
+/// Cumulative integrals of a frequency spectrum: variance of elevation, slope and strain below each grid frequency.
 #[derive(Clone, Debug)]
 pub struct Energy {
-    /// Grid frequencies, rad/s, ascending.
+    /// Angular frequencies of the grid, rad/s, ascending.
     omega: Vec<f64>,
     /// Wave numbers of the grid frequencies, rad/m.
     k: Vec<f64>,
-    /// Variance of the elevation (m^2), mean square slope, and variance of the horizontal strain dDx/dx + dDz/dz up to
-    /// each grid frequency.
+    /// Integrals from the lowest frequency up to each grid frequency: variance of the elevation (m^2), mean square
+    /// slope, and variance of the horizontal strain dDx/dx + dDz/dz.
     sums: Vec<[f64; 3]>,
-    /// Frequency of the largest S, rad/s, to the grid's step of about 1 %.
+    /// Angular frequency of the grid at which S(omega) is largest, rad/s; the grid's steps are about 1 %.
     pub omega_p: f64,
 }
 
 impl Energy {
     const STEPS: usize = 1600;
 
-    /// Integrates S(omega), m^2 s, from `low` to `high`, rad/s.
+    /// Integrates the spectrum `density`, S(omega) in m^2 s, from the frequency `low` to `high` (rad/s).
     pub fn new(density: impl Fn(f64) -> f64, (low, high): (f64, f64), dispersion: &Dispersion) -> Self {
         let step = (high / low).ln() / Self::STEPS as f64;
         let mut out = Self { omega: vec![], k: vec![], sums: vec![], omega_p: low };
@@ -45,28 +45,29 @@ impl Energy {
         out
     }
 
-    /// Variance of the elevation, m^2.
+    /// Total variance of the elevation m0, the integral of the whole spectrum, m^2.
     pub fn m0(&self) -> f64 {
         self.sums[Self::STEPS][0]
     }
 
-    /// Frequency (rad/s) below which the share `q` of m0 lies.
+    /// Angular frequency (rad/s) below which the fraction `q` (0 to 1) of the elevation variance m0 lies.
     pub fn quantile(&self, q: f64) -> f64 {
         let i = self.sums.partition_point(|s| s[0] < q * self.m0()).min(Self::STEPS);
         self.omega[i]
     }
 
-    /// Variance of the elevation between two wave numbers (rad/m), m^2.
+    /// Elevation variance (m^2) of the waves with wave numbers from `low` to `high` (rad/m).
     pub fn m0_between(&self, low: f64, high: f64) -> f64 {
         self.between(0, low, high)
     }
 
-    /// Mean square slope between two wave numbers (rad/m).
+    /// Mean square slope of the waves with wave numbers from `low` to `high` (rad/m).
     pub fn mss_between(&self, low: f64, high: f64) -> f64 {
         self.between(1, low, high)
     }
 
-    /// Variance of dDx/dx + dDz/dz between two wave numbers (rad/m), weighted by `response` of the wave number.
+    /// Variance of the horizontal strain dDx/dx + dDz/dz of the waves with wave numbers from `low` to `high` (rad/m).
+    /// The variance at each wave number k is multiplied by the filter `response(k)`.
     pub fn filtered_strain(&self, low: f64, high: f64, response: impl Fn(f64) -> f64) -> f64 {
         let piece = |i: usize| {
             let (a, b) = (self.k[i - 1].max(low), self.k[i].min(high));
@@ -75,7 +76,7 @@ impl Energy {
         (1..self.k.len()).map(piece).sum()
     }
 
-    /// Difference of one of the three sums between two wave numbers; the sums are linear between grid points.
+    /// Increase of one of the integrals in `sums` from wave number `low` to `high` (rad/m), by linear interpolation.
     fn between(&self, which: usize, low: f64, high: f64) -> f64 {
         let at = |k: f64| match self.k.partition_point(|&x| x < k) {
             0 => 0.0,

@@ -1,17 +1,16 @@
-//! Fast Fourier transform for measurements on the CPU: buoy records and maps that were read back. The oracle has a
-//! separate, plainer implementation.
+//! Fast Fourier transform on the CPU, for the spectra of buoy records and of maps read back from the GPU.
 
 use std::f64::consts::TAU;
 
-/// Radix-2 fast Fourier transform of one length.
+/// Radix-2 fast Fourier transform of a fixed number of points, with precomputed twiddle factors.
 #[derive(Clone, Debug)]
 pub struct Fft {
-    /// Twiddle factors e^(-2 pi i j / n) for j below n / 2.
+    /// Twiddle factors e^(-2 pi i j / n) as (re, im), for j from 0 to n / 2 - 1, where n is the number of points.
     roots: Vec<[f64; 2]>,
 }
 
 impl Fft {
-    /// Prepares a transform of `n` points.
+    /// Prepares a Fourier transform of `n` points.
     ///
     /// # Panics
     /// If `n` is not a power of two.

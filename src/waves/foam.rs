@@ -1,4 +1,4 @@
-//! Where foam forms and how much of it there is.
+//! Foam model: the Jacobian below which foam forms, and the mean foam that results.
 //!
 //! Waves break where the horizontal displacement squeezes the surface, so foam forms where the Jacobian J of the
 //! displacement falls below a threshold. By default the threshold makes the mean foam equal the whitecap coverage of
@@ -9,45 +9,46 @@ use super::statistics::monahan_coverage;
 use crate::state::params::Whitecaps;
 use std::f64::consts::PI;
 
-/// Mean foam F for a mean source s: F / (1 - F) = FACTOR (rate x decay time)^POWER s. Fitted to GPU results for winds
-/// of 7 to 30 m/s, all levels, and rate x decay time from 1 to 50.
+/// Factor of the fit F / (1 - F) = FACTOR (rate x decay time)^POWER s for the mean foam F at a mean foam source s. The
+/// fit was made to GPU results for winds of 7 to 30 m/s, all foam levels, and rate x decay time from 1 to 50.
 const FACTOR: f64 = 1.03;
 const POWER: f64 = 0.73;
-/// Default rate x decay time, for which the mean foam equals the whitecap coverage of the wind.
+/// Product of the default growth rate (1/s) and decay time (s) of foam. The default threshold is derived for it, so
+/// that the mean foam equals the whitecap coverage of the wind.
 const DEFAULT_RATE_DECAY: f64 = 8.0;
-/// Width of the source's ramp from 0 to 1, in standard deviations of the strain.
+/// Decrease of the strain over which the foam source rises from 0 to 1, in standard deviations of the strain.
 const RAMP: f64 = 0.5;
 
-/// Upper limit of the whitecap coverage.
+/// Upper limit of the whitecap coverage that the foam model aims for, as a fraction of the surface.
 const MAX_COVERAGE: f64 = 0.9;
-/// (1 - r2^2) / 4 in [`jacobian`], for the directional spread of short waves.
+/// Coefficient (1 - r2^2) / 4 in [`jacobian`] with the second directional moment r2 of short waves.
 const DETERMINANT: f64 = 0.2;
-/// Texel at which a fixed threshold applies, m. On coarser levels foam is equally rare.
+/// Texel size at which the user's fixed foam threshold applies, m. It is adapted to other sizes for equally rare foam.
 const REFERENCE_TEXEL_M: f64 = 0.25;
-/// Standard deviation of the strain below which the water counts as flat.
+/// Standard deviation of the strain below which the water counts as flat and gets no foam.
 const MIN_SIGMA: f64 = 1e-6;
 
-/// Foam source at a Jacobian J: clamp((threshold - J) x slope, 0, 1).
+/// Foam source as a function of the Jacobian J of the displacement: clamp((threshold - J) x slope, 0, 1).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FoamSource {
-    /// Jacobian below which foam forms.
+    /// Jacobian of the displacement below which foam forms.
     pub threshold: f64,
-    /// Foam source per unit by which the Jacobian lies below the threshold.
+    /// Increase of the foam source per unit of Jacobian below the threshold.
     pub slope: f64,
 }
 
-/// Foam threshold and mean foam of a sea.
+/// Foam model of a sea: how far the surface must be compressed before foam forms, and the expected mean foam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoamModel {
-    /// Standard deviations of the strain below 0 at which foam starts to form; infinite without foam.
+    /// Compression at which foam starts to form, in standard deviations of the strain; infinite if there is no foam.
     sigmas: f64,
-    /// Expected mean foam, 0 to 1.
+    /// Expected mean of the foam value over the surface, 0 to 1.
     pub coverage: f64,
 }
 
 impl FoamModel {
-    /// Derives the threshold from the whitecap coverage of the local wind, which makes the mean foam independent of the
-    /// FFT size and the level, or takes the fixed threshold of the parameters at a texel of 25 cm.
+    /// Derives the foam threshold of a sea from the whitecap coverage of the local wind, so that the mean foam does not
+    /// depend on FFT size or foam level. With `whitecaps=fixed` it is the user's threshold, applied at 25 cm texels.
     pub fn new(plan: &Plan) -> Self {
         let foam = &plan.sea.foam;
         let sigma = strain_deviation(plan, REFERENCE_TEXEL_M);
@@ -67,7 +68,7 @@ impl FoamModel {
         Self { sigmas, coverage: ratio / (1.0 + ratio) }
     }
 
-    /// Foam source on a grid with texels of `texel_m`, for the variance of the Jacobian that the grid resolves.
+    /// Foam source for a foam grid with texels of `texel_m` (m): a coarser grid resolves less variance of the Jacobian.
     pub fn source(&self, plan: &Plan, texel_m: f64) -> FoamSource {
         let sigma = strain_deviation(plan, texel_m);
         if sigma < MIN_SIGMA || self.sigmas.is_infinite() {
@@ -79,19 +80,21 @@ impl FoamModel {
     }
 }
 
-/// Mean Jacobian where the strain s = lx dDx/dx + lz dDz/dz is `sigmas` standard deviations below 0: J = 1 + s +
-/// determinant of the strain tensor. Given s, the determinant has the mean (s^2 - sigma^2) (1 - r2^2) / 4, where r2 is
-/// the second directional moment (1 for long-crested waves, 0 for isotropic ones).
+/// Mean Jacobian J where the strain s = lx dDx/dx + lz dDz/dz is `sigmas` standard deviations `sigma` below 0.
+///
+/// J is 1 + s + the determinant of the strain tensor. For a given s the mean of the determinant is
+/// (s^2 - sigma^2) (1 - r2^2) / 4 with the second directional moment r2 (1 for long-crested, 0 for isotropic waves).
 fn jacobian(sigmas: f64, sigma: f64) -> f64 {
     1.0 - sigmas * sigma + DETERMINANT * (sigmas * sigmas - 1.0) * sigma * sigma
 }
 
-/// Inverse of [`jacobian`], on the branch where a low Jacobian is rare.
+/// Inverse of [`jacobian`]: number of standard deviations `sigma` of strain below 0 at which the mean Jacobian equals
+/// `threshold`. Of the two solutions it returns the smaller one.
 fn sigmas_at(threshold: f64, sigma: f64) -> f64 {
     bisect(-8.0, (0.5 / (DETERMINANT * sigma)).min(12.0), |z| jacobian(z, sigma) > threshold)
 }
 
-/// Largest value in [low, high] for which `holds` is true; it must hold below some value and fail above.
+/// Finds by bisection the value in [low, high] up to which the condition `holds` is true and above which it is false.
 fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
@@ -100,14 +103,16 @@ fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
     low
 }
 
-/// Standard deviation of the strain lx dDx/dx + lz dDz/dz on a grid with texels of `texel_m`, by the mean square chop.
+/// Standard deviation of the strain lx dDx/dx + lz dDz/dz on a foam grid with texels of `texel_m` (m), where both chop
+/// factors lx and lz are replaced by their rms value.
 fn strain_deviation(plan: &Plan, texel_m: f64) -> f64 {
     let [lx, lz] = plan.sea.lambda();
-    // The foam pass reads mips that are one level finer than its cells.
+    // The foam pass reads a mip level of the maps with half the texel size of the foam grid.
     (0.5 * (lx * lx + lz * lz) * plan.strain_variance(0.5 * texel_m)).sqrt()
 }
 
-/// Mean of clamp((Z - z) / RAMP, 0, 1) for a standard normal Z.
+/// Mean foam source of a Gaussian strain if foam starts at `z` standard deviations: the mean of
+/// clamp((Z - z) / RAMP, 0, 1) for a standard normal Z.
 fn mean_source(z: f64) -> f64 {
     // Mean of max(Z - z, 0).
     let excess = |z: f64| (-0.5 * z * z).exp() / (2.0 * PI).sqrt() - z * 0.5 * libm::erfc(z / 2f64.sqrt());

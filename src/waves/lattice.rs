@@ -1,10 +1,11 @@
-//! The waves of a cascade's lattice: wave number, frequency and variance of each lattice point.
+//! Wave number, frequency and variance of each wave of a cascade. The wave vectors of a cascade form a square lattice.
 
 use super::plan::{Cascade, Plan};
 use super::system::WaveSystem;
 use std::f64::consts::TAU;
 
-/// Distance from the lattice origin, in cells, within which S is averaged over a cell.
+/// Largest wave number, in units of the lattice spacing, up to which the spectrum is averaged over a lattice cell
+/// instead of being sampled at the lattice point.
 const COARSE_CELLS: f64 = 40.0;
 /// Four-point Gauss-Legendre rule over [-1/2, 1/2]: nodes and weights.
 const CELL_RULE: [(f64, f64); 4] = [
@@ -14,21 +15,21 @@ const CELL_RULE: [(f64, f64); 4] = [
     (0.430_568_155_797_026_3, 0.173_927_422_568_726_93),
 ];
 
-/// Wave quantities that depend on |k| alone.
+/// Quantities of a wave that depend only on its wave number |k|, not on its direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wave {
     /// Wave number, rad/m.
     pub k: f64,
-    /// Number of whole cycles in one period of the plan.
+    /// Number of whole cycles of the wave in one period of the sea (`Plan::period_s`).
     pub turns: u32,
-    /// Angular frequency, rad/s: turns x 2 pi / period_s.
+    /// Angular frequency, rad/s, rounded to `turns` x 2 pi / period, so that the sea repeats after its period.
     pub omega: f64,
-    /// Ratio of the horizontal to the vertical axis of the particle orbits, coth(k h).
+    /// Ratio of the horizontal to the vertical axis of the water particle orbits, coth(k h) at the water depth h.
     pub orbit: f64,
 }
 
 impl Plan {
-    /// The wave of a cascade at squared lattice distance `i2` = ix^2 + iz^2, not 0.
+    /// Returns the wave at the lattice points (ix, iz) of a cascade with ix^2 + iz^2 = `i2`, which must not be 0.
     pub fn wave(&self, cascade: &Cascade, i2: u32) -> Wave {
         let k = cascade.dk() * f64::from(i2).sqrt();
         let turns = (self.dispersion.omega(k) * self.period_s / TAU).round().clamp(1.0, f64::from(u32::MAX)) as u32;
@@ -36,18 +37,19 @@ impl Plan {
         Wave { k, turns, omega, orbit: self.dispersion.orbit(k) }
     }
 
-    /// Share of the variance at wave number `k` (rad/m) for each of the `count` cascades that contain it. Overlapping
-    /// cascades are independent, so their variances add and amplitudes are weighted by 1 / sqrt(count).
+    /// Fraction of the variance at wave number `k` (rad/m) that each cascade with `k` in its band carries: 1 / count
+    /// for `count` cascades. Overlapping cascades are independent, so amplitudes are weighted by 1 / sqrt(count).
     pub fn share(&self, k: f64) -> f64 {
         let count = self.cascades.iter().filter(|c| c.holds(k)).count();
         1.0 / count.max(1) as f64
     }
 
-    /// S(k) dk^2 of a system without its directional spreading: the variance of a lattice cell per radian of direction,
-    /// m^2.
+    /// Variance of a wave system in one lattice cell per radian of direction, m^2: S(k) dk^2 with the lattice spacing
+    /// dk, before multiplication by the directional spreading.
     ///
-    /// Near the origin S is averaged over the cell's extent in |k|. There a cell is a sizeable part of the peak's
-    /// width: samples at the lattice points alone would miss or double the narrow peak of a JONSWAP sea, 2 % of m0.
+    /// At small wave numbers the spectrum S is averaged over the cell's extent in |k|, because a cell is not small
+    /// against the width of the spectral peak. Samples at the lattice points alone would miss the narrow peak of a
+    /// JONSWAP sea or count it twice, an error of 2 % of the total variance m0.
     pub fn radial_variance(&self, system: &WaveSystem, cascade: &Cascade, wave: &Wave) -> f64 {
         let dk = cascade.dk();
         let density =
@@ -71,15 +73,15 @@ impl Plan {
         variance * self.share(wave.k)
     }
 
-    /// Time `t_s` as a fraction of the period, in units of 2^-32, wrapped. A wave's phase is this number times its
-    /// `turns` in wrapping 32-bit arithmetic, in units of 2^-32 turns: exact after hours, and a loop closes bit for
-    /// bit.
+    /// Time `t_s` (s) within the period of the sea, as a 32-bit integer: one period is 2^32. The phase of a wave, in
+    /// units of 2^-32 cycles, is this integer times `Wave::turns` in wrapping 32-bit arithmetic. So phases stay exact
+    /// after hours, and the sea repeats bit for bit after its period.
     pub fn phase_time(&self, t_s: f64) -> u32 {
         phase_time(self.period_s, t_s)
     }
 }
 
-/// [`Plan::phase_time`] for a period of `period_s`.
+/// Time `t_s` (s) within the period `period_s` (s) as a 32-bit integer; see [`Plan::phase_time`].
 pub fn phase_time(period_s: f64, t_s: f64) -> u32 {
     let turn = (t_s / period_s).rem_euclid(1.0);
     (turn * 4_294_967_296.0).round() as u64 as u32

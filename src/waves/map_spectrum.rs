@@ -1,45 +1,45 @@
-//! Spectrum over frequency estimated from height maps that were read back from the GPU.
+//! Frequency spectrum of the sea estimated from height maps that were read back from the GPU.
 
 use super::fft::Fft;
 use super::plan::Plan;
 
-/// Variance of the heights, in total and per frequency bin.
+/// Variance of the elevation in height maps, in total and in each bin of angular frequency.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MapSpectrum {
-    /// Mean square height, summed over the cascades, m^2.
+    /// Sum over all cascades of the mean square elevation of their height maps, m^2.
     pub m0_m2: f64,
-    /// Variance in each bin of angular frequency, m^2; bin i covers [i, i + 1) bin widths.
+    /// Elevation variance in each bin of angular frequency, m^2. Bin i covers frequencies from i to i + 1 bin widths.
     pub bins_m2: Vec<f64>,
 }
 
-/// Estimates a [`MapSpectrum`] in slices, so that the program can draw frames in between.
+/// Estimator of a [`MapSpectrum`]. It works in small steps, so that the program can draw frames in between.
 #[derive(Clone, Debug)]
 pub struct MapSpectrumEstimator {
     fft: Fft,
-    /// Index of the cascade whose map is in `map`.
+    /// Index of the cascade whose height map is being transformed in `map`.
     cascade: usize,
     map: Vec<[f64; 2]>,
-    /// Transformed lines of `map`: n rows, then n columns.
+    /// Number of lines of `map` that are already transformed: first the n rows, then the n columns.
     done: usize,
     bin_rad_s: f64,
     spectrum: MapSpectrum,
 }
 
 impl MapSpectrumEstimator {
-    /// Starts an estimate for the cascades of a plan, with `bins` bins of `bin_rad_s` (rad/s). Waves beyond the last
-    /// bin count only in the total.
+    /// Starts an estimate for all cascades of a plan, with `bins` frequency bins of the width `bin_rad_s` (rad/s).
+    /// Waves with frequencies above the last bin count only in the total variance.
     ///
     /// # Panics
-    /// If the FFT size of the plan is not a power of two.
+    /// Panics if the FFT size of the plan is not a power of two.
     pub fn new(plan: &Plan, bin_rad_s: f64, bins: usize) -> Self {
         let n = plan.n as usize;
         let spectrum = MapSpectrum { m0_m2: 0.0, bins_m2: vec![0.0; bins] };
         Self { fft: Fft::new(n), cascade: 0, map: vec![[0.0; 2]; n * n], done: 0, bin_rad_s, spectrum }
     }
 
-    /// Transforms about `points` more points, and returns the spectrum when all maps are done.
+    /// Transforms about `points` more texels of the height maps, and returns the spectrum when all maps are done.
     ///
-    /// `row(cascade, z)` gives the n heights (m) of a map row; all calls must see the same maps and `plan`.
+    /// `row(cascade, z)` returns the n heights (m) in row z of a cascade's map. All calls must see the same maps.
     pub fn advance<R: Iterator<Item = f64>>(
         &mut self,
         plan: &Plan,
@@ -71,7 +71,7 @@ impl MapSpectrumEstimator {
         (self.cascade == plan.cascades.len()).then_some(&self.spectrum)
     }
 
-    /// Adds the waves in column `x` of the transformed map to their bins.
+    /// Adds the variance of all waves in column `x` of the Fourier-transformed height map to their frequency bins.
     fn add_column(&mut self, plan: &Plan, x: usize, column: &[[f64; 2]]) {
         let n = column.len();
         let signed = |i: usize| if i < n / 2 { i as f64 } else { i as f64 - n as f64 };

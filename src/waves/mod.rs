@@ -1,6 +1,7 @@
-//! Wave theory in f64: spectra, directional spreading, dispersion, and the plan that divides a sea among cascades.
+//! Wave theory in f64: spectra, directional spreading, dispersion, and the plan that divides a sea into cascades
+//! (square patches of different sizes, whose sum is the sea).
 //!
-//! Everything here is a pure function of [`crate::state::Params`].
+//! All results are pure functions of the parameters in [`crate::state::Params`] and of the time.
 
 pub mod beaufort;
 pub mod cascades;

@@ -1,9 +1,9 @@
-//! Random numbers as an integer hash of the seed, the cascade key and the signed wave-vector index, bit for bit the
-//! same in WGSL. The noise of a wave does not depend on the FFT size.
+//! Random numbers of the waves: an integer hash of the seed, the key of the cascade and the signed indices of the wave
+//! vector. Shaders compute the same bits. The random numbers of a wave do not depend on the FFT size.
 
 use std::f64::consts::TAU;
 
-/// The hash `pcg4d` of four words to four words (Jarzynski and Olano, "Hash Functions for GPU Rendering", 2020).
+/// Integer hash `pcg4d` of four 32-bit words (Jarzynski and Olano, "Hash Functions for GPU Rendering", 2020).
 pub fn pcg4d(v: [u32; 4]) -> [u32; 4] {
     let mut v = v.map(|x| x.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
     let mix = |v: &mut [u32; 4]| {
@@ -18,14 +18,14 @@ pub fn pcg4d(v: [u32; 4]) -> [u32; 4] {
     v
 }
 
-/// Two random words for the wave with signed index (ix, iz): radius and angle of [`gaussian`].
+/// Two random words for the wave with signed lattice indices (ix, iz) in the cascade with `key`; input of [`gaussian`].
 pub fn words(seed: u32, key: u32, ix: i32, iz: i32) -> [u32; 2] {
     let h = pcg4d([ix as u32, iz as u32, key, seed]);
     [h[0], h[1]]
 }
 
-/// Two independent N(0, 1) numbers by the Box-Muller transform. The first word becomes a uniform number in the open
-/// interval (0, 1), so that the result is finite.
+/// Converts two random words to two independent standard normal numbers by the Box-Muller transform. The first word is
+/// mapped to the open interval (0, 1), so the result is always finite.
 pub fn gaussian(words: [u32; 2]) -> [f64; 2] {
     let u = (f64::from(words[0] >> 9) + 0.5) / f64::from(1u32 << 23);
     let radius = (-2.0 * u.ln()).sqrt();

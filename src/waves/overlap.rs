@@ -1,23 +1,24 @@
-//! Covariance of two seas during a cross-fade: cascades with the same patch and random numbers are correlated.
+//! Covariance of the old and the new sea in a cross-fade. Waves with equal random numbers are correlated.
 
 use super::plan::{Cascade, Plan};
 use std::f64::consts::TAU;
 
-/// Number of wave-number bands in which two cascades are compared.
+/// Number of logarithmic wave-number intervals over which the covariance of two cascades is summed.
 const BANDS: usize = 256;
 
-/// Variances and covariance of two seas on one patch, m^2.
+/// Elevation variances and covariance of the old and the new sea of a cross-fade on one patch, m^2.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Overlap {
     before: f64,
     after: f64,
-    /// Covariance of the waves with equal wave vectors and random numbers; it falls with their phase difference.
+    /// Covariance of the two seas, m^2, at least 0. Only waves with equal wave vectors and random numbers contribute,
+    /// each in proportion to the cosine of its phase difference.
     covariance: f64,
 }
 
 impl Overlap {
-    /// One overlap for each cascade of `before` and of `after` at time `t_s`. A cascade without a partner of
-    /// the same patch, noise key and seed has zero overlap.
+    /// Computes one overlap for each cascade of the sea `before` and one for each cascade of the sea `after`, at time
+    /// `t_s` (s). It is zero if the other sea has no cascade with the same patch size, random-number key and seed.
     pub fn all(before: &Plan, after: &Plan, t_s: f64) -> [Vec<Self>; 2] {
         let mut all = [before, after].map(|plan| vec![Self::default(); plan.cascades.len()]);
         for (i, old) in before.cascades.iter().enumerate() {
@@ -39,19 +40,20 @@ impl Overlap {
             for i in 0..BANDS {
                 let (a, b) = (edge(i), edge(i + 1));
                 let ring = ((a * b).sqrt() / old.dk()).powi(2).round().max(1.0) as u32;
-                // The rounded frequencies of the drawn waves.
+                // The drawn waves have frequencies that are rounded to the period of the sea.
                 let cycles = |plan: &Plan, c: &Cascade| plan.wave(c, ring).omega * t_s / TAU;
                 let apart = TAU * (cycles(before, old) - cycles(after, new)).rem_euclid(1.0);
                 let variances = before.energy.m0_between(a, b) * after.energy.m0_between(a, b);
                 covariance += variances.sqrt() * apart.cos();
             }
         }
-        // A negative covariance would amplify both seas.
+        // With a negative covariance, normalising the variance of the sum would amplify both seas.
         Self { before: variance(before, old), after: variance(after, new), covariance: covariance.max(0.0) }
     }
 
-    /// Ratio of the variance of the sum sqrt(1 - share) before + sqrt(share) after to the mean variance
-    /// (1 - share) Var(before) + share Var(after). It is 1 for uncorrelated seas and 2 halfway between two equal seas.
+    /// Ratio of the variance of the blended sea sqrt(1 - share) x before + sqrt(share) x after to the intended variance
+    /// (1 - share) x Var(before) + share x Var(after). `share` is the progress of the cross-fade, 0 to 1. The ratio is
+    /// 1 for uncorrelated seas and 2 halfway between two equal seas.
     pub fn excess(&self, share: f64) -> f64 {
         let mean = (1.0 - share) * self.before + share * self.after;
         if mean > 0.0 { 1.0 + 2.0 * (share * (1.0 - share)).sqrt() * self.covariance / mean } else { 1.0 }
@@ -81,7 +83,7 @@ mod tests {
 
     #[test]
     fn depth_parts_long_waves_and_late() {
-        // The patches are set by hand, so that both seas have the same.
+        // The patch sizes are set by the state string, so that both seas have the same patches.
         let state = |depth: f64| format!("wind=9&n=64&cascades=2&patch1=300&patch2=40&depth={depth}");
         let excess = |cascade, t_s| overlap(&state(200.0), &state(8.0), cascade, t_s).excess(0.5);
         assert!(excess(0, 0.0) > 1.5 && excess(1, 0.0) > 1.95, "nothing has moved yet: {}", excess(0, 0.0));

@@ -1,5 +1,5 @@
-//! The plan of a sea: everything that the simulation derives from the parameters. Planning is a pure function that
-//! never fails: it clamps values, chooses the cascades and collects notices for the user.
+//! The plan of a sea: wave systems, cascades and all else that the simulation derives from the parameters. Planning is
+//! a pure function that never fails. It clamps values that are out of range and collects notices for the user.
 
 use super::cascades;
 use super::dispersion::Dispersion;
@@ -12,16 +12,16 @@ use std::sync::Arc;
 
 pub use super::cascades::Cascade;
 
-/// Largest significant wave height over depth; higher waves break (docs/sea.md).
+/// Largest ratio of significant wave height to water depth; higher waves break (docs/sea.md).
 const DEPTH_LIMIT: f64 = 0.6;
-/// Largest variance of the horizontal strain; half floats cannot store steeper waves.
+/// Largest variance of the horizontal strain dDx/dx + dDz/dz; half-float maps cannot store steeper waves.
 const MAX_STRAIN_VARIANCE: f64 = 25.0;
-/// Smallest variance of a sea with waves, m^2: Hs = 4 micrometres.
+/// Smallest elevation variance of a sea with waves, m^2 (significant wave height 4 micrometres).
 const MIN_M0_M2: f64 = 1e-12;
-/// Period of a sea without a loop: a day.
+/// Period after which a sea repeats if the user has set no loop, s: one day.
 const DAY_S: f64 = 86_400.0;
 
-/// Everything that the simulation needs to know of a sea.
+/// Everything that the simulation derives from the parameters of a sea: wave systems, cascades, period and notices.
 ///
 /// ```
 /// let (params, _) = seastate::state::query::parse("wind=10&fetch=100");
@@ -30,39 +30,39 @@ const DAY_S: f64 = 86_400.0;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// FFT size: points along one side of a cascade's lattice.
+    /// FFT size: number of points along one side of the maps of each cascade.
     pub n: u32,
-    /// Cascades, longest waves first.
+    /// Cascades (patches of different sizes) whose sum is the sea, longest waves first.
     pub cascades: Vec<Cascade>,
-    /// Whether patches are drawn as blends of shifted copies, so that they do not repeat.
+    /// Whether each patch is drawn as a blend of shifted copies, so that no repetition is visible.
     pub untile: bool,
-    /// Period of the sea, s: all angular frequencies are multiples of 2 pi / period_s.
+    /// Period after which the sea repeats, s: all angular frequencies are multiples of 2 pi / period_s.
     pub period_s: f64,
-    /// Parameters that the plan is made from.
+    /// Sea parameters from which the plan was made.
     pub sea: Sea,
-    /// Wave systems that have waves, with height scales and depth limit applied.
+    /// Wave systems (wind sea, swell) that have waves, with height scales and the depth limit applied.
     pub systems: Vec<WaveSystem>,
-    /// Dispersion relation.
+    /// Dispersion relation of the waves.
     pub dispersion: Dispersion,
-    /// Peak frequency of the sum of all spectra, rad/s.
+    /// Angular frequency at the peak of the total spectrum of all wave systems, rad/s.
     pub omega_p: f64,
     /// Unit vector (x, z) towards which the local wind blows.
     pub downwind: [f64; 2],
-    /// Notices for the user.
+    /// Notices for the user, for example that the height was limited by the water depth.
     pub notices: Vec<String>,
-    /// Running integrals of the sum of all spectra.
+    /// Cumulative integrals of the total spectrum of all wave systems.
     pub energy: Arc<Energy>,
 }
 
 impl PartialEq for Plan {
-    /// All other fields follow from these.
+    /// Compares only the fields from which all other fields follow: FFT size, tiling, cascades and sea parameters.
     fn eq(&self, other: &Self) -> bool {
         (self.n, self.untile) == (other.n, other.untile) && self.cascades == other.cascades && self.sea == other.sea
     }
 }
 
 impl Plan {
-    /// Plans the sea of `params`. A calm has one empty cascade.
+    /// Plans the sea described by `params`. A sea without waves has one cascade without waves.
     pub fn new(params: &Params) -> Self {
         let (sea, n) = (params.sea.clone(), params.grid.n);
         let dispersion = Dispersion::new(&sea);
@@ -115,8 +115,7 @@ impl Plan {
         plan
     }
 
-    /// The same sea on a lattice of at most `n` points a side. The shortest waves are left out; all others are
-    /// unchanged.
+    /// Returns the plan of the same sea with an FFT size of at most `n`, which leaves out only the shortest waves.
     #[must_use]
     pub fn coarser(&self, n: u32) -> Self {
         let mut plan = self.clone();
@@ -128,20 +127,20 @@ impl Plan {
         plan
     }
 
-    /// This plan with the surface and foam parameters of `sea`, whose waves are those of the plan; see
-    /// [`SeaChange`](super::SeaChange). Shares the integrals with this plan.
+    /// Returns a copy of this plan with the surface and foam parameters of `sea`. All wave parameters of `sea` must
+    /// equal those of the plan; see [`SeaChange`](super::SeaChange). Both plans share the integrals of the spectrum.
     #[must_use]
     pub fn with_surface(&self, sea: &Sea) -> Self {
         Self { sea: sea.clone(), ..self.clone() }
     }
 
-    /// Whether one plan was derived from the other, by [`Self::with_surface`] or [`Self::coarser`], without integrating the
-    /// spectrum anew.
+    /// Whether both plans share the integrals of the spectrum, because one was derived from the other by
+    /// [`Self::with_surface`] or [`Self::coarser`].
     pub fn shares_integrals(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.energy, &other.energy)
     }
 
-    /// Whether there are no waves at all.
+    /// Whether the sea has no waves at all.
     pub fn is_calm(&self) -> bool {
         self.systems.is_empty()
     }
@@ -152,17 +151,17 @@ impl Plan {
         waves(self) == waves(other) && self.cascades == other.cascades
     }
 
-    /// S(omega) of all systems, m^2 s.
+    /// Total spectrum S(omega) of all wave systems at the angular frequency `omega` (rad/s), m^2 s.
     pub fn density(&self, omega: f64) -> f64 {
         self.systems.iter().map(|s| s.spectrum.density(omega)).sum()
     }
 
-    /// Integration range of omega, rad/s: S is negligible below it, m0 above it.
+    /// Lowest and highest angular frequency, rad/s, between which nearly all variance of the total spectrum lies.
     pub fn support(&self) -> (f64, f64) {
         support(&self.systems)
     }
 
-    /// Fraction of m0 that the cascades contain, 0 to 1.
+    /// Fraction of the elevation variance m0 that lies in the bands of the cascades, 0 to 1.
     pub fn captured(&self) -> f64 {
         let total = self.energy.m0();
         if total <= 0.0 {
@@ -171,19 +170,19 @@ impl Plan {
         self.resolved_bands().iter().map(|&(low, high)| self.energy.m0_between(low, high)).sum::<f64>() / total
     }
 
-    /// Wave numbers (rad/m) that at least one cascade contains, as ascending intervals without overlap.
+    /// Union of the bands of all cascades: ascending intervals of wave numbers (rad/m) that do not overlap.
     pub fn resolved_bands(&self) -> Vec<(f64, f64)> {
         cascades::resolved_bands(&self.cascades)
     }
 
-    /// Mean square slope of the resolved waves with wave numbers below `k_limit`, rad/m.
+    /// Mean square slope of the waves in the cascades with wave numbers below `k_limit` (rad/m).
     pub fn slope_variance(&self, k_limit: f64) -> f64 {
         self.resolved_bands().iter().map(|&(low, high)| self.energy.mss_between(low, high.min(k_limit))).sum()
     }
 
-    /// Variance of the horizontal strain dDx/dx + dDz/dz, the linear part of the Jacobian at chop 1, as a grid with
-    /// spacing `texel_m` reads it from the mip levels of the maps. It exceeds the mean square slope in shallow water,
-    /// where orbits are flatter.
+    /// Variance of the horizontal strain dDx/dx + dDz/dz that a grid with texels of `texel_m` (m) reads from the mip
+    /// levels of the maps. The strain is the linear part of the Jacobian at chop 1. In shallow water its variance
+    /// exceeds the mean square slope, because the particle orbits are flatter.
     pub fn strain_variance(&self, texel_m: f64) -> f64 {
         let band = |cascade: &Cascade| {
             let map_texel_m = cascade.patch_m / f64::from(self.n);
@@ -195,23 +194,23 @@ impl Plan {
         self.cascades.iter().map(band).sum()
     }
 
-    /// Highest wave number of the finest cascade, rad/m.
+    /// Largest wave number that any cascade holds, rad/m.
     pub fn k_max(&self) -> f64 {
         self.cascades.iter().map(|c| c.k_high).fold(0.0, f64::max)
     }
 
-    /// Significant wave height 4 sqrt(m0) of the spectrum, m.
+    /// Significant wave height 4 sqrt(m0) of the total spectrum, m, including waves outside the cascades.
     pub fn hs_m(&self) -> f64 {
         4.0 * self.energy.m0().sqrt()
     }
 
-    /// How a cascade's patch covers the plane.
+    /// Tiling with which the patch of a cascade covers the plane: a blend of shifted copies, or plain repetition.
     pub fn tiling(&self, cascade: &Cascade) -> Tiling {
         Tiling::new(cascade.patch_m, cascade.key, self.sea.seed, self.untile)
     }
 }
 
-/// Notices about the parameters of the two systems.
+/// Notices about parameters of the two wave systems that have no effect, and notices of their spectra.
 fn system_notices(sea: &Sea, systems: &[WaveSystem]) -> Vec<String> {
     let defaults = Sea::default().systems;
     let mut notices = Vec::new();
@@ -237,7 +236,7 @@ fn system_notices(sea: &Sea, systems: &[WaveSystem]) -> Vec<String> {
     notices
 }
 
-/// Multiplies the variance of all systems by `factor` and integrates them again.
+/// Multiplies the variance of all wave systems by `factor` and integrates their total spectrum again.
 fn rescale(systems: &mut [WaveSystem], factor: f64, dispersion: &Dispersion) -> Energy {
     for system in &mut *systems {
         system.spectrum = system.spectrum.clone().scaled(factor);
@@ -255,9 +254,8 @@ fn integrate(systems: &[WaveSystem], dispersion: &Dispersion) -> Energy {
     Energy::new(density, support(systems), dispersion)
 }
 
-/// Share of a wave's variance that remains when a map is read by linear interpolation between its texels, averaged over
-/// directions and positions. `kw` is the wave number times the texel size. `boxed` is true for mip levels above 0,
-/// whose texels are means over their area.
+/// Fraction of a wave's variance that remains when a map is sampled with bilinear filtering, averaged over wave
+/// directions and positions. `kw` is wave number times texel size. `boxed` is true for texels that are means (mip > 0).
 fn sampling_response(kw: f64, boxed: bool) -> f64 {
     const DIRECTIONS: u32 = 6;
     let axis = |x: f64| {

@@ -1,6 +1,6 @@
 //! Numerical integration by the 15-point Gauss-Kronrod rule, adaptive or with a fixed number of panels.
 
-/// Non-negative abscissae and their weights of the 15-point Kronrod rule on [-1, 1].
+/// Nodes x >= 0 and weights of the 15-point Kronrod quadrature rule on [-1, 1]; the other nodes are -x.
 const KRONROD: [(f64, f64); 8] = [
     (0.991_455_371_120_812_6, 0.022_935_322_010_529_224),
     (0.949_107_912_342_758_5, 0.063_092_092_629_978_55),
@@ -11,14 +11,15 @@ const KRONROD: [(f64, f64); 8] = [
     (0.207_784_955_007_898_47, 0.204_432_940_075_298_89),
     (0.0, 0.209_482_141_084_727_83),
 ];
-/// Weights of the embedded 7-point Gauss rule, at the entries 1, 3, 5 and 7 of [`KRONROD`].
+/// Weights of the embedded 7-point Gauss quadrature rule. Its nodes are the entries 1, 3, 5 and 7 of [`KRONROD`].
 const GAUSS: [f64; 4] =
     [0.129_484_966_168_869_7, 0.279_705_391_489_276_7, 0.381_830_050_505_118_9, 0.417_959_183_673_469_4];
-/// Limits on the bisections of one interval and on the intervals of one integral.
+/// Largest number of successive bisections of an interval in adaptive quadrature.
 const MAX_DEPTH: u32 = 40;
+/// Largest number of intervals that adaptive quadrature evaluates for one integral.
 const MAX_INTERVALS: u32 = 20_000;
 
-/// Kronrod estimate of the integral over [a, b], and its difference from the Gauss estimate.
+/// Integral of `f` over [a, b] by the Kronrod rule, and its difference from the Gauss rule as an estimate of the error.
 fn kronrod(f: &impl Fn(f64) -> f64, a: f64, b: f64) -> (f64, f64) {
     let (mid, half) = (0.5 * (a + b), 0.5 * (b - a));
     let (mut k, mut g) = (0.0, 0.0);
@@ -32,9 +33,9 @@ fn kronrod(f: &impl Fn(f64) -> f64, a: f64, b: f64) -> (f64, f64) {
     (k * half, (k - g).abs() * half)
 }
 
-/// Integral of `f` from the first to the last of `knots` to a relative tolerance.
+/// Integral of `f` from the first to the last of `knots` by adaptive quadrature to a relative `tolerance`.
 ///
-/// The knots are in ascending order, at least two, and contain the points where `f` is not smooth.
+/// `knots` holds at least two points in ascending order, among them all points where `f` is not smooth.
 pub fn adaptive(f: impl Fn(f64) -> f64, knots: &[f64], tolerance: f64) -> f64 {
     let rough: f64 = knots.windows(2).map(|w| kronrod(&f, w[0], w[1]).0.abs()).sum();
     let floor = 1e-15 * rough;
@@ -43,8 +44,8 @@ pub fn adaptive(f: impl Fn(f64) -> f64, knots: &[f64], tolerance: f64) -> f64 {
     knots.windows(2).map(|w| refine(&f, [w[0], w[1]], allowed, floor, MAX_DEPTH, &mut left)).sum()
 }
 
-/// Bisects [a, b] until the error is at most `allowed` or `floor` (the rounding error of the whole integral), or a
-/// limit is reached: `depth` bisections or `left` intervals.
+/// Integral of `f` over [a, b] by recursive bisection. It ends when the error is at most `allowed` or at most `floor`
+/// (the rounding error of the whole integral), after `depth` bisections, or when `left` intervals are used up.
 fn refine(f: &impl Fn(f64) -> f64, [a, b]: [f64; 2], allowed: f64, floor: f64, depth: u32, left: &mut u32) -> f64 {
     let (value, error) = kronrod(f, a, b);
     *left = left.saturating_sub(1);
@@ -56,7 +57,7 @@ fn refine(f: &impl Fn(f64) -> f64, [a, b]: [f64; 2], allowed: f64, floor: f64, d
         + refine(f, [mid, b], 0.5 * allowed, floor, depth - 1, left)
 }
 
-/// Integral of a smooth `f` from the first to the last of `knots`, with `count` 15-point panels between neighbours.
+/// Integral of a smooth `f` from the first to the last of `knots`, with `count` 15-point panels in each interval.
 pub fn panels(f: impl Fn(f64) -> f64, knots: &[f64], count: u32) -> f64 {
     let piece = |w: &[f64]| {
         let step = (w[1] - w[0]) / f64::from(count);

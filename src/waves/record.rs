@@ -1,15 +1,17 @@
-//! Spectrum of a record of heights at one point, by the method of Welch (1967).
+//! Frequency spectrum of a buoy record, a series of surface heights at one point, by the method of Welch (1967).
 
 use super::fft::Fft;
 use std::f64::consts::TAU;
 
-/// Samples in a segment: long enough to separate two swells, short enough to average several segments.
+/// Number of samples in each segment of a record whose periodograms are averaged. It is large enough to separate two
+/// swells and small enough to give several segments.
 const SEGMENT: usize = 512;
 
-/// One-sided variance density S(omega) of `heights_m` sampled at `rate_hz`: pairs of omega (rad/s) and S (m^2 s).
+/// Frequency spectrum of the heights `heights_m` sampled at `rate_hz`: pairs of angular frequency omega (rad/s) and
+/// one-sided variance density S(omega) (m^2 s).
 ///
-/// The mean of periodograms of segments that overlap by half, each without its mean and with a Hann window. The last
-/// segment ends at the newest sample. Empty if the record is shorter than one segment.
+/// It is the mean of the periodograms of segments that overlap by half. Each segment has its mean removed and a Hann
+/// window applied. The last segment ends at the newest sample. The spectrum is empty if there is no full segment.
 pub fn spectrum(heights_m: &[f64], rate_hz: f64) -> Vec<[f64; 2]> {
     const HOP: usize = SEGMENT / 2;
     let Some(spare) = heights_m.len().checked_sub(SEGMENT) else { return Vec::new() };
@@ -25,7 +27,7 @@ pub fn spectrum(heights_m: &[f64], rate_hz: f64) -> Vec<[f64; 2]> {
         fft.forward(&mut line);
         power.iter_mut().zip(&line).for_each(|(sum, x)| *sum += x[0] * x[0] + x[1] * x[1]);
     }
-    // One-sided, and per rad/s instead of per bin.
+    // Converts the power per bin to a one-sided density per rad/s.
     let unit = 2.0 / (segments as f64 * window_power * rate_hz * TAU);
     let omega = |i: usize| TAU * rate_hz * i as f64 / SEGMENT as f64;
     power.iter().enumerate().skip(1).map(|(i, x)| [omega(i), x * unit]).collect()

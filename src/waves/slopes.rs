@@ -1,23 +1,23 @@
-//! Mean square slopes along and across the local wind: the clean sea surface of Cox and Munk (1954), the part that the
-//! cascades resolve, and the residual, which only the shading uses.
+//! Mean square slopes along and across the local wind: of a clean sea surface (Cox and Munk 1954), of the waves that
+//! the cascades resolve, and the difference of the two, which only the shading uses.
 
 use super::plan::Plan;
 use super::system::{Directions, WaveSystem, angle};
 use std::f64::consts::{PI, TAU};
 
-/// Mean square slopes along and across the local wind, dimensionless.
+/// Mean square slopes of the sea surface, first along and then across the local wind, dimensionless.
 pub type SlopeVariance = [f64; 2];
 
-/// Steps of the quadratures over frequency and direction.
+/// Number of steps of the numerical integrals over frequency and over direction.
 const STEPS: usize = 64;
 
-/// Mean square slopes of a clean sea surface, 0.00316 U and 0.003 + 0.00192 U (Cox and Munk 1954).
+/// Mean square slopes of a clean sea along and across a wind U, 0.00316 U and 0.003 + 0.00192 U (Cox and Munk 1954).
 pub fn cox_munk(wind_m_s: f64) -> SlopeVariance {
     [0.00316 * wind_m_s, 0.003 + 0.00192 * wind_m_s]
 }
 
-/// Mean square slopes of the waves with wave numbers from `k_low` to `k_high`, rad/m: the integral of k^2 S(omega) and
-/// the mean of cos^2 or sin^2 of the angle to the wind.
+/// Mean square slopes of all waves with wave numbers from `k_low` to `k_high` (rad/m), along and across the local wind:
+/// the integral of k^2 S(omega) times the mean of cos^2 or sin^2 of the angle between wave and wind.
 pub fn between(plan: &Plan, k_low: f64, k_high: f64) -> SlopeVariance {
     let (first, last) = plan.support();
     let from = first.max(if k_low > 0.0 { plan.dispersion.omega(k_low) } else { 0.0 });
@@ -40,7 +40,7 @@ pub fn between(plan: &Plan, k_low: f64, k_high: f64) -> SlopeVariance {
     sum
 }
 
-/// Mean square slopes that all cascades of a plan resolve.
+/// Mean square slopes along and across the local wind of the waves in the cascades of a plan.
 pub fn resolved(plan: &Plan) -> SlopeVariance {
     plan.resolved_bands()
         .into_iter()
@@ -48,17 +48,17 @@ pub fn resolved(plan: &Plan) -> SlopeVariance {
         .fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])
 }
 
-/// Mean square slopes of Cox and Munk minus `resolved`, at least 0.
+/// Mean square slopes of waves too short for the cascades: those of Cox and Munk (1954) minus `resolved`, at least 0.
 pub fn residual(plan: &Plan, resolved: SlopeVariance) -> SlopeVariance {
     let total = cox_munk(plan.sea.local().wind_m_s);
     [0, 1].map(|axis| (total[axis] - resolved[axis]).max(0.0))
 }
 
-/// Half the wavelength, m, below which waves form no distinct caustics on the bed.
+/// Half of the shortest wavelength that forms distinct caustics on the sea bed, m.
 ///
-/// Refracted rays converge with the strain `reach_m` times the curvature of the surface, where `reach_m` is the depth
-/// times 1 - n_air/n_water. Once the longer waves alone have a strain variance of 0.4, the images of shorter waves
-/// overlap.
+/// Refracted sunlight is compressed on the bed by a strain of `reach_m` times the curvature of the surface, where
+/// `reach_m` is the water depth times 1 - n_air/n_water (refractive indices). Where longer waves alone cause a strain
+/// variance of 0.4, the light patterns of shorter waves overlap and blur.
 pub fn focusing_m(plan: &Plan, reach_m: f64) -> f64 {
     const STRAIN_VARIANCE: f64 = 0.4;
     let (low, high) = (plan.dispersion.wave_number(plan.support().0).max(1e-4), plan.k_max().max(2e-4));
@@ -74,7 +74,8 @@ pub fn focusing_m(plan: &Plan, reach_m: f64) -> f64 {
     PI / high
 }
 
-/// Mean of cos^2 of the angle between `axis` (unit vector x, z) and the directions of a system at one frequency.
+/// Mean of cos^2 of the angle between `axis`, a unit vector (x, z), and the wave directions of a wave system at angular
+/// frequency `omega` (rad/s), weighted by the directional spreading.
 fn mean_cos2(system: &WaveSystem, omega: f64, axis: [f64; 2]) -> f64 {
     let mean = |density: &dyn Fn([f64; 2]) -> f64| {
         let (mut sum, mut total) = (0.0, 0.0);

@@ -1,9 +1,9 @@
-//! Directional spreading D(omega, theta), per rad: its integral over the circle is 1. Theta is the angle from the
-//! system's direction of travel.
+//! Directional spreading D(omega, theta) of wave energy, per rad: its integral over all directions is 1. Theta is the
+//! angle from the main direction of travel of the wave system.
 //!
-//! D is an isotropic part plus a sum of lobes of one form, norm x sech^2(beta theta) x cos^{2s}(theta/2) x cosine
-//! factor, so the shader needs a weight and two numbers for each lobe. Swell adds s_xi = 16 tanh(omega_p/omega) xi^2 to
-//! s (Horvath 2015). For families without a cos^{2s} lobe this multiplies the lobe by cos^{2 s_xi}(theta/2).
+//! D is an isotropic part plus a sum of lobes. Every lobe has the form norm x sech^2(beta theta) x cos^{2s}(theta/2) x
+//! cosine factor, so the shader needs only a weight, beta and s for each lobe. The swell parameter xi adds
+//! s_xi = 16 tanh(omega_p/omega) xi^2 to s (Horvath 2015); lobes without a cos^{2s} factor get one with s = s_xi.
 
 use super::dispersion::Dispersion;
 use super::quadrature::panels;
@@ -11,61 +11,64 @@ use super::spectra::{FrequencySpectrum, elfouhaily_delta};
 use crate::state::params::{Sea, SpreadKind, System};
 use std::f64::consts::PI;
 
-/// Maximum number of lobes of one system: Elfouhaily's two, blended with one of another family.
+/// Largest number of lobes of one wave system: two for Elfouhaily's spreading, blended with one of another family.
 const MAX_LOBES: usize = 3;
-/// Largest exponent s. A lobe with a larger s is narrower (7 degrees) than a lattice cell at seven waves per patch.
+/// Largest exponent s of a lobe cos^{2s}(theta/2). Lobes with a larger s are narrower than about 7 degrees, which the
+/// lattice of wave vectors cannot resolve at the low edge of a band.
 const MAX_S: f64 = 150.0;
 
 /// Directional spreading of one wave system.
 #[derive(Clone, Debug)]
 pub struct Spreading {
-    /// Families and their shares of the energy; all shares and `isotropic` add to 1.
+    /// Families of directional spreading, each with its fraction of the energy; they add to 1 with `isotropic`.
     families: Vec<(SpreadKind, f64)>,
+    /// Fraction of the energy that is spread evenly over all directions.
     isotropic: f64,
-    /// Swell parameter xi, 0 to 1.
+    /// Swell parameter xi of Horvath 2015, 0 to 1, which narrows the spreading of long waves.
     swell: f64,
-    /// Peak frequency, rad/s.
+    /// Angular frequency of the spectral peak, rad/s.
     omega_p: f64,
     wind_m_s: f64,
-    /// Inverse wave age U omega_p / g.
+    /// Inverse wave age U omega_p / g for the wind speed U at 10 m height.
     inverse_age: f64,
     dispersion: Dispersion,
-    /// Panels of 15 points in each piece of the quadrature for norms without a closed form.
+    /// Number of 15-point panels in each piece of the integral that normalises a lobe without a closed form.
     pub norm_steps: u32,
 }
 
-/// Third factor of a lobe.
+/// Cosine factor of a lobe of the directional spreading.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cosine {
-    /// 1.
+    /// The constant 1: no cosine factor.
     None,
-    /// cos^2(theta).
+    /// cos^2(theta) over the whole circle: as much energy against the direction of travel as along it.
     Full,
-    /// cos^2(theta) for |theta| < pi/2, else 0.
+    /// cos^2(theta) within 90 degrees of the direction of travel, 0 beyond.
     Forward,
 }
 
-/// A lobe of the spreading at one frequency: sech^2(beta theta) x cos^{2s}(theta/2) x cosine factor.
+/// One lobe of the directional spreading at one frequency: sech^2(beta theta) x cos^{2s}(theta/2) x cosine factor,
+/// where theta is the angle from the main direction of travel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lobe {
     /// Rate beta of sech^2(beta theta), per rad.
     pub beta: f64,
     /// Exponent s of cos^{2s}(theta/2).
     pub s: f64,
-    /// Cosine factor.
+    /// Additional factor in cos(theta), if any.
     pub cosine: Cosine,
 }
 
-/// The spreading at one frequency. All shares add to 1.
+/// Directional spreading at one frequency, as an isotropic part and lobes whose fractions of the energy add to 1.
 pub struct Lobes {
-    /// Share of the energy that is isotropic.
+    /// Fraction of the energy that is spread evenly over all directions.
     pub isotropic: f64,
-    /// Share of the energy of each lobe.
+    /// Lobes, each with its fraction of the energy.
     pub lobes: Vec<(f64, Lobe)>,
 }
 
 impl Spreading {
-    /// The spreading of a system with the frequency spectrum `spectrum`.
+    /// Makes the directional spreading of a wave system from its parameters and its frequency spectrum.
     pub fn new(sea: &Sea, system: &System, spectrum: &FrequencySpectrum) -> Self {
         let omega_p = spectrum.omega_p;
         let (first, second, blend, mut isotropic) = if spectrum.has_own_direction {
@@ -94,7 +97,7 @@ impl Spreading {
         }
     }
 
-    /// The lobes at frequency `omega`, rad/s, positive. Their number, order and cosine factors do not depend on it.
+    /// Lobes at the angular frequency `omega` (rad/s, positive). Their number and cosine factors are always the same.
     pub fn lobes(&self, omega: f64) -> Lobes {
         let r = omega / self.omega_p;
         let swell_s = 16.0 * (1.0 / r).tanh() * self.swell * self.swell;
@@ -125,7 +128,7 @@ impl Spreading {
         Lobes { isotropic: self.isotropic, lobes }
     }
 
-    /// D(theta), per rad, at frequency `omega`, rad/s.
+    /// Directional spreading D, per rad, at frequency `omega` (rad/s) and angle `theta` (rad) from the main direction.
     pub fn density(&self, omega: f64, theta: f64) -> f64 {
         let at = self.lobes(omega);
         let sum: f64 =
@@ -133,12 +136,12 @@ impl Spreading {
         sum + at.isotropic / (2.0 * PI)
     }
 
-    /// First directional moment, the integral of D cos(theta) over the circle, at frequency `omega`, rad/s.
+    /// First directional moment at the angular frequency `omega` (rad/s): the integral of D cos(theta) over the circle.
     pub fn first_moment(&self, omega: f64) -> f64 {
         self.lobes(omega).lobes.iter().map(|(share, lobe)| share * lobe.first_moment(self.norm_steps)).sum()
     }
 
-    /// Frequencies (rad/s) at which a lobe's parameters have a kink or a jump.
+    /// Angular frequencies (rad/s) at which the parameters of a lobe have a kink or a jump.
     pub fn breakpoints(&self) -> Vec<f64> {
         let relative = |kind: SpreadKind| -> &[f64] {
             match kind {
@@ -151,20 +154,20 @@ impl Spreading {
     }
 }
 
-/// s = s_p r^5 below and s_p r^-2.5 above the peak, r = omega / omega_p, s_p = 11.5 (U omega_p / g)^-2.5 (Mitsuyasu et
-/// al. 1975).
+/// Exponent s of cos^{2s}(theta/2) by Mitsuyasu et al. 1975: s_p r^5 below and s_p r^-2.5 above the spectral peak, with
+/// r = omega / omega_p and s_p = 11.5 (U omega_p / g)^-2.5.
 fn mitsuyasu_s(r: f64, inverse_age: f64) -> f64 {
     let peak = 11.5 * inverse_age.max(1e-3).powf(-2.5);
     (peak * r.powf(if r <= 1.0 { 5.0 } else { -2.5 })).min(MAX_S)
 }
 
-/// s = 6.97 r^4.06 below, 9.77 r^(-2.33 - 1.45 (U omega_p / g - 1.17)) above the peak, r = omega / omega_p (Hasselmann,
-/// Dunckel and Ewing 1980).
+/// Exponent s of cos^{2s}(theta/2) by Hasselmann, Dunckel and Ewing 1980: 6.97 r^4.06 below and
+/// 9.77 r^(-2.33 - 1.45 (U omega_p / g - 1.17)) above the spectral peak, with r = omega / omega_p.
 fn hasselmann_s(r: f64, inverse_age: f64) -> f64 {
     if r <= 1.0 { 6.97 * r.powf(4.06) } else { 9.77 * r.powf(-2.33 - 1.45 * (inverse_age - 1.17)) }.min(MAX_S)
 }
 
-/// beta at r = omega / omega_p: Donelan et al. 1985 with the tail of Banner 1990.
+/// Rate beta of sech^2(beta theta), per rad, at r = omega / omega_p: Donelan et al. 1985, and Banner 1990 above 1.6.
 fn donelan_banner_beta(r: f64) -> f64 {
     if r < 0.95 {
         2.61 * r.powf(1.3)
@@ -176,7 +179,7 @@ fn donelan_banner_beta(r: f64) -> f64 {
 }
 
 impl Lobe {
-    /// The lobe at theta, -pi to pi rad, before normalisation.
+    /// Value of the lobe at the angle `theta` (-pi to pi rad) from the direction of travel, before normalisation.
     pub fn shape(&self, theta: f64) -> f64 {
         let sech = 1.0 / (self.beta * theta).cosh();
         let cosine = match self.cosine {
@@ -187,8 +190,8 @@ impl Lobe {
         sech * sech * (0.5 + 0.5 * theta.cos()).max(0.0).powf(self.s) * cosine
     }
 
-    /// Integral of `f` times the lobe from 0 to pi, over pieces of `steps` panels each. The pieces are shorter in the
-    /// lobe and near pi, where cos^{2s} with a small s has no derivative.
+    /// Integral of `f` times the lobe from theta = 0 to pi, in up to six pieces of `steps` 15-point panels each. The
+    /// pieces are short inside the lobe and near pi, where cos^{2s}(theta/2) with a small s is not smooth.
     fn half_integral(&self, f: impl Fn(f64) -> f64, steps: u32) -> f64 {
         let width = (3.0 / (self.beta * self.beta + 0.25 * self.s).sqrt().max(1e-3)).min(0.4 * PI);
         let ends = [0.0, 0.4 * width, width, 0.5 * PI, PI - 0.1, PI - 0.005, PI];
@@ -196,12 +199,13 @@ impl Lobe {
         panels(|theta| f(theta) * self.shape(theta), pieces, steps)
     }
 
-    /// The factor that makes the integral over the circle 1: in closed form where one exists, else by quadrature.
+    /// Norm of the lobe: the factor that makes its integral over all directions 1. It is computed in closed form if
+    /// there is one, otherwise by quadrature with `steps` panels per piece.
     pub fn norm(&self, steps: u32) -> f64 {
         self.closed_norm().unwrap_or_else(|| 1.0 / (2.0 * self.half_integral(|_| 1.0, steps)))
     }
 
-    /// The norm in closed form, if one exists.
+    /// Norm of the lobe (the inverse of its integral over all directions) in closed form, if there is one.
     pub fn closed_norm(&self) -> Option<f64> {
         Some(match self.cosine {
             // beta / (2 tanh(beta pi)); its limit for beta = 0 is 1 / (2 pi).
@@ -218,7 +222,7 @@ impl Lobe {
         })
     }
 
-    /// Integral of the normalised lobe times cos(theta).
+    /// First directional moment of the lobe: the integral of the normalised lobe times cos(theta) over all directions.
     pub fn first_moment(&self, steps: u32) -> f64 {
         if self.cosine == Cosine::None && self.beta == 0.0 {
             return self.s / (self.s + 1.0);
@@ -230,8 +234,8 @@ impl Lobe {
     }
 }
 
-/// Norm of cos^{2s}(theta/2), 2^{2s-1}/pi Gamma(s+1)^2 / Gamma(2s+1), through ln Gamma: the direct form overflows, and
-/// Stirling's approximation is 8 % off at s = 0.
+/// Norm of cos^{2s}(theta/2): 2^{2s-1}/pi Gamma(s+1)^2 / Gamma(2s+1). It is computed with ln Gamma because Gamma would
+/// overflow and Stirling's approximation is 8 % off at s = 0.
 fn cosine_norm(s: f64) -> f64 {
     ((2.0 * s - 1.0) * std::f64::consts::LN_2 - PI.ln() + 2.0 * libm::lgamma(s + 1.0) - libm::lgamma(2.0 * s + 1.0))
         .exp()

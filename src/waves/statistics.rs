@@ -1,4 +1,5 @@
-//! Wave statistics without a simulation: integrals of the spectrum, and sums over the waves of the lattices.
+//! Expected wave statistics, computed without a simulation: from integrals of the spectrum ([`Theory`]) and from sums
+//! over the waves of all cascades ([`Resolved`]).
 
 use super::noise;
 use super::plan::{Cascade, Plan};
@@ -6,7 +7,7 @@ use super::quadrature::adaptive;
 use super::table::{Table, index};
 use std::f64::consts::TAU;
 
-/// Wave statistics from integrals of the spectrum by adaptive quadrature, independent of the sums in [`Plan`].
+/// Wave statistics from integrals of the spectrum by adaptive quadrature. They do not use the integrals in [`Plan`].
 ///
 /// ```
 /// use seastate::state::query;
@@ -20,11 +21,11 @@ use std::f64::consts::TAU;
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Theory {
-    /// Variance of the elevation, m^2.
+    /// Variance m0 of the elevation, m^2.
     pub m0_m2: f64,
     /// Significant wave height 4 sqrt(m0), m.
     pub hs_m: f64,
-    /// Peak period, s.
+    /// Peak period, s: period of the waves at the peak of the spectrum.
     pub tp_s: f64,
     /// Mean period 2 pi m0 / m1 of the waves that the cascades resolve, s.
     pub tm01_s: f64,
@@ -32,55 +33,55 @@ pub struct Theory {
     pub tm02_s: f64,
     /// Wavelength at the peak frequency, m.
     pub lambda_p_m: f64,
-    /// Wavelength for the mean period Tm01, m.
+    /// Wavelength of a wave with the mean period Tm01, m.
     pub lambda_mean_m: f64,
-    /// Significant steepness Hs / lambda_p.
+    /// Significant steepness: significant wave height divided by the wavelength at the peak frequency.
     pub steepness: f64,
     /// Mean square slope of the waves that the cascades resolve.
     pub mss: f64,
-    /// Upper limit of the wave numbers in `mss` and the mean periods, rad/m.
+    /// Largest wave number of the cascades, rad/m: upper limit of the integrals for `mss` and the mean periods.
     pub k_max: f64,
-    /// Mean direction that the waves come from, degrees clockwise from north; `None` without a mean direction.
+    /// Mean direction that the waves come from, degrees clockwise from north; `None` if no direction dominates.
     pub mean_from_deg: Option<f64>,
-    /// Energy-weighted directional spread sqrt(2 (1 - r1)), degrees.
+    /// Directional spread sqrt(2 (1 - r1)), degrees, with the energy-weighted first directional moment r1.
     pub spread_deg: f64,
-    /// Benjamin-Feir index k_p sqrt(m0) Q_p sqrt(2 pi) with Q_p = 2 / m0^2 int omega S^2 d omega (Janssen and Bidlot
-    /// 2009, deep water). Near 1, freak waves are likely in narrow-banded, long-crested seas.
+    /// Benjamin-Feir index for deep water, k_p sqrt(m0) Q_p sqrt(2 pi), with the peak wave number k_p and Goda's
+    /// peakedness Q_p = 2 / m0^2 int omega S^2 d omega (Janssen and Bidlot 2009). Near 1, freak waves become likely.
     pub benjamin_feir: f64,
-    /// Whitecap coverage of the local wind, see [`monahan_coverage`].
+    /// Fraction of the surface that whitecaps cover at the local wind speed, see [`monahan_coverage`].
     pub whitecap_fraction: f64,
 }
 
-/// Expected statistics of the waves on the lattices of a plan.
+/// Expected statistics of the waves that the cascades of a plan hold, as sums over their lattices of wave vectors.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Resolved {
-    /// Variance of the elevation, m^2.
+    /// Variance m0 of the elevation, m^2.
     pub m0_m2: f64,
-    /// Significant wave height, m.
+    /// Significant wave height 4 sqrt(m0), m.
     pub hs_m: f64,
     /// Mean period 2 pi m0 / m1, s.
     pub tm01_s: f64,
     /// Mean zero-crossing period 2 pi sqrt(m0 / m2), s.
     pub tm02_s: f64,
-    /// Mean square slope.
+    /// Mean square slope of the waves.
     pub mss: f64,
-    /// Variance as a fraction of the theoretical m0.
+    /// Elevation variance as a fraction of the m0 that the whole spectrum has.
     pub m0_fraction: f64,
-    /// First directional moment, 0 to 1: length of the energy-weighted mean of the waves' unit vectors.
+    /// First directional moment r1, 0 to 1: length of the energy-weighted mean of the unit vectors of travel.
     pub r1: f64,
-    /// Mean direction that the waves come from, degrees clockwise from north; `None` without a mean direction.
+    /// Mean direction that the waves come from, degrees clockwise from north; `None` if no direction dominates.
     pub mean_from_deg: Option<f64>,
-    /// Energy-weighted directional spread, degrees.
+    /// Directional spread sqrt(2 (1 - r1)), degrees.
     pub spread_deg: f64,
 }
 
-/// Relative tolerance of the integrals.
+/// Relative tolerance of the integrals of the spectrum.
 const TOLERANCE: f64 = 1e-7;
-/// First directional moment below which a sea has no mean direction.
+/// Smallest first directional moment r1 at which a mean wave direction is reported.
 pub const NO_DIRECTION: f64 = 0.01;
 
 impl Theory {
-    /// Integrates the spectrum of a plan.
+    /// Computes the statistics of a planned sea by integrating its total spectrum.
     pub fn new(plan: &Plan) -> Self {
         let k_max = plan.k_max();
         if plan.is_calm() {
@@ -119,7 +120,7 @@ impl Theory {
         let omega_p = peak(s, plan.omega_p);
         let k_p = dispersion.wave_number(omega_p);
         let peakedness = 2.0 / (m0 * m0) * integral(&|w| w * s(w).powi(2), low, high, 1e-6);
-        // Cascades with bands set by hand may resolve no waves.
+        // Cascades whose bands the user has set may hold no waves at all.
         let tm01_s = if m1 > 0.0 { TAU * m0_resolved / m1 } else { 0.0 };
         let hs_m = 4.0 * m0.sqrt();
         Self {
@@ -142,7 +143,7 @@ impl Theory {
 }
 
 impl Resolved {
-    /// Sums over the lattices of a plan; `theory_m0` (m^2) is the reference of `m0_fraction`.
+    /// Sums over all waves of the cascades of a plan. `theory_m0` is the variance of the whole spectrum (m^2).
     pub fn new(plan: &Plan, theory_m0: f64) -> Self {
         let mut moments = SpectralMoments::default();
         for (cascade, table) in plan.cascades.iter().zip(Table::all(plan)) {
@@ -158,24 +159,24 @@ impl Resolved {
     }
 }
 
-/// Signed indices (ix, iz) of an n x n lattice, row by row, without the Nyquist row and column.
+/// Signed indices (ix, iz) of all wave vectors of an n x n lattice, row by row, without the Nyquist row and column.
 pub fn lattice(n: u32) -> impl Iterator<Item = (i32, i32)> {
     let half = n as i32 / 2;
     (1 - half..half).flat_map(move |iz| (1 - half..half).map(move |ix| (ix, iz)))
 }
 
-/// Moments of the variance of a set of waves.
+/// Spectral moments of a set of waves, from which their [`Resolved`] statistics follow.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SpectralMoments {
-    /// m0, m1, m2: sums of variance times omega^0, omega^1, omega^2, m^2 (rad/s)^i.
+    /// Spectral moments m0, m1 and m2: sums of variance times omega^i, m^2 (rad/s)^i.
     pub m: [f64; 3],
     mss: f64,
-    /// Sum of variance times the unit vector of travel (x, z), m^2.
+    /// Sum over the waves of variance times unit vector of travel (x, z), m^2.
     pub toward: [f64; 2],
 }
 
 impl SpectralMoments {
-    /// Adds a wave with a variance (m^2), wave number (rad/m), frequency (rad/s) and unit vector of travel (x, z).
+    /// Adds a wave by its variance (m^2), wave number `k` (rad/m), frequency `omega` (rad/s) and unit vector of travel.
     pub fn add(&mut self, variance: f64, k: f64, omega: f64, unit: [f64; 2]) {
         for (power, m) in (0..).zip(&mut self.m) {
             *m += variance * omega.powi(power);
@@ -186,7 +187,7 @@ impl SpectralMoments {
         }
     }
 
-    /// Statistics of the waves; `theory_m0` (m^2) is the reference of `m0_fraction`.
+    /// Statistics of the added waves. `theory_m0` is the elevation variance of the whole spectrum (m^2).
     pub fn resolved(&self, theory_m0: f64) -> Resolved {
         let [m0, m1, m2] = self.m;
         if m0 <= 0.0 {
@@ -207,29 +208,30 @@ impl SpectralMoments {
     }
 }
 
-/// Direction that waves travelling along (x, z) come from, degrees clockwise from north in [0, 360).
+/// Direction from which waves come that travel along the vector (x, z): degrees clockwise from north in [0, 360).
 pub fn from_deg([x, z]: [f64; 2]) -> f64 {
     (-x).atan2(z).to_degrees().rem_euclid(360.0)
 }
 
-/// Whitecap coverage of a wind at 10 m, W = 3.84e-6 U^3.41 (Monahan and O'Muircheartaigh 1980), at most 1.
+/// Fraction of the sea covered by whitecaps at wind speed U, 3.84e-6 U^3.41 (Monahan and O'Muircheartaigh 1980).
 pub fn monahan_coverage(wind_m_s: f64) -> f64 {
     (3.84e-6 * wind_m_s.powf(3.41)).min(1.0)
 }
 
-/// Mean square slope of the sea surface, 0.003 + 0.00512 U (Cox and Munk 1954).
+/// Mean square slope of a clean sea surface at a wind speed U, 0.003 + 0.00512 U (Cox and Munk 1954).
 pub fn cox_munk_mss(wind_m_s: f64) -> f64 {
     0.003 + 0.00512 * wind_m_s
 }
 
-/// Initial amplitude h0(k) (re, im) of the wave (ix, iz) of a cascade for the plan's seed, m. `table` is the cascade's;
-/// the indices exclude the Nyquist row and column.
+/// Initial complex amplitude h0(k) as (re, im), m, of the wave with signed indices (ix, iz) in a cascade, for the seed
+/// of the plan. `table` must belong to the cascade. The Nyquist indices -n/2 and n/2 are not allowed.
 pub fn initial_amplitude(plan: &Plan, cascade: &Cascade, table: &Table, ix: i32, iz: i32) -> [f64; 2] {
     let deviation = table.variance(ix, iz).sqrt();
     noise::gaussian(noise::words(plan.sea.seed, cascade.key, ix, iz)).map(|x| x * deviation)
 }
 
-/// Variance at `t_s` of the sea that the plan's seed generates, m^2: the sum of |h(k, t)|^2 (Parseval's theorem).
+/// Elevation variance (m^2) at time `t_s` (s) of the one sea that the plan's seed generates, in contrast to the
+/// expected variance: the sum of |h(k, t)|^2 over all wave vectors (Parseval's theorem).
 pub fn realised_variance(plan: &Plan, t_s: f64) -> f64 {
     let phase_time = plan.phase_time(t_s);
     let mut total = 0.0;
@@ -252,12 +254,12 @@ pub fn realised_variance(plan: &Plan, t_s: f64) -> f64 {
     total
 }
 
-/// Directional spread sqrt(2 (1 - r1)) for a first directional moment, degrees.
+/// Directional spread sqrt(2 (1 - r1)), degrees, for the first directional moment `r1`.
 pub fn spread_deg(r1: f64) -> f64 {
     (2.0 * (1.0 - r1).max(0.0)).sqrt().to_degrees()
 }
 
-/// Frequency at which `s` is largest, rad/s: a scan from 0.9 to 1.125 times `near`, then a golden-section search.
+/// Angular frequency (rad/s) at which the spectrum `s` is largest, searched from 0.9 to 1.125 times `near`.
 fn peak(s: impl Fn(f64) -> f64, near: f64) -> f64 {
     let scan = |i: i32| near * 0.9 * 1.25f64.powf(f64::from(i) / 400.0);
     let best = (0..=400).max_by(|&a, &b| s(scan(a)).total_cmp(&s(scan(b)))).unwrap_or(0);

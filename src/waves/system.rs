@@ -1,59 +1,59 @@
-//! A wave system of a plan: frequency spectrum and directional distribution.
+//! A wave system, such as the local wind sea or the swell, with its frequency spectrum and directional distribution.
 
 use super::spectra::{self, FrequencySpectrum};
 use super::spreading::{Cosine, Lobes, Spreading};
 use crate::files::measured::Mem;
 use crate::state::params::{Sea, System};
 
-/// One wave system of a plan.
+/// One wave system of a planned sea, such as the local wind sea or the swell.
 #[derive(Clone, Debug)]
 pub struct WaveSystem {
-    /// Frequency spectrum with all scales applied.
+    /// Frequency spectrum, scaled to the wave height that the parameters ask for.
     pub spectrum: FrequencySpectrum,
-    /// Directional spreading; unused if the directions are measured.
+    /// Directional spreading; unused if a buoy has measured the directions.
     pub spreading: Spreading,
-    /// Unit vector (x, z) towards which the waves travel.
+    /// Unit vector (x, z) of the main direction in which the waves travel.
     pub travel: [f64; 2],
 }
 
-/// Directional distribution of a system at one frequency.
+/// Directional distribution of the energy of a wave system at one frequency.
 pub enum Directions {
-    /// Lobes around the direction of travel.
+    /// Spreading model: lobes around the main direction of travel.
     Lobes(Lobes),
-    /// Maximum entropy distribution of a buoy's directional moments, in world axes.
+    /// Measured directions: the maximum entropy distribution for a buoy's directional moments, in world axes (x, z).
     Measured(Mem),
 }
 
-/// Form of one term of the directional spectrum. The spectrum of a sea is a sum of terms; for each wave a term stores
-/// one or two vectors of four numbers, which the spectrum pass evaluates.
+/// Kind of one term of the directional spectrum, which is a sum of terms. For each wave number a term stores one or two
+/// vectors of four numbers, which the spectrum shader evaluates in the direction of each wave.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TermKind {
-    /// One lobe of the spreading: (variance x norm, beta, s, isotropic variance per rad).
+    /// One lobe of the directional spreading, stored as (variance x norm, beta, s, isotropic variance per rad).
     Lobe(Cosine),
-    /// A measured distribution: (variance x norm, Re phi1, Im phi1, Re phi2), (Im phi2, 0, 0, 0).
+    /// A measured distribution [`Mem`], stored as (variance x norm, Re phi1, Im phi1, Re phi2), (Im phi2, 0, 0, 0).
     Measured,
 }
 
 impl WaveSystem {
-    /// The plan's form of a system of a sea.
+    /// Makes the spectrum and the directional spreading of a wave system from its parameters.
     pub fn new(sea: &Sea, system: &System) -> Self {
         let spectrum = spectra::of_system(sea, system).scaled(sea.height * sea.height);
         let spreading = Spreading::new(sea, system, &spectrum);
         Self { spectrum, spreading, travel: travel(system.from_deg) }
     }
 
-    /// Whether the directions come from a buoy's data.
+    /// Whether the wave directions come from a buoy's data instead of a spreading model.
     pub fn has_measured_directions(&self) -> bool {
         self.spectrum.measured.as_ref().is_some_and(|m| m.directions().is_some())
     }
 
-    /// Maximum entropy distribution of the buoy's directional moments at frequency `omega`, rad/s. Its moments can
-    /// differ from the measured ones, which need not be those of any distribution.
+    /// Maximum entropy distribution for the buoy's directional moments at the angular frequency `omega` (rad/s); `None`
+    /// without a buoy. Its moments differ from the measured ones where no distribution can have the measured moments.
     fn measured(&self, omega: f64) -> Option<Mem> {
         self.spectrum.measured.as_ref()?.moments(omega).map(Mem::new)
     }
 
-    /// Directional distribution at frequency `omega`, rad/s.
+    /// Directional distribution of the energy at the angular frequency `omega` (rad/s).
     pub fn directions(&self, omega: f64) -> Directions {
         self.measured(omega).map_or_else(|| Directions::Lobes(self.spreading.lobes(omega)), Directions::Measured)
     }
@@ -66,7 +66,8 @@ impl WaveSystem {
         }
     }
 
-    /// First directional moment in world axes (x, z): the integral of D times the unit vector of travel.
+    /// First directional moment at the angular frequency `omega` (rad/s), as a vector (x, z): the integral of the
+    /// spreading D times the unit vector of travel.
     pub fn first_moment(&self, omega: f64) -> [f64; 2] {
         match self.measured(omega) {
             Some(mem) => mem.first_moment(),
@@ -77,7 +78,7 @@ impl WaveSystem {
         }
     }
 
-    /// Terms of the directional spectrum, the same at every frequency.
+    /// Kinds of the terms of which the directional spectrum is a sum. They are the same at every frequency.
     pub fn terms(&self) -> Vec<TermKind> {
         if self.has_measured_directions() {
             return vec![TermKind::Measured];
@@ -91,19 +92,19 @@ impl WaveSystem {
 }
 
 impl TermKind {
-    /// Number of vectors of four numbers that the term takes per wave.
+    /// Number of vectors of four numbers that a term of this kind stores for each wave number.
     pub fn size(self) -> usize {
         if self == Self::Measured { 2 } else { 1 }
     }
 }
 
-/// Unit vector (x, z) of travel of waves that come from a compass bearing, degrees clockwise from north.
+/// Unit vector (x, z) along which waves from the compass bearing `from_deg` (degrees clockwise from north) travel.
 pub fn travel(from_deg: f64) -> [f64; 2] {
     let from = from_deg.to_radians();
     [-from.sin(), from.cos()]
 }
 
-/// Angle between a wave vector `k` and a direction of travel, 0 to pi rad.
+/// Angle between the wave vector `k` and the direction of travel `travel` (both x, z), 0 to pi rad.
 pub fn angle(travel: [f64; 2], k: [f64; 2]) -> f64 {
     let dot = travel[0] * k[0] + travel[1] * k[1];
     let cross = travel[0] * k[1] - travel[1] * k[0];

@@ -1,8 +1,8 @@
-//! Tables over |k| for the spectrum pass: frequencies, variances and spreading parameters, computed in f64 because f32
-//! on a GPU is not accurate enough.
+//! Tables over the wave number |k| that the spectrum shader reads: frequencies, variances and spreading parameters.
+//! They are computed on the CPU in f64 because f32 on a GPU is not accurate enough.
 //!
-//! A square lattice is symmetric under both reflections and the exchange of its axes. So the triangle 0 <= b <= a <=
-//! n/2 covers it; the wave (a, b) is entry a (a + 1) / 2 + b. One entry serves up to eight waves without interpolation.
+//! Up to eight wave vectors of a square lattice have the same |k| by symmetry: (+-a, +-b) and (+-b, +-a). So a table
+//! needs entries only for 0 <= b <= a <= n/2; the wave vector (a, b) has the entry a (a + 1) / 2 + b.
 
 use super::lattice::Wave;
 use super::plan::{Cascade, Plan};
@@ -11,18 +11,18 @@ use super::system::{Directions, TermKind, WaveSystem, angle};
 use crate::files::measured::Mem;
 use std::f64::consts::PI;
 
-/// One term of the directional spectrum of a plan. The spectrum of a wave is the sum of all terms.
+/// One term of the directional spectrum of a sea. The variance of a wave is the sum over all terms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Term {
-    /// Form of the term, which gives the meaning of its values.
+    /// Kind of the term, which defines the meaning of its values in the table.
     pub kind: TermKind,
-    /// Unit vector (x, z) of the direction of travel from which angles are measured.
+    /// Main direction of travel of the wave system, a unit vector (x, z), from which the term's angles are measured.
     pub travel: [f64; 2],
-    /// Index of the term's first vector of values in an entry.
+    /// Index of the term's first vector among the vectors of values of a table entry.
     pub slot: usize,
 }
 
-/// The terms of a plan's spectrum, and the number of value vectors per entry, at least 1.
+/// Terms of the directional spectrum of a plan, and the number of vectors of values in each table entry, at least 1.
 pub fn terms(plan: &Plan) -> (Vec<Term>, usize) {
     let (mut terms, mut slot) = (Vec::new(), 0);
     for system in &plan.systems {
@@ -34,27 +34,27 @@ pub fn terms(plan: &Plan) -> (Vec<Term>, usize) {
     (terms, slot.max(1))
 }
 
-/// The table of one cascade.
+/// Precomputed spectrum of one cascade: one entry for each wave number of its lattice.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// Terms of the spectrum.
+    /// Terms of which the directional spectrum is a sum.
     pub terms: Vec<Term>,
-    /// Number of value vectors per entry.
+    /// Number of vectors of values in each table entry.
     pub stride: usize,
-    /// Wave of each entry; k is 0 outside the band.
+    /// Wave number and frequency of each table entry; the wave number is 0 outside the cascade's band.
     pub waves: Vec<Wave>,
-    /// Values of the terms ([`TermKind`]), `stride` vectors per entry. The variance, m^2, is that of each component of
-    /// h0, S dkx dkz / 4, times the norm of the lobe but without its shape.
+    /// Values of the terms in the layout of [`TermKind`], `stride` vectors for each table entry. Variances (m^2) are
+    /// those of the real and of the imaginary part of the amplitude h0: S dkx dkz / 4 without the directional factor.
     pub values: Vec<[f64; 4]>,
 }
 
-/// Number of entries for a lattice of `n` points a side.
+/// Number of entries of a table for a lattice of n x n wave vectors.
 pub fn len(n: u32) -> usize {
     let half = n as usize / 2;
     (half + 1) * (half + 2) / 2
 }
 
-/// Entry of the wave with signed lattice indices (ix, iz), each from -n/2 to n/2.
+/// Index of the table entry for the wave vector with signed lattice indices (ix, iz), each from -n/2 to n/2.
 pub fn index(ix: i32, iz: i32) -> usize {
     let [x, z] = [ix, iz].map(|i| i.unsigned_abs() as usize);
     let (a, b) = (x.max(z), x.min(z));
@@ -62,13 +62,13 @@ pub fn index(ix: i32, iz: i32) -> usize {
 }
 
 impl Table {
-    /// Tabulates all cascades of a plan.
+    /// Computes the tables of all cascades of a plan.
     pub fn all(plan: &Plan) -> Vec<Self> {
         let norms: Vec<Norms> = plan.systems.iter().map(Norms::new).collect();
         plan.cascades.iter().map(|c| Self::with_norms(plan, c, &norms)).collect()
     }
 
-    /// Tabulates one cascade.
+    /// Computes the table of one cascade of a plan.
     pub fn new(plan: &Plan, cascade: &Cascade) -> Self {
         Self::with_norms(plan, cascade, &plan.systems.iter().map(Norms::new).collect::<Vec<_>>())
     }
@@ -100,7 +100,8 @@ impl Table {
         out
     }
 
-    /// Variance of each component of h0 for the wave (ix, iz), m^2. The spectrum pass computes the same number.
+    /// Variance (m^2) of the real and of the imaginary part of the initial amplitude h0 of the wave with signed indices
+    /// (ix, iz). The spectrum shader computes the same number.
     pub fn variance(&self, ix: i32, iz: i32) -> f64 {
         let entry = index(ix, iz);
         if self.waves[entry].k == 0.0 {
@@ -122,7 +123,8 @@ impl Table {
     }
 }
 
-/// Appends the values of one system at one frequency. `variance` is S dkx dkz / 4 per radian, m^2.
+/// Appends the values of one wave system at the angular frequency `omega` (rad/s) to the table values `out`. `variance`
+/// is S dkx dkz / 4 per radian of direction, m^2.
 fn push(out: &mut Vec<[f64; 4]>, system: &WaveSystem, norms: &Norms, variance: f64, omega: f64) {
     match system.directions(omega) {
         Directions::Measured(mem) => {
@@ -142,15 +144,15 @@ fn push(out: &mut Vec<[f64; 4]>, system: &WaveSystem, norms: &Norms, variance: f
     }
 }
 
-/// Norms of a system's lobes. Lobes without a closed form are tabulated over ln(omega) in pieces that end at the kinks
-/// of the spreading: quadrature for every entry would be too slow while a slider moves.
+/// Normalising factors of the lobes of a wave system. Where they have no closed form they are interpolated from nodes
+/// in ln(omega), because quadrature for every table entry would be too slow while the user moves a slider.
 struct Norms {
     steps: u32,
-    /// Pieces of each lobe; `None` for a closed form.
+    /// Interpolation tables of each lobe, one for each smooth interval of frequency; `None` for a norm in closed form.
     lobes: Vec<Option<Vec<Piece>>>,
 }
 
-/// Values of ln(norm) at `NODES` + 1 equidistant values of ln(omega).
+/// Interpolation table of a lobe's norm over a frequency interval: ln(norm) at `NODES` + 1 equidistant ln(omega).
 struct Piece {
     ln_low: f64,
     step: f64,

@@ -1,6 +1,7 @@
-//! Drawing a patch without visible repetition: the surface is a blend of shifted copies of each patch (after Heitz and
+//! Tiling without visible repetition: the sea surface is a blend of shifted copies of each patch (after Heitz and
 //! Neyret, "High-Performance By-Example Noise using a Histogram-Preserving Blending Operator", 2018; a Gaussian surface
-//! needs no histogram). The GPU twin is shaders/common/tiles.wgsl; foam and the heights on the CPU use the same blend.
+//! needs no histogram). shaders/common/tiles.wgsl does the same on the GPU. Foam and the heights on the CPU use the
+//! same blend.
 //!
 //! The plane of undisplaced points is divided into equilateral triangles with sides as long as the patch; the triangle
 //! lattice of each patch has another rotation. Each vertex has a copy f(x + shift) of the patch's fields; a hash of the
@@ -11,46 +12,47 @@
 //! ```
 //!
 //! with the barycentric coordinates b. Copies are uncorrelated and the sum of W^2 is 1, so the blend is Gaussian with
-//! the variances of the patch. 45 % of the plane sees one copy, 41 % two; the mean is 1.69. Points one patch apart have
-//! 5 % of their shifts in common, points 1.3 patches and more apart none.
+//! the variances of the patch. One copy is visible on 45 % of the plane, two on 41 %; the mean is 1.69. Points one
+//! patch apart have a correlation of 5 % through common copies, points 1.3 patches apart or more none.
 //!
-//! - **Derivatives** are those of the blended surface. They include the gradients of the weights, 5.3 / patch (rms),
-//!   times heights and displacements. That is 11 % of the slope of the longest waves of a band, 7.5 to a patch, and
-//!   falls with the wavelength: 1 % of their slope variance, and far less of a whole sea's.
-//! - **Shifts** are multiples of 1/64 of the patch, which are whole texels for every n. So all copies share the weights
-//!   of an interpolation, a blend at a texel is exact, and n does not change the sea.
+//! - **Derivatives** are those of the blended surface. They include the gradients of the weights (rms 5.3 divided by
+//!   the patch size) times heights and displacements. For the longest waves of a band, of which 7.5 fit across the
+//!   patch, these terms are 11 % of the slope, or 1 % of the slope variance. They are smaller for shorter waves.
+//! - **Shifts** are multiples of 1/64 of the patch, which are whole texels for every FFT size. So all copies have the
+//!   same interpolation weights, a blend at a texel needs no interpolation, and the FFT size does not change the sea.
 
 use super::noise::pcg4d;
 
-/// Barycentric coordinate above which a copy is visible.
+/// Barycentric coordinate of a point in its triangle above which the copy of that vertex has a weight above 0.
 const EDGE: f64 = 0.25;
-/// Mean number of copies that a point sees.
+/// Mean number of patch copies that are blended at a point of the plane.
 pub const MEAN_COPIES: f64 = 1.69;
-/// Shifts are multiples of 1 / STEPS of the patch; STEPS = 2^(32 - 26).
+/// Number of possible shifts of a copy along each axis: a shift is a multiple of 1 / STEPS of the patch size.
 const STEPS: f64 = 64.0;
-/// Makes the shifts independent of the random numbers of the waves.
+/// Hash input that makes the random shifts of copies independent of the random numbers of the waves.
 const SALT: u32 = 0x7469_6c65;
-/// Rotation of the triangle lattice from one key to the next, the golden angle, rad: no two lattices align.
+/// Rotation of the triangle lattice per unit of the cascade's key, rad: the golden angle, so no two lattices align.
 const TURN: f64 = 2.399_963_229_728_653;
+/// 1 / sqrt(3), for the geometry of equilateral triangles.
 const INV_SQRT_3: f64 = 0.577_350_269_189_625_8;
 
-/// The triangle lattice with which one patch covers the plane.
+/// Tiling of the plane with one patch: a lattice of triangles, with a shifted copy of the patch at each vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tiling {
     /// Side of the patch, m.
     pub patch_m: f64,
-    /// Cosine and sine of the lattice's rotation, divided by the side of its triangles, 1/m.
+    /// Cosine and sine of the triangle lattice's rotation, divided by the side of the triangles, 1/m.
     pub turn: [f64; 2],
-    /// Key of the hash that gives the shifts.
+    /// Key of the hash that gives the random shift of each copy.
     pub key: u32,
-    /// Whether copies are blended; if false, the patch repeats.
+    /// Whether shifted copies are blended; if false, the patch simply repeats.
     pub on: bool,
 }
 
-/// The triangle lattice relative to one point, as a shader needs it near that point.
+/// Position of a point in the triangle lattice of a [`Tiling`]. A shader starts from it to find copies near that point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// The lattice.
+    /// Tiling to which the position belongs.
     pub tiling: Tiling,
     /// Fractional part of the point's lattice coordinates, 0 to 1.
     pub rest: [f64; 2],
@@ -58,33 +60,34 @@ pub struct Place {
     pub cell: [i32; 2],
 }
 
-/// A shifted copy of a patch as one point sees it.
+/// One of the shifted copies of a patch that are blended at a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PatchCopy {
-    /// Weight W, 0 to 1; 0 for an invisible copy.
+    /// Weight W of the copy in the blend, 0 to 1.
     pub weight: f64,
-    /// dW/dx and dW/dz, 1/m.
+    /// Gradient (dW/dx, dW/dz) of the copy's weight W, 1/m.
     pub gradient: [f64; 2],
-    /// Lattice coordinates of the copy's vertex.
+    /// Integer lattice coordinates of the vertex to which the copy belongs.
     pub cell: [i32; 2],
-    /// Shift along x and z, as a fraction of the patch.
+    /// Shift of the copy along x and z, as a fraction of the patch size, 0 to 1.
     pub shift: [f64; 2],
 }
 
 impl Tiling {
-    /// The tiling of a patch whose random numbers have `key` and `seed`. If `on` is false, the patch repeats.
+    /// Makes the tiling of a patch with the side `patch_m` (m). `key` and `seed` select the random shifts of its
+    /// copies. If `on` is false, the patch repeats.
     pub fn new(patch_m: f64, key: u32, seed: u32, on: bool) -> Self {
         let (sin, cos) = (TURN * f64::from(key)).sin_cos();
         Self { patch_m, turn: [cos / patch_m, sin / patch_m], key: pcg4d([key, seed, SALT, 0])[0], on }
     }
 
-    /// An independent tiling for the patch shrunk by the factor `ratio`.
+    /// Tiling with other random shifts for the same patch made smaller by the factor `ratio`.
     #[must_use]
     pub fn shrunk(&self, ratio: f64) -> Self {
         Self { on: self.on, ..Self::new(self.patch_m / ratio, self.key, SALT, true) }
     }
 
-    /// The lattice relative to an undisplaced point (x, z), m.
+    /// Position of the point `at` (x, z), m, before displacement by the waves, in the triangle lattice.
     pub fn place(&self, at: [f64; 2]) -> Place {
         let [u, v] = self.axes();
         let q = [u, v].map(|axis| axis[0] * at[0] + axis[1] * at[1]);
@@ -97,7 +100,7 @@ impl Tiling {
         }
     }
 
-    /// The copies that an undisplaced point (x, z), m, sees.
+    /// Copies that are blended at the point `at` (x, z), m, before displacement by the waves. Some can have weight 0.
     pub fn blend(&self, at: [f64; 2]) -> [PatchCopy; 3] {
         let mut out = [[0, 0], [1, 0], [0, 1]].map(|cell| PatchCopy { cell, ..PatchCopy::default() });
         if !self.on {
@@ -106,15 +109,14 @@ impl Tiling {
         }
         let Place { rest, cell, .. } = self.place(at);
         let [u, v] = self.axes();
-        // A cell has two triangles. The lower one is measured from its first vertex, the upper one from the opposite
-        // vertex.
+        // A cell has two triangles. Coordinates in the upper triangle are measured from the cell's last vertex.
         let upper = rest[0] + rest[1] > 1.0;
         let (sign, [fu, fv]) = if upper { (-1.0, rest.map(|f| 1.0 - f)) } else { (1.0, rest) };
         let b = [1.0 - fu - fv, fu, fv];
         let slopes = [[-u[0] - v[0], -u[1] - v[1]], u, v].map(|s| s.map(|s| sign * s));
         let raw = b.map(|b| (b - EDGE).max(0.0));
         let norm = 1.0 / raw.iter().map(|r| r.powi(4)).sum::<f64>().sqrt();
-        // Sum of w dw, divided by the sum of w^2, for the derivative of the norm.
+        // Sum of w dw divided by the sum of w^2: relative change of the norm along each axis.
         let pull = [0, 1].map(|axis| (0..3).map(|i| 2.0 * raw[i].powi(3) * slopes[i][axis]).sum::<f64>() * norm * norm);
         for (i, copy) in out.iter_mut().enumerate() {
             let corner = copy.cell;
@@ -127,7 +129,7 @@ impl Tiling {
         out
     }
 
-    /// Gradients of the two lattice coordinates, 1/m.
+    /// Gradients (d/dx, d/dz) of the two coordinates of the triangle lattice, 1/m.
     fn axes(&self) -> [[f64; 2]; 2] {
         let [cos, sin] = self.turn;
         [[cos + INV_SQRT_3 * sin, sin - INV_SQRT_3 * cos], [-2.0 * INV_SQRT_3 * sin, 2.0 * INV_SQRT_3 * cos]]
@@ -142,7 +144,7 @@ mod tests {
         Tiling::new(100.0, 70, 1, true)
     }
 
-    /// Pseudo-random points over many cells.
+    /// Pseudo-random points (x, z), m, spread over many cells of the triangle lattice.
     fn points(count: u32) -> impl Iterator<Item = [f64; 2]> {
         (0..count).map(|i| {
             let h = pcg4d([i, 5, 6, 7]);

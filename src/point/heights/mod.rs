@@ -1,8 +1,7 @@
-//! Height of the sea at a point, on the CPU and without a read-back: for boats, buoys, cameras and sound.
+//! Height of the sea at a point, computed on the CPU without a read-back from the GPU: for boats, buoys and cameras.
 //!
-//! The seed of a plan generates some ten thousand travelling waves. [`Heights`] keeps the strongest of these waves,
-//! which are the ones that the GPU draws, and sums them at a point. A thousand waves carry nine tenths of the variance,
-//! five thousand 99 %.
+//! The seed of a plan generates more than ten thousand travelling waves, which the GPU draws. [`Heights`] sums only the
+//! strongest of these waves at a point. A thousand waves carry nine tenths of the variance, five thousand 99 %.
 //!
 //! - **Coordinates**: right-handed, +x east, +y up, -z north, metres and seconds. Heights include the still-water level
 //!   (`level_m`).
@@ -32,7 +31,7 @@ mod search;
 mod tests;
 mod waves;
 
-/// The strongest waves of a sea.
+/// The strongest waves of a sea, from which heights and other properties of the surface are computed at single points.
 ///
 /// ```
 /// use seastate::point::Heights;
@@ -59,35 +58,35 @@ pub struct Heights {
     root: [f64; 2],
     level_m: f64,
     period_s: f64,
-    /// Longest Newton step of the search, in units of offset / `root`, m.
+    /// Longest Newton step of the search for a particle, in m after division by the square root of the chop (`root`).
     longest_step_m: f64,
     kept_m2: f64,
     left_out_m2: f64,
     left_out_mss: f64,
 }
 
-/// The sea surface at a point.
+/// State of the sea surface at a point: height, normal, velocity and position of the water particle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceSample {
-    /// Height of the surface in the world, m.
+    /// Height (y) of the surface, m.
     pub height_m: f64,
     /// Unit normal (x, y, z) of the drawn surface. It points up, except inside a fold (negative `jacobian`).
     pub normal: [f64; 3],
     /// Orbital velocity (x, y, z) of the water particle at the surface in linear theory, m/s: (dDx/dt, d eta/dt,
     /// dDz/dt), with coth(k h) in D. The chop factor does not scale it.
     pub velocity_m_s: [f64; 3],
-    /// Undisplaced position x0 (x, z) of the water particle, m.
+    /// Position (x, z) of the water particle before displacement by the waves, m.
     pub undisplaced_xz: [f64; 2],
-    /// Displaced position (x, z) of the water particle, m: the requested point if `converged`.
+    /// Position (x, z) of the water particle after displacement by the waves, m; the requested point if `converged`.
     pub world_xz: [f64; 2],
-    /// Jacobian of the displacement: below 1 at crests, negative inside a fold.
+    /// Jacobian of the horizontal displacement: 1 in undeformed water, below 1 at crests, negative inside a fold.
     pub jacobian: f64,
     /// Whether `world_xz` is within 1e-8 m of the requested point.
     pub converged: bool,
 }
 
 impl Heights {
-    /// Keeps the `modes` strongest waves of all cascades, or all waves if there are fewer.
+    /// Selects the strongest waves of a planned sea, at most `modes` of them.
     pub fn new(plan: &Plan, modes: usize) -> Self {
         let mut waves = candidates(plan);
         let count = modes.min(waves.len());
@@ -97,8 +96,8 @@ impl Heights {
         Self::from_waves(plan, waves, count)
     }
 
-    /// Keeps as few of the strongest waves as possible with `residual_rms_m` at most `rms_m` (m); all waves if `rms_m`
-    /// is 0, negative or NaN.
+    /// Selects the strongest waves of a planned sea, as few as keep the rms height of the omitted waves at or below
+    /// `rms_m` (m). If `rms_m` is 0, negative or NaN, all waves are selected.
     pub fn for_error(plan: &Plan, rms_m: f64) -> Self {
         let mut waves = candidates(plan);
         waves.sort_unstable_by(Candidate::order);
@@ -112,7 +111,7 @@ impl Heights {
         Self::from_waves(plan, waves, count)
     }
 
-    /// Keeps the first `count` of the waves.
+    /// Keeps the first `count` of `waves` and counts the others as omitted.
     fn from_waves(plan: &Plan, mut waves: Vec<Candidate>, count: usize) -> Self {
         let left_out = waves.split_off(count);
         waves.sort_unstable_by(Candidate::order);
@@ -140,33 +139,33 @@ impl Heights {
         }
     }
 
-    /// Number of waves.
+    /// Number of selected waves.
     pub fn modes(&self) -> usize {
         self.modes
     }
 
-    /// Rms height of the omitted waves over the plane and time, m.
+    /// Rms height of the omitted waves, m: the rms error of the heights.
     pub fn residual_rms_m(&self) -> f64 {
         self.left_out_m2.sqrt()
     }
 
-    /// Rms slope (length of the height's gradient) of the omitted waves.
+    /// Rms slope of the omitted waves: the rms length of the height gradient that is missing.
     pub fn residual_slope_rms(&self) -> f64 {
         self.left_out_mss.sqrt()
     }
 
-    /// Fraction of the variance of the plan's waves that is kept; 1 for a calm.
+    /// Fraction of the elevation variance that the selected waves carry, 0 to 1; 1 for a sea without waves.
     pub fn variance_fraction(&self) -> f64 {
         let all = self.kept_m2 + self.left_out_m2;
         if all > 0.0 { self.kept_m2 / all } else { 1.0 }
     }
 
-    /// The surface at the point (`x_m`, `z_m`) of the world at time `t_s`.
+    /// Samples the surface at the point (`x_m`, `z_m`) of the world, m, at time `t_s`, s.
     ///
-    /// Where the surface is folded, several water particles lie at one point. The sample is an upright one, always the
-    /// same for the same arguments, but not continuous in them. If the search fails, `converged` is false and the
-    /// sample describes a particle near the point, at `world_xz`. For an infinite or NaN argument the sample is still
-    /// water and `converged` is false. All numbers are finite in every case.
+    /// Where the surface is folded, several water particles lie at one point. The sample describes one where the
+    /// surface is not overturned. It depends only on the arguments, but can jump from one point to the next. If the
+    /// search fails, `converged` is false and the sample describes a particle near the point, at `world_xz`. Infinite
+    /// or NaN arguments give still water, with `converged` false. All numbers of a sample are finite in every case.
     pub fn sample(&self, x_m: f64, z_m: f64, t_s: f64) -> SurfaceSample {
         if ![x_m, z_m, t_s].iter().all(|v| v.is_finite()) {
             return self.still_water();
@@ -176,13 +175,13 @@ impl Heights {
         self.describe([x_m, z_m], offset, &sums, converged)
     }
 
-    /// The samples at many points (x, z) of the world at one time.
+    /// Samples the surface at many points (x, z) of the world, m, at time `t_s`, s.
     pub fn sample_many(&self, points: &[[f64; 2]], t_s: f64) -> Vec<SurfaceSample> {
         points.iter().map(|&[x_m, z_m]| self.sample(x_m, z_m, t_s)).collect()
     }
 
-    /// The water particle with the undisplaced position (`x0_m`, `z0_m`) at time `t_s`, at the cost of one evaluation.
-    /// Infinite and NaN arguments give still water, as for [`Self::sample`].
+    /// Describes the water particle that has the position (`x0_m`, `z0_m`), m, before displacement, at time `t_s`, s.
+    /// It needs no search, only one evaluation of the waves. Infinite and NaN arguments give still water.
     pub fn undisplaced(&self, x0_m: f64, z0_m: f64, t_s: f64) -> SurfaceSample {
         if ![x0_m, z0_m, t_s].iter().all(|v| v.is_finite()) {
             return self.still_water();
@@ -196,14 +195,14 @@ impl Heights {
         self.describe([0.0; 2], [0.0; 2], &WaveSums::default(), false)
     }
 
-    /// The sample for the undisplaced position `point - offset`.
+    /// Makes the sample of the particle at the undisplaced position `point - offset` from its wave sums.
     fn describe(&self, point: [f64; 2], offset: [f64; 2], sums: &WaveSums, converged: bool) -> SurfaceSample {
         let [lx, lz] = self.root.map(|r| r * r);
         let [xx, zz, cross] = sums.strain;
         let [tile_xx, tile_zz, tile_xz, tile_zx] = sums.tile_strain;
         let [xx, zz, xz, zx] = [xx + tile_xx, zz + tile_zz, cross + tile_xz, cross + tile_zx];
         let [sx, sz] = [0, 1].map(|axis| sums.slope[axis] + sums.tile_slope[axis]);
-        // docs/sea.md, "Synthesis".
+        // Jacobian and normal by docs/sea.md, "Synthesis".
         let jacobian = (1.0 + lx * xx) * (1.0 + lz * zz) - lx * lz * xz * zx;
         let normal = [-(sx * (1.0 + lz * zz) - sz * lz * zx), jacobian, -(sz * (1.0 + lx * xx) - sx * lx * xz)];
         let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
@@ -212,7 +211,7 @@ impl Heights {
             normal: if length > 0.0 { normal.map(|c| c / length) } else { [0.0, 1.0, 0.0] },
             velocity_m_s: sums.velocity,
             undisplaced_xz: [point[0] - offset[0], point[1] - offset[1]],
-            // Offset and displacement nearly cancel: their difference first keeps the digits of a point far away.
+            // Offset and displacement nearly cancel. Taking their difference first keeps the digits of far points.
             world_xz: [point[0] + (lx * sums.d[0] - offset[0]), point[1] + (lz * sums.d[1] - offset[1])],
             jacobian,
             converged,

@@ -1,33 +1,33 @@
-//! Search for the water particle at a point of the world: the inverse of the horizontal displacement.
+//! Search for the water particle that the waves have displaced to a given point (inverse of the displacement).
 
 use super::Heights;
 use super::waves::{Blends, CopySums, WaveSums};
 use crate::state::params::MAX_CASCADES;
 use crate::waves::tiling::PatchCopy;
 
-/// Distance from the requested point at which the search ends, m.
+/// Distance between displaced particle and requested point at which the search ends, m.
 const TOLERANCE_M: f64 = 1e-8;
-/// Evaluations before the search fails. At chop 1 it takes three to five.
+/// Largest number of evaluations of the wave sums in one search. At chop 1 a search takes three to five.
 const MAX_EVALUATIONS: usize = 64;
-/// Lower limit of the second derivatives of the potential that the search minimises. It keeps a Newton step finite at
-/// the edge of a fold.
+/// Smallest second derivative (curvature) that a Newton step of the search assumes. It keeps the step finite at the
+/// edge of a folded crest, where the curvature is 0.
 const MIN_CURVATURE: f64 = 1e-3;
-/// Armijo rule: smallest decrease of the potential in a step, as a fraction of the decrease predicted by its gradient.
+/// Armijo rule: smallest decrease of the function in a step, as a fraction of the decrease that the gradient predicts.
 const ARMIJO: f64 = 1e-4;
-/// Residual below which rounding hides the potential's decrease and the residual must decrease instead, m.
+/// Distance from the requested point, m, below which a step may also be accepted for halving the gradient.
 const NEAR_M: f64 = 1e-3;
 
 impl Heights {
-    /// Finds the offset d = lambda D(x - d) at the point x. Returns d, the sums there, and whether it converged.
+    /// Finds the offset d = lambda D(x - d) of the water particle that lies at the point x, with the chop factor lambda
+    /// and the displacement D. Returns d, the wave sums at x - d, and whether the search converged.
     ///
-    /// D is the gradient of a potential, so with d = sqrt(lambda) e the solutions are the stationary points of
-    /// |e|^2 / 2 + potential(x - sqrt(lambda) e): its gradient is the residual, and the determinant of its Hessian is the
-    /// Jacobian. The function grows without bound, so it has a minimum even in a folded sea, and at a minimum the water
-    /// is upright. Newton steps find a minimum; curvatures inside folds are made positive, and a step is halved until
-    /// the function decreases.
+    /// D is the gradient of a potential. So with d = sqrt(lambda) e the solutions are the stationary points of the
+    /// function |e|^2 / 2 + potential(x - sqrt(lambda) e), and the determinant of its Hessian is the Jacobian. The
+    /// function grows without bound, so it has a minimum even in a folded sea, and at a minimum the surface is not
+    /// overturned. Newton steps with positive curvatures find a minimum; a step is halved until the function decreases.
     ///
-    /// A blend of copies is a gradient only for fixed weights. Each step therefore uses the weights of its starting
-    /// point, and the weights are updated after the step. Over a displacement they change by a few thousandths.
+    /// A blend of patch copies is a gradient only for fixed weights. So each step uses the weights at its start, and
+    /// the weights are updated after the step. Over the length of a displacement they change by a few thousandths.
     pub(super) fn invert(&self, point: [f64; 2], time: u32) -> ([f64; 2], WaveSums, bool) {
         let root = self.root;
         let offset = |e: [f64; 2]| [root[0] * e[0], root[1] * e[1]];
@@ -67,7 +67,8 @@ impl Heights {
         (offset(e), at, error[0].hypot(error[1]) <= TOLERANCE_M)
     }
 
-    /// Newton step for a gradient `g` and a strain (dDx/dx, dDz/dz, dDx/dz), with absolute values of the curvatures.
+    /// Newton step of the search for the gradient `g` and the strain (dDx/dx, dDz/dz, dDx/dz). Negative eigenvalues of
+    /// the Hessian are replaced by their absolute values, and the step is at most `longest_step_m` long.
     pub(super) fn step(&self, g: [f64; 2], [xx, zz, xz]: [f64; 3]) -> [f64; 2] {
         let [rx, rz] = self.root;
         // The Hessian is mean I + [half, cross; cross, -half], with the eigenvalues mean +- radius.
@@ -82,7 +83,7 @@ impl Heights {
         if length > self.longest_step_m { step.map(|s| s * self.longest_step_m / length) } else { step }
     }
 
-    /// The copies of every patch at the undisplaced position `point - offset`.
+    /// Weighted copies of every patch that are blended at the undisplaced position `point - offset` (x, z), m.
     pub(super) fn blends(&self, point: [f64; 2], offset: [f64; 2]) -> Blends {
         let mut out = Blends::default();
         for (out, patch) in out.iter_mut().zip(&self.patches) {
@@ -91,12 +92,13 @@ impl Heights {
         out
     }
 
-    /// The wave sums at the undisplaced position `point - offset`, with the weights of `blends`.
+    /// Wave sums at the undisplaced position `point - offset` (x, z), m, with the copies and weights in `blends`.
+    /// `time` is that of [`Plan::phase_time`](crate::waves::Plan::phase_time).
     pub(super) fn sums(&self, point: [f64; 2], offset: [f64; 2], time: u32, blends: &Blends) -> WaveSums {
         self.copies(point, offset, time, blends).blended(blends).0
     }
 
-    /// The sums of each copy with a weight in `blends` or in the blend at `point - offset` itself.
+    /// Wave sums of each patch copy that has a weight in `blends` or in the blend at the position `point - offset`.
     fn copies(&self, point: [f64; 2], offset: [f64; 2], time: u32, blends: &Blends) -> CopySums {
         let own = self.blends(point, offset);
         let mut sums = [[None; 3]; MAX_CASCADES];

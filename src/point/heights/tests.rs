@@ -1,4 +1,4 @@
-//! Tests of the vectorised sines, the choice of waves and the Newton step.
+//! Tests of the heights on the CPU: vectorised sines, selection of the strongest waves, and Newton step.
 
 use super::search::dot;
 use super::waves::sin_cos_turns;

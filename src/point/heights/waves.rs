@@ -1,4 +1,4 @@
-//! The waves of a plan and their sums at a point.
+//! Selected waves of a planned sea, and the sums of their heights and displacements at a point.
 
 use crate::state::params::MAX_CASCADES;
 use crate::waves::plan::{Cascade, Plan};
@@ -9,7 +9,7 @@ use glam::DVec4;
 use std::cmp::Ordering;
 use std::f64::consts::FRAC_PI_2;
 
-/// The kept waves of one cascade.
+/// Selected waves of one cascade and the tiling of its patch.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PatchWaves {
     pub(super) side_m: f64,
@@ -22,22 +22,22 @@ pub(super) struct PatchWaves {
 /// Unused lanes have h = 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct WaveBlock {
-    /// Wave vector as whole multiples of dk.
+    /// Wave vector (ix, iz) of each lane, in units of the lattice spacing dk; whole numbers.
     ix: DVec4,
     iz: DVec4,
-    /// Real and imaginary part of h, m.
+    /// Real (`re`) and imaginary part (`im`) of the complex amplitude h of each lane, m.
     pub(super) re: DVec4,
     pub(super) im: DVec4,
-    /// coth(k h) / |(ix, iz)|: factor from h (ix, iz) to the amplitude of D.
+    /// Factor coth(k depth) / |(ix, iz)| of each lane, which turns h (ix, iz) into the amplitude of D = (Dx, Dz).
     orbit: DVec4,
     omega_rad_s: DVec4,
-    /// Frequency as a multiple of 2 pi / period.
+    /// Angular frequency of each lane as a multiple of 2 pi / period of the sea.
     turns: [u32; 4],
 }
 
-/// A wave that the seed generates.
+/// A wave that the seed of a plan generates; the strongest candidates are selected.
 pub(super) struct Candidate {
-    /// Index of the cascade.
+    /// Index of the cascade to which the wave belongs.
     pub(super) cascade: usize,
     ix: i32,
     iz: i32,
@@ -45,55 +45,55 @@ pub(super) struct Candidate {
 }
 
 impl Candidate {
-    /// Variance of the elevation 2 |h0|^2, m^2.
+    /// Elevation variance of the wave, 2 |h0|^2 with its initial amplitude h0, m^2.
     pub(super) fn variance(&self) -> f64 {
         2.0 * (self.h0[0] * self.h0[0] + self.h0[1] * self.h0[1])
     }
 
-    /// Squared lattice distance ix^2 + iz^2.
+    /// Square of the wave number in units of the lattice spacing, ix^2 + iz^2.
     pub(super) fn i2(&self) -> u32 {
         (self.ix * self.ix + self.iz * self.iz) as u32
     }
 
-    /// Strongest wave first; waves of equal strength in the order of their indices.
+    /// Ordering of waves by decreasing variance; waves of equal variance are ordered by their indices.
     pub(super) fn order(&self, other: &Self) -> Ordering {
         let place = |c: &Self| (c.cascade, c.iz, c.ix);
         other.variance().total_cmp(&self.variance()).then_with(|| place(self).cmp(&place(other)))
     }
 }
 
-/// The copies of every patch at one point.
+/// Weighted copies of every patch that are blended at one point.
 pub(super) type Blends = [[PatchCopy; 3]; MAX_CASCADES];
 
-/// Wave sums at a point for each copy of every patch; `None` where a copy was not evaluated.
+/// Wave sums at a point, separately for each copy of every patch; `None` for copies that were not evaluated.
 pub(super) struct CopySums {
     pub(super) blends: Blends,
     pub(super) sums: [[Option<WaveSums>; 3]; MAX_CASCADES],
 }
 
-/// Sums over waves at one undisplaced position; D is without the chop factor.
+/// Sums over waves at one undisplaced position. The horizontal displacement D = (Dx, Dz) is without the chop factor.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct WaveSums {
-    /// Elevation, m.
+    /// Elevation eta, m.
     pub(super) eta: f64,
-    /// d eta/dx, d eta/dz.
+    /// Slopes d eta/dx and d eta/dz.
     pub(super) slope: [f64; 2],
-    /// Dx, Dz, m.
+    /// Horizontal displacement (Dx, Dz), m.
     pub(super) d: [f64; 2],
-    /// dDx/dx, dDz/dz, dDx/dz.
+    /// Strain of the horizontal displacement: dDx/dx, dDz/dz, dDx/dz.
     pub(super) strain: [f64; 3],
-    /// dDx/dt, d eta/dt, dDz/dt, m/s.
+    /// Orbital velocity (dDx/dt, d eta/dt, dDz/dt), m/s.
     pub(super) velocity: [f64; 3],
-    /// Potential whose gradient is D, m^2.
+    /// Potential whose gradient is the horizontal displacement D, m^2.
     pub(super) potential: f64,
-    /// Terms of the slope from the gradients of the tiling weights.
+    /// Additional slope from the gradients of the weights with which patch copies are blended.
     pub(super) tile_slope: [f64; 2],
-    /// Terms of dDx/dx, dDz/dz, dDx/dz and dDz/dx from the gradients of the tiling weights.
+    /// Additional strain dDx/dx, dDz/dz, dDx/dz, dDz/dx from the gradients of the weights of the patch copies.
     pub(super) tile_strain: [f64; 4],
 }
 
 impl WaveSums {
-    /// Adds the sums of a copy with its weight.
+    /// Adds the wave sums `of` of one patch copy, multiplied by the copy's weight.
     fn add(&mut self, of: &Self, copy: &PatchCopy) {
         let (w, [wx, wz], [dx, dz]) = (copy.weight, copy.gradient, of.d);
         self.eta += w * of.eta;
@@ -112,7 +112,7 @@ fn add_scaled<const N: usize>(sum: &mut [f64; N], factor: f64, term: [f64; N]) {
 }
 
 impl CopySums {
-    /// The sum of the copies with the weights of `blends`, and whether all copies that it needs were evaluated.
+    /// Blends the copies' wave sums with the weights in `blends`. The flag is false if the sums of a copy are missing.
     pub(super) fn blended(&self, blends: &Blends) -> (WaveSums, bool) {
         let (mut all, mut complete) = (WaveSums::default(), true);
         for ((blend, known), sums) in blends.iter().zip(&self.blends).zip(&self.sums) {
@@ -148,15 +148,15 @@ impl PatchWaves {
         Self { side_m: cascade.patch_m, tiling: plan.tiling(cascade), dk: cascade.dk(), blocks }
     }
 
-    /// The sums at the position (`x`, `z`), in units of the patch's side; `time` is that of [`Plan::phase_time`].
+    /// Wave sums of a patch at (`x`, `z`), in units of the patch's side, at the time [`Plan::phase_time`].
     pub(super) fn sums(&self, x: f64, z: f64, time: u32) -> WaveSums {
-        // Per lane and without common factors: eta, its slopes, D, strain xx, zz, xz, velocity, potential.
+        // Sums per lane, without common factors: eta, its slopes, D, strain (xx, zz, xz), velocity, potential.
         let mut sums = [DVec4::ZERO; 12];
         for &WaveBlock { ix, iz, re, im, orbit, omega_rad_s, turns } in &self.blocks {
-            // Signed integers convert with vector instructions, and whole turns do not matter.
+            // Signed integers convert to f64 with vector instructions; a subtracted whole turn has no effect.
             let turned = DVec4::from_array(turns.map(|t| f64::from(t.wrapping_mul(time) as i32)));
             let (sin, cos) = sin_cos_turns(ix * x + iz * z - turned * (1.0 / 4_294_967_296.0));
-            // h e^{i (k.x - omega t)}
+            // Complex elevation h e^{i (k.x - omega t)}.
             let (h_re, h_im) = (re * cos - im * sin, re * sin + im * cos);
             let (d_re, d_im) = (orbit * h_re, orbit * h_im);
             let speed = omega_rad_s * d_re;
@@ -187,7 +187,7 @@ impl PatchWaves {
     }
 }
 
-/// All waves that the plan's seed generates.
+/// All waves with a non-zero amplitude that the seed of a plan generates.
 pub(super) fn candidates(plan: &Plan) -> Vec<Candidate> {
     let mut waves = Vec::new();
     for (i, cascade) in plan.cascades.iter().enumerate() {
@@ -200,10 +200,10 @@ pub(super) fn candidates(plan: &Plan) -> Vec<Candidate> {
     waves
 }
 
-/// Sine and cosine of 2 pi `turns`, with an error below 2e-15, for |turns| below 2^50.
+/// Sine and cosine of the angle 2 pi `turns`, with an error below 2e-15, for |turns| below 2^50.
 ///
-/// Without branches and calls, so that the compiler vectorises it: Taylor series at a quarter of the angle, followed by
-/// two doublings of the angle.
+/// It has no branches or calls, so the compiler can vectorise it: a Taylor series at a quarter of the angle is followed
+/// by two doublings of the angle.
 #[inline]
 pub(super) fn sin_cos_turns(turns: DVec4) -> (DVec4, DVec4) {
     // Adding and subtracting 1.5 x 2^52 rounds to a whole number.

@@ -1,9 +1,10 @@
-//! A fetch-limited sea with an omega^-4 range above the peak (Donelan, Hamilton and Hui 1985).
+//! Frequency spectrum of a fetch-limited sea that falls as omega^-4 above the peak (Donelan, Hamilton and Hui 1985).
 
 use super::spectrum::{FrequencySpectrum, Inputs, peak_enhancement};
 
-/// S(omega) = alpha g^2 omega^-4 omega_p^-1 exp(-(omega_p/omega)^4) gamma^Gamma. The fit covers U/c_p from 0.83 (full
-/// development) to 5 and frequencies up to about 3.5 omega_p; above, S has more slope variance than the sea.
+/// Donelan's spectrum S(omega) = alpha g^2 omega^-4 omega_p^-1 exp(-(omega_p/omega)^4) times the peak enhancement. The
+/// fit covers inverse wave ages U/c_p from 0.83 (full development) to 5 and frequencies up to about 3.5 omega_p. At
+/// higher frequencies the mean square slope of the spectrum exceeds that of a real sea.
 pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
     let (g, u) = (inputs.gravity_m_s2, inputs.wind_m_s);
     let grown = (11.6 * inputs.fetch.powf(-0.23)).clamp(0.83, 5.0);
@@ -18,7 +19,7 @@ pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
     })
 }
 
-/// Peak enhancement factor gamma and peak width sigma at inverse wave age U/c_p.
+/// Peak enhancement gamma and peak width sigma at the inverse wave age U/c_p (wind speed over phase speed at the peak).
 pub fn peak_form(inverse_age: f64) -> (f64, f64) {
     (1.7 + 6.0 * inverse_age.max(1.0).log10(), 0.08 * (1.0 + 4.0 / inverse_age.powi(3)))
 }

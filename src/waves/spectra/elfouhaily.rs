@@ -1,14 +1,15 @@
-//! The unified spectrum of gravity and capillary waves (Elfouhaily, Chapron, Katsaros and Vandemark 1997).
+//! Unified spectrum of gravity and capillary waves (Elfouhaily, Chapron, Katsaros and Vandemark 1997).
 
 use super::donelan::peak_form;
 use super::spectrum::{FrequencySpectrum, Inputs, peak_enhancement};
 
-/// Wave number of the lowest phase speed, rad/m.
+/// Wave number at which the phase speed of water waves is lowest, rad/m.
 const K_M: f64 = 370.0;
-/// Lowest phase speed of waves on water, m/s.
+/// Lowest phase speed of water waves, m/s.
 const C_M: f64 = 0.23;
 
-/// Omnidirectional spectrum S(k) = k^-3 (B_low + B_high), m^3.
+/// Elfouhaily's omnidirectional spectrum S(k) = k^-3 (B_low + B_high), m^3, with the curvature spectra of long waves
+/// (B_low) and of short waves (B_high), converted to S(omega).
 pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
     let (g, u, dispersion) = (inputs.gravity_m_s2, inputs.wind_m_s, inputs.dispersion);
     let grown = 0.84 * ((inputs.fetch / 2.2e4).powf(0.4)).tanh().powf(-0.75);
@@ -19,32 +20,32 @@ pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
     let friction = friction_velocity(u) / C_M;
     let growth = 1.0 + if friction < 1.0 { friction.ln() } else { 3.0 * friction.ln() };
     let (alpha_p, alpha_m) = (6e-3 * inverse_age.sqrt(), (0.01 * growth).max(0.0));
-    // Phase speed with the surface tension of the paper.
+    // Phase speed (m/s) with the surface tension that the paper assumes.
     let speed = move |k: f64| (g / k * (1.0 + (k / K_M).powi(2))).sqrt();
     let density_k = move |k: f64| {
         let ratio = (k / k_p).sqrt();
         let pierson_moskowitz = (-1.25 / ratio.powi(4)).exp();
         let cutoff = (-inverse_age / 10f64.sqrt() * (ratio - 1.0)).exp();
         let long = pierson_moskowitz * peak_enhancement(ratio, gamma, sigma) * cutoff;
-        // The Pierson-Moskowitz factor removes the capillary part from the long waves.
+        // The Pierson-Moskowitz factor removes the capillary term from waves longer than the peak.
         let short = pierson_moskowitz * (-0.25 * (k / K_M - 1.0).powi(2)).exp();
         let curvature = 0.5 * (alpha_p * speed(k_p) * long + alpha_m * C_M * short) / speed(k);
         curvature / k.powi(3)
     };
     let density = move |omega| dispersion.density_over_omega(density_k, omega);
     let mut spectrum = FrequencySpectrum::new(dispersion.omega(k_p), density);
-    // Around the bump of the capillary waves.
+    // Breakpoints around the secondary maximum of the capillary waves.
     spectrum.breakpoints.extend([100.0, 370.0, 1500.0].map(|k| dispersion.omega(k)));
     spectrum
 }
 
-/// Friction velocity of the wind at 10 m, m/s: drag coefficient of Wu 1982.
+/// Friction velocity (m/s) of a wind speed at 10 m height (m/s), with the drag coefficient of Wu 1982.
 fn friction_velocity(wind_m_s: f64) -> f64 {
     wind_m_s * (1e-3 * (0.8 + 0.065 * wind_m_s)).sqrt()
 }
 
-/// Delta of the directional spreading (1 + Delta cos 2 theta) / (2 pi), 0 to 1, for waves of phase speed `c` and a peak
-/// of phase speed `c_p`, m/s.
+/// Coefficient Delta (0 to 1) of Elfouhaily's directional spreading (1 + Delta cos 2 theta) / (2 pi), for waves with
+/// the phase speed `c` (m/s) in a sea whose peak has the phase speed `c_p` (m/s).
 pub fn elfouhaily_delta(c: f64, c_p: f64, wind_m_s: f64) -> f64 {
     let ripples = 0.13 * friction_velocity(wind_m_s) / C_M;
     let (a_0, a_p) = (2f64.ln() / 4.0, 4.0);

@@ -1,34 +1,34 @@
-//! JONSWAP, the fetch-limited sea, and TMA, its product with a depth factor.
+//! JONSWAP, the spectrum of a fetch-limited sea, and TMA, the same spectrum times a depth factor for shallow water.
 
 use super::spectrum::{FrequencySpectrum, Inputs, peak_enhancement};
 use crate::state::params::DepthFactor;
 use crate::waves::dispersion::Dispersion;
 use crate::waves::quadrature::adaptive;
 
-/// Dimensionless fetch at which JONSWAP is as high as a fully developed sea.
+/// Dimensionless fetch g F / U^2 at which JONSWAP is as high as a fully developed sea.
 const FULL_FETCH: f64 = 1.1e4;
-/// Dimensionless fetch at which JONSWAP exceeds the fully developed height by a quarter.
+/// Dimensionless fetch g F / U^2 above which a notice appears: JONSWAP is a quarter higher than a fully developed sea.
 const EXCESSIVE_FETCH: f64 = 1.6e4;
 
-/// S(omega) = alpha g^2 omega^-5 exp(-5/4 (omega_p/omega)^4) gamma^Gamma (Hasselmann et al. 1973).
+/// JONSWAP spectrum alpha g^2 omega^-5 exp(-5/4 (omega_p/omega)^4) times peak enhancement (Hasselmann et al. 1973).
 #[derive(Clone, Copy)]
 pub struct Jonswap {
-    /// alpha g^2, m^2/s^4.
+    /// Phillips' constant alpha times g^2, m^2/s^4.
     pub a: f64,
-    /// Peak frequency, rad/s.
+    /// Angular frequency of the spectral peak, rad/s.
     pub omega_p: f64,
-    /// Peak enhancement.
+    /// Peak enhancement factor gamma, 3.3 on average.
     pub gamma: f64,
 }
 
-/// The JONSWAP spectrum.
+/// Makes the JONSWAP spectrum, with a notice if the fetch is too long for it.
 pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
     let jonswap = Jonswap::new(inputs);
     let notice = full_development(inputs);
     FrequencySpectrum { notice, ..FrequencySpectrum::new(jonswap.omega_p, move |omega| jonswap.density(omega)) }
 }
 
-/// TMA: JONSWAP times the depth factor, on request with alpha and gamma of Bouws et al. 1985.
+/// Makes the TMA spectrum for shallow water: JONSWAP times the depth factor, optionally with Bouws' alpha and gamma.
 pub fn tma(inputs: &Inputs<'_>) -> FrequencySpectrum {
     let (g, sea) = (inputs.gravity_m_s2, inputs.sea);
     let mut tma = Jonswap::new(inputs);
@@ -46,7 +46,8 @@ pub fn tma(inputs: &Inputs<'_>) -> FrequencySpectrum {
     FrequencySpectrum { notice: full_development(inputs), ..out }
 }
 
-/// Depth factor of Kitaigorodskii et al. 1975 as a function of omega in rad/s.
+/// Returns the depth factor of Kitaigorodskii et al. 1975 as a function of the angular frequency (rad/s). The factor is
+/// 1 in deep water and reduces the spectrum in shallow water.
 pub fn depth_factor(inputs: &Inputs<'_>) -> impl Fn(f64) -> f64 + Copy + Send + Sync + use<> {
     let (form, g, depth_m) = (inputs.sea.depth_factor, inputs.gravity_m_s2, inputs.sea.depth_m);
     let dispersion = Dispersion::finite(g, depth_m);
@@ -64,7 +65,7 @@ pub fn depth_factor(inputs: &Inputs<'_>) -> impl Fn(f64) -> f64 + Copy + Send + 
     }
 }
 
-/// Notice about a fetch beyond full development, where the growth curves of JONSWAP have no limit.
+/// Notice about a fetch beyond full development: a real sea stops growing there, JONSWAP does not.
 fn full_development(inputs: &Inputs<'_>) -> Option<String> {
     let is_set = inputs.system.hs_m > 0.0 || inputs.omega_p.is_some();
     (inputs.fetch > EXCESSIVE_FETCH && !is_set).then(|| {
@@ -73,8 +74,7 @@ fn full_development(inputs: &Inputs<'_>) -> Option<String> {
     })
 }
 
-/// Significant wave height (m) and peak frequency (rad/s) that the user has set. JONSWAP's growth curves supply the
-/// missing ones.
+/// Significant wave height (m) and angular peak frequency (rad/s) set by the user, or those of JONSWAP if not set.
 pub fn height_and_peak(inputs: &Inputs<'_>) -> (f64, f64) {
     let grown = Jonswap::grown(inputs);
     let grown_height = || {
@@ -86,21 +86,21 @@ pub fn height_and_peak(inputs: &Inputs<'_>) -> (f64, f64) {
 }
 
 impl Jonswap {
-    /// The mean spectrum, gamma = 3.3, for wind and fetch alone: alpha = 0.076 x^-0.22 and omega_p = 22 (g/U) x^(-1/3)
-    /// with the dimensionless fetch x = g F / U^2.
+    /// Mean JONSWAP spectrum for a wind U and a fetch F, without the user's settings: gamma = 3.3, alpha = 0.076
+    /// x^-0.22 and omega_p = 22 (g/U) x^(-1/3) with the dimensionless fetch x = g F / U^2.
     fn grown(inputs: &Inputs<'_>) -> Self {
         let (g, x) = (inputs.gravity_m_s2, inputs.fetch);
         let alpha = 0.076 * x.powf(-0.22);
         Self { a: alpha * g * g, omega_p: 22.0 * g / inputs.wind_m_s / x.cbrt(), gamma: 3.3 }
     }
 
-    /// The spectrum with the gamma and the peak frequency that the user has set.
+    /// JONSWAP spectrum with the peak enhancement gamma and, if set, the peak frequency of the user.
     pub fn new(inputs: &Inputs<'_>) -> Self {
         let grown = Self::grown(inputs);
         Self { omega_p: inputs.omega_p.unwrap_or(grown.omega_p), gamma: inputs.system.gamma, ..grown }
     }
 
-    /// S(omega), m^2 s, at `omega` in rad/s.
+    /// Variance density S(omega), m^2 s, at the angular frequency `omega` (rad/s).
     pub fn density(&self, omega: f64) -> f64 {
         let r = omega / self.omega_p;
         let sigma = if r <= 1.0 { 0.07 } else { 0.09 };

@@ -1,15 +1,15 @@
-//! JONSWAP with a tail of power laws down to ripples (Karaev and Balandina 2000, Karaev et al. 2008).
+//! Spectrum of Karaev and Balandina 2000 and Karaev et al. 2008: JONSWAP with a tail of power laws to capillary waves.
 
 use super::jonswap::{Jonswap, depth_factor};
 use super::spectrum::{FrequencySpectrum, Inputs};
 
-/// Range of the dimensionless fetch g F / U^2 that the fit of the peak covers.
+/// Smallest and largest dimensionless fetch g F / U^2 for which Karaev's fit of the peak frequency holds.
 const FETCH: (f64, f64) = (1430.0, 20170.0);
-/// Lower limits of gravity-capillary and of capillary waves, rad/s.
+/// Lowest angular frequency of gravity-capillary waves and of capillary waves, rad/s.
 const RIPPLES: (f64, f64) = (64.0, 298.0);
 
-/// JONSWAP up to 1.2 omega_p, on request times TMA's depth factor, then omega^-4, omega^-5, omega^-2.7 and omega^-5,
-/// continuous.
+/// Karaev's spectrum: JONSWAP up to 1.2 times the peak frequency, on request with the depth factor of TMA, then the
+/// power laws omega^-4, omega^-5, omega^-2.7 and omega^-5. The five branches join continuously.
 pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
     let (g, u) = (inputs.gravity_m_s2, inputs.wind_m_s);
     let x = inputs.fetch.clamp(FETCH.0, FETCH.1);

@@ -1,17 +1,19 @@
-//! MarNeRo: the Black Sea near the shore (Trusca 2007).
+//! MarNeRo, a frequency spectrum for the Black Sea near the shore (Trusca 2007).
 
 use super::jonswap::height_and_peak;
 use super::spectrum::{FrequencySpectrum, Inputs};
 
+/// Exponent of wm/w in the exponential of the MarNeRo spectrum.
 const POWER: f64 = 5.9285;
+/// Coefficient in the exponential of the MarNeRo spectrum.
 const RATE: f64 = 0.3883;
 
-/// S(omega) = 2.302 (E/wm) (wm/w)^6.9285 exp(-0.3883 (wm/w)^5.9285) with the mean frequency wm and E = H_rms^2 / 8 =
-/// m0. The printed factor, 2.202, does not integrate to E.
+/// MarNeRo spectrum S(w) = 2.302 (E/wm) (wm/w)^6.9285 exp(-0.3883 (wm/w)^5.9285) over the angular frequency w, with the
+/// mean frequency wm and the elevation variance E. The printed factor, 2.202, does not integrate to E.
 pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
     let (hs_m, omega_p) = height_and_peak(inputs);
     let m0 = hs_m * hs_m / 16.0;
-    // Zero of the derivative of S.
+    // Peak frequency over mean frequency, from the zero of the derivative of S.
     let peak_over_mean = (POWER * RATE / (POWER + 1.0)).powf(1.0 / POWER);
     let mean_omega = omega_p / peak_over_mean;
     FrequencySpectrum::new(mean_omega * peak_over_mean, move |omega| {

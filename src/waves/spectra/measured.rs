@@ -4,7 +4,7 @@ use super::spectrum::FrequencySpectrum;
 use crate::files::measured::MeasuredSpectrum;
 use std::sync::Arc;
 
-/// S(omega) of the buoy's bands. Quadrature is split at the bands.
+/// Makes the frequency spectrum S(omega) from a buoy's frequency bands. Quadrature is split at the band frequencies.
 pub fn spectrum(data: &Arc<MeasuredSpectrum>) -> FrequencySpectrum {
     let (lowest, breakpoints, measured) = (data.lowest_omega().max(1e-3), data.breakpoints(), Some(Arc::clone(data)));
     let shape = Arc::clone(data);

@@ -1,9 +1,8 @@
-//! Frequency spectra S(omega): one-sided variance density of the elevation, m^2 s; the integral over omega, rad/s, is
-//! m0.
+//! Frequency spectra S(omega): one-sided variance density of the elevation, m^2 s. The integral of S over the angular
+//! frequency omega (rad/s) is the elevation variance m0.
 //!
 //! Each family is a file with a function that makes a [`FrequencySpectrum`] from `Inputs`. A new family takes three
-//! files: its own, this one (its `mod` line and its arm of `family`), and `state/sea.rs` (its variant and
-//! its word).
+//! files: its own, this one (its `mod` line and its arm of `family`), and `state/sea.rs` (its variant and its word).
 
 mod donelan;
 mod elfouhaily;
@@ -28,15 +27,15 @@ use std::f64::consts::TAU;
 pub use elfouhaily::elfouhaily_delta;
 pub use spectrum::FrequencySpectrum;
 
-/// Wind speed below which there are no waves, m/s.
+/// Wind speed at 10 m height below which the wind makes no waves, m/s.
 const CALM_M_S: f64 = 0.05;
-/// Smallest variance that can be scaled to a given wave height, m^2.
+/// Smallest elevation variance of a spectrum, m^2, that is still scaled to the wave height set by the user.
 const MIN_M0_M2: f64 = 1e-12;
-/// Shortest peak period that the user can set, s: waves of 14 cm.
+/// Shortest peak period that the user can set, s; waves with this period are 14 cm long.
 const MIN_PEAK_PERIOD_S: f64 = 0.3;
 
-/// The frequency spectrum of one system of a sea, with all its scales. It is 0 without wind, unless the system has a
-/// height and a period of its own or a buoy's data.
+/// Makes the frequency spectrum of one wave system of a sea, scaled to the user's wave height. Without wind it is 0,
+/// unless the user has set height and period or has loaded a buoy's data.
 pub fn of_system(sea: &Sea, system: &System) -> FrequencySpectrum {
     let (dispersion, gravity_m_s2) = (Dispersion::new(sea), sea.gravity_m_s2);
     let is_measured = system.spectrum == SpectrumKind::Measured;
@@ -68,7 +67,7 @@ pub fn of_system(sea: &Sea, system: &System) -> FrequencySpectrum {
     spectrum.scaled(system.scale * system.scale)
 }
 
-/// The unscaled spectrum of a family. JONSWAP stands in for a measured spectrum without data.
+/// Makes the unscaled spectrum of the family selected in `inputs`; JONSWAP replaces a measured spectrum without data.
 fn family(inputs: &Inputs<'_>) -> FrequencySpectrum {
     match inputs.system.spectrum {
         SpectrumKind::Phillips => phillips::spectrum(inputs),

@@ -1,12 +1,13 @@
-//! Two peaks with six parameters (Ochi and Hubble 1976): the most probable member of the family for a wave height.
+//! Ochi-Hubble spectrum (1976): two peaks with three parameters each. Of the published parameter sets, the most
+//! probable one for the significant wave height is used.
 
 use super::jonswap::height_and_peak;
 use super::spectrum::{FrequencySpectrum, Inputs};
 
-/// The sum of a low-frequency and a high-frequency peak. The user's peak period, if set, scales both periods.
+/// Ochi-Hubble spectrum: the sum of two peaks. A peak period set by the user scales both peak frequencies alike.
 pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
     let (hs_m, _) = height_and_peak(inputs);
-    // The published shares of the height, 0.84 and 0.54, have a sum of squares of 0.997.
+    // The published factors of the two heights, 0.84 and 0.54, have squares that add to 0.997 instead of 1.
     let share = 1.0 / (0.84f64.powi(2) + 0.54f64.powi(2)).sqrt();
     let peaks = |ratio: f64| {
         FrequencySpectrum::sum([
@@ -21,8 +22,8 @@ pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
     }
 }
 
-/// 1/4 (c wp^4)^lambda / Gamma(lambda) Hs^2 / w^(4 lambda + 1) exp(-c (wp/w)^4) with c = lambda + 1/4; lambda is the
-/// sharpness of the peak.
+/// One peak of the Ochi-Hubble spectrum, S(w) = 1/4 (c wp^4)^lambda / Gamma(lambda) Hs^2 / w^(4 lambda + 1)
+/// exp(-c (wp/w)^4) with c = lambda + 1/4, where lambda is the sharpness of the peak.
 fn peak(hs_m: f64, omega_p: f64, lambda: f64) -> FrequencySpectrum {
     let c = (4.0 * lambda + 1.0) / 4.0;
     FrequencySpectrum::new(omega_p, move |omega| {

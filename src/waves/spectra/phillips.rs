@@ -1,10 +1,10 @@
-//! The equilibrium range alone (Phillips 1958).
+//! Phillips' frequency spectrum (1958): the equilibrium range omega^-5 alone, cut off below the peak.
 
 use super::generalised_ab::{ALPHA, pierson_moskowitz};
 use super::spectrum::{FrequencySpectrum, Inputs};
 
-/// S(omega) = alpha g^2 omega^-5 for omega >= omega_p, else 0. Alpha and omega_p are those of Pierson and Moskowitz
-/// 1964. The density is per rad/s, so it has no factor 2 pi.
+/// Phillips' spectrum S(omega) = alpha g^2 omega^-5 for omega >= omega_p, 0 below. Alpha and the peak frequency omega_p
+/// are taken from Pierson and Moskowitz 1964. The density is per rad/s, so it has no factor 2 pi.
 pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
     let a = ALPHA * inputs.gravity_m_s2 * inputs.gravity_m_s2;
     let omega_p = pierson_moskowitz(inputs).omega_p;

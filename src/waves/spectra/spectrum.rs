@@ -1,4 +1,4 @@
-//! A frequency spectrum, and the inputs that its family makes it from.
+//! The frequency spectrum of a wave system, and the inputs from which a spectrum family (JONSWAP and others) makes it.
 
 use crate::files::measured::MeasuredSpectrum;
 use crate::state::params::{Sea, System};
@@ -7,58 +7,59 @@ use crate::waves::quadrature::adaptive;
 use std::fmt;
 use std::sync::Arc;
 
-/// Inputs of a spectrum family.
+/// Quantities from which a spectrum family (JONSWAP and others) makes the frequency spectrum of a wave system.
 pub struct Inputs<'a> {
     pub sea: &'a Sea,
     pub system: &'a System,
-    /// Dispersion relation of `sea`.
+    /// Dispersion relation of the sea's waves.
     pub dispersion: Dispersion,
     /// Acceleration of gravity g, m/s^2.
     pub gravity_m_s2: f64,
-    /// Wind speed U at 10 m, m/s, never 0.
+    /// Wind speed U at 10 m height, m/s, never 0.
     pub wind_m_s: f64,
-    /// Dimensionless fetch g F / U^2.
+    /// Dimensionless fetch g F / U^2, where F is the fetch in m and U the wind speed.
     pub fetch: f64,
-    /// Peak frequency that the user has set, rad/s.
+    /// Angular peak frequency that the user has set, rad/s; `None` to derive it from wind and fetch.
     pub omega_p: Option<f64>,
 }
 
 impl Inputs<'_> {
-    /// The fetch F, in km, that belongs to a dimensionless one.
+    /// Converts the dimensionless fetch `fetch` = g F / U^2 to the fetch F in km, at the wind speed of these inputs.
     pub fn fetch_km(&self, fetch: f64) -> f64 {
         fetch * self.wind_m_s * self.wind_m_s / self.gravity_m_s2 / 1000.0
     }
 }
 
-/// The frequency spectrum of one wave system. All frequencies are angular, in rad/s.
+/// Frequency spectrum S(omega) of one wave system, as a function of the angular frequency omega (rad/s).
 #[derive(Clone)]
 pub struct FrequencySpectrum {
-    /// One-sided variance density, m^2 s, for omega > 0, before `factor` and `fade`.
+    /// One-sided variance density S(omega), m^2 s, for omega > 0, before multiplication by `factor` and `fade`.
     pub(super) shape: Arc<dyn Fn(f64) -> f64 + Send + Sync>,
-    /// Peak angular frequency, rad/s; of two peaks, the one with the larger variance density.
+    /// Angular frequency of the spectral peak, rad/s; in a double-peaked spectrum that of the higher peak.
     pub omega_p: f64,
-    /// Frequency below which S is negligible, positive.
+    /// Angular frequency below which the spectrum is negligible, rad/s, positive.
     pub(super) lowest: f64,
-    /// Frequencies, in any order, at which S has a kink, a jump or a narrow peak: quadrature is split there.
+    /// Angular frequencies (rad/s), in any order, at which quadrature is split: kinks, jumps and points around the
+    /// peak.
     pub breakpoints: Vec<f64>,
-    /// Frequency at which S jumps.
+    /// Angular frequency at which the spectrum jumps, rad/s; `None` if it is continuous.
     pub jump: Option<f64>,
-    /// Whether the definition of the spectrum includes a directional factor, cos^2.
+    /// Whether the spectrum is defined with its own directional factor cos^2, which replaces the user's spreading.
     pub has_own_direction: bool,
-    /// Data of a measured spectrum.
+    /// Buoy data, if this is a measured spectrum.
     pub measured: Option<Arc<MeasuredSpectrum>>,
-    /// Whether there are no waves at all.
+    /// Whether the wave system has no waves at all, for example because it has no wind.
     pub is_calm: bool,
-    /// Notice for the user.
+    /// Notice for the user about this spectrum, if any.
     pub notice: Option<String>,
-    /// Factor on the variance.
+    /// Factor by which the variance density `shape` is multiplied.
     pub(super) factor: f64,
-    /// Length l (m) of the short-wave fade exp(-(k l)^2), and the relation that gives k.
+    /// Length l (m) of the short-wave fade exp(-(k l)^2), and the dispersion relation that gives the wave number k.
     pub(super) fade: Option<(f64, Dispersion)>,
 }
 
 impl FrequencySpectrum {
-    /// A smooth spectrum with one peak. `shape` is S(omega), m^2 s, for omega > 0.
+    /// Makes a smooth spectrum with one peak at `omega_p` (rad/s). `shape` is S(omega), m^2 s, for omega > 0.
     pub fn new(omega_p: f64, shape: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Self {
         Self {
             shape: Arc::new(shape),
@@ -75,12 +76,12 @@ impl FrequencySpectrum {
         }
     }
 
-    /// A spectrum without waves.
+    /// Makes the spectrum of a wave system without waves, S(omega) = 0.
     pub fn calm() -> Self {
         Self { is_calm: true, ..Self::new(1.0, |_| 0.0) }
     }
 
-    /// The sum of two spectra with one peak each.
+    /// Makes a double-peaked spectrum as the sum of two spectra with one peak each.
     pub fn sum([a, b]: [Self; 2]) -> Self {
         let (lowest, breakpoints) = (a.lowest.min(b.lowest), [&a.breakpoints[..], &b.breakpoints].concat());
         let peaks = [a.omega_p, b.omega_p];
@@ -89,14 +90,14 @@ impl FrequencySpectrum {
         Self { lowest, breakpoints, ..Self::new(omega_p, shape) }
     }
 
-    /// Multiplies the variance by `factor`.
+    /// Returns the spectrum with its variance density multiplied by `factor`.
     #[must_use]
     pub fn scaled(mut self, factor: f64) -> Self {
         self.factor *= factor;
         self
     }
 
-    /// One-sided variance density S(omega), m^2 s; 0 for omega <= 0.
+    /// One-sided variance density S(omega), m^2 s, at the angular frequency `omega` (rad/s); 0 for omega <= 0.
     pub fn density(&self, omega: f64) -> f64 {
         if omega <= 0.0 {
             return 0.0;
@@ -105,7 +106,7 @@ impl FrequencySpectrum {
         self.factor * (self.shape)(omega) * fade
     }
 
-    /// Variance of the elevation m0, the integral of S, m^2.
+    /// Elevation variance m0, m^2: the integral of the spectrum over all frequencies.
     pub fn m0_m2(&self) -> f64 {
         let (low, high) = self.support();
         let mut knots = self.breakpoints.clone();
@@ -115,7 +116,7 @@ impl FrequencySpectrum {
         adaptive(|w| self.density(w), &knots, 1e-9)
     }
 
-    /// Integration range of omega: S is negligible below it, m0 above it.
+    /// Lowest and highest angular frequency, rad/s, between which nearly all variance of the spectrum lies.
     pub fn support(&self) -> (f64, f64) {
         (self.lowest, (400.0 * self.omega_p).max(4000.0))
     }
@@ -127,7 +128,7 @@ impl fmt::Debug for FrequencySpectrum {
     }
 }
 
-/// Peak enhancement gamma^exp(-(r - 1)^2 / (2 sigma^2)) at r = omega / omega_p (Hasselmann et al. 1973).
+/// JONSWAP's peak enhancement gamma^exp(-(r - 1)^2 / (2 sigma^2)) with r = omega / omega_p and the peak width sigma.
 pub fn peak_enhancement(r: f64, gamma: f64, sigma: f64) -> f64 {
     gamma.powf((-(r - 1.0).powi(2) / (2.0 * sigma * sigma)).exp())
 }

@@ -4,13 +4,13 @@ use super::generalised_ab::ALPHA;
 use super::spectrum::{FrequencySpectrum, Inputs};
 use std::f64::consts::PI;
 
-/// A exp(-1/(k L)^2) / k^4 cos^2(theta) over the wave-number plane, L = U^2/g. The integral over directions is
-/// S(k) = pi A exp(-1/(k L)^2) / k^3; the remaining factor cos^2(theta) / pi is the directional spreading. The default
-/// A = alpha / (2 pi), without unit, gives the equilibrium range of Phillips' spectrum.
+/// Tessendorf's spectrum A exp(-1/(k L)^2) / k^4 cos^2(theta) over wave vectors, with L = U^2/g for the wind speed U.
+/// Its integral over directions is S(k) = pi A exp(-1/(k L)^2) / k^3; the factor cos^2(theta) / pi becomes the
+/// directional spreading. The default A = alpha / (2 pi), dimensionless, gives Phillips' equilibrium range.
 pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
     let (set_a, dispersion) = (inputs.system.coefficient_a, inputs.dispersion);
     let a = if set_a > 0.0 { set_a } else { ALPHA / (2.0 * PI) };
-    // Peak of S(omega) in deep water.
+    // Value of k L at the peak of S(omega) in deep water.
     let peak_kl = 0.8f64.sqrt();
     let length_m = match inputs.omega_p {
         Some(omega_p) => peak_kl / dispersion.wave_number(omega_p),

@@ -1,11 +1,12 @@
-//! Tests of all spectra together, and helpers for the tests of each family.
+//! Tests that compare all frequency spectra with published values, and helpers for the tests of single spectra.
 
 use super::*;
 use std::f64::consts::PI;
 
 pub const G: f64 = 9.81;
 
-/// The spectrum of the default local system with the given family, wind and fetch, after a change of the sea.
+/// Frequency spectrum of the local wave system with the given family, wind (m/s) and fetch (km). All other parameters
+/// have their defaults, except those that `change` sets.
 pub fn at(spectrum: SpectrumKind, wind_m_s: f64, fetch_km: f64, change: impl Fn(&mut Sea)) -> FrequencySpectrum {
     let mut sea = Sea::default();
     sea.systems[0] = System { spectrum, wind_m_s, fetch_km, ..sea.systems[0].clone() };
@@ -22,15 +23,16 @@ pub fn close(got: f64, want: f64, tolerance: f64) {
     assert!((got / want - 1.0).abs() < tolerance, "{got} instead of {want}");
 }
 
-/// Frequencies of the two peaks of a double-peaked spectrum: each is the third of its six breakpoints.
+/// Angular frequencies (rad/s) of both peaks of a double-peaked spectrum: the third of the six breakpoints of each
+/// peak.
 pub fn peaks(s: &FrequencySpectrum) -> [f64; 2] {
     [2, 8].map(|i| s.breakpoints[i])
 }
 
-/// No change of the sea.
+/// Leaves the sea as it is; for the argument `change` of [`at`].
 pub fn same(_: &mut Sea) {}
 
-/// Every family but the measured one.
+/// All spectrum families except the measured one, which needs a buoy's data.
 fn kinds() -> impl Iterator<Item = SpectrumKind> {
     SpectrumKind::ALL.iter().copied().filter(|kind| *kind != SpectrumKind::Measured)
 }
