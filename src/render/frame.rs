@@ -137,8 +137,7 @@ impl FrameCascade {
         }
     }
 
-    /// Ripples with `share` times the slope variance of a cascade, for an eye above the world position `foot` (x, z),
-    /// m.
+    /// Ripples with `share` times the slope variance of a cascade, for an eye above the world position `foot`, m.
     fn ripples(cascade: &MapCascade, share: f64, foot: [f64; 2], n: f64) -> Self {
         let patch_m = cascade.patch_m / RIPPLE_RATIO;
         Self {

@@ -1,5 +1,4 @@
-//! The renderer: draws sky, sea and film from the read-only maps of the simulation. Light is linear until the last
-//! shader.
+//! The renderer: draws sky, sea and film from the maps of the simulation. Light is linear until the last shader.
 //!
 //! A frame computes the sky's look-up tables (only if the light changed), draws sky and water into an HDR target, and
 //! applies the tone curve for the screen. Every pass depends only on [`Scene`] and [`Maps`].

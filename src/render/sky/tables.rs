@@ -184,8 +184,7 @@ impl SkyTables {
         [view, clear_parts, clear, environment].into_iter().chain(filters).chain([whole_parts, whole]).collect()
     }
 
-    /// Passes that integrate the sky's light over all directions: partial sums and total of the clear, then of the
-    /// cloudy sky.
+    /// Passes that integrate the sky's light over all directions: partial sums and total, first without clouds.
     fn light_passes(&self, gpu: &Gpu, shaders: &Shaders, noise: &NoiseTexture) -> [TablePass; 4] {
         let parts = gpu.storage("light/parts", LIGHT_PARTS_BYTES);
         let module = shaders.module(gpu, "sky/light");

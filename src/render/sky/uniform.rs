@@ -124,8 +124,7 @@ impl SkyUniform {
 }
 
 gpu_struct! {
-    /// WGSL `Light`: the light on the sea, computed on the GPU when the sky changes. An irradiance of 1 is 6400 lux by
-    /// day.
+    /// WGSL `Light`: the light on the sea, computed on the GPU when the sky changes. An irradiance of 1 is 6400 lux.
     pub struct LightBuffer as "Light" {
         /// Irradiance by the sun on a plane that faces it, after air, clouds and fog.
         pub sun: [f32; 3],
