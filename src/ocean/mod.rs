@@ -70,7 +70,7 @@ pub struct Ocean {
 }
 
 impl Ocean {
-    /// Allocates a sea, and compiles its renderer for render targets of `format`. `film` says what is read back.
+    /// Allocates a sea, and compiles its renderer for targets of `format`. `film` says whether frames can be read back.
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, film: Film, params: &Params) -> Self {
         let mut ocean = Self::waves_only(gpu, params);
         (ocean.format, ocean.film) = (format, film);

@@ -57,8 +57,7 @@ impl FloatsPass {
         Self { module, pipeline: None, layout, vertices: None, hulls: [buoy(), boat()], count: 0 }
     }
 
-    /// Uploads hulls at `poses`, relative to the world position `foot` (x, z) and to still water at the height
-    /// `level_m`, m.
+    /// Uploads hulls at `poses`, relative to the world position `foot` (x, z) and still water at height `level_m`, m.
     pub fn write(&mut self, gpu: &Gpu, scene: &SceneGroup, poses: &[HullPose], foot: [f64; 2], level_m: f64) {
         self.count = 0;
         if poses.is_empty() {

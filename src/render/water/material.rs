@@ -53,7 +53,7 @@ impl NoiseLayer {
 }
 
 gpu_struct! {
-    /// WGSL `Material`: optical properties of water, foam and bed. Shaders read a new member by its name.
+    /// WGSL `Material`: optical properties of water, foam and bed. Add a new one here and in [`Self::new`].
     pub struct MaterialUniform as "Material" {
         /// Absorption coefficient of the water at red, green and blue, 1/m.
         absorption: [f32; 3],

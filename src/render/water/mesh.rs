@@ -48,8 +48,7 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// The mesh that covers a view of a sea. `density` scales its vertices, `extent_km` its distance (0 is to the
-    /// horizon).
+    /// The mesh that covers a view of a sea. `density` scales its vertices, `extent_km` its reach (0 is the horizon).
     pub fn new(view: &View, sea: &SeaAppearance, density: f64, extent_km: f64) -> Self {
         let scale = density.clamp(0.015, 64.0).sqrt();
         let most_columns = ((COLUMNS * scale / f64::from(BLOCK)).ceil() as u32) * BLOCK;
