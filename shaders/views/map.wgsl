@@ -5,8 +5,8 @@
 @group(0) @binding(2) var gradients_map: texture_2d_array<f32>;
 @group(0) @binding(3) var moments_map: texture_2d_array<f32>;
 @group(0) @binding(4) var foam_map: texture_2d_array<f32>;
-@group(0) @binding(5) var<storage, read> h0: array<vec2f>; // [cascade][iz][ix]
-@group(0) @binding(6) var<storage, read> wave: array<vec2u>; // turns, bits of orbit / |k|, per triangle entry
+@group(0) @binding(5) var<storage, read> h0: array<vec2f>; // h0(k), [cascade][iz][ix]
+@group(0) @binding(6) var<storage, read> wave: array<vec2u>; // x: cycles of a wave per repeat period
 
 struct MapVertex {
   @builtin(position) clip: vec4f,

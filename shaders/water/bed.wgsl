@@ -1,10 +1,13 @@
 // The sandy bed below shallow water: its albedo where the refracted ray hits it, and the sunlight that waves focus.
 
+// Noise layer of sand patches and ripple marks.
 const BED_LAYER = 4u;
+// Noise layer of sand grains.
 const BED_FINE_LAYER = 5u;
-// Ripple marks in the sand: periods along the sides of the noise tile, and wavelength, m
+// Number of periods of the ripple marks in the sand along both sides of the noise tile (src/render/water/material.rs).
 // (src/render/water/material.rs).
 const BED_RIPPLES = vec2f(37.0, 11.0);
+// Wavelength of the ripple marks in the sand, m.
 const BED_RIPPLE_M = 0.32;
 // Limits the brightness of a caustic, which the sun's disc and scattering in the water blur.
 const BED_FOLD = 0.15;
@@ -32,7 +35,7 @@ fn bed_slope(at: vec2f) -> vec2f {
 // s + reach grad(eta)(s), with the elevation eta and its Hessian H. So light is focused by 1 / |det(I + reach H)|.
 fn bed_caustic(entry: vec2f, depth_m: f32) -> f32 {
   let reach = depth_m * (1.0 - material.index_air / material.index_water);
-  // Two fixed-point steps to the place where the ray enters the water that arrives at the given point.
+  // Two fixed-point steps find where the ray that arrives at the given point enters the water.
   var at = entry - reach * bed_slope(entry);
   at = entry - reach * bed_slope(at);
   let h = 0.5 * material.caustic_m;
@@ -42,7 +45,7 @@ fn bed_caustic(entry: vec2f, depth_m: f32) -> f32 {
   return sqrt((1.0 + BED_FOLD * BED_FOLD) / (det * det + BED_FOLD * BED_FOLD));
 }
 
-// Radiance inside the water towards the surface where the bed is visible. `deep`: the same for bottomless water;
+// Radiance inside the water towards the surface where the bed is visible. `deep`: radiance of bottomless water;
 // `place`: surface point (x, z) relative to the eye, m; `ray`: direction down into the water; `blur`: standard
 // deviation of the ray's slope within the pixel.
 fn water_bed(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: f32, blur: f32) -> vec3f {

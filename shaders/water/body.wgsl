@@ -1,8 +1,9 @@
 // Light that leaves the water: scattered back by water and bubbles, and transmitted through thin crests.
 
 // Backscattering coefficient of a dense bubble plume under a breaker, 1/m, for a void fraction of 1e-3 (Deane and
-// Stokes 2002; backscattering ratio of Zhang, Lewis and Johnson 1998), and depth of the plume, m.
+// Stokes 2002; backscattering ratio of Zhang, Lewis and Johnson 1998).
 const WATER_PLUME = 0.16;
+// Depth of a bubble plume under a breaker, m.
 const WATER_PLUME_M = 0.8;
 // Mean cosine of scattering in a crest: less than the particles' 0.9, because light is scattered several times.
 const WATER_FORWARD = 0.6;

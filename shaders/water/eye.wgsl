@@ -4,8 +4,9 @@
 @group(0) @binding(0) var<storage, read_write> frame: Frame;
 
 const EYE_POINTS = 256u;
-// Least height of the eye above the water below it, m, and the slope at which permitted water rises with distance.
+// Least height of the eye above the water straight below it, m.
 const EYE_CLEARANCE = 0.8;
+// Slope at which the highest permitted water rises with the distance from the eye.
 const EYE_STEEPNESS = 0.7;
 // Height over which the eye begins to rise before a crest forces it to, m.
 const EYE_SOFTNESS = 0.25;
@@ -47,7 +48,7 @@ fn main(@builtin(local_invocation_index) i: u32) {
     workgroupBarrier();
   }
   if i == 0u {
-    // In the riding camera mode, the eye's height counts from the water below it.
+    // If the camera rides on a buoy, the eye's height counts from the water below it.
     frame.eye_m += frame.rides * under.y;
     let over = (eye_needed[0] - frame.eye_m) / EYE_SOFTNESS;
     let rise = select(log(1.0 + exp(over)), over, over > 20.0);

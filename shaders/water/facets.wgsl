@@ -15,7 +15,7 @@ fn water_seen(height: f32, across: f32, mean: f32, sigma: f32) -> f32 {
   }
   let a = facing / scale;
   let density = 0.39894228 * exp(-0.5 * min(a * a, 80.0));
-  // Normal distribution beyond |a| divided by the density at a, Abramowitz and Stegun 26.2.17.
+  // Upper tail of the normal distribution at |a|, divided by its density (Abramowitz and Stegun 26.2.17).
   let t = 1.0 / (1.0 + 0.2316419 * abs(a));
   let tail = t * (0.319381530 + t * (-0.356563782 + t * (1.781477937 + t * (-1.821255978 + t * 1.330274429))));
   return scale * max(density * (1.0 - abs(a) * tail) + max(a, 0.0), 1e-7);

@@ -5,8 +5,9 @@ const FOAM_WINDROWS = 0u;
 const FOAM_PATCHES = 1u;
 const FOAM_STRANDS = 2u;
 const FOAM_BUBBLES = 3u;
-// Height of the foam's relief, m: of its lumps, and of its bubbles.
+// Height of the lumps in the foam's relief, m.
 const FOAM_LUMPS_M = 0.035;
+// Height of the bubbles in the foam's relief, m.
 const FOAM_BUBBLES_M = 0.006;
 // Standard deviation of the slope of the bubbles' relief.
 const FOAM_BUBBLES_SLOPE = 0.2;
@@ -16,8 +17,9 @@ const FOAM_ALBEDO = 0.72;
 const FOAM_AGED = 0.42;
 // Amount of foam, 0 to 1, below which none is drawn.
 const FOAM_LEAST = 0.002;
-// Largest number of samples along a pixel's footprint: of the foam maps, and of the noise.
+// Largest number of samples of the foam maps along a pixel's footprint.
 const FOAM_LEVEL_TAPS = 3;
+// Largest number of samples of the foam noise along a pixel's footprint.
 const FOAM_TAPS = 4;
 // Length over which the finest noise changes, m.
 const FOAM_FINEST_M = 0.02;
@@ -37,8 +39,9 @@ struct WaterFoam {
   cover: f32,
   // Height of the fine relief, around 0.5.
   grain: f32,
-  // Slope of the foam's relief, and the variance of this slope that the pixel does not resolve.
+  // Slope of the foam's relief.
   relief: vec2f,
+  // Variance of the slope of the foam's relief that the pixel does not resolve.
   rough: f32,
 }
 

@@ -10,6 +10,7 @@ struct WaterFootprint {
   taps: i32,
 }
 
+// Largest number of samples along a footprint.
 const WATER_TAPS = 3;
 // Texel size at which a sample is read, relative to the length it covers: 1 / sqrt(3), because interpolation between
 // the texels of a mip level (a box and a tent) blurs as much as a box of sqrt(3) texels.
@@ -26,9 +27,9 @@ fn water_footprint(dx: vec2f, dy: vec2f) -> WaterFootprint {
   return WaterFootprint(select(dy, dx, x > y), WATER_TAP * max(small, large / f32(taps)), taps);
 }
 
-// Mean side of a footprint, relative to the patch, at which the slopes of a cascade begin to fade into variance, and at
-// which they have. The longest waves are then as short as the footprint, whose mean would keep 2 % of slopes.
+// Footprint size, relative to the patch of a cascade, at which its slopes begin to fade into variance.
 const WATER_FADE = 0.08;
+// Relative footprint size at which no slopes are left: a mean over it would keep 2 % of those of the longest waves.
 const WATER_FAR = 0.16;
 // Maps whose shortest wave is longer than this number of texels are smooth enough without a spline.
 const WATER_SMOOTH = 6.0;
@@ -41,8 +42,9 @@ struct WaterReading {
   share: f32,
   // Smoothness of the spline where the maps are magnified, 0 to 1; 0 elsewhere.
   near: f32,
-  // Number of samples of the gradients map, and of the moments map.
+  // Number of samples of the gradients map along the footprint.
   taps: i32,
+  // Number of samples of the moments map along the footprint.
   moment_taps: i32,
   // Longer side of the footprint in texture coordinates.
   along: vec2f,

@@ -40,7 +40,7 @@ impl Interpolate for SeaAppearance {
 pub struct WeightedPlans(pub Vec<(Arc<Plan>, f64)>);
 
 impl WeightedPlans {
-    /// One plan with weight 1.
+    /// A weighted sum of one plan, with weight 1.
     pub fn new(plan: &Plan) -> Self {
         Self(vec![(Arc::new(plan.clone()), 1.0)])
     }

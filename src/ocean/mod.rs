@@ -136,7 +136,7 @@ impl Ocean {
         self.sim.in_transition()
     }
 
-    /// The plan for new parameters. `change` says in what their sea differs from the present one.
+    /// The plan for new parameters. `change` is the level in which their sea differs from the present one.
     fn plan_of(&self, params: &Params, change: Option<SeaChange>) -> Plan {
         match change {
             Some(SeaChange::Waves) => Plan::new(params),
@@ -170,7 +170,7 @@ impl Ocean {
         &self.gpu
     }
 
-    /// The plan of the sea; during a transition, of the sea at its end.
+    /// The plan of the sea; during a transition, of the sea that it leads to.
     pub fn plan(&self) -> &Plan {
         self.sim.plan()
     }

@@ -8,13 +8,13 @@ use crate::sim::planned_sea::EvaluationSlot;
 /// A GPU pass of the simulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WavePass {
-    /// Initial amplitudes h0(k) of all waves.
+    /// Computation of the initial amplitudes h0(k) of all waves.
     Spectrum,
-    /// Amplitudes of all waves at a time, and their inverse FFT along x.
+    /// Computation of all amplitudes at a time, and their inverse FFT along x.
     Rows,
-    /// The inverse FFT along z, and the maps.
+    /// Inverse FFT of the rows along z, and writing of the maps.
     Columns,
-    /// The mip levels of the maps, and the slope moments.
+    /// Computation of the maps' mip levels and of the slope moments.
     Mips,
     /// One time step of the foam.
     Foam,

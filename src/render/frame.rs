@@ -167,7 +167,7 @@ impl FrameFoamLevel {
 }
 
 impl FrameUniform {
-    /// The uniform of a scene for a picture of `size` (width, height) pixels.
+    /// Values of the frame's uniform buffer for a scene and a picture of `size` (width, height) pixels.
     pub fn new(scene: &Scene, maps: &Maps, mesh: &Mesh, size: [u32; 2]) -> Self {
         let (view, look, sea) = (&scene.view, &scene.look, &scene.sea);
         let foot = [view.eye.x, view.eye.z];

@@ -29,7 +29,7 @@ gpu_struct! {
     }
 }
 
-/// Automatic exposure of a clear noon with the sun at 60 degrees; used as it is if automatic exposure is off.
+/// Automatic exposure of a clear noon with the sun 60 degrees high; the exposure at 0 EV if it is not automatic.
 pub const NOON_EXPOSURE: f32 = 0.444;
 
 /// The pass that shows the HDR picture on screen, with its bloom.

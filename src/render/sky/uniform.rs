@@ -6,7 +6,7 @@ use crate::render::scene::Scene;
 use crate::state::fields::linear_rgb;
 use crate::state::look::SkyLook;
 
-/// Step by which the clouds in reflections move, km: less than a texel of the environment map, and seconds of drift.
+/// Step by which the clouds in reflections move, km: less than a texel of the environment map; it lasts seconds.
 const MIRROR_STEP_KM: f64 = 0.05;
 
 gpu_struct! {
@@ -64,7 +64,7 @@ gpu_struct! {
 }
 
 impl SkyUniform {
-    /// The sky uniform of a scene.
+    /// Values of the sky's uniform buffer for a scene.
     pub fn new(scene: &Scene) -> Self {
         // The eye's height is rounded to a quarter octave, so that small movements do not recompute the tables.
         let class = (4.0 * scene.view.eye.y.max(2.0).log2()).round() / 4.0;

@@ -169,7 +169,7 @@ fn boat() -> Vec<Facet> {
             1 => DVec3::new(side * 0.72 * half, 0.12 + 0.35 * keel, z),
             2 => DVec3::new(side * 0.95 * half, 0.45 * rail + 0.1, z),
             3 => DVec3::new(side * half, rail, z),
-            // Inside: the gunwale's inner edge, one plank thickness further in, and the floor.
+            // Inside: the inner edge of the gunwale, one plank thickness in, and the edge of the floor.
             4 => DVec3::new(side * (half - 0.06).max(0.0), rail, z),
             _ => DVec3::new(side * (0.62 * half - 0.05).max(0.0), 0.12, z),
         }

@@ -53,7 +53,7 @@ impl NoiseLayer {
 }
 
 gpu_struct! {
-    /// WGSL `Material`: optical properties of water, foam and bed. Add a new one here and in [`Self::new`].
+    /// WGSL `Material`: optical properties of water, foam and bed. Add a new property here and in [`Self::new`].
     pub struct MaterialUniform as "Material" {
         /// Absorption coefficient of the water at red, green and blue, 1/m.
         absorption: [f32; 3],
@@ -109,7 +109,7 @@ gpu_struct! {
 }
 
 impl MaterialUniform {
-    /// The material uniform of a scene.
+    /// Values of the material's uniform buffer for a scene.
     pub fn new(scene: &Scene) -> Self {
         let surface = &scene.look.surface;
         let (scattering, reflection) = (&surface.scattering, &surface.reflection);

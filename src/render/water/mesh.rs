@@ -1,7 +1,7 @@
 //! The water mesh before displacement: a log-polar lattice with the eye in the middle.
 //!
 //! Azimuths are multiples of a step, so that turning the camera moves no vertex. Rows are farther apart at larger
-//! distances, and the last one lies beyond the horizon. The mesh is one piece, so it has no cracks.
+//! distances; by default the last one lies beyond the horizon. The mesh is one piece, so it has no cracks.
 
 use crate::gpu::layout::gpu_struct;
 use crate::render::scene::SeaAppearance;
@@ -39,7 +39,7 @@ gpu_struct! {
 /// The water mesh for one view, before displacement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
-    /// Polar coordinates of the vertices.
+    /// Polar coordinates of the vertices before displacement.
     pub lattice: MeshLattice,
     /// Number of columns of quads in the index buffer.
     pub most_columns: u32,
