@@ -1,20 +1,20 @@
-// Light that the lens spreads, after Jimenez, "Next generation post processing in Call of Duty: Advanced Warfare", 2014: the
-// picture halved again and again by a wide filter, and put together again from the coarsest up. All weights sum to one.
+// Bloom, light that the lens scatters (Jimenez, "Next generation post processing in Call of Duty: Advanced Warfare",
+// 2014): the picture is halved step by step with a wide filter, then added up from the coarsest level.
 
 @group(0) @binding(0) var source_map: texture_2d<f32>;
 @group(0) @binding(1) var source_sampler: sampler;
 @group(0) @binding(2) var bloom_out: texture_storage_2d<rgba16float, write>;
-// Of the size of the output.
+// In `up`, the level of the downward chain that has the size of the output.
 @group(0) @binding(3) var finer_map: texture_2d<f32>;
 
-// What a level takes from the coarser ones.
+// Weight of the coarser levels when a level is added to them.
 const BLOOM_SPREAD = 0.72;
 
 fn bloom_at(uv: vec2f) -> vec3f {
   return textureSampleLevel(source_map, source_sampler, uv, 0.0).rgb;
 }
 
-// Five overlapping squares: 13 bilinear taps.
+// Downsamples by two with 13 bilinear samples, which are five overlapping squares.
 @compute @workgroup_size(8, 8)
 fn down(@builtin(global_invocation_id) id: vec3u) {
   let size = textureDimensions(bloom_out);
@@ -36,7 +36,7 @@ fn down(@builtin(global_invocation_id) id: vec3u) {
   textureStore(bloom_out, id.xy, vec4f(sum, 1.0));
 }
 
-// A tent over nine taps of the coarser level, mixed with this one.
+// Upsamples the coarser level with a tent of nine samples, and mixes it with the level of the output's size.
 @compute @workgroup_size(8, 8)
 fn up(@builtin(global_invocation_id) id: vec3u) {
   let size = textureDimensions(bloom_out);

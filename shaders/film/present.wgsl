@@ -1,6 +1,6 @@
-// From linear light to the screen: smooth edges, bloom, exposure, tone curve, gamma, dither.
+// Shows linear light on the screen: smoothed edges, bloom, exposure, tone curve, gamma, dither.
 
-// Whether edges are smoothed: a reference averages samples instead.
+// Whether edges are smoothed. A reference picture averages samples instead.
 override PRESENT_SMOOTH: bool = true;
 
 @group(0) @binding(0) var<uniform> present: Present;
@@ -20,7 +20,7 @@ fn vertex(@builtin(vertex_index) i: u32) -> PresentVertex {
   return PresentVertex(vec4f(at, 0.0, 1.0), vec2f(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y));
 }
 
-// AgX by Troy Sobotka, in the polynomial form of Benjamin Wrensch, with a look that keeps the sea's blues.
+// AgX tone curve by Troy Sobotka in the polynomial form of Benjamin Wrensch, with a look that keeps the sea's blues.
 fn present_agx(linear: vec3f) -> vec3f {
   const INTO = mat3x3f(
     vec3f(0.842479062253094, 0.0423282422610123, 0.0423756549057051),
@@ -37,15 +37,15 @@ fn present_agx(linear: vec3f) -> vec3f {
   let x2 = x * x;
   let x4 = x2 * x2;
   var c = 15.5 * x4 * x2 - 40.14 * x4 * x + 31.96 * x4 - 6.868 * x2 * x + 0.4298 * x2 + 0.1191 * x - 0.00232;
-  // The look: a little contrast and saturation.
+  // The look adds a little contrast and saturation.
   c = 1.09 * pow(max(c, vec3f(0.0)), vec3f(1.25));
   let grey = dot(c, vec3f(0.2126, 0.7152, 0.0722));
   c = max(grey + 1.18 * (c - grey), vec3f(0.0));
-  // Already encoded with a gamma of 2.2.
+  // The result is already encoded with a gamma of 2.2.
   return clamp(OUT * c, vec3f(0.0), vec3f(1.0));
 }
 
-// The reference rendering transform and the output transform for sRGB of ACES, as fitted by Stephen Hill (2016).
+// ACES tone curve: reference rendering transform and output transform for sRGB, as fitted by Stephen Hill (2016).
 fn present_aces(linear: vec3f) -> vec3f {
   const INTO = mat3x3f(
     vec3f(0.59719, 0.07600, 0.02840), vec3f(0.35458, 0.90834, 0.13383), vec3f(0.04823, 0.01566, 0.83777));
@@ -56,12 +56,12 @@ fn present_aces(linear: vec3f) -> vec3f {
   return OUT * fitted;
 }
 
-// Reinhard et al. 2002, equation 3, on each channel.
+// Tone curve of Reinhard et al. (2002), equation 3, applied to each channel.
 fn present_reinhard(linear: vec3f) -> vec3f {
   return linear / (1.0 + linear);
 }
 
-// Khronos PBR Neutral Tone Mapper, 2024: true colours below 0.8, highlights squeezed and desaturated.
+// Khronos PBR Neutral tone curve (2024): true colours below 0.8, compressed and desaturated highlights above.
 fn present_neutral(linear: vec3f) -> vec3f {
   const START = 0.8 - 0.04;
   const DESATURATION = 0.15;
@@ -78,15 +78,15 @@ fn present_neutral(linear: vec3f) -> vec3f {
   return mix(c * (squeezed / peak), vec3f(squeezed), g);
 }
 
-// IEC 61966-2-1.
+// Linear light to sRGB code values, 0 to 1 (IEC 61966-2-1).
 fn present_srgb(linear: vec3f) -> vec3f {
   let c = clamp(linear, vec3f(0.0), vec3f(1.0));
   return select(1.055 * pow(c, vec3f(1.0 / 2.4)) - 0.055, 12.92 * c, c <= vec3f(0.0031308));
 }
 
-// Exposed light to the screen's code values in 0..1. The order is that of model::look::Tone.
+// Exposed light to code values of the screen, 0 to 1. `tone` is the discriminant of `Tone` in src/state/look/mod.rs.
 fn present_tone(tone: u32, exposed: vec3f) -> vec3f {
-  // Past this every curve is white; squares stay finite.
+  // Above this limit every curve is white; the limit keeps squares finite.
   let c = clamp(exposed, vec3f(0.0), vec3f(1e6));
   switch tone {
     case 0u: { return present_agx(c); }
@@ -108,7 +108,7 @@ fn present_exposure() -> f32 {
   return present.exposure_gain * select(light.exposure, present.fixed_exposure, present.fixed_exposure > 0.0);
 }
 
-// Exposed light squeezed below 1, so that a glint does not outshine the edge that it is averaged with.
+// Exposed light, compressed below 1 so that a glint does not outshine an edge that it is averaged with.
 fn present_squeeze(c: vec3f) -> vec3f {
   let exposed = c * present_exposure();
   return exposed / (1.0 + sky_luminance(exposed));
@@ -118,19 +118,18 @@ fn present_at(uv: vec2f) -> vec3f {
   return present_squeeze(textureSampleLevel(hdr_map, hdr_sampler, uv, 0.0).rgb);
 }
 
-// How bright and how near.
+// Luminance of a pixel's compressed light, and nearness of the pixel (alpha, see frame_colour).
 fn present_corner(at: vec2i) -> vec2f {
   let last = vec2i(present.size) - 1;
   let corner = textureLoad(hdr_map, clamp(at, vec2i(0), last), 0);
   return vec2f(sky_luminance(present_squeeze(corner.rgb)), corner.a);
 }
 
-// A step in the distance that is an edge, m: less is one surface, whatever its slope.
+// Smallest step in distance that counts as an edge, m; less is one surface, whatever its slope.
 const PRESENT_EDGE_M = 1.5;
 
-// Edges smoothed along their direction, after FXAA by Timothy Lottes (2009): crests and the horizon have no other
-// smoothing where there is one sample a pixel. What lies on one surface, foam and glitter, is filtered already and would only
-// be blurred. Exposed light in and out.
+// Exposed light of a pixel, with edges smoothed along their direction after FXAA by Timothy Lottes (2009). Crests and
+// the horizon need it, at one sample per pixel. Foam and glitter lie on one surface and are filtered already.
 fn present_smooth(hdr: vec4f, at: vec2i, uv: vec2f) -> vec3f {
   let middle = present_squeeze(hdr.rgb);
   let nw = present_corner(at + vec2i(-1, -1));
@@ -142,7 +141,7 @@ fn present_smooth(hdr: vec4f, at: vec2i, uv: vec2f) -> vec3f {
   let high = max(here, max(max(nw.x, ne.x), max(sw.x, se.x)));
   let bend = max(abs(nw.y + se.y - 2.0 * hdr.a), abs(ne.y + sw.y - 2.0 * hdr.a));
   var smoothed = middle;
-  // Nearness is 1e4 / distance (frame.wgsl): its change for such a step.
+  // Change of the nearness 1e4 / distance (frame.wgsl) over a step of PRESENT_EDGE_M.
   let edge = 1e-4 * PRESENT_EDGE_M * (hdr.a - 1.0) * (hdr.a - 1.0);
   if bend >= edge && high - low > max(0.03, 0.16 * high) {
     let across = vec2f(sw.x + se.x - nw.x - ne.x, nw.x + sw.x - ne.x - se.x);
@@ -157,7 +156,7 @@ fn present_smooth(hdr: vec4f, at: vec2i, uv: vec2f) -> vec3f {
   return smoothed / max(1.0 - sky_luminance(smoothed), 1e-5);
 }
 
-// Between the picture's pixels, for a screen that has more of them or fewer. Exposed light out.
+// Exposed light interpolated between the picture's pixels, for a screen that has more or fewer pixels.
 fn present_between(uv: vec2f) -> vec3f {
   let p = uv * present.size - 0.5;
   let base = floor(p);
@@ -175,7 +174,7 @@ fn present_between(uv: vec2f) -> vec3f {
 
 @fragment
 fn fragment(in: PresentVertex) -> @location(0) vec4f {
-  // Pixels of the picture to one of the screen.
+  // Number of pixels of the picture per pixel of the screen, along x.
   let ratio = abs(dpdx(in.uv.x)) * present.size.x;
   let at = vec2u(clamp(in.uv * present.size, vec2f(0.0), present.size - 1.0));
   let hdr = textureLoad(hdr_map, at, 0);
@@ -194,7 +193,7 @@ fn fragment(in: PresentVertex) -> @location(0) vec4f {
     exposed = mix(exposed, textureSampleLevel(bloom_map, hdr_sampler, uv, 0.0).rgb * present_exposure(), present.bloom);
   }
   let encoded = present_tone(present.tone, exposed);
-  // Triangular noise of one step hides the banding of eight bits.
+  // Triangular noise of one code value hides the bands of eight-bit colours.
   let noise = present_hash(at) + present_hash(at + vec2u(7919u, 104729u)) - 1.0;
   return vec4f(encoded + noise * present.dither / 255.0, 1.0);
 }

@@ -1,6 +1,6 @@
-// False colours of the views. The structs are declared in src/render/views.rs.
+// False colours of the views that replace the picture. The structs are declared in src/render/views.rs.
 
-// Place of a value in its scale, 0 to 1.
+// Position of a value in the colour scale of a tile, 0 to 1.
 fn view_share(value: f32, tile: ViewTile) -> f32 {
   let even = (value - tile.low) / (tile.high - tile.low);
   let log_low = log2(max(tile.low, 1e-30));
@@ -8,7 +8,7 @@ fn view_share(value: f32, tile: ViewTile) -> f32 {
   return clamp(select(even, decades, view.logarithmic != 0u), 0.0, 1.0);
 }
 
-// Alpha 0 marks what is not a number, for the last pass to paint.
+// Colour of a value in the scale of a tile. Alpha is 0 for NaN and infinity, which show.wgsl then paints magenta.
 fn view_colour(value: f32, tile: ViewTile) -> vec4f {
   if (bitcast<u32>(value) & 0x7f800000u) == 0x7f800000u {
     return vec4f(0.0);

@@ -1,12 +1,12 @@
-// Maps of the simulation as they are, texel by texel: x (east) to the right, -z (north) up. Spectra have k = 0 in the middle.
+// Maps of the simulation, texel by texel: x (east) to the right, -z (north) up. Spectra have k = 0 in the middle.
 
 @group(0) @binding(0) var<uniform> view: View;
 @group(0) @binding(1) var displacement_map: texture_2d_array<f32>;
 @group(0) @binding(2) var gradients_map: texture_2d_array<f32>;
 @group(0) @binding(3) var moments_map: texture_2d_array<f32>;
 @group(0) @binding(4) var foam_map: texture_2d_array<f32>;
-@group(0) @binding(5) var<storage, read> h0: array<vec2f>; // [cascade][iz][ix]
-@group(0) @binding(6) var<storage, read> wave: array<vec2u>; // turns, bits of orbit / |k|, per triangle entry
+@group(0) @binding(5) var<storage, read> h0: array<vec2f>; // h0(k), [cascade][iz][ix]
+@group(0) @binding(6) var<storage, read> wave: array<vec2u>; // x: cycles of a wave per repeat period
 
 struct MapVertex {
   @builtin(position) clip: vec4f,
@@ -23,7 +23,7 @@ fn view_h0(at: vec2u, layer: u32, n: u32) -> vec2f {
   return h0[(layer * n + at.y) * n + at.x];
 }
 
-// h(k, t), as rows.wgsl has it.
+// Amplitude h(k, t) of a wave at the time of the maps; the same formula as in evolve.wgsl.
 fn view_h(at: vec2u, layer: u32, n: u32) -> vec2f {
   let a = view_h0(at, layer, n);
   let b = view_h0((vec2u(n) - at) & vec2u(n - 1u), layer, n);
@@ -34,7 +34,7 @@ fn view_h(at: vec2u, layer: u32, n: u32) -> vec2f {
   return forward + backward;
 }
 
-// Texels along a side of the map that is shown.
+// Number of texels along a side of the map that is shown.
 fn view_texels() -> u32 {
   switch view.kind {
     case 11u, 12u, 13u: { return textureDimensions(moments_map).x; }

@@ -1,4 +1,4 @@
-// A view to the screen, colour by colour: no exposure, no tone curve.
+// Copies a view to the screen, without exposure and tone curve.
 
 @group(0) @binding(0) var view_map: texture_2d<f32>;
 
@@ -17,6 +17,6 @@ fn vertex(@builtin(vertex_index) i: u32) -> ShowVertex {
 fn fragment(in: ShowVertex) -> @location(0) vec4f {
   let size = vec2f(textureDimensions(view_map));
   let colour = textureLoad(view_map, vec2u(clamp(in.uv * size, vec2f(0.0), size - 1.0)), 0);
-  // Not a number: magenta, as in the picture.
+  // NaN and infinity are magenta, as in the picture.
   return select(vec4f(1.0, 0.0, 1.0, 1.0), vec4f(colour.rgb, 1.0), colour.a > 0.99);
 }

@@ -1,16 +1,16 @@
-// Quantities of the drawn surface. They are drawn with the mesh, not once a pixel after it as the light is, because the
-// wireframe needs the columns and rows of the vertices, which no G-buffer holds.
+// Quantities of the drawn surface as false colours. They are drawn with the mesh, not afterwards per pixel as the light
+// is: the wireframe needs the columns and rows of the vertices, which the G-buffer does not hold.
 
 @group(2) @binding(0) var<storage, read> mesh_vertices: array<MeshVertex>;
 @group(3) @binding(0) var<uniform> view: View;
 
 struct SurfaceVertex {
   @builtin(position) clip: vec4f,
-  // Relative to the eye.
+  // Position relative to the eye, m.
   @location(0) place: vec3f,
-  // The undisplaced point.
+  // Undisplaced position (x, z) relative to the point below the eye, m.
   @location(1) rest: vec2f,
-  // Column and row of the mesh.
+  // Column and row of the vertex in the mesh.
   @location(2) lattice: vec2f,
 }
 
@@ -21,15 +21,16 @@ fn vertex(@builtin(vertex_index) i: u32) -> SurfaceVertex {
   return SurfaceVertex(frame.clip_from_relative * vec4f(v.place, 1.0), v.place, v.rest, lattice);
 }
 
-// Share of a pixel on a line a pixel wide at each whole number of `at`, which changes by `width` over the pixel.
+// Coverage of a pixel, 0 to 1, by lines one pixel wide at the integers of `at`, which changes by `width` over it.
 fn view_lines(at: vec3f, width: vec3f) -> f32 {
   let pixels = abs(fract(at - 0.5) - 0.5) / max(width, vec3f(1e-6));
-  // Where lines are closer than two pixels they are but a tint.
-  let line = mix(clamp(1.0 - pixels, vec3f(0.0), vec3f(1.0)), min(width, vec3f(1.0)), smoothstep(vec3f(0.3), vec3f(0.6), width));
+  // Lines closer than two pixels blend into a tint.
+  let line = mix(
+    clamp(1.0 - pixels, vec3f(0.0), vec3f(1.0)), min(width, vec3f(1.0)), smoothstep(vec3f(0.3), vec3f(0.6), width));
   return max(line.x, max(line.y, line.z));
 }
 
-// Share of a pixel's light that comes from foam.
+// Fraction of a pixel's light that comes from foam, 0 to 1.
 fn view_foam(at: vec2f, dx: vec2f, dy: vec2f) -> f32 {
   let pixel = foam_pixel(dx, dy);
   let level = foam_level(at, pixel);
@@ -43,7 +44,7 @@ fn fragment(in: SurfaceVertex) -> @location(0) vec4f {
   let dy = dpdy(at);
   let foot = water_footprint(dx, dy);
   let facet = normalize(cross(dpdy(in.place), dpdx(in.place)));
-  // Triangles are bounded by columns, rows and the diagonals that run against both.
+  // Edges of triangles lie at integer columns, rows, and sums of both, which are the diagonals.
   let edges = vec3f(in.lattice, in.lattice.x + in.lattice.y);
   let width = fwidth(edges);
   let tile = view.tiles[0];
@@ -55,7 +56,9 @@ fn fragment(in: SurfaceVertex) -> @location(0) vec4f {
     }
     case 2u: { return view_colour(slope.jacobian, tile); }
     case 3u: { return view_colour(slope.variance.x + slope.variance.y, tile); }
-    case 4u: { return view_colour(log2(max(foot.size * frame.cascades[tile.layer].inverse_patch * frame.n, 1e-6)), tile); }
+    case 4u: {
+      return view_colour(log2(max(foot.size * frame.cascades[tile.layer].inverse_patch * frame.n, 1e-6)), tile);
+    }
     case 5u: { return view_colour(view_foam(at, dx, dy), tile); }
     default: {
       let fill = vec3f(0.05, 0.12, 0.17) * (0.4 + 0.6 * abs(dot(facet, vec3f(0.48, 0.8, 0.36))));

@@ -1,18 +1,22 @@
-// A bed of sand below shallow water: what the refracted ray finds there, and the light that the waves focus on it.
+// The sandy bed below shallow water: its albedo where the refracted ray hits it, and the sunlight that waves focus.
 
+// Noise layer of sand patches and ripple marks.
 const BED_LAYER = 4u;
+// Noise layer of sand grains.
 const BED_FINE_LAYER = 5u;
-// Ripples in the sand: periods along the sides of the layer's tile, and their wavelength, m (render/material.rs).
+// Number of periods of the ripple marks in the sand along both sides of the noise tile (src/render/water/material.rs).
+// (src/render/water/material.rs).
 const BED_RIPPLES = vec2f(37.0, 11.0);
+// Wavelength of the ripple marks in the sand, m.
 const BED_RIPPLE_M = 0.32;
-// Softens the fold of a caustic: the sun's disc and what the water scatters.
+// Limits the brightness of a caustic, which the sun's disc and scattering in the water blur.
 const BED_FOLD = 0.15;
 
-// Albedo of the sand at a point beside the eye, filtered over `size` metres.
+// Albedo of the sand at a position relative to the point below the eye, m, filtered over `size` metres.
 fn bed_albedo(at: vec2f, size: f32) -> vec3f {
   let wide = material_noise(BED_LAYER, at, material_lod(BED_LAYER, size));
   let fine = material_noise(BED_FINE_LAYER, at, material_lod(BED_FINE_LAYER, size));
-  // Bent ripples: whole periods in a tile, so that they do not move with the eye's foot.
+  // Curved ripple marks, with whole periods per tile so that they stay in place when the eye moves.
   let uv = material_uv(BED_LAYER, at);
   let bend = 2.5 * textureSampleLevel(noise_map, noise_sampler, uv, 4.0).b;
   let phase = 2.0 * ATM_PI * (dot(uv, BED_RIPPLES) + bend);
@@ -27,11 +31,11 @@ fn bed_slope(at: vec2f) -> vec2f {
   return water_slope(at, WaterFootprint(vec2f(0.0), material.caustic_m, 1)).mean;
 }
 
-// Irradiance of the sun on the bed at a point over its mean: a ray that enters at s arrives at s + reach (grad eta)(s), so
-// that light is focused by 1 / |det(I + reach H)|.
+// Irradiance by the sun at a point of the bed, relative to its mean. A ray that enters the water at s meets the bed at
+// s + reach grad(eta)(s), with the elevation eta and its Hessian H. So light is focused by 1 / |det(I + reach H)|.
 fn bed_caustic(entry: vec2f, depth_m: f32) -> f32 {
   let reach = depth_m * (1.0 - material.index_air / material.index_water);
-  // The ray that arrives there.
+  // Two fixed-point steps find where the ray that arrives at the given point enters the water.
   var at = entry - reach * bed_slope(entry);
   at = entry - reach * bed_slope(at);
   let h = 0.5 * material.caustic_m;
@@ -41,8 +45,9 @@ fn bed_caustic(entry: vec2f, depth_m: f32) -> f32 {
   return sqrt((1.0 + BED_FOLD * BED_FOLD) / (det * det + BED_FOLD * BED_FOLD));
 }
 
-// Radiance inside the water towards the surface when the bed is in sight. `deep` is that of bottomless water, `place` the
-// point of the surface beside the eye, `ray` goes down into the water, `blur` is the deviation of its slope in the pixel.
+// Radiance inside the water towards the surface where the bed is visible. `deep`: radiance of bottomless water;
+// `place`: surface point (x, z) relative to the eye, m; `ray`: direction down into the water; `blur`: standard
+// deviation of the ray's slope within the pixel.
 fn water_bed(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: f32, blur: f32) -> vec3f {
   let column = max(frame.depth_m + height, 0.05);
   let down = max(-ray.y, 0.12);
@@ -54,7 +59,7 @@ fn water_bed(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: f32, blur
   var sun = light.sun * (max(frame.sun.y, 0.0) * (1.0 - water_fresnel(max(frame.sun.y, 0.0))));
   if WATER_CAUSTICS && frame.sun.y > 0.0 {
     let entry = hit + beam.xz * (column / min(beam.y, -0.3));
-    // What is scattered on its way is not focused.
+    // Light that is scattered on its way down is not focused.
     let straight = exp(-0.25 * (material.scatter.g - material.backscatter.g) * column / max(-beam.y, 0.3));
     let sharp = material.caustics * straight * (1.0 - smoothstep(0.5, 2.0, filtered / material.caustic_m));
     if sharp > 0.01 {

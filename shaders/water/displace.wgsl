@@ -1,9 +1,9 @@
-// Displaces the mesh of the sea.
+// Displaces the vertices of the water mesh.
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read_write> mesh_vertices: array<MeshVertex>;
 
-// A thread a vertex: columns along x, rows along y. Neighbours read their maps at one level, which a software GPU does together.
+// One thread per vertex: columns along x, rows along y. A software GPU samples faster if neighbours use one mip level.
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
   let vertex = id.x * frame.mesh.rows + id.y;
@@ -13,7 +13,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let azimuth = frame.mesh.first_azimuth + f32(id.x) * frame.mesh.azimuth_step;
   let t = frame.mesh.first_row + f32(id.y) * frame.mesh.row_step;
   let radius = frame.mesh.radius_m * (exp(t) - 1.0);
-  // Near the eye the lattice lies around the water that is below it.
+  // Near the eye, the lattice is centred on the undisplaced position of the water below the eye.
   let foot = frame.foot * exp(-radius / (4.0 * frame.reach_m));
   let at = foot + radius * vec2f(sin(azimuth), -cos(azimuth));
   let water = water_moved(at, mesh_spacing(radius), true);

@@ -1,27 +1,28 @@
-// Keeps the eye above the water: one workgroup looks at the waves around it and raises it over the highest, in the frame
-// that the picture's passes read afterwards. A pure function of the maps, so that a still depends on the state alone.
+// Keeps the eye above the water: one workgroup samples the waves around the eye and raises it above them, in the frame
+// uniform that later passes read. The result depends only on the maps, so a still depends only on the state.
 
 @group(0) @binding(0) var<storage, read_write> frame: Frame;
 
 const EYE_POINTS = 256u;
-// Height of the eye over the water below it, m, and how steeply the water around it may rise to that height.
+// Least height of the eye above the water straight below it, m.
 const EYE_CLEARANCE = 0.8;
+// Slope at which the highest permitted water rises with the distance from the eye.
 const EYE_STEEPNESS = 0.7;
-// Over this many metres the eye begins to rise before a crest is there.
+// Height over which the eye begins to rise before a crest forces it to, m.
 const EYE_SOFTNESS = 0.25;
-// At its own point, 12 for the foot, and at the foot.
+// Number of map samples by the first thread: its own point, 12 steps towards the water below the eye, the height there.
 const EYE_LOOKS = 14;
 
 var<workgroup> eye_needed: array<f32, EYE_POINTS>;
 
 @compute @workgroup_size(EYE_POINTS)
 fn main(@builtin(local_invocation_index) i: u32) {
-  // A sunflower's points, over all the water that the waves may have carried here.
+  // Points of a sunflower spiral, over all the water that waves can displace to the eye.
   let reach = 1.0 + frame.reach_m;
   let turn = f32(i) * 2.39996323;
   let at = reach * sqrt((f32(i) + 0.5) / f32(EYE_POINTS)) * vec2f(cos(turn), sin(turn));
-  // Every thread looks at its own point; the first goes on to where the water below the eye comes from, and to its height. One
-  // loop, for what looks is long and would be written out for each call.
+  // Every thread samples its own point. The first one then finds the undisplaced position and the height of the water
+  // below the eye. All samples share one loop, because the long function is copied into each call.
   var moved = vec3f(0.0);
   var under = vec3f(0.0);
   var foot = vec2f(0.0);
@@ -47,7 +48,7 @@ fn main(@builtin(local_invocation_index) i: u32) {
     workgroupBarrier();
   }
   if i == 0u {
-    // An eye that rides counts its height from the water below it.
+    // If the camera rides on a buoy, the eye's height counts from the water below it.
     frame.eye_m += frame.rides * under.y;
     let over = (eye_needed[0] - frame.eye_m) / EYE_SOFTNESS;
     let rise = select(log(1.0 + exp(over)), over, over > 20.0);

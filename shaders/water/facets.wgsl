@@ -1,12 +1,12 @@
-// Distributions of slopes: Gaussian, as Cox and Munk 1954 found it on the sea (Beckmann's), or Trowbridge and Reitz's (GGX)
-// with alpha^2 = 2 sigma^2; both with a mean and any covariance. Or Blinn and Phong's lobe. Parts of the pipeline: a software
-// GPU computes both sides of a branch.
+// Distributions of unresolved slopes: Gaussian (Beckmann), as Cox and Munk (1954) measured at sea, or GGX (Trowbridge
+// and Reitz) with alpha^2 = 2 sigma^2, both with any mean and covariance; or a Blinn-Phong lobe. They are compiled in
+// by override constants, because a software GPU executes both sides of a branch.
 
 override WATER_GGX: bool = false;
 override WATER_PHONG: bool = false;
 
-// Area seen from a direction over horizontal area: cosine with Smith's masking, for slopes towards that direction with
-// this mean and deviation.
+// Projected area of the facets that are visible from a direction, per horizontal area (Smith's masking). `height` and
+// `across`: vertical and horizontal part of the direction; `mean`, `sigma`: mean and deviation of the tilt towards it.
 fn water_seen(height: f32, across: f32, mean: f32, sigma: f32) -> f32 {
   let facing = height + across * mean;
   let scale = max(across * sigma, 1e-6);
@@ -15,15 +15,15 @@ fn water_seen(height: f32, across: f32, mean: f32, sigma: f32) -> f32 {
   }
   let a = facing / scale;
   let density = 0.39894228 * exp(-0.5 * min(a * a, 80.0));
-  // Integral of the density beyond |a|, Abramowitz and Stegun 26.2.17.
+  // Upper tail of the normal distribution at |a|, divided by its density (Abramowitz and Stegun 26.2.17).
   let t = 1.0 / (1.0 + 0.2316419 * abs(a));
   let tail = t * (0.319381530 + t * (-0.356563782 + t * (1.781477937 + t * (-1.821255978 + t * 1.330274429))));
   return scale * max(density * (1.0 - abs(a) * tail) + max(a, 0.0), 1e-7);
 }
 
-// Density of slopes, `off` from their mean, with this variance (xx, zz, xz).
+// Probability density of slopes with the covariance `variance` (xx, zz, xz), at the distance `off` from their mean.
 fn water_slope_density(off: vec2f, variance: vec3f) -> f32 {
-  // The sun's disc spreads the slopes that mirror it.
+  // The finite disc of the sun widens the range of slopes that reflect it.
   let xx = variance.x + frame.sun_blur;
   let zz = variance.y + frame.sun_blur;
   let xz = variance.z;
@@ -37,13 +37,13 @@ fn water_slope_density(off: vec2f, variance: vec3f) -> f32 {
   return peak * exp(-0.5 * clamp(square, 0.0, 160.0));
 }
 
-// The slopes as seen along one direction: towards it, beside it, and both together.
+// Slope statistics as seen along one direction: towards it, across it, and the covariance of both.
 struct WaterFacets {
   toward: vec2f,
   side: vec2f,
   height: f32,
   across: f32,
-  // Of the slope towards the direction: mean, deviation, and covariance with the side's over it.
+  // Tilt towards the direction: mean, deviation, and covariance with the slope across it, divided by the deviation.
   tilt: f32,
   sigma: f32,
   shear: f32,
@@ -52,7 +52,7 @@ struct WaterFacets {
 }
 
 fn water_facets(dir: vec3f, slope: WaterSlope) -> WaterFacets {
-  // Straight above any direction will do.
+  // For a vertical direction any azimuth will do.
   let level = select(vec2f(1e-4, 0.0), dir.xz, dot(dir.xz, dir.xz) > 1e-8);
   var f: WaterFacets;
   f.across = length(level);
@@ -63,13 +63,13 @@ fn water_facets(dir: vec3f, slope: WaterSlope) -> WaterFacets {
   f.sigma = sqrt(max(dot(f.toward, cov * f.toward), 1e-6));
   f.side_sigma = sqrt(max(dot(f.side, cov * f.side), 1e-6));
   f.shear = dot(f.toward, cov * f.side) / f.sigma;
-  // Tilt towards the eye is minus the slope in its direction.
+  // The tilt towards the eye is minus the slope along the direction.
   f.tilt = -dot(slope.mean, f.toward);
   f.side_mean = dot(slope.mean, f.side);
   return f;
 }
 
-// Area seen, and the cosine to the mean facet.
+// Projected area towards the direction per horizontal area: of all visible facets, and of the mean facet.
 fn water_facets_seen(f: WaterFacets) -> vec2f {
   return vec2f(water_seen(f.height, f.across, f.tilt, f.sigma), f.height + f.across * f.tilt);
 }
@@ -78,23 +78,23 @@ const WATER_NODES = 8;
 
 struct WaterNode {
   slope: vec2f,
-  // Variance of the slope beside the direction, for this slope along it.
+  // Variance of the slope across the direction, given the slope along it.
   side: f32,
   weight: f32,
-  // Slopes that the node stands for.
+  // Interval of slopes that the node represents.
   width: f32,
 }
 
-// A quadrature over the slopes that are seen, each by its projected area: even steps, because the sky that they mirror has
-// an edge.
+// Node i of a quadrature over the visible slopes, weighted by projected area. Small even steps resolve the edge of the
+// sky that the slopes reflect.
 fn water_node(f: WaterFacets, i: i32) -> WaterNode {
   let at = (f32(i) + 0.5) / f32(WATER_NODES);
   var t: f32;
   var node: WaterNode;
   var spread = 1.0;
   if WATER_GGX {
-    // The visible area beyond a slope alpha tan(a) is (R cos(a + phi) + c) / 2: steps of it, finer towards facets seen from
-    // their side, which mirror most.
+    // The visible area beyond the slope alpha tan(a) is (r cos(a + phi) + c) / 2. Nodes are steps of this area, finer
+    // towards facets seen at grazing angles, which reflect most.
     let area = at * (1.4 - 0.4 * at);
     let alpha = 1.41421356 * f.sigma;
     let c = f.height / f.across + f.tilt;
@@ -103,16 +103,16 @@ fn water_node(f: WaterFacets, i: i32) -> WaterNode {
     t = 1.41421356 * tan(clamp(a, -1.5, 1.5));
     node.weight = 1.4 - 0.8 * at;
     node.width = 1.3 * node.weight * f.sigma * (1.0 + 0.5 * t * t) / f32(WATER_NODES);
-    // A wide slope along is likely a wide one beside, too.
+    // With GGX, a large slope along the direction makes a large slope across it more likely.
     spread = 0.5 * (2.0 + t * t);
   } else {
-    // Slopes turned away from the eye are not seen.
+    // Slopes that are turned away from the eye are invisible.
     let low = -(f.height / f.across + f.tilt) / f.sigma;
     let from_t = max(low, -2.8);
-    // As far as the density reaches: over 1 / t in the far tail.
+    // Nodes cover the density up to 3 deviations, or a length of about 8 / t in its far tail.
     let range = max(3.0 - from_t, 8.0 / max(from_t, 2.9));
     t = from_t + at * range;
-    // Scaled so that not all underflow when only the far tail is seen; differences first, that none is lost there.
+    // Scaled, so that not all weights underflow in the far tail. Differences come first, to keep their precision there.
     let scale = max(low, 0.0);
     let past = from_t - scale + at * range;
     node.weight = exp(-0.5 * past * (t + scale)) * (from_t - low + at * range);

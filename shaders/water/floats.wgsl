@@ -1,9 +1,9 @@
-// Buoys and boats: painted hulls in the light of the sun, the sky and the sea. Their triangles come from
+// Buoys and boats: painted hulls in the light of sun, sky and sea. Their triangles come from
 // src/render/water/floats.rs.
 
 @group(1) @binding(0) var<storage, read> hull_vertices: array<HullVertex>;
 
-// Share of the light that the sea sends back up.
+// Fraction of the light, RGB, that the sea reflects up to a hull.
 const FLOAT_BOUNCE = vec3f(0.03, 0.05, 0.06);
 
 struct FloatVertex {
@@ -18,7 +18,7 @@ fn vertex(@builtin(vertex_index) i: u32) -> FloatVertex {
   let hull = hull_vertices[i];
   let drop = dot(hull.place.xz, hull.place.xz) / (2.0 * FRAME_EARTH_M);
   let place = hull.place - vec3f(0.0, drop + frame.eye_m, 0.0);
-  // A square is close enough to sRGB's curve for paint.
+  // A square approximates the sRGB curve well enough for paint.
   let encoded = unpack4x8unorm(hull.colour).rgb;
   return FloatVertex(frame.clip_from_relative * vec4f(place, 1.0), place, hull.normal, encoded * encoded);
 }
@@ -31,7 +31,7 @@ fn fragment(in: FloatVertex) -> @location(0) vec4f {
   let up = 0.5 + 0.5 * n.y;
   let sun = light.sun * max(dot(n, frame.sun), 0.0);
   let around = light.sky * up + (light.sky + light.sun * max(frame.sun.y, 0.0)) * FLOAT_BOUNCE * (1.0 - up);
-  // A coat of clear lacquer mirrors a little of the sky.
+  // A coat of clear lacquer reflects a little of the sky.
   let mirror = reflect(dir, n);
   let sheen = 0.04 + 0.96 * pow(clamp(1.0 + dot(dir, n), 0.0, 1.0), 5.0);
   let sky_there = light.sky * (0.32 * (0.5 + 0.5 * mirror.y));

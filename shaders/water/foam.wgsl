@@ -1,44 +1,47 @@
-// Whitecaps: how much foam a pixel holds and what it looks like.
+// Foam of whitecaps: how much of it a pixel holds, and what it looks like.
 
-// Layers of noise: windrows of tens of metres, patches of metres, strands of decimetres, bubbles of centimetres.
+// Noise layers: windrows of tens of metres, patches of metres, strands of decimetres, bubbles of centimetres.
 const FOAM_WINDROWS = 0u;
 const FOAM_PATCHES = 1u;
 const FOAM_STRANDS = 2u;
 const FOAM_BUBBLES = 3u;
-// Height of the relief of foam, m: of its lumps and of its bubbles.
+// Height of the lumps in the foam's relief, m.
 const FOAM_LUMPS_M = 0.035;
+// Height of the bubbles in the foam's relief, m.
 const FOAM_BUBBLES_M = 0.006;
-// Standard deviation of the slope of its bubbles.
+// Standard deviation of the slope of the bubbles' relief.
 const FOAM_BUBBLES_SLOPE = 0.2;
 // Reflectance of thick fresh foam (Whitlock, Bartlett and Gurganus 1982; Koepke 1984).
 const FOAM_ALBEDO = 0.72;
-// Share of its white that is left when a patch has aged to a film: whitecaps reflect 0.22 over their life (Koepke 1984).
+// Reflectance of foam aged to a film, relative to fresh foam: whitecaps average 0.22 over their life (Koepke 1984).
 const FOAM_AGED = 0.42;
-// Foam below this level is not seen.
+// Amount of foam, 0 to 1, below which none is drawn.
 const FOAM_LEAST = 0.002;
-// Most taps along a pixel of the level of foam, and of the noise.
+// Largest number of samples of the foam maps along a pixel's footprint.
 const FOAM_LEVEL_TAPS = 3;
+// Largest number of samples of the foam noise along a pixel's footprint.
 const FOAM_TAPS = 4;
-// Length in which the finest of the noise changes, m.
+// Length over which the finest noise changes, m.
 const FOAM_FINEST_M = 0.02;
 
-// A pixel on the undisplaced sea, for foam.
+// Footprint of a pixel on the undisplaced sea, as foam needs it.
 struct FoamPixel {
-  // The longer and the shorter side, and their lengths, m.
+  // Longer and shorter side as vectors, m, and the footprint's length and width, m.
   along: vec2f,
   across: vec2f,
   large: f32,
   small: f32,
 }
 
-// What foam looks like in a pixel.
+// Appearance of the foam in a pixel.
 struct WaterFoam {
-  // Share of the pixel's light that comes from foam: its area, less where it is thin.
+  // Fraction of the pixel's light that comes from foam: the covered area, less where foam is thin.
   cover: f32,
   // Height of the fine relief, around 0.5.
   grain: f32,
-  // Slope of its own relief, and the variance of the slope that the pixel does not resolve.
+  // Slope of the foam's relief.
   relief: vec2f,
+  // Variance of the slope of the foam's relief that the pixel does not resolve.
   rough: f32,
 }
 
@@ -50,7 +53,7 @@ fn foam_pixel(dx: vec2f, dy: vec2f) -> FoamPixel {
   return FoamPixel(along, select(dx, dy, swap), large, small);
 }
 
-// Foam and fresh breaking from the finest level that is valid at a point and no finer than the pixel; the mean beyond.
+// Foam (x) and its current source (y) from the finest valid level that is no finer than the pixel; else their means.
 fn foam_at(at: vec2f, footprint: f32) -> vec2f {
   var foam = vec2f(0.0);
   var left = 1.0;
@@ -67,10 +70,10 @@ fn foam_at(at: vec2f, footprint: f32) -> vec2f {
   return foam + (left * frame.mean_foam) * vec2f(1.0, 0.1);
 }
 
-// Foam and fresh breaking in a pixel, 0 to 1.
+// Foam (x) and its current source (y) in a pixel, 0 to 1.
 fn foam_level(at: vec2f, pixel: FoamPixel) -> vec2f {
   let whole_m = WATER_TAP * sqrt(pixel.small * pixel.large);
-  // As many taps as there are cells of the finest level along the pixel.
+  // One sample per cell of the finest level along the pixel.
   let taps = clamp(i32(ceil(pixel.large * frame.foam_levels[0].inverse_cell)), 1, FOAM_LEVEL_TAPS);
   var level = vec2f(0.0);
   for (var i = 0; i < taps; i++) {
@@ -79,7 +82,7 @@ fn foam_level(at: vec2f, pixel: FoamPixel) -> vec2f {
   return clamp(level * (frame.foam_gain / f32(taps)), vec2f(0.0), vec2f(1.0));
 }
 
-// Slope of a channel of a layer, per metre, over a step that the pixel resolves. `here` is the channel's value.
+// Gradient of one channel of a noise layer, 1/m, over a step that the pixel resolves. `here` is the value at `at`.
 fn foam_slope(layer: u32, channel: u32, at: vec2f, size: f32, lod: f32, here: f32) -> vec2f {
   let fine = max(lod, 0.0);
   let step = max(size, 0.5 * exp2(fine) / exp2(material_lod(layer, 1.0)));
@@ -88,23 +91,23 @@ fn foam_slope(layer: u32, channel: u32, at: vec2f, size: f32, lod: f32, here: f3
   return vec2f(x - here, z - here) / step;
 }
 
-// The normal distribution (Bowling and others 2009, to 2e-4).
+// Cumulative normal distribution (Bowling and others 2009, accurate to 2e-4).
 fn foam_share(x: f32) -> f32 {
   return 1.0 / (1.0 + exp(clamp(-x * (1.5976 + 0.07056 * x * x), -40.0, 40.0)));
 }
 
-// Its inverse (Abramowitz and Stegun 26.2.22, to 3e-3).
+// Inverse of the cumulative normal distribution (Abramowitz and Stegun 26.2.22, accurate to 3e-3).
 fn foam_quantile(share: f32) -> f32 {
   let t = sqrt(-2.0 * log(min(share, 1.0 - share)));
   return sign(share - 0.5) * (t - (2.30753 + 0.27061 * t) / (1.0 + t * (0.99229 + 0.04481 * t)));
 }
 
-// What a level of foam and fresh breaking looks like in a pixel.
+// Appearance of foam in a pixel. `level` holds the amount of foam (x) and of its current source (y), 0 to 1.
 fn foam_seen(at: vec2f, pixel: FoamPixel, level: vec2f) -> WaterFoam {
   let whole_m = WATER_TAP * sqrt(pixel.small * pixel.large);
   let taps = clamp(i32(ceil(pixel.large / FOAM_FINEST_M)), 1, FOAM_TAPS);
   let share = 1.0 / f32(taps);
-  // A tap stands for its part of the pixel. Windrows are longer than most pixels and bubbles shorter: one tap is enough.
+  // Each sample covers its part of the pixel. Windrows are longer than most pixels and bubbles shorter: one is enough.
   let size = WATER_TAP * max(sqrt(pixel.small * pixel.large * share), pixel.large * share);
   let lods = vec4f(material_lod(FOAM_WINDROWS, WATER_TAP * pixel.large), material_lod(FOAM_PATCHES, size),
     material_lod(FOAM_STRANDS, size), material_lod(FOAM_BUBBLES, whole_m));
@@ -114,8 +117,8 @@ fn foam_seen(at: vec2f, pixel: FoamPixel, level: vec2f) -> WaterFoam {
   let bubbles = material_noise(FOAM_BUBBLES, at, lods.w).g;
   // Fresh foam is a closed mass of bubbles, old foam a net of thin strands.
   let fresh = smoothstep(0.0, 0.45, level.y);
-  // A sum of uniform variables is nearly normal. The part of it that the pixel does not resolve softens the edge, so that
-  // the mean over the noise is the level at every distance.
+  // A sum of uniform variables is nearly normal. Its part that the pixel does not resolve softens the edge, so that the
+  // mean over the noise is the amount of foam at every distance.
   let weight = mix(vec4f(0.7, 0.9, 1.1, 0.45), vec4f(0.4, 0.9, 0.8, 0.4), fresh);
   let total = dot(weight, weight);
   let resolved = dot(weight * weight, kept) / total;
@@ -123,8 +126,8 @@ fn foam_seen(at: vec2f, pixel: FoamPixel, level: vec2f) -> WaterFoam {
   let wanted = clamp(level.x, 1e-4, 1.0 - 1e-4);
   let edge = sqrt(1.0 + soft * soft) * foam_quantile(wanted);
   let sharp = inverseSqrt(soft * soft + 1.0 - resolved);
-  // An old patch is a film that thickens along its strands, the less steeply the less of them is resolved. Strands and grain
-  // are higher where foam covers than elsewhere: both count relative to their means there, fitted to 400,000 draws.
+  // An old patch is a film that is thicker along its strands, less so if they are not resolved. Strands and grain are
+  // higher where foam covers: both are relative to their means there, which are fitted to 400,000 draws.
   let bare = 1.0 - sqrt(wanted);
   let shown = 0.775 * kept.z + 0.225 * kept.y;
   let thickens = inverseSqrt(0.018 + 0.045 * (1.0 - shown));
@@ -133,7 +136,7 @@ fn foam_seen(at: vec2f, pixel: FoamPixel, level: vec2f) -> WaterFoam {
   var out: WaterFoam;
   var covered = 0.0;
   for (var i = 0; i < taps; i++) {
-    // Even along the pixel, and by the golden ratio across it.
+    // Samples have even steps along the pixel and follow the golden ratio across it.
     let k = f32(i) - 0.5 * f32(taps - 1);
     let tap = at + pixel.along * (k * share) + pixel.across * (fract(0.5 + 0.618034 * k) - 0.5);
     let patches = material_noise(FOAM_PATCHES, tap, lods.y).r;
@@ -160,12 +163,12 @@ fn foam_seen(at: vec2f, pixel: FoamPixel, level: vec2f) -> WaterFoam {
   return out;
 }
 
-// Radiance of foam: a white body, lit by sun and sky, with the gloss of its wet bubbles.
+// Radiance of foam towards `v`: a white diffuse body lit by sun and sky, with the gloss of its wet bubbles.
 fn foam_light(v: vec3f, slope: WaterSlope, foam: WaterFoam) -> vec3f {
   let n = water_normal(slope.mean + foam.relief);
   let l = frame.sun;
-  // Light spreads inside the foam: the shade at its edge is soft. The mean brightness over the slopes that the pixel does not
-  // resolve is more than the brightness of their mean, because what faces away is not darker than dark.
+  // Light spreads inside foam, which softens its shading. Unresolved slopes brighten the mean, because facets that are
+  // turned away from the sun are not darker than black.
   let cosine = dot(n, l);
   let mean = 0.8 * cosine + 0.2 * l.y;
   let across = slope.variance.x * l.x * l.x + slope.variance.y * l.z * l.z + 2.0 * slope.variance.z * l.x * l.z;
@@ -179,7 +182,7 @@ fn foam_light(v: vec3f, slope: WaterSlope, foam: WaterFoam) -> vec3f {
   if l.y <= 0.0 || cosine <= 0.0 {
     return body;
   }
-  // Isotropic GGX; Smith's masking for both in Hammon's form of 2017.
+  // Isotropic GGX, with Smith's masking and shadowing as approximated by Hammon (2017).
   let alpha = max(material.foam_roughness * material.foam_roughness, 0.02);
   let h = normalize(v + l);
   let facing = dot(n, h);

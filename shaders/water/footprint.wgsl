@@ -1,56 +1,58 @@
-// The part of the undisplaced sea that a pixel shows, and how it is filtered.
+// The footprint of a pixel on the undisplaced sea, and how the maps are filtered over it.
 
-// A footprint is read by several taps along its longer side, so that it is not blurred across. Hardware anisotropy would
-// differ between GPUs, and takes minutes on a software adapter.
+// An anisotropic footprint, sampled several times along its longer side, so that it is not blurred across. Hardware
+// anisotropy differs between GPUs and takes minutes on a software adapter.
 struct WaterFootprint {
-  // The longer side, m.
+  // Longer side as a vector, m.
   axis: vec2f,
-  // Size of a tap, m.
+  // Width that one sample filters over, m.
   size: f32,
   taps: i32,
 }
 
+// Largest number of samples along a footprint.
 const WATER_TAPS = 3;
-// Size of a tap over the length that it stands for: 1 / sqrt(3), because a mip level that is read with interpolation between
-// its texels (a box and a tent) blurs as much as a box of sqrt(3) times the texel.
+// Texel size at which a sample is read, relative to the length it covers: 1 / sqrt(3), because interpolation between
+// the texels of a mip level (a box and a tent) blurs as much as a box of sqrt(3) texels.
 const WATER_TAP = 0.58;
 
-// The footprint of a pixel with these sides, m.
+// Footprint of a pixel with the sides `dx` and `dy`, m.
 fn water_footprint(dx: vec2f, dy: vec2f) -> WaterFootprint {
   let x = length(dx);
   let y = length(dy);
   let large = max(x, y);
-  // Area over length is right even where the two sides are nearly parallel.
+  // Area divided by length is right even where the two sides are nearly parallel.
   let small = max(abs(dx.x * dy.y - dx.y * dy.x) / max(large, 1e-9), 1e-6);
   let taps = clamp(i32(ceil(large / small - 0.3)), 1, WATER_TAPS);
   return WaterFootprint(select(dy, dx, x > y), WATER_TAP * max(small, large / f32(taps)), taps);
 }
 
-// Mean side of a footprint over the patch at which the slopes of a cascade begin to fade into variance, and at which all of
-// them have: its longest waves are as short as the footprint, whose mean would keep 2 % of their slopes.
+// Footprint size, relative to the patch of a cascade, at which its slopes begin to fade into variance.
 const WATER_FADE = 0.08;
+// Relative footprint size at which no slopes are left: a mean over it would keep 2 % of those of the longest waves.
 const WATER_FAR = 0.16;
-// Slopes of waves of more texels than this are smooth enough between texels without a spline.
+// Maps whose shortest wave is longer than this number of texels are smooth enough without a spline.
 const WATER_SMOOTH = 6.0;
-// The coarsest mip level.
+// A mip level no finer than the coarsest of any map.
 const WATER_COARSEST = 16.0;
 
-// How the maps of a cascade are read within a footprint.
+// How the maps of a cascade are sampled within a footprint.
 struct WaterReading {
-  // Share of the slopes that stays in their mean; 0 for a map so distant that only its variance is left.
+  // Weight of the mean slope, 0 to 1; 0 for a cascade so distant that only its variance is left.
   share: f32,
-  // Smoothness of the spline where the maps are magnified, else 0.
+  // Smoothness of the spline where the maps are magnified, 0 to 1; 0 elsewhere.
   near: f32,
-  // Taps of the slopes and of their moments.
+  // Number of samples of the gradients map along the footprint.
   taps: i32,
+  // Number of samples of the moments map along the footprint.
   moment_taps: i32,
-  // The longer side of the footprint in texture coordinates.
+  // Longer side of the footprint in texture coordinates.
   along: vec2f,
-  // Mip levels of the slopes, of the displacement and of the moments.
+  // Mip levels of the gradients, of the displacement and of the moments map.
   slope_lod: f32,
   displacement_lod: f32,
   moment_lod: f32,
-  // Share of the moments that counts as variance.
+  // Fraction of the slope moments that counts as unresolved variance, 0 to 1.
   unresolved: f32,
 }
 
@@ -70,13 +72,13 @@ fn water_reading(map: FrameCascade, foot: WaterFootprint) -> WaterReading {
     return out;
   }
   out.near = select(0.0, 1.0 - smoothstep(0.8, 1.25, long), map.wave_texels < WATER_SMOOTH);
-  // As many taps as are worth it: interpolation between texels blurs as much as a box of 1.4 texels. Half as many for the
-  // smoother moments, and one for the displacement, whose part in the slope is of second order.
+  // No more samples than are useful: interpolation between texels blurs as much as a box of 1.4 texels. The smoother
+  // moments take half as many, and the displacement takes one, as its effect on the slope is of second order.
   out.taps = clamp(i32(ceil(long / max(wide, 1.4) - 0.3)), 1, foot.taps);
   out.slope_lod = lod;
   out.displacement_lod = log2(max(WATER_TAP * long, 1e-6));
-  // The moments hold nothing finer than two texels; closer up they would count resolved waves twice. The level from which
-  // they count is fitted to the sum of resolved and unresolved variance.
+  // The moments hold nothing finer than two texels; for smaller footprints they would count resolved waves twice. The
+  // mip level from which they count is fitted to the sum of resolved and unresolved variance.
   out.unresolved = (1.0 - out.near * out.near) * clamp(lod + 0.5, 0.0, 1.0);
   out.moment_taps = select((out.taps + 1) / 2, 0, out.unresolved <= 0.0);
   let moment_tap = lod + log2(f32(out.taps) / f32(max(out.moment_taps, 1)));

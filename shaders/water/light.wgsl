@@ -1,14 +1,14 @@
-// The water lit once a pixel, after its mesh was drawn into a G-buffer: triangles about as small as a pixel would have each
-// pixel lit several times, because GPUs shade quads of pixels.
+// Lights the water once per pixel, after its mesh was drawn into a G-buffer. Triangles about as small as pixels would
+// have each pixel lit several times, because GPUs shade quads of pixels.
 
 @group(2) @binding(0) var<storage, read> mesh_vertices: array<MeshVertex>;
 
 struct MeshFragment {
   @builtin(position) clip: vec4f,
   @location(0) place: vec3f,
-  // The undisplaced point (x, z), and the height of the wave.
+  // Undisplaced position (x, z) relative to the point below the eye, m, and height of the wave, m.
   @location(1) rest: vec3f,
-  // The slope and the stretch that the mesh carries.
+  // Slope and stretch, interpolated between the vertices.
   @location(2) carried: vec4f,
   @location(3) shear: vec2f,
 }
@@ -20,12 +20,12 @@ fn mesh_vertex(@builtin(vertex_index) i: u32) -> MeshFragment {
   return MeshFragment(clip, v.place, vec3f(v.rest, v.height), vec4f(v.slope, v.stretch), v.shear);
 }
 
-// The water that a pixel shows, in 32 bytes, which is the most that a pass may write.
+// The water that a pixel shows, in 32 bytes: the most that WebGPU guarantees a pass to write per pixel.
 struct GBuffer {
-  // The undisplaced point and the distance from the eye as floats; the height of the wave and the mean of the shears that
-  // the mesh carries as half floats.
+  // The undisplaced position (x, z) and the distance from the eye, m, as floats; the height of the wave and the mean of
+  // the two interpolated shears as half floats.
   @location(0) point: vec4u,
-  // As half floats: sides of the pixel on the undisplaced sea; the slope and the stretch that the mesh carries.
+  // As half floats: sides of the pixel on the undisplaced sea, m; interpolated slope and stretch.
   @location(1) slopes: vec4u,
 }
 
@@ -35,7 +35,9 @@ fn mesh_fragment(in: MeshFragment) -> GBuffer {
   let height = pack2x16float(vec2f(in.rest.z, 0.5 * (in.shear.x + in.shear.y)));
   return GBuffer(
     vec4u(bitcast<vec3u>(vec3f(in.rest.xy, length(in.place))), height),
-    vec4u(pack2x16float(sides.xy), pack2x16float(sides.zw), pack2x16float(in.carried.xy), pack2x16float(in.carried.zw)));
+    vec4u(
+      pack2x16float(sides.xy), pack2x16float(sides.zw),
+      pack2x16float(in.carried.xy), pack2x16float(in.carried.zw)));
 }
 
 @group(2) @binding(0) var point_map: texture_2d<u32>;
@@ -48,8 +50,8 @@ fn water_sides(packed: vec4u) -> vec4f {
   return vec4f(unpack2x16float(packed.x), unpack2x16float(packed.y));
 }
 
-// The sides of the first pixel of a pixel's quad, if they are nearly its own. A software rasterizer reads a map for a whole
-// quad at once where all of its pixels read the same mip level.
+// Footprint sides of the first pixel of a 2 x 2 quad, if they are close to the pixel's own. A software rasterizer
+// samples a map for a whole quad at once if all its pixels use the same mip level.
 fn water_shared_sides(pixel: vec2i, own: vec4f) -> vec4f {
   let first = water_sides(textureLoad(slopes_map, pixel & vec2i(-2), 0));
   let off = first - own;
@@ -65,7 +67,7 @@ struct LightFragment {
 @vertex
 fn light_vertex(@builtin(vertex_index) i: u32) -> LightFragment {
   let at = vec2f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0);
-  // Farther than any water, nearer than the sky: the depth test leaves the pixels that show water.
+  // The depth lies behind all water and before the sky, so that the depth test leaves the pixels that show water.
   return LightFragment(vec4f(at, 1e-30, 1.0), frame.forward + frame.right * at.x + frame.up * at.y);
 }
 
@@ -85,13 +87,13 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let foot = water_footprint(dx, dy);
   var slope: WaterSlope;
   if WATER_SAMPLES {
-    // The slopes that the mesh carries are linear between its vertices; a sample needs those of its point.
+    // Slopes interpolated between the vertices are linear there; a sample needs the slope at its point.
     slope = water_slope(at, foot);
   } else {
     let carried = WaterSums(unpack2x16float(packed.z), unpack2x16float(packed.w), height.yy);
     slope = water_slope_beyond(at, foot, foot, carried, true);
   }
-  // A neighbour that shows other water says nothing of how the slope changes here.
+  // If a neighbouring pixel shows another wave, the difference is not a change of slope within this pixel.
   let off_x = abs(dpdx(at) - dx);
   let off_y = abs(dpdy(at) - dy);
   let bend_x = select(vec2f(0.0), dpdx(slope.mean), off_x.x + off_x.y < 0.5 * length(dx));

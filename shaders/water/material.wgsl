@@ -1,7 +1,8 @@
-// The material of water, foam and bed. The struct `Material` is declared in src/render/water/material.rs.
+// Optical properties of water, foam and bed. The struct `Material` is declared in src/render/water/material.rs.
 
-// Texels over which the channel of a layer (cloud, net, net, bubbles; cloud, bubbles) keeps half its variance, and how
-// steeply that falls: fitted to the mips of noise.rs as the sampler reads them, between texels and between levels.
+// For each noise layer (channels cloud, net, net, bubbles; cloud, bubbles): texel size, in texels of mip level 0, at
+// which half the variance is left, and steepness of the decrease. Fitted to the mip levels of src/render/water/noise.rs
+// as the sampler interpolates them.
 const MATERIAL_HALF_KEPT = array<vec2f, 6>(
   vec2f(42.0, 1.8), vec2f(10.9, 1.5), vec2f(10.9, 1.5), vec2f(2.7, 1.65), vec2f(42.0, 1.8), vec2f(2.7, 1.65));
 
@@ -10,17 +11,17 @@ fn material_uv(layer: u32, at: vec2f) -> vec2f {
   return place.foot_uv + place.to_uv * at;
 }
 
-// Texels of a layer in a length, as a level of detail.
+// Mip level of a noise layer whose texels are `size` metres wide.
 fn material_lod(layer: u32, size: f32) -> f32 {
   return log2(max(size * sqrt(abs(determinant(material.layers[layer].to_uv))) * 512.0, 1e-4));
 }
 
-// Noise of a layer at a point beside the eye, at a level of detail.
+// Noise of a layer at a position relative to the point below the eye, m, at a mip level.
 fn material_noise(layer: u32, at: vec2f, lod: f32) -> vec4f {
   return textureSampleLevel(noise_map, noise_sampler, material_uv(layer, at), max(lod, 0.0));
 }
 
-// Share of the variance of the layer's channel that a level of detail keeps.
+// Fraction of the variance of a layer's channel that is left at a mip level, 0 to 1.
 fn material_kept(layer: u32, lod: f32) -> f32 {
   let half_kept = MATERIAL_HALF_KEPT[layer];
   return 1.0 / (1.0 + exp2(half_kept.y * (lod - log2(half_kept.x))));

@@ -1,9 +1,9 @@
-// Mirrored sky and sun, over the distribution of slopes that the eye sees. After Bruneton, Neyret and Holzschuch 2010, with
-// the sum over the visible slopes carried out.
+// Reflected sky and sun, integrated over the slopes that the eye sees, after Bruneton, Neyret and Holzschuch (2010),
+// but with a quadrature over the visible slopes.
 
 struct WaterMirror {
   radiance: vec3f,
-  // Mean Fresnel reflectance over the slopes that are seen.
+  // Mean Fresnel reflectance over the visible slopes.
   reflectance: f32,
 }
 
@@ -12,17 +12,17 @@ fn water_environment(dir: vec3f, lod: f32) -> vec3f {
   return textureSampleLevel(environment_map, sky_sampler, uv, lod).rgb;
 }
 
-// Mirrored sky and sun; `v` points to the eye, in the frame of the local vertical.
+// Reflected sky and sun. `v` points to the eye, in axes whose y is the local vertical.
 fn water_mirror(v: vec3f, surface: WaterSlope) -> WaterMirror {
   return water_mirror_among(v, surface, surface);
 }
 
-// The same of a part of a surface: facets of `around` hide it from the eye and the sun, and mirror their light to it.
+// Reflected sky and sun of a part of a surface. Facets of `others` hide it from eye and sun, and reflect light to it.
 fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> WaterMirror {
   var slope = surface;
   var around = others;
   if WATER_PHONG {
-    // The lobe of a shininess in place of the slopes that the pixel does not resolve.
+    // A Blinn-Phong lobe of the given shininess replaces the slopes that the pixel does not resolve.
     slope.variance = vec3f(vec2f(1.0 / (material.shininess + 2.0)), 0.0);
     around.variance = slope.variance;
   }
@@ -33,11 +33,11 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
   for (var i = 0; i < WATER_NODES; i++) {
     let node = water_node(eye, i);
     let n = water_normal(node.slope);
-    // Slopes beside the direction lengthen the facet's normal, but not its part towards the eye.
+    // Slopes across the viewing direction lengthen the facet's unscaled normal, but not its part towards the eye.
     let tilted = material.fresnel_normals * node.slope;
     let beside = 1.0 + dot(tilted, tilted) + material.fresnel_normals * material.fresnel_normals * node.side;
     let f = water_fresnel((v.y - dot(v.xz, tilted)) * inverseSqrt(beside));
-    // Between two nodes, and as far as slopes beside the direction turn the ray: less, the flatter it comes.
+    // Blur of the sky: the distance to the next node, or the turn of the ray by slopes across it (less if grazing).
     let turned = 1.2 * eye.side_sigma * max(dot(v, n), 0.0);
     let spread = max(1.6 * node.width, turned) * (128.0 / ATM_PI) + 1e-3;
     sum += node.weight * f * water_environment(reflect(-v, n), clamp(log2(spread), 0.0, 5.0));
@@ -51,7 +51,7 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
     out.radiance += water_glitter(v, slope, eye, around, out.reflectance);
     return out;
   }
-  // The two halves of a long pixel glitter each by its own slopes: what lies between a wave's face and its back is neither.
+  // Both halves of an elongated footprint glitter by their own slopes: neither has the mean of a wave's face and back.
   let lean = vec3f(slope.lean * slope.lean, slope.lean.x * slope.lean.y);
   var part = slope;
   part.variance = water_covariance(max(slope.variance - lean, vec3f(0.3 * slope.variance.xy, -1.0)));
@@ -68,9 +68,9 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
   return out;
 }
 
-// Light mirrored twice over that mirrored once, by facets of this mean reflectance. A share of what the facets mirror falls
-// on other waves: fitted to the integral of the masking below over the slopes that are seen, to 0.01 for deviations up to
-// 0.2; it depends on the eye's elevation over the deviation alone, as long as both are small.
+// Radiance reflected twice divided by that reflected once, by facets of the given mean reflectance. The fraction of
+// reflected rays that meet other waves is fitted to the integral of the masking in water_unhidden over the visible
+// slopes, to 0.01 for deviations up to 0.2. If elevation and deviation are small, it depends on their ratio alone.
 fn water_again(f: WaterFacets, reflectance: f32) -> f32 {
   let a = clamp((f.height + f.across * f.tilt) / (f.across * f.sigma), 0.0, 1e3);
   var lost = 0.16 * a / (1.0 + 0.7 * a) * exp(-min(a * a / 8.41, 80.0));
@@ -80,14 +80,15 @@ fn water_again(f: WaterFacets, reflectance: f32) -> f32 {
   return reflectance * lost / (1.0 - lost);
 }
 
-// 1 / (area seen, enlarged by what of it lies in shadow): Smith's masking and shadowing of one height field (Ross, Dion and
-// Potvin 2005), for areas and cosines of the eye and of the sun. What hides a facet from one often hides it from the other.
+// 1 / (projected area, enlarged by its part in shadow): Smith's masking and shadowing of one height field (Ross, Dion
+// and Potvin 2005). `seen` and `lit` hold projected area and mean cosine for the eye and for the sun. A facet that is
+// hidden from one is often hidden from the other.
 fn water_unhidden(seen: vec2f, lit: vec2f) -> f32 {
   let shadow = max(lit.x / max(lit.y, 1e-6), 1.0) - 1.0;
   return step(1e-6, lit.y) / (max(seen.x, 1e-5) + max(seen.y, 0.0) * shadow);
 }
 
-// The sun: density of the slope that mirrors it into the eye. `reflectance` is the mean over the facets.
+// Radiance of the reflected sun, from the density of the slope that reflects it. `reflectance` is the mean of facets.
 fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlope, reflectance: f32) -> vec3f {
   let l = frame.sun;
   let h = normalize(l + v);
@@ -95,14 +96,14 @@ fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlo
     return vec3f(0.0);
   }
   let mirror_slope = -h.xz / h.y;
-  // A picture's pixel is all of its surface.
+  // In a filtered picture, the pixel's surface is all there is around; a sample has the surface `around`.
   var all = eye;
   if WATER_SAMPLES {
     all = water_facets(v, around);
   }
   let seen = water_facets_seen(all);
   let lit = water_facets_seen(water_facets(l, around));
-  // Of the part over that of all.
+  // Projected area of the surface around, divided by that of this part.
   let share = max(seen.x, 1e-5) / max(water_facets_seen(eye).x, 1e-5);
   var f = water_fresnel(dot(v, h));
   if material.fresnel_normals != 1.0 {
@@ -110,7 +111,7 @@ fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlo
   }
   var brightness: f32;
   if WATER_PHONG {
-    // Normalised over the half vectors; the larger cosine in place of the product keeps it below 1 (Neumann et al. 1999).
+    // Normalised over half vectors. The larger cosine, not the product of both, keeps it below 1 (Neumann et al. 1999).
     let n = water_normal(slope.mean);
     let cosines = vec2f(dot(n, l), dot(n, v));
     let lobe = (material.shininess + 2.0) / (8.0 * ATM_PI) * pow(max(dot(n, h), 1e-6), material.shininess);
@@ -119,7 +120,7 @@ fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlo
     let h2 = h.y * h.y;
     let density = water_slope_density(mirror_slope - slope.mean, slope.variance);
     brightness = share * density / (4.0 * h2 * h2) * water_unhidden(seen, lit);
-    // Sunlight mirrored twice is as bright around as that mirrored once. It matters in the flat view of rough water.
+    // Sunlight reflected twice spreads like that reflected once. It matters in grazing views of rough water.
     brightness *= 1.0 + water_again(all, reflectance);
   }
   if material.specular_cut > 0.0 {
@@ -127,6 +128,6 @@ fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlo
     brightness *= smoothstep(0.5 * material.specular_cut, material.specular_cut, min(dot(n, l), dot(n, v)));
   }
   let strength = material.specular_scale * clamp(material.specular_fresnel * f, 0.0, 1.0);
-  // A mirror image is not brighter than the sun's disc.
+  // A reflection is not brighter than the sun's disc.
   return light.sun * min(strength * brightness, frame.sun_peak);
 }

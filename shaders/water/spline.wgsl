@@ -1,26 +1,26 @@
-// The maps of the simulation, read smoothly between their texels.
+// The wave and foam maps, and smooth interpolation between their texels.
 
 @group(1) @binding(0) var displacement_map: texture_2d_array<f32>;
 @group(1) @binding(1) var gradients_map: texture_2d_array<f32>;
 @group(1) @binding(2) var moments_map: texture_2d_array<f32>;
 @group(1) @binding(3) var foam_map: texture_2d_array<f32>;
-// Interpolates between mip levels, or takes the nearest one.
+// The first sampler interpolates between mip levels, the second takes the nearest one.
 @group(1) @binding(4) var wave_sampler: sampler;
 @group(1) @binding(5) var level_sampler: sampler;
 
-// Interpolation between texels, from linear (smoothness 0) to Catmull-Rom's spline over 4 x 4 texels (1), in five bilinear
-// taps. The corners of the spline, at most 1.6 % of its weight, are left out.
+// Interpolation between texels by five bilinear samples, from linear (smoothness 0) to a Catmull-Rom spline over 4 x 4
+// texels (1). The corners of the spline, at most 1.6 % of its weight, are left out.
 struct WaterSpline {
   before: vec2f,
   middle: vec2f,
   after: vec2f,
-  // Weights of the taps: of the middle one, of those before and after it along x, and along z.
+  // Weights of the samples: in the middle, before and after it along x, before and after it along z.
   at_middle: f32,
   along_x: vec2f,
   along_z: vec2f,
 }
 
-// The taps at texture coordinates of a map of n texels a side.
+// Positions and weights of the samples at texture coordinates of a map with n texels along a side.
 fn water_spline(uv: vec2f, n: f32, smoothness: f32) -> WaterSpline {
   let p = uv * n - 0.5;
   let base = floor(p);
@@ -35,7 +35,7 @@ fn water_spline(uv: vec2f, n: f32, smoothness: f32) -> WaterSpline {
     over * w12.x * w12.y, (over * w12.y) * vec2f(w0.x, w3.x), (over * w12.x) * vec2f(w0.y, w3.y));
 }
 
-// The value of mip level 0 of a map at the taps.
+// Value of mip level 0 of a map, from the five samples of a spline.
 fn water_splined(map: texture_2d_array<f32>, s: WaterSpline, layer: u32) -> vec4f {
   return s.at_middle * textureSampleLevel(map, level_sampler, s.middle, layer, 0.0)
     + s.along_x.x * textureSampleLevel(map, level_sampler, vec2f(s.before.x, s.middle.y), layer, 0.0)

@@ -1,16 +1,16 @@
-// The displaced surface: the sum of the cascades, each blended from shifted copies (tiles.wgsl).
+// The displaced surface: the sum of all cascades, each blended from shifted copies of its patch (tiles.wgsl).
 
-// Sums over the cascades, without the displacement factors.
+// Sums over the cascades of derivatives of elevation and displacement (Dx, Dz), without choppiness.
 struct WaterSums {
-  // Slope of the height.
+  // Slope of the elevation along x and z.
   slope: vec2f,
-  // dDx/dx and dDz/dz.
+  // Derivatives dDx/dx and dDz/dz.
   stretch: vec2f,
-  // dDx/dz and dDz/dx.
+  // Derivatives dDx/dz and dDz/dx.
   shear: vec2f,
 }
 
-// Adds a copy with values of the gradients and displacement maps. `weight` is its weight with its derivatives along x and z.
+// Adds one copy of a patch with its gradients `g` and displacement `d`. `weight`: its weight, and d/dx and d/dz of it.
 fn water_sum(sums: WaterSums, g: vec4f, d: vec4f, weight: vec3f) -> WaterSums {
   return WaterSums(
     sums.slope + weight.x * g.xy + weight.yz * d.y,
@@ -18,12 +18,13 @@ fn water_sum(sums: WaterSums, g: vec4f, d: vec4f, weight: vec3f) -> WaterSums {
     sums.shear + weight.x * d.ww + weight.zy * d.xz);
 }
 
-// Steps of the mesh to the shortest wave of a cascade from which on the vertices carry all of its slopes, and below which they
-// carry none. Vertices read slopes only where maps are magnified (water_moved): waves count as of at most WATER_CARRIED.y texels.
+// Shortest wavelength of a cascade, in spacings of the mesh, from which vertices carry all of its slopes (x), and below
+// which they carry none (y). Vertices read slopes only where maps are magnified (water_moved): waves count as at most
+// WATER_CARRIED.y texels long.
 const WATER_CARRIED = vec2f(12.0, 7.0);
 
-// Share of a cascade's slopes that the vertices carry at a point beside the eye's foot, 0 to 1: the waves must be long beside
-// the steps of the mesh and the pixels.
+// Fraction of a cascade's slopes that the vertices carry, 0 to 1, at a position relative to the point below the eye, m.
+// Its shortest waves must be long compared with the spacing of the mesh and with the pixel.
 fn water_carried(cascade: u32, at: vec2f) -> f32 {
   let map = frame.cascades[cascade];
   let shortest_m = min(map.wave_texels, WATER_CARRIED.y) / (map.inverse_patch * frame.n);
@@ -34,19 +35,19 @@ fn water_carried(cascade: u32, at: vec2f) -> f32 {
 
 struct WaterMoved {
   displacement: vec3f,
-  // Slopes of the waves that the mesh carries from vertex to pixel.
+  // Slopes that the mesh carries from its vertices to the pixels.
   carried: WaterSums,
 }
 
-// The displacement of a point beside the eye's foot, filtered over `spacing` metres; with the slopes that a vertex carries
-// there, if `carries`.
+// Displacement of a position relative to the point below the eye, m, filtered over `spacing` metres. If `carries`, also
+// the slopes that a vertex carries there.
 fn water_moved(at: vec2f, spacing: f32, carries: bool) -> WaterMoved {
   var sum = vec3f(0.0);
   var out: WaterMoved;
   for (var c = 0u; c < frame.count; c++) {
     let map = frame.cascades[c];
     let lod = log2(max(spacing * map.inverse_patch * frame.n, 1e-3));
-    // Nothing is left of waves that are shorter than two steps of the mesh.
+    // Fades a cascade out, as its waves become shorter than two spacings of the mesh.
     let share = clamp(log2(frame.n) - 2.0 - lod, 0.0, 1.0);
     if share <= 0.0 {
       continue;
@@ -58,7 +59,7 @@ fn water_moved(at: vec2f, spacing: f32, carries: bool) -> WaterMoved {
       let uv = map.uv + at * map.inverse_patch + tile_shift(map.tile, blend);
       var d = vec4f(0.0);
       var g = vec4f(0.0);
-      // `carried` can exceed 0 where the map is not magnified: the foot of an eye among waves lies off the lattice's middle.
+      // `carried` can exceed 0 where a map is not magnified: water below an eye among waves lies off the mesh's centre.
       if smoothness > 0.0 || carried > 0.0 {
         let spline = water_spline(uv, frame.n, smoothness);
         d = water_splined(displacement_map, spline, map.layer);

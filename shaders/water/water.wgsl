@@ -1,37 +1,37 @@
-// The light of the water.
+// The light of the water: reflection, light from below, foam, and the air in front of it.
 
 @group(0) @binding(9) var<uniform> material: Material;
 
-// Parts of the picture's water; twin of `Parts` in src/render/water/light.rs.
+// Parts of the water that the pipeline contains; set from `Parts` in src/render/water/light.rs.
 override WATER_BED: bool = false;
 override WATER_CAUSTICS: bool = false;
 override WATER_FOAM: bool = true;
-// Samples of a reference, which are not filtered.
+// Whether the picture holds unfiltered samples of a reference.
 override WATER_SAMPLES: bool = false;
 
-// Weight of a sample of a reference. Its slope lies at a place of the mesh, but the eye sees it by the area that it turns to
-// the eye. `mesh` is the slope with the waves that the mesh cannot show as roughness, over which the mean weight is 1.
+// Weight of a sample of a reference in its pixel's mean. Samples lie evenly on the mesh, but the eye sees each by its
+// projected area. `mesh` has the waves that the mesh cannot show as roughness; over them, the mean weight is 1.
 fn water_weight(v: vec3f, slope: WaterSlope, mesh: WaterSlope) -> f32 {
   let shown = water_facets_seen(water_facets(v, mesh)).x * max(mesh.jacobian, 0.1);
   let own = water_facets_seen(water_facets(v, slope)).x * max(slope.jacobian, 0.0);
   return clamp(own / max(shown, 1e-6), 1e-5, 1e3);
 }
 
-// A point of the surface that a pixel shows.
+// The point of the water surface that a pixel shows.
 struct WaterPoint {
-  // Relative to the eye.
+  // Position relative to the eye, m.
   place: vec3f,
-  // The undisplaced point beside the eye's foot.
+  // Undisplaced position (x, z) relative to the point below the eye, m.
   rest: vec2f,
   // Height of the wave, m.
   height: f32,
-  // Sides of the pixel on the undisplaced sea.
+  // Sides of the pixel on the undisplaced sea, m.
   dx: vec2f,
   dy: vec2f,
 }
 
-// A slope with its change over the sides of the pixel, of which that along x is the longer if `along_x`: slopes that change
-// within a pixel glitter as one rough surface (Tokuyoshi and Kaplanyan 2019).
+// Adds to slope statistics the change of the slope across the pixel, because slopes that change within a pixel glitter
+// like a rough surface (Tokuyoshi and Kaplanyan 2019). `along_x` tells that the pixel's longer side is dx.
 fn water_bent(slope: WaterSlope, bend_x: vec2f, bend_y: vec2f, along_x: bool) -> WaterSlope {
   let bend = (1.0 / 12.0) * (vec3f(bend_x * bend_x, bend_x.x * bend_x.y) + vec3f(bend_y * bend_y, bend_y.x * bend_y.y));
   let most_bend = frame.footprint * min(1.0, 0.08 / max(max(bend.x, bend.y), 1e-6));
@@ -41,19 +41,19 @@ fn water_bent(slope: WaterSlope, bend_x: vec2f, bend_y: vec2f, along_x: bool) ->
   return out;
 }
 
-// The light that the eye sees of a point whose slope within the pixel is `seen`.
+// Radiance towards the eye of a point of the water with the slope statistics `seen`; alpha as in frame_colour.
 fn water_light(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> vec4f {
   var slope = seen;
   let distance_m = length(point.place);
   let dir = point.place / distance_m;
-  // Frame of the vertical there.
+  // Local vertical at the point, on the spherical Earth.
   let up = normalize(vec3f(point.place.x / FRAME_EARTH_M, 1.0, point.place.z / FRAME_EARTH_M));
   let v = normalize(vec3f(-dir.x, max(dot(-dir, up), 1e-4), -dir.z));
   let n = water_normal(slope.mean);
 
   slope.variance += vec3f(vec2f(material.rough_variance), 0.0);
-  // Waves that the mesh shows hide and shade each other where they are drawn; finer ones do so by their statistics. The mesh
-  // shows no ripples, however fine it is.
+  // Waves of the mesh hide and shade each other as they are drawn; finer waves do so statistically. The mesh never
+  // contains ripples, however fine it is.
   var around = slope;
   if WATER_SAMPLES {
     let shown = WaterFootprint(vec2f(0.0), mesh_spacing(length(point.rest)), 1);
@@ -67,7 +67,7 @@ fn water_light(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> vec
     foam = foam_level(point.rest, pixel);
   }
   let mirror = water_mirror_among(v, slope, around);
-  // A facet that leans away from the eye is not what the eye sees.
+  // Viewing ray after refraction at the mean facet.
   let ray = water_refract(-v, n);
   var below = water_deep(n, ray, foam.x);
   if WATER_BED {
@@ -77,7 +77,7 @@ fn water_light(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> vec
   if material.height_scatter > 0.0 {
     below += water_crest(n, ray, point.height / max(frame.hs_m, 0.05), slope.jacobian, foam.x);
   }
-  // Radiance thins as its rays spread: over the square of the relative index.
+  // Radiance falls by the square of the relative refractive index, because rays spread when they leave the water.
   let index = material.index_water / material.index_air;
   var surface = mirror.radiance + (1.0 - mirror.reflectance) / (index * index) * below;
   if WATER_FOAM && foam.x >= FOAM_LEAST {

@@ -10,7 +10,7 @@ pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// The version of wgpu; a test compares it with Cargo.lock.
 pub const WGPU_VERSION: &str = "30.0.1";
 
-/// Description of a device.
+/// Description of a GPU device, as a bug report needs it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct About {
     /// Name of the adapter, or "not told".
@@ -27,7 +27,7 @@ pub struct About {
     pub features: Vec<&'static str>,
     /// Names of limits, each with the value that the program requests and the value that the adapter offers.
     pub limits: Vec<(&'static str, [u64; 2])>,
-    /// Choices that follow from the adapter, each with its name.
+    /// Choices made for this adapter, such as the format of the maps: name and value.
     pub ways: Vec<(&'static str, String)>,
 }
 
@@ -75,7 +75,7 @@ impl About {
         }
     }
 
-    /// Everything as names and values.
+    /// All properties as pairs of name and value.
     pub fn rows(&self) -> Vec<(&'static str, String)> {
         let known = |text: &str| if text.is_empty() { "not told".to_owned() } else { text.to_owned() };
         let [vendor, device] = self.ids;

@@ -1,4 +1,4 @@
-//! The drawn state of a sea during a transition: interpolated appearance, and the plans whose waves are drawn.
+//! The drawn state of a sea during a transition: interpolated appearance, and the plans of the waves that are drawn.
 
 use crate::render::SeaAppearance;
 use crate::sim::transition::{Interpolate, interpolate, interpolate2};
@@ -6,7 +6,7 @@ use crate::state::Params;
 use crate::waves::Plan;
 use std::sync::Arc;
 
-/// Most plans in a weighted sum.
+/// Largest number of plans in a weighted sum.
 const MOST_PLANS: usize = 4;
 
 /// Whether two states agree in the refractive indices that [`SeaAppearance::focusing_m`] depends on.
@@ -35,12 +35,12 @@ impl Interpolate for SeaAppearance {
     }
 }
 
-/// Plans of the same wave numbers and frequencies, each with its share of the drawn amplitudes. The shares add to 1.
+/// Plans with equal wave numbers and frequencies, each with its weight in the drawn amplitudes. The weights sum to 1.
 #[derive(Clone, Debug)]
 pub struct WeightedPlans(pub Vec<(Arc<Plan>, f64)>);
 
 impl WeightedPlans {
-    /// One plan with share 1.
+    /// A weighted sum of one plan, with weight 1.
     pub fn new(plan: &Plan) -> Self {
         Self(vec![(Arc::new(plan.clone()), 1.0)])
     }
@@ -55,7 +55,7 @@ impl Interpolate for WeightedPlans {
                 None => plans.push((plan.clone(), share * weight)),
             }
         }
-        // Dragging a slider adds a plan per frame. Neighbouring plans are nearly equal, so one stands for both.
+        // Dragging a slider adds a plan per frame. Neighbouring plans are nearly equal, so one replaces both.
         while plans.len() > MOST_PLANS {
             let least = (1..plans.len() - 1).min_by(|&a, &b| plans[a].1.total_cmp(&plans[b].1)).unwrap_or(0);
             let (_, weight) = plans.remove(least);
@@ -65,12 +65,12 @@ impl Interpolate for WeightedPlans {
     }
 }
 
-/// A sea that is drawn.
+/// A plan whose waves are drawn, with the amplitudes of its cascades.
 #[derive(Clone, Debug)]
 pub struct DrawnSea {
-    /// The plan, for [`crate::point::Heights`]. Its foam parameters may be out of date.
+    /// Plan of the waves; [`crate::point::Heights`] computes heights from it. Its foam parameters may be out of date.
     pub plan: Arc<Plan>,
-    /// Amplitude of each cascade; 1 except during a transition.
+    /// Amplitude factor of each cascade; 1 except during a transition.
     pub weights: Vec<f64>,
 }
 

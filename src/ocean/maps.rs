@@ -1,36 +1,36 @@
-//! Read-back of the maps and of the foam.
+//! Read-back of the wave maps and of the foam from the GPU.
 
 use super::{MAX_STEPS, MapsF32, Ocean};
 use crate::gpu::readback;
 use crate::sim::resources::MapKind;
 
-/// The foam of one level, in undisplaced coordinates.
+/// Foam on one level of the clipmap, in undisplaced coordinates.
 #[derive(Clone, Debug)]
 pub struct FoamMap {
-    /// Cells along a side.
+    /// Number of cells along a side.
     pub n: usize,
-    /// Size of a cell, m.
+    /// Side of a cell, m.
     pub texel_m: f64,
     /// World x and z of the corner with the smallest coordinates, m.
     pub corner: [f64; 2],
-    /// Foam of the cells, 0 to 1: rows along x, from the smallest z on.
+    /// Foam of the cells, 0 to 1. Rows run along x; the first row has the smallest z.
     pub foam: Vec<f32>,
 }
 
 impl Ocean {
-    /// The maps at the time of the parameters in f32, before they are rounded to the format of the textures.
+    /// The wave maps at the time of the parameters in f32, before they are rounded to the format of the textures.
     ///
     /// # Errors
-    /// If the GPU does not give its memory back.
+    /// If the read-back from the GPU fails.
     pub async fn read_maps(&mut self) -> Result<MapsF32, String> {
         self.sim.read_f32(&self.gpu, self.params.clock.t_s).await
     }
 
-    /// The displacement maps at the time of the parameters as the textures hold them: Dx, eta, Dz (m) and dDx/dz,
-    /// cascade by cascade.
+    /// The displacement maps at the time of the parameters, as the textures hold them, cascade by cascade. A texel
+    /// holds the horizontal displacement Dx, the elevation eta and the displacement Dz, m, and the derivative dDx/dz.
     ///
     /// # Errors
-    /// If the GPU does not give its memory back.
+    /// If the read-back from the GPU fails.
     pub async fn read_displacement(&mut self) -> Result<Vec<[f32; 4]>, String> {
         let mut encoder = self.gpu.encoder("read displacement");
         self.encode_waves(&mut encoder, MAX_STEPS);
@@ -41,10 +41,10 @@ impl Ocean {
         copy.read_map(&self.gpu).await
     }
 
-    /// The foam at the time of the parameters on all levels around the camera, finest level first.
+    /// The foam at the time of the parameters on all clipmap levels around the camera, finest level first.
     ///
     /// # Errors
-    /// If the GPU does not give its memory back.
+    /// If the read-back from the GPU fails.
     pub async fn read_foam(&mut self) -> Result<Vec<FoamMap>, String> {
         let mut encoder = self.gpu.encoder("read foam");
         self.encode_waves(&mut encoder, MAX_STEPS);
@@ -54,7 +54,7 @@ impl Ocean {
         let n = self.sim.resources.foam_n as usize;
         let map = |(level, texels): (&crate::sim::FoamLevel, &[[f32; 4]])| {
             let corner = level.centre.map(|x| x - 0.5 * n as f64 * level.texel_m);
-            // A cell is stored at its index modulo n.
+            // A cell is stored at its world index modulo n.
             let first = corner.map(|x| (x / level.texel_m).round() as i64);
             let place = |i: usize, axis: usize| (first[axis] + i as i64).rem_euclid(n as i64) as usize;
             let foam = (0..n * n).map(|i| texels[place(i / n, 1) * n + place(i % n, 0)][0]).collect();

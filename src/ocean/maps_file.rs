@@ -1,16 +1,16 @@
-//! The maps of a sea as one OpenEXR file with a layer for each cascade.
+//! Export of the wave maps as one OpenEXR file with a layer for each cascade.
 
 use super::MapsF32;
 use crate::waves::Plan;
 use exr::prelude::*;
 use std::io::Cursor;
 
-/// Encodes the maps: displacement X, Y, Z (m, chop applied) and slopes of the undisplaced surface, cascade by cascade.
-/// Column i is at x = i patch / n east, row j at z = j patch / n south. The attribute `seastate` holds the state
-/// string.
+/// Encodes the wave maps as OpenEXR: displacement X, Y, Z (m, with choppiness) and slopes of the undisplaced surface,
+/// one layer per cascade. Column i lies at x = i patch / n east, row j at z = j patch / n south. The attribute
+/// `seastate` holds the state string.
 ///
 /// # Errors
-/// If the maps cannot be written.
+/// If the OpenEXR encoder fails.
 pub fn encode(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<Vec<u8>, String> {
     let chop = plan.sea.lambda().map(|l| l as f32);
     let n = maps.n;

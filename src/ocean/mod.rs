@@ -1,4 +1,4 @@
-//! The façade: a sea and its picture. The only type that the shells use.
+//! The façade of the crate: [`Ocean`], a simulated sea with its picture, which window, page and command line use.
 
 pub mod about;
 mod interpolated;
@@ -28,10 +28,10 @@ pub use crate::sim::maps::{FOAM_LEVELS, Maps, MapsF32};
 pub use crate::sim::probe::{Probe, Probed};
 pub use interpolated::DrawnSea;
 
-/// Least height of the eye above the still water, m; the picture raises it above the approaching waves.
+/// Least height of the eye above the still water, m. The picture raises the eye further above approaching waves.
 const LOWEST_EYE_M: f64 = 0.5;
 
-/// A sea on a device, with its renderer.
+/// A simulated sea on a GPU device, with the renderer that draws it.
 ///
 /// ```no_run
 /// use seastate::gpu::Gpu;
@@ -42,7 +42,7 @@ const LOWEST_EYE_M: f64 = 0.5;
 /// let gpu = Gpu::request().await?;
 /// let (mut params, _) = query::parse("wind=14&fetch=300");
 /// let mut ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, Film::Screen, &params);
-/// // For each frame: the time, then the commands of the sea.
+/// // In each frame: set the time, then record the commands.
 /// params.clock.t_s += 1.0 / 60.0;
 /// ocean.set_params(&params);
 /// let mut encoder = gpu.encoder("frame");
@@ -57,21 +57,20 @@ pub struct Ocean {
     params: Params,
     shaders: Shaders,
     sim: Simulation,
-    /// None until the first frame of an ocean that was made for its waves only.
+    /// None in an ocean that [`Self::waves_only`] made, until its first frame.
     renderer: Option<Renderer>,
     reference: Option<Reference>,
     format: wgpu::TextureFormat,
     film: Film,
     appearance: Interpolated<SeaAppearance>,
     plans: Interpolated<WeightedPlans>,
-    /// The waves under the floating objects, for each drawn plan.
+    /// Waves that move the floating objects, for each drawn plan.
     waterlines: Vec<(Arc<Plan>, HullWaves)>,
     timer: Timer,
 }
 
 impl Ocean {
-    /// Allocates a sea and compiles its renderer for render targets of `format`; `film` says whether the light of a
-    /// frame can be read back.
+    /// Allocates a sea, and compiles its renderer for targets of `format`. `film` says whether frames can be read back.
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, film: Film, params: &Params) -> Self {
         let mut ocean = Self::waves_only(gpu, params);
         (ocean.format, ocean.film) = (format, film);
@@ -79,8 +78,8 @@ impl Ocean {
         ocean
     }
 
-    /// Allocates a sea whose maps are computed and read back. If a frame is drawn nevertheless, the renderer is
-    /// compiled then, for [`still::FORMAT`].
+    /// Allocates a sea without a renderer, to read back its maps. If a frame is drawn nevertheless, a renderer for
+    /// [`still::FORMAT`] is compiled.
     pub fn waves_only(gpu: &Gpu, params: &Params) -> Self {
         let shaders = Shaders::default();
         let mut sim = Simulation::new(gpu, Plan::new(params), &shaders);
@@ -104,8 +103,8 @@ impl Ocean {
         }
     }
 
-    /// Takes over parameters at once. Costs nothing if only the time, the camera or the light changed, and does no more
-    /// than the changed level of the sea needs ([`SeaChange`]).
+    /// Applies parameters at once. A change of only the time, the camera or the light costs nothing; a change of the
+    /// sea costs what its level ([`SeaChange`]) needs.
     pub fn set_params(&mut self, params: &Params) {
         let change = SeaChange::between(&self.params, params);
         if change.is_some() || self.in_transition() {
@@ -116,10 +115,9 @@ impl Ocean {
         self.take(params);
     }
 
-    /// Takes over parameters as a window does, `dt_s` of wall time after the previous frame: the sea makes a transition
-    /// to the new parameters and ends exactly on them. Look, camera, time and another grid are taken over at once. Call
-    /// it once per frame before [`Self::encode`], and continue while [`Self::in_transition`], even if time stands
-    /// still.
+    /// Applies parameters as a window does, `dt_s` seconds of wall time after the previous frame: the sea makes a
+    /// transition and ends exactly on the new parameters. Look, camera, time and a changed grid apply at once. Call it
+    /// once per frame before [`Self::encode`], and go on while [`Self::in_transition`], even if time stands still.
     pub fn transition_to(&mut self, params: &Params, dt_s: f64) {
         if params.grid != self.params.grid {
             return self.set_params(params);
@@ -138,7 +136,7 @@ impl Ocean {
         self.sim.in_transition()
     }
 
-    /// The plan of parameters that differ from the present ones in a level of the sea.
+    /// The plan for new parameters. `change` is the level in which their sea differs from the present one.
     fn plan_of(&self, params: &Params, change: Option<SeaChange>) -> Plan {
         match change {
             Some(SeaChange::Waves) => Plan::new(params),
@@ -167,20 +165,19 @@ impl Ocean {
         self.params = params.clone();
     }
 
-    /// The device and queue of the sea.
+    /// The GPU device and its queue.
     pub fn gpu(&self) -> &Gpu {
         &self.gpu
     }
 
-    /// The plan of the current sea: during a transition the sea that it leads to.
+    /// The plan of the sea; during a transition, of the sea that it leads to.
     pub fn plan(&self) -> &Plan {
         self.sim.plan()
     }
 
-    /// The seas that are drawn at this moment. The height of a water particle over [`Self::level_m`] (and its
-    /// displacement, slope and velocity) is the sum over their plans, each cascade times its weight. Outside
-    /// transitions this is one sea with weights of 1. While a slider is dragged, plans of neighbouring frames are
-    /// merged.
+    /// The plans that are drawn at this moment. The height of a water particle above [`Self::level_m`] (and its
+    /// displacement, slope and velocity) is the sum over these plans, each cascade times its weight. Outside
+    /// transitions there is one plan with weights of 1. While a slider is dragged, plans of neighbouring frames merge.
     pub fn drawn_seas(&self) -> Vec<DrawnSea> {
         let maps = self.sim.maps();
         let (fading, own) = maps.cascades.split_at(maps.fading);
@@ -192,33 +189,33 @@ impl Ocean {
         old.into_iter().flat_map(|old| of(old, fading)).chain(of(now, own)).collect()
     }
 
-    /// Height of the still water that is drawn, m; during a transition on its way to the height in the parameters.
+    /// Height of the still water that is drawn, m; during a transition it moves towards that of the parameters.
     pub fn level_m(&self) -> f64 {
         self.appearance.value(self.sim.share()).level_m
     }
 
-    /// The timer of the passes; see [`Timer`].
+    /// The timer that measures the GPU time of the passes.
     pub fn timer(&self) -> &Timer {
         &self.timer
     }
 
-    /// Records copies of the maps of the recorded frame; see [`Probe`]. None during a transition.
+    /// Records copies of the maps of the recorded frame, for measurements on them. None during a transition.
     pub fn probe(&self, encoder: &mut wgpu::CommandEncoder) -> Option<Probe> {
         self.sim.probe(&self.gpu, encoder)
     }
 
-    /// The maps of the last recorded evaluation.
+    /// The wave and foam maps, as computed by the last recorded evaluation of the sea.
     pub fn maps(&self) -> &Maps {
         self.sim.maps()
     }
 
-    /// The simulation, for the laboratory and the tests.
+    /// The simulation, for measurements and tests.
     pub fn simulation(&mut self) -> &mut Simulation {
         &mut self.sim
     }
 
-    /// Records one frame of `size` pixels, with at most `most_steps` time steps of the foam. Returns whether the foam
-    /// has reached the time of the parameters.
+    /// Records one frame of `size` (width, height) pixels, with at most `most_steps` time steps of the foam. Returns
+    /// whether the foam has reached the time of the parameters.
     pub fn encode(&mut self, encoder: &mut wgpu::CommandEncoder, size: [u32; 2], most_steps: usize) -> bool {
         self.lay_waterlines();
         let scene = self.scene(size);
@@ -228,7 +225,7 @@ impl Ocean {
         caught_up
     }
 
-    /// Records one frame whose foam is complete: a still that depends on the parameters alone.
+    /// Records one frame with complete foam: a still picture that depends on the parameters alone.
     pub fn encode_fully(&mut self, encoder: &mut wgpu::CommandEncoder, size: [u32; 2]) {
         self.encode(encoder, size, MAX_STEPS);
     }
@@ -239,12 +236,12 @@ impl Ocean {
         self.sim.encode(&self.gpu, encoder, self.params.clock.t_s, centre, most_steps)
     }
 
-    /// The linear light of the recorded frame in half floats, if the film allows its read-back.
+    /// Texture with the linear light of the recorded frame in half floats; None before the first frame.
     pub fn light(&self) -> Option<&wgpu::Texture> {
         self.renderer.as_ref().and_then(Renderer::light)
     }
 
-    /// The depth of the recorded frame; see [`Renderer::depth`].
+    /// Depth texture of the recorded frame; see [`Renderer::depth`].
     pub fn depth(&self) -> Option<&wgpu::Texture> {
         self.renderer.as_ref().and_then(Renderer::depth)
     }
@@ -256,26 +253,26 @@ impl Ocean {
         }
     }
 
-    /// Records one part of the last frame alone, to be timed.
+    /// Records one part of the last frame alone, so that its GPU time can be measured.
     pub fn record(&self, encoder: &mut wgpu::CommandEncoder, part: Part) {
         if let Some(renderer) = &self.renderer {
             renderer.record(encoder, part);
         }
     }
 
-    /// Number of vertices of the last frame's mesh.
+    /// Number of vertices of the water mesh in the last frame.
     pub fn vertices(&self) -> u32 {
         self.renderer.as_ref().map_or(0, Renderer::vertices)
     }
 
-    /// Records unfiltered samples of the sea of the last frame; see [`Reference::draw`].
+    /// Records one grid of unfiltered samples for a reference of the last frame; see [`Reference::draw`].
     pub fn encode_samples(&mut self, encoder: &mut wgpu::CommandEncoder, grid: &Grid) -> wgpu::Texture {
         let scene = self.scene(grid.size);
         let reference = self.reference.get_or_insert_with(|| Reference::new(&self.gpu, self.format));
         reference.draw(&self.gpu, encoder, self.sim.maps(), &scene, grid)
     }
 
-    /// Draws a picture in linear light (RGB, row by row) as the film shows it, with the exposure of the parameters.
+    /// Draws a picture given as linear light (RGB, row by row), with the exposure and tone curve of the parameters.
     pub fn present_light(&mut self, pass: &mut wgpu::RenderPass<'_>, size: [u32; 2], light: &[[f32; 3]]) {
         let scene = self.scene(size);
         if let Some(reference) = &mut self.reference {
@@ -284,7 +281,7 @@ impl Ocean {
         }
     }
 
-    /// What the renderer draws in `width` x `height` pixels.
+    /// The scene that the renderer draws in a picture of `width` x `height` pixels.
     pub fn scene(&self, [width, height]: [u32; 2]) -> Scene {
         let plan = self.sim.plan();
         let share = self.sim.share();
@@ -304,8 +301,7 @@ impl Ocean {
         }
     }
 
-    /// Positions and orientations of the floating objects at the time of the parameters; empty before the first frame
-    /// with them.
+    /// Poses of the floating objects at the time of the parameters; empty until a frame with them was recorded.
     pub fn poses(&self) -> Vec<HullPose> {
         let (seas, level_m) = (self.drawn_seas(), self.level_m());
         let on = |sea: &DrawnSea| self.waterlines.iter().find(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)).map(|(_, w)| w);
@@ -314,7 +310,7 @@ impl Ocean {
         self.params.floats.iter().map(|f| hull_pose(&lines, f, self.params.clock.t_s, level_m)).collect()
     }
 
-    /// Creates the waterlines of the drawn seas, if anything floats.
+    /// Selects the waves that move the floating objects, for each drawn plan; removes them if nothing floats.
     fn lay_waterlines(&mut self) {
         if self.params.floats.is_empty() {
             self.waterlines.clear();

@@ -1,33 +1,33 @@
-//! Single passes of the simulation, to be timed.
+//! Single GPU passes of the simulation, recorded alone so that they can be timed.
 
 use super::Ocean;
 use crate::gpu::map_format::MapFormat;
 use crate::sim::Simulation;
 use crate::sim::planned_sea::EvaluationSlot;
 
-/// A pass of the simulation.
+/// A GPU pass of the simulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WavePass {
-    /// h0 of all waves.
+    /// Computation of the initial amplitudes h0(k) of all waves.
     Spectrum,
-    /// The waves at a time, and their transform along x.
+    /// Computation of all amplitudes at a time, and their inverse FFT along x.
     Rows,
-    /// The transform along z, and the maps.
+    /// Inverse FFT of the rows along z, and writing of the maps.
     Columns,
-    /// The mip levels of the maps, and the slope moments.
+    /// Computation of the maps' mip levels and of the slope moments.
     Mips,
     /// One time step of the foam.
     Foam,
 }
 
-/// Sizes of a simulation's maps.
+/// Sizes and format of the maps of a simulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MapSizes {
-    /// FFT size.
+    /// Number of points along a side of the FFT, and of texels along a side of a map.
     pub n: u32,
     /// Number of cascades.
     pub cascades: u32,
-    /// Cells along a side of a foam level.
+    /// Number of cells along a side of a foam level.
     pub foam_n: u32,
     /// Format of the maps and of the foam texture.
     pub format: MapFormat,
@@ -37,12 +37,12 @@ pub struct MapSizes {
 pub struct WavePasses<'a> {
     sim: &'a Simulation,
     slot: EvaluationSlot,
-    /// Dynamic offset of the foam's uniform.
+    /// Offset of the foam step's uniform in its buffer, bytes.
     foam: u32,
 }
 
 impl Ocean {
-    /// Writes the uniforms of the passes at the time of the parameters.
+    /// Writes the uniform buffers of the passes for the time of the parameters.
     pub fn wave_passes(&mut self) -> WavePasses<'_> {
         let t_s = self.params.clock.t_s;
         let centre = [self.params.camera.x_m, self.params.camera.z_m];
@@ -51,7 +51,7 @@ impl Ocean {
         WavePasses { sim: &self.sim, slot, foam }
     }
 
-    /// The sizes of the maps.
+    /// The sizes and the format of the maps.
     pub fn map_sizes(&self) -> MapSizes {
         let r = &self.sim.resources;
         let cascades = self.plan().cascades.len() as u32;
@@ -60,7 +60,7 @@ impl Ocean {
 }
 
 impl WavePasses<'_> {
-    /// Records one pass.
+    /// Records one pass of the simulation.
     pub fn record(&self, encoder: &mut wgpu::CommandEncoder, pass: WavePass) {
         let (passes, r) = (&self.sim.passes, &self.sim.resources);
         match pass {

@@ -1,35 +1,35 @@
-//! Pictures of single states, read back from the GPU.
+//! Still pictures: one state of the parameters, drawn and read back from the GPU.
 
 use super::{Film, Ocean};
 use crate::gpu::Gpu;
 use crate::gpu::offscreen::Picture;
 use crate::state::Params;
 
-/// Format of the pictures that are read back.
+/// Texture format of the pictures that are read back.
 pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-/// Draws a state. Returns its pixels: RGBA, row by row from the top.
+/// Draws the picture of one state. Returns its pixels: RGBA bytes, row by row from the top.
 ///
 /// # Errors
-/// If the GPU does not give its memory back.
+/// If the read-back from the GPU fails.
 pub async fn picture(gpu: &Gpu, params: &Params, size: [u32; 2]) -> Result<Vec<u8>, String> {
     picture_of(gpu, &mut Ocean::new(gpu, FORMAT, Film::Screen, params), size).await
 }
 
-/// Draws an ocean at its present parameters. Returns its pixels: RGBA, row by row from the top.
+/// Draws an ocean at its present parameters. Returns its pixels: RGBA bytes, row by row from the top.
 ///
 /// # Errors
-/// If the GPU does not give its memory back.
+/// If the read-back from the GPU fails.
 pub async fn picture_of(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2]) -> Result<Vec<u8>, String> {
     let mut encoder = gpu.encoder("picture");
     ocean.encode_fully(&mut encoder, size);
     on_film(gpu, encoder, size, |pass| ocean.present(pass)).await
 }
 
-/// Submits the commands of `encoder` and what `present` draws. Returns the pixels: RGBA, row by row from the top.
+/// Submits `encoder` and a render pass into which `present` draws. Returns its pixels: RGBA bytes, from the top row.
 ///
 /// # Errors
-/// If the GPU does not give its memory back.
+/// If the read-back from the GPU fails.
 pub async fn on_film(
     gpu: &Gpu,
     encoder: wgpu::CommandEncoder,

@@ -1,4 +1,5 @@
-//! The uniform of a picture: the view, the sea and where its maps lie relative to the eye, worked out in f64.
+//! Uniform buffer of one frame: camera, sea state and maps. Positions relative to the eye are computed in f64, so that
+//! f32 suffices in the shaders.
 
 use super::scene::{Scene, SeaAppearance};
 use super::water::mesh::{Mesh, MeshLattice};
@@ -8,120 +9,121 @@ use crate::sim::maps::{FOAM_LEVELS, FoamLevel, MAX_DRAWN, MapCascade, TilePlace}
 use crate::waves::slopes::SlopeVariance;
 use std::f64::consts::PI;
 
-/// Ratio of the finest cascade's patch to that of its ripples. It is no ratio of two patches, so that they share no period.
+/// Patch side of the finest cascade divided by that of its ripples. No two cascades have this ratio, so that their
+/// repetitions do not coincide.
 const RIPPLE_RATIO: f64 = 13.1;
-/// Share of the unresolved slope variance that the ripples show; the rest stays roughness.
+/// Largest fraction of the unresolved slope variance that the ripples represent; the rest is shaded as roughness.
 const RIPPLE_SHARE: f64 = 0.8;
-/// Most ripples: one of each of two seas during a cross-fade.
+/// Largest number of ripple layers: one for each of the two seas during a cross-fade.
 const MAX_RIPPLES: usize = 2;
-/// Most cascades and ripples.
+/// Largest number of cascades and ripple layers together.
 const MAX_SHOWN: usize = MAX_DRAWN + MAX_RIPPLES;
 
 gpu_struct! {
-    /// WGSL `FrameCascade`: a cascade as seen from the eye, or its ripples, a shrunk copy whose slopes stand for waves that no
-    /// cascade holds.
+    /// WGSL `FrameCascade`: a cascade placed relative to the eye, or its ripples: a shrunk copy of the cascade whose
+    /// slopes represent waves too short for any cascade.
     #[derive(Default)]
     pub struct FrameCascade as "FrameCascade" {
-        /// The lattice of the patch's copies at the eye's foot.
+        /// Triangle lattice of the patch's shifted copies, relative to the point below the eye.
         pub tile: TilePlace,
-        /// Texture coordinates of the eye's foot.
+        /// Texture coordinates of the point below the eye.
         pub uv: [f32; 2],
-        /// 1 / side of the patch, 1/m.
+        /// Reciprocal of the side of the patch, 1/m.
         pub inverse_patch: f32,
-        /// Unit of the slope moments.
+        /// Unit in which the moments map stores the second moments of the slope.
         pub moment_scale: f32,
-        /// Texels to the shortest wave.
+        /// Wavelength of the cascade's shortest wave, texels.
         pub wave_texels: f32,
-        /// Layer of the maps.
+        /// Layer of the cascade in the map textures.
         pub layer: u32,
-        /// Slope-variance correction during a cross-fade.
+        /// Factor on the slope variance that corrects for correlated seas during a cross-fade; 1 otherwise.
         pub variance_gain: f32,
-        /// Factor of the slopes: 1 for a cascade.
+        /// Factor on the slopes: 1 for a cascade, at most 1 for ripples.
         pub slope_scale: f32,
     }
 }
 
 gpu_struct! {
-    /// WGSL `FrameFoamLevel`: a foam level as seen from the eye.
+    /// WGSL `FrameFoamLevel`: one level of the foam clipmap, placed relative to the eye.
     #[derive(Default)]
     pub struct FrameFoamLevel as "FrameFoamLevel" {
-        /// Centre relative to the eye's foot, m.
+        /// Centre (x, z) of the level relative to the point below the eye, m.
         pub centre: [f32; 2],
-        /// Half the side of the valid square, m.
+        /// Half the side of the square of valid cells, m; two cells at each edge of the level are left out.
         pub half_side_m: f32,
-        /// 1 / size of a cell, 1/m.
+        /// Reciprocal of the side of a cell, 1/m.
         pub inverse_cell: f32,
-        /// Texture coordinates of the eye's foot.
+        /// Texture coordinates of the point below the eye.
         pub uv: [f32; 2],
-        /// 1 / side of the level, 1/m.
+        /// Reciprocal of the side of the level, 1/m.
         pub inverse_side: f32,
         unused: u32,
     }
 }
 
 gpu_struct! {
-    /// Uniform of one frame: eye, projection, cascades and foam levels relative to the eye (WGSL `Frame`).
+    /// WGSL `Frame`: uniform buffer of one frame with camera, sea state, cascades and foam levels, relative to the eye.
     pub struct FrameUniform as "Frame" {
-        /// From positions relative to the eye to clip space, reverse-Z.
+        /// Matrix from positions relative to the eye, m, to clip space with reverse-Z depth.
         pub clip_from_relative: glam::Mat4,
-        /// Unit vector to the right of the picture, times the tangent of half the horizontal field of view.
+        /// Unit vector to the right of the picture, multiplied by the tangent of half the horizontal field of view.
         pub right: [f32; 3],
-        /// Height of the eye over the still water, m.
+        /// Height of the eye above the still water, m. The eye pass on the GPU may raise it above the waves.
         pub eye_m: f32,
-        /// Unit vector to the top of the picture, times the tangent of half the vertical field of view.
+        /// Unit vector to the top of the picture, multiplied by the tangent of half the vertical field of view.
         pub up: [f32; 3],
-        /// Angle from the horizontal down to the horizon of the round Earth, rad.
+        /// Angle from the horizontal down to the visible horizon of the spherical Earth, rad.
         pub dip: f32,
-        /// Unit vector into the picture.
+        /// Unit vector of the viewing direction.
         pub forward: [f32; 3],
-        /// Angle of a pixel in the middle of the picture, rad.
+        /// Angle that a pixel in the middle of the picture subtends, rad.
         pub pixel: f32,
-        /// Unit vector to the sun.
+        /// Unit vector towards the sun.
         pub sun: [f32; 3],
-        /// Slope variance that stands for the width of the sun's disc: the sun's image in a mirror is as bright as the disc.
+        /// Slope variance that represents the sun's finite disc, so that a flat mirror shows it as bright as the disc.
         pub sun_blur: f32,
-        /// Covariance (xx, zz, xz) of the slopes that neither the maps nor the ripples hold.
+        /// Covariance (xx, zz, xz) of the slopes that neither the cascades nor the ripples resolve.
         pub residual: [f32; 3],
-        /// Radiance of the sun's disc over its irradiance, 1/sr.
+        /// Mean radiance of the sun's disc divided by its irradiance, 1/sr.
         pub sun_peak: f32,
-        /// Horizontal displacement factor along x and z.
+        /// Choppiness: factors on the horizontal displacement along x and z; 1 is linear theory.
         pub chop: [f32; 2],
-        /// Undisplaced point (x, z) of the water below the eye, relative to the eye's foot, m; written by the GPU.
+        /// Undisplaced position (x, z) of the water below the eye, relative to the eye, m; computed on the GPU.
         pub foot: [f32; 2],
-        /// Largest horizontal distance over which waves may carry water, m.
+        /// Estimate of the largest horizontal displacement by the waves, m.
         pub reach_m: f32,
-        /// 1 if the eye's height counts from the water below it, else 0.
+        /// 1 if the eye's height counts from the moving water below it, 0 if from the still water.
         pub rides: f32,
-        /// Texels along a side of a map.
+        /// Number of texels along the side of a map.
         pub n: f32,
-        /// Cascades in use.
+        /// Number of cascades in use.
         pub count: u32,
-        /// Ripples in use; they stand after the first `count` cascades.
+        /// Number of ripple layers in use. They follow the cascades in `cascades`.
         pub ripple_count: u32,
-        /// Foam levels in use.
+        /// Number of foam levels in use.
         pub foam_count: u32,
         /// Significant wave height, m.
         pub hs_m: f32,
-        /// Depth of the water, m.
+        /// Water depth, m.
         pub depth_m: f32,
-        /// Mean foam beyond the foam levels, 0 to 1.
+        /// Mean foam, 0 to 1, which is drawn outside the foam levels.
         pub mean_foam: f32,
-        /// Factor of the foam that is shown.
+        /// Factor on the amount of foam that is drawn.
         pub foam_gain: f32,
-        /// Share of a pixel that is filtered over: 1, or 0 for the samples of a reference.
+        /// Factor on the pixel footprint: 1 filters over the whole pixel, 0 draws point samples of a reference picture.
         pub footprint: f32,
         unused: u32,
-        /// The lattice of the mesh.
+        /// Lattice of the water mesh.
         pub mesh: MeshLattice,
-        /// The cascades that are drawn, then the ripples.
+        /// Cascades in use, then the ripple layers in use.
         pub cascades: [FrameCascade; MAX_SHOWN],
-        /// The foam levels, finest first.
+        /// Foam levels, smallest cells first.
         pub foam_levels: [FrameFoamLevel; FOAM_LEVELS],
     }
 }
 
 impl FrameCascade {
-    /// A cascade as seen from an eye over the point `foot` of the world.
+    /// A cascade for an eye above the world position `foot` (x, z), m. Its maps have `n` texels along a side.
     fn new(cascade: &MapCascade, foot: [f64; 2], n: f64) -> Self {
         Self {
             tile: cascade.tiling.place(foot).into(),
@@ -135,12 +137,12 @@ impl FrameCascade {
         }
     }
 
-    /// The ripples of a cascade, with this share of its slope variance.
+    /// Ripples with `share` times the slope variance of a cascade, for an eye above the world position `foot`, m.
     fn ripples(cascade: &MapCascade, share: f64, foot: [f64; 2], n: f64) -> Self {
         let patch_m = cascade.patch_m / RIPPLE_RATIO;
         Self {
             tile: cascade.tiling.shrunk(RIPPLE_RATIO).place(foot).into(),
-            // An offset of their own keeps the copies of cascade and ripples from coinciding at the origin.
+            // The offset keeps the copies of the cascade and of its ripples from coinciding at the world origin.
             uv: foot.map(|x| ((x / patch_m).rem_euclid(1.0) + 0.381_966) as f32),
             inverse_patch: (1.0 / patch_m) as f32,
             slope_scale: share.sqrt() as f32,
@@ -150,7 +152,7 @@ impl FrameCascade {
 }
 
 impl FrameFoamLevel {
-    /// A level of `cells` cells a side as seen from an eye over the point `foot` of the world.
+    /// A foam level with `cells` cells along a side, for an eye above the world position `foot` (x, z), m.
     fn new(level: &FoamLevel, foot: [f64; 2], cells: u32) -> Self {
         let side_m = f64::from(cells) * level.texel_m;
         Self {
@@ -165,7 +167,7 @@ impl FrameFoamLevel {
 }
 
 impl FrameUniform {
-    /// The uniform of a scene in `size` pixels.
+    /// Values of the frame's uniform buffer for a scene and a picture of `size` (width, height) pixels.
     pub fn new(scene: &Scene, maps: &Maps, mesh: &Mesh, size: [u32; 2]) -> Self {
         let (view, look, sea) = (&scene.view, &scene.look, &scene.sea);
         let foot = [view.eye.x, view.eye.z];
@@ -208,7 +210,7 @@ impl FrameUniform {
         }
     }
 
-    /// The same view for unfiltered samples, moved by this way in clip coordinates.
+    /// This frame for point samples of a reference picture, with the picture shifted by (x, y) in clip coordinates.
     pub fn unfiltered(self, [x, y]: [f32; 2]) -> Self {
         let moved = glam::Mat4::from_translation(glam::vec3(x, y, 0.0)) * self.clip_from_relative;
         let forward = std::array::from_fn(|i| self.forward[i] - x * self.right[i] - y * self.up[i]);
@@ -216,21 +218,21 @@ impl FrameUniform {
     }
 }
 
-/// An array that begins with these values; the rest are defaults.
+/// An array that starts with the given values and is filled up with defaults.
 fn filled<T: Copy + Default, const N: usize>(values: impl Iterator<Item = T>) -> [T; N] {
     let mut out = [T::default(); N];
     out.iter_mut().zip(values).for_each(|(out, value)| *out = value);
     out
 }
 
-/// Angle from the horizontal down to the horizon of the round Earth, rad.
+/// Angle from the horizontal down to the horizon of the spherical Earth, rad, for an eye at the height `eye_m`, m.
 pub fn dip(eye_m: f64) -> f64 {
     let r = crate::state::camera::EARTH_RADIUS_M;
     (r / (r + eye_m.max(0.0))).min(1.0).acos()
 }
 
-/// The cascades whose ripples are shown, each with its share of their slope variance, and the covariance (xx, zz, xz) of the
-/// unresolved slopes that the ripples leave.
+/// Cascades whose ripples are drawn, each with the ripples' fraction of its slope variance; and the covariance (xx, zz,
+/// xz) of the slopes that neither cascades nor ripples resolve.
 fn ripples<'a>(scene: &Scene, maps: &'a Maps) -> (Vec<(&'a MapCascade, f64)>, [f32; 3]) {
     let sea = &scene.sea;
     let mut left = sea.residual;
@@ -238,7 +240,7 @@ fn ripples<'a>(scene: &Scene, maps: &'a Maps) -> (Vec<(&'a MapCascade, f64)>, [f
     let own = (maps.cascades.last(), sea.finest, 1.0 - scene.fading.map_or(0.0, |f| f.share));
     let fading = scene.fading.map(|f| (maps.cascades[..maps.fading].last(), f.finest, f.share));
     for (cascade, finest, weight) in std::iter::once(own).chain(fading) {
-        // A copy has the slopes of its cascade along and across the wind: no more of either than there is.
+        // Ripples scale both slope components of their cascade alike; neither may exceed the unresolved variance.
         let share = |i: usize| if finest[i] > 1e-5 { sea.residual[i] / finest[i] } else { 0.0 };
         let share = (RIPPLE_SHARE * share(0).min(share(1))).min(1.0);
         if let Some(cascade) = cascade.filter(|_| share > 0.0) {
@@ -249,7 +251,7 @@ fn ripples<'a>(scene: &Scene, maps: &'a Maps) -> (Vec<(&'a MapCascade, f64)>, [f
     (shown, covariance(sea, left.map(|l| l.max(0.0))))
 }
 
-/// Covariance (xx, zz, xz) in world axes of variances along and across the wind.
+/// Covariance (xx, zz, xz) of slopes in world axes, from their variances along and across the wind.
 fn covariance(sea: &SeaAppearance, [along, across]: SlopeVariance) -> [f32; 3] {
     let [x, z] = sea.downwind;
     [along * x * x + across * z * z, along * z * z + across * x * x, (along - across) * x * z].map(|v| v as f32)

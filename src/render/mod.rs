@@ -1,7 +1,7 @@
-//! The picture: sky, sea and film, from the read-only maps of the simulation. Linear light until the last shader.
+//! The renderer: draws sky, sea and film from the maps of the simulation. Light is linear until the last shader.
 //!
-//! A frame: the sky's look-up tables (only when the light changed), sky and water into an HDR target, tone curve to the
-//! screen. Every pass is a pure function of [`Scene`] and [`Maps`].
+//! A frame computes the sky's look-up tables (only if the light changed), draws sky and water into an HDR target, and
+//! applies the tone curve for the screen. Every pass depends only on [`Scene`] and [`Maps`].
 
 mod film;
 mod frame;
@@ -44,7 +44,7 @@ use water::material::NoiseLayer;
 use water::mesh::{Mesh, MeshLattice};
 use water::noise::NoiseTexture;
 
-/// The structs that the renderer shares with its shaders.
+/// Declarations of the structs that the renderer shares with its shaders.
 pub const STRUCTS: &[Declaration] = &[
     TilePlace::DECLARATION,
     MeshLattice::DECLARATION,
@@ -63,23 +63,23 @@ pub const STRUCTS: &[Declaration] = &[
     ViewUniform::DECLARATION,
 ];
 
-/// Pixels of the picture for which the mesh's default density is made.
+/// Number of pixels of a picture whose mesh has the default number of vertices.
 const REFERENCE_PIXELS: f64 = 1280.0 * 720.0;
 
-/// A part of the picture that can be recorded by itself, to be timed.
+/// A part of a frame that can be recorded alone, so that its GPU time can be measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// The sky's tables, as when the light changed.
+    /// Computation of all look-up tables of the sky.
     Light,
-    /// What stands behind the sea.
+    /// Drawing of the sky behind the sea.
     Background,
-    /// The mesh of the water and its G-buffer.
+    /// Displacement of the water mesh, and its drawing into the G-buffer.
     Mesh,
-    /// The water, with its mesh.
+    /// All of [`Self::Mesh`], then the lighting of the water's pixels.
     Water,
 }
 
-/// Draws the sea.
+/// Draws pictures of the sea with sky, floating objects and film, and false-colour views.
 pub struct Renderer {
     frame: Uniform<FrameUniform>,
     material: Uniform<MaterialUniform>,
@@ -91,15 +91,15 @@ pub struct Renderer {
     present: PresentPass,
     targets: Option<Targets>,
     target_format: wgpu::TextureFormat,
-    /// Passes of the views, created when a view is first shown.
+    /// Passes of the false-colour views; None until a view is first shown.
     view: Option<ViewPass>,
-    /// Whether a view was drawn last.
+    /// Whether the last frame shows a false-colour view instead of the picture.
     shows_view: bool,
     timer: Timer,
 }
 
 impl Renderer {
-    /// Compiles all passes. `target_format` is what [`Self::present`] draws into.
+    /// Compiles all passes. `target_format` is the format of the render target that [`Self::present`] draws into.
     pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat, film: Film) -> Self {
         let shaders = Shaders::default().with_structs(STRUCTS);
         let frame = Uniform::new(gpu, "frame");
@@ -112,7 +112,7 @@ impl Renderer {
         let eye = EyePass::new(gpu, &shaders, &frame, &water);
         let floats = FloatsPass::new(gpu, &shaders);
         let present = PresentPass::new(gpu, &shaders, &sky.light, target_format, film != Film::Reference);
-        // A browser hears of the pipelines, and compiles them while the noise is made.
+        // The empty submission makes a browser start compiling the pipelines while the CPU computes the noise.
         gpu.queue.submit([]);
         noise.fill(gpu);
         Self {
@@ -132,12 +132,12 @@ impl Renderer {
         }
     }
 
-    /// Has its passes timed, each by its name.
+    /// Sets the timer that measures the GPU time of each pass.
     pub fn set_timer(&mut self, timer: Timer) {
         self.timer = timer;
     }
 
-    /// Records the HDR picture of `size` pixels.
+    /// Records the passes that draw a picture or view of `size` (width, height) pixels in linear light.
     pub fn draw(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, maps: &Maps, scene: &Scene, size: [u32; 2]) {
         let size = size.map(|s| s.max(1));
         let hdr = self.target(gpu, size).hdr.clone();
@@ -156,14 +156,14 @@ impl Renderer {
         }
     }
 
-    /// The targets of this size, made anew if the last ones had another.
+    /// The render targets for `size` pixels, created again if the size has changed.
     fn target(&mut self, gpu: &Gpu, size: [u32; 2]) -> &Targets {
         let targets = self.targets.take().filter(|targets| targets.size == size);
         let film = self.water.scene.film;
         self.targets.insert(targets.unwrap_or_else(|| Targets::new(gpu, size, film)))
     }
 
-    /// Takes maps, look, mesh and view.
+    /// Writes the uniform buffers, selects the pipelines and binds the maps for a frame.
     fn prepare(&mut self, gpu: &Gpu, maps: &Maps, scene: &Scene, mesh: &Mesh, frame: &FrameUniform) {
         self.material.write(gpu, &MaterialUniform::new(scene));
         self.frame.write(gpu, frame);
@@ -178,7 +178,7 @@ impl Renderer {
         self.floats.write(gpu, &self.water.scene, &scene.floats, foot, scene.sea.level_m);
     }
 
-    /// Records the view that the look asks for instead of the picture.
+    /// Records the false-colour view that replaces the picture.
     fn record_view(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, maps: &Maps, scene: &Scene) {
         let Some(targets) = &self.targets else { return };
         self.eye.run(encoder, scene, &self.water);
@@ -190,7 +190,7 @@ impl Renderer {
         view.draw(gpu, encoder, (maps, scene), &self.water, targets);
     }
 
-    /// Records the passes of the picture into the targets.
+    /// Records the passes of the picture into the render targets.
     fn record_picture(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
         let Some(targets) = &self.targets else { return };
         self.eye.run(encoder, scene, &self.water);
@@ -207,7 +207,7 @@ impl Renderer {
         self.timer.mark(encoder, "picture");
     }
 
-    /// Records one part of the picture last drawn, by itself, whether it is stale or not.
+    /// Records one part of the last picture alone, even if its results are up to date.
     pub fn record(&self, encoder: &mut wgpu::CommandEncoder, part: Part) {
         let Some(targets) = &self.targets else { return };
         match part {
@@ -223,23 +223,23 @@ impl Renderer {
         }
     }
 
-    /// Vertices of the mesh last drawn.
+    /// Number of vertices of the mesh in the last frame.
     pub fn vertices(&self) -> u32 {
         self.water.mesh.vertices()
     }
 
-    /// Linear light of the picture last drawn, for read-back.
+    /// Texture with the linear light of the last frame; can be copied to the CPU.
     pub fn light(&self) -> Option<&wgpu::Texture> {
         self.targets.as_ref().map(|t| t.hdr.texture())
     }
 
-    /// Depth of the picture last drawn, near (0.1 m) over the distance along the view, 0 for the sky; to be read back from a
-    /// renderer for [`Film::Layers`].
+    /// Depth texture of the last picture: near-plane distance (0.1 m) divided by the distance along the viewing
+    /// direction, 0 for the sky. It can be copied to the CPU unless the film is [`Film::Screen`].
     pub fn depth(&self) -> Option<&wgpu::Texture> {
         self.targets.as_ref().map(|t| t.depth.texture())
     }
 
-    /// Draws the tone-mapped picture, or the view, into the current viewport.
+    /// Draws the tone-mapped picture, or the view that replaces it, into the current viewport.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         match &self.view {
             Some(view) if self.shows_view => view.show(pass),
@@ -248,14 +248,14 @@ impl Renderer {
     }
 }
 
-/// As many vertices as the picture can show: triangles smaller than a pixel cost more than the pixel. Small pictures have
-/// more of them a pixel, because they cost little there.
+/// The mesh for a picture of `size` pixels. Its number of vertices grows with the square root of the pixels: triangles
+/// smaller than a pixel cost more than the pixel, but a small picture can afford more of them per pixel.
 fn mesh(scene: &Scene, size: [u32; 2]) -> Mesh {
     let pixels = f64::from(size[0]) * f64::from(size[1]) / REFERENCE_PIXELS;
     Mesh::new(&scene.view, &scene.sea, scene.look.mesh_detail * pixels.sqrt().clamp(0.05, 2.0), scene.look.extent_km)
 }
 
-/// The frame of a picture of `size` pixels, for the tests that call the picture's WGSL functions.
+/// The frame uniform of a picture of `size` pixels, for tests that call the picture's WGSL functions.
 pub fn frame(scene: &Scene, maps: &Maps, size: [u32; 2]) -> FrameUniform {
     FrameUniform::new(scene, maps, &mesh(scene, size), size)
 }

@@ -1,8 +1,8 @@
-//! The truth that a picture approximates: many samples a pixel, none of them filtered. Slopes that a pixel cannot resolve
-//! are sampled, not turned into roughness; only those below the finest cascade stay a lobe.
+//! Reference pictures: the mean of many unfiltered samples per pixel, which the normal, filtered picture approximates.
+//! Slopes that a pixel cannot resolve are sampled; only those that no cascade and no ripples hold remain roughness.
 //!
-//! A grid of samples is drawn as a larger picture, several times with its samples moved. Whoever draws averages the linear
-//! light ([`Grid`] says which samples are a pixel's) and hands the mean back to be shown by the usual film.
+//! A grid of samples is drawn as a larger picture, several times with shifted samples. The caller averages the linear
+//! light ([`Grid`] tells which samples belong to a pixel) and passes the mean to [`Reference::show`].
 
 use super::Renderer;
 use super::frame::FrameUniform;
@@ -14,48 +14,48 @@ use crate::gpu::Gpu;
 use crate::sim::Maps;
 use half::f16;
 
-/// Vertices of the mesh for each sample of a grid, as long as they fit into a buffer.
+/// Number of mesh vertices per sample of a grid, as far as the vertices fit into a buffer.
 const VERTICES_PER_SAMPLE: f64 = 1.2;
-/// Share of the largest buffer that they may fill: columns and rows are rounded up.
+/// Fraction of the largest storage buffer that the vertices may fill; rounding up columns and rows needs the rest.
 const FILLED: f64 = 0.95;
 
-/// One sample in each cell of a grid of `side` x `side` cells a pixel.
+/// A sampling grid: `side` x `side` cells per pixel, with one sample in each cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
-    /// Width and height of the picture.
+    /// Width and height of the picture, pixels.
     pub size: [u32; 2],
-    /// Cells along a side of a pixel.
+    /// Number of cells along the side of a pixel.
     pub side: u32,
-    /// Where in its cell the sample lies, from 0 to 1, to the right and down.
+    /// Position of the sample in its cell, 0 to 1, to the right and downwards.
     pub offset: [f64; 2],
 }
 
 impl Grid {
-    /// Width and height of the drawing, one texel a sample.
+    /// Width and height of the render target that holds one sample per texel.
     pub fn samples(&self) -> [u32; 2] {
         self.size.map(|s| s * self.side)
     }
 
-    /// The way from the middle of a cell to its sample in clip coordinates, as the picture has to be moved.
+    /// Shift of the picture in clip coordinates that moves each sample from the centre of its cell to `offset`.
     fn shift(&self) -> [f32; 2] {
         let [w, h] = self.samples().map(f64::from);
         [(-2.0 * (self.offset[0] - 0.5) / w) as f32, (2.0 * (self.offset[1] - 0.5) / h) as f32]
     }
 }
 
-/// Draws samples of a reference picture, and shows their mean.
+/// Renders the samples of a reference picture, and presents their mean.
 pub struct Reference {
     renderer: Renderer,
 }
 
 impl Reference {
-    /// Compiles the passes. `target_format` is what [`Self::present`] draws into.
+    /// Compiles the passes. `target_format` is the format of the render target that [`Self::present`] draws into.
     pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat) -> Self {
         Self { renderer: Renderer::new(gpu, target_format, Film::Reference) }
     }
 
-    /// Records a grid of samples. The texture holds their light; its w is 0 for the sky and, for water, the weight of the
-    /// sample among those of the water in its pixel.
+    /// Records one grid of samples. Returns a texture with the linear light of each sample in rgb. Alpha is 0 for the
+    /// sky; for water it is the weight of the sample in the mean of its pixel's water samples.
     pub fn draw(
         &mut self,
         gpu: &Gpu,
@@ -77,11 +77,11 @@ impl Reference {
         texture
     }
 
-    /// Takes a picture in linear light, RGB row by row, to be presented as `scene` is.
+    /// Prepares a picture in linear light (RGB, row by row) for [`Self::present`], with exposure and film of `scene`.
     pub fn show(&mut self, gpu: &Gpu, scene: &Scene, [width, height]: [u32; 2], light: &[[f32; 3]]) {
         let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
         let mean = gpu.texture("reference", [width, height, 1], 1, HDR_FORMAT, usage);
-        // The limit of shaders/common/frame.wgsl. A value that is not a number stays one, and the film paints it.
+        // Light has the same limit as in shaders/common/frame.wgsl. NaN is kept, and the film paints it magenta.
         let texel = |l: &[f32; 3]| [l[0], l[1], l[2], 1.0].map(|x| f16::from_f32(if x > 6e4 { 6e4 } else { x }));
         let texels: Vec<[f16; 4]> = light.iter().map(texel).collect();
         gpu.write_texture(&mean, 0, bytemuck::cast_slice(&texels));
@@ -93,7 +93,7 @@ impl Reference {
         gpu.submit(encoder);
     }
 
-    /// Draws the picture that was handed to [`Self::show`] into the current viewport.
+    /// Draws the picture that was passed to [`Self::show`] into the current viewport.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         self.renderer.present(pass);
     }

@@ -1,4 +1,4 @@
-//! What a picture shows.
+//! What a picture shows: camera, settings, sea state and floating objects.
 
 use crate::point::floating::HullPose;
 use crate::sim::maps::MAX_CASCADES;
@@ -8,42 +8,42 @@ use crate::waves::Plan;
 use crate::waves::colour_scale::ColourScale;
 use crate::waves::slopes::{self, SlopeVariance};
 
-/// Speed of low clouds over the wind speed at 10 m: the logarithmic profile up to the top of the boundary layer.
+/// Speed of low clouds divided by the wind speed at 10 m: logarithmic wind profile up to the top of the boundary layer.
 const CLOUDS_OVER_WIND: f64 = 1.4;
 
-/// Everything that a picture depends on besides the maps.
+/// Everything that determines a picture besides the maps of the simulation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    /// Eye and projection.
+    /// Position, axes and field of view of the camera.
     pub view: View,
-    /// Whether the eye's height counts from the water below it.
+    /// Whether the eye's height counts from the moving water below it instead of the still water.
     pub rides: bool,
-    /// Light, sky and film.
+    /// Settings of sky, water surface, film and view.
     pub look: Look,
-    /// The sea of the maps, or a blend of two seas during a transition.
+    /// Sea state that is drawn, interpolated during a transition between two seas.
     pub sea: SeaAppearance,
-    /// The sea that fades out during a cross-fade.
+    /// The sea that fades out during a cross-fade; None otherwise.
     pub fading: Option<Fading>,
-    /// Mean foam beyond the foam levels, 0 to 1.
+    /// Mean foam, 0 to 1, which is drawn outside the foam levels.
     pub mean_foam: f64,
     /// Distance that the clouds have drifted along x and z, m.
     pub cloud_drift_m: [f64; 2],
-    /// Colour scales of a view, one for each layer of its maps. The picture ignores them.
+    /// Colour scales of a false-colour view, one for each cascade or foam level. The picture does not use them.
     pub scales: [ColourScale; MAX_CASCADES],
-    /// Floating objects, in the world.
+    /// World positions and orientations of the floating objects.
     pub floats: Vec<HullPose>,
 }
 
-/// What the picture takes from the plan of a sea.
+/// Parameters of a sea that the renderer needs, derived from its [`Plan`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeaAppearance {
-    /// Horizontal displacement factor along x and z.
+    /// Choppiness: factors on the horizontal displacement along x and z; 1 is linear theory.
     pub chop: [f64; 2],
     /// Significant wave height, m.
     pub hs_m: f64,
-    /// Depth of the water, m.
+    /// Water depth, m.
     pub depth_m: f64,
-    /// Height of the still water in the world, m.
+    /// Height of the still water in world coordinates, m.
     pub level_m: f64,
     /// Wind speed 10 m above the sea, m/s.
     pub wind_m_s: f64,
@@ -51,16 +51,16 @@ pub struct SeaAppearance {
     pub downwind: [f64; 2],
     /// Velocity (x, z) of the clouds, m/s.
     pub clouds_m_s: [f64; 2],
-    /// Slope variance along and across the wind of the waves that no cascade holds.
+    /// Unresolved slope variance along and across the wind: that of Cox and Munk (1954) minus that of all cascades.
     pub residual: SlopeVariance,
-    /// Slope variance along and across the wind of the finest cascade.
+    /// Slope variance along and across the wind of the waves in the finest cascade.
     pub finest: SlopeVariance,
-    /// Shortest wavelength that focuses light on the bed, m.
+    /// Half the shortest wavelength that focuses light into caustics on the bed, m.
     pub focusing_m: f64,
 }
 
 impl SeaAppearance {
-    /// The appearance of a plan's sea, for the refractive indices of a look.
+    /// The appearance of the sea of a plan. `look` provides the refractive indices of air and water.
     pub fn new(plan: &Plan, look: &Look) -> Self {
         let wind_m_s = plan.sea.local().wind_m_s;
         Self {
@@ -77,29 +77,29 @@ impl SeaAppearance {
         }
     }
 
-    /// Shortest wavelength that focuses light on the bed, m.
+    /// Half the shortest wavelength that focuses light into caustics on the bed, m.
     pub fn focusing_m(plan: &Plan, look: &Look) -> f64 {
         let reflection = &look.surface.reflection;
         let reach_m = plan.sea.depth_m * (1.0 - reflection.index_air / reflection.index_water);
         slopes::focusing_m(plan, reach_m.max(0.0))
     }
 
-    /// This appearance with the surface of a plan of the same waves.
+    /// This appearance with the choppiness and still-water level of `plan`, whose waves must be the same.
     pub fn with_surface(&self, plan: &Plan) -> Self {
         Self { chop: plan.sea.lambda(), level_m: plan.sea.level_m, ..self.clone() }
     }
 
-    /// Larger of the two horizontal displacement factors.
+    /// Larger of the two choppiness factors, along x and along z.
     pub fn most_chop(&self) -> f64 {
         self.chop[0].max(self.chop[1])
     }
 }
 
-/// A sea that fades out.
+/// The sea that fades out during a cross-fade.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fading {
-    /// Slope variance along and across the wind of its finest cascade.
+    /// Slope variance along and across the wind of the waves in its finest cascade.
     pub finest: SlopeVariance,
-    /// Its share of the variance, 0 to 1.
+    /// Fraction of the drawn wave variance that this sea has, 0 to 1.
     pub share: f64,
 }

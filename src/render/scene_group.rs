@@ -1,4 +1,4 @@
-//! The bind group that every pass of the HDR picture shares (shaders/common/scene.wgsl).
+//! The bind group that all passes of the HDR picture share; shaders/common/scene.wgsl declares its bindings.
 
 use super::frame::FrameUniform;
 use super::sky::tables::SkyTables;
@@ -11,16 +11,16 @@ use crate::gpu::kit::Slot;
 use crate::gpu::uniform::Uniform;
 use wgpu::BindingResource::{Sampler, TextureView};
 
-/// Frame, sky, light and material, with the textures that belong to them.
+/// Bind group with the uniform buffers of frame, sky, light and material, and with the sky and noise textures.
 pub struct SceneGroup {
     pub layout: wgpu::BindGroupLayout,
     pub group: wgpu::BindGroup,
-    /// What the passes draw into.
+    /// Film of the picture, which gives the format of the render target.
     pub film: Film,
 }
 
 impl SceneGroup {
-    /// Binds the resources.
+    /// Creates the bind group from its buffers and textures.
     pub fn new(
         gpu: &Gpu,
         frame: &Uniform<FrameUniform>,

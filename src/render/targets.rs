@@ -1,33 +1,33 @@
-//! What a picture is drawn into: the G-buffer of the water, linear light and depth.
+//! Render targets of a picture: G-buffer of the water, linear light and depth.
 
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Attachments, Depth};
 
-/// Format of linear light.
+/// Format of the texture that holds linear light.
 pub const HDR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
-/// Format of the depth, which is reverse-Z: near / distance.
+/// Format of the depth texture. Depth is reverse-Z: near-plane distance divided by distance, 0 at infinity.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-/// Formats of the G-buffer (WGSL `GBuffer`).
+/// Formats of the two textures of the water's G-buffer (WGSL `GBuffer`).
 pub const G_BUFFER_FORMATS: [wgpu::TextureFormat; 2] = [wgpu::TextureFormat::Rgba32Uint; 2];
 
-/// The depth test of what is drawn into the picture: the nearest fragment is seen.
+/// Depth test of objects: the fragment nearest to the eye is visible and writes its depth.
 pub const NEAREST: Depth = Depth { format: DEPTH_FORMAT, compare: wgpu::CompareFunction::GreaterEqual, write: true };
-/// The depth test of what stands behind everything that was drawn.
+/// Depth test of the background: visible where nothing nearer was drawn; writes no depth.
 pub const BEHIND: Depth = Depth { write: false, ..NEAREST };
 
-/// What becomes of a picture's light and depth.
+/// What is done with the linear light and the depth of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Film {
-    /// They are only presented.
+    /// The picture is presented; its depth is discarded.
     Screen,
-    /// They can also be read back.
+    /// The picture is presented; its light and its depth can also be read back.
     Layers,
-    /// The light is that of single samples of a reference, in single precision: half floats would cut off the sun.
+    /// The picture holds point samples of a reference in single precision, because half floats would clip the sun.
     Reference,
 }
 
 impl Film {
-    /// Format of the linear light.
+    /// Format of the texture that holds linear light.
     pub const fn format(self) -> wgpu::TextureFormat {
         match self {
             Self::Screen | Self::Layers => HDR_FORMAT,
@@ -36,26 +36,26 @@ impl Film {
     }
 }
 
-/// The attachments of a pipeline that draws into a picture whose light has this format.
+/// Attachments of a pipeline that draws into a picture with this format of light and this depth test.
 pub fn attachments(format: &wgpu::TextureFormat, depth: Depth) -> Attachments<'_> {
     Attachments { formats: std::slice::from_ref(format), depth: Some(depth) }
 }
 
-/// Attachments of one size.
+/// Render targets for pictures of one size.
 pub struct Targets {
     /// Width and height, pixels.
     pub size: [u32; 2],
-    /// Linear light.
+    /// Linear light of the picture.
     pub hdr: wgpu::TextureView,
-    /// Near / distance, kept only on a film that is read back.
+    /// Reverse-Z depth, near-plane distance divided by distance. Discarded after the frame on [`Film::Screen`].
     pub depth: wgpu::TextureView,
     keeps_depth: bool,
-    /// The G-buffer of the water.
+    /// G-buffer of the water: point, distance, footprint and slopes (WGSL `GBuffer`).
     pub g_buffer: [wgpu::TextureView; 2],
 }
 
 impl Targets {
-    /// Attachments of `size` pixels for a film.
+    /// Creates the render targets for a picture of `width` x `height` pixels.
     pub fn new(gpu: &Gpu, [width, height]: [u32; 2], film: Film) -> Self {
         use wgpu::TextureUsages as Usage;
         let texture = |label, format, usage| {
@@ -73,7 +73,7 @@ impl Targets {
         }
     }
 
-    /// Opens the pass that draws the mesh of the water into the G-buffer and the depth.
+    /// Begins the pass that draws the water mesh into the G-buffer and the depth texture.
     pub fn begin_mesh<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
         let attachments = self.g_buffer.each_ref().map(|view| Some(attachment(view, wgpu::Color::TRANSPARENT)));
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -84,7 +84,7 @@ impl Targets {
         })
     }
 
-    /// Opens the pass of the picture, whose depth is that of the mesh or, without it, infinitely far.
+    /// Begins the pass that draws the picture. Keeps the depth of the mesh if `after_mesh`, else clears it to infinity.
     pub fn begin<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, after_mesh: bool) -> wgpu::RenderPass<'a> {
         let load = if after_mesh { wgpu::LoadOp::Load } else { wgpu::LoadOp::Clear(0.0) };
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -105,7 +105,7 @@ impl Targets {
     }
 }
 
-/// A colour attachment that is cleared and kept.
+/// A colour attachment that is cleared at the start of the pass and stored at its end.
 fn attachment(view: &wgpu::TextureView, clear: wgpu::Color) -> wgpu::RenderPassColorAttachment<'_> {
     let ops = wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store: wgpu::StoreOp::Store };
     wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops }

@@ -1,7 +1,7 @@
-//! Pipelines by the parts that a picture has.
+//! Render pipelines specialised for the parts that a picture contains.
 
-/// The pipelines of a pass, one for each combination of parts that was needed so far. A part that a picture lacks is not in
-/// its pipeline: its code would cost registers on every GPU, and a software adapter computes both sides of a branch.
+/// Pipelines of one pass, one for each combination of picture parts that was needed so far. A part that is not needed
+/// is compiled out: its code costs registers on every GPU, and a software adapter executes both sides of a branch.
 pub struct Variants<P>(Vec<(P, wgpu::RenderPipeline)>);
 
 impl<P> Default for Variants<P> {
@@ -11,9 +11,9 @@ impl<P> Default for Variants<P> {
 }
 
 impl<P: Copy + PartialEq> Variants<P> {
-    /// Chooses the pipeline of these parts, and makes it if there is none yet.
+    /// Selects the pipeline for a combination of parts; compiles it with `make` at first use.
     pub fn choose(&mut self, parts: P, make: impl FnOnce(P) -> wgpu::RenderPipeline) {
-        // The chosen pipeline is the last one.
+        // The selected pipeline is the last one.
         match self.0.iter().position(|(made, _)| *made == parts) {
             Some(at) => {
                 let last = self.0.len() - 1;
@@ -23,13 +23,13 @@ impl<P: Copy + PartialEq> Variants<P> {
         }
     }
 
-    /// The chosen pipeline.
+    /// The selected pipeline; None before the first selection.
     pub fn chosen(&self) -> Option<&wgpu::RenderPipeline> {
         self.0.last().map(|(_, pipeline)| pipeline)
     }
 }
 
-/// An override constant that says whether a picture has a part.
+/// Name and value (1 or 0) of the override constant that tells a shader whether the picture contains a part.
 pub fn part(name: &str, is_there: bool) -> (&str, f64) {
     (name, f64::from(u8::from(is_there)))
 }

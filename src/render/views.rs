@@ -1,5 +1,5 @@
-//! Views instead of the picture: maps of the simulation (shaders/views/map.wgsl) and quantities of the drawn surface
-//! (shaders/views/surface.wgsl). Made when the first view is asked for; the picture pays nothing for them.
+//! False-colour views that replace the picture: maps of the simulation (shaders/views/map.wgsl) and quantities of the
+//! drawn surface (shaders/views/surface.wgsl). Compiled when a view is first shown; the picture pays nothing for them.
 
 use super::scene::Scene;
 use super::targets::Targets;
@@ -16,46 +16,46 @@ use crate::state::views::{Map, Shown};
 use crate::waves::colour_scale::STOPS;
 use std::cmp::Reverse;
 
-/// Pixels between two maps side by side.
+/// Gap between two maps side by side, pixels.
 const GAP: u32 = 6;
 
 gpu_struct! {
-    /// WGSL `ViewTile`: a square of the picture that shows one layer of a map. The views on the mesh only use the scale and
-    /// the layer of the first.
+    /// WGSL `ViewTile`: a square of the picture that shows one layer of a map. A view of the drawn surface only uses
+    /// the colour range and the layer of its first tile.
     #[derive(Default)]
     pub struct ViewTile as "ViewTile" {
-        /// Top left corner, pixels.
+        /// Top left corner in the picture, pixels.
         corner: [f32; 2],
-        /// Map texel that the view shows in its top left corner.
+        /// Column and row of the map texel in the tile's top left corner.
         first: [u32; 2],
-        /// Side, pixels.
+        /// Side of the square, pixels.
         side: f32,
-        /// Layer of the map, cascade of a spectrum, or index of a drawn cascade.
+        /// Index of what the tile shows: a layer of a map, the cascade of a spectrum, or a drawn cascade.
         layer: u32,
-        /// Quantity that the first colour of the scale stands for.
+        /// Value that the first colour of the scale stands for, in the unit of the map.
         low: f32,
-        /// Value of the last colour.
+        /// Value that the last colour of the scale stands for, in the unit of the map.
         high: f32,
     }
 }
 
 gpu_struct! {
-    /// Uniform of the views (WGSL `View`).
+    /// WGSL `View`: uniform buffer of the false-colour views.
     pub struct ViewUniform as "View" {
-        /// Colours of the scale as the screen takes them.
+        /// Evenly spaced colours of the scale, sRGB with alpha 1.
         stops: [[f32; 4]; STOPS],
         tiles: [ViewTile; MAX_CASCADES],
         /// Width and height of the picture, pixels.
         size: [f32; 2],
-        /// Horizontal displacement factor along x and z.
+        /// Choppiness: factors on the horizontal displacement along x and z; 1 is linear theory.
         chop: [f32; 2],
-        /// 1 + the discriminant in `Map` (for the map pass) or in `Surface` (for the surface pass).
+        /// Kind of view: 1 + the discriminant of `Map` or, in the surface pass, of `Surface`.
         kind: u32,
-        /// Tiles in use.
+        /// Number of tiles in use.
         tile_count: u32,
         /// 1 if the scale is logarithmic, else 0.
         logarithmic: u32,
-        /// Phase of all waves at the time of the maps, t / period in units of 2^-32.
+        /// Time of the maps divided by the period after which all waves repeat, in units of 2^-32.
         phase_time: u32,
     }
 }
@@ -63,21 +63,21 @@ gpu_struct! {
 impl ViewUniform {
     fn new(scene: &Scene, maps: &Maps, size: [u32; 2]) -> Self {
         let view = scene.look.view;
-        // Numbers of the kinds in the shaders: 0 is no view.
+        // The shaders number the kinds of view from 1.
         let kind = match view.shown {
             Shown::Picture => 0,
             Shown::Map(map) => 1 + map as u32,
             Shown::Surface(surface) => 1 + surface as u32,
         };
         let foam = matches!(view.shown, Shown::Map(Map::Foam | Map::Source));
-        // Of two seas, the one that fades is not shown.
+        // During a cross-fade only the new sea is shown.
         let most = if foam { maps.foam_levels.len() } else { maps.sea().len() };
         let layers = view.layers(most);
         let (corners, side) = squares(layers.len() as u32, size);
         let mut tiles = [ViewTile::default(); MAX_CASCADES];
         for ((tile, layer), corner) in tiles.iter_mut().zip(layers.clone()).zip(corners) {
             let scale = scene.scales[layer];
-            // Moments are stored in units of their own.
+            // The moments map stores slope moments in the unit `moment_scale`.
             let unit = match view.shown {
                 Shown::Map(Map::MomentXx | Map::MomentZz | Map::MomentXz) => maps.sea()[layer].moment_scale,
                 _ => 1.0,
@@ -85,14 +85,14 @@ impl ViewUniform {
             let first = match view.shown {
                 Shown::Map(Map::InitialSpectrum | Map::Spectrum) => [maps.n / 2; 2],
                 Shown::Map(Map::Foam | Map::Source) => {
-                    // The north-western cell in range; cells live at their number modulo the size.
+                    // North-western cell of the level. A cell is stored at its world index modulo the number of cells.
                     let level = maps.foam_levels[layer];
                     let cells = f64::from(maps.foam_n);
                     level.centre.map(|x| (x / level.texel_m - 0.5 * cells).round().rem_euclid(cells) as u32)
                 }
                 _ => [0; 2],
             };
-            // Of spectra a cascade, of the mesh's views one of those that are drawn, else a layer.
+            // A spectrum is chosen by cascade, a surface view by drawn cascade, any other map by texture layer.
             let source = match view.shown {
                 Shown::Map(Map::InitialSpectrum | Map::Spectrum) => layer,
                 Shown::Surface(_) => maps.fading + layer,
@@ -122,7 +122,7 @@ impl ViewUniform {
     }
 }
 
-/// Corners and side of `count` equal squares, as large as fit into a picture, in rows from the top left.
+/// Top left corners and side, pixels, of `count` equal squares as large as fit into a picture, row by row.
 fn squares(count: u32, [width, height]: [u32; 2]) -> (Vec<[u32; 2]>, u32) {
     let fit = |columns: u32| {
         let rows = count.div_ceil(columns);
@@ -137,7 +137,7 @@ fn squares(count: u32, [width, height]: [u32; 2]) -> (Vec<[u32; 2]>, u32) {
     ((0..count).map(corner).collect(), side)
 }
 
-/// Draws views.
+/// Passes that draw a false-colour view and present it.
 pub struct ViewPass {
     uniform: Uniform<ViewUniform>,
     map_layout: wgpu::BindGroupLayout,
@@ -150,7 +150,7 @@ pub struct ViewPass {
 }
 
 impl ViewPass {
-    /// Compiles the passes for the water that they show and a format of the screen.
+    /// Compiles the passes for the mesh of `water` and a screen of the format `target`.
     pub fn new(gpu: &Gpu, shaders: &Shaders, water: &WaterPass, target: wgpu::TextureFormat) -> Self {
         let fragment = wgpu::ShaderStages::FRAGMENT;
         let uniform = Uniform::<ViewUniform>::new(gpu, "view");
@@ -182,7 +182,7 @@ impl ViewPass {
         Self { uniform, map_layout, map, surface, surface_group, show_layout, show, show_group: None }
     }
 
-    /// Records the view of a scene.
+    /// Records the false-colour view that a scene selects.
     pub fn draw(
         &mut self,
         gpu: &Gpu,
@@ -215,7 +215,7 @@ impl ViewPass {
         }
     }
 
-    /// Draws the view into the current viewport.
+    /// Draws the recorded view into the current viewport.
     pub fn show(&self, pass: &mut wgpu::RenderPass<'_>) {
         let Some(group) = &self.show_group else { return };
         pass.set_pipeline(&self.show);

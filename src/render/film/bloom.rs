@@ -1,15 +1,16 @@
-//! shaders/film/bloom.wgsl: a chain of halved pictures, down and up again. Nothing is made or recorded while it is off.
+//! Bloom, light that the lens scatters (shaders/film/bloom.wgsl): the picture is halved step by step and added up
+//! again. While bloom is off, it has no textures and records no passes.
 
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Kernel, Slot};
 use crate::shaders::Shaders;
 
-/// Most halvings.
+/// Largest number of levels in the chain; each is half as wide and high as the one before.
 const MOST_LEVELS: usize = 8;
-/// Rows of the coarsest level, at least.
+/// Least length of the shorter side of the coarsest level, texels.
 const LEAST_ROWS: u32 = 4;
 
-/// The chain for one picture.
+/// The passes that compute bloom, and the textures for one picture.
 pub struct Bloom {
     down: Kernel,
     up: Kernel,
@@ -24,7 +25,7 @@ struct Chain {
 }
 
 impl Bloom {
-    /// Compiles the passes.
+    /// Compiles the passes for downsampling and upsampling.
     pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
         let format = shaders.maps(gpu).texture();
         let slots = [Slot::Texture, Slot::Sampler, Slot::Image(format), Slot::Texture];
@@ -34,17 +35,17 @@ impl Bloom {
         Self { down: kernel("down"), up: kernel("up"), sampler, format, chain: None }
     }
 
-    /// Makes the chain of a picture, or lets it go.
+    /// Allocates the levels for a picture of the given view and size, or frees them for None.
     pub fn bind(&mut self, gpu: &Gpu, picture: Option<(&wgpu::TextureView, [u32; 2])>) {
         self.chain = picture.map(|(hdr, size)| self.chain(gpu, hdr, size));
     }
 
-    /// What was spread, half as large as the picture.
+    /// Texture with the scattered light, half as wide and high as the picture; None while bloom is off.
     pub fn result(&self) -> Option<&wgpu::TextureView> {
         self.chain.as_ref().map(|c| &c.result)
     }
 
-    /// Records the passes, if there is a chain.
+    /// Records the passes for downsampling and upsampling; none while bloom is off.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder) {
         let Some(chain) = &self.chain else { return };
         for (down, group, size) in &chain.steps {

@@ -1,4 +1,4 @@
-//! After the picture: what lens and film do to light.
+//! Lens and film: bloom, exposure and tone curve, applied to the finished HDR picture.
 
 pub mod bloom;
 pub mod present;

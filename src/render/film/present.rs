@@ -1,4 +1,4 @@
-//! shaders/film/present.wgsl: bloom, exposure, tone curve, gamma, dither.
+//! The pass that shows the HDR picture (shaders/film/present.wgsl): bloom, exposure, tone curve, gamma, dither.
 
 use super::bloom::Bloom;
 use crate::gpu::Gpu;
@@ -11,28 +11,28 @@ use crate::shaders::Shaders;
 use crate::state::look::FilmLook;
 
 gpu_struct! {
-    /// Uniform of the pass that presents the picture (WGSL `Present`).
+    /// WGSL `Present`: uniform buffer of the pass that shows the HDR picture on screen.
     pub struct PresentUniform as "Present" {
         /// Width and height of the picture, pixels.
         size: [f32; 2],
-        /// Factor of the exposure.
+        /// Factor on the automatic or fixed exposure, from the exposure setting in stops.
         exposure_gain: f32,
-        /// Exposure that does not follow the light, or 0.
+        /// Exposure that replaces the automatic one; 0 if the exposure is automatic.
         fixed_exposure: f32,
-        /// The tone curve: the place of the variant in `Tone`.
+        /// Tone curve, as the discriminant of `Tone`.
         tone: u32,
-        /// Share of the light that the lens spreads.
+        /// Fraction of the light that the lens scatters as bloom, 0 to 1.
         bloom: f32,
-        /// 1 if the picture is dithered, else 0.
+        /// 1 if dither noise is added to hide the steps of 8-bit colours, else 0.
         dither: f32,
         unused: u32,
     }
 }
 
-/// Automatic exposure of a clear noon with the sun 60 degrees high; the fixed exposure of a film that does not adapt.
+/// Automatic exposure of a clear noon with the sun 60 degrees high; the exposure at 0 EV if it is not automatic.
 pub const NOON_EXPOSURE: f32 = 0.444;
 
-/// Draws the HDR picture into a pass of the screen.
+/// The pass that shows the HDR picture on screen, with its bloom.
 pub struct PresentPass {
     uniform: Uniform<PresentUniform>,
     light: wgpu::Buffer,
@@ -40,13 +40,13 @@ pub struct PresentPass {
     pipeline: wgpu::RenderPipeline,
     sampler: wgpu::Sampler,
     bloom: Bloom,
-    /// The picture that is bound, and whether it has bloom.
+    /// The bound HDR picture, and whether its bloom is on.
     bound: Option<(wgpu::TextureView, bool)>,
     group: Option<wgpu::BindGroup>,
 }
 
 impl PresentPass {
-    /// Compiles the pass for a format of the screen. `light` holds the exposure; `smooth` asks for smooth edges.
+    /// Compiles the pass. `light` holds the automatic exposure; `smooth` turns on smoothing of edges.
     pub fn new(
         gpu: &Gpu,
         shaders: &Shaders,
@@ -81,7 +81,7 @@ impl PresentPass {
         }
     }
 
-    /// Binds a picture in linear light, and the chain of its bloom, if they are not bound yet.
+    /// Binds an HDR picture and allocates its bloom, unless both are in place already.
     pub fn bind(&mut self, gpu: &Gpu, hdr: &wgpu::TextureView, film: &FilmLook) {
         let wanted = Some((hdr.clone(), film.bloom > 0.0));
         if self.bound == wanted {
@@ -100,7 +100,7 @@ impl PresentPass {
         self.bound = wanted;
     }
 
-    /// Sends the numbers of a scene's film.
+    /// Writes the film settings of a scene for a picture of `size` pixels to the uniform buffer.
     pub fn write(&self, gpu: &Gpu, scene: &Scene, size: [u32; 2]) {
         let film = &scene.look.film;
         let fixed = NOON_EXPOSURE / night_gain(&scene.look.sky) as f32;
@@ -116,12 +116,12 @@ impl PresentPass {
         self.uniform.write(gpu, &uniform);
     }
 
-    /// Records the bloom, if there is any.
+    /// Records the bloom passes, if bloom is on.
     pub fn spread(&self, encoder: &mut wgpu::CommandEncoder) {
         self.bloom.run(encoder);
     }
 
-    /// Draws into the current viewport.
+    /// Draws the tone-mapped picture into the current viewport.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         let Some(group) = &self.group else { return };
         pass.set_pipeline(&self.pipeline);

@@ -1,4 +1,4 @@
-//! shaders/sky/background.wgsl: the sky behind the sea.
+//! The pass that draws the sky behind the sea (shaders/sky/background.wgsl).
 
 use super::tables::SkyTables;
 use crate::gpu::Gpu;
@@ -9,16 +9,16 @@ use crate::render::targets::{BEHIND, attachments};
 use crate::render::variants::{Variants, part};
 use crate::shaders::Shaders;
 
-/// Sine of the sun's elevation below which there are stars; sky.wgsl has it too.
+/// Sine of the sun's elevation below which stars are drawn; shaders/sky/background.wgsl contains the same number.
 const STARS_SUN: f64 = -0.05;
 
-/// What stands behind the sea.
+/// Draws the sky behind the sea: clear air, sun, clouds, stars and fog, or an image from a file.
 pub struct BackgroundPass {
     module: wgpu::ShaderModule,
     pipelines: Variants<Parts>,
 }
 
-/// What a picture's background consists of.
+/// Parts of the background that a pipeline contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Parts {
     file: bool,
@@ -28,12 +28,12 @@ struct Parts {
 }
 
 impl BackgroundPass {
-    /// Compiles the pass.
+    /// Creates the shader module; [`Self::choose`] compiles the pipelines.
     pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
         Self { module: shaders.module(gpu, "sky/background"), pipelines: Variants::default() }
     }
 
-    /// Makes the pipeline that the picture of a scene needs, if there is none yet.
+    /// Selects the pipeline for a scene; compiles it at first use.
     pub fn choose(&mut self, gpu: &Gpu, group: &SceneGroup, sky: &SkyTables, scene: &Scene) {
         let look = &scene.look.sky;
         let file = look.panorama().is_some();
@@ -56,7 +56,7 @@ impl BackgroundPass {
         });
     }
 
-    /// Draws it.
+    /// Draws the sky where nothing nearer was drawn.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, scene: &SceneGroup, sky: &SkyTables) {
         let Some(pipeline) = self.pipelines.chosen() else { return };
         pass.set_pipeline(pipeline);

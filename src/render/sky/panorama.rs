@@ -1,4 +1,4 @@
-//! The textures of a sky from a file: all of it for the background, and a copy without its sun for what the sea mirrors.
+//! Textures of a sky from an image file: the full image for the background, and a copy without the sun for reflections.
 
 use crate::files::panorama::{CALM, Panorama};
 use crate::gpu::Gpu;
@@ -7,22 +7,22 @@ use crate::render::targets::HDR_FORMAT;
 use half::f16;
 use std::sync::Arc;
 
-/// Format of the picture behind the sea.
+/// Texture format of the full image, which is drawn behind the sea.
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgb9e5Ufloat;
 
-/// The picture that is shown, if any.
+/// Textures of the sky image in use, if there is one.
 pub struct PanoramaTextures {
     /// The sky image without its sun, [`CALM`] texels wide and high. A new image is written into the same texture.
     calm: wgpu::Texture,
     pub calm_view: wgpu::TextureView,
     pub layout: wgpu::BindGroupLayout,
-    /// The picture at full size with mips; one texel when there is none.
+    /// Bind group of the full image with its mip levels; one black texel while no image is in use.
     pub group: wgpu::BindGroup,
     shown: Option<Arc<Panorama>>,
 }
 
 impl PanoramaTextures {
-    /// Without a picture.
+    /// Creates the textures without a sky image.
     pub fn new(gpu: &Gpu) -> Self {
         let calm = texture(gpu, "sky/calm", HDR_FORMAT, CALM.map(|s| s as u32), 1);
         let layout = gpu.layout("sky/file", wgpu::ShaderStages::FRAGMENT, &[Slot::Texture]);
@@ -31,7 +31,7 @@ impl PanoramaTextures {
         Self { calm, calm_view, layout, group, shown: None }
     }
 
-    /// Turns to another picture; returns whether it is another one.
+    /// Switches to the sky image `wanted`, or to none. Returns whether the image has changed.
     pub fn show(&mut self, gpu: &Gpu, wanted: Option<&Arc<Panorama>>) -> bool {
         if self.shown.as_ref().map(Arc::as_ptr) == wanted.map(Arc::as_ptr) {
             return false;
@@ -44,7 +44,7 @@ impl PanoramaTextures {
         let most = gpu.device.limits().max_texture_dimension_2d as usize;
         self.group = match wanted {
             Some(p) => {
-                // A device that is smaller than the picture gets one of its mips.
+                // If the image is larger than the device's largest texture, a coarser mip level takes its place.
                 let first = (0..p.mips.len()).find(|k| p.width >> k <= most).unwrap_or(0);
                 let size = [p.width >> first, p.height >> first].map(|s| s.max(1) as u32);
                 picture(gpu, &self.layout, size, &p.mips[first..])

@@ -1,6 +1,6 @@
-//! The sky's look-up tables: the clear air, the environment that the sea mirrors, and the light on the sea
-//! (shaders/sky/transmittance.wgsl, multiple.wgsl, view.wgsl, environment.wgsl, filter.wgsl, light.wgsl). They are computed
-//! only when the light changed.
+//! Look-up tables of the sky: clear air, the environment that the sea reflects, and the light on the sea
+//! (shaders/sky/transmittance.wgsl, multiple.wgsl, view.wgsl, environment.wgsl, filter.wgsl, light.wgsl). They are
+//! recomputed only if the light changes.
 
 use super::panorama::PanoramaTextures;
 use super::uniform::{LightBuffer, SkyUniform};
@@ -12,23 +12,24 @@ use crate::render::water::noise::NoiseTexture;
 use crate::shaders::Shaders;
 use wgpu::BindingResource::{Sampler, TextureView};
 
-/// Width and height of the tables, texels.
+/// Width and height of the transmittance table, texels.
 const TRANSMITTANCE: [u32; 2] = [256, 64];
 const MULTIPLE: [u32; 2] = [64, 32];
 const VIEW: [u32; 2] = [192, 128];
 const ENVIRONMENT: [u32; 2] = [256, 128];
-/// Mip levels of the environment, down to 8 x 4 texels.
+/// Number of mip levels of the environment map, down to 8 x 4 texels.
 const MIPS: u32 = 6;
-/// Workgroups of 64 threads that sum the light, and the bytes of their sums (shaders/sky/light.wgsl).
+/// Number of workgroups of 64 threads that sum the light of the sky (shaders/sky/light.wgsl).
 const LIGHT_GROUPS: u32 = 4;
+/// Size of the buffer that holds the partial sum of each thread, bytes.
 const LIGHT_PARTS_BYTES: u64 = 16 * 64 * LIGHT_GROUPS as u64;
 
-/// Workgroups of 8 x 8 threads that cover a table.
+/// Number of workgroups of 8 x 8 threads, along x and y, that cover a table of `size` texels.
 fn workgroups(size: [u32; 2]) -> [u32; 2] {
     size.map(|side| side.div_ceil(8))
 }
 
-/// A compute pass with its resources.
+/// A compute pass that fills a table, with its bind group.
 struct TablePass {
     kernel: Kernel,
     group: wgpu::BindGroup,
@@ -55,7 +56,7 @@ impl TablePass {
     }
 }
 
-/// The look-up tables and how they are made.
+/// The look-up tables of the sky, and the passes that compute them.
 pub struct SkyTables {
     pub uniform: Uniform<SkyUniform>,
     pub light: wgpu::Buffer,
@@ -63,17 +64,17 @@ pub struct SkyTables {
     pub view: wgpu::TextureView,
     pub environment: wgpu::TextureView,
     pub sampler: wgpu::Sampler,
-    /// A sky from a file.
+    /// Textures of a sky from an image file.
     pub panorama: PanoramaTextures,
-    /// Passes that depend on the air alone.
+    /// Passes that do not depend on the position of the sun: transmittance and multiple scattering.
     air: Vec<TablePass>,
-    /// Passes that depend on the air and on the sun.
+    /// Passes that depend on the position of the sun: sky, environment and light.
     lit: Vec<TablePass>,
     made_for: Option<SkyUniform>,
 }
 
 impl SkyTables {
-    /// Compiles the passes; nothing is computed yet.
+    /// Allocates the tables and compiles their passes; nothing is computed yet.
     pub fn new(gpu: &Gpu, shaders: &Shaders, noise: &NoiseTexture) -> Self {
         let format = shaders.maps(gpu).texture();
         let texture = |label, [width, height]: [u32; 2], mips| {
@@ -183,8 +184,7 @@ impl SkyTables {
         [view, clear_parts, clear, environment].into_iter().chain(filters).chain([whole_parts, whole]).collect()
     }
 
-    /// Passes that integrate the light of the sky over directions: partial sums and total of the clear sky, then of
-    /// the sky with clouds.
+    /// Passes that integrate the sky's light over all directions: partial sums and total, first without clouds.
     fn light_passes(&self, gpu: &Gpu, shaders: &Shaders, noise: &NoiseTexture) -> [TablePass; 4] {
         let parts = gpu.storage("light/parts", LIGHT_PARTS_BYTES);
         let module = shaders.module(gpu, "sky/light");
@@ -208,12 +208,12 @@ impl SkyTables {
         .map(|(label, entry, groups)| TablePass::new(gpu, label, (&module, entry), &bindings, [groups, 1]))
     }
 
-    /// Records all tables.
+    /// Records the computation of all tables.
     pub fn record(&self, encoder: &mut wgpu::CommandEncoder) {
         self.air.iter().chain(&self.lit).for_each(|pass| pass.run(encoder));
     }
 
-    /// Records the tables that the light of a scene makes stale.
+    /// Writes the sky uniform of a scene, and records the computation of the tables that it makes out of date.
     pub fn update(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
         let wanted = SkyUniform::new(scene);
         let other_file = self.panorama.show(gpu, scene.look.sky.panorama());
@@ -240,7 +240,7 @@ mod tests {
     use crate::render::sky::uniform::night_gain;
     use crate::state::look::SkyLook;
 
-    /// The light on the sea under some skies.
+    /// Light on the sea under each of the given skies.
     fn lights(skies: &[SkyLook]) -> Vec<LightBuffer> {
         let gpu = pollster::block_on(Gpu::request()).unwrap();
         let noise = NoiseTexture::new(&gpu);
@@ -263,14 +263,14 @@ mod tests {
         SkyLook { sun_deg, ..SkyLook::default() }
     }
 
-    /// Illuminance on the horizontal, lux: the sun above the air gives 128 klx.
+    /// Illuminance of a horizontal plane, lux, in units in which the sun above the atmosphere gives 128 klx.
     fn lux(light: &LightBuffer, look: &SkyLook) -> f64 {
         let up = look.sun_direction()[1].max(0.0);
         let e: Vec<f64> = (0..3).map(|i| f64::from(light.sky[i]) + f64::from(light.sun[i]) * up).collect();
         (0.2126 * e[0] + 0.7152 * e[1] + 0.0722 * e[2]) / night_gain(look) * 6400.0
     }
 
-    /// Noon: the light on the sea is that of a clear day, and the film that does not adapt knows its exposure.
+    /// At noon the sea has the light of a clear day, and the automatic exposure equals [`NOON_EXPOSURE`].
     #[test]
     fn light_of_a_clear_noon() {
         let light = lights(&[at(60.0)])[0];
@@ -281,8 +281,8 @@ mod tests {
         assert!((light.exposure / NOON_EXPOSURE - 1.0).abs() < 0.02, "{light:?}");
     }
 
-    /// Clear-sky illuminances on the horizontal at noon, with the sun on the horizon, at the end of civil twilight and on a
-    /// moonless night (Seidelmann, Explanatory Supplement to the Astronomical Almanac, 1992), within a factor.
+    /// Clear skies at noon, at sunset, at the end of civil twilight and in a moonless night give a horizontal plane the
+    /// illuminances of Seidelmann (Explanatory Supplement to the Astronomical Almanac, 1992), within a factor.
     #[test]
     fn light_from_noon_to_night() {
         let cases = [(60.0, 9.5e4, 1.3), (0.0, 700.0, 2.0), (-6.0, 3.4, 3.0), (-24.0, 1.5e-3, 2.5)];

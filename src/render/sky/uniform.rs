@@ -1,4 +1,4 @@
-//! What the sky's passes are told, and the light on the sea that they find: WGSL `Sky` and `Light`.
+//! Uniform buffer of the sky passes (WGSL `Sky`), and the light on the sea that they compute (WGSL `Light`).
 
 use crate::gpu::layout::gpu_struct;
 use crate::render::frame::dip;
@@ -6,67 +6,67 @@ use crate::render::scene::Scene;
 use crate::state::fields::linear_rgb;
 use crate::state::look::SkyLook;
 
-/// The mirrored clouds move in steps of this length, km: less than a texel of the environment, and a step every few seconds.
+/// Step by which the clouds in reflections move, km: less than a texel of the environment map; it lasts seconds.
 const MIRROR_STEP_KM: f64 = 0.05;
 
 gpu_struct! {
-    /// WGSL `Fog`: height fog, of full density up to its top and falling off exponentially above.
+    /// WGSL `Fog`: fog of constant density up to a height, with an exponential decrease above.
     pub struct FogUniform as "Fog" {
-        /// Extinction at full density, 1/m; 0 for no fog.
+        /// Extinction coefficient below the top of the fog, 1/m; 0 without fog.
         extinction_per_m: f32,
         /// Distance from the eye at which the fog begins, m.
         start_m: f32,
-        /// Height above the top over which the density falls to 1 / e, m.
+        /// Height above the top of the fog over which its density falls to 1/e, m.
         falloff_m: f32,
-        /// Height of the top over the sea, m.
+        /// Height above the water up to which the fog has its full density, m.
         top_m: f32,
     }
 }
 
 gpu_struct! {
-    /// WGSL `Sky`: what the look-up tables of the sky depend on.
+    /// WGSL `Sky`: uniform buffer on which the look-up tables of the sky depend.
     pub struct SkyUniform as "Sky" {
-        /// Unit vector to the sun.
+        /// Unit vector towards the sun.
         sun: [f32; 3],
-        /// Aerosol relative to a clear day at sea.
+        /// Amount of aerosol relative to a clear day at sea.
         haze: f32,
-        /// Colour of the sun and its strength relative to ours as seen from Earth, times `night_gain`.
+        /// Linear RGB colour of the sun, times its irradiance relative to the real sun at Earth, times `night_gain`.
         tint: [f32; 3],
         /// Angular radius of the sun's disc, rad.
         sun_radius: f32,
-        /// Irradiance of the sun in a sky from a file, on a plane that faces it.
+        /// Irradiance by the sun of a sky image, linear RGB, on a plane that faces this sun.
         file_sun: [f32; 3],
-        /// 1 if a file stands for the sky, else 0.
+        /// 1 if the sky is an image from a file, else 0.
         file: f32,
-        /// Irradiance on the horizontal of the rest of that sky.
+        /// Irradiance of a horizontal plane by the sky image without its sun, linear RGB.
         file_sky: [f32; 3],
-        /// From the numbers of the file to radiance.
+        /// Factor from the values of the sky image to radiance.
         file_gain: f32,
         fog: FogUniform,
-        /// Height of the eye over the sea, km.
+        /// Height of the eye above the sea, km.
         eye_km: f32,
-        /// Angle from the horizontal down to the horizon, rad.
+        /// Angle from the horizontal down to the visible horizon, rad.
         dip: f32,
-        /// Cover of low clouds, 0 to 1.
+        /// Cover of low clouds, 0 (clear) to 1 (closed deck).
         overcast: f32,
-        /// Exponent of the limb darkening.
+        /// Exponent of the limb darkening of the sun's disc.
         sun_falloff: f32,
-        /// Distance that the clouds have drifted along x and z, km.
+        /// Distance by which the clouds have drifted along x and z, km.
         drift: [f32; 2],
-        /// Distance that the mirrored clouds have drifted, in steps, km.
+        /// Distance by which the clouds in reflections have drifted along x and z, in coarse steps, km.
         mirror_drift: [f32; 2],
-        /// See [`night_gain`].
+        /// Factor by which light is scaled up at dusk and night; see [`night_gain`].
         night_gain: f32,
-        /// Heading of the middle of the file, turns.
+        /// Heading of the middle column of the sky image, turns clockwise from north.
         turn: f32,
         unused: [u32; 2],
     }
 }
 
 impl SkyUniform {
-    /// The uniform of a scene.
+    /// Values of the sky's uniform buffer for a scene.
     pub fn new(scene: &Scene) -> Self {
-        // Classes of the eye's height, a quarter of an octave apart: the air seen from within one is the same.
+        // The eye's height is rounded to a quarter octave, so that small movements do not recompute the tables.
         let class = (4.0 * scene.view.eye.y.max(2.0).log2()).round() / 4.0;
         let mut sky = Self::of(&scene.look.sky, class.exp2());
         if sky.overcast > 0.0 {
@@ -77,17 +77,17 @@ impl SkyUniform {
         sky
     }
 
-    /// Whether the tables of this sky's air are those of another's.
+    /// Whether `other` has the same tables of transmittance and multiple scattering.
     pub fn has_air_of(&self, other: &Self) -> bool {
         [self.haze, self.sun_radius] == [other.haze, other.sun_radius]
     }
 
-    /// Whether all tables are those of another sky: the clouds of the background may have drifted.
+    /// Whether `other` has the same look-up tables; the clouds of its background may have drifted.
     pub fn lights_like(&self, other: &Self) -> bool {
         Self { drift: other.drift, ..*self } == *other
     }
 
-    /// The uniform of a sky seen from a height above the sea, its clouds at their origin.
+    /// The uniform of a sky seen from the height `eye_m` above the sea, m, before its clouds drift.
     pub fn of(look: &SkyLook, eye_m: f64) -> Self {
         let night_gain = night_gain(look);
         let near = look.sun_distance_au.recip();
@@ -111,7 +111,7 @@ impl SkyUniform {
             },
             eye_km: (0.001 * eye_m) as f32,
             dip: dip(eye_m) as f32,
-            // The file has clouds of its own.
+            // A sky image contains its own clouds.
             overcast: if file.is_some() { 0.0 } else { look.overcast as f32 },
             sun_falloff: look.sun_falloff as f32,
             drift: [0.0; 2],
@@ -124,31 +124,31 @@ impl SkyUniform {
 }
 
 gpu_struct! {
-    /// WGSL `Light`: the light on the sea, written by the GPU when the sky changes.
+    /// WGSL `Light`: the light on the sea, computed on the GPU when the sky changes. An irradiance of 1 is 6400 lux.
     pub struct LightBuffer as "Light" {
-        /// Irradiance of the sun behind air, clouds and fog, on a plane that faces it.
+        /// Irradiance by the sun on a plane that faces it, after air, clouds and fog.
         pub sun: [f32; 3],
-        /// Automatic exposure.
+        /// Automatic exposure: factor from radiance to the input of the tone curve.
         pub exposure: f32,
-        /// Irradiance of the sky on the horizontal.
+        /// Irradiance of a horizontal plane by the sky without the sun.
         pub sky: [f32; 3],
-        /// Luminance that the exposure follows.
+        /// Luminance that determines the automatic exposure.
         pub key: f32,
-        /// Radiance of an overcast deck at the zenith.
+        /// Radiance of a closed cloud deck at the zenith.
         pub deck: [f32; 3],
-        /// Share of the sun's light that the clouds let through.
+        /// Fraction of the sunlight that passes through the clouds, 0 to 1.
         pub direct: f32,
-        /// Radiance that thick fog scatters from all around.
+        /// Radiance of dense fog lit by the sky, equal in all directions.
         pub fog_sky: [f32; 3],
         unused_0: u32,
-        /// Irradiance of the sun in the middle of the fog.
+        /// Irradiance by the sun at half the height of the fog, on a plane that faces the sun.
         pub fog_sun: [f32; 3],
         unused_1: u32,
     }
 }
 
-/// Factor by which all light of dusk and night is carried brighter than it is, so that half floats hold it; the exposure
-/// divides by it. A power of two, so that nothing is rounded.
+/// Factor by which all light is scaled up at dusk and night, so that half floats can hold it; the exposure divides by
+/// it. It is a power of two, so that scaling does not round.
 pub fn night_gain(look: &SkyLook) -> f64 {
     let below_deg = if look.panorama().is_some() { 0.0 } else { -look.sun_place_deg()[0] };
     (1.2 * below_deg).clamp(0.0, 18.0).floor().exp2()

@@ -1,5 +1,5 @@
-//! shaders/water/displace.wgsl: the vertices of the water's mesh, displaced once a frame by compute for all passes that draw it. Drawn
-//! by index, a vertex is read several times; a software GPU would displace it as often.
+//! The compute pass that displaces the vertices of the water mesh once per frame (shaders/water/displace.wgsl). An
+//! indexed draw reads a vertex several times; a software GPU would displace it each time.
 
 use super::mesh::Mesh;
 use crate::gpu::Gpu;
@@ -10,39 +10,39 @@ use crate::render::frame::FrameUniform;
 use crate::shaders::Shaders;
 
 gpu_struct! {
-    /// A vertex of the water's mesh (WGSL `MeshVertex`).
+    /// WGSL `MeshVertex`: a displaced vertex of the water mesh.
     pub struct MeshVertex as "MeshVertex" {
-        /// Place of the displaced point relative to the eye, m.
+        /// Displaced position relative to the eye, m, lowered by the curvature of the Earth.
         place: [f32; 3],
-        /// Height of the wave over the still sea, m.
+        /// Height of the wave above the still water, m.
         height: f32,
-        /// Undisplaced point (x, z) beside the eye's foot, m.
+        /// Undisplaced position (x, z) relative to the point below the eye, m.
         rest: [f32; 2],
-        /// What the vertex carries of WGSL `WaterSums`.
+        /// Slope, stretch and shear of long waves, which are interpolated between vertices (WGSL `WaterSums`).
         slope: [f32; 2],
         stretch: [f32; 2],
         shear: [f32; 2],
     }
 }
 
-/// Bytes of a vertex.
+/// Size of a vertex, bytes.
 pub const VERTEX: u64 = size_of::<MeshVertex>() as u64;
-/// Columns and rows of a workgroup, as the shader has them.
+/// Side of a workgroup, in columns and rows of the mesh; equal to `workgroup_size` in the shader.
 const THREADS: u32 = 8;
 
-/// The displaced mesh.
+/// The displaced water mesh: its compute pass, its buffers and its draw call.
 pub struct DisplacePass {
     pipeline: wgpu::ComputePipeline,
     layout: wgpu::BindGroupLayout,
     frame: wgpu::Buffer,
-    /// Of the passes that draw: the vertices at binding 0.
+    /// Bind group layout for passes that draw the mesh: vertices at binding 0.
     drawn_layout: wgpu::BindGroupLayout,
     buffers: Option<Buffers>,
     columns: u32,
     count: u32,
 }
 
-/// Buffers for all meshes of one density.
+/// Vertex and index buffers for all meshes of one density.
 struct Buffers {
     rows: u32,
     most_columns: u32,
@@ -52,7 +52,7 @@ struct Buffers {
 }
 
 impl DisplacePass {
-    /// Compiles the pass; `maps` is the layout of the maps' bind group.
+    /// Compiles the pass. `maps` is the layout of the bind group with the wave maps.
     pub fn new(gpu: &Gpu, shaders: &Shaders, frame: &Uniform<FrameUniform>, maps: &wgpu::BindGroupLayout) -> Self {
         let slots = [Slot::Uniform(size_of::<FrameUniform>()), Slot::Write(VERTEX as usize)];
         let layout = gpu.layout("mesh", wgpu::ShaderStages::COMPUTE, &slots);
@@ -64,12 +64,12 @@ impl DisplacePass {
         Self { pipeline, layout, frame, drawn_layout, buffers: None, columns: 0, count: 0 }
     }
 
-    /// Layout of the bind group that a pass needs to draw the mesh.
+    /// Layout of the bind group with the vertices, for passes that draw the mesh.
     pub fn drawn_layout(&self) -> &wgpu::BindGroupLayout {
         &self.drawn_layout
     }
 
-    /// Takes a mesh; buffers are made anew only when its density changed.
+    /// Sets the mesh for the next frames. Buffers are allocated again only if its density has changed.
     pub fn set(&mut self, gpu: &Gpu, mesh: &Mesh) {
         (self.columns, self.count) = (mesh.columns, mesh.index_count());
         let same = |b: &Buffers| (b.rows, b.most_columns) == (mesh.lattice.rows, mesh.most_columns);
@@ -92,12 +92,12 @@ impl DisplacePass {
         });
     }
 
-    /// Vertices that the view needs.
+    /// Number of vertices that the current view needs.
     pub fn vertices(&self) -> u32 {
         self.buffers.as_ref().map_or(0, |b| (self.columns + 1) * b.rows)
     }
 
-    /// Records the displacement of the vertices that the view needs.
+    /// Records the displacement of all vertices that the current view needs.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, maps: &wgpu::BindGroup) {
         let Some(buffers) = &self.buffers else { return };
         let mut pass = begin_compute(encoder, "mesh");
@@ -107,7 +107,7 @@ impl DisplacePass {
         pass.dispatch_workgroups((self.columns + 1).div_ceil(THREADS), buffers.rows.div_ceil(THREADS), 1);
     }
 
-    /// Draws the mesh with the pipeline of the pass; its vertices stand in group 2.
+    /// Draws the mesh with the pipeline that is set on `pass`. Binds the vertices as group 2.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         let Some(buffers) = &self.buffers else { return };
         pass.set_bind_group(2, &buffers.drawn, &[]);

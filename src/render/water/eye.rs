@@ -1,4 +1,4 @@
-//! shaders/water/eye.wgsl: the eye is kept above the water.
+//! The compute pass that keeps the eye above the water (shaders/water/eye.wgsl).
 
 use super::light::WaterPass;
 use crate::gpu::Gpu;
@@ -8,14 +8,14 @@ use crate::render::frame::FrameUniform;
 use crate::render::scene::Scene;
 use crate::shaders::Shaders;
 
-/// Raises the eye of a frame over the waves around it.
+/// Raises the eye of a frame above the waves around it.
 pub struct EyePass {
     pipeline: wgpu::ComputePipeline,
     group: wgpu::BindGroup,
 }
 
 impl EyePass {
-    /// Compiles the pass.
+    /// Compiles the pass, which changes the eye's height in the uniform buffer `frame`.
     pub fn new(gpu: &Gpu, shaders: &Shaders, frame: &Uniform<FrameUniform>, water: &WaterPass) -> Self {
         let slots = [Slot::Write(size_of::<FrameUniform>())];
         let layout = gpu.layout("eye", wgpu::ShaderStages::COMPUTE, &slots);
@@ -25,7 +25,7 @@ impl EyePass {
         Self { pipeline, group }
     }
 
-    /// Records it, unless no wave can reach the eye.
+    /// Records the pass, unless the eye is too high for any wave.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, scene: &Scene, water: &WaterPass) {
         let Some(maps) = water.maps_group().filter(|_| may_be_wet(scene)) else { return };
         let mut pass = begin_compute(encoder, "eye");
@@ -36,7 +36,7 @@ impl EyePass {
     }
 }
 
-/// A crest of 1.5 Hs comes once in some 10^7 waves that are Rayleigh distributed.
+/// Whether a wave may reach the eye. If crests are Rayleigh distributed, one in 7 x 10^7 exceeds 1.5 Hs.
 fn may_be_wet(scene: &Scene) -> bool {
     scene.view.eye.y < 3.0 + 1.5 * scene.sea.hs_m
 }

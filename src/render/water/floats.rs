@@ -1,4 +1,4 @@
-//! shaders/water/floats.wgsl: buoys and boats on the water. A handful of small hulls, turned on the CPU.
+//! Floating buoys and boats (shaders/water/floats.wgsl): a few small hulls, whose vertices the CPU transforms.
 
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Program, Slot};
@@ -12,18 +12,18 @@ use glam::{DMat3, DVec3};
 use std::f64::consts::TAU;
 
 gpu_struct! {
-    /// A vertex of a hull (WGSL `HullVertex`).
+    /// WGSL `HullVertex`: a vertex of a floating hull.
     pub struct HullVertex as "HullVertex" {
-        /// Place beside the eye's foot and height over the still water, m.
+        /// Position x and z relative to the point below the eye, and height y above the still water, m.
         place: [f32; 3],
-        /// Colour of the paint, sRGB, 8 bits a channel, red lowest.
+        /// Paint colour: sRGB, 8 bits per channel, red in the lowest byte.
         colour: u32,
         normal: [f32; 3],
         unused: u32,
     }
 }
 
-/// A triangle of a hull: corners, and the colour of its paint. x to the right, y up the mast, z to the stern.
+/// A triangle of a hull: corners, m, normals and paint colour. Axes: x to starboard, y up the mast, z to the stern.
 #[derive(Clone, Copy)]
 struct Facet {
     corners: [DVec3; 3],
@@ -38,10 +38,10 @@ const RED: u32 = 0x0020_2ab0;
 const WOOD: u32 = 0x0048_6a90;
 const BLUE: u32 = 0x0070_4020;
 
-/// Draws what floats.
+/// The pass that draws floating buoys and boats.
 pub struct FloatsPass {
     module: wgpu::ShaderModule,
-    /// Made when something floats for the first time.
+    /// Pipeline, compiled when something floats for the first time.
     pipeline: Option<wgpu::RenderPipeline>,
     layout: wgpu::BindGroupLayout,
     vertices: Option<(wgpu::Buffer, wgpu::BindGroup)>,
@@ -50,14 +50,14 @@ pub struct FloatsPass {
 }
 
 impl FloatsPass {
-    /// For pictures of a scene.
+    /// Creates the shader module and the hulls; the pipeline is compiled at first use.
     pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
         let layout = gpu.layout("floats", wgpu::ShaderStages::VERTEX, &[Slot::Read(size_of::<HullVertex>())]);
         let module = shaders.module(gpu, "water/floats");
         Self { module, pipeline: None, layout, vertices: None, hulls: [buoy(), boat()], count: 0 }
     }
 
-    /// Takes what floats, around the eye's foot (world x, z), over still water at `level_m`.
+    /// Uploads hulls at `poses`, relative to the world position `foot` (x, z) and still water at height `level_m`, m.
     pub fn write(&mut self, gpu: &Gpu, scene: &SceneGroup, poses: &[HullPose], foot: [f64; 2], level_m: f64) {
         self.count = 0;
         if poses.is_empty() {
@@ -95,7 +95,7 @@ impl FloatsPass {
         });
     }
 
-    /// Draws them, after the water.
+    /// Draws the hulls. The water must already be in the picture.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, scene: &SceneGroup) {
         let (Some((_, group)), Some(pipeline)) = (&self.vertices, &self.pipeline) else { return };
         if self.count > 0 {
@@ -107,7 +107,7 @@ impl FloatsPass {
     }
 }
 
-/// A surface of revolution around the mast: radii and heights from below, with the colour of each band.
+/// A surface of revolution around the mast. `profile` lists radius (m), height (m) and colour from bottom to top.
 fn lathe(profile: &[(f64, f64, u32)]) -> Vec<Facet> {
     const SIDES: usize = 20;
     let mut facets = Vec::new();
@@ -128,7 +128,7 @@ fn lathe(profile: &[(f64, f64, u32)]) -> Vec<Facet> {
     facets
 }
 
-/// A moored buoy: a disc in the water, a tower, a lantern.
+/// The hull of a moored buoy: float, tower and lantern.
 fn buoy() -> Vec<Facet> {
     lathe(&[
         (0.0, -0.6, DARK),
@@ -149,9 +149,9 @@ fn buoy() -> Vec<Facet> {
     ])
 }
 
-/// An open boat: stations from bow to stern, each a half of keel, chine, gunwale; and thwarts across.
+/// The hull of an open boat, joined from cross-sections (each keel, chine, gunwale) from bow to stern, with thwarts.
 fn boat() -> Vec<Facet> {
-    // Distance from the bow, half-width at the gunwale, height of the gunwale, depth of the keel.
+    // Cross-sections: distance from the bow, half-width at the gunwale, height of the gunwale, height of the keel, m.
     const STATIONS: [[f64; 4]; 7] = [
         [0.0, 0.02, 1.05, -0.05],
         [0.7, 0.42, 0.92, -0.28],
@@ -169,7 +169,7 @@ fn boat() -> Vec<Facet> {
             1 => DVec3::new(side * 0.72 * half, 0.12 + 0.35 * keel, z),
             2 => DVec3::new(side * 0.95 * half, 0.45 * rail + 0.1, z),
             3 => DVec3::new(side * half, rail, z),
-            // Inside: the planks' thickness in from the rail, and the floor.
+            // Inside: the inner edge of the gunwale, one plank thickness in, and the edge of the floor.
             4 => DVec3::new(side * (half - 0.06).max(0.0), rail, z),
             _ => DVec3::new(side * (0.62 * half - 0.05).max(0.0), 0.12, z),
         }

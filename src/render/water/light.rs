@@ -1,4 +1,4 @@
-//! The water: its mesh is drawn into a G-buffer, and shaders/water/light.wgsl lights what it shows once a pixel.
+//! The water: its mesh is drawn into a G-buffer, and shaders/water/light.wgsl lights each pixel of water once.
 
 use super::displace::DisplacePass;
 use super::material;
@@ -15,26 +15,27 @@ use crate::sim::Maps;
 use crate::state::look::{Fresnel, Specular};
 use wgpu::BindingResource::{Sampler, TextureView};
 
-/// The depth test of the light: it stands behind the water and before the sky, so that it falls on the pixels of water.
+/// Depth test of the lighting pass. Its triangle lies behind all water and before the sky, so only water pixels pass.
 const BEHIND_WATER: Depth = Depth { compare: wgpu::CompareFunction::LessEqual, ..BEHIND };
 
-/// What a picture's water consists of.
+/// Parts of the water shader that a pipeline contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Parts {
-    /// A bed can be seen.
+    /// The bed is visible.
     bed: bool,
-    /// The waves focus light on it.
+    /// Waves focus sunlight into caustics on the bed.
     caustics: bool,
     foam: bool,
-    /// Blinn and Phong's lobe, or Trowbridge and Reitz's, in place of the Gaussian.
+    /// A Blinn-Phong lobe replaces the Gaussian distribution of slopes.
     phong: bool,
+    /// A GGX (Trowbridge-Reitz) distribution of slopes replaces the Gaussian one.
     ggx: bool,
-    /// Schlick's reflectance in place of the exact one.
+    /// Schlick's approximation replaces the exact Fresnel reflectance.
     schlick: bool,
-    /// The sky is a file's.
+    /// The sky is an image from a file.
     file: bool,
     fog: bool,
-    /// Samples of a reference, which are not filtered.
+    /// The picture holds unfiltered samples of a reference.
     samples: bool,
     /// The adapter is a software rasterizer.
     software: bool,
@@ -74,27 +75,27 @@ impl Parts {
     }
 }
 
-/// The water's mesh, maps and pipelines.
+/// Mesh, maps and pipelines that draw the water.
 pub struct WaterPass {
-    /// Frame, sky and light.
+    /// Bind group with frame, sky, light and material.
     pub scene: SceneGroup,
-    /// Its mesh.
+    /// The displaced mesh of the water.
     pub mesh: DisplacePass,
     module: wgpu::ShaderModule,
     g_buffer_pipeline: wgpu::RenderPipeline,
     g_buffer_layout: wgpu::BindGroupLayout,
-    /// The G-buffer of the targets that are drawn into.
+    /// The bound G-buffer of the render targets, with its bind group.
     g_buffer: Option<([wgpu::TextureView; 2], wgpu::BindGroup)>,
     light: Variants<Parts>,
     maps_layout: wgpu::BindGroupLayout,
-    /// Between mip levels of the maps, and of the nearest one.
+    /// Samplers of the maps: one interpolates between mip levels, the other takes the nearest level.
     samplers: [wgpu::Sampler; 2],
-    /// The maps of this generation.
+    /// Generation of the bound maps, with their bind group.
     maps: Option<(u64, wgpu::BindGroup)>,
 }
 
 impl WaterPass {
-    /// Compiles the pass.
+    /// Compiles the passes of the mesh; [`Self::choose`] compiles the lighting.
     pub fn new(gpu: &Gpu, shaders: &Shaders, scene: SceneGroup, frame: &Uniform<FrameUniform>) -> Self {
         let slots = [
             Slot::TextureArray,
@@ -127,7 +128,7 @@ impl WaterPass {
         }
     }
 
-    /// Binds the maps, if they are new.
+    /// Binds the maps, unless this generation of them is bound already.
     pub fn bind_maps(&mut self, gpu: &Gpu, maps: &Maps) {
         if self.maps.as_ref().is_some_and(|(generation, _)| *generation == maps.generation) {
             return;
@@ -143,7 +144,7 @@ impl WaterPass {
         self.maps = Some((maps.generation, gpu.group("maps", &self.maps_layout, &resources)));
     }
 
-    /// Binds the G-buffer of the targets, if it is not bound yet.
+    /// Binds the G-buffer of the render targets, unless it is bound already.
     pub fn bind_targets(&mut self, gpu: &Gpu, targets: &Targets) {
         if self.g_buffer.as_ref().is_none_or(|(bound, _)| *bound != targets.g_buffer) {
             let resources = targets.g_buffer.each_ref().map(TextureView);
@@ -151,7 +152,7 @@ impl WaterPass {
         }
     }
 
-    /// Makes the pipeline that the picture of a scene needs, if there is none yet.
+    /// Selects the lighting pipeline for a scene; compiles it at first use.
     pub fn choose(&mut self, gpu: &Gpu, scene: &Scene) {
         let (module, format) = (&self.module, self.scene.film.format());
         let layouts = [&self.scene.layout, &self.maps_layout, &self.g_buffer_layout];
@@ -162,24 +163,24 @@ impl WaterPass {
         });
     }
 
-    /// Layout of the maps' bind group: displacement, gradients, moments, foam, samplers.
+    /// Layout of the maps' bind group: displacement, gradients, moments, foam, two samplers.
     pub fn maps_layout(&self) -> &wgpu::BindGroupLayout {
         &self.maps_layout
     }
 
-    /// The maps, once they are bound.
+    /// Bind group of the maps; None until maps are bound.
     pub fn maps_group(&self) -> Option<&wgpu::BindGroup> {
         self.maps.as_ref().map(|(_, group)| group)
     }
 
-    /// Records the displacement of the mesh.
+    /// Records the compute pass that displaces the mesh.
     pub fn displace(&self, encoder: &mut wgpu::CommandEncoder) {
         if let Some(maps) = self.maps_group() {
             self.mesh.run(encoder, maps);
         }
     }
 
-    /// Records the displacement of the mesh and its G-buffer.
+    /// Records the displacement of the mesh, and its drawing into the G-buffer.
     pub fn prepare(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
         self.displace(encoder);
         let mut pass = targets.begin_mesh(encoder);
@@ -187,7 +188,7 @@ impl WaterPass {
         self.draw_mesh(&mut pass);
     }
 
-    /// Lights the water of the G-buffer.
+    /// Lights all pixels that show water, reading the G-buffer.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         let (Some(pipeline), Some(maps), Some((_, g_buffer))) =
             (self.light.chosen(), self.maps_group(), &self.g_buffer)
@@ -201,12 +202,12 @@ impl WaterPass {
         pass.draw(0..3, 0..1);
     }
 
-    /// Layouts of the bind groups that the mesh is drawn with.
+    /// Layouts of the bind groups 0 to 2 with which the mesh is drawn.
     pub fn mesh_layouts(&self) -> [&wgpu::BindGroupLayout; 3] {
         [&self.scene.layout, &self.maps_layout, self.mesh.drawn_layout()]
     }
 
-    /// Draws the displaced mesh with the pipeline of the pass.
+    /// Draws the displaced mesh with the pipeline that is set on `pass`.
     pub fn draw_mesh(&self, pass: &mut wgpu::RenderPass<'_>) {
         let Some(maps) = self.maps_group() else { return };
         pass.set_bind_group(0, &self.scene.group, &[]);

@@ -1,4 +1,4 @@
-//! The uniform of what water, foam and bed are made of. It depends on the look, the sea and the place of the eye.
+//! Uniform buffer with the optical properties of water, foam and bed, from the look, the sea and the eye's position.
 
 use crate::gpu::layout::gpu_struct;
 use crate::optics::water::WaterOptics;
@@ -7,38 +7,38 @@ use crate::state::fields::linear_rgb;
 use crate::state::look::Scattering;
 use glam::{DMat2, DVec2};
 
-/// Layers of noise: four of foam, two of the bed.
+/// Number of noise layers: four for foam, two for the bed.
 const LAYERS: usize = 6;
-/// A layer: sides of its tile along and across its axis, m; angle of the axis to the wind, degrees; relative growth of the
-/// side along the axis in a storm.
+/// Shape of a noise layer: sides of its tile along and across its axis, m; angle from the wind to the axis, degrees;
+/// relative lengthening of the tile along the axis in a storm.
 type LayerShape = (f64, f64, f64, f64);
-/// Windrows, patches, strands and bubbles of foam; sand in patches with ripples, and in grains. Sides and angles share no
-/// period, so that the sum of the layers has none.
+/// Layers of foam: windrows, patches, strands, bubbles; and of sand: patches with ripple marks, grains. Sides and
+/// angles have no common period, so that the sum of the layers does not repeat.
 const SHAPES: [LayerShape; LAYERS] = [
     (430.0, 430.0, 0.0, 5.0),
     (71.0, 71.0, 7.0, 2.6),
     (10.7, 10.7, -9.0, 1.9),
     (1.63, 1.63, 41.0, 0.0),
-    // The ripples of the sand have 38.6 periods to this tile (shaders/water/bed.wgsl).
+    // The ripple marks of the sand have 38.6 periods per tile (shaders/water/bed.wgsl).
     (12.35, 12.35, 63.0, 0.0),
     (0.97, 0.97, 11.0, 0.0),
 ];
-/// Least share of vertical light that comes back from a visible bed.
+/// Smallest fraction of vertical light that must return from the bed for it to be visible.
 const BED_SEEN: f64 = 1e-3;
 
 gpu_struct! {
-    /// WGSL `NoiseLayer`: where a layer of noise lies.
+    /// WGSL `NoiseLayer`: mapping of the water to the texture coordinates of a noise layer.
     pub struct NoiseLayer as "NoiseLayer" {
-        /// From metres beside the eye's foot to texture coordinates.
+        /// Matrix from positions (x, z) relative to the point below the eye, m, to texture coordinates.
         to_uv: glam::Mat2,
-        /// Texture coordinates of the eye's foot.
+        /// Texture coordinates of the point below the eye.
         foot_uv: [f32; 2],
         unused: [u32; 2],
     }
 }
 
 impl NoiseLayer {
-    /// A layer around the point `foot` of the world. `gale` is how far it is stretched along its axis, 0 to 1.
+    /// A layer for an eye above the world position `foot` (x, z), m. `gale`, 0 to 1, lengthens the tile along its axis.
     fn new((along_m, across_m, turn_deg, longer): LayerShape, downwind: [f64; 2], gale: f64, foot: [f64; 2]) -> Self {
         let axis = DVec2::from(downwind).rotate(DVec2::from_angle(turn_deg.to_radians()));
         let along = axis / (along_m * (1.0 + longer * gale));
@@ -53,63 +53,63 @@ impl NoiseLayer {
 }
 
 gpu_struct! {
-    /// WGSL `Material`. A parameter of the look is added here and in [`Self::new`], and a shader reads it by its name.
+    /// WGSL `Material`: optical properties of water, foam and bed. Add a new property here and in [`Self::new`].
     pub struct MaterialUniform as "Material" {
-        /// Absorption of the water at the display's primaries, 1/m.
+        /// Absorption coefficient of the water at red, green and blue, 1/m.
         absorption: [f32; 3],
-        /// Factor of the sky's light that the water scatters back.
+        /// Factor on the skylight that the water scatters back.
         ambient: f32,
-        /// Backscattering, 1/m.
+        /// Backscattering coefficient of the water at red, green and blue, 1/m.
         backscatter: [f32; 3],
         /// Refractive index of the air.
         index_air: f32,
-        /// Scattering in all directions, 1/m.
+        /// Total scattering coefficient of the water at red, green and blue, 1/m.
         scatter: [f32; 3],
-        /// Factor of the bubbles below foam.
+        /// Density of the bubbles below foam relative to a typical plume.
         bubbles: f32,
         bubble_colour: [f32; 3],
-        /// Factor of the light through crests.
+        /// Factor on the light that shines through wave crests.
         height_scatter: f32,
         foam_colour: [f32; 3],
-        /// How much the light from below depends on the direction of view.
+        /// How much the light scattered back depends on the viewing direction: 0 not at all, 1 physically.
         view_scatter: f32,
         bed_colour: [f32; 3],
-        /// Factor of the sunlight that the water scatters back.
+        /// Factor on the sunlight that the water scatters back.
         diffuse: f32,
         layers: [NoiseLayer; LAYERS],
         /// Refractive index of the water.
         index_water: f32,
-        /// Exponent of Schlick's reflectance.
+        /// Exponent of Schlick's approximation of the Fresnel reflectance, 5 in the original.
         fresnel_shine: f32,
-        /// Factor of the reflectance.
+        /// Factor on the Fresnel reflectance.
         fresnel_scale: f32,
-        /// Factor of the slopes that the reflectance sees.
+        /// Factor on the surface slopes in the Fresnel reflectance.
         fresnel_normals: f32,
-        /// Exponent of Blinn and Phong's lobe.
+        /// Exponent of the Blinn-Phong lobe.
         shininess: f32,
-        /// Factor of the sun's glitter.
+        /// Factor on the radiance of the sun's glitter.
         specular_scale: f32,
-        /// Factor of the reflectance for the sun's glitter.
+        /// Factor on the Fresnel reflectance in the sun's glitter.
         specular_fresnel: f32,
-        /// Cosine below which the sun's glitter fades out.
+        /// Cosine of the sun's or the eye's angle to the surface normal below which the glitter fades out.
         specular_cut: f32,
-        /// Slope variance that is added along each axis.
+        /// Slope variance along each axis that the roughness setting adds to the unresolved waves.
         rough_variance: f32,
         foam_roughness: f32,
-        /// Factor of the height of foam.
+        /// Factor on the height of the foam's relief.
         foam_relief: f32,
-        /// Factor of the mirrored sky.
+        /// Factor on the radiance of the reflected sky.
         reflection: f32,
-        /// Share of the light's focusing on the bed, 0 to 1.
+        /// Strength of the caustics on the bed: 0 is even light, 1 is physical.
         caustics: f32,
-        /// Shortest wavelength that focuses light on the bed, m.
+        /// Half the shortest wavelength that focuses light into caustics on the bed, m.
         caustic_m: f32,
         unused: [u32; 2],
     }
 }
 
 impl MaterialUniform {
-    /// The material of a scene.
+    /// Values of the material's uniform buffer for a scene.
     pub fn new(scene: &Scene) -> Self {
         let surface = &scene.look.surface;
         let (scattering, reflection) = (&surface.scattering, &surface.reflection);
@@ -142,7 +142,7 @@ impl MaterialUniform {
             specular_scale: reflection.glitter as f32,
             specular_fresnel: reflection.glitter_fresnel as f32,
             specular_cut: reflection.glitter_cut as f32,
-            // alpha^2 = 2 sigma^2, alpha = roughness^2.
+            // GGX: alpha = roughness^2 and alpha^2 = 2 x slope variance.
             rough_variance: (0.5 * reflection.roughness.powi(4)) as f32,
             foam_roughness: foam.roughness as f32,
             foam_relief: foam.relief as f32,
@@ -154,13 +154,13 @@ impl MaterialUniform {
     }
 }
 
-/// What the water is made of.
+/// Optical properties of the water with these scattering settings.
 fn water(scattering: &Scattering) -> WaterOptics {
     let water = WaterOptics::between(scattering.water_type, scattering.next_type_share);
     if scattering.scatter_colour > 0.0 { water.with_colour(linear_rgb(scattering.scatter_colour)) } else { water }
 }
 
-/// Whether enough light comes back from the bed to see it.
+/// Whether enough light returns from the bed for it to be visible.
 pub fn bed_is_seen(scene: &Scene) -> bool {
     let back = water(&scene.look.surface.scattering).two_way_transmittance(scene.sea.depth_m);
     back.into_iter().any(|share| share > BED_SEEN)

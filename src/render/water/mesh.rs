@@ -1,7 +1,7 @@
-//! The lattice of the water's mesh: azimuth by the logarithm of the distance, around the eye.
+//! The water mesh before displacement: a log-polar lattice with the eye in the middle.
 //!
-//! Azimuths lie on a lattice that is fixed in the world, so that turning the camera moves no vertex; rows grow with the
-//! distance and reach past the horizon of the round Earth. There is one mesh, hence no crack.
+//! Azimuths are multiples of a step, so that turning the camera moves no vertex. Rows are farther apart at larger
+//! distances; by default the last one lies beyond the horizon. The mesh is one piece, so it has no cracks.
 
 use crate::gpu::layout::gpu_struct;
 use crate::render::scene::SeaAppearance;
@@ -9,46 +9,46 @@ use crate::state::camera::EARTH_RADIUS_M;
 use crate::state::camera::View;
 use std::f64::consts::{PI, TAU};
 
-/// Columns and rows at density 1.
+/// Number of columns of the mesh at density 1.
 const COLUMNS: f64 = 240.0;
+/// Number of rows of the mesh at density 1.
 const ROWS: f64 = 1120.0;
-/// Vertices at density 1.
+/// Number of vertices of the mesh at density 1.
 pub const VERTICES: f64 = COLUMNS * ROWS;
-/// Columns that are drawn row by row, so that a vertex is still in the GPU's cache when its next row comes.
+/// Number of columns that are drawn together row by row, so that the next row finds vertices in the GPU's cache.
 pub const BLOCK: u32 = 8;
-/// Rows start at a multiple of this, so that a change of pitch moves few of them.
+/// Step to which the first row's logarithmic distance is rounded, so that a small change of pitch moves no row.
 const ROW_SNAP: f64 = 0.25;
 
 gpu_struct! {
-    /// WGSL `MeshLattice`: row i of column j lies at azimuth `first_azimuth + j azimuth_step` (rad) and at the distance
-    /// radius_m (e^t - 1) from the eye's foot, t = `first_row + i row_step`.
+    /// WGSL `MeshLattice`: polar coordinates of the vertices around the point below the eye. Row i of column j has the
+    /// azimuth `first_azimuth + j azimuth_step`, rad, and the distance `radius_m` (exp(`first_row + i row_step`) - 1).
     pub struct MeshLattice as "MeshLattice" {
         pub first_azimuth: f32,
         pub azimuth_step: f32,
         pub first_row: f32,
         pub row_step: f32,
-        /// Distance up to which rows are evenly spaced rather than logarithmically, m.
+        /// Distance up to which rows are about evenly spaced, m; beyond it their spacing grows with the distance.
         pub radius_m: f32,
-        /// Vertices along a column.
+        /// Number of rows, that is of vertices in a column.
         pub rows: u32,
         unused: [u32; 2],
     }
 }
 
-/// The mesh for one view.
+/// The water mesh for one view, before displacement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
-    /// Where its vertices lie in a still sea.
+    /// Polar coordinates of the vertices before displacement.
     pub lattice: MeshLattice,
-    /// Most columns that the index buffer holds, without the last.
+    /// Number of columns of quads in the index buffer.
     pub most_columns: u32,
-    /// Columns that this view needs, a multiple of [`BLOCK`].
+    /// Number of columns of quads that this view needs, a multiple of [`BLOCK`].
     pub columns: u32,
 }
 
 impl Mesh {
-    /// The lattice that covers a view of a sea; `density` scales the number of vertices, `extent_km` bounds its reach
-    /// (0 is to the horizon).
+    /// The mesh that covers a view of a sea. `density` scales its vertices, `extent_km` its reach (0 is the horizon).
     pub fn new(view: &View, sea: &SeaAppearance, density: f64, extent_km: f64) -> Self {
         let scale = density.clamp(0.015, 64.0).sqrt();
         let most_columns = ((COLUMNS * scale / f64::from(BLOCK)).ceil() as u32) * BLOCK;
@@ -57,7 +57,7 @@ impl Mesh {
         let eye = view.eye.y.max(0.1);
         let (lowest, widest) = extent(view);
 
-        // Radii are linear up to about `radius` and logarithmic beyond.
+        // Distances grow linearly with the row up to about `radius`, and exponentially beyond.
         let radius = (0.5 * (eye - lift)).max(0.04 * eye).max(0.25);
         let near = if lowest <= -0.5 * PI {
             0.0
@@ -70,7 +70,7 @@ impl Mesh {
         let first = (t(near) / ROW_SNAP).floor() * ROW_SNAP;
         let step = (t(far) - first) / f64::from(rows - 1);
 
-        // The sides: waves lean into the picture from outside it.
+        // Extra azimuth at both sides, because displaced waves lean into the picture from outside.
         let lean = 0.04 + 0.5 * (2.0 * shift / (near + 2.0 * shift + 1.0)).min(1.0);
         let half = (widest + lean).min(PI);
         let heading = view.right.z.atan2(view.right.x);
@@ -94,7 +94,7 @@ impl Mesh {
         }
     }
 
-    /// Indices of all columns, in blocks.
+    /// Vertex indices of the triangles of all columns, in blocks of [`BLOCK`] columns.
     pub fn indices(&self) -> Vec<u32> {
         let rows = self.lattice.rows;
         let mut out = Vec::with_capacity((self.most_columns * (rows - 1) * 6) as usize);
@@ -110,13 +110,13 @@ impl Mesh {
         out
     }
 
-    /// Number of indices that this view needs.
+    /// Number of indices of the triangles that this view needs.
     pub fn index_count(&self) -> u32 {
         self.columns * (self.lattice.rows - 1) * 6
     }
 }
 
-/// Lowest elevation in the picture, and the largest azimuth from its middle among directions that may show water.
+/// Lowest elevation in the picture and largest azimuth from its middle, rad, of the directions that may show water.
 fn extent(view: &View) -> (f64, f64) {
     let down = -glam::DVec3::Y;
     let depth = down.dot(view.forward);
@@ -160,7 +160,7 @@ mod tests {
         }
     }
 
-    /// Every ray that meets the sea, even one raised by a wave, does so inside the lattice.
+    /// Every view ray that meets the sea, even at a wave crest, meets it inside the lattice.
     #[test]
     fn the_mesh_covers_the_picture() {
         for pitch in [-89.0, -60.0, -35.0, -10.0, 0.0, 20.0, 60.0] {

@@ -1,4 +1,4 @@
-//! The water: its mesh, its matter and its light.
+//! The water: mesh, material and lighting; the eye's height above waves; floating objects.
 
 pub mod displace;
 pub mod eye;

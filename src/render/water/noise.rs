@@ -1,14 +1,14 @@
-//! A tile of noise with mips: foam's net (red), bubbles (green) and cloud (blue). Each is equalised: its values are
-//! spread evenly over 0..1, so that a threshold of 1 - c covers the share c.
+//! A periodic noise texture with mip levels: net of foam (red), bubbles (green) and clouds (blue). The values of each
+//! channel are spread evenly over 0..1, so that those above 1 - c cover the fraction c of the area.
 
 use crate::gpu::Gpu;
 use crate::waves::noise::pcg4d;
 use std::sync::OnceLock;
 
-/// Texels along a side.
+/// Side of the noise texture, texels.
 const SIDE: u32 = 512;
 
-/// The texture and its sampler.
+/// The noise texture and its sampler.
 pub struct NoiseTexture {
     texture: wgpu::Texture,
     pub view: wgpu::TextureView,
@@ -16,7 +16,7 @@ pub struct NoiseTexture {
 }
 
 impl NoiseTexture {
-    /// Without its tile: see [`Self::fill`].
+    /// Creates the texture without contents; [`Self::fill`] computes them.
     pub fn new(gpu: &Gpu) -> Self {
         let mips = SIDE.ilog2() + 1;
         let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
@@ -25,7 +25,7 @@ impl NoiseTexture {
         Self { view: texture.create_view(&wgpu::TextureViewDescriptor::default()), texture, sampler }
     }
 
-    /// Computes and uploads the tile.
+    /// Computes the noise and uploads all mip levels.
     pub fn fill(&self, gpu: &Gpu) {
         for (mip_level, bytes) in (0..).zip(levels()) {
             gpu.write_texture(&self.texture, mip_level, bytes);
@@ -33,7 +33,7 @@ impl NoiseTexture {
     }
 }
 
-/// The bytes of every level, computed once: a device that follows another has them at once.
+/// Bytes of all mip levels, computed once per process, so that a second device gets them at once.
 fn levels() -> &'static [Vec<u8>] {
     static LEVELS: OnceLock<Vec<Vec<u8>>> = OnceLock::new();
     LEVELS.get_or_init(|| {
@@ -58,7 +58,7 @@ fn tile(side: u32) -> Vec<[f32; 4]> {
         [(6, 11), (6, 12), (23, 13), (23, 14), (5, 4)].map(|(period, key)| Lattice::arrows(period, key));
     let [wide, middle, narrow] = [(7, 1), (17, 2), (41, 3)].map(|(period, key)| Lattice::points(period, key));
     let net = field(&|x, y| {
-        // Bent coordinates: no straight edges in foam.
+        // Warped coordinates leave no straight edges in foam.
         let (bx, by) = (bend_x.gradient_noise(x, y), bend_y.gradient_noise(x, y));
         let (fx, fy) = (fray_x.gradient_noise(x, y), fray_y.gradient_noise(x, y));
         let (u, v) = (x + 0.055 * bx + 0.012 * fx, y + 0.055 * by + 0.012 * fy);
@@ -84,7 +84,7 @@ fn tile(side: u32) -> Vec<[f32; 4]> {
     (0..(side * side) as usize).map(|i| [net[i], bubbles[i], cloud[i], 1.0]).collect()
 }
 
-/// Ranks instead of values, to a bin of 1/65536 of their range: far less than a byte tells.
+/// Replaces each value by its rank, 0 to 1, among 65536 bins of the range: much finer than a byte.
 fn equalise(values: &[f32]) -> Vec<f32> {
     const BINS: usize = 1 << 16;
     let (low, high) = values.iter().fold((f32::MAX, f32::MIN), |(low, high), &v| (low.min(v), high.max(v)));
@@ -114,21 +114,21 @@ fn halve(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
         .collect()
 }
 
-/// A periodic lattice of cells with two numbers each.
+/// A periodic lattice of square cells with two numbers per cell, for noise.
 struct Lattice {
     period: i32,
-    /// Offset of the point in each cell. The outermost cells are repeated around the edge, so that a look-up needs no
-    /// modulo.
+    /// The two numbers: offset of a point, or a unit vector. The outermost cells are repeated around the edge, so that
+    /// a look-up needs no modulo.
     cells: Vec<[f32; 2]>,
 }
 
 impl Lattice {
-    /// A point in each cell.
+    /// A lattice with a random point in each cell, for Worley noise.
     fn points(period: i32, key: u32) -> Self {
         Self::new(period, key, |cell| cell)
     }
 
-    /// A unit vector at each cell's corner.
+    /// A lattice with a random unit vector at the corner of each cell, for Perlin noise.
     fn arrows(period: i32, key: u32) -> Self {
         Self::new(period, key, |[a, _]| {
             let (sin, cos) = (a * std::f32::consts::TAU).sin_cos();
@@ -136,7 +136,7 @@ impl Lattice {
         })
     }
 
-    /// Of functions of two random numbers in 0..1.
+    /// A lattice whose two numbers per cell are a function `f` of two random numbers in 0..1.
     fn new(period: i32, key: u32, f: impl Fn([f32; 2]) -> [f32; 2]) -> Self {
         let number = |h: u32| (h >> 8) as f32 / 16_777_216.0;
         let inner: Vec<_> = (0..period * period)
@@ -151,23 +151,23 @@ impl Lattice {
         Self { period, cells }
     }
 
-    /// Where a place of the tile lies among the cells: the index of the cell before its own along both axes, and the place within
-    /// its own.
+    /// Index of the cell one before that of the point (x, y) along both axes, and the point's position in its own cell,
+    /// 0 to 1. The tile is 1 wide.
     fn place(&self, x: f32, y: f32) -> (usize, [f32; 2]) {
         let [x, y] = [x, y].map(|x| (x - x.floor()) * self.period as f32);
         let [ix, iy] = [x, y].map(|x| (x as usize).min(self.period as usize - 1));
         (iy * self.wide() + ix, [x - ix as f32, y - iy as f32])
     }
 
-    /// Cells of a row.
+    /// Number of cells in a stored row, with the repeated ones.
     fn wide(&self) -> usize {
         self.period as usize + 2
     }
 
-    /// Worley noise: 0 in the middle of a cell, 1 on its edge.
+    /// Worley noise at (x, y): 1 on the border between the regions of two points, less inside them.
     fn edges(&self, x: f32, y: f32) -> f32 {
         let (before, [x, y]) = self.place(x, y);
-        // Bits of squared distances, which are in the order of the numbers: WebAssembly takes the least of two integers sooner.
+        // Squared distances compared as bits, which sort alike: WebAssembly finds the minimum of integers faster.
         let (mut first, mut second) = (u32::MAX, u32::MAX);
         for dy in 0..3 {
             let row = &self.cells[before + dy * self.wide()..][..3];
@@ -181,7 +181,7 @@ impl Lattice {
         1.0 - (f32::from_bits(second).sqrt() - f32::from_bits(first).sqrt()).min(1.0).sqrt()
     }
 
-    /// Perlin noise, about -0.7..0.7.
+    /// Perlin noise at (x, y), about -0.7 to 0.7.
     fn gradient_noise(&self, x: f32, y: f32) -> f32 {
         let (before, [fx, fy]) = self.place(x, y);
         let corner = |dx: usize, dy: usize| {
