@@ -211,13 +211,13 @@ impl MapCascade {
 pub struct MapsF32 {
     /// Number of texels along a side of a map.
     pub n: usize,
-    /// Per cascade, n x n texels of displacement (Dx, eta, Dz, dDx/dz), then n x n texels of gradients (d eta/dx, d
-    /// eta/dz, dDx/dx, dDz/dz). Each map is stored row by row: x varies fastest, then z.
+    /// Per cascade, n x n texels of displacement (Dx, eta, Dz, dDx/dz), then n x n texels of gradients (eta_x, eta_z,
+    /// dDx/dx, dDz/dz). Each map is stored row by row: x varies fastest, then z.
     pub texels: Vec<[f32; 4]>,
 }
 
 impl MapsF32 {
-    /// Number of cascades whose maps were read back.
+    /// Number of cascades in `texels`.
     pub fn cascades(&self) -> usize {
         self.texels.len() / (2 * self.n * self.n)
     }
