@@ -11,8 +11,7 @@ fn maths_cos_sin(turns: u32) -> vec2f {
   let xx = x * x;
   let s = x + x * xx * (-1.6666654611e-1 + xx * (8.3321608736e-3 - xx * 1.9515295891e-4));
   let c = 1.0 - 0.5 * xx + xx * xx * (4.166664568298827e-2 + xx * (-1.388731625493765e-3 + xx * 2.443315711809948e-5));
-  // A quadrant may swap sine and cosine and change their signs. `select` instead of a branch, because a software GPU
-  // runs all sides of a branch.
+  // A quadrant may swap sine and cosine and change signs. No branch, because a software GPU runs all sides of it.
   let swaps = (quadrant & 1u) != 0u;
   let cosine = bitcast<u32>(select(c, s, swaps)) ^ (((quadrant + 1u) & 2u) << 30u);
   let sine = bitcast<u32>(select(s, c, swaps)) ^ ((quadrant & 2u) << 30u);

@@ -1,5 +1,4 @@
-// Draws a patch without visible repetition, as a blend of shifted copies. The method is that of src/waves/tiling.rs,
-// which explains it.
+// Blends shifted copies of a patch, so that it does not repeat visibly. src/waves/tiling.rs explains the method.
 
 // The struct `TilePlace` (src/sim/maps.rs) is the triangle lattice of a patch relative to one point.
 
@@ -73,8 +72,7 @@ fn tile_blend(place: TilePlace, at: vec2f) -> TileBlend {
   return out;
 }
 
-// Rotates the components, so that the next copy is at x. A variable index would keep the vectors in memory instead of
-// registers.
+// Rotates the next copy into the x components. Vectors indexed by a variable would not stay in registers.
 fn tile_next(blend: TileBlend) -> TileBlend {
   return TileBlend(
     blend.count, blend.weight.yzx, blend.along_x.yzx, blend.along_z.yzx, blend.cell_x.yzx, blend.cell_z.yzx);

@@ -1,6 +1,6 @@
 // Simulates foam on clipmap levels that are fixed to the world, in undisplaced coordinates. Cell (X, Z) of a level
-// covers [X, X + 1) x [Z, Z + 1) texels and is stored at (X mod size, Z mod size). So a moving camera only rewrites the
-// cells that come into range.
+// covers [X, X + 1) x [Z, Z + 1) texels and is stored at (X, Z) mod size. So a moving camera only rewrites cells that
+// come into range.
 //
 // The source s in [0, 1] is positive where the Jacobian of the displacement by all cascades falls below a threshold.
 // The foam F follows dF/dt = rate s (1 - F) - F / decay time, solved exactly over the time step. So the result does not
@@ -16,8 +16,7 @@
 @group(0) @binding(5) var<storage, read_write> history: array<f32>; // [level][z][x]
 @group(0) @binding(6) var picture: texture_storage_2d_array<rgba16float, write>;
 
-// Jacobian of the displaced surface at an offset, m, from the corner of a level, with the same blend of patch copies as
-// in water/surface.wgsl.
+// Jacobian of the displaced surface at an offset, m, from a level's corner, with the blend of water/surface.wgsl.
 fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
   var stretch = vec2f(0.0);
   var shear = vec2f(0.0);

@@ -1,5 +1,4 @@
-// Light of the air and the fog between the eye and the sea. Needs the module variables frame, sky, light and those of
-// the sky model.
+// Light of air and fog between eye and sea. Needs the module variables frame, sky, light and those of the sky model.
 
 // Features that are compiled in: a sky from an image file instead of the computed one, and fog.
 override SKY_FILE = true;
@@ -36,8 +35,7 @@ fn air_clear(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   return array<vec3f, 2>(mix(clear, grey, sky.overcast * sky.overcast), through);
 }
 
-// Fog on a ray up to a distance, with the clear air in front of the fog: the radiance that they add (rgb), and the
-// transmittance of the fog (w).
+// Fog on a ray and the clear air before it: the radiance that they add (rgb), and the transmittance of the fog (w).
 fn air_fog(dir: vec3f, distance_m: f32) -> vec4f {
   // A ray that ends in the sky does not go below the horizon.
   let mu = select(dir.y, max(dir.y, -sin(frame.dip)), distance_m >= FOG_FAR_M);

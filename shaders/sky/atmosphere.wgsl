@@ -7,10 +7,10 @@ const ATM_GROUND = 6371.0;
 const ATM_TOP = 100.0;
 // Light is a fraction of sunlight above the air, at the four wavelengths 630, 575, 510 and 440 nm. This matrix turns it
 // into linear sRGB. It is a least-squares fit to 5 nm spectra of skies and suns through all air masses, with an rms
-// error of 0.2 %. Only three wavelengths, one per primary, would err by 16 % and turn dusk violet, because ozone
-// absorbs most at 600 nm, between them. Colour matching functions: Wyman, Sloan and Shirley 2013; the sun: ASTM E-490.
-// The columns add up to the sun above the air with the white balance of daylight film, in a scale that keeps noon and
-// dusk inside half floats.
+// error of 0.2 %. Three wavelengths, one per primary, would err by 16 % and turn dusk violet, because ozone absorbs
+// most at 600 nm, between them. Colour matching functions: Wyman, Sloan and Shirley 2013; the sun: ASTM E-490. The
+// columns add up to the sun above the air with a daylight white balance, in a scale that keeps noon and dusk in half
+// floats.
 const ATM_RGB = mat4x3f(
   vec3f(15.0685, -1.0614, 0.0503),
   vec3f(11.6403, 10.0893, -3.1980),
@@ -25,8 +25,7 @@ const ATM_MIE = vec4f(0.0485, 0.0493, 0.0508, 0.0530);
 const ATM_MIE_ALBEDO = 0.97;
 const ATM_MIE_HEIGHT = 1.2;
 const ATM_MIE_G = 0.78;
-// Absorption coefficient of ozone at 25 km, where it is densest, 1/km: 300 Dobson units in all (cross-sections:
-// Gorshelev et al. 2014).
+// Absorption coefficient of ozone where it is densest, 1/km; 300 Dobson units in all (Gorshelev et al. 2014).
 const ATM_OZONE = vec4f(1.854e-3, 2.590e-3, 0.871e-3, 0.070e-3);
 const ATM_SEA_ALBEDO = 0.06;
 
@@ -112,8 +111,7 @@ fn atm_to_texels(x: f32, n: f32) -> f32 {
 // Size of the transmittance table, texels.
 const ATM_T_SIZE = vec2f(256.0, 64.0);
 
-// Fraction of sunlight that arrives at altitude h from the elevation with sine mu. `radius` is the angular radius of
-// the sun's disc, rad.
+// Fraction of sunlight at altitude h from the elevation with sine mu; `radius` is that of the sun's disc, rad.
 fn atm_transmittance(map: texture_2d<f32>, s: sampler, h: f32, mu: f32, radius: f32) -> vec4f {
   let dip = atm_dip(h);
   let above = atm_asin(mu) + dip;

@@ -2,8 +2,7 @@
 
 @group(1) @binding(0) var file_map: texture_2d<f32>;
 
-// Whether stars are compiled in. The overrides for clouds are in model.wgsl, those for a sky from a file and for fog in
-// air.wgsl.
+// Whether stars are compiled in. Overrides for clouds are in model.wgsl, for a sky from a file and fog in air.wgsl.
 override SKY_STARS = true;
 
 struct SkyVertex {
@@ -75,8 +74,7 @@ fn fragment(in: SkyVertex) -> @location(0) vec4f {
   let above = max(atm_asin(dir.y) + frame.dip, 0.0);
   var radiance = vec3f(0.0);
   if SKY_FILE && sky.file > 0.0 {
-    // The horizon of the file is lowered to the visible horizon. The ground in the file stays out of the texture
-    // filter.
+    // The file's horizon is lowered to the visible horizon. The file's ground stays out of the texture filter.
     let lowered = above - frame.dip * (1.0 - exp(-above / (3.0 * frame.dip + 1e-6)));
     let elevation = max(lowered, 0.75 * ATM_PI / f32(textureDimensions(file_map).y));
     let lifted = vec3f(normalize(dir.xz + vec2f(1e-9, 0.0)) * cos(elevation), sin(elevation)).xzy;

@@ -23,8 +23,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   var gain = vec3f(1.0);
   var own = vec3f(0.0);
   if elevation < 0.0 {
-    // Below the horizon, a reflected ray meets another wave. It shows the sky from higher up, dimmed, and a little of
-    // the water's own colour.
+    // Rays below the horizon meet another wave: it shows the sky from higher up, dimmed, and some water colour.
     above = min(0.25 - elevation, 1.5);
     let f = 0.02 + 0.98 * pow(1.0 - sin(above), 5.0);
     gain = vec3f(f);

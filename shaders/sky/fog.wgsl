@@ -41,8 +41,7 @@ fn fog_above(eye_m: f32, mu: f32, start: f32, end: f32) -> f32 {
 fn fog_length(eye_m: f32, mu: f32, start: f32, end: f32) -> f32 {
   let over = eye_m - sky.fog.top_m;
   let disc = mu * mu - 2.0 * over / FOG_EARTH_M;
-  // Distances at which the ray enters and leaves the fog of full density: roots of a parabola, in the form without
-  // cancellation.
+  // Distances at which the ray enters and leaves the fog of full density: roots of a parabola, without cancellation.
   var enters = FOG_FAR_M;
   var leaves = FOG_FAR_M;
   if disc > 0.0 {

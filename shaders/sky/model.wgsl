@@ -47,8 +47,7 @@ fn sky_radiance(dir: vec3f, above: f32, pixel: f32, drift: vec2f) -> vec4f {
   let s = sin(above);
   let t = sqrt(ATM_GROUND * ATM_GROUND * s * s + 2.0 * ATM_GROUND * SKY_CLOUD_KM) - ATM_GROUND * s;
   let p = normalize(dir.xz + vec2f(1e-9, 0.0)) * (t * cos(above)) - drift;
-  // The footprint of a pixel on the cloud base is foreshortened. The geometric mean of its sides avoids both blur and
-  // shimmer.
+  // A pixel's footprint is foreshortened. The geometric mean of its sides avoids both blur and shimmer.
   let footprint = t * pixel / sqrt(max(s, SKY_CLOUD_KM / t));
   let lod = log2(max(footprint * 512.0 / SKY_TILE_KM, 1e-3));
   let n = sky_cloud_noise(p, lod);
@@ -68,8 +67,7 @@ fn sky_radiance(dir: vec3f, above: f32, pixel: f32, drift: vec2f) -> vec4f {
   return vec4f(mix(air, body, shown), pow(1.0 - cover, 6.0));
 }
 
-// Texture coordinates of a direction in a sky from a file. The centre of the image is the horizon at the heading
-// `turn`.
+// Texture coordinates of a direction in a sky from a file. The image centre is the horizon at the heading `turn`.
 fn sky_file_uv(dir: vec3f) -> vec2f {
   let azimuth = atan2(dir.x, -dir.z) / (2.0 * ATM_PI);
   return vec2f(0.5 + azimuth - sky.turn, 0.5 - atm_asin(dir.y) / ATM_PI);

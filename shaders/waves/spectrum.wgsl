@@ -15,8 +15,7 @@ fn spectrum_lobe(term: SeaTerm, beta: f32, s: f32, k: vec2f) -> f32 {
   let x = beta * maths_atan2_upper(across, along);
   let e = maths_exp(-x);
   let sech = 2.0 * e / (1.0 + e * e);
-  // cos^2(theta/2) = (1 + cos theta) / 2; in the backward half as sin^2 theta / (2 (1 - cos theta)), which does not
-  // cancel.
+  // cos^2(theta/2) = (1 + cos) / 2; in the backward half as sin^2 / (2 (1 - cos)), which does not cancel.
   let unit = vec2f(along, across) / length(k);
   let half_cos2 = select(0.5 + 0.5 * unit.x, 0.5 * unit.y * unit.y / (1.0 - unit.x), unit.x < 0.0);
   var shape = sech * sech * select(maths_exp(s * maths_ln(max(half_cos2, 1e-30))), 1.0, s == 0.0);
@@ -35,8 +34,7 @@ fn spectrum_measured(phi1: vec2f, phi2: vec2f, k: vec2f) -> f32 {
   return 1.0 / max(dot(z, z), 1e-12);
 }
 
-// Variance of the real and of the imaginary part of h0, m^2, for a wave with this table entry and wave vector
-// direction.
+// Variance of the real and of the imaginary part of h0, m^2, for a table entry and a wave vector's direction.
 fn spectrum_variance(entry: u32, k: vec2f) -> f32 {
   var sum = 0.0;
   for (var i = 0u; i < sea.term_count; i++) {

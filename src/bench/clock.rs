@@ -24,8 +24,7 @@ pub struct Timing {
 }
 
 impl Timing {
-    /// Time that represents the measurement, ms: the GPU time if there are timestamps, else the median time from
-    /// submission to completion.
+    /// Representative time, ms: the GPU time if there are timestamps, else the median from submission to completion.
     pub fn ms(&self) -> f64 {
         self.gpu.unwrap_or(self.spread[1])
     }
@@ -74,8 +73,7 @@ impl Stamps {
         })
     }
 
-    /// Writes a pair of timestamps before the work, or after it if `last`: directly between passes, or by an empty
-    /// pass.
+    /// Writes two timestamps, before the work or after it (`last`): directly between passes, or by an empty pass.
     fn mark(&self, encoder: &mut wgpu::CommandEncoder, last: bool) {
         let at = 2 * u32::from(last);
         if self.between_passes {

@@ -39,8 +39,7 @@ pub fn rows(n: u32, cascades: u32) -> Cost {
     texels(n, cascades, 49.0, 30.0 + 14.0 + 40.0 + transforms(n))
 }
 
-/// Cost of the column pass: the FFT along z and the maps. Bytes per point: four complex numbers read (32), and two
-/// texels written.
+/// Cost of the column pass: FFT along z, and maps. Bytes per point: four complex inputs (32), two texels written.
 pub fn columns(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     texels(n, cascades, 32.0 + 2.0 * f64::from(maps.bytes()), transforms(n))
 }

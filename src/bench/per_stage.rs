@@ -129,8 +129,7 @@ impl Transform {
         })
     }
 
-    /// Creates the dispatches of the FFT of a field. The number of stages is even, so the result replaces the input in
-    /// the first texture.
+    /// Creates the dispatches of a field's FFT. The number of stages is even, so the first texture holds the result.
     fn dispatches(&self, gpu: &Gpu, pair: &[wgpu::TextureView; 2]) -> Vec<Dispatch> {
         let bind = |(i, uniform): (usize, &wgpu::Buffer)| {
             let resources = [

@@ -315,8 +315,7 @@ impl Kernel {
         gpu.group(self.label, &self.layout, resources)
     }
 
-    /// Records one dispatch of `size` workgroups in a compute pass of its own. `offsets` are the dynamic offsets of the
-    /// bind group, bytes.
+    /// Records a dispatch of `size` workgroups in a compute pass of its own, with dynamic `offsets` in bytes.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, group: &wgpu::BindGroup, offsets: &[u32], size: [u32; 3]) {
         let mut pass = begin_compute(encoder, self.label);
         pass.set_pipeline(&self.pipeline);

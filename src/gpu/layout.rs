@@ -81,8 +81,7 @@ pub struct Declaration {
 }
 
 impl Declaration {
-    /// The struct declaration as WGSL text. Padding becomes single u32 members, because the alignment of a vector would
-    /// move it.
+    /// WGSL text of the struct. Padding becomes single u32 members, because a vector's alignment would move it.
     pub fn wgsl(&self) -> String {
         let lines = self.members.iter().map(|member| match member.is_padding() {
             true => (0..member.size / 4).map(|word| format!("  {}_{word}: u32,\n", member.name)).collect(),

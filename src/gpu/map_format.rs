@@ -20,8 +20,7 @@ impl MapFormat {
     /// wgpu feature that makes 32-bit float textures filterable.
     pub const FEATURES: wgpu::Features = wgpu::Features::FLOAT32_FILTERABLE;
 
-    /// Feature to request from an adapter that has it: [`Self::FEATURES`] where 32-bit floats are the faster format,
-    /// else none.
+    /// Feature to request from an adapter: [`Self::FEATURES`] where 32-bit floats are the faster format, else none.
     pub fn features(adapter: &wgpu::AdapterInfo) -> wgpu::Features {
         let is_cpu = adapter.device_type == wgpu::DeviceType::Cpu;
         if is_cpu && !adapter.name.contains("llvmpipe") { Self::FEATURES } else { wgpu::Features::empty() }

@@ -29,8 +29,7 @@ struct State {
     period_ns: f64,
     between_passes: bool,
     phase: Phase,
-    /// Name of the part of the frame that each mark ends, in order. The first mark starts the frame and has an empty
-    /// name.
+    /// Name of the part of the frame that each mark ends; empty for the first mark, which starts the frame.
     parts: Vec<&'static str>,
     /// Names of the parts of the last timed frame and their smoothed GPU times, ms.
     times: Vec<(&'static str, f64)>,
@@ -142,8 +141,7 @@ impl State {
         if self.between_passes {
             encoder.write_timestamp(&self.set, at);
         } else {
-            // Browsers only have timestamps at the start and end of passes, and the two timestamps of a pass need
-            // different indices.
+            // Browsers only allow timestamps at the start and the end of a pass, and the two need different indices.
             drop(encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
                 label: Some("mark"),
                 timestamp_writes: Some(wgpu::ComputePassTimestampWrites {

@@ -1,5 +1,4 @@
-//! All shader modules, each joined from plain WGSL files. Names in WGSL begin with their file's topic, such as `sea_`
-//! or `noise_`.
+//! All shader modules, joined from plain WGSL files. WGSL names begin with their file's topic (`sea_`, `noise_`).
 
 pub mod fft;
 pub mod unrolled;

@@ -1,5 +1,4 @@
-//! Replaces the plan of a running simulation, at once or by a transition, and redoes only the work that the change
-//! needs.
+//! Replaces a running simulation's plan, at once or by a transition, with only the work that the change needs.
 
 use super::Simulation;
 use super::foam::FoamParameters;
@@ -113,8 +112,7 @@ impl Simulation {
         }
     }
 
-    /// Advances the transition by `dt_s` seconds of wall time. `start` is the transition that started in this frame, if
-    /// any.
+    /// Advances the transition by `dt_s` seconds of wall time. `start` is the transition that started in this frame.
     fn advance(&mut self, start: Option<TransitionKind>, dt_s: f64) -> TransitionStep {
         let was_in_transition = self.transition.is_running();
         let step = TransitionStep { start, ..self.transition.advance(dt_s) };

@@ -1,5 +1,4 @@
-//! Read-only result of the simulation: the displacement, gradient, slope-moment and foam maps that the renderer
-//! samples.
+//! Read-only result of the simulation: the displacement, gradient, slope-moment and foam maps for the renderer.
 
 use super::resources::{MapKind, Resources, array_view};
 use super::transition::{TransitionKind, weights};
@@ -33,9 +32,8 @@ gpu_struct! {
     }
 }
 
-/// Texture views of the maps of all drawn cascades, with the numbers that a shader needs to sample them. Texel (i, j)
-/// of an n x n map belongs to the point x = i patch / n, z = j patch / n. So a point has the texture coordinates (x, z)
-/// / patch + 0.5 / n, repeating.
+/// Texture views of the maps of all drawn cascades, and what a shader needs to sample them. Texel (i, j) of an n x n
+/// map lies at x = i patch / n, z = j patch / n. Texture coordinates are (x, z) / patch + 0.5 / n, repeating.
 #[derive(Debug)]
 pub struct Maps {
     /// 2d array texture, one layer per cascade, all mip levels: horizontal displacement Dx and Dz, height eta (Dx, eta,
@@ -187,8 +185,8 @@ impl MapCascade {
         (resources.first_layer()..)
             .zip(&plan.cascades)
             .map(|(layer, c)| {
-                // Half of the mean square slope is the mean variance of a slope component, so moments in this unit are
-                // near 1.
+                // Half the mean square slope is the mean variance of one slope component: moments in this unit are near
+                // 1.
                 let mss = plan.energy.mss_between(c.k_low, c.k_high);
                 let moment_scale = if mss > 1e-12 { 0.5 * mss as f32 } else { 1.0 };
                 let shortest_m = TAU / c.k_high.max(c.dk());

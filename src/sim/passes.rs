@@ -1,5 +1,4 @@
-//! Compute passes of the simulation, in the order of a frame. A pass is a compute pipeline with its bind groups and its
-//! number of workgroups.
+//! Compute passes of the simulation, in the order of a frame. A pass has a pipeline, bind groups and a dispatch size.
 
 use super::maps::FOAM_LEVELS;
 use super::planned_sea::EvaluationSlot;
@@ -79,8 +78,7 @@ impl SpectrumPass {
     }
 }
 
-/// Pass that computes the mip levels of the maps and the slope moments (shaders/waves/mips.wgsl; on software adapters
-/// unrolled_mips.wgsl).
+/// Pass that computes mip levels and slope moments (shaders/waves/mips.wgsl, or unrolled_mips.wgsl in software).
 pub struct MipsPass {
     steps: Vec<MipsStep>,
     /// Number of mip levels that one dispatch can write.

@@ -58,8 +58,7 @@ impl PlannedSea {
         Self { plan, terms, term_count: parts.len() as u32, stride: stride as u32 }
     }
 
-    /// Uniform for one evaluation of the sea. `maps` are the cascades that are written, `chop` is the choppiness along
-    /// x and z.
+    /// Uniform for one evaluation of the sea, for the cascades `maps` and the choppiness `chop` along x and z.
     pub fn uniform(&self, maps: &[MapCascade], chop: [f64; 2], evaluation: Evaluation) -> SeaUniform {
         let plan = &self.plan;
         let mut cascades = [SeaCascade::default(); MAX_CASCADES];

@@ -6,8 +6,7 @@ use crate::gpu::Gpu;
 use crate::gpu::readback::{self, TextureCopy};
 use crate::waves::Plan;
 
-/// Approximate largest number of gradient texels in the mean square slope: enough for a precise mean, few enough for a
-/// browser.
+/// Approximate limit of the gradient texels in the mean square slope: enough for precision, few enough for browsers.
 const MOST_SLOPES: usize = 1 << 17;
 
 /// Copies of the maps of one frame, to be read after the frame has been submitted.

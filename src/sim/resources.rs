@@ -41,8 +41,8 @@ pub struct Resources {
     /// FFT twiddle factors e^(2 pi i j / 1024) for j from 0 to 1023, complex f32.
     pub twiddle: wgpu::Buffer,
     /// Fields after the inverse FFT along x, before that along z: two pairs of complex f32 per point,
-    /// \[cascade\]\[pair\]\[iz\]\[x\]. Two seas use the buffer one after the other, because both at once would exceed
-    /// the largest binding at n = 1024.
+    /// \[cascade\]\[pair\]\[iz\]\[x\]. Two seas use it in turn, because both would exceed the largest binding at n =
+    /// 1024.
     pub lines: wgpu::Buffer,
     /// Foam of each cell after the last time step, 0 to 1: f32, \[level\]\[z\]\[x\].
     pub foam_history: wgpu::Buffer,
@@ -64,8 +64,7 @@ pub struct Resources {
 /// GPU buffers that describe the waves of one sea.
 #[derive(Debug)]
 pub struct Waves {
-    /// Wave table for the spectrum pass: variances and directional spreading as vectors of four f32, one or more per
-    /// entry and cascade.
+    /// Wave table for the spectrum pass: variances and spreading parameters, in vectors of four f32 per entry.
     pub radial: wgpu::Buffer,
     /// Per entry of the wave table and cascade: the wave's number of cycles per period of the sea (u32), and its orbit
     /// axis ratio divided by its wave number (f32, m).
@@ -120,9 +119,8 @@ impl Resources {
         (self.current * MAX_CASCADES) as u32
     }
 
-    /// Swaps the wave buffers of the two seas when a cross-fade starts. The first call allocates the second set and
-    /// enlarges the maps for two seas with the largest number of cascades. It returns true, because the new maps are
-    /// empty.
+    /// Swaps the wave buffers of both seas when a cross-fade starts. The first call allocates the second set, and maps
+    /// for two seas with the largest number of cascades. It returns true, because the new maps are empty.
     pub fn switch_sea(&mut self, gpu: &Gpu, plan: &Plan) -> bool {
         let is_first = self.waves.len() == 1;
         if is_first {

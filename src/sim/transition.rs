@@ -32,10 +32,9 @@ pub enum TransitionKind {
 pub struct TransitionStep {
     /// Transition that starts in this frame, if any. The other fields describe the progress after its start.
     pub start: Option<TransitionKind>,
-    /// Fraction of the remaining difference to the goal by which surface and foam parameters move in this frame, 0 to
-    /// 1.
+    /// Fraction of the remaining way to the goal that surface and foam parameters make in this frame, 0 to 1.
     pub interpolation: f64,
-    /// Fraction of the remaining difference to the goal by which wave amplitudes move in this frame, 0 to 1.
+    /// Fraction of the remaining way to the goal that wave amplitudes make in this frame, 0 to 1.
     pub amplitudes: f64,
     /// Whether a cross-fade ends in this frame.
     pub faded: bool,
@@ -142,8 +141,7 @@ impl<T: Interpolate> Interpolated<T> {
         Self { fading: None, now: goal.clone(), goal }
     }
 
-    /// Applies one step of a transition. If a transition starts in this step, `goal` is called with the previous goal
-    /// and returns the new one.
+    /// Applies one step of a transition. If a transition starts, `goal` maps the previous goal to the new one.
     pub fn follow(&mut self, step: &TransitionStep, goal: impl FnOnce(&T) -> T) {
         if let Some(kind) = step.start {
             self.goal = goal(&self.goal);

@@ -14,8 +14,7 @@ use workgroup::WorkgroupTransform;
 /// Implementation of the inverse FFT.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TransformWay {
-    /// For GPUs: one dispatch along each axis. Threads exchange points through workgroup memory, which needs the least
-    /// memory traffic.
+    /// For GPUs: one dispatch along each axis. Threads exchange points in workgroup memory, with least memory traffic.
     Workgroup,
     /// For software adapters: two dispatches along each axis, without workgroup memory and barriers. At a barrier, a
     /// software adapter stores and reloads the state of every thread.

@@ -25,8 +25,7 @@ pub struct UnrolledTransform {
 struct Buffers {
     /// Values after the first of the two dispatches along an axis; as large as `Resources::lines`.
     halves: wgpu::Buffer,
-    /// Displacement and gradient maps of all cascades before they are copied to the textures,
-    /// \[map\]\[cascade\]\[z\]\[x\].
+    /// Displacement and gradient maps before they are copied to the textures, \[map\]\[cascade\]\[z\]\[x\].
     maps: wgpu::Buffer,
 }
 
@@ -90,8 +89,7 @@ impl UnrolledTransform {
         Self { n, rows_first, rows_second, columns_first, columns_second, buffers, groups }
     }
 
-    /// Creates the bind groups anew after resources have been replaced. Reallocates the intermediate buffers if their
-    /// size has changed.
+    /// Creates the bind groups anew after resources have been replaced, with intermediate buffers of their size.
     pub fn bind(&mut self, gpu: &Gpu, r: &Resources, rings: &UniformRings) {
         if self.buffers.halves.size() != r.lines.size() {
             self.buffers = Buffers::new(gpu, r);
