@@ -24,7 +24,7 @@ const MAP_LEVELS: u32 = 9;
 pub struct Ceilings {
     /// Bandwidth of a large copy, bytes read plus bytes written, GB/s.
     pub copy_gb_s: f64,
-    /// Time of an empty dispatch in its own compute pass, within a chain of such passes, ms.
+    /// Time of one empty dispatch in a compute pass of its own, ms: the mean of many dispatches in a row.
     pub launch_ms: f64,
     /// Rate of multiplications and additions in a fragment shader without other work, 1e9 per second.
     pub shading_gflop_s: f64,

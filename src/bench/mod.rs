@@ -39,10 +39,10 @@ pub struct BenchOptions {
     pub baseline: bool,
 }
 
-/// The measured time of one pass.
+/// Measured time of one pass, with what is needed to judge it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PassTiming {
-    /// Name of the pass.
+    /// Name of the pass, as it stands in the report.
     pub pass: &'static str,
     /// FFT size and number of cascades. None for passes of the picture.
     pub sea: Option<[u32; 2]>,
@@ -178,7 +178,7 @@ async fn baseline(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<PassTimi
     Ok(vec![ours, theirs])
 }
 
-/// Times the passes of the picture, and whole frames with waves and foam at 60 frames per second.
+/// Times the passes of a picture of `size` pixels, and whole frames with waves and foam at 60 frames per second.
 async fn picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) -> Result<Vec<PassTiming>, String> {
     let gpu = clock.gpu;
     let mut ocean = Ocean::new(gpu, FORMAT, Film::Screen, params);

@@ -86,7 +86,7 @@ impl PerStage {
         self.dispatches.len()
     }
 
-    /// Records the dispatches, each in its own compute pass.
+    /// Records all dispatches of the baseline, each in a compute pass of its own.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder) {
         for dispatch in &self.dispatches {
             let mut pass = begin_compute(encoder, "stage");

@@ -68,7 +68,7 @@ impl Gpu {
         Self::open(&adapter().await?).await
     }
 
-    /// Opens a device on an adapter.
+    /// Opens a device on the given adapter, with the limits and features of [`descriptor`].
     ///
     /// # Errors
     /// If the adapter refuses to open a device: one sentence for the user.

@@ -56,7 +56,7 @@ pub struct Member {
     pub name: &'static str,
     /// Offset of the member from the start of the struct, bytes.
     pub offset: usize,
-    /// Size in bytes.
+    /// Size of the member, bytes.
     pub size: usize,
     /// Returns the type's name in WGSL.
     pub wgsl: fn() -> String,
@@ -76,7 +76,7 @@ pub struct Declaration {
     pub name: &'static str,
     /// Members of the struct, in the order of their offsets.
     pub members: &'static [Member],
-    /// Size in bytes.
+    /// Size of the struct, bytes.
     pub size: usize,
 }
 

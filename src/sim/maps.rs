@@ -165,7 +165,7 @@ impl Maps {
         }
     }
 
-    /// Removes the cascades of the sea that has faded out.
+    /// Removes the cascades of the sea that has faded out, at the end of a cross-fade.
     pub(super) fn end_fade(&mut self) {
         self.cascades.drain(..self.fading);
         self.fading = 0;

@@ -15,7 +15,7 @@ pub struct Passes {
     pub spectrum: SpectrumPass,
     /// Row and column passes: the inverse FFT of the waves at a time, which gives the displacement and gradient maps.
     pub transform: Transform,
-    /// Computes the mip levels of the maps and the slope moments.
+    /// Computes the mip levels of the displacement and gradient maps, and the slope moments.
     pub mips: MipsPass,
     /// Advances the foam by one time step.
     pub foam: FoamPass,

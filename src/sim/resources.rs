@@ -11,7 +11,7 @@ use crate::waves::lattice::Wave;
 use crate::waves::table::{self, Table};
 use std::ops::Range;
 
-/// Side of the smallest mip level of a map, texels.
+/// Side of the smallest mip level of the maps, texels.
 const SMALLEST_MIP: u32 = 4;
 /// Number of kinds of map, which are the variants of [`MapKind`].
 const MAP_KINDS: u32 = 3;

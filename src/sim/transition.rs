@@ -17,7 +17,7 @@ pub const TRANSITION_S: f64 = 0.8;
 pub enum TransitionKind {
     /// The new sea replaces the old one at once.
     Immediate,
-    /// Interpolation of the foam parameters.
+    /// Interpolation of the foam parameters only; waves and surface stay unchanged.
     Foam,
     /// Interpolation of choppiness and water level, and of the foam parameters, which depend on choppiness.
     Surface,
@@ -27,7 +27,7 @@ pub enum TransitionKind {
     CrossFade,
 }
 
-/// Progress of a transition in one frame.
+/// Progress that the running transitions make in one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TransitionStep {
     /// Transition that starts in this frame, if any. The other fields describe the progress after its start.
@@ -174,7 +174,7 @@ impl<T: Interpolate> Interpolated<T> {
         }
     }
 
-    /// Applies the same change to the parameters of both seas and of the goal.
+    /// Applies the same change to the parameters of both seas of a cross-fade and to the goal.
     pub fn change(&mut self, change: impl Fn(&mut T)) {
         self.fading.iter_mut().chain([&mut self.now, &mut self.goal]).for_each(change);
     }

@@ -27,7 +27,7 @@ impl UniformRings {
         Self { sea: UniformRing::new(gpu, "sea", evaluations), foam: UniformRing::new(gpu, "foam", foam_steps) }
     }
 
-    /// Discards the uniforms of the last submission.
+    /// Discards the uniforms of the last submission. The next submission then adds its own.
     pub fn restart(&mut self) {
         self.sea.restart();
         self.foam.restart();
@@ -55,7 +55,7 @@ gpu_struct! {
     }
 }
 
-/// Largest number of terms of the directional spectrum: three lobes for each of two wave systems.
+/// Largest number of terms of a directional spectrum: three spreading lobes for each of two wave systems.
 pub const MAX_TERMS: usize = 6;
 
 gpu_struct! {
@@ -78,7 +78,7 @@ gpu_struct! {
     pub struct SeaUniform as "Sea" {
         /// Cascades of the sea, longest waves first.
         pub cascades: [SeaCascade; MAX_CASCADES],
-        /// Terms of the directional spectrum.
+        /// Terms of the directional spectrum, which is their sum.
         pub terms: [SeaTerm; MAX_TERMS],
         /// Amplitude factor of each cascade: 1 except during a cross-fade.
         pub weights: [f32; MAX_CASCADES],
@@ -103,7 +103,7 @@ gpu_struct! {
         pub first_layer: u32,
         /// Weight with which the spectrum pass moves h0 to the amplitudes of the plan, 0 to 1; 1 replaces h0.
         pub blend: f32,
-        /// Pads the size to a multiple of 16 bytes.
+        /// Unused; pads the struct to a multiple of 16 bytes.
         pub unused: u32,
     }
 }
@@ -116,7 +116,7 @@ gpu_struct! {
         pub tile: TilePlace,
         /// Texture coordinates of the corner in the cascade's maps.
         pub uv: [f32; 2],
-        /// Pads an array element to a multiple of 16 bytes.
+        /// Unused; pads the struct to a multiple of 16 bytes, as an array element needs it.
         pub unused: [u32; 2],
     }
 }
@@ -135,7 +135,7 @@ gpu_struct! {
         pub texel_m: f32,
         /// Jacobian below which foam forms.
         pub threshold: f32,
-        /// Foam source per unit by which the Jacobian lies below the threshold.
+        /// Slope of the foam source: clamp((threshold - Jacobian) x slope, 0, 1).
         pub slope: f32,
         /// Initial foam of a cell that has just entered the area of its level, 0 to 1.
         pub start: f32,
@@ -150,7 +150,7 @@ gpu_struct! {
         pub patch_m: f32,
         /// Index of the cascade among the layers of each kind of map.
         pub layer: u32,
-        /// Pads an array element to a multiple of 16 bytes.
+        /// Unused; pads the struct to a multiple of 16 bytes, as an array element needs it.
         pub unused: [u32; 2],
     }
 }
@@ -173,7 +173,7 @@ gpu_struct! {
         pub size: u32,
         /// Number of entries of `cascades` in use.
         pub count: u32,
-        /// Pads the size to a multiple of 16 bytes.
+        /// Unused; pads the struct to a multiple of 16 bytes.
         pub unused: [u32; 3],
     }
 }
