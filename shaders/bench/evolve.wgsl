@@ -1,16 +1,16 @@
-// Baseline of `seastate bench`: the spectra at a time. Each output texture packs two real fields as a complex one, in
-// the same pairs as the program's row pass.
+// Baseline of `seastate bench`: computes the Fourier amplitudes of one cascade at a time. Each output texture holds a
+// complex field that packs two real fields, in the same pairs as the program's row pass.
 
 struct Evolve {
   cascade: u32,
-  dk: f32, // 2 pi / patch
-  phase_time: u32, // t / period in units of 2^-32
+  dk: f32, // spacing of the wave vectors, 2 pi / patch, rad/m
+  phase_time: u32, // time as a fraction of the sea's period, in units of 2^-32
   unused: u32,
 }
 
 @group(0) @binding(0) var<uniform> evolve: Evolve;
 @group(0) @binding(1) var<storage, read> h0: array<vec2f>; // [cascade][iz][ix]
-@group(0) @binding(2) var<storage, read> wave: array<vec2u>; // per table entry: turns, bits of orbit / |k|
+@group(0) @binding(2) var<storage, read> wave: array<vec2u>; // per entry: cycles per period, bits of orbit ratio / |k|
 @group(0) @binding(3) var field_0: texture_storage_2d<rg32float, write>;
 @group(0) @binding(4) var field_1: texture_storage_2d<rg32float, write>;
 @group(0) @binding(5) var field_2: texture_storage_2d<rg32float, write>;

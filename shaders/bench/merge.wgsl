@@ -1,4 +1,4 @@
-// Baseline of `seastate bench`: merges the transformed fields of a cascade into its maps.
+// Baseline of `seastate bench`: merges the transformed fields of a cascade into displacement and gradient maps.
 
 @group(0) @binding(0) var field_0: texture_2d<f32>;
 @group(0) @binding(1) var field_1: texture_2d<f32>;

@@ -1,5 +1,5 @@
-// Baseline of `seastate bench`: one radix-2 stage of the inverse transform of one field along one axis, from texture to
-// texture. Factors and source indices come from a texture with one row per stage.
+// Baseline of `seastate bench`: one radix-2 stage of the inverse FFT of one field along one axis, from texture to
+// texture. Twiddle factors and source indices come from a texture with one row per stage.
 
 struct Stage {
   stage: u32,
@@ -7,7 +7,7 @@ struct Stage {
 }
 
 @group(0) @binding(0) var<uniform> stage: Stage;
-@group(0) @binding(1) var butterfly: texture_2d<f32>; // factor, both source indices
+@group(0) @binding(1) var butterfly: texture_2d<f32>; // xy: twiddle factor, zw: both source indices
 @group(0) @binding(2) var source: texture_2d<f32>;
 @group(0) @binding(3) var sink: texture_storage_2d<rg32float, write>;
 

@@ -1,10 +1,11 @@
-// The uniform of one frame: view, sea and maps. The struct `Frame` is declared in src/render/frame.rs.
+// Output of a pass that draws the picture. The uniform `Frame` (view, sea and maps) is declared in src/render/frame.rs.
 
 const FRAME_EARTH_M = 6371000.0;
 
-// Colour, and 1 and more for how near it is, by which the present pass finds edges: 1 / distance is even along a plane, and 0
-// for the sky. Marks a colour that is not a number, for that pass to paint: so far below 1 that the mean of four samples still
-// says so. A sample of a reference stays as it is.
+// HDR colour, with 1 + 1e4 * nearness in alpha, from which the present pass finds edges. Nearness is 1 / distance, 1/m,
+// which is linear along a plane, and 0 for the sky. A colour that is not finite gets alpha -6e4, so low that even the
+// mean of four samples tells the present pass to mark the pixel. Samples of a reference picture (footprint 0) keep
+// their colour.
 fn frame_colour(c: vec3f, nearness: f32) -> vec4f {
   if frame.footprint == 0.0 {
     return vec4f(c, 0.0);

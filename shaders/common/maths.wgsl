@@ -1,9 +1,9 @@
-// Elementary functions with known accuracy: WGSL promises 2^-11 for sin and cos and little for atan2 and log, and
-// drivers use that freedom. All are good to a few units in the last place of f32.
+// Elementary functions with known accuracy, a few units in the last place of f32. WGSL itself promises only 2^-11 for
+// sin and cos and little for atan2 and log, and drivers use that freedom.
 
 const MATHS_LN2 = 0.69314718056;
 
-// (cos, sin) of an angle in turns x 2^32, so that the reduction is exact integer arithmetic.
+// (cos, sin) of an angle in units of 2^-32 turns, so that the reduction to one quadrant is exact integer arithmetic.
 fn maths_cos_sin(turns: u32) -> vec2f {
   let quadrant = (turns + 0x20000000u) >> 30u;
   let rest = bitcast<i32>(turns - (quadrant << 30u));
@@ -11,7 +11,7 @@ fn maths_cos_sin(turns: u32) -> vec2f {
   let xx = x * x;
   let s = x + x * xx * (-1.6666654611e-1 + xx * (8.3321608736e-3 - xx * 1.9515295891e-4));
   let c = 1.0 - 0.5 * xx + xx * xx * (4.166664568298827e-2 + xx * (-1.388731625493765e-3 + xx * 2.443315711809948e-5));
-  // Every quadrant swaps them or not and turns their signs: without a branch, which a software GPU takes on all sides.
+  // A quadrant may swap sine and cosine and change signs. No branch, because a software GPU runs all sides of it.
   let swaps = (quadrant & 1u) != 0u;
   let cosine = bitcast<u32>(select(c, s, swaps)) ^ (((quadrant + 1u) & 2u) << 30u);
   let sine = bitcast<u32>(select(s, c, swaps)) ^ ((quadrant & 2u) << 30u);
@@ -21,7 +21,7 @@ fn maths_cos_sin(turns: u32) -> vec2f {
 // Natural logarithm of a positive normal number.
 fn maths_ln(x: f32) -> f32 {
   let bits = bitcast<u32>(x);
-  // Mantissa in [sqrt(1/2), sqrt(2)), so that ln near 1 has no cancellation.
+  // The mantissa is in [sqrt(1/2), sqrt(2)), so that the logarithm of numbers near 1 has no cancellation.
   let shifted = bits - 0x3f3504f3u;
   let exponent = bitcast<i32>(shifted) >> 23u;
   let m = bitcast<f32>((shifted & 0x007fffffu) + 0x3f3504f3u);
@@ -31,14 +31,15 @@ fn maths_ln(x: f32) -> f32 {
   return f32(exponent) * MATHS_LN2 + series;
 }
 
-// e^x; 0 below the smallest normal number.
+// e^x; 0 for a result below the smallest normal number. Arguments above 88 count as 88.
 fn maths_exp(x: f32) -> f32 {
   if x < -87.0 {
     return 0.0;
   }
   let n = floor(min(x, 88.0) * 1.44269504089 + 0.5);
   let r = (min(x, 88.0) - n * 0.693359375) + n * 2.12194440e-4;
-  let series = 1.0 + r * (1.0 + r * (0.5 + r * (1.6666665459e-1 + r * (4.1665795894e-2 + r * (8.3334519073e-3 + r * (1.3981999507e-3 + r * 1.9875691500e-4))))));
+  let tail = 4.1665795894e-2 + r * (8.3334519073e-3 + r * (1.3981999507e-3 + r * 1.9875691500e-4));
+  let series = 1.0 + r * (1.0 + r * (0.5 + r * (1.6666665459e-1 + r * tail)));
   return series * bitcast<f32>(u32(i32(n) + 127) << 23u);
 }
 
@@ -49,7 +50,8 @@ fn maths_atan2_upper(y: f32, x: f32) -> f32 {
   let fold = ratio > 0.41421356;
   let z = select(ratio, (ratio - 1.0) / (ratio + 1.0), fold);
   let zz = z * z;
-  var angle = z + z * zz * (-3.33329491539e-1 + zz * (1.99777106478e-1 + zz * (-1.38776856032e-1 + zz * 8.05374449538e-2)));
+  let tail = 1.99777106478e-1 + zz * (-1.38776856032e-1 + zz * 8.05374449538e-2);
+  var angle = z + z * zz * (-3.33329491539e-1 + zz * tail);
   angle += select(0.0, 0.78539816340, fold);
   angle = select(angle, 1.57079632679 - angle, y > a);
   return select(angle, 3.14159265359 - angle, x < 0.0);

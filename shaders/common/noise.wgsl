@@ -1,6 +1,6 @@
-// Hashed Gaussian noise, bit for bit that of src/waves/noise.rs.
+// Gaussian random numbers from a hash, as in src/waves/noise.rs. The hash is equal bit for bit.
 
-// pcg4d, Jarzynski and Olano 2020.
+// The hash pcg4d of four words to four words (Jarzynski and Olano 2020).
 fn noise_pcg4d(seed: vec4u) -> vec4u {
   var v = seed * 1664525u + 1013904223u;
   v.x += v.y * v.w;
@@ -19,7 +19,8 @@ fn noise_words(seed: u32, key: u32, ix: i32, iz: i32) -> vec2u {
   return noise_pcg4d(vec4u(bitcast<u32>(ix), bitcast<u32>(iz), key, seed)).xy;
 }
 
-// Two independent N(0, 1): Box-Muller with the radius' uniform in (0, 1).
+// Two independent normal random numbers (mean 0, variance 1) by the Box-Muller transform, from two random words. The
+// first word becomes a uniform number in the open interval (0, 1), so that the result is finite.
 fn noise_gauss(words: vec2u) -> vec2f {
   let u = (f32(words.x >> 9u) + 0.5) * 1.1920928955078125e-7; // 2^-23
   return sqrt(-2.0 * maths_ln(u)) * maths_cos_sin(words.y);

@@ -1,4 +1,4 @@
-// Bind group 0 of every pass of the picture: frame, sky and light. It is created in src/render/scene_group.rs.
+// Bind group 0 of every pass that draws the picture: frame, sky and light. It is created in src/render/scene_group.rs.
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<uniform> sky: Sky;

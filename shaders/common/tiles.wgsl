@@ -1,18 +1,18 @@
-// A patch without its period: a blend of shifted copies. Twin of src/waves/tiling.rs, which explains the method.
+// Blends shifted copies of a patch, so that it does not repeat visibly. src/waves/tiling.rs explains the method.
 
-// `TilePlace` of src/sim/maps.rs is the lattice of a patch as seen from a point.
+// The struct `TilePlace` (src/sim/maps.rs) is the triangle lattice of a patch relative to one point.
 
-// Barycentric coordinate at which a copy begins.
+// Barycentric coordinate above which a copy of the patch is visible.
 const TILE_EDGE = 0.25;
 const TILE_INV_SQRT_3 = 0.57735027;
 
-// The copies that contribute to a point, strongest first: each with its cell, its weight and the derivatives of the weight.
-// The components x are those of the current copy; `tile_next` goes on to the next one.
+// The copies of a patch that contribute to a point, strongest first: lattice cell, weight W and derivatives of W. The x
+// components belong to the current copy; `tile_next` goes on to the next one.
 struct TileBlend {
   count: u32,
   weight: vec3f,
-  along_x: vec3f, // dW/dx
-  along_z: vec3f, // dW/dz
+  along_x: vec3f, // dW/dx, 1/m
+  along_z: vec3f, // dW/dz, 1/m
   cell_x: vec3i,
   cell_z: vec3i,
 }
@@ -25,17 +25,17 @@ fn tile_lower(a: vec3f, b: vec3f) -> vec3f {
   return select(a, b, a.x >= b.x);
 }
 
-// The copies at a point (m) relative to that of the place.
+// The copies of the patch at the point that lies at the offset `at`, m, from the point of `place`.
 fn tile_blend(place: TilePlace, at: vec2f) -> TileBlend {
   let u = place.turn + TILE_INV_SQRT_3 * vec2f(place.turn.y, -place.turn.x);
   let v = 2.0 * TILE_INV_SQRT_3 * vec2f(-place.turn.y, place.turn.x);
   let q = place.rest + vec2f(dot(u, at), dot(v, at));
   let whole = floor(q);
   let rest = q - whole;
-  // The upper triangle of the cell is the lower one, counted back from the opposite vertex.
+  // A lattice cell has two triangles. The upper one is the lower one, counted back from the opposite vertex.
   let upper = rest.x + rest.y > 1.0;
   let f = select(rest, 1.0 - rest, upper);
-  // Barycentric coordinate and corner, sorted.
+  // Each vector is a barycentric coordinate (x) and its corner (y, z). They are sorted by the coordinate.
   let a = vec3f(1.0 - f.x - f.y, 0.0, 0.0);
   let b = vec3f(f.x, 1.0, 0.0);
   let c = vec3f(f.y, 0.0, 1.0);
@@ -50,7 +50,7 @@ fn tile_blend(place: TilePlace, at: vec2f) -> TileBlend {
   let raw = max(vec3f(first.x, second.x, third.x) - TILE_EDGE, vec3f(0.0));
   let w = raw * raw;
   let norm = inverseSqrt(dot(w, w));
-  // Gradients of the barycentric coordinates: u and v at their corners, minus both at the first.
+  // Gradients of the barycentric coordinates: u and v for the corners (1, 0) and (0, 1), minus both for (0, 0).
   let sign = select(2.0, -2.0, upper);
   let origin = 1.0 - corner_x - corner_z;
   let dx = sign * raw * (corner_x * u.x + corner_z * v.x - origin * (u.x + v.x));
@@ -72,18 +72,18 @@ fn tile_blend(place: TilePlace, at: vec2f) -> TileBlend {
   return out;
 }
 
-// Moves the next copy to the components x. An index that varies would keep the vectors in memory instead of registers.
+// Rotates the next copy into the x components. Vectors indexed by a variable would not stay in registers.
 fn tile_next(blend: TileBlend) -> TileBlend {
   return TileBlend(
     blend.count, blend.weight.yzx, blend.along_x.yzx, blend.along_z.yzx, blend.cell_x.yzx, blend.cell_z.yzx);
 }
 
-// Weight of the current copy and its derivatives along x and z.
+// Weight W of the current copy, dW/dx and dW/dz.
 fn tile_weight(blend: TileBlend) -> vec3f {
   return vec3f(blend.weight.x, blend.along_x.x, blend.along_z.x);
 }
 
-// Shift of the current copy, in texture coordinates: whole texels for every n.
+// Shift of the current copy in texture coordinates: a multiple of 1/64, which is a whole number of texels for every n.
 fn tile_shift(place: TilePlace, blend: TileBlend) -> vec2f {
   let cell = vec4u(bitcast<u32>(blend.cell_x.x), bitcast<u32>(blend.cell_z.x), place.key, 0u);
   let hash = noise_pcg4d(cell).xy >> vec2u(26u);

@@ -1,11 +1,12 @@
-// Foam on world-anchored levels, in undisplaced coordinates. Cell (X, Z) of a level covers [X, X + 1) x [Z, Z + 1)
-// texels and is stored at (X mod size, Z mod size), so that a moving camera only rewrites cells that come into range.
+// Simulates foam on clipmap levels that are fixed to the world, in undisplaced coordinates. Cell (X, Z) of a level
+// covers [X, X + 1) x [Z, Z + 1) texels and is stored at (X, Z) mod size. So a moving camera only rewrites cells that
+// come into range.
 //
-// The source s in [0, 1] is positive where the Jacobian of the sum of cascades falls below a threshold. The foam F
-// follows dF/dt = rate s (1 - F) - F / decay, solved exactly over the time step: the result does not depend on the
-// frame rate and stays in [0, 1].
+// The source s in [0, 1] is positive where the Jacobian of the displacement by all cascades falls below a threshold.
+// The foam F follows dF/dt = rate s (1 - F) - F / decay time, solved exactly over the time step. So the result does not
+// depend on the frame rate and stays in [0, 1].
 
-// The structs are declared in src/sim/uniforms.rs.
+// The structs `Sea` and `Foam` are declared in src/sim/uniforms.rs.
 
 @group(0) @binding(0) var<uniform> sea: Sea;
 @group(0) @binding(1) var<uniform> foam: Foam;
@@ -15,7 +16,7 @@
 @group(0) @binding(5) var<storage, read_write> history: array<f32>; // [level][z][x]
 @group(0) @binding(6) var picture: texture_storage_2d_array<rgba16float, write>;
 
-// Jacobian of the drawn surface: the same blend of copies as in water/surface.wgsl.
+// Jacobian of the displaced surface at an offset, m, from a level's corner, with the blend of water/surface.wgsl.
 fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
   var stretch = vec2f(0.0);
   var shear = vec2f(0.0);
@@ -24,7 +25,7 @@ fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
     let patch_m = foam.cascades[c].patch_m;
     let layer = foam.cascades[c].layer;
     let uv = corner.uv + offset / patch_m;
-    // One mip level finer than a cell, because linear interpolation between uncorrelated texels loses variance.
+    // The mip level is one finer than a cell, because linear interpolation between uncorrelated texels loses variance.
     let lod = max(log2(foam.levels[level].texel_m * f32(sea.n) / patch_m) - 1.0, 0.0);
     var blend = tile_blend(corner.tile, offset);
     for (var i = 0u; i < blend.count; i++) {
@@ -45,7 +46,7 @@ fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
 fn main(@builtin(global_invocation_id) id: vec3u) {
   let size = i32(foam.size);
   let level = id.z;
-  // The cell in range that is stored at this texel.
+  // `ahead` is the cell that is stored at this texel, counted from the level's first cell.
   let first = foam.levels[level].cell;
   let ahead = ((vec2i(id.xy) - first) % size + size) % size;
   let before = first + ahead - foam.levels[level].previous;

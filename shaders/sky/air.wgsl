@@ -1,20 +1,20 @@
-// Air and fog between the eye and the sea. Needs the module variables frame, sky, light and those of the sky model.
+// Light of air and fog between eye and sea. Needs the module variables frame, sky, light and those of the sky model.
 
-// What there may be: a file's sky instead of the computed one, fog.
+// Features that are compiled in: a sky from an image file instead of the computed one, and fog.
 override SKY_FILE = true;
 override SKY_FOG = true;
 
-// Light of a file's sky low in this direction: what far air takes its colour from.
+// Radiance of a sky from a file just above the horizon in this direction. Distant air takes its colour from it.
 fn air_horizon(dir: vec3f) -> vec3f {
   let u = atan2(dir.x, -dir.z) / (2.0 * ATM_PI);
   return textureSampleLevel(environment_map, sky_sampler, vec2f(u, 0.5 + 1.5 / 128.0), 1.0).rgb;
 }
 
-// Air without fog between the eye and a point at a distance: the light that it adds, and the share that it lets through.
+// Clear air between the eye and a point of the sea: the radiance that it adds, and its transmittance.
 fn air_clear(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   let km = 0.001 * distance_m;
   let eye = 0.001 * frame.eye_m;
-  // Mean density along the straight path from the eye down to the sea.
+  // Mean density along the straight path from the eye down to the sea, relative to the density at the sea.
   let thin = vec2f(eye / ATM_RAYLEIGH_HEIGHT, eye / ATM_MIE_HEIGHT) + 1e-4;
   let mean = (1.0 - exp(-thin)) / thin;
   let extinction = ATM_RAYLEIGH * mean.x + ATM_MIE * (sky.haze * mean.y);
@@ -23,7 +23,7 @@ fn air_clear(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   if SKY_FILE && sky.file > 0.0 {
     return array<vec3f, 2>(air_horizon(dir) * (1.0 - through), through);
   }
-  // The table holds the air down to the still sea in this direction; a crest before it has less air in front.
+  // The look-up table holds the light of the air down to the still sea. A wave crest has less air in front of it.
   let below = min(atm_asin(dir.y) + frame.dip, -1e-5);
   let fall = sin(frame.dip - below);
   let root = max(fall * fall - sin(frame.dip) * sin(frame.dip), 0.0);
@@ -35,13 +35,13 @@ fn air_clear(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   return array<vec3f, 2>(mix(clear, grey, sky.overcast * sky.overcast), through);
 }
 
-// Fog on the ray up to a distance, with the air in front of it: the light that is added, and in w the share let through.
+// Fog on a ray and the clear air before it: the radiance that they add (rgb), and the transmittance of the fog (w).
 fn air_fog(dir: vec3f, distance_m: f32) -> vec4f {
-  // A ray of the sky ends at no sea.
+  // A ray that ends in the sky does not go below the horizon.
   let mu = select(dir.y, max(dir.y, -sin(frame.dip)), distance_m >= FOG_FAR_M);
   let through = fog_through(frame.eye_m, mu, sky.fog.start_m, distance_m);
   var radiance = fog_radiance(dir);
-  // Seen from above, the fog lies at the far end.
+  // Seen from above, the fog lies at the far end of the ray, behind clear air.
   let over = frame.eye_m - sky.fog.top_m - sky.fog.falloff_m;
   if over > 0.0 && mu < 0.0 {
     let root = sqrt(max(mu * mu - 2.0 * over / FOG_EARTH_M, 0.0));
@@ -51,7 +51,7 @@ fn air_fog(dir: vec3f, distance_m: f32) -> vec4f {
   return vec4f(radiance * (1.0 - through), through);
 }
 
-// Air and fog between the eye and a point of the sea: the light that is added, and the share that is let through.
+// Air and fog between the eye and a point of the sea: the radiance that they add, and their transmittance.
 fn air_between(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   var air = air_clear(dir, distance_m);
   if SKY_FOG {

@@ -1,36 +1,40 @@
-// Clear air after Hillaire, "A Scalable and Production Ready Sky and Atmosphere Rendering Technique", 2020. Lengths in km.
-// Altitudes h above the sea are carried instead of radii: a float holds 6371 km only to half a metre.
+// Clear air after Hillaire, "A Scalable and Production Ready Sky and Atmosphere Rendering Technique", 2020. Lengths are
+// in km. Functions take altitudes h above the sea instead of radii, because a float holds 6371 km only to half a metre.
+// The sine of a ray's elevation is mu.
 
 const ATM_PI = 3.14159265359;
 const ATM_GROUND = 6371.0;
 const ATM_TOP = 100.0;
-// Light is carried at four wavelengths, 630, 575, 510 and 440 nm, as a share of the sun's above the air. A matrix turns it
-// into linear sRGB; it is the least-squares fit to 5 nm spectra of skies and suns through all air masses (rms error 0.2 %;
-// the primaries taken for three wavelengths err by 16 % and turn dusk violet: ozone takes most at 600 nm, between them).
-// Colour matching functions: Wyman, Sloan and Shirley 2013; the sun: ASTM E-490. The sum of the columns is the sun above
-// the air under the white balance of daylight film, in a scale that keeps noon and dusk inside half floats.
+// Light is a fraction of sunlight above the air, at the four wavelengths 630, 575, 510 and 440 nm. This matrix turns it
+// into linear sRGB. It is a least-squares fit to 5 nm spectra of skies and suns through all air masses, with an rms
+// error of 0.2 %. Three wavelengths, one per primary, would err by 16 % and turn dusk violet, because ozone absorbs
+// most at 600 nm, between them. Colour matching functions: Wyman, Sloan and Shirley 2013; the sun: ASTM E-490. The
+// columns add up to the sun above the air with a daylight white balance, in a scale that keeps noon and dusk in half
+// floats.
 const ATM_RGB = mat4x3f(
   vec3f(15.0685, -1.0614, 0.0503),
   vec3f(11.6403, 10.0893, -3.1980),
   vec3f(-8.8026, 13.3056, 5.7608),
   vec3f(1.4938, -2.3335, 18.1869));
-// Bucholtz 1995, per km at the sea.
+// Rayleigh scattering coefficient at sea level, 1/km (Bucholtz 1995), and its scale height, km.
 const ATM_RAYLEIGH = vec4f(6.665e-3, 9.662e-3, 15.763e-3, 28.900e-3);
 const ATM_RAYLEIGH_HEIGHT = 8.4;
-// Sea salt over the open ocean: optical depth of about 0.06 in a boundary layer.
+// Extinction coefficient of sea salt at sea level, 1/km: an optical depth of about 0.06 over the open ocean. Then
+// albedo, scale height (km) and asymmetry of the phase function.
 const ATM_MIE = vec4f(0.0485, 0.0493, 0.0508, 0.0530);
 const ATM_MIE_ALBEDO = 0.97;
 const ATM_MIE_HEIGHT = 1.2;
 const ATM_MIE_G = 0.78;
-// Ozone, per km where it is densest, 300 Dobson units in all (cross-sections: Gorshelev et al. 2014).
+// Absorption coefficient of ozone where it is densest, 1/km; 300 Dobson units in all (Gorshelev et al. 2014).
 const ATM_OZONE = vec4f(1.854e-3, 2.590e-3, 0.871e-3, 0.070e-3);
 const ATM_SEA_ALBEDO = 0.06;
 
-// Linear sRGB of light given as a share of the sun's at the four wavelengths.
+// Linear sRGB of light that is a fraction of sunlight at the four wavelengths.
 fn atm_rgb(share: vec4f) -> vec3f {
   return max(ATM_RGB * share, vec3f(0.0));
 }
 
+// Scattering and extinction coefficients of air at the four wavelengths, 1/km.
 struct AtmMedium {
   rayleigh: vec4f,
   mie: vec4f,
@@ -46,38 +50,42 @@ fn atm_medium(h: f32, haze: f32) -> AtmMedium {
   return m;
 }
 
+// Rayleigh phase function, 1/sr; c is the cosine of the scattering angle.
 fn atm_rayleigh_phase(c: f32) -> f32 {
   return 3.0 / (16.0 * ATM_PI) * (1.0 + c * c);
 }
 
-// Cornette and Shanks 1992.
+// Phase function of aerosol, 1/sr (Cornette and Shanks 1992); c is the cosine of the scattering angle.
 fn atm_mie_phase(c: f32) -> f32 {
   let g = ATM_MIE_G;
   let k = 3.0 / (8.0 * ATM_PI) * (1.0 - g * g) / (2.0 + g * g);
   return k * (1.0 + c * c) / pow(max(1.0 + g * g - 2.0 * g * c, 1e-4), 1.5);
 }
 
-// Arc sine, to 3e-7 (Moshier's Cephes): SwiftShader calls the C library for that of WGSL, once for each pixel.
+// Arc sine with an error of at most 3e-7 (Moshier's Cephes). It replaces WGSL's function, for which SwiftShader calls
+// the C library once for each pixel.
 fn atm_asin(x: f32) -> f32 {
   let a = min(abs(x), 1.0);
   let is_steep = a > 0.5;
   let z = select(a * a, 0.5 - 0.5 * a, is_steep);
   let r = select(a, sqrt(z), is_steep);
-  let angle = r + r * z * (1.6666752422e-1 + z * (7.4953002686e-2 + z * (4.5470025998e-2 + z * (2.4181311049e-2 + z * 4.2163199048e-2))));
+  let tail = 4.5470025998e-2 + z * (2.4181311049e-2 + z * 4.2163199048e-2);
+  let angle = r + r * z * (1.6666752422e-1 + z * (7.4953002686e-2 + z * tail));
   return sign(x) * select(angle, 0.5 * ATM_PI - 2.0 * angle, is_steep);
 }
 
-// Angle from the horizontal down to the horizon.
+// Angle from the horizontal down to the horizon, rad, at the altitude h.
 fn atm_dip(h: f32) -> f32 {
   return atm_asin(sqrt(max(h, 0.0) * (2.0 * ATM_GROUND + h)) / (ATM_GROUND + h));
 }
 
+// Distance along a ray to the top of the air, km.
 fn atm_to_top(h: f32, mu: f32) -> f32 {
   let b = (ATM_GROUND + h) * mu;
   return -b + sqrt(max(b * b + (ATM_TOP - h) * (2.0 * ATM_GROUND + ATM_TOP + h), 0.0));
 }
 
-// Distance to the sea, or -1.
+// Distance along a ray to the sea, km; -1 if the ray misses the sea.
 fn atm_to_ground(h: f32, mu: f32) -> f32 {
   let b = (ATM_GROUND + h) * mu;
   let c = h * (2.0 * ATM_GROUND + h);
@@ -88,36 +96,38 @@ fn atm_to_ground(h: f32, mu: f32) -> f32 {
   return c / (-b + sqrt(disc));
 }
 
-// Altitude after a distance t along a ray.
+// Altitude after the distance t along a ray that starts at altitude h, km.
 fn atm_altitude(h: f32, mu: f32, t: f32) -> f32 {
   let r = ATM_GROUND + h;
   let more = t * (2.0 * r * mu + t);
   return max((h * (2.0 * ATM_GROUND + h) + more) / (sqrt(max(r * r + more, 0.0)) + ATM_GROUND), 0.0);
 }
 
-// [0, 1] to the centres of the first and last texel.
+// Texture coordinate for x in [0, 1] in a table of n texels: from the centre of the first texel to that of the last.
 fn atm_to_texels(x: f32, n: f32) -> f32 {
   return (clamp(x, 0.0, 1.0) * (n - 1.0) + 0.5) / n;
 }
 
+// Size of the transmittance table, texels.
 const ATM_T_SIZE = vec2f(256.0, 64.0);
 
-// Share of sunlight that arrives at altitude h from the elevation whose sine is mu; `radius` is that of the sun's disc.
+// Fraction of sunlight at altitude h from the elevation with sine mu; `radius` is that of the sun's disc, rad.
 fn atm_transmittance(map: texture_2d<f32>, s: sampler, h: f32, mu: f32, radius: f32) -> vec4f {
   let dip = atm_dip(h);
   let above = atm_asin(mu) + dip;
   let u = sqrt(max(above, 0.0) / (0.5 * ATM_PI + dip));
   let v = sqrt(clamp(h / ATM_TOP, 0.0, 1.0));
   let uv = vec2f(atm_to_texels(u, ATM_T_SIZE.x), atm_to_texels(v, ATM_T_SIZE.y));
-  // The disc sets gradually.
+  // The sun's disc sets gradually.
   let disc = smoothstep(-radius, radius, above);
   return disc * textureSampleLevel(map, s, uv, 0.0);
 }
 
+// Size of the table of multiple scattering, texels.
 const ATM_M_SIZE = vec2f(64.0, 32.0);
 
-// Light scattered more than once, per unit of scattering, with the sun's irradiance as unit. The table is dense where the
-// sun is low, and holds square roots: twilight falls through more decades than a half float has.
+// Light scattered more than once, per unit of scattering coefficient, relative to the sun's irradiance. The table is
+// dense for a low sun and holds square roots, because twilight falls through more decades than a half float has.
 fn atm_multiple(map: texture_2d<f32>, s: sampler, h: f32, mu_sun: f32) -> vec4f {
   let x = 0.5 + 0.5 * sign(mu_sun) * sqrt(abs(mu_sun));
   let uv = vec2f(atm_to_texels(x, ATM_M_SIZE.x), atm_to_texels(sqrt(h / ATM_TOP), ATM_M_SIZE.y));

@@ -2,7 +2,7 @@
 
 @group(1) @binding(0) var file_map: texture_2d<f32>;
 
-// A part of the picture's background. Clouds are in sky_model.wgsl, a file's sky and fog in air.wgsl.
+// Whether stars are compiled in. Overrides for clouds are in model.wgsl, for a sky from a file and fog in air.wgsl.
 override SKY_STARS = true;
 
 struct SkyVertex {
@@ -13,12 +13,12 @@ struct SkyVertex {
 @vertex
 fn vertex(@builtin(vertex_index) i: u32) -> SkyVertex {
   let at = vec2f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0);
-  // Depth 0 is infinitely far.
+  // Depth is reversed: 0 is infinitely far.
   return SkyVertex(vec4f(at, 0.0, 1.0), frame.forward + frame.right * at.x + frame.up * at.y);
 }
 
-// The sun's disc: limb darkening as a power of the cosine (Hestroffer and Magnan 1998; 0.45 at 550 nm), and the radiance that
-// gives the disc the sun's irradiance whatever its size.
+// Radiance of the sun's disc. Limb darkening is a power of the cosine (Hestroffer and Magnan 1998; 0.45 at 550 nm). The
+// disc has the same irradiance at any size.
 fn sky_disc(dir: vec3f) -> vec3f {
   let rim = length(cross(dir, frame.sun)) / sin(sky.sun_radius);
   let edge = frame.pixel / sky.sun_radius;
@@ -28,7 +28,7 @@ fn sky_disc(dir: vec3f) -> vec3f {
   let disc = 1.0 - smoothstep(1.0 - edge, 1.0 + edge, rim);
   let dark = pow(max(1.0 - rim * rim, 1e-4), 0.5 * sky.sun_falloff);
   let solid = ATM_PI * sin(sky.sun_radius) * sin(sky.sun_radius);
-  // A disc smaller than a pixel is as bright as the pixel makes it.
+  // A disc that is smaller than a pixel is dimmed, because it fills only a part of the pixel.
   let shown = min(1.0, 1.0 / (edge * edge));
   let through = atm_transmittance(transmittance_map, sky_sampler, 0.001 * frame.eye_m, dir.y, 0.25 * sky.sun_radius);
   return atm_rgb(through) * sky.tint * (disc * dark * shown * (1.0 + 0.5 * sky.sun_falloff) / solid);
@@ -46,8 +46,8 @@ fn sky_hash(p: vec3u) -> vec3f {
   return vec3f(v >> vec3u(8u)) / 16777216.0;
 }
 
-// Stars: one in each cell of a cube, half a decade more of them a magnitude; the
-// eye's own blur spreads each over a little more than a pixel.
+// Radiance of the stars: one star in each cell of a cube map. Their number grows by half a decade per magnitude. The
+// blur of the eye spreads each star over at least 3/4 of a pixel.
 fn sky_stars(dir: vec3f) -> vec3f {
   let a = abs(dir);
   let face = select(select(2u, 1u, a.y >= a.z), 0u, a.x >= max(a.y, a.z));
@@ -61,7 +61,7 @@ fn sky_stars(dir: vec3f) -> vec3f {
   let at = (cell + 0.1 + 0.8 * place.xy) / CELLS * 2.0 - 1.0;
   let size = max(0.75 * frame.pixel, 4e-4);
   let off = length(at - plane) / (size * (1.0 + dot(plane, plane)));
-  // Illuminance of a star of magnitude m is 2.5e-6 lux x 10^(-0.4 m), and 6400 lux are the unit.
+  // A star of magnitude m has the illuminance 2.5e-6 lux x 10^(-0.4 m). The unit of illuminance here is 6400 lux.
   let magnitude = 6.3 + 2.0 * log2(max(place.z, 1e-3)) / 3.3219;
   let lux = 2.5e-6 * exp2(-1.3288 * magnitude) / 6400.0;
   let hue = mix(vec3f(1.15, 0.95, 0.75), vec3f(0.85, 0.97, 1.25), more.x);
@@ -74,7 +74,7 @@ fn fragment(in: SkyVertex) -> @location(0) vec4f {
   let above = max(atm_asin(dir.y) + frame.dip, 0.0);
   var radiance = vec3f(0.0);
   if SKY_FILE && sky.file > 0.0 {
-    // The file's horizon is drawn down to where the eye sees it; its ground stays out of the filter.
+    // The file's horizon is lowered to the visible horizon. The file's ground stays out of the texture filter.
     let lowered = above - frame.dip * (1.0 - exp(-above / (3.0 * frame.dip + 1e-6)));
     let elevation = max(lowered, 0.75 * ATM_PI / f32(textureDimensions(file_map).y));
     let lifted = vec3f(normalize(dir.xz + vec2f(1e-9, 0.0)) * cos(elevation), sin(elevation)).xzy;

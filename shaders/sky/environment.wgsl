@@ -1,4 +1,5 @@
-// The sky without the sun's disc, behind fog if there is any, and, below the horizon, a guess of the sea: what reflected rays see. Azimuth by elevation.
+// Environment map for reflected rays, azimuth by elevation: the sky without the sun's disc, behind fog if there is any,
+// and below the horizon an estimate of the sea.
 
 @group(0) @binding(0) var<uniform> sky: Sky;
 @group(0) @binding(1) var<storage, read> light: Light;
@@ -6,7 +7,7 @@
 @group(0) @binding(3) var sky_sampler: sampler;
 @group(0) @binding(4) var noise_map: texture_2d<f32>;
 @group(0) @binding(5) var noise_sampler: sampler;
-// The file's sky without its sun.
+// The sky from a file without its sun.
 @group(0) @binding(6) var file_map: texture_2d<f32>;
 @group(0) @binding(7) var environment_out: texture_storage_2d<rgba16float, write>;
 
@@ -22,7 +23,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   var gain = vec3f(1.0);
   var own = vec3f(0.0);
   if elevation < 0.0 {
-    // Another wave: it shows the sky from higher up, dimmed, and a little of the water's own colour.
+    // Rays below the horizon meet another wave: it shows the sky from higher up, dimmed, and some water colour.
     above = min(0.25 - elevation, 1.5);
     let f = 0.02 + 0.98 * pow(1.0 - sin(above), 5.0);
     gain = vec3f(f);

@@ -1,4 +1,4 @@
-// Next mip of the environment.
+// Computes the next mip level of the environment map.
 
 @group(0) @binding(0) var source_map: texture_2d<f32>;
 @group(0) @binding(1) var filtered_out: texture_storage_2d<rgba16float, write>;

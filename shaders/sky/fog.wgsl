@@ -1,8 +1,8 @@
-// Height fog: of full density up to its top, falling off exponentially above, on a round sea. Needs the module variables
-// sky and light. Lengths in metres; altitudes are above the water.
+// Height fog over a round sea: full density up to its top, exponential decrease above. Needs the module variables sky
+// and light. Lengths are in metres, altitudes above the water; the sine of a ray's elevation at the eye is mu.
 
 const FOG_EARTH_M = 6371000.0;
-// Farther than any fog.
+// Distance that is farther than any fog, m.
 const FOG_FAR_M = 1e7;
 
 // e^{x^2} erfc(x) for x >= 0, to 0.4 % (Ren and MacKenzie 2007).
@@ -10,20 +10,20 @@ fn fog_erfcx(x: f32) -> f32 {
   return 2.911 / (1.911 * 1.7724539 * x + sqrt(ATM_PI * x * x + 8.473921));
 }
 
-// Altitude after a distance along a ray of this elevation's sine.
+// Altitude after the distance t along a ray from the eye, m.
 fn fog_altitude(eye_m: f32, mu: f32, t: f32) -> f32 {
   return eye_m + mu * t + t * t / (2.0 * FOG_EARTH_M);
 }
 
-// Length of full density that equals the fog above its top, from a point at distance t on to infinity away from the
-// lowest point of the ray: a Chapman function.
+// Path length in fog of full density that equals the fog above its top, m: from the distance t along the ray to
+// infinity, away from the lowest point of the ray (a Chapman function).
 fn fog_tail(eye_m: f32, mu: f32, t: f32) -> f32 {
   let width = sqrt(2.0 * FOG_EARTH_M * sky.fog.falloff_m);
   let over = max(fog_altitude(eye_m, mu, t) - sky.fog.top_m, 0.0) / sky.fog.falloff_m;
   return 0.8862269 * width * exp(-min(over, 80.0)) * fog_erfcx(abs(t + mu * FOG_EARTH_M) / width);
 }
 
-// The same for a piece of the ray that lies above the top.
+// Path length in fog of full density that equals a piece of the ray above the fog's top, m.
 fn fog_above(eye_m: f32, mu: f32, start: f32, end: f32) -> f32 {
   if end <= start {
     return 0.0;
@@ -37,11 +37,11 @@ fn fog_above(eye_m: f32, mu: f32, start: f32, end: f32) -> f32 {
   return max(2.0 * fog_tail(eye_m, mu, lowest) - a - b, 0.0);
 }
 
-// Length of full density that equals the fog on a ray between two distances.
+// Path length in fog of full density that equals the fog on a ray between two distances, m.
 fn fog_length(eye_m: f32, mu: f32, start: f32, end: f32) -> f32 {
   let over = eye_m - sky.fog.top_m;
   let disc = mu * mu - 2.0 * over / FOG_EARTH_M;
-  // Where the ray enters and leaves the full fog; the stable roots of the parabola.
+  // Distances at which the ray enters and leaves the fog of full density: roots of a parabola, without cancellation.
   var enters = FOG_FAR_M;
   var leaves = FOG_FAR_M;
   if disc > 0.0 {
@@ -59,7 +59,7 @@ fn fog_length(eye_m: f32, mu: f32, start: f32, end: f32) -> f32 {
   return second - first + fog_above(eye_m, mu, start, first) + fog_above(eye_m, mu, second, end);
 }
 
-// Share of light that the fog lets through.
+// Transmittance of the fog on a ray between two distances, 0 to 1.
 fn fog_through(eye_m: f32, mu: f32, start: f32, end: f32) -> f32 {
   if end <= start {
     return 1.0;
@@ -67,11 +67,12 @@ fn fog_through(eye_m: f32, mu: f32, start: f32, end: f32) -> f32 {
   return exp(-min(sky.fog.extinction_per_m * fog_length(eye_m, mu, start, end), 80.0));
 }
 
+// Henyey-Greenstein phase function, 1/sr; c is the cosine of the scattering angle.
 fn fog_henyey_greenstein(c: f32, g: f32) -> f32 {
   return (1.0 - g * g) / (4.0 * ATM_PI * pow(max(1.0 + g * g - 2.0 * g * c, 1e-4), 1.5));
 }
 
-// Radiance of endless fog: droplets scatter the sun mostly forward, and a little back.
+// Radiance of infinitely thick fog. Its droplets scatter the sun mostly forwards, and a little backwards.
 fn fog_radiance(dir: vec3f) -> vec3f {
   let c = dot(dir, sky.sun);
   let phase = 0.88 * fog_henyey_greenstein(c, 0.78) + 0.12 * fog_henyey_greenstein(c, -0.3);

@@ -1,7 +1,7 @@
-// Irradiances and exposure. `clear` runs before the environment is made and measures the cloudless sky, from which the
-// overcast deck takes its brightness; `whole` runs after it and measures what is really there. Both are sums: 256 threads sum
-// parts of the sky (`clear_parts`, `whole_parts`), and a dispatch of one thread the parts. Barriers between them would cost software
-// GPUs dearly, in compilation most of all.
+// Irradiances and exposure. `clear` runs before the environment map is made: it measures the cloudless sky, from which
+// overcast clouds take their brightness. `whole` runs afterwards and measures the sky with clouds and fog. Before each,
+// 256 threads sum parts of the sky (`clear_parts`, `whole_parts`); then one thread adds these sums. Barriers instead of
+// two dispatches would be slow on software GPUs, above all to compile.
 
 @group(0) @binding(0) var<uniform> sky: Sky;
 @group(0) @binding(1) var<storage, read_write> light: Light;
@@ -9,13 +9,13 @@
 @group(0) @binding(3) var sky_view_map: texture_2d<f32>;
 @group(0) @binding(4) var sky_sampler: sampler;
 @group(0) @binding(5) var environment_map: texture_2d<f32>;
-// Of the sky model; the clouds are not asked for here.
+// Bindings that the sky model needs for clouds, which are not used here.
 @group(0) @binding(6) var noise_map: texture_2d<f32>;
 @group(0) @binding(7) var noise_sampler: sampler;
 @group(0) @binding(8) var<storage, read_write> light_parts: array<vec4f, 256>;
 
 const LIGHT_THREADS = 256u;
-// Share of the global irradiance that a closed deck lets through.
+// Fraction of the irradiance of sun and sky that a closed cloud deck transmits.
 const LIGHT_DECK = 0.28;
 
 fn light_total() -> vec4f {
@@ -32,7 +32,7 @@ fn clear_parts(@builtin(global_invocation_id) id: vec3u) {
   var sum = vec4f(0.0);
   for (var i = thread; i < 2048u; i += LIGHT_THREADS) {
     let azimuth = 2.0 * ATM_PI * (f32(i % 64u) + 0.5) / 64.0;
-    // Equal steps of sin^2: each sample stands for the same irradiance.
+    // The samples have equal steps in the square of the sine of elevation, so that each has the same irradiance weight.
     let s = sqrt((f32(i / 64u) + 0.5) / 32.0);
     let dir = vec3f(sin(azimuth) * sqrt(1.0 - s * s), s, -cos(azimuth) * sqrt(1.0 - s * s));
     sum += vec4f(sky_clear(dir, atm_asin(s)), 0.0) * (ATM_PI / 2048.0);
@@ -55,14 +55,14 @@ fn clear() {
   light.direct = pow(1.0 - sky.overcast, 1.5);
   light.sun = beam * light.direct;
   light.sky = diffuse;
-  // A deck scatters all colours alike; a trace of the blue sky above it stays.
+  // A cloud deck scatters all colours equally. A trace of the blue sky above it remains.
   let grey = mix(vec3f(sky_luminance(globally)), globally, 0.35) * vec3f(0.92, 1.0, 1.09);
   light.deck = grey * (LIGHT_DECK * 9.0 / (7.0 * ATM_PI));
   light.fog_sky = vec3f(0.0);
   light.fog_sun = vec3f(0.0);
   if sky.fog.extinction_per_m > 0.0 {
-    // The sun that reaches the middle of the fog, and the light of all directions there: what the fog above has taken
-    // from the sun comes as diffuse light. About as much goes up as comes down.
+    // Sunlight in the middle of the fog, and the diffuse light there, which includes the sunlight that the fog above
+    // has scattered. About as much light goes up as comes down.
     let o = sky.overcast * sky.overcast;
     let sunlight = fog_through(0.5 * max(sky.fog.top_m, 0.0), sky.sun.y, 0.0, FOG_FAR_M);
     light.fog_sun = light.sun * sunlight;
@@ -83,9 +83,10 @@ fn whole_parts(@builtin(global_invocation_id) id: vec3u) {
     let elevation = (f32(y) + 0.5) * ATM_PI / f32(size.y);
     let solid = cos(elevation) * (ATM_PI / f32(size.y)) * (2.0 * ATM_PI / f32(size.x));
     let radiance = textureLoad(environment_map, vec2u(x, y + half_rows), 1).rgb;
-    // The key: what stands low in the sky is in the picture and is mirrored by the sea.
+    // Weight of the exposure key: the low sky counts most, because it is in the picture and reflected by the sea.
     let low = exp(-elevation * elevation / 0.18) * solid;
-    sum += vec4f(radiance * (sin(elevation) * solid), min(sky_luminance(radiance), 6.0 * sky_luminance(light.deck) + 1e-4) * low);
+    let luminance = min(sky_luminance(radiance), 6.0 * sky_luminance(light.deck) + 1e-4);
+    sum += vec4f(radiance * (sin(elevation) * solid), luminance * low);
   }
   light_parts[thread] = sum;
 }
@@ -97,11 +98,11 @@ fn whole() {
   if sky.fog.extinction_per_m > 0.0 {
     light.sun *= fog_through(0.0, sky.sun.y, 0.0, FOG_FAR_M);
   }
-  // Solid angle of the weight above, once around.
+  // Mean luminance of the low sky: 2.1 sr is about the integral of the weight `low` over the sky.
   let band = total.w / 2.1;
   let ground = sky_luminance(total.rgb + light.sun * max(sky.sun.y, 0.0)) / ATM_PI;
-  // In the day's unit.
+  // The key does not contain the factor `night_gain`.
   light.key = max((0.85 * band + 0.2 * ground) / sky.night_gain, 1e-9);
-  // An eye adapts, but not wholly: dusk stays darker than noon, and night is night.
+  // Like an eye, the exposure adapts only in part: dusk stays darker than noon, and night is dark.
   light.exposure = 0.66 / pow(light.key, 0.77) / sky.night_gain;
 }

@@ -1,14 +1,14 @@
-// Radiance of the sky in a direction: clear air from the look-up table, and clouds. Needs the module variables sky, light,
-// sky_view_map, sky_sampler, noise_map, noise_sampler.
+// Radiance of the sky in a direction: clear air from the look-up table, and clouds. Needs the module variables sky,
+// light, sky_view_map, sky_sampler, noise_map and noise_sampler.
 
-// Base of the clouds, km, and side of the noise tile on it.
+// Height of the cloud base, km, and side of the repeating noise tile on it, km.
 const SKY_CLOUD_KM = 1.1;
 const SKY_TILE_KM = 34.0;
 
-// Whether there may be clouds.
+// Whether clouds are compiled in.
 override SKY_CLOUDS = true;
 
-// Clear air; `above` is the elevation above the visible horizon.
+// Radiance of clear air in a direction. `above` is the elevation above the visible horizon, rad.
 fn sky_clear(dir: vec3f, above: f32) -> vec3f {
   let flat_dir = normalize(dir.xz + vec2f(1e-9, 0.0));
   let flat_sun = normalize(sky.sun.xz + vec2f(1e-9, 0.0));
@@ -21,12 +21,12 @@ fn sky_clear(dir: vec3f, above: f32) -> vec3f {
   return textureSampleLevel(sky_view_map, sky_sampler, uv, 0.0).rgb;
 }
 
-// Relative luminance of the overcast sky, Moon and Spencer 1942 (CIE standard overcast).
+// Radiance of an overcast sky at the elevation `above`, rad (Moon and Spencer 1942, CIE standard overcast sky).
 fn sky_deck(above: f32) -> vec3f {
   return light.deck * (1.0 + 2.0 * sin(max(above, 0.0))) / 3.0;
 }
 
-// Fractal noise of the clouds in 0..1, on the plane of their base.
+// Fractal noise of the clouds, 0 to 1, at the point p of the cloud base, km. `lod` is the mip level of the noise map.
 fn sky_cloud_noise(p: vec2f, lod: f32) -> f32 {
   let turned = vec2f(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y);
   let a = textureSampleLevel(noise_map, noise_sampler, p / SKY_TILE_KM, lod).b;
@@ -35,8 +35,8 @@ fn sky_cloud_noise(p: vec2f, lod: f32) -> f32 {
   return a * 0.54 + b * 0.29 + c * 0.17;
 }
 
-// Sky with clouds, seen from near the sea; w is what of the sun's disc shows. `pixel` is the angle to be filtered over,
-// `drift` where the clouds have gone, km.
+// Radiance of the sky with clouds, seen from near the sea (rgb), and the visible fraction of the sun's disc (w).
+// `pixel` is the angle that is filtered over, rad; `drift` is the distance that the clouds have drifted, km.
 fn sky_radiance(dir: vec3f, above: f32, pixel: f32, drift: vec2f) -> vec4f {
   let clear = sky_clear(dir, above);
   let o = sky.overcast;
@@ -47,15 +47,15 @@ fn sky_radiance(dir: vec3f, above: f32, pixel: f32, drift: vec2f) -> vec4f {
   let s = sin(above);
   let t = sqrt(ATM_GROUND * ATM_GROUND * s * s + 2.0 * ATM_GROUND * SKY_CLOUD_KM) - ATM_GROUND * s;
   let p = normalize(dir.xz + vec2f(1e-9, 0.0)) * (t * cos(above)) - drift;
-  // The tile is seen foreshortened; between the two sides of the footprint lies the least blur without shimmer.
+  // A pixel's footprint is foreshortened. The geometric mean of its sides avoids both blur and shimmer.
   let footprint = t * pixel / sqrt(max(s, SKY_CLOUD_KM / t));
   let lod = log2(max(footprint * 512.0 / SKY_TILE_KM, 1e-3));
   let n = sky_cloud_noise(p, lod);
-  // Fewer clouds: only the peaks of the noise; a full deck: all of it.
+  // Few clouds are only the peaks of the noise; a full deck is all of it.
   let low = mix(0.82, -0.05, o);
   let cover = smoothstep(low, low + 0.22, n);
   let thick = clamp((n - low) / 0.75, 0.0, 1.0);
-  // The sun behind a thin edge, and the underside that fades from lit to grey as the cloud thickens.
+  // Sunlight through the thin edge of a cloud, and an underside that fades from lit to grey as the cloud thickens.
   let nu = dot(dir, sky.sun);
   let glow = light.sun * (0.35 * atm_mie_phase(nu)) * (1.0 - thick) * (1.0 - thick) * (1.0 - o);
   let lit = (light.sky + light.sun * max(sky.sun.y, 0.05)) * (0.85 / ATM_PI);
@@ -67,7 +67,7 @@ fn sky_radiance(dir: vec3f, above: f32, pixel: f32, drift: vec2f) -> vec4f {
   return vec4f(mix(air, body, shown), pow(1.0 - cover, 6.0));
 }
 
-// Where a direction lies in a sky's file: its middle is the horizon at the heading `turn`.
+// Texture coordinates of a direction in a sky from a file. The image centre is the horizon at the heading `turn`.
 fn sky_file_uv(dir: vec3f) -> vec2f {
   let azimuth = atan2(dir.x, -dir.z) / (2.0 * ATM_PI);
   return vec2f(0.5 + azimuth - sky.turn, 0.5 - atm_asin(dir.y) / ATM_PI);

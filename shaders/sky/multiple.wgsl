@@ -1,4 +1,5 @@
-// Light scattered more than once, as if isotropic (Hillaire 2020, section 5.5): second order and the geometric series.
+// Look-up table of light scattered more than once, as if isotropically (Hillaire 2020, section 5.5): the second order
+// of scattering, times the geometric series of the higher orders.
 
 @group(0) @binding(0) var<uniform> sky: Sky;
 @group(0) @binding(1) var transmittance_map: texture_2d<f32>;

@@ -1,4 +1,4 @@
-// Transmittance from an altitude to the top of the air, over elevation above the horizon and altitude.
+// Look-up table of the transmittance from an altitude to the top of the air: elevation above the horizon by altitude.
 
 @group(0) @binding(0) var<uniform> sky: Sky;
 @group(0) @binding(1) var transmittance_out: texture_storage_2d<rgba16float, write>;
@@ -13,7 +13,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   var depth = vec4f(0.0);
   const STEPS = 48;
   for (var i = 0; i < STEPS; i++) {
-    // Steps grow with the distance: the dense air is near.
+    // Steps grow with the distance, because the dense air is near.
     let a = f32(i) / f32(STEPS);
     let b = f32(i + 1) / f32(STEPS);
     let t = far * 0.5 * (a * a + b * b);

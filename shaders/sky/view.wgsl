@@ -1,5 +1,5 @@
-// Radiance of the clear air as seen from the eye, over azimuth from the sun and elevation above the horizon. Below the
-// horizon it is the light of the air in front of the sea.
+// Look-up table of the radiance of clear air as seen from the eye: azimuth from the sun by elevation above the horizon.
+// Below the horizon it is the light of the air in front of the sea.
 
 @group(0) @binding(0) var<uniform> sky: Sky;
 @group(0) @binding(1) var transmittance_map: texture_2d<f32>;
@@ -7,8 +7,8 @@
 @group(0) @binding(3) var sky_sampler: sampler;
 @group(0) @binding(4) var view_out: texture_storage_2d<rgba16float, write>;
 
-// Brightness of the night sky over that at the zenith, at the sine `mu` of an elevation: airglow is brighter low in the sky,
-// where the view passes through more of it. Rounding can make the sine exceed 1.
+// Brightness of the night sky relative to the zenith, at the elevation with sine `mu`. Airglow is brighter low in the
+// sky, where the view passes through more of it. Rounding can make `mu` exceed 1.
 fn view_airglow(mu: f32) -> f32 {
   let low = clamp(1.0 - mu, 0.0, 1.0);
   return 1.0 + 1.2 * low * low * low;
@@ -30,7 +30,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let nu = cos(elevation) * cos(azimuth) * flat_sun + mu * sky.sun.y;
   var far = atm_to_top(h, mu);
   if !upper {
-    // On the horizon itself rounding may miss the sea.
+    // Close to the horizon, rounding may make the ray miss the sea. Its lowest point is taken then.
     let ground = atm_to_ground(h, mu);
     far = select((ATM_GROUND + h) * max(-mu, 0.0), ground, ground >= 0.0);
   }
@@ -55,7 +55,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     radiance += through * source * (1.0 - step) / max(m.extinction, vec4f(1e-9));
     through *= step;
   }
-  // Starlight and airglow of a moonless night, as blue as the dark-adapted eye sees them.
+  // Starlight and airglow of a moonless night, as blue as the dark-adapted eye sees them; darker below the horizon.
   let glow = SKY_NIGHT * sky.night_gain * view_airglow(mu) * select(0.3, 1.0, upper);
   textureStore(view_out, id.xy, vec4f(min(atm_rgb(radiance) * sky.tint + glow, vec3f(6e4)), 1.0));
 }

@@ -1,12 +1,12 @@
-// Runs on GPUs: the inverse transform along z and the maps, a layer for each cascade, in one dispatch.
-//   displacement: Dx, eta, Dz, dDx/dz     gradients: d eta/dx, d eta/dz, dDx/dx, dDz/dz     (chop not applied)
+// Column pass for GPUs: the inverse FFT along z, and the maps with a layer for each cascade, in one dispatch.
+//   displacement: Dx, height eta, Dz, dDx/dz     gradients: d eta/dx, d eta/dz, dDx/dx, dDz/dz     (without choppiness)
 
 @group(0) @binding(0) var<uniform> sea: Sea;
-@group(0) @binding(1) var<storage, read> twiddle: array<vec2f>; // e^(2 pi i j / 1024)
+@group(0) @binding(1) var<storage, read> twiddle: array<vec2f>; // twiddle factors e^(2 pi i j / 1024)
 @group(0) @binding(2) var<storage, read_write> lines: array<vec4f>; // [cascade][pair][z][x]
-@group(0) @binding(3) var maps: texture_storage_2d_array<rgba16float, write>; // a third of the layers per kind
+@group(0) @binding(3) var maps: texture_storage_2d_array<rgba16float, write>; // a third of the layers for each kind
 
-// v is packed: Dx, Dz, eta, dDx/dz.
+// Stores a texel of the displacement map. The components of v are Dx, Dz, eta, dDx/dz.
 fn columns_store_0(c: u32, x: u32, z: u32, v: vec4f) {
   textureStore(maps, vec2u(x, z), sea.first_layer + c, v.xzyw);
   if sea.keep_f32 != 0u {
@@ -14,6 +14,7 @@ fn columns_store_0(c: u32, x: u32, z: u32, v: vec4f) {
   }
 }
 
+// Stores a texel of the gradient map.
 fn columns_store_1(c: u32, x: u32, z: u32, v: vec4f) {
   textureStore(maps, vec2u(x, z), textureNumLayers(maps) / 3u + sea.first_layer + c, v);
   if sea.keep_f32 != 0u {
@@ -21,7 +22,7 @@ fn columns_store_1(c: u32, x: u32, z: u32, v: vec4f) {
   }
 }
 
-// local.x: column, so that neighbouring threads read neighbouring points; local.y: thread of a column.
+// local.x is the column, so that neighbouring threads read neighbouring points; local.y is the thread of a column.
 @compute @workgroup_size(LINES, R2)
 fn main(@builtin(local_invocation_id) local: vec3u, @builtin(workgroup_id) group: vec3u) {
   let t = local.y;

@@ -1,20 +1,20 @@
-// h(k, t) of every wave, and its eight real fields packed in four complex ones.
-// Packing: F + i G transforms to f + i g with real f and g. Two pairs of complex fields:
-//   0: (Dx, Dz), (eta, dDx/dz)     1: (eta_x, eta_z), (dDx/dx, dDz/dz)
+// Amplitudes h(k, t) of all waves at a time, and their eight real fields, packed in four complex ones. Packing: the
+// complex field F + i G transforms to f + i g with real f and g. There are two pairs of complex fields:
+//   0: (Dx, Dz), (height eta, dDx/dz)     1: (d eta/dx, d eta/dz), (dDx/dx, dDz/dz)
 
 @group(0) @binding(0) var<uniform> sea: Sea;
 @group(0) @binding(1) var<storage, read> h0: array<vec2f>; // [cascade][iz][ix]
-@group(0) @binding(2) var<storage, read> wave: array<vec2u>; // turns, bits of orbit / |k|, per triangle entry
-@group(0) @binding(3) var<storage, read> twiddle: array<vec2f>; // e^(2 pi i j / 1024)
+@group(0) @binding(2) var<storage, read> wave: array<vec2u>; // per entry: cycles per period, bits of orbit ratio / |k|
+@group(0) @binding(3) var<storage, read> twiddle: array<vec2f>; // twiddle factors e^(2 pi i j / 1024)
 
-// The values that all waves of a line share.
+// Values that all waves of a line with the same kz share.
 struct EvolveLine {
   here: u32, // index in h0 of the line's first point
   opposite: u32, // index in h0 of the first point of the line with the opposite wave vectors
   entries: u32, // first entry of the cascade in the table of waves
-  z: i32,
-  dk: f32,
-  weight: f32,
+  z: i32, // signed wave-vector index along z
+  dk: f32, // spacing of the wave vectors, rad/m
+  weight: f32, // amplitude factor of the cascade
 }
 
 fn evolve_line(c: u32, z: u32) -> EvolveLine {
@@ -24,7 +24,8 @@ fn evolve_line(c: u32, z: u32) -> EvolveLine {
   return EvolveLine(base + z * N, opposite, entries, sea_signed(z, N), sea.cascades[c].dk, sea.weights[c]);
 }
 
-// xy: h(k, t) = h0(k) e^(-i w t) + conj(h0(-k)) e^(+i w t); z: orbit / |k|.
+// One wave of a line. xy: h(k, t) = h0(k) e^(-i w t) + conj(h0(-k)) e^(+i w t) with the angular frequency w; z: axis
+// ratio of the particle orbits / |k|, m.
 fn evolve_wave(line: EvolveLine, x: u32) -> vec3f {
   let a = h0[line.here + x];
   let b = h0[line.opposite + ((N - x) & (N - 1u))];
@@ -35,11 +36,12 @@ fn evolve_wave(line: EvolveLine, x: u32) -> vec3f {
   return vec3f(line.weight * (forward + backward), bitcast<f32>(entry.y));
 }
 
+// Wave vector (kx, kz) of a wave, rad/m.
 fn evolve_vector(line: EvolveLine, x: u32) -> vec2f {
   return vec2f(f32(sea_signed(x, N)), f32(line.z)) * line.dk;
 }
 
-// One pair of complex fields of a wave, packed.
+// Fourier amplitudes of two complex fields of a wave; `pair` is 0 or 1.
 fn evolve_pack(pair: u32, line: EvolveLine, x: u32, wave: vec3f) -> vec4f {
   let k = evolve_vector(line, x);
   let unit = k * wave.z;

@@ -1,4 +1,4 @@
-// A map's texel in a buffer: four floats.
+// Texel of a map in a storage buffer, as four 32-bit floats.
 
 alias MapTexel = vec4f;
 

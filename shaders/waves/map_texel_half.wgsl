@@ -1,4 +1,4 @@
-// A map's texel in a buffer: four half floats.
+// Texel of a map in a storage buffer, as four half floats.
 
 alias MapTexel = vec2u;
 

@@ -1,11 +1,11 @@
-// A texel of the next mip level of all maps: displacement and gradients averaged over 2 x 2 texels, and the second
-// moments of the slopes, from which the renderer derives the roughness that a pixel cannot resolve. Moments start at
-// mip level 1: the moments of level 0 are products of its slopes.
+// Computes a texel of the next mip level of all maps: displacement and gradients averaged over 2 x 2 texels, and the
+// second moments of the slopes, from which the renderer derives the roughness that a pixel cannot resolve. Moments
+// start at mip level 1, with products of the slopes of level 0.
 
-override FIRST: bool = false; // whether `above` is level 0, whose moments are products of its slopes
+override FIRST: bool = false; // whether `above` is mip level 0, which has no stored moments
 
 @group(0) @binding(0) var<uniform> sea: Sea;
-@group(0) @binding(1) var above: texture_2d_array<f32>; // a third of the layers each: displacement, gradients, moments
+@group(0) @binding(1) var above: texture_2d_array<f32>; // layers in thirds: displacement, gradients, moments
 
 struct MipsTexel {
   displacement: vec4f,
@@ -13,11 +13,12 @@ struct MipsTexel {
   moments: vec4f,
 }
 
-// Number of layers of one kind of map.
+// Number of layers of each kind of map, including those of another sea.
 fn mips_room() -> u32 {
   return textureNumLayers(above) / 3u;
 }
 
+// Second moments (xx, zz, xz, 0) of the slopes at a texel of the level `above`, in units of `moment_scale`.
 fn mips_moment(at: vec2u, cascade: u32, room: u32, slopes: vec2f) -> vec4f {
   if FIRST {
     let products = vec3f(slopes.x * slopes.x, slopes.y * slopes.y, slopes.x * slopes.y);
@@ -26,7 +27,7 @@ fn mips_moment(at: vec2u, cascade: u32, room: u32, slopes: vec2f) -> vec4f {
   return textureLoad(above, at, 2u * room + sea.first_layer + cascade, 0);
 }
 
-// Mean of the four texels of the level above that the texel `at` covers.
+// Mean of the 2 x 2 texels of the level `above` that the texel `at` of the next level covers.
 fn mips_mean(at: vec2u, cascade: u32) -> MipsTexel {
   let room = mips_room();
   let layer = sea.first_layer + cascade;

@@ -1,7 +1,7 @@
-// Runs on GPUs: up to four mip levels in one dispatch. A workgroup covers 16 x 16 texels of the level above; its
-// threads pass their means on through workgroup memory.
+// Mip pass for GPUs: up to four mip levels in one dispatch. A workgroup covers 16 x 16 texels of the level that is
+// read. Its threads pass their means on through workgroup memory.
 
-override LEVELS: u32 = 4u;
+override LEVELS: u32 = 4u; // number of mip levels that are written
 
 @group(0) @binding(2) var below_1: texture_storage_2d_array<rgba16float, write>;
 @group(0) @binding(3) var below_2: texture_storage_2d_array<rgba16float, write>;
@@ -39,7 +39,7 @@ fn mips_store(level: u32, at: vec2u, layer: u32, mean: MipsTexel) {
 @compute @workgroup_size(8, 8)
 fn main(@builtin(local_invocation_id) local: vec3u, @builtin(workgroup_id) group: vec3u) {
   let layer = sea.first_layer + group.z;
-  // Stores outside a level smaller than a workgroup have no effect.
+  // If a level is smaller than a workgroup, stores outside the level have no effect.
   var mean = mips_mean(8u * group.xy + local.xy, group.z);
   mips_store(1u, 8u * group.xy + local.xy, layer, mean);
   for (var level = 2u; level <= LEVELS; level++) {

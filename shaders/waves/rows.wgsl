@@ -1,10 +1,10 @@
-// Runs on GPUs: the waves at a time and their inverse transform along x, in one dispatch.
+// Row pass for GPUs: the waves at a time and their inverse FFT along x, in one dispatch.
 
 @group(0) @binding(4) var<storage, read_write> lines: array<vec4f>; // [cascade][pair][iz][x]
 
 var<private> rows_h: array<vec3f, 32>;
 
-// local.x: thread of a line; local.y: line.
+// local.x is the thread of a line; local.y is the line.
 @compute @workgroup_size(R2, LINES)
 fn main(@builtin(local_invocation_id) local: vec3u, @builtin(workgroup_id) group: vec3u) {
   let t = local.x;

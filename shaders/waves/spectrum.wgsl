@@ -1,12 +1,14 @@
-// h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz), once per sea; during an interpolation between two seas of the same waves,
-// one step from the current h0 towards this value. S(k) is a sum of terms: lobes around the direction of a wave system,
-// and directional distributions measured by a buoy.
+// Spectrum pass: the amplitudes h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz) with normal random numbers xr and xi, once
+// per sea. During an interpolation between two seas of the same waves, it makes one step from the current h0 towards
+// this value. The spectrum S(k) is a sum of terms: spreading lobes around the direction of a wave system, and
+// directional distributions measured by a buoy.
 
 @group(0) @binding(0) var<uniform> sea: Sea;
-@group(0) @binding(1) var<storage, read> radial: array<vec4f>; // waves/table.rs: `stride` quadruples per triangle entry
+@group(0) @binding(1) var<storage, read> radial: array<vec4f>; // wave table (src/waves/table.rs), `stride` per entry
 @group(0) @binding(2) var<storage, read_write> h0: array<vec2f>; // [cascade][iz][ix]
 
-// sech^2(beta theta) cos^{2s}(theta/2), times cos^2 over the whole circle (kind 1) or over its forward half (kind 2).
+// Shape of a spreading lobe at the angle theta from its direction: sech^2(beta theta) cos^{2s}(theta/2), times cos^2
+// over the whole circle (kind 1) or over its forward half (kind 2).
 fn spectrum_lobe(term: SeaTerm, beta: f32, s: f32, k: vec2f) -> f32 {
   let along = dot(term.travel, k);
   let across = abs(term.travel.x * k.y - term.travel.y * k.x);
@@ -23,7 +25,8 @@ fn spectrum_lobe(term: SeaTerm, beta: f32, s: f32, k: vec2f) -> f32 {
   return shape;
 }
 
-// 1 / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2: maximum-entropy distribution (Lygre and Krogstad 1986).
+// Shape of a directional distribution measured by a buoy, from the maximum-entropy method (Lygre and Krogstad 1986): 1
+// / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2.
 fn spectrum_measured(phi1: vec2f, phi2: vec2f, k: vec2f) -> f32 {
   let unit = k / length(k);
   let back = vec2f(unit.x, -unit.y);
@@ -31,7 +34,7 @@ fn spectrum_measured(phi1: vec2f, phi2: vec2f, k: vec2f) -> f32 {
   return 1.0 / max(dot(z, z), 1e-12);
 }
 
-// Variance of each component of h0.
+// Variance of the real and of the imaginary part of h0, m^2, for a table entry and a wave vector's direction.
 fn spectrum_variance(entry: u32, k: vec2f) -> f32 {
   var sum = 0.0;
   for (var i = 0u; i < sea.term_count; i++) {
@@ -55,7 +58,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let cascade = sea.cascades[id.z];
   let ix = sea_signed(id.x, n);
   let iz = sea_signed(id.y, n);
-  // The Nyquist row and column have no partner: i k h would not be Hermitian there.
+  // Waves at the Nyquist wavenumber have no opposite wave in the lattice, so i k h would not be Hermitian. They stay 0.
   let nyquist = -i32(n / 2u);
   var h = vec2f(0.0);
   if (ix != 0 || iz != 0) && ix != nyquist && iz != nyquist {
@@ -64,6 +67,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     h = gauss * sqrt(variance);
   }
   let at = (id.z * n + id.y) * n + id.x;
-  // The last step selects h, because mix would not end on it exactly.
+  // The last step of an interpolation selects h, because mix would not end exactly on h.
   h0[at] = select(mix(h0[at], h, sea.blend), h, sea.blend >= 1.0);
 }

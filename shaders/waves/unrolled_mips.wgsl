@@ -1,4 +1,4 @@
-// Runs on software adapters: one mip level in one dispatch, without a barrier.
+// Mip pass for software adapters: one mip level in one dispatch, without a barrier.
 
 @group(0) @binding(2) var below: texture_storage_2d_array<rgba16float, write>;
 

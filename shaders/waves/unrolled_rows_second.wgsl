@@ -1,5 +1,5 @@
-// Runs on software adapters: the second half of the transform along x. Thread (k1, z) computes one pair of a cascade.
-// src/shaders/unrolled.rs generates rows_second.
+// Row pass for software adapters, second dispatch: the second half of the inverse FFT along x. Thread (k1, z) computes
+// one pair of a cascade. src/shaders/unrolled.rs generates the function rows_second.
 
 @group(0) @binding(0) var<storage, read> halves: array<vec4f>; // [cascade][pair][iz][k1][n2]
 @group(0) @binding(1) var<storage, read_write> lines: array<vec4f>; // [cascade][pair][iz][x]

@@ -1,18 +1,20 @@
-// Runs on GPUs: both halves of the transform in one dispatch. R2 threads share a line. Thread t transforms the points
-// n1 R2 + t in its registers, writes them to workgroup memory, and transforms over n2 what it reads back.
+// FFT for GPUs: both halves of the transform in one dispatch. R2 threads share a line. Thread t transforms the points
+// n1 R2 + t in its registers, writes the results to workgroup memory, and transforms over n2 what it reads back.
 
 override R1: u32 = 16u;
 override R2: u32 = 16u;
-override LINES: u32 = 4u; // lines of a workgroup
-override EXCHANGE: u32 = 1024u; // LINES x N
+override LINES: u32 = 4u; // number of lines that a workgroup transforms
+override EXCHANGE: u32 = 1024u; // vec4f in workgroup memory, LINES x N
 
 var<private> fft_v: array<vec4f, 32>;
 var<workgroup> fft_shared: array<vec4f, EXCHANGE>;
 
+// Multiplies point i by the twiddle factor re + i im.
 fn fft_twist(i: u32, re: f32, im: f32) {
   fft_v[i] = fft_mul(fft_v[i], vec2f(re, im));
 }
 
+// Inverse FFT of two points in place.
 fn fft_2(a: u32, b: u32) {
   let u = fft_v[a];
   let w = fft_v[b];
@@ -20,7 +22,7 @@ fn fft_2(a: u32, b: u32) {
   fft_v[b] = u - w;
 }
 
-// Four-point transform in place, natural order.
+// Inverse FFT of four points in place, in natural order.
 fn fft_4(a: u32, b: u32, c: u32, d: u32) {
   let s0 = fft_v[a] + fft_v[c];
   let s1 = fft_v[a] - fft_v[c];
@@ -36,12 +38,12 @@ fn fft_4(a: u32, b: u32, c: u32, d: u32) {
 const FFT_H = 0.70710678118654752; // cos(2 pi / 8)
 const FFT_C1 = 0.92387953251128676; // cos(2 pi / 16)
 const FFT_S1 = 0.38268343236508977;
-const FFT_A1 = 0.98078528040323045; // cos(2 pi k / 32), k = 1, 3
+const FFT_A1 = 0.98078528040323045; // A: cos(2 pi k / 32), B: sin(2 pi k / 32) for k = 1 and 3
 const FFT_B1 = 0.19509032201612827;
 const FFT_A3 = 0.83146961230254524;
 const FFT_B3 = 0.55557023301960222;
 
-// Eight points, from slot o on. X[k] ends in slot 2 (k % 4) + k / 4.
+// Inverse FFT of eight points, from slot o on. The result X[k] ends in slot o + 2 (k % 4) + k / 4.
 fn fft_8(o: u32) {
   fft_4(o, o + 2u, o + 4u, o + 6u);
   fft_4(o + 1u, o + 3u, o + 5u, o + 7u);
@@ -54,7 +56,7 @@ fn fft_8(o: u32) {
   fft_2(o + 6u, o + 7u);
 }
 
-// Sixteen points. X[k] ends in slot 4 (k % 4) + k / 4.
+// Inverse FFT of sixteen points. The result X[k] ends in slot 4 (k % 4) + k / 4.
 fn fft_16() {
   fft_4(0u, 4u, 8u, 12u);
   fft_4(1u, 5u, 9u, 13u);
@@ -75,7 +77,7 @@ fn fft_16() {
   fft_4(12u, 13u, 14u, 15u);
 }
 
-// Thirty-two points. X[k] ends in slot 8 (k % 4) + the slot of k / 4 in fft_8.
+// Inverse FFT of 32 points. The result X[k] ends in slot 8 (k % 4) + the slot of X[k / 4] in fft_8.
 fn fft_32() {
   fft_4(0u, 8u, 16u, 24u);
   fft_4(1u, 9u, 17u, 25u);
@@ -85,7 +87,7 @@ fn fft_32() {
   fft_4(5u, 13u, 21u, 29u);
   fft_4(6u, 14u, 22u, 30u);
   fft_4(7u, 15u, 23u, 31u);
-  // W_32^(n2 k1) at slot n2 + 8 k1.
+  // Twiddle factors e^(2 pi i n2 k1 / 32) at slot n2 + 8 k1.
   fft_twist(9u, FFT_A1, FFT_B1);
   fft_twist(10u, FFT_C1, FFT_S1);
   fft_twist(11u, FFT_A3, FFT_B3);
@@ -113,6 +115,7 @@ fn fft_32() {
   fft_8(24u);
 }
 
+// Inverse FFT of 8, 16 or 32 points in fft_v.
 fn fft_registers(size: u32) {
   if size == 32u {
     fft_32();
@@ -123,7 +126,7 @@ fn fft_registers(size: u32) {
   }
 }
 
-// The slot of X[k] after fft_registers.
+// Index in fft_v of the result X[k] of fft_registers.
 fn fft_slot(k: u32, size: u32) -> u32 {
   if size == 32u {
     return 8u * (k & 3u) + 2u * ((k >> 2u) & 3u) + (k >> 4u);
@@ -134,7 +137,7 @@ fn fft_slot(k: u32, size: u32) -> u32 {
   return 2u * (k & 3u) + (k >> 2u);
 }
 
-// Index of (k1, n2) in a line's part of the workgroup memory: a permutation that avoids bank conflicts.
+// Index of the value (k1, n2) in a line's part of the workgroup memory: a permutation that avoids bank conflicts.
 fn fft_place(k1: u32, n2: u32) -> u32 {
   return k1 * R2 + (n2 ^ (k1 & (R2 - 1u)));
 }

@@ -1,21 +1,21 @@
-//! Limits of the adapter, measured in the same run as the passes.
+//! Measures the peak rates of the adapter, in the same run as the passes that are compared with them.
 
 use super::clock::Stopwatch;
 use crate::gpu::kit::{Attachments, Program, Slot, begin_compute};
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::{Gpu, offscreen};
 
-/// Bytes of the copied buffer: more than the caches of most GPUs, and within the base limits.
+/// Size of the copied buffer, bytes: more than the caches of most GPUs, and within WebGPU's base limits.
 const COPY_BYTES: u64 = 128 << 20;
-/// Number of empty dispatches in the measured chain.
+/// Number of empty dispatches that are timed together.
 const CHAIN: u32 = 32;
-/// Multiply-adds of each of a pixel's eight chains in the arithmetic shader.
+/// Number of multiply-adds in each of the eight chains that a pixel of the arithmetic shader computes.
 const CHAIN_OPS: u32 = 256;
-/// Side of the render target of both fragment shaders, pixels.
+/// Side of the square render target of the two fragment shaders that are timed, pixels.
 const SIDE: u32 = 512;
-/// Texture samples per pixel of the reading shader.
+/// Number of texture samples per pixel in the shader that measures texture reads.
 const READS: u32 = 16;
-/// Side of the map that is read, texels, and its number of mip levels.
+/// Side of the texture that the reading shader samples, texels. The number of its mip levels follows.
 const MAP_SIDE: u32 = 256;
 const MAP_LEVELS: u32 = 9;
 
@@ -24,17 +24,17 @@ const MAP_LEVELS: u32 = 9;
 pub struct Ceilings {
     /// Bandwidth of a large copy, bytes read plus bytes written, GB/s.
     pub copy_gb_s: f64,
-    /// Time of an empty dispatch in its own compute pass, within a chain of such passes, ms.
+    /// Time of one empty dispatch in a compute pass of its own, ms: the mean of many dispatches in a row.
     pub launch_ms: f64,
-    /// Multiplications and additions of a fragment shader without other work, 1e9 per second.
+    /// Rate of multiplications and additions in a fragment shader without other work, 1e9 per second.
     pub shading_gflop_s: f64,
-    /// Trilinear samples of a map in the program's format by a fragment shader without other work, 1e9 per second. All
-    /// pixels of a quad read the same mip level.
+    /// Rate of trilinear samples in the maps' texture format, in a fragment shader without other work, 1e9 per second.
+    /// All pixels of a 2 x 2 quad read the same mip level.
     pub reads_g_s: f64,
 }
 
 impl Ceilings {
-    /// Measures the limits.
+    /// Measures all peak rates on the stopwatch's device.
     ///
     /// # Errors
     /// If waiting for the GPU fails.
@@ -85,7 +85,8 @@ impl Ceilings {
 
 const TARGET: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 
-/// Eight independent chains hide the latency. The factors depend on the pixel, so that the compiler cannot fold them.
+/// Fragment shader that measures arithmetic. Eight independent chains hide latency. The factors depend on the pixel, so
+/// that the compiler cannot precompute them.
 const ARITHMETIC: &str = "
 @fragment fn fragment(@builtin(position) at: vec4f) -> @location(0) vec4f {
   let by = at.xyxy * 1e-4;
@@ -98,7 +99,7 @@ const ARITHMETIC: &str = "
   return a + b;
 }";
 
-/// Consecutive samples are far apart, so that caches help little.
+/// Fragment shader that measures texture reads. Consecutive samples are far apart, so that caches help little.
 const READ: &str = "
 @group(0) @binding(0) var map: texture_2d<f32>;
 @group(0) @binding(1) var between: sampler;
@@ -110,7 +111,7 @@ const READ: &str = "
   return sum;
 }";
 
-/// The pipeline that reads a map, and its bind group.
+/// Creates the pipeline that measures texture reads, and its bind group.
 fn map_reads(gpu: &Gpu) -> (wgpu::RenderPipeline, wgpu::BindGroup) {
     let layout = gpu.layout("reads", wgpu::ShaderStages::FRAGMENT, &[Slot::Texture, Slot::Sampler]);
     let (format, usage) = (MapFormat::of(gpu).texture(), wgpu::TextureUsages::TEXTURE_BINDING);
@@ -127,7 +128,7 @@ const FULL_SCREEN: &str = "
   return vec4f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }";
 
-/// A pipeline that covers the whole target with a fragment shader.
+/// Creates a pipeline that runs a fragment shader on every pixel of the render target.
 fn full_screen(gpu: &Gpu, label: &str, fragment: &str, layouts: &[&wgpu::BindGroupLayout]) -> wgpu::RenderPipeline {
     let module = gpu.module(label, &[FULL_SCREEN, fragment].concat());
     gpu.render(label, &Program::new(&module), layouts, &Attachments { formats: &[TARGET], depth: None })

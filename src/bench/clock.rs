@@ -1,49 +1,49 @@
-//! Times recorded work: by the GPU's timestamps where it has them, and from the submission to its end.
+//! Measures how long GPU work takes: by timestamps where the GPU has them, and from submission to completion.
 
 use crate::gpu::Gpu;
 use crate::gpu::readback;
 use crate::gpu::timer;
 use web_time::Instant;
 
-/// Least time of a submission, ms, so that the cost of submitting and waiting counts little.
+/// Shortest duration of a timed submission, ms. Short work is repeated, so that submitting and waiting count little.
 const LEAST_MS: f64 = 10.0;
-/// Most repetitions within one submission.
+/// Largest number of repetitions of the work within one submission.
 const MOST_AT_ONCE: u32 = 64;
 
-/// Times of one piece of work, ms.
+/// Measured times of one repetition of a piece of GPU work, ms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Timing {
-    /// Median time between the timestamps; `None` without timestamps.
+    /// Median of the GPU time by timestamps, ms. `None` without timestamps.
     pub gpu: Option<f64>,
-    /// Least time from the submission to its end, divided by the repetitions in the submission.
+    /// Shortest time from submission to completion, divided by the repetitions in the submission, ms.
     pub least: f64,
-    /// 10th percentile, median and 90th percentile of the time from the submission to its end, per repetition.
+    /// 10th percentile, median and 90th percentile of the time from submission to completion, per repetition, ms.
     pub spread: [f64; 3],
-    /// Least CPU time of all threads of the process, per repetition; `None` where the system does not tell.
+    /// Smallest CPU time of all threads of the process, per repetition, ms. `None` where the system does not tell.
     pub cpu: Option<f64>,
 }
 
 impl Timing {
-    /// The time to compare: by timestamps if there are any, else the median from the submission to its end.
+    /// Representative time, ms: the GPU time if there are timestamps, else the median from submission to completion.
     pub fn ms(&self) -> f64 {
         self.gpu.unwrap_or(self.spread[1])
     }
 }
 
-/// Whether timestamps measure the execution. A software adapter writes them when it takes the commands, before it
+/// Whether timestamps measure the execution. A software adapter writes them when it receives the commands, before it
 /// executes them.
 fn has_true_timestamps(gpu: &Gpu) -> bool {
     !gpu.is_software() && gpu.device.features().contains(timer::FEATURES)
 }
 
-/// Times work on a device.
+/// Measures how long GPU work takes on a device.
 pub struct Stopwatch<'a> {
-    /// The device.
+    /// The device that is measured.
     pub gpu: &'a Gpu,
     stamps: Option<Stamps>,
-    /// Measured submissions for each piece of work.
+    /// Number of timed submissions for each piece of work.
     pub repeat: u32,
-    /// Most repetitions within one submission.
+    /// Largest number of repetitions of the work within one submission.
     pub at_once: u32,
 }
 
@@ -73,7 +73,7 @@ impl Stamps {
         })
     }
 
-    /// Writes the first or the last pair of timestamps: between passes, or by an empty pass.
+    /// Writes two timestamps, before the work or after it (`last`): directly between passes, or by an empty pass.
     fn mark(&self, encoder: &mut wgpu::CommandEncoder, last: bool) {
         let at = 2 * u32::from(last);
         if self.between_passes {
@@ -91,7 +91,7 @@ impl Stamps {
         }));
     }
 
-    /// Time from the end of the first mark to the beginning of the last, ms.
+    /// Reads the GPU time between the pairs of timestamps before and after the work, ms.
     async fn read(&self, gpu: &Gpu, staged: wgpu::Buffer) -> Result<f64, String> {
         let stamps: Vec<u64> = bytemuck::pod_collect_to_vec(&readback::read(gpu, staged).await?);
         Ok(1e-6 * self.period_ns * stamps[2].saturating_sub(stamps[1]) as f64)
@@ -99,17 +99,17 @@ impl Stamps {
 }
 
 impl<'a> Stopwatch<'a> {
-    /// A stopwatch that times `repeat` submissions for every piece of work.
+    /// Creates a stopwatch that makes `repeat` timed submissions for every piece of work.
     pub fn new(gpu: &'a Gpu, repeat: u32) -> Self {
         Self { gpu, stamps: Stamps::new(gpu), repeat: repeat.max(1), at_once: MOST_AT_ONCE }
     }
 
-    /// Whether times come from timestamps.
+    /// Whether times are measured with GPU timestamps.
     pub fn has_stamps(&self) -> bool {
         self.stamps.is_some()
     }
 
-    /// Times the commands that `record` records; its first argument counts its calls.
+    /// Measures the commands that `record` records. The first argument of `record` counts its earlier calls.
     ///
     /// # Errors
     /// If waiting for the GPU fails.
@@ -157,14 +157,14 @@ impl<'a> Stopwatch<'a> {
             sorted.sort_by(f64::total_cmp);
             sorted[((sorted.len() - 1) as f64 * q).round() as usize]
         };
-        // Timestamps without resolution give 0.
+        // Timestamps that are too coarse give 0, which is no measurement.
         let gpu = (!stamps.is_empty()).then(|| at(&mut stamps, 0.5)).filter(|&ms| ms > 0.0);
         let spread = [0.1, 0.5, 0.9].map(|q| at(&mut waits, q));
         Ok(Timing { gpu, least: waits[0], spread, cpu: least_cpu })
     }
 }
 
-/// CPU time of all threads of this process, ms; `None` where there is no Linux schedstat.
+/// CPU time that all threads of this process have used, ms. `None` where Linux's schedstat files are missing.
 fn cpu_ms() -> Option<f64> {
     let threads = std::fs::read_dir("/proc/self/task").ok()?;
     let spent = |thread: std::fs::DirEntry| -> Option<f64> {

@@ -1,5 +1,5 @@
-//! Times every pass, beside the limits of the adapter and a baseline: the waves as browser demos compute them. Runs
-//! natively and on the page.
+//! Benchmark: times every pass, and measures for comparison the adapter's peak rates and a baseline that computes the
+//! waves as browser demos do. Runs natively and on the web page.
 
 pub mod ceilings;
 pub mod clock;
@@ -18,41 +18,41 @@ use cost::Cost;
 use per_stage::PerStage;
 use std::fmt;
 
-/// Format of the timed pictures.
+/// Texture format of the pictures that are timed.
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-/// FFT sizes and numbers of cascades of the matrix.
+/// FFT sizes of the benchmark matrix, which times the simulation for each size and number of cascades.
 const MATRIX_N: [u32; 4] = [128, 256, 512, 1024];
 const MATRIX_CASCADES: [u32; 4] = [1, 2, 3, 4];
-/// FFT sizes and numbers of cascades for the comparison with the baseline.
+/// FFT size and number of cascades of each comparison with the baseline.
 const BASELINES: [[u32; 2]; 2] = [[256, 3], [512, 4]];
 
-/// The measurements to make.
+/// What a benchmark measures, and how often.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BenchOptions {
-    /// Sizes of the pictures, pixels; none leaves the picture out.
+    /// Widths and heights of the timed pictures, pixels. If empty, no picture is timed.
     pub sizes: Vec<[u32; 2]>,
-    /// Submissions for each number.
+    /// Number of timed submissions for each measurement.
     pub repeat: u32,
-    /// Whether to measure the simulation for every n and number of cascades of the matrix.
+    /// Whether to time the simulation for every FFT size and number of cascades, instead of only for the given state.
     pub matrix: bool,
-    /// Whether to measure the baseline.
+    /// Whether to time the baseline, an FFT with one dispatch per stage, as well.
     pub baseline: bool,
 }
 
-/// The measured time of one pass.
+/// Measured time of one pass, with what is needed to judge it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PassTiming {
-    /// Name of the pass.
+    /// Name of the pass, as it stands in the report.
     pub pass: &'static str,
-    /// FFT size and number of cascades, for passes of the simulation.
+    /// FFT size and number of cascades. None for passes of the picture.
     pub sea: Option<[u32; 2]>,
-    /// Width and height in pixels, for passes of the picture.
+    /// Width and height of the picture, pixels. None for passes of the simulation.
     pub size: Option<[u32; 2]>,
-    /// The times.
+    /// Measured times of the pass.
     pub timing: Timing,
-    /// Least memory traffic and arithmetic, where known.
+    /// Minimum memory traffic and arithmetic of the pass, where known.
     pub cost: Option<Cost>,
-    /// Number of compute dispatches, where counted.
+    /// Number of compute dispatches of the pass, where counted.
     pub dispatches: Option<u32>,
 }
 
@@ -62,24 +62,24 @@ impl PassTiming {
     }
 }
 
-/// All times of a state on an adapter.
+/// Result of a benchmark: all times of one state on one adapter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BenchReport {
-    /// State string.
+    /// State string: the parameters of the timed state as text.
     pub state: String,
-    /// Name of the adapter and of its backend.
+    /// Name of the graphics adapter and of its backend.
     pub adapter: String,
-    /// Whether times come from timestamps.
+    /// Whether times are measured with GPU timestamps.
     pub has_stamps: bool,
-    /// Submissions for each number.
+    /// Number of timed submissions for each measurement.
     pub repeat: u32,
-    /// Peak rates of the adapter.
+    /// Measured peak rates of the adapter.
     pub ceilings: Ceilings,
-    /// The measured passes.
+    /// Times of all measured passes, in the order of the measurements.
     pub rows: Vec<PassTiming>,
 }
 
-/// Measures a state on a device. `progress` gets the name of each measurement before it starts.
+/// Runs the benchmark of a state on a device. `progress` gets the name of each measurement before it starts.
 ///
 /// # Errors
 /// If waiting for the GPU fails.
@@ -131,7 +131,7 @@ fn with_grid(params: &Params, [n, cascades]: [u32; 2]) -> Params {
     out
 }
 
-/// The passes of the simulation, each by itself, and all of a frame.
+/// Times the passes of the simulation: each pass alone, and all passes of a frame together.
 async fn simulation(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<PassTiming>, String> {
     let mut ocean = Ocean::waves_only(clock.gpu, params);
     let MapSizes { n, cascades, foam_n, format } = ocean.map_sizes();
@@ -156,7 +156,7 @@ async fn simulation(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<PassTi
     Ok(rows)
 }
 
-/// Times the program's waves and the baseline.
+/// Times the program's waves and, for comparison, those of the baseline.
 async fn baseline(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<PassTiming>, String> {
     let gpu = clock.gpu;
     let mut ocean = Ocean::waves_only(gpu, params);
@@ -178,7 +178,7 @@ async fn baseline(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<PassTimi
     Ok(vec![ours, theirs])
 }
 
-/// Times the passes of the picture, and whole frames with waves and foam at 60 frames per second.
+/// Times the passes of a picture of `size` pixels, and whole frames with waves and foam at 60 frames per second.
 async fn picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) -> Result<Vec<PassTiming>, String> {
     let gpu = clock.gpu;
     let mut ocean = Ocean::new(gpu, FORMAT, Film::Screen, params);
@@ -205,7 +205,7 @@ async fn picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) -> Resu
     let present = clock.time(|_, encoder| offscreen::draw_over(encoder, &target, |pass| ocean.present(pass)));
     out.push(PassTiming { cost: Some(counted.present()), ..row("present", present.await?) });
     let mut frame = params.clone();
-    // The uniforms of a frame hold for one submission.
+    // Uniforms are written once per submission, so that a submission can hold only one frame.
     let mut one = Stopwatch::new(gpu, clock.repeat);
     one.at_once = 1;
     let frames = one.time(|i, encoder| {
@@ -230,7 +230,7 @@ async fn picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) -> Resu
     Ok(out)
 }
 
-/// What the picture of a state consists of.
+/// Counts the pixels, vertices and map bytes of the picture of a state.
 fn counted(params: &Params, ocean: &Ocean, size: [u32; 2]) -> cost::PictureContents {
     let sizes = ocean.map_sizes();
     let [width, height] = size.map(f64::from);
@@ -247,13 +247,13 @@ fn counted(params: &Params, ocean: &Ocean, size: [u32; 2]) -> cost::PictureConte
 }
 
 impl BenchReport {
-    /// Time of a pass over the time of the last pass called `over` with the same n.
+    /// Ratio of the time of the pass `of` to that of the last pass with the name `over` and the same FFT size.
     fn ratio(&self, of: &PassTiming, over: &'static str) -> Option<f64> {
         let other = self.rows.iter().rfind(|r| r.pass == over && r.sea.map(|s| s[0]) == of.sea.map(|s| s[0]))?;
         Some(of.timing.ms() / other.timing.ms())
     }
 
-    /// Sentences that compare the program with the baseline.
+    /// Sentences that compare the times of the program with those of the baseline.
     pub fn comparisons(&self) -> Vec<String> {
         let mut out = Vec::new();
         for theirs in self.rows.iter().filter(|r| r.pass == "waves, a dispatch per stage") {

@@ -1,6 +1,6 @@
-//! The baseline: waves as common browser demos compute them. Every radix-2 stage of every field of every cascade is a
-//! dispatch from texture to texture, with factors from a texture; a last dispatch per cascade merges the fields into
-//! maps. A test checks that the maps are the program's.
+//! The baseline: computes the waves as common browser demos do. Every radix-2 stage of the FFT of every field of every
+//! cascade is a dispatch from texture to texture, with factors from a texture. A last dispatch per cascade merges the
+//! fields into maps. A test checks that these maps equal the program's.
 //!
 //! The baseline is a fair one: bind groups are created once, and spectra lie in the order of the transform, so that no
 //! pass permutes them.
@@ -11,7 +11,7 @@ use crate::ocean::Maps;
 use bytemuck::{Pod, Zeroable};
 use std::f64::consts::TAU;
 
-/// Complex fields of a cascade; each packs two real fields.
+/// Number of complex fields of a cascade. Each packs two real fields.
 const FIELDS: usize = 4;
 
 #[repr(C)]
@@ -23,7 +23,7 @@ struct Evolve {
     unused: u32,
 }
 
-/// A dispatch over all texels, in workgroups of 8 x 8.
+/// A dispatch over all texels of a texture, in workgroups of 8 x 8.
 struct Dispatch {
     pipeline: wgpu::ComputePipeline,
     group: wgpu::BindGroup,
@@ -37,17 +37,18 @@ impl Dispatch {
     }
 }
 
-/// The waves with one dispatch per stage.
+/// The baseline: waves by an FFT with one dispatch per stage.
 pub struct PerStage {
     dispatches: Vec<Dispatch>,
-    /// Map of Dx, eta, Dz and dDx/dz of every cascade.
+    /// Displacement map of every cascade: horizontal displacement Dx, height eta, Dz (m) and dDx/dz.
     pub displacement: Vec<wgpu::Texture>,
-    /// Map of d eta/dx, d eta/dz, dDx/dx and dDz/dz of every cascade.
+    /// Gradient map of every cascade: slopes d eta/dx and d eta/dz, then dDx/dx and dDz/dz of the displacement.
     pub gradients: Vec<wgpu::Texture>,
 }
 
 impl PerStage {
-    /// The dispatches for the waves of the maps' current sea at the time of the maps; its h0 must have been computed.
+    /// Creates the dispatches for the waves of the current sea of `maps`, at the time of `maps`. The sea's amplitudes
+    /// h0 must have been computed.
     pub fn new(gpu: &Gpu, maps: &Maps) -> Self {
         let n = maps.n;
         let transform = Transform::new(gpu, n);
@@ -80,12 +81,12 @@ impl PerStage {
         out
     }
 
-    /// Number of dispatches.
+    /// Number of compute dispatches for all cascades.
     pub fn dispatches(&self) -> usize {
         self.dispatches.len()
     }
 
-    /// Records the dispatches, each in its own compute pass.
+    /// Records all dispatches of the baseline, each in a compute pass of its own.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder) {
         for dispatch in &self.dispatches {
             let mut pass = begin_compute(encoder, "stage");
@@ -96,12 +97,12 @@ impl PerStage {
     }
 }
 
-/// Pipeline and resources of the transforms, shared by all fields.
+/// Pipeline and resources of the FFT, shared by all fields.
 struct Transform {
     n: u32,
     stage: wgpu::ComputePipeline,
     butterfly: wgpu::TextureView,
-    /// Uniforms of every stage, along rows and then along columns.
+    /// Uniform buffer of every FFT stage: first the stages along rows, then those along columns.
     stages: Vec<wgpu::Buffer>,
 }
 
@@ -120,7 +121,7 @@ impl Transform {
         }
     }
 
-    /// Two textures of a field; each stage reads one and writes the other.
+    /// Creates the two textures of a field. Each FFT stage reads one and writes the other.
     fn pair(&self, gpu: &Gpu) -> [wgpu::TextureView; 2] {
         std::array::from_fn(|_| {
             output(gpu, "field", self.n, wgpu::TextureFormat::Rg32Float)
@@ -128,7 +129,7 @@ impl Transform {
         })
     }
 
-    /// The dispatches that transform a pair's first texture in place: the number of stages is even.
+    /// Creates the dispatches of a field's FFT. The number of stages is even, so the first texture holds the result.
     fn dispatches(&self, gpu: &Gpu, pair: &[wgpu::TextureView; 2]) -> Vec<Dispatch> {
         let bind = |(i, uniform): (usize, &wgpu::Buffer)| {
             let resources = [
@@ -143,7 +144,8 @@ impl Transform {
     }
 }
 
-/// Factor and both source indices of every point, stage by stage. The first stage reads in bit-reversed order.
+/// FFT table: twiddle factor (real, imaginary) and both source indices of every point, stage by stage. The first stage
+/// reads its points in bit-reversed order.
 fn butterflies(n: u32) -> Vec<[f32; 4]> {
     let bits = n.ilog2();
     let reversed = |i: u32| i.reverse_bits() >> (32 - bits);
@@ -158,7 +160,7 @@ fn butterflies(n: u32) -> Vec<[f32; 4]> {
     (0..bits).flat_map(|stage| (0..n).map(move |i| entry(stage, i))).collect()
 }
 
-/// A compute pipeline whose layout follows from the shader.
+/// Creates a compute pipeline with a bind group layout that wgpu derives from the shader.
 fn pipeline(gpu: &Gpu, label: &str, source: &str) -> wgpu::ComputePipeline {
     gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
         label: Some(label),
@@ -177,7 +179,7 @@ fn uniform(gpu: &Gpu, bytes: &[u8]) -> wgpu::Buffer {
     buffer
 }
 
-/// A square texture that shaders write and read.
+/// Creates a texture of n x n texels that shaders write and read.
 fn output(gpu: &Gpu, label: &str, n: u32, format: wgpu::TextureFormat) -> wgpu::Texture {
     let usage =
         wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::COPY_SRC;

@@ -1,11 +1,11 @@
-//! Adapters and devices. The program requires WebGPU's base limits. Optional features are timestamps, to time passes,
-//! and filterable float textures on adapters where these are faster ([`MapFormat`]).
+//! Chooses a graphics adapter and opens a device on it. The program requires WebGPU's base limits. Optional features
+//! are timestamps, to time passes, and filterable float textures on adapters where these are faster ([`MapFormat`]).
 
 use super::kit::Gpu;
 use super::map_format::MapFormat;
 use super::timer;
 
-/// The device that the program requests from an adapter.
+/// Describes the device that the program requests from an adapter: required limits and optional features.
 pub fn descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     let info = adapter.get_info();
     let wanted = timer::FEATURES | timer::BETWEEN_PASSES | MapFormat::features(&info);
@@ -17,8 +17,8 @@ pub fn descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     }
 }
 
-/// Backends that the program uses: WebGPU in a browser, otherwise those of the environment variable `WGPU_BACKEND` or
-/// Vulkan, Metal and Direct3D 12.
+/// Graphics backends that wgpu may use: WebGPU in a browser, otherwise those of the environment variable
+/// `WGPU_BACKEND`, or else Vulkan, Metal and Direct3D 12.
 pub fn backends() -> wgpu::Backends {
     if cfg!(target_arch = "wasm32") {
         wgpu::Backends::BROWSER_WEBGPU
@@ -27,10 +27,11 @@ pub fn backends() -> wgpu::Backends {
     }
 }
 
-/// Chooses an adapter for work without a window: the one whose name contains `WGPU_ADAPTER_NAME`, else the fastest.
+/// Chooses an adapter for work without a window: the one whose name contains the environment variable
+/// `WGPU_ADAPTER_NAME`, or else the fastest.
 ///
 /// # Errors
-/// One sentence that says what to install, if there is no adapter.
+/// If there is no adapter, or none with that name: one sentence that says what to do.
 pub async fn adapter() -> Result<wgpu::Adapter, String> {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
     descriptor.backends = backends();
@@ -54,7 +55,7 @@ pub async fn adapter() -> Result<wgpu::Adapter, String> {
 }
 
 impl Gpu {
-    /// Whether the adapter is a software rasterizer.
+    /// Whether the adapter is a software rasterizer, which runs on the CPU.
     pub fn is_software(&self) -> bool {
         self.device.adapter_info().device_type == wgpu::DeviceType::Cpu
     }
@@ -62,15 +63,15 @@ impl Gpu {
     /// Opens a device for work without a window or canvas, on the adapter that [`adapter`] chooses.
     ///
     /// # Errors
-    /// One sentence, if there is no adapter or it gives no device.
+    /// If there is no adapter, or it refuses to open a device: one sentence for the user.
     pub async fn request() -> Result<Self, String> {
         Self::open(&adapter().await?).await
     }
 
-    /// Opens a device on an adapter.
+    /// Opens a device on the given adapter, with the limits and features of [`descriptor`].
     ///
     /// # Errors
-    /// One sentence, if the adapter gives no device.
+    /// If the adapter refuses to open a device: one sentence for the user.
     pub async fn open(adapter: &wgpu::Adapter) -> Result<Self, String> {
         let (device, queue) = adapter
             .request_device(&descriptor(adapter))
@@ -80,6 +81,6 @@ impl Gpu {
     }
 }
 
-/// The message for a system without an adapter.
+/// Error message for a system without a graphics adapter.
 pub const NO_ADAPTER: &str = "no Vulkan, Metal or Direct3D 12 adapter found: install your GPU's driver, or the \
      software one (Debian and Ubuntu: mesa-vulkan-drivers, Fedora: mesa-vulkan-drivers, Arch: vulkan-swrast)";

@@ -1,26 +1,26 @@
-//! The GPU kit: a device with its queue, and short ways to make what the passes need.
+//! A device with its queue, and short functions that create the buffers, textures and pipelines of the passes.
 
 use std::num::NonZeroU64;
 
-/// A device and its queue. Clones share both.
+/// A wgpu device and its queue. Clones share both.
 #[derive(Clone, Debug)]
 pub struct Gpu {
-    /// Makes resources.
+    /// The wgpu device, which creates buffers, textures and pipelines.
     pub device: wgpu::Device,
-    /// Takes work.
+    /// The wgpu queue, which takes commands and data for the GPU.
     pub queue: wgpu::Queue,
 }
 
-/// The resource at a binding.
+/// Type of the resource at one binding of a bind group.
 #[derive(Clone, Copy, Debug)]
 pub enum Slot {
-    /// A uniform buffer of this many bytes.
+    /// A uniform buffer of the given number of bytes.
     Uniform(usize),
-    /// A uniform buffer of this many bytes, chosen by a dynamic offset.
+    /// A uniform buffer of the given number of bytes, at a dynamic offset.
     UniformAt(usize),
-    /// A storage buffer of at least this many bytes that the shader reads.
+    /// A storage buffer of at least the given number of bytes that the shader only reads.
     Read(usize),
-    /// A storage buffer of at least this many bytes that the shader writes.
+    /// A storage buffer of at least the given number of bytes that the shader reads and writes.
     Write(usize),
     /// A filterable 2d texture.
     Texture,
@@ -71,54 +71,54 @@ impl Slot {
     }
 }
 
-/// The shaders of a render pipeline.
+/// Vertex and fragment shader of a render pipeline.
 pub struct Program<'a> {
-    /// The module of both entry points.
+    /// Shader module that contains both entry points.
     pub module: &'a wgpu::ShaderModule,
-    /// Names of the vertex and of the fragment shader.
+    /// Names of the vertex entry point and of the fragment entry point.
     pub entries: [&'a str; 2],
-    /// Values of the module's override constants.
+    /// Names and values of the module's override constants.
     pub constants: &'a [(&'a str, f64)],
 }
 
 impl<'a> Program<'a> {
-    /// Entry points `vertex` and `fragment`, constants at their defaults.
+    /// A program with the entry points `vertex` and `fragment` and default override constants.
     pub fn new(module: &'a wgpu::ShaderModule) -> Self {
         Self { module, entries: ["vertex", "fragment"], constants: &[] }
     }
 }
 
-/// The attachments of a render pipeline.
+/// Formats of the render targets that a render pipeline draws on.
 pub struct Attachments<'a> {
-    /// Formats of the colour attachments.
+    /// Texture formats of the colour attachments, in order.
     pub formats: &'a [wgpu::TextureFormat],
-    /// The depth attachment, if there is one.
+    /// How depth is tested and written. None without a depth attachment.
     pub depth: Option<Depth>,
 }
 
-/// How a pipeline uses the depth attachment.
+/// How a render pipeline tests and writes depth.
 #[derive(Clone, Copy, Debug)]
 pub struct Depth {
-    /// Format of the attachment.
+    /// Texture format of the depth attachment.
     pub format: wgpu::TextureFormat,
-    /// The test that a fragment must pass.
+    /// Comparison with the stored depth that a fragment must pass.
     pub compare: wgpu::CompareFunction,
-    /// Whether fragments that pass write their depth.
+    /// Whether fragments that pass the depth test write their depth.
     pub write: bool,
 }
 
 impl Gpu {
-    /// A command encoder.
+    /// Creates a command encoder with a label for debuggers.
     pub fn encoder(&self, label: &str) -> wgpu::CommandEncoder {
         self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some(label) })
     }
 
-    /// Submits the commands of an encoder.
+    /// Submits the commands of an encoder to the GPU.
     pub fn submit(&self, encoder: wgpu::CommandEncoder) {
         self.queue.submit([encoder.finish()]);
     }
 
-    /// A buffer of `bytes` bytes.
+    /// Creates a buffer of `bytes` bytes.
     pub fn buffer(&self, label: &str, bytes: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
         self.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some(label),
@@ -128,13 +128,13 @@ impl Gpu {
         })
     }
 
-    /// A storage buffer that can be copied from and to.
+    /// Creates a storage buffer of `bytes` bytes that can also be copied from and to.
     pub fn storage(&self, label: &str, bytes: u64) -> wgpu::Buffer {
         let copies = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC;
         self.buffer(label, bytes, wgpu::BufferUsages::STORAGE | copies)
     }
 
-    /// A 2d texture of width, height and layers, with one sample a texel.
+    /// Creates a 2d texture with the given width, height and number of layers, and without multisampling.
     pub fn texture(
         &self,
         label: &str,
@@ -155,7 +155,7 @@ impl Gpu {
         })
     }
 
-    /// Writes one mip level of a texture's first layer.
+    /// Writes one mip level of a texture's first layer. `bytes` holds its rows without padding.
     pub fn write_texture(&self, texture: &wgpu::Texture, mip_level: u32, bytes: &[u8]) {
         let [width, height] = [texture.width(), texture.height()].map(|side| (side >> mip_level).max(1));
         let row = bytes.len() as u32 / height;
@@ -167,7 +167,7 @@ impl Gpu {
         );
     }
 
-    /// A sampler that interpolates within a mip level, with these address modes along u and v.
+    /// Creates a sampler with linear filtering within a mip level, and the given address modes along u and v.
     pub fn sampler(
         &self,
         label: &str,
@@ -185,7 +185,7 @@ impl Gpu {
         })
     }
 
-    /// The layout of a bind group: its slots, in order from binding 0.
+    /// Creates a bind group layout. `slots` are the bindings 0, 1, 2 and so on.
     pub fn layout(&self, label: &str, visibility: wgpu::ShaderStages, slots: &[Slot]) -> wgpu::BindGroupLayout {
         let entry = |(binding, slot): (u32, &Slot)| wgpu::BindGroupLayoutEntry {
             binding,
@@ -198,7 +198,7 @@ impl Gpu {
         self.device.create_bind_group_layout(&descriptor)
     }
 
-    /// A bind group: its resources, in order from binding 0.
+    /// Creates a bind group. `resources` are the bindings 0, 1, 2 and so on.
     pub fn group(
         &self,
         label: &str,
@@ -212,7 +212,7 @@ impl Gpu {
         self.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
     }
 
-    /// Compiles a WGSL module.
+    /// Compiles the WGSL text `source` to a shader module.
     pub fn module(&self, label: &str, source: &str) -> wgpu::ShaderModule {
         self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(label),
@@ -220,7 +220,7 @@ impl Gpu {
         })
     }
 
-    /// A compute pipeline.
+    /// Creates a compute pipeline from an entry point of a module, bind group layouts and override constants.
     pub fn compute(
         &self,
         label: &str,
@@ -238,7 +238,7 @@ impl Gpu {
         })
     }
 
-    /// A render pipeline that draws triangles without vertex buffers.
+    /// Creates a render pipeline that draws triangles without vertex buffers.
     pub fn render(
         &self,
         label: &str,
@@ -288,7 +288,7 @@ impl Gpu {
     }
 }
 
-/// A compute pipeline with one bind group layout.
+/// A compute pipeline that has one bind group.
 #[derive(Debug)]
 pub struct Kernel {
     label: &'static str,
@@ -297,7 +297,7 @@ pub struct Kernel {
 }
 
 impl Kernel {
-    /// Compiles an entry point for these bindings and override constants.
+    /// Compiles an entry point of a module, with the bindings `slots` and the given override constants.
     pub fn new(
         gpu: &Gpu,
         label: &'static str,
@@ -310,12 +310,12 @@ impl Kernel {
         Self { label, pipeline, layout }
     }
 
-    /// Binds resources, in the order of the slots.
+    /// Creates a bind group for the kernel from resources in the order of its slots.
     pub fn bind(&self, gpu: &Gpu, resources: &[wgpu::BindingResource<'_>]) -> wgpu::BindGroup {
         gpu.group(self.label, &self.layout, resources)
     }
 
-    /// Records one dispatch in a compute pass of its own.
+    /// Records a dispatch of `size` workgroups in a compute pass of its own, with dynamic `offsets` in bytes.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, group: &wgpu::BindGroup, offsets: &[u32], size: [u32; 3]) {
         let mut pass = begin_compute(encoder, self.label);
         pass.set_pipeline(&self.pipeline);
@@ -324,12 +324,12 @@ impl Kernel {
     }
 }
 
-/// Begins a compute pass.
+/// Begins a compute pass that writes no timestamps.
 pub fn begin_compute<'a>(encoder: &'a mut wgpu::CommandEncoder, label: &str) -> wgpu::ComputePass<'a> {
     encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(label), timestamp_writes: None })
 }
 
-/// A view of a texture: its mip levels from `mip_level` on, or that level alone.
+/// View of one mip level of a texture.
 pub fn mip_view(texture: &wgpu::Texture, mip_level: u32) -> wgpu::TextureView {
     texture.create_view(&wgpu::TextureViewDescriptor {
         base_mip_level: mip_level,

@@ -1,13 +1,13 @@
-//! Structs that Rust and WGSL share. They are declared once, in Rust, and their WGSL text is generated. A test compares the
-//! layouts that both languages give them.
+//! Structs that Rust and WGSL share. Each is declared once, in Rust, and its WGSL text is generated. A test compares
+//! the memory layouts in both languages.
 
-/// A type whose values lie in memory as those of a WGSL type do.
+/// A Rust type with the same memory layout as a WGSL type.
 pub trait SharedType: bytemuck::Pod {
-    /// The WGSL type.
+    /// Returns the type's name in WGSL.
     fn wgsl() -> String;
 }
 
-/// A struct declared by [`gpu_struct!`], so that arrays of it are WGSL arrays.
+/// A struct that [`gpu_struct!`] declares. WGSL needs its name to declare arrays of it.
 pub trait SharedStruct: SharedType {
     /// The name of the struct in WGSL.
     const NAME: &'static str;
@@ -49,39 +49,39 @@ impl<T: SharedStruct, const N: usize> SharedType for [T; N] {
     }
 }
 
-/// A member of a shared struct.
+/// A member of a struct that Rust and WGSL share.
 #[derive(Clone, Copy, Debug)]
 pub struct Member {
-    /// The name in both languages.
+    /// Name of the member in Rust and in WGSL.
     pub name: &'static str,
-    /// Offset in bytes.
+    /// Offset of the member from the start of the struct, bytes.
     pub offset: usize,
-    /// Size in bytes.
+    /// Size of the member, bytes.
     pub size: usize,
-    /// The WGSL type.
+    /// Returns the type's name in WGSL.
     pub wgsl: fn() -> String,
 }
 
 impl Member {
-    /// Whether the member only keeps the next one, or the size, at its alignment.
+    /// Whether the member is padding, which only aligns the next member or the size of the struct.
     pub fn is_padding(&self) -> bool {
         self.name.starts_with("unused")
     }
 }
 
-/// The declaration of a shared struct.
+/// Declaration of a struct that Rust and WGSL share.
 #[derive(Clone, Copy, Debug)]
 pub struct Declaration {
     /// The name of the struct in WGSL.
     pub name: &'static str,
-    /// Members of the struct, in order.
+    /// Members of the struct, in the order of their offsets.
     pub members: &'static [Member],
-    /// Size in bytes.
+    /// Size of the struct, bytes.
     pub size: usize,
 }
 
 impl Declaration {
-    /// The struct in WGSL. Padding is declared word by word, because the alignment of a vector would move it.
+    /// WGSL text of the struct. Padding becomes single u32 members, because a vector's alignment would move it.
     pub fn wgsl(&self) -> String {
         let lines = self.members.iter().map(|member| match member.is_padding() {
             true => (0..member.size / 4).map(|word| format!("  {}_{word}: u32,\n", member.name)).collect(),
@@ -91,8 +91,8 @@ impl Declaration {
     }
 }
 
-/// Declares a struct that is sent to the GPU as it lies in memory. Rust's padding must be declared: as members of `u32` whose
-/// names begin with `unused`.
+/// Declares a struct that is copied to the GPU byte by byte, in Rust and in WGSL. Padding must be declared, too: as
+/// members of type `u32` or arrays of it, whose names begin with `unused`.
 #[macro_export]
 macro_rules! gpu_struct {
     ($(#[$meta:meta])* $vis:vis struct $rust:ident as $wgsl:literal {

@@ -1,43 +1,43 @@
-//! The format of textures with four components that compute passes write and that shaders filter.
+//! Texture format of the maps, which have four components, are written by compute passes and filtered by shaders.
 //!
-//! Half floats have half the memory traffic of floats, which limits GPUs and llvmpipe. Other software adapters convert
-//! every half float that they read: SwiftShader takes five times as long to filter half-float textures as to filter
-//! float textures.
+//! Half floats need half the memory traffic of 32-bit floats, and memory traffic limits GPUs and llvmpipe. Other
+//! software adapters convert every half float that they read: SwiftShader takes five times as long to filter half-float
+//! textures as to filter 32-bit float textures.
 
 use super::Gpu;
 use half::f16;
 
-/// A texture format.
+/// Texture format of the maps: four components of 16 or of 32 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapFormat {
-    /// Half floats.
+    /// Four 16-bit floats per texel (`rgba16float`).
     Half,
-    /// Floats, for devices that can filter them.
+    /// Four 32-bit floats per texel (`rgba32float`), for devices that can filter them.
     Float,
 }
 
 impl MapFormat {
-    /// The feature that makes float textures filterable.
+    /// wgpu feature that makes 32-bit float textures filterable.
     pub const FEATURES: wgpu::Features = wgpu::Features::FLOAT32_FILTERABLE;
 
-    /// The feature to request from an adapter, if it has it: [`Self::FEATURES`] where floats are the faster format.
+    /// Feature to request from an adapter: [`Self::FEATURES`] where 32-bit floats are the faster format, else none.
     pub fn features(adapter: &wgpu::AdapterInfo) -> wgpu::Features {
         let is_cpu = adapter.device_type == wgpu::DeviceType::Cpu;
         if is_cpu && !adapter.name.contains("llvmpipe") { Self::FEATURES } else { wgpu::Features::empty() }
     }
 
-    /// The faster format on a device.
+    /// The faster map format on a device.
     pub fn of(gpu: &Gpu) -> Self {
         Self::for_adapter(gpu.is_software(), gpu.device.features())
     }
 
-    /// Floats on software adapters that can filter them. A graphics card keeps half floats, even if its device has the
-    /// feature, as the device of a host program may.
+    /// 32-bit floats on software adapters that can filter them, half floats elsewhere. A graphics card gets half floats
+    /// even if its device has the feature, as the device of a host program may.
     fn for_adapter(is_software: bool, features: wgpu::Features) -> Self {
         if is_software && features.contains(Self::FEATURES) { Self::Float } else { Self::Half }
     }
 
-    /// The format as wgpu names it.
+    /// The wgpu name of this format.
     pub fn texture(self) -> wgpu::TextureFormat {
         match self {
             Self::Half => wgpu::TextureFormat::Rgba16Float,
@@ -45,7 +45,7 @@ impl MapFormat {
         }
     }
 
-    /// Bytes of a texel.
+    /// Size of a texel, bytes.
     pub const fn bytes(self) -> u32 {
         match self {
             Self::Half => 8,
@@ -53,7 +53,7 @@ impl MapFormat {
         }
     }
 
-    /// The format as WGSL names it.
+    /// The WGSL name of this format.
     pub const fn wgsl(self) -> &'static str {
         match self {
             Self::Half => "rgba16float",
@@ -61,7 +61,7 @@ impl MapFormat {
         }
     }
 
-    /// Texels from the bytes of a texture of either format.
+    /// Converts the bytes of a texture of either format to f32 texels.
     pub fn texels(format: wgpu::TextureFormat, bytes: &[u8]) -> Vec<[f32; 4]> {
         if format == wgpu::TextureFormat::Rgba32Float {
             return bytemuck::pod_collect_to_vec(bytes);

@@ -1,4 +1,4 @@
-//! Tools on top of wgpu. Nothing here depends on what is computed or drawn.
+//! Tools on top of wgpu. Nothing in this module depends on what the program computes or draws.
 
 pub mod device;
 pub mod kit;

@@ -1,15 +1,15 @@
-//! A render target without a window, and its read-back.
+//! Draws pictures without a window, and reads their pixels back.
 
 use super::Gpu;
 use super::readback::{self, TextureCopy};
 
-/// A render target that can be copied from.
+/// Creates a texture of `size` (width, height) pixels that can be drawn on and copied from.
 pub fn target(gpu: &Gpu, format: wgpu::TextureFormat, size: [u32; 2]) -> wgpu::Texture {
     let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
     gpu.texture("offscreen", [size[0], size[1], 1], 1, format, usage)
 }
 
-/// Records a render pass that clears a target and draws on it.
+/// Records a render pass that clears a texture to black and draws on it.
 pub fn draw_over(
     encoder: &mut wgpu::CommandEncoder,
     target: &wgpu::Texture,
@@ -32,15 +32,16 @@ pub fn draw_over(
     draw(&mut pass);
 }
 
-/// A picture whose commands have been submitted.
+/// An offscreen picture whose drawing commands have been submitted, ready to be read back.
 pub struct Picture {
     copy: TextureCopy,
-    /// Whether the format stores blue first.
+    /// Whether the texture format stores blue before red.
     swapped: bool,
 }
 
 impl Picture {
-    /// Records `draw` and the read-back of its picture after the commands of `encoder`, and submits them.
+    /// Draws an offscreen picture of `size` pixels with `draw`, after the commands of `encoder`. Submits all commands,
+    /// including the read-back of the picture.
     pub fn submit(
         gpu: &Gpu,
         mut encoder: wgpu::CommandEncoder,
@@ -55,10 +56,10 @@ impl Picture {
         Self { copy, swapped: format.remove_srgb_suffix() == wgpu::TextureFormat::Bgra8Unorm }
     }
 
-    /// Reads the pixels: RGBA, row by row from the top.
+    /// Reads the pixels: four bytes each (RGBA), row by row from the top.
     ///
     /// # Errors
-    /// If the GPU does not give its memory back.
+    /// If mapping the staging buffer fails.
     pub async fn read(self, gpu: &Gpu) -> Result<Vec<u8>, String> {
         let mut pixels = self.copy.read(gpu).await?;
         if self.swapped {

@@ -1,17 +1,17 @@
-//! Read-back of buffers and textures, natively and in the browser.
+//! Reads buffers and textures back from the GPU, natively and in the browser.
 
 use super::Gpu;
 use super::map_format::MapFormat;
 use futures_channel::oneshot;
 
-/// Records a copy of a buffer and returns the staging buffer, for [`read`].
+/// Records a copy of a buffer into a new staging buffer and returns that buffer, for [`read`].
 pub fn stage_buffer(gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, source: &wgpu::Buffer) -> wgpu::Buffer {
     let staging = staging(gpu, source.size());
     encoder.copy_buffer_to_buffer(source, 0, &staging, 0, source.size());
     staging
 }
 
-/// A copy of a texture in a staging buffer, whose rows are padded to a multiple of 256 bytes.
+/// Copy of a texture in a staging buffer. Its rows are padded to a multiple of 256 bytes.
 pub struct TextureCopy {
     staging: wgpu::Buffer,
     format: wgpu::TextureFormat,
@@ -19,7 +19,7 @@ pub struct TextureCopy {
     padded: usize,
 }
 
-/// Records a copy of one mip level of a texture, all layers.
+/// Records a copy of one mip level of all layers of a texture into a new staging buffer.
 pub fn stage_texture(
     gpu: &Gpu,
     encoder: &mut wgpu::CommandEncoder,
@@ -29,7 +29,7 @@ pub fn stage_texture(
     stage_layers(gpu, encoder, texture, mip_level, 0..texture.depth_or_array_layers())
 }
 
-/// Records a copy of one mip level of the given layers of a texture.
+/// Records a copy of one mip level of some layers of a texture into a new staging buffer.
 pub fn stage_layers(
     gpu: &Gpu,
     encoder: &mut wgpu::CommandEncoder,
@@ -65,10 +65,10 @@ pub fn stage_layers(
 }
 
 impl TextureCopy {
-    /// Reads the texels, layer by layer and row by row without padding. Call it after the submission.
+    /// Reads the bytes of the texels, layer by layer and row by row without padding. Call this after the submission.
     ///
     /// # Errors
-    /// If the GPU does not give its memory back.
+    /// If mapping the staging buffer fails.
     pub async fn read(self, gpu: &Gpu) -> Result<Vec<u8>, String> {
         let (row, padded) = (self.row_bytes, self.padded);
         let bytes = read(gpu, self.staging).await?;
@@ -80,24 +80,24 @@ impl TextureCopy {
         Ok(texels)
     }
 
-    /// Reads the texels of a texture whose format is one of [`MapFormat`]. Call it after the submission.
+    /// Reads the texels of a texture in one of the formats of [`MapFormat`], as f32. Call this after the submission.
     ///
     /// # Errors
-    /// If the GPU does not give its memory back.
+    /// If mapping the staging buffer fails.
     pub async fn read_map(self, gpu: &Gpu) -> Result<Vec<[f32; 4]>, String> {
         let format = self.format;
         Ok(MapFormat::texels(format, &self.read(gpu).await?))
     }
 }
 
-/// Reads a staging buffer after the submitted work is done.
+/// Reads the bytes of a staging buffer when the submitted commands are done.
 ///
 /// # Errors
-/// If the GPU does not give its memory back.
+/// If mapping the staging buffer fails.
 pub async fn read(gpu: &Gpu, staging: wgpu::Buffer) -> Result<Vec<u8>, String> {
     let (sender, receiver) = oneshot::channel();
     staging.slice(..).map_async(wgpu::MapMode::Read, move |result| {
-        // The receiver lives until the end of this function.
+        // Sending cannot fail, because the receiver lives until the end of this function.
         let _ = sender.send(result);
     });
     wait(gpu)?;
@@ -107,21 +107,21 @@ pub async fn read(gpu: &Gpu, staging: wgpu::Buffer) -> Result<Vec<u8>, String> {
     Ok(bytes)
 }
 
-/// Waits until all submitted work is done.
+/// Waits until the GPU has done all submitted work.
 ///
 /// # Errors
 /// If the device is lost.
 pub async fn done(gpu: &Gpu) -> Result<(), String> {
     let (sender, receiver) = oneshot::channel();
     gpu.queue.on_submitted_work_done(move || {
-        // The receiver lives until the end of this function.
+        // Sending cannot fail, because the receiver lives until the end of this function.
         let _ = sender.send(());
     });
     wait(gpu)?;
     receiver.await.map_err(|e| e.to_string())
 }
 
-/// Makes wgpu call the callbacks. A browser does so by itself.
+/// Blocks until the submitted work is done, so that wgpu calls its callbacks. A browser calls them by itself.
 fn wait(gpu: &Gpu) -> Result<(), String> {
     #[cfg(not(target_arch = "wasm32"))]
     gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| e.to_string())?;

@@ -1,22 +1,22 @@
-//! GPU times of the parts of a frame, from timestamps between the parts.
+//! Measures the GPU times of the parts of a frame with timestamps between the parts.
 //!
-//! The read-back does not wait: the next frame is timed once the times of the previous one have arrived. On adapters
-//! without timestamps a timer records nothing and returns no times.
+//! Reading the timestamps does not wait: the next frame is timed once the times of the previous one have arrived. On
+//! devices without timestamps a timer records nothing and returns no times.
 
 use super::Gpu;
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// The feature that timing needs.
+/// wgpu feature that timing needs: timestamp queries.
 pub const FEATURES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY;
-/// The feature that allows timestamps between passes; without it, an empty pass writes them.
+/// wgpu feature that allows timestamps between passes. Without it, empty compute passes write the timestamps.
 pub const BETWEEN_PASSES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS;
-/// Most timestamps of a frame: one per mark, or two where empty passes write them.
+/// Largest number of timestamps in a frame: one per mark, or two per mark if empty passes write them.
 const MARKS: u32 = 256;
-/// Weight of a new frame in the smoothed times.
+/// Weight of the newest frame in the exponentially smoothed times, 0 to 1.
 const SHARE: f64 = 0.2;
 
-/// Times the parts of frames. Clones share the times.
+/// Measures the GPU times of the parts of a frame. Clones share their state and times.
 #[derive(Clone, Debug, Default)]
 pub struct Timer(Option<Arc<Mutex<State>>>);
 
@@ -25,29 +25,29 @@ struct State {
     set: wgpu::QuerySet,
     resolved: wgpu::Buffer,
     staging: wgpu::Buffer,
-    /// Unit of a timestamp, ns.
+    /// Duration of one timestamp unit, ns.
     period_ns: f64,
     between_passes: bool,
     phase: Phase,
-    /// Names of the parts of the frame, in the order of the marks that end them.
+    /// Name of the part of the frame that each mark ends; empty for the first mark, which starts the frame.
     parts: Vec<&'static str>,
-    /// Smoothed times of the parts of the last frame, ms.
+    /// Names of the parts of the last timed frame and their smoothed GPU times, ms.
     times: Vec<(&'static str, f64)>,
 }
 
 #[derive(Debug)]
 enum Phase {
     Idle,
-    /// A frame is being recorded. Its marks are counted even beyond the room for timestamps.
+    /// A frame is being recorded. Marks are counted even if there is no room left for their timestamps.
     Recording,
     /// A frame has been recorded; it is submitted before the next frame.
     Recorded,
-    /// The staging buffer is being mapped: 0 while waiting, 1 if it is mapped, 2 if mapping failed.
+    /// The staging buffer is being mapped. The value is 0 while waiting, 1 if it is mapped, 2 if mapping failed.
     Mapping(Arc<AtomicU8>),
 }
 
 impl Timer {
-    /// A timer for a device.
+    /// Creates a timer for a device. It does nothing if the device has no timestamps.
     pub fn new(gpu: &Gpu) -> Self {
         if !gpu.device.features().contains(FEATURES) {
             return Self(None);
@@ -70,13 +70,13 @@ impl Timer {
         Self(Some(Arc::new(Mutex::new(state))))
     }
 
-    /// Whether the device has timestamps.
+    /// Whether the device has timestamps, so that the timer measures.
     pub fn is_available(&self) -> bool {
         self.0.is_some()
     }
 
-    /// Starts a frame, unless the previous one is still being read. `is_submitted` tells whether the previous frame has
-    /// been submitted.
+    /// Starts timing a frame, unless the times of the previous one are still being read. `is_submitted` tells whether
+    /// the previous frame has been submitted.
     pub fn begin(&self, encoder: &mut wgpu::CommandEncoder, is_submitted: bool) {
         let Some(mut state) = self.state() else { return };
         if !is_submitted && matches!(state.phase, Phase::Recorded) {
@@ -90,7 +90,8 @@ impl Timer {
         }
     }
 
-    /// Ends a part of the frame: the commands since the previous mark. Times of parts with the same name are added.
+    /// Ends a part of the frame, which consists of the commands since the previous mark. The times of parts with the
+    /// same name are added.
     pub fn mark(&self, encoder: &mut wgpu::CommandEncoder, part: &'static str) {
         let Some(mut state) = self.state() else { return };
         if matches!(state.phase, Phase::Recording) {
@@ -98,7 +99,7 @@ impl Timer {
         }
     }
 
-    /// Ends the frame.
+    /// Ends the frame and records a copy of its timestamps to a buffer that the CPU can read.
     pub fn end(&self, encoder: &mut wgpu::CommandEncoder) {
         let Some(mut state) = self.state() else { return };
         if !matches!(state.phase, Phase::Recording) {
@@ -115,7 +116,7 @@ impl Timer {
         state.phase = Phase::Recorded;
     }
 
-    /// Names and times (ms) of the parts of the last timed frame, smoothed over the frames that contain each part.
+    /// Names and GPU times (ms) of the parts of the last timed frame, smoothed over the frames that contain each part.
     pub fn times(&self) -> Vec<(&'static str, f64)> {
         self.state().map_or_else(Vec::new, |state| state.times.clone())
     }
@@ -126,7 +127,7 @@ impl Timer {
 }
 
 impl State {
-    /// Index of the first timestamp of a mark.
+    /// Index of the first timestamp of the mark with index `mark`.
     fn slot(&self, mark: usize) -> u32 {
         mark as u32 * if self.between_passes { 1 } else { 2 }
     }
@@ -140,7 +141,7 @@ impl State {
         if self.between_passes {
             encoder.write_timestamp(&self.set, at);
         } else {
-            // Browsers only have timestamps at the ends of passes, and a pass's two timestamp indices must differ.
+            // Browsers only allow timestamps at the start and the end of a pass, and the two need different indices.
             drop(encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
                 label: Some("mark"),
                 timestamp_writes: Some(wgpu::ComputePassTimestampWrites {
@@ -152,7 +153,7 @@ impl State {
         }
     }
 
-    /// Reads times that have arrived, and requests those of a submitted frame.
+    /// Reads timestamps that have arrived, or starts to read those of a frame that has been submitted.
     fn collect(&mut self) {
         match &self.phase {
             Phase::Recorded => {
@@ -183,7 +184,7 @@ impl State {
         let stamp = |mark: usize| stamps.get(self.slot(mark) as usize).copied().unwrap_or(0);
         let mut frame: Vec<(&'static str, f64)> = Vec::new();
         for (mark, part) in self.parts.iter().enumerate().skip(1) {
-            // A timestamp that was not written, or a clock that was set back, counts as no time.
+            // A timestamp that was not written, or a clock that ran backwards, counts as no time.
             let units = stamp(mark).saturating_sub(stamp(mark - 1));
             let ms = 1e-6 * self.period_ns * units as f64;
             match frame.iter_mut().find(|(name, _)| name == part) {

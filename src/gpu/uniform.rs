@@ -1,35 +1,35 @@
-//! Uniform buffers of structs.
+//! Uniform buffers that hold Rust structs.
 
 use super::kit::Gpu;
 use std::marker::PhantomData;
 use std::num::NonZeroU64;
 
-/// A uniform buffer of one struct.
+/// A uniform buffer that holds one value of the struct `T`.
 #[derive(Clone, Debug)]
 pub struct Uniform<T> {
-    /// The buffer.
+    /// The wgpu buffer that holds the data.
     pub buffer: wgpu::Buffer,
     kind: PhantomData<T>,
 }
 
 impl<T: bytemuck::Pod> Uniform<T> {
-    /// An empty buffer.
+    /// Creates a uniform buffer. Its bytes are 0 until a value is written.
     pub fn new(gpu: &Gpu, label: &str) -> Self {
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST;
         Self { buffer: gpu.buffer(label, size_of::<T>() as u64, usage), kind: PhantomData }
     }
 
-    /// Sends a value to the GPU, before the commands of the next submission.
+    /// Writes a value to the buffer, where the commands of the next submission find it.
     pub fn write(&self, gpu: &Gpu, value: &T) {
         gpu.queue.write_buffer(&self.buffer, 0, bytemuck::bytes_of(value));
     }
 }
 
-/// One buffer with several values of a uniform struct, told apart by dynamic offsets. All values of a submission are
-/// sent in one write.
+/// A uniform buffer with several values of the struct `T`, which commands select by dynamic offsets. All values of a
+/// submission are sent in one write.
 #[derive(Debug)]
 pub struct UniformRing<T> {
-    /// The buffer.
+    /// The wgpu buffer that holds the data.
     pub buffer: wgpu::Buffer,
     stride: usize,
     bytes: Vec<u8>,
@@ -38,7 +38,7 @@ pub struct UniformRing<T> {
 }
 
 impl<T: bytemuck::Pod> UniformRing<T> {
-    /// Room for `slots` values in one submission.
+    /// Creates a uniform buffer with room for `slots` values in one submission.
     pub fn new(gpu: &Gpu, label: &str, slots: usize) -> Self {
         let stride = size_of::<T>().next_multiple_of(256);
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
@@ -46,12 +46,12 @@ impl<T: bytemuck::Pod> UniformRing<T> {
         Self { buffer, stride, bytes: vec![0; stride * slots], used: 0, kind: PhantomData }
     }
 
-    /// Forgets the values of the last submission.
+    /// Discards the values of the last submission, so that the next value gets offset 0.
     pub fn restart(&mut self) {
         self.used = 0;
     }
 
-    /// Adds a value and returns its dynamic offset.
+    /// Adds a value and returns its dynamic offset, bytes.
     ///
     /// # Panics
     /// If more values are added than there are slots.
@@ -62,12 +62,12 @@ impl<T: bytemuck::Pod> UniformRing<T> {
         at as u32
     }
 
-    /// Sends the values to the GPU, before the submission that uses them.
+    /// Sends the added values to the GPU. Call this before the submission that uses them.
     pub fn upload(&self, gpu: &Gpu) {
         gpu.queue.write_buffer(&self.buffer, 0, &self.bytes[..self.used * self.stride]);
     }
 
-    /// The buffer as a binding.
+    /// Bind group resource of the buffer with the size of one value, to be used with a dynamic offset.
     pub fn binding(&self) -> wgpu::BindingResource<'_> {
         wgpu::BindingResource::Buffer(wgpu::BufferBinding {
             buffer: &self.buffer,

@@ -1,28 +1,28 @@
-//! Factors and twiddle factors of the transforms in shaders/waves/fft.wgsl.
+//! Factors of the FFT size, and twiddle factors, for the FFT in shaders/waves/fft.wgsl.
 
 use std::f64::consts::TAU;
 
-/// Entries of the table of twiddle factors, and points of the longest line.
+/// Number of entries in the table of twiddle factors; equals the largest FFT size.
 pub const TWIDDLES: usize = 1024;
 
-/// The factors of a line of n = first x second points.
+/// Factors of the FFT size n = first x second. The FFT of a line is computed in two halves of shorter transforms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Factors {
-    /// Points per transform of the first half; also transforms per line of the second half.
+    /// Number of points per transform in the first half; also number of transforms per line in the second half.
     pub first: u32,
-    /// Points per transform of the second half; also transforms per line of the first half.
+    /// Number of points per transform in the second half; also number of transforms per line in the first half.
     pub second: u32,
 }
 
 impl Factors {
-    /// Factors of `n`, a power of two from 64 to 1024: equal, or the first twice the second.
+    /// Factors of `n`, a power of two from 64 to 1024. They are equal, or the first is twice the second.
     pub fn new(n: u32) -> Self {
         let second = 1 << (n.ilog2() / 2);
         Self { first: n / second, second }
     }
 }
 
-/// e^(2 pi i j / 1024) for each j, rounded from f64.
+/// FFT twiddle factors e^(2 pi i j / 1024) for j from 0 to 1023 as real and imaginary part, rounded from f64.
 pub fn twiddles() -> Vec<[f32; 2]> {
     (0..TWIDDLES)
         .map(|j| {

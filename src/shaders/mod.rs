@@ -1,4 +1,4 @@
-//! Every shader module, joined from plain WGSL files. Names are prefixed by their part (`sea_`, `noise_`).
+//! All shader modules, joined from plain WGSL files. WGSL names begin with their file's topic (`sea_`, `noise_`).
 
 pub mod fft;
 pub mod unrolled;
@@ -9,16 +9,16 @@ use crate::gpu::map_format::MapFormat;
 use std::collections::BTreeMap;
 use unrolled::UnrolledKernel;
 
-/// A piece of a module's text.
+/// A piece of a shader module's text.
 enum Part {
     /// A WGSL file: its path below shaders/ and its text.
     File(&'static str, &'static str),
-    /// Parts that belong together.
+    /// Several parts that are always used together, in this order.
     Group(&'static [Part]),
 }
 
 impl Part {
-    /// The files of a part, in order.
+    /// Path and text of each WGSL file of a part, in order.
     fn files(&self) -> Vec<(&'static str, &'static str)> {
         match self {
             Self::File(path, text) => vec![(*path, *text)],
@@ -44,14 +44,14 @@ const MIP_MEAN: Part = part!("waves/mip_mean.wgsl");
 const ATMOSPHERE: Part = part!("sky/atmosphere.wgsl");
 const SKY_COMMON: Part = part!("sky/common.wgsl");
 const VIEWS: Part = part!("views/common.wgsl");
-/// Clear air and the structs of the sky: what the sky's tables are made with.
+/// WGSL for the passes that compute the look-up tables of clear air.
 const AIR_TABLES: Part = Part::Group(&[ATMOSPHERE, SKY_COMMON]);
-/// Radiance of the sky in a direction.
+/// WGSL functions for the radiance of the sky in a direction, with clouds and fog.
 const SKY: Part = Part::Group(&[AIR_TABLES, part!("sky/model.wgsl"), part!("sky/fog.wgsl")]);
-/// Bind group 0 of every pass of the HDR picture.
+/// WGSL for every pass that draws on the HDR picture: bind group 0, the sky, and the air in front of the sea.
 const PICTURE: Part =
     Part::Group(&[SKY, part!("common/frame.wgsl"), part!("common/scene.wgsl"), part!("sky/air.wgsl")]);
-/// The displaced surface.
+/// WGSL functions for the displaced water surface.
 const SURFACE: Part = Part::Group(&[
     MATHS,
     NOISE,
@@ -60,9 +60,9 @@ const SURFACE: Part = Part::Group(&[
     part!("water/spline.wgsl"),
     part!("water/surface.wgsl"),
 ]);
-/// The surface without the rest of the picture.
+/// WGSL for passes that displace the water surface but draw no picture.
 const BARE_SURFACE: Part = Part::Group(&[part!("common/frame.wgsl"), SURFACE]);
-/// Light and matter of the water.
+/// WGSL functions that shade the water: roughness, reflection, light from below, and foam.
 const WATER: Part = Part::Group(&[
     PICTURE,
     SURFACE,
@@ -78,12 +78,12 @@ const WATER: Part = Part::Group(&[
     part!("water/water.wgsl"),
 ]);
 
-/// Texels of the maps in a buffer, by their format.
+/// WGSL type of a map texel in a buffer, for maps in half floats and for maps in 32-bit floats.
 const MAP_TEXEL_HALF: &str = include_str!("../../shaders/waves/map_texel_half.wgsl");
 const MAP_TEXEL_FLOAT: &str = include_str!("../../shaders/waves/map_texel_float.wgsl");
 
-/// Module names and the parts they are joined from; the last part holds the entry points. The name of a module is the
-/// path of that file.
+/// Name of each shader module and the parts that it is joined from. The last part holds the entry points; the module
+/// has the name of that file's path.
 const MODULES: &[(&str, &[Part])] = &[
     ("waves/spectrum", &[MATHS, SEA, NOISE, part!("waves/spectrum.wgsl")]),
     ("waves/rows", &[MATHS, SEA, FFT, WORKGROUP_FFT, EVOLVE, part!("waves/rows.wgsl")]),
@@ -113,7 +113,7 @@ const MODULES: &[(&str, &[Part])] = &[
     ("views/show", &[part!("views/show.wgsl")]),
 ];
 
-/// The files of every module.
+/// Name of every shader module, with path and text of each of its files.
 fn modules() -> impl Iterator<Item = (&'static str, Vec<(&'static str, &'static str)>)> {
     MODULES.iter().map(|(name, parts)| (*name, parts.iter().flat_map(Part::files).collect()))
 }
@@ -122,7 +122,7 @@ fn modules() -> impl Iterator<Item = (&'static str, Vec<(&'static str, &'static 
 #[derive(Clone, Debug)]
 pub struct Shaders {
     sources: BTreeMap<&'static str, String>,
-    /// Structs that Rust shares with the modules.
+    /// Structs declared in Rust whose WGSL declarations are added to the modules that use them.
     structs: Vec<Declaration>,
     format: Option<MapFormat>,
 }
@@ -136,10 +136,10 @@ impl Default for Shaders {
 }
 
 impl Shaders {
-    /// The same sources with a piece of one module replaced: how tests plant faults.
+    /// Replaces a piece of the text of one module. Tests plant faults with it, which other checks must then find.
     ///
     /// # Panics
-    /// If `from` does not stand in the module exactly once: a fault that is not planted proves nothing.
+    /// If `from` does not occur exactly once in the module.
     #[must_use]
     pub fn patched(mut self, module: &str, from: &str, to: &str) -> Self {
         let source = self.sources.get_mut(module).unwrap_or_else(|| panic!("no shader module {module}"));
@@ -148,7 +148,7 @@ impl Shaders {
         self
     }
 
-    /// These sources with structs that Rust declares. A module holds the declarations of those that it names.
+    /// Adds structs that are declared in Rust. Each module gets the declarations of the structs that its text names.
     #[must_use]
     pub fn with_structs(mut self, structs: &[Declaration]) -> Self {
         let new = structs.iter().filter(|s| self.structs.iter().all(|known| known.name != s.name)).copied();
@@ -157,19 +157,19 @@ impl Shaders {
         self
     }
 
-    /// These sources with maps of one format instead of the device's fastest.
+    /// Fixes the texture format of the maps. Otherwise it is the faster one for the device.
     #[must_use]
     pub fn with_maps(self, format: MapFormat) -> Self {
         Self { format: Some(format), ..self }
     }
 
-    /// Format of the maps on a device.
+    /// Texture format of the maps on a device.
     pub fn maps(&self, gpu: &Gpu) -> MapFormat {
         self.format.unwrap_or_else(|| MapFormat::of(gpu))
     }
 
-    /// Names and WGSL texts of all modules: unrolled kernels for 256 points, and half-float maps unless a format was
-    /// set.
+    /// Names and WGSL texts of all modules. The FFT kernels for software adapters are those for 256 points; the maps
+    /// are half floats unless [`Self::with_maps`] has fixed a format.
     pub fn all(&self) -> impl Iterator<Item = (&'static str, String)> {
         let format = self.format.unwrap_or(MapFormat::Half);
         self.sources.keys().map(move |&name| {
@@ -178,7 +178,7 @@ impl Shaders {
         })
     }
 
-    /// Compiles a module.
+    /// Compiles the shader module with the given name.
     ///
     /// # Panics
     /// If no module has that name.
@@ -186,12 +186,12 @@ impl Shaders {
         gpu.module(name, &self.text(name, self.maps(gpu)))
     }
 
-    /// Compiles a kernel of the unrolled transform for lines of `n` points.
+    /// Compiles one kernel of the FFT for software adapters, for lines of `n` points.
     pub fn unrolled(&self, gpu: &Gpu, kernel: UnrolledKernel, n: u32) -> wgpu::ShaderModule {
         gpu.module(kernel.module(), &self.unrolled_text(kernel, n, self.maps(gpu)))
     }
 
-    /// A module's text. The declarations of its structs stand last, so that they move no line of the files.
+    /// WGSL text of a module. Struct declarations come last, so that they do not change the line numbers of the files.
     fn text(&self, name: &str, format: MapFormat) -> String {
         let source = self.sources.get(name).unwrap_or_else(|| panic!("no shader module {name}"));
         // The sources declare half-float storage textures.
@@ -213,14 +213,14 @@ impl Shaders {
     }
 }
 
-/// Whether a text contains a name that is not a part of a longer one.
+/// Whether a text contains `name` as a whole word, not as a part of a longer one.
 fn has_word(text: &str, name: &str) -> bool {
     let is_end = |c: Option<char>| !c.is_some_and(|c| c.is_alphanumeric() || c == '_');
     text.match_indices(name)
         .any(|(at, _)| is_end(text[..at].chars().next_back()) && is_end(text[at + name.len()..].chars().next()))
 }
 
-/// File and line (from 1) of a line (from 1) of a joined module.
+/// Path of the WGSL file, and line in it, of a line in the joined text of a module. Lines count from 1.
 pub fn locate(module: &str, line: usize) -> Option<(&'static str, usize)> {
     let (_, files) = modules().find(|(name, _)| *name == module)?;
     let mut rest = line;

@@ -1,21 +1,21 @@
-//! WGSL of the unrolled transform, which runs on software adapters: straight-line code without barriers, because a
-//! software adapter stores and reloads the state of every thread at a barrier. Each half of a transform is a dispatch
-//! of its own, in which a thread holds all its points in variables.
+//! Generates the WGSL of the unrolled FFT, which runs on software adapters: straight-line code without barriers,
+//! because a software adapter stores and reloads the state of every thread at a barrier. Each half of an FFT is a
+//! dispatch of its own, in which a thread holds all its points in variables.
 
 use super::fft::{Factors, TWIDDLES};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
-/// A kernel of the unrolled transform.
+/// One of the four kernels of the unrolled FFT, two along each axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnrolledKernel {
-    /// The waves at a time, and the first half of the transform along x.
+    /// Computes the waves at a time, and the first half of their inverse FFT along x.
     RowsFirst,
-    /// Second of the two dispatches along x.
+    /// Computes the second half of the inverse FFT along x.
     RowsSecond,
-    /// The first half along z.
+    /// Computes the first half of the inverse FFT along z.
     ColumnsFirst,
-    /// The second half along z, and the maps.
+    /// Computes the second half of the inverse FFT along z, and writes the maps.
     ColumnsSecond,
 }
 
@@ -23,7 +23,7 @@ impl UnrolledKernel {
     /// All kernels, in the order of their dispatches.
     pub const ALL: [Self; 4] = [Self::RowsFirst, Self::RowsSecond, Self::ColumnsFirst, Self::ColumnsSecond];
 
-    /// Name of the shader module.
+    /// Name of the kernel's shader module.
     pub fn module(self) -> &'static str {
         match self {
             Self::RowsFirst => "waves/unrolled_rows_first",
@@ -33,7 +33,7 @@ impl UnrolledKernel {
         }
     }
 
-    /// The WGSL function that the module's entry point calls, for lines of `n` points.
+    /// Generates the WGSL function that the module's entry point calls, for lines of `n` points.
     pub fn code(self, n: u32) -> String {
         match self {
             Self::RowsFirst => rows_first(n),
@@ -44,9 +44,10 @@ impl UnrolledKernel {
     }
 }
 
-/// h(-k) is the conjugate of h(k), so the waves of line z, in reverse order, also give the waves of line n - z. Thread
-/// t therefore transforms the points t + i second of line z, and the points second - t + i second of line n - z. For t
-/// = 0 the latter begin at point `second` instead of 0, a shift that the twiddle factors undo.
+/// Generates the kernel for waves and the first half along x. The amplitude h(-k) is the complex conjugate of h(k), so
+/// the waves of line z, in reverse order, also give those of line n - z. Thread t therefore transforms the points t + i
+/// second of line z and the points second - t + i second of line n - z. For t = 0 the latter begin at point `second`
+/// instead of 0, a shift that the twiddle factors undo.
 fn rows_first(n: u32) -> String {
     let Factors { first, second } = Factors::new(n);
     let mut code = Code::open("rows_first(c: u32, t: u32, z: u32)");
@@ -112,7 +113,7 @@ fn columns_second(n: u32) -> String {
     code.close()
 }
 
-/// A WGSL function under construction. Every value gets a name of its own.
+/// Builds the text of a WGSL function in which every intermediate value has a name of its own.
 struct Code {
     text: String,
     values: u32,
@@ -131,7 +132,7 @@ impl Code {
         let _ = writeln!(self.text, "  {text}");
     }
 
-    /// Declares a value and returns its name.
+    /// Adds a WGSL variable with the value of an expression, and returns its name.
     fn value(&mut self, expression: &str) -> String {
         self.values += 1;
         let name = format!("v{}", self.values);
@@ -139,8 +140,8 @@ impl Code {
         name
     }
 
-    /// W_n^(t k1) for a variable t and every k1 below `first`. Each is a product of two earlier ones, so that rounding
-    /// errors grow with the logarithm of k1.
+    /// Adds the twiddle factors e^(2 pi i t k1 / n) for every k1 below `first`, and returns their names. Each is a
+    /// product of two earlier factors, so that rounding errors grow with the logarithm of k1.
     fn factors(&mut self, t: &str, first: u32, n: u32) -> Vec<String> {
         let mut factors = vec!["vec2f(1.0, 0.0)".to_owned()];
         factors.push(self.value(&format!("twiddle[{t} * {}u]", TWIDDLES as u32 / n)));
@@ -152,7 +153,8 @@ impl Code {
         factors
     }
 
-    /// The inverse transform of vec4f values, each two complex numbers, in natural order.
+    /// Adds the inverse FFT of the values named `x`, vec4f of two complex numbers each. Returns the results' names in
+    /// natural order.
     fn transform(&mut self, x: Vec<String>) -> Vec<String> {
         let n = x.len();
         match n {
@@ -186,7 +188,7 @@ impl Code {
         }
     }
 
-    /// A value times e^(2 pi i turns), for turns in [0, 1).
+    /// Adds the value named `v` times e^(2 pi i turns), for turns in [0, 1), and returns the product's name.
     fn rotated(&mut self, v: &str, turns: f64) -> String {
         if turns == 0.0 {
             return v.to_owned();

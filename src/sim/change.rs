@@ -1,4 +1,4 @@
-//! How a simulation takes over another plan: at once or by a transition, with as little work as the difference needs.
+//! Replaces a running simulation's plan, at once or by a transition, with only the work that the change needs.
 
 use super::Simulation;
 use super::foam::FoamParameters;
@@ -10,7 +10,8 @@ use crate::waves::overlap::Overlap;
 use crate::waves::{Plan, SeaChange};
 
 impl Simulation {
-    /// Replaces the plan at once and ends any transition. The foam of the previous sea stays while time runs.
+    /// Replaces the plan at once and ends any transition. Foam on the water stays while time runs, unless the FFT size
+    /// or the number of cascades changes.
     pub fn set_plan(&mut self, gpu: &Gpu, plan: Plan, shaders: &Shaders) {
         if plan == self.sea.plan && !self.in_transition() {
             return;
@@ -27,13 +28,13 @@ impl Simulation {
         self.foam.set_changed();
     }
 
-    /// Advances the transition to the plan that was set last by `dt_s` of wall time, or starts a transition to `plan`,
-    /// at the sea's time `t_s`. Call it once per frame before [`Self::encode`]. A plan with another FFT size or tiling
-    /// is taken over at once.
+    /// Advances the running transition by `dt_s` seconds of wall time. If `plan` is given, first starts a transition to
+    /// it at the sea's time `t_s`, s. Call this once per frame before [`Self::encode`]. A plan with another FFT size,
+    /// or with tiling switched on or off, is taken over at once.
     ///
-    /// The foam, the surface and the amplitudes are interpolated in place; only the last needs a spectrum pass per
-    /// frame. Other waves are cross-faded, for which a second sea is allocated once. A plan that arrives during a
-    /// cross-fade waits, unless it has the waves of the new sea.
+    /// Foam parameters, surface parameters and wave amplitudes are interpolated; only the amplitudes need a spectrum
+    /// pass per frame. A sea with other waves is cross-faded, for which memory for a second sea is allocated once.
+    /// During a cross-fade, a plan that needs another cross-fade waits for its end.
     pub fn transition_to(
         &mut self,
         gpu: &Gpu,
@@ -61,7 +62,7 @@ impl Simulation {
         self.advance(start, dt_s)
     }
 
-    /// The transition that leads from the current sea to a plan; None if they are equal.
+    /// Kind of transition that `plan` needs, starting from the current sea. None if both seas are equal.
     fn kind_of_transition(&self, plan: &Plan) -> Option<TransitionKind> {
         let now = &self.sea.plan;
         if !plan.has_same_waves(now) {
@@ -74,7 +75,7 @@ impl Simulation {
         })
     }
 
-    /// Makes `plan` the current sea and starts the transition to it.
+    /// Makes `plan` the current sea and starts a transition of the given kind to it, at the sea's time `t_s`, s.
     fn start(&mut self, gpu: &Gpu, plan: Plan, kind: TransitionKind, t_s: f64) {
         let are_waves_new = match kind {
             TransitionKind::Foam | TransitionKind::Surface => false,
@@ -111,7 +112,7 @@ impl Simulation {
         }
     }
 
-    /// Advances the transition after the start of `start`.
+    /// Advances the transition by `dt_s` seconds of wall time. `start` is the transition that started in this frame.
     fn advance(&mut self, start: Option<TransitionKind>, dt_s: f64) -> TransitionStep {
         let was_in_transition = self.transition.is_running();
         let step = TransitionStep { start, ..self.transition.advance(dt_s) };
@@ -123,7 +124,7 @@ impl Simulation {
         step
     }
 
-    /// Applies a step of a transition to the foam's parameters and to the weights of the maps.
+    /// Applies one step of a transition to the foam parameters and to the cross-fade weights of the cascades.
     fn follow(&mut self, step: &TransitionStep) {
         if step.faded {
             self.fading = None;

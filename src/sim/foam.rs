@@ -1,64 +1,64 @@
-//! When the foam is computed, and where its world-anchored levels lie.
+//! Plans the time steps of the foam simulation, and where the levels of its clipmap lie in the world.
 
 use super::maps::{FOAM_LEVELS, FoamLevel, MAX_DRAWN, Maps};
 use super::transition::{Interpolate, interpolate, interpolate2};
 use super::uniforms::{FoamCascade, FoamCorner, FoamLevelUniform, FoamUniform};
 use crate::waves::{Plan, foam};
 
-/// Time steps of a cold start.
+/// Number of time steps in a cold start, which computes the foam anew, for example after a jump of time.
 pub const REPLAY_STEPS: usize = 48;
-/// Length of the replayed past in decay times.
+/// Length of the past that a cold start simulates, in decay times of the foam.
 const REPLAY_DECAYS: f64 = 5.0;
-/// Longest time step, s. A longer one is a jump of time and causes a cold start.
+/// Longest time step of the foam, s. A larger difference is a jump of time and causes a cold start.
 const LONGEST_STEP_S: f64 = 1.0;
-/// Side of the finest level, m.
+/// Side of the square that the finest foam level covers, m.
 const FINEST_SIDE_M: f64 = 64.0;
-/// Ratio of the sides of neighbouring levels.
+/// Ratio of the side of a foam level to that of the next finer level.
 const LEVEL_RATIO: f64 = 4.0;
 
-/// One time step of the foam.
+/// One time step of the foam simulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoamStep {
-    /// Time at the end of the step, s.
+    /// Time at the end of the time step, s.
     pub t_s: f64,
-    /// Length of the step, s.
+    /// Length of the time step, s.
     pub dt_s: f64,
-    /// Whether the foam before the step is discarded.
+    /// Whether all earlier foam is discarded, so that every cell starts with the expected mean foam.
     pub fresh: bool,
 }
 
-/// Time and place of the foam.
+/// Keeps track of the time that the foam simulation has reached, and of the cells that its levels cover.
 #[derive(Debug)]
 pub struct FoamClock {
     size: u32,
-    /// Time of the last step; None before the first.
+    /// Time at the end of the last foam step, s. None before the first step.
     at_s: Option<f64>,
-    /// Steps that a cold start has yet to replay, the next one last.
+    /// Time steps that a cold start has yet to make, in reverse order: the next step is the last element.
     replay: Vec<FoamStep>,
-    /// First cell of each level at the last step.
+    /// Lowest cell index along x and z of each level at the last foam step. None before the first step.
     cells: Option<[[i32; 2]; FOAM_LEVELS]>,
-    /// Time of the last step before the sea changed, as long as foam of the previous sea may be left.
+    /// Time of the last foam step before the sea changed, s. None once the foam of the previous sea has decayed.
     changed_at_s: Option<f64>,
-    /// Centre of the levels at the last step, world x and z, m.
+    /// World position (x, z) around which the foam levels lay at the last time step, m.
     centre: [f64; 2],
     parameters: FoamParameters,
 }
 
-/// The parameters of the foam that follow from a plan.
+/// Parameters of the foam simulation, derived from the plan of a sea.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoamParameters {
-    /// Horizontal displacement factor along x and z.
+    /// Choppiness: factor of the horizontal displacement along x and z.
     pub chop: [f64; 2],
-    /// Threshold and slope of the source, per level.
+    /// Foam source of each level: the Jacobian below which foam forms, and how fast the source grows below it.
     sources: [foam::FoamSource; FOAM_LEVELS],
-    /// Expected mean foam, 0 to 1.
+    /// Expected mean of the foam, 0 to 1: the fraction of the surface that it covers.
     pub coverage: f64,
     decay_s: f64,
     rate_per_s: f64,
 }
 
 impl FoamParameters {
-    /// The parameters of a plan on levels of `size` cells a side.
+    /// Derives the foam parameters from a plan, for foam levels of `size` x `size` cells.
     pub fn new(size: u32, plan: &Plan) -> Self {
         let foam = foam::FoamModel::new(plan);
         Self {
@@ -75,7 +75,7 @@ impl Interpolate for FoamParameters {
     fn interpolate(&self, to: &Self, share: f64) -> Self {
         let source = |level: usize| {
             let (a, b) = (self.sources[level], to.sources[level]);
-            // Without foam (slope 0) the threshold has no meaning.
+            // A sea without foam has slope 0 and no meaningful threshold.
             let threshold = match (a.slope > 0.0, b.slope > 0.0) {
                 (true, false) => a.threshold,
                 (false, true) => b.threshold,
@@ -94,25 +94,26 @@ impl Interpolate for FoamParameters {
 }
 
 impl FoamClock {
-    /// A clock before its first step, for levels of `size` cells a side.
+    /// Creates the clock of a foam simulation that has made no step yet, with levels of `size` x `size` cells.
     pub fn new(size: u32, parameters: FoamParameters) -> Self {
         Self { size, at_s: None, replay: Vec::new(), cells: None, changed_at_s: None, centre: [0.0; 2], parameters }
     }
 
-    /// Replaces the parameters; the foam and its time stay.
+    /// Replaces the foam parameters. The foam and the time that it has reached are kept.
     pub fn set_parameters(&mut self, parameters: FoamParameters) {
         self.parameters = parameters;
     }
 
-    /// Notes that the sea has changed. The existing foam stays while time runs; if time stands still, the next call of
-    /// [`Self::steps_to`] causes a cold start.
+    /// Records that the sea has changed. Foam on the water is kept while time runs. If time stands still, the next call
+    /// of [`Self::steps_to`] starts the foam anew.
     pub fn set_changed(&mut self) {
         self.changed_at_s = self.at_s;
     }
 
-    /// The next time steps towards `t_s`, at most `most`; none if the foam is at `t_s` already. A cold start (the first
-    /// call, a jump of time, or another sea or place while time stands still) replays time steps that depend on `t_s`
-    /// alone, so that a still depends on the state alone.
+    /// Returns the next time steps of the foam towards the time `t_s`, at most `most`; none if the foam has reached
+    /// `t_s`. The levels lie around the world position `centre` (x, z), m. A cold start (at the first call, after a
+    /// jump of time, or in another sea or place while time stands still) makes steps that depend only on `t_s` and the
+    /// decay time. So a still picture depends only on the state.
     pub fn steps_to(&mut self, t_s: f64, centre: [f64; 2], most: usize) -> Vec<FoamStep> {
         let jumped = |at: f64| t_s < at || t_s - at > LONGEST_STEP_S;
         let memory_s = REPLAY_DECAYS * self.parameters.decay_s;
@@ -135,7 +136,7 @@ impl FoamClock {
         while steps.len() < most {
             match self.replay.pop() {
                 Some(step) => {
-                    // Time may have moved on since the replay was planned; its last step then ends at the present time.
+                    // Time may have moved on since the cold start began. Its last step then ends at the current time.
                     let last = self.replay.is_empty();
                     let from = step.t_s - step.dt_s;
                     let t = if last && t_s >= from && t_s - from <= LONGEST_STEP_S { t_s } else { step.t_s };
@@ -157,17 +158,17 @@ impl FoamClock {
         steps
     }
 
-    /// The present parameters.
+    /// The current parameters of the foam simulation.
     pub fn parameters(&self) -> &FoamParameters {
         &self.parameters
     }
 
-    /// Whether the foam has reached `t_s`.
+    /// Whether the foam simulation has reached the time `t_s`, s.
     pub fn is_at(&self, t_s: f64) -> bool {
         self.replay.is_empty() && self.at_s == Some(t_s)
     }
 
-    /// The levels around `centre` (world x, z, m).
+    /// Cell sizes and positions of all foam levels around the world position `centre` (x, z), m.
     pub fn levels(&self, centre: [f64; 2]) -> Vec<FoamLevel> {
         let half = f64::from(self.size / 2);
         (0..FOAM_LEVELS)
@@ -179,10 +180,11 @@ impl FoamClock {
             .collect()
     }
 
-    /// The uniform of one time step, with the maps at its end.
+    /// Uniform of one foam time step, made from the wave maps at the end of the step. Remembers which cells the levels
+    /// cover, for the next step.
     pub fn uniform(&mut self, step: &FoamStep, centre: [f64; 2], maps: &Maps) -> FoamUniform {
         let cells: [[i32; 2]; FOAM_LEVELS] = std::array::from_fn(|level| self.first_cell(level, centre));
-        // A first cell that is out of range marks all cells as unknown.
+        // With a previous first cell far out of range, the foam pass finds no earlier foam for any cell.
         let unknown = [[i32::MIN / 2; 2]; FOAM_LEVELS];
         let previous = if step.fresh { unknown } else { self.cells.unwrap_or(unknown) };
         self.cells = Some(cells);
@@ -222,20 +224,20 @@ impl FoamClock {
         }
     }
 
-    /// First cell in range along x and z of a level around `centre`.
+    /// Lowest cell index along x and z that a foam level covers around the world position `centre` (x, z), m.
     fn first_cell(&self, level: usize, centre: [f64; 2]) -> [i32; 2] {
         let half = self.size as i32 / 2;
         centre.map(|x| (x / texel_m(self.size, level)).floor() as i32 - half)
     }
 }
 
-/// Size of a cell of a level, m.
+/// Side of a cell of the foam level with index `level`, m. The level has `size` cells along a side.
 fn texel_m(size: u32, level: usize) -> f64 {
     FINEST_SIDE_M * LEVEL_RATIO.powi(level as i32) / f64::from(size)
 }
 
-/// The time steps of a cold start at `t_s`. They cover the last decay times and get shorter towards `t_s`: recently
-/// formed foam is the brightest and the least faded, so that long steps would be visible there.
+/// Time steps of a cold start that ends at `t_s`, s. They cover the past few decay times and get shorter towards `t_s`:
+/// recent foam has faded least, so long steps would be visible there.
 fn replay(t_s: f64, decay_s: f64) -> Vec<FoamStep> {
     const GRADING: f64 = 1.8;
     let age = |i: usize| {

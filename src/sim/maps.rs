@@ -1,4 +1,4 @@
-//! The read-only product of the simulation: everything that the renderer sees of it.
+//! Read-only result of the simulation: the displacement, gradient, slope-moment and foam maps for the renderer.
 
 use super::resources::{MapKind, Resources, array_view};
 use super::transition::{TransitionKind, weights};
@@ -8,82 +8,86 @@ use crate::waves::overlap::Overlap;
 use crate::waves::tiling::{Place, Tiling};
 use std::f64::consts::TAU;
 
-/// Most cascades of a sea.
+/// Largest number of cascades of one sea.
 pub const MAX_CASCADES: usize = 4;
-/// Most cascades that are drawn: those of two seas during a cross-fade.
+/// Largest number of cascades that are drawn at once: those of both seas of a cross-fade.
 pub const MAX_DRAWN: usize = 2 * MAX_CASCADES;
-/// Levels of the foam clipmap.
+/// Number of levels of the foam clipmap. Each level is a square four times as wide as the next finer one.
 pub const FOAM_LEVELS: usize = 4;
 
 gpu_struct! {
-    /// WGSL `TilePlace`: the lattice of a patch's copies as seen from a point.
+    /// WGSL `TilePlace`: the triangle lattice on which shifted copies of a patch are blended, relative to one point.
     #[derive(Default)]
     pub struct TilePlace as "TilePlace" {
-        /// Cosine and sine of the lattice's angle, over the side of a triangle.
+        /// Cosine and sine of the lattice's rotation, divided by the side of its triangles, 1/m.
         pub turn: [f32; 2],
-        /// Fractional lattice coordinates of the point.
+        /// Fractional part of the point's lattice coordinates, 0 to 1.
         pub rest: [f32; 2],
-        /// Whole lattice coordinates of the point.
+        /// Integer part of the point's lattice coordinates, wrapped to 32 bits.
         pub cell: [i32; 2],
         /// Seed of the hash that chooses the shift of each copy of the patch.
         pub key: u32,
-        /// 0 if the patch repeats instead.
+        /// 1 if shifted copies of the patch are blended, 0 if the patch repeats periodically.
         pub on: u32,
     }
 }
 
-/// Views of the maps of the drawn cascades, and what a shader needs to sample them. Texel (i, j) of a map holds the
-/// point x = i patch/n, z = j patch/n: uv = x / patch + 0.5 / n, repeating.
+/// Texture views of the maps of all drawn cascades, and what a shader needs to sample them. Texel (i, j) of an n x n
+/// map lies at x = i patch / n, z = j patch / n. Texture coordinates are (x, z) / patch + 0.5 / n, repeating.
 #[derive(Debug)]
 pub struct Maps {
-    /// 2d array, one layer per cascade, n texels a side, all mip levels: Dx, eta, Dz (m) and dDx/dz, without chop.
+    /// 2d array texture, one layer per cascade, all mip levels: horizontal displacement Dx and Dz, height eta (Dx, eta,
+    /// Dz, m) and dDx/dz. Choppiness is not applied.
     pub displacement: wgpu::TextureView,
-    /// 2d array, one layer per cascade, n texels a side, all mip levels: d eta/dx, d eta/dz, dDx/dx, dDz/dz, without
-    /// chop.
+    /// 2d array texture, one layer per cascade, all mip levels: slopes d eta/dx and d eta/dz, and the derivatives
+    /// dDx/dx and dDz/dz of the horizontal displacement. Choppiness is not applied.
     pub gradients: wgpu::TextureView,
-    /// 2d array, one layer per cascade, n/2 texels a side: second moments of the slopes (xx, zz, xz, 0) in units of
-    /// `moment_scale`. Mip level j belongs to mip level j + 1 of the other maps.
+    /// 2d array texture, one layer per cascade, n/2 texels a side: second moments (xx, zz, xz, 0) of the slopes, in
+    /// units of the cascade's `moment_scale`. Its mip level j belongs to mip level j + 1 of the other maps.
     pub moments: wgpu::TextureView,
-    /// 2d array, one layer per foam level, repeating: foam and current source, both 0 to 1, in undisplaced coordinates.
+    /// 2d array texture, one layer per foam level, repeating: the foam and its current source, each 0 to 1. Texture
+    /// coordinates belong to undisplaced points.
     pub foam: wgpu::TextureView,
-    /// h0 of the current sea, complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
+    /// Fourier amplitudes h0 of the current sea at time 0, m: complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
     pub h0: wgpu::Buffer,
-    /// Turns (u32) and orbit over wave number (f32, m) per triangle entry and cascade of the current sea.
+    /// Per entry of the wave table and cascade of the current sea: the wave's number of cycles per period of the sea
+    /// (u32), and its orbit axis ratio divided by its wave number (f32, m).
     pub wave: wgpu::Buffer,
-    /// Phase of all waves at the time of the maps, t / period in units of 2^-32.
+    /// Time of the maps as a fraction of the sea's period, in units of 2^-32. Its product with a wave's number of
+    /// cycles per period is the phase.
     pub phase_time: u32,
-    /// The drawn cascades: first those of the sea that fades out, if there is one, then those of the current sea.
-    /// Longest waves first within each sea.
+    /// Cascades that are drawn, longest waves first within each sea. During a cross-fade, the cascades of the sea that
+    /// fades out come before those of the current sea.
     pub cascades: Vec<MapCascade>,
-    /// Number of leading `cascades` that belong to the sea that fades out.
+    /// Number of entries at the start of `cascades` that belong to the sea that fades out; 0 without a cross-fade.
     pub fading: usize,
-    /// Foam levels, finest first.
+    /// Cell sizes and positions of the foam levels, finest level first.
     pub foam_levels: Vec<FoamLevel>,
-    /// Cells along a side of a foam level.
+    /// Number of cells along a side of a foam level.
     pub foam_n: u32,
-    /// Texels along a side of a map's mip level 0.
+    /// Number of texels along a side of mip level 0 of the maps; equals the FFT size.
     pub n: u32,
-    /// Increases when the views are replaced.
+    /// Counter that increases when the texture views are replaced, so that users know to bind them anew.
     pub generation: u64,
 }
 
-/// The maps of one cascade.
+/// What a shader needs to know to sample the maps of one cascade.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MapCascade {
-    /// Side of the patch, m.
+    /// Side of the cascade's square patch, m.
     pub patch_m: f64,
-    /// How copies of the patch cover the plane.
+    /// Triangle lattice on which shifted copies of the patch are blended to cover the plane.
     pub tiling: Tiling,
-    /// Wavelength of the shortest wave, m.
+    /// Wavelength of the cascade's shortest wave, m.
     pub shortest_m: f64,
-    /// Unit of the slope moments.
+    /// Unit in which the maps store the slope moments: half the cascade's mean square slope.
     pub moment_scale: f32,
-    /// Layer of the maps.
+    /// Index of the cascade among the layers of each kind of map.
     pub layer: u32,
-    /// Amplitude with which the maps are computed: 1 except during a cross-fade.
+    /// Factor of the wave amplitudes with which the maps are computed: 1 except during a cross-fade.
     pub weight: f32,
-    /// Slope-variance correction during a cross-fade: waves that both seas have in common add by amplitude, while the
-    /// shaders add the variances of all cascades.
+    /// Factor that corrects the slope variance during a cross-fade: the shaders add the variances of all cascades, but
+    /// waves that both seas contain add by amplitude.
     pub gain: f32,
 }
 
@@ -99,17 +103,17 @@ impl From<Place> for TilePlace {
     }
 }
 
-/// One level of the foam. It covers foam_n cells around its centre along each axis.
+/// One level of the foam clipmap: a square of `foam_n` x `foam_n` cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoamLevel {
-    /// Size of a cell, m.
+    /// Side of a foam cell, m.
     pub texel_m: f64,
-    /// World x and z of the centre, m.
+    /// World position (x, z) of the level's centre, m.
     pub centre: [f64; 2],
 }
 
 impl Maps {
-    /// Views of the resources of a plan.
+    /// Creates the views of a simulation's textures and buffers, for the cascades of `plan`.
     pub fn new(plan: &Plan, resources: &Resources) -> Self {
         Self {
             displacement: resources.map_view(MapKind::Displacement),
@@ -128,12 +132,12 @@ impl Maps {
         }
     }
 
-    /// The cascades of the current sea.
+    /// Cascades of the current sea, without those of a sea that fades out.
     pub fn sea(&self) -> &[MapCascade] {
         &self.cascades[self.fading..]
     }
 
-    /// Takes over the waves of a plan of the same FFT size when a transition to them starts.
+    /// Takes over the cascades of a plan when a transition to it starts. The plan's FFT size must be that of the maps.
     pub(super) fn start(&mut self, plan: &Plan, resources: &Resources, kind: TransitionKind) {
         match kind {
             TransitionKind::Foam | TransitionKind::Surface => return,
@@ -151,7 +155,7 @@ impl Maps {
         (self.h0, self.wave) = (resources.sea().h0.clone(), resources.sea().wave.clone());
     }
 
-    /// Sets the weights during a cross-fade in which the current sea has this share of the variance.
+    /// Sets the cross-fade weight of each cascade. `share` is the current sea's fraction of the total variance, 0 to 1.
     pub(super) fn weigh(&mut self, overlaps: &[Overlap], share: f64) {
         let fading = self.fading;
         for (i, cascade) in self.cascades.iter_mut().enumerate() {
@@ -161,13 +165,13 @@ impl Maps {
         }
     }
 
-    /// Removes the cascades of the sea that has faded out.
+    /// Removes the cascades of the sea that has faded out, at the end of a cross-fade.
     pub(super) fn end_fade(&mut self) {
         self.cascades.drain(..self.fading);
         self.fading = 0;
     }
 
-    /// Takes over replaced textures.
+    /// Creates the texture views anew after the textures have been replaced.
     pub(super) fn rebind(&mut self, resources: &Resources) {
         self.displacement = resources.map_view(MapKind::Displacement);
         self.gradients = resources.map_view(MapKind::Gradients);
@@ -181,7 +185,8 @@ impl MapCascade {
         (resources.first_layer()..)
             .zip(&plan.cascades)
             .map(|(layer, c)| {
-                // Half the cascade's mean square slope, the variance of one component: moments in this unit are near 1.
+                // Half the mean square slope is the mean variance of one slope component: moments in this unit are near
+                // 1.
                 let mss = plan.energy.mss_between(c.k_low, c.k_high);
                 let moment_scale = if mss > 1e-12 { 0.5 * mss as f32 } else { 1.0 };
                 let shortest_m = TAU / c.k_high.max(c.dk());
@@ -199,28 +204,28 @@ impl MapCascade {
     }
 }
 
-/// The maps of all cascades in f32, without chop. Texels lie cascade by cascade: first n x n of displacement (Dx, eta,
-/// Dz, dDx/dz), then n x n of gradients (d eta/dx, d eta/dz, dDx/dx, dDz/dz), rows along z, columns along x.
+/// Displacement and gradient maps of all cascades, read back in f32 before rounding. Choppiness is not applied.
 #[derive(Clone, Debug)]
 pub struct MapsF32 {
-    /// Texels along a side of a map.
+    /// Number of texels along a side of a map.
     pub n: usize,
-    /// All texels.
+    /// Per cascade, n x n texels of displacement (Dx, eta, Dz, dDx/dz), then n x n texels of gradients (eta_x, eta_z,
+    /// dDx/dx, dDz/dz). Each map is stored row by row: x varies fastest, then z.
     pub texels: Vec<[f32; 4]>,
 }
 
 impl MapsF32 {
-    /// Number of cascades.
+    /// Number of cascades in `texels`.
     pub fn cascades(&self) -> usize {
         self.texels.len() / (2 * self.n * self.n)
     }
 
-    /// Dx, eta, Dz (m) and dDx/dz of one cascade.
+    /// Displacement map of one cascade: horizontal displacement Dx, height eta, Dz (m) and dDx/dz of each texel.
     pub fn displacement(&self, cascade: usize) -> &[[f32; 4]] {
         &self.texels[2 * cascade * self.n * self.n..][..self.n * self.n]
     }
 
-    /// d eta/dx, d eta/dz, dDx/dx and dDz/dz of one cascade.
+    /// Gradient map of one cascade: slopes d eta/dx and d eta/dz, then dDx/dx and dDz/dz of the displacement.
     pub fn gradients(&self, cascade: usize) -> &[[f32; 4]] {
         &self.texels[(2 * cascade + 1) * self.n * self.n..][..self.n * self.n]
     }

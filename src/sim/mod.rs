@@ -1,8 +1,8 @@
 //! The sea on the GPU: buffers, compute passes, and the order in which they run.
 //!
-//! A frame is a row pass and a column pass for the waves of all cascades, the mip levels, and one time step of the
-//! foam. The spectrum pass runs only when the waves change. [`Maps`] is the read-only product. During a cross-fade
-//! (`transition`) two seas are evaluated one after the other into different layers of the maps.
+//! Every frame runs a row pass and a column pass, which are the FFT of the waves of all cascades, then the mip levels,
+//! then one time step of the foam. The spectrum pass runs only when the waves change. [`Maps`] is the read-only result.
+//! During a cross-fade (`transition`) two seas are evaluated one after the other into different layers of the maps.
 
 mod change;
 pub mod foam;
@@ -31,40 +31,40 @@ use transform::TransformWay;
 use transition::{Interpolated, Transition};
 use uniforms::UniformRings;
 
-/// Largest number of foam time steps in one submission.
+/// Largest number of foam time steps in one submission to the GPU.
 pub const MAX_STEPS: usize = foam::REPLAY_STEPS;
 
-/// A sea on a device.
+/// A sea that is simulated on the GPU.
 pub struct Simulation {
     sea: PlannedSea,
-    /// The sea that fades out.
+    /// The old sea of a cross-fade, which fades out. None without a cross-fade.
     fading: Option<PlannedSea>,
-    /// The plan of the next cross-fade, which starts when the present one ends.
+    /// Plan that waits for the end of the current cross-fade. A cross-fade to it starts then.
     next: Option<Plan>,
     transition: Transition,
-    /// What the seas of a cross-fade have in common, in the order of the maps' cascades; empty otherwise.
+    /// Covariance of the two seas of a cross-fade, for each drawn cascade. Empty without a cross-fade.
     overlaps: Vec<Overlap>,
-    /// Buffers and textures; public, so that the laboratory and the tests can replace a pass's input.
+    /// GPU buffers and textures. Public, so that the laboratory and the tests can replace the input of a pass.
     pub resources: Resources,
-    /// The passes; public, so that the laboratory and the tests can run each alone.
+    /// Compute passes. Public, so that the laboratory and the tests can run each pass alone.
     pub passes: Passes,
     maps: Maps,
     rings: UniformRings,
     foam: FoamClock,
     foam_parameters: Interpolated<FoamParameters>,
-    /// Weight of the tabulated amplitudes in the next spectrum pass: 1 replaces h0, 0 needs no pass.
+    /// Weight with which the next spectrum pass moves h0 to the amplitudes of the plan: 1 replaces h0, 0 needs no pass.
     spectrum_due: f64,
     spectra: u64,
     timer: Timer,
 }
 
 impl Simulation {
-    /// Allocates the sea of a plan.
+    /// Allocates the sea of a plan on the GPU and compiles its passes. The FFT is the faster one for the device.
     pub fn new(gpu: &Gpu, plan: Plan, shaders: &Shaders) -> Self {
         Self::with_way(gpu, plan, shaders, TransformWay::of(gpu))
     }
 
-    /// Allocates the sea of a plan, with the transform in the given way on any device.
+    /// Allocates the sea of a plan on the GPU and compiles its passes, with the given implementation of the FFT.
     pub fn with_way(gpu: &Gpu, plan: Plan, shaders: &Shaders, way: TransformWay) -> Self {
         let mut resources = Resources::new(gpu, &plan, shaders.maps(gpu));
         resources.upload_tables(gpu, &plan);
@@ -91,48 +91,49 @@ impl Simulation {
         }
     }
 
-    /// Sets the timer that times each pass by name.
+    /// Sets the timer that measures the GPU time of each pass.
     pub fn set_timer(&mut self, timer: Timer) {
         self.timer = timer;
     }
 
-    /// Whether a transition to the goal is under way.
+    /// Whether a transition is running, or a plan is waiting for one.
     pub fn in_transition(&self) -> bool {
         self.transition.is_running() || self.next.is_some()
     }
 
-    /// Share of the current sea in the variance of what is drawn: 1 except during a cross-fade.
+    /// Cross-fade weight of the current sea: its fraction of the drawn variance, 0 to 1. It is 1 without a cross-fade.
     pub fn share(&self) -> f64 {
         self.transition.share()
     }
 
-    /// Number of spectrum passes so far.
+    /// Number of spectrum passes that have been recorded so far.
     pub fn spectra(&self) -> u64 {
         self.spectra
     }
 
-    /// Expected mean foam, 0 to 1, which is drawn beyond the foam levels.
+    /// Expected mean of the foam, 0 to 1, which is drawn outside the area of the foam levels.
     pub fn foam_coverage(&self) -> f64 {
         self.foam.parameters().coverage
     }
 
-    /// The plan of the current sea: during a transition the sea that it leads to.
+    /// Plan of the current sea. During a transition, this is the sea at the transition's end.
     pub fn plan(&self) -> &Plan {
         &self.sea.plan
     }
 
-    /// The plan that was set last: that of the current sea, or of the sea that waits for the end of a cross-fade.
+    /// Plan that was set last: that of the current sea, or one that waits for the end of a cross-fade.
     pub fn goal(&self) -> &Plan {
         self.next.as_ref().unwrap_or(&self.sea.plan)
     }
 
-    /// The maps of the last recorded evaluation.
+    /// Result of the simulation: the maps that the most recently recorded passes write.
     pub fn maps(&self) -> &Maps {
         &self.maps
     }
 
-    /// Records the waves at `t_s` and the foam around `centre` (world x, z, m), with at most `most_steps` time steps of
-    /// the foam. Returns whether the foam has reached `t_s`; if not, call again. The waves are always those at `t_s`.
+    /// Records the passes for the waves at time `t_s`, s, and for the foam around the world position `centre` (x, z),
+    /// m, with at most `most_steps` foam time steps. Returns whether the foam has reached `t_s`; if not, call again.
+    /// The waves are at `t_s` in any case.
     pub fn encode(
         &mut self,
         gpu: &Gpu,
@@ -154,8 +155,8 @@ impl Simulation {
         caught_up
     }
 
-    /// Records the next time step of the foam towards `t_s` alone, for `check`: the maps stay those that the foam read.
-    /// None if the foam is at `t_s`.
+    /// Records only the next time step of the foam towards time `t_s`, s, for `seastate check`. The maps remain those
+    /// that this foam step reads. Returns None if the foam has reached `t_s`.
     pub fn encode_next_foam_step(
         &mut self,
         gpu: &Gpu,
@@ -170,18 +171,18 @@ impl Simulation {
         Some(step)
     }
 
-    /// Records the waves at `t_s` and leaves the maps of the current sea in `Resources::lines`, in f32. Pair 0 is the
-    /// displacement, pair 1 the gradients.
+    /// Records the waves at time `t_s`, s, and also keeps the maps of the current sea in the buffer `Resources::lines`
+    /// as f32: first the displacement map of a cascade, then its gradient map.
     pub fn encode_f32(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
         self.begin(encoder, t_s);
         self.encode_waves(encoder, t_s, true);
         self.rings.upload(gpu);
     }
 
-    /// Reads the maps at `t_s` in f32, before they are rounded to the format of the textures.
+    /// Computes the maps at time `t_s`, s, and reads them back in f32, before they are rounded to the textures' format.
     ///
     /// # Errors
-    /// If the GPU refuses to map the memory.
+    /// If mapping the read-back buffer fails.
     pub async fn read_f32(&mut self, gpu: &Gpu, t_s: f64) -> Result<MapsF32, String> {
         let mut encoder = gpu.encoder("read maps");
         self.encode_f32(gpu, &mut encoder, t_s);
@@ -190,12 +191,12 @@ impl Simulation {
         let bytes = readback::read(gpu, staging).await?;
         let n = self.plan().n as usize;
         let mut texels = bytemuck::pod_collect_to_vec(&bytes);
-        // The buffer may have room for more cascades.
+        // The buffer is larger if it has been allocated for a cross-fade.
         texels.truncate(2 * n * n * self.plan().cascades.len());
         Ok(MapsF32 { n, texels })
     }
 
-    /// Writes the uniform of one evaluation of the current sea, to run single passes with it.
+    /// Uploads the uniform for the waves of the current sea at time `t_s`, s, so that single passes can be run.
     pub fn push_evaluation(&mut self, gpu: &Gpu, t_s: f64, keep_f32: bool) -> EvaluationSlot {
         self.rings.sea.restart();
         let slot = self.push(Evaluation { t_s, keep_f32, blend: 1.0 }, false);
@@ -203,8 +204,8 @@ impl Simulation {
         slot
     }
 
-    /// Writes the uniform of a time step of length 0 of the foam, to run the foam pass with it. Returns its dynamic
-    /// offset.
+    /// Uploads the uniform of a foam time step of length 0, so that the foam pass can be run alone. Returns the dynamic
+    /// offset of the uniform in its buffer, bytes.
     pub fn push_foam_step(&mut self, gpu: &Gpu, t_s: f64, centre: [f64; 2]) -> u32 {
         self.rings.foam.restart();
         let step = FoamStep { t_s, dt_s: 0.0, fresh: false };
@@ -213,7 +214,7 @@ impl Simulation {
         offset
     }
 
-    /// Starts a submission; records the spectrum pass if the waves changed.
+    /// Discards the uniforms of the previous submission. Records the spectrum pass if the waves have changed.
     fn begin(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
         self.rings.restart();
         if self.spectrum_due > 0.0 {
@@ -225,7 +226,7 @@ impl Simulation {
         }
     }
 
-    /// Records the waves at the end of a time step, and the foam.
+    /// Records the waves at the end of a foam time step, and then the foam pass.
     fn encode_foam_step(&mut self, encoder: &mut wgpu::CommandEncoder, step: &FoamStep, centre: [f64; 2]) {
         let slot = self.encode_waves(encoder, step.t_s, false);
         let foam = self.rings.foam.push(&self.foam.uniform(step, centre, &self.maps));
@@ -234,8 +235,8 @@ impl Simulation {
         self.maps.foam_levels = self.foam.levels(centre);
     }
 
-    /// Records the maps of all drawn cascades at `t_s`: first those of the sea that fades out. Returns the slot of the
-    /// current sea's evaluation.
+    /// Records the passes that write the maps of all drawn cascades at time `t_s`, s. The sea that fades out comes
+    /// first. Returns the uniform slot of the current sea.
     fn encode_waves(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64, keep_f32: bool) -> EvaluationSlot {
         let evaluation = Evaluation { t_s, keep_f32, blend: 1.0 };
         if self.fading.is_some() {
@@ -257,7 +258,7 @@ impl Simulation {
         self.timer.mark(encoder, "mips");
     }
 
-    /// Adds the uniform of an evaluation of the current sea, or of the sea that fades out.
+    /// Adds the uniform for one evaluation of the current sea, or, if `fades`, of the sea that fades out.
     fn push(&mut self, evaluation: Evaluation, fades: bool) -> EvaluationSlot {
         let (fading, own) = self.maps.cascades.split_at(self.maps.fading);
         let current = self.resources.current;

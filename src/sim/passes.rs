@@ -1,4 +1,4 @@
-//! The compute passes, in the order of the frame. A pass is a kernel, its bind group and its number of workgroups.
+//! Compute passes of the simulation, in the order of a frame. A pass has a pipeline, bind groups and a dispatch size.
 
 use super::maps::FOAM_LEVELS;
 use super::planned_sea::EvaluationSlot;
@@ -9,20 +9,20 @@ use crate::gpu::Gpu;
 use crate::gpu::kit::{Kernel, Slot};
 use crate::shaders::Shaders;
 
-/// All passes of a simulation.
+/// All compute passes of a simulation.
 pub struct Passes {
-    /// Computes h0 of every wave.
+    /// Computes h0, the random Fourier amplitude of every wave at time 0.
     pub spectrum: SpectrumPass,
-    /// Row and column passes: the waves at a time, and the maps.
+    /// Row and column passes: the inverse FFT of the waves at a time, which gives the displacement and gradient maps.
     pub transform: Transform,
-    /// Computes the mip levels of the maps and the slope moments.
+    /// Computes the mip levels of the displacement and gradient maps, and the slope moments.
     pub mips: MipsPass,
-    /// Computes the foam.
+    /// Advances the foam by one time step.
     pub foam: FoamPass,
 }
 
 impl Passes {
-    /// Compiles and binds all passes.
+    /// Compiles all passes and creates their bind groups.
     pub fn new(gpu: &Gpu, shaders: &Shaders, way: TransformWay, r: &Resources, rings: &UniformRings) -> Self {
         let shaders = &shaders.clone().with_structs(STRUCTS);
         Self {
@@ -33,12 +33,12 @@ impl Passes {
         }
     }
 
-    /// Number of compute dispatches of a frame in which neither the sea nor the time jumps.
+    /// Number of compute dispatches of an ordinary frame: one sea with unchanged waves, one foam time step.
     pub fn dispatches(&self) -> u32 {
         self.transform.dispatches() + self.mips.steps.len() as u32 + 1
     }
 
-    /// Binds resources that have been replaced.
+    /// Creates the bind groups anew after buffers or textures have been replaced.
     pub fn bind(&mut self, gpu: &Gpu, r: &Resources, rings: &UniformRings) {
         self.spectrum.bind(gpu, r, rings);
         self.transform.bind(gpu, r, rings);
@@ -47,10 +47,10 @@ impl Passes {
     }
 }
 
-/// shaders/waves/spectrum.wgsl
+/// Pass that computes h0, the Fourier amplitudes at time 0, from the spectrum (shaders/waves/spectrum.wgsl).
 pub struct SpectrumPass {
     kernel: Kernel,
-    /// One bind group for each sea; there are two during a cross-fade.
+    /// One bind group for each sea. The second one exists from the first cross-fade on.
     groups: Vec<wgpu::BindGroup>,
 }
 
@@ -72,35 +72,35 @@ impl SpectrumPass {
         self.groups = r.waves.iter().map(group).collect();
     }
 
-    /// Records h0 of all cascades.
+    /// Records the computation of h0, the Fourier amplitudes at time 0, for all cascades of a sea.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, slot: EvaluationSlot) {
         self.kernel.run(encoder, &self.groups[slot.waves], &[slot.uniform], [r.n / 64, r.n, slot.count]);
     }
 }
 
-/// shaders/waves/mips.wgsl, or shaders/waves/unrolled_mips.wgsl on software adapters.
+/// Pass that computes mip levels and slope moments (shaders/waves/mips.wgsl, or unrolled_mips.wgsl in software).
 pub struct MipsPass {
     steps: Vec<MipsStep>,
-    /// Mip levels that a dispatch can write.
+    /// Number of mip levels that one dispatch can write.
     images: u32,
-    /// Bound in place of mip levels that the maps do not have.
+    /// Small unused texture, bound in place of mip levels that the maps do not have.
     nothing: wgpu::TextureView,
 }
 
-/// One dispatch of the mips pass.
+/// One dispatch of the mip pass, which reads one mip level and writes the next ones.
 struct MipsStep {
     kernel: Kernel,
     group: wgpu::BindGroup,
-    /// The mip level that is read.
+    /// Mip level that the dispatch reads.
     above: u32,
-    /// Number of mip levels that are written.
+    /// Number of mip levels that the dispatch writes.
     levels: u32,
 }
 
 impl MipsPass {
     fn new(gpu: &Gpu, shaders: &Shaders, way: TransformWay, r: &Resources, rings: &UniformRings) -> Self {
         let (module, images): (_, u32) = match way {
-            // Base limits allow four storage textures.
+            // WebGPU's base limits allow four storage textures.
             TransformWay::Workgroup => (shaders.module(gpu, "waves/mips"), 4),
             TransformWay::Unrolled => (shaders.module(gpu, "waves/unrolled_mips"), 1),
         };
@@ -140,7 +140,7 @@ impl MipsPass {
         }
     }
 
-    /// Records all mip levels above 0.
+    /// Records the computation of all mip levels above 0.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, slot: EvaluationSlot) {
         for step in &self.steps {
             let groups = (r.n >> (step.above + 1)).div_ceil(8);
@@ -149,7 +149,7 @@ impl MipsPass {
     }
 }
 
-/// shaders/foam/foam.wgsl
+/// Pass that advances the foam by one time step (shaders/foam/foam.wgsl).
 pub struct FoamPass {
     kernel: Kernel,
     group: wgpu::BindGroup,
@@ -191,8 +191,8 @@ impl FoamPass {
         self.group = Self::group(gpu, &self.kernel, r, rings);
     }
 
-    /// Records one time step of all levels. `foam` is the dynamic offset of its uniform. During a cross-fade the slot
-    /// of either sea can be given, because both have the same chop.
+    /// Records one time step of all foam levels. `foam` is the dynamic offset of the step's uniform, bytes. During a
+    /// cross-fade, `slot` may belong to either sea, because both have the same choppiness.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, slot: EvaluationSlot, foam: u32) {
         let size = [r.foam_n / 8, r.foam_n / 8, FOAM_LEVELS as u32];
         self.kernel.run(encoder, &self.group, &[slot.uniform, foam], size);

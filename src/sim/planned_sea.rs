@@ -1,4 +1,4 @@
-//! A plan in the form that the passes read.
+//! Converts the plan of a sea to the uniforms that the compute passes read.
 
 use super::maps::{MAX_CASCADES, MapCascade};
 use super::uniforms::{MAX_TERMS, SeaCascade, SeaTerm, SeaUniform};
@@ -6,43 +6,43 @@ use crate::waves::spreading::Cosine;
 use crate::waves::system::TermKind;
 use crate::waves::{Plan, table};
 
-/// A plan and the terms of its directional spectrum.
+/// The plan of a sea, with the terms of its directional spectrum in the form that shaders read.
 pub struct PlannedSea {
-    /// The plan.
+    /// The plan of the sea.
     pub plan: Plan,
     terms: [SeaTerm; MAX_TERMS],
     term_count: u32,
     stride: u32,
 }
 
-/// Parameters of one evaluation of a sea.
+/// Parameters of one evaluation of a sea, which computes its waves at one time.
 #[derive(Clone, Copy, Debug)]
 pub struct Evaluation {
-    /// Time, s.
+    /// Time of the waves, s.
     pub t_s: f64,
-    /// Whether the column pass also leaves the maps in the intermediate buffer, in f32.
+    /// Whether the column pass also keeps the maps in f32, in the buffer `Resources::lines`.
     pub keep_f32: bool,
-    /// Weight of the tabulated amplitudes in the spectrum pass; 1 replaces the current ones.
+    /// Weight with which the spectrum pass moves h0 to the amplitudes of the plan, 0 to 1; 1 replaces h0.
     pub blend: f64,
 }
 
-/// An evaluation whose uniform has a slot in the buffer of the submission.
+/// An evaluation of a sea whose uniform has been added to the uniform buffer of the submission.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EvaluationSlot {
-    /// Dynamic offset of the uniform.
+    /// Dynamic offset of the uniform in its buffer, bytes.
     pub uniform: u32,
-    /// Number of cascades.
+    /// Number of cascades of the sea.
     pub count: u32,
-    /// Index of the wave buffers in `Resources::waves`.
+    /// Index of the sea's wave buffers in `Resources::waves`.
     pub waves: usize,
-    /// Layer of the first cascade among the layers of a kind of map.
+    /// Index of the sea's first cascade among the layers of each kind of map.
     pub first_layer: u32,
-    /// Whether the column pass also leaves the maps in the intermediate buffer, in f32.
+    /// Whether the column pass also keeps the maps in f32, in the buffer `Resources::lines`.
     pub keep_f32: bool,
 }
 
 impl PlannedSea {
-    /// Takes a plan.
+    /// Converts the terms of a plan's directional spectrum to the form that shaders read.
     pub fn new(plan: Plan) -> Self {
         let (parts, stride) = table::terms(&plan);
         let mut terms = [SeaTerm::default(); MAX_TERMS];
@@ -58,7 +58,7 @@ impl PlannedSea {
         Self { plan, terms, term_count: parts.len() as u32, stride: stride as u32 }
     }
 
-    /// The uniform of one evaluation into the given maps, with horizontal displacement factors `chop` along x and z.
+    /// Uniform for one evaluation of the sea, for the cascades `maps` and the choppiness `chop` along x and z.
     pub fn uniform(&self, maps: &[MapCascade], chop: [f64; 2], evaluation: Evaluation) -> SeaUniform {
         let plan = &self.plan;
         let mut cascades = [SeaCascade::default(); MAX_CASCADES];

@@ -1,4 +1,4 @@
-//! Read-back of the maps of a drawn frame without waiting for the GPU.
+//! Reads back the maps of a drawn frame for statistics. The copies are part of the frame's own submission.
 
 use super::Simulation;
 use super::resources::MapKind;
@@ -6,10 +6,10 @@ use crate::gpu::Gpu;
 use crate::gpu::readback::{self, TextureCopy};
 use crate::waves::Plan;
 
-/// Most texels of the gradients that enter the mean square slope: enough for a precise mean, few enough for a page.
+/// Approximate limit of the gradient texels in the mean square slope: enough for precision, few enough for browsers.
 const MOST_SLOPES: usize = 1 << 17;
 
-/// Copies of the maps of a frame that is being recorded.
+/// Copies of the maps of one frame, to be read after the frame has been submitted.
 pub struct Probe {
     displacement: TextureCopy,
     gradients: TextureCopy,
@@ -17,21 +17,21 @@ pub struct Probe {
     plan: Plan,
 }
 
-/// Contents of the maps at one time.
+/// Statistics and heights that were read from the maps of one frame.
 #[derive(Clone, Debug)]
 pub struct Probed {
-    /// The plan of the sea.
+    /// The plan of the sea that the maps show.
     pub plan: Plan,
-    /// Mean square slope of the undisplaced surface.
+    /// Mean square slope of the surface before horizontal displacement.
     pub mss: f64,
-    /// Mean computed foam over all levels, 0 to 1, before the factor with which it is shown.
+    /// Mean of the simulated foam over all foam levels, 0 to 1, before the display factor of the foam is applied.
     pub coverage: f64,
-    /// Displacement maps, cascade by cascade.
+    /// Texels (Dx, height, Dz, dDx/dz) of the displacement maps, cascade by cascade and row by row.
     texels: Vec<[f32; 4]>,
 }
 
 impl Simulation {
-    /// Records copies of the maps as they are at this point of the submission. None during a transition.
+    /// Records copies of the maps as the commands before this point leave them. Returns None during a transition.
     pub fn probe(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> Option<Probe> {
         if self.in_transition() {
             return None;
@@ -49,14 +49,14 @@ impl Simulation {
 }
 
 impl Probe {
-    /// Reads the maps, after the submission.
+    /// Reads the copies of the maps and computes their statistics. Call this after the submission of the frame.
     ///
     /// # Errors
-    /// If the GPU does not give its memory back.
+    /// If mapping a read-back buffer fails.
     pub async fn read(self, gpu: &Gpu) -> Result<Probed, String> {
         let gradients = self.gradients.read_map(gpu).await?;
         let foam = self.foam.read_map(gpu).await?;
-        // An odd stride visits all columns.
+        // An odd stride visits all columns, because rows have a power of two texels.
         let stride = (gradients.len() / MOST_SLOPES) | 1;
         let samples = gradients.iter().step_by(stride);
         let slope = |t: &[f32; 4]| f64::from(t[0]).powi(2) + f64::from(t[1]).powi(2);
@@ -72,7 +72,7 @@ impl Probe {
 }
 
 impl Probed {
-    /// Heights along a row of a cascade's map, m.
+    /// Heights of the texels in row `z` of a cascade's displacement map, m.
     pub fn row(&self, cascade: usize, z: usize) -> impl Iterator<Item = f64> {
         let n = self.plan.n as usize;
         self.texels[(cascade * n + z) * n..][..n].iter().map(|t| f64::from(t[1]))

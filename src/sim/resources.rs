@@ -1,5 +1,5 @@
-//! Buffers and textures of a simulation: allocated for an FFT size and a number of cascades, and enlarged for two seas
-//! at the first cross-fade.
+//! GPU buffers and textures of a simulation. They are allocated for an FFT size and a number of cascades, and enlarged
+//! to hold two seas at the first cross-fade.
 
 use super::maps::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN};
 use crate::gpu::Gpu;
@@ -11,63 +11,65 @@ use crate::waves::lattice::Wave;
 use crate::waves::table::{self, Table};
 use std::ops::Range;
 
-/// Side of the smallest mip level of a map, texels.
+/// Side of the smallest mip level of the maps, texels.
 const SMALLEST_MIP: u32 = 4;
-/// Number of [`MapKind`]s.
+/// Number of kinds of map, which are the variants of [`MapKind`].
 const MAP_KINDS: u32 = 3;
 
-/// A kind of map. Each kind has a third of the layers of `Resources::maps`.
+/// Kind of map. The array texture `Resources::maps` holds the same number of layers of each kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapKind {
-    /// Dx, eta, Dz (m) and dDx/dz.
+    /// Displacement map: Dx, height eta, Dz (m) and dDx/dz, before choppiness is applied.
     Displacement,
-    /// d eta/dx, d eta/dz, dDx/dx, dDz/dz.
+    /// Gradient map: slopes d eta/dx and d eta/dz, then dDx/dx and dDz/dz of the horizontal displacement.
     Gradients,
-    /// Second moments of the slopes, from mip level 1 on.
+    /// Slope moments: local means of the squares and the product of both slopes, from mip level 1 on.
     Moments,
 }
 
-/// GPU memory of a simulation that all ways of the transform need.
+/// GPU buffers and textures of a simulation that every implementation of the FFT needs.
 #[derive(Debug)]
 pub struct Resources {
-    /// FFT size.
+    /// FFT size: number of points along a side of a cascade's lattice.
     pub n: u32,
-    /// Cells along a side of a foam level.
+    /// Number of cells along a side of a foam level.
     pub foam_n: u32,
-    /// Wave buffers: those of one sea, and of a second one from the first cross-fade on.
+    /// Wave buffers, one set for each sea. The second set exists from the first cross-fade on.
     pub waves: Vec<Waves>,
     /// Index in `waves` of the current sea; the other entry belongs to the sea that fades out.
     pub current: usize,
-    /// e^(2 pi i j / 1024), complex f32.
+    /// FFT twiddle factors e^(2 pi i j / 1024) for j from 0 to 1023, complex f32.
     pub twiddle: wgpu::Buffer,
-    /// Lines after the transform along x, four complex f32 per point, \[cascade\]\[pair\]\[iz\]\[x\]. Two seas use it
-    /// one after the other, because both at once would exceed the largest binding at n = 1024.
+    /// Fields after the inverse FFT along x, before that along z: two pairs of complex f32 per point,
+    /// \[cascade\]\[pair\]\[iz\]\[x\]. Two seas use it in turn, because both would exceed the largest binding at n =
+    /// 1024.
     pub lines: wgpu::Buffer,
-    /// Foam, f32, \[level\]\[z\]\[x\].
+    /// Foam of each cell after the last time step, 0 to 1: f32, \[level\]\[z\]\[x\].
     pub foam_history: wgpu::Buffer,
-    /// Format of the maps and of the foam texture.
+    /// Texture format of the maps and of the foam.
     pub format: MapFormat,
-    /// All maps with their mip levels; see [`Self::layers`]. One texture, so that a pass can write several mip levels
-    /// of all kinds: base limits allow four storage textures.
+    /// Array texture of all maps with their mip levels; [`Self::layers`] gives the layers of a kind. One texture for
+    /// all kinds lets a pass write several mip levels, because base limits allow four storage textures.
     pub maps: wgpu::Texture,
-    /// Visible foam, one layer per level.
+    /// Array texture of the foam and its source, one layer per foam level, which the renderer samples.
     pub foam: wgpu::Texture,
     /// Linear sampler that repeats along both axes.
     pub repeat: wgpu::Sampler,
     /// Number of times that buffers or textures have been allocated.
     pub allocations: u32,
-    /// Number of times that the waves of a plan have been tabulated.
+    /// Number of times that the wave table of a plan has been computed.
     pub tabulations: u32,
 }
 
-/// Buffers of the waves of one sea.
+/// GPU buffers that describe the waves of one sea.
 #[derive(Debug)]
 pub struct Waves {
-    /// Variances and directional lobes: f32 quadruples, as many per triangle entry and cascade as the spectrum needs.
+    /// Wave table for the spectrum pass: variances and spreading parameters, in vectors of four f32 per entry.
     pub radial: wgpu::Buffer,
-    /// Turns (u32) and orbit over wave number (f32, m) per triangle entry and cascade.
+    /// Per entry of the wave table and cascade: the wave's number of cycles per period of the sea (u32), and its orbit
+    /// axis ratio divided by its wave number (f32, m).
     pub wave: wgpu::Buffer,
-    /// h0, complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
+    /// Fourier amplitudes h0 of the waves at time 0, m: complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
     pub h0: wgpu::Buffer,
 }
 
@@ -84,7 +86,7 @@ impl Waves {
 }
 
 impl Resources {
-    /// Allocates for the FFT size and the number of cascades of a plan.
+    /// Allocates buffers and textures for the FFT size and the number of cascades of a plan.
     pub fn new(gpu: &Gpu, plan: &Plan, format: MapFormat) -> Self {
         let (n, cascades) = (plan.n, plan.cascades.len());
         let foam_n = n.min(256);
@@ -107,18 +109,18 @@ impl Resources {
         }
     }
 
-    /// The wave buffers of the current sea.
+    /// Wave buffers of the current sea.
     pub fn sea(&self) -> &Waves {
         &self.waves[self.current]
     }
 
-    /// Layer of the current sea's first cascade among the layers of a kind of map.
+    /// Index of the current sea's first cascade among the layers of each kind of map.
     pub fn first_layer(&self) -> u32 {
         (self.current * MAX_CASCADES) as u32
     }
 
-    /// Makes the other wave buffers those of the current sea. The first call allocates them, and maps for two seas with
-    /// the most cascades each; it returns true, because the maps are new and empty.
+    /// Swaps the wave buffers of both seas when a cross-fade starts. The first call allocates the second set, and maps
+    /// for two seas with the largest number of cascades. It returns true, because the new maps are empty.
     pub fn switch_sea(&mut self, gpu: &Gpu, plan: &Plan) -> bool {
         let is_first = self.waves.len() == 1;
         if is_first {
@@ -131,29 +133,29 @@ impl Resources {
         is_first
     }
 
-    /// Number of mip levels of the maps.
+    /// Number of mip levels of the map texture.
     pub fn mips(&self) -> u32 {
         self.maps.mip_level_count()
     }
 
-    /// Layers of a kind of map, one for each cascade that can be drawn.
+    /// Layers of `maps` that belong to a kind of map, one for each cascade that can be drawn.
     pub fn layers(&self, kind: MapKind) -> Range<u32> {
         let layers = self.maps.depth_or_array_layers() / MAP_KINDS;
         kind as u32 * layers..(kind as u32 + 1) * layers
     }
 
-    /// Layers of a kind of map that hold the current sea of `cascades` cascades.
+    /// Layers of `maps` that hold one kind of map of the current sea, which has `cascades` cascades.
     pub fn sea_layers(&self, kind: MapKind, cascades: usize) -> Range<u32> {
         let first = self.layers(kind).start + self.first_layer();
         first..first + cascades as u32
     }
 
-    /// Records a copy of one mip level of all layers of a map into a buffer that the CPU can read.
+    /// Records a copy of one mip level of all layers of a kind of map into a buffer that the CPU can read.
     pub fn stage(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, kind: MapKind, level: u32) -> TextureCopy {
         readback::stage_layers(gpu, encoder, &self.maps, level, self.layers(kind))
     }
 
-    /// A view of a kind of map with all its mip levels.
+    /// View of all layers and mip levels of a kind of map.
     pub fn map_view(&self, kind: MapKind) -> wgpu::TextureView {
         let layers = self.layers(kind);
         self.maps.create_view(&wgpu::TextureViewDescriptor {
@@ -165,14 +167,14 @@ impl Resources {
         })
     }
 
-    /// Tabulates the waves of a plan of this FFT size and writes them to the current sea's buffers. Returns whether the
-    /// buffers had to be replaced by larger ones.
+    /// Computes the wave table of a plan, whose FFT size must be unchanged, and uploads it to the current sea's
+    /// buffers. Returns whether larger buffers had to be allocated.
     pub fn upload_tables(&mut self, gpu: &Gpu, plan: &Plan) -> bool {
         let mut values: Vec<[f32; 4]> = Vec::new();
         let mut waves = Vec::new();
         for table in Table::all(plan) {
             values.extend(table.values.iter().map(|v| v.map(|x| x as f32)));
-            // Outside the band there is no wave, and k is 0.
+            // A table entry outside the cascade's band has no wave, and its wave number k is 0.
             let slant = |w: &Wave| if w.k > 0.0 { (w.orbit / w.k) as f32 } else { 0.0 };
             waves.extend(table.waves.iter().map(|w| [w.turns, slant(w).to_bits()]));
         }
@@ -208,7 +210,7 @@ fn maps(gpu: &Gpu, n: u32, cascades: usize, format: MapFormat) -> wgpu::Texture 
     map(gpu, "maps", [n, n, MAP_KINDS * cascades as u32], mips, format)
 }
 
-/// An array texture that shaders read and write, of width, height and layers.
+/// Creates an array texture that shaders read and write. `size` is width, height and number of layers.
 pub fn map(gpu: &Gpu, label: &str, size: [u32; 3], mips: u32, format: MapFormat) -> wgpu::Texture {
     let usage = wgpu::TextureUsages::TEXTURE_BINDING
         | wgpu::TextureUsages::STORAGE_BINDING
@@ -217,7 +219,7 @@ pub fn map(gpu: &Gpu, label: &str, size: [u32; 3], mips: u32, format: MapFormat)
     gpu.texture(label, size, mips, format.texture(), usage)
 }
 
-/// A view of one mip level or of all, as an array texture.
+/// View of one mip level of a texture as an array texture, or of all levels if `mip` is None.
 pub fn array_view(texture: &wgpu::Texture, mip: Option<u32>) -> wgpu::TextureView {
     texture.create_view(&wgpu::TextureViewDescriptor {
         dimension: Some(wgpu::TextureViewDimension::D2Array),

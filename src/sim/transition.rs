@@ -1,69 +1,69 @@
-//! Transitions from one sea to another, as pure numbers.
+//! Transitions from one sea to another: their progress and weights, without any GPU code.
 //!
 //! - **Interpolation** between seas with the same wave numbers and frequencies: amplitudes, surface parameters and foam
-//!   parameters move towards the goal. Every frame covers a part of the remaining difference, so that the goal may
-//!   change at any time, as when a slider is dragged.
+//!   parameters move towards the goal. Every frame covers a fraction of the remaining difference, so the goal may
+//!   change at any time, for example while a slider is dragged.
 //! - **Cross-fade** between seas with different waves: both seas are drawn while the new one fades in and the old one
-//!   fades out. Independent waves add by their variances, so amplitudes are square roots of shares. What the two seas
-//!   have in common (waves/overlap.rs) adds by amplitude, and the weights are reduced accordingly.
+//!   fades out. The variances of independent waves add, so amplitude factors are square roots of the weights. Waves
+//!   that both seas contain (waves/overlap.rs) add by amplitude, and the factors are reduced accordingly.
 
 use crate::waves::overlap::Overlap;
 
 /// Duration of a transition, s of wall time.
 pub const TRANSITION_S: f64 = 0.8;
 
-/// How a sea becomes another.
+/// Kind of transition from one sea to another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TransitionKind {
-    /// At once.
+    /// The new sea replaces the old one at once.
     Immediate,
-    /// Interpolation of the foam parameters.
+    /// Interpolation of the foam parameters only; waves and surface stay unchanged.
     Foam,
-    /// Interpolation of the surface parameters and of the foam parameters that follow from them.
+    /// Interpolation of choppiness and water level, and of the foam parameters, which depend on choppiness.
     Surface,
     /// Interpolation of the amplitudes of the waves, and of the surface and foam parameters.
     Amplitudes,
-    /// Cross-fade.
+    /// Cross-fade: both seas are drawn while the new one fades in and the old one fades out.
     CrossFade,
 }
 
-/// Progress of a transition in one frame.
+/// Progress that the running transitions make in one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TransitionStep {
-    /// The transition that starts in this frame; everything else in this struct happens after the start.
+    /// Transition that starts in this frame, if any. The other fields describe the progress after its start.
     pub start: Option<TransitionKind>,
-    /// Share of the remaining difference to the goal that interpolated parameters cover, 0 to 1.
+    /// Fraction of the remaining way to the goal that surface and foam parameters make in this frame, 0 to 1.
     pub interpolation: f64,
-    /// Share of the remaining difference to the goal that the amplitudes of the waves cover, 0 to 1.
+    /// Fraction of the remaining way to the goal that wave amplitudes make in this frame, 0 to 1.
     pub amplitudes: f64,
     /// Whether a cross-fade ends in this frame.
     pub faded: bool,
 }
 
 impl TransitionStep {
-    /// An immediate transition.
+    /// The step in which a new sea replaces the old one at once.
     pub const IMMEDIATE: Self =
         Self { start: Some(TransitionKind::Immediate), interpolation: 0.0, amplitudes: 0.0, faded: false };
 }
 
-/// Progress of the transitions that are under way.
+/// Progress of the running interpolation or cross-fade, or of both.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Transition {
     interpolation: Option<Interpolation>,
-    /// Share of the cross-fade's duration that has passed, 0 to 1.
+    /// Fraction of the cross-fade's duration that has passed, 0 to 1. None without a cross-fade.
     cross_fade: Option<f64>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Interpolation {
-    /// Share of the duration that has passed, 0 to 1.
+    /// Fraction of the interpolation's duration that has passed, 0 to 1.
     progress: f64,
-    /// Whether the amplitudes of the waves are interpolated, too.
+    /// Whether wave amplitudes are interpolated, besides the surface and foam parameters.
     amplitudes: bool,
 }
 
 impl Transition {
-    /// Starts a transition, or restarts it towards another goal.
+    /// Starts a transition of the given kind, or restarts the running one towards another goal.
     pub fn start(&mut self, kind: TransitionKind) {
         match kind {
             TransitionKind::Immediate => *self = Self::default(),
@@ -76,13 +76,13 @@ impl Transition {
         }
     }
 
-    /// Advances by `dt_s` of wall time.
+    /// Advances the running transitions by `dt_s` seconds of wall time and returns the progress in this frame.
     pub fn advance(&mut self, dt_s: f64) -> TransitionStep {
         let elapsed = (dt_s / TRANSITION_S).max(0.0);
         let mut step = TransitionStep::default();
         if let Some(Interpolation { progress: from, amplitudes }) = self.interpolation {
             let to = (from + elapsed).min(1.0);
-            // The remaining difference shrinks with the cube of the remaining time: a goal that moves in every frame is
+            // The remaining difference shrinks with the cube of the remaining time. A goal that moves in every frame is
             // followed with a lag of a third of the duration.
             step.interpolation = 1.0 - ((1.0 - to) / (1.0 - from)).powi(3);
             step.amplitudes = if amplitudes { step.interpolation } else { 0.0 };
@@ -96,7 +96,7 @@ impl Transition {
         step
     }
 
-    /// Share of the new sea in the variance during a cross-fade; 1 otherwise.
+    /// Cross-fade weight of the new sea: its fraction of the total variance, 0 to 1. It is 1 without a cross-fade.
     pub fn share(&self) -> f64 {
         self.cross_fade.map_or(1.0, |x| x * x * (3.0 - 2.0 * x))
     }
@@ -112,37 +112,36 @@ impl Transition {
     }
 }
 
-/// Amplitudes of a cascade of the old and of the new sea when the new sea has this share of the variance, and the
-/// factor by which the sum of their variances falls short.
+/// Amplitude factors of a cascade in the old and in the new sea when the new sea has the fraction `share` of the
+/// variance. The last number is the variance of the blended waves divided by the sum of both variances.
 pub fn weights(overlap: &Overlap, share: f64) -> ([f64; 2], f64) {
     let excess = overlap.excess(share);
     ([((1.0 - share) / excess).sqrt(), (share / excess).sqrt()], excess)
 }
 
-/// Parameters that can be interpolated.
+/// Parameters that can be interpolated between two seas.
 pub trait Interpolate: Clone {
-    /// The parameters at a share of the way to `to`; at share 1 exactly `to`.
+    /// The parameters at the fraction `share` of the way from `self` to `to`; at 1 exactly `to`.
     #[must_use]
     fn interpolate(&self, to: &Self, share: f64) -> Self;
 }
 
-/// Parameters that follow the transitions of a sea.
+/// Parameters of a sea that follow its transitions smoothly.
 #[derive(Clone, Debug)]
 pub struct Interpolated<T> {
-    /// Parameters of the sea that fades out.
+    /// Parameters of the sea that fades out. None without a cross-fade.
     fading: Option<T>,
     now: T,
     goal: T,
 }
 
 impl<T: Interpolate> Interpolated<T> {
-    /// Parameters at rest.
+    /// Parameters that equal their goal, with no transition running.
     pub fn new(goal: T) -> Self {
         Self { fading: None, now: goal.clone(), goal }
     }
 
-    /// Follows a step of a transition. If a transition starts, `goal` is called with the previous goal and returns the
-    /// new one.
+    /// Applies one step of a transition. If a transition starts, `goal` maps the previous goal to the new one.
     pub fn follow(&mut self, step: &TransitionStep, goal: impl FnOnce(&T) -> T) {
         if let Some(kind) = step.start {
             self.goal = goal(&self.goal);
@@ -162,12 +161,12 @@ impl<T: Interpolate> Interpolated<T> {
         }
     }
 
-    /// The parameters of the sea that fades out, if there is one, and of the sea itself.
+    /// The parameters of the sea that fades out, if there is one, and of the current sea.
     pub fn parts(&self) -> (Option<&T>, &T) {
         (self.fading.as_ref(), &self.now)
     }
 
-    /// The parameters when the new sea has this share in a cross-fade.
+    /// The blend of both seas' parameters when the new sea has the cross-fade weight `share`, 0 to 1.
     pub fn value(&self, share: f64) -> T {
         match &self.fading {
             Some(old) if share < 1.0 => old.interpolate(&self.now, share),
@@ -175,18 +174,18 @@ impl<T: Interpolate> Interpolated<T> {
         }
     }
 
-    /// Applies the same change to the parameters of both seas and of the goal.
+    /// Applies the same change to the parameters of both seas of a cross-fade and to the goal.
     pub fn change(&mut self, change: impl Fn(&mut T)) {
         self.fading.iter_mut().chain([&mut self.now, &mut self.goal]).for_each(change);
     }
 }
 
-/// A number at a share of the way from `from` to `to`; at share 1 exactly `to`.
+/// Number at the fraction `share` of the way from `from` to `to`; at 1 exactly `to`.
 pub fn interpolate(from: f64, to: f64, share: f64) -> f64 {
     if share >= 1.0 { to } else { from + (to - from) * share }
 }
 
-/// A pair of numbers at a share of the way from `from` to `to`; at share 1 exactly `to`.
+/// Pair of numbers at the fraction `share` of the way from `from` to `to`; at 1 exactly `to`.
 pub fn interpolate2(from: [f64; 2], to: [f64; 2], share: f64) -> [f64; 2] {
     [interpolate(from[0], to[0], share), interpolate(from[1], to[1], share)]
 }
@@ -216,7 +215,7 @@ mod tests {
             let now = drawn.value(transition.share());
             assert!(now >= before && now - before < 0.11, "{i}: {before} to {now}");
             before = now;
-            // 0.8 s after the last change, not earlier: 48 frames, or one more by rounding.
+            // The transition ends 0.8 s after the last change, not earlier: after 48 frames, or one more by rounding.
             assert!(transition.is_running() == (i < 76) || i == 76, "{i}");
         }
         assert_eq!(drawn.value(1.0), 2.1 + 0.1 * 29.0);

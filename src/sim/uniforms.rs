@@ -6,34 +6,34 @@ use crate::gpu::kit::Slot;
 use crate::gpu::layout::{Declaration, gpu_struct};
 use crate::gpu::uniform::UniformRing;
 
-/// The uniforms of a submission.
+/// Uniform buffers of one submission, with room for several evaluations and foam time steps.
 pub struct UniformRings {
-    /// One for each evaluation of a sea.
+    /// One uniform for each evaluation of a sea in the submission.
     pub sea: UniformRing<SeaUniform>,
-    /// One for each time step of the foam.
+    /// One uniform for each time step of the foam in the submission.
     pub foam: UniformRing<FoamUniform>,
 }
 
 impl UniformRings {
-    /// Binding of `sea`.
+    /// Binding type of the buffer `sea`: a uniform at a dynamic offset.
     pub const SEA: Slot = Slot::UniformAt(size_of::<SeaUniform>());
-    /// Binding of `foam`.
+    /// Binding type of the buffer `foam`: a uniform at a dynamic offset.
     pub const FOAM: Slot = Slot::UniformAt(size_of::<FoamUniform>());
 
-    /// Allocates both buffers, for submissions of at most `foam_steps` time steps of the foam.
+    /// Allocates both buffers, for submissions with at most `foam_steps` foam time steps.
     pub fn new(gpu: &Gpu, foam_steps: usize) -> Self {
-        // An evaluation for each time step and one without foam, for two seas, and the spectrum pass.
+        // For two seas, one evaluation per foam time step and one without foam; besides, one for the spectrum pass.
         let evaluations = 2 * (foam_steps + 1) + 1;
         Self { sea: UniformRing::new(gpu, "sea", evaluations), foam: UniformRing::new(gpu, "foam", foam_steps) }
     }
 
-    /// Discards the uniforms of the last submission.
+    /// Discards the uniforms of the last submission. The next submission then adds its own.
     pub fn restart(&mut self) {
         self.sea.restart();
         self.foam.restart();
     }
 
-    /// Sends the uniforms to the GPU.
+    /// Sends the uniforms of the submission to the GPU.
     pub fn upload(&self, gpu: &Gpu) {
         self.sea.upload(gpu);
         self.foam.upload(gpu);
@@ -41,99 +41,101 @@ impl UniformRings {
 }
 
 gpu_struct! {
-    /// A cascade in the uniform of a sea (WGSL `SeaCascade`).
+    /// WGSL `SeaCascade`: one cascade in the uniform of a sea.
     #[derive(Default)]
     pub struct SeaCascade as "SeaCascade" {
-        /// Side of the patch, m.
+        /// Side of the cascade's square patch, m.
         pub patch_m: f32,
-        /// 2 pi / patch_m.
+        /// Spacing of the cascade's wave vectors, 2 pi / patch_m, rad/m.
         pub dk: f32,
-        /// Noise key.
+        /// Key of the cascade's random numbers, which makes cascades independent.
         pub key: u32,
-        /// Unit of the slope moments in the maps.
+        /// Unit in which the maps store the slope moments.
         pub moment_scale: f32,
     }
 }
 
-/// Largest number of terms of the directional spectrum: three lobes for each of two wave systems.
+/// Largest number of terms of a directional spectrum: three spreading lobes for each of two wave systems.
 pub const MAX_TERMS: usize = 6;
 
 gpu_struct! {
-    /// A term of the directional spectrum (WGSL `SeaTerm`).
+    /// WGSL `SeaTerm`: one term of the directional spectrum, which is a sum of such terms.
     #[derive(Default)]
     pub struct SeaTerm as "SeaTerm" {
-        /// Unit vector (x, z) from which angles are measured.
+        /// Unit vector (x, z) of the direction from which the angles of the spreading function are measured.
         pub travel: [f32; 2],
-        /// 0 lobe, 1 lobe with cos^2, 2 lobe with forward cos^2, 3 measured.
+        /// Form of the term: 0 spreading lobe, 1 lobe times cos^2, 2 lobe times cos^2 in its forward half only, 3
+        /// distribution measured by a buoy.
         pub kind: u32,
-        /// First quadruple within an entry of the table.
+        /// Index of the term's first vec4f within an entry of the wave table.
         pub slot: u32,
     }
 }
 
 gpu_struct! {
-    /// Uniform of one evaluation of a sea (WGSL `Sea`).
+    /// WGSL `Sea`: the uniform of one evaluation of a sea.
     #[derive(Default)]
     pub struct SeaUniform as "Sea" {
-        /// Cascades, longest waves first.
+        /// Cascades of the sea, longest waves first.
         pub cascades: [SeaCascade; MAX_CASCADES],
-        /// Terms of the directional spectrum.
+        /// Terms of the directional spectrum, which is their sum.
         pub terms: [SeaTerm; MAX_TERMS],
-        /// Amplitude of each cascade: 1 except during a cross-fade.
+        /// Amplitude factor of each cascade: 1 except during a cross-fade.
         pub weights: [f32; MAX_CASCADES],
-        /// Horizontal displacement factor along x and z.
+        /// Choppiness: factor of the horizontal displacement along x and z.
         pub chop: [f32; 2],
-        /// FFT size.
+        /// FFT size: number of points along a side of a cascade's lattice.
         pub n: u32,
-        /// Cascades in use.
+        /// Number of entries of `cascades` in use.
         pub count: u32,
-        /// Seed of the noise.
+        /// Seed of the random wave amplitudes.
         pub seed: u32,
-        /// t / period in units of 2^-32.
+        /// Time as a fraction of the sea's period, in units of 2^-32. Its product with a wave's number of cycles per
+        /// period is the phase.
         pub phase_time: u32,
-        /// Not 0: the column pass also leaves the maps in the intermediate buffer, in f32.
+        /// If not 0, the column pass also keeps the maps in f32, in the buffer `lines`.
         pub keep_f32: u32,
-        /// Terms in use.
+        /// Number of entries of `terms` in use.
         pub term_count: u32,
         /// Number of vec4f per entry of the wave table.
         pub stride: u32,
-        /// Map layer of the first cascade.
+        /// Index of the first cascade among the layers of each kind of map.
         pub first_layer: u32,
-        /// Weight of the tabulated amplitudes in the spectrum pass; 1 replaces the current h0.
+        /// Weight with which the spectrum pass moves h0 to the amplitudes of the plan, 0 to 1; 1 replaces h0.
         pub blend: f32,
-        /// Pads the size to a multiple of 16 bytes.
+        /// Unused; pads the struct to a multiple of 16 bytes.
         pub unused: u32,
     }
 }
 
 gpu_struct! {
-    /// WGSL `FoamCorner`: a point of the plane on the maps of a cascade.
+    /// WGSL `FoamCorner`: where the corner of a foam level lies on the maps of a cascade.
     #[derive(Default)]
     pub struct FoamCorner as "FoamCorner" {
-        /// The point on the lattice of the patch's copies.
+        /// Position of the corner on the triangle lattice of the patch's shifted copies.
         pub tile: TilePlace,
-        /// Texture coordinates of the point.
+        /// Texture coordinates of the corner in the cascade's maps.
         pub uv: [f32; 2],
-        /// Pads an array element to a multiple of 16 bytes.
+        /// Unused; pads the struct to a multiple of 16 bytes, as an array element needs it.
         pub unused: [u32; 2],
     }
 }
 
 gpu_struct! {
-    /// A foam level in the uniform of the foam (WGSL `FoamLevel`).
+    /// WGSL `FoamLevel`: one foam level in the uniform of the foam.
     #[derive(Default)]
     pub struct FoamLevelUniform as "FoamLevel" {
-        /// Corner of the first cell in range on each drawn cascade.
+        /// Position of the corner of the level's first cell on each drawn cascade.
         pub corners: [FoamCorner; MAX_DRAWN],
-        /// First cell in range.
+        /// Lowest cell index along x and z that the level covers.
         pub cell: [i32; 2],
-        /// First cell in range at the previous time step.
+        /// Lowest cell index along x and z that the level covered at the previous time step.
         pub previous: [i32; 2],
-        /// Size of a cell, m.
+        /// Side of a foam cell, m.
         pub texel_m: f32,
         /// Jacobian below which foam forms.
         pub threshold: f32,
-        /// Foam source per unit by which the Jacobian lies below the threshold.
+        /// Slope of the foam source: clamp((threshold - Jacobian) x slope, 0, 1).
         pub slope: f32,
         /// Initial foam of a cell that has just entered the area of its level, 0 to 1.
         pub start: f32,
@@ -141,37 +143,37 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// A cascade in the uniform of the foam (WGSL `FoamCascade`).
+    /// WGSL `FoamCascade`: one drawn cascade in the uniform of the foam.
     #[derive(Default)]
     pub struct FoamCascade as "FoamCascade" {
-        /// Side of the patch, m.
+        /// Side of the cascade's square patch, m.
         pub patch_m: f32,
-        /// Layer of the maps.
+        /// Index of the cascade among the layers of each kind of map.
         pub layer: u32,
-        /// Pads an array element to a multiple of 16 bytes.
+        /// Unused; pads the struct to a multiple of 16 bytes, as an array element needs it.
         pub unused: [u32; 2],
     }
 }
 
 gpu_struct! {
-    /// Uniform of one time step of the foam (WGSL `Foam`).
+    /// WGSL `Foam`: the uniform of one time step of the foam.
     #[derive(Default)]
     pub struct FoamUniform as "Foam" {
-        /// Levels, finest first.
+        /// Foam levels, finest first.
         pub levels: [FoamLevelUniform; FOAM_LEVELS],
-        /// The drawn cascades.
+        /// Cascades that are drawn, including those of a sea that fades out.
         pub cascades: [FoamCascade; MAX_DRAWN],
-        /// Time step, s.
+        /// Length of the time step, s.
         pub dt: f32,
-        /// 1 / e-folding time, 1/s.
+        /// Decay rate of foam: 1 / e-folding time, 1/s.
         pub decay: f32,
-        /// Growth at full source, 1/s.
+        /// Rate at which foam grows where its source is 1, 1/s.
         pub rate: f32,
-        /// Cells along a side.
+        /// Number of cells along a side of a foam level.
         pub size: u32,
-        /// Cascades in use.
+        /// Number of entries of `cascades` in use.
         pub count: u32,
-        /// Pads the size to a multiple of 16 bytes.
+        /// Unused; pads the struct to a multiple of 16 bytes.
         pub unused: [u32; 3],
     }
 }

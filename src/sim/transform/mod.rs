@@ -1,4 +1,4 @@
-//! The inverse transforms along x and along z, in one of two ways.
+//! The inverse FFT along x and along z, in two implementations: for GPUs and for software adapters.
 
 mod unrolled;
 mod workgroup;
@@ -11,34 +11,33 @@ use crate::shaders::Shaders;
 use unrolled::UnrolledTransform;
 use workgroup::WorkgroupTransform;
 
-/// How the transforms run.
+/// Implementation of the inverse FFT.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TransformWay {
-    /// One dispatch along each axis; threads exchange points through workgroup memory. Has the least memory traffic:
-    /// for GPUs.
+    /// For GPUs: one dispatch along each axis. Threads exchange points in workgroup memory, with least memory traffic.
     Workgroup,
-    /// Two dispatches along each axis, without workgroup memory and barriers: for software adapters, which store and
-    /// reload the state of every thread at a barrier.
+    /// For software adapters: two dispatches along each axis, without workgroup memory and barriers. At a barrier, a
+    /// software adapter stores and reloads the state of every thread.
     Unrolled,
 }
 
 impl TransformWay {
-    /// The faster way on a device.
+    /// The faster implementation on a device.
     pub fn of(gpu: &Gpu) -> Self {
         if gpu.is_software() { Self::Unrolled } else { Self::Workgroup }
     }
 }
 
-/// The row and column passes.
+/// Row and column passes: the inverse FFT along x, then along z.
 pub enum Transform {
-    /// See [`TransformWay::Workgroup`].
+    /// FFT through workgroup memory, for GPUs; see [`TransformWay::Workgroup`].
     Workgroup(Box<WorkgroupTransform>),
-    /// Transform without barriers, for software adapters; see [`TransformWay::Unrolled`].
+    /// FFT without barriers, for software adapters; see [`TransformWay::Unrolled`].
     Unrolled(Box<UnrolledTransform>),
 }
 
 impl Transform {
-    /// Compiles the passes and binds them.
+    /// Compiles the passes of the given implementation and creates their bind groups.
     pub fn new(gpu: &Gpu, shaders: &Shaders, way: TransformWay, r: &Resources, rings: &UniformRings) -> Self {
         match way {
             TransformWay::Workgroup => Self::Workgroup(Box::new(WorkgroupTransform::new(gpu, shaders, r, rings))),
@@ -46,7 +45,7 @@ impl Transform {
         }
     }
 
-    /// The way of these passes.
+    /// Which implementation of the FFT these passes are.
     pub fn way(&self) -> TransformWay {
         match self {
             Self::Workgroup(_) => TransformWay::Workgroup,
@@ -54,7 +53,7 @@ impl Transform {
         }
     }
 
-    /// Number of dispatches of an evaluation.
+    /// Number of compute dispatches that transform all cascades of a sea along x and z.
     pub fn dispatches(&self) -> u32 {
         match self {
             Self::Workgroup(_) => 2,
@@ -62,7 +61,7 @@ impl Transform {
         }
     }
 
-    /// Binds resources that have been replaced.
+    /// Creates the bind groups anew after buffers or textures have been replaced.
     pub fn bind(&mut self, gpu: &Gpu, r: &Resources, rings: &UniformRings) {
         match self {
             Self::Workgroup(transform) => transform.bind(gpu, r, rings),
@@ -70,7 +69,7 @@ impl Transform {
         }
     }
 
-    /// Records the waves at the evaluation's time and their transform along x.
+    /// Records the row pass: computes the waves at the evaluation's time and transforms them along x.
     pub fn rows(&self, encoder: &mut wgpu::CommandEncoder, slot: EvaluationSlot) {
         match self {
             Self::Workgroup(transform) => transform.rows(encoder, slot),
@@ -78,7 +77,7 @@ impl Transform {
         }
     }
 
-    /// Records the transform along z and the maps of mip level 0.
+    /// Records the column pass: transforms along z and writes mip level 0 of the displacement and gradient maps.
     pub fn columns(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, slot: EvaluationSlot) {
         match self {
             Self::Workgroup(transform) => transform.columns(encoder, slot),

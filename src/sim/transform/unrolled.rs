@@ -1,4 +1,4 @@
-//! The transforms on software adapters (shaders/waves/unrolled_*.wgsl).
+//! The inverse FFT on software adapters (shaders/waves/unrolled_*.wgsl).
 
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Kernel, Slot};
@@ -10,7 +10,7 @@ use crate::sim::resources::{MapKind, Resources, Waves};
 use crate::sim::uniforms::UniformRings;
 use std::sync::OnceLock;
 
-/// The row passes and the column passes.
+/// Row and column passes of the FFT for software adapters, with two dispatches each.
 pub struct UnrolledTransform {
     n: u32,
     rows_first: Kernel,
@@ -21,24 +21,24 @@ pub struct UnrolledTransform {
     groups: Groups,
 }
 
-/// Buffers between the dispatches.
+/// Buffers that pass values from one dispatch to the next.
 struct Buffers {
-    /// Lines after the first half of a transform, as large as `Resources::lines`.
+    /// Values after the first of the two dispatches along an axis; as large as `Resources::lines`.
     halves: wgpu::Buffer,
-    /// Displacement and gradients of all cascades before they are copied to the textures, \[map\]\[cascade\]\[z\]\[x\].
+    /// Displacement and gradient maps before they are copied to the textures, \[map\]\[cascade\]\[z\]\[x\].
     maps: wgpu::Buffer,
 }
 
 struct Groups {
-    /// One bind group for each sea; there are two during a cross-fade.
+    /// One bind group for each sea. The second one exists from the first cross-fade on.
     rows_first: Vec<wgpu::BindGroup>,
     rows_second: wgpu::BindGroup,
     columns_first: wgpu::BindGroup,
     columns_second: wgpu::BindGroup,
 }
 
-/// The last kernel, without and with the f32 copy of the maps. The latter is compiled at its first use, because
-/// compiling takes long and a window does not need the copy.
+/// The last of the four dispatches, as one kernel without and one with an f32 copy of the maps. The second kernel is
+/// compiled at its first use, because compiling takes long and a window does not need the copy.
 struct ColumnsSecond {
     gpu: Gpu,
     module: wgpu::ShaderModule,
@@ -70,7 +70,7 @@ impl ColumnsSecond {
 }
 
 impl UnrolledTransform {
-    /// Allocates the buffers, compiles the passes and binds them.
+    /// Allocates the intermediate buffers, compiles the kernels and creates their bind groups.
     pub fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, rings: &UniformRings) -> Self {
         let n = r.n;
         let kernel = |label, kernel, slots: &[Slot]| {
@@ -89,7 +89,7 @@ impl UnrolledTransform {
         Self { n, rows_first, rows_second, columns_first, columns_second, buffers, groups }
     }
 
-    /// Binds resources that have been replaced, after allocating buffers for as many cascades.
+    /// Creates the bind groups anew after resources have been replaced, with intermediate buffers of their size.
     pub fn bind(&mut self, gpu: &Gpu, r: &Resources, rings: &UniformRings) {
         if self.buffers.halves.size() != r.lines.size() {
             self.buffers = Buffers::new(gpu, r);
@@ -98,16 +98,16 @@ impl UnrolledTransform {
         self.groups = Groups::new(gpu, kernels, &self.buffers, r, rings);
     }
 
-    /// Records the waves at the evaluation's time and their transform along x.
+    /// Records the row pass: computes the waves at the evaluation's time and transforms them along x.
     pub fn rows(&self, encoder: &mut wgpu::CommandEncoder, slot: EvaluationSlot) {
         let (n, Factors { first, second }) = (self.n, Factors::new(self.n));
-        // One line of threads for two opposite lines of waves: n / 2 + 1 lines in workgroups of 8.
+        // One row of threads computes two rows of opposite wave vectors: n / 2 + 1 rows in workgroups of 8.
         let size = [second / 8, n / 16 + 1, slot.count];
         self.rows_first.run(encoder, &self.groups.rows_first[slot.waves], &[slot.uniform], size);
         self.rows_second.run(encoder, &self.groups.rows_second, &[], [first / 8, n / 8, 2 * slot.count]);
     }
 
-    /// Records the transform along z and the maps.
+    /// Records the column pass: transforms along z and copies the maps to mip level 0 of the textures.
     pub fn columns(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, slot: EvaluationSlot) {
         let (n, Factors { first, second }) = (self.n, Factors::new(self.n));
         self.columns_first.run(encoder, &self.groups.columns_first, &[], [n / 64, second, 2 * slot.count]);
@@ -137,7 +137,7 @@ impl UnrolledTransform {
 
 impl Buffers {
     fn new(gpu: &Gpu, r: &Resources) -> Self {
-        // A vec4f of the lines becomes a texel of a map.
+        // Each vec4f in `lines` becomes one texel of a map.
         let texels = r.lines.size() / size_of::<[f32; 4]>() as u64;
         Self {
             halves: gpu.storage("halves", r.lines.size()),
@@ -147,7 +147,7 @@ impl Buffers {
 }
 
 impl Groups {
-    /// `kernels` in the order of their dispatches.
+    /// Creates the bind groups of the four kernels, which are given in the order of their dispatches.
     fn new(gpu: &Gpu, kernels: [&Kernel; 4], buffers: &Buffers, r: &Resources, rings: &UniformRings) -> Self {
         let [rows_first, rows_second, columns_first, columns_second] = kernels;
         let [twiddle, lines] = [&r.twiddle, &r.lines].map(wgpu::Buffer::as_entire_binding);

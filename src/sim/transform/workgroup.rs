@@ -1,4 +1,4 @@
-//! The transforms on GPUs (shaders/waves/rows.wgsl and columns.wgsl).
+//! The inverse FFT on GPUs (shaders/waves/rows.wgsl and columns.wgsl).
 
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Kernel, Slot};
@@ -8,33 +8,33 @@ use crate::sim::planned_sea::EvaluationSlot;
 use crate::sim::resources::{Resources, Waves, array_view};
 use crate::sim::uniforms::UniformRings;
 
-/// Workgroup memory that a kernel may use, in vec4f: WebGPU's base limit of 16 KiB.
+/// Largest number of vec4f in the memory of a workgroup: WebGPU's base limit of 16 KiB.
 const EXCHANGE_LIMIT: u32 = 1024;
-/// Threads that a workgroup should have at least: a warp on any GPU.
+/// Smallest number of threads per workgroup, so that it fills a warp on any GPU.
 const LEAST_THREADS: u32 = 64;
 
-/// The row pass and the column pass.
+/// Row and column pass of the FFT for GPUs, with one dispatch each.
 pub struct WorkgroupTransform {
     rows: Kernel,
     columns: Kernel,
-    /// Workgroups per cascade.
+    /// Number of workgroups for each cascade.
     workgroups: u32,
     groups: Groups,
 }
 
 struct Groups {
-    /// One bind group for each sea; there are two during a cross-fade.
+    /// One bind group for each sea. The second one exists from the first cross-fade on.
     rows: Vec<wgpu::BindGroup>,
     columns: wgpu::BindGroup,
 }
 
-/// Lines of `n` points that share a workgroup.
+/// Number of lines that one workgroup transforms, for an FFT of `n` points per line.
 fn lines_per_workgroup(n: u32) -> u32 {
     (LEAST_THREADS / Factors::new(n).second).clamp(1, EXCHANGE_LIMIT / n)
 }
 
 impl WorkgroupTransform {
-    /// Compiles and binds both passes.
+    /// Compiles both passes and creates their bind groups.
     pub fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, rings: &UniformRings) -> Self {
         let (lines, Factors { first, second }) = (lines_per_workgroup(r.n), Factors::new(r.n));
         let constants = [("N", r.n), ("R1", first), ("R2", second), ("LINES", lines), ("EXCHANGE", lines * r.n)]
@@ -50,18 +50,18 @@ impl WorkgroupTransform {
         Self { rows, columns, workgroups: r.n / lines, groups }
     }
 
-    /// Binds resources that have been replaced.
+    /// Creates the bind groups anew after buffers or textures have been replaced.
     pub fn bind(&mut self, gpu: &Gpu, r: &Resources, rings: &UniformRings) {
         self.groups = Groups::new(gpu, &self.rows, &self.columns, r, rings);
     }
 
-    /// Records the waves at the evaluation's time and their transform along x.
+    /// Records the row pass: computes the waves at the evaluation's time and transforms them along x.
     pub fn rows(&self, encoder: &mut wgpu::CommandEncoder, slot: EvaluationSlot) {
         let size = [self.workgroups, 1, slot.count];
         self.rows.run(encoder, &self.groups.rows[slot.waves], &[slot.uniform], size);
     }
 
-    /// Records the transform along z and the maps.
+    /// Records the column pass: transforms along z and writes mip level 0 of the displacement and gradient maps.
     pub fn columns(&self, encoder: &mut wgpu::CommandEncoder, slot: EvaluationSlot) {
         let size = [self.workgroups, 1, slot.count];
         self.columns.run(encoder, &self.groups.columns, &[slot.uniform], size);
