@@ -15,8 +15,7 @@ const FASTER: f64 = 8.0;
 /// Angle by which the orbiting camera turns per point that the pointer is dragged, degrees.
 const ORBIT_DEG: f64 = 0.3;
 
-/// Applies mouse and touch to the camera: dragging turns it, wheel and pinching zoom, two fingers also move it over the
-/// sea.
+/// Applies mouse and touch to the camera: dragging turns it, wheel and pinching zoom, two fingers also move it.
 pub fn pointer(camera: &mut Camera, response: &egui::Response, ctx: &egui::Context) {
     let height = f64::from(response.rect.height()).max(1.0);
     let degrees_per_point = camera.fov_deg / height;

@@ -1,5 +1,4 @@
-//! Undo and redo of parameter changes. An undo step leaves out simulated time and camera, because they move by
-//! themselves.
+//! Undo and redo of parameter changes. Simulated time and camera are not undone, because they move by themselves.
 
 use crate::state::Params;
 use egui::util::undoer::{Settings, Undoer};
@@ -125,8 +124,8 @@ mod tests {
         assert_eq!(history.can(&p), (true, false), "another change leaves nothing to redo");
     }
 
-    /// Changes one parameter after the other, then undoes all changes and redoes them. Each step must restore the exact
-    /// parameters.
+    /// Changes one parameter after the other, undoes all changes, then redoes them. Each step restores the exact
+    /// values.
     #[test]
     fn every_value_is_undone_and_redone() {
         let mut history = History::default();

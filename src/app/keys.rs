@@ -1,5 +1,4 @@
-//! Keyboard shortcuts: their table (also listed in docs/using.md), their actions, and the help window that shows the
-//! table.
+//! Keyboard shortcuts: their table (docs/using.md has it, too), their actions, and the help window with the table.
 
 use super::{App, camera, caption, panel};
 use egui::{Key, Modifiers};

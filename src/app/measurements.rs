@@ -9,16 +9,14 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Least time between two read-backs of the wave maps, s.
 const EVERY_S: f64 = 1.0;
-/// Number of map texels that one frame passes through the Fourier transform on the CPU: a few milliseconds in a
-/// browser.
+/// Number of map texels per frame that the CPU passes through the Fourier transform: a few milliseconds in a browser.
 const POINTS_PER_FRAME: usize = 1 << 16;
 /// Number of frequency bins of the spectrum that is measured in the wave maps.
 const BINS: usize = 72;
 /// Weight of a new frame in the moving average of the recording time, 0 to 1.
 const SMOOTHING: f64 = 0.1;
 
-/// Flags of the read-outs that are measured only while the panel shows them. Drawing a read-out sets its flag, and the
-/// next frame clears it.
+/// Flags of read-outs that are measured only while they are shown. Drawing one sets its flag; the next frame clears it.
 #[derive(Default)]
 pub struct Shown {
     /// Whether the plot of the buoy's record is shown.
@@ -147,8 +145,7 @@ impl SeaMeasurement {
         self.mean(self.sums.mss)
     }
 
-    /// Measured fraction of the sea around the camera that is covered by foam, 0 to 1; `None` before the first
-    /// measurement.
+    /// Measured foam coverage of the sea around the camera, 0 to 1; `None` before the first measurement.
     pub fn coverage(&self) -> Option<f64> {
         self.mean(self.sums.coverage)
     }

@@ -168,13 +168,13 @@ impl App {
         self.drawn.as_ref().map_or([0; 2], |(_, size)| *size)
     }
 
-    /// Sets the folder for saved files, instead of the user's pictures folder. The web page ignores it and downloads
-    /// files.
+    /// Sets the folder for saved files, instead of the user's pictures folder. The web page downloads files and ignores
+    /// it.
     pub fn set_save_folder(&mut self, folder: std::path::PathBuf) {
         self.save_folder = Some(folder);
     }
 
-    /// Significant wave height measured in the wave maps on the GPU, m. `None` until the panel has shown a measured
+    /// Significant wave height measured in the GPU's wave maps, m; `None` until the panel has shown a measured
     /// quantity.
     pub fn measured_hs_m(&self) -> Option<f64> {
         self.sea_measurement.hs_m()

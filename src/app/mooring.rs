@@ -4,8 +4,7 @@ use super::App;
 use crate::state::camera::View;
 use crate::state::floats::{self, Float};
 
-/// Largest distance from the camera at which a buoy or boat can be placed, m. Farther away it would be too small to
-/// see.
+/// Largest distance from the camera at which a buoy or boat can be placed, m. Farther away it is too small to see.
 const FARTHEST_FLOAT_M: f64 = 3000.0;
 /// Number of fixed-point iterations that find the intersection of a view ray with the waves.
 const RAY_STEPS: usize = 8;
@@ -36,8 +35,8 @@ impl App {
         self.params.floats.push(Float { kind, x_m: round(x_m), z_m: round(z_m) });
     }
 
-    /// The position on the sea, m east and south, that is seen at a point of the window; `None` if there is no water or
-    /// it is too far away.
+    /// The position on the sea, m east and south, seen at a point of the window; `None` without water or if too far
+    /// away.
     fn sea_at(&self, at: egui::Pos2, rect: egui::Rect) -> Option<[f64; 2]> {
         let camera = &self.params.camera;
         let aspect = f64::from(rect.width() / rect.height().max(1.0));

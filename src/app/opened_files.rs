@@ -1,5 +1,4 @@
-//! Files dropped on the window or the page: measured spectra of a buoy, a sky image, a saved picture or a list of named
-//! seas.
+//! Files dropped on the window or the page: a buoy's measured spectra, a sky image, a saved picture or a list of seas.
 
 #[cfg(target_arch = "wasm32")]
 use super::tasks;

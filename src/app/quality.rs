@@ -8,11 +8,9 @@ const LONG_S: f64 = 1.0 / 40.0;
 const SHORT_S: f64 = 1.0 / 55.0;
 /// Lowest factor by which adaptive quality scales the picture's width and height.
 const LEAST_SCALE: f64 = 0.4;
-/// Initial and lowest factor of the picture's width and height on a software adapter, where a frame of 1280 x 720 takes
-/// seconds.
+/// Initial and lowest factor of the picture's width and height on a software adapter, which takes seconds per frame.
 const CPU_SCALE: f64 = 0.25;
-/// Smallest FFT size to which slow frames reduce a cascade. A smaller one would leave gaps between the cascades' wave
-/// number bands.
+/// Smallest FFT size to which slow frames reduce a cascade. A smaller one would leave wave numbers in no cascade.
 const LEAST_N: u32 = 128;
 /// Factor of the picture's width and height for every other out-of-memory error, beginning with the first.
 const REFUSED_SCALE: f64 = 0.7;
@@ -20,8 +18,7 @@ const REFUSED_SCALE: f64 = 0.7;
 const REFUSED_N: u32 = 64;
 /// Time for which frames must be too slow before the quality is lowered, s.
 const PATIENCE_S: f64 = 0.6;
-/// Initial time for which frames must be fast before a higher quality is tried, s. The time doubles after each failed
-/// trial.
+/// Initial time for which frames must be fast before a higher quality is tried, s. It doubles after each failed trial.
 const TRIAL_S: f64 = 3.0;
 /// Upper limit of the time for which frames must be fast before a higher quality is tried, s.
 const MOST_TRIAL_S: f64 = 60.0;
@@ -53,7 +50,7 @@ pub struct Quality {
 }
 
 impl Quality {
-    /// Creates the controller with the initial quality for a kind of adapter; `still` tells that the simulated time is
+    /// Creates the controller with the initial quality for a kind of adapter. `still`: whether simulated time is
     /// stopped.
     pub fn on(kind: wgpu::DeviceType, still: bool) -> Self {
         let is_cpu = kind == wgpu::DeviceType::Cpu;
@@ -71,7 +68,7 @@ impl Quality {
         }
     }
 
-    /// Adapts the quality to `dt_s`, the time since the last frame. While the simulated time is stopped the quality is
+    /// Adapts the quality to `dt_s`, the time since the last frame. While simulated time is stopped, the quality is
     /// full.
     pub fn watch(&mut self, dt_s: f64, still: bool, adaptive: bool) {
         let was_still = std::mem::replace(&mut self.still, still);
@@ -99,8 +96,7 @@ impl Quality {
                 self.trial_s = (2.0 * self.trial_s).min(MOST_TRIAL_S);
             }
             if self.scale > self.least_scale {
-                // The cost of a frame is proportional to its pixels, hence the root. The limits keep the change
-                // gradual.
+                // The cost of a frame is proportional to its pixels, hence the root. The limits smooth the change.
                 let wanted = (0.9 * LONG_S / self.frame_s).sqrt().clamp(0.7, 0.95);
                 self.scale = (self.scale * wanted).max(self.least_scale);
             } else {

@@ -22,7 +22,7 @@ impl App {
         rows
     }
 
-    /// The whole report as plain text: the rows about program and GPU, then pass times, errors, notices and the state
+    /// The whole report as plain text: program, GPU and frame rate, then pass times, errors, notices and the state
     /// string.
     pub fn report(&self) -> String {
         let mut lines: Vec<String> = self.about().iter().map(|(name, value)| format!("{name}: {value}")).collect();

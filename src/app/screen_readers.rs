@@ -55,8 +55,8 @@ impl ScreenReaders {
         }
     }
 
-    /// Widgets and texts of the last frame. The first call enables the tree, so the list is empty until the frame after
-    /// it.
+    /// Widgets and texts of the last frame. The first call enables the tree, so the list stays empty until the next
+    /// frame.
     pub fn items(&self, ctx: &egui::Context) -> Vec<AccessibleItem> {
         if self.inner().tree.is_none() {
             ctx.enable_accesskit();

@@ -4,8 +4,7 @@ use crate::gpu::device;
 use egui::epaint::text::{GlyphBitmap, GlyphRasterizer, GlyphRasterizerRequest, RasterizedGlyph};
 use std::sync::Arc;
 
-/// wgpu configuration of the web page, the desktop window and the tests: the backends, limits and features of the
-/// program.
+/// wgpu configuration of the web page, the desktop window and the tests: the program's backends, limits and features.
 pub fn wgpu_configuration() -> egui_wgpu::WgpuConfiguration {
     let mut setup = egui_wgpu::WgpuSetupCreateNew::without_display_handle();
     setup.instance_descriptor.backends = device::backends();
@@ -22,8 +21,7 @@ pub fn wgpu_configuration() -> egui_wgpu::WgpuConfiguration {
     egui_wgpu::WgpuConfiguration { wgpu_setup: egui_wgpu::WgpuSetup::CreateNew(setup), ..Default::default() }
 }
 
-/// Draws the clipboard symbol (U+1F4CB) of egui's colour picker, because the program's fonts lack it. Returns `None`
-/// for other glyphs.
+/// Draws the clipboard symbol (U+1F4CB), which egui's colour picker uses and the fonts lack. `None` for other glyphs.
 fn clipboard_sign(request: &GlyphRasterizerRequest<'_>) -> Option<RasterizedGlyph> {
     if request.cluster != "\u{1f4cb}" {
         return None;

@@ -53,8 +53,7 @@ impl App {
         }
     }
 
-    /// Saves the current picture as a PNG that contains its state string. The result arrives in `saved` in a later
-    /// frame.
+    /// Saves the current picture as a PNG that contains its state string. A later frame finds the result in `saved`.
     pub(super) fn save_picture(&mut self) {
         let Some((params, size)) = self.drawn.clone() else { return };
         let params = rounded(&params);
@@ -75,7 +74,7 @@ impl App {
         });
     }
 
-    /// Saves the wave maps of the current moment as an OpenEXR file. The result arrives in `saved` in a later frame.
+    /// Saves the wave maps of the current moment as an OpenEXR file. A later frame finds the result in `saved`.
     pub(super) fn save_maps(&mut self) {
         let params = rounded(&self.params);
         let state = query::write(&params);

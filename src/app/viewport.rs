@@ -9,10 +9,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use web_time::Instant;
 
-/// Number of past foam steps that one frame replays after a start without foam, for FFT sizes of at least 256. Smaller
-/// ones replay more.
+/// Number of past foam steps that one frame replays after a start, for FFT sizes from 256. Smaller sizes replay more.
 const STEPS_PER_FRAME: usize = 6;
-/// Number of past foam steps that one frame replays on a software adapter, for FFT sizes of at least 256.
+/// Number of past foam steps that one frame replays on a software adapter, for FFT sizes from 256.
 const CPU_STEPS_PER_FRAME: usize = 1;
 /// Upper limit of the time by which one frame advances a cross-fade between two seas, s.
 const LONGEST_FADE_STEP_S: f64 = 0.1;
@@ -138,8 +137,8 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         if let Some(ocean) = resources.get::<Ocean>() {
             self.measurements.painted();
             self.progress.0.begun.store(true, Ordering::Relaxed);
-            // Before the first picture is finished, the page shows its loading screen, or the last picture of a lost
-            // device.
+            // Before the first picture is finished, the page shows its loading screen, or the picture before a device
+            // loss.
             if cfg!(not(target_arch = "wasm32")) || !self.progress.is_awaited() {
                 ocean.present(pass);
             }

@@ -1,5 +1,4 @@
-//! The web page: functions that JavaScript calls, and the page's address (URL), which always contains the current
-//! state.
+//! The web page: functions that JavaScript calls, and the page's address (URL), which contains the current state.
 
 use super::device_loss::{AppHost, Created, ParkedApp};
 use super::gpu_errors::GpuErrors;
@@ -40,8 +39,7 @@ impl WebHandle {
         Self { runner: eframe::WebRunner::new(), parked: ParkedApp::default(), gpu_errors: Rc::default() }
     }
 
-    /// Starts the app on a canvas with the state in the page's address. After a device loss, continues the app on
-    /// another device.
+    /// Starts the app on a canvas with the state in the page's address, or continues it on another device after a loss.
     ///
     /// # Errors
     /// One sentence, if WebGPU cannot be used. The caller may try again.
@@ -96,8 +94,8 @@ impl WebHandle {
         self.with(|app| app.is_seen()).unwrap_or_default()
     }
 
-    /// Requests one more frame. Returns whether the picture is complete: past foam steps are replayed over the first
-    /// frames.
+    /// Requests one more frame. Returns whether the picture is complete: its foam has been replayed, no cross-fade
+    /// runs.
     pub fn settled(&self) -> bool {
         self.with(|app| app.settled()).unwrap_or_default()
     }

@@ -86,8 +86,7 @@ pub enum Command {
         /// view in m (Z) and the normal in world axes (N.X east, N.Y up, N.Z south)
         #[arg(long, requires = "frames")]
         layers: bool,
-        /// Renders a reference picture, of which the usual picture is an approximation: many unfiltered samples per
-        /// pixel
+        /// Renders a reference picture of many unfiltered samples per pixel, which the usual picture approximates
         #[arg(long)]
         reference: bool,
         /// Minimum number of samples per pixel of the reference picture

@@ -45,11 +45,10 @@ impl fmt::Display for Line {
     }
 }
 
-/// Tolerances of the passes as relative errors, with their reasons. One f32 operation has a relative rounding error of
-/// 6e-8.
+/// Tolerances of the passes as relative errors, with reasons. One f32 operation has a relative rounding error of 6e-8.
 mod tolerance {
-    /// Spectrum pass: the hash is exact; logarithm, sine, arc tangent and exponential are wrong by a few units in the
-    /// last place.
+    /// Spectrum pass: the hash is exact; logarithm, sine, arc tangent and exponential are off by a few units of least
+    /// precision.
     pub const SPECTRUM: f64 = 1e-6;
     /// Row and column passes: rounding errors of the log2(n) butterfly stages of an FFT of size n.
     pub const TRANSFORM: f64 = 1e-6;
@@ -79,8 +78,7 @@ pub async fn run(gpu: &Gpu, params: &Params) -> Result<Vec<Line>, String> {
     run_with(gpu, params, &Shaders::default(), TransformWay::of(gpu)).await
 }
 
-/// Compares all GPU passes of the simulation with the oracle, for a state at its time, with given shaders and FFT
-/// variant.
+/// Compares all GPU passes of a state at its time with the oracle, using the given shaders and FFT variant.
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -139,8 +137,7 @@ impl Check<'_> {
         self.transformed(encoder, rows, ["rows Dx Dz eta Dxz", "rows eta_x eta_z Dxx Dzz"]).await
     }
 
-    /// Compares the FFT along columns, with the oracle's rows as input. Also computes the mip levels of the resulting
-    /// maps.
+    /// Compares the FFT along columns, with the oracle's rows as input. Also computes the mip levels of the maps.
     async fn columns(&mut self, rows: &[MapPair], maps: &[MapPair]) -> Result<(), String> {
         let r = &self.sim.resources;
         let flat: Vec<[f32; 4]> = rows.iter().flatten().flatten().map(|t| t.map(|x| x as f32)).collect();

@@ -42,8 +42,7 @@ pub struct MeasuredStatistics {
     pub skewness: Estimate,
     /// Kurtosis of the surface's elevation; 3 for a Gaussian.
     pub kurtosis: Estimate,
-    /// Largest relative difference, over the seeds, of the maps' variance from the variance of the waves (Parseval's
-    /// theorem).
+    /// Largest relative difference of a seed between the maps' variance and the waves' variance (Parseval's theorem).
     pub parseval_error: f64,
     /// Number of seeds that were measured.
     pub seeds: u32,

@@ -43,7 +43,7 @@ impl Estimate {
         self.mapped(factor * self.value, factor)
     }
 
-    /// Applies a function, given by its value and derivative at the estimate. The standard error is propagated
+    /// Applies a function, given by its value and derivative at the estimate, and propagates the standard error
     /// linearly.
     pub fn mapped(self, value: f64, derivative: f64) -> Self {
         Self { value, error: self.error.map(|e| e * derivative.abs()) }

@@ -1,5 +1,4 @@
-//! `seastate export`: writes the wave maps as OpenEXR files with named channels of 32-bit floats, and their description
-//! as plan.json.
+//! `seastate export`: writes the wave maps as OpenEXR files of 32-bit floats, and their description as plan.json.
 
 use super::{create_folder, write_file};
 use crate::gpu::Gpu;

@@ -151,8 +151,7 @@ fn perceived(picture: &SrgbPicture, pixels_per_degree: f64) -> Vec<[f64; 3]> {
     out.into_iter().map(|c| hunt(linear_rgb(c))).collect()
 }
 
-/// Filters one channel of a picture along rows by the kernel `along`, then along columns by `down`. Border pixels are
-/// repeated.
+/// Filters one channel of a picture: rows by the kernel `along`, then columns by `down`. Border pixels are repeated.
 fn filtered(plane: &[f64], width: usize, along: &[f64], down: &[f64]) -> Vec<f64> {
     let height = plane.len() / width;
     let reach = (along.len() / 2) as isize;

@@ -1,5 +1,4 @@
-//! `seastate keys`: lists the keys of the state string from [`FIELDS`], as text or as the Markdown of
-//! docs/parameters.md.
+//! `seastate keys`: lists the keys of the state string from [`FIELDS`], as text or as Markdown.
 
 use super::page::Page;
 use crate::state::fields::{FIELDS, Field, Group};

@@ -1,5 +1,4 @@
-//! Reference pictures: each pixel is the mean of many unfiltered samples, with the exposure and film of the usual
-//! picture.
+//! Reference pictures: each pixel is the mean of many unfiltered samples, exposed and filmed as the usual picture.
 
 use crate::gpu::Gpu;
 use crate::gpu::readback;
@@ -63,8 +62,8 @@ impl PixelSum {
         }
     }
 
-    /// Linear light of the pixel: weighted mean of its water samples and mean of its sky samples, in proportion to
-    /// their numbers.
+    /// Linear light of the pixel: weighted mean of the water samples and mean of the sky samples, weighted by their
+    /// counts.
     fn mean(&self) -> [f32; 3] {
         let all = self.skies + self.waters;
         std::array::from_fn(|i| {

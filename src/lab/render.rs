@@ -10,8 +10,7 @@ use crate::state::views::{Shown, Surface, ViewChoice};
 use exr::prelude::*;
 use std::path::Path;
 
-/// Distance of the camera's near plane, m. The depth texture holds this distance divided by the distance of the
-/// surface.
+/// Distance of the camera's near plane, m. The depth texture holds this divided by the surface's distance.
 const NEAR_M: f32 = 0.1;
 /// Distance that is written for sky pixels, m: compositing software expects a very large number.
 const SKY_M: f32 = 1e10;

@@ -61,8 +61,7 @@ pub fn show(app: &mut App, ctx: &egui::Context) {
     });
 }
 
-/// Shows the panel of a narrow window: a line with a summary of the sea, which expands and collapses the rest when it
-/// is tapped.
+/// Shows the panel of a narrow window: a summary of the sea in one line, which expands and collapses the rest.
 fn sheet(app: &mut App, ctx: &egui::Context, screen: egui::Rect) {
     let area = egui::Area::new(egui::Id::unique("sheet")).anchor(egui::Align2::CENTER_BOTTOM, egui::Vec2::ZERO);
     area.order(egui::Order::Middle).show(ctx, |ui| {

@@ -1,5 +1,4 @@
-//! Read-outs of the panel: statistics by theory, of the computed waves and measured in the maps; times of the GPU
-//! passes; the device.
+//! Read-outs of the panel: statistics of the sea by theory and as measured, times of the GPU passes, and the device.
 
 use super::super::App;
 
@@ -33,8 +32,7 @@ pub fn show(app: &App, ui: &mut egui::Ui) {
     ui.spacing_mut().interact_size.y = tall;
 }
 
-/// Shows a table of statistics in three columns: by theory, of the waves on the FFT grids, and measured in the GPU's
-/// maps.
+/// Shows a table of statistics in three columns: by theory, of the waves on the FFT grids, and as measured on the GPU.
 pub fn more(app: &App, ui: &mut egui::Ui) {
     app.shown.maps.set(true);
     let (t, r) = (&app.derived.theory, app.derived.resolved());

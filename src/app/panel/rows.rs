@@ -85,8 +85,7 @@ fn edit(field: &'static Field, value: &mut f64, units: Units, ui: &mut egui::Ui)
     }
 }
 
-/// Adds a slider in the user's units. The metric value changes only when the slider moves, so that the conversion does
-/// not round it.
+/// Adds a slider in the user's units. The metric value changes only if the slider moves, so converting never rounds it.
 fn number(
     field: &'static Field,
     value: &mut f64,

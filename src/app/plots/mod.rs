@@ -70,8 +70,7 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
     }
 }
 
-/// Adds a collapsible section with a plot and a button that saves its data as CSV. A click moves the data into
-/// `wanted`.
+/// Adds a collapsible section with a plot and a button "CSV". A click on the button moves the data into `wanted`.
 fn section(
     ui: &mut egui::Ui,
     title: &str,

@@ -1,5 +1,4 @@
-//! Polar plot of the directional spectrum: the direction that the waves come from, long waves in the middle, and the
-//! wind.
+//! Polar plot of the directional spectrum: the direction that waves come from, long waves in the middle, and the wind.
 
 use super::super::App;
 use super::Table;
@@ -35,8 +34,8 @@ impl Wheel {
     }
 }
 
-/// Colour of `x` (0 to 1) in the colour map cividis (Nunez et al. 2018), whose brightness increases for colour-blind
-/// readers, too.
+/// Colour of `x` (0 to 1) in the colour map cividis, whose brightness increases in colour-blind sight (Nunez et al.
+/// 2018).
 fn colour(x: f64) -> Color32 {
     const STOPS: [[f64; 3]; 5] =
         [[0.0, 0.13, 0.30], [0.25, 0.30, 0.42], [0.49, 0.48, 0.47], [0.73, 0.68, 0.43], [1.0, 0.91, 0.27]];

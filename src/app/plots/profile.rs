@@ -6,8 +6,7 @@ use egui_plot::{HLine, Line, PlotPoints};
 
 const POINTS: usize = 160;
 
-/// Plots the heights of the sea ahead of the camera, over four wavelengths of the spectral peak. Returns the data as a
-/// table.
+/// Plots the heights of the sea ahead of the camera, over four peak wavelengths. Returns the data as a table.
 pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
     let camera = &app.params.camera;
     let (sin, cos) = camera.heading_deg.to_radians().sin_cos();

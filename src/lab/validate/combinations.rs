@@ -1,5 +1,4 @@
-//! `seastate validate --all`: measures every spectrum with every directional spreading in thirteen sea states on the
-//! GPU.
+//! `seastate validate --all`: measures every spectrum with every directional spreading in thirteen sea states.
 
 use super::cells::{deviation, measured, number, turned};
 use super::measurement::Measurement;

@@ -23,8 +23,7 @@ const SEAS: [(&str, &str, &str); 6] = [
     ),
 ];
 const COMMON: &str = "spread=cos2-positive&dir=270&n=128&seed=1";
-/// Smallest amplitude of a measured wave, relative to the largest in its cascade. Weaker waves suffer from f32
-/// rounding.
+/// Smallest amplitude of a measured wave, relative to its cascade's largest. Weaker waves suffer from f32 rounding.
 const LEAST_AMPLITUDE: f64 = 5e-3;
 /// Phase advance of the fastest wave of a cascade between the two read-backs, rad.
 const ADVANCE_RAD: f64 = 2.5;

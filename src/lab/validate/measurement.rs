@@ -1,5 +1,4 @@
-//! Measurements for the validation page: statistics over ensembles of seeds, the variance of waves in bins, foam
-//! coverage, and wave maps.
+//! Measurements for the validation page: statistics over seeds, the variance of waves in bins, foam and wave maps.
 
 use crate::gpu::Gpu;
 use crate::lab::ensemble::{self, MeasuredStatistics, TravellingWave};
@@ -145,8 +144,7 @@ impl MeasuredSea {
         self.measured.as_ref().map(quantity)
     }
 
-    /// Measured mean direction that the waves come from, degrees clockwise from north; `None` without a GPU or a mean
-    /// direction.
+    /// Measured mean direction that the waves come from, degrees from north; `None` without a GPU or a mean direction.
     pub fn direction_deg(&self) -> Option<Estimate> {
         self.measured.as_ref().and_then(|m| m.from_deg)
     }

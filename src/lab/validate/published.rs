@@ -1,5 +1,4 @@
-//! Part 4 of the validation page: published measurements of growth with fetch, of full development, and the Beaufort
-//! scale.
+//! Part 4 of the validation page: published measurements of growth with fetch and full development; the Beaufort scale.
 
 use super::cells::{against, number};
 use super::measurement::theory;

@@ -28,8 +28,7 @@ fn bin(wave: &TravellingWave) -> Option<usize> {
     (place >= 0.0 && place < BINS as f64).then_some(place as usize)
 }
 
-/// A statistic with a table on the page: title, digits after the decimal point, theoretical, resolved and measured
-/// value.
+/// A statistic with a table on the page: title, digits after the point, theoretical, resolved and measured value.
 type Quantity = (&'static str, usize, fn(&MeasuredSea) -> (f64, f64, Option<Estimate>));
 
 const QUANTITIES: [Quantity; 6] = [

@@ -68,9 +68,8 @@ fn figure(name: &str, sea: &MeasuredSea, even: &MeasuredSea) -> Figure {
     curves.into_iter().chain(points).fold(Figure::new(name, x, y, Legend::Right), Figure::with)
 }
 
-/// Measured directional spreading D, 1/rad, in the direction bins of a frequency band: the variance of a bin, divided
-/// by that of the same waves in the isotropic sea `even`, whose D is 1 / (2 pi). The number of grid waves in a bin
-/// cancels.
+/// Measured directional spreading D, 1/rad, in the direction bins of a frequency band: the variance of a bin over that
+/// of the same waves in the isotropic sea `even`, whose D is 1 / (2 pi). The number of grid waves cancels.
 fn measured_density(sea: &MeasuredSea, even: &MeasuredSea, band: usize) -> Vec<[f64; 3]> {
     let point = |i: usize| {
         let at = band * ANGLES + i;
