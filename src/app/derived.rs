@@ -14,7 +14,7 @@ pub struct Derived {
     pub of: Params,
     /// Plan for the FFT size that the user requested; adaptive quality may draw the sea with a smaller one.
     pub plan: Plan,
-    /// Statistics of the continuous spectrum.
+    /// Statistics by theory, from integrals of the continuous spectrum.
     pub theory: Theory,
     /// Statistics of the waves on the FFT grids, as sums over all wave numbers.
     resolved: OnceCell<Resolved>,

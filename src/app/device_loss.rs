@@ -22,7 +22,8 @@ pub type ParkedApp = Rc<RefCell<Option<App>>>;
 pub struct AppHost(Option<App>);
 
 impl AppHost {
-    /// Moves the parked app to eframe's new device, or creates an app with `create` if none is parked.
+    /// Moves the app that a device loss parked to eframe's new device, or creates an app with `create` if none is
+    /// parked.
     ///
     /// # Errors
     /// If eframe was started without a wgpu device, or `create` fails. A parked app then stays parked.

@@ -38,7 +38,7 @@ fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context
         let mut files = Vec::new();
         for handle in &handles {
             let name = handle.path().to_string_lossy().into_owned();
-            // The size is checked before the file is read: a film would fill the tab's memory.
+            // The size is checked before the file is read: a large video would fill the tab's memory.
             let size = handle.web_file().map_or(0.0, |f| f.size());
             if size > input::most_bytes(&name) as f64 {
                 let reason = format!(

@@ -43,7 +43,7 @@ pub struct Quality {
     tried: bool,
     /// Number of out-of-memory errors of the GPU so far.
     refusals: u32,
-    /// Whether the last frame was longer than [`ODD_S`].
+    /// Whether the last frame took longer than [`ODD_S`] and was ignored.
     was_odd: bool,
     /// Whether the simulated time is stopped. A still picture always has full quality.
     still: bool,

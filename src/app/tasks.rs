@@ -20,7 +20,7 @@ impl<T> Default for Inbox<T> {
 }
 
 impl<T> Inbox<T> {
-    /// Adds a result and requests a frame.
+    /// Adds the result of a task to the inbox, and requests a frame that takes it.
     pub fn put(&self, result: T, ctx: &egui::Context) {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).push(result);
         ctx.request_repaint();

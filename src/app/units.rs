@@ -22,7 +22,7 @@ const NAUTICAL: [Unit; 3] = [
 pub struct UnitScale {
     /// Symbol of the shown unit; empty for a dimensionless quantity.
     pub unit: &'static str,
-    /// Shown value divided by the metric value.
+    /// Conversion factor: the shown value divided by the metric value.
     pub factor: f64,
 }
 

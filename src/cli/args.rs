@@ -167,29 +167,29 @@ pub enum Command {
     },
     /// Writes the validation page and its figures: the program's numbers against theory and published measurements
     Validate {
-        /// Folder for validation.md and validation/
+        /// Folder to which validation.md and the folder validation/ are written
         #[arg(short, long, default_value = "docs")]
         output: PathBuf,
         /// Number of seeds over which statistics are measured
         #[arg(long, default_value_t = 12, value_parser = clap::value_parser!(u32).range(2..=10_000))]
         seeds: u32,
-        /// Writes validation-all.md instead: every spectrum with every spreading in thirteen sea states
+        /// Writes validation-all.md instead: every spectrum with every directional spreading in thirteen sea states
         #[arg(long)]
         all: bool,
-        /// With --all: only the states that contain this text, such as 'spectrum=pm&spread=cos2&'
+        /// With --all: only the sea states whose state string contains this text, such as 'spectrum=pm&spread=cos2&'
         #[arg(long, requires = "all", default_value = "", hide_default_value = true)]
         only: String,
     },
     /// Renders the gallery's pictures and writes its page
     Gallery {
-        /// Folder for gallery.md and gallery/
+        /// Folder to which gallery.md and the folder gallery/ are written
         #[arg(short, long, default_value = "docs")]
         output: PathBuf,
         /// Renders only the pictures whose title contains this text
         #[arg(long, default_value = "", hide_default_value = true)]
         only: String,
     },
-    /// Lists the keys of the state string
+    /// Lists the keys of the state string, with units, ranges, defaults and meaning
     Keys {
         /// Prints the list as the Markdown of docs/parameters.md
         #[arg(long)]

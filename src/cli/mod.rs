@@ -145,7 +145,7 @@ fn pretty(value: &serde_json::Value) -> String {
     serde_json::to_string_pretty(value).unwrap_or_default()
 }
 
-/// Writes to stdout. A closed pipe (`seastate stats | head`) gives an error of one line, not a panic.
+/// Prints a text to stdout. A closed pipe (`seastate stats | head`) gives an error of one line, not a panic.
 fn print(text: &str) -> Result<(), String> {
     use std::io::Write as _;
     writeln!(std::io::stdout(), "{}", text.trim_end()).map_err(|e| format!("cannot write: {e}"))

@@ -22,15 +22,15 @@ const POINTS: u32 = 1 << 16;
 /// the displaced surface, whose points are weighted by the Jacobian.
 #[derive(Debug)]
 pub struct MeasuredStatistics {
-    /// Significant wave height from the mean variance over the seeds, m.
+    /// Significant wave height, m, from the variance averaged over the seeds.
     pub hs_m: Estimate,
     /// Mean elevation of the surface, m.
     pub mean_m: Estimate,
     /// Mean square slope of the surface, dimensionless.
     pub mss: Estimate,
-    /// Mean period 2 pi m0 / m1, s.
+    /// Mean wave period Tm01 = 2 pi m0 / m1, s, with the spectral moments m0 and m1.
     pub tm01_s: Estimate,
-    /// Mean zero-crossing period 2 pi sqrt(m0 / m2), s.
+    /// Mean zero-crossing period Tm02 = 2 pi sqrt(m0 / m2), s, with the spectral moments m0 and m2.
     pub tm02_s: Estimate,
     /// Mean direction that the waves come from, degrees clockwise from north; `None` without a mean direction.
     pub from_deg: Option<Estimate>,

@@ -219,8 +219,8 @@ mod tests {
         if inside { [255, 240, 200] } else { [20, 40, 90] }
     }
 
-    /// The expected means come from NVIDIA's implementation (nv-flip 0.1.2, FLIP 1.2, in f32), at 67.02064 and at 30
-    /// pixels per degree.
+    /// Compares the mean with NVIDIA's implementation (nv-flip 0.1.2, FLIP 1.2, in f32) at 67.02064 and 30 pixels per
+    /// degree.
     #[test]
     fn means_are_those_of_the_authors() {
         let mixed = |x, y| {

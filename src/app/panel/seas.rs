@@ -7,7 +7,7 @@ use super::button;
 use crate::state::presets::{self, Preset};
 use crate::waves::beaufort::{self, FORCES};
 
-/// The user's own named seas.
+/// The user's own named seas, with the state of the widgets that edit the list.
 #[derive(Default)]
 pub struct OwnSeas {
     own: Vec<Preset>,

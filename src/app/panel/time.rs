@@ -55,7 +55,7 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
     });
 }
 
-/// Stops the clock and moves it by a number of frames.
+/// Stops the clock and moves the time by a number of frames of 1/60 s.
 pub fn step(clock: &mut Clock, frames: f64) {
     clock.paused = true;
     // The time is a whole number of frames, so that steps forward and back return to the same time.

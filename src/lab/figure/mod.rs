@@ -139,7 +139,7 @@ impl Series {
     }
 }
 
-/// Samples a function at `count` + 1 points, evenly spaced along an axis.
+/// Samples the function `f` at `count` + 1 points, evenly spaced along an axis (in the logarithm on a logarithmic one).
 pub fn curve(axis: &Axis, count: u32, f: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
     let at = |i: u32| {
         let t = f64::from(i) / f64::from(count);
