@@ -12,7 +12,7 @@ fn main() {
     let (params, _) = query::parse("wind=12&fetch=200&n=128");
     let plan = Plan::new(&params);
 
-    // The strongest waves of the sea that the GPU draws, as many as an rms error of 2 % of Hs needs.
+    // The strongest waves of the sea that the GPU draws: so many that the rms error of a height is at most 2 % of Hs.
     let heights = Heights::for_error(&plan, 0.02 * plan.hs_m());
     println!("Hs {:.2} m, rms error of a height {:.3} m", plan.hs_m(), heights.residual_rms_m());
 

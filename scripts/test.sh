@@ -4,10 +4,10 @@ set -euo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-# The steps of each way, in order. `page` runs beside the steps before it.
+# The steps of the whole run and of the quick run, in order. The step `page` runs beside the steps before it.
 WHOLE=(format clippy clippy-page library page-tools native window page browsers)
 QUICK=(format clippy clippy-page library page-tools cpu passes smoke)
-# Integration tests of which most or all need no GPU; those of the library itself run with them.
+# Integration tests that need no GPU, or few of whose tests need one. The unit tests of the library run with them.
 CPU_TESTS=(cli costs docs families heights hostile imports links shaders state validation)
 
 usage() {

@@ -11,7 +11,7 @@
 //! - S(omega) is the one-sided variance density of the elevation, m^2 s. Its integral is m0, and Hs = 4 sqrt(m0).
 //! - Colours are linear light until the last shader. Depth is reverse-Z.
 //!
-//! Features, each of which includes the previous ones:
+//! Cargo features, each of which includes the previous ones:
 //! - none: [`state`], [`waves`], [`point`], [`optics`], [`files`] and [`oracle`]. Spectra, plans, statistics, and the
 //!   height of the sea at a point ([`point::heights`]), without a GPU.
 //! - `files`: readers of sky files, and of pictures that carry a state string.

@@ -1,4 +1,4 @@
-//! The native program; the page starts in `app::web`.
+//! Entry point of the native program. The web page starts in `app::web`.
 
 #[cfg(not(target_arch = "wasm32"))]
 fn main() {

@@ -32,7 +32,7 @@ const LIMITS = {
 
 const element = (id) => document.getElementById(id);
 
-/** An error with the name of the rung that explains it, and a technical reason. */
+/** An error with the name of the message in index.html (the "rung") that explains it, and a technical reason. */
 class Rung extends Error {
   constructor(rung, reason) {
     super(reason ?? rung);
@@ -45,7 +45,7 @@ function say(text) {
   element('status').textContent = text;
 }
 
-/** Shows one rung, with the technical text `reason` below it. */
+/** Shows one failure message of index.html (a "rung"), with the technical text `reason` below it. */
 function show(rung, reason) {
   for (const section of document.querySelectorAll('[data-rung]')) {
     section.hidden = section.dataset.rung !== rung;
@@ -58,7 +58,7 @@ function show(rung, reason) {
   document.body.dataset.rung = rung;
 }
 
-/** Hides a rung whose cause has gone. */
+/** Hides a failure message (a "rung") whose cause has gone. */
 function hide(rung) {
   if (document.body.dataset.rung !== rung) return;
   delete document.body.dataset.rung;
@@ -66,7 +66,7 @@ function hide(rung) {
   element('loading').hidden = document.body.classList.contains('running');
 }
 
-/** Rejects after some seconds with the error that `make` returns. */
+/** Returns a promise that rejects after some seconds with the error that `make` returns. */
 function after(seconds, make) {
   return new Promise((_, reject) => setTimeout(() => reject(make()), seconds * 1000));
 }
@@ -136,7 +136,7 @@ async function checkAdapter() {
 
 const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
 
-/** Whether bytes have a checksum in the form of an `integrity` attribute. */
+/** Whether bytes have the checksum `sum`, which has the form of an HTML `integrity` attribute. */
 async function isWhole(bytes, sum) {
   const digest = new Uint8Array(await crypto.subtle.digest('SHA-384', bytes));
   return sum === `sha384-${btoa(String.fromCharCode(...digest))}`;
@@ -144,7 +144,7 @@ async function isWhole(bytes, sum) {
 
 /** Returns a response with the same bytes that shows their progress and keeps them in `parts` while they are read. */
 function counted(response, parts) {
-  // With a Content-Encoding, Content-Length counts compressed bytes, and the stream holds decompressed ones: no total.
+  // With a Content-Encoding, Content-Length counts compressed bytes, but the stream decompressed ones: no total.
   const packed = response.headers.has('content-encoding');
   const total = packed ? 0 : Number(response.headers.get('content-length') ?? 0);
   const bar = element('bar');
@@ -254,7 +254,7 @@ function forgetLosses() {
   try {
     sessionStorage.removeItem(LOSS_KEY);
   } catch {
-    // Without sessionStorage nothing was recorded.
+    // Without sessionStorage no loss was recorded.
   }
 }
 
@@ -306,7 +306,7 @@ async function recover(handle, reason) {
   }
 }
 
-/** Message of the program's panic, or undefined without a panic. */
+/** The message of the program's panic; undefined if it has not panicked. */
 function panicText(handle) {
   if (!handle?.has_panicked()) return undefined;
   return handle.panic_message() ?? 'no message';
@@ -330,7 +330,7 @@ async function keepOffline() {
     const copies = (await caches.keys()).filter((name) => name.startsWith(`seastate ${worker.scope} `));
     await Promise.all(copies.map((name) => caches.delete(name)));
   } catch (error) {
-    // The page works without a copy.
+    // The page works without an offline copy.
     console.info(`seastate: no offline copy: ${error}`);
   }
 }
@@ -372,7 +372,7 @@ function watch(handle) {
       else old.remove();
       [begun, shown] = [performance.now(), false];
     } else if (panic !== undefined) {
-      // A device loss that caused the panic may be reported a little later: one more poll.
+      // A device loss that caused the panic may be reported a little later, so the program is polled once more.
       if (panicked) {
         show('panic', panic);
         return;
@@ -405,7 +405,7 @@ function watchTraps() {
   addEventListener('unhandledrejection', (event) => trapped(event.reason));
 }
 
-/** Measures the passes on this GPU instead of showing the sea; `bench=` in the address is the number of repetitions. */
+/** Measures the GPU passes here instead of showing the sea; `bench=` in the address is the number of repetitions. */
 async function bench(handle) {
   const query = new URLSearchParams(location.search);
   const repeat = Math.max(5, Number(query.get('bench')) || 0);

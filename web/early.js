@@ -1,4 +1,5 @@
-// Shows the rung for a page opened as a file, or for a browser without modules: both cannot run boot.js, a module.
+// Shows a failure message (a "rung" of index.html) if the page was opened as a file, or if the browser has no modules:
+// neither can run boot.js, which is a module.
 // Written in old JavaScript, which such browsers understand.
 (function () {
   'use strict';

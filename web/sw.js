@@ -5,12 +5,12 @@
 // checksum: an old page never loads a new program.
 
 const FILES = [@FILES@]; // scripts/finish.sh fills in the names, and the checksum of index.html below
-// Prefix of this page's copies: other pages of the same origin may keep copies of their own.
+// Prefix of the names of this page's offline copies: other pages of the same origin may keep copies, too.
 const OURS = `seastate ${registration.scope} `;
 const COPY = `${OURS}@SUM@`;
-const PATIENCE_MS = 5000; // for the network to answer, before the copy is used
+const PATIENCE_MS = 5000; // wait for the network before the offline copy is used
 
-/** Stores all files of this version, or none. */
+/** Stores an offline copy of all files of this version, or of none if one cannot be fetched. */
 async function keep() {
   const page = await fetch('./', { cache: 'no-cache' });
   const text = page.ok ? await page.clone().text() : '';
@@ -23,7 +23,7 @@ async function keep() {
   await skipWaiting();
 }
 
-/** Deletes the copies of other versions. */
+/** Deletes the offline copies of the page's other versions. */
 async function tidy() {
   const names = await caches.keys();
   await Promise.all(names.filter((name) => name.startsWith(OURS) && name !== COPY).map((name) => caches.delete(name)));
@@ -32,7 +32,7 @@ async function tidy() {
 
 const kept = async (name) => (await caches.open(COPY)).match(name);
 
-/** The page from the network, or its copy if the network fails, is late or answers with a server error. */
+/** The page from the network, or its offline copy if the network fails, is late or answers with a server error. */
 async function page(request) {
   const network = fetch(request);
   network.catch(() => {}); // awaited below
@@ -41,7 +41,7 @@ async function page(request) {
     const answer = await Promise.race([network, late]);
     if (answer && answer.status < 500) return answer;
   } catch {
-    // Without a network the copy is used.
+    // Without a network the offline copy is used.
   }
   return (await kept('./')) ?? network;
 }

@@ -1,4 +1,4 @@
-//! Mouse, touch and keyboard move the camera. Input on the panel never does.
+//! Moves the camera by mouse, touch and keyboard. Input over the panel does not move it.
 
 use super::App;
 use crate::state::motion::{fly, orbit, turn, zoom};
@@ -6,15 +6,16 @@ use crate::state::params::{Camera, CameraMode};
 use crate::state::rounding::{pose, rounded};
 use egui::Key;
 
-/// Speed of flight: a constant part, m/s, and a part proportional to the height, 1/s.
+/// Speed at which keys fly the camera at the sea's zero level, m/s.
 const SLOWEST_M_S: f64 = 6.0;
+/// Increase of the camera's flight speed with its height, (m/s) per m.
 const SPEED_PER_HEIGHT: f64 = 0.8;
-/// Factor of the speed while Shift is held.
+/// Factor by which the camera flies faster while Shift is held.
 const FASTER: f64 = 8.0;
-/// Turn of an orbit per dragged point, degrees.
+/// Angle by which the orbiting camera turns per point that the pointer is dragged, degrees.
 const ORBIT_DEG: f64 = 0.3;
 
-/// Dragging looks around, the wheel and pinching zoom, two fingers also move the camera over the sea.
+/// Applies mouse and touch to the camera: dragging turns it, wheel and pinching zoom, two fingers also move it.
 pub fn pointer(camera: &mut Camera, response: &egui::Response, ctx: &egui::Context) {
     let height = f64::from(response.rect.height()).max(1.0);
     let degrees_per_point = camera.fov_deg / height;
@@ -28,7 +29,7 @@ pub fn pointer(camera: &mut Camera, response: &egui::Response, ctx: &egui::Conte
         return;
     }
     if response.dragged_by(egui::PointerButton::Primary) {
-        // The sea follows the finger.
+        // The signs make the sea follow the finger.
         let delta = response.drag_delta();
         let (x, y) = (f64::from(delta.x), f64::from(delta.y));
         match camera.mode {
@@ -43,7 +44,8 @@ pub fn pointer(camera: &mut Camera, response: &egui::Response, ctx: &egui::Conte
     }
 }
 
-/// WASD and the arrows fly, Q and E sink and rise, Shift flies faster, C switches the mode.
+/// Applies the keyboard to the camera: WASD and the arrows fly, Q and E sink and rise, Shift flies faster, C changes
+/// the camera mode.
 pub fn keys(camera: &mut Camera, ctx: &egui::Context) {
     if ctx.input(|i| i.key_pressed(Key::C) && i.modifiers.is_none()) {
         camera.mode = match camera.mode {
@@ -69,13 +71,13 @@ pub fn keys(camera: &mut Camera, ctx: &egui::Context) {
 }
 
 impl App {
-    /// Rounds camera and stopped time once no input moves them, so that the picture is exactly the one that a link
-    /// opens.
+    /// Rounds the camera, and the time while it is stopped, as soon as the user gives no input. The picture is then
+    /// exactly the one that a copied link opens.
     pub(super) fn round_when_idle(&mut self, ctx: &egui::Context) {
         if ctx.input(|i| i.pointer.any_down() || !i.keys_down.is_empty() || i.any_touches()) {
             return;
         }
-        // More digits in a link are kept until the user moves the camera.
+        // A link may have more digits; they are kept until the user moves the camera.
         if self.idle_pose.as_ref() == Some(&pose(&self.params)) {
             return;
         }

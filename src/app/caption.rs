@@ -1,4 +1,4 @@
-//! The caption of a debug view: name, colour bar and explanation; and the keys that switch between views.
+//! The caption of a debug view (its name, colour bar and explanation), and the keys that switch between views.
 
 use crate::state::Params;
 use crate::state::views::{Shown, ViewChoice};
@@ -6,11 +6,11 @@ use crate::waves::Plan;
 use crate::waves::colour_scale::{Palette, caption};
 use egui::{Color32, Key};
 
-/// Size of the colour bar, points.
+/// Width and height of the colour bar, points.
 const BAR: egui::Vec2 = egui::vec2(220.0, 10.0);
 
-/// V shows the next view, Shift+V the previous one; digits choose a cascade; Escape returns to the picture. Returns
-/// whether Escape was used.
+/// Applies the keys of debug views: V shows the next view, Shift+V the previous one; digits choose a cascade; Escape
+/// returns to the picture. Returns whether Escape was used.
 pub fn keys(view: &mut ViewChoice, ctx: &egui::Context) -> bool {
     let pressed = |key| ctx.input(|i| i.key_pressed(key));
     if pressed(Key::V) {
@@ -31,7 +31,7 @@ pub fn keys(view: &mut ViewChoice, ctx: &egui::Context) -> bool {
     back
 }
 
-/// Shows the caption; the ordinary picture has none.
+/// Shows the caption of the current debug view at the lower left of the window. The ordinary picture has none.
 pub fn show(params: &Params, plan: &Plan, ctx: &egui::Context) {
     let view = params.look.view;
     if view.shown == Shown::Picture {

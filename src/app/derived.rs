@@ -1,4 +1,4 @@
-//! Quantities that follow from the parameters, computed when the parameters change instead of in every frame.
+//! Quantities derived from the parameters. They are computed when the parameters change, not in every frame.
 
 use super::plots::polar::Wheel;
 use crate::point::Heights;
@@ -8,24 +8,24 @@ use crate::waves::statistics::{Resolved, Theory};
 use crate::waves::{Plan, SeaChange};
 use std::cell::OnceCell;
 
-/// Plan and statistics of one sea; the expensive ones are computed at their first use.
+/// Plan, statistics and plot data of one sea. The expensive ones are computed at their first use.
 pub struct Derived {
-    /// Parameters that the other fields were computed from.
+    /// Parameters from which the other fields were computed.
     pub of: Params,
-    /// Plan for the FFT size that the user asked for; the drawn sea may have a smaller one.
+    /// Plan for the FFT size that the user requested; adaptive quality may draw the sea with a smaller one.
     pub plan: Plan,
-    /// Statistics of the continuous spectrum.
+    /// Statistics by theory, from integrals of the continuous spectrum.
     pub theory: Theory,
-    /// Statistics of the waves on the grid, sums over all wave numbers.
+    /// Statistics of the waves on the FFT grids, as sums over all wave numbers.
     resolved: OnceCell<Resolved>,
-    /// Waves that give the height of the sea at a point.
+    /// The waves that are summed on the CPU for the height of the sea at a point.
     waterline: OnceCell<HullWaves>,
-    /// Directional spectrum as the plot shows it.
+    /// Directional spectrum, sampled for the polar plot.
     wheel: OnceCell<Wheel>,
 }
 
 impl Derived {
-    /// Computes plan and theory.
+    /// Computes the plan and the statistics of its spectrum.
     pub fn new(params: &Params) -> Self {
         let plan = Plan::new(params);
         let theory = Theory::new(&plan);
@@ -39,7 +39,8 @@ impl Derived {
         }
     }
 
-    /// Follows the parameters with as little work as their change needs. Returns the level of the sea that changed.
+    /// Updates the derived quantities to new parameters, and recomputes only those that depend on the change. Returns
+    /// the kind of the change; `None` if the sea is the same.
     pub fn follow(&mut self, params: &Params) -> Option<SeaChange> {
         let change = SeaChange::between(&self.of, params);
         match change {
@@ -55,17 +56,17 @@ impl Derived {
         change
     }
 
-    /// Statistics of the waves on the grid.
+    /// Statistics of the waves on the FFT grids.
     pub fn resolved(&self) -> &Resolved {
         self.resolved.get_or_init(|| Resolved::new(&self.plan, self.theory.m0_m2))
     }
 
-    /// Heights of the sea at points.
+    /// The sum of waves that gives the height of the sea at any point, on the CPU.
     pub fn heights(&self) -> &Heights {
         self.waterline.get_or_init(|| HullWaves::new(&self.plan)).heights()
     }
 
-    /// Directional spectrum for its plot.
+    /// Directional spectrum, sampled for the polar plot.
     pub fn wheel(&self) -> &Wheel {
         self.wheel.get_or_init(|| Wheel::new(&self.plan))
     }

@@ -1,6 +1,6 @@
-//! How the app survives a lost device. eframe cannot replace its device, so the host starts eframe again and moves the
-//! app into it with state, time, undo history, panel and record. Only GPU resources are created anew; the foam's past
-//! is replayed from the time, as at any start.
+//! Recovery of the app from a lost GPU device. eframe cannot replace its device, so the host restarts eframe and moves
+//! the app into the new run, with its state, time, undo history, panel and buoy record. Only GPU resources are created
+//! anew. Foam is computed again by replaying past foam steps, as at any start.
 
 use super::gpu_errors::GpuErrors;
 use super::measurements::{FrameMeasurements, SeaMeasurement};
@@ -12,20 +12,21 @@ use crate::state::Params;
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// Result of the closure with which eframe creates its app.
+/// Result of the closure in which eframe creates its app.
 pub type Created = Result<Box<dyn eframe::App>, Box<dyn std::error::Error + Send + Sync>>;
 
-/// Holds the app between two runs of eframe.
+/// The place where the app waits between two runs of eframe, after a device loss.
 pub type ParkedApp = Rc<RefCell<Option<App>>>;
 
-/// The app as eframe runs it; the app can be taken out.
+/// Wrapper of the app that eframe runs. The app can be taken out and parked after a device loss.
 pub struct AppHost(Option<App>);
 
 impl AppHost {
-    /// Moves the parked app to eframe's new device, or creates an app with `create` if none is parked.
+    /// Moves the app that a device loss parked to eframe's new device, or creates an app with `create` if none is
+    /// parked.
     ///
     /// # Errors
-    /// If eframe has no wgpu device, or `create` fails. A parked app stays parked then.
+    /// If eframe was started without a wgpu device, or `create` fails. A parked app then stays parked.
     pub fn new(
         cc: &eframe::CreationContext<'_>,
         parked: &ParkedApp,
@@ -38,15 +39,15 @@ impl AppHost {
         waiting.map_or_else(|| create(cc), Ok).map(|app| Self(Some(app)))
     }
 
-    /// The app, unless it was taken out.
+    /// The app; `None` after it was taken out and parked.
     pub fn app(&mut self) -> Option<&mut App> {
         self.0.as_mut()
     }
 
-    /// Takes the app out and parks it until another device exists.
+    /// Takes the app out of eframe, destroys its device, and parks it until there is another device.
     pub fn park(&mut self, parked: &ParkedApp) {
         if let Some(app) = self.0.take() {
-            // A device that ran out of memory still holds its memory.
+            // A device that ran out of memory still occupies that memory until it is destroyed.
             app.render_state.device.destroy();
             parked.replace(Some(app));
         }
@@ -72,7 +73,7 @@ impl eframe::App for AppHost {
     }
 }
 
-/// Creates the ocean in eframe's renderer, and listens to the device's errors.
+/// Creates the ocean in eframe's renderer, and starts to collect the errors of its GPU device.
 pub fn create_ocean(render_state: &egui_wgpu::RenderState, params: &Params) -> GpuErrors {
     let errors = GpuErrors::watch(&render_state.device);
     let gpu = Gpu { device: render_state.device.clone(), queue: render_state.queue.clone() };
@@ -82,10 +83,10 @@ pub fn create_ocean(render_state: &egui_wgpu::RenderState, params: &Params) -> G
 }
 
 impl App {
-    /// Moves to another device and another egui context after the device was lost.
+    /// Moves the app to another GPU device and another egui context after a device loss.
     ///
     /// # Errors
-    /// If eframe has no wgpu device; the app is unchanged then.
+    /// If eframe was started without a wgpu device. The app is unchanged then.
     fn move_to(&mut self, cc: &eframe::CreationContext<'_>) -> Result<(), String> {
         self.render_state = cc.wgpu_render_state.clone().ok_or(super::NO_WGPU)?;
         let out_of_memory = self.gpu_errors.is_out_of_memory();
@@ -93,7 +94,8 @@ impl App {
             self.quality.refuse();
         }
         self.gpu_errors = create_ocean(&self.render_state, &self.params_to_draw());
-        // Keeps open sections, scroll positions and typed text; a held button may have been released meanwhile.
+        // The new context takes over open sections, scroll positions and typed text, but not a drag: the button may
+        // have been released meanwhile.
         let memory = self.ctx.memory(Clone::clone);
         let ctx = cc.egui_ctx.clone();
         ctx.memory_mut(|m| *m = memory);
@@ -102,7 +104,8 @@ impl App {
         #[cfg(target_arch = "wasm32")]
         self.screen_readers.move_to(&ctx);
         self.ctx = ctx;
-        // The clock of the new egui context starts at zero.
+        // The undo history compares times, and the clock of the new egui context starts at zero: pending changes become
+        // a step now.
         self.history.commit(&self.params);
         self.progress = Progress::default();
         self.frame_measurements = FrameMeasurements::default();

@@ -1,20 +1,20 @@
-//! GPU errors after the start: each distinct error is logged once and shown in the panel; a device loss ends the
-//! frames.
+//! Errors of the GPU device while the app runs. Each distinct error is logged once and shown in the panel; a device
+//! loss stops the drawing of frames.
 
 use futures_channel::oneshot;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// Most distinct errors that are kept.
+/// Largest number of distinct GPU errors that are kept.
 const MAX_SHOWN: usize = 8;
 
 #[derive(Default)]
 struct Inner {
     errors: Vec<String>,
-    /// Why the device was lost.
+    /// The reason why the device was lost; `None` while it works.
     lost: Option<String>,
-    /// Whether the device was given up because its memory was too small.
+    /// Whether the device is treated as lost because its memory was too small.
     out_of_memory: bool,
-    /// Senders of the futures that wait for the loss.
+    /// Senders that complete the futures waiting for the device loss.
     waiting: Vec<oneshot::Sender<()>>,
 }
 
@@ -22,18 +22,18 @@ impl Inner {
     fn lose(&mut self, reason: String) {
         self.lost.get_or_insert(reason);
         for sender in self.waiting.drain(..) {
-            // The receiver may have been dropped.
+            // Sending fails if the receiver has been dropped.
             let _ = sender.send(());
         }
     }
 }
 
-/// Errors of one device, shared with the device's callbacks.
+/// Errors of one GPU device, shared with the callbacks that wgpu calls.
 #[derive(Clone, Default)]
 pub struct GpuErrors(Arc<Mutex<Inner>>);
 
 impl GpuErrors {
-    /// Installs the error and loss callbacks of a device.
+    /// Installs the callbacks for errors and for the loss of a GPU device, and returns the list that they fill.
     pub fn watch(device: &wgpu::Device) -> Self {
         let errors = Self::default();
         let on_error = errors.clone();
@@ -49,17 +49,17 @@ impl GpuErrors {
         errors
     }
 
-    /// The distinct errors so far.
+    /// The distinct error messages of the device so far.
     pub fn errors(&self) -> Vec<String> {
         self.inner().errors.clone()
     }
 
-    /// Why the device was lost, if it was.
+    /// The reason why the device was lost; `None` while it works.
     pub fn lost(&self) -> Option<String> {
         self.inner().lost.clone()
     }
 
-    /// Completes when the device is lost.
+    /// Returns a future that completes when the GPU device is lost.
     #[cfg(target_arch = "wasm32")]
     pub fn when_lost(&self) -> impl Future<Output = ()> + 'static {
         let (sender, receiver) = oneshot::channel();
@@ -69,17 +69,18 @@ impl GpuErrors {
             inner.lose(reason);
         }
         async move {
-            // A dropped sender counts as a loss.
+            // A dropped sender counts as a device loss.
             let _ = receiver.await;
         }
     }
 
-    /// Whether the graphics memory was too small.
+    /// Whether the device was lost because its graphics memory was too small.
     pub fn is_out_of_memory(&self) -> bool {
         self.inner().out_of_memory
     }
 
-    /// Gives the device up: a resource that it could not allocate would be missing from every later frame.
+    /// Treats the device as lost after an out-of-memory error, because the resource that it could not allocate would be
+    /// missing in every later frame.
     fn run_out_of_memory(&self, error: String) {
         log::error!("{error}");
         let mut inner = self.inner();
@@ -95,7 +96,7 @@ impl GpuErrors {
         }
     }
 
-    /// The locked state; a panic while it was locked leaves it valid.
+    /// Locks the shared state. A panic of another holder of the lock leaves the state valid.
     fn inner(&self) -> MutexGuard<'_, Inner> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }

@@ -1,62 +1,64 @@
-//! Undo and redo of parameter changes. Time and camera move by themselves and are not part of a step.
+//! Undo and redo of parameter changes. Simulated time and camera are not undone, because they move by themselves.
 
 use crate::state::Params;
 use egui::util::undoer::{Settings, Undoer};
 
-/// Steps that are kept.
+/// Largest number of undo steps that are kept.
 const MOST_STEPS: usize = 200;
-/// A change becomes a step once the value has been constant for this long, s.
+/// Time for which a changed parameter must stay constant before the change becomes an undo step, s.
 const SETTLED_S: f32 = 0.4;
 
-/// Parameters before and after each step.
+/// The undo history: the parameters before and after each step.
 pub struct History(Undoer<Params>);
 
 impl Default for History {
     fn default() -> Self {
-        // The undoer's list also holds the current state.
+        // The undoer's list holds the current state in addition to the undo steps.
         let max_undos = MOST_STEPS + 1;
         Self(Undoer::with_settings(Settings { max_undos, stable_time: SETTLED_S, auto_save_interval: f32::INFINITY }))
     }
 }
 
 impl History {
-    /// Takes the parameters of the frame at time `now_s`. While the pointer is held nothing counts: a drag is one step.
+    /// Records the parameters of the frame at time `now_s`. While the pointer is held it records nothing, so a drag
+    /// becomes one undo step.
     pub fn watch(&mut self, params: &Params, held: bool, now_s: f64) {
         if !held {
             self.0.feed_state(now_s, &recorded(params));
         }
     }
 
-    /// Whether a change is not a step yet, so that another frame is needed.
+    /// Whether a recent change has not become an undo step yet. Another frame is then needed to complete it.
     pub fn is_open(&self) -> bool {
         self.0.is_in_flux()
     }
 
-    /// Makes a step of the changes since the last one at once.
+    /// Turns the changes since the last undo step into a step at once, without waiting for them to settle.
     pub fn commit(&mut self, params: &Params) {
         let now = self.feed(params);
         self.0.add_undo(&now);
     }
 
-    /// Whether there is a step to undo, and one to redo.
+    /// Whether there is a step to undo (first), and whether there is one to redo (second).
     pub fn can(&self, params: &Params) -> (bool, bool) {
         let now = recorded(params);
         (self.0.has_undo(&now), self.0.has_redo(&now))
     }
 
-    /// Goes one step back.
+    /// Undoes one step: sets the parameters to their earlier values.
     pub fn undo(&mut self, params: &mut Params) {
         let now = self.feed(params);
         restore(params, self.0.undo(&now));
     }
 
-    /// Goes one step forward.
+    /// Redoes one step: sets the parameters to the values before the last undo.
     pub fn redo(&mut self, params: &mut Params) {
         let now = self.feed(params);
         restore(params, self.0.redo(&now));
     }
 
-    /// Feeds parameters that may have changed since the last frame: a change leaves nothing to redo.
+    /// Records parameters that may have changed since the last frame. A change discards all redo steps. Returns the
+    /// recorded parameters.
     fn feed(&mut self, params: &Params) -> Params {
         let now = recorded(params);
         self.0.feed_state(f64::NEG_INFINITY, &now);
@@ -64,14 +66,14 @@ impl History {
     }
 }
 
-/// Sets all parameters but time and camera.
+/// Sets all parameters to those of `to`, except simulated time and camera.
 fn restore(params: &mut Params, to: Option<&Params>) {
     if let Some(to) = to {
         *params = Params { clock: params.clock.clone(), camera: params.camera.clone(), ..to.clone() };
     }
 }
 
-/// The parameters with default time and camera.
+/// The parameters as the history records them: with default time and camera.
 fn recorded(params: &Params) -> Params {
     let Params { clock, camera, .. } = Params::default();
     Params { clock, camera, ..params.clone() }
@@ -122,7 +124,8 @@ mod tests {
         assert_eq!(history.can(&p), (true, false), "another change leaves nothing to redo");
     }
 
-    /// Random values of random rows, one after the other: back to the first, forth to the last, each exactly.
+    /// Changes one parameter after the other, undoes all changes, then redoes them. Each step restores the exact
+    /// values.
     #[test]
     fn every_value_is_undone_and_redone() {
         let mut history = History::default();

@@ -1,9 +1,9 @@
-//! The keyboard: the table of keys, which docs/using.md lists too, their actions, and the window that shows the table.
+//! Keyboard shortcuts: their table (docs/using.md has it, too), their actions, and the help window with the table.
 
 use super::{App, camera, caption, panel};
 use egui::{Key, Modifiers};
 
-/// Each key or gesture, and its effect.
+/// Table of the help window: each key or gesture, and what it does.
 pub const KEYS: &[(&str, &str)] = &[
     ("drag", "look around; in orbit, turn around the sea in the middle"),
     ("wheel, pinch", "zoom; in orbit, come closer"),
@@ -23,7 +23,7 @@ pub const KEYS: &[(&str, &str)] = &[
     ("Escape", "close this list, leave a view; then close the window"),
 ];
 
-/// Help window with the keyboard shortcuts. Closing it sets `open` to false.
+/// Shows the help window with the keyboard shortcuts while `open` is true. Closing the window sets `open` to false.
 pub fn help(open: &mut bool, ctx: &egui::Context) {
     egui::Window::new("Keys and gestures")
         .open(open)
@@ -32,7 +32,7 @@ pub fn help(open: &mut bool, ctx: &egui::Context) {
         .anchor(egui::Align2::CENTER_CENTER, egui::Vec2::ZERO)
         .max_width(ctx.content_rect().width() - 24.0)
         .max_height(ctx.content_rect().height() - 60.0)
-        // High enough for the whole table.
+        // High enough to show the whole table without scrolling.
         .default_size([440.0, 510.0])
         .vscroll(true)
         .show(ctx, |ui| {
@@ -49,7 +49,7 @@ pub fn help(open: &mut bool, ctx: &egui::Context) {
 }
 
 impl App {
-    /// Applies the keys pressed in this frame, unless a text field has the keyboard.
+    /// Performs the actions of the keys pressed in this frame, unless a text field has the keyboard focus.
     pub(super) fn handle_keys(&mut self, ctx: &egui::Context) {
         if ctx.egui_wants_keyboard_input() {
             return;

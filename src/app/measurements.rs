@@ -1,5 +1,5 @@
-//! Measurements of the running sea, taken only while the panel shows them: times of the GPU passes, and statistics of
-//! the maps. No frame waits for the GPU; its results arrive in a later frame.
+//! Measurements of the running sea: times of the GPU passes, and statistics of the wave maps. They are taken only while
+//! the panel shows them. No frame waits for the GPU: results arrive in a later frame.
 
 use super::{App, plots, tasks};
 use crate::ocean::{Ocean, Probe, Probed};
@@ -7,42 +7,42 @@ use crate::waves::map_spectrum::{MapSpectrum, MapSpectrumEstimator};
 use std::cell::Cell;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// Least time between two readings of the maps, s.
+/// Least time between two read-backs of the wave maps, s.
 const EVERY_S: f64 = 1.0;
-/// Points of the maps that one frame transforms: a few milliseconds in a browser.
+/// Number of map texels per frame that the CPU passes through the Fourier transform: a few milliseconds in a browser.
 const POINTS_PER_FRAME: usize = 1 << 16;
-/// Bins of the measured spectrum.
+/// Number of frequency bins of the spectrum that is measured in the wave maps.
 const BINS: usize = 72;
-/// Weight of a new frame in the smoothed recording time.
+/// Weight of a new frame in the moving average of the recording time, 0 to 1.
 const SMOOTHING: f64 = 0.1;
 
-/// Read-outs that cost work only while they are visible. Drawing one sets its flag, and the next frame takes the flag.
+/// Flags of read-outs that are measured only while they are shown. Drawing one sets its flag; the next frame clears it.
 #[derive(Default)]
 pub struct Shown {
-    /// The record of a buoy.
+    /// Whether the plot of the buoy's record is shown.
     pub record: Cell<bool>,
-    /// The statistics of the maps.
+    /// Whether statistics measured in the wave maps are shown.
     pub maps: Cell<bool>,
-    /// The times of the passes.
+    /// Whether the times of the GPU passes are shown.
     pub times: Cell<bool>,
 }
 
-/// Requests and results that the app exchanges with the frames it records.
+/// Requests for measurements, and their results, shared between the app and the code that records a frame on the GPU.
 #[derive(Clone, Default)]
 pub struct FrameMeasurements(Arc<Mutex<Inner>>);
 
 #[derive(Default)]
 struct Inner {
     wants_times: bool,
-    /// Number of the sea whose maps the next frame copies, see [`SeaMeasurement`].
+    /// Number of the sea (see [`SeaMeasurement`]) whose wave maps the next frame is to copy for read-back.
     wants_probe: Option<u64>,
-    /// Copies that the last frame recorded.
+    /// Number of the sea, and the copies of its wave maps that the last frame recorded.
     probe: Option<(u64, Probe)>,
-    /// Whether the last frame was painted, because only then it was submitted.
+    /// Whether the last recorded frame was painted. Only painted frames are submitted to the GPU.
     is_painted: bool,
-    /// Smoothed CPU time of recording a frame, s.
+    /// Moving average of the CPU time that recording a frame's GPU commands takes, s.
     record_s: f64,
-    /// Time of each pass, ms; None without timestamp queries.
+    /// Name and time (ms) of each GPU pass; `None` if the GPU has no timestamp queries.
     passes: Option<Vec<(&'static str, f64)>>,
 }
 
@@ -51,11 +51,11 @@ impl FrameMeasurements {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Call before a frame is recorded.
+    /// Starts the measurement of a frame. Call this before the frame's commands are recorded.
     pub fn begin(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder) {
         let mut inner = self.inner();
         let is_submitted = std::mem::take(&mut inner.is_painted);
-        // Copies of a frame that was never submitted are empty: they are requested again.
+        // Copies of a frame that was never submitted are empty, so they are requested again.
         if !is_submitted && let Some((sea, _)) = inner.probe.take() {
             inner.wants_probe = Some(sea);
         }
@@ -64,7 +64,8 @@ impl FrameMeasurements {
         }
     }
 
-    /// Call after a frame was recorded in `record_s`; `is_whole` if no foam replay and no cross-fade is in progress.
+    /// Ends the measurement of a frame whose recording took `record_s` seconds. `is_whole` tells that no replay of past
+    /// foam and no cross-fade is in progress, so that the maps may be measured.
     pub fn end(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder, record_s: f64, is_whole: bool) {
         let mut inner = self.inner();
         ocean.timer().end(encoder);
@@ -77,38 +78,38 @@ impl FrameMeasurements {
         }
     }
 
-    /// Call when the frame is painted.
+    /// Notes that the recorded frame was painted, and so will be submitted to the GPU.
     pub fn painted(&self) {
         self.inner().is_painted = true;
     }
 
-    /// Smoothed CPU time of recording a frame, ms.
+    /// Moving average of the CPU time that recording a frame's GPU commands takes, ms.
     pub fn record_ms(&self) -> f64 {
         1e3 * self.inner().record_s
     }
 
-    /// Time of each pass on the GPU, ms; None without timestamp queries.
+    /// Name and time (ms) of each GPU pass; `None` if the GPU has no timestamp queries.
     pub fn passes(&self) -> Option<Vec<(&'static str, f64)>> {
         self.inner().passes.clone()
     }
 }
 
-/// Statistics read from the maps of the current sea: means over several moments.
+/// Statistics measured in the wave maps of the current sea, as means over several moments in time.
 #[derive(Default)]
 pub struct SeaMeasurement {
-    /// Number of the current sea; readings of an earlier sea are discarded.
+    /// Serial number of the current sea. Measurements that belong to an earlier sea are discarded.
     sea: u64,
     inbox: tasks::Inbox<(u64, Result<Probed, String>)>,
-    /// Whether a read-back of the maps has been requested and has not arrived.
+    /// Whether a requested read-back of the wave maps has not arrived yet.
     waiting: bool,
-    /// The reading that is being transformed.
+    /// The read-back that is being Fourier transformed, over several frames.
     survey: Option<(MapSpectrumEstimator, Probed)>,
-    /// egui's time and the sea's time of the last request, s.
+    /// Time of the last request on egui's clock, and the simulated time then, s.
     last: Option<(f64, f64)>,
     sums: Sums,
 }
 
-/// Sums over the readings.
+/// Sums of the measured statistics over all read-backs of one sea.
 #[derive(Default)]
 struct Sums {
     readings: usize,
@@ -120,12 +121,12 @@ struct Sums {
 }
 
 impl SeaMeasurement {
-    /// Discards everything: another sea is drawn.
+    /// Discards all measurements, because another sea is drawn.
     fn clear(&mut self) {
         *self = Self { sea: self.sea + 1, inbox: self.inbox.clone(), ..Self::default() };
     }
 
-    /// Number of moments that the means are taken over.
+    /// Number of moments in time over which the statistics are averaged.
     pub fn readings(&self) -> usize {
         self.sums.readings
     }
@@ -134,22 +135,22 @@ impl SeaMeasurement {
         (self.sums.readings > 0).then(|| sum / self.sums.readings as f64)
     }
 
-    /// Significant wave height, m.
+    /// Measured significant wave height, m; `None` before the first measurement.
     pub fn hs_m(&self) -> Option<f64> {
         self.mean(self.sums.hs2_m2).map(f64::sqrt)
     }
 
-    /// Mean square slope.
+    /// Measured mean square slope; `None` before the first measurement.
     pub fn mss(&self) -> Option<f64> {
         self.mean(self.sums.mss)
     }
 
-    /// Share of the sea around the camera that foam covers.
+    /// Measured foam coverage of the sea around the camera, 0 to 1; `None` before the first measurement.
     pub fn coverage(&self) -> Option<f64> {
         self.mean(self.sums.coverage)
     }
 
-    /// Width of a frequency bin (rad/s), and S(omega) in each bin (m^2 s).
+    /// Measured spectrum: the width of a frequency bin, rad/s, and the variance density S(omega) in each bin, m^2 s.
     pub fn spectrum(&self) -> Option<(f64, Vec<f64>)> {
         let width = self.sums.width_rad_s;
         let unit = self.mean(1.0)? / width;
@@ -169,14 +170,15 @@ impl SeaMeasurement {
 }
 
 impl App {
-    /// Discards the measurement, because another sea is drawn.
+    /// Discards the statistics of the wave maps and pending requests, because another sea is drawn.
     pub(super) fn forget_measurement(&mut self) {
         self.sea_measurement.clear();
         let mut inner = self.frame_measurements.inner();
         (inner.wants_probe, inner.probe) = (None, None);
     }
 
-    /// Continues the measurements that the panel shows.
+    /// Continues the statistics of the wave maps: takes finished read-backs, analyses a part of one, and requests
+    /// another while the panel shows the results.
     pub(super) fn measure(&mut self, ctx: &egui::Context) {
         self.read_probe(ctx);
         let width = plots::highest_omega(&self.derived.plan) / BINS as f64;
@@ -212,7 +214,7 @@ impl App {
         }
     }
 
-    /// Starts reading the copies that the last frame recorded, if it was submitted.
+    /// Starts reading back the map copies that the last frame recorded, if that frame was submitted.
     fn read_probe(&self, ctx: &egui::Context) {
         let mut inner = self.frame_measurements.inner();
         inner.wants_times = self.shown.times.take();

@@ -1,27 +1,27 @@
-//! The short message at the top of the window, such as "Link copied.".
+//! The short message that appears at the top of the window, such as "Link copied."
 
 use super::App;
 use std::time::Duration;
 
-/// How long a message stays visible, s.
+/// Time for which a message stays visible, s.
 const SHOWN_S: f64 = 4.0;
 
-/// A message, and when it disappears.
+/// A message for the user, and the time at which it disappears.
 pub struct Message {
-    /// The sentence to show.
+    /// Text of the message, one sentence.
     pub text: String,
-    /// egui's time at which it disappears, s; set by the first frame that shows it.
+    /// Time at which the message disappears, s on egui's clock. The first frame that shows the message sets it.
     end_s: Option<f64>,
 }
 
 impl App {
-    /// Shows a message for a few seconds, from the next frame that is painted.
+    /// Shows a message at the top of the window for a few seconds.
     pub(super) fn say(&mut self, text: &str) {
         self.message = Some(Message { text: text.to_owned(), end_s: None });
         self.ctx.request_repaint();
     }
 
-    /// Draws the current message, if any.
+    /// Draws the current message, and removes it when its time is over.
     pub(super) fn show_message(&mut self, ctx: &egui::Context) {
         let Some(message) = &mut self.message else { return };
         let now_s = ctx.input(|i| i.time);

@@ -1,4 +1,4 @@
-//! The eframe app of the page and of the desktop window. Only this room uses egui and the browser.
+//! The eframe app that runs as a web page and as a desktop window. Only this module uses egui and browser functions.
 
 mod accessible_names;
 mod camera;
@@ -37,48 +37,49 @@ use crate::waves::SeaChange;
 use derived::Derived;
 use gpu_errors::GpuErrors;
 
-/// Longest step of the simulated time from one frame to the next, s: after a pause in the background time continues.
+/// Upper limit of the wall-clock time by which one frame advances the clock, s. It prevents a jump of the simulated
+/// time after the window was in the background.
 const LONGEST_STEP_S: f64 = 0.1;
 
 const NO_WGPU: &str = "eframe was started without wgpu";
 
-/// The app.
+/// The app: parameters of the sea, GPU device, and state of the user interface.
 pub struct App {
     params: Params,
-    /// Parts of a state string or of a file that were not understood.
+    /// Messages about parts of a state string or of a file that could not be used. The panel shows them.
     notices: Vec<String>,
     derived: Derived,
     render_state: egui_wgpu::RenderState,
     ctx: egui::Context,
     gpu_errors: GpuErrors,
     frames: u64,
-    /// Contents of files that were dropped on the window, once they are read.
+    /// Contents of files dropped on the window. They arrive when reading has finished.
     opened: tasks::Inbox<opened_files::Files>,
     panel: panel::Panel,
     own_seas: panel::OwnSeas,
     history: history::History,
     quality: quality::Quality,
-    /// Whether the list of keys is open.
+    /// Whether the help window with the keyboard shortcuts is open.
     help: bool,
     message: Option<message::Message>,
-    /// Camera and stopped time as the last idle frame left them.
+    /// Camera, and simulated time if the clock is stopped, at the end of the last frame without user input.
     idle_pose: Option<rounding::Pose>,
-    /// Parameters of the last frame, and its size in pixels.
+    /// Parameters of the last drawn frame, and its width and height in pixels.
     drawn: Option<(Params, [u32; 2])>,
-    /// Heights at the first buoy, or below the camera.
+    /// Height of the sea over time at the first floating object; without one, below the camera.
     record: BuoyRecord,
-    /// The float that the next click on the sea moors.
+    /// Kind of floating object (buoy or boat) that the next click on the sea places; `None` if a click places nothing.
     placing: Option<floats::FloatKind>,
     save_folder: Option<std::path::PathBuf>,
-    /// Messages of finished saves, or why they failed.
+    /// Results of finished file saves: a message for the user, or the reason for the failure.
     saved: tasks::Inbox<Result<String, String>>,
-    /// The sky file that was read last; used again when an opened link names the same file.
+    /// The sky image file that was read last. It is used again when an opened link names the same file.
     sky: Option<SkyFile>,
     progress: viewport::Progress,
     frame_measurements: measurements::FrameMeasurements,
     sea_measurement: measurements::SeaMeasurement,
     shown: measurements::Shown,
-    /// The browser's user agent.
+    /// User-agent string of the browser, for the bug report.
     #[cfg(target_arch = "wasm32")]
     browser: String,
     #[cfg(target_arch = "wasm32")]
@@ -88,18 +89,18 @@ pub struct App {
 }
 
 impl App {
-    /// Starts with a state string or a pasted URL.
+    /// Creates the app from a state string or from a URL that contains one.
     ///
     /// # Errors
-    /// If eframe has no wgpu device.
+    /// If eframe was started without a wgpu device.
     pub fn new(cc: &eframe::CreationContext<'_>, state: &str) -> Result<Self, String> {
         Self::with_sky(cc, state, None)
     }
 
-    /// Starts with a state string and with the sky file that the state may name.
+    /// Creates the app from a state string, and from the sky image file that the state string may name.
     ///
     /// # Errors
-    /// If eframe has no wgpu device.
+    /// If eframe was started without a wgpu device.
     pub fn with_sky(cc: &eframe::CreationContext<'_>, state: &str, sky: Option<SkyFile>) -> Result<Self, String> {
         let render_state = cc.wgpu_render_state.clone().ok_or(NO_WGPU)?;
         let (mut params, notices) = query::parse(state);
@@ -148,62 +149,65 @@ impl App {
         })
     }
 
-    /// The current state string.
+    /// The current parameters as a state string, with camera and time rounded as in a link.
     pub fn state(&self) -> String {
         query::write(&rounding::rounded(&self.params))
     }
 
-    /// Replaces the state, as if the user had set every value.
+    /// Replaces all parameters by those of a state string. Keys that are missing there get their default values.
     pub fn set_state(&mut self, state: &str) {
         (self.params, self.notices) = query::parse(state);
         self.params.look.sky.attach(self.sky.as_ref());
         self.idle_pose = Some(rounding::pose(&self.params));
-        // Callers outside a frame need one even while time is stopped.
+        // A caller outside of a frame (JavaScript or a test) needs one, also while time is stopped.
         self.ctx.request_repaint();
     }
 
-    /// Width and height of the last picture in pixels.
+    /// Width and height of the last drawn picture in pixels; zero before the first one.
     pub fn picture_size(&self) -> [u32; 2] {
         self.drawn.as_ref().map_or([0; 2], |(_, size)| *size)
     }
 
-    /// Sets the folder for saved files in place of the user's folder for pictures; a page downloads files instead.
+    /// Sets the folder for saved files, instead of the user's pictures folder. The web page downloads files and ignores
+    /// it.
     pub fn set_save_folder(&mut self, folder: std::path::PathBuf) {
         self.save_folder = Some(folder);
     }
 
-    /// Significant wave height in the GPU's maps, m, once it has been measured while its number or its plot is shown.
+    /// Significant wave height measured in the GPU's wave maps, m; `None` until the panel has shown a measured
+    /// quantity.
     pub fn measured_hs_m(&self) -> Option<f64> {
         self.sea_measurement.hs_m()
     }
 
-    /// Frames painted so far.
+    /// Number of frames painted since the app was created.
     pub fn frames(&self) -> u64 {
         self.frames
     }
 
-    /// Whether the current device has finished a picture.
+    /// Whether the GPU has finished the first picture on the current device.
     pub fn is_seen(&self) -> bool {
         self.progress.is_seen()
     }
 
-    /// Requests one more frame and returns whether the picture is complete, that is, the foam's replay has ended.
+    /// Requests one more frame. Returns whether the picture is complete: no replay of past foam steps and no cross-fade
+    /// is in progress.
     pub fn settled(&self) -> bool {
         self.ctx.request_repaint();
         self.progress.is_seen() && !self.progress.is_catching_up()
     }
 
-    /// Why the GPU was lost, if it was.
+    /// The reason why the GPU device was lost; `None` while it works.
     pub fn device_lost(&self) -> Option<String> {
         self.gpu_errors.lost()
     }
 
-    /// The distinct GPU errors so far.
+    /// The distinct error messages that the GPU device has reported so far.
     pub fn errors(&self) -> Vec<String> {
         self.gpu_errors.errors()
     }
 
-    /// The device that the app draws with.
+    /// eframe's wgpu state, with the device and queue that the app draws with.
     pub fn render_state(&self) -> &egui_wgpu::RenderState {
         &self.render_state
     }
@@ -212,7 +216,8 @@ impl App {
         Gpu { device: self.render_state.device.clone(), queue: self.render_state.queue.clone() }
     }
 
-    /// Advances the clock; it waits while it is stopped and while the first picture is being made.
+    /// Advances the simulated time by one frame. Time stands still while the user has stopped the clock, and until the
+    /// GPU has finished the first picture.
     fn advance(&mut self, ctx: &egui::Context) {
         if self.params.clock.paused || self.progress.is_awaited() {
             return;
@@ -222,7 +227,7 @@ impl App {
         ctx.request_repaint();
     }
 
-    /// Feeds the undo history with the parameters of this frame.
+    /// Passes the parameters of this frame to the undo history.
     fn watch_history(&mut self, ctx: &egui::Context) {
         let (held, now_s) = ctx.input(|i| (i.pointer.any_down(), i.time));
         self.history.watch(&self.params, held, now_s);
@@ -231,7 +236,7 @@ impl App {
         }
     }
 
-    /// Recomputes what follows from the parameters if they describe another sea.
+    /// Recomputes the plan, the statistics and the other derived quantities if the parameters of the sea have changed.
     fn update_derived(&mut self) {
         let Some(change) = self.derived.follow(&self.params) else { return };
         if change > SeaChange::Foam {
@@ -240,7 +245,7 @@ impl App {
         self.forget_measurement();
     }
 
-    /// The parameters to draw: the state's own, on the grid that the machine is fast enough for.
+    /// The parameters to draw with: the current ones, with the FFT size that adaptive quality allows.
     fn params_to_draw(&self) -> Params {
         let grid = self.quality.grid(&self.params.grid, &self.params.screen);
         Params { grid, ..self.params.clone() }
@@ -274,7 +279,8 @@ impl eframe::App for App {
         let params = self.params_to_draw();
         let limit = self.render_state.device.limits().max_texture_dimension_2d;
         let pixels = |points| self.quality.picture_size(points, ctx.pixels_per_point(), &params.screen, limit);
-        // Without a float to moor the sea senses no clicks: a finger that rests before it moves would be a long press.
+        // Clicks on the sea are sensed only while an object is to be placed: with them, egui would take a finger that
+        // rests before it drags for a long press.
         let sense = if self.placing.is_some() { egui::Sense::click_and_drag() } else { egui::Sense::drag() };
         let (response, size) = viewport::show(ui, &params, (&self.progress, &self.frame_measurements), sense, pixels);
         self.drawn = Some((params, size));

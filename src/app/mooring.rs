@@ -1,16 +1,16 @@
-//! Buoys and boats are moored where the user clicks the sea or presses B over it.
+//! Places buoys and boats on the sea, where the user clicks or presses B.
 
 use super::App;
 use crate::state::camera::View;
 use crate::state::floats::{self, Float};
 
-/// Largest distance from the camera at which a float is moored, m: beyond it nobody would see the float.
+/// Largest distance from the camera at which a buoy or boat can be placed, m. Farther away it is too small to see.
 const FARTHEST_FLOAT_M: f64 = 3000.0;
-/// Fixed-point steps that find where a ray of sight meets the waves.
+/// Number of fixed-point iterations that find the intersection of a view ray with the waves.
 const RAY_STEPS: usize = 8;
 
 impl App {
-    /// Moors a buoy under the pointer when B is pressed, or the float chosen in the panel where the sea is clicked.
+    /// Places a buoy under the pointer when B is pressed, or the object chosen in the panel where the sea is clicked.
     pub(super) fn moor(&mut self, response: &egui::Response, ctx: &egui::Context) {
         if self.placing.is_some() && response.hovered() {
             ctx.set_cursor_icon(egui::CursorIcon::Crosshair);
@@ -35,7 +35,8 @@ impl App {
         self.params.floats.push(Float { kind, x_m: round(x_m), z_m: round(z_m) });
     }
 
-    /// The place on the sea that is seen at a point of the window, m east and south.
+    /// The position on the sea, m east and south, seen at a point of the window; `None` without water or if too far
+    /// away.
     fn sea_at(&self, at: egui::Pos2, rect: egui::Rect) -> Option<[f64; 2]> {
         let camera = &self.params.camera;
         let aspect = f64::from(rect.width() / rect.height().max(1.0));

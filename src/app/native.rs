@@ -1,4 +1,4 @@
-//! The desktop window, and the files that the command line reads for the app.
+//! The desktop window, and the sky image file that the command line opens for it.
 
 use super::device_loss::{AppHost, Created, ParkedApp};
 use super::opened_files;
@@ -13,20 +13,24 @@ use std::rc::Rc;
 use std::time::Duration;
 use web_time::Instant;
 
-/// Device losses, and failures to get another device, within [`LOSS_WINDOW`] before the program gives up.
+/// Largest number of GPU device losses, and of failures to get a new device, within [`LOSS_WINDOW`]. After more of them
+/// the program ends with an error.
 const MOST_LOSSES: usize = 8;
+/// Period over which device losses are counted.
 const LOSS_WINDOW: Duration = Duration::from_secs(60);
-/// Wait before another try to open a window: a driver that restarts needs a moment.
+/// Pause before another attempt to open a window after a failure: a graphics driver that restarts needs a moment.
 const NEXT_TRY: Duration = Duration::from_secs(1);
-/// Environment variable with which two keys destroy the device, at a frame's start or end, so that tests can lose it.
+/// Environment variable that makes F11 and F12 destroy the GPU device, so that tests can rehearse a device loss.
 const REHEARSAL: &str = "SEASTATE_REHEARSE_LOSS";
+/// Key that destroys the GPU device at the start of a frame, in a rehearsal of a device loss.
 const EARLY: egui::Key = egui::Key::F12;
+/// Key that destroys the GPU device at the end of a frame, in a rehearsal of a device loss.
 const LATE: egui::Key = egui::Key::F11;
 
-/// Opens a window with a state; returns when it is closed.
+/// Opens the desktop window with the given parameters. Returns when the user closes it.
 ///
 /// # Errors
-/// One sentence, if there is no display or no GPU.
+/// One sentence, if there is no display or no GPU, or if the GPU device is lost too often.
 #[expect(clippy::disallowed_methods, reason = "no browser runs this one")]
 pub fn run(params: &Params) -> Result<(), String> {
     let sky = params.look.sky.file.clone();
@@ -36,7 +40,7 @@ pub fn run(params: &Params) -> Result<(), String> {
     let mut losses: Vec<Instant> = Vec::new();
     loop {
         let opened = catch_unwind(AssertUnwindSafe(|| open(&state, sky.as_ref(), &parked, &last_window)));
-        // The app is parked only when its device was lost.
+        // The app is parked only if its GPU device was lost.
         let Some(at) = parked.borrow().as_ref().map(App::state) else {
             return opened.unwrap_or_else(|panic| resume_unwind(panic));
         };
@@ -63,7 +67,7 @@ fn wait(time: Duration) {
     std::thread::sleep(time);
 }
 
-/// Reads the sky of a file.
+/// Reads a sky image (.hdr or .exr) from a file.
 ///
 /// # Errors
 /// One sentence that names the file and the reason.
@@ -72,7 +76,7 @@ pub fn read_sky(path: &Path) -> Result<SkyFile, String> {
     opened_files::sky(&files[0].0, &files[0].1)
 }
 
-/// The window to open: at the place and with the size of the last one, if there was one.
+/// Settings of the window to open, with the position and size of the previous window if there was one.
 fn viewport(last: &egui::ViewportInfo) -> egui::ViewportBuilder {
     let usual_size = egui::vec2(1280.0, 720.0);
     let mut viewport = egui::ViewportBuilder::default()
@@ -105,19 +109,19 @@ fn open(state: &str, sky: Option<&SkyFile>, parked: &ParkedApp, last_window: &La
         .map_err(|e| format!("cannot open a window: {e} (without a desktop, 'seastate render' writes pictures)"))
 }
 
-/// The window; it parks the app when the device is lost.
+/// The eframe app of the desktop window. It parks the inner app when the GPU device is lost.
 struct Window {
     host: AppHost,
     parked: ParkedApp,
     last_window: LastWindow,
-    /// Whether F11 and F12 destroy the GPU device on purpose, to test the recovery.
+    /// Whether F11 and F12 destroy the GPU device on purpose, to test the recovery from a device loss.
     rehearses: bool,
-    /// Whether the device is destroyed at the end of this frame.
+    /// Whether the GPU device is to be destroyed at the end of this frame, as a test.
     loses_device: bool,
 }
 
 impl Window {
-    /// Polls the device, and returns whether it is lost.
+    /// Polls the GPU device, and returns whether it is lost.
     fn is_lost(&mut self) -> bool {
         self.host.app().is_some_and(|app| {
             // The loss callback runs during the poll; its result does not matter.
@@ -159,7 +163,7 @@ impl eframe::App for Window {
 
 impl Drop for Window {
     fn drop(&mut self) {
-        // egui-wgpu panics if the device is lost within a frame; the app survives that, too.
+        // egui-wgpu panics if the device is lost during a frame. Parking the app here lets it survive this, too.
         if std::thread::panicking() && self.is_lost() {
             self.host.park(&self.parked);
         }

@@ -1,4 +1,4 @@
-//! Files dropped on the window or the page: a buoy's spectra, a sky, a saved picture or a list of seas.
+//! Files dropped on the window or the page: a buoy's measured spectra, a sky image, a saved picture or a list of seas.
 
 #[cfg(target_arch = "wasm32")]
 use super::tasks;
@@ -10,10 +10,10 @@ use crate::state::presets;
 use egui::DroppedFileHandle;
 use std::sync::Arc;
 
-/// Names and contents of files, or why they cannot be read.
+/// Name and contents of each file, or the reason why the files cannot be read.
 pub type Files = Result<Vec<(String, Vec<u8>)>, String>;
 
-/// Reads a sky from a file's contents.
+/// Decodes a sky image from the name and the contents of a file.
 ///
 /// # Errors
 /// One sentence that names the file and the reason.
@@ -23,14 +23,14 @@ pub fn sky(name: &str, bytes: &[u8]) -> Result<SkyFile, String> {
     Ok(SkyFile { image: Some(Arc::new(image)), ..file })
 }
 
-/// Reads files that were dropped on a window.
+/// Reads files that were dropped on the desktop window, and puts their contents into `inbox`.
 #[cfg(not(target_arch = "wasm32"))]
 fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context) {
     let paths: Vec<_> = handles.iter().map(|h| h.path().to_owned()).collect();
     inbox.put(input::read_all(&paths), ctx);
 }
 
-/// Reads files that were dropped on the page, and requests a frame when they are read.
+/// Reads files that were dropped on the web page, and puts their contents into `inbox` when they are read.
 #[cfg(target_arch = "wasm32")]
 fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context) {
     let (inbox, handles, ctx) = (inbox.clone(), handles.to_vec(), ctx.clone());
@@ -38,7 +38,7 @@ fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context
         let mut files = Vec::new();
         for handle in &handles {
             let name = handle.path().to_string_lossy().into_owned();
-            // The size is checked before the file is read: a film would fill the tab's memory.
+            // The size is checked before the file is read: a large video would fill the tab's memory.
             let size = handle.web_file().map_or(0.0, |f| f.size());
             if size > input::most_bytes(&name) as f64 {
                 let reason = format!(
@@ -56,7 +56,7 @@ fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context
 }
 
 impl App {
-    /// Opens the files that were dropped. A file that cannot be read changes only the notices.
+    /// Opens files that were dropped on the window. A file that cannot be read changes only the notices.
     pub(super) fn take_opened_files(&mut self, ctx: &egui::Context) {
         let handles = ctx.input(|i| i.raw.dropped_files.clone());
         if handles.len() > MAX_FILES {
@@ -70,7 +70,7 @@ impl App {
         }
     }
 
-    /// Opens files by their contents; several files are the spectra of one buoy.
+    /// Opens files according to their contents. Several files together are the spectra of one buoy.
     fn open_files(&mut self, files: &[(String, Vec<u8>)]) -> Result<(), String> {
         if let [(name, bytes)] = files {
             if picture::is_png(bytes) {
@@ -96,7 +96,7 @@ impl App {
         Ok(())
     }
 
-    /// Adds the seas of an exported list to the user's own.
+    /// Adds the seas of an exported text file to the user's own named seas.
     fn import_seas(&mut self, text: &str) {
         let (seas, notices) = presets::read(text);
         let count = seas.len();
@@ -107,7 +107,7 @@ impl App {
         }
     }
 
-    /// Shows a sky, and its size and sun in the notices.
+    /// Draws the sea under a sky image, and shows the image's size and the height of its sun in the notices.
     fn show_sky(&mut self, file: SkyFile) {
         let Some(panorama) = &file.image else { return };
         let sun = panorama.sun.as_ref().map(|s| format!(", sun {:.0}° high", s.elevation_deg)).unwrap_or_default();
@@ -118,7 +118,7 @@ impl App {
     }
 }
 
-/// Lists the kinds of files that can be dropped, while files hover over the window.
+/// Draws a list of the kinds of files that can be dropped, while the user drags files over the window.
 pub fn show_drop_hint(ctx: &egui::Context) {
     if ctx.input(|i| i.raw.hovered_files.is_empty()) {
         return;

@@ -1,55 +1,57 @@
-//! Adaptive quality: a machine that is too slow gets fewer pixels, and then fewer points per cascade.
+//! Adaptive quality: a machine that is too slow draws fewer pixels, and after that a smaller FFT.
 
 use crate::state::params::{Grid, Screen};
 
-/// Frame time above which motion stutters, s.
+/// Frame time above which motion stutters and the quality is lowered, s.
 const LONG_S: f64 = 1.0 / 40.0;
-/// Frame time below which more pixels are tried, s; a screen of 60 Hz takes 1/60 s.
+/// Frame time below which a higher quality is tried, s. A screen of 60 Hz takes 1/60 s per frame.
 const SHORT_S: f64 = 1.0 / 55.0;
-/// Least scale of the pixels along a side, relative to the requested ones.
+/// Lowest factor by which adaptive quality scales the picture's width and height.
 const LEAST_SCALE: f64 = 0.4;
-/// First and least scale on a software adapter, where a frame of 1280 x 720 takes seconds.
+/// Initial and lowest factor of the picture's width and height on a software adapter, which takes seconds per frame.
 const CPU_SCALE: f64 = 0.25;
-/// Fewest points along a side of a cascade; fewer would leave gaps between the bands.
+/// Smallest FFT size to which slow frames reduce a cascade. A smaller one would leave wave numbers in no cascade.
 const LEAST_N: u32 = 128;
-/// Factor of the pixels along a side after every other out-of-memory error, and the fewest points that such errors
-/// leave.
+/// Factor of the picture's width and height for every other out-of-memory error, beginning with the first.
 const REFUSED_SCALE: f64 = 0.7;
+/// Smallest FFT size to which out-of-memory errors reduce a cascade.
 const REFUSED_N: u32 = 64;
-/// How long frames must be long before the quality falls, and at first short before it rises, s.
+/// Time for which frames must be too slow before the quality is lowered, s.
 const PATIENCE_S: f64 = 0.6;
+/// Initial time for which frames must be fast before a higher quality is tried, s. It doubles after each failed trial.
 const TRIAL_S: f64 = 3.0;
-/// The longest wait between two trials, s.
+/// Upper limit of the time for which frames must be fast before a higher quality is tried, s.
 const MOST_TRIAL_S: f64 = 60.0;
-/// Frame time above which a single frame is ignored, s: it followed a pause, a hidden tab or a stall.
+/// Frame time above which a single frame is ignored, s: such a frame follows a pause, a hidden tab or a stall.
 const ODD_S: f64 = 4.0;
 
-/// Scale of the picture and number of points, controlled by the frame time.
+/// Controller of the picture's resolution and the FFT size. It reacts to the frame time and to out-of-memory errors.
 pub struct Quality {
-    /// Smoothed time of a frame, s.
+    /// Moving average of the frame time, s.
     frame_s: f64,
-    /// Pixels along a side, relative to the requested ones.
+    /// Factor of the picture's width and height relative to the requested ones, at most 1.
     scale: f64,
-    /// Least value of `scale`.
+    /// Lower limit of `scale` on this adapter.
     least_scale: f64,
-    /// Halvings of n.
+    /// Number of times that the requested FFT size is halved.
     halvings: u32,
-    /// Time for which frames have been long (positive) or short (negative), s.
+    /// Time for which frames have been too slow (positive) or fast (negative), s.
     pressure_s: f64,
-    /// Time of short frames before the quality rises, s: it doubles after each failed trial.
+    /// Time for which frames must be fast before a higher quality is tried, s. It doubles after each failed trial.
     trial_s: f64,
-    /// Whether the last change raised the quality.
+    /// Whether the last change raised the quality as a trial.
     tried: bool,
-    /// Number of out-of-memory errors.
+    /// Number of out-of-memory errors of the GPU so far.
     refusals: u32,
-    /// Whether the last frame was longer than [`ODD_S`].
+    /// Whether the last frame took longer than [`ODD_S`] and was ignored.
     was_odd: bool,
-    /// Whether time is stopped.
+    /// Whether the simulated time is stopped. A still picture always has full quality.
     still: bool,
 }
 
 impl Quality {
-    /// Initial quality on a kind of adapter; `still` if time is stopped.
+    /// Creates the controller with the initial quality for a kind of adapter. `still`: whether simulated time is
+    /// stopped.
     pub fn on(kind: wgpu::DeviceType, still: bool) -> Self {
         let is_cpu = kind == wgpu::DeviceType::Cpu;
         Self {
@@ -66,7 +68,8 @@ impl Quality {
         }
     }
 
-    /// Adapts to the time since the last frame. A stopped time always gets full quality.
+    /// Adapts the quality to `dt_s`, the time since the last frame. While simulated time is stopped, the quality is
+    /// full.
     pub fn watch(&mut self, dt_s: f64, still: bool, adaptive: bool) {
         let was_still = std::mem::replace(&mut self.still, still);
         let was_odd = std::mem::replace(&mut self.was_odd, dt_s > ODD_S);
@@ -93,7 +96,7 @@ impl Quality {
                 self.trial_s = (2.0 * self.trial_s).min(MOST_TRIAL_S);
             }
             if self.scale > self.least_scale {
-                // The cost of a frame is proportional to its pixels; limits keep the change gradual.
+                // The cost of a frame is proportional to its pixels, hence the root. The limits smooth the change.
                 let wanted = (0.9 * LONG_S / self.frame_s).sqrt().clamp(0.7, 0.95);
                 self.scale = (self.scale * wanted).max(self.least_scale);
             } else {
@@ -110,46 +113,47 @@ impl Quality {
         }
     }
 
-    /// Lowers the pixels and the points alternately after each out-of-memory error, also for a stopped time.
+    /// Notes an out-of-memory error of the GPU. The errors alternately lower the resolution and the FFT size, also
+    /// while the time is stopped.
     pub fn refuse(&mut self) {
         self.refusals += 1;
     }
 
-    /// Scale of the pixels along a side that the memory allows.
+    /// Largest factor of the picture's width and height after the out-of-memory errors so far.
     fn most_scale(&self) -> f64 {
         REFUSED_SCALE.powi(self.refusals.div_ceil(2) as i32)
     }
 
-    /// Size of the picture in pixels for a viewport in points, at most `limit` along a side.
+    /// Width and height of the picture in pixels for a viewport of the size `points`. Neither exceeds `limit`.
     pub fn picture_size(&self, points: egui::Vec2, pixels_per_point: f32, screen: &Screen, limit: u32) -> [u32; 2] {
         let density = f64::from(pixels_per_point).min(screen.max_pixel_ratio) * screen.render_scale;
         let own = if self.still || !screen.adaptive { 1.0 } else { self.scale }.min(self.most_scale());
         [points.x, points.y].map(|side| ((f64::from(side) * density * own).round() as u32).min(limit))
     }
 
-    /// The requested grid with the points that speed and memory allow.
+    /// The requested grid parameters with an FFT size for which speed and memory suffice.
     pub fn grid(&self, grid: &Grid, screen: &Screen) -> Grid {
         let n = if screen.adaptive { self.fft_size(grid.n) } else { self.affordable(grid.n) };
         Grid { n, ..grid.clone() }
     }
 
-    /// Points along a side of a cascade where `n` are requested.
+    /// FFT size for which speed and memory suffice, if `n` is requested.
     fn fft_size(&self, n: u32) -> u32 {
         let n = self.affordable(n);
         if self.still { n } else { (n >> self.halvings).max(LEAST_N.min(n)) }
     }
 
-    /// Points along a side that the memory allows where `n` are requested.
+    /// Largest FFT size that the out-of-memory errors so far allow, if `n` is requested.
     fn affordable(&self, n: u32) -> u32 {
         (n >> (self.refusals / 2).min(8)).max(REFUSED_N.min(n))
     }
 
-    /// Smoothed frames per second.
+    /// Frames per second, from the moving average of the frame time.
     pub fn frames_a_second(&self) -> f64 {
         1.0 / self.frame_s.max(1e-4)
     }
 
-    /// The current quality in words.
+    /// Describes the current quality for the report, such as "full quality" or "50 % of the pixels, to keep up".
     pub fn word(&self) -> String {
         if self.refusals > 0 {
             let scale = self.most_scale().min(if self.still { 1.0 } else { self.scale });
@@ -166,7 +170,7 @@ impl Quality {
 mod tests {
     use super::*;
 
-    /// Runs frames for some seconds; the frame time depends on the quality.
+    /// Simulates some seconds of frames whose frame time depends on the quality.
     fn run(quality: &mut Quality, seconds: f64, frame_s: impl Fn(&Quality) -> f64) {
         let mut t = 0.0;
         while t < seconds {
@@ -183,7 +187,7 @@ mod tests {
         let points = egui::vec2(1000.0, 500.0);
         run(&mut quality, 1.0, |_| 1.0 / 60.0);
         assert_eq!(quality.picture_size(points, 1.0, &screen, 8192), [1000, 500]);
-        // A machine that takes 50 ms for all pixels.
+        // A machine that needs 50 ms for a frame at full resolution.
         run(&mut quality, 10.0, |q| 0.05 * q.scale * q.scale);
         let [width, _] = quality.picture_size(points, 1.0, &screen, 8192);
         assert!((500..850).contains(&width), "{width}");
@@ -228,7 +232,7 @@ mod tests {
     #[test]
     fn trials_that_fail_become_rare() {
         let mut quality = Quality::on(wgpu::DeviceType::DiscreteGpu, true);
-        // Full scale is slow, and nine tenths of it are fast.
+        // The full resolution is slow, and 0.93 of it is fast.
         let frame = |q: &Quality| if q.scale > 0.93 { 0.03 } else { 1.0 / 60.0 };
         run(&mut quality, 400.0, frame);
         assert!(quality.trial_s >= 24.0, "{}", quality.trial_s);

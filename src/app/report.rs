@@ -1,10 +1,10 @@
-//! The report that belongs to a bug report: program, GPU, state, errors and frame rate.
+//! The report that a user pastes into a bug report: program, GPU, state, errors and frame rate.
 
 use super::App;
 use crate::ocean::about::About;
 
 impl App {
-    /// Names and values of program, device, frame rate and last error.
+    /// Rows (name and value) about the program, its GPU, the picture, the frame rate and the last error.
     pub(super) fn about(&self) -> Vec<(&'static str, String)> {
         let mut rows = About::new(&self.render_state.adapter, &self.gpu()).rows();
         #[cfg(target_arch = "wasm32")]
@@ -22,7 +22,8 @@ impl App {
         rows
     }
 
-    /// The report as plain text, with the state, all errors and all notices.
+    /// The whole report as plain text: program, GPU and frame rate, then pass times, errors, notices and the state
+    /// string.
     pub fn report(&self) -> String {
         let mut lines: Vec<String> = self.about().iter().map(|(name, value)| format!("{name}: {value}")).collect();
         for (pass, ms) in self.frame_measurements.passes().unwrap_or_default() {
@@ -34,7 +35,7 @@ impl App {
         lines.join("\n") + "\n"
     }
 
-    /// Copies the report to the clipboard.
+    /// Copies the text for a bug report to the clipboard.
     pub(super) fn copy_report(&mut self) {
         self.ctx.copy_text(self.report());
         self.say("Report copied: paste it where you tell of the fault.");

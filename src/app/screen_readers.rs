@@ -1,7 +1,7 @@
-//! Screen readers on the page. eframe passes no accessibility tree to a browser, so web/readers.js mirrors AccessKit's
-//! tree as HTML elements, and actions on the elements come back as AccessKit requests.
+//! Access for screen readers on the web page. eframe passes no accessibility tree to a browser. So web/readers.js
+//! mirrors AccessKit's tree as HTML elements, and user actions on these elements come back as AccessKit requests.
 //!
-//! The tree is built from the first request on. Browser tests find widgets by it, too.
+//! egui builds the tree only after the first request for it. Browser tests use the tree to find widgets, too.
 
 use egui::accesskit::{Action, ActionData, ActionRequest, Node, NodeId, Role, Toggled, TreeId, TreeUpdate};
 use std::collections::{HashMap, VecDeque};
@@ -10,34 +10,34 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 /// A widget or a text of the accessibility tree.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AccessibleItem {
-    /// AccessKit's 64-bit id as a decimal number.
+    /// AccessKit's 64-bit node id, written as a decimal number.
     pub id: String,
-    /// AccessKit's name of the role.
+    /// AccessKit's name of the widget's role, such as `Slider`.
     pub role: String,
-    /// Accessible name.
+    /// Accessible name: the text by which a screen reader announces the widget.
     pub label: String,
-    /// Value as text.
+    /// Current value of the widget as text.
     pub value: String,
-    /// Numeric value, with minimum, maximum and step where they exist.
+    /// Numeric value of a slider or number field, then its minimum, maximum and step where they exist.
     pub number: Option<(f64, [Option<f64>; 3])>,
-    /// Whether a toggle is on.
+    /// Whether a check box or other toggle is on; `None` for other widgets.
     pub on: Option<bool>,
-    /// Whether a section is expanded.
+    /// Whether a collapsible section is expanded; `None` for other widgets.
     pub open: Option<bool>,
     pub disabled: bool,
-    /// Bounds in points: x, y, width, height.
+    /// Bounds of the widget in points: x, y, width, height.
     pub place: [f64; 4],
 }
 
-/// The tree and the page's requests, shared with the egui plugin.
+/// egui plugin that holds the accessibility tree and the requests of the web page.
 #[derive(Clone, Default)]
 pub struct ScreenReaders(Arc<Mutex<Inner>>);
 
 #[derive(Default)]
 struct Inner {
-    /// Items in reading order.
+    /// Widgets and texts of the last frame, in reading order.
     items: Vec<AccessibleItem>,
-    /// Input events for the next frames, one batch per frame.
+    /// Input events that the next frames will get, one batch per frame.
     requests: VecDeque<Vec<egui::Event>>,
     tree: Option<TreeId>,
 }
@@ -47,7 +47,7 @@ impl ScreenReaders {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Continues with another egui context.
+    /// Installs the plugin in another egui context, after a device loss.
     pub fn move_to(&self, ctx: &egui::Context) {
         ctx.add_plugin(self.clone());
         if self.inner().tree.is_some() {
@@ -55,7 +55,8 @@ impl ScreenReaders {
         }
     }
 
-    /// Items of the last frame; empty until a frame after the first call.
+    /// Widgets and texts of the last frame. The first call enables the tree, so the list stays empty until the next
+    /// frame.
     pub fn items(&self, ctx: &egui::Context) -> Vec<AccessibleItem> {
         if self.inner().tree.is_none() {
             ctx.enable_accesskit();
@@ -64,8 +65,8 @@ impl ScreenReaders {
         self.inner().items.clone()
     }
 
-    /// Applies an action to a widget: `click`, `focus`, `more`, `less`, `set` to a number, or `type` a text and confirm
-    /// it.
+    /// Applies an action to a widget: `click`, `focus`, `more`, `less`, `set` (to the number `value`), or `type`
+    /// (enters the string `text` and confirms it).
     pub fn act(&self, ctx: &egui::Context, id: &str, action: &str, value: f64, text: &str) {
         let mut inner = self.inner();
         let (Ok(id), Some(target_tree)) = (id.parse().map(NodeId), inner.tree) else { return };
@@ -83,7 +84,7 @@ impl ScreenReaders {
             "set" => vec![vec![ask(Action::SetValue, Some(ActionData::NumericValue(value)))]],
             "type" => {
                 let mut keys = key(egui::Key::A, egui::Modifiers::COMMAND).to_vec();
-                // An empty text event would not delete the selection.
+                // An empty text event would leave the selected text, so Backspace deletes it.
                 if text.is_empty() {
                     keys.extend(key(egui::Key::Backspace, egui::Modifiers::NONE));
                 } else {
@@ -122,7 +123,7 @@ impl egui::Plugin for ScreenReaders {
     }
 }
 
-/// Widgets and texts of an update in reading order.
+/// Widgets and texts of an accessibility tree, in reading order.
 fn items(update: &TreeUpdate) -> Vec<AccessibleItem> {
     let nodes: HashMap<NodeId, &Node> = update.nodes.iter().map(|(id, node)| (*id, node)).collect();
     let mut items = Vec::new();

@@ -1,10 +1,10 @@
-//! Configuration of eframe's device, and the visual style.
+//! Configuration of eframe's wgpu device, and the visual style of the user interface.
 
 use crate::gpu::device;
 use egui::epaint::text::{GlyphBitmap, GlyphRasterizer, GlyphRasterizerRequest, RasterizedGlyph};
 use std::sync::Arc;
 
-/// wgpu configuration of page, window and tests: the program's backends, limits and features.
+/// wgpu configuration of the web page, the desktop window and the tests: the program's backends, limits and features.
 pub fn wgpu_configuration() -> egui_wgpu::WgpuConfiguration {
     let mut setup = egui_wgpu::WgpuSetupCreateNew::without_display_handle();
     setup.instance_descriptor.backends = device::backends();
@@ -21,7 +21,7 @@ pub fn wgpu_configuration() -> egui_wgpu::WgpuConfiguration {
     egui_wgpu::WgpuConfiguration { wgpu_setup: egui_wgpu::WgpuSetup::CreateNew(setup), ..Default::default() }
 }
 
-/// Draws the clipboard symbol of egui's colour picker, which the program's fonts lack.
+/// Draws the clipboard symbol (U+1F4CB), which egui's colour picker uses and the fonts lack. `None` for other glyphs.
 fn clipboard_sign(request: &GlyphRasterizerRequest<'_>) -> Option<RasterizedGlyph> {
     if request.cluster != "\u{1f4cb}" {
         return None;
@@ -42,7 +42,7 @@ fn clipboard_sign(request: &GlyphRasterizerRequest<'_>) -> Option<RasterizedGlyp
     Some(RasterizedGlyph { bitmap: GlyphBitmap { image, offset_px, is_color: false }, advance_px })
 }
 
-/// Sets the dark, slightly translucent style.
+/// Sets the visual style of the user interface: dark and slightly translucent.
 pub fn style(ctx: &egui::Context) {
     ctx.add_glyph_rasterizer(GlyphRasterizer::new("seastate::clipboard", clipboard_sign));
     ctx.set_theme(egui::Theme::Dark);

@@ -1,4 +1,4 @@
-//! Links, embedding code, saved pictures and saved maps.
+//! Ways to share a sea: links, HTML for embedding, saved pictures and saved wave maps.
 
 use super::{App, storage, tasks};
 use crate::files::picture;
@@ -8,7 +8,7 @@ use crate::state::{Params, query, rounding::rounded};
 use crate::waves::Plan;
 
 impl App {
-    /// The page's address with the state, or on the desktop the bare state string.
+    /// The link to the current sea: the page's address with the state string; on the desktop the bare state string.
     pub fn link(&self) -> String {
         #[cfg(target_arch = "wasm32")]
         return super::web::link(&self.state());
@@ -16,13 +16,13 @@ impl App {
         self.state()
     }
 
-    /// Copies the link to the clipboard.
+    /// Copies the link to the current sea to the clipboard.
     pub(super) fn copy_link(&mut self) {
         self.ctx.copy_text(self.link());
         self.say("Link copied.");
     }
 
-    /// Copies HTML that embeds the sea in another page, without the panel.
+    /// Copies the HTML of an iframe that shows the sea in another web page, without the panel.
     pub(super) fn copy_frame(&mut self) {
         let mut params = rounded(&self.params);
         params.screen.panel = false;
@@ -39,7 +39,7 @@ impl App {
         self.say("Frame copied: paste it into a page.");
     }
 
-    /// Opens a link or a bare state string. A text without any known setting changes only the notices.
+    /// Opens a link or a bare state string. A text without any known key changes only the notices.
     pub(super) fn open_link(&mut self, text: &str) {
         let reading = query::read(text);
         if reading.taken.is_empty() && !reading.notices.is_empty() {
@@ -53,7 +53,7 @@ impl App {
         }
     }
 
-    /// Saves the current picture with its state; the result arrives in `saved`.
+    /// Saves the current picture as a PNG that contains its state string. A later frame finds the result in `saved`.
     pub(super) fn save_picture(&mut self) {
         let Some((params, size)) = self.drawn.clone() else { return };
         let params = rounded(&params);
@@ -74,7 +74,7 @@ impl App {
         });
     }
 
-    /// Saves the maps of the current moment; the result arrives in `saved`.
+    /// Saves the wave maps of the current moment as an OpenEXR file. A later frame finds the result in `saved`.
     pub(super) fn save_maps(&mut self) {
         let params = rounded(&self.params);
         let state = query::write(&params);
@@ -88,14 +88,14 @@ impl App {
         });
     }
 
-    /// Shows the results of saves that have finished since the last frame.
+    /// Shows the result of each file save that has finished since the last frame.
     pub(super) fn take_saved(&mut self) {
         for result in self.saved.take() {
             self.show_result(result);
         }
     }
 
-    /// Saves bytes under a name and shows the result.
+    /// Saves bytes as a file, and shows a message with the path or the error.
     pub(super) fn save(&mut self, name: &str, bytes: &[u8]) {
         self.show_result(storage::save(self.save_folder.as_deref(), name, bytes));
     }
@@ -108,7 +108,7 @@ impl App {
     }
 }
 
-/// File name of a picture, with wind speed and time.
+/// File name of a saved picture, with wind speed (m/s) and time (s), such as `seastate-wind14-t40.png`.
 fn picture_name(params: &Params) -> String {
     format!("seastate-wind{:.0}-t{:.0}.png", params.sea.local().wind_m_s, params.clock.t_s)
 }

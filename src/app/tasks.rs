@@ -3,7 +3,7 @@
 use std::future::Future;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Results of tasks, for the next frame to take.
+/// Shared list to which asynchronous tasks add their results, and from which a later frame takes them.
 #[derive(Debug)]
 pub struct Inbox<T>(Arc<Mutex<Vec<T>>>);
 
@@ -20,25 +20,25 @@ impl<T> Default for Inbox<T> {
 }
 
 impl<T> Inbox<T> {
-    /// Adds a result and requests a frame.
+    /// Adds the result of a task to the inbox, and requests a frame that takes it.
     pub fn put(&self, result: T, ctx: &egui::Context) {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).push(result);
         ctx.request_repaint();
     }
 
-    /// Takes all results.
+    /// Removes all results from the inbox and returns them.
     pub fn take(&self) -> Vec<T> {
         std::mem::take(&mut *self.0.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }
 
-/// Runs a task on the page's event loop.
+/// Runs an asynchronous task on the event loop of the web page.
 #[cfg(target_arch = "wasm32")]
 pub fn spawn(task: impl Future<Output = ()> + 'static) {
     wasm_bindgen_futures::spawn_local(task);
 }
 
-/// Runs a task on a thread of its own.
+/// Runs an asynchronous task on a new thread.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn spawn(task: impl Future<Output = ()> + Send + 'static) {
     std::thread::spawn(move || pollster::block_on(task));

@@ -1,4 +1,4 @@
-//! Units of the panel. Parameters are metric; sliders, typed values and read-outs are converted.
+//! Units of the panel. Parameters are stored in metric units; the panel can show and accept nautical units.
 
 use super::App;
 use crate::state::fields::{Field, Group};
@@ -17,17 +17,17 @@ const NAUTICAL: [Unit; 3] = [
     Unit { metric: "km", nautical: "nmi", factor: 1.0 / 1.852 },
 ];
 
-/// Unit in which a metric quantity is shown.
+/// Unit in which the panel shows a quantity, and the conversion factor from its metric unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnitScale {
-    /// Shown unit, or "" for a number.
+    /// Symbol of the shown unit; empty for a dimensionless quantity.
     pub unit: &'static str,
-    /// Shown value divided by the metric value.
+    /// Conversion factor: the shown value divided by the metric value.
     pub factor: f64,
 }
 
 impl UnitScale {
-    /// Scale of a metric unit.
+    /// The unit and conversion factor with which a quantity of metric unit `unit` is shown in the user's `units`.
     pub fn of(unit: &'static str, units: Units) -> Self {
         match NAUTICAL.iter().find(|u| units == Units::Nautical && u.metric == unit) {
             Some(u) => Self { unit: u.nautical, factor: u.factor },
@@ -35,24 +35,24 @@ impl UnitScale {
         }
     }
 
-    /// Scale of a parameter. Patches and cut-offs belong to the computation and stay metric.
+    /// The unit and conversion factor with which a parameter is shown. Parameters of the FFT grid always stay metric.
     pub fn of_field(field: &Field, units: Units) -> Self {
         Self::of(field.unit, if field.group == Group::Grid { Units::Metric } else { units })
     }
 
-    /// A value in metric units as text.
+    /// Converts a metric value to the shown unit, and formats it with that unit and a number of decimals.
     pub fn text(self, value: f64, decimals: usize) -> String {
         let space = if self.unit.is_empty() || self.unit == "°" { "" } else { " " };
         format!("{:.decimals$}{space}{}", value * self.factor, self.unit)
     }
 
-    /// Suffix of a number in a slider.
+    /// The unit as a suffix of a slider's number, with a space where one is usual.
     pub fn suffix(self) -> String {
         if self.unit.is_empty() || self.unit == "°" { self.unit.to_owned() } else { format!(" {}", self.unit) }
     }
 
-    /// Parses a typed number in the shown unit, or in either unit of the quantity ("20 kn", "6ft", "3 m"). Returns the
-    /// shown value.
+    /// Parses a typed number without a unit, or with the metric or nautical unit of the quantity ("20 kn", "6ft", "3
+    /// m"). Returns the value in the shown unit, or `None` if the text is no such number.
     pub fn parse(self, text: &str) -> Option<f64> {
         let text = text.trim().replace(',', ".");
         let end = text.rfind(|c: char| c.is_ascii_digit() || c == '.').map_or(0, |i| i + 1);
@@ -69,7 +69,7 @@ impl UnitScale {
 }
 
 impl App {
-    /// Scale of lengths in the user's units.
+    /// The unit (metres or feet) and conversion factor with which lengths are shown.
     pub(super) fn metres(&self) -> UnitScale {
         UnitScale::of("m", self.params.screen.units)
     }

@@ -1,4 +1,5 @@
-//! The sea in the window: a paint callback that records the frame off-screen in `prepare` and blits it in `paint`.
+//! The sea in the window: a paint callback of egui. It records the frame off-screen in `prepare` and copies it to the
+//! window in `paint`.
 
 use super::measurements::FrameMeasurements;
 use crate::gpu::Gpu;
@@ -8,51 +9,52 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use web_time::Instant;
 
-/// Past foam steps that one frame replays after a cold start, for n = 256 and above; smaller grids replay more.
+/// Number of past foam steps that one frame replays after a start, for FFT sizes from 256. Smaller sizes replay more.
 const STEPS_PER_FRAME: usize = 6;
-/// Past foam steps that one frame replays on a software adapter.
+/// Number of past foam steps that one frame replays on a software adapter, for FFT sizes from 256.
 const CPU_STEPS_PER_FRAME: usize = 1;
-/// Longest step of a cross-fade from one frame to the next, s.
+/// Upper limit of the time by which one frame advances a cross-fade between two seas, s.
 const LONGEST_FADE_STEP_S: f64 = 0.1;
 
-/// Progress of the pictures on one device, shared with the paint callback.
+/// Progress of rendering on one GPU device, shared with the paint callback.
 #[derive(Clone, Default)]
 pub struct Progress(Arc<Marks>);
 
 #[derive(Default)]
 struct Marks {
-    /// A foam replay or a cross-fade is in progress.
+    /// Whether a replay of past foam steps or a cross-fade is in progress.
     catching_up: AtomicBool,
-    /// The first picture was painted and is therefore submitted.
+    /// Whether the first picture was painted, and so will be submitted to the GPU.
     begun: AtomicBool,
-    /// The callback for the end of that submission is installed.
+    /// Whether the callback that reports the completion of the first picture is installed.
     asked: AtomicBool,
-    /// The GPU has finished the first picture.
+    /// Whether the GPU has finished the first picture.
     seen: AtomicBool,
 }
 
 impl Progress {
-    /// Whether another frame is needed even while time is stopped.
+    /// Whether another frame is needed even while the simulated time is stopped.
     pub fn wants_frame(&self) -> bool {
         self.is_catching_up() || !self.is_seen()
     }
 
-    /// Whether a foam replay or a cross-fade is in progress.
+    /// Whether a replay of past foam steps or a cross-fade between two seas is in progress.
     pub fn is_catching_up(&self) -> bool {
         self.0.catching_up.load(Ordering::Relaxed)
     }
 
-    /// Whether the GPU has finished a picture: compiling the pipelines takes seconds.
+    /// Whether the GPU has finished the first picture. This takes seconds, because the pipelines must be compiled.
     pub fn is_seen(&self) -> bool {
         self.0.seen.load(Ordering::Relaxed)
     }
 
-    /// Whether the GPU is still working on the first picture; no other frame is recorded until it is finished.
+    /// Whether the first picture was submitted and the GPU has not finished it. No other frame is recorded meanwhile.
     pub fn is_awaited(&self) -> bool {
         self.0.asked.load(Ordering::Relaxed) && !self.is_seen()
     }
 
-    /// Installs the completion callback once the first painted frame has been submitted. Call before recording a frame.
+    /// Installs the callback that reports the completion of the first picture, once that picture has been submitted.
+    /// Call this before a frame is recorded.
     fn ask(&self, gpu: &Gpu) {
         if self.0.begun.load(Ordering::Relaxed) && !self.0.asked.swap(true, Ordering::Relaxed) {
             let marks = self.0.clone();
@@ -61,8 +63,8 @@ impl Progress {
     }
 }
 
-/// Fills the rest of `ui` with the sea. `pixels` gives the picture's size in pixels from its size in points. Returns
-/// the response to `sense`, and the size in pixels.
+/// Fills the rest of `ui` with the sea. `pixels` converts the picture's size in points to pixels. Returns egui's
+/// response to the input `sense`, and the size in pixels.
 pub fn show(
     ui: &mut egui::Ui,
     params: &Params,
@@ -89,13 +91,13 @@ fn steps_per_frame(gpu: &Gpu, n: u32) -> usize {
     most * (256 / n).max(1).pow(2) as usize
 }
 
-/// One frame.
+/// The parameters and shared state with which the paint callback records one frame of the sea.
 struct SeaFrame {
     params: Params,
     size: [u32; 2],
     progress: Progress,
     measurements: FrameMeasurements,
-    /// Wall time since the last frame, s.
+    /// Wall-clock time since the last frame, s.
     dt_s: f64,
 }
 
@@ -135,7 +137,8 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         if let Some(ocean) = resources.get::<Ocean>() {
             self.measurements.painted();
             self.progress.0.begun.store(true, Ordering::Relaxed);
-            // Until the first picture the page shows its loading screen, or the last picture of a lost device.
+            // Before the first picture is finished, the page shows its loading screen, or the picture before a device
+            // loss.
             if cfg!(not(target_arch = "wasm32")) || !self.progress.is_awaited() {
                 ocean.present(pass);
             }

@@ -1,4 +1,4 @@
-//! The page: functions that JavaScript calls, and the address that follows the state.
+//! The web page: functions that JavaScript calls, and the page's address (URL), which contains the current state.
 
 use super::device_loss::{AppHost, Created, ParkedApp};
 use super::gpu_errors::GpuErrors;
@@ -14,36 +14,35 @@ use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 use web_time::Instant;
 
-/// Least time between two writes of the address, s: browsers refuse more than about three per second.
+/// Least time between two changes of the page's address, s. Browsers refuse more than about three changes per second.
 const WRITE_EVERY_S: f32 = 0.7;
 
-/// The running program, as the page sees it.
+/// The running program as JavaScript sees it.
 #[wasm_bindgen]
 pub struct WebHandle {
     runner: eframe::WebRunner,
-    /// The app between two devices.
+    /// The app while it waits for a new GPU device after a device loss.
     parked: ParkedApp,
-    /// Errors of the current device; readable even after the app has panicked.
+    /// Errors of the current GPU device. They stay readable after the app has panicked.
     gpu_errors: Rc<RefCell<GpuErrors>>,
 }
 
 #[wasm_bindgen]
 impl WebHandle {
-    /// Installs the panic hook and the log; starts nothing.
+    /// Installs the panic hook and the logger. [`Self::start`] starts the app.
     #[wasm_bindgen(constructor)]
     #[expect(clippy::new_without_default, reason = "made by JavaScript")]
     pub fn new() -> Self {
         console_error_panic_hook::set_once();
-        // Fails for a second handle on the same page, which shares the log.
+        // This fails for a second handle on the same page, which shares the logger.
         let _ = eframe::WebLogger::init(log::LevelFilter::Warn);
         Self { runner: eframe::WebRunner::new(), parked: ParkedApp::default(), gpu_errors: Rc::default() }
     }
 
-    /// Starts on a canvas with the state of the address, or continues there with another device after a device loss.
-    /// Rejects with a sentence, and may be called again then.
+    /// Starts the app on a canvas with the state in the page's address, or continues it on another device after a loss.
     ///
     /// # Errors
-    /// If there is no usable WebGPU.
+    /// One sentence, if WebGPU cannot be used. The caller may try again.
     pub async fn start(&self, canvas: web_sys::HtmlCanvasElement) -> Result<(), JsValue> {
         let options = eframe::WebOptions { wgpu_options: setup::wgpu_configuration(), ..Default::default() };
         if let Some(mut host) = self.runner.app_mut::<AppHost>() {
@@ -60,86 +59,89 @@ impl WebHandle {
         Ok(())
     }
 
-    /// Stops the program and releases the canvas.
+    /// Stops the app and releases the canvas.
     pub fn destroy(&self) {
         self.runner.destroy();
     }
 
-    /// Whether the program has panicked.
+    /// Whether the app has panicked.
     pub fn has_panicked(&self) -> bool {
         self.runner.has_panicked()
     }
 
-    /// The panic's message.
+    /// The message of the app's panic; `None` if it has not panicked.
     pub fn panic_message(&self) -> Option<String> {
         self.runner.panic_summary().map(|s| s.message())
     }
 
-    /// The current state string.
+    /// The current parameters as a state string; empty if the app does not run.
     pub fn state(&self) -> String {
         self.with(|app| app.state()).unwrap_or_default()
     }
 
-    /// Replaces the state, as if the user had set every value.
+    /// Replaces all parameters by those of a state string.
     pub fn set_state(&self, state: &str) {
         self.with(|app| app.set_state(state));
     }
 
-    /// Frames painted so far.
+    /// Number of frames painted since the app was created.
     pub fn frames(&self) -> f64 {
         self.with(|app| app.frames() as f64).unwrap_or_default()
     }
 
-    /// Whether the GPU has finished a picture on the current device.
+    /// Whether the GPU has finished the first picture on the current device.
     pub fn seen(&self) -> bool {
         self.with(|app| app.is_seen()).unwrap_or_default()
     }
 
-    /// Requests one more frame and returns whether the picture is complete: foam takes a few frames after a cold start.
+    /// Requests one more frame. Returns whether the picture is complete: its foam has been replayed, no cross-fade
+    /// runs.
     pub fn settled(&self) -> bool {
         self.with(|app| app.settled()).unwrap_or_default()
     }
 
-    /// Bounds of the widget with a label, in points: x, y, width, height. For tests; valid until the next frame.
+    /// Bounds of the widget with the given label, in points: x, y, width, height. Browser tests use it; the bounds are
+    /// valid until the next frame.
     pub fn place(&self, label: &str) -> Option<Vec<f64>> {
         let items = self.items();
         let named = || items.iter().filter(|item| item.label == label);
-        // The first widget is a slider, and the second its number; texts come last.
+        // A parameter has a slider, then a number field and a text with the same label: this takes the slider.
         named().find(|item| item.role != "Label").or_else(|| named().next()).map(|item| item.place.to_vec())
     }
 
-    /// Labels and values of all widgets, for tests.
+    /// Label and value of every widget, one string each, for browser tests.
     pub fn labels(&self) -> Vec<String> {
         self.items().iter().map(|item| format!("{}: {}", item.label, item.value)).collect()
     }
 
-    /// Widgets and texts for screen readers: an array of objects in reading order, with `id`, AccessKit's `role`,
-    /// `label`, `value`, `now`, `least`, `greatest`, `step`, `on`, `open`, `disabled`; empty until a frame after the
-    /// first call.
+    /// Widgets and texts for screen readers: an array of objects in reading order, with the properties `id`, `role`
+    /// (AccessKit's name), `label`, `value`, `now`, `least`, `greatest`, `step`, `on`, `open` and `disabled`. Empty
+    /// until the frame after the first call.
     pub fn described(&self) -> js_sys::Array {
         self.items().iter().map(described).collect()
     }
 
-    /// The sea in one line, and the current message.
+    /// One line for screen readers: wave height, Beaufort number and the current message.
     pub fn told(&self) -> String {
         self.with(|app| app.told()).unwrap_or_default()
     }
 
-    /// Applies a screen reader's action to a widget: `click`, `focus`, `more`, `less`, `set` a number, `type` a text.
+    /// Applies a screen reader's action to a widget: `click`, `focus`, `more`, `less`, `set` (to the number `value`) or
+    /// `type` (the string `text`).
     pub fn act(&self, id: &str, action: &str, value: f64, text: &str) {
         self.with(|app| app.screen_readers.act(&app.ctx, id, action, value, text));
     }
 
-    /// Why the GPU was lost, if it was.
+    /// The reason why the GPU device was lost; `None` while it works.
     pub fn device_lost(&self) -> Option<String> {
         self.gpu_errors.borrow().lost()
     }
 
-    /// The maps of a state at its time, for tests: `n`, `cascades`, and cascade by cascade `heights` (elevation in f32)
-    /// and `displacement` (bits of the half-float texture).
+    /// Computes the wave maps of a state at its time, for tests. Returns an object with `n`, `cascades` and, one
+    /// cascade after the other, `heights` (f32, m) and `displacement` (bits of the half-float texture).
     ///
     /// # Errors
-    /// If the program does not run or the GPU does not give its memory back.
+    /// If the app does not run, or reading back from the GPU fails.
     pub async fn read_back(&self, state: String) -> Result<JsValue, JsValue> {
         let render_state = self.with(|app| app.render_state().clone()).ok_or("the program is not running")?;
         let gpu = Gpu { device: render_state.device, queue: render_state.queue };
@@ -157,20 +159,20 @@ impl WebHandle {
         ]))
     }
 
-    /// Times the passes of a state on another device of this browser, as `seastate bench --baseline` does. Calls
-    /// `progress` with the name of the next measurement. Returns an object with `text` (the table) and `passes`
-    /// (objects with `pass`, `n`, `cascades`, `width`, `height`, `ms`).
+    /// Measures the time of each GPU pass for a state on a second device of this browser, as `seastate bench
+    /// --baseline` does. Calls `progress` with the name of each measurement. Returns an object with `text` (the table)
+    /// and `passes` (objects with `pass`, `n`, `cascades`, `width`, `height`, `ms`).
     ///
     /// # Errors
-    /// If there is no GPU, or it is lost meanwhile.
+    /// If there is no GPU, or its device is lost during the measurement.
     pub async fn bench(&self, state: String, repeat: u32, progress: js_sys::Function) -> Result<JsValue, JsValue> {
         let gpu = Gpu::request().await?;
         let errors = GpuErrors::watch(&gpu.device);
         let options = BenchOptions { sizes: vec![[1280, 720]], repeat, matrix: false, baseline: true };
-        // An exception of the listener does not matter.
+        // An exception thrown by `progress` is ignored.
         let tell = |what: &str| drop(progress.call1(&JsValue::NULL, &what.into()));
         let report = bench::run(&gpu, &query::parse(&state).0, &options, tell).await?;
-        // A lost device completes every pass at once without computing anything.
+        // A lost device completes every pass immediately without computing anything, so its times are worthless.
         if let Some(reason) = errors.lost().or_else(|| errors.errors().first().cloned()) {
             return Err(reason.into());
         }
@@ -191,7 +193,7 @@ impl WebHandle {
     }
 }
 
-/// A JavaScript object with the given properties.
+/// A JavaScript object with the given property names and values.
 fn object<const N: usize>(properties: [(&str, JsValue); N]) -> JsValue {
     let object = js_sys::Object::new();
     for (key, value) in properties {
@@ -229,13 +231,14 @@ fn described(item: &AccessibleItem) -> JsValue {
     ])
 }
 
-/// Whether the browser asks for reduced motion.
+/// Whether the user has asked the browser for reduced motion.
 fn prefers_stillness() -> bool {
     let asked = web_sys::window().and_then(|w| w.match_media("(prefers-reduced-motion: reduce)").ok().flatten());
     asked.is_some_and(|m| m.matches())
 }
 
-/// Stops eframe before its next frame after a device loss: presenting a frame with a lost device hangs a Firefox tab.
+/// Waits for a loss of the GPU device, then parks the app and stops eframe: presenting a frame with a lost device hangs
+/// a Firefox tab.
 async fn park_when_lost(runner: eframe::WebRunner, parked: ParkedApp, gpu_errors: GpuErrors) {
     gpu_errors.when_lost().await;
     if let Some(mut host) = runner.app_mut::<AppHost>() {
@@ -244,7 +247,7 @@ async fn park_when_lost(runner: eframe::WebRunner, parked: ParkedApp, gpu_errors
     runner.destroy();
 }
 
-/// Creates an app with the state of the address.
+/// Creates an app with the state in the page's address. Its clock is stopped if the user prefers reduced motion.
 fn from_address(cc: &eframe::CreationContext<'_>) -> Result<App, String> {
     let mut app = App::new(cc, &address_query())?;
     if prefers_stillness() {
@@ -257,44 +260,45 @@ fn address_query() -> String {
     eframe::web::web_location().query
 }
 
-/// The page's address with another state.
+/// The page's address (URL) with the given state string as its query.
 pub fn link(state: &str) -> String {
     let location = eframe::web::web_location();
     let base = location.url.split(['?', '#']).next().unwrap_or_default().to_owned();
     if state.is_empty() { base } else { format!("{base}?{state}") }
 }
 
-/// The address as last read or written, to write only changes and to notice back and forward.
+/// The page's address as it was last read or written. A difference shows that the user went back or forward.
 pub struct Address {
-    /// Query of the address.
+    /// Query part of the address: the state string.
     query: String,
-    /// Parameters of the current history entry.
+    /// Parameters of the current entry of the browser's history, rounded as in a link.
     entry: Params,
     written: Instant,
 }
 
 impl Address {
-    /// The address with which the program starts.
+    /// Reads the page's address at the start of the app.
     pub fn new(params: &Params) -> Self {
         Self { query: address_query(), entry: rounded(params), written: Instant::now() }
     }
 }
 
 impl App {
-    /// The sea in one line, and the current message.
+    /// One line for screen readers: wave height, Beaufort number and the current message.
     fn told(&self) -> String {
         let sea = super::panel::summary(self);
         self.message.as_ref().map_or_else(|| sea.clone(), |message| format!("{sea}. {}", message.text))
     }
 
-    /// Opens the address after back or forward; otherwise writes the state to it. A change of sea or light adds a
-    /// history entry; a change of time or camera replaces the current entry.
+    /// Keeps the page's address and the state equal. After back or forward it opens the address; otherwise it writes
+    /// the state to the address. A change of sea or light adds an entry to the browser's history; a change of time or
+    /// camera replaces the current entry.
     pub(super) fn sync_address(&mut self) {
         let query = address_query();
         if query != self.address.query {
             let clock = self.params.clock.clone();
             self.set_state(&query);
-            // A running clock keeps its time unless the link stops it.
+            // A running clock keeps its time, unless the opened link stops the clock.
             if !clock.paused && !self.params.clock.paused {
                 self.params.clock.t_s = clock.t_s;
             }
@@ -308,7 +312,7 @@ impl App {
             return;
         }
         if self.address.written.elapsed().as_secs_f32() < WRITE_EVERY_S {
-            // Requests the frame that writes the address later.
+            // It is too early: a later frame writes the address.
             self.ctx.request_repaint_after(std::time::Duration::from_secs_f32(WRITE_EVERY_S));
             return;
         }
@@ -320,7 +324,7 @@ impl App {
         } else {
             history.push_state_with_url(&JsValue::NULL, "", Some(&address))
         };
-        // The browser refuses too many writes; the next turn tries again.
+        // The browser refuses too frequent changes; a later frame tries again.
         if written.is_ok() {
             self.address.query = address_query();
             self.address.entry = now;

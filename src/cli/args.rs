@@ -6,10 +6,10 @@ use crate::state::{Params, query};
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
 
-/// Most pixels of a picture along a side.
+/// Largest width and height of a picture, pixels.
 pub const MAX_SIDE: u32 = 8192;
 
-/// The command line.
+/// The parsed command line.
 #[derive(Parser)]
 #[command(
     name = "seastate",
@@ -21,15 +21,15 @@ pub const MAX_SIDE: u32 = 8192;
                   WGPU_ADAPTER_NAME and WGPU_BACKEND choose the GPU."
 )]
 pub struct Cli {
-    /// The command; `None` opens the window.
+    /// The command to run; `None` opens the window.
     #[command(subcommand)]
     pub command: Option<Command>,
-    /// The sea to open in a window.
+    /// The sea to show in the window if there is no command.
     #[command(flatten)]
     pub sea: SeaArgs,
 }
 
-/// A sea on the command line.
+/// The arguments that describe a sea: state string, measured spectrum and sky image.
 #[derive(clap::Args)]
 pub struct SeaArgs {
     /// State string of the sea
@@ -38,13 +38,13 @@ pub struct SeaArgs {
     /// direction, spread; repeat the option for the files of one buoy
     #[arg(long = "spectrum", value_name = "FILE")]
     spectrum: Vec<PathBuf>,
-    /// Sky to show: an equirectangular picture in linear light, Radiance .hdr or OpenEXR
+    /// Sky image to show: an equirectangular picture in linear light, Radiance .hdr or OpenEXR
     #[arg(long, value_name = "FILE")]
     sky: Option<PathBuf>,
 }
 
 impl SeaArgs {
-    /// The parameters, and notices about everything that was not taken as written.
+    /// Reads the parameters and the named files. Also returns notices about everything that was changed or ignored.
     pub fn read(&self) -> Result<(Params, Vec<String>), String> {
         let (mut params, mut notices) = query::parse(self.state.as_deref().unwrap_or_default());
         if !self.spectrum.is_empty() {
@@ -63,75 +63,75 @@ impl SeaArgs {
     }
 }
 
-/// The commands.
+/// The commands of the command line.
 #[derive(Subcommand)]
 pub enum Command {
-    /// Renders a picture
+    /// Renders a picture, or with --frames a sequence of pictures
     Render {
         #[command(flatten)]
         sea: SeaArgs,
-        /// Width and height in pixels
+        /// Width and height of the picture in pixels
         #[arg(long, default_value = "1280x720", value_parser = parse_size)]
         size: [u32; 2],
         /// PNG file to write; with --frames, folder for frame-00000.png, frame-00001.png, ...
         #[arg(short, long, default_value = "sea.png")]
         output: PathBuf,
-        /// Renders a sequence in time with this number of pictures
+        /// Renders a sequence of this number of pictures over time
         #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1_000_000), conflicts_with = "reference")]
         frames: Option<u32>,
-        /// Pictures per second of the sequence
+        /// Pictures per second in the sequence
         #[arg(long, default_value_t = 30.0)]
         fps: f64,
         /// With --frames: also writes an OpenEXR file for each picture, with linear light (R, G, B), distance along the
         /// view in m (Z) and the normal in world axes (N.X east, N.Y up, N.Z south)
         #[arg(long, requires = "frames")]
         layers: bool,
-        /// Renders the reference that the picture approximates: many unfiltered samples per pixel
+        /// Renders a reference picture of many unfiltered samples per pixel, which the usual picture approximates
         #[arg(long)]
         reference: bool,
-        /// Samples per pixel of the reference
+        /// Minimum number of samples per pixel of the reference picture
         #[arg(long, default_value_t = 256, value_parser = clap::value_parser!(u32).range(1..=65_536))]
         samples: u32,
-        /// Seed of the sample positions of the reference
+        /// Seed of the sample positions in the reference picture
         #[arg(long, default_value_t = 1)]
         reference_seed: u32,
     },
     /// Prints the perceived difference of two pictures: mean FLIP, from 0 (equal) to 1
     Compare {
-        /// The picture to compare with, PNG
+        /// PNG file of the reference picture
         reference: PathBuf,
-        /// The picture to judge, PNG of equal size
+        /// PNG file of the picture to compare with the reference, of equal size
         test: PathBuf,
-        /// PNG of the difference to write; black pixels are equal
+        /// PNG file to write the difference of each pixel to; pixels without a difference are black
         #[arg(long)]
         map: Option<PathBuf>,
-        /// Pixels per degree of vision: 67 for a 4K screen of 70 cm seen from 70 cm
+        /// Pixels per degree of visual angle: 67 for a 4K screen of 70 cm seen from 70 cm
         #[arg(long, default_value_t = flip::PIXELS_PER_DEGREE)]
         ppd: f64,
     },
-    /// Writes the maps of every cascade, the foam and the plan
+    /// Writes the wave maps of every cascade, the foam map, and their description as plan.json
     Export {
         #[command(flatten)]
         sea: SeaArgs,
-        /// Folder to write to; created if missing
+        /// Folder to write the files to; created if missing
         #[arg(short, long)]
         output: PathBuf,
-        /// Also writes heights.f32 and displacement.f16: the numbers without a header, cascade by cascade
+        /// Also writes heights.f32 and displacement.f16: the texels without a header, one cascade after the other
         #[arg(long)]
         raw: bool,
     },
-    /// Prints theoretical, resolved and measured statistics of a sea
+    /// Prints statistics of a sea: by theory, of the waves on the FFT grids (resolved), and measured on the GPU
     Stats {
         #[command(flatten)]
         sea: SeaArgs,
-        /// Number of seeds to measure
+        /// Number of seeds over which statistics are measured
         #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100_000))]
         seeds: u32,
-        /// Prints JSON
+        /// Prints JSON instead of a table
         #[arg(long)]
         json: bool,
     },
-    /// Compares every GPU pass with its twin in double precision
+    /// Compares every GPU pass of the simulation with the same calculation on the CPU in double precision
     Check {
         #[command(flatten)]
         sea: SeaArgs,
@@ -143,55 +143,55 @@ pub enum Command {
         /// Width and height of a picture in pixels; repeat the option for several pictures
         #[arg(long = "size", default_value = "1280x720", value_parser = parse_size)]
         sizes: Vec<[u32; 2]>,
-        /// Measures no picture
+        /// Measures the simulation only, and no picture
         #[arg(long)]
         no_picture: bool,
-        /// Measures the simulation for n from 128 to 1024 with 1 to 4 cascades, and pictures of three sizes
+        /// Measures the simulation for FFT sizes n from 128 to 1024 with 1 to 4 cascades, and pictures of three sizes
         #[arg(long)]
         matrix: bool,
-        /// Also measures the waves with one dispatch for every stage of every transform, as browser demos compute them
+        /// Also measures a baseline, as browser demos compute waves: one dispatch for every stage of every FFT
         #[arg(long)]
         baseline: bool,
-        /// Submissions for each number
+        /// Number of GPU submissions from which each time is determined
         #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
         repeat: u32,
-        /// Prints JSON
+        /// Prints JSON instead of a table
         #[arg(long)]
         json: bool,
     },
     /// Prints the program's version, its GPU, and how it uses the GPU
     Info {
-        /// Prints JSON
+        /// Prints JSON instead of a table
         #[arg(long)]
         json: bool,
     },
     /// Writes the validation page and its figures: the program's numbers against theory and published measurements
     Validate {
-        /// Folder for validation.md and validation/
+        /// Folder to which validation.md and the folder validation/ are written
         #[arg(short, long, default_value = "docs")]
         output: PathBuf,
-        /// Number of seeds to measure
+        /// Number of seeds over which statistics are measured
         #[arg(long, default_value_t = 12, value_parser = clap::value_parser!(u32).range(2..=10_000))]
         seeds: u32,
-        /// Writes validation-all.md instead: every spectrum with every spreading in thirteen sea states
+        /// Writes validation-all.md instead: every spectrum with every directional spreading in thirteen sea states
         #[arg(long)]
         all: bool,
-        /// With --all: only the states that contain this text, such as 'spectrum=pm&spread=cos2&'
+        /// With --all: only the sea states whose state string contains this text, such as 'spectrum=pm&spread=cos2&'
         #[arg(long, requires = "all", default_value = "", hide_default_value = true)]
         only: String,
     },
     /// Renders the gallery's pictures and writes its page
     Gallery {
-        /// Folder for gallery.md and gallery/
+        /// Folder to which gallery.md and the folder gallery/ are written
         #[arg(short, long, default_value = "docs")]
         output: PathBuf,
         /// Renders only the pictures whose title contains this text
         #[arg(long, default_value = "", hide_default_value = true)]
         only: String,
     },
-    /// Lists the keys of the state string
+    /// Lists the keys of the state string, with units, ranges, defaults and meaning
     Keys {
-        /// Prints docs/parameters.md
+        /// Prints the list as the Markdown of docs/parameters.md
         #[arg(long)]
         markdown: bool,
     },

@@ -1,12 +1,12 @@
-//! `seastate bench`: the timings as JSON.
+//! `seastate bench`: formats the measured times as JSON.
 
 use crate::bench::{BenchReport, PassTiming};
 use serde_json::{Value, json};
 
-/// Sizes of the pictures that `--matrix` times, pixels.
+/// Width and height, in pixels, of the pictures that `seastate bench --matrix` measures.
 pub const MATRIX_SIZES: [[u32; 2]; 3] = [[640, 360], [1280, 720], [1920, 1080]];
 
-/// A report as JSON.
+/// Converts a benchmark report to JSON.
 pub fn value(report: &BenchReport) -> Value {
     let ceilings = &report.ceilings;
     json!({

@@ -1,14 +1,14 @@
-//! `seastate compare`: the perceived difference of two pictures.
+//! `seastate compare`: the perceived difference (FLIP) of two pictures.
 
 use super::args::MAX_SIDE;
 use crate::lab::flip::{self, SrgbPicture};
 use image::{ImageError, ImageFormat, ImageReader, Limits};
 use std::path::Path;
 
-/// Compares two PNG files and returns the text to print. The difference of every pixel is written to `map`.
+/// Compares two PNG files and returns the text to print. Writes the difference of every pixel to the PNG file `map`.
 ///
 /// # Errors
-/// One sentence, if a file cannot be read or written, or the sizes differ.
+/// One sentence, if a file cannot be read or written, or the pictures differ in size.
 pub fn run(reference: &Path, test: &Path, map: Option<&Path>, pixels_per_degree: f64) -> Result<String, String> {
     if !(1.0..=1000.0).contains(&pixels_per_degree) {
         return Err("pixels per degree are from 1 to 1000".to_owned());

@@ -1,14 +1,14 @@
-//! `seastate info`: the program, its GPU, and how it uses the GPU.
+//! `seastate info`: prints the program's version, its GPU, and how it uses the GPU.
 
 use crate::ocean::about::{About, VERSION, WGPU_VERSION, system};
 use serde_json::{Map, Value, json};
 
-/// The report as a table.
+/// Formats the report about the program and its GPU as a text table.
 pub fn text(about: &About) -> String {
     about.rows().iter().map(|(name, value)| format!("{name:<28} {value}\n")).collect()
 }
 
-/// The report as JSON.
+/// Converts the report about the program and its GPU to JSON.
 pub fn value(about: &About) -> Value {
     let limits =
         about.limits.iter().map(|(name, [asked, could])| (key(name), json!({"asked": asked, "adapter": could})));
@@ -21,7 +21,7 @@ pub fn value(about: &About) -> Value {
     })
 }
 
-/// A name as a key: `buffer, bytes` is `buffer_bytes`.
+/// Converts a name to a JSON key: `buffer, bytes` becomes `buffer_bytes`.
 fn key(name: &str) -> String {
     name.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect::<Vec<_>>().join("_")
 }

@@ -18,7 +18,7 @@ use pollster::block_on;
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// Exit code of bad arguments and of a missing GPU.
+/// Exit code after an error, such as bad arguments or a missing GPU.
 const USAGE: i32 = 2;
 
 /// Runs the command line of this process; returns its exit code.
@@ -31,7 +31,7 @@ pub fn main() -> i32 {
             return fail(&format!("{first} (see 'seastate --help')"));
         }
         Err(help) => {
-            // Help and version. A closed pipe is no error.
+            // This prints help or the version. A closed pipe is no error.
             let _ = help.print();
             return 0;
         }
@@ -100,7 +100,7 @@ fn run(cli: Cli) -> Result<i32, String> {
     print(&text).map(|()| 0)
 }
 
-/// The parameters of the arguments; prints all notices to stderr.
+/// Reads the parameters from the arguments, and prints all notices to stderr.
 fn sea(args: &SeaArgs) -> Result<Params, String> {
     let (params, notices) = args.read()?;
     report_notices(&notices);
@@ -114,7 +114,7 @@ fn report_notices(notices: &[String]) {
     }
 }
 
-/// Prints the comparisons; the exit code is 1 if an error exceeds its tolerance.
+/// Runs `seastate check` and prints the comparisons. The exit code is 1 if an error exceeds its tolerance.
 fn check(params: &Params) -> Result<i32, String> {
     let gpu = block_on(Gpu::request())?;
     let info = gpu.device.adapter_info();
@@ -131,7 +131,7 @@ fn check(params: &Params) -> Result<i32, String> {
     Ok(i32::from(wrong > 0))
 }
 
-/// Writes the validation page, or with `only` the page of all combinations; returns a summary.
+/// Writes the validation page, or the page of those combinations that contain the text `only`. Returns a summary.
 fn validate(gpu: &Gpu, output: &Path, seeds: u32, only: Option<&str>) -> Result<String, String> {
     let (page, name) = match only {
         Some(only) => (validate::combinations::build(gpu, seeds, only)?, "validation-all"),
@@ -145,7 +145,7 @@ fn pretty(value: &serde_json::Value) -> String {
     serde_json::to_string_pretty(value).unwrap_or_default()
 }
 
-/// Writes to stdout. A closed pipe (`seastate stats | head`) gives an error of one line, not a panic.
+/// Prints a text to stdout. A closed pipe (`seastate stats | head`) gives an error of one line, not a panic.
 fn print(text: &str) -> Result<(), String> {
     use std::io::Write as _;
     writeln!(std::io::stdout(), "{}", text.trim_end()).map_err(|e| format!("cannot write: {e}"))

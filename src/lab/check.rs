@@ -1,5 +1,6 @@
-//! `seastate check`: every GPU pass against its f64 twin. Each pass reads the oracle's result of the previous pass, so
-//! that an error belongs to one pass. The tests run the same comparison, also with planted faults.
+//! `seastate check`: compares every GPU pass of the simulation with the same calculation on the CPU in f64 (the
+//! oracle). Each pass gets the oracle's result of the previous pass as input, so that an error belongs to one pass. The
+//! tests run the same comparison, also with deliberate faults.
 
 use crate::gpu::Gpu;
 use crate::gpu::readback::{self, TextureCopy};
@@ -17,21 +18,21 @@ use crate::waves::plan::Cascade;
 use crate::waves::tiling::Tiling;
 use std::fmt;
 
-/// One comparison, a line of the table.
+/// One comparison of a GPU pass with the oracle: a line of the printed table.
 #[derive(Clone, Debug)]
 pub struct Line {
-    /// Pass and quantity that are compared.
+    /// Name of the pass and of the compared quantity.
     pub what: &'static str,
-    /// Index of the cascade; for the foam, of the level.
+    /// Index of the cascade; for foam, index of the foam level.
     pub cascade: usize,
-    /// Root mean square error over the root mean square of the oracle's values.
+    /// Relative error: root mean square error divided by the root mean square of the oracle's values.
     pub error: f64,
-    /// Largest accepted error.
+    /// Largest accepted relative error.
     pub tolerance: f64,
 }
 
 impl Line {
-    /// Whether the error is within the tolerance. An error that is not a number is not.
+    /// Whether the error is within the tolerance. An error that is not a number fails.
     pub fn passes(&self) -> bool {
         self.error <= self.tolerance
     }
@@ -44,42 +45,43 @@ impl fmt::Display for Line {
     }
 }
 
-/// Tolerances and their reasons. An operation in f32 has a relative rounding error of 6e-8.
+/// Tolerances of the passes as relative errors, with reasons. One f32 operation has a relative rounding error of 6e-8.
 mod tolerance {
-    /// The hash is exact; logarithm, sine, arc tangent and exponential have errors of a few units in the last place.
+    /// Spectrum pass: the hash is exact; logarithm, sine, arc tangent and exponential are off by a few units of least
+    /// precision.
     pub const SPECTRUM: f64 = 1e-6;
-    /// log2(n) butterflies.
+    /// Row and column passes: rounding errors of the log2(n) butterfly stages of an FFT of size n.
     pub const TRANSFORM: f64 = 1e-6;
-    /// Rounding to half floats: 2^-11 at most and 2^-12 on average.
+    /// Wave maps: rounding to half floats, a relative error of at most 2^-11 and on average 2^-12.
     pub const HALF: f64 = 4.9e-4;
-    /// Mean of four half floats, rounded to a half float.
+    /// Mip levels: the mean of four half floats is rounded to a half float.
     pub const MIP: f64 = 4.9e-4;
-    /// Bilinear weights of 8 bits and half-float maps, amplified by the slope of the source.
+    /// Foam pass: bilinear weights of 8 bits and half-float maps, amplified by the steepness of the foam's source term.
     pub const FOAM: f64 = 5e-3;
 }
 
-/// Least root mean square to which errors of half floats are related. Half floats are at least 2^-24 apart, and a texel
-/// of four truncated ones is off by up to 2^-23, which is 2^-11 of this. Matters for the slopes of the longest waves of
-/// a calm sea.
+/// Smallest root mean square by which an error of half floats is divided. Half floats are at least 2^-24 apart; a texel
+/// with four truncated components is off by up to 2^-23, which is 2^-11 of this value. It matters for the slopes of the
+/// longest waves of a calm sea.
 const SMALLEST_HALF: f64 = 2.441_406_25e-4;
 
-/// Steps of the replay for which the foam is compared.
+/// Number of foam steps that are computed before the GPU's foam is compared with the oracle's.
 const FOAM_STEPS: usize = 4;
-/// The foam level that is compared.
+/// Index of the foam level that is compared, counted from the finest (0).
 const FOAM_LEVEL: usize = 1;
 
-/// Compares all passes of a state at its time.
+/// Compares all GPU passes of the simulation with the oracle, for a state at its time.
 ///
 /// # Errors
-/// If the GPU does not give its memory back.
+/// If reading back from the GPU fails.
 pub async fn run(gpu: &Gpu, params: &Params) -> Result<Vec<Line>, String> {
     run_with(gpu, params, &Shaders::default(), TransformWay::of(gpu)).await
 }
 
-/// Compares all passes of a state at its time, with the given shaders and the given way of the transform.
+/// Compares all GPU passes of a state at its time with the oracle, using the given shaders and FFT variant.
 ///
 /// # Errors
-/// If the GPU does not give its memory back.
+/// If reading back from the GPU fails.
 pub async fn run_with(gpu: &Gpu, params: &Params, shaders: &Shaders, way: TransformWay) -> Result<Vec<Line>, String> {
     let plan = Plan::new(params);
     let t_s = params.clock.t_s;
@@ -102,7 +104,7 @@ pub async fn run_with(gpu: &Gpu, params: &Params, shaders: &Shaders, way: Transf
     Ok(lines)
 }
 
-/// The comparison of one evaluation.
+/// A comparison of the simulation at one time with the oracle, and its result lines so far.
 struct Check<'a> {
     gpu: &'a Gpu,
     plan: &'a Plan,
@@ -126,7 +128,7 @@ impl Check<'_> {
         Ok(())
     }
 
-    /// The row pass, from the oracle's h0.
+    /// Compares the FFT along rows, with the oracle's initial amplitudes h0 as input.
     async fn rows(&mut self, h0: &[Vec<Complex>], rows: &[MapPair]) -> Result<(), String> {
         let flat: Vec<[f32; 2]> = h0.iter().flatten().map(|h| h.map(|x| x as f32)).collect();
         self.gpu.queue.write_buffer(&self.sim.resources.sea().h0, 0, bytemuck::cast_slice(&flat));
@@ -135,7 +137,7 @@ impl Check<'_> {
         self.transformed(encoder, rows, ["rows Dx Dz eta Dxz", "rows eta_x eta_z Dxx Dzz"]).await
     }
 
-    /// The column pass, from the oracle's rows; also records the mip levels of its maps.
+    /// Compares the FFT along columns, with the oracle's rows as input. Also computes the mip levels of the maps.
     async fn columns(&mut self, rows: &[MapPair], maps: &[MapPair]) -> Result<(), String> {
         let r = &self.sim.resources;
         let flat: Vec<[f32; 4]> = rows.iter().flatten().flatten().map(|t| t.map(|x| x as f32)).collect();
@@ -146,7 +148,7 @@ impl Check<'_> {
         self.transformed(encoder, maps, ["columns displacement", "columns gradients"]).await
     }
 
-    /// Compares the lines that the commands of `encoder` leave in the intermediate buffer.
+    /// Runs the commands of `encoder`, and compares the values that they leave in the intermediate buffer with `want`.
     async fn transformed(
         &mut self,
         mut encoder: wgpu::CommandEncoder,
@@ -166,7 +168,7 @@ impl Check<'_> {
         Ok(())
     }
 
-    /// Mip level 0 of the maps, which the column pass has written.
+    /// Compares mip level 0 of the wave maps, which the column pass has written.
     async fn maps(&mut self, maps: &[MapPair]) -> Result<(), String> {
         let points = (self.plan.n * self.plan.n) as usize;
         let kinds = [(MapKind::Displacement, "maps displacement"), (MapKind::Gradients, "maps gradients")];
@@ -182,7 +184,7 @@ impl Check<'_> {
         Ok(())
     }
 
-    /// A mip level of all maps, from the GPU's level above.
+    /// Compares a mip level of all wave maps with means of the GPU's next finer level.
     async fn mips(&mut self, level: u32) -> Result<(), String> {
         let (gpu, r) = (self.gpu, &self.sim.resources);
         let above = self.plan.n as usize >> (level - 1);
@@ -202,7 +204,8 @@ impl Check<'_> {
                 let from = if moments_from_slopes { oracle::maps::moments(from, scale) } else { from.to_vec() };
                 let want = oracle::maps::mip(above, &from);
                 let got = got[c * below * below..][..below * below].iter().copied();
-                // Waves that cancel in the mean leave rounding errors, so the error relates to the level above.
+                // Waves that cancel in the mean leave rounding errors, so the error is divided by the rms of the next
+                // finer level.
                 let rms = root_mean_square(from.iter().copied()).max(SMALLEST_HALF);
                 self.lines.push(line(what, c, distance(got, want.iter().copied()) / rms, tolerance::MIP));
             }
@@ -211,7 +214,7 @@ impl Check<'_> {
     }
 }
 
-/// A replay of the foam on the GPU and by the oracle, which reads the GPU's maps at each step.
+/// Compares the foam after some steps on the GPU with the oracle, which reads the GPU's wave maps at each step.
 async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<Line, String> {
     let centre = [1234.5, -67.8];
     let size = sim.resources.foam_n as usize;
@@ -239,7 +242,7 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<L
     Ok(line("foam", FOAM_LEVEL, error(pack(&got).into_iter(), pack(&want).into_iter()), tolerance::FOAM))
 }
 
-/// The oracle's time step of all cells of a level whose corner and cell size (m) are given.
+/// Advances the foam of all cells of a level by the oracle's time step. Corner and size of the cells are in metres.
 fn step_foam(foam: &mut [f64], plan: &Plan, pyramid: &Pyramid, (corner, texel_m): ([f64; 2], f64), step: FoamStep) {
     let source = FoamModel::new(plan).source(plan, texel_m);
     let size = foam.len().isqrt();
@@ -252,16 +255,16 @@ fn step_foam(foam: &mut [f64], plan: &Plan, pyramid: &Pyramid, (corner, texel_m)
     }
 }
 
-/// The GPU's maps with their mip levels, and the mip level of each cascade that a foam level reads.
+/// The GPU's wave maps at all mip levels, and for each cascade the fractional mip level that a foam level samples.
 struct Pyramid {
     n: usize,
-    /// Displacement and gradients of each mip level.
+    /// Displacement and gradient texels of each mip level.
     levels: Vec<[Vec<Texel>; 2]>,
     cascades: Vec<(Tiling, f64)>,
 }
 
 impl Pyramid {
-    /// Reads the maps for a foam level of cells of `texel_m`.
+    /// Reads back the wave maps, for a foam level whose cells measure `texel_m` metres.
     async fn read(gpu: &Gpu, sim: &Simulation, texel_m: f64) -> Result<Self, String> {
         let (r, plan) = (&sim.resources, sim.plan());
         let mut levels = Vec::new();
@@ -278,7 +281,7 @@ impl Pyramid {
         Ok(Self { n: plan.n as usize, levels, cascades: plan.cascades.iter().map(cascade).collect() })
     }
 
-    /// The sum of all cascades at a point of the world, between texels and between mip levels.
+    /// Sum of all cascades at a world position (x, z in m), interpolated between texels and between mip levels.
     fn surface(&self, world: [f64; 2]) -> oracle::surface::WaveFields {
         let mut sum = oracle::surface::WaveFields::default();
         for (c, (tiling, lod)) in self.cascades.iter().enumerate() {
@@ -308,7 +311,7 @@ fn line(what: &'static str, cascade: usize, error: f64, tolerance: f64) -> Line 
     Line { what, cascade, error, tolerance }
 }
 
-/// All layers of a mip level of a kind of map.
+/// Reads back one mip level of a kind of wave map, with the cascades one after the other.
 async fn read_map(gpu: &Gpu, r: &Resources, kind: MapKind, level: u32) -> Result<Vec<Texel>, String> {
     let mut encoder = gpu.encoder("check");
     let copy = r.stage(gpu, &mut encoder, kind, level);
@@ -327,12 +330,12 @@ async fn read(gpu: &Gpu, encoder: wgpu::CommandEncoder, copy: TextureCopy) -> Re
     Ok(texels.into_iter().map(|t| t.map(f64::from)).collect())
 }
 
-/// Root mean square difference.
+/// Root mean square difference of two sequences.
 fn distance<const C: usize>(got: impl Iterator<Item = [f64; C]>, want: impl Iterator<Item = [f64; C]>) -> f64 {
     root_mean_square::<C>(got.zip(want).map(|(g, w)| std::array::from_fn(|c| g[c] - w[c])))
 }
 
-/// Root mean square difference over the root mean square of `want`; the plain difference where that is 0.
+/// Root mean square difference divided by the root mean square of `want`; not divided if the latter is 0.
 fn error<const C: usize>(got: impl Iterator<Item = [f64; C]>, want: impl Iterator<Item = [f64; C]> + Clone) -> f64 {
     let rms = root_mean_square(want.clone());
     distance(got, want) / if rms > 0.0 { rms } else { 1.0 }

@@ -1,4 +1,4 @@
-//! Measures the sea on the GPU over an ensemble of seeds.
+//! Measures statistics of the sea in the GPU's wave maps over an ensemble of seeds.
 
 use super::estimate::Estimate;
 use crate::gpu::{Gpu, readback};
@@ -12,43 +12,43 @@ use crate::waves::statistics::{self, SpectralMoments};
 use crate::waves::{Plan, noise};
 use std::f64::consts::{PI, TAU};
 
-/// Phase advance of the fastest wave between the two read-backs that separate opposite directions of travel, rad.
+/// Phase advance of the fastest wave between two read-backs, rad. Two read-backs separate waves of opposite directions.
 const ADVANCE_RAD: f64 = 1.0;
-/// Points of the displaced surface that each seed contributes to skewness and kurtosis.
+/// Number of random points of the displaced surface that each seed contributes to skewness and kurtosis.
 const POINTS: u32 = 1 << 16;
 
-/// Statistics measured in the f32 copy of the maps. Heights belong to the undisplaced grid; periods and directions to
-/// the waves that two read-backs separate from the opposite waves; skewness and kurtosis to the displaced surface,
-/// weighted by the Jacobian.
+/// Statistics measured in the GPU's f32 wave maps. Heights and slopes are those of the undisplaced grid. Periods and
+/// directions come from two read-backs, which separate waves of opposite directions. Skewness and kurtosis belong to
+/// the displaced surface, whose points are weighted by the Jacobian.
 #[derive(Debug)]
 pub struct MeasuredStatistics {
-    /// Significant wave height from the mean variance over the seeds, m.
+    /// Significant wave height, m, from the variance averaged over the seeds.
     pub hs_m: Estimate,
-    /// Mean elevation, m.
+    /// Mean elevation of the surface, m.
     pub mean_m: Estimate,
-    /// Mean square slope.
+    /// Mean square slope of the surface, dimensionless.
     pub mss: Estimate,
-    /// Mean period 2 pi m0 / m1, s.
+    /// Mean wave period Tm01 = 2 pi m0 / m1, s, with the spectral moments m0 and m1.
     pub tm01_s: Estimate,
-    /// Mean zero-crossing period 2 pi sqrt(m0 / m2), s.
+    /// Mean zero-crossing period Tm02 = 2 pi sqrt(m0 / m2), s, with the spectral moments m0 and m2.
     pub tm02_s: Estimate,
     /// Mean direction that the waves come from, degrees clockwise from north; `None` without a mean direction.
     pub from_deg: Option<Estimate>,
-    /// First directional moment along the mean direction, 0 to 1.
+    /// First directional moment r1: 0 without a mean direction, 1 if all waves travel in one direction.
     pub r1: Estimate,
     /// Directional spread sqrt(2 (1 - r1)), degrees.
     pub spread_deg: Estimate,
-    /// Skewness of the elevation.
+    /// Skewness of the surface's elevation.
     pub skewness: Estimate,
-    /// Kurtosis of the elevation, 3 for a Gaussian.
+    /// Kurtosis of the surface's elevation; 3 for a Gaussian.
     pub kurtosis: Estimate,
-    /// Largest relative difference between a seed's variance and the sum of its squared amplitudes.
+    /// Largest relative difference of a seed between the maps' variance and the waves' variance (Parseval's theorem).
     pub parseval_error: f64,
-    /// Number of seeds.
+    /// Number of seeds that were measured.
     pub seeds: u32,
 }
 
-/// Statistics of one seed.
+/// Statistics measured in the wave maps of one seed.
 pub struct SeedStatistics {
     variance: f64,
     mean: f64,
@@ -59,24 +59,24 @@ pub struct SeedStatistics {
     parseval_error: f64,
 }
 
-/// A wave that travels along its wave vector.
+/// One wave of the sea, separated from the wave that travels in the opposite direction.
 #[derive(Clone, Copy, Debug)]
 pub struct TravellingWave {
-    /// Variance, m^2.
+    /// Variance of the wave's elevation, m^2.
     pub variance: f64,
     /// Wave number, rad/m.
     pub k: f64,
     /// Angular frequency, rad/s.
     pub omega: f64,
-    /// Unit vector of travel (x, z).
+    /// Unit vector (x, z) of the direction in which the wave travels.
     pub unit: [f64; 2],
 }
 
-/// Measures a state over `seeds` seeds, counted from the state's own. `visit` gets every wave, with the index of its
-/// seed.
+/// Measures the statistics of a state over `seeds` seeds, beginning with the state's own. Calls `visit` for every wave,
+/// with the index of its seed.
 ///
 /// # Errors
-/// If the GPU does not give its memory back.
+/// If reading back from the GPU fails.
 pub async fn measure(
     gpu: &Gpu,
     sim: &mut Simulation,
@@ -100,7 +100,7 @@ pub async fn measure(
     Ok(summary(&all))
 }
 
-/// Means and standard errors over the seeds.
+/// Averages the statistics of all seeds, and computes standard errors.
 fn summary(all: &[SeedStatistics]) -> MeasuredStatistics {
     let values = |f: &dyn Fn(&SeedStatistics) -> f64| all.iter().map(f).collect::<Vec<_>>();
     let over = |f: &dyn Fn(&SeedStatistics) -> f64| Estimate::mean(&values(f));
@@ -112,7 +112,7 @@ fn summary(all: &[SeedStatistics]) -> MeasuredStatistics {
     let length = x.hypot(z).max(f64::MIN_POSITIVE);
     let component =
         |a: f64, b: f64| -> Vec<f64> { east.iter().zip(&south).map(|(e, s)| (e * a + s * b) / length).collect() };
-    // Components along the mean direction and across it.
+    // Components of the directional moments along the mean direction and across it.
     let (along, across) = (component(x, z), component(-z, x));
     let r1 = Estimate::ratio(&along, &m0);
     let turn_deg = Estimate::ratio(&across, &along).scaled(180.0 / PI);
@@ -133,13 +133,13 @@ fn summary(all: &[SeedStatistics]) -> MeasuredStatistics {
     }
 }
 
-/// The directional spread of a first directional moment, degrees.
+/// Converts a first directional moment r1 to the directional spread sqrt(2 (1 - r1)), degrees, with its standard error.
 pub fn spread_deg(r1: Estimate) -> Estimate {
     let deg = statistics::spread_deg(r1.value);
     r1.mapped(deg, 180.0 / PI / deg.to_radians().max(1e-9))
 }
 
-/// Statistics of one seed from its maps at two times.
+/// Computes the statistics of one seed from its wave maps at two times (s), and calls `visit` for every wave.
 fn seed_statistics(
     plan: &Plan,
     maps: &[MapsF32; 2],
@@ -171,8 +171,9 @@ fn seed_statistics(
     SeedStatistics { variance, mean, mss, skewness, kurtosis, travelling, parseval_error }
 }
 
-/// Visits the waves of a cascade. With X(k, t) = A e^{-i w t} + B* e^{+i w t} at two times, A is the amplitude of the
-/// wave that travels along k; its variance is 2 |A|^2.
+/// Separates the waves of a cascade by direction of travel, and calls `visit` for each. Two times determine A in the
+/// Fourier coefficient X(k, t) = A e^{-i w t} + B* e^{+i w t} of the heights, with the angular frequency w. A is the
+/// amplitude of the wave that travels along the wave vector k; its variance is 2 |A|^2.
 fn travelling_waves(
     plan: &Plan,
     cascade: &Cascade,
@@ -206,14 +207,15 @@ fn travelling_waves(
     }
 }
 
-/// The inverse transform of a map's heights. Heights are real, so it is the conjugate of the forward transform.
+/// Inverse Fourier transform of the heights in a displacement map, without the factor 1/n^2. Heights are real, so it is
+/// the complex conjugate of the forward transform.
 pub fn transform_of_heights(n: usize, displacement: &[[f32; 4]]) -> Vec<[f64; 2]> {
     let heights: Vec<[f64; 2]> = displacement.iter().map(|d| [f64::from(d[1]), 0.0]).collect();
     transform::inverse_2d(n, &heights)
 }
 
-/// Visits elevation and Jacobian at random points of the sum of cascades. The cascades are independent of each other
-/// and statistically homogeneous, so a point of the sum is a random texel of each cascade, without interpolation.
+/// Calls `visit` with the elevation (m) and the Jacobian at random points of the sea. The cascades are independent of
+/// each other and statistically homogeneous, so a point is the sum of a random texel of each cascade.
 pub fn surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f64)) {
     let n = maps.n as u32;
     for i in 0..POINTS {
@@ -231,8 +233,8 @@ pub fn surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f6
     }
 }
 
-/// Mean, standard deviation, skewness and kurtosis from weighted sums of the powers 0 to 4. All but the mean are 0
-/// without variance.
+/// Mean, standard deviation, skewness and kurtosis of a distribution, from weighted sums of the powers 0 to 4 of its
+/// values. Without variance all but the mean are 0.
 pub fn distribution_shape(sums: [f64; 5]) -> [f64; 4] {
     let [m1, m2, m3, m4] = [1, 2, 3, 4].map(|p| sums[p] / sums[0]);
     let variance = m2 - m1 * m1;
@@ -244,20 +246,21 @@ pub fn distribution_shape(sums: [f64; 5]) -> [f64; 4] {
     [m1, variance.sqrt(), third / variance.powf(1.5), fourth / (variance * variance)]
 }
 
-/// Mean foam over all levels after a cold start at `t_s`, 0 to 1.
+/// Mean foam coverage (0 to 1) over all foam levels at time `t_s`, s, after a replay of past foam steps.
 ///
 /// # Errors
-/// If the GPU does not give its memory back.
+/// If reading back from the GPU fails.
 pub async fn mean_foam(gpu: &Gpu, sim: &mut Simulation, t_s: f64) -> Result<f64, String> {
     let levels = foam_levels(gpu, sim, t_s, [0.0; 2]).await?;
     let count: usize = levels.iter().map(Vec::len).sum();
     Ok(levels.iter().flatten().map(|&f| f64::from(f)).sum::<f64>() / count as f64)
 }
 
-/// Foam of every level around `centre` (x, z in m) after a cold start at `t_s`, in the toroidal order of the texture.
+/// Foam coverage of each foam level around `centre` (x, z in m) at time `t_s`, s, after a replay of past foam steps.
+/// The cells are in the toroidal order of the texture.
 ///
 /// # Errors
-/// If the GPU does not give its memory back.
+/// If reading back from the GPU fails.
 pub async fn foam_levels(gpu: &Gpu, sim: &mut Simulation, t_s: f64, centre: [f64; 2]) -> Result<Vec<Vec<f32>>, String> {
     let mut encoder = gpu.encoder("foam");
     sim.encode(gpu, &mut encoder, t_s, centre, MAX_STEPS);

@@ -1,16 +1,16 @@
 //! Estimates from an ensemble: a value with its standard error.
 
-/// A mean over an ensemble.
+/// An estimate from an ensemble, such as a mean over seeds: a value and its standard error.
 #[derive(Clone, Copy, Debug)]
 pub struct Estimate {
-    /// The mean.
+    /// The estimated value.
     pub value: f64,
-    /// Standard error of the mean; `None` for a single member.
+    /// Standard error of the value; `None` if the ensemble has a single member.
     pub error: Option<f64>,
 }
 
 impl Estimate {
-    /// The mean of values and its standard error.
+    /// Estimates the mean of `values`, with its standard error.
     pub fn mean(values: &[f64]) -> Self {
         let count = values.len() as f64;
         let value = values.iter().sum::<f64>() / count;
@@ -18,7 +18,8 @@ impl Estimate {
         Self { value, error: (values.len() > 1).then(|| (squares / (count - 1.0) / count).sqrt()) }
     }
 
-    /// The ratio of two means; its standard error is of first order. 0 if the denominator's mean is 0.
+    /// Estimates the ratio of two means. The standard error is that of the linearised ratio. The ratio is 0 if the
+    /// denominator's mean is 0.
     pub fn ratio(numerator: &[f64], denominator: &[f64]) -> Self {
         let mean = denominator.iter().sum::<f64>() / denominator.len() as f64;
         if mean == 0.0 {
@@ -29,25 +30,26 @@ impl Estimate {
         Self { value, error: Self::mean(&residuals).error }
     }
 
-    /// A statistic of `count` members with its jackknife error: `statistic` gets the index of the member to leave out,
-    /// or `None` for all members.
+    /// Estimates a statistic of `count` members, with its jackknife error. `statistic` gets the index of the member to
+    /// leave out, or `None` for all members.
     pub fn jackknife(count: usize, statistic: impl Fn(Option<usize>) -> f64) -> Self {
         let replicates: Vec<f64> = (0..count).map(|i| statistic(Some(i))).collect();
         let error = Self::mean(&replicates).error.map(|e| e * (count as f64 - 1.0));
         Self { value: statistic(None), error }
     }
 
-    /// The estimate times a factor.
+    /// Multiplies the value and its standard error by a factor.
     pub fn scaled(self, factor: f64) -> Self {
         self.mapped(factor * self.value, factor)
     }
 
-    /// A function of the estimate, given by the function's value and derivative there.
+    /// Applies a function, given by its value and derivative at the estimate, and propagates the standard error
+    /// linearly.
     pub fn mapped(self, value: f64, derivative: f64) -> Self {
         Self { value, error: self.error.map(|e| e * derivative.abs()) }
     }
 
-    /// A point of a figure: x, the value and its standard error (0 for a single member).
+    /// The estimate as a point of a figure: x, the value and its standard error (0 for a single member).
     pub fn at(self, x: f64) -> [f64; 3] {
         [x, self.value, self.error.unwrap_or(0.0)]
     }

@@ -1,5 +1,4 @@
-//! `seastate export`: the maps as OpenEXR files with named channels of 32-bit floats, and their description as
-//! plan.json.
+//! `seastate export`: writes the wave maps as OpenEXR files of 32-bit floats, and their description as plan.json.
 
 use super::{create_folder, write_file};
 use crate::gpu::Gpu;
@@ -8,16 +7,16 @@ use crate::state::{Params, query};
 use exr::prelude::*;
 use std::path::Path;
 
-/// Index of the exported foam level.
+/// Index of the foam level that is exported, counted from the finest (0).
 const FOAM_LEVEL: usize = 1;
 
-/// Name of a channel, and its value at texel i, row by row.
+/// A channel of an OpenEXR file: its name, and its value at the texel with a given index, row by row.
 type Channel<'a> = (&'static str, Box<dyn Fn(usize) -> f32 + 'a>);
 
-/// Writes the maps of a state at its time to a folder. With `raw`, also writes heights.f32 and displacement.f16.
+/// Writes the wave maps of a state at its time to a folder. With `raw`, also writes heights.f32 and displacement.f16.
 ///
 /// # Errors
-/// One sentence, if the folder cannot be written or the GPU does not give its memory back.
+/// One sentence, if a file cannot be written or reading back from the GPU fails.
 pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::result::Result<(), String> {
     create_folder(folder)?;
     let mut ocean = Ocean::waves_only(gpu, params);
@@ -48,7 +47,7 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
     if raw {
         let heights: Vec<f32> = (0..maps.cascades()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
         write_file(&folder.join("heights.f32"), bytemuck::cast_slice(&heights))?;
-        // The displacement maps as the renderer samples them, level 0.
+        // Mip level 0 of the half-float displacement maps that the renderer samples.
         let texels = ocean.read_displacement().await?;
         let halves: Vec<f16> = texels.iter().flatten().map(|&x| f16::from_f32(x)).collect();
         write_file(&folder.join("displacement.f16"), bytemuck::cast_slice(&halves))?;
@@ -77,7 +76,7 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
     write_file(&folder.join("plan.json"), text)
 }
 
-/// Writes a square image of f32 channels.
+/// Writes an OpenEXR file of `n` x `n` texels with f32 channels.
 fn write(path: &Path, n: usize, channels: &[Channel<'_>]) -> std::result::Result<(), String> {
     let list = channels
         .iter()

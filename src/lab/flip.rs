@@ -3,32 +3,32 @@
 
 use std::f64::consts::PI;
 
-/// Pixels per degree of vision for a 4K screen, 70 cm wide, seen from 70 cm.
+/// Pixels per degree of visual angle for a 4K screen, 70 cm wide, seen from 70 cm: FLIP's usual viewing condition.
 pub const PIXELS_PER_DEGREE: f64 = 67.02064;
 
-/// An sRGB picture.
+/// A picture in 8-bit sRGB, without alpha.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SrgbPicture {
-    /// Pixels along a row.
+    /// Width of the picture, pixels.
     pub width: usize,
-    /// Rows.
+    /// Height of the picture, pixels.
     pub height: usize,
-    /// Pixels, row by row.
+    /// Red, green and blue of each pixel, row by row.
     pub pixels: Vec<[u8; 3]>,
 }
 
 impl SrgbPicture {
-    /// A picture from RGBA bytes, row by row.
+    /// Creates a picture from RGBA bytes, row by row. Alpha is dropped.
     pub fn from_rgba(width: u32, bytes: &[u8]) -> Self {
         let pixels: Vec<[u8; 3]> = bytes.chunks_exact(4).map(|p| [p[0], p[1], p[2]]).collect();
         Self { width: width as usize, height: pixels.len() / (width as usize).max(1), pixels }
     }
 }
 
-/// The difference of every pixel, 0 to 1, row by row.
+/// Perceived difference (FLIP) of every pixel of two pictures, 0 to 1, row by row.
 ///
 /// # Errors
-/// If the sizes differ.
+/// If the pictures differ in size.
 pub fn errors(reference: &SrgbPicture, test: &SrgbPicture, pixels_per_degree: f64) -> Result<Vec<f64>, String> {
     if (reference.width, reference.height) != (test.width, test.height) {
         return Err(format!(
@@ -49,25 +49,26 @@ pub fn errors(reference: &SrgbPicture, test: &SrgbPicture, pixels_per_degree: f6
     Ok((0..a.len()).map(error).collect())
 }
 
-/// Mean of the errors; 0 without pixels.
+/// Mean FLIP difference over all pixels; 0 without pixels.
 pub fn mean(errors: &[f64]) -> f64 {
     errors.iter().sum::<f64>() / errors.len().max(1) as f64
 }
 
 const QC: f64 = 0.7;
 const QF: f64 = 0.5;
-/// Colour differences above PC times the maximum are compressed into the range from PT to 1.
+/// Fraction of the largest colour difference above which FLIP compresses differences into the range from [`PT`] to 1.
 const PC: f64 = 0.4;
+/// Value that FLIP gives to a colour difference of [`PC`] times the largest one.
 const PT: f64 = 0.95;
-/// Width of the detected features, degrees of vision.
+/// Width of the edges and points that FLIP detects, degrees of visual angle.
 const FEATURE_DEG: f64 = 0.082;
-/// XYZ from linear sRGB.
+/// Matrix that converts linear sRGB to CIE XYZ.
 const TO_XYZ: [[f64; 3]; 3] = [
     [10_135_552.0 / 24_577_794.0, 8_788_810.0 / 24_577_794.0, 4_435_075.0 / 24_577_794.0],
     [2_613_072.0 / 12_288_897.0, 8_788_810.0 / 12_288_897.0, 887_015.0 / 12_288_897.0],
     [1_425_312.0 / 73_733_382.0, 8_788_810.0 / 73_733_382.0, 70_074_185.0 / 73_733_382.0],
 ];
-/// Linear sRGB from XYZ.
+/// Matrix that converts CIE XYZ to linear sRGB.
 const FROM_XYZ: [[f64; 3]; 3] = [
     [3.241_003_275, -1.537_398_934, -0.498_615_861],
     [-0.969_224_334, 1.875_930_071, 0.041_554_224],
@@ -78,7 +79,7 @@ fn times(m: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
     m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
 }
 
-/// XYZ of linear (1, 1, 1), the reference white.
+/// CIE XYZ of the reference white: linear sRGB (1, 1, 1).
 fn white() -> [f64; 3] {
     times(&TO_XYZ, [1.0; 3])
 }
@@ -88,7 +89,7 @@ fn linear(byte: u8) -> f64 {
     if x <= 0.040_45 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
 }
 
-/// YCxCz of an sRGB colour: luminance and two opponent colours, in which contrast sensitivity is measured.
+/// Converts an sRGB colour to YCxCz: luminance and two opponent colours, in which contrast sensitivity is measured.
 fn opponent(rgb: [u8; 3]) -> [f64; 3] {
     let xyz = times(&TO_XYZ, rgb.map(linear));
     let white = white();
@@ -96,7 +97,7 @@ fn opponent(rgb: [u8; 3]) -> [f64; 3] {
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
 
-/// Linear sRGB of a YCxCz colour, clamped to the gamut.
+/// Converts a YCxCz colour to linear sRGB, clamped to the gamut.
 fn linear_rgb([y, cx, cz]: [f64; 3]) -> [f64; 3] {
     let y = (y + 16.0) / 116.0;
     let relative = [y + cx / 500.0, y, y - cz / 200.0];
@@ -104,7 +105,7 @@ fn linear_rgb([y, cx, cz]: [f64; 3]) -> [f64; 3] {
     times(&FROM_XYZ, std::array::from_fn(|i| relative[i] * white[i])).map(|c| c.clamp(0.0, 1.0))
 }
 
-/// L*a*b* of linear sRGB, with the Hunt effect: chroma shrinks with lightness.
+/// Converts linear sRGB to L*a*b* with the Hunt effect: chroma decreases in proportion to lightness.
 fn hunt(rgb: [f64; 3]) -> [f64; 3] {
     let delta: f64 = 6.0 / 29.0;
     let f = |t: f64| if t > delta.powi(3) { t.cbrt() } else { t / (3.0 * delta * delta) + 4.0 / 29.0 };
@@ -114,18 +115,19 @@ fn hunt(rgb: [f64; 3]) -> [f64; 3] {
     [l, 0.01 * l * 500.0 * (x - y), 0.01 * l * 200.0 * (y - z)]
 }
 
-/// HyAB distance, valid for large colour differences (Abasi et al. 2020).
+/// HyAB distance of two L*a*b* colours, which is valid for large colour differences (Abasi et al. 2020).
 fn hyab(a: [f64; 3], b: [f64; 3]) -> f64 {
     (a[0] - b[0]).abs() + (a[1] - b[1]).hypot(a[2] - b[2])
 }
 
-/// Maps a colour difference of at most `most` to 0 to 1.
+/// Maps a colour difference from 0 to `most` to FLIP's scale from 0 to 1.
 fn redistribute(x: f64, most: f64) -> f64 {
     let knee = PC * most;
     if x < knee { PT / knee * x } else { PT + (x - knee) / (most - knee) * (1.0 - PT) }
 }
 
-/// L*a*b* of the picture as perceived at this distance: each opponent colour is filtered by its contrast sensitivity.
+/// L*a*b* of each pixel as an observer perceives it at the viewing distance of `pixels_per_degree`: each opponent
+/// colour is filtered by its contrast sensitivity.
 fn perceived(picture: &SrgbPicture, pixels_per_degree: f64) -> Vec<[f64; 3]> {
     // Weight and width of two Gaussians each for luminance, red-green and blue-yellow.
     const SENSITIVITY: [[[f64; 2]; 2]; 3] =
@@ -149,7 +151,7 @@ fn perceived(picture: &SrgbPicture, pixels_per_degree: f64) -> Vec<[f64; 3]> {
     out.into_iter().map(|c| hunt(linear_rgb(c))).collect()
 }
 
-/// Filters a plane along rows by one kernel and along columns by another; border pixels extend beyond the edges.
+/// Filters one channel of a picture: rows by the kernel `along`, then columns by `down`. Border pixels are repeated.
 fn filtered(plane: &[f64], width: usize, along: &[f64], down: &[f64]) -> Vec<f64> {
     let height = plane.len() / width;
     let reach = (along.len() / 2) as isize;
@@ -168,7 +170,7 @@ fn filtered(plane: &[f64], width: usize, along: &[f64], down: &[f64]) -> Vec<f64
         .collect()
 }
 
-/// Strength of edges and points at every pixel.
+/// Strength of the edges and of the points (small dots) that FLIP detects at every pixel.
 struct Features {
     edges: Vec<f64>,
     points: Vec<f64>,
@@ -217,8 +219,8 @@ mod tests {
         if inside { [255, 240, 200] } else { [20, 40, 90] }
     }
 
-    /// The expected means come from NVIDIA's implementation (nv-flip 0.1.2, FLIP 1.2, in f32), at 67.02064 and at 30
-    /// pixels per degree.
+    /// Compares the mean with NVIDIA's implementation (nv-flip 0.1.2, FLIP 1.2, in f32) at 67.02064 and 30 pixels per
+    /// degree.
     #[test]
     fn means_are_those_of_the_authors() {
         let mixed = |x, y| {

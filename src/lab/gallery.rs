@@ -1,4 +1,4 @@
-//! `seastate gallery`: docs/gallery.md and its pictures, each from its state string.
+//! `seastate gallery`: writes docs/gallery.md and renders its pictures, each from a state string.
 
 use super::page::Page;
 use super::{create_folder, write_file};
@@ -8,25 +8,25 @@ use crate::state::query;
 use image::codecs::jpeg::JpegEncoder;
 use std::path::Path;
 
-/// Width and height of a picture, pixels.
+/// Width and height of a gallery picture, pixels.
 const SIZE: [u32; 2] = [960, 540];
 /// Quality of the JPEG files, 1 to 100.
 const QUALITY: u8 = 88;
-/// Address at which `scripts/serve.sh` serves the page.
+/// Address at which `scripts/serve.sh` serves the web page, for the links of the gallery.
 const PAGE: &str = "http://localhost:8080/";
 
-/// A picture of the gallery.
+/// A picture of the gallery: title, description and state string.
 #[derive(Clone, Copy, Debug)]
 pub struct GalleryPicture {
-    /// Title; the file name follows from it.
+    /// Title of the picture. Its file name is made from the title.
     pub title: &'static str,
-    /// Description.
+    /// Description of the picture.
     pub about: &'static str,
-    /// State string, as the program writes it.
+    /// State string of the picture, exactly as the program itself writes it.
     pub state: &'static str,
 }
 
-/// The pictures, in order.
+/// The pictures of the gallery, in the order of the page.
 pub const PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Calm at dawn",
@@ -94,7 +94,7 @@ pub const PICTURES: &[GalleryPicture] = &[
 ];
 
 impl GalleryPicture {
-    /// File name, without folder.
+    /// File name of the picture, without a folder.
     pub fn file(&self) -> String {
         format!("{}.jpg", self.title.to_lowercase().replace(' ', "-"))
     }
@@ -103,7 +103,7 @@ impl GalleryPicture {
 /// Renders the pictures whose title contains `only`, and writes gallery.md and gallery/ to a folder. Returns a summary.
 ///
 /// # Errors
-/// If no title contains `only`, the GPU does not give its memory back, or a file cannot be written.
+/// If no title contains `only`, reading back from the GPU fails, or a file cannot be written.
 pub async fn run(gpu: &Gpu, output: &Path, only: &str) -> Result<String, String> {
     let lower_case = only.to_lowercase();
     let chosen: Vec<&GalleryPicture> =
@@ -132,7 +132,7 @@ fn write_jpeg(pixels: &[u8], path: &Path) -> Result<(), String> {
     write_file(path, bytes)
 }
 
-/// The Markdown of docs/gallery.md.
+/// The Markdown text of docs/gallery.md.
 pub fn page() -> String {
     let mut page = Page::default();
     page.heading(1, "Gallery");

@@ -16,12 +16,12 @@ pub mod validate;
 
 use std::path::Path;
 
-/// Writes a file; the error is a sentence with its path.
+/// Writes a file. The error is a sentence that names the path.
 fn write_file(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), String> {
     std::fs::write(path, bytes).map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 
-/// Creates a folder and its parents; the error is a sentence with its path.
+/// Creates a folder and its parent folders. The error is a sentence that names the path.
 fn create_folder(path: &Path) -> Result<(), String> {
     std::fs::create_dir_all(path).map_err(|e| format!("cannot make {}: {e}", path.display()))
 }

@@ -1,11 +1,11 @@
-//! A page of Markdown: headings, prose, tables and figures.
+//! Builder for a page of Markdown with headings, prose, tables and figures.
 
 use super::figure::Figure;
 use super::{create_folder, write_file};
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// Markdown with the figures that it shows.
+/// A page of Markdown: its text, and the figures that it shows.
 #[derive(Clone, Debug, Default)]
 pub struct Page {
     text: String,
@@ -13,7 +13,7 @@ pub struct Page {
 }
 
 impl Page {
-    /// Adds a heading; level 1 is the title.
+    /// Adds a heading. Level 1 is the title of the page.
     pub fn heading(&mut self, level: usize, text: &str) {
         let _ = writeln!(self.text, "{} {text}\n", "#".repeat(level));
     }
@@ -34,7 +34,7 @@ impl Page {
         self.text.push_str("\n\n");
     }
 
-    /// Adds a table. `head` holds the column titles, separated by " | ".
+    /// Adds a table to the page. `head` holds the column titles, separated by " | ".
     pub fn table(&mut self, head: &str, rows: &[Vec<String>]) {
         let columns = head.split(" | ").count();
         let _ = writeln!(self.text, "| {head} |\n|{}", "---|".repeat(columns));
@@ -44,20 +44,20 @@ impl Page {
         self.text.push('\n');
     }
 
-    /// Adds a figure with its caption; `name` is the stem of its file.
+    /// Adds a figure with its caption. `name` is the figure's file name without extension.
     ///
     /// # Errors
-    /// If it cannot be drawn.
+    /// If the figure cannot be drawn.
     pub fn figure(&mut self, name: &str, figure: &Figure, caption: &str) -> Result<(), String> {
         let _ = writeln!(self.text, "![{}](validation/{name}.svg)\n", figure.title());
         self.prose(&format!("*{caption}*"));
         self.keep(name, figure)
     }
 
-    /// Adds figures, two in a row, with one caption.
+    /// Adds figures, two in a row, with one caption for all.
     ///
     /// # Errors
-    /// If one cannot be drawn.
+    /// If one of the figures cannot be drawn.
     pub fn figures(&mut self, figures: &[(String, Figure)], caption: &str) -> Result<(), String> {
         self.text.push_str("| | |\n|---|---|\n");
         for pair in figures.chunks(2) {
@@ -75,17 +75,17 @@ impl Page {
         Ok(())
     }
 
-    /// The Markdown, with one line feed at its end.
+    /// The Markdown text of the page, with one line feed at its end.
     pub fn markdown(&self) -> String {
         format!("{}\n", self.text.trim_end())
     }
 
-    /// Stems and SVG of the figures.
+    /// File name without extension, and SVG text, of each figure.
     pub fn drawings(&self) -> &[(String, String)] {
         &self.figures
     }
 
-    /// Writes `name`.md to a folder, and the figures to its folder validation/.
+    /// Writes the page as `name`.md to a folder, and its figures to the subfolder validation/.
     ///
     /// # Errors
     /// If a file cannot be written.

@@ -1,10 +1,10 @@
-//! `seastate keys`: the keys of the state string, from [`FIELDS`], as text and as docs/parameters.md.
+//! `seastate keys`: lists the keys of the state string from [`FIELDS`], as text or as Markdown.
 
 use super::page::Page;
 use crate::state::fields::{FIELDS, Field, Group};
 use std::fmt::Write as _;
 
-/// Keys whose values are no numbers: key, and meaning in Markdown. [`listing`] leaves the markup out.
+/// Keys of the state string that are not in [`FIELDS`], with their meaning in Markdown. [`listing`] removes the markup.
 const SPECIAL_KEYS: [(&str, &str); 3] = [
     (
         "measured",
@@ -24,7 +24,7 @@ const SPECIAL_KEYS: [(&str, &str); 3] = [
     ),
 ];
 
-/// The keys of the state string as text for a terminal.
+/// Lists the keys of the state string as text for a terminal.
 pub fn listing() -> String {
     let mut text = String::new();
     for field in FIELDS.iter() {
@@ -39,7 +39,7 @@ pub fn listing() -> String {
     text
 }
 
-/// The Markdown of docs/parameters.md.
+/// The Markdown text of docs/parameters.md.
 pub fn page() -> String {
     let mut page = Page::default();
     page.heading(1, "Parameters");
@@ -71,7 +71,7 @@ fn row(field: &Field) -> Vec<String> {
     vec![key, field.label.into(), unit.into(), field.range(), default, escaped(field.help)]
 }
 
-/// Text with Markdown's special characters escaped.
+/// Escapes Markdown's special characters in a text.
 fn escaped(text: &str) -> String {
     text.replace('*', "\\*").replace('|', "\\|").replace('_', "\\_")
 }

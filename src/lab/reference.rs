@@ -1,4 +1,4 @@
-//! The reference of a picture: the mean of many unfiltered samples per pixel, with the picture's exposure and film.
+//! Reference pictures: each pixel is the mean of many unfiltered samples, exposed and filmed as the usual picture.
 
 use crate::gpu::Gpu;
 use crate::gpu::readback;
@@ -6,21 +6,21 @@ use crate::ocean::still;
 use crate::ocean::{Grid, Ocean};
 use crate::waves::noise::pcg4d;
 
-/// Most samples in one render target.
+/// Largest number of samples in one render target.
 const MOST_SAMPLES: u64 = 4_200_000;
 
-/// The sampling of a reference.
+/// Number and positions of the samples in a reference picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sampling {
-    /// Least number of samples per pixel.
+    /// Minimum number of samples per pixel.
     pub samples: u32,
-    /// Seed of the sample positions.
+    /// Seed of the sample positions within a pixel.
     pub seed: u32,
 }
 
 impl Sampling {
-    /// Grids that together hold the samples of a picture of `size` pixels. Each grid has at most `most` samples, and at
-    /// most `longest` along a side.
+    /// Sample grids that together give every pixel of a picture its samples. Each grid has at most `most` samples in
+    /// total and at most `longest` along a side.
     fn grids(self, size: [u32; 2], most: u64, longest: u32) -> impl Iterator<Item = Grid> {
         let fits = |side: &u32| {
             let [w, h] = size.map(|s| u64::from(s) * u64::from(*side));
@@ -36,7 +36,7 @@ impl Sampling {
     }
 }
 
-/// Sums over the samples of a pixel. A water sample has a positive weight, a sky sample the weight 0.
+/// Sums over the samples of one pixel. A water sample has a positive weight, a sky sample the weight 0.
 #[derive(Clone, Copy, Default)]
 struct PixelSum {
     sky: [f64; 3],
@@ -48,7 +48,7 @@ struct PixelSum {
 
 impl PixelSum {
     fn add(&mut self, [r, g, b, weight]: [f32; 4]) {
-        // A weight that is not a number counts as water, so that it shows in the result.
+        // A weight that is not a number counts as water, so that the error is visible in the result.
         let (sum, share) = if weight == 0.0 {
             self.skies += 1.0;
             (&mut self.sky, 1.0)
@@ -62,7 +62,8 @@ impl PixelSum {
         }
     }
 
-    /// The light of the pixel: the weighted mean of the water and the mean of the sky, by their shares of the samples.
+    /// Linear light of the pixel: weighted mean of the water samples and mean of the sky samples, weighted by their
+    /// counts.
     fn mean(&self) -> [f32; 3] {
         let all = self.skies + self.waters;
         std::array::from_fn(|i| {
@@ -72,10 +73,10 @@ impl PixelSum {
     }
 }
 
-/// Mean linear light of every pixel, row by row, for the sea of the last frame.
+/// Renders the reference of the last frame: the linear light (RGB) of every pixel, row by row.
 ///
 /// # Errors
-/// If the GPU does not give its memory back.
+/// If reading back from the GPU fails.
 pub async fn light(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: Sampling) -> Result<Vec<[f32; 3]>, String> {
     let width = size[0] as usize;
     let mut sums = vec![PixelSum::default(); width * size[1] as usize];
@@ -96,19 +97,19 @@ pub async fn light(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: Sampl
     Ok(sums.iter().map(PixelSum::mean).collect())
 }
 
-/// The reference as RGBA pixels, for the sea of the last frame.
+/// Renders the reference picture of the last frame as RGBA bytes, row by row.
 ///
 /// # Errors
-/// If the GPU does not give its memory back.
+/// If reading back from the GPU fails.
 pub async fn picture_of(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: Sampling) -> Result<Vec<u8>, String> {
     let light = light(gpu, ocean, size, sampling).await?;
     picture_of_light(gpu, ocean, size, &light).await
 }
 
-/// Applies the exposure and film of the sea's picture to linear light; returns RGBA pixels.
+/// Applies the exposure and film pass of the usual picture to linear light (RGB, row by row). Returns RGBA bytes.
 ///
 /// # Errors
-/// If the GPU does not give its memory back.
+/// If reading back from the GPU fails.
 pub async fn picture_of_light(
     gpu: &Gpu,
     ocean: &mut Ocean,

@@ -1,4 +1,4 @@
-//! `seastate render`: pictures as PNG, sequences of pictures, and layers for a compositor.
+//! `seastate render`: writes a picture as PNG, a sequence of pictures, and layers for compositing software.
 
 use super::create_folder;
 use super::reference::{self, Sampling};
@@ -10,26 +10,26 @@ use crate::state::views::{Shown, Surface, ViewChoice};
 use exr::prelude::*;
 use std::path::Path;
 
-/// Distance of the near plane, m. The depth texture holds this over the distance.
+/// Distance of the camera's near plane, m. The depth texture holds this divided by the surface's distance.
 const NEAR_M: f32 = 0.1;
-/// Distance written for the sky, m, as is usual for compositors.
+/// Distance that is written for sky pixels, m: compositing software expects a very large number.
 const SKY_M: f32 = 1e10;
 
-/// A sequence of pictures.
+/// Settings of a sequence of pictures.
 #[derive(Clone, Debug)]
 pub struct Sequence {
-    /// Number of pictures.
+    /// Number of pictures in the sequence.
     pub count: u32,
-    /// Pictures per second; simulated time also depends on the speed of the state.
+    /// Pictures per second. The state's speed divided by this rate is the simulated time between two pictures.
     pub fps: f64,
-    /// Whether to write linear light, distance and normals as OpenEXR files, too.
+    /// Whether to write linear light, distance and normals of each picture as an OpenEXR file, too.
     pub layers: bool,
 }
 
-/// Renders a state at its time and writes a PNG. With `sampling`, writes the reference of that picture instead.
+/// Renders a state at its time and writes a PNG. With `sampling`, writes a reference picture of many samples per pixel.
 ///
 /// # Errors
-/// One sentence, if the GPU does not give its memory back or the file cannot be written.
+/// One sentence, if reading back from the GPU fails or the file cannot be written.
 pub async fn write_picture(
     gpu: &Gpu,
     params: &Params,
@@ -50,10 +50,10 @@ fn write_png(pixels: Vec<u8>, size: [u32; 2], path: &Path) -> std::result::Resul
     image.save_with_format(path, image::ImageFormat::Png).map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 
-/// Renders a sequence that begins at the time of a state, and writes it to a folder. Returns a summary.
+/// Renders a sequence of pictures that begins at the state's time, and writes it to a folder. Returns a summary.
 ///
 /// # Errors
-/// One sentence, if the GPU does not give its memory back or a file cannot be written.
+/// One sentence, if reading back from the GPU fails or a file cannot be written.
 pub async fn write_sequence(
     gpu: &Gpu,
     params: &Params,
@@ -83,7 +83,7 @@ pub async fn write_sequence(
     Ok(format!("{} {what} in {}", sequence.count, folder.display()))
 }
 
-/// Writes the light of the last picture, and the distance and normals at the same time, as OpenEXR.
+/// Writes an OpenEXR file with the linear light, distances and surface normals of the last picture.
 async fn write_layers(
     gpu: &Gpu,
     ocean: &mut Ocean,
@@ -119,7 +119,7 @@ async fn write_layers(
             if depth[i] <= 0.0 {
                 return (r, g, b, SKY_M, 0.0, 0.0, 0.0);
             }
-            // The view maps the components east, north and up from -1..1 to 0..1.
+            // The debug view of normals maps the components east, north and up from -1..1 to 0..1.
             let [east, north, up] = [0, 1, 2].map(|c| 2.0 * normals[4 * i + c] - 1.0);
             (r, g, b, NEAR_M / depth[i], east, up, -north)
         });
@@ -129,7 +129,7 @@ async fn write_layers(
         .map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 
-/// Linear light of the last frame, RGBA, row by row.
+/// Reads back the linear light of the last frame: RGBA, row by row.
 async fn light_of(gpu: &Gpu, ocean: &Ocean) -> std::result::Result<Vec<f32>, String> {
     let texture = ocean.light().ok_or("nothing was drawn")?;
     let mut encoder = gpu.encoder("light");

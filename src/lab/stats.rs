@@ -1,4 +1,4 @@
-//! `seastate stats`: theoretical, resolved and measured statistics of a sea, side by side.
+//! `seastate stats`: statistics of a sea by theory, of the waves on the FFT grids (resolved), and measured on the GPU.
 
 use super::ensemble::{self, MeasuredStatistics};
 use super::estimate::Estimate;
@@ -11,7 +11,7 @@ use crate::waves::statistics::{Resolved, Theory};
 use serde_json::{Value, json};
 use std::fmt;
 
-/// The statistics of one sea.
+/// Theoretical, resolved and measured statistics of one sea, with its parameters and plan.
 #[derive(Debug)]
 pub struct SeaStatistics {
     params: Params,
@@ -19,14 +19,14 @@ pub struct SeaStatistics {
     theory: Theory,
     resolved: Resolved,
     measured: MeasuredStatistics,
-    /// Mean foam of the first seed, 0 to 1.
+    /// Mean foam coverage measured with the first seed, 0 to 1.
     whitecap_fraction: f64,
 }
 
-/// Measures a state over `seeds` seeds, counted from the state's own.
+/// Computes the statistics of a state, and measures them over `seeds` seeds, beginning with the state's own seed.
 ///
 /// # Errors
-/// If the GPU does not give its memory back.
+/// If reading back from the GPU fails.
 pub async fn run(gpu: &Gpu, params: &Params, seeds: u32) -> Result<SeaStatistics, String> {
     let plan = Plan::new(params);
     let theory = Theory::new(&plan);
@@ -38,22 +38,22 @@ pub async fn run(gpu: &Gpu, params: &Params, seeds: u32) -> Result<SeaStatistics
 }
 
 impl SeaStatistics {
-    /// Integrals of the spectrum.
+    /// Statistics by theory, from integrals of the spectrum.
     pub fn theory(&self) -> &Theory {
         &self.theory
     }
 
-    /// Sums over the waves of the cascades.
+    /// Statistics of the resolved waves, from sums over the FFT grids of the cascades.
     pub fn resolved(&self) -> &Resolved {
         &self.resolved
     }
 
-    /// Statistics of the maps that were read back.
+    /// Statistics measured in the wave maps that were read back from the GPU.
     pub fn measured(&self) -> &MeasuredStatistics {
         &self.measured
     }
 
-    /// The statistics as JSON, with the standard error of every measured quantity.
+    /// Formats the statistics as JSON. Means over the seeds have a standard error.
     pub fn json(&self, notices: &[String]) -> String {
         let (t, r, m) = (&self.theory, &self.resolved, &self.measured);
         let notices: Vec<&String> = notices.iter().chain(&self.plan.notices).collect();

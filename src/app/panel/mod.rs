@@ -1,4 +1,4 @@
-//! The panel: read-outs, named seas, every parameter of FIELDS, plots, notices and errors.
+//! The panel: read-outs, named seas, widgets for all parameters, plots, notices and errors.
 
 mod numbers;
 mod rows;
@@ -14,30 +14,30 @@ use crate::waves::beaufort;
 
 pub use seas::OwnSeas;
 
-/// Width of the window, points, below which the panel is a sheet at the bottom that starts closed.
+/// Width of the window, points, below which the panel is a collapsible sheet at the bottom of the window.
 const NARROW_POINTS: f32 = 640.0;
-/// Shorter side of the window, points, below which no panel is shown: its margins would leave no room.
+/// Shorter side of the window, points, below which the panel is not shown, because its margins would leave no room.
 const LEAST_POINTS: f32 = 100.0;
-/// Least side of a widget on a touch screen, points.
+/// Least height of a widget on a touch screen, points.
 const TOUCH_POINTS: f32 = 44.0;
 
-/// Most letters of a search.
+/// Largest number of characters in the search field.
 const MOST_LETTERS: usize = 100;
 
-/// State of the panel that is not a parameter.
+/// State of the panel that is not part of the parameters.
 #[derive(Default)]
 pub struct Panel {
-    /// Words of the search.
+    /// Text in the search field.
     search: String,
-    /// Typed link.
+    /// Text in the field for a link to open.
     link: String,
-    /// Whether the sheet of a narrow screen is open.
+    /// Whether the bottom sheet, which a narrow window shows in place of the panel, is expanded.
     sheet_is_open: bool,
-    /// Whether named seas and Reset keep the seed.
+    /// Whether the seed of the random phases stays the same when a named sea is opened or everything is reset.
     pub seed_locked: bool,
 }
 
-/// Shows the panel over the sea: a window, or on a narrow screen a sheet at its bottom.
+/// Shows the panel over the sea: as a floating window, or in a narrow window as a sheet at the bottom.
 pub fn show(app: &mut App, ctx: &egui::Context) {
     let screen = ctx.content_rect();
     if screen.width().min(screen.height()) < LEAST_POINTS {
@@ -61,7 +61,7 @@ pub fn show(app: &mut App, ctx: &egui::Context) {
     });
 }
 
-/// The panel of a narrow window: a line with the summary of the sea, which opens and closes the rest when it is tapped.
+/// Shows the panel of a narrow window: a summary of the sea in one line, which expands and collapses the rest.
 fn sheet(app: &mut App, ctx: &egui::Context, screen: egui::Rect) {
     let area = egui::Area::new(egui::Id::unique("sheet")).anchor(egui::Align2::CENTER_BOTTOM, egui::Vec2::ZERO);
     area.order(egui::Order::Middle).show(ctx, |ui| {
@@ -82,7 +82,7 @@ fn sheet(app: &mut App, ctx: &egui::Context, screen: egui::Rect) {
                 app.panel.sheet_is_open = !app.panel.sheet_is_open;
             }
             if app.panel.sheet_is_open {
-                // An area takes the height of its last contents: without a least height the sheet would never grow.
+                // An area takes the height of its last contents. Without a minimum height the sheet would never grow.
                 let height = 0.5 * screen.height();
                 let scroll = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height);
                 scroll.auto_shrink(false).show(ui, |ui| contents(app, ui));
@@ -91,25 +91,25 @@ fn sheet(app: &mut App, ctx: &egui::Context, screen: egui::Rect) {
     });
 }
 
-/// Makes widgets large enough for fingers.
+/// Makes the widgets of `ui` large enough for fingers on a touch screen.
 fn enlarge_for_touch(ui: &mut egui::Ui) {
     ui.spacing_mut().interact_size.y = TOUCH_POINTS;
     ui.spacing_mut().icon_width = 22.0;
 }
 
-/// The sea in one line.
+/// Describes the sea in one line: significant wave height and Beaufort number.
 pub fn summary(app: &App) -> String {
     let hs = app.metres().text(app.derived.theory.hs_m, 1);
     format!("Hs {hs}, Beaufort {}", beaufort::number_of(app.params.sea.local().wind_m_s))
 }
 
-/// A button with a tooltip; returns whether it was clicked.
+/// Adds a button with a tooltip. Returns whether it was clicked.
 fn button(ui: &mut egui::Ui, label: &str, help: &str) -> bool {
     ui.button(label).on_hover_text(help).clicked()
 }
 
-/// A label and a text field that fills the line up to the widgets that `right` adds at its right end. Returns the
-/// field's response and the result of `right`.
+/// Adds a label and a text field that fills the line, except for the widgets that `right` adds at its right end.
+/// Returns the text field's response and the result of `right`.
 fn text_field<T>(
     ui: &mut egui::Ui,
     label: &str,
@@ -118,7 +118,7 @@ fn text_field<T>(
     right: impl FnOnce(&mut egui::Ui) -> T,
 ) -> (egui::Response, T) {
     let label = ui.label(label);
-    // From right to left, so that the field takes only the room that is left.
+    // The layout runs from right to left, so that the field takes only the space that the widgets leave.
     let layout = egui::Layout::right_to_left(egui::Align::Center);
     ui.with_layout(layout, |ui| {
         let right = right(ui);
@@ -147,7 +147,7 @@ fn contents(app: &mut App, ui: &mut egui::Ui) {
     ui.weak(format!("Seastate {}", crate::ocean::about::VERSION));
 }
 
-/// The most frequent actions.
+/// Adds the buttons for the most frequent actions: link, picture, undo, redo, reset and help.
 fn actions(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
         if button(ui, "Copy link", "Copies the state of this sea and camera (L).") {
@@ -186,7 +186,7 @@ fn notices(app: &App, ui: &mut egui::Ui) {
     }
 }
 
-/// Every parameter by group, or those that the search finds.
+/// Adds widgets for all parameters by group, or for those that match the search.
 fn parameters(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal(|ui| {
         let search = &mut app.panel.search;
@@ -206,7 +206,7 @@ fn parameters(app: &mut App, ui: &mut egui::Ui) {
             continue;
         }
         any = true;
-        // A search opens the groups of its results; without a search each group keeps the user's choice.
+        // A search expands the groups with results. Without a search each group stays as the user left it.
         let searching = !words.is_empty();
         egui::CollapsingHeader::new(group.label()).id_salt((group.label(), searching)).default_open(searching).show(
             ui,
@@ -225,7 +225,7 @@ fn parameters(app: &mut App, ui: &mut egui::Ui) {
     }
 }
 
-/// The name of the sky file, with a button that removes it.
+/// Shows the name of the sky image file, and a button that returns to the computed sky.
 fn sky_file(params: &mut Params, ui: &mut egui::Ui) {
     let Some(file) = &params.look.sky.file else {
         ui.weak("Drop a .hdr or .exr file for another sky.");
@@ -240,7 +240,7 @@ fn sky_file(params: &mut Params, ui: &mut egui::Ui) {
     });
 }
 
-/// Named views.
+/// Adds a button for each named view of the camera.
 fn views(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
         for view in motion::VIEWS {
@@ -251,7 +251,7 @@ fn views(app: &mut App, ui: &mut egui::Ui) {
     });
 }
 
-/// Buoys and boats.
+/// Adds the widgets that place, list and remove buoys and boats.
 fn afloat(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
         for kind in FloatKind::ALL {
@@ -283,7 +283,7 @@ fn afloat(app: &mut App, ui: &mut egui::Ui) {
     }
 }
 
-/// Further ways to share a sea.
+/// Adds the widgets for sharing a sea: open a link, copy an iframe, save the wave maps.
 fn share(app: &mut App, ui: &mut egui::Ui) {
     ui.label("The address of the page is always the whole sea: send it, bookmark it, go back and forward.");
     ui.horizontal(|ui| {

@@ -1,12 +1,12 @@
-//! Read-outs: statistics of the theory, of the computed waves and of the maps; times of the passes; the device.
+//! Read-outs of the panel: statistics of the sea by theory and as measured, times of the GPU passes, and the device.
 
 use super::super::App;
 
-/// The main statistics of the sea.
+/// Shows the main statistics of the sea: wave height, periods, length and direction.
 pub fn show(app: &App, ui: &mut egui::Ui) {
     let t = &app.derived.theory;
     let metres = app.metres();
-    // These rows have no widgets that a finger must hit.
+    // These rows contain no widgets to tap, so they need no height for fingers.
     let tall = std::mem::replace(&mut ui.spacing_mut().interact_size.y, 18.0);
     let from = t.mean_from_deg.map_or("none".to_owned(), |d| format!("{d:.0}°"));
     let hs_help = "Significant wave height, 4 sqrt(m0): the mean of the highest third.";
@@ -32,7 +32,7 @@ pub fn show(app: &App, ui: &mut egui::Ui) {
     ui.spacing_mut().interact_size.y = tall;
 }
 
-/// Statistics of the theory, of the waves on the grid, and of the maps on the GPU.
+/// Shows a table of statistics in three columns: by theory, of the waves on the FFT grids, and as measured on the GPU.
 pub fn more(app: &App, ui: &mut egui::Ui) {
     app.shown.maps.set(true);
     let (t, r) = (&app.derived.theory, app.derived.resolved());
@@ -80,7 +80,7 @@ pub fn more(app: &App, ui: &mut egui::Ui) {
     }
 }
 
-/// Time of a frame on CPU and GPU, pass by pass.
+/// Shows the time of a frame: the CPU time of recording it, and the GPU time of each pass.
 pub fn cost(app: &App, ui: &mut egui::Ui) {
     app.shown.times.set(true);
     ui.label(format!("Recording a frame: {:.2} ms of the CPU", app.frame_measurements.record_ms()));
@@ -102,7 +102,7 @@ pub fn cost(app: &App, ui: &mut egui::Ui) {
     }
 }
 
-/// Program, device and cascades.
+/// Shows information about the program and its GPU, and the wavelengths of each cascade.
 pub fn about(app: &mut App, ui: &mut egui::Ui) {
     let help = "Copies all of this, the state and what went wrong as plain text.";
     if super::button(ui, "Copy report", help) {

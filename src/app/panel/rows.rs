@@ -1,4 +1,4 @@
-//! A row for each parameter of FIELDS: slider, typed value with unit, choice, flag or colour.
+//! One row of the panel for each parameter: slider, number field with unit, choice, check box or colour.
 
 use super::super::accessible_names::named;
 use super::super::units::UnitScale;
@@ -6,13 +6,13 @@ use crate::state::Params;
 use crate::state::fields::{FIELDS, Field, FieldKind, Group, Refusal};
 use crate::state::params::Units;
 
-/// Whether a search finds a parameter: every word occurs in its label, key, group or explanation.
+/// Whether a search finds a parameter: each word occurs in its label, key, group or help text.
 pub fn found(field: &Field, words: &str) -> bool {
     let text = format!("{} {} {} {}", field.key, field.label, field.group.label(), field.help).to_lowercase();
     words.to_lowercase().split_whitespace().all(|word| text.contains(word))
 }
 
-/// The rows of a group that the search finds.
+/// Adds the rows of a group's parameters that match the search.
 pub fn group(params: &mut Params, group: Group, words: &str, ui: &mut egui::Ui) {
     let units = params.screen.units;
     egui::Grid::new(group.label()).num_columns(3).show(ui, |ui| {
@@ -46,7 +46,7 @@ fn row(params: &mut Params, field: &'static Field, units: Units, ui: &mut egui::
         value = default;
     }
     if value != before {
-        // The slider shows the value to which a typed one was clamped.
+        // A typed value outside the range was clamped, and the slider shows the clamped value.
         let (Ok(v) | Err(Refusal::Clamped(v))) = field.accept(value) else { return };
         (field.set)(params, v);
     }
@@ -85,8 +85,7 @@ fn edit(field: &'static Field, value: &mut f64, units: Units, ui: &mut egui::Ui)
     }
 }
 
-/// A slider in the user's units. The metric value changes only when the slider moves, so that other units do not round
-/// it.
+/// Adds a slider in the user's units. The metric value changes only if the slider moves, so converting never rounds it.
 fn number(
     field: &'static Field,
     value: &mut f64,
@@ -108,12 +107,12 @@ fn number(
     response
 }
 
-/// Six significant digits.
+/// Rounds a number to six significant digits.
 fn significant(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
 
-/// A colour picker with the value as text.
+/// Adds a colour picker and the colour's value as text.
 fn colour(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Response {
     let bits = *value as u32;
     let mut rgb = [16, 8, 0].map(|shift| (bits >> shift) as u8);
@@ -126,11 +125,11 @@ fn colour(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Response {
     .inner
 }
 
-/// Adds to a slider the unit and the word for 0, as it shows them and as the user types them.
+/// Makes a slider show, and accept as typed text, its unit and the word that stands for 0 (such as "off").
 fn with_zero<'a>(field: &'static Field, slider: egui::Slider<'a>, factor: f64, units: Units) -> egui::Slider<'a> {
     let scale = UnitScale::of_field(field, units);
     let unit = scale.suffix();
-    // A linear slider over a wide range could not set small values.
+    // On a linear slider with a wide range small values could not be set.
     let most = if let FieldKind::Number { max, .. } = field.kind { max * factor } else { 0.0 };
     let wide = !field.zero.is_empty() && most > 100.0 * factor;
     let slider = if wide { slider.logarithmic(true).smallest_positive(1e-6 * most) } else { slider };

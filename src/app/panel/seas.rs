@@ -1,4 +1,4 @@
-//! The wind by Beaufort's scale, the program's named seas, and the user's own.
+//! The panel's wind slider by the Beaufort scale, the built-in named seas, and the user's own named seas.
 
 use super::super::accessible_names::{named, named_value};
 use super::super::units::UnitScale;
@@ -7,34 +7,34 @@ use super::button;
 use crate::state::presets::{self, Preset};
 use crate::waves::beaufort::{self, FORCES};
 
-/// The user's own named seas.
+/// The user's own named seas, with the state of the widgets that edit the list.
 #[derive(Default)]
 pub struct OwnSeas {
     own: Vec<Preset>,
-    /// Typed name of a sea to keep.
+    /// Text of the field for the name under which the current sea will be kept.
     name: String,
-    /// Errors in the stored seas; if there are any, the stored text is copied before it is overwritten.
+    /// Errors found in the stored text. If there are any, the text is copied before it is overwritten.
     damage: Vec<String>,
-    /// Whether the damaged text has been copied.
+    /// Whether the damaged stored text has been copied.
     is_aside: bool,
 }
 
 impl OwnSeas {
-    /// Loads the stored seas.
+    /// Loads the user's own named seas from storage.
     pub fn load() -> Self {
         let (own, damage) = presets::read(&storage::load_seas());
         Self { own, damage, ..Self::default() }
     }
 
-    /// Errors in the stored seas.
+    /// Notices about errors in the stored text of the user's own seas.
     pub fn notices(&self) -> Vec<String> {
         self.damage.iter().map(|notice| format!("your own seas: {notice}")).collect()
     }
 
-    /// Adds seas, replacing those of the same names, and stores them.
+    /// Adds named seas, replaces seas of equal name, and stores the list.
     ///
     /// # Errors
-    /// One sentence, if they cannot be stored.
+    /// One sentence, if the list cannot be stored.
     pub fn add(&mut self, new: Vec<Preset>) -> Result<(), String> {
         presets::add(&mut self.own, new)?;
         self.store()
@@ -49,7 +49,7 @@ impl OwnSeas {
     }
 }
 
-/// The wind as a slider over Beaufort's scale.
+/// Adds the wind slider in Beaufort numbers, with the name and the appearance of that wind force.
 pub fn wind(app: &mut App, ui: &mut egui::Ui) {
     let wind_m_s = app.params.sea.local().wind_m_s;
     let now = beaufort::number_of(wind_m_s);
@@ -80,7 +80,7 @@ pub fn wind(app: &mut App, ui: &mut egui::Ui) {
     ));
 }
 
-/// The program's seas and the user's.
+/// Adds buttons for the built-in and the user's own named seas, and widgets that keep, forget and export the latter.
 pub fn show(app: &mut App, ui: &mut egui::Ui) {
     let mut chosen = None;
     ui.horizontal_wrapped(|ui| {
@@ -136,7 +136,7 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
     ui.weak("Drop a file of seas here to import it.");
 }
 
-/// The seed of the random phases.
+/// Adds the button that changes the seed of the random wave phases, and the check box that locks the seed.
 pub fn seed(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal(|ui| {
         if button(ui, "New seed", "Another sea with the same spectrum.") {
@@ -148,7 +148,7 @@ pub fn seed(app: &mut App, ui: &mut egui::Ui) {
 }
 
 impl App {
-    /// Opens a named sea; light and camera change only if the sea names them.
+    /// Opens a named sea. Light and camera change only if the sea's state string sets them.
     fn turn_to_preset(&mut self, preset: &Preset) {
         let seed = self.params.sea.seed;
         let (params, notices) = preset.apply(&self.params);
@@ -160,7 +160,7 @@ impl App {
         }
     }
 
-    /// Adds the error of an action to the notices.
+    /// Runs an action, and adds its error, if any, to the notices.
     fn complain(&mut self, what: impl FnOnce(&mut Self) -> Result<(), String>) {
         if let Err(reason) = what(self) {
             self.notices.push(reason);

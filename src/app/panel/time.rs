@@ -1,16 +1,16 @@
-//! Controls of the clock: stop, step, speed, slider and typed time.
+//! Controls of the simulated time: stop, step, speed, slider and typed time.
 
 use super::super::App;
 use super::super::accessible_names::{named, named_value};
 use super::button;
 use crate::state::params::Clock;
 
-/// One step of a stopped clock, s.
+/// Time by which one press of a step button moves the stopped clock, s: one frame at 60 Hz.
 const STEP_S: f64 = 1.0 / 60.0;
-/// Length of the slider without a loop, s.
+/// Length of time that the time slider covers if the sea does not loop, s.
 const REACH_S: f64 = 120.0;
 
-/// Buttons and the slider.
+/// Adds the buttons, the slider and the number fields for the simulated time and its speed.
 pub fn show(app: &mut App, ui: &mut egui::Ui) {
     let loop_s = app.params.sea.loop_s;
     let clock = &mut app.params.clock;
@@ -31,7 +31,7 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
         ui.add(speed).on_hover_text("Simulated seconds per second.");
     });
     ui.horizontal(|ui| {
-        // The slider covers the loop, or the stretch of time, that contains the current time.
+        // The slider covers the loop, or the interval of REACH_S, that contains the current time.
         let length = if loop_s > 0.0 { loop_s } else { REACH_S };
         let from = length * (clock.t_s / length).floor();
         ui.spacing_mut().slider_width = (ui.available_width() - 120.0).max(80.0);
@@ -55,9 +55,9 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
     });
 }
 
-/// Stops the clock and moves it by a number of frames.
+/// Stops the clock and moves the time by a number of frames of 1/60 s.
 pub fn step(clock: &mut Clock, frames: f64) {
     clock.paused = true;
-    // Whole frames, so that steps forward and back return to the same time.
+    // The time is a whole number of frames, so that steps forward and back return to the same time.
     clock.t_s = ((clock.t_s / STEP_S).round() + frames).max(0.0) * STEP_S;
 }

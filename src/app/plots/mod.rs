@@ -1,6 +1,6 @@
-//! Plots of the panel: the spectrum, its directions, the height at a point over time, and a profile of the sea. Each
-//! can be saved as CSV. The colours of Okabe and Ito (2008) are distinct in colour-blind sight; lines also differ in
-//! dashes.
+//! Plots of the panel: frequency spectrum, directional spectrum, height at a point over time, and a profile of the sea.
+//! Each can be saved as CSV. The colours of Okabe and Ito (2008) stay distinct for colour-blind readers; lines also
+//! differ in dashes.
 
 pub mod polar;
 mod profile;
@@ -15,7 +15,7 @@ use std::fmt::Write as _;
 
 pub use spectrum::highest_omega;
 
-/// Colours of lines, in order.
+/// Colours of the lines in a plot, from the first to the last.
 const COLOURS: [Color32; 6] = [
     Color32::from_rgb(86, 180, 233),
     Color32::from_rgb(230, 159, 0),
@@ -24,10 +24,10 @@ const COLOURS: [Color32; 6] = [
     Color32::from_rgb(213, 94, 0),
     Color32::from_rgb(204, 121, 167),
 ];
-/// Height of a plot, points.
+/// Height of a plot on the screen, points.
 const HEIGHT: f32 = 150.0;
 
-/// The data of a plot as a table: file name, column headings, rows.
+/// The data of a plot as a table for a CSV file: file name, column headings, rows.
 pub struct Table {
     name: &'static str,
     heading: String,
@@ -35,7 +35,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// The table as CSV, with the state string in a comment.
+    /// Formats the table as CSV, with the state string in a comment line.
     fn csv(&self, state: &str) -> String {
         let mut text = format!("# Seastate {state}\n{}\n", self.heading);
         for row in &self.rows {
@@ -46,12 +46,12 @@ impl Table {
     }
 }
 
-/// A plot that the pointer cannot move.
+/// Creates a plot that the pointer cannot move or zoom.
 fn fixed_plot(name: &str) -> Plot<'_> {
     Plot::new(name).height(HEIGHT).allow_drag(false).allow_zoom(false).allow_scroll(false)
 }
 
-/// All plots, one below the other.
+/// Adds all plots to the panel, one below the other.
 pub fn show(app: &mut App, ui: &mut egui::Ui) {
     let mut wanted = None;
     section(ui, "Spectrum", true, &mut wanted, |ui| {
@@ -70,7 +70,7 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
     }
 }
 
-/// A plot with a button that requests its table.
+/// Adds a collapsible section with a plot and a button "CSV". A click on the button moves the data into `wanted`.
 fn section(
     ui: &mut egui::Ui,
     title: &str,

@@ -1,4 +1,4 @@
-//! The directional spectrum in polar coordinates: directions that the waves come from, long waves inside, and the wind.
+//! Polar plot of the directional spectrum: the direction that waves come from, long waves in the middle, and the wind.
 
 use super::super::App;
 use super::Table;
@@ -7,19 +7,19 @@ use egui::{Color32, Mesh, Stroke, vec2};
 
 const DIRECTIONS: usize = 72;
 const RINGS: usize = 28;
-/// Side of the plot, points.
+/// Width and height of the polar plot, points.
 const SIDE: f32 = 240.0;
 
-/// Directional spectrum at the plot's resolution.
+/// Directional spectrum, sampled for the polar plot on rings of equal frequency.
 pub struct Wheel {
-    /// omega at the middle of each ring, rad/s.
+    /// Angular frequency omega at the middle of each ring, rad/s.
     omega: Vec<f64>,
-    /// S(omega, from), m^2 s/rad, ring by ring.
+    /// Spectral density per angular frequency and direction, m^2 s/rad, one ring after the other.
     density: Vec<f64>,
 }
 
 impl Wheel {
-    /// Samples the directional spectrum of a sea.
+    /// Samples the directional spectrum of a sea for the plot.
     pub fn new(plan: &Plan) -> Self {
         let (low, high) = (plan.support().0, 3.0 * plan.omega_p);
         let omega: Vec<f64> = (0..RINGS).map(|i| low + (high - low) * (i as f64 + 0.5) / RINGS as f64).collect();
@@ -34,7 +34,8 @@ impl Wheel {
     }
 }
 
-/// The colour map cividis from 0 to 1 (Nunez et al. 2018): its brightness increases in colour-blind sight, too.
+/// Colour of `x` (0 to 1) in the colour map cividis, whose brightness increases in colour-blind sight (Nunez et al.
+/// 2018).
 fn colour(x: f64) -> Color32 {
     const STOPS: [[f64; 3]; 5] =
         [[0.0, 0.13, 0.30], [0.25, 0.30, 0.42], [0.49, 0.48, 0.47], [0.73, 0.68, 0.43], [1.0, 0.91, 0.27]];
@@ -45,7 +46,7 @@ fn colour(x: f64) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// Draws the directional spectrum with north up.
+/// Draws the polar plot of the directional spectrum with north up. Returns its data as a table.
 pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
     let wheel = app.derived.wheel();
     ui.weak("Where the waves come from, north up; long waves inside, short ones outside");

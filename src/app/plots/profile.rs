@@ -1,4 +1,4 @@
-//! A profile of the sea along the direction of view at the current time.
+//! Plot of the sea's profile: heights along the direction of view at the current time.
 
 use super::super::App;
 use super::{COLOURS, Table, fixed_plot};
@@ -6,7 +6,7 @@ use egui_plot::{HLine, Line, PlotPoints};
 
 const POINTS: usize = 160;
 
-/// Heights ahead of the camera, over four wavelengths of the spectral peak.
+/// Plots the heights of the sea ahead of the camera, over four peak wavelengths. Returns the data as a table.
 pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
     let camera = &app.params.camera;
     let (sin, cos) = camera.heading_deg.to_radians().sin_cos();

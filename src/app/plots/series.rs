@@ -1,14 +1,15 @@
-//! The record of a buoy as a plot over time.
+//! Plot of a buoy's record: the height of the sea at one point over time.
 
 use super::super::App;
 use super::{COLOURS, Table, fixed_plot};
 use egui_plot::{Line, PlotPoints};
 
-/// Length of the plot, s.
+/// Length of time that the plot shows, s.
 const SHOWN_S: f64 = 120.0;
 
 impl App {
-    /// The name of the place that is recorded, and its position, m east and south.
+    /// Name and position (m east and south) of the place where the height is recorded: the first floating object, or
+    /// below the camera.
     fn record_place(&self) -> (&'static str, [f64; 2]) {
         match self.params.floats.first() {
             Some(float) => ("the first buoy", [float.x_m, float.z_m]),
@@ -16,7 +17,7 @@ impl App {
         }
     }
 
-    /// Continues the record while there is a float or while the plot is shown.
+    /// Continues the height record while there is a floating object or while the plot is shown.
     pub(in crate::app) fn continue_record(&mut self) {
         let wanted = self.shown.record.take() || !self.params.floats.is_empty();
         if !wanted || self.params.clock.paused && self.record.is_current(self.params.clock.t_s) {
@@ -29,7 +30,7 @@ impl App {
     }
 }
 
-/// Draws the last two minutes and the significant wave height.
+/// Plots the last two minutes of the record, with its significant wave height. Returns the data as a table.
 pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
     let record = &app.record;
     let metres = app.metres();

@@ -1,4 +1,5 @@
-//! S(omega) of the whole sea, of each wave system, of the maps on the GPU, and of the buoy's record.
+//! Plot of the frequency spectrum S(omega): of the whole sea, of each wave system, measured in the GPU's maps, and of
+//! the buoy's record.
 
 use super::super::App;
 use super::{COLOURS, Table, fixed_plot};
@@ -7,13 +8,13 @@ use egui_plot::{Bar, BarChart, Legend, Line, LineStyle, PlotPoints, VLine};
 
 const POINTS: usize = 240;
 
-/// Highest frequency of the plot, rad/s.
+/// Highest angular frequency of the spectrum plot, rad/s.
 pub fn highest_omega(plan: &Plan) -> f64 {
     let highest = plan.systems.iter().map(|s| s.spectrum.omega_p).fold(plan.omega_p, f64::max);
     (3.5 * plan.omega_p).max(2.0 * highest)
 }
 
-/// Draws the spectra, the peak, and the edges of the cascades.
+/// Plots the spectra, the peak frequency, and the frequencies that separate the cascades. Returns the data as a table.
 pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
     let plan = &app.derived.plan;
     let (low, peak) = (plan.support().0, plan.omega_p);

@@ -1,10 +1,11 @@
-//! Downloads, and local storage for the user's own seas; see desktop.rs for the functions.
+//! Storage of the web page: downloads for saved files, and the browser's local storage for the user's own named seas.
+//! The functions are the same as in desktop.rs.
 
 use super::{SEAS, SEAS_ASIDE};
 use std::path::Path;
 use wasm_bindgen::{JsCast as _, JsValue};
 
-/// Downloads bytes under a name. Returns a message.
+/// Makes the browser download `bytes` as a file called `name`. Returns a message for the user.
 pub fn save(_folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, String> {
     let run = || -> Result<(), JsValue> {
         let parts = js_sys::Array::of1(&js_sys::Uint8Array::from(bytes).into());
@@ -20,20 +21,20 @@ pub fn save(_folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, 
     run().map(|()| format!("downloaded {name}")).map_err(|e| format!("cannot save {name}: {e:?}"))
 }
 
-/// The user's own seas as text, empty without any.
+/// Loads the text of the user's own named seas; empty if there are none.
 pub fn load_seas() -> String {
     storage().and_then(|s| s.get_item(SEAS).ok().flatten()).unwrap_or_default()
 }
 
-/// Backs up the user's own seas under a second key of the browser's storage, before they are written over.
+/// Copies the text of the user's own named seas to a second key of the browser's storage, before it is overwritten.
 ///
 /// # Errors
-/// If the browser refuses to store them.
+/// One sentence, if the browser refuses to store the copy.
 pub fn put_seas_aside() -> Result<(), String> {
     store(SEAS_ASIDE, &load_seas())
 }
 
-/// Stores the user's own seas.
+/// Stores the text of the user's own named seas.
 pub fn store_seas(text: &str) -> Result<(), String> {
     store(SEAS, text)
 }

@@ -1,14 +1,14 @@
-//! Files in the user's folders.
+//! Storage of the desktop window: files in the user's folders.
 
 use super::{SEAS, SEAS_ASIDE};
 use std::io::{ErrorKind, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
-/// Saves bytes under a name in `folder`, else in the user's folder for pictures, else in the current one. Existing
-/// files are kept: the name gets a number. Returns a message that names the file.
+/// Saves bytes as a file in `folder`, else in the user's pictures folder, else in the current folder. If the name is
+/// taken, the new name gets a number. Returns a message with the path.
 ///
 /// # Errors
-/// One sentence with the reason.
+/// One sentence with the reason, if the file cannot be written.
 pub fn save(folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, String> {
     let pictures = || directories::UserDirs::new().and_then(|d| d.picture_dir().map(Path::to_owned));
     let folder = folder.map(Path::to_owned).or_else(pictures).filter(|f| f.is_dir()).unwrap_or_else(|| ".".into());
@@ -26,29 +26,29 @@ pub fn save(folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, S
     Err(format!("there are too many files like {name} in {}", folder.display()))
 }
 
-/// A file name, then the same name with `-2`, `-3` and so on before its extension.
+/// The file name itself, then the same name with `-2`, `-3` and so on before its extension, up to `-999`.
 fn numbered(name: &str) -> impl Iterator<Item = String> {
     let (stem, end) = name.rsplit_once('.').unwrap_or((name, ""));
     std::iter::once(name.to_owned()).chain((2..1000).map(move |i| format!("{stem}-{i}.{end}")))
 }
 
-/// The user's own seas as text, empty without any; invalid UTF-8 is replaced.
+/// Loads the text of the user's own named seas; empty if there is none. Invalid UTF-8 is replaced.
 pub fn load_seas() -> String {
     seas_path().ok().and_then(|path| read_seas(&path)).unwrap_or_default()
 }
 
 fn read_seas(path: &Path) -> Option<String> {
     let mut bytes = Vec::new();
-    // One byte more than the limit, so that the parser notices a longer file.
+    // Reads one byte more than the limit, so that the parser notices a file that is too long.
     let most = crate::state::presets::MAX_FILE_BYTES as u64 + 1;
     std::fs::File::open(path).ok()?.take(most).read_to_end(&mut bytes).ok()?;
     Some(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// Copies the user's own seas to another file, which the program never overwrites.
+/// Copies the file of the user's own named seas to another file, which the program never overwrites.
 ///
 /// # Errors
-/// One sentence with the reason.
+/// One sentence with the reason, if the file cannot be written.
 pub fn put_seas_aside() -> Result<(), String> {
     copy_aside(&seas_path()?)
 }
@@ -59,10 +59,10 @@ fn copy_aside(path: &Path) -> Result<(), String> {
     std::fs::copy(path, &aside).map(drop).map_err(|e| format!("cannot write {}: {e}", aside.display()))
 }
 
-/// Stores the user's own seas.
+/// Stores the text of the user's own named seas.
 ///
 /// # Errors
-/// One sentence with the reason.
+/// One sentence with the reason, if the file cannot be written.
 pub fn store_seas(text: &str) -> Result<(), String> {
     let path = seas_path()?;
     let fault = |e: std::io::Error| format!("cannot write {}: {e}", path.display());
@@ -99,7 +99,7 @@ mod tests {
         copy_aside(&path).expect("another copy");
         assert_eq!(std::fs::read(folder.join(SEAS_ASIDE)).expect("the copy").len(), 50);
         assert!(std::fs::read(folder.join("seas-damaged-2.txt")).expect("the second").is_empty());
-        // A file over the limit is noticed, not silently cut.
+        // A file over the size limit gives a notice; it is not cut silently.
         std::fs::write(&path, "[a]\nstate: wind=3\n".repeat(100_000)).expect("a file");
         let (_, notices) = crate::state::presets::read(&read_seas(&path).expect("text"));
         assert!(notices.iter().any(|n| n.contains("KiB")), "{notices:?}");

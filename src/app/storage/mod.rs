@@ -1,6 +1,7 @@
-//! Files that the program writes: saved pictures and texts, and the user's own seas.
+//! Storage of what the app saves: pictures, texts, and the user's own named seas.
 //!
-//! A desktop has folders; a page has downloads and the browser's local storage. Both modules have the same functions.
+//! The desktop window saves to folders; the web page uses downloads and the browser's local storage. Both modules have
+//! the same functions.
 
 #[cfg(target_arch = "wasm32")]
 mod browser;
@@ -12,7 +13,7 @@ pub use browser::{load_seas, put_seas_aside, save, store_seas};
 #[cfg(not(target_arch = "wasm32"))]
 pub use desktop::{load_seas, put_seas_aside, save, store_seas};
 
-/// File name, or key in the browser's storage, of the user's own seas.
+/// File name of the user's own named seas on the desktop, and their key in the browser's local storage.
 const SEAS: &str = "seas.txt";
-/// File name, or key, of a copy of seas that could only be read in part.
+/// File name, or key in the browser's local storage, for a copy of a damaged list of seas before it is overwritten.
 const SEAS_ASIDE: &str = "seas-damaged.txt";

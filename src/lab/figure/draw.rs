@@ -1,5 +1,5 @@
-//! Draws a figure as SVG. Plotters rounds positions to whole units, so the figure is drawn at four times its size and
-//! scaled down by the view box.
+//! Draws a figure as SVG. The crate plotters rounds positions to whole units, so the figure is drawn at four times its
+//! size and scaled down by the view box.
 
 use super::{Figure, Legend, Mark, Series};
 use plotters::prelude::*;
@@ -9,12 +9,12 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 const FINE: f64 = 4.0;
 const WIDTH: f64 = 640.0;
 const HEIGHT: f64 = 400.0;
-/// Left, top, right and bottom margins, pixels.
+/// Left, top, right and bottom margins around the plot area of a figure, pixels.
 const MARGIN: [f64; 4] = [74.0, 34.0, 18.0, 50.0];
 const INK: RGBColor = RGBColor(34, 40, 49);
 const GRID: RGBColor = RGBColor(225, 229, 234);
 const FAINT: RGBColor = RGBColor(240, 242, 245);
-/// Palette for colour-blind readers (Okabe and Ito 2008).
+/// Colours of the series, distinct for colour-blind readers (Okabe and Ito 2008).
 const COLOURS: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -32,10 +32,10 @@ impl Series {
 }
 
 impl Figure {
-    /// The figure as SVG.
+    /// Draws the figure, and returns the text of an SVG file.
     ///
     /// # Errors
-    /// If plotters cannot draw.
+    /// If the crate plotters cannot draw the figure.
     pub fn svg(&self) -> Result<String, String> {
         let mut text = String::new();
         {
@@ -177,7 +177,7 @@ impl Figure {
         self.axes.iter().zip(point).all(|(axis, v)| v.is_finite() && (-1e-9..=1.0 + 1e-9).contains(&axis.place(v)))
     }
 
-    /// The pieces of a curve inside the frame.
+    /// Splits a curve into its pieces inside the plot area, and drops the points outside.
     fn visible<'a>(&self, points: &'a [[f64; 2]]) -> Vec<&'a [[f64; 2]]> {
         points.split(|&p| !self.holds(p)).filter(|piece| piece.len() > 1).collect()
     }
@@ -194,7 +194,7 @@ fn whole((x, y): (f64, f64)) -> (i32, i32) {
     (units(x), units(y))
 }
 
-/// Dashes of 6 pixels and gaps of 4 along a path.
+/// Cuts a path, in pixels, into dashes of 6 pixels with gaps of 4 pixels. Returns each dash as points in SVG units.
 fn dashes(path: &[(f64, f64)]) -> Vec<Vec<(i32, i32)>> {
     const DASH: f64 = 6.0;
     const PERIOD: f64 = 10.0;

@@ -1,8 +1,8 @@
-//! Figures in one style: axes, curves, points with their errors, shaded ranges, bars.
+//! Figures of the validation page in one style: axes, curves, points with error bars, shaded ranges, histogram bars.
 
 mod draw;
 
-/// An axis: label with unit, range, linear or logarithmic.
+/// An axis of a figure: its label with the unit, its range, and whether it is logarithmic.
 #[derive(Clone, Debug)]
 pub struct Axis {
     label: String,
@@ -11,22 +11,22 @@ pub struct Axis {
     log: bool,
 }
 
-/// The data of a series and how they are drawn.
+/// The data of one series in a figure, and how to draw them.
 #[derive(Clone, Debug)]
 pub enum Mark {
-    /// A curve.
+    /// A solid curve through points (x, y).
     Line(Vec<[f64; 2]>),
-    /// A dashed curve.
+    /// A dashed curve through points (x, y).
     Dashes(Vec<[f64; 2]>),
-    /// x, y and the standard error of y.
+    /// Points with error bars: x, y and the standard error of y.
     Points(Vec<[f64; 3]>),
-    /// x, low and high y.
+    /// A shaded range: x, and the lower and upper y there.
     Band(Vec<[f64; 3]>),
-    /// Low and high x, y.
+    /// Bars of a histogram: lower and upper x of a bar, and its height y.
     Bars(Vec<[f64; 3]>),
 }
 
-/// A series: label, index of its colour, data. A series without a label does not appear in the legend.
+/// A series in a figure: label, index of its colour, data. A series without a label does not appear in the legend.
 #[derive(Clone, Debug)]
 pub struct Series {
     label: String,
@@ -34,14 +34,14 @@ pub struct Series {
     mark: Mark,
 }
 
-/// Corner of the legend.
+/// Corner of the figure in which the legend stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Legend {
-    /// Top left.
+    /// Top left corner.
     Left,
-    /// Top right.
+    /// Top right corner.
     Right,
-    /// Bottom right.
+    /// Bottom right corner.
     LowerRight,
 }
 
@@ -55,17 +55,17 @@ pub struct Figure {
 }
 
 impl Axis {
-    /// A linear axis.
+    /// Creates a linear axis from `low` to `high`.
     pub fn linear(label: &str, low: f64, high: f64) -> Self {
         Self { label: label.to_owned(), low, high, log: false }
     }
 
-    /// A logarithmic axis.
+    /// Creates a logarithmic axis from `low` to `high`.
     pub fn log(label: &str, low: f64, high: f64) -> Self {
         Self { log: true, ..Self::linear(label, low, high) }
     }
 
-    /// Position along the axis, 0 to 1 within its range.
+    /// Position of a value along the axis: 0 at the axis's lower end, 1 at its upper end.
     pub fn place(&self, value: f64) -> f64 {
         if self.log {
             (value.max(1e-30) / self.low).ln() / (self.high / self.low).ln()
@@ -74,12 +74,12 @@ impl Axis {
         }
     }
 
-    /// The nearest value in the range.
+    /// Clamps a value to the range of the axis.
     pub fn clamp(&self, value: f64) -> f64 {
         value.max(self.low).min(self.high)
     }
 
-    /// Values of the grid lines, and whether they carry a number.
+    /// Values at which the axis has grid lines, and whether each grid line carries a number.
     pub fn ticks(&self) -> Vec<(f64, bool)> {
         let inside = |v: f64| (-1e-9..=1.0 + 1e-9).contains(&self.place(v));
         if self.log {
@@ -100,7 +100,7 @@ impl Axis {
         (first..first + 20).map(|i| (i as f64 * step, true)).filter(|&(v, _)| inside(v)).collect()
     }
 
-    /// The text of a number at the axis.
+    /// Formats the number at a grid line of the axis.
     pub fn number(&self, value: f64) -> String {
         if self.log && !(1e-3..1e5).contains(&value) {
             let exponent = value.log10().floor() as i32;
@@ -124,12 +124,12 @@ fn superscript(c: char) -> char {
 }
 
 impl Series {
-    /// A series in a colour of the palette.
+    /// Creates a series. `colour` is an index of the palette.
     pub fn new(label: &str, colour: usize, mark: Mark) -> Self {
         Self { label: label.to_owned(), colour, mark }
     }
 
-    /// The largest y, at least 0.
+    /// The largest y of the series, including error bars and ranges; at least 0.
     pub fn highest(&self) -> f64 {
         match &self.mark {
             Mark::Line(p) | Mark::Dashes(p) => p.iter().map(|p| p[1]).fold(0.0, f64::max),
@@ -139,7 +139,7 @@ impl Series {
     }
 }
 
-/// Samples a function at `count` + 1 points, evenly spaced along an axis.
+/// Samples the function `f` at `count` + 1 points, evenly spaced along an axis (in the logarithm on a logarithmic one).
 pub fn curve(axis: &Axis, count: u32, f: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
     let at = |i: u32| {
         let t = f64::from(i) / f64::from(count);
@@ -149,19 +149,19 @@ pub fn curve(axis: &Axis, count: u32, f: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
 }
 
 impl Figure {
-    /// An empty figure.
+    /// Creates a figure without series.
     pub fn new(title: &str, x: Axis, y: Axis, legend: Legend) -> Self {
         Self { title: title.to_owned(), axes: [x, y], legend, series: vec![] }
     }
 
-    /// Adds a series, drawn over the earlier ones.
+    /// Adds a series. It is drawn over the earlier series.
     #[must_use]
     pub fn with(mut self, series: Series) -> Self {
         self.series.push(series);
         self
     }
 
-    /// The title.
+    /// The title of the figure.
     pub fn title(&self) -> &str {
         &self.title
     }

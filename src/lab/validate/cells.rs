@@ -1,16 +1,16 @@
-//! Numbers as they stand in the cells of the validation page's tables.
+//! Formats numbers for the cells of the validation page's tables.
 
 use crate::lab::estimate::Estimate;
 
-/// Stands in place of a measured number where there is no GPU.
+/// Text of a table cell in place of a measured number if there is no GPU.
 pub const PENDING: &str = "…";
 
-/// A number with this many digits after the point.
+/// Formats a number with `digits` digits after the decimal point.
 pub fn number(value: f64, digits: usize) -> String {
     format!("{:.digits$}", value + 0.0)
 }
 
-/// An estimate and its standard error.
+/// Formats an estimate and its standard error, such as `2.31 ± 0.02`.
 pub fn measured(estimate: Option<Estimate>, digits: usize) -> String {
     estimate.map_or(PENDING.to_owned(), |e| match e.error {
         Some(error) => format!("{:.digits$} ± {error:.digits$}", e.value),
@@ -18,17 +18,17 @@ pub fn measured(estimate: Option<Estimate>, digits: usize) -> String {
     })
 }
 
-/// Difference of an estimate from the expected value, in per cent and in standard errors.
+/// Formats the difference of an estimate from the expected value, in per cent and in standard errors.
 pub fn deviation(estimate: Option<Estimate>, expected: f64) -> String {
     difference(estimate, |value| value - expected, |by| format!("{:+.2} %", 100.0 * by / expected))
 }
 
-/// Difference of an estimate from the expected value, in its unit and in standard errors.
+/// Formats the difference of an estimate from the expected value, in the estimate's unit and in standard errors.
 pub fn offset(estimate: Option<Estimate>, expected: f64) -> String {
     difference(estimate, |value| value - expected, |by| format!("{by:+.4}"))
 }
 
-/// Difference of an estimated angle from the expected one, in degrees and in standard errors.
+/// Formats the difference of an estimated angle from the expected angle, in degrees and in standard errors.
 pub fn turned(estimate: Option<Estimate>, expected: f64) -> String {
     difference(estimate, |value| (value - expected + 540.0).rem_euclid(360.0) - 180.0, |by| format!("{by:+.2}°"))
 }
@@ -41,7 +41,7 @@ fn difference(estimate: Option<Estimate>, by: impl Fn(f64) -> f64, text: impl Fn
     })
 }
 
-/// Difference of the program's number from a published one, in per cent.
+/// Formats the difference of the program's number from a published number, in per cent.
 pub fn against(ours: f64, published: f64) -> String {
     format!("{:+.1} %", 100.0 * (ours / published - 1.0))
 }

@@ -1,4 +1,4 @@
-//! `seastate validate --all`: every spectrum with every spreading in thirteen sea states, measured on the GPU.
+//! `seastate validate --all`: measures every spectrum with every directional spreading in thirteen sea states.
 
 use super::cells::{deviation, measured, number, turned};
 use super::measurement::Measurement;
@@ -7,7 +7,7 @@ use crate::gpu::Gpu;
 use crate::lab::estimate::Estimate;
 use crate::lab::page::Page;
 
-/// Wind (m/s), fetch (km), depth (m): from calm to hurricane, from deep water to 3 m.
+/// The thirteen sea states: wind (m/s), fetch (km), depth (m), from calm to hurricane and from deep water to 3 m.
 pub const STATES: [(f64, f64, f64); 13] = [
     (1.5, 2.0, 4000.0),
     (3.0, 10.0, 4000.0),
@@ -24,12 +24,12 @@ pub const STATES: [(f64, f64, f64); 13] = [
     (45.0, 800.0, 200.0),
 ];
 
-/// Compares measured with resolved numbers.
+/// Comparisons of measured statistics with those of the resolved waves, collected over all sea states.
 #[derive(Default)]
 struct Comparisons {
-    /// Differences in standard errors.
+    /// Difference between each measured and resolved statistic, in standard errors.
     errors: Vec<f64>,
-    /// Sentences about differences beyond 4 standard errors.
+    /// A line of text for each difference beyond 4 standard errors.
     outliers: Vec<String>,
 }
 
@@ -48,10 +48,10 @@ impl Comparisons {
     }
 }
 
-/// The page of all seas whose state string contains `only`.
+/// Builds the page, with a table row for each combination whose state string contains `only`.
 ///
 /// # Errors
-/// If no state string does, or the GPU does not give its memory back.
+/// If no state string contains `only`, or reading back from the GPU fails.
 pub fn build(gpu: &Gpu, seeds: u32, only: &str) -> Result<Page, String> {
     let lab = Measurement { gpu: Some(gpu), seeds };
     let (mut rows, mut comparisons) = (Vec::new(), Comparisons::default());

@@ -1,4 +1,4 @@
-//! Part 5: water of finite depth.
+//! Part 5 of the validation page: wave height in water of finite depth.
 
 use super::cells::{against, deviation, measured, number};
 use super::measurement::{Measurement, theory};
@@ -7,14 +7,14 @@ use crate::lab::page::Page;
 
 const WIND: &str = "wind=20&fetch=300&n=128";
 const DEPTHS_M: [f64; 10] = [2.0, 3.0, 5.0, 8.0, 12.0, 20.0, 30.0, 50.0, 100.0, 200.0];
-/// The forms of TMA's depth factor: name and state string.
+/// The three forms of the TMA spectrum's depth factor: name and state string.
 const FORMS: [(&str, &str); 3] =
     [("exact", "spectrum=tma"), ("branches", "spectrum=tma&tmafit=branches"), ("Bouws", "spectrum=tma&bouws=1")];
 
-/// Writes the part.
+/// Writes part 5 of the validation page.
 ///
 /// # Errors
-/// If the GPU does not give its memory back, or a figure cannot be drawn.
+/// If reading back from the GPU fails, or a figure cannot be drawn.
 pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     page.heading(2, "5. Depth");
     page.prose(

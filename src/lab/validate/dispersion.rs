@@ -1,4 +1,4 @@
-//! Part 3: the speed of single waves.
+//! Part 3 of the validation page: the phase speed of single waves.
 
 use super::cells::{PENDING, number};
 use super::measurement::{Measurement, lattice, params};
@@ -8,8 +8,8 @@ use crate::lab::page::Page;
 use crate::waves::Plan;
 use std::f64::consts::TAU;
 
-/// Name in the table, state string, and label in the figure. All waves run with the wind, so that a coefficient of the
-/// transform belongs to one wave.
+/// The measured seas: name in the table, state string, and label in the figure. No wave runs against the wind, so that
+/// each coefficient of the Fourier transform belongs to one wave.
 const SEAS: [(&str, &str, &str); 6] = [
     ("deep", "dispersion=deep&wind=12&fetch=300", "deep"),
     ("2 m", "depth=2&wind=12&fetch=300", "2 m of water"),
@@ -23,19 +23,19 @@ const SEAS: [(&str, &str, &str); 6] = [
     ),
 ];
 const COMMON: &str = "spread=cos2-positive&dir=270&n=128&seed=1";
-/// Least amplitude of a measured wave as a share of the largest of its cascade. In weaker waves, rounding in f32 shows.
+/// Smallest amplitude of a measured wave, relative to its cascade's largest. Weaker waves suffer from f32 rounding.
 const LEAST_AMPLITUDE: f64 = 5e-3;
-/// Phase advance of the fastest wave of a cascade between the two times, rad.
+/// Phase advance of the fastest wave of a cascade between the two read-backs, rad.
 const ADVANCE_RAD: f64 = 2.5;
-/// Points of the figure per decade of the wave number.
+/// Number of points in the figure per decade of the wave number.
 const PER_DECADE: f64 = 8.0;
 
-/// Wave number (rad/m), phase speed (m/s), and amplitude relative to the largest of the wave's cascade.
+/// A measured wave: wave number (rad/m), phase speed (m/s), and amplitude relative to the largest in its cascade.
 type MeasuredWave = [f64; 3];
 
-/// Phase speeds from the angle between the coefficients of two transforms; `None` without a GPU.
+/// Measures phase speeds by the phase advance of Fourier coefficients between two times; `None` without a GPU.
 fn speeds(lab: &Measurement<'_>, plan: &Plan) -> Result<Option<Vec<MeasuredWave>>, String> {
-    // The clock counts 2^-32 periods. It represents multiples of a tick exactly.
+    // The clock counts ticks of 2^-32 periods, so it represents multiples of a tick exactly.
     let tick = plan.period_s / 4_294_967_296.0;
     let mut all = Vec::new();
     let n = plan.n as usize;
@@ -45,13 +45,13 @@ fn speeds(lab: &Measurement<'_>, plan: &Plan) -> Result<Option<Vec<MeasuredWave>
         let [before, after] = [0, 1].map(|i| transform_of_heights(n, maps[i].displacement(c)));
         let mut found = Vec::new();
         for (ix, iz, k) in lattice(plan, cascade) {
-            // Within 60 degrees of the wind, which blows towards +x.
+            // Only waves within 60 degrees of the wind count. The wind blows towards +x.
             if f64::from(ix) * cascade.dk() < 0.5 * k {
                 continue;
             }
             let at = iz.rem_euclid(n as i32) as usize * n + ix as usize;
             let (a, b) = (before[at], after[at]);
-            // The coefficients are conjugates: their phase grows with omega t.
+            // The coefficients are complex conjugates, so their phase grows with omega t.
             let turn = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]).rem_euclid(TAU);
             found.push([k, turn / (ticks * tick) / k, a[0].hypot(a[1])]);
         }
@@ -61,7 +61,7 @@ fn speeds(lab: &Measurement<'_>, plan: &Plan) -> Result<Option<Vec<MeasuredWave>
     Ok(Some(all))
 }
 
-/// The strongest wave in each bin of the wave number, as points of the figure.
+/// Picks the strongest wave in each bin of the wave number, as points (k, phase speed, 0) for the figure.
 fn thinned(waves: &[MeasuredWave]) -> Vec<[f64; 3]> {
     let bin = |wave: &MeasuredWave| (wave[0].log10() * PER_DECADE).floor();
     let mut sorted = waves.to_vec();
@@ -70,10 +70,10 @@ fn thinned(waves: &[MeasuredWave]) -> Vec<[f64; 3]> {
     sorted.chunk_by(|a, b| bin(a) == bin(b)).filter_map(strongest).map(|[k, c, _]| [k, c, 0.0]).collect()
 }
 
-/// Writes the part.
+/// Writes part 3 of the validation page.
 ///
 /// # Errors
-/// If the GPU does not give its memory back, or a figure cannot be drawn.
+/// If reading back from the GPU fails, or a figure cannot be drawn.
 pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     let x = Axis::log("wave number k, rad/m", 0.01, 6000.0);
     let y = Axis::log("phase speed ω/k, m/s", 0.1, 40.0);

@@ -1,5 +1,4 @@
-//! Measurements for the validation page: ensembles over seeds with the variance of their waves sorted into bins, foam,
-//! maps.
+//! Measurements for the validation page: statistics over seeds, the variance of waves in bins, foam and wave maps.
 
 use crate::gpu::Gpu;
 use crate::lab::ensemble::{self, MeasuredStatistics, TravellingWave};
@@ -12,68 +11,69 @@ use crate::waves::plan::Cascade;
 use crate::waves::statistics::{Resolved, Theory};
 use crate::waves::table::{Table, index};
 
-/// Measures seas for the page.
+/// Measures seas for the validation page, over ensembles of seeds.
 pub struct Measurement<'a> {
-    /// The GPU; `None` leaves all measurements out.
+    /// The GPU to measure on; `None` leaves all measurements out.
     pub gpu: Option<&'a Gpu>,
-    /// Seeds of an ensemble.
+    /// Number of seeds in an ensemble.
     pub seeds: u32,
 }
 
 /// A sea with its theoretical, resolved and measured statistics.
 pub struct MeasuredSea {
-    /// The plan.
+    /// The plan of the sea: its wave systems and cascades.
     pub plan: Plan,
-    /// Integrals of the spectrum.
+    /// Statistics by theory, from integrals of the spectrum.
     pub theory: Theory,
-    /// Sums over the waves on the lattices.
+    /// Statistics of the resolved waves, from sums over the FFT grids of the cascades.
     pub resolved: Resolved,
-    /// Means over the seeds; `None` without a GPU.
+    /// Statistics measured on the GPU, averaged over the seeds; `None` without a GPU.
     pub measured: Option<MeasuredStatistics>,
-    /// The waves, sorted into bins.
+    /// Variance of the waves in each bin of frequency or direction.
     pub bins: Vec<WaveBin>,
 }
 
-/// The waves in a bin. Each triple holds the variance, m^2, and the variance times the unit vector of travel (x, z).
+/// Variance of the waves in a bin of frequency or direction. Each triple holds the variance, m^2, and the variance
+/// times the unit vector (x, z) of the direction of travel.
 #[derive(Clone, Debug, Default)]
 pub struct WaveBin {
-    /// Expected from the lattices.
+    /// Expected variance of the resolved waves, m^2, and this variance times the unit vector (x, z) of travel.
     pub expected: [f64; 3],
-    /// Measured, one triple for each seed.
+    /// Measured variance, m^2, and this variance times the unit vector (x, z) of travel, for each seed.
     pub measured: Vec<[f64; 3]>,
 }
 
-/// Parses a state of the page.
+/// Parses a state string of the validation page.
 ///
 /// # Errors
-/// If the state string is not taken as written.
+/// If the parser gives a notice about the state string.
 pub fn params(state: &str) -> Result<Params, String> {
     let (params, notices) = query::parse(state);
     if notices.is_empty() { Ok(params) } else { Err(format!("{state}: {}", notices.join("; "))) }
 }
 
-/// Theoretical statistics of a state of the page.
+/// Computes the statistics of a state string by theory.
 ///
 /// # Errors
-/// If the state string is not taken as written.
+/// If the parser gives a notice about the state string.
 pub fn theory(state: &str) -> Result<Theory, String> {
     Ok(Theory::new(&Plan::new(&params(state)?)))
 }
 
 impl Measurement<'_> {
-    /// Theory and measurement of a state.
+    /// Computes the statistics of a state string by theory and for the resolved waves, and measures them on the GPU.
     ///
     /// # Errors
-    /// If the state is wrong, or the GPU does not give its memory back.
+    /// If the state string is wrong, or reading back from the GPU fails.
     pub fn sea(&self, state: &str) -> Result<MeasuredSea, String> {
         self.binned_sea(state, 0, &|_| None)
     }
 
-    /// Theory and measurement of a state, with its waves sorted into `bins` bins; `bin_of` gives the bin of a wave, or
-    /// `None` for a wave outside of all bins.
+    /// Computes and measures the statistics of a state string, and sorts its waves into `bins` bins. `bin_of` gives the
+    /// bin of a wave, or `None` for a wave outside of all bins.
     ///
     /// # Errors
-    /// If the state is wrong, or the GPU does not give its memory back.
+    /// If the state string is wrong, or reading back from the GPU fails.
     pub fn binned_sea(
         &self,
         state: &str,
@@ -111,10 +111,10 @@ impl Measurement<'_> {
         Ok(MeasuredSea { plan, theory, resolved, measured, bins })
     }
 
-    /// Mean foam over all levels after a cold start, over `seeds` seeds; `None` without a GPU.
+    /// Measures the mean foam coverage (0 to 1) over all foam levels and over `seeds` seeds; `None` without a GPU.
     ///
     /// # Errors
-    /// If the state is wrong, or the GPU does not give its memory back.
+    /// If the state string is wrong, or reading back from the GPU fails.
     pub fn foam(&self, state: &str, seeds: u32) -> Result<Option<Estimate>, String> {
         let Some(gpu) = self.gpu else { return Ok(None) };
         let mut means = Vec::new();
@@ -126,10 +126,10 @@ impl Measurement<'_> {
         Ok(Some(Estimate::mean(&means)))
     }
 
-    /// The maps of a plan at several times, s; `None` without a GPU.
+    /// Reads back the wave maps of a plan at several times, s; `None` without a GPU.
     ///
     /// # Errors
-    /// If the GPU does not give its memory back.
+    /// If reading back from the GPU fails.
     pub fn maps(&self, plan: &Plan, times: &[f64]) -> Result<Option<Vec<MapsF32>>, String> {
         let Some(gpu) = self.gpu else { return Ok(None) };
         let mut sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
@@ -139,18 +139,18 @@ impl Measurement<'_> {
 }
 
 impl MeasuredSea {
-    /// A measured quantity; `None` without a GPU.
+    /// One of the measured statistics; `None` without a GPU.
     pub fn get(&self, quantity: impl Fn(&MeasuredStatistics) -> Estimate) -> Option<Estimate> {
         self.measured.as_ref().map(quantity)
     }
 
-    /// The measured mean direction that the waves come from, degrees; `None` without a GPU or a mean direction.
+    /// Measured mean direction that the waves come from, degrees from north; `None` without a GPU or a mean direction.
     pub fn direction_deg(&self) -> Option<Estimate> {
         self.measured.as_ref().and_then(|m| m.from_deg)
     }
 }
 
-/// Visits every wave of a plan with its expected variance.
+/// Calls `visit` for every wave on the FFT grids of a plan, with its expected variance.
 pub fn expected_waves(plan: &Plan, visit: &mut dyn FnMut(&TravellingWave)) {
     for cascade in &plan.cascades {
         let table = Table::new(plan, cascade);
@@ -162,7 +162,7 @@ pub fn expected_waves(plan: &Plan, visit: &mut dyn FnMut(&TravellingWave)) {
     }
 }
 
-/// Signed indices (x, z) and wave numbers, rad/m, of the waves of a cascade.
+/// Iterates over the waves of a cascade: signed grid indices (x, z) and wave number, rad/m.
 pub fn lattice<'a>(plan: &Plan, cascade: &'a Cascade) -> impl Iterator<Item = (i32, i32, f64)> + 'a {
     let half = plan.n as i32 / 2;
     let all = (1 - half..half).flat_map(move |iz| (1 - half..half).map(move |ix| (ix, iz)));

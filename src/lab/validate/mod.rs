@@ -1,6 +1,6 @@
 //! `seastate validate`: the page that compares the program's numbers with theory and with published measurements.
 //!
-//! Without a GPU only the measured cells are missing: the tests compare the rest with docs/validation.md.
+//! Without a GPU only the measured table cells are missing; the tests compare all others with docs/validation.md.
 
 pub mod cells;
 pub mod combinations;
@@ -18,13 +18,13 @@ use crate::gpu::Gpu;
 use crate::state::fields::{self, FieldKind};
 use measurement::Measurement;
 
-/// The parts of the page, in order.
+/// Names of the parts of the validation page, in order.
 pub const PARTS: [&str; 6] = ["spectra", "spreading", "dispersion", "published", "depth", "surface"];
 
-/// The page with the given parts. Without a GPU its measured cells are [`cells::PENDING`].
+/// Builds the validation page from the given parts. Without a GPU its measured table cells hold [`cells::PENDING`].
 ///
 /// # Errors
-/// If the GPU does not give its memory back, or a figure cannot be drawn.
+/// If reading back from the GPU fails, or a figure cannot be drawn.
 pub fn build(gpu: Option<&Gpu>, seeds: u32, parts: &[&str]) -> Result<Page, String> {
     let lab = Measurement { gpu, seeds };
     let mut page = Page::default();
@@ -67,7 +67,7 @@ fn introduce(page: &mut Page, lab: &Measurement<'_>) {
     }
 }
 
-/// The words of a choice field, without `measured`.
+/// The values that a choice parameter such as `spectrum` can have in the state string, without `measured`.
 pub fn words(key: &str) -> Vec<&'static str> {
     match fields::find(key).map(|f| f.kind) {
         Some(FieldKind::Choice(words)) => words.iter().copied().filter(|w| *w != "measured").collect(),

@@ -1,4 +1,4 @@
-//! Part 4: published measurements of growth with fetch, of full development, and the Beaufort scale.
+//! Part 4 of the validation page: published measurements of growth with fetch and full development; the Beaufort scale.
 
 use super::cells::{against, number};
 use super::measurement::theory;
@@ -7,13 +7,13 @@ use crate::lab::page::Page;
 use std::f64::consts::TAU;
 
 const G: f64 = 9.81;
-/// Wind of the growth curves, m/s. The curves are dimensionless, so every wind gives the same.
+/// Wind speed for the growth curves, m/s. The curves are dimensionless, so every wind speed gives the same curves.
 const WIND: f64 = 10.0;
-/// Wind at 19.5 m over wind at 10 m.
+/// Wind speed at a height of 19.5 m divided by that at 10 m.
 const U19: f64 = 1.026;
 
-/// Beaufort force, middle of its winds (m/s), probable and probable highest wave height (m; WMO-No. 306 and Met
-/// Office).
+/// Beaufort number, middle of its range of wind speeds (m/s), probable wave height and probable highest wave height (m;
+/// WMO-No. 306 and Met Office).
 const BEAUFORT: [(u32, f64, f64, f64); 10] = [
     (3, 4.4, 0.6, 1.0),
     (4, 6.7, 1.0, 1.5),
@@ -26,28 +26,29 @@ const BEAUFORT: [(u32, f64, f64, f64); 10] = [
     (11, 30.55, 11.5, 16.0),
     (12, 35.0, 14.0, f64::NAN),
 ];
-/// Upper ends of the sea states 0 to 8, m (WMO code table 3700).
+/// Largest wave height in each of the sea states 0 to 8, m (WMO code table 3700).
 const SEA_STATES: [f64; 9] = [0.0, 0.1, 0.5, 1.25, 2.5, 4.0, 6.0, 9.0, 14.0];
 
-/// The program's dimensionless energy m0 g^2 / U^4 and peak frequency f_p U / g at a dimensionless fetch g F / U^2.
+/// Dimensionless energy m0 g^2 / U^4 and peak frequency f_p U / g of the program's spectrum at the dimensionless fetch
+/// `x` = g F / U^2.
 fn grown(spectrum: &str, x: f64) -> Result<[f64; 2], String> {
     let fetch_km = x * WIND * WIND / G / 1000.0;
     let t = theory(&format!("spectrum={spectrum}&wind={WIND}&fetch={fetch_km}&n=64"))?;
     Ok([t.m0_m2 * G * G / WIND.powi(4), WIND / (G * t.tp_s)])
 }
 
-/// Published dimensionless energy and peak frequency: Hasselmann et al. 1973.
+/// Published dimensionless energy and peak frequency at the dimensionless fetch `x`: Hasselmann et al. 1973.
 fn jonswap(x: f64) -> [f64; 2] {
     [1.6e-7 * x, 3.5 * x.powf(-0.33)]
 }
 
-/// Published dimensionless energy and peak frequency: Donelan, Hamilton and Hui 1985.
+/// Published dimensionless energy and peak frequency at the dimensionless fetch `x`: Donelan, Hamilton and Hui 1985.
 fn donelan(x: f64) -> [f64; 2] {
     let age = 11.6 * x.powf(-0.23);
     [2.74e-3 * age.powf(-3.3), age / TAU]
 }
 
-/// Writes the part.
+/// Writes the first half of part 4 of the validation page.
 ///
 /// # Errors
 /// If a figure cannot be drawn.

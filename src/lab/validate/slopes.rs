@@ -1,4 +1,4 @@
-//! Part 4, continued: slopes and whitecaps against wind.
+//! Part 4 of the validation page, continued: mean square slope and whitecap coverage against wind.
 
 use super::cells::{against, deviation, measured, number};
 use super::measurement::{Measurement, params, theory};
@@ -8,19 +8,21 @@ use crate::waves::Plan;
 use crate::waves::foam::FoamModel;
 use crate::waves::statistics::{cox_munk_mss, monahan_coverage};
 
-/// Winds of the tables, m/s: of `jonswap`, of all other spectra, and of the foam of `jonswap`.
+/// Wind speeds at which the slopes of the spectrum `jonswap` are measured, m/s.
 const WINDS: [f64; 7] = [2.0, 5.0, 8.0, 10.0, 12.0, 14.0, 20.0];
+/// Wind speeds at which all other spectra are measured, m/s.
 const FEW_WINDS: [f64; 2] = [5.0, 10.0];
+/// Wind speeds at which the foam of the spectrum `jonswap` is measured, m/s.
 const FOAM_WINDS: [f64; 7] = [5.0, 7.0, 10.0, 12.0, 15.0, 20.0, 25.0];
-/// Scatter of Cox and Munk's mean square slopes.
+/// Scatter (±) of the mean square slopes that Cox and Munk measured in 1954.
 const SCATTER: f64 = 0.004;
-/// Seeds of the foam; each takes 48 evaluations of the waves.
+/// Number of seeds for which foam is measured. Each seed takes 48 evaluations of the waves.
 const FOAM_SEEDS: u32 = 3;
 
-/// Writes the part.
+/// Writes the second half of part 4 of the validation page.
 ///
 /// # Errors
-/// If the GPU does not give its memory back, or a figure cannot be drawn.
+/// If reading back from the GPU fails, or a figure cannot be drawn.
 pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     slopes(page, lab)?;
     whitecaps(page, lab)
@@ -61,7 +63,7 @@ fn slopes(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     Ok(())
 }
 
-/// Cox and Munk's slopes, and the slopes that the cascades hold by theory.
+/// Draws Cox and Munk's mean square slopes, and by theory those of the waves that the cascades resolve, against wind.
 fn slope_figure() -> Result<Figure, String> {
     let x = Axis::linear("wind at 10 m, m/s", 0.0, 25.0);
     let y = Axis::log("mean square slope", 5e-4, 1.0);
@@ -80,7 +82,7 @@ fn slope_figure() -> Result<Figure, String> {
     Ok(figure)
 }
 
-/// The rows of the table, and the measured points of `jonswap`.
+/// Rows of the table of mean square slopes, and the measured points of the spectrum `jonswap` for the figure.
 fn slope_rows(lab: &Measurement<'_>) -> Result<(Vec<Vec<String>>, Vec<[f64; 3]>), String> {
     let (mut rows, mut points) = (Vec::new(), Vec::new());
     for name in ["jonswap", "elfouhaily", "donelan", "torsethaugen"] {

@@ -1,4 +1,4 @@
-//! Part 1: the twelve frequency spectra.
+//! Part 1 of the validation page: the twelve frequency spectra.
 
 use super::cells::{deviation, measured, number, turned};
 use super::measurement::{MeasuredSea, Measurement, WaveBin};
@@ -10,25 +10,25 @@ use crate::lab::page::Page;
 use crate::waves::quadrature::panels;
 use std::f64::consts::TAU;
 
-/// State string of this part, without the spectrum.
+/// State string of all seas in this part, to which `spectrum=` is added.
 const STATE: &str = "wind=10&fetch=100&dir=240&n=256";
-/// Range of the figures and of the bins, rad/s.
+/// Range of angular frequency in the figures and of the frequency bins, rad/s.
 const RANGE: (f64, f64) = (0.3, 100.0);
-/// Number of bins, equally wide in the logarithm of the frequency.
+/// Number of frequency bins, equally wide in the logarithm of the frequency.
 const BINS: usize = 72;
 
-/// Lower edge of a bin, rad/s.
+/// Lower edge of frequency bin `i`, rad/s.
 fn edge(i: usize) -> f64 {
     RANGE.0 * (RANGE.1 / RANGE.0).powf(i as f64 / BINS as f64)
 }
 
-/// The bin of a wave.
+/// Index of the frequency bin that contains a wave; `None` if the wave is out of range.
 fn bin(wave: &TravellingWave) -> Option<usize> {
     let place = (wave.omega / RANGE.0).ln() / (RANGE.1 / RANGE.0).ln() * BINS as f64;
     (place >= 0.0 && place < BINS as f64).then_some(place as usize)
 }
 
-/// A quantity of a table: title, digits after the point, and its theoretical, resolved and measured value.
+/// A statistic with a table on the page: title, digits after the point, theoretical, resolved and measured value.
 type Quantity = (&'static str, usize, fn(&MeasuredSea) -> (f64, f64, Option<Estimate>));
 
 const QUANTITIES: [Quantity; 6] = [
@@ -42,18 +42,18 @@ const QUANTITIES: [Quantity; 6] = [
     ("Directional spread, degrees", 2, |s| (s.theory.spread_deg, s.resolved.spread_deg, s.get(|m| m.spread_deg))),
 ];
 
-/// Theoretical mean of S over each bin, m^2 s.
+/// Theoretical spectral density S(omega), averaged over each frequency bin, m^2 s.
 fn densities(sea: &MeasuredSea) -> Vec<f64> {
     let mean = |i| panels(|w| sea.plan.density(w), &[edge(i), edge(i + 1)], 2) / (edge(i + 1) - edge(i));
     (0..BINS).map(mean).collect()
 }
 
-/// Expected mean of S over each bin, from the lattices, m^2 s.
+/// Expected spectral density of the resolved waves, averaged over each frequency bin, m^2 s.
 fn expected(sea: &MeasuredSea) -> Vec<f64> {
     sea.bins.iter().enumerate().map(|(i, b)| b.expected[0] / (edge(i + 1) - edge(i))).collect()
 }
 
-/// Peak period of binned densities by Young 1995, s.
+/// Peak period of a spectrum given by its frequency bins, by the formula of Young 1995, s.
 fn peak_period(density: &[f64]) -> f64 {
     let sum = |power: i32| {
         let term =
@@ -63,7 +63,7 @@ fn peak_period(density: &[f64]) -> f64 {
     TAU * sum(0) / sum(1)
 }
 
-/// Peak period of the mean densities over the seeds, s.
+/// Peak period of the measured spectrum, averaged over the seeds, s.
 fn measured_peak_period(sea: &MeasuredSea) -> Estimate {
     Estimate::jackknife(sea.bins[0].measured.len(), |left_out| {
         let sum = |bin: &WaveBin| -> f64 {
@@ -74,7 +74,7 @@ fn measured_peak_period(sea: &MeasuredSea) -> Estimate {
     })
 }
 
-/// Measured densities of the bins that the cascades hold completely.
+/// Measured spectral density, as points of the figure, in those frequency bins that the cascades cover completely.
 fn points(sea: &MeasuredSea) -> Vec<[f64; 3]> {
     let held = sea.plan.resolved_bands();
     let waves = sea.plan.dispersion;
@@ -103,10 +103,10 @@ fn figure(name: &str, sea: &MeasuredSea) -> Figure {
     figure.with(Series::new("measured on the GPU", 1, Mark::Points(points(sea))))
 }
 
-/// Writes the part.
+/// Writes part 1 of the validation page.
 ///
 /// # Errors
-/// If the GPU does not give its memory back, or a figure cannot be drawn.
+/// If reading back from the GPU fails, or a figure cannot be drawn.
 pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     let mut seas = Vec::new();
     for name in words("spectrum") {

@@ -1,4 +1,4 @@
-//! Part 2: the seven directional spreadings.
+//! Part 2 of the validation page: the seven directional spreadings.
 
 use super::cells::{deviation, measured, number, turned};
 use super::measurement::{MeasuredSea, Measurement, WaveBin};
@@ -11,33 +11,35 @@ use crate::waves::quadrature::{adaptive, panels};
 use crate::waves::{Plan, statistics};
 use std::f64::consts::{PI, TAU};
 
-/// State string that this part measures, to which each `spread=` is appended.
+/// State string of all seas in this part, to which `spread=` is added.
 const STATE: &str = "wind=10&fetch=100&dir=240&n=256";
-/// Centres of the frequency bands over the peak frequency, and half the width of a band over its centre.
+/// Centre frequency of each measured band, relative to the peak frequency.
 const RATIOS: [f64; 3] = [1.0, 2.0, 4.0];
+/// Half the width of a frequency band, relative to its centre frequency.
 const HALF_WIDTH: f64 = 0.1;
-/// Bins of the angle, equally wide over the circle.
+/// Number of direction bins, equally wide over the full circle.
 const ANGLES: usize = 24;
 
-/// Angle from the system's direction of travel, rad in (-pi, pi], positive clockwise seen from above.
+/// Angle of the unit vector (x, z) from the downwind direction, rad in (-pi, pi], positive clockwise seen from above.
 fn angle(plan: &Plan, unit: [f64; 2]) -> f64 {
     let [x, z] = plan.downwind;
     (x * unit[1] - z * unit[0]).atan2(x * unit[0] + z * unit[1])
 }
 
-/// Angle in the middle of a bin, rad.
+/// Angle at the middle of a direction bin, rad.
 fn middle(bin: usize) -> f64 {
     (bin as f64 + 0.5) / ANGLES as f64 * TAU - PI
 }
 
-/// Mean of a quantity over the band around a frequency (rad/s), weighted by S.
+/// Mean of `f` over the frequency band around `omega` (rad/s), weighted by the spectral density.
 fn band_mean(plan: &Plan, omega: f64, f: impl Fn(f64) -> f64) -> f64 {
     let ends = [(1.0 - HALF_WIDTH) * omega, 0.95 * omega, omega, (1.0 + HALF_WIDTH) * omega];
     let s = |w: f64| plan.density(w);
     panels(|w| s(w) * f(w), &ends, 1) / panels(s, &ends, 1)
 }
 
-/// The integral of D over the circle, and the first directional moment, of a band by theory.
+/// Theory of the band at `ratio` times the peak frequency: the spreading's integral over the circle, and the first
+/// directional moment.
 fn theory(plan: &Plan, ratio: f64) -> [f64; 2] {
     let spreading = &plan.systems[0].spreading;
     let omega = ratio * plan.omega_p;
@@ -46,7 +48,7 @@ fn theory(plan: &Plan, ratio: f64) -> [f64; 2] {
     [integral, band_mean(plan, omega, |w| spreading.first_moment(w))]
 }
 
-/// The figure of a spreading; `even` is the sea with isotropic spreading.
+/// The figure of one directional spreading. `even` is the sea with isotropic spreading, for comparison.
 fn figure(name: &str, sea: &MeasuredSea, even: &MeasuredSea) -> Figure {
     let x = Axis::linear("angle from the wind's direction, degrees", -180.0, 180.0);
     let spreading = &sea.plan.systems[0].spreading;
@@ -66,8 +68,8 @@ fn figure(name: &str, sea: &MeasuredSea, even: &MeasuredSea) -> Figure {
     curves.into_iter().chain(points).fold(Figure::new(name, x, y, Legend::Right), Figure::with)
 }
 
-/// Measured D in the angle bins of a band: the variance of a bin, divided by the variance of the same waves in the even
-/// sea, whose D is 1 / (2 pi). The ratio does not depend on the number of lattice waves in a bin.
+/// Measured directional spreading D, 1/rad, in the direction bins of a frequency band: the variance of a bin over that
+/// of the same waves in the isotropic sea `even`, whose D is 1 / (2 pi). The number of grid waves cancels.
 fn measured_density(sea: &MeasuredSea, even: &MeasuredSea, band: usize) -> Vec<[f64; 3]> {
     let point = |i: usize| {
         let at = band * ANGLES + i;
@@ -77,10 +79,10 @@ fn measured_density(sea: &MeasuredSea, even: &MeasuredSea, band: usize) -> Vec<[
     (0..ANGLES).map(point).collect()
 }
 
-/// Writes the part.
+/// Writes part 2 of the validation page.
 ///
 /// # Errors
-/// If the GPU does not give its memory back, or a figure cannot be drawn.
+/// If reading back from the GPU fails, or a figure cannot be drawn.
 pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     let mut seas = Vec::new();
     for name in words("spread") {
@@ -139,7 +141,7 @@ fn row(name: &str, sea: &MeasuredSea, band: usize, ratio: f64) -> Vec<String> {
         let seeds: Vec<[f64; 3]> = (0..bins[0].measured.len()).map(|seed| total(&|b| b.measured[seed])).collect();
         let variance: Vec<f64> = seeds.iter().map(|s| s[0]).collect();
         let [x, z] = sea.plan.downwind;
-        // Components along the wind's direction and across it.
+        // Components of the directional moments along the wind and across it.
         let along: Vec<f64> = seeds.iter().map(|s| x * s[1] + z * s[2]).collect();
         let across: Vec<f64> = seeds.iter().map(|s| x * s[2] - z * s[1]).collect();
         spread = Some(spread_deg(Estimate::ratio(&along, &variance)));

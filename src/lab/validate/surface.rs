@@ -1,4 +1,4 @@
-//! Part 6: the distribution of the surface's elevation.
+//! Part 6 of the validation page: the probability distribution of the surface's elevation.
 
 use super::cells::{measured, number, offset};
 use super::measurement::{Measurement, expected_waves, params};
@@ -10,16 +10,17 @@ use crate::waves::Plan;
 use std::f64::consts::TAU;
 
 const STATE: &str = "wind=15&fetch=300&n=128";
-/// Half the range of the histogram in standard deviations, and its number of bins.
+/// Half the range of the elevation's histogram, in standard deviations of the elevation.
 const HALF_RANGE: f64 = 5.0;
+/// Number of bins of the elevation's histogram.
 const BINS: usize = 50;
 
-/// Exact distribution of the elevation of a Gaussian sea with horizontal displacement: phi(u) E[J | u], where u is the
-/// elevation over its standard deviation and J the Jacobian.
+/// Exact probability density of the elevation of a Gaussian sea with horizontal displacement: phi(u) E[J | u]. Here u
+/// is the elevation over its standard deviation sigma, phi the standard normal density and J the Jacobian.
 ///
-/// Elevation and strain are jointly Gaussian, so that E[J | u] = 1 - s1 u + s2 (u^2 - 1), with s1 = lambda (a + b) /
-/// sigma and s2 = lambda^2 (a b - c^2) / m0, where a, b, c are the sums of kx^2/k, kz^2/k and kx kz/k (times the orbit)
-/// over the variance. (The covariances of the strains among themselves cancel in the determinant.)
+/// Elevation and strain are jointly Gaussian, so E[J | u] = 1 - s1 u + s2 (u^2 - 1), with s1 = lambda (a + b) / sigma,
+/// s2 = lambda^2 (a b - c^2) / sigma^2 and the choppiness lambda. a, b and c sum kx^2/k, kz^2/k and kx kz/k over the
+/// waves, times each wave's variance and orbit ratio coth(k h). Covariances of strains cancel in the determinant.
 struct ChoppyDistribution {
     sigma: f64,
     s1: f64,
@@ -43,13 +44,13 @@ impl ChoppyDistribution {
         (-0.5 * u * u).exp() / TAU.sqrt() * (1.0 - self.s1 * u + self.s2 * (u * u - 1.0))
     }
 
-    /// Mean and standard deviation in units of sigma, skewness and kurtosis.
+    /// Mean and standard deviation (in units of sigma), skewness and kurtosis of the elevation.
     fn shape(&self) -> [f64; 4] {
         distribution_shape([1.0, -self.s1, 1.0 + 2.0 * self.s2, -3.0 * self.s1, 3.0 + 12.0 * self.s2])
     }
 }
 
-/// Weights of the histogram's bins, and weighted sums of the powers 0 to 4, of one seed.
+/// Histogram of the elevation for one seed: weight of each bin, and weighted sums of the elevation's powers 0 to 4.
 type SeedHistogram = ([f64; BINS], [f64; 5]);
 
 fn histograms(lab: &Measurement<'_>, state: &str, sigma: f64) -> Result<Option<Vec<SeedHistogram>>, String> {
@@ -71,7 +72,7 @@ fn histograms(lab: &Measurement<'_>, state: &str, sigma: f64) -> Result<Option<V
     Ok(Some(all))
 }
 
-/// The shape of the distribution of all seeds together.
+/// Mean, standard deviation, skewness and kurtosis of the elevation over all seeds, with jackknife errors.
 fn pooled_shape(all: &[SeedHistogram]) -> [Estimate; 4] {
     std::array::from_fn(|q| {
         Estimate::jackknife(all.len(), |left_out| {
@@ -81,10 +82,10 @@ fn pooled_shape(all: &[SeedHistogram]) -> [Estimate; 4] {
     })
 }
 
-/// Writes the part.
+/// Writes part 6 of the validation page.
 ///
 /// # Errors
-/// If the GPU does not give its memory back, or a figure cannot be drawn.
+/// If reading back from the GPU fails, or a figure cannot be drawn.
 pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     page.heading(2, "6. The surface");
     page.prose(
@@ -138,7 +139,7 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     Ok(())
 }
 
-/// Bars of the histogram over all seeds: lower and upper edge, and probability density.
+/// Bars of the elevation's histogram over all seeds: lower edge, upper edge and probability density.
 fn bars(all: &[SeedHistogram]) -> Vec<[f64; 3]> {
     let width = 2.0 * HALF_RANGE / BINS as f64;
     let total: f64 = all.iter().map(|s| s.1[0]).sum();
