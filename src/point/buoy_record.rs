@@ -7,6 +7,8 @@ use std::collections::VecDeque;
 const RATE_HZ: f64 = 4.0;
 /// Longest buoy record, s: half an hour, as is usual for buoys. Older samples are dropped.
 const LENGTH_S: f64 = 1800.0;
+/// Time between two computations of the spectrum, s.
+const SPECTRUM_INTERVAL_S: f64 = 10.0;
 /// Longest gap between two samples of a record, s. After a longer gap a new record starts.
 const LONGEST_GAP_S: f64 = 5.0;
 
@@ -17,8 +19,10 @@ pub struct BuoyRecord {
     place: [f64; 2],
     /// Samples as pairs of time (s) and height above the still water (m), oldest first.
     samples: VecDeque<[f64; 2]>,
-    /// Latest spectrum as pairs of omega (rad/s) and S(omega) (m^2 s), and the number of samples it was computed from.
-    spectrum: (Vec<[f64; 2]>, usize),
+    /// Latest spectrum as pairs of omega (rad/s) and S(omega) (m^2 s).
+    spectrum: Vec<[f64; 2]>,
+    /// Number of samples taken after the latest spectrum was computed.
+    samples_since_spectrum: usize,
 }
 
 impl BuoyRecord {
@@ -38,14 +42,15 @@ impl BuoyRecord {
         for i in first..=(t_s * RATE_HZ).floor() as i64 {
             let t = i as f64 / RATE_HZ;
             self.samples.push_back([t, height(t)]);
+            self.samples_since_spectrum += 1;
         }
         while self.samples.len() > (LENGTH_S * RATE_HZ) as usize {
             self.samples.pop_front();
         }
-        // The spectrum is computed anew every ten seconds.
-        if self.samples.len() >= self.spectrum.1 + (10.0 * RATE_HZ) as usize {
+        if self.samples_since_spectrum >= (SPECTRUM_INTERVAL_S * RATE_HZ) as usize {
             let heights: Vec<f64> = self.samples.iter().map(|s| s[1]).collect();
-            self.spectrum = (record::spectrum(&heights, RATE_HZ), self.samples.len());
+            self.spectrum = record::spectrum(&heights, RATE_HZ);
+            self.samples_since_spectrum = 0;
         }
     }
 
@@ -67,7 +72,8 @@ impl BuoyRecord {
     /// Clears the record, for example because another sea is drawn.
     pub fn clear(&mut self) {
         self.samples.clear();
-        self.spectrum = (Vec::new(), 0);
+        self.spectrum.clear();
+        self.samples_since_spectrum = 0;
     }
 
     /// Significant wave height of the record, m: four standard deviations of the height. `None` in the first 30 s.
@@ -82,6 +88,29 @@ impl BuoyRecord {
 
     /// Frequency spectrum of the record: pairs of omega (rad/s) and S(omega) (m^2 s); empty while the record is short.
     pub fn spectrum(&self) -> &[[f64; 2]] {
-        &self.spectrum.0
+        &self.spectrum
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The period of the waves changes after an hour, long after the record has reached its full length.
+    #[test]
+    fn the_spectrum_follows_the_waves_of_a_full_record() {
+        let mut record = BuoyRecord::default();
+        let height = |t: f64| if t < 3600.0 { (0.5 * t).sin() } else { (1.5 * t).sin() };
+        let peak = |record: &BuoyRecord| {
+            record.spectrum().iter().copied().max_by(|a, b| a[1].total_cmp(&b[1])).map_or(0.0, |p| p[0])
+        };
+        for second in 0..3600 {
+            record.advance(f64::from(second), [0.0; 2], height);
+        }
+        assert!((peak(&record) - 0.5).abs() < 0.1, "{}", peak(&record));
+        for second in 3600..5460 {
+            record.advance(f64::from(second), [0.0; 2], height);
+        }
+        assert!((peak(&record) - 1.5).abs() < 0.1, "{}", peak(&record));
     }
 }

@@ -279,7 +279,7 @@ fn afloat(app: &mut App, ui: &mut egui::Ui) {
         app.params.floats.remove(i);
     }
     if app.params.floats.is_empty() {
-        ui.weak("Or press B over the water. The first buoy keeps a record: see the plots.");
+        ui.weak("Or press B over the water. The first floating object keeps a record of the height: see the plots.");
     }
 }
 

@@ -12,8 +12,8 @@ impl App {
     /// below the camera.
     fn record_place(&self) -> (&'static str, [f64; 2]) {
         match self.params.floats.first() {
-            Some(float) => ("the first buoy", [float.x_m, float.z_m]),
-            None => ("the camera's foot", [self.params.camera.x_m, self.params.camera.z_m]),
+            Some(float) => ("the first floating object", [float.x_m, float.z_m]),
+            None => ("the point below the camera", [self.params.camera.x_m, self.params.camera.z_m]),
         }
     }
 
