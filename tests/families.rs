@@ -4,7 +4,7 @@
 use seastate::lab::validate::{combinations::STATES, words};
 use seastate::state::query;
 use seastate::waves::Plan;
-use seastate::waves::statistics::{Resolved, Theory};
+use seastate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
 
 /// Whether opposite directions have the same variance density.
 fn is_symmetric(spectrum: &str, spread: &str) -> bool {
@@ -14,11 +14,11 @@ fn is_symmetric(spectrum: &str, spread: &str) -> bool {
 /// The failed checks of a state.
 fn faults(state: &str, symmetric: bool) -> Vec<String> {
     let plan = Plan::new(&query::parse(state).0);
-    let t = Theory::new(&plan);
-    let r = Resolved::new(&plan, t.m0_m2);
-    let captured = plan.captured();
+    let t = SpectrumStatistics::new(&plan);
+    let r = LatticeStatistics::new(&plan, t.m0_m2);
+    let captured = plan.captured_fraction();
     let mut faults = Vec::new();
-    let mut check = |what: &str, holds: bool| {
+    let mut check = |what: &str, contains_wave_number: bool| {
         if !holds {
             faults.push(format!("{state}: {what}; captured {captured}\n  {t:?}\n  {r:?}\n  {:?}", plan.notices));
         }

@@ -6,7 +6,7 @@ use common::{gpu, params};
 use seastate::gpu::Gpu;
 use seastate::ocean::still::{FORMAT, picture_of};
 use seastate::ocean::{Film, Ocean};
-use seastate::point::Heights;
+use seastate::point::StrongestWaves;
 use seastate::sim::resources::MapKind;
 use seastate::state::Params;
 use seastate::waves::SeaChange;
@@ -279,7 +279,11 @@ fn a_change_costs_what_its_level_needs() {
             let is_new = level == SeaChange::Waves;
             assert_eq!(after.0 > before.0, is_new, "{key}: spectrum passes");
             assert_eq!(after.1 > before.1, is_new, "{key}: tables");
-            assert_eq!(!window.ocean.plan().shares_integrals(&plan), is_new, "{key}: integrals of the spectrum");
+            assert_eq!(
+                !window.ocean.plan().has_same_spectrum_integrals(&plan),
+                is_new,
+                "{key}: integrals of the spectrum"
+            );
             if !at_once {
                 let same = Arc::ptr_eq(&window.ocean.drawn_seas()[0].plan, &drawn);
                 assert_eq!(same, level == SeaChange::Foam, "{key}: heights on the CPU");
@@ -388,7 +392,8 @@ fn a_boat_stays_on_the_water() {
                         let mut plan = (*sea.plan).clone();
                         plan.cascades = vec![plan.cascades[own].clone()];
                         let level = plan.sea.level_m;
-                        let sample = Heights::new(&plan, usize::MAX).undisplaced(place[0], place[1], 40.0);
+                        let sample =
+                            StrongestWaves::new(&plan, usize::MAX).sample_undisplaced(place[0], place[1], 40.0);
                         Some(sea.weights[own] * (sample.height_m - level))
                     })
                     .sum();

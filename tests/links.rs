@@ -3,7 +3,7 @@
 use seastate::lab::gallery::PICTURES;
 use seastate::state::{presets, query};
 use seastate::waves::Plan;
-use seastate::waves::statistics::Theory;
+use seastate::waves::statistics::SpectrumStatistics;
 
 /// Largest relative error of a height: the file has four decimals, and the error of the quadrature is smaller.
 const TOLERANCE: f64 = 2e-3;
@@ -25,7 +25,7 @@ fn every_link_opens_the_sea_that_it_opened_before() {
     for (height_m, link) in links {
         let (params, notices) = query::parse(link);
         assert_eq!(notices, Vec::<String>::new(), "{link}");
-        let hs_m = Theory::new(&Plan::new(&params)).hs_m;
+        let hs_m = SpectrumStatistics::new(&Plan::new(&params)).hs_m;
         assert!((hs_m / height_m - 1.0).abs() < TOLERANCE, "{link}: {hs_m} m, and {height_m} m before");
         let today = query::write(&params);
         assert_eq!(query::parse(&today), (params, vec![]), "{link}");
@@ -49,7 +49,7 @@ fn quoted(page: &str) -> Vec<String> {
         page.split(['\'', '`', '"']).filter(|piece| piece.contains('=') && !piece.contains(char::is_whitespace));
     let states = pieces.filter(|piece| {
         let reading = query::read(piece);
-        !reading.taken.is_empty() && reading.notices.is_empty()
+        !reading.keys_set.is_empty() && reading.notices.is_empty()
     });
     states.map(str::to_owned).collect()
 }

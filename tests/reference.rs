@@ -27,7 +27,7 @@ impl Viewer {
         Self { gpu, ocean, size }
     }
 
-    fn turn_to(&mut self, p: &Params) {
+    fn set_named_view(&mut self, p: &Params) {
         self.ocean.set_params(p);
     }
 
@@ -42,14 +42,14 @@ impl Viewer {
         pollster::block_on(made).expect("a reference")
     }
 
-    fn shown(&mut self, light: &[[f32; 3]]) -> SrgbPicture {
+    fn displayed(&mut self, light: &[[f32; 3]]) -> SrgbPicture {
         let made = reference::picture_of_light(&self.gpu, &mut self.ocean, self.size, light);
         SrgbPicture::from_rgba(self.size[0], &pollster::block_on(made).expect("a picture"))
     }
 
     fn reference(&mut self, samples: u32, seed: u32) -> SrgbPicture {
         let light = self.light(samples, seed);
-        self.shown(&light)
+        self.displayed(&light)
     }
 
     /// Two references of independent samples and of as many as it takes for them to agree, and their mean.
@@ -59,9 +59,9 @@ impl Viewer {
         };
         let (mut samples, mut a, mut b) = (256, self.light(256, 1), self.light(256, 2));
         loop {
-            let noise = flip(&self.shown(&a), &self.shown(&b));
+            let noise = flip(&self.displayed(&a), &self.displayed(&b));
             if noise <= NOISE || samples >= 2048 {
-                return Agreed { samples, noise, picture: self.shown(&mean(&a, &b)) };
+                return Agreed { samples, noise, picture: self.displayed(&mean(&a, &b)) };
             }
             (a, b) = (mean(&a, &self.light(samples, samples + 1)), mean(&b, &self.light(samples, samples + 2)));
             samples *= 2;
@@ -131,7 +131,7 @@ fn a_reference_is_the_picture_without_filtering() {
     for (n, r) in normal.pixels[..sky].iter().zip(&a.pixels) {
         assert!((0..3).all(|i| n[i].abs_diff(r[i]) <= 3), "{n:?} and {r:?}");
     }
-    viewer.turn_to(&params("wind=10&n=64&t=23&sun=30&sunaz=90&heading=40&y=20"));
+    viewer.set_named_view(&params("wind=10&n=64&t=23&sun=30&sunaz=90&heading=40&y=20"));
     let (same, right, later) = (flip(&a, &b), flip(&a, &normal), flip(&a, &viewer.normal()));
     eprintln!(
         "mean FLIP of two references {same:.4}, of the picture {right:.4}, of one three seconds later {later:.4}"
@@ -156,7 +156,7 @@ fn the_picture_is_near_its_reference() {
                 let pitch = if y == 200 { -12 } else { -4 };
                 let p = params(&format!("{sea}&n=128&t=20&y={y}&pitch={pitch}&sun={sun}&sunaz={azimuth}"));
                 let viewer = viewer.get_or_insert_with(|| Viewer::new([192, 108], &p));
-                viewer.turn_to(&p);
+                viewer.set_named_view(&p);
                 let normal = viewer.normal();
                 let Agreed { samples, noise, picture } = viewer.agreed();
                 let right = flip(&picture, &normal);
@@ -197,7 +197,7 @@ fn the_picture_flickers_no_more_than_its_reference() {
         let pixels = rows.start * SIZE[0] as usize..rows.end * SIZE[0] as usize;
         let mut films: [Vec<Vec<f64>>; 3] = Default::default();
         for i in 0..FRAMES {
-            viewer.turn_to(&at(i));
+            viewer.set_named_view(&at(i));
             let pictures = [viewer.normal(), viewer.reference(64, 1 + 2 * i), viewer.reference(64, 2 + 2 * i)];
             for (film, picture) in films.iter_mut().zip(&pictures) {
                 film.push(picture.pixels[pixels.clone()].iter().map(|&p| luma(p)).collect());

@@ -582,7 +582,7 @@ fn compare_caustics(kernel: &Kernel<'_>) -> Vec<Line> {
     let (mut off, mut contrast) = (0.0f64, f64::INFINITY);
     // The waves of the bench are long: so must their focal lengths be.
     for depth_m in [200.0, 600.0, 1500.0] {
-        let focusing_m = slopes::focusing_m(plan, depth_m * (1.0 - 1.0 / INDEX));
+        let focusing_m = slopes::shortest_caustic_half_wavelength_m(plan, depth_m * (1.0 - 1.0 / INDEX));
         let cases: Vec<Case> = (0..SIDE * SIDE)
             .map(|i| {
                 let at = DVec2::new(f64::from(i % SIDE), f64::from(i / SIDE)) * step;

@@ -1,9 +1,9 @@
 //! Moves the camera by mouse, touch and keyboard. Input over the panel does not move it.
 
 use super::App;
-use crate::state::motion::{fly, orbit, turn, zoom};
+use crate::state::motion::{fly, orbit, rotate_camera, zoom};
 use crate::state::params::{Camera, CameraMode};
-use crate::state::rounding::{pose, rounded};
+use crate::state::rounding::{camera_pose, rounded};
 use egui::Key;
 
 /// Speed at which keys fly the camera at the sea's zero level, m/s.
@@ -34,7 +34,7 @@ pub fn pointer(camera: &mut Camera, response: &egui::Response, ctx: &egui::Conte
         let (x, y) = (f64::from(delta.x), f64::from(delta.y));
         match camera.mode {
             CameraMode::Orbit => orbit(camera, -x * ORBIT_DEG, y * ORBIT_DEG),
-            CameraMode::Fly | CameraMode::Buoy => turn(camera, -x * degrees_per_point, y * degrees_per_point),
+            CameraMode::Fly | CameraMode::Buoy => rotate_camera(camera, -x * degrees_per_point, y * degrees_per_point),
         }
     }
     if response.hovered() {
@@ -78,7 +78,7 @@ impl App {
             return;
         }
         // A link may have more digits; they are kept until the user moves the camera.
-        if self.idle_pose.as_ref() == Some(&pose(&self.params)) {
+        if self.idle_pose.as_ref() == Some(&camera_pose(&self.params)) {
             return;
         }
         let rounded = rounded(&self.params);
@@ -86,6 +86,6 @@ impl App {
         if self.params.clock.paused {
             self.params.clock.t_s = rounded.clock.t_s;
         }
-        self.idle_pose = Some(pose(&self.params));
+        self.idle_pose = Some(camera_pose(&self.params));
     }
 }

@@ -1,7 +1,7 @@
 //! The caption of a debug view (its name, colour bar and explanation), and the keys that switch between views.
 
 use crate::state::Params;
-use crate::state::views::{Shown, ViewChoice};
+use crate::state::views::{DisplayedView, ViewChoice};
 use crate::waves::Plan;
 use crate::waves::colour_scale::{Palette, caption};
 use egui::{Color32, Key};
@@ -14,9 +14,9 @@ const BAR: egui::Vec2 = egui::vec2(220.0, 10.0);
 pub fn keys(view: &mut ViewChoice, ctx: &egui::Context) -> bool {
     let pressed = |key| ctx.input(|i| i.key_pressed(key));
     if pressed(Key::V) {
-        *view = view.turned(if ctx.input(|i| i.modifiers.shift) { -1 } else { 1 });
+        *view = view.cycled_by(if ctx.input(|i| i.modifiers.shift) { -1 } else { 1 });
     }
-    if view.shown == Shown::Picture {
+    if view.displayed == DisplayedView::Picture {
         return false;
     }
     for (cascade, key) in (0..).zip([Key::Num0, Key::Num1, Key::Num2, Key::Num3, Key::Num4]) {
@@ -34,7 +34,7 @@ pub fn keys(view: &mut ViewChoice, ctx: &egui::Context) -> bool {
 /// Shows the caption of the current debug view at the lower left of the window. The ordinary picture has none.
 pub fn show(params: &Params, plan: &Plan, ctx: &egui::Context) {
     let view = params.look.view;
-    if view.shown == Shown::Picture {
+    if view.displayed == DisplayedView::Picture {
         return;
     }
     let area = egui::Area::new(egui::Id::unique("caption")).anchor(egui::Align2::LEFT_BOTTOM, egui::vec2(12.0, -12.0));

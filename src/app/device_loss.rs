@@ -91,7 +91,7 @@ impl App {
         self.render_state = cc.wgpu_render_state.clone().ok_or(super::NO_WGPU)?;
         let out_of_memory = self.gpu_errors.is_out_of_memory();
         if out_of_memory {
-            self.quality.refuse();
+            self.quality.note_out_of_memory();
         }
         self.gpu_errors = create_ocean(&self.render_state, &self.params_to_draw());
         // The new context takes over open sections, scroll positions and typed text, but not a drag: the button may

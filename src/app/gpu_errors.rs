@@ -19,7 +19,7 @@ struct Inner {
 }
 
 impl Inner {
-    fn lose(&mut self, reason: String) {
+    fn mark_lost(&mut self, reason: String) {
         self.lost.get_or_insert(reason);
         for sender in self.waiting.drain(..) {
             // Sending fails if the receiver has been dropped.
@@ -44,7 +44,7 @@ impl GpuErrors {
         let on_lost = errors.clone();
         device.set_device_lost_callback(move |reason, message| {
             log::error!("GPU device lost ({reason:?}): {message}");
-            on_lost.inner().lose(format!("the GPU was lost ({reason:?}): {message}"));
+            on_lost.inner().mark_lost(format!("the GPU was lost ({reason:?}): {message}"));
         });
         errors
     }
@@ -66,7 +66,7 @@ impl GpuErrors {
         let mut inner = self.inner();
         inner.waiting.push(sender);
         if let Some(reason) = inner.lost.clone() {
-            inner.lose(reason);
+            inner.mark_lost(reason);
         }
         async move {
             // A dropped sender counts as a device loss.
@@ -85,7 +85,7 @@ impl GpuErrors {
         log::error!("{error}");
         let mut inner = self.inner();
         inner.out_of_memory = true;
-        inner.lose(error);
+        inner.mark_lost(error);
     }
 
     fn add(&self, error: String) {

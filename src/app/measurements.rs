@@ -8,7 +8,7 @@ use std::cell::Cell;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Least time between two read-backs of the wave maps, s.
-const EVERY_S: f64 = 1.0;
+const READBACK_INTERVAL_S: f64 = 1.0;
 /// Number of map texels per frame that the CPU passes through the Fourier transform: a few milliseconds in a browser.
 const POINTS_PER_FRAME: usize = 1 << 16;
 /// Number of frequency bins of the spectrum that is measured in the wave maps.
@@ -18,7 +18,7 @@ const SMOOTHING: f64 = 0.1;
 
 /// Flags of read-outs that are measured only while they are shown. Drawing one sets its flag; the next frame clears it.
 #[derive(Default)]
-pub struct Shown {
+pub struct VisibleReadouts {
     /// Whether the plot of the buoy's record is shown.
     pub record: Cell<bool>,
     /// Whether statistics measured in the wave maps are shown.
@@ -29,10 +29,10 @@ pub struct Shown {
 
 /// Requests for measurements, and their results, shared between the app and the code that records a frame on the GPU.
 #[derive(Clone, Default)]
-pub struct FrameMeasurements(Arc<Mutex<Inner>>);
+pub struct FrameMeasurements(Arc<Mutex<FrameRequests>>);
 
 #[derive(Default)]
-struct Inner {
+struct FrameRequests {
     wants_times: bool,
     /// Number of the sea (see [`SeaMeasurement`]) whose wave maps the next frame is to copy for read-back.
     wants_probe: Option<u64>,
@@ -47,7 +47,7 @@ struct Inner {
 }
 
 impl FrameMeasurements {
-    fn inner(&self) -> MutexGuard<'_, Inner> {
+    fn inner(&self) -> MutexGuard<'_, FrameRequests> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -103,7 +103,7 @@ pub struct SeaMeasurement {
     /// Whether a requested read-back of the wave maps has not arrived yet.
     waiting: bool,
     /// The read-back that is being Fourier transformed, over several frames.
-    survey: Option<(MapSpectrumEstimator, Probed)>,
+    pending_analysis: Option<(MapSpectrumEstimator, Probed)>,
     /// Time of the last request on egui's clock, and the simulated time then, s.
     last: Option<(f64, f64)>,
     sums: Sums,
@@ -117,7 +117,7 @@ struct Sums {
     mss: f64,
     coverage: f64,
     width_rad_s: f64,
-    bins_m2: Vec<f64>,
+    bin_variances_m2: Vec<f64>,
 }
 
 impl SeaMeasurement {
@@ -154,7 +154,7 @@ impl SeaMeasurement {
     pub fn spectrum(&self) -> Option<(f64, Vec<f64>)> {
         let width = self.sums.width_rad_s;
         let unit = self.mean(1.0)? / width;
-        Some((width, self.sums.bins_m2.iter().map(|sum| sum * unit).collect()))
+        Some((width, self.sums.bin_variances_m2.iter().map(|sum| sum * unit).collect()))
     }
 
     fn add(&mut self, probed: &Probed, found: &MapSpectrum, width_rad_s: f64) {
@@ -164,8 +164,8 @@ impl SeaMeasurement {
         sums.mss += probed.mss;
         sums.coverage += probed.coverage;
         sums.width_rad_s = width_rad_s;
-        sums.bins_m2.resize(found.bins_m2.len(), 0.0);
-        sums.bins_m2.iter_mut().zip(&found.bins_m2).for_each(|(sum, x)| *sum += x);
+        sums.bin_variances_m2.resize(found.bin_variances_m2.len(), 0.0);
+        sums.bin_variances_m2.iter_mut().zip(&found.bin_variances_m2).for_each(|(sum, x)| *sum += x);
     }
 }
 
@@ -189,7 +189,9 @@ impl App {
             }
             measurement.waiting = false;
             match probed {
-                Ok(probed) => measurement.survey = Some((MapSpectrumEstimator::new(&probed.plan, width, BINS), probed)),
+                Ok(probed) => {
+                    measurement.pending_analysis = Some((MapSpectrumEstimator::new(&probed.plan, width, BINS), probed))
+                }
                 Err(reason) => {
                     let notice = format!("the sea was not measured: {reason}");
                     if self.notices.last() != Some(&notice) {
@@ -198,16 +200,16 @@ impl App {
                 }
             }
         }
-        if let Some((mut survey, probed)) = measurement.survey.take() {
+        if let Some((mut pending_analysis, probed)) = measurement.pending_analysis.take() {
             ctx.request_repaint();
-            match survey.advance(&probed.plan, POINTS_PER_FRAME, |cascade, z| probed.row(cascade, z)) {
+            match pending_analysis.advance(&probed.plan, POINTS_PER_FRAME, |cascade, z| probed.row(cascade, z)) {
                 Some(found) => measurement.add(&probed, found, width),
-                None => measurement.survey = Some((survey, probed)),
+                None => measurement.pending_analysis = Some((pending_analysis, probed)),
             }
         }
         let (now_s, t_s) = (ctx.input(|i| i.time), self.params.clock.t_s);
-        let due = measurement.last.is_none_or(|(at_s, of_s)| now_s > at_s + EVERY_S && of_s != t_s);
-        if self.shown.maps.take() && due && !measurement.waiting && measurement.survey.is_none() {
+        let due = measurement.last.is_none_or(|(at_s, of_s)| now_s > at_s + READBACK_INTERVAL_S && of_s != t_s);
+        if self.visible_readouts.maps.take() && due && !measurement.waiting && measurement.pending_analysis.is_none() {
             self.frame_measurements.inner().wants_probe = Some(measurement.sea);
             (measurement.waiting, measurement.last) = (true, Some((now_s, t_s)));
             ctx.request_repaint();
@@ -217,7 +219,7 @@ impl App {
     /// Starts reading back the map copies that the last frame recorded, if that frame was submitted.
     fn read_probe(&self, ctx: &egui::Context) {
         let mut inner = self.frame_measurements.inner();
-        inner.wants_times = self.shown.times.take();
+        inner.wants_times = self.visible_readouts.times.take();
         let probe = if inner.is_painted { inner.probe.take() } else { None };
         drop(inner);
         if let Some((sea, probe)) = probe {

@@ -63,13 +63,13 @@ pub struct App {
     help: bool,
     message: Option<message::Message>,
     /// Camera, and simulated time if the clock is stopped, at the end of the last frame without user input.
-    idle_pose: Option<rounding::Pose>,
+    idle_pose: Option<rounding::CameraPose>,
     /// Parameters of the last drawn frame, and its width and height in pixels.
     drawn: Option<(Params, [u32; 2])>,
     /// Height of the sea over time at the first floating object; without one, below the camera.
     record: BuoyRecord,
     /// Kind of floating object (buoy or boat) that the next click on the sea places; `None` if a click places nothing.
-    placing: Option<floats::FloatKind>,
+    placing: Option<floats::FloatingObjectKind>,
     save_folder: Option<std::path::PathBuf>,
     /// Results of finished file saves: a message for the user, or the reason for the failure.
     saved: tasks::Inbox<Result<String, String>>,
@@ -78,7 +78,7 @@ pub struct App {
     progress: viewport::Progress,
     frame_measurements: measurements::FrameMeasurements,
     sea_measurement: measurements::SeaMeasurement,
-    shown: measurements::Shown,
+    visible_readouts: measurements::VisibleReadouts,
     /// User-agent string of the browser, for the bug report.
     #[cfg(target_arch = "wasm32")]
     browser: String,
@@ -104,10 +104,10 @@ impl App {
     pub fn with_sky(cc: &eframe::CreationContext<'_>, state: &str, sky: Option<SkyFile>) -> Result<Self, String> {
         let render_state = cc.wgpu_render_state.clone().ok_or(NO_WGPU)?;
         let (mut params, notices) = query::parse(state);
-        params.look.sky.attach(sky.as_ref());
+        params.look.sky.adopt_loaded_image(sky.as_ref());
         let own_seas = panel::OwnSeas::load();
-        let quality = quality::Quality::on(render_state.adapter.get_info().device_type, params.clock.paused);
-        let grid = quality.grid(&params.grid, &params.screen);
+        let quality = quality::Quality::for_adapter(render_state.adapter.get_info().device_type, params.clock.paused);
+        let grid = quality.reduced_grid(&params.grid, &params.screen);
         let gpu_errors = device_loss::create_ocean(&render_state, &Params { grid, ..params.clone() });
         setup::style(&cc.egui_ctx);
         #[cfg(target_arch = "wasm32")]
@@ -129,7 +129,7 @@ impl App {
             help: false,
             message: None,
             drawn: None,
-            idle_pose: Some(rounding::pose(&params)),
+            idle_pose: Some(rounding::camera_pose(&params)),
             record: BuoyRecord::default(),
             placing: None,
             save_folder: None,
@@ -138,7 +138,7 @@ impl App {
             progress: viewport::Progress::default(),
             frame_measurements: measurements::FrameMeasurements::default(),
             sea_measurement: measurements::SeaMeasurement::default(),
-            shown: measurements::Shown::default(),
+            visible_readouts: measurements::VisibleReadouts::default(),
             #[cfg(target_arch = "wasm32")]
             browser: cc.integration_info.web_info.user_agent.clone(),
             #[cfg(target_arch = "wasm32")]
@@ -157,8 +157,8 @@ impl App {
     /// Replaces all parameters by those of a state string. Keys that are missing there get their default values.
     pub fn set_state(&mut self, state: &str) {
         (self.params, self.notices) = query::parse(state);
-        self.params.look.sky.attach(self.sky.as_ref());
-        self.idle_pose = Some(rounding::pose(&self.params));
+        self.params.look.sky.adopt_loaded_image(self.sky.as_ref());
+        self.idle_pose = Some(rounding::camera_pose(&self.params));
         // A caller outside of a frame (JavaScript or a test) needs one, also while time is stopped.
         self.ctx.request_repaint();
     }
@@ -186,15 +186,15 @@ impl App {
     }
 
     /// Whether the GPU has finished the first picture on the current device.
-    pub fn is_seen(&self) -> bool {
-        self.progress.is_seen()
+    pub fn has_first_picture(&self) -> bool {
+        self.progress.has_first_picture()
     }
 
     /// Requests one more frame. Returns whether the picture is complete: no replay of past foam steps and no cross-fade
     /// is in progress.
-    pub fn settled(&self) -> bool {
+    pub fn is_picture_complete(&self) -> bool {
         self.ctx.request_repaint();
-        self.progress.is_seen() && !self.progress.is_catching_up()
+        self.progress.has_first_picture() && !self.progress.is_catching_up()
     }
 
     /// The reason why the GPU device was lost; `None` while it works.
@@ -219,7 +219,7 @@ impl App {
     /// Advances the simulated time by one frame. Time stands still while the user has stopped the clock, and until the
     /// GPU has finished the first picture.
     fn advance(&mut self, ctx: &egui::Context) {
-        if self.params.clock.paused || self.progress.is_awaited() {
+        if self.params.clock.paused || self.progress.is_first_picture_pending() {
             return;
         }
         let dt = f64::from(ctx.input(|i| i.stable_dt)).min(LONGEST_STEP_S);
@@ -238,7 +238,7 @@ impl App {
 
     /// Recomputes the plan, the statistics and the other derived quantities if the parameters of the sea have changed.
     fn update_derived(&mut self) {
-        let Some(change) = self.derived.follow(&self.params) else { return };
+        let Some(change) = self.derived.update(&self.params) else { return };
         if change > SeaChange::Foam {
             self.record.clear();
         }
@@ -247,7 +247,7 @@ impl App {
 
     /// The parameters to draw with: the current ones, with the FFT size that adaptive quality allows.
     fn params_to_draw(&self) -> Params {
-        let grid = self.quality.grid(&self.params.grid, &self.params.screen);
+        let grid = self.quality.reduced_grid(&self.params.grid, &self.params.screen);
         Params { grid, ..self.params.clone() }
     }
 }
@@ -272,9 +272,9 @@ impl eframe::App for App {
         self.update_derived();
         self.continue_record();
         self.measure(&ctx);
-        if !self.progress.is_awaited() {
+        if !self.progress.is_first_picture_pending() {
             let dt = f64::from(ctx.input(|i| i.unstable_dt));
-            self.quality.watch(dt, self.params.clock.paused, self.params.screen.adaptive);
+            self.quality.adapt(dt, self.params.clock.paused, self.params.screen.adaptive);
         }
         let params = self.params_to_draw();
         let limit = self.render_state.device.limits().max_texture_dimension_2d;

@@ -21,11 +21,11 @@ const LOSS_WINDOW: Duration = Duration::from_secs(60);
 /// Pause before another attempt to open a window after a failure: a graphics driver that restarts needs a moment.
 const NEXT_TRY: Duration = Duration::from_secs(1);
 /// Environment variable that makes F11 and F12 destroy the GPU device, so that tests can rehearse a device loss.
-const REHEARSAL: &str = "SEASTATE_REHEARSE_LOSS";
+const REHEARSE_LOSS_VARIABLE: &str = "SEASTATE_REHEARSE_LOSS";
 /// Key that destroys the GPU device at the start of a frame, in a rehearsal of a device loss.
-const EARLY: egui::Key = egui::Key::F12;
+const LOSE_DEVICE_AT_START_KEY: egui::Key = egui::Key::F12;
 /// Key that destroys the GPU device at the end of a frame, in a rehearsal of a device loss.
-const LATE: egui::Key = egui::Key::F11;
+const LOSE_DEVICE_AT_END_KEY: egui::Key = egui::Key::F11;
 
 /// Opens the desktop window with the given parameters. Returns when the user closes it.
 ///
@@ -102,7 +102,7 @@ fn open(state: &str, sky: Option<&SkyFile>, parked: &ParkedApp, last_window: &La
     let (state, sky, parked, last_window) = (state.to_owned(), sky.cloned(), parked.clone(), last_window.clone());
     let create = move |cc: &eframe::CreationContext<'_>| -> Created {
         let host = AppHost::new(cc, &parked, |cc| App::with_sky(cc, &state, sky))?;
-        let rehearses = std::env::var_os(REHEARSAL).is_some();
+        let rehearses = std::env::var_os(REHEARSE_LOSS_VARIABLE).is_some();
         Ok(Box::new(Window { host, parked, last_window, rehearses, loses_device: false }))
     };
     eframe::run_native("Seastate", options, Box::new(create))
@@ -140,8 +140,8 @@ impl Window {
 impl eframe::App for Window {
     fn logic(&mut self, ctx: &egui::Context, frame: &mut eframe::Frame) {
         let rehearsed = |key| self.rehearses && ctx.input(|i| i.key_pressed(key));
-        self.loses_device = rehearsed(LATE);
-        if rehearsed(EARLY) {
+        self.loses_device = rehearsed(LOSE_DEVICE_AT_END_KEY);
+        if rehearsed(LOSE_DEVICE_AT_START_KEY) {
             self.destroy_device();
         }
         self.last_window.replace(ctx.input(|i| i.viewport().clone()));

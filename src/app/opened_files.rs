@@ -19,7 +19,7 @@ pub type Files = Result<Vec<(String, Vec<u8>)>, String>;
 /// One sentence that names the file and the reason.
 pub fn sky(name: &str, bytes: &[u8]) -> Result<SkyFile, String> {
     let image = panorama::read(name, bytes)?;
-    let file = SkyFile::named(name).ok_or("the sky's file has no name")?;
+    let file = SkyFile::from_path(name).ok_or("the sky's file has no name")?;
     Ok(SkyFile { image: Some(Arc::new(image)), ..file })
 }
 
@@ -40,7 +40,7 @@ fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context
             let name = handle.path().to_string_lossy().into_owned();
             // The size is checked before the file is read: a large video would fill the tab's memory.
             let size = handle.web_file().map_or(0.0, |f| f.size());
-            if size > input::most_bytes(&name) as f64 {
+            if size > input::max_file_bytes(&name) as f64 {
                 let reason = format!(
                     "{name}: too large for any file that Seastate reads: a buoy's spectrum (text) or a sky (.hdr, .exr)"
                 );
@@ -74,15 +74,15 @@ impl App {
     fn open_files(&mut self, files: &[(String, Vec<u8>)]) -> Result<(), String> {
         if let [(name, bytes)] = files {
             if picture::is_png(bytes) {
-                let state = picture::state_of(bytes).map_err(|reason| format!("{name}: {reason}"))?;
+                let state = picture::state_from_png(bytes).map_err(|reason| format!("{name}: {reason}"))?;
                 self.open_link(&state);
                 return Ok(());
             }
-            if let Some(text) = std::str::from_utf8(bytes).ok().filter(|text| presets::is_file(text)) {
+            if let Some(text) = std::str::from_utf8(bytes).ok().filter(|text| presets::is_preset_file(text)) {
                 self.import_seas(text);
                 return Ok(());
             }
-            if panorama::is_sky(name, bytes) {
+            if panorama::is_sky_file(name, bytes) {
                 self.show_sky(sky(name, bytes)?);
                 return Ok(());
             }
@@ -92,7 +92,7 @@ impl App {
         let title = if title.is_empty() { "the buoy's sea" } else { &title };
         self.notices = vec![format!("{title}: {} bands, Hs {:.2} m", spectrum.bands().len(), spectrum.hs_m())];
         self.notices.extend(file.notices);
-        self.params.sea.show_measured(spectrum);
+        self.params.sea.set_measured_spectrum(spectrum);
         Ok(())
     }
 

@@ -10,11 +10,11 @@ impl App {
         #[cfg(target_arch = "wasm32")]
         rows.push(("browser", self.browser.clone()));
         let [width, height] = self.picture_size();
-        let quality = self.quality.word();
+        let quality = self.quality.describe();
         let points = self.params_to_draw().grid.n;
         rows.push(("picture", format!("{width} x {height} pixels, {quality}")));
         rows.push(("sea", format!("{points} x {points} points in {} cascades", self.derived.plan.cascades.len())));
-        rows.push(("frames", format!("{}, {:.0} a second", self.frames, self.quality.frames_a_second())));
+        rows.push(("frames", format!("{}, {:.0} a second", self.frames, self.quality.frames_per_second())));
         rows.push(("recording", format!("{:.2} ms of the CPU", self.frame_measurements.record_ms())));
         let errors = self.errors();
         let last = self.device_lost().or_else(|| errors.last().cloned());

@@ -21,12 +21,12 @@ pub struct AccessibleItem {
     /// Numeric value of a slider or number field, then its minimum, maximum and step where they exist.
     pub number: Option<(f64, [Option<f64>; 3])>,
     /// Whether a check box or other toggle is on; `None` for other widgets.
-    pub on: Option<bool>,
+    pub checked: Option<bool>,
     /// Whether a collapsible section is expanded; `None` for other widgets.
-    pub open: Option<bool>,
+    pub expanded: Option<bool>,
     pub disabled: bool,
     /// Bounds of the widget in points: x, y, width, height.
-    pub place: [f64; 4],
+    pub bounds: [f64; 4],
 }
 
 /// egui plugin that holds the accessibility tree and the requests of the web page.
@@ -67,7 +67,7 @@ impl ScreenReaders {
 
     /// Applies an action to a widget: `click`, `focus`, `more`, `less`, `set` (to the number `value`), or `type`
     /// (enters the string `text` and confirms it).
-    pub fn act(&self, ctx: &egui::Context, id: &str, action: &str, value: f64, text: &str) {
+    pub fn perform_action(&self, ctx: &egui::Context, id: &str, action: &str, value: f64, text: &str) {
         let mut inner = self.inner();
         let (Ok(id), Some(target_tree)) = (id.parse().map(NodeId), inner.tree) else { return };
         let ask = |action, data| {
@@ -153,8 +153,8 @@ fn item(id: NodeId, node: &Node, nodes: &HashMap<NodeId, &Node>) -> Option<Acces
         label,
         value,
         number,
-        on: node.toggled().map(|t| t == Toggled::True),
-        open: node.is_expanded(),
+        checked: node.toggled().map(|t| t == Toggled::True),
+        expanded: node.is_expanded(),
         disabled: node.is_disabled(),
         place,
     })

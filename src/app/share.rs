@@ -11,7 +11,7 @@ impl App {
     /// The link to the current sea: the page's address with the state string; on the desktop the bare state string.
     pub fn link(&self) -> String {
         #[cfg(target_arch = "wasm32")]
-        return super::web::link(&self.state());
+        return super::web::page_link(&self.state());
         #[cfg(not(target_arch = "wasm32"))]
         self.state()
     }
@@ -23,12 +23,12 @@ impl App {
     }
 
     /// Copies the HTML of an iframe that shows the sea in another web page, without the panel.
-    pub(super) fn copy_frame(&mut self) {
+    pub(super) fn copy_iframe(&mut self) {
         let mut params = rounded(&self.params);
         params.screen.panel = false;
         let state = query::write(&params);
         #[cfg(target_arch = "wasm32")]
-        let link = super::web::link(&state);
+        let link = super::web::page_link(&state);
         #[cfg(not(target_arch = "wasm32"))]
         let link = format!("https://example.org/seastate/?{state}");
         let link = link.replace('&', "&amp;");
@@ -42,7 +42,7 @@ impl App {
     /// Opens a link or a bare state string. A text without any known key changes only the notices.
     pub(super) fn open_link(&mut self, text: &str) {
         let reading = query::read(text);
-        if reading.taken.is_empty() && !reading.notices.is_empty() {
+        if reading.keys_set.is_empty() && !reading.notices.is_empty() {
             self.notices = reading.notices;
             self.notices.push("that is no sea: this one stays".to_owned());
             return;

@@ -18,24 +18,24 @@ const LONGEST_FADE_STEP_S: f64 = 0.1;
 
 /// Progress of rendering on one GPU device, shared with the paint callback.
 #[derive(Clone, Default)]
-pub struct Progress(Arc<Marks>);
+pub struct Progress(Arc<ProgressFlags>);
 
 #[derive(Default)]
-struct Marks {
+struct ProgressFlags {
     /// Whether a replay of past foam steps or a cross-fade is in progress.
     catching_up: AtomicBool,
     /// Whether the first picture was painted, and so will be submitted to the GPU.
-    begun: AtomicBool,
+    painted: AtomicBool,
     /// Whether the callback that reports the completion of the first picture is installed.
-    asked: AtomicBool,
+    callback_installed: AtomicBool,
     /// Whether the GPU has finished the first picture.
-    seen: AtomicBool,
+    finished: AtomicBool,
 }
 
 impl Progress {
     /// Whether another frame is needed even while the simulated time is stopped.
     pub fn wants_frame(&self) -> bool {
-        self.is_catching_up() || !self.is_seen()
+        self.is_catching_up() || !self.has_first_picture()
     }
 
     /// Whether a replay of past foam steps or a cross-fade between two seas is in progress.
@@ -44,21 +44,21 @@ impl Progress {
     }
 
     /// Whether the GPU has finished the first picture. This takes seconds, because the pipelines must be compiled.
-    pub fn is_seen(&self) -> bool {
-        self.0.seen.load(Ordering::Relaxed)
+    pub fn has_first_picture(&self) -> bool {
+        self.0.finished.load(Ordering::Relaxed)
     }
 
     /// Whether the first picture was submitted and the GPU has not finished it. No other frame is recorded meanwhile.
-    pub fn is_awaited(&self) -> bool {
-        self.0.asked.load(Ordering::Relaxed) && !self.is_seen()
+    pub fn is_first_picture_pending(&self) -> bool {
+        self.0.callback_installed.load(Ordering::Relaxed) && !self.has_first_picture()
     }
 
     /// Installs the callback that reports the completion of the first picture, once that picture has been submitted.
     /// Call this before a frame is recorded.
-    fn ask(&self, gpu: &Gpu) {
-        if self.0.begun.load(Ordering::Relaxed) && !self.0.asked.swap(true, Ordering::Relaxed) {
+    fn watch_first_submission(&self, gpu: &Gpu) {
+        if self.0.painted.load(Ordering::Relaxed) && !self.0.callback_installed.swap(true, Ordering::Relaxed) {
             let marks = self.0.clone();
-            gpu.queue.on_submitted_work_done(move || marks.seen.store(true, Ordering::Relaxed));
+            gpu.queue.on_submitted_work_done(move || marks.finished.store(true, Ordering::Relaxed));
         }
     }
 }
@@ -112,8 +112,8 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         resources: &mut egui_wgpu::CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
         let Some(ocean) = resources.get_mut::<Ocean>() else { return Vec::new() };
-        self.progress.ask(ocean.gpu());
-        if self.progress.is_awaited() {
+        self.progress.watch_first_submission(ocean.gpu());
+        if self.progress.is_first_picture_pending() {
             return Vec::new();
         }
         let mut encoder = ocean.gpu().encoder("ocean");
@@ -136,10 +136,10 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
     ) {
         if let Some(ocean) = resources.get::<Ocean>() {
             self.measurements.painted();
-            self.progress.0.begun.store(true, Ordering::Relaxed);
+            self.progress.0.painted.store(true, Ordering::Relaxed);
             // Before the first picture is finished, the page shows its loading screen, or the picture before a device
             // loss.
-            if cfg!(not(target_arch = "wasm32")) || !self.progress.is_awaited() {
+            if cfg!(not(target_arch = "wasm32")) || !self.progress.is_first_picture_pending() {
                 ocean.present(pass);
             }
         }

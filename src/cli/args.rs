@@ -51,14 +51,14 @@ impl SeaArgs {
             let files = crate::files::input::read_all(&self.spectrum)?;
             let file = MeasuredSpectrum::read(&files)?;
             notices.extend(file.notices);
-            params.sea.show_measured(file.spectrum);
+            params.sea.set_measured_spectrum(file.spectrum);
         }
         if let Some(path) = &self.sky {
             let file = crate::app::native::read_sky(path)?;
             notices.extend(file.image.iter().flat_map(|p| p.notices.iter().map(|n| format!("{}: {n}", file.name))));
             params.look.sky.file = Some(file);
         }
-        notices.extend(params.look.sky.missing_file());
+        notices.extend(params.look.sky.missing_file_notice());
         Ok((params, notices))
     }
 }

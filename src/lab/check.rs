@@ -88,10 +88,10 @@ pub async fn run_with(gpu: &Gpu, params: &Params, shaders: &Shaders, way: Transf
     let mut sim = Simulation::with_way(gpu, plan.clone(), shaders, way);
     let slot = sim.push_evaluation(gpu, t_s, true);
     let mut check = Check { gpu, plan: &plan, sim: &sim, slot, lines: Vec::new() };
-    let h0: Vec<Vec<Complex>> = plan.cascades.iter().map(|c| oracle::spectrum::h0(&plan, c)).collect();
+    let h0: Vec<Vec<Complex>> = plan.cascades.iter().map(|c| oracle::spectrum::initial_spectrum(&plan, c)).collect();
     let rows: Vec<MapPair> =
-        plan.cascades.iter().zip(&h0).map(|(c, h0)| oracle::maps::rows(&plan, c, h0, t_s)).collect();
-    let maps: Vec<MapPair> = rows.iter().map(|rows| oracle::maps::columns(plan.n as usize, rows)).collect();
+        plan.cascades.iter().zip(&h0).map(|(c, h0)| oracle::maps::transform_rows(&plan, c, h0, t_s)).collect();
+    let maps: Vec<MapPair> = rows.iter().map(|rows| oracle::maps::transform_columns(plan.n as usize, rows)).collect();
     check.spectrum(&h0).await?;
     check.rows(&h0, &rows).await?;
     check.columns(&rows, &maps).await?;
@@ -201,8 +201,8 @@ impl Check<'_> {
             for (c, cascade) in self.sim.maps().cascades.iter().enumerate() {
                 let from = &from[c * above * above..][..above * above];
                 let scale = f64::from(cascade.moment_scale);
-                let from = if moments_from_slopes { oracle::maps::moments(from, scale) } else { from.to_vec() };
-                let want = oracle::maps::mip(above, &from);
+                let from = if moments_from_slopes { oracle::maps::slope_moments(from, scale) } else { from.to_vec() };
+                let want = oracle::maps::next_mip_level(above, &from);
                 let got = got[c * below * below..][..below * below].iter().copied();
                 // Waves that cancel in the mean leave rounding errors, so the error is divided by the rms of the next
                 // finer level.
@@ -249,9 +249,9 @@ fn step_foam(foam: &mut [f64], plan: &Plan, pyramid: &Pyramid, (corner, texel_m)
     for (i, cell) in foam.iter_mut().enumerate() {
         let at = [i % size, i / size];
         let world: [f64; 2] = std::array::from_fn(|a| corner[a] + (at[a] as f64 + 0.5) * texel_m);
-        let j = oracle::foam::jacobian(pyramid.surface(world).strain, plan.sea.lambda());
+        let j = oracle::foam::displacement_jacobian(pyramid.surface(world).strain, plan.sea.choppiness());
         let s = ((source.threshold - j) * source.slope).clamp(0.0, 1.0);
-        *cell = oracle::foam::foam_after(*cell, s, plan.sea.foam.rate_per_s, plan.sea.foam.decay_s, step.dt_s);
+        *cell = oracle::foam::foam_after_step(*cell, s, plan.sea.foam.rate_per_s, plan.sea.foam.decay_s, step.dt_s);
     }
 }
 
@@ -301,7 +301,7 @@ impl Pyramid {
                 }
                 texels
             };
-            sum = sum.plus(&oracle::surface::blend(tiling, world, read));
+            sum = sum.plus(&oracle::surface::blend_patch_copies(tiling, world, read));
         }
         sum
     }

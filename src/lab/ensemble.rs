@@ -2,7 +2,7 @@
 
 use super::estimate::Estimate;
 use crate::gpu::{Gpu, readback};
-use crate::oracle::foam::jacobian;
+use crate::oracle::foam::displacement_jacobian;
 use crate::oracle::{self, transform};
 use crate::shaders::Shaders;
 use crate::sim::{MAX_STEPS, MapsF32, Simulation};
@@ -107,7 +107,7 @@ fn summary(all: &[SeedStatistics]) -> MeasuredStatistics {
     let variance = over(&|s| s.variance);
     let hs_m = 4.0 * variance.value.sqrt();
     let [m0, m1, m2] = [0, 1, 2].map(|p| values(&|s| s.travelling.m[p]));
-    let [east, south] = [0, 1].map(|axis| values(&|s| s.travelling.toward[axis]));
+    let [east, south] = [0, 1].map(|axis| values(&|s| s.travelling.first_moment[axis]));
     let (x, z) = (east.iter().sum::<f64>(), south.iter().sum::<f64>());
     let length = x.hypot(z).max(f64::MIN_POSITIVE);
     let component =
@@ -123,7 +123,8 @@ fn summary(all: &[SeedStatistics]) -> MeasuredStatistics {
         mss: over(&|s| s.mss),
         tm01_s: Estimate::ratio(&m0, &m1).scaled(TAU),
         tm02_s: tm02.mapped(TAU * tm02.value.sqrt(), TAU * 0.5 / tm02.value.sqrt().max(1e-9)),
-        from_deg: (r1.value > statistics::NO_DIRECTION).then(|| turn_deg.mapped(statistics::from_deg([x, z]), 1.0)),
+        from_deg: (r1.value > statistics::MIN_R1_FOR_DIRECTION)
+            .then(|| turn_deg.mapped(statistics::from_deg([x, z]), 1.0)),
         r1,
         spread_deg: spread_deg(r1),
         skewness: over(&|s| s.skewness),
@@ -183,17 +184,21 @@ fn travelling_waves(
 ) {
     let n = plan.n as usize;
     let [first, second] = displacements.map(|d| transform_of_heights(n, d));
-    let passed = plan.phase_time(times[1]).wrapping_sub(plan.phase_time(times[0]));
+    let passed = plan.time_in_period_u32(times[1]).wrapping_sub(plan.time_in_period_u32(times[0]));
     let scale = 1.0 / (n * n) as f64;
     for z in 0..n {
         for x in 0..n {
             let (ix, iz) = (oracle::signed_index(x, n), oracle::signed_index(z, n));
             let wave = plan.wave(cascade, (ix * ix + iz * iz) as u32);
-            if (ix, iz) == (0, 0) || !cascade.holds(wave.k) || ix == -(n as i32) / 2 || iz == -(n as i32) / 2 {
+            if (ix, iz) == (0, 0)
+                || !cascade.contains_wave_number(wave.k)
+                || ix == -(n as i32) / 2
+                || iz == -(n as i32) / 2
+            {
                 continue;
             }
             let at = z * n + x;
-            let turn = TAU * f64::from(wave.turns.wrapping_mul(passed)) / 4_294_967_296.0;
+            let turn = TAU * f64::from(wave.cycles_per_period.wrapping_mul(passed)) / 4_294_967_296.0;
             let (sin, cos) = turn.sin_cos();
             // The transforms are conjugates: A* = (X2* - X1* e^{-i turn}) / (2 i sin turn).
             let (a, b) = (first[at], second[at]);
@@ -229,7 +234,7 @@ pub fn surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f6
             strain[1] += f64::from(g[3]);
             strain[2] += f64::from(d[3]);
         }
-        visit(eta, jacobian([strain[0], strain[1], strain[2], strain[2]], plan.sea.lambda()));
+        visit(eta, displacement_jacobian([strain[0], strain[1], strain[2], strain[2]], plan.sea.choppiness()));
     }
 }
 

@@ -24,7 +24,7 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
     let foam = ocean.read_foam().await?.remove(FOAM_LEVEL);
     let plan = ocean.plan().clone();
     let n = maps.n;
-    let chop = plan.sea.lambda().map(|l| l as f32);
+    let chop = plan.sea.choppiness().map(|l| l as f32);
     for c in 0..maps.cascades() {
         let (d, g) = (maps.displacement(c), maps.gradients(c));
         let displacement: [Channel<'_>; 3] = [
@@ -57,9 +57,9 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
         "t_s": params.clock.t_s,
         "period_s": plan.period_s,
         "axes": "+x east, +y up, +z south; column i holds x = i patch_m / n, row j holds z = j patch_m / n",
-        "chop_xz": plan.sea.lambda(),
+        "chop_xz": plan.sea.choppiness(),
         "level_m": plan.sea.level_m,
-        "untile": plan.untile,
+        "untile": plan.blends_copies,
         "notices": plan.notices,
         "cascades": plan.cascades.iter().enumerate().map(|(i, c)| serde_json::json!({
             "displacement": format!("cascade{i}_displacement.exr"),

@@ -36,11 +36,11 @@ pub fn errors(reference: &SrgbPicture, test: &SrgbPicture, pixels_per_degree: f6
             reference.width, reference.height, test.width, test.height
         ));
     }
-    let (a, b) = (perceived(reference, pixels_per_degree), perceived(test, pixels_per_degree));
+    let (a, b) = (filtered_lab(reference, pixels_per_degree), filtered_lab(test, pixels_per_degree));
     let (fa, fb) = (Features::new(reference, pixels_per_degree), Features::new(test, pixels_per_degree));
-    let most = hyab(hunt([0.0, 1.0, 0.0]), hunt([0.0, 0.0, 1.0])).powf(QC);
+    let most = hyab(lab_with_hunt_effect([0.0, 1.0, 0.0]), lab_with_hunt_effect([0.0, 0.0, 1.0])).powf(QC);
     let error = |i: usize| {
-        let colour = redistribute(hyab(a[i], b[i]).powf(QC), most);
+        let colour = to_flip_scale(hyab(a[i], b[i]).powf(QC), most);
         let edge = (fa.edges[i] - fb.edges[i]).abs();
         let point = (fa.points[i] - fb.points[i]).abs();
         let feature = (edge.max(point) / 2f64.sqrt()).powf(QF);
@@ -106,7 +106,7 @@ fn linear_rgb([y, cx, cz]: [f64; 3]) -> [f64; 3] {
 }
 
 /// Converts linear sRGB to L*a*b* with the Hunt effect: chroma decreases in proportion to lightness.
-fn hunt(rgb: [f64; 3]) -> [f64; 3] {
+fn lab_with_hunt_effect(rgb: [f64; 3]) -> [f64; 3] {
     let delta: f64 = 6.0 / 29.0;
     let f = |t: f64| if t > delta.powi(3) { t.cbrt() } else { t / (3.0 * delta * delta) + 4.0 / 29.0 };
     let (xyz, white) = (times(&TO_XYZ, rgb), white());
@@ -121,14 +121,14 @@ fn hyab(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 /// Maps a colour difference from 0 to `most` to FLIP's scale from 0 to 1.
-fn redistribute(x: f64, most: f64) -> f64 {
+fn to_flip_scale(x: f64, most: f64) -> f64 {
     let knee = PC * most;
     if x < knee { PT / knee * x } else { PT + (x - knee) / (most - knee) * (1.0 - PT) }
 }
 
 /// L*a*b* of each pixel as an observer perceives it at the viewing distance of `pixels_per_degree`: each opponent
 /// colour is filtered by its contrast sensitivity.
-fn perceived(picture: &SrgbPicture, pixels_per_degree: f64) -> Vec<[f64; 3]> {
+fn filtered_lab(picture: &SrgbPicture, pixels_per_degree: f64) -> Vec<[f64; 3]> {
     // Weight and width of two Gaussians each for luminance, red-green and blue-yellow.
     const SENSITIVITY: [[[f64; 2]; 2]; 3] =
         [[[1.0, 0.0047], [0.0, 1e-5]], [[1.0, 0.0053], [0.0, 1e-5]], [[34.1, 0.04], [13.5, 0.025]]];
@@ -148,7 +148,7 @@ fn perceived(picture: &SrgbPicture, pixels_per_degree: f64) -> Vec<[f64; 3]> {
         }
         out.iter_mut().zip(sum).for_each(|(c, s)| c[channel] = s / whole);
     }
-    out.into_iter().map(|c| hunt(linear_rgb(c))).collect()
+    out.into_iter().map(|c| lab_with_hunt_effect(linear_rgb(c))).collect()
 }
 
 /// Filters one channel of a picture: rows by the kernel `along`, then columns by `down`. Border pixels are repeated.

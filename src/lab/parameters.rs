@@ -66,7 +66,8 @@ fn row(field: &Field) -> Vec<String> {
         unit => unit,
     };
     let default = field.default_value();
-    let default = if default == 0.0 && !field.zero.is_empty() { field.zero.to_owned() } else { field.format(default) };
+    let default =
+        if default == 0.0 && !field.zero_word.is_empty() { field.zero_word.to_owned() } else { field.format(default) };
     let key = format!("`{}`", field.key);
     vec![key, field.label.into(), unit.into(), field.range(), default, escaped(field.help)]
 }

@@ -7,7 +7,7 @@ use crate::shaders::Shaders;
 use crate::sim::Simulation;
 use crate::state::{Params, query};
 use crate::waves::Plan;
-use crate::waves::statistics::{Resolved, Theory};
+use crate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
 use serde_json::{Value, json};
 use std::fmt;
 
@@ -16,8 +16,8 @@ use std::fmt;
 pub struct SeaStatistics {
     params: Params,
     plan: Plan,
-    theory: Theory,
-    resolved: Resolved,
+    theory: SpectrumStatistics,
+    resolved: LatticeStatistics,
     measured: MeasuredStatistics,
     /// Mean foam coverage measured with the first seed, 0 to 1.
     whitecap_fraction: f64,
@@ -29,8 +29,8 @@ pub struct SeaStatistics {
 /// If reading back from the GPU fails.
 pub async fn run(gpu: &Gpu, params: &Params, seeds: u32) -> Result<SeaStatistics, String> {
     let plan = Plan::new(params);
-    let theory = Theory::new(&plan);
-    let resolved = Resolved::new(&plan, theory.m0_m2);
+    let theory = SpectrumStatistics::new(&plan);
+    let resolved = LatticeStatistics::new(&plan, theory.m0_m2);
     let mut sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
     let whitecap_fraction = ensemble::mean_foam(gpu, &mut sim, params.clock.t_s).await?;
     let measured = ensemble::measure(gpu, &mut sim, params, seeds, &mut |_, _| ()).await?;
@@ -39,12 +39,12 @@ pub async fn run(gpu: &Gpu, params: &Params, seeds: u32) -> Result<SeaStatistics
 
 impl SeaStatistics {
     /// Statistics by theory, from integrals of the spectrum.
-    pub fn theory(&self) -> &Theory {
+    pub fn theory(&self) -> &SpectrumStatistics {
         &self.theory
     }
 
     /// Statistics of the resolved waves, from sums over the FFT grids of the cascades.
-    pub fn resolved(&self) -> &Resolved {
+    pub fn resolved(&self) -> &LatticeStatistics {
         &self.resolved
     }
 

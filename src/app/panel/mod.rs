@@ -8,8 +8,8 @@ pub mod time;
 use super::accessible_names::named;
 use super::{App, plots};
 use crate::state::fields::{FIELDS, Group};
-use crate::state::floats::FloatKind;
-use crate::state::{Params, motion, query};
+use crate::state::floats::FloatingObjectKind;
+use crate::state::{Params, motion};
 use crate::waves::beaufort;
 
 pub use seas::OwnSeas;
@@ -100,7 +100,7 @@ fn enlarge_for_touch(ui: &mut egui::Ui) {
 /// Describes the sea in one line: significant wave height and Beaufort number.
 pub fn summary(app: &App) -> String {
     let hs = app.metres().text(app.derived.theory.hs_m, 1);
-    format!("Hs {hs}, Beaufort {}", beaufort::number_of(app.params.sea.local().wind_m_s))
+    format!("Hs {hs}, Beaufort {}", beaufort::beaufort_number(app.params.sea.local().wind_m_s))
 }
 
 /// Adds a button with a tooltip. Returns whether it was clicked.
@@ -177,7 +177,7 @@ fn actions(app: &mut App, ui: &mut egui::Ui) {
 }
 
 fn notices(app: &App, ui: &mut egui::Ui) {
-    let missing = app.params.look.sky.missing_file();
+    let missing = app.params.look.sky.missing_file_notice();
     for text in app.notices.iter().chain(&app.derived.plan.notices).chain(&missing) {
         ui.colored_label(egui::Color32::from_rgb(240, 200, 110), text);
     }
@@ -243,9 +243,9 @@ fn sky_file(params: &mut Params, ui: &mut egui::Ui) {
 /// Adds a button for each named view of the camera.
 fn views(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
-        for view in motion::VIEWS {
+        for view in motion::CAMERA_VIEWS {
             if button(ui, view.name, view.about) {
-                motion::turn_to(&mut app.params, view);
+                motion::set_named_view(&mut app.params, view);
             }
         }
     });
@@ -254,7 +254,7 @@ fn views(app: &mut App, ui: &mut egui::Ui) {
 /// Adds the widgets that place, list and remove buoys and boats.
 fn afloat(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
-        for kind in FloatKind::ALL {
+        for kind in FloatingObjectKind::ALL {
             let on = app.placing == Some(kind);
             let help = "Then click on the sea where it shall be moored.";
             if ui.selectable_label(on, format!("Moor a {}", kind.word())).on_hover_text(help).clicked() {
@@ -287,7 +287,7 @@ fn afloat(app: &mut App, ui: &mut egui::Ui) {
 fn share(app: &mut App, ui: &mut egui::Ui) {
     ui.label("The address of the page is always the whole sea: send it, bookmark it, go back and forward.");
     ui.horizontal(|ui| {
-        let hint = ("paste an address here", query::MAX_BYTES);
+        let hint = ("paste an address here", crate::files::MAX_STATE_BYTES);
         let (field, pressed) = text_field(ui, "Open link", &mut app.panel.link, hint, |ui| ui.button("Open").clicked());
         let entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
         if (pressed || entered) && !app.panel.link.trim().is_empty() {
@@ -296,7 +296,7 @@ fn share(app: &mut App, ui: &mut egui::Ui) {
         }
     });
     if button(ui, "Copy frame", "Copies an <iframe> that shows this sea in another page, without the panel.") {
-        app.copy_frame();
+        app.copy_iframe();
     }
     let maps =
         "Saves displacement and slopes of every cascade at this moment as one OpenEXR file: docs/use-the-maps.md.";

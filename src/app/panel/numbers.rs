@@ -34,7 +34,7 @@ pub fn show(app: &App, ui: &mut egui::Ui) {
 
 /// Shows a table of statistics in three columns: by theory, of the waves on the FFT grids, and as measured on the GPU.
 pub fn more(app: &App, ui: &mut egui::Ui) {
-    app.shown.maps.set(true);
+    app.visible_readouts.maps.set(true);
     let (t, r) = (&app.derived.theory, app.derived.resolved());
     let metres = app.metres();
     egui::Grid::new("more numbers").num_columns(4).striped(true).show(ui, |ui| {
@@ -82,7 +82,7 @@ pub fn more(app: &App, ui: &mut egui::Ui) {
 
 /// Shows the time of a frame: the CPU time of recording it, and the GPU time of each pass.
 pub fn cost(app: &App, ui: &mut egui::Ui) {
-    app.shown.times.set(true);
+    app.visible_readouts.times.set(true);
     ui.label(format!("Recording a frame: {:.2} ms of the CPU", app.frame_measurements.record_ms()));
     match app.frame_measurements.passes() {
         None => {
@@ -125,5 +125,5 @@ pub fn about(app: &mut App, ui: &mut egui::Ui) {
             longest
         ));
     }
-    ui.label(format!("{:.1} % of the sea's energy is computed", 100.0 * plan.captured().min(1.0)));
+    ui.label(format!("{:.1} % of the sea's energy is computed", 100.0 * plan.captured_fraction().min(1.0)));
 }

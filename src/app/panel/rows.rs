@@ -3,7 +3,7 @@
 use super::super::accessible_names::named;
 use super::super::units::UnitScale;
 use crate::state::Params;
-use crate::state::fields::{FIELDS, Field, FieldKind, Group, Refusal};
+use crate::state::fields::{FIELDS, Field, FieldKind, Group, InvalidValue};
 use crate::state::params::Units;
 
 /// Whether a search finds a parameter: each word occurs in its label, key, group or help text.
@@ -47,7 +47,7 @@ fn row(params: &mut Params, field: &'static Field, units: Units, ui: &mut egui::
     }
     if value != before {
         // A typed value outside the range was clamped, and the slider shows the clamped value.
-        let (Ok(v) | Err(Refusal::Clamped(v))) = field.accept(value) else { return };
+        let (Ok(v) | Err(InvalidValue::Clamped(v))) = field.accept(value) else { return };
         (field.set)(params, v);
     }
 }
@@ -131,15 +131,15 @@ fn with_zero<'a>(field: &'static Field, slider: egui::Slider<'a>, factor: f64, u
     let unit = scale.suffix();
     // On a linear slider with a wide range small values could not be set.
     let most = if let FieldKind::Number { max, .. } = field.kind { max * factor } else { 0.0 };
-    let wide = !field.zero.is_empty() && most > 100.0 * factor;
+    let wide = !field.zero_word.is_empty() && most > 100.0 * factor;
     let slider = if wide { slider.logarithmic(true).smallest_positive(1e-6 * most) } else { slider };
     slider
         .custom_formatter(move |value, digits| match value {
-            0.0 if !field.zero.is_empty() => field.zero.to_owned(),
+            0.0 if !field.zero_word.is_empty() => field.zero_word.to_owned(),
             _ => format!("{}{unit}", egui::emath::format_with_decimals_in_range(value, digits)),
         })
         .custom_parser(move |text| {
-            let zero = !field.zero.is_empty() && text.trim().eq_ignore_ascii_case(field.zero);
+            let zero = !field.zero_word.is_empty() && text.trim().eq_ignore_ascii_case(field.zero_word);
             if zero { Some(0.0) } else { scale.parse(text) }
         })
 }

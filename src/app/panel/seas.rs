@@ -5,7 +5,7 @@ use super::super::units::UnitScale;
 use super::super::{App, storage};
 use super::button;
 use crate::state::presets::{self, Preset};
-use crate::waves::beaufort::{self, FORCES};
+use crate::waves::beaufort::{self, BEAUFORT_FORCES};
 
 /// The user's own named seas, with the state of the widgets that edit the list.
 #[derive(Default)]
@@ -42,7 +42,7 @@ impl OwnSeas {
 
     fn store(&mut self) -> Result<(), String> {
         if !self.damage.is_empty() && !self.is_aside {
-            storage::put_seas_aside()?;
+            storage::back_up_damaged_seas()?;
             self.is_aside = true;
         }
         storage::store_seas(&presets::write(&self.own))
@@ -52,7 +52,7 @@ impl OwnSeas {
 /// Adds the wind slider in Beaufort numbers, with the name and the appearance of that wind force.
 pub fn wind(app: &mut App, ui: &mut egui::Ui) {
     let wind_m_s = app.params.sea.local().wind_m_s;
-    let now = beaufort::number_of(wind_m_s);
+    let now = beaufort::beaufort_number(wind_m_s);
     let mut number = now;
     ui.horizontal(|ui| {
         let label = ui.strong("Wind");
@@ -65,9 +65,9 @@ pub fn wind(app: &mut App, ui: &mut egui::Ui) {
         ui.add(typed).labelled_by(label.id).on_hover_text(help);
     });
     if number != now {
-        app.params = FORCES[number].apply(&app.params);
+        app.params = BEAUFORT_FORCES[number].apply(&app.params);
     }
-    let force = &FORCES[now];
+    let force = &BEAUFORT_FORCES[now];
     let metres = app.metres();
     let speed = UnitScale::of("m/s", app.params.screen.units);
     let (code, word) = beaufort::sea_state(app.derived.theory.hs_m);
@@ -75,7 +75,7 @@ pub fn wind(app: &mut App, ui: &mut egui::Ui) {
         .on_hover_text("Beaufort scale, WMO");
     ui.weak(format!(
         "Textbook height {}, this sea {}; sea state {code}, {word} (Douglas)",
-        metres.text(force.probable_m, 1),
+        metres.text(force.probable_hs_m, 1),
         metres.text(app.derived.theory.hs_m, 1),
     ));
 }
@@ -110,19 +110,19 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
     }
     if let Some(name) = dropped {
         app.own_seas.own.retain(|p| p.name != name);
-        app.complain(|app| app.own_seas.store());
+        app.run_or_notify(|app| app.own_seas.store());
     }
     ui.separator();
     ui.horizontal(|ui| {
         let label = ui.label("Keep as");
         let field = egui::TextEdit::singleline(&mut app.own_seas.name).hint_text("name of this sea");
-        let field = field.char_limit(presets::MAX_NAME).desired_width(150.0);
+        let field = field.char_limit(presets::MAX_NAME_CHARS).desired_width(150.0);
         ui.add(field).labelled_by(label.id);
         let name = app.own_seas.name.trim().to_owned();
         if ui.add_enabled(!name.is_empty(), egui::Button::new("Keep")).clicked() {
             app.own_seas.name.clear();
-            let preset = Preset::of(&name, &app.params);
-            app.complain(|app| app.own_seas.add(vec![preset]));
+            let preset = Preset::from_params(&name, &app.params);
+            app.run_or_notify(|app| app.own_seas.add(vec![preset]));
         }
         if ui
             .add_enabled(!app.own_seas.own.is_empty(), egui::Button::new("Export"))
@@ -153,7 +153,7 @@ impl App {
         let seed = self.params.sea.seed;
         let (params, notices) = preset.apply(&self.params);
         self.params = params;
-        self.params.look.sky.attach(self.sky.as_ref());
+        self.params.look.sky.adopt_loaded_image(self.sky.as_ref());
         self.notices = notices;
         if self.panel.seed_locked {
             self.params.sea.seed = seed;
@@ -161,7 +161,7 @@ impl App {
     }
 
     /// Runs an action, and adds its error, if any, to the notices.
-    fn complain(&mut self, what: impl FnOnce(&mut Self) -> Result<(), String>) {
+    fn run_or_notify(&mut self, what: impl FnOnce(&mut Self) -> Result<(), String>) {
         if let Err(reason) = what(self) {
             self.notices.push(reason);
         }

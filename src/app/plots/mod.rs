@@ -55,12 +55,12 @@ fn fixed_plot(name: &str) -> Plot<'_> {
 pub fn show(app: &mut App, ui: &mut egui::Ui) {
     let mut wanted = None;
     section(ui, "Spectrum", true, &mut wanted, |ui| {
-        app.shown.maps.set(true);
+        app.visible_readouts.maps.set(true);
         spectrum::show(app, ui)
     });
     section(ui, "Directions", false, &mut wanted, |ui| polar::show(app, ui));
     section(ui, "Sea at a buoy", false, &mut wanted, |ui| {
-        app.shown.record.set(true);
+        app.visible_readouts.record.set(true);
         series::show(app, ui)
     });
     section(ui, "Cut through the sea", false, &mut wanted, |ui| profile::show(app, ui));

@@ -11,17 +11,17 @@ const RINGS: usize = 28;
 const SIDE: f32 = 240.0;
 
 /// Directional spectrum, sampled for the polar plot on rings of equal frequency.
-pub struct Wheel {
+pub struct DirectionalSpectrumSamples {
     /// Angular frequency omega at the middle of each ring, rad/s.
     omega: Vec<f64>,
     /// Spectral density per angular frequency and direction, m^2 s/rad, one ring after the other.
     density: Vec<f64>,
 }
 
-impl Wheel {
+impl DirectionalSpectrumSamples {
     /// Samples the directional spectrum of a sea for the plot.
     pub fn new(plan: &Plan) -> Self {
-        let (low, high) = (plan.support().0, 3.0 * plan.omega_p);
+        let (low, high) = (plan.frequency_range().0, 3.0 * plan.omega_p);
         let omega: Vec<f64> = (0..RINGS).map(|i| low + (high - low) * (i as f64 + 0.5) / RINGS as f64).collect();
         let at = |w: f64, i: usize| -> f64 {
             // The wave vector (x east, z south) points away from where the waves come from.

@@ -17,9 +17,9 @@ impl App {
         }
     }
 
-    /// Continues the height record while there is a floating object or while the plot is shown.
+    /// Continues the height record while there is a floating object or while the plot is visible.
     pub(in crate::app) fn continue_record(&mut self) {
-        let wanted = self.shown.record.take() || !self.params.floats.is_empty();
+        let wanted = self.visible_readouts.record.take() || !self.params.floats.is_empty();
         if !wanted || self.params.clock.paused && self.record.is_current(self.params.clock.t_s) {
             return;
         }
@@ -36,12 +36,12 @@ pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
     let metres = app.metres();
     let until = record.samples().back().map_or(0.0, |s| s[0]);
     let from = until - SHOWN_S;
-    let shown: Vec<[f64; 2]> =
+    let visible: Vec<[f64; 2]> =
         record.samples().iter().filter(|s| s[0] >= from).map(|s| [s[0], s[1] * metres.factor]).collect();
     ui.weak(format!("Height at {} over time, s; {}", app.record_place().0, metres.unit));
     let half = (0.8 * app.derived.theory.hs_m * metres.factor).max(0.05);
     let plot = fixed_plot("series").include_x(from).include_x(until).include_y(-half).include_y(half);
-    plot.show(ui, |plot| plot.line(Line::new("height", PlotPoints::from(shown)).color(COLOURS[0])));
+    plot.show(ui, |plot| plot.line(Line::new("height", PlotPoints::from(visible)).color(COLOURS[0])));
     let length = record.length_s();
     let hs = record.hs_m().map_or_else(|| "after 30 s".to_owned(), |hs| metres.text(hs, 2));
     ui.label(format!(

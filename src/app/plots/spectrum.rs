@@ -17,7 +17,7 @@ pub fn highest_omega(plan: &Plan) -> f64 {
 /// Plots the spectra, the peak frequency, and the frequencies that separate the cascades. Returns the data as a table.
 pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
     let plan = &app.derived.plan;
-    let (low, peak) = (plan.support().0, plan.omega_p);
+    let (low, peak) = (plan.frequency_range().0, plan.omega_p);
     let end = highest_omega(plan);
     let omega = |i: usize| low + (end - low) * i as f64 / POINTS as f64;
     let curve = |density: &dyn Fn(f64) -> f64| -> Vec<[f64; 2]> {

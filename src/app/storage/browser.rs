@@ -1,7 +1,7 @@
 //! Storage of the web page: downloads for saved files, and the browser's local storage for the user's own named seas.
 //! The functions are the same as in desktop.rs.
 
-use super::{SEAS, SEAS_ASIDE};
+use super::{DAMAGED_SEAS, SEAS};
 use std::path::Path;
 use wasm_bindgen::{JsCast as _, JsValue};
 
@@ -30,8 +30,8 @@ pub fn load_seas() -> String {
 ///
 /// # Errors
 /// One sentence, if the browser refuses to store the copy.
-pub fn put_seas_aside() -> Result<(), String> {
-    store(SEAS_ASIDE, &load_seas())
+pub fn back_up_damaged_seas() -> Result<(), String> {
+    store(DAMAGED_SEAS, &load_seas())
 }
 
 /// Stores the text of the user's own named seas.

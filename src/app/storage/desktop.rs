@@ -1,6 +1,6 @@
 //! Storage of the desktop window: files in the user's folders.
 
-use super::{SEAS, SEAS_ASIDE};
+use super::{DAMAGED_SEAS, SEAS};
 use std::io::{ErrorKind, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
@@ -49,12 +49,12 @@ fn read_seas(path: &Path) -> Option<String> {
 ///
 /// # Errors
 /// One sentence with the reason, if the file cannot be written.
-pub fn put_seas_aside() -> Result<(), String> {
-    copy_aside(&seas_path()?)
+pub fn back_up_damaged_seas() -> Result<(), String> {
+    copy_damaged_file(&seas_path()?)
 }
 
-fn copy_aside(path: &Path) -> Result<(), String> {
-    let free = numbered(SEAS_ASIDE).map(|name| path.with_file_name(name)).find(|aside| !aside.exists());
+fn copy_damaged_file(path: &Path) -> Result<(), String> {
+    let free = numbered(DAMAGED_SEAS).map(|name| path.with_file_name(name)).find(|aside| !aside.exists());
     let aside = free.ok_or("there are too many files of damaged seas")?;
     std::fs::copy(path, &aside).map(drop).map_err(|e| format!("cannot write {}: {e}", aside.display()))
 }
@@ -94,10 +94,10 @@ mod tests {
         std::fs::write(&path, b"[a]\nstate: wind=3\n[b]\nabout: \xff\xfe\nstate: wind=4\n[c]\n").expect("a file");
         let (seas, notices) = crate::state::presets::read(&read_seas(&path).expect("text"));
         assert_eq!((seas.len(), notices.len()), (2, 1));
-        copy_aside(&path).expect("a copy");
+        copy_damaged_file(&path).expect("a copy");
         std::fs::write(&path, "").expect("a file");
-        copy_aside(&path).expect("another copy");
-        assert_eq!(std::fs::read(folder.join(SEAS_ASIDE)).expect("the copy").len(), 50);
+        copy_damaged_file(&path).expect("another copy");
+        assert_eq!(std::fs::read(folder.join(DAMAGED_SEAS)).expect("the copy").len(), 50);
         assert!(std::fs::read(folder.join("seas-damaged-2.txt")).expect("the second").is_empty());
         // A file over the size limit gives a notice; it is not cut silently.
         std::fs::write(&path, "[a]\nstate: wind=3\n".repeat(100_000)).expect("a file");

@@ -24,12 +24,12 @@ pub fn deviation(estimate: Option<Estimate>, expected: f64) -> String {
 }
 
 /// Formats the difference of an estimate from the expected value, in the estimate's unit and in standard errors.
-pub fn offset(estimate: Option<Estimate>, expected: f64) -> String {
+pub fn absolute_deviation(estimate: Option<Estimate>, expected: f64) -> String {
     difference(estimate, |value| value - expected, |by| format!("{by:+.4}"))
 }
 
 /// Formats the difference of an estimated angle from the expected angle, in degrees and in standard errors.
-pub fn turned(estimate: Option<Estimate>, expected: f64) -> String {
+pub fn angle_deviation(estimate: Option<Estimate>, expected: f64) -> String {
     difference(estimate, |value| (value - expected + 540.0).rem_euclid(360.0) - 180.0, |by| format!("{by:+.2}°"))
 }
 
@@ -42,6 +42,6 @@ fn difference(estimate: Option<Estimate>, by: impl Fn(f64) -> f64, text: impl Fn
 }
 
 /// Formats the difference of the program's number from a published number, in per cent.
-pub fn against(ours: f64, published: f64) -> String {
+pub fn relative_to_published(ours: f64, published: f64) -> String {
     format!("{:+.1} %", 100.0 * (ours / published - 1.0))
 }

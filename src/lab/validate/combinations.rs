@@ -1,6 +1,6 @@
 //! `seastate validate --all`: measures every spectrum with every directional spreading in thirteen sea states.
 
-use super::cells::{deviation, measured, number, turned};
+use super::cells::{angle_deviation, deviation, measured, number};
 use super::measurement::Measurement;
 use super::words;
 use crate::gpu::Gpu;
@@ -108,7 +108,7 @@ fn row(lab: &Measurement<'_>, state: &str, comparisons: &mut Comparisons) -> Res
         comparisons.compare(state, estimate, expected);
     }
     cells.extend(match r.mean_from_deg {
-        Some(from_deg) => [measured(sea.direction_deg(), 2), turned(sea.direction_deg(), from_deg)],
+        Some(from_deg) => [measured(sea.direction_deg(), 2), angle_deviation(sea.direction_deg(), from_deg)],
         None => ["none".to_owned(), "none".to_owned()],
     });
     Ok(cells)

@@ -1,6 +1,6 @@
 //! Part 5 of the validation page: wave height in water of finite depth.
 
-use super::cells::{against, deviation, measured, number};
+use super::cells::{deviation, measured, number, relative_to_published};
 use super::measurement::{Measurement, theory};
 use crate::lab::figure::{Axis, Figure, Legend, Mark, Series, curve};
 use crate::lab::page::Page;
@@ -55,9 +55,9 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
             measured(hs, 3),
             deviation(hs, resolved),
             number(branches, 3),
-            against(branches, exact),
+            relative_to_published(branches, exact),
             number(bouws, 3),
-            against(bouws, exact),
+            relative_to_published(bouws, exact),
         ]);
     }
     if lab.gpu.is_some() {

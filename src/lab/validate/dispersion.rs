@@ -34,7 +34,7 @@ const PER_DECADE: f64 = 8.0;
 type MeasuredWave = [f64; 3];
 
 /// Measures phase speeds by the phase advance of Fourier coefficients between two times; `None` without a GPU.
-fn speeds(lab: &Measurement<'_>, plan: &Plan) -> Result<Option<Vec<MeasuredWave>>, String> {
+fn measured_phase_speeds(lab: &Measurement<'_>, plan: &Plan) -> Result<Option<Vec<MeasuredWave>>, String> {
     // The clock counts ticks of 2^-32 periods, so it represents multiples of a tick exactly.
     let tick = plan.period_s / 4_294_967_296.0;
     let mut all = Vec::new();
@@ -62,7 +62,7 @@ fn speeds(lab: &Measurement<'_>, plan: &Plan) -> Result<Option<Vec<MeasuredWave>
 }
 
 /// Picks the strongest wave in each bin of the wave number, as points (k, phase speed, 0) for the figure.
-fn thinned(waves: &[MeasuredWave]) -> Vec<[f64; 3]> {
+fn strongest_per_bin(waves: &[MeasuredWave]) -> Vec<[f64; 3]> {
     let bin = |wave: &MeasuredWave| (wave[0].log10() * PER_DECADE).floor();
     let mut sorted = waves.to_vec();
     sorted.sort_by(|a, b| a[0].total_cmp(&b[0]));
@@ -87,13 +87,13 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
         let held = plan.resolved_bands();
         let (low, high) = (plan.cascades[0].dk(), held.last().map_or(0.0, |h| h.1));
         let mut cells = vec![PENDING.to_owned(); 4];
-        if let Some(waves) = speeds(lab, &plan)? {
+        if let Some(waves) = measured_phase_speeds(lab, &plan)? {
             let errors: Vec<f64> = waves.iter().map(|[k, c, _]| c / speed(*k) - 1.0).collect();
             let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
             let worst = errors.iter().map(|e| e.abs()).fold(0.0, f64::max);
             let (low, high) = waves.iter().fold((f64::MAX, 0.0), |(a, b): (f64, f64), s| (a.min(s[0]), b.max(s[0])));
             cells = vec![waves.len().to_string(), format!("{low:.3} to {high:.1}"), per_cent(rms), per_cent(worst)];
-            points.push(Series::new("", i, Mark::Points(thinned(&waves))));
+            points.push(Series::new("", i, Mark::Points(strongest_per_bin(&waves))));
         }
         let row = vec![name.to_owned(), number(speed(0.05), 4), number(speed(1.0), 4), number(speed(370.0), 4)];
         rows.push([row, vec![format!("{low:.3} to {high:.1}")], cells].concat());

@@ -8,8 +8,8 @@ use crate::sim::{MapsF32, Simulation};
 use crate::state::{Params, query};
 use crate::waves::Plan;
 use crate::waves::plan::Cascade;
-use crate::waves::statistics::{Resolved, Theory};
-use crate::waves::table::{Table, index};
+use crate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
+use crate::waves::table::{Table, entry_index};
 
 /// Measures seas for the validation page, over ensembles of seeds.
 pub struct Measurement<'a> {
@@ -24,9 +24,9 @@ pub struct MeasuredSea {
     /// The plan of the sea: its wave systems and cascades.
     pub plan: Plan,
     /// Statistics by theory, from integrals of the spectrum.
-    pub theory: Theory,
+    pub theory: SpectrumStatistics,
     /// Statistics of the resolved waves, from sums over the FFT grids of the cascades.
-    pub resolved: Resolved,
+    pub resolved: LatticeStatistics,
     /// Statistics measured on the GPU, averaged over the seeds; `None` without a GPU.
     pub measured: Option<MeasuredStatistics>,
     /// Variance of the waves in each bin of frequency or direction.
@@ -56,8 +56,8 @@ pub fn params(state: &str) -> Result<Params, String> {
 ///
 /// # Errors
 /// If the parser gives a notice about the state string.
-pub fn theory(state: &str) -> Result<Theory, String> {
-    Ok(Theory::new(&Plan::new(&params(state)?)))
+pub fn theory(state: &str) -> Result<SpectrumStatistics, String> {
+    Ok(SpectrumStatistics::new(&Plan::new(&params(state)?)))
 }
 
 impl Measurement<'_> {
@@ -82,8 +82,8 @@ impl Measurement<'_> {
     ) -> Result<MeasuredSea, String> {
         let params = params(state)?;
         let plan = Plan::new(&params);
-        let theory = Theory::new(&plan);
-        let resolved = Resolved::new(&plan, theory.m0_m2);
+        let theory = SpectrumStatistics::new(&plan);
+        let resolved = LatticeStatistics::new(&plan, theory.m0_m2);
         let mut bins = vec![WaveBin { measured: vec![[0.0; 3]; self.seeds as usize], ..WaveBin::default() }; bins];
         let add = |sum: &mut [f64; 3], wave: &TravellingWave| {
             let parts = [wave.variance, wave.variance * wave.unit[0], wave.variance * wave.unit[1]];
@@ -156,7 +156,7 @@ pub fn expected_waves(plan: &Plan, visit: &mut dyn FnMut(&TravellingWave)) {
         let table = Table::new(plan, cascade);
         for (ix, iz, k) in lattice(plan, cascade) {
             let unit = [ix, iz].map(|i| f64::from(i) * cascade.dk() / k);
-            let omega = table.waves[index(ix, iz)].omega;
+            let omega = table.waves[entry_index(ix, iz)].omega;
             visit(&TravellingWave { variance: 4.0 * table.variance(ix, iz), k, omega, unit });
         }
     }
@@ -167,5 +167,5 @@ pub fn lattice<'a>(plan: &Plan, cascade: &'a Cascade) -> impl Iterator<Item = (i
     let half = plan.n as i32 / 2;
     let all = (1 - half..half).flat_map(move |iz| (1 - half..half).map(move |ix| (ix, iz)));
     let wave = |(ix, iz): (i32, i32)| (ix, iz, cascade.dk() * f64::from(ix * ix + iz * iz).sqrt());
-    all.map(wave).filter(|&(ix, iz, k)| (ix, iz) != (0, 0) && cascade.holds(k))
+    all.map(wave).filter(|&(ix, iz, k)| (ix, iz) != (0, 0) && cascade.contains_wave_number(k))
 }

@@ -1,6 +1,6 @@
 //! Part 4 of the validation page: published measurements of growth with fetch and full development; the Beaufort scale.
 
-use super::cells::{against, number};
+use super::cells::{number, relative_to_published};
 use super::measurement::theory;
 use crate::lab::figure::{Axis, Figure, Legend, Mark, Series, curve};
 use crate::lab::page::Page;
@@ -10,7 +10,7 @@ const G: f64 = 9.81;
 /// Wind speed for the growth curves, m/s. The curves are dimensionless, so every wind speed gives the same curves.
 const WIND: f64 = 10.0;
 /// Wind speed at a height of 19.5 m divided by that at 10 m.
-const U19: f64 = 1.026;
+const WIND_RATIO_19M_10M: f64 = 1.026;
 
 /// Beaufort number, middle of its range of wind speeds (m/s), probable wave height and probable highest wave height (m;
 /// WMO-No. 306 and Met Office).
@@ -31,7 +31,7 @@ const SEA_STATES: [f64; 9] = [0.0, 0.1, 0.5, 1.25, 2.5, 4.0, 6.0, 9.0, 14.0];
 
 /// Dimensionless energy m0 g^2 / U^4 and peak frequency f_p U / g of the program's spectrum at the dimensionless fetch
 /// `x` = g F / U^2.
-fn grown(spectrum: &str, x: f64) -> Result<[f64; 2], String> {
+fn growth_of_spectrum(spectrum: &str, x: f64) -> Result<[f64; 2], String> {
     let fetch_km = x * WIND * WIND / G / 1000.0;
     let t = theory(&format!("spectrum={spectrum}&wind={WIND}&fetch={fetch_km}&n=64"))?;
     Ok([t.m0_m2 * G * G / WIND.powi(4), WIND / (G * t.tp_s)])
@@ -75,8 +75,8 @@ fn growth(page: &mut Page) -> Result<(), String> {
     ];
     let mut ours: [Vec<[f64; 2]>; 2] = [vec![], vec![]];
     for &x in &grid {
-        ours[0].push(grown("jonswap", x)?);
-        ours[1].push(grown("donelan", x)?);
+        ours[0].push(growth_of_spectrum("jonswap", x)?);
+        ours[1].push(growth_of_spectrum("donelan", x)?);
     }
     let mut figures = Vec::new();
     for (i, (name, title, y, legend)) in axes.into_iter().enumerate() {
@@ -92,16 +92,16 @@ fn growth(page: &mut Page) -> Result<(), String> {
     let mut rows = Vec::new();
     for x in [100.0, 300.0, 1000.0, 3000.0, 10_000.0] {
         for (name, published) in [("jonswap", jonswap(x)), ("donelan", donelan(x))] {
-            let ours = grown(name, x)?;
+            let ours = growth_of_spectrum(name, x)?;
             rows.push(vec![
                 number(x, 0),
                 name.to_owned(),
                 format!("{:.3e}", published[0]),
                 format!("{:.3e}", ours[0]),
-                against(ours[0], published[0]),
+                relative_to_published(ours[0], published[0]),
                 number(published[1], 4),
                 number(ours[1], 4),
-                against(ours[1], published[1]),
+                relative_to_published(ours[1], published[1]),
             ]);
         }
     }
@@ -127,15 +127,15 @@ fn full_development(page: &mut Page) -> Result<(), String> {
     let t = theory(&format!("spectrum=pm&wind={WIND}&n=64"))?;
     let (height, peak) = (t.hs_m * G / (WIND * WIND), WIND / (G * t.tp_s));
     let entry = |what: &str, published: f64, ours: f64| {
-        vec![what.to_owned(), number(published, 4), number(ours, 4), against(ours, published)]
+        vec![what.to_owned(), number(published, 4), number(ours, 4), relative_to_published(ours, published)]
     };
     page.table(
         "quantity | published | ours | deviation",
         &[
-            entry("Hs g / U10², from the integral", 0.20925 * U19 * U19, height),
-            entry("Hs g / U10², rounded: 0.21 for U19.5", 0.21 * U19 * U19, height),
-            entry("f_p U10 / g, from the spectrum", 0.592f64.powf(0.25) / TAU / U19, peak),
-            entry("f_p U10 / g, rounded: 0.14 for U19.5", 0.14 / U19, peak),
+            entry("Hs g / U10², from the integral", 0.20925 * WIND_RATIO_19M_10M * WIND_RATIO_19M_10M, height),
+            entry("Hs g / U10², rounded: 0.21 for U19.5", 0.21 * WIND_RATIO_19M_10M * WIND_RATIO_19M_10M, height),
+            entry("f_p U10 / g, from the spectrum", 0.592f64.powf(0.25) / TAU / WIND_RATIO_19M_10M, peak),
+            entry("f_p U10 / g, rounded: 0.14 for U19.5", 0.14 / WIND_RATIO_19M_10M, peak),
             entry("f_p U10 / g, Hasselmann et al. 1973: 0.13", 0.13, peak),
         ],
     );
@@ -192,10 +192,10 @@ fn beaufort(page: &mut Page) -> Result<(), String> {
             number(probable, 1),
             sea_state(probable).to_string(),
             number(pm, 2),
-            against(pm, probable),
+            relative_to_published(pm, probable),
             sea_state(pm).to_string(),
             number(fetch, 2),
-            against(fetch, probable),
+            relative_to_published(fetch, probable),
             sea_state(fetch).to_string(),
         ]);
     }

@@ -1,6 +1,6 @@
 //! Part 4 of the validation page, continued: mean square slope and whitecap coverage against wind.
 
-use super::cells::{against, deviation, measured, number};
+use super::cells::{deviation, measured, number, relative_to_published};
 use super::measurement::{Measurement, params, theory};
 use crate::lab::figure::{Axis, Figure, Legend, Mark, Series, curve};
 use crate::lab::page::Page;
@@ -104,7 +104,7 @@ fn slope_rows(lab: &Measurement<'_>) -> Result<(Vec<Vec<String>>, Vec<[f64; 3]>)
                 deviation(mss, resolved),
                 number(residual, 4),
                 number(resolved + residual, 4),
-                against(resolved + residual, cox_munk),
+                relative_to_published(resolved + residual, cox_munk),
             ]);
         }
     }

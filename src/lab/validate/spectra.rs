@@ -1,13 +1,13 @@
 //! Part 1 of the validation page: the twelve frequency spectra.
 
-use super::cells::{deviation, measured, number, turned};
+use super::cells::{angle_deviation, deviation, measured, number};
 use super::measurement::{MeasuredSea, Measurement, WaveBin};
 use super::words;
 use crate::lab::ensemble::TravellingWave;
 use crate::lab::estimate::Estimate;
 use crate::lab::figure::{Axis, Figure, Legend, Mark, Series, curve};
 use crate::lab::page::Page;
-use crate::waves::quadrature::panels;
+use crate::waves::quadrature::integrate_panels;
 use std::f64::consts::TAU;
 
 /// State string of all seas in this part, to which `spectrum=` is added.
@@ -44,7 +44,7 @@ const QUANTITIES: [Quantity; 6] = [
 
 /// Theoretical spectral density S(omega), averaged over each frequency bin, m^2 s.
 fn densities(sea: &MeasuredSea) -> Vec<f64> {
-    let mean = |i| panels(|w| sea.plan.density(w), &[edge(i), edge(i + 1)], 2) / (edge(i + 1) - edge(i));
+    let mean = |i| integrate_panels(|w| sea.plan.density(w), &[edge(i), edge(i + 1)], 2) / (edge(i + 1) - edge(i));
     (0..BINS).map(mean).collect()
 }
 
@@ -157,7 +157,7 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
             degrees(t.mean_from_deg),
             degrees(r.mean_from_deg),
             none(measured(sea.direction_deg(), 2)),
-            none(turned(sea.direction_deg(), r.mean_from_deg.unwrap_or_default())),
+            none(angle_deviation(sea.direction_deg(), r.mean_from_deg.unwrap_or_default())),
             number(t.tp_s, 3),
             number(t.k_max, 1),
             format!("{} %", number(100.0 * r.m0_fraction, 2)),

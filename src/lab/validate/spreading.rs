@@ -1,13 +1,13 @@
 //! Part 2 of the validation page: the seven directional spreadings.
 
-use super::cells::{deviation, measured, number, turned};
+use super::cells::{angle_deviation, deviation, measured, number};
 use super::measurement::{MeasuredSea, Measurement, WaveBin};
 use super::words;
 use crate::lab::ensemble::{TravellingWave, spread_deg};
 use crate::lab::estimate::Estimate;
 use crate::lab::figure::{Axis, Figure, Legend, Mark, Series, curve};
 use crate::lab::page::Page;
-use crate::waves::quadrature::{adaptive, panels};
+use crate::waves::quadrature::{integrate_adaptive, integrate_panels};
 use crate::waves::{Plan, statistics};
 use std::f64::consts::{PI, TAU};
 
@@ -35,7 +35,7 @@ fn middle(bin: usize) -> f64 {
 fn band_mean(plan: &Plan, omega: f64, f: impl Fn(f64) -> f64) -> f64 {
     let ends = [(1.0 - HALF_WIDTH) * omega, 0.95 * omega, omega, (1.0 + HALF_WIDTH) * omega];
     let s = |w: f64| plan.density(w);
-    panels(|w| s(w) * f(w), &ends, 1) / panels(s, &ends, 1)
+    integrate_panels(|w| s(w) * f(w), &ends, 1) / integrate_panels(s, &ends, 1)
 }
 
 /// Theory of the band at `ratio` times the peak frequency: the spreading's integral over the circle, and the first
@@ -44,7 +44,7 @@ fn theory(plan: &Plan, ratio: f64) -> [f64; 2] {
     let spreading = &plan.systems[0].spreading;
     let omega = ratio * plan.omega_p;
     let knots = [-PI, -0.5 * PI, -0.5, 0.0, 0.5, 0.5 * PI, PI];
-    let integral = adaptive(|theta| spreading.density(omega, theta), &knots, 1e-10);
+    let integral = integrate_adaptive(|theta| spreading.density(omega, theta), &knots, 1e-10);
     [integral, band_mean(plan, omega, |w| spreading.first_moment(w))]
 }
 
@@ -134,7 +134,7 @@ fn row(name: &str, sea: &MeasuredSea, band: usize, ratio: f64) -> Vec<String> {
     let [integral, r1_theory] = theory(&sea.plan, ratio);
     let [m, x, z] = total(&|b| b.expected);
     let r1 = x.hypot(z) / m;
-    let has_direction = r1 > statistics::NO_DIRECTION;
+    let has_direction = r1 > statistics::MIN_R1_FOR_DIRECTION;
     let resolved_deg = statistics::spread_deg(r1);
     let (mut spread, mut from) = (None, None);
     if sea.measured.is_some() {
@@ -159,6 +159,6 @@ fn row(name: &str, sea: &MeasuredSea, band: usize, ratio: f64) -> Vec<String> {
         deviation(spread, resolved_deg),
         directed(number(240.0, 0)),
         directed(measured(from, 2)),
-        directed(turned(from, 240.0)),
+        directed(angle_deviation(from, 240.0)),
     ]
 }

@@ -1,6 +1,6 @@
 //! Part 6 of the validation page: the probability distribution of the surface's elevation.
 
-use super::cells::{measured, number, offset};
+use super::cells::{absolute_deviation, measured, number};
 use super::measurement::{Measurement, expected_waves, params};
 use crate::lab::ensemble::{distribution_shape, surface_points};
 use crate::lab::estimate::Estimate;
@@ -21,17 +21,17 @@ const BINS: usize = 50;
 /// Elevation and strain are jointly Gaussian, so E[J | u] = 1 - s1 u + s2 (u^2 - 1), with s1 = lambda (a + b) / sigma,
 /// s2 = lambda^2 (a b - c^2) / sigma^2 and the choppiness lambda. a, b and c sum kx^2/k, kz^2/k and kx kz/k over the
 /// waves, times each wave's variance and orbit ratio coth(k h). Covariances of strains cancel in the determinant.
-struct ChoppyDistribution {
+struct ElevationDistribution {
     sigma: f64,
     s1: f64,
     s2: f64,
 }
 
-impl ChoppyDistribution {
+impl ElevationDistribution {
     fn new(plan: &Plan, chop: f64) -> Self {
         let (mut m0, mut a, mut b, mut c) = (0.0, 0.0, 0.0, 0.0);
         expected_waves(plan, &mut |wave| {
-            let strain = wave.variance * wave.k * plan.dispersion.orbit(wave.k);
+            let strain = wave.variance * wave.k * plan.dispersion.orbit_axis_ratio(wave.k);
             m0 += wave.variance;
             a += strain * wave.unit[0] * wave.unit[0];
             b += strain * wave.unit[1] * wave.unit[1];
@@ -96,11 +96,11 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
          fitted.",
     );
     let x = Axis::linear("elevation over its standard deviation σ without chop", -HALF_RANGE, HALF_RANGE);
-    let gauss = ChoppyDistribution { sigma: 1.0, s1: 0.0, s2: 0.0 };
+    let gauss = ElevationDistribution { sigma: 1.0, s1: 0.0, s2: 0.0 };
     let (mut rows, mut figures) = (Vec::new(), Vec::new());
     for chop in [0.0, 1.0] {
         let state = format!("{STATE}&chop={chop}");
-        let theory = ChoppyDistribution::new(&Plan::new(&params(&state)?), chop);
+        let theory = ElevationDistribution::new(&Plan::new(&params(&state)?), chop);
         let y = Axis::log("probability density", 1e-5, 1.0);
         let mut figure = Figure::new(&format!("Chop {chop}"), x.clone(), y, Legend::Right);
         let histograms = histograms(lab, &state, theory.sigma)?;
@@ -120,7 +120,7 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
                 name.to_owned(),
                 number(expected, 4),
                 measured(estimate, 4),
-                offset(estimate, expected),
+                absolute_deviation(estimate, expected),
             ]);
         }
     }
