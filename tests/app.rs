@@ -180,7 +180,7 @@ fn what_cannot_be_read_changes_nothing() {
         std::fs::write(&path, bytes).expect("a file");
         drop_files(&mut harness, &[path]);
         assert_eq!(harness.state().state(), state, "{name}");
-        assert!(harness.query_by_label_contains(says).is_some(), "{name}: {}", harness.state().report());
+        assert!(harness.query_by_label_contains(says).is_some(), "{name}: {}", harness.state().report_text());
     }
     // The picture of the default sea has an empty state string and opens, too.
     let path = folder.join("plain.png");

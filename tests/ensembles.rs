@@ -6,7 +6,7 @@ mod common;
 use common::{gpu, params};
 use seastate::lab::estimate::Estimate;
 use seastate::lab::stats;
-use seastate::lab::validate::words;
+use seastate::lab::validate::choice_words;
 
 const SEEDS: u32 = 64;
 

@@ -1,6 +1,6 @@
 //! Links keep their meaning: each link in tests/links.txt opens a sea of the recorded significant wave height.
 
-use seastate::lab::gallery::PICTURES;
+use seastate::lab::gallery::GALLERY_PICTURES;
 use seastate::state::{presets, query};
 use seastate::waves::Plan;
 use seastate::waves::statistics::SpectrumStatistics;
@@ -35,7 +35,7 @@ fn every_link_opens_the_sea_that_it_opened_before() {
 #[test]
 fn what_the_program_and_its_pages_link_to_is_among_them() {
     let known: Vec<_> = links().iter().map(|(_, link)| query::parse(link).0).collect();
-    let gallery = PICTURES.iter().map(|sea| sea.state.to_owned());
+    let gallery = GALLERY_PICTURES.iter().map(|sea| sea.state.to_owned());
     let built_in = presets::built_in().iter().map(|preset| preset.state.clone());
     let pages = [include_str!("../README.md"), include_str!("../docs/using.md"), include_str!("../docs/embedding.md")];
     let all = gallery.chain(built_in).chain(pages.into_iter().flat_map(quoted));

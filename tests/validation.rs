@@ -1,7 +1,7 @@
 //! The validation page: its theoretical numbers are the program's, and a part of it can be measured and written.
 
 use seastate::gpu::Gpu;
-use seastate::lab::validate::{self, PARTS, cells::PENDING};
+use seastate::lab::validate::{self, PAGE_PARTS, cells::PENDING};
 use std::fs;
 use std::path::PathBuf;
 
@@ -35,7 +35,7 @@ fn agree(a: &str, b: &str) -> bool {
 
 #[test]
 fn the_page_is_what_the_program_computes() {
-    let now = validate::build(None, 12, &PARTS).expect("theory needs no GPU");
+    let now = validate::build(None, 12, &PAGE_PARTS).expect("theory needs no GPU");
     let page = fs::read_to_string(committed().join("validation.md")).expect("docs/validation.md");
     let (ours, theirs) = (rows(&now.markdown()), rows(&page));
     assert_eq!(ours.len(), theirs.len(), "rows of tables");

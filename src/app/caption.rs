@@ -7,11 +7,11 @@ use crate::waves::colour_scale::{Palette, caption};
 use egui::{Color32, Key};
 
 /// Width and height of the colour bar, points.
-const BAR: egui::Vec2 = egui::vec2(220.0, 10.0);
+const COLOUR_BAR_SIZE: egui::Vec2 = egui::vec2(220.0, 10.0);
 
 /// Applies the keys of debug views: V shows the next view, Shift+V the previous one; digits choose a cascade; Escape
 /// returns to the picture. Returns whether Escape was used.
-pub fn keys(view: &mut ViewChoice, ctx: &egui::Context) -> bool {
+pub fn apply_view_keys(view: &mut ViewChoice, ctx: &egui::Context) -> bool {
     let pressed = |key| ctx.input(|i| i.key_pressed(key));
     if pressed(Key::V) {
         *view = view.cycled_by(if ctx.input(|i| i.modifiers.shift) { -1 } else { 1 });
@@ -32,7 +32,7 @@ pub fn keys(view: &mut ViewChoice, ctx: &egui::Context) -> bool {
 }
 
 /// Shows the caption of the current debug view at the lower left of the window. The ordinary picture has none.
-pub fn show(params: &Params, plan: &Plan, ctx: &egui::Context) {
+pub fn show_view_caption(params: &Params, plan: &Plan, ctx: &egui::Context) {
     let view = params.look.view;
     if view.displayed == DisplayedView::Picture {
         return;
@@ -43,7 +43,7 @@ pub fn show(params: &Params, plan: &Plan, ctx: &egui::Context) {
             let caption = caption(view, plan);
             ui.strong(view.name());
             if let Some(palette) = caption.palette {
-                bar(palette, ui);
+                draw_colour_bar(palette, ui);
             }
             for line in caption.lines {
                 ui.label(line);
@@ -52,8 +52,8 @@ pub fn show(params: &Params, plan: &Plan, ctx: &egui::Context) {
     });
 }
 
-fn bar(palette: Palette, ui: &mut egui::Ui) {
-    let (rect, _) = ui.allocate_exact_size(BAR, egui::Sense::hover());
+fn draw_colour_bar(palette: Palette, ui: &mut egui::Ui) {
+    let (rect, _) = ui.allocate_exact_size(COLOUR_BAR_SIZE, egui::Sense::hover());
     let stops = palette.stops().map(|c| {
         let [r, g, b] = c.map(|x| (255.0 * x).round() as u8);
         Color32::from_rgb(r, g, b)

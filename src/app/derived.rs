@@ -11,7 +11,7 @@ use std::cell::OnceCell;
 /// Plan, statistics and plot data of one sea. The expensive ones are computed at their first use.
 pub struct Derived {
     /// Parameters from which the other fields were computed.
-    pub of: Params,
+    pub params: Params,
     /// Plan for the FFT size that the user requested; adaptive quality may draw the sea with a smaller one.
     pub plan: Plan,
     /// Statistics by theory, from integrals of the continuous spectrum.
@@ -21,7 +21,7 @@ pub struct Derived {
     /// The waves that are summed on the CPU for the height of the sea at a point.
     surface_waves: OnceCell<HullWaves>,
     /// Directional spectrum, sampled for the polar plot.
-    wheel: OnceCell<DirectionalSpectrumSamples>,
+    directional_spectrum: OnceCell<DirectionalSpectrumSamples>,
 }
 
 impl Derived {
@@ -30,19 +30,19 @@ impl Derived {
         let plan = Plan::new(params);
         let theory = SpectrumStatistics::new(&plan);
         Self {
-            of: params.clone(),
+            params: params.clone(),
             plan,
             theory,
             resolved: OnceCell::new(),
             surface_waves: OnceCell::new(),
-            wheel: OnceCell::new(),
+            directional_spectrum: OnceCell::new(),
         }
     }
 
     /// Updates the derived quantities to new parameters, and recomputes only those that depend on the change. Returns
     /// the kind of the change; `None` if the sea is the same.
     pub fn update(&mut self, params: &Params) -> Option<SeaChange> {
-        let change = SeaChange::between(&self.of, params);
+        let change = SeaChange::between(&self.params, params);
         match change {
             None => return None,
             Some(SeaChange::Waves) => *self = Self::new(params),
@@ -52,23 +52,23 @@ impl Derived {
             }
             Some(SeaChange::Foam) => self.plan = self.plan.with_surface_and_foam_of(&params.sea),
         }
-        self.of = params.clone();
+        self.params = params.clone();
         change
     }
 
     /// Statistics of the waves on the FFT grids.
-    pub fn resolved(&self) -> &LatticeStatistics {
+    pub fn lattice_statistics(&self) -> &LatticeStatistics {
         self.resolved.get_or_init(|| LatticeStatistics::new(&self.plan, self.theory.m0_m2))
     }
 
     /// The sum of waves that gives the height of the sea at any point, on the CPU.
-    pub fn heights(&self) -> &StrongestWaves {
+    pub fn strongest_waves(&self) -> &StrongestWaves {
         self.surface_waves.get_or_init(|| HullWaves::new(&self.plan)).heights()
     }
 
     /// Directional spectrum, sampled for the polar plot.
-    pub fn wheel(&self) -> &DirectionalSpectrumSamples {
-        self.wheel.get_or_init(|| DirectionalSpectrumSamples::new(&self.plan))
+    pub fn directional_spectrum(&self) -> &DirectionalSpectrumSamples {
+        self.directional_spectrum.get_or_init(|| DirectionalSpectrumSamples::new(&self.plan))
     }
 }
 
@@ -82,7 +82,7 @@ mod tests {
         params.grid.n = 64;
         let mut derived = Derived::new(&params);
         let first = derived.plan.clone();
-        derived.heights();
+        derived.strongest_waves();
         params.sea.foam.decay_s = 9.0;
         assert_eq!(derived.update(&params), Some(SeaChange::Foam));
         assert_eq!(derived.update(&params), None);

@@ -5,13 +5,13 @@ use crate::state::camera::View;
 use crate::state::floats::{self, FloatingObject};
 
 /// Largest distance from the camera at which a buoy or boat can be placed, m. Farther away it is too small to see.
-const FARTHEST_FLOAT_M: f64 = 3000.0;
+const MAX_FLOATING_OBJECT_DISTANCE_M: f64 = 3000.0;
 /// Number of fixed-point iterations that find the intersection of a view ray with the waves.
 const RAY_STEPS: usize = 8;
 
 impl App {
     /// Places a buoy under the pointer when B is pressed, or the object chosen in the panel where the sea is clicked.
-    pub(super) fn moor(&mut self, response: &egui::Response, ctx: &egui::Context) {
+    pub(super) fn place_floating_object(&mut self, response: &egui::Response, ctx: &egui::Context) {
         if self.placing.is_some() && response.hovered() {
             ctx.set_cursor_icon(egui::CursorIcon::Crosshair);
         }
@@ -24,11 +24,11 @@ impl App {
         self.placing = None;
         let Some(at) = at else { return };
         let Some([x_m, z_m]) = self.water_position_at(at, response.rect) else {
-            self.say("There is no water there.");
+            self.show_brief_message("There is no water there.");
             return;
         };
         if self.params.floats.len() >= floats::MAX_FLOATING_OBJECTS {
-            self.say("There is no room for more.");
+            self.show_brief_message("There is no room for more.");
             return;
         }
         let round = |x: f64| (10.0 * x).round() / 10.0;
@@ -47,11 +47,12 @@ impl App {
         let mut place = None;
         for _ in 0..RAY_STEPS {
             let distance = (height_m - camera.y_m) / ray.y;
-            if !(ray.y < -1e-3 && distance < FARTHEST_FLOAT_M) {
+            if !(ray.y < -1e-3 && distance < MAX_FLOATING_OBJECT_DISTANCE_M) {
                 return place;
             }
             let [x, z] = [camera.x_m + distance * ray.x, camera.z_m + distance * ray.z];
-            height_m = self.derived.heights().sample(x, z, self.params.clock.t_s).height_m.min(camera.y_m - 0.3);
+            height_m =
+                self.derived.strongest_waves().sample(x, z, self.params.clock.t_s).height_m.min(camera.y_m - 0.3);
             place = Some([x, z]);
         }
         place

@@ -19,7 +19,7 @@ impl App {
     /// Copies the link to the current sea to the clipboard.
     pub(super) fn copy_link(&mut self) {
         self.ctx.copy_text(self.link());
-        self.say("Link copied.");
+        self.show_brief_message("Link copied.");
     }
 
     /// Copies the HTML of an iframe that shows the sea in another web page, without the panel.
@@ -36,7 +36,7 @@ impl App {
             "<iframe src=\"{link}\" title=\"Seastate\" width=\"960\" height=\"540\" style=\"border:0\" \
              allow=\"fullscreen\" loading=\"lazy\"></iframe>"
         ));
-        self.say("Frame copied: paste it into a page.");
+        self.show_brief_message("Frame copied: paste it into a page.");
     }
 
     /// Opens a link or a bare state string. A text without any known key changes only the notices.
@@ -49,7 +49,7 @@ impl App {
         }
         self.set_state(text);
         if self.notices.is_empty() {
-            self.say("Opened.");
+            self.show_brief_message("Opened.");
         }
     }
 
@@ -89,20 +89,20 @@ impl App {
     }
 
     /// Shows the result of each file save that has finished since the last frame.
-    pub(super) fn take_saved(&mut self) {
+    pub(super) fn take_save_results(&mut self) {
         for result in self.saved.take() {
-            self.show_result(result);
+            self.show_save_result(result);
         }
     }
 
     /// Saves bytes as a file, and shows a message with the path or the error.
     pub(super) fn save(&mut self, name: &str, bytes: &[u8]) {
-        self.show_result(storage::save(self.save_folder.as_deref(), name, bytes));
+        self.show_save_result(storage::save(self.save_folder.as_deref(), name, bytes));
     }
 
-    fn show_result(&mut self, result: Result<String, String>) {
+    fn show_save_result(&mut self, result: Result<String, String>) {
         match result {
-            Ok(message) => self.say(&message),
+            Ok(message) => self.show_brief_message(&message),
             Err(reason) => self.notices.push(reason),
         }
     }

@@ -10,11 +10,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use web_time::Instant;
 
 /// Number of past foam steps that one frame replays after a start, for FFT sizes from 256. Smaller sizes replay more.
-const STEPS_PER_FRAME: usize = 6;
+const FOAM_STEPS_PER_FRAME: usize = 6;
 /// Number of past foam steps that one frame replays on a software adapter, for FFT sizes from 256.
-const CPU_STEPS_PER_FRAME: usize = 1;
+const CPU_FOAM_STEPS_PER_FRAME: usize = 1;
 /// Upper limit of the time by which one frame advances a cross-fade between two seas, s.
-const LONGEST_FADE_STEP_S: f64 = 0.1;
+const MAX_FADE_STEP_S: f64 = 0.1;
 
 /// Progress of rendering on one GPU device, shared with the paint callback.
 #[derive(Clone, Default)]
@@ -65,7 +65,7 @@ impl Progress {
 
 /// Fills the rest of `ui` with the sea. `pixels` converts the picture's size in points to pixels. Returns egui's
 /// response to the input `sense`, and the size in pixels.
-pub fn show(
+pub fn show_sea(
     ui: &mut egui::Ui,
     params: &Params,
     (progress, measurements): (&Progress, &FrameMeasurements),
@@ -78,7 +78,7 @@ pub fn show(
         .inner;
     let size = pixels(response.rect.size()).map(|s| s.max(1));
     if response.rect.is_positive() {
-        let dt_s = f64::from(ui.input(|i| i.stable_dt)).min(LONGEST_FADE_STEP_S);
+        let dt_s = f64::from(ui.input(|i| i.stable_dt)).min(MAX_FADE_STEP_S);
         let (progress, measurements) = (progress.clone(), measurements.clone());
         let frame = SeaFrame { params: params.clone(), size, progress, measurements, dt_s };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(response.rect, frame));
@@ -86,8 +86,8 @@ pub fn show(
     (response, size)
 }
 
-fn steps_per_frame(gpu: &Gpu, n: u32) -> usize {
-    let most = if gpu.is_software() { CPU_STEPS_PER_FRAME } else { STEPS_PER_FRAME };
+fn foam_steps_per_frame(gpu: &Gpu, n: u32) -> usize {
+    let most = if gpu.is_software() { CPU_FOAM_STEPS_PER_FRAME } else { FOAM_STEPS_PER_FRAME };
     most * (256 / n).max(1).pow(2) as usize
 }
 
@@ -118,12 +118,12 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         }
         let mut encoder = ocean.gpu().encoder("ocean");
         let begun = Instant::now();
-        self.measurements.begin(ocean, &mut encoder);
+        self.measurements.begin_frame(ocean, &mut encoder);
         ocean.transition_to(&self.params, self.dt_s);
-        let most_steps = steps_per_frame(ocean.gpu(), ocean.plan().n);
+        let most_steps = foam_steps_per_frame(ocean.gpu(), ocean.plan().n);
         let caught_up = ocean.encode(&mut encoder, self.size, most_steps);
         let is_whole = caught_up && !ocean.in_transition();
-        self.measurements.end(ocean, &mut encoder, begun.elapsed().as_secs_f64(), is_whole);
+        self.measurements.end_frame(ocean, &mut encoder, begun.elapsed().as_secs_f64(), is_whole);
         self.progress.0.catching_up.store(!is_whole, Ordering::Relaxed);
         vec![encoder.finish()]
     }
@@ -135,7 +135,7 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         resources: &egui_wgpu::CallbackResources,
     ) {
         if let Some(ocean) = resources.get::<Ocean>() {
-            self.measurements.painted();
+            self.measurements.note_painted();
             self.progress.0.painted.store(true, Ordering::Relaxed);
             // Before the first picture is finished, the page shows its loading screen, or the picture before a device
             // loss.

@@ -1,6 +1,6 @@
 //! The web page: functions that JavaScript calls, and the page's address (URL), which contains the current state.
 
-use super::device_loss::{AppHost, Created, ParkedApp};
+use super::device_loss::{AppCreation, AppHost, ParkedApp};
 use super::gpu_errors::GpuErrors;
 use super::screen_readers::AccessibleItem;
 use super::{App, setup, tasks};
@@ -49,7 +49,7 @@ impl WebHandle {
             host.park(&self.parked);
         }
         let (parked, gpu_errors) = (self.parked.clone(), self.gpu_errors.clone());
-        let create = move |cc: &eframe::CreationContext<'_>| -> Created {
+        let create = move |cc: &eframe::CreationContext<'_>| -> AppCreation {
             let mut host = AppHost::new(cc, &parked, app_from_address)?;
             gpu_errors.replace(host.app().map(|app| app.gpu_errors.clone()).unwrap_or_default());
             Ok(Box::new(host))
@@ -104,9 +104,12 @@ impl WebHandle {
     /// valid until the next frame.
     pub fn widget_bounds(&self, label: &str) -> Option<Vec<f64>> {
         let items = self.items();
-        let named = || items.iter().filter(|item| item.label == label);
+        let with_accessible_name = || items.iter().filter(|item| item.label == label);
         // A parameter has a slider, then a number field and a text with the same label: this takes the slider.
-        named().find(|item| item.role != "Label").or_else(|| named().next()).map(|item| item.bounds.to_vec())
+        with_accessible_name()
+            .find(|item| item.role != "Label")
+            .or_else(|| with_accessible_name().next())
+            .map(|item| item.bounds.to_vec())
     }
 
     /// Label and value of every widget, one string each, for browser tests.
@@ -286,7 +289,7 @@ impl Address {
 impl App {
     /// One line for screen readers: wave height, Beaufort number and the current message.
     fn announcement(&self) -> String {
-        let sea = super::panel::summary(self);
+        let sea = super::panel::sea_summary(self);
         self.message.as_ref().map_or_else(|| sea.clone(), |message| format!("{sea}. {}", message.text))
     }
 

@@ -31,8 +31,8 @@ pub fn sky(bytes: &[u8]) {
     let Ok(sky) = panorama::read_with_max_size("a.exr", bytes, SKY) else { return };
     assert!(sky.width <= SKY[0] && sky.height <= SKY[1]);
     assert_eq!(sky.mips[0].len(), sky.width * sky.height);
-    assert_eq!(sky.calm.len(), panorama::SUNLESS_SIZE[0] * panorama::SUNLESS_SIZE[1]);
-    assert!(sky.calm.iter().flatten().all(|v| v.is_finite() && *v >= 0.0));
+    assert_eq!(sky.sunless.len(), panorama::SUNLESS_SIZE[0] * panorama::SUNLESS_SIZE[1]);
+    assert!(sky.sunless.iter().flatten().all(|v| v.is_finite() && *v >= 0.0));
     assert!(sky.irradiance.iter().all(|v| v.is_finite()) && sky.gain > 0.0 && sky.gain.is_finite());
     if let Some(sun) = sky.sun {
         assert!(sun.irradiance.iter().all(|v| v.is_finite()) && (-90.0..=90.0).contains(&sun.elevation_deg));
@@ -84,7 +84,7 @@ pub fn picture(bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
     let made = picture::encode([1, 1], &[0; 4], &text, "");
     let found = made.and_then(|png| picture::state_from_png(&png));
-    assert_eq!(found.ok().as_deref(), (text.len() <= files::MAX_STATE_BYTES).then_some(&*text));
+    assert_eq!(found.ok().as_deref(), (text.len() <= seastate::files::MAX_STATE_BYTES).then_some(&*text));
 }
 
 /// Checks that all parameters are valid and that a link brings them back unchanged.
@@ -94,7 +94,7 @@ pub fn is_canonical(params: &Params) {
         assert_eq!(field.accept(value), Ok(value), "{}", field.key);
     }
     let written = query::write(params);
-    assert!(written.len() <= files::MAX_STATE_BYTES, "{} bytes: {written}", written.len());
+    assert!(written.len() <= seastate::files::MAX_STATE_BYTES, "{} bytes: {written}", written.len());
     let (again, notices) = query::parse(&written);
     assert_eq!(notices, Vec::<String>::new(), "{written}");
     assert_eq!(&again, params, "{written}");

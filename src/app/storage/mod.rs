@@ -14,6 +14,6 @@ pub use browser::{back_up_damaged_seas, load_seas, save, store_seas};
 pub use desktop::{back_up_damaged_seas, load_seas, save, store_seas};
 
 /// File name of the user's own named seas on the desktop, and their key in the browser's local storage.
-const SEAS: &str = "seas.txt";
+const SEAS_FILE_NAME: &str = "seas.txt";
 /// File name, or key in the browser's local storage, for a copy of a damaged list of seas before it is overwritten.
-const DAMAGED_SEAS: &str = "seas-damaged.txt";
+const DAMAGED_SEAS_FILE_NAME: &str = "seas-damaged.txt";
