@@ -39,7 +39,7 @@ fn the_gallery_is_what_its_table_would_write() {
 #[test]
 fn the_users_guide_lists_the_keys() {
     let guide = include_str!("../docs/using.md");
-    for (key, does) in seastate::app::keys::KEYS {
+    for (key, does) in seastate::app::keys::KEYBOARD_HELP {
         let row = format!("| {key} | {does} |");
         assert!(guide.contains(&row), "docs/using.md lacks: {row}");
     }

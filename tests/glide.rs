@@ -1,4 +1,5 @@
-//! From one sea to another: no jump on the way, the right height meanwhile, and exactly the sea of the state at the end.
+//! From one sea to another: no jump on the way, the right height meanwhile, and exactly the sea of the state at the
+//! end.
 
 mod common;
 
@@ -190,7 +191,8 @@ fn other_waves_fade_in_at_equal_power_and_without_a_jump() {
         });
         let rest = rest.max(fastest(&mut window, 20, |_, _| {}));
         eprintln!(
-            "{from} to {to}: at rest {rest:.4} m a frame, gliding {most:.4}, at once {jump:.4}; variance {low:.4} to {high:.4}, \
+            "{from} to {to}: at rest {rest:.4} m a frame, gliding {most:.4}, at once {jump:.4}; variance {low:.4} to \
+             {high:.4}, \
              seen {least:.4} to {largest:.4}"
         );
         assert!(least > 0.8 * low && largest < 1.2 * high, "{from} to {to}: {least} {largest}, {low} {high}");
@@ -412,8 +414,8 @@ fn a_boat_stays_on_the_water() {
 
 #[test]
 fn the_picture_does_not_jump_either() {
-    // Depth, colours of the water over a bed, roughness: the largest change between neighbouring stills of a glide is a small
-    // part of the whole way.
+    // Depth, colours of the water over a bed, roughness: the largest change between neighbouring stills of a glide is a
+    // small part of the whole way.
     for (from, to) in
         [("wind=8&n=64&depth=30&pitch=-25", "wind=8&n=64&depth=4&pitch=-25"), ("wind=8&n=64", "wind=20&fetch=400&n=64")]
     {

@@ -170,15 +170,16 @@ fn the_error_is_the_one_promised() {
         });
         let world = (world.sum::<f64>() / 300.0).sqrt();
         eprintln!(
-            "{wave_count} of {}: share {:.5}, promised {promised:.4} m, measured {rms:.4} m, most {most:.3} m, world {world:.4} m, \
+            "{modes} of {}: share {:.5}, promised {promised:.4} m, measured {rms:.4} m, most {most:.3} m, \
+             world {world:.4} m, \
              slope {:.4}",
             full.wave_count(),
             some.variance_fraction(),
             some.residual_slope_rms()
         );
-        assert!((rms / promised - 1.0).abs() < 0.1, "{wave_count}: {rms} against {promised}");
-        assert!(rms < before && most < 6.0 * promised, "{wave_count}: {rms} {most}");
-        assert!((0.9..1.6).contains(&(world / promised)), "{wave_count}: {world} against {promised}");
+        assert!((rms / promised - 1.0).abs() < 0.1, "{modes}: {rms} against {promised}");
+        assert!(rms < before && most < 6.0 * promised, "{modes}: {rms} {most}");
+        assert!((0.9..1.6).contains(&(world / promised)), "{modes}: {world} against {promised}");
         before = rms;
     }
 }

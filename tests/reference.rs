@@ -1,11 +1,12 @@
 //! The picture against its reference: many unfiltered samples a pixel, averaged in linear light. What takes minutes is
-//! marked `ignore` and run by `cargo test --test reference -- --ignored --nocapture`; pictures go to target/tmp/reference.
+//! marked `ignore` and run by `cargo test --test reference -- --ignored --nocapture`; pictures go to
+//! target/tmp/reference.
 
 mod common;
 
 use common::{gpu, params, random_params};
 use seastate::gpu::Gpu;
-use seastate::lab::flip::{PIXELS_PER_DEGREE, SrgbPicture, errors, mean};
+use seastate::lab::flip::{PIXELS_PER_DEGREE, SrgbPicture, flip_errors, mean_error};
 use seastate::lab::reference::{self, Sampling};
 use seastate::ocean::still::{FORMAT, picture_of};
 use seastate::ocean::{Film, Ocean};
@@ -82,7 +83,7 @@ struct Agreed {
 }
 
 fn flip(reference: &SrgbPicture, test: &SrgbPicture) -> f64 {
-    mean(&errors(reference, test, PIXELS_PER_DEGREE).expect("one size"))
+    mean_error(&flip_errors(reference, test, PIXELS_PER_DEGREE).expect("one size"))
 }
 
 fn magenta(picture: &SrgbPicture) -> usize {
@@ -105,7 +106,7 @@ fn horizon_row(p: &Params, height: u32) -> usize {
 fn write(name: &str, reference: &SrgbPicture, test: &SrgbPicture) {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("reference");
     std::fs::create_dir_all(&folder).expect("a folder");
-    let grey = errors(reference, test, PIXELS_PER_DEGREE).expect("one size");
+    let grey = flip_errors(reference, test, PIXELS_PER_DEGREE).expect("one size");
     let (w, h) = (test.width, test.height);
     let image = image::RgbImage::from_fn(3 * w as u32, h as u32, |x, y| {
         let (panel, at) = (x as usize / w, y as usize * w + x as usize % w);
@@ -118,8 +119,8 @@ fn write(name: &str, reference: &SrgbPicture, test: &SrgbPicture) {
     image.save(folder.join(format!("{name}.png"))).expect("a picture is written");
 }
 
-/// The sky is not filtered, so picture and reference agree in it to a level or two: the same exposure and film. The water
-/// is what differs, by less than two unlike pictures do.
+/// The sky is not filtered, so picture and reference agree in it to a level or two: the same exposure and film. The
+/// water is what differs, by less than two unlike pictures do.
 #[test]
 fn a_reference_is_the_picture_without_filtering() {
     let p = params("wind=10&n=64&t=20&sun=30&sunaz=90&heading=40&y=20");

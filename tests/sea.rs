@@ -21,7 +21,7 @@ fn assert_height(state: &str) -> stats::SeaStatistics {
     assert!((r.hs_m / t.hs_m - 1.0).abs() < 0.01, "{text}");
     assert!(m.parseval_error < 1e-4, "Parseval {}: {text}", m.parseval_error);
     assert!((m.hs_m.value / t.hs_m - 1.0).abs() < 0.03, "{text}");
-    let error = m.hs_m.error.expect("64 seeds have a standard error");
+    let error = m.hs_m.standard_error.expect("64 seeds have a standard error");
     assert!((m.hs_m.value - r.hs_m).abs() < 3.0 * error, "{text}");
     assert!((m.hs_m.value - t.hs_m).abs() < 3.0 * error, "{text}");
     assert!((m.mss.value / r.mss - 1.0).abs() < 0.02, "{text}");

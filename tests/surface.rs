@@ -253,7 +253,7 @@ fn mean_squares(bench: &mut Bench, size: f64, long: f64) -> [f64; 2] {
 #[test]
 fn slopes_that_a_pixel_cannot_resolve_are_not_lost() {
     for untile in ["", "&untile=0"] {
-        let mut bench = Bench::new(&format!("wind=10&fetch=100&t=5&n=256&chop=0{blends_copies}"));
+        let mut bench = Bench::new(&format!("wind=10&fetch=100&t=5&n=256&chop=0{untile}"));
         let plan = bench.ocean.plan().clone();
         let whole = plan.slope_variance(f64::INFINITY);
         let mut before = f64::INFINITY;
@@ -264,19 +264,19 @@ fn slopes_that_a_pixel_cannot_resolve_are_not_lost() {
             let [resolved, all] = mean_squares(&mut bench, size, 0.0);
             let [_, long] = mean_squares(&mut bench, size, 5.0 * size);
             eprintln!(
-                "pixel of {size:.3} m{blends_copies}: {:.4} of {:.4}, {:.4}",
+                "pixel of {size:.3} m{untile}: {:.4} of {:.4}, {:.4}",
                 resolved / whole,
                 all / whole,
                 long / whole
             );
             // The largest pixels resolve no slope at all.
-            assert!(resolved < before || (resolved, before) == (0.0, 0.0), "{size} m{blends_copies}");
+            assert!(resolved < before || (resolved, before) == (0.0, 0.0), "{size} m{untile}");
             if step < 0 {
                 // Between texels the spline damps the shortest waves.
-                assert!((0.96..1.01).contains(&(all / whole)), "{size} m{blends_copies}");
+                assert!((0.96..1.01).contains(&(all / whole)), "{size} m{untile}");
             } else {
                 let off = (all / whole - 1.0).abs().max((long / whole - 1.0).abs());
-                assert!(off < 0.03, "{size} m{blends_copies}: {off}");
+                assert!(off < 0.03, "{size} m{untile}: {off}");
             }
             before = resolved;
         }

@@ -5,7 +5,7 @@ mod common;
 use common::{Pictures, params};
 use seastate::oracle;
 use seastate::state::Params;
-use seastate::state::views::{DisplayedView, MapView, SurfaceView, VIEWS, ViewChoice};
+use seastate::state::views::{DISPLAYED_VIEWS, DisplayedView, MapView, SurfaceView, ViewChoice};
 use seastate::waves::Plan;
 use seastate::waves::colour_scale::{ColourScale, Palette, STOPS};
 use std::f64::consts::{PI, TAU};
@@ -14,7 +14,7 @@ type Pixels = Vec<[u8; 4]>;
 
 fn view(state: &str, displayed: DisplayedView, cascade: u32) -> Params {
     let mut params = params(state);
-    params.look.view = ViewChoice { shown, cascade };
+    params.look.view = ViewChoice { displayed, cascade };
     params
 }
 
@@ -62,8 +62,8 @@ fn wrong(pixels: &Pixels, expected: impl Fn(usize) -> [f64; 3]) -> f64 {
 fn every_view_is_another_and_none_is_broken() {
     let mut pictures = Pictures::default();
     let mut seen: Vec<(&str, Pixels)> = Vec::new();
-    for (word, shown, _) in VIEWS {
-        let pixels = pictures.render(&view("wind=18&fetch=300&n=64&t=20", *shown, 0), [96, 54]);
+    for (word, displayed, _) in DISPLAYED_VIEWS {
+        let pixels = pictures.render(&view("wind=18&fetch=300&n=64&t=20", *displayed, 0), [96, 54]);
         assert_eq!(magenta(&pixels), 0, "{word}");
         for (other, before) in &seen {
             let moved = pixels.iter().zip(before).filter(|(a, b)| a != b).count();
@@ -77,9 +77,9 @@ fn every_view_is_another_and_none_is_broken() {
 fn every_view_of_strange_seas_is_whole() {
     let mut pictures = Pictures::default();
     for state in ["wind=0", "wind=60&fetch=2000&chop=2", "depth=1&wind=30&spectrum=tma", "cascades=1&height=4"] {
-        for (word, shown, _) in &VIEWS[1..] {
+        for (word, displayed, _) in &DISPLAYED_VIEWS[1..] {
             for cascade in [1, 4] {
-                let pixels = pictures.render(&view(&format!("{state}&n=64"), *shown, cascade), [32, 18]);
+                let pixels = pictures.render(&view(&format!("{state}&n=64"), *displayed, cascade), [32, 18]);
                 assert_eq!(magenta(&pixels), 0, "{state}: {word} of {cascade}");
             }
         }
@@ -116,12 +116,12 @@ fn maps_are_shown_as_they_are() {
             MapView::MomentXz => moment(i, 0, 1),
             _ => (1.0 + chop[0] * g(i, 2)) * (1.0 + chop[1] * g(i, 3)) - chop[0] * chop[1] * d(i, 3).powi(2),
         };
-        for (word, shown, _) in VIEWS {
-            let DisplayedView::Map(kind) = *shown else { continue };
+        for (word, displayed, _) in DISPLAYED_VIEWS {
+            let DisplayedView::Map(kind) = *displayed else { continue };
             if matches!(kind, MapView::InitialSpectrum | MapView::Spectrum | MapView::Foam | MapView::Source) {
                 continue;
             }
-            let scale = ColourScale::new(*shown, &plan, cascade);
+            let scale = ColourScale::new(*displayed, &plan, cascade);
             let pixels = texels(&mut pictures, &map(state, kind, cascade as u32 + 1));
             let share = wrong(&pixels, |i| colour(&scale, value(kind, i)));
             assert!(share < 0.002, "{word} of cascade {cascade}: {share} of the texels are off");
@@ -203,17 +203,17 @@ fn normals_of_a_flat_sea_point_up() {
     assert!(water > pixels.len() / 2, "{water}");
 }
 
-/// From straight above, the level is the logarithm of a tap's size in texels: a pixel over the square root of 3, because a
-/// mip read with interpolation blurs as much as a box of the square root of 3 times its texel.
+/// From straight above, the level is the logarithm of a tap's size in texels: a pixel over the square root of 3,
+/// because a mip read with interpolation blurs as much as a box of the square root of 3 times its texel.
 #[test]
 fn mips_follow_the_height_of_the_eye() {
     let mut pictures = Pictures::default();
     for y_m in [200.0, 400.0] {
         let state = format!("wind=3&cascades=1&patch1=64&n=64&y={y_m}&pitch=-89&fov=50");
         let plan = Plan::new(&params(&state));
-        let shown = DisplayedView::Surface(SurfaceView::Mips);
-        let scale = ColourScale::new(shown, &plan, 0);
-        let pixels = pictures.render(&view(&state, shown, 1), [60, 60]);
+        let displayed = DisplayedView::Surface(SurfaceView::Mips);
+        let scale = ColourScale::new(displayed, &plan, 0);
+        let pixels = pictures.render(&view(&state, displayed, 1), [60, 60]);
         let levels = (0..1000).map(|i| scale.high * f64::from(i) / 999.0).collect::<Vec<_>>();
         let distance = |p: &[u8; 4], level: f64| {
             (0..3).map(|c| (f64::from(p[c]) - 255.0 * colour(&scale, level)[c]).powi(2)).sum::<f64>()

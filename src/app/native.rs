@@ -13,8 +13,8 @@ use std::rc::Rc;
 use std::time::Duration;
 use web_time::Instant;
 
-/// Largest number of GPU device losses, and of failures to get a new device, within [`DEVICE_LOSS_WINDOW`]. After more of them
-/// the program ends with an error.
+/// Largest number of GPU device losses, and of failures to get a new device, within [`DEVICE_LOSS_WINDOW`]. After more
+/// of them the program ends with an error.
 const MAX_DEVICE_LOSSES: usize = 8;
 /// Period over which device losses are counted.
 const DEVICE_LOSS_WINDOW: Duration = Duration::from_secs(60);

@@ -104,12 +104,9 @@ impl WebHandle {
     /// valid until the next frame.
     pub fn widget_bounds(&self, label: &str) -> Option<Vec<f64>> {
         let items = self.items();
-        let with_accessible_name = || items.iter().filter(|item| item.label == label);
+        let named = || items.iter().filter(|item| item.label == label);
         // A parameter has a slider, then a number field and a text with the same label: this takes the slider.
-        with_accessible_name()
-            .find(|item| item.role != "Label")
-            .or_else(|| with_accessible_name().next())
-            .map(|item| item.bounds.to_vec())
+        named().find(|item| item.role != "Label").or_else(|| named().next()).map(|item| item.bounds.to_vec())
     }
 
     /// Label and value of every widget, one string each, for browser tests.

@@ -58,7 +58,8 @@ pub fn mean_error(errors: &[f64]) -> f64 {
 
 const COLOUR_EXPONENT: f64 = 0.7;
 const FEATURE_EXPONENT: f64 = 0.5;
-/// Fraction of the largest colour difference above which FLIP compresses differences into the range from [`KNEE_FLIP_VALUE`] to 1.
+/// Fraction of the largest colour difference above which FLIP compresses differences into the range from
+/// [`KNEE_FLIP_VALUE`] to 1.
 const KNEE_DIFFERENCE_FRACTION: f64 = 0.4;
 /// Value that FLIP gives to a colour difference of [`KNEE_DIFFERENCE_FRACTION`] times the largest one.
 const KNEE_FLIP_VALUE: f64 = 0.95;

@@ -24,7 +24,8 @@ pub struct View {
 }
 
 impl View {
-    /// Makes a camera's view. `aspect` is width / height of the picture, `min_eye_height_m` the smallest height of the eye, m.
+    /// Makes a camera's view. `aspect` is width / height of the picture, `min_eye_height_m` the smallest height of the
+    /// eye, m.
     pub fn new(camera: &Camera, aspect: f64, min_eye_height_m: f64) -> Self {
         let (heading, pitch) = (camera.heading_deg.to_radians(), camera.pitch_deg.to_radians());
         let forward = DVec3::new(heading.sin() * pitch.cos(), pitch.sin(), -heading.cos() * pitch.cos());

@@ -1,7 +1,7 @@
 //! Fields: descriptions of parameters (key, label, unit, allowed values, help) with functions to read and write them.
 //!
-//! The macro [`parameters!`] declares a struct of parameters with a field for each member; [`choice_enum!`] declares an enum
-//! with a word for each variant. [`fields`](super::fields) collects the fields of all structs in one list.
+//! The macro [`parameters!`] declares a struct of parameters with a field for each member; [`choice_enum!`] declares an
+//! enum with a word for each variant. [`fields`](super::fields) collects the fields of all structs in one list.
 
 use super::text::shortest_decimal;
 

@@ -19,7 +19,8 @@ pub struct BeaufortForce {
     pub probable_hs_m: f64,
     /// Representative wind speed at 10 m height, m/s: 0.836 B^1.5 for the Beaufort number B, rounded to 0.1 m/s.
     pub mean_wind_m_s: f64,
-    /// Fetch, km, with which JONSWAP reaches the height `probable_hs_m` at the wind `mean_wind_m_s` (not at forces 1 to 3).
+    /// Fetch, km, with which JONSWAP reaches the height `probable_hs_m` at the wind `mean_wind_m_s` (not at forces 1 to
+    /// 3).
     pub fetch_km: f64,
 }
 

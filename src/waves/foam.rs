@@ -83,7 +83,8 @@ impl FoamModel {
     }
 }
 
-/// Mean Jacobian J where the strain s = lx dDx/dx + lz dDz/dz is `threshold_sigmas` standard deviations `sigma` below 0.
+/// Mean Jacobian J where the strain s = lx dDx/dx + lz dDz/dz is `threshold_sigmas` standard deviations `sigma` below
+/// 0.
 ///
 /// J is 1 + s + the determinant of the strain tensor. For a given s the mean of the determinant is
 /// (s^2 - sigma^2) (1 - r2^2) / 4 with the second directional moment r2 (1 for long-crested, 0 for isotropic waves).

@@ -22,7 +22,8 @@ pub struct LatticeWave {
     pub k: f64,
     /// Number of whole cycles of the wave in one period of the sea (`Plan::period_s`).
     pub cycles_per_period: u32,
-    /// Angular frequency, rad/s, rounded to `cycles_per_period` x 2 pi / period, so that the sea repeats after its period.
+    /// Angular frequency, rad/s, rounded to `cycles_per_period` x 2 pi / period, so that the sea repeats after its
+    /// period.
     pub omega: f64,
     /// Ratio of the horizontal to the vertical axis of the water particle orbits, coth(k h) at the water depth h.
     pub orbit_axis_ratio: f64,
@@ -75,8 +76,8 @@ impl Plan {
     }
 
     /// Time `t_s` (s) within the period of the sea, as a 32-bit integer: one period is 2^32. The phase of a wave, in
-    /// units of 2^-32 cycles, is this integer times `LatticeWave::cycles_per_period` in wrapping 32-bit arithmetic. So phases stay exact
-    /// after hours, and the sea repeats bit for bit after its period.
+    /// units of 2^-32 cycles, is this integer times `LatticeWave::cycles_per_period` in wrapping 32-bit arithmetic. So
+    /// phases stay exact after hours, and the sea repeats bit for bit after its period.
     pub fn time_in_period_u32(&self, t_s: f64) -> u32 {
         time_in_period_u32(self.period_s, t_s)
     }

@@ -17,8 +17,8 @@ pub struct SeaCovariance {
 }
 
 impl SeaCovariance {
-    /// Computes one covariance for each cascade of the sea `before` and one for each cascade of the sea `after`, at time
-    /// `t_s` (s). It is zero if the other sea has no cascade with the same patch size, random-number key and seed.
+    /// Computes one covariance for each cascade of the sea `before` and one for each cascade of the sea `after`, at
+    /// time `t_s` (s). It is zero if the other sea has no cascade with the same patch size, random-number key and seed.
     pub fn for_all_cascades(before: &Plan, after: &Plan, t_s: f64) -> [Vec<Self>; 2] {
         let mut all = [before, after].map(|plan| vec![Self::default(); plan.cascades.len()]);
         for (i, old) in before.cascades.iter().enumerate() {
@@ -53,9 +53,9 @@ impl SeaCovariance {
         Self { before: variance(before, old), after: variance(after, new), covariance: covariance.max(0.0) }
     }
 
-    /// Ratio of the variance of the blended sea sqrt(1 - progress) x before + sqrt(progress) x after to the intended variance
-    /// (1 - progress) x Var(before) + progress x Var(after). `progress` is the progress of the cross-fade, 0 to 1. The ratio is
-    /// 1 for uncorrelated seas and 2 halfway between two equal seas.
+    /// Ratio of the variance of the blended sea sqrt(1 - progress) x before + sqrt(progress) x after to the intended
+    /// variance (1 - progress) x Var(before) + progress x Var(after). `progress` is the progress of the cross-fade, 0
+    /// to 1. The ratio is 1 for uncorrelated seas and 2 halfway between two equal seas.
     pub fn variance_gain(&self, progress: f64) -> f64 {
         let mean = (1.0 - progress) * self.before + progress * self.after;
         if mean > 0.0 { 1.0 + 2.0 * (progress * (1.0 - progress)).sqrt() * self.covariance / mean } else { 1.0 }

@@ -11,7 +11,8 @@ const KRONROD_NODES_WEIGHTS: [(f64, f64); 8] = [
     (0.207_784_955_007_898_47, 0.204_432_940_075_298_89),
     (0.0, 0.209_482_141_084_727_83),
 ];
-/// Weights of the embedded 7-point Gauss quadrature rule. Its nodes are the entries 1, 3, 5 and 7 of [`KRONROD_NODES_WEIGHTS`].
+/// Weights of the embedded 7-point Gauss quadrature rule. Its nodes are the entries 1, 3, 5 and 7 of
+/// [`KRONROD_NODES_WEIGHTS`].
 const GAUSS_WEIGHTS: [f64; 4] =
     [0.129_484_966_168_869_7, 0.279_705_391_489_276_7, 0.381_830_050_505_118_9, 0.417_959_183_673_469_4];
 /// Largest number of successive bisections of an interval in adaptive quadrature.

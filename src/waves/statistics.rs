@@ -1,5 +1,5 @@
-//! Expected wave statistics, computed without a simulation: from integrals of the spectrum ([`SpectrumStatistics`]) and from sums
-//! over the waves of all cascades ([`LatticeStatistics`]).
+//! Expected wave statistics, computed without a simulation: from integrals of the spectrum ([`SpectrumStatistics`]) and
+//! from sums over the waves of all cascades ([`LatticeStatistics`]).
 
 use super::noise;
 use super::plan::{Cascade, Plan};

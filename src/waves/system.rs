@@ -30,7 +30,8 @@ pub enum Directions {
 pub enum TermKind {
     /// One lobe of the directional spreading, stored as (variance x norm, beta, s, isotropic variance per rad).
     Lobe(CosineFactor),
-    /// A measured distribution [`MaximumEntropy`], stored as (variance x norm, Re phi1, Im phi1, Re phi2), (Im phi2, 0, 0, 0).
+    /// A measured distribution [`MaximumEntropy`], stored as (variance x norm, Re phi1, Im phi1, Re phi2), (Im phi2, 0,
+    /// 0, 0).
     Measured,
 }
 

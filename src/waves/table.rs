@@ -43,8 +43,9 @@ pub struct Table {
     pub vectors_per_entry: usize,
     /// Wave number and frequency of each table entry; the wave number is 0 outside the cascade's band.
     pub waves: Vec<LatticeWave>,
-    /// Values of the terms in the layout of [`TermKind`], `vectors_per_entry` vectors for each table entry. Variances (m^2) are
-    /// those of the real and of the imaginary part of the amplitude h0: S dkx dkz / 4 without the directional factor.
+    /// Values of the terms in the layout of [`TermKind`], `vectors_per_entry` vectors for each table entry. Variances
+    /// (m^2) are those of the real and of the imaginary part of the amplitude h0: S dkx dkz / 4 without the directional
+    /// factor.
     pub values: Vec<[f64; 4]>,
 }
 

@@ -31,7 +31,8 @@ pub struct Panorama {
     pub height: usize,
     /// Mip levels of the image in linear sRGB as RGB9E5, row by row from the zenith. Sizes are halved and rounded down.
     pub mips: Vec<Vec<u32>>,
-    /// Small copy of the image without the sun, [`SUNLESS_SIZE`] pixels in linear sRGB, which the environment map is made from.
+    /// Small copy of the image without the sun, [`SUNLESS_SIZE`] pixels in linear sRGB, which the environment map is
+    /// made from.
     pub sunless: Vec<[f32; 3]>,
     /// Sun in the image; None if the image shows no compact sun.
     pub sun: Option<Sun>,

@@ -21,7 +21,8 @@ use measurement::Measurement;
 /// Names of the parts of the validation page, in order.
 pub const PAGE_PARTS: [&str; 6] = ["spectra", "spreading", "dispersion", "published", "depth", "surface"];
 
-/// Builds the validation page from the given parts. Without a GPU its measured table cells hold [`cells::PENDING_CELL`].
+/// Builds the validation page from the given parts. Without a GPU its measured table cells hold
+/// [`cells::PENDING_CELL`].
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.

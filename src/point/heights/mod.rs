@@ -1,21 +1,23 @@
 //! Height of the sea at a point, computed on the CPU without a read-back from the GPU: for boats, buoys and cameras.
 //!
-//! The seed of a plan generates more than ten thousand travelling waves, which the GPU draws. [`StrongestWaves`] sums only the
-//! strongest of these waves at a point. A thousand waves carry nine tenths of the variance, five thousand 99 %.
+//! The seed of a plan generates more than ten thousand travelling waves, which the GPU draws. [`StrongestWaves`] sums
+//! only the strongest of these waves at a point. A thousand waves carry nine tenths of the variance, five thousand
+//! 99 %.
 //!
 //! - **Coordinates**: right-handed, +x east, +y up, -z north, metres and seconds. Heights include the still-water level
 //!   (`level_m`).
-//! - **Displacement**: the surface is drawn at x = x0 + lambda D(x0) (docs/sea.md, "Synthesis"). [`StrongestWaves::sample`]
-//!   inverts this equation for a point x of the world; [`StrongestWaves::undisplaced`] takes x0.
+//! - **Displacement**: the surface is drawn at x = x0 + lambda D(x0) (docs/sea.md, "Synthesis").
+//!   [`StrongestWaves::sample`] inverts this equation for a point x of the world;
+//!   [`StrongestWaves::sample_undisplaced`] takes x0.
 //! - **Tiling**: like the drawn sea, the sum blends shifted copies of each patch (`tiling`). Derivatives are those of
 //!   the blend.
 //! - **Cost**: about 11 ns per wave, copy and evaluation with the vector units of every x86-64. A point sees 1.7 copies
 //!   on average, and a sample takes four to six evaluations (one without chop): about 0.1 ms for 1000 waves. The
 //!   constructors evaluate all waves of the plan, which takes a few milliseconds at n = 128. A larger FFT size only
 //!   adds short waves.
-//! - **Accuracy**: the height of a water particle has a Gaussian error with the rms value [`StrongestWaves::residual_rms_m`].
-//!   In a gale (20 m/s, fetch 500 km, Hs 9.7 m) this is 16 % of Hs for 200 waves, 7.5 % for 1000 and 2.1 % for 5000. At
-//!   a fixed point of the world the error is up to a tenth larger, because the omitted waves also displace the water
+//! - **Accuracy**: the height of a water particle has a Gaussian error with the rms value
+//!   [`StrongestWaves::residual_rms_m`]. In a gale (20 m/s, fetch 500 km, Hs 9.7 m) this is 16 % of Hs for 200 waves,
+//!   7.5 % for 1000 and 2.1 % for 5000. At a fixed point of the world the error is up to a tenth larger, because the omitted waves also displace the water
 //!   sideways. Most of the slope lies in short waves and is lost: see [`StrongestWaves::residual_slope_rms`].
 //! - **Precision**: phases are wrapping integers as on the GPU, and positions are reduced by the patch size, so that
 //!   the precision depends neither on the time nor on the distance from the origin. The time resolution is 2^-32 of the
@@ -58,7 +60,8 @@ pub struct StrongestWaves {
     sqrt_chop: [f64; 2],
     level_m: f64,
     period_s: f64,
-    /// Longest Newton step of the search for a particle, in m after division by the square root of the chop (`sqrt_chop`).
+    /// Longest Newton step of the search for a particle, in m after division by the square root of the chop
+    /// (`sqrt_chop`).
     longest_step_m: f64,
     kept_m2: f64,
     left_out_m2: f64,

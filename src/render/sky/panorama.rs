@@ -12,7 +12,8 @@ const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgb9e5Ufloat;
 
 /// Textures of the sky image in use, if there is one.
 pub struct PanoramaTextures {
-    /// The sky image without its sun, [`SUNLESS_SIZE`] texels wide and high. A new image is written into the same texture.
+    /// The sky image without its sun, [`SUNLESS_SIZE`] texels wide and high. A new image is written into the same
+    /// texture.
     calm: wgpu::Texture,
     pub calm_view: wgpu::TextureView,
     pub layout: wgpu::BindGroupLayout,

@@ -96,7 +96,8 @@ parameters! {
         fresnel_slope_factor: f64 = 1.0 => ("fresnelnormals", "Fresnel normals scale", "", number(0.0, 4.0)),
         /// Microfacet distribution: wave slopes that a pixel does not resolve. gaussian: as measured at sea (Cox and
         /// Munk 1954); ggx: longer tails (Trowbridge and Reitz 1975); blinn-phong: a lobe of the given shininess.
-        specular: MicrofacetDistribution = MicrofacetDistribution::Gaussian => ("specular", "Microfacets", "", Choice(MicrofacetDistribution::WORDS)),
+        specular: MicrofacetDistribution = MicrofacetDistribution::Gaussian
+            => ("specular", "Microfacets", "", Choice(MicrofacetDistribution::WORDS)),
         /// With specular=blinn-phong: exponent of the lobe; a larger one makes a sharper highlight.
         shininess: f64 = 200.0 => ("shininess", "Shininess", "", logarithmic(1.0, 10000.0)),
         /// Strength of the sun glitter, the sun's specular reflection; 1 is physical.

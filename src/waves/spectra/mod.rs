@@ -1,8 +1,9 @@
 //! Frequency spectra S(omega): one-sided variance density of the elevation, m^2 s. The integral of S over the angular
 //! frequency omega (rad/s) is the elevation variance m0.
 //!
-//! Each family is a file with a function that makes a [`FrequencySpectrum`] from `SpectrumInputs`. A new family takes three
-//! files: its own, this one (its `mod` line and its arm of `spectrum_of_family`), and `state/sea.rs` (its variant and its word).
+//! Each family is a file with a function that makes a [`FrequencySpectrum`] from `SpectrumInputs`. A new family takes
+//! three files: its own, this one (its `mod` line and its arm of `spectrum_of_family`), and `state/sea.rs` (its variant
+//! and its word).
 
 mod donelan;
 mod elfouhaily;

@@ -1,4 +1,5 @@
-//! File formats of measured spectra: each has a module here, and [`Format::detect`] is the one place that recognises them.
+//! File formats of measured spectra: each has a module here, and [`Format::detect`] is the one place that recognises
+//! them.
 //!
 //! A new format needs a module with `recognises` and `read`, and a variant of [`Format`]. A binary format must be
 //! recognised by its first bytes before the files are decoded as text.
