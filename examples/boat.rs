@@ -4,7 +4,7 @@
 
 #![expect(clippy::print_stdout, reason = "the example prints its results")]
 
-use seastate::point::Heights;
+use seastate::point::StrongestWaves;
 use seastate::state::query;
 use seastate::waves::Plan;
 
@@ -13,7 +13,7 @@ fn main() {
     let plan = Plan::new(&params);
 
     // The strongest waves of the sea that the GPU draws: so many that the rms error of a height is at most 2 % of Hs.
-    let heights = Heights::for_error(&plan, 0.02 * plan.hs_m());
+    let heights = StrongestWaves::for_height_error(&plan, 0.02 * plan.hs_m());
     println!("Hs {:.2} m, rms error of a height {:.3} m", plan.hs_m(), heights.residual_rms_m());
 
     // The boat runs east at 5 m/s. Axes: +x east, +y up, -z north.

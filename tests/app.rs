@@ -180,7 +180,7 @@ fn what_cannot_be_read_changes_nothing() {
         std::fs::write(&path, bytes).expect("a file");
         drop_files(&mut harness, &[path]);
         assert_eq!(harness.state().state(), state, "{name}");
-        assert!(harness.query_by_label_contains(says).is_some(), "{name}: {}", harness.state().report());
+        assert!(harness.query_by_label_contains(says).is_some(), "{name}: {}", harness.state().report_text());
     }
     // The picture of the default sea has an empty state string and opens, too.
     let path = folder.join("plain.png");
@@ -359,7 +359,7 @@ fn the_smallest_windows_are_drawn() {
     let mut harness = open("n=64&pause=1&renderscale=0.25&afloat=buoy*5*-9");
     harness.key_press(egui::Key::F1);
     // Waits for the first picture.
-    while !harness.state().settled() {
+    while !harness.state().is_picture_complete() {
         harness.run_steps(1);
         harness.render().expect("a picture");
     }
@@ -544,7 +544,7 @@ fn settle(harness: &mut Harness<'_, AppHost>) -> image::RgbaImage {
     loop {
         harness.run_steps(1);
         let picture = harness.render().expect("a picture");
-        if harness.state_mut().app().expect("an app").settled() {
+        if harness.state_mut().app().expect("an app").is_picture_complete() {
             return picture;
         }
     }

@@ -1,6 +1,6 @@
 //! The committed documents that the program generates are up to date.
 
-use seastate::lab::gallery::{self, PICTURES};
+use seastate::lab::gallery::{self, GALLERY_PICTURES};
 use seastate::lab::parameters;
 use seastate::state::fields::FIELDS;
 use seastate::state::query;
@@ -15,7 +15,7 @@ fn committed(file: &str) -> String {
 
 #[test]
 fn the_page_of_parameters_is_what_the_program_writes() {
-    let now = parameters::page();
+    let now = parameters::parameters_markdown();
     assert!(committed("parameters.md") == now, "run: seastate keys --markdown > docs/parameters.md");
     for field in FIELDS.iter() {
         assert!(now.contains(&format!("| `{}` |", field.key)), "{}", field.key);
@@ -24,9 +24,9 @@ fn the_page_of_parameters_is_what_the_program_writes() {
 
 #[test]
 fn the_gallery_is_what_its_table_would_write() {
-    assert!(committed("gallery.md") == gallery::page(), "run: seastate gallery");
+    assert!(committed("gallery.md") == gallery::gallery_markdown(), "run: seastate gallery");
     let mut files = BTreeSet::new();
-    for picture in PICTURES {
+    for picture in GALLERY_PICTURES {
         assert!(files.insert(picture.file()), "{}: two pictures of one name", picture.title);
         let (params, notices) = query::parse(picture.state);
         assert_eq!(notices, Vec::<String>::new(), "{}", picture.title);
@@ -39,7 +39,7 @@ fn the_gallery_is_what_its_table_would_write() {
 #[test]
 fn the_users_guide_lists_the_keys() {
     let guide = include_str!("../docs/using.md");
-    for (key, does) in seastate::app::keys::KEYS {
+    for (key, does) in seastate::app::keys::KEYBOARD_HELP {
         let row = format!("| {key} | {does} |");
         assert!(guide.contains(&row), "docs/using.md lacks: {row}");
     }

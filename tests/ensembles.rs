@@ -4,9 +4,9 @@
 mod common;
 
 use common::{gpu, params};
-use seastate::lab::estimate::Estimate;
+use seastate::lab::estimate::EstimateWithError;
 use seastate::lab::stats;
-use seastate::lab::validate::words;
+use seastate::lab::validate::choice_words;
 
 const SEEDS: u32 = 64;
 
@@ -33,15 +33,15 @@ const SEAS: [State; 16] = [
 
 /// The table above, and a usual sea for every spectrum that it does not have.
 fn seas() -> Vec<State> {
-    let others = words("spectrum").into_iter().filter(|w| SEAS.iter().all(|s| s.0 != *w));
+    let others = choice_words("spectrum").into_iter().filter(|w| SEAS.iter().all(|s| s.0 != *w));
     SEAS.into_iter().chain(others.map(|w| (w, "donelan-banner", 10.0, 100.0, 4000.0, ""))).collect()
 }
 
 #[test]
 fn the_subset_covers_everything() {
-    assert!(words("spectrum").iter().all(|w| seas().iter().any(|s| s.0 == *w)));
-    assert!(words("spread").iter().all(|w| SEAS.iter().any(|s| s.1 == *w && s.0 != "tessendorf")));
-    assert!(words("dispersion").iter().all(|w| *w == "finite" || SEAS.iter().any(|s| s.5.contains(w))));
+    assert!(choice_words("spectrum").iter().all(|w| seas().iter().any(|s| s.0 == *w)));
+    assert!(choice_words("spread").iter().all(|w| SEAS.iter().any(|s| s.1 == *w && s.0 != "tessendorf")));
+    assert!(choice_words("dispersion").iter().all(|w| *w == "finite" || SEAS.iter().any(|s| s.5.contains(w))));
 }
 
 fn assert_sea((spectrum, spread, wind, fetch, depth, more): State) {
@@ -50,8 +50,8 @@ fn assert_sea((spectrum, spread, wind, fetch, depth, more): State) {
     let report = pollster::block_on(stats::run(&gpu(), &params(&state), SEEDS)).expect("statistics");
     let (r, m) = (report.resolved(), report.measured());
     eprintln!("{state}\n{report}");
-    let within = |what: &str, measured: &Estimate, resolved: f64| {
-        let error = measured.error.expect("64 seeds have a standard error");
+    let within = |what: &str, measured: &EstimateWithError, resolved: f64| {
+        let error = measured.standard_error.expect("64 seeds have a standard error");
         let off = (measured.value - resolved).abs();
         // With few waves the standard error may be smaller than the rounding error of f32.
         assert!(off < 5.0 * error + 1e-6 * resolved.abs(), "{what}: off by {off}, error {error}\n{state}\n{report}");
@@ -65,14 +65,14 @@ fn assert_sea((spectrum, spread, wind, fetch, depth, more): State) {
     within("mean", &m.mean_m, 0.0);
     match (r.mean_from_deg, &m.from_deg) {
         (Some(from), Some(measured)) => {
-            let error = measured.error.expect("64 seeds have a standard error");
+            let error = measured.standard_error.expect("64 seeds have a standard error");
             let off = ((measured.value - from + 540.0).rem_euclid(360.0) - 180.0).abs();
             assert!(off < 5.0 * error && off < 2.0, "from {from}, measured {measured:?}\n{state}\n{report}");
             within("r1", &m.r1, r.r1);
             within("spread", &m.spread_deg, r.spread_deg);
         }
         // Maps at two times separate opposite directions, here with equal variances.
-        (None, _) => assert!(m.r1.value < 0.01 + 5.0 * m.r1.error.unwrap_or(0.0), "{state}\n{report}"),
+        (None, _) => assert!(m.r1.value < 0.01 + 5.0 * m.r1.standard_error.unwrap_or(0.0), "{state}\n{report}"),
         (from, measured) => panic!("from {from:?}, measured {measured:?}\n{state}\n{report}"),
     }
 }

@@ -1,10 +1,10 @@
 //! Theory against the waves on the lattices for every spectrum with every spreading, from calm to hurricane and from
 //! deep water to 3 m, on the CPU. `tests/ensembles.rs` measures a covering subset on the GPU.
 
-use seastate::lab::validate::{combinations::STATES, words};
+use seastate::lab::validate::{choice_words, combinations::STATES};
 use seastate::state::query;
 use seastate::waves::Plan;
-use seastate::waves::statistics::{Resolved, Theory};
+use seastate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
 
 /// Whether opposite directions have the same variance density.
 fn is_symmetric(spectrum: &str, spread: &str) -> bool {
@@ -14,9 +14,9 @@ fn is_symmetric(spectrum: &str, spread: &str) -> bool {
 /// The failed checks of a state.
 fn faults(state: &str, symmetric: bool) -> Vec<String> {
     let plan = Plan::new(&query::parse(state).0);
-    let t = Theory::new(&plan);
-    let r = Resolved::new(&plan, t.m0_m2);
-    let captured = plan.captured();
+    let t = SpectrumStatistics::new(&plan);
+    let r = LatticeStatistics::new(&plan, t.m0_m2);
+    let captured = plan.captured_fraction();
     let mut faults = Vec::new();
     let mut check = |what: &str, holds: bool| {
         if !holds {
@@ -46,10 +46,10 @@ fn faults(state: &str, symmetric: bool) -> Vec<String> {
 }
 
 fn all_pairs(spectra: &[&str]) {
-    assert_eq!((spectra.len(), words("spread").len(), STATES.len()), (6, 7, 13));
+    assert_eq!((spectra.len(), choice_words("spread").len(), STATES.len()), (6, 7, 13));
     let mut wrong = Vec::new();
     for spectrum in spectra {
-        for spread in words("spread") {
+        for spread in choice_words("spread") {
             for (wind, fetch, depth) in STATES {
                 let state =
                     format!("spectrum={spectrum}&spread={spread}&wind={wind}&fetch={fetch}&depth={depth}&dir=205");
@@ -62,14 +62,14 @@ fn all_pairs(spectra: &[&str]) {
 
 #[test]
 fn all_spectra_are_covered() {
-    assert_eq!(halves().concat(), words("spectrum"));
-    assert_eq!(words("spread").len(), 7);
+    assert_eq!(halves().concat(), choice_words("spectrum"));
+    assert_eq!(choice_words("spread").len(), 7);
     assert_eq!(STATES.len(), 13);
 }
 
 /// All spectra in two halves, so that two tests share the work.
 fn halves() -> [Vec<&'static str>; 2] {
-    let mut first = words("spectrum");
+    let mut first = choice_words("spectrum");
     let second = first.split_off(first.len() / 2);
     [first, second]
 }

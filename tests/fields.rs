@@ -173,7 +173,7 @@ fn every_parameter_changes_a_map_or_the_picture() {
         let (_, more, value) = need(field.key).copied().unwrap_or_default();
         let state = later_wins(&format!("{BASE}&{more}"));
         let mut base = params(&state);
-        base.look.sky.attach(Some(&file));
+        base.look.sky.adopt_loaded_image(Some(&file));
         let old = (field.get)(&base);
         let value = match value {
             "" => other(field, old),

@@ -1,4 +1,5 @@
-//! From one sea to another: no jump on the way, the right height meanwhile, and exactly the sea of the state at the end.
+//! From one sea to another: no jump on the way, the right height meanwhile, and exactly the sea of the state at the
+//! end.
 
 mod common;
 
@@ -6,7 +7,7 @@ use common::{gpu, params};
 use seastate::gpu::Gpu;
 use seastate::ocean::still::{FORMAT, picture_of};
 use seastate::ocean::{Film, Ocean};
-use seastate::point::Heights;
+use seastate::point::StrongestWaves;
 use seastate::sim::resources::MapKind;
 use seastate::state::Params;
 use seastate::waves::SeaChange;
@@ -190,7 +191,8 @@ fn other_waves_fade_in_at_equal_power_and_without_a_jump() {
         });
         let rest = rest.max(fastest(&mut window, 20, |_, _| {}));
         eprintln!(
-            "{from} to {to}: at rest {rest:.4} m a frame, gliding {most:.4}, at once {jump:.4}; variance {low:.4} to {high:.4}, \
+            "{from} to {to}: at rest {rest:.4} m a frame, gliding {most:.4}, at once {jump:.4}; variance {low:.4} to \
+             {high:.4}, \
              seen {least:.4} to {largest:.4}"
         );
         assert!(least > 0.8 * low && largest < 1.2 * high, "{from} to {to}: {least} {largest}, {low} {high}");
@@ -279,7 +281,11 @@ fn a_change_costs_what_its_level_needs() {
             let is_new = level == SeaChange::Waves;
             assert_eq!(after.0 > before.0, is_new, "{key}: spectrum passes");
             assert_eq!(after.1 > before.1, is_new, "{key}: tables");
-            assert_eq!(!window.ocean.plan().shares_integrals(&plan), is_new, "{key}: integrals of the spectrum");
+            assert_eq!(
+                !window.ocean.plan().has_same_spectrum_integrals(&plan),
+                is_new,
+                "{key}: integrals of the spectrum"
+            );
             if !at_once {
                 let same = Arc::ptr_eq(&window.ocean.drawn_seas()[0].plan, &drawn);
                 assert_eq!(same, level == SeaChange::Foam, "{key}: heights on the CPU");
@@ -388,7 +394,8 @@ fn a_boat_stays_on_the_water() {
                         let mut plan = (*sea.plan).clone();
                         plan.cascades = vec![plan.cascades[own].clone()];
                         let level = plan.sea.level_m;
-                        let sample = Heights::new(&plan, usize::MAX).undisplaced(place[0], place[1], 40.0);
+                        let sample =
+                            StrongestWaves::new(&plan, usize::MAX).sample_undisplaced(place[0], place[1], 40.0);
                         Some(sea.weights[own] * (sample.height_m - level))
                     })
                     .sum();
@@ -407,8 +414,8 @@ fn a_boat_stays_on_the_water() {
 
 #[test]
 fn the_picture_does_not_jump_either() {
-    // Depth, colours of the water over a bed, roughness: the largest change between neighbouring stills of a glide is a small
-    // part of the whole way.
+    // Depth, colours of the water over a bed, roughness: the largest change between neighbouring stills of a glide is a
+    // small part of the whole way.
     for (from, to) in
         [("wind=8&n=64&depth=30&pitch=-25", "wind=8&n=64&depth=4&pitch=-25"), ("wind=8&n=64", "wind=20&fetch=400&n=64")]
     {

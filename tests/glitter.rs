@@ -35,7 +35,7 @@ fn light(gpu: &Gpu, state: &str) -> (Vec<f64>, Vec<DVec3>) {
     let dirs = (0..SIZE[0] * SIZE[1]).map(|i| {
         let x = 2.0 * (f64::from(i % SIZE[0]) + 0.5) / f64::from(SIZE[0]) - 1.0;
         let y = 1.0 - 2.0 * (f64::from(i / SIZE[0]) + 0.5) / f64::from(SIZE[1]);
-        (view.forward + view.right * (view.tan_half[0] * x) + view.up * (view.tan_half[1] * y)).normalize()
+        (view.forward + view.right * (view.tan_half_fov[0] * x) + view.up * (view.tan_half_fov[1] * y)).normalize()
     });
     (texels.iter().map(|t| t[0].to_f64()).collect(), dirs.collect())
 }

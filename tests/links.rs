@@ -1,9 +1,9 @@
 //! Links keep their meaning: each link in tests/links.txt opens a sea of the recorded significant wave height.
 
-use seastate::lab::gallery::PICTURES;
+use seastate::lab::gallery::GALLERY_PICTURES;
 use seastate::state::{presets, query};
 use seastate::waves::Plan;
-use seastate::waves::statistics::Theory;
+use seastate::waves::statistics::SpectrumStatistics;
 
 /// Largest relative error of a height: the file has four decimals, and the error of the quadrature is smaller.
 const TOLERANCE: f64 = 2e-3;
@@ -25,7 +25,7 @@ fn every_link_opens_the_sea_that_it_opened_before() {
     for (height_m, link) in links {
         let (params, notices) = query::parse(link);
         assert_eq!(notices, Vec::<String>::new(), "{link}");
-        let hs_m = Theory::new(&Plan::new(&params)).hs_m;
+        let hs_m = SpectrumStatistics::new(&Plan::new(&params)).hs_m;
         assert!((hs_m / height_m - 1.0).abs() < TOLERANCE, "{link}: {hs_m} m, and {height_m} m before");
         let today = query::write(&params);
         assert_eq!(query::parse(&today), (params, vec![]), "{link}");
@@ -35,7 +35,7 @@ fn every_link_opens_the_sea_that_it_opened_before() {
 #[test]
 fn what_the_program_and_its_pages_link_to_is_among_them() {
     let known: Vec<_> = links().iter().map(|(_, link)| query::parse(link).0).collect();
-    let gallery = PICTURES.iter().map(|sea| sea.state.to_owned());
+    let gallery = GALLERY_PICTURES.iter().map(|sea| sea.state.to_owned());
     let built_in = presets::built_in().iter().map(|preset| preset.state.clone());
     let pages = [include_str!("../README.md"), include_str!("../docs/using.md"), include_str!("../docs/embedding.md")];
     let all = gallery.chain(built_in).chain(pages.into_iter().flat_map(quoted));
@@ -49,7 +49,7 @@ fn quoted(page: &str) -> Vec<String> {
         page.split(['\'', '`', '"']).filter(|piece| piece.contains('=') && !piece.contains(char::is_whitespace));
     let states = pieces.filter(|piece| {
         let reading = query::read(piece);
-        !reading.taken.is_empty() && reading.notices.is_empty()
+        !reading.keys_set.is_empty() && reading.notices.is_empty()
     });
     states.map(str::to_owned).collect()
 }

@@ -6,7 +6,7 @@ use seastate::bench::per_stage::PerStage;
 use seastate::gpu::Gpu;
 use seastate::gpu::map_format::MapFormat;
 use seastate::gpu::readback;
-use seastate::lab::check::{self, Line};
+use seastate::lab::check::{self, Comparison};
 use seastate::shaders::Shaders;
 use seastate::sim::Simulation;
 use seastate::sim::resources::MapKind;
@@ -22,7 +22,7 @@ const SOFTWARE: Kind = (TransformWay::Unrolled, MapFormat::Float);
 /// llvmpipe, and software adapters that cannot filter float textures.
 const LLVMPIPE: Kind = (TransformWay::Unrolled, MapFormat::Half);
 
-fn run(state: &str, (way, format): Kind, shaders: Shaders) -> Vec<Line> {
+fn run(state: &str, (way, format): Kind, shaders: Shaders) -> Vec<Comparison> {
     // This device can filter both formats.
     let gpu = common::gpu_with(MapFormat::Float);
     let shaders = shaders.with_maps(format);
@@ -33,7 +33,7 @@ fn assert_right(state: &str, kind: Kind) {
     let lines = run(state, kind, Shaders::default());
     let table: Vec<String> = lines.iter().map(ToString::to_string).collect();
     eprintln!("{state} {kind:?}\n{}", table.join("\n"));
-    assert!(lines.iter().all(Line::passes), "{state} {kind:?}\n{}", table.join("\n"));
+    assert!(lines.iter().all(Comparison::passes), "{state} {kind:?}\n{}", table.join("\n"));
 }
 
 #[test]
@@ -114,7 +114,7 @@ fn a_planted_fault_of_one_per_cent_is_found() {
     let state = "wind=15&fetch=300&t=5&n=64";
     for &(kind, module, from, to, red) in FAULTS {
         let lines = run(state, kind, Shaders::default().patched(module, from, to));
-        let found = lines.iter().filter(|l| !l.passes()).map(|l| l.what).collect::<Vec<_>>();
+        let found = lines.iter().filter(|l| !l.passes()).map(|l| l.pass_and_quantity).collect::<Vec<_>>();
         assert!(found.iter().any(|what| what.starts_with(red)), "\"{to}\" in {module} went unseen: {found:?}");
     }
 }

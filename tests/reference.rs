@@ -1,11 +1,12 @@
 //! The picture against its reference: many unfiltered samples a pixel, averaged in linear light. What takes minutes is
-//! marked `ignore` and run by `cargo test --test reference -- --ignored --nocapture`; pictures go to target/tmp/reference.
+//! marked `ignore` and run by `cargo test --test reference -- --ignored --nocapture`; pictures go to
+//! target/tmp/reference.
 
 mod common;
 
 use common::{gpu, params, random_params};
 use seastate::gpu::Gpu;
-use seastate::lab::flip::{PIXELS_PER_DEGREE, SrgbPicture, errors, mean};
+use seastate::lab::flip::{PIXELS_PER_DEGREE, SrgbPicture, flip_errors, mean_error};
 use seastate::lab::reference::{self, Sampling};
 use seastate::ocean::still::{FORMAT, picture_of};
 use seastate::ocean::{Film, Ocean};
@@ -27,7 +28,7 @@ impl Viewer {
         Self { gpu, ocean, size }
     }
 
-    fn turn_to(&mut self, p: &Params) {
+    fn set_named_view(&mut self, p: &Params) {
         self.ocean.set_params(p);
     }
 
@@ -42,14 +43,14 @@ impl Viewer {
         pollster::block_on(made).expect("a reference")
     }
 
-    fn shown(&mut self, light: &[[f32; 3]]) -> SrgbPicture {
+    fn displayed(&mut self, light: &[[f32; 3]]) -> SrgbPicture {
         let made = reference::picture_of_light(&self.gpu, &mut self.ocean, self.size, light);
         SrgbPicture::from_rgba(self.size[0], &pollster::block_on(made).expect("a picture"))
     }
 
     fn reference(&mut self, samples: u32, seed: u32) -> SrgbPicture {
         let light = self.light(samples, seed);
-        self.shown(&light)
+        self.displayed(&light)
     }
 
     /// Two references of independent samples and of as many as it takes for them to agree, and their mean.
@@ -59,9 +60,9 @@ impl Viewer {
         };
         let (mut samples, mut a, mut b) = (256, self.light(256, 1), self.light(256, 2));
         loop {
-            let noise = flip(&self.shown(&a), &self.shown(&b));
+            let noise = flip(&self.displayed(&a), &self.displayed(&b));
             if noise <= NOISE || samples >= 2048 {
-                return Agreed { samples, noise, picture: self.shown(&mean(&a, &b)) };
+                return Agreed { samples, noise, picture: self.displayed(&mean(&a, &b)) };
             }
             (a, b) = (mean(&a, &self.light(samples, samples + 1)), mean(&b, &self.light(samples, samples + 2)));
             samples *= 2;
@@ -82,7 +83,7 @@ struct Agreed {
 }
 
 fn flip(reference: &SrgbPicture, test: &SrgbPicture) -> f64 {
-    mean(&errors(reference, test, PIXELS_PER_DEGREE).expect("one size"))
+    mean_error(&flip_errors(reference, test, PIXELS_PER_DEGREE).expect("one size"))
 }
 
 fn magenta(picture: &SrgbPicture) -> usize {
@@ -105,7 +106,7 @@ fn horizon_row(p: &Params, height: u32) -> usize {
 fn write(name: &str, reference: &SrgbPicture, test: &SrgbPicture) {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("reference");
     std::fs::create_dir_all(&folder).expect("a folder");
-    let grey = errors(reference, test, PIXELS_PER_DEGREE).expect("one size");
+    let grey = flip_errors(reference, test, PIXELS_PER_DEGREE).expect("one size");
     let (w, h) = (test.width, test.height);
     let image = image::RgbImage::from_fn(3 * w as u32, h as u32, |x, y| {
         let (panel, at) = (x as usize / w, y as usize * w + x as usize % w);
@@ -118,8 +119,8 @@ fn write(name: &str, reference: &SrgbPicture, test: &SrgbPicture) {
     image.save(folder.join(format!("{name}.png"))).expect("a picture is written");
 }
 
-/// The sky is not filtered, so picture and reference agree in it to a level or two: the same exposure and film. The water
-/// is what differs, by less than two unlike pictures do.
+/// The sky is not filtered, so picture and reference agree in it to a level or two: the same exposure and film. The
+/// water is what differs, by less than two unlike pictures do.
 #[test]
 fn a_reference_is_the_picture_without_filtering() {
     let p = params("wind=10&n=64&t=20&sun=30&sunaz=90&heading=40&y=20");
@@ -131,7 +132,7 @@ fn a_reference_is_the_picture_without_filtering() {
     for (n, r) in normal.pixels[..sky].iter().zip(&a.pixels) {
         assert!((0..3).all(|i| n[i].abs_diff(r[i]) <= 3), "{n:?} and {r:?}");
     }
-    viewer.turn_to(&params("wind=10&n=64&t=23&sun=30&sunaz=90&heading=40&y=20"));
+    viewer.set_named_view(&params("wind=10&n=64&t=23&sun=30&sunaz=90&heading=40&y=20"));
     let (same, right, later) = (flip(&a, &b), flip(&a, &normal), flip(&a, &viewer.normal()));
     eprintln!(
         "mean FLIP of two references {same:.4}, of the picture {right:.4}, of one three seconds later {later:.4}"
@@ -156,7 +157,7 @@ fn the_picture_is_near_its_reference() {
                 let pitch = if y == 200 { -12 } else { -4 };
                 let p = params(&format!("{sea}&n=128&t=20&y={y}&pitch={pitch}&sun={sun}&sunaz={azimuth}"));
                 let viewer = viewer.get_or_insert_with(|| Viewer::new([192, 108], &p));
-                viewer.turn_to(&p);
+                viewer.set_named_view(&p);
                 let normal = viewer.normal();
                 let Agreed { samples, noise, picture } = viewer.agreed();
                 let right = flip(&picture, &normal);
@@ -197,7 +198,7 @@ fn the_picture_flickers_no_more_than_its_reference() {
         let pixels = rows.start * SIZE[0] as usize..rows.end * SIZE[0] as usize;
         let mut films: [Vec<Vec<f64>>; 3] = Default::default();
         for i in 0..FRAMES {
-            viewer.turn_to(&at(i));
+            viewer.set_named_view(&at(i));
             let pictures = [viewer.normal(), viewer.reference(64, 1 + 2 * i), viewer.reference(64, 2 + 2 * i)];
             for (film, picture) in films.iter_mut().zip(&pictures) {
                 film.push(picture.pixels[pixels.clone()].iter().map(|&p| luma(p)).collect());

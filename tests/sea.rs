@@ -21,7 +21,7 @@ fn assert_height(state: &str) -> stats::SeaStatistics {
     assert!((r.hs_m / t.hs_m - 1.0).abs() < 0.01, "{text}");
     assert!(m.parseval_error < 1e-4, "Parseval {}: {text}", m.parseval_error);
     assert!((m.hs_m.value / t.hs_m - 1.0).abs() < 0.03, "{text}");
-    let error = m.hs_m.error.expect("64 seeds have a standard error");
+    let error = m.hs_m.standard_error.expect("64 seeds have a standard error");
     assert!((m.hs_m.value - r.hs_m).abs() < 3.0 * error, "{text}");
     assert!((m.hs_m.value - t.hs_m).abs() < 3.0 * error, "{text}");
     assert!((m.mss.value / r.mss - 1.0).abs() < 0.02, "{text}");
@@ -133,7 +133,7 @@ fn the_sea_does_not_depend_on_how_it_is_cut_into_waves() {
     {
         let resolved = |how: &str| {
             let plan = Plan::new(&params(&format!("{sea}&{how}")));
-            (statistics::Resolved::new(&plan, 1.0), plan)
+            (statistics::LatticeStatistics::new(&plan, 1.0), plan)
         };
         let (reference, _) = resolved("n=512");
         for how in GRIDS.split(' ') {
@@ -209,9 +209,9 @@ fn the_maps_of_a_frame_are_read_back_as_they_are() {
     let mut estimator = MapSpectrumEstimator::new(&probed.plan, width, 4000);
     let found = estimator.advance(&probed.plan, usize::MAX, |c, z| probed.row(c, z)).expect("all at once").clone();
     assert!((found.m0_m2 / m0 - 1.0).abs() < 1e-3, "{} {m0}", found.m0_m2);
-    assert!((found.bins_m2.iter().sum::<f64>() / m0 - 1.0).abs() < 2e-3);
+    assert!((found.bin_variances_m2.iter().sum::<f64>() / m0 - 1.0).abs() < 2e-3);
     let theory = |i: usize| probed.plan.density((i as f64 + 0.5) * width) * width;
-    let both: f64 = found.bins_m2.iter().enumerate().map(|(i, x)| x.min(theory(i))).sum();
+    let both: f64 = found.bin_variances_m2.iter().enumerate().map(|(i, x)| x.min(theory(i))).sum();
     eprintln!("overlap with theory: {:.3} of m0", both / m0);
     assert!(both / m0 > 0.8, "{}", both / m0);
 }
@@ -290,7 +290,7 @@ impl Probe {
     /// Fails unless the statistics and the maps of a sea are finite and within the range of half floats.
     fn assert_finite(&mut self, p: &Params) {
         let plan = Plan::new(p);
-        let t = statistics::Theory::new(&plan);
+        let t = statistics::SpectrumStatistics::new(&plan);
         let numbers = [t.hs_m, t.tp_s, t.tm01_s, t.tm02_s, t.lambda_mean_m, t.mss, t.spread_deg, t.benjamin_feir];
         assert!(numbers.iter().all(|x| x.is_finite() && *x >= 0.0), "{t:?}");
         let gpu = &self.gpu;

@@ -1,5 +1,5 @@
-//! Light and normals of the picture: the very functions of the water's module, called by `shading.wgsl`, against exact optics
-//! and geometry in f64; and that the errata of the source texts would be found.
+//! Light and normals of the picture: the very functions of the water's module, called by `shading.wgsl`, against exact
+//! optics and geometry in f64; and that the errata of the source texts would be found.
 
 mod common;
 
@@ -18,8 +18,8 @@ use wgpu::{BindingResource, BufferUsages};
 /// The module that is called.
 const MODULE: &str = "water/light";
 
-/// One cascade that repeats, so that a lattice over its patch sees the whole surface; the eye's foot lies on no texel of its
-/// own. tests/surface.rs knows the blend of copies.
+/// One cascade that repeats, so that a lattice over its patch sees the whole surface; the eye's foot lies on no texel
+/// of its own. tests/surface.rs knows the blend of copies.
 const STATE: &str = "wind=12&fetch=200&t=20&n=64&cascades=1&untile=0&x=123.4&z=-56.7";
 
 /// A number that is compared.
@@ -582,7 +582,7 @@ fn compare_caustics(kernel: &Kernel<'_>) -> Vec<Line> {
     let (mut off, mut contrast) = (0.0f64, f64::INFINITY);
     // The waves of the bench are long: so must their focal lengths be.
     for depth_m in [200.0, 600.0, 1500.0] {
-        let focusing_m = slopes::focusing_m(plan, depth_m * (1.0 - 1.0 / INDEX));
+        let focusing_m = slopes::shortest_caustic_half_wavelength_m(plan, depth_m * (1.0 - 1.0 / INDEX));
         let cases: Vec<Case> = (0..SIDE * SIDE)
             .map(|i| {
                 let at = DVec2::new(f64::from(i % SIDE), f64::from(i / SIDE)) * step;

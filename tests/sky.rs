@@ -60,7 +60,7 @@ fn the_sun_of_a_file_glitters_below_it() {
     for (sun, turn, expected) in [(40.0, 0.0, 0.0), (20.0, 0.0, -0.47), (350.0, 70.0, 0.47)] {
         let mut params =
             query::parse(&format!("wind=5&fetch=20&n=64&t=5&heading=40&pitch=0&sky=made-up.hdr&skyturn={turn}")).0;
-        params.look.sky.attach(Some(&made_up_sky(sun)));
+        params.look.sky.adopt_loaded_image(Some(&made_up_sky(sun)));
         let pixels = render_params(&gpu, &params);
         assert_eq!(broken(&pixels), 0);
         let column = glitter_column(&pixels);
@@ -72,7 +72,7 @@ fn the_sun_of_a_file_glitters_below_it() {
 fn a_sky_that_is_not_at_hand_is_the_built_one() {
     let gpu = gpu();
     let wanted = query::parse("n=64&t=5&sky=elsewhere.exr").0;
-    assert!(wanted.look.sky.missing_file().is_some());
+    assert!(wanted.look.sky.missing_file_notice().is_some());
     assert_eq!(render_params(&gpu, &wanted), render(&gpu, "n=64&t=5"));
 }
 

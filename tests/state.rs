@@ -2,7 +2,7 @@
 
 use seastate::files::measured::{Direction, MAX_BANDS, MeasuredSpectrum};
 use seastate::state::fields::{FIELDS, Field, FieldKind};
-use seastate::state::floats::{Float, FloatKind, MAX_FLOATS};
+use seastate::state::floats::{FloatingObject, FloatingObjectKind, MAX_FLOATING_OBJECTS};
 use seastate::state::look::SkyFile;
 use seastate::state::{Params, query};
 use seastate::waves::table::Table;
@@ -122,7 +122,10 @@ fn a_hundred_thousand_hostile_strings() {
         if i % 50 == 0 {
             let plan = Plan::new(&params);
             assert!((1..=4).contains(&plan.cascades.len()), "{written}");
-            assert!(plan.hs_m().is_finite() && plan.captured().is_finite() && plan.k_max().is_finite(), "{written}");
+            assert!(
+                plan.hs_m().is_finite() && plan.captured_fraction().is_finite() && plan.k_max().is_finite(),
+                "{written}"
+            );
         }
     }
 }
@@ -160,8 +163,12 @@ fn corners_of_every_range_give_a_finite_plan() {
                     field.key
                 );
                 let table = Table::new(&plan, cascade);
-                let finite = table.values.iter().flatten().all(|v| v.is_finite() && (*v as f32).is_finite());
-                assert!(finite && table.waves.iter().all(|w| w.orbit.is_finite()), "{} = {corner}", field.key);
+                let finite_depth = table.values.iter().flatten().all(|v| v.is_finite() && (*v as f32).is_finite());
+                assert!(
+                    finite_depth && table.waves.iter().all(|w| w.orbit_axis_ratio.is_finite()),
+                    "{} = {corner}",
+                    field.key
+                );
             }
         }
     }
@@ -241,11 +248,15 @@ fn no_state_is_too_long_to_be_read() {
     let direction = Direction { alpha1_deg: 234.5, alpha2_deg: 123.4, r1: 0.123, r2: 0.234 };
     let buoy = MeasuredSpectrum::new(&bands, Some(&vec![direction; MAX_BANDS])).expect("a sea");
     params.sea.measured = Some(std::sync::Arc::new(buoy));
-    let far = Float { kind: FloatKind::Buoy, x_m: -123_456.789_012_345_67, z_m: -1.234_567_890_123_456_7e-101 };
-    params.floats = vec![far; MAX_FLOATS];
-    params.look.sky.file = SkyFile::named(&"🌊".repeat(200));
+    let far = FloatingObject {
+        kind: FloatingObjectKind::Buoy,
+        x_m: -123_456.789_012_345_67,
+        z_m: -1.234_567_890_123_456_7e-101,
+    };
+    params.floats = vec![far; MAX_FLOATING_OBJECTS];
+    params.look.sky.file = SkyFile::from_path(&"🌊".repeat(200));
     let state = query::write(&params);
-    assert!((10_000..=query::MAX_BYTES).contains(&state.len()), "{}", state.len());
+    assert!((10_000..=seastate::files::MAX_STATE_BYTES).contains(&state.len()), "{}", state.len());
     assert_eq!(query::parse(&state), (params, vec![]));
 }
 

@@ -1,5 +1,5 @@
 //! The drawn surface, from the WGSL functions of the picture in a compute kernel: it equals the sea of
-//! `point::Heights`, does not depend on the camera position, and does not repeat.
+//! `point::StrongestWaves`, does not depend on the camera position, and does not repeat.
 
 mod common;
 
@@ -8,7 +8,7 @@ use seastate::gpu::Gpu;
 use seastate::ocean::{Film, Ocean};
 use seastate::oracle::foam::MipLevel;
 use seastate::oracle::{self, Texel, surface};
-use seastate::point::{Heights, SurfaceSample};
+use seastate::point::{StrongestWaves, SurfaceSample};
 use seastate::render;
 use seastate::state::Params;
 use seastate::waves::{Plan, noise};
@@ -112,10 +112,10 @@ fn texels(plan: &Plan, cascade: usize, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 
 /// Rms errors of the displacement, slope and Jacobian against `sea`, relative to their rms values. Slopes near folds,
 /// which the shader limits, do not count.
-fn errors(drawn: &[Drawn], sea: &Heights, points: &[[f64; 2]], t_s: f64) -> [f64; 3] {
+fn errors(drawn: &[Drawn], sea: &StrongestWaves, points: &[[f64; 2]], t_s: f64) -> [f64; 3] {
     let mut sums = [[0.0; 2]; 3];
     for (drawn, at) in drawn.iter().zip(points) {
-        let SurfaceSample { height_m, normal, world_xz, jacobian, .. } = sea.undisplaced(at[0], at[1], t_s);
+        let SurfaceSample { height_m, normal, world_xz, jacobian, .. } = sea.sample_undisplaced(at[0], at[1], t_s);
         let mut add = |what: usize, got: f64, want: f64| {
             sums[what][0] += (got - want).powi(2);
             sums[what][1] += want.powi(2);
@@ -146,7 +146,7 @@ fn the_drawn_surface_is_the_sea_of_heights() {
         let plan = bench.ocean.plan().clone();
         let points = texels(&plan, 0, &places(4000, foot, 12_000.0));
         let drawn = bench.ask(foot, &points, 1e-3, 0.0);
-        let errors = errors(&drawn, &Heights::new(&plan, usize::MAX), &points, bench.params.clock.t_s);
+        let errors = errors(&drawn, &StrongestWaves::new(&plan, usize::MAX), &points, bench.params.clock.t_s);
         eprintln!("{state}: {errors:?}");
         // Errors of half floats, and of positions in f32 relative to the camera.
         assert!(errors[0] < 1e-3 && errors[1] < 2e-3 && errors[2] < 2e-3, "{state}: {errors:?}");
@@ -156,7 +156,7 @@ fn the_drawn_surface_is_the_sea_of_heights() {
     let plan = bench.ocean.plan().clone();
     let points = places(600, [300.0, 500.0], 8_000.0);
     let drawn = bench.ask([300.0, 500.0], &points, 1e-3, 0.0);
-    let errors = errors(&drawn, &Heights::new(&plan, usize::MAX), &points, 20.0);
+    let errors = errors(&drawn, &StrongestWaves::new(&plan, usize::MAX), &points, 20.0);
     eprintln!("between texels: {errors:?}");
     assert!(errors[0] < 2e-3 && errors[1] < 0.15 && errors[2] < 0.15, "{errors:?}");
 }
@@ -193,7 +193,7 @@ fn the_mesh_is_finer_than_what_it_shows() {
         let scene = bench.ocean.scene([1280, 720]);
         let lattice = render::frame(&scene, bench.ocean.simulation().maps(), [1280, 720]).mesh;
         let [scale, turn, step] = [lattice.radius_m, lattice.azimuth_step, lattice.row_step].map(f64::from);
-        let pixel = 2.0 * scene.view.tan_half[1] / pixels;
+        let pixel = 2.0 * scene.view.tan_half_fov[1] / pixels;
         for radius in [10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0] {
             // The formula of `mesh_spacing` in WGSL.
             let spacing = f64::max((radius + scale) * step, radius * turn);
@@ -294,8 +294,8 @@ impl Twin {
     fn new(state: &str) -> Self {
         let plan = Plan::new(&params(state));
         let map = |cascade| {
-            let h0 = oracle::spectrum::h0(&plan, cascade);
-            oracle::maps::columns(plan.n as usize, &oracle::maps::rows(&plan, cascade, &h0, 30.0))
+            let h0 = oracle::spectrum::initial_spectrum(&plan, cascade);
+            oracle::maps::transform_columns(plan.n as usize, &oracle::maps::transform_rows(&plan, cascade, &h0, 30.0))
         };
         let maps = plan.cascades.iter().map(map).collect();
         Self { plan, maps }
@@ -305,7 +305,7 @@ impl Twin {
         let [displacement, gradients] = &self.maps[cascade];
         let level = MipLevel { n: self.plan.n as usize, displacement, gradients };
         let half = 0.5 / f64::from(self.plan.n);
-        surface::blend(&self.plan.tiling(&self.plan.cascades[cascade]), at, |place| {
+        surface::blend_patch_copies(&self.plan.tiling(&self.plan.cascades[cascade]), at, |place| {
             oracle::foam::sample_bilinear(&level, place.map(|p| p + half))
         })
     }
@@ -417,7 +417,7 @@ fn the_blend_keeps_heights_and_slopes() {
 #[test]
 fn a_buoy_floats_on_what_is_drawn() {
     use seastate::point::floating::{HullWaves, hull_pose};
-    use seastate::state::floats::{Float, FloatKind};
+    use seastate::state::floats::{FloatingObject, FloatingObjectKind};
     for state in ["wind=10&fetch=100&n=128&t=20", "wind=24&fetch=500&n=128&t=900", "wind=3&fetch=20&n=128&level=5&t=7"]
     {
         let mut bench = Bench::new(state);
@@ -447,7 +447,7 @@ fn a_buoy_floats_on_what_is_drawn() {
                     lost += 1;
                     continue;
                 }
-                let float = Float { kind: FloatKind::Buoy, x_m: at[0], z_m: at[1] };
+                let float = FloatingObject { kind: FloatingObjectKind::Buoy, x_m: at[0], z_m: at[1] };
                 let pose = hull_pose(&[(&waves, 1.0)], &float, t_s, plan.sea.level_m);
                 sum += (pose.position_m[1] - plan.sea.level_m - drawn.moved[1]).powi(2);
                 count += 1;

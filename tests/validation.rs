@@ -1,7 +1,7 @@
 //! The validation page: its theoretical numbers are the program's, and a part of it can be measured and written.
 
 use seastate::gpu::Gpu;
-use seastate::lab::validate::{self, PARTS, cells::PENDING};
+use seastate::lab::validate::{self, PAGE_PARTS, cells::PENDING_CELL};
 use std::fs;
 use std::path::PathBuf;
 
@@ -35,14 +35,14 @@ fn agree(a: &str, b: &str) -> bool {
 
 #[test]
 fn the_page_is_what_the_program_computes() {
-    let now = validate::build(None, 12, &PARTS).expect("theory needs no GPU");
+    let now = validate::build(None, 12, &PAGE_PARTS).expect("theory needs no GPU");
     let page = fs::read_to_string(committed().join("validation.md")).expect("docs/validation.md");
     let (ours, theirs) = (rows(&now.markdown()), rows(&page));
     assert_eq!(ours.len(), theirs.len(), "rows of tables");
     let (mut compared, mut stale) = (0, Vec::new());
     for (a, b) in ours.iter().zip(&theirs) {
         assert_eq!(a.len(), b.len(), "{a:?} {b:?}");
-        for (x, y) in a.iter().zip(b).filter(|(x, _)| *x != PENDING) {
+        for (x, y) in a.iter().zip(b).filter(|(x, _)| *x != PENDING_CELL) {
             compared += 1;
             if !agree(x, y) {
                 stale.push(format!("{x} but the page has {y} in {b:?}"));
@@ -58,7 +58,7 @@ fn the_page_is_what_the_program_computes() {
     for (ours, theirs) in prose(&now.markdown()).iter().zip(&prose(&page)) {
         assert_eq!(ours, theirs, "run seastate validate");
     }
-    assert!(!page.contains(PENDING), "the page is measured");
+    assert!(!page.contains(PENDING_CELL), "the page is measured");
     for (name, _) in now.drawings() {
         let svg = fs::read_to_string(committed().join(format!("validation/{name}.svg"))).expect(name);
         assert!(svg.len() < 60_000, "{name}: {} bytes", svg.len());

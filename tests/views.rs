@@ -5,21 +5,21 @@ mod common;
 use common::{Pictures, params};
 use seastate::oracle;
 use seastate::state::Params;
-use seastate::state::views::{Map, Shown, Surface, VIEWS, ViewChoice};
+use seastate::state::views::{DISPLAYED_VIEWS, DisplayedView, MapView, SurfaceView, ViewChoice};
 use seastate::waves::Plan;
 use seastate::waves::colour_scale::{ColourScale, Palette, STOPS};
 use std::f64::consts::{PI, TAU};
 
 type Pixels = Vec<[u8; 4]>;
 
-fn view(state: &str, shown: Shown, cascade: u32) -> Params {
+fn view(state: &str, displayed: DisplayedView, cascade: u32) -> Params {
     let mut params = params(state);
-    params.look.view = ViewChoice { shown, cascade };
+    params.look.view = ViewChoice { displayed, cascade };
     params
 }
 
-fn map(state: &str, map: Map, cascade: u32) -> Params {
-    view(state, Shown::Map(map), cascade)
+fn map(state: &str, map: MapView, cascade: u32) -> Params {
+    view(state, DisplayedView::Map(map), cascade)
 }
 
 fn magenta(pixels: &Pixels) -> usize {
@@ -62,8 +62,8 @@ fn wrong(pixels: &Pixels, expected: impl Fn(usize) -> [f64; 3]) -> f64 {
 fn every_view_is_another_and_none_is_broken() {
     let mut pictures = Pictures::default();
     let mut seen: Vec<(&str, Pixels)> = Vec::new();
-    for (word, shown, _) in VIEWS {
-        let pixels = pictures.render(&view("wind=18&fetch=300&n=64&t=20", *shown, 0), [96, 54]);
+    for (word, displayed, _) in DISPLAYED_VIEWS {
+        let pixels = pictures.render(&view("wind=18&fetch=300&n=64&t=20", *displayed, 0), [96, 54]);
         assert_eq!(magenta(&pixels), 0, "{word}");
         for (other, before) in &seen {
             let moved = pixels.iter().zip(before).filter(|(a, b)| a != b).count();
@@ -77,9 +77,9 @@ fn every_view_is_another_and_none_is_broken() {
 fn every_view_of_strange_seas_is_whole() {
     let mut pictures = Pictures::default();
     for state in ["wind=0", "wind=60&fetch=2000&chop=2", "depth=1&wind=30&spectrum=tma", "cascades=1&height=4"] {
-        for (word, shown, _) in &VIEWS[1..] {
+        for (word, displayed, _) in &DISPLAYED_VIEWS[1..] {
             for cascade in [1, 4] {
-                let pixels = pictures.render(&view(&format!("{state}&n=64"), *shown, cascade), [32, 18]);
+                let pixels = pictures.render(&view(&format!("{state}&n=64"), *displayed, cascade), [32, 18]);
                 assert_eq!(magenta(&pixels), 0, "{state}: {word} of {cascade}");
             }
         }
@@ -93,7 +93,7 @@ fn maps_are_shown_as_they_are() {
     let state = "wind=12&n=64&t=33&chopx=0.7&dir=200";
     let plan = Plan::new(&params(state));
     let maps = common::maps(&pictures.gpu, state, 33.0);
-    let chop = plan.sea.lambda();
+    let chop = plan.sea.choppiness();
     for cascade in 0..plan.cascades.len() {
         let (d, g) = (maps.displacement(cascade), maps.gradients(cascade));
         let d = |i: usize, c: usize| f64::from(d[i][c]);
@@ -102,26 +102,26 @@ fn maps_are_shown_as_they_are() {
             let corner = i / 128 * 128 + i % 64 / 2 * 2;
             [0, 1, 64, 65].map(|o| g(corner + o, a) * g(corner + o, b)).iter().sum::<f64>() / 4.0
         };
-        let value = |map: Map, i: usize| match map {
-            Map::Dx => d(i, 0),
-            Map::Height => d(i, 1),
-            Map::Dz => d(i, 2),
-            Map::Shear => d(i, 3),
-            Map::SlopeX => g(i, 0),
-            Map::SlopeZ => g(i, 1),
-            Map::StretchX => g(i, 2),
-            Map::StretchZ => g(i, 3),
-            Map::MomentXx => moment(i, 0, 0),
-            Map::MomentZz => moment(i, 1, 1),
-            Map::MomentXz => moment(i, 0, 1),
+        let value = |map: MapView, i: usize| match map {
+            MapView::Dx => d(i, 0),
+            MapView::Height => d(i, 1),
+            MapView::Dz => d(i, 2),
+            MapView::DxDz => d(i, 3),
+            MapView::SlopeX => g(i, 0),
+            MapView::SlopeZ => g(i, 1),
+            MapView::DxDx => g(i, 2),
+            MapView::DzDz => g(i, 3),
+            MapView::MomentXx => moment(i, 0, 0),
+            MapView::MomentZz => moment(i, 1, 1),
+            MapView::MomentXz => moment(i, 0, 1),
             _ => (1.0 + chop[0] * g(i, 2)) * (1.0 + chop[1] * g(i, 3)) - chop[0] * chop[1] * d(i, 3).powi(2),
         };
-        for (word, shown, _) in VIEWS {
-            let Shown::Map(kind) = *shown else { continue };
-            if matches!(kind, Map::InitialSpectrum | Map::Spectrum | Map::Foam | Map::Source) {
+        for (word, displayed, _) in DISPLAYED_VIEWS {
+            let DisplayedView::Map(kind) = *displayed else { continue };
+            if matches!(kind, MapView::InitialSpectrum | MapView::Spectrum | MapView::Foam | MapView::Source) {
                 continue;
             }
-            let scale = ColourScale::new(*shown, &plan, cascade);
+            let scale = ColourScale::new(*displayed, &plan, cascade);
             let pixels = texels(&mut pictures, &map(state, kind, cascade as u32 + 1));
             let share = wrong(&pixels, |i| colour(&scale, value(kind, i)));
             assert!(share < 0.002, "{word} of cascade {cascade}: {share} of the texels are off");
@@ -139,18 +139,18 @@ fn spectra_are_those_of_the_oracle() {
     let plan = Plan::new(&params(&state(0.0)));
     let middle = |i: usize| ((i / 64 + 32) % 64) * 64 + (i % 64 + 32) % 64;
     for cascade in 0..plan.cascades.len() {
-        let h0 = oracle::spectrum::h0(&plan, &plan.cascades[cascade]);
-        let scale = ColourScale::new(Shown::Map(Map::InitialSpectrum), &plan, cascade);
-        let first = texels(&mut pictures, &map(&state(5.0), Map::InitialSpectrum, cascade as u32 + 1));
+        let h0 = oracle::spectrum::initial_spectrum(&plan, &plan.cascades[cascade]);
+        let scale = ColourScale::new(DisplayedView::Map(MapView::InitialSpectrum), &plan, cascade);
+        let first = texels(&mut pictures, &map(&state(5.0), MapView::InitialSpectrum, cascade as u32 + 1));
         let share = wrong(&first, |i| colour(&scale, h0[middle(i)][0].hypot(h0[middle(i)][1])));
         assert!(share < 0.002, "h0 of cascade {cascade}: {share} of the waves are off");
-        assert_eq!(first, texels(&mut pictures, &map(&state(77.5), Map::InitialSpectrum, cascade as u32 + 1)));
+        assert_eq!(first, texels(&mut pictures, &map(&state(77.5), MapView::InitialSpectrum, cascade as u32 + 1)));
 
-        let scale = ColourScale::new(Shown::Map(Map::Spectrum), &plan, cascade);
+        let scale = ColourScale::new(DisplayedView::Map(MapView::Spectrum), &plan, cascade);
         assert_eq!(scale.palette, Palette::Phase);
         for t in [5.0, 77.5] {
-            let h = oracle::maps::evolve(&plan, &plan.cascades[cascade], &h0, t);
-            let pixels = texels(&mut pictures, &map(&state(t), Map::Spectrum, cascade as u32 + 1));
+            let h = oracle::maps::evolved_spectrum(&plan, &plan.cascades[cascade], &h0, t);
+            let pixels = texels(&mut pictures, &map(&state(t), MapView::Spectrum, cascade as u32 + 1));
             let share = wrong(&pixels, |i| {
                 let [re, im] = h[middle(i)];
                 let (grey, phase) = (colour(&scale, re.hypot(im)), im.atan2(re));
@@ -173,7 +173,7 @@ fn the_height_of_a_single_wave() {
         8.05 * dk
     );
     let mut crests = |t: f64| -> Vec<bool> {
-        let pixels = texels(&mut pictures, &map(&format!("{sea}&t={t}"), Map::Height, 1));
+        let pixels = texels(&mut pictures, &map(&format!("{sea}&t={t}"), MapView::Height, 1));
         pixels.iter().map(|p| p[0] > p[2]).collect()
     };
     let start = crests(0.0);
@@ -195,7 +195,7 @@ fn the_height_of_a_single_wave() {
 #[test]
 fn normals_of_a_flat_sea_point_up() {
     let mut pictures = Pictures::default();
-    let pixels = pictures.render(&view("wind=0&n=64", Shown::Surface(Surface::Normals), 0), [96, 54]);
+    let pixels = pictures.render(&view("wind=0&n=64", DisplayedView::Surface(SurfaceView::Normals), 0), [96, 54]);
     let up = |p: &[u8; 4]| p[0].abs_diff(128) <= 1 && p[1].abs_diff(128) <= 1 && p[2] == 255;
     let water = pixels.iter().filter(|p| up(p)).count();
     let sky = pixels.iter().filter(|p| p[..3] == [0; 3]).count();
@@ -203,17 +203,17 @@ fn normals_of_a_flat_sea_point_up() {
     assert!(water > pixels.len() / 2, "{water}");
 }
 
-/// From straight above, the level is the logarithm of a tap's size in texels: a pixel over the square root of 3, because a
-/// mip read with interpolation blurs as much as a box of the square root of 3 times its texel.
+/// From straight above, the level is the logarithm of a tap's size in texels: a pixel over the square root of 3,
+/// because a mip read with interpolation blurs as much as a box of the square root of 3 times its texel.
 #[test]
 fn mips_follow_the_height_of_the_eye() {
     let mut pictures = Pictures::default();
     for y_m in [200.0, 400.0] {
         let state = format!("wind=3&cascades=1&patch1=64&n=64&y={y_m}&pitch=-89&fov=50");
         let plan = Plan::new(&params(&state));
-        let shown = Shown::Surface(Surface::Mips);
-        let scale = ColourScale::new(shown, &plan, 0);
-        let pixels = pictures.render(&view(&state, shown, 1), [60, 60]);
+        let displayed = DisplayedView::Surface(SurfaceView::Mips);
+        let scale = ColourScale::new(displayed, &plan, 0);
+        let pixels = pictures.render(&view(&state, displayed, 1), [60, 60]);
         let levels = (0..1000).map(|i| scale.high * f64::from(i) / 999.0).collect::<Vec<_>>();
         let distance = |p: &[u8; 4], level: f64| {
             (0..3).map(|c| (f64::from(p[c]) - 255.0 * colour(&scale, level)[c]).powi(2)).sum::<f64>()
@@ -233,7 +233,7 @@ fn the_wireframe_shows_the_mesh() {
     let mut pictures = Pictures::default();
     let mut bright = |mesh: f64| {
         let state = format!("wind=5&n=64&pitch=-35&mesh={mesh}");
-        let pixels = pictures.render(&view(&state, Shown::Surface(Surface::Wireframe), 0), [480, 270]);
+        let pixels = pictures.render(&view(&state, DisplayedView::Surface(SurfaceView::Wireframe), 0), [480, 270]);
         pixels.iter().map(|p| f64::from(p[1])).sum::<f64>() / pixels.len() as f64
     };
     let (coarse, fine) = (bright(0.1), bright(0.4));

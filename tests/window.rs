@@ -156,7 +156,7 @@ impl Desk {
         let (state, picture) = until("a whole picture", || {
             let bytes = std::fs::read(&path).ok()?;
             let picture = image::load_from_memory(&bytes).ok()?;
-            seastate::files::picture::state_of(&bytes).ok().map(|state| (state, picture))
+            seastate::files::picture::state_from_png(&bytes).ok().map(|state| (state, picture))
         });
         std::fs::remove_file(&path).expect("the picture is ours");
         let (params, notices) = query::parse(&state);

@@ -11,7 +11,7 @@ function mirrorOf(item, sea) {
     const element = document.createElement('button');
     element.type = 'button';
     if (role) element.setAttribute('role', role);
-    element.addEventListener('click', () => sea.act(item.id, 'click', 0, ''));
+    element.addEventListener('click', () => sea.perform_action(item.id, 'click', 0, ''));
     return element;
   };
   const input = (type) => {
@@ -28,11 +28,11 @@ function mirrorOf(item, sea) {
       const way = { ArrowRight: 'more', ArrowUp: 'more', ArrowLeft: 'less', ArrowDown: 'less' }[event.key];
       if (!slider || !way) return;
       event.preventDefault();
-      sea.act(item.id, way, 0, '');
+      sea.perform_action(item.id, way, 0, '');
     });
     element.addEventListener(slider ? 'input' : 'change', () => {
       const value = element.valueAsNumber;
-      if (Number.isFinite(value)) sea.act(item.id, 'set', value, '');
+      if (Number.isFinite(value)) sea.perform_action(item.id, 'set', value, '');
     });
     return element;
   }
@@ -46,7 +46,7 @@ function mirrorOf(item, sea) {
     case 'MultilineTextInput':
     case 'SearchInput': {
       const element = input('text');
-      element.addEventListener('change', () => sea.act(item.id, 'type', 0, element.value));
+      element.addEventListener('change', () => sea.perform_action(item.id, 'type', 0, element.value));
       return element;
     }
     case 'Window':
@@ -97,7 +97,7 @@ export function mirror(sea, list, told) {
   const elements = new Map();
   return () => {
     const items = new Map();
-    for (const item of sea.described()) {
+    for (const item of sea.accessible_items()) {
       const key = `${item.id} ${item.role} ${item.now === undefined}`;
       if (!items.has(key)) items.set(key, item);
     }
@@ -115,7 +115,7 @@ export function mirror(sea, list, told) {
       if (element === at) at = at.nextElementSibling;
       else list.insertBefore(element, at);
     }
-    const now = sea.told();
+    const now = sea.announcement();
     if (told.textContent !== now) told.textContent = now;
   };
 }

@@ -1,22 +1,22 @@
 //! Moves the camera by mouse, touch and keyboard. Input over the panel does not move it.
 
 use super::App;
-use crate::state::motion::{fly, orbit, turn, zoom};
+use crate::state::motion::{fly, orbit, rotate_camera, zoom};
 use crate::state::params::{Camera, CameraMode};
-use crate::state::rounding::{pose, rounded};
+use crate::state::rounding::{camera_pose, rounded};
 use egui::Key;
 
 /// Speed at which keys fly the camera at the sea's zero level, m/s.
-const SLOWEST_M_S: f64 = 6.0;
+const MIN_SPEED_M_S: f64 = 6.0;
 /// Increase of the camera's flight speed with its height, (m/s) per m.
 const SPEED_PER_HEIGHT: f64 = 0.8;
 /// Factor by which the camera flies faster while Shift is held.
-const FASTER: f64 = 8.0;
+const SHIFT_SPEED_FACTOR: f64 = 8.0;
 /// Angle by which the orbiting camera turns per point that the pointer is dragged, degrees.
-const ORBIT_DEG: f64 = 0.3;
+const DRAG_DEG_PER_POINT: f64 = 0.3;
 
 /// Applies mouse and touch to the camera: dragging turns it, wheel and pinching zoom, two fingers also move it.
-pub fn pointer(camera: &mut Camera, response: &egui::Response, ctx: &egui::Context) {
+pub fn apply_pointer_to_camera(camera: &mut Camera, response: &egui::Response, ctx: &egui::Context) {
     let height = f64::from(response.rect.height()).max(1.0);
     let degrees_per_point = camera.fov_deg / height;
     if let Some(touch) = ctx.multi_touch() {
@@ -33,8 +33,8 @@ pub fn pointer(camera: &mut Camera, response: &egui::Response, ctx: &egui::Conte
         let delta = response.drag_delta();
         let (x, y) = (f64::from(delta.x), f64::from(delta.y));
         match camera.mode {
-            CameraMode::Orbit => orbit(camera, -x * ORBIT_DEG, y * ORBIT_DEG),
-            CameraMode::Fly | CameraMode::Buoy => turn(camera, -x * degrees_per_point, y * degrees_per_point),
+            CameraMode::Orbit => orbit(camera, -x * DRAG_DEG_PER_POINT, y * DRAG_DEG_PER_POINT),
+            CameraMode::Fly | CameraMode::Buoy => rotate_camera(camera, -x * degrees_per_point, y * degrees_per_point),
         }
     }
     if response.hovered() {
@@ -46,7 +46,7 @@ pub fn pointer(camera: &mut Camera, response: &egui::Response, ctx: &egui::Conte
 
 /// Applies the keyboard to the camera: WASD and the arrows fly, Q and E sink and rise, Shift flies faster, C changes
 /// the camera mode.
-pub fn keys(camera: &mut Camera, ctx: &egui::Context) {
+pub fn apply_keys_to_camera(camera: &mut Camera, ctx: &egui::Context) {
     if ctx.input(|i| i.key_pressed(Key::C) && i.modifiers.is_none()) {
         camera.mode = match camera.mode {
             CameraMode::Fly => CameraMode::Orbit,
@@ -65,7 +65,7 @@ pub fn keys(camera: &mut Camera, ctx: &egui::Context) {
         return;
     }
     let (dt, hurry) = ctx.input(|i| (f64::from(i.stable_dt).min(0.1), i.modifiers.shift));
-    let step = dt * (SLOWEST_M_S + SPEED_PER_HEIGHT * camera.y_m) * if hurry { FASTER } else { 1.0 };
+    let step = dt * (MIN_SPEED_M_S + SPEED_PER_HEIGHT * camera.y_m) * if hurry { SHIFT_SPEED_FACTOR } else { 1.0 };
     fly(camera, aside * step, ahead * step, rise * step);
     ctx.request_repaint();
 }
@@ -78,7 +78,7 @@ impl App {
             return;
         }
         // A link may have more digits; they are kept until the user moves the camera.
-        if self.idle_pose.as_ref() == Some(&pose(&self.params)) {
+        if self.idle_pose.as_ref() == Some(&camera_pose(&self.params)) {
             return;
         }
         let rounded = rounded(&self.params);
@@ -86,6 +86,6 @@ impl App {
         if self.params.clock.paused {
             self.params.clock.t_s = rounded.clock.t_s;
         }
-        self.idle_pose = Some(pose(&self.params));
+        self.idle_pose = Some(camera_pose(&self.params));
     }
 }

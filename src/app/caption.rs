@@ -1,22 +1,22 @@
 //! The caption of a debug view (its name, colour bar and explanation), and the keys that switch between views.
 
 use crate::state::Params;
-use crate::state::views::{Shown, ViewChoice};
+use crate::state::views::{DisplayedView, ViewChoice};
 use crate::waves::Plan;
 use crate::waves::colour_scale::{Palette, caption};
 use egui::{Color32, Key};
 
 /// Width and height of the colour bar, points.
-const BAR: egui::Vec2 = egui::vec2(220.0, 10.0);
+const COLOUR_BAR_SIZE: egui::Vec2 = egui::vec2(220.0, 10.0);
 
 /// Applies the keys of debug views: V shows the next view, Shift+V the previous one; digits choose a cascade; Escape
 /// returns to the picture. Returns whether Escape was used.
-pub fn keys(view: &mut ViewChoice, ctx: &egui::Context) -> bool {
+pub fn apply_view_keys(view: &mut ViewChoice, ctx: &egui::Context) -> bool {
     let pressed = |key| ctx.input(|i| i.key_pressed(key));
     if pressed(Key::V) {
-        *view = view.turned(if ctx.input(|i| i.modifiers.shift) { -1 } else { 1 });
+        *view = view.cycled_by(if ctx.input(|i| i.modifiers.shift) { -1 } else { 1 });
     }
-    if view.shown == Shown::Picture {
+    if view.displayed == DisplayedView::Picture {
         return false;
     }
     for (cascade, key) in (0..).zip([Key::Num0, Key::Num1, Key::Num2, Key::Num3, Key::Num4]) {
@@ -32,9 +32,9 @@ pub fn keys(view: &mut ViewChoice, ctx: &egui::Context) -> bool {
 }
 
 /// Shows the caption of the current debug view at the lower left of the window. The ordinary picture has none.
-pub fn show(params: &Params, plan: &Plan, ctx: &egui::Context) {
+pub fn show_view_caption(params: &Params, plan: &Plan, ctx: &egui::Context) {
     let view = params.look.view;
-    if view.shown == Shown::Picture {
+    if view.displayed == DisplayedView::Picture {
         return;
     }
     let area = egui::Area::new(egui::Id::unique("caption")).anchor(egui::Align2::LEFT_BOTTOM, egui::vec2(12.0, -12.0));
@@ -43,7 +43,7 @@ pub fn show(params: &Params, plan: &Plan, ctx: &egui::Context) {
             let caption = caption(view, plan);
             ui.strong(view.name());
             if let Some(palette) = caption.palette {
-                bar(palette, ui);
+                draw_colour_bar(palette, ui);
             }
             for line in caption.lines {
                 ui.label(line);
@@ -52,8 +52,8 @@ pub fn show(params: &Params, plan: &Plan, ctx: &egui::Context) {
     });
 }
 
-fn bar(palette: Palette, ui: &mut egui::Ui) {
-    let (rect, _) = ui.allocate_exact_size(BAR, egui::Sense::hover());
+fn draw_colour_bar(palette: Palette, ui: &mut egui::Ui) {
+    let (rect, _) = ui.allocate_exact_size(COLOUR_BAR_SIZE, egui::Sense::hover());
     let stops = palette.stops().map(|c| {
         let [r, g, b] = c.map(|x| (255.0 * x).round() as u8);
         Color32::from_rgb(r, g, b)

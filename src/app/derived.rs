@@ -1,74 +1,74 @@
 //! Quantities derived from the parameters. They are computed when the parameters change, not in every frame.
 
-use super::plots::polar::Wheel;
-use crate::point::Heights;
+use super::plots::polar::DirectionalSpectrumSamples;
+use crate::point::StrongestWaves;
 use crate::point::floating::HullWaves;
 use crate::state::Params;
-use crate::waves::statistics::{Resolved, Theory};
+use crate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
 use crate::waves::{Plan, SeaChange};
 use std::cell::OnceCell;
 
 /// Plan, statistics and plot data of one sea. The expensive ones are computed at their first use.
 pub struct Derived {
     /// Parameters from which the other fields were computed.
-    pub of: Params,
+    pub params: Params,
     /// Plan for the FFT size that the user requested; adaptive quality may draw the sea with a smaller one.
     pub plan: Plan,
     /// Statistics by theory, from integrals of the continuous spectrum.
-    pub theory: Theory,
+    pub theory: SpectrumStatistics,
     /// Statistics of the waves on the FFT grids, as sums over all wave numbers.
-    resolved: OnceCell<Resolved>,
+    resolved: OnceCell<LatticeStatistics>,
     /// The waves that are summed on the CPU for the height of the sea at a point.
-    waterline: OnceCell<HullWaves>,
+    surface_waves: OnceCell<HullWaves>,
     /// Directional spectrum, sampled for the polar plot.
-    wheel: OnceCell<Wheel>,
+    directional_spectrum: OnceCell<DirectionalSpectrumSamples>,
 }
 
 impl Derived {
     /// Computes the plan and the statistics of its spectrum.
     pub fn new(params: &Params) -> Self {
         let plan = Plan::new(params);
-        let theory = Theory::new(&plan);
+        let theory = SpectrumStatistics::new(&plan);
         Self {
-            of: params.clone(),
+            params: params.clone(),
             plan,
             theory,
             resolved: OnceCell::new(),
-            waterline: OnceCell::new(),
-            wheel: OnceCell::new(),
+            surface_waves: OnceCell::new(),
+            directional_spectrum: OnceCell::new(),
         }
     }
 
     /// Updates the derived quantities to new parameters, and recomputes only those that depend on the change. Returns
     /// the kind of the change; `None` if the sea is the same.
-    pub fn follow(&mut self, params: &Params) -> Option<SeaChange> {
-        let change = SeaChange::between(&self.of, params);
+    pub fn update(&mut self, params: &Params) -> Option<SeaChange> {
+        let change = SeaChange::between(&self.params, params);
         match change {
             None => return None,
             Some(SeaChange::Waves) => *self = Self::new(params),
             Some(SeaChange::Surface) => {
-                self.plan = self.plan.with_surface(&params.sea);
-                self.waterline = OnceCell::new();
+                self.plan = self.plan.with_surface_and_foam_of(&params.sea);
+                self.surface_waves = OnceCell::new();
             }
-            Some(SeaChange::Foam) => self.plan = self.plan.with_surface(&params.sea),
+            Some(SeaChange::Foam) => self.plan = self.plan.with_surface_and_foam_of(&params.sea),
         }
-        self.of = params.clone();
+        self.params = params.clone();
         change
     }
 
     /// Statistics of the waves on the FFT grids.
-    pub fn resolved(&self) -> &Resolved {
-        self.resolved.get_or_init(|| Resolved::new(&self.plan, self.theory.m0_m2))
+    pub fn lattice_statistics(&self) -> &LatticeStatistics {
+        self.resolved.get_or_init(|| LatticeStatistics::new(&self.plan, self.theory.m0_m2))
     }
 
     /// The sum of waves that gives the height of the sea at any point, on the CPU.
-    pub fn heights(&self) -> &Heights {
-        self.waterline.get_or_init(|| HullWaves::new(&self.plan)).heights()
+    pub fn strongest_waves(&self) -> &StrongestWaves {
+        self.surface_waves.get_or_init(|| HullWaves::new(&self.plan)).heights()
     }
 
     /// Directional spectrum, sampled for the polar plot.
-    pub fn wheel(&self) -> &Wheel {
-        self.wheel.get_or_init(|| Wheel::new(&self.plan))
+    pub fn directional_spectrum(&self) -> &DirectionalSpectrumSamples {
+        self.directional_spectrum.get_or_init(|| DirectionalSpectrumSamples::new(&self.plan))
     }
 }
 
@@ -82,18 +82,18 @@ mod tests {
         params.grid.n = 64;
         let mut derived = Derived::new(&params);
         let first = derived.plan.clone();
-        derived.heights();
+        derived.strongest_waves();
         params.sea.foam.decay_s = 9.0;
-        assert_eq!(derived.follow(&params), Some(SeaChange::Foam));
-        assert_eq!(derived.follow(&params), None);
-        assert!(derived.plan.shares_integrals(&first) && derived.waterline.get().is_some());
+        assert_eq!(derived.update(&params), Some(SeaChange::Foam));
+        assert_eq!(derived.update(&params), None);
+        assert!(derived.plan.has_same_spectrum_integrals(&first) && derived.surface_waves.get().is_some());
         assert_eq!(derived.plan, Plan::new(&params));
         params.sea.chop = 0.5;
-        assert_eq!(derived.follow(&params), Some(SeaChange::Surface));
-        assert!(derived.plan.shares_integrals(&first) && derived.waterline.get().is_none());
+        assert_eq!(derived.update(&params), Some(SeaChange::Surface));
+        assert!(derived.plan.has_same_spectrum_integrals(&first) && derived.surface_waves.get().is_none());
         assert_eq!(derived.plan, Plan::new(&params));
         params.sea.depth_m = 10.0;
-        assert_eq!(derived.follow(&params), Some(SeaChange::Waves));
-        assert!(!derived.plan.shares_integrals(&first));
+        assert_eq!(derived.update(&params), Some(SeaChange::Waves));
+        assert!(!derived.plan.has_same_spectrum_integrals(&first));
     }
 }

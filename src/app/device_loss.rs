@@ -13,7 +13,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 /// Result of the closure in which eframe creates its app.
-pub type Created = Result<Box<dyn eframe::App>, Box<dyn std::error::Error + Send + Sync>>;
+pub type AppCreation = Result<Box<dyn eframe::App>, Box<dyn std::error::Error + Send + Sync>>;
 
 /// The place where the app waits between two runs of eframe, after a device loss.
 pub type ParkedApp = Rc<RefCell<Option<App>>>;
@@ -88,10 +88,10 @@ impl App {
     /// # Errors
     /// If eframe was started without a wgpu device. The app is unchanged then.
     fn move_to(&mut self, cc: &eframe::CreationContext<'_>) -> Result<(), String> {
-        self.render_state = cc.wgpu_render_state.clone().ok_or(super::NO_WGPU)?;
+        self.render_state = cc.wgpu_render_state.clone().ok_or(super::NO_WGPU_MESSAGE)?;
         let out_of_memory = self.gpu_errors.is_out_of_memory();
         if out_of_memory {
-            self.quality.refuse();
+            self.quality.note_out_of_memory();
         }
         self.gpu_errors = create_ocean(&self.render_state, &self.params_to_draw());
         // The new context takes over open sections, scroll positions and typed text, but not a drag: the button may
@@ -100,7 +100,7 @@ impl App {
         let ctx = cc.egui_ctx.clone();
         ctx.memory_mut(|m| *m = memory);
         ctx.stop_dragging();
-        setup::style(&ctx);
+        setup::apply_style(&ctx);
         #[cfg(target_arch = "wasm32")]
         self.screen_readers.move_to(&ctx);
         self.ctx = ctx;
@@ -111,12 +111,12 @@ impl App {
         self.frame_measurements = FrameMeasurements::default();
         self.sea_measurement = SeaMeasurement::default();
         if out_of_memory {
-            self.say(
+            self.show_brief_message(
                 "The graphics card is short of memory, so the picture is less sharp: close other programs or tabs and \
                  start again.",
             );
         } else if self.params.screen.panel {
-            self.say("The graphics card was lost for a moment; the sea goes on.");
+            self.show_brief_message("The graphics card was lost for a moment; the sea goes on.");
         }
         Ok(())
     }

@@ -5,10 +5,10 @@ use futures_channel::oneshot;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Largest number of distinct GPU errors that are kept.
-const MAX_SHOWN: usize = 8;
+const MAX_DISTINCT_ERRORS: usize = 8;
 
 #[derive(Default)]
-struct Inner {
+struct GpuErrorState {
     errors: Vec<String>,
     /// The reason why the device was lost; `None` while it works.
     lost: Option<String>,
@@ -18,8 +18,8 @@ struct Inner {
     waiting: Vec<oneshot::Sender<()>>,
 }
 
-impl Inner {
-    fn lose(&mut self, reason: String) {
+impl GpuErrorState {
+    fn mark_lost(&mut self, reason: String) {
         self.lost.get_or_insert(reason);
         for sender in self.waiting.drain(..) {
             // Sending fails if the receiver has been dropped.
@@ -30,7 +30,7 @@ impl Inner {
 
 /// Errors of one GPU device, shared with the callbacks that wgpu calls.
 #[derive(Clone, Default)]
-pub struct GpuErrors(Arc<Mutex<Inner>>);
+pub struct GpuErrors(Arc<Mutex<GpuErrorState>>);
 
 impl GpuErrors {
     /// Installs the callbacks for errors and for the loss of a GPU device, and returns the list that they fill.
@@ -44,29 +44,29 @@ impl GpuErrors {
         let on_lost = errors.clone();
         device.set_device_lost_callback(move |reason, message| {
             log::error!("GPU device lost ({reason:?}): {message}");
-            on_lost.inner().lose(format!("the GPU was lost ({reason:?}): {message}"));
+            on_lost.lock().mark_lost(format!("the GPU was lost ({reason:?}): {message}"));
         });
         errors
     }
 
     /// The distinct error messages of the device so far.
     pub fn errors(&self) -> Vec<String> {
-        self.inner().errors.clone()
+        self.lock().errors.clone()
     }
 
     /// The reason why the device was lost; `None` while it works.
     pub fn lost(&self) -> Option<String> {
-        self.inner().lost.clone()
+        self.lock().lost.clone()
     }
 
     /// Returns a future that completes when the GPU device is lost.
     #[cfg(target_arch = "wasm32")]
     pub fn when_lost(&self) -> impl Future<Output = ()> + 'static {
         let (sender, receiver) = oneshot::channel();
-        let mut inner = self.inner();
+        let mut inner = self.lock();
         inner.waiting.push(sender);
         if let Some(reason) = inner.lost.clone() {
-            inner.lose(reason);
+            inner.mark_lost(reason);
         }
         async move {
             // A dropped sender counts as a device loss.
@@ -76,28 +76,28 @@ impl GpuErrors {
 
     /// Whether the device was lost because its graphics memory was too small.
     pub fn is_out_of_memory(&self) -> bool {
-        self.inner().out_of_memory
+        self.lock().out_of_memory
     }
 
     /// Treats the device as lost after an out-of-memory error, because the resource that it could not allocate would be
     /// missing in every later frame.
     fn run_out_of_memory(&self, error: String) {
         log::error!("{error}");
-        let mut inner = self.inner();
+        let mut inner = self.lock();
         inner.out_of_memory = true;
-        inner.lose(error);
+        inner.mark_lost(error);
     }
 
     fn add(&self, error: String) {
-        let mut inner = self.inner();
-        if !inner.errors.contains(&error) && inner.errors.len() < MAX_SHOWN {
+        let mut inner = self.lock();
+        if !inner.errors.contains(&error) && inner.errors.len() < MAX_DISTINCT_ERRORS {
             log::error!("{error}");
             inner.errors.push(error);
         }
     }
 
     /// Locks the shared state. A panic of another holder of the lock leaves the state valid.
-    fn inner(&self) -> MutexGuard<'_, Inner> {
+    fn lock(&self) -> MutexGuard<'_, GpuErrorState> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -4,9 +4,9 @@ use crate::state::Params;
 use egui::util::undoer::{Settings, Undoer};
 
 /// Largest number of undo steps that are kept.
-const MOST_STEPS: usize = 200;
+const MAX_UNDO_STEPS: usize = 200;
 /// Time for which a changed parameter must stay constant before the change becomes an undo step, s.
-const SETTLED_S: f32 = 0.4;
+const STABLE_TIME_S: f32 = 0.4;
 
 /// The undo history: the parameters before and after each step.
 pub struct History(Undoer<Params>);
@@ -14,67 +14,71 @@ pub struct History(Undoer<Params>);
 impl Default for History {
     fn default() -> Self {
         // The undoer's list holds the current state in addition to the undo steps.
-        let max_undos = MOST_STEPS + 1;
-        Self(Undoer::with_settings(Settings { max_undos, stable_time: SETTLED_S, auto_save_interval: f32::INFINITY }))
+        let max_undos = MAX_UNDO_STEPS + 1;
+        Self(Undoer::with_settings(Settings {
+            max_undos,
+            stable_time: STABLE_TIME_S,
+            auto_save_interval: f32::INFINITY,
+        }))
     }
 }
 
 impl History {
     /// Records the parameters of the frame at time `now_s`. While the pointer is held it records nothing, so a drag
     /// becomes one undo step.
-    pub fn watch(&mut self, params: &Params, held: bool, now_s: f64) {
+    pub fn note_params(&mut self, params: &Params, held: bool, now_s: f64) {
         if !held {
-            self.0.feed_state(now_s, &recorded(params));
+            self.0.feed_state(now_s, &recorded_params(params));
         }
     }
 
     /// Whether a recent change has not become an undo step yet. Another frame is then needed to complete it.
-    pub fn is_open(&self) -> bool {
+    pub fn has_uncommitted_change(&self) -> bool {
         self.0.is_in_flux()
     }
 
     /// Turns the changes since the last undo step into a step at once, without waiting for them to settle.
     pub fn commit(&mut self, params: &Params) {
-        let now = self.feed(params);
+        let now = self.feed_undoer(params);
         self.0.add_undo(&now);
     }
 
     /// Whether there is a step to undo (first), and whether there is one to redo (second).
-    pub fn can(&self, params: &Params) -> (bool, bool) {
-        let now = recorded(params);
+    pub fn can_undo_redo(&self, params: &Params) -> (bool, bool) {
+        let now = recorded_params(params);
         (self.0.has_undo(&now), self.0.has_redo(&now))
     }
 
     /// Undoes one step: sets the parameters to their earlier values.
     pub fn undo(&mut self, params: &mut Params) {
-        let now = self.feed(params);
-        restore(params, self.0.undo(&now));
+        let now = self.feed_undoer(params);
+        restore_recorded_params(params, self.0.undo(&now));
     }
 
     /// Redoes one step: sets the parameters to the values before the last undo.
     pub fn redo(&mut self, params: &mut Params) {
-        let now = self.feed(params);
-        restore(params, self.0.redo(&now));
+        let now = self.feed_undoer(params);
+        restore_recorded_params(params, self.0.redo(&now));
     }
 
     /// Records parameters that may have changed since the last frame. A change discards all redo steps. Returns the
     /// recorded parameters.
-    fn feed(&mut self, params: &Params) -> Params {
-        let now = recorded(params);
+    fn feed_undoer(&mut self, params: &Params) -> Params {
+        let now = recorded_params(params);
         self.0.feed_state(f64::NEG_INFINITY, &now);
         now
     }
 }
 
 /// Sets all parameters to those of `to`, except simulated time and camera.
-fn restore(params: &mut Params, to: Option<&Params>) {
+fn restore_recorded_params(params: &mut Params, to: Option<&Params>) {
     if let Some(to) = to {
         *params = Params { clock: params.clock.clone(), camera: params.camera.clone(), ..to.clone() };
     }
 }
 
 /// The parameters as the history records them: with default time and camera.
-fn recorded(params: &Params) -> Params {
+fn recorded_params(params: &Params) -> Params {
     let Params { clock, camera, .. } = Params::default();
     Params { clock, camera, ..params.clone() }
 }
@@ -94,34 +98,34 @@ mod tests {
     #[test]
     fn a_drag_is_one_step() {
         let mut history = History::default();
-        history.watch(&with_wind(12.0), false, 0.0);
+        history.note_params(&with_wind(12.0), false, 0.0);
         for i in 1..=20 {
-            history.watch(&with_wind(12.0 + 0.1 * f64::from(i)), true, 0.1 * f64::from(i));
+            history.note_params(&with_wind(12.0 + 0.1 * f64::from(i)), true, 0.1 * f64::from(i));
         }
-        history.watch(&with_wind(14.0), false, 3.0);
+        history.note_params(&with_wind(14.0), false, 3.0);
         let mut p = with_wind(14.0);
         p.clock.t_s = 77.0;
         history.undo(&mut p);
         assert_eq!((p.sea.local().wind_m_s, p.clock.t_s), (12.0, 77.0));
-        assert_eq!(history.can(&p), (false, true));
+        assert_eq!(history.can_undo_redo(&p), (false, true));
         history.redo(&mut p);
-        assert_eq!((p.sea.local().wind_m_s, history.can(&p)), (14.0, (true, false)));
+        assert_eq!((p.sea.local().wind_m_s, history.can_undo_redo(&p)), (14.0, (true, false)));
     }
 
     #[test]
     fn what_is_undone_at_once_is_not_lost() {
         let mut history = History::default();
-        history.watch(&with_wind(12.0), false, 0.0);
-        history.watch(&with_wind(20.0), true, 0.1);
+        history.note_params(&with_wind(12.0), false, 0.0);
+        history.note_params(&with_wind(20.0), true, 0.1);
         let mut p = with_wind(20.0);
         history.undo(&mut p);
         assert_eq!(p.sea.local().wind_m_s, 12.0);
         history.redo(&mut p);
         assert_eq!(p.sea.local().wind_m_s, 20.0);
         history.undo(&mut p);
-        history.watch(&with_wind(5.0), false, 1.0);
-        history.watch(&with_wind(5.0), false, 2.0);
-        assert_eq!(history.can(&p), (true, false), "another change leaves nothing to redo");
+        history.note_params(&with_wind(5.0), false, 1.0);
+        history.note_params(&with_wind(5.0), false, 2.0);
+        assert_eq!(history.can_undo_redo(&p), (true, false), "another change leaves nothing to redo");
     }
 
     /// Changes one parameter after the other, undoes all changes, then redoes them. Each step restores the exact
@@ -133,7 +137,7 @@ mod tests {
         let mut rest = |history: &mut History, p: &Params| {
             for _ in 0..2 {
                 now_s += 1.0;
-                history.watch(p, false, now_s);
+                history.note_params(p, false, now_s);
             }
         };
         let mut steps = vec![Params::default()];
@@ -157,18 +161,18 @@ mod tests {
                 steps.push(p);
             }
         }
-        let kept = steps.len().min(MOST_STEPS + 1);
+        let kept = steps.len().min(MAX_UNDO_STEPS + 1);
         assert!(steps.len() > 100, "{}", steps.len());
         let mut p = steps[steps.len() - 1].clone();
         for want in steps.iter().rev().take(kept).skip(1) {
             history.undo(&mut p);
             assert_eq!(&p, want);
         }
-        assert!(!history.can(&p).0);
+        assert!(!history.can_undo_redo(&p).0);
         for want in steps.iter().rev().take(kept - 1).rev() {
             history.redo(&mut p);
             assert_eq!(&p, want);
         }
-        assert!(!history.can(&p).1);
+        assert!(!history.can_undo_redo(&p).1);
     }
 }

@@ -4,7 +4,7 @@ use super::{App, camera, caption, panel};
 use egui::{Key, Modifiers};
 
 /// Table of the help window: each key or gesture, and what it does.
-pub const KEYS: &[(&str, &str)] = &[
+pub const KEYBOARD_HELP: &[(&str, &str)] = &[
     ("drag", "look around; in orbit, turn around the sea in the middle"),
     ("wheel, pinch", "zoom; in orbit, come closer"),
     ("W A S D, arrows", "fly over the water; with Shift faster"),
@@ -24,7 +24,7 @@ pub const KEYS: &[(&str, &str)] = &[
 ];
 
 /// Shows the help window with the keyboard shortcuts while `open` is true. Closing the window sets `open` to false.
-pub fn help(open: &mut bool, ctx: &egui::Context) {
+pub fn show_keyboard_help(open: &mut bool, ctx: &egui::Context) {
     egui::Window::new("Keys and gestures")
         .open(open)
         .collapsible(false)
@@ -37,7 +37,7 @@ pub fn help(open: &mut bool, ctx: &egui::Context) {
         .vscroll(true)
         .show(ctx, |ui| {
             egui::Grid::new("keys").num_columns(2).striped(true).spacing([16.0, 6.0]).show(ui, |ui| {
-                for (key, does) in KEYS {
+                for (key, does) in KEYBOARD_HELP {
                     ui.strong(*key);
                     ui.add(egui::Label::new(*does).wrap());
                     ui.end_row();
@@ -67,10 +67,10 @@ impl App {
             clock.t_s = 0.0;
         }
         if pressed(Key::Period) {
-            panel::time::step(clock, 1.0);
+            panel::time::step_clock(clock, 1.0);
         }
         if pressed(Key::Comma) {
-            panel::time::step(clock, -1.0);
+            panel::time::step_clock(clock, -1.0);
         }
         if plain(Key::H) {
             self.params.screen.panel = !self.params.screen.panel;
@@ -88,12 +88,12 @@ impl App {
         if closes_help {
             self.help = false;
         }
-        let uses_escape = closes_help || caption::keys(&mut self.params.look.view, ctx);
+        let uses_escape = closes_help || caption::apply_view_keys(&mut self.params.look.view, ctx);
         if !uses_escape && cfg!(not(target_arch = "wasm32")) && pressed(Key::Escape) {
             ctx.send_viewport_cmd(egui::ViewportCommand::Close);
         }
         if free {
-            camera::keys(&mut self.params.camera, ctx);
+            camera::apply_keys_to_camera(&mut self.params.camera, ctx);
         }
     }
 

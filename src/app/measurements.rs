@@ -8,31 +8,31 @@ use std::cell::Cell;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Least time between two read-backs of the wave maps, s.
-const EVERY_S: f64 = 1.0;
+const READBACK_INTERVAL_S: f64 = 1.0;
 /// Number of map texels per frame that the CPU passes through the Fourier transform: a few milliseconds in a browser.
 const POINTS_PER_FRAME: usize = 1 << 16;
 /// Number of frequency bins of the spectrum that is measured in the wave maps.
-const BINS: usize = 72;
+const SPECTRUM_BINS: usize = 72;
 /// Weight of a new frame in the moving average of the recording time, 0 to 1.
-const SMOOTHING: f64 = 0.1;
+const RECORDING_TIME_SMOOTHING: f64 = 0.1;
 
 /// Flags of read-outs that are measured only while they are shown. Drawing one sets its flag; the next frame clears it.
 #[derive(Default)]
-pub struct Shown {
+pub struct VisibleReadouts {
     /// Whether the plot of the buoy's record is shown.
-    pub record: Cell<bool>,
+    pub buoy_record: Cell<bool>,
     /// Whether statistics measured in the wave maps are shown.
-    pub maps: Cell<bool>,
+    pub map_statistics: Cell<bool>,
     /// Whether the times of the GPU passes are shown.
-    pub times: Cell<bool>,
+    pub pass_times: Cell<bool>,
 }
 
 /// Requests for measurements, and their results, shared between the app and the code that records a frame on the GPU.
 #[derive(Clone, Default)]
-pub struct FrameMeasurements(Arc<Mutex<Inner>>);
+pub struct FrameMeasurements(Arc<Mutex<FrameRequests>>);
 
 #[derive(Default)]
-struct Inner {
+struct FrameRequests {
     wants_times: bool,
     /// Number of the sea (see [`SeaMeasurement`]) whose wave maps the next frame is to copy for read-back.
     wants_probe: Option<u64>,
@@ -47,13 +47,13 @@ struct Inner {
 }
 
 impl FrameMeasurements {
-    fn inner(&self) -> MutexGuard<'_, Inner> {
+    fn lock(&self) -> MutexGuard<'_, FrameRequests> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Starts the measurement of a frame. Call this before the frame's commands are recorded.
-    pub fn begin(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder) {
-        let mut inner = self.inner();
+    pub fn begin_frame(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder) {
+        let mut inner = self.lock();
         let is_submitted = std::mem::take(&mut inner.is_painted);
         // Copies of a frame that was never submitted are empty, so they are requested again.
         if !is_submitted && let Some((sea, _)) = inner.probe.take() {
@@ -66,11 +66,14 @@ impl FrameMeasurements {
 
     /// Ends the measurement of a frame whose recording took `record_s` seconds. `is_whole` tells that no replay of past
     /// foam and no cross-fade is in progress, so that the maps may be measured.
-    pub fn end(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder, record_s: f64, is_whole: bool) {
-        let mut inner = self.inner();
+    pub fn end_frame(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder, record_s: f64, is_whole: bool) {
+        let mut inner = self.lock();
         ocean.timer().end(encoder);
-        inner.record_s =
-            if inner.record_s > 0.0 { inner.record_s + SMOOTHING * (record_s - inner.record_s) } else { record_s };
+        inner.record_s = if inner.record_s > 0.0 {
+            inner.record_s + RECORDING_TIME_SMOOTHING * (record_s - inner.record_s)
+        } else {
+            record_s
+        };
         inner.passes = ocean.timer().is_available().then(|| ocean.timer().times());
         if is_whole && let Some(sea) = inner.wants_probe {
             inner.probe = ocean.probe(encoder).map(|probe| (sea, probe));
@@ -79,18 +82,18 @@ impl FrameMeasurements {
     }
 
     /// Notes that the recorded frame was painted, and so will be submitted to the GPU.
-    pub fn painted(&self) {
-        self.inner().is_painted = true;
+    pub fn note_painted(&self) {
+        self.lock().is_painted = true;
     }
 
     /// Moving average of the CPU time that recording a frame's GPU commands takes, ms.
-    pub fn record_ms(&self) -> f64 {
-        1e3 * self.inner().record_s
+    pub fn recording_time_ms(&self) -> f64 {
+        1e3 * self.lock().record_s
     }
 
     /// Name and time (ms) of each GPU pass; `None` if the GPU has no timestamp queries.
     pub fn passes(&self) -> Option<Vec<(&'static str, f64)>> {
-        self.inner().passes.clone()
+        self.lock().passes.clone()
     }
 }
 
@@ -103,21 +106,21 @@ pub struct SeaMeasurement {
     /// Whether a requested read-back of the wave maps has not arrived yet.
     waiting: bool,
     /// The read-back that is being Fourier transformed, over several frames.
-    survey: Option<(MapSpectrumEstimator, Probed)>,
+    pending_analysis: Option<(MapSpectrumEstimator, Probed)>,
     /// Time of the last request on egui's clock, and the simulated time then, s.
     last: Option<(f64, f64)>,
-    sums: Sums,
+    sums: StatisticSums,
 }
 
 /// Sums of the measured statistics over all read-backs of one sea.
 #[derive(Default)]
-struct Sums {
+struct StatisticSums {
     readings: usize,
     hs2_m2: f64,
     mss: f64,
     coverage: f64,
     width_rad_s: f64,
-    bins_m2: Vec<f64>,
+    bin_variances_m2: Vec<f64>,
 }
 
 impl SeaMeasurement {
@@ -154,26 +157,26 @@ impl SeaMeasurement {
     pub fn spectrum(&self) -> Option<(f64, Vec<f64>)> {
         let width = self.sums.width_rad_s;
         let unit = self.mean(1.0)? / width;
-        Some((width, self.sums.bins_m2.iter().map(|sum| sum * unit).collect()))
+        Some((width, self.sums.bin_variances_m2.iter().map(|sum| sum * unit).collect()))
     }
 
-    fn add(&mut self, probed: &Probed, found: &MapSpectrum, width_rad_s: f64) {
+    fn add_reading(&mut self, probed: &Probed, found: &MapSpectrum, width_rad_s: f64) {
         let sums = &mut self.sums;
         sums.readings += 1;
         sums.hs2_m2 += 16.0 * found.m0_m2;
         sums.mss += probed.mss;
         sums.coverage += probed.coverage;
         sums.width_rad_s = width_rad_s;
-        sums.bins_m2.resize(found.bins_m2.len(), 0.0);
-        sums.bins_m2.iter_mut().zip(&found.bins_m2).for_each(|(sum, x)| *sum += x);
+        sums.bin_variances_m2.resize(found.bin_variances_m2.len(), 0.0);
+        sums.bin_variances_m2.iter_mut().zip(&found.bin_variances_m2).for_each(|(sum, x)| *sum += x);
     }
 }
 
 impl App {
     /// Discards the statistics of the wave maps and pending requests, because another sea is drawn.
-    pub(super) fn forget_measurement(&mut self) {
+    pub(super) fn discard_measurements(&mut self) {
         self.sea_measurement.clear();
-        let mut inner = self.frame_measurements.inner();
+        let mut inner = self.frame_measurements.lock();
         (inner.wants_probe, inner.probe) = (None, None);
     }
 
@@ -181,7 +184,7 @@ impl App {
     /// another while the panel shows the results.
     pub(super) fn measure(&mut self, ctx: &egui::Context) {
         self.read_probe(ctx);
-        let width = plots::highest_omega(&self.derived.plan) / BINS as f64;
+        let width = plots::highest_omega(&self.derived.plan) / SPECTRUM_BINS as f64;
         let measurement = &mut self.sea_measurement;
         for (sea, probed) in measurement.inbox.take() {
             if sea != measurement.sea {
@@ -189,7 +192,10 @@ impl App {
             }
             measurement.waiting = false;
             match probed {
-                Ok(probed) => measurement.survey = Some((MapSpectrumEstimator::new(&probed.plan, width, BINS), probed)),
+                Ok(probed) => {
+                    measurement.pending_analysis =
+                        Some((MapSpectrumEstimator::new(&probed.plan, width, SPECTRUM_BINS), probed))
+                }
                 Err(reason) => {
                     let notice = format!("the sea was not measured: {reason}");
                     if self.notices.last() != Some(&notice) {
@@ -198,17 +204,21 @@ impl App {
                 }
             }
         }
-        if let Some((mut survey, probed)) = measurement.survey.take() {
+        if let Some((mut pending_analysis, probed)) = measurement.pending_analysis.take() {
             ctx.request_repaint();
-            match survey.advance(&probed.plan, POINTS_PER_FRAME, |cascade, z| probed.row(cascade, z)) {
-                Some(found) => measurement.add(&probed, found, width),
-                None => measurement.survey = Some((survey, probed)),
+            match pending_analysis.advance(&probed.plan, POINTS_PER_FRAME, |cascade, z| probed.row(cascade, z)) {
+                Some(found) => measurement.add_reading(&probed, found, width),
+                None => measurement.pending_analysis = Some((pending_analysis, probed)),
             }
         }
         let (now_s, t_s) = (ctx.input(|i| i.time), self.params.clock.t_s);
-        let due = measurement.last.is_none_or(|(at_s, of_s)| now_s > at_s + EVERY_S && of_s != t_s);
-        if self.shown.maps.take() && due && !measurement.waiting && measurement.survey.is_none() {
-            self.frame_measurements.inner().wants_probe = Some(measurement.sea);
+        let due = measurement.last.is_none_or(|(at_s, of_s)| now_s > at_s + READBACK_INTERVAL_S && of_s != t_s);
+        if self.visible_readouts.map_statistics.take()
+            && due
+            && !measurement.waiting
+            && measurement.pending_analysis.is_none()
+        {
+            self.frame_measurements.lock().wants_probe = Some(measurement.sea);
             (measurement.waiting, measurement.last) = (true, Some((now_s, t_s)));
             ctx.request_repaint();
         }
@@ -216,8 +226,8 @@ impl App {
 
     /// Starts reading back the map copies that the last frame recorded, if that frame was submitted.
     fn read_probe(&self, ctx: &egui::Context) {
-        let mut inner = self.frame_measurements.inner();
-        inner.wants_times = self.shown.times.take();
+        let mut inner = self.frame_measurements.lock();
+        inner.wants_times = self.visible_readouts.pass_times.take();
         let probe = if inner.is_painted { inner.probe.take() } else { None };
         drop(inner);
         if let Some((sea, probe)) = probe {

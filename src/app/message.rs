@@ -4,7 +4,7 @@ use super::App;
 use std::time::Duration;
 
 /// Time for which a message stays visible, s.
-const SHOWN_S: f64 = 4.0;
+const MESSAGE_DURATION_S: f64 = 4.0;
 
 /// A message for the user, and the time at which it disappears.
 pub struct Message {
@@ -16,16 +16,16 @@ pub struct Message {
 
 impl App {
     /// Shows a message at the top of the window for a few seconds.
-    pub(super) fn say(&mut self, text: &str) {
+    pub(super) fn show_brief_message(&mut self, text: &str) {
         self.message = Some(Message { text: text.to_owned(), end_s: None });
         self.ctx.request_repaint();
     }
 
     /// Draws the current message, and removes it when its time is over.
-    pub(super) fn show_message(&mut self, ctx: &egui::Context) {
+    pub(super) fn draw_message(&mut self, ctx: &egui::Context) {
         let Some(message) = &mut self.message else { return };
         let now_s = ctx.input(|i| i.time);
-        let end_s = *message.end_s.get_or_insert(now_s + SHOWN_S);
+        let end_s = *message.end_s.get_or_insert(now_s + MESSAGE_DURATION_S);
         if now_s > end_s {
             self.message = None;
             return;

@@ -39,9 +39,9 @@ use gpu_errors::GpuErrors;
 
 /// Upper limit of the wall-clock time by which one frame advances the clock, s. It prevents a jump of the simulated
 /// time after the window was in the background.
-const LONGEST_STEP_S: f64 = 0.1;
+const MAX_TIME_STEP_S: f64 = 0.1;
 
-const NO_WGPU: &str = "eframe was started without wgpu";
+const NO_WGPU_MESSAGE: &str = "eframe was started without wgpu";
 
 /// The app: parameters of the sea, GPU device, and state of the user interface.
 pub struct App {
@@ -54,7 +54,7 @@ pub struct App {
     gpu_errors: GpuErrors,
     frames: u64,
     /// Contents of files dropped on the window. They arrive when reading has finished.
-    opened: tasks::Inbox<opened_files::Files>,
+    opened: tasks::Inbox<opened_files::OpenedFiles>,
     panel: panel::Panel,
     own_seas: panel::OwnSeas,
     history: history::History,
@@ -63,13 +63,13 @@ pub struct App {
     help: bool,
     message: Option<message::Message>,
     /// Camera, and simulated time if the clock is stopped, at the end of the last frame without user input.
-    idle_pose: Option<rounding::Pose>,
+    idle_pose: Option<rounding::CameraPose>,
     /// Parameters of the last drawn frame, and its width and height in pixels.
     drawn: Option<(Params, [u32; 2])>,
     /// Height of the sea over time at the first floating object; without one, below the camera.
     record: BuoyRecord,
     /// Kind of floating object (buoy or boat) that the next click on the sea places; `None` if a click places nothing.
-    placing: Option<floats::FloatKind>,
+    placing: Option<floats::FloatingObjectKind>,
     save_folder: Option<std::path::PathBuf>,
     /// Results of finished file saves: a message for the user, or the reason for the failure.
     saved: tasks::Inbox<Result<String, String>>,
@@ -78,7 +78,7 @@ pub struct App {
     progress: viewport::Progress,
     frame_measurements: measurements::FrameMeasurements,
     sea_measurement: measurements::SeaMeasurement,
-    shown: measurements::Shown,
+    visible_readouts: measurements::VisibleReadouts,
     /// User-agent string of the browser, for the bug report.
     #[cfg(target_arch = "wasm32")]
     browser: String,
@@ -102,14 +102,14 @@ impl App {
     /// # Errors
     /// If eframe was started without a wgpu device.
     pub fn with_sky(cc: &eframe::CreationContext<'_>, state: &str, sky: Option<SkyFile>) -> Result<Self, String> {
-        let render_state = cc.wgpu_render_state.clone().ok_or(NO_WGPU)?;
+        let render_state = cc.wgpu_render_state.clone().ok_or(NO_WGPU_MESSAGE)?;
         let (mut params, notices) = query::parse(state);
-        params.look.sky.attach(sky.as_ref());
+        params.look.sky.adopt_loaded_image(sky.as_ref());
         let own_seas = panel::OwnSeas::load();
-        let quality = quality::Quality::on(render_state.adapter.get_info().device_type, params.clock.paused);
-        let grid = quality.grid(&params.grid, &params.screen);
+        let quality = quality::Quality::for_adapter(render_state.adapter.get_info().device_type, params.clock.paused);
+        let grid = quality.reduced_grid(&params.grid, &params.screen);
         let gpu_errors = device_loss::create_ocean(&render_state, &Params { grid, ..params.clone() });
-        setup::style(&cc.egui_ctx);
+        setup::apply_style(&cc.egui_ctx);
         #[cfg(target_arch = "wasm32")]
         let screen_readers = screen_readers::ScreenReaders::default();
         #[cfg(target_arch = "wasm32")]
@@ -129,7 +129,7 @@ impl App {
             help: false,
             message: None,
             drawn: None,
-            idle_pose: Some(rounding::pose(&params)),
+            idle_pose: Some(rounding::camera_pose(&params)),
             record: BuoyRecord::default(),
             placing: None,
             save_folder: None,
@@ -138,7 +138,7 @@ impl App {
             progress: viewport::Progress::default(),
             frame_measurements: measurements::FrameMeasurements::default(),
             sea_measurement: measurements::SeaMeasurement::default(),
-            shown: measurements::Shown::default(),
+            visible_readouts: measurements::VisibleReadouts::default(),
             #[cfg(target_arch = "wasm32")]
             browser: cc.integration_info.web_info.user_agent.clone(),
             #[cfg(target_arch = "wasm32")]
@@ -157,8 +157,8 @@ impl App {
     /// Replaces all parameters by those of a state string. Keys that are missing there get their default values.
     pub fn set_state(&mut self, state: &str) {
         (self.params, self.notices) = query::parse(state);
-        self.params.look.sky.attach(self.sky.as_ref());
-        self.idle_pose = Some(rounding::pose(&self.params));
+        self.params.look.sky.adopt_loaded_image(self.sky.as_ref());
+        self.idle_pose = Some(rounding::camera_pose(&self.params));
         // A caller outside of a frame (JavaScript or a test) needs one, also while time is stopped.
         self.ctx.request_repaint();
     }
@@ -186,15 +186,15 @@ impl App {
     }
 
     /// Whether the GPU has finished the first picture on the current device.
-    pub fn is_seen(&self) -> bool {
-        self.progress.is_seen()
+    pub fn has_first_picture(&self) -> bool {
+        self.progress.has_first_picture()
     }
 
     /// Requests one more frame. Returns whether the picture is complete: no replay of past foam steps and no cross-fade
     /// is in progress.
-    pub fn settled(&self) -> bool {
+    pub fn is_picture_complete(&self) -> bool {
         self.ctx.request_repaint();
-        self.progress.is_seen() && !self.progress.is_catching_up()
+        self.progress.has_first_picture() && !self.progress.is_catching_up()
     }
 
     /// The reason why the GPU device was lost; `None` while it works.
@@ -218,11 +218,11 @@ impl App {
 
     /// Advances the simulated time by one frame. Time stands still while the user has stopped the clock, and until the
     /// GPU has finished the first picture.
-    fn advance(&mut self, ctx: &egui::Context) {
-        if self.params.clock.paused || self.progress.is_awaited() {
+    fn advance_time(&mut self, ctx: &egui::Context) {
+        if self.params.clock.paused || self.progress.is_first_picture_pending() {
             return;
         }
-        let dt = f64::from(ctx.input(|i| i.stable_dt)).min(LONGEST_STEP_S);
+        let dt = f64::from(ctx.input(|i| i.stable_dt)).min(MAX_TIME_STEP_S);
         self.params.clock.t_s += dt * self.params.clock.speed;
         ctx.request_repaint();
     }
@@ -230,24 +230,24 @@ impl App {
     /// Passes the parameters of this frame to the undo history.
     fn watch_history(&mut self, ctx: &egui::Context) {
         let (held, now_s) = ctx.input(|i| (i.pointer.any_down(), i.time));
-        self.history.watch(&self.params, held, now_s);
-        if self.history.is_open() {
+        self.history.note_params(&self.params, held, now_s);
+        if self.history.has_uncommitted_change() {
             ctx.request_repaint();
         }
     }
 
     /// Recomputes the plan, the statistics and the other derived quantities if the parameters of the sea have changed.
     fn update_derived(&mut self) {
-        let Some(change) = self.derived.follow(&self.params) else { return };
+        let Some(change) = self.derived.update(&self.params) else { return };
         if change > SeaChange::Foam {
             self.record.clear();
         }
-        self.forget_measurement();
+        self.discard_measurements();
     }
 
     /// The parameters to draw with: the current ones, with the FFT size that adaptive quality allows.
     fn params_to_draw(&self) -> Params {
-        let grid = self.quality.grid(&self.params.grid, &self.params.screen);
+        let grid = self.quality.reduced_grid(&self.params.grid, &self.params.screen);
         Params { grid, ..self.params.clone() }
     }
 }
@@ -265,16 +265,16 @@ impl eframe::App for App {
             return;
         }
         self.handle_keys(&ctx);
-        self.advance(&ctx);
+        self.advance_time(&ctx);
         self.take_opened_files(&ctx);
-        self.take_saved();
+        self.take_save_results();
         self.watch_history(&ctx);
         self.update_derived();
         self.continue_record();
         self.measure(&ctx);
-        if !self.progress.is_awaited() {
+        if !self.progress.is_first_picture_pending() {
             let dt = f64::from(ctx.input(|i| i.unstable_dt));
-            self.quality.watch(dt, self.params.clock.paused, self.params.screen.adaptive);
+            self.quality.adapt(dt, self.params.clock.paused, self.params.screen.adaptive);
         }
         let params = self.params_to_draw();
         let limit = self.render_state.device.limits().max_texture_dimension_2d;
@@ -282,16 +282,17 @@ impl eframe::App for App {
         // Clicks on the sea are sensed only while an object is to be placed: with them, egui would take a finger that
         // rests before it drags for a long press.
         let sense = if self.placing.is_some() { egui::Sense::click_and_drag() } else { egui::Sense::drag() };
-        let (response, size) = viewport::show(ui, &params, (&self.progress, &self.frame_measurements), sense, pixels);
+        let (response, size) =
+            viewport::show_sea(ui, &params, (&self.progress, &self.frame_measurements), sense, pixels);
         self.drawn = Some((params, size));
-        self.moor(&response, &ctx);
-        camera::pointer(&mut self.params.camera, &response, &ctx);
-        caption::show(&self.params, &self.derived.plan, &ctx);
+        self.place_floating_object(&response, &ctx);
+        camera::apply_pointer_to_camera(&mut self.params.camera, &response, &ctx);
+        caption::show_view_caption(&self.params, &self.derived.plan, &ctx);
         if self.params.screen.panel {
-            panel::show(self, &ctx);
+            panel::show_panel(self, &ctx);
         }
-        keys::help(&mut self.help, &ctx);
-        self.show_message(&ctx);
+        keys::show_keyboard_help(&mut self.help, &ctx);
+        self.draw_message(&ctx);
         opened_files::show_drop_hint(&ctx);
         if self.progress.wants_frame() {
             ctx.request_repaint();

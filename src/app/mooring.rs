@@ -2,42 +2,42 @@
 
 use super::App;
 use crate::state::camera::View;
-use crate::state::floats::{self, Float};
+use crate::state::floats::{self, FloatingObject};
 
 /// Largest distance from the camera at which a buoy or boat can be placed, m. Farther away it is too small to see.
-const FARTHEST_FLOAT_M: f64 = 3000.0;
+const MAX_FLOATING_OBJECT_DISTANCE_M: f64 = 3000.0;
 /// Number of fixed-point iterations that find the intersection of a view ray with the waves.
 const RAY_STEPS: usize = 8;
 
 impl App {
     /// Places a buoy under the pointer when B is pressed, or the object chosen in the panel where the sea is clicked.
-    pub(super) fn moor(&mut self, response: &egui::Response, ctx: &egui::Context) {
+    pub(super) fn place_floating_object(&mut self, response: &egui::Response, ctx: &egui::Context) {
         if self.placing.is_some() && response.hovered() {
             ctx.set_cursor_icon(egui::CursorIcon::Crosshair);
         }
         let key = !ctx.egui_wants_keyboard_input() && ctx.input(|i| i.key_pressed(egui::Key::B));
         let (kind, at) = match (response.clicked().then_some(self.placing).flatten(), key) {
             (Some(kind), _) => (kind, response.interact_pointer_pos()),
-            (None, true) => (floats::FloatKind::Buoy, response.hover_pos().or(Some(response.rect.center()))),
+            (None, true) => (floats::FloatingObjectKind::Buoy, response.hover_pos().or(Some(response.rect.center()))),
             (None, false) => return,
         };
         self.placing = None;
         let Some(at) = at else { return };
-        let Some([x_m, z_m]) = self.sea_at(at, response.rect) else {
-            self.say("There is no water there.");
+        let Some([x_m, z_m]) = self.water_position_at(at, response.rect) else {
+            self.show_brief_message("There is no water there.");
             return;
         };
-        if self.params.floats.len() >= floats::MAX_FLOATS {
-            self.say("There is no room for more.");
+        if self.params.floats.len() >= floats::MAX_FLOATING_OBJECTS {
+            self.show_brief_message("There is no room for more.");
             return;
         }
         let round = |x: f64| (10.0 * x).round() / 10.0;
-        self.params.floats.push(Float { kind, x_m: round(x_m), z_m: round(z_m) });
+        self.params.floats.push(FloatingObject { kind, x_m: round(x_m), z_m: round(z_m) });
     }
 
     /// The position on the sea, m east and south, seen at a point of the window; `None` without water or if too far
     /// away.
-    fn sea_at(&self, at: egui::Pos2, rect: egui::Rect) -> Option<[f64; 2]> {
+    fn water_position_at(&self, at: egui::Pos2, rect: egui::Rect) -> Option<[f64; 2]> {
         let camera = &self.params.camera;
         let aspect = f64::from(rect.width() / rect.height().max(1.0));
         let view = View::new(camera, aspect, 0.0);
@@ -47,11 +47,12 @@ impl App {
         let mut place = None;
         for _ in 0..RAY_STEPS {
             let distance = (height_m - camera.y_m) / ray.y;
-            if !(ray.y < -1e-3 && distance < FARTHEST_FLOAT_M) {
+            if !(ray.y < -1e-3 && distance < MAX_FLOATING_OBJECT_DISTANCE_M) {
                 return place;
             }
             let [x, z] = [camera.x_m + distance * ray.x, camera.z_m + distance * ray.z];
-            height_m = self.derived.heights().sample(x, z, self.params.clock.t_s).height_m.min(camera.y_m - 0.3);
+            height_m =
+                self.derived.strongest_waves().sample(x, z, self.params.clock.t_s).height_m.min(camera.y_m - 0.3);
             place = Some([x, z]);
         }
         place

@@ -1,6 +1,6 @@
 //! The desktop window, and the sky image file that the command line opens for it.
 
-use super::device_loss::{AppHost, Created, ParkedApp};
+use super::device_loss::{AppCreation, AppHost, ParkedApp};
 use super::opened_files;
 use super::{App, setup};
 use crate::files::input::read_all;
@@ -13,19 +13,19 @@ use std::rc::Rc;
 use std::time::Duration;
 use web_time::Instant;
 
-/// Largest number of GPU device losses, and of failures to get a new device, within [`LOSS_WINDOW`]. After more of them
-/// the program ends with an error.
-const MOST_LOSSES: usize = 8;
+/// Largest number of GPU device losses, and of failures to get a new device, within [`DEVICE_LOSS_WINDOW`]. After more
+/// of them the program ends with an error.
+const MAX_DEVICE_LOSSES: usize = 8;
 /// Period over which device losses are counted.
-const LOSS_WINDOW: Duration = Duration::from_secs(60);
+const DEVICE_LOSS_WINDOW: Duration = Duration::from_secs(60);
 /// Pause before another attempt to open a window after a failure: a graphics driver that restarts needs a moment.
-const NEXT_TRY: Duration = Duration::from_secs(1);
+const RETRY_DELAY: Duration = Duration::from_secs(1);
 /// Environment variable that makes F11 and F12 destroy the GPU device, so that tests can rehearse a device loss.
-const REHEARSAL: &str = "SEASTATE_REHEARSE_LOSS";
+const REHEARSE_LOSS_VARIABLE: &str = "SEASTATE_REHEARSE_LOSS";
 /// Key that destroys the GPU device at the start of a frame, in a rehearsal of a device loss.
-const EARLY: egui::Key = egui::Key::F12;
+const LOSE_DEVICE_AT_START_KEY: egui::Key = egui::Key::F12;
 /// Key that destroys the GPU device at the end of a frame, in a rehearsal of a device loss.
-const LATE: egui::Key = egui::Key::F11;
+const LOSE_DEVICE_AT_END_KEY: egui::Key = egui::Key::F11;
 
 /// Opens the desktop window with the given parameters. Returns when the user closes it.
 ///
@@ -39,16 +39,16 @@ pub fn run(params: &Params) -> Result<(), String> {
     let (parked, last_window) = (ParkedApp::default(), Rc::default());
     let mut losses: Vec<Instant> = Vec::new();
     loop {
-        let opened = catch_unwind(AssertUnwindSafe(|| open(&state, sky.as_ref(), &parked, &last_window)));
+        let opened = catch_unwind(AssertUnwindSafe(|| open_window(&state, sky.as_ref(), &parked, &last_window)));
         // The app is parked only if its GPU device was lost.
         let Some(at) = parked.borrow().as_ref().map(App::state) else {
             return opened.unwrap_or_else(|panic| resume_unwind(panic));
         };
-        losses.retain(|then| then.elapsed() < LOSS_WINDOW);
+        losses.retain(|then| then.elapsed() < DEVICE_LOSS_WINDOW);
         losses.push(Instant::now());
-        if losses.len() > MOST_LOSSES {
+        if losses.len() > MAX_DEVICE_LOSSES {
             return Err(format!(
-                "the GPU was lost {MOST_LOSSES} times within a minute: update its driver, then go on with: \
+                "the GPU was lost {MAX_DEVICE_LOSSES} times within a minute: update its driver, then go on with: \
                  seastate \"{at}\""
             ));
         }
@@ -56,7 +56,7 @@ pub fn run(params: &Params) -> Result<(), String> {
             Ok(Ok(())) | Err(_) => eprintln!("seastate: the GPU was lost; going on with another device"),
             Ok(Err(reason)) => {
                 eprintln!("seastate: no other device yet: {reason}");
-                wait(NEXT_TRY);
+                wait(RETRY_DELAY);
             }
         }
     }
@@ -71,13 +71,13 @@ fn wait(time: Duration) {
 ///
 /// # Errors
 /// One sentence that names the file and the reason.
-pub fn read_sky(path: &Path) -> Result<SkyFile, String> {
+pub fn read_sky_file(path: &Path) -> Result<SkyFile, String> {
     let files = read_all(&[path.to_owned()])?;
-    opened_files::sky(&files[0].0, &files[0].1)
+    opened_files::decode_sky_file(&files[0].0, &files[0].1)
 }
 
 /// Settings of the window to open, with the position and size of the previous window if there was one.
-fn viewport(last: &egui::ViewportInfo) -> egui::ViewportBuilder {
+fn viewport_builder(last: &egui::ViewportInfo) -> egui::ViewportBuilder {
     let usual_size = egui::vec2(1280.0, 720.0);
     let mut viewport = egui::ViewportBuilder::default()
         .with_title("Seastate")
@@ -92,17 +92,17 @@ fn viewport(last: &egui::ViewportInfo) -> egui::ViewportBuilder {
 
 type LastWindow = Rc<RefCell<egui::ViewportInfo>>;
 
-fn open(state: &str, sky: Option<&SkyFile>, parked: &ParkedApp, last_window: &LastWindow) -> Result<(), String> {
+fn open_window(state: &str, sky: Option<&SkyFile>, parked: &ParkedApp, last_window: &LastWindow) -> Result<(), String> {
     let options = eframe::NativeOptions {
-        viewport: viewport(&last_window.borrow()),
+        viewport: viewport_builder(&last_window.borrow()),
         renderer: eframe::Renderer::Wgpu,
         wgpu_options: setup::wgpu_configuration(),
         ..Default::default()
     };
     let (state, sky, parked, last_window) = (state.to_owned(), sky.cloned(), parked.clone(), last_window.clone());
-    let create = move |cc: &eframe::CreationContext<'_>| -> Created {
+    let create = move |cc: &eframe::CreationContext<'_>| -> AppCreation {
         let host = AppHost::new(cc, &parked, |cc| App::with_sky(cc, &state, sky))?;
-        let rehearses = std::env::var_os(REHEARSAL).is_some();
+        let rehearses = std::env::var_os(REHEARSE_LOSS_VARIABLE).is_some();
         Ok(Box::new(Window { host, parked, last_window, rehearses, loses_device: false }))
     };
     eframe::run_native("Seastate", options, Box::new(create))
@@ -140,8 +140,8 @@ impl Window {
 impl eframe::App for Window {
     fn logic(&mut self, ctx: &egui::Context, frame: &mut eframe::Frame) {
         let rehearsed = |key| self.rehearses && ctx.input(|i| i.key_pressed(key));
-        self.loses_device = rehearsed(LATE);
-        if rehearsed(EARLY) {
+        self.loses_device = rehearsed(LOSE_DEVICE_AT_END_KEY);
+        if rehearsed(LOSE_DEVICE_AT_START_KEY) {
             self.destroy_device();
         }
         self.last_window.replace(ctx.input(|i| i.viewport().clone()));

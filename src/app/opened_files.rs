@@ -11,28 +11,28 @@ use egui::DroppedFileHandle;
 use std::sync::Arc;
 
 /// Name and contents of each file, or the reason why the files cannot be read.
-pub type Files = Result<Vec<(String, Vec<u8>)>, String>;
+pub type OpenedFiles = Result<Vec<(String, Vec<u8>)>, String>;
 
 /// Decodes a sky image from the name and the contents of a file.
 ///
 /// # Errors
 /// One sentence that names the file and the reason.
-pub fn sky(name: &str, bytes: &[u8]) -> Result<SkyFile, String> {
+pub fn decode_sky_file(name: &str, bytes: &[u8]) -> Result<SkyFile, String> {
     let image = panorama::read(name, bytes)?;
-    let file = SkyFile::named(name).ok_or("the sky's file has no name")?;
+    let file = SkyFile::from_path(name).ok_or("the sky's file has no name")?;
     Ok(SkyFile { image: Some(Arc::new(image)), ..file })
 }
 
 /// Reads files that were dropped on the desktop window, and puts their contents into `inbox`.
 #[cfg(not(target_arch = "wasm32"))]
-fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context) {
+fn read_dropped_files(inbox: &Inbox<OpenedFiles>, handles: &[DroppedFileHandle], ctx: &egui::Context) {
     let paths: Vec<_> = handles.iter().map(|h| h.path().to_owned()).collect();
     inbox.put(input::read_all(&paths), ctx);
 }
 
 /// Reads files that were dropped on the web page, and puts their contents into `inbox` when they are read.
 #[cfg(target_arch = "wasm32")]
-fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context) {
+fn read_dropped_files(inbox: &Inbox<OpenedFiles>, handles: &[DroppedFileHandle], ctx: &egui::Context) {
     let (inbox, handles, ctx) = (inbox.clone(), handles.to_vec(), ctx.clone());
     tasks::spawn(async move {
         let mut files = Vec::new();
@@ -40,7 +40,7 @@ fn read(inbox: &Inbox<Files>, handles: &[DroppedFileHandle], ctx: &egui::Context
             let name = handle.path().to_string_lossy().into_owned();
             // The size is checked before the file is read: a large video would fill the tab's memory.
             let size = handle.web_file().map_or(0.0, |f| f.size());
-            if size > input::most_bytes(&name) as f64 {
+            if size > input::max_file_bytes(&name) as f64 {
                 let reason = format!(
                     "{name}: too large for any file that Seastate reads: a buoy's spectrum (text) or a sky (.hdr, .exr)"
                 );
@@ -62,7 +62,7 @@ impl App {
         if handles.len() > MAX_FILES {
             self.notices = vec![format!("a buoy has at most {MAX_FILES} files: {} were dropped", handles.len())];
         } else if !handles.is_empty() {
-            read(&self.opened, &handles, ctx);
+            read_dropped_files(&self.opened, &handles, ctx);
         }
         let Some(files) = self.opened.take().pop() else { return };
         if let Err(reason) = files.and_then(|files| self.open_files(&files)) {
@@ -74,16 +74,16 @@ impl App {
     fn open_files(&mut self, files: &[(String, Vec<u8>)]) -> Result<(), String> {
         if let [(name, bytes)] = files {
             if picture::is_png(bytes) {
-                let state = picture::state_of(bytes).map_err(|reason| format!("{name}: {reason}"))?;
+                let state = picture::state_from_png(bytes).map_err(|reason| format!("{name}: {reason}"))?;
                 self.open_link(&state);
                 return Ok(());
             }
-            if let Some(text) = std::str::from_utf8(bytes).ok().filter(|text| presets::is_file(text)) {
+            if let Some(text) = std::str::from_utf8(bytes).ok().filter(|text| presets::is_preset_file(text)) {
                 self.import_seas(text);
                 return Ok(());
             }
-            if panorama::is_sky(name, bytes) {
-                self.show_sky(sky(name, bytes)?);
+            if panorama::is_sky_file(name, bytes) {
+                self.use_sky_file(decode_sky_file(name, bytes)?);
                 return Ok(());
             }
         }
@@ -92,7 +92,7 @@ impl App {
         let title = if title.is_empty() { "the buoy's sea" } else { &title };
         self.notices = vec![format!("{title}: {} bands, Hs {:.2} m", spectrum.bands().len(), spectrum.hs_m())];
         self.notices.extend(file.notices);
-        self.params.sea.show_measured(spectrum);
+        self.params.sea.set_measured_spectrum(spectrum);
         Ok(())
     }
 
@@ -102,13 +102,13 @@ impl App {
         let count = seas.len();
         self.notices = notices;
         match self.own_seas.add(seas) {
-            Ok(()) => self.say(&format!("{count} seas imported")),
+            Ok(()) => self.show_brief_message(&format!("{count} seas imported")),
             Err(reason) => self.notices.push(reason),
         }
     }
 
     /// Draws the sea under a sky image, and shows the image's size and the height of its sun in the notices.
-    fn show_sky(&mut self, file: SkyFile) {
+    fn use_sky_file(&mut self, file: SkyFile) {
         let Some(panorama) = &file.image else { return };
         let sun = panorama.sun.as_ref().map(|s| format!(", sun {:.0}° high", s.elevation_deg)).unwrap_or_default();
         self.notices = vec![format!("{}: {} x {}{sun}", file.name, panorama.width, panorama.height)];

@@ -3,27 +3,27 @@
 use crate::state::params::{Grid, Screen};
 
 /// Frame time above which motion stutters and the quality is lowered, s.
-const LONG_S: f64 = 1.0 / 40.0;
+const SLOW_FRAME_S: f64 = 1.0 / 40.0;
 /// Frame time below which a higher quality is tried, s. A screen of 60 Hz takes 1/60 s per frame.
-const SHORT_S: f64 = 1.0 / 55.0;
+const FAST_FRAME_S: f64 = 1.0 / 55.0;
 /// Lowest factor by which adaptive quality scales the picture's width and height.
-const LEAST_SCALE: f64 = 0.4;
+const MIN_SCALE: f64 = 0.4;
 /// Initial and lowest factor of the picture's width and height on a software adapter, which takes seconds per frame.
-const CPU_SCALE: f64 = 0.25;
+const SOFTWARE_ADAPTER_SCALE: f64 = 0.25;
 /// Smallest FFT size to which slow frames reduce a cascade. A smaller one would leave wave numbers in no cascade.
-const LEAST_N: u32 = 128;
+const MIN_FFT_SIZE: u32 = 128;
 /// Factor of the picture's width and height for every other out-of-memory error, beginning with the first.
-const REFUSED_SCALE: f64 = 0.7;
+const OUT_OF_MEMORY_SCALE: f64 = 0.7;
 /// Smallest FFT size to which out-of-memory errors reduce a cascade.
-const REFUSED_N: u32 = 64;
+const OUT_OF_MEMORY_MIN_FFT_SIZE: u32 = 64;
 /// Time for which frames must be too slow before the quality is lowered, s.
-const PATIENCE_S: f64 = 0.6;
+const SLOW_TIME_BEFORE_DROP_S: f64 = 0.6;
 /// Initial time for which frames must be fast before a higher quality is tried, s. It doubles after each failed trial.
-const TRIAL_S: f64 = 3.0;
+const FAST_TIME_BEFORE_TRIAL_S: f64 = 3.0;
 /// Upper limit of the time for which frames must be fast before a higher quality is tried, s.
-const MOST_TRIAL_S: f64 = 60.0;
+const MAX_FAST_TIME_BEFORE_TRIAL_S: f64 = 60.0;
 /// Frame time above which a single frame is ignored, s: such a frame follows a pause, a hidden tab or a stall.
-const ODD_S: f64 = 4.0;
+const STALL_S: f64 = 4.0;
 
 /// Controller of the picture's resolution and the FFT size. It reacts to the frame time and to out-of-memory errors.
 pub struct Quality {
@@ -32,7 +32,7 @@ pub struct Quality {
     /// Factor of the picture's width and height relative to the requested ones, at most 1.
     scale: f64,
     /// Lower limit of `scale` on this adapter.
-    least_scale: f64,
+    min_scale: f64,
     /// Number of times that the requested FFT size is halved.
     halvings: u32,
     /// Time for which frames have been too slow (positive) or fast (negative), s.
@@ -40,11 +40,11 @@ pub struct Quality {
     /// Time for which frames must be fast before a higher quality is tried, s. It doubles after each failed trial.
     trial_s: f64,
     /// Whether the last change raised the quality as a trial.
-    tried: bool,
+    trial_in_progress: bool,
     /// Number of out-of-memory errors of the GPU so far.
-    refusals: u32,
-    /// Whether the last frame took longer than [`ODD_S`] and was ignored.
-    was_odd: bool,
+    out_of_memory_errors: u32,
+    /// Whether the last frame took longer than [`STALL_S`] and was ignored.
+    was_stall: bool,
     /// Whether the simulated time is stopped. A still picture always has full quality.
     still: bool,
 }
@@ -52,59 +52,59 @@ pub struct Quality {
 impl Quality {
     /// Creates the controller with the initial quality for a kind of adapter. `still`: whether simulated time is
     /// stopped.
-    pub fn on(kind: wgpu::DeviceType, still: bool) -> Self {
+    pub fn for_adapter(kind: wgpu::DeviceType, still: bool) -> Self {
         let is_cpu = kind == wgpu::DeviceType::Cpu;
         Self {
             frame_s: 1.0 / 60.0,
-            scale: if is_cpu { CPU_SCALE } else { 1.0 },
-            least_scale: if is_cpu { CPU_SCALE } else { LEAST_SCALE },
+            scale: if is_cpu { SOFTWARE_ADAPTER_SCALE } else { 1.0 },
+            min_scale: if is_cpu { SOFTWARE_ADAPTER_SCALE } else { MIN_SCALE },
             halvings: u32::from(is_cpu),
-            was_odd: false,
+            was_stall: false,
             pressure_s: 0.0,
-            trial_s: TRIAL_S,
-            tried: false,
-            refusals: 0,
+            trial_s: FAST_TIME_BEFORE_TRIAL_S,
+            trial_in_progress: false,
+            out_of_memory_errors: 0,
             still,
         }
     }
 
     /// Adapts the quality to `dt_s`, the time since the last frame. While simulated time is stopped, the quality is
     /// full.
-    pub fn watch(&mut self, dt_s: f64, still: bool, adaptive: bool) {
+    pub fn adapt(&mut self, dt_s: f64, still: bool, adaptive: bool) {
         let was_still = std::mem::replace(&mut self.still, still);
-        let was_odd = std::mem::replace(&mut self.was_odd, dt_s > ODD_S);
-        if still || was_still || dt_s <= 0.0 || (self.was_odd && !was_odd) {
+        let was_stall = std::mem::replace(&mut self.was_stall, dt_s > STALL_S);
+        if still || was_still || dt_s <= 0.0 || (self.was_stall && !was_stall) {
             self.pressure_s = 0.0;
             return;
         }
-        let dt_s = dt_s.min(ODD_S);
+        let dt_s = dt_s.min(STALL_S);
         self.frame_s += (dt_s - self.frame_s) * 0.2;
         if !adaptive {
             (self.scale, self.halvings, self.pressure_s) = (1.0, 0, 0.0);
             return;
         }
-        if self.frame_s > LONG_S {
+        if self.frame_s > SLOW_FRAME_S {
             self.pressure_s = self.pressure_s.max(0.0) + dt_s;
-        } else if self.frame_s < SHORT_S {
+        } else if self.frame_s < FAST_FRAME_S {
             self.pressure_s = self.pressure_s.min(0.0) - dt_s;
         } else {
             self.pressure_s = 0.0;
         }
-        if self.pressure_s > PATIENCE_S {
+        if self.pressure_s > SLOW_TIME_BEFORE_DROP_S {
             self.pressure_s = 0.0;
-            if std::mem::take(&mut self.tried) {
-                self.trial_s = (2.0 * self.trial_s).min(MOST_TRIAL_S);
+            if std::mem::take(&mut self.trial_in_progress) {
+                self.trial_s = (2.0 * self.trial_s).min(MAX_FAST_TIME_BEFORE_TRIAL_S);
             }
-            if self.scale > self.least_scale {
+            if self.scale > self.min_scale {
                 // The cost of a frame is proportional to its pixels, hence the root. The limits smooth the change.
-                let wanted = (0.9 * LONG_S / self.frame_s).sqrt().clamp(0.7, 0.95);
-                self.scale = (self.scale * wanted).max(self.least_scale);
+                let wanted = (0.9 * SLOW_FRAME_S / self.frame_s).sqrt().clamp(0.7, 0.95);
+                self.scale = (self.scale * wanted).max(self.min_scale);
             } else {
                 self.halvings = (self.halvings + 1).min(3);
             }
         } else if -self.pressure_s > self.trial_s && (self.scale < 1.0 || self.halvings > 0) {
             self.pressure_s = 0.0;
-            self.tried = true;
+            self.trial_in_progress = true;
             if self.halvings > 0 {
                 self.halvings -= 1;
             } else {
@@ -115,48 +115,48 @@ impl Quality {
 
     /// Notes an out-of-memory error of the GPU. The errors alternately lower the resolution and the FFT size, also
     /// while the time is stopped.
-    pub fn refuse(&mut self) {
-        self.refusals += 1;
+    pub fn note_out_of_memory(&mut self) {
+        self.out_of_memory_errors += 1;
     }
 
     /// Largest factor of the picture's width and height after the out-of-memory errors so far.
-    fn most_scale(&self) -> f64 {
-        REFUSED_SCALE.powi(self.refusals.div_ceil(2) as i32)
+    fn memory_scale_limit(&self) -> f64 {
+        OUT_OF_MEMORY_SCALE.powi(self.out_of_memory_errors.div_ceil(2) as i32)
     }
 
     /// Width and height of the picture in pixels for a viewport of the size `points`. Neither exceeds `limit`.
     pub fn picture_size(&self, points: egui::Vec2, pixels_per_point: f32, screen: &Screen, limit: u32) -> [u32; 2] {
         let density = f64::from(pixels_per_point).min(screen.max_pixel_ratio) * screen.render_scale;
-        let own = if self.still || !screen.adaptive { 1.0 } else { self.scale }.min(self.most_scale());
+        let own = if self.still || !screen.adaptive { 1.0 } else { self.scale }.min(self.memory_scale_limit());
         [points.x, points.y].map(|side| ((f64::from(side) * density * own).round() as u32).min(limit))
     }
 
     /// The requested grid parameters with an FFT size for which speed and memory suffice.
-    pub fn grid(&self, grid: &Grid, screen: &Screen) -> Grid {
-        let n = if screen.adaptive { self.fft_size(grid.n) } else { self.affordable(grid.n) };
+    pub fn reduced_grid(&self, grid: &Grid, screen: &Screen) -> Grid {
+        let n = if screen.adaptive { self.reduced_fft_size(grid.n) } else { self.fft_size_for_memory(grid.n) };
         Grid { n, ..grid.clone() }
     }
 
     /// FFT size for which speed and memory suffice, if `n` is requested.
-    fn fft_size(&self, n: u32) -> u32 {
-        let n = self.affordable(n);
-        if self.still { n } else { (n >> self.halvings).max(LEAST_N.min(n)) }
+    fn reduced_fft_size(&self, n: u32) -> u32 {
+        let n = self.fft_size_for_memory(n);
+        if self.still { n } else { (n >> self.halvings).max(MIN_FFT_SIZE.min(n)) }
     }
 
     /// Largest FFT size that the out-of-memory errors so far allow, if `n` is requested.
-    fn affordable(&self, n: u32) -> u32 {
-        (n >> (self.refusals / 2).min(8)).max(REFUSED_N.min(n))
+    fn fft_size_for_memory(&self, n: u32) -> u32 {
+        (n >> (self.out_of_memory_errors / 2).min(8)).max(OUT_OF_MEMORY_MIN_FFT_SIZE.min(n))
     }
 
     /// Frames per second, from the moving average of the frame time.
-    pub fn frames_a_second(&self) -> f64 {
+    pub fn frames_per_second(&self) -> f64 {
         1.0 / self.frame_s.max(1e-4)
     }
 
     /// Describes the current quality for the report, such as "full quality" or "50 % of the pixels, to keep up".
-    pub fn word(&self) -> String {
-        if self.refusals > 0 {
-            let scale = self.most_scale().min(if self.still { 1.0 } else { self.scale });
+    pub fn describe(&self) -> String {
+        if self.out_of_memory_errors > 0 {
+            let scale = self.memory_scale_limit().min(if self.still { 1.0 } else { self.scale });
             return format!("{:.0} % of the pixels, for want of graphics memory", 100.0 * scale * scale);
         }
         if self.still || self.scale >= 1.0 && self.halvings == 0 {
@@ -175,14 +175,14 @@ mod tests {
         let mut t = 0.0;
         while t < seconds {
             let dt = frame_s(quality);
-            quality.watch(dt, false, true);
+            quality.adapt(dt, false, true);
             t += dt;
         }
     }
 
     #[test]
     fn slow_frames_cost_pixels_and_fast_ones_bring_them_back() {
-        let mut quality = Quality::on(wgpu::DeviceType::DiscreteGpu, true);
+        let mut quality = Quality::for_adapter(wgpu::DeviceType::DiscreteGpu, true);
         let screen = Screen::default();
         let points = egui::vec2(1000.0, 500.0);
         run(&mut quality, 1.0, |_| 1.0 / 60.0);
@@ -197,41 +197,41 @@ mod tests {
 
     #[test]
     fn what_stands_still_and_what_may_not_adapt_is_whole() {
-        let mut quality = Quality::on(wgpu::DeviceType::DiscreteGpu, true);
+        let mut quality = Quality::for_adapter(wgpu::DeviceType::DiscreteGpu, true);
         let points = egui::vec2(1000.0, 500.0);
         run(&mut quality, 20.0, |_| 0.3);
         let mut screen = Screen::default();
         assert_eq!(quality.picture_size(points, 3.0, &screen, 8192), [800, 400]);
         let grid = Grid::default();
-        assert_eq!(quality.grid(&grid, &screen).n, 128);
+        assert_eq!(quality.reduced_grid(&grid, &screen).n, 128);
         screen.adaptive = false;
         assert_eq!(quality.picture_size(points, 3.0, &screen, 8192), [2000, 1000]);
         screen.adaptive = true;
-        quality.watch(0.3, true, true);
+        quality.adapt(0.3, true, true);
         assert_eq!(quality.picture_size(points, 3.0, &screen, 8192), [2000, 1000]);
-        assert_eq!(quality.grid(&grid, &screen), grid);
+        assert_eq!(quality.reduced_grid(&grid, &screen), grid);
         assert_eq!(quality.picture_size(points, 3.0, &screen, 512), [512, 512]);
     }
 
     #[test]
     fn refused_memory_costs_pixels_and_points_even_of_a_still() {
-        let mut quality = Quality::on(wgpu::DeviceType::DiscreteGpu, true);
+        let mut quality = Quality::for_adapter(wgpu::DeviceType::DiscreteGpu, true);
         let screen = Screen { adaptive: false, ..Screen::default() };
         let points = egui::vec2(1000.0, 500.0);
         let grid = Grid { n: 256, ..Grid::default() };
         let mut found = Vec::new();
         for _ in 0..8 {
-            found.push((quality.picture_size(points, 1.0, &screen, 8192)[0], quality.grid(&grid, &screen).n));
-            quality.refuse();
+            found.push((quality.picture_size(points, 1.0, &screen, 8192)[0], quality.reduced_grid(&grid, &screen).n));
+            quality.note_out_of_memory();
         }
         let wanted = [(1000, 256), (700, 256), (700, 128), (490, 128), (490, 64), (343, 64), (343, 64), (240, 64)];
         assert_eq!(found, wanted);
-        assert!(quality.word().contains("memory"), "{}", quality.word());
+        assert!(quality.describe().contains("memory"), "{}", quality.describe());
     }
 
     #[test]
     fn trials_that_fail_become_rare() {
-        let mut quality = Quality::on(wgpu::DeviceType::DiscreteGpu, true);
+        let mut quality = Quality::for_adapter(wgpu::DeviceType::DiscreteGpu, true);
         // The full resolution is slow, and 0.93 of it is fast.
         let frame = |q: &Quality| if q.scale > 0.93 { 0.03 } else { 1.0 / 60.0 };
         run(&mut quality, 400.0, frame);

@@ -21,20 +21,20 @@ pub struct AccessibleItem {
     /// Numeric value of a slider or number field, then its minimum, maximum and step where they exist.
     pub number: Option<(f64, [Option<f64>; 3])>,
     /// Whether a check box or other toggle is on; `None` for other widgets.
-    pub on: Option<bool>,
+    pub checked: Option<bool>,
     /// Whether a collapsible section is expanded; `None` for other widgets.
-    pub open: Option<bool>,
+    pub expanded: Option<bool>,
     pub disabled: bool,
     /// Bounds of the widget in points: x, y, width, height.
-    pub place: [f64; 4],
+    pub bounds: [f64; 4],
 }
 
 /// egui plugin that holds the accessibility tree and the requests of the web page.
 #[derive(Clone, Default)]
-pub struct ScreenReaders(Arc<Mutex<Inner>>);
+pub struct ScreenReaders(Arc<Mutex<AccessibilityState>>);
 
 #[derive(Default)]
-struct Inner {
+struct AccessibilityState {
     /// Widgets and texts of the last frame, in reading order.
     items: Vec<AccessibleItem>,
     /// Input events that the next frames will get, one batch per frame.
@@ -43,14 +43,14 @@ struct Inner {
 }
 
 impl ScreenReaders {
-    fn inner(&self) -> MutexGuard<'_, Inner> {
+    fn lock(&self) -> MutexGuard<'_, AccessibilityState> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Installs the plugin in another egui context, after a device loss.
     pub fn move_to(&self, ctx: &egui::Context) {
         ctx.add_plugin(self.clone());
-        if self.inner().tree.is_some() {
+        if self.lock().tree.is_some() {
             ctx.enable_accesskit();
         }
     }
@@ -58,17 +58,17 @@ impl ScreenReaders {
     /// Widgets and texts of the last frame. The first call enables the tree, so the list stays empty until the next
     /// frame.
     pub fn items(&self, ctx: &egui::Context) -> Vec<AccessibleItem> {
-        if self.inner().tree.is_none() {
+        if self.lock().tree.is_none() {
             ctx.enable_accesskit();
             ctx.request_repaint();
         }
-        self.inner().items.clone()
+        self.lock().items.clone()
     }
 
     /// Applies an action to a widget: `click`, `focus`, `more`, `less`, `set` (to the number `value`), or `type`
     /// (enters the string `text` and confirms it).
-    pub fn act(&self, ctx: &egui::Context, id: &str, action: &str, value: f64, text: &str) {
-        let mut inner = self.inner();
+    pub fn perform_action(&self, ctx: &egui::Context, id: &str, action: &str, value: f64, text: &str) {
+        let mut inner = self.lock();
         let (Ok(id), Some(target_tree)) = (id.parse().map(NodeId), inner.tree) else { return };
         let ask = |action, data| {
             egui::Event::AccessKitActionRequest(ActionRequest { action, target_tree, target_node: id, data })
@@ -106,7 +106,7 @@ impl egui::Plugin for ScreenReaders {
     }
 
     fn input_hook(&mut self, ctx: &egui::Context, input: &mut egui::RawInput) {
-        let mut inner = self.inner();
+        let mut inner = self.lock();
         if let Some(batch) = inner.requests.pop_front() {
             input.events.extend(batch);
         }
@@ -118,7 +118,7 @@ impl egui::Plugin for ScreenReaders {
     fn output_hook(&mut self, _ctx: &egui::Context, output: &mut egui::FullOutput) {
         let Some(update) = &output.platform_output.accesskit_update else { return };
         let items = items(update);
-        let mut inner = self.inner();
+        let mut inner = self.lock();
         (inner.items, inner.tree) = (items, Some(update.tree_id));
     }
 }
@@ -153,8 +153,8 @@ fn item(id: NodeId, node: &Node, nodes: &HashMap<NodeId, &Node>) -> Option<Acces
         label,
         value,
         number,
-        on: node.toggled().map(|t| t == Toggled::True),
-        open: node.is_expanded(),
+        checked: node.toggled().map(|t| t == Toggled::True),
+        expanded: node.is_expanded(),
         disabled: node.is_disabled(),
         place,
     })

@@ -43,7 +43,7 @@ fn clipboard_sign(request: &GlyphRasterizerRequest<'_>) -> Option<RasterizedGlyp
 }
 
 /// Sets the visual style of the user interface: dark and slightly translucent.
-pub fn style(ctx: &egui::Context) {
+pub fn apply_style(ctx: &egui::Context) {
     ctx.add_glyph_rasterizer(GlyphRasterizer::new("seastate::clipboard", clipboard_sign));
     ctx.set_theme(egui::Theme::Dark);
     ctx.all_styles_mut(|style| {

@@ -11,7 +11,7 @@ impl App {
     /// The link to the current sea: the page's address with the state string; on the desktop the bare state string.
     pub fn link(&self) -> String {
         #[cfg(target_arch = "wasm32")]
-        return super::web::link(&self.state());
+        return super::web::page_link(&self.state());
         #[cfg(not(target_arch = "wasm32"))]
         self.state()
     }
@@ -19,16 +19,16 @@ impl App {
     /// Copies the link to the current sea to the clipboard.
     pub(super) fn copy_link(&mut self) {
         self.ctx.copy_text(self.link());
-        self.say("Link copied.");
+        self.show_brief_message("Link copied.");
     }
 
     /// Copies the HTML of an iframe that shows the sea in another web page, without the panel.
-    pub(super) fn copy_frame(&mut self) {
+    pub(super) fn copy_iframe(&mut self) {
         let mut params = rounded(&self.params);
         params.screen.panel = false;
         let state = query::write(&params);
         #[cfg(target_arch = "wasm32")]
-        let link = super::web::link(&state);
+        let link = super::web::page_link(&state);
         #[cfg(not(target_arch = "wasm32"))]
         let link = format!("https://example.org/seastate/?{state}");
         let link = link.replace('&', "&amp;");
@@ -36,20 +36,20 @@ impl App {
             "<iframe src=\"{link}\" title=\"Seastate\" width=\"960\" height=\"540\" style=\"border:0\" \
              allow=\"fullscreen\" loading=\"lazy\"></iframe>"
         ));
-        self.say("Frame copied: paste it into a page.");
+        self.show_brief_message("Frame copied: paste it into a page.");
     }
 
     /// Opens a link or a bare state string. A text without any known key changes only the notices.
     pub(super) fn open_link(&mut self, text: &str) {
         let reading = query::read(text);
-        if reading.taken.is_empty() && !reading.notices.is_empty() {
+        if reading.keys_set.is_empty() && !reading.notices.is_empty() {
             self.notices = reading.notices;
             self.notices.push("that is no sea: this one stays".to_owned());
             return;
         }
         self.set_state(text);
         if self.notices.is_empty() {
-            self.say("Opened.");
+            self.show_brief_message("Opened.");
         }
     }
 
@@ -89,20 +89,20 @@ impl App {
     }
 
     /// Shows the result of each file save that has finished since the last frame.
-    pub(super) fn take_saved(&mut self) {
+    pub(super) fn take_save_results(&mut self) {
         for result in self.saved.take() {
-            self.show_result(result);
+            self.show_save_result(result);
         }
     }
 
     /// Saves bytes as a file, and shows a message with the path or the error.
     pub(super) fn save(&mut self, name: &str, bytes: &[u8]) {
-        self.show_result(storage::save(self.save_folder.as_deref(), name, bytes));
+        self.show_save_result(storage::save(self.save_folder.as_deref(), name, bytes));
     }
 
-    fn show_result(&mut self, result: Result<String, String>) {
+    fn show_save_result(&mut self, result: Result<String, String>) {
         match result {
-            Ok(message) => self.say(&message),
+            Ok(message) => self.show_brief_message(&message),
             Err(reason) => self.notices.push(reason),
         }
     }

@@ -28,7 +28,7 @@ pub struct UnitScale {
 
 impl UnitScale {
     /// The unit and conversion factor with which a quantity of metric unit `unit` is shown in the user's `units`.
-    pub fn of(unit: &'static str, units: Units) -> Self {
+    pub fn for_unit(unit: &'static str, units: Units) -> Self {
         match NAUTICAL.iter().find(|u| units == Units::Nautical && u.metric == unit) {
             Some(u) => Self { unit: u.nautical, factor: u.factor },
             None => Self { unit: if unit == "deg" { "°" } else { unit }, factor: 1.0 },
@@ -36,12 +36,12 @@ impl UnitScale {
     }
 
     /// The unit and conversion factor with which a parameter is shown. Parameters of the FFT grid always stay metric.
-    pub fn of_field(field: &Field, units: Units) -> Self {
-        Self::of(field.unit, if field.group == Group::Grid { Units::Metric } else { units })
+    pub fn for_field(field: &Field, units: Units) -> Self {
+        Self::for_unit(field.unit, if field.group == Group::Grid { Units::Metric } else { units })
     }
 
     /// Converts a metric value to the shown unit, and formats it with that unit and a number of decimals.
-    pub fn text(self, value: f64, decimals: usize) -> String {
+    pub fn format(self, value: f64, decimals: usize) -> String {
         let space = if self.unit.is_empty() || self.unit == "°" { "" } else { " " };
         format!("{:.decimals$}{space}{}", value * self.factor, self.unit)
     }
@@ -70,8 +70,8 @@ impl UnitScale {
 
 impl App {
     /// The unit (metres or feet) and conversion factor with which lengths are shown.
-    pub(super) fn metres(&self) -> UnitScale {
-        UnitScale::of("m", self.params.screen.units)
+    pub(super) fn length_scale(&self) -> UnitScale {
+        UnitScale::for_unit("m", self.params.screen.units)
     }
 }
 
@@ -81,22 +81,22 @@ mod tests {
 
     #[test]
     fn knots_feet_and_miles() {
-        let scale = |unit| UnitScale::of(unit, Units::Nautical);
-        assert_eq!(scale("m/s").text(10.0, 1), "19.4 kn");
-        assert_eq!(scale("m").text(3.0, 1), "9.8 ft");
-        assert_eq!(scale("km").text(1.852, 1), "1.0 nmi");
-        assert_eq!(scale("s").text(8.0, 1), "8.0 s");
-        assert_eq!(UnitScale::of("deg", Units::Metric).text(40.0, 0), "40°");
+        let scale = |unit| UnitScale::for_unit(unit, Units::Nautical);
+        assert_eq!(scale("m/s").format(10.0, 1), "19.4 kn");
+        assert_eq!(scale("m").format(3.0, 1), "9.8 ft");
+        assert_eq!(scale("km").format(1.852, 1), "1.0 nmi");
+        assert_eq!(scale("s").format(8.0, 1), "8.0 s");
+        assert_eq!(UnitScale::for_unit("deg", Units::Metric).format(40.0, 0), "40°");
     }
 
     #[test]
     fn typed_units_are_understood() {
-        let metric = UnitScale::of("m/s", Units::Metric);
+        let metric = UnitScale::for_unit("m/s", Units::Metric);
         assert!((metric.parse("20 kn").expect("knots") - 10.288_888).abs() < 1e-5);
-        assert!((UnitScale::of("m/s", Units::Nautical).parse("10m/s").expect("m/s") - 19.438_444).abs() < 1e-5);
-        assert_eq!(UnitScale::of("m", Units::Metric).parse("3,5"), Some(3.5));
+        assert!((UnitScale::for_unit("m/s", Units::Nautical).parse("10m/s").expect("m/s") - 19.438_444).abs() < 1e-5);
+        assert_eq!(UnitScale::for_unit("m", Units::Metric).parse("3,5"), Some(3.5));
         assert_eq!(metric.parse("20 ft"), None);
         assert_eq!(metric.parse("fast"), None);
-        assert_eq!(UnitScale::of("deg", Units::Metric).parse("-4°"), Some(-4.0));
+        assert_eq!(UnitScale::for_unit("deg", Units::Metric).parse("-4°"), Some(-4.0));
     }
 }

@@ -10,32 +10,32 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use web_time::Instant;
 
 /// Number of past foam steps that one frame replays after a start, for FFT sizes from 256. Smaller sizes replay more.
-const STEPS_PER_FRAME: usize = 6;
+const FOAM_STEPS_PER_FRAME: usize = 6;
 /// Number of past foam steps that one frame replays on a software adapter, for FFT sizes from 256.
-const CPU_STEPS_PER_FRAME: usize = 1;
+const CPU_FOAM_STEPS_PER_FRAME: usize = 1;
 /// Upper limit of the time by which one frame advances a cross-fade between two seas, s.
-const LONGEST_FADE_STEP_S: f64 = 0.1;
+const MAX_FADE_STEP_S: f64 = 0.1;
 
 /// Progress of rendering on one GPU device, shared with the paint callback.
 #[derive(Clone, Default)]
-pub struct Progress(Arc<Marks>);
+pub struct Progress(Arc<ProgressFlags>);
 
 #[derive(Default)]
-struct Marks {
+struct ProgressFlags {
     /// Whether a replay of past foam steps or a cross-fade is in progress.
     catching_up: AtomicBool,
     /// Whether the first picture was painted, and so will be submitted to the GPU.
-    begun: AtomicBool,
+    painted: AtomicBool,
     /// Whether the callback that reports the completion of the first picture is installed.
-    asked: AtomicBool,
+    callback_installed: AtomicBool,
     /// Whether the GPU has finished the first picture.
-    seen: AtomicBool,
+    finished: AtomicBool,
 }
 
 impl Progress {
     /// Whether another frame is needed even while the simulated time is stopped.
     pub fn wants_frame(&self) -> bool {
-        self.is_catching_up() || !self.is_seen()
+        self.is_catching_up() || !self.has_first_picture()
     }
 
     /// Whether a replay of past foam steps or a cross-fade between two seas is in progress.
@@ -44,28 +44,28 @@ impl Progress {
     }
 
     /// Whether the GPU has finished the first picture. This takes seconds, because the pipelines must be compiled.
-    pub fn is_seen(&self) -> bool {
-        self.0.seen.load(Ordering::Relaxed)
+    pub fn has_first_picture(&self) -> bool {
+        self.0.finished.load(Ordering::Relaxed)
     }
 
     /// Whether the first picture was submitted and the GPU has not finished it. No other frame is recorded meanwhile.
-    pub fn is_awaited(&self) -> bool {
-        self.0.asked.load(Ordering::Relaxed) && !self.is_seen()
+    pub fn is_first_picture_pending(&self) -> bool {
+        self.0.callback_installed.load(Ordering::Relaxed) && !self.has_first_picture()
     }
 
     /// Installs the callback that reports the completion of the first picture, once that picture has been submitted.
     /// Call this before a frame is recorded.
-    fn ask(&self, gpu: &Gpu) {
-        if self.0.begun.load(Ordering::Relaxed) && !self.0.asked.swap(true, Ordering::Relaxed) {
+    fn watch_first_submission(&self, gpu: &Gpu) {
+        if self.0.painted.load(Ordering::Relaxed) && !self.0.callback_installed.swap(true, Ordering::Relaxed) {
             let marks = self.0.clone();
-            gpu.queue.on_submitted_work_done(move || marks.seen.store(true, Ordering::Relaxed));
+            gpu.queue.on_submitted_work_done(move || marks.finished.store(true, Ordering::Relaxed));
         }
     }
 }
 
 /// Fills the rest of `ui` with the sea. `pixels` converts the picture's size in points to pixels. Returns egui's
 /// response to the input `sense`, and the size in pixels.
-pub fn show(
+pub fn show_sea(
     ui: &mut egui::Ui,
     params: &Params,
     (progress, measurements): (&Progress, &FrameMeasurements),
@@ -78,7 +78,7 @@ pub fn show(
         .inner;
     let size = pixels(response.rect.size()).map(|s| s.max(1));
     if response.rect.is_positive() {
-        let dt_s = f64::from(ui.input(|i| i.stable_dt)).min(LONGEST_FADE_STEP_S);
+        let dt_s = f64::from(ui.input(|i| i.stable_dt)).min(MAX_FADE_STEP_S);
         let (progress, measurements) = (progress.clone(), measurements.clone());
         let frame = SeaFrame { params: params.clone(), size, progress, measurements, dt_s };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(response.rect, frame));
@@ -86,8 +86,8 @@ pub fn show(
     (response, size)
 }
 
-fn steps_per_frame(gpu: &Gpu, n: u32) -> usize {
-    let most = if gpu.is_software() { CPU_STEPS_PER_FRAME } else { STEPS_PER_FRAME };
+fn foam_steps_per_frame(gpu: &Gpu, n: u32) -> usize {
+    let most = if gpu.is_software() { CPU_FOAM_STEPS_PER_FRAME } else { FOAM_STEPS_PER_FRAME };
     most * (256 / n).max(1).pow(2) as usize
 }
 
@@ -112,18 +112,18 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         resources: &mut egui_wgpu::CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
         let Some(ocean) = resources.get_mut::<Ocean>() else { return Vec::new() };
-        self.progress.ask(ocean.gpu());
-        if self.progress.is_awaited() {
+        self.progress.watch_first_submission(ocean.gpu());
+        if self.progress.is_first_picture_pending() {
             return Vec::new();
         }
         let mut encoder = ocean.gpu().encoder("ocean");
         let begun = Instant::now();
-        self.measurements.begin(ocean, &mut encoder);
+        self.measurements.begin_frame(ocean, &mut encoder);
         ocean.transition_to(&self.params, self.dt_s);
-        let most_steps = steps_per_frame(ocean.gpu(), ocean.plan().n);
+        let most_steps = foam_steps_per_frame(ocean.gpu(), ocean.plan().n);
         let caught_up = ocean.encode(&mut encoder, self.size, most_steps);
         let is_whole = caught_up && !ocean.in_transition();
-        self.measurements.end(ocean, &mut encoder, begun.elapsed().as_secs_f64(), is_whole);
+        self.measurements.end_frame(ocean, &mut encoder, begun.elapsed().as_secs_f64(), is_whole);
         self.progress.0.catching_up.store(!is_whole, Ordering::Relaxed);
         vec![encoder.finish()]
     }
@@ -135,11 +135,11 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         resources: &egui_wgpu::CallbackResources,
     ) {
         if let Some(ocean) = resources.get::<Ocean>() {
-            self.measurements.painted();
-            self.progress.0.begun.store(true, Ordering::Relaxed);
+            self.measurements.note_painted();
+            self.progress.0.painted.store(true, Ordering::Relaxed);
             // Before the first picture is finished, the page shows its loading screen, or the picture before a device
             // loss.
-            if cfg!(not(target_arch = "wasm32")) || !self.progress.is_awaited() {
+            if cfg!(not(target_arch = "wasm32")) || !self.progress.is_first_picture_pending() {
                 ocean.present(pass);
             }
         }

@@ -1,6 +1,6 @@
 //! The web page: functions that JavaScript calls, and the page's address (URL), which contains the current state.
 
-use super::device_loss::{AppHost, Created, ParkedApp};
+use super::device_loss::{AppCreation, AppHost, ParkedApp};
 use super::gpu_errors::GpuErrors;
 use super::screen_readers::AccessibleItem;
 use super::{App, setup, tasks};
@@ -15,7 +15,7 @@ use wasm_bindgen::prelude::*;
 use web_time::Instant;
 
 /// Least time between two changes of the page's address, s. Browsers refuse more than about three changes per second.
-const WRITE_EVERY_S: f32 = 0.7;
+const ADDRESS_WRITE_INTERVAL_S: f32 = 0.7;
 
 /// The running program as JavaScript sees it.
 #[wasm_bindgen]
@@ -49,8 +49,8 @@ impl WebHandle {
             host.park(&self.parked);
         }
         let (parked, gpu_errors) = (self.parked.clone(), self.gpu_errors.clone());
-        let create = move |cc: &eframe::CreationContext<'_>| -> Created {
-            let mut host = AppHost::new(cc, &parked, from_address)?;
+        let create = move |cc: &eframe::CreationContext<'_>| -> AppCreation {
+            let mut host = AppHost::new(cc, &parked, app_from_address)?;
             gpu_errors.replace(host.app().map(|app| app.gpu_errors.clone()).unwrap_or_default());
             Ok(Box::new(host))
         };
@@ -90,23 +90,23 @@ impl WebHandle {
     }
 
     /// Whether the GPU has finished the first picture on the current device.
-    pub fn seen(&self) -> bool {
-        self.with(|app| app.is_seen()).unwrap_or_default()
+    pub fn has_first_picture(&self) -> bool {
+        self.with(|app| app.has_first_picture()).unwrap_or_default()
     }
 
     /// Requests one more frame. Returns whether the picture is complete: its foam has been replayed, no cross-fade
     /// runs.
-    pub fn settled(&self) -> bool {
-        self.with(|app| app.settled()).unwrap_or_default()
+    pub fn is_picture_complete(&self) -> bool {
+        self.with(|app| app.is_picture_complete()).unwrap_or_default()
     }
 
     /// Bounds of the widget with the given label, in points: x, y, width, height. Browser tests use it; the bounds are
     /// valid until the next frame.
-    pub fn place(&self, label: &str) -> Option<Vec<f64>> {
+    pub fn widget_bounds(&self, label: &str) -> Option<Vec<f64>> {
         let items = self.items();
         let named = || items.iter().filter(|item| item.label == label);
         // A parameter has a slider, then a number field and a text with the same label: this takes the slider.
-        named().find(|item| item.role != "Label").or_else(|| named().next()).map(|item| item.place.to_vec())
+        named().find(|item| item.role != "Label").or_else(|| named().next()).map(|item| item.bounds.to_vec())
     }
 
     /// Label and value of every widget, one string each, for browser tests.
@@ -117,19 +117,19 @@ impl WebHandle {
     /// Widgets and texts for screen readers: an array of objects in reading order, with the properties `id`, `role`
     /// (AccessKit's name), `label`, `value`, `now`, `least`, `greatest`, `step`, `on`, `open` and `disabled`. Empty
     /// until the frame after the first call.
-    pub fn described(&self) -> js_sys::Array {
-        self.items().iter().map(described).collect()
+    pub fn accessible_items(&self) -> js_sys::Array {
+        self.items().iter().map(accessible_item_object).collect()
     }
 
     /// One line for screen readers: wave height, Beaufort number and the current message.
-    pub fn told(&self) -> String {
-        self.with(|app| app.told()).unwrap_or_default()
+    pub fn announcement(&self) -> String {
+        self.with(|app| app.announcement()).unwrap_or_default()
     }
 
     /// Applies a screen reader's action to a widget: `click`, `focus`, `more`, `less`, `set` (to the number `value`) or
     /// `type` (the string `text`).
-    pub fn act(&self, id: &str, action: &str, value: f64, text: &str) {
-        self.with(|app| app.screen_readers.act(&app.ctx, id, action, value, text));
+    pub fn perform_action(&self, id: &str, action: &str, value: f64, text: &str) {
+        self.with(|app| app.screen_readers.perform_action(&app.ctx, id, action, value, text));
     }
 
     /// The reason why the GPU device was lost; `None` while it works.
@@ -151,7 +151,7 @@ impl WebHandle {
         let heights: Vec<f32> = (0..maps.cascades()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
         let texels = ocean.read_displacement().await?;
         let halves: Vec<u16> = texels.iter().flatten().map(|&x| f16::from_f32(x).to_bits()).collect();
-        Ok(object([
+        Ok(js_object([
             ("n", (maps.n as u32).into()),
             ("cascades", (maps.cascades() as u32).into()),
             ("heights", js_sys::Float32Array::from(&heights[..]).into()),
@@ -176,8 +176,8 @@ impl WebHandle {
         if let Some(reason) = errors.lost().or_else(|| errors.errors().first().cloned()) {
             return Err(reason.into());
         }
-        let passes: js_sys::Array = report.rows.iter().map(timed_pass).collect();
-        Ok(object([("text", report.to_string().into()), ("passes", passes.into())]))
+        let passes: js_sys::Array = report.rows.iter().map(pass_timing_object).collect();
+        Ok(js_object([("text", report.to_string().into()), ("passes", passes.into())]))
     }
 
     fn items(&self) -> Vec<AccessibleItem> {
@@ -194,7 +194,7 @@ impl WebHandle {
 }
 
 /// A JavaScript object with the given property names and values.
-fn object<const N: usize>(properties: [(&str, JsValue); N]) -> JsValue {
+fn js_object<const N: usize>(properties: [(&str, JsValue); N]) -> JsValue {
     let object = js_sys::Object::new();
     for (key, value) in properties {
         // Setting a property of a new object cannot fail.
@@ -203,8 +203,8 @@ fn object<const N: usize>(properties: [(&str, JsValue); N]) -> JsValue {
     object.into()
 }
 
-fn timed_pass(row: &PassTiming) -> JsValue {
-    object([
+fn pass_timing_object(row: &PassTiming) -> JsValue {
+    js_object([
         ("pass", row.pass.into()),
         ("n", row.sea.map(|[n, _]| n).into()),
         ("cascades", row.sea.map(|[_, cascades]| cascades).into()),
@@ -214,9 +214,9 @@ fn timed_pass(row: &PassTiming) -> JsValue {
     ])
 }
 
-fn described(item: &AccessibleItem) -> JsValue {
+fn accessible_item_object(item: &AccessibleItem) -> JsValue {
     let [least, greatest, step] = item.number.map_or([None; 3], |(_, range)| range);
-    object([
+    js_object([
         ("id", item.id.as_str().into()),
         ("role", item.role.as_str().into()),
         ("label", item.label.as_str().into()),
@@ -225,14 +225,14 @@ fn described(item: &AccessibleItem) -> JsValue {
         ("least", least.into()),
         ("greatest", greatest.into()),
         ("step", step.into()),
-        ("on", item.on.into()),
-        ("open", item.open.into()),
+        ("on", item.checked.into()),
+        ("open", item.expanded.into()),
         ("disabled", item.disabled.into()),
     ])
 }
 
 /// Whether the user has asked the browser for reduced motion.
-fn prefers_stillness() -> bool {
+fn prefers_reduced_motion() -> bool {
     let asked = web_sys::window().and_then(|w| w.match_media("(prefers-reduced-motion: reduce)").ok().flatten());
     asked.is_some_and(|m| m.matches())
 }
@@ -248,9 +248,9 @@ async fn park_when_lost(runner: eframe::WebRunner, parked: ParkedApp, gpu_errors
 }
 
 /// Creates an app with the state in the page's address. Its clock is stopped if the user prefers reduced motion.
-fn from_address(cc: &eframe::CreationContext<'_>) -> Result<App, String> {
+fn app_from_address(cc: &eframe::CreationContext<'_>) -> Result<App, String> {
     let mut app = App::new(cc, &address_query())?;
-    if prefers_stillness() {
+    if prefers_reduced_motion() {
         app.params.clock.paused = true;
     }
     Ok(app)
@@ -261,7 +261,7 @@ fn address_query() -> String {
 }
 
 /// The page's address (URL) with the given state string as its query.
-pub fn link(state: &str) -> String {
+pub fn page_link(state: &str) -> String {
     let location = eframe::web::web_location();
     let base = location.url.split(['?', '#']).next().unwrap_or_default().to_owned();
     if state.is_empty() { base } else { format!("{base}?{state}") }
@@ -285,8 +285,8 @@ impl Address {
 
 impl App {
     /// One line for screen readers: wave height, Beaufort number and the current message.
-    fn told(&self) -> String {
-        let sea = super::panel::summary(self);
+    fn announcement(&self) -> String {
+        let sea = super::panel::sea_summary(self);
         self.message.as_ref().map_or_else(|| sea.clone(), |message| format!("{sea}. {}", message.text))
     }
 
@@ -311,13 +311,13 @@ impl App {
         if state == query::write(&self.address.entry) {
             return;
         }
-        if self.address.written.elapsed().as_secs_f32() < WRITE_EVERY_S {
+        if self.address.written.elapsed().as_secs_f32() < ADDRESS_WRITE_INTERVAL_S {
             // It is too early: a later frame writes the address.
-            self.ctx.request_repaint_after(std::time::Duration::from_secs_f32(WRITE_EVERY_S));
+            self.ctx.request_repaint_after(std::time::Duration::from_secs_f32(ADDRESS_WRITE_INTERVAL_S));
             return;
         }
         let same_entry = Params { clock: now.clock.clone(), camera: now.camera.clone(), ..self.address.entry.clone() };
-        let address = link(&state);
+        let address = page_link(&state);
         let Some(history) = web_sys::window().and_then(|w| w.history().ok()) else { return };
         let written = if same_entry == now {
             history.replace_state_with_url(&JsValue::NULL, "", Some(&address))

@@ -236,7 +236,7 @@ fn counted(params: &Params, ocean: &Ocean, size: [u32; 2]) -> cost::PictureConte
     let [width, height] = size.map(f64::from);
     let view = View::new(&params.camera, width / height, 0.0);
     // With a level view, the lower half of the picture is below the horizon.
-    let horizon = (-params.camera.pitch_deg.to_radians()).tan() / view.tan_half[1];
+    let horizon = (-params.camera.pitch_deg.to_radians()).tan() / view.tan_half_fov[1];
     let texels = f64::from(sizes.n * sizes.n) * f64::from(sizes.cascades) * 4.0 / 3.0;
     cost::PictureContents {
         pixels: width * height,

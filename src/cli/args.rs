@@ -7,7 +7,7 @@ use clap::{Parser, Subcommand};
 use std::path::PathBuf;
 
 /// Largest width and height of a picture, pixels.
-pub const MAX_SIDE: u32 = 8192;
+pub const MAX_PICTURE_SIDE: u32 = 8192;
 
 /// The parsed command line.
 #[derive(Parser)]
@@ -51,14 +51,14 @@ impl SeaArgs {
             let files = crate::files::input::read_all(&self.spectrum)?;
             let file = MeasuredSpectrum::read(&files)?;
             notices.extend(file.notices);
-            params.sea.show_measured(file.spectrum);
+            params.sea.set_measured_spectrum(file.spectrum);
         }
         if let Some(path) = &self.sky {
-            let file = crate::app::native::read_sky(path)?;
+            let file = crate::app::native::read_sky_file(path)?;
             notices.extend(file.image.iter().flat_map(|p| p.notices.iter().map(|n| format!("{}: {n}", file.name))));
             params.look.sky.file = Some(file);
         }
-        notices.extend(params.look.sky.missing_file());
+        notices.extend(params.look.sky.missing_file_notice());
         Ok((params, notices))
     }
 }
@@ -200,7 +200,7 @@ pub enum Command {
 fn parse_size(text: &str) -> Result<[u32; 2], String> {
     let parts = text.split_once(['x', 'X']).and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
     match parts {
-        Some(size) if size.iter().all(|side| (1..=MAX_SIDE).contains(side)) => Ok(size),
-        _ => Err(format!("a size is WIDTHxHEIGHT, each from 1 to {MAX_SIDE}, such as 1280x720")),
+        Some(size) if size.iter().all(|side| (1..=MAX_PICTURE_SIDE).contains(side)) => Ok(size),
+        _ => Err(format!("a size is WIDTHxHEIGHT, each from 1 to {MAX_PICTURE_SIDE}, such as 1280x720")),
     }
 }

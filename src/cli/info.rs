@@ -4,15 +4,15 @@ use crate::ocean::about::{About, VERSION, WGPU_VERSION, system};
 use serde_json::{Map, Value, json};
 
 /// Formats the report about the program and its GPU as a text table.
-pub fn text(about: &About) -> String {
+pub fn about_text(about: &About) -> String {
     about.rows().iter().map(|(name, value)| format!("{name:<28} {value}\n")).collect()
 }
 
 /// Converts the report about the program and its GPU to JSON.
-pub fn value(about: &About) -> Value {
+pub fn about_json(about: &About) -> Value {
     let limits =
-        about.limits.iter().map(|(name, [asked, could])| (key(name), json!({"asked": asked, "adapter": could})));
-    let ways = about.ways.iter().map(|(name, way)| (key(name), json!(way)));
+        about.limits.iter().map(|(name, [asked, could])| (json_key(name), json!({"asked": asked, "adapter": could})));
+    let ways = about.ways.iter().map(|(name, way)| (json_key(name), json!(way)));
     json!({
         "seastate": VERSION, "wgpu": WGPU_VERSION, "system": system(),
         "adapter": about.adapter, "kind": about.kind, "backend": about.backend, "driver": about.driver,
@@ -22,6 +22,6 @@ pub fn value(about: &About) -> Value {
 }
 
 /// Converts a name to a JSON key: `buffer, bytes` becomes `buffer_bytes`.
-fn key(name: &str) -> String {
+fn json_key(name: &str) -> String {
     name.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect::<Vec<_>>().join("_")
 }

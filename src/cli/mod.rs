@@ -19,7 +19,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 /// Exit code after an error, such as bad arguments or a missing GPU.
-const USAGE: i32 = 2;
+const USAGE_EXIT_CODE: i32 = 2;
 
 /// Runs the command line of this process; returns its exit code.
 pub fn main() -> i32 {
@@ -41,27 +41,29 @@ pub fn main() -> i32 {
 
 fn fail(message: &str) -> i32 {
     eprintln!("seastate: {message}");
-    USAGE
+    USAGE_EXIT_CODE
 }
 
 fn run(cli: Cli) -> Result<i32, String> {
     let gpu = || block_on(Gpu::request());
     let text = match cli.command {
-        None => return crate::app::native::run(&sea(&cli.sea)?).map(|()| 0),
-        Some(Command::Check { sea: args }) => return check(&sea(&args)?),
+        None => return crate::app::native::run(&read_sea_params(&cli.sea)?).map(|()| 0),
+        Some(Command::Check { sea: args }) => return check(&read_sea_params(&args)?),
         Some(Command::Render { sea: args, size, output, frames: Some(count), fps, layers, .. }) => {
             let sequence = Sequence { count, fps, layers };
-            block_on(render::write_sequence(&gpu()?, &sea(&args)?, size, &sequence, &output))?
+            block_on(render::write_sequence(&gpu()?, &read_sea_params(&args)?, size, &sequence, &output))?
         }
         Some(Command::Render { sea: args, size, output, reference, samples, reference_seed, .. }) => {
             let sampling = reference.then_some(Sampling { samples, seed: reference_seed });
-            let params = sea(&args)?;
+            let params = read_sea_params(&args)?;
             block_on(render::write_picture(&gpu()?, &params, size, sampling, &output))?;
             return Ok(0);
         }
-        Some(Command::Compare { reference, test, map, ppd }) => compare::run(&reference, &test, map.as_deref(), ppd)?,
+        Some(Command::Compare { reference, test, map, ppd }) => {
+            compare::compare_pictures(&reference, &test, map.as_deref(), ppd)?
+        }
         Some(Command::Export { sea: args, output, raw }) => {
-            let params = sea(&args)?;
+            let params = read_sea_params(&args)?;
             block_on(export::run(&gpu()?, &params, &output, raw))?;
             return Ok(0);
         }
@@ -80,28 +82,28 @@ fn run(cli: Cli) -> Result<i32, String> {
                 _ => sizes,
             };
             let options = BenchOptions { sizes, repeat, matrix, baseline };
-            let params = sea(&args)?;
+            let params = read_sea_params(&args)?;
             let progress = |what: &str| eprintln!("seastate: measuring {what}");
             let report = block_on(crate::bench::run(&gpu()?, &params, &options, progress))?;
-            if json { pretty(&bench::value(&report)) } else { report.to_string() }
+            if json { pretty_json(&bench::report_json(&report)) } else { report.to_string() }
         }
         Some(Command::Info { json }) => {
             let adapter = block_on(device::adapter())?;
             let about = About::new(&adapter, &block_on(Gpu::open(&adapter))?);
-            if json { pretty(&info::value(&about)) } else { info::text(&about) }
+            if json { pretty_json(&info::about_json(&about)) } else { info::about_text(&about) }
         }
         Some(Command::Validate { output, seeds, all, only }) => {
             validate(&gpu()?, &output, seeds, all.then_some(only.as_str()))?
         }
         Some(Command::Gallery { output, only }) => block_on(gallery::run(&gpu()?, &output, &only))?,
-        Some(Command::Keys { markdown: true }) => parameters::page(),
-        Some(Command::Keys { markdown: false }) => parameters::listing(),
+        Some(Command::Keys { markdown: true }) => parameters::parameters_markdown(),
+        Some(Command::Keys { markdown: false }) => parameters::parameter_listing(),
     };
-    print(&text).map(|()| 0)
+    print_to_stdout(&text).map(|()| 0)
 }
 
 /// Reads the parameters from the arguments, and prints all notices to stderr.
-fn sea(args: &SeaArgs) -> Result<Params, String> {
+fn read_sea_params(args: &SeaArgs) -> Result<Params, String> {
     let (params, notices) = args.read()?;
     report_notices(&notices);
     report_notices(&crate::waves::Plan::new(&params).notices);
@@ -127,7 +129,7 @@ fn check(params: &Params) -> Result<i32, String> {
     let wrong = lines.iter().filter(|l| !l.passes()).count();
     let verdict = if wrong == 0 { "all within tolerance".to_owned() } else { format!("{wrong} out of tolerance") };
     let _ = writeln!(text, "{} comparisons, {verdict}", lines.len());
-    print(&text)?;
+    print_to_stdout(&text)?;
     Ok(i32::from(wrong > 0))
 }
 
@@ -135,18 +137,18 @@ fn check(params: &Params) -> Result<i32, String> {
 fn validate(gpu: &Gpu, output: &Path, seeds: u32, only: Option<&str>) -> Result<String, String> {
     let (page, name) = match only {
         Some(only) => (validate::combinations::build(gpu, seeds, only)?, "validation-all"),
-        None => (validate::build(Some(gpu), seeds, &validate::PARTS)?, "validation"),
+        None => (validate::build(Some(gpu), seeds, &validate::PAGE_PARTS)?, "validation"),
     };
     page.write(output, name)?;
     Ok(format!("{} and {} figures", output.join(format!("{name}.md")).display(), page.drawings().len()))
 }
 
-fn pretty(value: &serde_json::Value) -> String {
+fn pretty_json(value: &serde_json::Value) -> String {
     serde_json::to_string_pretty(value).unwrap_or_default()
 }
 
 /// Prints a text to stdout. A closed pipe (`seastate stats | head`) gives an error of one line, not a panic.
-fn print(text: &str) -> Result<(), String> {
+fn print_to_stdout(text: &str) -> Result<(), String> {
     use std::io::Write as _;
     writeln!(std::io::stdout(), "{}", text.trim_end()).map_err(|e| format!("cannot write: {e}"))
 }

@@ -5,13 +5,13 @@ use super::{measured, panorama};
 use std::{io::Read as _, path::PathBuf};
 
 /// Largest number of bytes that are read from a file with this name.
-pub fn most_bytes(name: &str) -> usize {
+pub fn max_file_bytes(name: &str) -> usize {
     // A PNG may be a large saved picture.
-    let large = panorama::is_sky(name, &[]) || name.to_ascii_lowercase().ends_with(".png");
+    let large = panorama::is_sky_file(name, &[]) || name.to_ascii_lowercase().ends_with(".png");
     if large { panorama::MAX_BYTES } else { measured::MAX_FILE_BYTES }
 }
 
-/// Reads files and returns their names and contents, at most one byte more than [`most_bytes`] of each.
+/// Reads files and returns their names and contents, at most one byte more than [`max_file_bytes`] of each.
 ///
 /// # Errors
 /// Returns one sentence that names the file, if a file cannot be opened or read.
@@ -22,7 +22,7 @@ pub fn read_all(paths: &[PathBuf]) -> Result<Vec<(String, Vec<u8>)>, String> {
         let fault = |e: std::io::Error| format!("cannot read {}: {e}", path.display());
         let mut bytes = Vec::new();
         let file = std::fs::File::open(path).map_err(fault)?;
-        file.take(most_bytes(&name) as u64 + 1).read_to_end(&mut bytes).map_err(fault)?;
+        file.take(max_file_bytes(&name) as u64 + 1).read_to_end(&mut bytes).map_err(fault)?;
         Ok((name, bytes))
     };
     paths.iter().map(read).collect()

@@ -20,50 +20,54 @@ use std::fmt;
 
 /// One comparison of a GPU pass with the oracle: a line of the printed table.
 #[derive(Clone, Debug)]
-pub struct Line {
+pub struct Comparison {
     /// Name of the pass and of the compared quantity.
-    pub what: &'static str,
+    pub pass_and_quantity: &'static str,
     /// Index of the cascade; for foam, index of the foam level.
     pub cascade: usize,
     /// Relative error: root mean square error divided by the root mean square of the oracle's values.
-    pub error: f64,
+    pub relative_error: f64,
     /// Largest accepted relative error.
     pub tolerance: f64,
 }
 
-impl Line {
+impl Comparison {
     /// Whether the error is within the tolerance. An error that is not a number fails.
     pub fn passes(&self) -> bool {
-        self.error <= self.tolerance
+        self.relative_error <= self.tolerance
     }
 }
 
-impl fmt::Display for Line {
+impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let verdict = if self.passes() { "ok" } else { "WRONG" };
-        write!(f, "{:<34} {:>7} {:>12.3e} {:>12.1e}  {verdict}", self.what, self.cascade, self.error, self.tolerance)
+        write!(
+            f,
+            "{:<34} {:>7} {:>12.3e} {:>12.1e}  {verdict}",
+            self.pass_and_quantity, self.cascade, self.relative_error, self.tolerance
+        )
     }
 }
 
-/// Tolerances of the passes as relative errors, with reasons. One f32 operation has a relative rounding error of 6e-8.
-mod tolerance {
-    /// Spectrum pass: the hash is exact; logarithm, sine, arc tangent and exponential are off by a few units of least
-    /// precision.
-    pub const SPECTRUM: f64 = 1e-6;
-    /// Row and column passes: rounding errors of the log2(n) butterfly stages of an FFT of size n.
-    pub const TRANSFORM: f64 = 1e-6;
-    /// Wave maps: rounding to half floats, a relative error of at most 2^-11 and on average 2^-12.
-    pub const HALF: f64 = 4.9e-4;
-    /// Mip levels: the mean of four half floats is rounded to a half float.
-    pub const MIP: f64 = 4.9e-4;
-    /// Foam pass: bilinear weights of 8 bits and half-float maps, amplified by the steepness of the foam's source term.
-    pub const FOAM: f64 = 5e-3;
-}
+/// Relative tolerance of the spectrum pass: the hash is exact; logarithm, sine, arc tangent and exponential are off by
+/// a few units of least precision. One f32 operation has a relative rounding error of 6e-8.
+const SPECTRUM_TOLERANCE: f64 = 1e-6;
+/// Relative tolerance of the row and column passes: rounding errors of the log2(n) butterfly stages of an FFT of size
+/// n.
+const TRANSFORM_TOLERANCE: f64 = 1e-6;
+/// Relative tolerance of the wave maps: rounding to half floats, a relative error of at most 2^-11 and on average
+/// 2^-12.
+const HALF_FLOAT_TOLERANCE: f64 = 4.9e-4;
+/// Relative tolerance of the mip levels: the mean of four half floats is rounded to a half float.
+const MIP_TOLERANCE: f64 = 4.9e-4;
+/// Relative tolerance of the foam pass: bilinear weights of 8 bits and half-float maps, amplified by the steepness of
+/// the foam's source term.
+const FOAM_TOLERANCE: f64 = 5e-3;
 
 /// Smallest root mean square by which an error of half floats is divided. Half floats are at least 2^-24 apart; a texel
 /// with four truncated components is off by up to 2^-23, which is 2^-11 of this value. It matters for the slopes of the
 /// longest waves of a calm sea.
-const SMALLEST_HALF: f64 = 2.441_406_25e-4;
+const MIN_HALF_FLOAT_RMS: f64 = 2.441_406_25e-4;
 
 /// Number of foam steps that are computed before the GPU's foam is compared with the oracle's.
 const FOAM_STEPS: usize = 4;
@@ -74,7 +78,7 @@ const FOAM_LEVEL: usize = 1;
 ///
 /// # Errors
 /// If reading back from the GPU fails.
-pub async fn run(gpu: &Gpu, params: &Params) -> Result<Vec<Line>, String> {
+pub async fn run(gpu: &Gpu, params: &Params) -> Result<Vec<Comparison>, String> {
     run_with(gpu, params, &Shaders::default(), TransformWay::of(gpu)).await
 }
 
@@ -82,16 +86,21 @@ pub async fn run(gpu: &Gpu, params: &Params) -> Result<Vec<Line>, String> {
 ///
 /// # Errors
 /// If reading back from the GPU fails.
-pub async fn run_with(gpu: &Gpu, params: &Params, shaders: &Shaders, way: TransformWay) -> Result<Vec<Line>, String> {
+pub async fn run_with(
+    gpu: &Gpu,
+    params: &Params,
+    shaders: &Shaders,
+    way: TransformWay,
+) -> Result<Vec<Comparison>, String> {
     let plan = Plan::new(params);
     let t_s = params.clock.t_s;
     let mut sim = Simulation::with_way(gpu, plan.clone(), shaders, way);
     let slot = sim.push_evaluation(gpu, t_s, true);
     let mut check = Check { gpu, plan: &plan, sim: &sim, slot, lines: Vec::new() };
-    let h0: Vec<Vec<Complex>> = plan.cascades.iter().map(|c| oracle::spectrum::h0(&plan, c)).collect();
+    let h0: Vec<Vec<Complex>> = plan.cascades.iter().map(|c| oracle::spectrum::initial_spectrum(&plan, c)).collect();
     let rows: Vec<MapPair> =
-        plan.cascades.iter().zip(&h0).map(|(c, h0)| oracle::maps::rows(&plan, c, h0, t_s)).collect();
-    let maps: Vec<MapPair> = rows.iter().map(|rows| oracle::maps::columns(plan.n as usize, rows)).collect();
+        plan.cascades.iter().zip(&h0).map(|(c, h0)| oracle::maps::transform_rows(&plan, c, h0, t_s)).collect();
+    let maps: Vec<MapPair> = rows.iter().map(|rows| oracle::maps::transform_columns(plan.n as usize, rows)).collect();
     check.spectrum(&h0).await?;
     check.rows(&h0, &rows).await?;
     check.columns(&rows, &maps).await?;
@@ -110,7 +119,7 @@ struct Check<'a> {
     plan: &'a Plan,
     sim: &'a Simulation,
     slot: EvaluationSlot,
-    lines: Vec<Line>,
+    lines: Vec<Comparison>,
 }
 
 impl Check<'_> {
@@ -123,7 +132,12 @@ impl Check<'_> {
         let got: Vec<[f32; 2]> = bytemuck::pod_collect_to_vec(&readback::read(self.gpu, staging).await?);
         for (c, (want, got)) in h0.iter().zip(got.chunks((r.n * r.n) as usize)).enumerate() {
             let got = got.iter().map(|h| h.map(f64::from));
-            self.lines.push(line("spectrum h0", c, error(got, want.iter().copied()), tolerance::SPECTRUM));
+            self.lines.push(comparison(
+                "spectrum h0",
+                c,
+                relative_rms_error(got, want.iter().copied()),
+                SPECTRUM_TOLERANCE,
+            ));
         }
         Ok(())
     }
@@ -162,7 +176,12 @@ impl Check<'_> {
         for (c, want) in want.iter().enumerate() {
             for (pair, what) in names.into_iter().enumerate() {
                 let got = got[(2 * c + pair) * points..][..points].iter().map(|t| t.map(f64::from));
-                self.lines.push(line(what, c, error(got, want[pair].iter().copied()), tolerance::TRANSFORM));
+                self.lines.push(comparison(
+                    what,
+                    c,
+                    relative_rms_error(got, want[pair].iter().copied()),
+                    TRANSFORM_TOLERANCE,
+                ));
             }
         }
         Ok(())
@@ -176,9 +195,9 @@ impl Check<'_> {
             let got = read_map(self.gpu, &self.sim.resources, kind, 0).await?;
             for (c, want) in maps.iter().enumerate() {
                 let got = got[c * points..][..points].iter().copied();
-                let rms = root_mean_square(want[pair].iter().copied()).max(SMALLEST_HALF);
-                let error = distance(got, want[pair].iter().copied()) / rms;
-                self.lines.push(line(what, c, error, tolerance::HALF));
+                let rms = root_mean_square(want[pair].iter().copied()).max(MIN_HALF_FLOAT_RMS);
+                let error = rms_difference(got, want[pair].iter().copied()) / rms;
+                self.lines.push(comparison(what, c, error, HALF_FLOAT_TOLERANCE));
             }
         }
         Ok(())
@@ -201,13 +220,13 @@ impl Check<'_> {
             for (c, cascade) in self.sim.maps().cascades.iter().enumerate() {
                 let from = &from[c * above * above..][..above * above];
                 let scale = f64::from(cascade.moment_scale);
-                let from = if moments_from_slopes { oracle::maps::moments(from, scale) } else { from.to_vec() };
-                let want = oracle::maps::mip(above, &from);
+                let from = if moments_from_slopes { oracle::maps::slope_moments(from, scale) } else { from.to_vec() };
+                let want = oracle::maps::next_mip_level(above, &from);
                 let got = got[c * below * below..][..below * below].iter().copied();
                 // Waves that cancel in the mean leave rounding errors, so the error is divided by the rms of the next
                 // finer level.
-                let rms = root_mean_square(from.iter().copied()).max(SMALLEST_HALF);
-                self.lines.push(line(what, c, distance(got, want.iter().copied()) / rms, tolerance::MIP));
+                let rms = root_mean_square(from.iter().copied()).max(MIN_HALF_FLOAT_RMS);
+                self.lines.push(comparison(what, c, rms_difference(got, want.iter().copied()) / rms, MIP_TOLERANCE));
             }
         }
         Ok(())
@@ -215,7 +234,7 @@ impl Check<'_> {
 }
 
 /// Compares the foam after some steps on the GPU with the oracle, which reads the GPU's wave maps at each step.
-async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<Line, String> {
+async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<Comparison, String> {
     let centre = [1234.5, -67.8];
     let size = sim.resources.foam_n as usize;
     let mut want: Vec<f64> = vec![FoamModel::new(plan).coverage; size * size];
@@ -239,7 +258,12 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<L
         got = (0..size * size).map(stored).collect();
     }
     let pack = |v: &[f64]| v.iter().map(|&f| [f]).collect::<Vec<_>>();
-    Ok(line("foam", FOAM_LEVEL, error(pack(&got).into_iter(), pack(&want).into_iter()), tolerance::FOAM))
+    Ok(comparison(
+        "foam",
+        FOAM_LEVEL,
+        relative_rms_error(pack(&got).into_iter(), pack(&want).into_iter()),
+        FOAM_TOLERANCE,
+    ))
 }
 
 /// Advances the foam of all cells of a level by the oracle's time step. Corner and size of the cells are in metres.
@@ -249,9 +273,9 @@ fn step_foam(foam: &mut [f64], plan: &Plan, pyramid: &Pyramid, (corner, texel_m)
     for (i, cell) in foam.iter_mut().enumerate() {
         let at = [i % size, i / size];
         let world: [f64; 2] = std::array::from_fn(|a| corner[a] + (at[a] as f64 + 0.5) * texel_m);
-        let j = oracle::foam::jacobian(pyramid.surface(world).strain, plan.sea.lambda());
+        let j = oracle::foam::displacement_jacobian(pyramid.surface(world).strain, plan.sea.choppiness());
         let s = ((source.threshold - j) * source.slope).clamp(0.0, 1.0);
-        *cell = oracle::foam::foam_after(*cell, s, plan.sea.foam.rate_per_s, plan.sea.foam.decay_s, step.dt_s);
+        *cell = oracle::foam::foam_after_step(*cell, s, plan.sea.foam.rate_per_s, plan.sea.foam.decay_s, step.dt_s);
     }
 }
 
@@ -301,14 +325,14 @@ impl Pyramid {
                 }
                 texels
             };
-            sum = sum.plus(&oracle::surface::blend(tiling, world, read));
+            sum = sum.plus(&oracle::surface::blend_patch_copies(tiling, world, read));
         }
         sum
     }
 }
 
-fn line(what: &'static str, cascade: usize, error: f64, tolerance: f64) -> Line {
-    Line { what, cascade, error, tolerance }
+fn comparison(pass_and_quantity: &'static str, cascade: usize, relative_error: f64, tolerance: f64) -> Comparison {
+    Comparison { pass_and_quantity, cascade, relative_error, tolerance }
 }
 
 /// Reads back one mip level of a kind of wave map, with the cascades one after the other.
@@ -331,14 +355,17 @@ async fn read(gpu: &Gpu, encoder: wgpu::CommandEncoder, copy: TextureCopy) -> Re
 }
 
 /// Root mean square difference of two sequences.
-fn distance<const C: usize>(got: impl Iterator<Item = [f64; C]>, want: impl Iterator<Item = [f64; C]>) -> f64 {
+fn rms_difference<const C: usize>(got: impl Iterator<Item = [f64; C]>, want: impl Iterator<Item = [f64; C]>) -> f64 {
     root_mean_square::<C>(got.zip(want).map(|(g, w)| std::array::from_fn(|c| g[c] - w[c])))
 }
 
 /// Root mean square difference divided by the root mean square of `want`; not divided if the latter is 0.
-fn error<const C: usize>(got: impl Iterator<Item = [f64; C]>, want: impl Iterator<Item = [f64; C]> + Clone) -> f64 {
+fn relative_rms_error<const C: usize>(
+    got: impl Iterator<Item = [f64; C]>,
+    want: impl Iterator<Item = [f64; C]> + Clone,
+) -> f64 {
     let rms = root_mean_square(want.clone());
-    distance(got, want) / if rms > 0.0 { rms } else { 1.0 }
+    rms_difference(got, want) / if rms > 0.0 { rms } else { 1.0 }
 }
 
 fn root_mean_square<const C: usize>(values: impl Iterator<Item = [f64; C]>) -> f64 {

@@ -1,8 +1,8 @@
 //! Measures statistics of the sea in the GPU's wave maps over an ensemble of seeds.
 
-use super::estimate::Estimate;
+use super::estimate::EstimateWithError;
 use crate::gpu::{Gpu, readback};
-use crate::oracle::foam::jacobian;
+use crate::oracle::foam::displacement_jacobian;
 use crate::oracle::{self, transform};
 use crate::shaders::Shaders;
 use crate::sim::{MAX_STEPS, MapsF32, Simulation};
@@ -13,9 +13,9 @@ use crate::waves::{Plan, noise};
 use std::f64::consts::{PI, TAU};
 
 /// Phase advance of the fastest wave between two read-backs, rad. Two read-backs separate waves of opposite directions.
-const ADVANCE_RAD: f64 = 1.0;
+const PEAK_PHASE_ADVANCE_RAD: f64 = 1.0;
 /// Number of random points of the displaced surface that each seed contributes to skewness and kurtosis.
-const POINTS: u32 = 1 << 16;
+const STATISTICS_POINTS: u32 = 1 << 16;
 
 /// Statistics measured in the GPU's f32 wave maps. Heights and slopes are those of the undisplaced grid. Periods and
 /// directions come from two read-backs, which separate waves of opposite directions. Skewness and kurtosis belong to
@@ -23,25 +23,25 @@ const POINTS: u32 = 1 << 16;
 #[derive(Debug)]
 pub struct MeasuredStatistics {
     /// Significant wave height, m, from the variance averaged over the seeds.
-    pub hs_m: Estimate,
+    pub hs_m: EstimateWithError,
     /// Mean elevation of the surface, m.
-    pub mean_m: Estimate,
+    pub mean_m: EstimateWithError,
     /// Mean square slope of the surface, dimensionless.
-    pub mss: Estimate,
+    pub mss: EstimateWithError,
     /// Mean wave period Tm01 = 2 pi m0 / m1, s, with the spectral moments m0 and m1.
-    pub tm01_s: Estimate,
+    pub tm01_s: EstimateWithError,
     /// Mean zero-crossing period Tm02 = 2 pi sqrt(m0 / m2), s, with the spectral moments m0 and m2.
-    pub tm02_s: Estimate,
+    pub tm02_s: EstimateWithError,
     /// Mean direction that the waves come from, degrees clockwise from north; `None` without a mean direction.
-    pub from_deg: Option<Estimate>,
+    pub from_deg: Option<EstimateWithError>,
     /// First directional moment r1: 0 without a mean direction, 1 if all waves travel in one direction.
-    pub r1: Estimate,
+    pub r1: EstimateWithError,
     /// Directional spread sqrt(2 (1 - r1)), degrees.
-    pub spread_deg: Estimate,
+    pub spread_deg: EstimateWithError,
     /// Skewness of the surface's elevation.
-    pub skewness: Estimate,
+    pub skewness: EstimateWithError,
     /// Kurtosis of the surface's elevation; 3 for a Gaussian.
-    pub kurtosis: Estimate,
+    pub kurtosis: EstimateWithError,
     /// Largest relative difference of a seed between the maps' variance and the waves' variance (Parseval's theorem).
     pub parseval_error: f64,
     /// Number of seeds that were measured.
@@ -69,7 +69,7 @@ pub struct TravellingWave {
     /// Angular frequency, rad/s.
     pub omega: f64,
     /// Unit vector (x, z) of the direction in which the wave travels.
-    pub unit: [f64; 2],
+    pub travel: [f64; 2],
 }
 
 /// Measures the statistics of a state over `seeds` seeds, beginning with the state's own. Calls `visit` for every wave,
@@ -87,7 +87,7 @@ pub async fn measure(
     let shaders = Shaders::default();
     let t_s = params.clock.t_s;
     let plan = Plan::new(params);
-    let later_s = t_s + ADVANCE_RAD / plan.dispersion.omega(plan.k_max());
+    let later_s = t_s + PEAK_PHASE_ADVANCE_RAD / plan.dispersion.omega(plan.k_max());
     let mut all = Vec::new();
     for i in 0..seeds {
         let mut params = params.clone();
@@ -97,33 +97,34 @@ pub async fn measure(
         let maps = [sim.read_f32(gpu, t_s).await?, sim.read_f32(gpu, later_s).await?];
         all.push(seed_statistics(&plan, &maps, [t_s, later_s], &mut |wave| visit(i as usize, wave)));
     }
-    Ok(summary(&all))
+    Ok(summarise_seeds(&all))
 }
 
 /// Averages the statistics of all seeds, and computes standard errors.
-fn summary(all: &[SeedStatistics]) -> MeasuredStatistics {
+fn summarise_seeds(all: &[SeedStatistics]) -> MeasuredStatistics {
     let values = |f: &dyn Fn(&SeedStatistics) -> f64| all.iter().map(f).collect::<Vec<_>>();
-    let over = |f: &dyn Fn(&SeedStatistics) -> f64| Estimate::mean(&values(f));
+    let over = |f: &dyn Fn(&SeedStatistics) -> f64| EstimateWithError::mean(&values(f));
     let variance = over(&|s| s.variance);
     let hs_m = 4.0 * variance.value.sqrt();
     let [m0, m1, m2] = [0, 1, 2].map(|p| values(&|s| s.travelling.m[p]));
-    let [east, south] = [0, 1].map(|axis| values(&|s| s.travelling.toward[axis]));
+    let [east, south] = [0, 1].map(|axis| values(&|s| s.travelling.first_moment[axis]));
     let (x, z) = (east.iter().sum::<f64>(), south.iter().sum::<f64>());
     let length = x.hypot(z).max(f64::MIN_POSITIVE);
     let component =
         |a: f64, b: f64| -> Vec<f64> { east.iter().zip(&south).map(|(e, s)| (e * a + s * b) / length).collect() };
     // Components of the directional moments along the mean direction and across it.
     let (along, across) = (component(x, z), component(-z, x));
-    let r1 = Estimate::ratio(&along, &m0);
-    let turn_deg = Estimate::ratio(&across, &along).scaled(180.0 / PI);
-    let tm02 = Estimate::ratio(&m0, &m2);
+    let r1 = EstimateWithError::ratio(&along, &m0);
+    let turn_deg = EstimateWithError::ratio(&across, &along).scaled(180.0 / PI);
+    let tm02 = EstimateWithError::ratio(&m0, &m2);
     MeasuredStatistics {
-        hs_m: variance.mapped(hs_m, 0.5 * hs_m / variance.value.max(f64::MIN_POSITIVE)),
+        hs_m: variance.with_propagated_error(hs_m, 0.5 * hs_m / variance.value.max(f64::MIN_POSITIVE)),
         mean_m: over(&|s| s.mean),
         mss: over(&|s| s.mss),
-        tm01_s: Estimate::ratio(&m0, &m1).scaled(TAU),
-        tm02_s: tm02.mapped(TAU * tm02.value.sqrt(), TAU * 0.5 / tm02.value.sqrt().max(1e-9)),
-        from_deg: (r1.value > statistics::NO_DIRECTION).then(|| turn_deg.mapped(statistics::from_deg([x, z]), 1.0)),
+        tm01_s: EstimateWithError::ratio(&m0, &m1).scaled(TAU),
+        tm02_s: tm02.with_propagated_error(TAU * tm02.value.sqrt(), TAU * 0.5 / tm02.value.sqrt().max(1e-9)),
+        from_deg: (r1.value > statistics::MIN_R1_FOR_DIRECTION)
+            .then(|| turn_deg.with_propagated_error(statistics::from_deg([x, z]), 1.0)),
         r1,
         spread_deg: spread_deg(r1),
         skewness: over(&|s| s.skewness),
@@ -134,9 +135,9 @@ fn summary(all: &[SeedStatistics]) -> MeasuredStatistics {
 }
 
 /// Converts a first directional moment r1 to the directional spread sqrt(2 (1 - r1)), degrees, with its standard error.
-pub fn spread_deg(r1: Estimate) -> Estimate {
+pub fn spread_deg(r1: EstimateWithError) -> EstimateWithError {
     let deg = statistics::spread_deg(r1.value);
-    r1.mapped(deg, 180.0 / PI / deg.to_radians().max(1e-9))
+    r1.with_propagated_error(deg, 180.0 / PI / deg.to_radians().max(1e-9))
 }
 
 /// Computes the statistics of one seed from its wave maps at two times (s), and calls `visit` for every wave.
@@ -157,7 +158,7 @@ fn seed_statistics(
         mss += now.gradients(c).iter().map(|g| f64::from(g[0]).powi(2) + f64::from(g[1]).powi(2)).sum::<f64>() / count;
         let displacements = [0, 1].map(|i: usize| maps[i].displacement(c));
         travelling_waves(plan, cascade, displacements, times, &mut |wave| {
-            travelling.add(wave.variance, wave.k, wave.omega, wave.unit);
+            travelling.add(wave.variance, wave.k, wave.omega, wave.travel);
             visit(wave);
         });
     }
@@ -183,17 +184,21 @@ fn travelling_waves(
 ) {
     let n = plan.n as usize;
     let [first, second] = displacements.map(|d| transform_of_heights(n, d));
-    let passed = plan.phase_time(times[1]).wrapping_sub(plan.phase_time(times[0]));
+    let passed = plan.time_in_period_u32(times[1]).wrapping_sub(plan.time_in_period_u32(times[0]));
     let scale = 1.0 / (n * n) as f64;
     for z in 0..n {
         for x in 0..n {
             let (ix, iz) = (oracle::signed_index(x, n), oracle::signed_index(z, n));
             let wave = plan.wave(cascade, (ix * ix + iz * iz) as u32);
-            if (ix, iz) == (0, 0) || !cascade.holds(wave.k) || ix == -(n as i32) / 2 || iz == -(n as i32) / 2 {
+            if (ix, iz) == (0, 0)
+                || !cascade.contains_wave_number(wave.k)
+                || ix == -(n as i32) / 2
+                || iz == -(n as i32) / 2
+            {
                 continue;
             }
             let at = z * n + x;
-            let turn = TAU * f64::from(wave.turns.wrapping_mul(passed)) / 4_294_967_296.0;
+            let turn = TAU * f64::from(wave.cycles_per_period.wrapping_mul(passed)) / 4_294_967_296.0;
             let (sin, cos) = turn.sin_cos();
             // The transforms are conjugates: A* = (X2* - X1* e^{-i turn}) / (2 i sin turn).
             let (a, b) = (first[at], second[at]);
@@ -202,7 +207,7 @@ fn travelling_waves(
             let amplitude = scale / (2.0 * sin);
             let variance = 2.0 * (re * re + im * im) * amplitude * amplitude;
             let unit = [f64::from(ix), f64::from(iz)].map(|i| i * cascade.dk() / wave.k);
-            visit(&TravellingWave { variance, k: wave.k, omega: wave.omega, unit });
+            visit(&TravellingWave { variance, k: wave.k, omega: wave.omega, travel: unit });
         }
     }
 }
@@ -218,7 +223,7 @@ pub fn transform_of_heights(n: usize, displacement: &[[f32; 4]]) -> Vec<[f64; 2]
 /// each other and statistically homogeneous, so a point is the sum of a random texel of each cascade.
 pub fn surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f64)) {
     let n = maps.n as u32;
-    for i in 0..POINTS {
+    for i in 0..STATISTICS_POINTS {
         let (mut eta, mut strain) = (0.0, [0.0; 3]);
         for c in 0..maps.cascades() {
             let at = noise::pcg4d([i, c as u32, plan.sea.seed, 17]);
@@ -229,7 +234,7 @@ pub fn surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f6
             strain[1] += f64::from(g[3]);
             strain[2] += f64::from(d[3]);
         }
-        visit(eta, jacobian([strain[0], strain[1], strain[2], strain[2]], plan.sea.lambda()));
+        visit(eta, displacement_jacobian([strain[0], strain[1], strain[2], strain[2]], plan.sea.choppiness()));
     }
 }
 

@@ -2,20 +2,20 @@
 
 /// An estimate from an ensemble, such as a mean over seeds: a value and its standard error.
 #[derive(Clone, Copy, Debug)]
-pub struct Estimate {
+pub struct EstimateWithError {
     /// The estimated value.
     pub value: f64,
     /// Standard error of the value; `None` if the ensemble has a single member.
-    pub error: Option<f64>,
+    pub standard_error: Option<f64>,
 }
 
-impl Estimate {
+impl EstimateWithError {
     /// Estimates the mean of `values`, with its standard error.
     pub fn mean(values: &[f64]) -> Self {
         let count = values.len() as f64;
         let value = values.iter().sum::<f64>() / count;
         let squares = values.iter().map(|v| (v - value).powi(2)).sum::<f64>();
-        Self { value, error: (values.len() > 1).then(|| (squares / (count - 1.0) / count).sqrt()) }
+        Self { value, standard_error: (values.len() > 1).then(|| (squares / (count - 1.0) / count).sqrt()) }
     }
 
     /// Estimates the ratio of two means. The standard error is that of the linearised ratio. The ratio is 0 if the
@@ -23,34 +23,34 @@ impl Estimate {
     pub fn ratio(numerator: &[f64], denominator: &[f64]) -> Self {
         let mean = denominator.iter().sum::<f64>() / denominator.len() as f64;
         if mean == 0.0 {
-            return Self { value: 0.0, error: None };
+            return Self { value: 0.0, standard_error: None };
         }
         let value = numerator.iter().sum::<f64>() / denominator.len() as f64 / mean;
         let residuals: Vec<f64> = numerator.iter().zip(denominator).map(|(a, b)| (a - value * b) / mean).collect();
-        Self { value, error: Self::mean(&residuals).error }
+        Self { value, standard_error: Self::mean(&residuals).standard_error }
     }
 
     /// Estimates a statistic of `count` members, with its jackknife error. `statistic` gets the index of the member to
     /// leave out, or `None` for all members.
     pub fn jackknife(count: usize, statistic: impl Fn(Option<usize>) -> f64) -> Self {
         let replicates: Vec<f64> = (0..count).map(|i| statistic(Some(i))).collect();
-        let error = Self::mean(&replicates).error.map(|e| e * (count as f64 - 1.0));
-        Self { value: statistic(None), error }
+        let error = Self::mean(&replicates).standard_error.map(|e| e * (count as f64 - 1.0));
+        Self { value: statistic(None), standard_error: error }
     }
 
     /// Multiplies the value and its standard error by a factor.
     pub fn scaled(self, factor: f64) -> Self {
-        self.mapped(factor * self.value, factor)
+        self.with_propagated_error(factor * self.value, factor)
     }
 
     /// Applies a function, given by its value and derivative at the estimate, and propagates the standard error
     /// linearly.
-    pub fn mapped(self, value: f64, derivative: f64) -> Self {
-        Self { value, error: self.error.map(|e| e * derivative.abs()) }
+    pub fn with_propagated_error(self, value: f64, derivative: f64) -> Self {
+        Self { value, standard_error: self.standard_error.map(|e| e * derivative.abs()) }
     }
 
     /// The estimate as a point of a figure: x, the value and its standard error (0 for a single member).
-    pub fn at(self, x: f64) -> [f64; 3] {
-        [x, self.value, self.error.unwrap_or(0.0)]
+    pub fn point_at(self, x: f64) -> [f64; 3] {
+        [x, self.value, self.standard_error.unwrap_or(0.0)]
     }
 }

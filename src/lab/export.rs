@@ -24,7 +24,7 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
     let foam = ocean.read_foam().await?.remove(FOAM_LEVEL);
     let plan = ocean.plan().clone();
     let n = maps.n;
-    let chop = plan.sea.lambda().map(|l| l as f32);
+    let chop = plan.sea.choppiness().map(|l| l as f32);
     for c in 0..maps.cascades() {
         let (d, g) = (maps.displacement(c), maps.gradients(c));
         let displacement: [Channel<'_>; 3] = [
@@ -32,7 +32,7 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
             ("Y", Box::new(move |i| d[i][1])),
             ("Z", Box::new(move |i| chop[1] * d[i][2])),
         ];
-        write(&folder.join(format!("cascade{c}_displacement.exr")), n, &displacement)?;
+        write_exr(&folder.join(format!("cascade{c}_displacement.exr")), n, &displacement)?;
         let gradients: [Channel<'_>; 5] = [
             ("deta_dx", Box::new(move |i| g[i][0])),
             ("deta_dz", Box::new(move |i| g[i][1])),
@@ -40,10 +40,10 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
             ("dDz_dz", Box::new(move |i| g[i][3])),
             ("dDx_dz", Box::new(move |i| d[i][3])),
         ];
-        write(&folder.join(format!("cascade{c}_gradients.exr")), n, &gradients)?;
+        write_exr(&folder.join(format!("cascade{c}_gradients.exr")), n, &gradients)?;
     }
     let channels: [Channel<'_>; 1] = [("foam", Box::new(|i| foam.foam[i]))];
-    write(&folder.join("foam.exr"), foam.n, &channels)?;
+    write_exr(&folder.join("foam.exr"), foam.n, &channels)?;
     if raw {
         let heights: Vec<f32> = (0..maps.cascades()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
         write_file(&folder.join("heights.f32"), bytemuck::cast_slice(&heights))?;
@@ -57,9 +57,9 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
         "t_s": params.clock.t_s,
         "period_s": plan.period_s,
         "axes": "+x east, +y up, +z south; column i holds x = i patch_m / n, row j holds z = j patch_m / n",
-        "chop_xz": plan.sea.lambda(),
+        "chop_xz": plan.sea.choppiness(),
         "level_m": plan.sea.level_m,
-        "untile": plan.untile,
+        "untile": plan.blends_copies,
         "notices": plan.notices,
         "cascades": plan.cascades.iter().enumerate().map(|(i, c)| serde_json::json!({
             "displacement": format!("cascade{i}_displacement.exr"),
@@ -77,7 +77,7 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
 }
 
 /// Writes an OpenEXR file of `n` x `n` texels with f32 channels.
-fn write(path: &Path, n: usize, channels: &[Channel<'_>]) -> std::result::Result<(), String> {
+fn write_exr(path: &Path, n: usize, channels: &[Channel<'_>]) -> std::result::Result<(), String> {
     let list = channels
         .iter()
         .map(|(name, value)| AnyChannel::new(*name, FlatSamples::F32((0..n * n).map(value).collect())))

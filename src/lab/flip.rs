@@ -29,110 +29,117 @@ impl SrgbPicture {
 ///
 /// # Errors
 /// If the pictures differ in size.
-pub fn errors(reference: &SrgbPicture, test: &SrgbPicture, pixels_per_degree: f64) -> Result<Vec<f64>, String> {
+pub fn flip_errors(reference: &SrgbPicture, test: &SrgbPicture, pixels_per_degree: f64) -> Result<Vec<f64>, String> {
     if (reference.width, reference.height) != (test.width, test.height) {
         return Err(format!(
             "the pictures differ in size: {}x{} and {}x{}",
             reference.width, reference.height, test.width, test.height
         ));
     }
-    let (a, b) = (perceived(reference, pixels_per_degree), perceived(test, pixels_per_degree));
-    let (fa, fb) = (Features::new(reference, pixels_per_degree), Features::new(test, pixels_per_degree));
-    let most = hyab(hunt([0.0, 1.0, 0.0]), hunt([0.0, 0.0, 1.0])).powf(QC);
+    let (a, b) = (filtered_lab(reference, pixels_per_degree), filtered_lab(test, pixels_per_degree));
+    let (fa, fb) =
+        (FeatureStrengths::new(reference, pixels_per_degree), FeatureStrengths::new(test, pixels_per_degree));
+    let most = hyab_distance(lab_with_hunt_effect([0.0, 1.0, 0.0]), lab_with_hunt_effect([0.0, 0.0, 1.0]))
+        .powf(COLOUR_EXPONENT);
     let error = |i: usize| {
-        let colour = redistribute(hyab(a[i], b[i]).powf(QC), most);
+        let colour = to_flip_scale(hyab_distance(a[i], b[i]).powf(COLOUR_EXPONENT), most);
         let edge = (fa.edges[i] - fb.edges[i]).abs();
         let point = (fa.points[i] - fb.points[i]).abs();
-        let feature = (edge.max(point) / 2f64.sqrt()).powf(QF);
+        let feature = (edge.max(point) / 2f64.sqrt()).powf(FEATURE_EXPONENT);
         colour.powf(1.0 - feature.min(1.0))
     };
     Ok((0..a.len()).map(error).collect())
 }
 
 /// Mean FLIP difference over all pixels; 0 without pixels.
-pub fn mean(errors: &[f64]) -> f64 {
+pub fn mean_error(errors: &[f64]) -> f64 {
     errors.iter().sum::<f64>() / errors.len().max(1) as f64
 }
 
-const QC: f64 = 0.7;
-const QF: f64 = 0.5;
-/// Fraction of the largest colour difference above which FLIP compresses differences into the range from [`PT`] to 1.
-const PC: f64 = 0.4;
-/// Value that FLIP gives to a colour difference of [`PC`] times the largest one.
-const PT: f64 = 0.95;
+const COLOUR_EXPONENT: f64 = 0.7;
+const FEATURE_EXPONENT: f64 = 0.5;
+/// Fraction of the largest colour difference above which FLIP compresses differences into the range from
+/// [`KNEE_FLIP_VALUE`] to 1.
+const KNEE_DIFFERENCE_FRACTION: f64 = 0.4;
+/// Value that FLIP gives to a colour difference of [`KNEE_DIFFERENCE_FRACTION`] times the largest one.
+const KNEE_FLIP_VALUE: f64 = 0.95;
 /// Width of the edges and points that FLIP detects, degrees of visual angle.
-const FEATURE_DEG: f64 = 0.082;
+const FEATURE_WIDTH_DEG: f64 = 0.082;
 /// Matrix that converts linear sRGB to CIE XYZ.
-const TO_XYZ: [[f64; 3]; 3] = [
+const RGB_TO_XYZ: [[f64; 3]; 3] = [
     [10_135_552.0 / 24_577_794.0, 8_788_810.0 / 24_577_794.0, 4_435_075.0 / 24_577_794.0],
     [2_613_072.0 / 12_288_897.0, 8_788_810.0 / 12_288_897.0, 887_015.0 / 12_288_897.0],
     [1_425_312.0 / 73_733_382.0, 8_788_810.0 / 73_733_382.0, 70_074_185.0 / 73_733_382.0],
 ];
 /// Matrix that converts CIE XYZ to linear sRGB.
-const FROM_XYZ: [[f64; 3]; 3] = [
+const XYZ_TO_RGB: [[f64; 3]; 3] = [
     [3.241_003_275, -1.537_398_934, -0.498_615_861],
     [-0.969_224_334, 1.875_930_071, 0.041_554_224],
     [0.055_639_423, -0.204_011_202, 1.057_148_933],
 ];
 
-fn times(m: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
+fn matrix_times_vector(m: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
     m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
 }
 
 /// CIE XYZ of the reference white: linear sRGB (1, 1, 1).
-fn white() -> [f64; 3] {
-    times(&TO_XYZ, [1.0; 3])
+fn white_point_xyz() -> [f64; 3] {
+    matrix_times_vector(&RGB_TO_XYZ, [1.0; 3])
 }
 
-fn linear(byte: u8) -> f64 {
+fn srgb_to_linear(byte: u8) -> f64 {
     let x = f64::from(byte) / 255.0;
     if x <= 0.040_45 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
 }
 
 /// Converts an sRGB colour to YCxCz: luminance and two opponent colours, in which contrast sensitivity is measured.
-fn opponent(rgb: [u8; 3]) -> [f64; 3] {
-    let xyz = times(&TO_XYZ, rgb.map(linear));
-    let white = white();
+fn srgb_to_opponent(rgb: [u8; 3]) -> [f64; 3] {
+    let xyz = matrix_times_vector(&RGB_TO_XYZ, rgb.map(srgb_to_linear));
+    let white = white_point_xyz();
     let [x, y, z]: [f64; 3] = std::array::from_fn(|i| xyz[i] / white[i]);
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
 
 /// Converts a YCxCz colour to linear sRGB, clamped to the gamut.
-fn linear_rgb([y, cx, cz]: [f64; 3]) -> [f64; 3] {
+fn opponent_to_linear_rgb([y, cx, cz]: [f64; 3]) -> [f64; 3] {
     let y = (y + 16.0) / 116.0;
     let relative = [y + cx / 500.0, y, y - cz / 200.0];
-    let white = white();
-    times(&FROM_XYZ, std::array::from_fn(|i| relative[i] * white[i])).map(|c| c.clamp(0.0, 1.0))
+    let white = white_point_xyz();
+    matrix_times_vector(&XYZ_TO_RGB, std::array::from_fn(|i| relative[i] * white[i])).map(|c| c.clamp(0.0, 1.0))
 }
 
 /// Converts linear sRGB to L*a*b* with the Hunt effect: chroma decreases in proportion to lightness.
-fn hunt(rgb: [f64; 3]) -> [f64; 3] {
+fn lab_with_hunt_effect(rgb: [f64; 3]) -> [f64; 3] {
     let delta: f64 = 6.0 / 29.0;
     let f = |t: f64| if t > delta.powi(3) { t.cbrt() } else { t / (3.0 * delta * delta) + 4.0 / 29.0 };
-    let (xyz, white) = (times(&TO_XYZ, rgb), white());
+    let (xyz, white) = (matrix_times_vector(&RGB_TO_XYZ, rgb), white_point_xyz());
     let [x, y, z]: [f64; 3] = std::array::from_fn(|i| f(xyz[i] / white[i]));
     let l = 116.0 * y - 16.0;
     [l, 0.01 * l * 500.0 * (x - y), 0.01 * l * 200.0 * (y - z)]
 }
 
 /// HyAB distance of two L*a*b* colours, which is valid for large colour differences (Abasi et al. 2020).
-fn hyab(a: [f64; 3], b: [f64; 3]) -> f64 {
+fn hyab_distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (a[0] - b[0]).abs() + (a[1] - b[1]).hypot(a[2] - b[2])
 }
 
 /// Maps a colour difference from 0 to `most` to FLIP's scale from 0 to 1.
-fn redistribute(x: f64, most: f64) -> f64 {
-    let knee = PC * most;
-    if x < knee { PT / knee * x } else { PT + (x - knee) / (most - knee) * (1.0 - PT) }
+fn to_flip_scale(x: f64, most: f64) -> f64 {
+    let knee = KNEE_DIFFERENCE_FRACTION * most;
+    if x < knee {
+        KNEE_FLIP_VALUE / knee * x
+    } else {
+        KNEE_FLIP_VALUE + (x - knee) / (most - knee) * (1.0 - KNEE_FLIP_VALUE)
+    }
 }
 
 /// L*a*b* of each pixel as an observer perceives it at the viewing distance of `pixels_per_degree`: each opponent
 /// colour is filtered by its contrast sensitivity.
-fn perceived(picture: &SrgbPicture, pixels_per_degree: f64) -> Vec<[f64; 3]> {
+fn filtered_lab(picture: &SrgbPicture, pixels_per_degree: f64) -> Vec<[f64; 3]> {
     // Weight and width of two Gaussians each for luminance, red-green and blue-yellow.
     const SENSITIVITY: [[[f64; 2]; 2]; 3] =
         [[[1.0, 0.0047], [0.0, 1e-5]], [[1.0, 0.0053], [0.0, 1e-5]], [[34.1, 0.04], [13.5, 0.025]]];
-    let colours: Vec<[f64; 3]> = picture.pixels.iter().map(|&p| opponent(p)).collect();
+    let colours: Vec<[f64; 3]> = picture.pixels.iter().map(|&p| srgb_to_opponent(p)).collect();
     let radius = (3.0 * (0.04 / (2.0 * PI * PI)).sqrt() * pixels_per_degree).ceil() as i32;
     let offsets: Vec<f64> = (-radius..=radius).map(|i| f64::from(i) / pixels_per_degree).collect();
     let mut out = colours.clone();
@@ -143,16 +150,16 @@ fn perceived(picture: &SrgbPicture, pixels_per_degree: f64) -> Vec<[f64; 3]> {
             let kernel: Vec<f64> = offsets.iter().map(|x| (-PI * PI * x * x / width).exp()).collect();
             let scale = weight * (PI / width).sqrt();
             whole += scale * kernel.iter().sum::<f64>().powi(2);
-            let blurred = filtered(&plane, picture.width, &kernel, &kernel);
+            let blurred = filter_plane(&plane, picture.width, &kernel, &kernel);
             sum.iter_mut().zip(blurred).for_each(|(s, b)| *s += scale * b);
         }
         out.iter_mut().zip(sum).for_each(|(c, s)| c[channel] = s / whole);
     }
-    out.into_iter().map(|c| hunt(linear_rgb(c))).collect()
+    out.into_iter().map(|c| lab_with_hunt_effect(opponent_to_linear_rgb(c))).collect()
 }
 
 /// Filters one channel of a picture: rows by the kernel `along`, then columns by `down`. Border pixels are repeated.
-fn filtered(plane: &[f64], width: usize, along: &[f64], down: &[f64]) -> Vec<f64> {
+fn filter_plane(plane: &[f64], width: usize, along: &[f64], down: &[f64]) -> Vec<f64> {
     let height = plane.len() / width;
     let reach = (along.len() / 2) as isize;
     let at = |i: usize, k: usize, last: usize| (i as isize + k as isize - reach).clamp(0, last as isize - 1) as usize;
@@ -171,14 +178,14 @@ fn filtered(plane: &[f64], width: usize, along: &[f64], down: &[f64]) -> Vec<f64
 }
 
 /// Strength of the edges and of the points (small dots) that FLIP detects at every pixel.
-struct Features {
+struct FeatureStrengths {
     edges: Vec<f64>,
     points: Vec<f64>,
 }
 
-impl Features {
+impl FeatureStrengths {
     fn new(picture: &SrgbPicture, pixels_per_degree: f64) -> Self {
-        let sd = 0.5 * FEATURE_DEG * pixels_per_degree;
+        let sd = 0.5 * FEATURE_WIDTH_DEG * pixels_per_degree;
         let radius = (3.0 * sd).ceil() as i32;
         let offsets: Vec<f64> = (-radius..=radius).map(f64::from).collect();
         let gauss: Vec<f64> = offsets.iter().map(|x| (-x * x / (2.0 * sd * sd)).exp()).collect();
@@ -190,10 +197,10 @@ impl Features {
         let (first, second) = (kernel(&|x| -x), kernel(&|x| x * x / (sd * sd) - 1.0));
         let total: f64 = gauss.iter().sum();
         let blur: Vec<f64> = gauss.iter().map(|g| g / total).collect();
-        let grey: Vec<f64> = picture.pixels.iter().map(|&p| (opponent(p)[0] + 16.0) / 116.0).collect();
+        let grey: Vec<f64> = picture.pixels.iter().map(|&p| (srgb_to_opponent(p)[0] + 16.0) / 116.0).collect();
         let size = |kernel: &[f64]| {
-            let x = filtered(&grey, picture.width, kernel, &blur);
-            let y = filtered(&grey, picture.width, &blur, kernel);
+            let x = filter_plane(&grey, picture.width, kernel, &blur);
+            let y = filter_plane(&grey, picture.width, &blur, kernel);
             x.iter().zip(&y).map(|(x, y)| x.hypot(*y)).collect()
         };
         Self { edges: size(&first), points: size(&second) }
@@ -242,7 +249,7 @@ mod tests {
         ];
         for (i, (a, b, wanted)) in cases.iter().enumerate() {
             for (ppd, wanted) in [PIXELS_PER_DEGREE, 30.0].iter().zip(wanted) {
-                let mean = mean(&errors(a, b, *ppd).expect("same sizes"));
+                let mean = mean_error(&flip_errors(a, b, *ppd).expect("same sizes"));
                 assert!((mean - wanted).abs() < 2e-3 * wanted, "{i} at {ppd}: {mean}, wanted {wanted}");
             }
         }
@@ -251,8 +258,8 @@ mod tests {
     #[test]
     fn a_picture_is_itself() {
         let a = picture(20, 10, noise);
-        assert_eq!(mean(&errors(&a, &a, PIXELS_PER_DEGREE).expect("same sizes")), 0.0);
-        let other = errors(&a, &picture(10, 20, noise), PIXELS_PER_DEGREE);
+        assert_eq!(mean_error(&flip_errors(&a, &a, PIXELS_PER_DEGREE).expect("same sizes")), 0.0);
+        let other = flip_errors(&a, &picture(10, 20, noise), PIXELS_PER_DEGREE);
         assert_eq!(other, Err("the pictures differ in size: 20x10 and 10x20".to_owned()));
     }
 }

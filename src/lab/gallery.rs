@@ -9,11 +9,11 @@ use image::codecs::jpeg::JpegEncoder;
 use std::path::Path;
 
 /// Width and height of a gallery picture, pixels.
-const SIZE: [u32; 2] = [960, 540];
+const PICTURE_SIZE: [u32; 2] = [960, 540];
 /// Quality of the JPEG files, 1 to 100.
-const QUALITY: u8 = 88;
+const JPEG_QUALITY: u8 = 88;
 /// Address at which `scripts/serve.sh` serves the web page, for the links of the gallery.
-const PAGE: &str = "http://localhost:8080/";
+const PAGE_URL: &str = "http://localhost:8080/";
 
 /// A picture of the gallery: title, description and state string.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +27,7 @@ pub struct GalleryPicture {
 }
 
 /// The pictures of the gallery, in the order of the page.
-pub const PICTURES: &[GalleryPicture] = &[
+pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Calm at dawn",
         about: "Beaufort 1 with a very low swell: the water mirrors the sky just after sunrise.",
@@ -107,44 +107,44 @@ impl GalleryPicture {
 pub async fn run(gpu: &Gpu, output: &Path, only: &str) -> Result<String, String> {
     let lower_case = only.to_lowercase();
     let chosen: Vec<&GalleryPicture> =
-        PICTURES.iter().filter(|p| p.title.to_lowercase().contains(&lower_case)).collect();
+        GALLERY_PICTURES.iter().filter(|p| p.title.to_lowercase().contains(&lower_case)).collect();
     if chosen.is_empty() {
-        let titles: Vec<&str> = PICTURES.iter().map(|p| p.title).collect();
+        let titles: Vec<&str> = GALLERY_PICTURES.iter().map(|p| p.title).collect();
         return Err(format!("no picture is called \"{only}\"; there are: {}", titles.join(", ")));
     }
     let folder = output.join("gallery");
     create_folder(&folder)?;
     for picture in &chosen {
-        let pixels = still::picture(gpu, &query::parse(picture.state).0, SIZE).await?;
+        let pixels = still::picture(gpu, &query::parse(picture.state).0, PICTURE_SIZE).await?;
         write_jpeg(&pixels, &folder.join(picture.file()))?;
     }
     let path = output.join("gallery.md");
-    write_file(&path, page())?;
-    Ok(format!("{} and {} of {} pictures", path.display(), chosen.len(), PICTURES.len()))
+    write_file(&path, gallery_markdown())?;
+    Ok(format!("{} and {} of {} pictures", path.display(), chosen.len(), GALLERY_PICTURES.len()))
 }
 
 fn write_jpeg(pixels: &[u8], path: &Path) -> Result<(), String> {
     let rgb: Vec<u8> = pixels.chunks(4).flat_map(|p| &p[..3]).copied().collect();
     let mut bytes = Vec::new();
-    JpegEncoder::new_with_quality(&mut bytes, QUALITY)
-        .encode(&rgb, SIZE[0], SIZE[1], image::ExtendedColorType::Rgb8)
+    JpegEncoder::new_with_quality(&mut bytes, JPEG_QUALITY)
+        .encode(&rgb, PICTURE_SIZE[0], PICTURE_SIZE[1], image::ExtendedColorType::Rgb8)
         .map_err(|e| format!("cannot encode {}: {e}", path.display()))?;
     write_file(path, bytes)
 }
 
 /// The Markdown text of docs/gallery.md.
-pub fn page() -> String {
+pub fn gallery_markdown() -> String {
     let mut page = Page::default();
     page.heading(1, "Gallery");
-    page.prose(
+    page.paragraph(
         "Each picture shows one state string. The link opens it on the page while scripts/serve.sh runs; every command \
          takes the string in quotes. `seastate gallery` renders all pictures.",
     );
-    for picture in PICTURES {
+    for picture in GALLERY_PICTURES {
         page.heading(2, picture.title);
-        page.prose(&format!("![{}](gallery/{})", picture.title, picture.file()));
-        page.prose(picture.about);
-        page.prose(&format!("[`{0}`]({PAGE}?{0})", picture.state));
+        page.paragraph(&format!("![{}](gallery/{})", picture.title, picture.file()));
+        page.paragraph(picture.about);
+        page.paragraph(&format!("[`{0}`]({PAGE_URL}?{0})", picture.state));
     }
     page.markdown()
 }

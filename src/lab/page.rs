@@ -19,7 +19,7 @@ impl Page {
     }
 
     /// Adds a paragraph, broken into lines of at most 120 characters.
-    pub fn prose(&mut self, text: &str) {
+    pub fn paragraph(&mut self, text: &str) {
         let mut column = 0;
         for word in text.split_whitespace() {
             let length = word.chars().count();
@@ -50,8 +50,8 @@ impl Page {
     /// If the figure cannot be drawn.
     pub fn figure(&mut self, name: &str, figure: &Figure, caption: &str) -> Result<(), String> {
         let _ = writeln!(self.text, "![{}](validation/{name}.svg)\n", figure.title());
-        self.prose(&format!("*{caption}*"));
-        self.keep(name, figure)
+        self.paragraph(&format!("*{caption}*"));
+        self.keep_figure(name, figure)
     }
 
     /// Adds figures, two in a row, with one caption for all.
@@ -66,11 +66,11 @@ impl Page {
             let _ = writeln!(self.text, "| {} | {} |", cells[0], cells.get(1).map_or("", String::as_str));
         }
         self.text.push('\n');
-        self.prose(&format!("*{caption}*"));
-        figures.iter().try_for_each(|(name, figure)| self.keep(name, figure))
+        self.paragraph(&format!("*{caption}*"));
+        figures.iter().try_for_each(|(name, figure)| self.keep_figure(name, figure))
     }
 
-    fn keep(&mut self, name: &str, figure: &Figure) -> Result<(), String> {
+    fn keep_figure(&mut self, name: &str, figure: &Figure) -> Result<(), String> {
         self.figures.push((name.to_owned(), figure.svg()?));
         Ok(())
     }

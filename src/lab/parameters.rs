@@ -25,7 +25,7 @@ const SPECIAL_KEYS: [(&str, &str); 3] = [
 ];
 
 /// Lists the keys of the state string as text for a terminal.
-pub fn listing() -> String {
+pub fn parameter_listing() -> String {
     let mut text = String::new();
     for field in FIELDS.iter() {
         let unit = if field.unit.is_empty() { String::new() } else { format!(" {}", field.unit) };
@@ -40,10 +40,10 @@ pub fn listing() -> String {
 }
 
 /// The Markdown text of docs/parameters.md.
-pub fn page() -> String {
+pub fn parameters_markdown() -> String {
     let mut page = Page::default();
     page.heading(1, "Parameters");
-    page.prose(
+    page.paragraph(
         "Every parameter has a key in the state string, which holds only the values that differ from their defaults. \
          `seastate keys --markdown` writes this page from the program's own table; `seastate keys` prints the table to \
          a terminal.",
@@ -55,7 +55,7 @@ pub fn page() -> String {
     }
     page.heading(2, "Other keys");
     for (key, meaning) in SPECIAL_KEYS {
-        page.prose(&format!("`{key}`: {meaning}"));
+        page.paragraph(&format!("`{key}`: {meaning}"));
     }
     page.markdown()
 }
@@ -66,12 +66,13 @@ fn row(field: &Field) -> Vec<String> {
         unit => unit,
     };
     let default = field.default_value();
-    let default = if default == 0.0 && !field.zero.is_empty() { field.zero.to_owned() } else { field.format(default) };
+    let default =
+        if default == 0.0 && !field.zero_word.is_empty() { field.zero_word.to_owned() } else { field.format(default) };
     let key = format!("`{}`", field.key);
-    vec![key, field.label.into(), unit.into(), field.range(), default, escaped(field.help)]
+    vec![key, field.label.into(), unit.into(), field.range(), default, escape_markdown(field.help)]
 }
 
 /// Escapes Markdown's special characters in a text.
-fn escaped(text: &str) -> String {
+fn escape_markdown(text: &str) -> String {
     text.replace('*', "\\*").replace('|', "\\|").replace('_', "\\_")
 }

@@ -7,7 +7,7 @@ use crate::ocean::{Grid, Ocean};
 use crate::waves::noise::pcg4d;
 
 /// Largest number of samples in one render target.
-const MOST_SAMPLES: u64 = 4_200_000;
+const MAX_SAMPLES_PER_FRAME: u64 = 4_200_000;
 
 /// Number and positions of the samples in a reference picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,7 +80,7 @@ impl PixelSum {
 pub async fn light(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: Sampling) -> Result<Vec<[f32; 3]>, String> {
     let width = size[0] as usize;
     let mut sums = vec![PixelSum::default(); width * size[1] as usize];
-    for grid in sampling.grids(size, MOST_SAMPLES, gpu.device.limits().max_texture_dimension_2d) {
+    for grid in sampling.grids(size, MAX_SAMPLES_PER_FRAME, gpu.device.limits().max_texture_dimension_2d) {
         let mut encoder = gpu.encoder("samples");
         let texture = ocean.encode_samples(&mut encoder, &grid);
         let copy = readback::stage_texture(gpu, &mut encoder, &texture, 0);
@@ -128,14 +128,17 @@ mod tests {
     fn grids_hold_the_samples_that_were_asked_for() {
         for samples in [1, 3, 4, 64, 256, 1000] {
             for size in [[16, 9], [192, 108], [1280, 720], [8192, 8192]] {
-                let grids: Vec<Grid> = Sampling { samples, seed: 1 }.grids(size, MOST_SAMPLES, 8192).collect();
+                let grids: Vec<Grid> = Sampling { samples, seed: 1 }.grids(size, MAX_SAMPLES_PER_FRAME, 8192).collect();
                 let count: u32 = grids.iter().map(|g| g.side * g.side).sum();
                 assert!((samples..samples + grids[0].side.pow(2)).contains(&count), "{samples} {size:?} {count}");
                 assert!(grids.iter().all(|g| g.samples().iter().all(|&s| s <= 8192)), "{size:?}");
             }
         }
         let at = |seed| {
-            Sampling { samples: 8, seed }.grids([8192; 2], MOST_SAMPLES, 8192).map(|g| g.offset).collect::<Vec<_>>()
+            Sampling { samples: 8, seed }
+                .grids([8192; 2], MAX_SAMPLES_PER_FRAME, 8192)
+                .map(|g| g.offset)
+                .collect::<Vec<_>>()
         };
         assert_ne!(at(1), at(2));
         let mean = at(3).iter().map(|o| o[0]).sum::<f64>() / 8.0;

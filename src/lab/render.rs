@@ -6,7 +6,7 @@ use crate::gpu::{Gpu, readback};
 use crate::ocean::still::{FORMAT, on_film, picture_of};
 use crate::ocean::{Film, Ocean};
 use crate::state::Params;
-use crate::state::views::{Shown, Surface, ViewChoice};
+use crate::state::views::{DisplayedView, SurfaceView, ViewChoice};
 use exr::prelude::*;
 use std::path::Path;
 
@@ -93,7 +93,7 @@ async fn write_layers(
 ) -> std::result::Result<(), String> {
     let light = light_of(gpu, ocean).await?;
     let mut view = params.clone();
-    view.look.view = ViewChoice { shown: Shown::Surface(Surface::Normals), cascade: 0 };
+    view.look.view = ViewChoice { displayed: DisplayedView::Surface(SurfaceView::Normals), cascade: 0 };
     ocean.set_params(&view);
     let mut encoder = gpu.encoder("layers");
     ocean.encode_fully(&mut encoder, size);

@@ -1,13 +1,13 @@
 //! `seastate stats`: statistics of a sea by theory, of the waves on the FFT grids (resolved), and measured on the GPU.
 
 use super::ensemble::{self, MeasuredStatistics};
-use super::estimate::Estimate;
+use super::estimate::EstimateWithError;
 use crate::gpu::Gpu;
 use crate::shaders::Shaders;
 use crate::sim::Simulation;
 use crate::state::{Params, query};
 use crate::waves::Plan;
-use crate::waves::statistics::{Resolved, Theory};
+use crate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
 use serde_json::{Value, json};
 use std::fmt;
 
@@ -16,8 +16,8 @@ use std::fmt;
 pub struct SeaStatistics {
     params: Params,
     plan: Plan,
-    theory: Theory,
-    resolved: Resolved,
+    theory: SpectrumStatistics,
+    resolved: LatticeStatistics,
     measured: MeasuredStatistics,
     /// Mean foam coverage measured with the first seed, 0 to 1.
     whitecap_fraction: f64,
@@ -29,8 +29,8 @@ pub struct SeaStatistics {
 /// If reading back from the GPU fails.
 pub async fn run(gpu: &Gpu, params: &Params, seeds: u32) -> Result<SeaStatistics, String> {
     let plan = Plan::new(params);
-    let theory = Theory::new(&plan);
-    let resolved = Resolved::new(&plan, theory.m0_m2);
+    let theory = SpectrumStatistics::new(&plan);
+    let resolved = LatticeStatistics::new(&plan, theory.m0_m2);
     let mut sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
     let whitecap_fraction = ensemble::mean_foam(gpu, &mut sim, params.clock.t_s).await?;
     let measured = ensemble::measure(gpu, &mut sim, params, seeds, &mut |_, _| ()).await?;
@@ -39,12 +39,12 @@ pub async fn run(gpu: &Gpu, params: &Params, seeds: u32) -> Result<SeaStatistics
 
 impl SeaStatistics {
     /// Statistics by theory, from integrals of the spectrum.
-    pub fn theory(&self) -> &Theory {
+    pub fn theory(&self) -> &SpectrumStatistics {
         &self.theory
     }
 
     /// Statistics of the resolved waves, from sums over the FFT grids of the cascades.
-    pub fn resolved(&self) -> &Resolved {
+    pub fn resolved(&self) -> &LatticeStatistics {
         &self.resolved
     }
 
@@ -75,16 +75,16 @@ impl SeaStatistics {
                 "mean_from_deg": r.mean_from_deg, "spread_deg": r.spread_deg,
             },
             "measured": {
-                "hs_m": m.hs_m.value, "hs_se_m": m.hs_m.error,
-                "mean_m": m.mean_m.value, "mean_se_m": m.mean_m.error,
-                "mss": m.mss.value, "mss_se": m.mss.error,
-                "tm01_s": m.tm01_s.value, "tm01_se_s": m.tm01_s.error,
-                "tm02_s": m.tm02_s.value, "tm02_se_s": m.tm02_s.error,
-                "from_deg": m.from_deg.map(|e| e.value), "from_se_deg": m.from_deg.map(|e| e.error),
-                "r1": m.r1.value, "r1_se": m.r1.error,
-                "spread_deg": m.spread_deg.value, "spread_se_deg": m.spread_deg.error,
-                "skewness": m.skewness.value, "skewness_se": m.skewness.error,
-                "kurtosis": m.kurtosis.value, "kurtosis_se": m.kurtosis.error,
+                "hs_m": m.hs_m.value, "hs_se_m": m.hs_m.standard_error,
+                "mean_m": m.mean_m.value, "mean_se_m": m.mean_m.standard_error,
+                "mss": m.mss.value, "mss_se": m.mss.standard_error,
+                "tm01_s": m.tm01_s.value, "tm01_se_s": m.tm01_s.standard_error,
+                "tm02_s": m.tm02_s.value, "tm02_se_s": m.tm02_s.standard_error,
+                "from_deg": m.from_deg.map(|e| e.value), "from_se_deg": m.from_deg.map(|e| e.standard_error),
+                "r1": m.r1.value, "r1_se": m.r1.standard_error,
+                "spread_deg": m.spread_deg.value, "spread_se_deg": m.spread_deg.standard_error,
+                "skewness": m.skewness.value, "skewness_se": m.skewness.standard_error,
+                "kurtosis": m.kurtosis.value, "kurtosis_se": m.kurtosis.standard_error,
                 "whitecap_fraction": self.whitecap_fraction,
                 "parseval_error": m.parseval_error, "seeds": m.seeds,
             },
@@ -98,7 +98,7 @@ impl fmt::Display for SeaStatistics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (t, r, m) = (&self.theory, &self.resolved, &self.measured);
         let value = |x: f64, digits: usize| format!("{x:.digits$}");
-        let with_error = |e: &Estimate, digits: usize| match e.error {
+        let with_error = |e: &EstimateWithError, digits: usize| match e.standard_error {
             Some(error) => format!("{:.digits$} ± {error:.digits$}", e.value),
             None => value(e.value, digits),
         };

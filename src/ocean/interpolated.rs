@@ -68,7 +68,8 @@ impl Interpolate for WeightedPlans {
 /// A plan whose waves are drawn, with the amplitudes of its cascades.
 #[derive(Clone, Debug)]
 pub struct DrawnSea {
-    /// Plan of the waves; [`crate::point::Heights`] computes heights from it. Its foam parameters may be out of date.
+    /// Plan of the waves; [`crate::point::StrongestWaves`] computes heights from it. Its foam parameters may be out of
+    /// date.
     pub plan: Arc<Plan>,
     /// Amplitude factor of each cascade; 1 except during a transition.
     pub weights: Vec<f64>,

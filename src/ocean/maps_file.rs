@@ -12,7 +12,7 @@ use std::io::Cursor;
 /// # Errors
 /// If the OpenEXR encoder fails.
 pub fn encode(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<Vec<u8>, String> {
-    let chop = plan.sea.lambda().map(|l| l as f32);
+    let chop = plan.sea.choppiness().map(|l| l as f32);
     let n = maps.n;
     let encoding =
         Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };

@@ -140,7 +140,7 @@ impl Ocean {
     fn plan_of(&self, params: &Params, change: Option<SeaChange>) -> Plan {
         match change {
             Some(SeaChange::Waves) => Plan::new(params),
-            Some(SeaChange::Foam | SeaChange::Surface) | None => self.sim.goal().with_surface(&params.sea),
+            Some(SeaChange::Foam | SeaChange::Surface) | None => self.sim.goal().with_surface_and_foam_of(&params.sea),
         }
     }
 
@@ -148,7 +148,7 @@ impl Ocean {
         let plan = self.sim.plan();
         self.appearance.follow(step, |goal| match step.start {
             Some(TransitionKind::Foam) => goal.clone(),
-            Some(TransitionKind::Surface) => goal.with_surface(plan),
+            Some(TransitionKind::Surface) => goal.with_surface_and_foam_of(plan),
             _ => SeaAppearance::new(plan, &params.look),
         });
         self.plans.follow(step, |goal| match step.start {
@@ -293,7 +293,7 @@ impl Ocean {
             look: self.params.look.clone(),
             rides: self.params.camera.mode == CameraMode::Buoy,
             floats: self.poses(),
-            scales: std::array::from_fn(|layer| ColourScale::new(self.params.look.view.shown, plan, layer)),
+            scales: std::array::from_fn(|layer| ColourScale::new(self.params.look.view.displayed, plan, layer)),
             fading: old.map(|old| Fading { finest: old.finest, share: 1.0 - share }),
             mean_foam: self.sim.foam_coverage(),
             cloud_drift_m: sea.clouds_m_s.map(|v| v * self.params.clock.t_s),

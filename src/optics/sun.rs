@@ -16,7 +16,7 @@ fn declination_rad(day: f64, hour: f64) -> f64 {
 
 /// Elevation above the horizon and azimuth (clockwise from north) of the centre of the sun, degrees, without
 /// refraction. `day` is the day of the year from 1. `hour` is true solar time, in which the sun is highest at 12.
-pub fn position_deg(day: f64, hour: f64, latitude_deg: f64) -> [f64; 2] {
+pub fn elevation_azimuth_deg(day: f64, hour: f64, latitude_deg: f64) -> [f64; 2] {
     let (sin_d, cos_d) = declination_rad(day, hour).sin_cos();
     let (sin_l, cos_l) = latitude_deg.to_radians().sin_cos();
     let (sin_h, cos_h) = (TAU * (hour - 12.0) / 24.0).sin_cos();
@@ -65,7 +65,7 @@ mod tests {
             (172.0, -33.87, 32.69, 0.0),
             (80.0, 40.0, 50.0, 180.0),
         ] {
-            let [e, a] = position_deg(day, 12.0, latitude);
+            let [e, a] = elevation_azimuth_deg(day, 12.0, latitude);
             assert!((e - elevation).abs() < 0.5, "{day} {latitude}: {e}");
             let off = (a - azimuth + 180.0).rem_euclid(360.0) - 180.0;
             assert!(off.abs() < 0.5, "{day} {latitude}: {a}");
@@ -76,24 +76,24 @@ mod tests {
     fn rising_and_setting() {
         // At the equinox the sun rises in the east at six everywhere, and sets in the west.
         for latitude in [-60.0, -30.0, 0.0, 45.0, 66.0] {
-            let [e, a] = position_deg(80.0, 6.0, latitude);
+            let [e, a] = elevation_azimuth_deg(80.0, 6.0, latitude);
             assert!(e.abs() < 0.5 && (a - 90.0).abs() < 0.5, "{latitude}: {e} {a}");
-            let [e, a] = position_deg(80.0, 18.0, latitude);
+            let [e, a] = elevation_azimuth_deg(80.0, 18.0, latitude);
             assert!(e.abs() < 0.5 && (a - 270.0).abs() < 0.5, "{latitude}: {e} {a}");
         }
         // London at midsummer: cos H = -tan(51.5) tan(23.44), 8.21 h before noon; cos A = sin(23.44) / cos(51.5).
-        let [e, a] = position_deg(172.0, 12.0 - 8.205, 51.5);
+        let [e, a] = elevation_azimuth_deg(172.0, 12.0 - 8.205, 51.5);
         assert!(e.abs() < 0.5 && (a - 50.3).abs() < 0.5, "{e} {a}");
     }
 
     #[test]
     fn polar_day_and_night() {
         for hour in 0..24 {
-            let [e, _] = position_deg(172.0, f64::from(hour), 80.0);
+            let [e, _] = elevation_azimuth_deg(172.0, f64::from(hour), 80.0);
             assert!((13.0..34.0).contains(&e), "the sun does not set: {e} at {hour} h");
-            let [e, _] = position_deg(355.0, f64::from(hour), 80.0);
+            let [e, _] = elevation_azimuth_deg(355.0, f64::from(hour), 80.0);
             assert!((-34.0..-13.0).contains(&e), "the sun does not rise: {e} at {hour} h");
-            let [e, _] = position_deg(172.0, f64::from(hour), 90.0);
+            let [e, _] = elevation_azimuth_deg(172.0, f64::from(hour), 90.0);
             assert!((e - 23.44).abs() < 0.1, "at the pole it circles: {e} at {hour} h");
         }
     }

@@ -4,15 +4,15 @@
 //! and backscattering from chlorophyll (Morel and Maritorena 2001), absorption from Kd and backscattering.
 
 /// Shortest wavelength of Jerlov's attenuation table, nm.
-const FIRST_NM: f64 = 400.0;
+const FIRST_WAVELENGTH_NM: f64 = 400.0;
 /// Difference between successive wavelengths of Jerlov's attenuation table, nm.
-const STEP_NM: f64 = 25.0;
+const WAVELENGTH_STEP_NM: f64 = 25.0;
 /// Wavelengths that represent the display's red, green and blue, nm.
-const PRIMARIES_NM: [f64; 3] = [610.0, 550.0, 465.0];
-/// Absorption coefficient of pure water at the wavelengths [`PRIMARIES_NM`], 1/m (Pope and Fry 1997).
+const PRIMARY_WAVELENGTHS_NM: [f64; 3] = [610.0, 550.0, 465.0];
+/// Absorption coefficient of pure water at the wavelengths [`PRIMARY_WAVELENGTHS_NM`], 1/m (Pope and Fry 1997).
 const PURE_ABSORPTION: [f64; 3] = [0.2644, 0.0565, 0.0101];
 /// Mean cosine of the angle between downwelling light and the vertical, below the surface.
-const MEAN_COSINE: f64 = 0.9;
+const SCATTERING_MEAN_COSINE: f64 = 0.9;
 /// Fraction of the light scattered by mineral particles of coastal water that goes backward (Petzold 1972).
 const COASTAL_BACKSCATTER: f64 = 0.013;
 
@@ -82,17 +82,17 @@ pub struct WaterOptics {
     /// Absorption coefficient a, 1/m.
     pub absorption: [f64; 3],
     /// Total scattering coefficient b, 1/m.
-    pub scatter: [f64; 3],
+    pub scattering: [f64; 3],
     /// Backscattering coefficient bb, 1/m.
     pub backscatter: [f64; 3],
 }
 
 impl WaterOptics {
     /// Optical properties of one of Jerlov's water types.
-    pub fn of(water_type: WaterType) -> Self {
+    pub fn of_type(water_type: WaterType) -> Self {
         let table = water_type.attenuation();
         let kd = |nm: f64| {
-            let x = (nm - FIRST_NM) / STEP_NM;
+            let x = (nm - FIRST_WAVELENGTH_NM) / WAVELENGTH_STEP_NM;
             let i = (x as usize).min(table.len() - 2);
             table[i] + (x - i as f64) * (table[i + 1] - table[i])
         };
@@ -101,25 +101,25 @@ impl WaterOptics {
         let log = chlorophyll.log10();
         let particles_550 = 0.416 * chlorophyll.powf(0.766);
         let slope = if chlorophyll < 2.0 { 0.5 * (log - 0.3) } else { 0.0 };
-        let mut out = Self { absorption: [0.0; 3], scatter: [0.0; 3], backscatter: [0.0; 3] };
-        for (i, nm) in PRIMARIES_NM.into_iter().enumerate() {
+        let mut out = Self { absorption: [0.0; 3], scattering: [0.0; 3], backscatter: [0.0; 3] };
+        for (i, nm) in PRIMARY_WAVELENGTHS_NM.into_iter().enumerate() {
             let sea_water = 0.00288 * (nm / 500.0).powf(-4.32);
             let share = 0.002 + 0.01 * (0.5 - 0.25 * log) * (nm / 550.0).powf(slope);
             let share = if water_type.is_coastal() { COASTAL_BACKSCATTER } else { share };
-            out.scatter[i] = sea_water + particles_550;
+            out.scattering[i] = sea_water + particles_550;
             out.backscatter[i] = 0.5 * sea_water + share * particles_550;
-            out.absorption[i] = (MEAN_COSINE * kd(nm) - out.backscatter[i]).max(PURE_ABSORPTION[i]);
+            out.absorption[i] = (SCATTERING_MEAN_COSINE * kd(nm) - out.backscatter[i]).max(PURE_ABSORPTION[i]);
         }
         out
     }
 
     /// Optical properties of water between `water_type` (`share` 0) and the next muddier type (`share` 1).
-    pub fn between(water_type: WaterType, share: f64) -> Self {
-        let (a, b) = (Self::of(water_type), Self::of(water_type.next()));
+    pub fn blend_with_next_type(water_type: WaterType, share: f64) -> Self {
+        let (a, b) = (Self::of_type(water_type), Self::of_type(water_type.next()));
         let mix = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|i| a[i].powf(1.0 - share) * b[i].powf(share));
         Self {
             absorption: mix(a.absorption, b.absorption),
-            scatter: mix(a.scatter, b.scatter),
+            scattering: mix(a.scattering, b.scattering),
             backscatter: mix(a.backscatter, b.backscatter),
         }
     }
@@ -127,7 +127,7 @@ impl WaterOptics {
     /// Returns the same water with its absorption changed so that deep water scatters back the linear RGB colour
     /// `colour`, each channel 0 to 1. The value 1 stands for a reflectance of 10 %.
     #[must_use]
-    pub fn with_colour(self, colour: [f64; 3]) -> Self {
+    pub fn with_reflectance_colour(self, colour: [f64; 3]) -> Self {
         let absorption = std::array::from_fn(|i| {
             let r = (0.1 * colour[i]).max(2e-4);
             0.33 * self.backscatter[i] * (1.0 - r) / r
@@ -156,31 +156,31 @@ mod tests {
     #[test]
     fn the_clear_ocean_is_blue_and_the_coast_green() {
         // Morel and Prieur 1977: 4 to 6 % in the blue of the clearest ocean, almost none in the red.
-        let [r, g, b] = WaterOptics::of(WaterType::I).reflectance();
+        let [r, g, b] = WaterOptics::of_type(WaterType::I).reflectance();
         assert!((0.04..0.07).contains(&b) && g < 0.2 * b && r < 0.03 * b, "{r} {g} {b}");
-        let [r, g, b] = WaterOptics::of(WaterType::C3).reflectance();
+        let [r, g, b] = WaterOptics::of_type(WaterType::C3).reflectance();
         assert!(g > b && g > r, "{r} {g} {b}");
-        let [r, g, b] = WaterOptics::of(WaterType::C9).reflectance();
+        let [r, g, b] = WaterOptics::of_type(WaterType::C9).reflectance();
         assert!(r > b && g > b, "{r} {g} {b}");
     }
 
     #[test]
     fn every_step_is_muddier() {
         for pair in WaterType::ALL.windows(2) {
-            let (a, b) = (WaterOptics::of(pair[0]), WaterOptics::of(pair[1]));
-            assert!(a.absorption[2] < b.absorption[2] && a.scatter[1] < b.scatter[1], "{pair:?}");
-            let half = WaterOptics::between(pair[0], 0.5);
+            let (a, b) = (WaterOptics::of_type(pair[0]), WaterOptics::of_type(pair[1]));
+            assert!(a.absorption[2] < b.absorption[2] && a.scattering[1] < b.scattering[1], "{pair:?}");
+            let half = WaterOptics::blend_with_next_type(pair[0], 0.5);
             assert!(a.absorption[2] < half.absorption[2] && half.absorption[2] < b.absorption[2], "{pair:?}");
             assert_eq!(pair[0].next(), pair[1]);
         }
-        assert_eq!(WaterOptics::between(WaterType::Ii, 0.0), WaterOptics::of(WaterType::Ii));
+        assert_eq!(WaterOptics::blend_with_next_type(WaterType::Ii, 0.0), WaterOptics::of_type(WaterType::Ii));
     }
 
     #[test]
     fn attenuation_comes_out_again() {
         // a + bb = 0.9 Kd unless pure water alone absorbs more.
         for water_type in WaterType::ALL {
-            let water = WaterOptics::of(water_type);
+            let water = WaterOptics::of_type(water_type);
             let kd_550 = water_type.attenuation()[6];
             let sum = water.absorption[1] + water.backscatter[1];
             assert!((sum / (0.9 * kd_550) - 1.0).abs() < 0.05, "{water_type:?}: {sum} for {kd_550}");
@@ -189,7 +189,7 @@ mod tests {
 
     #[test]
     fn a_colour_comes_back_as_asked() {
-        let got = WaterOptics::of(WaterType::Ib).with_colour([0.1, 0.5, 1.0]).reflectance();
+        let got = WaterOptics::of_type(WaterType::Ib).with_reflectance_colour([0.1, 0.5, 1.0]).reflectance();
         for (got, want) in got.into_iter().zip([0.01, 0.05, 0.1]) {
             assert!((got - want).abs() < 1e-9);
         }

@@ -33,13 +33,13 @@ pub fn sample_bilinear(level: &MipLevel<'_>, uv: [f64; 2]) -> [Texel; 2] {
 
 /// Jacobian (1 + lx dDx/dx)(1 + lz dDz/dz) - lx lz dDx/dz dDz/dx of the displacement, from the strains dDx/dx, dDz/dz,
 /// dDx/dz, dDz/dx summed over the cascades and the chop factors lx, lz.
-pub fn jacobian([xx, zz, xz, zx]: [f64; 4], [lx, lz]: [f64; 2]) -> f64 {
+pub fn displacement_jacobian([xx, zz, xz, zx]: [f64; 4], [lx, lz]: [f64; 2]) -> f64 {
     (1.0 + lx * xx) * (1.0 + lz * zz) - lx * lz * xz * zx
 }
 
 /// Foam value F (0 to 1) after the time `dt_s` (s) with a constant foam source s (0 to 1): the exact solution of
 /// dF/dt = rate s (1 - F) - F / decay.
-pub fn foam_after(before: f64, source: f64, rate_per_s: f64, decay_s: f64, dt_s: f64) -> f64 {
+pub fn foam_after_step(before: f64, source: f64, rate_per_s: f64, decay_s: f64, dt_s: f64) -> f64 {
     let loss = rate_per_s * source + 1.0 / decay_s;
     let goal = rate_per_s * source / loss;
     goal + (before - goal) * (-loss * dt_s).exp()
@@ -54,10 +54,10 @@ mod tests {
         let run = |rate_hz: i32| {
             (0..10 * rate_hz).fold(0.0, |f, i| {
                 let t = f64::from(i) / f64::from(rate_hz);
-                foam_after(f, if (t as i32) % 3 == 0 { 0.8 } else { 0.0 }, 2.0, 4.0, 1.0 / f64::from(rate_hz))
+                foam_after_step(f, if (t as i32) % 3 == 0 { 0.8 } else { 0.0 }, 2.0, 4.0, 1.0 / f64::from(rate_hz))
             })
         };
         assert!((run(30) / run(144) - 1.0).abs() < 1e-6);
-        assert!(run(30) > 0.0 && (0..1000).fold(0.0, |f, _| foam_after(f, 1.0, 10.0, 4.0, 0.1)) <= 1.0);
+        assert!(run(30) > 0.0 && (0..1000).fold(0.0, |f, _| foam_after_step(f, 1.0, 10.0, 4.0, 0.1)) <= 1.0);
     }
 }

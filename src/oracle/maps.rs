@@ -1,7 +1,7 @@
 //! Reference implementations in f64 of the map passes rows.wgsl, columns.wgsl and mips.wgsl in shaders/waves.
 
 use super::transform::inverse;
-use super::{Complex, Texel, add, cis, map_columns, mul, scale, signed_index, times_i};
+use super::{Complex, Texel, add, map_columns, mul, scale, signed_index, times_i, unit_phasor};
 use crate::waves::plan::{Cascade, Plan};
 use std::f64::consts::TAU;
 
@@ -10,9 +10,9 @@ use std::f64::consts::TAU;
 pub type MapPair = [Vec<Texel>; 2];
 
 /// Complex amplitudes h(k, t) of a cascade's n x n wave vectors at time `t_s` (s), from the initial amplitudes `h0`.
-pub fn evolve(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> Vec<Complex> {
+pub fn evolved_spectrum(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> Vec<Complex> {
     let n = plan.n as usize;
-    let phase_time = plan.phase_time(t_s);
+    let phase_time = plan.time_in_period_u32(t_s);
     (0..n * n)
         .map(|i| {
             let (x, z) = (i % n, i / n);
@@ -20,8 +20,8 @@ pub fn evolve(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> Vec<C
             if ix == 0 && iz == 0 {
                 return [0.0, 0.0];
             }
-            let turns = plan.wave(cascade, (ix * ix + iz * iz) as u32).turns.wrapping_mul(phase_time);
-            let phase = cis(TAU * f64::from(turns) / 4_294_967_296.0);
+            let turns = plan.wave(cascade, (ix * ix + iz * iz) as u32).cycles_per_period.wrapping_mul(phase_time);
+            let phase = unit_phasor(TAU * f64::from(turns) / 4_294_967_296.0);
             let back = h0[(n - z) % n * n + (n - x) % n];
             add(mul(h0[i], [phase[0], -phase[1]]), mul([back[0], -back[1]], phase))
         })
@@ -30,9 +30,9 @@ pub fn evolve(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> Vec<C
 
 /// First half of the inverse Fourier transform: computes the spectra of the eight map channels, packs pairs of real
 /// channels f and g as f + i g, and transforms every row (along x).
-pub fn rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> MapPair {
+pub fn transform_rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> MapPair {
     let n = plan.n as usize;
-    let h = evolve(plan, cascade, h0, t_s);
+    let h = evolved_spectrum(plan, cascade, h0, t_s);
     let packed = |pair: usize, i: usize| -> Texel {
         let (ix, iz) = (signed_index(i % n, n), signed_index(i / n, n));
         let (kx, kz) = (f64::from(ix) * cascade.dk(), f64::from(iz) * cascade.dk());
@@ -40,7 +40,7 @@ pub fn rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> MapPair
         if k == 0.0 {
             return [0.0; 4];
         }
-        let orbit = plan.wave(cascade, (ix * ix + iz * iz) as u32).orbit;
+        let orbit = plan.wave(cascade, (ix * ix + iz * iz) as u32).orbit_axis_ratio;
         // docs/sea.md, "Synthesis": D = i k/|k| coth(k depth) h, dDx/dz = -(kx kz/|k|) coth(k depth) h.
         let h = h[i];
         let pack = |f: Complex, g: Complex| add(f, times_i(g));
@@ -60,14 +60,14 @@ pub fn rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> MapPair
 }
 
 /// Second half of the inverse Fourier transform: transforms every column of the result of [`rows`], unpacks the maps.
-pub fn columns(n: usize, rows: &MapPair) -> MapPair {
+pub fn transform_columns(n: usize, rows: &MapPair) -> MapPair {
     let [displacement, gradients] = [0, 1].map(|pair| map_columns(n, &rows[pair], transform_line));
     // The packed displacement texel is (Dx + i Dz, eta + i dDx/dz).
     [displacement.into_iter().map(|t| [t[0], t[2], t[1], t[3]]).collect(), gradients]
 }
 
 /// Next coarser mip level of an n x n image: each texel is the mean of 2 x 2 texels.
-pub fn mip(n: usize, plane: &[Texel]) -> Vec<Texel> {
+pub fn next_mip_level(n: usize, plane: &[Texel]) -> Vec<Texel> {
     let half = n / 2;
     (0..half * half)
         .map(|i| {
@@ -78,7 +78,7 @@ pub fn mip(n: usize, plane: &[Texel]) -> Vec<Texel> {
 }
 
 /// Slope moments (slope_x^2, slope_z^2, slope_x slope_z, 0) of each texel of a gradient map, divided by `scale`.
-pub fn moments(gradients: &[Texel], scale: f64) -> Vec<Texel> {
+pub fn slope_moments(gradients: &[Texel], scale: f64) -> Vec<Texel> {
     gradients.iter().map(|g| [g[0] * g[0] / scale, g[1] * g[1] / scale, g[0] * g[1] / scale, 0.0]).collect()
 }
 

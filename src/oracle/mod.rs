@@ -32,7 +32,7 @@ fn scale(a: Complex, s: f64) -> Complex {
 }
 
 /// Complex exponential e^{i angle} of an angle in rad.
-fn cis(angle: f64) -> Complex {
+fn unit_phasor(angle: f64) -> Complex {
     [angle.cos(), angle.sin()]
 }
 

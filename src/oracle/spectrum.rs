@@ -6,12 +6,12 @@ use crate::waves::noise;
 use crate::waves::plan::{Cascade, Plan};
 
 /// Initial complex amplitudes h0(k) of all n x n wave vectors of one cascade, m, in FFT order.
-pub fn h0(plan: &Plan, cascade: &Cascade) -> Vec<Complex> {
+pub fn initial_spectrum(plan: &Plan, cascade: &Cascade) -> Vec<Complex> {
     let n = plan.n as usize;
-    (0..n * n).map(|i| wave(plan, cascade, signed_index(i % n, n), signed_index(i / n, n))).collect()
+    (0..n * n).map(|i| initial_amplitude(plan, cascade, signed_index(i % n, n), signed_index(i / n, n))).collect()
 }
 
-fn wave(plan: &Plan, cascade: &Cascade, ix: i32, iz: i32) -> Complex {
+fn initial_amplitude(plan: &Plan, cascade: &Cascade, ix: i32, iz: i32) -> Complex {
     let nyquist = -(plan.n as i32) / 2;
     let k = [f64::from(ix) * cascade.dk(), f64::from(iz) * cascade.dk()];
     let length = k[0].hypot(k[1]);
@@ -28,5 +28,5 @@ fn wave(plan: &Plan, cascade: &Cascade, ix: i32, iz: i32) -> Complex {
         .map(|s| plan.radial_variance(s, cascade, &wave) * s.direction_density(wave.omega, k))
         .sum();
     let amplitude = 0.5 * density.sqrt();
-    noise::gaussian(noise::words(plan.sea.seed, cascade.key, ix, iz)).map(|x| x * amplitude)
+    noise::complex_gaussian(noise::noise_words(plan.sea.seed, cascade.noise_key, ix, iz)).map(|x| x * amplitude)
 }

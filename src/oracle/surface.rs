@@ -29,7 +29,7 @@ impl WaveFields {
 
 /// Blends the shifted copies of a patch at the undisplaced point `at` (x, z), m. `read` returns the displacement and
 /// gradient texels of the patch at a position (x, z) in units of the patch's side.
-pub fn blend(tiling: &Tiling, at: [f64; 2], read: impl Fn([f64; 2]) -> [Texel; 2]) -> WaveFields {
+pub fn blend_patch_copies(tiling: &Tiling, at: [f64; 2], read: impl Fn([f64; 2]) -> [Texel; 2]) -> WaveFields {
     let mut out = WaveFields::default();
     for copy in tiling.blend(at).iter().filter(|c| c.weight > 0.0) {
         let place = [0, 1].map(|i| (at[i] / tiling.patch_m).rem_euclid(1.0) + copy.shift[i]);

@@ -1,7 +1,7 @@
 //! Reference implementation of the inverse discrete Fourier transform without normalisation,
 //! x_j = sum over k of X_k e^{+2 pi i j k / n}.
 
-use super::{Complex, add, cis, map_columns, mul, scale};
+use super::{Complex, add, map_columns, mul, scale, unit_phasor};
 use std::f64::consts::TAU;
 
 /// Inverse Fourier transform of one line of complex numbers, whose length must be a power of two.
@@ -14,7 +14,7 @@ pub fn inverse(line: &[Complex]) -> Vec<Complex> {
     let (even, odd) = (half(0), half(1));
     let mut out = vec![[0.0; 2]; n];
     for j in 0..n / 2 {
-        let twisted = mul(cis(TAU * j as f64 / n as f64), odd[j]);
+        let twisted = mul(unit_phasor(TAU * j as f64 / n as f64), odd[j]);
         out[j] = add(even[j], twisted);
         out[j + n / 2] = add(even[j], scale(twisted, -1.0));
     }
@@ -38,7 +38,7 @@ mod tests {
             let want = line
                 .iter()
                 .enumerate()
-                .fold([0.0; 2], |sum, (k, &x)| add(sum, mul(x, cis(TAU * (j * k) as f64 / 16.0))));
+                .fold([0.0; 2], |sum, (k, &x)| add(sum, mul(x, unit_phasor(TAU * (j * k) as f64 / 16.0))));
             assert!((got[0] - want[0]).abs() + (got[1] - want[1]).abs() < 1e-12);
         }
     }

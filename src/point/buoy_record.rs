@@ -4,9 +4,9 @@ use crate::waves::record;
 use std::collections::VecDeque;
 
 /// Sampling rate of a buoy record, Hz.
-const RATE_HZ: f64 = 4.0;
+const SAMPLE_RATE_HZ: f64 = 4.0;
 /// Longest buoy record, s: half an hour, as is usual for buoys. Older samples are dropped.
-const LENGTH_S: f64 = 1800.0;
+const RECORD_LENGTH_S: f64 = 1800.0;
 /// Time between two computations of the spectrum, s.
 const SPECTRUM_INTERVAL_S: f64 = 10.0;
 /// Longest gap between two samples of a record, s. After a longer gap a new record starts.
@@ -34,22 +34,22 @@ impl BuoyRecord {
         let jumped = last.is_some_and(|last| t_s < last || t_s - last > LONGEST_GAP_S);
         if moved || jumped || last.is_none() {
             *self = Self { place, ..Self::default() };
-            let first = (t_s * RATE_HZ).floor() / RATE_HZ;
+            let first = (t_s * SAMPLE_RATE_HZ).floor() / SAMPLE_RATE_HZ;
             self.samples.push_back([first, height(first)]);
             return;
         }
-        let first = (last.unwrap_or(t_s) * RATE_HZ).round() as i64 + 1;
-        for i in first..=(t_s * RATE_HZ).floor() as i64 {
-            let t = i as f64 / RATE_HZ;
+        let first = (last.unwrap_or(t_s) * SAMPLE_RATE_HZ).round() as i64 + 1;
+        for i in first..=(t_s * SAMPLE_RATE_HZ).floor() as i64 {
+            let t = i as f64 / SAMPLE_RATE_HZ;
             self.samples.push_back([t, height(t)]);
             self.samples_since_spectrum += 1;
         }
-        while self.samples.len() > (LENGTH_S * RATE_HZ) as usize {
+        while self.samples.len() > (RECORD_LENGTH_S * SAMPLE_RATE_HZ) as usize {
             self.samples.pop_front();
         }
-        if self.samples_since_spectrum >= (SPECTRUM_INTERVAL_S * RATE_HZ) as usize {
+        if self.samples_since_spectrum >= (SPECTRUM_INTERVAL_S * SAMPLE_RATE_HZ) as usize {
             let heights: Vec<f64> = self.samples.iter().map(|s| s[1]).collect();
-            self.spectrum = record::spectrum(&heights, RATE_HZ);
+            self.spectrum = record::spectrum(&heights, SAMPLE_RATE_HZ);
             self.samples_since_spectrum = 0;
         }
     }
@@ -61,12 +61,12 @@ impl BuoyRecord {
 
     /// Duration of the record, s.
     pub fn length_s(&self) -> f64 {
-        self.samples.len() as f64 / RATE_HZ
+        self.samples.len() as f64 / SAMPLE_RATE_HZ
     }
 
     /// Whether the newest sample is the latest one at or before the time `t_s` (s).
     pub fn is_current(&self, t_s: f64) -> bool {
-        self.samples.back().is_some_and(|last| (0.0..1.0 / RATE_HZ).contains(&(t_s - last[0])))
+        self.samples.back().is_some_and(|last| (0.0..1.0 / SAMPLE_RATE_HZ).contains(&(t_s - last[0])))
     }
 
     /// Clears the record, for example because another sea is drawn.
@@ -79,7 +79,7 @@ impl BuoyRecord {
     /// Significant wave height of the record, m: four standard deviations of the height. `None` in the first 30 s.
     pub fn hs_m(&self) -> Option<f64> {
         let n = self.samples.len() as f64;
-        if n < 30.0 * RATE_HZ {
+        if n < 30.0 * SAMPLE_RATE_HZ {
             return None;
         }
         let mean = self.samples.iter().map(|s| s[1]).sum::<f64>() / n;

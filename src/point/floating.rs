@@ -1,24 +1,24 @@
 //! Position and attitude of floating buoys and boats on the waves.
 //!
-//! Hulls follow [`Heights`], which sums the strongest of the drawn waves on the CPU, without read-back or delay.
+//! Hulls follow [`StrongestWaves`], which sums the strongest of the drawn waves on the CPU, without read-back or delay.
 
-use super::heights::Heights;
-use crate::state::floats::{Float, FloatKind};
+use super::heights::StrongestWaves;
+use crate::state::floats::{FloatingObject, FloatingObjectKind};
 use crate::waves::Plan;
 use glam::DVec3;
 
 /// Allowed rms error of a hull's height, as a fraction of the significant wave height.
-const HEIGHT_ERROR: f64 = 0.018;
+const MAX_HEIGHT_ERROR_TO_HS: f64 = 0.018;
 /// Number of waves that make a hull pitch and roll: the strongest waves, which are mostly long.
 const TILTING_WAVES: usize = 500;
 /// Largest FFT size whose waves move hulls. A larger FFT would only add short waves.
-const MAX_POINTS: u32 = 128;
+const MAX_FFT_SIZE: u32 = 128;
 
 /// Position and attitude of a floating hull.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HullPose {
     /// Type of the hull.
-    pub kind: FloatKind,
+    pub kind: FloatingObjectKind,
     /// Centre of the waterplane in the world (x, y, z), m.
     pub position_m: [f64; 3],
     /// Unit vector of the hull's upward axis.
@@ -28,10 +28,10 @@ pub struct HullPose {
 }
 
 /// Half the length and half the width of a hull's waterplane, m.
-fn half_size_m(kind: FloatKind) -> [f64; 2] {
+fn half_size_m(kind: FloatingObjectKind) -> [f64; 2] {
     match kind {
-        FloatKind::Buoy => [0.8, 0.8],
-        FloatKind::Boat => [3.2, 1.0],
+        FloatingObjectKind::Buoy => [0.8, 0.8],
+        FloatingObjectKind::Boat => [3.2, 1.0],
     }
 }
 
@@ -39,9 +39,9 @@ fn half_size_m(kind: FloatKind) -> [f64; 2] {
 #[derive(Clone, Debug)]
 pub struct HullWaves {
     /// Waves that lift the hull (heave).
-    exact: Heights,
+    heave_waves: StrongestWaves,
     /// Waves that make the hull pitch and roll.
-    long: Heights,
+    tilt_waves: StrongestWaves,
     /// Unit vector (x, z) that points into the wind.
     upwind: [f64; 2],
     level_m: f64,
@@ -50,38 +50,38 @@ pub struct HullWaves {
 impl HullWaves {
     /// Selects the waves of a planned sea that move hulls.
     pub fn new(plan: &Plan) -> Self {
-        let plan = &plan.coarser(MAX_POINTS);
+        let plan = &plan.with_fft_size_at_most(MAX_FFT_SIZE);
         Self {
-            exact: Heights::for_error(plan, HEIGHT_ERROR * plan.hs_m()),
-            long: Heights::new(plan, TILTING_WAVES),
+            heave_waves: StrongestWaves::for_height_error(plan, MAX_HEIGHT_ERROR_TO_HS * plan.hs_m()),
+            tilt_waves: StrongestWaves::new(plan, TILTING_WAVES),
             upwind: plan.downwind.map(|d| -d),
             level_m: plan.sea.level_m,
         }
     }
 
     /// Waves that give surface heights with an rms error of 1.8 % of the significant wave height.
-    pub fn heights(&self) -> &Heights {
-        &self.exact
+    pub fn heights(&self) -> &StrongestWaves {
+        &self.heave_waves
     }
 
     /// Heave (m above still water), pitch and roll of a hull at time `t_s` (s). `bow` is the unit vector (x, z) towards
     /// the bow. Pitch and roll are the mean slopes of the water along and across the hull.
-    fn heave_pitch_roll(&self, float: &Float, bow: [f64; 2], t_s: f64) -> [f64; 3] {
+    fn heave_pitch_roll(&self, float: &FloatingObject, bow: [f64; 2], t_s: f64) -> [f64; 3] {
         let [length, width] = half_size_m(float.kind);
         let height = |along: f64, across: f64| {
             let x = float.x_m + along * bow[0] - across * bow[1];
             let z = float.z_m + along * bow[1] + across * bow[0];
-            self.long.sample(x, z, t_s).height_m
+            self.tilt_waves.sample(x, z, t_s).height_m
         };
         let pitch = (height(length, 0.0) - height(-length, 0.0)) / (2.0 * length);
         let roll = (height(0.0, width) - height(0.0, -width)) / (2.0 * width);
-        [self.exact.sample(float.x_m, float.z_m, t_s).height_m - self.level_m, pitch, roll]
+        [self.heave_waves.sample(float.x_m, float.z_m, t_s).height_m - self.level_m, pitch, roll]
     }
 }
 
 /// Position and attitude of a hull at time `t_s` (s), with the still water at the height `level_m` (m). During a
 /// cross-fade `seas` holds two seas, each with its amplitude factor. The bow points into the wind of the last sea.
-pub fn hull_pose(seas: &[(&HullWaves, f64)], float: &Float, t_s: f64, level_m: f64) -> HullPose {
+pub fn hull_pose(seas: &[(&HullWaves, f64)], float: &FloatingObject, t_s: f64, level_m: f64) -> HullPose {
     let bow = seas.last().map_or([0.0, -1.0], |(waves, _)| waves.upwind);
     let mut sum = [level_m, 0.0, 0.0];
     for (waves, amplitude) in seas {
@@ -105,8 +105,8 @@ mod tests {
     fn a_hull_lies_on_the_water() {
         let plan = |state: &str| Plan::new(&query::parse(state).0);
         let waves = HullWaves::new(&plan("wind=12&n=64&level=2"));
-        for kind in [FloatKind::Buoy, FloatKind::Boat] {
-            let float = Float { kind, x_m: 30.0, z_m: 7.0 };
+        for kind in [FloatingObjectKind::Buoy, FloatingObjectKind::Boat] {
+            let float = FloatingObject { kind, x_m: 30.0, z_m: 7.0 };
             for t in 0..20 {
                 let pose = hull_pose(&[(&waves, 1.0)], &float, f64::from(t), 2.0);
                 let dot: f64 = (0..3).map(|i| pose.up[i] * pose.forward[i]).sum();
@@ -115,7 +115,12 @@ mod tests {
             }
         }
         let calm = HullWaves::new(&plan("wind=0&n=64"));
-        let pose = hull_pose(&[(&calm, 1.0)], &Float { kind: FloatKind::Boat, x_m: 0.0, z_m: 0.0 }, 3.0, 0.0);
+        let pose = hull_pose(
+            &[(&calm, 1.0)],
+            &FloatingObject { kind: FloatingObjectKind::Boat, x_m: 0.0, z_m: 0.0 },
+            3.0,
+            0.0,
+        );
         assert!((pose.up[1] - 1.0).abs() < 1e-9 && pose.position_m[1].abs() < 1e-9, "{pose:?}");
     }
 }

@@ -4,4 +4,4 @@ pub mod buoy_record;
 pub mod floating;
 pub mod heights;
 
-pub use heights::{Heights, SurfaceSample};
+pub use heights::{StrongestWaves, SurfaceSample};

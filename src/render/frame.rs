@@ -126,7 +126,7 @@ impl FrameCascade {
     /// A cascade for an eye above the world position `foot` (x, z), m. Its maps have `n` texels along a side.
     fn new(cascade: &MapCascade, foot: [f64; 2], n: f64) -> Self {
         Self {
-            tile: cascade.tiling.place(foot).into(),
+            tile: cascade.tiling.lattice_position(foot).into(),
             uv: foot.map(|x| ((x / cascade.patch_m).rem_euclid(1.0) + 0.5 / n) as f32),
             inverse_patch: (1.0 / cascade.patch_m) as f32,
             moment_scale: cascade.moment_scale,
@@ -141,7 +141,7 @@ impl FrameCascade {
     fn ripples(cascade: &MapCascade, share: f64, foot: [f64; 2], n: f64) -> Self {
         let patch_m = cascade.patch_m / RIPPLE_RATIO;
         Self {
-            tile: cascade.tiling.shrunk(RIPPLE_RATIO).place(foot).into(),
+            tile: cascade.tiling.with_smaller_patch(RIPPLE_RATIO).lattice_position(foot).into(),
             // The offset keeps the copies of the cascade and of its ripples from coinciding at the world origin.
             uv: foot.map(|x| ((x / patch_m).rem_euclid(1.0) + 0.381_966) as f32),
             inverse_patch: (1.0 / patch_m) as f32,
@@ -176,7 +176,7 @@ impl FrameUniform {
         let ripples = shown.iter().map(|(cascade, share)| FrameCascade::ripples(cascade, *share, foot, n));
         let cascades = maps.cascades.iter().map(|cascade| FrameCascade::new(cascade, foot, n));
         let levels = maps.foam_levels.iter().map(|level| FrameFoamLevel::new(level, foot, maps.foam_n));
-        let [tx, ty] = view.tan_half;
+        let [tx, ty] = view.tan_half_fov;
         let disc = look.sky.sun_radius_rad().sin().powi(2);
         Self {
             clip_from_relative: view.clip_from_relative().as_mat4(),

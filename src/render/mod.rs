@@ -27,7 +27,7 @@ use crate::gpu::uniform::Uniform;
 use crate::shaders::Shaders;
 use crate::sim::Maps;
 use crate::sim::maps::TilePlace;
-use crate::state::views::Shown;
+use crate::state::views::DisplayedView;
 use film::present::{PresentPass, PresentUniform};
 use frame::{FrameCascade, FrameFoamLevel};
 use scene_group::SceneGroup;
@@ -145,7 +145,7 @@ impl Renderer {
         self.present.write(gpu, scene, size);
         let mesh = mesh(scene, size);
         self.prepare(gpu, maps, scene, &mesh, &FrameUniform::new(scene, maps, &mesh, size));
-        self.shows_view = scene.look.view.shown != Shown::Picture;
+        self.shows_view = scene.look.view.displayed != DisplayedView::Picture;
         if self.shows_view {
             self.record_view(gpu, encoder, maps, scene);
             self.timer.mark(encoder, "view");
@@ -182,7 +182,7 @@ impl Renderer {
     fn record_view(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, maps: &Maps, scene: &Scene) {
         let Some(targets) = &self.targets else { return };
         self.eye.run(encoder, scene, &self.water);
-        if let Shown::Surface(_) = scene.look.view.shown {
+        if let DisplayedView::Surface(_) = scene.look.view.displayed {
             self.water.displace(encoder);
         }
         let make = || ViewPass::new(gpu, &Shaders::default().with_structs(STRUCTS), &self.water, self.target_format);

@@ -64,15 +64,15 @@ impl SeaAppearance {
     pub fn new(plan: &Plan, look: &Look) -> Self {
         let wind_m_s = plan.sea.local().wind_m_s;
         Self {
-            chop: plan.sea.lambda(),
+            chop: plan.sea.choppiness(),
             hs_m: plan.hs_m(),
             depth_m: plan.sea.depth_m,
             level_m: plan.sea.level_m,
             wind_m_s,
             downwind: plan.downwind,
             clouds_m_s: plan.downwind.map(|w| w * CLOUDS_OVER_WIND * wind_m_s),
-            residual: slopes::residual(plan, slopes::resolved(plan)),
-            finest: plan.cascades.last().map_or([0.0; 2], |c| slopes::between(plan, c.k_low, c.k_high)),
+            residual: slopes::residual_slope_variance(plan, slopes::resolved_slope_variance(plan)),
+            finest: plan.cascades.last().map_or([0.0; 2], |c| slopes::slope_variance_between(plan, c.k_low, c.k_high)),
             focusing_m: Self::focusing_m(plan, look),
         }
     }
@@ -81,12 +81,12 @@ impl SeaAppearance {
     pub fn focusing_m(plan: &Plan, look: &Look) -> f64 {
         let reflection = &look.surface.reflection;
         let reach_m = plan.sea.depth_m * (1.0 - reflection.index_air / reflection.index_water);
-        slopes::focusing_m(plan, reach_m.max(0.0))
+        slopes::shortest_caustic_half_wavelength_m(plan, reach_m.max(0.0))
     }
 
     /// This appearance with the choppiness and still-water level of `plan`, whose waves must be the same.
-    pub fn with_surface(&self, plan: &Plan) -> Self {
-        Self { chop: plan.sea.lambda(), level_m: plan.sea.level_m, ..self.clone() }
+    pub fn with_surface_and_foam_of(&self, plan: &Plan) -> Self {
+        Self { chop: plan.sea.choppiness(), level_m: plan.sea.level_m, ..self.clone() }
     }
 
     /// Larger of the two choppiness factors, along x and along z.

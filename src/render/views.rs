@@ -12,7 +12,7 @@ use crate::gpu::uniform::Uniform;
 use crate::shaders::Shaders;
 use crate::sim::Maps;
 use crate::sim::maps::MAX_CASCADES;
-use crate::state::views::{Map, Shown};
+use crate::state::views::{DisplayedView, MapView};
 use crate::waves::colour_scale::STOPS;
 use std::cmp::Reverse;
 
@@ -49,7 +49,7 @@ gpu_struct! {
         size: [f32; 2],
         /// Choppiness: factors on the horizontal displacement along x and z; 1 is linear theory.
         chop: [f32; 2],
-        /// Kind of view: 1 + the discriminant of `Map` or, in the surface pass, of `Surface`.
+        /// Kind of view: 1 + the discriminant of `MapView` or, in the surface pass, of `SurfaceView`.
         kind: u32,
         /// Number of tiles in use.
         tile_count: u32,
@@ -64,27 +64,29 @@ impl ViewUniform {
     fn new(scene: &Scene, maps: &Maps, size: [u32; 2]) -> Self {
         let view = scene.look.view;
         // The shaders number the kinds of view from 1.
-        let kind = match view.shown {
-            Shown::Picture => 0,
-            Shown::Map(map) => 1 + map as u32,
-            Shown::Surface(surface) => 1 + surface as u32,
+        let kind = match view.displayed {
+            DisplayedView::Picture => 0,
+            DisplayedView::Map(map) => 1 + map as u32,
+            DisplayedView::Surface(surface) => 1 + surface as u32,
         };
-        let foam = matches!(view.shown, Shown::Map(Map::Foam | Map::Source));
+        let foam = matches!(view.displayed, DisplayedView::Map(MapView::Foam | MapView::Source));
         // During a cross-fade only the new sea is shown.
         let most = if foam { maps.foam_levels.len() } else { maps.sea().len() };
-        let layers = view.layers(most);
-        let (corners, side) = squares(layers.len() as u32, size);
+        let cascade_layers = view.cascade_layers(most);
+        let (corners, side) = squares(cascade_layers.len() as u32, size);
         let mut tiles = [ViewTile::default(); MAX_CASCADES];
-        for ((tile, layer), corner) in tiles.iter_mut().zip(layers.clone()).zip(corners) {
+        for ((tile, layer), corner) in tiles.iter_mut().zip(cascade_layers.clone()).zip(corners) {
             let scale = scene.scales[layer];
             // The moments map stores slope moments in the unit `moment_scale`.
-            let unit = match view.shown {
-                Shown::Map(Map::MomentXx | Map::MomentZz | Map::MomentXz) => maps.sea()[layer].moment_scale,
+            let unit = match view.displayed {
+                DisplayedView::Map(MapView::MomentXx | MapView::MomentZz | MapView::MomentXz) => {
+                    maps.sea()[layer].moment_scale
+                }
                 _ => 1.0,
             };
-            let first = match view.shown {
-                Shown::Map(Map::InitialSpectrum | Map::Spectrum) => [maps.n / 2; 2],
-                Shown::Map(Map::Foam | Map::Source) => {
+            let first = match view.displayed {
+                DisplayedView::Map(MapView::InitialSpectrum | MapView::Spectrum) => [maps.n / 2; 2],
+                DisplayedView::Map(MapView::Foam | MapView::Source) => {
                     // North-western cell of the level. A cell is stored at its world index modulo the number of cells.
                     let level = maps.foam_levels[layer];
                     let cells = f64::from(maps.foam_n);
@@ -93,9 +95,9 @@ impl ViewUniform {
                 _ => [0; 2],
             };
             // A spectrum is chosen by cascade, a surface view by drawn cascade, any other map by texture layer.
-            let source = match view.shown {
-                Shown::Map(Map::InitialSpectrum | Map::Spectrum) => layer,
-                Shown::Surface(_) => maps.fading + layer,
+            let source = match view.displayed {
+                DisplayedView::Map(MapView::InitialSpectrum | MapView::Spectrum) => layer,
+                DisplayedView::Surface(_) => maps.fading + layer,
                 _ if foam => layer,
                 _ => maps.sea()[layer].layer as usize,
             };
@@ -108,14 +110,14 @@ impl ViewUniform {
                 high: scale.high as f32 / unit,
             };
         }
-        let scale = scene.scales[layers.start.min(MAX_CASCADES - 1)];
+        let scale = scene.scales[cascade_layers.start.min(MAX_CASCADES - 1)];
         Self {
             stops: scale.palette.stops().map(|[r, g, b]| [r, g, b, 1.0]),
             tiles,
             size: size.map(|s| s as f32),
             chop: scene.sea.chop.map(|l| l as f32),
             kind,
-            tile_count: layers.len() as u32,
+            tile_count: cascade_layers.len() as u32,
             logarithmic: u32::from(scale.logarithmic),
             phase_time: maps.phase_time,
         }
@@ -195,7 +197,7 @@ impl ViewPass {
         self.uniform.write(gpu, &ViewUniform::new(scene, maps, targets.size));
         self.show_group = Some(gpu.group("view/show", &self.show_layout, &[TextureView(&targets.hdr)]));
         let mut pass = targets.begin(encoder, false);
-        if let Shown::Surface(_) = scene.look.view.shown {
+        if let DisplayedView::Surface(_) = scene.look.view.displayed {
             pass.set_pipeline(&self.surface);
             pass.set_bind_group(3, &self.surface_group, &[]);
             water.draw_mesh(&mut pass);

@@ -6,7 +6,7 @@ use super::planned_sea::PlannedSea;
 use super::transition::{TransitionKind, TransitionStep};
 use crate::gpu::Gpu;
 use crate::shaders::Shaders;
-use crate::waves::overlap::Overlap;
+use crate::waves::overlap::SeaCovariance;
 use crate::waves::{Plan, SeaChange};
 
 impl Simulation {
@@ -47,7 +47,7 @@ impl Simulation {
         let mut start = None;
         if let Some(plan) = goal {
             self.next = None;
-            if (plan.n, plan.untile) != (self.sea.plan.n, self.sea.plan.untile) {
+            if (plan.n, plan.blends_copies) != (self.sea.plan.n, self.sea.plan.blends_copies) {
                 self.set_plan(gpu, plan, shaders);
                 return TransitionStep::IMMEDIATE;
             }
@@ -88,7 +88,7 @@ impl Simulation {
         let are_maps_new = is_fade && self.resources.switch_sea(gpu, &plan);
         let old = std::mem::replace(&mut self.sea, PlannedSea::new(plan));
         if is_fade {
-            self.overlaps = Overlap::all(&old.plan, &self.sea.plan, t_s).concat();
+            self.overlaps = SeaCovariance::for_all_cascades(&old.plan, &self.sea.plan, t_s).concat();
             self.fading = Some(old);
         } else if kind == TransitionKind::Immediate {
             self.fading = None;

@@ -62,7 +62,7 @@ impl FoamParameters {
     pub fn new(size: u32, plan: &Plan) -> Self {
         let foam = foam::FoamModel::new(plan);
         Self {
-            chop: plan.sea.lambda(),
+            chop: plan.sea.choppiness(),
             sources: std::array::from_fn(|level| foam.source(plan, texel_m(size, level))),
             coverage: foam.coverage,
             decay_s: plan.sea.foam.decay_s,
@@ -195,7 +195,7 @@ impl FoamClock {
             let half_texel = 0.5 / f64::from(maps.n);
             let mut corners = [FoamCorner::default(); MAX_DRAWN];
             for (out, cascade) in corners.iter_mut().zip(&maps.cascades) {
-                out.tile = cascade.tiling.place(corner).into();
+                out.tile = cascade.tiling.lattice_position(corner).into();
                 out.uv = corner.map(|x| ((x / cascade.patch_m).rem_euclid(1.0) + half_texel) as f32);
             }
             FoamLevelUniform {

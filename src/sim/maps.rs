@@ -4,8 +4,8 @@ use super::resources::{MapKind, Resources, array_view};
 use super::transition::{TransitionKind, weights};
 use crate::gpu::layout::gpu_struct;
 use crate::waves::Plan;
-use crate::waves::overlap::Overlap;
-use crate::waves::tiling::{Place, Tiling};
+use crate::waves::overlap::SeaCovariance;
+use crate::waves::tiling::{LatticePosition, Tiling};
 use std::f64::consts::TAU;
 
 /// Largest number of cascades of one sea.
@@ -20,15 +20,15 @@ gpu_struct! {
     #[derive(Default)]
     pub struct TilePlace as "TilePlace" {
         /// Cosine and sine of the lattice's rotation, divided by the side of its triangles, 1/m.
-        pub turn: [f32; 2],
+        pub scaled_rotation: [f32; 2],
         /// Fractional part of the point's lattice coordinates, 0 to 1.
-        pub rest: [f32; 2],
+        pub fraction: [f32; 2],
         /// Integer part of the point's lattice coordinates, wrapped to 32 bits.
         pub cell: [i32; 2],
         /// Seed of the hash that chooses the shift of each copy of the patch.
         pub key: u32,
         /// 1 if shifted copies of the patch are blended, 0 if the patch repeats periodically.
-        pub on: u32,
+        pub blends_copies: u32,
     }
 }
 
@@ -91,14 +91,14 @@ pub struct MapCascade {
     pub gain: f32,
 }
 
-impl From<Place> for TilePlace {
-    fn from(place: Place) -> Self {
+impl From<LatticePosition> for TilePlace {
+    fn from(place: LatticePosition) -> Self {
         Self {
-            turn: place.tiling.turn.map(|x| x as f32),
-            rest: place.rest.map(|x| x as f32),
+            scaled_rotation: place.tiling.scaled_rotation.map(|x| x as f32),
+            fraction: place.fraction.map(|x| x as f32),
             cell: place.cell,
-            key: place.tiling.key,
-            on: u32::from(place.tiling.on),
+            key: place.tiling.hash_key,
+            blends_copies: u32::from(place.tiling.blends_copies),
         }
     }
 }
@@ -156,7 +156,7 @@ impl Maps {
     }
 
     /// Sets the cross-fade weight of each cascade. `share` is the current sea's fraction of the total variance, 0 to 1.
-    pub(super) fn weigh(&mut self, overlaps: &[Overlap], share: f64) {
+    pub(super) fn weigh(&mut self, overlaps: &[SeaCovariance], share: f64) {
         let fading = self.fading;
         for (i, cascade) in self.cascades.iter_mut().enumerate() {
             let overlap = overlaps.get(i).copied().unwrap_or_default();

@@ -22,7 +22,7 @@ use crate::gpu::readback;
 use crate::gpu::timer::Timer;
 use crate::shaders::Shaders;
 use crate::waves::Plan;
-use crate::waves::overlap::Overlap;
+use crate::waves::overlap::SeaCovariance;
 use foam::{FoamClock, FoamParameters, FoamStep};
 use passes::Passes;
 use planned_sea::{Evaluation, EvaluationSlot, PlannedSea};
@@ -43,7 +43,7 @@ pub struct Simulation {
     next: Option<Plan>,
     transition: Transition,
     /// Covariance of the two seas of a cross-fade, for each drawn cascade. Empty without a cross-fade.
-    overlaps: Vec<Overlap>,
+    overlaps: Vec<SeaCovariance>,
     /// GPU buffers and textures. Public, so that the laboratory and the tests can replace the input of a pass.
     pub resources: Resources,
     /// Compute passes. Public, so that the laboratory and the tests can run each pass alone.
@@ -244,7 +244,7 @@ impl Simulation {
             self.encode_evaluation(encoder, slot);
         }
         let slot = self.push(evaluation, false);
-        self.maps.phase_time = self.sea.plan.phase_time(t_s);
+        self.maps.phase_time = self.sea.plan.time_in_period_u32(t_s);
         self.encode_evaluation(encoder, slot);
         slot
     }

@@ -2,7 +2,7 @@
 
 use super::maps::{MAX_CASCADES, MapCascade};
 use super::uniforms::{MAX_TERMS, SeaCascade, SeaTerm, SeaUniform};
-use crate::waves::spreading::Cosine;
+use crate::waves::spreading::CosineFactor;
 use crate::waves::system::TermKind;
 use crate::waves::{Plan, table};
 
@@ -44,18 +44,18 @@ pub struct EvaluationSlot {
 impl PlannedSea {
     /// Converts the terms of a plan's directional spectrum to the form that shaders read.
     pub fn new(plan: Plan) -> Self {
-        let (parts, stride) = table::terms(&plan);
+        let (parts, vectors_per_entry) = table::terms(&plan);
         let mut terms = [SeaTerm::default(); MAX_TERMS];
         for (out, part) in terms.iter_mut().zip(&parts) {
             let kind = match part.kind {
-                TermKind::Lobe(Cosine::None) => 0,
-                TermKind::Lobe(Cosine::Full) => 1,
-                TermKind::Lobe(Cosine::Forward) => 2,
+                TermKind::Lobe(CosineFactor::One) => 0,
+                TermKind::Lobe(CosineFactor::Squared) => 1,
+                TermKind::Lobe(CosineFactor::SquaredForward) => 2,
                 TermKind::Measured => 3,
             };
-            *out = SeaTerm { travel: part.travel.map(|x| x as f32), kind, slot: part.slot as u32 };
+            *out = SeaTerm { travel: part.travel.map(|x| x as f32), kind, slot: part.first_vector as u32 };
         }
-        Self { plan, terms, term_count: parts.len() as u32, stride: stride as u32 }
+        Self { plan, terms, term_count: parts.len() as u32, stride: vectors_per_entry as u32 }
     }
 
     /// Uniform for one evaluation of the sea, for the cascades `maps` and the choppiness `chop` along x and z.
@@ -67,7 +67,7 @@ impl PlannedSea {
             *out = SeaCascade {
                 patch_m: cascade.patch_m as f32,
                 dk: cascade.dk() as f32,
-                key: cascade.key,
+                key: cascade.noise_key,
                 moment_scale: map.moment_scale,
             };
             *weight = map.weight;
@@ -80,7 +80,7 @@ impl PlannedSea {
             n: plan.n,
             count: plan.cascades.len() as u32,
             seed: plan.sea.seed,
-            phase_time: plan.phase_time(evaluation.t_s),
+            phase_time: plan.time_in_period_u32(evaluation.t_s),
             keep_f32: u32::from(evaluation.keep_f32),
             term_count: self.term_count,
             stride: self.stride,

@@ -7,7 +7,7 @@ use crate::gpu::map_format::MapFormat;
 use crate::gpu::readback::{self, TextureCopy};
 use crate::shaders::fft::{TWIDDLES, twiddles};
 use crate::waves::Plan;
-use crate::waves::lattice::Wave;
+use crate::waves::lattice::LatticeWave;
 use crate::waves::table::{self, Table};
 use std::ops::Range;
 
@@ -75,7 +75,7 @@ pub struct Waves {
 
 impl Waves {
     fn new(gpu: &Gpu, plan: &Plan, cascades: usize) -> Self {
-        let entries = (table::len(plan.n) * cascades) as u64;
+        let entries = (table::entry_count(plan.n) * cascades) as u64;
         let quadruples = table::terms(plan).1 as u64;
         Self {
             radial: gpu.storage("radial", 16 * entries * quadruples),
@@ -172,11 +172,11 @@ impl Resources {
     pub fn upload_tables(&mut self, gpu: &Gpu, plan: &Plan) -> bool {
         let mut values: Vec<[f32; 4]> = Vec::new();
         let mut waves = Vec::new();
-        for table in Table::all(plan) {
+        for table in Table::for_all_cascades(plan) {
             values.extend(table.values.iter().map(|v| v.map(|x| x as f32)));
             // A table entry outside the cascade's band has no wave, and its wave number k is 0.
-            let slant = |w: &Wave| if w.k > 0.0 { (w.orbit / w.k) as f32 } else { 0.0 };
-            waves.extend(table.waves.iter().map(|w| [w.turns, slant(w).to_bits()]));
+            let slant = |w: &LatticeWave| if w.k > 0.0 { (w.orbit_axis_ratio / w.k) as f32 } else { 0.0 };
+            waves.extend(table.waves.iter().map(|w| [w.cycles_per_period, slant(w).to_bits()]));
         }
         self.tabulations += 1;
         let sea = &mut self.waves[self.current];
@@ -187,7 +187,7 @@ impl Resources {
         // The buffers of the first sea are only large enough for its own cascades.
         let needs_waves = size_of_val(waves.as_slice()) as u64 > sea.wave.size();
         if needs_waves {
-            sea.wave = gpu.storage("wave", (8 * table::len(self.n) * MAX_CASCADES) as u64);
+            sea.wave = gpu.storage("wave", (8 * table::entry_count(self.n) * MAX_CASCADES) as u64);
             sea.h0 = gpu.storage("h0", 8 * points(self.n) * MAX_CASCADES as u64);
         }
         self.allocations += u32::from(needs_radial || needs_waves);

@@ -7,7 +7,7 @@
 //!   fades out. The variances of independent waves add, so amplitude factors are square roots of the weights. Waves
 //!   that both seas contain (waves/overlap.rs) add by amplitude, and the factors are reduced accordingly.
 
-use crate::waves::overlap::Overlap;
+use crate::waves::overlap::SeaCovariance;
 
 /// Duration of a transition, s of wall time.
 pub const TRANSITION_S: f64 = 0.8;
@@ -114,9 +114,9 @@ impl Transition {
 
 /// Amplitude factors of a cascade in the old and in the new sea when the new sea has the fraction `share` of the
 /// variance. The last number is the variance of the blended waves divided by the sum of both variances.
-pub fn weights(overlap: &Overlap, share: f64) -> ([f64; 2], f64) {
-    let excess = overlap.excess(share);
-    ([((1.0 - share) / excess).sqrt(), (share / excess).sqrt()], excess)
+pub fn weights(overlap: &SeaCovariance, share: f64) -> ([f64; 2], f64) {
+    let variance_gain = overlap.variance_gain(share);
+    ([((1.0 - share) / variance_gain).sqrt(), (share / variance_gain).sqrt()], variance_gain)
 }
 
 /// Parameters that can be interpolated between two seas.
@@ -254,9 +254,9 @@ mod tests {
 
     #[test]
     fn independent_seas_keep_their_power_and_common_ones_their_amplitude() {
-        let ([a, b], gain) = weights(&Overlap::default(), 0.3);
+        let ([a, b], gain) = weights(&SeaCovariance::default(), 0.3);
         assert!((a * a + b * b - 1.0).abs() < 1e-12 && gain == 1.0);
-        assert_eq!(weights(&Overlap::default(), 1.0), ([0.0, 1.0], 1.0));
-        assert_eq!(weights(&Overlap::default(), 0.0), ([1.0, 0.0], 1.0));
+        assert_eq!(weights(&SeaCovariance::default(), 1.0), ([0.0, 1.0], 1.0));
+        assert_eq!(weights(&SeaCovariance::default(), 0.0), ([1.0, 0.0], 1.0));
     }
 }

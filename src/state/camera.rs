@@ -20,22 +20,23 @@ pub struct View {
     /// Unit vector of the viewing direction, in world axes.
     pub forward: DVec3,
     /// Tangents of half the horizontal and half the vertical field of view.
-    pub tan_half: [f64; 2],
+    pub tan_half_fov: [f64; 2],
 }
 
 impl View {
-    /// Makes a camera's view. `aspect` is width / height of the picture, `lowest_m` the smallest height of the eye, m.
-    pub fn new(camera: &Camera, aspect: f64, lowest_m: f64) -> Self {
+    /// Makes a camera's view. `aspect` is width / height of the picture, `min_eye_height_m` the smallest height of the
+    /// eye, m.
+    pub fn new(camera: &Camera, aspect: f64, min_eye_height_m: f64) -> Self {
         let (heading, pitch) = (camera.heading_deg.to_radians(), camera.pitch_deg.to_radians());
         let forward = DVec3::new(heading.sin() * pitch.cos(), pitch.sin(), -heading.cos() * pitch.cos());
         let right = DVec3::new(heading.cos(), 0.0, heading.sin());
         let tan_y = (0.5 * camera.fov_deg.to_radians()).tan();
         Self {
-            eye: DVec3::new(camera.x_m, camera.y_m.max(lowest_m), camera.z_m),
+            eye: DVec3::new(camera.x_m, camera.y_m.max(min_eye_height_m), camera.z_m),
             right,
             up: right.cross(forward),
             forward,
-            tan_half: [tan_y * aspect, tan_y],
+            tan_half_fov: [tan_y * aspect, tan_y],
         }
     }
 
@@ -47,7 +48,7 @@ impl View {
             DVec4::new(self.right.z, self.up.z, -self.forward.z, 0.0),
             DVec4::W,
         );
-        let [tx, ty] = self.tan_half;
+        let [tx, ty] = self.tan_half_fov;
         // Depth = near / distance: 1 at the near plane, 0 at infinity.
         let clip = DMat4::from_cols(
             DVec4::new(1.0 / tx, 0.0, 0.0, 0.0),
@@ -60,11 +61,11 @@ impl View {
 
     /// Unit vector from the eye through a point of the picture: (-1, -1) is bottom left, (1, 1) top right.
     pub fn ray(&self, x: f64, y: f64) -> DVec3 {
-        (self.forward + self.right * (x * self.tan_half[0]) + self.up * (y * self.tan_half[1])).normalize()
+        (self.forward + self.right * (x * self.tan_half_fov[0]) + self.up * (y * self.tan_half_fov[1])).normalize()
     }
 
     /// Distance from the eye to the horizon of a spherical Earth without refraction, m.
-    pub fn horizon_m(&self) -> f64 {
+    pub fn horizon_distance_m(&self) -> f64 {
         (2.0 * EARTH_RADIUS_M * self.eye.y.max(0.0)).sqrt()
     }
 }

@@ -1,12 +1,12 @@
 //! Fields: descriptions of parameters (key, label, unit, allowed values, help) with functions to read and write them.
 //!
-//! The macro [`parameters!`] declares a struct of parameters with a field for each member; [`words!`] declares an enum
-//! with a word for each variant. [`fields`](super::fields) collects the fields of all structs in one list.
+//! The macro [`parameters!`] declares a struct of parameters with a field for each member; [`choice_enum!`] declares an
+//! enum with a word for each variant. [`fields`](super::fields) collects the fields of all structs in one list.
 
-use super::text::shortest;
+use super::text::shortest_decimal;
 
 /// Declares an enum with a word for each variant, such as the texts of a [`FieldKind::Choice`] in a state string.
-macro_rules! words {
+macro_rules! choice_enum {
     (
         $(#[$doc:meta])*
         pub enum $name:ident { $($(#[$variant_doc:meta])* $variant:ident = $word:literal),+ $(,)? }
@@ -39,7 +39,7 @@ macro_rules! words {
     };
 }
 
-/// Declares a struct of parameters, its `Default`, and a [`FieldOf`] that describes each member.
+/// Declares a struct of parameters, its `Default`, and a [`FieldDescription`] that describes each member.
 ///
 /// A member is written `name: type = default => ("key", "Label", "unit", kind)`. An optional fifth entry is the word
 /// that stands for the value 0, such as "auto". The doc comment of a member is also the help text that users read. A
@@ -51,7 +51,7 @@ macro_rules! parameters {
             $(
                 $(#[doc = $help:literal])+
                 $member:ident: $type:ty = $default:expr
-                $(=> ($key:literal, $label:literal, $unit:literal, $kind:expr $(, $zero:literal)?))?
+                $(=> ($key:literal, $label:literal, $unit:literal, $kind:expr $(, $zero_word:literal)?))?
             ),+ $(,)?
         }
     ) => {
@@ -71,10 +71,10 @@ macro_rules! parameters {
                 group: $crate::state::field::Group,
                 part: fn(&P) -> &Self,
                 part_mut: fn(&mut P) -> &mut Self,
-            ) -> Vec<$crate::state::field::FieldOf<P>> {
+            ) -> Vec<$crate::state::field::FieldDescription<P>> {
                 let fields = [$(
                     parameters!(@field group, part, part_mut, $member, ($($help)+)
-                        $(, $key, $label, $unit, $kind $(, $zero)?)?)
+                        $(, $key, $label, $unit, $kind $(, $zero_word)?)?)
                 ),+];
                 fields.into_iter().flatten().collect()
             }
@@ -85,15 +85,15 @@ macro_rules! parameters {
     };
     (
         @field $group:ident, $part:ident, $part_mut:ident, $member:ident, ($($help:literal)+),
-        $key:literal, $label:literal, $unit:literal, $kind:expr $(, $zero:literal)?
+        $key:literal, $label:literal, $unit:literal, $kind:expr $(, $zero_word:literal)?
     ) => {
-        Some($crate::state::field::FieldOf {
+        Some($crate::state::field::FieldDescription {
             key: $key,
             label: $label,
             unit: $unit,
             group: $group,
             kind: $kind,
-            zero: concat!($($zero)?),
+            zero_word: concat!($($zero_word)?),
             // Each line of a doc comment begins with a space, which also separates the lines.
             help: concat!($($help),+).trim_start(),
             get: Box::new(move |p| $crate::state::field::FieldValue::to_f64($part(p).$member)),
@@ -102,9 +102,9 @@ macro_rules! parameters {
     };
 }
 
-pub(super) use {parameters, words};
+pub(super) use {choice_enum, parameters};
 
-words! {
+choice_enum! {
     /// Section of the control panel in which a parameter appears, in the panel's order. The words are the headings.
     pub enum Group {
         /// First wave system: wind, spectrum and directional spreading.
@@ -186,7 +186,7 @@ pub(super) const fn integer(min: u32, max: u32) -> FieldKind {
 }
 
 /// White as 0xRRGGBB, which is the largest value of a [`FieldKind::Colour`].
-pub(super) const WHITE: f64 = 0x00ff_ffff as f64;
+pub(super) const WHITE_RGB: f64 = 0x00ff_ffff as f64;
 
 /// Converts an sRGB colour 0xRRGGBB to linear red, green and blue, each 0 to 1 (IEC 61966-2-1).
 pub fn linear_rgb(colour: f64) -> [f64; 3] {
@@ -197,11 +197,11 @@ pub fn linear_rgb(colour: f64) -> [f64; 3] {
     })
 }
 
-/// Type of a parameter, with conversions to and from f64, in which [`FieldOf`] carries all values.
+/// Type of a parameter, with conversions to and from f64, in which [`FieldDescription`] carries all values.
 pub(super) trait FieldValue: Copy {
     /// Converts the value to f64: a choice to its index, a flag to 0 or 1.
     fn to_f64(self) -> f64;
-    /// Converts back from an f64 that [`FieldOf::accept`] or [`FieldOf::parse`] returned.
+    /// Converts back from an f64 that [`FieldDescription::accept`] or [`FieldDescription::parse`] returned.
     fn from_f64(value: f64) -> Self;
 }
 
@@ -236,7 +236,7 @@ impl FieldValue for bool {
 }
 
 /// Description of one parameter in the parameter set `P`.
-pub struct FieldOf<P> {
+pub struct FieldDescription<P> {
     /// Key of the parameter in the state string, such as `wind`.
     pub key: &'static str,
     /// Label of the parameter in the control panel.
@@ -248,7 +248,7 @@ pub struct FieldOf<P> {
     /// Type and range of the allowed values.
     pub kind: FieldKind,
     /// Word for the value 0 where 0 has a special meaning, such as "auto" or "off"; else empty.
-    pub zero: &'static str,
+    pub zero_word: &'static str,
     /// Help text: meaning of the parameter, and the paper that it comes from.
     pub help: &'static str,
     /// Reads the value of the parameter from the set `P`.
@@ -259,26 +259,26 @@ pub struct FieldOf<P> {
 
 /// How a value that is not allowed was treated.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Refusal {
+pub enum InvalidValue {
     /// The value has no meaning for this parameter and is ignored.
     Ignored,
     /// The value is outside the allowed range; the nearest allowed value, given here, is taken instead.
     Clamped(f64),
 }
 
-impl<P: Default> FieldOf<P> {
+impl<P: Default> FieldDescription<P> {
     /// Default value of the parameter, from `P::default()`.
     pub fn default_value(&self) -> f64 {
         (self.get)(&P::default())
     }
 }
 
-impl<P> FieldOf<P> {
+impl<P> FieldDescription<P> {
     /// Checks a value and returns it if it is allowed; headings are wrapped. Otherwise returns the nearest allowed
-    /// value as [`Refusal::Clamped`], or [`Refusal::Ignored`] for NaN and infinities.
-    pub fn accept(&self, value: f64) -> Result<f64, Refusal> {
+    /// value as [`InvalidValue::Clamped`], or [`InvalidValue::Ignored`] for NaN and infinities.
+    pub fn accept(&self, value: f64) -> Result<f64, InvalidValue> {
         if !value.is_finite() {
-            return Err(Refusal::Ignored);
+            return Err(InvalidValue::Ignored);
         }
         let taken = match self.kind {
             FieldKind::Number { min, max, .. } => value.clamp(min, max) + 0.0, // + 0.0 turns -0 into 0
@@ -286,30 +286,30 @@ impl<P> FieldOf<P> {
             FieldKind::Integer { min, max } => value.round().clamp(min.into(), max.into()),
             FieldKind::Choice(words) => value.round().clamp(0.0, words.len() as f64 - 1.0),
             FieldKind::Flag => f64::from(u8::from(value != 0.0)),
-            FieldKind::Colour => value.round().clamp(0.0, WHITE),
+            FieldKind::Colour => value.round().clamp(0.0, WHITE_RGB),
         };
-        if taken == value { Ok(taken) } else { Err(Refusal::Clamped(taken)) }
+        if taken == value { Ok(taken) } else { Err(InvalidValue::Clamped(taken)) }
     }
 
     /// Parses a value in a state string: a word of a choice, a flag, a hexadecimal colour or a number.
-    pub fn parse(&self, text: &str) -> Result<f64, Refusal> {
+    pub fn parse(&self, text: &str) -> Result<f64, InvalidValue> {
         let text = text.trim();
         match self.kind {
             FieldKind::Choice(words) => {
-                words.iter().position(|w| w.eq_ignore_ascii_case(text)).map(|i| i as f64).ok_or(Refusal::Ignored)
+                words.iter().position(|w| w.eq_ignore_ascii_case(text)).map(|i| i as f64).ok_or(InvalidValue::Ignored)
             }
             FieldKind::Flag => match text {
                 "1" | "true" | "yes" | "on" | "" => Ok(1.0),
                 "0" | "false" | "no" | "off" => Ok(0.0),
-                _ => Err(Refusal::Ignored),
+                _ => Err(InvalidValue::Ignored),
             },
-            FieldKind::Colour if !self.zero.is_empty() && text.eq_ignore_ascii_case(self.zero) => Ok(0.0),
+            FieldKind::Colour if !self.zero_word.is_empty() && text.eq_ignore_ascii_case(self.zero_word) => Ok(0.0),
             FieldKind::Colour => {
                 let digits = text.strip_prefix('#').unwrap_or(text);
                 let hex = digits.len() == 6 && digits.bytes().all(|b| b.is_ascii_hexdigit());
-                u32::from_str_radix(digits, 16).ok().filter(|_| hex).map(f64::from).ok_or(Refusal::Ignored)
+                u32::from_str_radix(digits, 16).ok().filter(|_| hex).map(f64::from).ok_or(InvalidValue::Ignored)
             }
-            _ => self.accept(text.parse().map_err(|_| Refusal::Ignored)?),
+            _ => self.accept(text.parse().map_err(|_| InvalidValue::Ignored)?),
         }
     }
 
@@ -317,22 +317,22 @@ impl<P> FieldOf<P> {
     pub fn format(&self, value: f64) -> String {
         match self.kind {
             FieldKind::Choice(words) => words.get(value as usize).copied().unwrap_or_default().to_owned(),
-            FieldKind::Colour if value == 0.0 && !self.zero.is_empty() => self.zero.to_owned(),
+            FieldKind::Colour if value == 0.0 && !self.zero_word.is_empty() => self.zero_word.to_owned(),
             FieldKind::Colour => format!("{:06x}", value as u32),
-            _ => shortest(value),
+            _ => shortest_decimal(value),
         }
     }
 
     /// Describes the allowed values for help texts and tooltips, such as "0 (auto) to 30".
     pub fn range(&self) -> String {
-        let zero = if self.zero.is_empty() { String::new() } else { format!(" ({})", self.zero) };
+        let zero_word = if self.zero_word.is_empty() { String::new() } else { format!(" ({})", self.zero_word) };
         match self.kind {
-            FieldKind::Number { min, max, .. } => format!("{min}{zero} to {max}"),
+            FieldKind::Number { min, max, .. } => format!("{min}{zero_word} to {max}"),
             FieldKind::Heading => "0 to 360".to_owned(),
-            FieldKind::Integer { min, max } => format!("{min}{zero} to {max}"),
+            FieldKind::Integer { min, max } => format!("{min}{zero_word} to {max}"),
             FieldKind::Choice(words) => words.join(", "),
             FieldKind::Flag => "0 or 1".to_owned(),
-            FieldKind::Colour if !self.zero.is_empty() => format!("{}, or a colour as rrggbb", self.zero),
+            FieldKind::Colour if !self.zero_word.is_empty() => format!("{}, or a colour as rrggbb", self.zero_word),
             FieldKind::Colour => "a colour as rrggbb".to_owned(),
         }
     }

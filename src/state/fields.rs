@@ -1,15 +1,15 @@
 //! List of all parameters, the source of the state string, the panel, the command-line help and property tests.
 
-use super::field::{FieldOf, number};
+use super::field::{FieldDescription, number};
 use super::look::{BedLook, FilmLook, FoamLook, Look, Reflection, Scattering, SkyLook};
 use super::params::{Camera, Clock, Foam, Grid, Params, PatchOverride, Screen, Sea, System};
 use super::views::ViewChoice;
 use std::sync::LazyLock;
 
-pub use super::field::{FieldKind, Group, Refusal, linear_rgb};
+pub use super::field::{FieldKind, Group, InvalidValue, linear_rgb};
 
 /// Description of one parameter of [`Params`].
-pub type Field = FieldOf<Params>;
+pub type Field = FieldDescription<Params>;
 
 /// Every parameter, in the order in which the state string writes them.
 pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
@@ -21,7 +21,7 @@ pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
     }
     let parts = [
         part!(System, Sea, sea.systems[0]),
-        numbered(2, part!(System, Swell, sea.systems[1])),
+        number_keys(2, part!(System, Swell, sea.systems[1])),
         part!(Sea, Water, sea),
         part!(Foam, Foam, sea.foam),
         part!(SkyLook, Sky, look.sky),
@@ -33,21 +33,21 @@ pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
         part!(Look, View, look),
         part!(ViewChoice, View, look.view),
         part!(Camera, Camera, camera),
-        vec![loop_time()],
+        vec![loop_time_field()],
         part!(Clock, Clock, clock),
-        vec![fft_size()],
+        vec![fft_size_field()],
         part!(Grid, Grid, grid),
-        patch(1, part!(PatchOverride, Grid, grid.patches[0])),
-        patch(2, part!(PatchOverride, Grid, grid.patches[1])),
-        patch(3, part!(PatchOverride, Grid, grid.patches[2])),
-        patch(4, part!(PatchOverride, Grid, grid.patches[3])),
+        number_cascade_fields(1, part!(PatchOverride, Grid, grid.patches[0])),
+        number_cascade_fields(2, part!(PatchOverride, Grid, grid.patches[1])),
+        number_cascade_fields(3, part!(PatchOverride, Grid, grid.patches[2])),
+        number_cascade_fields(4, part!(PatchOverride, Grid, grid.patches[3])),
         part!(Screen, Screen, screen),
     ];
     parts.into_iter().flatten().collect()
 });
 
 /// Appends a number to the keys of fields, as in `wind2`. The new keys are leaked once, when [`FIELDS`] is made.
-fn numbered(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
+fn number_keys(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
     for field in &mut fields {
         field.key = format!("{}{number}", field.key).leak();
     }
@@ -55,22 +55,22 @@ fn numbered(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
 }
 
 /// Appends the number of a cascade to the keys and labels of its fields, as in `patch1` and "Patch 1".
-fn patch(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
+fn number_cascade_fields(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
     for field in &mut fields {
         field.label = format!("{} {number}", field.label).leak();
     }
-    numbered(number, fields)
+    number_keys(number, fields)
 }
 
 /// Field of the period [`Sea::loop_s`] after which the sea repeats: a parameter of the sea, shown with the time.
-fn loop_time() -> Field {
+fn loop_time_field() -> Field {
     Field {
         key: "loop",
         label: "Loop",
         unit: "s",
         group: Group::Clock,
         kind: number(0.0, 3600.0),
-        zero: "none",
+        zero_word: "none",
         help: "Period after which the sea repeats; 0 (none) is a day. Wave frequencies become multiples of 1/period.",
         get: Box::new(|p| p.sea.loop_s),
         set: Box::new(|p, value| p.sea.loop_s = value),
@@ -78,18 +78,18 @@ fn loop_time() -> Field {
 }
 
 /// Field of the FFT size [`Grid::n`], a whole number with five allowed values.
-fn fft_size() -> Field {
-    const SIZES: [u32; 5] = [64, 128, 256, 512, 1024];
+fn fft_size_field() -> Field {
+    const FFT_SIZES: [u32; 5] = [64, 128, 256, 512, 1024];
     Field {
         key: "n",
         label: "FFT size",
         unit: "",
         group: Group::Grid,
         kind: FieldKind::Choice(&["64", "128", "256", "512", "1024"]),
-        zero: "",
+        zero_word: "",
         help: "Samples along one side of a cascade. More samples add shorter waves and never change the longer ones.",
-        get: Box::new(|p| SIZES.iter().position(|&n| n == p.grid.n).unwrap_or(2) as f64),
-        set: Box::new(|p, value| p.grid.n = SIZES[value as usize]),
+        get: Box::new(|p| FFT_SIZES.iter().position(|&n| n == p.grid.n).unwrap_or(2) as f64),
+        set: Box::new(|p, value| p.grid.n = FFT_SIZES[value as usize]),
     }
 }
 

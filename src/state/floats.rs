@@ -1,14 +1,14 @@
 //! Floating objects (moored buoys and boats): their kind, their position, and their text in the state string.
 
-use super::field::words;
-use super::text::shortest;
+use super::field::choice_enum;
+use super::text::shortest_decimal;
 
 /// Largest number of floating objects in one state.
-pub const MAX_FLOATS: usize = 16;
+pub const MAX_FLOATING_OBJECTS: usize = 16;
 
-words! {
+choice_enum! {
     /// Kind of a floating object.
-    pub enum FloatKind {
+    pub enum FloatingObjectKind {
         /// A moored buoy, 3 m high.
         Buoy = "buoy",
         /// A small open boat, 7 m long, with its bow to the waves.
@@ -18,9 +18,9 @@ words! {
 
 /// A floating object, moored at a fixed horizontal position.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Float {
+pub struct FloatingObject {
     /// Kind of the object: buoy or boat.
-    pub kind: FloatKind,
+    pub kind: FloatingObjectKind,
     /// Position of the mooring east of the world origin, m.
     pub x_m: f64,
     /// Position of the mooring south of the world origin, m.
@@ -31,19 +31,19 @@ pub struct Float {
 ///
 /// # Errors
 /// Returns one sentence that says what is wrong with the text.
-pub fn read(text: &str) -> Result<Vec<Float>, String> {
-    let one = |part: &str| -> Option<Float> {
+pub fn read(text: &str) -> Result<Vec<FloatingObject>, String> {
+    let one = |part: &str| -> Option<FloatingObject> {
         let mut parts = part.split('*');
         let word = parts.next()?;
-        let kind = FloatKind::ALL.into_iter().find(|kind| kind.word().eq_ignore_ascii_case(word))?;
+        let kind = FloatingObjectKind::ALL.into_iter().find(|kind| kind.word().eq_ignore_ascii_case(word))?;
         let mut metres = || parts.next()?.trim().parse::<f64>().ok().filter(|x| x.is_finite() && x.abs() <= 1e6);
-        let float = Float { kind, x_m: metres()?, z_m: metres()? };
+        let float = FloatingObject { kind, x_m: metres()?, z_m: metres()? };
         parts.next().is_none().then_some(float)
     };
     let mut floats = Vec::new();
     for part in text.split('_').filter(|p| !p.is_empty()) {
-        if floats.len() == MAX_FLOATS {
-            return Err(format!("more than {MAX_FLOATS} objects float"));
+        if floats.len() == MAX_FLOATING_OBJECTS {
+            return Err(format!("more than {MAX_FLOATING_OBJECTS} objects float"));
         }
         floats.push(one(part).ok_or("an object is buoy or boat, metres east and metres south, joined by *")?);
     }
@@ -51,8 +51,8 @@ pub fn read(text: &str) -> Result<Vec<Float>, String> {
 }
 
 /// Formats floating objects for a state string; [`read`] is the inverse.
-pub fn write(floats: &[Float]) -> String {
-    let one = |f: &Float| format!("{}*{}*{}", f.kind.word(), shortest(f.x_m), shortest(f.z_m));
+pub fn write(floats: &[FloatingObject]) -> String {
+    let one = |f: &FloatingObject| format!("{}*{}*{}", f.kind.word(), shortest_decimal(f.x_m), shortest_decimal(f.z_m));
     floats.iter().map(one).collect::<Vec<_>>().join("_")
 }
 
@@ -63,8 +63,8 @@ mod tests {
     #[test]
     fn a_list_is_read_back() {
         let floats = [
-            Float { kind: FloatKind::Buoy, x_m: 12.5, z_m: -30.0 },
-            Float { kind: FloatKind::Boat, x_m: 0.0, z_m: 40.0 },
+            FloatingObject { kind: FloatingObjectKind::Buoy, x_m: 12.5, z_m: -30.0 },
+            FloatingObject { kind: FloatingObjectKind::Boat, x_m: 0.0, z_m: 40.0 },
         ];
         assert_eq!(write(&floats), "buoy*12.5*-30_boat*0*40");
         assert_eq!(read("buoy*12.5*-30_boat*0*40").as_deref(), Ok(&floats[..]));
@@ -72,6 +72,6 @@ mod tests {
         for bad in ["raft*1*2", "buoy", "buoy*1", "buoy*1*2*3", "buoy*NaN*0", "buoy*1e9*0", "*", "buoy*1*2 boat"] {
             assert!(read(bad).is_err(), "{bad}");
         }
-        assert!(read(&"buoy*1*2_".repeat(MAX_FLOATS + 1)).is_err());
+        assert!(read(&"buoy*1*2_".repeat(MAX_FLOATING_OBJECTS + 1)).is_err());
     }
 }

@@ -6,13 +6,13 @@ use super::params::{Camera, CameraMode};
 use glam::DVec3;
 
 /// Smallest height of the camera above the still water, m.
-const LOWEST_M: f64 = 1.0;
+const MIN_EYE_HEIGHT_M: f64 = 1.0;
 /// Largest height of the camera above the still water, m.
-const HIGHEST_M: f64 = 5000.0;
-/// Largest distance from the camera to the pivot of an orbit, in camera heights; [`FAR_M`] is added.
-const FAR_HEIGHTS: f64 = 12.0;
-/// Distance that is added to [`FAR_HEIGHTS`] camera heights for the largest distance to the pivot of an orbit, m.
-const FAR_M: f64 = 30.0;
+const MAX_EYE_HEIGHT_M: f64 = 5000.0;
+/// Largest distance from the camera to the pivot of an orbit, in camera heights; [`MAX_PIVOT_OFFSET_M`] is added.
+const MAX_PIVOT_HEIGHTS: f64 = 12.0;
+/// Distance that is added to [`MAX_PIVOT_HEIGHTS`] camera heights for the largest distance to the pivot of an orbit, m.
+const MAX_PIVOT_OFFSET_M: f64 = 30.0;
 
 /// A named camera view of the sea, which a button of the panel selects.
 pub struct NamedView {
@@ -24,29 +24,33 @@ pub struct NamedView {
 }
 
 /// All named camera views. Each keeps the horizontal position and sets height, pitch and field of view; some turn too.
-pub const VIEWS: &[NamedView] = &[
-    NamedView { name: "Deck", about: "Seven metres up, as at the start.", camera: |p| seen(p, 7.0, -4.0, 50.0) },
+pub const CAMERA_VIEWS: &[NamedView] = &[
+    NamedView { name: "Deck", about: "Seven metres up, as at the start.", camera: |p| camera_with(p, 7.0, -4.0, 50.0) },
     NamedView {
         name: "Swimmer",
         about: "An eye just above the water, riding on it.",
-        camera: |p| Camera { mode: CameraMode::Buoy, ..seen(p, 1.0, 2.0, 60.0) },
+        camera: |p| Camera { mode: CameraMode::Buoy, ..camera_with(p, 1.0, 2.0, 60.0) },
     },
-    NamedView { name: "Bridge", about: "From the bridge of a large ship.", camera: |p| seen(p, 28.0, -8.0, 50.0) },
+    NamedView {
+        name: "Bridge",
+        about: "From the bridge of a large ship.",
+        camera: |p| camera_with(p, 28.0, -8.0, 50.0),
+    },
     NamedView {
         name: "Cliff",
         about: "From a hundred metres, with a long lens.",
-        camera: |p| seen(p, 100.0, -7.0, 25.0),
+        camera: |p| camera_with(p, 100.0, -7.0, 25.0),
     },
     NamedView {
         name: "Aeroplane",
         about: "From a kilometre: the pattern of the swell.",
-        camera: |p| seen(p, 1000.0, -25.0, 50.0),
+        camera: |p| camera_with(p, 1000.0, -25.0, 50.0),
     },
-    NamedView { name: "Straight down", about: "The water from above.", camera: |p| seen(p, 60.0, -89.0, 50.0) },
+    NamedView { name: "Straight down", about: "The water from above.", camera: |p| camera_with(p, 60.0, -89.0, 50.0) },
     NamedView {
         name: "Into the waves",
         about: "Against the direction that the waves run in.",
-        camera: |p| Camera { heading_deg: p.sea.local().from_deg, ..seen(p, 4.0, -2.0, 50.0) },
+        camera: |p| Camera { heading_deg: p.sea.local().from_deg, ..camera_with(p, 4.0, -2.0, 50.0) },
     },
     NamedView {
         name: "Into the sun",
@@ -56,7 +60,7 @@ pub const VIEWS: &[NamedView] = &[
             let sun_deg = x.atan2(-z).to_degrees().rem_euclid(360.0);
             Camera {
                 heading_deg: sun_deg.round(),
-                ..seen(p, 7.0, (0.4 * up.asin().to_degrees() - 8.0).clamp(-20.0, 10.0), 50.0)
+                ..camera_with(p, 7.0, (0.4 * up.asin().to_degrees() - 8.0).clamp(-20.0, 10.0), 50.0)
             }
         },
     },
@@ -64,26 +68,26 @@ pub const VIEWS: &[NamedView] = &[
 
 /// Camera at the current horizontal position and heading with a new height, pitch and field of view; never in buoy
 /// mode.
-fn seen(p: &Params, y_m: f64, pitch_deg: f64, fov_deg: f64) -> Camera {
+fn camera_with(p: &Params, y_m: f64, pitch_deg: f64, fov_deg: f64) -> Camera {
     let mode = if p.camera.mode == CameraMode::Buoy { CameraMode::Fly } else { p.camera.mode };
     Camera { y_m, pitch_deg: pitch_deg.round(), fov_deg, mode, ..p.camera.clone() }
 }
 
 /// Moves the camera to a named view.
-pub fn turn_to(params: &mut Params, view: &NamedView) {
+pub fn set_named_view(params: &mut Params, view: &NamedView) {
     params.camera = (view.camera)(params);
 }
 
 /// Turns the viewing direction to the right and upwards by the given angles, degrees.
-pub fn turn(camera: &mut Camera, right_deg: f64, up_deg: f64) {
+pub fn rotate_camera(camera: &mut Camera, right_deg: f64, up_deg: f64) {
     camera.heading_deg = (camera.heading_deg + right_deg).rem_euclid(360.0);
     camera.pitch_deg = (camera.pitch_deg + up_deg).clamp(-89.0, 60.0);
 }
 
 /// Distance from the camera to the pivot of an orbit, m: to the sea in the middle of the picture, or a limit if that is
 /// farther or there is no sea in the middle.
-fn pivot_m(camera: &Camera) -> f64 {
-    let far = FAR_HEIGHTS * camera.y_m + FAR_M;
+fn pivot_distance_m(camera: &Camera) -> f64 {
+    let far = MAX_PIVOT_HEIGHTS * camera.y_m + MAX_PIVOT_OFFSET_M;
     let down = -camera.pitch_deg.to_radians().sin();
     // The curvature of the Earth does not matter at this distance.
     debug_assert!(far < EARTH_RADIUS_M);
@@ -98,15 +102,15 @@ fn eye_and_forward(camera: &Camera) -> (DVec3, DVec3) {
 
 /// Moves the camera around the pivot of its orbit at constant distance, by angles in degrees.
 pub fn orbit(camera: &mut Camera, right_deg: f64, up_deg: f64) {
-    let distance = pivot_m(camera);
+    let distance = pivot_distance_m(camera);
     let (eye, before) = eye_and_forward(camera);
     let pivot = eye + distance * before;
     // Pitch at which the camera reaches its smallest allowed height, degrees.
-    let lowest = -((LOWEST_M - pivot.y) / distance).clamp(-1.0, 1.0).asin().to_degrees();
+    let lowest = -((MIN_EYE_HEIGHT_M - pivot.y) / distance).clamp(-1.0, 1.0).asin().to_degrees();
     camera.heading_deg = (camera.heading_deg + right_deg).rem_euclid(360.0);
     camera.pitch_deg = (camera.pitch_deg - up_deg).clamp(-89.0, lowest.max(-89.0));
     let (_, after) = eye_and_forward(camera);
-    place(camera, pivot - distance * after);
+    set_position(camera, pivot - distance * after);
 }
 
 /// Multiplies the field of view by `factor`, or in orbit mode the distance to the pivot.
@@ -116,25 +120,25 @@ pub fn zoom(camera: &mut Camera, factor: f64) {
         return;
     }
     let (eye, ahead) = eye_and_forward(camera);
-    let distance = pivot_m(camera);
+    let distance = pivot_distance_m(camera);
     // The distance is limited so that the camera stays within its allowed heights.
     let down = (-ahead.y).max(1e-3);
-    let least = if -ahead.y > 1e-3 { LOWEST_M / down } else { 5.0 };
-    let wanted = (distance * factor).clamp(least, HIGHEST_M / down);
-    place(camera, eye + (distance - wanted) * ahead);
+    let least = if -ahead.y > 1e-3 { MIN_EYE_HEIGHT_M / down } else { 5.0 };
+    let wanted = (distance * factor).clamp(least, MAX_EYE_HEIGHT_M / down);
+    set_position(camera, eye + (distance - wanted) * ahead);
 }
 
 /// Moves the camera to the right, horizontally ahead and up, by distances in metres.
 pub fn fly(camera: &mut Camera, right_m: f64, ahead_m: f64, up_m: f64) {
     let (sin, cos) = camera.heading_deg.to_radians().sin_cos();
     let step = DVec3::new(ahead_m * sin + right_m * cos, up_m, right_m * sin - ahead_m * cos);
-    place(camera, DVec3::new(camera.x_m, camera.y_m, camera.z_m) + step);
+    set_position(camera, DVec3::new(camera.x_m, camera.y_m, camera.z_m) + step);
 }
 
 /// Sets the position of the camera, clamped to the ranges of its parameters.
-fn place(camera: &mut Camera, eye: DVec3) {
+fn set_position(camera: &mut Camera, eye: DVec3) {
     camera.x_m = eye.x.clamp(-1e6, 1e6);
-    camera.y_m = eye.y.clamp(LOWEST_M, HIGHEST_M);
+    camera.y_m = eye.y.clamp(MIN_EYE_HEIGHT_M, MAX_EYE_HEIGHT_M);
     camera.z_m = eye.z.clamp(-1e6, 1e6);
 }
 
@@ -144,24 +148,24 @@ mod tests {
 
     fn pivot(camera: &Camera) -> DVec3 {
         let (eye, forward) = eye_and_forward(camera);
-        eye + pivot_m(camera) * forward
+        eye + pivot_distance_m(camera) * forward
     }
 
     #[test]
     fn an_orbit_keeps_its_centre_and_its_distance() {
         let mut camera = Camera { mode: CameraMode::Orbit, pitch_deg: -30.0, y_m: 40.0, ..Camera::default() };
-        let (centre, distance) = (pivot(&camera), pivot_m(&camera));
+        let (centre, distance) = (pivot(&camera), pivot_distance_m(&camera));
         assert!(centre.y.abs() < 1e-9, "on the water");
         for (right, up) in [(50.0, 0.0), (0.0, 20.0), (-200.0, -30.0), (10.0, 5.0)] {
             orbit(&mut camera, right, up);
             let now = pivot(&camera);
             assert!((now - centre).abs().max_element() < 1e-6, "{centre:?} {now:?}");
-            assert!((pivot_m(&camera) - distance).abs() < 1e-6);
+            assert!((pivot_distance_m(&camera) - distance).abs() < 1e-6);
         }
         zoom(&mut camera, 0.5);
         let now = pivot(&camera);
         assert!((now - centre).abs().max_element() < 1e-6, "{centre:?} {now:?}");
-        assert!((pivot_m(&camera) - 0.5 * distance).abs() < 1e-6);
+        assert!((pivot_distance_m(&camera) - 0.5 * distance).abs() < 1e-6);
     }
 
     #[test]
@@ -171,7 +175,10 @@ mod tests {
             for i in 0..200 {
                 orbit(&mut camera, f64::from(i), if i % 7 < 4 { 25.0 } else { -30.0 });
                 zoom(&mut camera, if i % 5 < 3 { 0.3 } else { 2.0 });
-                assert!((LOWEST_M..=HIGHEST_M).contains(&camera.y_m) && camera.pitch_deg <= 60.0, "{camera:?}");
+                assert!(
+                    (MIN_EYE_HEIGHT_M..=MAX_EYE_HEIGHT_M).contains(&camera.y_m) && camera.pitch_deg <= 60.0,
+                    "{camera:?}"
+                );
             }
         }
     }
@@ -179,8 +186,8 @@ mod tests {
     #[test]
     fn every_named_view_is_one_that_a_link_can_carry() {
         let mut params = Params::default();
-        for view in VIEWS {
-            turn_to(&mut params, view);
+        for view in CAMERA_VIEWS {
+            set_named_view(&mut params, view);
             let state = crate::state::query::write(&params);
             let (read, notices) = crate::state::query::parse(&state);
             assert_eq!((read, notices), (params.clone(), vec![]), "{}", view.name);

@@ -5,8 +5,8 @@
 //! buffers. There are no dirty flags: the owner of a resource compares with the parameters it was made from.
 
 use super::field::FieldKind::{Choice, Flag, Heading};
-use super::field::{integer, logarithmic, number, parameters, words};
-use super::floats::Float;
+use super::field::{choice_enum, integer, logarithmic, number, parameters};
+use super::floats::FloatingObject;
 pub use super::look::Look;
 pub use super::sea::{DepthFactor, DispersionKind, Foam, Sea, SpectrumKind, SpreadKind, System, Whitecaps};
 
@@ -24,7 +24,7 @@ pub struct Params {
     /// Simulated time and its speed.
     pub clock: Clock,
     /// Floating objects: moored buoys and boats.
-    pub floats: Vec<Float>,
+    pub floats: Vec<FloatingObject>,
     /// Display settings, such as the resolution scale and the open panel. They do not change the sea.
     pub screen: Screen,
 }
@@ -44,7 +44,7 @@ parameters! {
         overlap: bool = false => ("overlap", "Overlapping bands", "", Flag),
         /// Hides the repetition of the patches: blends shifted copies of each patch, with weights that keep its
         /// statistics (Heitz and Neyret 2018). 0 shows the periodic patches.
-        untile: bool = true => ("untile", "No repetition", "", Flag),
+        hide_tiling: bool = true => ("untile", "No repetition", "", Flag),
         /// Manual settings of each cascade, the longest patch first.
         patches: [PatchOverride; MAX_CASCADES] = [PatchOverride::default(); MAX_CASCADES],
     }
@@ -63,7 +63,7 @@ parameters! {
     }
 }
 
-words! {
+choice_enum! {
     /// Control mode of the camera.
     pub enum CameraMode {
         /// Dragging turns the viewing direction; the keys move the camera.
@@ -109,7 +109,7 @@ parameters! {
     }
 }
 
-words! {
+choice_enum! {
     /// Units that the control panel shows; the state string is always metric.
     pub enum Units {
         /// Metres, kilometres and metres per second.

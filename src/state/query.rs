@@ -5,11 +5,11 @@
 //! file, `afloat` the floating objects, and `v` the version of the string (`state::versions`). Reading never fails: bad
 //! values become notices. Only values that differ from the default are written.
 
-use super::fields::{self, FIELDS, Refusal};
+use super::fields::{self, FIELDS, InvalidValue};
 use super::floats;
 use super::look::SkyFile;
 use super::params::Params;
-use super::text::{limit, quoted};
+use super::text::{quoted_excerpt, truncate_notices};
 use super::versions::{self, VERSION_STEPS, VersionStep};
 use crate::files::measured::MeasuredSpectrum;
 use std::sync::Arc;
@@ -17,19 +17,19 @@ use std::sync::Arc;
 /// Longest state string that is read, bytes; the rest is ignored with a notice. [`write()`] never writes a longer one.
 pub const MAX_BYTES: usize = crate::files::MAX_STATE_BYTES;
 /// Key of the measured buoy spectrum in a state string.
-const MEASURED: &str = "measured";
+const MEASURED_KEY: &str = "measured";
 /// Key of the name of the sky file in a state string.
-pub(super) const SKY: &str = "sky";
+pub(super) const SKY_KEY: &str = "sky";
 /// Key of the floating objects in a state string.
-const FLOATS: &str = "afloat";
+const FLOATS_KEY: &str = "afloat";
 
 /// Result of reading a state string.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct StateReading {
+pub struct ParsedState {
     /// Parameters; those that the string does not set have their defaults.
     pub params: Params,
     /// Keys whose values were taken from the string, sorted; `measured`, `afloat` and `sky` are among them.
-    pub taken: Vec<&'static str>,
+    pub keys_set: Vec<&'static str>,
     /// One notice for each value that was not taken as written.
     pub notices: Vec<String>,
 }
@@ -45,62 +45,62 @@ pub struct StateReading {
 /// assert_eq!(query::write(&params), "wind=14&fetch=300");
 /// ```
 pub fn parse(text: &str) -> (Params, Vec<String>) {
-    let StateReading { params, notices, .. } = read(text);
+    let ParsedState { params, notices, .. } = read(text);
     (params, notices)
 }
 
 /// Like [`parse`], and also returns the keys that the string sets.
-pub fn read(text: &str) -> StateReading {
+pub fn read(text: &str) -> ParsedState {
     read_with(text, VERSION_STEPS)
 }
 
 /// Does the work of [`read`] with the given version translations, so that tests can invent some.
-fn read_with(text: &str, steps: &[VersionStep]) -> StateReading {
-    let mut reading = StateReading::default();
+fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
+    let mut reading = ParsedState::default();
     let mut query = query_part(text);
     if query.len() > MAX_BYTES {
         query = &query[..query.floor_char_boundary(MAX_BYTES)];
         reading.notices.push(format!("the state string is longer than {MAX_BYTES} bytes: the rest was ignored"));
     }
-    let (pairs, notice) = versions::upgraded(form_urlencoded::parse(query.as_bytes()).collect(), steps);
+    let (pairs, notice) = versions::upgrade_pairs(form_urlencoded::parse(query.as_bytes()).collect(), steps);
     reading.notices.extend(notice);
     let mut seen = Vec::new();
     for (key, value) in pairs {
         match &*key {
-            MEASURED => {
+            MEASURED_KEY => {
                 let spectrum = MeasuredSpectrum::from_state(&value);
-                reading.take(MEASURED, spectrum, |p, spectrum| p.sea.measured = Some(Arc::new(spectrum)));
+                reading.set_or_notify(MEASURED_KEY, spectrum, |p, spectrum| p.sea.measured = Some(Arc::new(spectrum)));
             }
-            FLOATS => reading.take(FLOATS, floats::read(&value), |p, floats| p.floats = floats),
-            SKY => {
-                reading.params.look.sky.file = SkyFile::named(&value);
-                reading.taken.extend(reading.params.look.sky.file.as_ref().map(|_| SKY));
+            FLOATS_KEY => reading.set_or_notify(FLOATS_KEY, floats::read(&value), |p, floats| p.floats = floats),
+            SKY_KEY => {
+                reading.params.look.sky.file = SkyFile::from_path(&value);
+                reading.keys_set.extend(reading.params.look.sky.file.as_ref().map(|_| SKY_KEY));
             }
-            _ => reading.take_field(&key, &value, &mut seen),
+            _ => reading.set_field(&key, &value, &mut seen),
         }
     }
-    limit(&mut reading.notices);
-    reading.taken.sort_unstable();
-    reading.taken.dedup();
+    truncate_notices(&mut reading.notices);
+    reading.keys_set.sort_unstable();
+    reading.keys_set.dedup();
     reading
 }
 
-impl StateReading {
+impl ParsedState {
     /// Stores the value of a key that is not in [`FIELDS`], or adds a notice why it cannot be read.
-    fn take<T>(&mut self, key: &'static str, value: Result<T, String>, set: impl FnOnce(&mut Params, T)) {
+    fn set_or_notify<T>(&mut self, key: &'static str, value: Result<T, String>, set: impl FnOnce(&mut Params, T)) {
         match value {
             Ok(value) => {
                 set(&mut self.params, value);
-                self.taken.push(key);
+                self.keys_set.push(key);
             }
             Err(reason) => self.notices.push(format!("{key}: {reason}: ignored")),
         }
     }
 
     /// Stores the value of a key in [`FIELDS`], or adds a notice. `seen` holds the keys earlier in the string.
-    fn take_field(&mut self, key: &str, value: &str, seen: &mut Vec<&'static str>) {
+    fn set_field(&mut self, key: &str, value: &str, seen: &mut Vec<&'static str>) {
         let Some(field) = fields::find(key) else {
-            self.notices.push(format!("unknown setting \"{}\" ignored", quoted(key)));
+            self.notices.push(format!("unknown setting \"{}\" ignored", quoted_excerpt(key)));
             return;
         };
         let key = field.key;
@@ -112,17 +112,17 @@ impl StateReading {
         let parsed = field.parse(value);
         match parsed {
             Ok(_) => {}
-            Err(Refusal::Ignored) => {
-                self.notices.push(format!("{key}={} is not one of: {}", quoted(value), field.range()));
+            Err(InvalidValue::Ignored) => {
+                self.notices.push(format!("{key}={} is not one of: {}", quoted_excerpt(value), field.range()));
             }
-            Err(Refusal::Clamped(v)) => {
+            Err(InvalidValue::Clamped(v)) => {
                 let (range, taken) = (field.range(), field.format(v));
-                self.notices.push(format!("{key}={} is outside {range}: {taken} taken", quoted(value)));
+                self.notices.push(format!("{key}={} is outside {range}: {taken} taken", quoted_excerpt(value)));
             }
         }
-        let (Ok(taken) | Err(Refusal::Clamped(taken))) = parsed else { return };
+        let (Ok(taken) | Err(InvalidValue::Clamped(taken))) = parsed else { return };
         (field.set)(&mut self.params, taken);
-        self.taken.push(key);
+        self.keys_set.push(key);
     }
 }
 
@@ -135,8 +135,8 @@ pub fn write(params: &Params) -> String {
 fn write_with(params: &Params, steps: &[VersionStep]) -> String {
     let defaults = Params::default();
     let mut out = form_urlencoded::Serializer::new(String::new());
-    if let Some(version) = versions::to_write(steps) {
-        out.append_pair(versions::KEY, &version);
+    if let Some(version) = versions::version_to_write(steps) {
+        out.append_pair(versions::VERSION_KEY, &version);
     }
     for field in FIELDS.iter() {
         let value = (field.get)(params);
@@ -145,13 +145,13 @@ fn write_with(params: &Params, steps: &[VersionStep]) -> String {
         }
     }
     if let Some(measured) = &params.sea.measured {
-        out.append_pair(MEASURED, &measured.to_state());
+        out.append_pair(MEASURED_KEY, &measured.to_state());
     }
     if !params.floats.is_empty() {
-        out.append_pair(FLOATS, &floats::write(&params.floats));
+        out.append_pair(FLOATS_KEY, &floats::write(&params.floats));
     }
     if let Some(file) = &params.look.sky.file {
-        out.append_pair(SKY, &file.name);
+        out.append_pair(SKY_KEY, &file.name);
     }
     out.finish()
 }
@@ -207,14 +207,14 @@ mod tests {
         let (p, notices) = parse("sky=some/where/Kloofendal%2048d.hdr&skyturn=30");
         assert_eq!((p.look.sky.file.as_ref().map(|f| f.name.as_str()), notices.len()), (Some("Kloofendal 48d.hdr"), 0));
         assert_eq!(write(&p), "skyturn=30&sky=Kloofendal+48d.hdr");
-        assert!(p.look.sky.missing_file().is_some_and(|n| n.contains("Kloofendal 48d.hdr")));
+        assert!(p.look.sky.missing_file_notice().is_some_and(|n| n.contains("Kloofendal 48d.hdr")));
         assert_eq!(parse("sky=%00").0, Params::default());
     }
 
     #[test]
     fn what_was_taken_is_known() {
         let r = read("wind=14&fetch=-3&wind=15&spectrum=nonsense&unknown=1&sky=a.hdr&gamma=3.3");
-        assert_eq!(r.taken, ["fetch", "gamma", "sky", "wind"]);
+        assert_eq!(r.keys_set, ["fetch", "gamma", "sky", "wind"]);
     }
 
     /// Two invented version translations. Version 1 has the wind in knots, version 2 in m/s (taken as half the knots);
@@ -251,11 +251,11 @@ mod tests {
             ("?v=3", "v=3"),
             ("", "v=3&fetch=100"),
         ] {
-            let StateReading { params, notices, .. } = read_with(link, MADE_UP);
+            let ParsedState { params, notices, .. } = read_with(link, MADE_UP);
             assert_eq!((write_with(&params, MADE_UP).as_str(), notices), (want, vec![]), "{link}");
             assert_eq!(read_with(want, MADE_UP).params, params, "{link}");
         }
-        assert_eq!(read_with("v=2&wind=20&wrong=1", MADE_UP).taken, ["fetch", "wind"]);
+        assert_eq!(read_with("v=2&wind=20&wrong=1", MADE_UP).keys_set, ["fetch", "wind"]);
     }
 
     #[test]
@@ -265,7 +265,7 @@ mod tests {
             ("v=0&wind=20", "read as the newest"),
             ("v=a&wind=20", "read as the newest"),
         ] {
-            let StateReading { params, notices, .. } = read_with(link, MADE_UP);
+            let ParsedState { params, notices, .. } = read_with(link, MADE_UP);
             assert_eq!(params.sea.local().wind_m_s, 20.0, "{link}");
             assert!(notices.len() == 1 && notices[0].contains(says), "{notices:?}");
         }

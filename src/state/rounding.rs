@@ -4,10 +4,10 @@ use super::Params;
 use super::params::Camera;
 
 /// Camera parameters, and the simulated time in s while it is paused; `None` while it runs.
-pub type Pose = (Camera, Option<f64>);
+pub type CameraPose = (Camera, Option<f64>);
 
 /// Returns the camera, and the simulated time if it is paused.
-pub fn pose(params: &Params) -> Pose {
+pub fn camera_pose(params: &Params) -> CameraPose {
     (params.camera.clone(), params.clock.paused.then_some(params.clock.t_s))
 }
 

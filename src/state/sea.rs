@@ -1,11 +1,11 @@
 //! Parameters of the sea state: wave systems, water, displacement and whitecaps.
 
 use super::field::FieldKind::{Choice, Flag, Heading};
-use super::field::{integer, logarithmic, number, parameters, words};
+use super::field::{choice_enum, integer, logarithmic, number, parameters};
 use crate::files::measured::MeasuredSpectrum;
 use std::sync::Arc;
 
-words! {
+choice_enum! {
     /// Family of the frequency spectrum of a wave system.
     pub enum SpectrumKind {
         /// Equilibrium range only: zero below the peak, omega^-5 above it, Phillips 1958.
@@ -37,7 +37,7 @@ words! {
     }
 }
 
-words! {
+choice_enum! {
     /// Family of the directional spreading of a wave system.
     pub enum SpreadKind {
         /// The same energy in every direction.
@@ -58,7 +58,7 @@ words! {
     }
 }
 
-words! {
+choice_enum! {
     /// Dispersion relation between angular frequency omega and wave number k.
     pub enum DispersionKind {
         /// Gravity waves in deep water, whatever the depth is set to: omega^2 = g k.
@@ -70,7 +70,7 @@ words! {
     }
 }
 
-words! {
+choice_enum! {
     /// Formula for Kitaigorodskii's depth factor, by which the TMA spectrum limits waves in shallow water.
     pub enum DepthFactor {
         /// Exact factor tanh^2(kh) / (1 + 2kh / sinh 2kh) of wave number k and depth h.
@@ -80,7 +80,7 @@ words! {
     }
 }
 
-words! {
+choice_enum! {
     /// Source of the foam threshold, the Jacobian below which foam forms.
     pub enum Whitecaps {
         /// Whitecap coverage at the wind speed, Monahan and O'Muircheartaigh 1980.
@@ -183,12 +183,12 @@ parameters! {
             => ("tmafit", "TMA depth factor", "", Choice(DepthFactor::WORDS)),
         /// Computes alpha and gamma of tma from the dimensionless peak wave number kappa = U^2 k_p / g, as alpha =
         /// 0.0078 kappa^0.49 and gamma = 2.47 kappa^0.39 (Bouws et al. 1985), instead of taking those of jonswap.
-        bouws: bool = false => ("bouws", "TMA alpha, gamma", "", Flag),
+        tma_bouws_parameters: bool = false => ("bouws", "TMA alpha, gamma", "", Flag),
         /// Multiplies karaev around its peak (up to 1.2 times the peak frequency) by the depth factor of tma.
         karaev_tma: bool = false => ("karaevtma", "Karaev in the shallows", "", Flag),
         /// Precision of the integral that normalises a directional spreading without a closed form: number of
         /// quadrature panels, of 15 points each, in each of its six pieces.
-        norm_steps: u32 = 2 => ("normsteps", "Quadrature steps", "", integer(1, 64)),
+        spreading_norm_panels: u32 = 2 => ("normsteps", "Quadrature steps", "", integer(1, 64)),
         /// Choppiness, the factor on the horizontal displacement: 1 is linear theory, 0 a sum of sines without sharp
         /// crests.
         chop: f64 = 1.0 => ("chop", "Chop", "", number(0.0, 2.0)),
@@ -216,13 +216,13 @@ impl Sea {
     }
 
     /// Stores a buoy's spectrum and makes it the spectrum of the local wind sea.
-    pub fn show_measured(&mut self, measured: MeasuredSpectrum) {
+    pub fn set_measured_spectrum(&mut self, measured: MeasuredSpectrum) {
         self.measured = Some(Arc::new(measured));
         self.systems[0].spectrum = SpectrumKind::Measured;
     }
 
     /// Choppiness along x and z: factors on the horizontal displacement; 1 is linear theory.
-    pub fn lambda(&self) -> [f64; 2] {
+    pub fn choppiness(&self) -> [f64; 2] {
         [self.chop_x * self.chop, self.chop_z * self.chop]
     }
 }

@@ -8,7 +8,7 @@
 use std::borrow::Cow;
 
 /// Key of the version number in a state string.
-pub(super) const KEY: &str = "v";
+pub(super) const VERSION_KEY: &str = "v";
 
 /// Keys and values of a state string, percent-decoded, in their order in the string.
 pub(super) type Pairs<'a> = Vec<(Cow<'a, str>, Cow<'a, str>)>;
@@ -20,9 +20,9 @@ pub(super) type VersionStep = for<'a> fn(Pairs<'a>) -> Pairs<'a>;
 pub(super) const VERSION_STEPS: &[VersionStep] = &[];
 
 /// Translates the pairs of any version to the newest by `steps`. Also returns a notice if the version is unknown.
-pub(super) fn upgraded<'a>(pairs: Pairs<'a>, steps: &[VersionStep]) -> (Pairs<'a>, Option<String>) {
+pub(super) fn upgrade_pairs<'a>(pairs: Pairs<'a>, steps: &[VersionStep]) -> (Pairs<'a>, Option<String>) {
     let newest = steps.len() + 1;
-    let (versions, pairs): (Pairs<'a>, Pairs<'a>) = pairs.into_iter().partition(|(key, _)| key == KEY);
+    let (versions, pairs): (Pairs<'a>, Pairs<'a>) = pairs.into_iter().partition(|(key, _)| key == VERSION_KEY);
     let (version, notice) = match versions.last().map(|(_, text)| text.trim().parse::<usize>()) {
         None => (1, None),
         Some(Ok(version)) if (1..=newest).contains(&version) => (version, None),
@@ -38,6 +38,6 @@ pub(super) fn upgraded<'a>(pairs: Pairs<'a>, steps: &[VersionStep]) -> (Pairs<'a
 }
 
 /// Version number to write into a state string; `None` while version 1 is the only one.
-pub(super) fn to_write(steps: &[VersionStep]) -> Option<String> {
+pub(super) fn version_to_write(steps: &[VersionStep]) -> Option<String> {
     (!steps.is_empty()).then(|| (steps.len() + 1).to_string())
 }

@@ -5,18 +5,18 @@ use super::field::{FieldValue, integer, parameters};
 
 /// What the window shows: the picture or a false-colour view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shown {
+pub enum DisplayedView {
     /// Picture of the sea.
     Picture,
     /// Map of the simulation, shown flat and texel by texel, with north up.
-    Map(Map),
+    Map(MapView),
     /// Quantity on the drawn water surface, seen by the camera.
-    Surface(Surface),
+    Surface(SurfaceView),
 }
 
 /// Map of the simulation that a view can show. shaders/views/map.wgsl knows each as 1 + its discriminant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Map {
+pub enum MapView {
     /// Magnitude |h0(k)| of the initial spectrum at each wave vector k.
     InitialSpectrum,
     /// Spectrum h(k, t) at the current time t: magnitude as brightness, phase as hue.
@@ -28,15 +28,15 @@ pub enum Map {
     /// Horizontal displacement to the south, Dz.
     Dz,
     /// Shear dDx/dz = dDz/dx of the horizontal displacement (Dx, Dz); x is east, z south.
-    Shear,
+    DxDz,
     /// Slope of the elevation eta to the east, d eta/dx.
     SlopeX,
     /// Slope of the elevation eta to the south, d eta/dz.
     SlopeZ,
     /// Derivative dDx/dx of the eastward displacement Dx to the east.
-    StretchX,
+    DxDx,
     /// Derivative dDz/dz of the southward displacement Dz to the south.
-    StretchZ,
+    DzDz,
     /// Squared slope to the east, (d eta/dx)^2 with the elevation eta, averaged over 2 x 2 texels.
     MomentXx,
     /// Squared slope to the south, (d eta/dz)^2 with the elevation eta, averaged over 2 x 2 texels.
@@ -54,7 +54,7 @@ pub enum Map {
 /// Quantity on the drawn water surface that a view can show. shaders/views/surface.wgsl knows each as 1 + its
 /// discriminant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Surface {
+pub enum SurfaceView {
     /// Unit normal of the surface; its east component is shown as red, north as green, up as blue.
     Normals,
     /// Jacobian determinant of the horizontal displacement, all cascades together.
@@ -70,57 +70,57 @@ pub enum Surface {
 }
 
 /// All views with word in the state string and caption, in the order in which the key V steps through them.
-pub const VIEWS: &[(&str, Shown, &str)] = &[
-    ("picture", Shown::Picture, "Picture"),
-    ("h0", Shown::Map(Map::InitialSpectrum), "Initial spectrum |h0(k)|"),
-    ("spectrum", Shown::Map(Map::Spectrum), "Spectrum h(k, t), phase as hue"),
-    ("dx", Shown::Map(Map::Dx), "Displacement east, Dx"),
-    ("height", Shown::Map(Map::Height), "Elevation"),
-    ("dz", Shown::Map(Map::Dz), "Displacement south, Dz"),
-    ("dxdz", Shown::Map(Map::Shear), "dDx/dz"),
-    ("slopex", Shown::Map(Map::SlopeX), "Slope to the east"),
-    ("slopez", Shown::Map(Map::SlopeZ), "Slope to the south"),
-    ("dxdx", Shown::Map(Map::StretchX), "dDx/dx"),
-    ("dzdz", Shown::Map(Map::StretchZ), "dDz/dz"),
-    ("momentxx", Shown::Map(Map::MomentXx), "Slope moment xx"),
-    ("momentzz", Shown::Map(Map::MomentZz), "Slope moment zz"),
-    ("momentxz", Shown::Map(Map::MomentXz), "Slope moment xz"),
-    ("jacobian", Shown::Map(Map::Jacobian), "Jacobian of one cascade"),
-    ("foam", Shown::Map(Map::Foam), "Foam"),
-    ("source", Shown::Map(Map::Source), "Source of foam"),
-    ("normals", Shown::Surface(Surface::Normals), "Normals"),
-    ("folding", Shown::Surface(Surface::Jacobian), "Jacobian of all cascades"),
-    ("roughness", Shown::Surface(Surface::Roughness), "Slope variance within the pixel"),
-    ("mips", Shown::Surface(Surface::Mips), "Mip level"),
-    ("coverage", Shown::Surface(Surface::Foam), "Share of foam"),
-    ("wireframe", Shown::Surface(Surface::Wireframe), "Mesh"),
+pub const DISPLAYED_VIEWS: &[(&str, DisplayedView, &str)] = &[
+    ("picture", DisplayedView::Picture, "Picture"),
+    ("h0", DisplayedView::Map(MapView::InitialSpectrum), "Initial spectrum |h0(k)|"),
+    ("spectrum", DisplayedView::Map(MapView::Spectrum), "Spectrum h(k, t), phase as hue"),
+    ("dx", DisplayedView::Map(MapView::Dx), "Displacement east, Dx"),
+    ("height", DisplayedView::Map(MapView::Height), "Elevation"),
+    ("dz", DisplayedView::Map(MapView::Dz), "Displacement south, Dz"),
+    ("dxdz", DisplayedView::Map(MapView::DxDz), "dDx/dz"),
+    ("slopex", DisplayedView::Map(MapView::SlopeX), "Slope to the east"),
+    ("slopez", DisplayedView::Map(MapView::SlopeZ), "Slope to the south"),
+    ("dxdx", DisplayedView::Map(MapView::DxDx), "dDx/dx"),
+    ("dzdz", DisplayedView::Map(MapView::DzDz), "dDz/dz"),
+    ("momentxx", DisplayedView::Map(MapView::MomentXx), "Slope moment xx"),
+    ("momentzz", DisplayedView::Map(MapView::MomentZz), "Slope moment zz"),
+    ("momentxz", DisplayedView::Map(MapView::MomentXz), "Slope moment xz"),
+    ("jacobian", DisplayedView::Map(MapView::Jacobian), "Jacobian of one cascade"),
+    ("foam", DisplayedView::Map(MapView::Foam), "Foam"),
+    ("source", DisplayedView::Map(MapView::Source), "Source of foam"),
+    ("normals", DisplayedView::Surface(SurfaceView::Normals), "Normals"),
+    ("folding", DisplayedView::Surface(SurfaceView::Jacobian), "Jacobian of all cascades"),
+    ("roughness", DisplayedView::Surface(SurfaceView::Roughness), "Slope variance within the pixel"),
+    ("mips", DisplayedView::Surface(SurfaceView::Mips), "Mip level"),
+    ("coverage", DisplayedView::Surface(SurfaceView::Foam), "Share of foam"),
+    ("wireframe", DisplayedView::Surface(SurfaceView::Wireframe), "Mesh"),
 ];
 
-/// Words of all views in the state string, in the order of [`VIEWS`].
-const WORDS: [&str; VIEWS.len()] = {
-    let mut words = [""; VIEWS.len()];
+/// Words of all views in the state string, in the order of [`DISPLAYED_VIEWS`].
+const WORDS: [&str; DISPLAYED_VIEWS.len()] = {
+    let mut words = [""; DISPLAYED_VIEWS.len()];
     let mut i = 0;
     while i < words.len() {
-        words[i] = VIEWS[i].0;
+        words[i] = DISPLAYED_VIEWS[i].0;
         i += 1;
     }
     words
 };
 
-impl Shown {
-    /// Index of this view in [`VIEWS`].
-    fn place(self) -> usize {
-        VIEWS.iter().position(|(_, shown, _)| *shown == self).unwrap_or(0)
+impl DisplayedView {
+    /// Index of this view in [`DISPLAYED_VIEWS`].
+    fn index(self) -> usize {
+        DISPLAYED_VIEWS.iter().position(|(_, displayed, _)| *displayed == self).unwrap_or(0)
     }
 }
 
-impl FieldValue for Shown {
+impl FieldValue for DisplayedView {
     fn to_f64(self) -> f64 {
-        self.place() as f64
+        self.index() as f64
     }
 
     fn from_f64(value: f64) -> Self {
-        VIEWS[value as usize].1
+        DISPLAYED_VIEWS[value as usize].1
     }
 }
 
@@ -133,7 +133,7 @@ parameters! {
         /// the slopes; momentxx, momentzz, momentxz, products of slopes; jacobian of one cascade; foam; source, where
         /// foam forms. On the drawn surface: normals; folding, the Jacobian of all cascades; roughness, the slope
         /// variance within the pixel; mips, the mip level; coverage of foam; wireframe of the mesh.
-        shown: Shown = Shown::Picture => ("view", "View", "", Choice(&WORDS)),
+        displayed: DisplayedView = DisplayedView::Picture => ("view", "View", "", Choice(&WORDS)),
         /// Cascade that a view shows (1 has the longest waves), or level of the foam map (1 is the finest). 0 shows all
         /// side by side; the view mips then shows the finest cascade.
         cascade: u32 = 0 => ("viewcascade", "View of cascade", "", integer(0, 4), "all"),
@@ -143,20 +143,20 @@ parameters! {
 impl ViewChoice {
     /// Caption of the chosen view.
     pub fn name(self) -> &'static str {
-        VIEWS[self.shown.place()].2
+        DISPLAYED_VIEWS[self.displayed.index()].2
     }
 
-    /// Choice of the view that is `by` places further in [`VIEWS`]; after the last comes the first.
+    /// Choice of the view that is `by` places further in [`DISPLAYED_VIEWS`]; after the last comes the first.
     #[must_use]
-    pub fn turned(self, by: isize) -> Self {
-        let at = (self.shown.place() as isize + by).rem_euclid(VIEWS.len() as isize);
-        Self { shown: VIEWS[at as usize].1, ..self }
+    pub fn cycled_by(self, by: isize) -> Self {
+        let at = (self.displayed.index() as isize + by).rem_euclid(DISPLAYED_VIEWS.len() as isize);
+        Self { displayed: DISPLAYED_VIEWS[at as usize].1, ..self }
     }
 
     /// Indices of the layers of a map that the view shows; the map has `count` layers, one per cascade or foam level.
-    pub fn layers(self, count: usize) -> std::ops::Range<usize> {
-        match (self.shown, self.cascade as usize) {
-            (Shown::Map(_), 0) => 0..count,
+    pub fn cascade_layers(self, count: usize) -> std::ops::Range<usize> {
+        match (self.displayed, self.cascade as usize) {
+            (DisplayedView::Map(_), 0) => 0..count,
             // Views of the surface use one cascade, for mip levels: by default the finest.
             (_, 0) => count.saturating_sub(1)..count,
             (_, cascade) => {
@@ -175,11 +175,11 @@ mod tests {
     fn a_key_goes_around_all_views() {
         let start = ViewChoice::default();
         let mut seen = vec![start];
-        while seen.len() < VIEWS.len() {
-            seen.push(seen[seen.len() - 1].turned(1));
+        while seen.len() < DISPLAYED_VIEWS.len() {
+            seen.push(seen[seen.len() - 1].cycled_by(1));
         }
-        assert_eq!(seen[VIEWS.len() - 1].turned(1), start);
-        assert_eq!(start.turned(-1), seen[VIEWS.len() - 1]);
+        assert_eq!(seen[DISPLAYED_VIEWS.len() - 1].cycled_by(1), start);
+        assert_eq!(start.cycled_by(-1), seen[DISPLAYED_VIEWS.len() - 1]);
         for (i, a) in seen.iter().enumerate() {
             assert!(seen[..i].iter().all(|b| a != b && a.name() != b.name()), "{a:?}");
         }
@@ -187,11 +187,14 @@ mod tests {
 
     #[test]
     fn layers_exist() {
-        for (_, shown, _) in VIEWS {
+        for (_, displayed, _) in DISPLAYED_VIEWS {
             for cascade in 0..=4 {
                 for most in 1..=4 {
-                    let layers = ViewChoice { shown: *shown, cascade }.layers(most);
-                    assert!(!layers.is_empty() && layers.end <= most, "{shown:?} {cascade} of {most}: {layers:?}");
+                    let cascade_layers = ViewChoice { displayed: *displayed, cascade }.cascade_layers(most);
+                    assert!(
+                        !cascade_layers.is_empty() && cascade_layers.end <= most,
+                        "{displayed:?} {cascade} of {most}: {cascade_layers:?}"
+                    );
                 }
             }
         }

@@ -8,7 +8,7 @@ use crate::state::params::{Params, Sea, System};
 
 /// One force of the Beaufort scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Force {
+pub struct BeaufortForce {
     /// Name of the force in weather forecasts, for example "Fresh breeze".
     pub name: &'static str,
     /// Description of what the open sea looks like at this force.
@@ -16,22 +16,23 @@ pub struct Force {
     /// Lowest and highest wind speed at 10 m height, m/s, rounded to 0.1 m/s; infinity is the upper end of a hurricane.
     pub wind_m_s: (f64, f64),
     /// Probable wave height of the WMO table, m. It is compared with the significant wave height of the simulation.
-    pub probable_m: f64,
+    pub probable_hs_m: f64,
     /// Representative wind speed at 10 m height, m/s: 0.836 B^1.5 for the Beaufort number B, rounded to 0.1 m/s.
-    pub mean_m_s: f64,
-    /// Fetch, km, with which JONSWAP reaches the height `probable_m` at the wind `mean_m_s` (not at forces 1 to 3).
+    pub mean_wind_m_s: f64,
+    /// Fetch, km, with which JONSWAP reaches the height `probable_hs_m` at the wind `mean_wind_m_s` (not at forces 1 to
+    /// 3).
     pub fetch_km: f64,
 }
 
 const fn force(
     name: &'static str,
     wind_m_s: (f64, f64),
-    mean_m_s: f64,
-    probable_m: f64,
+    mean_wind_m_s: f64,
+    probable_hs_m: f64,
     fetch_km: f64,
     appearance: &'static str,
-) -> Force {
-    Force { name, appearance, wind_m_s, probable_m, mean_m_s, fetch_km }
+) -> BeaufortForce {
+    BeaufortForce { name, appearance, wind_m_s, probable_hs_m, mean_wind_m_s, fetch_km }
 }
 
 /// The Beaufort scale. The index is the Beaufort number, 0 to 12.
@@ -43,7 +44,7 @@ const fn force(
 /// use a dimensionless fetch g F / U^2 of at most 1.6e4 instead, the largest one without a notice about full
 /// development. It gives heights of 0.02, 0.16 and 0.52 m. A calm has no waves at any fetch.
 #[rustfmt::skip]
-pub static FORCES: [Force; 13] = [
+pub static BEAUFORT_FORCES: [BeaufortForce; 13] = [
     force("Calm", (0.0, 0.2), 0.0, 0.0, 1.0, "Sea like a mirror."),
     force("Light air", (0.3, 1.5), 0.8, 0.1, 1.0,
         "Ripples like scales, without foam on their crests."),
@@ -76,11 +77,11 @@ pub static FORCES: [Force; 13] = [
 
 /// Beaufort number (0 to 12) of a wind speed at 10 m height, m/s. A speed in the gap of 0.1 m/s between two forces
 /// counts as the lower force; negative values and NaN count as 0.
-pub fn number_of(wind_m_s: f64) -> usize {
-    FORCES.iter().rposition(|f| wind_m_s >= f.wind_m_s.0).unwrap_or(0)
+pub fn beaufort_number(wind_m_s: f64) -> usize {
+    BEAUFORT_FORCES.iter().rposition(|f| wind_m_s >= f.wind_m_s.0).unwrap_or(0)
 }
 
-impl Force {
+impl BeaufortForce {
     /// Returns the parameters `now` with the wind speed and fetch of this force. The local wave system keeps its
     /// direction; its other parameters are reset, so that they do not change its height. All else stays as in `now`.
     #[must_use]
@@ -88,13 +89,13 @@ impl Force {
         let mut next = now.clone();
         let [default, _] = Sea::default().systems;
         let from_deg = now.sea.local().from_deg;
-        next.sea.systems[0] = System { wind_m_s: self.mean_m_s, fetch_km: self.fetch_km, from_deg, ..default };
+        next.sea.systems[0] = System { wind_m_s: self.mean_wind_m_s, fetch_km: self.fetch_km, from_deg, ..default };
         next
     }
 }
 
 /// Largest significant wave height, m, and name of each sea state from 0 to 9 (WMO code table 3700).
-const STATES: [(f64, &str); 10] = [
+const SEA_STATES: [(f64, &str); 10] = [
     (0.0, "calm, glassy"),
     (0.1, "calm, rippled"),
     (0.5, "smooth, wavelets"),
@@ -110,8 +111,8 @@ const STATES: [(f64, &str); 10] = [
 /// Sea state code (0 to 9) and its name for a significant wave height in m, by WMO code table 3700. A height on the
 /// boundary of two states gets the lower code, as the table demands; negative values and NaN count as calm.
 pub fn sea_state(hs_m: f64) -> (u8, &'static str) {
-    let code = STATES.partition_point(|&(upper_m, _)| hs_m > upper_m);
-    (code as u8, STATES[code].1)
+    let code = SEA_STATES.partition_point(|&(upper_m, _)| hs_m > upper_m);
+    (code as u8, SEA_STATES[code].1)
 }
 
 #[cfg(test)]
@@ -119,35 +120,35 @@ mod tests {
     use super::*;
     use crate::state::{fields, query};
     use crate::waves::Plan;
-    use crate::waves::statistics::Theory;
+    use crate::waves::statistics::SpectrumStatistics;
 
     #[test]
     fn the_scale_is_whole() {
-        for (i, f) in FORCES.iter().enumerate() {
+        for (i, f) in BEAUFORT_FORCES.iter().enumerate() {
             let (low, high) = f.wind_m_s;
-            assert!(low <= f.mean_m_s && f.mean_m_s <= high, "{f:?}");
-            assert!((0.836 * (i as f64).powf(1.5) - f.mean_m_s).abs() < 0.051, "{f:?}");
+            assert!(low <= f.mean_wind_m_s && f.mean_wind_m_s <= high, "{f:?}");
+            assert!((0.836 * (i as f64).powf(1.5) - f.mean_wind_m_s).abs() < 0.051, "{f:?}");
             let fetch = fields::find("fetch").expect("fetch");
             assert_eq!(fetch.accept(f.fetch_km), Ok(f.fetch_km));
-            assert_eq!((number_of(low), number_of(f.mean_m_s)), (i, i));
-            assert_eq!(number_of(low + 0.01), i);
-            if let Some(next) = FORCES.get(i + 1) {
+            assert_eq!((beaufort_number(low), beaufort_number(f.mean_wind_m_s)), (i, i));
+            assert_eq!(beaufort_number(low + 0.01), i);
+            if let Some(next) = BEAUFORT_FORCES.get(i + 1) {
                 assert!((next.wind_m_s.0 - high - 0.1).abs() < 1e-9, "no gap but the tenth: {f:?}");
-                assert_eq!((number_of(high), number_of(next.wind_m_s.0 - 0.01)), (i, i));
+                assert_eq!((beaufort_number(high), beaufort_number(next.wind_m_s.0 - 0.01)), (i, i));
             }
         }
-        assert_eq!([f64::NAN, -3.0, 0.0, 0.29, 0.3, 1e9, f64::INFINITY].map(number_of), [0, 0, 0, 0, 1, 12, 12]);
+        assert_eq!([f64::NAN, -3.0, 0.0, 0.29, 0.3, 1e9, f64::INFINITY].map(beaufort_number), [0, 0, 0, 0, 1, 12, 12]);
     }
 
     /// Compares the significant wave heights of all forces with the WMO table. The fetches are rounded to two digits,
-    /// which costs up to 2 %; [`FORCES`] explains the larger differences of forces 1 to 3.
+    /// which costs up to 2 %; [`BEAUFORT_FORCES`] explains the larger differences of forces 1 to 3.
     #[test]
     fn heights_of_the_textbook() {
         let limits = [0.0, 0.85, 0.25, 0.15, 0.02, 0.02, 0.02, 0.02, 0.02, 0.03, 0.02, 0.02, 0.02];
-        for (f, limit) in FORCES.iter().zip(limits) {
+        for (f, limit) in BEAUFORT_FORCES.iter().zip(limits) {
             let plan = Plan::new(&f.apply(&Params::default()));
-            let hs_m = Theory::new(&plan).hs_m;
-            assert!((hs_m - f.probable_m).abs() <= limit * f.probable_m, "{}: {hs_m}", f.name);
+            let hs_m = SpectrumStatistics::new(&plan).hs_m;
+            assert!((hs_m - f.probable_hs_m).abs() <= limit * f.probable_hs_m, "{}: {hs_m}", f.name);
             assert_eq!(plan.notices, Vec::<String>::new(), "{}", f.name);
         }
     }
@@ -157,11 +158,11 @@ mod tests {
         let state = "dir=33&seed=9&depth=50&scale2=1&hs2=2&sun=5&heading=80&t=12&n=128&chop=0.8&foambias=0.1";
         let own = "&spectrum=tma&hs=3&tp=9&scale=2&gamma=5&spread=cos2&wind=3";
         let now = query::parse(&format!("{state}{own}")).0;
-        for f in &FORCES[1..] {
-            let wanted = query::parse(&format!("{state}&wind={}&fetch={}", f.mean_m_s, f.fetch_km));
+        for f in &BEAUFORT_FORCES[1..] {
+            let wanted = query::parse(&format!("{state}&wind={}&fetch={}", f.mean_wind_m_s, f.fetch_km));
             assert_eq!((f.apply(&now), vec![]), wanted);
         }
-        assert!(Plan::new(&FORCES[0].apply(&Params::default())).is_calm());
+        assert!(Plan::new(&BEAUFORT_FORCES[0].apply(&Params::default())).is_calm());
     }
 
     #[test]

@@ -2,13 +2,13 @@
 //! bands, derived from the spectrum or set by the user.
 
 use super::dispersion::Dispersion;
-use super::energy::Energy;
+use super::energy::SpectrumIntegrals;
 use crate::state::params::{Grid, MAX_CASCADES};
 use std::f64::consts::TAU;
 
 /// Golden ratio. The sides of the patches are integer powers of it, in m; the exponent is called the rung. The ratio is
 /// irrational, so the sum of two patches never repeats.
-const GOLDEN: f64 = 1.618_033_988_749_895;
+const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
 /// Number of wavelengths that fit across a patch at the low edge of its band; fewer would show as a repeated pattern.
 ///
 /// In units of the lattice spacing it is also the inner radius of the band, sqrt(177 / pi): a circle that encloses 177
@@ -16,24 +16,24 @@ const GOLDEN: f64 = 1.618_033_988_749_895;
 const WAVES_AT_LOW_EDGE: f64 = 7.506_054_213;
 /// Exponent of the golden ratio for each cascade's patch, counted down from the first (largest) patch. The step of 3
 /// fits the most energetic band into 64 x 64 points. With 128 x 128 points the steps of 4 leave no gaps between bands.
-const RUNGS_BELOW_FIRST: [i32; MAX_CASCADES] = [0, 3, 7, 11];
+const GOLDEN_EXPONENT_STEPS: [i32; MAX_CASCADES] = [0, 3, 7, 11];
 /// FFT size assumed when the number of cascades is chosen, so that this number does not depend on the user's FFT size.
-const NOMINAL_N: f64 = 256.0;
+const NOMINAL_FFT_SIZE: f64 = 256.0;
 /// Wave number that the finest cascade should at least reach, rad/m: a wavelength of 20 cm.
-const WANTED_K: f64 = 30.0;
+const MIN_FINEST_WAVE_NUMBER: f64 = 30.0;
 /// Largest wave number simulated without surface tension, rad/m (wavelength 1.7 cm). Above it waves are capillary.
 const MAX_GRAVITY_K: f64 = 370.0;
 /// Largest wave number simulated with surface tension, rad/m (wavelength 1 mm). Viscosity damps shorter waves.
 const MAX_CAPILLARY_K: f64 = 6000.0;
 /// Fraction of the elevation variance m0 that must lie below the Nyquist wave number of the finest cascade.
-const WANTED_SHARE: f64 = 0.995;
+const MIN_VARIANCE_FRACTION: f64 = 0.995;
 /// Fraction of the elevation variance m0 that may lie in waves too long for the first (largest) patch: waves of which
 /// fewer than `WAVES_AT_LOW_EDGE` fit across it.
-const LOW_TAIL: f64 = 5e-4;
+const MAX_LONG_WAVE_FRACTION: f64 = 5e-4;
 /// Smallest side of a patch that the user can set, m.
 const MIN_PATCH_M: f64 = 0.1;
 /// First random-number key for patches whose side the user has set. It lies above the keys of all automatic patches.
-const MANUAL_KEY: u32 = 1000;
+const MANUAL_NOISE_KEY: u32 = 1000;
 
 /// One square patch of waves; the sea is the sum of several patches of different sizes. The wave vectors k of a patch
 /// form a lattice of n x n points, 2 pi / patch_m apart. Only those with k_low <= |k| < k_high carry waves.
@@ -46,7 +46,7 @@ pub struct Cascade {
     /// Largest wave number of the cascade's band, rad/m (exclusive), at most Nyquist; equal to `k_low` if it is empty.
     pub k_high: f64,
     /// Key of the cascade's random numbers. An automatic patch of a given size has the same key in every sea.
-    pub key: u32,
+    pub noise_key: u32,
 }
 
 impl Cascade {
@@ -56,29 +56,29 @@ impl Cascade {
     }
 
     /// Whether the wave number `k` (rad/m) lies in the cascade's band.
-    pub fn holds(&self, k: f64) -> bool {
+    pub fn contains_wave_number(&self, k: f64) -> bool {
         k >= self.k_low && k < self.k_high
     }
 }
 
 /// Chooses the cascades for a spectrum, longest waves first; settings of the user in `grid` take precedence. Automatic
 /// band edges do not depend on the FFT size, except at the Nyquist wave number: a larger FFT only adds short waves.
-pub fn choose(energy: &Energy, dispersion: &Dispersion, grid: &Grid) -> Vec<Cascade> {
+pub fn choose_cascades(energy: &SpectrumIntegrals, dispersion: &Dispersion, grid: &Grid) -> Vec<Cascade> {
     let is_calm = energy.m0() <= 0.0;
-    let k_low = if is_calm { TAU / 10.0 } else { dispersion.wave_number(energy.quantile(LOW_TAIL)) };
-    let k_wanted = if is_calm { 0.0 } else { dispersion.wave_number(energy.quantile(WANTED_SHARE)) };
-    let rung = ((WAVES_AT_LOW_EDGE * TAU / k_low).ln() / GOLDEN.ln()).ceil() as i32;
-    let rungs = RUNGS_BELOW_FIRST.map(|below| rung - below);
-    let finest = |count: usize| 0.5 * NOMINAL_N * TAU / GOLDEN.powi(rungs[count - 1]);
+    let k_low = if is_calm { TAU / 10.0 } else { dispersion.wave_number(energy.quantile(MAX_LONG_WAVE_FRACTION)) };
+    let k_wanted = if is_calm { 0.0 } else { dispersion.wave_number(energy.quantile(MIN_VARIANCE_FRACTION)) };
+    let rung = ((WAVES_AT_LOW_EDGE * TAU / k_low).ln() / GOLDEN_RATIO.ln()).ceil() as i32;
+    let rungs = GOLDEN_EXPONENT_STEPS.map(|below| rung - below);
+    let finest = |count: usize| 0.5 * NOMINAL_FFT_SIZE * TAU / GOLDEN_RATIO.powi(rungs[count - 1]);
     let count = match grid.cascades {
         0 if is_calm => 1,
-        0 => (2..=3).find(|&c| finest(c) >= WANTED_K.max(k_wanted)).unwrap_or(4),
+        0 => (2..=3).find(|&c| finest(c) >= MIN_FINEST_WAVE_NUMBER.max(k_wanted)).unwrap_or(4),
         set => (set as usize).clamp(1, rungs.len()),
     };
     let mut patches: Vec<_> = (0..count)
         .map(|i| match grid.patches[i].side_m {
-            0.0 => (GOLDEN.powi(rungs[i]), (rungs[i] + 64) as u32, grid.patches[i]),
-            side_m => (side_m.max(MIN_PATCH_M), MANUAL_KEY + i as u32, grid.patches[i]),
+            0.0 => (GOLDEN_RATIO.powi(rungs[i]), (rungs[i] + 64) as u32, grid.patches[i]),
+            side_m => (side_m.max(MIN_PATCH_M), MANUAL_NOISE_KEY + i as u32, grid.patches[i]),
         })
         .collect();
     patches.sort_by(|a, b| b.0.total_cmp(&a.0));
@@ -91,7 +91,7 @@ pub fn choose(energy: &Energy, dispersion: &Dispersion, grid: &Grid) -> Vec<Casc
     };
     (0..count)
         .map(|i| {
-            let (patch_m, key, set) = patches[i];
+            let (patch_m, noise_key, set) = patches[i];
             let nyquist = f64::from(grid.n / 2) * TAU / patch_m;
             let k_high = match set.k_high {
                 0.0 if grid.overlap || i + 1 == count => f64::INFINITY,
@@ -99,7 +99,7 @@ pub fn choose(energy: &Energy, dispersion: &Dispersion, grid: &Grid) -> Vec<Casc
                 k => k,
             };
             let k_low = low(i);
-            Cascade { patch_m, k_low, k_high: k_high.min(nyquist).min(k_max).max(k_low), key }
+            Cascade { patch_m, k_low, k_high: k_high.min(nyquist).min(k_max).max(k_low), noise_key }
         })
         .collect()
 }

@@ -78,7 +78,7 @@ mod tests {
         let plan = Plan::new(&Params::default());
         for key in ["chop", "chopz", "level", "foamdecay", "whitecaps", "foambias"] {
             let params = changed(key);
-            assert_eq!(plan.with_surface(&params.sea), Plan::new(&params), "{key}");
+            assert_eq!(plan.with_surface_and_foam_of(&params.sea), Plan::new(&params), "{key}");
         }
     }
 }

@@ -3,7 +3,7 @@
 
 use super::plan::Plan;
 use super::statistics;
-use crate::state::views::{Map, Shown, Surface, ViewChoice};
+use crate::state::views::{DisplayedView, MapView, SurfaceView, ViewChoice};
 
 /// Number of clipmap levels that store foam.
 const FOAM_LEVELS: usize = 4;
@@ -63,35 +63,39 @@ pub struct ColourScale {
 
 impl ColourScale {
     /// Chooses the colour scale of a view for one layer of the maps: the index of the cascade or of the foam level.
-    pub fn new(shown: Shown, plan: &Plan, layer: usize) -> Self {
+    pub fn new(displayed: DisplayedView, plan: &Plan, layer: usize) -> Self {
         let (k_low, k_high) = plan.cascades.get(layer).map_or((0.0, 0.0), |c| (c.k_low, c.k_high));
         let (mss, m0) = (plan.energy.mss_between(k_low, k_high), plan.energy.m0_between(k_low, k_high));
         // The lower limits give a calm sea a scale of non-zero width.
         let (slope, height_m) = (mss.sqrt().max(1e-4), m0.sqrt().max(1e-3));
         // In shallow water the horizontal displacement exceeds the vertical one.
-        let orbit = if m0 > 0.0 { plan.dispersion.orbit((mss / m0).sqrt()) } else { 1.0 };
-        let chop = plan.sea.lambda().into_iter().fold(0.0, f64::max);
+        let orbit = if m0 > 0.0 { plan.dispersion.orbit_axis_ratio((mss / m0).sqrt()) } else { 1.0 };
+        let chop = plan.sea.choppiness().into_iter().fold(0.0, f64::max);
         let symmetric = |unit, limit: f64| Self::linear(-limit, limit, unit, Palette::Diverging);
         let positive = |limit: f64| Self::linear(0.0, limit, "", Palette::Sequential);
-        match shown {
-            Shown::Picture | Shown::Surface(Surface::Wireframe) => Self::linear(0.0, 1.0, "", Palette::Direction),
-            Shown::Map(Map::InitialSpectrum) => Self::amplitude(height_m, Palette::Sequential),
-            Shown::Map(Map::Spectrum) => Self::amplitude(height_m, Palette::Phase),
-            Shown::Map(Map::Height) => symmetric("m", 3.0 * height_m),
-            Shown::Map(Map::Dx | Map::Dz) => symmetric("m", 3.0 * height_m * orbit),
-            Shown::Map(Map::SlopeX | Map::SlopeZ) => symmetric("", 2.5 * slope),
-            Shown::Map(Map::Shear | Map::StretchX | Map::StretchZ) => symmetric("", 2.5 * slope * orbit),
-            Shown::Map(Map::MomentXx | Map::MomentZz) => positive(3.0 * slope * slope),
-            Shown::Map(Map::MomentXz) => symmetric("", 1.5 * slope * slope),
-            Shown::Map(Map::Jacobian) => Self::jacobian(slope * orbit * chop),
-            Shown::Map(Map::Foam | Map::Source) | Shown::Surface(Surface::Foam) => positive(1.0),
-            Shown::Surface(Surface::Normals) => Self::linear(-1.0, 1.0, "", Palette::Direction),
-            Shown::Surface(Surface::Jacobian) => Self::jacobian(plan.strain_variance(0.0).sqrt() * chop),
-            Shown::Surface(Surface::Roughness) => {
+        match displayed {
+            DisplayedView::Picture | DisplayedView::Surface(SurfaceView::Wireframe) => {
+                Self::linear(0.0, 1.0, "", Palette::Direction)
+            }
+            DisplayedView::Map(MapView::InitialSpectrum) => Self::amplitude(height_m, Palette::Sequential),
+            DisplayedView::Map(MapView::Spectrum) => Self::amplitude(height_m, Palette::Phase),
+            DisplayedView::Map(MapView::Height) => symmetric("m", 3.0 * height_m),
+            DisplayedView::Map(MapView::Dx | MapView::Dz) => symmetric("m", 3.0 * height_m * orbit),
+            DisplayedView::Map(MapView::SlopeX | MapView::SlopeZ) => symmetric("", 2.5 * slope),
+            DisplayedView::Map(MapView::DxDz | MapView::DxDx | MapView::DzDz) => symmetric("", 2.5 * slope * orbit),
+            DisplayedView::Map(MapView::MomentXx | MapView::MomentZz) => positive(3.0 * slope * slope),
+            DisplayedView::Map(MapView::MomentXz) => symmetric("", 1.5 * slope * slope),
+            DisplayedView::Map(MapView::Jacobian) => Self::jacobian(slope * orbit * chop),
+            DisplayedView::Map(MapView::Foam | MapView::Source) | DisplayedView::Surface(SurfaceView::Foam) => {
+                positive(1.0)
+            }
+            DisplayedView::Surface(SurfaceView::Normals) => Self::linear(-1.0, 1.0, "", Palette::Direction),
+            DisplayedView::Surface(SurfaceView::Jacobian) => Self::jacobian(plan.strain_variance(0.0).sqrt() * chop),
+            DisplayedView::Surface(SurfaceView::Roughness) => {
                 let wind = plan.sea.local().wind_m_s;
                 positive(plan.slope_variance(f64::INFINITY).max(statistics::cox_munk_mss(wind)))
             }
-            Shown::Surface(Surface::Mips) => positive(f64::from(plan.n.ilog2() - 2)),
+            DisplayedView::Surface(SurfaceView::Mips) => positive(f64::from(plan.n.ilog2() - 2)),
         }
     }
 
@@ -124,24 +128,26 @@ pub struct Caption {
 
 /// Writes the caption that explains the colours of a view of a planned sea.
 pub fn caption(view: ViewChoice, plan: &Plan) -> Caption {
-    let levels = matches!(view.shown, Shown::Map(Map::Foam | Map::Source));
-    let layers = view.layers(if levels { FOAM_LEVELS } else { plan.cascades.len() });
+    let levels = matches!(view.displayed, DisplayedView::Map(MapView::Foam | MapView::Source));
+    let cascade_layers = view.cascade_layers(if levels { FOAM_LEVELS } else { plan.cascades.len() });
     let range = |layer: usize| {
-        let s = ColourScale::new(view.shown, plan, layer);
+        let s = ColourScale::new(view.displayed, plan, layer);
         let unit = if s.unit.is_empty() { String::new() } else { format!(" {}", s.unit) };
         let spacing = if s.logarithmic { ", logarithmic" } else { "" };
         format!("{} to {}{unit}{spacing}", three_digits(s.low), three_digits(s.high))
     };
-    let palette = ColourScale::new(view.shown, plan, 0).palette;
-    let lines = match view.shown {
-        Shown::Surface(Surface::Normals) => vec!["red: east, green: north, blue: up".to_owned()],
-        Shown::Surface(Surface::Wireframe) | Shown::Picture => vec!["triangles as they are drawn".to_owned()],
-        Shown::Map(_) if levels => layers.map(|i| format!("level {}: {}", i + 1, range(i))).collect(),
-        Shown::Map(_) | Shown::Surface(Surface::Mips) => {
-            let patch = |i: usize| three_digits(plan.cascades[i].patch_m);
-            layers.map(|i| format!("cascade {}, patch {} m: {}", i + 1, patch(i), range(i))).collect()
+    let palette = ColourScale::new(view.displayed, plan, 0).palette;
+    let lines = match view.displayed {
+        DisplayedView::Surface(SurfaceView::Normals) => vec!["red: east, green: north, blue: up".to_owned()],
+        DisplayedView::Surface(SurfaceView::Wireframe) | DisplayedView::Picture => {
+            vec!["triangles as they are drawn".to_owned()]
         }
-        Shown::Surface(_) => vec![range(0)],
+        DisplayedView::Map(_) if levels => cascade_layers.map(|i| format!("level {}: {}", i + 1, range(i))).collect(),
+        DisplayedView::Map(_) | DisplayedView::Surface(SurfaceView::Mips) => {
+            let patch = |i: usize| three_digits(plan.cascades[i].patch_m);
+            cascade_layers.map(|i| format!("cascade {}, patch {} m: {}", i + 1, patch(i), range(i))).collect()
+        }
+        DisplayedView::Surface(_) => vec![range(0)],
     };
     Caption { palette: (palette != Palette::Direction).then_some(palette), lines }
 }
@@ -159,15 +165,15 @@ fn three_digits(x: f64) -> String {
 mod tests {
     use super::*;
     use crate::state::query;
-    use crate::state::views::VIEWS;
+    use crate::state::views::DISPLAYED_VIEWS;
 
     #[test]
     fn every_scale_of_every_sea_has_a_width() {
         for state in ["", "wind=0", "wind=60&fetch=2000", "depth=1", "cascades=1", "chop=0", "height=0.1&wind=0.5"] {
             let plan = Plan::new(&query::parse(state).0);
-            for (word, shown, _) in VIEWS {
+            for (word, displayed, _) in DISPLAYED_VIEWS {
                 for layer in 0..5 {
-                    let s = ColourScale::new(*shown, &plan, layer);
+                    let s = ColourScale::new(*displayed, &plan, layer);
                     assert!(s.low.is_finite() && s.high.is_finite() && s.low < s.high, "{state} {word}: {s:?}");
                     assert!(!s.logarithmic || s.low > 0.0, "{state} {word}: {s:?}");
                 }
@@ -178,13 +184,13 @@ mod tests {
     #[test]
     fn captions_say_what_is_seen() {
         let plan = Plan::new(&query::parse("wind=12&cascades=3").0);
-        let lines = |shown, cascade| caption(ViewChoice { shown, cascade }, &plan).lines;
-        assert_eq!(lines(Shown::Map(Map::Height), 0).len(), 3);
-        assert!(lines(Shown::Map(Map::Height), 2)[0].starts_with("cascade 2, patch "));
-        assert!(lines(Shown::Map(Map::Height), 2)[0].ends_with(" m"));
-        assert!(lines(Shown::Map(Map::Spectrum), 1)[0].ends_with(" m, logarithmic"));
-        assert!(lines(Shown::Surface(Surface::Mips), 0)[0].starts_with("cascade 3, "));
-        assert_eq!(lines(Shown::Map(Map::Foam), 4), ["level 4: 0 to 1.00"]);
+        let lines = |displayed, cascade| caption(ViewChoice { displayed, cascade }, &plan).lines;
+        assert_eq!(lines(DisplayedView::Map(MapView::Height), 0).len(), 3);
+        assert!(lines(DisplayedView::Map(MapView::Height), 2)[0].starts_with("cascade 2, patch "));
+        assert!(lines(DisplayedView::Map(MapView::Height), 2)[0].ends_with(" m"));
+        assert!(lines(DisplayedView::Map(MapView::Spectrum), 1)[0].ends_with(" m, logarithmic"));
+        assert!(lines(DisplayedView::Surface(SurfaceView::Mips), 0)[0].starts_with("cascade 3, "));
+        assert_eq!(lines(DisplayedView::Map(MapView::Foam), 4), ["level 4: 0 to 1.00"]);
         assert_eq!([1234.5, -0.01234, 12.3, 1e-5].map(three_digits), ["1234", "-0.0123", "12.3", "1.0e-5"]);
     }
 }

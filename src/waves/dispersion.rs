@@ -18,16 +18,16 @@ pub struct Dispersion {
 impl Dispersion {
     /// Makes the dispersion relation that is selected in the sea's parameters: deep, finite depth or capillary.
     pub fn new(sea: &Sea) -> Self {
-        let finite = Self::finite(sea.gravity_m_s2, sea.depth_m);
+        let finite_depth = Self::finite_depth(sea.gravity_m_s2, sea.depth_m);
         match sea.dispersion {
-            DispersionKind::Deep => Self { depth_m: f64::INFINITY, ..finite },
-            DispersionKind::Finite => finite,
-            DispersionKind::Capillary => Self { tension_m3_s2: sea.tension_n_m / sea.density_kg_m3, ..finite },
+            DispersionKind::Deep => Self { depth_m: f64::INFINITY, ..finite_depth },
+            DispersionKind::Finite => finite_depth,
+            DispersionKind::Capillary => Self { tension_m3_s2: sea.tension_n_m / sea.density_kg_m3, ..finite_depth },
         }
     }
 
     /// Makes the dispersion relation of gravity waves in water of finite depth, without surface tension.
-    pub fn finite(gravity_m_s2: f64, depth_m: f64) -> Self {
+    pub fn finite_depth(gravity_m_s2: f64, depth_m: f64) -> Self {
         Self { gravity_m_s2, depth_m, tension_m3_s2: 0.0 }
     }
 
@@ -75,7 +75,7 @@ impl Dispersion {
     }
 
     /// Ratio of the horizontal to the vertical axis of the water particle orbits at the surface, coth(k h).
-    pub fn orbit(&self, k: f64) -> f64 {
+    pub fn orbit_axis_ratio(&self, k: f64) -> f64 {
         1.0 / (k * self.depth_m).tanh()
     }
 }
@@ -126,7 +126,7 @@ mod tests {
             (100..1000).map(f64::from).min_by(|a, b| (capillary.omega(*a) / a).total_cmp(&(capillary.omega(*b) / b)));
         assert!((slowest.unwrap() - 365.0).abs() < 6.0 && (capillary.omega(370.0) / 370.0 - 0.231).abs() < 0.002);
         // A long wave over 2 m of water.
-        let shallow = Dispersion::finite(9.81, 2.0);
+        let shallow = Dispersion::finite_depth(9.81, 2.0);
         assert!((shallow.omega(0.05) - 0.221).abs() < 0.001);
     }
 }

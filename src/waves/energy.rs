@@ -5,7 +5,7 @@ use super::dispersion::Dispersion;
 
 /// Cumulative integrals of a frequency spectrum: variance of elevation, slope and strain below each grid frequency.
 #[derive(Clone, Debug)]
-pub struct Energy {
+pub struct SpectrumIntegrals {
     /// Angular frequencies of the grid, rad/s, ascending.
     omega: Vec<f64>,
     /// Wave numbers of the grid frequencies, rad/m.
@@ -17,7 +17,7 @@ pub struct Energy {
     pub omega_p: f64,
 }
 
-impl Energy {
+impl SpectrumIntegrals {
     const STEPS: usize = 1600;
 
     /// Integrates the spectrum `density`, S(omega) in m^2 s, from the frequency `low` to `high` (rad/s).
@@ -33,7 +33,7 @@ impl Energy {
                 (highest, out.omega_p) = (s, omega);
             }
             let share = s * omega * step;
-            let now = [share, share * k * k, share * (k * dispersion.orbit(k)).powi(2)];
+            let now = [share, share * k * k, share * (k * dispersion.orbit_axis_ratio(k)).powi(2)];
             for ((sum, a), b) in sums.iter_mut().zip(before).zip(now) {
                 *sum += 0.5 * (a + b);
             }
@@ -58,26 +58,26 @@ impl Energy {
 
     /// Elevation variance (m^2) of the waves with wave numbers from `low` to `high` (rad/m).
     pub fn m0_between(&self, low: f64, high: f64) -> f64 {
-        self.between(0, low, high)
+        self.integral_between(0, low, high)
     }
 
     /// Mean square slope of the waves with wave numbers from `low` to `high` (rad/m).
     pub fn mss_between(&self, low: f64, high: f64) -> f64 {
-        self.between(1, low, high)
+        self.integral_between(1, low, high)
     }
 
     /// Variance of the horizontal strain dDx/dx + dDz/dz of the waves with wave numbers from `low` to `high` (rad/m).
     /// The variance at each wave number k is multiplied by the filter `response(k)`.
-    pub fn filtered_strain(&self, low: f64, high: f64, response: impl Fn(f64) -> f64) -> f64 {
+    pub fn filtered_strain_variance(&self, low: f64, high: f64, response: impl Fn(f64) -> f64) -> f64 {
         let piece = |i: usize| {
             let (a, b) = (self.k[i - 1].max(low), self.k[i].min(high));
-            if a < b { self.between(2, a, b) * response(0.5 * (a + b)) } else { 0.0 }
+            if a < b { self.integral_between(2, a, b) * response(0.5 * (a + b)) } else { 0.0 }
         };
         (1..self.k.len()).map(piece).sum()
     }
 
     /// Increase of one of the integrals in `sums` from wave number `low` to `high` (rad/m), by linear interpolation.
-    fn between(&self, which: usize, low: f64, high: f64) -> f64 {
+    fn integral_between(&self, which: usize, low: f64, high: f64) -> f64 {
         let at = |k: f64| match self.k.partition_point(|&x| x < k) {
             0 => 0.0,
             i if i > Self::STEPS => self.sums[Self::STEPS][which],

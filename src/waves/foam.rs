@@ -11,18 +11,18 @@ use std::f64::consts::PI;
 
 /// Factor of the fit F / (1 - F) = FACTOR (rate x decay time)^POWER s for the mean foam F at a mean foam source s. The
 /// fit was made to GPU results for winds of 7 to 30 m/s, all foam levels, and rate x decay time from 1 to 50.
-const FACTOR: f64 = 1.03;
-const POWER: f64 = 0.73;
+const COVERAGE_FIT_FACTOR: f64 = 1.03;
+const COVERAGE_FIT_EXPONENT: f64 = 0.73;
 /// Product of the default growth rate (1/s) and decay time (s) of foam. The default threshold is derived for it, so
 /// that the mean foam equals the whitecap coverage of the wind.
 const DEFAULT_RATE_DECAY: f64 = 8.0;
 /// Decrease of the strain over which the foam source rises from 0 to 1, in standard deviations of the strain.
-const RAMP: f64 = 0.5;
+const SOURCE_RAMP_SIGMAS: f64 = 0.5;
 
 /// Upper limit of the whitecap coverage that the foam model aims for, as a fraction of the surface.
 const MAX_COVERAGE: f64 = 0.9;
 /// Coefficient (1 - r2^2) / 4 in [`jacobian`] with the second directional moment r2 of short waves.
-const DETERMINANT: f64 = 0.2;
+const DETERMINANT_COEFFICIENT: f64 = 0.2;
 /// Texel size at which the user's fixed foam threshold applies, m. It is adapted to other sizes for equally rare foam.
 const REFERENCE_TEXEL_M: f64 = 0.25;
 /// Standard deviation of the strain below which the water counts as flat and gets no foam.
@@ -41,7 +41,7 @@ pub struct FoamSource {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoamModel {
     /// Compression at which foam starts to form, in standard deviations of the strain; infinite if there is no foam.
-    sigmas: f64,
+    threshold_sigmas: f64,
     /// Expected mean of the foam value over the surface, 0 to 1.
     pub coverage: f64,
 }
@@ -53,45 +53,50 @@ impl FoamModel {
         let foam = &plan.sea.foam;
         let sigma = strain_deviation(plan, REFERENCE_TEXEL_M);
         let coverage = monahan_coverage(plan.sea.local().wind_m_s).min(MAX_COVERAGE);
-        let source = coverage / (1.0 - coverage) / (FACTOR * DEFAULT_RATE_DECAY.powf(POWER));
+        let source =
+            coverage / (1.0 - coverage) / (COVERAGE_FIT_FACTOR * DEFAULT_RATE_DECAY.powf(COVERAGE_FIT_EXPONENT));
         if sigma < MIN_SIGMA || (foam.whitecaps == Whitecaps::Monahan && source <= 0.0) {
-            return Self { sigmas: f64::INFINITY, coverage: 0.0 };
+            return Self { threshold_sigmas: f64::INFINITY, coverage: 0.0 };
         }
-        let mut sigmas = match foam.whitecaps {
+        let mut threshold_sigmas = match foam.whitecaps {
             Whitecaps::Fixed => sigmas_at(foam.threshold, sigma),
             Whitecaps::Monahan => bisect(-2.0, 8.0, |z| mean_source(z) > source),
         };
         if foam.bias != 0.0 {
-            sigmas = sigmas_at(jacobian(sigmas, sigma) + foam.bias, sigma);
+            threshold_sigmas = sigmas_at(jacobian(threshold_sigmas, sigma) + foam.bias, sigma);
         }
-        let ratio = FACTOR * (foam.rate_per_s * foam.decay_s).powf(POWER) * mean_source(sigmas);
-        Self { sigmas, coverage: ratio / (1.0 + ratio) }
+        let ratio = COVERAGE_FIT_FACTOR
+            * (foam.rate_per_s * foam.decay_s).powf(COVERAGE_FIT_EXPONENT)
+            * mean_source(threshold_sigmas);
+        Self { threshold_sigmas, coverage: ratio / (1.0 + ratio) }
     }
 
     /// Foam source for a foam grid with texels of `texel_m` (m): a coarser grid resolves less variance of the Jacobian.
     pub fn source(&self, plan: &Plan, texel_m: f64) -> FoamSource {
         let sigma = strain_deviation(plan, texel_m);
-        if sigma < MIN_SIGMA || self.sigmas.is_infinite() {
+        if sigma < MIN_SIGMA || self.threshold_sigmas.is_infinite() {
             return FoamSource { threshold: -1e3, slope: 0.0 };
         }
-        let threshold = jacobian(self.sigmas, sigma);
-        let slope = 1.0 / (threshold - jacobian(self.sigmas + RAMP, sigma)).max(0.05 * sigma);
+        let threshold = jacobian(self.threshold_sigmas, sigma);
+        let slope = 1.0 / (threshold - jacobian(self.threshold_sigmas + SOURCE_RAMP_SIGMAS, sigma)).max(0.05 * sigma);
         FoamSource { threshold, slope }
     }
 }
 
-/// Mean Jacobian J where the strain s = lx dDx/dx + lz dDz/dz is `sigmas` standard deviations `sigma` below 0.
+/// Mean Jacobian J where the strain s = lx dDx/dx + lz dDz/dz is `threshold_sigmas` standard deviations `sigma` below
+/// 0.
 ///
 /// J is 1 + s + the determinant of the strain tensor. For a given s the mean of the determinant is
 /// (s^2 - sigma^2) (1 - r2^2) / 4 with the second directional moment r2 (1 for long-crested, 0 for isotropic waves).
-fn jacobian(sigmas: f64, sigma: f64) -> f64 {
-    1.0 - sigmas * sigma + DETERMINANT * (sigmas * sigmas - 1.0) * sigma * sigma
+fn jacobian(threshold_sigmas: f64, sigma: f64) -> f64 {
+    1.0 - threshold_sigmas * sigma
+        + DETERMINANT_COEFFICIENT * (threshold_sigmas * threshold_sigmas - 1.0) * sigma * sigma
 }
 
 /// Inverse of [`jacobian`]: number of standard deviations `sigma` of strain below 0 at which the mean Jacobian equals
 /// `threshold`. Of the two solutions it returns the smaller one.
 fn sigmas_at(threshold: f64, sigma: f64) -> f64 {
-    bisect(-8.0, (0.5 / (DETERMINANT * sigma)).min(12.0), |z| jacobian(z, sigma) > threshold)
+    bisect(-8.0, (0.5 / (DETERMINANT_COEFFICIENT * sigma)).min(12.0), |z| jacobian(z, sigma) > threshold)
 }
 
 /// Finds by bisection the value in [low, high] up to which the condition `holds` is true and above which it is false.
@@ -106,7 +111,7 @@ fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
 /// Standard deviation of the strain lx dDx/dx + lz dDz/dz on a foam grid with texels of `texel_m` (m), where both chop
 /// factors lx and lz are replaced by their rms value.
 fn strain_deviation(plan: &Plan, texel_m: f64) -> f64 {
-    let [lx, lz] = plan.sea.lambda();
+    let [lx, lz] = plan.sea.choppiness();
     // The foam pass reads a mip level of the maps with half the texel size of the foam grid.
     (0.5 * (lx * lx + lz * lz) * plan.strain_variance(0.5 * texel_m)).sqrt()
 }
@@ -116,5 +121,5 @@ fn strain_deviation(plan: &Plan, texel_m: f64) -> f64 {
 fn mean_source(z: f64) -> f64 {
     // Mean of max(Z - z, 0).
     let excess = |z: f64| (-0.5 * z * z).exp() / (2.0 * PI).sqrt() - z * 0.5 * libm::erfc(z / 2f64.sqrt());
-    (excess(z) - excess(z + RAMP)) / RAMP
+    (excess(z) - excess(z + SOURCE_RAMP_SIGMAS)) / SOURCE_RAMP_SIGMAS
 }

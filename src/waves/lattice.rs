@@ -6,9 +6,9 @@ use std::f64::consts::TAU;
 
 /// Largest wave number, in units of the lattice spacing, up to which the spectrum is averaged over a lattice cell
 /// instead of being sampled at the lattice point.
-const COARSE_CELLS: f64 = 40.0;
+const COARSE_CELLS_ACROSS_K: f64 = 40.0;
 /// Four-point Gauss-Legendre rule over [-1/2, 1/2]: nodes and weights.
-const CELL_RULE: [(f64, f64); 4] = [
+const CELL_QUADRATURE_NODES: [(f64, f64); 4] = [
     (-0.430_568_155_797_026_3, 0.173_927_422_568_726_93),
     (-0.169_990_521_792_428_13, 0.326_072_577_431_273_07),
     (0.169_990_521_792_428_13, 0.326_072_577_431_273_07),
@@ -17,30 +17,32 @@ const CELL_RULE: [(f64, f64); 4] = [
 
 /// Quantities of a wave that depend only on its wave number |k|, not on its direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wave {
+pub struct LatticeWave {
     /// Wave number, rad/m.
     pub k: f64,
     /// Number of whole cycles of the wave in one period of the sea (`Plan::period_s`).
-    pub turns: u32,
-    /// Angular frequency, rad/s, rounded to `turns` x 2 pi / period, so that the sea repeats after its period.
+    pub cycles_per_period: u32,
+    /// Angular frequency, rad/s, rounded to `cycles_per_period` x 2 pi / period, so that the sea repeats after its
+    /// period.
     pub omega: f64,
     /// Ratio of the horizontal to the vertical axis of the water particle orbits, coth(k h) at the water depth h.
-    pub orbit: f64,
+    pub orbit_axis_ratio: f64,
 }
 
 impl Plan {
     /// Returns the wave at the lattice points (ix, iz) of a cascade with ix^2 + iz^2 = `i2`, which must not be 0.
-    pub fn wave(&self, cascade: &Cascade, i2: u32) -> Wave {
+    pub fn wave(&self, cascade: &Cascade, i2: u32) -> LatticeWave {
         let k = cascade.dk() * f64::from(i2).sqrt();
-        let turns = (self.dispersion.omega(k) * self.period_s / TAU).round().clamp(1.0, f64::from(u32::MAX)) as u32;
-        let omega = f64::from(turns) * TAU / self.period_s;
-        Wave { k, turns, omega, orbit: self.dispersion.orbit(k) }
+        let cycles_per_period =
+            (self.dispersion.omega(k) * self.period_s / TAU).round().clamp(1.0, f64::from(u32::MAX)) as u32;
+        let omega = f64::from(cycles_per_period) * TAU / self.period_s;
+        LatticeWave { k, cycles_per_period, omega, orbit_axis_ratio: self.dispersion.orbit_axis_ratio(k) }
     }
 
     /// Fraction of the variance at wave number `k` (rad/m) that each cascade with `k` in its band carries: 1 / count
     /// for `count` cascades. Overlapping cascades are independent, so amplitudes are weighted by 1 / sqrt(count).
-    pub fn share(&self, k: f64) -> f64 {
-        let count = self.cascades.iter().filter(|c| c.holds(k)).count();
+    pub fn variance_weight(&self, k: f64) -> f64 {
+        let count = self.cascades.iter().filter(|c| c.contains_wave_number(k)).count();
         1.0 / count.max(1) as f64
     }
 
@@ -50,11 +52,11 @@ impl Plan {
     /// At small wave numbers the spectrum S is averaged over the cell's extent in |k|, because a cell is not small
     /// against the width of the spectral peak. Samples at the lattice points alone would miss the narrow peak of a
     /// JONSWAP sea or count it twice, an error of 2 % of the total variance m0.
-    pub fn radial_variance(&self, system: &WaveSystem, cascade: &Cascade, wave: &Wave) -> f64 {
+    pub fn radial_variance(&self, system: &WaveSystem, cascade: &Cascade, wave: &LatticeWave) -> f64 {
         let dk = cascade.dk();
         let density =
             |k: f64, omega: f64| system.spectrum.density(omega) * self.dispersion.group_velocity(k) / k * dk * dk;
-        let variance = if wave.k > COARSE_CELLS * dk {
+        let variance = if wave.k > COARSE_CELLS_ACROSS_K * dk {
             density(wave.k, wave.omega)
         } else {
             let mean = |low: f64, high: f64| -> f64 {
@@ -62,27 +64,27 @@ impl Plan {
                     let k = 0.5 * (low + high) + x * (high - low);
                     w * density(k, self.dispersion.omega(k))
                 };
-                (high - low) / dk * CELL_RULE.iter().map(at).sum::<f64>()
+                (high - low) / dk * CELL_QUADRATURE_NODES.iter().map(at).sum::<f64>()
             };
             let (low, high) = (wave.k - 0.5 * dk, wave.k + 0.5 * dk);
-            match system.spectrum.jump.map(|omega| self.dispersion.wave_number(omega)) {
+            match system.spectrum.discontinuity.map(|omega| self.dispersion.wave_number(omega)) {
                 Some(k) if k > low && k < high => mean(low, k) + mean(k, high),
                 _ => mean(low, high),
             }
         };
-        variance * self.share(wave.k)
+        variance * self.variance_weight(wave.k)
     }
 
     /// Time `t_s` (s) within the period of the sea, as a 32-bit integer: one period is 2^32. The phase of a wave, in
-    /// units of 2^-32 cycles, is this integer times `Wave::turns` in wrapping 32-bit arithmetic. So phases stay exact
-    /// after hours, and the sea repeats bit for bit after its period.
-    pub fn phase_time(&self, t_s: f64) -> u32 {
-        phase_time(self.period_s, t_s)
+    /// units of 2^-32 cycles, is this integer times `LatticeWave::cycles_per_period` in wrapping 32-bit arithmetic. So
+    /// phases stay exact after hours, and the sea repeats bit for bit after its period.
+    pub fn time_in_period_u32(&self, t_s: f64) -> u32 {
+        time_in_period_u32(self.period_s, t_s)
     }
 }
 
-/// Time `t_s` (s) within the period `period_s` (s) as a 32-bit integer; see [`Plan::phase_time`].
-pub fn phase_time(period_s: f64, t_s: f64) -> u32 {
+/// Time `t_s` (s) within the period `period_s` (s) as a 32-bit integer; see [`Plan::time_in_period_u32`].
+pub fn time_in_period_u32(period_s: f64, t_s: f64) -> u32 {
     let turn = (t_s / period_s).rem_euclid(1.0);
     (turn * 4_294_967_296.0).round() as u64 as u32
 }

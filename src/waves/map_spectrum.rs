@@ -9,7 +9,7 @@ pub struct MapSpectrum {
     /// Sum over all cascades of the mean square elevation of their height maps, m^2.
     pub m0_m2: f64,
     /// Elevation variance in each bin of angular frequency, m^2. Bin i covers frequencies from i to i + 1 bin widths.
-    pub bins_m2: Vec<f64>,
+    pub bin_variances_m2: Vec<f64>,
 }
 
 /// Estimator of a [`MapSpectrum`]. It works in small steps, so that the program can draw frames in between.
@@ -33,7 +33,7 @@ impl MapSpectrumEstimator {
     /// Panics if the FFT size of the plan is not a power of two.
     pub fn new(plan: &Plan, bin_rad_s: f64, bins: usize) -> Self {
         let n = plan.n as usize;
-        let spectrum = MapSpectrum { m0_m2: 0.0, bins_m2: vec![0.0; bins] };
+        let spectrum = MapSpectrum { m0_m2: 0.0, bin_variances_m2: vec![0.0; bins] };
         Self { fft: Fft::new(n), cascade: 0, map: vec![[0.0; 2]; n * n], done: 0, bin_rad_s, spectrum }
     }
 
@@ -80,7 +80,7 @@ impl MapSpectrumEstimator {
         for (z, h) in column.iter().enumerate().filter(|(z, _)| (x, *z) != (0, 0)) {
             let k = dk * signed(x).hypot(signed(z));
             let bin = (plan.dispersion.omega(k) / self.bin_rad_s) as usize;
-            if let Some(sum) = self.spectrum.bins_m2.get_mut(bin) {
+            if let Some(sum) = self.spectrum.bin_variances_m2.get_mut(bin) {
                 *sum += unit * (h[0] * h[0] + h[1] * h[1]);
             }
         }
@@ -107,7 +107,7 @@ mod tests {
         let width = 0.01;
         let mut estimator = MapSpectrumEstimator::new(&plan, width, 2000);
         let mut rounds = 0;
-        let MapSpectrum { m0_m2, bins_m2: bins } = loop {
+        let MapSpectrum { m0_m2, bin_variances_m2: bins } = loop {
             rounds += 1;
             if let Some(spectrum) = estimator.advance(&plan, 1000, row) {
                 break spectrum.clone();

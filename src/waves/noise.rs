@@ -19,17 +19,17 @@ pub fn pcg4d(v: [u32; 4]) -> [u32; 4] {
 }
 
 /// Two random words for the wave with signed lattice indices (ix, iz) in the cascade with `key`; input of [`gaussian`].
-pub fn words(seed: u32, key: u32, ix: i32, iz: i32) -> [u32; 2] {
+pub fn noise_words(seed: u32, key: u32, ix: i32, iz: i32) -> [u32; 2] {
     let h = pcg4d([ix as u32, iz as u32, key, seed]);
     [h[0], h[1]]
 }
 
 /// Converts two random words to two independent standard normal numbers by the Box-Muller transform. The first word is
 /// mapped to the open interval (0, 1), so the result is always finite.
-pub fn gaussian(words: [u32; 2]) -> [f64; 2] {
-    let u = (f64::from(words[0] >> 9) + 0.5) / f64::from(1u32 << 23);
+pub fn complex_gaussian(noise_words: [u32; 2]) -> [f64; 2] {
+    let u = (f64::from(noise_words[0] >> 9) + 0.5) / f64::from(1u32 << 23);
     let radius = (-2.0 * u.ln()).sqrt();
-    let angle = f64::from(words[1]) * (TAU / 4_294_967_296.0);
+    let angle = f64::from(noise_words[1]) * (TAU / 4_294_967_296.0);
     [radius * angle.cos(), radius * angle.sin()]
 }
 
@@ -42,7 +42,7 @@ mod tests {
         let (mut m1, mut m2, mut m4, mut cross, n) = (0.0, 0.0, 0.0, 0.0, 256);
         for ix in -n..n {
             for iz in -n..n {
-                let [a, b] = gaussian(words(7, 3, ix, iz));
+                let [a, b] = complex_gaussian(noise_words(7, 3, ix, iz));
                 m1 += a + b;
                 m2 += a * a + b * b;
                 m4 += (a * a + b * b).powi(2);

@@ -4,11 +4,11 @@ use super::plan::{Cascade, Plan};
 use std::f64::consts::TAU;
 
 /// Number of logarithmic wave-number intervals over which the covariance of two cascades is summed.
-const BANDS: usize = 256;
+const WAVE_NUMBER_BANDS: usize = 256;
 
 /// Elevation variances and covariance of the old and the new sea of a cross-fade on one patch, m^2.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Overlap {
+pub struct SeaCovariance {
     before: f64,
     after: f64,
     /// Covariance of the two seas, m^2, at least 0. Only waves with equal wave vectors and random numbers contribute,
@@ -16,16 +16,18 @@ pub struct Overlap {
     covariance: f64,
 }
 
-impl Overlap {
-    /// Computes one overlap for each cascade of the sea `before` and one for each cascade of the sea `after`, at time
-    /// `t_s` (s). It is zero if the other sea has no cascade with the same patch size, random-number key and seed.
-    pub fn all(before: &Plan, after: &Plan, t_s: f64) -> [Vec<Self>; 2] {
+impl SeaCovariance {
+    /// Computes one covariance for each cascade of the sea `before` and one for each cascade of the sea `after`, at
+    /// time `t_s` (s). It is zero if the other sea has no cascade with the same patch size, random-number key and seed.
+    pub fn for_all_cascades(before: &Plan, after: &Plan, t_s: f64) -> [Vec<Self>; 2] {
         let mut all = [before, after].map(|plan| vec![Self::default(); plan.cascades.len()]);
         for (i, old) in before.cascades.iter().enumerate() {
-            let same = |c: &Cascade| (c.patch_m, c.key) == (old.patch_m, old.key) && before.sea.seed == after.sea.seed;
+            let same = |c: &Cascade| {
+                (c.patch_m, c.noise_key) == (old.patch_m, old.noise_key) && before.sea.seed == after.sea.seed
+            };
             if let Some(j) = after.cascades.iter().position(same) {
-                let overlap = Self::between((before, old), (after, &after.cascades[j]), t_s);
-                (all[0][i], all[1][j]) = (overlap, overlap);
+                let covariance = Self::between((before, old), (after, &after.cascades[j]), t_s);
+                (all[0][i], all[1][j]) = (covariance, covariance);
             }
         }
         all
@@ -36,8 +38,8 @@ impl Overlap {
         let (low, high) = (old.k_low.max(new.k_low).max(old.dk()), old.k_high.min(new.k_high));
         let mut covariance = 0.0;
         if low < high {
-            let edge = |i: usize| low * (high / low).powf(i as f64 / BANDS as f64);
-            for i in 0..BANDS {
+            let edge = |i: usize| low * (high / low).powf(i as f64 / WAVE_NUMBER_BANDS as f64);
+            for i in 0..WAVE_NUMBER_BANDS {
                 let (a, b) = (edge(i), edge(i + 1));
                 let ring = ((a * b).sqrt() / old.dk()).powi(2).round().max(1.0) as u32;
                 // The drawn waves have frequencies that are rounded to the period of the sea.
@@ -51,12 +53,12 @@ impl Overlap {
         Self { before: variance(before, old), after: variance(after, new), covariance: covariance.max(0.0) }
     }
 
-    /// Ratio of the variance of the blended sea sqrt(1 - share) x before + sqrt(share) x after to the intended variance
-    /// (1 - share) x Var(before) + share x Var(after). `share` is the progress of the cross-fade, 0 to 1. The ratio is
-    /// 1 for uncorrelated seas and 2 halfway between two equal seas.
-    pub fn excess(&self, share: f64) -> f64 {
-        let mean = (1.0 - share) * self.before + share * self.after;
-        if mean > 0.0 { 1.0 + 2.0 * (share * (1.0 - share)).sqrt() * self.covariance / mean } else { 1.0 }
+    /// Ratio of the variance of the blended sea sqrt(1 - progress) x before + sqrt(progress) x after to the intended
+    /// variance (1 - progress) x Var(before) + progress x Var(after). `progress` is the progress of the cross-fade, 0
+    /// to 1. The ratio is 1 for uncorrelated seas and 2 halfway between two equal seas.
+    pub fn variance_gain(&self, progress: f64) -> f64 {
+        let mean = (1.0 - progress) * self.before + progress * self.after;
+        if mean > 0.0 { 1.0 + 2.0 * (progress * (1.0 - progress)).sqrt() * self.covariance / mean } else { 1.0 }
     }
 }
 
@@ -65,29 +67,33 @@ mod tests {
     use super::*;
     use crate::state::query;
 
-    fn overlap(before: &str, after: &str, cascade: usize, t_s: f64) -> Overlap {
+    fn overlap(before: &str, after: &str, cascade: usize, t_s: f64) -> SeaCovariance {
         let [before, after] = [before, after].map(|s| Plan::new(&query::parse(s).0));
-        Overlap::all(&before, &after, t_s)[0][cascade]
+        SeaCovariance::for_all_cascades(&before, &after, t_s)[0][cascade]
     }
 
     #[test]
     fn a_sea_has_everything_in_common_with_itself() {
-        for share in [0.1, 0.5, 0.8] {
-            let excess = overlap("wind=9&n=64", "wind=9&n=64", 0, 1e6).excess(share);
-            assert!((excess - 1.0 - 2.0 * (share * (1.0 - share)).sqrt()).abs() < 1e-3, "{excess}");
+        for progress in [0.1, 0.5, 0.8] {
+            let variance_gain = overlap("wind=9&n=64", "wind=9&n=64", 0, 1e6).variance_gain(progress);
+            assert!((variance_gain - 1.0 - 2.0 * (progress * (1.0 - progress)).sqrt()).abs() < 1e-3, "{variance_gain}");
         }
-        assert_eq!(overlap("wind=9&n=64", "wind=9&n=64&seed=2", 0, 5.0).excess(0.5), 1.0);
-        assert_eq!(overlap("wind=9&n=64", "wind=30&n=64", 0, 5.0).excess(0.5), 1.0, "no patch in common");
-        assert_eq!(overlap("wind=0&n=64", "wind=0&n=64", 0, 5.0).excess(0.5), 1.0);
+        assert_eq!(overlap("wind=9&n=64", "wind=9&n=64&seed=2", 0, 5.0).variance_gain(0.5), 1.0);
+        assert_eq!(overlap("wind=9&n=64", "wind=30&n=64", 0, 5.0).variance_gain(0.5), 1.0, "no patch in common");
+        assert_eq!(overlap("wind=0&n=64", "wind=0&n=64", 0, 5.0).variance_gain(0.5), 1.0);
     }
 
     #[test]
     fn depth_parts_long_waves_and_late() {
         // The patch sizes are set by the state string, so that both seas have the same patches.
         let state = |depth: f64| format!("wind=9&n=64&cascades=2&patch1=300&patch2=40&depth={depth}");
-        let excess = |cascade, t_s| overlap(&state(200.0), &state(8.0), cascade, t_s).excess(0.5);
-        assert!(excess(0, 0.0) > 1.5 && excess(1, 0.0) > 1.95, "nothing has moved yet: {}", excess(0, 0.0));
-        assert!(excess(0, 1000.0) < 1.2, "{}", excess(0, 1000.0));
-        assert!(excess(1, 20.0) > excess(0, 20.0), "short waves do not feel the bed");
+        let variance_gain = |cascade, t_s| overlap(&state(200.0), &state(8.0), cascade, t_s).variance_gain(0.5);
+        assert!(
+            variance_gain(0, 0.0) > 1.5 && variance_gain(1, 0.0) > 1.95,
+            "nothing has moved yet: {}",
+            variance_gain(0, 0.0)
+        );
+        assert!(variance_gain(0, 1000.0) < 1.2, "{}", variance_gain(0, 1000.0));
+        assert!(variance_gain(1, 20.0) > variance_gain(0, 20.0), "short waves do not feel the bed");
     }
 }

@@ -3,7 +3,7 @@
 
 use super::cascades;
 use super::dispersion::Dispersion;
-use super::energy::Energy;
+use super::energy::SpectrumIntegrals;
 use super::system::{self, WaveSystem};
 use super::tiling::Tiling;
 use crate::state::params::{Params, Sea, SpreadKind};
@@ -13,7 +13,7 @@ use std::sync::Arc;
 pub use super::cascades::Cascade;
 
 /// Largest ratio of significant wave height to water depth; higher waves break (docs/sea.md).
-const DEPTH_LIMIT: f64 = 0.6;
+const MAX_HS_TO_DEPTH: f64 = 0.6;
 /// Largest variance of the horizontal strain dDx/dx + dDz/dz; half-float maps cannot store steeper waves.
 const MAX_STRAIN_VARIANCE: f64 = 25.0;
 /// Smallest elevation variance of a sea with waves, m^2 (significant wave height 4 micrometres).
@@ -35,7 +35,7 @@ pub struct Plan {
     /// Cascades (patches of different sizes) whose sum is the sea, longest waves first.
     pub cascades: Vec<Cascade>,
     /// Whether each patch is drawn as a blend of shifted copies, so that no repetition is visible.
-    pub untile: bool,
+    pub blends_copies: bool,
     /// Period after which the sea repeats, s: all angular frequencies are multiples of 2 pi / period_s.
     pub period_s: f64,
     /// Sea parameters from which the plan was made.
@@ -51,13 +51,15 @@ pub struct Plan {
     /// Notices for the user, for example that the height was limited by the water depth.
     pub notices: Vec<String>,
     /// Cumulative integrals of the total spectrum of all wave systems.
-    pub energy: Arc<Energy>,
+    pub energy: Arc<SpectrumIntegrals>,
 }
 
 impl PartialEq for Plan {
     /// Compares only the fields from which all other fields follow: FFT size, tiling, cascades and sea parameters.
     fn eq(&self, other: &Self) -> bool {
-        (self.n, self.untile) == (other.n, other.untile) && self.cascades == other.cascades && self.sea == other.sea
+        (self.n, self.blends_copies) == (other.n, other.blends_copies)
+            && self.cascades == other.cascades
+            && self.sea == other.sea
     }
 }
 
@@ -69,27 +71,27 @@ impl Plan {
         let mut systems: Vec<WaveSystem> = sea.systems.iter().map(|s| WaveSystem::new(&sea, s)).collect();
         let mut notices = system_notices(&sea, &systems);
         systems.retain(|s| !s.spectrum.is_calm);
-        let mut energy = integrate(&systems, &dispersion);
+        let mut energy = integrate_spectrum(&systems, &dispersion);
         if energy.m0() < MIN_M0_M2 && !systems.is_empty() {
             notices.push("the short-wave fade removes all waves: it is longer than they are".into());
             systems.clear();
-            energy = integrate(&systems, &dispersion);
+            energy = integrate_spectrum(&systems, &dispersion);
         }
-        let (hs, limit) = (4.0 * energy.m0().sqrt(), DEPTH_LIMIT * sea.depth_m);
+        let (hs, limit) = (4.0 * energy.m0().sqrt(), MAX_HS_TO_DEPTH * sea.depth_m);
         if hs > limit {
             notices.push(format!(
                 "a significant wave height of {hs:.1} m is too high for {} m of water: capped at {limit:.1} m",
                 sea.depth_m
             ));
-            energy = rescale(&mut systems, (limit / hs).powi(2), &dispersion);
+            energy = scale_systems(&mut systems, (limit / hs).powi(2), &dispersion);
         }
-        let strain = energy.filtered_strain(0.0, cascades::max_wave_number(&dispersion), |_| 1.0);
+        let strain = energy.filtered_strain_variance(0.0, cascades::max_wave_number(&dispersion), |_| 1.0);
         if strain > MAX_STRAIN_VARIANCE {
             notices.push(format!(
                 "waves with an rms slope of {:.0} are too steep: their height is reduced",
                 strain.sqrt()
             ));
-            energy = rescale(&mut systems, MAX_STRAIN_VARIANCE / strain, &dispersion);
+            energy = scale_systems(&mut systems, MAX_STRAIN_VARIANCE / strain, &dispersion);
         }
         let period_s = if sea.loop_s > 0.0 { sea.loop_s.max(1.0) } else { DAY_S };
         let omega_p = energy.omega_p;
@@ -98,18 +100,18 @@ impl Plan {
                 "the loop is shorter than 30 peak periods: rounding the frequencies to it changes the sea".into(),
             );
         }
-        let cascades = cascades::choose(&energy, &dispersion, &params.grid);
-        let downwind = system::travel(sea.local().from_deg);
-        let untile = params.grid.untile;
+        let cascades = cascades::choose_cascades(&energy, &dispersion, &params.grid);
+        let downwind = system::travel_direction(sea.local().from_deg);
+        let blends_copies = params.grid.hide_tiling;
         let energy = Arc::new(energy);
         let mut plan =
-            Self { n, cascades, untile, period_s, sea, systems, dispersion, omega_p, downwind, notices, energy };
-        let captured = plan.captured();
-        if captured < 0.99 && !plan.is_calm() {
+            Self { n, cascades, blends_copies, period_s, sea, systems, dispersion, omega_p, downwind, notices, energy };
+        let captured_fraction = plan.captured_fraction();
+        if captured_fraction < 0.99 && !plan.is_calm() {
             plan.notices.push(format!(
                 "{} cascade(s) of {n} x {n} points hold {:.1} % of the wave energy",
                 plan.cascades.len(),
-                100.0 * captured
+                100.0 * captured_fraction
             ));
         }
         plan
@@ -117,7 +119,7 @@ impl Plan {
 
     /// Returns the plan of the same sea with an FFT size of at most `n`, which leaves out only the shortest waves.
     #[must_use]
-    pub fn coarser(&self, n: u32) -> Self {
+    pub fn with_fft_size_at_most(&self, n: u32) -> Self {
         let mut plan = self.clone();
         plan.n = plan.n.min(n);
         for cascade in &mut plan.cascades {
@@ -130,13 +132,13 @@ impl Plan {
     /// Returns a copy of this plan with the surface and foam parameters of `sea`. All wave parameters of `sea` must
     /// equal those of the plan; see [`SeaChange`](super::SeaChange). Both plans share the integrals of the spectrum.
     #[must_use]
-    pub fn with_surface(&self, sea: &Sea) -> Self {
+    pub fn with_surface_and_foam_of(&self, sea: &Sea) -> Self {
         Self { sea: sea.clone(), ..self.clone() }
     }
 
     /// Whether both plans share the integrals of the spectrum, because one was derived from the other by
-    /// [`Self::with_surface`] or [`Self::coarser`].
-    pub fn shares_integrals(&self, other: &Self) -> bool {
+    /// [`Self::with_surface_and_foam_of`] or [`Self::with_fft_size_at_most`].
+    pub fn has_same_spectrum_integrals(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.energy, &other.energy)
     }
 
@@ -147,7 +149,7 @@ impl Plan {
 
     /// Whether two plans have the same wave numbers, frequencies and random numbers; only their amplitudes may differ.
     pub fn has_same_waves(&self, other: &Self) -> bool {
-        let waves = |p: &Self| (p.n, p.untile, p.period_s, p.sea.seed, p.dispersion);
+        let waves = |p: &Self| (p.n, p.blends_copies, p.period_s, p.sea.seed, p.dispersion);
         waves(self) == waves(other) && self.cascades == other.cascades
     }
 
@@ -157,12 +159,12 @@ impl Plan {
     }
 
     /// Lowest and highest angular frequency, rad/s, between which nearly all variance of the total spectrum lies.
-    pub fn support(&self) -> (f64, f64) {
-        support(&self.systems)
+    pub fn frequency_range(&self) -> (f64, f64) {
+        frequency_range(&self.systems)
     }
 
     /// Fraction of the elevation variance m0 that lies in the bands of the cascades, 0 to 1.
-    pub fn captured(&self) -> f64 {
+    pub fn captured_fraction(&self) -> f64 {
         let total = self.energy.m0();
         if total <= 0.0 {
             return 1.0;
@@ -188,8 +190,8 @@ impl Plan {
             let map_texel_m = cascade.patch_m / f64::from(self.n);
             let boxed = texel_m > map_texel_m;
             let width = texel_m.max(map_texel_m);
-            let response = |k: f64| sampling_response(k * width, boxed) * self.share(k);
-            self.energy.filtered_strain(cascade.k_low, cascade.k_high, response)
+            let response = |k: f64| sampling_response(k * width, boxed) * self.variance_weight(k);
+            self.energy.filtered_strain_variance(cascade.k_low, cascade.k_high, response)
         };
         self.cascades.iter().map(band).sum()
     }
@@ -206,7 +208,7 @@ impl Plan {
 
     /// Tiling with which the patch of a cascade covers the plane: a blend of shifted copies, or plain repetition.
     pub fn tiling(&self, cascade: &Cascade) -> Tiling {
-        Tiling::new(cascade.patch_m, cascade.key, self.sea.seed, self.untile)
+        Tiling::new(cascade.patch_m, cascade.noise_key, self.sea.seed, self.blends_copies)
     }
 }
 
@@ -237,21 +239,21 @@ fn system_notices(sea: &Sea, systems: &[WaveSystem]) -> Vec<String> {
 }
 
 /// Multiplies the variance of all wave systems by `factor` and integrates their total spectrum again.
-fn rescale(systems: &mut [WaveSystem], factor: f64, dispersion: &Dispersion) -> Energy {
+fn scale_systems(systems: &mut [WaveSystem], factor: f64, dispersion: &Dispersion) -> SpectrumIntegrals {
     for system in &mut *systems {
         system.spectrum = system.spectrum.clone().scaled(factor);
     }
-    integrate(systems, dispersion)
+    integrate_spectrum(systems, dispersion)
 }
 
-fn support(systems: &[WaveSystem]) -> (f64, f64) {
-    let ranges = systems.iter().map(|s| s.spectrum.support());
+fn frequency_range(systems: &[WaveSystem]) -> (f64, f64) {
+    let ranges = systems.iter().map(|s| s.spectrum.frequency_range());
     ranges.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))).unwrap_or((0.1, 100.0))
 }
 
-fn integrate(systems: &[WaveSystem], dispersion: &Dispersion) -> Energy {
+fn integrate_spectrum(systems: &[WaveSystem], dispersion: &Dispersion) -> SpectrumIntegrals {
     let density = |omega: f64| systems.iter().map(|s| s.spectrum.density(omega)).sum();
-    Energy::new(density, support(systems), dispersion)
+    SpectrumIntegrals::new(density, frequency_range(systems), dispersion)
 }
 
 /// Fraction of a wave's variance that remains when a map is sampled with bilinear filtering, averaged over wave
@@ -286,7 +288,7 @@ mod tests {
                     for depth in [3.0, 20.0, 4000.0] {
                         let state = format!("wind={wind}&fetch={fetch}&spectrum={spectrum}&depth={depth}");
                         let p = plan(&state);
-                        assert!(p.captured() > 0.99, "{state}: {}", p.captured());
+                        assert!(p.captured_fraction() > 0.99, "{state}: {}", p.captured_fraction());
                     }
                 }
             }
@@ -300,7 +302,7 @@ mod tests {
             for pair in plans.windows(2) {
                 assert_eq!(pair[0].cascades.len(), pair[1].cascades.len());
                 for (a, b) in pair[0].cascades.iter().zip(&pair[1].cascades) {
-                    assert_eq!((a.patch_m, a.k_low, a.key), (b.patch_m, b.k_low, b.key));
+                    assert_eq!((a.patch_m, a.k_low, a.noise_key), (b.patch_m, b.k_low, b.noise_key));
                     assert!(a.k_high <= b.k_high);
                 }
             }
@@ -310,7 +312,8 @@ mod tests {
     #[test]
     fn a_coarser_plan_is_that_of_fewer_points() {
         for state in ["wind=12", "wind=4&fetch=10", "spectrum=tma&depth=5&overlap=1", "scale2=1"] {
-            let (fine, coarse) = (plan(&format!("{state}&n=512")).coarser(128), plan(&format!("{state}&n=128")));
+            let (fine, coarse) =
+                (plan(&format!("{state}&n=512")).with_fft_size_at_most(128), plan(&format!("{state}&n=128")));
             assert_eq!((fine.n, &fine.cascades), (coarse.n, &coarse.cascades), "{state}");
         }
     }
@@ -337,7 +340,7 @@ mod tests {
     #[test]
     fn a_loop_closes_exactly() {
         let p = plan("loop=37");
-        assert_eq!(p.phase_time(5.0), p.phase_time(5.0 + 37.0 * 1000.0));
-        assert_eq!(p.phase_time(37.0), 0);
+        assert_eq!(p.time_in_period_u32(5.0), p.time_in_period_u32(5.0 + 37.0 * 1000.0));
+        assert_eq!(p.time_in_period_u32(37.0), 0);
     }
 }

@@ -1,7 +1,7 @@
 //! Numerical integration by the 15-point Gauss-Kronrod rule, adaptive or with a fixed number of panels.
 
 /// Nodes x >= 0 and weights of the 15-point Kronrod quadrature rule on [-1, 1]; the other nodes are -x.
-const KRONROD: [(f64, f64); 8] = [
+const KRONROD_NODES_WEIGHTS: [(f64, f64); 8] = [
     (0.991_455_371_120_812_6, 0.022_935_322_010_529_224),
     (0.949_107_912_342_758_5, 0.063_092_092_629_978_55),
     (0.864_864_423_359_769_1, 0.104_790_010_322_250_18),
@@ -11,8 +11,9 @@ const KRONROD: [(f64, f64); 8] = [
     (0.207_784_955_007_898_47, 0.204_432_940_075_298_89),
     (0.0, 0.209_482_141_084_727_83),
 ];
-/// Weights of the embedded 7-point Gauss quadrature rule. Its nodes are the entries 1, 3, 5 and 7 of [`KRONROD`].
-const GAUSS: [f64; 4] =
+/// Weights of the embedded 7-point Gauss quadrature rule. Its nodes are the entries 1, 3, 5 and 7 of
+/// [`KRONROD_NODES_WEIGHTS`].
+const GAUSS_WEIGHTS: [f64; 4] =
     [0.129_484_966_168_869_7, 0.279_705_391_489_276_7, 0.381_830_050_505_118_9, 0.417_959_183_673_469_4];
 /// Largest number of successive bisections of an interval in adaptive quadrature.
 const MAX_DEPTH: u32 = 40;
@@ -20,14 +21,14 @@ const MAX_DEPTH: u32 = 40;
 const MAX_INTERVALS: u32 = 20_000;
 
 /// Integral of `f` over [a, b] by the Kronrod rule, and its difference from the Gauss rule as an estimate of the error.
-fn kronrod(f: &impl Fn(f64) -> f64, a: f64, b: f64) -> (f64, f64) {
+fn gauss_kronrod(f: &impl Fn(f64) -> f64, a: f64, b: f64) -> (f64, f64) {
     let (mid, half) = (0.5 * (a + b), 0.5 * (b - a));
     let (mut k, mut g) = (0.0, 0.0);
-    for (i, &(x, w)) in KRONROD.iter().enumerate() {
+    for (i, &(x, w)) in KRONROD_NODES_WEIGHTS.iter().enumerate() {
         let pair = if x == 0.0 { f(mid) } else { f(mid - half * x) + f(mid + half * x) };
         k += w * pair;
         if i % 2 == 1 {
-            g += GAUSS[i / 2] * pair;
+            g += GAUSS_WEIGHTS[i / 2] * pair;
         }
     }
     (k * half, (k - g).abs() * half)
@@ -36,8 +37,8 @@ fn kronrod(f: &impl Fn(f64) -> f64, a: f64, b: f64) -> (f64, f64) {
 /// Integral of `f` from the first to the last of `knots` by adaptive quadrature to a relative `tolerance`.
 ///
 /// `knots` holds at least two points in ascending order, among them all points where `f` is not smooth.
-pub fn adaptive(f: impl Fn(f64) -> f64, knots: &[f64], tolerance: f64) -> f64 {
-    let rough: f64 = knots.windows(2).map(|w| kronrod(&f, w[0], w[1]).0.abs()).sum();
+pub fn integrate_adaptive(f: impl Fn(f64) -> f64, knots: &[f64], tolerance: f64) -> f64 {
+    let rough: f64 = knots.windows(2).map(|w| gauss_kronrod(&f, w[0], w[1]).0.abs()).sum();
     let floor = 1e-15 * rough;
     let allowed = tolerance * rough.max(f64::MIN_POSITIVE);
     let mut left = MAX_INTERVALS;
@@ -47,7 +48,7 @@ pub fn adaptive(f: impl Fn(f64) -> f64, knots: &[f64], tolerance: f64) -> f64 {
 /// Integral of `f` over [a, b] by recursive bisection. It ends when the error is at most `allowed` or at most `floor`
 /// (the rounding error of the whole integral), after `depth` bisections, or when `left` intervals are used up.
 fn refine(f: &impl Fn(f64) -> f64, [a, b]: [f64; 2], allowed: f64, floor: f64, depth: u32, left: &mut u32) -> f64 {
-    let (value, error) = kronrod(f, a, b);
+    let (value, error) = gauss_kronrod(f, a, b);
     *left = left.saturating_sub(1);
     if error <= allowed.max(floor) || depth == 0 || *left == 0 {
         return value;
@@ -58,10 +59,10 @@ fn refine(f: &impl Fn(f64) -> f64, [a, b]: [f64; 2], allowed: f64, floor: f64, d
 }
 
 /// Integral of a smooth `f` from the first to the last of `knots`, with `count` 15-point panels in each interval.
-pub fn panels(f: impl Fn(f64) -> f64, knots: &[f64], count: u32) -> f64 {
+pub fn integrate_panels(f: impl Fn(f64) -> f64, knots: &[f64], count: u32) -> f64 {
     let piece = |w: &[f64]| {
         let step = (w[1] - w[0]) / f64::from(count);
-        (0..count).map(|i| kronrod(&f, w[0] + f64::from(i) * step, w[0] + f64::from(i + 1) * step).0).sum::<f64>()
+        (0..count).map(|i| gauss_kronrod(&f, w[0] + f64::from(i) * step, w[0] + f64::from(i + 1) * step).0).sum::<f64>()
     };
     knots.windows(2).map(piece).sum()
 }
@@ -72,10 +73,10 @@ mod tests {
 
     #[test]
     fn known_integrals() {
-        assert!((adaptive(f64::exp, &[0.0, 1.0], 1e-12) - (1f64.exp() - 1.0)).abs() < 1e-12);
+        assert!((integrate_adaptive(f64::exp, &[0.0, 1.0], 1e-12) - (1f64.exp() - 1.0)).abs() < 1e-12);
         // An integrand that never converges ends at the limits.
-        assert!(adaptive(|x| (1e9 * x).sin().signum(), &[0.0, 1.0], 1e-12).abs() < 1.0);
-        assert!((adaptive(|x| (x - 0.3).abs(), &[0.0, 1.0], 1e-10) - 0.29).abs() < 1e-9);
-        assert!((panels(f64::cos, &[0.0, 1.0], 2) - 1f64.sin()).abs() < 1e-14);
+        assert!(integrate_adaptive(|x| (1e9 * x).sin().signum(), &[0.0, 1.0], 1e-12).abs() < 1.0);
+        assert!((integrate_adaptive(|x| (x - 0.3).abs(), &[0.0, 1.0], 1e-10) - 0.29).abs() < 1e-9);
+        assert!((integrate_panels(f64::cos, &[0.0, 1.0], 2) - 1f64.sin()).abs() < 1e-14);
     }
 }

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 /// Number of samples in each segment of a record whose periodograms are averaged. It is large enough to separate two
 /// swells and small enough to give several segments.
-const SEGMENT: usize = 512;
+const SEGMENT_SAMPLES: usize = 512;
 
 /// Frequency spectrum of the heights `heights_m` sampled at `rate_hz`: pairs of angular frequency omega (rad/s) and
 /// one-sided variance density S(omega) (m^2 s).
@@ -13,23 +13,24 @@ const SEGMENT: usize = 512;
 /// It is the mean of the periodograms of segments that overlap by half. Each segment has its mean removed and a Hann
 /// window applied. The last segment ends at the newest sample. The spectrum is empty if there is no full segment.
 pub fn spectrum(heights_m: &[f64], rate_hz: f64) -> Vec<[f64; 2]> {
-    const HOP: usize = SEGMENT / 2;
-    let Some(spare) = heights_m.len().checked_sub(SEGMENT) else { return Vec::new() };
+    const HOP: usize = SEGMENT_SAMPLES / 2;
+    let Some(spare) = heights_m.len().checked_sub(SEGMENT_SAMPLES) else { return Vec::new() };
     let segments = spare / HOP + 1;
-    let window: Vec<f64> = (0..SEGMENT).map(|i| 0.5 - 0.5 * (TAU * i as f64 / SEGMENT as f64).cos()).collect();
+    let window: Vec<f64> =
+        (0..SEGMENT_SAMPLES).map(|i| 0.5 - 0.5 * (TAU * i as f64 / SEGMENT_SAMPLES as f64).cos()).collect();
     let window_power: f64 = window.iter().map(|w| w * w).sum();
-    let fft = Fft::new(SEGMENT);
-    let mut power = vec![0.0; SEGMENT / 2 + 1];
+    let fft = Fft::new(SEGMENT_SAMPLES);
+    let mut power = vec![0.0; SEGMENT_SAMPLES / 2 + 1];
     for s in (0..segments).rev() {
-        let segment = &heights_m[spare - s * HOP..][..SEGMENT];
-        let mean = segment.iter().sum::<f64>() / SEGMENT as f64;
+        let segment = &heights_m[spare - s * HOP..][..SEGMENT_SAMPLES];
+        let mean = segment.iter().sum::<f64>() / SEGMENT_SAMPLES as f64;
         let mut line: Vec<[f64; 2]> = segment.iter().zip(&window).map(|(h, w)| [(h - mean) * w, 0.0]).collect();
         fft.forward(&mut line);
         power.iter_mut().zip(&line).for_each(|(sum, x)| *sum += x[0] * x[0] + x[1] * x[1]);
     }
     // Converts the power per bin to a one-sided density per rad/s.
     let unit = 2.0 / (segments as f64 * window_power * rate_hz * TAU);
-    let omega = |i: usize| TAU * rate_hz * i as f64 / SEGMENT as f64;
+    let omega = |i: usize| TAU * rate_hz * i as f64 / SEGMENT_SAMPLES as f64;
     power.iter().enumerate().skip(1).map(|(i, x)| [omega(i), x * unit]).collect()
 }
 
@@ -51,11 +52,11 @@ mod tests {
 
     #[test]
     fn the_record_of_a_sea_has_its_height() {
-        use crate::point::Heights;
+        use crate::point::StrongestWaves;
         use crate::state::query;
         use crate::waves::Plan;
         let plan = Plan::new(&query::parse("wind=12&n=64").0);
-        let sea = Heights::new(&plan, 400);
+        let sea = StrongestWaves::new(&plan, 400);
         let heights: Vec<f64> = (0..4096).map(|i| sea.sample(3.0, 5.0, f64::from(i) / 2.0).height_m).collect();
         let spectrum = spectrum(&heights, 2.0);
         let step = spectrum[1][0] - spectrum[0][0];

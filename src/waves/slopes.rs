@@ -2,7 +2,7 @@
 //! the cascades resolve, and the difference of the two, which only the shading uses.
 
 use super::plan::Plan;
-use super::system::{Directions, WaveSystem, angle};
+use super::system::{Directions, WaveSystem, angle_from_travel};
 use std::f64::consts::{PI, TAU};
 
 /// Mean square slopes of the sea surface, first along and then across the local wind, dimensionless.
@@ -18,8 +18,8 @@ pub fn cox_munk(wind_m_s: f64) -> SlopeVariance {
 
 /// Mean square slopes of all waves with wave numbers from `k_low` to `k_high` (rad/m), along and across the local wind:
 /// the integral of k^2 S(omega) times the mean of cos^2 or sin^2 of the angle between wave and wind.
-pub fn between(plan: &Plan, k_low: f64, k_high: f64) -> SlopeVariance {
-    let (first, last) = plan.support();
+pub fn slope_variance_between(plan: &Plan, k_low: f64, k_high: f64) -> SlopeVariance {
+    let (first, last) = plan.frequency_range();
     let from = first.max(if k_low > 0.0 { plan.dispersion.omega(k_low) } else { 0.0 });
     let to = last.min(plan.dispersion.omega(k_high));
     if plan.is_calm() || from >= to {
@@ -41,15 +41,15 @@ pub fn between(plan: &Plan, k_low: f64, k_high: f64) -> SlopeVariance {
 }
 
 /// Mean square slopes along and across the local wind of the waves in the cascades of a plan.
-pub fn resolved(plan: &Plan) -> SlopeVariance {
+pub fn resolved_slope_variance(plan: &Plan) -> SlopeVariance {
     plan.resolved_bands()
         .into_iter()
-        .map(|(low, high)| between(plan, low, high))
+        .map(|(low, high)| slope_variance_between(plan, low, high))
         .fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])
 }
 
 /// Mean square slopes of waves too short for the cascades: those of Cox and Munk (1954) minus `resolved`, at least 0.
-pub fn residual(plan: &Plan, resolved: SlopeVariance) -> SlopeVariance {
+pub fn residual_slope_variance(plan: &Plan, resolved: SlopeVariance) -> SlopeVariance {
     let total = cox_munk(plan.sea.local().wind_m_s);
     [0, 1].map(|axis| (total[axis] - resolved[axis]).max(0.0))
 }
@@ -59,9 +59,9 @@ pub fn residual(plan: &Plan, resolved: SlopeVariance) -> SlopeVariance {
 /// Refracted sunlight is compressed on the bed by a strain of `reach_m` times the curvature of the surface, where
 /// `reach_m` is the water depth times 1 - n_air/n_water (refractive indices). Where longer waves alone cause a strain
 /// variance of 0.4, the light patterns of shorter waves overlap and blur.
-pub fn focusing_m(plan: &Plan, reach_m: f64) -> f64 {
+pub fn shortest_caustic_half_wavelength_m(plan: &Plan, reach_m: f64) -> f64 {
     const STRAIN_VARIANCE: f64 = 0.4;
-    let (low, high) = (plan.dispersion.wave_number(plan.support().0).max(1e-4), plan.k_max().max(2e-4));
+    let (low, high) = (plan.dispersion.wave_number(plan.frequency_range().0).max(1e-4), plan.k_max().max(2e-4));
     let step = (high / low).ln() / STEPS as f64;
     let mut variance = 0.0;
     for i in 0..STEPS {
@@ -90,8 +90,10 @@ fn mean_cos2(system: &WaveSystem, omega: f64, axis: [f64; 2]) -> f64 {
     match system.directions(omega) {
         Directions::Measured(mem) => mean(&|k| mem.density(k[1].atan2(k[0]))),
         Directions::Lobes(lobes) => {
-            let directed =
-                lobes.lobes.iter().map(|(share, lobe)| share * mean(&|k| lobe.shape(angle(system.travel, k))));
+            let directed = lobes
+                .lobes
+                .iter()
+                .map(|(share, lobe)| share * mean(&|k| lobe.shape(angle_from_travel(system.travel, k))));
             directed.sum::<f64>() + 0.5 * lobes.isotropic
         }
     }
@@ -110,26 +112,26 @@ mod tests {
     fn both_axes_add_up_to_the_mean_square_slope() {
         for state in ["wind=14&fetch=300", "wind=7&spectrum=elfouhaily&spread=elfouhaily", "wind=9&scale2=1&iso=0.3"] {
             let plan = plan(state);
-            let [along, across] = resolved(&plan);
+            let [along, across] = resolved_slope_variance(&plan);
             let mss = plan.slope_variance(f64::INFINITY);
             assert!(((along + across) / mss - 1.0).abs() < 0.02, "{state}: {along} + {across} against {mss}");
             assert!(along > across, "{state}: {along} {across}");
         }
-        assert_eq!(resolved(&plan("wind=0")), [0.0; 2]);
+        assert_eq!(resolved_slope_variance(&plan("wind=0")), [0.0; 2]);
     }
 
     #[test]
     fn an_even_sea_has_no_axis() {
-        let [along, across] = resolved(&plan("spread=isotropic"));
+        let [along, across] = resolved_slope_variance(&plan("spread=isotropic"));
         assert!((along / across - 1.0).abs() < 1e-9);
         // For D = cos^2 / pi the mean of cos^2 is 3/4.
-        let [along, across] = resolved(&plan("spread=cos2"));
+        let [along, across] = resolved_slope_variance(&plan("spread=cos2"));
         assert!((along / across - 3.0).abs() < 1e-2, "{along} {across}");
     }
 
     #[test]
     fn deeper_beds_see_longer_waves() {
         let plan = plan("wind=8");
-        assert!(focusing_m(&plan, 0.5) < focusing_m(&plan, 2.5));
+        assert!(shortest_caustic_half_wavelength_m(&plan, 0.5) < shortest_caustic_half_wavelength_m(&plan, 2.5));
     }
 }

@@ -6,7 +6,7 @@
 //! s_xi = 16 tanh(omega_p/omega) xi^2 to s (Horvath 2015); lobes without a cos^{2s} factor get one with s = s_xi.
 
 use super::dispersion::Dispersion;
-use super::quadrature::panels;
+use super::quadrature::integrate_panels;
 use super::spectra::{FrequencySpectrum, elfouhaily_delta};
 use crate::state::params::{Sea, SpreadKind, System};
 use std::f64::consts::PI;
@@ -33,18 +33,18 @@ pub struct Spreading {
     inverse_age: f64,
     dispersion: Dispersion,
     /// Number of 15-point panels in each piece of the integral that normalises a lobe without a closed form.
-    pub norm_steps: u32,
+    pub spreading_norm_panels: u32,
 }
 
 /// Cosine factor of a lobe of the directional spreading.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cosine {
+pub enum CosineFactor {
     /// The constant 1: no cosine factor.
-    None,
+    One,
     /// cos^2(theta) over the whole circle: as much energy against the direction of travel as along it.
-    Full,
+    Squared,
     /// cos^2(theta) within 90 degrees of the direction of travel, 0 beyond.
-    Forward,
+    SquaredForward,
 }
 
 /// One lobe of the directional spreading at one frequency: sech^2(beta theta) x cos^{2s}(theta/2) x cosine factor,
@@ -56,7 +56,7 @@ pub struct Lobe {
     /// Exponent s of cos^{2s}(theta/2).
     pub s: f64,
     /// Additional factor in cos(theta), if any.
-    pub cosine: Cosine,
+    pub cosine: CosineFactor,
 }
 
 /// Directional spreading at one frequency, as an isotropic part and lobes whose fractions of the energy add to 1.
@@ -93,7 +93,7 @@ impl Spreading {
             wind_m_s: system.wind_m_s,
             inverse_age: system.wind_m_s * omega_p / sea.gravity_m_s2,
             dispersion: Dispersion::new(sea),
-            norm_steps: sea.norm_steps,
+            spreading_norm_panels: sea.spreading_norm_panels,
         }
     }
 
@@ -105,19 +105,19 @@ impl Spreading {
         let mut lobes = Vec::with_capacity(MAX_LOBES);
         for &(kind, share) in &self.families {
             let lobe = match kind {
-                SpreadKind::Isotropic => lobe(0.0, 0.0, Cosine::None),
-                SpreadKind::Cos2 => lobe(0.0, 0.0, Cosine::Full),
-                SpreadKind::Cos2Positive => lobe(0.0, 0.0, Cosine::Forward),
-                SpreadKind::Mitsuyasu => lobe(0.0, mitsuyasu_s(r, self.inverse_age), Cosine::None),
-                SpreadKind::Hasselmann => lobe(0.0, hasselmann_s(r, self.inverse_age), Cosine::None),
-                SpreadKind::DonelanBanner => lobe(donelan_banner_beta(r), 0.0, Cosine::None),
+                SpreadKind::Isotropic => lobe(0.0, 0.0, CosineFactor::One),
+                SpreadKind::Cos2 => lobe(0.0, 0.0, CosineFactor::Squared),
+                SpreadKind::Cos2Positive => lobe(0.0, 0.0, CosineFactor::SquaredForward),
+                SpreadKind::Mitsuyasu => lobe(0.0, mitsuyasu_s(r, self.inverse_age), CosineFactor::One),
+                SpreadKind::Hasselmann => lobe(0.0, hasselmann_s(r, self.inverse_age), CosineFactor::One),
+                SpreadKind::DonelanBanner => lobe(donelan_banner_beta(r), 0.0, CosineFactor::One),
                 SpreadKind::Elfouhaily => {
                     // (1 + Delta cos 2 theta) / 2 pi = ((1 - Delta) + 2 Delta cos^2 theta) / 2 pi, both terms times the
                     // swell factor. Normalisation of the product keeps their proportion.
                     let speed = |omega: f64| omega / self.dispersion.wave_number(omega);
                     let delta = elfouhaily_delta(speed(omega), speed(self.omega_p), self.wind_m_s);
-                    let terms = [Cosine::None, Cosine::Full].map(|c| lobe(0.0, 0.0, c));
-                    let [even, squared] = terms.map(|lobe| lobe.norm(self.norm_steps));
+                    let terms = [CosineFactor::One, CosineFactor::Squared].map(|c| lobe(0.0, 0.0, c));
+                    let [even, squared] = terms.map(|lobe| lobe.norm(self.spreading_norm_panels));
                     let parts = [(1.0 - delta) / even, 2.0 * delta / squared];
                     lobes.extend([0, 1].map(|i| (share * parts[i] / (parts[0] + parts[1]), terms[i])));
                     continue;
@@ -131,14 +131,17 @@ impl Spreading {
     /// Directional spreading D, per rad, at frequency `omega` (rad/s) and angle `theta` (rad) from the main direction.
     pub fn density(&self, omega: f64, theta: f64) -> f64 {
         let at = self.lobes(omega);
-        let sum: f64 =
-            at.lobes.iter().map(|(share, lobe)| share * lobe.norm(self.norm_steps) * lobe.shape(theta)).sum();
+        let sum: f64 = at
+            .lobes
+            .iter()
+            .map(|(share, lobe)| share * lobe.norm(self.spreading_norm_panels) * lobe.shape(theta))
+            .sum();
         sum + at.isotropic / (2.0 * PI)
     }
 
     /// First directional moment at the angular frequency `omega` (rad/s): the integral of D cos(theta) over the circle.
     pub fn first_moment(&self, omega: f64) -> f64 {
-        self.lobes(omega).lobes.iter().map(|(share, lobe)| share * lobe.first_moment(self.norm_steps)).sum()
+        self.lobes(omega).lobes.iter().map(|(share, lobe)| share * lobe.first_moment(self.spreading_norm_panels)).sum()
     }
 
     /// Angular frequencies (rad/s) at which the parameters of a lobe have a kink or a jump.
@@ -183,9 +186,9 @@ impl Lobe {
     pub fn shape(&self, theta: f64) -> f64 {
         let sech = 1.0 / (self.beta * theta).cosh();
         let cosine = match self.cosine {
-            Cosine::None => 1.0,
-            Cosine::Full => theta.cos().powi(2),
-            Cosine::Forward => theta.cos().max(0.0).powi(2),
+            CosineFactor::One => 1.0,
+            CosineFactor::Squared => theta.cos().powi(2),
+            CosineFactor::SquaredForward => theta.cos().max(0.0).powi(2),
         };
         sech * sech * (0.5 + 0.5 * theta.cos()).max(0.0).powf(self.s) * cosine
     }
@@ -195,8 +198,8 @@ impl Lobe {
     fn half_integral(&self, f: impl Fn(f64) -> f64, steps: u32) -> f64 {
         let width = (3.0 / (self.beta * self.beta + 0.25 * self.s).sqrt().max(1e-3)).min(0.4 * PI);
         let ends = [0.0, 0.4 * width, width, 0.5 * PI, PI - 0.1, PI - 0.005, PI];
-        let pieces = if self.cosine == Cosine::Forward { &ends[..4] } else { &ends };
-        panels(|theta| f(theta) * self.shape(theta), pieces, steps)
+        let pieces = if self.cosine == CosineFactor::SquaredForward { &ends[..4] } else { &ends };
+        integrate_panels(|theta| f(theta) * self.shape(theta), pieces, steps)
     }
 
     /// Norm of the lobe: the factor that makes its integral over all directions 1. It is computed in closed form if
@@ -209,25 +212,25 @@ impl Lobe {
     pub fn closed_norm(&self) -> Option<f64> {
         Some(match self.cosine {
             // beta / (2 tanh(beta pi)); its limit for beta = 0 is 1 / (2 pi).
-            Cosine::None if self.s == 0.0 && self.beta < 1e-6 => 1.0 / (2.0 * PI),
-            Cosine::None if self.s == 0.0 => self.beta / (2.0 * (self.beta * PI).tanh()),
-            Cosine::None if self.beta == 0.0 => cosine_norm(self.s),
+            CosineFactor::One if self.s == 0.0 && self.beta < 1e-6 => 1.0 / (2.0 * PI),
+            CosineFactor::One if self.s == 0.0 => self.beta / (2.0 * (self.beta * PI).tanh()),
+            CosineFactor::One if self.beta == 0.0 => cosine_norm(self.s),
             // cos^2 = (1 + cos 2 theta) / 2; the second moment of cos^{2s}(theta/2) is s (s - 1) / ((s + 1)(s + 2)).
-            Cosine::Full if self.beta == 0.0 => {
+            CosineFactor::Squared if self.beta == 0.0 => {
                 let second = self.s * (self.s - 1.0) / ((self.s + 1.0) * (self.s + 2.0));
                 2.0 * cosine_norm(self.s) / (1.0 + second)
             }
-            Cosine::Forward if self.s == 0.0 && self.beta == 0.0 => 2.0 / PI,
+            CosineFactor::SquaredForward if self.s == 0.0 && self.beta == 0.0 => 2.0 / PI,
             _ => return None,
         })
     }
 
     /// First directional moment of the lobe: the integral of the normalised lobe times cos(theta) over all directions.
     pub fn first_moment(&self, steps: u32) -> f64 {
-        if self.cosine == Cosine::None && self.beta == 0.0 {
+        if self.cosine == CosineFactor::One && self.beta == 0.0 {
             return self.s / (self.s + 1.0);
         }
-        if self.cosine == Cosine::Full && self.s == 0.0 && self.beta == 0.0 {
+        if self.cosine == CosineFactor::Squared && self.s == 0.0 && self.beta == 0.0 {
             return 0.0;
         }
         2.0 * self.norm(steps) * self.half_integral(f64::cos, 2)
@@ -244,7 +247,7 @@ fn cosine_norm(s: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::waves::quadrature::adaptive;
+    use crate::waves::quadrature::integrate_adaptive;
     use crate::waves::spectra;
 
     const KINDS: [SpreadKind; 7] = [
@@ -259,7 +262,7 @@ mod tests {
 
     fn spreading(system: &System) -> Spreading {
         let sea = Sea::default();
-        let spectrum = spectra::of_system(&sea, system);
+        let spectrum = spectra::spectrum_of_system(&sea, system);
         Spreading::new(&sea, system, &spectrum)
     }
 
@@ -268,7 +271,7 @@ mod tests {
         for i in 0..60 {
             let omega = d.omega_p * 0.1 * 200f64.powf(f64::from(i) / 59.0);
             let knots = [-PI, -0.5 * PI, -0.5, 0.0, 0.5, 0.5 * PI, PI];
-            let total = adaptive(|theta| d.density(omega, theta), &knots, 1e-8);
+            let total = integrate_adaptive(|theta| d.density(omega, theta), &knots, 1e-8);
             assert!((total - 1.0).abs() < 1e-5, "{system:?} omega {omega}: {total}");
         }
     }
@@ -317,7 +320,7 @@ mod tests {
 
     #[test]
     fn few_steps_are_felt() {
-        let lobe = Lobe { beta: 2.0, s: 0.02, cosine: Cosine::None };
+        let lobe = Lobe { beta: 2.0, s: 0.02, cosine: CosineFactor::One };
         let exact = lobe.norm(64);
         let errors = [1, 2, 4].map(|steps| (lobe.norm(steps) / exact - 1.0).abs());
         assert!(errors[1] < 1e-7 && errors[0] > errors[1], "the number of steps counts: {errors:?}");

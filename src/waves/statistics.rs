@@ -1,10 +1,10 @@
-//! Expected wave statistics, computed without a simulation: from integrals of the spectrum ([`Theory`]) and from sums
-//! over the waves of all cascades ([`Resolved`]).
+//! Expected wave statistics, computed without a simulation: from integrals of the spectrum ([`SpectrumStatistics`]) and
+//! from sums over the waves of all cascades ([`LatticeStatistics`]).
 
 use super::noise;
 use super::plan::{Cascade, Plan};
-use super::quadrature::adaptive;
-use super::table::{Table, index};
+use super::quadrature::integrate_adaptive;
+use super::table::{Table, entry_index};
 use std::f64::consts::TAU;
 
 /// Wave statistics from integrals of the spectrum by adaptive quadrature. They do not use the integrals in [`Plan`].
@@ -20,7 +20,7 @@ use std::f64::consts::TAU;
 /// assert!((theory.tp_s - 6.23).abs() < 0.01);
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Theory {
+pub struct SpectrumStatistics {
     /// Variance m0 of the elevation, m^2.
     pub m0_m2: f64,
     /// Significant wave height 4 sqrt(m0), m.
@@ -54,7 +54,7 @@ pub struct Theory {
 
 /// Expected statistics of the waves that the cascades of a plan hold, as sums over their lattices of wave vectors.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Resolved {
+pub struct LatticeStatistics {
     /// Variance m0 of the elevation, m^2.
     pub m0_m2: f64,
     /// Significant wave height 4 sqrt(m0), m.
@@ -78,9 +78,9 @@ pub struct Resolved {
 /// Relative tolerance of the integrals of the spectrum.
 const TOLERANCE: f64 = 1e-7;
 /// Smallest first directional moment r1 at which a mean wave direction is reported.
-pub const NO_DIRECTION: f64 = 0.01;
+pub const MIN_R1_FOR_DIRECTION: f64 = 0.01;
 
-impl Theory {
+impl SpectrumStatistics {
     /// Computes the statistics of a planned sea by integrating its total spectrum.
     pub fn new(plan: &Plan) -> Self {
         let k_max = plan.k_max();
@@ -89,18 +89,18 @@ impl Theory {
         }
         let dispersion = plan.dispersion;
         let s = |w: f64| plan.density(w);
-        let (low, high) = plan.support();
+        let (low, high) = plan.frequency_range();
         let mut knots: Vec<f64> = plan
             .systems
             .iter()
             .flat_map(|s| [s.spectrum.breakpoints.clone(), s.spreading.breakpoints()].concat())
             .collect();
-        knots.extend(plan.systems.iter().map(|s| s.spectrum.support().0));
+        knots.extend(plan.systems.iter().map(|s| s.spectrum.frequency_range().0));
         knots.extend((1..8).map(|i| low * (high / low).powf(f64::from(i) / 8.0)));
         knots.sort_by(f64::total_cmp);
         let integral = |f: &dyn Fn(f64) -> f64, low: f64, high: f64, tolerance: f64| {
             let inner = knots.iter().copied().filter(|&w| w > low && w < high);
-            adaptive(f, &std::iter::once(low).chain(inner).chain([high]).collect::<Vec<_>>(), tolerance)
+            integrate_adaptive(f, &std::iter::once(low).chain(inner).chain([high]).collect::<Vec<_>>(), tolerance)
         };
         let bands: Vec<(f64, f64)> = (plan.resolved_bands().into_iter())
             .map(|(a, b)| (if a > 0.0 { dispersion.omega(a) } else { 0.0 }, dispersion.omega(b)))
@@ -111,13 +111,13 @@ impl Theory {
         let m0 = integral(&s, low, high, TOLERANCE);
         let [m0_resolved, m1, m2] = [0, 1, 2].map(|power| resolved(&|w| w.powi(power) * s(w)));
         let mss = resolved(&|w| s(w) * dispersion.wave_number(w).powi(2));
-        let toward = [0, 1].map(|axis| {
+        let first_moment = [0, 1].map(|axis| {
             let moment =
                 |w: f64| plan.systems.iter().map(|s| s.spectrum.density(w) * s.first_moment(w)[axis]).sum::<f64>();
             integral(&moment, low, high, 1e-5) / m0
         });
-        let r1 = toward[0].hypot(toward[1]);
-        let omega_p = peak(s, plan.omega_p);
+        let r1 = first_moment[0].hypot(first_moment[1]);
+        let omega_p = refined_peak(s, plan.omega_p);
         let k_p = dispersion.wave_number(omega_p);
         let peakedness = 2.0 / (m0 * m0) * integral(&|w| w * s(w).powi(2), low, high, 1e-6);
         // Cascades whose bands the user has set may hold no waves at all.
@@ -134,7 +134,7 @@ impl Theory {
             steepness: hs_m * k_p / TAU,
             mss: mss.max(0.0),
             k_max,
-            mean_from_deg: (r1 > NO_DIRECTION).then(|| from_deg(toward)),
+            mean_from_deg: (r1 > MIN_R1_FOR_DIRECTION).then(|| from_deg(first_moment)),
             spread_deg: spread_deg(r1),
             benjamin_feir: k_p * m0.sqrt() * peakedness * TAU.sqrt(),
             whitecap_fraction: monahan_coverage(plan.sea.local().wind_m_s),
@@ -142,13 +142,13 @@ impl Theory {
     }
 }
 
-impl Resolved {
+impl LatticeStatistics {
     /// Sums over all waves of the cascades of a plan. `theory_m0` is the variance of the whole spectrum (m^2).
     pub fn new(plan: &Plan, theory_m0: f64) -> Self {
         let mut moments = SpectralMoments::default();
-        for (cascade, table) in plan.cascades.iter().zip(Table::all(plan)) {
+        for (cascade, table) in plan.cascades.iter().zip(Table::for_all_cascades(plan)) {
             for (ix, iz) in lattice(plan.n) {
-                let wave = &table.waves[index(ix, iz)];
+                let wave = &table.waves[entry_index(ix, iz)];
                 if wave.k > 0.0 {
                     let unit = [f64::from(ix), f64::from(iz)].map(|i| i * cascade.dk() / wave.k);
                     moments.add(4.0 * table.variance(ix, iz), wave.k, wave.omega, unit);
@@ -165,14 +165,14 @@ pub fn lattice(n: u32) -> impl Iterator<Item = (i32, i32)> {
     (1 - half..half).flat_map(move |iz| (1 - half..half).map(move |ix| (ix, iz)))
 }
 
-/// Spectral moments of a set of waves, from which their [`Resolved`] statistics follow.
+/// Spectral moments of a set of waves, from which their [`LatticeStatistics`] statistics follow.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SpectralMoments {
     /// Spectral moments m0, m1 and m2: sums of variance times omega^i, m^2 (rad/s)^i.
     pub m: [f64; 3],
     mss: f64,
     /// Sum over the waves of variance times unit vector of travel (x, z), m^2.
-    pub toward: [f64; 2],
+    pub first_moment: [f64; 2],
 }
 
 impl SpectralMoments {
@@ -182,19 +182,22 @@ impl SpectralMoments {
             *m += variance * omega.powi(power);
         }
         self.mss += variance * k * k;
-        for (sum, u) in self.toward.iter_mut().zip(unit) {
+        for (sum, u) in self.first_moment.iter_mut().zip(unit) {
             *sum += variance * u;
         }
     }
 
     /// Statistics of the added waves. `theory_m0` is the elevation variance of the whole spectrum (m^2).
-    pub fn resolved(&self, theory_m0: f64) -> Resolved {
+    pub fn resolved(&self, theory_m0: f64) -> LatticeStatistics {
         let [m0, m1, m2] = self.m;
         if m0 <= 0.0 {
-            return Resolved { m0_fraction: if theory_m0 > 0.0 { 0.0 } else { 1.0 }, ..Resolved::default() };
+            return LatticeStatistics {
+                m0_fraction: if theory_m0 > 0.0 { 0.0 } else { 1.0 },
+                ..LatticeStatistics::default()
+            };
         }
-        let r1 = self.toward[0].hypot(self.toward[1]) / m0;
-        Resolved {
+        let r1 = self.first_moment[0].hypot(self.first_moment[1]) / m0;
+        LatticeStatistics {
             m0_m2: m0,
             hs_m: 4.0 * m0.sqrt(),
             tm01_s: TAU * m0 / m1,
@@ -202,7 +205,7 @@ impl SpectralMoments {
             mss: self.mss,
             m0_fraction: if theory_m0 > 0.0 { m0 / theory_m0 } else { 1.0 },
             r1,
-            mean_from_deg: (r1 > NO_DIRECTION).then(|| from_deg(self.toward)),
+            mean_from_deg: (r1 > MIN_R1_FOR_DIRECTION).then(|| from_deg(self.first_moment)),
             spread_deg: spread_deg(r1),
         }
     }
@@ -227,23 +230,23 @@ pub fn cox_munk_mss(wind_m_s: f64) -> f64 {
 /// of the plan. `table` must belong to the cascade. The Nyquist indices -n/2 and n/2 are not allowed.
 pub fn initial_amplitude(plan: &Plan, cascade: &Cascade, table: &Table, ix: i32, iz: i32) -> [f64; 2] {
     let deviation = table.variance(ix, iz).sqrt();
-    noise::gaussian(noise::words(plan.sea.seed, cascade.key, ix, iz)).map(|x| x * deviation)
+    noise::complex_gaussian(noise::noise_words(plan.sea.seed, cascade.noise_key, ix, iz)).map(|x| x * deviation)
 }
 
 /// Elevation variance (m^2) at time `t_s` (s) of the one sea that the plan's seed generates, in contrast to the
 /// expected variance: the sum of |h(k, t)|^2 over all wave vectors (Parseval's theorem).
 pub fn realised_variance(plan: &Plan, t_s: f64) -> f64 {
-    let phase_time = plan.phase_time(t_s);
+    let phase_time = plan.time_in_period_u32(t_s);
     let mut total = 0.0;
-    for (cascade, table) in plan.cascades.iter().zip(Table::all(plan)) {
+    for (cascade, table) in plan.cascades.iter().zip(Table::for_all_cascades(plan)) {
         // h(-k) is the conjugate of h(k), so half of the lattice is enough.
         for (ix, iz) in lattice(plan.n).filter(|&(ix, iz)| iz > 0 || (iz == 0 && ix > 0)) {
-            let wave = &table.waves[index(ix, iz)];
+            let wave = &table.waves[entry_index(ix, iz)];
             if wave.k == 0.0 {
                 continue;
             }
             let [a, b] = [1, -1].map(|sign| initial_amplitude(plan, cascade, &table, sign * ix, sign * iz));
-            let phase = TAU * f64::from(wave.turns.wrapping_mul(phase_time)) / 4_294_967_296.0;
+            let phase = TAU * f64::from(wave.cycles_per_period.wrapping_mul(phase_time)) / 4_294_967_296.0;
             let (s, c) = phase.sin_cos();
             // h(k, t) = a e^{-i phase} + conj(b) e^{+i phase}.
             let re = (a[0] + b[0]) * c + (a[1] + b[1]) * s;
@@ -260,7 +263,7 @@ pub fn spread_deg(r1: f64) -> f64 {
 }
 
 /// Angular frequency (rad/s) at which the spectrum `s` is largest, searched from 0.9 to 1.125 times `near`.
-fn peak(s: impl Fn(f64) -> f64, near: f64) -> f64 {
+fn refined_peak(s: impl Fn(f64) -> f64, near: f64) -> f64 {
     let scan = |i: i32| near * 0.9 * 1.25f64.powf(f64::from(i) / 400.0);
     let best = (0..=400).max_by(|&a, &b| s(scan(a)).total_cmp(&s(scan(b)))).unwrap_or(0);
     let (mut a, mut b) = (scan(best - 1), scan(best + 1));
@@ -277,9 +280,9 @@ mod tests {
     use super::*;
     use crate::state::query;
 
-    fn theory(state: &str) -> (Plan, Theory) {
+    fn theory(state: &str) -> (Plan, SpectrumStatistics) {
         let plan = Plan::new(&query::parse(state).0);
-        let theory = Theory::new(&plan);
+        let theory = SpectrumStatistics::new(&plan);
         (plan, theory)
     }
 
@@ -295,7 +298,7 @@ mod tests {
     fn the_lattices_hold_the_sea() {
         for state in ["wind=10&fetch=100", "wind=5&fetch=20", "wind=20&fetch=500", "spectrum=tma&depth=5", "swell=1"] {
             let (plan, t) = theory(state);
-            let r = Resolved::new(&plan, t.m0_m2);
+            let r = LatticeStatistics::new(&plan, t.m0_m2);
             assert!(r.m0_fraction > 0.99, "{state} {r:?}");
             assert!((r.hs_m / t.hs_m - 1.0).abs() < 0.01, "{state} {r:?} {t:?}");
             assert!((r.mss / t.mss - 1.0).abs() < 0.02, "{state} {r:?} {t:?}");

@@ -1,8 +1,8 @@
 //! A wave system, such as the local wind sea or the swell, with its frequency spectrum and directional distribution.
 
 use super::spectra::{self, FrequencySpectrum};
-use super::spreading::{Cosine, Lobes, Spreading};
-use crate::files::measured::Mem;
+use super::spreading::{CosineFactor, Lobes, Spreading};
+use crate::files::measured::MaximumEntropy;
 use crate::state::params::{Sea, System};
 
 /// One wave system of a planned sea, such as the local wind sea or the swell.
@@ -21,7 +21,7 @@ pub enum Directions {
     /// Spreading model: lobes around the main direction of travel.
     Lobes(Lobes),
     /// Measured directions: the maximum entropy distribution for a buoy's directional moments, in world axes (x, z).
-    Measured(Mem),
+    Measured(MaximumEntropy),
 }
 
 /// Kind of one term of the directional spectrum, which is a sum of terms. For each wave number a term stores one or two
@@ -29,17 +29,18 @@ pub enum Directions {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TermKind {
     /// One lobe of the directional spreading, stored as (variance x norm, beta, s, isotropic variance per rad).
-    Lobe(Cosine),
-    /// A measured distribution [`Mem`], stored as (variance x norm, Re phi1, Im phi1, Re phi2), (Im phi2, 0, 0, 0).
+    Lobe(CosineFactor),
+    /// A measured distribution [`MaximumEntropy`], stored as (variance x norm, Re phi1, Im phi1, Re phi2), (Im phi2, 0,
+    /// 0, 0).
     Measured,
 }
 
 impl WaveSystem {
     /// Makes the spectrum and the directional spreading of a wave system from its parameters.
     pub fn new(sea: &Sea, system: &System) -> Self {
-        let spectrum = spectra::of_system(sea, system).scaled(sea.height * sea.height);
+        let spectrum = spectra::spectrum_of_system(sea, system).scaled(sea.height * sea.height);
         let spreading = Spreading::new(sea, system, &spectrum);
-        Self { spectrum, spreading, travel: travel(system.from_deg) }
+        Self { spectrum, spreading, travel: travel_direction(system.from_deg) }
     }
 
     /// Whether the wave directions come from a buoy's data instead of a spreading model.
@@ -49,8 +50,8 @@ impl WaveSystem {
 
     /// Maximum entropy distribution for the buoy's directional moments at the angular frequency `omega` (rad/s); `None`
     /// without a buoy. Its moments differ from the measured ones where no distribution can have the measured moments.
-    fn measured(&self, omega: f64) -> Option<Mem> {
-        self.spectrum.measured.as_ref()?.moments(omega).map(Mem::new)
+    fn measured(&self, omega: f64) -> Option<MaximumEntropy> {
+        self.spectrum.measured.as_ref()?.moments(omega).map(MaximumEntropy::new)
     }
 
     /// Directional distribution of the energy at the angular frequency `omega` (rad/s).
@@ -62,7 +63,7 @@ impl WaveSystem {
     pub fn direction_density(&self, omega: f64, k: [f64; 2]) -> f64 {
         match self.measured(omega) {
             Some(mem) => mem.density(k[1].atan2(k[0])),
-            None => self.spreading.density(omega, angle(self.travel, k)),
+            None => self.spreading.density(omega, angle_from_travel(self.travel, k)),
         }
     }
 
@@ -85,7 +86,7 @@ impl WaveSystem {
         }
         let lobes = self.spreading.lobes(self.spectrum.omega_p).lobes;
         if lobes.is_empty() {
-            return vec![TermKind::Lobe(Cosine::None)];
+            return vec![TermKind::Lobe(CosineFactor::One)];
         }
         lobes.iter().map(|(_, lobe)| TermKind::Lobe(lobe.cosine)).collect()
     }
@@ -93,19 +94,19 @@ impl WaveSystem {
 
 impl TermKind {
     /// Number of vectors of four numbers that a term of this kind stores for each wave number.
-    pub fn size(self) -> usize {
+    pub fn vectors_per_entry(self) -> usize {
         if self == Self::Measured { 2 } else { 1 }
     }
 }
 
 /// Unit vector (x, z) along which waves from the compass bearing `from_deg` (degrees clockwise from north) travel.
-pub fn travel(from_deg: f64) -> [f64; 2] {
+pub fn travel_direction(from_deg: f64) -> [f64; 2] {
     let from = from_deg.to_radians();
     [-from.sin(), from.cos()]
 }
 
 /// Angle between the wave vector `k` and the direction of travel `travel` (both x, z), 0 to pi rad.
-pub fn angle(travel: [f64; 2], k: [f64; 2]) -> f64 {
+pub fn angle_from_travel(travel: [f64; 2], k: [f64; 2]) -> f64 {
     let dot = travel[0] * k[0] + travel[1] * k[1];
     let cross = travel[0] * k[1] - travel[1] * k[0];
     cross.abs().atan2(dot)

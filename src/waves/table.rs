@@ -4,11 +4,11 @@
 //! Up to eight wave vectors of a square lattice have the same |k| by symmetry: (+-a, +-b) and (+-b, +-a). So a table
 //! needs entries only for 0 <= b <= a <= n/2; the wave vector (a, b) has the entry a (a + 1) / 2 + b.
 
-use super::lattice::Wave;
+use super::lattice::LatticeWave;
 use super::plan::{Cascade, Plan};
 use super::spreading::Lobe;
-use super::system::{Directions, TermKind, WaveSystem, angle};
-use crate::files::measured::Mem;
+use super::system::{Directions, TermKind, WaveSystem, angle_from_travel};
+use crate::files::measured::MaximumEntropy;
 use std::f64::consts::PI;
 
 /// One term of the directional spectrum of a sea. The variance of a wave is the sum over all terms.
@@ -19,19 +19,19 @@ pub struct Term {
     /// Main direction of travel of the wave system, a unit vector (x, z), from which the term's angles are measured.
     pub travel: [f64; 2],
     /// Index of the term's first vector among the vectors of values of a table entry.
-    pub slot: usize,
+    pub first_vector: usize,
 }
 
 /// Terms of the directional spectrum of a plan, and the number of vectors of values in each table entry, at least 1.
 pub fn terms(plan: &Plan) -> (Vec<Term>, usize) {
-    let (mut terms, mut slot) = (Vec::new(), 0);
+    let (mut terms, mut first_vector) = (Vec::new(), 0);
     for system in &plan.systems {
         for kind in system.terms() {
-            terms.push(Term { kind, travel: system.travel, slot });
-            slot += kind.size();
+            terms.push(Term { kind, travel: system.travel, first_vector });
+            first_vector += kind.vectors_per_entry();
         }
     }
-    (terms, slot.max(1))
+    (terms, first_vector.max(1))
 }
 
 /// Precomputed spectrum of one cascade: one entry for each wave number of its lattice.
@@ -40,22 +40,23 @@ pub struct Table {
     /// Terms of which the directional spectrum is a sum.
     pub terms: Vec<Term>,
     /// Number of vectors of values in each table entry.
-    pub stride: usize,
+    pub vectors_per_entry: usize,
     /// Wave number and frequency of each table entry; the wave number is 0 outside the cascade's band.
-    pub waves: Vec<Wave>,
-    /// Values of the terms in the layout of [`TermKind`], `stride` vectors for each table entry. Variances (m^2) are
-    /// those of the real and of the imaginary part of the amplitude h0: S dkx dkz / 4 without the directional factor.
+    pub waves: Vec<LatticeWave>,
+    /// Values of the terms in the layout of [`TermKind`], `vectors_per_entry` vectors for each table entry. Variances
+    /// (m^2) are those of the real and of the imaginary part of the amplitude h0: S dkx dkz / 4 without the directional
+    /// factor.
     pub values: Vec<[f64; 4]>,
 }
 
 /// Number of entries of a table for a lattice of n x n wave vectors.
-pub fn len(n: u32) -> usize {
+pub fn entry_count(n: u32) -> usize {
     let half = n as usize / 2;
     (half + 1) * (half + 2) / 2
 }
 
 /// Index of the table entry for the wave vector with signed lattice indices (ix, iz), each from -n/2 to n/2.
-pub fn index(ix: i32, iz: i32) -> usize {
+pub fn entry_index(ix: i32, iz: i32) -> usize {
     let [x, z] = [ix, iz].map(|i| i.unsigned_abs() as usize);
     let (a, b) = (x.max(z), x.min(z));
     a * (a + 1) / 2 + b
@@ -63,7 +64,7 @@ pub fn index(ix: i32, iz: i32) -> usize {
 
 impl Table {
     /// Computes the tables of all cascades of a plan.
-    pub fn all(plan: &Plan) -> Vec<Self> {
+    pub fn for_all_cascades(plan: &Plan) -> Vec<Self> {
         let norms: Vec<Norms> = plan.systems.iter().map(Norms::new).collect();
         plan.cascades.iter().map(|c| Self::with_norms(plan, c, &norms)).collect()
     }
@@ -75,16 +76,20 @@ impl Table {
 
     fn with_norms(plan: &Plan, cascade: &Cascade, norms: &[Norms]) -> Self {
         let half = plan.n / 2;
-        let (terms, stride) = terms(plan);
-        let outside = Wave { k: 0.0, turns: 1, omega: 0.0, orbit: 0.0 };
-        let entries = len(plan.n);
-        let mut out =
-            Self { terms, stride, waves: Vec::with_capacity(entries), values: Vec::with_capacity(entries * stride) };
+        let (terms, vectors_per_entry) = terms(plan);
+        let outside = LatticeWave { k: 0.0, cycles_per_period: 1, omega: 0.0, orbit_axis_ratio: 0.0 };
+        let entries = entry_count(plan.n);
+        let mut out = Self {
+            terms,
+            vectors_per_entry,
+            waves: Vec::with_capacity(entries),
+            values: Vec::with_capacity(entries * vectors_per_entry),
+        };
         for a in 0..=half {
             for b in 0..=a {
                 let i2 = a * a + b * b;
                 let k = cascade.dk() * f64::from(i2).sqrt();
-                if i2 == 0 || !cascade.holds(k) {
+                if i2 == 0 || !cascade.contains_wave_number(k) {
                     out.waves.push(outside);
                 } else {
                     let wave = plan.wave(cascade, i2);
@@ -94,7 +99,7 @@ impl Table {
                     }
                     out.waves.push(wave);
                 }
-                out.values.resize(out.waves.len() * stride, [0.0; 4]);
+                out.values.resize(out.waves.len() * vectors_per_entry, [0.0; 4]);
             }
         }
         out
@@ -103,19 +108,21 @@ impl Table {
     /// Variance (m^2) of the real and of the imaginary part of the initial amplitude h0 of the wave with signed indices
     /// (ix, iz). The spectrum shader computes the same number.
     pub fn variance(&self, ix: i32, iz: i32) -> f64 {
-        let entry = index(ix, iz);
+        let entry = entry_index(ix, iz);
         if self.waves[entry].k == 0.0 {
             return 0.0;
         }
         let k = [f64::from(ix), f64::from(iz)];
-        let value = |slot: usize| self.values[entry * self.stride + slot];
+        let value = |first_vector: usize| self.values[entry * self.vectors_per_entry + first_vector];
         let term = |term: &Term| {
-            let [variance, p, q, r] = value(term.slot);
+            let [variance, p, q, r] = value(term.first_vector);
             match term.kind {
-                TermKind::Lobe(cosine) => variance * Lobe { beta: p, s: q, cosine }.shape(angle(term.travel, k)) + r,
+                TermKind::Lobe(cosine) => {
+                    variance * Lobe { beta: p, s: q, cosine }.shape(angle_from_travel(term.travel, k)) + r
+                }
                 TermKind::Measured => {
-                    let phi2 = [r, value(term.slot + 1)[0]];
-                    Mem { norm: variance, phi1: [p, q].into(), phi2: phi2.into() }.density(k[1].atan2(k[0]))
+                    let phi2 = [r, value(term.first_vector + 1)[0]];
+                    MaximumEntropy { norm: variance, phi1: [p, q].into(), phi2: phi2.into() }.density(k[1].atan2(k[0]))
                 }
             }
         };
@@ -149,11 +156,11 @@ fn push(out: &mut Vec<[f64; 4]>, system: &WaveSystem, norms: &Norms, variance: f
 struct Norms {
     steps: u32,
     /// Interpolation tables of each lobe, one for each smooth interval of frequency; `None` for a norm in closed form.
-    lobes: Vec<Option<Vec<Piece>>>,
+    lobes: Vec<Option<Vec<NormTable>>>,
 }
 
 /// Interpolation table of a lobe's norm over a frequency interval: ln(norm) at `NODES` + 1 equidistant ln(omega).
-struct Piece {
+struct NormTable {
     ln_low: f64,
     step: f64,
     ln_norm: Vec<f64>,
@@ -163,9 +170,9 @@ impl Norms {
     const NODES: usize = 200;
 
     fn new(system: &WaveSystem) -> Self {
-        let (low, high) = system.spectrum.support();
+        let (low, high) = system.spectrum.frequency_range();
         let spreading = &system.spreading;
-        let steps = spreading.norm_steps;
+        let steps = spreading.spreading_norm_panels;
         let probe = spreading.lobes(low).lobes;
         let mut knots = spreading.breakpoints();
         knots.retain(|&w| w > low && w < high);
@@ -181,7 +188,7 @@ impl Norms {
                         let omega = (ln_low + step * j as f64).exp().max(w[0]);
                         spreading.lobes(omega).lobes[i].1.norm(steps).ln()
                     };
-                    Piece { ln_low, step, ln_norm: (0..=Self::NODES).map(node).collect() }
+                    NormTable { ln_low, step, ln_norm: (0..=Self::NODES).map(node).collect() }
                 };
                 probe[i].1.closed_norm().is_none().then(|| knots.windows(2).map(piece).collect())
             })
@@ -225,7 +232,7 @@ mod tests {
                 let table = Table::new(&plan, cascade);
                 for (ix, iz) in [(12, 0), (9, 9), (-3, 14), (20, -11), (-25, -17)] {
                     let wave = plan.wave(cascade, (ix * ix + iz * iz) as u32);
-                    if !cascade.holds(wave.k) {
+                    if !cascade.contains_wave_number(wave.k) {
                         continue;
                     }
                     let k = [f64::from(ix), f64::from(iz)];
@@ -243,11 +250,11 @@ mod tests {
     #[test]
     fn the_triangle_covers_the_lattice_once() {
         let n = 64;
-        let mut seen = vec![0; len(n)];
+        let mut seen = vec![0; entry_count(n)];
         for a in 0..=(n as i32 / 2) {
             for b in 0..=a {
-                seen[index(a, -b)] += 1;
-                assert_eq!(index(a, b), index(-b, a));
+                seen[entry_index(a, -b)] += 1;
+                assert_eq!(entry_index(a, b), entry_index(-b, a));
             }
         }
         assert!(seen.iter().all(|&s| s == 1));

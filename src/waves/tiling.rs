@@ -24,15 +24,15 @@
 use super::noise::pcg4d;
 
 /// Barycentric coordinate of a point in its triangle above which the copy of that vertex has a weight above 0.
-const EDGE: f64 = 0.25;
+const MIN_BARYCENTRIC: f64 = 0.25;
 /// Mean number of patch copies that are blended at a point of the plane.
 pub const MEAN_COPIES: f64 = 1.69;
 /// Number of possible shifts of a copy along each axis: a shift is a multiple of 1 / STEPS of the patch size.
-const STEPS: f64 = 64.0;
+const SHIFTS_PER_PATCH: f64 = 64.0;
 /// Hash input that makes the random shifts of copies independent of the random numbers of the waves.
-const SALT: u32 = 0x7469_6c65;
+const HASH_SALT: u32 = 0x7469_6c65;
 /// Rotation of the triangle lattice per unit of the cascade's key, rad: the golden angle, so no two lattices align.
-const TURN: f64 = 2.399_963_229_728_653;
+const LATTICE_ROTATION_PER_KEY: f64 = 2.399_963_229_728_653;
 /// 1 / sqrt(3), for the geometry of equilateral triangles.
 const INV_SQRT_3: f64 = 0.577_350_269_189_625_8;
 
@@ -42,20 +42,20 @@ pub struct Tiling {
     /// Side of the patch, m.
     pub patch_m: f64,
     /// Cosine and sine of the triangle lattice's rotation, divided by the side of the triangles, 1/m.
-    pub turn: [f64; 2],
+    pub scaled_rotation: [f64; 2],
     /// Key of the hash that gives the random shift of each copy.
-    pub key: u32,
+    pub hash_key: u32,
     /// Whether shifted copies are blended; if false, the patch simply repeats.
-    pub on: bool,
+    pub blends_copies: bool,
 }
 
 /// Position of a point in the triangle lattice of a [`Tiling`]. A shader starts from it to find copies near that point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct LatticePosition {
     /// Tiling to which the position belongs.
     pub tiling: Tiling,
     /// Fractional part of the point's lattice coordinates, 0 to 1.
-    pub rest: [f64; 2],
+    pub fraction: [f64; 2],
     /// Integer part of the point's lattice coordinates, wrapped to 32 bits.
     pub cell: [i32; 2],
 }
@@ -75,26 +75,31 @@ pub struct PatchCopy {
 
 impl Tiling {
     /// Makes the tiling of a patch with the side `patch_m` (m). `key` and `seed` select the random shifts of its
-    /// copies. If `on` is false, the patch repeats.
-    pub fn new(patch_m: f64, key: u32, seed: u32, on: bool) -> Self {
-        let (sin, cos) = (TURN * f64::from(key)).sin_cos();
-        Self { patch_m, turn: [cos / patch_m, sin / patch_m], key: pcg4d([key, seed, SALT, 0])[0], on }
+    /// copies. If `blends_copies` is false, the patch repeats.
+    pub fn new(patch_m: f64, key: u32, seed: u32, blends_copies: bool) -> Self {
+        let (sin, cos) = (LATTICE_ROTATION_PER_KEY * f64::from(key)).sin_cos();
+        Self {
+            patch_m,
+            scaled_rotation: [cos / patch_m, sin / patch_m],
+            hash_key: pcg4d([key, seed, HASH_SALT, 0])[0],
+            blends_copies,
+        }
     }
 
     /// Tiling with other random shifts for the same patch made smaller by the factor `ratio`.
     #[must_use]
-    pub fn shrunk(&self, ratio: f64) -> Self {
-        Self { on: self.on, ..Self::new(self.patch_m / ratio, self.key, SALT, true) }
+    pub fn with_smaller_patch(&self, ratio: f64) -> Self {
+        Self { blends_copies: self.blends_copies, ..Self::new(self.patch_m / ratio, self.hash_key, HASH_SALT, true) }
     }
 
     /// Position of the point `at` (x, z), m, before displacement by the waves, in the triangle lattice.
-    pub fn place(&self, at: [f64; 2]) -> Place {
+    pub fn lattice_position(&self, at: [f64; 2]) -> LatticePosition {
         let [u, v] = self.axes();
         let q = [u, v].map(|axis| axis[0] * at[0] + axis[1] * at[1]);
         let whole = q.map(f64::floor);
-        Place {
+        LatticePosition {
             tiling: *self,
-            rest: [q[0] - whole[0], q[1] - whole[1]],
+            fraction: [q[0] - whole[0], q[1] - whole[1]],
             // The cast through 64 bits wraps; a direct cast would saturate.
             cell: whole.map(|w| w as i64 as i32),
         }
@@ -103,18 +108,18 @@ impl Tiling {
     /// Copies that are blended at the point `at` (x, z), m, before displacement by the waves. Some can have weight 0.
     pub fn blend(&self, at: [f64; 2]) -> [PatchCopy; 3] {
         let mut out = [[0, 0], [1, 0], [0, 1]].map(|cell| PatchCopy { cell, ..PatchCopy::default() });
-        if !self.on {
+        if !self.blends_copies {
             out[0].weight = 1.0;
             return out;
         }
-        let Place { rest, cell, .. } = self.place(at);
+        let LatticePosition { fraction, cell, .. } = self.lattice_position(at);
         let [u, v] = self.axes();
         // A cell has two triangles. Coordinates in the upper triangle are measured from the cell's last vertex.
-        let upper = rest[0] + rest[1] > 1.0;
-        let (sign, [fu, fv]) = if upper { (-1.0, rest.map(|f| 1.0 - f)) } else { (1.0, rest) };
+        let upper = fraction[0] + fraction[1] > 1.0;
+        let (sign, [fu, fv]) = if upper { (-1.0, fraction.map(|f| 1.0 - f)) } else { (1.0, fraction) };
         let b = [1.0 - fu - fv, fu, fv];
         let slopes = [[-u[0] - v[0], -u[1] - v[1]], u, v].map(|s| s.map(|s| sign * s));
-        let raw = b.map(|b| (b - EDGE).max(0.0));
+        let raw = b.map(|b| (b - MIN_BARYCENTRIC).max(0.0));
         let norm = 1.0 / raw.iter().map(|r| r.powi(4)).sum::<f64>().sqrt();
         // Sum of w dw divided by the sum of w^2: relative change of the norm along each axis.
         let pull = [0, 1].map(|axis| (0..3).map(|i| 2.0 * raw[i].powi(3) * slopes[i][axis]).sum::<f64>() * norm * norm);
@@ -123,15 +128,15 @@ impl Tiling {
             copy.weight = raw[i] * raw[i] * norm;
             copy.gradient = [0, 1].map(|axis| 2.0 * raw[i] * slopes[i][axis] * norm - copy.weight * pull[axis]);
             copy.cell = [0, 1].map(|axis| cell[axis].wrapping_add(if upper { 1 - corner[axis] } else { corner[axis] }));
-            let hash = pcg4d([copy.cell[0] as u32, copy.cell[1] as u32, self.key, 0]);
-            copy.shift = [0, 1].map(|axis| f64::from(hash[axis] >> 26) / STEPS);
+            let hash = pcg4d([copy.cell[0] as u32, copy.cell[1] as u32, self.hash_key, 0]);
+            copy.shift = [0, 1].map(|axis| f64::from(hash[axis] >> 26) / SHIFTS_PER_PATCH);
         }
         out
     }
 
     /// Gradients (d/dx, d/dz) of the two coordinates of the triangle lattice, 1/m.
     fn axes(&self) -> [[f64; 2]; 2] {
-        let [cos, sin] = self.turn;
+        let [cos, sin] = self.scaled_rotation;
         [[cos + INV_SQRT_3 * sin, sin - INV_SQRT_3 * cos], [-2.0 * INV_SQRT_3 * sin, 2.0 * INV_SQRT_3 * cos]]
     }
 }
@@ -217,7 +222,7 @@ mod tests {
         let mut seen = std::collections::BTreeSet::new();
         for at in points(4000) {
             for copy in tiling().blend(at).iter().filter(|c| c.weight > 0.0) {
-                assert!(copy.shift.iter().all(|s| (0.0..1.0).contains(s) && (s * STEPS).fract() == 0.0));
+                assert!(copy.shift.iter().all(|s| (0.0..1.0).contains(s) && (s * SHIFTS_PER_PATCH).fract() == 0.0));
                 if seen.insert(copy.cell) {
                     mean = [mean[0] + copy.shift[0], mean[1] + copy.shift[1]];
                 }
@@ -225,13 +230,13 @@ mod tests {
         }
         let count = seen.len() as f64;
         assert!(
-            count > 3000.0 && mean.iter().all(|m| (m / count - 0.5 + 0.5 / STEPS).abs() < 0.02),
+            count > 3000.0 && mean.iter().all(|m| (m / count - 0.5 + 0.5 / SHIFTS_PER_PATCH).abs() < 0.02),
             "{mean:?} {count}"
         );
         let other = Tiling::new(100.0, 70, 2, true);
         let same = points(4000).filter(|&at| tiling().blend(at) == other.blend(at)).count();
         assert!(same < 10, "another seed, other shifts: {same}");
-        assert_ne!(tiling().shrunk(13.1).key, tiling().key);
+        assert_ne!(tiling().with_smaller_patch(13.1).hash_key, tiling().hash_key);
     }
 
     #[test]

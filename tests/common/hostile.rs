@@ -2,7 +2,7 @@
 //! `tests/hostile.rs` runs all of them over the kept cases.
 #![allow(dead_code, reason = "each fuzz target runs one check")]
 
-use seastate::files::measured::{MAX_STATE_BYTES, MeasuredSpectrum};
+use seastate::files::measured::{MAX_TEXT_BYTES, MeasuredSpectrum};
 use seastate::files::{panorama, picture};
 use seastate::state::fields::FIELDS;
 use seastate::state::{Params, presets, query};
@@ -28,11 +28,11 @@ pub fn state(bytes: &[u8]) {
 
 /// Reads a sky file, which may be truncated or make false claims.
 pub fn sky(bytes: &[u8]) {
-    let Ok(sky) = panorama::read_within("a.exr", bytes, SKY) else { return };
+    let Ok(sky) = panorama::read_with_max_size("a.exr", bytes, SKY) else { return };
     assert!(sky.width <= SKY[0] && sky.height <= SKY[1]);
     assert_eq!(sky.mips[0].len(), sky.width * sky.height);
-    assert_eq!(sky.calm.len(), panorama::CALM[0] * panorama::CALM[1]);
-    assert!(sky.calm.iter().flatten().all(|v| v.is_finite() && *v >= 0.0));
+    assert_eq!(sky.sunless.len(), panorama::SUNLESS_SIZE[0] * panorama::SUNLESS_SIZE[1]);
+    assert!(sky.sunless.iter().flatten().all(|v| v.is_finite() && *v >= 0.0));
     assert!(sky.irradiance.iter().all(|v| v.is_finite()) && sky.gain > 0.0 && sky.gain.is_finite());
     if let Some(sun) = sky.sun {
         assert!(sun.irradiance.iter().all(|v| v.is_finite()) && (-90.0..=90.0).contains(&sun.elevation_deg));
@@ -50,22 +50,22 @@ pub fn buoy(bytes: &[u8]) {
     let carried = MeasuredSpectrum::from_state(&String::from_utf8_lossy(bytes));
     for sea in read.into_iter().chain(carried) {
         let text = sea.to_state();
-        assert!(text.len() <= MAX_STATE_BYTES, "{} bytes", text.len());
+        assert!(text.len() <= MAX_TEXT_BYTES, "{} bytes", text.len());
         assert_eq!(MeasuredSpectrum::from_state(&text).as_ref(), Ok(&sea));
         assert!(sea.hs_m().is_finite() && sea.omega_p() > 0.0 && sea.lowest_omega() > 0.0);
         let mut params = Params::default();
-        params.sea.show_measured(sea);
+        params.sea.set_measured_spectrum(sea);
         is_canonical(&params);
         let plan = Plan::new(&params);
         assert!((1..=4).contains(&plan.cascades.len()));
-        assert!(plan.hs_m().is_finite() && plan.captured().is_finite() && plan.k_max().is_finite());
+        assert!(plan.hs_m().is_finite() && plan.captured_fraction().is_finite() && plan.k_max().is_finite());
     }
 }
 
 /// Reads a file of named seas.
 pub fn seas(bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
-    presets::is_file(&text);
+    presets::is_preset_file(&text);
     let (seas, notices) = presets::read(&text);
     assert!(seas.len() <= presets::MAX_PRESETS && notices.len() <= 25);
     assert_eq!(presets::read(&presets::write(&seas)), (seas.clone(), vec![]));
@@ -78,13 +78,13 @@ pub fn seas(bytes: &[u8]) {
 
 /// Reads a picture that may carry a state, and writes and reads a picture with any text as its state.
 pub fn picture(bytes: &[u8]) {
-    if let Ok(found) = picture::state_of(bytes) {
+    if let Ok(found) = picture::state_from_png(bytes) {
         state(found.as_bytes());
     }
     let text = String::from_utf8_lossy(bytes);
     let made = picture::encode([1, 1], &[0; 4], &text, "");
-    let found = made.and_then(|png| picture::state_of(&png));
-    assert_eq!(found.ok().as_deref(), (text.len() <= query::MAX_BYTES).then_some(&*text));
+    let found = made.and_then(|png| picture::state_from_png(&png));
+    assert_eq!(found.ok().as_deref(), (text.len() <= seastate::files::MAX_STATE_BYTES).then_some(&*text));
 }
 
 /// Checks that all parameters are valid and that a link brings them back unchanged.
@@ -94,7 +94,7 @@ pub fn is_canonical(params: &Params) {
         assert_eq!(field.accept(value), Ok(value), "{}", field.key);
     }
     let written = query::write(params);
-    assert!(written.len() <= query::MAX_BYTES, "{} bytes: {written}", written.len());
+    assert!(written.len() <= seastate::files::MAX_STATE_BYTES, "{} bytes: {written}", written.len());
     let (again, notices) = query::parse(&written);
     assert_eq!(notices, Vec::<String>::new(), "{written}");
     assert_eq!(&again, params, "{written}");

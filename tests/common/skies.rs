@@ -20,5 +20,5 @@ pub fn made_up_sky(sun_azimuth_deg: f64) -> SkyFile {
     };
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| pixel(x, y))).collect();
     let image = Panorama::new(width, height, pixels).expect("a sky");
-    SkyFile { image: Some(Arc::new(image)), ..SkyFile::named("made-up.hdr").expect("a name") }
+    SkyFile { image: Some(Arc::new(image)), ..SkyFile::from_path("made-up.hdr").expect("a name") }
 }

@@ -14,7 +14,7 @@ export async function explorer(context) {
   const place = async (tab, label) => {
     const [x, y, width, height] = await tab.until(
       `"${label}" on the panel`,
-      (name) => window.seastate.place(name) && [...window.seastate.place(name)],
+      (name) => window.seastate.widget_bounds(name) && [...window.seastate.widget_bounds(name)],
       label,
     );
     return { x, y, width, height, middle: [x + width / 2, y + height / 2] };
@@ -25,7 +25,7 @@ export async function explorer(context) {
     await tab.until(
       `${count} more frames`,
       (enough) => {
-        window.seastate.settled();
+        window.seastate.is_picture_complete();
         return window.seastate.frames() >= enough;
       },
       have + count,

@@ -12,7 +12,7 @@ const STATE = 'wind=15&fetch=300&t=20&pause=1&n=64&mesh=0.1&adaptive=0&ui=0';
 const shortOfMemory = () => {
   window.widths = [];
   window.heard = new Set();
-  setInterval(() => window.heard.add(window.seastate?.told()), 50);
+  setInterval(() => window.heard.add(window.seastate?.announcement()), 50);
   const real = GPUDevice.prototype.createTexture;
   GPUDevice.prototype.createTexture = function createTexture(descriptor) {
     const { width, height } = descriptor.size;
@@ -109,7 +109,7 @@ export async function odds(context) {
       });
       assert.deepEqual(canvas, { width: 1140, height: 780, clientWidth: 760, clientHeight: 520 });
       const [x, y, width, height] = await tab.until('the panel', () => {
-        const place = window.seastate.place('Play');
+        const place = window.seastate.widget_bounds('Play');
         return place && [...place];
       });
       assert.ok(

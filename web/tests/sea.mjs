@@ -30,7 +30,7 @@ export async function frames(tab, count) {
   const have = await tab.evaluate(() => window.seastate.frames());
   await tab.until(
     `${count} more frames`,
-    (enough) => window.seastate.settled() && window.seastate.frames() >= enough,
+    (enough) => window.seastate.is_picture_complete() && window.seastate.frames() >= enough,
     have + count,
   );
 }

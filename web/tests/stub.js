@@ -40,11 +40,11 @@ export class WebHandle {
     return location.search.slice(1);
   }
 
-  settled() {
+  is_picture_complete() {
     return true;
   }
 
-  seen() {
+  has_first_picture() {
     if (play === 'throw') throw new WebAssembly.RuntimeError('unreachable in an answer');
     return this.#frames > 0;
   }

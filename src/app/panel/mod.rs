@@ -5,24 +5,24 @@ mod rows;
 mod seas;
 pub mod time;
 
-use super::accessible_names::named;
+use super::accessible_names::with_accessible_name;
 use super::{App, plots};
 use crate::state::fields::{FIELDS, Group};
-use crate::state::floats::FloatKind;
-use crate::state::{Params, motion, query};
+use crate::state::floats::FloatingObjectKind;
+use crate::state::{Params, motion};
 use crate::waves::beaufort;
 
 pub use seas::OwnSeas;
 
 /// Width of the window, points, below which the panel is a collapsible sheet at the bottom of the window.
-const NARROW_POINTS: f32 = 640.0;
+const NARROW_WINDOW_POINTS: f32 = 640.0;
 /// Shorter side of the window, points, below which the panel is not shown, because its margins would leave no room.
-const LEAST_POINTS: f32 = 100.0;
+const MIN_PANEL_POINTS: f32 = 100.0;
 /// Least height of a widget on a touch screen, points.
-const TOUCH_POINTS: f32 = 44.0;
+const TOUCH_TARGET_POINTS: f32 = 44.0;
 
 /// Largest number of characters in the search field.
-const MOST_LETTERS: usize = 100;
+const MAX_TEXT_CHARS: usize = 100;
 
 /// State of the panel that is not part of the parameters.
 #[derive(Default)]
@@ -38,13 +38,13 @@ pub struct Panel {
 }
 
 /// Shows the panel over the sea: as a floating window, or in a narrow window as a sheet at the bottom.
-pub fn show(app: &mut App, ctx: &egui::Context) {
+pub fn show_panel(app: &mut App, ctx: &egui::Context) {
     let screen = ctx.content_rect();
-    if screen.width().min(screen.height()) < LEAST_POINTS {
+    if screen.width().min(screen.height()) < MIN_PANEL_POINTS {
         return;
     }
-    if screen.width() < NARROW_POINTS {
-        return sheet(app, ctx, screen);
+    if screen.width() < NARROW_WINDOW_POINTS {
+        return show_bottom_sheet(app, ctx, screen);
     }
     let window = egui::Window::new("Seastate")
         .id(egui::Id::unique("panel"))
@@ -57,12 +57,12 @@ pub fn show(app: &mut App, ctx: &egui::Context) {
         if ctx.input(|i| i.any_touches()) {
             enlarge_for_touch(ui);
         }
-        contents(app, ui);
+        show_contents(app, ui);
     });
 }
 
 /// Shows the panel of a narrow window: a summary of the sea in one line, which expands and collapses the rest.
-fn sheet(app: &mut App, ctx: &egui::Context, screen: egui::Rect) {
+fn show_bottom_sheet(app: &mut App, ctx: &egui::Context, screen: egui::Rect) {
     let area = egui::Area::new(egui::Id::unique("sheet")).anchor(egui::Align2::CENTER_BOTTOM, egui::Vec2::ZERO);
     area.order(egui::Order::Middle).show(ctx, |ui| {
         let margin = egui::Margin { left: 8, right: 8, top: 4, bottom: 8 };
@@ -70,8 +70,8 @@ fn sheet(app: &mut App, ctx: &egui::Context, screen: egui::Rect) {
             ui.set_width(screen.width() - 20.0);
             enlarge_for_touch(ui);
             let ask = if app.panel.sheet_is_open { "" } else { ": tap to change" };
-            let title = egui::Button::new(summary(app) + ask).frame(false);
-            let response = ui.add_sized([ui.available_width(), TOUCH_POINTS], title);
+            let title = egui::Button::new(sea_summary(app) + ask).frame(false);
+            let response = ui.add_sized([ui.available_width(), TOUCH_TARGET_POINTS], title);
             let icon = response.clone().with_new_rect(egui::Rect::from_center_size(
                 response.rect.left_center() + egui::vec2(12.0, 0.0),
                 egui::Vec2::splat(18.0),
@@ -85,7 +85,7 @@ fn sheet(app: &mut App, ctx: &egui::Context, screen: egui::Rect) {
                 // An area takes the height of its last contents. Without a minimum height the sheet would never grow.
                 let height = 0.5 * screen.height();
                 let scroll = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height);
-                scroll.auto_shrink(false).show(ui, |ui| contents(app, ui));
+                scroll.auto_shrink(false).show(ui, |ui| show_contents(app, ui));
             }
         });
     });
@@ -93,18 +93,18 @@ fn sheet(app: &mut App, ctx: &egui::Context, screen: egui::Rect) {
 
 /// Makes the widgets of `ui` large enough for fingers on a touch screen.
 fn enlarge_for_touch(ui: &mut egui::Ui) {
-    ui.spacing_mut().interact_size.y = TOUCH_POINTS;
+    ui.spacing_mut().interact_size.y = TOUCH_TARGET_POINTS;
     ui.spacing_mut().icon_width = 22.0;
 }
 
 /// Describes the sea in one line: significant wave height and Beaufort number.
-pub fn summary(app: &App) -> String {
-    let hs = app.metres().text(app.derived.theory.hs_m, 1);
-    format!("Hs {hs}, Beaufort {}", beaufort::number_of(app.params.sea.local().wind_m_s))
+pub fn sea_summary(app: &App) -> String {
+    let hs = app.length_scale().format(app.derived.theory.hs_m, 1);
+    format!("Hs {hs}, Beaufort {}", beaufort::beaufort_number(app.params.sea.local().wind_m_s))
 }
 
 /// Adds a button with a tooltip. Returns whether it was clicked.
-fn button(ui: &mut egui::Ui, label: &str, help: &str) -> bool {
+fn button_with_help(ui: &mut egui::Ui, label: &str, help: &str) -> bool {
     ui.button(label).on_hover_text(help).clicked()
 }
 
@@ -128,56 +128,56 @@ fn text_field<T>(
     .inner
 }
 
-fn contents(app: &mut App, ui: &mut egui::Ui) {
-    numbers::show(app, ui);
-    seas::wind(app, ui);
-    actions(app, ui);
-    time::show(app, ui);
-    notices(app, ui);
+fn show_contents(app: &mut App, ui: &mut egui::Ui) {
+    numbers::show_main_statistics(app, ui);
+    seas::show_wind_slider(app, ui);
+    show_action_buttons(app, ui);
+    time::show_time_controls(app, ui);
+    show_notices(app, ui);
     ui.separator();
-    egui::CollapsingHeader::new("Seas").show(ui, |ui| seas::show(app, ui));
-    egui::CollapsingHeader::new("Views").show(ui, |ui| views(app, ui));
-    egui::CollapsingHeader::new("Afloat").show(ui, |ui| afloat(app, ui));
-    egui::CollapsingHeader::new("Plots").show(ui, |ui| plots::show(app, ui));
-    egui::CollapsingHeader::new("More numbers").show(ui, |ui| numbers::more(app, ui));
-    parameters(app, ui);
-    egui::CollapsingHeader::new("Share").show(ui, |ui| share(app, ui));
-    egui::CollapsingHeader::new("Time of a frame").show(ui, |ui| numbers::cost(app, ui));
-    egui::CollapsingHeader::new("This program").show(ui, |ui| numbers::about(app, ui));
+    egui::CollapsingHeader::new("Seas").show(ui, |ui| seas::show_presets(app, ui));
+    egui::CollapsingHeader::new("Views").show(ui, |ui| show_camera_views(app, ui));
+    egui::CollapsingHeader::new("Afloat").show(ui, |ui| show_floating_objects(app, ui));
+    egui::CollapsingHeader::new("Plots").show(ui, |ui| plots::show_all_plots(app, ui));
+    egui::CollapsingHeader::new("More numbers").show(ui, |ui| numbers::show_all_statistics(app, ui));
+    show_parameters(app, ui);
+    egui::CollapsingHeader::new("Share").show(ui, |ui| show_share_buttons(app, ui));
+    egui::CollapsingHeader::new("Time of a frame").show(ui, |ui| numbers::show_frame_times(app, ui));
+    egui::CollapsingHeader::new("This program").show(ui, |ui| numbers::show_system_information(app, ui));
     ui.weak(format!("Seastate {}", crate::ocean::about::VERSION));
 }
 
 /// Adds the buttons for the most frequent actions: link, picture, undo, redo, reset and help.
-fn actions(app: &mut App, ui: &mut egui::Ui) {
+fn show_action_buttons(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
-        if button(ui, "Copy link", "Copies the state of this sea and camera (L).") {
+        if button_with_help(ui, "Copy link", "Copies the state of this sea and camera (L).") {
             app.copy_link();
         }
-        if button(ui, "Picture", "Saves a PNG that remembers its sea: drop it here to return (P).") {
+        if button_with_help(ui, "Picture", "Saves a PNG that remembers its sea: drop it here to return (P).") {
             app.save_picture();
         }
-        let (can_undo, can_redo) = app.history.can(&app.params);
+        let (can_undo, can_redo) = app.history.can_undo_redo(&app.params);
         if ui.add_enabled(can_undo, egui::Button::new("Undo")).on_hover_text("Ctrl+Z").clicked() {
             app.history.undo(&mut app.params);
         }
         if ui.add_enabled(can_redo, egui::Button::new("Redo")).on_hover_text("Ctrl+Y").clicked() {
             app.history.redo(&mut app.params);
         }
-        if button(ui, "Reset", "Every value back to its default.") {
+        if button_with_help(ui, "Reset", "Every value back to its default.") {
             let seed = app.params.sea.seed;
             app.set_state("");
             if app.panel.seed_locked {
                 app.params.sea.seed = seed;
             }
         }
-        if named(ui.button("?"), "Keys and gestures").on_hover_text("Keys and gestures (F1)").clicked() {
+        if with_accessible_name(ui.button("?"), "Keys and gestures").on_hover_text("Keys and gestures (F1)").clicked() {
             app.help = !app.help;
         }
     });
 }
 
-fn notices(app: &App, ui: &mut egui::Ui) {
-    let missing = app.params.look.sky.missing_file();
+fn show_notices(app: &App, ui: &mut egui::Ui) {
+    let missing = app.params.look.sky.missing_file_notice();
     for text in app.notices.iter().chain(&app.derived.plan.notices).chain(&missing) {
         ui.colored_label(egui::Color32::from_rgb(240, 200, 110), text);
     }
@@ -187,12 +187,13 @@ fn notices(app: &App, ui: &mut egui::Ui) {
 }
 
 /// Adds widgets for all parameters by group, or for those that match the search.
-fn parameters(app: &mut App, ui: &mut egui::Ui) {
+fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal(|ui| {
         let search = &mut app.panel.search;
         let searching = !search.is_empty();
-        let (_, clears) = text_field(ui, "Search", search, ("all parameters", MOST_LETTERS), |ui| {
-            named(ui.add_enabled(searching, egui::Button::new("×").small()), "Clear the search").clicked()
+        let (_, clears) = text_field(ui, "Search", search, ("all parameters", MAX_TEXT_CHARS), |ui| {
+            with_accessible_name(ui.add_enabled(searching, egui::Button::new("×").small()), "Clear the search")
+                .clicked()
         });
         if clears {
             search.clear();
@@ -201,7 +202,7 @@ fn parameters(app: &mut App, ui: &mut egui::Ui) {
     let words = app.panel.search.trim().to_owned();
     let mut any = false;
     for group in Group::ALL {
-        let count = FIELDS.iter().filter(|f| f.group == group && rows::found(f, &words)).count();
+        let count = FIELDS.iter().filter(|f| f.group == group && rows::matches_search(f, &words)).count();
         if count == 0 {
             continue;
         }
@@ -211,10 +212,10 @@ fn parameters(app: &mut App, ui: &mut egui::Ui) {
         egui::CollapsingHeader::new(group.label()).id_salt((group.label(), searching)).default_open(searching).show(
             ui,
             |ui| {
-                rows::group(&mut app.params, group, &words, ui);
+                rows::show_group(&mut app.params, group, &words, ui);
                 match group {
                     Group::Sky if !searching => sky_file(&mut app.params, ui),
-                    Group::Water if !searching => seas::seed(app, ui),
+                    Group::Water if !searching => seas::show_seed_row(app, ui),
                     _ => {}
                 }
             },
@@ -241,20 +242,20 @@ fn sky_file(params: &mut Params, ui: &mut egui::Ui) {
 }
 
 /// Adds a button for each named view of the camera.
-fn views(app: &mut App, ui: &mut egui::Ui) {
+fn show_camera_views(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
-        for view in motion::VIEWS {
-            if button(ui, view.name, view.about) {
-                motion::turn_to(&mut app.params, view);
+        for view in motion::CAMERA_VIEWS {
+            if button_with_help(ui, view.name, view.about) {
+                motion::set_named_view(&mut app.params, view);
             }
         }
     });
 }
 
 /// Adds the widgets that place, list and remove buoys and boats.
-fn afloat(app: &mut App, ui: &mut egui::Ui) {
+fn show_floating_objects(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
-        for kind in FloatKind::ALL {
+        for kind in FloatingObjectKind::ALL {
             let on = app.placing == Some(kind);
             let help = "Then click on the sea where it shall be moored.";
             if ui.selectable_label(on, format!("Moor a {}", kind.word())).on_hover_text(help).clicked() {
@@ -265,12 +266,12 @@ fn afloat(app: &mut App, ui: &mut egui::Ui) {
     let mut lifted = None;
     for (i, float) in app.params.floats.iter().enumerate() {
         ui.horizontal(|ui| {
-            let height = app.derived.heights().sample(float.x_m, float.z_m, app.params.clock.t_s).height_m;
-            let metres = app.metres();
-            let [east, south] = [float.x_m, float.z_m].map(|x| metres.text(x, 0));
-            ui.label(format!("{} at {east} east, {south} south: {}", float.kind.word(), metres.text(height, 2)));
+            let height = app.derived.strongest_waves().sample(float.x_m, float.z_m, app.params.clock.t_s).height_m;
+            let metres = app.length_scale();
+            let [east, south] = [float.x_m, float.z_m].map(|x| metres.format(x, 0));
+            ui.label(format!("{} at {east} east, {south} south: {}", float.kind.word(), metres.format(height, 2)));
             let cross = ui.small_button("×").on_hover_text("Lifts it out of the water.");
-            if named(cross, &format!("Lift {} {}", float.kind.word(), i + 1)).clicked() {
+            if with_accessible_name(cross, &format!("Lift {} {}", float.kind.word(), i + 1)).clicked() {
                 lifted = Some(i);
             }
         });
@@ -284,10 +285,10 @@ fn afloat(app: &mut App, ui: &mut egui::Ui) {
 }
 
 /// Adds the widgets for sharing a sea: open a link, copy an iframe, save the wave maps.
-fn share(app: &mut App, ui: &mut egui::Ui) {
+fn show_share_buttons(app: &mut App, ui: &mut egui::Ui) {
     ui.label("The address of the page is always the whole sea: send it, bookmark it, go back and forward.");
     ui.horizontal(|ui| {
-        let hint = ("paste an address here", query::MAX_BYTES);
+        let hint = ("paste an address here", crate::files::MAX_STATE_BYTES);
         let (field, pressed) = text_field(ui, "Open link", &mut app.panel.link, hint, |ui| ui.button("Open").clicked());
         let entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
         if (pressed || entered) && !app.panel.link.trim().is_empty() {
@@ -295,12 +296,13 @@ fn share(app: &mut App, ui: &mut egui::Ui) {
             app.open_link(&link);
         }
     });
-    if button(ui, "Copy frame", "Copies an <iframe> that shows this sea in another page, without the panel.") {
-        app.copy_frame();
+    if button_with_help(ui, "Copy frame", "Copies an <iframe> that shows this sea in another page, without the panel.")
+    {
+        app.copy_iframe();
     }
     let maps =
         "Saves displacement and slopes of every cascade at this moment as one OpenEXR file: docs/use-the-maps.md.";
-    if button(ui, "Save maps", maps) {
+    if button_with_help(ui, "Save maps", maps) {
         app.save_maps();
     }
     ui.weak("Drop a picture that was saved here to see its sea again.");

@@ -3,9 +3,9 @@
 use super::super::App;
 
 /// Shows the main statistics of the sea: wave height, periods, length and direction.
-pub fn show(app: &App, ui: &mut egui::Ui) {
+pub fn show_main_statistics(app: &App, ui: &mut egui::Ui) {
     let t = &app.derived.theory;
-    let metres = app.metres();
+    let length_scale = app.length_scale();
     // These rows contain no widgets to tap, so they need no height for fingers.
     let tall = std::mem::replace(&mut ui.spacing_mut().interact_size.y, 18.0);
     let from = t.mean_from_deg.map_or("none".to_owned(), |d| format!("{d:.0}°"));
@@ -13,9 +13,9 @@ pub fn show(app: &App, ui: &mut egui::Ui) {
     let from_help = "Mean direction that the waves come from, clockwise from north.";
     let spread_help = "Directional spread sqrt(2 (1 - r1)), weighted by energy: 81° is no direction at all.";
     let rows = [
-        ("Hs", metres.text(t.hs_m, 2), hs_help),
+        ("Hs", length_scale.format(t.hs_m, 2), hs_help),
         ("Tp", format!("{:.1} s", t.tp_s), "Period of the peak of the spectrum."),
-        ("Length", metres.text(t.lambda_p_m, 0), "Wavelength of the peak."),
+        ("Length", length_scale.format(t.lambda_p_m, 0), "Wavelength of the peak."),
         ("Tz", format!("{:.1} s", t.tm02_s), "Mean zero-crossing period, 2 pi sqrt(m0 / m2)."),
         ("From", from, from_help),
         ("Spread", format!("{:.0}°", t.spread_deg), spread_help),
@@ -33,10 +33,10 @@ pub fn show(app: &App, ui: &mut egui::Ui) {
 }
 
 /// Shows a table of statistics in three columns: by theory, of the waves on the FFT grids, and as measured on the GPU.
-pub fn more(app: &App, ui: &mut egui::Ui) {
-    app.shown.maps.set(true);
-    let (t, r) = (&app.derived.theory, app.derived.resolved());
-    let metres = app.metres();
+pub fn show_all_statistics(app: &App, ui: &mut egui::Ui) {
+    app.visible_readouts.map_statistics.set(true);
+    let (t, r) = (&app.derived.theory, app.derived.lattice_statistics());
+    let length_scale = app.length_scale();
     egui::Grid::new("more numbers").num_columns(4).striped(true).show(ui, |ui| {
         let mut row = |label: &str, values: [String; 3], help: &str| {
             ui.weak(label).on_hover_text(help);
@@ -53,11 +53,15 @@ pub fn more(app: &App, ui: &mut egui::Ui) {
         let help = "What the spectrum promises, what the waves on the grid hold, and what was read from the GPU's \
                     maps.";
         row("", ["theory", "computed", "measured"].map(str::to_owned), help);
-        let hs = [metres.text(t.hs_m, 3), metres.text(r.hs_m, 3), known(m.hs_m(), &|x| metres.text(x, 3))];
+        let hs = [
+            length_scale.format(t.hs_m, 3),
+            length_scale.format(r.hs_m, 3),
+            known(m.hs_m(), &|x| length_scale.format(x, 3)),
+        ];
         row("Hs", hs, "Significant wave height, 4 sqrt(m0).");
         row("Tm01", [seconds(t.tm01_s), seconds(r.tm01_s), none()], "Mean period, 2 pi m0 / m1.");
         row("Tm02", [seconds(t.tm02_s), seconds(r.tm02_s), none()], "Mean zero-crossing period.");
-        let length = [metres.text(t.lambda_mean_m, 1), none(), none()];
+        let length = [length_scale.format(t.lambda_mean_m, 1), none(), none()];
         row("Mean length", length, "Wavelength of the mean period Tm01.");
         let help = "Hs over the wavelength of the peak; waves break near 0.07.";
         row("Steepness", [slope(t.steepness), none(), none()], help);
@@ -81,9 +85,9 @@ pub fn more(app: &App, ui: &mut egui::Ui) {
 }
 
 /// Shows the time of a frame: the CPU time of recording it, and the GPU time of each pass.
-pub fn cost(app: &App, ui: &mut egui::Ui) {
-    app.shown.times.set(true);
-    ui.label(format!("Recording a frame: {:.2} ms of the CPU", app.frame_measurements.record_ms()));
+pub fn show_frame_times(app: &App, ui: &mut egui::Ui) {
+    app.visible_readouts.pass_times.set(true);
+    ui.label(format!("Recording a frame: {:.2} ms of the CPU", app.frame_measurements.recording_time_ms()));
     match app.frame_measurements.passes() {
         None => {
             ui.weak("This GPU does not tell how long its passes take: it has no timestamps.");
@@ -103,13 +107,13 @@ pub fn cost(app: &App, ui: &mut egui::Ui) {
 }
 
 /// Shows information about the program and its GPU, and the wavelengths of each cascade.
-pub fn about(app: &mut App, ui: &mut egui::Ui) {
+pub fn show_system_information(app: &mut App, ui: &mut egui::Ui) {
     let help = "Copies all of this, the state and what went wrong as plain text.";
-    if super::button(ui, "Copy report", help) {
+    if super::button_with_help(ui, "Copy report", help) {
         app.copy_report();
     }
     egui::Grid::new("about").num_columns(2).striped(true).max_col_width(210.0).show(ui, |ui| {
-        for (name, value) in app.about() {
+        for (name, value) in app.system_information() {
             ui.weak(name);
             ui.add(egui::Label::new(value).wrap());
             ui.end_row();
@@ -125,5 +129,5 @@ pub fn about(app: &mut App, ui: &mut egui::Ui) {
             longest
         ));
     }
-    ui.label(format!("{:.1} % of the sea's energy is computed", 100.0 * plan.captured().min(1.0)));
+    ui.label(format!("{:.1} % of the sea's energy is computed", 100.0 * plan.captured_fraction().min(1.0)));
 }

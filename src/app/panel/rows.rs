@@ -1,29 +1,29 @@
 //! One row of the panel for each parameter: slider, number field with unit, choice, check box or colour.
 
-use super::super::accessible_names::named;
+use super::super::accessible_names::with_accessible_name;
 use super::super::units::UnitScale;
 use crate::state::Params;
-use crate::state::fields::{FIELDS, Field, FieldKind, Group, Refusal};
+use crate::state::fields::{FIELDS, Field, FieldKind, Group, InvalidValue};
 use crate::state::params::Units;
 
 /// Whether a search finds a parameter: each word occurs in its label, key, group or help text.
-pub fn found(field: &Field, words: &str) -> bool {
+pub fn matches_search(field: &Field, words: &str) -> bool {
     let text = format!("{} {} {} {}", field.key, field.label, field.group.label(), field.help).to_lowercase();
     words.to_lowercase().split_whitespace().all(|word| text.contains(word))
 }
 
 /// Adds the rows of a group's parameters that match the search.
-pub fn group(params: &mut Params, group: Group, words: &str, ui: &mut egui::Ui) {
+pub fn show_group(params: &mut Params, group: Group, words: &str, ui: &mut egui::Ui) {
     let units = params.screen.units;
     egui::Grid::new(group.label()).num_columns(3).show(ui, |ui| {
-        for field in FIELDS.iter().filter(|f| f.group == group && found(f, words)) {
-            row(params, field, units, ui);
+        for field in FIELDS.iter().filter(|f| f.group == group && matches_search(f, words)) {
+            show_field_row(params, field, units, ui);
             ui.end_row();
         }
     });
 }
 
-fn row(params: &mut Params, field: &'static Field, units: Units, ui: &mut egui::Ui) {
+fn show_field_row(params: &mut Params, field: &'static Field, units: Units, ui: &mut egui::Ui) {
     let unit = if field.unit.is_empty() { String::new() } else { format!(" {}", field.unit) };
     let help = format!(
         "{}\n{} = {}{unit}, default {}",
@@ -35,10 +35,10 @@ fn row(params: &mut Params, field: &'static Field, units: Units, ui: &mut egui::
     let label = ui.label(field.label).on_hover_text(&help);
     let before = (field.get)(params);
     let mut value = before;
-    edit(field, &mut value, units, ui).labelled_by(label.id).on_hover_text(&help);
+    value_editor(field, &mut value, units, ui).labelled_by(label.id).on_hover_text(&help);
     let default = field.default_value();
     let undo = egui::Button::new("×").small().frame(false);
-    let undo = named(
+    let undo = with_accessible_name(
         ui.add_enabled(value != default, undo),
         &format!("{}, {}: back to the default", field.group.label(), field.label),
     );
@@ -47,21 +47,24 @@ fn row(params: &mut Params, field: &'static Field, units: Units, ui: &mut egui::
     }
     if value != before {
         // A typed value outside the range was clamped, and the slider shows the clamped value.
-        let (Ok(v) | Err(Refusal::Clamped(v))) = field.accept(value) else { return };
+        let (Ok(v) | Err(InvalidValue::Clamped(v))) = field.accept(value) else { return };
         (field.set)(params, v);
     }
 }
 
-fn edit(field: &'static Field, value: &mut f64, units: Units, ui: &mut egui::Ui) -> egui::Response {
+fn value_editor(field: &'static Field, value: &mut f64, units: Units, ui: &mut egui::Ui) -> egui::Response {
     match field.kind {
-        FieldKind::Number { min, max, log } => number(field, value, (min, max, log), units, ui),
+        FieldKind::Number { min, max, log } => number_editor(field, value, (min, max, log), units, ui),
         FieldKind::Heading => ui.add(egui::Slider::new(value, 0.0..=360.0).suffix("°").max_decimals(1)),
         FieldKind::Integer { min, max } if max > 1000 => {
             ui.add(egui::DragValue::new(value).range(f64::from(min)..=f64::from(max)).max_decimals(0))
         }
-        FieldKind::Integer { min, max } => {
-            ui.add(with_zero(field, egui::Slider::new(value, f64::from(min)..=f64::from(max)).integer(), 1.0, units))
-        }
+        FieldKind::Integer { min, max } => ui.add(with_zero_word(
+            field,
+            egui::Slider::new(value, f64::from(min)..=f64::from(max)).integer(),
+            1.0,
+            units,
+        )),
         FieldKind::Choice(words) => {
             let mut index = *value as usize;
             let response = egui::ComboBox::from_id_salt(field.key)
@@ -81,39 +84,39 @@ fn edit(field: &'static Field, value: &mut f64, units: Units, ui: &mut egui::Ui)
             *value = f64::from(u8::from(on));
             response
         }
-        FieldKind::Colour => colour(field, value, ui),
+        FieldKind::Colour => colour_editor(field, value, ui),
     }
 }
 
 /// Adds a slider in the user's units. The metric value changes only if the slider moves, so converting never rounds it.
-fn number(
+fn number_editor(
     field: &'static Field,
     value: &mut f64,
     (min, max, log): (f64, f64, bool),
     units: Units,
     ui: &mut egui::Ui,
 ) -> egui::Response {
-    let scale = UnitScale::of_field(field, units);
+    let scale = UnitScale::for_field(field, units);
     let mut shown = *value * scale.factor;
     let before = shown;
     let slider =
         egui::Slider::new(&mut shown, min * scale.factor..=max * scale.factor).logarithmic(log).smart_aim(true);
-    let response = ui.add(with_zero(field, slider, scale.factor, units));
+    let response = ui.add(with_zero_word(field, slider, scale.factor, units));
     if shown != before {
         // More digits would only make the link longer.
-        let digits = if scale.factor == 1.0 { shown } else { significant(shown / scale.factor) };
+        let digits = if scale.factor == 1.0 { shown } else { round_to_significant_digits(shown / scale.factor) };
         *value = digits;
     }
     response
 }
 
 /// Rounds a number to six significant digits.
-fn significant(x: f64) -> f64 {
+fn round_to_significant_digits(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
 
 /// Adds a colour picker and the colour's value as text.
-fn colour(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Response {
+fn colour_editor(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Response {
     let bits = *value as u32;
     let mut rgb = [16, 8, 0].map(|shift| (bits >> shift) as u8);
     ui.horizontal(|ui| {
@@ -126,20 +129,20 @@ fn colour(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Response {
 }
 
 /// Makes a slider show, and accept as typed text, its unit and the word that stands for 0 (such as "off").
-fn with_zero<'a>(field: &'static Field, slider: egui::Slider<'a>, factor: f64, units: Units) -> egui::Slider<'a> {
-    let scale = UnitScale::of_field(field, units);
+fn with_zero_word<'a>(field: &'static Field, slider: egui::Slider<'a>, factor: f64, units: Units) -> egui::Slider<'a> {
+    let scale = UnitScale::for_field(field, units);
     let unit = scale.suffix();
     // On a linear slider with a wide range small values could not be set.
     let most = if let FieldKind::Number { max, .. } = field.kind { max * factor } else { 0.0 };
-    let wide = !field.zero.is_empty() && most > 100.0 * factor;
+    let wide = !field.zero_word.is_empty() && most > 100.0 * factor;
     let slider = if wide { slider.logarithmic(true).smallest_positive(1e-6 * most) } else { slider };
     slider
         .custom_formatter(move |value, digits| match value {
-            0.0 if !field.zero.is_empty() => field.zero.to_owned(),
+            0.0 if !field.zero_word.is_empty() => field.zero_word.to_owned(),
             _ => format!("{}{unit}", egui::emath::format_with_decimals_in_range(value, digits)),
         })
         .custom_parser(move |text| {
-            let zero = !field.zero.is_empty() && text.trim().eq_ignore_ascii_case(field.zero);
+            let zero = !field.zero_word.is_empty() && text.trim().eq_ignore_ascii_case(field.zero_word);
             if zero { Some(0.0) } else { scale.parse(text) }
         })
 }

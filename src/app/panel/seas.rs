@@ -1,11 +1,11 @@
 //! The panel's wind slider by the Beaufort scale, the built-in named seas, and the user's own named seas.
 
-use super::super::accessible_names::{named, named_value};
+use super::super::accessible_names::{with_accessible_name, with_accessible_value};
 use super::super::units::UnitScale;
 use super::super::{App, storage};
-use super::button;
+use super::button_with_help;
 use crate::state::presets::{self, Preset};
-use crate::waves::beaufort::{self, FORCES};
+use crate::waves::beaufort::{self, BEAUFORT_FORCES};
 
 /// The user's own named seas, with the state of the widgets that edit the list.
 #[derive(Default)]
@@ -42,7 +42,7 @@ impl OwnSeas {
 
     fn store(&mut self) -> Result<(), String> {
         if !self.damage.is_empty() && !self.is_aside {
-            storage::put_seas_aside()?;
+            storage::back_up_damaged_seas()?;
             self.is_aside = true;
         }
         storage::store_seas(&presets::write(&self.own))
@@ -50,9 +50,9 @@ impl OwnSeas {
 }
 
 /// Adds the wind slider in Beaufort numbers, with the name and the appearance of that wind force.
-pub fn wind(app: &mut App, ui: &mut egui::Ui) {
+pub fn show_wind_slider(app: &mut App, ui: &mut egui::Ui) {
     let wind_m_s = app.params.sea.local().wind_m_s;
-    let now = beaufort::number_of(wind_m_s);
+    let now = beaufort::beaufort_number(wind_m_s);
     let mut number = now;
     ui.horizontal(|ui| {
         let label = ui.strong("Wind");
@@ -60,32 +60,32 @@ pub fn wind(app: &mut App, ui: &mut egui::Ui) {
         let slider = egui::Slider::new(&mut number, 0..=12).show_value(false);
         let help = "Sets the wind of this force, and a fetch for which the sea is as high as the scale says.";
         let slider = ui.add(slider).labelled_by(label.id).on_hover_text(help);
-        named_value(slider, "Beaufort", number as f64);
+        with_accessible_value(slider, "Beaufort", number as f64);
         let typed = egui::DragValue::new(&mut number).range(0..=12).prefix("Beaufort ").speed(0.1);
         ui.add(typed).labelled_by(label.id).on_hover_text(help);
     });
     if number != now {
-        app.params = FORCES[number].apply(&app.params);
+        app.params = BEAUFORT_FORCES[number].apply(&app.params);
     }
-    let force = &FORCES[now];
-    let metres = app.metres();
-    let speed = UnitScale::of("m/s", app.params.screen.units);
+    let force = &BEAUFORT_FORCES[now];
+    let metres = app.length_scale();
+    let speed = UnitScale::for_unit("m/s", app.params.screen.units);
     let (code, word) = beaufort::sea_state(app.derived.theory.hs_m);
-    ui.label(format!("{} {}: {}", force.name, speed.text(wind_m_s, 1), force.appearance))
+    ui.label(format!("{} {}: {}", force.name, speed.format(wind_m_s, 1), force.appearance))
         .on_hover_text("Beaufort scale, WMO");
     ui.weak(format!(
         "Textbook height {}, this sea {}; sea state {code}, {word} (Douglas)",
-        metres.text(force.probable_m, 1),
-        metres.text(app.derived.theory.hs_m, 1),
+        metres.format(force.probable_hs_m, 1),
+        metres.format(app.derived.theory.hs_m, 1),
     ));
 }
 
 /// Adds buttons for the built-in and the user's own named seas, and widgets that keep, forget and export the latter.
-pub fn show(app: &mut App, ui: &mut egui::Ui) {
+pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
     let mut chosen = None;
     ui.horizontal_wrapped(|ui| {
         for preset in presets::built_in() {
-            if button(ui, &preset.name, &format!("{}\n{}", preset.about, preset.source)) {
+            if button_with_help(ui, &preset.name, &format!("{}\n{}", preset.about, preset.source)) {
                 chosen = Some(preset.clone());
             }
         }
@@ -95,11 +95,11 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
         ui.separator();
         ui.horizontal_wrapped(|ui| {
             for preset in &app.own_seas.own {
-                if button(ui, &preset.name, &preset.state) {
+                if button_with_help(ui, &preset.name, &preset.state) {
                     chosen = Some(preset.clone());
                 }
                 let cross = ui.small_button("×").on_hover_text("Forget this sea.");
-                if named(cross, &format!("Forget {}", preset.name)).clicked() {
+                if with_accessible_name(cross, &format!("Forget {}", preset.name)).clicked() {
                     dropped = Some(preset.name.clone());
                 }
             }
@@ -110,19 +110,19 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
     }
     if let Some(name) = dropped {
         app.own_seas.own.retain(|p| p.name != name);
-        app.complain(|app| app.own_seas.store());
+        app.run_or_notify(|app| app.own_seas.store());
     }
     ui.separator();
     ui.horizontal(|ui| {
         let label = ui.label("Keep as");
         let field = egui::TextEdit::singleline(&mut app.own_seas.name).hint_text("name of this sea");
-        let field = field.char_limit(presets::MAX_NAME).desired_width(150.0);
+        let field = field.char_limit(presets::MAX_NAME_CHARS).desired_width(150.0);
         ui.add(field).labelled_by(label.id);
         let name = app.own_seas.name.trim().to_owned();
         if ui.add_enabled(!name.is_empty(), egui::Button::new("Keep")).clicked() {
             app.own_seas.name.clear();
-            let preset = Preset::of(&name, &app.params);
-            app.complain(|app| app.own_seas.add(vec![preset]));
+            let preset = Preset::from_params(&name, &app.params);
+            app.run_or_notify(|app| app.own_seas.add(vec![preset]));
         }
         if ui
             .add_enabled(!app.own_seas.own.is_empty(), egui::Button::new("Export"))
@@ -137,9 +137,9 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
 }
 
 /// Adds the button that changes the seed of the random wave phases, and the check box that locks the seed.
-pub fn seed(app: &mut App, ui: &mut egui::Ui) {
+pub fn show_seed_row(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal(|ui| {
-        if button(ui, "New seed", "Another sea with the same spectrum.") {
+        if button_with_help(ui, "New seed", "Another sea with the same spectrum.") {
             let old = app.params.sea.seed;
             app.params.sea.seed = crate::waves::noise::pcg4d([old, app.frames as u32, 7, 11])[0] % 100_000;
         }
@@ -153,7 +153,7 @@ impl App {
         let seed = self.params.sea.seed;
         let (params, notices) = preset.apply(&self.params);
         self.params = params;
-        self.params.look.sky.attach(self.sky.as_ref());
+        self.params.look.sky.adopt_loaded_image(self.sky.as_ref());
         self.notices = notices;
         if self.panel.seed_locked {
             self.params.sea.seed = seed;
@@ -161,7 +161,7 @@ impl App {
     }
 
     /// Runs an action, and adds its error, if any, to the notices.
-    fn complain(&mut self, what: impl FnOnce(&mut Self) -> Result<(), String>) {
+    fn run_or_notify(&mut self, what: impl FnOnce(&mut Self) -> Result<(), String>) {
         if let Err(reason) = what(self) {
             self.notices.push(reason);
         }

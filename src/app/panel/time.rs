@@ -1,43 +1,43 @@
 //! Controls of the simulated time: stop, step, speed, slider and typed time.
 
 use super::super::App;
-use super::super::accessible_names::{named, named_value};
-use super::button;
+use super::super::accessible_names::{with_accessible_name, with_accessible_value};
+use super::button_with_help;
 use crate::state::params::Clock;
 
 /// Time by which one press of a step button moves the stopped clock, s: one frame at 60 Hz.
-const STEP_S: f64 = 1.0 / 60.0;
+const FRAME_STEP_S: f64 = 1.0 / 60.0;
 /// Length of time that the time slider covers if the sea does not loop, s.
-const REACH_S: f64 = 120.0;
+const SLIDER_RANGE_S: f64 = 120.0;
 
 /// Adds the buttons, the slider and the number fields for the simulated time and its speed.
-pub fn show(app: &mut App, ui: &mut egui::Ui) {
+pub fn show_time_controls(app: &mut App, ui: &mut egui::Ui) {
     let loop_s = app.params.sea.loop_s;
     let clock = &mut app.params.clock;
     ui.horizontal(|ui| {
-        if button(ui, if clock.paused { "Play" } else { "Pause" }, "Space") {
+        if button_with_help(ui, if clock.paused { "Play" } else { "Pause" }, "Space") {
             clock.paused = !clock.paused;
         }
-        if named(ui.button("|<"), "Back to time 0").on_hover_text("Back to time 0 (Home)").clicked() {
+        if with_accessible_name(ui.button("|<"), "Back to time 0").on_hover_text("Back to time 0 (Home)").clicked() {
             clock.t_s = 0.0;
         }
-        if named(ui.button("<"), "One frame back").on_hover_text("One frame back (,)").clicked() {
-            step(clock, -1.0);
+        if with_accessible_name(ui.button("<"), "One frame back").on_hover_text("One frame back (,)").clicked() {
+            step_clock(clock, -1.0);
         }
-        if named(ui.button(">"), "One frame forward").on_hover_text("One frame forward (.)").clicked() {
-            step(clock, 1.0);
+        if with_accessible_name(ui.button(">"), "One frame forward").on_hover_text("One frame forward (.)").clicked() {
+            step_clock(clock, 1.0);
         }
         let speed = egui::DragValue::new(&mut clock.speed).range(0.0..=10.0).speed(0.02).prefix("speed ").suffix("x");
         ui.add(speed).on_hover_text("Simulated seconds per second.");
     });
     ui.horizontal(|ui| {
         // The slider covers the loop, or the interval of REACH_S, that contains the current time.
-        let length = if loop_s > 0.0 { loop_s } else { REACH_S };
+        let length = if loop_s > 0.0 { loop_s } else { SLIDER_RANGE_S };
         let from = length * (clock.t_s / length).floor();
         ui.spacing_mut().slider_width = (ui.available_width() - 120.0).max(80.0);
         let mut t = clock.t_s;
         let slider = egui::Slider::new(&mut t, from..=from + length).show_value(false).step_by(0.0);
-        if named_value(ui.add(slider), "Time", t)
+        if with_accessible_value(ui.add(slider), "Time", t)
             .on_hover_text("Drag through the time; it stands still meanwhile.")
             .changed()
         {
@@ -51,13 +51,13 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
             .prefix("t = ")
             .suffix(" s")
             .max_decimals(2);
-        named_value(ui.add(exact), "Time in seconds", t_s).on_hover_text("Simulated time: type where to go.");
+        with_accessible_value(ui.add(exact), "Time in seconds", t_s).on_hover_text("Simulated time: type where to go.");
     });
 }
 
 /// Stops the clock and moves the time by a number of frames of 1/60 s.
-pub fn step(clock: &mut Clock, frames: f64) {
+pub fn step_clock(clock: &mut Clock, frames: f64) {
     clock.paused = true;
     // The time is a whole number of frames, so that steps forward and back return to the same time.
-    clock.t_s = ((clock.t_s / STEP_S).round() + frames).max(0.0) * STEP_S;
+    clock.t_s = ((clock.t_s / FRAME_STEP_S).round() + frames).max(0.0) * FRAME_STEP_S;
 }

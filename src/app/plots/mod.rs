@@ -8,7 +8,7 @@ mod series;
 mod spectrum;
 
 use super::App;
-use super::accessible_names::named;
+use super::accessible_names::with_accessible_name;
 use egui::Color32;
 use egui_plot::Plot;
 use std::fmt::Write as _;
@@ -25,16 +25,16 @@ const COLOURS: [Color32; 6] = [
     Color32::from_rgb(204, 121, 167),
 ];
 /// Height of a plot on the screen, points.
-const HEIGHT: f32 = 150.0;
+const PLOT_HEIGHT_POINTS: f32 = 150.0;
 
 /// The data of a plot as a table for a CSV file: file name, column headings, rows.
-pub struct Table {
+pub struct PlotTable {
     name: &'static str,
     heading: String,
     rows: Vec<Vec<f64>>,
 }
 
-impl Table {
+impl PlotTable {
     /// Formats the table as CSV, with the state string in a comment line.
     fn csv(&self, state: &str) -> String {
         let mut text = format!("# Seastate {state}\n{}\n", self.heading);
@@ -48,22 +48,22 @@ impl Table {
 
 /// Creates a plot that the pointer cannot move or zoom.
 fn fixed_plot(name: &str) -> Plot<'_> {
-    Plot::new(name).height(HEIGHT).allow_drag(false).allow_zoom(false).allow_scroll(false)
+    Plot::new(name).height(PLOT_HEIGHT_POINTS).allow_drag(false).allow_zoom(false).allow_scroll(false)
 }
 
 /// Adds all plots to the panel, one below the other.
-pub fn show(app: &mut App, ui: &mut egui::Ui) {
+pub fn show_all_plots(app: &mut App, ui: &mut egui::Ui) {
     let mut wanted = None;
-    section(ui, "Spectrum", true, &mut wanted, |ui| {
-        app.shown.maps.set(true);
-        spectrum::show(app, ui)
+    plot_section(ui, "Spectrum", true, &mut wanted, |ui| {
+        app.visible_readouts.map_statistics.set(true);
+        spectrum::show_spectrum_plot(app, ui)
     });
-    section(ui, "Directions", false, &mut wanted, |ui| polar::show(app, ui));
-    section(ui, "Sea at a buoy", false, &mut wanted, |ui| {
-        app.shown.record.set(true);
-        series::show(app, ui)
+    plot_section(ui, "Directions", false, &mut wanted, |ui| polar::show_direction_plot(app, ui));
+    plot_section(ui, "Sea at a buoy", false, &mut wanted, |ui| {
+        app.visible_readouts.buoy_record.set(true);
+        series::show_height_record_plot(app, ui)
     });
-    section(ui, "Cut through the sea", false, &mut wanted, |ui| profile::show(app, ui));
+    plot_section(ui, "Cut through the sea", false, &mut wanted, |ui| profile::show_profile_plot(app, ui));
     if let Some(table) = wanted {
         let text = table.csv(&app.state());
         app.save(table.name, text.as_bytes());
@@ -71,17 +71,17 @@ pub fn show(app: &mut App, ui: &mut egui::Ui) {
 }
 
 /// Adds a collapsible section with a plot and a button "CSV". A click on the button moves the data into `wanted`.
-fn section(
+fn plot_section(
     ui: &mut egui::Ui,
     title: &str,
     open: bool,
-    wanted: &mut Option<Table>,
-    plot: impl FnOnce(&mut egui::Ui) -> Table,
+    wanted: &mut Option<PlotTable>,
+    plot: impl FnOnce(&mut egui::Ui) -> PlotTable,
 ) {
     egui::CollapsingHeader::new(title).default_open(open).show(ui, |ui| {
         let table = plot(ui);
         let button = ui.small_button("CSV").on_hover_text("Saves these numbers.");
-        if named(button, &format!("{title}: save as CSV")).clicked() {
+        if with_accessible_name(button, &format!("{title}: save as CSV")).clicked() {
             *wanted = Some(table);
         }
     });

@@ -1,42 +1,44 @@
 //! Polar plot of the directional spectrum: the direction that waves come from, long waves in the middle, and the wind.
 
 use super::super::App;
-use super::Table;
+use super::PlotTable;
 use crate::waves::Plan;
 use egui::{Color32, Mesh, Stroke, vec2};
 
-const DIRECTIONS: usize = 72;
-const RINGS: usize = 28;
+const DIRECTION_COUNT: usize = 72;
+const FREQUENCY_COUNT: usize = 28;
 /// Width and height of the polar plot, points.
-const SIDE: f32 = 240.0;
+const PLOT_SIDE_POINTS: f32 = 240.0;
 
 /// Directional spectrum, sampled for the polar plot on rings of equal frequency.
-pub struct Wheel {
+pub struct DirectionalSpectrumSamples {
     /// Angular frequency omega at the middle of each ring, rad/s.
     omega: Vec<f64>,
     /// Spectral density per angular frequency and direction, m^2 s/rad, one ring after the other.
     density: Vec<f64>,
 }
 
-impl Wheel {
+impl DirectionalSpectrumSamples {
     /// Samples the directional spectrum of a sea for the plot.
     pub fn new(plan: &Plan) -> Self {
-        let (low, high) = (plan.support().0, 3.0 * plan.omega_p);
-        let omega: Vec<f64> = (0..RINGS).map(|i| low + (high - low) * (i as f64 + 0.5) / RINGS as f64).collect();
+        let (low, high) = (plan.frequency_range().0, 3.0 * plan.omega_p);
+        let omega: Vec<f64> =
+            (0..FREQUENCY_COUNT).map(|i| low + (high - low) * (i as f64 + 0.5) / FREQUENCY_COUNT as f64).collect();
         let at = |w: f64, i: usize| -> f64 {
             // The wave vector (x east, z south) points away from where the waves come from.
-            let from = std::f64::consts::TAU * i as f64 / DIRECTIONS as f64;
+            let from = std::f64::consts::TAU * i as f64 / DIRECTION_COUNT as f64;
             let k = [-from.sin(), from.cos()];
             plan.systems.iter().map(|s| s.spectrum.density(w) * s.direction_density(w, k)).sum()
         };
-        let density = omega.iter().flat_map(|&w| (0..DIRECTIONS).map(move |i| (w, i))).map(|(w, i)| at(w, i)).collect();
+        let density =
+            omega.iter().flat_map(|&w| (0..DIRECTION_COUNT).map(move |i| (w, i))).map(|(w, i)| at(w, i)).collect();
         Self { omega, density }
     }
 }
 
 /// Colour of `x` (0 to 1) in the colour map cividis, whose brightness increases in colour-blind sight (Nunez et al.
 /// 2018).
-fn colour(x: f64) -> Color32 {
+fn density_colour(x: f64) -> Color32 {
     const STOPS: [[f64; 3]; 5] =
         [[0.0, 0.13, 0.30], [0.25, 0.30, 0.42], [0.49, 0.48, 0.47], [0.73, 0.68, 0.43], [1.0, 0.91, 0.27]];
     let at = x.clamp(0.0, 1.0) * 4.0;
@@ -47,21 +49,21 @@ fn colour(x: f64) -> Color32 {
 }
 
 /// Draws the polar plot of the directional spectrum with north up. Returns its data as a table.
-pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
-    let wheel = app.derived.wheel();
+pub fn show_direction_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
+    let wheel = app.derived.directional_spectrum();
     ui.weak("Where the waves come from, north up; long waves inside, short ones outside");
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), SIDE), egui::Sense::hover());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), PLOT_SIDE_POINTS), egui::Sense::hover());
     let centre = rect.center();
-    let radius = 0.5 * SIDE - 16.0;
+    let radius = 0.5 * PLOT_SIDE_POINTS - 16.0;
     let at = |from: f32, r: f32| centre + r * vec2(from.sin(), -from.cos());
     let most = wheel.density.iter().copied().fold(1e-12, f64::max);
     let mut mesh = Mesh::default();
-    for ring in 0..RINGS {
-        let [inner, outer] = [ring, ring + 1].map(|i| radius * i as f32 / RINGS as f32);
-        for i in 0..DIRECTIONS {
-            let [a, b] = [i as f32 - 0.5, i as f32 + 0.5].map(|i| std::f32::consts::TAU * i / DIRECTIONS as f32);
+    for ring in 0..FREQUENCY_COUNT {
+        let [inner, outer] = [ring, ring + 1].map(|i| radius * i as f32 / FREQUENCY_COUNT as f32);
+        for i in 0..DIRECTION_COUNT {
+            let [a, b] = [i as f32 - 0.5, i as f32 + 0.5].map(|i| std::f32::consts::TAU * i / DIRECTION_COUNT as f32);
             // The square root makes weak directions visible.
-            let fill = colour((wheel.density[ring * DIRECTIONS + i] / most).sqrt());
+            let fill = density_colour((wheel.density[ring * DIRECTION_COUNT + i] / most).sqrt());
             let first = mesh.vertices.len() as u32;
             for p in [at(a, inner), at(b, inner), at(b, outer), at(a, outer)] {
                 mesh.colored_vertex(p, fill);
@@ -89,22 +91,26 @@ pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
     painter.circle_filled(tail, 2.5, Color32::WHITE);
     if let Some(p) = response.hover_pos() {
         let to = p - centre;
-        let ring = (to.length() / radius * RINGS as f32) as usize;
-        if ring < RINGS {
+        let ring = (to.length() / radius * FREQUENCY_COUNT as f32) as usize;
+        if ring < FREQUENCY_COUNT {
             let from = to.x.atan2(-to.y).rem_euclid(std::f32::consts::TAU);
-            let i = (from / std::f32::consts::TAU * DIRECTIONS as f32).round() as usize % DIRECTIONS;
+            let i = (from / std::f32::consts::TAU * DIRECTION_COUNT as f32).round() as usize % DIRECTION_COUNT;
             let omega = wheel.omega[ring];
             response.on_hover_text_at_pointer(format!(
                 "from {:.0}°, T {:.1} s\nS {:.3} m² s/rad",
                 from.to_degrees(),
                 std::f64::consts::TAU / omega,
-                wheel.density[ring * DIRECTIONS + i]
+                wheel.density[ring * DIRECTION_COUNT + i]
             ));
         }
     }
     ui.weak("The arrow is the local wind. Brightness is the root of the density.");
-    let rows = (0..RINGS * DIRECTIONS).map(|j| {
-        vec![wheel.omega[j / DIRECTIONS], 360.0 * (j % DIRECTIONS) as f64 / DIRECTIONS as f64, wheel.density[j]]
+    let rows = (0..FREQUENCY_COUNT * DIRECTION_COUNT).map(|j| {
+        vec![
+            wheel.omega[j / DIRECTION_COUNT],
+            360.0 * (j % DIRECTION_COUNT) as f64 / DIRECTION_COUNT as f64,
+            wheel.density[j],
+        ]
     });
-    Table { name: "directions.csv", heading: "omega (rad/s),from (deg),S (m2 s/rad)".into(), rows: rows.collect() }
+    PlotTable { name: "directions.csv", heading: "omega (rad/s),from (deg),S (m2 s/rad)".into(), rows: rows.collect() }
 }

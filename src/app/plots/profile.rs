@@ -1,31 +1,32 @@
 //! Plot of the sea's profile: heights along the direction of view at the current time.
 
 use super::super::App;
-use super::{COLOURS, Table, fixed_plot};
+use super::{COLOURS, PlotTable, fixed_plot};
 use egui_plot::{HLine, Line, PlotPoints};
 
-const POINTS: usize = 160;
+const PROFILE_POINTS: usize = 160;
 
 /// Plots the heights of the sea ahead of the camera, over four peak wavelengths. Returns the data as a table.
-pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
+pub fn show_profile_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
     let camera = &app.params.camera;
     let (sin, cos) = camera.heading_deg.to_radians().sin_cos();
     let reach = (4.0 * app.derived.theory.lambda_p_m).clamp(2.0, 2000.0);
-    let distance = |i: usize| reach * i as f64 / (POINTS - 1) as f64;
+    let distance = |i: usize| reach * i as f64 / (PROFILE_POINTS - 1) as f64;
     let points: Vec<[f64; 2]> =
-        (0..POINTS).map(|i| [camera.x_m + sin * distance(i), camera.z_m - cos * distance(i)]).collect();
+        (0..PROFILE_POINTS).map(|i| [camera.x_m + sin * distance(i), camera.z_m - cos * distance(i)]).collect();
     let heights: Vec<f64> =
-        app.derived.heights().sample_many(&points, app.params.clock.t_s).iter().map(|s| s.height_m).collect();
-    let metres = app.metres();
-    ui.weak(format!("Height over distance ahead of the camera, {}", metres.unit));
-    let shown: Vec<[f64; 2]> = (0..POINTS).map(|i| [distance(i), heights[i]].map(|x| x * metres.factor)).collect();
-    let half = (0.9 * app.derived.theory.hs_m * metres.factor).max(0.05);
-    let level = app.params.sea.level_m * metres.factor;
+        app.derived.strongest_waves().sample_many(&points, app.params.clock.t_s).iter().map(|s| s.height_m).collect();
+    let length_scale = app.length_scale();
+    ui.weak(format!("Height over distance ahead of the camera, {}", length_scale.unit));
+    let shown: Vec<[f64; 2]> =
+        (0..PROFILE_POINTS).map(|i| [distance(i), heights[i]].map(|x| x * length_scale.factor)).collect();
+    let half = (0.9 * app.derived.theory.hs_m * length_scale.factor).max(0.05);
+    let level = app.params.sea.level_m * length_scale.factor;
     let plot = fixed_plot("profile").include_y(level - half).include_y(level + half);
     plot.show(ui, |plot| {
         plot.hline(HLine::new("still water", level).color(egui::Color32::GRAY).width(1.0));
         plot.line(Line::new("surface", PlotPoints::from(shown)).color(COLOURS[0]).fill((level - half) as f32));
     });
-    let rows = (0..POINTS).map(|i| vec![points[i][0], points[i][1], distance(i), heights[i]]);
-    Table { name: "profile.csv", heading: "x (m),z (m),distance (m),height (m)".into(), rows: rows.collect() }
+    let rows = (0..PROFILE_POINTS).map(|i| vec![points[i][0], points[i][1], distance(i), heights[i]]);
+    PlotTable { name: "profile.csv", heading: "x (m),z (m),distance (m),height (m)".into(), rows: rows.collect() }
 }

@@ -1,53 +1,53 @@
 //! Plot of a buoy's record: the height of the sea at one point over time.
 
 use super::super::App;
-use super::{COLOURS, Table, fixed_plot};
+use super::{COLOURS, PlotTable, fixed_plot};
 use egui_plot::{Line, PlotPoints};
 
 /// Length of time that the plot shows, s.
-const SHOWN_S: f64 = 120.0;
+const PLOTTED_DURATION_S: f64 = 120.0;
 
 impl App {
     /// Name and position (m east and south) of the place where the height is recorded: the first floating object, or
     /// below the camera.
-    fn record_place(&self) -> (&'static str, [f64; 2]) {
+    fn record_label_and_position(&self) -> (&'static str, [f64; 2]) {
         match self.params.floats.first() {
             Some(float) => ("the first floating object", [float.x_m, float.z_m]),
             None => ("the point below the camera", [self.params.camera.x_m, self.params.camera.z_m]),
         }
     }
 
-    /// Continues the height record while there is a floating object or while the plot is shown.
+    /// Continues the height record while there is a floating object or while the plot is visible.
     pub(in crate::app) fn continue_record(&mut self) {
-        let wanted = self.shown.record.take() || !self.params.floats.is_empty();
+        let wanted = self.visible_readouts.buoy_record.take() || !self.params.floats.is_empty();
         if !wanted || self.params.clock.paused && self.record.is_current(self.params.clock.t_s) {
             return;
         }
-        let (_, place) = self.record_place();
-        let (sea, level_m) = (self.derived.heights(), self.params.sea.level_m);
+        let (_, place) = self.record_label_and_position();
+        let (sea, level_m) = (self.derived.strongest_waves(), self.params.sea.level_m);
         let height = |t_s| sea.sample(place[0], place[1], t_s).height_m - level_m;
         self.record.advance(self.params.clock.t_s, place, height);
     }
 }
 
 /// Plots the last two minutes of the record, with its significant wave height. Returns the data as a table.
-pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
+pub fn show_height_record_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
     let record = &app.record;
-    let metres = app.metres();
+    let length_scale = app.length_scale();
     let until = record.samples().back().map_or(0.0, |s| s[0]);
-    let from = until - SHOWN_S;
-    let shown: Vec<[f64; 2]> =
-        record.samples().iter().filter(|s| s[0] >= from).map(|s| [s[0], s[1] * metres.factor]).collect();
-    ui.weak(format!("Height at {} over time, s; {}", app.record_place().0, metres.unit));
-    let half = (0.8 * app.derived.theory.hs_m * metres.factor).max(0.05);
+    let from = until - PLOTTED_DURATION_S;
+    let visible: Vec<[f64; 2]> =
+        record.samples().iter().filter(|s| s[0] >= from).map(|s| [s[0], s[1] * length_scale.factor]).collect();
+    ui.weak(format!("Height at {} over time, s; {}", app.record_label_and_position().0, length_scale.unit));
+    let half = (0.8 * app.derived.theory.hs_m * length_scale.factor).max(0.05);
     let plot = fixed_plot("series").include_x(from).include_x(until).include_y(-half).include_y(half);
-    plot.show(ui, |plot| plot.line(Line::new("height", PlotPoints::from(shown)).color(COLOURS[0])));
+    plot.show(ui, |plot| plot.line(Line::new("height", PlotPoints::from(visible)).color(COLOURS[0])));
     let length = record.length_s();
-    let hs = record.hs_m().map_or_else(|| "after 30 s".to_owned(), |hs| metres.text(hs, 2));
+    let hs = record.hs_m().map_or_else(|| "after 30 s".to_owned(), |hs| length_scale.format(hs, 2));
     ui.label(format!(
         "Hs of {length:.0} s of record: {hs}; of the spectrum: {}",
-        metres.text(app.derived.theory.hs_m, 2)
+        length_scale.format(app.derived.theory.hs_m, 2)
     ));
     let rows = record.samples().iter().map(|s| s.to_vec()).collect();
-    Table { name: "record.csv", heading: "t (s),height (m)".into(), rows }
+    PlotTable { name: "record.csv", heading: "t (s),height (m)".into(), rows }
 }

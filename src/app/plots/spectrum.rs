@@ -2,11 +2,11 @@
 //! the buoy's record.
 
 use super::super::App;
-use super::{COLOURS, Table, fixed_plot};
+use super::{COLOURS, PlotTable, fixed_plot};
 use crate::waves::Plan;
 use egui_plot::{Bar, BarChart, Legend, Line, LineStyle, PlotPoints, VLine};
 
-const POINTS: usize = 240;
+const CURVE_POINTS: usize = 240;
 
 /// Highest angular frequency of the spectrum plot, rad/s.
 pub fn highest_omega(plan: &Plan) -> f64 {
@@ -15,13 +15,13 @@ pub fn highest_omega(plan: &Plan) -> f64 {
 }
 
 /// Plots the spectra, the peak frequency, and the frequencies that separate the cascades. Returns the data as a table.
-pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
+pub fn show_spectrum_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
     let plan = &app.derived.plan;
-    let (low, peak) = (plan.support().0, plan.omega_p);
+    let (low, peak) = (plan.frequency_range().0, plan.omega_p);
     let end = highest_omega(plan);
-    let omega = |i: usize| low + (end - low) * i as f64 / POINTS as f64;
+    let omega = |i: usize| low + (end - low) * i as f64 / CURVE_POINTS as f64;
     let curve = |density: &dyn Fn(f64) -> f64| -> Vec<[f64; 2]> {
-        (0..=POINTS).map(|i| [omega(i), density(omega(i))]).collect()
+        (0..=CURVE_POINTS).map(|i| [omega(i), density(omega(i))]).collect()
     };
     ui.weak("Variance density S(ω), m² s, over ω, rad/s");
     let several = plan.systems.len() > 1;
@@ -72,12 +72,12 @@ pub fn show(app: &App, ui: &mut egui::Ui) -> Table {
         let (width, density) = maps.as_ref()?;
         density.get(((omega / width) as usize).min(density.len() - 1)).copied()
     };
-    let rows = (0..=POINTS).map(|i| {
+    let rows = (0..=CURVE_POINTS).map(|i| {
         let w = omega(i);
         let systems = plan.systems.iter().map(move |s| s.spectrum.density(w));
         [w, plan.density(w)].into_iter().chain(systems).chain(measured(w)).collect()
     });
     let names: String = (1..=plan.systems.len()).map(|i| format!(",S{i} (m2 s)")).collect();
     let last = if maps.is_some() { ",measured (m2 s)" } else { "" };
-    Table { name: "spectrum.csv", heading: format!("omega (rad/s),S (m2 s){names}{last}"), rows: rows.collect() }
+    PlotTable { name: "spectrum.csv", heading: format!("omega (rad/s),S (m2 s){names}{last}"), rows: rows.collect() }
 }

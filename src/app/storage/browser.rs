@@ -1,7 +1,7 @@
 //! Storage of the web page: downloads for saved files, and the browser's local storage for the user's own named seas.
 //! The functions are the same as in desktop.rs.
 
-use super::{SEAS, SEAS_ASIDE};
+use super::{DAMAGED_SEAS_FILE_NAME, SEAS_FILE_NAME};
 use std::path::Path;
 use wasm_bindgen::{JsCast as _, JsValue};
 
@@ -23,23 +23,23 @@ pub fn save(_folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, 
 
 /// Loads the text of the user's own named seas; empty if there are none.
 pub fn load_seas() -> String {
-    storage().and_then(|s| s.get_item(SEAS).ok().flatten()).unwrap_or_default()
+    storage().and_then(|s| s.get_item(SEAS_FILE_NAME).ok().flatten()).unwrap_or_default()
 }
 
 /// Copies the text of the user's own named seas to a second key of the browser's storage, before it is overwritten.
 ///
 /// # Errors
 /// One sentence, if the browser refuses to store the copy.
-pub fn put_seas_aside() -> Result<(), String> {
-    store(SEAS_ASIDE, &load_seas())
+pub fn back_up_damaged_seas() -> Result<(), String> {
+    store_item(DAMAGED_SEAS_FILE_NAME, &load_seas())
 }
 
 /// Stores the text of the user's own named seas.
 pub fn store_seas(text: &str) -> Result<(), String> {
-    store(SEAS, text)
+    store_item(SEAS_FILE_NAME, text)
 }
 
-fn store(key: &str, text: &str) -> Result<(), String> {
+fn store_item(key: &str, text: &str) -> Result<(), String> {
     let storage = storage().ok_or("this browser keeps nothing for this page")?;
     storage.set_item(key, text).map_err(|_| {
         "not kept: this site's storage in the browser is full or switched off (a private window?)".to_owned()

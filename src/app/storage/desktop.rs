@@ -1,6 +1,6 @@
 //! Storage of the desktop window: files in the user's folders.
 
-use super::{SEAS, SEAS_ASIDE};
+use super::{DAMAGED_SEAS_FILE_NAME, SEAS_FILE_NAME};
 use std::io::{ErrorKind, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 pub fn save(folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, String> {
     let pictures = || directories::UserDirs::new().and_then(|d| d.picture_dir().map(Path::to_owned));
     let folder = folder.map(Path::to_owned).or_else(pictures).filter(|f| f.is_dir()).unwrap_or_else(|| ".".into());
-    for path in numbered(name).map(|name| folder.join(name)) {
+    for path in numbered_file_names(name).map(|name| folder.join(name)) {
         let fault = |e: std::io::Error| format!("cannot write {}: {e}", path.display());
         match std::fs::File::create_new(&path) {
             Ok(mut file) => {
@@ -27,7 +27,7 @@ pub fn save(folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, S
 }
 
 /// The file name itself, then the same name with `-2`, `-3` and so on before its extension, up to `-999`.
-fn numbered(name: &str) -> impl Iterator<Item = String> {
+fn numbered_file_names(name: &str) -> impl Iterator<Item = String> {
     let (stem, end) = name.rsplit_once('.').unwrap_or((name, ""));
     std::iter::once(name.to_owned()).chain((2..1000).map(move |i| format!("{stem}-{i}.{end}")))
 }
@@ -49,12 +49,13 @@ fn read_seas(path: &Path) -> Option<String> {
 ///
 /// # Errors
 /// One sentence with the reason, if the file cannot be written.
-pub fn put_seas_aside() -> Result<(), String> {
-    copy_aside(&seas_path()?)
+pub fn back_up_damaged_seas() -> Result<(), String> {
+    copy_damaged_file(&seas_path()?)
 }
 
-fn copy_aside(path: &Path) -> Result<(), String> {
-    let free = numbered(SEAS_ASIDE).map(|name| path.with_file_name(name)).find(|aside| !aside.exists());
+fn copy_damaged_file(path: &Path) -> Result<(), String> {
+    let free =
+        numbered_file_names(DAMAGED_SEAS_FILE_NAME).map(|name| path.with_file_name(name)).find(|aside| !aside.exists());
     let aside = free.ok_or("there are too many files of damaged seas")?;
     std::fs::copy(path, &aside).map(drop).map_err(|e| format!("cannot write {}: {e}", aside.display()))
 }
@@ -78,7 +79,7 @@ fn seas_path() -> Result<PathBuf, String> {
     let given = std::env::var_os("SEASTATE_DATA_DIR").map(PathBuf::from);
     let usual = || directories::ProjectDirs::from("", "", "seastate").map(|d| d.data_dir().to_owned());
     let folder = given.or_else(usual).ok_or("there is no folder for the program's data")?;
-    Ok(folder.join(SEAS))
+    Ok(folder.join(SEAS_FILE_NAME))
 }
 
 #[cfg(test)]
@@ -89,15 +90,15 @@ mod tests {
     fn damaged_seas_are_read_as_far_as_they_go_and_put_aside() {
         let folder = std::env::temp_dir().join(format!("seastate-seas-{}", std::process::id()));
         std::fs::create_dir_all(&folder).expect("a folder");
-        let path = folder.join(SEAS);
+        let path = folder.join(SEAS_FILE_NAME);
         assert_eq!(read_seas(&path), None);
         std::fs::write(&path, b"[a]\nstate: wind=3\n[b]\nabout: \xff\xfe\nstate: wind=4\n[c]\n").expect("a file");
         let (seas, notices) = crate::state::presets::read(&read_seas(&path).expect("text"));
         assert_eq!((seas.len(), notices.len()), (2, 1));
-        copy_aside(&path).expect("a copy");
+        copy_damaged_file(&path).expect("a copy");
         std::fs::write(&path, "").expect("a file");
-        copy_aside(&path).expect("another copy");
-        assert_eq!(std::fs::read(folder.join(SEAS_ASIDE)).expect("the copy").len(), 50);
+        copy_damaged_file(&path).expect("another copy");
+        assert_eq!(std::fs::read(folder.join(DAMAGED_SEAS_FILE_NAME)).expect("the copy").len(), 50);
         assert!(std::fs::read(folder.join("seas-damaged-2.txt")).expect("the second").is_empty());
         // A file over the size limit gives a notice; it is not cut silently.
         std::fs::write(&path, "[a]\nstate: wind=3\n".repeat(100_000)).expect("a file");

@@ -9,11 +9,11 @@ mod browser;
 mod desktop;
 
 #[cfg(target_arch = "wasm32")]
-pub use browser::{load_seas, put_seas_aside, save, store_seas};
+pub use browser::{back_up_damaged_seas, load_seas, save, store_seas};
 #[cfg(not(target_arch = "wasm32"))]
-pub use desktop::{load_seas, put_seas_aside, save, store_seas};
+pub use desktop::{back_up_damaged_seas, load_seas, save, store_seas};
 
 /// File name of the user's own named seas on the desktop, and their key in the browser's local storage.
-const SEAS: &str = "seas.txt";
+const SEAS_FILE_NAME: &str = "seas.txt";
 /// File name, or key in the browser's local storage, for a copy of a damaged list of seas before it is overwritten.
-const SEAS_ASIDE: &str = "seas-damaged.txt";
+const DAMAGED_SEAS_FILE_NAME: &str = "seas-damaged.txt";

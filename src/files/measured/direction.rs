@@ -50,7 +50,7 @@ impl Direction {
 
 /// Fills gaps in the directions of bands (frequency in Hz, variance density): a band without a direction takes that of
 /// the nearest band that has one. Returns None, with a notice, if less than a third of the bands has a direction.
-pub(super) fn filled(
+pub(super) fn fill_missing(
     bands: &[(f64, f64)],
     directions: &[Option<Direction>],
     notices: &mut Vec<String>,
@@ -61,10 +61,10 @@ pub(super) fn filled(
         notices.push(format!("only {have} of {all} bands have a direction: the spectrum is used without directions"));
         return None;
     }
-    bands.iter().zip(directions).map(|(b, d)| d.or_else(|| Some(nearest(&known, b.0)?.1))).collect()
+    bands.iter().zip(directions).map(|(b, d)| d.or_else(|| Some(nearest_entry(&known, b.0)?.1))).collect()
 }
 
 /// Returns the entry (frequency in Hz, value) whose frequency is nearest to `f_hz`.
-pub(super) fn nearest<T>(entries: &[(f64, T)], f_hz: f64) -> Option<&(f64, T)> {
+pub(super) fn nearest_entry<T>(entries: &[(f64, T)], f_hz: f64) -> Option<&(f64, T)> {
     entries.iter().min_by(|a, b| (a.0 - f_hz).abs().total_cmp(&(b.0 - f_hz).abs()))
 }

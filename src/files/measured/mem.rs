@@ -5,12 +5,12 @@ use glam::{DVec2, dvec2};
 use std::f64::consts::TAU;
 
 /// Largest magnitude of the first moment c1 and of phi2; with a magnitude of 1 the distribution has no width.
-const LIMIT: f64 = 0.995;
+const MAX_MAGNITUDE: f64 = 0.995;
 
 /// The directional distribution of the largest (Burg) entropy for given moments c1 and c2, per rad at the angle theta:
 /// D(theta) = norm / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mem {
+pub struct MaximumEntropy {
     /// First autoregressive coefficient, (c1 - c2 c1*) / (1 - |c1|^2), of the moments c1 and c2; c1* is conjugate.
     pub phi1: DVec2,
     /// Second autoregressive coefficient, c2 - c1 phi1 with the moments c1 and c2 and the first one, phi1.
@@ -19,7 +19,7 @@ pub struct Mem {
     pub norm: f64,
 }
 
-impl Mem {
+impl MaximumEntropy {
     /// Makes the distribution with the moments (re c1, im c1, re c2, im c2), c_n = integral of D e^{i n theta}.
     ///
     /// The distribution has exactly these moments if |c1| <= 0.995 and |c2 - c1^2| <= 0.995 (1 - |c1|^2). Otherwise c1
@@ -28,10 +28,10 @@ impl Mem {
     pub fn new(moments: [f64; 4]) -> Self {
         let known = moments.iter().all(|m| m.is_finite());
         let [a, b, c, d] = if known { moments.map(|m| m.clamp(-1e6, 1e6)) } else { [0.0; 4] };
-        let c1 = shortened(dvec2(a, b));
+        let c1 = with_limited_magnitude(dvec2(a, b));
         let free = 1.0 - c1.length_squared();
         // Levinson's recursion gives phi2 = (c2 - c1^2) / (1 - |c1|^2) and phi1 = c1 - phi2 c1*.
-        let phi2 = shortened((dvec2(c, d) - c1.rotate(c1)) / free);
+        let phi2 = with_limited_magnitude((dvec2(c, d) - c1.rotate(c1)) / free);
         let phi1 = c1 - phi2.rotate(conjugate(c1));
         Self { phi1, phi2, norm: free * (1.0 - phi2.length_squared()) / TAU }
     }
@@ -56,10 +56,10 @@ fn conjugate(a: DVec2) -> DVec2 {
     dvec2(a.x, -a.y)
 }
 
-/// Returns a complex number, shortened to the magnitude [`LIMIT`] if its magnitude is larger.
-fn shortened(a: DVec2) -> DVec2 {
+/// Returns a complex number, shortened to the magnitude [`MAX_MAGNITUDE`] if its magnitude is larger.
+fn with_limited_magnitude(a: DVec2) -> DVec2 {
     let size = a.x.hypot(a.y);
-    if size > LIMIT { LIMIT * (a / size) } else { a }
+    if size > MAX_MAGNITUDE { MAX_MAGNITUDE * (a / size) } else { a }
 }
 
 #[cfg(test)]
@@ -69,7 +69,7 @@ mod tests {
 
     /// Integral, first and second moments of a distribution by the periodic trapezium rule, and its smallest density.
     /// With n samples and poles at radius 1 - d the error is e^{-n d}.
-    fn integrals(mem: &Mem) -> ([f64; 5], f64) {
+    fn integrals(mem: &MaximumEntropy) -> ([f64; 5], f64) {
         // Poles of the density: the roots of z^2 - phi1 z - phi2.
         let square = 0.25 * mem.phi1.rotate(mem.phi1) + mem.phi2;
         let root = square.length().sqrt() * DVec2::from_angle(0.5 * square.to_angle());
@@ -97,7 +97,7 @@ mod tests {
             let free = 1.0 - c1.length_squared();
             let gain = if i % 4 == 0 { 0.9 } else { 0.99 * random.unit() };
             let c2 = c1.rotate(c1) + gain * free * DVec2::from_angle(TAU * random.unit());
-            let mem = Mem::new([c1.x, c1.y, c2.x, c2.y]);
+            let mem = MaximumEntropy::new([c1.x, c1.y, c2.x, c2.y]);
             let (got, least) = integrals(&mem);
             assert!(least > 0.0);
             for (g, w) in got.iter().zip([1.0, c1.x, c1.y, c2.x, c2.y]) {
@@ -118,16 +118,16 @@ mod tests {
         for _ in 0..60 {
             let scale = 10f64.powf(4.0 * random.unit() - 1.0);
             let moments: [f64; 4] = std::array::from_fn(|_| scale * (2.0 * random.unit() - 1.0));
-            let (got, least) = integrals(&Mem::new(moments));
+            let (got, least) = integrals(&MaximumEntropy::new(moments));
             assert!(least > 0.0 && (got[0] - 1.0).abs() < 1e-8, "{moments:?}: {got:?}");
         }
         for moments in [[1e308; 4], [-1e308, 1e308, 1e308, -1e308], [1.0, 0.0, 1.0, 0.0], [0.0, 1.0, -1.0, 0.0]] {
-            let mem = Mem::new(moments);
+            let mem = MaximumEntropy::new(moments);
             let densities = (0..100).map(|i| mem.density(0.1 * f64::from(i)));
             assert!(densities.into_iter().all(|d| d > 0.0 && d.is_finite()), "{moments:?}");
         }
-        let isotropic = Mem::new([0.0; 4]);
-        assert_eq!(isotropic, Mem::new([f64::NAN, 0.0, f64::INFINITY, 0.0]));
+        let isotropic = MaximumEntropy::new([0.0; 4]);
+        assert_eq!(isotropic, MaximumEntropy::new([f64::NAN, 0.0, f64::INFINITY, 0.0]));
         assert!((isotropic.density(1.0) - 1.0 / TAU).abs() < 1e-15);
     }
 }

@@ -1,7 +1,7 @@
 //! A measured wave spectrum: its variance density, wave height, peak frequency and directional moments.
 
 use super::direction::Direction;
-use super::text::shown;
+use super::text::display_number;
 use std::f64::consts::TAU;
 
 /// Largest number of frequency bands of a measured spectrum.
@@ -9,7 +9,7 @@ pub const MAX_BANDS: usize = 256;
 /// Smallest number of frequency bands of a measured spectrum.
 pub const MIN_BANDS: usize = 3;
 /// Highest frequency that a band may have, Hz.
-const MAX_HZ: f64 = 2.0;
+const MAX_FREQUENCY_HZ: f64 = 2.0;
 /// Bound below which every variance density must be, m^2/Hz.
 const MAX_DENSITY: f64 = 1e5;
 /// Frequencies (Hz) and densities (m^2/Hz) below this count as 0.
@@ -151,27 +151,37 @@ impl MeasuredSpectrum {
 
 /// Checks and rounds the frequency of a band, Hz. It must exceed `before`, the rounded frequency of the previous band.
 pub(super) fn checked_frequency(f: f64, before: Option<f64>) -> Result<f64, String> {
-    let kept = four_digits(f);
-    if !(kept > 0.0 && kept <= MAX_HZ) {
-        return Err(format!("the frequency {} Hz must be above 0 and at most {MAX_HZ} Hz", shown(f)));
+    let kept = round_to_four_digits(f);
+    if !(kept > 0.0 && kept <= MAX_FREQUENCY_HZ) {
+        return Err(format!(
+            "the frequency {} Hz must be above 0 and at most {MAX_FREQUENCY_HZ} Hz",
+            display_number(f)
+        ));
     }
     match before.filter(|b| kept <= *b) {
-        Some(b) => Err(format!("the frequency {} Hz follows {} Hz: frequencies must ascend", shown(f), shown(b))),
+        Some(b) => Err(format!(
+            "the frequency {} Hz follows {} Hz: frequencies must ascend",
+            display_number(f),
+            display_number(b)
+        )),
         None => Ok(kept),
     }
 }
 
 /// Checks the variance density of a band in m^2/Hz and rounds it.
 pub(super) fn checked_density(s: f64) -> Result<f64, String> {
-    let kept = four_digits(s);
+    let kept = round_to_four_digits(s);
     if s >= 0.0 && kept < MAX_DENSITY {
         Ok(kept)
     } else {
-        Err(format!("the variance density {} m^2/Hz must be at least 0 and below {MAX_DENSITY} m^2/Hz", shown(s)))
+        Err(format!(
+            "the variance density {} m^2/Hz must be at least 0 and below {MAX_DENSITY} m^2/Hz",
+            display_number(s)
+        ))
     }
 }
 
 /// Rounds a number to four significant decimal digits; a magnitude below [`TINY`] becomes 0.
-fn four_digits(v: f64) -> f64 {
+fn round_to_four_digits(v: f64) -> f64 {
     if v.abs() < TINY { 0.0 } else { format!("{v:.3e}").parse().unwrap_or(f64::NAN) }
 }

@@ -3,10 +3,10 @@
 
 use super::direction::Direction;
 use super::spectrum::{MAX_BANDS, MeasuredSpectrum};
-use super::text::{number, quoted};
+use super::text::{parse_number, quoted_excerpt};
 
 /// Longest text that [`MeasuredSpectrum::from_state`] reads, bytes.
-pub const MAX_STATE_BYTES: usize = 16 * 1024;
+pub const MAX_TEXT_BYTES: usize = 16 * 1024;
 
 impl MeasuredSpectrum {
     /// Writes the spectrum as `f*S_f*S_...` or `f*S*alpha1*alpha2*r1*r2_...` with f in Hz, S in m^2/Hz and angles in
@@ -17,7 +17,7 @@ impl MeasuredSpectrum {
             if let Some(d) = self.directions().map(|d| d[i]) {
                 fields.extend([d.alpha1_deg, d.alpha2_deg, d.r1, d.r2]);
             }
-            fields.into_iter().map(shortest).collect::<Vec<_>>().join("*")
+            fields.into_iter().map(shortest_decimal).collect::<Vec<_>>().join("*")
         };
         self.bands().iter().enumerate().map(band).collect::<Vec<_>>().join("_")
     }
@@ -27,13 +27,14 @@ impl MeasuredSpectrum {
     /// # Errors
     /// One sentence that says what is wrong and in which band.
     pub fn from_state(text: &str) -> Result<Self, String> {
-        if text.len() > MAX_STATE_BYTES {
-            return Err(format!("the measured spectrum is longer than {MAX_STATE_BYTES} bytes"));
+        if text.len() > MAX_TEXT_BYTES {
+            return Err(format!("the measured spectrum is longer than {MAX_TEXT_BYTES} bytes"));
         }
         let (mut bands, mut directions) = (Vec::new(), Vec::new());
         for (i, band) in text.split('_').take(MAX_BANDS + 1).enumerate() {
             let fault = |what: &str| format!("band {} of the measured spectrum: {what}", i + 1);
-            let value = |field| number(field).ok_or_else(|| fault(&format!("{} is not a number", quoted(field))));
+            let value =
+                |field| parse_number(field).ok_or_else(|| fault(&format!("{} is not a number", quoted_excerpt(field))));
             let fields = band.split('*').take(7).map(value).collect::<Result<Vec<_>, _>>()?;
             match fields[..] {
                 [f, s] => bands.push((f, s)),
@@ -59,7 +60,7 @@ impl MeasuredSpectrum {
 }
 
 /// Formats a number that is not negative as the shortest decimal text, such as `.05`, `12.3` or `4e-7`.
-fn shortest(v: f64) -> String {
+fn shortest_decimal(v: f64) -> String {
     let plain = v.to_string();
     let plain = plain.strip_prefix('0').filter(|p| !p.is_empty()).unwrap_or(&plain);
     let power = format!("{v:e}");

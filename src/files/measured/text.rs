@@ -17,7 +17,7 @@ impl<'a> TextFile<'a> {
     /// Decodes a file of UTF-8 text. Any other file, and an empty or too large one, is an error.
     pub fn decode(name: &str, bytes: &'a [u8]) -> Result<Self, String> {
         // A browser gives the bare name, a command line the path.
-        let name = printable(name.rsplit(['/', '\\']).next().unwrap_or_default(), 60);
+        let name = printable_prefix(name.rsplit(['/', '\\']).next().unwrap_or_default(), 60);
         let name = if name.is_empty() { "(no name)".into() } else { name };
         let reason = if bytes.len() > MAX_FILE_BYTES {
             format!("the file is larger than {} MiB: keep fewer records in it", MAX_FILE_BYTES >> 20)
@@ -27,7 +27,9 @@ impl<'a> TextFile<'a> {
             "the file is UTF-16 text: save it as UTF-8".into()
         } else {
             match std::str::from_utf8(bytes) {
-                Ok(text) if text.lines().any(|line| !content(line).is_empty()) => return Ok(Self { name, text }),
+                Ok(text) if text.lines().any(|line| !without_comment(line).is_empty()) => {
+                    return Ok(Self { name, text });
+                }
                 Ok(_) => "the file is empty: choose another one".into(),
                 Err(_) if bytes.contains(&0) => "the file is no text: choose an NDBC text file or a CSV table".into(),
                 Err(e) => {
@@ -40,39 +42,39 @@ impl<'a> TextFile<'a> {
     }
 
     /// Makes a message about a line of the file; lines are counted from 1.
-    pub fn message_at(&self, line: usize, what: impl Display) -> String {
+    pub fn line_error(&self, line: usize, what: impl Display) -> String {
         format!("{}, line {line}: {what}", self.name)
     }
 
     /// Makes a message about the whole file.
-    pub fn message(&self, what: impl Display) -> String {
+    pub fn file_error(&self, what: impl Display) -> String {
         format!("{}: {what}", self.name)
     }
 }
 
 /// Returns a line without byte order mark and surrounding white space.
-pub(super) fn content(line: &str) -> &str {
+pub(super) fn without_comment(line: &str) -> &str {
     line.trim_start_matches('\u{feff}').trim()
 }
 
 /// Parses a finite decimal number; None for other text, such as "inf" or "nan".
-pub(super) fn number(text: &str) -> Option<f64> {
+pub(super) fn parse_number(text: &str) -> Option<f64> {
     let plain = |b: u8| b.is_ascii_digit() || matches!(b, b'.' | b'-' | b'+' | b'e' | b'E');
     text.bytes().all(plain).then(|| text.parse().ok()).flatten().filter(|v: &f64| v.is_finite())
 }
 
 /// Formats a number for a message, with an exponent if it is very large or very small.
-pub(super) fn shown(v: f64) -> String {
+pub(super) fn display_number(v: f64) -> String {
     if v == 0.0 || (1e-6..1e9).contains(&v.abs()) { v.to_string() } else { format!("{v:e}") }
 }
 
 /// Formats a piece of a file for a message: at most 24 characters, in quotation marks.
-pub(super) fn quoted(text: &str) -> String {
-    format!("\"{}\"", printable(text, 24))
+pub(super) fn quoted_excerpt(text: &str) -> String {
+    format!("\"{}\"", printable_prefix(text, 24))
 }
 
 /// Returns the printable characters of a text, cut to `limit` characters with an ellipsis.
-pub(super) fn printable(text: &str, limit: usize) -> String {
+pub(super) fn printable_prefix(text: &str, limit: usize) -> String {
     // Unicode format characters, such as bidirectional marks, change or hide the text around them.
     let hidden = |c: char| {
         let format =

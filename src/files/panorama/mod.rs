@@ -10,17 +10,17 @@ mod sun;
 mod tests;
 
 #[cfg(feature = "files")]
-pub use formats::{MAX_BYTES, is_sky, read, read_within};
+pub use formats::{MAX_BYTES, is_sky_file, read, read_with_max_size};
 pub use sun::Sun;
 
 use sky_image::{SkyImage, check_shape, luminance};
 
 /// Largest width of a sky image that is kept, pixels; a wider image is reduced by a whole-number factor.
 const MAX_WIDTH: usize = 8192;
-/// Columns and rows of [`Panorama::calm`], the small image without the sun.
-pub const CALM: [usize; 2] = [512, 256];
+/// Columns and rows of [`Panorama::sunless`], the small image without the sun.
+pub const SUNLESS_SIZE: [usize; 2] = [512, 256];
 /// Horizontal irradiance that every sky image is scaled to: that of a clear noon, in the unit of `atmosphere.wgsl`.
-const NOON: f64 = 16.0;
+const NOON_IRRADIANCE: f64 = 16.0;
 
 /// A sky from an image file. Light is in the unit of `atmosphere.wgsl`.
 #[derive(Clone, Debug)]
@@ -31,8 +31,9 @@ pub struct Panorama {
     pub height: usize,
     /// Mip levels of the image in linear sRGB as RGB9E5, row by row from the zenith. Sizes are halved and rounded down.
     pub mips: Vec<Vec<u32>>,
-    /// Small copy of the image without the sun, [`CALM`] pixels in linear sRGB, which the environment map is made from.
-    pub calm: Vec<[f32; 3]>,
+    /// Small copy of the image without the sun, [`SUNLESS_SIZE`] pixels in linear sRGB, which the environment map is
+    /// made from.
+    pub sunless: Vec<[f32; 3]>,
     /// Sun in the image; None if the image shows no compact sun.
     pub sun: Option<Sun>,
     /// Irradiance (red, green, blue) of a horizontal surface by the sky without the sun.
@@ -58,39 +59,39 @@ impl Panorama {
 
     fn from_image(mut image: SkyImage) -> Result<Self, String> {
         let mut notices = Vec::new();
-        let corrected = image.correct();
+        let corrected = image.repair_pixels();
         if corrected > 0 {
             notices.push(format!("{corrected} pixels were negative, infinite or not a number: they were corrected"));
         }
         let by = image.width.div_ceil(MAX_WIDTH);
         if by > 1 {
-            image = image.reduced(by);
+            image = image.downsampled(by);
             notices.push(format!("the image was reduced to {} x {} pixels", image.width, image.height));
         }
-        let mut sunless = image.clone();
-        let sun = sun::remove(&mut sunless);
+        let mut image_without_sun = image.clone();
+        let sun = sun::extract_sun(&mut image_without_sun);
         if sun.is_none() {
             notices.push("the image shows no compact sun: only the sky lights the sea".to_owned());
         }
-        let irradiance = sunless.horizontal_irradiance();
+        let irradiance = image_without_sun.horizontal_irradiance();
         let by_sun =
             sun.as_ref().map_or(0.0, |s| luminance(s.irradiance) * s.elevation_deg.to_radians().sin().max(0.0));
         let whole = luminance(irradiance) + by_sun;
         if whole <= 0.0 {
             return Err("the upper half, which must show the sky, is black: turn the image if it is upside down".into());
         }
-        let gain = NOON / whole;
+        let gain = NOON_IRRADIANCE / whole;
         // The limit keeps values finite that are far brighter than the sky, such as lamps below the horizon.
-        let scaled = |v: f32| (f64::from(v) * gain).min(f64::from(pack::MAX)) as f32;
+        let scaled = |v: f32| (f64::from(v) * gain).min(f64::from(pack::MAX_RGB9E5)) as f32;
         let scale = |pixels: &mut [[f32; 3]]| pixels.iter_mut().flatten().for_each(|v| *v = scaled(*v));
-        let mut calm = sunless.resampled(CALM).pixels;
-        drop(sunless);
-        scale(&mut calm);
+        let mut sunless = image_without_sun.resampled(SUNLESS_SIZE).pixels;
+        drop(image_without_sun);
+        scale(&mut sunless);
         scale(&mut image.pixels);
         let sun = sun.map(|s| Sun { irradiance: s.irradiance.map(|e| e * gain), ..s });
         let irradiance = irradiance.map(|e| e * gain);
         let (width, height) = (image.width, image.height);
-        Ok(Self { width, height, mips: mips(image), calm, sun, irradiance, gain, notices })
+        Ok(Self { width, height, mips: mips(image), sunless, sun, irradiance, gain, notices })
     }
 }
 
@@ -98,7 +99,7 @@ impl Panorama {
 fn mips(mut level: SkyImage) -> Vec<Vec<u32>> {
     let mut levels = Vec::new();
     loop {
-        levels.push(level.pixels.iter().map(|c| pack::rgb9e5(*c)).collect());
+        levels.push(level.pixels.iter().map(|c| pack::pack_rgb9e5(*c)).collect());
         if level.height == 1 {
             return levels;
         }

@@ -17,7 +17,7 @@ pub(super) struct SkyImage {
 impl SkyImage {
     /// Corrects pixel values that cannot be light: negative values and NaN become 0, infinite ones the largest finite
     /// value. Returns the number of corrected pixels.
-    pub fn correct(&mut self) -> usize {
+    pub fn repair_pixels(&mut self) -> usize {
         let finite = self.pixels.iter().flatten().copied().filter(|v| v.is_finite());
         let most = finite.fold(0f32, f32::max).min(1e30);
         let mut corrected = 0;
@@ -31,7 +31,7 @@ impl SkyImage {
 
     /// Returns the image reduced by the whole-number factor `by`: means over squares of `by` x `by` pixels, without the
     /// remainder at the right and bottom edges.
-    pub fn reduced(&self, by: usize) -> Self {
+    pub fn downsampled(&self, by: usize) -> Self {
         let size = [self.width / by, self.height / by];
         self.resampled_part(size.map(|side| side * by), size)
     }
@@ -67,7 +67,7 @@ impl SkyImage {
     pub fn horizontal_irradiance(&self) -> [f64; 3] {
         let mut sum = [0.0; 3];
         for (y, row) in self.pixels.chunks(self.width).enumerate() {
-            let weight = self.elevation(y as f64 + 0.5).sin() * self.solid_angle(y);
+            let weight = self.row_elevation(y as f64 + 0.5).sin() * self.row_solid_angle(y);
             if weight <= 0.0 {
                 break;
             }
@@ -79,19 +79,19 @@ impl SkyImage {
     }
 
     /// Elevation angle above the horizon at the distance `y` from the top edge in rows, rad.
-    pub fn elevation(&self, y: f64) -> f64 {
+    pub fn row_elevation(&self, y: f64) -> f64 {
         PI * (0.5 - y / self.height as f64)
     }
 
     /// Solid angle of a pixel in row `y`, sr.
-    pub fn solid_angle(&self, y: usize) -> f64 {
-        (self.elevation(y as f64).sin() - self.elevation(y as f64 + 1.0).sin()) * TAU / self.width as f64
+    pub fn row_solid_angle(&self, y: usize) -> f64 {
+        (self.row_elevation(y as f64).sin() - self.row_elevation(y as f64 + 1.0).sin()) * TAU / self.width as f64
     }
 
     /// Unit vector (east, up, south) towards the point of the image `x` columns and `y` rows from the top left corner.
-    pub fn direction(&self, x: f64, y: f64) -> [f64; 3] {
+    pub fn pixel_direction(&self, x: f64, y: f64) -> [f64; 3] {
         let (sin_a, cos_a) = (TAU * (x / self.width as f64 - 0.5)).sin_cos();
-        let (sin_e, cos_e) = self.elevation(y).sin_cos();
+        let (sin_e, cos_e) = self.row_elevation(y).sin_cos();
         [sin_a * cos_e, sin_e, -cos_a * cos_e]
     }
 }

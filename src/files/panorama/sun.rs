@@ -4,18 +4,18 @@ use super::sky_image::{SkyImage, luminance};
 use std::f64::consts::PI;
 
 /// Angular radius around the brightest search cell within which the sun is examined, rad.
-const REACH: f64 = 6.0 * PI / 180.0;
+const SEARCH_RADIUS: f64 = 6.0 * PI / 180.0;
 /// Inner angular radius of the ring in which the sky around the sun is measured, rad.
-const RING: f64 = 4.0 * PI / 180.0;
+const SKY_RING_INNER_RADIUS: f64 = 4.0 * PI / 180.0;
 /// Smallest ratio of the luminance of a sun to that of the sky around it.
-const CONTRAST: f64 = 15.0;
+const MIN_SUN_CONTRAST: f64 = 15.0;
 /// Largest angular radius of a sun, rad. Bloom enlarges the sun in some files.
-const MAX_RADIUS: f64 = 3.0 * PI / 180.0;
+const MAX_SUN_RADIUS: f64 = 3.0 * PI / 180.0;
 /// Smallest ratio of the light of a sun to the light of the whole sky; a lamp or a reflection has less.
-const MIN_SHARE: f64 = 0.02;
+const MIN_SUN_LIGHT_RATIO: f64 = 0.02;
 /// Number of search cells across 360 degrees of azimuth. The brightest cell is searched, not pixel, because single
 /// pixels can be faulty.
-const CELLS: usize = 512;
+const SEARCH_CELLS: usize = 512;
 
 /// The sun in an image of the sky.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,20 +32,21 @@ pub struct Sun {
 }
 
 /// Finds the sun and replaces its pixels by the sky around it. Returns None and changes nothing if there is no sun.
-pub(super) fn remove(image: &mut SkyImage) -> Option<Sun> {
-    let near = within(REACH, brightest(image)?, image);
+pub(super) fn extract_sun(image: &mut SkyImage) -> Option<Sun> {
+    let near = pixels_within(SEARCH_RADIUS, brightest_direction(image)?, image);
     // The median pixel of the ring stands for the sky behind the sun, despite clouds and glare.
-    let mut ring: Vec<&NearPixel> = near.iter().filter(|p| p.angle > RING).collect();
+    let mut ring: Vec<&NearPixel> = near.iter().filter(|p| p.angle > SKY_RING_INNER_RADIUS).collect();
     ring.sort_by(|a, b| a.luminance.total_cmp(&b.luminance));
     let behind = ring.get(ring.len() / 2)?;
     let sky = image.pixels[behind.index];
     let peak = near.iter().map(|p| p.luminance).fold(0.0, f64::max);
-    if peak < CONTRAST * behind.luminance.max(1e-12) {
+    if peak < MIN_SUN_CONTRAST * behind.luminance.max(1e-12) {
         return None;
     }
     // Glare much brighter than the sky behind it, and not negligible beside the sun's peak, belongs to the sun.
     let cut = (4.0 * behind.luminance).max(3e-3 * peak);
-    let sun_pixels: Vec<&NearPixel> = near.iter().filter(|p| p.angle < RING && p.luminance > cut).collect();
+    let sun_pixels: Vec<&NearPixel> =
+        near.iter().filter(|p| p.angle < SKY_RING_INNER_RADIUS && p.luminance > cut).collect();
     let (mut irradiance, mut at, mut solid_angle) = ([0.0; 3], [0.0; 3], 0.0);
     for p in &sun_pixels {
         let colour = image.pixels[p.index];
@@ -59,9 +60,10 @@ pub(super) fn remove(image: &mut SkyImage) -> Option<Sun> {
     }
     let radius_rad = (solid_angle / PI).sqrt();
     let rows = image.pixels.chunks(image.width).take(image.height / 2).enumerate();
-    let light = |(y, row): (usize, &[[f32; 3]])| image.solid_angle(y) * row.iter().map(|p| luminance(*p)).sum::<f64>();
+    let light =
+        |(y, row): (usize, &[[f32; 3]])| image.row_solid_angle(y) * row.iter().map(|p| luminance(*p)).sum::<f64>();
     let sky_light: f64 = rows.map(light).sum();
-    if luminance(irradiance) < MIN_SHARE * sky_light || radius_rad > MAX_RADIUS {
+    if luminance(irradiance) < MIN_SUN_LIGHT_RATIO * sky_light || radius_rad > MAX_SUN_RADIUS {
         return None;
     }
     for p in &sun_pixels {
@@ -76,9 +78,9 @@ pub(super) fn remove(image: &mut SkyImage) -> Option<Sun> {
 }
 
 /// Unit vector to the brightest search cell (block of pixels) above the horizon; None if the sky is black.
-fn brightest(image: &SkyImage) -> Option<[f64; 3]> {
+fn brightest_direction(image: &SkyImage) -> Option<[f64; 3]> {
     let SkyImage { width, height, ref pixels } = *image;
-    let side = width.div_ceil(CELLS);
+    let side = width.div_ceil(SEARCH_CELLS);
     let mut best = (0.0, [0, 0]);
     for y in (0..height / 2).step_by(side) {
         for x in (0..width).step_by(side) {
@@ -91,7 +93,7 @@ fn brightest(image: &SkyImage) -> Option<[f64; 3]> {
         }
     }
     let [x, y] = best.1.map(|corner| corner as f64 + 0.5 * side as f64);
-    (best.0 > 0.0).then(|| image.direction(x, y))
+    (best.0 > 0.0).then(|| image.pixel_direction(x, y))
 }
 
 /// A pixel in the area that is examined for the sun.
@@ -106,20 +108,20 @@ struct NearPixel {
 }
 
 /// Pixels above the horizon within the angle `reach` (rad) of the direction `middle`.
-fn within(reach: f64, middle: [f64; 3], image: &SkyImage) -> Vec<NearPixel> {
+fn pixels_within(reach: f64, middle: [f64; 3], image: &SkyImage) -> Vec<NearPixel> {
     let least = reach.cos();
     let mut out = Vec::new();
     for y in 0..image.height / 2 {
-        let sine = image.direction(0.0, y as f64 + 0.5)[1];
+        let sine = image.pixel_direction(0.0, y as f64 + 0.5)[1];
         if (sine.asin() - middle[1].clamp(-1.0, 1.0).asin()).abs() > reach {
             continue;
         }
         for x in 0..image.width {
-            let direction = image.direction(x as f64 + 0.5, y as f64 + 0.5);
+            let direction = image.pixel_direction(x as f64 + 0.5, y as f64 + 0.5);
             let cosine = direction[0] * middle[0] + direction[1] * middle[1] + direction[2] * middle[2];
             if cosine >= least {
                 let (index, angle) = (y * image.width + x, cosine.min(1.0).acos());
-                let (luminance, solid_angle) = (luminance(image.pixels[index]), image.solid_angle(y));
+                let (luminance, solid_angle) = (luminance(image.pixels[index]), image.row_solid_angle(y));
                 out.push(NearPixel { index, luminance, angle, solid_angle, direction });
             }
         }

@@ -17,12 +17,12 @@ fn sky(width: usize, azimuth: f64, elevation_deg: f64, radius: f64, irradiance: 
         let mut inside = 0;
         for i in 0..POINTS * POINTS {
             let at = [i % POINTS, i / POINTS].map(|k| (k as f64 + 0.5) / POINTS as f64);
-            let d = image.direction(x as f64 + at[0], y as f64 + at[1]);
+            let d = image.pixel_direction(x as f64 + at[0], y as f64 + at[1]);
             let cosine = d.iter().zip(&to_sun).map(|(a, b)| a * b).sum::<f64>();
             inside += usize::from(cosine > radius.cos());
         }
         let share = inside as f64 / (POINTS * POINTS) as f64;
-        let up = image.elevation(y as f64 + 0.5).sin();
+        let up = image.row_elevation(y as f64 + 0.5).sin();
         let air = if up > 0.0 { [0.5 + 0.6 * (1.0 - up), 0.7 + 0.4 * (1.0 - up), 1.0] } else { [0.05, 0.08, 0.1] };
         std::array::from_fn(|i| (air[i] + share * radiance * irradiance[i]) as f32)
     };
@@ -49,10 +49,10 @@ fn the_sun_is_found() {
         }
         assert!((sun.radius_rad / radius - 1.0).abs() < 0.35, "{width}: radius {}", sun.radius_rad);
         // The sun was removed from the reflected environment, so nothing there is brighter than the sky.
-        let brightest = sky.calm.iter().map(|c| luminance(*c)).fold(0.0, f64::max);
+        let brightest = sky.sunless.iter().map(|c| luminance(*c)).fold(0.0, f64::max);
         assert!(brightest / sky.gain < 1.3, "{width}: {}", brightest / sky.gain);
         let total = luminance(sky.irradiance) + luminance(sun.irradiance) * elevation_deg.to_radians().sin();
-        assert!((total / NOON - 1.0).abs() < 0.01, "lights like noon: {total}");
+        assert!((total / NOON_IRRADIANCE - 1.0).abs() < 0.01, "lights like noon: {total}");
     }
 }
 
@@ -67,7 +67,7 @@ fn an_overcast_sky_has_no_sun() {
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| glow(x, y))).collect();
     let sky = Panorama::new(width, height, pixels).unwrap();
     assert_eq!(sky.sun, None);
-    assert!((luminance(sky.irradiance) / NOON - 1.0).abs() < 0.01);
+    assert!((luminance(sky.irradiance) / NOON_IRRADIANCE - 1.0).abs() < 0.01);
 }
 
 #[test]
@@ -81,7 +81,7 @@ fn a_hot_pixel_is_no_sun_and_broken_ones_are_mended() {
     let sky = Panorama::new(width, height, pixels).unwrap();
     assert_eq!(sky.sun, None);
     assert!(sky.notices.iter().any(|n| n.starts_with("3 pixels")), "{:?}", sky.notices);
-    assert!(sky.calm.iter().flatten().all(|v| v.is_finite() && *v >= 0.0));
+    assert!(sky.sunless.iter().flatten().all(|v| v.is_finite() && *v >= 0.0));
 }
 
 #[test]
@@ -91,8 +91,8 @@ fn vast_and_faint_light_stays_a_number() {
         let half = width * height / 2;
         let pixels = [vec![[sky; 3]; half], vec![[ground; 3]; half]].concat();
         let panorama = Panorama::new(width, height, pixels).unwrap();
-        assert!(panorama.calm.iter().flatten().all(|v| v.is_finite() && *v >= 0.0), "{sky} {ground}");
-        assert!((luminance(panorama.irradiance) / NOON - 1.0).abs() < 0.01, "{sky} {ground}");
+        assert!(panorama.sunless.iter().flatten().all(|v| v.is_finite() && *v >= 0.0), "{sky} {ground}");
+        assert!((luminance(panorama.irradiance) / NOON_IRRADIANCE - 1.0).abs() < 0.01, "{sky} {ground}");
     }
 }
 
@@ -110,7 +110,7 @@ fn what_is_no_sky_is_refused() {
 
 #[test]
 fn a_wide_picture_is_reduced() {
-    let image = SkyImage { width: 6, height: 4, pixels: (0..24).map(|i| [i as f32; 3]).collect() }.reduced(2);
+    let image = SkyImage { width: 6, height: 4, pixels: (0..24).map(|i| [i as f32; 3]).collect() }.downsampled(2);
     assert_eq!((image.width, image.height), (3, 2));
     assert_eq!(image.pixels[0], [3.5; 3], "mean of 0, 1, 6, 7");
     let mips = mips(SkyImage { width: 8, height: 4, pixels: vec![[1.0, 0.5, 0.25]; 32] });
@@ -136,7 +136,7 @@ mod files {
         let pixels = sky(256, 77.0, 30.0, 0.02, [8.0; 3]);
         for format in [ImageFormat::Hdr, ImageFormat::OpenExr] {
             let bytes = file(format, 256, &pixels);
-            assert!(is_sky("anything", &bytes));
+            assert!(is_sky_file("anything", &bytes));
             let sky = read("a.hdr", &bytes).unwrap();
             assert_eq!((sky.width, sky.height), (256, 128));
             let sun = sky.sun.expect("a sun");

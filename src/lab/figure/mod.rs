@@ -13,7 +13,7 @@ pub struct Axis {
 
 /// The data of one series in a figure, and how to draw them.
 #[derive(Clone, Debug)]
-pub enum Mark {
+pub enum SeriesData {
     /// A solid curve through points (x, y).
     Line(Vec<[f64; 2]>),
     /// A dashed curve through points (x, y).
@@ -28,15 +28,15 @@ pub enum Mark {
 
 /// A series in a figure: label, index of its colour, data. A series without a label does not appear in the legend.
 #[derive(Clone, Debug)]
-pub struct Series {
+pub struct FigureSeries {
     label: String,
     colour: usize,
-    mark: Mark,
+    data: SeriesData,
 }
 
 /// Corner of the figure in which the legend stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Legend {
+pub enum LegendCorner {
     /// Top left corner.
     Left,
     /// Top right corner.
@@ -50,8 +50,8 @@ pub enum Legend {
 pub struct Figure {
     title: String,
     axes: [Axis; 2],
-    legend: Legend,
-    series: Vec<Series>,
+    legend: LegendCorner,
+    series: Vec<FigureSeries>,
 }
 
 impl Axis {
@@ -66,7 +66,7 @@ impl Axis {
     }
 
     /// Position of a value along the axis: 0 at the axis's lower end, 1 at its upper end.
-    pub fn place(&self, value: f64) -> f64 {
+    pub fn position(&self, value: f64) -> f64 {
         if self.log {
             (value.max(1e-30) / self.low).ln() / (self.high / self.low).ln()
         } else {
@@ -81,7 +81,7 @@ impl Axis {
 
     /// Values at which the axis has grid lines, and whether each grid line carries a number.
     pub fn ticks(&self) -> Vec<(f64, bool)> {
-        let inside = |v: f64| (-1e-9..=1.0 + 1e-9).contains(&self.place(v));
+        let inside = |v: f64| (-1e-9..=1.0 + 1e-9).contains(&self.position(v));
         if self.log {
             let decades = (self.high / self.low).log10();
             let every = (decades / 8.0).ceil().max(1.0) as i32;
@@ -101,7 +101,7 @@ impl Axis {
     }
 
     /// Formats the number at a grid line of the axis.
-    pub fn number(&self, value: f64) -> String {
+    pub fn format_tick(&self, value: f64) -> String {
         if self.log && !(1e-3..1e5).contains(&value) {
             let exponent = value.log10().floor() as i32;
             let raised: String = exponent.to_string().chars().map(superscript).collect();
@@ -123,24 +123,24 @@ fn superscript(c: char) -> char {
     }
 }
 
-impl Series {
+impl FigureSeries {
     /// Creates a series. `colour` is an index of the palette.
-    pub fn new(label: &str, colour: usize, mark: Mark) -> Self {
-        Self { label: label.to_owned(), colour, mark }
+    pub fn new(label: &str, colour: usize, data: SeriesData) -> Self {
+        Self { label: label.to_owned(), colour, data }
     }
 
     /// The largest y of the series, including error bars and ranges; at least 0.
-    pub fn highest(&self) -> f64 {
-        match &self.mark {
-            Mark::Line(p) | Mark::Dashes(p) => p.iter().map(|p| p[1]).fold(0.0, f64::max),
-            Mark::Points(p) => p.iter().map(|p| p[1] + p[2]).fold(0.0, f64::max),
-            Mark::Band(p) | Mark::Bars(p) => p.iter().map(|p| p[2]).fold(0.0, f64::max),
+    pub fn max_y(&self) -> f64 {
+        match &self.data {
+            SeriesData::Line(p) | SeriesData::Dashes(p) => p.iter().map(|p| p[1]).fold(0.0, f64::max),
+            SeriesData::Points(p) => p.iter().map(|p| p[1] + p[2]).fold(0.0, f64::max),
+            SeriesData::Band(p) | SeriesData::Bars(p) => p.iter().map(|p| p[2]).fold(0.0, f64::max),
         }
     }
 }
 
 /// Samples the function `f` at `count` + 1 points, evenly spaced along an axis (in the logarithm on a logarithmic one).
-pub fn curve(axis: &Axis, count: u32, f: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
+pub fn sample_curve(axis: &Axis, count: u32, f: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
     let at = |i: u32| {
         let t = f64::from(i) / f64::from(count);
         if axis.log { axis.low * (axis.high / axis.low).powf(t) } else { axis.low + t * (axis.high - axis.low) }
@@ -150,13 +150,13 @@ pub fn curve(axis: &Axis, count: u32, f: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
 
 impl Figure {
     /// Creates a figure without series.
-    pub fn new(title: &str, x: Axis, y: Axis, legend: Legend) -> Self {
+    pub fn new(title: &str, x: Axis, y: Axis, legend: LegendCorner) -> Self {
         Self { title: title.to_owned(), axes: [x, y], legend, series: vec![] }
     }
 
     /// Adds a series. It is drawn over the earlier series.
     #[must_use]
-    pub fn with(mut self, series: Series) -> Self {
+    pub fn with_series(mut self, series: FigureSeries) -> Self {
         self.series.push(series);
         self
     }

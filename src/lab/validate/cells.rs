@@ -1,47 +1,48 @@
 //! Formats numbers for the cells of the validation page's tables.
 
-use crate::lab::estimate::Estimate;
+use crate::lab::estimate::EstimateWithError;
 
 /// Text of a table cell in place of a measured number if there is no GPU.
-pub const PENDING: &str = "…";
+pub const PENDING_CELL: &str = "…";
 
 /// Formats a number with `digits` digits after the decimal point.
-pub fn number(value: f64, digits: usize) -> String {
+pub fn format_number(value: f64, digits: usize) -> String {
     format!("{:.digits$}", value + 0.0)
 }
 
 /// Formats an estimate and its standard error, such as `2.31 ± 0.02`.
-pub fn measured(estimate: Option<Estimate>, digits: usize) -> String {
-    estimate.map_or(PENDING.to_owned(), |e| match e.error {
+pub fn format_estimate(estimate: Option<EstimateWithError>, digits: usize) -> String {
+    estimate.map_or(PENDING_CELL.to_owned(), |e| match e.standard_error {
         Some(error) => format!("{:.digits$} ± {error:.digits$}", e.value),
-        None => number(e.value, digits),
+        None => format_number(e.value, digits),
     })
 }
 
 /// Formats the difference of an estimate from the expected value, in per cent and in standard errors.
-pub fn deviation(estimate: Option<Estimate>, expected: f64) -> String {
+pub fn relative_deviation(estimate: Option<EstimateWithError>, expected: f64) -> String {
     difference(estimate, |value| value - expected, |by| format!("{:+.2} %", 100.0 * by / expected))
 }
 
 /// Formats the difference of an estimate from the expected value, in the estimate's unit and in standard errors.
-pub fn offset(estimate: Option<Estimate>, expected: f64) -> String {
+pub fn absolute_deviation(estimate: Option<EstimateWithError>, expected: f64) -> String {
     difference(estimate, |value| value - expected, |by| format!("{by:+.4}"))
 }
 
 /// Formats the difference of an estimated angle from the expected angle, in degrees and in standard errors.
-pub fn turned(estimate: Option<Estimate>, expected: f64) -> String {
+pub fn angle_deviation(estimate: Option<EstimateWithError>, expected: f64) -> String {
     difference(estimate, |value| (value - expected + 540.0).rem_euclid(360.0) - 180.0, |by| format!("{by:+.2}°"))
 }
 
-fn difference(estimate: Option<Estimate>, by: impl Fn(f64) -> f64, text: impl Fn(f64) -> String) -> String {
-    estimate.map_or(PENDING.to_owned(), |e| {
+fn difference(estimate: Option<EstimateWithError>, by: impl Fn(f64) -> f64, text: impl Fn(f64) -> String) -> String {
+    estimate.map_or(PENDING_CELL.to_owned(), |e| {
         let by = by(e.value);
-        let errors = e.error.filter(|&se| se > 0.0).map_or(String::new(), |se| format!(" ({:+.1} σ)", by / se));
+        let errors =
+            e.standard_error.filter(|&se| se > 0.0).map_or(String::new(), |se| format!(" ({:+.1} σ)", by / se));
         text(by) + &errors
     })
 }
 
 /// Formats the difference of the program's number from a published number, in per cent.
-pub fn against(ours: f64, published: f64) -> String {
+pub fn relative_to_published(ours: f64, published: f64) -> String {
     format!("{:+.1} %", 100.0 * (ours / published - 1.0))
 }

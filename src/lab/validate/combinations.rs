@@ -1,10 +1,10 @@
 //! `seastate validate --all`: measures every spectrum with every directional spreading in thirteen sea states.
 
-use super::cells::{deviation, measured, number, turned};
+use super::cells::{angle_deviation, format_estimate, format_number, relative_deviation};
+use super::choice_words;
 use super::measurement::Measurement;
-use super::words;
 use crate::gpu::Gpu;
-use crate::lab::estimate::Estimate;
+use crate::lab::estimate::EstimateWithError;
 use crate::lab::page::Page;
 
 /// The thirteen sea states: wind (m/s), fetch (km), depth (m), from calm to hurricane and from deep water to 3 m.
@@ -34,8 +34,8 @@ struct Comparisons {
 }
 
 impl Comparisons {
-    fn compare(&mut self, state: &str, estimate: Option<Estimate>, expected: f64) {
-        if let Some(Estimate { value, error: Some(error) }) = estimate {
+    fn compare(&mut self, state: &str, estimate: Option<EstimateWithError>, expected: f64) {
+        if let Some(EstimateWithError { value, standard_error: Some(error) }) = estimate {
             self.errors.push((value - expected) / error);
             if (value - expected).abs() > 4.0 * error {
                 self.outliers.push(format!("`{state}`: {value:.5} ± {error:.5} against {expected:.5}"));
@@ -43,7 +43,7 @@ impl Comparisons {
         }
     }
 
-    fn beyond(&self, limit: f64) -> usize {
+    fn count_beyond(&self, limit: f64) -> usize {
         self.errors.iter().filter(|e| e.abs() > limit).count()
     }
 }
@@ -55,8 +55,8 @@ impl Comparisons {
 pub fn build(gpu: &Gpu, seeds: u32, only: &str) -> Result<Page, String> {
     let lab = Measurement { gpu: Some(gpu), seeds };
     let (mut rows, mut comparisons) = (Vec::new(), Comparisons::default());
-    for spectrum in words("spectrum") {
-        for spread in words("spread") {
+    for spectrum in choice_words("spectrum") {
+        for spread in choice_words("spread") {
             for (wind, fetch, depth) in STATES {
                 let state =
                     format!("spectrum={spectrum}&spread={spread}&wind={wind}&fetch={fetch}&depth={depth}&n=128");
@@ -72,19 +72,19 @@ pub fn build(gpu: &Gpu, seeds: u32, only: &str) -> Result<Page, String> {
     let mut page = Page::default();
     page.heading(1, "Validation: every spectrum with every spreading");
     let count = comparisons.errors.len();
-    page.prose(&format!(
+    page.paragraph(&format!(
         "`seastate validate --all`: {} seas over {seeds} seeds each. Of {count} comparisons of measured with resolved \
          numbers, {} lie beyond 2 standard errors, {} beyond 3 and {} beyond 4; their root mean square is {:.2} \
          standard errors. With few seeds the standard errors are themselves uncertain, and these shares are larger \
          than a Gaussian's.",
         rows.len(),
-        comparisons.beyond(2.0),
-        comparisons.beyond(3.0),
-        comparisons.beyond(4.0),
+        comparisons.count_beyond(2.0),
+        comparisons.count_beyond(3.0),
+        comparisons.count_beyond(4.0),
         (comparisons.errors.iter().map(|e| e * e).sum::<f64>() / count as f64).sqrt(),
     ));
     for line in &comparisons.outliers {
-        page.prose(&format!("Beyond 4: {line}"));
+        page.paragraph(&format!("Beyond 4: {line}"));
     }
     page.table(
         "sea | Hs, theory | resolved | measured | deviation | Tm02, resolved | measured | deviation | mss, resolved | \
@@ -95,20 +95,24 @@ pub fn build(gpu: &Gpu, seeds: u32, only: &str) -> Result<Page, String> {
 }
 
 fn row(lab: &Measurement<'_>, state: &str, comparisons: &mut Comparisons) -> Result<Vec<String>, String> {
-    let sea = lab.sea(state)?;
+    let sea = lab.measure_sea(state)?;
     let r = &sea.resolved;
-    let mut cells = vec![format!("`{state}`"), number(sea.theory.hs_m, 3)];
+    let mut cells = vec![format!("`{state}`"), format_number(sea.theory.hs_m, 3)];
     for (estimate, expected, digits) in [
-        (sea.get(|m| m.hs_m), r.hs_m, 3),
-        (sea.get(|m| m.tm02_s), r.tm02_s, 3),
-        (sea.get(|m| m.mss), r.mss, 5),
-        (sea.get(|m| m.spread_deg), r.spread_deg, 2),
+        (sea.measured_statistic(|m| m.hs_m), r.hs_m, 3),
+        (sea.measured_statistic(|m| m.tm02_s), r.tm02_s, 3),
+        (sea.measured_statistic(|m| m.mss), r.mss, 5),
+        (sea.measured_statistic(|m| m.spread_deg), r.spread_deg, 2),
     ] {
-        cells.extend([number(expected, digits), measured(estimate, digits), deviation(estimate, expected)]);
+        cells.extend([
+            format_number(expected, digits),
+            format_estimate(estimate, digits),
+            relative_deviation(estimate, expected),
+        ]);
         comparisons.compare(state, estimate, expected);
     }
     cells.extend(match r.mean_from_deg {
-        Some(from_deg) => [measured(sea.direction_deg(), 2), turned(sea.direction_deg(), from_deg)],
+        Some(from_deg) => [format_estimate(sea.direction_deg(), 2), angle_deviation(sea.direction_deg(), from_deg)],
         None => ["none".to_owned(), "none".to_owned()],
     });
     Ok(cells)

@@ -1,8 +1,8 @@
 //! Part 5 of the validation page: wave height in water of finite depth.
 
-use super::cells::{against, deviation, measured, number};
+use super::cells::{format_estimate, format_number, relative_deviation, relative_to_published};
 use super::measurement::{Measurement, theory};
-use crate::lab::figure::{Axis, Figure, Legend, Mark, Series, curve};
+use crate::lab::figure::{Axis, Figure, FigureSeries, LegendCorner, SeriesData, sample_curve};
 use crate::lab::page::Page;
 
 const WIND: &str = "wind=20&fetch=300&n=128";
@@ -17,51 +17,53 @@ const FORMS: [(&str, &str); 3] =
 /// If reading back from the GPU fails, or a figure cannot be drawn.
 pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     page.heading(2, "5. Depth");
-    page.prose(
+    page.paragraph(
         "TMA is JONSWAP times Kitaigorodskii's depth factor. The program has three forms of it: exact, tanh²(kh) / (1 \
          + 2kh / sinh 2kh); in the three branches of Thompson and Vincent 1983; and exact with the α and γ of Bouws et \
          al. 1985. For every spectrum, breaking limits the sea to Hs = 0.6 h. Wind 20 m/s over 300 km.",
     );
     let x = Axis::log("depth h, m", 2.0, 200.0);
     let y = Axis::linear("significant wave height Hs, m", 0.0, 9.0);
-    let mut figure = Figure::new("Wave height against depth", x.clone(), y, Legend::LowerRight).with(Series::new(
-        "cap, 0.6 h",
-        6,
-        Mark::Dashes(curve(&x, 200, |h| 0.6 * h)),
-    ));
+    let mut figure = Figure::new("Wave height against depth", x.clone(), y, LegendCorner::LowerRight)
+        .with_series(FigureSeries::new("cap, 0.6 h", 6, SeriesData::Dashes(sample_curve(&x, 200, |h| 0.6 * h))));
     for (i, (name, state)) in FORMS.into_iter().enumerate() {
         let mut line = Vec::new();
-        for [depth, _] in curve(&x, 60, |_| 0.0) {
+        for [depth, _] in sample_curve(&x, 60, |_| 0.0) {
             line.push([depth, theory(&format!("{state}&{WIND}&depth={depth}"))?.hs_m]);
         }
-        let mark = if name == "branches" { Mark::Dashes(line) } else { Mark::Line(line) };
-        figure = figure.with(Series::new(&format!("tma, {name}"), i, mark));
+        let mark = if name == "branches" { SeriesData::Dashes(line) } else { SeriesData::Line(line) };
+        figure = figure.with_series(FigureSeries::new(&format!("tma, {name}"), i, mark));
     }
     let deep = theory(&format!("spectrum=jonswap&{WIND}"))?.hs_m;
-    figure = figure.with(Series::new("jonswap in deep water", 3, Mark::Dashes(curve(&x, 60, |_| deep))));
+    figure = figure.with_series(FigureSeries::new(
+        "jonswap in deep water",
+        3,
+        SeriesData::Dashes(sample_curve(&x, 60, |_| deep)),
+    ));
     let (mut rows, mut points) = (Vec::new(), Vec::new());
     for depth in DEPTHS_M {
         let state = |form: usize| format!("{}&{WIND}&depth={depth}", FORMS[form].1);
-        let sea = lab.sea(&state(0))?;
+        let sea = lab.measure_sea(&state(0))?;
         let (exact, resolved) = (sea.theory.hs_m, sea.resolved.hs_m);
         let (branches, bouws) = (theory(&state(1))?.hs_m, theory(&state(2))?.hs_m);
-        let hs = sea.get(|m| m.hs_m);
-        points.extend(hs.map(|e| e.at(depth)));
+        let hs = sea.measured_statistic(|m| m.hs_m);
+        points.extend(hs.map(|e| e.point_at(depth)));
         rows.push(vec![
-            number(depth, 0),
-            number(0.6 * depth, 2),
-            number(exact, 3),
-            number(resolved, 3),
-            measured(hs, 3),
-            deviation(hs, resolved),
-            number(branches, 3),
-            against(branches, exact),
-            number(bouws, 3),
-            against(bouws, exact),
+            format_number(depth, 0),
+            format_number(0.6 * depth, 2),
+            format_number(exact, 3),
+            format_number(resolved, 3),
+            format_estimate(hs, 3),
+            relative_deviation(hs, resolved),
+            format_number(branches, 3),
+            relative_to_published(branches, exact),
+            format_number(bouws, 3),
+            relative_to_published(bouws, exact),
         ]);
     }
     if lab.gpu.is_some() {
-        figure = figure.with(Series::new("tma, exact, measured on the GPU", 0, Mark::Points(points)));
+        figure =
+            figure.with_series(FigureSeries::new("tma, exact, measured on the GPU", 0, SeriesData::Points(points)));
     }
     page.figure(
         "depth",
@@ -74,7 +76,7 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
          | against exact",
         &rows,
     );
-    page.prose(
+    page.paragraph(
         "The branches fit the exact factor within 0.023. Bouws' α and γ grow with U² k_p / g. They come from other \
          measurements than JONSWAP's, and apply at every depth.",
     );

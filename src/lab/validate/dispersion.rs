@@ -1,9 +1,9 @@
 //! Part 3 of the validation page: the phase speed of single waves.
 
-use super::cells::{PENDING, number};
-use super::measurement::{Measurement, lattice, params};
+use super::cells::{PENDING_CELL, format_number};
+use super::measurement::{Measurement, lattice_waves, parse_params};
 use crate::lab::ensemble::transform_of_heights;
-use crate::lab::figure::{Axis, Figure, Legend, Mark, Series, curve};
+use crate::lab::figure::{Axis, Figure, FigureSeries, LegendCorner, SeriesData, sample_curve};
 use crate::lab::page::Page;
 use crate::waves::Plan;
 use std::f64::consts::TAU;
@@ -24,27 +24,27 @@ const SEAS: [(&str, &str, &str); 6] = [
 ];
 const COMMON: &str = "spread=cos2-positive&dir=270&n=128&seed=1";
 /// Smallest amplitude of a measured wave, relative to its cascade's largest. Weaker waves suffer from f32 rounding.
-const LEAST_AMPLITUDE: f64 = 5e-3;
+const MIN_AMPLITUDE_FRACTION: f64 = 5e-3;
 /// Phase advance of the fastest wave of a cascade between the two read-backs, rad.
-const ADVANCE_RAD: f64 = 2.5;
+const PEAK_PHASE_ADVANCE_RAD: f64 = 2.5;
 /// Number of points in the figure per decade of the wave number.
-const PER_DECADE: f64 = 8.0;
+const BINS_PER_DECADE: f64 = 8.0;
 
 /// A measured wave: wave number (rad/m), phase speed (m/s), and amplitude relative to the largest in its cascade.
 type MeasuredWave = [f64; 3];
 
 /// Measures phase speeds by the phase advance of Fourier coefficients between two times; `None` without a GPU.
-fn speeds(lab: &Measurement<'_>, plan: &Plan) -> Result<Option<Vec<MeasuredWave>>, String> {
+fn measured_phase_speeds(lab: &Measurement<'_>, plan: &Plan) -> Result<Option<Vec<MeasuredWave>>, String> {
     // The clock counts ticks of 2^-32 periods, so it represents multiples of a tick exactly.
     let tick = plan.period_s / 4_294_967_296.0;
     let mut all = Vec::new();
     let n = plan.n as usize;
     for (c, cascade) in plan.cascades.iter().enumerate() {
-        let ticks = (ADVANCE_RAD / plan.dispersion.omega(cascade.k_high) / tick).floor().max(1.0);
-        let Some(maps) = lab.maps(plan, &[0.0, ticks * tick])? else { return Ok(None) };
+        let ticks = (PEAK_PHASE_ADVANCE_RAD / plan.dispersion.omega(cascade.k_high) / tick).floor().max(1.0);
+        let Some(maps) = lab.read_maps(plan, &[0.0, ticks * tick])? else { return Ok(None) };
         let [before, after] = [0, 1].map(|i| transform_of_heights(n, maps[i].displacement(c)));
         let mut found = Vec::new();
-        for (ix, iz, k) in lattice(plan, cascade) {
+        for (ix, iz, k) in lattice_waves(plan, cascade) {
             // Only waves within 60 degrees of the wind count. The wind blows towards +x.
             if f64::from(ix) * cascade.dk() < 0.5 * k {
                 continue;
@@ -56,14 +56,14 @@ fn speeds(lab: &Measurement<'_>, plan: &Plan) -> Result<Option<Vec<MeasuredWave>
             found.push([k, turn / (ticks * tick) / k, a[0].hypot(a[1])]);
         }
         let largest = found.iter().map(|f| f[2]).fold(0.0, f64::max);
-        all.extend(found.into_iter().map(|[k, c, a]| [k, c, a / largest]).filter(|f| f[2] > LEAST_AMPLITUDE));
+        all.extend(found.into_iter().map(|[k, c, a]| [k, c, a / largest]).filter(|f| f[2] > MIN_AMPLITUDE_FRACTION));
     }
     Ok(Some(all))
 }
 
 /// Picks the strongest wave in each bin of the wave number, as points (k, phase speed, 0) for the figure.
-fn thinned(waves: &[MeasuredWave]) -> Vec<[f64; 3]> {
-    let bin = |wave: &MeasuredWave| (wave[0].log10() * PER_DECADE).floor();
+fn strongest_per_bin(waves: &[MeasuredWave]) -> Vec<[f64; 3]> {
+    let bin = |wave: &MeasuredWave| (wave[0].log10() * BINS_PER_DECADE).floor();
     let mut sorted = waves.to_vec();
     sorted.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let strongest = |bin: &[MeasuredWave]| bin.iter().copied().reduce(|a, b| if b[2] > a[2] { b } else { a });
@@ -77,30 +77,40 @@ fn thinned(waves: &[MeasuredWave]) -> Vec<[f64; 3]> {
 pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     let x = Axis::log("wave number k, rad/m", 0.01, 6000.0);
     let y = Axis::log("phase speed ω/k, m/s", 0.1, 40.0);
-    let mut figure = Figure::new("Phase speed", x.clone(), y, Legend::Right);
+    let mut figure = Figure::new("Phase speed", x.clone(), y, LegendCorner::Right);
     let mut rows = Vec::new();
     let mut points = Vec::new();
     for (i, (name, state, label)) in SEAS.into_iter().enumerate() {
-        let plan = Plan::new(&params(&format!("{state}&{COMMON}"))?);
+        let plan = Plan::new(&parse_params(&format!("{state}&{COMMON}"))?);
         let speed = |k: f64| plan.dispersion.omega(k) / k;
-        figure = figure.with(Series::new(label, i, Mark::Line(curve(&x, 120, speed))));
+        figure = figure.with_series(FigureSeries::new(label, i, SeriesData::Line(sample_curve(&x, 120, speed))));
         let held = plan.resolved_bands();
         let (low, high) = (plan.cascades[0].dk(), held.last().map_or(0.0, |h| h.1));
-        let mut cells = vec![PENDING.to_owned(); 4];
-        if let Some(waves) = speeds(lab, &plan)? {
+        let mut cells = vec![PENDING_CELL.to_owned(); 4];
+        if let Some(waves) = measured_phase_speeds(lab, &plan)? {
             let errors: Vec<f64> = waves.iter().map(|[k, c, _]| c / speed(*k) - 1.0).collect();
             let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
             let worst = errors.iter().map(|e| e.abs()).fold(0.0, f64::max);
             let (low, high) = waves.iter().fold((f64::MAX, 0.0), |(a, b): (f64, f64), s| (a.min(s[0]), b.max(s[0])));
-            cells = vec![waves.len().to_string(), format!("{low:.3} to {high:.1}"), per_cent(rms), per_cent(worst)];
-            points.push(Series::new("", i, Mark::Points(thinned(&waves))));
+            cells = vec![
+                waves.len().to_string(),
+                format!("{low:.3} to {high:.1}"),
+                format_per_cent(rms),
+                format_per_cent(worst),
+            ];
+            points.push(FigureSeries::new("", i, SeriesData::Points(strongest_per_bin(&waves))));
         }
-        let row = vec![name.to_owned(), number(speed(0.05), 4), number(speed(1.0), 4), number(speed(370.0), 4)];
+        let row = vec![
+            name.to_owned(),
+            format_number(speed(0.05), 4),
+            format_number(speed(1.0), 4),
+            format_number(speed(370.0), 4),
+        ];
         rows.push([row, vec![format!("{low:.3} to {high:.1}")], cells].concat());
     }
-    figure = points.into_iter().fold(figure, Figure::with);
+    figure = points.into_iter().fold(figure, Figure::with_series);
     page.heading(2, "3. Dispersion");
-    page.prose(
+    page.paragraph(
         "All waves of these seas run with the wind (`cos2-positive`). The f32 maps are transformed at two times. The \
          angle between the two coefficients of a wave is its phase advance; divided by k Δt it is the phase speed. \
          From theory, only the direction of the waves enters. The program rounds frequencies to multiples of 2π per \
@@ -114,7 +124,7 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
          the GPU in each eighth of a decade (points). Theory: Airy 1845; with surface tension Kelvin 1871; σ = 0.074 \
          N/m, ρ = 1025 kg/m³.",
     )?;
-    page.prose(
+    page.paragraph(
         "The table compares measured with theoretical phase speeds over all waves within 60° of the wind whose \
          amplitude is at least 1/200 of the largest in their cascade.",
     );
@@ -126,6 +136,6 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     Ok(())
 }
 
-fn per_cent(x: f64) -> String {
+fn format_per_cent(x: f64) -> String {
     format!("{:.4} %", 100.0 * x)
 }

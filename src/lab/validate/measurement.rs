@@ -2,14 +2,14 @@
 
 use crate::gpu::Gpu;
 use crate::lab::ensemble::{self, MeasuredStatistics, TravellingWave};
-use crate::lab::estimate::Estimate;
+use crate::lab::estimate::EstimateWithError;
 use crate::shaders::Shaders;
 use crate::sim::{MapsF32, Simulation};
 use crate::state::{Params, query};
 use crate::waves::Plan;
 use crate::waves::plan::Cascade;
-use crate::waves::statistics::{Resolved, Theory};
-use crate::waves::table::{Table, index};
+use crate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
+use crate::waves::table::{Table, entry_index};
 
 /// Measures seas for the validation page, over ensembles of seeds.
 pub struct Measurement<'a> {
@@ -24,9 +24,9 @@ pub struct MeasuredSea {
     /// The plan of the sea: its wave systems and cascades.
     pub plan: Plan,
     /// Statistics by theory, from integrals of the spectrum.
-    pub theory: Theory,
+    pub theory: SpectrumStatistics,
     /// Statistics of the resolved waves, from sums over the FFT grids of the cascades.
-    pub resolved: Resolved,
+    pub resolved: LatticeStatistics,
     /// Statistics measured on the GPU, averaged over the seeds; `None` without a GPU.
     pub measured: Option<MeasuredStatistics>,
     /// Variance of the waves in each bin of frequency or direction.
@@ -47,7 +47,7 @@ pub struct WaveBin {
 ///
 /// # Errors
 /// If the parser gives a notice about the state string.
-pub fn params(state: &str) -> Result<Params, String> {
+pub fn parse_params(state: &str) -> Result<Params, String> {
     let (params, notices) = query::parse(state);
     if notices.is_empty() { Ok(params) } else { Err(format!("{state}: {}", notices.join("; "))) }
 }
@@ -56,8 +56,8 @@ pub fn params(state: &str) -> Result<Params, String> {
 ///
 /// # Errors
 /// If the parser gives a notice about the state string.
-pub fn theory(state: &str) -> Result<Theory, String> {
-    Ok(Theory::new(&Plan::new(&params(state)?)))
+pub fn theory(state: &str) -> Result<SpectrumStatistics, String> {
+    Ok(SpectrumStatistics::new(&Plan::new(&parse_params(state)?)))
 }
 
 impl Measurement<'_> {
@@ -65,8 +65,8 @@ impl Measurement<'_> {
     ///
     /// # Errors
     /// If the state string is wrong, or reading back from the GPU fails.
-    pub fn sea(&self, state: &str) -> Result<MeasuredSea, String> {
-        self.binned_sea(state, 0, &|_| None)
+    pub fn measure_sea(&self, state: &str) -> Result<MeasuredSea, String> {
+        self.measure_binned_sea(state, 0, &|_| None)
     }
 
     /// Computes and measures the statistics of a state string, and sorts its waves into `bins` bins. `bin_of` gives the
@@ -74,23 +74,23 @@ impl Measurement<'_> {
     ///
     /// # Errors
     /// If the state string is wrong, or reading back from the GPU fails.
-    pub fn binned_sea(
+    pub fn measure_binned_sea(
         &self,
         state: &str,
         bins: usize,
         bin_of: &dyn Fn(&TravellingWave) -> Option<usize>,
     ) -> Result<MeasuredSea, String> {
-        let params = params(state)?;
+        let params = parse_params(state)?;
         let plan = Plan::new(&params);
-        let theory = Theory::new(&plan);
-        let resolved = Resolved::new(&plan, theory.m0_m2);
+        let theory = SpectrumStatistics::new(&plan);
+        let resolved = LatticeStatistics::new(&plan, theory.m0_m2);
         let mut bins = vec![WaveBin { measured: vec![[0.0; 3]; self.seeds as usize], ..WaveBin::default() }; bins];
         let add = |sum: &mut [f64; 3], wave: &TravellingWave| {
-            let parts = [wave.variance, wave.variance * wave.unit[0], wave.variance * wave.unit[1]];
+            let parts = [wave.variance, wave.variance * wave.travel[0], wave.variance * wave.travel[1]];
             sum.iter_mut().zip(parts).for_each(|(sum, part)| *sum += part);
         };
         if !bins.is_empty() {
-            expected_waves(&plan, &mut |wave| {
+            visit_expected_waves(&plan, &mut |wave| {
                 if let Some(bin) = bin_of(wave) {
                     add(&mut bins[bin].expected, wave);
                 }
@@ -115,22 +115,22 @@ impl Measurement<'_> {
     ///
     /// # Errors
     /// If the state string is wrong, or reading back from the GPU fails.
-    pub fn foam(&self, state: &str, seeds: u32) -> Result<Option<Estimate>, String> {
+    pub fn measure_foam_coverage(&self, state: &str, seeds: u32) -> Result<Option<EstimateWithError>, String> {
         let Some(gpu) = self.gpu else { return Ok(None) };
         let mut means = Vec::new();
         for seed in 1..=seeds {
-            let params = params(&format!("{state}&seed={seed}"))?;
+            let params = parse_params(&format!("{state}&seed={seed}"))?;
             let mut sim = Simulation::new(gpu, Plan::new(&params), &Shaders::default());
             means.push(pollster::block_on(ensemble::mean_foam(gpu, &mut sim, params.clock.t_s))?);
         }
-        Ok(Some(Estimate::mean(&means)))
+        Ok(Some(EstimateWithError::mean(&means)))
     }
 
     /// Reads back the wave maps of a plan at several times, s; `None` without a GPU.
     ///
     /// # Errors
     /// If reading back from the GPU fails.
-    pub fn maps(&self, plan: &Plan, times: &[f64]) -> Result<Option<Vec<MapsF32>>, String> {
+    pub fn read_maps(&self, plan: &Plan, times: &[f64]) -> Result<Option<Vec<MapsF32>>, String> {
         let Some(gpu) = self.gpu else { return Ok(None) };
         let mut sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
         let mut read = |t_s: &f64| pollster::block_on(sim.read_f32(gpu, *t_s));
@@ -140,32 +140,35 @@ impl Measurement<'_> {
 
 impl MeasuredSea {
     /// One of the measured statistics; `None` without a GPU.
-    pub fn get(&self, quantity: impl Fn(&MeasuredStatistics) -> Estimate) -> Option<Estimate> {
+    pub fn measured_statistic(
+        &self,
+        quantity: impl Fn(&MeasuredStatistics) -> EstimateWithError,
+    ) -> Option<EstimateWithError> {
         self.measured.as_ref().map(quantity)
     }
 
     /// Measured mean direction that the waves come from, degrees from north; `None` without a GPU or a mean direction.
-    pub fn direction_deg(&self) -> Option<Estimate> {
+    pub fn direction_deg(&self) -> Option<EstimateWithError> {
         self.measured.as_ref().and_then(|m| m.from_deg)
     }
 }
 
 /// Calls `visit` for every wave on the FFT grids of a plan, with its expected variance.
-pub fn expected_waves(plan: &Plan, visit: &mut dyn FnMut(&TravellingWave)) {
+pub fn visit_expected_waves(plan: &Plan, visit: &mut dyn FnMut(&TravellingWave)) {
     for cascade in &plan.cascades {
         let table = Table::new(plan, cascade);
-        for (ix, iz, k) in lattice(plan, cascade) {
+        for (ix, iz, k) in lattice_waves(plan, cascade) {
             let unit = [ix, iz].map(|i| f64::from(i) * cascade.dk() / k);
-            let omega = table.waves[index(ix, iz)].omega;
-            visit(&TravellingWave { variance: 4.0 * table.variance(ix, iz), k, omega, unit });
+            let omega = table.waves[entry_index(ix, iz)].omega;
+            visit(&TravellingWave { variance: 4.0 * table.variance(ix, iz), k, omega, travel: unit });
         }
     }
 }
 
 /// Iterates over the waves of a cascade: signed grid indices (x, z) and wave number, rad/m.
-pub fn lattice<'a>(plan: &Plan, cascade: &'a Cascade) -> impl Iterator<Item = (i32, i32, f64)> + 'a {
+pub fn lattice_waves<'a>(plan: &Plan, cascade: &'a Cascade) -> impl Iterator<Item = (i32, i32, f64)> + 'a {
     let half = plan.n as i32 / 2;
     let all = (1 - half..half).flat_map(move |iz| (1 - half..half).map(move |ix| (ix, iz)));
     let wave = |(ix, iz): (i32, i32)| (ix, iz, cascade.dk() * f64::from(ix * ix + iz * iz).sqrt());
-    all.map(wave).filter(|&(ix, iz, k)| (ix, iz) != (0, 0) && cascade.holds(k))
+    all.map(wave).filter(|&(ix, iz, k)| (ix, iz) != (0, 0) && cascade.contains_wave_number(k))
 }

@@ -19,9 +19,10 @@ use crate::state::fields::{self, FieldKind};
 use measurement::Measurement;
 
 /// Names of the parts of the validation page, in order.
-pub const PARTS: [&str; 6] = ["spectra", "spreading", "dispersion", "published", "depth", "surface"];
+pub const PAGE_PARTS: [&str; 6] = ["spectra", "spreading", "dispersion", "published", "depth", "surface"];
 
-/// Builds the validation page from the given parts. Without a GPU its measured table cells hold [`cells::PENDING`].
+/// Builds the validation page from the given parts. Without a GPU its measured table cells hold
+/// [`cells::PENDING_CELL`].
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.
@@ -48,12 +49,12 @@ pub fn build(gpu: Option<&Gpu>, seeds: u32, parts: &[&str]) -> Result<Page, Stri
 
 fn introduce(page: &mut Page, lab: &Measurement<'_>) {
     page.heading(1, "Validation");
-    page.prose(
+    page.paragraph(
         "`seastate validate` writes this page and its figures from the program's own output. The seeds are fixed, and \
          `tests/validation.rs` compares the theoretical numbers of the page with the program. `seastate validate \
          --all` measures every spectrum with every spreading in thirteen sea states.",
     );
-    page.prose(
+    page.paragraph(
         "**Theory** integrates the spectrum by adaptive quadrature. **Resolved** sums over the waves that the cascades \
          hold. **Measured** is read back from the GPU's f32 maps, with the standard error of the mean over the seeds; \
          read-backs at two times separate waves of opposite directions. **Deviation** compares measured with resolved \
@@ -63,12 +64,12 @@ fn introduce(page: &mut Page, lab: &Measurement<'_>) {
     if let Some(gpu) = lab.gpu {
         let info = gpu.device.adapter_info();
         let short = info.name.split(" (").next().unwrap_or_default().to_owned();
-        page.prose(&format!("Measured over {} seeds on {short} ({}).", lab.seeds, info.backend));
+        page.paragraph(&format!("Measured over {} seeds on {short} ({}).", lab.seeds, info.backend));
     }
 }
 
 /// The values that a choice parameter such as `spectrum` can have in the state string, without `measured`.
-pub fn words(key: &str) -> Vec<&'static str> {
+pub fn choice_words(key: &str) -> Vec<&'static str> {
     match fields::find(key).map(|f| f.kind) {
         Some(FieldKind::Choice(words)) => words.iter().copied().filter(|w| *w != "measured").collect(),
         _ => vec![],

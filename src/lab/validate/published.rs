@@ -1,8 +1,8 @@
 //! Part 4 of the validation page: published measurements of growth with fetch and full development; the Beaufort scale.
 
-use super::cells::{against, number};
+use super::cells::{format_number, relative_to_published};
 use super::measurement::theory;
-use crate::lab::figure::{Axis, Figure, Legend, Mark, Series, curve};
+use crate::lab::figure::{Axis, Figure, FigureSeries, LegendCorner, SeriesData, sample_curve};
 use crate::lab::page::Page;
 use std::f64::consts::TAU;
 
@@ -10,7 +10,7 @@ const G: f64 = 9.81;
 /// Wind speed for the growth curves, m/s. The curves are dimensionless, so every wind speed gives the same curves.
 const WIND: f64 = 10.0;
 /// Wind speed at a height of 19.5 m divided by that at 10 m.
-const U19: f64 = 1.026;
+const WIND_RATIO_19M_10M: f64 = 1.026;
 
 /// Beaufort number, middle of its range of wind speeds (m/s), probable wave height and probable highest wave height (m;
 /// WMO-No. 306 and Met Office).
@@ -31,7 +31,7 @@ const SEA_STATES: [f64; 9] = [0.0, 0.1, 0.5, 1.25, 2.5, 4.0, 6.0, 9.0, 14.0];
 
 /// Dimensionless energy m0 g^2 / U^4 and peak frequency f_p U / g of the program's spectrum at the dimensionless fetch
 /// `x` = g F / U^2.
-fn grown(spectrum: &str, x: f64) -> Result<[f64; 2], String> {
+fn growth_of_spectrum(spectrum: &str, x: f64) -> Result<[f64; 2], String> {
     let fetch_km = x * WIND * WIND / G / 1000.0;
     let t = theory(&format!("spectrum={spectrum}&wind={WIND}&fetch={fetch_km}&n=64"))?;
     Ok([t.m0_m2 * G * G / WIND.powi(4), WIND / (G * t.tp_s)])
@@ -61,52 +61,60 @@ pub fn write(page: &mut Page) -> Result<(), String> {
 
 fn growth(page: &mut Page) -> Result<(), String> {
     page.heading(3, "Growth with fetch");
-    page.prose(
+    page.paragraph(
         "Dimensionless energy ε = m0 g² / U⁴ and peak frequency ν = f_p U / g over the dimensionless fetch x = g F / \
          U². Published: JONSWAP (Hasselmann et al. 1973) ε = 1.6·10⁻⁷ x, ν = 3.5 x^-0.33; Donelan et al. 1985 ε = \
          2.74·10⁻³ (U/c_p)^-3.3 with U/c_p = 11.6 x^-0.23. The program's numbers (ours) are integrals of the spectra \
          `jonswap` and `donelan`.",
     );
     let x = Axis::log("dimensionless fetch g F / U²", 100.0, 10_000.0);
-    let grid: Vec<f64> = curve(&x, 24, |x| x).iter().map(|p| p[0]).collect();
+    let grid: Vec<f64> = sample_curve(&x, 24, |x| x).iter().map(|p| p[0]).collect();
     let axes = [
-        ("growth-energy", "Energy against fetch", Axis::log("ε = m0 g² / U⁴", 1e-5, 1e-2), Legend::Left),
-        ("growth-peak", "Peak frequency against fetch", Axis::log("ν = f_p U / g", 0.1, 1.0), Legend::Right),
+        ("growth-energy", "Energy against fetch", Axis::log("ε = m0 g² / U⁴", 1e-5, 1e-2), LegendCorner::Left),
+        ("growth-peak", "Peak frequency against fetch", Axis::log("ν = f_p U / g", 0.1, 1.0), LegendCorner::Right),
     ];
     let mut ours: [Vec<[f64; 2]>; 2] = [vec![], vec![]];
     for &x in &grid {
-        ours[0].push(grown("jonswap", x)?);
-        ours[1].push(grown("donelan", x)?);
+        ours[0].push(growth_of_spectrum("jonswap", x)?);
+        ours[1].push(growth_of_spectrum("donelan", x)?);
     }
     let mut figures = Vec::new();
     for (i, (name, title, y, legend)) in axes.into_iter().enumerate() {
         let line = |values: &[[f64; 2]]| grid.iter().zip(values).map(|(x, v)| [*x, v[i]]).collect::<Vec<_>>();
         let figure = Figure::new(title, x.clone(), y, legend)
-            .with(Series::new("Hasselmann et al. 1973", 0, Mark::Dashes(curve(&x, 60, |x| jonswap(x)[i]))))
-            .with(Series::new("jonswap, ours", 0, Mark::Line(line(&ours[0]))))
-            .with(Series::new("Donelan et al. 1985", 1, Mark::Dashes(curve(&x, 60, |x| donelan(x)[i]))))
-            .with(Series::new("donelan, ours", 1, Mark::Line(line(&ours[1]))));
+            .with_series(FigureSeries::new(
+                "Hasselmann et al. 1973",
+                0,
+                SeriesData::Dashes(sample_curve(&x, 60, |x| jonswap(x)[i])),
+            ))
+            .with_series(FigureSeries::new("jonswap, ours", 0, SeriesData::Line(line(&ours[0]))))
+            .with_series(FigureSeries::new(
+                "Donelan et al. 1985",
+                1,
+                SeriesData::Dashes(sample_curve(&x, 60, |x| donelan(x)[i])),
+            ))
+            .with_series(FigureSeries::new("donelan, ours", 1, SeriesData::Line(line(&ours[1]))));
         figures.push((name.to_owned(), figure));
     }
     page.figures(&figures, "Growth curves: published fits (dashed) and integrals of the program's spectra (full).")?;
     let mut rows = Vec::new();
     for x in [100.0, 300.0, 1000.0, 3000.0, 10_000.0] {
         for (name, published) in [("jonswap", jonswap(x)), ("donelan", donelan(x))] {
-            let ours = grown(name, x)?;
+            let ours = growth_of_spectrum(name, x)?;
             rows.push(vec![
-                number(x, 0),
+                format_number(x, 0),
                 name.to_owned(),
                 format!("{:.3e}", published[0]),
                 format!("{:.3e}", ours[0]),
-                against(ours[0], published[0]),
-                number(published[1], 4),
-                number(ours[1], 4),
-                against(ours[1], published[1]),
+                relative_to_published(ours[0], published[0]),
+                format_number(published[1], 4),
+                format_number(ours[1], 4),
+                relative_to_published(ours[1], published[1]),
             ]);
         }
     }
     page.table("g F / U² | spectrum | ε, published | ε, ours | deviation | ν, published | ν, ours | deviation", &rows);
-    page.prose(
+    page.paragraph(
         "The JONSWAP fits are not consistent with each other. The spectrum with α = 0.076 x^-0.22, ν = 3.5 x^-1/3 and \
          γ = 3.3 integrates to ε = 9.9·10⁻⁸ x^1.11, but the separate fit of ε is 1.6·10⁻⁷ x. So `jonswap` holds more \
          energy than that fit: 4 % more at x = 10² and 76 % more (a third more height) at 10⁴. The program keeps the \
@@ -118,7 +126,7 @@ fn growth(page: &mut Page) -> Result<(), String> {
 
 fn full_development(page: &mut Page) -> Result<(), String> {
     page.heading(3, "Full development");
-    page.prose(
+    page.paragraph(
         "Pierson and Moskowitz 1964 give S with α = 8.1·10⁻³ and β = 0.74 for the wind at 19.5 m. Its integral is m0 = \
          α g² / 4B with B = β (g/U19.5)⁴, so Hs = 2 sqrt(α/β) U²/g = 0.2092 U19.5²/g, published rounded as 0.21. The \
          peak is ω_p = (4β/5)^1/4 g/U19.5 = 0.877 g/U19.5 or f_p = 0.140 g/U19.5, published as 0.14 g/U19.5 (0.13 \
@@ -127,15 +135,20 @@ fn full_development(page: &mut Page) -> Result<(), String> {
     let t = theory(&format!("spectrum=pm&wind={WIND}&n=64"))?;
     let (height, peak) = (t.hs_m * G / (WIND * WIND), WIND / (G * t.tp_s));
     let entry = |what: &str, published: f64, ours: f64| {
-        vec![what.to_owned(), number(published, 4), number(ours, 4), against(ours, published)]
+        vec![
+            what.to_owned(),
+            format_number(published, 4),
+            format_number(ours, 4),
+            relative_to_published(ours, published),
+        ]
     };
     page.table(
         "quantity | published | ours | deviation",
         &[
-            entry("Hs g / U10², from the integral", 0.20925 * U19 * U19, height),
-            entry("Hs g / U10², rounded: 0.21 for U19.5", 0.21 * U19 * U19, height),
-            entry("f_p U10 / g, from the spectrum", 0.592f64.powf(0.25) / TAU / U19, peak),
-            entry("f_p U10 / g, rounded: 0.14 for U19.5", 0.14 / U19, peak),
+            entry("Hs g / U10², from the integral", 0.20925 * WIND_RATIO_19M_10M * WIND_RATIO_19M_10M, height),
+            entry("Hs g / U10², rounded: 0.21 for U19.5", 0.21 * WIND_RATIO_19M_10M * WIND_RATIO_19M_10M, height),
+            entry("f_p U10 / g, from the spectrum", 0.592f64.powf(0.25) / TAU / WIND_RATIO_19M_10M, peak),
+            entry("f_p U10 / g, rounded: 0.14 for U19.5", 0.14 / WIND_RATIO_19M_10M, peak),
             entry("f_p U10 / g, Hasselmann et al. 1973: 0.13", 0.13, peak),
         ],
     );
@@ -148,7 +161,7 @@ fn sea_state(hs_m: f64) -> usize {
 
 fn beaufort(page: &mut Page) -> Result<(), String> {
     page.heading(3, "Beaufort scale and sea states");
-    page.prose(
+    page.paragraph(
         "The World Meteorological Organization lists probable wave heights in the open sea with the Beaufort scale \
          (Manual on Codes, WMO-No. 306; the Met Office has the same table). The program's heights are compared with \
          them at the middle of each force's winds, and classified by the sea states of code table 3700.",
@@ -163,20 +176,17 @@ fn beaufort(page: &mut Page) -> Result<(), String> {
     ];
     let height = |state: &str, wind: f64| theory(&format!("{state}&wind={wind}&n=64")).map(|t| t.hs_m);
     let probable = BEAUFORT.iter().filter(|b| b.3.is_finite()).map(|b| [b.1, b.2, b.3]).collect();
-    let mut figure = Figure::new("Wave height against wind", x.clone(), y, Legend::Left).with(Series::new(
-        "WMO, probable to highest",
-        6,
-        Mark::Band(probable),
-    ));
+    let mut figure = Figure::new("Wave height against wind", x.clone(), y, LegendCorner::Left)
+        .with_series(FigureSeries::new("WMO, probable to highest", 6, SeriesData::Band(probable)));
     for (label, state, colour) in seas {
         let mut line = Vec::new();
-        for [wind, _] in curve(&x, 36, |_| 0.0).into_iter().skip(1) {
+        for [wind, _] in sample_curve(&x, 36, |_| 0.0).into_iter().skip(1) {
             line.push([wind, height(state, wind)?]);
         }
-        figure = figure.with(Series::new(label, colour, Mark::Line(line)));
+        figure = figure.with_series(FigureSeries::new(label, colour, SeriesData::Line(line)));
     }
     let points = BEAUFORT.iter().map(|b| [b.1, b.2, 0.0]).collect();
-    figure = figure.with(Series::new("WMO, probable", 6, Mark::Points(points)));
+    figure = figure.with_series(FigureSeries::new("WMO, probable", 6, SeriesData::Points(points)));
     page.figure(
         "beaufort",
         &figure,
@@ -188,14 +198,14 @@ fn beaufort(page: &mut Page) -> Result<(), String> {
         let [pm, fetch] = [height(seas[0].1, wind)?, height(seas[1].1, wind)?];
         rows.push(vec![
             force.to_string(),
-            number(wind, 2),
-            number(probable, 1),
+            format_number(wind, 2),
+            format_number(probable, 1),
             sea_state(probable).to_string(),
-            number(pm, 2),
-            against(pm, probable),
+            format_number(pm, 2),
+            relative_to_published(pm, probable),
             sea_state(pm).to_string(),
-            number(fetch, 2),
-            against(fetch, probable),
+            format_number(fetch, 2),
+            relative_to_published(fetch, probable),
             sea_state(fetch).to_string(),
         ]);
     }
@@ -203,7 +213,7 @@ fn beaufort(page: &mut Page) -> Result<(), String> {
         "force | wind, m/s | WMO, m | state | pm, m | deviation | state | jonswap 500 km, m | deviation | state",
         &rows,
     );
-    page.prose(
+    page.paragraph(
         "The columns \"state\" hold the sea state of code 3700: 2 up to 0.5 m, 3 to 1.25, 4 to 2.5, 5 to 4, 6 to 6, 7 \
          to 9, 8 to 14, 9 above. Up to force 7 the scale describes a fully developed sea, within 35 %. Above force 7, \
          storms seldom blow long and far enough: Pierson and Moskowitz's heights grow with U² and are twice the \

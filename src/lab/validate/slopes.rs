@@ -1,8 +1,8 @@
 //! Part 4 of the validation page, continued: mean square slope and whitecap coverage against wind.
 
-use super::cells::{against, deviation, measured, number};
-use super::measurement::{Measurement, params, theory};
-use crate::lab::figure::{Axis, Figure, Legend, Mark, Series, curve};
+use super::cells::{format_estimate, format_number, relative_deviation, relative_to_published};
+use super::measurement::{Measurement, parse_params, theory};
+use crate::lab::figure::{Axis, Figure, FigureSeries, LegendCorner, SeriesData, sample_curve};
 use crate::lab::page::Page;
 use crate::waves::Plan;
 use crate::waves::foam::FoamModel;
@@ -15,7 +15,7 @@ const FEW_WINDS: [f64; 2] = [5.0, 10.0];
 /// Wind speeds at which the foam of the spectrum `jonswap` is measured, m/s.
 const FOAM_WINDS: [f64; 7] = [5.0, 7.0, 10.0, 12.0, 15.0, 20.0, 25.0];
 /// Scatter (±) of the mean square slopes that Cox and Munk measured in 1954.
-const SCATTER: f64 = 0.004;
+const COX_MUNK_SCATTER: f64 = 0.004;
 /// Number of seeds for which foam is measured. Each seed takes 48 evaluations of the waves.
 const FOAM_SEEDS: u32 = 3;
 
@@ -30,7 +30,7 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
 
 fn slopes(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     page.heading(3, "Mean square slope");
-    page.prose(
+    page.paragraph(
         "Cox and Munk 1954 measured the mean square slope in the sun's glitter for winds of 1 to 14 m/s: 0.003 + \
          0.00512 U ± 0.004. The cascades hold the slope of waves up to k_max (resolved). Shading adds what is missing \
          from Cox and Munk (the residual, at least 0), so the picture shows the larger of the two. Fetch 250 km, n = \
@@ -40,7 +40,7 @@ fn slopes(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     let (rows, points) = slope_rows(&half)?;
     let mut figure = slope_figure()?;
     if lab.gpu.is_some() {
-        figure = figure.with(Series::new("jonswap, measured on the GPU", 0, Mark::Points(points)));
+        figure = figure.with_series(FigureSeries::new("jonswap, measured on the GPU", 0, SeriesData::Points(points)));
     }
     page.figure(
         "slopes",
@@ -53,7 +53,7 @@ fn slopes(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
          resolved + residual | against Cox and Munk",
         &rows,
     );
-    page.prose(
+    page.paragraph(
         "With an ω⁻⁵ tail the cascades hold half of the slope or more, and shading adds the rest: by construction the \
          sum is Cox and Munk's. `donelan` and `torsethaugen` have an ω⁻⁴ tail, fitted up to a few times the peak \
          frequency. Continued to centimetres it holds three to six times the slope of the sea, and the picture is \
@@ -67,17 +67,17 @@ fn slopes(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
 fn slope_figure() -> Result<Figure, String> {
     let x = Axis::linear("wind at 10 m, m/s", 0.0, 25.0);
     let y = Axis::log("mean square slope", 5e-4, 1.0);
-    let edges = |u: f64| [u, (cox_munk_mss(u) - SCATTER).max(5e-4), cox_munk_mss(u) + SCATTER];
+    let edges = |u: f64| [u, (cox_munk_mss(u) - COX_MUNK_SCATTER).max(5e-4), cox_munk_mss(u) + COX_MUNK_SCATTER];
     let band = (0..=25).map(f64::from).map(edges).collect();
-    let mut figure = Figure::new("Mean square slope against wind", x.clone(), y, Legend::LowerRight)
-        .with(Series::new("Cox and Munk 1954, ± 0.004", 6, Mark::Band(band)))
-        .with(Series::new("", 6, Mark::Dashes(curve(&x, 25, cox_munk_mss))));
+    let mut figure = Figure::new("Mean square slope against wind", x.clone(), y, LegendCorner::LowerRight)
+        .with_series(FigureSeries::new("Cox and Munk 1954, ± 0.004", 6, SeriesData::Band(band)))
+        .with_series(FigureSeries::new("", 6, SeriesData::Dashes(sample_curve(&x, 25, cox_munk_mss))));
     for (i, name) in ["jonswap", "pm", "elfouhaily", "karaev", "donelan", "torsethaugen"].into_iter().enumerate() {
         let mut line = Vec::new();
-        for [wind, _] in curve(&x, 25, |_| 0.0).into_iter().skip(1) {
+        for [wind, _] in sample_curve(&x, 25, |_| 0.0).into_iter().skip(1) {
             line.push([wind, theory(&format!("spectrum={name}&wind={wind}&fetch=250&n=256"))?.mss]);
         }
-        figure = figure.with(Series::new(name, i, Mark::Line(line)));
+        figure = figure.with_series(FigureSeries::new(name, i, SeriesData::Line(line)));
     }
     Ok(figure)
 }
@@ -87,24 +87,24 @@ fn slope_rows(lab: &Measurement<'_>) -> Result<(Vec<Vec<String>>, Vec<[f64; 3]>)
     let (mut rows, mut points) = (Vec::new(), Vec::new());
     for name in ["jonswap", "elfouhaily", "donelan", "torsethaugen"] {
         for &wind in if name == "jonswap" { &WINDS[..] } else { &FEW_WINDS } {
-            let sea = lab.sea(&format!("spectrum={name}&wind={wind}&fetch=250&n=256"))?;
+            let sea = lab.measure_sea(&format!("spectrum={name}&wind={wind}&fetch=250&n=256"))?;
             let (cox_munk, resolved) = (cox_munk_mss(wind), sea.resolved.mss);
-            let mss = sea.get(|m| m.mss);
+            let mss = sea.measured_statistic(|m| m.mss);
             if name == "jonswap" {
-                points.extend(mss.map(|e| e.at(wind)));
+                points.extend(mss.map(|e| e.point_at(wind)));
             }
             let residual = (cox_munk - resolved).max(0.0);
             rows.push(vec![
                 name.to_owned(),
-                number(wind, 0),
-                number(cox_munk, 4),
-                number(sea.theory.k_max, 0),
-                number(resolved, 4),
-                measured(mss, 4),
-                deviation(mss, resolved),
-                number(residual, 4),
-                number(resolved + residual, 4),
-                against(resolved + residual, cox_munk),
+                format_number(wind, 0),
+                format_number(cox_munk, 4),
+                format_number(sea.theory.k_max, 0),
+                format_number(resolved, 4),
+                format_estimate(mss, 4),
+                relative_deviation(mss, resolved),
+                format_number(residual, 4),
+                format_number(resolved + residual, 4),
+                relative_to_published(resolved + residual, cox_munk),
             ]);
         }
     }
@@ -113,35 +113,47 @@ fn slope_rows(lab: &Measurement<'_>) -> Result<(Vec<Vec<String>>, Vec<[f64; 3]>)
 
 fn whitecaps(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     page.heading(3, "Whitecaps");
-    page.prose(
+    page.paragraph(
         "Monahan and O'Muircheartaigh 1980: W = 3.84·10⁻⁶ U^3.41. Measured: mean foam over all levels after a cold \
          start. The threshold at which foam forms follows from that law and the variance of the Jacobian, with one \
          constant fitted on the GPU for winds of 7 to 20 m/s. So this table checks the calibration; it is not a \
          prediction. Fetch 250 km, n = 128, three seeds.",
     );
     let x = Axis::linear("wind at 10 m, m/s", 4.0, 26.0);
-    let mut figure =
-        Figure::new("Whitecap coverage against wind", x.clone(), Axis::log("coverage", 5e-4, 0.5), Legend::LowerRight)
-            .with(Series::new("Monahan and O'Muircheartaigh 1980", 6, Mark::Dashes(curve(&x, 60, monahan_coverage))));
+    let mut figure = Figure::new(
+        "Whitecap coverage against wind",
+        x.clone(),
+        Axis::log("coverage", 5e-4, 0.5),
+        LegendCorner::LowerRight,
+    )
+    .with_series(FigureSeries::new(
+        "Monahan and O'Muircheartaigh 1980",
+        6,
+        SeriesData::Dashes(sample_curve(&x, 60, monahan_coverage)),
+    ));
     let mut rows = Vec::new();
     for (i, name) in ["jonswap", "elfouhaily"].into_iter().enumerate() {
         let mut points = Vec::new();
         for &wind in if name == "jonswap" { &FOAM_WINDS[..] } else { &FEW_WINDS } {
             let state = format!("spectrum={name}&wind={wind}&fetch=250&n=128&t=30");
-            let expected = FoamModel::new(&Plan::new(&params(&state)?)).coverage;
-            let foam = lab.foam(&state, FOAM_SEEDS)?;
-            points.extend(foam.map(|e| e.at(wind)));
+            let expected = FoamModel::new(&Plan::new(&parse_params(&state)?)).coverage;
+            let foam = lab.measure_foam_coverage(&state, FOAM_SEEDS)?;
+            points.extend(foam.map(|e| e.point_at(wind)));
             rows.push(vec![
                 name.to_owned(),
-                number(wind, 0),
-                number(monahan_coverage(wind), 4),
-                number(expected, 4),
-                measured(foam, 4),
-                deviation(foam, monahan_coverage(wind)),
+                format_number(wind, 0),
+                format_number(monahan_coverage(wind), 4),
+                format_number(expected, 4),
+                format_estimate(foam, 4),
+                relative_deviation(foam, monahan_coverage(wind)),
             ]);
         }
         if lab.gpu.is_some() {
-            figure = figure.with(Series::new(&format!("{name}, measured on the GPU"), i, Mark::Points(points)));
+            figure = figure.with_series(FigureSeries::new(
+                &format!("{name}, measured on the GPU"),
+                i,
+                SeriesData::Points(points),
+            ));
         }
     }
     page.figure(

@@ -1,13 +1,13 @@
 //! Part 2 of the validation page: the seven directional spreadings.
 
-use super::cells::{deviation, measured, number, turned};
+use super::cells::{angle_deviation, format_estimate, format_number, relative_deviation};
+use super::choice_words;
 use super::measurement::{MeasuredSea, Measurement, WaveBin};
-use super::words;
 use crate::lab::ensemble::{TravellingWave, spread_deg};
-use crate::lab::estimate::Estimate;
-use crate::lab::figure::{Axis, Figure, Legend, Mark, Series, curve};
+use crate::lab::estimate::EstimateWithError;
+use crate::lab::figure::{Axis, Figure, FigureSeries, LegendCorner, SeriesData, sample_curve};
 use crate::lab::page::Page;
-use crate::waves::quadrature::{adaptive, panels};
+use crate::waves::quadrature::{integrate_adaptive, integrate_panels};
 use crate::waves::{Plan, statistics};
 use std::f64::consts::{PI, TAU};
 
@@ -27,7 +27,7 @@ fn angle(plan: &Plan, unit: [f64; 2]) -> f64 {
 }
 
 /// Angle at the middle of a direction bin, rad.
-fn middle(bin: usize) -> f64 {
+fn bin_angle(bin: usize) -> f64 {
     (bin as f64 + 0.5) / ANGLES as f64 * TAU - PI
 }
 
@@ -35,7 +35,7 @@ fn middle(bin: usize) -> f64 {
 fn band_mean(plan: &Plan, omega: f64, f: impl Fn(f64) -> f64) -> f64 {
     let ends = [(1.0 - HALF_WIDTH) * omega, 0.95 * omega, omega, (1.0 + HALF_WIDTH) * omega];
     let s = |w: f64| plan.density(w);
-    panels(|w| s(w) * f(w), &ends, 1) / panels(s, &ends, 1)
+    integrate_panels(|w| s(w) * f(w), &ends, 1) / integrate_panels(s, &ends, 1)
 }
 
 /// Theory of the band at `ratio` times the peak frequency: the spreading's integral over the circle, and the first
@@ -44,7 +44,7 @@ fn theory(plan: &Plan, ratio: f64) -> [f64; 2] {
     let spreading = &plan.systems[0].spreading;
     let omega = ratio * plan.omega_p;
     let knots = [-PI, -0.5 * PI, -0.5, 0.0, 0.5, 0.5 * PI, PI];
-    let integral = adaptive(|theta| spreading.density(omega, theta), &knots, 1e-10);
+    let integral = integrate_adaptive(|theta| spreading.density(omega, theta), &knots, 1e-10);
     [integral, band_mean(plan, omega, |w| spreading.first_moment(w))]
 }
 
@@ -57,15 +57,15 @@ fn figure(name: &str, sea: &MeasuredSea, even: &MeasuredSea) -> Figure {
     for (i, ratio_p) in RATIOS.into_iter().enumerate() {
         let omega = ratio_p * sea.plan.omega_p;
         let label = if ratio_p == 1.0 { "at ω_p".to_owned() } else { format!("at {ratio_p} ω_p") };
-        let line = curve(&x, 240, |deg| band_mean(&sea.plan, omega, |w| spreading.density(w, deg.to_radians())));
-        curves.push(Series::new(&label, i, Mark::Line(line)));
+        let line = sample_curve(&x, 240, |deg| band_mean(&sea.plan, omega, |w| spreading.density(w, deg.to_radians())));
+        curves.push(FigureSeries::new(&label, i, SeriesData::Line(line)));
         if sea.measured.is_some() {
-            points.push(Series::new("", i, Mark::Points(measured_density(sea, even, i))));
+            points.push(FigureSeries::new("", i, SeriesData::Points(measured_density(sea, even, i))));
         }
     }
-    let top = curves.iter().chain(&points).map(Series::highest).fold(0.0, f64::max);
+    let top = curves.iter().chain(&points).map(FigureSeries::max_y).fold(0.0, f64::max);
     let y = Axis::linear("D(θ), 1/rad", 0.0, (1.12 * top).max(0.3));
-    curves.into_iter().chain(points).fold(Figure::new(name, x, y, Legend::Right), Figure::with)
+    curves.into_iter().chain(points).fold(Figure::new(name, x, y, LegendCorner::Right), Figure::with_series)
 }
 
 /// Measured directional spreading D, 1/rad, in the direction bins of a frequency band: the variance of a bin over that
@@ -74,7 +74,9 @@ fn measured_density(sea: &MeasuredSea, even: &MeasuredSea, band: usize) -> Vec<[
     let point = |i: usize| {
         let at = band * ANGLES + i;
         let variances: Vec<f64> = sea.bins[at].measured.iter().map(|v| v[0]).collect();
-        Estimate::mean(&variances).scaled(1.0 / (TAU * even.bins[at].expected[0])).at(middle(i).to_degrees())
+        EstimateWithError::mean(&variances)
+            .scaled(1.0 / (TAU * even.bins[at].expected[0]))
+            .point_at(bin_angle(i).to_degrees())
     };
     (0..ANGLES).map(point).collect()
 }
@@ -85,19 +87,19 @@ fn measured_density(sea: &MeasuredSea, even: &MeasuredSea, band: usize) -> Vec<[
 /// If reading back from the GPU fails, or a figure cannot be drawn.
 pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     let mut seas = Vec::new();
-    for name in words("spread") {
+    for name in choice_words("spread") {
         let state = format!("spread={name}&{STATE}");
-        let plan = Plan::new(&super::measurement::params(&state)?);
+        let plan = Plan::new(&super::measurement::parse_params(&state)?);
         let bin = |wave: &TravellingWave| {
             let is_near = |ratio: &f64| (wave.omega / (ratio * plan.omega_p) - 1.0).abs() <= HALF_WIDTH;
             let band = RATIOS.iter().position(is_near)?;
-            let place = (angle(&plan, wave.unit) + PI) / TAU * ANGLES as f64;
+            let place = (angle(&plan, wave.travel) + PI) / TAU * ANGLES as f64;
             Some(band * ANGLES + (place as usize).min(ANGLES - 1))
         };
-        seas.push((name, lab.binned_sea(&state, RATIOS.len() * ANGLES, &bin)?));
+        seas.push((name, lab.measure_binned_sea(&state, RATIOS.len() * ANGLES, &bin)?));
     }
     page.heading(2, "2. Directional spreading");
-    page.prose(
+    page.paragraph(
         "JONSWAP, wind 10 m/s over 100 km, from 240°. The waves within 10 % of a frequency are sorted by direction of \
          travel into bins of 15°. The measured distribution is the variance of a bin divided by the variance of the \
          same waves in a sea with isotropic spreading.",
@@ -111,7 +113,7 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
          Dunckel and Ewing 1980; Donelan et al. 1985 with Banner 1990; Elfouhaily et al. 1997; docs/sea.md lists the \
          others.",
     )?;
-    page.prose(
+    page.paragraph(
         "The integral of D over the circle must be 1. The spread is sqrt(2 (1 - r1)) with the first directional moment \
          r1 of the band; 81.03° means that the waves run equally in all directions.",
     );
@@ -134,7 +136,7 @@ fn row(name: &str, sea: &MeasuredSea, band: usize, ratio: f64) -> Vec<String> {
     let [integral, r1_theory] = theory(&sea.plan, ratio);
     let [m, x, z] = total(&|b| b.expected);
     let r1 = x.hypot(z) / m;
-    let has_direction = r1 > statistics::NO_DIRECTION;
+    let has_direction = r1 > statistics::MIN_R1_FOR_DIRECTION;
     let resolved_deg = statistics::spread_deg(r1);
     let (mut spread, mut from) = (None, None);
     if sea.measured.is_some() {
@@ -144,21 +146,21 @@ fn row(name: &str, sea: &MeasuredSea, band: usize, ratio: f64) -> Vec<String> {
         // Components of the directional moments along the wind and across it.
         let along: Vec<f64> = seeds.iter().map(|s| x * s[1] + z * s[2]).collect();
         let across: Vec<f64> = seeds.iter().map(|s| x * s[2] - z * s[1]).collect();
-        spread = Some(spread_deg(Estimate::ratio(&along, &variance)));
-        let turn_deg = Estimate::ratio(&across, &along).scaled(180.0 / PI);
-        from = Some(turn_deg.mapped(240.0 + turn_deg.value, 1.0));
+        spread = Some(spread_deg(EstimateWithError::ratio(&along, &variance)));
+        let turn_deg = EstimateWithError::ratio(&across, &along).scaled(180.0 / PI);
+        from = Some(turn_deg.with_propagated_error(240.0 + turn_deg.value, 1.0));
     }
     let directed = |text: String| if has_direction { text } else { "none".to_owned() };
     vec![
         name.to_owned(),
-        number(ratio, 0),
-        number(integral, 6),
-        number(statistics::spread_deg(r1_theory), 2),
-        number(resolved_deg, 2),
-        measured(spread, 2),
-        deviation(spread, resolved_deg),
-        directed(number(240.0, 0)),
-        directed(measured(from, 2)),
-        directed(turned(from, 240.0)),
+        format_number(ratio, 0),
+        format_number(integral, 6),
+        format_number(statistics::spread_deg(r1_theory), 2),
+        format_number(resolved_deg, 2),
+        format_estimate(spread, 2),
+        relative_deviation(spread, resolved_deg),
+        directed(format_number(240.0, 0)),
+        directed(format_estimate(from, 2)),
+        directed(angle_deviation(from, 240.0)),
     ]
 }

@@ -1,17 +1,17 @@
 //! Part 6 of the validation page: the probability distribution of the surface's elevation.
 
-use super::cells::{measured, number, offset};
-use super::measurement::{Measurement, expected_waves, params};
+use super::cells::{absolute_deviation, format_estimate, format_number};
+use super::measurement::{Measurement, parse_params, visit_expected_waves};
 use crate::lab::ensemble::{distribution_shape, surface_points};
-use crate::lab::estimate::Estimate;
-use crate::lab::figure::{Axis, Figure, Legend, Mark, Series, curve};
+use crate::lab::estimate::EstimateWithError;
+use crate::lab::figure::{Axis, Figure, FigureSeries, LegendCorner, SeriesData, sample_curve};
 use crate::lab::page::Page;
 use crate::waves::Plan;
 use std::f64::consts::TAU;
 
 const STATE: &str = "wind=15&fetch=300&n=128";
 /// Half the range of the elevation's histogram, in standard deviations of the elevation.
-const HALF_RANGE: f64 = 5.0;
+const HALF_RANGE_SIGMAS: f64 = 5.0;
 /// Number of bins of the elevation's histogram.
 const BINS: usize = 50;
 
@@ -21,32 +21,38 @@ const BINS: usize = 50;
 /// Elevation and strain are jointly Gaussian, so E[J | u] = 1 - s1 u + s2 (u^2 - 1), with s1 = lambda (a + b) / sigma,
 /// s2 = lambda^2 (a b - c^2) / sigma^2 and the choppiness lambda. a, b and c sum kx^2/k, kz^2/k and kx kz/k over the
 /// waves, times each wave's variance and orbit ratio coth(k h). Covariances of strains cancel in the determinant.
-struct ChoppyDistribution {
+struct ElevationDistribution {
     sigma: f64,
-    s1: f64,
-    s2: f64,
+    skew_term: f64,
+    area_term: f64,
 }
 
-impl ChoppyDistribution {
+impl ElevationDistribution {
     fn new(plan: &Plan, chop: f64) -> Self {
         let (mut m0, mut a, mut b, mut c) = (0.0, 0.0, 0.0, 0.0);
-        expected_waves(plan, &mut |wave| {
-            let strain = wave.variance * wave.k * plan.dispersion.orbit(wave.k);
+        visit_expected_waves(plan, &mut |wave| {
+            let strain = wave.variance * wave.k * plan.dispersion.orbit_axis_ratio(wave.k);
             m0 += wave.variance;
-            a += strain * wave.unit[0] * wave.unit[0];
-            b += strain * wave.unit[1] * wave.unit[1];
-            c += strain * wave.unit[0] * wave.unit[1];
+            a += strain * wave.travel[0] * wave.travel[0];
+            b += strain * wave.travel[1] * wave.travel[1];
+            c += strain * wave.travel[0] * wave.travel[1];
         });
-        Self { sigma: m0.sqrt(), s1: chop * (a + b) / m0.sqrt(), s2: chop * chop * (a * b - c * c) / m0 }
+        Self { sigma: m0.sqrt(), skew_term: chop * (a + b) / m0.sqrt(), area_term: chop * chop * (a * b - c * c) / m0 }
     }
 
     fn density(&self, u: f64) -> f64 {
-        (-0.5 * u * u).exp() / TAU.sqrt() * (1.0 - self.s1 * u + self.s2 * (u * u - 1.0))
+        (-0.5 * u * u).exp() / TAU.sqrt() * (1.0 - self.skew_term * u + self.area_term * (u * u - 1.0))
     }
 
     /// Mean and standard deviation (in units of sigma), skewness and kurtosis of the elevation.
     fn shape(&self) -> [f64; 4] {
-        distribution_shape([1.0, -self.s1, 1.0 + 2.0 * self.s2, -3.0 * self.s1, 3.0 + 12.0 * self.s2])
+        distribution_shape([
+            1.0,
+            -self.skew_term,
+            1.0 + 2.0 * self.area_term,
+            -3.0 * self.skew_term,
+            3.0 + 12.0 * self.area_term,
+        ])
     }
 }
 
@@ -56,13 +62,13 @@ type SeedHistogram = ([f64; BINS], [f64; 5]);
 fn histograms(lab: &Measurement<'_>, state: &str, sigma: f64) -> Result<Option<Vec<SeedHistogram>>, String> {
     let mut all = Vec::new();
     for seed in 1..=2 * lab.seeds {
-        let plan = Plan::new(&params(&format!("{state}&seed={seed}"))?);
-        let Some(maps) = lab.maps(&plan, &[0.0])? else { return Ok(None) };
+        let plan = Plan::new(&parse_params(&format!("{state}&seed={seed}"))?);
+        let Some(maps) = lab.read_maps(&plan, &[0.0])? else { return Ok(None) };
         let (mut bins, mut sums) = ([0.0; BINS], [0.0; 5]);
         surface_points(&plan, &maps[0], &mut |eta, weight| {
             let u = eta / sigma;
             sums.iter_mut().zip(0..).for_each(|(sum, power)| *sum += weight * u.powi(power));
-            let place = (u / HALF_RANGE + 1.0) * 0.5 * BINS as f64;
+            let place = (u / HALF_RANGE_SIGMAS + 1.0) * 0.5 * BINS as f64;
             if place >= 0.0 && place < BINS as f64 {
                 bins[place as usize] += weight;
             }
@@ -73,9 +79,9 @@ fn histograms(lab: &Measurement<'_>, state: &str, sigma: f64) -> Result<Option<V
 }
 
 /// Mean, standard deviation, skewness and kurtosis of the elevation over all seeds, with jackknife errors.
-fn pooled_shape(all: &[SeedHistogram]) -> [Estimate; 4] {
+fn pooled_shape(all: &[SeedHistogram]) -> [EstimateWithError; 4] {
     std::array::from_fn(|q| {
-        Estimate::jackknife(all.len(), |left_out| {
+        EstimateWithError::jackknife(all.len(), |left_out| {
             let kept = all.iter().enumerate().filter(|(i, _)| Some(*i) != left_out);
             distribution_shape(kept.fold([0.0; 5], |sum, (_, s)| std::array::from_fn(|p| sum[p] + s.1[p])))[q]
         })
@@ -88,39 +94,48 @@ fn pooled_shape(all: &[SeedHistogram]) -> [Estimate; 4] {
 /// If reading back from the GPU fails, or a figure cannot be drawn.
 pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     page.heading(2, "6. The surface");
-    page.prose(
+    page.paragraph(
         "Elevations at random points, wind 15 m/s over 300 km. Without chop the surface is Gaussian. With chop, points \
          move sideways towards the crests. The distribution over the horizontal plane then weights each point by the \
          Jacobian J: its density is the Gaussian times the mean of J at that elevation, φ(u) (1 - s₁ u + s₂ (u² - 1)). \
          This is exact for the linear Lagrangian sea (the choppy wave model of Nouguier et al. 2009). No parameter is \
          fitted.",
     );
-    let x = Axis::linear("elevation over its standard deviation σ without chop", -HALF_RANGE, HALF_RANGE);
-    let gauss = ChoppyDistribution { sigma: 1.0, s1: 0.0, s2: 0.0 };
+    let x = Axis::linear("elevation over its standard deviation σ without chop", -HALF_RANGE_SIGMAS, HALF_RANGE_SIGMAS);
+    let gauss = ElevationDistribution { sigma: 1.0, skew_term: 0.0, area_term: 0.0 };
     let (mut rows, mut figures) = (Vec::new(), Vec::new());
     for chop in [0.0, 1.0] {
         let state = format!("{STATE}&chop={chop}");
-        let theory = ChoppyDistribution::new(&Plan::new(&params(&state)?), chop);
+        let theory = ElevationDistribution::new(&Plan::new(&parse_params(&state)?), chop);
         let y = Axis::log("probability density", 1e-5, 1.0);
-        let mut figure = Figure::new(&format!("Chop {chop}"), x.clone(), y, Legend::Right);
+        let mut figure = Figure::new(&format!("Chop {chop}"), x.clone(), y, LegendCorner::Right);
         let histograms = histograms(lab, &state, theory.sigma)?;
         if let Some(all) = &histograms {
-            figure = figure.with(Series::new("measured on the GPU", 5, Mark::Bars(bars(all))));
+            figure =
+                figure.with_series(FigureSeries::new("measured on the GPU", 5, SeriesData::Bars(histogram_bars(all))));
         }
         figure = figure
-            .with(Series::new("Gaussian", 6, Mark::Dashes(curve(&x, 200, |u| gauss.density(u)))))
-            .with(Series::new("theory", 1, Mark::Line(curve(&x, 200, |u| theory.density(u)))));
+            .with_series(FigureSeries::new(
+                "Gaussian",
+                6,
+                SeriesData::Dashes(sample_curve(&x, 200, |u| gauss.density(u))),
+            ))
+            .with_series(FigureSeries::new(
+                "theory",
+                1,
+                SeriesData::Line(sample_curve(&x, 200, |u| theory.density(u))),
+            ));
         figures.push((format!("surface-chop{chop}"), figure));
         let shape = histograms.as_deref().map(pooled_shape);
         let names = ["mean, σ", "deviation, σ", "skewness", "kurtosis"];
         for (q, (name, expected)) in names.into_iter().zip(theory.shape()).enumerate() {
             let estimate = shape.map(|s| s[q]);
             rows.push(vec![
-                number(chop, 0),
+                format_number(chop, 0),
                 name.to_owned(),
-                number(expected, 4),
-                measured(estimate, 4),
-                offset(estimate, expected),
+                format_number(expected, 4),
+                format_estimate(estimate, 4),
+                absolute_deviation(estimate, expected),
             ]);
         }
     }
@@ -130,7 +145,7 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
          Gaussian (dashed).",
     )?;
     page.table("chop | quantity | theory | measured | deviation", &rows);
-    page.prose(
+    page.paragraph(
         "The displaced crests are sharp and the troughs flat, but the skewness of the elevation is near 0; real seas \
          have 0.1 to 0.2 (Longuet-Higgins 1963). The sideways motion alone lowers the level under a group of high \
          waves by as much as it raises the crests. The second-order waves that compensate for this are missing from a \
@@ -140,11 +155,11 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
 }
 
 /// Bars of the elevation's histogram over all seeds: lower edge, upper edge and probability density.
-fn bars(all: &[SeedHistogram]) -> Vec<[f64; 3]> {
-    let width = 2.0 * HALF_RANGE / BINS as f64;
+fn histogram_bars(all: &[SeedHistogram]) -> Vec<[f64; 3]> {
+    let width = 2.0 * HALF_RANGE_SIGMAS / BINS as f64;
     let total: f64 = all.iter().map(|s| s.1[0]).sum();
     let bar = |i: usize| {
-        let low = -HALF_RANGE + i as f64 * width;
+        let low = -HALF_RANGE_SIGMAS + i as f64 * width;
         [low, low + width, all.iter().map(|s| s.0[i]).sum::<f64>() / (total * width)]
     };
     (0..BINS).map(bar).filter(|bar| bar[2] > 1e-5).collect()

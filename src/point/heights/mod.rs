@@ -1,29 +1,31 @@
 //! Height of the sea at a point, computed on the CPU without a read-back from the GPU: for boats, buoys and cameras.
 //!
-//! The seed of a plan generates more than ten thousand travelling waves, which the GPU draws. [`Heights`] sums only the
-//! strongest of these waves at a point. A thousand waves carry nine tenths of the variance, five thousand 99 %.
+//! The seed of a plan generates more than ten thousand travelling waves, which the GPU draws. [`StrongestWaves`] sums
+//! only the strongest of these waves at a point. A thousand waves carry nine tenths of the variance, five thousand
+//! 99 %.
 //!
 //! - **Coordinates**: right-handed, +x east, +y up, -z north, metres and seconds. Heights include the still-water level
 //!   (`level_m`).
-//! - **Displacement**: the surface is drawn at x = x0 + lambda D(x0) (docs/sea.md, "Synthesis"). [`Heights::sample`]
-//!   inverts this equation for a point x of the world; [`Heights::undisplaced`] takes x0.
+//! - **Displacement**: the surface is drawn at x = x0 + lambda D(x0) (docs/sea.md, "Synthesis").
+//!   [`StrongestWaves::sample`] inverts this equation for a point x of the world;
+//!   [`StrongestWaves::sample_undisplaced`] takes x0.
 //! - **Tiling**: like the drawn sea, the sum blends shifted copies of each patch (`tiling`). Derivatives are those of
 //!   the blend.
 //! - **Cost**: about 11 ns per wave, copy and evaluation with the vector units of every x86-64. A point sees 1.7 copies
 //!   on average, and a sample takes four to six evaluations (one without chop): about 0.1 ms for 1000 waves. The
 //!   constructors evaluate all waves of the plan, which takes a few milliseconds at n = 128. A larger FFT size only
 //!   adds short waves.
-//! - **Accuracy**: the height of a water particle has a Gaussian error with the rms value [`Heights::residual_rms_m`].
-//!   In a gale (20 m/s, fetch 500 km, Hs 9.7 m) this is 16 % of Hs for 200 waves, 7.5 % for 1000 and 2.1 % for 5000. At
-//!   a fixed point of the world the error is up to a tenth larger, because the omitted waves also displace the water
-//!   sideways. Most of the slope lies in short waves and is lost: see [`Heights::residual_slope_rms`].
+//! - **Accuracy**: the height of a water particle has a Gaussian error with the rms value
+//!   [`StrongestWaves::residual_rms_m`]. In a gale (20 m/s, fetch 500 km, Hs 9.7 m) this is 16 % of Hs for 200 waves,
+//!   7.5 % for 1000 and 2.1 % for 5000. At a fixed point of the world the error is up to a tenth larger, because the omitted waves also displace the water
+//!   sideways. Most of the slope lies in short waves and is lost: see [`StrongestWaves::residual_slope_rms`].
 //! - **Precision**: phases are wrapping integers as on the GPU, and positions are reduced by the patch size, so that
 //!   the precision depends neither on the time nor on the distance from the origin. The time resolution is 2^-32 of the
 //!   period, 20 microseconds for a day.
 //! - **Determinism**: a sample depends only on the plan, the point and the time. Sampling neither allocates nor locks.
 
 use crate::waves::Plan;
-use crate::waves::lattice::phase_time;
+use crate::waves::lattice::time_in_period_u32;
 use waves::{Candidate, PatchWaves, WaveSums, candidates};
 
 mod search;
@@ -51,14 +53,15 @@ mod waves;
 /// assert!(Heights::for_error(&plan, 0.1).residual_rms_m() <= 0.1);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Heights {
+pub struct StrongestWaves {
     patches: Vec<PatchWaves>,
-    modes: usize,
+    wave_count: usize,
     /// Square roots of the chop factors lambda along x and z.
-    root: [f64; 2],
+    sqrt_chop: [f64; 2],
     level_m: f64,
     period_s: f64,
-    /// Longest Newton step of the search for a particle, in m after division by the square root of the chop (`root`).
+    /// Longest Newton step of the search for a particle, in m after division by the square root of the chop
+    /// (`sqrt_chop`).
     longest_step_m: f64,
     kept_m2: f64,
     left_out_m2: f64,
@@ -85,11 +88,11 @@ pub struct SurfaceSample {
     pub converged: bool,
 }
 
-impl Heights {
-    /// Selects the strongest waves of a planned sea, at most `modes` of them.
-    pub fn new(plan: &Plan, modes: usize) -> Self {
+impl StrongestWaves {
+    /// Selects the strongest waves of a planned sea, at most `wave_count` of them.
+    pub fn new(plan: &Plan, wave_count: usize) -> Self {
         let mut waves = candidates(plan);
-        let count = modes.min(waves.len());
+        let count = wave_count.min(waves.len());
         if count > 0 && count < waves.len() {
             waves.select_nth_unstable_by(count - 1, Candidate::order);
         }
@@ -98,7 +101,7 @@ impl Heights {
 
     /// Selects the strongest waves of a planned sea, as few as keep the rms height of the omitted waves at or below
     /// `rms_m` (m). If `rms_m` is 0, negative or NaN, all waves are selected.
-    pub fn for_error(plan: &Plan, rms_m: f64) -> Self {
+    pub fn for_height_error(plan: &Plan, rms_m: f64) -> Self {
         let mut waves = candidates(plan);
         waves.sort_unstable_by(Candidate::order);
         let allowed_m2 = if rms_m > 0.0 { rms_m * rms_m } else { 0.0 };
@@ -122,15 +125,15 @@ impl Heights {
             .filter(|patch| !patch.blocks.is_empty())
             .collect();
         let displacement_m2 = waves.iter().map(|w| {
-            let orbit = plan.wave(&plan.cascades[w.cascade], w.i2()).orbit;
+            let orbit = plan.wave(&plan.cascades[w.cascade], w.i2()).orbit_axis_ratio;
             w.variance() * orbit * orbit
         });
-        let root = plan.sea.lambda().map(|l| l.max(0.0).sqrt());
+        let sqrt_chop = plan.sea.choppiness().map(|l| l.max(0.0).sqrt());
         Self {
-            longest_step_m: 2.0 * root[0].max(root[1]) * displacement_m2.sum::<f64>().sqrt(),
+            longest_step_m: 2.0 * sqrt_chop[0].max(sqrt_chop[1]) * displacement_m2.sum::<f64>().sqrt(),
             patches,
-            modes: count,
-            root,
+            wave_count: count,
+            sqrt_chop,
             level_m: plan.sea.level_m,
             period_s: plan.period_s,
             kept_m2: variance(&waves),
@@ -140,8 +143,8 @@ impl Heights {
     }
 
     /// Number of selected waves.
-    pub fn modes(&self) -> usize {
-        self.modes
+    pub fn wave_count(&self) -> usize {
+        self.wave_count
     }
 
     /// Rms height of the omitted waves, m: the rms error of the heights.
@@ -170,9 +173,9 @@ impl Heights {
         if ![x_m, z_m, t_s].iter().all(|v| v.is_finite()) {
             return self.still_water();
         }
-        let time = phase_time(self.period_s, t_s);
-        let (offset, sums, converged) = self.invert([x_m, z_m], time);
-        self.describe([x_m, z_m], offset, &sums, converged)
+        let time = time_in_period_u32(self.period_s, t_s);
+        let (offset, sums, converged) = self.find_particle_offset([x_m, z_m], time);
+        self.surface_sample([x_m, z_m], offset, &sums, converged)
     }
 
     /// Samples the surface at many points (x, z) of the world, m, at time `t_s`, s.
@@ -182,22 +185,22 @@ impl Heights {
 
     /// Describes the water particle that has the position (`x0_m`, `z0_m`), m, before displacement, at time `t_s`, s.
     /// It needs no search, only one evaluation of the waves. Infinite and NaN arguments give still water.
-    pub fn undisplaced(&self, x0_m: f64, z0_m: f64, t_s: f64) -> SurfaceSample {
+    pub fn sample_undisplaced(&self, x0_m: f64, z0_m: f64, t_s: f64) -> SurfaceSample {
         if ![x0_m, z0_m, t_s].iter().all(|v| v.is_finite()) {
             return self.still_water();
         }
-        let blends = self.blends([x0_m, z0_m], [0.0; 2]);
-        let sums = self.sums([x0_m, z0_m], [0.0; 2], phase_time(self.period_s, t_s), &blends);
-        self.describe([x0_m, z0_m], [0.0; 2], &sums, true)
+        let blends = self.patch_copy_blends([x0_m, z0_m], [0.0; 2]);
+        let sums = self.wave_sums_at([x0_m, z0_m], [0.0; 2], time_in_period_u32(self.period_s, t_s), &blends);
+        self.surface_sample([x0_m, z0_m], [0.0; 2], &sums, true)
     }
 
     fn still_water(&self) -> SurfaceSample {
-        self.describe([0.0; 2], [0.0; 2], &WaveSums::default(), false)
+        self.surface_sample([0.0; 2], [0.0; 2], &WaveSums::default(), false)
     }
 
     /// Makes the sample of the particle at the undisplaced position `point - offset` from its wave sums.
-    fn describe(&self, point: [f64; 2], offset: [f64; 2], sums: &WaveSums, converged: bool) -> SurfaceSample {
-        let [lx, lz] = self.root.map(|r| r * r);
+    fn surface_sample(&self, point: [f64; 2], offset: [f64; 2], sums: &WaveSums, converged: bool) -> SurfaceSample {
+        let [lx, lz] = self.sqrt_chop.map(|r| r * r);
         let [xx, zz, cross] = sums.strain;
         let [tile_xx, tile_zz, tile_xz, tile_zx] = sums.tile_strain;
         let [xx, zz, xz, zx] = [xx + tile_xx, zz + tile_zz, cross + tile_xz, cross + tile_zx];

@@ -1,6 +1,6 @@
 //! Search for the water particle that the waves have displaced to a given point (inverse of the displacement).
 
-use super::Heights;
+use super::StrongestWaves;
 use super::waves::{Blends, CopySums, WaveSums};
 use crate::state::params::MAX_CASCADES;
 use crate::waves::tiling::PatchCopy;
@@ -15,9 +15,9 @@ const MIN_CURVATURE: f64 = 1e-3;
 /// Armijo rule: smallest decrease of the function in a step, as a fraction of the decrease that the gradient predicts.
 const ARMIJO: f64 = 1e-4;
 /// Distance from the requested point, m, below which a step may also be accepted for halving the gradient.
-const NEAR_M: f64 = 1e-3;
+const ROUNDING_LIMIT_M: f64 = 1e-3;
 
-impl Heights {
+impl StrongestWaves {
     /// Finds the offset d = lambda D(x - d) of the water particle that lies at the point x, with the chop factor lambda
     /// and the displacement D. Returns d, the wave sums at x - d, and whether the search converged.
     ///
@@ -28,16 +28,16 @@ impl Heights {
     ///
     /// A blend of patch copies is a gradient only for fixed weights. So each step uses the weights at its start, and
     /// the weights are updated after the step. Over the length of a displacement they change by a few thousandths.
-    pub(super) fn invert(&self, point: [f64; 2], time: u32) -> ([f64; 2], WaveSums, bool) {
-        let root = self.root;
-        let offset = |e: [f64; 2]| [root[0] * e[0], root[1] * e[1]];
-        let gradient = |e: [f64; 2], at: &WaveSums| [e[0] - root[0] * at.d[0], e[1] - root[1] * at.d[1]];
+    pub(super) fn find_particle_offset(&self, point: [f64; 2], time: u32) -> ([f64; 2], WaveSums, bool) {
+        let sqrt_chop = self.sqrt_chop;
+        let offset = |e: [f64; 2]| [sqrt_chop[0] * e[0], sqrt_chop[1] * e[1]];
+        let gradient = |e: [f64; 2], at: &WaveSums| [e[0] - sqrt_chop[0] * at.d[0], e[1] - sqrt_chop[1] * at.d[1]];
         let value = |e: [f64; 2], at: &WaveSums| 0.5 * dot(e, e) + at.potential;
         let mut e = [0.0; 2];
-        let mut blends = self.blends(point, offset(e));
-        let mut at = self.sums(point, offset(e), time, &blends);
+        let mut blends = self.patch_copy_blends(point, offset(e));
+        let mut at = self.wave_sums_at(point, offset(e), time, &blends);
         let mut g = gradient(e, &at);
-        let mut step = self.step(g, at.strain);
+        let mut step = self.newton_step(g, at.strain);
         let mut scale = 1.0;
         for _ in 1..MAX_EVALUATIONS {
             let error = offset(g);
@@ -45,20 +45,20 @@ impl Heights {
                 return (offset(e), at, true);
             }
             let next_e = [e[0] + scale * step[0], e[1] + scale * step[1]];
-            let copies = self.copies(point, offset(next_e), time, &blends);
-            let (next, _) = copies.blended(&blends);
+            let copy_sums = self.copy_sums(point, offset(next_e), time, &blends);
+            let (next, _) = copy_sums.blended(&blends);
             let next_g = gradient(next_e, &next);
             let falls = value(next_e, &next) <= value(e, &at) + ARMIJO * scale * dot(g, step);
-            let closes = error[0].hypot(error[1]) < NEAR_M && dot(next_g, next_g) < 0.25 * dot(g, g);
+            let closes = error[0].hypot(error[1]) < ROUNDING_LIMIT_M && dot(next_g, next_g) < 0.25 * dot(g, g);
             if falls || closes {
                 (e, scale) = (next_e, 1.0);
-                blends = self.blends(point, offset(e));
-                at = match copies.blended(&blends) {
+                blends = self.patch_copy_blends(point, offset(e));
+                at = match copy_sums.blended(&blends) {
                     (sums, true) => sums,
-                    _ => self.sums(point, offset(e), time, &blends),
+                    _ => self.wave_sums_at(point, offset(e), time, &blends),
                 };
                 g = gradient(e, &at);
-                step = self.step(g, at.strain);
+                step = self.newton_step(g, at.strain);
             } else {
                 scale *= 0.5;
             }
@@ -69,8 +69,8 @@ impl Heights {
 
     /// Newton step of the search for the gradient `g` and the strain (dDx/dx, dDz/dz, dDx/dz). Negative eigenvalues of
     /// the Hessian are replaced by their absolute values, and the step is at most `longest_step_m` long.
-    pub(super) fn step(&self, g: [f64; 2], [xx, zz, xz]: [f64; 3]) -> [f64; 2] {
-        let [rx, rz] = self.root;
+    pub(super) fn newton_step(&self, g: [f64; 2], [xx, zz, xz]: [f64; 3]) -> [f64; 2] {
+        let [rx, rz] = self.sqrt_chop;
         // The Hessian is mean I + [half, cross; cross, -half], with the eigenvalues mean +- radius.
         let (a, b, cross) = (1.0 + rx * rx * xx, 1.0 + rz * rz * zz, rx * rz * xz);
         let (mean, half) = (0.5 * (a + b), 0.5 * (a - b));
@@ -84,7 +84,7 @@ impl Heights {
     }
 
     /// Weighted copies of every patch that are blended at the undisplaced position `point - offset` (x, z), m.
-    pub(super) fn blends(&self, point: [f64; 2], offset: [f64; 2]) -> Blends {
+    pub(super) fn patch_copy_blends(&self, point: [f64; 2], offset: [f64; 2]) -> Blends {
         let mut out = Blends::default();
         for (out, patch) in out.iter_mut().zip(&self.patches) {
             *out = patch.tiling.blend([point[0] - offset[0], point[1] - offset[1]]);
@@ -93,14 +93,14 @@ impl Heights {
     }
 
     /// Wave sums at the undisplaced position `point - offset` (x, z), m, with the copies and weights in `blends`.
-    /// `time` is that of [`Plan::phase_time`](crate::waves::Plan::phase_time).
-    pub(super) fn sums(&self, point: [f64; 2], offset: [f64; 2], time: u32, blends: &Blends) -> WaveSums {
-        self.copies(point, offset, time, blends).blended(blends).0
+    /// `time` is that of [`Plan::time_in_period_u32`](crate::waves::Plan::time_in_period_u32).
+    pub(super) fn wave_sums_at(&self, point: [f64; 2], offset: [f64; 2], time: u32, blends: &Blends) -> WaveSums {
+        self.copy_sums(point, offset, time, blends).blended(blends).0
     }
 
     /// Wave sums of each patch copy that has a weight in `blends` or in the blend at the position `point - offset`.
-    fn copies(&self, point: [f64; 2], offset: [f64; 2], time: u32, blends: &Blends) -> CopySums {
-        let own = self.blends(point, offset);
+    fn copy_sums(&self, point: [f64; 2], offset: [f64; 2], time: u32, blends: &Blends) -> CopySums {
+        let own = self.patch_copy_blends(point, offset);
         let mut sums = [[None; 3]; MAX_CASCADES];
         for (i, patch) in self.patches.iter().enumerate() {
             // The remainder is exact, so the phases keep their precision far from the origin.

@@ -34,14 +34,14 @@ fn sines_are_those_of_the_library() {
 #[test]
 fn the_strongest_come_first() {
     let plan = plan("wind=12&n=64");
-    let all = Heights::new(&plan, usize::MAX);
+    let all = StrongestWaves::new(&plan, usize::MAX);
     let total = all.kept_m2;
     assert_eq!((all.residual_rms_m(), all.residual_slope_rms(), all.variance_fraction()), (0.0, 0.0, 1.0));
     let mut waves = candidates(&plan);
     waves.sort_by(|a, b| b.variance().total_cmp(&a.variance()));
     for modes in [1, 7, 200, 3000] {
-        let some = Heights::new(&plan, modes);
-        assert_eq!(some.modes(), modes);
+        let some = StrongestWaves::new(&plan, modes);
+        assert_eq!(some.wave_count(), modes);
         let kept: f64 = waves[..modes].iter().map(Candidate::variance).sum();
         assert!((some.kept_m2 / kept - 1.0).abs() < 1e-12);
         assert!(((some.kept_m2 + some.left_out_m2) / total - 1.0).abs() < 1e-12);
@@ -49,38 +49,38 @@ fn the_strongest_come_first() {
         let weakest = lanes.filter(|&s| s > 0.0).fold(f64::INFINITY, f64::min);
         assert!((0.5 * weakest / waves[modes - 1].variance() - 1.0).abs() < 1e-12);
     }
-    assert_eq!(all.modes(), waves.len());
+    assert_eq!(all.wave_count(), waves.len());
 }
 
 #[test]
 fn as_many_as_an_error_wants() {
     let plan = plan("wind=12&n=64");
     for rms_m in [0.5, 0.1, 0.02] {
-        let enough = Heights::for_error(&plan, rms_m);
-        let fewer = Heights::new(&plan, enough.modes() - 1);
+        let enough = StrongestWaves::for_height_error(&plan, rms_m);
+        let fewer = StrongestWaves::new(&plan, enough.wave_count() - 1);
         assert!(enough.residual_rms_m() <= rms_m && fewer.residual_rms_m() > rms_m);
-        let same = Heights::new(&plan, enough.modes());
+        let same = StrongestWaves::new(&plan, enough.wave_count());
         assert_eq!(enough.patches, same.patches);
         assert!((same.residual_rms_m() / enough.residual_rms_m() - 1.0).abs() < 1e-12);
     }
-    let all = Heights::new(&plan, usize::MAX).modes();
+    let all = StrongestWaves::new(&plan, usize::MAX).wave_count();
     for rms_m in [0.0, -1.0, f64::NAN] {
-        assert_eq!(Heights::for_error(&plan, rms_m).modes(), all);
+        assert_eq!(StrongestWaves::for_height_error(&plan, rms_m).wave_count(), all);
     }
-    assert_eq!(Heights::for_error(&plan, f64::INFINITY).modes(), 0);
+    assert_eq!(StrongestWaves::for_height_error(&plan, f64::INFINITY).wave_count(), 0);
 }
 
 #[test]
 fn a_step_is_newtons_where_the_water_is_upright() {
-    let sea = Heights::new(&plan("wind=12&n=64&chopx=1.5&chopz=0.5"), 50);
+    let sea = StrongestWaves::new(&plan("wind=12&n=64&chopx=1.5&chopz=0.5"), 50);
     let (g, strain) = ([0.01, -0.02], [-0.3, 0.1, 0.2]);
-    let p = sea.step(g, strain);
-    let [rx, rz] = sea.root;
+    let p = sea.newton_step(g, strain);
+    let [rx, rz] = sea.sqrt_chop;
     let h = [1.0 + rx * rx * strain[0], 1.0 + rz * rz * strain[1], rx * rz * strain[2]];
     assert!((h[0] * p[0] + h[2] * p[1] + g[0]).abs() < 1e-15);
     assert!((h[2] * p[0] + h[1] * p[1] + g[1]).abs() < 1e-15);
     // Inside a fold the step still decreases the potential.
     for strain in [[-1.7, 0.3, 0.0], [-2.0, -3.0, 0.5], [-2.0 / 3.0, 0.0, 0.0], [0.0, 0.0, 4.0]] {
-        assert!(dot(sea.step(g, strain), g) < 0.0);
+        assert!(dot(sea.newton_step(g, strain), g) < 0.0);
     }
 }

@@ -3,7 +3,7 @@
 use crate::state::params::MAX_CASCADES;
 use crate::waves::plan::{Cascade, Plan};
 use crate::waves::statistics::{initial_amplitude, lattice};
-use crate::waves::table::{Table, index};
+use crate::waves::table::{Table, entry_index};
 use crate::waves::tiling::{PatchCopy, Tiling};
 use glam::DVec4;
 use std::cmp::Ordering;
@@ -29,7 +29,7 @@ pub(super) struct WaveBlock {
     pub(super) re: DVec4,
     pub(super) im: DVec4,
     /// Factor coth(k depth) / |(ix, iz)| of each lane, which turns h (ix, iz) into the amplitude of D = (Dx, Dz).
-    orbit: DVec4,
+    orbit_axis_ratio: DVec4,
     omega_rad_s: DVec4,
     /// Angular frequency of each lane as a multiple of 2 pi / period of the sea.
     turns: [u32; 4],
@@ -141,24 +141,24 @@ impl PatchWaves {
             block.iz[lane] = f64::from(candidate.iz);
             block.re[lane] = 2.0 * candidate.h0[0];
             block.im[lane] = 2.0 * candidate.h0[1];
-            block.orbit[lane] = wave.orbit / f64::from(candidate.i2()).sqrt();
+            block.orbit_axis_ratio[lane] = wave.orbit_axis_ratio / f64::from(candidate.i2()).sqrt();
             block.omega_rad_s[lane] = wave.omega;
-            block.turns[lane] = wave.turns;
+            block.turns[lane] = wave.cycles_per_period;
         }
         Self { side_m: cascade.patch_m, tiling: plan.tiling(cascade), dk: cascade.dk(), blocks }
     }
 
-    /// Wave sums of a patch at (`x`, `z`), in units of the patch's side, at the time [`Plan::phase_time`].
+    /// Wave sums of a patch at (`x`, `z`), in units of the patch's side, at the time [`Plan::time_in_period_u32`].
     pub(super) fn sums(&self, x: f64, z: f64, time: u32) -> WaveSums {
         // Sums per lane, without common factors: eta, its slopes, D, strain (xx, zz, xz), velocity, potential.
         let mut sums = [DVec4::ZERO; 12];
-        for &WaveBlock { ix, iz, re, im, orbit, omega_rad_s, turns } in &self.blocks {
+        for &WaveBlock { ix, iz, re, im, orbit_axis_ratio, omega_rad_s, turns } in &self.blocks {
             // Signed integers convert to f64 with vector instructions; a subtracted whole turn has no effect.
             let turned = DVec4::from_array(turns.map(|t| f64::from(t.wrapping_mul(time) as i32)));
             let (sin, cos) = sin_cos_turns(ix * x + iz * z - turned * (1.0 / 4_294_967_296.0));
             // Complex elevation h e^{i (k.x - omega t)}.
             let (h_re, h_im) = (re * cos - im * sin, re * sin + im * cos);
-            let (d_re, d_im) = (orbit * h_re, orbit * h_im);
+            let (d_re, d_im) = (orbit_axis_ratio * h_re, orbit_axis_ratio * h_im);
             let speed = omega_rad_s * d_re;
             let (along_x, along_z) = (ix * d_re, iz * d_re);
             sums[0] += h_re;
@@ -192,7 +192,7 @@ pub(super) fn candidates(plan: &Plan) -> Vec<Candidate> {
     let mut waves = Vec::new();
     for (i, cascade) in plan.cascades.iter().enumerate() {
         let table = Table::new(plan, cascade);
-        let filled = lattice(plan.n).filter(|&(ix, iz)| table.waves[index(ix, iz)].k > 0.0);
+        let filled = lattice(plan.n).filter(|&(ix, iz)| table.waves[entry_index(ix, iz)].k > 0.0);
         let candidate =
             |(ix, iz)| Candidate { cascade: i, ix, iz, h0: initial_amplitude(plan, cascade, &table, ix, iz) };
         waves.extend(filled.map(candidate).filter(|wave| wave.variance() > 0.0));

@@ -19,7 +19,7 @@ gpu_struct! {
         exposure_gain: f32,
         /// Exposure that replaces the automatic one; 0 if the exposure is automatic.
         fixed_exposure: f32,
-        /// Tone curve, as the discriminant of `Tone`.
+        /// Tone curve, as the discriminant of `ToneMapping`.
         tone: u32,
         /// Fraction of the light that the lens scatters as bloom, 0 to 1.
         bloom: f32,

@@ -1,6 +1,6 @@
 //! Textures of a sky from an image file: the full image for the background, and a copy without the sun for reflections.
 
-use crate::files::panorama::{CALM, Panorama};
+use crate::files::panorama::{Panorama, SUNLESS_SIZE};
 use crate::gpu::Gpu;
 use crate::gpu::kit::Slot;
 use crate::render::targets::HDR_FORMAT;
@@ -12,33 +12,34 @@ const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgb9e5Ufloat;
 
 /// Textures of the sky image in use, if there is one.
 pub struct PanoramaTextures {
-    /// The sky image without its sun, [`CALM`] texels wide and high. A new image is written into the same texture.
+    /// The sky image without its sun, [`SUNLESS_SIZE`] texels wide and high. A new image is written into the same
+    /// texture.
     calm: wgpu::Texture,
     pub calm_view: wgpu::TextureView,
     pub layout: wgpu::BindGroupLayout,
     /// Bind group of the full image with its mip levels; one black texel while no image is in use.
     pub group: wgpu::BindGroup,
-    shown: Option<Arc<Panorama>>,
+    displayed: Option<Arc<Panorama>>,
 }
 
 impl PanoramaTextures {
     /// Creates the textures without a sky image.
     pub fn new(gpu: &Gpu) -> Self {
-        let calm = texture(gpu, "sky/calm", HDR_FORMAT, CALM.map(|s| s as u32), 1);
+        let calm = texture(gpu, "sky/calm", HDR_FORMAT, SUNLESS_SIZE.map(|s| s as u32), 1);
         let layout = gpu.layout("sky/file", wgpu::ShaderStages::FRAGMENT, &[Slot::Texture]);
         let group = picture(gpu, &layout, [1, 1], &[vec![0]]);
         let calm_view = calm.create_view(&wgpu::TextureViewDescriptor::default());
-        Self { calm, calm_view, layout, group, shown: None }
+        Self { calm, calm_view, layout, group, displayed: None }
     }
 
     /// Switches to the sky image `wanted`, or to none. Returns whether the image has changed.
     pub fn show(&mut self, gpu: &Gpu, wanted: Option<&Arc<Panorama>>) -> bool {
-        if self.shown.as_ref().map(Arc::as_ptr) == wanted.map(Arc::as_ptr) {
+        if self.displayed.as_ref().map(Arc::as_ptr) == wanted.map(Arc::as_ptr) {
             return false;
         }
         if let Some(panorama) = wanted {
             let texels: Vec<[f16; 4]> =
-                panorama.calm.iter().map(|c| [c[0], c[1], c[2], 1.0].map(|v| f16::from_f32(v.min(6e4)))).collect();
+                panorama.sunless.iter().map(|c| [c[0], c[1], c[2], 1.0].map(|v| f16::from_f32(v.min(6e4)))).collect();
             gpu.write_texture(&self.calm, 0, bytemuck::cast_slice(&texels));
         }
         let most = gpu.device.limits().max_texture_dimension_2d as usize;
@@ -51,7 +52,7 @@ impl PanoramaTextures {
             }
             None => picture(gpu, &self.layout, [1, 1], &[vec![0]]),
         };
-        self.shown = wanted.cloned();
+        self.displayed = wanted.cloned();
         true
     }
 }

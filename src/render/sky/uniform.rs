@@ -50,7 +50,7 @@ gpu_struct! {
         /// Cover of low clouds, 0 (clear) to 1 (closed deck).
         overcast: f32,
         /// Exponent of the limb darkening of the sun's disc.
-        sun_falloff: f32,
+        limb_darkening_exponent: f32,
         /// Distance by which the clouds have drifted along x and z, km.
         drift: [f32; 2],
         /// Distance by which the clouds in reflections have drifted along x and z, in coarse steps, km.
@@ -106,14 +106,14 @@ impl SkyUniform {
             fog: FogUniform {
                 extinction_per_m: (0.001 * look.fog_extinction_per_km) as f32,
                 start_m: look.fog_start_m as f32,
-                falloff_m: look.fog_falloff_m as f32,
-                top_m: look.fog_height_m as f32,
+                falloff_m: look.fog_scale_height_m as f32,
+                top_m: look.fog_top_m as f32,
             },
             eye_km: (0.001 * eye_m) as f32,
             dip: dip(eye_m) as f32,
             // A sky image contains its own clouds.
             overcast: if file.is_some() { 0.0 } else { look.overcast as f32 },
-            sun_falloff: look.sun_falloff as f32,
+            limb_darkening_exponent: look.limb_darkening_exponent as f32,
             drift: [0.0; 2],
             mirror_drift: [0.0; 2],
             night_gain: night_gain as f32,
@@ -150,6 +150,6 @@ gpu_struct! {
 /// Factor by which all light is scaled up at dusk and night, so that half floats can hold it; the exposure divides by
 /// it. It is a power of two, so that scaling does not round.
 pub fn night_gain(look: &SkyLook) -> f64 {
-    let below_deg = if look.panorama().is_some() { 0.0 } else { -look.sun_place_deg()[0] };
+    let below_deg = if look.panorama().is_some() { 0.0 } else { -look.sun_elevation_azimuth_deg()[0] };
     (1.2 * below_deg).clamp(0.0, 18.0).floor().exp2()
 }

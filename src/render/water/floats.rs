@@ -7,7 +7,7 @@ use crate::point::floating::HullPose;
 use crate::render::scene_group::SceneGroup;
 use crate::render::targets::{NEAREST, attachments};
 use crate::shaders::Shaders;
-use crate::state::floats::{FloatKind, MAX_FLOATS};
+use crate::state::floats::{FloatingObjectKind, MAX_FLOATING_OBJECTS};
 use glam::{DMat3, DVec3};
 use std::f64::consts::TAU;
 
@@ -69,7 +69,7 @@ impl FloatsPass {
             let turn = DMat3::from_cols(ahead.cross(up), up, -ahead);
             let origin =
                 DVec3::new(pose.position_m[0] - foot[0], pose.position_m[1] - level_m, pose.position_m[2] - foot[1]);
-            let hull = &self.hulls[usize::from(pose.kind == FloatKind::Boat)];
+            let hull = &self.hulls[usize::from(pose.kind == FloatingObjectKind::Boat)];
             vertices.extend(hull.iter().flat_map(|facet| (0..3).map(move |i| (facet, i))).map(|(facet, i)| {
                 HullVertex {
                     place: (origin + turn * facet.corners[i]).as_vec3().to_array(),
@@ -79,7 +79,7 @@ impl FloatsPass {
                 }
             }));
         }
-        let most = MAX_FLOATS * self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0);
+        let most = MAX_FLOATING_OBJECTS * self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0);
         let (buffer, _) = self.vertices.get_or_insert_with(|| {
             let bytes = (most * size_of::<HullVertex>()) as u64;
             let buffer = gpu.storage("floats", bytes);

@@ -12,7 +12,7 @@ use crate::render::targets::{BEHIND, Film, G_BUFFER_FORMATS, NEAREST, Targets, a
 use crate::render::variants::{Variants, part};
 use crate::shaders::Shaders;
 use crate::sim::Maps;
-use crate::state::look::{Fresnel, Specular};
+use crate::state::look::{FresnelFormula, MicrofacetDistribution};
 use wgpu::BindingResource::{Sampler, TextureView};
 
 /// Depth test of the lighting pass. Its triangle lies behind all water and before the sky, so only water pixels pass.
@@ -49,9 +49,9 @@ impl Parts {
             bed,
             caustics: bed && surface.bed.caustics > 0.0,
             foam: surface.foam.amount > 0.0,
-            phong: surface.reflection.specular == Specular::BlinnPhong,
-            ggx: surface.reflection.specular == Specular::Ggx,
-            schlick: surface.reflection.fresnel == Fresnel::Schlick,
+            phong: surface.reflection.specular == MicrofacetDistribution::BlinnPhong,
+            ggx: surface.reflection.specular == MicrofacetDistribution::Ggx,
+            schlick: surface.reflection.fresnel == FresnelFormula::Schlick,
             file: scene.look.sky.panorama().is_some(),
             fog: scene.look.sky.fog_extinction_per_km > 0.0,
             samples: film == Film::Reference,

@@ -122,26 +122,26 @@ impl MaterialUniform {
         let foot = [scene.view.eye.x, scene.view.eye.z];
         Self {
             absorption: single(water.absorption),
-            ambient: scattering.ambient as f32,
+            ambient: scattering.ambient_strength as f32,
             backscatter: single(water.backscatter),
             index_air: reflection.index_air as f32,
-            scatter: single(water.scatter),
-            bubbles: scattering.bubbles as f32,
+            scatter: single(water.scattering),
+            bubbles: scattering.bubble_density as f32,
             bubble_colour: colour(scattering.bubble_colour),
-            height_scatter: scattering.height_scatter as f32,
+            height_scatter: scattering.crest_transmission as f32,
             foam_colour: colour(foam.colour),
-            view_scatter: scattering.view_scatter as f32,
+            view_scatter: scattering.scatter_view_dependence as f32,
             bed_colour: colour(bed.colour),
-            diffuse: scattering.diffuse as f32,
+            diffuse: scattering.diffuse_strength as f32,
             layers: SHAPES.map(|shape| NoiseLayer::new(shape, scene.sea.downwind, gale, foot)),
             index_water: reflection.index_water as f32,
-            fresnel_shine: reflection.fresnel_shine as f32,
+            fresnel_shine: reflection.schlick_exponent as f32,
             fresnel_scale: reflection.fresnel_scale as f32,
-            fresnel_normals: reflection.fresnel_normals as f32,
+            fresnel_normals: reflection.fresnel_slope_factor as f32,
             shininess: reflection.shininess as f32,
-            specular_scale: reflection.glitter as f32,
-            specular_fresnel: reflection.glitter_fresnel as f32,
-            specular_cut: reflection.glitter_cut as f32,
+            specular_scale: reflection.glitter_strength as f32,
+            specular_fresnel: reflection.glitter_fresnel_scale as f32,
+            specular_cut: reflection.glitter_min_cosine as f32,
             // GGX: alpha = roughness^2 and alpha^2 = 2 x slope variance.
             rough_variance: (0.5 * reflection.roughness.powi(4)) as f32,
             foam_roughness: foam.roughness as f32,
@@ -156,8 +156,12 @@ impl MaterialUniform {
 
 /// Optical properties of the water with these scattering settings.
 fn water(scattering: &Scattering) -> WaterOptics {
-    let water = WaterOptics::between(scattering.water_type, scattering.next_type_share);
-    if scattering.scatter_colour > 0.0 { water.with_colour(linear_rgb(scattering.scatter_colour)) } else { water }
+    let water = WaterOptics::blend_with_next_type(scattering.water_type, scattering.water_type_blend);
+    if scattering.scatter_colour > 0.0 {
+        water.with_reflectance_colour(linear_rgb(scattering.scatter_colour))
+    } else {
+        water
+    }
 }
 
 /// Whether enough light returns from the bed for it to be visible.

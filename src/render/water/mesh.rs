@@ -120,12 +120,12 @@ impl Mesh {
 fn extent(view: &View) -> (f64, f64) {
     let down = -glam::DVec3::Y;
     let depth = down.dot(view.forward);
-    let [tx, ty] = view.tan_half.map(|t| 1.1 * t);
+    let [tx, ty] = view.tan_half_fov.map(|t| 1.1 * t);
     if depth > 0.0 && down.dot(view.right).abs() <= tx * depth && down.dot(view.up).abs() <= ty * depth {
         return (-0.5 * PI, PI);
     }
     let ahead = glam::DVec3::new(view.right.z, 0.0, -view.right.x);
-    let (mut lowest, mut widest) = (0.0f64, view.tan_half[0].atan());
+    let (mut lowest, mut widest) = (0.0f64, view.tan_half_fov[0].atan());
     const EDGE: i32 = 12;
     for i in -EDGE..=EDGE {
         let at = f64::from(i) / f64::from(EDGE);
@@ -177,7 +177,7 @@ mod tests {
                             [l.first_azimuth, l.azimuth_step, l.first_row, l.row_step, l.radius_m].map(f64::from);
                         let near = radius * t0.exp_m1();
                         let far = radius * (t0 + dt * f64::from(l.rows - 1)).exp_m1();
-                        assert!(far > view.horizon_m(), "{case}");
+                        assert!(far > view.horizon_distance_m(), "{case}");
                         for (x, y) in [(-1.0, -1.0), (0.0, -1.0), (1.0, -1.0), (-1.0, 0.0), (1.0, 0.0), (1.0, 1.0)] {
                             let ray = view.ray(x, y);
                             if ray.y > -0.02 {

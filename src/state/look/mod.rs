@@ -6,10 +6,10 @@ mod sky;
 mod surface;
 
 pub use sky::{SkyFile, SkyLook, SunPlacement};
-pub use surface::{BedLook, FoamLook, Fresnel, Reflection, Scattering, Specular, SurfaceLook};
+pub use surface::{BedLook, FoamLook, FresnelFormula, MicrofacetDistribution, Reflection, Scattering, SurfaceLook};
 
 use super::field::FieldKind::{Choice, Flag};
-use super::field::{logarithmic, number, parameters, words};
+use super::field::{choice_enum, logarithmic, number, parameters};
 use super::views::ViewChoice;
 
 parameters! {
@@ -30,9 +30,9 @@ parameters! {
     }
 }
 
-words! {
+choice_enum! {
     /// Tone-mapping curve from scene light to display values.
-    pub enum Tone {
+    pub enum ToneMapping {
         /// AgX tone mapping, Sobotka 2022.
         Agx = "agx",
         /// ACES reference and output transform, as fitted by Hill 2016.
@@ -57,7 +57,7 @@ parameters! {
         /// Tone-mapping curve from scene light to display. agx: Sobotka (2022), with added contrast and saturation;
         /// aces: Hill's fit (2016); reinhard: x/(1+x) (2002); neutral: Khronos PBR Neutral (2024); linear: clipped at
         /// white.
-        tone: Tone = Tone::Agx => ("tone", "Tone curve", "", Choice(Tone::WORDS)),
+        tone: ToneMapping = ToneMapping::Agx => ("tone", "Tone curve", "", Choice(ToneMapping::WORDS)),
         /// Fraction of the light that the lens scatters around bright objects (Jimenez 2014); the total light does not
         /// change. 0.04 is a clean lens, 0.3 a misted one.
         bloom: f64 = 0.0 => ("bloom", "Bloom", "", number(0.0, 1.0), "off"),

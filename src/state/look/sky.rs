@@ -3,11 +3,11 @@
 use crate::files::panorama::Panorama;
 use crate::optics::sun;
 use crate::state::field::FieldKind::{Choice, Colour, Heading};
-use crate::state::field::{WHITE, integer, logarithmic, number, parameters, words};
-use crate::state::text::printable;
+use crate::state::field::{WHITE_RGB, choice_enum, integer, logarithmic, number, parameters};
+use crate::state::text::printable_prefix;
 use std::sync::Arc;
 
-words! {
+choice_enum! {
     /// How the user gives the position of the sun.
     pub enum SunPlacement {
         /// By elevation and azimuth of the sun.
@@ -34,7 +34,7 @@ parameters! {
         /// With sunby=date: geographic latitude, north positive.
         latitude_deg: f64 = 45.0 => ("lat", "Latitude", "deg", number(-90.0, 90.0)),
         /// Tint of the sunlight above the atmosphere, and so of all daylight; white is our sun.
-        sun_colour: f64 = WHITE => ("suncolour", "Sun colour", "", Colour),
+        sun_colour: f64 = WHITE_RGB => ("suncolour", "Sun colour", "", Colour),
         /// Angular diameter of the sun at a distance of one astronomical unit; it does not change the irradiance.
         sun_size_deg: f64 = 0.53 => ("sunsize", "Sun size", "deg", logarithmic(0.1, 10.0)),
         /// Distance of the sun. Irradiance falls with its square, apparent diameter with its first power. Venus 0.72,
@@ -42,7 +42,7 @@ parameters! {
         sun_distance_au: f64 = 1.0 => ("sundistance", "Sun distance", "au", logarithmic(0.1, 10.0)),
         /// Exponent of the limb darkening: radiance over the disc is the cosine of the emission angle to this power. 0
         /// is an even disc, 0.45 the sun in green light (Hestroffer and Magnan 1998); the irradiance does not change.
-        sun_falloff: f64 = 0.45 => ("sunfalloff", "Limb darkening", "", number(0.0, 4.0)),
+        limb_darkening_exponent: f64 = 0.45 => ("sunfalloff", "Limb darkening", "", number(0.0, 4.0)),
         /// Amount of aerosol relative to a clear maritime day: more gives a whiter horizon and redder sunsets.
         haze: f64 = 1.0 => ("haze", "Haze", "", number(0.0, 10.0)),
         /// Cloud cover: blends from a clear sky (0) to a uniform cloud layer (1).
@@ -53,9 +53,9 @@ parameters! {
         /// Distance from the eye at which the fog begins.
         fog_start_m: f64 = 0.0 => ("fogstart", "Fog begins", "m", number(0.0, 10000.0)),
         /// Height over which the fog above its top thins to 1/e.
-        fog_falloff_m: f64 = 30.0 => ("fogfalloff", "Fog falls off", "m", logarithmic(1.0, 2000.0)),
+        fog_scale_height_m: f64 = 30.0 => ("fogfalloff", "Fog falls off", "m", logarithmic(1.0, 2000.0)),
         /// Height of the fog's top above the water; below it the fog has its full density.
-        fog_height_m: f64 = 20.0 => ("fogheight", "Fog top", "m", number(0.0, 2000.0)),
+        fog_top_m: f64 = 20.0 => ("fogheight", "Fog top", "m", number(0.0, 2000.0)),
         /// Sky image from a file, which replaces the computed sky.
         file: Option<SkyFile> = None,
         /// Heading to which the middle column of a sky image points, clockwise from north.
@@ -72,19 +72,19 @@ impl SkyLook {
     }
 
     /// Elevation and azimuth of the sun that lights the sea, degrees. A sun in a loaded sky image takes precedence.
-    pub fn sun_place_deg(&self) -> [f64; 2] {
+    pub fn sun_elevation_azimuth_deg(&self) -> [f64; 2] {
         if let Some(sun) = self.panorama().and_then(|p| p.sun.as_ref()) {
             return [sun.elevation_deg, (sun.azimuth_deg + self.file_heading_deg).rem_euclid(360.0)];
         }
         match self.sun_placement {
             SunPlacement::Direction => [self.sun_deg, self.sun_azimuth_deg],
-            SunPlacement::Date => sun::position_deg(self.day, self.hour, self.latitude_deg),
+            SunPlacement::Date => sun::elevation_azimuth_deg(self.day, self.hour, self.latitude_deg),
         }
     }
 
     /// Unit vector towards the sun: x east, y up, z south.
     pub fn sun_direction(&self) -> [f64; 3] {
-        let [elevation, azimuth] = self.sun_place_deg().map(f64::to_radians);
+        let [elevation, azimuth] = self.sun_elevation_azimuth_deg().map(f64::to_radians);
         [azimuth.sin() * elevation.cos(), elevation.sin(), -azimuth.cos() * elevation.cos()]
     }
 
@@ -94,7 +94,7 @@ impl SkyLook {
     }
 
     /// Takes over the image of a loaded sky file if its name is that of the file in these parameters.
-    pub fn attach(&mut self, loaded: Option<&SkyFile>) {
+    pub fn adopt_loaded_image(&mut self, loaded: Option<&SkyFile>) {
         if let (Some(wanted), Some(loaded)) = (&mut self.file, loaded)
             && wanted.name == loaded.name
         {
@@ -103,7 +103,7 @@ impl SkyLook {
     }
 
     /// Notice for the user if these parameters name a sky file whose image is not loaded, else `None`.
-    pub fn missing_file(&self) -> Option<String> {
+    pub fn missing_file_notice(&self) -> Option<String> {
         let file = self.file.as_ref().filter(|f| f.image.is_none())?;
         Some(format!(
             "the sky \"{}\" is not loaded, the computed sky is shown: drop the file on the sea, or name it with --sky",
@@ -129,8 +129,8 @@ impl PartialEq for SkyFile {
 
 impl SkyFile {
     /// Makes a sky file with the name at the end of `path` and no image; `None` if the name has no printable character.
-    pub fn named(path: &str) -> Option<Self> {
-        let name = printable(path.rsplit(['/', '\\']).next().unwrap_or_default(), 80);
+    pub fn from_path(path: &str) -> Option<Self> {
+        let name = printable_prefix(path.rsplit(['/', '\\']).next().unwrap_or_default(), 80);
         (!name.is_empty()).then_some(Self { name, image: None })
     }
 }

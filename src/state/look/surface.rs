@@ -2,7 +2,7 @@
 
 use crate::optics::water::WaterType;
 use crate::state::field::FieldKind::{Choice, Colour};
-use crate::state::field::{FieldValue, WHITE, logarithmic, number, parameters, words};
+use crate::state::field::{FieldValue, WHITE_RGB, choice_enum, logarithmic, number, parameters};
 
 /// Appearance of the water, its foam and the sea bed.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -34,30 +34,30 @@ parameters! {
         /// iii, fertile and greenish; 1c, the clearest coastal water, to 9c, the muddiest.
         water_type: WaterType = WaterType::Ib => ("water", "Water type", "", Choice(WaterType::NAMES)),
         /// Interpolation from the water type (0) to the next muddier water type (1).
-        next_type_share: f64 = 0.0 => ("watermix", "Towards the next type", "", number(0.0, 1.0)),
+        water_type_blend: f64 = 0.0 => ("watermix", "Towards the next type", "", number(0.0, 1.0)),
         /// Colour of the light that deep water scatters back: white scatters back a tenth of the light; auto derives
         /// the colour from the water type.
         scatter_colour: f64 = 0.0 => ("scattercolour", "Scatter colour", "", Colour, "auto"),
         /// Colour of the light that bubbles under breaking waves scatter, before the water absorbs part of its red.
-        bubble_colour: f64 = WHITE => ("bubblecolour", "Bubble colour", "", Colour),
+        bubble_colour: f64 = WHITE_RGB => ("bubblecolour", "Bubble colour", "", Colour),
         /// Density of the bubbles that breaking waves leave under the surface; 1 is a typical plume.
-        bubbles: f64 = 1.0 => ("bubbles", "Bubble density", "", number(0.0, 10.0)),
+        bubble_density: f64 = 1.0 => ("bubbles", "Bubble density", "", number(0.0, 10.0)),
         /// Height attenuation factor: strength of the light that shines through wave crests, most of all through high
         /// and sharp ones; 1 is physical.
-        height_scatter: f64 = 1.0 => ("heightscatter", "Scattering by height", "", number(0.0, 10.0)),
+        crest_transmission: f64 = 1.0 => ("heightscatter", "Scattering by height", "", number(0.0, 10.0)),
         /// Reflection strength of the scattering: how much the light scattered out of the water depends on the viewing
         /// angle; 1 is physical, 0 is no dependence.
-        view_scatter: f64 = 1.0 => ("viewscatter", "Scattering by view", "", number(0.0, 4.0)),
+        scatter_view_dependence: f64 = 1.0 => ("viewscatter", "Scattering by view", "", number(0.0, 4.0)),
         /// Strength of the sunlight that the water scatters back; 1 is physical.
-        diffuse: f64 = 1.0 => ("diffuse", "Diffuse strength", "", number(0.0, 5.0)),
+        diffuse_strength: f64 = 1.0 => ("diffuse", "Diffuse strength", "", number(0.0, 5.0)),
         /// Strength of the skylight that the water scatters back; 1 is physical.
-        ambient: f64 = 1.0 => ("ambient", "Ambient strength", "", number(0.0, 5.0)),
+        ambient_strength: f64 = 1.0 => ("ambient", "Ambient strength", "", number(0.0, 5.0)),
     }
 }
 
-words! {
+choice_enum! {
     /// Formula for the Fresnel reflectance of the water.
-    pub enum Fresnel {
+    pub enum FresnelFormula {
         /// Exact Fresnel equations of a dielectric for unpolarised light.
         Exact = "exact",
         /// Schlick's approximation of 1994.
@@ -65,9 +65,9 @@ words! {
     }
 }
 
-words! {
+choice_enum! {
     /// Microfacet distribution: distribution of the wave slopes that a pixel does not resolve.
-    pub enum Specular {
+    pub enum MicrofacetDistribution {
         /// Gaussian slopes (Beckmann's distribution), as Cox and Munk measured them at sea in 1954.
         Gaussian = "gaussian",
         /// GGX, the distribution of Trowbridge and Reitz 1975, with longer tails than a Gaussian.
@@ -87,25 +87,26 @@ parameters! {
         /// Refractive index of the air.
         index_air: f64 = 1.0 => ("nair", "Index of air", "", number(1.0, 3.0)),
         /// Formula for the Fresnel reflectance. exact: for unpolarised light; schlick: Schlick's approximation (1994).
-        fresnel: Fresnel = Fresnel::Exact => ("fresnel", "Fresnel", "", Choice(Fresnel::WORDS)),
+        fresnel: FresnelFormula = FresnelFormula::Exact => ("fresnel", "Fresnel", "", Choice(FresnelFormula::WORDS)),
         /// With fresnel=schlick: exponent of Schlick's approximation, originally 5.
-        fresnel_shine: f64 = 5.0 => ("fresnelshine", "Fresnel shine", "", number(0.0, 20.0)),
+        schlick_exponent: f64 = 5.0 => ("fresnelshine", "Fresnel shine", "", number(0.0, 20.0)),
         /// Factor on the Fresnel reflectance; the product is limited to 1.
         fresnel_scale: f64 = 1.0 => ("fresnelscale", "Fresnel scale", "", number(0.0, 4.0)),
         /// Factor on the slope of the surface normal from which the Fresnel reflectance is computed; 1 is physical.
-        fresnel_normals: f64 = 1.0 => ("fresnelnormals", "Fresnel normals scale", "", number(0.0, 4.0)),
+        fresnel_slope_factor: f64 = 1.0 => ("fresnelnormals", "Fresnel normals scale", "", number(0.0, 4.0)),
         /// Microfacet distribution: wave slopes that a pixel does not resolve. gaussian: as measured at sea (Cox and
         /// Munk 1954); ggx: longer tails (Trowbridge and Reitz 1975); blinn-phong: a lobe of the given shininess.
-        specular: Specular = Specular::Gaussian => ("specular", "Microfacets", "", Choice(Specular::WORDS)),
+        specular: MicrofacetDistribution = MicrofacetDistribution::Gaussian
+            => ("specular", "Microfacets", "", Choice(MicrofacetDistribution::WORDS)),
         /// With specular=blinn-phong: exponent of the lobe; a larger one makes a sharper highlight.
         shininess: f64 = 200.0 => ("shininess", "Shininess", "", logarithmic(1.0, 10000.0)),
         /// Strength of the sun glitter, the sun's specular reflection; 1 is physical.
-        glitter: f64 = 1.0 => ("glitter", "Specular scale", "", number(0.0, 10.0)),
+        glitter_strength: f64 = 1.0 => ("glitter", "Specular scale", "", number(0.0, 10.0)),
         /// Factor on the Fresnel reflectance of the sun glitter; the product is limited to 1.
-        glitter_fresnel: f64 = 1.0 => ("glitterfresnel", "Specular Fresnel scale", "", number(0.0, 50.0)),
+        glitter_fresnel_scale: f64 = 1.0 => ("glitterfresnel", "Specular Fresnel scale", "", number(0.0, 50.0)),
         /// Grazing-angle cut-off of the sun glitter: it fades out where the cosine between the surface normal and the
         /// direction of the sun or the eye is below this value.
-        glitter_cut: f64 = 0.0 => ("glittercut", "Specular low cut-off", "", number(0.0, 1.0)),
+        glitter_min_cosine: f64 = 0.0 => ("glittercut", "Specular low cut-off", "", number(0.0, 1.0)),
         /// Roughness r of the water in addition to the unresolved waves: alpha = r^2, slope variance alpha^2 / 2.
         roughness: f64 = 0.0 => ("roughness", "Water roughness", "", number(0.0, 1.0)),
     }
@@ -127,7 +128,7 @@ parameters! {
         /// Factor on the visible foam; 1 shows the coverage that the simulation computes.
         amount: f64 = 1.0 => ("foam", "Foam shown", "", number(0.0, 2.0)),
         /// Colour of the foam.
-        colour: f64 = WHITE => ("foamcolour", "Foam colour", "", Colour),
+        colour: f64 = WHITE_RGB => ("foamcolour", "Foam colour", "", Colour),
         /// Roughness r of the specular reflection of wet foam; its alpha is r^2.
         roughness: f64 = 0.8 => ("foamroughness", "Foam roughness", "", number(0.0, 1.0)),
         /// Height of the relief (bumps) of nearby foam; 1 is a few centimetres.

@@ -9,7 +9,7 @@
 use super::fields::{FIELDS, Field, Group};
 use super::params::Params;
 use super::query;
-use super::text::{limit, printable, quoted};
+use super::text::{printable_prefix, quoted_excerpt, truncate_notices};
 use std::fmt::Write as _;
 use std::sync::LazyLock;
 
@@ -21,16 +21,16 @@ pub const MAX_FILE_BYTES: usize = 1024 * 1024;
 /// Largest number of presets in a file.
 pub const MAX_PRESETS: usize = 200;
 /// Longest name of a preset, characters.
-pub const MAX_NAME: usize = 60;
+pub const MAX_NAME_CHARS: usize = 60;
 /// Longest `about` or `source` text of a preset, characters.
-pub const MAX_TEXT: usize = 1000;
+pub const MAX_DESCRIPTION_CHARS: usize = 1000;
 /// Key of the random seed, which a preset does not reset: it only chooses among seas of the same statistics.
-const SEED: &str = "seed";
+const SEED_KEY: &str = "seed";
 
 /// A preset: a named sea that the user can choose.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Preset {
-    /// Name of the sea, at most [`MAX_NAME`] characters.
+    /// Name of the sea, at most [`MAX_NAME_CHARS`] characters.
     pub name: String,
     /// Description of the sea, with typical wave heights and periods.
     pub about: String,
@@ -42,7 +42,7 @@ pub struct Preset {
 
 /// What happens to a parameter when a preset is applied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Role {
+enum ApplyRule {
     /// Wind, waves, water or foam: always set, to its default where the preset does not name it.
     Sea,
     /// Sun, sky, colours or film: all are set if the preset names one of them, else all are kept.
@@ -53,12 +53,12 @@ enum Role {
     Kept,
 }
 
-fn role(group: Group) -> Role {
+fn apply_rule(group: Group) -> ApplyRule {
     match group {
-        Group::Sea | Group::Swell | Group::Water | Group::Foam => Role::Sea,
-        Group::Sky | Group::Surface | Group::Film => Role::Light,
-        Group::Camera => Role::Camera,
-        Group::Grid | Group::View | Group::Clock | Group::Screen => Role::Kept,
+        Group::Sea | Group::Swell | Group::Water | Group::Foam => ApplyRule::Sea,
+        Group::Sky | Group::Surface | Group::Film => ApplyRule::Light,
+        Group::Camera => ApplyRule::Camera,
+        Group::Grid | Group::View | Group::Clock | Group::Screen => ApplyRule::Kept,
     }
 }
 
@@ -69,7 +69,7 @@ pub fn built_in() -> &'static [Preset] {
 }
 
 /// Whether a text looks like a preset file: its first line that is neither empty nor a comment is a name in brackets.
-pub fn is_file(text: &str) -> bool {
+pub fn is_preset_file(text: &str) -> bool {
     let first = text.lines().map(str::trim).find(|line| !line.is_empty() && !line.starts_with('#'));
     first.is_some_and(|line| line.starts_with('[') && line.ends_with(']'))
 }
@@ -77,14 +77,14 @@ pub fn is_file(text: &str) -> bool {
 impl Preset {
     /// Makes a preset with the waves and the light of `params`, without a description. Camera, time, resolution, views
     /// and default values are left out, so a sea in default light sets no light.
-    pub fn of(name: &str, params: &Params) -> Self {
+    pub fn from_params(name: &str, params: &Params) -> Self {
         let mut carried = Params::default();
-        for field in FIELDS.iter().filter(|f| matches!(role(f.group), Role::Sea | Role::Light)) {
-            copy(field, params, &mut carried);
+        for field in FIELDS.iter().filter(|f| matches!(apply_rule(f.group), ApplyRule::Sea | ApplyRule::Light)) {
+            copy_field(field, params, &mut carried);
         }
         carried.sea.measured.clone_from(&params.sea.measured);
         carried.look.sky.file.clone_from(&params.look.sky.file);
-        Self { name: name.to_owned(), state: query::write(&carried), ..Self::default() }.tidy()
+        Self { name: name.to_owned(), state: query::write(&carried), ..Self::default() }.sanitised()
     }
 
     /// Returns the parameters `now` changed to this preset, and one notice for each value of its state string that was
@@ -93,23 +93,24 @@ impl Preset {
     /// Wind, waves, water, foam and the buoy's spectrum are reset and then set by the preset; the seed is kept unless
     /// the preset names it. Sun, sky, colours and film are reset and set only if the preset names one of them. The
     /// camera changes only where it is named. Time, resolution and views are kept. The image of a sky file is kept if
-    /// the preset names the same file; [`SkyLook::missing_file`](super::look::SkyLook::missing_file) tells whether it
-    /// is missing.
+    /// the preset names the same file; [`SkyLook::missing_file_notice`](super::look::SkyLook::missing_file_notice) tells
+    /// whether it is missing.
     pub fn apply(&self, now: &Params) -> (Params, Vec<String>) {
-        let query::StateReading { params: wanted, taken, mut notices } = query::read(&self.state);
-        let named = |field: &Field| taken.contains(&field.key);
-        let light = taken.contains(&query::SKY) || FIELDS.iter().any(|f| role(f.group) == Role::Light && named(f));
+        let query::ParsedState { params: wanted, keys_set, mut notices } = query::read(&self.state);
+        let named = |field: &Field| keys_set.contains(&field.key);
+        let light = keys_set.contains(&query::SKY_KEY)
+            || FIELDS.iter().any(|f| apply_rule(f.group) == ApplyRule::Light && named(f));
         let mut next = now.clone();
         let mut left = Vec::new();
         for field in FIELDS.iter() {
-            let set = match role(field.group) {
-                Role::Sea => field.key != SEED || named(field),
-                Role::Light => light,
-                Role::Camera => named(field),
-                Role::Kept => false,
+            let set = match apply_rule(field.group) {
+                ApplyRule::Sea => field.key != SEED_KEY || named(field),
+                ApplyRule::Light => light,
+                ApplyRule::Camera => named(field),
+                ApplyRule::Kept => false,
             };
             if set {
-                copy(field, &wanted, &mut next);
+                copy_field(field, &wanted, &mut next);
             } else if named(field) {
                 left.push(field.key);
             }
@@ -117,7 +118,7 @@ impl Preset {
         next.sea.measured = wanted.sea.measured;
         if light {
             let loaded = std::mem::replace(&mut next.look.sky.file, wanted.look.sky.file);
-            next.look.sky.attach(loaded.as_ref());
+            next.look.sky.adopt_loaded_image(loaded.as_ref());
         }
         if !left.is_empty() {
             let left = left.join(", ");
@@ -129,17 +130,17 @@ impl Preset {
     /// Removes control characters and surrounding white space, and cuts texts to their largest length. Writing and
     /// reading leaves the result unchanged.
     #[must_use]
-    fn tidy(self) -> Self {
+    fn sanitised(self) -> Self {
         Self {
-            name: printable(&self.name, MAX_NAME),
-            about: printable(&self.about, MAX_TEXT),
-            source: printable(&self.source, MAX_TEXT),
-            state: printable(&self.state, usize::MAX),
+            name: printable_prefix(&self.name, MAX_NAME_CHARS),
+            about: printable_prefix(&self.about, MAX_DESCRIPTION_CHARS),
+            source: printable_prefix(&self.source, MAX_DESCRIPTION_CHARS),
+            state: printable_prefix(&self.state, usize::MAX),
         }
     }
 }
 
-fn copy(field: &Field, from: &Params, to: &mut Params) {
+fn copy_field(field: &Field, from: &Params, to: &mut Params) {
     (field.set)(to, (field.get)(from));
 }
 
@@ -167,7 +168,7 @@ pub fn add(to: &mut Vec<Preset>, new: Vec<Preset>) -> Result<(), String> {
 pub fn write(presets: &[Preset]) -> String {
     let mut out = String::new();
     for preset in presets {
-        let Preset { name, about, source, state } = preset.clone().tidy();
+        let Preset { name, about, source, state } = preset.clone().sanitised();
         if name.is_empty() {
             continue;
         }
@@ -185,18 +186,18 @@ pub fn write(presets: &[Preset]) -> String {
 }
 
 /// A preset whose lines are being read from a file.
-struct Entry {
+struct PresetBuilder {
     preset: Preset,
     has_state: bool,
     /// Notice of the first fault in the lines of the preset.
     fault: Option<String>,
 }
 
-impl Entry {
+impl PresetBuilder {
     fn new(heading: &str) -> Self {
-        let name = printable(heading, MAX_NAME);
-        let fault =
-            (name != printable(heading, usize::MAX)).then(|| format!("the name is cut to {MAX_NAME} characters"));
+        let name = printable_prefix(heading, MAX_NAME_CHARS);
+        let fault = (name != printable_prefix(heading, usize::MAX))
+            .then(|| format!("the name is cut to {MAX_NAME_CHARS} characters"));
         Self { preset: Preset { name, ..Preset::default() }, has_state: false, fault }
     }
 
@@ -210,7 +211,9 @@ impl Entry {
                 (&mut self.preset.state, "&")
             }
             _ => {
-                self.fault.get_or_insert_with(|| format!("\"{}\" is not about, source or state: ignored", quoted(key)));
+                self.fault.get_or_insert_with(|| {
+                    format!("\"{}\" is not about, source or state: ignored", quoted_excerpt(key))
+                });
                 return;
             }
         };
@@ -223,14 +226,14 @@ impl Entry {
 
     /// Returns the preset if it is complete, and a notice if it has a fault.
     fn finish(self) -> (Option<Preset>, Option<String>) {
-        let preset = self.preset.tidy();
+        let preset = self.preset.sanitised();
         let name = &preset.name;
         let refusal = if name.is_empty() {
             "a sea without a name: ignored".to_owned()
         } else if !self.has_state {
             format!("{name}: no state: ignored")
-        } else if preset.state.len() > query::MAX_BYTES {
-            format!("{name}: the state is longer than {} bytes: ignored", query::MAX_BYTES)
+        } else if preset.state.len() > crate::files::MAX_STATE_BYTES {
+            format!("{name}: the state is longer than {} bytes: ignored", crate::files::MAX_STATE_BYTES)
         } else {
             let notice = self.fault.map(|fault| format!("{name}: {fault}"));
             return (Some(preset), notice);
@@ -244,12 +247,12 @@ impl Entry {
 pub fn read(text: &str) -> (Vec<Preset>, Vec<String>) {
     let mut presets: Vec<Preset> = Vec::new();
     let mut notices = Vec::new();
-    let text = cut(text.trim_start_matches('\u{feff}'), &mut notices);
-    let mut entry: Option<Entry> = None;
+    let text = complete_lines_within_limit(text.trim_start_matches('\u{feff}'), &mut notices);
+    let mut entry: Option<PresetBuilder> = None;
     let mut strays = 0_usize;
     let mut surplus = 0_usize;
-    let mut close = |entry: Option<Entry>, notices: &mut Vec<String>| {
-        let (preset, notice) = entry.map_or((None, None), Entry::finish);
+    let mut close = |entry: Option<PresetBuilder>, notices: &mut Vec<String>| {
+        let (preset, notice) = entry.map_or((None, None), PresetBuilder::finish);
         notices.extend(notice);
         let Some(preset) = preset else { return };
         match presets.iter().position(|p| p.name == preset.name) {
@@ -263,7 +266,7 @@ pub fn read(text: &str) -> (Vec<Preset>, Vec<String>) {
             continue;
         }
         if let Some(heading) = line.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
-            close(entry.replace(Entry::new(heading)), &mut notices);
+            close(entry.replace(PresetBuilder::new(heading)), &mut notices);
         } else if let Some(entry) = &mut entry {
             entry.line(line);
         } else {
@@ -277,12 +280,12 @@ pub fn read(text: &str) -> (Vec<Preset>, Vec<String>) {
     if surplus > 0 {
         notices.push(format!("more than {MAX_PRESETS} seas: {surplus} ignored"));
     }
-    limit(&mut notices);
+    truncate_notices(&mut notices);
     (presets, notices)
 }
 
 /// Returns the complete lines within the first [`MAX_FILE_BYTES`] bytes of a text, with a notice if it is longer.
-fn cut<'a>(text: &'a str, notices: &mut Vec<String>) -> &'a str {
+fn complete_lines_within_limit<'a>(text: &'a str, notices: &mut Vec<String>) -> &'a str {
     if text.len() <= MAX_FILE_BYTES {
         return text;
     }

@@ -2,9 +2,9 @@
 
 use super::*;
 use crate::files::measured::MeasuredSpectrum;
-use crate::state::fields::{FieldKind, Refusal};
+use crate::state::fields::{FieldKind, InvalidValue};
 use crate::state::text::MAX_NOTICES;
-use crate::waves::statistics::Theory;
+use crate::waves::statistics::SpectrumStatistics;
 use crate::waves::{Plan, noise};
 use std::collections::HashSet;
 
@@ -40,8 +40,8 @@ fn random(dice: &mut Dice, which: impl Fn(&Field) -> bool) -> Params {
         };
         // A whole number has its random value rounded, which `accept` reports as clamped.
         let taken = match field.accept(value) {
-            Ok(v) | Err(Refusal::Clamped(v)) => v,
-            Err(Refusal::Ignored) => continue,
+            Ok(v) | Err(InvalidValue::Clamped(v)) => v,
+            Err(InvalidValue::Ignored) => continue,
         };
         (field.set)(&mut p, taken);
     }
@@ -87,7 +87,7 @@ fn the_built_in_seas_are_what_they_say() {
         assert_eq!(notices, Vec::<String>::new(), "{name}");
         let plan = Plan::new(&params);
         assert_eq!(plan.notices, Vec::<String>::new(), "{name}");
-        let theory = Theory::new(&plan);
+        let theory = SpectrumStatistics::new(&plan);
         assert!(within(theory.hs_m, hs_m) && within(theory.tp_s, tp_s), "{name}: {} {}", theory.hs_m, theory.tp_s);
         let texts = [&preset.about, &preset.source];
         assert!(texts.iter().all(|t| t.len() > 20 && t.ends_with('.')), "{name}");
@@ -99,7 +99,7 @@ fn the_built_in_seas_are_what_they_say() {
 fn the_built_in_seas_survive_being_carried() {
     for preset in built_in() {
         let (params, _) = preset.apply(&Params::default());
-        let again = Preset::of(&preset.name, &params);
+        let again = Preset::from_params(&preset.name, &params);
         assert_eq!(again.apply(&Params::default()), (params, vec![]), "{}", preset.name);
     }
 }
@@ -120,7 +120,7 @@ fn files_come_back_as_they_were_written() {
                 source: text(&mut dice, 200),
                 state: text(&mut dice, 200),
             })
-            .map(Preset::tidy)
+            .map(Preset::sanitised)
             .collect();
         let (again, notices) = read(&write(&presets));
         let unique = presets.iter().map(|p| &p.name).collect::<HashSet<_>>().len() == presets.len();
@@ -139,16 +139,16 @@ fn seas_and_light_come_back() {
     for i in 0..300 {
         let saved = random(&mut dice, |_| true);
         let dark = i % 3 == 0;
-        let saved = if dark { random(&mut dice, |f| role(f.group) != Role::Light) } else { saved };
+        let saved = if dark { random(&mut dice, |f| apply_rule(f.group) != ApplyRule::Light) } else { saved };
         let now = random(&mut dice, |_| true);
-        let preset = Preset::of("one", &saved);
+        let preset = Preset::from_params("one", &saved);
         let (next, notices) = preset.apply(&now);
         assert_eq!(notices, Vec::<String>::new(), "{}", preset.state);
         for field in FIELDS.iter() {
-            let default_seed = field.key == SEED && (field.get)(&saved) == field.default_value();
-            let from = match role(field.group) {
-                Role::Sea if !default_seed => &saved,
-                Role::Light if !dark => &saved,
+            let default_seed = field.key == SEED_KEY && (field.get)(&saved) == field.default_value();
+            let from = match apply_rule(field.group) {
+                ApplyRule::Sea if !default_seed => &saved,
+                ApplyRule::Light if !dark => &saved,
                 _ => &now,
             };
             assert!(same(field, &next, from), "{} of {}", field.key, preset.state);
@@ -190,8 +190,8 @@ fn buoys_and_skies_come_along() {
     let bands: Vec<(f64, f64)> = (1..40).map(|i| (0.02 * f64::from(i), 1.0 / f64::from(i))).collect();
     let measured = MeasuredSpectrum::new(&bands, None).expect("a sea");
     let mut now = query::parse("sky=a.hdr&skyturn=30").0;
-    now.sea.show_measured(measured);
-    let preset = Preset::of("buoy", &now);
+    now.sea.set_measured_spectrum(measured);
+    let preset = Preset::from_params("buoy", &now);
     assert_eq!(preset.apply(&Params::default()), (now.clone(), vec![]));
     let (next, _) = Preset { state: "wind=8".into(), ..Preset::default() }.apply(&now);
     assert_eq!((next.sea.measured.is_none(), &next.look), (true, &now.look), "the buoy goes, the light stays");
@@ -220,7 +220,7 @@ fn what_is_wrong_becomes_a_notice() {
     assert_eq!(of("[a]\nstate: wind=3\nhello\nworld: 3\n"), (one("a", "wind=3"), 1));
     assert_eq!(of("[a]\nstate: wind=3\n[a]\nstate: wind=4\n"), (one("a", "wind=4"), 0));
     assert_eq!(of(&format!("[{}]\nstate: wind=3", "x".repeat(70))), (one(&"x".repeat(60), "wind=3"), 1));
-    assert_eq!(of(&format!("[a]\nstate: {}", "x".repeat(query::MAX_BYTES + 1))), (vec![], 1));
+    assert_eq!(of(&format!("[a]\nstate: {}", "x".repeat(crate::files::MAX_STATE_BYTES + 1))), (vec![], 1));
     assert_eq!(of("[a\u{7}\u{85}b]\nstate: wi\0nd=3"), (one("ab", "wind=3"), 0));
     let many: String = (0..MAX_PRESETS + 5).map(|i| format!("[{i}]\nstate: wind=3\n")).collect();
     assert_eq!((of(&many).0.len(), of(&many).1), (MAX_PRESETS, 1));
@@ -238,7 +238,7 @@ fn more_than_a_file_holds_is_not_added() {
     assert!(add(&mut own, vec![sea(0, "wind=4"), sea(MAX_PRESETS, "wind=5")]).is_err_and(|e| e.contains("200 seas")));
     assert_eq!(own, before, "all or nothing");
     assert_eq!((add(&mut own, vec![sea(7, "wind=4")]), own.len(), own[7].state.as_str()), (Ok(()), 200, "wind=4"));
-    let long = "x".repeat(query::MAX_BYTES);
+    let long = "x".repeat(crate::files::MAX_STATE_BYTES);
     let mut own = Vec::new();
     for i in 0.. {
         if add(&mut own, vec![sea(i, &long)]).is_err() {
@@ -275,7 +275,7 @@ fn hostile_files_do_no_harm() {
         let (presets, notices) = read(&String::from_utf8_lossy(&bytes));
         assert!(presets.len() <= MAX_PRESETS && notices.len() <= MAX_NOTICES + 1);
         for preset in &presets {
-            assert_eq!(*preset, preset.clone().tidy());
+            assert_eq!(*preset, preset.clone().sanitised());
             let (params, notices) = preset.apply(&Params::default());
             assert!(notices.len() <= 26);
             for field in FIELDS.iter() {

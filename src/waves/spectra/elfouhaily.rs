@@ -1,7 +1,7 @@
 //! Unified spectrum of gravity and capillary waves (Elfouhaily, Chapron, Katsaros and Vandemark 1997).
 
 use super::donelan::peak_form;
-use super::spectrum::{FrequencySpectrum, Inputs, peak_enhancement};
+use super::spectrum::{FrequencySpectrum, SpectrumInputs, peak_enhancement};
 
 /// Wave number at which the phase speed of water waves is lowest, rad/m.
 const K_M: f64 = 370.0;
@@ -10,7 +10,7 @@ const C_M: f64 = 0.23;
 
 /// Elfouhaily's omnidirectional spectrum S(k) = k^-3 (B_low + B_high), m^3, with the curvature spectra of long waves
 /// (B_low) and of short waves (B_high), converted to S(omega).
-pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
+pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (g, u, dispersion) = (inputs.gravity_m_s2, inputs.wind_m_s, inputs.dispersion);
     let grown = 0.84 * ((inputs.fetch / 2.2e4).powf(0.4)).tanh().powf(-0.75);
     let omega_p = inputs.omega_p.unwrap_or(grown.clamp(0.84, 5.0) * g / u);
@@ -57,7 +57,7 @@ mod tests {
     use super::super::tests::{at, close, hs};
     use crate::state::params::{DispersionKind, Sea, SpectrumKind};
     use crate::waves::dispersion::Dispersion;
-    use crate::waves::quadrature::adaptive;
+    use crate::waves::quadrature::integrate_adaptive;
 
     #[test]
     fn elfouhaily_is_a_sea_with_ripples() {
@@ -66,9 +66,9 @@ mod tests {
         let s = at(SpectrumKind::Elfouhaily, 10.0, 2000.0, |sea| sea.dispersion = DispersionKind::Capillary);
         close(hs(&s), 2.245, 0.2);
         let waves = Dispersion::new(&Sea { dispersion: DispersionKind::Capillary, ..Sea::default() });
-        let (low, high) = (s.support().0, waves.omega(6000.0));
+        let (low, high) = (s.frequency_range().0, waves.omega(6000.0));
         let knots: Vec<f64> = (0..=12).map(|i| low * (high / low).powf(f64::from(i) / 12.0)).collect();
-        let mss = adaptive(|w| s.density(w) * waves.wave_number(w).powi(2), &knots, 1e-8);
+        let mss = integrate_adaptive(|w| s.density(w) * waves.wave_number(w).powi(2), &knots, 1e-8);
         close(mss, 0.003 + 0.00512 * 10.0, 0.25);
     }
 }

@@ -1,6 +1,6 @@
 //! Generalised spectrum A omega^-5 exp(-B omega^-4), and Pierson-Moskowitz, its special case for a fully developed sea.
 
-use super::spectrum::{FrequencySpectrum, Inputs};
+use super::spectrum::{FrequencySpectrum, SpectrumInputs};
 
 /// Phillips' constant alpha of a fully developed sea (Pierson and Moskowitz 1964).
 pub const ALPHA: f64 = 8.1e-3;
@@ -10,21 +10,21 @@ const BETA: f64 = 0.74;
 const U19_OVER_U10: f64 = 1.026;
 
 /// Spectrum A omega^-5 exp(-B omega^-4) with the user's A (m^2/s^4) and B (s^-4), by default Pierson-Moskowitz' values.
-pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
+pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (a, b) = coefficients(inputs);
     let or = |set: f64, default: f64| if set > 0.0 { set } else { default };
     with_coefficients(or(inputs.system.coefficient_a, a), or(inputs.system.coefficient_b, b))
 }
 
 /// Spectrum of a fully developed sea by Pierson and Moskowitz 1964.
-pub fn pierson_moskowitz(inputs: &Inputs<'_>) -> FrequencySpectrum {
+pub fn pierson_moskowitz(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (a, b) = coefficients(inputs);
     with_coefficients(a, b)
 }
 
 /// Coefficients A = alpha g^2 (m^2/s^4) and B = beta (g / U19.5)^4 = 0.6678 (g / U10)^4 (s^-4) of Pierson-Moskowitz. If
 /// the user has set the peak frequency, B follows from it.
-fn coefficients(inputs: &Inputs<'_>) -> (f64, f64) {
+fn coefficients(inputs: &SpectrumInputs<'_>) -> (f64, f64) {
     let g = inputs.gravity_m_s2;
     let b = match inputs.omega_p {
         Some(omega_p) => 1.25 * omega_p.powi(4),

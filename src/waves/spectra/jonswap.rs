@@ -1,9 +1,9 @@
 //! JONSWAP, the spectrum of a fetch-limited sea, and TMA, the same spectrum times a depth factor for shallow water.
 
-use super::spectrum::{FrequencySpectrum, Inputs, peak_enhancement};
+use super::spectrum::{FrequencySpectrum, SpectrumInputs, peak_enhancement};
 use crate::state::params::DepthFactor;
 use crate::waves::dispersion::Dispersion;
-use crate::waves::quadrature::adaptive;
+use crate::waves::quadrature::integrate_adaptive;
 
 /// Dimensionless fetch g F / U^2 at which JONSWAP is as high as a fully developed sea.
 const FULL_FETCH: f64 = 1.1e4;
@@ -22,18 +22,18 @@ pub struct Jonswap {
 }
 
 /// Makes the JONSWAP spectrum, with a notice if the fetch is too long for it.
-pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
+pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let jonswap = Jonswap::new(inputs);
     let notice = full_development(inputs);
     FrequencySpectrum { notice, ..FrequencySpectrum::new(jonswap.omega_p, move |omega| jonswap.density(omega)) }
 }
 
 /// Makes the TMA spectrum for shallow water: JONSWAP times the depth factor, optionally with Bouws' alpha and gamma.
-pub fn tma(inputs: &Inputs<'_>) -> FrequencySpectrum {
+pub fn tma(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (g, sea) = (inputs.gravity_m_s2, inputs.sea);
     let mut tma = Jonswap::new(inputs);
-    if sea.bouws {
-        let k_p = Dispersion::finite(g, sea.depth_m).wave_number(tma.omega_p);
+    if sea.tma_bouws_parameters {
+        let k_p = Dispersion::finite_depth(g, sea.depth_m).wave_number(tma.omega_p);
         let kappa = inputs.wind_m_s * inputs.wind_m_s * k_p / g;
         tma.a = 0.0078 * kappa.powf(0.49) * g * g;
         tma.gamma = 2.47 * kappa.powf(0.39);
@@ -48,9 +48,9 @@ pub fn tma(inputs: &Inputs<'_>) -> FrequencySpectrum {
 
 /// Returns the depth factor of Kitaigorodskii et al. 1975 as a function of the angular frequency (rad/s). The factor is
 /// 1 in deep water and reduces the spectrum in shallow water.
-pub fn depth_factor(inputs: &Inputs<'_>) -> impl Fn(f64) -> f64 + Copy + Send + Sync + use<> {
+pub fn depth_factor(inputs: &SpectrumInputs<'_>) -> impl Fn(f64) -> f64 + Copy + Send + Sync + use<> {
     let (form, g, depth_m) = (inputs.sea.depth_factor, inputs.gravity_m_s2, inputs.sea.depth_m);
-    let dispersion = Dispersion::finite(g, depth_m);
+    let dispersion = Dispersion::finite_depth(g, depth_m);
     move |omega| match form {
         DepthFactor::Exact => {
             let kh = depth_m * dispersion.wave_number(omega);
@@ -66,7 +66,7 @@ pub fn depth_factor(inputs: &Inputs<'_>) -> impl Fn(f64) -> f64 + Copy + Send + 
 }
 
 /// Notice about a fetch beyond full development: a real sea stops growing there, JONSWAP does not.
-fn full_development(inputs: &Inputs<'_>) -> Option<String> {
+fn full_development(inputs: &SpectrumInputs<'_>) -> Option<String> {
     let is_set = inputs.system.hs_m > 0.0 || inputs.omega_p.is_some();
     (inputs.fetch > EXCESSIVE_FETCH && !is_set).then(|| {
         let fetch_km = inputs.fetch_km(FULL_FETCH);
@@ -75,11 +75,11 @@ fn full_development(inputs: &Inputs<'_>) -> Option<String> {
 }
 
 /// Significant wave height (m) and angular peak frequency (rad/s) set by the user, or those of JONSWAP if not set.
-pub fn height_and_peak(inputs: &Inputs<'_>) -> (f64, f64) {
+pub fn height_and_peak(inputs: &SpectrumInputs<'_>) -> (f64, f64) {
     let grown = Jonswap::grown(inputs);
     let grown_height = || {
         let knots = [0.3, 1.0, 1.5, 5.0, 400.0].map(|r| r * grown.omega_p);
-        4.0 * adaptive(|w| grown.density(w), &knots, 1e-9).sqrt()
+        4.0 * integrate_adaptive(|w| grown.density(w), &knots, 1e-9).sqrt()
     };
     let hs_m = if inputs.system.hs_m > 0.0 { inputs.system.hs_m } else { grown_height() };
     (hs_m, inputs.omega_p.unwrap_or(grown.omega_p))
@@ -88,14 +88,14 @@ pub fn height_and_peak(inputs: &Inputs<'_>) -> (f64, f64) {
 impl Jonswap {
     /// Mean JONSWAP spectrum for a wind U and a fetch F, without the user's settings: gamma = 3.3, alpha = 0.076
     /// x^-0.22 and omega_p = 22 (g/U) x^(-1/3) with the dimensionless fetch x = g F / U^2.
-    fn grown(inputs: &Inputs<'_>) -> Self {
+    fn grown(inputs: &SpectrumInputs<'_>) -> Self {
         let (g, x) = (inputs.gravity_m_s2, inputs.fetch);
         let alpha = 0.076 * x.powf(-0.22);
         Self { a: alpha * g * g, omega_p: 22.0 * g / inputs.wind_m_s / x.cbrt(), gamma: 3.3 }
     }
 
     /// JONSWAP spectrum with the peak enhancement gamma and, if set, the peak frequency of the user.
-    pub fn new(inputs: &Inputs<'_>) -> Self {
+    pub fn new(inputs: &SpectrumInputs<'_>) -> Self {
         let grown = Self::grown(inputs);
         Self { omega_p: inputs.omega_p.unwrap_or(grown.omega_p), gamma: inputs.system.gamma, ..grown }
     }
@@ -147,7 +147,7 @@ mod tests {
     #[test]
     fn bouws_constants() {
         // U = 10 m/s over 100 km in deep water has alpha 0.0080 and gamma 2.52.
-        let s = at(SpectrumKind::Tma, 10.0, 100.0, |sea| sea.bouws = true);
+        let s = at(SpectrumKind::Tma, 10.0, 100.0, |sea| sea.tma_bouws_parameters = true);
         let gamma = s.density(s.omega_p) / (0.0080 * G * G / s.omega_p.powi(5) * (-1.25f64).exp());
         close(gamma, 2.52, 5e-3);
     }

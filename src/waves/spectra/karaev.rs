@@ -1,7 +1,7 @@
 //! Spectrum of Karaev and Balandina 2000 and Karaev et al. 2008: JONSWAP with a tail of power laws to capillary waves.
 
 use super::jonswap::{Jonswap, depth_factor};
-use super::spectrum::{FrequencySpectrum, Inputs};
+use super::spectrum::{FrequencySpectrum, SpectrumInputs};
 
 /// Smallest and largest dimensionless fetch g F / U^2 for which Karaev's fit of the peak frequency holds.
 const FETCH: (f64, f64) = (1430.0, 20170.0);
@@ -10,7 +10,7 @@ const RIPPLES: (f64, f64) = (64.0, 298.0);
 
 /// Karaev's spectrum: JONSWAP up to 1.2 times the peak frequency, on request with the depth factor of TMA, then the
 /// power laws omega^-4, omega^-5, omega^-2.7 and omega^-5. The five branches join continuously.
-pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
+pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (g, u) = (inputs.gravity_m_s2, inputs.wind_m_s);
     let x = inputs.fetch.clamp(FETCH.0, FETCH.1);
     let notice = (x != inputs.fetch).then(|| {

@@ -1,7 +1,7 @@
 //! MarNeRo, a frequency spectrum for the Black Sea near the shore (Trusca 2007).
 
 use super::jonswap::height_and_peak;
-use super::spectrum::{FrequencySpectrum, Inputs};
+use super::spectrum::{FrequencySpectrum, SpectrumInputs};
 
 /// Exponent of wm/w in the exponential of the MarNeRo spectrum.
 const POWER: f64 = 5.9285;
@@ -10,7 +10,7 @@ const RATE: f64 = 0.3883;
 
 /// MarNeRo spectrum S(w) = 2.302 (E/wm) (wm/w)^6.9285 exp(-0.3883 (wm/w)^5.9285) over the angular frequency w, with the
 /// mean frequency wm and the elevation variance E. The printed factor, 2.202, does not integrate to E.
-pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
+pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (hs_m, omega_p) = height_and_peak(inputs);
     let m0 = hs_m * hs_m / 16.0;
     // Peak frequency over mean frequency, from the zero of the derivative of S.

@@ -6,8 +6,9 @@ use std::sync::Arc;
 
 /// Makes the frequency spectrum S(omega) from a buoy's frequency bands. Quadrature is split at the band frequencies.
 pub fn spectrum(data: &Arc<MeasuredSpectrum>) -> FrequencySpectrum {
-    let (lowest, breakpoints, measured) = (data.lowest_omega().max(1e-3), data.breakpoints(), Some(Arc::clone(data)));
+    let (omega_min, breakpoints, measured) =
+        (data.lowest_omega().max(1e-3), data.breakpoints(), Some(Arc::clone(data)));
     let shape = Arc::clone(data);
     let spectrum = FrequencySpectrum::new(data.omega_p(), move |omega| shape.density(omega));
-    FrequencySpectrum { lowest, breakpoints, measured, ..spectrum }
+    FrequencySpectrum { omega_min, breakpoints, measured, ..spectrum }
 }

@@ -1,8 +1,9 @@
 //! Frequency spectra S(omega): one-sided variance density of the elevation, m^2 s. The integral of S over the angular
 //! frequency omega (rad/s) is the elevation variance m0.
 //!
-//! Each family is a file with a function that makes a [`FrequencySpectrum`] from `Inputs`. A new family takes three
-//! files: its own, this one (its `mod` line and its arm of `family`), and `state/sea.rs` (its variant and its word).
+//! Each family is a file with a function that makes a [`FrequencySpectrum`] from `SpectrumInputs`. A new family takes
+//! three files: its own, this one (its `mod` line and its arm of `spectrum_of_family`), and `state/sea.rs` (its variant
+//! and its word).
 
 mod donelan;
 mod elfouhaily;
@@ -21,14 +22,14 @@ mod torsethaugen;
 
 use super::dispersion::Dispersion;
 use crate::state::params::{Sea, SpectrumKind, System};
-use spectrum::Inputs;
+use spectrum::SpectrumInputs;
 use std::f64::consts::TAU;
 
 pub use elfouhaily::elfouhaily_delta;
 pub use spectrum::FrequencySpectrum;
 
 /// Wind speed at 10 m height below which the wind makes no waves, m/s.
-const CALM_M_S: f64 = 0.05;
+const MIN_WIND_M_S: f64 = 0.05;
 /// Smallest elevation variance of a spectrum, m^2, that is still scaled to the wave height set by the user.
 const MIN_M0_M2: f64 = 1e-12;
 /// Shortest peak period that the user can set, s; waves with this period are 14 cm long.
@@ -36,17 +37,17 @@ const MIN_PEAK_PERIOD_S: f64 = 0.3;
 
 /// Makes the frequency spectrum of one wave system of a sea, scaled to the user's wave height. Without wind it is 0,
 /// unless the user has set height and period or has loaded a buoy's data.
-pub fn of_system(sea: &Sea, system: &System) -> FrequencySpectrum {
+pub fn spectrum_of_system(sea: &Sea, system: &System) -> FrequencySpectrum {
     let (dispersion, gravity_m_s2) = (Dispersion::new(sea), sea.gravity_m_s2);
     let is_measured = system.spectrum == SpectrumKind::Measured;
     let needs_wind = !(system.hs_m > 0.0 && system.tp_s > 0.0 || is_measured && sea.measured.is_some());
-    let mut spectrum = if system.scale == 0.0 || needs_wind && system.wind_m_s < CALM_M_S {
+    let mut spectrum = if system.scale == 0.0 || needs_wind && system.wind_m_s < MIN_WIND_M_S {
         FrequencySpectrum::calm()
     } else {
-        let wind_m_s = system.wind_m_s.max(CALM_M_S);
+        let wind_m_s = system.wind_m_s.max(MIN_WIND_M_S);
         let fetch = 1000.0 * system.fetch_km * gravity_m_s2 / (wind_m_s * wind_m_s);
         let omega_p = (system.tp_s > 0.0).then(|| TAU / system.tp_s.max(MIN_PEAK_PERIOD_S));
-        family(&Inputs { sea, system, dispersion, gravity_m_s2, wind_m_s, fetch, omega_p })
+        spectrum_of_family(&SpectrumInputs { sea, system, dispersion, gravity_m_s2, wind_m_s, fetch, omega_p })
     };
     if is_measured && sea.measured.is_none() {
         let notice = "spectrum=measured needs a buoy's file: drop one here or give it with --spectrum; until then \
@@ -68,7 +69,7 @@ pub fn of_system(sea: &Sea, system: &System) -> FrequencySpectrum {
 }
 
 /// Makes the unscaled spectrum of the family selected in `inputs`; JONSWAP replaces a measured spectrum without data.
-fn family(inputs: &Inputs<'_>) -> FrequencySpectrum {
+fn spectrum_of_family(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     match inputs.system.spectrum {
         SpectrumKind::Phillips => phillips::spectrum(inputs),
         SpectrumKind::Tessendorf => tessendorf::spectrum(inputs),

@@ -2,17 +2,17 @@
 //! probable one for the significant wave height is used.
 
 use super::jonswap::height_and_peak;
-use super::spectrum::{FrequencySpectrum, Inputs};
+use super::spectrum::{FrequencySpectrum, SpectrumInputs};
 
 /// Ochi-Hubble spectrum: the sum of two peaks. A peak period set by the user scales both peak frequencies alike.
-pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
+pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (hs_m, _) = height_and_peak(inputs);
     // The published factors of the two heights, 0.84 and 0.54, have squares that add to 0.997 instead of 1.
     let share = 1.0 / (0.84f64.powi(2) + 0.54f64.powi(2)).sqrt();
     let peaks = |ratio: f64| {
         FrequencySpectrum::sum([
-            peak(0.84 * share * hs_m, 0.70 * (-0.046 * hs_m).exp() * ratio, 3.0),
-            peak(0.54 * share * hs_m, 1.15 * (-0.039 * hs_m).exp() * ratio, 1.54 * (-0.062 * hs_m).exp()),
+            peak_spectrum(0.84 * share * hs_m, 0.70 * (-0.046 * hs_m).exp() * ratio, 3.0),
+            peak_spectrum(0.54 * share * hs_m, 1.15 * (-0.039 * hs_m).exp() * ratio, 1.54 * (-0.062 * hs_m).exp()),
         ])
     };
     let natural = peaks(1.0);
@@ -24,7 +24,7 @@ pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
 
 /// One peak of the Ochi-Hubble spectrum, S(w) = 1/4 (c wp^4)^lambda / Gamma(lambda) Hs^2 / w^(4 lambda + 1)
 /// exp(-c (wp/w)^4) with c = lambda + 1/4, where lambda is the sharpness of the peak.
-fn peak(hs_m: f64, omega_p: f64, lambda: f64) -> FrequencySpectrum {
+fn peak_spectrum(hs_m: f64, omega_p: f64, lambda: f64) -> FrequencySpectrum {
     let c = (4.0 * lambda + 1.0) / 4.0;
     FrequencySpectrum::new(omega_p, move |omega| {
         let x = (omega_p / omega).powi(4);

@@ -3,12 +3,12 @@
 use crate::files::measured::MeasuredSpectrum;
 use crate::state::params::{Sea, System};
 use crate::waves::dispersion::Dispersion;
-use crate::waves::quadrature::adaptive;
+use crate::waves::quadrature::integrate_adaptive;
 use std::fmt;
 use std::sync::Arc;
 
 /// Quantities from which a spectrum family (JONSWAP and others) makes the frequency spectrum of a wave system.
-pub struct Inputs<'a> {
+pub struct SpectrumInputs<'a> {
     pub sea: &'a Sea,
     pub system: &'a System,
     /// Dispersion relation of the sea's waves.
@@ -23,7 +23,7 @@ pub struct Inputs<'a> {
     pub omega_p: Option<f64>,
 }
 
-impl Inputs<'_> {
+impl SpectrumInputs<'_> {
     /// Converts the dimensionless fetch `fetch` = g F / U^2 to the fetch F in km, at the wind speed of these inputs.
     pub fn fetch_km(&self, fetch: f64) -> f64 {
         fetch * self.wind_m_s * self.wind_m_s / self.gravity_m_s2 / 1000.0
@@ -38,12 +38,12 @@ pub struct FrequencySpectrum {
     /// Angular frequency of the spectral peak, rad/s; in a double-peaked spectrum that of the higher peak.
     pub omega_p: f64,
     /// Angular frequency below which the spectrum is negligible, rad/s, positive.
-    pub(super) lowest: f64,
+    pub(super) omega_min: f64,
     /// Angular frequencies (rad/s), in any order, at which quadrature is split: kinks, jumps and points around the
     /// peak.
     pub breakpoints: Vec<f64>,
     /// Angular frequency at which the spectrum jumps, rad/s; `None` if it is continuous.
-    pub jump: Option<f64>,
+    pub discontinuity: Option<f64>,
     /// Whether the spectrum is defined with its own directional factor cos^2, which replaces the user's spreading.
     pub has_own_direction: bool,
     /// Buoy data, if this is a measured spectrum.
@@ -64,9 +64,9 @@ impl FrequencySpectrum {
         Self {
             shape: Arc::new(shape),
             omega_p,
-            lowest: 0.3 * omega_p,
+            omega_min: 0.3 * omega_p,
             breakpoints: [0.8, 0.93, 1.0, 1.15, 1.5, 3.0].map(|r| r * omega_p).to_vec(),
-            jump: None,
+            discontinuity: None,
             has_own_direction: false,
             measured: None,
             is_calm: false,
@@ -83,11 +83,11 @@ impl FrequencySpectrum {
 
     /// Makes a double-peaked spectrum as the sum of two spectra with one peak each.
     pub fn sum([a, b]: [Self; 2]) -> Self {
-        let (lowest, breakpoints) = (a.lowest.min(b.lowest), [&a.breakpoints[..], &b.breakpoints].concat());
+        let (omega_min, breakpoints) = (a.omega_min.min(b.omega_min), [&a.breakpoints[..], &b.breakpoints].concat());
         let peaks = [a.omega_p, b.omega_p];
         let shape = move |omega| (a.shape)(omega) + (b.shape)(omega);
         let omega_p = if shape(peaks[0]) >= shape(peaks[1]) { peaks[0] } else { peaks[1] };
-        Self { lowest, breakpoints, ..Self::new(omega_p, shape) }
+        Self { omega_min, breakpoints, ..Self::new(omega_p, shape) }
     }
 
     /// Returns the spectrum with its variance density multiplied by `factor`.
@@ -108,17 +108,17 @@ impl FrequencySpectrum {
 
     /// Elevation variance m0, m^2: the integral of the spectrum over all frequencies.
     pub fn m0_m2(&self) -> f64 {
-        let (low, high) = self.support();
+        let (low, high) = self.frequency_range();
         let mut knots = self.breakpoints.clone();
         knots.retain(|&w| w > low && w < high);
         knots.extend([low, high]);
         knots.sort_by(f64::total_cmp);
-        adaptive(|w| self.density(w), &knots, 1e-9)
+        integrate_adaptive(|w| self.density(w), &knots, 1e-9)
     }
 
     /// Lowest and highest angular frequency, rad/s, between which nearly all variance of the spectrum lies.
-    pub fn support(&self) -> (f64, f64) {
-        (self.lowest, (400.0 * self.omega_p).max(4000.0))
+    pub fn frequency_range(&self) -> (f64, f64) {
+        (self.omega_min, (400.0 * self.omega_p).max(4000.0))
     }
 }
 

@@ -11,7 +11,7 @@ pub fn at(spectrum: SpectrumKind, wind_m_s: f64, fetch_km: f64, change: impl Fn(
     let mut sea = Sea::default();
     sea.systems[0] = System { spectrum, wind_m_s, fetch_km, ..sea.systems[0].clone() };
     change(&mut sea);
-    of_system(&sea, &sea.systems[0])
+    spectrum_of_system(&sea, &sea.systems[0])
 }
 
 pub fn hs(s: &FrequencySpectrum) -> f64 {

@@ -1,12 +1,12 @@
 //! Double-peaked spectrum of wind sea and swell in the North Sea (Torsethaugen and Haver 2004, simplified form).
 
 use super::jonswap::height_and_peak;
-use super::spectrum::{FrequencySpectrum, Inputs, peak_enhancement};
+use super::spectrum::{FrequencySpectrum, SpectrumInputs, peak_enhancement};
 use std::f64::consts::TAU;
 
 /// Torsethaugen's spectrum: the sum of a primary and a secondary peak. Significant wave height and peak period decide
 /// whether the primary peak is the wind sea or the swell.
-pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
+pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (hs, omega_p) = height_and_peak(inputs);
     let g = inputs.gravity_m_s2;
     let tp = TAU / omega_p;
@@ -26,12 +26,12 @@ pub fn spectrum(inputs: &Inputs<'_>) -> FrequencySpectrum {
         (share, gamma_of(hs, full) * longer, 6.6 * rest.cbrt().max(0.05))
     };
     let rest = (1.0 - share * share).max(0.0).sqrt();
-    FrequencySpectrum::sum([peak(share * hs, tp, gamma), peak(rest * hs, second, 1.0)])
+    FrequencySpectrum::sum([peak_spectrum(share * hs, tp, gamma), peak_spectrum(rest * hs, second, 1.0)])
 }
 
 /// One peak of the spectrum: f_n^-4 exp(-f_n^-4) times the peak enhancement for gamma, with f_n = omega / omega_p,
 /// scaled to the significant wave height `hs_m` (m).
-fn peak(hs_m: f64, tp_s: f64, gamma: f64) -> FrequencySpectrum {
+fn peak_spectrum(hs_m: f64, tp_s: f64, gamma: f64) -> FrequencySpectrum {
     let (m0, omega_p) = (hs_m * hs_m / 16.0, TAU / tp_s);
     let norm = 3.26 * (1.0 + 1.1 * gamma.ln().powf(1.19)) / gamma;
     FrequencySpectrum::new(omega_p, move |omega| {

@@ -1,4 +1,5 @@
-//! File formats of measured spectra: each has a module here, and [`Format::of`] is the one place that recognises them.
+//! File formats of measured spectra: each has a module here, and [`Format::detect`] is the one place that recognises
+//! them.
 //!
 //! A new format needs a module with `recognises` and `read`, and a variant of [`Format`]. A binary format must be
 //! recognised by its first bytes before the files are decoded as text.
@@ -21,7 +22,7 @@ enum Format {
 
 impl Format {
     /// Recognises the format of a file by its content. Text in no other format is read as a table.
-    fn of(file: &TextFile<'_>) -> Self {
+    fn detect(file: &TextFile<'_>) -> Self {
         if ndbc::recognises(file) { Self::Ndbc } else { Self::Table }
     }
 }
@@ -46,9 +47,9 @@ impl MeasuredSpectrum {
         }
         let files = files.iter().map(|(name, bytes)| TextFile::decode(name, bytes)).collect::<Result<Vec<_>, _>>()?;
         let first = files.first().ok_or("no file was given")?;
-        let format = Format::of(first);
-        if let Some(other) = files.iter().find(|file| Format::of(file) != format) {
-            return Err(other.message(format!("its format differs from that of {}: read it alone", first.name)));
+        let format = Format::detect(first);
+        if let Some(other) = files.iter().find(|file| Format::detect(file) != format) {
+            return Err(other.file_error(format!("its format differs from that of {}: read it alone", first.name)));
         }
         match format {
             Format::Ndbc => ndbc::read(&files),

@@ -1,8 +1,10 @@
 //! Reads a table of frequency f, variance density S and, where they are known, wave direction and directional spread.
 
-use crate::files::measured::direction::{Direction, filled};
+use crate::files::measured::direction::{Direction, fill_missing};
 use crate::files::measured::spectrum::{MAX_BANDS, MeasuredSpectrum, SpectrumFile, checked_density, checked_frequency};
-use crate::files::measured::text::{MAX_COLUMNS, TextFile, content, number, quoted, shown};
+use crate::files::measured::text::{
+    MAX_COLUMNS, TextFile, display_number, parse_number, quoted_excerpt, without_comment,
+};
 
 /// Texts that stand for a missing direction or spread in a table, in upper or lower case.
 const MISSING_WORDS: [&str; 5] = ["", "-", "MM", "NaN", "NA"];
@@ -26,16 +28,16 @@ struct Rows {
 pub(super) fn read(files: &[TextFile<'_>]) -> Result<SpectrumFile, String> {
     let file = &files[0];
     if files.len() > 1 {
-        return Err(file.message("a table is a complete spectrum: read it without other files"));
+        return Err(file.file_error("a table is a complete spectrum: read it without other files"));
     }
     let mut rows = Rows::default();
     for (i, line) in file.text.lines().enumerate() {
-        rows.add_line(line).map_err(|what| file.message_at(i + 1, what))?;
+        rows.add_line(line).map_err(|what| file.line_error(i + 1, what))?;
     }
     let mut notices = Vec::new();
     let Rows { bands, directions, .. } = rows;
-    let directions = if directions.is_empty() { None } else { filled(&bands, &directions, &mut notices) };
-    let spectrum = MeasuredSpectrum::new(&bands, directions.as_deref()).map_err(|what| file.message(what))?;
+    let directions = if directions.is_empty() { None } else { fill_missing(&bands, &directions, &mut notices) };
+    let spectrum = MeasuredSpectrum::new(&bands, directions.as_deref()).map_err(|what| file.file_error(what))?;
     Ok(SpectrumFile { spectrum, title: file.name.clone(), notices })
 }
 
@@ -43,7 +45,7 @@ impl Rows {
     fn add_line(&mut self, line: &str) -> Result<(), String> {
         // Tabs at the end of a line are not trimmed, because they mark empty fields.
         let line = line.trim_start_matches('\u{feff}').trim_matches([' ', '\r']);
-        if content(line).is_empty() || line.starts_with('#') {
+        if without_comment(line).is_empty() || line.starts_with('#') {
             return Ok(());
         }
         let found = || ['\t', ';', ','].into_iter().find(|&c| line.contains(c));
@@ -56,7 +58,8 @@ impl Rows {
         if n > MAX_COLUMNS {
             return Err(format!("more than {MAX_COLUMNS} columns"));
         }
-        let value = |field: &str| if separator == ',' { number(field) } else { number(&field.replace(',', ".")) };
+        let value =
+            |field: &str| if separator == ',' { parse_number(field) } else { parse_number(&field.replace(',', ".")) };
         if is_first && fields.iter().all(|f| value(f).is_none()) {
             return Ok(());
         }
@@ -68,7 +71,7 @@ impl Rows {
             _ => self.columns = Some(n),
         }
         let known = |name: &str, field: &str| {
-            value(field).ok_or_else(|| format!("the {name} {} is not a number", quoted(field)))
+            value(field).ok_or_else(|| format!("the {name} {} is not a number", quoted_excerpt(field)))
         };
         let f = checked_frequency(known("frequency", fields[0])?, self.bands.last().map(|b| b.0))?;
         let s = checked_density(known("variance density", fields[1])?)?;
@@ -83,7 +86,7 @@ impl Rows {
             match known(name, field)? {
                 v if MISSING_NUMBERS.contains(&v) => Ok(None),
                 v if (low..=high).contains(&v) => Ok(Some(v)),
-                v => Err(format!("the {name} {} is not within {low} to {high} degrees", shown(v))),
+                v => Err(format!("the {name} {} is not within {low} to {high} degrees", display_number(v))),
             }
         };
         if let [_, _, from, spread] = fields[..] {

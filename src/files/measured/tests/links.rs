@@ -1,6 +1,6 @@
 //! Tests of measured spectra as text in links.
 
-use super::super::{Direction, MAX_BANDS, MAX_STATE_BYTES, MIN_BANDS, MeasuredSpectrum};
+use super::super::{Direction, MAX_BANDS, MAX_TEXT_BYTES, MIN_BANDS, MeasuredSpectrum};
 use super::samples::TWO_SYSTEMS;
 use super::{Lcg, check, read, sea};
 
@@ -49,7 +49,7 @@ fn a_buoys_sea_fits_in_a_link() {
 #[test]
 fn hostile_states_are_refused() {
     let bands = |n: u32| (1..=n).map(|i| format!("{}*1", f64::from(i) / 1000.0)).collect::<Vec<_>>().join("_");
-    let long = "1".repeat(MAX_STATE_BYTES + 1);
+    let long = "1".repeat(MAX_TEXT_BYTES + 1);
     for (text, want) in [
         ("", "band 1 of the measured spectrum: \"\" is not a number"),
         ("_", "band 1 of the measured spectrum: \"\" is not a number"),

@@ -6,7 +6,7 @@ mod physics;
 mod refusals;
 mod samples;
 
-use super::{MAX_STATE_BYTES, MeasuredSpectrum, Mem, SpectrumFile};
+use super::{MAX_TEXT_BYTES, MaximumEntropy, MeasuredSpectrum, SpectrumFile};
 
 /// Knuth's linear congruential generator, for repeatable tests.
 pub(super) struct Lcg(pub u64);
@@ -75,7 +75,7 @@ fn realtime_set() -> Vec<(&'static str, String)> {
 fn check(sea: &MeasuredSpectrum) {
     let state = sea.to_state();
     assert!(state.bytes().all(|b| b.is_ascii_alphanumeric() || b"*-._".contains(&b)), "{state}");
-    assert!(state.len() < MAX_STATE_BYTES);
+    assert!(state.len() < MAX_TEXT_BYTES);
     let again = MeasuredSpectrum::from_state(&state).unwrap_or_else(|e| panic!("{e}: {state}"));
     assert_eq!(&again, sea, "{state}");
     assert_eq!(again.to_state(), state);
@@ -86,7 +86,7 @@ fn check(sea: &MeasuredSpectrum) {
     for omega in knots.iter().flat_map(|w| [0.9 * w, *w, 1.1 * w]).chain([0.0, -1.0, 1e9]) {
         assert!(sea.density(omega) >= 0.0 && sea.density(omega).is_finite());
         if let Some(moments) = sea.moments(omega) {
-            let d = Mem::new(moments).density(1.0);
+            let d = MaximumEntropy::new(moments).density(1.0);
             assert!(d > 0.0 && d.is_finite());
         }
     }

@@ -1,6 +1,6 @@
 //! Tests of variance densities, wave heights, peak frequencies and directions of measured spectra.
 
-use super::super::{Direction, MeasuredSpectrum, Mem};
+use super::super::{Direction, MaximumEntropy, MeasuredSpectrum};
 use super::samples::JONSWAP;
 use super::{read, sea};
 use std::f64::consts::TAU;
@@ -93,7 +93,7 @@ fn moments_point_where_the_waves_go() {
 fn the_distribution_has_the_buoys_moments() {
     let d = Direction { alpha1_deg: 240.0, alpha2_deg: 250.0, r1: 0.8, r2: 0.5 };
     let sea = MeasuredSpectrum::new(&[(0.1, 1.0), (0.2, 1.0), (0.3, 1.0)], Some(&[d, d, d])).expect("a sea");
-    let mem = Mem::new(sea.moments(1.0).expect("directions"));
+    let mem = MaximumEntropy::new(sea.moments(1.0).expect("directions"));
     // Means over the direction A waves come from: r1 = <cos(A - alpha1)>, r2 = <cos 2 (A - alpha2)>; sines have mean 0.
     let n = 4096;
     let mut sums = [0.0; 4];

@@ -1,69 +1,69 @@
 //! Radiance files (.hdr; G. Ward, "Real pixels", Graphics Gems II, 1991): a header of text lines, then run-length
 //! encoded rows of pixels with a shared exponent (RGBE).
 
-use super::limits::{TOO_SHORT, allocate, check_size};
+use super::limits::{TOO_SHORT_MESSAGE, allocate, check_size};
 use crate::files::panorama::sky_image::SkyImage;
 
 /// Longest header of a Radiance file, bytes.
-const MAX_HEADER: usize = 64 * 1024;
+const MAX_HEADER_BYTES: usize = 64 * 1024;
 /// Image widths, pixels, whose rows may have runs in each channel; other rows have runs of whole pixels only.
-const CHANNEL_RUNS: std::ops::Range<usize> = 8..0x8000;
+const CHANNEL_RUN_WIDTHS: std::ops::Range<usize> = 8..0x8000;
 
-const HEADER: &str = "its header does not end: save it again";
-const RUN: &str = "a run of pixels does not fit its row: save it again";
+const UNENDED_HEADER_MESSAGE: &str = "its header does not end: save it again";
+const RUN_OVERFLOW_MESSAGE: &str = "a run of pixels does not fit its row: save it again";
 
 /// Whether a file begins with the signature of a Radiance file.
 pub(super) fn recognises(bytes: &[u8]) -> bool {
     bytes.starts_with(b"#?RADIANCE") || bytes.starts_with(b"#?RGBE")
 }
 
-pub(super) fn decode(bytes: &[u8], most: [usize; 2]) -> Result<SkyImage, String> {
+pub(super) fn decode(bytes: &[u8], max_size: [usize; 2]) -> Result<SkyImage, String> {
     let mut rest = bytes;
-    let (width, height) = header(&mut rest)?;
-    check_size([width, height], most)?;
+    let (width, height) = read_header(&mut rest)?;
+    check_size([width, height], max_size)?;
     // Even the shortest encoded row has eight bytes, the size of two pixels.
     if rest.len() / 8 < height {
-        return Err(TOO_SHORT.to_owned());
+        return Err(TOO_SHORT_MESSAGE.to_owned());
     }
     let mut pixels = allocate(width * height)?;
     let mut row = vec![[0; 4]; width];
     for _ in 0..height {
         read_row(&mut rest, &mut row)?;
-        pixels.extend(row.iter().map(|p| linear(*p)));
+        pixels.extend(row.iter().map(|p| rgbe_to_linear(*p)));
     }
     Ok(SkyImage { width, height, pixels })
 }
 
 /// Takes one RGBE pixel off the front of `rest`, the unread part of the file.
-fn pixel(rest: &mut &[u8]) -> Result<[u8; 4], String> {
-    let (pixel, after) = rest.split_first_chunk().ok_or(TOO_SHORT)?;
+fn take_pixel(rest: &mut &[u8]) -> Result<[u8; 4], String> {
+    let (pixel, after) = rest.split_first_chunk().ok_or(TOO_SHORT_MESSAGE)?;
     *rest = after;
     Ok(*pixel)
 }
 
 /// Takes one header line off the front of `rest`, the unread part of the file.
-fn line<'a>(rest: &mut &'a [u8]) -> Result<&'a [u8], String> {
-    let end = rest.iter().take(MAX_HEADER).position(|b| *b == b'\n').ok_or(HEADER)?;
-    let line = &rest.split_off(..=end).ok_or(HEADER)?[..end];
+fn take_line<'a>(rest: &mut &'a [u8]) -> Result<&'a [u8], String> {
+    let end = rest.iter().take(MAX_HEADER_BYTES).position(|b| *b == b'\n').ok_or(UNENDED_HEADER_MESSAGE)?;
+    let line = &rest.split_off(..=end).ok_or(UNENDED_HEADER_MESSAGE)?[..end];
     Ok(line.strip_suffix(b"\r").unwrap_or(line))
 }
 
 /// Reads the header and returns the width and height of the image. It must name no colour format except RGBE.
-fn header(rest: &mut &[u8]) -> Result<(usize, usize), String> {
+fn read_header(rest: &mut &[u8]) -> Result<(usize, usize), String> {
     let whole = rest.len();
     loop {
-        let line = line(rest)?;
+        let line = take_line(rest)?;
         if line.is_empty() {
             break;
         }
         if line.strip_prefix(b"FORMAT=").is_some_and(|format| format.trim_ascii() != b"32-bit_rle_rgbe") {
             return Err("its colours are not RGBE: save it as Radiance RGBE or as OpenEXR".to_owned());
         }
-        if whole - rest.len() > MAX_HEADER {
-            return Err(HEADER.to_owned());
+        if whole - rest.len() > MAX_HEADER_BYTES {
+            return Err(UNENDED_HEADER_MESSAGE.to_owned());
         }
     }
-    let line = String::from_utf8_lossy(line(rest)?);
+    let line = String::from_utf8_lossy(take_line(rest)?);
     let words: Vec<&str> = line.split_whitespace().collect();
     match words[..] {
         ["-Y", height, "+X", width] => {
@@ -75,8 +75,8 @@ fn header(rest: &mut &[u8]) -> Result<(usize, usize), String> {
 }
 
 fn read_row(rest: &mut &[u8], row: &mut [[u8; 4]]) -> Result<(), String> {
-    let first = pixel(rest)?;
-    if CHANNEL_RUNS.contains(&row.len()) && first[0] == 2 && first[1] == 2 && first[2] < 128 {
+    let first = take_pixel(rest)?;
+    if CHANNEL_RUN_WIDTHS.contains(&row.len()) && first[0] == 2 && first[1] == 2 && first[2] < 128 {
         if usize::from(first[2]) << 8 | usize::from(first[3]) != row.len() {
             return Err("the length of a row differs from the width of the image: save it again".to_owned());
         }
@@ -89,14 +89,17 @@ fn read_row(rest: &mut &[u8], row: &mut [[u8; 4]]) -> Result<(), String> {
 fn read_channel(rest: &mut &[u8], row: &mut [[u8; 4]], channel: usize) -> Result<(), String> {
     let mut at = 0;
     while at < row.len() {
-        let count = *rest.split_off_first().ok_or(TOO_SHORT)?;
+        let count = *rest.split_off_first().ok_or(TOO_SHORT_MESSAGE)?;
         let length = usize::from(if count > 128 { count - 128 } else { count });
-        let place = row.get_mut(at..at + length).filter(|_| length > 0).ok_or(RUN)?;
+        let place = row.get_mut(at..at + length).filter(|_| length > 0).ok_or(RUN_OVERFLOW_MESSAGE)?;
         if count > 128 {
-            let value = *rest.split_off_first().ok_or(TOO_SHORT)?;
+            let value = *rest.split_off_first().ok_or(TOO_SHORT_MESSAGE)?;
             place.iter_mut().for_each(|p| p[channel] = value);
         } else {
-            place.iter_mut().zip(rest.split_off(..length).ok_or(TOO_SHORT)?).for_each(|(p, value)| p[channel] = *value);
+            place
+                .iter_mut()
+                .zip(rest.split_off(..length).ok_or(TOO_SHORT_MESSAGE)?)
+                .for_each(|(p, value)| p[channel] = *value);
         }
         at += length;
     }
@@ -110,10 +113,10 @@ fn read_pixels(rest: &mut &[u8], first: [u8; 4], row: &mut [[u8; 4]]) -> Result<
     let mut next = first;
     loop {
         if next[..3] == [1; 3] {
-            let before = *at.checked_sub(1).and_then(|i| row.get(i)).ok_or(RUN)?;
+            let before = *at.checked_sub(1).and_then(|i| row.get(i)).ok_or(RUN_OVERFLOW_MESSAGE)?;
             // A fourth repetition in succession cannot fit, and its shift could overflow.
             let length = if shift < 24 { usize::from(next[3]) << shift } else { row.len() + 1 };
-            row.get_mut(at..at + length).ok_or(RUN)?.fill(before);
+            row.get_mut(at..at + length).ok_or(RUN_OVERFLOW_MESSAGE)?.fill(before);
             (at, shift) = (at + length, shift + 8);
         } else {
             row[at] = next;
@@ -122,12 +125,12 @@ fn read_pixels(rest: &mut &[u8], first: [u8; 4], row: &mut [[u8; 4]]) -> Result<
         if at == row.len() {
             return Ok(());
         }
-        next = pixel(rest)?;
+        next = take_pixel(rest)?;
     }
 }
 
 /// Converts an RGBE pixel to linear light: mantissa / 256 x 2^(exponent - 128).
-fn linear([r, g, b, exponent]: [u8; 4]) -> [f32; 3] {
+fn rgbe_to_linear([r, g, b, exponent]: [u8; 4]) -> [f32; 3] {
     let unit = if exponent == 0 { 0.0 } else { 2f32.powi(i32::from(exponent) - 136) };
     [r, g, b].map(|mantissa| f32::from(mantissa) * unit)
 }
@@ -166,15 +169,15 @@ mod tests {
     fn what_does_not_fit_is_refused() {
         let head = [2, 2, 0, 16];
         for (rows, what) in [
-            (vec![0; 60], TOO_SHORT),
-            (vec![7; 100], TOO_SHORT),
-            ([1, 1, 1, 5].repeat(40), RUN),
-            ([9, 9, 9, 9, 1, 1, 1, 16].repeat(40), RUN),
+            (vec![0; 60], TOO_SHORT_MESSAGE),
+            (vec![7; 100], TOO_SHORT_MESSAGE),
+            ([1, 1, 1, 5].repeat(40), RUN_OVERFLOW_MESSAGE),
+            ([9, 9, 9, 9, 1, 1, 1, 16].repeat(40), RUN_OVERFLOW_MESSAGE),
             // An empty repetition also shifts the count of the next one.
-            ([vec![9; 4], [1, 1, 1, 0].repeat(9), [1, 1, 1, 1].repeat(60)].concat(), RUN),
-            ([&head[..], &[145, 7]].concat().repeat(40), RUN),
-            ([&head[..], &[0; 200]].concat(), RUN),
-            ([&head[..], &[128; 200]].concat(), RUN),
+            ([vec![9; 4], [1, 1, 1, 0].repeat(9), [1, 1, 1, 1].repeat(60)].concat(), RUN_OVERFLOW_MESSAGE),
+            ([&head[..], &[145, 7]].concat().repeat(40), RUN_OVERFLOW_MESSAGE),
+            ([&head[..], &[0; 200]].concat(), RUN_OVERFLOW_MESSAGE),
+            ([&head[..], &[128; 200]].concat(), RUN_OVERFLOW_MESSAGE),
             ([2, 2, 0, 17].repeat(40), "length of a row"),
         ] {
             assert!(decoded(16, 8, &rows).is_err_and(|e| e.contains(what)), "{rows:?}: {:?}", decoded(16, 8, &rows));
@@ -194,7 +197,7 @@ mod tests {
             ("#?RADIANCE\n\n", "does not end"),
             ("#?RADIANCE\n", "does not end"),
             ("#?RGBE\n\n-Y 0 +X 0\n", "too few"),
-            ("#?RGBE\n\n-Y 500 +X 1000\n", TOO_SHORT),
+            ("#?RGBE\n\n-Y 500 +X 1000\n", TOO_SHORT_MESSAGE),
             ("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 8 +X 16\n", "save it as Radiance RGBE"),
         ] {
             let got = decode(head.as_bytes(), [1000, 500]);

@@ -5,21 +5,22 @@ use crate::files::panorama::sky_image::check_shape;
 /// Largest sky image file that is read, bytes.
 pub const MAX_BYTES: usize = 512 << 20;
 /// Largest columns and rows of a sky image, with one row to spare; fewer in a browser, which has less memory.
-pub(super) const MAX_SIZE: [usize; 2] = if cfg!(target_arch = "wasm32") { [11_586, 5_794] } else { [16_384, 8_193] };
+pub(super) const MAX_IMAGE_SIZE: [usize; 2] =
+    if cfg!(target_arch = "wasm32") { [11_586, 5_794] } else { [16_384, 8_193] };
 
 /// Message about a file that is shorter than its header says.
-pub(super) const TOO_SHORT: &str = "it ends too early: download or save it again";
+pub(super) const TOO_SHORT_MESSAGE: &str = "it ends too early: download or save it again";
 
-/// Refuses a sky image of a wrong shape, or with more columns or rows than `most`.
-pub(super) fn check_size(size: [usize; 2], most: [usize; 2]) -> Result<(), String> {
-    check_limit(size, most)?;
+/// Refuses a sky image of a wrong shape, or with more columns or rows than `max_size`.
+pub(super) fn check_size(size: [usize; 2], max_size: [usize; 2]) -> Result<(), String> {
+    check_within_limit(size, max_size)?;
     check_shape(size[0], size[1])
 }
 
-/// Refuses a sky image with more columns or rows than `most`.
-pub(super) fn check_limit([width, height]: [usize; 2], most: [usize; 2]) -> Result<(), String> {
-    if width > most[0] || height > most[1] {
-        let [columns, rows] = most;
+/// Refuses a sky image with more columns or rows than `max_size`.
+pub(super) fn check_within_limit([width, height]: [usize; 2], max_size: [usize; 2]) -> Result<(), String> {
+    if width > max_size[0] || height > max_size[1] {
+        let [columns, rows] = max_size;
         return Err(format!("{width} x {height} pixels, but at most {columns} x {rows} are read: save it smaller"));
     }
     Ok(())

@@ -8,10 +8,10 @@ pub use limits::MAX_BYTES;
 
 use super::Panorama;
 use super::sky_image::SkyImage;
-use limits::MAX_SIZE;
+use limits::MAX_IMAGE_SIZE;
 
 /// Whether a file is a sky image, by its first bytes or by its name.
-pub fn is_sky(name: &str, bytes: &[u8]) -> bool {
+pub fn is_sky_file(name: &str, bytes: &[u8]) -> bool {
     let lower = name.to_lowercase();
     hdr::recognises(bytes) || openexr::recognises(bytes) || lower.ends_with(".hdr") || lower.ends_with(".exr")
 }
@@ -21,24 +21,24 @@ pub fn is_sky(name: &str, bytes: &[u8]) -> bool {
 /// # Errors
 /// One sentence with the name of the file and the reason.
 pub fn read(name: &str, bytes: &[u8]) -> Result<Panorama, String> {
-    read_within(name, bytes, MAX_SIZE)
+    read_with_max_size(name, bytes, MAX_IMAGE_SIZE)
 }
 
-/// Reads a sky image file with at most `most` columns and rows.
+/// Reads a sky image file with at most `max_size` columns and rows.
 ///
 /// # Errors
 /// One sentence with the name of the file and the reason.
-pub fn read_within(name: &str, bytes: &[u8], most: [usize; 2]) -> Result<Panorama, String> {
-    decode(bytes, most).and_then(Panorama::from_image).map_err(|reason| format!("{name}: {reason}"))
+pub fn read_with_max_size(name: &str, bytes: &[u8], max_size: [usize; 2]) -> Result<Panorama, String> {
+    decode(bytes, max_size).and_then(Panorama::from_image).map_err(|reason| format!("{name}: {reason}"))
 }
 
-fn decode(bytes: &[u8], most: [usize; 2]) -> Result<SkyImage, String> {
+fn decode(bytes: &[u8], max_size: [usize; 2]) -> Result<SkyImage, String> {
     if bytes.len() > MAX_BYTES {
         Err(format!("the file is larger than {} MiB: save it with fewer pixels", MAX_BYTES >> 20))
     } else if hdr::recognises(bytes) {
-        hdr::decode(bytes, most)
+        hdr::decode(bytes, max_size)
     } else if openexr::recognises(bytes) {
-        openexr::decode(bytes, most)
+        openexr::decode(bytes, max_size)
     } else {
         Err("neither a Radiance .hdr nor an OpenEXR file: save it as one of these".to_owned())
     }

@@ -3,20 +3,21 @@
 
 mod sections;
 
-use crate::files::measured::direction::{Direction, filled, nearest};
+use crate::files::measured::direction::{Direction, fill_missing, nearest_entry};
 use crate::files::measured::spectrum::{MeasuredSpectrum, SpectrumFile};
-use crate::files::measured::text::{TextFile, content, printable};
+use crate::files::measured::text::{TextFile, printable_prefix, without_comment};
 use sections::{BandValue, MAX_RECORDS, Record, Section, SectionKind, column_names, read_sections};
 use std::cmp::Reverse;
 
 /// Largest difference between two frequencies that count as the same band, Hz: realtime files write .0325 as 0.033.
-const SAME_BAND_HZ: f64 = 6e-4;
+const SAME_BAND_TOLERANCE_HZ: f64 = 6e-4;
 
-const DIRECTIONAL: [SectionKind; 4] = [SectionKind::Alpha1, SectionKind::Alpha2, SectionKind::R1, SectionKind::R2];
+const DIRECTIONAL_KINDS: [SectionKind; 4] =
+    [SectionKind::Alpha1, SectionKind::Alpha2, SectionKind::R1, SectionKind::R2];
 
 /// Whether a file has a header line of the NDBC (US National Data Buoy Center).
 pub(super) fn recognises(file: &TextFile<'_>) -> bool {
-    file.text.lines().any(|line| column_names(content(line)).is_some())
+    file.text.lines().any(|line| column_names(without_comment(line)).is_some())
 }
 
 /// Reads one spectrum from all given NDBC files together.
@@ -25,31 +26,31 @@ pub(super) fn read(files: &[TextFile<'_>]) -> Result<SpectrumFile, String> {
     for file in files {
         sections.extend(read_sections(file, &mut records_left)?);
     }
-    settle_kinds(&mut sections, &mut notices)?;
+    assign_unknown_kind(&mut sections, &mut notices)?;
     // All archive sections share one scale of r1 and r2, because the values of one record may all be small.
     let hundredths = sections.iter().any(Section::is_in_hundredths);
 
     let (section, record, bands) = newest_density(&sections, &mut notices)?;
     let directions = directions(&sections, &record.time, &bands, hundredths, &mut notices)?;
     let spectrum = MeasuredSpectrum::new(&bands, directions.as_deref());
-    let spectrum = spectrum.map_err(|what| section.file.message_at(record.line, what))?;
-    let title = printable(&format!("{}, {}", section.file.name, record.time), 80);
+    let spectrum = spectrum.map_err(|what| section.file.line_error(record.line, what))?;
+    let title = printable_prefix(&format!("{}, {}", section.file.name, record.time), 80);
     Ok(SpectrumFile { spectrum, title, notices })
 }
 
 /// Takes the only section of unknown kind as the variance density, if no other section is the variance density.
 /// Otherwise a section of unknown kind is an error.
-fn settle_kinds(sections: &mut [Section<'_>], notices: &mut Vec<String>) -> Result<(), String> {
+fn assign_unknown_kind(sections: &mut [Section<'_>], notices: &mut Vec<String>) -> Result<(), String> {
     let has_density = sections.iter().any(|s| s.kind == Some(SectionKind::Density));
     let mut unknown = sections.iter_mut().filter(|s| s.kind.is_none());
     let Some(section) = unknown.next() else { return Ok(()) };
     if has_density || unknown.next().is_some() {
         let what = "neither the file name nor a comment says what this section holds: \
                     put a comment such as \"# alpha1\" before the header";
-        return Err(section.file.message_at(section.line, what));
+        return Err(section.file.line_error(section.line, what));
     }
     section.kind = Some(SectionKind::Density);
-    notices.push(section.file.message("the file does not say what it holds: it is read as variance density"));
+    notices.push(section.file.file_error("the file does not say what it holds: it is read as variance density"));
     Ok(())
 }
 
@@ -66,7 +67,7 @@ fn record_at<'s, 'a>(
     if let (Some((section, record)), Some((other, second))) = (first, found.next()) {
         let (name, file, line) = (kind.name(), &section.file.name, record.line);
         let what = format!("{name} of {time} is already in {file}, line {line}: remove one of the two records");
-        return Err(other.file.message_at(second.line, what));
+        return Err(other.file.line_error(second.line, what));
     }
     Ok(first)
 }
@@ -89,13 +90,14 @@ fn newest_density<'s, 'a>(
             .into());
     };
     for (section, record) in records {
-        let bands: Option<Vec<(f64, f64)>> = section.bands(record)?.into_iter().map(|(f, v)| Some((f, v?))).collect();
+        let bands: Option<Vec<(f64, f64)>> =
+            section.band_values(record)?.into_iter().map(|(f, v)| Some((f, v?))).collect();
         let Some(bands) = bands.filter(|b| b.iter().any(|b| b.1 != 0.0)) else { continue };
         record_at(sections, SectionKind::Density, &record.time)?;
         let time = &record.time;
         if newest != time {
             let what = format!("the newest record ({newest}) has no complete variance density: {time} is used");
-            notices.push(section.file.message(what));
+            notices.push(section.file.file_error(what));
         }
         return Ok((section, record, bands));
     }
@@ -115,9 +117,9 @@ fn directions(
         return Ok(None);
     }
     let (mut parameters, mut missing) = (Vec::new(), Vec::new());
-    for kind in DIRECTIONAL {
+    for kind in DIRECTIONAL_KINDS {
         match record_at(sections, kind, time)? {
-            Some((section, record)) => parameters.push(section.directional(record, hundredths)?),
+            Some((section, record)) => parameters.push(section.directional_values(record, hundredths)?),
             None => missing.push(kind.name()),
         }
     }
@@ -127,9 +129,10 @@ fn directions(
         return Ok(None);
     };
     let in_band = |&(f, _): &(f64, f64)| {
-        let value = |values: &[BandValue]| nearest(values, f).filter(|v| (v.0 - f).abs() <= SAME_BAND_HZ)?.1;
+        let value =
+            |values: &[BandValue]| nearest_entry(values, f).filter(|v| (v.0 - f).abs() <= SAME_BAND_TOLERANCE_HZ)?.1;
         Some(Direction { alpha1_deg: value(alpha1)?, alpha2_deg: value(alpha2)?, r1: value(r1)?, r2: value(r2)? })
     };
     let directions: Vec<_> = bands.iter().map(in_band).collect();
-    Ok(filled(bands, &directions, notices))
+    Ok(fill_missing(bands, &directions, notices))
 }

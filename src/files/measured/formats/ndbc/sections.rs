@@ -3,7 +3,9 @@
 //! lists the frequencies.
 
 use crate::files::measured::spectrum::{MAX_BANDS, checked_frequency};
-use crate::files::measured::text::{MAX_COLUMNS, TextFile, content, number, quoted, shown};
+use crate::files::measured::text::{
+    MAX_COLUMNS, TextFile, display_number, parse_number, quoted_excerpt, without_comment,
+};
 use std::str::SplitWhitespace;
 
 /// Largest number of header lines in one file.
@@ -24,7 +26,7 @@ pub(super) enum SectionKind {
 /// Section kinds, each with its name, the letter before the year in an archive file's name (`44025w2023.txt`), the
 /// prefix of columns in a realtime header, and words for it in a comment, one of which is the extension of a realtime
 /// file.
-const KINDS: [(SectionKind, &str, u8, &str, &[&str]); 5] = [
+const SECTION_KINDS: [(SectionKind, &str, u8, &str, &[&str]); 5] = [
     (SectionKind::Density, "variance density", b'w', "spec", &["density", "spectral density", "data_spec", "swden"]),
     (SectionKind::Alpha1, "alpha1", b'd', "alpha1", &["alpha1", "swdir"]),
     (SectionKind::Alpha2, "alpha2", b'i', "alpha2", &["alpha2", "swdir2"]),
@@ -35,21 +37,21 @@ const KINDS: [(SectionKind, &str, u8, &str, &[&str]); 5] = [
 impl SectionKind {
     /// Name of the quantity in messages.
     pub(super) fn name(self) -> &'static str {
-        KINDS[self as usize].1
+        SECTION_KINDS[self as usize].1
     }
 
     /// Section kind that a comment such as `# alpha1` or `# kind: r1` names.
     fn from_comment(comment: &str) -> Option<Self> {
         let text = comment.trim_start_matches('#').trim().to_ascii_lowercase();
         let word = text.strip_prefix("kind").map_or(text.as_str(), |t| t.trim_start().trim_start_matches([':', '=']));
-        KINDS.iter().find(|kind| kind.4.contains(&word.trim())).map(|kind| kind.0)
+        SECTION_KINDS.iter().find(|kind| kind.4.contains(&word.trim())).map(|kind| kind.0)
     }
 
     /// Section kind of a column such as `alpha1_1` in a realtime header.
     fn from_column(column: &str) -> Option<Self> {
         let column = column.to_ascii_lowercase();
         let prefix = if column == "sep_freq" { "spec" } else { column.split_once('_')?.0 };
-        KINDS.iter().find(|kind| kind.3 == prefix).map(|kind| kind.0)
+        SECTION_KINDS.iter().find(|kind| kind.3 == prefix).map(|kind| kind.0)
     }
 
     /// Section kind of an archive file, from the letter in a name such as `44025w2023.txt`.
@@ -57,7 +59,7 @@ impl SectionKind {
         let stem = name.split('.').next().unwrap_or_default().as_bytes();
         let [.., station, letter, a, b, c, d] = stem else { return None };
         let has_digits = [station, a, b, c, d].iter().all(|c| c.is_ascii_digit());
-        KINDS.iter().find(|kind| has_digits && kind.2 == letter.to_ascii_lowercase()).map(|kind| kind.0)
+        SECTION_KINDS.iter().find(|kind| has_digits && kind.2 == letter.to_ascii_lowercase()).map(|kind| kind.0)
     }
 }
 
@@ -115,26 +117,26 @@ pub(super) fn read_sections<'a>(file: &'a TextFile<'a>, records_left: &mut usize
             if sections.len() == MAX_SECTIONS {
                 return Err(format!("more than {MAX_SECTIONS} header lines"));
             }
-            let (kind, frequencies) = header(columns, &file.name)?;
+            let (kind, frequencies) = parse_header(columns, &file.name)?;
             let kind = kind.or(comment.take()).or_else(|| SectionKind::from_file_name(&file.name));
             let records = Vec::new();
             sections.push(Section { file, line, kind, has_minutes, frequencies, has_large_value: false, records });
         } else if text.starts_with('#') {
             comment = SectionKind::from_comment(text).or(comment);
         } else if !text.is_empty() {
-            let before_header = || format!("{} stands before the first header line", quoted(text));
+            let before_header = || format!("{} stands before the first header line", quoted_excerpt(text));
             let section = sections.last_mut().ok_or_else(before_header)?;
             *records_left = records_left.checked_sub(1).ok_or_else(|| format!("more than {MAX_RECORDS} records"))?;
             let mut values = text.split_whitespace();
             let time = take_time(&mut values, section.has_minutes)?;
-            let bands = section.values(values.clone())?;
-            section.has_large_value |= bands.iter().any(|band| band.1.is_some_and(|v| v > 1.5));
+            let band_values = section.values(values.clone())?;
+            section.has_large_value |= band_values.iter().any(|band| band.1.is_some_and(|v| v > 1.5));
             section.records.push(Record { line, time, values });
         }
         Ok(())
     };
     for (line, text) in (1..).zip(file.text.lines()) {
-        add_line(line, content(text)).map_err(|what| file.message_at(line, what))?;
+        add_line(line, without_comment(text)).map_err(|what| file.line_error(line, what))?;
     }
     Ok(sections)
 }
@@ -146,7 +148,7 @@ fn take_time(words: &mut SplitWhitespace<'_>, has_minutes: bool) -> Result<Strin
     for (slot, (name, low, high)) in time.iter_mut().zip(limits).take(if has_minutes { 5 } else { 4 }) {
         let text = words.next().ok_or_else(|| format!("the record ends before its {name}"))?;
         let value = text.parse().ok().filter(|v| (low..=high).contains(v));
-        *slot = value.ok_or_else(|| format!("{} is not a valid {name}", quoted(text)))?;
+        *slot = value.ok_or_else(|| format!("{} is not a valid {name}", quoted_excerpt(text)))?;
     }
     let [year, month, day, hour, minute] = time;
     // NDBC files write years with two digits until 1998.
@@ -159,18 +161,23 @@ fn take_time(words: &mut SplitWhitespace<'_>, has_minutes: bool) -> Result<Strin
 }
 
 /// Parses the columns of a header: section kind of a realtime header, or frequencies (Hz) of an archive header.
-fn header(columns: SplitWhitespace<'_>, file_name: &str) -> Result<(Option<SectionKind>, Option<Vec<f64>>), String> {
+fn parse_header(
+    columns: SplitWhitespace<'_>,
+    file_name: &str,
+) -> Result<(Option<SectionKind>, Option<Vec<f64>>), String> {
     let first = columns.clone().next().ok_or("the header names neither frequencies nor values")?;
-    if number(first).is_none() {
+    if parse_number(first).is_none() {
         let kind = SectionKind::from_column(first);
-        let kind = kind.ok_or_else(|| format!("the column {} does not belong in a spectral file", quoted(first)))?;
+        let kind =
+            kind.ok_or_else(|| format!("the column {} does not belong in a spectral file", quoted_excerpt(first)))?;
         // Some .swr2 files have the column names of r1.
         let is_r2 = kind == SectionKind::R1 && file_name.to_ascii_lowercase().ends_with(".swr2");
         return Ok((Some(if is_r2 { SectionKind::R2 } else { kind }), None));
     }
     let mut frequencies = Vec::new();
     for column in columns {
-        let f = number(column).ok_or_else(|| format!("the frequency {} is not a number", quoted(column)))?;
+        let f =
+            parse_number(column).ok_or_else(|| format!("the frequency {} is not a number", quoted_excerpt(column)))?;
         frequencies.push(checked_frequency(f, frequencies.last().copied())?);
         if frequencies.len() > MAX_BANDS {
             return Err(format!("more than {MAX_BANDS} frequency bands"));
@@ -200,34 +207,34 @@ impl Section<'_> {
     }
 
     /// Values of the bands of a record.
-    pub(super) fn bands(&self, record: &Record<'_>) -> Result<Vec<BandValue>, String> {
-        self.values(record.values.clone()).map_err(|what| self.file.message_at(record.line, what))
+    pub(super) fn band_values(&self, record: &Record<'_>) -> Result<Vec<BandValue>, String> {
+        self.values(record.values.clone()).map_err(|what| self.file.line_error(record.line, what))
     }
 
     /// Values of the bands of a directional record, angles in degrees or moments r1 and r2. Archive moments in
     /// hundredths are scaled. A value outside of 0 to 360 degrees or 0 to 1.5 is an error.
-    pub(super) fn directional(&self, record: &Record<'_>, hundredths: bool) -> Result<Vec<BandValue>, String> {
-        let mut bands = self.bands(record)?;
+    pub(super) fn directional_values(&self, record: &Record<'_>, hundredths: bool) -> Result<Vec<BandValue>, String> {
+        let mut band_values = self.band_values(record)?;
         let scale = if !self.is_angle() && hundredths && self.frequencies.is_some() { 0.01 } else { 1.0 };
         let high = if self.is_angle() { 360.0 } else { 1.5 };
-        for v in bands.iter_mut().filter_map(|band| band.1.as_mut()) {
+        for v in band_values.iter_mut().filter_map(|band| band.1.as_mut()) {
             let given = *v;
             *v *= scale;
             if !(0.0..=high).contains(v) {
                 let (name, most) = (self.kind.map_or("value", SectionKind::name), high / scale);
-                let what = format!("{name} of {} is not within 0 to {}", shown(given), shown(most));
-                return Err(self.file.message_at(record.line, what));
+                let what = format!("{name} of {} is not within 0 to {}", display_number(given), display_number(most));
+                return Err(self.file.line_error(record.line, what));
             }
         }
-        Ok(bands)
+        Ok(band_values)
     }
 
     /// Parses the words after the time of a record into the values of its bands.
     fn values(&self, mut words: SplitWhitespace<'_>) -> Result<Vec<BandValue>, String> {
-        let value = |text: &str| match number(text) {
+        let value = |text: &str| match parse_number(text) {
             Some(v) => Ok(Some(v).filter(|&v| !self.is_missing(v))),
             None if text == "MM" => Ok(None),
-            None => Err(format!("the value {} is not a number", quoted(text))),
+            None => Err(format!("the value {} is not a number", quoted_excerpt(text))),
         };
         if let Some(frequencies) = &self.frequencies {
             let (n, wanted, line) = (words.clone().count(), frequencies.len(), self.line);
@@ -242,16 +249,16 @@ impl Section<'_> {
         {
             value(separation)?;
         }
-        let mut bands: Vec<BandValue> = Vec::new();
+        let mut band_values: Vec<BandValue> = Vec::new();
         while let Some(text) = words.next() {
             let v = value(text)?;
-            let f = words.next().and_then(|f| f.strip_prefix('(')?.strip_suffix(')')).and_then(number);
-            let f = f.ok_or_else(|| format!("after {} a frequency in parentheses is missing", quoted(text)))?;
-            bands.push((checked_frequency(f, bands.last().map(|band| band.0))?, v));
-            if bands.len() > MAX_BANDS {
+            let f = words.next().and_then(|f| f.strip_prefix('(')?.strip_suffix(')')).and_then(parse_number);
+            let f = f.ok_or_else(|| format!("after {} a frequency in parentheses is missing", quoted_excerpt(text)))?;
+            band_values.push((checked_frequency(f, band_values.last().map(|band| band.0))?, v));
+            if band_values.len() > MAX_BANDS {
                 return Err(format!("more than {MAX_BANDS} frequency bands"));
             }
         }
-        if bands.is_empty() { Err("the record has no values".into()) } else { Ok(bands) }
+        if band_values.is_empty() { Err("the record has no values".into()) } else { Ok(band_values) }
     }
 }
