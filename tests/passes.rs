@@ -74,8 +74,8 @@ fn other_seas_agree_with_the_oracle() {
 const FAULTS: &[(Kind, &str, &str, &str, &str)] = &[
     (GPU, "waves/spectrum", "h = gauss * sqrt(variance)", "h = 1.01 * gauss * sqrt(variance)", "spectrum"),
     (SOFTWARE, "waves/spectrum", "h = gauss * sqrt(variance)", "h = 1.01 * gauss * sqrt(variance)", "spectrum"),
-    (GPU, "foam/foam", "let l = sea.chop;", "let l = 1.01 * sea.chop;", "foam"),
-    (SOFTWARE, "foam/foam", "let l = sea.chop;", "let l = 1.01 * sea.chop;", "foam"),
+    (GPU, "foam/foam", "let l = sea.choppiness;", "let l = 1.01 * sea.choppiness;", "foam"),
+    (SOFTWARE, "foam/foam", "let l = sea.choppiness;", "let l = 1.01 * sea.choppiness;", "foam"),
     (
         GPU,
         "waves/mips",
@@ -86,12 +86,12 @@ const FAULTS: &[(Kind, &str, &str, &str, &str)] = &[
     (
         GPU,
         "waves/mips",
-        "return MipsTexel(0.25 * sum.displacement, 0.25",
-        "return MipsTexel(0.25 * sum.displacement, 0.2525",
+        "return MipTexels(0.25 * sum.displacement, 0.25",
+        "return MipTexels(0.25 * sum.displacement, 0.2525",
         "mips gradients",
     ),
     (SOFTWARE, "waves/unrolled_mips", "0.25 * sum.moments)", "0.2525 * sum.moments)", "mips moments"),
-    (SOFTWARE, "waves/unrolled_mips", "MipsTexel(0.25", "MipsTexel(0.2525", "mips displacement"),
+    (SOFTWARE, "waves/unrolled_mips", "MipTexels(0.25", "MipTexels(0.2525", "mips displacement"),
     (GPU, "waves/rows", "forward + backward", "forward + 1.01 * backward", "rows"),
     (
         GPU,

@@ -662,8 +662,8 @@ const FAULTS: &[Fault] = &[
     Fault(
         "F4b: masking by the angle to the half vector",
         &[(
-            "let seen = water_facets_seen(all);",
-            "let seen = vec2f(water_seen(dot(v, h), all.across, all.tilt, all.sigma), water_facets_seen(all).y);",
+            "let seen = water_facets_projected_area(all);",
+            "let seen = vec2f(water_projected_area(dot(v, h), all.across, all.mean_tilt, all.tilt_sigma), water_facets_projected_area(all).y);",
         )],
         "glitter against microfacets",
     ),
@@ -683,7 +683,7 @@ const FAULTS: &[Fault] = &[
         &[("water_slope_density(mirror_slope - slope.mean", "water_slope_density(-mirror_slope - slope.mean")],
         "glitter where nothing is masked",
     ),
-    Fault("G2: in the mirrored sky", &[("f.tilt = -dot(", "f.tilt = dot(")], "reflectance of a facet"),
+    Fault("G2: in the mirrored sky", &[("f.mean_tilt = -dot(", "f.mean_tilt = dot(")], "reflectance of a facet"),
     Fault(
         "N3b: derivatives of the other sign",
         &[("sums.stretch + weight.x", "sums.stretch - weight.x")],
@@ -704,7 +704,7 @@ const FAULTS: &[Fault] = &[
         &[("node.weight * f * water_environment", "node.weight * water_environment")],
         "white furnace, mirrored and let in",
     ),
-    Fault("Schlick's exponent fixed", &[("1e-6), material.fresnel_shine)", "1e-6), 5.0)")], "schlick"),
+    Fault("Schlick's exponent fixed", &[("1e-6), material.schlick_exponent)", "1e-6), 5.0)")], "schlick"),
     Fault(
         "the indices exchanged",
         &[(
@@ -720,7 +720,7 @@ const FAULTS: &[Fault] = &[
     ),
     Fault(
         "light mirrored twice is lost",
-        &[("brightness *= 1.0 + water_again(all, reflectance);", "")],
+        &[("brightness *= 1.0 + water_second_bounce(all, reflectance);", "")],
         "white furnace under 1, smooth",
     ),
     Fault(
@@ -730,7 +730,7 @@ const FAULTS: &[Fault] = &[
     ),
     Fault(
         "light focused where it enters",
-        &[("  at = entry - reach * bed_slope(at);", "  at = entry;")],
+        &[("  at = entry - reach * bed_surface_slope(at);", "  at = entry;")],
         "mean light under caustics off 1",
     ),
     Fault(

@@ -20,10 +20,10 @@ fn answer(question: Question) -> Answer {
   let q = question[0];
   let foot = WaterFootprint(vec2f(q.w, 0.0), q.z, 1);
   let slope = water_slope(q.xy, foot);
-  let vertex = water_moved(q.xy, 1.5 * mesh_spacing(length(q.xy)), true);
-  let split = water_slope_beyond(q.xy, foot, foot, vertex.carried, true);
+  let vertex = water_displacement(q.xy, 1.5 * mesh_spacing(length(q.xy)), true);
+  let split = water_slope_with_carried(q.xy, foot, foot, vertex.carried, true);
   return Answer(
-    vec4f(water_moved(q.xy, q.z, false).displacement, 0.0),
+    vec4f(water_displacement(q.xy, q.z, false).displacement, 0.0),
     vec4f(slope.mean, slope.jacobian, 0.0),
     vec4f(slope.variance, 0.0),
     vec4f(split.mean, length(vertex.carried.slope), 0.0));

@@ -3,5 +3,5 @@
 
 // Distance between neighbouring vertices at a radius from the eye, m: the larger of those along rows and columns.
 fn mesh_spacing(radius: f32) -> f32 {
-  return max((radius + frame.mesh.radius_m) * frame.mesh.row_step, radius * frame.mesh.azimuth_step);
+  return max((radius + frame.mesh_lattice.linear_radius_m) * frame.mesh_lattice.row_step, radius * frame.mesh_lattice.azimuth_step);
 }

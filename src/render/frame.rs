@@ -5,7 +5,7 @@ use super::scene::{Scene, SeaAppearance};
 use super::water::mesh::{Mesh, MeshLattice};
 use crate::gpu::layout::gpu_struct;
 use crate::sim::Maps;
-use crate::sim::maps::{FOAM_LEVELS, FoamLevel, MAX_DRAWN, MapCascade, TilePlace};
+use crate::sim::maps::{FOAM_LEVELS, FoamLevel, MAX_DRAWN, MapCascade, TileLatticePosition};
 use crate::waves::slopes::SlopeVariance;
 use std::f64::consts::PI;
 
@@ -25,7 +25,7 @@ gpu_struct! {
     #[derive(Default)]
     pub struct FrameCascade as "FrameCascade" {
         /// Triangle lattice of the patch's shifted copies, relative to the point below the eye.
-        pub tile: TilePlace,
+        pub tile: TileLatticePosition,
         /// Texture coordinates of the point below the eye.
         pub uv: [f32; 2],
         /// Reciprocal of the side of the patch, 1/m.

@@ -26,7 +26,7 @@ use crate::gpu::timer::Timer;
 use crate::gpu::uniform::Uniform;
 use crate::shaders::Shaders;
 use crate::sim::Maps;
-use crate::sim::maps::TilePlace;
+use crate::sim::maps::TileLatticePosition;
 use crate::state::views::Shown;
 use film::present::{PresentPass, PresentUniform};
 use frame::{FrameCascade, FrameFoamLevel};
@@ -46,7 +46,7 @@ use water::noise::NoiseTexture;
 
 /// Declarations of the structs that the renderer shares with its shaders.
 pub const STRUCTS: &[Declaration] = &[
-    TilePlace::DECLARATION,
+    TileLatticePosition::DECLARATION,
     MeshLattice::DECLARATION,
     MeshVertex::DECLARATION,
     HullVertex::DECLARATION,

@@ -243,11 +243,11 @@ mod tests {
     fn lines_are_found_again() {
         let shaders = Shaders::default();
         let (_, text) = shaders.all().find(|(name, _)| *name == "waves/rows").unwrap();
-        let line = text.lines().position(|l| l.contains("fn evolve_pack(")).unwrap() + 1;
+        let line = text.lines().position(|l| l.contains("fn evolve_packed_fields(")).unwrap() + 1;
         let (file, at) = locate("waves/rows", line).unwrap();
         assert_eq!(file, "waves/evolve.wgsl");
         assert!(
-            include_str!("../../shaders/waves/evolve.wgsl").lines().nth(at - 1).unwrap().contains("fn evolve_pack(")
+            include_str!("../../shaders/waves/evolve.wgsl").lines().nth(at - 1).unwrap().contains("fn evolve_packed_fields(")
         );
     }
 }

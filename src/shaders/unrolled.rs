@@ -67,14 +67,14 @@ fn rows_first(n: u32) -> String {
     let factors = code.factors("t_line", first, n);
     let points = (0..first)
         .map(|i| {
-            let wave = format!("rows_choose(waves[{i}], waves[{}], is_opposite)", first - 1 - i);
+            let wave = format!("rows_wave_or_opposite(waves[{i}], waves[{}], is_opposite)", first - 1 - i);
             let at = format!("(t_line + {}u) & {}u", i * second, n - 1);
-            code.value(&format!("evolve_pack(pair, line, {at}, {wave})"))
+            code.value(&format!("evolve_packed_fields(pair, line, {at}, {wave})"))
         })
         .collect();
     code.line(&format!("let to = ((2u * c + pair) * {n}u + z_line) * {n}u + (t_line & {}u);", second - 1));
     for (k1, (v, factor)) in code.transform(points).into_iter().zip(factors).enumerate() {
-        code.line(&format!("halves[to + {}u] = fft_mul({v}, {factor});", k1 as u32 * second));
+        code.line(&format!("half_transforms[to + {}u] = fft_complex_mul({v}, {factor});", k1 as u32 * second));
     }
     code.line("}");
     code.close()
@@ -83,9 +83,9 @@ fn rows_first(n: u32) -> String {
 fn rows_second(n: u32) -> String {
     let Factors { first, second } = Factors::new(n);
     let mut code = Code::open("rows_second(line: u32, k1: u32)");
-    let points = (0..second).map(|n2| code.value(&format!("halves[line + k1 * {second}u + {n2}u]"))).collect();
+    let points = (0..second).map(|n2| code.value(&format!("half_transforms[line + k1 * {second}u + {n2}u]"))).collect();
     for (k2, v) in (0..).zip(code.transform(points)) {
-        code.line(&format!("lines[line + k1 + {}u] = {v};", k2 * first));
+        code.line(&format!("row_transforms[line + k1 + {}u] = {v};", k2 * first));
     }
     code.close()
 }
@@ -94,10 +94,10 @@ fn columns_first(n: u32) -> String {
     let Factors { first, second } = Factors::new(n);
     let mut code = Code::open("columns_first(column: u32, t: u32)");
     let factors = code.factors("t", first, n);
-    let points = (0..first).map(|i| code.value(&format!("lines[column + (t + {}u) * {n}u]", i * second))).collect();
+    let points = (0..first).map(|i| code.value(&format!("row_transforms[column + (t + {}u) * {n}u]", i * second))).collect();
     for (k1, (v, factor)) in code.transform(points).into_iter().zip(factors).enumerate() {
         let to = k1 as u32 * second;
-        code.line(&format!("halves[column + (t + {to}u) * {n}u] = fft_mul({v}, {factor});"));
+        code.line(&format!("half_transforms[column + (t + {to}u) * {n}u] = fft_complex_mul({v}, {factor});"));
     }
     code.close()
 }
@@ -106,7 +106,7 @@ fn columns_second(n: u32) -> String {
     let Factors { first, second } = Factors::new(n);
     let mut code = Code::open("columns_second(layer: u32, layers: u32, x: u32, k1: u32)");
     code.line(&format!("let here = (layer * {n}u + k1 * {second}u) * {n}u + x;"));
-    let points = (0..second).map(|n2| code.value(&format!("halves[here + {}u]", n2 * n))).collect();
+    let points = (0..second).map(|n2| code.value(&format!("half_transforms[here + {}u]", n2 * n))).collect();
     for (k2, v) in (0..).zip(code.transform(points)) {
         code.line(&format!("columns_store(layer, layers, x, k1 + {}u, {v});", k2 * first));
     }
@@ -144,7 +144,7 @@ impl Code {
     /// product of two earlier factors, so that rounding errors grow with the logarithm of k1.
     fn factors(&mut self, t: &str, first: u32, n: u32) -> Vec<String> {
         let mut factors = vec!["vec2f(1.0, 0.0)".to_owned()];
-        factors.push(self.value(&format!("twiddle[{t} * {}u]", TWIDDLES as u32 / n)));
+        factors.push(self.value(&format!("twiddle_factors[{t} * {}u]", TWIDDLES as u32 / n)));
         for k in 2..first as usize {
             let (a, b) = (&factors[k / 2], &factors[k - k / 2]);
             let product = format!("vec2f({a}.x * {b}.x - {a}.y * {b}.y, {a}.x * {b}.y + {a}.y * {b}.x)");
@@ -197,6 +197,6 @@ impl Code {
             return self.value(&format!("vec4f(-{v}.y, {v}.x, -{v}.w, {v}.z)"));
         }
         let (sin, cos) = (TAU * turns).sin_cos();
-        self.value(&format!("fft_mul({v}, vec2f({cos:.9}, {sin:.9}))"))
+        self.value(&format!("fft_complex_mul({v}, vec2f({cos:.9}, {sin:.9}))"))
     }
 }

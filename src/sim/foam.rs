@@ -2,7 +2,7 @@
 
 use super::maps::{FOAM_LEVELS, FoamLevel, MAX_DRAWN, Maps};
 use super::transition::{Interpolate, interpolate, interpolate2};
-use super::uniforms::{FoamCascade, FoamCorner, FoamLevelUniform, FoamUniform};
+use super::uniforms::{FoamCascade, FoamLevelCorner, FoamLevelUniform, FoamUniform};
 use crate::waves::{Plan, foam};
 
 /// Number of time steps in a cold start, which computes the foam anew, for example after a jump of time.
@@ -193,7 +193,7 @@ impl FoamClock {
             let source = self.parameters.sources[level];
             let corner = cells[level].map(|c| f64::from(c) * texel_m);
             let half_texel = 0.5 / f64::from(maps.n);
-            let mut corners = [FoamCorner::default(); MAX_DRAWN];
+            let mut corners = [FoamLevelCorner::default(); MAX_DRAWN];
             for (out, cascade) in corners.iter_mut().zip(&maps.cascades) {
                 out.tile = cascade.tiling.place(corner).into();
                 out.uv = corner.map(|x| ((x / cascade.patch_m).rem_euclid(1.0) + half_texel) as f32);

@@ -16,9 +16,9 @@ pub const MAX_DRAWN: usize = 2 * MAX_CASCADES;
 pub const FOAM_LEVELS: usize = 4;
 
 gpu_struct! {
-    /// WGSL `TilePlace`: the triangle lattice on which shifted copies of a patch are blended, relative to one point.
+    /// WGSL `TileLatticePosition`: the triangle lattice on which shifted copies of a patch are blended, relative to one point.
     #[derive(Default)]
-    pub struct TilePlace as "TilePlace" {
+    pub struct TileLatticePosition as "TileLatticePosition" {
         /// Cosine and sine of the lattice's rotation, divided by the side of its triangles, 1/m.
         pub turn: [f32; 2],
         /// Fractional part of the point's lattice coordinates, 0 to 1.
@@ -91,7 +91,7 @@ pub struct MapCascade {
     pub gain: f32,
 }
 
-impl From<Place> for TilePlace {
+impl From<Place> for TileLatticePosition {
     fn from(place: Place) -> Self {
         Self {
             turn: place.tiling.turn.map(|x| x as f32),

@@ -109,9 +109,9 @@ impl MipsPass {
         let nothing = array_view(&map(gpu, "nothing", [1; 3], 1, r.format), None);
         let steps = (0..r.mips() - 1).step_by(images as usize).map(|above| {
             let levels = images.min(r.mips() - 1 - above);
-            let mut constants = vec![("FIRST", f64::from(u8::from(above == 0)))];
+            let mut constants = vec![("READS_LEVEL_0", f64::from(u8::from(above == 0)))];
             if way == TransformWay::Workgroup {
-                constants.push(("LEVELS", f64::from(levels)));
+                constants.push(("LEVELS_WRITTEN", f64::from(levels)));
             }
             let kernel = Kernel::new(gpu, "sea/mips", (&module, "main"), &slots, &constants);
             let group = Self::group(gpu, &kernel, r, rings, (above, levels, images), &nothing);

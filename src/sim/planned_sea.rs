@@ -1,7 +1,7 @@
 //! Converts the plan of a sea to the uniforms that the compute passes read.
 
 use super::maps::{MAX_CASCADES, MapCascade};
-use super::uniforms::{MAX_TERMS, SeaCascade, SeaTerm, SeaUniform};
+use super::uniforms::{MAX_TERMS, SeaCascade, SpectrumTerm, SeaUniform};
 use crate::waves::spreading::Cosine;
 use crate::waves::system::TermKind;
 use crate::waves::{Plan, table};
@@ -10,7 +10,7 @@ use crate::waves::{Plan, table};
 pub struct PlannedSea {
     /// The plan of the sea.
     pub plan: Plan,
-    terms: [SeaTerm; MAX_TERMS],
+    terms: [SpectrumTerm; MAX_TERMS],
     term_count: u32,
     stride: u32,
 }
@@ -45,7 +45,7 @@ impl PlannedSea {
     /// Converts the terms of a plan's directional spectrum to the form that shaders read.
     pub fn new(plan: Plan) -> Self {
         let (parts, stride) = table::terms(&plan);
-        let mut terms = [SeaTerm::default(); MAX_TERMS];
+        let mut terms = [SpectrumTerm::default(); MAX_TERMS];
         for (out, part) in terms.iter_mut().zip(&parts) {
             let kind = match part.kind {
                 TermKind::Lobe(Cosine::None) => 0,
@@ -53,7 +53,7 @@ impl PlannedSea {
                 TermKind::Lobe(Cosine::Forward) => 2,
                 TermKind::Measured => 3,
             };
-            *out = SeaTerm { travel: part.travel.map(|x| x as f32), kind, slot: part.slot as u32 };
+            *out = SpectrumTerm { travel: part.travel.map(|x| x as f32), kind, slot: part.slot as u32 };
         }
         Self { plan, terms, term_count: parts.len() as u32, stride: stride as u32 }
     }

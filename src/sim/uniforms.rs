@@ -1,6 +1,6 @@
 //! The uniform structs of the simulation's passes, and the buffers that hold them.
 
-use super::maps::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN, TilePlace};
+use super::maps::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN, TileLatticePosition};
 use crate::gpu::Gpu;
 use crate::gpu::kit::Slot;
 use crate::gpu::layout::{Declaration, gpu_struct};
@@ -59,9 +59,9 @@ gpu_struct! {
 pub const MAX_TERMS: usize = 6;
 
 gpu_struct! {
-    /// WGSL `SeaTerm`: one term of the directional spectrum, which is a sum of such terms.
+    /// WGSL `SpectrumTerm`: one term of the directional spectrum, which is a sum of such terms.
     #[derive(Default)]
-    pub struct SeaTerm as "SeaTerm" {
+    pub struct SpectrumTerm as "SpectrumTerm" {
         /// Unit vector (x, z) of the direction from which the angles of the spreading function are measured.
         pub travel: [f32; 2],
         /// Form of the term: 0 spreading lobe, 1 lobe times cos^2, 2 lobe times cos^2 in its forward half only, 3
@@ -79,7 +79,7 @@ gpu_struct! {
         /// Cascades of the sea, longest waves first.
         pub cascades: [SeaCascade; MAX_CASCADES],
         /// Terms of the directional spectrum, which is their sum.
-        pub terms: [SeaTerm; MAX_TERMS],
+        pub terms: [SpectrumTerm; MAX_TERMS],
         /// Amplitude factor of each cascade: 1 except during a cross-fade.
         pub weights: [f32; MAX_CASCADES],
         /// Choppiness: factor of the horizontal displacement along x and z.
@@ -109,11 +109,11 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// WGSL `FoamCorner`: where the corner of a foam level lies on the maps of a cascade.
+    /// WGSL `FoamLevelCorner`: where the corner of a foam level lies on the maps of a cascade.
     #[derive(Default)]
-    pub struct FoamCorner as "FoamCorner" {
+    pub struct FoamLevelCorner as "FoamLevelCorner" {
         /// Position of the corner on the triangle lattice of the patch's shifted copies.
-        pub tile: TilePlace,
+        pub tile: TileLatticePosition,
         /// Texture coordinates of the corner in the cascade's maps.
         pub uv: [f32; 2],
         /// Unused; pads the struct to a multiple of 16 bytes, as an array element needs it.
@@ -126,7 +126,7 @@ gpu_struct! {
     #[derive(Default)]
     pub struct FoamLevelUniform as "FoamLevel" {
         /// Position of the corner of the level's first cell on each drawn cascade.
-        pub corners: [FoamCorner; MAX_DRAWN],
+        pub corners: [FoamLevelCorner; MAX_DRAWN],
         /// Lowest cell index along x and z that the level covers.
         pub cell: [i32; 2],
         /// Lowest cell index along x and z that the level covered at the previous time step.
@@ -181,10 +181,10 @@ gpu_struct! {
 /// The structs that the simulation shares with its shaders.
 pub const STRUCTS: &[Declaration] = &[
     SeaCascade::DECLARATION,
-    SeaTerm::DECLARATION,
+    SpectrumTerm::DECLARATION,
     SeaUniform::DECLARATION,
-    TilePlace::DECLARATION,
-    FoamCorner::DECLARATION,
+    TileLatticePosition::DECLARATION,
+    FoamLevelCorner::DECLARATION,
     FoamLevelUniform::DECLARATION,
     FoamCascade::DECLARATION,
     FoamUniform::DECLARATION,

@@ -32,7 +32,7 @@ impl Bloom {
         let module = shaders.module(gpu, "film/bloom");
         let kernel = |entry| Kernel::new(gpu, "bloom", (&module, entry), &slots, &[]);
         let sampler = gpu.sampler("bloom", [wgpu::AddressMode::ClampToEdge; 2], wgpu::MipmapFilterMode::Nearest);
-        Self { down: kernel("down"), up: kernel("up"), sampler, format, chain: None }
+        Self { down: kernel("downsample"), up: kernel("upsample"), sampler, format, chain: None }
     }
 
     /// Allocates the levels for a picture of the given view and size, or frees them for None.

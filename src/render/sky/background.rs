@@ -46,7 +46,7 @@ impl BackgroundPass {
         let layouts = [&group.layout, &sky.panorama.layout];
         self.pipelines.choose(parts, |parts| {
             let constants = [
-                part("SKY_FILE", parts.file),
+                part("SKY_IMAGE", parts.file),
                 part("SKY_CLOUDS", parts.clouds),
                 part("SKY_STARS", parts.stars),
                 part("SKY_FOG", parts.fog),

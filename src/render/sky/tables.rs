@@ -180,8 +180,8 @@ impl SkyTables {
             let size = ENVIRONMENT.map(|side| side >> level);
             TablePass::new(gpu, "sky/filter", (&filter, "main"), &bindings, workgroups(size))
         });
-        let [clear_parts, clear, whole_parts, whole] = self.light_passes(gpu, shaders, noise);
-        [view, clear_parts, clear, environment].into_iter().chain(filters).chain([whole_parts, whole]).collect()
+        let [clear_irradiance_parts, clear, sky_irradiance_parts, whole] = self.light_passes(gpu, shaders, noise);
+        [view, clear_irradiance_parts, clear, environment].into_iter().chain(filters).chain([sky_irradiance_parts, whole]).collect()
     }
 
     /// Passes that integrate the sky's light over all directions: partial sums and total, first without clouds.
@@ -200,10 +200,10 @@ impl SkyTables {
             (Slot::Write(LIGHT_PARTS_BYTES as usize), parts.as_entire_binding()),
         ];
         [
-            ("sky/light clear parts", "clear_parts", LIGHT_GROUPS),
-            ("sky/light clear", "clear", 1),
-            ("sky/light whole parts", "whole_parts", LIGHT_GROUPS),
-            ("sky/light whole", "whole", 1),
+            ("sky/light clear parts", "clear_irradiance_parts", LIGHT_GROUPS),
+            ("sky/light clear", "clear_irradiance", 1),
+            ("sky/light whole parts", "sky_irradiance_parts", LIGHT_GROUPS),
+            ("sky/light whole", "sky_irradiance", 1),
         ]
         .map(|(label, entry, groups)| TablePass::new(gpu, label, (&module, entry), &bindings, [groups, 1]))
     }

@@ -18,7 +18,7 @@ gpu_struct! {
         height: f32,
         /// Undisplaced position (x, z) relative to the point below the eye, m.
         rest: [f32; 2],
-        /// Slope, stretch and shear of long waves, which are interpolated between vertices (WGSL `WaterSums`).
+        /// Slope, stretch and shear of long waves, which are interpolated between vertices (WGSL `WaterDerivatives`).
         slope: [f32; 2],
         stretch: [f32; 2],
         shear: [f32; 2],

@@ -67,9 +67,9 @@ impl Parts {
             part("WATER_PHONG", self.phong),
             part("WATER_GGX", self.ggx),
             part("WATER_SCHLICK", self.schlick),
-            part("SKY_FILE", self.file),
+            part("SKY_IMAGE", self.file),
             part("SKY_FOG", self.fog),
-            part("WATER_SAMPLES", self.samples),
+            part("WATER_POINT_SAMPLES", self.samples),
             part("SOFTWARE_ADAPTER", self.software),
         ]
     }

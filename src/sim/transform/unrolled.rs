@@ -24,7 +24,7 @@ pub struct UnrolledTransform {
 /// Buffers that pass values from one dispatch to the next.
 struct Buffers {
     /// Values after the first of the two dispatches along an axis; as large as `Resources::lines`.
-    halves: wgpu::Buffer,
+    half_transforms: wgpu::Buffer,
     /// Displacement and gradient maps before they are copied to the textures, \[map\]\[cascade\]\[z\]\[x\].
     maps: wgpu::Buffer,
 }
@@ -55,7 +55,7 @@ impl ColumnsSecond {
     }
 
     fn compile(gpu: &Gpu, module: &wgpu::ShaderModule, n: u32, keep_f32: bool) -> Kernel {
-        let constants = [("N", f64::from(n)), ("KEEP_F32", f64::from(u8::from(keep_f32)))];
+        let constants = [("N", f64::from(n)), ("KEEPS_F32_MAPS", f64::from(u8::from(keep_f32)))];
         let slots = [Slot::Read(0), Slot::Write(0), Slot::Write(0)];
         Kernel::new(gpu, "sea/columns/second", (module, "main"), &slots, &constants)
     }
@@ -91,7 +91,7 @@ impl UnrolledTransform {
 
     /// Creates the bind groups anew after resources have been replaced, with intermediate buffers of their size.
     pub fn bind(&mut self, gpu: &Gpu, r: &Resources, rings: &UniformRings) {
-        if self.buffers.halves.size() != r.lines.size() {
+        if self.buffers.half_transforms.size() != r.lines.size() {
             self.buffers = Buffers::new(gpu, r);
         }
         let kernels = [&self.rows_first, &self.rows_second, &self.columns_first, &self.columns_second.plain];
@@ -140,7 +140,7 @@ impl Buffers {
         // Each vec4f in `lines` becomes one texel of a map.
         let texels = r.lines.size() / size_of::<[f32; 4]>() as u64;
         Self {
-            halves: gpu.storage("halves", r.lines.size()),
+            half_transforms: gpu.storage("halves", r.lines.size()),
             maps: gpu.storage("maps", texels * u64::from(r.format.bytes())),
         }
     }
@@ -151,16 +151,16 @@ impl Groups {
     fn new(gpu: &Gpu, kernels: [&Kernel; 4], buffers: &Buffers, r: &Resources, rings: &UniformRings) -> Self {
         let [rows_first, rows_second, columns_first, columns_second] = kernels;
         let [twiddle, lines] = [&r.twiddle, &r.lines].map(wgpu::Buffer::as_entire_binding);
-        let [halves, maps] = [&buffers.halves, &buffers.maps].map(wgpu::Buffer::as_entire_binding);
+        let [half_transforms, maps] = [&buffers.half_transforms, &buffers.maps].map(wgpu::Buffer::as_entire_binding);
         let of_waves = |waves: &Waves| {
             let [h0, wave] = [&waves.h0, &waves.wave].map(wgpu::Buffer::as_entire_binding);
-            rows_first.bind(gpu, &[rings.sea.binding(), h0, wave, twiddle.clone(), halves.clone()])
+            rows_first.bind(gpu, &[rings.sea.binding(), h0, wave, twiddle.clone(), half_transforms.clone()])
         };
         Self {
             rows_first: r.waves.iter().map(of_waves).collect(),
-            rows_second: rows_second.bind(gpu, &[halves.clone(), lines.clone()]),
-            columns_first: columns_first.bind(gpu, &[twiddle.clone(), lines.clone(), halves.clone()]),
-            columns_second: columns_second.bind(gpu, &[halves.clone(), maps, lines.clone()]),
+            rows_second: rows_second.bind(gpu, &[half_transforms.clone(), lines.clone()]),
+            columns_first: columns_first.bind(gpu, &[twiddle.clone(), lines.clone(), half_transforms.clone()]),
+            columns_second: columns_second.bind(gpu, &[half_transforms.clone(), maps, lines.clone()]),
         }
     }
 }

@@ -37,7 +37,7 @@ impl WorkgroupTransform {
     /// Compiles both passes and creates their bind groups.
     pub fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, rings: &UniformRings) -> Self {
         let (lines, Factors { first, second }) = (lines_per_workgroup(r.n), Factors::new(r.n));
-        let constants = [("N", r.n), ("R1", first), ("R2", second), ("LINES", lines), ("EXCHANGE", lines * r.n)]
+        let constants = [("N", r.n), ("RADIX_1", first), ("RADIX_2", second), ("LINES_PER_WORKGROUP", lines), ("EXCHANGE_VECTORS", lines * r.n)]
             .map(|(name, value)| (name, f64::from(value)));
         let kernel = |label, module, slots: &[Slot]| {
             Kernel::new(gpu, label, (&shaders.module(gpu, module), "main"), slots, &constants)
