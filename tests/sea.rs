@@ -7,7 +7,7 @@ use seastate::gpu::Gpu;
 use seastate::gpu::readback;
 use seastate::lab::stats;
 use seastate::shaders::Shaders;
-use seastate::sim::{MAX_STEPS, Simulation};
+use seastate::sim::{MAX_FOAM_STEPS, Simulation};
 use seastate::state::Params;
 use seastate::state::fields::{FIELDS, FieldKind};
 use seastate::waves::{Plan, statistics};
@@ -98,9 +98,9 @@ fn raising_n_keeps_every_wave() {
     let read = |state: &str| {
         let mut sim = common::simulation(&gpu, state);
         let mut encoder = gpu.encoder("test");
-        let step = sim.push_evaluation(&gpu, 0.0, false);
+        let step = sim.push_sea_uniform(&gpu, 0.0, false);
         sim.passes.spectrum.run(&mut encoder, &sim.resources, step);
-        let staging = readback::stage_buffer(&gpu, &mut encoder, &sim.resources.sea().h0);
+        let staging = readback::stage_buffer(&gpu, &mut encoder, &sim.resources.current_waves().h0);
         gpu.submit(encoder);
         let bytes = pollster::block_on(readback::read(&gpu, staging)).expect("read-back");
         bytemuck::pod_collect_to_vec::<u8, [f32; 2]>(&bytes)
@@ -166,7 +166,7 @@ fn foam(gpu: &Gpu, state: &str, run: Option<(f64, f64)>) -> Vec<f64> {
     let steps = ((end_s - from_s) / dt_s).round() as u32;
     for t_s in (0..steps).map(|i| from_s + dt_s * f64::from(i)).chain([end_s]) {
         let mut encoder = gpu.encoder("test");
-        assert!(sim.encode(gpu, &mut encoder, t_s, [0.0; 2], MAX_STEPS));
+        assert!(sim.encode(gpu, &mut encoder, t_s, [0.0; 2], MAX_FOAM_STEPS));
         gpu.submit(encoder);
     }
     let mut encoder = gpu.encoder("test");
@@ -189,8 +189,8 @@ fn the_maps_of_a_frame_are_read_back_as_they_are() {
     let gpu = gpu();
     let mut sim = common::simulation(&gpu, "wind=12&n=128&t=9");
     let mut encoder = gpu.encoder("test");
-    assert!(sim.encode(&gpu, &mut encoder, 9.0, [0.0; 2], MAX_STEPS));
-    let probe = sim.probe(&gpu, &mut encoder).expect("one sea");
+    assert!(sim.encode(&gpu, &mut encoder, 9.0, [0.0; 2], MAX_FOAM_STEPS));
+    let probe = sim.record_map_read(&gpu, &mut encoder).expect("one sea");
     gpu.submit(encoder);
     let probed = pollster::block_on(probe.read(&gpu)).expect("read-back");
     let maps = read(&gpu, &mut sim, 9.0);

@@ -7,7 +7,7 @@ use common::wgsl::{self, shaders};
 use glam::{DMat2, DVec2, DVec3};
 use half::f16;
 use seastate::gpu::Gpu;
-use seastate::ocean::{Film, Ocean};
+use seastate::ocean::{Ocean, OutputKind};
 use seastate::render::{self, MaterialUniform};
 use seastate::shaders::Shaders;
 use seastate::waves::slopes;
@@ -115,15 +115,15 @@ impl Bench {
     fn new() -> Self {
         let gpu = common::gpu();
         let params = common::params(STATE);
-        let mut ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, Film::Screen, &params);
+        let mut ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, OutputKind::Screen, &params);
         let mut encoder = gpu.encoder("test");
-        ocean.simulation().encode_f32(&gpu, &mut encoder, params.clock.t_s);
+        ocean.simulation().encode_with_f32_maps(&gpu, &mut encoder, params.clock.t_s);
         gpu.submit(encoder);
         let size = [320, 200];
         let mut scene = ocean.scene(size);
         // Neither ripples nor roughness beyond the maps: the slopes are those of the displaced surface.
-        scene.sea.residual = [0.0; 2];
-        let frame = render::frame(&scene, ocean.simulation().maps(), size);
+        scene.sea.unresolved_variance = [0.0; 2];
+        let frame = render::frame_uniform(&scene, ocean.simulation().maps(), size);
         let frame = wgsl::buffer(&gpu, bytemuck::bytes_of(&frame), BufferUsages::UNIFORM);
         let material = MaterialUniform::new(&scene);
         let material = wgsl::buffer(&gpu, bytemuck::bytes_of(&material), BufferUsages::UNIFORM);

@@ -48,7 +48,10 @@ fn answer(question: Question) -> Answer {
       material.caustic_filter_m = a.z;
       answer.x = bed_caustic_gain(a.xy, b.x);
     }
-    case 6u: { answer.x = water_second_bounce(water_facets_towards(a.xyz, WaterSlope(c.xy, vec3f(c.zw, b.w), 1.0, vec2f(0.0))), b.x); }
+    case 6u: {
+      let slope = WaterSlope(c.xy, vec3f(c.zw, b.w), 1.0, vec2f(0.0));
+      answer.x = water_second_bounce(water_facets_towards(a.xyz, slope), b.x);
+    }
     default: { answer = vec4f(water_normal(a.xy), 0.0); }
   }
   return Answer(answer);

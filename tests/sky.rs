@@ -4,7 +4,7 @@
 mod skies;
 
 use seastate::gpu::Gpu;
-use seastate::ocean::still::picture;
+use seastate::ocean::still::draw_picture;
 use seastate::state::{Params, query};
 use skies::made_up_sky;
 

@@ -1,16 +1,16 @@
 // Baseline of `seastate bench`: computes the Fourier amplitudes of one cascade at a time. Each output texture holds a
 // complex field that packs two real fields, in the same pairs as the program's row pass.
 
-struct Evolve {
+struct EvolveUniform {
   cascade: u32,
   dk: f32, // spacing of the wave vectors, 2 pi / patch, rad/m
   time_in_period_u32: u32, // time as a fraction of the sea's period, in units of 2^-32
   unused: u32,
 }
 
-@group(0) @binding(0) var<uniform> evolve: Evolve;
+@group(0) @binding(0) var<uniform> evolve: EvolveUniform;
 @group(0) @binding(1) var<storage, read> h0: array<vec2f>; // [cascade][iz][ix]
-@group(0) @binding(2) var<storage, read> wave_table: array<vec2u>; // per entry: cycles per period, bits of orbit ratio / |k|
+@group(0) @binding(2) var<storage, read> wave_table: array<vec2u>; // cycles per period, bits of orbit ratio / |k|
 @group(0) @binding(3) var field_0: texture_storage_2d<rg32float, write>;
 @group(0) @binding(4) var field_1: texture_storage_2d<rg32float, write>;
 @group(0) @binding(5) var field_2: texture_storage_2d<rg32float, write>;

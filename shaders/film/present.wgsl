@@ -149,7 +149,8 @@ fn present_edges_smoothed(hdr: vec4f, at: vec2i, uv: vec2f) -> vec3f {
     let pixels = clamp(across / (min(abs(across.x), abs(across.y)) + reduce), vec2f(-6.0), vec2f(6.0));
     let along = pixels / present.size;
     let inner = 0.5 * (present_compressed_sample(uv - along / 6.0) + present_compressed_sample(uv + along / 6.0));
-    let outer = 0.5 * inner + 0.25 * (present_compressed_sample(uv - 0.5 * along) + present_compressed_sample(uv + 0.5 * along));
+    let ends = present_compressed_sample(uv - 0.5 * along) + present_compressed_sample(uv + 0.5 * along);
+    let outer = 0.5 * inner + 0.25 * ends;
     let l = sky_luminance(outer);
     smoothed = select(outer, inner, l < low || l > high);
   }

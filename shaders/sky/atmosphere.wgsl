@@ -117,7 +117,8 @@ fn atm_transmittance(map: texture_2d<f32>, s: sampler, h: f32, mu: f32, radius: 
   let above = atm_asin(mu) + dip;
   let u = sqrt(max(above, 0.0) / (0.5 * ATM_PI + dip));
   let v = sqrt(clamp(h / ATM_TOP_KM, 0.0, 1.0));
-  let uv = vec2f(atm_table_coordinate(u, ATM_TRANSMITTANCE_TABLE_SIZE.x), atm_table_coordinate(v, ATM_TRANSMITTANCE_TABLE_SIZE.y));
+  let size = ATM_TRANSMITTANCE_TABLE_SIZE;
+  let uv = vec2f(atm_table_coordinate(u, size.x), atm_table_coordinate(v, size.y));
   // The sun's disc sets gradually.
   let disc = smoothstep(-radius, radius, above);
   return disc * textureSampleLevel(map, s, uv, 0.0);
@@ -130,7 +131,8 @@ const ATM_MULTIPLE_SCATTERING_TABLE_SIZE = vec2f(64.0, 32.0);
 // dense for a low sun and holds square roots, because twilight falls through more decades than a half float has.
 fn atm_multiple_scattering(map: texture_2d<f32>, s: sampler, h: f32, mu_sun: f32) -> vec4f {
   let x = 0.5 + 0.5 * sign(mu_sun) * sqrt(abs(mu_sun));
-  let uv = vec2f(atm_table_coordinate(x, ATM_MULTIPLE_SCATTERING_TABLE_SIZE.x), atm_table_coordinate(sqrt(h / ATM_TOP_KM), ATM_MULTIPLE_SCATTERING_TABLE_SIZE.y));
+  let size = ATM_MULTIPLE_SCATTERING_TABLE_SIZE;
+  let uv = vec2f(atm_table_coordinate(x, size.x), atm_table_coordinate(sqrt(h / ATM_TOP_KM), size.y));
   let root = textureSampleLevel(map, s, uv, 0.0);
   return root * root;
 }

@@ -20,18 +20,20 @@ fn vertex(@builtin(vertex_index) i: u32) -> SkyFragment {
 // Radiance of the sun's disc. Limb darkening is a power of the cosine (Hestroffer and Magnan 1998; 0.45 at 550 nm). The
 // disc has the same irradiance at any size.
 fn sky_sun_disc_radiance(dir: vec3f) -> vec3f {
-  let rim = length(cross(dir, frame.sun_direction)) / sin(sky.sun_radius);
-  let edge = frame.pixel_angle / sky.sun_radius;
+  let rim = length(cross(dir, frame.sun_direction)) / sin(sky.sun_radius_rad);
+  let edge = frame.pixel_angle / sky.sun_radius_rad;
   if dot(dir, frame.sun_direction) < 0.0 || rim > 1.0 + edge {
     return vec3f(0.0);
   }
   let disc = 1.0 - smoothstep(1.0 - edge, 1.0 + edge, rim);
   let dark = pow(max(1.0 - rim * rim, 1e-4), 0.5 * sky.limb_darkening_exponent);
-  let solid = ATM_PI * sin(sky.sun_radius) * sin(sky.sun_radius);
+  let solid = ATM_PI * sin(sky.sun_radius_rad) * sin(sky.sun_radius_rad);
   // A disc that is smaller than a pixel is dimmed, because it fills only a part of the pixel.
   let shown = min(1.0, 1.0 / (edge * edge));
-  let through = atm_transmittance(transmittance_map, sky_sampler, 0.001 * frame.eye_height_m, dir.y, 0.25 * sky.sun_radius);
-  return atm_linear_srgb(through) * sky.sun_tint * (disc * dark * shown * (1.0 + 0.5 * sky.limb_darkening_exponent) / solid);
+  let eye_km = 0.001 * frame.eye_height_m;
+  let through = atm_transmittance(transmittance_map, sky_sampler, eye_km, dir.y, 0.25 * sky.sun_radius_rad);
+  let mean_to_middle = 1.0 + 0.5 * sky.limb_darkening_exponent;
+  return atm_linear_srgb(through) * sky.sun_tint * (disc * dark * shown * mean_to_middle / solid);
 }
 
 fn sky_random_vector(p: vec3u) -> vec3f {

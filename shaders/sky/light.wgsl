@@ -1,7 +1,7 @@
-// Irradiances and exposure. `clear_irradiance` runs before the environment map is made: it measures the cloudless sky, from which
-// overcast clouds take their brightness. `sky_irradiance` runs afterwards and measures the sky with clouds and fog. Before each,
-// 256 threads sum parts of the sky (`clear_irradiance_parts`, `sky_irradiance_parts`); then one thread adds these sums. Barriers instead of
-// two dispatches would be slow on software GPUs, above all to compile.
+// Irradiances and exposure. `clear_irradiance` runs before the environment map is made: it measures the cloudless sky,
+// from which overcast clouds take their brightness. `sky_irradiance` runs afterwards and measures the sky with clouds
+// and fog. Before each, 256 threads sum parts of the sky (`clear_irradiance_parts`, `sky_irradiance_parts`); then one
+// thread adds these sums. Barriers instead of two dispatches would be slow on software GPUs, above all to compile.
 
 @group(0) @binding(0) var<uniform> sky: Sky;
 @group(0) @binding(1) var<storage, read_write> light: Light;
@@ -43,7 +43,7 @@ fn clear_irradiance_parts(@builtin(global_invocation_id) id: vec3u) {
 @compute @workgroup_size(1)
 fn clear_irradiance() {
   let total = light_sum_of_parts();
-  let through = atm_transmittance(transmittance_map, sky_sampler, 0.0, sky.sun_direction.y, sky.sun_radius);
+  let through = atm_transmittance(transmittance_map, sky_sampler, 0.0, sky.sun_direction.y, sky.sun_radius_rad);
   var beam = atm_linear_srgb(through) * sky.sun_tint;
   var diffuse = total.rgb;
   if sky.has_image > 0.0 {

@@ -30,7 +30,8 @@ fn sky_overcast_radiance(above: f32) -> vec3f {
 fn sky_cloud_noise(p: vec2f, lod: f32) -> f32 {
   let turned = vec2f(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y);
   let a = textureSampleLevel(noise_map, noise_sampler, p / SKY_CLOUD_TILE_KM, lod).b;
-  let b = textureSampleLevel(noise_map, noise_sampler, turned / (0.27 * SKY_CLOUD_TILE_KM) + vec2f(0.37, 0.11), lod + 1.89).b;
+  let uv_b = turned / (0.27 * SKY_CLOUD_TILE_KM) + vec2f(0.37, 0.11);
+  let b = textureSampleLevel(noise_map, noise_sampler, uv_b, lod + 1.89).b;
   let c = textureSampleLevel(noise_map, noise_sampler, p.yx / (0.083 * SKY_CLOUD_TILE_KM), lod + 3.6).b;
   return a * 0.54 + b * 0.29 + c * 0.17;
 }
@@ -45,7 +46,8 @@ fn sky_radiance(dir: vec3f, above: f32, pixel: f32, drift: vec2f) -> vec4f {
     return vec4f(select(air, clear, o <= 0.0), 1.0);
   }
   let s = sin(above);
-  let t = sqrt(ATM_EARTH_RADIUS_KM * ATM_EARTH_RADIUS_KM * s * s + 2.0 * ATM_EARTH_RADIUS_KM * SKY_CLOUD_BASE_KM) - ATM_EARTH_RADIUS_KM * s;
+  let r = ATM_EARTH_RADIUS_KM;
+  let t = sqrt(r * r * s * s + 2.0 * r * SKY_CLOUD_BASE_KM) - r * s;
   let p = normalize(dir.xz + vec2f(1e-9, 0.0)) * (t * cos(above)) - drift;
   // A pixel's footprint is foreshortened. The geometric mean of its sides avoids both blur and shimmer.
   let footprint = t * pixel / sqrt(max(s, SKY_CLOUD_BASE_KM / t));
@@ -67,7 +69,8 @@ fn sky_radiance(dir: vec3f, above: f32, pixel: f32, drift: vec2f) -> vec4f {
   return vec4f(mix(air, body, shown), pow(1.0 - cover, 6.0));
 }
 
-// Texture coordinates of a direction in a sky from a file. The image centre is the horizon at the heading `image_heading_turns`.
+// Texture coordinates of a direction in a sky from a file. The image centre is the horizon at the heading
+// `image_heading_turns`.
 fn sky_image_uv(dir: vec3f) -> vec2f {
   let azimuth = atan2(dir.x, -dir.z) / (2.0 * ATM_PI);
   return vec2f(0.5 + azimuth - sky.image_heading_turns, 0.5 - atm_asin(dir.y) / ATM_PI);

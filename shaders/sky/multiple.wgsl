@@ -36,13 +36,14 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
       let step = exp(-m.extinction * dt);
       let scattering = m.rayleigh + m.mie;
       let share = through * (scattering / max(m.extinction, vec4f(1e-9))) * (1.0 - step);
-      second += share * atm_transmittance(transmittance_map, sky_sampler, ht, mu_s, sky.sun_radius) / (4.0 * ATM_PI);
+      let sunlight = atm_transmittance(transmittance_map, sky_sampler, ht, mu_s, sky.sun_radius_rad);
+      second += share * sunlight / (4.0 * ATM_PI);
       again += share;
       through *= step;
     }
     if ground >= 0.0 {
       let mu_s = (r * mu_sun + ground * nu) / ATM_EARTH_RADIUS_KM;
-      let lit = atm_transmittance(transmittance_map, sky_sampler, 0.0, mu_s, sky.sun_radius) * max(mu_s, 0.0);
+      let lit = atm_transmittance(transmittance_map, sky_sampler, 0.0, mu_s, sky.sun_radius_rad) * max(mu_s, 0.0);
       second += through * lit * (ATM_SEA_ALBEDO / ATM_PI);
     }
   }

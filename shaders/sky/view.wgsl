@@ -48,7 +48,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let ht = atm_altitude_along_ray(h, mu, t);
     let mu_s = (r * sky.sun_direction.y + t * nu) / (ATM_EARTH_RADIUS_KM + ht);
     let m = atm_medium(ht, sky.haze);
-    let lit = atm_transmittance(transmittance_map, sky_sampler, ht, mu_s, sky.sun_radius);
+    let lit = atm_transmittance(transmittance_map, sky_sampler, ht, mu_s, sky.sun_radius_rad);
     let more = atm_multiple_scattering(multiple_map, sky_sampler, ht, mu_s);
     let source = lit * (m.rayleigh * rayleigh + m.mie * mie) + more * (m.rayleigh + m.mie);
     let step = exp(-m.extinction * dt);

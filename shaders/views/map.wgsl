@@ -27,7 +27,8 @@ fn view_initial_amplitude(at: vec2u, layer: u32, n: u32) -> vec2f {
 fn view_amplitude(at: vec2u, layer: u32, n: u32) -> vec2f {
   let a = view_initial_amplitude(at, layer, n);
   let b = view_initial_amplitude((vec2u(n) - at) & vec2u(n - 1u), layer, n);
-  let entry = layer * sea_wave_table_len(n) + sea_wave_table_entry(sea_signed_index(at.x, n), sea_signed_index(at.y, n));
+  let own = sea_wave_table_entry(sea_signed_index(at.x, n), sea_signed_index(at.y, n));
+  let entry = layer * sea_wave_table_len(n) + own;
   let cs = maths_cos_sin(wave_table[entry].x * view.time_in_period_u32);
   let forward = vec2f(a.x * cs.x + a.y * cs.y, a.y * cs.x - a.x * cs.y);
   let backward = vec2f(b.x * cs.x + b.y * cs.y, b.x * cs.y - b.y * cs.x);

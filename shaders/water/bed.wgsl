@@ -56,12 +56,14 @@ fn water_bed_radiance(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: 
   let filtered = size / down + 0.5 * blur * length_m;
   let k = material.absorption + material.backscatter;
   let beam = water_refract(-frame.sun_direction, vec3f(0.0, 1.0, 0.0));
-  var sun = light.sun_irradiance * (max(frame.sun_direction.y, 0.0) * (1.0 - water_fresnel(max(frame.sun_direction.y, 0.0))));
+  let sun_height = max(frame.sun_direction.y, 0.0);
+  var sun = light.sun_irradiance * (sun_height * (1.0 - water_fresnel(sun_height)));
   if WATER_CAUSTICS && frame.sun_direction.y > 0.0 {
     let entry = hit + beam.xz * (column / min(beam.y, -0.3));
     // Light that is scattered on its way down is not focused.
     let straight = exp(-0.25 * (material.scattering.g - material.backscatter.g) * column / max(-beam.y, 0.3));
-    let sharp = material.caustic_strength * straight * (1.0 - smoothstep(0.5, 2.0, filtered / material.caustic_filter_m));
+    let resolved = 1.0 - smoothstep(0.5, 2.0, filtered / material.caustic_filter_m);
+    let sharp = material.caustic_strength * straight * resolved;
     if sharp > 0.01 {
       sun *= mix(1.0, bed_caustic_gain(entry, column), sharp);
     }

@@ -109,7 +109,8 @@ fn foam_appearance(at: vec2f, pixel: FoamFootprint, level: vec2f) -> FoamAppeara
   let share = 1.0 / f32(taps);
   // Each sample covers its part of the pixel. Windrows are longer than most pixels and bubbles shorter: one is enough.
   let size = WATER_TAP_TEXEL_RATIO * max(sqrt(pixel.width_m * pixel.length_m * share), pixel.length_m * share);
-  let lods = vec4f(material_lod(FOAM_WINDROW_LAYER, WATER_TAP_TEXEL_RATIO * pixel.length_m), material_lod(FOAM_PATCH_LAYER, size),
+  let lods = vec4f(
+    material_lod(FOAM_WINDROW_LAYER, WATER_TAP_TEXEL_RATIO * pixel.length_m), material_lod(FOAM_PATCH_LAYER, size),
     material_lod(FOAM_STRAND_LAYER, size), material_lod(FOAM_BUBBLE_LAYER, whole_m));
   let kept = vec4f(material_variance_left(FOAM_WINDROW_LAYER, lods.x), material_variance_left(FOAM_PATCH_LAYER, lods.y),
     material_variance_left(FOAM_STRAND_LAYER, lods.z), material_variance_left(FOAM_BUBBLE_LAYER, lods.w));
@@ -148,16 +149,18 @@ fn foam_appearance(at: vec2f, pixel: FoamFootprint, level: vec2f) -> FoamAppeara
     out.grain += 0.6 * strands + 0.4 * bubbles - usual;
     covered += cut;
   }
-  out.rough = FOAM_BUBBLE_SLOPE_SIGMA * FOAM_BUBBLE_SLOPE_SIGMA * material.foam_relief * material.foam_relief * (1.0 - kept.w);
+  let bubble_slope = FOAM_BUBBLE_SLOPE_SIGMA * material.foam_relief;
+  out.rough = bubble_slope * bubble_slope * (1.0 - kept.w);
   out.cover *= share;
   out.grain = 0.5 + kept.w * out.grain * share;
   let lumps_lod = material_lod(FOAM_STRAND_LAYER, whole_m);
   let lumps_kept = material_variance_left(FOAM_STRAND_LAYER, lumps_lod);
   if material.foam_relief > 0.0 && lumps_kept > 0.05 && out.cover > 0.002 {
     let strands = material_noise(FOAM_STRAND_LAYER, at, lumps_lod).r;
-    let lumps = foam_noise_gradient(FOAM_STRAND_LAYER, 0u, at, whole_m, lumps_lod, strands) * (lumps_kept * FOAM_LUMP_HEIGHT_M);
-    let fizz = foam_noise_gradient(FOAM_BUBBLE_LAYER, 1u, at, whole_m, lods.w, bubbles) * (kept.w * FOAM_BUBBLE_HEIGHT_M);
-    let relief = (lumps + fizz) * (material.foam_relief * covered * share);
+    let lumps = foam_noise_gradient(FOAM_STRAND_LAYER, 0u, at, whole_m, lumps_lod, strands);
+    let fizz = foam_noise_gradient(FOAM_BUBBLE_LAYER, 1u, at, whole_m, lods.w, bubbles);
+    let both = lumps * (lumps_kept * FOAM_LUMP_HEIGHT_M) + fizz * (kept.w * FOAM_BUBBLE_HEIGHT_M);
+    let relief = both * (material.foam_relief * covered * share);
     out.relief = relief * min(1.0, 1.2 / max(length(relief), 1e-6));
   }
   return out;
@@ -178,7 +181,8 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
   // Hollows see less of the sky.
   let open = (0.55 + 0.45 * n.y) * (0.7 + 0.6 * foam.grain);
   let albedo = material.foam_colour * (FOAM_ALBEDO * (0.85 + 0.3 * foam.grain));
-  let body = (light.sun_irradiance * (wrapped * (0.8 + 0.4 * foam.grain)) + light.sky_irradiance * open) * (albedo / ATM_PI);
+  let sunlight = light.sun_irradiance * (wrapped * (0.8 + 0.4 * foam.grain));
+  let body = (sunlight + light.sky_irradiance * open) * (albedo / ATM_PI);
   if l.y <= 0.0 || cosine <= 0.0 {
     return body;
   }

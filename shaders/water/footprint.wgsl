@@ -71,7 +71,8 @@ fn water_sampling(map: FrameCascade, foot: WaterFootprint) -> WaterSampling {
     out.variance_weight = 1.0;
     return out;
   }
-  out.spline_smoothness = select(0.0, 1.0 - smoothstep(0.8, 1.25, long), map.shortest_wave_texels < WATER_SMOOTH_WAVE_TEXELS);
+  let needs_spline = map.shortest_wave_texels < WATER_SMOOTH_WAVE_TEXELS;
+  out.spline_smoothness = select(0.0, 1.0 - smoothstep(0.8, 1.25, long), needs_spline);
   // No more samples than are useful: interpolation between texels blurs as much as a box of 1.4 texels. The smoother
   // moments take half as many, and the displacement takes one, as its effect on the slope is of second order.
   out.taps = clamp(i32(ceil(long / max(wide, 1.4) - 0.3)), 1, foot.taps);

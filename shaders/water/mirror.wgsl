@@ -35,7 +35,8 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
     let n = water_normal(node.slope);
     // Slopes across the viewing direction lengthen the facet's unscaled normal, but not its part towards the eye.
     let tilted = material.fresnel_slope_factor * node.slope;
-    let beside = 1.0 + dot(tilted, tilted) + material.fresnel_slope_factor * material.fresnel_slope_factor * node.side_variance;
+    let factor = material.fresnel_slope_factor;
+    let beside = 1.0 + dot(tilted, tilted) + factor * factor * node.side_variance;
     let f = water_fresnel((v.y - dot(v.xz, tilted)) * inverseSqrt(beside));
     // Blur of the sky: the distance to the next node, or the turn of the ray by slopes across it (less if grazing).
     let turned = 1.2 * eye.side_sigma * max(dot(v, n), 0.0);
@@ -52,13 +53,14 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
     return out;
   }
   // Both halves of an elongated footprint glitter by their own slopes: neither has the mean of a wave's face and back.
-  let lean = vec3f(slope.half_slope_difference * slope.half_slope_difference, slope.half_slope_difference.x * slope.half_slope_difference.y);
+  let half = slope.half_slope_difference;
+  let between_halves = vec3f(half * half, half.x * half.y);
   var part = slope;
-  part.variance = water_limit_covariance(max(slope.variance - lean, vec3f(0.3 * slope.variance.xy, -1.0)));
+  part.variance = water_limit_covariance(max(slope.variance - between_halves, vec3f(0.3 * slope.variance.xy, -1.0)));
   var glitter = vec3f(0.0);
   var seen = 0.0;
   for (var i = 0; i < 2; i++) {
-    part.mean = slope.mean + select(slope.half_slope_difference, -slope.half_slope_difference, i == 0);
+    part.mean = slope.mean + select(half, -half, i == 0);
     let facets = water_facets_towards(v, part);
     let share = max(water_facets_projected_area(facets).x, 1e-5);
     glitter += share * water_glitter(v, part, facets, part, out.reflectance);
@@ -69,8 +71,9 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
 }
 
 // Radiance reflected twice divided by that reflected once, by facets of the given mean reflectance. The fraction of
-// reflected rays that meet other waves is fitted to the integral of the masking in water_masking_shadowing over the visible
-// slopes, to 0.01 for deviations up to 0.2. If elevation and deviation are small, it depends on their ratio alone.
+// reflected rays that meet other waves is fitted to the integral of the masking in water_masking_shadowing over the
+// visible slopes, to 0.01 for deviations up to 0.2. If elevation and deviation are small, it depends on their ratio
+// alone.
 fn water_second_bounce(f: WaterFacets, reflectance: f32) -> f32 {
   let a = clamp((f.height + f.across * f.mean_tilt) / (f.across * f.tilt_sigma), 0.0, 1e3);
   var lost = 0.16 * a / (1.0 + 0.7 * a) * exp(-min(a * a / 8.41, 80.0));

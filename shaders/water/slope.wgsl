@@ -42,13 +42,15 @@ struct WaterGradientMean {
 fn water_gradient_mean(map: FrameCascade, sampling: WaterSampling, uv: vec2f) -> WaterGradientMean {
   var out: WaterGradientMean;
   if sampling.spline_smoothness > 0.0 {
-    out.mean = water_sample_spline(gradients_map, water_spline_taps(uv, frame.n, sampling.spline_smoothness), map.layer);
+    let taps = water_spline_taps(uv, frame.n, sampling.spline_smoothness);
+    out.mean = water_sample_spline(gradients_map, taps, map.layer);
     return out;
   }
   let part = 1.0 / f32(sampling.taps);
   for (var k = 0; k < sampling.taps; k++) {
     let off = (f32(k) + 0.5) * part - 0.5;
-    let tap = textureSampleLevel(gradients_map, trilinear_sampler, uv + sampling.along * off, map.layer, sampling.slope_lod);
+    let at = uv + sampling.along * off;
+    let tap = textureSampleLevel(gradients_map, trilinear_sampler, at, map.layer, sampling.slope_lod);
     out.mean += part * tap;
     out.half_slope_difference += (part * sign(off)) * tap.xy;
   }
@@ -86,7 +88,8 @@ fn water_add_waves(out: ptr<function, WaterSlopeSums>, at: vec2f, foot: WaterFoo
       let gradients = water_gradient_mean(map, sampling, uv);
       let g = sampling.slope_weight * gradients.mean;
       let d = textureSampleLevel(displacement_map, nearest_mip_sampler, uv, map.layer, sampling.displacement_lod);
-      (*out).sums = water_add_patch_copy((*out).sums, vec4f(slope_gain * g.xy, own * g.zw), (own * sampling.slope_weight) * d, weight);
+      let own_g = vec4f(slope_gain * g.xy, own * g.zw);
+      (*out).sums = water_add_patch_copy((*out).sums, own_g, (own * sampling.slope_weight) * d, weight);
       (*out).half_slope_difference += (slope_gain * sampling.slope_weight * weight.x) * gradients.half_slope_difference;
       mean = g.xy;
     }

@@ -19,8 +19,8 @@ fn water_add_patch_copy(sums: WaterDerivatives, g: vec4f, d: vec4f, weight: vec3
 }
 
 // Shortest wavelength of a cascade, in spacings of the mesh, from which vertices carry all of its slopes (x), and below
-// which they carry none (y). Vertices read slopes only where maps are magnified (water_displacement): waves count as at most
-// WATER_CARRIED_SPACINGS.y texels long.
+// which they carry none (y). Vertices read slopes only where maps are magnified (water_displacement): waves count as at
+// most WATER_CARRIED_SPACINGS.y texels long.
 const WATER_CARRIED_SPACINGS = vec2f(12.0, 7.0);
 
 // Fraction of a cascade's slopes that the vertices carry, 0 to 1, at a position relative to the point below the eye, m.
@@ -28,7 +28,8 @@ const WATER_CARRIED_SPACINGS = vec2f(12.0, 7.0);
 fn water_carried_fraction(cascade: u32, at: vec2f) -> f32 {
   let map = frame.cascades[cascade];
   let shortest_m = min(map.shortest_wave_texels, WATER_CARRIED_SPACINGS.y) / (map.inverse_patch * frame.n);
-  let pixel_m = frame.pixel_angle * (dot(at, at) + frame.eye_height_m * frame.eye_height_m) / max(frame.eye_height_m, 0.1);
+  let eye_m = frame.eye_height_m;
+  let pixel_m = frame.pixel_angle * (dot(at, at) + eye_m * eye_m) / max(eye_m, 0.1);
   let step_m = max(mesh_spacing(length(at)), 2.0 * pixel_m);
   return smoothstep(WATER_CARRIED_SPACINGS.y, WATER_CARRIED_SPACINGS.x, shortest_m / step_m);
 }

@@ -2,7 +2,7 @@
 
 @group(0) @binding(9) var<uniform> material: Material;
 
-// Parts of the water that the pipeline contains; set from `Parts` in src/render/water/light.rs.
+// Parts of the water that the pipeline contains; set from `Permutation` in src/render/water/light.rs.
 override WATER_BED: bool = false;
 override WATER_CAUSTICS: bool = false;
 override WATER_FOAM: bool = true;
@@ -57,7 +57,8 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> 
   var around = slope;
   if WATER_POINT_SAMPLES {
     let shown = WaterFootprint(vec2f(0.0), mesh_spacing(length(point.undisplaced)), 1);
-    around = water_slope_with_carried(point.undisplaced, shown, WaterFootprint(vec2f(0.0), 1e6, 1), WaterDerivatives(), false);
+    let no_ripples = WaterFootprint(vec2f(0.0), 1e6, 1);
+    around = water_slope_with_carried(point.undisplaced, shown, no_ripples, WaterDerivatives(), false);
     around.variance += vec3f(vec2f(material.roughness_variance), 0.0);
   }
 

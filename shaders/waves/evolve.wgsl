@@ -4,7 +4,7 @@
 
 @group(0) @binding(0) var<uniform> sea: Sea;
 @group(0) @binding(1) var<storage, read> h0: array<vec2f>; // [cascade][iz][ix]
-@group(0) @binding(2) var<storage, read> wave_table: array<vec2u>; // per entry: cycles per period, bits of orbit ratio / |k|
+@group(0) @binding(2) var<storage, read> wave_table: array<vec2u>; // cycles per period, bits of orbit ratio / |k|
 @group(0) @binding(3) var<storage, read> twiddle_factors: array<vec2f>; // twiddle factors e^(2 pi i j / 1024)
 
 // Values that all waves of a line with the same kz share.
@@ -21,7 +21,8 @@ fn evolve_line(c: u32, z: u32) -> EvolveLine {
   let base = c * N * N;
   let opposite = base + ((N - z) & (N - 1u)) * N;
   let entries = c * sea_wave_table_len(N);
-  return EvolveLine(base + z * N, opposite, entries, sea_signed_index(z, N), sea.cascades[c].dk, sea.amplitude_factors[c]);
+  let kz = sea_signed_index(z, N);
+  return EvolveLine(base + z * N, opposite, entries, kz, sea.cascades[c].dk, sea.amplitude_factors[c]);
 }
 
 // One wave of a line. xy: h(k, t) = h0(k) e^(-i w t) + conj(h0(-k)) e^(+i w t) with the angular frequency w; z: axis

@@ -18,7 +18,7 @@ fn mips_layers_per_kind() -> u32 {
   return textureNumLayers(source_level) / 3u;
 }
 
-// Second moments (xx, zz, xz, 0) of the slopes at a texel of the level `source_level`, in units of `moment_scale`.
+// Second moments (xx, zz, xz, 0) of the slopes at a texel of the level `source_level`, in units of `moment_unit`.
 fn mips_moment(at: vec2u, cascade: u32, layers_per_kind: u32, slopes: vec2f) -> vec4f {
   if READS_LEVEL_0 {
     let products = vec3f(slopes.x * slopes.x, slopes.y * slopes.y, slopes.x * slopes.y);

@@ -24,7 +24,8 @@ fn main(@builtin(local_invocation_id) local: vec3u, @builtin(workgroup_id) group
     workgroupBarrier();
     for (var k1 = 0u; k1 < RADIX_1; k1++) {
       let w = twiddle_factors[t * k1 * (1024u / N)];
-      fft_exchange[exchange + fft_exchange_index(k1, t)] = fft_complex_mul(fft_points[fft_result_index(k1, RADIX_1)], w);
+      let point = fft_points[fft_result_index(k1, RADIX_1)];
+      fft_exchange[exchange + fft_exchange_index(k1, t)] = fft_complex_mul(point, w);
     }
     workgroupBarrier();
     let out = ((c * 2u + pair) * N + z) * N;

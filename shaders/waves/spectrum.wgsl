@@ -4,7 +4,7 @@
 // directional distributions measured by a buoy.
 
 @group(0) @binding(0) var<uniform> sea: Sea;
-@group(0) @binding(1) var<storage, read> spectrum_table: array<vec4f>; // wave table (src/waves/table.rs), `stride` per entry
+@group(0) @binding(1) var<storage, read> spectrum_table: array<vec4f>; // see src/waves/table.rs
 @group(0) @binding(2) var<storage, read_write> h0: array<vec2f>; // [cascade][iz][ix]
 
 // Shape of a spreading lobe at the angle theta from its direction: sech^2(beta theta) cos^{2s}(theta/2), times cos^2
@@ -39,9 +39,10 @@ fn spectrum_variance(entry: u32, k: vec2f) -> f32 {
   var sum = 0.0;
   for (var i = 0u; i < sea.term_count; i++) {
     let term = sea.terms[i];
-    let row = spectrum_table[entry * sea.vectors_per_entry + term.first_vector];
+    let first = entry * sea.vectors_per_entry + term.first_vector;
+    let row = spectrum_table[first];
     if term.kind == 3u {
-      sum += row.x * spectrum_buoy_distribution(row.yz, vec2f(row.w, spectrum_table[entry * sea.vectors_per_entry + term.first_vector + 1u].x), k);
+      sum += row.x * spectrum_buoy_distribution(row.yz, vec2f(row.w, spectrum_table[first + 1u].x), k);
     } else {
       sum += row.x * spectrum_spreading_lobe(term, row.y, row.z, k) + row.w;
     }
@@ -62,7 +63,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let nyquist = -i32(n / 2u);
   var h = vec2f(0.0);
   if (ix != 0 || iz != 0) && ix != nyquist && iz != nyquist {
-    let variance = spectrum_variance(id.z * sea_wave_table_len(n) + sea_wave_table_entry(ix, iz), vec2f(f32(ix), f32(iz)));
+    let entry = id.z * sea_wave_table_len(n) + sea_wave_table_entry(ix, iz);
+    let variance = spectrum_variance(entry, vec2f(f32(ix), f32(iz)));
     let gauss = noise_normal_pair(noise_random_words(sea.seed, cascade.noise_key, ix, iz));
     h = gauss * sqrt(variance);
   }

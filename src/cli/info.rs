@@ -1,18 +1,18 @@
 //! `seastate info`: prints the program's version, its GPU, and how it uses the GPU.
 
-use crate::ocean::about::{About, VERSION, WGPU_VERSION, system};
+use crate::ocean::device_info::{DeviceInfo, VERSION, WGPU_VERSION, system};
 use serde_json::{Map, Value, json};
 
 /// Formats the report about the program and its GPU as a text table.
-pub fn text(about: &About) -> String {
+pub fn text(about: &DeviceInfo) -> String {
     about.rows().iter().map(|(name, value)| format!("{name:<28} {value}\n")).collect()
 }
 
 /// Converts the report about the program and its GPU to JSON.
-pub fn value(about: &About) -> Value {
+pub fn value(about: &DeviceInfo) -> Value {
     let limits =
         about.limits.iter().map(|(name, [asked, could])| (key(name), json!({"asked": asked, "adapter": could})));
-    let ways = about.ways.iter().map(|(name, way)| (key(name), json!(way)));
+    let ways = about.choices.iter().map(|(name, way)| (key(name), json!(way)));
     json!({
         "seastate": VERSION, "wgpu": WGPU_VERSION, "system": system(),
         "adapter": about.adapter, "kind": about.kind, "backend": about.backend, "driver": about.driver,

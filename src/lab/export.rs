@@ -19,7 +19,7 @@ type Channel<'a> = (&'static str, Box<dyn Fn(usize) -> f32 + 'a>);
 /// One sentence, if a file cannot be written or reading back from the GPU fails.
 pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::result::Result<(), String> {
     create_folder(folder)?;
-    let mut ocean = Ocean::waves_only(gpu, params);
+    let mut ocean = Ocean::without_renderer(gpu, params);
     let maps = ocean.read_maps().await?;
     let foam = ocean.read_foam().await?.remove(FOAM_LEVEL);
     let plan = ocean.plan().clone();

@@ -1,6 +1,6 @@
 //! Read-back of the wave maps and of the foam from the GPU.
 
-use super::{MAX_STEPS, MapsF32, Ocean};
+use super::{MAX_FOAM_STEPS, MapsF32, Ocean};
 use crate::gpu::readback;
 use crate::sim::resources::MapKind;
 
@@ -23,7 +23,7 @@ impl Ocean {
     /// # Errors
     /// If the read-back from the GPU fails.
     pub async fn read_maps(&mut self) -> Result<MapsF32, String> {
-        self.sim.read_f32(&self.gpu, self.params.clock.t_s).await
+        self.sim.read_maps_f32(&self.gpu, self.params.clock.t_s).await
     }
 
     /// The displacement maps at the time of the parameters, as the textures hold them, cascade by cascade. A texel
@@ -33,9 +33,9 @@ impl Ocean {
     /// If the read-back from the GPU fails.
     pub async fn read_displacement(&mut self) -> Result<Vec<[f32; 4]>, String> {
         let mut encoder = self.gpu.encoder("read displacement");
-        self.encode_waves(&mut encoder, MAX_STEPS);
+        self.encode_waves(&mut encoder, MAX_FOAM_STEPS);
         let r = &self.sim.resources;
-        let layers = r.sea_layers(MapKind::Displacement, self.plan().cascades.len());
+        let layers = r.current_sea_layers(MapKind::Displacement, self.plan().cascades.len());
         let copy = readback::stage_layers(&self.gpu, &mut encoder, &r.maps, 0, layers);
         self.gpu.submit(encoder);
         copy.read_map(&self.gpu).await
@@ -47,7 +47,7 @@ impl Ocean {
     /// If the read-back from the GPU fails.
     pub async fn read_foam(&mut self) -> Result<Vec<FoamMap>, String> {
         let mut encoder = self.gpu.encoder("read foam");
-        self.encode_waves(&mut encoder, MAX_STEPS);
+        self.encode_waves(&mut encoder, MAX_FOAM_STEPS);
         let copy = readback::stage_texture(&self.gpu, &mut encoder, &self.sim.resources.foam, 0);
         self.gpu.submit(encoder);
         let texels = copy.read_map(&self.gpu).await?;

@@ -40,7 +40,7 @@ impl<const Q: usize, const A: usize> Kernel<Q, A> {
             label: Some("test"),
             // The program's layouts have bindings that a test has nothing for.
             layout: None,
-            module: &gpu.module("test", &source),
+            module: &gpu.shader_module("test", &source),
             entry_point: Some("ask"),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             cache: None,

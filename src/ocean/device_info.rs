@@ -3,7 +3,7 @@
 use crate::gpu::Gpu;
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::timer;
-use crate::sim::transform::TransformWay;
+use crate::sim::transform::FftImplementation;
 
 /// The version of this program.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -12,7 +12,7 @@ pub const WGPU_VERSION: &str = "30.0.1";
 
 /// Description of a GPU device, as a bug report needs it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct About {
+pub struct DeviceInfo {
     /// Name of the adapter, or "not told".
     pub adapter: String,
     /// Kind of adapter: discrete GPU, integrated GPU, virtual GPU, CPU or other.
@@ -28,25 +28,25 @@ pub struct About {
     /// Names of limits, each with the value that the program requests and the value that the adapter offers.
     pub limits: Vec<(&'static str, [u64; 2])>,
     /// Choices made for this adapter, such as the format of the maps: name and value.
-    pub ways: Vec<(&'static str, String)>,
+    pub choices: Vec<(&'static str, String)>,
 }
 
-impl About {
+impl DeviceInfo {
     /// Describes a device and its adapter.
     pub fn new(adapter: &wgpu::Adapter, gpu: &Gpu) -> Self {
         let info = adapter.get_info();
         let (asked, could) = (gpu.device.limits(), adapter.limits());
         let limit = |name, of: fn(&wgpu::Limits) -> u64| (name, [of(&asked), of(&could)]);
         let features = [
-            ("timestamps", timer::FEATURES),
-            ("timestamps between passes", timer::BETWEEN_PASSES),
-            ("filtered floats", MapFormat::FEATURES),
+            ("timestamps", timer::TIMESTAMPS),
+            ("timestamps between passes", timer::TIMESTAMPS_BETWEEN_PASSES),
+            ("filtered floats", MapFormat::FILTERABLE_FLOATS),
         ];
-        let transform = match TransformWay::of(gpu) {
-            TransformWay::Workgroup => "workgroup: one dispatch for each axis, through workgroup memory",
-            TransformWay::Unrolled => "unrolled: two dispatches for each axis, without barriers",
+        let transform = match FftImplementation::for_device(gpu) {
+            FftImplementation::Workgroup => "workgroup: one dispatch for each axis, through workgroup memory",
+            FftImplementation::Unrolled => "unrolled: two dispatches for each axis, without barriers",
         };
-        let maps = match MapFormat::of(gpu) {
+        let maps = match MapFormat::for_device(gpu) {
             MapFormat::Half => "half floats",
             MapFormat::Float => "floats",
         };
@@ -71,7 +71,7 @@ impl About {
                 limit("workgroup memory, bytes", |l| l.max_compute_workgroup_storage_size.into()),
                 limit("threads of a workgroup", |l| l.max_compute_invocations_per_workgroup.into()),
             ],
-            ways: vec![("transform", transform.to_owned()), ("maps", maps.to_owned())],
+            choices: vec![("transform", transform.to_owned()), ("maps", maps.to_owned())],
         }
     }
 
@@ -89,7 +89,7 @@ impl About {
             ("vendor, device", format!("{vendor:#06x}, {device:#06x}")),
             ("features", if self.features.is_empty() { "none".to_owned() } else { self.features.join(", ") }),
         ];
-        rows.extend(self.ways.iter().cloned());
+        rows.extend(self.choices.iter().cloned());
         rows.extend(self.limits.iter().map(|(name, [asked, could])| (*name, format!("{asked} of {could}"))));
         rows
     }

@@ -1,5 +1,5 @@
 // Buoys and boats: painted hulls in the light of sun, sky and sea. Their triangles come from
-// src/render/water/floats.rs.
+// src/render/water/hulls.rs.
 
 @group(1) @binding(0) var<storage, read> hull_vertices: array<HullVertex>;
 
@@ -30,13 +30,14 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
   let dir = in.position / distance_m;
   let up = 0.5 + 0.5 * n.y;
   let sun = light.sun_irradiance * max(dot(n, frame.sun_direction), 0.0);
-  let around = light.sky_irradiance * up + (light.sky_irradiance + light.sun_irradiance * max(frame.sun_direction.y, 0.0)) * HULL_SEA_REFLECTANCE * (1.0 - up);
+  let on_sea = light.sky_irradiance + light.sun_irradiance * max(frame.sun_direction.y, 0.0);
+  let around = light.sky_irradiance * up + on_sea * HULL_SEA_REFLECTANCE * (1.0 - up);
   // A coat of clear lacquer reflects a little of the sky.
   let mirror = reflect(dir, n);
   let sheen = 0.04 + 0.96 * pow(clamp(1.0 + dot(dir, n), 0.0, 1.0), 5.0);
   let sky_there = light.sky_irradiance * (0.32 * (0.5 + 0.5 * mirror.y));
   let half = normalize(frame.sun_direction - dir);
-  let glint = 0.04 * 20.0 * pow(max(dot(n, half), 0.0), 160.0) * light.sun_irradiance * max(dot(n, frame.sun_direction), 0.0);
+  let glint = 0.04 * 20.0 * pow(max(dot(n, half), 0.0), 160.0) * sun;
   let surface = in.colour * (sun + around) / ATM_PI + 0.5 * sheen * sky_there + glint / ATM_PI;
   let air = air_to_point(dir, distance_m);
   return frame_hdr_output(surface * air[1] + air[0], 1.0 / distance_m);
