@@ -191,8 +191,8 @@ fn the_mesh_is_finer_than_what_it_shows() {
     {
         let mut bench = Bench::new(state);
         let scene = bench.ocean.scene([1280, 720]);
-        let lattice = render::frame_uniform(&scene, bench.ocean.simulation().maps(), [1280, 720]).mesh;
-        let [scale, turn, step] = [lattice.radius_m, lattice.azimuth_step, lattice.row_step].map(f64::from);
+        let lattice = render::frame_uniform(&scene, bench.ocean.simulation().maps(), [1280, 720]).mesh_lattice;
+        let [scale, turn, step] = [lattice.linear_radius_m, lattice.azimuth_step, lattice.row_step].map(f64::from);
         let pixel = 2.0 * scene.view.tan_half[1] / pixels;
         for radius in [10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0] {
             // The formula of `mesh_spacing` in WGSL.
