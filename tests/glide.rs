@@ -4,7 +4,7 @@ mod common;
 
 use common::{gpu, params};
 use seastate::gpu::Gpu;
-use seastate::ocean::still::{FORMAT, draw_picture_of};
+use seastate::ocean::still::{FORMAT, draw_ocean_picture};
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::point::Heights;
 use seastate::sim::resources::MapKind;
@@ -57,7 +57,7 @@ impl Window {
     }
 
     fn picture(&mut self) -> Vec<u8> {
-        pollster::block_on(draw_picture_of(&self.gpu, &mut self.ocean, SIZE)).expect("a picture")
+        pollster::block_on(draw_ocean_picture(&self.gpu, &mut self.ocean, SIZE)).expect("a picture")
     }
 
     /// Heights on the maps of every cascade that is drawn, with the side of its patch.

@@ -130,7 +130,7 @@ fn a_gpu_gets_few_dispatches_whatever_the_cascades() {
             &Shaders::default(),
             FftImplementation::Workgroup,
         );
-        assert!(sim.passes.dispatches() <= 5, "n {n}, {cascades} cascades: {}", sim.passes.dispatches());
+        assert!(sim.passes.dispatch_count() <= 5, "n {n}, {cascades} cascades: {}", sim.passes.dispatch_count());
     }
 }
 
@@ -145,7 +145,7 @@ fn the_demos_way_makes_the_same_maps() {
         sim.encode(&gpu, &mut encoder, params.clock.t_s, [0.0; 2], 0);
         gpu.submit(encoder);
         let theirs = StagewiseFft::new(&gpu, sim.maps());
-        assert_eq!(theirs.dispatches() as u32, 2 * (4 * 2 * n.ilog2() + 2));
+        assert_eq!(theirs.dispatch_count() as u32, 2 * (4 * 2 * n.ilog2() + 2));
         let mut encoder = gpu.encoder("test");
         theirs.run(&mut encoder);
         gpu.submit(encoder);

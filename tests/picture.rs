@@ -4,7 +4,7 @@ mod common;
 
 use seastate::gpu::Gpu;
 use seastate::gpu::map_format::MapFormat;
-use seastate::ocean::still::{FORMAT, draw_picture, draw_picture_of};
+use seastate::ocean::still::{FORMAT, draw_ocean_picture, draw_picture};
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::sim::MAX_FOAM_STEPS;
 use seastate::state::{Params, query};
@@ -18,7 +18,7 @@ fn render(gpu: &Gpu, state: &str) -> Vec<[u8; 4]> {
 }
 
 fn render_params(gpu: &Gpu, params: &Params) -> Vec<[u8; 4]> {
-    let pixels = pollster::block_on(picture(gpu, params, SIZE)).expect("a picture");
+    let pixels = pollster::block_on(draw_picture(gpu, params, SIZE)).expect("a picture");
     pixels.chunks(4).map(|p| [p[0], p[1], p[2], p[3]]).collect()
 }
 
@@ -114,7 +114,7 @@ fn a_picture_does_not_depend_on_how_one_came_there() {
         gpu.submit(encoder);
     }
     ocean.set_params(&at(30.0));
-    let pixels = pollster::block_on(draw_picture_of(&gpu, &mut ocean, SIZE)).expect("a picture");
+    let pixels = pollster::block_on(draw_ocean_picture(&gpu, &mut ocean, SIZE)).expect("a picture");
     let difference = |other: &[[u8; 4]]| {
         let sum: f64 = cold.iter().zip(other).map(|(a, b)| (luminance(*a) - luminance(*b)).abs()).sum();
         sum / cold.len() as f64

@@ -7,7 +7,7 @@ use common::{gpu, params, random_params};
 use seastate::gpu::Gpu;
 use seastate::lab::flip::{PIXELS_PER_DEGREE, SrgbPicture, errors, mean};
 use seastate::lab::reference::{self, Sampling};
-use seastate::ocean::still::{FORMAT, draw_picture_of};
+use seastate::ocean::still::{FORMAT, draw_ocean_picture};
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::state::{Params, query};
 use seastate::waves::Plan;
@@ -32,7 +32,7 @@ impl Viewer {
     }
 
     fn normal(&mut self) -> SrgbPicture {
-        let bytes = pollster::block_on(draw_picture_of(&self.gpu, &mut self.ocean, self.size)).expect("a picture");
+        let bytes = pollster::block_on(draw_ocean_picture(&self.gpu, &mut self.ocean, self.size)).expect("a picture");
         SrgbPicture::from_rgba(self.size[0], &bytes)
     }
 

@@ -98,7 +98,7 @@ fn raising_n_keeps_every_wave() {
     let read = |state: &str| {
         let mut sim = common::simulation(&gpu, state);
         let mut encoder = gpu.encoder("test");
-        let step = sim.push_sea_uniform(&gpu, 0.0, false);
+        let step = sim.upload_sea_uniform(&gpu, 0.0, false);
         sim.passes.spectrum.run(&mut encoder, &sim.resources, step);
         let staging = readback::stage_buffer(&gpu, &mut encoder, &sim.resources.current_waves().h0);
         gpu.submit(encoder);
@@ -194,20 +194,21 @@ fn the_maps_of_a_frame_are_read_back_as_they_are() {
     gpu.submit(encoder);
     let probed = pollster::block_on(probe.read(&gpu)).expect("read-back");
     let maps = read(&gpu, &mut sim, 9.0);
-    let variance = |of: &dyn Fn(usize) -> f64| (0..maps.cascades()).map(of).sum::<f64>();
+    let variance = |of: &dyn Fn(usize) -> f64| (0..maps.cascade_count()).map(of).sum::<f64>();
     let mean = |texels: &[[f32; 4]], channel: usize| {
         texels.iter().map(|t| f64::from(t[channel]).powi(2)).sum::<f64>() / texels.len() as f64
     };
     let m0 = variance(&|c| mean(maps.displacement(c), 1));
     let mss = variance(&|c| mean(maps.gradients(c), 0) + mean(maps.gradients(c), 1));
     // The probe reads half-float maps.
-    assert!((probed.mss / mss - 1.0).abs() < 0.02, "{} {mss}", probed.mss);
-    let foam = sim.foam_coverage();
-    assert!(probed.coverage / foam > 0.5 && probed.coverage / foam < 2.0, "{} {foam}", probed.coverage);
+    assert!((probed.mean_square_slope / mss - 1.0).abs() < 0.02, "{} {mss}", probed.mean_square_slope);
+    let foam = sim.mean_foam();
+    assert!(probed.mean_foam / foam > 0.5 && probed.mean_foam / foam < 2.0, "{} {foam}", probed.mean_foam);
     // The estimated spectrum has all of the variance and overlaps with the theoretical spectrum.
     let width = probed.plan.omega_p / 8.0;
     let mut estimator = MapSpectrumEstimator::new(&probed.plan, width, 4000);
-    let found = estimator.advance(&probed.plan, usize::MAX, |c, z| probed.row(c, z)).expect("all at once").clone();
+    let found =
+        estimator.advance(&probed.plan, usize::MAX, |c, z| probed.heights_in_row(c, z)).expect("all at once").clone();
     assert!((found.m0_m2 / m0 - 1.0).abs() < 1e-3, "{} {m0}", found.m0_m2);
     assert!((found.bins_m2.iter().sum::<f64>() / m0 - 1.0).abs() < 2e-3);
     let theory = |i: usize| probed.plan.density((i as f64 + 0.5) * width) * width;
@@ -305,7 +306,7 @@ impl Probe {
             .flatten()
             .fold(0.0f32, |most, x| if x.is_finite() { most.max(x.abs()) } else { f32::NAN });
         assert!(largest < 65504.0, "{state}: {largest}");
-        assert!(sim.foam_coverage().is_finite(), "{state}");
+        assert!(sim.mean_foam().is_finite(), "{state}");
     }
 }
 

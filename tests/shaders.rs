@@ -12,7 +12,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// The shared structs, by their names in WGSL.
 fn declarations() -> BTreeMap<&'static str, StructDeclaration> {
-    seastate::sim::uniforms::STRUCTS.iter().chain(seastate::render::STRUCTS).map(|s| (s.name, *s)).collect()
+    seastate::sim::uniforms::SHARED_STRUCTS
+        .iter()
+        .chain(seastate::render::SHARED_STRUCTS)
+        .map(|s| (s.name, *s))
+        .collect()
 }
 
 fn parsed() -> Vec<(&'static str, naga::Module)> {

@@ -122,7 +122,7 @@ impl Bench {
         let size = [320, 200];
         let mut scene = ocean.scene(size);
         // Neither ripples nor roughness beyond the maps: the slopes are those of the displaced surface.
-        scene.sea.unresolved_variance = [0.0; 2];
+        scene.sea.unresolved_slope_variance = [0.0; 2];
         let frame = render::frame_uniform(&scene, ocean.simulation().maps(), size);
         let frame = wgsl::buffer(&gpu, bytemuck::bytes_of(&frame), BufferUsages::UNIFORM);
         let material = MaterialUniform::new(&scene);
@@ -663,7 +663,8 @@ const FAULTS: &[Fault] = &[
         "F4b: masking by the angle to the half vector",
         &[(
             "let seen = water_facets_projected_area(all);",
-            "let seen = vec2f(water_projected_area(dot(v, h), all.across, all.mean_tilt, all.tilt_sigma), water_facets_projected_area(all).y);",
+            "let seen = vec2f(water_projected_area(dot(v, h), all.across, all.mean_tilt, all.tilt_sigma), \
+             water_facets_projected_area(all).y);",
         )],
         "glitter against microfacets",
     ),

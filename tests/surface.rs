@@ -79,7 +79,7 @@ impl Bench {
         self.ocean.set_params(&self.params);
         let mut scene = self.ocean.scene(PIXELS);
         // Without the slopes that the cascades do not resolve.
-        scene.sea.unresolved_variance = [0.0; 2];
+        scene.sea.unresolved_slope_variance = [0.0; 2];
         let frame = render::frame_uniform(&scene, self.ocean.simulation().maps(), PIXELS);
         let frame = wgsl::buffer(&self.gpu, bytemuck::bytes_of(&frame), wgpu::BufferUsages::UNIFORM);
         self.kernel.bind(0, &[(0, frame.as_entire_binding())]);
@@ -192,7 +192,8 @@ fn the_mesh_is_finer_than_what_it_shows() {
         let mut bench = Bench::new(state);
         let scene = bench.ocean.scene([1280, 720]);
         let lattice = render::frame_uniform(&scene, bench.ocean.simulation().maps(), [1280, 720]).mesh_lattice;
-        let [scale, turn, step] = [lattice.linear_radius_m, lattice.azimuth_step, lattice.row_step].map(f64::from);
+        let [scale, turn, step] =
+            [lattice.linear_radius_m, lattice.azimuth_step, lattice.log_radius_step].map(f64::from);
         let pixel = 2.0 * scene.view.tan_half[1] / pixels;
         for radius in [10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0] {
             // The formula of `mesh_spacing` in WGSL.

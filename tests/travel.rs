@@ -29,7 +29,7 @@ fn speed(state: &str, ix: i32, iz: i32, about: f64) -> f64 {
     let mut h0 = vec![[0.0f32; 2]; N * N * sim.plan().cascades.len()];
     h0[at] = [0.3, -0.1];
     let mut heights = |t_s: f64| -> Vec<f64> {
-        let slot = sim.push_sea_uniform(&gpu, t_s, true);
+        let slot = sim.upload_sea_uniform(&gpu, t_s, true);
         gpu.queue.write_buffer(&sim.resources.current_waves().h0, 0, bytemuck::cast_slice(&h0));
         let mut encoder = gpu.encoder("test");
         sim.passes.transform.record_rows(&mut encoder, slot);

@@ -190,10 +190,11 @@ fn fragment(in: PresentFragment) -> @location(0) vec4f {
   } else if PRESENT_SMOOTH {
     exposed = present_edges_smoothed(hdr, vec2i(at), uv);
   }
-  if present.bloom > 0.0 {
-    exposed = mix(exposed, textureSampleLevel(bloom_map, hdr_sampler, uv, 0.0).rgb * present_exposure(), present.bloom);
+  if present.bloom_fraction > 0.0 {
+    let bloom = textureSampleLevel(bloom_map, hdr_sampler, uv, 0.0).rgb * present_exposure();
+    exposed = mix(exposed, bloom, present.bloom_fraction);
   }
-  let encoded = present_tone(present.tone, exposed);
+  let encoded = present_tone(present.tone_curve, exposed);
   // Triangular noise of one code value hides the bands of eight-bit colours.
   let noise = present_random(at) + present_random(at + vec2u(7919u, 104729u)) - 1.0;
   return vec4f(encoded + noise * present.dither / 255.0, 1.0);

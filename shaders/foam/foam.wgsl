@@ -26,7 +26,7 @@ fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
     let layer = foam.cascades[c].layer;
     let uv = corner.uv + offset / patch_m;
     // The mip level is one finer than a cell, because linear interpolation between uncorrelated texels loses variance.
-    let lod = max(log2(foam.levels[level].texel_m * f32(sea.n) / patch_m) - 1.0, 0.0);
+    let lod = max(log2(foam.levels[level].cell_m * f32(sea.n) / patch_m) - 1.0, 0.0);
     var blend = tile_blend(corner.tile_position, offset);
     for (var i = 0u; i < blend.count; i++) {
       let at = uv + tile_copy_shift(corner.tile_position, blend);
@@ -51,8 +51,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let ahead = ((vec2i(id.xy) - first) % size + size) % size;
   let before = first + ahead - foam.levels[level].previous_first_cell;
   let known = all(before >= vec2i(0)) && all(before < vec2i(size));
-  let texel_m = foam.levels[level].texel_m;
-  let j = foam_jacobian(level, (vec2f(ahead) + 0.5) * texel_m);
+  let cell_m = foam.levels[level].cell_m;
+  let j = foam_jacobian(level, (vec2f(ahead) + 0.5) * cell_m);
   let source = clamp((foam.levels[level].jacobian_threshold - j) * foam.levels[level].source_slope, 0.0, 1.0);
 
   let at = (level * foam.cells_per_side + id.y) * foam.cells_per_side + id.x;

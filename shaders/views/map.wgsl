@@ -37,7 +37,7 @@ fn view_amplitude(at: vec2u, layer: u32, n: u32) -> vec2f {
 
 // Number of texels along a side of the map that is shown.
 fn view_map_side() -> u32 {
-  switch view.kind {
+  switch view.view_kind {
     case 11u, 12u, 13u: { return textureDimensions(moments_map).x; }
     case 15u, 16u: { return textureDimensions(foam_map).x; }
     default: { return textureDimensions(gradients_map).x; }
@@ -47,7 +47,7 @@ fn view_map_side() -> u32 {
 fn view_value(at: vec2u, layer: u32) -> f32 {
   let d = textureLoad(displacement_map, at, layer, 0);
   let g = textureLoad(gradients_map, at, layer, 0);
-  switch view.kind {
+  switch view.view_kind {
     case 1u: { return length(view_initial_amplitude(at, layer, textureDimensions(gradients_map).x)); }
     case 3u: { return d.x; }
     case 4u: { return d.y; }
@@ -78,7 +78,7 @@ fn fragment(in: MapFragment) -> @location(0) vec4f {
     let place = (pixel - tile.corner) / tile.side;
     if all(place >= vec2f(0.0)) && all(place < vec2f(1.0)) {
       let at = (vec2u(place * f32(texels)) + tile.first_texel) % texels;
-      if view.kind != 2u {
+      if view.view_kind != 2u {
         return view_colour(view_value(at, tile.layer), tile);
       }
       let h = view_amplitude(at, tile.layer, texels);

@@ -49,7 +49,7 @@ fn fragment(in: SurfaceFragment) -> @location(0) vec4f {
   let width = fwidth(edges);
   let tile = view.tiles[0];
   let slope = water_slope(at, foot);
-  switch view.kind {
+  switch view.view_kind {
     case 1u: {
       let n = water_normal(slope.mean);
       return vec4f(0.5 + 0.5 * vec3f(n.x, -n.z, n.y), 1.0);

@@ -27,7 +27,7 @@ fn bed_albedo(at: vec2f, size: f32) -> vec3f {
   return material.bed_colour * clamp(1.0 + 0.35 * patches + 0.22 * grains + ripple, 0.3, 1.5);
 }
 
-fn bed_surface_slope(at: vec2f) -> vec2f {
+fn bed_focusing_slope(at: vec2f) -> vec2f {
   return water_slope(at, WaterFootprint(vec2f(0.0), material.caustic_filter_m, 1)).mean;
 }
 
@@ -36,11 +36,11 @@ fn bed_surface_slope(at: vec2f) -> vec2f {
 fn bed_caustic_gain(entry: vec2f, depth_m: f32) -> f32 {
   let reach = depth_m * (1.0 - material.index_air / material.index_water);
   // Two fixed-point steps find where the ray that arrives at the given point enters the water.
-  var at = entry - reach * bed_surface_slope(entry);
-  at = entry - reach * bed_surface_slope(at);
+  var at = entry - reach * bed_focusing_slope(entry);
+  at = entry - reach * bed_focusing_slope(at);
   let h = 0.5 * material.caustic_filter_m;
-  let x = (bed_surface_slope(at + vec2f(h, 0.0)) - bed_surface_slope(at - vec2f(h, 0.0))) * (reach / (2.0 * h));
-  let z = (bed_surface_slope(at + vec2f(0.0, h)) - bed_surface_slope(at - vec2f(0.0, h))) * (reach / (2.0 * h));
+  let x = (bed_focusing_slope(at + vec2f(h, 0.0)) - bed_focusing_slope(at - vec2f(h, 0.0))) * (reach / (2.0 * h));
+  let z = (bed_focusing_slope(at + vec2f(0.0, h)) - bed_focusing_slope(at - vec2f(0.0, h))) * (reach / (2.0 * h));
   let det = (1.0 + x.x) * (1.0 + z.y) - x.y * z.x;
   return sqrt((1.0 + BED_CAUSTIC_BLUR * BED_CAUSTIC_BLUR) / (det * det + BED_CAUSTIC_BLUR * BED_CAUSTIC_BLUR));
 }

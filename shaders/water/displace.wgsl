@@ -11,7 +11,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     return;
   }
   let azimuth = frame.mesh_lattice.first_azimuth + f32(id.x) * frame.mesh_lattice.azimuth_step;
-  let t = frame.mesh_lattice.first_row + f32(id.y) * frame.mesh_lattice.row_step;
+  let t = frame.mesh_lattice.first_log_radius + f32(id.y) * frame.mesh_lattice.log_radius_step;
   let radius = frame.mesh_lattice.linear_radius_m * (exp(t) - 1.0);
   // Near the eye, the lattice is centred on the undisplaced position of the water below the eye.
   let foot = frame.undisplaced_below_eye * exp(-radius / (4.0 * frame.max_displacement_m));

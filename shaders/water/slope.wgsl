@@ -114,7 +114,7 @@ fn water_slope_with_carried(
   var waves: WaterSlopeSums;
   waves.sums = carried;
   // Covariance of the slopes of all waves that are in no map (Cox and Munk 1954).
-  waves.variance = frame.residual_covariance;
+  waves.variance = frame.residual_slope_covariance;
   // Slopes of short gravity waves are similar at every scale, so that a shrunk copy of a cascade can serve as ripples.
   for (var c = 0u; c < frame.cascade_count + frame.ripple_count; c++) {
     let is_ripple = c >= frame.cascade_count;

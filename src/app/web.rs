@@ -148,12 +148,13 @@ impl WebHandle {
         let (params, _) = query::parse(&state);
         let mut ocean = Ocean::without_renderer(&gpu, &params);
         let maps = ocean.read_maps().await?;
-        let heights: Vec<f32> = (0..maps.cascades()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
+        let heights: Vec<f32> =
+            (0..maps.cascade_count()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
         let texels = ocean.read_displacement().await?;
         let halves: Vec<u16> = texels.iter().flatten().map(|&x| f16::from_f32(x).to_bits()).collect();
         Ok(object([
             ("n", (maps.n as u32).into()),
-            ("cascades", (maps.cascades() as u32).into()),
+            ("cascades", (maps.cascade_count() as u32).into()),
             ("heights", js_sys::Float32Array::from(&heights[..]).into()),
             ("displacement", js_sys::Uint16Array::from(&halves[..]).into()),
         ]))
@@ -206,10 +207,10 @@ fn object<const N: usize>(properties: [(&str, JsValue); N]) -> JsValue {
 fn timed_pass(row: &PassTiming) -> JsValue {
     object([
         ("pass", row.pass.into()),
-        ("n", row.sea.map(|[n, _]| n).into()),
-        ("cascades", row.sea.map(|[_, cascades]| cascades).into()),
-        ("width", row.size.map(|[width, _]| width).into()),
-        ("height", row.size.map(|[_, height]| height).into()),
+        ("n", row.sea_size.map(|[n, _]| n).into()),
+        ("cascades", row.sea_size.map(|[_, cascades]| cascades).into()),
+        ("width", row.picture_size.map(|[width, _]| width).into()),
+        ("height", row.picture_size.map(|[_, height]| height).into()),
         ("ms", row.timing.representative_ms().into()),
     ])
 }

@@ -32,7 +32,7 @@ impl Timing {
 
 /// Whether timestamps measure the execution. A software adapter writes them when it receives the commands, before it
 /// executes them.
-fn has_true_timestamps(gpu: &Gpu) -> bool {
+fn do_timestamps_measure_execution(gpu: &Gpu) -> bool {
     !gpu.is_software() && gpu.device.features().contains(timer::TIMESTAMPS)
 }
 
@@ -56,7 +56,7 @@ struct TimestampQueries {
 
 impl TimestampQueries {
     fn new(gpu: &Gpu) -> Option<Self> {
-        has_true_timestamps(gpu).then(|| Self {
+        do_timestamps_measure_execution(gpu).then(|| Self {
             set: gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
                 label: Some("bench"),
                 ty: wgpu::QueryType::Timestamp,
@@ -117,7 +117,7 @@ impl<'a> Stopwatch<'a> {
         not(target_arch = "wasm32"),
         expect(clippy::disallowed_methods, reason = "web_time::Instant is the standard one there")
     )]
-    pub async fn time(&self, mut record: impl FnMut(u32, &mut wgpu::CommandEncoder)) -> Result<Timing, String> {
+    pub async fn measure(&self, mut record: impl FnMut(u32, &mut wgpu::CommandEncoder)) -> Result<Timing, String> {
         let mut calls = 0;
         let mut submit = async |times: u32| -> Result<(f64, Option<f64>, Option<f64>), String> {
             let (start, spent) = (Instant::now(), cpu_ms());

@@ -45,9 +45,9 @@ pub struct PassTiming {
     /// Name of the pass, as it stands in the report.
     pub pass: &'static str,
     /// FFT size and number of cascades. None for passes of the picture.
-    pub sea: Option<[u32; 2]>,
+    pub sea_size: Option<[u32; 2]>,
     /// Width and height of the picture, pixels. None for passes of the simulation.
-    pub size: Option<[u32; 2]>,
+    pub picture_size: Option<[u32; 2]>,
     /// Measured times of the pass.
     pub timing: Timing,
     /// Minimum memory traffic and arithmetic of the pass, where known.
@@ -58,7 +58,7 @@ pub struct PassTiming {
 
 impl PassTiming {
     fn of_simulation(pass: &'static str, sea: [u32; 2], timing: Timing, cost: Option<Cost>) -> Self {
-        Self { pass, sea: Some(sea), size: None, timing, cost, dispatches: None }
+        Self { pass, sea_size: Some(sea), picture_size: None, timing, cost, dispatches: None }
     }
 }
 
@@ -98,22 +98,22 @@ pub async fn run(
         for n in MATRIX_FFT_SIZES {
             for cascades in MATRIX_CASCADES {
                 progress(&format!("simulation, n {n}, cascades {cascades}"));
-                rows.extend(simulation(&clock, &with_grid(params, [n, cascades])).await?);
+                rows.extend(time_simulation(&clock, &with_grid(params, [n, cascades])).await?);
             }
         }
     } else {
         progress("simulation");
-        rows.extend(simulation(&clock, params).await?);
+        rows.extend(time_simulation(&clock, params).await?);
     }
     if options.baseline {
         for sea in BASELINE_SEAS {
             progress(&format!("a dispatch per stage, n {}, cascades {}", sea[0], sea[1]));
-            rows.extend(baseline(&clock, &with_grid(params, sea)).await?);
+            rows.extend(time_baseline(&clock, &with_grid(params, sea)).await?);
         }
     }
     for &size in &options.sizes {
         progress(&format!("picture of {}x{} pixels", size[0], size[1]));
-        rows.extend(picture(&clock, params, size).await?);
+        rows.extend(time_picture(&clock, params, size).await?);
     }
     Ok(BenchReport {
         state: query::write(params),
@@ -132,7 +132,7 @@ fn with_grid(params: &Params, [n, cascades]: [u32; 2]) -> Params {
 }
 
 /// Times the passes of the simulation: each pass alone, and all passes of a frame together.
-async fn simulation(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<PassTiming>, String> {
+async fn time_simulation(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<PassTiming>, String> {
     let mut ocean = Ocean::without_renderer(clock.gpu, params);
     let MapSizes { n, cascades, foam_n, format } = ocean.map_sizes();
     let passes = ocean.wave_passes();
@@ -149,15 +149,15 @@ async fn simulation(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<PassTi
     ];
     let mut rows = Vec::new();
     for (name, recorded, cost) in measured {
-        let timing = clock.time(|_, e| recorded.iter().for_each(|&pass| passes.record(e, pass))).await?;
-        let dispatches = (name == "step").then(|| passes.dispatches());
+        let timing = clock.measure(|_, e| recorded.iter().for_each(|&pass| passes.record(e, pass))).await?;
+        let dispatches = (name == "step").then(|| passes.dispatch_count());
         rows.push(PassTiming { dispatches, ..PassTiming::of_simulation(name, [n, cascades], timing, cost) });
     }
     Ok(rows)
 }
 
 /// Times the program's waves and, for comparison, those of the baseline.
-async fn baseline(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<PassTiming>, String> {
+async fn time_baseline(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<PassTiming>, String> {
     let gpu = clock.gpu;
     let mut ocean = Ocean::without_renderer(gpu, params);
     ocean.read_maps().await?;
@@ -165,28 +165,35 @@ async fn baseline(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<PassTimi
     let sea = [n, cascades];
     let theirs = StagewiseFft::new(gpu, ocean.maps());
     let passes = ocean.wave_passes();
-    let ours = clock.time(|_, e| {
+    let ours = clock.measure(|_, e| {
         passes.record(e, WavePass::Rows);
         passes.record(e, WavePass::Columns);
     });
     let ours = PassTiming::of_simulation("waves", sea, ours.await?, Some(cost::waves(n, cascades, format)));
-    let timing = clock.time(|_, e| theirs.run(e)).await?;
+    let timing = clock.measure(|_, e| theirs.run(e)).await?;
     let theirs = PassTiming {
-        dispatches: Some(theirs.dispatches() as u32),
+        dispatches: Some(theirs.dispatch_count() as u32),
         ..PassTiming::of_simulation("waves, a dispatch per stage", sea, timing, None)
     };
     Ok(vec![ours, theirs])
 }
 
 /// Times the passes of a picture of `size` pixels, and whole frames with waves and foam at 60 frames per second.
-async fn picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) -> Result<Vec<PassTiming>, String> {
+async fn time_picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) -> Result<Vec<PassTiming>, String> {
     let gpu = clock.gpu;
     let mut ocean = Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, params);
     let target = offscreen::create_target(gpu, PICTURE_FORMAT, size);
     let mut encoder = gpu.encoder("picture");
     ocean.encode_with_complete_foam(&mut encoder, size);
     gpu.submit(encoder);
-    let row = |pass, timing| PassTiming { pass, sea: None, size: Some(size), timing, cost: None, dispatches: None };
+    let row = |pass, timing| PassTiming {
+        pass,
+        sea_size: None,
+        picture_size: Some(size),
+        timing,
+        cost: None,
+        dispatches: None,
+    };
     let counted = picture_contents(params, &ocean, size);
     let MapSizes { n, cascades, foam_n, format } = ocean.map_sizes();
     let simulation = cost::step(n, foam_n, cascades, format);
@@ -203,15 +210,15 @@ async fn picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) -> Resu
             TimedPart::Mesh => Some(counted.mesh()),
             TimedPart::Water => Some(counted.water()),
         };
-        out.push(PassTiming { cost, ..row(pass, clock.time(|_, encoder| ocean.record_part(encoder, part)).await?) });
+        out.push(PassTiming { cost, ..row(pass, clock.measure(|_, encoder| ocean.record_part(encoder, part)).await?) });
     }
-    let present = clock.time(|_, encoder| offscreen::clear_and_draw(encoder, &target, |pass| ocean.present(pass)));
+    let present = clock.measure(|_, encoder| offscreen::clear_and_draw(encoder, &target, |pass| ocean.present(pass)));
     out.push(PassTiming { cost: Some(counted.present()), ..row("present", present.await?) });
     let mut frame = params.clone();
     // Uniforms are written once per submission, so that a submission can hold only one frame.
     let mut one = Stopwatch::new(gpu, clock.repeat);
     one.max_repetitions = 1;
-    let frames = one.time(|i, encoder| {
+    let frames = one.measure(|i, encoder| {
         frame.clock.t_s = params.clock.t_s + f64::from(i) / 60.0;
         ocean.set_params(&frame);
         ocean.encode_with_complete_foam(encoder, size);
@@ -220,7 +227,7 @@ async fn picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) -> Resu
     let whole = simulation + counted.water() + counted.background() + counted.present();
     out.push(PassTiming { cost: Some(whole), ..row("frame", frames.await?) });
     // Frames while the user drags the wind slider.
-    let dragged = one.time(|i, encoder| {
+    let dragged = one.measure(|i, encoder| {
         frame.clock.t_s += 1.0 / 60.0;
         if let Some(wind) = frame.sea.systems.first_mut() {
             wind.wind_m_s = params.sea.local().wind_m_s + 0.01 * f64::from(i % 50);
@@ -252,7 +259,8 @@ fn picture_contents(params: &Params, ocean: &Ocean, size: [u32; 2]) -> cost::Pic
 impl BenchReport {
     /// Ratio of the time of the pass `of` to that of the last pass with the name `over` and the same FFT size.
     fn time_ratio(&self, of: &PassTiming, over: &'static str) -> Option<f64> {
-        let other = self.rows.iter().rfind(|r| r.pass == over && r.sea.map(|s| s[0]) == of.sea.map(|s| s[0]))?;
+        let other =
+            self.rows.iter().rfind(|r| r.pass == over && r.sea_size.map(|s| s[0]) == of.sea_size.map(|s| s[0]))?;
         Some(of.timing.representative_ms() / other.timing.representative_ms())
     }
 
@@ -260,7 +268,7 @@ impl BenchReport {
     pub fn comparisons(&self) -> Vec<String> {
         let mut out = Vec::new();
         for theirs in self.rows.iter().filter(|r| r.pass == "waves, a dispatch per stage") {
-            let [n, cascades] = theirs.sea.unwrap_or_default();
+            let [n, cascades] = theirs.sea_size.unwrap_or_default();
             if let Some(ratio) = self.time_ratio(theirs, "waves") {
                 out.push(format!(
                     "waves of {cascades} x {n}^2: {ratio:.1} times faster than with a dispatch per stage"
@@ -269,7 +277,7 @@ impl BenchReport {
         }
         let baseline = self.rows.iter().find(|r| r.pass == "waves, a dispatch per stage");
         for frame in self.rows.iter().filter(|r| r.pass == "frame") {
-            if let (Some(baseline), Some([w, h])) = (baseline, frame.size) {
+            if let (Some(baseline), Some([w, h])) = (baseline, frame.picture_size) {
                 let ratio = frame.timing.representative_ms() / baseline.timing.representative_ms();
                 out.push(format!(
                     "frame of {w}x{h}: {ratio:.2} times the waves of 3 x 256^2 with a dispatch per stage"
@@ -301,7 +309,7 @@ impl fmt::Display for BenchReport {
         let number = |value: Option<f64>, digits: usize| value.map_or("-".to_owned(), |v| format!("{v:.digits$}"));
         for row in &self.rows {
             let t = &row.timing;
-            let of = match (row.sea, row.size) {
+            let of = match (row.sea_size, row.picture_size) {
                 (Some([n, cascades]), _) => format!("{cascades} x {n}^2"),
                 (_, Some([w, h])) => format!("{w}x{h}"),
                 _ => String::new(),

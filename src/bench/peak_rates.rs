@@ -42,13 +42,13 @@ impl PeakRates {
         let gpu = stopwatch.gpu;
         let [from, to] = [wgpu::BufferUsages::COPY_SRC, wgpu::BufferUsages::COPY_DST]
             .map(|usage| gpu.buffer("copy", COPY_BYTES, usage));
-        let copy = stopwatch.time(|_, encoder| encoder.copy_buffer_to_buffer(&from, 0, &to, 0, COPY_BYTES)).await?;
+        let copy = stopwatch.measure(|_, encoder| encoder.copy_buffer_to_buffer(&from, 0, &to, 0, COPY_BYTES)).await?;
         from.destroy();
         to.destroy();
 
         let module = gpu.shader_module("empty", "@compute @workgroup_size(1) fn main() {}");
         let empty = gpu.compute_pipeline("empty", (&module, "main"), &[], &[]);
-        let chain = stopwatch.time(|_, encoder| {
+        let chain = stopwatch.measure(|_, encoder| {
             for _ in 0..EMPTY_DISPATCHES {
                 let mut pass = begin_compute(encoder, "empty");
                 pass.set_pipeline(&empty);
@@ -59,14 +59,14 @@ impl PeakRates {
 
         let target = offscreen::create_target(gpu, TARGET_FORMAT, [TARGET_SIDE; 2]);
         let arithmetic = full_screen_pipeline(gpu, "arithmetic", ARITHMETIC_SHADER, &[]);
-        let shading = stopwatch.time(|_, encoder| {
+        let shading = stopwatch.measure(|_, encoder| {
             offscreen::clear_and_draw(encoder, &target, |pass| {
                 pass.set_pipeline(&arithmetic);
                 pass.draw(0..3, 0..1);
             });
         });
         let (reading, group) = texture_read_pipeline(gpu);
-        let reads = stopwatch.time(|_, encoder| {
+        let reads = stopwatch.measure(|_, encoder| {
             offscreen::clear_and_draw(encoder, &target, |pass| {
                 pass.set_pipeline(&reading);
                 pass.set_bind_group(0, &group, &[]);

@@ -51,7 +51,7 @@ impl StagewiseFft {
     /// h0 must have been computed.
     pub fn new(gpu: &Gpu, maps: &Maps) -> Self {
         let n = maps.n;
-        let transform = StagewiseTransform::new(gpu, n);
+        let transform = FieldFft::new(gpu, n);
         let mut out = Self { dispatches: Vec::new(), displacement: Vec::new(), gradients: Vec::new() };
         let evolve = derived_pipeline(gpu, "evolve", include_str!("../../shaders/bench/evolve.wgsl"));
         let merge = derived_pipeline(gpu, "merge", include_str!("../../shaders/bench/merge.wgsl"));
@@ -87,7 +87,7 @@ impl StagewiseFft {
     }
 
     /// Number of compute dispatches for all cascades.
-    pub fn dispatches(&self) -> usize {
+    pub fn dispatch_count(&self) -> usize {
         self.dispatches.len()
     }
 
@@ -103,7 +103,7 @@ impl StagewiseFft {
 }
 
 /// Pipeline and resources of the FFT, shared by all fields.
-struct StagewiseTransform {
+struct FieldFft {
     n: u32,
     stage: wgpu::ComputePipeline,
     butterfly: wgpu::TextureView,
@@ -111,7 +111,7 @@ struct StagewiseTransform {
     stages: Vec<wgpu::Buffer>,
 }
 
-impl StagewiseTransform {
+impl FieldFft {
     fn new(gpu: &Gpu, n: u32) -> Self {
         let stages = n.ilog2();
         let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;

@@ -1,6 +1,6 @@
 //! `seastate info`: prints the program's version, its GPU, and how it uses the GPU.
 
-use crate::ocean::device_info::{DeviceInfo, VERSION, WGPU_VERSION, system};
+use crate::ocean::device_info::{DeviceInfo, VERSION, WGPU_VERSION, build_platform};
 use serde_json::{Map, Value, json};
 
 /// Formats the report about the program and its GPU as a text table.
@@ -14,9 +14,9 @@ pub fn value(about: &DeviceInfo) -> Value {
         about.limits.iter().map(|(name, [asked, could])| (key(name), json!({"asked": asked, "adapter": could})));
     let ways = about.choices.iter().map(|(name, way)| (key(name), json!(way)));
     json!({
-        "seastate": VERSION, "wgpu": WGPU_VERSION, "system": system(),
+        "seastate": VERSION, "wgpu": WGPU_VERSION, "system": build_platform(),
         "adapter": about.adapter, "kind": about.kind, "backend": about.backend, "driver": about.driver,
-        "vendor": about.ids[0], "device": about.ids[1], "features": about.features,
+        "vendor": about.pci_ids[0], "device": about.pci_ids[1], "features": about.features,
         "ways": ways.collect::<Map<_, _>>(), "limits": limits.collect::<Map<_, _>>(),
     })
 }

@@ -10,7 +10,7 @@ pub trait SharedType: bytemuck::Pod {
 /// A struct that [`gpu_struct!`] declares. WGSL needs its name to declare arrays of it.
 pub trait SharedStruct: SharedType {
     /// The name of the struct in WGSL.
-    const NAME: &'static str;
+    const WGSL_NAME: &'static str;
 }
 
 macro_rules! shared_types {
@@ -45,7 +45,7 @@ impl<const N: usize> SharedType for [[f32; 4]; N] {
 
 impl<T: SharedStruct, const N: usize> SharedType for [T; N] {
     fn wgsl_type_name() -> String {
-        format!("array<{}, {N}>", T::NAME)
+        format!("array<{}, {N}>", T::WGSL_NAME)
     }
 }
 
@@ -112,7 +112,7 @@ macro_rules! gpu_struct {
         }
 
         impl $crate::gpu::layout::SharedStruct for $rust {
-            const NAME: &'static str = $wgsl;
+            const WGSL_NAME: &'static str = $wgsl;
         }
 
         impl $rust {

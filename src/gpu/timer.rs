@@ -78,7 +78,7 @@ impl Timer {
     /// Starts timing a frame, unless the times of the previous one are still being read. `is_submitted` tells whether
     /// the previous frame has been submitted.
     pub fn begin_frame(&self, encoder: &mut wgpu::CommandEncoder, is_submitted: bool) {
-        let Some(mut state) = self.state() else { return };
+        let Some(mut state) = self.lock_state() else { return };
         if !is_submitted && matches!(state.phase, TimerPhase::Recorded) {
             state.phase = TimerPhase::Idle;
         }
@@ -93,7 +93,7 @@ impl Timer {
     /// Ends a part of the frame, which consists of the commands since the previous mark. The times of parts with the
     /// same name are added.
     pub fn mark(&self, encoder: &mut wgpu::CommandEncoder, part: &'static str) {
-        let Some(mut state) = self.state() else { return };
+        let Some(mut state) = self.lock_state() else { return };
         if matches!(state.phase, TimerPhase::Recording) {
             state.mark(encoder, part);
         }
@@ -101,7 +101,7 @@ impl Timer {
 
     /// Ends the frame and records a copy of its timestamps to a buffer that the CPU can read.
     pub fn end_frame(&self, encoder: &mut wgpu::CommandEncoder) {
-        let Some(mut state) = self.state() else { return };
+        let Some(mut state) = self.lock_state() else { return };
         if !matches!(state.phase, TimerPhase::Recording) {
             return;
         }
@@ -118,10 +118,10 @@ impl Timer {
 
     /// Names and GPU times (ms) of the parts of the last timed frame, smoothed over the frames that contain each part.
     pub fn times(&self) -> Vec<(&'static str, f64)> {
-        self.state().map_or_else(Vec::new, |state| state.times.clone())
+        self.lock_state().map_or_else(Vec::new, |state| state.times.clone())
     }
 
-    fn state(&self) -> Option<MutexGuard<'_, TimerState>> {
+    fn lock_state(&self) -> Option<MutexGuard<'_, TimerState>> {
         self.0.as_ref().map(|state| state.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }

@@ -91,7 +91,7 @@ pub async fn run_with(
     let plan = Plan::new(params);
     let t_s = params.clock.t_s;
     let mut sim = Simulation::with_fft_implementation(gpu, plan.clone(), shaders, implementation);
-    let dispatch = sim.push_sea_uniform(gpu, t_s, true);
+    let dispatch = sim.upload_sea_uniform(gpu, t_s, true);
     let mut check = Check { gpu, plan: &plan, sim: &sim, dispatch, lines: Vec::new() };
     let h0: Vec<Vec<Complex>> = plan.cascades.iter().map(|c| oracle::spectrum::h0(&plan, c)).collect();
     let rows: Vec<MapPair> =
@@ -232,12 +232,12 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<L
         let Some(step) = sim.encode_next_foam_step(gpu, &mut encoder, t_s, centre) else { break };
         gpu.submit(encoder);
         let level = sim.maps().foam_levels[FOAM_LEVEL];
-        let corner = level.centre.map(|c| c - 0.5 * size as f64 * level.texel_m);
-        let pyramid = Pyramid::read(gpu, &sim, level.texel_m).await?;
-        step_foam(&mut want, plan, &pyramid, (corner, level.texel_m), step);
+        let corner = level.centre.map(|c| c - 0.5 * size as f64 * level.cell_m);
+        let pyramid = Pyramid::read(gpu, &sim, level.cell_m).await?;
+        step_foam(&mut want, plan, &pyramid, (corner, level.cell_m), step);
         let texels = read_foam(gpu, &sim.resources).await?;
         // A cell is stored at its index modulo the size of the level.
-        let first = corner.map(|o| (o / level.texel_m).round() as i64);
+        let first = corner.map(|o| (o / level.cell_m).round() as i64);
         let stored = |i: usize| {
             let place = [(i % size) as i64, (i / size) as i64];
             let at: [usize; 2] = std::array::from_fn(|a| (first[a] + place[a]).rem_euclid(size as i64) as usize);

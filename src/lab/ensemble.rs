@@ -220,7 +220,7 @@ pub fn surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f6
     let n = maps.n as u32;
     for i in 0..POINTS {
         let (mut eta, mut strain) = (0.0, [0.0; 3]);
-        for c in 0..maps.cascades() {
+        for c in 0..maps.cascade_count() {
             let at = noise::pcg4d([i, c as u32, plan.sea.seed, 17]);
             let at = ((at[0] % n) * n + at[1] % n) as usize;
             let (d, g) = (maps.displacement(c)[at], maps.gradients(c)[at]);

@@ -3,7 +3,7 @@
 use super::create_folder;
 use super::reference::{self, Sampling};
 use crate::gpu::{Gpu, readback};
-use crate::ocean::still::{FORMAT, draw_picture_of, present_and_read_back};
+use crate::ocean::still::{FORMAT, draw_ocean_picture, present_and_read_back};
 use crate::ocean::{Ocean, OutputKind};
 use crate::state::Params;
 use crate::state::views::{Shown, Surface, ViewChoice};
@@ -38,7 +38,7 @@ pub async fn write_picture(
     path: &Path,
 ) -> std::result::Result<(), String> {
     let mut ocean = Ocean::new(gpu, FORMAT, OutputKind::Screen, params);
-    let mut pixels = draw_picture_of(gpu, &mut ocean, size).await?;
+    let mut pixels = draw_ocean_picture(gpu, &mut ocean, size).await?;
     if let Some(sampling) = sampling {
         pixels = reference::picture_of(gpu, &mut ocean, size, sampling).await?;
     }
@@ -72,7 +72,7 @@ pub async fn write_sequence(
     for i in 0..sequence.count {
         params.clock.t_s = start_s + f64::from(i) / sequence.fps * params.clock.speed;
         ocean.set_params(&params);
-        let pixels = draw_picture_of(gpu, &mut ocean, size).await?;
+        let pixels = draw_ocean_picture(gpu, &mut ocean, size).await?;
         let path = folder.join(format!("frame-{i:05}.png"));
         write_png(pixels, size, &path)?;
         if sequence.layers {

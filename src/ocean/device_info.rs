@@ -22,7 +22,7 @@ pub struct DeviceInfo {
     /// Name and version of the driver; empty in a browser.
     pub driver: String,
     /// PCI numbers of vendor and device; 0 if unknown.
-    pub ids: [u32; 2],
+    pub pci_ids: [u32; 2],
     /// Optional features that the device has and the program uses.
     pub features: Vec<&'static str>,
     /// Names of limits, each with the value that the program requests and the value that the adapter offers.
@@ -55,7 +55,7 @@ impl DeviceInfo {
             kind: format!("{:?}", info.device_type),
             backend: info.backend.to_string(),
             driver: format!("{} {}", info.driver, info.driver_info).trim().to_owned(),
-            ids: [info.vendor, info.device],
+            pci_ids: [info.vendor, info.device],
             features: features
                 .iter()
                 .filter(|(_, f)| gpu.device.features().contains(*f))
@@ -78,11 +78,11 @@ impl DeviceInfo {
     /// All properties as pairs of name and value.
     pub fn rows(&self) -> Vec<(&'static str, String)> {
         let known = |text: &str| if text.is_empty() { "not told".to_owned() } else { text.to_owned() };
-        let [vendor, device] = self.ids;
+        let [vendor, device] = self.pci_ids;
         let mut rows = vec![
             ("Seastate", VERSION.to_owned()),
             ("wgpu", WGPU_VERSION.to_owned()),
-            ("system", system()),
+            ("system", build_platform()),
             ("adapter", format!("{} ({})", self.adapter, self.kind)),
             ("backend", self.backend.clone()),
             ("driver", known(&self.driver)),
@@ -96,6 +96,6 @@ impl DeviceInfo {
 }
 
 /// The operating system and processor that the program was built for.
-pub fn system() -> String {
+pub fn build_platform() -> String {
     format!("{} {}", std::env::consts::OS, std::env::consts::ARCH).trim().to_owned()
 }

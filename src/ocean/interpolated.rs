@@ -16,21 +16,29 @@ pub fn has_same_refraction(a: &Params, b: &Params) -> bool {
 }
 
 impl Interpolate for SeaAppearance {
-    fn interpolate(&self, to: &Self, share: f64) -> Self {
-        let [x, z] = interpolate_pair(self.downwind, to.downwind, share);
+    fn interpolate(&self, to: &Self, fraction: f64) -> Self {
+        let [x, z] = interpolate_pair(self.downwind, to.downwind, fraction);
         let length = x.hypot(z);
         Self {
-            choppiness: interpolate_pair(self.choppiness, to.choppiness, share),
-            hs_m: interpolate(self.hs_m, to.hs_m, share),
+            choppiness: interpolate_pair(self.choppiness, to.choppiness, fraction),
+            hs_m: interpolate(self.hs_m, to.hs_m, fraction),
             // Geometric, because a bed that rises from the deep sea would otherwise appear only at the very end.
-            depth_m: self.depth_m * (to.depth_m / self.depth_m).powf(share),
-            level_m: interpolate(self.level_m, to.level_m, share),
-            wind_m_s: interpolate(self.wind_m_s, to.wind_m_s, share),
+            depth_m: self.depth_m * (to.depth_m / self.depth_m).powf(fraction),
+            level_m: interpolate(self.level_m, to.level_m, fraction),
+            wind_m_s: interpolate(self.wind_m_s, to.wind_m_s, fraction),
             downwind: if length > 1e-3 { [x / length, z / length] } else { to.downwind },
-            cloud_velocity_m_s: interpolate_pair(self.cloud_velocity_m_s, to.cloud_velocity_m_s, share),
-            unresolved_variance: interpolate_pair(self.unresolved_variance, to.unresolved_variance, share),
-            finest_cascade_variance: interpolate_pair(self.finest_cascade_variance, to.finest_cascade_variance, share),
-            caustic_filter_m: interpolate(self.caustic_filter_m, to.caustic_filter_m, share),
+            cloud_velocity_m_s: interpolate_pair(self.cloud_velocity_m_s, to.cloud_velocity_m_s, fraction),
+            unresolved_slope_variance: interpolate_pair(
+                self.unresolved_slope_variance,
+                to.unresolved_slope_variance,
+                fraction,
+            ),
+            finest_cascade_slope_variance: interpolate_pair(
+                self.finest_cascade_slope_variance,
+                to.finest_cascade_slope_variance,
+                fraction,
+            ),
+            caustic_filter_m: interpolate(self.caustic_filter_m, to.caustic_filter_m, fraction),
         }
     }
 }
@@ -47,12 +55,12 @@ impl WeightedPlans {
 }
 
 impl Interpolate for WeightedPlans {
-    fn interpolate(&self, to: &Self, share: f64) -> Self {
-        let mut plans: Vec<_> = self.0.iter().map(|(plan, weight)| (plan.clone(), weight * (1.0 - share))).collect();
+    fn interpolate(&self, to: &Self, fraction: f64) -> Self {
+        let mut plans: Vec<_> = self.0.iter().map(|(plan, weight)| (plan.clone(), weight * (1.0 - fraction))).collect();
         for (plan, weight) in &to.0 {
             match plans.iter_mut().find(|(p, _)| Arc::ptr_eq(p, plan)) {
-                Some((_, sum)) => *sum += share * weight,
-                None => plans.push((plan.clone(), share * weight)),
+                Some((_, sum)) => *sum += fraction * weight,
+                None => plans.push((plan.clone(), fraction * weight)),
             }
         }
         // Dragging a slider adds a plan per frame. Neighbouring plans are nearly equal, so one replaces both.

@@ -10,7 +10,7 @@ pub struct FoamMap {
     /// Number of cells along a side.
     pub n: usize,
     /// Side of a cell, m.
-    pub texel_m: f64,
+    pub cell_m: f64,
     /// World x and z of the corner with the smallest coordinates, m.
     pub corner: [f64; 2],
     /// Foam of the cells, 0 to 1. Rows run along x; the first row has the smallest z.
@@ -53,12 +53,12 @@ impl Ocean {
         let texels = copy.read_map(&self.gpu).await?;
         let n = self.sim.resources.foam_n as usize;
         let map = |(level, texels): (&crate::sim::FoamLevel, &[[f32; 4]])| {
-            let corner = level.centre.map(|x| x - 0.5 * n as f64 * level.texel_m);
+            let corner = level.centre.map(|x| x - 0.5 * n as f64 * level.cell_m);
             // A cell is stored at its world index modulo n.
-            let first = corner.map(|x| (x / level.texel_m).round() as i64);
+            let first = corner.map(|x| (x / level.cell_m).round() as i64);
             let place = |i: usize, axis: usize| (first[axis] + i as i64).rem_euclid(n as i64) as usize;
             let foam = (0..n * n).map(|i| texels[place(i / n, 1) * n + place(i % n, 0)][0]).collect();
-            FoamMap { n, texel_m: level.texel_m, corner, foam }
+            FoamMap { n, cell_m: level.cell_m, corner, foam }
         };
         Ok(self.maps().foam_levels.iter().zip(texels.chunks(n * n)).map(map).collect())
     }

@@ -32,7 +32,7 @@ pub fn encode(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<V
         let attributes = LayerAttributes::named(format!("cascade{c} patch {patch:.4} m").as_str());
         Layer::new((n, n), attributes, encoding, AnyChannels::sort(channels))
     };
-    let layers: SmallVec<[Layer<AnyChannels<FlatSamples>>; 2]> = (0..maps.cascades()).map(layer).collect();
+    let layers: SmallVec<[Layer<AnyChannels<FlatSamples>>; 2]> = (0..maps.cascade_count()).map(layer).collect();
     let size = IntegerBounds::from_dimensions((n, n));
     let mut image = Image::from_layers(ImageAttributes::new(size), layers);
     image.attributes.other.insert("seastate".into(), AttributeValue::Text(state.into()));

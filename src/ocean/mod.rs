@@ -70,11 +70,12 @@ pub struct Ocean {
 }
 
 impl Ocean {
-    /// Allocates a sea, and compiles its renderer for targets of `format`. `output` says whether frames can be read back.
+    /// Allocates a sea, and compiles its renderer for targets of `format`. `output` says whether frames can be read
+    /// back.
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, output: OutputKind, params: &Params) -> Self {
         let mut ocean = Self::without_renderer(gpu, params);
         (ocean.format, ocean.output) = (format, output);
-        ocean.renderer = Some(renderer(gpu, format, output, &ocean.timer));
+        ocean.renderer = Some(create_renderer(gpu, format, output, &ocean.timer));
         ocean
     }
 
@@ -146,12 +147,12 @@ impl Ocean {
 
     fn apply_transition_step(&mut self, params: &Params, step: &TransitionStep) {
         let plan = self.sim.plan();
-        self.appearance.apply_transition_step(step, |goal| match step.start {
+        self.appearance.apply_transition_step(step, |goal| match step.started {
             Some(TransitionKind::Foam) => goal.clone(),
-            Some(TransitionKind::Surface) => goal.with_surface(plan),
+            Some(TransitionKind::Surface) => goal.with_surface_of(plan),
             _ => SeaAppearance::new(plan, &params.look),
         });
-        self.plans.apply_transition_step(step, |goal| match step.start {
+        self.plans.apply_transition_step(step, |goal| match step.started {
             Some(TransitionKind::Foam) => goal.clone(),
             _ => WeightedPlans::new(plan),
         });
@@ -224,7 +225,8 @@ impl Ocean {
         self.select_hull_waves();
         let scene = self.scene(size);
         let caught_up = self.encode_waves(encoder, max_foam_steps);
-        let renderer = self.renderer.get_or_insert_with(|| renderer(&self.gpu, self.format, self.output, &self.timer));
+        let renderer =
+            self.renderer.get_or_insert_with(|| create_renderer(&self.gpu, self.format, self.output, &self.timer));
         renderer.draw(&self.gpu, encoder, self.sim.maps(), &scene, size);
         caught_up
     }
@@ -291,21 +293,21 @@ impl Ocean {
         let share = self.sim.cross_fade_weight();
         let (old, now) = self.appearance.fading_and_current();
         let sea = SeaAppearance {
-            finest_cascade_variance: now.finest_cascade_variance,
+            finest_cascade_slope_variance: now.finest_cascade_slope_variance,
             ..self.appearance.blended_value(share)
         };
         let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
         Scene {
-            view: View::new(&above_water(&self.params.camera, sea.level_m), aspect, MIN_EYE_HEIGHT_M),
+            view: View::new(&relative_to_still_water(&self.params.camera, sea.level_m), aspect, MIN_EYE_HEIGHT_M),
             look: self.params.look.clone(),
             height_from_waves: self.params.camera.mode == CameraMode::Buoy,
             hulls: self.hull_poses(),
             colour_scales: std::array::from_fn(|layer| ColourScale::new(self.params.look.view.shown, plan, layer)),
             fading: old.map(|old| FadingSea {
-                finest_cascade_variance: old.finest_cascade_variance,
+                finest_cascade_slope_variance: old.finest_cascade_slope_variance,
                 variance_fraction: 1.0 - share,
             }),
-            mean_foam: self.sim.foam_coverage(),
+            mean_foam: self.sim.mean_foam(),
             cloud_drift_m: sea.cloud_velocity_m_s.map(|v| v * self.params.clock.t_s),
             sea,
         }
@@ -338,11 +340,11 @@ impl Ocean {
 }
 
 /// The camera with its height relative to the still water, because the surface is drawn around height 0.
-fn above_water(camera: &Camera, level_m: f64) -> Camera {
+fn relative_to_still_water(camera: &Camera, level_m: f64) -> Camera {
     Camera { y_m: camera.y_m - level_m, ..camera.clone() }
 }
 
-fn renderer(gpu: &Gpu, format: wgpu::TextureFormat, output: OutputKind, timer: &Timer) -> Renderer {
+fn create_renderer(gpu: &Gpu, format: wgpu::TextureFormat, output: OutputKind, timer: &Timer) -> Renderer {
     let mut renderer = Renderer::new(gpu, format, output);
     renderer.set_timer(timer.clone());
     renderer

@@ -46,8 +46,8 @@ impl Ocean {
     pub fn wave_passes(&mut self) -> WavePasses<'_> {
         let t_s = self.params.clock.t_s;
         let centre = [self.params.camera.x_m, self.params.camera.z_m];
-        let dispatch = self.sim.push_sea_uniform(&self.gpu, t_s, false);
-        let foam = self.sim.push_foam_uniform(&self.gpu, t_s, centre);
+        let dispatch = self.sim.upload_sea_uniform(&self.gpu, t_s, false);
+        let foam = self.sim.upload_foam_uniform(&self.gpu, t_s, centre);
         WavePasses { sim: &self.sim, dispatch, foam }
     }
 
@@ -73,7 +73,7 @@ impl WavePasses<'_> {
     }
 
     /// Number of compute dispatches of a frame in which neither the sea nor the time jumps.
-    pub fn dispatches(&self) -> u32 {
-        self.sim.passes.dispatches()
+    pub fn dispatch_count(&self) -> u32 {
+        self.sim.passes.dispatch_count()
     }
 }

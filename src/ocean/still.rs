@@ -13,14 +13,14 @@ pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// # Errors
 /// If the read-back from the GPU fails.
 pub async fn draw_picture(gpu: &Gpu, params: &Params, size: [u32; 2]) -> Result<Vec<u8>, String> {
-    draw_picture_of(gpu, &mut Ocean::new(gpu, FORMAT, OutputKind::Screen, params), size).await
+    draw_ocean_picture(gpu, &mut Ocean::new(gpu, FORMAT, OutputKind::Screen, params), size).await
 }
 
 /// Draws an ocean at its present parameters. Returns its pixels: RGBA bytes, row by row from the top.
 ///
 /// # Errors
 /// If the read-back from the GPU fails.
-pub async fn draw_picture_of(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2]) -> Result<Vec<u8>, String> {
+pub async fn draw_ocean_picture(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2]) -> Result<Vec<u8>, String> {
     let mut encoder = gpu.encoder("picture");
     ocean.encode_with_complete_foam(&mut encoder, size);
     present_and_read_back(gpu, encoder, size, |pass| ocean.present(pass)).await

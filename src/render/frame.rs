@@ -83,7 +83,7 @@ gpu_struct! {
         /// Slope variance that represents the sun's finite disc, so that a flat mirror shows it as bright as the disc.
         pub sun_slope_variance: f32,
         /// Covariance (xx, zz, xz) of the slopes that neither the cascades nor the ripples resolve.
-        pub residual_covariance: [f32; 3],
+        pub residual_slope_covariance: [f32; 3],
         /// Mean radiance of the sun's disc divided by its irradiance, 1/sr.
         pub sun_radiance_per_irradiance: f32,
         /// Choppiness: factors on the horizontal displacement along x and z; 1 is linear theory.
@@ -137,15 +137,15 @@ impl FrameCascade {
         }
     }
 
-    /// Ripples with `share` times the slope variance of a cascade, for an eye above the world position `foot`, m.
-    fn new_ripples(cascade: &MapCascade, share: f64, foot: [f64; 2], n: f64) -> Self {
+    /// Ripples with `fraction` times the slope variance of a cascade, for an eye above the world position `foot`, m.
+    fn new_ripples(cascade: &MapCascade, fraction: f64, foot: [f64; 2], n: f64) -> Self {
         let patch_m = cascade.patch_m / RIPPLE_PATCH_RATIO;
         Self {
             tile_position: cascade.tiling.shrunk(RIPPLE_PATCH_RATIO).place(foot).into(),
             // The offset keeps the copies of the cascade and of its ripples from coinciding at the world origin.
             uv_below_eye: foot.map(|x| ((x / patch_m).rem_euclid(1.0) + 0.381_966) as f32),
             inverse_patch: (1.0 / patch_m) as f32,
-            slope_scale: share.sqrt() as f32,
+            slope_scale: fraction.sqrt() as f32,
             ..Self::new(cascade, foot, n)
         }
     }
@@ -154,11 +154,11 @@ impl FrameCascade {
 impl FrameFoamLevel {
     /// A foam level with `cells` cells along a side, for an eye above the world position `foot` (x, z), m.
     fn new(level: &FoamLevel, foot: [f64; 2], cells: u32) -> Self {
-        let side_m = f64::from(cells) * level.texel_m;
+        let side_m = f64::from(cells) * level.cell_m;
         Self {
             centre: [0, 1].map(|axis| (level.centre[axis] - foot[axis]) as f32),
-            half_side_m: (0.5 * side_m - 2.0 * level.texel_m) as f32,
-            inverse_cell: (1.0 / level.texel_m) as f32,
+            half_side_m: (0.5 * side_m - 2.0 * level.cell_m) as f32,
+            inverse_cell: (1.0 / level.cell_m) as f32,
             uv_below_eye: foot.map(|x| (x / side_m).rem_euclid(1.0) as f32),
             inverse_side: (1.0 / side_m) as f32,
             unused: 0,
@@ -173,7 +173,7 @@ impl FrameUniform {
         let foot = [view.eye.x, view.eye.z];
         let n = f64::from(maps.n);
         let (shown, residual) = ripple_layers(scene, maps);
-        let ripples = shown.iter().map(|(cascade, share)| FrameCascade::new_ripples(cascade, *share, foot, n));
+        let ripples = shown.iter().map(|(cascade, fraction)| FrameCascade::new_ripples(cascade, *fraction, foot, n));
         let cascades = maps.cascades.iter().map(|cascade| FrameCascade::new(cascade, foot, n));
         let levels = maps.foam_levels.iter().map(|level| FrameFoamLevel::new(level, foot, maps.foam_n));
         let [tx, ty] = view.tan_half;
@@ -188,7 +188,7 @@ impl FrameUniform {
             pixel_angle: (2.0 * ty / f64::from(size[1])) as f32,
             sun_direction: look.sky.sun_direction().map(|x| x as f32),
             sun_slope_variance: (disc / 8.0) as f32,
-            residual_covariance: residual,
+            residual_slope_covariance: residual,
             sun_radiance_per_irradiance: (PI * disc).recip() as f32,
             choppiness: sea.choppiness.map(|l| l as f32),
             undisplaced_below_eye: [0.0; 2],
@@ -236,20 +236,23 @@ pub fn horizon_dip(eye_height_m: f64) -> f64 {
 /// xz) of the slopes that neither cascades nor ripples resolve.
 fn ripple_layers<'a>(scene: &Scene, maps: &'a Maps) -> (Vec<(&'a MapCascade, f64)>, [f32; 3]) {
     let sea = &scene.sea;
-    let mut left = sea.unresolved_variance;
+    let mut left = sea.unresolved_slope_variance;
     let mut shown = Vec::new();
-    let own =
-        (maps.cascades.last(), sea.finest_cascade_variance, 1.0 - scene.fading.map_or(0.0, |f| f.variance_fraction));
+    let own = (
+        maps.cascades.last(),
+        sea.finest_cascade_slope_variance,
+        1.0 - scene.fading.map_or(0.0, |f| f.variance_fraction),
+    );
     let fading = scene
         .fading
-        .map(|f| (maps.cascades[..maps.fading_count].last(), f.finest_cascade_variance, f.variance_fraction));
+        .map(|f| (maps.cascades[..maps.fading_count].last(), f.finest_cascade_slope_variance, f.variance_fraction));
     for (cascade, finest, weight) in std::iter::once(own).chain(fading) {
         // Ripples scale both slope components of their cascade alike; neither may exceed the unresolved variance.
-        let share = |i: usize| if finest[i] > 1e-5 { sea.unresolved_variance[i] / finest[i] } else { 0.0 };
-        let share = (MAX_RIPPLE_VARIANCE_FRACTION * share(0).min(share(1))).min(1.0);
-        if let Some(cascade) = cascade.filter(|_| share > 0.0) {
-            shown.push((cascade, share));
-            left = [left[0] - share * weight * finest[0], left[1] - share * weight * finest[1]];
+        let fraction = |i: usize| if finest[i] > 1e-5 { sea.unresolved_slope_variance[i] / finest[i] } else { 0.0 };
+        let fraction = (MAX_RIPPLE_VARIANCE_FRACTION * fraction(0).min(fraction(1))).min(1.0);
+        if let Some(cascade) = cascade.filter(|_| fraction > 0.0) {
+            shown.push((cascade, fraction));
+            left = [left[0] - fraction * weight * finest[0], left[1] - fraction * weight * finest[1]];
         }
     }
     (shown, covariance_in_world_axes(sea, left.map(|l| l.max(0.0))))

@@ -45,7 +45,7 @@ use water::mesh::{Mesh, MeshLattice};
 use water::noise::NoiseTexture;
 
 /// Declarations of the structs that the renderer shares with its shaders.
-pub const STRUCTS: &[StructDeclaration] = &[
+pub const SHARED_STRUCTS: &[StructDeclaration] = &[
     TileLatticePosition::DECLARATION,
     MeshLattice::DECLARATION,
     MeshVertex::DECLARATION,
@@ -101,7 +101,7 @@ pub struct Renderer {
 impl Renderer {
     /// Compiles all passes. `target_format` is the format of the render target that [`Self::present`] draws into.
     pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat, output: OutputKind) -> Self {
-        let shaders = Shaders::default().with_structs(STRUCTS);
+        let shaders = Shaders::default().with_structs(SHARED_STRUCTS);
         let frame = Uniform::new(gpu, "frame");
         let material = Uniform::new(gpu, "material");
         let noise = NoiseTexture::new(gpu);
@@ -186,7 +186,8 @@ impl Renderer {
         if let Shown::Surface(_) = scene.look.view.shown {
             self.water.displace(encoder);
         }
-        let make = || ViewPass::new(gpu, &Shaders::default().with_structs(STRUCTS), &self.water, self.target_format);
+        let make =
+            || ViewPass::new(gpu, &Shaders::default().with_structs(SHARED_STRUCTS), &self.water, self.target_format);
         let view = self.view.get_or_insert_with(make);
         view.draw(gpu, encoder, (maps, scene), &self.water, targets);
     }

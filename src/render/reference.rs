@@ -2,7 +2,8 @@
 //! Slopes that a pixel cannot resolve are sampled; only those that no cascade and no ripples hold remain roughness.
 //!
 //! A grid of samples is drawn as a larger picture, several times with shifted samples. The caller averages the linear
-//! light ([`SampleGrid`] tells which samples belong to a pixel) and passes the mean to [`ReferenceRenderer::show`].
+//! light ([`SampleGrid`] tells which samples belong to a pixel) and passes the mean to
+//! [`ReferenceRenderer::set_linear_light`].
 
 use super::Renderer;
 use super::frame::FrameUniform;

@@ -52,9 +52,9 @@ pub struct SeaAppearance {
     /// Velocity (x, z) of the clouds, m/s.
     pub cloud_velocity_m_s: [f64; 2],
     /// Unresolved slope variance along and across the wind: that of Cox and Munk (1954) minus that of all cascades.
-    pub unresolved_variance: SlopeVariance,
+    pub unresolved_slope_variance: SlopeVariance,
     /// Slope variance along and across the wind of the waves in the finest cascade.
-    pub finest_cascade_variance: SlopeVariance,
+    pub finest_cascade_slope_variance: SlopeVariance,
     /// Half the shortest wavelength that focuses light into caustics on the bed, m.
     pub caustic_filter_m: f64,
 }
@@ -71,8 +71,8 @@ impl SeaAppearance {
             wind_m_s,
             downwind: plan.downwind,
             cloud_velocity_m_s: plan.downwind.map(|w| w * CLOUD_TO_WIND_SPEED * wind_m_s),
-            unresolved_variance: slopes::residual(plan, slopes::resolved(plan)),
-            finest_cascade_variance: plan
+            unresolved_slope_variance: slopes::residual(plan, slopes::resolved(plan)),
+            finest_cascade_slope_variance: plan
                 .cascades
                 .last()
                 .map_or([0.0; 2], |c| slopes::between(plan, c.k_low, c.k_high)),
@@ -88,7 +88,7 @@ impl SeaAppearance {
     }
 
     /// This appearance with the choppiness and still-water level of `plan`, whose waves must be the same.
-    pub fn with_surface(&self, plan: &Plan) -> Self {
+    pub fn with_surface_of(&self, plan: &Plan) -> Self {
         Self { choppiness: plan.sea.lambda(), level_m: plan.sea.level_m, ..self.clone() }
     }
 
@@ -102,7 +102,7 @@ impl SeaAppearance {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FadingSea {
     /// Slope variance along and across the wind of the waves in its finest cascade.
-    pub finest_cascade_variance: SlopeVariance,
+    pub finest_cascade_slope_variance: SlopeVariance,
     /// Fraction of the drawn wave variance that this sea has, 0 to 1.
     pub variance_fraction: f64,
 }

@@ -50,7 +50,7 @@ gpu_struct! {
         /// Choppiness: factors on the horizontal displacement along x and z; 1 is linear theory.
         choppiness: [f32; 2],
         /// Kind of view: 1 + the discriminant of `Map` or, in the surface pass, of `Surface`.
-        kind: u32,
+        view_kind: u32,
         /// Number of tiles in use.
         tile_count: u32,
         /// 1 if the scale is logarithmic, else 0.
@@ -88,7 +88,7 @@ impl ViewUniform {
                     // North-western cell of the level. A cell is stored at its world index modulo the number of cells.
                     let level = maps.foam_levels[layer];
                     let cells = f64::from(maps.foam_n);
-                    level.centre.map(|x| (x / level.texel_m - 0.5 * cells).round().rem_euclid(cells) as u32)
+                    level.centre.map(|x| (x / level.cell_m - 0.5 * cells).round().rem_euclid(cells) as u32)
                 }
                 _ => [0; 2],
             };
@@ -114,7 +114,7 @@ impl ViewUniform {
             tiles,
             size: size.map(|s| s as f32),
             choppiness: scene.sea.choppiness.map(|l| l as f32),
-            kind,
+            view_kind: kind,
             tile_count: layers.len() as u32,
             logarithmic: u32::from(scale.logarithmic),
             time_in_period_u32: maps.time_in_period_u32,
@@ -213,7 +213,7 @@ impl ViewPass {
                 self.uniform.buffer.as_entire_binding(),
                 TextureView(&maps.displacement),
                 TextureView(&maps.gradients),
-                TextureView(&maps.moments),
+                TextureView(&maps.slope_moments),
                 TextureView(&maps.foam),
                 maps.h0.as_entire_binding(),
                 maps.wave_table.as_entire_binding(),

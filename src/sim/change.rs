@@ -101,7 +101,7 @@ impl Simulation {
         self.transition.start(kind);
         let are_buffers_new = are_waves_new && self.resources.upload_wave_tables(gpu, &self.sea.plan);
         if are_maps_new || are_buffers_new {
-            self.passes.bind(gpu, &self.resources, &self.uniforms);
+            self.passes.recreate_bind_groups(gpu, &self.resources, &self.uniforms);
         }
         if are_maps_new {
             self.maps.recreate_views(&self.resources);
@@ -115,7 +115,7 @@ impl Simulation {
     /// Advances the transition by `dt_s` seconds of wall time. `start` is the transition that started in this frame.
     fn advance_transition(&mut self, start: Option<TransitionKind>, dt_s: f64) -> TransitionStep {
         let was_in_transition = self.transition.is_running();
-        let step = TransitionStep { start, ..self.transition.advance(dt_s) };
+        let step = TransitionStep { started: start, ..self.transition.advance(dt_s) };
         self.spectrum_blend = 1.0 - (1.0 - self.spectrum_blend) * (1.0 - step.amplitude_fraction);
         self.apply_transition_step(&step);
         if was_in_transition && !self.in_transition() {

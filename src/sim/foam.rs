@@ -52,7 +52,7 @@ pub struct FoamParameters {
     /// Foam source of each level: the Jacobian below which foam forms, and how fast the source grows below it.
     sources: [foam::FoamSource; FOAM_LEVELS],
     /// Expected mean of the foam, 0 to 1: the fraction of the surface that it covers.
-    pub coverage: f64,
+    pub mean_foam: f64,
     decay_s: f64,
     rate_per_s: f64,
 }
@@ -63,8 +63,8 @@ impl FoamParameters {
         let foam = foam::FoamModel::new(plan);
         Self {
             choppiness: plan.sea.lambda(),
-            sources: std::array::from_fn(|level| foam.source(plan, texel_m(size, level))),
-            coverage: foam.coverage,
+            sources: std::array::from_fn(|level| foam.source(plan, cell_m(size, level))),
+            mean_foam: foam.coverage,
             decay_s: plan.sea.foam.decay_s,
             rate_per_s: plan.sea.foam.rate_per_s,
         }
@@ -72,23 +72,23 @@ impl FoamParameters {
 }
 
 impl Interpolate for FoamParameters {
-    fn interpolate(&self, to: &Self, share: f64) -> Self {
+    fn interpolate(&self, to: &Self, fraction: f64) -> Self {
         let source = |level: usize| {
             let (a, b) = (self.sources[level], to.sources[level]);
             // A sea without foam has slope 0 and no meaningful threshold.
             let threshold = match (a.slope > 0.0, b.slope > 0.0) {
                 (true, false) => a.threshold,
                 (false, true) => b.threshold,
-                _ => interpolate(a.threshold, b.threshold, share),
+                _ => interpolate(a.threshold, b.threshold, fraction),
             };
-            foam::FoamSource { threshold, slope: interpolate(a.slope, b.slope, share) }
+            foam::FoamSource { threshold, slope: interpolate(a.slope, b.slope, fraction) }
         };
         Self {
-            choppiness: interpolate_pair(self.choppiness, to.choppiness, share),
+            choppiness: interpolate_pair(self.choppiness, to.choppiness, fraction),
             sources: std::array::from_fn(source),
-            coverage: interpolate(self.coverage, to.coverage, share),
-            decay_s: interpolate(self.decay_s, to.decay_s, share),
-            rate_per_s: interpolate(self.rate_per_s, to.rate_per_s, share),
+            mean_foam: interpolate(self.mean_foam, to.mean_foam, fraction),
+            decay_s: interpolate(self.decay_s, to.decay_s, fraction),
+            rate_per_s: interpolate(self.rate_per_s, to.rate_per_s, fraction),
         }
     }
 }
@@ -181,9 +181,9 @@ impl FoamScheduler {
         let half = f64::from(self.size / 2);
         (0..FOAM_LEVELS)
             .map(|level| {
-                let texel_m = texel_m(self.size, level);
-                let centre = self.first_cell(level, centre).map(|c| (f64::from(c) + half) * texel_m);
-                FoamLevel { texel_m, centre }
+                let cell_m = cell_m(self.size, level);
+                let centre = self.first_cell(level, centre).map(|c| (f64::from(c) + half) * cell_m);
+                FoamLevel { cell_m, centre }
             })
             .collect()
     }
@@ -197,9 +197,9 @@ impl FoamScheduler {
         let previous = if step.discards_history { unknown } else { self.cells.unwrap_or(unknown) };
         self.cells = Some(cells);
         let levels = std::array::from_fn(|level| {
-            let texel_m = texel_m(self.size, level);
+            let cell_m = cell_m(self.size, level);
             let source = self.parameters.sources[level];
-            let corner = cells[level].map(|c| f64::from(c) * texel_m);
+            let corner = cells[level].map(|c| f64::from(c) * cell_m);
             let half_texel = 0.5 / f64::from(maps.n);
             let mut corners = [FoamLevelCorner::default(); MAX_DRAWN_CASCADES];
             for (out, cascade) in corners.iter_mut().zip(&maps.cascades) {
@@ -210,10 +210,10 @@ impl FoamScheduler {
                 corners,
                 first_cell: cells[level],
                 previous_first_cell: previous[level],
-                texel_m: texel_m as f32,
+                cell_m: cell_m as f32,
                 jacobian_threshold: source.threshold as f32,
                 source_slope: source.slope as f32,
-                initial_foam: self.parameters.coverage as f32,
+                initial_foam: self.parameters.mean_foam as f32,
             }
         });
         let mut cascades = [FoamCascade::default(); MAX_DRAWN_CASCADES];
@@ -235,12 +235,12 @@ impl FoamScheduler {
     /// Lowest cell index along x and z that a foam level covers around the world position `centre` (x, z), m.
     fn first_cell(&self, level: usize, centre: [f64; 2]) -> [i32; 2] {
         let half = self.size as i32 / 2;
-        centre.map(|x| (x / texel_m(self.size, level)).floor() as i32 - half)
+        centre.map(|x| (x / cell_m(self.size, level)).floor() as i32 - half)
     }
 }
 
 /// Side of a cell of the foam level with index `level`, m. The level has `size` cells along a side.
-fn texel_m(size: u32, level: usize) -> f64 {
+fn cell_m(size: u32, level: usize) -> f64 {
     FINEST_LEVEL_SIDE_M * LEVEL_SIDE_RATIO.powi(level as i32) / f64::from(size)
 }
 

@@ -45,7 +45,7 @@ pub struct Maps {
     pub gradients: wgpu::TextureView,
     /// 2d array texture, one layer per cascade, n/2 texels a side: second moments (xx, zz, xz, 0) of the slopes, in
     /// units of the cascade's `moment_unit`. Its mip level j belongs to mip level j + 1 of the other maps.
-    pub moments: wgpu::TextureView,
+    pub slope_moments: wgpu::TextureView,
     /// 2d array texture, one layer per foam level, repeating: the foam and its current source, each 0 to 1. Texture
     /// coordinates belong to undisplaced points.
     pub foam: wgpu::TextureView,
@@ -108,7 +108,7 @@ impl From<Place> for TileLatticePosition {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoamLevel {
     /// Side of a foam cell, m.
-    pub texel_m: f64,
+    pub cell_m: f64,
     /// World position (x, z) of the level's centre, m.
     pub centre: [f64; 2],
 }
@@ -119,12 +119,12 @@ impl Maps {
         Self {
             displacement: resources.map_view(MapKind::Displacement),
             gradients: resources.map_view(MapKind::Gradients),
-            moments: resources.map_view(MapKind::Moments),
+            slope_moments: resources.map_view(MapKind::Moments),
             foam: array_view(&resources.foam, None),
             h0: resources.current_waves().h0.clone(),
             wave_table: resources.current_waves().wave_table.clone(),
             time_in_period_u32: 0,
-            cascades: MapCascade::all(plan, resources),
+            cascades: MapCascade::all_of_plan(plan, resources),
             fading_count: 0,
             foam_levels: Vec::new(),
             foam_n: resources.foam_n,
@@ -152,17 +152,18 @@ impl Maps {
                 self.fading_count = self.cascades.len();
             }
         }
-        self.cascades.extend(MapCascade::all(plan, resources));
+        self.cascades.extend(MapCascade::all_of_plan(plan, resources));
         (self.h0, self.wave_table) =
             (resources.current_waves().h0.clone(), resources.current_waves().wave_table.clone());
     }
 
-    /// Sets the cross-fade weight of each cascade. `share` is the current sea's fraction of the total variance, 0 to 1.
-    pub(super) fn set_cross_fade_weights(&mut self, overlaps: &[Overlap], share: f64) {
+    /// Sets the cross-fade weight of each cascade. `new_sea_weight` is the current sea's fraction of the total
+    /// variance, 0 to 1.
+    pub(super) fn set_cross_fade_weights(&mut self, overlaps: &[Overlap], new_sea_weight: f64) {
         let fading = self.fading_count;
         for (i, cascade) in self.cascades.iter_mut().enumerate() {
             let overlap = overlaps.get(i).copied().unwrap_or_default();
-            let ([old, new], variance_correction) = cross_fade_amplitudes(&overlap, share);
+            let ([old, new], variance_correction) = cross_fade_amplitudes(&overlap, new_sea_weight);
             (cascade.amplitude_factor, cascade.variance_correction) =
                 (if i < fading { old } else { new } as f32, variance_correction as f32);
         }
@@ -178,13 +179,13 @@ impl Maps {
     pub(super) fn recreate_views(&mut self, resources: &Resources) {
         self.displacement = resources.map_view(MapKind::Displacement);
         self.gradients = resources.map_view(MapKind::Gradients);
-        self.moments = resources.map_view(MapKind::Moments);
+        self.slope_moments = resources.map_view(MapKind::Moments);
         self.generation += 1;
     }
 }
 
 impl MapCascade {
-    fn all(plan: &Plan, resources: &Resources) -> Vec<Self> {
+    fn all_of_plan(plan: &Plan, resources: &Resources) -> Vec<Self> {
         (resources.first_layer()..)
             .zip(&plan.cascades)
             .map(|(layer, c)| {
@@ -219,7 +220,7 @@ pub struct MapsF32 {
 
 impl MapsF32 {
     /// Number of cascades in `texels`.
-    pub fn cascades(&self) -> usize {
+    pub fn cascade_count(&self) -> usize {
         self.texels.len() / (2 * self.n * self.n)
     }
 

@@ -117,8 +117,8 @@ impl Simulation {
     }
 
     /// Expected mean of the foam, 0 to 1, which is drawn outside the area of the foam levels.
-    pub fn foam_coverage(&self) -> f64 {
-        self.foam.parameters().coverage
+    pub fn mean_foam(&self) -> f64 {
+        self.foam.parameters().mean_foam
     }
 
     /// Plan of the current sea. During a transition, this is the sea at the transition's end.
@@ -202,7 +202,7 @@ impl Simulation {
     }
 
     /// Uploads the uniform for the waves of the current sea at time `t_s`, s, so that single passes can be run.
-    pub fn push_sea_uniform(&mut self, gpu: &Gpu, t_s: f64, keeps_f32_maps: bool) -> SeaDispatch {
+    pub fn upload_sea_uniform(&mut self, gpu: &Gpu, t_s: f64, keeps_f32_maps: bool) -> SeaDispatch {
         self.uniforms.sea.clear();
         let dispatch = self.add_sea_uniform(SeaUniformParameters { t_s, keeps_f32_maps, spectrum_blend: 1.0 }, false);
         self.uniforms.sea.upload(gpu);
@@ -211,7 +211,7 @@ impl Simulation {
 
     /// Uploads the uniform of a foam time step of length 0, so that the foam pass can be run alone. Returns the dynamic
     /// offset of the uniform in its buffer, bytes.
-    pub fn push_foam_uniform(&mut self, gpu: &Gpu, t_s: f64, centre: [f64; 2]) -> u32 {
+    pub fn upload_foam_uniform(&mut self, gpu: &Gpu, t_s: f64, centre: [f64; 2]) -> u32 {
         self.uniforms.foam.clear();
         let step = FoamStep { t_s, dt_s: 0.0, discards_history: false };
         let offset = self.uniforms.foam.add(&self.foam.uniform(&step, centre, &self.maps));
@@ -278,7 +278,7 @@ impl Simulation {
         SeaDispatch {
             uniform_offset: self.uniforms.sea.add(&uniform),
             cascade_count: uniform.cascade_count,
-            wave_buffers: waves,
+            wave_buffers_index: waves,
             first_layer: uniform.first_layer,
             keeps_f32_maps: parameters.keeps_f32_maps,
         }

@@ -4,7 +4,7 @@ use super::maps::FOAM_LEVELS;
 use super::planned_sea::SeaDispatch;
 use super::resources::{MapKind, Resources, WaveBuffers, array_view, create_array_texture};
 use super::transform::{FftImplementation, Transform};
-use super::uniforms::{STRUCTS, SimulationUniforms};
+use super::uniforms::{SHARED_STRUCTS, SimulationUniforms};
 use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, Kernel};
 use crate::shaders::Shaders;
@@ -30,7 +30,7 @@ impl Passes {
         r: &Resources,
         uniforms: &SimulationUniforms,
     ) -> Self {
-        let shaders = &shaders.clone().with_structs(STRUCTS);
+        let shaders = &shaders.clone().with_structs(SHARED_STRUCTS);
         Self {
             spectrum: SpectrumPass::new(gpu, shaders, r, uniforms),
             transform: Transform::new(gpu, shaders, implementation, r, uniforms),
@@ -40,16 +40,16 @@ impl Passes {
     }
 
     /// Number of compute dispatches of an ordinary frame: one sea with unchanged waves, one foam time step.
-    pub fn dispatches(&self) -> u32 {
-        self.transform.dispatches() + self.mips.steps.len() as u32 + 1
+    pub fn dispatch_count(&self) -> u32 {
+        self.transform.dispatch_count() + self.mips.steps.len() as u32 + 1
     }
 
     /// Creates the bind groups anew after buffers or textures have been replaced.
-    pub fn bind(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
-        self.spectrum.bind(gpu, r, uniforms);
-        self.transform.bind(gpu, r, uniforms);
-        self.mips.bind(gpu, r, uniforms);
-        self.foam.bind(gpu, r, uniforms);
+    pub fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
+        self.spectrum.recreate_bind_groups(gpu, r, uniforms);
+        self.transform.recreate_bind_groups(gpu, r, uniforms);
+        self.mips.recreate_bind_groups(gpu, r, uniforms);
+        self.foam.recreate_bind_groups(gpu, r, uniforms);
     }
 }
 
@@ -66,11 +66,11 @@ impl SpectrumPass {
         let bindings = [SimulationUniforms::SEA_BINDING, BindingType::StorageRead(0), BindingType::StorageReadWrite(0)];
         let kernel = Kernel::new(gpu, "sea/spectrum", (&module, "main"), &bindings, &[]);
         let mut pass = Self { kernel, groups: Vec::new() };
-        pass.bind(gpu, r, uniforms);
+        pass.recreate_bind_groups(gpu, r, uniforms);
         pass
     }
 
-    fn bind(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
+    fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
         let group = |waves: &WaveBuffers| {
             let [spectrum_table, h0] = [&waves.spectrum_table, &waves.h0].map(wgpu::Buffer::as_entire_binding);
             self.kernel.bind(gpu, &[uniforms.sea.binding(), spectrum_table, h0])
@@ -82,7 +82,7 @@ impl SpectrumPass {
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
         self.kernel.run(
             encoder,
-            &self.groups[dispatch.wave_buffers],
+            &self.groups[dispatch.wave_buffers_index],
             &[dispatch.uniform_offset],
             [r.n / 64, r.n, dispatch.cascade_count],
         );
@@ -132,14 +132,20 @@ impl MipsPass {
                 constants.push(("LEVELS_WRITTEN", f64::from(levels)));
             }
             let kernel = Kernel::new(gpu, "sea/mips", (&module, "main"), &bindings, &constants);
-            let group =
-                Self::group(gpu, &kernel, r, uniforms, (source_level, levels, levels_per_dispatch), &placeholder_view);
+            let group = Self::create_bind_group(
+                gpu,
+                &kernel,
+                r,
+                uniforms,
+                (source_level, levels, levels_per_dispatch),
+                &placeholder_view,
+            );
             MipsDispatch { kernel, group, source_level, levels }
         });
         Self { steps: steps.collect(), levels_per_dispatch, placeholder_view }
     }
 
-    fn group(
+    fn create_bind_group(
         gpu: &Gpu,
         kernel: &Kernel,
         r: &Resources,
@@ -155,10 +161,10 @@ impl MipsPass {
         kernel.bind(gpu, &std::iter::once(uniforms.sea.binding()).chain(views).collect::<Vec<_>>())
     }
 
-    fn bind(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
+    fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
         for step in &mut self.steps {
             let levels = (step.source_level, step.levels, self.levels_per_dispatch);
-            step.group = Self::group(gpu, &step.kernel, r, uniforms, levels, &self.placeholder_view);
+            step.group = Self::create_bind_group(gpu, &step.kernel, r, uniforms, levels, &self.placeholder_view);
         }
     }
 
@@ -190,11 +196,11 @@ impl FoamPass {
             BindingType::StorageTextureArray(r.format.texture_format()),
         ];
         let kernel = Kernel::new(gpu, "sea/foam", (&module, "main"), &bindings, &[]);
-        let group = Self::group(gpu, &kernel, r, uniforms);
+        let group = Self::create_bind_group(gpu, &kernel, r, uniforms);
         Self { kernel, group }
     }
 
-    fn group(gpu: &Gpu, kernel: &Kernel, r: &Resources, uniforms: &SimulationUniforms) -> wgpu::BindGroup {
+    fn create_bind_group(gpu: &Gpu, kernel: &Kernel, r: &Resources, uniforms: &SimulationUniforms) -> wgpu::BindGroup {
         kernel.bind(
             gpu,
             &[
@@ -209,8 +215,8 @@ impl FoamPass {
         )
     }
 
-    fn bind(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
-        self.group = Self::group(gpu, &self.kernel, r, uniforms);
+    fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
+        self.group = Self::create_bind_group(gpu, &self.kernel, r, uniforms);
     }
 
     /// Records one time step of all foam levels. `foam` is the dynamic offset of the step's uniform, bytes. During a

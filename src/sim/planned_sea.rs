@@ -34,7 +34,7 @@ pub struct SeaDispatch {
     /// Number of cascades of the sea.
     pub cascade_count: u32,
     /// Index of the sea's wave buffers in `Resources::wave_buffers`.
-    pub wave_buffers: usize,
+    pub wave_buffers_index: usize,
     /// Index of the sea's first cascade among the layers of each kind of map.
     pub first_layer: u32,
     /// Whether the column pass also keeps the maps in f32, in the buffer `Resources::row_transforms`.

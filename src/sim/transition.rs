@@ -31,7 +31,7 @@ pub enum TransitionKind {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TransitionStep {
     /// Transition that starts in this frame, if any. The other fields describe the progress after its start.
-    pub start: Option<TransitionKind>,
+    pub started: Option<TransitionKind>,
     /// Fraction of the remaining way to the goal that surface and foam parameters make in this frame, 0 to 1.
     pub interpolation_fraction: f64,
     /// Fraction of the remaining way to the goal that wave amplitudes make in this frame, 0 to 1.
@@ -43,7 +43,7 @@ pub struct TransitionStep {
 impl TransitionStep {
     /// The step in which a new sea replaces the old one at once.
     pub const IMMEDIATE: Self = Self {
-        start: Some(TransitionKind::Immediate),
+        started: Some(TransitionKind::Immediate),
         interpolation_fraction: 0.0,
         amplitude_fraction: 0.0,
         ends_cross_fade: false,
@@ -116,18 +116,18 @@ impl Transition {
     }
 }
 
-/// Amplitude factors of a cascade in the old and in the new sea when the new sea has the fraction `share` of the
+/// Amplitude factors of a cascade in the old and in the new sea when the new sea has the fraction `fraction` of the
 /// variance. The last number is the variance of the blended waves divided by the sum of both variances.
-pub fn cross_fade_amplitudes(overlap: &Overlap, share: f64) -> ([f64; 2], f64) {
-    let excess = overlap.excess(share);
-    ([((1.0 - share) / excess).sqrt(), (share / excess).sqrt()], excess)
+pub fn cross_fade_amplitudes(overlap: &Overlap, fraction: f64) -> ([f64; 2], f64) {
+    let excess = overlap.excess(fraction);
+    ([((1.0 - fraction) / excess).sqrt(), (fraction / excess).sqrt()], excess)
 }
 
 /// Parameters that can be interpolated between two seas.
 pub trait Interpolate: Clone {
-    /// The parameters at the fraction `share` of the way from `self` to `to`; at 1 exactly `to`.
+    /// The parameters at the fraction `fraction` of the way from `self` to `to`; at 1 exactly `to`.
     #[must_use]
-    fn interpolate(&self, to: &Self, share: f64) -> Self;
+    fn interpolate(&self, to: &Self, fraction: f64) -> Self;
 }
 
 /// Parameters of a sea that follow its transitions smoothly.
@@ -147,7 +147,7 @@ impl<T: Interpolate> Interpolated<T> {
 
     /// Applies one step of a transition. If a transition starts, `goal` maps the previous goal to the new one.
     pub fn apply_transition_step(&mut self, step: &TransitionStep, goal: impl FnOnce(&T) -> T) {
-        if let Some(kind) = step.start {
+        if let Some(kind) = step.started {
             self.goal = goal(&self.goal);
             match kind {
                 TransitionKind::Immediate => *self = Self::new(self.goal.clone()),
@@ -170,10 +170,10 @@ impl<T: Interpolate> Interpolated<T> {
         (self.fading.as_ref(), &self.now)
     }
 
-    /// The blend of both seas' parameters when the new sea has the cross-fade weight `share`, 0 to 1.
-    pub fn blended_value(&self, share: f64) -> T {
+    /// The blend of both seas' parameters when the new sea has the cross-fade weight `fraction`, 0 to 1.
+    pub fn blended_value(&self, fraction: f64) -> T {
         match &self.fading {
-            Some(old) if share < 1.0 => old.interpolate(&self.now, share),
+            Some(old) if fraction < 1.0 => old.interpolate(&self.now, fraction),
             _ => self.now.clone(),
         }
     }
@@ -184,14 +184,14 @@ impl<T: Interpolate> Interpolated<T> {
     }
 }
 
-/// Number at the fraction `share` of the way from `from` to `to`; at 1 exactly `to`.
-pub fn interpolate(from: f64, to: f64, share: f64) -> f64 {
-    if share >= 1.0 { to } else { from + (to - from) * share }
+/// Number at the fraction `fraction` of the way from `from` to `to`; at 1 exactly `to`.
+pub fn interpolate(from: f64, to: f64, fraction: f64) -> f64 {
+    if fraction >= 1.0 { to } else { from + (to - from) * fraction }
 }
 
-/// Pair of numbers at the fraction `share` of the way from `from` to `to`; at 1 exactly `to`.
-pub fn interpolate_pair(from: [f64; 2], to: [f64; 2], share: f64) -> [f64; 2] {
-    [interpolate(from[0], to[0], share), interpolate(from[1], to[1], share)]
+/// Pair of numbers at the fraction `fraction` of the way from `from` to `to`; at 1 exactly `to`.
+pub fn interpolate_pair(from: [f64; 2], to: [f64; 2], fraction: f64) -> [f64; 2] {
+    [interpolate(from[0], to[0], fraction), interpolate(from[1], to[1], fraction)]
 }
 
 #[cfg(test)]
@@ -199,8 +199,8 @@ mod tests {
     use super::*;
 
     impl Interpolate for f64 {
-        fn interpolate(&self, to: &Self, share: f64) -> Self {
-            interpolate(*self, *to, share)
+        fn interpolate(&self, to: &Self, fraction: f64) -> Self {
+            interpolate(*self, *to, fraction)
         }
     }
 
@@ -214,7 +214,7 @@ mod tests {
                 transition.start(TransitionKind::Amplitudes);
                 start = Some(TransitionKind::Amplitudes);
             }
-            let step = TransitionStep { start, ..transition.advance(1.0 / 60.0) };
+            let step = TransitionStep { started: start, ..transition.advance(1.0 / 60.0) };
             drawn.apply_transition_step(&step, |_| 2.1 + 0.1 * f64::from(i));
             let now = drawn.blended_value(transition.cross_fade_weight());
             assert!(now >= before && now - before < 0.11, "{i}: {before} to {now}");
@@ -229,7 +229,7 @@ mod tests {
     fn a_fade_starts_and_ends_on_its_seas() {
         let (mut transition, mut drawn) = (Transition::default(), Interpolated::new(5.0));
         transition.start(TransitionKind::CrossFade);
-        let mut step = TransitionStep { start: Some(TransitionKind::CrossFade), ..transition.advance(0.0) };
+        let mut step = TransitionStep { started: Some(TransitionKind::CrossFade), ..transition.advance(0.0) };
         drawn.apply_transition_step(&step, |_| 7.0);
         assert_eq!((drawn.blended_value(transition.cross_fade_weight()), transition.cross_fade_weight()), (5.0, 0.0));
         let mut before = 5.0;

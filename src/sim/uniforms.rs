@@ -135,7 +135,7 @@ gpu_struct! {
         /// Lowest cell index along x and z that the level covered at the previous time step.
         pub previous_first_cell: [i32; 2],
         /// Side of a foam cell, m.
-        pub texel_m: f32,
+        pub cell_m: f32,
         /// Jacobian below which foam forms.
         pub jacobian_threshold: f32,
         /// Slope of the foam source: clamp((threshold - Jacobian) x slope, 0, 1).
@@ -182,7 +182,7 @@ gpu_struct! {
 }
 
 /// The structs that the simulation shares with its shaders.
-pub const STRUCTS: &[StructDeclaration] = &[
+pub const SHARED_STRUCTS: &[StructDeclaration] = &[
     SeaCascade::DECLARATION,
     SpectrumTerm::DECLARATION,
     SeaUniform::DECLARATION,

@@ -6,7 +6,7 @@ pub mod wgsl;
 
 use seastate::gpu::map_format::MapFormat;
 use seastate::gpu::{Gpu, device};
-use seastate::ocean::still::{FORMAT, draw_picture_of};
+use seastate::ocean::still::{FORMAT, draw_ocean_picture};
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::shaders::Shaders;
 use seastate::sim::{MapsF32, Simulation};
@@ -55,7 +55,7 @@ impl Pictures {
         let gpu = &self.gpu;
         let ocean = self.ocean.get_or_insert_with(|| Ocean::new(gpu, FORMAT, OutputKind::Screen, params));
         ocean.set_params(params);
-        let bytes = pollster::block_on(draw_picture_of(&self.gpu, ocean, size)).expect("a picture");
+        let bytes = pollster::block_on(draw_ocean_picture(&self.gpu, ocean, size)).expect("a picture");
         bytes.chunks(4).map(|p| [p[0], p[1], p[2], p[3]]).collect()
     }
 }
@@ -107,7 +107,7 @@ pub fn bind_maps<const Q: usize, const A: usize>(kernel: &mut wgsl::Kernel<Q, A>
     let resources = [
         (0, TextureView(&maps.displacement)),
         (1, TextureView(&maps.gradients)),
-        (2, TextureView(&maps.moments)),
+        (2, TextureView(&maps.slope_moments)),
         (4, Sampler(&sim.resources.repeating_sampler)),
         (5, Sampler(&levels)),
     ];

@@ -8,7 +8,9 @@ use wgpu::util::{BufferInitDescriptor, DeviceExt};
 
 /// The program's modules with the structs that Rust declares.
 pub fn shaders() -> Shaders {
-    Shaders::default().with_structs(seastate::sim::uniforms::STRUCTS).with_structs(seastate::render::STRUCTS)
+    Shaders::default()
+        .with_structs(seastate::sim::uniforms::SHARED_STRUCTS)
+        .with_structs(seastate::render::SHARED_STRUCTS)
 }
 
 /// A module with a kernel whose questions are `Q` and whose answers are `A` values of vec4f.

@@ -20,9 +20,9 @@ gpu_struct! {
         /// Exposure that replaces the automatic one; 0 if the exposure is automatic.
         fixed_exposure: f32,
         /// Tone curve, as the discriminant of `Tone`.
-        tone: u32,
+        tone_curve: u32,
         /// Fraction of the light that the lens scatters as bloom, 0 to 1.
-        bloom: f32,
+        bloom_fraction: f32,
         /// 1 if dither noise is added to hide the steps of 8-bit colours, else 0.
         dither: f32,
         unused: u32,
@@ -108,8 +108,8 @@ impl PresentPass {
             size: size.map(|s| s as f32),
             exposure_gain: (film.exposure_ev as f32).exp2(),
             fixed_exposure: if film.auto_exposure { 0.0 } else { fixed },
-            tone: film.tone as u32,
-            bloom: film.bloom as f32,
+            tone_curve: film.tone as u32,
+            bloom_fraction: film.bloom as f32,
             dither: f32::from(u8::from(film.dither)),
             unused: 0,
         };

@@ -256,7 +256,7 @@ mod tests {
         let gpu = pollster::block_on(Gpu::request()).unwrap();
         let noise = NoiseTexture::new(&gpu);
         noise.fill(&gpu);
-        let shaders = Shaders::default().with_structs(crate::render::STRUCTS);
+        let shaders = Shaders::default().with_structs(crate::render::SHARED_STRUCTS);
         let sky = SkyTables::new(&gpu, &shaders, &noise);
         let light = |look: &SkyLook| {
             sky.uniform.write(&gpu, &SkyUniform::for_look(look, 8.0));

@@ -58,7 +58,7 @@ impl HullPass {
             &[BindingType::StorageRead(size_of::<HullVertex>())],
         );
         let module = shaders.module(gpu, "water/hulls");
-        Self { module, pipeline: None, layout, vertices: None, hulls: [buoy(), boat()], count: 0 }
+        Self { module, pipeline: None, layout, vertices: None, hulls: [buoy_hull(), boat_hull()], count: 0 }
     }
 
     /// Uploads hulls at `poses`, relative to the world position `foot` (x, z) and still water at height `level_m`, m.
@@ -118,16 +118,16 @@ impl HullPass {
 
 /// A surface of revolution around the mast. `profile` lists radius (m), height (m) and colour from bottom to top.
 fn surface_of_revolution(profile: &[(f64, f64, u32)]) -> Vec<HullFacet> {
-    const SIDES: usize = 20;
+    const LATHE_SIDES: usize = 20;
     let mut facets = Vec::new();
     for pair in profile.windows(2) {
         let ((r0, y0, colour), (r1, y1, _)) = (pair[0], pair[1]);
         let slope = DVec3::new(y1 - y0, r0 - r1, 0.0).normalize_or(DVec3::Y);
         let at = |r: f64, y: f64, i: usize| {
-            let (sin, cos) = (TAU * i as f64 / SIDES as f64).sin_cos();
+            let (sin, cos) = (TAU * i as f64 / LATHE_SIDES as f64).sin_cos();
             (DVec3::new(r * cos, y, r * sin), DVec3::new(slope.x * cos, slope.y, slope.x * sin))
         };
-        for i in 0..SIDES {
+        for i in 0..LATHE_SIDES {
             let [a, b, c, d] = [at(r0, y0, i), at(r0, y0, i + 1), at(r1, y1, i + 1), at(r1, y1, i)];
             for [p, q, r] in [[a, b, c], [a, c, d]] {
                 facets.push(HullFacet { corners: [p.0, q.0, r.0], normals: [p.1, q.1, r.1], colour });
@@ -138,7 +138,7 @@ fn surface_of_revolution(profile: &[(f64, f64, u32)]) -> Vec<HullFacet> {
 }
 
 /// The hull of a moored buoy: float, tower and lantern.
-fn buoy() -> Vec<HullFacet> {
+fn buoy_hull() -> Vec<HullFacet> {
     surface_of_revolution(&[
         (0.0, -0.6, DARK_GREY),
         (0.7, -0.45, DARK_GREY),
@@ -159,7 +159,7 @@ fn buoy() -> Vec<HullFacet> {
 }
 
 /// The hull of an open boat, joined from cross-sections (each keel, chine, gunwale) from bow to stern, with thwarts.
-fn boat() -> Vec<HullFacet> {
+fn boat_hull() -> Vec<HullFacet> {
     // Cross-sections: distance from the bow, half-width at the gunwale, height of the gunwale, height of the keel, m.
     const CROSS_SECTIONS: [[f64; 4]; 7] = [
         [0.0, 0.02, 1.05, -0.05],
@@ -239,7 +239,7 @@ mod tests {
 
     #[test]
     fn hulls_face_outwards() {
-        for hull in [buoy(), boat()] {
+        for hull in [buoy_hull(), boat_hull()] {
             let [mut out, mut inward] = [0, 0];
             for facet in &hull {
                 // The bottom and the sides look away from the middle of the hull.

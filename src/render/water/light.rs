@@ -143,7 +143,7 @@ impl WaterPass {
         let resources = [
             TextureView(&maps.displacement),
             TextureView(&maps.gradients),
-            TextureView(&maps.moments),
+            TextureView(&maps.slope_moments),
             TextureView(&maps.foam),
             Sampler(&self.samplers[0]),
             Sampler(&self.samplers[1]),

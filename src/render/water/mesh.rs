@@ -22,13 +22,13 @@ const ROW_SNAP: f64 = 0.25;
 
 gpu_struct! {
     /// WGSL `MeshLattice`: polar coordinates of the vertices around the point below the eye. Row i of column j has the
-    /// azimuth `first_azimuth + j azimuth_step`, rad, and the distance `linear_radius_m` (exp(`first_row + i row_step`)
-    /// - 1).
+    /// azimuth `first_azimuth + j azimuth_step`, rad, and the distance `linear_radius_m` (exp(t) - 1), where t is
+    /// `first_log_radius + i log_radius_step`.
     pub struct MeshLattice as "MeshLattice" {
         pub first_azimuth: f32,
         pub azimuth_step: f32,
-        pub first_row: f32,
-        pub row_step: f32,
+        pub first_log_radius: f32,
+        pub log_radius_step: f32,
         /// Distance up to which rows are about evenly spaced, m; beyond it their spacing grows with the distance.
         pub linear_radius_m: f32,
         /// Number of rows, that is of vertices in a column.
@@ -86,8 +86,8 @@ impl Mesh {
             lattice: MeshLattice {
                 first_azimuth: (start * turn) as f32,
                 azimuth_step: turn as f32,
-                first_row: first as f32,
-                row_step: step as f32,
+                first_log_radius: first as f32,
+                log_radius_step: step as f32,
                 linear_radius_m: radius as f32,
                 rows,
                 unused: [0; 2],
@@ -155,8 +155,8 @@ mod tests {
             depth_m: 4000.0,
             wind_m_s: 10.0,
             downwind: [1.0, 0.0],
-            unresolved_variance: [0.005; 2],
-            finest_cascade_variance: [0.005; 2],
+            unresolved_slope_variance: [0.005; 2],
+            finest_cascade_slope_variance: [0.005; 2],
             caustic_filter_m: 1.0,
             level_m: 0.0,
             cloud_velocity_m_s: [0.0; 2],
@@ -177,7 +177,7 @@ mod tests {
                         assert!(mesh.columns <= mesh.index_buffer_columns, "{case}");
                         let l = mesh.lattice;
                         let [a0, da, t0, dt, radius] =
-                            [l.first_azimuth, l.azimuth_step, l.first_row, l.row_step, l.linear_radius_m]
+                            [l.first_azimuth, l.azimuth_step, l.first_log_radius, l.log_radius_step, l.linear_radius_m]
                                 .map(f64::from);
                         let near = radius * t0.exp_m1();
                         let far = radius * (t0 + dt * f64::from(l.rows - 1)).exp_m1();

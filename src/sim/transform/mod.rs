@@ -62,7 +62,7 @@ impl Transform {
     }
 
     /// Number of compute dispatches that transform all cascades of a sea along x and z.
-    pub fn dispatches(&self) -> u32 {
+    pub fn dispatch_count(&self) -> u32 {
         match self {
             Self::Workgroup(_) => 2,
             Self::Unrolled(_) => 4,
@@ -70,10 +70,10 @@ impl Transform {
     }
 
     /// Creates the bind groups anew after buffers or textures have been replaced.
-    pub fn bind(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
+    pub fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
         match self {
-            Self::Workgroup(transform) => transform.bind(gpu, r, uniforms),
-            Self::Unrolled(transform) => transform.bind(gpu, r, uniforms),
+            Self::Workgroup(transform) => transform.recreate_bind_groups(gpu, r, uniforms),
+            Self::Unrolled(transform) => transform.recreate_bind_groups(gpu, r, uniforms),
         }
     }
 

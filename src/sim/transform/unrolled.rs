@@ -16,20 +16,20 @@ pub struct UnrolledTransform {
     rows_first: Kernel,
     rows_second: Kernel,
     columns_first: Kernel,
-    columns_second: ColumnsSecond,
-    buffers: Buffers,
-    groups: Groups,
+    columns_second: SecondColumnKernels,
+    buffers: IntermediateBuffers,
+    groups: FftBindGroups,
 }
 
 /// Buffers that pass values from one dispatch to the next.
-struct Buffers {
+struct IntermediateBuffers {
     /// Values after the first of the two dispatches along an axis; as large as `Resources::row_transforms`.
     half_transforms: wgpu::Buffer,
     /// Displacement and gradient maps before they are copied to the textures, \[map\]\[cascade\]\[z\]\[x\].
     maps: wgpu::Buffer,
 }
 
-struct Groups {
+struct FftBindGroups {
     /// One bind group for each sea. The second one exists from the first cross-fade on.
     rows_first: Vec<wgpu::BindGroup>,
     rows_second: wgpu::BindGroup,
@@ -39,7 +39,7 @@ struct Groups {
 
 /// The last of the four dispatches, as one kernel without and one with an f32 copy of the maps. The second kernel is
 /// compiled at its first use, because compiling takes long and a window does not need the copy.
-struct ColumnsSecond {
+struct SecondColumnKernels {
     gpu: Gpu,
     module: wgpu::ShaderModule,
     n: u32,
@@ -47,7 +47,7 @@ struct ColumnsSecond {
     with_f32: OnceLock<Kernel>,
 }
 
-impl ColumnsSecond {
+impl SecondColumnKernels {
     fn new(gpu: &Gpu, shaders: &Shaders, n: u32) -> Self {
         let module = shaders.unrolled_module(gpu, UnrolledKernel::ColumnsSecond, n);
         let plain = Self::compile(gpu, &module, n, false);
@@ -83,20 +83,20 @@ impl UnrolledTransform {
         let rows_first = kernel("sea/rows/first", UnrolledKernel::RowsFirst, &rows_first);
         let rows_second = kernel("sea/rows/second", UnrolledKernel::RowsSecond, &[read, write]);
         let columns_first = kernel("sea/columns/first", UnrolledKernel::ColumnsFirst, &[read, read, write]);
-        let columns_second = ColumnsSecond::new(gpu, shaders, n);
-        let buffers = Buffers::new(gpu, r);
+        let columns_second = SecondColumnKernels::new(gpu, shaders, n);
+        let buffers = IntermediateBuffers::new(gpu, r);
         let kernels = [&rows_first, &rows_second, &columns_first, &columns_second.plain];
-        let groups = Groups::new(gpu, kernels, &buffers, r, uniforms);
+        let groups = FftBindGroups::new(gpu, kernels, &buffers, r, uniforms);
         Self { n, rows_first, rows_second, columns_first, columns_second, buffers, groups }
     }
 
     /// Creates the bind groups anew after resources have been replaced, with intermediate buffers of their size.
-    pub fn bind(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
+    pub fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
         if self.buffers.half_transforms.size() != r.row_transforms.size() {
-            self.buffers = Buffers::new(gpu, r);
+            self.buffers = IntermediateBuffers::new(gpu, r);
         }
         let kernels = [&self.rows_first, &self.rows_second, &self.columns_first, &self.columns_second.plain];
-        self.groups = Groups::new(gpu, kernels, &self.buffers, r, uniforms);
+        self.groups = FftBindGroups::new(gpu, kernels, &self.buffers, r, uniforms);
     }
 
     /// Records the row pass: computes the waves at the evaluation's time and transforms them along x.
@@ -104,7 +104,12 @@ impl UnrolledTransform {
         let (n, FftFactors { first, second }) = (self.n, FftFactors::new(self.n));
         // One row of threads computes two rows of opposite wave vectors: n / 2 + 1 rows in workgroups of 8.
         let size = [second / 8, n / 16 + 1, dispatch.cascade_count];
-        self.rows_first.run(encoder, &self.groups.rows_first[dispatch.wave_buffers], &[dispatch.uniform_offset], size);
+        self.rows_first.run(
+            encoder,
+            &self.groups.rows_first[dispatch.wave_buffers_index],
+            &[dispatch.uniform_offset],
+            size,
+        );
         self.rows_second.run(encoder, &self.groups.rows_second, &[], [first / 8, n / 8, 2 * dispatch.cascade_count]);
     }
 
@@ -136,7 +141,7 @@ impl UnrolledTransform {
     }
 }
 
-impl Buffers {
+impl IntermediateBuffers {
     fn new(gpu: &Gpu, r: &Resources) -> Self {
         // Each vec4f in `row_transforms` becomes one texel of a map.
         let texels = r.row_transforms.size() / size_of::<[f32; 4]>() as u64;
@@ -147,9 +152,15 @@ impl Buffers {
     }
 }
 
-impl Groups {
+impl FftBindGroups {
     /// Creates the bind groups of the four kernels, which are given in the order of their dispatches.
-    fn new(gpu: &Gpu, kernels: [&Kernel; 4], buffers: &Buffers, r: &Resources, uniforms: &SimulationUniforms) -> Self {
+    fn new(
+        gpu: &Gpu,
+        kernels: [&Kernel; 4],
+        buffers: &IntermediateBuffers,
+        r: &Resources,
+        uniforms: &SimulationUniforms,
+    ) -> Self {
         let [rows_first, rows_second, columns_first, columns_second] = kernels;
         let [twiddle, lines] = [&r.twiddle_factors, &r.row_transforms].map(wgpu::Buffer::as_entire_binding);
         let [half_transforms, maps] = [&buffers.half_transforms, &buffers.maps].map(wgpu::Buffer::as_entire_binding);

@@ -19,10 +19,10 @@ pub struct WorkgroupTransform {
     columns: Kernel,
     /// Number of workgroups for each cascade.
     workgroups: u32,
-    groups: Groups,
+    groups: FftBindGroups,
 }
 
-struct Groups {
+struct FftBindGroups {
     /// One bind group for each sea. The second one exists from the first cross-fade on.
     rows: Vec<wgpu::BindGroup>,
     columns: wgpu::BindGroup,
@@ -63,19 +63,19 @@ impl WorkgroupTransform {
             BindingType::StorageTextureArray(r.format.texture_format()),
         ];
         let columns = kernel("sea/columns", "waves/columns", &columns);
-        let groups = Groups::new(gpu, &rows, &columns, r, uniforms);
+        let groups = FftBindGroups::new(gpu, &rows, &columns, r, uniforms);
         Self { rows, columns, workgroups: r.n / lines, groups }
     }
 
     /// Creates the bind groups anew after buffers or textures have been replaced.
-    pub fn bind(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
-        self.groups = Groups::new(gpu, &self.rows, &self.columns, r, uniforms);
+    pub fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
+        self.groups = FftBindGroups::new(gpu, &self.rows, &self.columns, r, uniforms);
     }
 
     /// Records the row pass: computes the waves at the evaluation's time and transforms them along x.
     pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
         let size = [self.workgroups, 1, dispatch.cascade_count];
-        self.rows.run(encoder, &self.groups.rows[dispatch.wave_buffers], &[dispatch.uniform_offset], size);
+        self.rows.run(encoder, &self.groups.rows[dispatch.wave_buffers_index], &[dispatch.uniform_offset], size);
     }
 
     /// Records the column pass: transforms along z and writes mip level 0 of the displacement and gradient maps.
@@ -85,7 +85,7 @@ impl WorkgroupTransform {
     }
 }
 
-impl Groups {
+impl FftBindGroups {
     fn new(gpu: &Gpu, rows: &Kernel, columns: &Kernel, r: &Resources, uniforms: &SimulationUniforms) -> Self {
         let (sea, twiddle, lines) =
             (uniforms.sea.binding(), r.twiddle_factors.as_entire_binding(), r.row_transforms.as_entire_binding());
