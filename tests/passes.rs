@@ -96,8 +96,8 @@ const FAULTS: &[(Kind, &str, &str, &str, &str)] = &[
     (
         GPU,
         "waves/columns",
-        "    lines[(2u * c * N + z) * N + x] = v",
-        "    lines[(2u * c * N + z) * N + x] = 1.01 * v",
+        "    row_transforms[(2u * c * N + z) * N + x] = v",
+        "    row_transforms[(2u * c * N + z) * N + x] = 1.01 * v",
         "columns",
     ),
     (GPU, "waves/columns", "c, v.xzyw)", "c, 1.01 * v.xzyw)", "maps"),

@@ -83,7 +83,7 @@ fn sky_irradiance_parts(@builtin(global_invocation_id) id: vec3u) {
     let elevation = (f32(y) + 0.5) * ATM_PI / f32(size.y);
     let solid = cos(elevation) * (ATM_PI / f32(size.y)) * (2.0 * ATM_PI / f32(size.x));
     let radiance = textureLoad(environment_map, vec2u(x, y + half_rows), 1).rgb;
-    // Weight of the exposure key: the low sky counts most, because it is in the picture and reflected by the sea.
+    // Weight in the adaptation luminance: the low sky counts most, because it is in the picture and reflected by the sea.
     let low = exp(-elevation * elevation / 0.18) * solid;
     let luminance = min(sky_luminance(radiance), 6.0 * sky_luminance(light.overcast_zenith_radiance) + 1e-4);
     sum += vec4f(radiance * (sin(elevation) * solid), luminance * low);
@@ -101,7 +101,7 @@ fn sky_irradiance() {
   // Mean luminance of the low sky: 2.1 sr is about the integral of the weight `low` over the sky.
   let band = total.w / 2.1;
   let ground = sky_luminance(total.rgb + light.sun_irradiance * max(sky.sun_direction.y, 0.0)) / ATM_PI;
-  // The key does not contain the factor `night_gain`.
+  // The adaptation luminance does not contain the factor `night_gain`.
   light.adaptation_luminance = max((0.85 * band + 0.2 * ground) / sky.night_gain, 1e-9);
   // Like an eye, the exposure adapts only in part: dusk stays darker than noon, and night is dark.
   light.exposure = 0.66 / pow(light.adaptation_luminance, 0.77) / sky.night_gain;

@@ -123,11 +123,11 @@ gpu_struct! {
 }
 
 impl FrameCascade {
-    /// A cascade for an eye above the world position `foot` (x, z), m. Its maps have `n` texels along a side.
-    fn new(cascade: &MapCascade, foot: [f64; 2], n: f64) -> Self {
+    /// A cascade for an eye above the world position `below_eye` (x, z), m. Its maps have `n` texels along a side.
+    fn new(cascade: &MapCascade, below_eye: [f64; 2], n: f64) -> Self {
         Self {
-            tile_position: cascade.tiling.place(foot).into(),
-            uv_below_eye: foot.map(|x| ((x / cascade.patch_m).rem_euclid(1.0) + 0.5 / n) as f32),
+            tile_position: cascade.tiling.place(below_eye).into(),
+            uv_below_eye: below_eye.map(|x| ((x / cascade.patch_m).rem_euclid(1.0) + 0.5 / n) as f32),
             inverse_patch: (1.0 / cascade.patch_m) as f32,
             moment_unit: cascade.moment_unit,
             shortest_wave_texels: (cascade.shortest_wavelength_m * n / cascade.patch_m) as f32,
@@ -137,29 +137,29 @@ impl FrameCascade {
         }
     }
 
-    /// Ripples with `fraction` times the slope variance of a cascade, for an eye above the world position `foot`, m.
-    fn new_ripples(cascade: &MapCascade, fraction: f64, foot: [f64; 2], n: f64) -> Self {
+    /// Ripples with `fraction` times the slope variance of a cascade, for an eye above the world position `below_eye`, m.
+    fn new_ripples(cascade: &MapCascade, fraction: f64, below_eye: [f64; 2], n: f64) -> Self {
         let patch_m = cascade.patch_m / RIPPLE_PATCH_RATIO;
         Self {
-            tile_position: cascade.tiling.shrunk(RIPPLE_PATCH_RATIO).place(foot).into(),
+            tile_position: cascade.tiling.shrunk(RIPPLE_PATCH_RATIO).place(below_eye).into(),
             // The offset keeps the copies of the cascade and of its ripples from coinciding at the world origin.
-            uv_below_eye: foot.map(|x| ((x / patch_m).rem_euclid(1.0) + 0.381_966) as f32),
+            uv_below_eye: below_eye.map(|x| ((x / patch_m).rem_euclid(1.0) + 0.381_966) as f32),
             inverse_patch: (1.0 / patch_m) as f32,
             slope_scale: fraction.sqrt() as f32,
-            ..Self::new(cascade, foot, n)
+            ..Self::new(cascade, below_eye, n)
         }
     }
 }
 
 impl FrameFoamLevel {
-    /// A foam level with `cells` cells along a side, for an eye above the world position `foot` (x, z), m.
-    fn new(level: &FoamLevel, foot: [f64; 2], cells: u32) -> Self {
+    /// A foam level with `cells` cells along a side, for an eye above the world position `below_eye` (x, z), m.
+    fn new(level: &FoamLevel, below_eye: [f64; 2], cells: u32) -> Self {
         let side_m = f64::from(cells) * level.cell_m;
         Self {
-            centre: [0, 1].map(|axis| (level.centre[axis] - foot[axis]) as f32),
+            centre: [0, 1].map(|axis| (level.centre[axis] - below_eye[axis]) as f32),
             half_side_m: (0.5 * side_m - 2.0 * level.cell_m) as f32,
             inverse_cell: (1.0 / level.cell_m) as f32,
-            uv_below_eye: foot.map(|x| (x / side_m).rem_euclid(1.0) as f32),
+            uv_below_eye: below_eye.map(|x| (x / side_m).rem_euclid(1.0) as f32),
             inverse_side: (1.0 / side_m) as f32,
             unused: 0,
         }
@@ -170,12 +170,13 @@ impl FrameUniform {
     /// Values of the frame's uniform buffer for a scene and a picture of `size` (width, height) pixels.
     pub fn new(scene: &Scene, maps: &Maps, mesh: &Mesh, size: [u32; 2]) -> Self {
         let (view, look, sea) = (&scene.view, &scene.look, &scene.sea);
-        let foot = [view.eye.x, view.eye.z];
+        let below_eye = [view.eye.x, view.eye.z];
         let n = f64::from(maps.n);
         let (shown, residual) = ripple_layers(scene, maps);
-        let ripples = shown.iter().map(|(cascade, fraction)| FrameCascade::new_ripples(cascade, *fraction, foot, n));
-        let cascades = maps.cascades.iter().map(|cascade| FrameCascade::new(cascade, foot, n));
-        let levels = maps.foam_levels.iter().map(|level| FrameFoamLevel::new(level, foot, maps.foam_n));
+        let ripples =
+            shown.iter().map(|(cascade, fraction)| FrameCascade::new_ripples(cascade, *fraction, below_eye, n));
+        let cascades = maps.cascades.iter().map(|cascade| FrameCascade::new(cascade, below_eye, n));
+        let levels = maps.foam_levels.iter().map(|level| FrameFoamLevel::new(level, below_eye, maps.foam_n));
         let [tx, ty] = view.tan_half;
         let disc = look.sky.sun_radius_rad().sin().powi(2);
         Self {

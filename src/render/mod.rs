@@ -175,8 +175,8 @@ impl Renderer {
             self.water.bind_targets(gpu, targets);
         }
         self.water.mesh.set_mesh(gpu, mesh);
-        let foot = [scene.view.eye.x, scene.view.eye.z];
-        self.hulls.upload_hulls(gpu, &self.water.scene, &scene.hulls, foot, scene.sea.level_m);
+        let below_eye = [scene.view.eye.x, scene.view.eye.z];
+        self.hulls.upload_hulls(gpu, &self.water.scene, &scene.hulls, below_eye, scene.sea.level_m);
     }
 
     /// Records the false-colour view that replaces the picture.

@@ -15,7 +15,7 @@ use wgpu::BindingResource::{Sampler, TextureView};
 pub struct SceneGroup {
     pub layout: wgpu::BindGroupLayout,
     pub group: wgpu::BindGroup,
-    /// Film of the picture, which gives the format of the render target.
+    /// What the picture is drawn for, which gives the format of the render target.
     pub output: OutputKind,
 }
 

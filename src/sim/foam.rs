@@ -275,7 +275,7 @@ mod tests {
     }
 
     #[test]
-    fn a_replay_in_parts_catches_up_with_time() {
+    fn a_cold_start_in_parts_catches_up_with_time() {
         let plan = Plan::new(&Params::default());
         let mut scheduler = FoamScheduler::new(64, FoamParameters::new(64, &plan));
         let mut t = 5.0;

@@ -93,13 +93,13 @@ pub struct MapCascade {
 }
 
 impl From<Place> for TileLatticePosition {
-    fn from(place: Place) -> Self {
+    fn from(position: Place) -> Self {
         Self {
-            scaled_rotation: place.tiling.turn.map(|x| x as f32),
-            fraction: place.rest.map(|x| x as f32),
-            cell: place.cell,
-            shift_key: place.tiling.key,
-            blends_copies: u32::from(place.tiling.on),
+            scaled_rotation: position.tiling.turn.map(|x| x as f32),
+            fraction: position.rest.map(|x| x as f32),
+            cell: position.cell,
+            shift_key: position.tiling.key,
+            blends_copies: u32::from(position.tiling.on),
         }
     }
 }

@@ -61,8 +61,15 @@ impl HullPass {
         Self { module, pipeline: None, layout, vertices: None, hulls: [buoy_hull(), boat_hull()], count: 0 }
     }
 
-    /// Uploads hulls at `poses`, relative to the world position `foot` (x, z) and still water at height `level_m`, m.
-    pub fn upload_hulls(&mut self, gpu: &Gpu, scene: &SceneGroup, poses: &[HullPose], foot: [f64; 2], level_m: f64) {
+    /// Uploads hulls at `poses`, relative to the world position `below_eye` (x, z) and still water at height `level_m`, m.
+    pub fn upload_hulls(
+        &mut self,
+        gpu: &Gpu,
+        scene: &SceneGroup,
+        poses: &[HullPose],
+        below_eye: [f64; 2],
+        level_m: f64,
+    ) {
         self.count = 0;
         if poses.is_empty() {
             return;
@@ -71,8 +78,11 @@ impl HullPass {
         for pose in poses {
             let [up, ahead] = [pose.up, pose.forward].map(DVec3::from_array);
             let turn = DMat3::from_cols(ahead.cross(up), up, -ahead);
-            let origin =
-                DVec3::new(pose.position_m[0] - foot[0], pose.position_m[1] - level_m, pose.position_m[2] - foot[1]);
+            let origin = DVec3::new(
+                pose.position_m[0] - below_eye[0],
+                pose.position_m[1] - level_m,
+                pose.position_m[2] - below_eye[1],
+            );
             let hull = &self.hulls[usize::from(pose.kind == FloatKind::Boat)];
             vertices.extend(hull.iter().flat_map(|facet| (0..3).map(move |i| (facet, i))).map(|(facet, i)| {
                 HullVertex {

@@ -38,12 +38,17 @@ gpu_struct! {
 }
 
 impl NoiseLayer {
-    /// A layer for an eye above the world position `foot` (x, z), m. `gale`, 0 to 1, lengthens the tile along its axis.
-    fn new((along_m, across_m, turn_deg, longer): LayerShape, downwind: [f64; 2], gale: f64, foot: [f64; 2]) -> Self {
+    /// A layer for an eye above the world position `below_eye` (x, z), m. `gale`, 0 to 1, lengthens the tile along its axis.
+    fn new(
+        (along_m, across_m, turn_deg, longer): LayerShape,
+        downwind: [f64; 2],
+        gale: f64,
+        below_eye: [f64; 2],
+    ) -> Self {
         let axis = DVec2::from(downwind).rotate(DVec2::from_angle(turn_deg.to_radians()));
         let along = axis / (along_m * (1.0 + longer * gale));
         let across = axis.perp() / across_m;
-        let at = |row: DVec2| row.dot(foot.into()).rem_euclid(1.0) as f32;
+        let at = |row: DVec2| row.dot(below_eye.into()).rem_euclid(1.0) as f32;
         Self {
             uv_from_position: DMat2::from_cols(along, across).transpose().as_mat2(),
             uv_below_eye: [at(along), at(across)],
@@ -119,7 +124,7 @@ impl MaterialUniform {
         let single = |c: [f64; 3]| c.map(|x| x as f32);
         let gale = ((scene.sea.wind_m_s - 8.0) / 16.0).clamp(0.0, 1.0);
         let gale = gale * gale * (3.0 - 2.0 * gale);
-        let foot = [scene.view.eye.x, scene.view.eye.z];
+        let below_eye = [scene.view.eye.x, scene.view.eye.z];
         Self {
             absorption: single(water.absorption),
             ambient: scattering.ambient as f32,
@@ -133,7 +138,7 @@ impl MaterialUniform {
             view_scatter: scattering.view_scatter as f32,
             bed_colour: colour(bed.colour),
             diffuse: scattering.diffuse as f32,
-            noise_layers: LAYER_SHAPES.map(|shape| NoiseLayer::new(shape, scene.sea.downwind, gale, foot)),
+            noise_layers: LAYER_SHAPES.map(|shape| NoiseLayer::new(shape, scene.sea.downwind, gale, below_eye)),
             index_water: reflection.index_water as f32,
             schlick_exponent: reflection.fresnel_shine as f32,
             fresnel_scale: reflection.fresnel_scale as f32,
