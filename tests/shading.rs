@@ -731,7 +731,7 @@ const FAULTS: &[Fault] = &[
     ),
     Fault(
         "light focused where it enters",
-        &[("  at = entry - reach * bed_surface_slope(at);", "  at = entry;")],
+        &[("  at = entry - reach * bed_focusing_slope(at);", "  at = entry;")],
         "mean light under caustics off 1",
     ),
     Fault(
