@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let size = [1280, 720];
     let pixels = pollster::block_on(async {
         let gpu = Gpu::request().await?;
-        still::picture(&gpu, &params, size).await
+        still::draw_picture(&gpu, &params, size).await
     })?;
 
     image::save_buffer(&path, &pixels, size[0], size[1], image::ColorType::Rgba8)?;

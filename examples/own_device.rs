@@ -5,7 +5,7 @@
 #![expect(clippy::print_stdout, reason = "the example prints its results")]
 
 use seastate::gpu::{Gpu, device, readback};
-use seastate::ocean::{Film, Ocean};
+use seastate::ocean::{Ocean, OutputKind};
 use seastate::state::query;
 
 const SIZE: [u32; 2] = [640, 360];
@@ -19,11 +19,11 @@ async fn run() -> Result<(), Box<dyn std::error::Error>> {
     // The host's own device. `device::descriptor` asks for the optional features that the ocean uses; none is required.
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
     let adapter = instance.request_adapter(&wgpu::RequestAdapterOptions::default()).await?;
-    let (device, queue) = adapter.request_device(&device::descriptor(&adapter)).await?;
+    let (device, queue) = adapter.request_device(&device::device_descriptor(&adapter)).await?;
     let gpu = Gpu { device, queue };
 
     let (mut params, _) = query::parse("wind=10&sun=25&n=128");
-    let mut ocean = Ocean::new(&gpu, FORMAT, Film::Screen, &params);
+    let mut ocean = Ocean::new(&gpu, FORMAT, OutputKind::Screen, &params);
     let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
     let target = gpu.texture("host target", [SIZE[0], SIZE[1], 1], 1, FORMAT, usage);
     let view = target.create_view(&wgpu::TextureViewDescriptor::default());

@@ -55,7 +55,7 @@ fn estimates(state: &str) -> (Plan, Vec<Vec<f64>>) {
                         let at = noise::pcg4d([buoy, c as u32, seed, 5]);
                         f64::from(maps.displacement(c)[(at[0] % n * n + at[1] % n) as usize][1])
                     };
-                    series.push((0..maps.cascades()).map(height).sum::<f64>());
+                    series.push((0..maps.cascade_count()).map(height).sum::<f64>());
                 }
             }
             let each: Vec<Vec<f64>> = series.iter().map(|s| welch(s)).collect();

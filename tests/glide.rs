@@ -5,8 +5,8 @@ mod common;
 
 use common::{gpu, params};
 use seastate::gpu::Gpu;
-use seastate::ocean::still::{FORMAT, picture_of};
-use seastate::ocean::{Film, Ocean};
+use seastate::ocean::still::{FORMAT, draw_ocean_picture};
+use seastate::ocean::{Ocean, OutputKind};
 use seastate::point::StrongestWaves;
 use seastate::sim::resources::MapKind;
 use seastate::state::Params;
@@ -29,7 +29,7 @@ impl Window {
     fn new(state: &str) -> Self {
         let gpu = gpu();
         let params = params(state);
-        let ocean = Ocean::new(&gpu, FORMAT, Film::Screen, &params);
+        let ocean = Ocean::new(&gpu, FORMAT, OutputKind::Screen, &params);
         let mut window = Self { gpu, ocean, params };
         window.frame(0.0);
         window
@@ -48,7 +48,7 @@ impl Window {
         }
         self.ocean.transition_to(&self.params, dt_s);
         let mut encoder = gpu.encoder("test");
-        self.ocean.simulation().encode_f32(gpu, &mut encoder, self.params.clock.t_s);
+        self.ocean.simulation().encode_with_f32_maps(gpu, &mut encoder, self.params.clock.t_s);
         gpu.submit(encoder);
     }
 
@@ -58,14 +58,14 @@ impl Window {
     }
 
     fn picture(&mut self) -> Vec<u8> {
-        pollster::block_on(picture_of(&self.gpu, &mut self.ocean, SIZE)).expect("a picture")
+        pollster::block_on(draw_ocean_picture(&self.gpu, &mut self.ocean, SIZE)).expect("a picture")
     }
 
     /// Heights on the maps of every cascade that is drawn, with the side of its patch.
     fn heights(&mut self) -> Vec<(f64, Vec<f64>)> {
         let gpu = &self.gpu;
         let mut encoder = gpu.encoder("test");
-        let copy = self.ocean.simulation().resources.stage(gpu, &mut encoder, MapKind::Displacement, 0);
+        let copy = self.ocean.simulation().resources.stage_maps(gpu, &mut encoder, MapKind::Displacement, 0);
         self.gpu.submit(encoder);
         let texels = pollster::block_on(copy.read_map(gpu)).expect("read-back");
         let n2 = (self.ocean.plan().n as usize).pow(2);
@@ -156,7 +156,7 @@ fn a_glide_ends_exactly_on_the_state() {
     }
     let mut fresh = Window::new(&format!("{start}&fetch=100"));
     fresh.params = window.params.clone();
-    fresh.ocean = Ocean::new(&fresh.gpu, FORMAT, Film::Screen, &fresh.params);
+    fresh.ocean = Ocean::new(&fresh.gpu, FORMAT, OutputKind::Screen, &fresh.params);
     assert!(fresh.picture() == window.picture(), "a sea that was never another");
 }
 
@@ -209,7 +209,7 @@ fn the_same_waves_grow_in_place() {
     let mut before = 1.0;
     for _ in 0..FRAMES {
         window.frame(FRAME_S);
-        assert_eq!(window.ocean.simulation().maps().fading, 0, "one sea");
+        assert_eq!(window.ocean.simulation().maps().fading_count, 0, "one sea");
         let now = window.surface();
         // One factor for every height.
         let scale = start.iter().zip(&now).map(|(a, b)| a * b).sum::<f64>() / start.iter().map(|a| a * a).sum::<f64>();
@@ -225,12 +225,12 @@ fn the_same_waves_grow_in_place() {
 fn a_drag_costs_one_spectrum_a_frame() {
     let mut window = Window::new("hs=2&tp=8&n=64&t=30");
     let rest = fastest(&mut window, 20, |_, _| {});
-    let spectra = window.ocean.simulation().spectra();
-    let allocations = window.ocean.simulation().resources.allocations;
+    let spectrum_pass_count = window.ocean.simulation().spectrum_pass_count();
+    let allocations = window.ocean.simulation().resources.allocation_count;
     let generation = window.ocean.simulation().maps().generation;
     let most =
         fastest(&mut window, 30, |window, i| window.wish(&format!("hs={}&tp=8&n=64", 2.0 + 0.04 * (i + 1) as f64)));
-    assert_eq!(window.ocean.simulation().spectra() - spectra, 30);
+    assert_eq!(window.ocean.simulation().spectrum_pass_count() - spectrum_pass_count, 30);
     // It follows while it is dragged, and comes to its end after the last change.
     let sea = window.ocean.scene(SIZE).sea;
     assert!(sea.hs_m > 2.5 && sea.hs_m < 3.2, "{}", sea.hs_m);
@@ -238,10 +238,10 @@ fn a_drag_costs_one_spectrum_a_frame() {
         window.frame(FRAME_S);
     }
     assert!(!window.ocean.in_transition());
-    let after = window.ocean.simulation().spectra();
+    let after = window.ocean.simulation().spectrum_pass_count();
     window.frame(FRAME_S);
-    assert_eq!(window.ocean.simulation().spectra(), after, "at rest there is nothing to draw");
-    assert_eq!(window.ocean.simulation().resources.allocations, allocations);
+    assert_eq!(window.ocean.simulation().spectrum_pass_count(), after, "at rest there is nothing to draw");
+    assert_eq!(window.ocean.simulation().resources.allocation_count, allocations);
     assert_eq!(window.ocean.simulation().maps().generation, generation);
     let rest = rest.max(fastest(&mut window, 20, |_, _| {}));
     assert!(most < 1.5 * rest, "{most} against {rest}");
@@ -264,7 +264,7 @@ fn a_change_costs_what_its_level_needs() {
             let (plan, drawn) = (window.ocean.plan().clone(), window.ocean.drawn_seas()[0].plan.clone());
             let work = |window: &mut Window| {
                 let sim = window.ocean.simulation();
-                (sim.spectra(), sim.resources.tabulations)
+                (sim.spectrum_pass_count(), sim.resources.wave_table_count)
             };
             let before = work(&mut window);
             for value in values {
@@ -294,7 +294,7 @@ fn a_change_costs_what_its_level_needs() {
             assert!(picture != first, "{key} is visible");
             let mut fresh = Window::new(start);
             fresh.params = window.params.clone();
-            fresh.ocean = Ocean::new(&fresh.gpu, FORMAT, Film::Screen, &fresh.params);
+            fresh.ocean = Ocean::new(&fresh.gpu, FORMAT, OutputKind::Screen, &fresh.params);
             assert!(fresh.picture() == picture, "{key}: the picture of an ocean that was never another");
             let maps = [&mut window, &mut fresh]
                 .map(|w| common::read(&w.gpu, w.ocean.simulation(), w.params.clock.t_s).texels);
@@ -322,7 +322,7 @@ fn foam_during_other_transitions_lets_them_end() {
         assert!(!window.ocean.in_transition());
         let mut fresh = Window::new("wind=9&n=64&t=30&pause=1");
         fresh.params = window.params.clone();
-        fresh.ocean = Ocean::new(&fresh.gpu, FORMAT, Film::Screen, &fresh.params);
+        fresh.ocean = Ocean::new(&fresh.gpu, FORMAT, OutputKind::Screen, &fresh.params);
         assert_eq!(window.ocean.plan(), fresh.ocean.plan(), "{waves}");
         assert!(fresh.picture() == window.picture(), "{waves}");
     }
@@ -345,7 +345,7 @@ fn a_drag_over_rungs_and_depths_has_no_jump() {
         let mut window = Window::new(from);
         let before = fastest(&mut window, 20, |_, _| {});
         let most = fastest(&mut window, 60, |window, i| window.wish(&to(i)));
-        let mut allocations = window.ocean.simulation().resources.allocations;
+        let mut allocations = window.ocean.simulation().resources.allocation_count;
         for _ in 0..3 * FRAMES {
             window.frame(FRAME_S);
         }
@@ -356,12 +356,12 @@ fn a_drag_over_rungs_and_depths_has_no_jump() {
         // A second room is made once.
         for state in [from, &to(5)] {
             window.wish(&state.replace("&t=3000", ""));
-            allocations = allocations.max(window.ocean.simulation().resources.allocations);
+            allocations = allocations.max(window.ocean.simulation().resources.allocation_count);
             for _ in 0..FRAMES {
                 window.frame(FRAME_S);
             }
         }
-        assert!(window.ocean.simulation().resources.allocations <= allocations + 1);
+        assert!(window.ocean.simulation().resources.allocation_count <= allocations + 1);
     }
 }
 
@@ -380,23 +380,23 @@ fn a_boat_stays_on_the_water() {
         // Each cascade alone, on its own texels.
         let n = window.ocean.plan().n as usize;
         let mut maps = window.heights();
-        let fades = window.ocean.simulation().maps().fading > 0;
+        let fades = window.ocean.simulation().maps().fading_count > 0;
         if !fades {
-            maps.truncate(seas[0].weights.len());
+            maps.truncate(seas[0].amplitude_factors.len());
         }
         for (c, (patch, map)) in maps.iter().enumerate() {
             for at in [[3, 5], [40, 17], [22, 60]] {
                 let place = at.map(|i| i as f64 / n as f64 * patch);
                 let want: f64 = (seas.iter().enumerate())
                     .filter_map(|(s, sea)| {
-                        let first = if fades && s == 1 { seas[0].weights.len() } else { 0 };
-                        let own = c.checked_sub(first).filter(|own| *own < sea.weights.len())?;
+                        let first = if fades && s == 1 { seas[0].amplitude_factors.len() } else { 0 };
+                        let own = c.checked_sub(first).filter(|own| *own < sea.amplitude_factors.len())?;
                         let mut plan = (*sea.plan).clone();
                         plan.cascades = vec![plan.cascades[own].clone()];
                         let level = plan.sea.level_m;
                         let sample =
                             StrongestWaves::new(&plan, usize::MAX).sample_undisplaced(place[0], place[1], 40.0);
-                        Some(sea.weights[own] * (sample.height_m - level))
+                        Some(sea.amplitude_factors[own] * (sample.height_m - level))
                     })
                     .sum();
                 let got = map[at[1] * n + at[0]];
@@ -407,7 +407,7 @@ fn a_boat_stays_on_the_water() {
             window.frame(FRAME_S);
         }
         let rest = window.ocean.drawn_seas();
-        assert_eq!((rest.len(), &rest[0].weights), (1, &vec![1.0; rest[0].weights.len()]));
+        assert_eq!((rest.len(), &rest[0].amplitude_factors), (1, &vec![1.0; rest[0].amplitude_factors.len()]));
         assert_eq!(&*rest[0].plan, window.ocean.plan());
     }
 }

@@ -8,7 +8,7 @@ use half::f16;
 use seastate::gpu::Gpu;
 use seastate::gpu::readback;
 use seastate::ocean::still::FORMAT;
-use seastate::ocean::{Film, Ocean};
+use seastate::ocean::{Ocean, OutputKind};
 use seastate::waves::slopes::{SlopeVariance, cox_munk};
 
 const SIZE: [u32; 2] = [192, 192];
@@ -23,11 +23,11 @@ fn fresnel(cosine: f64) -> f64 {
 
 /// Linear red radiance and view direction of every pixel.
 fn light(gpu: &Gpu, state: &str) -> (Vec<f64>, Vec<DVec3>) {
-    let mut ocean = Ocean::new(gpu, FORMAT, Film::Screen, &common::params(state));
+    let mut ocean = Ocean::new(gpu, FORMAT, OutputKind::Screen, &common::params(state));
     let mut encoder = gpu.encoder("test");
     // No foam replay.
     ocean.encode(&mut encoder, SIZE, 0);
-    let copy = readback::stage_texture(gpu, &mut encoder, ocean.light().expect("a picture"), 0);
+    let copy = readback::stage_texture(gpu, &mut encoder, ocean.light_texture().expect("a picture"), 0);
     gpu.submit(encoder);
     let bytes = pollster::block_on(copy.read(gpu)).expect("read-back");
     let texels: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&bytes);

@@ -109,7 +109,7 @@ fn four_wavelengths_have_the_colours_of_spectra() {
         }
     }
     let cases: Vec<Case> = skies.iter().map(|s| [FOUR.map(|nm| light(nm, *s) as f32), [0.0; 4]]).collect();
-    let found = ask(&shaders(), "sky/background", "return vec4f(atm_rgb(a), 0.0);", &cases);
+    let found = ask(&shaders(), "sky/background", "return vec4f(atm_linear_srgb(a), 0.0);", &cases);
     let white = rgb(sunlight);
     let mut worst = 0f64;
     for (sky, found) in skies.iter().zip(&found) {
@@ -127,7 +127,7 @@ fn four_wavelengths_have_the_colours_of_spectra() {
     let found = ask(
         &shaders(),
         "sky/background",
-        "return select(ATM_OZONE, ATM_RAYLEIGH, a.x > 0.0);",
+        "return select(ATM_OZONE_ABSORPTION, ATM_RAYLEIGH_SCATTERING, a.x > 0.0);",
         &[[[1.0; 4], [0.0; 4]], [[0.0; 4], [0.0; 4]]],
     );
     for i in 0..4 {
@@ -274,7 +274,7 @@ fn airglow_is_finite_beyond_the_zenith() {
     let above = f32::from_bits(1.0f32.to_bits() + 1);
     let sines = [above, 1.0, 0.5, 0.0, -1.0];
     let cases: Vec<[[f32; 4]; 2]> = sines.iter().map(|&mu| [[mu, 0.0, 0.0, 0.0], [0.0; 4]]).collect();
-    let found = ask(&shaders(), "sky/view", "return vec4f(view_airglow(a.x), 0.0, 0.0, 0.0);", &cases);
+    let found = ask(&shaders(), "sky/view", "return vec4f(view_night_sky_brightness(a.x), 0.0, 0.0, 0.0);", &cases);
     for (mu, found) in sines.iter().zip(found) {
         let expected = 1.0 + 1.2 * (1.0 - f64::from(mu.clamp(0.0, 1.0))).powi(3);
         assert!((found[0] - expected).abs() < 1e-6, "{mu}: {} instead of {expected}", found[0]);

@@ -2,7 +2,7 @@
 
 mod common;
 
-use seastate::bench::per_stage::PerStage;
+use seastate::bench::stagewise_fft::StagewiseFft;
 use seastate::gpu::Gpu;
 use seastate::gpu::map_format::MapFormat;
 use seastate::gpu::readback;
@@ -10,23 +10,23 @@ use seastate::lab::check::{self, Comparison};
 use seastate::shaders::Shaders;
 use seastate::sim::Simulation;
 use seastate::sim::resources::MapKind;
-use seastate::sim::transform::TransformWay;
+use seastate::sim::transform::FftImplementation;
 use seastate::state::query;
 use seastate::waves::Plan;
 
 /// How an adapter computes the waves.
-type Kind = (TransformWay, MapFormat);
-const GPU: Kind = (TransformWay::Workgroup, MapFormat::Half);
+type Kind = (FftImplementation, MapFormat);
+const GPU: Kind = (FftImplementation::Workgroup, MapFormat::Half);
 /// A software adapter that filters float textures.
-const SOFTWARE: Kind = (TransformWay::Unrolled, MapFormat::Float);
+const SOFTWARE: Kind = (FftImplementation::Unrolled, MapFormat::Float);
 /// llvmpipe, and software adapters that cannot filter float textures.
-const LLVMPIPE: Kind = (TransformWay::Unrolled, MapFormat::Half);
+const LLVMPIPE: Kind = (FftImplementation::Unrolled, MapFormat::Half);
 
-fn run(state: &str, (way, format): Kind, shaders: Shaders) -> Vec<Comparison> {
+fn run(state: &str, (implementation, format): Kind, shaders: Shaders) -> Vec<Comparison> {
     // This device can filter both formats.
     let gpu = common::gpu_with(MapFormat::Float);
-    let shaders = shaders.with_maps(format);
-    pollster::block_on(check::run_with(&gpu, &query::parse(state).0, &shaders, way)).expect("read-back")
+    let shaders = shaders.with_map_format(format);
+    pollster::block_on(check::run_with(&gpu, &query::parse(state).0, &shaders, implementation)).expect("read-back")
 }
 
 fn assert_right(state: &str, kind: Kind) {
@@ -74,8 +74,8 @@ fn other_seas_agree_with_the_oracle() {
 const FAULTS: &[(Kind, &str, &str, &str, &str)] = &[
     (GPU, "waves/spectrum", "h = gauss * sqrt(variance)", "h = 1.01 * gauss * sqrt(variance)", "spectrum"),
     (SOFTWARE, "waves/spectrum", "h = gauss * sqrt(variance)", "h = 1.01 * gauss * sqrt(variance)", "spectrum"),
-    (GPU, "foam/foam", "let l = sea.chop;", "let l = 1.01 * sea.chop;", "foam"),
-    (SOFTWARE, "foam/foam", "let l = sea.chop;", "let l = 1.01 * sea.chop;", "foam"),
+    (GPU, "foam/foam", "let l = sea.choppiness;", "let l = 1.01 * sea.choppiness;", "foam"),
+    (SOFTWARE, "foam/foam", "let l = sea.choppiness;", "let l = 1.01 * sea.choppiness;", "foam"),
     (
         GPU,
         "waves/mips",
@@ -86,18 +86,18 @@ const FAULTS: &[(Kind, &str, &str, &str, &str)] = &[
     (
         GPU,
         "waves/mips",
-        "return MipsTexel(0.25 * sum.displacement, 0.25",
-        "return MipsTexel(0.25 * sum.displacement, 0.2525",
+        "return MipTexels(0.25 * sum.displacement, 0.25",
+        "return MipTexels(0.25 * sum.displacement, 0.2525",
         "mips gradients",
     ),
     (SOFTWARE, "waves/unrolled_mips", "0.25 * sum.moments)", "0.2525 * sum.moments)", "mips moments"),
-    (SOFTWARE, "waves/unrolled_mips", "MipsTexel(0.25", "MipsTexel(0.2525", "mips displacement"),
+    (SOFTWARE, "waves/unrolled_mips", "MipTexels(0.25", "MipTexels(0.2525", "mips displacement"),
     (GPU, "waves/rows", "forward + backward", "forward + 1.01 * backward", "rows"),
     (
         GPU,
         "waves/columns",
-        "    lines[(2u * c * N + z) * N + x] = v",
-        "    lines[(2u * c * N + z) * N + x] = 1.01 * v",
+        "    row_transforms[(2u * c * N + z) * N + x] = v",
+        "    row_transforms[(2u * c * N + z) * N + x] = 1.01 * v",
         "columns",
     ),
     (GPU, "waves/columns", "c, v.xzyw)", "c, 1.01 * v.xzyw)", "maps"),
@@ -124,8 +124,13 @@ fn a_gpu_gets_few_dispatches_whatever_the_cascades() {
     let gpu = pollster::block_on(Gpu::request()).expect("a GPU adapter");
     for (n, cascades) in [(64, 1), (128, 4), (256, 3), (512, 4), (1024, 1)] {
         let params = query::parse(&format!("n={n}&cascades={cascades}")).0;
-        let sim = Simulation::with_way(&gpu, Plan::new(&params), &Shaders::default(), TransformWay::Workgroup);
-        assert!(sim.passes.dispatches() <= 5, "n {n}, {cascades} cascades: {}", sim.passes.dispatches());
+        let sim = Simulation::with_fft_implementation(
+            &gpu,
+            Plan::new(&params),
+            &Shaders::default(),
+            FftImplementation::Workgroup,
+        );
+        assert!(sim.passes.dispatch_count() <= 5, "n {n}, {cascades} cascades: {}", sim.passes.dispatch_count());
     }
 }
 
@@ -139,8 +144,8 @@ fn the_demos_way_makes_the_same_maps() {
         let mut encoder = gpu.encoder("test");
         sim.encode(&gpu, &mut encoder, params.clock.t_s, [0.0; 2], 0);
         gpu.submit(encoder);
-        let theirs = PerStage::new(&gpu, sim.maps());
-        assert_eq!(theirs.dispatches() as u32, 2 * (4 * 2 * n.ilog2() + 2));
+        let theirs = StagewiseFft::new(&gpu, sim.maps());
+        assert_eq!(theirs.dispatch_count() as u32, 2 * (4 * 2 * n.ilog2() + 2));
         let mut encoder = gpu.encoder("test");
         theirs.run(&mut encoder);
         gpu.submit(encoder);
@@ -156,7 +161,7 @@ fn the_demos_way_makes_the_same_maps() {
                 (MapKind::Displacement, &theirs.displacement[cascade]),
                 (MapKind::Gradients, &theirs.gradients[cascade]),
             ] {
-                let layer = sim.resources.layers(ours).start + cascade as u32;
+                let layer = sim.resources.layers_of_kind(ours).start + cascade as u32;
                 let (a, b) = (read(&sim.resources.maps, layer), read(theirs, 0));
                 let square = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>();
                 let difference: Vec<f64> = a.iter().zip(&b).map(|(a, b)| a - b).collect();

@@ -4,9 +4,9 @@ mod common;
 
 use seastate::gpu::Gpu;
 use seastate::gpu::map_format::MapFormat;
-use seastate::ocean::still::{FORMAT, picture, picture_of};
-use seastate::ocean::{Film, Ocean};
-use seastate::sim::MAX_STEPS;
+use seastate::ocean::still::{FORMAT, draw_ocean_picture, draw_picture};
+use seastate::ocean::{Ocean, OutputKind};
+use seastate::sim::MAX_FOAM_STEPS;
 use seastate::state::{Params, query};
 
 const SIZE: [u32; 2] = [160, 96];
@@ -18,7 +18,7 @@ fn render(gpu: &Gpu, state: &str) -> Vec<[u8; 4]> {
 }
 
 fn render_params(gpu: &Gpu, params: &Params) -> Vec<[u8; 4]> {
-    let pixels = pollster::block_on(picture(gpu, params, SIZE)).expect("a picture");
+    let pixels = pollster::block_on(draw_picture(gpu, params, SIZE)).expect("a picture");
     pixels.chunks(4).map(|p| [p[0], p[1], p[2], p[3]]).collect()
 }
 
@@ -106,15 +106,15 @@ fn a_picture_does_not_depend_on_how_one_came_there() {
     let at = |t: f64| query::parse(&format!("wind=16&fetch=300&n=64&t={t}")).0;
     let cold = render_params(&gpu, &at(30.0));
     // Twelve seconds, three decay times, at thirty frames a second.
-    let mut ocean = Ocean::new(&gpu, FORMAT, Film::Screen, &at(18.0));
+    let mut ocean = Ocean::new(&gpu, FORMAT, OutputKind::Screen, &at(18.0));
     for i in 0..360 {
         ocean.set_params(&at(18.0 + f64::from(i) / 30.0));
         let mut encoder = gpu.encoder("test");
-        ocean.encode(&mut encoder, [16, 8], MAX_STEPS);
+        ocean.encode(&mut encoder, [16, 8], MAX_FOAM_STEPS);
         gpu.submit(encoder);
     }
     ocean.set_params(&at(30.0));
-    let pixels = pollster::block_on(picture_of(&gpu, &mut ocean, SIZE)).expect("a picture");
+    let pixels = pollster::block_on(draw_ocean_picture(&gpu, &mut ocean, SIZE)).expect("a picture");
     let difference = |other: &[[u8; 4]]| {
         let sum: f64 = cold.iter().zip(other).map(|(a, b)| (luminance(*a) - luminance(*b)).abs()).sum();
         sum / cold.len() as f64

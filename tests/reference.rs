@@ -8,8 +8,8 @@ use common::{gpu, params, random_params};
 use seastate::gpu::Gpu;
 use seastate::lab::flip::{PIXELS_PER_DEGREE, SrgbPicture, flip_errors, mean_error};
 use seastate::lab::reference::{self, Sampling};
-use seastate::ocean::still::{FORMAT, picture_of};
-use seastate::ocean::{Film, Ocean};
+use seastate::ocean::still::{FORMAT, draw_ocean_picture};
+use seastate::ocean::{Ocean, OutputKind};
 use seastate::state::{Params, query};
 use seastate::waves::Plan;
 use std::path::PathBuf;
@@ -24,7 +24,7 @@ struct Viewer {
 impl Viewer {
     fn new(size: [u32; 2], p: &Params) -> Self {
         let gpu = gpu();
-        let ocean = Ocean::new(&gpu, FORMAT, Film::Screen, p);
+        let ocean = Ocean::new(&gpu, FORMAT, OutputKind::Screen, p);
         Self { gpu, ocean, size }
     }
 
@@ -33,7 +33,7 @@ impl Viewer {
     }
 
     fn normal(&mut self) -> SrgbPicture {
-        let bytes = pollster::block_on(picture_of(&self.gpu, &mut self.ocean, self.size)).expect("a picture");
+        let bytes = pollster::block_on(draw_ocean_picture(&self.gpu, &mut self.ocean, self.size)).expect("a picture");
         SrgbPicture::from_rgba(self.size[0], &bytes)
     }
 
@@ -234,13 +234,13 @@ fn broken_pixels(states: std::ops::Range<u32>) -> Vec<String> {
     let mut broken = Vec::new();
     for i in states {
         let p = random_params("n=64", i);
-        let ocean =
-            oceans[Plan::new(&p).cascades.len()].get_or_insert_with(|| Ocean::new(&gpu, FORMAT, Film::Screen, &p));
+        let ocean = oceans[Plan::new(&p).cascades.len()]
+            .get_or_insert_with(|| Ocean::new(&gpu, FORMAT, OutputKind::Screen, &p));
         ocean.set_params(&p);
         // The foam begins far from its end: a few steps of it are enough to break a picture.
         let mut encoder = gpu.encoder("test");
         ocean.encode(&mut encoder, SIZE, 3);
-        let drawn = seastate::ocean::still::on_film(&gpu, encoder, SIZE, |pass| ocean.present(pass));
+        let drawn = seastate::ocean::still::present_and_read_back(&gpu, encoder, SIZE, |pass| ocean.present(pass));
         let count = magenta(&SrgbPicture::from_rgba(SIZE[0], &pollster::block_on(drawn).expect("a picture")));
         if count > 0 {
             broken.push(format!("{count} pixels of state {i}: {}", query::write(&p)));

@@ -7,7 +7,7 @@ use seastate::gpu::Gpu;
 use seastate::gpu::readback;
 use seastate::lab::stats;
 use seastate::shaders::Shaders;
-use seastate::sim::{MAX_STEPS, Simulation};
+use seastate::sim::{MAX_FOAM_STEPS, Simulation};
 use seastate::state::Params;
 use seastate::state::fields::{FIELDS, FieldKind};
 use seastate::waves::{Plan, statistics};
@@ -98,9 +98,9 @@ fn raising_n_keeps_every_wave() {
     let read = |state: &str| {
         let mut sim = common::simulation(&gpu, state);
         let mut encoder = gpu.encoder("test");
-        let step = sim.push_evaluation(&gpu, 0.0, false);
+        let step = sim.upload_sea_uniform(&gpu, 0.0, false);
         sim.passes.spectrum.run(&mut encoder, &sim.resources, step);
-        let staging = readback::stage_buffer(&gpu, &mut encoder, &sim.resources.sea().h0);
+        let staging = readback::stage_buffer(&gpu, &mut encoder, &sim.resources.current_waves().h0);
         gpu.submit(encoder);
         let bytes = pollster::block_on(readback::read(&gpu, staging)).expect("read-back");
         bytemuck::pod_collect_to_vec::<u8, [f32; 2]>(&bytes)
@@ -166,7 +166,7 @@ fn foam(gpu: &Gpu, state: &str, run: Option<(f64, f64)>) -> Vec<f64> {
     let steps = ((end_s - from_s) / dt_s).round() as u32;
     for t_s in (0..steps).map(|i| from_s + dt_s * f64::from(i)).chain([end_s]) {
         let mut encoder = gpu.encoder("test");
-        assert!(sim.encode(gpu, &mut encoder, t_s, [0.0; 2], MAX_STEPS));
+        assert!(sim.encode(gpu, &mut encoder, t_s, [0.0; 2], MAX_FOAM_STEPS));
         gpu.submit(encoder);
     }
     let mut encoder = gpu.encoder("test");
@@ -189,25 +189,26 @@ fn the_maps_of_a_frame_are_read_back_as_they_are() {
     let gpu = gpu();
     let mut sim = common::simulation(&gpu, "wind=12&n=128&t=9");
     let mut encoder = gpu.encoder("test");
-    assert!(sim.encode(&gpu, &mut encoder, 9.0, [0.0; 2], MAX_STEPS));
-    let probe = sim.probe(&gpu, &mut encoder).expect("one sea");
+    assert!(sim.encode(&gpu, &mut encoder, 9.0, [0.0; 2], MAX_FOAM_STEPS));
+    let probe = sim.record_map_read(&gpu, &mut encoder).expect("one sea");
     gpu.submit(encoder);
     let probed = pollster::block_on(probe.read(&gpu)).expect("read-back");
     let maps = read(&gpu, &mut sim, 9.0);
-    let variance = |of: &dyn Fn(usize) -> f64| (0..maps.cascades()).map(of).sum::<f64>();
+    let variance = |of: &dyn Fn(usize) -> f64| (0..maps.cascade_count()).map(of).sum::<f64>();
     let mean = |texels: &[[f32; 4]], channel: usize| {
         texels.iter().map(|t| f64::from(t[channel]).powi(2)).sum::<f64>() / texels.len() as f64
     };
     let m0 = variance(&|c| mean(maps.displacement(c), 1));
     let mss = variance(&|c| mean(maps.gradients(c), 0) + mean(maps.gradients(c), 1));
     // The probe reads half-float maps.
-    assert!((probed.mss / mss - 1.0).abs() < 0.02, "{} {mss}", probed.mss);
-    let foam = sim.foam_coverage();
-    assert!(probed.coverage / foam > 0.5 && probed.coverage / foam < 2.0, "{} {foam}", probed.coverage);
+    assert!((probed.mean_square_slope / mss - 1.0).abs() < 0.02, "{} {mss}", probed.mean_square_slope);
+    let foam = sim.mean_foam();
+    assert!(probed.mean_foam / foam > 0.5 && probed.mean_foam / foam < 2.0, "{} {foam}", probed.mean_foam);
     // The estimated spectrum has all of the variance and overlaps with the theoretical spectrum.
     let width = probed.plan.omega_p / 8.0;
     let mut estimator = MapSpectrumEstimator::new(&probed.plan, width, 4000);
-    let found = estimator.advance(&probed.plan, usize::MAX, |c, z| probed.row(c, z)).expect("all at once").clone();
+    let found =
+        estimator.advance(&probed.plan, usize::MAX, |c, z| probed.heights_in_row(c, z)).expect("all at once").clone();
     assert!((found.m0_m2 / m0 - 1.0).abs() < 1e-3, "{} {m0}", found.m0_m2);
     assert!((found.bin_variances_m2.iter().sum::<f64>() / m0 - 1.0).abs() < 2e-3);
     let theory = |i: usize| probed.plan.density((i as f64 + 0.5) * width) * width;
@@ -305,7 +306,7 @@ impl Probe {
             .flatten()
             .fold(0.0f32, |most, x| if x.is_finite() { most.max(x.abs()) } else { f32::NAN });
         assert!(largest < 65504.0, "{state}: {largest}");
-        assert!(sim.foam_coverage().is_finite(), "{state}");
+        assert!(sim.mean_foam().is_finite(), "{state}");
     }
 }
 

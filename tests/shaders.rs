@@ -5,25 +5,29 @@ mod common;
 
 use common::wgsl::shaders;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
-use seastate::gpu::layout::Declaration;
+use seastate::gpu::layout::StructDeclaration;
 use seastate::gpu::map_format::MapFormat;
-use seastate::shaders::locate;
+use seastate::shaders::locate_line;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The shared structs, by their names in WGSL.
-fn declarations() -> BTreeMap<&'static str, Declaration> {
-    seastate::sim::uniforms::STRUCTS.iter().chain(seastate::render::STRUCTS).map(|s| (s.name, *s)).collect()
+fn declarations() -> BTreeMap<&'static str, StructDeclaration> {
+    seastate::sim::uniforms::SHARED_STRUCTS
+        .iter()
+        .chain(seastate::render::SHARED_STRUCTS)
+        .map(|s| (s.name, *s))
+        .collect()
 }
 
 fn parsed() -> Vec<(&'static str, naga::Module)> {
-    let floats = shaders().with_maps(MapFormat::Float);
+    let floats = shaders().with_map_format(MapFormat::Float);
     shaders()
         .all()
         .chain(floats.all())
         .map(|(name, text)| {
             let module = naga::front::wgsl::parse_str(&text).unwrap_or_else(|e| {
                 let line = e.location(&text).map_or(0, |l| l.line_number as usize);
-                panic!("{name}, {:?}: {}", locate(name, line), e.emit_to_string(&text))
+                panic!("{name}, {:?}: {}", locate_line(name, line), e.emit_to_string(&text))
             });
             (name, module)
         })

@@ -7,7 +7,7 @@ use common::wgsl::{self, shaders};
 use glam::{DMat2, DVec2, DVec3};
 use half::f16;
 use seastate::gpu::Gpu;
-use seastate::ocean::{Film, Ocean};
+use seastate::ocean::{Ocean, OutputKind};
 use seastate::render::{self, MaterialUniform};
 use seastate::shaders::Shaders;
 use seastate::waves::slopes;
@@ -115,15 +115,15 @@ impl Bench {
     fn new() -> Self {
         let gpu = common::gpu();
         let params = common::params(STATE);
-        let mut ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, Film::Screen, &params);
+        let mut ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, OutputKind::Screen, &params);
         let mut encoder = gpu.encoder("test");
-        ocean.simulation().encode_f32(&gpu, &mut encoder, params.clock.t_s);
+        ocean.simulation().encode_with_f32_maps(&gpu, &mut encoder, params.clock.t_s);
         gpu.submit(encoder);
         let size = [320, 200];
         let mut scene = ocean.scene(size);
         // Neither ripples nor roughness beyond the maps: the slopes are those of the displaced surface.
-        scene.sea.residual = [0.0; 2];
-        let frame = render::frame(&scene, ocean.simulation().maps(), size);
+        scene.sea.unresolved_slope_variance = [0.0; 2];
+        let frame = render::frame_uniform(&scene, ocean.simulation().maps(), size);
         let frame = wgsl::buffer(&gpu, bytemuck::bytes_of(&frame), BufferUsages::UNIFORM);
         let material = MaterialUniform::new(&scene);
         let material = wgsl::buffer(&gpu, bytemuck::bytes_of(&material), BufferUsages::UNIFORM);
@@ -662,8 +662,9 @@ const FAULTS: &[Fault] = &[
     Fault(
         "F4b: masking by the angle to the half vector",
         &[(
-            "let seen = water_facets_seen(all);",
-            "let seen = vec2f(water_seen(dot(v, h), all.across, all.tilt, all.sigma), water_facets_seen(all).y);",
+            "let seen = water_facets_projected_area(all);",
+            "let seen = vec2f(water_projected_area(dot(v, h), all.across, all.mean_tilt, all.tilt_sigma), \
+             water_facets_projected_area(all).y);",
         )],
         "glitter against microfacets",
     ),
@@ -683,7 +684,7 @@ const FAULTS: &[Fault] = &[
         &[("water_slope_density(mirror_slope - slope.mean", "water_slope_density(-mirror_slope - slope.mean")],
         "glitter where nothing is masked",
     ),
-    Fault("G2: in the mirrored sky", &[("f.tilt = -dot(", "f.tilt = dot(")], "reflectance of a facet"),
+    Fault("G2: in the mirrored sky", &[("f.mean_tilt = -dot(", "f.mean_tilt = dot(")], "reflectance of a facet"),
     Fault(
         "N3b: derivatives of the other sign",
         &[("sums.stretch + weight.x", "sums.stretch - weight.x")],
@@ -704,7 +705,7 @@ const FAULTS: &[Fault] = &[
         &[("node.weight * f * water_environment", "node.weight * water_environment")],
         "white furnace, mirrored and let in",
     ),
-    Fault("Schlick's exponent fixed", &[("1e-6), material.fresnel_shine)", "1e-6), 5.0)")], "schlick"),
+    Fault("Schlick's exponent fixed", &[("1e-6), material.schlick_exponent)", "1e-6), 5.0)")], "schlick"),
     Fault(
         "the indices exchanged",
         &[(
@@ -720,7 +721,7 @@ const FAULTS: &[Fault] = &[
     ),
     Fault(
         "light mirrored twice is lost",
-        &[("brightness *= 1.0 + water_again(all, reflectance);", "")],
+        &[("brightness *= 1.0 + water_second_bounce(all, reflectance);", "")],
         "white furnace under 1, smooth",
     ),
     Fault(
@@ -730,7 +731,7 @@ const FAULTS: &[Fault] = &[
     ),
     Fault(
         "light focused where it enters",
-        &[("  at = entry - reach * bed_slope(at);", "  at = entry;")],
+        &[("  at = entry - reach * bed_focusing_slope(at);", "  at = entry;")],
         "mean light under caustics off 1",
     ),
     Fault(

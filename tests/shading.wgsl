@@ -1,9 +1,9 @@
 // Appended to the module of the water's light by shading.rs: calls its functions.
 
 fn ask_mirror(v: vec3f, sun: vec3f, mean: vec2f, variance: vec3f) -> vec4f {
-  frame.sun = sun;
+  frame.sun_direction = sun;
   // The environment is red and blue, the sun green.
-  light.sun = vec3f(0.0, 1.0, 0.0);
+  light.sun_irradiance = vec3f(0.0, 1.0, 0.0);
   var slope: WaterSlope;
   slope.mean = mean;
   slope.variance = variance;
@@ -13,7 +13,7 @@ fn ask_mirror(v: vec3f, sun: vec3f, mean: vec2f, variance: vec3f) -> vec4f {
 
 fn ask_fresnel(cosine: f32, kind: vec4f, indices: vec4f) -> f32 {
   WATER_SCHLICK = kind.x > 0.0;
-  material.fresnel_shine = kind.y;
+  material.schlick_exponent = kind.y;
   material.fresnel_scale = kind.z;
   material.index_water = indices.y;
   material.index_air = indices.z;
@@ -36,19 +36,22 @@ fn answer(question: Question) -> Answer {
   WATER_PHONG = d.x == 2.0;
   material.shininess = 120.0;
   // A mirror image as bright as it comes.
-  frame.sun_peak = 1e9;
+  frame.sun_radiance_per_irradiance = 1e9;
   var answer = vec4f(0.0);
   switch u32(a.w) {
     case 0u: { answer.x = ask_fresnel(a.x, b, d); }
-    case 1u: { answer.x = water_seen(a.x, a.y, a.z, b.x); }
+    case 1u: { answer.x = water_projected_area(a.x, a.y, a.z, b.x); }
     case 2u: { answer = ask_mirror(a.xyz, b.xyz, c.xy, vec3f(c.zw, b.w)); }
     case 3u: { answer = ask_slope(a.xy, a.z); }
-    case 4u: { answer = vec4f(water_moved(a.xy, a.z, false).displacement, 0.0); }
+    case 4u: { answer = vec4f(water_displacement(a.xy, a.z, false).displacement, 0.0); }
     case 7u: {
-      material.caustic_m = a.z;
-      answer.x = bed_caustic(a.xy, b.x);
+      material.caustic_filter_m = a.z;
+      answer.x = bed_caustic_gain(a.xy, b.x);
     }
-    case 6u: { answer.x = water_again(water_facets(a.xyz, WaterSlope(c.xy, vec3f(c.zw, b.w), 1.0, vec2f(0.0))), b.x); }
+    case 6u: {
+      let slope = WaterSlope(c.xy, vec3f(c.zw, b.w), 1.0, vec2f(0.0));
+      answer.x = water_second_bounce(water_facets_towards(a.xyz, slope), b.x);
+    }
     default: { answer = vec4f(water_normal(a.xy), 0.0); }
   }
   return Answer(answer);

@@ -4,7 +4,7 @@
 mod skies;
 
 use seastate::gpu::Gpu;
-use seastate::ocean::still::picture;
+use seastate::ocean::still::draw_picture;
 use seastate::state::{Params, query};
 use skies::made_up_sky;
 
@@ -21,7 +21,7 @@ fn render(gpu: &Gpu, state: &str) -> Vec<[u8; 4]> {
 }
 
 fn render_params(gpu: &Gpu, params: &Params) -> Vec<[u8; 4]> {
-    let pixels = pollster::block_on(picture(gpu, params, SIZE)).expect("a picture");
+    let pixels = pollster::block_on(draw_picture(gpu, params, SIZE)).expect("a picture");
     pixels.chunks(4).map(|p| [p[0], p[1], p[2], p[3]]).collect()
 }
 

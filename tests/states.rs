@@ -6,8 +6,8 @@ mod common;
 
 use common::{gpu, params, read};
 use seastate::gpu::Gpu;
-use seastate::ocean::still::{FORMAT, on_film};
-use seastate::ocean::{Film, Ocean};
+use seastate::ocean::still::{FORMAT, present_and_read_back};
+use seastate::ocean::{Ocean, OutputKind};
 use seastate::shaders::Shaders;
 use seastate::sim::Simulation;
 use seastate::state::fields::{FIELDS, Field, FieldKind};
@@ -68,7 +68,7 @@ impl Lab {
         }
         let make = || {
             let sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
-            (sim, Ocean::new(gpu, FORMAT, Film::Screen, p))
+            (sim, Ocean::new(gpu, FORMAT, OutputKind::Screen, p))
         };
         let (sim, ocean) = self.seas.entry((plan.n, plan.cascades.len())).or_insert_with(make);
         sim.set_plan(gpu, plan, &Shaders::default());
@@ -81,7 +81,7 @@ impl Lab {
         let mut encoder = gpu.encoder("test");
         // A few steps of the foam are enough to break a picture.
         ocean.encode(&mut encoder, SIZE, 3);
-        let drawn = pollster::block_on(on_film(&self.gpu, encoder, SIZE, |pass| ocean.present(pass)));
+        let drawn = pollster::block_on(present_and_read_back(&self.gpu, encoder, SIZE, |pass| ocean.present(pass)));
         let pixels = drawn.expect("a picture");
         let broken = pixels.chunks(4).filter(|p| p[0] > 250 && p[1] < 5 && p[2] > 250).count();
         (broken > 0).then(|| format!("has {broken} broken pixels"))

@@ -5,7 +5,7 @@ mod common;
 
 use common::{params, wgsl};
 use seastate::gpu::Gpu;
-use seastate::ocean::{Film, Ocean};
+use seastate::ocean::{Ocean, OutputKind};
 use seastate::oracle::foam::MipLevel;
 use seastate::oracle::{self, Texel, surface};
 use seastate::point::{StrongestWaves, SurfaceSample};
@@ -20,10 +20,10 @@ fn answer(question: Question) -> Answer {
   let q = question[0];
   let foot = WaterFootprint(vec2f(q.w, 0.0), q.z, 1);
   let slope = water_slope(q.xy, foot);
-  let vertex = water_moved(q.xy, 1.5 * mesh_spacing(length(q.xy)), true);
-  let split = water_slope_beyond(q.xy, foot, foot, vertex.carried, true);
+  let vertex = water_displacement(q.xy, 1.5 * mesh_spacing(length(q.xy)), true);
+  let split = water_slope_with_carried(q.xy, foot, foot, vertex.carried, true);
   return Answer(
-    vec4f(water_moved(q.xy, q.z, false).displacement, 0.0),
+    vec4f(water_displacement(q.xy, q.z, false).displacement, 0.0),
     vec4f(slope.mean, slope.jacobian, 0.0),
     vec4f(slope.variance, 0.0),
     vec4f(split.mean, length(vertex.carried.slope), 0.0));
@@ -58,7 +58,7 @@ impl Bench {
     fn new(state: &str) -> Self {
         let gpu = common::gpu();
         let params = params(state);
-        let mut ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, Film::Screen, &params);
+        let mut ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, OutputKind::Screen, &params);
         let mut kernel = wgsl::Kernel::new(&gpu, &wgsl::shaders(), "water/light", ANSWER);
         common::bind_maps(&mut kernel, &gpu, ocean.simulation());
         let mut bench = Self { gpu, ocean, params, kernel };
@@ -68,7 +68,7 @@ impl Bench {
 
     fn evolve(&mut self) {
         let mut encoder = self.gpu.encoder("test");
-        self.ocean.simulation().encode_f32(&self.gpu, &mut encoder, self.params.clock.t_s);
+        self.ocean.simulation().encode_with_f32_maps(&self.gpu, &mut encoder, self.params.clock.t_s);
         self.gpu.submit(encoder);
     }
 
@@ -79,8 +79,8 @@ impl Bench {
         self.ocean.set_params(&self.params);
         let mut scene = self.ocean.scene(PIXELS);
         // Without the slopes that the cascades do not resolve.
-        scene.sea.residual = [0.0; 2];
-        let frame = render::frame(&scene, self.ocean.simulation().maps(), PIXELS);
+        scene.sea.unresolved_slope_variance = [0.0; 2];
+        let frame = render::frame_uniform(&scene, self.ocean.simulation().maps(), PIXELS);
         let frame = wgsl::buffer(&self.gpu, bytemuck::bytes_of(&frame), wgpu::BufferUsages::UNIFORM);
         self.kernel.bind(0, &[(0, frame.as_entire_binding())]);
         let questions: Vec<[[f32; 4]; 1]> = (points.iter())
@@ -191,8 +191,9 @@ fn the_mesh_is_finer_than_what_it_shows() {
     {
         let mut bench = Bench::new(state);
         let scene = bench.ocean.scene([1280, 720]);
-        let lattice = render::frame(&scene, bench.ocean.simulation().maps(), [1280, 720]).mesh;
-        let [scale, turn, step] = [lattice.radius_m, lattice.azimuth_step, lattice.row_step].map(f64::from);
+        let lattice = render::frame_uniform(&scene, bench.ocean.simulation().maps(), [1280, 720]).mesh_lattice;
+        let [scale, turn, step] =
+            [lattice.linear_radius_m, lattice.azimuth_step, lattice.log_radius_step].map(f64::from);
         let pixel = 2.0 * scene.view.tan_half_fov[1] / pixels;
         for radius in [10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0] {
             // The formula of `mesh_spacing` in WGSL.

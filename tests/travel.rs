@@ -29,12 +29,12 @@ fn speed(state: &str, ix: i32, iz: i32, about: f64) -> f64 {
     let mut h0 = vec![[0.0f32; 2]; N * N * sim.plan().cascades.len()];
     h0[at] = [0.3, -0.1];
     let mut heights = |t_s: f64| -> Vec<f64> {
-        let slot = sim.push_evaluation(&gpu, t_s, true);
-        gpu.queue.write_buffer(&sim.resources.sea().h0, 0, bytemuck::cast_slice(&h0));
+        let slot = sim.upload_sea_uniform(&gpu, t_s, true);
+        gpu.queue.write_buffer(&sim.resources.current_waves().h0, 0, bytemuck::cast_slice(&h0));
         let mut encoder = gpu.encoder("test");
-        sim.passes.transform.rows(&mut encoder, slot);
-        sim.passes.transform.columns(&mut encoder, &sim.resources, slot);
-        let staging = readback::stage_buffer(&gpu, &mut encoder, &sim.resources.lines);
+        sim.passes.transform.record_rows(&mut encoder, slot);
+        sim.passes.transform.record_columns(&mut encoder, &sim.resources, slot);
+        let staging = readback::stage_buffer(&gpu, &mut encoder, &sim.resources.row_transforms);
         gpu.submit(encoder);
         let bytes = pollster::block_on(readback::read(&gpu, staging)).expect("read-back");
         let texels: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);

@@ -19,7 +19,7 @@ fn maths_cos_sin(turns: u32) -> vec2f {
 }
 
 // Natural logarithm of a positive normal number.
-fn maths_ln(x: f32) -> f32 {
+fn maths_natural_log(x: f32) -> f32 {
   let bits = bitcast<u32>(x);
   // The mantissa is in [sqrt(1/2), sqrt(2)), so that the logarithm of numbers near 1 has no cancellation.
   let shifted = bits - 0x3f3504f3u;

@@ -15,13 +15,13 @@ fn noise_pcg4d(seed: vec4u) -> vec4u {
   return v;
 }
 
-fn noise_words(seed: u32, key: u32, ix: i32, iz: i32) -> vec2u {
+fn noise_random_words(seed: u32, key: u32, ix: i32, iz: i32) -> vec2u {
   return noise_pcg4d(vec4u(bitcast<u32>(ix), bitcast<u32>(iz), key, seed)).xy;
 }
 
 // Two independent normal random numbers (mean 0, variance 1) by the Box-Muller transform, from two random words. The
 // first word becomes a uniform number in the open interval (0, 1), so that the result is finite.
-fn noise_gauss(words: vec2u) -> vec2f {
+fn noise_normal_pair(words: vec2u) -> vec2f {
   let u = (f32(words.x >> 9u) + 0.5) * 1.1920928955078125e-7; // 2^-23
-  return sqrt(-2.0 * maths_ln(u)) * maths_cos_sin(words.y);
+  return sqrt(-2.0 * maths_natural_log(u)) * maths_cos_sin(words.y);
 }

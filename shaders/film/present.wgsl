@@ -9,15 +9,15 @@ override PRESENT_SMOOTH: bool = true;
 @group(0) @binding(3) var hdr_sampler: sampler;
 @group(0) @binding(4) var bloom_map: texture_2d<f32>;
 
-struct PresentVertex {
+struct PresentFragment {
   @builtin(position) clip: vec4f,
   @location(0) uv: vec2f,
 }
 
 @vertex
-fn vertex(@builtin(vertex_index) i: u32) -> PresentVertex {
+fn vertex(@builtin(vertex_index) i: u32) -> PresentFragment {
   let at = vec2f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0);
-  return PresentVertex(vec4f(at, 0.0, 1.0), vec2f(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y));
+  return PresentFragment(vec4f(at, 0.0, 1.0), vec2f(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y));
 }
 
 // AgX tone curve by Troy Sobotka in the polynomial form of Benjamin Wrensch, with a look that keeps the sea's blues.
@@ -97,7 +97,7 @@ fn present_tone(tone: u32, exposed: vec3f) -> vec3f {
   }
 }
 
-fn present_hash(p: vec2u) -> f32 {
+fn present_random(p: vec2u) -> f32 {
   var h = p.x * 1664525u + p.y * 22695477u + 1013904223u;
   h = (h ^ (h >> 16u)) * 0x7feb352du;
   h = (h ^ (h >> 15u)) * 0x846ca68bu;
@@ -109,47 +109,48 @@ fn present_exposure() -> f32 {
 }
 
 // Exposed light, compressed below 1 so that a glint does not outshine an edge that it is averaged with.
-fn present_squeeze(c: vec3f) -> vec3f {
+fn present_compress(c: vec3f) -> vec3f {
   let exposed = c * present_exposure();
   return exposed / (1.0 + sky_luminance(exposed));
 }
 
-fn present_at(uv: vec2f) -> vec3f {
-  return present_squeeze(textureSampleLevel(hdr_map, hdr_sampler, uv, 0.0).rgb);
+fn present_compressed_sample(uv: vec2f) -> vec3f {
+  return present_compress(textureSampleLevel(hdr_map, hdr_sampler, uv, 0.0).rgb);
 }
 
-// Luminance of a pixel's compressed light, and nearness of the pixel (alpha, see frame_colour).
-fn present_corner(at: vec2i) -> vec2f {
+// Luminance of a pixel's compressed light, and nearness of the pixel (alpha, see frame_hdr_output).
+fn present_luminance_and_nearness(at: vec2i) -> vec2f {
   let last = vec2i(present.size) - 1;
   let corner = textureLoad(hdr_map, clamp(at, vec2i(0), last), 0);
-  return vec2f(sky_luminance(present_squeeze(corner.rgb)), corner.a);
+  return vec2f(sky_luminance(present_compress(corner.rgb)), corner.a);
 }
 
 // Smallest step in distance that counts as an edge, m; less is one surface, whatever its slope.
-const PRESENT_EDGE_M = 1.5;
+const PRESENT_MIN_EDGE_M = 1.5;
 
 // Exposed light of a pixel, with edges smoothed along their direction after FXAA by Timothy Lottes (2009). Crests and
 // the horizon need it, at one sample per pixel. Foam and glitter lie on one surface and are filtered already.
-fn present_smooth(hdr: vec4f, at: vec2i, uv: vec2f) -> vec3f {
-  let middle = present_squeeze(hdr.rgb);
-  let nw = present_corner(at + vec2i(-1, -1));
-  let ne = present_corner(at + vec2i(1, -1));
-  let sw = present_corner(at + vec2i(-1, 1));
-  let se = present_corner(at + vec2i(1, 1));
+fn present_edges_smoothed(hdr: vec4f, at: vec2i, uv: vec2f) -> vec3f {
+  let middle = present_compress(hdr.rgb);
+  let nw = present_luminance_and_nearness(at + vec2i(-1, -1));
+  let ne = present_luminance_and_nearness(at + vec2i(1, -1));
+  let sw = present_luminance_and_nearness(at + vec2i(-1, 1));
+  let se = present_luminance_and_nearness(at + vec2i(1, 1));
   let here = sky_luminance(middle);
   let low = min(here, min(min(nw.x, ne.x), min(sw.x, se.x)));
   let high = max(here, max(max(nw.x, ne.x), max(sw.x, se.x)));
   let bend = max(abs(nw.y + se.y - 2.0 * hdr.a), abs(ne.y + sw.y - 2.0 * hdr.a));
   var smoothed = middle;
-  // Change of the nearness 1e4 / distance (frame.wgsl) over a step of PRESENT_EDGE_M.
-  let edge = 1e-4 * PRESENT_EDGE_M * (hdr.a - 1.0) * (hdr.a - 1.0);
+  // Change of the nearness 1e4 / distance (frame.wgsl) over a step of PRESENT_MIN_EDGE_M.
+  let edge = 1e-4 * PRESENT_MIN_EDGE_M * (hdr.a - 1.0) * (hdr.a - 1.0);
   if bend >= edge && high - low > max(0.03, 0.16 * high) {
     let across = vec2f(sw.x + se.x - nw.x - ne.x, nw.x + sw.x - ne.x - se.x);
     let reduce = max((nw.x + ne.x + sw.x + se.x) * 0.03, 0.008);
     let pixels = clamp(across / (min(abs(across.x), abs(across.y)) + reduce), vec2f(-6.0), vec2f(6.0));
     let along = pixels / present.size;
-    let inner = 0.5 * (present_at(uv - along / 6.0) + present_at(uv + along / 6.0));
-    let outer = 0.5 * inner + 0.25 * (present_at(uv - 0.5 * along) + present_at(uv + 0.5 * along));
+    let inner = 0.5 * (present_compressed_sample(uv - along / 6.0) + present_compressed_sample(uv + along / 6.0));
+    let ends = present_compressed_sample(uv - 0.5 * along) + present_compressed_sample(uv + 0.5 * along);
+    let outer = 0.5 * inner + 0.25 * ends;
     let l = sky_luminance(outer);
     smoothed = select(outer, inner, l < low || l > high);
   }
@@ -157,7 +158,7 @@ fn present_smooth(hdr: vec4f, at: vec2i, uv: vec2f) -> vec3f {
 }
 
 // Exposed light interpolated between the picture's pixels, for a screen that has more or fewer pixels.
-fn present_between(uv: vec2f) -> vec3f {
+fn present_interpolated(uv: vec2f) -> vec3f {
   let p = uv * present.size - 0.5;
   let base = floor(p);
   let f = p - base;
@@ -167,13 +168,13 @@ fn present_between(uv: vec2f) -> vec3f {
     let corner = vec2i(k & 1, k >> 1u);
     let weight = select(1.0 - f.x, f.x, corner.x == 1) * select(1.0 - f.y, f.y, corner.y == 1);
     let light = textureLoad(hdr_map, clamp(vec2i(base) + corner, vec2i(0), last), 0).rgb;
-    sum += weight * present_squeeze(light);
+    sum += weight * present_compress(light);
   }
   return sum / max(1.0 - sky_luminance(sum), 1e-5);
 }
 
 @fragment
-fn fragment(in: PresentVertex) -> @location(0) vec4f {
+fn fragment(in: PresentFragment) -> @location(0) vec4f {
   // Number of pixels of the picture per pixel of the screen, along x.
   let ratio = abs(dpdx(in.uv.x)) * present.size.x;
   let at = vec2u(clamp(in.uv * present.size, vec2f(0.0), present.size - 1.0));
@@ -185,15 +186,16 @@ fn fragment(in: PresentVertex) -> @location(0) vec4f {
   let uv = (vec2f(at) + 0.5) / present.size;
   var exposed = hdr.rgb * present_exposure();
   if abs(ratio - 1.0) > 1e-3 {
-    exposed = present_between(in.uv);
+    exposed = present_interpolated(in.uv);
   } else if PRESENT_SMOOTH {
-    exposed = present_smooth(hdr, vec2i(at), uv);
+    exposed = present_edges_smoothed(hdr, vec2i(at), uv);
   }
-  if present.bloom > 0.0 {
-    exposed = mix(exposed, textureSampleLevel(bloom_map, hdr_sampler, uv, 0.0).rgb * present_exposure(), present.bloom);
+  if present.bloom_fraction > 0.0 {
+    let bloom = textureSampleLevel(bloom_map, hdr_sampler, uv, 0.0).rgb * present_exposure();
+    exposed = mix(exposed, bloom, present.bloom_fraction);
   }
-  let encoded = present_tone(present.tone, exposed);
+  let encoded = present_tone(present.tone_curve, exposed);
   // Triangular noise of one code value hides the bands of eight-bit colours.
-  let noise = present_hash(at) + present_hash(at + vec2u(7919u, 104729u)) - 1.0;
+  let noise = present_random(at) + present_random(at + vec2u(7919u, 104729u)) - 1.0;
   return vec4f(encoded + noise * present.dither / 255.0, 1.0);
 }

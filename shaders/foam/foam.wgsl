@@ -12,54 +12,54 @@
 @group(0) @binding(1) var<uniform> foam: Foam;
 @group(0) @binding(2) var displacement: texture_2d_array<f32>;
 @group(0) @binding(3) var gradients: texture_2d_array<f32>;
-@group(0) @binding(4) var repeat: sampler;
+@group(0) @binding(4) var repeating_sampler: sampler;
 @group(0) @binding(5) var<storage, read_write> history: array<f32>; // [level][z][x]
-@group(0) @binding(6) var picture: texture_storage_2d_array<rgba16float, write>;
+@group(0) @binding(6) var foam_out: texture_storage_2d_array<rgba16float, write>;
 
 // Jacobian of the displaced surface at an offset, m, from a level's corner, with the blend of water/surface.wgsl.
 fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
   var stretch = vec2f(0.0);
   var shear = vec2f(0.0);
-  for (var c = 0u; c < foam.count; c++) {
+  for (var c = 0u; c < foam.cascade_count; c++) {
     let corner = foam.levels[level].corners[c];
     let patch_m = foam.cascades[c].patch_m;
     let layer = foam.cascades[c].layer;
     let uv = corner.uv + offset / patch_m;
     // The mip level is one finer than a cell, because linear interpolation between uncorrelated texels loses variance.
-    let lod = max(log2(foam.levels[level].texel_m * f32(sea.n) / patch_m) - 1.0, 0.0);
-    var blend = tile_blend(corner.tile, offset);
+    let lod = max(log2(foam.levels[level].cell_m * f32(sea.n) / patch_m) - 1.0, 0.0);
+    var blend = tile_blend(corner.tile_position, offset);
     for (var i = 0u; i < blend.count; i++) {
-      let at = uv + tile_shift(corner.tile, blend);
-      let g = textureSampleLevel(gradients, repeat, at, layer, lod);
-      let d = textureSampleLevel(displacement, repeat, at, layer, lod);
-      let weight = tile_weight(blend);
+      let at = uv + tile_copy_shift(corner.tile_position, blend);
+      let g = textureSampleLevel(gradients, repeating_sampler, at, layer, lod);
+      let d = textureSampleLevel(displacement, repeating_sampler, at, layer, lod);
+      let weight = tile_copy_weight(blend);
       stretch += weight.x * g.zw + weight.yz * d.xz;
       shear += weight.x * d.ww + weight.zy * d.xz;
-      blend = tile_next(blend);
+      blend = tile_next_copy(blend);
     }
   }
-  let l = sea.chop;
+  let l = sea.choppiness;
   return (1.0 + l.x * stretch.x) * (1.0 + l.y * stretch.y) - l.x * l.y * shear.x * shear.y;
 }
 
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
-  let size = i32(foam.size);
+  let size = i32(foam.cells_per_side);
   let level = id.z;
   // `ahead` is the cell that is stored at this texel, counted from the level's first cell.
-  let first = foam.levels[level].cell;
+  let first = foam.levels[level].first_cell;
   let ahead = ((vec2i(id.xy) - first) % size + size) % size;
-  let before = first + ahead - foam.levels[level].previous;
+  let before = first + ahead - foam.levels[level].previous_first_cell;
   let known = all(before >= vec2i(0)) && all(before < vec2i(size));
-  let texel_m = foam.levels[level].texel_m;
-  let j = foam_jacobian(level, (vec2f(ahead) + 0.5) * texel_m);
-  let source = clamp((foam.levels[level].threshold - j) * foam.levels[level].slope, 0.0, 1.0);
+  let cell_m = foam.levels[level].cell_m;
+  let j = foam_jacobian(level, (vec2f(ahead) + 0.5) * cell_m);
+  let source = clamp((foam.levels[level].jacobian_threshold - j) * foam.levels[level].source_slope, 0.0, 1.0);
 
-  let at = (level * foam.size + id.y) * foam.size + id.x;
-  let old = select(foam.levels[level].start, history[at], known);
-  let loss = foam.rate * source + foam.decay;
-  let goal = foam.rate * source / loss;
-  let now = clamp(goal + (old - goal) * maths_exp(-loss * foam.dt), 0.0, 1.0);
+  let at = (level * foam.cells_per_side + id.y) * foam.cells_per_side + id.x;
+  let old = select(foam.levels[level].initial_foam, history[at], known);
+  let loss = foam.growth_per_s * source + foam.decay_per_s;
+  let goal = foam.growth_per_s * source / loss;
+  let now = clamp(goal + (old - goal) * maths_exp(-loss * foam.dt_s), 0.0, 1.0);
   history[at] = now;
-  textureStore(picture, id.xy, level, vec4f(now, source, 0.0, 0.0));
+  textureStore(foam_out, id.xy, level, vec4f(now, source, 0.0, 0.0));
 }

@@ -1,62 +1,62 @@
 // Light of air and fog between eye and sea. Needs the module variables frame, sky, light and those of the sky model.
 
 // Features that are compiled in: a sky from an image file instead of the computed one, and fog.
-override SKY_FILE = true;
+override SKY_IMAGE = true;
 override SKY_FOG = true;
 
 // Radiance of a sky from a file just above the horizon in this direction. Distant air takes its colour from it.
-fn air_horizon(dir: vec3f) -> vec3f {
+fn air_horizon_radiance(dir: vec3f) -> vec3f {
   let u = atan2(dir.x, -dir.z) / (2.0 * ATM_PI);
   return textureSampleLevel(environment_map, sky_sampler, vec2f(u, 0.5 + 1.5 / 128.0), 1.0).rgb;
 }
 
 // Clear air between the eye and a point of the sea: the radiance that it adds, and its transmittance.
-fn air_clear(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
+fn air_clear_on_ray(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   let km = 0.001 * distance_m;
-  let eye = 0.001 * frame.eye_m;
+  let eye = 0.001 * frame.eye_height_m;
   // Mean density along the straight path from the eye down to the sea, relative to the density at the sea.
-  let thin = vec2f(eye / ATM_RAYLEIGH_HEIGHT, eye / ATM_MIE_HEIGHT) + 1e-4;
+  let thin = vec2f(eye / ATM_RAYLEIGH_SCALE_HEIGHT_KM, eye / ATM_AEROSOL_SCALE_HEIGHT_KM) + 1e-4;
   let mean = (1.0 - exp(-thin)) / thin;
-  let extinction = ATM_RAYLEIGH * mean.x + ATM_MIE * (sky.haze * mean.y);
-  let sun = atm_rgb(vec4f(1.0));
-  let through = atm_rgb(exp(-extinction * km)) / sun;
-  if SKY_FILE && sky.file > 0.0 {
-    return array<vec3f, 2>(air_horizon(dir) * (1.0 - through), through);
+  let extinction = ATM_RAYLEIGH_SCATTERING * mean.x + ATM_AEROSOL_EXTINCTION * (sky.haze * mean.y);
+  let sun = atm_linear_srgb(vec4f(1.0));
+  let through = atm_linear_srgb(exp(-extinction * km)) / sun;
+  if SKY_IMAGE && sky.has_image > 0.0 {
+    return array<vec3f, 2>(air_horizon_radiance(dir) * (1.0 - through), through);
   }
   // The look-up table holds the light of the air down to the still sea. A wave crest has less air in front of it.
-  let below = min(atm_asin(dir.y) + frame.dip, -1e-5);
-  let fall = sin(frame.dip - below);
-  let root = max(fall * fall - sin(frame.dip) * sin(frame.dip), 0.0);
-  let whole_km = ATM_GROUND * (fall - sqrt(root));
-  let whole = atm_rgb(exp(-extinction * whole_km)) / sun;
+  let below = min(atm_asin(dir.y) + frame.horizon_dip, -1e-5);
+  let fall = sin(frame.horizon_dip - below);
+  let root = max(fall * fall - sin(frame.horizon_dip) * sin(frame.horizon_dip), 0.0);
+  let whole_km = ATM_EARTH_RADIUS_KM * (fall - sqrt(root));
+  let whole = atm_linear_srgb(exp(-extinction * whole_km)) / sun;
   let share = clamp((1.0 - through) / max(1.0 - whole, vec3f(1e-6)), vec3f(0.0), vec3f(1.0));
-  let clear = sky_clear(dir, below) * share;
-  let grey = sky_deck(0.0) * (1.0 - through);
+  let clear = sky_clear_radiance(dir, below) * share;
+  let grey = sky_overcast_radiance(0.0) * (1.0 - through);
   return array<vec3f, 2>(mix(clear, grey, sky.overcast * sky.overcast), through);
 }
 
 // Fog on a ray and the clear air before it: the radiance that they add (rgb), and the transmittance of the fog (w).
-fn air_fog(dir: vec3f, distance_m: f32) -> vec4f {
+fn air_fog_on_ray(dir: vec3f, distance_m: f32) -> vec4f {
   // A ray that ends in the sky does not go below the horizon.
-  let mu = select(dir.y, max(dir.y, -sin(frame.dip)), distance_m >= FOG_FAR_M);
-  let through = fog_through(frame.eye_m, mu, sky.fog.start_m, distance_m);
+  let mu = select(dir.y, max(dir.y, -sin(frame.horizon_dip)), distance_m >= FOG_FAR_M);
+  let through = fog_transmittance(frame.eye_height_m, mu, sky.fog.start_m, distance_m);
   var radiance = fog_radiance(dir);
   // Seen from above, the fog lies at the far end of the ray, behind clear air.
-  let over = frame.eye_m - sky.fog.top_m - sky.fog.falloff_m;
+  let over = frame.eye_height_m - sky.fog.top_m - sky.fog.scale_height_m;
   if over > 0.0 && mu < 0.0 {
-    let root = sqrt(max(mu * mu - 2.0 * over / FOG_EARTH_M, 0.0));
-    let air = air_clear(dir, min(2.0 * over / (root - mu), distance_m));
+    let root = sqrt(max(mu * mu - 2.0 * over / FOG_EARTH_RADIUS_M, 0.0));
+    let air = air_clear_on_ray(dir, min(2.0 * over / (root - mu), distance_m));
     radiance = air[0] + air[1] * radiance;
   }
   return vec4f(radiance * (1.0 - through), through);
 }
 
 // Air and fog between the eye and a point of the sea: the radiance that they add, and their transmittance.
-fn air_between(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
-  var air = air_clear(dir, distance_m);
+fn air_to_point(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
+  var air = air_clear_on_ray(dir, distance_m);
   if SKY_FOG {
     if sky.fog.extinction_per_m > 0.0 {
-      let fog = air_fog(dir, distance_m);
+      let fog = air_fog_on_ray(dir, distance_m);
       air = array<vec3f, 2>(air[0] * fog.w + fog.rgb, air[1] * fog.w);
     }
   }

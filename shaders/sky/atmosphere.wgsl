@@ -3,35 +3,35 @@
 // The sine of a ray's elevation is mu.
 
 const ATM_PI = 3.14159265359;
-const ATM_GROUND = 6371.0;
-const ATM_TOP = 100.0;
+const ATM_EARTH_RADIUS_KM = 6371.0;
+const ATM_TOP_KM = 100.0;
 // Light is a fraction of sunlight above the air, at the four wavelengths 630, 575, 510 and 440 nm. This matrix turns it
 // into linear sRGB. It is a least-squares fit to 5 nm spectra of skies and suns through all air masses, with an rms
 // error of 0.2 %. Three wavelengths, one per primary, would err by 16 % and turn dusk violet, because ozone absorbs
 // most at 600 nm, between them. Colour matching functions: Wyman, Sloan and Shirley 2013; the sun: ASTM E-490. The
 // columns add up to the sun above the air with a daylight white balance, in a scale that keeps noon and dusk in half
 // floats.
-const ATM_RGB = mat4x3f(
+const ATM_SRGB_FROM_WAVELENGTHS = mat4x3f(
   vec3f(15.0685, -1.0614, 0.0503),
   vec3f(11.6403, 10.0893, -3.1980),
   vec3f(-8.8026, 13.3056, 5.7608),
   vec3f(1.4938, -2.3335, 18.1869));
 // Rayleigh scattering coefficient at sea level, 1/km (Bucholtz 1995), and its scale height, km.
-const ATM_RAYLEIGH = vec4f(6.665e-3, 9.662e-3, 15.763e-3, 28.900e-3);
-const ATM_RAYLEIGH_HEIGHT = 8.4;
+const ATM_RAYLEIGH_SCATTERING = vec4f(6.665e-3, 9.662e-3, 15.763e-3, 28.900e-3);
+const ATM_RAYLEIGH_SCALE_HEIGHT_KM = 8.4;
 // Extinction coefficient of sea salt at sea level, 1/km: an optical depth of about 0.06 over the open ocean. Then
 // albedo, scale height (km) and asymmetry of the phase function.
-const ATM_MIE = vec4f(0.0485, 0.0493, 0.0508, 0.0530);
-const ATM_MIE_ALBEDO = 0.97;
-const ATM_MIE_HEIGHT = 1.2;
-const ATM_MIE_G = 0.78;
+const ATM_AEROSOL_EXTINCTION = vec4f(0.0485, 0.0493, 0.0508, 0.0530);
+const ATM_AEROSOL_ALBEDO = 0.97;
+const ATM_AEROSOL_SCALE_HEIGHT_KM = 1.2;
+const ATM_AEROSOL_ASYMMETRY = 0.78;
 // Absorption coefficient of ozone where it is densest, 1/km; 300 Dobson units in all (Gorshelev et al. 2014).
-const ATM_OZONE = vec4f(1.854e-3, 2.590e-3, 0.871e-3, 0.070e-3);
+const ATM_OZONE_ABSORPTION = vec4f(1.854e-3, 2.590e-3, 0.871e-3, 0.070e-3);
 const ATM_SEA_ALBEDO = 0.06;
 
 // Linear sRGB of light that is a fraction of sunlight at the four wavelengths.
-fn atm_rgb(share: vec4f) -> vec3f {
-  return max(ATM_RGB * share, vec3f(0.0));
+fn atm_linear_srgb(share: vec4f) -> vec3f {
+  return max(ATM_SRGB_FROM_WAVELENGTHS * share, vec3f(0.0));
 }
 
 // Scattering and extinction coefficients of air at the four wavelengths, 1/km.
@@ -43,10 +43,10 @@ struct AtmMedium {
 
 fn atm_medium(h: f32, haze: f32) -> AtmMedium {
   var m: AtmMedium;
-  m.rayleigh = ATM_RAYLEIGH * exp(-h / ATM_RAYLEIGH_HEIGHT);
-  let mie = ATM_MIE * (haze * exp(-h / ATM_MIE_HEIGHT));
-  m.mie = ATM_MIE_ALBEDO * mie;
-  m.extinction = m.rayleigh + mie + ATM_OZONE * max(0.0, 1.0 - abs(h - 25.0) / 15.0);
+  m.rayleigh = ATM_RAYLEIGH_SCATTERING * exp(-h / ATM_RAYLEIGH_SCALE_HEIGHT_KM);
+  let mie = ATM_AEROSOL_EXTINCTION * (haze * exp(-h / ATM_AEROSOL_SCALE_HEIGHT_KM));
+  m.mie = ATM_AEROSOL_ALBEDO * mie;
+  m.extinction = m.rayleigh + mie + ATM_OZONE_ABSORPTION * max(0.0, 1.0 - abs(h - 25.0) / 15.0);
   return m;
 }
 
@@ -56,8 +56,8 @@ fn atm_rayleigh_phase(c: f32) -> f32 {
 }
 
 // Phase function of aerosol, 1/sr (Cornette and Shanks 1992); c is the cosine of the scattering angle.
-fn atm_mie_phase(c: f32) -> f32 {
-  let g = ATM_MIE_G;
+fn atm_aerosol_phase(c: f32) -> f32 {
+  let g = ATM_AEROSOL_ASYMMETRY;
   let k = 3.0 / (8.0 * ATM_PI) * (1.0 - g * g) / (2.0 + g * g);
   return k * (1.0 + c * c) / pow(max(1.0 + g * g - 2.0 * g * c, 1e-4), 1.5);
 }
@@ -75,20 +75,20 @@ fn atm_asin(x: f32) -> f32 {
 }
 
 // Angle from the horizontal down to the horizon, rad, at the altitude h.
-fn atm_dip(h: f32) -> f32 {
-  return atm_asin(sqrt(max(h, 0.0) * (2.0 * ATM_GROUND + h)) / (ATM_GROUND + h));
+fn atm_horizon_dip(h: f32) -> f32 {
+  return atm_asin(sqrt(max(h, 0.0) * (2.0 * ATM_EARTH_RADIUS_KM + h)) / (ATM_EARTH_RADIUS_KM + h));
 }
 
 // Distance along a ray to the top of the air, km.
-fn atm_to_top(h: f32, mu: f32) -> f32 {
-  let b = (ATM_GROUND + h) * mu;
-  return -b + sqrt(max(b * b + (ATM_TOP - h) * (2.0 * ATM_GROUND + ATM_TOP + h), 0.0));
+fn atm_distance_to_top(h: f32, mu: f32) -> f32 {
+  let b = (ATM_EARTH_RADIUS_KM + h) * mu;
+  return -b + sqrt(max(b * b + (ATM_TOP_KM - h) * (2.0 * ATM_EARTH_RADIUS_KM + ATM_TOP_KM + h), 0.0));
 }
 
 // Distance along a ray to the sea, km; -1 if the ray misses the sea.
-fn atm_to_ground(h: f32, mu: f32) -> f32 {
-  let b = (ATM_GROUND + h) * mu;
-  let c = h * (2.0 * ATM_GROUND + h);
+fn atm_distance_to_sea(h: f32, mu: f32) -> f32 {
+  let b = (ATM_EARTH_RADIUS_KM + h) * mu;
+  let c = h * (2.0 * ATM_EARTH_RADIUS_KM + h);
   let disc = b * b - c;
   if mu >= 0.0 || disc < 0.0 {
     return -1.0;
@@ -97,40 +97,42 @@ fn atm_to_ground(h: f32, mu: f32) -> f32 {
 }
 
 // Altitude after the distance t along a ray that starts at altitude h, km.
-fn atm_altitude(h: f32, mu: f32, t: f32) -> f32 {
-  let r = ATM_GROUND + h;
+fn atm_altitude_along_ray(h: f32, mu: f32, t: f32) -> f32 {
+  let r = ATM_EARTH_RADIUS_KM + h;
   let more = t * (2.0 * r * mu + t);
-  return max((h * (2.0 * ATM_GROUND + h) + more) / (sqrt(max(r * r + more, 0.0)) + ATM_GROUND), 0.0);
+  return max((h * (2.0 * ATM_EARTH_RADIUS_KM + h) + more) / (sqrt(max(r * r + more, 0.0)) + ATM_EARTH_RADIUS_KM), 0.0);
 }
 
 // Texture coordinate for x in [0, 1] in a table of n texels: from the centre of the first texel to that of the last.
-fn atm_to_texels(x: f32, n: f32) -> f32 {
+fn atm_table_coordinate(x: f32, n: f32) -> f32 {
   return (clamp(x, 0.0, 1.0) * (n - 1.0) + 0.5) / n;
 }
 
 // Size of the transmittance table, texels.
-const ATM_T_SIZE = vec2f(256.0, 64.0);
+const ATM_TRANSMITTANCE_TABLE_SIZE = vec2f(256.0, 64.0);
 
 // Fraction of sunlight at altitude h from the elevation with sine mu; `radius` is that of the sun's disc, rad.
 fn atm_transmittance(map: texture_2d<f32>, s: sampler, h: f32, mu: f32, radius: f32) -> vec4f {
-  let dip = atm_dip(h);
+  let dip = atm_horizon_dip(h);
   let above = atm_asin(mu) + dip;
   let u = sqrt(max(above, 0.0) / (0.5 * ATM_PI + dip));
-  let v = sqrt(clamp(h / ATM_TOP, 0.0, 1.0));
-  let uv = vec2f(atm_to_texels(u, ATM_T_SIZE.x), atm_to_texels(v, ATM_T_SIZE.y));
+  let v = sqrt(clamp(h / ATM_TOP_KM, 0.0, 1.0));
+  let size = ATM_TRANSMITTANCE_TABLE_SIZE;
+  let uv = vec2f(atm_table_coordinate(u, size.x), atm_table_coordinate(v, size.y));
   // The sun's disc sets gradually.
   let disc = smoothstep(-radius, radius, above);
   return disc * textureSampleLevel(map, s, uv, 0.0);
 }
 
 // Size of the table of multiple scattering, texels.
-const ATM_M_SIZE = vec2f(64.0, 32.0);
+const ATM_MULTIPLE_SCATTERING_TABLE_SIZE = vec2f(64.0, 32.0);
 
 // Light scattered more than once, per unit of scattering coefficient, relative to the sun's irradiance. The table is
 // dense for a low sun and holds square roots, because twilight falls through more decades than a half float has.
-fn atm_multiple(map: texture_2d<f32>, s: sampler, h: f32, mu_sun: f32) -> vec4f {
+fn atm_multiple_scattering(map: texture_2d<f32>, s: sampler, h: f32, mu_sun: f32) -> vec4f {
   let x = 0.5 + 0.5 * sign(mu_sun) * sqrt(abs(mu_sun));
-  let uv = vec2f(atm_to_texels(x, ATM_M_SIZE.x), atm_to_texels(sqrt(h / ATM_TOP), ATM_M_SIZE.y));
+  let size = ATM_MULTIPLE_SCATTERING_TABLE_SIZE;
+  let uv = vec2f(atm_table_coordinate(x, size.x), atm_table_coordinate(sqrt(h / ATM_TOP_KM), size.y));
   let root = textureSampleLevel(map, s, uv, 0.0);
   return root * root;
 }

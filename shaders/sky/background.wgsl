@@ -1,40 +1,42 @@
 // The sky behind the sea: clear air, clouds, and the sun's disc.
 
-@group(1) @binding(0) var file_map: texture_2d<f32>;
+@group(1) @binding(0) var image_map: texture_2d<f32>;
 
 // Whether stars are compiled in. Overrides for clouds are in model.wgsl, for a sky from a file and fog in air.wgsl.
 override SKY_STARS = true;
 
-struct SkyVertex {
+struct SkyFragment {
   @builtin(position) clip: vec4f,
   @location(0) ray: vec3f,
 }
 
 @vertex
-fn vertex(@builtin(vertex_index) i: u32) -> SkyVertex {
+fn vertex(@builtin(vertex_index) i: u32) -> SkyFragment {
   let at = vec2f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0);
   // Depth is reversed: 0 is infinitely far.
-  return SkyVertex(vec4f(at, 0.0, 1.0), frame.forward + frame.right * at.x + frame.up * at.y);
+  return SkyFragment(vec4f(at, 0.0, 1.0), frame.forward + frame.right * at.x + frame.up * at.y);
 }
 
 // Radiance of the sun's disc. Limb darkening is a power of the cosine (Hestroffer and Magnan 1998; 0.45 at 550 nm). The
 // disc has the same irradiance at any size.
-fn sky_disc(dir: vec3f) -> vec3f {
-  let rim = length(cross(dir, frame.sun)) / sin(sky.sun_radius);
-  let edge = frame.pixel / sky.sun_radius;
-  if dot(dir, frame.sun) < 0.0 || rim > 1.0 + edge {
+fn sky_sun_disc_radiance(dir: vec3f) -> vec3f {
+  let rim = length(cross(dir, frame.sun_direction)) / sin(sky.sun_radius_rad);
+  let edge = frame.pixel_angle / sky.sun_radius_rad;
+  if dot(dir, frame.sun_direction) < 0.0 || rim > 1.0 + edge {
     return vec3f(0.0);
   }
   let disc = 1.0 - smoothstep(1.0 - edge, 1.0 + edge, rim);
-  let dark = pow(max(1.0 - rim * rim, 1e-4), 0.5 * sky.sun_falloff);
-  let solid = ATM_PI * sin(sky.sun_radius) * sin(sky.sun_radius);
+  let dark = pow(max(1.0 - rim * rim, 1e-4), 0.5 * sky.limb_darkening_exponent);
+  let solid = ATM_PI * sin(sky.sun_radius_rad) * sin(sky.sun_radius_rad);
   // A disc that is smaller than a pixel is dimmed, because it fills only a part of the pixel.
   let shown = min(1.0, 1.0 / (edge * edge));
-  let through = atm_transmittance(transmittance_map, sky_sampler, 0.001 * frame.eye_m, dir.y, 0.25 * sky.sun_radius);
-  return atm_rgb(through) * sky.tint * (disc * dark * shown * (1.0 + 0.5 * sky.sun_falloff) / solid);
+  let eye_km = 0.001 * frame.eye_height_m;
+  let through = atm_transmittance(transmittance_map, sky_sampler, eye_km, dir.y, 0.25 * sky.sun_radius_rad);
+  let mean_to_middle = 1.0 + 0.5 * sky.limb_darkening_exponent;
+  return atm_linear_srgb(through) * sky.sun_tint * (disc * dark * shown * mean_to_middle / solid);
 }
 
-fn sky_hash(p: vec3u) -> vec3f {
+fn sky_random_vector(p: vec3u) -> vec3f {
   var v = p * 1664525u + 1013904223u;
   v.x += v.y * v.z;
   v.y += v.z * v.x;
@@ -48,7 +50,7 @@ fn sky_hash(p: vec3u) -> vec3f {
 
 // Radiance of the stars: one star in each cell of a cube map. Their number grows by half a decade per magnitude. The
 // blur of the eye spreads each star over at least 3/4 of a pixel.
-fn sky_stars(dir: vec3f) -> vec3f {
+fn sky_star_radiance(dir: vec3f) -> vec3f {
   let a = abs(dir);
   let face = select(select(2u, 1u, a.y >= a.z), 0u, a.x >= max(a.y, a.z));
   let major = select(select(dir.z, dir.y, face == 1u), dir.x, face == 0u);
@@ -56,10 +58,10 @@ fn sky_stars(dir: vec3f) -> vec3f {
   const CELLS = 26.0;
   let cell = floor((0.5 + 0.5 * plane) * CELLS);
   let key = vec3u(vec2u(cell), face * 2u + select(0u, 1u, major < 0.0) + 17u);
-  let place = sky_hash(key);
-  let more = sky_hash(key + 1000u);
+  let place = sky_random_vector(key);
+  let more = sky_random_vector(key + 1000u);
   let at = (cell + 0.1 + 0.8 * place.xy) / CELLS * 2.0 - 1.0;
-  let size = max(0.75 * frame.pixel, 4e-4);
+  let size = max(0.75 * frame.pixel_angle, 4e-4);
   let off = length(at - plane) / (size * (1.0 + dot(plane, plane)));
   // A star of magnitude m has the illuminance 2.5e-6 lux x 10^(-0.4 m). The unit of illuminance here is 6400 lux.
   let magnitude = 6.3 + 2.0 * log2(max(place.z, 1e-3)) / 3.3219;
@@ -69,32 +71,32 @@ fn sky_stars(dir: vec3f) -> vec3f {
 }
 
 @fragment
-fn fragment(in: SkyVertex) -> @location(0) vec4f {
+fn fragment(in: SkyFragment) -> @location(0) vec4f {
   let dir = normalize(in.ray);
-  let above = max(atm_asin(dir.y) + frame.dip, 0.0);
+  let above = max(atm_asin(dir.y) + frame.horizon_dip, 0.0);
   var radiance = vec3f(0.0);
-  if SKY_FILE && sky.file > 0.0 {
+  if SKY_IMAGE && sky.has_image > 0.0 {
     // The file's horizon is lowered to the visible horizon. The file's ground stays out of the texture filter.
-    let lowered = above - frame.dip * (1.0 - exp(-above / (3.0 * frame.dip + 1e-6)));
-    let elevation = max(lowered, 0.75 * ATM_PI / f32(textureDimensions(file_map).y));
+    let lowered = above - frame.horizon_dip * (1.0 - exp(-above / (3.0 * frame.horizon_dip + 1e-6)));
+    let elevation = max(lowered, 0.75 * ATM_PI / f32(textureDimensions(image_map).y));
     let lifted = vec3f(normalize(dir.xz + vec2f(1e-9, 0.0)) * cos(elevation), sin(elevation)).xzy;
-    let lod = log2(frame.pixel * f32(textureDimensions(file_map).y) / ATM_PI);
-    radiance = sky.file_gain * textureSampleLevel(file_map, sky_sampler, sky_file_uv(lifted), lod).rgb;
+    let lod = log2(frame.pixel_angle * f32(textureDimensions(image_map).y) / ATM_PI);
+    radiance = sky.image_gain * textureSampleLevel(image_map, sky_sampler, sky_image_uv(lifted), lod).rgb;
   } else {
-    let air = sky_radiance(dir, above, frame.pixel, sky.drift);
+    let air = sky_radiance(dir, above, frame.pixel_angle, sky.cloud_drift_km);
     radiance = air.rgb;
-    if dir.y > -frame.dip {
-      var beyond = sky_disc(dir);
-      if SKY_STARS && sky.sun.y < -0.05 {
-        let through = atm_transmittance(transmittance_map, sky_sampler, 0.001 * frame.eye_m, dir.y, 1e-3);
-        beyond += sky_stars(dir) * through.y;
+    if dir.y > -frame.horizon_dip {
+      var beyond = sky_sun_disc_radiance(dir);
+      if SKY_STARS && sky.sun_direction.y < -0.05 {
+        let through = atm_transmittance(transmittance_map, sky_sampler, 0.001 * frame.eye_height_m, dir.y, 1e-3);
+        beyond += sky_star_radiance(dir) * through.y;
       }
       radiance += beyond * (air.w * (1.0 - sky.overcast));
     }
   }
   if SKY_FOG && sky.fog.extinction_per_m > 0.0 {
-    let fog = air_fog(dir, FOG_FAR_M);
+    let fog = air_fog_on_ray(dir, FOG_FAR_M);
     radiance = radiance * fog.w + fog.rgb;
   }
-  return frame_colour(min(radiance, vec3f(6e4)), 0.0);
+  return frame_hdr_output(min(radiance, vec3f(6e4)), 0.0);
 }

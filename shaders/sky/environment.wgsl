@@ -8,7 +8,7 @@
 @group(0) @binding(4) var noise_map: texture_2d<f32>;
 @group(0) @binding(5) var noise_sampler: sampler;
 // The sky from a file without its sun.
-@group(0) @binding(6) var file_map: texture_2d<f32>;
+@group(0) @binding(6) var image_map: texture_2d<f32>;
 @group(0) @binding(7) var environment_out: texture_storage_2d<rgba16float, write>;
 
 @compute @workgroup_size(8, 8)
@@ -27,17 +27,17 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     above = min(0.25 - elevation, 1.5);
     let f = 0.02 + 0.98 * pow(1.0 - sin(above), 5.0);
     gain = vec3f(f);
-    own = (light.sky + light.sun * max(sky.sun.y, 0.0)) * vec3f(0.0012, 0.0045, 0.0085);
+    own = (light.sky_irradiance + light.sun_irradiance * max(sky.sun_direction.y, 0.0)) * vec3f(0.0012, 0.0045, 0.0085);
   }
   let dir = vec3f(heading.x * cos(above), sin(above), heading.y * cos(above));
   var radiance = vec3f(0.0);
-  if sky.file > 0.0 {
-    radiance = sky.file_gain * textureSampleLevel(file_map, sky_sampler, sky_file_uv(dir), 0.0).rgb;
+  if sky.has_image > 0.0 {
+    radiance = sky.image_gain * textureSampleLevel(image_map, sky_sampler, sky_image_uv(dir), 0.0).rgb;
   } else {
-    radiance = sky_radiance(dir, above, pixel, sky.mirror_drift).rgb;
+    radiance = sky_radiance(dir, above, pixel, sky.reflected_cloud_drift_km).rgb;
   }
   if sky.fog.extinction_per_m > 0.0 {
-    radiance = mix(fog_radiance(dir), radiance, fog_through(0.0, dir.y, 0.0, FOG_FAR_M));
+    radiance = mix(fog_radiance(dir), radiance, fog_transmittance(0.0, dir.y, 0.0, FOG_FAR_M));
   }
   textureStore(environment_out, id.xy, vec4f(min(radiance * gain + own, vec3f(6e4)), 1.0));
 }

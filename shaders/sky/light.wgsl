@@ -1,7 +1,7 @@
-// Irradiances and exposure. `clear` runs before the environment map is made: it measures the cloudless sky, from which
-// overcast clouds take their brightness. `whole` runs afterwards and measures the sky with clouds and fog. Before each,
-// 256 threads sum parts of the sky (`clear_parts`, `whole_parts`); then one thread adds these sums. Barriers instead of
-// two dispatches would be slow on software GPUs, above all to compile.
+// Irradiances and exposure. `clear_irradiance` runs before the environment map is made: it measures the cloudless sky,
+// from which overcast clouds take their brightness. `sky_irradiance` runs afterwards and measures the sky with clouds
+// and fog. Before each, 256 threads sum parts of the sky (`clear_irradiance_parts`, `sky_irradiance_parts`); then one
+// thread adds these sums. Barriers instead of two dispatches would be slow on software GPUs, above all to compile.
 
 @group(0) @binding(0) var<uniform> sky: Sky;
 @group(0) @binding(1) var<storage, read_write> light: Light;
@@ -16,9 +16,9 @@
 
 const LIGHT_THREADS = 256u;
 // Fraction of the irradiance of sun and sky that a closed cloud deck transmits.
-const LIGHT_DECK = 0.28;
+const LIGHT_OVERCAST_TRANSMITTANCE = 0.28;
 
-fn light_total() -> vec4f {
+fn light_sum_of_parts() -> vec4f {
   var total = vec4f(0.0);
   for (var i = 0u; i < LIGHT_THREADS; i++) {
     total += light_parts[i];
@@ -27,7 +27,7 @@ fn light_total() -> vec4f {
 }
 
 @compute @workgroup_size(64)
-fn clear_parts(@builtin(global_invocation_id) id: vec3u) {
+fn clear_irradiance_parts(@builtin(global_invocation_id) id: vec3u) {
   let thread = id.x;
   var sum = vec4f(0.0);
   for (var i = thread; i < 2048u; i += LIGHT_THREADS) {
@@ -35,44 +35,44 @@ fn clear_parts(@builtin(global_invocation_id) id: vec3u) {
     // The samples have equal steps in the square of the sine of elevation, so that each has the same irradiance weight.
     let s = sqrt((f32(i / 64u) + 0.5) / 32.0);
     let dir = vec3f(sin(azimuth) * sqrt(1.0 - s * s), s, -cos(azimuth) * sqrt(1.0 - s * s));
-    sum += vec4f(sky_clear(dir, atm_asin(s)), 0.0) * (ATM_PI / 2048.0);
+    sum += vec4f(sky_clear_radiance(dir, atm_asin(s)), 0.0) * (ATM_PI / 2048.0);
   }
   light_parts[thread] = sum;
 }
 
 @compute @workgroup_size(1)
-fn clear() {
-  let total = light_total();
-  let through = atm_transmittance(transmittance_map, sky_sampler, 0.0, sky.sun.y, sky.sun_radius);
-  var beam = atm_rgb(through) * sky.tint;
+fn clear_irradiance() {
+  let total = light_sum_of_parts();
+  let through = atm_transmittance(transmittance_map, sky_sampler, 0.0, sky.sun_direction.y, sky.sun_radius_rad);
+  var beam = atm_linear_srgb(through) * sky.sun_tint;
   var diffuse = total.rgb;
-  if sky.file > 0.0 {
-    beam = sky.file_sun;
-    diffuse = sky.file_sky;
+  if sky.has_image > 0.0 {
+    beam = sky.image_sun_irradiance;
+    diffuse = sky.image_sky_irradiance;
   }
-  let high = max(sky.sun.y, 0.0);
+  let high = max(sky.sun_direction.y, 0.0);
   let globally = diffuse + beam * high;
-  light.direct = pow(1.0 - sky.overcast, 1.5);
-  light.sun = beam * light.direct;
-  light.sky = diffuse;
+  light.cloud_sun_transmittance = pow(1.0 - sky.overcast, 1.5);
+  light.sun_irradiance = beam * light.cloud_sun_transmittance;
+  light.sky_irradiance = diffuse;
   // A cloud deck scatters all colours equally. A trace of the blue sky above it remains.
   let grey = mix(vec3f(sky_luminance(globally)), globally, 0.35) * vec3f(0.92, 1.0, 1.09);
-  light.deck = grey * (LIGHT_DECK * 9.0 / (7.0 * ATM_PI));
-  light.fog_sky = vec3f(0.0);
-  light.fog_sun = vec3f(0.0);
+  light.overcast_zenith_radiance = grey * (LIGHT_OVERCAST_TRANSMITTANCE * 9.0 / (7.0 * ATM_PI));
+  light.fog_sky_radiance = vec3f(0.0);
+  light.fog_sun_irradiance = vec3f(0.0);
   if sky.fog.extinction_per_m > 0.0 {
     // Sunlight in the middle of the fog, and the diffuse light there, which includes the sunlight that the fog above
     // has scattered. About as much light goes up as comes down.
     let o = sky.overcast * sky.overcast;
-    let sunlight = fog_through(0.5 * max(sky.fog.top_m, 0.0), sky.sun.y, 0.0, FOG_FAR_M);
-    light.fog_sun = light.sun * sunlight;
-    let lost = light.sun * (high * (1.0 - sunlight));
-    light.fog_sky = (mix(diffuse, LIGHT_DECK * grey, o) + lost) * (0.6 / ATM_PI);
+    let sunlight = fog_transmittance(0.5 * max(sky.fog.top_m, 0.0), sky.sun_direction.y, 0.0, FOG_FAR_M);
+    light.fog_sun_irradiance = light.sun_irradiance * sunlight;
+    let lost = light.sun_irradiance * (high * (1.0 - sunlight));
+    light.fog_sky_radiance = (mix(diffuse, LIGHT_OVERCAST_TRANSMITTANCE * grey, o) + lost) * (0.6 / ATM_PI);
   }
 }
 
 @compute @workgroup_size(64)
-fn whole_parts(@builtin(global_invocation_id) id: vec3u) {
+fn sky_irradiance_parts(@builtin(global_invocation_id) id: vec3u) {
   let thread = id.x;
   let size = textureDimensions(environment_map, 1);
   let half_rows = size.y / 2u;
@@ -83,26 +83,26 @@ fn whole_parts(@builtin(global_invocation_id) id: vec3u) {
     let elevation = (f32(y) + 0.5) * ATM_PI / f32(size.y);
     let solid = cos(elevation) * (ATM_PI / f32(size.y)) * (2.0 * ATM_PI / f32(size.x));
     let radiance = textureLoad(environment_map, vec2u(x, y + half_rows), 1).rgb;
-    // Weight of the exposure key: the low sky counts most, because it is in the picture and reflected by the sea.
+    // Weight in the adaptation luminance: the low sky counts most, because it is in the picture and reflected by the sea.
     let low = exp(-elevation * elevation / 0.18) * solid;
-    let luminance = min(sky_luminance(radiance), 6.0 * sky_luminance(light.deck) + 1e-4);
+    let luminance = min(sky_luminance(radiance), 6.0 * sky_luminance(light.overcast_zenith_radiance) + 1e-4);
     sum += vec4f(radiance * (sin(elevation) * solid), luminance * low);
   }
   light_parts[thread] = sum;
 }
 
 @compute @workgroup_size(1)
-fn whole() {
-  let total = light_total();
-  light.sky = total.rgb;
+fn sky_irradiance() {
+  let total = light_sum_of_parts();
+  light.sky_irradiance = total.rgb;
   if sky.fog.extinction_per_m > 0.0 {
-    light.sun *= fog_through(0.0, sky.sun.y, 0.0, FOG_FAR_M);
+    light.sun_irradiance *= fog_transmittance(0.0, sky.sun_direction.y, 0.0, FOG_FAR_M);
   }
   // Mean luminance of the low sky: 2.1 sr is about the integral of the weight `low` over the sky.
   let band = total.w / 2.1;
-  let ground = sky_luminance(total.rgb + light.sun * max(sky.sun.y, 0.0)) / ATM_PI;
-  // The key does not contain the factor `night_gain`.
-  light.key = max((0.85 * band + 0.2 * ground) / sky.night_gain, 1e-9);
+  let ground = sky_luminance(total.rgb + light.sun_irradiance * max(sky.sun_direction.y, 0.0)) / ATM_PI;
+  // The adaptation luminance does not contain the factor `night_gain`.
+  light.adaptation_luminance = max((0.85 * band + 0.2 * ground) / sky.night_gain, 1e-9);
   // Like an eye, the exposure adapts only in part: dusk stays darker than noon, and night is dark.
-  light.exposure = 0.66 / pow(light.key, 0.77) / sky.night_gain;
+  light.exposure = 0.66 / pow(light.adaptation_luminance, 0.77) / sky.night_gain;
 }

@@ -9,7 +9,7 @@
 
 // Brightness of the night sky relative to the zenith, at the elevation with sine `mu`. Airglow is brighter low in the
 // sky, where the view passes through more of it. Rounding can make `mu` exceed 1.
-fn view_airglow(mu: f32) -> f32 {
+fn view_night_sky_brightness(mu: f32) -> f32 {
   let low = clamp(1.0 - mu, 0.0, 1.0);
   return 1.0 + 1.2 * low * low * low;
 }
@@ -20,23 +20,23 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let y = f32(id.y);
   let upper = y >= half_rows;
   let s = select(half_rows - 1.0 - y, y - half_rows, upper) / (half_rows - 1.0);
-  let h = sky.eye_km;
+  let h = sky.eye_height_km;
   let u = f32(id.x) / (SKY_VIEW_SIZE.x - 1.0);
   let azimuth = ATM_PI * u * u;
-  let above = select(-s * s * (0.5 * ATM_PI - sky.dip), s * s * (0.5 * ATM_PI + sky.dip), upper);
-  let elevation = above - sky.dip;
+  let above = select(-s * s * (0.5 * ATM_PI - sky.horizon_dip), s * s * (0.5 * ATM_PI + sky.horizon_dip), upper);
+  let elevation = above - sky.horizon_dip;
   let mu = sin(elevation);
-  let flat_sun = sqrt(max(1.0 - sky.sun.y * sky.sun.y, 0.0));
-  let nu = cos(elevation) * cos(azimuth) * flat_sun + mu * sky.sun.y;
-  var far = atm_to_top(h, mu);
+  let flat_sun = sqrt(max(1.0 - sky.sun_direction.y * sky.sun_direction.y, 0.0));
+  let nu = cos(elevation) * cos(azimuth) * flat_sun + mu * sky.sun_direction.y;
+  var far = atm_distance_to_top(h, mu);
   if !upper {
     // Close to the horizon, rounding may make the ray miss the sea. Its lowest point is taken then.
-    let ground = atm_to_ground(h, mu);
-    far = select((ATM_GROUND + h) * max(-mu, 0.0), ground, ground >= 0.0);
+    let ground = atm_distance_to_sea(h, mu);
+    far = select((ATM_EARTH_RADIUS_KM + h) * max(-mu, 0.0), ground, ground >= 0.0);
   }
-  let r = ATM_GROUND + h;
+  let r = ATM_EARTH_RADIUS_KM + h;
   let rayleigh = atm_rayleigh_phase(nu);
-  let mie = atm_mie_phase(nu);
+  let mie = atm_aerosol_phase(nu);
   var through = vec4f(1.0);
   var radiance = vec4f(0.0);
   const STEPS = 40;
@@ -45,17 +45,17 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let b = f32(i + 1) / f32(STEPS);
     let dt = far * (b * b - a * a);
     let t = far * (a * a + 0.4 * (b * b - a * a));
-    let ht = atm_altitude(h, mu, t);
-    let mu_s = (r * sky.sun.y + t * nu) / (ATM_GROUND + ht);
+    let ht = atm_altitude_along_ray(h, mu, t);
+    let mu_s = (r * sky.sun_direction.y + t * nu) / (ATM_EARTH_RADIUS_KM + ht);
     let m = atm_medium(ht, sky.haze);
-    let lit = atm_transmittance(transmittance_map, sky_sampler, ht, mu_s, sky.sun_radius);
-    let more = atm_multiple(multiple_map, sky_sampler, ht, mu_s);
+    let lit = atm_transmittance(transmittance_map, sky_sampler, ht, mu_s, sky.sun_radius_rad);
+    let more = atm_multiple_scattering(multiple_map, sky_sampler, ht, mu_s);
     let source = lit * (m.rayleigh * rayleigh + m.mie * mie) + more * (m.rayleigh + m.mie);
     let step = exp(-m.extinction * dt);
     radiance += through * source * (1.0 - step) / max(m.extinction, vec4f(1e-9));
     through *= step;
   }
   // Starlight and airglow of a moonless night, as blue as the dark-adapted eye sees them; darker below the horizon.
-  let glow = SKY_NIGHT * sky.night_gain * view_airglow(mu) * select(0.3, 1.0, upper);
-  textureStore(view_out, id.xy, vec4f(min(atm_rgb(radiance) * sky.tint + glow, vec3f(6e4)), 1.0));
+  let glow = SKY_NIGHT_RADIANCE * sky.night_gain * view_night_sky_brightness(mu) * select(0.3, 1.0, upper);
+  textureStore(view_out, id.xy, vec4f(min(atm_linear_srgb(radiance) * sky.sun_tint + glow, vec3f(6e4)), 1.0));
 }

@@ -6,37 +6,38 @@
 @group(0) @binding(3) var moments_map: texture_2d_array<f32>;
 @group(0) @binding(4) var foam_map: texture_2d_array<f32>;
 @group(0) @binding(5) var<storage, read> h0: array<vec2f>; // h0(k), [cascade][iz][ix]
-@group(0) @binding(6) var<storage, read> wave: array<vec2u>; // x: cycles of a wave per repeat period
+@group(0) @binding(6) var<storage, read> wave_table: array<vec2u>; // x: cycles of a wave per repeat period
 
-struct MapVertex {
+struct MapFragment {
   @builtin(position) clip: vec4f,
   @location(0) uv: vec2f,
 }
 
 @vertex
-fn vertex(@builtin(vertex_index) i: u32) -> MapVertex {
+fn vertex(@builtin(vertex_index) i: u32) -> MapFragment {
   let at = vec2f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0);
-  return MapVertex(vec4f(at, 0.0, 1.0), vec2f(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y));
+  return MapFragment(vec4f(at, 0.0, 1.0), vec2f(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y));
 }
 
-fn view_h0(at: vec2u, layer: u32, n: u32) -> vec2f {
+fn view_initial_amplitude(at: vec2u, layer: u32, n: u32) -> vec2f {
   return h0[(layer * n + at.y) * n + at.x];
 }
 
 // Amplitude h(k, t) of a wave at the time of the maps; the same formula as in evolve.wgsl.
-fn view_h(at: vec2u, layer: u32, n: u32) -> vec2f {
-  let a = view_h0(at, layer, n);
-  let b = view_h0((vec2u(n) - at) & vec2u(n - 1u), layer, n);
-  let entry = layer * sea_triangle_len(n) + sea_triangle(sea_signed(at.x, n), sea_signed(at.y, n));
-  let cs = maths_cos_sin(wave[entry].x * view.phase_time);
+fn view_amplitude(at: vec2u, layer: u32, n: u32) -> vec2f {
+  let a = view_initial_amplitude(at, layer, n);
+  let b = view_initial_amplitude((vec2u(n) - at) & vec2u(n - 1u), layer, n);
+  let own = sea_wave_table_entry(sea_signed_index(at.x, n), sea_signed_index(at.y, n));
+  let entry = layer * sea_wave_table_len(n) + own;
+  let cs = maths_cos_sin(wave_table[entry].x * view.time_in_period_u32);
   let forward = vec2f(a.x * cs.x + a.y * cs.y, a.y * cs.x - a.x * cs.y);
   let backward = vec2f(b.x * cs.x + b.y * cs.y, b.x * cs.y - b.y * cs.x);
   return forward + backward;
 }
 
 // Number of texels along a side of the map that is shown.
-fn view_texels() -> u32 {
-  switch view.kind {
+fn view_map_side() -> u32 {
+  switch view.view_kind {
     case 11u, 12u, 13u: { return textureDimensions(moments_map).x; }
     case 15u, 16u: { return textureDimensions(foam_map).x; }
     default: { return textureDimensions(gradients_map).x; }
@@ -46,8 +47,8 @@ fn view_texels() -> u32 {
 fn view_value(at: vec2u, layer: u32) -> f32 {
   let d = textureLoad(displacement_map, at, layer, 0);
   let g = textureLoad(gradients_map, at, layer, 0);
-  switch view.kind {
-    case 1u: { return length(view_h0(at, layer, textureDimensions(gradients_map).x)); }
+  switch view.view_kind {
+    case 1u: { return length(view_initial_amplitude(at, layer, textureDimensions(gradients_map).x)); }
     case 3u: { return d.x; }
     case 4u: { return d.y; }
     case 5u: { return d.z; }
@@ -60,7 +61,7 @@ fn view_value(at: vec2u, layer: u32) -> f32 {
     case 12u: { return textureLoad(moments_map, at, layer, 0).y; }
     case 13u: { return textureLoad(moments_map, at, layer, 0).z; }
     case 14u: {
-      let l = view.chop;
+      let l = view.choppiness;
       return (1.0 + l.x * g.z) * (1.0 + l.y * g.w) - l.x * l.y * d.w * d.w;
     }
     case 15u: { return textureLoad(foam_map, at, layer, 0).x; }
@@ -69,18 +70,18 @@ fn view_value(at: vec2u, layer: u32) -> f32 {
 }
 
 @fragment
-fn fragment(in: MapVertex) -> @location(0) vec4f {
+fn fragment(in: MapFragment) -> @location(0) vec4f {
   let pixel = in.uv * view.size;
-  let texels = view_texels();
+  let texels = view_map_side();
   for (var i = 0u; i < view.tile_count; i++) {
     let tile = view.tiles[i];
     let place = (pixel - tile.corner) / tile.side;
     if all(place >= vec2f(0.0)) && all(place < vec2f(1.0)) {
-      let at = (vec2u(place * f32(texels)) + tile.first) % texels;
-      if view.kind != 2u {
+      let at = (vec2u(place * f32(texels)) + tile.first_texel) % texels;
+      if view.view_kind != 2u {
         return view_colour(view_value(at, tile.layer), tile);
       }
-      let h = view_h(at, tile.layer, texels);
+      let h = view_amplitude(at, tile.layer, texels);
       let grey = view_colour(length(h), tile);
       let phase = atan2(h.y, select(h.x, 1e-30, all(h == vec2f(0.0))));
       return vec4f(grey.rgb * min(0.6 + 0.6 * cos(phase - vec3f(0.0, 2.0943951, 4.1887902)), vec3f(1.0)), grey.a);

@@ -4,25 +4,25 @@
 @group(2) @binding(0) var<storage, read> mesh_vertices: array<MeshVertex>;
 @group(3) @binding(0) var<uniform> view: View;
 
-struct SurfaceVertex {
+struct SurfaceFragment {
   @builtin(position) clip: vec4f,
   // Position relative to the eye, m.
-  @location(0) place: vec3f,
+  @location(0) position: vec3f,
   // Undisplaced position (x, z) relative to the point below the eye, m.
-  @location(1) rest: vec2f,
+  @location(1) undisplaced: vec2f,
   // Column and row of the vertex in the mesh.
   @location(2) lattice: vec2f,
 }
 
 @vertex
-fn vertex(@builtin(vertex_index) i: u32) -> SurfaceVertex {
+fn vertex(@builtin(vertex_index) i: u32) -> SurfaceFragment {
   let v = mesh_vertices[i];
-  let lattice = vec2f(f32(i / frame.mesh.rows), f32(i % frame.mesh.rows));
-  return SurfaceVertex(frame.clip_from_relative * vec4f(v.place, 1.0), v.place, v.rest, lattice);
+  let lattice = vec2f(f32(i / frame.mesh_lattice.rows), f32(i % frame.mesh_lattice.rows));
+  return SurfaceFragment(frame.clip_from_relative * vec4f(v.position, 1.0), v.position, v.undisplaced, lattice);
 }
 
 // Coverage of a pixel, 0 to 1, by lines one pixel wide at the integers of `at`, which changes by `width` over it.
-fn view_lines(at: vec3f, width: vec3f) -> f32 {
+fn view_line_coverage(at: vec3f, width: vec3f) -> f32 {
   let pixels = abs(fract(at - 0.5) - 0.5) / max(width, vec3f(1e-6));
   // Lines closer than two pixels blend into a tint.
   let line = mix(
@@ -31,25 +31,25 @@ fn view_lines(at: vec3f, width: vec3f) -> f32 {
 }
 
 // Fraction of a pixel's light that comes from foam, 0 to 1.
-fn view_foam(at: vec2f, dx: vec2f, dy: vec2f) -> f32 {
-  let pixel = foam_pixel(dx, dy);
+fn view_foam_cover(at: vec2f, dx: vec2f, dy: vec2f) -> f32 {
+  let pixel = foam_footprint(dx, dy);
   let level = foam_level(at, pixel);
-  return select(0.0, foam_seen(at, pixel, level).cover, level.x >= FOAM_LEAST);
+  return select(0.0, foam_appearance(at, pixel, level).cover, level.x >= FOAM_MIN_AMOUNT);
 }
 
 @fragment
-fn fragment(in: SurfaceVertex) -> @location(0) vec4f {
-  let at = in.rest;
+fn fragment(in: SurfaceFragment) -> @location(0) vec4f {
+  let at = in.undisplaced;
   let dx = dpdx(at);
   let dy = dpdy(at);
   let foot = water_footprint(dx, dy);
-  let facet = normalize(cross(dpdy(in.place), dpdx(in.place)));
+  let facet = normalize(cross(dpdy(in.position), dpdx(in.position)));
   // Edges of triangles lie at integer columns, rows, and sums of both, which are the diagonals.
   let edges = vec3f(in.lattice, in.lattice.x + in.lattice.y);
   let width = fwidth(edges);
   let tile = view.tiles[0];
   let slope = water_slope(at, foot);
-  switch view.kind {
+  switch view.view_kind {
     case 1u: {
       let n = water_normal(slope.mean);
       return vec4f(0.5 + 0.5 * vec3f(n.x, -n.z, n.y), 1.0);
@@ -59,10 +59,10 @@ fn fragment(in: SurfaceVertex) -> @location(0) vec4f {
     case 4u: {
       return view_colour(log2(max(foot.size * frame.cascades[tile.layer].inverse_patch * frame.n, 1e-6)), tile);
     }
-    case 5u: { return view_colour(view_foam(at, dx, dy), tile); }
+    case 5u: { return view_colour(view_foam_cover(at, dx, dy), tile); }
     default: {
       let fill = vec3f(0.05, 0.12, 0.17) * (0.4 + 0.6 * abs(dot(facet, vec3f(0.48, 0.8, 0.36))));
-      return vec4f(mix(fill, vec3f(0.62, 0.88, 0.94), 0.8 * view_lines(edges, width)), 1.0);
+      return vec4f(mix(fill, vec3f(0.62, 0.88, 0.94), 0.8 * view_line_coverage(edges, width)), 1.0);
     }
   }
 }

@@ -1,73 +1,75 @@
 // The sandy bed below shallow water: its albedo where the refracted ray hits it, and the sunlight that waves focus.
 
 // Noise layer of sand patches and ripple marks.
-const BED_LAYER = 4u;
+const BED_PATCH_LAYER = 4u;
 // Noise layer of sand grains.
-const BED_FINE_LAYER = 5u;
+const BED_GRAIN_LAYER = 5u;
 // Number of periods of the ripple marks in the sand along both sides of the noise tile (src/render/water/material.rs).
 // (src/render/water/material.rs).
-const BED_RIPPLES = vec2f(37.0, 11.0);
+const BED_RIPPLES_PER_TILE = vec2f(37.0, 11.0);
 // Wavelength of the ripple marks in the sand, m.
-const BED_RIPPLE_M = 0.32;
+const BED_RIPPLE_WAVELENGTH_M = 0.32;
 // Limits the brightness of a caustic, which the sun's disc and scattering in the water blur.
-const BED_FOLD = 0.15;
+const BED_CAUSTIC_BLUR = 0.15;
 
 // Albedo of the sand at a position relative to the point below the eye, m, filtered over `size` metres.
 fn bed_albedo(at: vec2f, size: f32) -> vec3f {
-  let wide = material_noise(BED_LAYER, at, material_lod(BED_LAYER, size));
-  let fine = material_noise(BED_FINE_LAYER, at, material_lod(BED_FINE_LAYER, size));
+  let wide = material_noise(BED_PATCH_LAYER, at, material_lod(BED_PATCH_LAYER, size));
+  let fine = material_noise(BED_GRAIN_LAYER, at, material_lod(BED_GRAIN_LAYER, size));
   // Curved ripple marks, with whole periods per tile so that they stay in place when the eye moves.
-  let uv = material_uv(BED_LAYER, at);
+  let uv = material_uv(BED_PATCH_LAYER, at);
   let bend = 2.5 * textureSampleLevel(noise_map, noise_sampler, uv, 4.0).b;
-  let phase = 2.0 * ATM_PI * (dot(uv, BED_RIPPLES) + bend);
-  let shown = exp(-pow(1.6 * size / BED_RIPPLE_M, 2.0));
+  let phase = 2.0 * ATM_PI * (dot(uv, BED_RIPPLES_PER_TILE) + bend);
+  let shown = exp(-pow(1.6 * size / BED_RIPPLE_WAVELENGTH_M, 2.0));
   let ripple = 0.10 * shown * (sin(phase) + 0.25 * sin(2.0 * phase + 0.7));
   let patches = wide.b - 0.5;
   let grains = fine.g - 0.5;
   return material.bed_colour * clamp(1.0 + 0.35 * patches + 0.22 * grains + ripple, 0.3, 1.5);
 }
 
-fn bed_slope(at: vec2f) -> vec2f {
-  return water_slope(at, WaterFootprint(vec2f(0.0), material.caustic_m, 1)).mean;
+fn bed_focusing_slope(at: vec2f) -> vec2f {
+  return water_slope(at, WaterFootprint(vec2f(0.0), material.caustic_filter_m, 1)).mean;
 }
 
 // Irradiance by the sun at a point of the bed, relative to its mean. A ray that enters the water at s meets the bed at
 // s + reach grad(eta)(s), with the elevation eta and its Hessian H. So light is focused by 1 / |det(I + reach H)|.
-fn bed_caustic(entry: vec2f, depth_m: f32) -> f32 {
+fn bed_caustic_gain(entry: vec2f, depth_m: f32) -> f32 {
   let reach = depth_m * (1.0 - material.index_air / material.index_water);
   // Two fixed-point steps find where the ray that arrives at the given point enters the water.
-  var at = entry - reach * bed_slope(entry);
-  at = entry - reach * bed_slope(at);
-  let h = 0.5 * material.caustic_m;
-  let x = (bed_slope(at + vec2f(h, 0.0)) - bed_slope(at - vec2f(h, 0.0))) * (reach / (2.0 * h));
-  let z = (bed_slope(at + vec2f(0.0, h)) - bed_slope(at - vec2f(0.0, h))) * (reach / (2.0 * h));
+  var at = entry - reach * bed_focusing_slope(entry);
+  at = entry - reach * bed_focusing_slope(at);
+  let h = 0.5 * material.caustic_filter_m;
+  let x = (bed_focusing_slope(at + vec2f(h, 0.0)) - bed_focusing_slope(at - vec2f(h, 0.0))) * (reach / (2.0 * h));
+  let z = (bed_focusing_slope(at + vec2f(0.0, h)) - bed_focusing_slope(at - vec2f(0.0, h))) * (reach / (2.0 * h));
   let det = (1.0 + x.x) * (1.0 + z.y) - x.y * z.x;
-  return sqrt((1.0 + BED_FOLD * BED_FOLD) / (det * det + BED_FOLD * BED_FOLD));
+  return sqrt((1.0 + BED_CAUSTIC_BLUR * BED_CAUSTIC_BLUR) / (det * det + BED_CAUSTIC_BLUR * BED_CAUSTIC_BLUR));
 }
 
 // Radiance inside the water towards the surface where the bed is visible. `deep`: radiance of bottomless water;
 // `place`: surface point (x, z) relative to the eye, m; `ray`: direction down into the water; `blur`: standard
 // deviation of the ray's slope within the pixel.
-fn water_bed(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: f32, blur: f32) -> vec3f {
+fn water_bed_radiance(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: f32, blur: f32) -> vec3f {
   let column = max(frame.depth_m + height, 0.05);
   let down = max(-ray.y, 0.12);
   let length_m = column / down;
   let hit = place + ray.xz * length_m;
   let filtered = size / down + 0.5 * blur * length_m;
   let k = material.absorption + material.backscatter;
-  let beam = water_refract(-frame.sun, vec3f(0.0, 1.0, 0.0));
-  var sun = light.sun * (max(frame.sun.y, 0.0) * (1.0 - water_fresnel(max(frame.sun.y, 0.0))));
-  if WATER_CAUSTICS && frame.sun.y > 0.0 {
+  let beam = water_refract(-frame.sun_direction, vec3f(0.0, 1.0, 0.0));
+  let sun_height = max(frame.sun_direction.y, 0.0);
+  var sun = light.sun_irradiance * (sun_height * (1.0 - water_fresnel(sun_height)));
+  if WATER_CAUSTICS && frame.sun_direction.y > 0.0 {
     let entry = hit + beam.xz * (column / min(beam.y, -0.3));
     // Light that is scattered on its way down is not focused.
-    let straight = exp(-0.25 * (material.scatter.g - material.backscatter.g) * column / max(-beam.y, 0.3));
-    let sharp = material.caustics * straight * (1.0 - smoothstep(0.5, 2.0, filtered / material.caustic_m));
+    let straight = exp(-0.25 * (material.scattering.g - material.backscatter.g) * column / max(-beam.y, 0.3));
+    let resolved = 1.0 - smoothstep(0.5, 2.0, filtered / material.caustic_filter_m);
+    let sharp = material.caustic_strength * straight * resolved;
     if sharp > 0.01 {
-      sun *= mix(1.0, bed_caustic(entry, column), sharp);
+      sun *= mix(1.0, bed_caustic_gain(entry, column), sharp);
     }
   }
   let sun_down = sun * exp(-k * (column / max(-beam.y, 0.3)));
-  let sky_down = light.sky * (WATER_SKY_ENTERS * exp(-1.2 * k * column));
+  let sky_down = light.sky_irradiance * (WATER_SKYLIGHT_TRANSMITTANCE * exp(-1.2 * k * column));
   let up = exp(-k * length_m);
   let sand = (sun_down + sky_down) * bed_albedo(hit, filtered) / ATM_PI;
   return sand * up + deep * (1.0 - up * exp(-1.1 * k * column));

@@ -2,11 +2,11 @@
 
 // Backscattering coefficient of a dense bubble plume under a breaker, 1/m, for a void fraction of 1e-3 (Deane and
 // Stokes 2002; backscattering ratio of Zhang, Lewis and Johnson 1998).
-const WATER_PLUME = 0.16;
+const WATER_PLUME_BACKSCATTER = 0.16;
 // Depth of a bubble plume under a breaker, m.
-const WATER_PLUME_M = 0.8;
+const WATER_PLUME_DEPTH_M = 0.8;
 // Mean cosine of scattering in a crest: less than the particles' 0.9, because light is scattered several times.
-const WATER_FORWARD = 0.6;
+const WATER_CREST_MEAN_COSINE = 0.6;
 
 // Direction in the water of light that arrives along `dir` at a surface of normal `n`; reversed, the path to the eye.
 fn water_refract(dir: vec3f, n: vec3f) -> vec3f {
@@ -16,8 +16,8 @@ fn water_refract(dir: vec3f, n: vec3f) -> vec3f {
 }
 
 // Backscattering coefficient of the bubbles, 1/m, where foam has lately covered the fraction `plume` of the surface.
-fn water_bubbles(plume: f32) -> f32 {
-  return WATER_PLUME * material.bubbles * plume * plume;
+fn water_bubble_backscatter(plume: f32) -> f32 {
+  return WATER_PLUME_BACKSCATTER * material.bubble_density * plume * plume;
 }
 
 // Irradiance reflectance just below the surface, of deep water under a layer of bubbles. Deep water with absorption a
@@ -28,58 +28,58 @@ fn water_reflectance(plume: f32) -> vec3f {
   if plume <= 0.0 {
     return deep;
   }
-  let past = exp(-2.0 * WATER_PLUME_M * water_bubbles(plume));
-  return (1.0 - past) * material.bubble_colour * exp(-3.5 * WATER_PLUME_M * material.absorption) + past * deep;
+  let past = exp(-2.0 * WATER_PLUME_DEPTH_M * water_bubble_backscatter(plume));
+  return (1.0 - past) * material.bubble_colour * exp(-3.5 * WATER_PLUME_DEPTH_M * material.absorption) + past * deep;
 }
 
 // Irradiance by the sun that enters the water where the waves, without their ripples, have the normal `n`.
-fn water_enters(n: vec3f) -> vec3f {
-  let l = frame.sun;
+fn water_entering_sunlight(n: vec3f) -> vec3f {
+  let l = frame.sun_direction;
   let facing = max(0.5 * dot(n, l) + 0.5 * l.y, 0.0);
-  return light.sun * (facing * (1.0 - water_fresnel(max(dot(n, l), 0.0))));
+  return light.sun_irradiance * (facing * (1.0 - water_fresnel(max(dot(n, l), 0.0))));
 }
 
 // Fraction of the skylight that enters the water.
-const WATER_SKY_ENTERS = 0.934;
+const WATER_SKYLIGHT_TRANSMITTANCE = 0.934;
 
 // Radiance inside the water that travels up to the surface from deep water. `ray` points from the eye into the water.
-fn water_deep(n: vec3f, ray: vec3f, plume: f32) -> vec3f {
+fn water_deep_radiance(n: vec3f, ray: vec3f, plume: f32) -> vec3f {
   let r = water_reflectance(plume);
-  let sun_in = -water_refract(-frame.sun, vec3f(0.0, 1.0, 0.0)).y;
+  let sun_in = -water_refract(-frame.sun_direction, vec3f(0.0, 1.0, 0.0)).y;
   // Light scattered once: the flatter the viewing ray, the more sunlit water lies along it.
   let view = (sun_in + 0.85) / (sun_in + clamp(-ray.y, 0.3, 1.0));
-  let sun = water_enters(n) * (material.diffuse * max(mix(1.0, view, material.view_scatter), 0.0));
-  let sky = light.sky * (material.ambient * WATER_SKY_ENTERS * (0.5 + 0.5 * n.y));
+  let sun = water_entering_sunlight(n) * (material.diffuse * max(mix(1.0, view, material.view_scatter), 0.0));
+  let sky = light.sky_irradiance * (material.ambient * WATER_SKYLIGHT_TRANSMITTANCE * (0.5 + 0.5 * n.y));
   // Upwelling light is uneven over the hemisphere: irradiance / radiance is Q = 4 sr. Half of it is reflected back.
   return (sun + sky) * r / (4.0 * (1.0 - 0.48 * r));
 }
 
 // Light through the back of a crest. `rise` is the height above the mean level divided by the significant wave height.
-fn water_crest(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f32) -> vec3f {
+fn water_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f32) -> vec3f {
   let squeezed = clamp(1.6 - jacobian, 0.0, 1.0);
   let thin = smoothstep(-0.05, 0.55, rise) * squeezed;
-  if thin <= 0.0 || frame.sun.y <= -0.02 {
+  if thin <= 0.0 || frame.sun_direction.y <= -0.02 {
     return vec3f(0.0);
   }
   // The far side of the crest slopes the opposite way.
   let back = normalize(vec3f(-n.x, n.y, -n.z));
-  let entry = max(dot(back, frame.sun), 0.0);
-  let beam = water_refract(-frame.sun, back);
-  let g = WATER_FORWARD;
+  let entry = max(dot(back, frame.sun_direction), 0.0);
+  let beam = water_refract(-frame.sun_direction, back);
+  let g = WATER_CREST_MEAN_COSINE;
   let cosine = dot(beam, -ray);
   let phase = (1.0 - g * g) / (4.0 * ATM_PI * pow(max(1.0 + g * g - 2.0 * g * cosine, 1e-3), 1.5));
   // The path through a crest is decimetres long at its edge, and metres below it.
   let path_m = 0.8 + 1.2 * frame.hs_m * max(0.75 - rise, 0.0);
   // A crest that is about to break draws in air.
   let air = clamp(0.9 - jacobian, 0.0, 0.7);
-  let bubbles = water_bubbles(plume) + WATER_PLUME * material.bubbles * air;
+  let bubbles = water_bubble_backscatter(plume) + WATER_PLUME_BACKSCATTER * material.bubble_density * air;
   let extinction = material.absorption + material.backscatter + bubbles;
   // Bubbles scatter mostly forward, too, and light that is scattered twice still gets through.
-  let forward = material.scatter + 12.0 * bubbles * material.bubble_colour;
+  let forward = material.scattering + 12.0 * bubbles * material.bubble_colour;
   let scattered = 1.0 - exp(-forward * path_m);
   let through = exp(-extinction * path_m) * scattered;
-  let sun = light.sun * (entry * (1.0 - water_fresnel(entry)) * phase);
+  let sun = light.sun_irradiance * (entry * (1.0 - water_fresnel(entry)) * phase);
   // The bright sky behind the crest shines through it, too.
-  let sky = light.sky * (0.25 * clamp(1.0 + ray.y, 0.0, 1.0) / ATM_PI);
-  return (sun + sky) * through * (material.height_scatter * thin);
+  let sky = light.sky_irradiance * (0.25 * clamp(1.0 + ray.y, 0.0, 1.0) / ATM_PI);
+  return (sun + sky) * through * (material.crest_transmission * thin);
 }

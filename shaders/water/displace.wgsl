@@ -6,21 +6,21 @@
 // One thread per vertex: columns along x, rows along y. A software GPU samples faster if neighbours use one mip level.
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
-  let vertex = id.x * frame.mesh.rows + id.y;
-  if id.y >= frame.mesh.rows || vertex >= arrayLength(&mesh_vertices) {
+  let vertex = id.x * frame.mesh_lattice.rows + id.y;
+  if id.y >= frame.mesh_lattice.rows || vertex >= arrayLength(&mesh_vertices) {
     return;
   }
-  let azimuth = frame.mesh.first_azimuth + f32(id.x) * frame.mesh.azimuth_step;
-  let t = frame.mesh.first_row + f32(id.y) * frame.mesh.row_step;
-  let radius = frame.mesh.radius_m * (exp(t) - 1.0);
+  let azimuth = frame.mesh_lattice.first_azimuth + f32(id.x) * frame.mesh_lattice.azimuth_step;
+  let t = frame.mesh_lattice.first_log_radius + f32(id.y) * frame.mesh_lattice.log_radius_step;
+  let radius = frame.mesh_lattice.linear_radius_m * (exp(t) - 1.0);
   // Near the eye, the lattice is centred on the undisplaced position of the water below the eye.
-  let foot = frame.foot * exp(-radius / (4.0 * frame.reach_m));
+  let foot = frame.undisplaced_below_eye * exp(-radius / (4.0 * frame.max_displacement_m));
   let at = foot + radius * vec2f(sin(azimuth), -cos(azimuth));
-  let water = water_moved(at, mesh_spacing(radius), true);
+  let water = water_displacement(at, mesh_spacing(radius), true);
   let moved = water.displacement;
   let flat = at + moved.xz;
-  let drop = dot(flat, flat) / (2.0 * FRAME_EARTH_M);
-  let place = vec3f(flat.x, moved.y - drop - frame.eye_m, flat.y);
+  let drop = dot(flat, flat) / (2.0 * FRAME_EARTH_RADIUS_M);
+  let place = vec3f(flat.x, moved.y - drop - frame.eye_height_m, flat.y);
   let carried = water.carried;
   mesh_vertices[vertex] = MeshVertex(place, moved.y, at, carried.slope, carried.stretch, carried.shear);
 }

@@ -1,40 +1,40 @@
 // Foam of whitecaps: how much of it a pixel holds, and what it looks like.
 
 // Noise layers: windrows of tens of metres, patches of metres, strands of decimetres, bubbles of centimetres.
-const FOAM_WINDROWS = 0u;
-const FOAM_PATCHES = 1u;
-const FOAM_STRANDS = 2u;
-const FOAM_BUBBLES = 3u;
+const FOAM_WINDROW_LAYER = 0u;
+const FOAM_PATCH_LAYER = 1u;
+const FOAM_STRAND_LAYER = 2u;
+const FOAM_BUBBLE_LAYER = 3u;
 // Height of the lumps in the foam's relief, m.
-const FOAM_LUMPS_M = 0.035;
+const FOAM_LUMP_HEIGHT_M = 0.035;
 // Height of the bubbles in the foam's relief, m.
-const FOAM_BUBBLES_M = 0.006;
+const FOAM_BUBBLE_HEIGHT_M = 0.006;
 // Standard deviation of the slope of the bubbles' relief.
-const FOAM_BUBBLES_SLOPE = 0.2;
+const FOAM_BUBBLE_SLOPE_SIGMA = 0.2;
 // Reflectance of thick fresh foam (Whitlock, Bartlett and Gurganus 1982; Koepke 1984).
 const FOAM_ALBEDO = 0.72;
 // Reflectance of foam aged to a film, relative to fresh foam: whitecaps average 0.22 over their life (Koepke 1984).
-const FOAM_AGED = 0.42;
+const FOAM_AGED_ALBEDO_RATIO = 0.42;
 // Amount of foam, 0 to 1, below which none is drawn.
-const FOAM_LEAST = 0.002;
+const FOAM_MIN_AMOUNT = 0.002;
 // Largest number of samples of the foam maps along a pixel's footprint.
-const FOAM_LEVEL_TAPS = 3;
+const FOAM_MAX_MAP_TAPS = 3;
 // Largest number of samples of the foam noise along a pixel's footprint.
-const FOAM_TAPS = 4;
+const FOAM_MAX_NOISE_TAPS = 4;
 // Length over which the finest noise changes, m.
-const FOAM_FINEST_M = 0.02;
+const FOAM_FINEST_DETAIL_M = 0.02;
 
 // Footprint of a pixel on the undisplaced sea, as foam needs it.
-struct FoamPixel {
+struct FoamFootprint {
   // Longer and shorter side as vectors, m, and the footprint's length and width, m.
   along: vec2f,
   across: vec2f,
-  large: f32,
-  small: f32,
+  length_m: f32,
+  width_m: f32,
 }
 
 // Appearance of the foam in a pixel.
-struct WaterFoam {
+struct FoamAppearance {
   // Fraction of the pixel's light that comes from foam: the covered area, less where foam is thin.
   cover: f32,
   // Height of the fine relief, around 0.5.
@@ -45,45 +45,45 @@ struct WaterFoam {
   rough: f32,
 }
 
-fn foam_pixel(dx: vec2f, dy: vec2f) -> FoamPixel {
+fn foam_footprint(dx: vec2f, dy: vec2f) -> FoamFootprint {
   let swap = dot(dx, dx) > dot(dy, dy);
   let along = select(dy, dx, swap);
   let large = length(along);
   let small = max(abs(dx.x * dy.y - dx.y * dy.x) / max(large, 1e-9), 1e-6);
-  return FoamPixel(along, select(dx, dy, swap), large, small);
+  return FoamFootprint(along, select(dx, dy, swap), large, small);
 }
 
 // Foam (x) and its current source (y) from the finest valid level that is no finer than the pixel; else their means.
-fn foam_at(at: vec2f, footprint: f32) -> vec2f {
+fn foam_map_sample(at: vec2f, footprint: f32) -> vec2f {
   var foam = vec2f(0.0);
   var left = 1.0;
-  for (var level = 0u; level < frame.foam_count && left > 0.0; level++) {
+  for (var level = 0u; level < frame.foam_level_count && left > 0.0; level++) {
     let map = frame.foam_levels[level];
     let off = abs(at - map.centre);
     let inside = 1.0 - smoothstep(0.8, 1.0, max(off.x, off.y) / map.half_side_m);
     let coarse = clamp(2.0 - 0.5 * footprint * map.inverse_cell, 0.0, 1.0);
     let share = inside * coarse;
-    let uv = map.uv + at * map.inverse_side;
-    foam += (left * share) * textureSampleLevel(foam_map, level_sampler, uv, level, 0.0).xy;
+    let uv = map.uv_below_eye + at * map.inverse_side;
+    foam += (left * share) * textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0).xy;
     left *= 1.0 - share;
   }
   return foam + (left * frame.mean_foam) * vec2f(1.0, 0.1);
 }
 
 // Foam (x) and its current source (y) in a pixel, 0 to 1.
-fn foam_level(at: vec2f, pixel: FoamPixel) -> vec2f {
-  let whole_m = WATER_TAP * sqrt(pixel.small * pixel.large);
+fn foam_level(at: vec2f, pixel: FoamFootprint) -> vec2f {
+  let whole_m = WATER_TAP_TEXEL_RATIO * sqrt(pixel.width_m * pixel.length_m);
   // One sample per cell of the finest level along the pixel.
-  let taps = clamp(i32(ceil(pixel.large * frame.foam_levels[0].inverse_cell)), 1, FOAM_LEVEL_TAPS);
+  let taps = clamp(i32(ceil(pixel.length_m * frame.foam_levels[0].inverse_cell)), 1, FOAM_MAX_MAP_TAPS);
   var level = vec2f(0.0);
   for (var i = 0; i < taps; i++) {
-    level += foam_at(at + pixel.along * ((f32(i) + 0.5) / f32(taps) - 0.5), whole_m);
+    level += foam_map_sample(at + pixel.along * ((f32(i) + 0.5) / f32(taps) - 0.5), whole_m);
   }
-  return clamp(level * (frame.foam_gain / f32(taps)), vec2f(0.0), vec2f(1.0));
+  return clamp(level * (frame.foam_amount / f32(taps)), vec2f(0.0), vec2f(1.0));
 }
 
 // Gradient of one channel of a noise layer, 1/m, over a step that the pixel resolves. `here` is the value at `at`.
-fn foam_slope(layer: u32, channel: u32, at: vec2f, size: f32, lod: f32, here: f32) -> vec2f {
+fn foam_noise_gradient(layer: u32, channel: u32, at: vec2f, size: f32, lod: f32, here: f32) -> vec2f {
   let fine = max(lod, 0.0);
   let step = max(size, 0.5 * exp2(fine) / exp2(material_lod(layer, 1.0)));
   let x = material_noise(layer, at + vec2f(step, 0.0), fine)[channel];
@@ -92,29 +92,30 @@ fn foam_slope(layer: u32, channel: u32, at: vec2f, size: f32, lod: f32, here: f3
 }
 
 // Cumulative normal distribution (Bowling and others 2009, accurate to 2e-4).
-fn foam_share(x: f32) -> f32 {
+fn foam_normal_cdf(x: f32) -> f32 {
   return 1.0 / (1.0 + exp(clamp(-x * (1.5976 + 0.07056 * x * x), -40.0, 40.0)));
 }
 
 // Inverse of the cumulative normal distribution (Abramowitz and Stegun 26.2.22, accurate to 3e-3).
-fn foam_quantile(share: f32) -> f32 {
+fn foam_normal_quantile(share: f32) -> f32 {
   let t = sqrt(-2.0 * log(min(share, 1.0 - share)));
   return sign(share - 0.5) * (t - (2.30753 + 0.27061 * t) / (1.0 + t * (0.99229 + 0.04481 * t)));
 }
 
 // Appearance of foam in a pixel. `level` holds the amount of foam (x) and of its current source (y), 0 to 1.
-fn foam_seen(at: vec2f, pixel: FoamPixel, level: vec2f) -> WaterFoam {
-  let whole_m = WATER_TAP * sqrt(pixel.small * pixel.large);
-  let taps = clamp(i32(ceil(pixel.large / FOAM_FINEST_M)), 1, FOAM_TAPS);
+fn foam_appearance(at: vec2f, pixel: FoamFootprint, level: vec2f) -> FoamAppearance {
+  let whole_m = WATER_TAP_TEXEL_RATIO * sqrt(pixel.width_m * pixel.length_m);
+  let taps = clamp(i32(ceil(pixel.length_m / FOAM_FINEST_DETAIL_M)), 1, FOAM_MAX_NOISE_TAPS);
   let share = 1.0 / f32(taps);
   // Each sample covers its part of the pixel. Windrows are longer than most pixels and bubbles shorter: one is enough.
-  let size = WATER_TAP * max(sqrt(pixel.small * pixel.large * share), pixel.large * share);
-  let lods = vec4f(material_lod(FOAM_WINDROWS, WATER_TAP * pixel.large), material_lod(FOAM_PATCHES, size),
-    material_lod(FOAM_STRANDS, size), material_lod(FOAM_BUBBLES, whole_m));
-  let kept = vec4f(material_kept(FOAM_WINDROWS, lods.x), material_kept(FOAM_PATCHES, lods.y),
-    material_kept(FOAM_STRANDS, lods.z), material_kept(FOAM_BUBBLES, lods.w));
-  let windrows = material_noise(FOAM_WINDROWS, at, lods.x).b;
-  let bubbles = material_noise(FOAM_BUBBLES, at, lods.w).g;
+  let size = WATER_TAP_TEXEL_RATIO * max(sqrt(pixel.width_m * pixel.length_m * share), pixel.length_m * share);
+  let lods = vec4f(
+    material_lod(FOAM_WINDROW_LAYER, WATER_TAP_TEXEL_RATIO * pixel.length_m), material_lod(FOAM_PATCH_LAYER, size),
+    material_lod(FOAM_STRAND_LAYER, size), material_lod(FOAM_BUBBLE_LAYER, whole_m));
+  let kept = vec4f(material_variance_left(FOAM_WINDROW_LAYER, lods.x), material_variance_left(FOAM_PATCH_LAYER, lods.y),
+    material_variance_left(FOAM_STRAND_LAYER, lods.z), material_variance_left(FOAM_BUBBLE_LAYER, lods.w));
+  let windrows = material_noise(FOAM_WINDROW_LAYER, at, lods.x).b;
+  let bubbles = material_noise(FOAM_BUBBLE_LAYER, at, lods.w).g;
   // Fresh foam is a closed mass of bubbles, old foam a net of thin strands.
   let fresh = smoothstep(0.0, 0.45, level.y);
   // A sum of uniform variables is nearly normal. Its part that the pixel does not resolve softens the edge, so that the
@@ -124,7 +125,7 @@ fn foam_seen(at: vec2f, pixel: FoamPixel, level: vec2f) -> WaterFoam {
   let resolved = dot(weight * weight, kept) / total;
   let soft = mix(0.2, 0.12, fresh);
   let wanted = clamp(level.x, 1e-4, 1.0 - 1e-4);
-  let edge = sqrt(1.0 + soft * soft) * foam_quantile(wanted);
+  let edge = sqrt(1.0 + soft * soft) * foam_normal_quantile(wanted);
   let sharp = inverseSqrt(soft * soft + 1.0 - resolved);
   // An old patch is a film that is thicker along its strands, less so if they are not resolved. Strands and grain are
   // higher where foam covers: both are relative to their means there, which are fitted to 400,000 draws.
@@ -133,40 +134,42 @@ fn foam_seen(at: vec2f, pixel: FoamPixel, level: vec2f) -> WaterFoam {
   let thickens = inverseSqrt(0.018 + 0.045 * (1.0 - shown));
   let thick = mix(0.55, 0.58 + 1.4 * bare, shown);
   let usual = mix(0.66 + 0.19 * bare * bare, 0.5 + 0.36 * bare, fresh);
-  var out: WaterFoam;
+  var out: FoamAppearance;
   var covered = 0.0;
   for (var i = 0; i < taps; i++) {
     // Samples have even steps along the pixel and follow the golden ratio across it.
     let k = f32(i) - 0.5 * f32(taps - 1);
     let tap = at + pixel.along * (k * share) + pixel.across * (fract(0.5 + 0.618034 * k) - 0.5);
-    let patches = material_noise(FOAM_PATCHES, tap, lods.y).r;
-    let strands = material_noise(FOAM_STRANDS, tap, lods.z).r;
+    let patches = material_noise(FOAM_PATCH_LAYER, tap, lods.y).r;
+    let strands = material_noise(FOAM_STRAND_LAYER, tap, lods.z).r;
     let z = dot(vec4f(windrows, patches, strands, bubbles) - 0.5, weight) / (0.2887 * sqrt(total));
-    let cut = foam_share((z + edge) * sharp);
-    let strand = 2.0 * foam_share((0.65 * strands + 0.35 * patches - 0.65) * thickens) / thick;
-    out.cover += clamp(cut * mix(FOAM_AGED * strand, 1.0, fresh), 0.0, 1.0);
+    let cut = foam_normal_cdf((z + edge) * sharp);
+    let strand = 2.0 * foam_normal_cdf((0.65 * strands + 0.35 * patches - 0.65) * thickens) / thick;
+    out.cover += clamp(cut * mix(FOAM_AGED_ALBEDO_RATIO * strand, 1.0, fresh), 0.0, 1.0);
     out.grain += 0.6 * strands + 0.4 * bubbles - usual;
     covered += cut;
   }
-  out.rough = FOAM_BUBBLES_SLOPE * FOAM_BUBBLES_SLOPE * material.foam_relief * material.foam_relief * (1.0 - kept.w);
+  let bubble_slope = FOAM_BUBBLE_SLOPE_SIGMA * material.foam_relief;
+  out.rough = bubble_slope * bubble_slope * (1.0 - kept.w);
   out.cover *= share;
   out.grain = 0.5 + kept.w * out.grain * share;
-  let lumps_lod = material_lod(FOAM_STRANDS, whole_m);
-  let lumps_kept = material_kept(FOAM_STRANDS, lumps_lod);
+  let lumps_lod = material_lod(FOAM_STRAND_LAYER, whole_m);
+  let lumps_kept = material_variance_left(FOAM_STRAND_LAYER, lumps_lod);
   if material.foam_relief > 0.0 && lumps_kept > 0.05 && out.cover > 0.002 {
-    let strands = material_noise(FOAM_STRANDS, at, lumps_lod).r;
-    let lumps = foam_slope(FOAM_STRANDS, 0u, at, whole_m, lumps_lod, strands) * (lumps_kept * FOAM_LUMPS_M);
-    let fizz = foam_slope(FOAM_BUBBLES, 1u, at, whole_m, lods.w, bubbles) * (kept.w * FOAM_BUBBLES_M);
-    let relief = (lumps + fizz) * (material.foam_relief * covered * share);
+    let strands = material_noise(FOAM_STRAND_LAYER, at, lumps_lod).r;
+    let lumps = foam_noise_gradient(FOAM_STRAND_LAYER, 0u, at, whole_m, lumps_lod, strands);
+    let fizz = foam_noise_gradient(FOAM_BUBBLE_LAYER, 1u, at, whole_m, lods.w, bubbles);
+    let both = lumps * (lumps_kept * FOAM_LUMP_HEIGHT_M) + fizz * (kept.w * FOAM_BUBBLE_HEIGHT_M);
+    let relief = both * (material.foam_relief * covered * share);
     out.relief = relief * min(1.0, 1.2 / max(length(relief), 1e-6));
   }
   return out;
 }
 
 // Radiance of foam towards `v`: a white diffuse body lit by sun and sky, with the gloss of its wet bubbles.
-fn foam_light(v: vec3f, slope: WaterSlope, foam: WaterFoam) -> vec3f {
+fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
   let n = water_normal(slope.mean + foam.relief);
-  let l = frame.sun;
+  let l = frame.sun_direction;
   // Light spreads inside foam, which softens its shading. Unresolved slopes brighten the mean, because facets that are
   // turned away from the sun are not darker than black.
   let cosine = dot(n, l);
@@ -174,11 +177,12 @@ fn foam_light(v: vec3f, slope: WaterSlope, foam: WaterFoam) -> vec3f {
   let across = slope.variance.x * l.x * l.x + slope.variance.y * l.z * l.z + 2.0 * slope.variance.z * l.x * l.z;
   let deviation = 0.8 * n.y * sqrt(max(across + foam.rough * dot(l.xz, l.xz), 1e-6));
   let off = mean / deviation;
-  let wrapped = max(mean * foam_share(off) + deviation * 0.39894228 * exp(-0.5 * min(off * off, 80.0)), 0.0);
+  let wrapped = max(mean * foam_normal_cdf(off) + deviation * 0.39894228 * exp(-0.5 * min(off * off, 80.0)), 0.0);
   // Hollows see less of the sky.
   let open = (0.55 + 0.45 * n.y) * (0.7 + 0.6 * foam.grain);
   let albedo = material.foam_colour * (FOAM_ALBEDO * (0.85 + 0.3 * foam.grain));
-  let body = (light.sun * (wrapped * (0.8 + 0.4 * foam.grain)) + light.sky * open) * (albedo / ATM_PI);
+  let sunlight = light.sun_irradiance * (wrapped * (0.8 + 0.4 * foam.grain));
+  let body = (sunlight + light.sky_irradiance * open) * (albedo / ATM_PI);
   if l.y <= 0.0 || cosine <= 0.0 {
     return body;
   }
@@ -190,6 +194,6 @@ fn foam_light(v: vec3f, slope: WaterSlope, foam: WaterFoam) -> vec3f {
   let d = facing * facing * (a2 - 1.0) + 1.0;
   let seen = max(dot(n, v), 1e-3);
   let masked = 0.5 / mix(2.0 * cosine * seen, cosine + seen, alpha);
-  let gloss = material.specular_scale * water_fresnel(dot(v, h)) * a2 / (ATM_PI * d * d) * masked * cosine;
-  return body + light.sun * min(gloss, 50.0);
+  let gloss = material.glitter_strength * water_fresnel(dot(v, h)) * a2 / (ATM_PI * d * d) * masked * cosine;
+  return body + light.sun_irradiance * min(gloss, 50.0);
 }

@@ -22,7 +22,7 @@ fn water_dielectric(cosine: f32, index: f32) -> f32 {
 fn water_schlick(cosine: f32, index: f32) -> f32 {
   let r = (index - 1.0) / (index + 1.0);
   // pow(0, 0) is not defined.
-  return mix(r * r, 1.0, pow(max(1.0 - clamp(cosine, 0.0, 1.0), 1e-6), material.fresnel_shine));
+  return mix(r * r, 1.0, pow(max(1.0 - clamp(cosine, 0.0, 1.0), 1e-6), material.schlick_exponent));
 }
 
 // Fresnel reflectance of the water in air, with the formula and the scale of the material.
@@ -36,5 +36,5 @@ fn water_fresnel(cosine: f32) -> f32 {
 
 // Fresnel reflectance of a facet with the slope `slope`, towards the direction `dir`.
 fn water_facet_fresnel(dir: vec3f, slope: vec2f) -> f32 {
-  return water_fresnel(dot(dir, water_normal(material.fresnel_normals * slope)));
+  return water_fresnel(dot(dir, water_normal(material.fresnel_slope_factor * slope)));
 }

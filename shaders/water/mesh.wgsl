@@ -3,5 +3,6 @@
 
 // Distance between neighbouring vertices at a radius from the eye, m: the larger of those along rows and columns.
 fn mesh_spacing(radius: f32) -> f32 {
-  return max((radius + frame.mesh.radius_m) * frame.mesh.row_step, radius * frame.mesh.azimuth_step);
+  let lattice = frame.mesh_lattice;
+  return max((radius + lattice.linear_radius_m) * lattice.log_radius_step, radius * lattice.azimuth_step);
 }

@@ -26,41 +26,43 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
     slope.variance = vec3f(vec2f(1.0 / (material.shininess + 2.0)), 0.0);
     around.variance = slope.variance;
   }
-  let eye = water_facets(v, slope);
+  let eye = water_facets_towards(v, slope);
   var sum = vec3f(0.0);
   var sum_f = 0.0;
   var weights = 0.0;
-  for (var i = 0; i < WATER_NODES; i++) {
-    let node = water_node(eye, i);
+  for (var i = 0; i < WATER_QUADRATURE_NODES; i++) {
+    let node = water_quadrature_node(eye, i);
     let n = water_normal(node.slope);
     // Slopes across the viewing direction lengthen the facet's unscaled normal, but not its part towards the eye.
-    let tilted = material.fresnel_normals * node.slope;
-    let beside = 1.0 + dot(tilted, tilted) + material.fresnel_normals * material.fresnel_normals * node.side;
+    let tilted = material.fresnel_slope_factor * node.slope;
+    let factor = material.fresnel_slope_factor;
+    let beside = 1.0 + dot(tilted, tilted) + factor * factor * node.side_variance;
     let f = water_fresnel((v.y - dot(v.xz, tilted)) * inverseSqrt(beside));
     // Blur of the sky: the distance to the next node, or the turn of the ray by slopes across it (less if grazing).
     let turned = 1.2 * eye.side_sigma * max(dot(v, n), 0.0);
-    let spread = max(1.6 * node.width, turned) * (128.0 / ATM_PI) + 1e-3;
+    let spread = max(1.6 * node.slope_interval, turned) * (128.0 / ATM_PI) + 1e-3;
     sum += node.weight * f * water_environment(reflect(-v, n), clamp(log2(spread), 0.0, 5.0));
     sum_f += node.weight * f;
     weights += node.weight;
   }
   var out: WaterMirror;
-  out.radiance = sum * (material.reflection / weights);
+  out.radiance = sum * (material.sky_reflection / weights);
   out.reflectance = sum_f / weights;
-  if WATER_SAMPLES {
+  if WATER_POINT_SAMPLES {
     out.radiance += water_glitter(v, slope, eye, around, out.reflectance);
     return out;
   }
   // Both halves of an elongated footprint glitter by their own slopes: neither has the mean of a wave's face and back.
-  let lean = vec3f(slope.lean * slope.lean, slope.lean.x * slope.lean.y);
+  let half = slope.half_slope_difference;
+  let between_halves = vec3f(half * half, half.x * half.y);
   var part = slope;
-  part.variance = water_covariance(max(slope.variance - lean, vec3f(0.3 * slope.variance.xy, -1.0)));
+  part.variance = water_limit_covariance(max(slope.variance - between_halves, vec3f(0.3 * slope.variance.xy, -1.0)));
   var glitter = vec3f(0.0);
   var seen = 0.0;
   for (var i = 0; i < 2; i++) {
-    part.mean = slope.mean + select(slope.lean, -slope.lean, i == 0);
-    let facets = water_facets(v, part);
-    let share = max(water_facets_seen(facets).x, 1e-5);
+    part.mean = slope.mean + select(half, -half, i == 0);
+    let facets = water_facets_towards(v, part);
+    let share = max(water_facets_projected_area(facets).x, 1e-5);
     glitter += share * water_glitter(v, part, facets, part, out.reflectance);
     seen += share;
   }
@@ -69,10 +71,11 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
 }
 
 // Radiance reflected twice divided by that reflected once, by facets of the given mean reflectance. The fraction of
-// reflected rays that meet other waves is fitted to the integral of the masking in water_unhidden over the visible
-// slopes, to 0.01 for deviations up to 0.2. If elevation and deviation are small, it depends on their ratio alone.
-fn water_again(f: WaterFacets, reflectance: f32) -> f32 {
-  let a = clamp((f.height + f.across * f.tilt) / (f.across * f.sigma), 0.0, 1e3);
+// reflected rays that meet other waves is fitted to the integral of the masking in water_masking_shadowing over the
+// visible slopes, to 0.01 for deviations up to 0.2. If elevation and deviation are small, it depends on their ratio
+// alone.
+fn water_second_bounce(f: WaterFacets, reflectance: f32) -> f32 {
+  let a = clamp((f.height + f.across * f.mean_tilt) / (f.across * f.tilt_sigma), 0.0, 1e3);
   var lost = 0.16 * a / (1.0 + 0.7 * a) * exp(-min(a * a / 8.41, 80.0));
   if WATER_GGX {
     lost = 0.17 * a / ((1.0 + 0.62 * a) * (1.0 + a * a / 9.0));
@@ -83,14 +86,14 @@ fn water_again(f: WaterFacets, reflectance: f32) -> f32 {
 // 1 / (projected area, enlarged by its part in shadow): Smith's masking and shadowing of one height field (Ross, Dion
 // and Potvin 2005). `seen` and `lit` hold projected area and mean cosine for the eye and for the sun. A facet that is
 // hidden from one is often hidden from the other.
-fn water_unhidden(seen: vec2f, lit: vec2f) -> f32 {
+fn water_masking_shadowing(seen: vec2f, lit: vec2f) -> f32 {
   let shadow = max(lit.x / max(lit.y, 1e-6), 1.0) - 1.0;
   return step(1e-6, lit.y) / (max(seen.x, 1e-5) + max(seen.y, 0.0) * shadow);
 }
 
 // Radiance of the reflected sun, from the density of the slope that reflects it. `reflectance` is the mean of facets.
 fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlope, reflectance: f32) -> vec3f {
-  let l = frame.sun;
+  let l = frame.sun_direction;
   let h = normalize(l + v);
   if l.y <= -0.02 || h.y <= 0.01 {
     return vec3f(0.0);
@@ -98,15 +101,15 @@ fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlo
   let mirror_slope = -h.xz / h.y;
   // In a filtered picture, the pixel's surface is all there is around; a sample has the surface `around`.
   var all = eye;
-  if WATER_SAMPLES {
-    all = water_facets(v, around);
+  if WATER_POINT_SAMPLES {
+    all = water_facets_towards(v, around);
   }
-  let seen = water_facets_seen(all);
-  let lit = water_facets_seen(water_facets(l, around));
+  let seen = water_facets_projected_area(all);
+  let lit = water_facets_projected_area(water_facets_towards(l, around));
   // Projected area of the surface around, divided by that of this part.
-  let share = max(seen.x, 1e-5) / max(water_facets_seen(eye).x, 1e-5);
+  let share = max(seen.x, 1e-5) / max(water_facets_projected_area(eye).x, 1e-5);
   var f = water_fresnel(dot(v, h));
-  if material.fresnel_normals != 1.0 {
+  if material.fresnel_slope_factor != 1.0 {
     f = water_facet_fresnel(v, mirror_slope);
   }
   var brightness: f32;
@@ -119,15 +122,15 @@ fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlo
   } else {
     let h2 = h.y * h.y;
     let density = water_slope_density(mirror_slope - slope.mean, slope.variance);
-    brightness = share * density / (4.0 * h2 * h2) * water_unhidden(seen, lit);
+    brightness = share * density / (4.0 * h2 * h2) * water_masking_shadowing(seen, lit);
     // Sunlight reflected twice spreads like that reflected once. It matters in grazing views of rough water.
-    brightness *= 1.0 + water_again(all, reflectance);
+    brightness *= 1.0 + water_second_bounce(all, reflectance);
   }
-  if material.specular_cut > 0.0 {
+  if material.glitter_min_cosine > 0.0 {
     let n = water_normal(slope.mean);
-    brightness *= smoothstep(0.5 * material.specular_cut, material.specular_cut, min(dot(n, l), dot(n, v)));
+    brightness *= smoothstep(0.5 * material.glitter_min_cosine, material.glitter_min_cosine, min(dot(n, l), dot(n, v)));
   }
-  let strength = material.specular_scale * clamp(material.specular_fresnel * f, 0.0, 1.0);
+  let strength = material.glitter_strength * clamp(material.glitter_fresnel * f, 0.0, 1.0);
   // A reflection is not brighter than the sun's disc.
-  return light.sun * min(strength * brightness, frame.sun_peak);
+  return light.sun_irradiance * min(strength * brightness, frame.sun_radiance_per_irradiance);
 }

@@ -1,7 +1,7 @@
 // The displaced surface: the sum of all cascades, each blended from shifted copies of its patch (tiles.wgsl).
 
 // Sums over the cascades of derivatives of elevation and displacement (Dx, Dz), without choppiness.
-struct WaterSums {
+struct WaterDerivatives {
   // Slope of the elevation along x and z.
   slope: vec2f,
   // Derivatives dDx/dx and dDz/dz.
@@ -11,40 +11,41 @@ struct WaterSums {
 }
 
 // Adds one copy of a patch with its gradients `g` and displacement `d`. `weight`: its weight, and d/dx and d/dz of it.
-fn water_sum(sums: WaterSums, g: vec4f, d: vec4f, weight: vec3f) -> WaterSums {
-  return WaterSums(
+fn water_add_patch_copy(sums: WaterDerivatives, g: vec4f, d: vec4f, weight: vec3f) -> WaterDerivatives {
+  return WaterDerivatives(
     sums.slope + weight.x * g.xy + weight.yz * d.y,
     sums.stretch + weight.x * g.zw + weight.yz * d.xz,
     sums.shear + weight.x * d.ww + weight.zy * d.xz);
 }
 
 // Shortest wavelength of a cascade, in spacings of the mesh, from which vertices carry all of its slopes (x), and below
-// which they carry none (y). Vertices read slopes only where maps are magnified (water_moved): waves count as at most
-// WATER_CARRIED.y texels long.
-const WATER_CARRIED = vec2f(12.0, 7.0);
+// which they carry none (y). Vertices read slopes only where maps are magnified (water_displacement): waves count as at
+// most WATER_CARRIED_SPACINGS.y texels long.
+const WATER_CARRIED_SPACINGS = vec2f(12.0, 7.0);
 
 // Fraction of a cascade's slopes that the vertices carry, 0 to 1, at a position relative to the point below the eye, m.
 // Its shortest waves must be long compared with the spacing of the mesh and with the pixel.
-fn water_carried(cascade: u32, at: vec2f) -> f32 {
+fn water_carried_fraction(cascade: u32, at: vec2f) -> f32 {
   let map = frame.cascades[cascade];
-  let shortest_m = min(map.wave_texels, WATER_CARRIED.y) / (map.inverse_patch * frame.n);
-  let pixel_m = frame.pixel * (dot(at, at) + frame.eye_m * frame.eye_m) / max(frame.eye_m, 0.1);
+  let shortest_m = min(map.shortest_wave_texels, WATER_CARRIED_SPACINGS.y) / (map.inverse_patch * frame.n);
+  let eye_m = frame.eye_height_m;
+  let pixel_m = frame.pixel_angle * (dot(at, at) + eye_m * eye_m) / max(eye_m, 0.1);
   let step_m = max(mesh_spacing(length(at)), 2.0 * pixel_m);
-  return smoothstep(WATER_CARRIED.y, WATER_CARRIED.x, shortest_m / step_m);
+  return smoothstep(WATER_CARRIED_SPACINGS.y, WATER_CARRIED_SPACINGS.x, shortest_m / step_m);
 }
 
-struct WaterMoved {
+struct WaterDisplacement {
   displacement: vec3f,
   // Slopes that the mesh carries from its vertices to the pixels.
-  carried: WaterSums,
+  carried: WaterDerivatives,
 }
 
 // Displacement of a position relative to the point below the eye, m, filtered over `spacing` metres. If `carries`, also
 // the slopes that a vertex carries there.
-fn water_moved(at: vec2f, spacing: f32, carries: bool) -> WaterMoved {
+fn water_displacement(at: vec2f, spacing: f32, carries: bool) -> WaterDisplacement {
   var sum = vec3f(0.0);
-  var out: WaterMoved;
-  for (var c = 0u; c < frame.count; c++) {
+  var out: WaterDisplacement;
+  for (var c = 0u; c < frame.cascade_count; c++) {
     let map = frame.cascades[c];
     let lod = log2(max(spacing * map.inverse_patch * frame.n, 1e-3));
     // Fades a cascade out, as its waves become shorter than two spacings of the mesh.
@@ -53,28 +54,28 @@ fn water_moved(at: vec2f, spacing: f32, carries: bool) -> WaterMoved {
       continue;
     }
     let smoothness = clamp(-2.0 * lod, 0.0, 1.0);
-    let carried = select(0.0, water_carried(c, at), carries);
-    var blend = tile_blend(map.tile, at);
+    let carried = select(0.0, water_carried_fraction(c, at), carries);
+    var blend = tile_blend(map.tile_position, at);
     for (var i = 0u; i < blend.count; i++) {
-      let uv = map.uv + at * map.inverse_patch + tile_shift(map.tile, blend);
+      let uv = map.uv_below_eye + at * map.inverse_patch + tile_copy_shift(map.tile_position, blend);
       var d = vec4f(0.0);
       var g = vec4f(0.0);
       // `carried` can exceed 0 where a map is not magnified: water below an eye among waves lies off the mesh's centre.
       if smoothness > 0.0 || carried > 0.0 {
-        let spline = water_spline(uv, frame.n, smoothness);
-        d = water_splined(displacement_map, spline, map.layer);
+        let spline = water_spline_taps(uv, frame.n, smoothness);
+        d = water_sample_spline(displacement_map, spline, map.layer);
         if carries {
-          g = carried * water_splined(gradients_map, spline, map.layer);
+          g = carried * water_sample_spline(gradients_map, spline, map.layer);
         }
       } else {
-        d = share * textureSampleLevel(displacement_map, wave_sampler, uv, map.layer, lod);
+        d = share * textureSampleLevel(displacement_map, trilinear_sampler, uv, map.layer, lod);
       }
-      let weight = tile_weight(blend);
+      let weight = tile_copy_weight(blend);
       sum += weight.x * d.xyz;
-      out.carried = water_sum(out.carried, g, carried * d, weight);
-      blend = tile_next(blend);
+      out.carried = water_add_patch_copy(out.carried, g, carried * d, weight);
+      blend = tile_next_copy(blend);
     }
   }
-  out.displacement = sum * vec3f(frame.chop.x, 1.0, frame.chop.y);
+  out.displacement = sum * vec3f(frame.choppiness.x, 1.0, frame.choppiness.y);
   return out;
 }

@@ -2,27 +2,27 @@
 
 @group(0) @binding(9) var<uniform> material: Material;
 
-// Parts of the water that the pipeline contains; set from `Parts` in src/render/water/light.rs.
+// Parts of the water that the pipeline contains; set from `Permutation` in src/render/water/light.rs.
 override WATER_BED: bool = false;
 override WATER_CAUSTICS: bool = false;
 override WATER_FOAM: bool = true;
 // Whether the picture holds unfiltered samples of a reference.
-override WATER_SAMPLES: bool = false;
+override WATER_POINT_SAMPLES: bool = false;
 
 // Weight of a sample of a reference in its pixel's mean. Samples lie evenly on the mesh, but the eye sees each by its
 // projected area. `mesh` has the waves that the mesh cannot show as roughness; over them, the mean weight is 1.
-fn water_weight(v: vec3f, slope: WaterSlope, mesh: WaterSlope) -> f32 {
-  let shown = water_facets_seen(water_facets(v, mesh)).x * max(mesh.jacobian, 0.1);
-  let own = water_facets_seen(water_facets(v, slope)).x * max(slope.jacobian, 0.0);
+fn water_sample_weight(v: vec3f, slope: WaterSlope, mesh: WaterSlope) -> f32 {
+  let shown = water_facets_projected_area(water_facets_towards(v, mesh)).x * max(mesh.jacobian, 0.1);
+  let own = water_facets_projected_area(water_facets_towards(v, slope)).x * max(slope.jacobian, 0.0);
   return clamp(own / max(shown, 1e-6), 1e-5, 1e3);
 }
 
 // The point of the water surface that a pixel shows.
 struct WaterPoint {
   // Position relative to the eye, m.
-  place: vec3f,
+  position: vec3f,
   // Undisplaced position (x, z) relative to the point below the eye, m.
-  rest: vec2f,
+  undisplaced: vec2f,
   // Height of the wave, m.
   height: f32,
   // Sides of the pixel on the undisplaced sea, m.
@@ -32,63 +32,64 @@ struct WaterPoint {
 
 // Adds to slope statistics the change of the slope across the pixel, because slopes that change within a pixel glitter
 // like a rough surface (Tokuyoshi and Kaplanyan 2019). `along_x` tells that the pixel's longer side is dx.
-fn water_bent(slope: WaterSlope, bend_x: vec2f, bend_y: vec2f, along_x: bool) -> WaterSlope {
+fn water_add_slope_change(slope: WaterSlope, bend_x: vec2f, bend_y: vec2f, along_x: bool) -> WaterSlope {
   let bend = (1.0 / 12.0) * (vec3f(bend_x * bend_x, bend_x.x * bend_x.y) + vec3f(bend_y * bend_y, bend_y.x * bend_y.y));
-  let most_bend = frame.footprint * min(1.0, 0.08 / max(max(bend.x, bend.y), 1e-6));
+  let most_bend = frame.footprint_scale * min(1.0, 0.08 / max(max(bend.x, bend.y), 1e-6));
   var out = slope;
-  out.variance = water_covariance(slope.variance + bend * most_bend);
-  out.lean += 0.25 * sqrt(most_bend) * select(bend_y, bend_x, along_x);
+  out.variance = water_limit_covariance(slope.variance + bend * most_bend);
+  out.half_slope_difference += 0.25 * sqrt(most_bend) * select(bend_y, bend_x, along_x);
   return out;
 }
 
-// Radiance towards the eye of a point of the water with the slope statistics `seen`; alpha as in frame_colour.
-fn water_light(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> vec4f {
+// Radiance towards the eye of a point of the water with the slope statistics `seen`; alpha as in frame_hdr_output.
+fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> vec4f {
   var slope = seen;
-  let distance_m = length(point.place);
-  let dir = point.place / distance_m;
+  let distance_m = length(point.position);
+  let dir = point.position / distance_m;
   // Local vertical at the point, on the spherical Earth.
-  let up = normalize(vec3f(point.place.x / FRAME_EARTH_M, 1.0, point.place.z / FRAME_EARTH_M));
+  let up = normalize(vec3f(point.position.x / FRAME_EARTH_RADIUS_M, 1.0, point.position.z / FRAME_EARTH_RADIUS_M));
   let v = normalize(vec3f(-dir.x, max(dot(-dir, up), 1e-4), -dir.z));
   let n = water_normal(slope.mean);
 
-  slope.variance += vec3f(vec2f(material.rough_variance), 0.0);
+  slope.variance += vec3f(vec2f(material.roughness_variance), 0.0);
   // Waves of the mesh hide and shade each other as they are drawn; finer waves do so statistically. The mesh never
   // contains ripples, however fine it is.
   var around = slope;
-  if WATER_SAMPLES {
-    let shown = WaterFootprint(vec2f(0.0), mesh_spacing(length(point.rest)), 1);
-    around = water_slope_beyond(point.rest, shown, WaterFootprint(vec2f(0.0), 1e6, 1), WaterSums(), false);
-    around.variance += vec3f(vec2f(material.rough_variance), 0.0);
+  if WATER_POINT_SAMPLES {
+    let shown = WaterFootprint(vec2f(0.0), mesh_spacing(length(point.undisplaced)), 1);
+    let no_ripples = WaterFootprint(vec2f(0.0), 1e6, 1);
+    around = water_slope_with_carried(point.undisplaced, shown, no_ripples, WaterDerivatives(), false);
+    around.variance += vec3f(vec2f(material.roughness_variance), 0.0);
   }
 
-  let pixel = foam_pixel(point.dx, point.dy);
+  let pixel = foam_footprint(point.dx, point.dy);
   var foam = vec2f(0.0);
   if WATER_FOAM {
-    foam = foam_level(point.rest, pixel);
+    foam = foam_level(point.undisplaced, pixel);
   }
   let mirror = water_mirror_among(v, slope, around);
   // Viewing ray after refraction at the mean facet.
   let ray = water_refract(-v, n);
-  var below = water_deep(n, ray, foam.x);
+  var below = water_deep_radiance(n, ray, foam.x);
   if WATER_BED {
     let blur = 0.25 * sqrt(slope.variance.x + slope.variance.y);
-    below = water_bed(below, point.place.xz, point.height, ray, foot.size, blur);
+    below = water_bed_radiance(below, point.position.xz, point.height, ray, foot.size, blur);
   }
-  if material.height_scatter > 0.0 {
-    below += water_crest(n, ray, point.height / max(frame.hs_m, 0.05), slope.jacobian, foam.x);
+  if material.crest_transmission > 0.0 {
+    below += water_crest_radiance(n, ray, point.height / max(frame.hs_m, 0.05), slope.jacobian, foam.x);
   }
   // Radiance falls by the square of the relative refractive index, because rays spread when they leave the water.
   let index = material.index_water / material.index_air;
   var surface = mirror.radiance + (1.0 - mirror.reflectance) / (index * index) * below;
-  if WATER_FOAM && foam.x >= FOAM_LEAST {
-    let look = foam_seen(point.rest, pixel, foam);
-    surface = mix(surface, foam_light(v, slope, look), look.cover);
+  if WATER_FOAM && foam.x >= FOAM_MIN_AMOUNT {
+    let look = foam_appearance(point.undisplaced, pixel, foam);
+    surface = mix(surface, foam_radiance(v, slope, look), look.cover);
   }
 
-  let air = air_between(dir, distance_m);
+  let air = air_to_point(dir, distance_m);
   let colour = surface * air[1] + air[0];
-  if WATER_SAMPLES {
-    return vec4f(colour, water_weight(v, slope, around));
+  if WATER_POINT_SAMPLES {
+    return vec4f(colour, water_sample_weight(v, slope, around));
   }
-  return frame_colour(colour, 1.0 / distance_m);
+  return frame_hdr_output(colour, 1.0 / distance_m);
 }

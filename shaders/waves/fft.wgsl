@@ -5,6 +5,6 @@
 override N: u32 = 256u;
 
 // Multiplies both complex numbers in v by the complex number w.
-fn fft_mul(v: vec4f, w: vec2f) -> vec4f {
+fn fft_complex_mul(v: vec4f, w: vec2f) -> vec4f {
   return v * w.x + vec4f(-v.y, v.x, -v.w, v.z) * w.y;
 }

@@ -4,21 +4,21 @@
 // directional distributions measured by a buoy.
 
 @group(0) @binding(0) var<uniform> sea: Sea;
-@group(0) @binding(1) var<storage, read> radial: array<vec4f>; // wave table (src/waves/table.rs), `stride` per entry
+@group(0) @binding(1) var<storage, read> spectrum_table: array<vec4f>; // see src/waves/table.rs
 @group(0) @binding(2) var<storage, read_write> h0: array<vec2f>; // [cascade][iz][ix]
 
 // Shape of a spreading lobe at the angle theta from its direction: sech^2(beta theta) cos^{2s}(theta/2), times cos^2
 // over the whole circle (kind 1) or over its forward half (kind 2).
-fn spectrum_lobe(term: SeaTerm, beta: f32, s: f32, k: vec2f) -> f32 {
-  let along = dot(term.travel, k);
-  let across = abs(term.travel.x * k.y - term.travel.y * k.x);
+fn spectrum_spreading_lobe(term: SpectrumTerm, beta: f32, s: f32, k: vec2f) -> f32 {
+  let along = dot(term.reference_direction, k);
+  let across = abs(term.reference_direction.x * k.y - term.reference_direction.y * k.x);
   let x = beta * maths_atan2_upper(across, along);
   let e = maths_exp(-x);
   let sech = 2.0 * e / (1.0 + e * e);
   // cos^2(theta/2) = (1 + cos) / 2; in the backward half as sin^2 / (2 (1 - cos)), which does not cancel.
   let unit = vec2f(along, across) / length(k);
   let half_cos2 = select(0.5 + 0.5 * unit.x, 0.5 * unit.y * unit.y / (1.0 - unit.x), unit.x < 0.0);
-  var shape = sech * sech * select(maths_exp(s * maths_ln(max(half_cos2, 1e-30))), 1.0, s == 0.0);
+  var shape = sech * sech * select(maths_exp(s * maths_natural_log(max(half_cos2, 1e-30))), 1.0, s == 0.0);
   if term.kind == 1u || term.kind == 2u {
     shape *= select(unit.x * unit.x, 0.0, term.kind == 2u && unit.x < 0.0);
   }
@@ -27,7 +27,7 @@ fn spectrum_lobe(term: SeaTerm, beta: f32, s: f32, k: vec2f) -> f32 {
 
 // Shape of a directional distribution measured by a buoy, from the maximum-entropy method (Lygre and Krogstad 1986): 1
 // / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2.
-fn spectrum_measured(phi1: vec2f, phi2: vec2f, k: vec2f) -> f32 {
+fn spectrum_buoy_distribution(phi1: vec2f, phi2: vec2f, k: vec2f) -> f32 {
   let unit = k / length(k);
   let back = vec2f(unit.x, -unit.y);
   let z = vec2f(1.0, 0.0) - maths_complex_mul(phi1, back) - maths_complex_mul(phi2, maths_complex_mul(back, back));
@@ -39,11 +39,12 @@ fn spectrum_variance(entry: u32, k: vec2f) -> f32 {
   var sum = 0.0;
   for (var i = 0u; i < sea.term_count; i++) {
     let term = sea.terms[i];
-    let row = radial[entry * sea.stride + term.slot];
+    let first = entry * sea.vectors_per_entry + term.first_vector;
+    let row = spectrum_table[first];
     if term.kind == 3u {
-      sum += row.x * spectrum_measured(row.yz, vec2f(row.w, radial[entry * sea.stride + term.slot + 1u].x), k);
+      sum += row.x * spectrum_buoy_distribution(row.yz, vec2f(row.w, spectrum_table[first + 1u].x), k);
     } else {
-      sum += row.x * spectrum_lobe(term, row.y, row.z, k) + row.w;
+      sum += row.x * spectrum_spreading_lobe(term, row.y, row.z, k) + row.w;
     }
   }
   return sum;
@@ -56,17 +57,18 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     return;
   }
   let cascade = sea.cascades[id.z];
-  let ix = sea_signed(id.x, n);
-  let iz = sea_signed(id.y, n);
+  let ix = sea_signed_index(id.x, n);
+  let iz = sea_signed_index(id.y, n);
   // Waves at the Nyquist wavenumber have no opposite wave in the lattice, so i k h would not be Hermitian. They stay 0.
   let nyquist = -i32(n / 2u);
   var h = vec2f(0.0);
   if (ix != 0 || iz != 0) && ix != nyquist && iz != nyquist {
-    let variance = spectrum_variance(id.z * sea_triangle_len(n) + sea_triangle(ix, iz), vec2f(f32(ix), f32(iz)));
-    let gauss = noise_gauss(noise_words(sea.seed, cascade.key, ix, iz));
+    let entry = id.z * sea_wave_table_len(n) + sea_wave_table_entry(ix, iz);
+    let variance = spectrum_variance(entry, vec2f(f32(ix), f32(iz)));
+    let gauss = noise_normal_pair(noise_random_words(sea.seed, cascade.noise_key, ix, iz));
     h = gauss * sqrt(variance);
   }
   let at = (id.z * n + id.y) * n + id.x;
   // The last step of an interpolation selects h, because mix would not end exactly on h.
-  h0[at] = select(mix(h0[at], h, sea.blend), h, sea.blend >= 1.0);
+  h0[at] = select(mix(h0[at], h, sea.spectrum_blend), h, sea.spectrum_blend >= 1.0);
 }

@@ -7,7 +7,7 @@ use super::measurements::{FrameMeasurements, SeaMeasurement};
 use super::viewport::Progress;
 use super::{App, setup};
 use crate::gpu::Gpu;
-use crate::ocean::{Film, Ocean};
+use crate::ocean::{Ocean, OutputKind};
 use crate::state::Params;
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -77,7 +77,7 @@ impl eframe::App for AppHost {
 pub fn create_ocean(render_state: &egui_wgpu::RenderState, params: &Params) -> GpuErrors {
     let errors = GpuErrors::watch(&render_state.device);
     let gpu = Gpu { device: render_state.device.clone(), queue: render_state.queue.clone() };
-    let ocean = Ocean::new(&gpu, render_state.target_format, Film::Screen, params);
+    let ocean = Ocean::new(&gpu, render_state.target_format, OutputKind::Screen, params);
     render_state.renderer.write().callback_resources.insert(ocean);
     errors
 }

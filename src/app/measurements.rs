@@ -2,7 +2,7 @@
 //! the panel shows them. No frame waits for the GPU: results arrive in a later frame.
 
 use super::{App, plots, tasks};
-use crate::ocean::{Ocean, Probe, Probed};
+use crate::ocean::{MapStatistics, Ocean, PendingMapRead};
 use crate::waves::map_spectrum::{MapSpectrum, MapSpectrumEstimator};
 use std::cell::Cell;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -37,7 +37,7 @@ struct FrameRequests {
     /// Number of the sea (see [`SeaMeasurement`]) whose wave maps the next frame is to copy for read-back.
     wants_probe: Option<u64>,
     /// Number of the sea, and the copies of its wave maps that the last frame recorded.
-    probe: Option<(u64, Probe)>,
+    probe: Option<(u64, PendingMapRead)>,
     /// Whether the last recorded frame was painted. Only painted frames are submitted to the GPU.
     is_painted: bool,
     /// Moving average of the CPU time that recording a frame's GPU commands takes, s.
@@ -60,7 +60,7 @@ impl FrameMeasurements {
             inner.wants_probe = Some(sea);
         }
         if inner.wants_times {
-            ocean.timer().begin(encoder, is_submitted);
+            ocean.timer().begin_frame(encoder, is_submitted);
         }
     }
 
@@ -68,7 +68,7 @@ impl FrameMeasurements {
     /// foam and no cross-fade is in progress, so that the maps may be measured.
     pub fn end_frame(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder, record_s: f64, is_whole: bool) {
         let mut inner = self.lock();
-        ocean.timer().end(encoder);
+        ocean.timer().end_frame(encoder);
         inner.record_s = if inner.record_s > 0.0 {
             inner.record_s + RECORDING_TIME_SMOOTHING * (record_s - inner.record_s)
         } else {
@@ -76,7 +76,7 @@ impl FrameMeasurements {
         };
         inner.passes = ocean.timer().is_available().then(|| ocean.timer().times());
         if is_whole && let Some(sea) = inner.wants_probe {
-            inner.probe = ocean.probe(encoder).map(|probe| (sea, probe));
+            inner.probe = ocean.record_map_read(encoder).map(|probe| (sea, probe));
             inner.wants_probe = inner.probe.is_none().then_some(sea);
         }
     }
@@ -102,11 +102,11 @@ impl FrameMeasurements {
 pub struct SeaMeasurement {
     /// Serial number of the current sea. Measurements that belong to an earlier sea are discarded.
     sea: u64,
-    inbox: tasks::Inbox<(u64, Result<Probed, String>)>,
+    inbox: tasks::Inbox<(u64, Result<MapStatistics, String>)>,
     /// Whether a requested read-back of the wave maps has not arrived yet.
     waiting: bool,
     /// The read-back that is being Fourier transformed, over several frames.
-    pending_analysis: Option<(MapSpectrumEstimator, Probed)>,
+    pending_analysis: Option<(MapSpectrumEstimator, MapStatistics)>,
     /// Time of the last request on egui's clock, and the simulated time then, s.
     last: Option<(f64, f64)>,
     sums: StatisticSums,
@@ -160,12 +160,12 @@ impl SeaMeasurement {
         Some((width, self.sums.bin_variances_m2.iter().map(|sum| sum * unit).collect()))
     }
 
-    fn add_reading(&mut self, probed: &Probed, found: &MapSpectrum, width_rad_s: f64) {
+    fn add_reading(&mut self, probed: &MapStatistics, found: &MapSpectrum, width_rad_s: f64) {
         let sums = &mut self.sums;
         sums.readings += 1;
         sums.hs2_m2 += 16.0 * found.m0_m2;
-        sums.mss += probed.mss;
-        sums.coverage += probed.coverage;
+        sums.mss += probed.mean_square_slope;
+        sums.coverage += probed.mean_foam;
         sums.width_rad_s = width_rad_s;
         sums.bin_variances_m2.resize(found.bin_variances_m2.len(), 0.0);
         sums.bin_variances_m2.iter_mut().zip(&found.bin_variances_m2).for_each(|(sum, x)| *sum += x);
@@ -206,7 +206,7 @@ impl App {
         }
         if let Some((mut pending_analysis, probed)) = measurement.pending_analysis.take() {
             ctx.request_repaint();
-            match pending_analysis.advance(&probed.plan, POINTS_PER_FRAME, |cascade, z| probed.row(cascade, z)) {
+            match pending_analysis.advance(&probed.plan, POINTS_PER_FRAME, |cascade, z| probed.heights_in_row(cascade, z)) {
                 Some(found) => measurement.add_reading(&probed, found, width),
                 None => measurement.pending_analysis = Some((pending_analysis, probed)),
             }

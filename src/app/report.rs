@@ -1,12 +1,12 @@
 //! The report that a user pastes into a bug report: program, GPU, state, errors and frame rate.
 
 use super::App;
-use crate::ocean::about::About;
+use crate::ocean::device_info::DeviceInfo;
 
 impl App {
     /// Rows (name and value) about the program, its GPU, the picture, the frame rate and the last error.
     pub(super) fn system_information(&self) -> Vec<(&'static str, String)> {
-        let mut rows = About::new(&self.render_state.adapter, &self.gpu()).rows();
+        let mut rows = DeviceInfo::new(&self.render_state.adapter, &self.gpu()).rows();
         #[cfg(target_arch = "wasm32")]
         rows.push(("browser", self.browser.clone()));
         let [width, height] = self.picture_size();

@@ -8,7 +8,7 @@ use std::sync::Arc;
 pub fn wgpu_configuration() -> egui_wgpu::WgpuConfiguration {
     let mut setup = egui_wgpu::WgpuSetupCreateNew::without_display_handle();
     setup.instance_descriptor.backends = device::backends();
-    setup.device_descriptor = Arc::new(device::descriptor);
+    setup.device_descriptor = Arc::new(device::device_descriptor);
     setup.power_preference = wgpu::PowerPreference::HighPerformance;
     #[cfg(not(target_arch = "wasm32"))]
     if let Some(name) = std::env::var("WGPU_ADAPTER_NAME").ok().filter(|name| !name.is_empty()) {

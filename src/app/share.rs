@@ -2,7 +2,7 @@
 
 use super::{App, storage, tasks};
 use crate::files::picture;
-use crate::gpu::offscreen::Picture;
+use crate::gpu::offscreen::PendingPicture;
 use crate::ocean::{Ocean, maps_file};
 use crate::state::{Params, query, rounding::rounded};
 use crate::waves::Plan;
@@ -64,7 +64,7 @@ impl App {
         let made = {
             let renderer = self.render_state.renderer.read();
             let Some(ocean) = renderer.callback_resources.get::<Ocean>() else { return };
-            Picture::submit(&gpu, encoder, format, size, |pass| ocean.present(pass))
+            PendingPicture::submit(&gpu, encoder, format, size, |pass| ocean.present(pass))
         };
         let (inbox, ctx, name) = (self.saved.clone(), self.ctx.clone(), picture_name(&params));
         let folder = self.save_folder.clone();
@@ -82,7 +82,7 @@ impl App {
         let (inbox, ctx, folder) = (self.saved.clone(), self.ctx.clone(), self.save_folder.clone());
         tasks::spawn(async move {
             let plan = Plan::new(&params);
-            let read = Ocean::waves_only(&gpu, &params).read_maps().await;
+            let read = Ocean::without_renderer(&gpu, &params).read_maps().await;
             let made = read.and_then(|read| maps_file::encode(&plan, &read, &state));
             inbox.put(made.and_then(|exr| storage::save(folder.as_deref(), "seastate-maps.exr", &exr)), &ctx);
         });

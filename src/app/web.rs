@@ -146,14 +146,15 @@ impl WebHandle {
         let render_state = self.with(|app| app.render_state().clone()).ok_or("the program is not running")?;
         let gpu = Gpu { device: render_state.device, queue: render_state.queue };
         let (params, _) = query::parse(&state);
-        let mut ocean = Ocean::waves_only(&gpu, &params);
+        let mut ocean = Ocean::without_renderer(&gpu, &params);
         let maps = ocean.read_maps().await?;
-        let heights: Vec<f32> = (0..maps.cascades()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
+        let heights: Vec<f32> =
+            (0..maps.cascade_count()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
         let texels = ocean.read_displacement().await?;
         let halves: Vec<u16> = texels.iter().flatten().map(|&x| f16::from_f32(x).to_bits()).collect();
         Ok(js_object([
             ("n", (maps.n as u32).into()),
-            ("cascades", (maps.cascades() as u32).into()),
+            ("cascades", (maps.cascade_count() as u32).into()),
             ("heights", js_sys::Float32Array::from(&heights[..]).into()),
             ("displacement", js_sys::Uint16Array::from(&halves[..]).into()),
         ]))
@@ -206,11 +207,11 @@ fn js_object<const N: usize>(properties: [(&str, JsValue); N]) -> JsValue {
 fn pass_timing_object(row: &PassTiming) -> JsValue {
     js_object([
         ("pass", row.pass.into()),
-        ("n", row.sea.map(|[n, _]| n).into()),
-        ("cascades", row.sea.map(|[_, cascades]| cascades).into()),
-        ("width", row.size.map(|[width, _]| width).into()),
-        ("height", row.size.map(|[_, height]| height).into()),
-        ("ms", row.timing.ms().into()),
+        ("n", row.sea_size.map(|[n, _]| n).into()),
+        ("cascades", row.sea_size.map(|[_, cascades]| cascades).into()),
+        ("width", row.picture_size.map(|[width, _]| width).into()),
+        ("height", row.picture_size.map(|[_, height]| height).into()),
+        ("ms", row.timing.representative_ms().into()),
     ])
 }
 

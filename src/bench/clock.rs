@@ -6,57 +6,57 @@ use crate::gpu::timer;
 use web_time::Instant;
 
 /// Shortest duration of a timed submission, ms. Short work is repeated, so that submitting and waiting count little.
-const LEAST_MS: f64 = 10.0;
+const MIN_SUBMISSION_MS: f64 = 10.0;
 /// Largest number of repetitions of the work within one submission.
-const MOST_AT_ONCE: u32 = 64;
+const MAX_REPETITIONS: u32 = 64;
 
 /// Measured times of one repetition of a piece of GPU work, ms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Timing {
     /// Median of the GPU time by timestamps, ms. `None` without timestamps.
-    pub gpu: Option<f64>,
+    pub gpu_ms: Option<f64>,
     /// Shortest time from submission to completion, divided by the repetitions in the submission, ms.
-    pub least: f64,
+    pub min_wall_ms: f64,
     /// 10th percentile, median and 90th percentile of the time from submission to completion, per repetition, ms.
-    pub spread: [f64; 3],
+    pub wall_percentiles_ms: [f64; 3],
     /// Smallest CPU time of all threads of the process, per repetition, ms. `None` where the system does not tell.
-    pub cpu: Option<f64>,
+    pub cpu_ms: Option<f64>,
 }
 
 impl Timing {
     /// Representative time, ms: the GPU time if there are timestamps, else the median from submission to completion.
-    pub fn ms(&self) -> f64 {
-        self.gpu.unwrap_or(self.spread[1])
+    pub fn representative_ms(&self) -> f64 {
+        self.gpu_ms.unwrap_or(self.wall_percentiles_ms[1])
     }
 }
 
 /// Whether timestamps measure the execution. A software adapter writes them when it receives the commands, before it
 /// executes them.
-fn has_true_timestamps(gpu: &Gpu) -> bool {
-    !gpu.is_software() && gpu.device.features().contains(timer::FEATURES)
+fn do_timestamps_measure_execution(gpu: &Gpu) -> bool {
+    !gpu.is_software() && gpu.device.features().contains(timer::TIMESTAMPS)
 }
 
 /// Measures how long GPU work takes on a device.
 pub struct Stopwatch<'a> {
     /// The device that is measured.
     pub gpu: &'a Gpu,
-    stamps: Option<Stamps>,
+    stamps: Option<TimestampQueries>,
     /// Number of timed submissions for each piece of work.
     pub repeat: u32,
     /// Largest number of repetitions of the work within one submission.
-    pub at_once: u32,
+    pub max_repetitions: u32,
 }
 
-struct Stamps {
+struct TimestampQueries {
     set: wgpu::QuerySet,
     resolved: wgpu::Buffer,
     period_ns: f64,
     between_passes: bool,
 }
 
-impl Stamps {
+impl TimestampQueries {
     fn new(gpu: &Gpu) -> Option<Self> {
-        has_true_timestamps(gpu).then(|| Self {
+        do_timestamps_measure_execution(gpu).then(|| Self {
             set: gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
                 label: Some("bench"),
                 ty: wgpu::QueryType::Timestamp,
@@ -69,12 +69,12 @@ impl Stamps {
                 mapped_at_creation: false,
             }),
             period_ns: f64::from(gpu.queue.get_timestamp_period()),
-            between_passes: gpu.device.features().contains(timer::BETWEEN_PASSES),
+            between_passes: gpu.device.features().contains(timer::TIMESTAMPS_BETWEEN_PASSES),
         })
     }
 
     /// Writes two timestamps, before the work or after it (`last`): directly between passes, or by an empty pass.
-    fn mark(&self, encoder: &mut wgpu::CommandEncoder, last: bool) {
+    fn write_timestamps(&self, encoder: &mut wgpu::CommandEncoder, last: bool) {
         let at = 2 * u32::from(last);
         if self.between_passes {
             encoder.write_timestamp(&self.set, at);
@@ -101,11 +101,11 @@ impl Stamps {
 impl<'a> Stopwatch<'a> {
     /// Creates a stopwatch that makes `repeat` timed submissions for every piece of work.
     pub fn new(gpu: &'a Gpu, repeat: u32) -> Self {
-        Self { gpu, stamps: Stamps::new(gpu), repeat: repeat.max(1), at_once: MOST_AT_ONCE }
+        Self { gpu, stamps: TimestampQueries::new(gpu), repeat: repeat.max(1), max_repetitions: MAX_REPETITIONS }
     }
 
     /// Whether times are measured with GPU timestamps.
-    pub fn has_stamps(&self) -> bool {
+    pub fn has_timestamps(&self) -> bool {
         self.stamps.is_some()
     }
 
@@ -117,23 +117,23 @@ impl<'a> Stopwatch<'a> {
         not(target_arch = "wasm32"),
         expect(clippy::disallowed_methods, reason = "web_time::Instant is the standard one there")
     )]
-    pub async fn time(&self, mut record: impl FnMut(u32, &mut wgpu::CommandEncoder)) -> Result<Timing, String> {
+    pub async fn measure(&self, mut record: impl FnMut(u32, &mut wgpu::CommandEncoder)) -> Result<Timing, String> {
         let mut calls = 0;
         let mut submit = async |times: u32| -> Result<(f64, Option<f64>, Option<f64>), String> {
             let (start, spent) = (Instant::now(), cpu_ms());
             let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            self.stamps.iter().for_each(|s| s.mark(&mut encoder, false));
+            self.stamps.iter().for_each(|s| s.write_timestamps(&mut encoder, false));
             for _ in 0..times {
                 record(calls, &mut encoder);
                 calls += 1;
             }
             let staged = self.stamps.as_ref().map(|s| {
-                s.mark(&mut encoder, true);
+                s.write_timestamps(&mut encoder, true);
                 encoder.resolve_query_set(&s.set, 0..4, &s.resolved, 0);
                 readback::stage_buffer(self.gpu, &mut encoder, &s.resolved)
             });
             self.gpu.submit(encoder);
-            readback::done(self.gpu).await?;
+            readback::wait_for_submitted_work(self.gpu).await?;
             let ms = 1e3 * start.elapsed().as_secs_f64() / f64::from(times);
             let cpu = cpu_ms().zip(spent).map(|(after, before)| (after - before) / f64::from(times));
             let gpu = match (&self.stamps, staged) {
@@ -145,7 +145,7 @@ impl<'a> Stopwatch<'a> {
         // Warm-up: drivers compile pipelines and clear buffers at their first use.
         submit(1).await?;
         let once = submit(1).await?.0;
-        let times = ((LEAST_MS / once.max(1e-3)).ceil() as u32).clamp(1, self.at_once);
+        let times = ((MIN_SUBMISSION_MS / once.max(1e-3)).ceil() as u32).clamp(1, self.max_repetitions);
         let (mut waits, mut stamps, mut least_cpu) = (Vec::new(), Vec::new(), None);
         for _ in 0..self.repeat {
             let (wait, gpu, cpu) = submit(times).await?;
@@ -159,8 +159,8 @@ impl<'a> Stopwatch<'a> {
         };
         // Timestamps that are too coarse give 0, which is no measurement.
         let gpu = (!stamps.is_empty()).then(|| at(&mut stamps, 0.5)).filter(|&ms| ms > 0.0);
-        let spread = [0.1, 0.5, 0.9].map(|q| at(&mut waits, q));
-        Ok(Timing { gpu, least: waits[0], spread, cpu: least_cpu })
+        let wall_percentiles_ms = [0.1, 0.5, 0.9].map(|q| at(&mut waits, q));
+        Ok(Timing { gpu_ms: gpu, min_wall_ms: waits[0], wall_percentiles_ms, cpu_ms: least_cpu })
     }
 }
 

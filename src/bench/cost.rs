@@ -22,13 +22,13 @@ impl std::ops::Add for Cost {
 }
 
 /// Cost of `bytes` and `flops` per texel, for all n x n texels of all cascades.
-fn texels(n: u32, cascades: u32, bytes: f64, flops: f64) -> Cost {
+fn cost_of_texels(n: u32, cascades: u32, bytes: f64, flops: f64) -> Cost {
     let count = f64::from(n) * f64::from(n) * f64::from(cascades);
     Cost { bytes: count * bytes, flops: count * flops }
 }
 
 /// Number of operations per point for four complex FFTs along one axis: 5 log2(n) each.
-fn transforms(n: u32) -> f64 {
+fn fft_flops_per_point(n: u32) -> f64 {
     4.0 * 5.0 * f64::from(n.ilog2())
 }
 
@@ -36,12 +36,12 @@ fn transforms(n: u32) -> f64 {
 /// one (16), an eighth of an entry of the wave table (1), four complex results (32). Software adapters compute a wave
 /// once for two lines; that is not subtracted.
 pub fn rows(n: u32, cascades: u32) -> Cost {
-    texels(n, cascades, 49.0, 30.0 + 14.0 + 40.0 + transforms(n))
+    cost_of_texels(n, cascades, 49.0, 30.0 + 14.0 + 40.0 + fft_flops_per_point(n))
 }
 
 /// Cost of the column pass: FFT along z, and maps. Bytes per point: four complex inputs (32), two texels written.
 pub fn columns(n: u32, cascades: u32, maps: MapFormat) -> Cost {
-    texels(n, cascades, 32.0 + 2.0 * f64::from(maps.bytes()), transforms(n))
+    cost_of_texels(n, cascades, 32.0 + 2.0 * f64::from(maps.bytes_per_texel()), fft_flops_per_point(n))
 }
 
 /// Cost of the row pass and the column pass together.
@@ -52,15 +52,15 @@ pub fn waves(n: u32, cascades: u32, maps: MapFormat) -> Cost {
 /// Cost of the mip pass. Per texel of level 0, two texels are read and a third of three texels is written. Each written
 /// texel takes 4 x 14 operations: sums over eleven channels, and three products of slopes.
 pub fn mips(n: u32, cascades: u32, maps: MapFormat) -> Cost {
-    texels(n, cascades, 3.0 * f64::from(maps.bytes()), 4.0 * 14.0 / 3.0)
+    cost_of_texels(n, cascades, 3.0 * f64::from(maps.bytes_per_texel()), 4.0 * 14.0 / 3.0)
 }
 
 /// Cost of the foam pass. Bytes per cell: foam read and written (8), one texel written, and four texels of two maps
 /// read for each cascade and copy of its patch. Operations include bilinear weights and the blend of the copies.
 pub fn foam(foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
-    let (samples, texel) = (f64::from(cascades) * MEAN_COPIES, f64::from(maps.bytes()));
+    let (samples, texel) = (f64::from(cascades) * MEAN_COPIES, f64::from(maps.bytes_per_texel()));
     let flops = 40.0 + 60.0 * f64::from(cascades) + 60.0 * samples;
-    texels(foam_n, FOAM_LEVELS as u32, 8.0 + texel + 8.0 * texel * samples, flops)
+    cost_of_texels(foam_n, FOAM_LEVELS as u32, 8.0 + texel + 8.0 * texel * samples, flops)
 }
 
 /// Cost of simulating one frame without a cross-fade, with foam levels of `foam_n` x `foam_n` cells.
@@ -75,21 +75,21 @@ pub struct ShaderCost {
     /// Number of floating-point operations per vertex or pixel.
     pub flops: f64,
     /// Number of texture reads per vertex or pixel, each of one texel or one filtered sample.
-    pub reads: f64,
+    pub texture_reads: f64,
 }
 
 /// Cost per vertex of the compute pass that displaces the sea mesh.
-pub const VERTEX: ShaderCost = ShaderCost { flops: 3000.0, reads: 67.6 };
+pub const DISPLACE_VERTEX: ShaderCost = ShaderCost { flops: 3000.0, texture_reads: 67.6 };
 /// Cost per vertex of the vertex shader that draws the displaced sea mesh.
-pub const DRAWN_VERTEX: ShaderCost = ShaderCost { flops: 32.0, reads: 0.0 };
+pub const MESH_VERTEX: ShaderCost = ShaderCost { flops: 32.0, texture_reads: 0.0 };
 /// Cost per pixel of the fragment shader that draws the sea mesh to the G-buffer.
-pub const SHOWN: ShaderCost = ShaderCost { flops: 36.0, reads: 0.0 };
+pub const MESH_FRAGMENT: ShaderCost = ShaderCost { flops: 36.0, texture_reads: 0.0 };
 /// Cost per pixel of the shader that lights the sea.
-pub const LIGHT: ShaderCost = ShaderCost { flops: 10550.0, reads: 89.7 };
+pub const LIGHT_FRAGMENT: ShaderCost = ShaderCost { flops: 10550.0, texture_reads: 89.7 };
 /// Cost per pixel of the shader that draws the sky.
-pub const BACKGROUND: ShaderCost = ShaderCost { flops: 2200.0, reads: 8.0 };
+pub const BACKGROUND_FRAGMENT: ShaderCost = ShaderCost { flops: 2200.0, texture_reads: 8.0 };
 /// Cost per pixel of the present pass, which turns the HDR picture into screen colours.
-pub const PRESENT: ShaderCost = ShaderCost { flops: 770.0, reads: 10.0 };
+pub const PRESENT_FRAGMENT: ShaderCost = ShaderCost { flops: 770.0, texture_reads: 10.0 };
 
 /// Numbers of pixels, vertices and bytes that determine the cost of drawing a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,7 +97,7 @@ pub struct PictureContents {
     /// Number of pixels of the picture.
     pub pixels: f64,
     /// Fraction of the pixels below the horizon, 0 to 1.
-    pub sea: f64,
+    pub sea_fraction: f64,
     /// Number of vertices of the sea mesh.
     pub vertices: f64,
     /// Size of the displacement maps with their mip levels, bytes. The gradients and the moments take as much each.
@@ -108,29 +108,29 @@ impl PictureContents {
     /// Cost of drawing the sea mesh. Bytes: 120 per vertex, which is written, read, and indexed by six corners of
     /// triangles; the displacement and gradient maps; surface data (32) and depth (4) written per sea pixel.
     pub fn mesh(&self) -> Cost {
-        let seen = self.pixels * self.sea;
+        let seen = self.pixels * self.sea_fraction;
         Cost {
             bytes: 120.0 * self.vertices + 36.0 * seen + 2.0 * self.map_bytes,
-            flops: (VERTEX.flops + DRAWN_VERTEX.flops) * self.vertices + SHOWN.flops * seen,
+            flops: (DISPLACE_VERTEX.flops + MESH_VERTEX.flops) * self.vertices + MESH_FRAGMENT.flops * seen,
         }
     }
 
     /// Cost of drawing and lighting the sea mesh. Lighting a sea pixel reads its surface data (32 bytes) and depth (4),
     /// and writes its light (8). All three kinds of map are read.
     pub fn water(&self) -> Cost {
-        let seen = self.pixels * self.sea;
-        let light = Cost { bytes: 44.0 * seen + 3.0 * self.map_bytes, flops: LIGHT.flops * seen };
+        let seen = self.pixels * self.sea_fraction;
+        let light = Cost { bytes: 44.0 * seen + 3.0 * self.map_bytes, flops: LIGHT_FRAGMENT.flops * seen };
         self.mesh() + light
     }
 
     /// Cost of drawing the sky: a sky pixel writes its light (8 bytes) and reads its depth (4).
     pub fn background(&self) -> Cost {
-        let seen = self.pixels * (1.0 - self.sea);
-        Cost { bytes: 12.0 * seen, flops: BACKGROUND.flops * seen }
+        let seen = self.pixels * (1.0 - self.sea_fraction);
+        Cost { bytes: 12.0 * seen, flops: BACKGROUND_FRAGMENT.flops * seen }
     }
 
     /// Cost of the present pass: a pixel reads its light (8 bytes) and writes its colour (4).
     pub fn present(&self) -> Cost {
-        Cost { bytes: 12.0 * self.pixels, flops: PRESENT.flops * self.pixels }
+        Cost { bytes: 12.0 * self.pixels, flops: PRESENT_FRAGMENT.flops * self.pixels }
     }
 }

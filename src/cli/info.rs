@@ -1,22 +1,22 @@
 //! `seastate info`: prints the program's version, its GPU, and how it uses the GPU.
 
-use crate::ocean::about::{About, VERSION, WGPU_VERSION, system};
+use crate::ocean::device_info::{DeviceInfo, VERSION, WGPU_VERSION, build_platform};
 use serde_json::{Map, Value, json};
 
 /// Formats the report about the program and its GPU as a text table.
-pub fn about_text(about: &About) -> String {
+pub fn about_text(about: &DeviceInfo) -> String {
     about.rows().iter().map(|(name, value)| format!("{name:<28} {value}\n")).collect()
 }
 
 /// Converts the report about the program and its GPU to JSON.
-pub fn about_json(about: &About) -> Value {
+pub fn about_json(about: &DeviceInfo) -> Value {
     let limits =
         about.limits.iter().map(|(name, [asked, could])| (json_key(name), json!({"asked": asked, "adapter": could})));
-    let ways = about.ways.iter().map(|(name, way)| (json_key(name), json!(way)));
+    let ways = about.choices.iter().map(|(name, way)| (json_key(name), json!(way)));
     json!({
-        "seastate": VERSION, "wgpu": WGPU_VERSION, "system": system(),
+        "seastate": VERSION, "wgpu": WGPU_VERSION, "system": build_platform(),
         "adapter": about.adapter, "kind": about.kind, "backend": about.backend, "driver": about.driver,
-        "vendor": about.ids[0], "device": about.ids[1], "features": about.features,
+        "vendor": about.pci_ids[0], "device": about.pci_ids[1], "features": about.features,
         "ways": ways.collect::<Map<_, _>>(), "limits": limits.collect::<Map<_, _>>(),
     })
 }

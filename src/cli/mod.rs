@@ -10,7 +10,7 @@ use crate::gpu::{Gpu, device};
 use crate::lab::reference::Sampling;
 use crate::lab::render::Sequence;
 use crate::lab::{check, export, gallery, parameters, render, stats, validate};
-use crate::ocean::about::About;
+use crate::ocean::device_info::DeviceInfo;
 use crate::state::Params;
 use args::{Cli, Command, SeaArgs};
 use clap::Parser as _;
@@ -88,8 +88,8 @@ fn run(cli: Cli) -> Result<i32, String> {
             if json { pretty_json(&bench::report_json(&report)) } else { report.to_string() }
         }
         Some(Command::Info { json }) => {
-            let adapter = block_on(device::adapter())?;
-            let about = About::new(&adapter, &block_on(Gpu::open(&adapter))?);
+            let adapter = block_on(device::choose_adapter())?;
+            let about = DeviceInfo::new(&adapter, &block_on(Gpu::open(&adapter))?);
             if json { pretty_json(&info::about_json(&about)) } else { info::about_text(&about) }
         }
         Some(Command::Validate { output, seeds, all, only }) => {

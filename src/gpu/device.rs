@@ -6,9 +6,9 @@ use super::map_format::MapFormat;
 use super::timer;
 
 /// Describes the device that the program requests from an adapter: required limits and optional features.
-pub fn descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
+pub fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     let info = adapter.get_info();
-    let wanted = timer::FEATURES | timer::BETWEEN_PASSES | MapFormat::features(&info);
+    let wanted = timer::TIMESTAMPS | timer::TIMESTAMPS_BETWEEN_PASSES | MapFormat::wanted_features(&info);
     wgpu::DeviceDescriptor {
         label: Some("seastate"),
         required_features: adapter.features() & wanted,
@@ -32,7 +32,7 @@ pub fn backends() -> wgpu::Backends {
 ///
 /// # Errors
 /// If there is no adapter, or none with that name: one sentence that says what to do.
-pub async fn adapter() -> Result<wgpu::Adapter, String> {
+pub async fn choose_adapter() -> Result<wgpu::Adapter, String> {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
     descriptor.backends = backends();
     let instance = wgpu::Instance::new(descriptor);
@@ -51,7 +51,7 @@ pub async fn adapter() -> Result<wgpu::Adapter, String> {
     instance
         .request_adapter(&options)
         .await
-        .map_err(|e| if cfg!(target_arch = "wasm32") { e.to_string() } else { NO_ADAPTER.to_owned() })
+        .map_err(|e| if cfg!(target_arch = "wasm32") { e.to_string() } else { NO_ADAPTER_MESSAGE.to_owned() })
 }
 
 impl Gpu {
@@ -60,21 +60,21 @@ impl Gpu {
         self.device.adapter_info().device_type == wgpu::DeviceType::Cpu
     }
 
-    /// Opens a device for work without a window or canvas, on the adapter that [`adapter`] chooses.
+    /// Opens a device for work without a window or canvas, on the adapter that [`choose_adapter`] chooses.
     ///
     /// # Errors
     /// If there is no adapter, or it refuses to open a device: one sentence for the user.
     pub async fn request() -> Result<Self, String> {
-        Self::open(&adapter().await?).await
+        Self::open(&choose_adapter().await?).await
     }
 
-    /// Opens a device on the given adapter, with the limits and features of [`descriptor`].
+    /// Opens a device on the given adapter, with the limits and features of [`device_descriptor`].
     ///
     /// # Errors
     /// If the adapter refuses to open a device: one sentence for the user.
     pub async fn open(adapter: &wgpu::Adapter) -> Result<Self, String> {
         let (device, queue) = adapter
-            .request_device(&descriptor(adapter))
+            .request_device(&device_descriptor(adapter))
             .await
             .map_err(|e| format!("the GPU \"{}\" cannot be used: {e}", adapter.get_info().name))?;
         Ok(Self { device, queue })
@@ -82,5 +82,5 @@ impl Gpu {
 }
 
 /// Error message for a system without a graphics adapter.
-pub const NO_ADAPTER: &str = "no Vulkan, Metal or Direct3D 12 adapter found: install your GPU's driver, or the \
+pub const NO_ADAPTER_MESSAGE: &str = "no Vulkan, Metal or Direct3D 12 adapter found: install your GPU's driver, or the \
      software one (Debian and Ubuntu: mesa-vulkan-drivers, Fedora: mesa-vulkan-drivers, Arch: vulkan-swrast)";

@@ -13,15 +13,15 @@ pub struct Gpu {
 
 /// Type of the resource at one binding of a bind group.
 #[derive(Clone, Copy, Debug)]
-pub enum Slot {
+pub enum BindingType {
     /// A uniform buffer of the given number of bytes.
     Uniform(usize),
     /// A uniform buffer of the given number of bytes, at a dynamic offset.
-    UniformAt(usize),
+    DynamicUniform(usize),
     /// A storage buffer of at least the given number of bytes that the shader only reads.
-    Read(usize),
+    StorageRead(usize),
     /// A storage buffer of at least the given number of bytes that the shader reads and writes.
-    Write(usize),
+    StorageReadWrite(usize),
     /// A filterable 2d texture.
     Texture,
     /// A filterable 2d array texture.
@@ -29,15 +29,15 @@ pub enum Slot {
     /// A 2d texture of unsigned integers.
     TextureUint,
     /// A 2d storage texture that the shader writes.
-    Image(wgpu::TextureFormat),
+    StorageTexture(wgpu::TextureFormat),
     /// A 2d array storage texture that the shader writes.
-    ImageArray(wgpu::TextureFormat),
+    StorageTextureArray(wgpu::TextureFormat),
     /// A filtering sampler.
     Sampler,
 }
 
-impl Slot {
-    fn binding_type(self) -> wgpu::BindingType {
+impl BindingType {
+    fn to_wgpu(self) -> wgpu::BindingType {
         let buffer = |ty, has_dynamic_offset, bytes| wgpu::BindingType::Buffer {
             ty,
             has_dynamic_offset,
@@ -58,14 +58,14 @@ impl Slot {
         use wgpu::TextureViewDimension::{D2, D2Array};
         match self {
             Self::Uniform(bytes) => buffer(wgpu::BufferBindingType::Uniform, false, bytes),
-            Self::UniformAt(bytes) => buffer(wgpu::BufferBindingType::Uniform, true, bytes),
-            Self::Read(bytes) => buffer(storage(true), false, bytes),
-            Self::Write(bytes) => buffer(storage(false), false, bytes),
+            Self::DynamicUniform(bytes) => buffer(wgpu::BufferBindingType::Uniform, true, bytes),
+            Self::StorageRead(bytes) => buffer(storage(true), false, bytes),
+            Self::StorageReadWrite(bytes) => buffer(storage(false), false, bytes),
             Self::Texture => texture(filterable, D2),
             Self::TextureArray => texture(filterable, D2Array),
             Self::TextureUint => texture(wgpu::TextureSampleType::Uint, D2),
-            Self::Image(format) => image(format, D2),
-            Self::ImageArray(format) => image(format, D2Array),
+            Self::StorageTexture(format) => image(format, D2),
+            Self::StorageTextureArray(format) => image(format, D2Array),
             Self::Sampler => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
         }
     }
@@ -76,7 +76,7 @@ pub struct Program<'a> {
     /// Shader module that contains both entry points.
     pub module: &'a wgpu::ShaderModule,
     /// Names of the vertex entry point and of the fragment entry point.
-    pub entries: [&'a str; 2],
+    pub entry_points: [&'a str; 2],
     /// Names and values of the module's override constants.
     pub constants: &'a [(&'a str, f64)],
 }
@@ -84,7 +84,7 @@ pub struct Program<'a> {
 impl<'a> Program<'a> {
     /// A program with the entry points `vertex` and `fragment` and default override constants.
     pub fn new(module: &'a wgpu::ShaderModule) -> Self {
-        Self { module, entries: ["vertex", "fragment"], constants: &[] }
+        Self { module, entry_points: ["vertex", "fragment"], constants: &[] }
     }
 }
 
@@ -93,18 +93,18 @@ pub struct Attachments<'a> {
     /// Texture formats of the colour attachments, in order.
     pub formats: &'a [wgpu::TextureFormat],
     /// How depth is tested and written. None without a depth attachment.
-    pub depth: Option<Depth>,
+    pub depth: Option<DepthState>,
 }
 
 /// How a render pipeline tests and writes depth.
 #[derive(Clone, Copy, Debug)]
-pub struct Depth {
+pub struct DepthState {
     /// Texture format of the depth attachment.
     pub format: wgpu::TextureFormat,
     /// Comparison with the stored depth that a fragment must pass.
     pub compare: wgpu::CompareFunction,
     /// Whether fragments that pass the depth test write their depth.
-    pub write: bool,
+    pub writes_depth: bool,
 }
 
 impl Gpu {
@@ -129,7 +129,7 @@ impl Gpu {
     }
 
     /// Creates a storage buffer of `bytes` bytes that can also be copied from and to.
-    pub fn storage(&self, label: &str, bytes: u64) -> wgpu::Buffer {
+    pub fn storage_buffer(&self, label: &str, bytes: u64) -> wgpu::Buffer {
         let copies = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC;
         self.buffer(label, bytes, wgpu::BufferUsages::STORAGE | copies)
     }
@@ -185,21 +185,26 @@ impl Gpu {
         })
     }
 
-    /// Creates a bind group layout. `slots` are the bindings 0, 1, 2 and so on.
-    pub fn layout(&self, label: &str, visibility: wgpu::ShaderStages, slots: &[Slot]) -> wgpu::BindGroupLayout {
-        let entry = |(binding, slot): (u32, &Slot)| wgpu::BindGroupLayoutEntry {
+    /// Creates a bind group layout. `bindings` are the bindings 0, 1, 2 and so on.
+    pub fn bind_group_layout(
+        &self,
+        label: &str,
+        visibility: wgpu::ShaderStages,
+        bindings: &[BindingType],
+    ) -> wgpu::BindGroupLayout {
+        let entry = |(binding, binding_type): (u32, &BindingType)| wgpu::BindGroupLayoutEntry {
             binding,
             visibility,
-            ty: slot.binding_type(),
+            ty: binding_type.to_wgpu(),
             count: None,
         };
-        let entries: Vec<_> = (0..).zip(slots).map(entry).collect();
+        let entries: Vec<_> = (0..).zip(bindings).map(entry).collect();
         let descriptor = wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries };
         self.device.create_bind_group_layout(&descriptor)
     }
 
     /// Creates a bind group. `resources` are the bindings 0, 1, 2 and so on.
-    pub fn group(
+    pub fn bind_group(
         &self,
         label: &str,
         layout: &wgpu::BindGroupLayout,
@@ -213,7 +218,7 @@ impl Gpu {
     }
 
     /// Compiles the WGSL text `source` to a shader module.
-    pub fn module(&self, label: &str, source: &str) -> wgpu::ShaderModule {
+    pub fn shader_module(&self, label: &str, source: &str) -> wgpu::ShaderModule {
         self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(label),
             source: wgpu::ShaderSource::Wgsl(source.into()),
@@ -221,7 +226,7 @@ impl Gpu {
     }
 
     /// Creates a compute pipeline from an entry point of a module, bind group layouts and override constants.
-    pub fn compute(
+    pub fn compute_pipeline(
         &self,
         label: &str,
         (module, entry): (&wgpu::ShaderModule, &str),
@@ -239,14 +244,14 @@ impl Gpu {
     }
 
     /// Creates a render pipeline that draws triangles without vertex buffers.
-    pub fn render(
+    pub fn render_pipeline(
         &self,
         label: &str,
         program: &Program<'_>,
         layouts: &[&wgpu::BindGroupLayout],
         onto: &Attachments<'_>,
     ) -> wgpu::RenderPipeline {
-        let Program { module, entries: [vertex, fragment], constants } = *program;
+        let Program { module, entry_points: [vertex, fragment], constants } = *program;
         let compilation_options = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
         let targets: Vec<_> = onto.formats.iter().map(|&format| Some(format.into())).collect();
         self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
@@ -261,7 +266,7 @@ impl Gpu {
             primitive: wgpu::PrimitiveState::default(),
             depth_stencil: onto.depth.map(|depth| wgpu::DepthStencilState {
                 format: depth.format,
-                depth_write_enabled: Some(depth.write),
+                depth_write_enabled: Some(depth.writes_depth),
                 depth_compare: Some(depth.compare),
                 stencil: wgpu::StencilState::default(),
                 bias: wgpu::DepthBiasState::default(),
@@ -297,22 +302,22 @@ pub struct Kernel {
 }
 
 impl Kernel {
-    /// Compiles an entry point of a module, with the bindings `slots` and the given override constants.
+    /// Compiles an entry point of a module, with the bindings `bindings` and the given override constants.
     pub fn new(
         gpu: &Gpu,
         label: &'static str,
         program: (&wgpu::ShaderModule, &str),
-        slots: &[Slot],
+        bindings: &[BindingType],
         constants: &[(&str, f64)],
     ) -> Self {
-        let layout = gpu.layout(label, wgpu::ShaderStages::COMPUTE, slots);
-        let pipeline = gpu.compute(label, program, &[&layout], constants);
+        let layout = gpu.bind_group_layout(label, wgpu::ShaderStages::COMPUTE, bindings);
+        let pipeline = gpu.compute_pipeline(label, program, &[&layout], constants);
         Self { label, pipeline, layout }
     }
 
-    /// Creates a bind group for the kernel from resources in the order of its slots.
+    /// Creates a bind group for the kernel from resources in the order of its bindings.
     pub fn bind(&self, gpu: &Gpu, resources: &[wgpu::BindingResource<'_>]) -> wgpu::BindGroup {
-        gpu.group(self.label, &self.layout, resources)
+        gpu.bind_group(self.label, &self.layout, resources)
     }
 
     /// Records a dispatch of `size` workgroups in a compute pass of its own, with dynamic `offsets` in bytes.

@@ -4,19 +4,19 @@
 /// A Rust type with the same memory layout as a WGSL type.
 pub trait SharedType: bytemuck::Pod {
     /// Returns the type's name in WGSL.
-    fn wgsl() -> String;
+    fn wgsl_type_name() -> String;
 }
 
 /// A struct that [`gpu_struct!`] declares. WGSL needs its name to declare arrays of it.
 pub trait SharedStruct: SharedType {
     /// The name of the struct in WGSL.
-    const NAME: &'static str;
+    const WGSL_NAME: &'static str;
 }
 
 macro_rules! shared_types {
     ($($rust:ty => $wgsl:literal,)+) => {
         $(impl SharedType for $rust {
-            fn wgsl() -> String {
+            fn wgsl_type_name() -> String {
                 $wgsl.to_owned()
             }
         })+
@@ -38,20 +38,20 @@ shared_types! {
 }
 
 impl<const N: usize> SharedType for [[f32; 4]; N] {
-    fn wgsl() -> String {
+    fn wgsl_type_name() -> String {
         format!("array<vec4f, {N}>")
     }
 }
 
 impl<T: SharedStruct, const N: usize> SharedType for [T; N] {
-    fn wgsl() -> String {
-        format!("array<{}, {N}>", T::NAME)
+    fn wgsl_type_name() -> String {
+        format!("array<{}, {N}>", T::WGSL_NAME)
     }
 }
 
 /// A member of a struct that Rust and WGSL share.
 #[derive(Clone, Copy, Debug)]
-pub struct Member {
+pub struct StructMember {
     /// Name of the member in Rust and in WGSL.
     pub name: &'static str,
     /// Offset of the member from the start of the struct, bytes.
@@ -59,10 +59,10 @@ pub struct Member {
     /// Size of the member, bytes.
     pub size: usize,
     /// Returns the type's name in WGSL.
-    pub wgsl: fn() -> String,
+    pub wgsl_type_name: fn() -> String,
 }
 
-impl Member {
+impl StructMember {
     /// Whether the member is padding, which only aligns the next member or the size of the struct.
     pub fn is_padding(&self) -> bool {
         self.name.starts_with("unused")
@@ -71,21 +71,21 @@ impl Member {
 
 /// Declaration of a struct that Rust and WGSL share.
 #[derive(Clone, Copy, Debug)]
-pub struct Declaration {
+pub struct StructDeclaration {
     /// The name of the struct in WGSL.
     pub name: &'static str,
     /// Members of the struct, in the order of their offsets.
-    pub members: &'static [Member],
+    pub members: &'static [StructMember],
     /// Size of the struct, bytes.
     pub size: usize,
 }
 
-impl Declaration {
+impl StructDeclaration {
     /// WGSL text of the struct. Padding becomes single u32 members, because a vector's alignment would move it.
-    pub fn wgsl(&self) -> String {
+    pub fn wgsl_declaration(&self) -> String {
         let lines = self.members.iter().map(|member| match member.is_padding() {
             true => (0..member.size / 4).map(|word| format!("  {}_{word}: u32,\n", member.name)).collect(),
-            false => format!("  {}: {},\n", member.name, (member.wgsl)()),
+            false => format!("  {}: {},\n", member.name, (member.wgsl_type_name)()),
         });
         format!("struct {} {{\n{}}}\n", self.name, lines.collect::<String>())
     }
@@ -106,24 +106,24 @@ macro_rules! gpu_struct {
         }
 
         impl $crate::gpu::layout::SharedType for $rust {
-            fn wgsl() -> String {
+            fn wgsl_type_name() -> String {
                 $wgsl.to_owned()
             }
         }
 
         impl $crate::gpu::layout::SharedStruct for $rust {
-            const NAME: &'static str = $wgsl;
+            const WGSL_NAME: &'static str = $wgsl;
         }
 
         impl $rust {
             /// Declaration of the struct in WGSL.
-            pub const DECLARATION: $crate::gpu::layout::Declaration = $crate::gpu::layout::Declaration {
+            pub const DECLARATION: $crate::gpu::layout::StructDeclaration = $crate::gpu::layout::StructDeclaration {
                 name: $wgsl,
-                members: &[$($crate::gpu::layout::Member {
+                members: &[$($crate::gpu::layout::StructMember {
                     name: stringify!($member),
                     offset: std::mem::offset_of!($rust, $member),
                     size: size_of::<$kind>(),
-                    wgsl: <$kind as $crate::gpu::layout::SharedType>::wgsl,
+                    wgsl_type_name: <$kind as $crate::gpu::layout::SharedType>::wgsl_type_name,
                 }),+],
                 size: size_of::<$rust>(),
             };

@@ -18,27 +18,28 @@ pub enum MapFormat {
 
 impl MapFormat {
     /// wgpu feature that makes 32-bit float textures filterable.
-    pub const FEATURES: wgpu::Features = wgpu::Features::FLOAT32_FILTERABLE;
+    pub const FILTERABLE_FLOATS: wgpu::Features = wgpu::Features::FLOAT32_FILTERABLE;
 
-    /// Feature to request from an adapter: [`Self::FEATURES`] where 32-bit floats are the faster format, else none.
-    pub fn features(adapter: &wgpu::AdapterInfo) -> wgpu::Features {
+    /// Feature to request from an adapter: [`Self::FILTERABLE_FLOATS`] where 32-bit floats are the faster format, else
+    /// none.
+    pub fn wanted_features(adapter: &wgpu::AdapterInfo) -> wgpu::Features {
         let is_cpu = adapter.device_type == wgpu::DeviceType::Cpu;
-        if is_cpu && !adapter.name.contains("llvmpipe") { Self::FEATURES } else { wgpu::Features::empty() }
+        if is_cpu && !adapter.name.contains("llvmpipe") { Self::FILTERABLE_FLOATS } else { wgpu::Features::empty() }
     }
 
     /// The faster map format on a device.
-    pub fn of(gpu: &Gpu) -> Self {
+    pub fn for_device(gpu: &Gpu) -> Self {
         Self::for_adapter(gpu.is_software(), gpu.device.features())
     }
 
     /// 32-bit floats on software adapters that can filter them, half floats elsewhere. A graphics card gets half floats
     /// even if its device has the feature, as the device of a host program may.
     fn for_adapter(is_software: bool, features: wgpu::Features) -> Self {
-        if is_software && features.contains(Self::FEATURES) { Self::Float } else { Self::Half }
+        if is_software && features.contains(Self::FILTERABLE_FLOATS) { Self::Float } else { Self::Half }
     }
 
     /// The wgpu name of this format.
-    pub fn texture(self) -> wgpu::TextureFormat {
+    pub fn texture_format(self) -> wgpu::TextureFormat {
         match self {
             Self::Half => wgpu::TextureFormat::Rgba16Float,
             Self::Float => wgpu::TextureFormat::Rgba32Float,
@@ -46,7 +47,7 @@ impl MapFormat {
     }
 
     /// Size of a texel, bytes.
-    pub const fn bytes(self) -> u32 {
+    pub const fn bytes_per_texel(self) -> u32 {
         match self {
             Self::Half => 8,
             Self::Float => 16,
@@ -54,7 +55,7 @@ impl MapFormat {
     }
 
     /// The WGSL name of this format.
-    pub const fn wgsl(self) -> &'static str {
+    pub const fn wgsl_format_name(self) -> &'static str {
         match self {
             Self::Half => "rgba16float",
             Self::Float => "rgba32float",
@@ -62,7 +63,7 @@ impl MapFormat {
     }
 
     /// Converts the bytes of a texture of either format to f32 texels.
-    pub fn texels(format: wgpu::TextureFormat, bytes: &[u8]) -> Vec<[f32; 4]> {
+    pub fn texels_from_bytes(format: wgpu::TextureFormat, bytes: &[u8]) -> Vec<[f32; 4]> {
         if format == wgpu::TextureFormat::Rgba32Float {
             return bytemuck::pod_collect_to_vec(bytes);
         }
@@ -77,7 +78,7 @@ mod tests {
 
     #[test]
     fn only_software_adapters_get_floats() {
-        let with = MapFormat::FEATURES;
+        let with = MapFormat::FILTERABLE_FLOATS;
         assert_eq!(MapFormat::for_adapter(false, with), MapFormat::Half);
         assert_eq!(MapFormat::for_adapter(true, with), MapFormat::Float);
         assert_eq!(MapFormat::for_adapter(true, wgpu::Features::empty()), MapFormat::Half);

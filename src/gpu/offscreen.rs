@@ -1,16 +1,16 @@
 //! Draws pictures without a window, and reads their pixels back.
 
 use super::Gpu;
-use super::readback::{self, TextureCopy};
+use super::readback::{self, StagedTexture};
 
 /// Creates a texture of `size` (width, height) pixels that can be drawn on and copied from.
-pub fn target(gpu: &Gpu, format: wgpu::TextureFormat, size: [u32; 2]) -> wgpu::Texture {
+pub fn create_target(gpu: &Gpu, format: wgpu::TextureFormat, size: [u32; 2]) -> wgpu::Texture {
     let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
     gpu.texture("offscreen", [size[0], size[1], 1], 1, format, usage)
 }
 
 /// Records a render pass that clears a texture to black and draws on it.
-pub fn draw_over(
+pub fn clear_and_draw(
     encoder: &mut wgpu::CommandEncoder,
     target: &wgpu::Texture,
     draw: impl FnOnce(&mut wgpu::RenderPass<'_>),
@@ -33,13 +33,13 @@ pub fn draw_over(
 }
 
 /// An offscreen picture whose drawing commands have been submitted, ready to be read back.
-pub struct Picture {
-    copy: TextureCopy,
+pub struct PendingPicture {
+    copy: StagedTexture,
     /// Whether the texture format stores blue before red.
-    swapped: bool,
+    is_bgra: bool,
 }
 
-impl Picture {
+impl PendingPicture {
     /// Draws an offscreen picture of `size` pixels with `draw`, after the commands of `encoder`. Submits all commands,
     /// including the read-back of the picture.
     pub fn submit(
@@ -49,11 +49,11 @@ impl Picture {
         size: [u32; 2],
         draw: impl FnOnce(&mut wgpu::RenderPass<'_>),
     ) -> Self {
-        let target = target(gpu, format, size);
-        draw_over(&mut encoder, &target, draw);
+        let target = create_target(gpu, format, size);
+        clear_and_draw(&mut encoder, &target, draw);
         let copy = readback::stage_texture(gpu, &mut encoder, &target, 0);
         gpu.submit(encoder);
-        Self { copy, swapped: format.remove_srgb_suffix() == wgpu::TextureFormat::Bgra8Unorm }
+        Self { copy, is_bgra: format.remove_srgb_suffix() == wgpu::TextureFormat::Bgra8Unorm }
     }
 
     /// Reads the pixels: four bytes each (RGBA), row by row from the top.
@@ -62,7 +62,7 @@ impl Picture {
     /// If mapping the staging buffer fails.
     pub async fn read(self, gpu: &Gpu) -> Result<Vec<u8>, String> {
         let mut pixels = self.copy.read(gpu).await?;
-        if self.swapped {
+        if self.is_bgra {
             pixels.chunks_exact_mut(4).for_each(|p| p.swap(0, 2));
         }
         Ok(pixels)

@@ -6,13 +6,13 @@ use futures_channel::oneshot;
 
 /// Records a copy of a buffer into a new staging buffer and returns that buffer, for [`read`].
 pub fn stage_buffer(gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, source: &wgpu::Buffer) -> wgpu::Buffer {
-    let staging = staging(gpu, source.size());
+    let staging = create_staging_buffer(gpu, source.size());
     encoder.copy_buffer_to_buffer(source, 0, &staging, 0, source.size());
     staging
 }
 
 /// Copy of a texture in a staging buffer. Its rows are padded to a multiple of 256 bytes.
-pub struct TextureCopy {
+pub struct StagedTexture {
     staging: wgpu::Buffer,
     format: wgpu::TextureFormat,
     row_bytes: usize,
@@ -25,7 +25,7 @@ pub fn stage_texture(
     encoder: &mut wgpu::CommandEncoder,
     texture: &wgpu::Texture,
     mip_level: u32,
-) -> TextureCopy {
+) -> StagedTexture {
     stage_layers(gpu, encoder, texture, mip_level, 0..texture.depth_or_array_layers())
 }
 
@@ -36,14 +36,14 @@ pub fn stage_layers(
     texture: &wgpu::Texture,
     mip_level: u32,
     layers: std::ops::Range<u32>,
-) -> TextureCopy {
+) -> StagedTexture {
     let width = (texture.width() >> mip_level).max(1);
     let height = (texture.height() >> mip_level).max(1);
     let (first, layers) = (layers.start, layers.end - layers.start);
     let texel = texture.format().block_copy_size(None).unwrap_or(4);
     let row_bytes = width * texel;
     let padded = row_bytes.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-    let staging = staging(gpu, u64::from(padded) * u64::from(height) * u64::from(layers));
+    let staging = create_staging_buffer(gpu, u64::from(padded) * u64::from(height) * u64::from(layers));
     encoder.copy_texture_to_buffer(
         wgpu::TexelCopyTextureInfo {
             texture,
@@ -61,10 +61,10 @@ pub fn stage_layers(
         },
         wgpu::Extent3d { width, height, depth_or_array_layers: layers },
     );
-    TextureCopy { staging, format: texture.format(), row_bytes: row_bytes as usize, padded: padded as usize }
+    StagedTexture { staging, format: texture.format(), row_bytes: row_bytes as usize, padded: padded as usize }
 }
 
-impl TextureCopy {
+impl StagedTexture {
     /// Reads the bytes of the texels, layer by layer and row by row without padding. Call this after the submission.
     ///
     /// # Errors
@@ -86,7 +86,7 @@ impl TextureCopy {
     /// If mapping the staging buffer fails.
     pub async fn read_map(self, gpu: &Gpu) -> Result<Vec<[f32; 4]>, String> {
         let format = self.format;
-        Ok(MapFormat::texels(format, &self.read(gpu).await?))
+        Ok(MapFormat::texels_from_bytes(format, &self.read(gpu).await?))
     }
 }
 
@@ -100,7 +100,7 @@ pub async fn read(gpu: &Gpu, staging: wgpu::Buffer) -> Result<Vec<u8>, String> {
         // Sending cannot fail, because the receiver lives until the end of this function.
         let _ = sender.send(result);
     });
-    wait(gpu)?;
+    poll_until_done(gpu)?;
     receiver.await.map_err(|e| e.to_string())?.map_err(|e| e.to_string())?;
     let bytes = staging.slice(..).get_mapped_range().map_err(|e| e.to_string())?.to_vec();
     staging.unmap();
@@ -111,18 +111,18 @@ pub async fn read(gpu: &Gpu, staging: wgpu::Buffer) -> Result<Vec<u8>, String> {
 ///
 /// # Errors
 /// If the device is lost.
-pub async fn done(gpu: &Gpu) -> Result<(), String> {
+pub async fn wait_for_submitted_work(gpu: &Gpu) -> Result<(), String> {
     let (sender, receiver) = oneshot::channel();
     gpu.queue.on_submitted_work_done(move || {
         // Sending cannot fail, because the receiver lives until the end of this function.
         let _ = sender.send(());
     });
-    wait(gpu)?;
+    poll_until_done(gpu)?;
     receiver.await.map_err(|e| e.to_string())
 }
 
 /// Blocks until the submitted work is done, so that wgpu calls its callbacks. A browser calls them by itself.
-fn wait(gpu: &Gpu) -> Result<(), String> {
+fn poll_until_done(gpu: &Gpu) -> Result<(), String> {
     #[cfg(not(target_arch = "wasm32"))]
     gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| e.to_string())?;
     #[cfg(target_arch = "wasm32")]
@@ -130,6 +130,6 @@ fn wait(gpu: &Gpu) -> Result<(), String> {
     Ok(())
 }
 
-fn staging(gpu: &Gpu, size: u64) -> wgpu::Buffer {
+fn create_staging_buffer(gpu: &Gpu, size: u64) -> wgpu::Buffer {
     gpu.buffer("staging", size, wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST)
 }

@@ -8,27 +8,27 @@ use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// wgpu feature that timing needs: timestamp queries.
-pub const FEATURES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY;
+pub const TIMESTAMPS: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY;
 /// wgpu feature that allows timestamps between passes. Without it, empty compute passes write the timestamps.
-pub const BETWEEN_PASSES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS;
+pub const TIMESTAMPS_BETWEEN_PASSES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS;
 /// Largest number of timestamps in a frame: one per mark, or two per mark if empty passes write them.
-const MARKS: u32 = 256;
+const MAX_TIMESTAMPS: u32 = 256;
 /// Weight of the newest frame in the exponentially smoothed times, 0 to 1.
-const SHARE: f64 = 0.2;
+const SMOOTHING_WEIGHT: f64 = 0.2;
 
 /// Measures the GPU times of the parts of a frame. Clones share their state and times.
 #[derive(Clone, Debug, Default)]
-pub struct Timer(Option<Arc<Mutex<State>>>);
+pub struct Timer(Option<Arc<Mutex<TimerState>>>);
 
 #[derive(Debug)]
-struct State {
+struct TimerState {
     set: wgpu::QuerySet,
     resolved: wgpu::Buffer,
     staging: wgpu::Buffer,
     /// Duration of one timestamp unit, ns.
     period_ns: f64,
     between_passes: bool,
-    phase: Phase,
+    phase: TimerPhase,
     /// Name of the part of the frame that each mark ends; empty for the first mark, which starts the frame.
     parts: Vec<&'static str>,
     /// Names of the parts of the last timed frame and their smoothed GPU times, ms.
@@ -36,7 +36,7 @@ struct State {
 }
 
 #[derive(Debug)]
-enum Phase {
+enum TimerPhase {
     Idle,
     /// A frame is being recorded. Marks are counted even if there is no room left for their timestamps.
     Recording,
@@ -49,21 +49,21 @@ enum Phase {
 impl Timer {
     /// Creates a timer for a device. It does nothing if the device has no timestamps.
     pub fn new(gpu: &Gpu) -> Self {
-        if !gpu.device.features().contains(FEATURES) {
+        if !gpu.device.features().contains(TIMESTAMPS) {
             return Self(None);
         }
-        let size = u64::from(MARKS) * u64::from(wgpu::QUERY_SIZE);
-        let state = State {
+        let size = u64::from(MAX_TIMESTAMPS) * u64::from(wgpu::QUERY_SIZE);
+        let state = TimerState {
             set: gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
                 label: Some("timer"),
                 ty: wgpu::QueryType::Timestamp,
-                count: MARKS,
+                count: MAX_TIMESTAMPS,
             }),
             resolved: gpu.buffer("timer", size, wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC),
             staging: gpu.buffer("timer staging", size, wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST),
             period_ns: f64::from(gpu.queue.get_timestamp_period()),
-            between_passes: gpu.device.features().contains(BETWEEN_PASSES),
-            phase: Phase::Idle,
+            between_passes: gpu.device.features().contains(TIMESTAMPS_BETWEEN_PASSES),
+            phase: TimerPhase::Idle,
             parts: Vec::new(),
             times: Vec::new(),
         };
@@ -77,14 +77,14 @@ impl Timer {
 
     /// Starts timing a frame, unless the times of the previous one are still being read. `is_submitted` tells whether
     /// the previous frame has been submitted.
-    pub fn begin(&self, encoder: &mut wgpu::CommandEncoder, is_submitted: bool) {
-        let Some(mut state) = self.state() else { return };
-        if !is_submitted && matches!(state.phase, Phase::Recorded) {
-            state.phase = Phase::Idle;
+    pub fn begin_frame(&self, encoder: &mut wgpu::CommandEncoder, is_submitted: bool) {
+        let Some(mut state) = self.lock_state() else { return };
+        if !is_submitted && matches!(state.phase, TimerPhase::Recorded) {
+            state.phase = TimerPhase::Idle;
         }
-        state.collect();
-        if matches!(state.phase, Phase::Idle) {
-            state.phase = Phase::Recording;
+        state.collect_arrived();
+        if matches!(state.phase, TimerPhase::Idle) {
+            state.phase = TimerPhase::Recording;
             state.parts.clear();
             state.mark(encoder, "");
         }
@@ -93,49 +93,49 @@ impl Timer {
     /// Ends a part of the frame, which consists of the commands since the previous mark. The times of parts with the
     /// same name are added.
     pub fn mark(&self, encoder: &mut wgpu::CommandEncoder, part: &'static str) {
-        let Some(mut state) = self.state() else { return };
-        if matches!(state.phase, Phase::Recording) {
+        let Some(mut state) = self.lock_state() else { return };
+        if matches!(state.phase, TimerPhase::Recording) {
             state.mark(encoder, part);
         }
     }
 
     /// Ends the frame and records a copy of its timestamps to a buffer that the CPU can read.
-    pub fn end(&self, encoder: &mut wgpu::CommandEncoder) {
-        let Some(mut state) = self.state() else { return };
-        if !matches!(state.phase, Phase::Recording) {
+    pub fn end_frame(&self, encoder: &mut wgpu::CommandEncoder) {
+        let Some(mut state) = self.lock_state() else { return };
+        if !matches!(state.phase, TimerPhase::Recording) {
             return;
         }
-        let marks = state.slot(state.parts.len());
-        if marks > MARKS {
+        let marks = state.first_timestamp(state.parts.len());
+        if marks > MAX_TIMESTAMPS {
             // Too many parts; a later frame with fewer parts is timed instead.
-            state.phase = Phase::Idle;
+            state.phase = TimerPhase::Idle;
             return;
         }
         encoder.resolve_query_set(&state.set, 0..marks, &state.resolved, 0);
         encoder.copy_buffer_to_buffer(&state.resolved, 0, &state.staging, 0, u64::from(marks * wgpu::QUERY_SIZE));
-        state.phase = Phase::Recorded;
+        state.phase = TimerPhase::Recorded;
     }
 
     /// Names and GPU times (ms) of the parts of the last timed frame, smoothed over the frames that contain each part.
     pub fn times(&self) -> Vec<(&'static str, f64)> {
-        self.state().map_or_else(Vec::new, |state| state.times.clone())
+        self.lock_state().map_or_else(Vec::new, |state| state.times.clone())
     }
 
-    fn state(&self) -> Option<MutexGuard<'_, State>> {
+    fn lock_state(&self) -> Option<MutexGuard<'_, TimerState>> {
         self.0.as_ref().map(|state| state.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }
 
-impl State {
+impl TimerState {
     /// Index of the first timestamp of the mark with index `mark`.
-    fn slot(&self, mark: usize) -> u32 {
+    fn first_timestamp(&self, mark: usize) -> u32 {
         mark as u32 * if self.between_passes { 1 } else { 2 }
     }
 
     fn mark(&mut self, encoder: &mut wgpu::CommandEncoder, part: &'static str) {
-        let at = self.slot(self.parts.len());
+        let at = self.first_timestamp(self.parts.len());
         self.parts.push(part);
-        if self.slot(self.parts.len()) > MARKS {
+        if self.first_timestamp(self.parts.len()) > MAX_TIMESTAMPS {
             return;
         }
         if self.between_passes {
@@ -154,34 +154,34 @@ impl State {
     }
 
     /// Reads timestamps that have arrived, or starts to read those of a frame that has been submitted.
-    fn collect(&mut self) {
+    fn collect_arrived(&mut self) {
         match &self.phase {
-            Phase::Recorded => {
+            TimerPhase::Recorded => {
                 let arrived = Arc::new(AtomicU8::new(0));
                 let flag = arrived.clone();
                 self.staging.slice(..).map_async(wgpu::MapMode::Read, move |result| {
                     flag.store(if result.is_ok() { 1 } else { 2 }, Ordering::Release);
                 });
-                self.phase = Phase::Mapping(arrived);
+                self.phase = TimerPhase::Mapping(arrived);
             }
-            Phase::Mapping(arrived) => match arrived.load(Ordering::Acquire) {
+            TimerPhase::Mapping(arrived) => match arrived.load(Ordering::Acquire) {
                 0 => {}
                 1 => {
-                    self.take();
+                    self.read_times();
                     self.staging.unmap();
-                    self.phase = Phase::Idle;
+                    self.phase = TimerPhase::Idle;
                 }
-                _ => self.phase = Phase::Idle,
+                _ => self.phase = TimerPhase::Idle,
             },
-            Phase::Idle | Phase::Recording => {}
+            TimerPhase::Idle | TimerPhase::Recording => {}
         }
     }
 
-    fn take(&mut self) {
+    fn read_times(&mut self) {
         let Ok(bytes) = self.staging.slice(..).get_mapped_range() else { return };
         let stamps: Vec<u64> = bytemuck::pod_collect_to_vec(&bytes);
         drop(bytes);
-        let stamp = |mark: usize| stamps.get(self.slot(mark) as usize).copied().unwrap_or(0);
+        let stamp = |mark: usize| stamps.get(self.first_timestamp(mark) as usize).copied().unwrap_or(0);
         let mut frame: Vec<(&'static str, f64)> = Vec::new();
         for (mark, part) in self.parts.iter().enumerate().skip(1) {
             // A timestamp that was not written, or a clock that ran backwards, counts as no time.
@@ -194,7 +194,7 @@ impl State {
         }
         let before = std::mem::take(&mut self.times);
         let smooth = |(name, ms): (&'static str, f64)| match before.iter().find(|(known, _)| *known == name) {
-            Some((_, smooth)) => (name, smooth + SHARE * (ms - smooth)),
+            Some((_, smooth)) => (name, smooth + SMOOTHING_WEIGHT * (ms - smooth)),
             None => (name, ms),
         };
         self.times = frame.into_iter().map(smooth).collect();

@@ -28,7 +28,7 @@ impl<T: bytemuck::Pod> Uniform<T> {
 /// A uniform buffer with several values of the struct `T`, which commands select by dynamic offsets. All values of a
 /// submission are sent in one write.
 #[derive(Debug)]
-pub struct UniformRing<T> {
+pub struct DynamicUniformBuffer<T> {
     /// The wgpu buffer that holds the data.
     pub buffer: wgpu::Buffer,
     stride: usize,
@@ -37,7 +37,7 @@ pub struct UniformRing<T> {
     kind: PhantomData<T>,
 }
 
-impl<T: bytemuck::Pod> UniformRing<T> {
+impl<T: bytemuck::Pod> DynamicUniformBuffer<T> {
     /// Creates a uniform buffer with room for `slots` values in one submission.
     pub fn new(gpu: &Gpu, label: &str, slots: usize) -> Self {
         let stride = size_of::<T>().next_multiple_of(256);
@@ -47,7 +47,7 @@ impl<T: bytemuck::Pod> UniformRing<T> {
     }
 
     /// Discards the values of the last submission, so that the next value gets offset 0.
-    pub fn restart(&mut self) {
+    pub fn clear(&mut self) {
         self.used = 0;
     }
 
@@ -55,7 +55,7 @@ impl<T: bytemuck::Pod> UniformRing<T> {
     ///
     /// # Panics
     /// If more values are added than there are slots.
-    pub fn push(&mut self, value: &T) -> u32 {
+    pub fn add(&mut self, value: &T) -> u32 {
         let at = self.used * self.stride;
         self.bytes[at..at + size_of::<T>()].copy_from_slice(bytemuck::bytes_of(value));
         self.used += 1;

@@ -3,14 +3,14 @@
 //! tests run the same comparison, also with deliberate faults.
 
 use crate::gpu::Gpu;
-use crate::gpu::readback::{self, TextureCopy};
+use crate::gpu::readback::{self, StagedTexture};
 use crate::oracle::{self, Complex, Texel, maps::MapPair};
 use crate::shaders::Shaders;
 use crate::sim::Simulation;
 use crate::sim::foam::FoamStep;
-use crate::sim::planned_sea::EvaluationSlot;
+use crate::sim::planned_sea::SeaDispatch;
 use crate::sim::resources::{MapKind, Resources};
-use crate::sim::transform::TransformWay;
+use crate::sim::transform::FftImplementation;
 use crate::state::Params;
 use crate::waves::Plan;
 use crate::waves::foam::FoamModel;
@@ -79,7 +79,7 @@ const FOAM_LEVEL: usize = 1;
 /// # Errors
 /// If reading back from the GPU fails.
 pub async fn run(gpu: &Gpu, params: &Params) -> Result<Vec<Comparison>, String> {
-    run_with(gpu, params, &Shaders::default(), TransformWay::of(gpu)).await
+    run_with(gpu, params, &Shaders::default(), FftImplementation::for_device(gpu)).await
 }
 
 /// Compares all GPU passes of a state at its time with the oracle, using the given shaders and FFT variant.
@@ -90,13 +90,13 @@ pub async fn run_with(
     gpu: &Gpu,
     params: &Params,
     shaders: &Shaders,
-    way: TransformWay,
+    implementation: FftImplementation,
 ) -> Result<Vec<Comparison>, String> {
     let plan = Plan::new(params);
     let t_s = params.clock.t_s;
-    let mut sim = Simulation::with_way(gpu, plan.clone(), shaders, way);
-    let slot = sim.push_evaluation(gpu, t_s, true);
-    let mut check = Check { gpu, plan: &plan, sim: &sim, slot, lines: Vec::new() };
+    let mut sim = Simulation::with_fft_implementation(gpu, plan.clone(), shaders, implementation);
+    let dispatch = sim.upload_sea_uniform(gpu, t_s, true);
+    let mut check = Check { gpu, plan: &plan, sim: &sim, dispatch, lines: Vec::new() };
     let h0: Vec<Vec<Complex>> = plan.cascades.iter().map(|c| oracle::spectrum::initial_spectrum(&plan, c)).collect();
     let rows: Vec<MapPair> =
         plan.cascades.iter().zip(&h0).map(|(c, h0)| oracle::maps::transform_rows(&plan, c, h0, t_s)).collect();
@@ -105,11 +105,13 @@ pub async fn run_with(
     check.rows(&h0, &rows).await?;
     check.columns(&rows, &maps).await?;
     check.maps(&maps).await?;
-    for level in 1..sim.resources.mips() {
+    for level in 1..sim.resources.mip_level_count() {
         check.mips(level).await?;
     }
     let mut lines = check.lines;
-    lines.push(foam(gpu, &plan, t_s, Simulation::with_way(gpu, plan.clone(), shaders, way)).await?);
+    lines.push(
+        foam(gpu, &plan, t_s, Simulation::with_fft_implementation(gpu, plan.clone(), shaders, implementation)).await?,
+    );
     Ok(lines)
 }
 
@@ -118,7 +120,7 @@ struct Check<'a> {
     gpu: &'a Gpu,
     plan: &'a Plan,
     sim: &'a Simulation,
-    slot: EvaluationSlot,
+    dispatch: SeaDispatch,
     lines: Vec<Comparison>,
 }
 
@@ -126,8 +128,8 @@ impl Check<'_> {
     async fn spectrum(&mut self, h0: &[Vec<Complex>]) -> Result<(), String> {
         let r = &self.sim.resources;
         let mut encoder = self.gpu.encoder("check");
-        self.sim.passes.spectrum.run(&mut encoder, r, self.slot);
-        let staging = readback::stage_buffer(self.gpu, &mut encoder, &r.sea().h0);
+        self.sim.passes.spectrum.run(&mut encoder, r, self.dispatch);
+        let staging = readback::stage_buffer(self.gpu, &mut encoder, &r.current_waves().h0);
         self.gpu.submit(encoder);
         let got: Vec<[f32; 2]> = bytemuck::pod_collect_to_vec(&readback::read(self.gpu, staging).await?);
         for (c, (want, got)) in h0.iter().zip(got.chunks((r.n * r.n) as usize)).enumerate() {
@@ -145,9 +147,9 @@ impl Check<'_> {
     /// Compares the FFT along rows, with the oracle's initial amplitudes h0 as input.
     async fn rows(&mut self, h0: &[Vec<Complex>], rows: &[MapPair]) -> Result<(), String> {
         let flat: Vec<[f32; 2]> = h0.iter().flatten().map(|h| h.map(|x| x as f32)).collect();
-        self.gpu.queue.write_buffer(&self.sim.resources.sea().h0, 0, bytemuck::cast_slice(&flat));
+        self.gpu.queue.write_buffer(&self.sim.resources.current_waves().h0, 0, bytemuck::cast_slice(&flat));
         let mut encoder = self.gpu.encoder("check");
-        self.sim.passes.transform.rows(&mut encoder, self.slot);
+        self.sim.passes.transform.record_rows(&mut encoder, self.dispatch);
         self.transformed(encoder, rows, ["rows Dx Dz eta Dxz", "rows eta_x eta_z Dxx Dzz"]).await
     }
 
@@ -155,10 +157,10 @@ impl Check<'_> {
     async fn columns(&mut self, rows: &[MapPair], maps: &[MapPair]) -> Result<(), String> {
         let r = &self.sim.resources;
         let flat: Vec<[f32; 4]> = rows.iter().flatten().flatten().map(|t| t.map(|x| x as f32)).collect();
-        self.gpu.queue.write_buffer(&r.lines, 0, bytemuck::cast_slice(&flat));
+        self.gpu.queue.write_buffer(&r.row_transforms, 0, bytemuck::cast_slice(&flat));
         let mut encoder = self.gpu.encoder("check");
-        self.sim.passes.transform.columns(&mut encoder, r, self.slot);
-        self.sim.passes.mips.run(&mut encoder, r, self.slot);
+        self.sim.passes.transform.record_columns(&mut encoder, r, self.dispatch);
+        self.sim.passes.mips.run(&mut encoder, r, self.dispatch);
         self.transformed(encoder, maps, ["columns displacement", "columns gradients"]).await
     }
 
@@ -169,7 +171,7 @@ impl Check<'_> {
         want: &[MapPair],
         names: [&'static str; 2],
     ) -> Result<(), String> {
-        let staging = readback::stage_buffer(self.gpu, &mut encoder, &self.sim.resources.lines);
+        let staging = readback::stage_buffer(self.gpu, &mut encoder, &self.sim.resources.row_transforms);
         self.gpu.submit(encoder);
         let got: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&readback::read(self.gpu, staging).await?);
         let points = (self.plan.n * self.plan.n) as usize;
@@ -219,7 +221,7 @@ impl Check<'_> {
             let got = read_map(gpu, r, kind, level).await?;
             for (c, cascade) in self.sim.maps().cascades.iter().enumerate() {
                 let from = &from[c * above * above..][..above * above];
-                let scale = f64::from(cascade.moment_scale);
+                let scale = f64::from(cascade.moment_unit);
                 let from = if moments_from_slopes { oracle::maps::slope_moments(from, scale) } else { from.to_vec() };
                 let want = oracle::maps::next_mip_level(above, &from);
                 let got = got[c * below * below..][..below * below].iter().copied();
@@ -244,12 +246,12 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<C
         let Some(step) = sim.encode_next_foam_step(gpu, &mut encoder, t_s, centre) else { break };
         gpu.submit(encoder);
         let level = sim.maps().foam_levels[FOAM_LEVEL];
-        let corner = level.centre.map(|c| c - 0.5 * size as f64 * level.texel_m);
-        let pyramid = Pyramid::read(gpu, &sim, level.texel_m).await?;
-        step_foam(&mut want, plan, &pyramid, (corner, level.texel_m), step);
+        let corner = level.centre.map(|c| c - 0.5 * size as f64 * level.cell_m);
+        let pyramid = Pyramid::read(gpu, &sim, level.cell_m).await?;
+        step_foam(&mut want, plan, &pyramid, (corner, level.cell_m), step);
         let texels = read_foam(gpu, &sim.resources).await?;
         // A cell is stored at its index modulo the size of the level.
-        let first = corner.map(|o| (o / level.texel_m).round() as i64);
+        let first = corner.map(|o| (o / level.cell_m).round() as i64);
         let stored = |i: usize| {
             let place = [(i % size) as i64, (i / size) as i64];
             let at: [usize; 2] = std::array::from_fn(|a| (first[a] + place[a]).rem_euclid(size as i64) as usize);
@@ -292,7 +294,7 @@ impl Pyramid {
     async fn read(gpu: &Gpu, sim: &Simulation, texel_m: f64) -> Result<Self, String> {
         let (r, plan) = (&sim.resources, sim.plan());
         let mut levels = Vec::new();
-        for mip in 0..r.mips() {
+        for mip in 0..r.mip_level_count() {
             levels.push([
                 read_map(gpu, r, MapKind::Displacement, mip).await?,
                 read_map(gpu, r, MapKind::Gradients, mip).await?,
@@ -300,7 +302,7 @@ impl Pyramid {
         }
         let cascade = |cascade: &Cascade| {
             let texels = 0.5 * texel_m * f64::from(plan.n) / cascade.patch_m;
-            (plan.tiling(cascade), texels.log2().clamp(0.0, f64::from(r.mips() - 1)))
+            (plan.tiling(cascade), texels.log2().clamp(0.0, f64::from(r.mip_level_count() - 1)))
         };
         Ok(Self { n: plan.n as usize, levels, cascades: plan.cascades.iter().map(cascade).collect() })
     }
@@ -338,7 +340,7 @@ fn comparison(pass_and_quantity: &'static str, cascade: usize, relative_error: f
 /// Reads back one mip level of a kind of wave map, with the cascades one after the other.
 async fn read_map(gpu: &Gpu, r: &Resources, kind: MapKind, level: u32) -> Result<Vec<Texel>, String> {
     let mut encoder = gpu.encoder("check");
-    let copy = r.stage(gpu, &mut encoder, kind, level);
+    let copy = r.stage_maps(gpu, &mut encoder, kind, level);
     read(gpu, encoder, copy).await
 }
 
@@ -348,7 +350,7 @@ async fn read_foam(gpu: &Gpu, r: &Resources) -> Result<Vec<Texel>, String> {
     read(gpu, encoder, copy).await
 }
 
-async fn read(gpu: &Gpu, encoder: wgpu::CommandEncoder, copy: TextureCopy) -> Result<Vec<Texel>, String> {
+async fn read(gpu: &Gpu, encoder: wgpu::CommandEncoder, copy: StagedTexture) -> Result<Vec<Texel>, String> {
     gpu.submit(encoder);
     let texels = copy.read_map(gpu).await?;
     Ok(texels.into_iter().map(|t| t.map(f64::from)).collect())

@@ -5,7 +5,7 @@ use crate::gpu::{Gpu, readback};
 use crate::oracle::foam::displacement_jacobian;
 use crate::oracle::{self, transform};
 use crate::shaders::Shaders;
-use crate::sim::{MAX_STEPS, MapsF32, Simulation};
+use crate::sim::{MAX_FOAM_STEPS, MapsF32, Simulation};
 use crate::state::Params;
 use crate::waves::plan::Cascade;
 use crate::waves::statistics::{self, SpectralMoments};
@@ -94,7 +94,7 @@ pub async fn measure(
         params.sea.seed = params.sea.seed.wrapping_add(i);
         let plan = Plan::new(&params);
         sim.set_plan(gpu, plan.clone(), &shaders);
-        let maps = [sim.read_f32(gpu, t_s).await?, sim.read_f32(gpu, later_s).await?];
+        let maps = [sim.read_maps_f32(gpu, t_s).await?, sim.read_maps_f32(gpu, later_s).await?];
         all.push(seed_statistics(&plan, &maps, [t_s, later_s], &mut |wave| visit(i as usize, wave)));
     }
     Ok(summarise_seeds(&all))
@@ -225,7 +225,7 @@ pub fn surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f6
     let n = maps.n as u32;
     for i in 0..STATISTICS_POINTS {
         let (mut eta, mut strain) = (0.0, [0.0; 3]);
-        for c in 0..maps.cascades() {
+        for c in 0..maps.cascade_count() {
             let at = noise::pcg4d([i, c as u32, plan.sea.seed, 17]);
             let at = ((at[0] % n) * n + at[1] % n) as usize;
             let (d, g) = (maps.displacement(c)[at], maps.gradients(c)[at]);
@@ -268,7 +268,7 @@ pub async fn mean_foam(gpu: &Gpu, sim: &mut Simulation, t_s: f64) -> Result<f64,
 /// If reading back from the GPU fails.
 pub async fn foam_levels(gpu: &Gpu, sim: &mut Simulation, t_s: f64, centre: [f64; 2]) -> Result<Vec<Vec<f32>>, String> {
     let mut encoder = gpu.encoder("foam");
-    sim.encode(gpu, &mut encoder, t_s, centre, MAX_STEPS);
+    sim.encode(gpu, &mut encoder, t_s, centre, MAX_FOAM_STEPS);
     let copy = readback::stage_texture(gpu, &mut encoder, &sim.resources.foam, 0);
     gpu.submit(encoder);
     let texels = copy.read_map(gpu).await?;

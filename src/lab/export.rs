@@ -19,13 +19,13 @@ type Channel<'a> = (&'static str, Box<dyn Fn(usize) -> f32 + 'a>);
 /// One sentence, if a file cannot be written or reading back from the GPU fails.
 pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::result::Result<(), String> {
     create_folder(folder)?;
-    let mut ocean = Ocean::waves_only(gpu, params);
+    let mut ocean = Ocean::without_renderer(gpu, params);
     let maps = ocean.read_maps().await?;
     let foam = ocean.read_foam().await?.remove(FOAM_LEVEL);
     let plan = ocean.plan().clone();
     let n = maps.n;
     let chop = plan.sea.choppiness().map(|l| l as f32);
-    for c in 0..maps.cascades() {
+    for c in 0..maps.cascade_count() {
         let (d, g) = (maps.displacement(c), maps.gradients(c));
         let displacement: [Channel<'_>; 3] = [
             ("X", Box::new(move |i| chop[0] * d[i][0])),
@@ -45,7 +45,8 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
     let channels: [Channel<'_>; 1] = [("foam", Box::new(|i| foam.foam[i]))];
     write_exr(&folder.join("foam.exr"), foam.n, &channels)?;
     if raw {
-        let heights: Vec<f32> = (0..maps.cascades()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
+        let heights: Vec<f32> =
+            (0..maps.cascade_count()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
         write_file(&folder.join("heights.f32"), bytemuck::cast_slice(&heights))?;
         // Mip level 0 of the half-float displacement maps that the renderer samples.
         let texels = ocean.read_displacement().await?;
@@ -67,7 +68,7 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
             "n": plan.n, "patch_m": c.patch_m, "k_low": c.k_low, "k_high": c.k_high,
         })).collect::<Vec<_>>(),
         "foam": {
-            "file": "foam.exr", "n": foam.n, "side_m": foam.n as f64 * foam.texel_m, "corner_xz_m": foam.corner,
+            "file": "foam.exr", "n": foam.n, "side_m": foam.n as f64 * foam.cell_m, "corner_xz_m": foam.corner,
             "what": "foam 0..1 in undisplaced coordinates, first row at the smallest z; for the sea as drawn, which \
              blends shifted copies of the patches unless untile is false",
         },

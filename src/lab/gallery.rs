@@ -115,7 +115,7 @@ pub async fn run(gpu: &Gpu, output: &Path, only: &str) -> Result<String, String>
     let folder = output.join("gallery");
     create_folder(&folder)?;
     for picture in &chosen {
-        let pixels = still::picture(gpu, &query::parse(picture.state).0, PICTURE_SIZE).await?;
+        let pixels = still::draw_picture(gpu, &query::parse(picture.state).0, PICTURE_SIZE).await?;
         write_jpeg(&pixels, &folder.join(picture.file()))?;
     }
     let path = output.join("gallery.md");

@@ -3,7 +3,7 @@
 use crate::gpu::Gpu;
 use crate::gpu::readback;
 use crate::ocean::still;
-use crate::ocean::{Grid, Ocean};
+use crate::ocean::{Ocean, SampleGrid};
 use crate::waves::noise::pcg4d;
 
 /// Largest number of samples in one render target.
@@ -21,7 +21,7 @@ pub struct Sampling {
 impl Sampling {
     /// Sample grids that together give every pixel of a picture its samples. Each grid has at most `most` samples in
     /// total and at most `longest` along a side.
-    fn grids(self, size: [u32; 2], most: u64, longest: u32) -> impl Iterator<Item = Grid> {
+    fn grids(self, size: [u32; 2], most: u64, longest: u32) -> impl Iterator<Item = SampleGrid> {
         let fits = |side: &u32| {
             let [w, h] = size.map(|s| u64::from(s) * u64::from(*side));
             side * side <= self.samples && w * h <= most && w.max(h) <= u64::from(longest)
@@ -31,7 +31,11 @@ impl Sampling {
         (0..self.samples.div_ceil(side * side)).map(move |i| {
             // The R2 low-discrepancy sequence (Roberts 2018), shifted by the seed.
             let at = |from: f64, step: f64| (from + step * f64::from(i)).fract();
-            Grid { size, side, offset: [at(start[0], 0.754_877_666_246_693), at(start[1], 0.569_840_290_998_053)] }
+            SampleGrid {
+                size,
+                cells_per_pixel_side: side,
+                sample_offset: [at(start[0], 0.754_877_666_246_693), at(start[1], 0.569_840_290_998_053)],
+            }
         })
     }
 }
@@ -86,7 +90,7 @@ pub async fn light(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: Sampl
         let copy = readback::stage_texture(gpu, &mut encoder, &texture, 0);
         gpu.submit(encoder);
         let bytes = copy.read(gpu).await?;
-        let side = grid.side as usize;
+        let side = grid.cells_per_pixel_side as usize;
         for (y, row) in bytes.chunks(16 * width * side).enumerate() {
             let sums = &mut sums[y / side * width..][..width];
             for (sum, texels) in sums.iter_mut().zip(row.chunks(16 * side)) {
@@ -117,7 +121,7 @@ pub async fn picture_of_light(
     light: &[[f32; 3]],
 ) -> Result<Vec<u8>, String> {
     let encoder = gpu.encoder("reference");
-    still::on_film(gpu, encoder, size, |pass| ocean.present_light(pass, size, light)).await
+    still::present_and_read_back(gpu, encoder, size, |pass| ocean.present_light(pass, size, light)).await
 }
 
 #[cfg(test)]
@@ -128,16 +132,19 @@ mod tests {
     fn grids_hold_the_samples_that_were_asked_for() {
         for samples in [1, 3, 4, 64, 256, 1000] {
             for size in [[16, 9], [192, 108], [1280, 720], [8192, 8192]] {
-                let grids: Vec<Grid> = Sampling { samples, seed: 1 }.grids(size, MAX_SAMPLES_PER_FRAME, 8192).collect();
-                let count: u32 = grids.iter().map(|g| g.side * g.side).sum();
-                assert!((samples..samples + grids[0].side.pow(2)).contains(&count), "{samples} {size:?} {count}");
-                assert!(grids.iter().all(|g| g.samples().iter().all(|&s| s <= 8192)), "{size:?}");
+                let grids: Vec<SampleGrid> = Sampling { samples, seed: 1 }.grids(size, MAX_SAMPLES_PER_FRAME, 8192).collect();
+                let count: u32 = grids.iter().map(|g| g.cells_per_pixel_side * g.cells_per_pixel_side).sum();
+                assert!(
+                    (samples..samples + grids[0].cells_per_pixel_side.pow(2)).contains(&count),
+                    "{samples} {size:?} {count}"
+                );
+                assert!(grids.iter().all(|g| g.sample_counts().iter().all(|&s| s <= 8192)), "{size:?}");
             }
         }
         let at = |seed| {
             Sampling { samples: 8, seed }
                 .grids([8192; 2], MAX_SAMPLES_PER_FRAME, 8192)
-                .map(|g| g.offset)
+                .map(|g| g.sample_offset)
                 .collect::<Vec<_>>()
         };
         assert_ne!(at(1), at(2));

@@ -3,8 +3,8 @@
 use super::create_folder;
 use super::reference::{self, Sampling};
 use crate::gpu::{Gpu, readback};
-use crate::ocean::still::{FORMAT, on_film, picture_of};
-use crate::ocean::{Film, Ocean};
+use crate::ocean::still::{FORMAT, draw_ocean_picture, present_and_read_back};
+use crate::ocean::{Ocean, OutputKind};
 use crate::state::Params;
 use crate::state::views::{DisplayedView, SurfaceView, ViewChoice};
 use exr::prelude::*;
@@ -37,8 +37,8 @@ pub async fn write_picture(
     sampling: Option<Sampling>,
     path: &Path,
 ) -> std::result::Result<(), String> {
-    let mut ocean = Ocean::new(gpu, FORMAT, Film::Screen, params);
-    let mut pixels = picture_of(gpu, &mut ocean, size).await?;
+    let mut ocean = Ocean::new(gpu, FORMAT, OutputKind::Screen, params);
+    let mut pixels = draw_ocean_picture(gpu, &mut ocean, size).await?;
     if let Some(sampling) = sampling {
         pixels = reference::picture_of(gpu, &mut ocean, size, sampling).await?;
     }
@@ -67,12 +67,12 @@ pub async fn write_sequence(
     create_folder(folder)?;
     let mut params = params.clone();
     let start_s = params.clock.t_s;
-    let film = if sequence.layers { Film::Layers } else { Film::Screen };
+    let film = if sequence.layers { OutputKind::ReadBack } else { OutputKind::Screen };
     let mut ocean = Ocean::new(gpu, FORMAT, film, &params);
     for i in 0..sequence.count {
         params.clock.t_s = start_s + f64::from(i) / sequence.fps * params.clock.speed;
         ocean.set_params(&params);
-        let pixels = picture_of(gpu, &mut ocean, size).await?;
+        let pixels = draw_ocean_picture(gpu, &mut ocean, size).await?;
         let path = folder.join(format!("frame-{i:05}.png"));
         write_png(pixels, size, &path)?;
         if sequence.layers {
@@ -96,10 +96,10 @@ async fn write_layers(
     view.look.view = ViewChoice { displayed: DisplayedView::Surface(SurfaceView::Normals), cascade: 0 };
     ocean.set_params(&view);
     let mut encoder = gpu.encoder("layers");
-    ocean.encode_fully(&mut encoder, size);
-    on_film(gpu, encoder, size, |pass| ocean.present(pass)).await?;
+    ocean.encode_with_complete_foam(&mut encoder, size);
+    present_and_read_back(gpu, encoder, size, |pass| ocean.present(pass)).await?;
     let normals = light_of(gpu, ocean).await?;
-    let texture = ocean.depth().ok_or("nothing was drawn")?;
+    let texture = ocean.depth_texture().ok_or("nothing was drawn")?;
     let mut encoder = gpu.encoder("depth");
     let copy = readback::stage_texture(gpu, &mut encoder, texture, 0);
     gpu.submit(encoder);
@@ -131,7 +131,7 @@ async fn write_layers(
 
 /// Reads back the linear light of the last frame: RGBA, row by row.
 async fn light_of(gpu: &Gpu, ocean: &Ocean) -> std::result::Result<Vec<f32>, String> {
-    let texture = ocean.light().ok_or("nothing was drawn")?;
+    let texture = ocean.light_texture().ok_or("nothing was drawn")?;
     let mut encoder = gpu.encoder("light");
     let copy = readback::stage_texture(gpu, &mut encoder, texture, 0);
     gpu.submit(encoder);

@@ -1,36 +1,44 @@
 //! The drawn state of a sea during a transition: interpolated appearance, and the plans of the waves that are drawn.
 
 use crate::render::SeaAppearance;
-use crate::sim::transition::{Interpolate, interpolate, interpolate2};
+use crate::sim::transition::{Interpolate, interpolate, interpolate_pair};
 use crate::state::Params;
 use crate::waves::Plan;
 use std::sync::Arc;
 
 /// Largest number of plans in a weighted sum.
-const MOST_PLANS: usize = 4;
+const MAX_WEIGHTED_PLANS: usize = 4;
 
-/// Whether two states agree in the refractive indices that [`SeaAppearance::focusing_m`] depends on.
-pub fn refracts_alike(a: &Params, b: &Params) -> bool {
+/// Whether two states agree in the refractive indices that [`SeaAppearance::caustic_filter_m`] depends on.
+pub fn has_same_refraction(a: &Params, b: &Params) -> bool {
     let indices = |p: &Params| (p.look.surface.reflection.index_air, p.look.surface.reflection.index_water);
     indices(a) == indices(b)
 }
 
 impl Interpolate for SeaAppearance {
-    fn interpolate(&self, to: &Self, share: f64) -> Self {
-        let [x, z] = interpolate2(self.downwind, to.downwind, share);
+    fn interpolate(&self, to: &Self, fraction: f64) -> Self {
+        let [x, z] = interpolate_pair(self.downwind, to.downwind, fraction);
         let length = x.hypot(z);
         Self {
-            chop: interpolate2(self.chop, to.chop, share),
-            hs_m: interpolate(self.hs_m, to.hs_m, share),
+            choppiness: interpolate_pair(self.choppiness, to.choppiness, fraction),
+            hs_m: interpolate(self.hs_m, to.hs_m, fraction),
             // Geometric, because a bed that rises from the deep sea would otherwise appear only at the very end.
-            depth_m: self.depth_m * (to.depth_m / self.depth_m).powf(share),
-            level_m: interpolate(self.level_m, to.level_m, share),
-            wind_m_s: interpolate(self.wind_m_s, to.wind_m_s, share),
+            depth_m: self.depth_m * (to.depth_m / self.depth_m).powf(fraction),
+            level_m: interpolate(self.level_m, to.level_m, fraction),
+            wind_m_s: interpolate(self.wind_m_s, to.wind_m_s, fraction),
             downwind: if length > 1e-3 { [x / length, z / length] } else { to.downwind },
-            clouds_m_s: interpolate2(self.clouds_m_s, to.clouds_m_s, share),
-            residual: interpolate2(self.residual, to.residual, share),
-            finest: interpolate2(self.finest, to.finest, share),
-            focusing_m: interpolate(self.focusing_m, to.focusing_m, share),
+            cloud_velocity_m_s: interpolate_pair(self.cloud_velocity_m_s, to.cloud_velocity_m_s, fraction),
+            unresolved_slope_variance: interpolate_pair(
+                self.unresolved_slope_variance,
+                to.unresolved_slope_variance,
+                fraction,
+            ),
+            finest_cascade_slope_variance: interpolate_pair(
+                self.finest_cascade_slope_variance,
+                to.finest_cascade_slope_variance,
+                fraction,
+            ),
+            caustic_filter_m: interpolate(self.caustic_filter_m, to.caustic_filter_m, fraction),
         }
     }
 }
@@ -47,16 +55,16 @@ impl WeightedPlans {
 }
 
 impl Interpolate for WeightedPlans {
-    fn interpolate(&self, to: &Self, share: f64) -> Self {
-        let mut plans: Vec<_> = self.0.iter().map(|(plan, weight)| (plan.clone(), weight * (1.0 - share))).collect();
+    fn interpolate(&self, to: &Self, fraction: f64) -> Self {
+        let mut plans: Vec<_> = self.0.iter().map(|(plan, weight)| (plan.clone(), weight * (1.0 - fraction))).collect();
         for (plan, weight) in &to.0 {
             match plans.iter_mut().find(|(p, _)| Arc::ptr_eq(p, plan)) {
-                Some((_, sum)) => *sum += share * weight,
-                None => plans.push((plan.clone(), share * weight)),
+                Some((_, sum)) => *sum += fraction * weight,
+                None => plans.push((plan.clone(), fraction * weight)),
             }
         }
         // Dragging a slider adds a plan per frame. Neighbouring plans are nearly equal, so one replaces both.
-        while plans.len() > MOST_PLANS {
+        while plans.len() > MAX_WEIGHTED_PLANS {
             let least = (1..plans.len() - 1).min_by(|&a, &b| plans[a].1.total_cmp(&plans[b].1)).unwrap_or(0);
             let (_, weight) = plans.remove(least);
             plans[least].1 += weight;
@@ -72,7 +80,7 @@ pub struct DrawnSea {
     /// date.
     pub plan: Arc<Plan>,
     /// Amplitude factor of each cascade; 1 except during a transition.
-    pub weights: Vec<f64>,
+    pub amplitude_factors: Vec<f64>,
 }
 
 #[cfg(test)]
@@ -88,7 +96,7 @@ mod tests {
         for _ in 0..50 {
             goal = WeightedPlans::new(&plan);
             drawn = drawn.interpolate(&goal, 0.06);
-            assert!(drawn.0.len() <= MOST_PLANS);
+            assert!(drawn.0.len() <= MAX_WEIGHTED_PLANS);
             assert!((drawn.0.iter().map(|(_, w)| w).sum::<f64>() - 1.0).abs() < 1e-9);
         }
         assert!(Arc::ptr_eq(&drawn.0[drawn.0.len() - 1].0, &goal.0[0].0), "the goal is not merged away");

@@ -1,6 +1,6 @@
 //! Read-back of the wave maps and of the foam from the GPU.
 
-use super::{MAX_STEPS, MapsF32, Ocean};
+use super::{MAX_FOAM_STEPS, MapsF32, Ocean};
 use crate::gpu::readback;
 use crate::sim::resources::MapKind;
 
@@ -10,7 +10,7 @@ pub struct FoamMap {
     /// Number of cells along a side.
     pub n: usize,
     /// Side of a cell, m.
-    pub texel_m: f64,
+    pub cell_m: f64,
     /// World x and z of the corner with the smallest coordinates, m.
     pub corner: [f64; 2],
     /// Foam of the cells, 0 to 1. Rows run along x; the first row has the smallest z.
@@ -23,7 +23,7 @@ impl Ocean {
     /// # Errors
     /// If the read-back from the GPU fails.
     pub async fn read_maps(&mut self) -> Result<MapsF32, String> {
-        self.sim.read_f32(&self.gpu, self.params.clock.t_s).await
+        self.sim.read_maps_f32(&self.gpu, self.params.clock.t_s).await
     }
 
     /// The displacement maps at the time of the parameters, as the textures hold them, cascade by cascade. A texel
@@ -33,9 +33,9 @@ impl Ocean {
     /// If the read-back from the GPU fails.
     pub async fn read_displacement(&mut self) -> Result<Vec<[f32; 4]>, String> {
         let mut encoder = self.gpu.encoder("read displacement");
-        self.encode_waves(&mut encoder, MAX_STEPS);
+        self.encode_waves(&mut encoder, MAX_FOAM_STEPS);
         let r = &self.sim.resources;
-        let layers = r.sea_layers(MapKind::Displacement, self.plan().cascades.len());
+        let layers = r.current_sea_layers(MapKind::Displacement, self.plan().cascades.len());
         let copy = readback::stage_layers(&self.gpu, &mut encoder, &r.maps, 0, layers);
         self.gpu.submit(encoder);
         copy.read_map(&self.gpu).await
@@ -47,18 +47,18 @@ impl Ocean {
     /// If the read-back from the GPU fails.
     pub async fn read_foam(&mut self) -> Result<Vec<FoamMap>, String> {
         let mut encoder = self.gpu.encoder("read foam");
-        self.encode_waves(&mut encoder, MAX_STEPS);
+        self.encode_waves(&mut encoder, MAX_FOAM_STEPS);
         let copy = readback::stage_texture(&self.gpu, &mut encoder, &self.sim.resources.foam, 0);
         self.gpu.submit(encoder);
         let texels = copy.read_map(&self.gpu).await?;
         let n = self.sim.resources.foam_n as usize;
         let map = |(level, texels): (&crate::sim::FoamLevel, &[[f32; 4]])| {
-            let corner = level.centre.map(|x| x - 0.5 * n as f64 * level.texel_m);
+            let corner = level.centre.map(|x| x - 0.5 * n as f64 * level.cell_m);
             // A cell is stored at its world index modulo n.
-            let first = corner.map(|x| (x / level.texel_m).round() as i64);
+            let first = corner.map(|x| (x / level.cell_m).round() as i64);
             let place = |i: usize, axis: usize| (first[axis] + i as i64).rem_euclid(n as i64) as usize;
             let foam = (0..n * n).map(|i| texels[place(i / n, 1) * n + place(i % n, 0)][0]).collect();
-            FoamMap { n, texel_m: level.texel_m, corner, foam }
+            FoamMap { n, cell_m: level.cell_m, corner, foam }
         };
         Ok(self.maps().foam_levels.iter().zip(texels.chunks(n * n)).map(map).collect())
     }

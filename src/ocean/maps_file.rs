@@ -12,7 +12,7 @@ use std::io::Cursor;
 /// # Errors
 /// If the OpenEXR encoder fails.
 pub fn encode(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<Vec<u8>, String> {
-    let chop = plan.sea.choppiness().map(|l| l as f32);
+    let choppiness = plan.sea.choppiness().map(|l| l as f32);
     let n = maps.n;
     let encoding =
         Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
@@ -22,9 +22,9 @@ pub fn encode(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<V
             AnyChannel::new(name, FlatSamples::F32((0..n * n).map(value).collect()))
         };
         let channels: SmallVec<[AnyChannel<FlatSamples>; 4]> = SmallVec::from_vec(vec![
-            channel("X", &|i| chop[0] * d[i][0]),
+            channel("X", &|i| choppiness[0] * d[i][0]),
             channel("Y", &|i| d[i][1]),
-            channel("Z", &|i| chop[1] * d[i][2]),
+            channel("Z", &|i| choppiness[1] * d[i][2]),
             channel("deta_dx", &|i| g[i][0]),
             channel("deta_dz", &|i| g[i][1]),
         ]);
@@ -32,7 +32,7 @@ pub fn encode(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<V
         let attributes = LayerAttributes::named(format!("cascade{c} patch {patch:.4} m").as_str());
         Layer::new((n, n), attributes, encoding, AnyChannels::sort(channels))
     };
-    let layers: SmallVec<[Layer<AnyChannels<FlatSamples>>; 2]> = (0..maps.cascades()).map(layer).collect();
+    let layers: SmallVec<[Layer<AnyChannels<FlatSamples>>; 2]> = (0..maps.cascade_count()).map(layer).collect();
     let size = IntegerBounds::from_dimensions((n, n));
     let mut image = Image::from_layers(ImageAttributes::new(size), layers);
     image.attributes.other.insert("seastate".into(), AttributeValue::Text(state.into()));

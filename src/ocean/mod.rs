@@ -1,6 +1,6 @@
 //! The façade of the crate: [`Ocean`], a simulated sea with its picture, which window, page and command line use.
 
-pub mod about;
+pub mod device_info;
 mod interpolated;
 pub mod maps;
 #[cfg(feature = "files")]
@@ -11,10 +11,10 @@ pub mod still;
 use crate::gpu::Gpu;
 use crate::gpu::timer::Timer;
 use crate::point::floating::{HullPose, HullWaves, hull_pose};
-use crate::render::{Fading, Reference, Renderer, Scene, SeaAppearance};
+use crate::render::{FadingSea, ReferenceRenderer, Renderer, Scene, SeaAppearance};
 use crate::shaders::Shaders;
 use crate::sim::transition::{Interpolated, TransitionKind, TransitionStep};
-use crate::sim::{MAX_STEPS, MapCascade, Simulation};
+use crate::sim::{MAX_FOAM_STEPS, MapCascade, Simulation};
 use crate::state::Params;
 use crate::state::camera::View;
 use crate::state::params::{Camera, CameraMode};
@@ -23,13 +23,13 @@ use crate::waves::{Plan, SeaChange};
 use interpolated::WeightedPlans;
 use std::sync::Arc;
 
-pub use crate::render::{Film, Grid, Part};
+pub use crate::render::{OutputKind, SampleGrid, TimedPart};
+pub use crate::sim::map_statistics::{MapStatistics, PendingMapRead};
 pub use crate::sim::maps::{FOAM_LEVELS, Maps, MapsF32};
-pub use crate::sim::probe::{Probe, Probed};
 pub use interpolated::DrawnSea;
 
 /// Least height of the eye above the still water, m. The picture raises the eye further above approaching waves.
-const LOWEST_EYE_M: f64 = 0.5;
+const MIN_EYE_HEIGHT_M: f64 = 0.5;
 
 /// A simulated sea on a GPU device, with the renderer that draws it.
 ///
@@ -57,30 +57,31 @@ pub struct Ocean {
     params: Params,
     shaders: Shaders,
     sim: Simulation,
-    /// None in an ocean that [`Self::waves_only`] made, until its first frame.
+    /// None in an ocean that [`Self::without_renderer`] made, until its first frame.
     renderer: Option<Renderer>,
-    reference: Option<Reference>,
+    reference: Option<ReferenceRenderer>,
     format: wgpu::TextureFormat,
-    film: Film,
+    output: OutputKind,
     appearance: Interpolated<SeaAppearance>,
     plans: Interpolated<WeightedPlans>,
     /// Waves that move the floating objects, for each drawn plan.
-    waterlines: Vec<(Arc<Plan>, HullWaves)>,
+    hull_waves: Vec<(Arc<Plan>, HullWaves)>,
     timer: Timer,
 }
 
 impl Ocean {
-    /// Allocates a sea, and compiles its renderer for targets of `format`. `film` says whether frames can be read back.
-    pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, film: Film, params: &Params) -> Self {
-        let mut ocean = Self::waves_only(gpu, params);
-        (ocean.format, ocean.film) = (format, film);
-        ocean.renderer = Some(renderer(gpu, format, film, &ocean.timer));
+    /// Allocates a sea, and compiles its renderer for targets of `format`. `output` says whether frames can be read
+    /// back.
+    pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, output: OutputKind, params: &Params) -> Self {
+        let mut ocean = Self::without_renderer(gpu, params);
+        (ocean.format, ocean.output) = (format, output);
+        ocean.renderer = Some(create_renderer(gpu, format, output, &ocean.timer));
         ocean
     }
 
     /// Allocates a sea without a renderer, to read back its maps. If a frame is drawn nevertheless, a renderer for
     /// [`still::FORMAT`] is compiled.
-    pub fn waves_only(gpu: &Gpu, params: &Params) -> Self {
+    pub fn without_renderer(gpu: &Gpu, params: &Params) -> Self {
         let shaders = Shaders::default();
         let mut sim = Simulation::new(gpu, Plan::new(params), &shaders);
         let timer = Timer::new(gpu);
@@ -95,10 +96,10 @@ impl Ocean {
             renderer: None,
             reference: None,
             format: still::FORMAT,
-            film: Film::Screen,
+            output: OutputKind::Screen,
             appearance,
             plans,
-            waterlines: Vec::new(),
+            hull_waves: Vec::new(),
             timer,
         }
     }
@@ -108,11 +109,11 @@ impl Ocean {
     pub fn set_params(&mut self, params: &Params) {
         let change = SeaChange::between(&self.params, params);
         if change.is_some() || self.in_transition() {
-            let plan = self.plan_of(params, change);
+            let plan = self.plan_for(params, change);
             self.sim.set_plan(&self.gpu, plan, &self.shaders);
-            self.follow(params, &TransitionStep::IMMEDIATE);
+            self.apply_transition_step(params, &TransitionStep::IMMEDIATE);
         }
-        self.take(params);
+        self.store_params(params);
     }
 
     /// Applies parameters as a window does, `dt_s` seconds of wall time after the previous frame: the sea makes a
@@ -124,11 +125,11 @@ impl Ocean {
         }
         let change = SeaChange::between(&self.params, params);
         if change.is_some() || self.in_transition() {
-            let plan = change.map(|_| self.plan_of(params, change));
+            let plan = change.map(|_| self.plan_for(params, change));
             let step = self.sim.transition_to(&self.gpu, plan, &self.shaders, params.clock.t_s, dt_s);
-            self.follow(params, &step);
+            self.apply_transition_step(params, &step);
         }
-        self.take(params);
+        self.store_params(params);
     }
 
     /// Whether a transition to the parameters is under way.
@@ -137,30 +138,30 @@ impl Ocean {
     }
 
     /// The plan for new parameters. `change` is the level in which their sea differs from the present one.
-    fn plan_of(&self, params: &Params, change: Option<SeaChange>) -> Plan {
+    fn plan_for(&self, params: &Params, change: Option<SeaChange>) -> Plan {
         match change {
             Some(SeaChange::Waves) => Plan::new(params),
-            Some(SeaChange::Foam | SeaChange::Surface) | None => self.sim.goal().with_surface_and_foam_of(&params.sea),
+            Some(SeaChange::Foam | SeaChange::Surface) | None => self.sim.latest_plan().with_surface_and_foam_of(&params.sea),
         }
     }
 
-    fn follow(&mut self, params: &Params, step: &TransitionStep) {
+    fn apply_transition_step(&mut self, params: &Params, step: &TransitionStep) {
         let plan = self.sim.plan();
-        self.appearance.follow(step, |goal| match step.start {
+        self.appearance.apply_transition_step(step, |goal| match step.started {
             Some(TransitionKind::Foam) => goal.clone(),
-            Some(TransitionKind::Surface) => goal.with_surface_and_foam_of(plan),
+            Some(TransitionKind::Surface) => goal.with_surface_of(plan),
             _ => SeaAppearance::new(plan, &params.look),
         });
-        self.plans.follow(step, |goal| match step.start {
+        self.plans.apply_transition_step(step, |goal| match step.started {
             Some(TransitionKind::Foam) => goal.clone(),
             _ => WeightedPlans::new(plan),
         });
     }
 
-    fn take(&mut self, params: &Params) {
-        if !interpolated::refracts_alike(params, &self.params) {
-            let focusing_m = SeaAppearance::focusing_m(self.sim.plan(), &params.look);
-            self.appearance.change(|sea| sea.focusing_m = focusing_m);
+    fn store_params(&mut self, params: &Params) {
+        if !interpolated::has_same_refraction(params, &self.params) {
+            let caustic_filter_m = SeaAppearance::caustic_filter_m(self.sim.plan(), &params.look);
+            self.appearance.change_all(|sea| sea.caustic_filter_m = caustic_filter_m);
         }
         self.params = params.clone();
     }
@@ -180,18 +181,22 @@ impl Ocean {
     /// transitions there is one plan with weights of 1. While a slider is dragged, plans of neighbouring frames merge.
     pub fn drawn_seas(&self) -> Vec<DrawnSea> {
         let maps = self.sim.maps();
-        let (fading, own) = maps.cascades.split_at(maps.fading);
-        let (old, now) = self.plans.parts();
+        let (fading, own) = maps.cascades.split_at(maps.fading_count);
+        let (old, now) = self.plans.fading_and_current();
         let of = |plans: &WeightedPlans, cascades: &[MapCascade]| -> Vec<DrawnSea> {
-            let weights = |share: f64| cascades.iter().map(|c| share * f64::from(c.weight)).collect();
-            plans.0.iter().map(|(plan, share)| DrawnSea { plan: plan.clone(), weights: weights(*share) }).collect()
+            let weights = |share: f64| cascades.iter().map(|c| share * f64::from(c.amplitude_factor)).collect();
+            plans
+                .0
+                .iter()
+                .map(|(plan, share)| DrawnSea { plan: plan.clone(), amplitude_factors: weights(*share) })
+                .collect()
         };
         old.into_iter().flat_map(|old| of(old, fading)).chain(of(now, own)).collect()
     }
 
     /// Height of the still water that is drawn, m; during a transition it moves towards that of the parameters.
     pub fn level_m(&self) -> f64 {
-        self.appearance.value(self.sim.share()).level_m
+        self.appearance.blended_value(self.sim.cross_fade_weight()).level_m
     }
 
     /// The timer that measures the GPU time of the passes.
@@ -200,8 +205,8 @@ impl Ocean {
     }
 
     /// Records copies of the maps of the recorded frame, for measurements on them. None during a transition.
-    pub fn probe(&self, encoder: &mut wgpu::CommandEncoder) -> Option<Probe> {
-        self.sim.probe(&self.gpu, encoder)
+    pub fn record_map_read(&self, encoder: &mut wgpu::CommandEncoder) -> Option<PendingMapRead> {
+        self.sim.record_map_read(&self.gpu, encoder)
     }
 
     /// The wave and foam maps, as computed by the last recorded evaluation of the sea.
@@ -214,36 +219,37 @@ impl Ocean {
         &mut self.sim
     }
 
-    /// Records one frame of `size` (width, height) pixels, with at most `most_steps` time steps of the foam. Returns
-    /// whether the foam has reached the time of the parameters.
-    pub fn encode(&mut self, encoder: &mut wgpu::CommandEncoder, size: [u32; 2], most_steps: usize) -> bool {
-        self.lay_waterlines();
+    /// Records one frame of `size` (width, height) pixels, with at most `max_foam_steps` time steps of the foam.
+    /// Returns whether the foam has reached the time of the parameters.
+    pub fn encode(&mut self, encoder: &mut wgpu::CommandEncoder, size: [u32; 2], max_foam_steps: usize) -> bool {
+        self.select_hull_waves();
         let scene = self.scene(size);
-        let caught_up = self.encode_waves(encoder, most_steps);
-        let renderer = self.renderer.get_or_insert_with(|| renderer(&self.gpu, self.format, self.film, &self.timer));
+        let caught_up = self.encode_waves(encoder, max_foam_steps);
+        let renderer =
+            self.renderer.get_or_insert_with(|| create_renderer(&self.gpu, self.format, self.output, &self.timer));
         renderer.draw(&self.gpu, encoder, self.sim.maps(), &scene, size);
         caught_up
     }
 
     /// Records one frame with complete foam: a still picture that depends on the parameters alone.
-    pub fn encode_fully(&mut self, encoder: &mut wgpu::CommandEncoder, size: [u32; 2]) {
-        self.encode(encoder, size, MAX_STEPS);
+    pub fn encode_with_complete_foam(&mut self, encoder: &mut wgpu::CommandEncoder, size: [u32; 2]) {
+        self.encode(encoder, size, MAX_FOAM_STEPS);
     }
 
     /// Records the maps and the foam of a frame. Returns whether the foam has reached the time of the parameters.
-    fn encode_waves(&mut self, encoder: &mut wgpu::CommandEncoder, most_steps: usize) -> bool {
+    fn encode_waves(&mut self, encoder: &mut wgpu::CommandEncoder, max_foam_steps: usize) -> bool {
         let centre = [self.params.camera.x_m, self.params.camera.z_m];
-        self.sim.encode(&self.gpu, encoder, self.params.clock.t_s, centre, most_steps)
+        self.sim.encode(&self.gpu, encoder, self.params.clock.t_s, centre, max_foam_steps)
     }
 
     /// Texture with the linear light of the recorded frame in half floats; None before the first frame.
-    pub fn light(&self) -> Option<&wgpu::Texture> {
-        self.renderer.as_ref().and_then(Renderer::light)
+    pub fn light_texture(&self) -> Option<&wgpu::Texture> {
+        self.renderer.as_ref().and_then(Renderer::light_texture)
     }
 
-    /// Depth texture of the recorded frame; see [`Renderer::depth`].
-    pub fn depth(&self) -> Option<&wgpu::Texture> {
-        self.renderer.as_ref().and_then(Renderer::depth)
+    /// Depth texture of the recorded frame; see [`Renderer::depth_texture`].
+    pub fn depth_texture(&self) -> Option<&wgpu::Texture> {
+        self.renderer.as_ref().and_then(Renderer::depth_texture)
     }
 
     /// Draws the recorded frame into the viewport of a render pass.
@@ -254,21 +260,21 @@ impl Ocean {
     }
 
     /// Records one part of the last frame alone, so that its GPU time can be measured.
-    pub fn record(&self, encoder: &mut wgpu::CommandEncoder, part: Part) {
+    pub fn record_part(&self, encoder: &mut wgpu::CommandEncoder, part: TimedPart) {
         if let Some(renderer) = &self.renderer {
-            renderer.record(encoder, part);
+            renderer.record_part(encoder, part);
         }
     }
 
     /// Number of vertices of the water mesh in the last frame.
-    pub fn vertices(&self) -> u32 {
-        self.renderer.as_ref().map_or(0, Renderer::vertices)
+    pub fn vertex_count(&self) -> u32 {
+        self.renderer.as_ref().map_or(0, Renderer::vertex_count)
     }
 
-    /// Records one grid of unfiltered samples for a reference of the last frame; see [`Reference::draw`].
-    pub fn encode_samples(&mut self, encoder: &mut wgpu::CommandEncoder, grid: &Grid) -> wgpu::Texture {
+    /// Records one grid of unfiltered samples for a reference of the last frame; see [`ReferenceRenderer::draw`].
+    pub fn encode_samples(&mut self, encoder: &mut wgpu::CommandEncoder, grid: &SampleGrid) -> wgpu::Texture {
         let scene = self.scene(grid.size);
-        let reference = self.reference.get_or_insert_with(|| Reference::new(&self.gpu, self.format));
+        let reference = self.reference.get_or_insert_with(|| ReferenceRenderer::new(&self.gpu, self.format));
         reference.draw(&self.gpu, encoder, self.sim.maps(), &scene, grid)
     }
 
@@ -276,7 +282,7 @@ impl Ocean {
     pub fn present_light(&mut self, pass: &mut wgpu::RenderPass<'_>, size: [u32; 2], light: &[[f32; 3]]) {
         let scene = self.scene(size);
         if let Some(reference) = &mut self.reference {
-            reference.show(&self.gpu, &scene, size, light);
+            reference.set_linear_light(&self.gpu, &scene, size, light);
             reference.present(pass);
         }
     }
@@ -284,56 +290,62 @@ impl Ocean {
     /// The scene that the renderer draws in a picture of `width` x `height` pixels.
     pub fn scene(&self, [width, height]: [u32; 2]) -> Scene {
         let plan = self.sim.plan();
-        let share = self.sim.share();
-        let (old, now) = self.appearance.parts();
-        let sea = SeaAppearance { finest: now.finest, ..self.appearance.value(share) };
+        let share = self.sim.cross_fade_weight();
+        let (old, now) = self.appearance.fading_and_current();
+        let sea = SeaAppearance {
+            finest_cascade_slope_variance: now.finest_cascade_slope_variance,
+            ..self.appearance.blended_value(share)
+        };
         let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
         Scene {
-            view: View::new(&above_water(&self.params.camera, sea.level_m), aspect, LOWEST_EYE_M),
+            view: View::new(&relative_to_still_water(&self.params.camera, sea.level_m), aspect, MIN_EYE_HEIGHT_M),
             look: self.params.look.clone(),
-            rides: self.params.camera.mode == CameraMode::Buoy,
-            floats: self.poses(),
-            scales: std::array::from_fn(|layer| ColourScale::new(self.params.look.view.displayed, plan, layer)),
-            fading: old.map(|old| Fading { finest: old.finest, share: 1.0 - share }),
-            mean_foam: self.sim.foam_coverage(),
-            cloud_drift_m: sea.clouds_m_s.map(|v| v * self.params.clock.t_s),
+            height_from_waves: self.params.camera.mode == CameraMode::Buoy,
+            hulls: self.hull_poses(),
+            colour_scales: std::array::from_fn(|layer| ColourScale::new(self.params.look.view.displayed, plan, layer)),
+            fading: old.map(|old| FadingSea {
+                finest_cascade_slope_variance: old.finest_cascade_slope_variance,
+                variance_fraction: 1.0 - share,
+            }),
+            mean_foam: self.sim.mean_foam(),
+            cloud_drift_m: sea.cloud_velocity_m_s.map(|v| v * self.params.clock.t_s),
             sea,
         }
     }
 
     /// Poses of the floating objects at the time of the parameters; empty until a frame with them was recorded.
-    pub fn poses(&self) -> Vec<HullPose> {
+    pub fn hull_poses(&self) -> Vec<HullPose> {
         let (seas, level_m) = (self.drawn_seas(), self.level_m());
-        let on = |sea: &DrawnSea| self.waterlines.iter().find(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)).map(|(_, w)| w);
-        let lines: Option<Vec<_>> = seas.iter().map(|sea| Some((on(sea)?, sea.weights[0]))).collect();
+        let on = |sea: &DrawnSea| self.hull_waves.iter().find(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)).map(|(_, w)| w);
+        let lines: Option<Vec<_>> = seas.iter().map(|sea| Some((on(sea)?, sea.amplitude_factors[0]))).collect();
         let Some(lines) = lines else { return Vec::new() };
         self.params.floats.iter().map(|f| hull_pose(&lines, f, self.params.clock.t_s, level_m)).collect()
     }
 
     /// Selects the waves that move the floating objects, for each drawn plan; removes them if nothing floats.
-    fn lay_waterlines(&mut self) {
+    fn select_hull_waves(&mut self) {
         if self.params.floats.is_empty() {
-            self.waterlines.clear();
+            self.hull_waves.clear();
             return;
         }
         let seas = self.drawn_seas();
-        self.waterlines.retain(|(plan, _)| seas.iter().any(|sea| Arc::ptr_eq(plan, &sea.plan)));
+        self.hull_waves.retain(|(plan, _)| seas.iter().any(|sea| Arc::ptr_eq(plan, &sea.plan)));
         for sea in seas {
-            if !self.waterlines.iter().any(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)) {
+            if !self.hull_waves.iter().any(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)) {
                 let line = HullWaves::new(&sea.plan);
-                self.waterlines.push((sea.plan, line));
+                self.hull_waves.push((sea.plan, line));
             }
         }
     }
 }
 
 /// The camera with its height relative to the still water, because the surface is drawn around height 0.
-fn above_water(camera: &Camera, level_m: f64) -> Camera {
+fn relative_to_still_water(camera: &Camera, level_m: f64) -> Camera {
     Camera { y_m: camera.y_m - level_m, ..camera.clone() }
 }
 
-fn renderer(gpu: &Gpu, format: wgpu::TextureFormat, film: Film, timer: &Timer) -> Renderer {
-    let mut renderer = Renderer::new(gpu, format, film);
+fn create_renderer(gpu: &Gpu, format: wgpu::TextureFormat, output: OutputKind, timer: &Timer) -> Renderer {
+    let mut renderer = Renderer::new(gpu, format, output);
     renderer.set_timer(timer.clone());
     renderer
 }

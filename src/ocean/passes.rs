@@ -3,7 +3,7 @@
 use super::Ocean;
 use crate::gpu::map_format::MapFormat;
 use crate::sim::Simulation;
-use crate::sim::planned_sea::EvaluationSlot;
+use crate::sim::planned_sea::SeaDispatch;
 
 /// A GPU pass of the simulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,7 +36,7 @@ pub struct MapSizes {
 /// The passes of the simulation at the time of the parameters. Each can be recorded alone and repeatedly.
 pub struct WavePasses<'a> {
     sim: &'a Simulation,
-    slot: EvaluationSlot,
+    dispatch: SeaDispatch,
     /// Offset of the foam step's uniform in its buffer, bytes.
     foam: u32,
 }
@@ -46,9 +46,9 @@ impl Ocean {
     pub fn wave_passes(&mut self) -> WavePasses<'_> {
         let t_s = self.params.clock.t_s;
         let centre = [self.params.camera.x_m, self.params.camera.z_m];
-        let slot = self.sim.push_evaluation(&self.gpu, t_s, false);
-        let foam = self.sim.push_foam_step(&self.gpu, t_s, centre);
-        WavePasses { sim: &self.sim, slot, foam }
+        let dispatch = self.sim.upload_sea_uniform(&self.gpu, t_s, false);
+        let foam = self.sim.upload_foam_uniform(&self.gpu, t_s, centre);
+        WavePasses { sim: &self.sim, dispatch, foam }
     }
 
     /// The sizes and the format of the maps.
@@ -64,16 +64,16 @@ impl WavePasses<'_> {
     pub fn record(&self, encoder: &mut wgpu::CommandEncoder, pass: WavePass) {
         let (passes, r) = (&self.sim.passes, &self.sim.resources);
         match pass {
-            WavePass::Spectrum => passes.spectrum.run(encoder, r, self.slot),
-            WavePass::Rows => passes.transform.rows(encoder, self.slot),
-            WavePass::Columns => passes.transform.columns(encoder, r, self.slot),
-            WavePass::Mips => passes.mips.run(encoder, r, self.slot),
-            WavePass::Foam => passes.foam.run(encoder, r, self.slot, self.foam),
+            WavePass::Spectrum => passes.spectrum.run(encoder, r, self.dispatch),
+            WavePass::Rows => passes.transform.record_rows(encoder, self.dispatch),
+            WavePass::Columns => passes.transform.record_columns(encoder, r, self.dispatch),
+            WavePass::Mips => passes.mips.run(encoder, r, self.dispatch),
+            WavePass::Foam => passes.foam.run(encoder, r, self.dispatch, self.foam),
         }
     }
 
     /// Number of compute dispatches of a frame in which neither the sea nor the time jumps.
-    pub fn dispatches(&self) -> u32 {
-        self.sim.passes.dispatches()
+    pub fn dispatch_count(&self) -> u32 {
+        self.sim.passes.dispatch_count()
     }
 }

@@ -1,8 +1,8 @@
 //! Still pictures: one state of the parameters, drawn and read back from the GPU.
 
-use super::{Film, Ocean};
+use super::{Ocean, OutputKind};
 use crate::gpu::Gpu;
-use crate::gpu::offscreen::Picture;
+use crate::gpu::offscreen::PendingPicture;
 use crate::state::Params;
 
 /// Texture format of the pictures that are read back.
@@ -12,29 +12,29 @@ pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 ///
 /// # Errors
 /// If the read-back from the GPU fails.
-pub async fn picture(gpu: &Gpu, params: &Params, size: [u32; 2]) -> Result<Vec<u8>, String> {
-    picture_of(gpu, &mut Ocean::new(gpu, FORMAT, Film::Screen, params), size).await
+pub async fn draw_picture(gpu: &Gpu, params: &Params, size: [u32; 2]) -> Result<Vec<u8>, String> {
+    draw_ocean_picture(gpu, &mut Ocean::new(gpu, FORMAT, OutputKind::Screen, params), size).await
 }
 
 /// Draws an ocean at its present parameters. Returns its pixels: RGBA bytes, row by row from the top.
 ///
 /// # Errors
 /// If the read-back from the GPU fails.
-pub async fn picture_of(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2]) -> Result<Vec<u8>, String> {
+pub async fn draw_ocean_picture(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2]) -> Result<Vec<u8>, String> {
     let mut encoder = gpu.encoder("picture");
-    ocean.encode_fully(&mut encoder, size);
-    on_film(gpu, encoder, size, |pass| ocean.present(pass)).await
+    ocean.encode_with_complete_foam(&mut encoder, size);
+    present_and_read_back(gpu, encoder, size, |pass| ocean.present(pass)).await
 }
 
 /// Submits `encoder` and a render pass into which `present` draws. Returns its pixels: RGBA bytes, from the top row.
 ///
 /// # Errors
 /// If the read-back from the GPU fails.
-pub async fn on_film(
+pub async fn present_and_read_back(
     gpu: &Gpu,
     encoder: wgpu::CommandEncoder,
     size: [u32; 2],
     present: impl FnOnce(&mut wgpu::RenderPass<'_>),
 ) -> Result<Vec<u8>, String> {
-    Picture::submit(gpu, encoder, FORMAT, size, present).read(gpu).await
+    PendingPicture::submit(gpu, encoder, FORMAT, size, present).read(gpu).await
 }

@@ -5,19 +5,19 @@ use super::scene::{Scene, SeaAppearance};
 use super::water::mesh::{Mesh, MeshLattice};
 use crate::gpu::layout::gpu_struct;
 use crate::sim::Maps;
-use crate::sim::maps::{FOAM_LEVELS, FoamLevel, MAX_DRAWN, MapCascade, TilePlace};
+use crate::sim::maps::{FOAM_LEVELS, FoamLevel, MAX_DRAWN_CASCADES, MapCascade, TileLatticePosition};
 use crate::waves::slopes::SlopeVariance;
 use std::f64::consts::PI;
 
 /// Patch side of the finest cascade divided by that of its ripples. No two cascades have this ratio, so that their
 /// repetitions do not coincide.
-const RIPPLE_RATIO: f64 = 13.1;
+const RIPPLE_PATCH_RATIO: f64 = 13.1;
 /// Largest fraction of the unresolved slope variance that the ripples represent; the rest is shaded as roughness.
-const RIPPLE_SHARE: f64 = 0.8;
+const MAX_RIPPLE_VARIANCE_FRACTION: f64 = 0.8;
 /// Largest number of ripple layers: one for each of the two seas during a cross-fade.
-const MAX_RIPPLES: usize = 2;
+const MAX_RIPPLE_LAYERS: usize = 2;
 /// Largest number of cascades and ripple layers together.
-const MAX_SHOWN: usize = MAX_DRAWN + MAX_RIPPLES;
+const MAX_FRAME_CASCADES: usize = MAX_DRAWN_CASCADES + MAX_RIPPLE_LAYERS;
 
 gpu_struct! {
     /// WGSL `FrameCascade`: a cascade placed relative to the eye, or its ripples: a shrunk copy of the cascade whose
@@ -25,19 +25,19 @@ gpu_struct! {
     #[derive(Default)]
     pub struct FrameCascade as "FrameCascade" {
         /// Triangle lattice of the patch's shifted copies, relative to the point below the eye.
-        pub tile: TilePlace,
+        pub tile_position: TileLatticePosition,
         /// Texture coordinates of the point below the eye.
-        pub uv: [f32; 2],
+        pub uv_below_eye: [f32; 2],
         /// Reciprocal of the side of the patch, 1/m.
         pub inverse_patch: f32,
         /// Unit in which the moments map stores the second moments of the slope.
-        pub moment_scale: f32,
+        pub moment_unit: f32,
         /// Wavelength of the cascade's shortest wave, texels.
-        pub wave_texels: f32,
+        pub shortest_wave_texels: f32,
         /// Layer of the cascade in the map textures.
         pub layer: u32,
         /// Factor on the slope variance that corrects for correlated seas during a cross-fade; 1 otherwise.
-        pub variance_gain: f32,
+        pub variance_correction: f32,
         /// Factor on the slopes: 1 for a cascade, at most 1 for ripples.
         pub slope_scale: f32,
     }
@@ -54,7 +54,7 @@ gpu_struct! {
         /// Reciprocal of the side of a cell, 1/m.
         pub inverse_cell: f32,
         /// Texture coordinates of the point below the eye.
-        pub uv: [f32; 2],
+        pub uv_below_eye: [f32; 2],
         /// Reciprocal of the side of the level, 1/m.
         pub inverse_side: f32,
         unused: u32,
@@ -69,39 +69,39 @@ gpu_struct! {
         /// Unit vector to the right of the picture, multiplied by the tangent of half the horizontal field of view.
         pub right: [f32; 3],
         /// Height of the eye above the still water, m. The eye pass on the GPU may raise it above the waves.
-        pub eye_m: f32,
+        pub eye_height_m: f32,
         /// Unit vector to the top of the picture, multiplied by the tangent of half the vertical field of view.
         pub up: [f32; 3],
         /// Angle from the horizontal down to the visible horizon of the spherical Earth, rad.
-        pub dip: f32,
+        pub horizon_dip: f32,
         /// Unit vector of the viewing direction.
         pub forward: [f32; 3],
         /// Angle that a pixel in the middle of the picture subtends, rad.
-        pub pixel: f32,
+        pub pixel_angle: f32,
         /// Unit vector towards the sun.
-        pub sun: [f32; 3],
+        pub sun_direction: [f32; 3],
         /// Slope variance that represents the sun's finite disc, so that a flat mirror shows it as bright as the disc.
-        pub sun_blur: f32,
+        pub sun_slope_variance: f32,
         /// Covariance (xx, zz, xz) of the slopes that neither the cascades nor the ripples resolve.
-        pub residual: [f32; 3],
+        pub residual_slope_covariance: [f32; 3],
         /// Mean radiance of the sun's disc divided by its irradiance, 1/sr.
-        pub sun_peak: f32,
+        pub sun_radiance_per_irradiance: f32,
         /// Choppiness: factors on the horizontal displacement along x and z; 1 is linear theory.
-        pub chop: [f32; 2],
+        pub choppiness: [f32; 2],
         /// Undisplaced position (x, z) of the water below the eye, relative to the eye, m; computed on the GPU.
-        pub foot: [f32; 2],
+        pub undisplaced_below_eye: [f32; 2],
         /// Estimate of the largest horizontal displacement by the waves, m.
-        pub reach_m: f32,
+        pub max_displacement_m: f32,
         /// 1 if the eye's height counts from the moving water below it, 0 if from the still water.
-        pub rides: f32,
+        pub height_from_waves: f32,
         /// Number of texels along the side of a map.
         pub n: f32,
         /// Number of cascades in use.
-        pub count: u32,
+        pub cascade_count: u32,
         /// Number of ripple layers in use. They follow the cascades in `cascades`.
         pub ripple_count: u32,
         /// Number of foam levels in use.
-        pub foam_count: u32,
+        pub foam_level_count: u32,
         /// Significant wave height, m.
         pub hs_m: f32,
         /// Water depth, m.
@@ -109,57 +109,57 @@ gpu_struct! {
         /// Mean foam, 0 to 1, which is drawn outside the foam levels.
         pub mean_foam: f32,
         /// Factor on the amount of foam that is drawn.
-        pub foam_gain: f32,
+        pub foam_amount: f32,
         /// Factor on the pixel footprint: 1 filters over the whole pixel, 0 draws point samples of a reference picture.
-        pub footprint: f32,
+        pub footprint_scale: f32,
         unused: u32,
         /// Lattice of the water mesh.
-        pub mesh: MeshLattice,
+        pub mesh_lattice: MeshLattice,
         /// Cascades in use, then the ripple layers in use.
-        pub cascades: [FrameCascade; MAX_SHOWN],
+        pub cascades: [FrameCascade; MAX_FRAME_CASCADES],
         /// Foam levels, smallest cells first.
         pub foam_levels: [FrameFoamLevel; FOAM_LEVELS],
     }
 }
 
 impl FrameCascade {
-    /// A cascade for an eye above the world position `foot` (x, z), m. Its maps have `n` texels along a side.
-    fn new(cascade: &MapCascade, foot: [f64; 2], n: f64) -> Self {
+    /// A cascade for an eye above the world position `below_eye` (x, z), m. Its maps have `n` texels along a side.
+    fn new(cascade: &MapCascade, below_eye: [f64; 2], n: f64) -> Self {
         Self {
-            tile: cascade.tiling.lattice_position(foot).into(),
-            uv: foot.map(|x| ((x / cascade.patch_m).rem_euclid(1.0) + 0.5 / n) as f32),
+            tile_position: cascade.tiling.lattice_position(below_eye).into(),
+            uv_below_eye: below_eye.map(|x| ((x / cascade.patch_m).rem_euclid(1.0) + 0.5 / n) as f32),
             inverse_patch: (1.0 / cascade.patch_m) as f32,
-            moment_scale: cascade.moment_scale,
-            wave_texels: (cascade.shortest_m * n / cascade.patch_m) as f32,
+            moment_unit: cascade.moment_unit,
+            shortest_wave_texels: (cascade.shortest_wavelength_m * n / cascade.patch_m) as f32,
             layer: cascade.layer,
-            variance_gain: cascade.gain,
+            variance_correction: cascade.variance_correction,
             slope_scale: 1.0,
         }
     }
 
-    /// Ripples with `share` times the slope variance of a cascade, for an eye above the world position `foot`, m.
-    fn ripples(cascade: &MapCascade, share: f64, foot: [f64; 2], n: f64) -> Self {
-        let patch_m = cascade.patch_m / RIPPLE_RATIO;
+    /// Ripples with `fraction` times the slope variance of a cascade, for an eye above the world position `below_eye`, m.
+    fn new_ripples(cascade: &MapCascade, fraction: f64, below_eye: [f64; 2], n: f64) -> Self {
+        let patch_m = cascade.patch_m / RIPPLE_PATCH_RATIO;
         Self {
-            tile: cascade.tiling.with_smaller_patch(RIPPLE_RATIO).lattice_position(foot).into(),
+            tile_position: cascade.tiling.with_smaller_patch(RIPPLE_PATCH_RATIO).lattice_position(below_eye).into(),
             // The offset keeps the copies of the cascade and of its ripples from coinciding at the world origin.
-            uv: foot.map(|x| ((x / patch_m).rem_euclid(1.0) + 0.381_966) as f32),
+            uv_below_eye: below_eye.map(|x| ((x / patch_m).rem_euclid(1.0) + 0.381_966) as f32),
             inverse_patch: (1.0 / patch_m) as f32,
-            slope_scale: share.sqrt() as f32,
-            ..Self::new(cascade, foot, n)
+            slope_scale: fraction.sqrt() as f32,
+            ..Self::new(cascade, below_eye, n)
         }
     }
 }
 
 impl FrameFoamLevel {
-    /// A foam level with `cells` cells along a side, for an eye above the world position `foot` (x, z), m.
-    fn new(level: &FoamLevel, foot: [f64; 2], cells: u32) -> Self {
-        let side_m = f64::from(cells) * level.texel_m;
+    /// A foam level with `cells` cells along a side, for an eye above the world position `below_eye` (x, z), m.
+    fn new(level: &FoamLevel, below_eye: [f64; 2], cells: u32) -> Self {
+        let side_m = f64::from(cells) * level.cell_m;
         Self {
-            centre: [0, 1].map(|axis| (level.centre[axis] - foot[axis]) as f32),
-            half_side_m: (0.5 * side_m - 2.0 * level.texel_m) as f32,
-            inverse_cell: (1.0 / level.texel_m) as f32,
-            uv: foot.map(|x| (x / side_m).rem_euclid(1.0) as f32),
+            centre: [0, 1].map(|axis| (level.centre[axis] - below_eye[axis]) as f32),
+            half_side_m: (0.5 * side_m - 2.0 * level.cell_m) as f32,
+            inverse_cell: (1.0 / level.cell_m) as f32,
+            uv_below_eye: below_eye.map(|x| (x / side_m).rem_euclid(1.0) as f32),
             inverse_side: (1.0 / side_m) as f32,
             unused: 0,
         }
@@ -170,89 +170,97 @@ impl FrameUniform {
     /// Values of the frame's uniform buffer for a scene and a picture of `size` (width, height) pixels.
     pub fn new(scene: &Scene, maps: &Maps, mesh: &Mesh, size: [u32; 2]) -> Self {
         let (view, look, sea) = (&scene.view, &scene.look, &scene.sea);
-        let foot = [view.eye.x, view.eye.z];
+        let below_eye = [view.eye.x, view.eye.z];
         let n = f64::from(maps.n);
-        let (shown, residual) = ripples(scene, maps);
-        let ripples = shown.iter().map(|(cascade, share)| FrameCascade::ripples(cascade, *share, foot, n));
-        let cascades = maps.cascades.iter().map(|cascade| FrameCascade::new(cascade, foot, n));
-        let levels = maps.foam_levels.iter().map(|level| FrameFoamLevel::new(level, foot, maps.foam_n));
+        let (shown, residual) = ripple_layers(scene, maps);
+        let ripples =
+            shown.iter().map(|(cascade, fraction)| FrameCascade::new_ripples(cascade, *fraction, below_eye, n));
+        let cascades = maps.cascades.iter().map(|cascade| FrameCascade::new(cascade, below_eye, n));
+        let levels = maps.foam_levels.iter().map(|level| FrameFoamLevel::new(level, below_eye, maps.foam_n));
         let [tx, ty] = view.tan_half_fov;
         let disc = look.sky.sun_radius_rad().sin().powi(2);
         Self {
             clip_from_relative: view.clip_from_relative().as_mat4(),
             right: (view.right * tx).as_vec3().to_array(),
-            eye_m: view.eye.y as f32,
+            eye_height_m: view.eye.y as f32,
             up: (view.up * ty).as_vec3().to_array(),
-            dip: dip(view.eye.y) as f32,
+            horizon_dip: horizon_dip(view.eye.y) as f32,
             forward: view.forward.as_vec3().to_array(),
-            pixel: (2.0 * ty / f64::from(size[1])) as f32,
-            sun: look.sky.sun_direction().map(|x| x as f32),
-            sun_blur: (disc / 8.0) as f32,
-            residual,
-            sun_peak: (PI * disc).recip() as f32,
-            chop: sea.chop.map(|l| l as f32),
-            foot: [0.0; 2],
-            reach_m: (1.0 + 0.8 * sea.most_chop() * sea.hs_m) as f32,
-            rides: f32::from(u8::from(scene.rides)),
+            pixel_angle: (2.0 * ty / f64::from(size[1])) as f32,
+            sun_direction: look.sky.sun_direction().map(|x| x as f32),
+            sun_slope_variance: (disc / 8.0) as f32,
+            residual_slope_covariance: residual,
+            sun_radiance_per_irradiance: (PI * disc).recip() as f32,
+            choppiness: sea.choppiness.map(|l| l as f32),
+            undisplaced_below_eye: [0.0; 2],
+            max_displacement_m: (1.0 + 0.8 * sea.max_choppiness() * sea.hs_m) as f32,
+            height_from_waves: f32::from(u8::from(scene.height_from_waves)),
             n: maps.n as f32,
-            count: maps.cascades.len() as u32,
+            cascade_count: maps.cascades.len() as u32,
             ripple_count: shown.len() as u32,
-            foam_count: maps.foam_levels.len() as u32,
+            foam_level_count: maps.foam_levels.len() as u32,
             hs_m: sea.hs_m as f32,
             depth_m: sea.depth_m as f32,
             mean_foam: scene.mean_foam as f32,
-            foam_gain: look.surface.foam.amount as f32,
-            footprint: 1.0,
+            foam_amount: look.surface.foam.amount as f32,
+            footprint_scale: 1.0,
             unused: 0,
-            mesh: mesh.lattice,
-            cascades: filled(cascades.chain(ripples)),
-            foam_levels: filled(levels),
+            mesh_lattice: mesh.lattice,
+            cascades: padded_array(cascades.chain(ripples)),
+            foam_levels: padded_array(levels),
         }
     }
 
     /// This frame for point samples of a reference picture, with the picture shifted by (x, y) in clip coordinates.
-    pub fn unfiltered(self, [x, y]: [f32; 2]) -> Self {
+    pub fn for_point_samples(self, [x, y]: [f32; 2]) -> Self {
         let moved = glam::Mat4::from_translation(glam::vec3(x, y, 0.0)) * self.clip_from_relative;
         let forward = std::array::from_fn(|i| self.forward[i] - x * self.right[i] - y * self.up[i]);
-        Self { clip_from_relative: moved, forward, footprint: 0.0, ..self }
+        Self { clip_from_relative: moved, forward, footprint_scale: 0.0, ..self }
     }
 }
 
 /// An array that starts with the given values and is filled up with defaults.
-fn filled<T: Copy + Default, const N: usize>(values: impl Iterator<Item = T>) -> [T; N] {
+fn padded_array<T: Copy + Default, const N: usize>(values: impl Iterator<Item = T>) -> [T; N] {
     let mut out = [T::default(); N];
     out.iter_mut().zip(values).for_each(|(out, value)| *out = value);
     out
 }
 
-/// Angle from the horizontal down to the horizon of the spherical Earth, rad, for an eye at the height `eye_m`, m.
-pub fn dip(eye_m: f64) -> f64 {
+/// Angle from the horizontal down to the horizon of the spherical Earth, rad, for an eye at the height `eye_height_m`,
+/// m.
+pub fn horizon_dip(eye_height_m: f64) -> f64 {
     let r = crate::state::camera::EARTH_RADIUS_M;
-    (r / (r + eye_m.max(0.0))).min(1.0).acos()
+    (r / (r + eye_height_m.max(0.0))).min(1.0).acos()
 }
 
 /// Cascades whose ripples are drawn, each with the ripples' fraction of its slope variance; and the covariance (xx, zz,
 /// xz) of the slopes that neither cascades nor ripples resolve.
-fn ripples<'a>(scene: &Scene, maps: &'a Maps) -> (Vec<(&'a MapCascade, f64)>, [f32; 3]) {
+fn ripple_layers<'a>(scene: &Scene, maps: &'a Maps) -> (Vec<(&'a MapCascade, f64)>, [f32; 3]) {
     let sea = &scene.sea;
-    let mut left = sea.residual;
+    let mut left = sea.unresolved_slope_variance;
     let mut shown = Vec::new();
-    let own = (maps.cascades.last(), sea.finest, 1.0 - scene.fading.map_or(0.0, |f| f.share));
-    let fading = scene.fading.map(|f| (maps.cascades[..maps.fading].last(), f.finest, f.share));
+    let own = (
+        maps.cascades.last(),
+        sea.finest_cascade_slope_variance,
+        1.0 - scene.fading.map_or(0.0, |f| f.variance_fraction),
+    );
+    let fading = scene
+        .fading
+        .map(|f| (maps.cascades[..maps.fading_count].last(), f.finest_cascade_slope_variance, f.variance_fraction));
     for (cascade, finest, weight) in std::iter::once(own).chain(fading) {
         // Ripples scale both slope components of their cascade alike; neither may exceed the unresolved variance.
-        let share = |i: usize| if finest[i] > 1e-5 { sea.residual[i] / finest[i] } else { 0.0 };
-        let share = (RIPPLE_SHARE * share(0).min(share(1))).min(1.0);
-        if let Some(cascade) = cascade.filter(|_| share > 0.0) {
-            shown.push((cascade, share));
-            left = [left[0] - share * weight * finest[0], left[1] - share * weight * finest[1]];
+        let fraction = |i: usize| if finest[i] > 1e-5 { sea.unresolved_slope_variance[i] / finest[i] } else { 0.0 };
+        let fraction = (MAX_RIPPLE_VARIANCE_FRACTION * fraction(0).min(fraction(1))).min(1.0);
+        if let Some(cascade) = cascade.filter(|_| fraction > 0.0) {
+            shown.push((cascade, fraction));
+            left = [left[0] - fraction * weight * finest[0], left[1] - fraction * weight * finest[1]];
         }
     }
-    (shown, covariance(sea, left.map(|l| l.max(0.0))))
+    (shown, covariance_in_world_axes(sea, left.map(|l| l.max(0.0))))
 }
 
 /// Covariance (xx, zz, xz) of slopes in world axes, from their variances along and across the wind.
-fn covariance(sea: &SeaAppearance, [along, across]: SlopeVariance) -> [f32; 3] {
+fn covariance_in_world_axes(sea: &SeaAppearance, [along, across]: SlopeVariance) -> [f32; 3] {
     let [x, z] = sea.downwind;
     [along * x * x + across * z * z, along * z * z + across * x * x, (along - across) * x * z].map(|v| v as f32)
 }

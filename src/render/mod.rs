@@ -15,18 +15,18 @@ mod views;
 mod water;
 
 pub use frame::FrameUniform;
-pub use reference::{Grid, Reference};
-pub use scene::{Fading, Scene, SeaAppearance};
-pub use targets::Film;
+pub use reference::{ReferenceRenderer, SampleGrid};
+pub use scene::{FadingSea, Scene, SeaAppearance};
+pub use targets::OutputKind;
 pub use water::material::MaterialUniform;
 
 use crate::gpu::Gpu;
-use crate::gpu::layout::Declaration;
+use crate::gpu::layout::StructDeclaration;
 use crate::gpu::timer::Timer;
 use crate::gpu::uniform::Uniform;
 use crate::shaders::Shaders;
 use crate::sim::Maps;
-use crate::sim::maps::TilePlace;
+use crate::sim::maps::TileLatticePosition;
 use crate::state::views::DisplayedView;
 use film::present::{PresentPass, PresentUniform};
 use frame::{FrameCascade, FrameFoamLevel};
@@ -38,15 +38,15 @@ use targets::Targets;
 use views::{ViewPass, ViewTile, ViewUniform};
 use water::displace::MeshVertex;
 use water::eye::EyePass;
-use water::floats::{FloatsPass, HullVertex};
+use water::hulls::{HullPass, HullVertex};
 use water::light::WaterPass;
 use water::material::NoiseLayer;
 use water::mesh::{Mesh, MeshLattice};
 use water::noise::NoiseTexture;
 
 /// Declarations of the structs that the renderer shares with its shaders.
-pub const STRUCTS: &[Declaration] = &[
-    TilePlace::DECLARATION,
+pub const SHARED_STRUCTS: &[StructDeclaration] = &[
+    TileLatticePosition::DECLARATION,
     MeshLattice::DECLARATION,
     MeshVertex::DECLARATION,
     HullVertex::DECLARATION,
@@ -64,13 +64,13 @@ pub const STRUCTS: &[Declaration] = &[
 ];
 
 /// Number of pixels of a picture whose mesh has the default number of vertices.
-const REFERENCE_PIXELS: f64 = 1280.0 * 720.0;
+const DEFAULT_MESH_PIXELS: f64 = 1280.0 * 720.0;
 
 /// A part of a frame that can be recorded alone, so that its GPU time can be measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum TimedPart {
     /// Computation of all look-up tables of the sky.
-    Light,
+    SkyTables,
     /// Drawing of the sky behind the sea.
     Background,
     /// Displacement of the water mesh, and its drawing into the G-buffer.
@@ -87,7 +87,7 @@ pub struct Renderer {
     eye: EyePass,
     water: WaterPass,
     background: BackgroundPass,
-    floats: FloatsPass,
+    hulls: HullPass,
     present: PresentPass,
     targets: Option<Targets>,
     target_format: wgpu::TextureFormat,
@@ -100,18 +100,19 @@ pub struct Renderer {
 
 impl Renderer {
     /// Compiles all passes. `target_format` is the format of the render target that [`Self::present`] draws into.
-    pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat, film: Film) -> Self {
-        let shaders = Shaders::default().with_structs(STRUCTS);
+    pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat, output: OutputKind) -> Self {
+        let shaders = Shaders::default().with_structs(SHARED_STRUCTS);
         let frame = Uniform::new(gpu, "frame");
         let material = Uniform::new(gpu, "material");
         let noise = NoiseTexture::new(gpu);
         let sky = SkyTables::new(gpu, &shaders, &noise);
-        let scene = SceneGroup::new(gpu, &frame, &material, &sky, &noise, film);
+        let scene = SceneGroup::new(gpu, &frame, &material, &sky, &noise, output);
         let background = BackgroundPass::new(gpu, &shaders);
         let water = WaterPass::new(gpu, &shaders, scene, &frame);
         let eye = EyePass::new(gpu, &shaders, &frame, &water);
-        let floats = FloatsPass::new(gpu, &shaders);
-        let present = PresentPass::new(gpu, &shaders, &sky.light, target_format, film != Film::Reference);
+        let hulls = HullPass::new(gpu, &shaders);
+        let present =
+            PresentPass::new(gpu, &shaders, &sky.light_buffer, target_format, output != OutputKind::Reference);
         // The empty submission makes a browser start compiling the pipelines while the CPU computes the noise.
         gpu.queue.submit([]);
         noise.fill(gpu);
@@ -122,7 +123,7 @@ impl Renderer {
             eye,
             water,
             background,
-            floats,
+            hulls,
             present,
             targets: None,
             target_format,
@@ -140,42 +141,42 @@ impl Renderer {
     /// Records the passes that draw a picture or view of `size` (width, height) pixels in linear light.
     pub fn draw(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, maps: &Maps, scene: &Scene, size: [u32; 2]) {
         let size = size.map(|s| s.max(1));
-        let hdr = self.target(gpu, size).hdr.clone();
-        self.present.bind(gpu, &hdr, &scene.look.film);
-        self.present.write(gpu, scene, size);
-        let mesh = mesh(scene, size);
-        self.prepare(gpu, maps, scene, &mesh, &FrameUniform::new(scene, maps, &mesh, size));
+        let hdr = self.ensure_targets(gpu, size).hdr.clone();
+        self.present.set_picture(gpu, &hdr, &scene.look.film);
+        self.present.write_uniform(gpu, scene, size);
+        let mesh = mesh_for_picture(scene, size);
+        self.prepare_frame(gpu, maps, scene, &mesh, &FrameUniform::new(scene, maps, &mesh, size));
         self.shows_view = scene.look.view.displayed != DisplayedView::Picture;
         if self.shows_view {
             self.record_view(gpu, encoder, maps, scene);
             self.timer.mark(encoder, "view");
         } else {
             self.record_picture(gpu, encoder, scene);
-            self.present.spread(encoder);
+            self.present.record_bloom(encoder);
             self.timer.mark(encoder, "bloom");
         }
     }
 
     /// The render targets for `size` pixels, created again if the size has changed.
-    fn target(&mut self, gpu: &Gpu, size: [u32; 2]) -> &Targets {
+    fn ensure_targets(&mut self, gpu: &Gpu, size: [u32; 2]) -> &Targets {
         let targets = self.targets.take().filter(|targets| targets.size == size);
-        let film = self.water.scene.film;
-        self.targets.insert(targets.unwrap_or_else(|| Targets::new(gpu, size, film)))
+        let output = self.water.scene.output;
+        self.targets.insert(targets.unwrap_or_else(|| Targets::new(gpu, size, output)))
     }
 
     /// Writes the uniform buffers, selects the pipelines and binds the maps for a frame.
-    fn prepare(&mut self, gpu: &Gpu, maps: &Maps, scene: &Scene, mesh: &Mesh, frame: &FrameUniform) {
+    fn prepare_frame(&mut self, gpu: &Gpu, maps: &Maps, scene: &Scene, mesh: &Mesh, frame: &FrameUniform) {
         self.material.write(gpu, &MaterialUniform::new(scene));
         self.frame.write(gpu, frame);
-        self.water.choose(gpu, scene);
-        self.background.choose(gpu, &self.water.scene, &self.sky, scene);
+        self.water.select_pipeline(gpu, scene);
+        self.background.select_pipeline(gpu, &self.water.scene, &self.sky, scene);
         self.water.bind_maps(gpu, maps);
         if let Some(targets) = &self.targets {
             self.water.bind_targets(gpu, targets);
         }
-        self.water.mesh.set(gpu, mesh);
-        let foot = [scene.view.eye.x, scene.view.eye.z];
-        self.floats.write(gpu, &self.water.scene, &scene.floats, foot, scene.sea.level_m);
+        self.water.mesh.set_mesh(gpu, mesh);
+        let below_eye = [scene.view.eye.x, scene.view.eye.z];
+        self.hulls.upload_hulls(gpu, &self.water.scene, &scene.hulls, below_eye, scene.sea.level_m);
     }
 
     /// Records the false-colour view that replaces the picture.
@@ -185,7 +186,8 @@ impl Renderer {
         if let DisplayedView::Surface(_) = scene.look.view.displayed {
             self.water.displace(encoder);
         }
-        let make = || ViewPass::new(gpu, &Shaders::default().with_structs(STRUCTS), &self.water, self.target_format);
+        let make =
+            || ViewPass::new(gpu, &Shaders::default().with_structs(SHARED_STRUCTS), &self.water, self.target_format);
         let view = self.view.get_or_insert_with(make);
         view.draw(gpu, encoder, (maps, scene), &self.water, targets);
     }
@@ -195,54 +197,54 @@ impl Renderer {
         let Some(targets) = &self.targets else { return };
         self.eye.run(encoder, scene, &self.water);
         self.timer.mark(encoder, "eye");
-        self.sky.update(gpu, encoder, scene);
+        self.sky.record_outdated(gpu, encoder, scene);
         self.timer.mark(encoder, "sky tables");
-        self.water.prepare(encoder, targets);
+        self.water.record_g_buffer(encoder, targets);
         self.timer.mark(encoder, "mesh");
-        let mut pass = targets.begin(encoder, true);
+        let mut pass = targets.begin_picture(encoder, true);
         self.background.draw(&mut pass, &self.water.scene, &self.sky);
-        self.water.draw(&mut pass);
-        self.floats.draw(&mut pass, &self.water.scene);
+        self.water.draw_light(&mut pass);
+        self.hulls.draw(&mut pass, &self.water.scene);
         drop(pass);
         self.timer.mark(encoder, "picture");
     }
 
     /// Records one part of the last picture alone, even if its results are up to date.
-    pub fn record(&self, encoder: &mut wgpu::CommandEncoder, part: Part) {
+    pub fn record_part(&self, encoder: &mut wgpu::CommandEncoder, part: TimedPart) {
         let Some(targets) = &self.targets else { return };
         match part {
-            Part::Light => self.sky.record(encoder),
-            Part::Background => {
-                self.background.draw(&mut targets.begin(encoder, false), &self.water.scene, &self.sky);
+            TimedPart::SkyTables => self.sky.record_all(encoder),
+            TimedPart::Background => {
+                self.background.draw(&mut targets.begin_picture(encoder, false), &self.water.scene, &self.sky);
             }
-            Part::Mesh => self.water.prepare(encoder, targets),
-            Part::Water => {
-                self.water.prepare(encoder, targets);
-                self.water.draw(&mut targets.begin(encoder, true));
+            TimedPart::Mesh => self.water.record_g_buffer(encoder, targets),
+            TimedPart::Water => {
+                self.water.record_g_buffer(encoder, targets);
+                self.water.draw_light(&mut targets.begin_picture(encoder, true));
             }
         }
     }
 
     /// Number of vertices of the mesh in the last frame.
-    pub fn vertices(&self) -> u32 {
-        self.water.mesh.vertices()
+    pub fn vertex_count(&self) -> u32 {
+        self.water.mesh.vertex_count()
     }
 
     /// Texture with the linear light of the last frame; can be copied to the CPU.
-    pub fn light(&self) -> Option<&wgpu::Texture> {
+    pub fn light_texture(&self) -> Option<&wgpu::Texture> {
         self.targets.as_ref().map(|t| t.hdr.texture())
     }
 
     /// Depth texture of the last picture: near-plane distance (0.1 m) divided by the distance along the viewing
-    /// direction, 0 for the sky. It can be copied to the CPU unless the film is [`Film::Screen`].
-    pub fn depth(&self) -> Option<&wgpu::Texture> {
+    /// direction, 0 for the sky. It can be copied to the CPU unless the output is [`OutputKind::Screen`].
+    pub fn depth_texture(&self) -> Option<&wgpu::Texture> {
         self.targets.as_ref().map(|t| t.depth.texture())
     }
 
     /// Draws the tone-mapped picture, or the view that replaces it, into the current viewport.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         match &self.view {
-            Some(view) if self.shows_view => view.show(pass),
+            Some(view) if self.shows_view => view.present(pass),
             _ => self.present.draw(pass),
         }
     }
@@ -250,12 +252,12 @@ impl Renderer {
 
 /// The mesh for a picture of `size` pixels. Its number of vertices grows with the square root of the pixels: triangles
 /// smaller than a pixel cost more than the pixel, but a small picture can afford more of them per pixel.
-fn mesh(scene: &Scene, size: [u32; 2]) -> Mesh {
-    let pixels = f64::from(size[0]) * f64::from(size[1]) / REFERENCE_PIXELS;
+fn mesh_for_picture(scene: &Scene, size: [u32; 2]) -> Mesh {
+    let pixels = f64::from(size[0]) * f64::from(size[1]) / DEFAULT_MESH_PIXELS;
     Mesh::new(&scene.view, &scene.sea, scene.look.mesh_detail * pixels.sqrt().clamp(0.05, 2.0), scene.look.extent_km)
 }
 
 /// The frame uniform of a picture of `size` pixels, for tests that call the picture's WGSL functions.
-pub fn frame(scene: &Scene, maps: &Maps, size: [u32; 2]) -> FrameUniform {
-    FrameUniform::new(scene, maps, &mesh(scene, size), size)
+pub fn frame_uniform(scene: &Scene, maps: &Maps, size: [u32; 2]) -> FrameUniform {
+    FrameUniform::new(scene, maps, &mesh_for_picture(scene, size), size)
 }

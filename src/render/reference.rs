@@ -2,12 +2,13 @@
 //! Slopes that a pixel cannot resolve are sampled; only those that no cascade and no ripples hold remain roughness.
 //!
 //! A grid of samples is drawn as a larger picture, several times with shifted samples. The caller averages the linear
-//! light ([`Grid`] tells which samples belong to a pixel) and passes the mean to [`Reference::show`].
+//! light ([`SampleGrid`] tells which samples belong to a pixel) and passes the mean to
+//! [`ReferenceRenderer::set_linear_light`].
 
 use super::Renderer;
 use super::frame::FrameUniform;
 use super::scene::Scene;
-use super::targets::{Film, HDR_FORMAT};
+use super::targets::{HDR_FORMAT, OutputKind};
 use super::water::displace;
 use super::water::mesh::{self, Mesh};
 use crate::gpu::Gpu;
@@ -17,41 +18,41 @@ use half::f16;
 /// Number of mesh vertices per sample of a grid, as far as the vertices fit into a buffer.
 const VERTICES_PER_SAMPLE: f64 = 1.2;
 /// Fraction of the largest storage buffer that the vertices may fill; rounding up columns and rows needs the rest.
-const FILLED: f64 = 0.95;
+const VERTEX_BUFFER_FILL: f64 = 0.95;
 
 /// A sampling grid: `side` x `side` cells per pixel, with one sample in each cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Grid {
+pub struct SampleGrid {
     /// Width and height of the picture, pixels.
     pub size: [u32; 2],
     /// Number of cells along the side of a pixel.
-    pub side: u32,
+    pub cells_per_pixel_side: u32,
     /// Position of the sample in its cell, 0 to 1, to the right and downwards.
-    pub offset: [f64; 2],
+    pub sample_offset: [f64; 2],
 }
 
-impl Grid {
+impl SampleGrid {
     /// Width and height of the render target that holds one sample per texel.
-    pub fn samples(&self) -> [u32; 2] {
-        self.size.map(|s| s * self.side)
+    pub fn sample_counts(&self) -> [u32; 2] {
+        self.size.map(|s| s * self.cells_per_pixel_side)
     }
 
     /// Shift of the picture in clip coordinates that moves each sample from the centre of its cell to `offset`.
-    fn shift(&self) -> [f32; 2] {
-        let [w, h] = self.samples().map(f64::from);
-        [(-2.0 * (self.offset[0] - 0.5) / w) as f32, (2.0 * (self.offset[1] - 0.5) / h) as f32]
+    fn clip_shift(&self) -> [f32; 2] {
+        let [w, h] = self.sample_counts().map(f64::from);
+        [(-2.0 * (self.sample_offset[0] - 0.5) / w) as f32, (2.0 * (self.sample_offset[1] - 0.5) / h) as f32]
     }
 }
 
 /// Renders the samples of a reference picture, and presents their mean.
-pub struct Reference {
+pub struct ReferenceRenderer {
     renderer: Renderer,
 }
 
-impl Reference {
+impl ReferenceRenderer {
     /// Compiles the passes. `target_format` is the format of the render target that [`Self::present`] draws into.
     pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat) -> Self {
-        Self { renderer: Renderer::new(gpu, target_format, Film::Reference) }
+        Self { renderer: Renderer::new(gpu, target_format, OutputKind::Reference) }
     }
 
     /// Records one grid of samples. Returns a texture with the linear light of each sample in rgb. Alpha is 0 for the
@@ -62,23 +63,24 @@ impl Reference {
         encoder: &mut wgpu::CommandEncoder,
         maps: &Maps,
         scene: &Scene,
-        grid: &Grid,
+        grid: &SampleGrid,
     ) -> wgpu::Texture {
         let renderer = &mut self.renderer;
-        let size = grid.samples();
-        let texture = renderer.target(gpu, size).hdr.texture().clone();
-        let room = FILLED * gpu.device.limits().max_storage_buffer_binding_size as f64 / displace::VERTEX as f64;
+        let size = grid.sample_counts();
+        let texture = renderer.ensure_targets(gpu, size).hdr.texture().clone();
+        let room = VERTEX_BUFFER_FILL * gpu.device.limits().max_storage_buffer_binding_size as f64
+            / displace::MESH_VERTEX_BYTES as f64;
         let vertices = (VERTICES_PER_SAMPLE * f64::from(size[0]) * f64::from(size[1])).min(room);
-        let density = vertices / mesh::VERTICES;
+        let density = vertices / mesh::DEFAULT_VERTICES;
         let mesh = Mesh::new(&scene.view, &scene.sea, density, scene.look.extent_km);
-        let frame = FrameUniform::new(scene, maps, &mesh, size).unfiltered(grid.shift());
-        renderer.prepare(gpu, maps, scene, &mesh, &frame);
+        let frame = FrameUniform::new(scene, maps, &mesh, size).for_point_samples(grid.clip_shift());
+        renderer.prepare_frame(gpu, maps, scene, &mesh, &frame);
         renderer.record_picture(gpu, encoder, scene);
         texture
     }
 
     /// Prepares a picture in linear light (RGB, row by row) for [`Self::present`], with exposure and film of `scene`.
-    pub fn show(&mut self, gpu: &Gpu, scene: &Scene, [width, height]: [u32; 2], light: &[[f32; 3]]) {
+    pub fn set_linear_light(&mut self, gpu: &Gpu, scene: &Scene, [width, height]: [u32; 2], light: &[[f32; 3]]) {
         let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
         let mean = gpu.texture("reference", [width, height, 1], 1, HDR_FORMAT, usage);
         // Light has the same limit as in shaders/common/frame.wgsl. NaN is kept, and the film paints it magenta.
@@ -86,14 +88,14 @@ impl Reference {
         let texels: Vec<[f16; 4]> = light.iter().map(texel).collect();
         gpu.write_texture(&mean, 0, bytemuck::cast_slice(&texels));
         let present = &mut self.renderer.present;
-        present.bind(gpu, &mean.create_view(&wgpu::TextureViewDescriptor::default()), &scene.look.film);
-        present.write(gpu, scene, [width, height]);
+        present.set_picture(gpu, &mean.create_view(&wgpu::TextureViewDescriptor::default()), &scene.look.film);
+        present.write_uniform(gpu, scene, [width, height]);
         let mut encoder = gpu.encoder("reference");
-        present.spread(&mut encoder);
+        present.record_bloom(&mut encoder);
         gpu.submit(encoder);
     }
 
-    /// Draws the picture that was passed to [`Self::show`] into the current viewport.
+    /// Draws the picture that was passed to [`Self::set_linear_light`] into the current viewport.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         self.renderer.present(pass);
     }

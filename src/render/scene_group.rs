@@ -3,11 +3,11 @@
 use super::frame::FrameUniform;
 use super::sky::tables::SkyTables;
 use super::sky::uniform::{LightBuffer, SkyUniform};
-use super::targets::Film;
+use super::targets::OutputKind;
 use super::water::material::MaterialUniform;
 use super::water::noise::NoiseTexture;
 use crate::gpu::Gpu;
-use crate::gpu::kit::Slot;
+use crate::gpu::kit::BindingType;
 use crate::gpu::uniform::Uniform;
 use wgpu::BindingResource::{Sampler, TextureView};
 
@@ -15,8 +15,8 @@ use wgpu::BindingResource::{Sampler, TextureView};
 pub struct SceneGroup {
     pub layout: wgpu::BindGroupLayout,
     pub group: wgpu::BindGroup,
-    /// Film of the picture, which gives the format of the render target.
-    pub film: Film,
+    /// What the picture is drawn for, which gives the format of the render target.
+    pub output: OutputKind,
 }
 
 impl SceneGroup {
@@ -27,26 +27,26 @@ impl SceneGroup {
         material: &Uniform<MaterialUniform>,
         sky: &SkyTables,
         noise: &NoiseTexture,
-        film: Film,
+        output: OutputKind,
     ) -> Self {
-        let slots = [
-            Slot::Uniform(size_of::<FrameUniform>()),
-            Slot::Uniform(size_of::<SkyUniform>()),
-            Slot::Uniform(size_of::<LightBuffer>()),
-            Slot::Texture,
-            Slot::Texture,
-            Slot::Sampler,
-            Slot::Texture,
-            Slot::Sampler,
-            Slot::Texture,
-            Slot::Uniform(size_of::<MaterialUniform>()),
+        let bindings = [
+            BindingType::Uniform(size_of::<FrameUniform>()),
+            BindingType::Uniform(size_of::<SkyUniform>()),
+            BindingType::Uniform(size_of::<LightBuffer>()),
+            BindingType::Texture,
+            BindingType::Texture,
+            BindingType::Sampler,
+            BindingType::Texture,
+            BindingType::Sampler,
+            BindingType::Texture,
+            BindingType::Uniform(size_of::<MaterialUniform>()),
         ];
-        let layout = gpu.layout("scene", wgpu::ShaderStages::VERTEX_FRAGMENT, &slots);
+        let layout = gpu.bind_group_layout("scene", wgpu::ShaderStages::VERTEX_FRAGMENT, &bindings);
         let resources = [
             frame.buffer.as_entire_binding(),
             sky.uniform.buffer.as_entire_binding(),
-            sky.light.as_entire_binding(),
-            TextureView(&sky.view),
+            sky.light_buffer.as_entire_binding(),
+            TextureView(&sky.sky_view),
             TextureView(&sky.environment),
             Sampler(&sky.sampler),
             TextureView(&noise.view),
@@ -54,6 +54,6 @@ impl SceneGroup {
             TextureView(&sky.transmittance),
             material.buffer.as_entire_binding(),
         ];
-        Self { group: gpu.group("scene", &layout, &resources), layout, film }
+        Self { group: gpu.bind_group("scene", &layout, &resources), layout, output }
     }
 }

@@ -1,43 +1,44 @@
 //! Render targets of a picture: G-buffer of the water, linear light and depth.
 
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Attachments, Depth};
+use crate::gpu::kit::{Attachments, DepthState};
 
 /// Format of the texture that holds linear light.
 pub const HDR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
-/// Format of the depth texture. Depth is reverse-Z: near-plane distance divided by distance, 0 at infinity.
+/// Format of the depth texture. DepthState is reverse-Z: near-plane distance divided by distance, 0 at infinity.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 /// Formats of the two textures of the water's G-buffer (WGSL `GBuffer`).
 pub const G_BUFFER_FORMATS: [wgpu::TextureFormat; 2] = [wgpu::TextureFormat::Rgba32Uint; 2];
 
 /// Depth test of objects: the fragment nearest to the eye is visible and writes its depth.
-pub const NEAREST: Depth = Depth { format: DEPTH_FORMAT, compare: wgpu::CompareFunction::GreaterEqual, write: true };
+pub const DEPTH_TEST_OPAQUE: DepthState =
+    DepthState { format: DEPTH_FORMAT, compare: wgpu::CompareFunction::GreaterEqual, writes_depth: true };
 /// Depth test of the background: visible where nothing nearer was drawn; writes no depth.
-pub const BEHIND: Depth = Depth { write: false, ..NEAREST };
+pub const DEPTH_TEST_BACKGROUND: DepthState = DepthState { writes_depth: false, ..DEPTH_TEST_OPAQUE };
 
 /// What is done with the linear light and the depth of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Film {
+pub enum OutputKind {
     /// The picture is presented; its depth is discarded.
     Screen,
     /// The picture is presented; its light and its depth can also be read back.
-    Layers,
+    ReadBack,
     /// The picture holds point samples of a reference in single precision, because half floats would clip the sun.
     Reference,
 }
 
-impl Film {
+impl OutputKind {
     /// Format of the texture that holds linear light.
     pub const fn format(self) -> wgpu::TextureFormat {
         match self {
-            Self::Screen | Self::Layers => HDR_FORMAT,
+            Self::Screen | Self::ReadBack => HDR_FORMAT,
             Self::Reference => wgpu::TextureFormat::Rgba32Float,
         }
     }
 }
 
 /// Attachments of a pipeline that draws into a picture with this format of light and this depth test.
-pub fn attachments(format: &wgpu::TextureFormat, depth: Depth) -> Attachments<'_> {
+pub fn attachments(format: &wgpu::TextureFormat, depth: DepthState) -> Attachments<'_> {
     Attachments { formats: std::slice::from_ref(format), depth: Some(depth) }
 }
 
@@ -47,7 +48,7 @@ pub struct Targets {
     pub size: [u32; 2],
     /// Linear light of the picture.
     pub hdr: wgpu::TextureView,
-    /// Reverse-Z depth, near-plane distance divided by distance. Discarded after the frame on [`Film::Screen`].
+    /// Reverse-Z depth, near-plane distance divided by distance. Discarded after the frame on [`OutputKind::Screen`].
     pub depth: wgpu::TextureView,
     keeps_depth: bool,
     /// G-buffer of the water: point, distance, footprint and slopes (WGSL `GBuffer`).
@@ -56,17 +57,17 @@ pub struct Targets {
 
 impl Targets {
     /// Creates the render targets for a picture of `width` x `height` pixels.
-    pub fn new(gpu: &Gpu, [width, height]: [u32; 2], film: Film) -> Self {
+    pub fn new(gpu: &Gpu, [width, height]: [u32; 2], output: OutputKind) -> Self {
         use wgpu::TextureUsages as Usage;
         let texture = |label, format, usage| {
             let texture = gpu.texture(label, [width, height, 1], 1, format, Usage::RENDER_ATTACHMENT | usage);
             texture.create_view(&wgpu::TextureViewDescriptor::default())
         };
-        let keeps_depth = film != Film::Screen;
+        let keeps_depth = output != OutputKind::Screen;
         let depth_usage = if keeps_depth { Usage::COPY_SRC } else { Usage::empty() };
         Self {
             size: [width, height],
-            hdr: texture("hdr", film.format(), Usage::TEXTURE_BINDING | Usage::COPY_SRC),
+            hdr: texture("hdr", output.format(), Usage::TEXTURE_BINDING | Usage::COPY_SRC),
             depth: texture("depth", DEPTH_FORMAT, depth_usage),
             keeps_depth,
             g_buffer: G_BUFFER_FORMATS.map(|format| texture("g-buffer", format, Usage::TEXTURE_BINDING)),
@@ -75,27 +76,27 @@ impl Targets {
 
     /// Begins the pass that draws the water mesh into the G-buffer and the depth texture.
     pub fn begin_mesh<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
-        let attachments = self.g_buffer.each_ref().map(|view| Some(attachment(view, wgpu::Color::TRANSPARENT)));
+        let attachments = self.g_buffer.each_ref().map(|view| Some(cleared_attachment(view, wgpu::Color::TRANSPARENT)));
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("mesh"),
             color_attachments: &attachments,
-            depth_stencil_attachment: Some(self.depth(wgpu::LoadOp::Clear(0.0), true)),
+            depth_stencil_attachment: Some(self.depth_attachment(wgpu::LoadOp::Clear(0.0), true)),
             ..Default::default()
         })
     }
 
     /// Begins the pass that draws the picture. Keeps the depth of the mesh if `after_mesh`, else clears it to infinity.
-    pub fn begin<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, after_mesh: bool) -> wgpu::RenderPass<'a> {
+    pub fn begin_picture<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, after_mesh: bool) -> wgpu::RenderPass<'a> {
         let load = if after_mesh { wgpu::LoadOp::Load } else { wgpu::LoadOp::Clear(0.0) };
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("picture"),
-            color_attachments: &[Some(attachment(&self.hdr, wgpu::Color::BLACK))],
-            depth_stencil_attachment: Some(self.depth(load, self.keeps_depth)),
+            color_attachments: &[Some(cleared_attachment(&self.hdr, wgpu::Color::BLACK))],
+            depth_stencil_attachment: Some(self.depth_attachment(load, self.keeps_depth)),
             ..Default::default()
         })
     }
 
-    fn depth(&self, load: wgpu::LoadOp<f32>, keep: bool) -> wgpu::RenderPassDepthStencilAttachment<'_> {
+    fn depth_attachment(&self, load: wgpu::LoadOp<f32>, keep: bool) -> wgpu::RenderPassDepthStencilAttachment<'_> {
         let store = if keep { wgpu::StoreOp::Store } else { wgpu::StoreOp::Discard };
         wgpu::RenderPassDepthStencilAttachment {
             view: &self.depth,
@@ -106,7 +107,7 @@ impl Targets {
 }
 
 /// A colour attachment that is cleared at the start of the pass and stored at its end.
-fn attachment(view: &wgpu::TextureView, clear: wgpu::Color) -> wgpu::RenderPassColorAttachment<'_> {
+fn cleared_attachment(view: &wgpu::TextureView, clear: wgpu::Color) -> wgpu::RenderPassColorAttachment<'_> {
     let ops = wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store: wgpu::StoreOp::Store };
     wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops }
 }

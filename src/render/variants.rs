@@ -2,17 +2,17 @@
 
 /// Pipelines of one pass, one for each combination of picture parts that was needed so far. A part that is not needed
 /// is compiled out: its code costs registers on every GPU, and a software adapter executes both sides of a branch.
-pub struct Variants<P>(Vec<(P, wgpu::RenderPipeline)>);
+pub struct PipelineVariants<P>(Vec<(P, wgpu::RenderPipeline)>);
 
-impl<P> Default for Variants<P> {
+impl<P> Default for PipelineVariants<P> {
     fn default() -> Self {
         Self(Vec::new())
     }
 }
 
-impl<P: Copy + PartialEq> Variants<P> {
+impl<P: Copy + PartialEq> PipelineVariants<P> {
     /// Selects the pipeline for a combination of parts; compiles it with `make` at first use.
-    pub fn choose(&mut self, parts: P, make: impl FnOnce(P) -> wgpu::RenderPipeline) {
+    pub fn select(&mut self, parts: P, make: impl FnOnce(P) -> wgpu::RenderPipeline) {
         // The selected pipeline is the last one.
         match self.0.iter().position(|(made, _)| *made == parts) {
             Some(at) => {
@@ -24,12 +24,12 @@ impl<P: Copy + PartialEq> Variants<P> {
     }
 
     /// The selected pipeline; None before the first selection.
-    pub fn chosen(&self) -> Option<&wgpu::RenderPipeline> {
+    pub fn selected(&self) -> Option<&wgpu::RenderPipeline> {
         self.0.last().map(|(_, pipeline)| pipeline)
     }
 }
 
 /// Name and value (1 or 0) of the override constant that tells a shader whether the picture contains a part.
-pub fn part(name: &str, is_there: bool) -> (&str, f64) {
+pub fn switch_constant(name: &str, is_there: bool) -> (&str, f64) {
     (name, f64::from(u8::from(is_there)))
 }

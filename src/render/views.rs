@@ -3,10 +3,10 @@
 
 use super::scene::Scene;
 use super::targets::Targets;
-use super::targets::{BEHIND, NEAREST, attachments};
+use super::targets::{DEPTH_TEST_BACKGROUND, DEPTH_TEST_OPAQUE, attachments};
 use super::water::light::WaterPass;
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Attachments, Program, Slot};
+use crate::gpu::kit::{Attachments, BindingType, Program};
 use crate::gpu::layout::gpu_struct;
 use crate::gpu::uniform::Uniform;
 use crate::shaders::Shaders;
@@ -17,7 +17,7 @@ use crate::waves::colour_scale::STOPS;
 use std::cmp::Reverse;
 
 /// Gap between two maps side by side, pixels.
-const GAP: u32 = 6;
+const MAP_GAP_PIXELS: u32 = 6;
 
 gpu_struct! {
     /// WGSL `ViewTile`: a square of the picture that shows one layer of a map. A view of the drawn surface only uses
@@ -27,15 +27,15 @@ gpu_struct! {
         /// Top left corner in the picture, pixels.
         corner: [f32; 2],
         /// Column and row of the map texel in the tile's top left corner.
-        first: [u32; 2],
+        first_texel: [u32; 2],
         /// Side of the square, pixels.
         side: f32,
         /// Index of what the tile shows: a layer of a map, the cascade of a spectrum, or a drawn cascade.
         layer: u32,
         /// Value that the first colour of the scale stands for, in the unit of the map.
-        low: f32,
+        scale_low: f32,
         /// Value that the last colour of the scale stands for, in the unit of the map.
-        high: f32,
+        scale_high: f32,
     }
 }
 
@@ -43,20 +43,20 @@ gpu_struct! {
     /// WGSL `View`: uniform buffer of the false-colour views.
     pub struct ViewUniform as "View" {
         /// Evenly spaced colours of the scale, sRGB with alpha 1.
-        stops: [[f32; 4]; STOPS],
+        colour_stops: [[f32; 4]; STOPS],
         tiles: [ViewTile; MAX_CASCADES],
         /// Width and height of the picture, pixels.
         size: [f32; 2],
         /// Choppiness: factors on the horizontal displacement along x and z; 1 is linear theory.
-        chop: [f32; 2],
+        choppiness: [f32; 2],
         /// Kind of view: 1 + the discriminant of `MapView` or, in the surface pass, of `SurfaceView`.
-        kind: u32,
+        view_kind: u32,
         /// Number of tiles in use.
         tile_count: u32,
         /// 1 if the scale is logarithmic, else 0.
         logarithmic: u32,
         /// Time of the maps divided by the period after which all waves repeat, in units of 2^-32.
-        phase_time: u32,
+        time_in_period_u32: u32,
     }
 }
 
@@ -71,17 +71,16 @@ impl ViewUniform {
         };
         let foam = matches!(view.displayed, DisplayedView::Map(MapView::Foam | MapView::Source));
         // During a cross-fade only the new sea is shown.
-        let most = if foam { maps.foam_levels.len() } else { maps.sea().len() };
+        let most = if foam { maps.foam_levels.len() } else { maps.current_cascades().len() };
         let cascade_layers = view.cascade_layers(most);
-        let (corners, side) = squares(cascade_layers.len() as u32, size);
+        let (corners, side) = largest_squares(cascade_layers.len() as u32, size);
         let mut tiles = [ViewTile::default(); MAX_CASCADES];
         for ((tile, layer), corner) in tiles.iter_mut().zip(cascade_layers.clone()).zip(corners) {
-            let scale = scene.scales[layer];
-            // The moments map stores slope moments in the unit `moment_scale`.
+            let scale = scene.colour_scales[layer];
+            // The moments map stores slope moments in the unit `moment_unit`.
             let unit = match view.displayed {
                 DisplayedView::Map(MapView::MomentXx | MapView::MomentZz | MapView::MomentXz) => {
-                    maps.sea()[layer].moment_scale
-                }
+                    maps.current_cascades()[layer].moment_unit,
                 _ => 1.0,
             };
             let first = match view.displayed {
@@ -90,52 +89,52 @@ impl ViewUniform {
                     // North-western cell of the level. A cell is stored at its world index modulo the number of cells.
                     let level = maps.foam_levels[layer];
                     let cells = f64::from(maps.foam_n);
-                    level.centre.map(|x| (x / level.texel_m - 0.5 * cells).round().rem_euclid(cells) as u32)
+                    level.centre.map(|x| (x / level.cell_m - 0.5 * cells).round().rem_euclid(cells) as u32)
                 }
                 _ => [0; 2],
             };
             // A spectrum is chosen by cascade, a surface view by drawn cascade, any other map by texture layer.
             let source = match view.displayed {
                 DisplayedView::Map(MapView::InitialSpectrum | MapView::Spectrum) => layer,
-                DisplayedView::Surface(_) => maps.fading + layer,
+                DisplayedView::Surface(_) => maps.fading_count + layer,
                 _ if foam => layer,
-                _ => maps.sea()[layer].layer as usize,
+                _ => maps.current_cascades()[layer].layer as usize,
             };
             *tile = ViewTile {
                 corner: corner.map(|x| x as f32),
-                first,
+                first_texel: first,
                 side: side as f32,
                 layer: source as u32,
-                low: scale.low as f32 / unit,
-                high: scale.high as f32 / unit,
+                scale_low: scale.low as f32 / unit,
+                scale_high: scale.high as f32 / unit,
             };
         }
-        let scale = scene.scales[cascade_layers.start.min(MAX_CASCADES - 1)];
+        let scale = scene.colour_scales[cascade_layers.start.min(MAX_CASCADES - 1)];
         Self {
-            stops: scale.palette.stops().map(|[r, g, b]| [r, g, b, 1.0]),
+            colour_stops: scale.palette.stops().map(|[r, g, b]| [r, g, b, 1.0]),
             tiles,
             size: size.map(|s| s as f32),
-            chop: scene.sea.chop.map(|l| l as f32),
-            kind,
+            choppiness: scene.sea.choppiness.map(|l| l as f32),
+            view_kind: kind,
             tile_count: cascade_layers.len() as u32,
             logarithmic: u32::from(scale.logarithmic),
-            phase_time: maps.phase_time,
+            time_in_period_u32: maps.time_in_period_u32,
         }
     }
 }
 
 /// Top left corners and side, pixels, of `count` equal squares as large as fit into a picture, row by row.
-fn squares(count: u32, [width, height]: [u32; 2]) -> (Vec<[u32; 2]>, u32) {
+fn largest_squares(count: u32, [width, height]: [u32; 2]) -> (Vec<[u32; 2]>, u32) {
     let fit = |columns: u32| {
         let rows = count.div_ceil(columns);
-        let room = |pixels: u32, squares: u32| pixels.saturating_sub((squares + 1) * GAP) / squares;
+        let room = |pixels: u32, squares: u32| pixels.saturating_sub((squares + 1) * MAP_GAP_PIXELS) / squares;
         (room(width, columns).min(room(height, rows)).max(1), Reverse(columns))
     };
     let (side, Reverse(columns)) = (1..=count.max(1)).map(fit).max().unwrap_or((1, Reverse(1)));
     let rows = count.div_ceil(columns);
-    let start = |pixels: u32, squares: u32| pixels.saturating_sub(squares * side + (squares - 1) * GAP) / 2;
+    let start = |pixels: u32, squares: u32| pixels.saturating_sub(squares * side + (squares - 1) * MAP_GAP_PIXELS) / 2;
     let [left, top] = [start(width, columns), start(height, rows.max(1))];
-    let corner = |i: u32| [left + i % columns * (side + GAP), top + i / columns * (side + GAP)];
+    let corner = |i: u32| [left + i % columns * (side + MAP_GAP_PIXELS), top + i / columns * (side + MAP_GAP_PIXELS)];
     ((0..count).map(corner).collect(), side)
 }
 
@@ -156,31 +155,40 @@ impl ViewPass {
     pub fn new(gpu: &Gpu, shaders: &Shaders, water: &WaterPass, target: wgpu::TextureFormat) -> Self {
         let fragment = wgpu::ShaderStages::FRAGMENT;
         let uniform = Uniform::<ViewUniform>::new(gpu, "view");
-        let slot = Slot::Uniform(size_of::<ViewUniform>());
-        let slots = [
+        let slot = BindingType::Uniform(size_of::<ViewUniform>());
+        let bindings = [
             slot,
-            Slot::TextureArray,
-            Slot::TextureArray,
-            Slot::TextureArray,
-            Slot::TextureArray,
-            Slot::Read(8),
-            Slot::Read(8),
+            BindingType::TextureArray,
+            BindingType::TextureArray,
+            BindingType::TextureArray,
+            BindingType::TextureArray,
+            BindingType::StorageRead(8),
+            BindingType::StorageRead(8),
         ];
-        let map_layout = gpu.layout("view/map", fragment, &slots);
+        let map_layout = gpu.bind_group_layout("view/map", fragment, &bindings);
         let module = shaders.module(gpu, "views/map");
-        let film = &water.scene.film;
-        let map = gpu.render("view/map", &Program::new(&module), &[&map_layout], &attachments(&film.format(), BEHIND));
-        let surface_layout = gpu.layout("view/surface", fragment, &[slot]);
-        let surface_group = gpu.group("view/surface", &surface_layout, &[uniform.buffer.as_entire_binding()]);
+        let output = &water.scene.output;
+        let map = gpu.render_pipeline(
+            "view/map",
+            &Program::new(&module),
+            &[&map_layout],
+            &attachments(&output.format(), DEPTH_TEST_BACKGROUND),
+        );
+        let surface_layout = gpu.bind_group_layout("view/surface", fragment, &[slot]);
+        let surface_group = gpu.bind_group("view/surface", &surface_layout, &[uniform.buffer.as_entire_binding()]);
         let module = shaders.module(gpu, "views/surface");
         let [scene, maps, mesh] = water.mesh_layouts();
         let layouts = [scene, maps, mesh, &surface_layout];
-        let surface =
-            gpu.render("view/surface", &Program::new(&module), &layouts, &attachments(&film.format(), NEAREST));
-        let show_layout = gpu.layout("view/show", fragment, &[Slot::Texture]);
+        let surface = gpu.render_pipeline(
+            "view/surface",
+            &Program::new(&module),
+            &layouts,
+            &attachments(&output.format(), DEPTH_TEST_OPAQUE),
+        );
+        let show_layout = gpu.bind_group_layout("view/show", fragment, &[BindingType::Texture]);
         let module = shaders.module(gpu, "views/show");
         let onto = Attachments { formats: &[target], depth: None };
-        let show = gpu.render("view/show", &Program::new(&module), &[&show_layout], &onto);
+        let show = gpu.render_pipeline("view/show", &Program::new(&module), &[&show_layout], &onto);
         Self { uniform, map_layout, map, surface, surface_group, show_layout, show, show_group: None }
     }
 
@@ -195,8 +203,8 @@ impl ViewPass {
     ) {
         use wgpu::BindingResource::TextureView;
         self.uniform.write(gpu, &ViewUniform::new(scene, maps, targets.size));
-        self.show_group = Some(gpu.group("view/show", &self.show_layout, &[TextureView(&targets.hdr)]));
-        let mut pass = targets.begin(encoder, false);
+        self.show_group = Some(gpu.bind_group("view/show", &self.show_layout, &[TextureView(&targets.hdr)]));
+        let mut pass = targets.begin_picture(encoder, false);
         if let DisplayedView::Surface(_) = scene.look.view.displayed {
             pass.set_pipeline(&self.surface);
             pass.set_bind_group(3, &self.surface_group, &[]);
@@ -206,19 +214,19 @@ impl ViewPass {
                 self.uniform.buffer.as_entire_binding(),
                 TextureView(&maps.displacement),
                 TextureView(&maps.gradients),
-                TextureView(&maps.moments),
+                TextureView(&maps.slope_moments),
                 TextureView(&maps.foam),
                 maps.h0.as_entire_binding(),
-                maps.wave.as_entire_binding(),
+                maps.wave_table.as_entire_binding(),
             ];
             pass.set_pipeline(&self.map);
-            pass.set_bind_group(0, &gpu.group("view/map", &self.map_layout, &resources), &[]);
+            pass.set_bind_group(0, &gpu.bind_group("view/map", &self.map_layout, &resources), &[]);
             pass.draw(0..3, 0..1);
         }
     }
 
     /// Draws the recorded view into the current viewport.
-    pub fn show(&self, pass: &mut wgpu::RenderPass<'_>) {
+    pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         let Some(group) = &self.show_group else { return };
         pass.set_pipeline(&self.show);
         pass.set_bind_group(0, group, &[]);
@@ -235,17 +243,17 @@ mod tests {
         for (count, size, columns) in
             [(1, [1280, 720], 1), (4, [1280, 720], 2), (4, [2000, 300], 4), (3, [300, 900], 1)]
         {
-            let (corners, side) = squares(count, size);
+            let (corners, side) = largest_squares(count, size);
             assert_eq!(corners.len(), count as usize);
             for (i, a) in corners.iter().enumerate() {
                 assert!((0..2).all(|axis| a[axis] + side <= size[axis]), "{count} in {size:?}: {corners:?} {side}");
                 for b in &corners[..i] {
-                    assert!((0..2).any(|axis| a[axis].abs_diff(b[axis]) >= side + GAP), "{corners:?}");
+                    assert!((0..2).any(|axis| a[axis].abs_diff(b[axis]) >= side + MAP_GAP_PIXELS), "{corners:?}");
                 }
             }
             let in_first_row = corners.iter().filter(|c| c[1] == corners[0][1]).count();
             assert_eq!(in_first_row, columns, "{count} in {size:?}: as large as fits");
         }
-        assert_eq!(squares(4, [1, 1]).1, 1);
+        assert_eq!(largest_squares(4, [1, 1]).1, 1);
     }
 }

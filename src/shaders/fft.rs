@@ -3,18 +3,18 @@
 use std::f64::consts::TAU;
 
 /// Number of entries in the table of twiddle factors; equals the largest FFT size.
-pub const TWIDDLES: usize = 1024;
+pub const TWIDDLE_COUNT: usize = 1024;
 
 /// Factors of the FFT size n = first x second. The FFT of a line is computed in two halves of shorter transforms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Factors {
+pub struct FftFactors {
     /// Number of points per transform in the first half; also number of transforms per line in the second half.
     pub first: u32,
     /// Number of points per transform in the second half; also number of transforms per line in the first half.
     pub second: u32,
 }
 
-impl Factors {
+impl FftFactors {
     /// Factors of `n`, a power of two from 64 to 1024. They are equal, or the first is twice the second.
     pub fn new(n: u32) -> Self {
         let second = 1 << (n.ilog2() / 2);
@@ -23,10 +23,10 @@ impl Factors {
 }
 
 /// FFT twiddle factors e^(2 pi i j / 1024) for j from 0 to 1023 as real and imaginary part, rounded from f64.
-pub fn twiddles() -> Vec<[f32; 2]> {
-    (0..TWIDDLES)
+pub fn twiddle_factors() -> Vec<[f32; 2]> {
+    (0..TWIDDLE_COUNT)
         .map(|j| {
-            let (sin, cos) = (TAU * j as f64 / TWIDDLES as f64).sin_cos();
+            let (sin, cos) = (TAU * j as f64 / TWIDDLE_COUNT as f64).sin_cos();
             [cos as f32, sin as f32]
         })
         .collect()

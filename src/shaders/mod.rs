@@ -4,20 +4,20 @@ pub mod fft;
 pub mod unrolled;
 
 use crate::gpu::Gpu;
-use crate::gpu::layout::Declaration;
+use crate::gpu::layout::StructDeclaration;
 use crate::gpu::map_format::MapFormat;
 use std::collections::BTreeMap;
 use unrolled::UnrolledKernel;
 
 /// A piece of a shader module's text.
-enum Part {
+enum SourcePart {
     /// A WGSL file: its path below shaders/ and its text.
     File(&'static str, &'static str),
     /// Several parts that are always used together, in this order.
-    Group(&'static [Part]),
+    Group(&'static [SourcePart]),
 }
 
-impl Part {
+impl SourcePart {
     /// Path and text of each WGSL file of a part, in order.
     fn files(&self) -> Vec<(&'static str, &'static str)> {
         match self {
@@ -29,30 +29,30 @@ impl Part {
 
 macro_rules! part {
     ($file:literal) => {
-        Part::File($file, include_str!(concat!("../../shaders/", $file)))
+        SourcePart::File($file, include_str!(concat!("../../shaders/", $file)))
     };
 }
 
-const MATHS: Part = part!("common/maths.wgsl");
-const SEA: Part = part!("common/sea.wgsl");
-const NOISE: Part = part!("common/noise.wgsl");
-const TILES: Part = part!("common/tiles.wgsl");
-const FFT: Part = part!("waves/fft.wgsl");
-const WORKGROUP_FFT: Part = part!("waves/workgroup_fft.wgsl");
-const EVOLVE: Part = part!("waves/evolve.wgsl");
-const MIP_MEAN: Part = part!("waves/mip_mean.wgsl");
-const ATMOSPHERE: Part = part!("sky/atmosphere.wgsl");
-const SKY_COMMON: Part = part!("sky/common.wgsl");
-const VIEWS: Part = part!("views/common.wgsl");
+const MATHS: SourcePart = part!("common/maths.wgsl");
+const SEA: SourcePart = part!("common/sea.wgsl");
+const NOISE: SourcePart = part!("common/noise.wgsl");
+const TILES: SourcePart = part!("common/tiles.wgsl");
+const FFT: SourcePart = part!("waves/fft.wgsl");
+const WORKGROUP_FFT: SourcePart = part!("waves/workgroup_fft.wgsl");
+const EVOLVE: SourcePart = part!("waves/evolve.wgsl");
+const MIP_MEAN: SourcePart = part!("waves/mip_mean.wgsl");
+const ATMOSPHERE: SourcePart = part!("sky/atmosphere.wgsl");
+const SKY_COMMON: SourcePart = part!("sky/common.wgsl");
+const VIEWS: SourcePart = part!("views/common.wgsl");
 /// WGSL for the passes that compute the look-up tables of clear air.
-const AIR_TABLES: Part = Part::Group(&[ATMOSPHERE, SKY_COMMON]);
+const AIR_TABLES: SourcePart = SourcePart::Group(&[ATMOSPHERE, SKY_COMMON]);
 /// WGSL functions for the radiance of the sky in a direction, with clouds and fog.
-const SKY: Part = Part::Group(&[AIR_TABLES, part!("sky/model.wgsl"), part!("sky/fog.wgsl")]);
+const SKY: SourcePart = SourcePart::Group(&[AIR_TABLES, part!("sky/model.wgsl"), part!("sky/fog.wgsl")]);
 /// WGSL for every pass that draws on the HDR picture: bind group 0, the sky, and the air in front of the sea.
-const PICTURE: Part =
-    Part::Group(&[SKY, part!("common/frame.wgsl"), part!("common/scene.wgsl"), part!("sky/air.wgsl")]);
+const PICTURE: SourcePart =
+    SourcePart::Group(&[SKY, part!("common/frame.wgsl"), part!("common/scene.wgsl"), part!("sky/air.wgsl")]);
 /// WGSL functions for the displaced water surface.
-const SURFACE: Part = Part::Group(&[
+const SURFACE: SourcePart = SourcePart::Group(&[
     MATHS,
     NOISE,
     TILES,
@@ -61,9 +61,9 @@ const SURFACE: Part = Part::Group(&[
     part!("water/surface.wgsl"),
 ]);
 /// WGSL for passes that displace the water surface but draw no picture.
-const BARE_SURFACE: Part = Part::Group(&[part!("common/frame.wgsl"), SURFACE]);
+const BARE_SURFACE: SourcePart = SourcePart::Group(&[part!("common/frame.wgsl"), SURFACE]);
 /// WGSL functions that shade the water: roughness, reflection, light from below, and foam.
-const WATER: Part = Part::Group(&[
+const WATER: SourcePart = SourcePart::Group(&[
     PICTURE,
     SURFACE,
     part!("water/footprint.wgsl"),
@@ -84,7 +84,7 @@ const MAP_TEXEL_FLOAT: &str = include_str!("../../shaders/waves/map_texel_float.
 
 /// Name of each shader module and the parts that it is joined from. The last part holds the entry points; the module
 /// has the name of that file's path.
-const MODULES: &[(&str, &[Part])] = &[
+const MODULES: &[(&str, &[SourcePart])] = &[
     ("waves/spectrum", &[MATHS, SEA, NOISE, part!("waves/spectrum.wgsl")]),
     ("waves/rows", &[MATHS, SEA, FFT, WORKGROUP_FFT, EVOLVE, part!("waves/rows.wgsl")]),
     ("waves/columns", &[SEA, FFT, WORKGROUP_FFT, part!("waves/columns.wgsl")]),
@@ -105,7 +105,7 @@ const MODULES: &[(&str, &[Part])] = &[
     ("water/displace", &[BARE_SURFACE, part!("water/displace.wgsl")]),
     ("water/eye", &[BARE_SURFACE, part!("water/eye.wgsl")]),
     ("water/light", &[WATER, part!("water/light.wgsl")]),
-    ("water/floats", &[PICTURE, part!("water/floats.wgsl")]),
+    ("water/hulls", &[PICTURE, part!("water/hulls.wgsl")]),
     ("film/bloom", &[part!("film/bloom.wgsl")]),
     ("film/present", &[SKY_COMMON, part!("film/present.wgsl")]),
     ("views/map", &[MATHS, SEA, VIEWS, part!("views/map.wgsl")]),
@@ -115,7 +115,7 @@ const MODULES: &[(&str, &[Part])] = &[
 
 /// Name of every shader module, with path and text of each of its files.
 fn modules() -> impl Iterator<Item = (&'static str, Vec<(&'static str, &'static str)>)> {
-    MODULES.iter().map(|(name, parts)| (*name, parts.iter().flat_map(Part::files).collect()))
+    MODULES.iter().map(|(name, parts)| (*name, parts.iter().flat_map(SourcePart::files).collect()))
 }
 
 /// The WGSL sources of all modules.
@@ -123,7 +123,7 @@ fn modules() -> impl Iterator<Item = (&'static str, Vec<(&'static str, &'static 
 pub struct Shaders {
     sources: BTreeMap<&'static str, String>,
     /// Structs declared in Rust whose WGSL declarations are added to the modules that use them.
-    structs: Vec<Declaration>,
+    structs: Vec<StructDeclaration>,
     format: Option<MapFormat>,
 }
 
@@ -150,7 +150,7 @@ impl Shaders {
 
     /// Adds structs that are declared in Rust. Each module gets the declarations of the structs that its text names.
     #[must_use]
-    pub fn with_structs(mut self, structs: &[Declaration]) -> Self {
+    pub fn with_structs(mut self, structs: &[StructDeclaration]) -> Self {
         let new = structs.iter().filter(|s| self.structs.iter().all(|known| known.name != s.name)).copied();
         let new: Vec<_> = new.collect();
         self.structs.extend(new);
@@ -159,21 +159,21 @@ impl Shaders {
 
     /// Fixes the texture format of the maps. Otherwise it is the faster one for the device.
     #[must_use]
-    pub fn with_maps(self, format: MapFormat) -> Self {
+    pub fn with_map_format(self, format: MapFormat) -> Self {
         Self { format: Some(format), ..self }
     }
 
     /// Texture format of the maps on a device.
-    pub fn maps(&self, gpu: &Gpu) -> MapFormat {
-        self.format.unwrap_or_else(|| MapFormat::of(gpu))
+    pub fn map_format(&self, gpu: &Gpu) -> MapFormat {
+        self.format.unwrap_or_else(|| MapFormat::for_device(gpu))
     }
 
     /// Names and WGSL texts of all modules. The FFT kernels for software adapters are those for 256 points; the maps
-    /// are half floats unless [`Self::with_maps`] has fixed a format.
+    /// are half floats unless [`Self::with_map_format`] has fixed a format.
     pub fn all(&self) -> impl Iterator<Item = (&'static str, String)> {
         let format = self.format.unwrap_or(MapFormat::Half);
         self.sources.keys().map(move |&name| {
-            let kernel = UnrolledKernel::ALL.into_iter().find(|kernel| kernel.module() == name);
+            let kernel = UnrolledKernel::ALL.into_iter().find(|kernel| kernel.module_name() == name);
             (name, kernel.map_or_else(|| self.text(name, format), |kernel| self.unrolled_text(kernel, 256, format)))
         })
     }
@@ -183,22 +183,22 @@ impl Shaders {
     /// # Panics
     /// If no module has that name.
     pub fn module(&self, gpu: &Gpu, name: &str) -> wgpu::ShaderModule {
-        gpu.module(name, &self.text(name, self.maps(gpu)))
+        gpu.shader_module(name, &self.text(name, self.map_format(gpu)))
     }
 
     /// Compiles one kernel of the FFT for software adapters, for lines of `n` points.
-    pub fn unrolled(&self, gpu: &Gpu, kernel: UnrolledKernel, n: u32) -> wgpu::ShaderModule {
-        gpu.module(kernel.module(), &self.unrolled_text(kernel, n, self.maps(gpu)))
+    pub fn unrolled_module(&self, gpu: &Gpu, kernel: UnrolledKernel, n: u32) -> wgpu::ShaderModule {
+        gpu.shader_module(kernel.module_name(), &self.unrolled_text(kernel, n, self.map_format(gpu)))
     }
 
     /// WGSL text of a module. Struct declarations come last, so that they do not change the line numbers of the files.
     fn text(&self, name: &str, format: MapFormat) -> String {
         let source = self.sources.get(name).unwrap_or_else(|| panic!("no shader module {name}"));
         // The sources declare half-float storage textures.
-        let mut text = source.replace("rgba16float", format.wgsl());
+        let mut text = source.replace("rgba16float", format.wgsl_format_name());
         let mut open: Vec<_> = self.structs.iter().collect();
         while let Some(at) = open.iter().position(|declaration| has_word(&text, declaration.name)) {
-            text = format!("{text}\n{}", open.swap_remove(at).wgsl());
+            text = format!("{text}\n{}", open.swap_remove(at).wgsl_declaration());
         }
         text
     }
@@ -209,7 +209,7 @@ impl Shaders {
             (UnrolledKernel::ColumnsSecond, MapFormat::Float) => MAP_TEXEL_FLOAT,
             _ => "",
         };
-        [self.text(kernel.module(), format).as_str(), &kernel.code(n), map_texel].join("\n")
+        [self.text(kernel.module_name(), format).as_str(), &kernel.function_text(n), map_texel].join("\n")
     }
 }
 
@@ -221,7 +221,7 @@ fn has_word(text: &str, name: &str) -> bool {
 }
 
 /// Path of the WGSL file, and line in it, of a line in the joined text of a module. Lines count from 1.
-pub fn locate(module: &str, line: usize) -> Option<(&'static str, usize)> {
+pub fn locate_line(module: &str, line: usize) -> Option<(&'static str, usize)> {
     let (_, files) = modules().find(|(name, _)| *name == module)?;
     let mut rest = line;
     for (path, text) in files {
@@ -243,11 +243,15 @@ mod tests {
     fn lines_are_found_again() {
         let shaders = Shaders::default();
         let (_, text) = shaders.all().find(|(name, _)| *name == "waves/rows").unwrap();
-        let line = text.lines().position(|l| l.contains("fn evolve_pack(")).unwrap() + 1;
-        let (file, at) = locate("waves/rows", line).unwrap();
+        let line = text.lines().position(|l| l.contains("fn evolve_packed_fields(")).unwrap() + 1;
+        let (file, at) = locate_line("waves/rows", line).unwrap();
         assert_eq!(file, "waves/evolve.wgsl");
         assert!(
-            include_str!("../../shaders/waves/evolve.wgsl").lines().nth(at - 1).unwrap().contains("fn evolve_pack(")
+            include_str!("../../shaders/waves/evolve.wgsl")
+                .lines()
+                .nth(at - 1)
+                .unwrap()
+                .contains("fn evolve_packed_fields(")
         );
     }
 }

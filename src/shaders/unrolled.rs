@@ -2,7 +2,7 @@
 //! because a software adapter stores and reloads the state of every thread at a barrier. Each half of an FFT is a
 //! dispatch of its own, in which a thread holds all its points in variables.
 
-use super::fft::{Factors, TWIDDLES};
+use super::fft::{FftFactors, TWIDDLE_COUNT};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
@@ -24,7 +24,7 @@ impl UnrolledKernel {
     pub const ALL: [Self; 4] = [Self::RowsFirst, Self::RowsSecond, Self::ColumnsFirst, Self::ColumnsSecond];
 
     /// Name of the kernel's shader module.
-    pub fn module(self) -> &'static str {
+    pub fn module_name(self) -> &'static str {
         match self {
             Self::RowsFirst => "waves/unrolled_rows_first",
             Self::RowsSecond => "waves/unrolled_rows_second",
@@ -34,7 +34,7 @@ impl UnrolledKernel {
     }
 
     /// Generates the WGSL function that the module's entry point calls, for lines of `n` points.
-    pub fn code(self, n: u32) -> String {
+    pub fn function_text(self, n: u32) -> String {
         match self {
             Self::RowsFirst => rows_first(n),
             Self::RowsSecond => rows_second(n),
@@ -49,127 +49,130 @@ impl UnrolledKernel {
 /// second of line z and the points second - t + i second of line n - z. For t = 0 the latter begin at point `second`
 /// instead of 0, a shift that the twiddle factors undo.
 fn rows_first(n: u32) -> String {
-    let Factors { first, second } = Factors::new(n);
-    let mut code = Code::open("rows_first(c: u32, t: u32, z: u32)");
-    code.line("let here = evolve_line(c, z);");
-    code.line(&format!("let z_opposite = ({n}u - z) & {}u;", n - 1));
+    let FftFactors { first, second } = FftFactors::new(n);
+    let mut code = FunctionWriter::begin("rows_first(c: u32, t: u32, z: u32)");
+    code.add_line("let here = evolve_line(c, z);");
+    code.add_line(&format!("let z_opposite = ({n}u - z) & {}u;", n - 1));
     // Loops, because they compile faster than straight-line code, and the first picture waits for this kernel.
-    code.line(&format!("var waves: array<vec3f, {first}>;"));
-    code.line(&format!("for (var i = 0u; i < {first}u; i++) {{"));
-    code.line(&format!("waves[i] = evolve_wave(here, t + i * {second}u);"));
-    code.line("}");
-    code.line("for (var i = 0u; i < select(4u, 2u, z == z_opposite); i++) {");
-    code.line("let pair = i & 1u;");
-    code.line("let is_opposite = i > 1u;");
-    code.line("let z_line = select(z, z_opposite, is_opposite);");
-    code.line("let line = evolve_line(c, z_line);");
-    code.line(&format!("let t_line = select(t, {second}u - t, is_opposite);"));
-    let factors = code.factors("t_line", first, n);
+    code.add_line(&format!("var waves: array<vec3f, {first}>;"));
+    code.add_line(&format!("for (var i = 0u; i < {first}u; i++) {{"));
+    code.add_line(&format!("waves[i] = evolve_wave(here, t + i * {second}u);"));
+    code.add_line("}");
+    code.add_line("for (var i = 0u; i < select(4u, 2u, z == z_opposite); i++) {");
+    code.add_line("let pair = i & 1u;");
+    code.add_line("let is_opposite = i > 1u;");
+    code.add_line("let z_line = select(z, z_opposite, is_opposite);");
+    code.add_line("let line = evolve_line(c, z_line);");
+    code.add_line(&format!("let t_line = select(t, {second}u - t, is_opposite);"));
+    let factors = code.add_twiddle_factors("t_line", first, n);
     let points = (0..first)
         .map(|i| {
-            let wave = format!("rows_choose(waves[{i}], waves[{}], is_opposite)", first - 1 - i);
+            let wave = format!("rows_wave_or_opposite(waves[{i}], waves[{}], is_opposite)", first - 1 - i);
             let at = format!("(t_line + {}u) & {}u", i * second, n - 1);
-            code.value(&format!("evolve_pack(pair, line, {at}, {wave})"))
+            code.add_variable(&format!("evolve_packed_fields(pair, line, {at}, {wave})"))
         })
         .collect();
-    code.line(&format!("let to = ((2u * c + pair) * {n}u + z_line) * {n}u + (t_line & {}u);", second - 1));
-    for (k1, (v, factor)) in code.transform(points).into_iter().zip(factors).enumerate() {
-        code.line(&format!("halves[to + {}u] = fft_mul({v}, {factor});", k1 as u32 * second));
+    code.add_line(&format!("let to = ((2u * c + pair) * {n}u + z_line) * {n}u + (t_line & {}u);", second - 1));
+    for (k1, (v, factor)) in code.add_transform(points).into_iter().zip(factors).enumerate() {
+        code.add_line(&format!("half_transforms[to + {}u] = fft_complex_mul({v}, {factor});", k1 as u32 * second));
     }
-    code.line("}");
-    code.close()
+    code.add_line("}");
+    code.finish()
 }
 
 fn rows_second(n: u32) -> String {
-    let Factors { first, second } = Factors::new(n);
-    let mut code = Code::open("rows_second(line: u32, k1: u32)");
-    let points = (0..second).map(|n2| code.value(&format!("halves[line + k1 * {second}u + {n2}u]"))).collect();
-    for (k2, v) in (0..).zip(code.transform(points)) {
-        code.line(&format!("lines[line + k1 + {}u] = {v};", k2 * first));
+    let FftFactors { first, second } = FftFactors::new(n);
+    let mut code = FunctionWriter::begin("rows_second(line: u32, k1: u32)");
+    let points =
+        (0..second).map(|n2| code.add_variable(&format!("half_transforms[line + k1 * {second}u + {n2}u]"))).collect();
+    for (k2, v) in (0..).zip(code.add_transform(points)) {
+        code.add_line(&format!("row_transforms[line + k1 + {}u] = {v};", k2 * first));
     }
-    code.close()
+    code.finish()
 }
 
 fn columns_first(n: u32) -> String {
-    let Factors { first, second } = Factors::new(n);
-    let mut code = Code::open("columns_first(column: u32, t: u32)");
-    let factors = code.factors("t", first, n);
-    let points = (0..first).map(|i| code.value(&format!("lines[column + (t + {}u) * {n}u]", i * second))).collect();
-    for (k1, (v, factor)) in code.transform(points).into_iter().zip(factors).enumerate() {
+    let FftFactors { first, second } = FftFactors::new(n);
+    let mut code = FunctionWriter::begin("columns_first(column: u32, t: u32)");
+    let factors = code.add_twiddle_factors("t", first, n);
+    let points = (0..first)
+        .map(|i| code.add_variable(&format!("row_transforms[column + (t + {}u) * {n}u]", i * second)))
+        .collect();
+    for (k1, (v, factor)) in code.add_transform(points).into_iter().zip(factors).enumerate() {
         let to = k1 as u32 * second;
-        code.line(&format!("halves[column + (t + {to}u) * {n}u] = fft_mul({v}, {factor});"));
+        code.add_line(&format!("half_transforms[column + (t + {to}u) * {n}u] = fft_complex_mul({v}, {factor});"));
     }
-    code.close()
+    code.finish()
 }
 
 fn columns_second(n: u32) -> String {
-    let Factors { first, second } = Factors::new(n);
-    let mut code = Code::open("columns_second(layer: u32, layers: u32, x: u32, k1: u32)");
-    code.line(&format!("let here = (layer * {n}u + k1 * {second}u) * {n}u + x;"));
-    let points = (0..second).map(|n2| code.value(&format!("halves[here + {}u]", n2 * n))).collect();
-    for (k2, v) in (0..).zip(code.transform(points)) {
-        code.line(&format!("columns_store(layer, layers, x, k1 + {}u, {v});", k2 * first));
+    let FftFactors { first, second } = FftFactors::new(n);
+    let mut code = FunctionWriter::begin("columns_second(layer: u32, layers: u32, x: u32, k1: u32)");
+    code.add_line(&format!("let here = (layer * {n}u + k1 * {second}u) * {n}u + x;"));
+    let points = (0..second).map(|n2| code.add_variable(&format!("half_transforms[here + {}u]", n2 * n))).collect();
+    for (k2, v) in (0..).zip(code.add_transform(points)) {
+        code.add_line(&format!("columns_store(layer, layers, x, k1 + {}u, {v});", k2 * first));
     }
-    code.close()
+    code.finish()
 }
 
 /// Builds the text of a WGSL function in which every intermediate value has a name of its own.
-struct Code {
+struct FunctionWriter {
     text: String,
     values: u32,
 }
 
-impl Code {
-    fn open(signature: &str) -> Self {
+impl FunctionWriter {
+    fn begin(signature: &str) -> Self {
         Self { text: format!("fn {signature} {{\n"), values: 0 }
     }
 
-    fn close(self) -> String {
+    fn finish(self) -> String {
         self.text + "}\n"
     }
 
-    fn line(&mut self, text: &str) {
+    fn add_line(&mut self, text: &str) {
         let _ = writeln!(self.text, "  {text}");
     }
 
     /// Adds a WGSL variable with the value of an expression, and returns its name.
-    fn value(&mut self, expression: &str) -> String {
+    fn add_variable(&mut self, expression: &str) -> String {
         self.values += 1;
         let name = format!("v{}", self.values);
-        self.line(&format!("let {name} = {expression};"));
+        self.add_line(&format!("let {name} = {expression};"));
         name
     }
 
     /// Adds the twiddle factors e^(2 pi i t k1 / n) for every k1 below `first`, and returns their names. Each is a
     /// product of two earlier factors, so that rounding errors grow with the logarithm of k1.
-    fn factors(&mut self, t: &str, first: u32, n: u32) -> Vec<String> {
+    fn add_twiddle_factors(&mut self, t: &str, first: u32, n: u32) -> Vec<String> {
         let mut factors = vec!["vec2f(1.0, 0.0)".to_owned()];
-        factors.push(self.value(&format!("twiddle[{t} * {}u]", TWIDDLES as u32 / n)));
+        factors.push(self.add_variable(&format!("twiddle_factors[{t} * {}u]", TWIDDLE_COUNT as u32 / n)));
         for k in 2..first as usize {
             let (a, b) = (&factors[k / 2], &factors[k - k / 2]);
             let product = format!("vec2f({a}.x * {b}.x - {a}.y * {b}.y, {a}.x * {b}.y + {a}.y * {b}.x)");
-            factors.push(self.value(&product));
+            factors.push(self.add_variable(&product));
         }
         factors
     }
 
     /// Adds the inverse FFT of the values named `x`, vec4f of two complex numbers each. Returns the results' names in
     /// natural order.
-    fn transform(&mut self, x: Vec<String>) -> Vec<String> {
+    fn add_transform(&mut self, x: Vec<String>) -> Vec<String> {
         let n = x.len();
         match n {
             1 => x,
             2 => {
                 let (a, b) = (&x[0], &x[1]);
-                vec![self.value(&format!("{a} + {b}")), self.value(&format!("{a} - {b}"))]
+                vec![self.add_variable(&format!("{a} + {b}")), self.add_variable(&format!("{a} - {b}"))]
             }
             4 => {
                 let [a, b, c, d] = [&x[0], &x[1], &x[2], &x[3]];
-                let (s0, s1) = (self.value(&format!("{a} + {c}")), self.value(&format!("{a} - {c}")));
-                let (s2, e) = (self.value(&format!("{b} + {d}")), self.value(&format!("{b} - {d}")));
-                let s3 = self.rotated(&e, 0.25);
+                let (s0, s1) = (self.add_variable(&format!("{a} + {c}")), self.add_variable(&format!("{a} - {c}")));
+                let (s2, e) = (self.add_variable(&format!("{b} + {d}")), self.add_variable(&format!("{b} - {d}")));
+                let s3 = self.add_rotation(&e, 0.25);
                 [(&s0, '+', &s2), (&s1, '+', &s3), (&s0, '-', &s2), (&s1, '-', &s3)]
-                    .map(|(u, sign, w)| self.value(&format!("{u} {sign} {w}")))
+                    .map(|(u, sign, w)| self.add_variable(&format!("{u} {sign} {w}")))
                     .to_vec()
             }
             _ => {
@@ -178,25 +181,25 @@ impl Code {
                 let mut rows: Vec<Vec<String>> = vec![Vec::new(); 4];
                 for n2 in 0..m {
                     let quarter = (0..4).map(|i| x[n2 + m * i].clone()).collect();
-                    for (k1, v) in self.transform(quarter).into_iter().enumerate() {
-                        rows[k1].push(self.rotated(&v, (n2 * k1) as f64 / n as f64));
+                    for (k1, v) in self.add_transform(quarter).into_iter().enumerate() {
+                        rows[k1].push(self.add_rotation(&v, (n2 * k1) as f64 / n as f64));
                     }
                 }
-                let parts: Vec<Vec<String>> = rows.into_iter().map(|row| self.transform(row)).collect();
+                let parts: Vec<Vec<String>> = rows.into_iter().map(|row| self.add_transform(row)).collect();
                 (0..n).map(|k| parts[k % 4][k / 4].clone()).collect()
             }
         }
     }
 
     /// Adds the value named `v` times e^(2 pi i turns), for turns in [0, 1), and returns the product's name.
-    fn rotated(&mut self, v: &str, turns: f64) -> String {
+    fn add_rotation(&mut self, v: &str, turns: f64) -> String {
         if turns == 0.0 {
             return v.to_owned();
         }
         if turns == 0.25 {
-            return self.value(&format!("vec4f(-{v}.y, {v}.x, -{v}.w, {v}.z)"));
+            return self.add_variable(&format!("vec4f(-{v}.y, {v}.x, -{v}.w, {v}.z)"));
         }
         let (sin, cos) = (TAU * turns).sin_cos();
-        self.value(&format!("fft_mul({v}, vec2f({cos:.9}, {sin:.9}))"))
+        self.add_variable(&format!("fft_complex_mul({v}, vec2f({cos:.9}, {sin:.9}))"))
     }
 }

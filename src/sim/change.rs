@@ -2,7 +2,7 @@
 
 use super::Simulation;
 use super::foam::FoamParameters;
-use super::planned_sea::PlannedSea;
+use super::planned_sea::SeaUniformSource;
 use super::transition::{TransitionKind, TransitionStep};
 use crate::gpu::Gpu;
 use crate::shaders::Shaders;
@@ -18,14 +18,14 @@ impl Simulation {
         }
         if (plan.n, plan.cascades.len()) != (self.sea.plan.n, self.sea.plan.cascades.len()) {
             let (generation, timer) = (self.maps.generation + 1, self.timer.clone());
-            *self = Self::with_way(gpu, plan, shaders, self.passes.transform.way());
+            *self = Self::with_fft_implementation(gpu, plan, shaders, self.passes.transform.implementation());
             (self.maps.generation, self.timer) = (generation, timer);
             return;
         }
         self.next = None;
-        self.start(gpu, plan, TransitionKind::Immediate, 0.0);
-        self.follow(&TransitionStep::IMMEDIATE);
-        self.foam.set_changed();
+        self.start_transition(gpu, plan, TransitionKind::Immediate, 0.0);
+        self.apply_transition_step(&TransitionStep::IMMEDIATE);
+        self.foam.note_sea_change();
     }
 
     /// Advances the running transition by `dt_s` seconds of wall time. If `plan` is given, first starts a transition to
@@ -51,19 +51,19 @@ impl Simulation {
                 self.set_plan(gpu, plan, shaders);
                 return TransitionStep::IMMEDIATE;
             }
-            start = self.kind_of_transition(&plan);
+            start = self.needed_transition(&plan);
             if start == Some(TransitionKind::CrossFade) && self.fading.is_some() {
                 self.next = Some(plan);
                 start = None;
             } else if let Some(kind) = start {
-                self.start(gpu, plan, kind, t_s);
+                self.start_transition(gpu, plan, kind, t_s);
             }
         }
-        self.advance(start, dt_s)
+        self.advance_transition(start, dt_s)
     }
 
     /// Kind of transition that `plan` needs, starting from the current sea. None if both seas are equal.
-    fn kind_of_transition(&self, plan: &Plan) -> Option<TransitionKind> {
+    fn needed_transition(&self, plan: &Plan) -> Option<TransitionKind> {
         let now = &self.sea.plan;
         if !plan.has_same_waves(now) {
             return Some(TransitionKind::CrossFade);
@@ -76,17 +76,17 @@ impl Simulation {
     }
 
     /// Makes `plan` the current sea and starts a transition of the given kind to it, at the sea's time `t_s`, s.
-    fn start(&mut self, gpu: &Gpu, plan: Plan, kind: TransitionKind, t_s: f64) {
+    fn start_transition(&mut self, gpu: &Gpu, plan: Plan, kind: TransitionKind, t_s: f64) {
         let are_waves_new = match kind {
             TransitionKind::Foam | TransitionKind::Surface => false,
             TransitionKind::Amplitudes | TransitionKind::CrossFade => true,
             TransitionKind::Immediate => {
-                matches!(self.kind_of_transition(&plan), Some(TransitionKind::Amplitudes | TransitionKind::CrossFade))
+                matches!(self.needed_transition(&plan), Some(TransitionKind::Amplitudes | TransitionKind::CrossFade))
             }
         };
         let is_fade = kind == TransitionKind::CrossFade;
-        let are_maps_new = is_fade && self.resources.switch_sea(gpu, &plan);
-        let old = std::mem::replace(&mut self.sea, PlannedSea::new(plan));
+        let are_maps_new = is_fade && self.resources.swap_seas(gpu, &plan);
+        let old = std::mem::replace(&mut self.sea, SeaUniformSource::new(plan));
         if is_fade {
             self.overlaps = SeaCovariance::for_all_cascades(&old.plan, &self.sea.plan, t_s).concat();
             self.fading = Some(old);
@@ -95,45 +95,45 @@ impl Simulation {
             self.overlaps.clear();
         }
         let replaces_h0 = match kind {
-            TransitionKind::Immediate => are_waves_new || self.transition.moves_amplitudes(),
+            TransitionKind::Immediate => are_waves_new || self.transition.interpolates_amplitudes(),
             _ => is_fade,
         };
         self.transition.start(kind);
-        let are_buffers_new = are_waves_new && self.resources.upload_tables(gpu, &self.sea.plan);
+        let are_buffers_new = are_waves_new && self.resources.upload_wave_tables(gpu, &self.sea.plan);
         if are_maps_new || are_buffers_new {
-            self.passes.bind(gpu, &self.resources, &self.rings);
+            self.passes.recreate_bind_groups(gpu, &self.resources, &self.uniforms);
         }
         if are_maps_new {
-            self.maps.rebind(&self.resources);
+            self.maps.recreate_views(&self.resources);
         }
-        self.maps.start(&self.sea.plan, &self.resources, kind);
+        self.maps.start_transition(&self.sea.plan, &self.resources, kind);
         if replaces_h0 {
-            self.spectrum_due = 1.0;
+            self.spectrum_blend = 1.0;
         }
     }
 
     /// Advances the transition by `dt_s` seconds of wall time. `start` is the transition that started in this frame.
-    fn advance(&mut self, start: Option<TransitionKind>, dt_s: f64) -> TransitionStep {
+    fn advance_transition(&mut self, start: Option<TransitionKind>, dt_s: f64) -> TransitionStep {
         let was_in_transition = self.transition.is_running();
-        let step = TransitionStep { start, ..self.transition.advance(dt_s) };
-        self.spectrum_due = 1.0 - (1.0 - self.spectrum_due) * (1.0 - step.amplitudes);
-        self.follow(&step);
+        let step = TransitionStep { started: start, ..self.transition.advance(dt_s) };
+        self.spectrum_blend = 1.0 - (1.0 - self.spectrum_blend) * (1.0 - step.amplitude_fraction);
+        self.apply_transition_step(&step);
         if was_in_transition && !self.in_transition() {
-            self.foam.set_changed();
+            self.foam.note_sea_change();
         }
         step
     }
 
     /// Applies one step of a transition to the foam parameters and to the cross-fade weights of the cascades.
-    fn follow(&mut self, step: &TransitionStep) {
-        if step.faded {
+    fn apply_transition_step(&mut self, step: &TransitionStep) {
+        if step.ends_cross_fade {
             self.fading = None;
-            self.maps.end_fade();
+            self.maps.end_cross_fade();
             self.overlaps.clear();
         }
         let (size, plan) = (self.resources.foam_n, &self.sea.plan);
-        self.foam_parameters.follow(step, |_| FoamParameters::new(size, plan));
-        self.foam.set_parameters(self.foam_parameters.value(self.transition.share()));
-        self.maps.weigh(&self.overlaps, self.transition.share());
+        self.foam_parameters.apply_transition_step(step, |_| FoamParameters::new(size, plan));
+        self.foam.set_parameters(self.foam_parameters.blended_value(self.transition.cross_fade_weight()));
+        self.maps.set_cross_fade_weights(&self.overlaps, self.transition.cross_fade_weight());
     }
 }

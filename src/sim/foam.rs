@@ -1,20 +1,20 @@
 //! Plans the time steps of the foam simulation, and where the levels of its clipmap lie in the world.
 
-use super::maps::{FOAM_LEVELS, FoamLevel, MAX_DRAWN, Maps};
-use super::transition::{Interpolate, interpolate, interpolate2};
-use super::uniforms::{FoamCascade, FoamCorner, FoamLevelUniform, FoamUniform};
+use super::maps::{FOAM_LEVELS, FoamLevel, MAX_DRAWN_CASCADES, Maps};
+use super::transition::{Interpolate, interpolate, interpolate_pair};
+use super::uniforms::{FoamCascade, FoamLevelCorner, FoamLevelUniform, FoamUniform};
 use crate::waves::{Plan, foam};
 
 /// Number of time steps in a cold start, which computes the foam anew, for example after a jump of time.
-pub const REPLAY_STEPS: usize = 48;
+pub const COLD_START_STEPS: usize = 48;
 /// Length of the past that a cold start simulates, in decay times of the foam.
-const REPLAY_DECAYS: f64 = 5.0;
+const COLD_START_DECAY_TIMES: f64 = 5.0;
 /// Longest time step of the foam, s. A larger difference is a jump of time and causes a cold start.
-const LONGEST_STEP_S: f64 = 1.0;
+const MAX_STEP_S: f64 = 1.0;
 /// Side of the square that the finest foam level covers, m.
-const FINEST_SIDE_M: f64 = 64.0;
+const FINEST_LEVEL_SIDE_M: f64 = 64.0;
 /// Ratio of the side of a foam level to that of the next finer level.
-const LEVEL_RATIO: f64 = 4.0;
+const LEVEL_SIDE_RATIO: f64 = 4.0;
 
 /// One time step of the foam simulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,17 +24,17 @@ pub struct FoamStep {
     /// Length of the time step, s.
     pub dt_s: f64,
     /// Whether all earlier foam is discarded, so that every cell starts with the expected mean foam.
-    pub fresh: bool,
+    pub discards_history: bool,
 }
 
 /// Keeps track of the time that the foam simulation has reached, and of the cells that its levels cover.
 #[derive(Debug)]
-pub struct FoamClock {
+pub struct FoamScheduler {
     size: u32,
     /// Time at the end of the last foam step, s. None before the first step.
     at_s: Option<f64>,
     /// Time steps that a cold start has yet to make, in reverse order: the next step is the last element.
-    replay: Vec<FoamStep>,
+    cold_start_steps: Vec<FoamStep>,
     /// Lowest cell index along x and z of each level at the last foam step. None before the first step.
     cells: Option<[[i32; 2]; FOAM_LEVELS]>,
     /// Time of the last foam step before the sea changed, s. None once the foam of the previous sea has decayed.
@@ -48,11 +48,11 @@ pub struct FoamClock {
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoamParameters {
     /// Choppiness: factor of the horizontal displacement along x and z.
-    pub chop: [f64; 2],
+    pub choppiness: [f64; 2],
     /// Foam source of each level: the Jacobian below which foam forms, and how fast the source grows below it.
     sources: [foam::FoamSource; FOAM_LEVELS],
     /// Expected mean of the foam, 0 to 1: the fraction of the surface that it covers.
-    pub coverage: f64,
+    pub mean_foam: f64,
     decay_s: f64,
     rate_per_s: f64,
 }
@@ -62,9 +62,9 @@ impl FoamParameters {
     pub fn new(size: u32, plan: &Plan) -> Self {
         let foam = foam::FoamModel::new(plan);
         Self {
-            chop: plan.sea.choppiness(),
-            sources: std::array::from_fn(|level| foam.source(plan, texel_m(size, level))),
-            coverage: foam.coverage,
+            choppiness: plan.sea.choppiness(),
+            sources: std::array::from_fn(|level| foam.source(plan, cell_m(size, level))),
+            mean_foam: foam.coverage,
             decay_s: plan.sea.foam.decay_s,
             rate_per_s: plan.sea.foam.rate_per_s,
         }
@@ -72,31 +72,39 @@ impl FoamParameters {
 }
 
 impl Interpolate for FoamParameters {
-    fn interpolate(&self, to: &Self, share: f64) -> Self {
+    fn interpolate(&self, to: &Self, fraction: f64) -> Self {
         let source = |level: usize| {
             let (a, b) = (self.sources[level], to.sources[level]);
             // A sea without foam has slope 0 and no meaningful threshold.
             let threshold = match (a.slope > 0.0, b.slope > 0.0) {
                 (true, false) => a.threshold,
                 (false, true) => b.threshold,
-                _ => interpolate(a.threshold, b.threshold, share),
+                _ => interpolate(a.threshold, b.threshold, fraction),
             };
-            foam::FoamSource { threshold, slope: interpolate(a.slope, b.slope, share) }
+            foam::FoamSource { threshold, slope: interpolate(a.slope, b.slope, fraction) }
         };
         Self {
-            chop: interpolate2(self.chop, to.chop, share),
+            choppiness: interpolate_pair(self.choppiness, to.choppiness, fraction),
             sources: std::array::from_fn(source),
-            coverage: interpolate(self.coverage, to.coverage, share),
-            decay_s: interpolate(self.decay_s, to.decay_s, share),
-            rate_per_s: interpolate(self.rate_per_s, to.rate_per_s, share),
+            mean_foam: interpolate(self.mean_foam, to.mean_foam, fraction),
+            decay_s: interpolate(self.decay_s, to.decay_s, fraction),
+            rate_per_s: interpolate(self.rate_per_s, to.rate_per_s, fraction),
         }
     }
 }
 
-impl FoamClock {
+impl FoamScheduler {
     /// Creates the clock of a foam simulation that has made no step yet, with levels of `size` x `size` cells.
     pub fn new(size: u32, parameters: FoamParameters) -> Self {
-        Self { size, at_s: None, replay: Vec::new(), cells: None, changed_at_s: None, centre: [0.0; 2], parameters }
+        Self {
+            size,
+            at_s: None,
+            cold_start_steps: Vec::new(),
+            cells: None,
+            changed_at_s: None,
+            centre: [0.0; 2],
+            parameters,
+        }
     }
 
     /// Replaces the foam parameters. The foam and the time that it has reached are kept.
@@ -106,41 +114,41 @@ impl FoamClock {
 
     /// Records that the sea has changed. Foam on the water is kept while time runs. If time stands still, the next call
     /// of [`Self::steps_to`] starts the foam anew.
-    pub fn set_changed(&mut self) {
+    pub fn note_sea_change(&mut self) {
         self.changed_at_s = self.at_s;
     }
 
-    /// Returns the next time steps of the foam towards the time `t_s`, at most `most`; none if the foam has reached
-    /// `t_s`. The levels lie around the world position `centre` (x, z), m. A cold start (at the first call, after a
-    /// jump of time, or in another sea or place while time stands still) makes steps that depend only on `t_s` and the
-    /// decay time. So a still picture depends only on the state.
-    pub fn steps_to(&mut self, t_s: f64, centre: [f64; 2], most: usize) -> Vec<FoamStep> {
-        let jumped = |at: f64| t_s < at || t_s - at > LONGEST_STEP_S;
-        let memory_s = REPLAY_DECAYS * self.parameters.decay_s;
+    /// Returns the next time steps of the foam towards the time `t_s`, at most `max_steps`; none if the foam has
+    /// reached `t_s`. The levels lie around the world position `centre` (x, z), m. A cold start (at the first call,
+    /// after a jump of time, or in another sea or place while time stands still) makes steps that depend only on `t_s`
+    /// and the decay time. So a still picture depends only on the state.
+    pub fn steps_to(&mut self, t_s: f64, centre: [f64; 2], max_steps: usize) -> Vec<FoamStep> {
+        let jumped = |at: f64| t_s < at || t_s - at > MAX_STEP_S;
+        let memory_s = COLD_START_DECAY_TIMES * self.parameters.decay_s;
         if self.changed_at_s.is_some_and(|changed| t_s - changed > memory_s) {
             self.changed_at_s = None;
         }
-        let moved = (0..2).any(|axis| (centre[axis] - self.centre[axis]).abs() > 0.25 * FINEST_SIDE_M);
+        let moved = (0..2).any(|axis| (centre[axis] - self.centre[axis]).abs() > 0.25 * FINEST_LEVEL_SIDE_M);
         let stands = self.at_s == Some(t_s);
         let elsewhere = stands && (moved || self.changed_at_s.is_some());
-        if self.at_s.is_none_or(jumped) && self.replay.is_empty() || elsewhere {
+        if self.at_s.is_none_or(jumped) && self.cold_start_steps.is_empty() || elsewhere {
             self.changed_at_s = None;
             self.centre = centre;
-            self.replay = replay(t_s, self.parameters.decay_s);
-            self.replay.reverse();
+            self.cold_start_steps = cold_start_steps(t_s, self.parameters.decay_s);
+            self.cold_start_steps.reverse();
         }
         if !stands {
             self.centre = centre;
         }
         let mut steps = Vec::new();
-        while steps.len() < most {
-            match self.replay.pop() {
+        while steps.len() < max_steps {
+            match self.cold_start_steps.pop() {
                 Some(step) => {
                     // Time may have moved on since the cold start began. Its last step then ends at the current time.
-                    let last = self.replay.is_empty();
+                    let last = self.cold_start_steps.is_empty();
                     let from = step.t_s - step.dt_s;
-                    let t = if last && t_s >= from && t_s - from <= LONGEST_STEP_S { t_s } else { step.t_s };
-                    steps.push(FoamStep { t_s: t, dt_s: t - from, fresh: step.fresh });
+                    let t = if last && t_s >= from && t_s - from <= MAX_STEP_S { t_s } else { step.t_s };
+                    steps.push(FoamStep { t_s: t, dt_s: t - from, discards_history: step.discards_history });
                     self.at_s = Some(t);
                 }
                 None => {
@@ -148,7 +156,7 @@ impl FoamClock {
                         && t_s > at
                         && !jumped(at)
                     {
-                        steps.push(FoamStep { t_s, dt_s: t_s - at, fresh: false });
+                        steps.push(FoamStep { t_s, dt_s: t_s - at, discards_history: false });
                         self.at_s = Some(t_s);
                     }
                     break;
@@ -164,8 +172,8 @@ impl FoamClock {
     }
 
     /// Whether the foam simulation has reached the time `t_s`, s.
-    pub fn is_at(&self, t_s: f64) -> bool {
-        self.replay.is_empty() && self.at_s == Some(t_s)
+    pub fn has_reached(&self, t_s: f64) -> bool {
+        self.cold_start_steps.is_empty() && self.at_s == Some(t_s)
     }
 
     /// Cell sizes and positions of all foam levels around the world position `centre` (x, z), m.
@@ -173,9 +181,9 @@ impl FoamClock {
         let half = f64::from(self.size / 2);
         (0..FOAM_LEVELS)
             .map(|level| {
-                let texel_m = texel_m(self.size, level);
-                let centre = self.first_cell(level, centre).map(|c| (f64::from(c) + half) * texel_m);
-                FoamLevel { texel_m, centre }
+                let cell_m = cell_m(self.size, level);
+                let centre = self.first_cell(level, centre).map(|c| (f64::from(c) + half) * cell_m);
+                FoamLevel { cell_m, centre }
             })
             .collect()
     }
@@ -186,40 +194,40 @@ impl FoamClock {
         let cells: [[i32; 2]; FOAM_LEVELS] = std::array::from_fn(|level| self.first_cell(level, centre));
         // With a previous first cell far out of range, the foam pass finds no earlier foam for any cell.
         let unknown = [[i32::MIN / 2; 2]; FOAM_LEVELS];
-        let previous = if step.fresh { unknown } else { self.cells.unwrap_or(unknown) };
+        let previous = if step.discards_history { unknown } else { self.cells.unwrap_or(unknown) };
         self.cells = Some(cells);
         let levels = std::array::from_fn(|level| {
-            let texel_m = texel_m(self.size, level);
+            let cell_m = cell_m(self.size, level);
             let source = self.parameters.sources[level];
-            let corner = cells[level].map(|c| f64::from(c) * texel_m);
+            let corner = cells[level].map(|c| f64::from(c) * cell_m);
             let half_texel = 0.5 / f64::from(maps.n);
-            let mut corners = [FoamCorner::default(); MAX_DRAWN];
+            let mut corners = [FoamLevelCorner::default(); MAX_DRAWN_CASCADES];
             for (out, cascade) in corners.iter_mut().zip(&maps.cascades) {
-                out.tile = cascade.tiling.lattice_position(corner).into();
+                out.tile_position = cascade.tiling.lattice_position(corner).into();
                 out.uv = corner.map(|x| ((x / cascade.patch_m).rem_euclid(1.0) + half_texel) as f32);
             }
             FoamLevelUniform {
                 corners,
-                cell: cells[level],
-                previous: previous[level],
-                texel_m: texel_m as f32,
-                threshold: source.threshold as f32,
-                slope: source.slope as f32,
-                start: self.parameters.coverage as f32,
+                first_cell: cells[level],
+                previous_first_cell: previous[level],
+                cell_m: cell_m as f32,
+                jacobian_threshold: source.threshold as f32,
+                source_slope: source.slope as f32,
+                initial_foam: self.parameters.mean_foam as f32,
             }
         });
-        let mut cascades = [FoamCascade::default(); MAX_DRAWN];
+        let mut cascades = [FoamCascade::default(); MAX_DRAWN_CASCADES];
         for (out, cascade) in cascades.iter_mut().zip(&maps.cascades) {
             *out = FoamCascade { patch_m: cascade.patch_m as f32, layer: cascade.layer, unused: [0; 2] };
         }
         FoamUniform {
             levels,
             cascades,
-            dt: step.dt_s as f32,
-            decay: (1.0 / self.parameters.decay_s) as f32,
-            rate: self.parameters.rate_per_s as f32,
-            size: self.size,
-            count: maps.cascades.len() as u32,
+            dt_s: step.dt_s as f32,
+            decay_per_s: (1.0 / self.parameters.decay_s) as f32,
+            growth_per_s: self.parameters.rate_per_s as f32,
+            cells_per_side: self.size,
+            cascade_count: maps.cascades.len() as u32,
             unused: [0; 3],
         }
     }
@@ -227,25 +235,25 @@ impl FoamClock {
     /// Lowest cell index along x and z that a foam level covers around the world position `centre` (x, z), m.
     fn first_cell(&self, level: usize, centre: [f64; 2]) -> [i32; 2] {
         let half = self.size as i32 / 2;
-        centre.map(|x| (x / texel_m(self.size, level)).floor() as i32 - half)
+        centre.map(|x| (x / cell_m(self.size, level)).floor() as i32 - half)
     }
 }
 
 /// Side of a cell of the foam level with index `level`, m. The level has `size` cells along a side.
-fn texel_m(size: u32, level: usize) -> f64 {
-    FINEST_SIDE_M * LEVEL_RATIO.powi(level as i32) / f64::from(size)
+fn cell_m(size: u32, level: usize) -> f64 {
+    FINEST_LEVEL_SIDE_M * LEVEL_SIDE_RATIO.powi(level as i32) / f64::from(size)
 }
 
 /// Time steps of a cold start that ends at `t_s`, s. They cover the past few decay times and get shorter towards `t_s`:
 /// recent foam has faded least, so long steps would be visible there.
-fn replay(t_s: f64, decay_s: f64) -> Vec<FoamStep> {
-    const GRADING: f64 = 1.8;
+fn cold_start_steps(t_s: f64, decay_s: f64) -> Vec<FoamStep> {
+    const STEP_GRADING_EXPONENT: f64 = 1.8;
     let age = |i: usize| {
-        let back = (REPLAY_STEPS - 1).saturating_sub(i) as f64 / (REPLAY_STEPS - 1) as f64;
-        REPLAY_DECAYS * decay_s * back.powf(GRADING)
+        let back = (COLD_START_STEPS - 1).saturating_sub(i) as f64 / (COLD_START_STEPS - 1) as f64;
+        COLD_START_DECAY_TIMES * decay_s * back.powf(STEP_GRADING_EXPONENT)
     };
     let dt = |i: usize| age(i.saturating_sub(1)) - age(i.max(1));
-    (0..REPLAY_STEPS).map(|i| FoamStep { t_s: t_s - age(i), dt_s: dt(i), fresh: i == 0 }).collect()
+    (0..COLD_START_STEPS).map(|i| FoamStep { t_s: t_s - age(i), dt_s: dt(i), discards_history: i == 0 }).collect()
 }
 
 #[cfg(test)]
@@ -257,9 +265,9 @@ mod tests {
     fn a_cold_start_ends_at_its_time_and_depends_on_it_alone() {
         let plan = Plan::new(&Params::default());
         for t in [0.0, 20.0, 20.1, 1e6] {
-            let steps = FoamClock::new(64, FoamParameters::new(64, &plan)).steps_to(t, [0.0; 2], usize::MAX);
-            assert_eq!(steps.len(), REPLAY_STEPS);
-            assert_eq!(steps[REPLAY_STEPS - 1].t_s, t);
+            let steps = FoamScheduler::new(64, FoamParameters::new(64, &plan)).steps_to(t, [0.0; 2], usize::MAX);
+            assert_eq!(steps.len(), COLD_START_STEPS);
+            assert_eq!(steps[COLD_START_STEPS - 1].t_s, t);
             for pair in steps.windows(2) {
                 assert!((pair[1].t_s - pair[0].t_s - pair[1].dt_s).abs() < 1e-6 * t.max(1.0));
             }
@@ -267,21 +275,21 @@ mod tests {
     }
 
     #[test]
-    fn a_replay_in_parts_catches_up_with_time() {
+    fn a_cold_start_in_parts_catches_up_with_time() {
         let plan = Plan::new(&Params::default());
-        let mut clock = FoamClock::new(64, FoamParameters::new(64, &plan));
+        let mut scheduler = FoamScheduler::new(64, FoamParameters::new(64, &plan));
         let mut t = 5.0;
         let mut total = 0;
         for _ in 0..20 {
             t += 0.02;
-            total += clock.steps_to(t, [0.0; 2], 6).len();
+            total += scheduler.steps_to(t, [0.0; 2], 6).len();
         }
-        assert_eq!(clock.at_s, Some(t));
-        assert!(total >= REPLAY_STEPS);
-        assert_eq!(clock.steps_to(t, [0.0; 2], 6), vec![], "nothing to do while time stands still");
-        clock.set_changed();
-        assert!(clock.steps_to(t, [0.0; 2], 6)[0].fresh, "another sea at the same time starts anew");
-        while !clock.steps_to(t, [0.0; 2], 6).is_empty() {}
-        assert!(clock.steps_to(t, [50.0, 0.0], 6)[0].fresh, "and so does another place");
+        assert_eq!(scheduler.at_s, Some(t));
+        assert!(total >= COLD_START_STEPS);
+        assert_eq!(scheduler.steps_to(t, [0.0; 2], 6), vec![], "nothing to do while time stands still");
+        scheduler.note_sea_change();
+        assert!(scheduler.steps_to(t, [0.0; 2], 6)[0].discards_history, "another sea at the same time starts anew");
+        while !scheduler.steps_to(t, [0.0; 2], 6).is_empty() {}
+        assert!(scheduler.steps_to(t, [50.0, 0.0], 6)[0].discards_history, "and so does another place");
     }
 }

@@ -1,7 +1,7 @@
 //! Read-only result of the simulation: the displacement, gradient, slope-moment and foam maps for the renderer.
 
 use super::resources::{MapKind, Resources, array_view};
-use super::transition::{TransitionKind, weights};
+use super::transition::{TransitionKind, cross_fade_amplitudes};
 use crate::gpu::layout::gpu_struct;
 use crate::waves::Plan;
 use crate::waves::overlap::SeaCovariance;
@@ -11,14 +11,15 @@ use std::f64::consts::TAU;
 /// Largest number of cascades of one sea.
 pub const MAX_CASCADES: usize = 4;
 /// Largest number of cascades that are drawn at once: those of both seas of a cross-fade.
-pub const MAX_DRAWN: usize = 2 * MAX_CASCADES;
+pub const MAX_DRAWN_CASCADES: usize = 2 * MAX_CASCADES;
 /// Number of levels of the foam clipmap. Each level is a square four times as wide as the next finer one.
 pub const FOAM_LEVELS: usize = 4;
 
 gpu_struct! {
-    /// WGSL `TilePlace`: the triangle lattice on which shifted copies of a patch are blended, relative to one point.
+    /// WGSL `TileLatticePosition`: the triangle lattice on which shifted copies of a patch are blended, relative to one
+    /// point.
     #[derive(Default)]
-    pub struct TilePlace as "TilePlace" {
+    pub struct TileLatticePosition as "TileLatticePosition" {
         /// Cosine and sine of the lattice's rotation, divided by the side of its triangles, 1/m.
         pub scaled_rotation: [f32; 2],
         /// Fractional part of the point's lattice coordinates, 0 to 1.
@@ -26,7 +27,7 @@ gpu_struct! {
         /// Integer part of the point's lattice coordinates, wrapped to 32 bits.
         pub cell: [i32; 2],
         /// Seed of the hash that chooses the shift of each copy of the patch.
-        pub key: u32,
+        pub shift_key: u32,
         /// 1 if shifted copies of the patch are blended, 0 if the patch repeats periodically.
         pub blends_copies: u32,
     }
@@ -43,8 +44,8 @@ pub struct Maps {
     /// dDx/dx and dDz/dz of the horizontal displacement. Choppiness is not applied.
     pub gradients: wgpu::TextureView,
     /// 2d array texture, one layer per cascade, n/2 texels a side: second moments (xx, zz, xz, 0) of the slopes, in
-    /// units of the cascade's `moment_scale`. Its mip level j belongs to mip level j + 1 of the other maps.
-    pub moments: wgpu::TextureView,
+    /// units of the cascade's `moment_unit`. Its mip level j belongs to mip level j + 1 of the other maps.
+    pub slope_moments: wgpu::TextureView,
     /// 2d array texture, one layer per foam level, repeating: the foam and its current source, each 0 to 1. Texture
     /// coordinates belong to undisplaced points.
     pub foam: wgpu::TextureView,
@@ -52,15 +53,15 @@ pub struct Maps {
     pub h0: wgpu::Buffer,
     /// Per entry of the wave table and cascade of the current sea: the wave's number of cycles per period of the sea
     /// (u32), and its orbit axis ratio divided by its wave number (f32, m).
-    pub wave: wgpu::Buffer,
+    pub wave_table: wgpu::Buffer,
     /// Time of the maps as a fraction of the sea's period, in units of 2^-32. Its product with a wave's number of
     /// cycles per period is the phase.
-    pub phase_time: u32,
+    pub time_in_period_u32: u32,
     /// Cascades that are drawn, longest waves first within each sea. During a cross-fade, the cascades of the sea that
     /// fades out come before those of the current sea.
     pub cascades: Vec<MapCascade>,
     /// Number of entries at the start of `cascades` that belong to the sea that fades out; 0 without a cross-fade.
-    pub fading: usize,
+    pub fading_count: usize,
     /// Cell sizes and positions of the foam levels, finest level first.
     pub foam_levels: Vec<FoamLevel>,
     /// Number of cells along a side of a foam level.
@@ -79,26 +80,26 @@ pub struct MapCascade {
     /// Triangle lattice on which shifted copies of the patch are blended to cover the plane.
     pub tiling: Tiling,
     /// Wavelength of the cascade's shortest wave, m.
-    pub shortest_m: f64,
+    pub shortest_wavelength_m: f64,
     /// Unit in which the maps store the slope moments: half the cascade's mean square slope.
-    pub moment_scale: f32,
+    pub moment_unit: f32,
     /// Index of the cascade among the layers of each kind of map.
     pub layer: u32,
     /// Factor of the wave amplitudes with which the maps are computed: 1 except during a cross-fade.
-    pub weight: f32,
+    pub amplitude_factor: f32,
     /// Factor that corrects the slope variance during a cross-fade: the shaders add the variances of all cascades, but
     /// waves that both seas contain add by amplitude.
-    pub gain: f32,
+    pub variance_correction: f32,
 }
 
-impl From<LatticePosition> for TilePlace {
-    fn from(place: LatticePosition) -> Self {
+impl From<LatticePosition> for TileLatticePosition {
+    fn from(position: LatticePosition) -> Self {
         Self {
-            scaled_rotation: place.tiling.scaled_rotation.map(|x| x as f32),
-            fraction: place.fraction.map(|x| x as f32),
-            cell: place.cell,
-            key: place.tiling.hash_key,
-            blends_copies: u32::from(place.tiling.blends_copies),
+            scaled_rotation: position.tiling.scaled_rotation.map(|x| x as f32),
+            fraction: position.fraction.map(|x| x as f32),
+            cell: position.cell,
+            shift_key: position.tiling.hash_key,
+            blends_copies: u32::from(position.tiling.blends_copies),
         }
     }
 }
@@ -107,7 +108,7 @@ impl From<LatticePosition> for TilePlace {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoamLevel {
     /// Side of a foam cell, m.
-    pub texel_m: f64,
+    pub cell_m: f64,
     /// World position (x, z) of the level's centre, m.
     pub centre: [f64; 2],
 }
@@ -118,13 +119,13 @@ impl Maps {
         Self {
             displacement: resources.map_view(MapKind::Displacement),
             gradients: resources.map_view(MapKind::Gradients),
-            moments: resources.map_view(MapKind::Moments),
+            slope_moments: resources.map_view(MapKind::Moments),
             foam: array_view(&resources.foam, None),
-            h0: resources.sea().h0.clone(),
-            wave: resources.sea().wave.clone(),
-            phase_time: 0,
-            cascades: MapCascade::all(plan, resources),
-            fading: 0,
+            h0: resources.current_waves().h0.clone(),
+            wave_table: resources.current_waves().wave_table.clone(),
+            time_in_period_u32: 0,
+            cascades: MapCascade::all_of_plan(plan, resources),
+            fading_count: 0,
             foam_levels: Vec::new(),
             foam_n: resources.foam_n,
             n: resources.n,
@@ -133,71 +134,74 @@ impl Maps {
     }
 
     /// Cascades of the current sea, without those of a sea that fades out.
-    pub fn sea(&self) -> &[MapCascade] {
-        &self.cascades[self.fading..]
+    pub fn current_cascades(&self) -> &[MapCascade] {
+        &self.cascades[self.fading_count..]
     }
 
     /// Takes over the cascades of a plan when a transition to it starts. The plan's FFT size must be that of the maps.
-    pub(super) fn start(&mut self, plan: &Plan, resources: &Resources, kind: TransitionKind) {
+    pub(super) fn start_transition(&mut self, plan: &Plan, resources: &Resources, kind: TransitionKind) {
         match kind {
             TransitionKind::Foam | TransitionKind::Surface => return,
             TransitionKind::Immediate => {
                 self.cascades.clear();
-                self.fading = 0;
+                self.fading_count = 0;
             }
-            TransitionKind::Amplitudes => self.cascades.truncate(self.fading),
+            TransitionKind::Amplitudes => self.cascades.truncate(self.fading_count),
             TransitionKind::CrossFade => {
-                self.end_fade();
-                self.fading = self.cascades.len();
+                self.end_cross_fade();
+                self.fading_count = self.cascades.len();
             }
         }
-        self.cascades.extend(MapCascade::all(plan, resources));
-        (self.h0, self.wave) = (resources.sea().h0.clone(), resources.sea().wave.clone());
+        self.cascades.extend(MapCascade::all_of_plan(plan, resources));
+        (self.h0, self.wave_table) =
+            (resources.current_waves().h0.clone(), resources.current_waves().wave_table.clone());
     }
 
-    /// Sets the cross-fade weight of each cascade. `share` is the current sea's fraction of the total variance, 0 to 1.
-    pub(super) fn weigh(&mut self, overlaps: &[SeaCovariance], share: f64) {
-        let fading = self.fading;
+    /// Sets the cross-fade weight of each cascade. `new_sea_weight` is the current sea's fraction of the total
+    /// variance, 0 to 1.
+    pub(super) fn set_cross_fade_weights(&mut self, overlaps: &[SeaCovariance], new_sea_weight: f64) {
+        let fading = self.fading_count;
         for (i, cascade) in self.cascades.iter_mut().enumerate() {
             let overlap = overlaps.get(i).copied().unwrap_or_default();
-            let ([old, new], gain) = weights(&overlap, share);
-            (cascade.weight, cascade.gain) = (if i < fading { old } else { new } as f32, gain as f32);
+            let ([old, new], variance_correction) = cross_fade_amplitudes(&overlap, new_sea_weight);
+            (cascade.amplitude_factor, cascade.variance_correction) =
+                (if i < fading { old } else { new } as f32, variance_correction as f32);
         }
     }
 
     /// Removes the cascades of the sea that has faded out, at the end of a cross-fade.
-    pub(super) fn end_fade(&mut self) {
-        self.cascades.drain(..self.fading);
-        self.fading = 0;
+    pub(super) fn end_cross_fade(&mut self) {
+        self.cascades.drain(..self.fading_count);
+        self.fading_count = 0;
     }
 
     /// Creates the texture views anew after the textures have been replaced.
-    pub(super) fn rebind(&mut self, resources: &Resources) {
+    pub(super) fn recreate_views(&mut self, resources: &Resources) {
         self.displacement = resources.map_view(MapKind::Displacement);
         self.gradients = resources.map_view(MapKind::Gradients);
-        self.moments = resources.map_view(MapKind::Moments);
+        self.slope_moments = resources.map_view(MapKind::Moments);
         self.generation += 1;
     }
 }
 
 impl MapCascade {
-    fn all(plan: &Plan, resources: &Resources) -> Vec<Self> {
+    fn all_of_plan(plan: &Plan, resources: &Resources) -> Vec<Self> {
         (resources.first_layer()..)
             .zip(&plan.cascades)
             .map(|(layer, c)| {
                 // Half the mean square slope is the mean variance of one slope component: moments in this unit are near
                 // 1.
                 let mss = plan.energy.mss_between(c.k_low, c.k_high);
-                let moment_scale = if mss > 1e-12 { 0.5 * mss as f32 } else { 1.0 };
-                let shortest_m = TAU / c.k_high.max(c.dk());
+                let moment_unit = if mss > 1e-12 { 0.5 * mss as f32 } else { 1.0 };
+                let shortest_wavelength_m = TAU / c.k_high.max(c.dk());
                 Self {
                     patch_m: c.patch_m,
                     tiling: plan.tiling(c),
-                    shortest_m,
-                    moment_scale,
+                    shortest_wavelength_m,
+                    moment_unit,
                     layer,
-                    weight: 1.0,
-                    gain: 1.0,
+                    amplitude_factor: 1.0,
+                    variance_correction: 1.0,
                 }
             })
             .collect()
@@ -216,7 +220,7 @@ pub struct MapsF32 {
 
 impl MapsF32 {
     /// Number of cascades in `texels`.
-    pub fn cascades(&self) -> usize {
+    pub fn cascade_count(&self) -> usize {
         self.texels.len() / (2 * self.n * self.n)
     }
 

@@ -6,10 +6,10 @@
 
 mod change;
 pub mod foam;
+pub mod map_statistics;
 pub mod maps;
 pub mod passes;
 pub mod planned_sea;
-pub mod probe;
 pub mod resources;
 pub mod transform;
 pub mod transition;
@@ -23,22 +23,22 @@ use crate::gpu::timer::Timer;
 use crate::shaders::Shaders;
 use crate::waves::Plan;
 use crate::waves::overlap::SeaCovariance;
-use foam::{FoamClock, FoamParameters, FoamStep};
+use foam::{FoamParameters, FoamScheduler, FoamStep};
 use passes::Passes;
-use planned_sea::{Evaluation, EvaluationSlot, PlannedSea};
+use planned_sea::{SeaDispatch, SeaUniformParameters, SeaUniformSource};
 use resources::Resources;
-use transform::TransformWay;
+use transform::FftImplementation;
 use transition::{Interpolated, Transition};
-use uniforms::UniformRings;
+use uniforms::SimulationUniforms;
 
 /// Largest number of foam time steps in one submission to the GPU.
-pub const MAX_STEPS: usize = foam::REPLAY_STEPS;
+pub const MAX_FOAM_STEPS: usize = foam::COLD_START_STEPS;
 
 /// A sea that is simulated on the GPU.
 pub struct Simulation {
-    sea: PlannedSea,
+    sea: SeaUniformSource,
     /// The old sea of a cross-fade, which fades out. None without a cross-fade.
-    fading: Option<PlannedSea>,
+    fading: Option<SeaUniformSource>,
     /// Plan that waits for the end of the current cross-fade. A cross-fade to it starts then.
     next: Option<Plan>,
     transition: Transition,
@@ -49,32 +49,37 @@ pub struct Simulation {
     /// Compute passes. Public, so that the laboratory and the tests can run each pass alone.
     pub passes: Passes,
     maps: Maps,
-    rings: UniformRings,
-    foam: FoamClock,
+    uniforms: SimulationUniforms,
+    foam: FoamScheduler,
     foam_parameters: Interpolated<FoamParameters>,
     /// Weight with which the next spectrum pass moves h0 to the amplitudes of the plan: 1 replaces h0, 0 needs no pass.
-    spectrum_due: f64,
-    spectra: u64,
+    spectrum_blend: f64,
+    spectrum_pass_count: u64,
     timer: Timer,
 }
 
 impl Simulation {
     /// Allocates the sea of a plan on the GPU and compiles its passes. The FFT is the faster one for the device.
     pub fn new(gpu: &Gpu, plan: Plan, shaders: &Shaders) -> Self {
-        Self::with_way(gpu, plan, shaders, TransformWay::of(gpu))
+        Self::with_fft_implementation(gpu, plan, shaders, FftImplementation::for_device(gpu))
     }
 
     /// Allocates the sea of a plan on the GPU and compiles its passes, with the given implementation of the FFT.
-    pub fn with_way(gpu: &Gpu, plan: Plan, shaders: &Shaders, way: TransformWay) -> Self {
-        let mut resources = Resources::new(gpu, &plan, shaders.maps(gpu));
-        resources.upload_tables(gpu, &plan);
-        let rings = UniformRings::new(gpu, MAX_STEPS);
-        let passes = Passes::new(gpu, shaders, way, &resources, &rings);
+    pub fn with_fft_implementation(
+        gpu: &Gpu,
+        plan: Plan,
+        shaders: &Shaders,
+        implementation: FftImplementation,
+    ) -> Self {
+        let mut resources = Resources::new(gpu, &plan, shaders.map_format(gpu));
+        resources.upload_wave_tables(gpu, &plan);
+        let uniforms = SimulationUniforms::new(gpu, MAX_FOAM_STEPS);
+        let passes = Passes::new(gpu, shaders, implementation, &resources, &uniforms);
         let maps = Maps::new(&plan, &resources);
         let parameters = FoamParameters::new(resources.foam_n, &plan);
-        let foam = FoamClock::new(resources.foam_n, parameters.clone());
+        let foam = FoamScheduler::new(resources.foam_n, parameters.clone());
         Self {
-            sea: PlannedSea::new(plan),
+            sea: SeaUniformSource::new(plan),
             fading: None,
             next: None,
             transition: Transition::default(),
@@ -82,11 +87,11 @@ impl Simulation {
             resources,
             passes,
             maps,
-            rings,
+            uniforms,
             foam,
             foam_parameters: Interpolated::new(parameters),
-            spectrum_due: 1.0,
-            spectra: 0,
+            spectrum_blend: 1.0,
+            spectrum_pass_count: 0,
             timer: Timer::default(),
         }
     }
@@ -102,18 +107,18 @@ impl Simulation {
     }
 
     /// Cross-fade weight of the current sea: its fraction of the drawn variance, 0 to 1. It is 1 without a cross-fade.
-    pub fn share(&self) -> f64 {
-        self.transition.share()
+    pub fn cross_fade_weight(&self) -> f64 {
+        self.transition.cross_fade_weight()
     }
 
     /// Number of spectrum passes that have been recorded so far.
-    pub fn spectra(&self) -> u64 {
-        self.spectra
+    pub fn spectrum_pass_count(&self) -> u64 {
+        self.spectrum_pass_count
     }
 
     /// Expected mean of the foam, 0 to 1, which is drawn outside the area of the foam levels.
-    pub fn foam_coverage(&self) -> f64 {
-        self.foam.parameters().coverage
+    pub fn mean_foam(&self) -> f64 {
+        self.foam.parameters().mean_foam
     }
 
     /// Plan of the current sea. During a transition, this is the sea at the transition's end.
@@ -122,7 +127,7 @@ impl Simulation {
     }
 
     /// Plan that was set last: that of the current sea, or one that waits for the end of a cross-fade.
-    pub fn goal(&self) -> &Plan {
+    pub fn latest_plan(&self) -> &Plan {
         self.next.as_ref().unwrap_or(&self.sea.plan)
     }
 
@@ -132,26 +137,26 @@ impl Simulation {
     }
 
     /// Records the passes for the waves at time `t_s`, s, and for the foam around the world position `centre` (x, z),
-    /// m, with at most `most_steps` foam time steps. Returns whether the foam has reached `t_s`; if not, call again.
-    /// The waves are at `t_s` in any case.
+    /// m, with at most `max_foam_steps` foam time steps. Returns whether the foam has reached `t_s`; if not, call
+    /// again. The waves are at `t_s` in any case.
     pub fn encode(
         &mut self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
         t_s: f64,
         centre: [f64; 2],
-        most_steps: usize,
+        max_foam_steps: usize,
     ) -> bool {
-        let steps = self.foam.steps_to(t_s, centre, most_steps.min(MAX_STEPS));
-        self.begin(encoder, t_s);
+        let steps = self.foam.steps_to(t_s, centre, max_foam_steps.min(MAX_FOAM_STEPS));
+        self.begin_submission(encoder, t_s);
         for step in &steps {
             self.encode_foam_step(encoder, step, centre);
         }
-        let caught_up = self.foam.is_at(t_s);
+        let caught_up = self.foam.has_reached(t_s);
         if steps.is_empty() || !caught_up {
             self.encode_waves(encoder, t_s, false);
         }
-        self.rings.upload(gpu);
+        self.uniforms.upload(gpu);
         caught_up
     }
 
@@ -165,28 +170,28 @@ impl Simulation {
         centre: [f64; 2],
     ) -> Option<FoamStep> {
         let step = self.foam.steps_to(t_s, centre, 1).into_iter().next()?;
-        self.begin(encoder, t_s);
+        self.begin_submission(encoder, t_s);
         self.encode_foam_step(encoder, &step, centre);
-        self.rings.upload(gpu);
+        self.uniforms.upload(gpu);
         Some(step)
     }
 
-    /// Records the waves at time `t_s`, s, and also keeps the maps of the current sea in the buffer `Resources::lines`
-    /// as f32: first the displacement map of a cascade, then its gradient map.
-    pub fn encode_f32(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
-        self.begin(encoder, t_s);
+    /// Records the waves at time `t_s`, s, and also keeps the maps of the current sea in the buffer
+    /// `Resources::row_transforms` as f32: first the displacement map of a cascade, then its gradient map.
+    pub fn encode_with_f32_maps(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
+        self.begin_submission(encoder, t_s);
         self.encode_waves(encoder, t_s, true);
-        self.rings.upload(gpu);
+        self.uniforms.upload(gpu);
     }
 
     /// Computes the maps at time `t_s`, s, and reads them back in f32, before they are rounded to the textures' format.
     ///
     /// # Errors
     /// If mapping the read-back buffer fails.
-    pub async fn read_f32(&mut self, gpu: &Gpu, t_s: f64) -> Result<MapsF32, String> {
+    pub async fn read_maps_f32(&mut self, gpu: &Gpu, t_s: f64) -> Result<MapsF32, String> {
         let mut encoder = gpu.encoder("read maps");
-        self.encode_f32(gpu, &mut encoder, t_s);
-        let staging = readback::stage_buffer(gpu, &mut encoder, &self.resources.lines);
+        self.encode_with_f32_maps(gpu, &mut encoder, t_s);
+        let staging = readback::stage_buffer(gpu, &mut encoder, &self.resources.row_transforms);
         gpu.submit(encoder);
         let bytes = readback::read(gpu, staging).await?;
         let n = self.plan().n as usize;
@@ -197,82 +202,85 @@ impl Simulation {
     }
 
     /// Uploads the uniform for the waves of the current sea at time `t_s`, s, so that single passes can be run.
-    pub fn push_evaluation(&mut self, gpu: &Gpu, t_s: f64, keep_f32: bool) -> EvaluationSlot {
-        self.rings.sea.restart();
-        let slot = self.push(Evaluation { t_s, keep_f32, blend: 1.0 }, false);
-        self.rings.sea.upload(gpu);
-        slot
+    pub fn upload_sea_uniform(&mut self, gpu: &Gpu, t_s: f64, keeps_f32_maps: bool) -> SeaDispatch {
+        self.uniforms.sea.clear();
+        let dispatch = self.add_sea_uniform(SeaUniformParameters { t_s, keeps_f32_maps, spectrum_blend: 1.0 }, false);
+        self.uniforms.sea.upload(gpu);
+        dispatch
     }
 
     /// Uploads the uniform of a foam time step of length 0, so that the foam pass can be run alone. Returns the dynamic
     /// offset of the uniform in its buffer, bytes.
-    pub fn push_foam_step(&mut self, gpu: &Gpu, t_s: f64, centre: [f64; 2]) -> u32 {
-        self.rings.foam.restart();
-        let step = FoamStep { t_s, dt_s: 0.0, fresh: false };
-        let offset = self.rings.foam.push(&self.foam.uniform(&step, centre, &self.maps));
-        self.rings.foam.upload(gpu);
+    pub fn upload_foam_uniform(&mut self, gpu: &Gpu, t_s: f64, centre: [f64; 2]) -> u32 {
+        self.uniforms.foam.clear();
+        let step = FoamStep { t_s, dt_s: 0.0, discards_history: false };
+        let offset = self.uniforms.foam.add(&self.foam.uniform(&step, centre, &self.maps));
+        self.uniforms.foam.upload(gpu);
         offset
     }
 
     /// Discards the uniforms of the previous submission. Records the spectrum pass if the waves have changed.
-    fn begin(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
-        self.rings.restart();
-        if self.spectrum_due > 0.0 {
-            let slot = self.push(Evaluation { t_s, keep_f32: false, blend: self.spectrum_due }, false);
-            self.passes.spectrum.run(encoder, &self.resources, slot);
+    fn begin_submission(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
+        self.uniforms.clear();
+        if self.spectrum_blend > 0.0 {
+            let dispatch = self.add_sea_uniform(
+                SeaUniformParameters { t_s, keeps_f32_maps: false, spectrum_blend: self.spectrum_blend },
+                false,
+            );
+            self.passes.spectrum.run(encoder, &self.resources, dispatch);
             self.timer.mark(encoder, "spectrum");
-            self.spectrum_due = 0.0;
-            self.spectra += 1;
+            self.spectrum_blend = 0.0;
+            self.spectrum_pass_count += 1;
         }
     }
 
     /// Records the waves at the end of a foam time step, and then the foam pass.
     fn encode_foam_step(&mut self, encoder: &mut wgpu::CommandEncoder, step: &FoamStep, centre: [f64; 2]) {
-        let slot = self.encode_waves(encoder, step.t_s, false);
-        let foam = self.rings.foam.push(&self.foam.uniform(step, centre, &self.maps));
-        self.passes.foam.run(encoder, &self.resources, slot, foam);
+        let dispatch = self.encode_waves(encoder, step.t_s, false);
+        let foam = self.uniforms.foam.add(&self.foam.uniform(step, centre, &self.maps));
+        self.passes.foam.run(encoder, &self.resources, dispatch, foam);
         self.timer.mark(encoder, "foam");
         self.maps.foam_levels = self.foam.levels(centre);
     }
 
     /// Records the passes that write the maps of all drawn cascades at time `t_s`, s. The sea that fades out comes
     /// first. Returns the uniform slot of the current sea.
-    fn encode_waves(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64, keep_f32: bool) -> EvaluationSlot {
-        let evaluation = Evaluation { t_s, keep_f32, blend: 1.0 };
+    fn encode_waves(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64, keeps_f32_maps: bool) -> SeaDispatch {
+        let parameters = SeaUniformParameters { t_s, keeps_f32_maps, spectrum_blend: 1.0 };
         if self.fading.is_some() {
-            let slot = self.push(evaluation, true);
-            self.encode_evaluation(encoder, slot);
+            let dispatch = self.add_sea_uniform(parameters, true);
+            self.encode_wave_passes(encoder, dispatch);
         }
-        let slot = self.push(evaluation, false);
-        self.maps.phase_time = self.sea.plan.time_in_period_u32(t_s);
-        self.encode_evaluation(encoder, slot);
-        slot
+        let dispatch = self.add_sea_uniform(parameters, false);
+        self.maps.time_in_period_u32 = self.sea.plan.time_in_period_u32(t_s);
+        self.encode_wave_passes(encoder, dispatch);
+        dispatch
     }
 
-    fn encode_evaluation(&self, encoder: &mut wgpu::CommandEncoder, slot: EvaluationSlot) {
-        self.passes.transform.rows(encoder, slot);
+    fn encode_wave_passes(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
+        self.passes.transform.record_rows(encoder, dispatch);
         self.timer.mark(encoder, "rows");
-        self.passes.transform.columns(encoder, &self.resources, slot);
+        self.passes.transform.record_columns(encoder, &self.resources, dispatch);
         self.timer.mark(encoder, "columns");
-        self.passes.mips.run(encoder, &self.resources, slot);
+        self.passes.mips.run(encoder, &self.resources, dispatch);
         self.timer.mark(encoder, "mips");
     }
 
     /// Adds the uniform for one evaluation of the current sea, or, if `fades`, of the sea that fades out.
-    fn push(&mut self, evaluation: Evaluation, fades: bool) -> EvaluationSlot {
-        let (fading, own) = self.maps.cascades.split_at(self.maps.fading);
-        let current = self.resources.current;
+    fn add_sea_uniform(&mut self, parameters: SeaUniformParameters, fades: bool) -> SeaDispatch {
+        let (fading, own) = self.maps.cascades.split_at(self.maps.fading_count);
+        let current = self.resources.current_sea;
         let (sea, maps, waves) = match &self.fading {
             Some(sea) if fades => (sea, fading, 1 - current),
             _ => (&self.sea, own, current),
         };
-        let uniform = sea.uniform(maps, self.foam.parameters().chop, evaluation);
-        EvaluationSlot {
-            uniform: self.rings.sea.push(&uniform),
-            count: uniform.count,
-            waves,
+        let uniform = sea.uniform(maps, self.foam.parameters().choppiness, parameters);
+        SeaDispatch {
+            uniform_offset: self.uniforms.sea.add(&uniform),
+            cascade_count: uniform.cascade_count,
+            wave_buffers_index: waves,
             first_layer: uniform.first_layer,
-            keep_f32: evaluation.keep_f32,
+            keeps_f32_maps: parameters.keeps_f32_maps,
         }
     }
 }

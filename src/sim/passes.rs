@@ -1,12 +1,12 @@
 //! Compute passes of the simulation, in the order of a frame. A pass has a pipeline, bind groups and a dispatch size.
 
 use super::maps::FOAM_LEVELS;
-use super::planned_sea::EvaluationSlot;
-use super::resources::{MapKind, Resources, Waves, array_view, map};
-use super::transform::{Transform, TransformWay};
-use super::uniforms::{STRUCTS, UniformRings};
+use super::planned_sea::SeaDispatch;
+use super::resources::{MapKind, Resources, WaveBuffers, array_view, create_array_texture};
+use super::transform::{FftImplementation, Transform};
+use super::uniforms::{SHARED_STRUCTS, SimulationUniforms};
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Kernel, Slot};
+use crate::gpu::kit::{BindingType, Kernel};
 use crate::shaders::Shaders;
 
 /// All compute passes of a simulation.
@@ -23,27 +23,33 @@ pub struct Passes {
 
 impl Passes {
     /// Compiles all passes and creates their bind groups.
-    pub fn new(gpu: &Gpu, shaders: &Shaders, way: TransformWay, r: &Resources, rings: &UniformRings) -> Self {
-        let shaders = &shaders.clone().with_structs(STRUCTS);
+    pub fn new(
+        gpu: &Gpu,
+        shaders: &Shaders,
+        implementation: FftImplementation,
+        r: &Resources,
+        uniforms: &SimulationUniforms,
+    ) -> Self {
+        let shaders = &shaders.clone().with_structs(SHARED_STRUCTS);
         Self {
-            spectrum: SpectrumPass::new(gpu, shaders, r, rings),
-            transform: Transform::new(gpu, shaders, way, r, rings),
-            mips: MipsPass::new(gpu, shaders, way, r, rings),
-            foam: FoamPass::new(gpu, shaders, r, rings),
+            spectrum: SpectrumPass::new(gpu, shaders, r, uniforms),
+            transform: Transform::new(gpu, shaders, implementation, r, uniforms),
+            mips: MipsPass::new(gpu, shaders, implementation, r, uniforms),
+            foam: FoamPass::new(gpu, shaders, r, uniforms),
         }
     }
 
     /// Number of compute dispatches of an ordinary frame: one sea with unchanged waves, one foam time step.
-    pub fn dispatches(&self) -> u32 {
-        self.transform.dispatches() + self.mips.steps.len() as u32 + 1
+    pub fn dispatch_count(&self) -> u32 {
+        self.transform.dispatch_count() + self.mips.steps.len() as u32 + 1
     }
 
     /// Creates the bind groups anew after buffers or textures have been replaced.
-    pub fn bind(&mut self, gpu: &Gpu, r: &Resources, rings: &UniformRings) {
-        self.spectrum.bind(gpu, r, rings);
-        self.transform.bind(gpu, r, rings);
-        self.mips.bind(gpu, r, rings);
-        self.foam.bind(gpu, r, rings);
+    pub fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
+        self.spectrum.recreate_bind_groups(gpu, r, uniforms);
+        self.transform.recreate_bind_groups(gpu, r, uniforms);
+        self.mips.recreate_bind_groups(gpu, r, uniforms);
+        self.foam.recreate_bind_groups(gpu, r, uniforms);
     }
 }
 
@@ -55,96 +61,118 @@ pub struct SpectrumPass {
 }
 
 impl SpectrumPass {
-    fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, rings: &UniformRings) -> Self {
+    fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, uniforms: &SimulationUniforms) -> Self {
         let module = shaders.module(gpu, "waves/spectrum");
-        let slots = [UniformRings::SEA, Slot::Read(0), Slot::Write(0)];
-        let kernel = Kernel::new(gpu, "sea/spectrum", (&module, "main"), &slots, &[]);
+        let bindings = [SimulationUniforms::SEA_BINDING, BindingType::StorageRead(0), BindingType::StorageReadWrite(0)];
+        let kernel = Kernel::new(gpu, "sea/spectrum", (&module, "main"), &bindings, &[]);
         let mut pass = Self { kernel, groups: Vec::new() };
-        pass.bind(gpu, r, rings);
+        pass.recreate_bind_groups(gpu, r, uniforms);
         pass
     }
 
-    fn bind(&mut self, gpu: &Gpu, r: &Resources, rings: &UniformRings) {
-        let group = |waves: &Waves| {
-            let [radial, h0] = [&waves.radial, &waves.h0].map(wgpu::Buffer::as_entire_binding);
-            self.kernel.bind(gpu, &[rings.sea.binding(), radial, h0])
+    fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
+        let group = |waves: &WaveBuffers| {
+            let [spectrum_table, h0] = [&waves.spectrum_table, &waves.h0].map(wgpu::Buffer::as_entire_binding);
+            self.kernel.bind(gpu, &[uniforms.sea.binding(), spectrum_table, h0])
         };
-        self.groups = r.waves.iter().map(group).collect();
+        self.groups = r.wave_buffers.iter().map(group).collect();
     }
 
     /// Records the computation of h0, the Fourier amplitudes at time 0, for all cascades of a sea.
-    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, slot: EvaluationSlot) {
-        self.kernel.run(encoder, &self.groups[slot.waves], &[slot.uniform], [r.n / 64, r.n, slot.count]);
+    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
+        self.kernel.run(
+            encoder,
+            &self.groups[dispatch.wave_buffers_index],
+            &[dispatch.uniform_offset],
+            [r.n / 64, r.n, dispatch.cascade_count],
+        );
     }
 }
 
 /// Pass that computes mip levels and slope moments (shaders/waves/mips.wgsl, or unrolled_mips.wgsl in software).
 pub struct MipsPass {
-    steps: Vec<MipsStep>,
+    steps: Vec<MipsDispatch>,
     /// Number of mip levels that one dispatch can write.
-    images: u32,
+    levels_per_dispatch: u32,
     /// Small unused texture, bound in place of mip levels that the maps do not have.
-    nothing: wgpu::TextureView,
+    placeholder_view: wgpu::TextureView,
 }
 
 /// One dispatch of the mip pass, which reads one mip level and writes the next ones.
-struct MipsStep {
+struct MipsDispatch {
     kernel: Kernel,
     group: wgpu::BindGroup,
     /// Mip level that the dispatch reads.
-    above: u32,
+    source_level: u32,
     /// Number of mip levels that the dispatch writes.
     levels: u32,
 }
 
 impl MipsPass {
-    fn new(gpu: &Gpu, shaders: &Shaders, way: TransformWay, r: &Resources, rings: &UniformRings) -> Self {
-        let (module, images): (_, u32) = match way {
+    fn new(
+        gpu: &Gpu,
+        shaders: &Shaders,
+        implementation: FftImplementation,
+        r: &Resources,
+        uniforms: &SimulationUniforms,
+    ) -> Self {
+        let (module, levels_per_dispatch): (_, u32) = match implementation {
             // WebGPU's base limits allow four storage textures.
-            TransformWay::Workgroup => (shaders.module(gpu, "waves/mips"), 4),
-            TransformWay::Unrolled => (shaders.module(gpu, "waves/unrolled_mips"), 1),
+            FftImplementation::Workgroup => (shaders.module(gpu, "waves/mips"), 4),
+            FftImplementation::Unrolled => (shaders.module(gpu, "waves/unrolled_mips"), 1),
         };
-        let written = (0..images).map(|_| Slot::ImageArray(r.format.texture()));
-        let slots: Vec<Slot> = [UniformRings::SEA, Slot::TextureArray].into_iter().chain(written).collect();
-        let nothing = array_view(&map(gpu, "nothing", [1; 3], 1, r.format), None);
-        let steps = (0..r.mips() - 1).step_by(images as usize).map(|above| {
-            let levels = images.min(r.mips() - 1 - above);
-            let mut constants = vec![("FIRST", f64::from(u8::from(above == 0)))];
-            if way == TransformWay::Workgroup {
-                constants.push(("LEVELS", f64::from(levels)));
+        let written = (0..levels_per_dispatch).map(|_| BindingType::StorageTextureArray(r.format.texture_format()));
+        let bindings: Vec<BindingType> =
+            [SimulationUniforms::SEA_BINDING, BindingType::TextureArray].into_iter().chain(written).collect();
+        let placeholder_view = array_view(&create_array_texture(gpu, "placeholder", [1; 3], 1, r.format), None);
+        let steps = (0..r.mip_level_count() - 1).step_by(levels_per_dispatch as usize).map(|source_level| {
+            let levels = levels_per_dispatch.min(r.mip_level_count() - 1 - source_level);
+            let mut constants = vec![("READS_LEVEL_0", f64::from(u8::from(source_level == 0)))];
+            if implementation == FftImplementation::Workgroup {
+                constants.push(("LEVELS_WRITTEN", f64::from(levels)));
             }
-            let kernel = Kernel::new(gpu, "sea/mips", (&module, "main"), &slots, &constants);
-            let group = Self::group(gpu, &kernel, r, rings, (above, levels, images), &nothing);
-            MipsStep { kernel, group, above, levels }
+            let kernel = Kernel::new(gpu, "sea/mips", (&module, "main"), &bindings, &constants);
+            let group = Self::create_bind_group(
+                gpu,
+                &kernel,
+                r,
+                uniforms,
+                (source_level, levels, levels_per_dispatch),
+                &placeholder_view,
+            );
+            MipsDispatch { kernel, group, source_level, levels }
         });
-        Self { steps: steps.collect(), images, nothing }
+        Self { steps: steps.collect(), levels_per_dispatch, placeholder_view }
     }
 
-    fn group(
+    fn create_bind_group(
         gpu: &Gpu,
         kernel: &Kernel,
         r: &Resources,
-        rings: &UniformRings,
-        (above, levels, images): (u32, u32, u32),
-        nothing: &wgpu::TextureView,
+        uniforms: &SimulationUniforms,
+        (source_level, levels, levels_per_dispatch): (u32, u32, u32),
+        placeholder_view: &wgpu::TextureView,
     ) -> wgpu::BindGroup {
-        let views: Vec<_> = (0..=levels).map(|i| array_view(&r.maps, Some(above + i))).collect();
-        let views = views.iter().chain((levels..images).map(|_| nothing)).map(wgpu::BindingResource::TextureView);
-        kernel.bind(gpu, &std::iter::once(rings.sea.binding()).chain(views).collect::<Vec<_>>())
+        let views: Vec<_> = (0..=levels).map(|i| array_view(&r.maps, Some(source_level + i))).collect();
+        let views = views
+            .iter()
+            .chain((levels..levels_per_dispatch).map(|_| placeholder_view))
+            .map(wgpu::BindingResource::TextureView);
+        kernel.bind(gpu, &std::iter::once(uniforms.sea.binding()).chain(views).collect::<Vec<_>>())
     }
 
-    fn bind(&mut self, gpu: &Gpu, r: &Resources, rings: &UniformRings) {
+    fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
         for step in &mut self.steps {
-            let levels = (step.above, step.levels, self.images);
-            step.group = Self::group(gpu, &step.kernel, r, rings, levels, &self.nothing);
+            let levels = (step.source_level, step.levels, self.levels_per_dispatch);
+            step.group = Self::create_bind_group(gpu, &step.kernel, r, uniforms, levels, &self.placeholder_view);
         }
     }
 
     /// Records the computation of all mip levels above 0.
-    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, slot: EvaluationSlot) {
+    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
         for step in &self.steps {
-            let groups = (r.n >> (step.above + 1)).div_ceil(8);
-            step.kernel.run(encoder, &step.group, &[slot.uniform], [groups, groups, slot.count]);
+            let groups = (r.n >> (step.source_level + 1)).div_ceil(8);
+            step.kernel.run(encoder, &step.group, &[dispatch.uniform_offset], [groups, groups, dispatch.cascade_count]);
         }
     }
 }
@@ -156,45 +184,45 @@ pub struct FoamPass {
 }
 
 impl FoamPass {
-    fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, rings: &UniformRings) -> Self {
+    fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, uniforms: &SimulationUniforms) -> Self {
         let module = shaders.module(gpu, "foam/foam");
-        let slots = [
-            UniformRings::SEA,
-            UniformRings::FOAM,
-            Slot::TextureArray,
-            Slot::TextureArray,
-            Slot::Sampler,
-            Slot::Write(0),
-            Slot::ImageArray(r.format.texture()),
+        let bindings = [
+            SimulationUniforms::SEA_BINDING,
+            SimulationUniforms::FOAM_BINDING,
+            BindingType::TextureArray,
+            BindingType::TextureArray,
+            BindingType::Sampler,
+            BindingType::StorageReadWrite(0),
+            BindingType::StorageTextureArray(r.format.texture_format()),
         ];
-        let kernel = Kernel::new(gpu, "sea/foam", (&module, "main"), &slots, &[]);
-        let group = Self::group(gpu, &kernel, r, rings);
+        let kernel = Kernel::new(gpu, "sea/foam", (&module, "main"), &bindings, &[]);
+        let group = Self::create_bind_group(gpu, &kernel, r, uniforms);
         Self { kernel, group }
     }
 
-    fn group(gpu: &Gpu, kernel: &Kernel, r: &Resources, rings: &UniformRings) -> wgpu::BindGroup {
+    fn create_bind_group(gpu: &Gpu, kernel: &Kernel, r: &Resources, uniforms: &SimulationUniforms) -> wgpu::BindGroup {
         kernel.bind(
             gpu,
             &[
-                rings.sea.binding(),
-                rings.foam.binding(),
+                uniforms.sea.binding(),
+                uniforms.foam.binding(),
                 wgpu::BindingResource::TextureView(&r.map_view(MapKind::Displacement)),
                 wgpu::BindingResource::TextureView(&r.map_view(MapKind::Gradients)),
-                wgpu::BindingResource::Sampler(&r.repeat),
+                wgpu::BindingResource::Sampler(&r.repeating_sampler),
                 r.foam_history.as_entire_binding(),
                 wgpu::BindingResource::TextureView(&array_view(&r.foam, Some(0))),
             ],
         )
     }
 
-    fn bind(&mut self, gpu: &Gpu, r: &Resources, rings: &UniformRings) {
-        self.group = Self::group(gpu, &self.kernel, r, rings);
+    fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
+        self.group = Self::create_bind_group(gpu, &self.kernel, r, uniforms);
     }
 
     /// Records one time step of all foam levels. `foam` is the dynamic offset of the step's uniform, bytes. During a
-    /// cross-fade, `slot` may belong to either sea, because both have the same choppiness.
-    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, slot: EvaluationSlot, foam: u32) {
+    /// cross-fade, `dispatch` may belong to either sea, because both have the same choppiness.
+    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch, foam: u32) {
         let size = [r.foam_n / 8, r.foam_n / 8, FOAM_LEVELS as u32];
-        self.kernel.run(encoder, &self.group, &[slot.uniform, foam], size);
+        self.kernel.run(encoder, &self.group, &[dispatch.uniform_offset, foam], size);
     }
 }

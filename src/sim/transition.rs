@@ -10,7 +10,7 @@
 use crate::waves::overlap::SeaCovariance;
 
 /// Duration of a transition, s of wall time.
-pub const TRANSITION_S: f64 = 0.8;
+pub const TRANSITION_DURATION_S: f64 = 0.8;
 
 /// Kind of transition from one sea to another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,19 +31,23 @@ pub enum TransitionKind {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TransitionStep {
     /// Transition that starts in this frame, if any. The other fields describe the progress after its start.
-    pub start: Option<TransitionKind>,
+    pub started: Option<TransitionKind>,
     /// Fraction of the remaining way to the goal that surface and foam parameters make in this frame, 0 to 1.
-    pub interpolation: f64,
+    pub interpolation_fraction: f64,
     /// Fraction of the remaining way to the goal that wave amplitudes make in this frame, 0 to 1.
-    pub amplitudes: f64,
+    pub amplitude_fraction: f64,
     /// Whether a cross-fade ends in this frame.
-    pub faded: bool,
+    pub ends_cross_fade: bool,
 }
 
 impl TransitionStep {
     /// The step in which a new sea replaces the old one at once.
-    pub const IMMEDIATE: Self =
-        Self { start: Some(TransitionKind::Immediate), interpolation: 0.0, amplitudes: 0.0, faded: false };
+    pub const IMMEDIATE: Self = Self {
+        started: Some(TransitionKind::Immediate),
+        interpolation_fraction: 0.0,
+        amplitude_fraction: 0.0,
+        ends_cross_fade: false,
+    };
 }
 
 /// Progress of the running interpolation or cross-fade, or of both.
@@ -68,7 +72,7 @@ impl Transition {
         match kind {
             TransitionKind::Immediate => *self = Self::default(),
             TransitionKind::Foam | TransitionKind::Surface | TransitionKind::Amplitudes => {
-                let amplitudes = kind == TransitionKind::Amplitudes || self.moves_amplitudes();
+                let amplitudes = kind == TransitionKind::Amplitudes || self.interpolates_amplitudes();
                 self.interpolation = Some(Interpolation { progress: 0.0, amplitudes });
             }
             // The sea that fades out keeps its present amplitudes; the new sea starts with its final ones.
@@ -78,31 +82,31 @@ impl Transition {
 
     /// Advances the running transitions by `dt_s` seconds of wall time and returns the progress in this frame.
     pub fn advance(&mut self, dt_s: f64) -> TransitionStep {
-        let elapsed = (dt_s / TRANSITION_S).max(0.0);
+        let elapsed = (dt_s / TRANSITION_DURATION_S).max(0.0);
         let mut step = TransitionStep::default();
         if let Some(Interpolation { progress: from, amplitudes }) = self.interpolation {
             let to = (from + elapsed).min(1.0);
             // The remaining difference shrinks with the cube of the remaining time. A goal that moves in every frame is
             // followed with a lag of a third of the duration.
-            step.interpolation = 1.0 - ((1.0 - to) / (1.0 - from)).powi(3);
-            step.amplitudes = if amplitudes { step.interpolation } else { 0.0 };
+            step.interpolation_fraction = 1.0 - ((1.0 - to) / (1.0 - from)).powi(3);
+            step.amplitude_fraction = if amplitudes { step.interpolation_fraction } else { 0.0 };
             self.interpolation = (to < 1.0).then_some(Interpolation { progress: to, amplitudes });
         }
         if let Some(from) = self.cross_fade {
             let to = from + elapsed;
-            step.faded = to >= 1.0;
+            step.ends_cross_fade = to >= 1.0;
             self.cross_fade = (to < 1.0).then_some(to);
         }
         step
     }
 
     /// Cross-fade weight of the new sea: its fraction of the total variance, 0 to 1. It is 1 without a cross-fade.
-    pub fn share(&self) -> f64 {
+    pub fn cross_fade_weight(&self) -> f64 {
         self.cross_fade.map_or(1.0, |x| x * x * (3.0 - 2.0 * x))
     }
 
     /// Whether the amplitudes of the waves are being interpolated.
-    pub fn moves_amplitudes(&self) -> bool {
+    pub fn interpolates_amplitudes(&self) -> bool {
         self.interpolation.is_some_and(|interpolation| interpolation.amplitudes)
     }
 
@@ -112,18 +116,18 @@ impl Transition {
     }
 }
 
-/// Amplitude factors of a cascade in the old and in the new sea when the new sea has the fraction `share` of the
+/// Amplitude factors of a cascade in the old and in the new sea when the new sea has the fraction `fraction` of the
 /// variance. The last number is the variance of the blended waves divided by the sum of both variances.
-pub fn weights(overlap: &SeaCovariance, share: f64) -> ([f64; 2], f64) {
-    let variance_gain = overlap.variance_gain(share);
-    ([((1.0 - share) / variance_gain).sqrt(), (share / variance_gain).sqrt()], variance_gain)
+pub fn cross_fade_amplitudes(overlap: &SeaCovariance, fraction: f64) -> ([f64; 2], f64) {
+    let variance_gain = overlap.variance_gain(fraction);
+    ([((1.0 - fraction) / variance_gain).sqrt(), (fraction / variance_gain).sqrt()], variance_gain)
 }
 
 /// Parameters that can be interpolated between two seas.
 pub trait Interpolate: Clone {
-    /// The parameters at the fraction `share` of the way from `self` to `to`; at 1 exactly `to`.
+    /// The parameters at the fraction `fraction` of the way from `self` to `to`; at 1 exactly `to`.
     #[must_use]
-    fn interpolate(&self, to: &Self, share: f64) -> Self;
+    fn interpolate(&self, to: &Self, fraction: f64) -> Self;
 }
 
 /// Parameters of a sea that follow its transitions smoothly.
@@ -142,8 +146,8 @@ impl<T: Interpolate> Interpolated<T> {
     }
 
     /// Applies one step of a transition. If a transition starts, `goal` maps the previous goal to the new one.
-    pub fn follow(&mut self, step: &TransitionStep, goal: impl FnOnce(&T) -> T) {
-        if let Some(kind) = step.start {
+    pub fn apply_transition_step(&mut self, step: &TransitionStep, goal: impl FnOnce(&T) -> T) {
+        if let Some(kind) = step.started {
             self.goal = goal(&self.goal);
             match kind {
                 TransitionKind::Immediate => *self = Self::new(self.goal.clone()),
@@ -151,43 +155,43 @@ impl<T: Interpolate> Interpolated<T> {
                 TransitionKind::CrossFade => self.fading = Some(std::mem::replace(&mut self.now, self.goal.clone())),
             }
         }
-        if step.interpolation >= 1.0 {
+        if step.interpolation_fraction >= 1.0 {
             self.now = self.goal.clone();
-        } else if step.interpolation > 0.0 {
-            self.now = self.now.interpolate(&self.goal, step.interpolation);
+        } else if step.interpolation_fraction > 0.0 {
+            self.now = self.now.interpolate(&self.goal, step.interpolation_fraction);
         }
-        if step.faded {
+        if step.ends_cross_fade {
             self.fading = None;
         }
     }
 
     /// The parameters of the sea that fades out, if there is one, and of the current sea.
-    pub fn parts(&self) -> (Option<&T>, &T) {
+    pub fn fading_and_current(&self) -> (Option<&T>, &T) {
         (self.fading.as_ref(), &self.now)
     }
 
-    /// The blend of both seas' parameters when the new sea has the cross-fade weight `share`, 0 to 1.
-    pub fn value(&self, share: f64) -> T {
+    /// The blend of both seas' parameters when the new sea has the cross-fade weight `fraction`, 0 to 1.
+    pub fn blended_value(&self, fraction: f64) -> T {
         match &self.fading {
-            Some(old) if share < 1.0 => old.interpolate(&self.now, share),
+            Some(old) if fraction < 1.0 => old.interpolate(&self.now, fraction),
             _ => self.now.clone(),
         }
     }
 
     /// Applies the same change to the parameters of both seas of a cross-fade and to the goal.
-    pub fn change(&mut self, change: impl Fn(&mut T)) {
+    pub fn change_all(&mut self, change: impl Fn(&mut T)) {
         self.fading.iter_mut().chain([&mut self.now, &mut self.goal]).for_each(change);
     }
 }
 
-/// Number at the fraction `share` of the way from `from` to `to`; at 1 exactly `to`.
-pub fn interpolate(from: f64, to: f64, share: f64) -> f64 {
-    if share >= 1.0 { to } else { from + (to - from) * share }
+/// Number at the fraction `fraction` of the way from `from` to `to`; at 1 exactly `to`.
+pub fn interpolate(from: f64, to: f64, fraction: f64) -> f64 {
+    if fraction >= 1.0 { to } else { from + (to - from) * fraction }
 }
 
-/// Pair of numbers at the fraction `share` of the way from `from` to `to`; at 1 exactly `to`.
-pub fn interpolate2(from: [f64; 2], to: [f64; 2], share: f64) -> [f64; 2] {
-    [interpolate(from[0], to[0], share), interpolate(from[1], to[1], share)]
+/// Pair of numbers at the fraction `fraction` of the way from `from` to `to`; at 1 exactly `to`.
+pub fn interpolate_pair(from: [f64; 2], to: [f64; 2], fraction: f64) -> [f64; 2] {
+    [interpolate(from[0], to[0], fraction), interpolate(from[1], to[1], fraction)]
 }
 
 #[cfg(test)]
@@ -195,8 +199,8 @@ mod tests {
     use super::*;
 
     impl Interpolate for f64 {
-        fn interpolate(&self, to: &Self, share: f64) -> Self {
-            interpolate(*self, *to, share)
+        fn interpolate(&self, to: &Self, fraction: f64) -> Self {
+            interpolate(*self, *to, fraction)
         }
     }
 
@@ -210,33 +214,33 @@ mod tests {
                 transition.start(TransitionKind::Amplitudes);
                 start = Some(TransitionKind::Amplitudes);
             }
-            let step = TransitionStep { start, ..transition.advance(1.0 / 60.0) };
-            drawn.follow(&step, |_| 2.1 + 0.1 * f64::from(i));
-            let now = drawn.value(transition.share());
+            let step = TransitionStep { started: start, ..transition.advance(1.0 / 60.0) };
+            drawn.apply_transition_step(&step, |_| 2.1 + 0.1 * f64::from(i));
+            let now = drawn.blended_value(transition.cross_fade_weight());
             assert!(now >= before && now - before < 0.11, "{i}: {before} to {now}");
             before = now;
             // The transition ends 0.8 s after the last change, not earlier: after 48 frames, or one more by rounding.
             assert!(transition.is_running() == (i < 76) || i == 76, "{i}");
         }
-        assert_eq!(drawn.value(1.0), 2.1 + 0.1 * 29.0);
+        assert_eq!(drawn.blended_value(1.0), 2.1 + 0.1 * 29.0);
     }
 
     #[test]
     fn a_fade_starts_and_ends_on_its_seas() {
         let (mut transition, mut drawn) = (Transition::default(), Interpolated::new(5.0));
         transition.start(TransitionKind::CrossFade);
-        let mut step = TransitionStep { start: Some(TransitionKind::CrossFade), ..transition.advance(0.0) };
-        drawn.follow(&step, |_| 7.0);
-        assert_eq!((drawn.value(transition.share()), transition.share()), (5.0, 0.0));
+        let mut step = TransitionStep { started: Some(TransitionKind::CrossFade), ..transition.advance(0.0) };
+        drawn.apply_transition_step(&step, |_| 7.0);
+        assert_eq!((drawn.blended_value(transition.cross_fade_weight()), transition.cross_fade_weight()), (5.0, 0.0));
         let mut before = 5.0;
         while transition.is_running() {
             step = transition.advance(0.016);
-            drawn.follow(&step, |_| unreachable!("the goal stays"));
-            let now = drawn.value(transition.share());
+            drawn.apply_transition_step(&step, |_| unreachable!("the goal stays"));
+            let now = drawn.blended_value(transition.cross_fade_weight());
             assert!(now > before && now - before < 0.1);
             before = now;
         }
-        assert!(step.faded && drawn.parts() == (None, &7.0) && before == 7.0);
+        assert!(step.ends_cross_fade && drawn.fading_and_current() == (None, &7.0) && before == 7.0);
     }
 
     #[test]
@@ -244,19 +248,22 @@ mod tests {
         let mut transition = Transition::default();
         transition.start(TransitionKind::Foam);
         let step = transition.advance(0.1);
-        assert!(step.interpolation > 0.0 && step.amplitudes == 0.0);
+        assert!(step.interpolation_fraction > 0.0 && step.amplitude_fraction == 0.0);
         transition.start(TransitionKind::Amplitudes);
         transition.advance(0.1);
         transition.start(TransitionKind::Surface);
-        assert!(transition.advance(TRANSITION_S).amplitudes == 1.0, "the waves come to their goal, too");
+        assert!(
+            transition.advance(TRANSITION_DURATION_S).amplitude_fraction == 1.0,
+            "the waves come to their goal, too"
+        );
         assert!(!transition.is_running());
     }
 
     #[test]
     fn independent_seas_keep_their_power_and_common_ones_their_amplitude() {
-        let ([a, b], gain) = weights(&SeaCovariance::default(), 0.3);
+        let ([a, b], gain) = cross_fade_amplitudes(&SeaCovariance::default(), 0.3);
         assert!((a * a + b * b - 1.0).abs() < 1e-12 && gain == 1.0);
-        assert_eq!(weights(&SeaCovariance::default(), 1.0), ([0.0, 1.0], 1.0));
-        assert_eq!(weights(&SeaCovariance::default(), 0.0), ([1.0, 0.0], 1.0));
+        assert_eq!(cross_fade_amplitudes(&SeaCovariance::default(), 1.0), ([0.0, 1.0], 1.0));
+        assert_eq!(cross_fade_amplitudes(&SeaCovariance::default(), 0.0), ([1.0, 0.0], 1.0));
     }
 }

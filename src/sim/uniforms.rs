@@ -1,36 +1,39 @@
 //! The uniform structs of the simulation's passes, and the buffers that hold them.
 
-use super::maps::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN, TilePlace};
+use super::maps::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN_CASCADES, TileLatticePosition};
 use crate::gpu::Gpu;
-use crate::gpu::kit::Slot;
-use crate::gpu::layout::{Declaration, gpu_struct};
-use crate::gpu::uniform::UniformRing;
+use crate::gpu::kit::BindingType;
+use crate::gpu::layout::{StructDeclaration, gpu_struct};
+use crate::gpu::uniform::DynamicUniformBuffer;
 
 /// Uniform buffers of one submission, with room for several evaluations and foam time steps.
-pub struct UniformRings {
+pub struct SimulationUniforms {
     /// One uniform for each evaluation of a sea in the submission.
-    pub sea: UniformRing<SeaUniform>,
+    pub sea: DynamicUniformBuffer<SeaUniform>,
     /// One uniform for each time step of the foam in the submission.
-    pub foam: UniformRing<FoamUniform>,
+    pub foam: DynamicUniformBuffer<FoamUniform>,
 }
 
-impl UniformRings {
+impl SimulationUniforms {
     /// Binding type of the buffer `sea`: a uniform at a dynamic offset.
-    pub const SEA: Slot = Slot::UniformAt(size_of::<SeaUniform>());
+    pub const SEA_BINDING: BindingType = BindingType::DynamicUniform(size_of::<SeaUniform>());
     /// Binding type of the buffer `foam`: a uniform at a dynamic offset.
-    pub const FOAM: Slot = Slot::UniformAt(size_of::<FoamUniform>());
+    pub const FOAM_BINDING: BindingType = BindingType::DynamicUniform(size_of::<FoamUniform>());
 
     /// Allocates both buffers, for submissions with at most `foam_steps` foam time steps.
     pub fn new(gpu: &Gpu, foam_steps: usize) -> Self {
         // For two seas, one evaluation per foam time step and one without foam; besides, one for the spectrum pass.
         let evaluations = 2 * (foam_steps + 1) + 1;
-        Self { sea: UniformRing::new(gpu, "sea", evaluations), foam: UniformRing::new(gpu, "foam", foam_steps) }
+        Self {
+            sea: DynamicUniformBuffer::new(gpu, "sea", evaluations),
+            foam: DynamicUniformBuffer::new(gpu, "foam", foam_steps),
+        }
     }
 
     /// Discards the uniforms of the last submission. The next submission then adds its own.
-    pub fn restart(&mut self) {
-        self.sea.restart();
-        self.foam.restart();
+    pub fn clear(&mut self) {
+        self.sea.clear();
+        self.foam.clear();
     }
 
     /// Sends the uniforms of the submission to the GPU.
@@ -49,26 +52,26 @@ gpu_struct! {
         /// Spacing of the cascade's wave vectors, 2 pi / patch_m, rad/m.
         pub dk: f32,
         /// Key of the cascade's random numbers, which makes cascades independent.
-        pub key: u32,
+        pub noise_key: u32,
         /// Unit in which the maps store the slope moments.
-        pub moment_scale: f32,
+        pub moment_unit: f32,
     }
 }
 
 /// Largest number of terms of a directional spectrum: three spreading lobes for each of two wave systems.
-pub const MAX_TERMS: usize = 6;
+pub const MAX_SPECTRUM_TERMS: usize = 6;
 
 gpu_struct! {
-    /// WGSL `SeaTerm`: one term of the directional spectrum, which is a sum of such terms.
+    /// WGSL `SpectrumTerm`: one term of the directional spectrum, which is a sum of such terms.
     #[derive(Default)]
-    pub struct SeaTerm as "SeaTerm" {
+    pub struct SpectrumTerm as "SpectrumTerm" {
         /// Unit vector (x, z) of the direction from which the angles of the spreading function are measured.
-        pub travel: [f32; 2],
+        pub reference_direction: [f32; 2],
         /// Form of the term: 0 spreading lobe, 1 lobe times cos^2, 2 lobe times cos^2 in its forward half only, 3
         /// distribution measured by a buoy.
         pub kind: u32,
         /// Index of the term's first vec4f within an entry of the wave table.
-        pub slot: u32,
+        pub first_vector: u32,
     }
 }
 
@@ -79,41 +82,41 @@ gpu_struct! {
         /// Cascades of the sea, longest waves first.
         pub cascades: [SeaCascade; MAX_CASCADES],
         /// Terms of the directional spectrum, which is their sum.
-        pub terms: [SeaTerm; MAX_TERMS],
+        pub terms: [SpectrumTerm; MAX_SPECTRUM_TERMS],
         /// Amplitude factor of each cascade: 1 except during a cross-fade.
-        pub weights: [f32; MAX_CASCADES],
+        pub amplitude_factors: [f32; MAX_CASCADES],
         /// Choppiness: factor of the horizontal displacement along x and z.
-        pub chop: [f32; 2],
+        pub choppiness: [f32; 2],
         /// FFT size: number of points along a side of a cascade's lattice.
         pub n: u32,
         /// Number of entries of `cascades` in use.
-        pub count: u32,
+        pub cascade_count: u32,
         /// Seed of the random wave amplitudes.
         pub seed: u32,
         /// Time as a fraction of the sea's period, in units of 2^-32. Its product with a wave's number of cycles per
         /// period is the phase.
-        pub phase_time: u32,
-        /// If not 0, the column pass also keeps the maps in f32, in the buffer `lines`.
-        pub keep_f32: u32,
+        pub time_in_period_u32: u32,
+        /// If not 0, the column pass also keeps the maps in f32, in the buffer `row_transforms`.
+        pub keeps_f32_maps: u32,
         /// Number of entries of `terms` in use.
         pub term_count: u32,
         /// Number of vec4f per entry of the wave table.
-        pub stride: u32,
+        pub vectors_per_entry: u32,
         /// Index of the first cascade among the layers of each kind of map.
         pub first_layer: u32,
         /// Weight with which the spectrum pass moves h0 to the amplitudes of the plan, 0 to 1; 1 replaces h0.
-        pub blend: f32,
+        pub spectrum_blend: f32,
         /// Unused; pads the struct to a multiple of 16 bytes.
         pub unused: u32,
     }
 }
 
 gpu_struct! {
-    /// WGSL `FoamCorner`: where the corner of a foam level lies on the maps of a cascade.
+    /// WGSL `FoamLevelCorner`: where the corner of a foam level lies on the maps of a cascade.
     #[derive(Default)]
-    pub struct FoamCorner as "FoamCorner" {
+    pub struct FoamLevelCorner as "FoamLevelCorner" {
         /// Position of the corner on the triangle lattice of the patch's shifted copies.
-        pub tile: TilePlace,
+        pub tile_position: TileLatticePosition,
         /// Texture coordinates of the corner in the cascade's maps.
         pub uv: [f32; 2],
         /// Unused; pads the struct to a multiple of 16 bytes, as an array element needs it.
@@ -126,19 +129,19 @@ gpu_struct! {
     #[derive(Default)]
     pub struct FoamLevelUniform as "FoamLevel" {
         /// Position of the corner of the level's first cell on each drawn cascade.
-        pub corners: [FoamCorner; MAX_DRAWN],
+        pub corners: [FoamLevelCorner; MAX_DRAWN_CASCADES],
         /// Lowest cell index along x and z that the level covers.
-        pub cell: [i32; 2],
+        pub first_cell: [i32; 2],
         /// Lowest cell index along x and z that the level covered at the previous time step.
-        pub previous: [i32; 2],
+        pub previous_first_cell: [i32; 2],
         /// Side of a foam cell, m.
-        pub texel_m: f32,
+        pub cell_m: f32,
         /// Jacobian below which foam forms.
-        pub threshold: f32,
+        pub jacobian_threshold: f32,
         /// Slope of the foam source: clamp((threshold - Jacobian) x slope, 0, 1).
-        pub slope: f32,
+        pub source_slope: f32,
         /// Initial foam of a cell that has just entered the area of its level, 0 to 1.
-        pub start: f32,
+        pub initial_foam: f32,
     }
 }
 
@@ -162,29 +165,29 @@ gpu_struct! {
         /// Foam levels, finest first.
         pub levels: [FoamLevelUniform; FOAM_LEVELS],
         /// Cascades that are drawn, including those of a sea that fades out.
-        pub cascades: [FoamCascade; MAX_DRAWN],
+        pub cascades: [FoamCascade; MAX_DRAWN_CASCADES],
         /// Length of the time step, s.
-        pub dt: f32,
+        pub dt_s: f32,
         /// Decay rate of foam: 1 / e-folding time, 1/s.
-        pub decay: f32,
+        pub decay_per_s: f32,
         /// Rate at which foam grows where its source is 1, 1/s.
-        pub rate: f32,
+        pub growth_per_s: f32,
         /// Number of cells along a side of a foam level.
-        pub size: u32,
+        pub cells_per_side: u32,
         /// Number of entries of `cascades` in use.
-        pub count: u32,
+        pub cascade_count: u32,
         /// Unused; pads the struct to a multiple of 16 bytes.
         pub unused: [u32; 3],
     }
 }
 
 /// The structs that the simulation shares with its shaders.
-pub const STRUCTS: &[Declaration] = &[
+pub const SHARED_STRUCTS: &[StructDeclaration] = &[
     SeaCascade::DECLARATION,
-    SeaTerm::DECLARATION,
+    SpectrumTerm::DECLARATION,
     SeaUniform::DECLARATION,
-    TilePlace::DECLARATION,
-    FoamCorner::DECLARATION,
+    TileLatticePosition::DECLARATION,
+    FoamLevelCorner::DECLARATION,
     FoamLevelUniform::DECLARATION,
     FoamCascade::DECLARATION,
     FoamUniform::DECLARATION,

@@ -6,8 +6,8 @@ pub mod wgsl;
 
 use seastate::gpu::map_format::MapFormat;
 use seastate::gpu::{Gpu, device};
-use seastate::ocean::still::{FORMAT, picture_of};
-use seastate::ocean::{Film, Ocean};
+use seastate::ocean::still::{FORMAT, draw_ocean_picture};
+use seastate::ocean::{Ocean, OutputKind};
 use seastate::shaders::Shaders;
 use seastate::sim::{MapsF32, Simulation};
 use seastate::state::fields::{FIELDS, FieldKind};
@@ -21,12 +21,12 @@ pub fn gpu() -> Gpu {
 
 /// A device on which maps have this format, whichever would be chosen.
 pub fn gpu_with(maps: MapFormat) -> Gpu {
-    let adapter = pollster::block_on(device::adapter()).expect("a GPU adapter; install mesa-vulkan-drivers");
-    let mut descriptor = device::descriptor(&adapter);
-    descriptor.required_features.set(MapFormat::FEATURES, maps == MapFormat::Float);
+    let adapter = pollster::block_on(device::choose_adapter()).expect("a GPU adapter; install mesa-vulkan-drivers");
+    let mut descriptor = device::device_descriptor(&adapter);
+    descriptor.required_features.set(MapFormat::FILTERABLE_FLOATS, maps == MapFormat::Float);
     let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).expect("a device");
     let gpu = Gpu { device, queue };
-    assert_eq!(MapFormat::of(&gpu), maps);
+    assert_eq!(MapFormat::for_device(&gpu), maps);
     gpu
 }
 
@@ -53,9 +53,9 @@ impl Pictures {
     /// The pixels of a state, which depend on it alone: time, sea or place are others than before, and the foam starts anew.
     pub fn render(&mut self, params: &Params, size: [u32; 2]) -> Vec<[u8; 4]> {
         let gpu = &self.gpu;
-        let ocean = self.ocean.get_or_insert_with(|| Ocean::new(gpu, FORMAT, Film::Screen, params));
+        let ocean = self.ocean.get_or_insert_with(|| Ocean::new(gpu, FORMAT, OutputKind::Screen, params));
         ocean.set_params(params);
-        let bytes = pollster::block_on(picture_of(&self.gpu, ocean, size)).expect("a picture");
+        let bytes = pollster::block_on(draw_ocean_picture(&self.gpu, ocean, size)).expect("a picture");
         bytes.chunks(4).map(|p| [p[0], p[1], p[2], p[3]]).collect()
     }
 }
@@ -65,7 +65,7 @@ pub fn simulation(gpu: &Gpu, state: &str) -> Simulation {
 }
 
 pub fn read(gpu: &Gpu, sim: &mut Simulation, t_s: f64) -> MapsF32 {
-    pollster::block_on(sim.read_f32(gpu, t_s)).expect("read-back")
+    pollster::block_on(sim.read_maps_f32(gpu, t_s)).expect("read-back")
 }
 
 /// The maps of a state at a time, in f32.
@@ -107,8 +107,8 @@ pub fn bind_maps<const Q: usize, const A: usize>(kernel: &mut wgsl::Kernel<Q, A>
     let resources = [
         (0, TextureView(&maps.displacement)),
         (1, TextureView(&maps.gradients)),
-        (2, TextureView(&maps.moments)),
-        (4, Sampler(&sim.resources.repeat)),
+        (2, TextureView(&maps.slope_moments)),
+        (4, Sampler(&sim.resources.repeating_sampler)),
         (5, Sampler(&levels)),
     ];
     kernel.bind(1, &resources);

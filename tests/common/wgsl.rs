@@ -8,7 +8,9 @@ use wgpu::util::{BufferInitDescriptor, DeviceExt};
 
 /// The program's modules with the structs that Rust declares.
 pub fn shaders() -> Shaders {
-    Shaders::default().with_structs(seastate::sim::uniforms::STRUCTS).with_structs(seastate::render::STRUCTS)
+    Shaders::default()
+        .with_structs(seastate::sim::uniforms::SHARED_STRUCTS)
+        .with_structs(seastate::render::SHARED_STRUCTS)
 }
 
 /// A module with a kernel whose questions are `Q` and whose answers are `A` values of vec4f.
@@ -40,7 +42,7 @@ impl<const Q: usize, const A: usize> Kernel<Q, A> {
             label: Some("test"),
             // The program's layouts have bindings that a test has nothing for.
             layout: None,
-            module: &gpu.module("test", &source),
+            module: &gpu.shader_module("test", &source),
             entry_point: Some("ask"),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             cache: None,

@@ -144,7 +144,7 @@ fn show_contents(app: &mut App, ui: &mut egui::Ui) {
     egui::CollapsingHeader::new("Share").show(ui, |ui| show_share_buttons(app, ui));
     egui::CollapsingHeader::new("Time of a frame").show(ui, |ui| numbers::show_frame_times(app, ui));
     egui::CollapsingHeader::new("This program").show(ui, |ui| numbers::show_system_information(app, ui));
-    ui.weak(format!("Seastate {}", crate::ocean::about::VERSION));
+    ui.weak(format!("Seastate {}", crate::ocean::device_info::VERSION));
 }
 
 /// Adds the buttons for the most frequent actions: link, picture, undo, redo, reset and help.

@@ -133,7 +133,7 @@ impl Measurement<'_> {
     pub fn read_maps(&self, plan: &Plan, times: &[f64]) -> Result<Option<Vec<MapsF32>>, String> {
         let Some(gpu) = self.gpu else { return Ok(None) };
         let mut sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
-        let mut read = |t_s: &f64| pollster::block_on(sim.read_f32(gpu, *t_s));
+        let mut read = |t_s: &f64| pollster::block_on(sim.read_maps_f32(gpu, *t_s));
         times.iter().map(&mut read).collect::<Result<_, _>>().map(Some)
     }
 }

@@ -2,46 +2,47 @@
 //! again. While bloom is off, it has no textures and records no passes.
 
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Kernel, Slot};
+use crate::gpu::kit::{BindingType, Kernel};
 use crate::shaders::Shaders;
 
 /// Largest number of levels in the chain; each is half as wide and high as the one before.
-const MOST_LEVELS: usize = 8;
+const MAX_LEVELS: usize = 8;
 /// Least length of the shorter side of the coarsest level, texels.
-const LEAST_ROWS: u32 = 4;
+const MIN_LEVEL_SIDE: u32 = 4;
 
 /// The passes that compute bloom, and the textures for one picture.
-pub struct Bloom {
+pub struct BloomPass {
     down: Kernel,
     up: Kernel,
     sampler: wgpu::Sampler,
     format: wgpu::TextureFormat,
-    chain: Option<Chain>,
+    chain: Option<MipChain>,
 }
 
-struct Chain {
+struct MipChain {
     steps: Vec<(bool, wgpu::BindGroup, [u32; 2])>,
     result: wgpu::TextureView,
 }
 
-impl Bloom {
+impl BloomPass {
     /// Compiles the passes for downsampling and upsampling.
     pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
-        let format = shaders.maps(gpu).texture();
-        let slots = [Slot::Texture, Slot::Sampler, Slot::Image(format), Slot::Texture];
+        let format = shaders.map_format(gpu).texture_format();
+        let bindings =
+            [BindingType::Texture, BindingType::Sampler, BindingType::StorageTexture(format), BindingType::Texture];
         let module = shaders.module(gpu, "film/bloom");
-        let kernel = |entry| Kernel::new(gpu, "bloom", (&module, entry), &slots, &[]);
+        let kernel = |entry| Kernel::new(gpu, "bloom", (&module, entry), &bindings, &[]);
         let sampler = gpu.sampler("bloom", [wgpu::AddressMode::ClampToEdge; 2], wgpu::MipmapFilterMode::Nearest);
-        Self { down: kernel("down"), up: kernel("up"), sampler, format, chain: None }
+        Self { down: kernel("downsample"), up: kernel("upsample"), sampler, format, chain: None }
     }
 
     /// Allocates the levels for a picture of the given view and size, or frees them for None.
-    pub fn bind(&mut self, gpu: &Gpu, picture: Option<(&wgpu::TextureView, [u32; 2])>) {
-        self.chain = picture.map(|(hdr, size)| self.chain(gpu, hdr, size));
+    pub fn set_picture(&mut self, gpu: &Gpu, picture: Option<(&wgpu::TextureView, [u32; 2])>) {
+        self.chain = picture.map(|(hdr, size)| self.create_chain(gpu, hdr, size));
     }
 
     /// Texture with the scattered light, half as wide and high as the picture; None while bloom is off.
-    pub fn result(&self) -> Option<&wgpu::TextureView> {
+    pub fn texture_view(&self) -> Option<&wgpu::TextureView> {
         self.chain.as_ref().map(|c| &c.result)
     }
 
@@ -54,7 +55,7 @@ impl Bloom {
         }
     }
 
-    fn chain(&self, gpu: &Gpu, hdr: &wgpu::TextureView, size: [u32; 2]) -> Chain {
+    fn create_chain(&self, gpu: &Gpu, hdr: &wgpu::TextureView, size: [u32; 2]) -> MipChain {
         let view = |size: [u32; 2]| {
             let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING;
             let texture = gpu.texture("bloom", [size[0], size[1], 1], 1, self.format, usage);
@@ -67,8 +68,8 @@ impl Bloom {
         };
         let mut sizes = vec![size.map(|s| s.div_ceil(2))];
         while let Some(last) = sizes.last().copied()
-            && sizes.len() < MOST_LEVELS
-            && last[0].min(last[1]).div_ceil(2) >= LEAST_ROWS
+            && sizes.len() < MAX_LEVELS
+            && last[0].min(last[1]).div_ceil(2) >= MIN_LEVEL_SIDE
         {
             sizes.push(last.map(|s| s.div_ceil(2)));
         }
@@ -83,6 +84,6 @@ impl Bloom {
             steps.push((false, step(&self.up, &result, &out, &down[i]), sizes[i]));
             result = out;
         }
-        Chain { steps, result }
+        MipChain { steps, result }
     }
 }

@@ -1,8 +1,8 @@
 //! The pass that shows the HDR picture (shaders/film/present.wgsl): bloom, exposure, tone curve, gamma, dither.
 
-use super::bloom::Bloom;
+use super::bloom::BloomPass;
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Attachments, Program, Slot};
+use crate::gpu::kit::{Attachments, BindingType, Program};
 use crate::gpu::layout::gpu_struct;
 use crate::gpu::uniform::Uniform;
 use crate::render::scene::Scene;
@@ -20,9 +20,9 @@ gpu_struct! {
         /// Exposure that replaces the automatic one; 0 if the exposure is automatic.
         fixed_exposure: f32,
         /// Tone curve, as the discriminant of `ToneMapping`.
-        tone: u32,
+        tone_curve: u32,
         /// Fraction of the light that the lens scatters as bloom, 0 to 1.
-        bloom: f32,
+        bloom_fraction: f32,
         /// 1 if dither noise is added to hide the steps of 8-bit colours, else 0.
         dither: f32,
         unused: u32,
@@ -39,7 +39,7 @@ pub struct PresentPass {
     layout: wgpu::BindGroupLayout,
     pipeline: wgpu::RenderPipeline,
     sampler: wgpu::Sampler,
-    bloom: Bloom,
+    bloom: BloomPass,
     /// The bound HDR picture, and whether its bloom is on.
     bound: Option<(wgpu::TextureView, bool)>,
     group: Option<wgpu::BindGroup>,
@@ -54,19 +54,19 @@ impl PresentPass {
         target_format: wgpu::TextureFormat,
         smooth: bool,
     ) -> Self {
-        let slots = [
-            Slot::Uniform(size_of::<PresentUniform>()),
-            Slot::Uniform(size_of::<LightBuffer>()),
-            Slot::Texture,
-            Slot::Sampler,
-            Slot::Texture,
+        let bindings = [
+            BindingType::Uniform(size_of::<PresentUniform>()),
+            BindingType::Uniform(size_of::<LightBuffer>()),
+            BindingType::Texture,
+            BindingType::Sampler,
+            BindingType::Texture,
         ];
-        let layout = gpu.layout("present", wgpu::ShaderStages::FRAGMENT, &slots);
+        let layout = gpu.bind_group_layout("present", wgpu::ShaderStages::FRAGMENT, &bindings);
         let constants = [("PRESENT_SMOOTH", f64::from(u8::from(smooth)))];
         let module = shaders.module(gpu, "film/present");
         let program = Program { constants: &constants, ..Program::new(&module) };
         let onto = Attachments { formats: &[target_format], depth: None };
-        let pipeline = gpu.render("present", &program, &[&layout], &onto);
+        let pipeline = gpu.render_pipeline("present", &program, &[&layout], &onto);
         let clamp = [wgpu::AddressMode::ClampToEdge; 2];
         let sampler = gpu.sampler("hdr", clamp, wgpu::MipmapFilterMode::Nearest);
         Self {
@@ -75,41 +75,41 @@ impl PresentPass {
             layout,
             pipeline,
             sampler,
-            bloom: Bloom::new(gpu, shaders),
+            bloom: BloomPass::new(gpu, shaders),
             bound: None,
             group: None,
         }
     }
 
     /// Binds an HDR picture and allocates its bloom, unless both are in place already.
-    pub fn bind(&mut self, gpu: &Gpu, hdr: &wgpu::TextureView, film: &FilmLook) {
+    pub fn set_picture(&mut self, gpu: &Gpu, hdr: &wgpu::TextureView, film: &FilmLook) {
         let wanted = Some((hdr.clone(), film.bloom > 0.0));
         if self.bound == wanted {
             return;
         }
         let size = [hdr.texture().width(), hdr.texture().height()];
-        self.bloom.bind(gpu, (film.bloom > 0.0).then_some((hdr, size)));
+        self.bloom.set_picture(gpu, (film.bloom > 0.0).then_some((hdr, size)));
         let resources = [
             self.uniform.buffer.as_entire_binding(),
             self.light.as_entire_binding(),
             wgpu::BindingResource::TextureView(hdr),
             wgpu::BindingResource::Sampler(&self.sampler),
-            wgpu::BindingResource::TextureView(self.bloom.result().unwrap_or(hdr)),
+            wgpu::BindingResource::TextureView(self.bloom.texture_view().unwrap_or(hdr)),
         ];
-        self.group = Some(gpu.group("present", &self.layout, &resources));
+        self.group = Some(gpu.bind_group("present", &self.layout, &resources));
         self.bound = wanted;
     }
 
     /// Writes the film settings of a scene for a picture of `size` pixels to the uniform buffer.
-    pub fn write(&self, gpu: &Gpu, scene: &Scene, size: [u32; 2]) {
+    pub fn write_uniform(&self, gpu: &Gpu, scene: &Scene, size: [u32; 2]) {
         let film = &scene.look.film;
         let fixed = NOON_EXPOSURE / night_gain(&scene.look.sky) as f32;
         let uniform = PresentUniform {
             size: size.map(|s| s as f32),
             exposure_gain: (film.exposure_ev as f32).exp2(),
             fixed_exposure: if film.auto_exposure { 0.0 } else { fixed },
-            tone: film.tone as u32,
-            bloom: film.bloom as f32,
+            tone_curve: film.tone as u32,
+            bloom_fraction: film.bloom as f32,
             dither: f32::from(u8::from(film.dither)),
             unused: 0,
         };
@@ -117,7 +117,7 @@ impl PresentPass {
     }
 
     /// Records the bloom passes, if bloom is on.
-    pub fn spread(&self, encoder: &mut wgpu::CommandEncoder) {
+    pub fn record_bloom(&self, encoder: &mut wgpu::CommandEncoder) {
         self.bloom.run(encoder);
     }
 

@@ -5,22 +5,22 @@ use crate::gpu::Gpu;
 use crate::gpu::kit::Program;
 use crate::render::scene::Scene;
 use crate::render::scene_group::SceneGroup;
-use crate::render::targets::{BEHIND, attachments};
-use crate::render::variants::{Variants, part};
+use crate::render::targets::{DEPTH_TEST_BACKGROUND, attachments};
+use crate::render::variants::{PipelineVariants, switch_constant};
 use crate::shaders::Shaders;
 
 /// Sine of the sun's elevation below which stars are drawn; shaders/sky/background.wgsl contains the same number.
-const STARS_SUN: f64 = -0.05;
+const STARS_MAX_SUN_SINE: f64 = -0.05;
 
 /// Draws the sky behind the sea: clear air, sun, clouds, stars and fog, or an image from a file.
 pub struct BackgroundPass {
     module: wgpu::ShaderModule,
-    pipelines: Variants<Parts>,
+    pipelines: PipelineVariants<Permutation>,
 }
 
 /// Parts of the background that a pipeline contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Parts {
+struct Permutation {
     file: bool,
     clouds: bool,
     stars: bool,
@@ -28,37 +28,37 @@ struct Parts {
 }
 
 impl BackgroundPass {
-    /// Creates the shader module; [`Self::choose`] compiles the pipelines.
+    /// Creates the shader module; [`Self::select_pipeline`] compiles the pipelines.
     pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
-        Self { module: shaders.module(gpu, "sky/background"), pipelines: Variants::default() }
+        Self { module: shaders.module(gpu, "sky/background"), pipelines: PipelineVariants::default() }
     }
 
     /// Selects the pipeline for a scene; compiles it at first use.
-    pub fn choose(&mut self, gpu: &Gpu, group: &SceneGroup, sky: &SkyTables, scene: &Scene) {
+    pub fn select_pipeline(&mut self, gpu: &Gpu, group: &SceneGroup, sky: &SkyTables, scene: &Scene) {
         let look = &scene.look.sky;
         let file = look.panorama().is_some();
-        let parts = Parts {
+        let parts = Permutation {
             file,
             clouds: !file && look.overcast > 0.0,
-            stars: !file && look.sun_direction()[1] < STARS_SUN,
+            stars: !file && look.sun_direction()[1] < STARS_MAX_SUN_SINE,
             fog: look.fog_extinction_per_km > 0.0,
         };
         let layouts = [&group.layout, &sky.panorama.layout];
-        self.pipelines.choose(parts, |parts| {
+        self.pipelines.select(parts, |parts| {
             let constants = [
-                part("SKY_FILE", parts.file),
-                part("SKY_CLOUDS", parts.clouds),
-                part("SKY_STARS", parts.stars),
-                part("SKY_FOG", parts.fog),
+                switch_constant("SKY_IMAGE", parts.file),
+                switch_constant("SKY_CLOUDS", parts.clouds),
+                switch_constant("SKY_STARS", parts.stars),
+                switch_constant("SKY_FOG", parts.fog),
             ];
             let program = Program { constants: &constants, ..Program::new(&self.module) };
-            gpu.render("sky", &program, &layouts, &attachments(&group.film.format(), BEHIND))
+            gpu.render_pipeline("sky", &program, &layouts, &attachments(&group.output.format(), DEPTH_TEST_BACKGROUND))
         });
     }
 
     /// Draws the sky where nothing nearer was drawn.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, scene: &SceneGroup, sky: &SkyTables) {
-        let Some(pipeline) = self.pipelines.chosen() else { return };
+        let Some(pipeline) = self.pipelines.selected() else { return };
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &scene.group, &[]);
         pass.set_bind_group(1, &sky.panorama.group, &[]);

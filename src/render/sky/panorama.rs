@@ -2,20 +2,20 @@
 
 use crate::files::panorama::{Panorama, SUNLESS_SIZE};
 use crate::gpu::Gpu;
-use crate::gpu::kit::Slot;
+use crate::gpu::kit::BindingType;
 use crate::render::targets::HDR_FORMAT;
 use half::f16;
 use std::sync::Arc;
 
 /// Texture format of the full image, which is drawn behind the sea.
-const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgb9e5Ufloat;
+const PANORAMA_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgb9e5Ufloat;
 
 /// Textures of the sky image in use, if there is one.
 pub struct PanoramaTextures {
     /// The sky image without its sun, [`SUNLESS_SIZE`] texels wide and high. A new image is written into the same
     /// texture.
-    calm: wgpu::Texture,
-    pub calm_view: wgpu::TextureView,
+    without_sun: wgpu::Texture,
+    pub without_sun_view: wgpu::TextureView,
     pub layout: wgpu::BindGroupLayout,
     /// Bind group of the full image with its mip levels; one black texel while no image is in use.
     pub group: wgpu::BindGroup,
@@ -25,22 +25,22 @@ pub struct PanoramaTextures {
 impl PanoramaTextures {
     /// Creates the textures without a sky image.
     pub fn new(gpu: &Gpu) -> Self {
-        let calm = texture(gpu, "sky/calm", HDR_FORMAT, SUNLESS_SIZE.map(|s| s as u32), 1);
-        let layout = gpu.layout("sky/file", wgpu::ShaderStages::FRAGMENT, &[Slot::Texture]);
-        let group = picture(gpu, &layout, [1, 1], &[vec![0]]);
-        let calm_view = calm.create_view(&wgpu::TextureViewDescriptor::default());
-        Self { calm, calm_view, layout, group, displayed: None }
+        let without_sun = create_texture(gpu, "sky/calm", HDR_FORMAT, SUNLESS_SIZE.map(|s| s as u32), 1);
+        let layout = gpu.bind_group_layout("sky/file", wgpu::ShaderStages::FRAGMENT, &[BindingType::Texture]);
+        let group = image_bind_group(gpu, &layout, [1, 1], &[vec![0]]);
+        let without_sun_view = without_sun.create_view(&wgpu::TextureViewDescriptor::default());
+        Self { without_sun, without_sun_view, layout, group, displayed: None }
     }
 
     /// Switches to the sky image `wanted`, or to none. Returns whether the image has changed.
-    pub fn show(&mut self, gpu: &Gpu, wanted: Option<&Arc<Panorama>>) -> bool {
+    pub fn set_image(&mut self, gpu: &Gpu, wanted: Option<&Arc<Panorama>>) -> bool {
         if self.displayed.as_ref().map(Arc::as_ptr) == wanted.map(Arc::as_ptr) {
             return false;
         }
         if let Some(panorama) = wanted {
             let texels: Vec<[f16; 4]> =
                 panorama.sunless.iter().map(|c| [c[0], c[1], c[2], 1.0].map(|v| f16::from_f32(v.min(6e4)))).collect();
-            gpu.write_texture(&self.calm, 0, bytemuck::cast_slice(&texels));
+            gpu.write_texture(&self.without_sun, 0, bytemuck::cast_slice(&texels));
         }
         let most = gpu.device.limits().max_texture_dimension_2d as usize;
         self.group = match wanted {
@@ -48,25 +48,25 @@ impl PanoramaTextures {
                 // If the image is larger than the device's largest texture, a coarser mip level takes its place.
                 let first = (0..p.mips.len()).find(|k| p.width >> k <= most).unwrap_or(0);
                 let size = [p.width >> first, p.height >> first].map(|s| s.max(1) as u32);
-                picture(gpu, &self.layout, size, &p.mips[first..])
+                image_bind_group(gpu, &self.layout, size, &p.mips[first..])
             }
-            None => picture(gpu, &self.layout, [1, 1], &[vec![0]]),
+            None => image_bind_group(gpu, &self.layout, [1, 1], &[vec![0]]),
         };
         self.displayed = wanted.cloned();
         true
     }
 }
 
-fn texture(gpu: &Gpu, label: &str, format: wgpu::TextureFormat, [w, h]: [u32; 2], mips: u32) -> wgpu::Texture {
+fn create_texture(gpu: &Gpu, label: &str, format: wgpu::TextureFormat, [w, h]: [u32; 2], mips: u32) -> wgpu::Texture {
     let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
     gpu.texture(label, [w, h, 1], mips, format, usage)
 }
 
-fn picture(gpu: &Gpu, layout: &wgpu::BindGroupLayout, size: [u32; 2], mips: &[Vec<u32>]) -> wgpu::BindGroup {
-    let picture = texture(gpu, "sky/file", FORMAT, size, mips.len() as u32);
+fn image_bind_group(gpu: &Gpu, layout: &wgpu::BindGroupLayout, size: [u32; 2], mips: &[Vec<u32>]) -> wgpu::BindGroup {
+    let picture = create_texture(gpu, "sky/file", PANORAMA_FORMAT, size, mips.len() as u32);
     for (level, texels) in (0..).zip(mips) {
         gpu.write_texture(&picture, level, bytemuck::cast_slice(texels));
     }
     let view = picture.create_view(&wgpu::TextureViewDescriptor::default());
-    gpu.group("sky/file", layout, &[wgpu::BindingResource::TextureView(&view)])
+    gpu.bind_group("sky/file", layout, &[wgpu::BindingResource::TextureView(&view)])
 }

@@ -3,7 +3,7 @@
 
 use super::mesh::Mesh;
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Slot, begin_compute};
+use crate::gpu::kit::{BindingType, begin_compute};
 use crate::gpu::layout::gpu_struct;
 use crate::gpu::uniform::Uniform;
 use crate::render::frame::FrameUniform;
@@ -13,12 +13,12 @@ gpu_struct! {
     /// WGSL `MeshVertex`: a displaced vertex of the water mesh.
     pub struct MeshVertex as "MeshVertex" {
         /// Displaced position relative to the eye, m, lowered by the curvature of the Earth.
-        place: [f32; 3],
+        position: [f32; 3],
         /// Height of the wave above the still water, m.
         height: f32,
         /// Undisplaced position (x, z) relative to the point below the eye, m.
-        rest: [f32; 2],
-        /// Slope, stretch and shear of long waves, which are interpolated between vertices (WGSL `WaterSums`).
+        undisplaced: [f32; 2],
+        /// Slope, stretch and shear of long waves, which are interpolated between vertices (WGSL `WaterDerivatives`).
         slope: [f32; 2],
         stretch: [f32; 2],
         shear: [f32; 2],
@@ -26,9 +26,9 @@ gpu_struct! {
 }
 
 /// Size of a vertex, bytes.
-pub const VERTEX: u64 = size_of::<MeshVertex>() as u64;
+pub const MESH_VERTEX_BYTES: u64 = size_of::<MeshVertex>() as u64;
 /// Side of a workgroup, in columns and rows of the mesh; equal to `workgroup_size` in the shader.
-const THREADS: u32 = 8;
+const WORKGROUP_SIDE: u32 = 8;
 
 /// The displaced water mesh: its compute pass, its buffers and its draw call.
 pub struct DisplacePass {
@@ -36,16 +36,16 @@ pub struct DisplacePass {
     layout: wgpu::BindGroupLayout,
     frame: wgpu::Buffer,
     /// Bind group layout for passes that draw the mesh: vertices at binding 0.
-    drawn_layout: wgpu::BindGroupLayout,
-    buffers: Option<Buffers>,
+    vertices_layout: wgpu::BindGroupLayout,
+    buffers: Option<MeshBuffers>,
     columns: u32,
     count: u32,
 }
 
 /// Vertex and index buffers for all meshes of one density.
-struct Buffers {
+struct MeshBuffers {
     rows: u32,
-    most_columns: u32,
+    index_buffer_columns: u32,
     indices: wgpu::Buffer,
     group: wgpu::BindGroup,
     drawn: wgpu::BindGroup,
@@ -54,25 +54,29 @@ struct Buffers {
 impl DisplacePass {
     /// Compiles the pass. `maps` is the layout of the bind group with the wave maps.
     pub fn new(gpu: &Gpu, shaders: &Shaders, frame: &Uniform<FrameUniform>, maps: &wgpu::BindGroupLayout) -> Self {
-        let slots = [Slot::Uniform(size_of::<FrameUniform>()), Slot::Write(VERTEX as usize)];
-        let layout = gpu.layout("mesh", wgpu::ShaderStages::COMPUTE, &slots);
+        let bindings = [
+            BindingType::Uniform(size_of::<FrameUniform>()),
+            BindingType::StorageReadWrite(MESH_VERTEX_BYTES as usize),
+        ];
+        let layout = gpu.bind_group_layout("mesh", wgpu::ShaderStages::COMPUTE, &bindings);
         let module = shaders.module(gpu, "water/displace");
-        let pipeline = gpu.compute("mesh", (&module, "main"), &[&layout, maps], &[]);
+        let pipeline = gpu.compute_pipeline("mesh", (&module, "main"), &[&layout, maps], &[]);
         let vertex = wgpu::ShaderStages::VERTEX;
-        let drawn_layout = gpu.layout("mesh/drawn", vertex, &[Slot::Read(VERTEX as usize)]);
+        let vertices_layout =
+            gpu.bind_group_layout("mesh/drawn", vertex, &[BindingType::StorageRead(MESH_VERTEX_BYTES as usize)]);
         let frame = frame.buffer.clone();
-        Self { pipeline, layout, frame, drawn_layout, buffers: None, columns: 0, count: 0 }
+        Self { pipeline, layout, frame, vertices_layout, buffers: None, columns: 0, count: 0 }
     }
 
     /// Layout of the bind group with the vertices, for passes that draw the mesh.
-    pub fn drawn_layout(&self) -> &wgpu::BindGroupLayout {
-        &self.drawn_layout
+    pub fn vertices_layout(&self) -> &wgpu::BindGroupLayout {
+        &self.vertices_layout
     }
 
     /// Sets the mesh for the next frames. Buffers are allocated again only if its density has changed.
-    pub fn set(&mut self, gpu: &Gpu, mesh: &Mesh) {
+    pub fn set_mesh(&mut self, gpu: &Gpu, mesh: &Mesh) {
         (self.columns, self.count) = (mesh.columns, mesh.index_count());
-        let same = |b: &Buffers| (b.rows, b.most_columns) == (mesh.lattice.rows, mesh.most_columns);
+        let same = |b: &MeshBuffers| (b.rows, b.index_buffer_columns) == (mesh.lattice.rows, mesh.index_buffer_columns);
         if self.buffers.as_ref().is_some_and(same) {
             return;
         }
@@ -80,20 +84,20 @@ impl DisplacePass {
         let usage = wgpu::BufferUsages::INDEX | wgpu::BufferUsages::COPY_DST;
         let index_buffer = gpu.buffer("mesh/indices", size_of_val(&indices[..]) as u64, usage);
         gpu.queue.write_buffer(&index_buffer, 0, bytemuck::cast_slice(&indices));
-        let size = VERTEX * u64::from(mesh.lattice.rows) * u64::from(mesh.most_columns + 1);
+        let size = MESH_VERTEX_BYTES * u64::from(mesh.lattice.rows) * u64::from(mesh.index_buffer_columns + 1);
         let vertices = gpu.buffer("mesh/vertices", size, wgpu::BufferUsages::STORAGE);
         let resources = [self.frame.as_entire_binding(), vertices.as_entire_binding()];
-        self.buffers = Some(Buffers {
+        self.buffers = Some(MeshBuffers {
             rows: mesh.lattice.rows,
-            most_columns: mesh.most_columns,
-            group: gpu.group("mesh", &self.layout, &resources),
-            drawn: gpu.group("mesh/drawn", &self.drawn_layout, &[vertices.as_entire_binding()]),
+            index_buffer_columns: mesh.index_buffer_columns,
+            group: gpu.bind_group("mesh", &self.layout, &resources),
+            drawn: gpu.bind_group("mesh/drawn", &self.vertices_layout, &[vertices.as_entire_binding()]),
             indices: index_buffer,
         });
     }
 
     /// Number of vertices that the current view needs.
-    pub fn vertices(&self) -> u32 {
+    pub fn vertex_count(&self) -> u32 {
         self.buffers.as_ref().map_or(0, |b| (self.columns + 1) * b.rows)
     }
 
@@ -104,7 +108,7 @@ impl DisplacePass {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &buffers.group, &[]);
         pass.set_bind_group(1, maps, &[]);
-        pass.dispatch_workgroups((self.columns + 1).div_ceil(THREADS), buffers.rows.div_ceil(THREADS), 1);
+        pass.dispatch_workgroups((self.columns + 1).div_ceil(WORKGROUP_SIDE), buffers.rows.div_ceil(WORKGROUP_SIDE), 1);
     }
 
     /// Draws the mesh with the pipeline that is set on `pass`. Binds the vertices as group 2.

@@ -2,7 +2,7 @@
 
 use super::light::WaterPass;
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Slot, begin_compute};
+use crate::gpu::kit::{BindingType, begin_compute};
 use crate::gpu::uniform::Uniform;
 use crate::render::frame::FrameUniform;
 use crate::render::scene::Scene;
@@ -17,17 +17,17 @@ pub struct EyePass {
 impl EyePass {
     /// Compiles the pass, which changes the eye's height in the uniform buffer `frame`.
     pub fn new(gpu: &Gpu, shaders: &Shaders, frame: &Uniform<FrameUniform>, water: &WaterPass) -> Self {
-        let slots = [Slot::Write(size_of::<FrameUniform>())];
-        let layout = gpu.layout("eye", wgpu::ShaderStages::COMPUTE, &slots);
+        let bindings = [BindingType::StorageReadWrite(size_of::<FrameUniform>())];
+        let layout = gpu.bind_group_layout("eye", wgpu::ShaderStages::COMPUTE, &bindings);
         let module = shaders.module(gpu, "water/eye");
-        let pipeline = gpu.compute("eye", (&module, "main"), &[&layout, water.maps_layout()], &[]);
-        let group = gpu.group("eye", &layout, &[frame.buffer.as_entire_binding()]);
+        let pipeline = gpu.compute_pipeline("eye", (&module, "main"), &[&layout, water.maps_layout()], &[]);
+        let group = gpu.bind_group("eye", &layout, &[frame.buffer.as_entire_binding()]);
         Self { pipeline, group }
     }
 
     /// Records the pass, unless the eye is too high for any wave.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, scene: &Scene, water: &WaterPass) {
-        let Some(maps) = water.maps_group().filter(|_| may_be_wet(scene)) else { return };
+        let Some(maps) = water.maps_group().filter(|_| waves_may_reach_eye(scene)) else { return };
         let mut pass = begin_compute(encoder, "eye");
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &self.group, &[]);
@@ -37,6 +37,6 @@ impl EyePass {
 }
 
 /// Whether a wave may reach the eye. If crests are Rayleigh distributed, one in 7 x 10^7 exceeds 1.5 Hs.
-fn may_be_wet(scene: &Scene) -> bool {
+fn waves_may_reach_eye(scene: &Scene) -> bool {
     scene.view.eye.y < 3.0 + 1.5 * scene.sea.hs_m
 }

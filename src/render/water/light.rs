@@ -3,24 +3,27 @@
 use super::displace::DisplacePass;
 use super::material;
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Attachments, Depth, Program, Slot};
+use crate::gpu::kit::{Attachments, BindingType, DepthState, Program};
 use crate::gpu::uniform::Uniform;
 use crate::render::frame::FrameUniform;
 use crate::render::scene::Scene;
 use crate::render::scene_group::SceneGroup;
-use crate::render::targets::{BEHIND, Film, G_BUFFER_FORMATS, NEAREST, Targets, attachments};
-use crate::render::variants::{Variants, part};
+use crate::render::targets::{
+    DEPTH_TEST_BACKGROUND, DEPTH_TEST_OPAQUE, G_BUFFER_FORMATS, OutputKind, Targets, attachments,
+};
+use crate::render::variants::{PipelineVariants, switch_constant};
 use crate::shaders::Shaders;
 use crate::sim::Maps;
 use crate::state::look::{FresnelFormula, MicrofacetDistribution};
 use wgpu::BindingResource::{Sampler, TextureView};
 
 /// Depth test of the lighting pass. Its triangle lies behind all water and before the sky, so only water pixels pass.
-const BEHIND_WATER: Depth = Depth { compare: wgpu::CompareFunction::LessEqual, ..BEHIND };
+const DEPTH_TEST_WATER_LIGHT: DepthState =
+    DepthState { compare: wgpu::CompareFunction::LessEqual, ..DEPTH_TEST_BACKGROUND };
 
 /// Parts of the water shader that a pipeline contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Parts {
+struct Permutation {
     /// The bed is visible.
     bed: bool,
     /// Waves focus sunlight into caustics on the bed.
@@ -41,10 +44,10 @@ struct Parts {
     software: bool,
 }
 
-impl Parts {
-    fn new(scene: &Scene, film: Film, software: bool) -> Self {
+impl Permutation {
+    fn new(scene: &Scene, output: OutputKind, software: bool) -> Self {
         let surface = &scene.look.surface;
-        let bed = material::bed_is_seen(scene);
+        let bed = material::is_bed_visible(scene);
         Self {
             bed,
             caustics: bed && surface.bed.caustics > 0.0,
@@ -54,23 +57,23 @@ impl Parts {
             schlick: surface.reflection.fresnel == FresnelFormula::Schlick,
             file: scene.look.sky.panorama().is_some(),
             fog: scene.look.sky.fog_extinction_per_km > 0.0,
-            samples: film == Film::Reference,
+            samples: output == OutputKind::Reference,
             software,
         }
     }
 
     fn constants(self) -> [(&'static str, f64); 10] {
         [
-            part("WATER_BED", self.bed),
-            part("WATER_CAUSTICS", self.caustics),
-            part("WATER_FOAM", self.foam),
-            part("WATER_PHONG", self.phong),
-            part("WATER_GGX", self.ggx),
-            part("WATER_SCHLICK", self.schlick),
-            part("SKY_FILE", self.file),
-            part("SKY_FOG", self.fog),
-            part("WATER_SAMPLES", self.samples),
-            part("SOFTWARE_ADAPTER", self.software),
+            switch_constant("WATER_BED", self.bed),
+            switch_constant("WATER_CAUSTICS", self.caustics),
+            switch_constant("WATER_FOAM", self.foam),
+            switch_constant("WATER_PHONG", self.phong),
+            switch_constant("WATER_GGX", self.ggx),
+            switch_constant("WATER_SCHLICK", self.schlick),
+            switch_constant("SKY_IMAGE", self.file),
+            switch_constant("SKY_FOG", self.fog),
+            switch_constant("WATER_POINT_SAMPLES", self.samples),
+            switch_constant("SOFTWARE_ADAPTER", self.software),
         ]
     }
 }
@@ -86,7 +89,7 @@ pub struct WaterPass {
     g_buffer_layout: wgpu::BindGroupLayout,
     /// The bound G-buffer of the render targets, with its bind group.
     g_buffer: Option<([wgpu::TextureView; 2], wgpu::BindGroup)>,
-    light: Variants<Parts>,
+    light: PipelineVariants<Permutation>,
     maps_layout: wgpu::BindGroupLayout,
     /// Samplers of the maps: one interpolates between mip levels, the other takes the nearest level.
     samplers: [wgpu::Sampler; 2],
@@ -95,33 +98,37 @@ pub struct WaterPass {
 }
 
 impl WaterPass {
-    /// Compiles the passes of the mesh; [`Self::choose`] compiles the lighting.
+    /// Compiles the passes of the mesh; [`Self::select_pipeline`] compiles the lighting.
     pub fn new(gpu: &Gpu, shaders: &Shaders, scene: SceneGroup, frame: &Uniform<FrameUniform>) -> Self {
-        let slots = [
-            Slot::TextureArray,
-            Slot::TextureArray,
-            Slot::TextureArray,
-            Slot::TextureArray,
-            Slot::Sampler,
-            Slot::Sampler,
+        let bindings = [
+            BindingType::TextureArray,
+            BindingType::TextureArray,
+            BindingType::TextureArray,
+            BindingType::TextureArray,
+            BindingType::Sampler,
+            BindingType::Sampler,
         ];
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
-        let maps_layout = gpu.layout("maps", stages, &slots);
+        let maps_layout = gpu.bind_group_layout("maps", stages, &bindings);
         let samplers = [wgpu::MipmapFilterMode::Linear, wgpu::MipmapFilterMode::Nearest]
             .map(|mipmap_filter| gpu.sampler("waves", [wgpu::AddressMode::Repeat; 2], mipmap_filter));
         let mesh = DisplacePass::new(gpu, shaders, frame, &maps_layout);
         let module = shaders.module(gpu, "water/light");
-        let program = Program { entries: ["mesh_vertex", "mesh_fragment"], ..Program::new(&module) };
-        let onto = Attachments { formats: &G_BUFFER_FORMATS, depth: Some(NEAREST) };
-        let layouts = [&scene.layout, &maps_layout, mesh.drawn_layout()];
+        let program = Program { entry_points: ["mesh_vertex", "mesh_fragment"], ..Program::new(&module) };
+        let onto = Attachments { formats: &G_BUFFER_FORMATS, depth: Some(DEPTH_TEST_OPAQUE) };
+        let layouts = [&scene.layout, &maps_layout, mesh.vertices_layout()];
         Self {
-            g_buffer_pipeline: gpu.render("water/mesh", &program, &layouts, &onto),
-            g_buffer_layout: gpu.layout("g-buffer", wgpu::ShaderStages::FRAGMENT, &[Slot::TextureUint; 2]),
+            g_buffer_pipeline: gpu.render_pipeline("water/mesh", &program, &layouts, &onto),
+            g_buffer_layout: gpu.bind_group_layout(
+                "g-buffer",
+                wgpu::ShaderStages::FRAGMENT,
+                &[BindingType::TextureUint; 2],
+            ),
             scene,
             mesh,
             module,
             g_buffer: None,
-            light: Variants::default(),
+            light: PipelineVariants::default(),
             maps_layout,
             samplers,
             maps: None,
@@ -136,30 +143,31 @@ impl WaterPass {
         let resources = [
             TextureView(&maps.displacement),
             TextureView(&maps.gradients),
-            TextureView(&maps.moments),
+            TextureView(&maps.slope_moments),
             TextureView(&maps.foam),
             Sampler(&self.samplers[0]),
             Sampler(&self.samplers[1]),
         ];
-        self.maps = Some((maps.generation, gpu.group("maps", &self.maps_layout, &resources)));
+        self.maps = Some((maps.generation, gpu.bind_group("maps", &self.maps_layout, &resources)));
     }
 
     /// Binds the G-buffer of the render targets, unless it is bound already.
     pub fn bind_targets(&mut self, gpu: &Gpu, targets: &Targets) {
         if self.g_buffer.as_ref().is_none_or(|(bound, _)| *bound != targets.g_buffer) {
             let resources = targets.g_buffer.each_ref().map(TextureView);
-            self.g_buffer = Some((targets.g_buffer.clone(), gpu.group("g-buffer", &self.g_buffer_layout, &resources)));
+            self.g_buffer =
+                Some((targets.g_buffer.clone(), gpu.bind_group("g-buffer", &self.g_buffer_layout, &resources)));
         }
     }
 
     /// Selects the lighting pipeline for a scene; compiles it at first use.
-    pub fn choose(&mut self, gpu: &Gpu, scene: &Scene) {
-        let (module, format) = (&self.module, self.scene.film.format());
+    pub fn select_pipeline(&mut self, gpu: &Gpu, scene: &Scene) {
+        let (module, format) = (&self.module, self.scene.output.format());
         let layouts = [&self.scene.layout, &self.maps_layout, &self.g_buffer_layout];
-        self.light.choose(Parts::new(scene, self.scene.film, gpu.is_software()), |parts| {
+        self.light.select(Permutation::new(scene, self.scene.output, gpu.is_software()), |parts| {
             let program =
-                Program { module, entries: ["light_vertex", "light_fragment"], constants: &parts.constants() };
-            gpu.render("water/light", &program, &layouts, &attachments(&format, BEHIND_WATER))
+                Program { module, entry_points: ["light_vertex", "light_fragment"], constants: &parts.constants() };
+            gpu.render_pipeline("water/light", &program, &layouts, &attachments(&format, DEPTH_TEST_WATER_LIGHT))
         });
     }
 
@@ -181,7 +189,7 @@ impl WaterPass {
     }
 
     /// Records the displacement of the mesh, and its drawing into the G-buffer.
-    pub fn prepare(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
+    pub fn record_g_buffer(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
         self.displace(encoder);
         let mut pass = targets.begin_mesh(encoder);
         pass.set_pipeline(&self.g_buffer_pipeline);
@@ -189,9 +197,9 @@ impl WaterPass {
     }
 
     /// Lights all pixels that show water, reading the G-buffer.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+    pub fn draw_light(&self, pass: &mut wgpu::RenderPass<'_>) {
         let (Some(pipeline), Some(maps), Some((_, g_buffer))) =
-            (self.light.chosen(), self.maps_group(), &self.g_buffer)
+            (self.light.selected(), self.maps_group(), &self.g_buffer)
         else {
             return;
         };
@@ -204,7 +212,7 @@ impl WaterPass {
 
     /// Layouts of the bind groups 0 to 2 with which the mesh is drawn.
     pub fn mesh_layouts(&self) -> [&wgpu::BindGroupLayout; 3] {
-        [&self.scene.layout, &self.maps_layout, self.mesh.drawn_layout()]
+        [&self.scene.layout, &self.maps_layout, self.mesh.vertices_layout()]
     }
 
     /// Draws the displaced mesh with the pipeline that is set on `pass`.

@@ -8,13 +8,13 @@ use crate::state::look::Scattering;
 use glam::{DMat2, DVec2};
 
 /// Number of noise layers: four for foam, two for the bed.
-const LAYERS: usize = 6;
+const NOISE_LAYERS: usize = 6;
 /// Shape of a noise layer: sides of its tile along and across its axis, m; angle from the wind to the axis, degrees;
 /// relative lengthening of the tile along the axis in a storm.
 type LayerShape = (f64, f64, f64, f64);
 /// Layers of foam: windrows, patches, strands, bubbles; and of sand: patches with ripple marks, grains. Sides and
 /// angles have no common period, so that the sum of the layers does not repeat.
-const SHAPES: [LayerShape; LAYERS] = [
+const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     (430.0, 430.0, 0.0, 5.0),
     (71.0, 71.0, 7.0, 2.6),
     (10.7, 10.7, -9.0, 1.9),
@@ -24,29 +24,34 @@ const SHAPES: [LayerShape; LAYERS] = [
     (0.97, 0.97, 11.0, 0.0),
 ];
 /// Smallest fraction of vertical light that must return from the bed for it to be visible.
-const BED_SEEN: f64 = 1e-3;
+const MIN_BED_TRANSMITTANCE: f64 = 1e-3;
 
 gpu_struct! {
     /// WGSL `NoiseLayer`: mapping of the water to the texture coordinates of a noise layer.
     pub struct NoiseLayer as "NoiseLayer" {
         /// Matrix from positions (x, z) relative to the point below the eye, m, to texture coordinates.
-        to_uv: glam::Mat2,
+        uv_from_position: glam::Mat2,
         /// Texture coordinates of the point below the eye.
-        foot_uv: [f32; 2],
+        uv_below_eye: [f32; 2],
         unused: [u32; 2],
     }
 }
 
 impl NoiseLayer {
-    /// A layer for an eye above the world position `foot` (x, z), m. `gale`, 0 to 1, lengthens the tile along its axis.
-    fn new((along_m, across_m, turn_deg, longer): LayerShape, downwind: [f64; 2], gale: f64, foot: [f64; 2]) -> Self {
+    /// A layer for an eye above the world position `below_eye` (x, z), m. `gale`, 0 to 1, lengthens the tile along its axis.
+    fn new(
+        (along_m, across_m, turn_deg, longer): LayerShape,
+        downwind: [f64; 2],
+        gale: f64,
+        below_eye: [f64; 2],
+    ) -> Self {
         let axis = DVec2::from(downwind).rotate(DVec2::from_angle(turn_deg.to_radians()));
         let along = axis / (along_m * (1.0 + longer * gale));
         let across = axis.perp() / across_m;
-        let at = |row: DVec2| row.dot(foot.into()).rem_euclid(1.0) as f32;
+        let at = |row: DVec2| row.dot(below_eye.into()).rem_euclid(1.0) as f32;
         Self {
-            to_uv: DMat2::from_cols(along, across).transpose().as_mat2(),
-            foot_uv: [at(along), at(across)],
+            uv_from_position: DMat2::from_cols(along, across).transpose().as_mat2(),
+            uv_below_eye: [at(along), at(across)],
             unused: [0; 2],
         }
     }
@@ -64,46 +69,46 @@ gpu_struct! {
         /// Refractive index of the air.
         index_air: f32,
         /// Total scattering coefficient of the water at red, green and blue, 1/m.
-        scatter: [f32; 3],
+        scattering: [f32; 3],
         /// Density of the bubbles below foam relative to a typical plume.
-        bubbles: f32,
+        bubble_density: f32,
         bubble_colour: [f32; 3],
         /// Factor on the light that shines through wave crests.
-        height_scatter: f32,
+        crest_transmission: f32,
         foam_colour: [f32; 3],
         /// How much the light scattered back depends on the viewing direction: 0 not at all, 1 physically.
         view_scatter: f32,
         bed_colour: [f32; 3],
         /// Factor on the sunlight that the water scatters back.
         diffuse: f32,
-        layers: [NoiseLayer; LAYERS],
+        noise_layers: [NoiseLayer; NOISE_LAYERS],
         /// Refractive index of the water.
         index_water: f32,
         /// Exponent of Schlick's approximation of the Fresnel reflectance, 5 in the original.
-        fresnel_shine: f32,
+        schlick_exponent: f32,
         /// Factor on the Fresnel reflectance.
         fresnel_scale: f32,
         /// Factor on the surface slopes in the Fresnel reflectance.
-        fresnel_normals: f32,
+        fresnel_slope_factor: f32,
         /// Exponent of the Blinn-Phong lobe.
         shininess: f32,
         /// Factor on the radiance of the sun's glitter.
-        specular_scale: f32,
+        glitter_strength: f32,
         /// Factor on the Fresnel reflectance in the sun's glitter.
-        specular_fresnel: f32,
+        glitter_fresnel: f32,
         /// Cosine of the sun's or the eye's angle to the surface normal below which the glitter fades out.
-        specular_cut: f32,
+        glitter_min_cosine: f32,
         /// Slope variance along each axis that the roughness setting adds to the unresolved waves.
-        rough_variance: f32,
+        roughness_variance: f32,
         foam_roughness: f32,
         /// Factor on the height of the foam's relief.
         foam_relief: f32,
         /// Factor on the radiance of the reflected sky.
-        reflection: f32,
+        sky_reflection: f32,
         /// Strength of the caustics on the bed: 0 is even light, 1 is physical.
-        caustics: f32,
+        caustic_strength: f32,
         /// Half the shortest wavelength that focuses light into caustics on the bed, m.
-        caustic_m: f32,
+        caustic_filter_m: f32,
         unused: [u32; 2],
     }
 }
@@ -114,48 +119,48 @@ impl MaterialUniform {
         let surface = &scene.look.surface;
         let (scattering, reflection) = (&surface.scattering, &surface.reflection);
         let (foam, bed) = (&surface.foam, &surface.bed);
-        let water = water(scattering);
+        let water = water_optics(scattering);
         let colour = |c: f64| linear_rgb(c).map(|x| x as f32);
         let single = |c: [f64; 3]| c.map(|x| x as f32);
         let gale = ((scene.sea.wind_m_s - 8.0) / 16.0).clamp(0.0, 1.0);
         let gale = gale * gale * (3.0 - 2.0 * gale);
-        let foot = [scene.view.eye.x, scene.view.eye.z];
+        let below_eye = [scene.view.eye.x, scene.view.eye.z];
         Self {
             absorption: single(water.absorption),
             ambient: scattering.ambient_strength as f32,
             backscatter: single(water.backscatter),
             index_air: reflection.index_air as f32,
-            scatter: single(water.scattering),
-            bubbles: scattering.bubble_density as f32,
+            scattering: single(water.scattering),
+            bubble_density: scattering.bubble_density as f32,
             bubble_colour: colour(scattering.bubble_colour),
-            height_scatter: scattering.crest_transmission as f32,
+            crest_transmission: scattering.crest_transmission as f32,
             foam_colour: colour(foam.colour),
             view_scatter: scattering.scatter_view_dependence as f32,
             bed_colour: colour(bed.colour),
             diffuse: scattering.diffuse_strength as f32,
-            layers: SHAPES.map(|shape| NoiseLayer::new(shape, scene.sea.downwind, gale, foot)),
+            noise_layers: LAYER_SHAPES.map(|shape| NoiseLayer::new(shape, scene.sea.downwind, gale, below_eye)),
             index_water: reflection.index_water as f32,
-            fresnel_shine: reflection.schlick_exponent as f32,
+            schlick_exponent: reflection.schlick_exponent as f32,
             fresnel_scale: reflection.fresnel_scale as f32,
-            fresnel_normals: reflection.fresnel_slope_factor as f32,
+            fresnel_slope_factor: reflection.fresnel_slope_factor as f32,
             shininess: reflection.shininess as f32,
-            specular_scale: reflection.glitter_strength as f32,
-            specular_fresnel: reflection.glitter_fresnel_scale as f32,
-            specular_cut: reflection.glitter_min_cosine as f32,
+            glitter_strength: reflection.glitter_strength as f32,
+            glitter_fresnel: reflection.glitter_fresnel_scale as f32,
+            glitter_min_cosine: reflection.glitter_min_cosine as f32,
             // GGX: alpha = roughness^2 and alpha^2 = 2 x slope variance.
-            rough_variance: (0.5 * reflection.roughness.powi(4)) as f32,
+            roughness_variance: (0.5 * reflection.roughness.powi(4)) as f32,
             foam_roughness: foam.roughness as f32,
             foam_relief: foam.relief as f32,
-            reflection: reflection.sky_strength as f32,
-            caustics: bed.caustics as f32,
-            caustic_m: scene.sea.focusing_m as f32,
+            sky_reflection: reflection.sky_strength as f32,
+            caustic_strength: bed.caustics as f32,
+            caustic_filter_m: scene.sea.caustic_filter_m as f32,
             unused: [0; 2],
         }
     }
 }
 
 /// Optical properties of the water with these scattering settings.
-fn water(scattering: &Scattering) -> WaterOptics {
+fn water_optics(scattering: &Scattering) -> WaterOptics {
     let water = WaterOptics::blend_with_next_type(scattering.water_type, scattering.water_type_blend);
     if scattering.scatter_colour > 0.0 {
         water.with_reflectance_colour(linear_rgb(scattering.scatter_colour))
@@ -165,7 +170,7 @@ fn water(scattering: &Scattering) -> WaterOptics {
 }
 
 /// Whether enough light returns from the bed for it to be visible.
-pub fn bed_is_seen(scene: &Scene) -> bool {
-    let back = water(&scene.look.surface.scattering).two_way_transmittance(scene.sea.depth_m);
-    back.into_iter().any(|share| share > BED_SEEN)
+pub fn is_bed_visible(scene: &Scene) -> bool {
+    let back = water_optics(&scene.look.surface.scattering).two_way_transmittance(scene.sea.depth_m);
+    back.into_iter().any(|share| share > MIN_BED_TRANSMITTANCE)
 }

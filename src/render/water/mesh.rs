@@ -10,26 +10,27 @@ use crate::state::camera::View;
 use std::f64::consts::{PI, TAU};
 
 /// Number of columns of the mesh at density 1.
-const COLUMNS: f64 = 240.0;
+const DEFAULT_COLUMNS: f64 = 240.0;
 /// Number of rows of the mesh at density 1.
-const ROWS: f64 = 1120.0;
+const DEFAULT_ROWS: f64 = 1120.0;
 /// Number of vertices of the mesh at density 1.
-pub const VERTICES: f64 = COLUMNS * ROWS;
+pub const DEFAULT_VERTICES: f64 = DEFAULT_COLUMNS * DEFAULT_ROWS;
 /// Number of columns that are drawn together row by row, so that the next row finds vertices in the GPU's cache.
-pub const BLOCK: u32 = 8;
+pub const COLUMNS_PER_BLOCK: u32 = 8;
 /// Step to which the first row's logarithmic distance is rounded, so that a small change of pitch moves no row.
 const ROW_SNAP: f64 = 0.25;
 
 gpu_struct! {
     /// WGSL `MeshLattice`: polar coordinates of the vertices around the point below the eye. Row i of column j has the
-    /// azimuth `first_azimuth + j azimuth_step`, rad, and the distance `radius_m` (exp(`first_row + i row_step`) - 1).
+    /// azimuth `first_azimuth + j azimuth_step`, rad, and the distance `linear_radius_m` (exp(t) - 1), where t is
+    /// `first_log_radius + i log_radius_step`.
     pub struct MeshLattice as "MeshLattice" {
         pub first_azimuth: f32,
         pub azimuth_step: f32,
-        pub first_row: f32,
-        pub row_step: f32,
+        pub first_log_radius: f32,
+        pub log_radius_step: f32,
         /// Distance up to which rows are about evenly spaced, m; beyond it their spacing grows with the distance.
-        pub radius_m: f32,
+        pub linear_radius_m: f32,
         /// Number of rows, that is of vertices in a column.
         pub rows: u32,
         unused: [u32; 2],
@@ -42,8 +43,8 @@ pub struct Mesh {
     /// Polar coordinates of the vertices before displacement.
     pub lattice: MeshLattice,
     /// Number of columns of quads in the index buffer.
-    pub most_columns: u32,
-    /// Number of columns of quads that this view needs, a multiple of [`BLOCK`].
+    pub index_buffer_columns: u32,
+    /// Number of columns of quads that this view needs, a multiple of [`COLUMNS_PER_BLOCK`].
     pub columns: u32,
 }
 
@@ -51,11 +52,12 @@ impl Mesh {
     /// The mesh that covers a view of a sea. `density` scales its vertices, `extent_km` its reach (0 is the horizon).
     pub fn new(view: &View, sea: &SeaAppearance, density: f64, extent_km: f64) -> Self {
         let scale = density.clamp(0.015, 64.0).sqrt();
-        let most_columns = ((COLUMNS * scale / f64::from(BLOCK)).ceil() as u32) * BLOCK;
-        let rows = (ROWS * scale).ceil() as u32;
-        let (lift, shift) = (1.1 * sea.hs_m, 0.6 * sea.hs_m * sea.most_chop());
+        let index_buffer_columns =
+            ((DEFAULT_COLUMNS * scale / f64::from(COLUMNS_PER_BLOCK)).ceil() as u32) * COLUMNS_PER_BLOCK;
+        let rows = (DEFAULT_ROWS * scale).ceil() as u32;
+        let (lift, shift) = (1.1 * sea.hs_m, 0.6 * sea.hs_m * sea.max_choppiness());
         let eye = view.eye.y.max(0.1);
-        let (lowest, widest) = extent(view);
+        let (lowest, widest) = visible_angles(view);
 
         // Distances grow linearly with the row up to about `radius`, and exponentially beyond.
         let radius = (0.5 * (eye - lift)).max(0.04 * eye).max(0.25);
@@ -74,33 +76,34 @@ impl Mesh {
         let lean = 0.04 + 0.5 * (2.0 * shift / (near + 2.0 * shift + 1.0)).min(1.0);
         let half = (widest + lean).min(PI);
         let heading = view.right.z.atan2(view.right.x);
-        let fits = |lines: f64| (2.0 * half * lines / TAU).ceil() + 2.0 <= f64::from(most_columns);
+        let fits = |lines: f64| (2.0 * half * lines / TAU).ceil() + 2.0 <= f64::from(index_buffer_columns);
         let lines = (0..80).map(|i| (64.0 * 2f64.powf(0.25 * f64::from(i))).floor()).take_while(|&l| fits(l)).last();
-        let turn = TAU / lines.unwrap_or(f64::from(most_columns) - 2.0);
+        let turn = TAU / lines.unwrap_or(f64::from(index_buffer_columns) - 2.0);
         let start = ((heading - half) / turn).floor();
-        let needed = ((2.0 * half / turn).ceil() as u32 + 1).next_multiple_of(BLOCK).min(most_columns);
+        let needed =
+            ((2.0 * half / turn).ceil() as u32 + 1).next_multiple_of(COLUMNS_PER_BLOCK).min(index_buffer_columns);
         Self {
             lattice: MeshLattice {
                 first_azimuth: (start * turn) as f32,
                 azimuth_step: turn as f32,
-                first_row: first as f32,
-                row_step: step as f32,
-                radius_m: radius as f32,
+                first_log_radius: first as f32,
+                log_radius_step: step as f32,
+                linear_radius_m: radius as f32,
                 rows,
                 unused: [0; 2],
             },
-            most_columns,
+            index_buffer_columns,
             columns: needed,
         }
     }
 
-    /// Vertex indices of the triangles of all columns, in blocks of [`BLOCK`] columns.
+    /// Vertex indices of the triangles of all columns, in blocks of [`COLUMNS_PER_BLOCK`] columns.
     pub fn indices(&self) -> Vec<u32> {
         let rows = self.lattice.rows;
-        let mut out = Vec::with_capacity((self.most_columns * (rows - 1) * 6) as usize);
-        for block in (0..self.most_columns).step_by(BLOCK as usize) {
+        let mut out = Vec::with_capacity((self.index_buffer_columns * (rows - 1) * 6) as usize);
+        for block in (0..self.index_buffer_columns).step_by(COLUMNS_PER_BLOCK as usize) {
             for row in 0..rows - 1 {
-                for column in block..block + BLOCK {
+                for column in block..block + COLUMNS_PER_BLOCK {
                     let a = column * rows + row;
                     let b = a + rows;
                     out.extend([a, b, a + 1, a + 1, b, b + 1]);
@@ -117,7 +120,7 @@ impl Mesh {
 }
 
 /// Lowest elevation in the picture and largest azimuth from its middle, rad, of the directions that may show water.
-fn extent(view: &View) -> (f64, f64) {
+fn visible_angles(view: &View) -> (f64, f64) {
     let down = -glam::DVec3::Y;
     let depth = down.dot(view.forward);
     let [tx, ty] = view.tan_half_fov.map(|t| 1.1 * t);
@@ -126,9 +129,9 @@ fn extent(view: &View) -> (f64, f64) {
     }
     let ahead = glam::DVec3::new(view.right.z, 0.0, -view.right.x);
     let (mut lowest, mut widest) = (0.0f64, view.tan_half_fov[0].atan());
-    const EDGE: i32 = 12;
-    for i in -EDGE..=EDGE {
-        let at = f64::from(i) / f64::from(EDGE);
+    const EDGE_SAMPLES: i32 = 12;
+    for i in -EDGE_SAMPLES..=EDGE_SAMPLES {
+        let at = f64::from(i) / f64::from(EDGE_SAMPLES);
         for ray in [view.ray(at, -1.0), view.ray(at, 1.0), view.ray(-1.0, at), view.ray(1.0, at)] {
             let elevation = ray.y.clamp(-1.0, 1.0).asin();
             lowest = lowest.min(elevation);
@@ -147,16 +150,16 @@ mod tests {
 
     fn sea(hs_m: f64) -> SeaAppearance {
         SeaAppearance {
-            chop: [1.0; 2],
+            choppiness: [1.0; 2],
             hs_m,
             depth_m: 4000.0,
             wind_m_s: 10.0,
             downwind: [1.0, 0.0],
-            residual: [0.005; 2],
-            finest: [0.005; 2],
-            focusing_m: 1.0,
+            unresolved_slope_variance: [0.005; 2],
+            finest_cascade_slope_variance: [0.005; 2],
+            caustic_filter_m: 1.0,
             level_m: 0.0,
-            clouds_m_s: [0.0; 2],
+            cloud_velocity_m_s: [0.0; 2],
         }
     }
 
@@ -171,10 +174,11 @@ mod tests {
                         let view = View::new(&camera, 16.0 / 9.0, 0.0);
                         let mesh = Mesh::new(&view, &sea(hs), 1.0, 0.0);
                         let case = format!("pitch {pitch} y {y_m} hs {hs} heading {heading_deg} {mesh:?}");
-                        assert!(mesh.columns <= mesh.most_columns, "{case}");
+                        assert!(mesh.columns <= mesh.index_buffer_columns, "{case}");
                         let l = mesh.lattice;
                         let [a0, da, t0, dt, radius] =
-                            [l.first_azimuth, l.azimuth_step, l.first_row, l.row_step, l.radius_m].map(f64::from);
+                            [l.first_azimuth, l.azimuth_step, l.first_log_radius, l.log_radius_step, l.linear_radius_m]
+                                .map(f64::from);
                         let near = radius * t0.exp_m1();
                         let far = radius * (t0 + dt * f64::from(l.rows - 1)).exp_m1();
                         assert!(far > view.horizon_distance_m(), "{case}");

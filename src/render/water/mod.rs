@@ -2,7 +2,7 @@
 
 pub mod displace;
 pub mod eye;
-pub mod floats;
+pub mod hulls;
 pub mod light;
 pub mod material;
 pub mod mesh;

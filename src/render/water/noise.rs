@@ -6,7 +6,7 @@ use crate::waves::noise::pcg4d;
 use std::sync::OnceLock;
 
 /// Side of the noise texture, texels.
-const SIDE: u32 = 512;
+const NOISE_SIDE: u32 = 512;
 
 /// The noise texture and its sampler.
 pub struct NoiseTexture {
@@ -18,65 +18,68 @@ pub struct NoiseTexture {
 impl NoiseTexture {
     /// Creates the texture without contents; [`Self::fill`] computes them.
     pub fn new(gpu: &Gpu) -> Self {
-        let mips = SIDE.ilog2() + 1;
+        let mips = NOISE_SIDE.ilog2() + 1;
         let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
-        let texture = gpu.texture("noise", [SIDE, SIDE, 1], mips, wgpu::TextureFormat::Rgba8Unorm, usage);
+        let texture = gpu.texture("noise", [NOISE_SIDE, NOISE_SIDE, 1], mips, wgpu::TextureFormat::Rgba8Unorm, usage);
         let sampler = gpu.sampler("noise", [wgpu::AddressMode::Repeat; 2], wgpu::MipmapFilterMode::Linear);
         Self { view: texture.create_view(&wgpu::TextureViewDescriptor::default()), texture, sampler }
     }
 
     /// Computes the noise and uploads all mip levels.
     pub fn fill(&self, gpu: &Gpu) {
-        for (mip_level, bytes) in (0..).zip(levels()) {
+        for (mip_level, bytes) in (0..).zip(mip_levels()) {
             gpu.write_texture(&self.texture, mip_level, bytes);
         }
     }
 }
 
 /// Bytes of all mip levels, computed once per process, so that a second device gets them at once.
-fn levels() -> &'static [Vec<u8>] {
-    static LEVELS: OnceLock<Vec<Vec<u8>>> = OnceLock::new();
-    LEVELS.get_or_init(|| {
-        let mut level = tile(SIDE);
-        (0..=SIDE.ilog2())
+fn mip_levels() -> &'static [Vec<u8>] {
+    static MIP_LEVELS: OnceLock<Vec<Vec<u8>>> = OnceLock::new();
+    MIP_LEVELS.get_or_init(|| {
+        let mut level = noise_tile(NOISE_SIDE);
+        (0..=NOISE_SIDE.ilog2())
             .map(|mip_level| {
                 let bytes = level.iter().flatten().map(|x| (x * 255.0).round() as u8).collect();
-                level = halve(&level, (SIDE >> mip_level) as usize);
+                level = half_size_level(&level, (NOISE_SIDE >> mip_level) as usize);
                 bytes
             })
             .collect()
     })
 }
 
-fn tile(side: u32) -> Vec<[f32; 4]> {
+fn noise_tile(side: u32) -> Vec<[f32; 4]> {
     let field = |f: &dyn Fn(f32, f32) -> f32| -> Vec<f32> {
         let at = |i: u32| (i as f32 + 0.5) / side as f32;
         let values: Vec<f32> = (0..side * side).map(|i| f(at(i % side), at(i / side))).collect();
-        equalise(&values)
+        ranks_of_values(&values)
     };
     let [bend_x, bend_y, fray_x, fray_y, patches] =
-        [(6, 11), (6, 12), (23, 13), (23, 14), (5, 4)].map(|(period, key)| Lattice::arrows(period, key));
-    let [wide, middle, narrow] = [(7, 1), (17, 2), (41, 3)].map(|(period, key)| Lattice::points(period, key));
+        [(6, 11), (6, 12), (23, 13), (23, 14), (5, 4)].map(|(period, key)| NoiseLattice::gradients(period, key));
+    let [wide, middle, narrow] =
+        [(7, 1), (17, 2), (41, 3)].map(|(period, key)| NoiseLattice::feature_points(period, key));
     let net = field(&|x, y| {
         // Warped coordinates leave no straight edges in foam.
-        let (bx, by) = (bend_x.gradient_noise(x, y), bend_y.gradient_noise(x, y));
-        let (fx, fy) = (fray_x.gradient_noise(x, y), fray_y.gradient_noise(x, y));
+        let (bx, by) = (bend_x.perlin_noise(x, y), bend_y.perlin_noise(x, y));
+        let (fx, fy) = (fray_x.perlin_noise(x, y), fray_y.perlin_noise(x, y));
         let (u, v) = (x + 0.055 * bx + 0.012 * fx, y + 0.055 * by + 0.012 * fy);
-        1.1 * wide.edges(u, v)
-            + 0.8 * middle.edges(u, v)
-            + 0.5 * narrow.edges(u, v)
-            + 0.35 * patches.gradient_noise(u, v)
+        1.1 * wide.worley_noise(u, v)
+            + 0.8 * middle.worley_noise(u, v)
+            + 0.5 * narrow.worley_noise(u, v)
+            + 0.35 * patches.perlin_noise(u, v)
     });
-    let (large, small, groups) = (Lattice::points(37, 5), Lattice::points(83, 6), Lattice::arrows(19, 7));
-    let bubbles = field(&|x, y| large.edges(x, y) + 0.7 * small.edges(x, y) + 0.4 * groups.gradient_noise(x, y));
-    let wind = Lattice::arrows(5, 20);
-    let octaves: [Lattice; 7] = std::array::from_fn(|o| Lattice::arrows(4 << o, 21 + o as u32));
+    let (large, small, groups) =
+        (NoiseLattice::feature_points(37, 5), NoiseLattice::feature_points(83, 6), NoiseLattice::gradients(19, 7));
+    let bubbles =
+        field(&|x, y| large.worley_noise(x, y) + 0.7 * small.worley_noise(x, y) + 0.4 * groups.perlin_noise(x, y));
+    let wind = NoiseLattice::gradients(5, 20);
+    let octaves: [NoiseLattice; 7] = std::array::from_fn(|o| NoiseLattice::gradients(4 << o, 21 + o as u32));
     let cloud = field(&|x, y| {
-        let bend = 0.03 * wind.gradient_noise(x, y);
+        let bend = 0.03 * wind.perlin_noise(x, y);
         let (x, y) = (x + bend, y - bend);
         let mut weight = 1.0;
         octaves.iter().fold(0.0, |sum, octave| {
-            let part = weight * octave.gradient_noise(x, y);
+            let part = weight * octave.perlin_noise(x, y);
             weight *= 0.56;
             sum + part
         })
@@ -85,7 +88,7 @@ fn tile(side: u32) -> Vec<[f32; 4]> {
 }
 
 /// Replaces each value by its rank, 0 to 1, among 65536 bins of the range: much finer than a byte.
-fn equalise(values: &[f32]) -> Vec<f32> {
+fn ranks_of_values(values: &[f32]) -> Vec<f32> {
     const BINS: usize = 1 << 16;
     let (low, high) = values.iter().fold((f32::MAX, f32::MIN), |(low, high), &v| (low.min(v), high.max(v)));
     let scale = (BINS - 1) as f32 / (high - low).max(f32::MIN_POSITIVE);
@@ -103,7 +106,7 @@ fn equalise(values: &[f32]) -> Vec<f32> {
     values.iter().map(|&v| ranks[bin(v)]).collect()
 }
 
-fn halve(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
+fn half_size_level(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
     let half = side / 2;
     let at = |x: usize, y: usize, c: usize| level[y * side + x][c];
     (0..half * half)
@@ -115,21 +118,21 @@ fn halve(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
 }
 
 /// A periodic lattice of square cells with two numbers per cell, for noise.
-struct Lattice {
+struct NoiseLattice {
     period: i32,
     /// The two numbers: offset of a point, or a unit vector. The outermost cells are repeated around the edge, so that
     /// a look-up needs no modulo.
     cells: Vec<[f32; 2]>,
 }
 
-impl Lattice {
+impl NoiseLattice {
     /// A lattice with a random point in each cell, for Worley noise.
-    fn points(period: i32, key: u32) -> Self {
+    fn feature_points(period: i32, key: u32) -> Self {
         Self::new(period, key, |cell| cell)
     }
 
     /// A lattice with a random unit vector at the corner of each cell, for Perlin noise.
-    fn arrows(period: i32, key: u32) -> Self {
+    fn gradients(period: i32, key: u32) -> Self {
         Self::new(period, key, |[a, _]| {
             let (sin, cos) = (a * std::f32::consts::TAU).sin_cos();
             [cos, sin]
@@ -153,24 +156,24 @@ impl Lattice {
 
     /// Index of the cell one before that of the point (x, y) along both axes, and the point's position in its own cell,
     /// 0 to 1. The tile is 1 wide.
-    fn place(&self, x: f32, y: f32) -> (usize, [f32; 2]) {
+    fn locate_cell(&self, x: f32, y: f32) -> (usize, [f32; 2]) {
         let [x, y] = [x, y].map(|x| (x - x.floor()) * self.period as f32);
         let [ix, iy] = [x, y].map(|x| (x as usize).min(self.period as usize - 1));
-        (iy * self.wide() + ix, [x - ix as f32, y - iy as f32])
+        (iy * self.stored_row_length() + ix, [x - ix as f32, y - iy as f32])
     }
 
     /// Number of cells in a stored row, with the repeated ones.
-    fn wide(&self) -> usize {
+    fn stored_row_length(&self) -> usize {
         self.period as usize + 2
     }
 
     /// Worley noise at (x, y): 1 on the border between the regions of two points, less inside them.
-    fn edges(&self, x: f32, y: f32) -> f32 {
-        let (before, [x, y]) = self.place(x, y);
+    fn worley_noise(&self, x: f32, y: f32) -> f32 {
+        let (before, [x, y]) = self.locate_cell(x, y);
         // Squared distances compared as bits, which sort alike: WebAssembly finds the minimum of integers faster.
         let (mut first, mut second) = (u32::MAX, u32::MAX);
         for dy in 0..3 {
-            let row = &self.cells[before + dy * self.wide()..][..3];
+            let row = &self.cells[before + dy * self.stored_row_length()..][..3];
             for (dx, [a, b]) in row.iter().enumerate() {
                 let (dx, dy) = (dx as f32 - 1.0 + a - x, dy as f32 - 1.0 + b - y);
                 let d = (dx * dx + dy * dy).to_bits();
@@ -182,10 +185,10 @@ impl Lattice {
     }
 
     /// Perlin noise at (x, y), about -0.7 to 0.7.
-    fn gradient_noise(&self, x: f32, y: f32) -> f32 {
-        let (before, [fx, fy]) = self.place(x, y);
+    fn perlin_noise(&self, x: f32, y: f32) -> f32 {
+        let (before, [fx, fy]) = self.locate_cell(x, y);
         let corner = |dx: usize, dy: usize| {
-            let [cos, sin] = self.cells[before + (dy + 1) * self.wide() + dx + 1];
+            let [cos, sin] = self.cells[before + (dy + 1) * self.stored_row_length() + dx + 1];
             cos * (fx - dx as f32) + sin * (fy - dy as f32)
         };
         let fade = |t: f32| t * t * t * (t * (6.0 * t - 15.0) + 10.0);
@@ -201,7 +204,7 @@ mod tests {
 
     #[test]
     fn every_threshold_covers_its_share() {
-        let tile = tile(64);
+        let tile = noise_tile(64);
         for channel in 0..3 {
             let above = tile.iter().filter(|t| t[channel] > 0.75).count();
             assert!((above as f32 / tile.len() as f32 - 0.25).abs() < 1e-3);

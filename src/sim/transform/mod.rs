@@ -3,9 +3,9 @@
 mod unrolled;
 mod workgroup;
 
-use super::planned_sea::EvaluationSlot;
+use super::planned_sea::SeaDispatch;
 use super::resources::Resources;
-use super::uniforms::UniformRings;
+use super::uniforms::SimulationUniforms;
 use crate::gpu::Gpu;
 use crate::shaders::Shaders;
 use unrolled::UnrolledTransform;
@@ -13,7 +13,7 @@ use workgroup::WorkgroupTransform;
 
 /// Implementation of the inverse FFT.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TransformWay {
+pub enum FftImplementation {
     /// For GPUs: one dispatch along each axis. Threads exchange points in workgroup memory, with least memory traffic.
     Workgroup,
     /// For software adapters: two dispatches along each axis, without workgroup memory and barriers. At a barrier, a
@@ -21,40 +21,48 @@ pub enum TransformWay {
     Unrolled,
 }
 
-impl TransformWay {
+impl FftImplementation {
     /// The faster implementation on a device.
-    pub fn of(gpu: &Gpu) -> Self {
+    pub fn for_device(gpu: &Gpu) -> Self {
         if gpu.is_software() { Self::Unrolled } else { Self::Workgroup }
     }
 }
 
 /// Row and column passes: the inverse FFT along x, then along z.
 pub enum Transform {
-    /// FFT through workgroup memory, for GPUs; see [`TransformWay::Workgroup`].
+    /// FFT through workgroup memory, for GPUs; see [`FftImplementation::Workgroup`].
     Workgroup(Box<WorkgroupTransform>),
-    /// FFT without barriers, for software adapters; see [`TransformWay::Unrolled`].
+    /// FFT without barriers, for software adapters; see [`FftImplementation::Unrolled`].
     Unrolled(Box<UnrolledTransform>),
 }
 
 impl Transform {
     /// Compiles the passes of the given implementation and creates their bind groups.
-    pub fn new(gpu: &Gpu, shaders: &Shaders, way: TransformWay, r: &Resources, rings: &UniformRings) -> Self {
-        match way {
-            TransformWay::Workgroup => Self::Workgroup(Box::new(WorkgroupTransform::new(gpu, shaders, r, rings))),
-            TransformWay::Unrolled => Self::Unrolled(Box::new(UnrolledTransform::new(gpu, shaders, r, rings))),
+    pub fn new(
+        gpu: &Gpu,
+        shaders: &Shaders,
+        implementation: FftImplementation,
+        r: &Resources,
+        uniforms: &SimulationUniforms,
+    ) -> Self {
+        match implementation {
+            FftImplementation::Workgroup => {
+                Self::Workgroup(Box::new(WorkgroupTransform::new(gpu, shaders, r, uniforms)))
+            }
+            FftImplementation::Unrolled => Self::Unrolled(Box::new(UnrolledTransform::new(gpu, shaders, r, uniforms))),
         }
     }
 
     /// Which implementation of the FFT these passes are.
-    pub fn way(&self) -> TransformWay {
+    pub fn implementation(&self) -> FftImplementation {
         match self {
-            Self::Workgroup(_) => TransformWay::Workgroup,
-            Self::Unrolled(_) => TransformWay::Unrolled,
+            Self::Workgroup(_) => FftImplementation::Workgroup,
+            Self::Unrolled(_) => FftImplementation::Unrolled,
         }
     }
 
     /// Number of compute dispatches that transform all cascades of a sea along x and z.
-    pub fn dispatches(&self) -> u32 {
+    pub fn dispatch_count(&self) -> u32 {
         match self {
             Self::Workgroup(_) => 2,
             Self::Unrolled(_) => 4,
@@ -62,26 +70,26 @@ impl Transform {
     }
 
     /// Creates the bind groups anew after buffers or textures have been replaced.
-    pub fn bind(&mut self, gpu: &Gpu, r: &Resources, rings: &UniformRings) {
+    pub fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
         match self {
-            Self::Workgroup(transform) => transform.bind(gpu, r, rings),
-            Self::Unrolled(transform) => transform.bind(gpu, r, rings),
+            Self::Workgroup(transform) => transform.recreate_bind_groups(gpu, r, uniforms),
+            Self::Unrolled(transform) => transform.recreate_bind_groups(gpu, r, uniforms),
         }
     }
 
     /// Records the row pass: computes the waves at the evaluation's time and transforms them along x.
-    pub fn rows(&self, encoder: &mut wgpu::CommandEncoder, slot: EvaluationSlot) {
+    pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
         match self {
-            Self::Workgroup(transform) => transform.rows(encoder, slot),
-            Self::Unrolled(transform) => transform.rows(encoder, slot),
+            Self::Workgroup(transform) => transform.record_rows(encoder, dispatch),
+            Self::Unrolled(transform) => transform.record_rows(encoder, dispatch),
         }
     }
 
     /// Records the column pass: transforms along z and writes mip level 0 of the displacement and gradient maps.
-    pub fn columns(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, slot: EvaluationSlot) {
+    pub fn record_columns(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
         match self {
-            Self::Workgroup(transform) => transform.columns(encoder, slot),
-            Self::Unrolled(transform) => transform.columns(encoder, r, slot),
+            Self::Workgroup(transform) => transform.record_columns(encoder, dispatch),
+            Self::Unrolled(transform) => transform.record_columns(encoder, r, dispatch),
         }
     }
 }

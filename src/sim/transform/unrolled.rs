@@ -1,13 +1,13 @@
 //! The inverse FFT on software adapters (shaders/waves/unrolled_*.wgsl).
 
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Kernel, Slot};
+use crate::gpu::kit::{BindingType, Kernel};
 use crate::shaders::Shaders;
-use crate::shaders::fft::Factors;
+use crate::shaders::fft::FftFactors;
 use crate::shaders::unrolled::UnrolledKernel;
-use crate::sim::planned_sea::EvaluationSlot;
-use crate::sim::resources::{MapKind, Resources, Waves};
-use crate::sim::uniforms::UniformRings;
+use crate::sim::planned_sea::SeaDispatch;
+use crate::sim::resources::{MapKind, Resources, WaveBuffers};
+use crate::sim::uniforms::SimulationUniforms;
 use std::sync::OnceLock;
 
 /// Row and column passes of the FFT for software adapters, with two dispatches each.
@@ -16,20 +16,20 @@ pub struct UnrolledTransform {
     rows_first: Kernel,
     rows_second: Kernel,
     columns_first: Kernel,
-    columns_second: ColumnsSecond,
-    buffers: Buffers,
-    groups: Groups,
+    columns_second: SecondColumnKernels,
+    buffers: IntermediateBuffers,
+    groups: FftBindGroups,
 }
 
 /// Buffers that pass values from one dispatch to the next.
-struct Buffers {
-    /// Values after the first of the two dispatches along an axis; as large as `Resources::lines`.
-    halves: wgpu::Buffer,
+struct IntermediateBuffers {
+    /// Values after the first of the two dispatches along an axis; as large as `Resources::row_transforms`.
+    half_transforms: wgpu::Buffer,
     /// Displacement and gradient maps before they are copied to the textures, \[map\]\[cascade\]\[z\]\[x\].
     maps: wgpu::Buffer,
 }
 
-struct Groups {
+struct FftBindGroups {
     /// One bind group for each sea. The second one exists from the first cross-fade on.
     rows_first: Vec<wgpu::BindGroup>,
     rows_second: wgpu::BindGroup,
@@ -39,7 +39,7 @@ struct Groups {
 
 /// The last of the four dispatches, as one kernel without and one with an f32 copy of the maps. The second kernel is
 /// compiled at its first use, because compiling takes long and a window does not need the copy.
-struct ColumnsSecond {
+struct SecondColumnKernels {
     gpu: Gpu,
     module: wgpu::ShaderModule,
     n: u32,
@@ -47,21 +47,22 @@ struct ColumnsSecond {
     with_f32: OnceLock<Kernel>,
 }
 
-impl ColumnsSecond {
+impl SecondColumnKernels {
     fn new(gpu: &Gpu, shaders: &Shaders, n: u32) -> Self {
-        let module = shaders.unrolled(gpu, UnrolledKernel::ColumnsSecond, n);
+        let module = shaders.unrolled_module(gpu, UnrolledKernel::ColumnsSecond, n);
         let plain = Self::compile(gpu, &module, n, false);
         Self { gpu: gpu.clone(), module, n, plain, with_f32: OnceLock::new() }
     }
 
-    fn compile(gpu: &Gpu, module: &wgpu::ShaderModule, n: u32, keep_f32: bool) -> Kernel {
-        let constants = [("N", f64::from(n)), ("KEEP_F32", f64::from(u8::from(keep_f32)))];
-        let slots = [Slot::Read(0), Slot::Write(0), Slot::Write(0)];
-        Kernel::new(gpu, "sea/columns/second", (module, "main"), &slots, &constants)
+    fn compile(gpu: &Gpu, module: &wgpu::ShaderModule, n: u32, keeps_f32_maps: bool) -> Kernel {
+        let constants = [("N", f64::from(n)), ("KEEPS_F32_MAPS", f64::from(u8::from(keeps_f32_maps)))];
+        let bindings =
+            [BindingType::StorageRead(0), BindingType::StorageReadWrite(0), BindingType::StorageReadWrite(0)];
+        Kernel::new(gpu, "sea/columns/second", (module, "main"), &bindings, &constants)
     }
 
-    fn kernel(&self, keep_f32: bool) -> &Kernel {
-        if keep_f32 {
+    fn kernel(&self, keeps_f32_maps: bool) -> &Kernel {
+        if keeps_f32_maps {
             self.with_f32.get_or_init(|| Self::compile(&self.gpu, &self.module, self.n, true))
         } else {
             &self.plain
@@ -71,57 +72,62 @@ impl ColumnsSecond {
 
 impl UnrolledTransform {
     /// Allocates the intermediate buffers, compiles the kernels and creates their bind groups.
-    pub fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, rings: &UniformRings) -> Self {
+    pub fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, uniforms: &SimulationUniforms) -> Self {
         let n = r.n;
-        let kernel = |label, kernel, slots: &[Slot]| {
-            let module = shaders.unrolled(gpu, kernel, n);
-            Kernel::new(gpu, label, (&module, "main"), slots, &[("N", f64::from(n))])
+        let kernel = |label, kernel, bindings: &[BindingType]| {
+            let module = shaders.unrolled_module(gpu, kernel, n);
+            Kernel::new(gpu, label, (&module, "main"), bindings, &[("N", f64::from(n))])
         };
-        let (read, write) = (Slot::Read(0), Slot::Write(0));
-        let rows_first = [UniformRings::SEA, read, read, read, write];
+        let (read, write) = (BindingType::StorageRead(0), BindingType::StorageReadWrite(0));
+        let rows_first = [SimulationUniforms::SEA_BINDING, read, read, read, write];
         let rows_first = kernel("sea/rows/first", UnrolledKernel::RowsFirst, &rows_first);
         let rows_second = kernel("sea/rows/second", UnrolledKernel::RowsSecond, &[read, write]);
         let columns_first = kernel("sea/columns/first", UnrolledKernel::ColumnsFirst, &[read, read, write]);
-        let columns_second = ColumnsSecond::new(gpu, shaders, n);
-        let buffers = Buffers::new(gpu, r);
+        let columns_second = SecondColumnKernels::new(gpu, shaders, n);
+        let buffers = IntermediateBuffers::new(gpu, r);
         let kernels = [&rows_first, &rows_second, &columns_first, &columns_second.plain];
-        let groups = Groups::new(gpu, kernels, &buffers, r, rings);
+        let groups = FftBindGroups::new(gpu, kernels, &buffers, r, uniforms);
         Self { n, rows_first, rows_second, columns_first, columns_second, buffers, groups }
     }
 
     /// Creates the bind groups anew after resources have been replaced, with intermediate buffers of their size.
-    pub fn bind(&mut self, gpu: &Gpu, r: &Resources, rings: &UniformRings) {
-        if self.buffers.halves.size() != r.lines.size() {
-            self.buffers = Buffers::new(gpu, r);
+    pub fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
+        if self.buffers.half_transforms.size() != r.row_transforms.size() {
+            self.buffers = IntermediateBuffers::new(gpu, r);
         }
         let kernels = [&self.rows_first, &self.rows_second, &self.columns_first, &self.columns_second.plain];
-        self.groups = Groups::new(gpu, kernels, &self.buffers, r, rings);
+        self.groups = FftBindGroups::new(gpu, kernels, &self.buffers, r, uniforms);
     }
 
     /// Records the row pass: computes the waves at the evaluation's time and transforms them along x.
-    pub fn rows(&self, encoder: &mut wgpu::CommandEncoder, slot: EvaluationSlot) {
-        let (n, Factors { first, second }) = (self.n, Factors::new(self.n));
+    pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
+        let (n, FftFactors { first, second }) = (self.n, FftFactors::new(self.n));
         // One row of threads computes two rows of opposite wave vectors: n / 2 + 1 rows in workgroups of 8.
-        let size = [second / 8, n / 16 + 1, slot.count];
-        self.rows_first.run(encoder, &self.groups.rows_first[slot.waves], &[slot.uniform], size);
-        self.rows_second.run(encoder, &self.groups.rows_second, &[], [first / 8, n / 8, 2 * slot.count]);
+        let size = [second / 8, n / 16 + 1, dispatch.cascade_count];
+        self.rows_first.run(
+            encoder,
+            &self.groups.rows_first[dispatch.wave_buffers_index],
+            &[dispatch.uniform_offset],
+            size,
+        );
+        self.rows_second.run(encoder, &self.groups.rows_second, &[], [first / 8, n / 8, 2 * dispatch.cascade_count]);
     }
 
     /// Records the column pass: transforms along z and copies the maps to mip level 0 of the textures.
-    pub fn columns(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, slot: EvaluationSlot) {
-        let (n, Factors { first, second }) = (self.n, Factors::new(self.n));
-        self.columns_first.run(encoder, &self.groups.columns_first, &[], [n / 64, second, 2 * slot.count]);
-        let kernel = self.columns_second.kernel(slot.keep_f32);
-        kernel.run(encoder, &self.groups.columns_second, &[], [n / 64, first, 2 * slot.count]);
+    pub fn record_columns(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
+        let (n, FftFactors { first, second }) = (self.n, FftFactors::new(self.n));
+        self.columns_first.run(encoder, &self.groups.columns_first, &[], [n / 64, second, 2 * dispatch.cascade_count]);
+        let kernel = self.columns_second.kernel(dispatch.keeps_f32_maps);
+        kernel.run(encoder, &self.groups.columns_second, &[], [n / 64, first, 2 * dispatch.cascade_count]);
         for (kind, index) in [(MapKind::Displacement, 0), (MapKind::Gradients, 1)] {
-            let offset = index * u64::from(r.format.bytes() * n * n * slot.count);
-            let first_layer = r.layers(kind).start + slot.first_layer;
+            let offset = index * u64::from(r.format.bytes_per_texel() * n * n * dispatch.cascade_count);
+            let first_layer = r.layers_of_kind(kind).start + dispatch.first_layer;
             encoder.copy_buffer_to_texture(
                 wgpu::TexelCopyBufferInfo {
                     buffer: &self.buffers.maps,
                     layout: wgpu::TexelCopyBufferLayout {
                         offset,
-                        bytes_per_row: Some(r.format.bytes() * n),
+                        bytes_per_row: Some(r.format.bytes_per_texel() * n),
                         rows_per_image: Some(n),
                     },
                 },
@@ -129,38 +135,44 @@ impl UnrolledTransform {
                     origin: wgpu::Origin3d { x: 0, y: 0, z: first_layer },
                     ..r.maps.as_image_copy()
                 },
-                wgpu::Extent3d { width: n, height: n, depth_or_array_layers: slot.count },
+                wgpu::Extent3d { width: n, height: n, depth_or_array_layers: dispatch.cascade_count },
             );
         }
     }
 }
 
-impl Buffers {
+impl IntermediateBuffers {
     fn new(gpu: &Gpu, r: &Resources) -> Self {
-        // Each vec4f in `lines` becomes one texel of a map.
-        let texels = r.lines.size() / size_of::<[f32; 4]>() as u64;
+        // Each vec4f in `row_transforms` becomes one texel of a map.
+        let texels = r.row_transforms.size() / size_of::<[f32; 4]>() as u64;
         Self {
-            halves: gpu.storage("halves", r.lines.size()),
-            maps: gpu.storage("maps", texels * u64::from(r.format.bytes())),
+            half_transforms: gpu.storage_buffer("halves", r.row_transforms.size()),
+            maps: gpu.storage_buffer("maps", texels * u64::from(r.format.bytes_per_texel())),
         }
     }
 }
 
-impl Groups {
+impl FftBindGroups {
     /// Creates the bind groups of the four kernels, which are given in the order of their dispatches.
-    fn new(gpu: &Gpu, kernels: [&Kernel; 4], buffers: &Buffers, r: &Resources, rings: &UniformRings) -> Self {
+    fn new(
+        gpu: &Gpu,
+        kernels: [&Kernel; 4],
+        buffers: &IntermediateBuffers,
+        r: &Resources,
+        uniforms: &SimulationUniforms,
+    ) -> Self {
         let [rows_first, rows_second, columns_first, columns_second] = kernels;
-        let [twiddle, lines] = [&r.twiddle, &r.lines].map(wgpu::Buffer::as_entire_binding);
-        let [halves, maps] = [&buffers.halves, &buffers.maps].map(wgpu::Buffer::as_entire_binding);
-        let of_waves = |waves: &Waves| {
-            let [h0, wave] = [&waves.h0, &waves.wave].map(wgpu::Buffer::as_entire_binding);
-            rows_first.bind(gpu, &[rings.sea.binding(), h0, wave, twiddle.clone(), halves.clone()])
+        let [twiddle, lines] = [&r.twiddle_factors, &r.row_transforms].map(wgpu::Buffer::as_entire_binding);
+        let [half_transforms, maps] = [&buffers.half_transforms, &buffers.maps].map(wgpu::Buffer::as_entire_binding);
+        let of_waves = |waves: &WaveBuffers| {
+            let [h0, wave] = [&waves.h0, &waves.wave_table].map(wgpu::Buffer::as_entire_binding);
+            rows_first.bind(gpu, &[uniforms.sea.binding(), h0, wave, twiddle.clone(), half_transforms.clone()])
         };
         Self {
-            rows_first: r.waves.iter().map(of_waves).collect(),
-            rows_second: rows_second.bind(gpu, &[halves.clone(), lines.clone()]),
-            columns_first: columns_first.bind(gpu, &[twiddle.clone(), lines.clone(), halves.clone()]),
-            columns_second: columns_second.bind(gpu, &[halves.clone(), maps, lines.clone()]),
+            rows_first: r.wave_buffers.iter().map(of_waves).collect(),
+            rows_second: rows_second.bind(gpu, &[half_transforms.clone(), lines.clone()]),
+            columns_first: columns_first.bind(gpu, &[twiddle.clone(), lines.clone(), half_transforms.clone()]),
+            columns_second: columns_second.bind(gpu, &[half_transforms.clone(), maps, lines.clone()]),
         }
     }
 }

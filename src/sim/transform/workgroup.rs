@@ -1,17 +1,17 @@
 //! The inverse FFT on GPUs (shaders/waves/rows.wgsl and columns.wgsl).
 
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Kernel, Slot};
+use crate::gpu::kit::{BindingType, Kernel};
 use crate::shaders::Shaders;
-use crate::shaders::fft::Factors;
-use crate::sim::planned_sea::EvaluationSlot;
-use crate::sim::resources::{Resources, Waves, array_view};
-use crate::sim::uniforms::UniformRings;
+use crate::shaders::fft::FftFactors;
+use crate::sim::planned_sea::SeaDispatch;
+use crate::sim::resources::{Resources, WaveBuffers, array_view};
+use crate::sim::uniforms::SimulationUniforms;
 
 /// Largest number of vec4f in the memory of a workgroup: WebGPU's base limit of 16 KiB.
-const EXCHANGE_LIMIT: u32 = 1024;
+const MAX_EXCHANGE_VECTORS: u32 = 1024;
 /// Smallest number of threads per workgroup, so that it fills a warp on any GPU.
-const LEAST_THREADS: u32 = 64;
+const MIN_WORKGROUP_THREADS: u32 = 64;
 
 /// Row and column pass of the FFT for GPUs, with one dispatch each.
 pub struct WorkgroupTransform {
@@ -19,10 +19,10 @@ pub struct WorkgroupTransform {
     columns: Kernel,
     /// Number of workgroups for each cascade.
     workgroups: u32,
-    groups: Groups,
+    groups: FftBindGroups,
 }
 
-struct Groups {
+struct FftBindGroups {
     /// One bind group for each sea. The second one exists from the first cross-fade on.
     rows: Vec<wgpu::BindGroup>,
     columns: wgpu::BindGroup,
@@ -30,55 +30,73 @@ struct Groups {
 
 /// Number of lines that one workgroup transforms, for an FFT of `n` points per line.
 fn lines_per_workgroup(n: u32) -> u32 {
-    (LEAST_THREADS / Factors::new(n).second).clamp(1, EXCHANGE_LIMIT / n)
+    (MIN_WORKGROUP_THREADS / FftFactors::new(n).second).clamp(1, MAX_EXCHANGE_VECTORS / n)
 }
 
 impl WorkgroupTransform {
     /// Compiles both passes and creates their bind groups.
-    pub fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, rings: &UniformRings) -> Self {
-        let (lines, Factors { first, second }) = (lines_per_workgroup(r.n), Factors::new(r.n));
-        let constants = [("N", r.n), ("R1", first), ("R2", second), ("LINES", lines), ("EXCHANGE", lines * r.n)]
-            .map(|(name, value)| (name, f64::from(value)));
-        let kernel = |label, module, slots: &[Slot]| {
-            Kernel::new(gpu, label, (&shaders.module(gpu, module), "main"), slots, &constants)
+    pub fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, uniforms: &SimulationUniforms) -> Self {
+        let (lines, FftFactors { first, second }) = (lines_per_workgroup(r.n), FftFactors::new(r.n));
+        let constants = [
+            ("N", r.n),
+            ("RADIX_1", first),
+            ("RADIX_2", second),
+            ("LINES_PER_WORKGROUP", lines),
+            ("EXCHANGE_VECTORS", lines * r.n),
+        ]
+        .map(|(name, value)| (name, f64::from(value)));
+        let kernel = |label, module, bindings: &[BindingType]| {
+            Kernel::new(gpu, label, (&shaders.module(gpu, module), "main"), bindings, &constants)
         };
-        let rows = [UniformRings::SEA, Slot::Read(0), Slot::Read(0), Slot::Read(0), Slot::Write(0)];
+        let rows = [
+            SimulationUniforms::SEA_BINDING,
+            BindingType::StorageRead(0),
+            BindingType::StorageRead(0),
+            BindingType::StorageRead(0),
+            BindingType::StorageReadWrite(0),
+        ];
         let rows = kernel("sea/rows", "waves/rows", &rows);
-        let columns = [UniformRings::SEA, Slot::Read(0), Slot::Write(0), Slot::ImageArray(r.format.texture())];
+        let columns = [
+            SimulationUniforms::SEA_BINDING,
+            BindingType::StorageRead(0),
+            BindingType::StorageReadWrite(0),
+            BindingType::StorageTextureArray(r.format.texture_format()),
+        ];
         let columns = kernel("sea/columns", "waves/columns", &columns);
-        let groups = Groups::new(gpu, &rows, &columns, r, rings);
+        let groups = FftBindGroups::new(gpu, &rows, &columns, r, uniforms);
         Self { rows, columns, workgroups: r.n / lines, groups }
     }
 
     /// Creates the bind groups anew after buffers or textures have been replaced.
-    pub fn bind(&mut self, gpu: &Gpu, r: &Resources, rings: &UniformRings) {
-        self.groups = Groups::new(gpu, &self.rows, &self.columns, r, rings);
+    pub fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
+        self.groups = FftBindGroups::new(gpu, &self.rows, &self.columns, r, uniforms);
     }
 
     /// Records the row pass: computes the waves at the evaluation's time and transforms them along x.
-    pub fn rows(&self, encoder: &mut wgpu::CommandEncoder, slot: EvaluationSlot) {
-        let size = [self.workgroups, 1, slot.count];
-        self.rows.run(encoder, &self.groups.rows[slot.waves], &[slot.uniform], size);
+    pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
+        let size = [self.workgroups, 1, dispatch.cascade_count];
+        self.rows.run(encoder, &self.groups.rows[dispatch.wave_buffers_index], &[dispatch.uniform_offset], size);
     }
 
     /// Records the column pass: transforms along z and writes mip level 0 of the displacement and gradient maps.
-    pub fn columns(&self, encoder: &mut wgpu::CommandEncoder, slot: EvaluationSlot) {
-        let size = [self.workgroups, 1, slot.count];
-        self.columns.run(encoder, &self.groups.columns, &[slot.uniform], size);
+    pub fn record_columns(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
+        let size = [self.workgroups, 1, dispatch.cascade_count];
+        self.columns.run(encoder, &self.groups.columns, &[dispatch.uniform_offset], size);
     }
 }
 
-impl Groups {
-    fn new(gpu: &Gpu, rows: &Kernel, columns: &Kernel, r: &Resources, rings: &UniformRings) -> Self {
-        let (sea, twiddle, lines) = (rings.sea.binding(), r.twiddle.as_entire_binding(), r.lines.as_entire_binding());
-        let of_waves = |waves: &Waves| {
-            let [h0, wave] = [&waves.h0, &waves.wave].map(wgpu::Buffer::as_entire_binding);
+impl FftBindGroups {
+    fn new(gpu: &Gpu, rows: &Kernel, columns: &Kernel, r: &Resources, uniforms: &SimulationUniforms) -> Self {
+        let (sea, twiddle, lines) =
+            (uniforms.sea.binding(), r.twiddle_factors.as_entire_binding(), r.row_transforms.as_entire_binding());
+        let of_waves = |waves: &WaveBuffers| {
+            let [h0, wave] = [&waves.h0, &waves.wave_table].map(wgpu::Buffer::as_entire_binding);
             rows.bind(gpu, &[sea.clone(), h0, wave, twiddle.clone(), lines.clone()])
         };
         let maps = array_view(&r.maps, Some(0));
         let maps = wgpu::BindingResource::TextureView(&maps);
         Self {
-            rows: r.waves.iter().map(of_waves).collect(),
+            rows: r.wave_buffers.iter().map(of_waves).collect(),
             columns: columns.bind(gpu, &[sea.clone(), twiddle.clone(), lines.clone(), maps]),
         }
     }
@@ -91,10 +109,10 @@ mod tests {
     #[test]
     fn kernels_fit_the_base_limits() {
         for n in [64, 128, 256, 512, 1024] {
-            let (lines, Factors { first, second }) = (lines_per_workgroup(n), Factors::new(n));
+            let (lines, FftFactors { first, second }) = (lines_per_workgroup(n), FftFactors::new(n));
             assert_eq!(first * second, n);
             assert!(first >= second && [8, 16, 32].contains(&first) && [8, 16, 32].contains(&second));
-            assert!(lines * n <= EXCHANGE_LIMIT && n % lines == 0 && lines * second <= 256);
+            assert!(lines * n <= MAX_EXCHANGE_VECTORS && n % lines == 0 && lines * second <= 256);
         }
     }
 }

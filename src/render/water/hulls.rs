@@ -1,11 +1,11 @@
-//! Floating buoys and boats (shaders/water/floats.wgsl): a few small hulls, whose vertices the CPU transforms.
+//! Floating buoys and boats (shaders/water/hulls.wgsl): a few small hulls, whose vertices the CPU transforms.
 
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Program, Slot};
+use crate::gpu::kit::{BindingType, Program};
 use crate::gpu::layout::gpu_struct;
 use crate::point::floating::HullPose;
 use crate::render::scene_group::SceneGroup;
-use crate::render::targets::{NEAREST, attachments};
+use crate::render::targets::{DEPTH_TEST_OPAQUE, attachments};
 use crate::shaders::Shaders;
 use crate::state::floats::{FloatingObjectKind, MAX_FLOATING_OBJECTS};
 use glam::{DMat3, DVec3};
@@ -15,7 +15,7 @@ gpu_struct! {
     /// WGSL `HullVertex`: a vertex of a floating hull.
     pub struct HullVertex as "HullVertex" {
         /// Position x and z relative to the point below the eye, and height y above the still water, m.
-        place: [f32; 3],
+        position: [f32; 3],
         /// Paint colour: sRGB, 8 bits per channel, red in the lowest byte.
         colour: u32,
         normal: [f32; 3],
@@ -25,40 +25,51 @@ gpu_struct! {
 
 /// A triangle of a hull: corners, m, normals and paint colour. Axes: x to starboard, y up the mast, z to the stern.
 #[derive(Clone, Copy)]
-struct Facet {
+struct HullFacet {
     corners: [DVec3; 3],
     normals: [DVec3; 3],
     colour: u32,
 }
 
 const YELLOW: u32 = 0x0014_b0e8;
-const DARK: u32 = 0x0028_2828;
+const DARK_GREY: u32 = 0x0028_2828;
 const WHITE: u32 = 0x00e8_ecec;
 const RED: u32 = 0x0020_2ab0;
 const WOOD: u32 = 0x0048_6a90;
 const BLUE: u32 = 0x0070_4020;
 
 /// The pass that draws floating buoys and boats.
-pub struct FloatsPass {
+pub struct HullPass {
     module: wgpu::ShaderModule,
     /// Pipeline, compiled when something floats for the first time.
     pipeline: Option<wgpu::RenderPipeline>,
     layout: wgpu::BindGroupLayout,
     vertices: Option<(wgpu::Buffer, wgpu::BindGroup)>,
-    hulls: [Vec<Facet>; 2],
+    hulls: [Vec<HullFacet>; 2],
     count: u32,
 }
 
-impl FloatsPass {
+impl HullPass {
     /// Creates the shader module and the hulls; the pipeline is compiled at first use.
     pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
-        let layout = gpu.layout("floats", wgpu::ShaderStages::VERTEX, &[Slot::Read(size_of::<HullVertex>())]);
-        let module = shaders.module(gpu, "water/floats");
-        Self { module, pipeline: None, layout, vertices: None, hulls: [buoy(), boat()], count: 0 }
+        let layout = gpu.bind_group_layout(
+            "hulls",
+            wgpu::ShaderStages::VERTEX,
+            &[BindingType::StorageRead(size_of::<HullVertex>())],
+        );
+        let module = shaders.module(gpu, "water/hulls");
+        Self { module, pipeline: None, layout, vertices: None, hulls: [buoy_hull(), boat_hull()], count: 0 }
     }
 
-    /// Uploads hulls at `poses`, relative to the world position `foot` (x, z) and still water at height `level_m`, m.
-    pub fn write(&mut self, gpu: &Gpu, scene: &SceneGroup, poses: &[HullPose], foot: [f64; 2], level_m: f64) {
+    /// Uploads hulls at `poses`, relative to the world position `below_eye` (x, z) and still water at height `level_m`, m.
+    pub fn upload_hulls(
+        &mut self,
+        gpu: &Gpu,
+        scene: &SceneGroup,
+        poses: &[HullPose],
+        below_eye: [f64; 2],
+        level_m: f64,
+    ) {
         self.count = 0;
         if poses.is_empty() {
             return;
@@ -67,12 +78,15 @@ impl FloatsPass {
         for pose in poses {
             let [up, ahead] = [pose.up, pose.forward].map(DVec3::from_array);
             let turn = DMat3::from_cols(ahead.cross(up), up, -ahead);
-            let origin =
-                DVec3::new(pose.position_m[0] - foot[0], pose.position_m[1] - level_m, pose.position_m[2] - foot[1]);
+            let origin = DVec3::new(
+                pose.position_m[0] - below_eye[0],
+                pose.position_m[1] - level_m,
+                pose.position_m[2] - below_eye[1],
+            );
             let hull = &self.hulls[usize::from(pose.kind == FloatingObjectKind::Boat)];
             vertices.extend(hull.iter().flat_map(|facet| (0..3).map(move |i| (facet, i))).map(|(facet, i)| {
                 HullVertex {
-                    place: (origin + turn * facet.corners[i]).as_vec3().to_array(),
+                    position: (origin + turn * facet.corners[i]).as_vec3().to_array(),
                     colour: facet.colour,
                     normal: (turn * facet.normals[i]).as_vec3().to_array(),
                     unused: 0,
@@ -82,8 +96,8 @@ impl FloatsPass {
         let most = MAX_FLOATING_OBJECTS * self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0);
         let (buffer, _) = self.vertices.get_or_insert_with(|| {
             let bytes = (most * size_of::<HullVertex>()) as u64;
-            let buffer = gpu.storage("floats", bytes);
-            let group = gpu.group("floats", &self.layout, &[buffer.as_entire_binding()]);
+            let buffer = gpu.storage_buffer("hulls", bytes);
+            let group = gpu.bind_group("hulls", &self.layout, &[buffer.as_entire_binding()]);
             (buffer, group)
         });
         let vertices = &vertices[..vertices.len().min(most)];
@@ -91,7 +105,12 @@ impl FloatsPass {
         self.count = vertices.len() as u32;
         self.pipeline.get_or_insert_with(|| {
             let layouts = [&scene.layout, &self.layout];
-            gpu.render("floats", &Program::new(&self.module), &layouts, &attachments(&scene.film.format(), NEAREST))
+            gpu.render_pipeline(
+                "hulls",
+                &Program::new(&self.module),
+                &layouts,
+                &attachments(&scene.output.format(), DEPTH_TEST_OPAQUE),
+            )
         });
     }
 
@@ -108,20 +127,20 @@ impl FloatsPass {
 }
 
 /// A surface of revolution around the mast. `profile` lists radius (m), height (m) and colour from bottom to top.
-fn lathe(profile: &[(f64, f64, u32)]) -> Vec<Facet> {
-    const SIDES: usize = 20;
+fn surface_of_revolution(profile: &[(f64, f64, u32)]) -> Vec<HullFacet> {
+    const LATHE_SIDES: usize = 20;
     let mut facets = Vec::new();
     for pair in profile.windows(2) {
         let ((r0, y0, colour), (r1, y1, _)) = (pair[0], pair[1]);
         let slope = DVec3::new(y1 - y0, r0 - r1, 0.0).normalize_or(DVec3::Y);
         let at = |r: f64, y: f64, i: usize| {
-            let (sin, cos) = (TAU * i as f64 / SIDES as f64).sin_cos();
+            let (sin, cos) = (TAU * i as f64 / LATHE_SIDES as f64).sin_cos();
             (DVec3::new(r * cos, y, r * sin), DVec3::new(slope.x * cos, slope.y, slope.x * sin))
         };
-        for i in 0..SIDES {
+        for i in 0..LATHE_SIDES {
             let [a, b, c, d] = [at(r0, y0, i), at(r0, y0, i + 1), at(r1, y1, i + 1), at(r1, y1, i)];
             for [p, q, r] in [[a, b, c], [a, c, d]] {
-                facets.push(Facet { corners: [p.0, q.0, r.0], normals: [p.1, q.1, r.1], colour });
+                facets.push(HullFacet { corners: [p.0, q.0, r.0], normals: [p.1, q.1, r.1], colour });
             }
         }
     }
@@ -129,10 +148,10 @@ fn lathe(profile: &[(f64, f64, u32)]) -> Vec<Facet> {
 }
 
 /// The hull of a moored buoy: float, tower and lantern.
-fn buoy() -> Vec<Facet> {
-    lathe(&[
-        (0.0, -0.6, DARK),
-        (0.7, -0.45, DARK),
+fn buoy_hull() -> Vec<HullFacet> {
+    surface_of_revolution(&[
+        (0.0, -0.6, DARK_GREY),
+        (0.7, -0.45, DARK_GREY),
         (0.95, 0.0, YELLOW),
         (0.95, 0.42, YELLOW),
         (0.8, 0.55, YELLOW),
@@ -141,18 +160,18 @@ fn buoy() -> Vec<Facet> {
         (0.16, 1.5, RED),
         (0.13, 1.75, YELLOW),
         (0.1, 2.2, YELLOW),
-        (0.2, 2.22, DARK),
+        (0.2, 2.22, DARK_GREY),
         (0.2, 2.3, WHITE),
         (0.19, 2.55, WHITE),
-        (0.1, 2.7, DARK),
-        (0.0, 2.74, DARK),
+        (0.1, 2.7, DARK_GREY),
+        (0.0, 2.74, DARK_GREY),
     ])
 }
 
 /// The hull of an open boat, joined from cross-sections (each keel, chine, gunwale) from bow to stern, with thwarts.
-fn boat() -> Vec<Facet> {
+fn boat_hull() -> Vec<HullFacet> {
     // Cross-sections: distance from the bow, half-width at the gunwale, height of the gunwale, height of the keel, m.
-    const STATIONS: [[f64; 4]; 7] = [
+    const CROSS_SECTIONS: [[f64; 4]; 7] = [
         [0.0, 0.02, 1.05, -0.05],
         [0.7, 0.42, 0.92, -0.28],
         [1.8, 0.82, 0.78, -0.36],
@@ -180,11 +199,11 @@ fn boat() -> Vec<Facet> {
         for [p, q, r] in [[a, b, c], [a, c, d]] {
             let normal = (q - p).cross(r - p);
             if normal.length_squared() > 1e-12 {
-                facets.push(Facet { corners: [p, q, r], normals: [normal.normalize(); 3], colour });
+                facets.push(HullFacet { corners: [p, q, r], normals: [normal.normalize(); 3], colour });
             }
         }
     };
-    for pair in STATIONS.windows(2) {
+    for pair in CROSS_SECTIONS.windows(2) {
         for side in [-1.0, 1.0] {
             for (row, colour) in colours.into_iter().enumerate() {
                 let corners = [
@@ -202,7 +221,7 @@ fn boat() -> Vec<Facet> {
         let [c, d] = [pair[1], pair[0]].map(|s| point(s, 1.0, 5));
         quad([a, b, c, d], WOOD);
     }
-    let stern = STATIONS[6];
+    let stern = CROSS_SECTIONS[6];
     for row in 0..3 {
         let [a, b] = [point(stern, -1.0, row), point(stern, -1.0, row + 1)];
         let [c, d] = [point(stern, 1.0, row + 1), point(stern, 1.0, row)];
@@ -230,7 +249,7 @@ mod tests {
 
     #[test]
     fn hulls_face_outwards() {
-        for hull in [buoy(), boat()] {
+        for hull in [buoy_hull(), boat_hull()] {
             let [mut out, mut inward] = [0, 0];
             for facet in &hull {
                 // The bottom and the sides look away from the middle of the hull.

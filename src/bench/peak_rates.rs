@@ -1,39 +1,39 @@
 //! Measures the peak rates of the adapter, in the same run as the passes that are compared with them.
 
 use super::clock::Stopwatch;
-use crate::gpu::kit::{Attachments, Program, Slot, begin_compute};
+use crate::gpu::kit::{Attachments, BindingType, Program, begin_compute};
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::{Gpu, offscreen};
 
 /// Size of the copied buffer, bytes: more than the caches of most GPUs, and within WebGPU's base limits.
 const COPY_BYTES: u64 = 128 << 20;
 /// Number of empty dispatches that are timed together.
-const CHAIN: u32 = 32;
+const EMPTY_DISPATCHES: u32 = 32;
 /// Number of multiply-adds in each of the eight chains that a pixel of the arithmetic shader computes.
-const CHAIN_OPS: u32 = 256;
+const MULTIPLY_ADDS_PER_CHAIN: u32 = 256;
 /// Side of the square render target of the two fragment shaders that are timed, pixels.
-const SIDE: u32 = 512;
+const TARGET_SIDE: u32 = 512;
 /// Number of texture samples per pixel in the shader that measures texture reads.
-const READS: u32 = 16;
+const READS_PER_PIXEL: u32 = 16;
 /// Side of the texture that the reading shader samples, texels. The number of its mip levels follows.
 const MAP_SIDE: u32 = 256;
-const MAP_LEVELS: u32 = 9;
+const MAP_MIP_LEVELS: u32 = 9;
 
 /// Peak rates of an adapter, measured: copying, arithmetic, texture reads, and the cost of a dispatch.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ceilings {
+pub struct PeakRates {
     /// Bandwidth of a large copy, bytes read plus bytes written, GB/s.
     pub copy_gb_s: f64,
     /// Time of one empty dispatch in a compute pass of its own, ms: the mean of many dispatches in a row.
-    pub launch_ms: f64,
+    pub empty_dispatch_ms: f64,
     /// Rate of multiplications and additions in a fragment shader without other work, 1e9 per second.
     pub shading_gflop_s: f64,
     /// Rate of trilinear samples in the maps' texture format, in a fragment shader without other work, 1e9 per second.
     /// All pixels of a 2 x 2 quad read the same mip level.
-    pub reads_g_s: f64,
+    pub texture_reads_g_s: f64,
 }
 
-impl Ceilings {
+impl PeakRates {
     /// Measures all peak rates on the stopwatch's device.
     ///
     /// # Errors
@@ -42,52 +42,53 @@ impl Ceilings {
         let gpu = stopwatch.gpu;
         let [from, to] = [wgpu::BufferUsages::COPY_SRC, wgpu::BufferUsages::COPY_DST]
             .map(|usage| gpu.buffer("copy", COPY_BYTES, usage));
-        let copy = stopwatch.time(|_, encoder| encoder.copy_buffer_to_buffer(&from, 0, &to, 0, COPY_BYTES)).await?;
+        let copy = stopwatch.measure(|_, encoder| encoder.copy_buffer_to_buffer(&from, 0, &to, 0, COPY_BYTES)).await?;
         from.destroy();
         to.destroy();
 
-        let module = gpu.module("empty", "@compute @workgroup_size(1) fn main() {}");
-        let empty = gpu.compute("empty", (&module, "main"), &[], &[]);
-        let chain = stopwatch.time(|_, encoder| {
-            for _ in 0..CHAIN {
+        let module = gpu.shader_module("empty", "@compute @workgroup_size(1) fn main() {}");
+        let empty = gpu.compute_pipeline("empty", (&module, "main"), &[], &[]);
+        let chain = stopwatch.measure(|_, encoder| {
+            for _ in 0..EMPTY_DISPATCHES {
                 let mut pass = begin_compute(encoder, "empty");
                 pass.set_pipeline(&empty);
                 pass.dispatch_workgroups(1, 1, 1);
             }
         });
-        let launch_ms = chain.await?.ms() / f64::from(CHAIN);
+        let empty_dispatch_ms = chain.await?.representative_ms() / f64::from(EMPTY_DISPATCHES);
 
-        let target = offscreen::target(gpu, TARGET, [SIDE; 2]);
-        let arithmetic = full_screen(gpu, "arithmetic", ARITHMETIC, &[]);
-        let shading = stopwatch.time(|_, encoder| {
-            offscreen::draw_over(encoder, &target, |pass| {
+        let target = offscreen::create_target(gpu, TARGET_FORMAT, [TARGET_SIDE; 2]);
+        let arithmetic = full_screen_pipeline(gpu, "arithmetic", ARITHMETIC_SHADER, &[]);
+        let shading = stopwatch.measure(|_, encoder| {
+            offscreen::clear_and_draw(encoder, &target, |pass| {
                 pass.set_pipeline(&arithmetic);
                 pass.draw(0..3, 0..1);
             });
         });
-        let (reading, group) = map_reads(gpu);
-        let reads = stopwatch.time(|_, encoder| {
-            offscreen::draw_over(encoder, &target, |pass| {
+        let (reading, group) = texture_read_pipeline(gpu);
+        let reads = stopwatch.measure(|_, encoder| {
+            offscreen::clear_and_draw(encoder, &target, |pass| {
                 pass.set_pipeline(&reading);
                 pass.set_bind_group(0, &group, &[]);
                 pass.draw(0..3, 0..1);
             });
         });
-        let flops = f64::from(SIDE * SIDE) * f64::from(2 * 8 * CHAIN_OPS);
+        let flops = f64::from(TARGET_SIDE * TARGET_SIDE) * f64::from(2 * 8 * MULTIPLY_ADDS_PER_CHAIN);
         Ok(Self {
-            copy_gb_s: 2e-6 * COPY_BYTES as f64 / copy.ms(),
-            launch_ms,
-            shading_gflop_s: 1e-6 * flops / shading.await?.ms(),
-            reads_g_s: 1e-6 * f64::from(SIDE * SIDE * READS) / reads.await?.ms(),
+            copy_gb_s: 2e-6 * COPY_BYTES as f64 / copy.representative_ms(),
+            empty_dispatch_ms,
+            shading_gflop_s: 1e-6 * flops / shading.await?.representative_ms(),
+            texture_reads_g_s: 1e-6 * f64::from(TARGET_SIDE * TARGET_SIDE * READS_PER_PIXEL)
+                / reads.await?.representative_ms(),
         })
     }
 }
 
-const TARGET: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+const TARGET_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 
 /// Fragment shader that measures arithmetic. Eight independent chains hide latency. The factors depend on the pixel, so
 /// that the compiler cannot precompute them.
-const ARITHMETIC: &str = "
+const ARITHMETIC_SHADER: &str = "
 @fragment fn fragment(@builtin(position) at: vec4f) -> @location(0) vec4f {
   let by = at.xyxy * 1e-4;
   var a = at;
@@ -100,7 +101,7 @@ const ARITHMETIC: &str = "
 }";
 
 /// Fragment shader that measures texture reads. Consecutive samples are far apart, so that caches help little.
-const READ: &str = "
+const TEXTURE_READ_SHADER: &str = "
 @group(0) @binding(0) var map: texture_2d<f32>;
 @group(0) @binding(1) var between: sampler;
 @fragment fn fragment(@builtin(position) at: vec4f) -> @location(0) vec4f {
@@ -112,24 +113,30 @@ const READ: &str = "
 }";
 
 /// Creates the pipeline that measures texture reads, and its bind group.
-fn map_reads(gpu: &Gpu) -> (wgpu::RenderPipeline, wgpu::BindGroup) {
-    let layout = gpu.layout("reads", wgpu::ShaderStages::FRAGMENT, &[Slot::Texture, Slot::Sampler]);
-    let (format, usage) = (MapFormat::of(gpu).texture(), wgpu::TextureUsages::TEXTURE_BINDING);
-    let map = gpu.texture("reads", [MAP_SIDE, MAP_SIDE, 1], MAP_LEVELS, format, usage);
+fn texture_read_pipeline(gpu: &Gpu) -> (wgpu::RenderPipeline, wgpu::BindGroup) {
+    let layout =
+        gpu.bind_group_layout("reads", wgpu::ShaderStages::FRAGMENT, &[BindingType::Texture, BindingType::Sampler]);
+    let (format, usage) = (MapFormat::for_device(gpu).texture_format(), wgpu::TextureUsages::TEXTURE_BINDING);
+    let map = gpu.texture("reads", [MAP_SIDE, MAP_SIDE, 1], MAP_MIP_LEVELS, format, usage);
     let view = map.create_view(&wgpu::TextureViewDescriptor::default());
     let sampler = gpu.sampler("reads", [wgpu::AddressMode::Repeat; 2], wgpu::MipmapFilterMode::Linear);
     let resources = [wgpu::BindingResource::TextureView(&view), wgpu::BindingResource::Sampler(&sampler)];
-    let group = gpu.group("reads", &layout, &resources);
-    (full_screen(gpu, "reads", READ, &[&layout]), group)
+    let group = gpu.bind_group("reads", &layout, &resources);
+    (full_screen_pipeline(gpu, "reads", TEXTURE_READ_SHADER, &[&layout]), group)
 }
 
-const FULL_SCREEN: &str = "
+const FULL_SCREEN_VERTEX_SHADER: &str = "
 @vertex fn vertex(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {
   return vec4f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }";
 
 /// Creates a pipeline that runs a fragment shader on every pixel of the render target.
-fn full_screen(gpu: &Gpu, label: &str, fragment: &str, layouts: &[&wgpu::BindGroupLayout]) -> wgpu::RenderPipeline {
-    let module = gpu.module(label, &[FULL_SCREEN, fragment].concat());
-    gpu.render(label, &Program::new(&module), layouts, &Attachments { formats: &[TARGET], depth: None })
+fn full_screen_pipeline(
+    gpu: &Gpu,
+    label: &str,
+    fragment: &str,
+    layouts: &[&wgpu::BindGroupLayout],
+) -> wgpu::RenderPipeline {
+    let module = gpu.shader_module(label, &[FULL_SCREEN_VERTEX_SHADER, fragment].concat());
+    gpu.render_pipeline(label, &Program::new(&module), layouts, &Attachments { formats: &[TARGET_FORMAT], depth: None })
 }

@@ -12,14 +12,14 @@ use bytemuck::{Pod, Zeroable};
 use std::f64::consts::TAU;
 
 /// Number of complex fields of a cascade. Each packs two real fields.
-const FIELDS: usize = 4;
+const FIELD_COUNT: usize = 4;
 
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
-struct Evolve {
+struct EvolveUniform {
     cascade: u32,
     dk: f32,
-    phase_time: u32,
+    time_in_period_u32: u32,
     unused: u32,
 }
 
@@ -32,13 +32,13 @@ struct Dispatch {
 
 impl Dispatch {
     fn new(gpu: &Gpu, pipeline: &wgpu::ComputePipeline, resources: &[wgpu::BindingResource<'_>], n: u32) -> Self {
-        let group = gpu.group("stage", &pipeline.get_bind_group_layout(0), resources);
+        let group = gpu.bind_group("stage", &pipeline.get_bind_group_layout(0), resources);
         Self { pipeline: pipeline.clone(), group, workgroups: n / 8 }
     }
 }
 
 /// The baseline: waves by an FFT with one dispatch per stage.
-pub struct PerStage {
+pub struct StagewiseFft {
     dispatches: Vec<Dispatch>,
     /// Displacement map of every cascade: horizontal displacement Dx, height eta, Dz (m) and dDx/dz.
     pub displacement: Vec<wgpu::Texture>,
@@ -46,28 +46,33 @@ pub struct PerStage {
     pub gradients: Vec<wgpu::Texture>,
 }
 
-impl PerStage {
+impl StagewiseFft {
     /// Creates the dispatches for the waves of the current sea of `maps`, at the time of `maps`. The sea's amplitudes
     /// h0 must have been computed.
     pub fn new(gpu: &Gpu, maps: &Maps) -> Self {
         let n = maps.n;
-        let transform = Transform::new(gpu, n);
+        let transform = FieldFft::new(gpu, n);
         let mut out = Self { dispatches: Vec::new(), displacement: Vec::new(), gradients: Vec::new() };
-        let evolve = pipeline(gpu, "evolve", include_str!("../../shaders/bench/evolve.wgsl"));
-        let merge = pipeline(gpu, "merge", include_str!("../../shaders/bench/merge.wgsl"));
-        for (cascade, place) in (0..).zip(maps.sea()) {
-            let values = Evolve { cascade, dk: (TAU / place.patch_m) as f32, phase_time: maps.phase_time, unused: 0 };
-            let uniform = uniform(gpu, bytemuck::bytes_of(&values));
-            let fields: [[wgpu::TextureView; 2]; FIELDS] = std::array::from_fn(|_| transform.pair(gpu));
+        let evolve = derived_pipeline(gpu, "evolve", include_str!("../../shaders/bench/evolve.wgsl"));
+        let merge = derived_pipeline(gpu, "merge", include_str!("../../shaders/bench/merge.wgsl"));
+        for (cascade, place) in (0..).zip(maps.current_cascades()) {
+            let values = EvolveUniform {
+                cascade,
+                dk: (TAU / place.patch_m) as f32,
+                time_in_period_u32: maps.time_in_period_u32,
+                unused: 0,
+            };
+            let uniform = uniform_buffer(gpu, bytemuck::bytes_of(&values));
+            let fields: [[wgpu::TextureView; 2]; FIELD_COUNT] = std::array::from_fn(|_| transform.field_textures(gpu));
             let mut bound =
-                vec![uniform.as_entire_binding(), maps.h0.as_entire_binding(), maps.wave.as_entire_binding()];
+                vec![uniform.as_entire_binding(), maps.h0.as_entire_binding(), maps.wave_table.as_entire_binding()];
             bound.extend(fields.iter().map(|pair| wgpu::BindingResource::TextureView(&pair[0])));
             out.dispatches.push(Dispatch::new(gpu, &evolve, &bound, n));
             for pair in &fields {
                 out.dispatches.extend(transform.dispatches(gpu, pair));
             }
             let map = |label| {
-                let map = output(gpu, label, n, wgpu::TextureFormat::Rgba16Float);
+                let map = storage_texture(gpu, label, n, wgpu::TextureFormat::Rgba16Float);
                 let view = map.create_view(&wgpu::TextureViewDescriptor::default());
                 (map, view)
             };
@@ -82,7 +87,7 @@ impl PerStage {
     }
 
     /// Number of compute dispatches for all cascades.
-    pub fn dispatches(&self) -> usize {
+    pub fn dispatch_count(&self) -> usize {
         self.dispatches.len()
     }
 
@@ -98,7 +103,7 @@ impl PerStage {
 }
 
 /// Pipeline and resources of the FFT, shared by all fields.
-struct Transform {
+struct FieldFft {
     n: u32,
     stage: wgpu::ComputePipeline,
     butterfly: wgpu::TextureView,
@@ -106,7 +111,7 @@ struct Transform {
     stages: Vec<wgpu::Buffer>,
 }
 
-impl Transform {
+impl FieldFft {
     fn new(gpu: &Gpu, n: u32) -> Self {
         let stages = n.ilog2();
         let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
@@ -115,16 +120,16 @@ impl Transform {
         let uniforms = [0, 1].into_iter().flat_map(|vertical| (0..stages).map(move |stage| [stage, vertical]));
         Self {
             n,
-            stage: pipeline(gpu, "stage", include_str!("../../shaders/bench/stage.wgsl")),
+            stage: derived_pipeline(gpu, "stage", include_str!("../../shaders/bench/stage.wgsl")),
             butterfly: butterfly.create_view(&wgpu::TextureViewDescriptor::default()),
-            stages: uniforms.map(|values| uniform(gpu, bytemuck::cast_slice(&values))).collect(),
+            stages: uniforms.map(|values| uniform_buffer(gpu, bytemuck::cast_slice(&values))).collect(),
         }
     }
 
     /// Creates the two textures of a field. Each FFT stage reads one and writes the other.
-    fn pair(&self, gpu: &Gpu) -> [wgpu::TextureView; 2] {
+    fn field_textures(&self, gpu: &Gpu) -> [wgpu::TextureView; 2] {
         std::array::from_fn(|_| {
-            output(gpu, "field", self.n, wgpu::TextureFormat::Rg32Float)
+            storage_texture(gpu, "field", self.n, wgpu::TextureFormat::Rg32Float)
                 .create_view(&wgpu::TextureViewDescriptor::default())
         })
     }
@@ -161,18 +166,18 @@ fn butterflies(n: u32) -> Vec<[f32; 4]> {
 }
 
 /// Creates a compute pipeline with a bind group layout that wgpu derives from the shader.
-fn pipeline(gpu: &Gpu, label: &str, source: &str) -> wgpu::ComputePipeline {
+fn derived_pipeline(gpu: &Gpu, label: &str, source: &str) -> wgpu::ComputePipeline {
     gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
         label: Some(label),
         layout: None,
-        module: &gpu.module(label, source),
+        module: &gpu.shader_module(label, source),
         entry_point: Some("main"),
         compilation_options: wgpu::PipelineCompilationOptions::default(),
         cache: None,
     })
 }
 
-fn uniform(gpu: &Gpu, bytes: &[u8]) -> wgpu::Buffer {
+fn uniform_buffer(gpu: &Gpu, bytes: &[u8]) -> wgpu::Buffer {
     let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
     let buffer = gpu.buffer("stage", bytes.len() as u64, usage);
     gpu.queue.write_buffer(&buffer, 0, bytes);
@@ -180,7 +185,7 @@ fn uniform(gpu: &Gpu, bytes: &[u8]) -> wgpu::Buffer {
 }
 
 /// Creates a texture of n x n texels that shaders write and read.
-fn output(gpu: &Gpu, label: &str, n: u32, format: wgpu::TextureFormat) -> wgpu::Texture {
+fn storage_texture(gpu: &Gpu, label: &str, n: u32, format: wgpu::TextureFormat) -> wgpu::Texture {
     let usage =
         wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::COPY_SRC;
     gpu.texture(label, [n, n, 1], 1, format, usage)

@@ -3,43 +3,43 @@
 use super::Simulation;
 use super::resources::MapKind;
 use crate::gpu::Gpu;
-use crate::gpu::readback::{self, TextureCopy};
+use crate::gpu::readback::{self, StagedTexture};
 use crate::waves::Plan;
 
 /// Approximate limit of the gradient texels in the mean square slope: enough for precision, few enough for browsers.
-const MOST_SLOPES: usize = 1 << 17;
+const MAX_SLOPE_SAMPLES: usize = 1 << 17;
 
 /// Copies of the maps of one frame, to be read after the frame has been submitted.
-pub struct Probe {
-    displacement: TextureCopy,
-    gradients: TextureCopy,
-    foam: TextureCopy,
+pub struct PendingMapRead {
+    displacement: StagedTexture,
+    gradients: StagedTexture,
+    foam: StagedTexture,
     plan: Plan,
 }
 
 /// Statistics and heights that were read from the maps of one frame.
 #[derive(Clone, Debug)]
-pub struct Probed {
+pub struct MapStatistics {
     /// The plan of the sea that the maps show.
     pub plan: Plan,
     /// Mean square slope of the surface before horizontal displacement.
-    pub mss: f64,
+    pub mean_square_slope: f64,
     /// Mean of the simulated foam over all foam levels, 0 to 1, before the display factor of the foam is applied.
-    pub coverage: f64,
+    pub mean_foam: f64,
     /// Texels (Dx, height, Dz, dDx/dz) of the displacement maps, cascade by cascade and row by row.
     texels: Vec<[f32; 4]>,
 }
 
 impl Simulation {
     /// Records copies of the maps as the commands before this point leave them. Returns None during a transition.
-    pub fn probe(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> Option<Probe> {
+    pub fn record_map_read(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> Option<PendingMapRead> {
         if self.in_transition() {
             return None;
         }
         let r = &self.resources;
         let cascades = self.plan().cascades.len();
-        let mut copy = |kind| readback::stage_layers(gpu, encoder, &r.maps, 0, r.sea_layers(kind, cascades));
-        Some(Probe {
+        let mut copy = |kind| readback::stage_layers(gpu, encoder, &r.maps, 0, r.current_sea_layers(kind, cascades));
+        Some(PendingMapRead {
             displacement: copy(MapKind::Displacement),
             gradients: copy(MapKind::Gradients),
             foam: readback::stage_texture(gpu, encoder, &r.foam, 0),
@@ -48,32 +48,32 @@ impl Simulation {
     }
 }
 
-impl Probe {
+impl PendingMapRead {
     /// Reads the copies of the maps and computes their statistics. Call this after the submission of the frame.
     ///
     /// # Errors
     /// If mapping a read-back buffer fails.
-    pub async fn read(self, gpu: &Gpu) -> Result<Probed, String> {
+    pub async fn read(self, gpu: &Gpu) -> Result<MapStatistics, String> {
         let gradients = self.gradients.read_map(gpu).await?;
         let foam = self.foam.read_map(gpu).await?;
         // An odd stride visits all columns, because rows have a power of two texels.
-        let stride = (gradients.len() / MOST_SLOPES) | 1;
+        let stride = (gradients.len() / MAX_SLOPE_SAMPLES) | 1;
         let samples = gradients.iter().step_by(stride);
         let slope = |t: &[f32; 4]| f64::from(t[0]).powi(2) + f64::from(t[1]).powi(2);
         // The mean square slope is the sum over the cascades, whose maps have equally many texels.
         let maps = self.plan.cascades.len() as f64;
-        Ok(Probed {
-            mss: maps * mean(samples.map(slope)),
-            coverage: mean(foam.iter().map(|t| f64::from(t[0]))),
+        Ok(MapStatistics {
+            mean_square_slope: maps * mean(samples.map(slope)),
+            mean_foam: mean(foam.iter().map(|t| f64::from(t[0]))),
             texels: self.displacement.read_map(gpu).await?,
             plan: self.plan,
         })
     }
 }
 
-impl Probed {
+impl MapStatistics {
     /// Heights of the texels in row `z` of a cascade's displacement map, m.
-    pub fn row(&self, cascade: usize, z: usize) -> impl Iterator<Item = f64> {
+    pub fn heights_in_row(&self, cascade: usize, z: usize) -> impl Iterator<Item = f64> {
         let n = self.plan.n as usize;
         self.texels[(cascade * n + z) * n..][..n].iter().map(|t| f64::from(t[1]))
     }

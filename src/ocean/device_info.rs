@@ -3,7 +3,7 @@
 use crate::gpu::Gpu;
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::timer;
-use crate::sim::transform::TransformWay;
+use crate::sim::transform::FftImplementation;
 
 /// The version of this program.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -12,7 +12,7 @@ pub const WGPU_VERSION: &str = "30.0.1";
 
 /// Description of a GPU device, as a bug report needs it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct About {
+pub struct DeviceInfo {
     /// Name of the adapter, or "not told".
     pub adapter: String,
     /// Kind of adapter: discrete GPU, integrated GPU, virtual GPU, CPU or other.
@@ -22,31 +22,31 @@ pub struct About {
     /// Name and version of the driver; empty in a browser.
     pub driver: String,
     /// PCI numbers of vendor and device; 0 if unknown.
-    pub ids: [u32; 2],
+    pub pci_ids: [u32; 2],
     /// Optional features that the device has and the program uses.
     pub features: Vec<&'static str>,
     /// Names of limits, each with the value that the program requests and the value that the adapter offers.
     pub limits: Vec<(&'static str, [u64; 2])>,
     /// Choices made for this adapter, such as the format of the maps: name and value.
-    pub ways: Vec<(&'static str, String)>,
+    pub choices: Vec<(&'static str, String)>,
 }
 
-impl About {
+impl DeviceInfo {
     /// Describes a device and its adapter.
     pub fn new(adapter: &wgpu::Adapter, gpu: &Gpu) -> Self {
         let info = adapter.get_info();
         let (asked, could) = (gpu.device.limits(), adapter.limits());
         let limit = |name, of: fn(&wgpu::Limits) -> u64| (name, [of(&asked), of(&could)]);
         let features = [
-            ("timestamps", timer::FEATURES),
-            ("timestamps between passes", timer::BETWEEN_PASSES),
-            ("filtered floats", MapFormat::FEATURES),
+            ("timestamps", timer::TIMESTAMPS),
+            ("timestamps between passes", timer::TIMESTAMPS_BETWEEN_PASSES),
+            ("filtered floats", MapFormat::FILTERABLE_FLOATS),
         ];
-        let transform = match TransformWay::of(gpu) {
-            TransformWay::Workgroup => "workgroup: one dispatch for each axis, through workgroup memory",
-            TransformWay::Unrolled => "unrolled: two dispatches for each axis, without barriers",
+        let transform = match FftImplementation::for_device(gpu) {
+            FftImplementation::Workgroup => "workgroup: one dispatch for each axis, through workgroup memory",
+            FftImplementation::Unrolled => "unrolled: two dispatches for each axis, without barriers",
         };
-        let maps = match MapFormat::of(gpu) {
+        let maps = match MapFormat::for_device(gpu) {
             MapFormat::Half => "half floats",
             MapFormat::Float => "floats",
         };
@@ -55,7 +55,7 @@ impl About {
             kind: format!("{:?}", info.device_type),
             backend: info.backend.to_string(),
             driver: format!("{} {}", info.driver, info.driver_info).trim().to_owned(),
-            ids: [info.vendor, info.device],
+            pci_ids: [info.vendor, info.device],
             features: features
                 .iter()
                 .filter(|(_, f)| gpu.device.features().contains(*f))
@@ -71,31 +71,31 @@ impl About {
                 limit("workgroup memory, bytes", |l| l.max_compute_workgroup_storage_size.into()),
                 limit("threads of a workgroup", |l| l.max_compute_invocations_per_workgroup.into()),
             ],
-            ways: vec![("transform", transform.to_owned()), ("maps", maps.to_owned())],
+            choices: vec![("transform", transform.to_owned()), ("maps", maps.to_owned())],
         }
     }
 
     /// All properties as pairs of name and value.
     pub fn rows(&self) -> Vec<(&'static str, String)> {
         let known = |text: &str| if text.is_empty() { "not told".to_owned() } else { text.to_owned() };
-        let [vendor, device] = self.ids;
+        let [vendor, device] = self.pci_ids;
         let mut rows = vec![
             ("Seastate", VERSION.to_owned()),
             ("wgpu", WGPU_VERSION.to_owned()),
-            ("system", system()),
+            ("system", build_platform()),
             ("adapter", format!("{} ({})", self.adapter, self.kind)),
             ("backend", self.backend.clone()),
             ("driver", known(&self.driver)),
             ("vendor, device", format!("{vendor:#06x}, {device:#06x}")),
             ("features", if self.features.is_empty() { "none".to_owned() } else { self.features.join(", ") }),
         ];
-        rows.extend(self.ways.iter().cloned());
+        rows.extend(self.choices.iter().cloned());
         rows.extend(self.limits.iter().map(|(name, [asked, could])| (*name, format!("{asked} of {could}"))));
         rows
     }
 }
 
 /// The operating system and processor that the program was built for.
-pub fn system() -> String {
+pub fn build_platform() -> String {
     format!("{} {}", std::env::consts::OS, std::env::consts::ARCH).trim().to_owned()
 }

@@ -1,0 +1,44 @@
+// Buoys and boats: painted hulls in the light of sun, sky and sea. Their triangles come from
+// src/render/water/hulls.rs.
+
+@group(1) @binding(0) var<storage, read> hull_vertices: array<HullVertex>;
+
+// Fraction of the light, RGB, that the sea reflects up to a hull.
+const HULL_SEA_REFLECTANCE = vec3f(0.03, 0.05, 0.06);
+
+struct HullFragment {
+  @builtin(position) clip: vec4f,
+  @location(0) position: vec3f,
+  @location(1) normal: vec3f,
+  @location(2) colour: vec3f,
+}
+
+@vertex
+fn vertex(@builtin(vertex_index) i: u32) -> HullFragment {
+  let hull = hull_vertices[i];
+  let drop = dot(hull.position.xz, hull.position.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
+  let place = hull.position - vec3f(0.0, drop + frame.eye_height_m, 0.0);
+  // A square approximates the sRGB curve well enough for paint.
+  let encoded = unpack4x8unorm(hull.colour).rgb;
+  return HullFragment(frame.clip_from_relative * vec4f(place, 1.0), place, hull.normal, encoded * encoded);
+}
+
+@fragment
+fn fragment(in: HullFragment) -> @location(0) vec4f {
+  let n = normalize(in.normal);
+  let distance_m = length(in.position);
+  let dir = in.position / distance_m;
+  let up = 0.5 + 0.5 * n.y;
+  let sun = light.sun_irradiance * max(dot(n, frame.sun_direction), 0.0);
+  let on_sea = light.sky_irradiance + light.sun_irradiance * max(frame.sun_direction.y, 0.0);
+  let around = light.sky_irradiance * up + on_sea * HULL_SEA_REFLECTANCE * (1.0 - up);
+  // A coat of clear lacquer reflects a little of the sky.
+  let mirror = reflect(dir, n);
+  let sheen = 0.04 + 0.96 * pow(clamp(1.0 + dot(dir, n), 0.0, 1.0), 5.0);
+  let sky_there = light.sky_irradiance * (0.32 * (0.5 + 0.5 * mirror.y));
+  let half = normalize(frame.sun_direction - dir);
+  let glint = 0.04 * 20.0 * pow(max(dot(n, half), 0.0), 160.0) * sun;
+  let surface = in.colour * (sun + around) / ATM_PI + 0.5 * sheen * sky_there + glint / ATM_PI;
+  let air = air_to_point(dir, distance_m);
+  return frame_hdr_output(surface * air[1] + air[0], 1.0 / distance_m);
+}
