@@ -1,5 +1,5 @@
 //! Simulated seas against theory over 64 seeds: a subset that covers every spectrum, every spreading and every
-//! dispersion relation, from calm to hurricane and from deep water to 3 m. `seastate validate --all` runs the full set.
+//! dispersion relation, from calm to hurricane and from deep water to 3 m.
 
 mod common;
 
