@@ -48,7 +48,7 @@ fn assert_sea((spectrum, spread, wind, fetch, depth, more): State) {
     let state =
         format!("n=128&spectrum={spectrum}&spread={spread}&wind={wind}&fetch={fetch}&depth={depth}&dir=205{more}");
     let report = pollster::block_on(stats::run(&gpu(), &params(&state), SEEDS)).expect("statistics");
-    let (r, m) = (report.resolved(), report.measured());
+    let (r, m) = (&report.resolved, &report.measured);
     eprintln!("{state}\n{report}");
     let within = |what: &str, measured: &Estimate, resolved: f64| {
         let error = measured.error.expect("64 seeds have a standard error");

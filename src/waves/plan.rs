@@ -134,12 +134,6 @@ impl Plan {
         Self { sea: sea.clone(), ..self.clone() }
     }
 
-    /// Whether both plans share the integrals of the spectrum, because one was derived from the other by
-    /// [`Self::with_surface`] or [`Self::coarser`].
-    pub fn shares_integrals(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.energy, &other.energy)
-    }
-
     /// Whether the sea has no waves at all.
     pub fn is_calm(&self) -> bool {
         self.systems.is_empty()
