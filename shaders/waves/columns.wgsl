@@ -34,18 +34,9 @@ fn main(@builtin(local_invocation_id) local: vec3u, @builtin(workgroup_id) group
     for (var i = 0u; i < R1; i++) {
       fft_v[i] = lines[base + (i * R2 + t) * N + x];
     }
-    fft_registers(R1);
-    workgroupBarrier();
-    for (var k1 = 0u; k1 < R1; k1++) {
-      let w = twiddle[t * k1 * (1024u / N)];
-      fft_shared[exchange + fft_place(k1, t)] = fft_mul(fft_v[fft_slot(k1, R1)], w);
-    }
-    workgroupBarrier();
+    fft_first(t, exchange);
     for (var k1 = t; k1 < R1; k1 += R2) {
-      for (var n2 = 0u; n2 < R2; n2++) {
-        fft_v[n2] = fft_shared[exchange + fft_place(k1, n2)];
-      }
-      fft_registers(R2);
+      fft_second(k1, exchange);
       for (var k2 = 0u; k2 < R2; k2++) {
         let v = fft_v[fft_slot(k2, R2)];
         if pair == 0u {

@@ -141,3 +141,23 @@ fn fft_slot(k: u32, size: u32) -> u32 {
 fn fft_place(k1: u32, n2: u32) -> u32 {
   return k1 * R2 + (n2 ^ (k1 & (R2 - 1u)));
 }
+
+// First half of the transform for thread t of a line: from the points n1 R2 + t in fft_v to the line's part of the
+// workgroup memory, which begins at `exchange`.
+fn fft_first(t: u32, exchange: u32) {
+  fft_registers(R1);
+  workgroupBarrier();
+  for (var k1 = 0u; k1 < R1; k1++) {
+    let w = twiddle[t * k1 * (1024u / N)];
+    fft_shared[exchange + fft_place(k1, t)] = fft_mul(fft_v[fft_slot(k1, R1)], w);
+  }
+  workgroupBarrier();
+}
+
+// Second half: leaves the result X[k1 + R1 k2] in slot fft_slot(k2, R2) of fft_v.
+fn fft_second(k1: u32, exchange: u32) {
+  for (var n2 = 0u; n2 < R2; n2++) {
+    fft_v[n2] = fft_shared[exchange + fft_place(k1, n2)];
+  }
+  fft_registers(R2);
+}

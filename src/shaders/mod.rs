@@ -36,6 +36,7 @@ macro_rules! part {
 const MATHS: Part = part!("common/maths.wgsl");
 const SEA: Part = part!("common/sea.wgsl");
 const NOISE: Part = part!("common/noise.wgsl");
+const SCREEN: Part = part!("common/screen.wgsl");
 const TILES: Part = part!("common/tiles.wgsl");
 const FFT: Part = part!("waves/fft.wgsl");
 const WORKGROUP_FFT: Part = part!("waves/workgroup_fft.wgsl");
@@ -107,10 +108,10 @@ const MODULES: &[(&str, &[Part])] = &[
     ("water/light", &[WATER, part!("water/light.wgsl")]),
     ("water/floats", &[PICTURE, part!("water/floats.wgsl")]),
     ("film/bloom", &[part!("film/bloom.wgsl")]),
-    ("film/present", &[SKY_COMMON, part!("film/present.wgsl")]),
-    ("views/map", &[MATHS, SEA, VIEWS, part!("views/map.wgsl")]),
+    ("film/present", &[SKY_COMMON, SCREEN, part!("film/present.wgsl")]),
+    ("views/map", &[MATHS, SEA, SCREEN, VIEWS, part!("views/map.wgsl")]),
     ("views/surface", &[WATER, VIEWS, part!("views/surface.wgsl")]),
-    ("views/show", &[part!("views/show.wgsl")]),
+    ("views/show", &[SCREEN, part!("views/show.wgsl")]),
 ];
 
 /// The WGSL sources of all modules.
