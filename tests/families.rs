@@ -1,10 +1,27 @@
 //! Theory against the waves on the lattices for every spectrum with every spreading, from calm to hurricane and from
 //! deep water to 3 m, on the CPU. `tests/ensembles.rs` measures a covering subset on the GPU.
 
-use seastate::lab::validate::{choice_words, combinations::STATES};
+use seastate::lab::validate::choice_words;
 use seastate::state::query;
 use seastate::waves::Plan;
 use seastate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
+
+/// The thirteen sea states: wind (m/s), fetch (km), depth (m), from calm to hurricane and from deep water to 3 m.
+const STATES: [(f64, f64, f64); 13] = [
+    (1.5, 2.0, 4000.0),
+    (3.0, 10.0, 4000.0),
+    (5.0, 20.0, 100.0),
+    (7.0, 50.0, 30.0),
+    (10.0, 100.0, 4000.0),
+    (10.0, 100.0, 20.0),
+    (10.0, 100.0, 5.0),
+    (10.0, 300.0, 3.0),
+    (15.0, 300.0, 4000.0),
+    (20.0, 500.0, 50.0),
+    (25.0, 50.0, 10.0),
+    (32.0, 1000.0, 4000.0),
+    (45.0, 800.0, 200.0),
+];
 
 /// Whether opposite directions have the same variance density.
 fn is_symmetric(spectrum: &str, spread: &str) -> bool {
@@ -24,10 +41,7 @@ fn faults(state: &str, symmetric: bool) -> Vec<String> {
         }
     };
     check("resolved m0 within 1 % of the captured m0", (r.m0_fraction - captured).abs() < 0.01);
-    check(
-        "a notice states the variance that is not captured",
-        captured > 0.99 || plan.notices.iter().any(|n| n.contains("hold")),
-    );
+    check("nearly all variance is captured", captured > 0.99);
     check("mss within 2 %", (r.mss / t.mss - 1.0).abs() < 0.02);
     check(
         "Tm01 and Tm02 within 1 %",
@@ -64,7 +78,6 @@ fn all_pairs(spectra: &[&str]) {
 fn all_spectra_are_covered() {
     assert_eq!(halves().concat(), choice_words("spectrum"));
     assert_eq!(choice_words("spread").len(), 7);
-    assert_eq!(STATES.len(), 13);
 }
 
 /// All spectra in two halves, so that two tests share the work.
@@ -82,4 +95,18 @@ fn first_half_of_the_spectra_with_every_spreading() {
 #[test]
 fn second_half_of_the_spectra_with_every_spreading() {
     all_pairs(&halves()[1]);
+}
+
+/// The ends of wind, fetch and depth, where cascades are hardest to choose.
+#[test]
+fn extreme_seas_are_captured() {
+    for spectrum in ["pm", "jonswap", "tma"] {
+        for (wind, fetch) in [(0.5, 0.5), (0.5, 2000.0), (60.0, 0.5), (60.0, 2000.0)] {
+            for depth in [3.0, 4000.0] {
+                let state = format!("wind={wind}&fetch={fetch}&spectrum={spectrum}&depth={depth}");
+                let captured = Plan::new(&query::parse(&state).0).captured_fraction();
+                assert!(captured > 0.99, "{state}: {captured}");
+            }
+        }
+    }
 }

@@ -7,7 +7,6 @@ use common::wgsl::shaders;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use seastate::gpu::layout::StructDeclaration;
 use seastate::gpu::map_format::MapFormat;
-use seastate::shaders::locate_line;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The shared structs, by their names in WGSL.
@@ -25,10 +24,8 @@ fn parsed() -> Vec<(&'static str, naga::Module)> {
         .all()
         .chain(floats.all())
         .map(|(name, text)| {
-            let module = naga::front::wgsl::parse_str(&text).unwrap_or_else(|e| {
-                let line = e.location(&text).map_or(0, |l| l.line_number as usize);
-                panic!("{name}, {:?}: {}", locate_line(name, line), e.emit_to_string(&text))
-            });
+            let module =
+                naga::front::wgsl::parse_str(&text).unwrap_or_else(|e| panic!("{name}: {}", e.emit_to_string(&text)));
             (name, module)
         })
         .collect()

@@ -75,7 +75,7 @@ fn a_slice_is_measured_and_written() {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("validation");
     // The folder may be left from an earlier run.
     let _ = fs::remove_dir_all(&folder);
-    page.write(&folder, "validation").expect("the folder is writable");
+    page.write(&folder).expect("the folder is writable");
     let text = fs::read_to_string(folder.join("validation.md")).expect("the page");
     let svg = fs::read_to_string(folder.join("validation/dispersion.svg")).expect("the figure");
     for label in ["wave number k, rad/m", "phase speed ω/k, m/s", "2 m of water"] {

@@ -9,17 +9,6 @@ override PRESENT_SMOOTH: bool = true;
 @group(0) @binding(3) var hdr_sampler: sampler;
 @group(0) @binding(4) var bloom_map: texture_2d<f32>;
 
-struct PresentFragment {
-  @builtin(position) clip: vec4f,
-  @location(0) uv: vec2f,
-}
-
-@vertex
-fn vertex(@builtin(vertex_index) i: u32) -> PresentFragment {
-  let at = vec2f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0);
-  return PresentFragment(vec4f(at, 0.0, 1.0), vec2f(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y));
-}
-
 // AgX tone curve by Troy Sobotka in the polynomial form of Benjamin Wrensch, with a look that keeps the sea's blues.
 fn present_agx(linear: vec3f) -> vec3f {
   const INTO = mat3x3f(
@@ -174,7 +163,7 @@ fn present_interpolated(uv: vec2f) -> vec3f {
 }
 
 @fragment
-fn fragment(in: PresentFragment) -> @location(0) vec4f {
+fn fragment(in: ScreenVertex) -> @location(0) vec4f {
   // Number of pixels of the picture per pixel of the screen, along x.
   let ratio = abs(dpdx(in.uv.x)) * present.size.x;
   let at = vec2u(clamp(in.uv * present.size, vec2f(0.0), present.size - 1.0));

@@ -67,14 +67,9 @@ fn fog_transmittance(eye_m: f32, mu: f32, start: f32, end: f32) -> f32 {
   return exp(-min(sky.fog.extinction_per_m * fog_length(eye_m, mu, start, end), 80.0));
 }
 
-// Henyey-Greenstein phase function, 1/sr; c is the cosine of the scattering angle.
-fn fog_henyey_greenstein(c: f32, g: f32) -> f32 {
-  return (1.0 - g * g) / (4.0 * ATM_PI * pow(max(1.0 + g * g - 2.0 * g * c, 1e-4), 1.5));
-}
-
 // Radiance of infinitely thick fog. Its droplets scatter the sun mostly forwards, and a little backwards.
 fn fog_radiance(dir: vec3f) -> vec3f {
   let c = dot(dir, sky.sun_direction);
-  let phase = 0.88 * fog_henyey_greenstein(c, 0.78) + 0.12 * fog_henyey_greenstein(c, -0.3);
+  let phase = 0.88 * atm_henyey_greenstein(c, 0.78) + 0.12 * atm_henyey_greenstein(c, -0.3);
   return light.fog_sky_radiance + light.fog_sun_irradiance * phase;
 }

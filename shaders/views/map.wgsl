@@ -8,17 +8,6 @@
 @group(0) @binding(5) var<storage, read> h0: array<vec2f>; // h0(k), [cascade][iz][ix]
 @group(0) @binding(6) var<storage, read> wave_table: array<vec2u>; // x: cycles of a wave per repeat period
 
-struct MapFragment {
-  @builtin(position) clip: vec4f,
-  @location(0) uv: vec2f,
-}
-
-@vertex
-fn vertex(@builtin(vertex_index) i: u32) -> MapFragment {
-  let at = vec2f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0);
-  return MapFragment(vec4f(at, 0.0, 1.0), vec2f(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y));
-}
-
 fn view_initial_amplitude(at: vec2u, layer: u32, n: u32) -> vec2f {
   return h0[(layer * n + at.y) * n + at.x];
 }
@@ -70,7 +59,7 @@ fn view_value(at: vec2u, layer: u32) -> f32 {
 }
 
 @fragment
-fn fragment(in: MapFragment) -> @location(0) vec4f {
+fn fragment(in: ScreenVertex) -> @location(0) vec4f {
   let pixel = in.uv * view.size;
   let texels = view_map_side();
   for (var i = 0u; i < view.tile_count; i++) {

@@ -65,9 +65,7 @@ fn water_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f
   let back = normalize(vec3f(-n.x, n.y, -n.z));
   let entry = max(dot(back, frame.sun_direction), 0.0);
   let beam = water_refract(-frame.sun_direction, back);
-  let g = WATER_CREST_MEAN_COSINE;
-  let cosine = dot(beam, -ray);
-  let phase = (1.0 - g * g) / (4.0 * ATM_PI * pow(max(1.0 + g * g - 2.0 * g * cosine, 1e-3), 1.5));
+  let phase = atm_henyey_greenstein(dot(beam, -ray), WATER_CREST_MEAN_COSINE);
   // The path through a crest is decimetres long at its edge, and metres below it.
   let path_m = 0.8 + 1.2 * frame.hs_m * max(0.75 - rise, 0.0);
   // A crest that is about to break draws in air.

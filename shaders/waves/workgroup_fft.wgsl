@@ -141,3 +141,23 @@ fn fft_result_index(k: u32, size: u32) -> u32 {
 fn fft_exchange_index(k1: u32, n2: u32) -> u32 {
   return k1 * RADIX_2 + (n2 ^ (k1 & (RADIX_2 - 1u)));
 }
+
+// First half of the transform for thread t of a line: from the points n1 RADIX_2 + t in fft_points to the line's part of
+// the workgroup memory, which begins at `exchange`.
+fn fft_first(t: u32, exchange: u32) {
+  fft_in_registers(RADIX_1);
+  workgroupBarrier();
+  for (var k1 = 0u; k1 < RADIX_1; k1++) {
+    let w = twiddle_factors[t * k1 * (1024u / N)];
+    fft_exchange[exchange + fft_exchange_index(k1, t)] = fft_complex_mul(fft_points[fft_result_index(k1, RADIX_1)], w);
+  }
+  workgroupBarrier();
+}
+
+// Second half: leaves the result X[k1 + RADIX_1 k2] in slot fft_result_index(k2, RADIX_2) of fft_points.
+fn fft_second(k1: u32, exchange: u32) {
+  for (var n2 = 0u; n2 < RADIX_2; n2++) {
+    fft_points[n2] = fft_exchange[exchange + fft_exchange_index(k1, n2)];
+  }
+  fft_in_registers(RADIX_2);
+}

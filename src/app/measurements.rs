@@ -206,7 +206,9 @@ impl App {
         }
         if let Some((mut pending_analysis, probed)) = measurement.pending_analysis.take() {
             ctx.request_repaint();
-            match pending_analysis.advance(&probed.plan, POINTS_PER_FRAME, |cascade, z| probed.heights_in_row(cascade, z)) {
+            match pending_analysis
+                .advance(&probed.plan, POINTS_PER_FRAME, |cascade, z| probed.heights_in_row(cascade, z))
+            {
                 Some(found) => measurement.add_reading(&probed, found, width),
                 None => measurement.pending_analysis = Some((pending_analysis, probed)),
             }

@@ -174,12 +174,6 @@ impl App {
         self.save_folder = Some(folder);
     }
 
-    /// Significant wave height measured in the GPU's wave maps, m; `None` until the panel has shown a measured
-    /// quantity.
-    pub fn measured_hs_m(&self) -> Option<f64> {
-        self.sea_measurement.hs_m()
-    }
-
     /// Number of frames painted since the app was created.
     pub fn frames(&self) -> u64 {
         self.frames

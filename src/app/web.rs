@@ -109,11 +109,6 @@ impl WebHandle {
         named().find(|item| item.role != "Label").or_else(|| named().next()).map(|item| item.bounds.to_vec())
     }
 
-    /// Label and value of every widget, one string each, for browser tests.
-    pub fn labels(&self) -> Vec<String> {
-        self.items().iter().map(|item| format!("{}: {}", item.label, item.value)).collect()
-    }
-
     /// Widgets and texts for screen readers: an array of objects in reading order, with the properties `id`, `role`
     /// (AccessKit's name), `label`, `value`, `now`, `least`, `greatest`, `step`, `on`, `open` and `disabled`. Empty
     /// until the frame after the first call.

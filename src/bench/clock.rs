@@ -62,12 +62,11 @@ impl TimestampQueries {
                 ty: wgpu::QueryType::Timestamp,
                 count: 4,
             }),
-            resolved: gpu.device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some("bench"),
-                size: 4 * u64::from(wgpu::QUERY_SIZE),
-                usage: wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC,
-                mapped_at_creation: false,
-            }),
+            resolved: gpu.buffer(
+                "bench",
+                4 * u64::from(wgpu::QUERY_SIZE),
+                wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC,
+            ),
             period_ns: f64::from(gpu.queue.get_timestamp_period()),
             between_passes: gpu.device.features().contains(timer::TIMESTAMPS_BETWEEN_PASSES),
         })
@@ -79,16 +78,9 @@ impl TimestampQueries {
         if self.between_passes {
             encoder.write_timestamp(&self.set, at);
             encoder.write_timestamp(&self.set, at + 1);
-            return;
+        } else {
+            timer::stamp_pass(encoder, &self.set, at);
         }
-        drop(encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
-            label: Some("mark"),
-            timestamp_writes: Some(wgpu::ComputePassTimestampWrites {
-                query_set: &self.set,
-                beginning_of_pass_write_index: Some(at),
-                end_of_pass_write_index: Some(at + 1),
-            }),
-        }));
     }
 
     /// Reads the GPU time between the pairs of timestamps before and after the work, ms.

@@ -173,12 +173,6 @@ pub enum Command {
         /// Number of seeds over which statistics are measured
         #[arg(long, default_value_t = 12, value_parser = clap::value_parser!(u32).range(2..=10_000))]
         seeds: u32,
-        /// Writes validation-all.md instead: every spectrum with every directional spreading in thirteen sea states
-        #[arg(long)]
-        all: bool,
-        /// With --all: only the sea states whose state string contains this text, such as 'spectrum=pm&spread=cos2&'
-        #[arg(long, requires = "all", default_value = "", hide_default_value = true)]
-        only: String,
     },
     /// Renders the gallery's pictures and writes its page
     Gallery {

@@ -16,7 +16,6 @@ use args::{Cli, Command, SeaArgs};
 use clap::Parser as _;
 use pollster::block_on;
 use std::fmt::Write as _;
-use std::path::Path;
 
 /// Exit code after an error, such as bad arguments or a missing GPU.
 const USAGE_EXIT_CODE: i32 = 2;
@@ -92,8 +91,10 @@ fn run(cli: Cli) -> Result<i32, String> {
             let about = DeviceInfo::new(&adapter, &block_on(Gpu::open(&adapter))?);
             if json { pretty_json(&info::about_json(&about)) } else { info::about_text(&about) }
         }
-        Some(Command::Validate { output, seeds, all, only }) => {
-            validate(&gpu()?, &output, seeds, all.then_some(only.as_str()))?
+        Some(Command::Validate { output, seeds }) => {
+            let page = validate::build(Some(&gpu()?), seeds, &validate::PAGE_PARTS)?;
+            page.write(&output)?;
+            format!("{} and {} figures", output.join("validation.md").display(), page.drawings().len())
         }
         Some(Command::Gallery { output, only }) => block_on(gallery::run(&gpu()?, &output, &only))?,
         Some(Command::Keys { markdown: true }) => parameters::parameters_markdown(),
@@ -131,16 +132,6 @@ fn check(params: &Params) -> Result<i32, String> {
     let _ = writeln!(text, "{} comparisons, {verdict}", lines.len());
     print_to_stdout(&text)?;
     Ok(i32::from(wrong > 0))
-}
-
-/// Writes the validation page, or the page of those combinations that contain the text `only`. Returns a summary.
-fn validate(gpu: &Gpu, output: &Path, seeds: u32, only: Option<&str>) -> Result<String, String> {
-    let (page, name) = match only {
-        Some(only) => (validate::combinations::build(gpu, seeds, only)?, "validation-all"),
-        None => (validate::build(Some(gpu), seeds, &validate::PAGE_PARTS)?, "validation"),
-    };
-    page.write(output, name)?;
-    Ok(format!("{} and {} figures", output.join(format!("{name}.md")).display(), page.drawings().len()))
 }
 
 fn pretty_json(value: &serde_json::Value) -> String {

@@ -126,6 +126,19 @@ impl Timer {
     }
 }
 
+/// Writes two timestamps, with the indices `at` and `at + 1`, by an empty pass. Browsers only allow timestamps at the
+/// start and the end of a pass, and the two need different indices.
+pub fn stamp_pass(encoder: &mut wgpu::CommandEncoder, set: &wgpu::QuerySet, at: u32) {
+    drop(encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+        label: Some("mark"),
+        timestamp_writes: Some(wgpu::ComputePassTimestampWrites {
+            query_set: set,
+            beginning_of_pass_write_index: Some(at),
+            end_of_pass_write_index: Some(at + 1),
+        }),
+    }));
+}
+
 impl TimerState {
     /// Index of the first timestamp of the mark with index `mark`.
     fn first_timestamp(&self, mark: usize) -> u32 {
@@ -141,15 +154,7 @@ impl TimerState {
         if self.between_passes {
             encoder.write_timestamp(&self.set, at);
         } else {
-            // Browsers only allow timestamps at the start and the end of a pass, and the two need different indices.
-            drop(encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
-                label: Some("mark"),
-                timestamp_writes: Some(wgpu::ComputePassTimestampWrites {
-                    query_set: &self.set,
-                    beginning_of_pass_write_index: Some(at),
-                    end_of_pass_write_index: Some(at + 1),
-                }),
-            }));
+            stamp_pass(encoder, &self.set, at);
         }
     }
 

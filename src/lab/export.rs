@@ -3,15 +3,13 @@
 use super::{create_folder, write_file};
 use crate::gpu::Gpu;
 use crate::ocean::Ocean;
+use crate::ocean::maps_file::{self, Channel};
 use crate::state::{Params, query};
 use exr::prelude::*;
 use std::path::Path;
 
 /// Index of the foam level that is exported, counted from the finest (0).
 const FOAM_LEVEL: usize = 1;
-
-/// A channel of an OpenEXR file: its name, and its value at the texel with a given index, row by row.
-type Channel<'a> = (&'static str, Box<dyn Fn(usize) -> f32 + 'a>);
 
 /// Writes the wave maps of a state at its time to a folder. With `raw`, also writes heights.f32 and displacement.f16.
 ///
@@ -24,15 +22,9 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
     let foam = ocean.read_foam().await?.remove(FOAM_LEVEL);
     let plan = ocean.plan().clone();
     let n = maps.n;
-    let chop = plan.sea.choppiness().map(|l| l as f32);
     for c in 0..maps.cascade_count() {
         let (d, g) = (maps.displacement(c), maps.gradients(c));
-        let displacement: [Channel<'_>; 3] = [
-            ("X", Box::new(move |i| chop[0] * d[i][0])),
-            ("Y", Box::new(move |i| d[i][1])),
-            ("Z", Box::new(move |i| chop[1] * d[i][2])),
-        ];
-        write_exr(&folder.join(format!("cascade{c}_displacement.exr")), n, &displacement)?;
+        write_exr(&folder.join(format!("cascade{c}_displacement.exr")), n, &maps_file::displacement(&plan, &maps, c))?;
         let gradients: [Channel<'_>; 5] = [
             ("deta_dx", Box::new(move |i| g[i][0])),
             ("deta_dz", Box::new(move |i| g[i][1])),
@@ -79,14 +71,7 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
 
 /// Writes an OpenEXR file of `n` x `n` texels with f32 channels.
 fn write_exr(path: &Path, n: usize, channels: &[Channel<'_>]) -> std::result::Result<(), String> {
-    let list = channels
-        .iter()
-        .map(|(name, value)| AnyChannel::new(*name, FlatSamples::F32((0..n * n).map(value).collect())))
-        .collect();
-    // Scan lines in increasing order: equal states give equal bytes, and every reader supports them.
-    let encoding =
-        Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
-    let layer = Layer::new((n, n), LayerAttributes::default(), encoding, AnyChannels::sort(list));
+    let layer = maps_file::layer(n, LayerAttributes::default(), channels);
     let image = Image::from_layer(layer);
     image.write().to_file(path).map_err(|e| format!("cannot write {}: {e}", path.display()))
 }

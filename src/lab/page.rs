@@ -85,16 +85,16 @@ impl Page {
         &self.figures
     }
 
-    /// Writes the page as `name`.md to a folder, and its figures to the subfolder validation/.
+    /// Writes the page as validation.md to a folder, and its figures to the subfolder validation/.
     ///
     /// # Errors
     /// If a file cannot be written.
-    pub fn write(&self, folder: &Path, name: &str) -> Result<(), String> {
-        let drawings = if self.figures.is_empty() { folder.to_owned() } else { folder.join("validation") };
+    pub fn write(&self, folder: &Path) -> Result<(), String> {
+        let drawings = folder.join("validation");
         create_folder(&drawings)?;
         for (figure, svg) in &self.figures {
             write_file(&drawings.join(format!("{figure}.svg")), svg)?;
         }
-        write_file(&folder.join(format!("{name}.md")), self.markdown())
+        write_file(&folder.join("validation.md"), self.markdown())
     }
 }

@@ -132,7 +132,8 @@ mod tests {
     fn grids_hold_the_samples_that_were_asked_for() {
         for samples in [1, 3, 4, 64, 256, 1000] {
             for size in [[16, 9], [192, 108], [1280, 720], [8192, 8192]] {
-                let grids: Vec<SampleGrid> = Sampling { samples, seed: 1 }.grids(size, MAX_SAMPLES_PER_FRAME, 8192).collect();
+                let grids: Vec<SampleGrid> =
+                    Sampling { samples, seed: 1 }.grids(size, MAX_SAMPLES_PER_FRAME, 8192).collect();
                 let count: u32 = grids.iter().map(|g| g.cells_per_pixel_side * g.cells_per_pixel_side).sum();
                 assert!(
                     (samples..samples + grids[0].cells_per_pixel_side.pow(2)).contains(&count),

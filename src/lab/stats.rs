@@ -16,9 +16,12 @@ use std::fmt;
 pub struct SeaStatistics {
     params: Params,
     plan: Plan,
-    theory: SpectrumStatistics,
-    resolved: LatticeStatistics,
-    measured: MeasuredStatistics,
+    /// Statistics by theory, from integrals of the spectrum.
+    pub theory: SpectrumStatistics,
+    /// Statistics of the resolved waves, from sums over the FFT grids of the cascades.
+    pub resolved: LatticeStatistics,
+    /// Statistics measured in the wave maps that were read back from the GPU.
+    pub measured: MeasuredStatistics,
     /// Mean foam coverage measured with the first seed, 0 to 1.
     whitecap_fraction: f64,
 }
@@ -38,21 +41,6 @@ pub async fn run(gpu: &Gpu, params: &Params, seeds: u32) -> Result<SeaStatistics
 }
 
 impl SeaStatistics {
-    /// Statistics by theory, from integrals of the spectrum.
-    pub fn theory(&self) -> &SpectrumStatistics {
-        &self.theory
-    }
-
-    /// Statistics of the resolved waves, from sums over the FFT grids of the cascades.
-    pub fn resolved(&self) -> &LatticeStatistics {
-        &self.resolved
-    }
-
-    /// Statistics measured in the wave maps that were read back from the GPU.
-    pub fn measured(&self) -> &MeasuredStatistics {
-        &self.measured
-    }
-
     /// Formats the statistics as JSON. Means over the seeds have a standard error.
     pub fn json(&self, notices: &[String]) -> String {
         let (t, r, m) = (&self.theory, &self.resolved, &self.measured);

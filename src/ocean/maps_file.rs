@@ -5,6 +5,31 @@ use crate::waves::Plan;
 use exr::prelude::*;
 use std::io::Cursor;
 
+/// A channel of a layer: its name, and its value at the texel with a given index, row by row.
+pub type Channel<'a> = (&'static str, Box<dyn Fn(usize) -> f32 + 'a>);
+
+/// A layer of `n` x `n` texels with f32 channels.
+pub fn layer(n: usize, attributes: LayerAttributes, channels: &[Channel<'_>]) -> Layer<AnyChannels<FlatSamples>> {
+    let list = channels
+        .iter()
+        .map(|(name, value)| AnyChannel::new(*name, FlatSamples::F32((0..n * n).map(value).collect())))
+        .collect();
+    // Scan lines in increasing order: equal states give equal bytes, and every reader supports them.
+    let encoding =
+        Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
+    Layer::new((n, n), attributes, encoding, AnyChannels::sort(list))
+}
+
+/// Channels X, Y, Z of a cascade: its displacement in m, with choppiness.
+pub fn displacement<'a>(plan: &Plan, maps: &'a MapsF32, cascade: usize) -> [Channel<'a>; 3] {
+    let (chop, d) = (plan.sea.choppiness().map(|l| l as f32), maps.displacement(cascade));
+    [
+        ("X", Box::new(move |i| chop[0] * d[i][0])),
+        ("Y", Box::new(move |i| d[i][1])),
+        ("Z", Box::new(move |i| chop[1] * d[i][2])),
+    ]
+}
+
 /// Encodes the wave maps as OpenEXR: displacement X, Y, Z (m, with choppiness) and slopes of the undisplaced surface,
 /// one layer per cascade. Column i lies at x = i patch / n east, row j at z = j patch / n south. The attribute
 /// `seastate` holds the state string.
@@ -12,27 +37,16 @@ use std::io::Cursor;
 /// # Errors
 /// If the OpenEXR encoder fails.
 pub fn encode(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<Vec<u8>, String> {
-    let choppiness = plan.sea.choppiness().map(|l| l as f32);
     let n = maps.n;
-    let encoding =
-        Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
-    let layer = |c: usize| {
-        let (d, g) = (maps.displacement(c), maps.gradients(c));
-        let channel = |name: &str, value: &dyn Fn(usize) -> f32| {
-            AnyChannel::new(name, FlatSamples::F32((0..n * n).map(value).collect()))
-        };
-        let channels: SmallVec<[AnyChannel<FlatSamples>; 4]> = SmallVec::from_vec(vec![
-            channel("X", &|i| choppiness[0] * d[i][0]),
-            channel("Y", &|i| d[i][1]),
-            channel("Z", &|i| choppiness[1] * d[i][2]),
-            channel("deta_dx", &|i| g[i][0]),
-            channel("deta_dz", &|i| g[i][1]),
-        ]);
+    let of_cascade = |c: usize| {
+        let g = maps.gradients(c);
+        let slopes: [Channel<'_>; 2] =
+            [("deta_dx", Box::new(move |i| g[i][0])), ("deta_dz", Box::new(move |i| g[i][1]))];
+        let channels: Vec<Channel<'_>> = displacement(plan, maps, c).into_iter().chain(slopes).collect();
         let patch = plan.cascades[c].patch_m;
-        let attributes = LayerAttributes::named(format!("cascade{c} patch {patch:.4} m").as_str());
-        Layer::new((n, n), attributes, encoding, AnyChannels::sort(channels))
+        layer(n, LayerAttributes::named(format!("cascade{c} patch {patch:.4} m").as_str()), &channels)
     };
-    let layers: SmallVec<[Layer<AnyChannels<FlatSamples>>; 2]> = (0..maps.cascade_count()).map(layer).collect();
+    let layers: SmallVec<[Layer<AnyChannels<FlatSamples>>; 2]> = (0..maps.cascade_count()).map(of_cascade).collect();
     let size = IntegerBounds::from_dimensions((n, n));
     let mut image = Image::from_layers(ImageAttributes::new(size), layers);
     image.attributes.other.insert("seastate".into(), AttributeValue::Text(state.into()));

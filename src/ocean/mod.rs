@@ -141,7 +141,9 @@ impl Ocean {
     fn plan_for(&self, params: &Params, change: Option<SeaChange>) -> Plan {
         match change {
             Some(SeaChange::Waves) => Plan::new(params),
-            Some(SeaChange::Foam | SeaChange::Surface) | None => self.sim.latest_plan().with_surface_and_foam_of(&params.sea),
+            Some(SeaChange::Foam | SeaChange::Surface) | None => {
+                self.sim.latest_plan().with_surface_and_foam_of(&params.sea)
+            }
         }
     }
 

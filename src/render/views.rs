@@ -80,7 +80,8 @@ impl ViewUniform {
             // The moments map stores slope moments in the unit `moment_unit`.
             let unit = match view.displayed {
                 DisplayedView::Map(MapView::MomentXx | MapView::MomentZz | MapView::MomentXz) => {
-                    maps.current_cascades()[layer].moment_unit,
+                    maps.current_cascades()[layer].moment_unit
+                }
                 _ => 1.0,
             };
             let first = match view.displayed {

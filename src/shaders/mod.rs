@@ -11,17 +11,17 @@ use unrolled::UnrolledKernel;
 
 /// A piece of a shader module's text.
 enum SourcePart {
-    /// A WGSL file: its path below shaders/ and its text.
-    File(&'static str, &'static str),
+    /// The text of a WGSL file.
+    File(&'static str),
     /// Several parts that are always used together, in this order.
     Group(&'static [SourcePart]),
 }
 
 impl SourcePart {
-    /// Path and text of each WGSL file of a part, in order.
-    fn files(&self) -> Vec<(&'static str, &'static str)> {
+    /// Texts of the WGSL files of a part, in order.
+    fn files(&self) -> Vec<&'static str> {
         match self {
-            Self::File(path, text) => vec![(*path, *text)],
+            Self::File(text) => vec![*text],
             Self::Group(parts) => parts.iter().flat_map(Self::files).collect(),
         }
     }
@@ -29,13 +29,14 @@ impl SourcePart {
 
 macro_rules! part {
     ($file:literal) => {
-        SourcePart::File($file, include_str!(concat!("../../shaders/", $file)))
+        SourcePart::File(include_str!(concat!("../../shaders/", $file)))
     };
 }
 
 const MATHS: SourcePart = part!("common/maths.wgsl");
 const SEA: SourcePart = part!("common/sea.wgsl");
 const NOISE: SourcePart = part!("common/noise.wgsl");
+const SCREEN: SourcePart = part!("common/screen.wgsl");
 const TILES: SourcePart = part!("common/tiles.wgsl");
 const FFT: SourcePart = part!("waves/fft.wgsl");
 const WORKGROUP_FFT: SourcePart = part!("waves/workgroup_fft.wgsl");
@@ -107,16 +108,11 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ("water/light", &[WATER, part!("water/light.wgsl")]),
     ("water/hulls", &[PICTURE, part!("water/hulls.wgsl")]),
     ("film/bloom", &[part!("film/bloom.wgsl")]),
-    ("film/present", &[SKY_COMMON, part!("film/present.wgsl")]),
-    ("views/map", &[MATHS, SEA, VIEWS, part!("views/map.wgsl")]),
+    ("film/present", &[SKY_COMMON, SCREEN, part!("film/present.wgsl")]),
+    ("views/map", &[MATHS, SEA, SCREEN, VIEWS, part!("views/map.wgsl")]),
     ("views/surface", &[WATER, VIEWS, part!("views/surface.wgsl")]),
-    ("views/show", &[part!("views/show.wgsl")]),
+    ("views/show", &[SCREEN, part!("views/show.wgsl")]),
 ];
-
-/// Name of every shader module, with path and text of each of its files.
-fn modules() -> impl Iterator<Item = (&'static str, Vec<(&'static str, &'static str)>)> {
-    MODULES.iter().map(|(name, parts)| (*name, parts.iter().flat_map(SourcePart::files).collect()))
-}
 
 /// The WGSL sources of all modules.
 #[derive(Clone, Debug)]
@@ -129,8 +125,8 @@ pub struct Shaders {
 
 impl Default for Shaders {
     fn default() -> Self {
-        let join = |files: Vec<(_, &str)>| files.into_iter().map(|(_, text)| text).collect::<Vec<_>>().join("\n");
-        let sources = modules().map(|(name, files)| (name, join(files))).collect();
+        let join = |parts: &[SourcePart]| parts.iter().flat_map(SourcePart::files).collect::<Vec<_>>().join("\n");
+        let sources = MODULES.iter().map(|(name, parts)| (*name, join(parts))).collect();
         Self { sources, structs: Vec::new(), format: None }
     }
 }
@@ -191,7 +187,7 @@ impl Shaders {
         gpu.shader_module(kernel.module_name(), &self.unrolled_text(kernel, n, self.map_format(gpu)))
     }
 
-    /// WGSL text of a module. Struct declarations come last, so that they do not change the line numbers of the files.
+    /// WGSL text of a module, with the declarations of the structs that it names at the end.
     fn text(&self, name: &str, format: MapFormat) -> String {
         let source = self.sources.get(name).unwrap_or_else(|| panic!("no shader module {name}"));
         // The sources declare half-float storage textures.
@@ -218,40 +214,4 @@ fn has_word(text: &str, name: &str) -> bool {
     let is_end = |c: Option<char>| !c.is_some_and(|c| c.is_alphanumeric() || c == '_');
     text.match_indices(name)
         .any(|(at, _)| is_end(text[..at].chars().next_back()) && is_end(text[at + name.len()..].chars().next()))
-}
-
-/// Path of the WGSL file, and line in it, of a line in the joined text of a module. Lines count from 1.
-pub fn locate_line(module: &str, line: usize) -> Option<(&'static str, usize)> {
-    let (_, files) = modules().find(|(name, _)| *name == module)?;
-    let mut rest = line;
-    for (path, text) in files {
-        // Joining adds one newline after each file.
-        let lines = text.matches('\n').count() + 1;
-        if rest <= lines {
-            return Some((path, rest));
-        }
-        rest -= lines;
-    }
-    None
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lines_are_found_again() {
-        let shaders = Shaders::default();
-        let (_, text) = shaders.all().find(|(name, _)| *name == "waves/rows").unwrap();
-        let line = text.lines().position(|l| l.contains("fn evolve_packed_fields(")).unwrap() + 1;
-        let (file, at) = locate_line("waves/rows", line).unwrap();
-        assert_eq!(file, "waves/evolve.wgsl");
-        assert!(
-            include_str!("../../shaders/waves/evolve.wgsl")
-                .lines()
-                .nth(at - 1)
-                .unwrap()
-                .contains("fn evolve_packed_fields(")
-        );
-    }
 }

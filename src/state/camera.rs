@@ -1,7 +1,7 @@
 //! View and projection of the camera: reverse-Z depth, infinite far plane, looking along -z in view space.
 
 use super::params::Camera;
-use glam::{DMat4, DVec3, DVec4};
+use glam::{DMat3, DMat4, DVec3, DVec4};
 
 /// Mean radius of the Earth, m.
 pub const EARTH_RADIUS_M: f64 = 6_371_000.0;
@@ -42,12 +42,7 @@ impl View {
 
     /// Matrix from positions relative to the eye (world axes, m) to clip coordinates.
     pub fn clip_from_relative(&self) -> DMat4 {
-        let view = DMat4::from_cols(
-            DVec4::new(self.right.x, self.up.x, -self.forward.x, 0.0),
-            DVec4::new(self.right.y, self.up.y, -self.forward.y, 0.0),
-            DVec4::new(self.right.z, self.up.z, -self.forward.z, 0.0),
-            DVec4::W,
-        );
+        let view = DMat4::from_mat3(DMat3::from_cols(self.right, self.up, -self.forward).transpose());
         let [tx, ty] = self.tan_half_fov;
         // Depth = near / distance: 1 at the near plane, 0 at infinity.
         let clip = DMat4::from_cols(
@@ -62,11 +57,6 @@ impl View {
     /// Unit vector from the eye through a point of the picture: (-1, -1) is bottom left, (1, 1) top right.
     pub fn ray(&self, x: f64, y: f64) -> DVec3 {
         (self.forward + self.right * (x * self.tan_half_fov[0]) + self.up * (y * self.tan_half_fov[1])).normalize()
-    }
-
-    /// Distance from the eye to the horizon of a spherical Earth without refraction, m.
-    pub fn horizon_distance_m(&self) -> f64 {
-        (2.0 * EARTH_RADIUS_M * self.eye.y.max(0.0)).sqrt()
     }
 }
 

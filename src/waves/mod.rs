@@ -9,7 +9,7 @@ pub mod change;
 pub mod colour_scale;
 pub mod dispersion;
 pub mod energy;
-mod fft;
+pub mod fft;
 pub mod foam;
 pub mod lattice;
 pub mod map_spectrum;

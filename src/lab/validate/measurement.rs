@@ -8,7 +8,7 @@ use crate::sim::{MapsF32, Simulation};
 use crate::state::{Params, query};
 use crate::waves::Plan;
 use crate::waves::plan::Cascade;
-use crate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
+use crate::waves::statistics::{self, LatticeStatistics, SpectrumStatistics};
 use crate::waves::table::{Table, entry_index};
 
 /// Measures seas for the validation page, over ensembles of seeds.
@@ -167,8 +167,6 @@ pub fn visit_expected_waves(plan: &Plan, visit: &mut dyn FnMut(&TravellingWave))
 
 /// Iterates over the waves of a cascade: signed grid indices (x, z) and wave number, rad/m.
 pub fn lattice_waves<'a>(plan: &Plan, cascade: &'a Cascade) -> impl Iterator<Item = (i32, i32, f64)> + 'a {
-    let half = plan.n as i32 / 2;
-    let all = (1 - half..half).flat_map(move |iz| (1 - half..half).map(move |ix| (ix, iz)));
     let wave = |(ix, iz): (i32, i32)| (ix, iz, cascade.dk() * f64::from(ix * ix + iz * iz).sqrt());
-    all.map(wave).filter(|&(ix, iz, k)| (ix, iz) != (0, 0) && cascade.contains_wave_number(k))
+    statistics::lattice(plan.n).map(wave).filter(|&(ix, iz, k)| (ix, iz) != (0, 0) && cascade.contains_wave_number(k))
 }

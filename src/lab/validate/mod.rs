@@ -3,7 +3,6 @@
 //! Without a GPU only the measured table cells are missing; the tests compare all others with docs/validation.md.
 
 pub mod cells;
-pub mod combinations;
 mod depth;
 mod dispersion;
 mod measurement;
@@ -51,8 +50,7 @@ fn introduce(page: &mut Page, lab: &Measurement<'_>) {
     page.heading(1, "Validation");
     page.paragraph(
         "`seastate validate` writes this page and its figures from the program's own output. The seeds are fixed, and \
-         `tests/validation.rs` compares the theoretical numbers of the page with the program. `seastate validate \
-         --all` measures every spectrum with every spreading in thirteen sea states.",
+         `tests/validation.rs` compares the theoretical numbers of the page with the program.",
     );
     page.paragraph(
         "**Theory** integrates the spectrum by adaptive quadrature. **Resolved** sums over the waves that the cascades \
