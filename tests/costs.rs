@@ -11,8 +11,8 @@ use seastate::waves::tiling::MEAN_COPIES;
 /// Cost of a transcendental function, root or quotient in additions.
 const SPECIAL: f64 = 4.0;
 
-/// Iterations of the loops of a function, in their order. The sea has four cascades, one of them with ripples; the pixel
-/// takes no slopes from the mesh, and its maps are neither magnified nor distant.
+/// Iterations of the loops of a function, in their order. The sea has four cascades, one of them with ripples; the
+/// pixel takes no slopes from the mesh, and its maps are neither magnified nor distant.
 fn trips(function: &str) -> &'static [f64] {
     match function {
         "water_displacement" => &[4.0, MEAN_COPIES],

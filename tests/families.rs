@@ -51,7 +51,7 @@ fn faults(state: &str, symmetric: bool) -> Vec<String> {
     if symmetric {
         check("no direction", r.r1 < 0.01 && t.mean_from_deg.is_none() && r.mean_from_deg.is_none());
     } else {
-        let from = plan.sea.local().from_deg;
+        let from = plan.sea.first_system().from_deg;
         let off = |deg: Option<f64>| deg.map_or(f64::NAN, |d| ((d - from + 540.0) % 360.0 - 180.0).abs());
         check("theoretical direction is that of the wind", off(t.mean_from_deg) < 1e-6);
         check("resolved direction within 2 degrees", off(r.mean_from_deg) < 2.0);

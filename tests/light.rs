@@ -93,7 +93,8 @@ fn rgb(spectrum: impl Fn(f64) -> f64) -> [f64; 3] {
     [3.2406 * x - 1.5372 * y - 0.4986 * z, -0.9689 * x + 1.8758 * y + 0.0415 * z, 0.0557 * x - 0.2040 * y + 1.0570 * z]
 }
 
-/// Skies and suns through much air and ozone: what the renderer makes of four wavelengths has the colour of the spectrum.
+/// Skies and suns through much air and ozone: what the renderer makes of four wavelengths has the colour of the
+/// spectrum.
 #[test]
 fn four_wavelengths_have_the_colours_of_spectra() {
     const FOUR: [f64; 4] = [630.0, 575.0, 510.0, 440.0];

@@ -1,5 +1,6 @@
-//! Hours of frames take no more memory than the first ones: a sea that runs, with a slider dragged and let go, another size now
-//! and then. By hand, some minutes: `cargo test --test memory -- --ignored --nocapture`. Reads /proc, hence Linux.
+//! Hours of frames take no more memory than the first ones: a sea that runs, with a slider dragged and let go, another
+//! size now and then. By hand, some minutes: `cargo test --test memory -- --ignored --nocapture`. Reads /proc, hence
+//! Linux.
 
 mod common;
 

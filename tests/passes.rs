@@ -69,8 +69,8 @@ fn other_seas_agree_with_the_oracle() {
     }
 }
 
-/// One fault of 1 % in each kernel: the adapter, the module, the text that is replaced, its replacement, and the beginning of a
-/// line that must fail.
+/// One fault of 1 % in each kernel: the adapter, the module, the text that is replaced, its replacement, and the
+/// beginning of a line that must fail.
 const FAULTS: &[(Kind, &str, &str, &str, &str)] = &[
     (GPU, "waves/spectrum", "h = gauss * sqrt(variance)", "h = 1.01 * gauss * sqrt(variance)", "spectrum"),
     (SOFTWARE, "waves/spectrum", "h = gauss * sqrt(variance)", "h = 1.01 * gauss * sqrt(variance)", "spectrum"),

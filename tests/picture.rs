@@ -30,8 +30,8 @@ fn luminance(p: [u8; 4]) -> f64 {
     0.2126 * f64::from(p[0]) + 0.7152 * f64::from(p[1]) + 0.0722 * f64::from(p[2])
 }
 
-/// Root mean square of what is left of the rows from `from` to `to` after taking away each row's own linear trend: 0 for
-/// a flat plane and for any smooth gradient.
+/// Root mean square of what is left of the rows from `from` to `to` after taking away each row's own linear trend: 0
+/// for a flat plane and for any smooth gradient.
 fn texture(pixels: &[[u8; 4]], from: usize, to: usize) -> f64 {
     let width = SIZE[0] as usize;
     let mut sum = 0.0;

@@ -1,5 +1,5 @@
-//! Every shader module is valid for naga (Firefox and the native program use it), and Rust and WGSL agree on the layout of
-//! every struct that they share.
+//! Every shader module is valid for naga (Firefox and the native program use it), and Rust and WGSL agree on the layout
+//! of every struct that they share.
 
 mod common;
 

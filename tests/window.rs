@@ -197,11 +197,11 @@ fn the_window_is_used_as_a_person_does() {
 
     // A slider is dragged, and undone.
     desk.drag(beaufort, [beaufort[0] + 40.0, beaufort[1]]);
-    let windy = desk.look_for("more wind", |p| p.sea.local().wind_m_s > first.sea.local().wind_m_s);
+    let windy = desk.look_for("more wind", |p| p.sea.first_system().wind_m_s > first.sea.first_system().wind_m_s);
     desk.key("ctrl+z");
-    desk.look_for("the old wind", |p| p.sea.local().wind_m_s == first.sea.local().wind_m_s);
+    desk.look_for("the old wind", |p| p.sea.first_system().wind_m_s == first.sea.first_system().wind_m_s);
     desk.key("ctrl+shift+z");
-    desk.look_for("the new wind", |p| p.sea.local().wind_m_s == windy.sea.local().wind_m_s);
+    desk.look_for("the new wind", |p| p.sea.first_system().wind_m_s == windy.sea.first_system().wind_m_s);
 
     // The left button looks around over the sea, but not over the panel.
     desk.drag([300.0, 300.0], [420.0, 330.0]);

@@ -83,7 +83,8 @@ fn sky_irradiance_parts(@builtin(global_invocation_id) id: vec3u) {
     let elevation = (f32(y) + 0.5) * ATM_PI / f32(size.y);
     let solid = cos(elevation) * (ATM_PI / f32(size.y)) * (2.0 * ATM_PI / f32(size.x));
     let radiance = textureLoad(environment_map, vec2u(x, y + half_rows), 1).rgb;
-    // Weight in the adaptation luminance: the low sky counts most, because it is in the picture and reflected by the sea.
+    // Weight in the adaptation luminance: the low sky counts most, because it is in the picture and reflected by the
+    // sea.
     let low = exp(-elevation * elevation / 0.18) * solid;
     let luminance = min(sky_luminance(radiance), 6.0 * sky_luminance(light.overcast_zenith_radiance) + 1e-4);
     sum += vec4f(radiance * (sin(elevation) * solid), luminance * low);

@@ -34,9 +34,9 @@ fn main(@builtin(local_invocation_id) local: vec3u, @builtin(workgroup_id) group
     for (var i = 0u; i < RADIX_1; i++) {
       fft_points[i] = row_transforms[base + (i * RADIX_2 + t) * N + x];
     }
-    fft_first(t, exchange);
+    fft_first_half(t, exchange);
     for (var k1 = t; k1 < RADIX_1; k1 += RADIX_2) {
-      fft_second(k1, exchange);
+      fft_second_half(k1, exchange);
       for (var k2 = 0u; k2 < RADIX_2; k2++) {
         let v = fft_points[fft_result_index(k2, RADIX_2)];
         if pair == 0u {

@@ -20,10 +20,10 @@ fn main(@builtin(local_invocation_id) local: vec3u, @builtin(workgroup_id) group
       let x = i * RADIX_2 + t;
       fft_points[i] = evolve_packed_fields(pair, line, x, rows_waves[i]);
     }
-    fft_first(t, exchange);
+    fft_first_half(t, exchange);
     let out = ((c * 2u + pair) * N + z) * N;
     for (var k1 = t; k1 < RADIX_1; k1 += RADIX_2) {
-      fft_second(k1, exchange);
+      fft_second_half(k1, exchange);
       for (var k2 = 0u; k2 < RADIX_2; k2++) {
         row_transforms[out + k1 + RADIX_1 * k2] = fft_points[fft_result_index(k2, RADIX_2)];
       }

@@ -3,7 +3,7 @@
 use super::App;
 use crate::state::motion::{fly, orbit, rotate_camera, zoom};
 use crate::state::params::{Camera, CameraMode};
-use crate::state::rounding::{camera_pose, rounded};
+use crate::state::rounding::{camera_pose, with_rounded_pose};
 use egui::Key;
 
 /// Speed at which keys fly the camera at the sea's zero level, m/s.
@@ -81,7 +81,7 @@ impl App {
         if self.idle_pose.as_ref() == Some(&camera_pose(&self.params)) {
             return;
         }
-        let rounded = rounded(&self.params);
+        let rounded = with_rounded_pose(&self.params);
         self.params.camera = rounded.camera;
         if self.params.clock.paused {
             self.params.clock.t_s = rounded.clock.t_s;

@@ -106,10 +106,10 @@ mod tests {
         let mut p = with_wind(14.0);
         p.clock.t_s = 77.0;
         history.undo(&mut p);
-        assert_eq!((p.sea.local().wind_m_s, p.clock.t_s), (12.0, 77.0));
+        assert_eq!((p.sea.first_system().wind_m_s, p.clock.t_s), (12.0, 77.0));
         assert_eq!(history.can_undo_redo(&p), (false, true));
         history.redo(&mut p);
-        assert_eq!((p.sea.local().wind_m_s, history.can_undo_redo(&p)), (14.0, (true, false)));
+        assert_eq!((p.sea.first_system().wind_m_s, history.can_undo_redo(&p)), (14.0, (true, false)));
     }
 
     #[test]
@@ -119,9 +119,9 @@ mod tests {
         history.note_params(&with_wind(20.0), true, 0.1);
         let mut p = with_wind(20.0);
         history.undo(&mut p);
-        assert_eq!(p.sea.local().wind_m_s, 12.0);
+        assert_eq!(p.sea.first_system().wind_m_s, 12.0);
         history.redo(&mut p);
-        assert_eq!(p.sea.local().wind_m_s, 20.0);
+        assert_eq!(p.sea.first_system().wind_m_s, 20.0);
         history.undo(&mut p);
         history.note_params(&with_wind(5.0), false, 1.0);
         history.note_params(&with_wind(5.0), false, 2.0);

@@ -151,7 +151,7 @@ impl App {
 
     /// The current parameters as a state string, with camera and time rounded as in a link.
     pub fn state(&self) -> String {
-        query::write(&rounding::rounded(&self.params))
+        query::write(&rounding::with_rounded_pose(&self.params))
     }
 
     /// Replaces all parameters by those of a state string. Keys that are missing there get their default values.

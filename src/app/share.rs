@@ -4,7 +4,7 @@ use super::{App, storage, tasks};
 use crate::files::picture;
 use crate::gpu::offscreen::PendingPicture;
 use crate::ocean::{Ocean, maps_file};
-use crate::state::{Params, query, rounding::rounded};
+use crate::state::{Params, query, rounding::with_rounded_pose};
 use crate::waves::Plan;
 
 impl App {
@@ -24,7 +24,7 @@ impl App {
 
     /// Copies the HTML of an iframe that shows the sea in another web page, without the panel.
     pub(super) fn copy_iframe(&mut self) {
-        let mut params = rounded(&self.params);
+        let mut params = with_rounded_pose(&self.params);
         params.screen.panel = false;
         let state = query::write(&params);
         #[cfg(target_arch = "wasm32")]
@@ -56,7 +56,7 @@ impl App {
     /// Saves the current picture as a PNG that contains its state string. A later frame finds the result in `saved`.
     pub(super) fn save_picture(&mut self) {
         let Some((params, size)) = self.drawn.clone() else { return };
-        let params = rounded(&params);
+        let params = with_rounded_pose(&params);
         let (state, link) = (query::write(&params), self.link());
         let gpu = self.gpu();
         let format = self.render_state.target_format;
@@ -76,7 +76,7 @@ impl App {
 
     /// Saves the wave maps of the current moment as an OpenEXR file. A later frame finds the result in `saved`.
     pub(super) fn save_maps(&mut self) {
-        let params = rounded(&self.params);
+        let params = with_rounded_pose(&self.params);
         let state = query::write(&params);
         let gpu = self.gpu();
         let (inbox, ctx, folder) = (self.saved.clone(), self.ctx.clone(), self.save_folder.clone());
@@ -110,5 +110,5 @@ impl App {
 
 /// File name of a saved picture, with wind speed (m/s) and time (s), such as `seastate-wind14-t40.png`.
 fn picture_name(params: &Params) -> String {
-    format!("seastate-wind{:.0}-t{:.0}.png", params.sea.local().wind_m_s, params.clock.t_s)
+    format!("seastate-wind{:.0}-t{:.0}.png", params.sea.first_system().wind_m_s, params.clock.t_s)
 }

@@ -7,7 +7,7 @@ use super::{App, setup, tasks};
 use crate::bench::{self, BenchOptions, PassTiming};
 use crate::gpu::Gpu;
 use crate::ocean::Ocean;
-use crate::state::{Params, query, rounding::rounded};
+use crate::state::{Params, query, rounding::with_rounded_pose};
 use half::f16;
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -275,7 +275,7 @@ pub struct Address {
 impl Address {
     /// Reads the page's address at the start of the app.
     pub fn new(params: &Params) -> Self {
-        Self { query: address_query(), entry: rounded(params), written: Instant::now() }
+        Self { query: address_query(), entry: with_rounded_pose(params), written: Instant::now() }
     }
 }
 
@@ -299,10 +299,10 @@ impl App {
                 self.params.clock.t_s = clock.t_s;
             }
             self.address.query = query;
-            self.address.entry = rounded(&self.params);
+            self.address.entry = with_rounded_pose(&self.params);
             return;
         }
-        let now = rounded(&self.params);
+        let now = with_rounded_pose(&self.params);
         let state = query::write(&now);
         if state == query::write(&self.address.entry) {
             return;

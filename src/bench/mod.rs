@@ -230,7 +230,7 @@ async fn time_picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) ->
     let dragged = one.measure(|i, encoder| {
         frame.clock.t_s += 1.0 / 60.0;
         if let Some(wind) = frame.sea.systems.first_mut() {
-            wind.wind_m_s = params.sea.local().wind_m_s + 0.01 * f64::from(i % 50);
+            wind.wind_m_s = params.sea.first_system().wind_m_s + 0.01 * f64::from(i % 50);
         }
         ocean.transition_to(&frame, 1.0 / 60.0);
         ocean.encode_with_complete_foam(encoder, size);

@@ -137,7 +137,8 @@ impl FrameCascade {
         }
     }
 
-    /// Ripples with `fraction` times the slope variance of a cascade, for an eye above the world position `below_eye`, m.
+    /// Ripples with `fraction` times the slope variance of a cascade, for an eye above the world position `below_eye`,
+    /// m.
     fn new_ripples(cascade: &MapCascade, fraction: f64, below_eye: [f64; 2], n: f64) -> Self {
         let patch_m = cascade.patch_m / RIPPLE_PATCH_RATIO;
         Self {

@@ -62,7 +62,7 @@ pub struct SeaAppearance {
 impl SeaAppearance {
     /// The appearance of the sea of a plan. `look` provides the refractive indices of air and water.
     pub fn new(plan: &Plan, look: &Look) -> Self {
-        let wind_m_s = plan.sea.local().wind_m_s;
+        let wind_m_s = plan.sea.first_system().wind_m_s;
         Self {
             choppiness: plan.sea.choppiness(),
             hs_m: plan.hs_m(),

@@ -2,7 +2,7 @@
 
 use super::field::{FieldDescription, number};
 use super::look::{BedLook, FilmLook, FoamLook, Look, Reflection, Scattering, SkyLook};
-use super::params::{Camera, Clock, Foam, Grid, Params, PatchOverride, Screen, Sea, System};
+use super::params::{Camera, Clock, Foam, Grid, Params, PatchOverride, Screen, Sea, WaveSystemParams};
 use super::views::ViewChoice;
 use std::sync::LazyLock;
 
@@ -20,8 +20,8 @@ pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
         };
     }
     let parts = [
-        part!(System, Sea, sea.systems[0]),
-        number_keys(2, part!(System, Swell, sea.systems[1])),
+        part!(WaveSystemParams, Sea, sea.systems[0]),
+        number_keys(2, part!(WaveSystemParams, Swell, sea.systems[1])),
         part!(Sea, Water, sea),
         part!(Foam, Foam, sea.foam),
         part!(SkyLook, Sky, look.sky),

@@ -25,32 +25,40 @@ pub struct NamedView {
 
 /// All named camera views. Each keeps the horizontal position and sets height, pitch and field of view; some turn too.
 pub const CAMERA_VIEWS: &[NamedView] = &[
-    NamedView { name: "Deck", about: "Seven metres up, as at the start.", camera: |p| camera_with(p, 7.0, -4.0, 50.0) },
+    NamedView {
+        name: "Deck",
+        about: "Seven metres up, as at the start.",
+        camera: |p| standard_camera(p, 7.0, -4.0, 50.0),
+    },
     NamedView {
         name: "Swimmer",
         about: "An eye just above the water, riding on it.",
-        camera: |p| Camera { mode: CameraMode::Buoy, ..camera_with(p, 1.0, 2.0, 60.0) },
+        camera: |p| Camera { mode: CameraMode::Buoy, ..standard_camera(p, 1.0, 2.0, 60.0) },
     },
     NamedView {
         name: "Bridge",
         about: "From the bridge of a large ship.",
-        camera: |p| camera_with(p, 28.0, -8.0, 50.0),
+        camera: |p| standard_camera(p, 28.0, -8.0, 50.0),
     },
     NamedView {
         name: "Cliff",
         about: "From a hundred metres, with a long lens.",
-        camera: |p| camera_with(p, 100.0, -7.0, 25.0),
+        camera: |p| standard_camera(p, 100.0, -7.0, 25.0),
     },
     NamedView {
         name: "Aeroplane",
         about: "From a kilometre: the pattern of the swell.",
-        camera: |p| camera_with(p, 1000.0, -25.0, 50.0),
+        camera: |p| standard_camera(p, 1000.0, -25.0, 50.0),
     },
-    NamedView { name: "Straight down", about: "The water from above.", camera: |p| camera_with(p, 60.0, -89.0, 50.0) },
+    NamedView {
+        name: "Straight down",
+        about: "The water from above.",
+        camera: |p| standard_camera(p, 60.0, -89.0, 50.0),
+    },
     NamedView {
         name: "Into the waves",
         about: "Against the direction that the waves run in.",
-        camera: |p| Camera { heading_deg: p.sea.local().from_deg, ..camera_with(p, 4.0, -2.0, 50.0) },
+        camera: |p| Camera { heading_deg: p.sea.first_system().from_deg, ..standard_camera(p, 4.0, -2.0, 50.0) },
     },
     NamedView {
         name: "Into the sun",
@@ -60,7 +68,7 @@ pub const CAMERA_VIEWS: &[NamedView] = &[
             let sun_deg = x.atan2(-z).to_degrees().rem_euclid(360.0);
             Camera {
                 heading_deg: sun_deg.round(),
-                ..camera_with(p, 7.0, (0.4 * up.asin().to_degrees() - 8.0).clamp(-20.0, 10.0), 50.0)
+                ..standard_camera(p, 7.0, (0.4 * up.asin().to_degrees() - 8.0).clamp(-20.0, 10.0), 50.0)
             }
         },
     },
@@ -68,7 +76,7 @@ pub const CAMERA_VIEWS: &[NamedView] = &[
 
 /// Camera at the current horizontal position and heading with a new height, pitch and field of view; never in buoy
 /// mode.
-fn camera_with(p: &Params, y_m: f64, pitch_deg: f64, fov_deg: f64) -> Camera {
+fn standard_camera(p: &Params, y_m: f64, pitch_deg: f64, fov_deg: f64) -> Camera {
     let mode = if p.camera.mode == CameraMode::Buoy { CameraMode::Fly } else { p.camera.mode };
     Camera { y_m, pitch_deg: pitch_deg.round(), fov_deg, mode, ..p.camera.clone() }
 }

@@ -8,7 +8,9 @@ use super::field::FieldKind::{Choice, Flag, Heading};
 use super::field::{choice_enum, integer, logarithmic, number, parameters};
 use super::floats::FloatingObject;
 pub use super::look::Look;
-pub use super::sea::{DepthFactor, DispersionKind, Foam, Sea, SpectrumKind, SpreadKind, System, Whitecaps};
+pub use super::sea::{
+    DepthFactor, DispersionKind, Foam, Sea, SpectrumKind, SpreadKind, WaveSystemParams, WhitecapRule,
+};
 
 /// All state that a link can carry. Values that were set through [`fields`](super::fields) are always valid.
 #[derive(Clone, Debug, PartialEq, Default)]

@@ -181,7 +181,11 @@ mod tests {
     fn a_pasted_url_is_read() {
         for text in ["wind=14&fetch=300", "?wind=14&fetch=300", "https://example.org/sea/?wind=14&fetch=300#top"] {
             let (p, notices) = parse(text);
-            assert_eq!((p.sea.local().wind_m_s, p.sea.local().fetch_km, notices.len()), (14.0, 300.0, 0), "{text}");
+            assert_eq!(
+                (p.sea.first_system().wind_m_s, p.sea.first_system().fetch_km, notices.len()),
+                (14.0, 300.0, 0),
+                "{text}"
+            );
             assert_eq!(write(&p), "wind=14&fetch=300");
         }
         assert_eq!(parse("https://example.org/").1.len(), 0);
@@ -190,8 +194,8 @@ mod tests {
     #[test]
     fn bad_values_become_notices() {
         let (p, notices) = parse("wind=NaN&fetch=-3&spectrum=nonsense&colour=red&seed=4294967296&wind=200");
-        assert_eq!(p.sea.local().wind_m_s, 60.0);
-        assert_eq!(p.sea.local().fetch_km, 0.5);
+        assert_eq!(p.sea.first_system().wind_m_s, 60.0);
+        assert_eq!(p.sea.first_system().fetch_km, 0.5);
         assert_eq!(p.sea.seed, u32::MAX);
         assert_eq!(notices.len(), 7, "{notices:?}");
     }
@@ -199,7 +203,7 @@ mod tests {
     #[test]
     fn percent_encoding_is_read() {
         let (p, notices) = parse("%77ind=%31%34&spread=donelan%2Dbanner");
-        assert_eq!((p.sea.local().wind_m_s, notices.len()), (14.0, 0));
+        assert_eq!((p.sea.first_system().wind_m_s, notices.len()), (14.0, 0));
     }
 
     #[test]
@@ -266,7 +270,7 @@ mod tests {
             ("v=a&wind=20", "read as the newest"),
         ] {
             let ParsedState { params, notices, .. } = read_with(link, MADE_UP);
-            assert_eq!(params.sea.local().wind_m_s, 20.0, "{link}");
+            assert_eq!(params.sea.first_system().wind_m_s, 20.0, "{link}");
             assert!(notices.len() == 1 && notices[0].contains(says), "{notices:?}");
         }
         // The program has only version 1, which it never writes into a string.
@@ -277,6 +281,6 @@ mod tests {
     #[test]
     fn directions_wrap_without_a_notice() {
         assert_eq!(parse("dir=-90"), (parse("dir=270").0, vec![]));
-        assert_eq!(parse("dir=720").0.sea.local().from_deg, 0.0);
+        assert_eq!(parse("dir=720").0.sea.first_system().from_deg, 0.0);
     }
 }

@@ -12,7 +12,7 @@ pub fn camera_pose(params: &Params) -> CameraPose {
 }
 
 /// Copy of the parameters as a link writes them: camera and running time to one decimal, a paused time to three.
-pub fn rounded(params: &Params) -> Params {
+pub fn with_rounded_pose(params: &Params) -> Params {
     let mut p = params.clone();
     // The quotient of two whole numbers is the f64 nearest to the decimal fraction, so its text is short.
     let round = |x: &mut f64, steps_per_unit: f64| *x = (*x * steps_per_unit).round() / steps_per_unit;

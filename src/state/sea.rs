@@ -82,7 +82,7 @@ choice_enum! {
 
 choice_enum! {
     /// Source of the foam threshold, the Jacobian below which foam forms.
-    pub enum Whitecaps {
+    pub enum WhitecapRule {
         /// Whitecap coverage at the wind speed, Monahan and O'Muircheartaigh 1980.
         Monahan = "monahan",
         /// Value that the user sets.
@@ -92,7 +92,7 @@ choice_enum! {
 
 parameters! {
     /// One wave system: a spectrum with its own wind and directional spreading. The default is the local wind sea.
-    pub struct System {
+    pub struct WaveSystemParams {
         /// Frequency spectrum over w in rad/s. phillips: equilibrium range only (1958); tessendorf: Phillips' spectrum
         /// over wave vectors, with its own cos^2 spreading (2001); ab: A w^-5 exp(-B w^-4); pm: fully developed sea
         /// (Pierson and Moskowitz 1964); jonswap: fetch-limited sea (Hasselmann et al. 1973); tma: jonswap in shallow
@@ -139,10 +139,10 @@ parameters! {
     }
 }
 
-impl System {
+impl WaveSystemParams {
     /// Default of the second wave system: swell of a distant storm, switched off. It is lower and longer than the sea
     /// inside that storm.
-    fn distant() -> Self {
+    fn default_second_system() -> Self {
         Self {
             scale: 0.0,
             wind_m_s: 15.0,
@@ -163,7 +163,7 @@ parameters! {
     /// Sea state: wave systems, water, displacement and foam.
     pub struct Sea {
         /// Wave systems: the local wind sea, and a second one such as swell. Their spectra add.
-        systems: [System; 2] = [System::default(), System::distant()],
+        systems: [WaveSystemParams; 2] = [WaveSystemParams::default(), WaveSystemParams::default_second_system()],
         /// Buoy spectrum that the wave systems with the spectrum `measured` use.
         measured: Option<Arc<MeasuredSpectrum>> = None,
         /// Water depth. Shallow water slows and steepens long waves; with tma it also limits their energy.
@@ -211,7 +211,7 @@ parameters! {
 
 impl Sea {
     /// First wave system: the local wind sea, whose wind also forms the whitecaps.
-    pub fn local(&self) -> &System {
+    pub fn first_system(&self) -> &WaveSystemParams {
         &self.systems[0]
     }
 
@@ -232,7 +232,7 @@ parameters! {
     pub struct Foam {
         /// Source of the foam threshold. monahan: set so that the mean foam is the whitecap coverage of the wind
         /// (Monahan and O'Muircheartaigh 1980); fixed: the parameter foamthreshold.
-        whitecaps: Whitecaps = Whitecaps::Monahan => ("whitecaps", "Whitecaps", "", Choice(Whitecaps::WORDS)),
+        whitecaps: WhitecapRule = WhitecapRule::Monahan => ("whitecaps", "Whitecaps", "", Choice(WhitecapRule::WORDS)),
         /// With whitecaps=fixed: Jacobian below which foam forms; 1 is an undeformed surface, 0 a folding crest.
         threshold: f64 = 0.5 => ("foamthreshold", "Foam threshold", "", number(-1.0, 1.0)),
         /// Offset that is added to the foam threshold: more foam (+) or less (-).

@@ -3,7 +3,7 @@
 /// Largest number of notices from reading one text; one more notice counts those that were left out.
 pub(super) const MAX_NOTICES: usize = 24;
 /// Longest piece of the user's text that a notice quotes, in characters.
-const MAX_QUOTED: usize = 40;
+const MAX_QUOTED_CHARS: usize = 40;
 
 /// Formats a number as the shortest text that parses to the same f64; magnitudes below 1e-6 get an exponent.
 pub(super) fn shortest_decimal(value: f64) -> String {
@@ -19,8 +19,8 @@ pub(super) fn printable_prefix(text: &str, longest: usize) -> String {
 
 /// Returns the beginning of a text for quotation in a notice, with an ellipsis if it was cut.
 pub(super) fn quoted_excerpt(text: &str) -> String {
-    let ellipsis = if text.chars().count() > MAX_QUOTED { "…" } else { "" };
-    printable_prefix(text, MAX_QUOTED) + ellipsis
+    let ellipsis = if text.chars().count() > MAX_QUOTED_CHARS { "…" } else { "" };
+    printable_prefix(text, MAX_QUOTED_CHARS) + ellipsis
 }
 
 /// Cuts a list of notices to the first [`MAX_NOTICES`] and appends the number of those removed.

@@ -4,7 +4,7 @@
 //! fact sheet 6, with the descriptions paraphrased; sea states are WMO code table 3700. All heights apply to the open
 //! sea, far from land, and the WMO gives them as a guide only.
 
-use crate::state::params::{Params, Sea, System};
+use crate::state::params::{Params, Sea, WaveSystemParams};
 
 /// One force of the Beaufort scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,8 +88,9 @@ impl BeaufortForce {
     pub fn apply(&self, now: &Params) -> Params {
         let mut next = now.clone();
         let [default, _] = Sea::default().systems;
-        let from_deg = now.sea.local().from_deg;
-        next.sea.systems[0] = System { wind_m_s: self.mean_wind_m_s, fetch_km: self.fetch_km, from_deg, ..default };
+        let from_deg = now.sea.first_system().from_deg;
+        next.sea.systems[0] =
+            WaveSystemParams { wind_m_s: self.mean_wind_m_s, fetch_km: self.fetch_km, from_deg, ..default };
         next
     }
 }

@@ -92,7 +92,7 @@ impl ColourScale {
             DisplayedView::Surface(SurfaceView::Normals) => Self::linear(-1.0, 1.0, "", Palette::Direction),
             DisplayedView::Surface(SurfaceView::Jacobian) => Self::jacobian(plan.strain_variance(0.0).sqrt() * chop),
             DisplayedView::Surface(SurfaceView::Roughness) => {
-                let wind = plan.sea.local().wind_m_s;
+                let wind = plan.sea.first_system().wind_m_s;
                 positive(plan.slope_variance(f64::INFINITY).max(statistics::cox_munk_mss(wind)))
             }
             DisplayedView::Surface(SurfaceView::Mips) => positive(f64::from(plan.n.ilog2() - 2)),

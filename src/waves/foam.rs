@@ -6,7 +6,7 @@
 
 use super::plan::Plan;
 use super::statistics::monahan_coverage;
-use crate::state::params::Whitecaps;
+use crate::state::params::WhitecapRule;
 use std::f64::consts::PI;
 
 /// Factor of the fit F / (1 - F) = FACTOR (rate x decay time)^POWER s for the mean foam F at a mean foam source s. The
@@ -52,15 +52,15 @@ impl FoamModel {
     pub fn new(plan: &Plan) -> Self {
         let foam = &plan.sea.foam;
         let sigma = strain_deviation(plan, REFERENCE_TEXEL_M);
-        let coverage = monahan_coverage(plan.sea.local().wind_m_s).min(MAX_COVERAGE);
+        let coverage = monahan_coverage(plan.sea.first_system().wind_m_s).min(MAX_COVERAGE);
         let source =
             coverage / (1.0 - coverage) / (COVERAGE_FIT_FACTOR * DEFAULT_RATE_DECAY.powf(COVERAGE_FIT_EXPONENT));
-        if sigma < MIN_SIGMA || (foam.whitecaps == Whitecaps::Monahan && source <= 0.0) {
+        if sigma < MIN_SIGMA || (foam.whitecaps == WhitecapRule::Monahan && source <= 0.0) {
             return Self { threshold_sigmas: f64::INFINITY, coverage: 0.0 };
         }
         let mut threshold_sigmas = match foam.whitecaps {
-            Whitecaps::Fixed => sigmas_at(foam.threshold, sigma),
-            Whitecaps::Monahan => bisect(-2.0, 8.0, |z| mean_source(z) > source),
+            WhitecapRule::Fixed => sigmas_at(foam.threshold, sigma),
+            WhitecapRule::Monahan => bisect(-2.0, 8.0, |z| mean_source(z) > source),
         };
         if foam.bias != 0.0 {
             threshold_sigmas = sigmas_at(jacobian(threshold_sigmas, sigma) + foam.bias, sigma);

@@ -101,7 +101,7 @@ impl Plan {
             );
         }
         let cascades = cascades::choose_cascades(&energy, &dispersion, &params.grid);
-        let downwind = system::travel_direction(sea.local().from_deg);
+        let downwind = system::travel_direction(sea.first_system().from_deg);
         let blends_copies = params.grid.hide_tiling;
         let energy = Arc::new(energy);
         let mut plan =

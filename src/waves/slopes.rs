@@ -50,7 +50,7 @@ pub fn resolved_slope_variance(plan: &Plan) -> SlopeVariance {
 
 /// Mean square slopes of waves too short for the cascades: those of Cox and Munk (1954) minus `resolved`, at least 0.
 pub fn residual_slope_variance(plan: &Plan, resolved: SlopeVariance) -> SlopeVariance {
-    let total = cox_munk(plan.sea.local().wind_m_s);
+    let total = cox_munk(plan.sea.first_system().wind_m_s);
     [0, 1].map(|axis| (total[axis] - resolved[axis]).max(0.0))
 }
 

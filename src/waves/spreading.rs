@@ -8,7 +8,7 @@
 use super::dispersion::Dispersion;
 use super::quadrature::integrate_panels;
 use super::spectra::{FrequencySpectrum, elfouhaily_delta};
-use crate::state::params::{Sea, SpreadKind, System};
+use crate::state::params::{Sea, SpreadKind, WaveSystemParams};
 use std::f64::consts::PI;
 
 /// Largest number of lobes of one wave system: two for Elfouhaily's spreading, blended with one of another family.
@@ -69,7 +69,7 @@ pub struct Lobes {
 
 impl Spreading {
     /// Makes the directional spreading of a wave system from its parameters and its frequency spectrum.
-    pub fn new(sea: &Sea, system: &System, spectrum: &FrequencySpectrum) -> Self {
+    pub fn new(sea: &Sea, system: &WaveSystemParams, spectrum: &FrequencySpectrum) -> Self {
         let omega_p = spectrum.omega_p;
         let (first, second, blend, mut isotropic) = if spectrum.has_own_direction {
             (SpreadKind::Cos2, SpreadKind::Cos2, 0.0, 0.0)
@@ -260,13 +260,13 @@ mod tests {
         SpreadKind::Elfouhaily,
     ];
 
-    fn spreading(system: &System) -> Spreading {
+    fn spreading(system: &WaveSystemParams) -> Spreading {
         let sea = Sea::default();
         let spectrum = spectra::spectrum_of_system(&sea, system);
         Spreading::new(&sea, system, &spectrum)
     }
 
-    fn assert_unit(system: &System) {
+    fn assert_unit(system: &WaveSystemParams) {
         let d = spreading(system);
         for i in 0..60 {
             let omega = d.omega_p * 0.1 * 200f64.powf(f64::from(i) / 59.0);
@@ -280,7 +280,7 @@ mod tests {
     fn every_family_integrates_to_one() {
         for spread in KINDS {
             for swell in [0.0, 0.01, 0.3, 1.0] {
-                assert_unit(&System { spread, swell, ..Sea::default().systems[0].clone() });
+                assert_unit(&WaveSystemParams { spread, swell, ..Sea::default().systems[0].clone() });
             }
         }
     }
@@ -290,7 +290,7 @@ mod tests {
         for spread in KINDS {
             for blend_to in KINDS {
                 let local = Sea::default().systems[0].clone();
-                assert_unit(&System { spread, blend_to, blend: 0.3, isotropic: 0.2, swell: 0.5, ..local });
+                assert_unit(&WaveSystemParams { spread, blend_to, blend: 0.3, isotropic: 0.2, swell: 0.5, ..local });
             }
         }
     }
@@ -299,7 +299,8 @@ mod tests {
     fn a_blend_ends_on_its_families() {
         let local = Sea::default().systems[0].clone();
         let at = |blend: f64, isotropic: f64| {
-            let d = spreading(&System { blend_to: SpreadKind::Cos2Positive, blend, isotropic, ..local.clone() });
+            let d =
+                spreading(&WaveSystemParams { blend_to: SpreadKind::Cos2Positive, blend, isotropic, ..local.clone() });
             [0.0, 1.0, 2.0].map(|theta| d.density(1.3 * d.omega_p, theta))
         };
         assert_eq!(at(1.0, 0.0)[0], 2.0 / PI);

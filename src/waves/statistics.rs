@@ -137,7 +137,7 @@ impl SpectrumStatistics {
             mean_from_deg: (r1 > MIN_R1_FOR_DIRECTION).then(|| from_deg(first_moment)),
             spread_deg: spread_deg(r1),
             benjamin_feir: k_p * m0.sqrt() * peakedness * TAU.sqrt(),
-            whitecap_fraction: monahan_coverage(plan.sea.local().wind_m_s),
+            whitecap_fraction: monahan_coverage(plan.sea.first_system().wind_m_s),
         }
     }
 }

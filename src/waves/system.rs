@@ -3,7 +3,7 @@
 use super::spectra::{self, FrequencySpectrum};
 use super::spreading::{CosineFactor, Lobes, Spreading};
 use crate::files::measured::MaximumEntropy;
-use crate::state::params::{Sea, System};
+use crate::state::params::{Sea, WaveSystemParams};
 
 /// One wave system of a planned sea, such as the local wind sea or the swell.
 #[derive(Clone, Debug)]
@@ -37,7 +37,7 @@ pub enum TermKind {
 
 impl WaveSystem {
     /// Makes the spectrum and the directional spreading of a wave system from its parameters.
-    pub fn new(sea: &Sea, system: &System) -> Self {
+    pub fn new(sea: &Sea, system: &WaveSystemParams) -> Self {
         let spectrum = spectra::spectrum_of_system(sea, system).scaled(sea.height * sea.height);
         let spreading = Spreading::new(sea, system, &spectrum);
         Self { spectrum, spreading, travel: travel_direction(system.from_deg) }

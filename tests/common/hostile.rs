@@ -2,7 +2,7 @@
 //! `tests/hostile.rs` runs all of them over the kept cases.
 #![allow(dead_code, reason = "each fuzz target runs one check")]
 
-use seastate::files::measured::{MAX_TEXT_BYTES, MeasuredSpectrum, Mem};
+use seastate::files::measured::{MAX_TEXT_BYTES, MaximumEntropy, MeasuredSpectrum};
 use seastate::files::{panorama, picture};
 use seastate::state::fields::FIELDS;
 use seastate::state::{Params, presets, query};
@@ -78,7 +78,7 @@ fn has_finite_waves(sea: &MeasuredSpectrum) {
     for omega in knots.iter().flat_map(|w| [0.9 * w, *w, 1.1 * w]).chain([0.0, -1.0, 1e9]) {
         assert!(sea.density(omega) >= 0.0 && sea.density(omega).is_finite());
         if let Some(moments) = sea.moments(omega) {
-            let density = Mem::new(moments).density(1.0);
+            let density = MaximumEntropy::new(moments).density(1.0);
             assert!(density > 0.0 && density.is_finite());
         }
     }

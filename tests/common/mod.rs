@@ -50,7 +50,8 @@ impl Default for Pictures {
 }
 
 impl Pictures {
-    /// The pixels of a state, which depend on it alone: time, sea or place are others than before, and the foam starts anew.
+    /// The pixels of a state, which depend on it alone: time, sea or place are others than before, and the foam starts
+    /// anew.
     pub fn render(&mut self, params: &Params, size: [u32; 2]) -> Vec<[u8; 4]> {
         let gpu = &self.gpu;
         let ocean = self.ocean.get_or_insert_with(|| Ocean::new(gpu, FORMAT, OutputKind::Screen, params));

@@ -1,4 +1,5 @@
-//! Calls WGSL functions of the program: a compute kernel that is appended to one of its modules answers a question a thread.
+//! Calls WGSL functions of the program: a compute kernel that is appended to one of its modules answers a question a
+//! thread.
 
 use super::gpu;
 use seastate::gpu::{Gpu, readback};
@@ -98,7 +99,8 @@ pub fn buffer(gpu: &Gpu, contents: &[u8], usage: BufferUsages) -> wgpu::Buffer {
     gpu.device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
 }
 
-/// The answers of a module without resources to some questions; `answer` is the body of a function of the vec4f `a` and `b`.
+/// The answers of a module without resources to some questions; `answer` is the body of a function of the vec4f `a` and
+/// `b`.
 pub fn ask(shaders: &Shaders, module: &str, answer: &str, questions: &[[[f32; 4]; 2]]) -> Vec<[f64; 4]> {
     let text = format!(
         "fn answer_of(a: vec4f, b: vec4f) -> vec4f {{ {answer} }}

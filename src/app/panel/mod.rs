@@ -100,7 +100,7 @@ fn enlarge_for_touch(ui: &mut egui::Ui) {
 /// Describes the sea in one line: significant wave height and Beaufort number.
 pub fn sea_summary(app: &App) -> String {
     let hs = app.length_scale().format(app.derived.theory.hs_m, 1);
-    format!("Hs {hs}, Beaufort {}", beaufort::beaufort_number(app.params.sea.local().wind_m_s))
+    format!("Hs {hs}, Beaufort {}", beaufort::beaufort_number(app.params.sea.first_system().wind_m_s))
 }
 
 /// Adds a button with a tooltip. Returns whether it was clicked.

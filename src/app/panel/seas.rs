@@ -51,7 +51,7 @@ impl OwnSeas {
 
 /// Adds the wind slider in Beaufort numbers, with the name and the appearance of that wind force.
 pub fn show_wind_slider(app: &mut App, ui: &mut egui::Ui) {
-    let wind_m_s = app.params.sea.local().wind_m_s;
+    let wind_m_s = app.params.sea.first_system().wind_m_s;
     let now = beaufort::beaufort_number(wind_m_s);
     let mut number = now;
     ui.horizontal(|ui| {

@@ -85,7 +85,7 @@ pub fn show_direction_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
             Color32::LIGHT_GRAY,
         );
     }
-    let wind = app.params.sea.local().from_deg.to_radians() as f32;
+    let wind = app.params.sea.first_system().from_deg.to_radians() as f32;
     let tail = at(wind, radius);
     painter.arrow(tail, 0.38 * (centre - tail), Stroke::new(2.5, Color32::WHITE));
     painter.circle_filled(tail, 2.5, Color32::WHITE);

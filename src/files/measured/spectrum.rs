@@ -13,7 +13,7 @@ const MAX_FREQUENCY_HZ: f64 = 2.0;
 /// Bound below which every variance density must be, m^2/Hz.
 const MAX_DENSITY: f64 = 1e5;
 /// Frequencies (Hz) and densities (m^2/Hz) below this count as 0.
-const TINY: f64 = 1e-9;
+const MIN_NONZERO_MAGNITUDE: f64 = 1e-9;
 
 /// A measured spectrum: one-sided variance densities in frequency bands, with or without directions. All numbers are
 /// rounded to the precision of a link, so a spectrum and its copy from a link are equal.
@@ -181,7 +181,7 @@ pub(super) fn checked_density(s: f64) -> Result<f64, String> {
     }
 }
 
-/// Rounds a number to four significant decimal digits; a magnitude below [`TINY`] becomes 0.
+/// Rounds a number to four significant decimal digits; a magnitude below [`MIN_NONZERO_MAGNITUDE`] becomes 0.
 fn round_to_four_digits(v: f64) -> f64 {
-    if v.abs() < TINY { 0.0 } else { format!("{v:.3e}").parse().unwrap_or(f64::NAN) }
+    if v.abs() < MIN_NONZERO_MAGNITUDE { 0.0 } else { format!("{v:.3e}").parse().unwrap_or(f64::NAN) }
 }

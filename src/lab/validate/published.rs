@@ -6,9 +6,9 @@ use crate::lab::figure::{Axis, Figure, FigureSeries, LegendCorner, SeriesData, s
 use crate::lab::page::Page;
 use std::f64::consts::TAU;
 
-const G: f64 = 9.81;
+const GRAVITY_M_S2: f64 = 9.81;
 /// Wind speed for the growth curves, m/s. The curves are dimensionless, so every wind speed gives the same curves.
-const WIND: f64 = 10.0;
+const WIND_M_S: f64 = 10.0;
 /// Wind speed at a height of 19.5 m divided by that at 10 m.
 const WIND_RATIO_19M_10M: f64 = 1.026;
 
@@ -32,9 +32,9 @@ const SEA_STATES: [f64; 9] = [0.0, 0.1, 0.5, 1.25, 2.5, 4.0, 6.0, 9.0, 14.0];
 /// Dimensionless energy m0 g^2 / U^4 and peak frequency f_p U / g of the program's spectrum at the dimensionless fetch
 /// `x` = g F / U^2.
 fn growth_of_spectrum(spectrum: &str, x: f64) -> Result<[f64; 2], String> {
-    let fetch_km = x * WIND * WIND / G / 1000.0;
-    let t = theory(&format!("spectrum={spectrum}&wind={WIND}&fetch={fetch_km}&n=64"))?;
-    Ok([t.m0_m2 * G * G / WIND.powi(4), WIND / (G * t.tp_s)])
+    let fetch_km = x * WIND_M_S * WIND_M_S / GRAVITY_M_S2 / 1000.0;
+    let t = theory(&format!("spectrum={spectrum}&wind={WIND_M_S}&fetch={fetch_km}&n=64"))?;
+    Ok([t.m0_m2 * GRAVITY_M_S2 * GRAVITY_M_S2 / WIND_M_S.powi(4), WIND_M_S / (GRAVITY_M_S2 * t.tp_s)])
 }
 
 /// Published dimensionless energy and peak frequency at the dimensionless fetch `x`: Hasselmann et al. 1973.
@@ -132,8 +132,8 @@ fn full_development(page: &mut Page) -> Result<(), String> {
          peak is ω_p = (4β/5)^1/4 g/U19.5 = 0.877 g/U19.5 or f_p = 0.140 g/U19.5, published as 0.14 g/U19.5 (0.13 \
          g/U10 in Hasselmann et al. 1973). With U19.5 = 1.026 U10, these become 0.2203 U10²/g and 0.1361 g/U10.",
     );
-    let t = theory(&format!("spectrum=pm&wind={WIND}&n=64"))?;
-    let (height, peak) = (t.hs_m * G / (WIND * WIND), WIND / (G * t.tp_s));
+    let t = theory(&format!("spectrum=pm&wind={WIND_M_S}&n=64"))?;
+    let (height, peak) = (t.hs_m * GRAVITY_M_S2 / (WIND_M_S * WIND_M_S), WIND_M_S / (GRAVITY_M_S2 * t.tp_s));
     let entry = |what: &str, published: f64, ours: f64| {
         vec![
             what.to_owned(),

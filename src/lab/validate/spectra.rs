@@ -11,21 +11,21 @@ use crate::waves::quadrature::integrate_panels;
 use std::f64::consts::TAU;
 
 /// State string of all seas in this part, to which `spectrum=` is added.
-const STATE: &str = "wind=10&fetch=100&dir=240&n=256";
+const SEA_STATE_STRING: &str = "wind=10&fetch=100&dir=240&n=256";
 /// Range of angular frequency in the figures and of the frequency bins, rad/s.
 const OMEGA_RANGE: (f64, f64) = (0.3, 100.0);
 /// Number of frequency bins, equally wide in the logarithm of the frequency.
-const BINS: usize = 72;
+const FREQUENCY_BINS: usize = 72;
 
 /// Lower edge of frequency bin `i`, rad/s.
 fn bin_lower_edge(i: usize) -> f64 {
-    OMEGA_RANGE.0 * (OMEGA_RANGE.1 / OMEGA_RANGE.0).powf(i as f64 / BINS as f64)
+    OMEGA_RANGE.0 * (OMEGA_RANGE.1 / OMEGA_RANGE.0).powf(i as f64 / FREQUENCY_BINS as f64)
 }
 
 /// Index of the frequency bin that contains a wave; `None` if the wave is out of range.
 fn bin_of_wave(wave: &TravellingWave) -> Option<usize> {
-    let place = (wave.omega / OMEGA_RANGE.0).ln() / (OMEGA_RANGE.1 / OMEGA_RANGE.0).ln() * BINS as f64;
-    (place >= 0.0 && place < BINS as f64).then_some(place as usize)
+    let place = (wave.omega / OMEGA_RANGE.0).ln() / (OMEGA_RANGE.1 / OMEGA_RANGE.0).ln() * FREQUENCY_BINS as f64;
+    (place >= 0.0 && place < FREQUENCY_BINS as f64).then_some(place as usize)
 }
 
 /// A statistic with a table on the page: title, digits after the point, theoretical, resolved and measured value.
@@ -54,7 +54,7 @@ fn theoretical_densities(sea: &MeasuredSea) -> Vec<f64> {
         integrate_panels(|w| sea.plan.density(w), &[bin_lower_edge(i), bin_lower_edge(i + 1)], 2)
             / (bin_lower_edge(i + 1) - bin_lower_edge(i))
     };
-    (0..BINS).map(mean).collect()
+    (0..FREQUENCY_BINS).map(mean).collect()
 }
 
 /// Expected spectral density of the resolved waves, averaged over each frequency bin, m^2 s.
@@ -121,7 +121,10 @@ fn figure(name: &str, sea: &MeasuredSea) -> Figure {
 pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     let mut seas = Vec::new();
     for name in choice_words("spectrum") {
-        seas.push((name, lab.measure_binned_sea(&format!("spectrum={name}&{STATE}"), BINS, &bin_of_wave)?));
+        seas.push((
+            name,
+            lab.measure_binned_sea(&format!("spectrum={name}&{SEA_STATE_STRING}"), FREQUENCY_BINS, &bin_of_wave)?,
+        ));
     }
     page.heading(2, "1. Frequency spectra");
     page.paragraph(

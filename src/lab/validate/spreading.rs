@@ -12,23 +12,23 @@ use crate::waves::{Plan, statistics};
 use std::f64::consts::{PI, TAU};
 
 /// State string of all seas in this part, to which `spread=` is added.
-const STATE: &str = "wind=10&fetch=100&dir=240&n=256";
+const SEA_STATE_STRING: &str = "wind=10&fetch=100&dir=240&n=256";
 /// Centre frequency of each measured band, relative to the peak frequency.
 const RATIOS: [f64; 3] = [1.0, 2.0, 4.0];
 /// Half the width of a frequency band, relative to its centre frequency.
 const HALF_WIDTH: f64 = 0.1;
 /// Number of direction bins, equally wide over the full circle.
-const ANGLES: usize = 24;
+const DIRECTION_BINS: usize = 24;
 
 /// Angle of the unit vector (x, z) from the downwind direction, rad in (-pi, pi], positive clockwise seen from above.
-fn angle(plan: &Plan, unit: [f64; 2]) -> f64 {
+fn angle_from_downwind(plan: &Plan, unit: [f64; 2]) -> f64 {
     let [x, z] = plan.downwind;
     (x * unit[1] - z * unit[0]).atan2(x * unit[0] + z * unit[1])
 }
 
 /// Angle at the middle of a direction bin, rad.
 fn bin_angle(bin: usize) -> f64 {
-    (bin as f64 + 0.5) / ANGLES as f64 * TAU - PI
+    (bin as f64 + 0.5) / DIRECTION_BINS as f64 * TAU - PI
 }
 
 /// Mean of `f` over the frequency band around `omega` (rad/s), weighted by the spectral density.
@@ -72,13 +72,13 @@ fn figure(name: &str, sea: &MeasuredSea, even: &MeasuredSea) -> Figure {
 /// of the same waves in the isotropic sea `even`, whose D is 1 / (2 pi). The number of grid waves cancels.
 fn measured_density(sea: &MeasuredSea, even: &MeasuredSea, band: usize) -> Vec<[f64; 3]> {
     let point = |i: usize| {
-        let at = band * ANGLES + i;
+        let at = band * DIRECTION_BINS + i;
         let variances: Vec<f64> = sea.bins[at].measured.iter().map(|v| v[0]).collect();
         EstimateWithError::mean(&variances)
             .scaled(1.0 / (TAU * even.bins[at].expected[0]))
             .point_at(bin_angle(i).to_degrees())
     };
-    (0..ANGLES).map(point).collect()
+    (0..DIRECTION_BINS).map(point).collect()
 }
 
 /// Writes part 2 of the validation page.
@@ -88,15 +88,15 @@ fn measured_density(sea: &MeasuredSea, even: &MeasuredSea, band: usize) -> Vec<[
 pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     let mut seas = Vec::new();
     for name in choice_words("spread") {
-        let state = format!("spread={name}&{STATE}");
+        let state = format!("spread={name}&{SEA_STATE_STRING}");
         let plan = Plan::new(&super::measurement::parse_params(&state)?);
         let bin = |wave: &TravellingWave| {
             let is_near = |ratio: &f64| (wave.omega / (ratio * plan.omega_p) - 1.0).abs() <= HALF_WIDTH;
             let band = RATIOS.iter().position(is_near)?;
-            let place = (angle(&plan, wave.travel) + PI) / TAU * ANGLES as f64;
-            Some(band * ANGLES + (place as usize).min(ANGLES - 1))
+            let place = (angle_from_downwind(&plan, wave.travel) + PI) / TAU * DIRECTION_BINS as f64;
+            Some(band * DIRECTION_BINS + (place as usize).min(DIRECTION_BINS - 1))
         };
-        seas.push((name, lab.measure_binned_sea(&state, RATIOS.len() * ANGLES, &bin)?));
+        seas.push((name, lab.measure_binned_sea(&state, RATIOS.len() * DIRECTION_BINS, &bin)?));
     }
     page.heading(2, "2. Directional spreading");
     page.paragraph(
@@ -129,7 +129,7 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
 }
 
 fn row(name: &str, sea: &MeasuredSea, band: usize, ratio: f64) -> Vec<String> {
-    let bins = &sea.bins[band * ANGLES..][..ANGLES];
+    let bins = &sea.bins[band * DIRECTION_BINS..][..DIRECTION_BINS];
     let total = |part: &dyn Fn(&WaveBin) -> [f64; 3]| {
         bins.iter().map(part).fold([0.0; 3], |a, b| std::array::from_fn(|i| a[i] + b[i]))
     };

@@ -9,11 +9,11 @@ use crate::lab::page::Page;
 use crate::waves::Plan;
 use std::f64::consts::TAU;
 
-const STATE: &str = "wind=15&fetch=300&n=128";
+const SEA_STATE_STRING: &str = "wind=15&fetch=300&n=128";
 /// Half the range of the elevation's histogram, in standard deviations of the elevation.
 const HALF_RANGE_SIGMAS: f64 = 5.0;
 /// Number of bins of the elevation's histogram.
-const BINS: usize = 50;
+const ELEVATION_BINS: usize = 50;
 
 /// Exact probability density of the elevation of a Gaussian sea with horizontal displacement: phi(u) E[J | u]. Here u
 /// is the elevation over its standard deviation sigma, phi the standard normal density and J the Jacobian.
@@ -57,19 +57,19 @@ impl ElevationDistribution {
 }
 
 /// Histogram of the elevation for one seed: weight of each bin, and weighted sums of the elevation's powers 0 to 4.
-type SeedHistogram = ([f64; BINS], [f64; 5]);
+type SeedHistogram = ([f64; ELEVATION_BINS], [f64; 5]);
 
 fn histograms(lab: &Measurement<'_>, state: &str, sigma: f64) -> Result<Option<Vec<SeedHistogram>>, String> {
     let mut all = Vec::new();
     for seed in 1..=2 * lab.seeds {
         let plan = Plan::new(&parse_params(&format!("{state}&seed={seed}"))?);
         let Some(maps) = lab.read_maps(&plan, &[0.0])? else { return Ok(None) };
-        let (mut bins, mut sums) = ([0.0; BINS], [0.0; 5]);
+        let (mut bins, mut sums) = ([0.0; ELEVATION_BINS], [0.0; 5]);
         surface_points(&plan, &maps[0], &mut |eta, weight| {
             let u = eta / sigma;
             sums.iter_mut().zip(0..).for_each(|(sum, power)| *sum += weight * u.powi(power));
-            let place = (u / HALF_RANGE_SIGMAS + 1.0) * 0.5 * BINS as f64;
-            if place >= 0.0 && place < BINS as f64 {
+            let place = (u / HALF_RANGE_SIGMAS + 1.0) * 0.5 * ELEVATION_BINS as f64;
+            if place >= 0.0 && place < ELEVATION_BINS as f64 {
                 bins[place as usize] += weight;
             }
         });
@@ -105,7 +105,7 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     let gauss = ElevationDistribution { sigma: 1.0, skew_term: 0.0, area_term: 0.0 };
     let (mut rows, mut figures) = (Vec::new(), Vec::new());
     for chop in [0.0, 1.0] {
-        let state = format!("{STATE}&chop={chop}");
+        let state = format!("{SEA_STATE_STRING}&chop={chop}");
         let theory = ElevationDistribution::new(&Plan::new(&parse_params(&state)?), chop);
         let y = Axis::log("probability density", 1e-5, 1.0);
         let mut figure = Figure::new(&format!("Chop {chop}"), x.clone(), y, LegendCorner::Right);
@@ -156,11 +156,11 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
 
 /// Bars of the elevation's histogram over all seeds: lower edge, upper edge and probability density.
 fn histogram_bars(all: &[SeedHistogram]) -> Vec<[f64; 3]> {
-    let width = 2.0 * HALF_RANGE_SIGMAS / BINS as f64;
+    let width = 2.0 * HALF_RANGE_SIGMAS / ELEVATION_BINS as f64;
     let total: f64 = all.iter().map(|s| s.1[0]).sum();
     let bar = |i: usize| {
         let low = -HALF_RANGE_SIGMAS + i as f64 * width;
         [low, low + width, all.iter().map(|s| s.0[i]).sum::<f64>() / (total * width)]
     };
-    (0..BINS).map(bar).filter(|bar| bar[2] > 1e-5).collect()
+    (0..ELEVATION_BINS).map(bar).filter(|bar| bar[2] > 1e-5).collect()
 }

@@ -61,7 +61,8 @@ impl HullPass {
         Self { module, pipeline: None, layout, vertices: None, hulls: [buoy_hull(), boat_hull()], count: 0 }
     }
 
-    /// Uploads hulls at `poses`, relative to the world position `below_eye` (x, z) and still water at height `level_m`, m.
+    /// Uploads hulls at `poses`, relative to the world position `below_eye` (x, z) and still water at height `level_m`,
+    /// m.
     pub fn upload_hulls(
         &mut self,
         gpu: &Gpu,

@@ -38,7 +38,8 @@ gpu_struct! {
 }
 
 impl NoiseLayer {
-    /// A layer for an eye above the world position `below_eye` (x, z), m. `gale`, 0 to 1, lengthens the tile along its axis.
+    /// A layer for an eye above the world position `below_eye` (x, z), m. `gale`, 0 to 1, lengthens the tile along its
+    /// axis.
     fn new(
         (along_m, across_m, turn_deg, longer): LayerShape,
         downwind: [f64; 2],

@@ -93,8 +93,8 @@ impl Preset {
     /// Wind, waves, water, foam and the buoy's spectrum are reset and then set by the preset; the seed is kept unless
     /// the preset names it. Sun, sky, colours and film are reset and set only if the preset names one of them. The
     /// camera changes only where it is named. Time, resolution and views are kept. The image of a sky file is kept if
-    /// the preset names the same file; [`SkyLook::missing_file_notice`](super::look::SkyLook::missing_file_notice) tells
-    /// whether it is missing.
+    /// the preset names the same file; [`SkyLook::missing_file_notice`](super::look::SkyLook::missing_file_notice)
+    /// tells whether it is missing.
     pub fn apply(&self, now: &Params) -> (Params, Vec<String>) {
         let query::ParsedState { params: wanted, keys_set, mut notices } = query::read(&self.state);
         let named = |field: &Field| keys_set.contains(&field.key);

@@ -4,9 +4,9 @@ use super::donelan::peak_form;
 use super::spectrum::{FrequencySpectrum, SpectrumInputs, peak_enhancement};
 
 /// Wave number at which the phase speed of water waves is lowest, rad/m.
-const K_M: f64 = 370.0;
+const MIN_PHASE_SPEED_WAVE_NUMBER: f64 = 370.0;
 /// Lowest phase speed of water waves, m/s.
-const C_M: f64 = 0.23;
+const MIN_PHASE_SPEED_M_S: f64 = 0.23;
 
 /// Elfouhaily's omnidirectional spectrum S(k) = k^-3 (B_low + B_high), m^3, with the curvature spectra of long waves
 /// (B_low) and of short waves (B_high), converted to S(omega).
@@ -17,19 +17,19 @@ pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let k_p = omega_p * omega_p / g;
     let inverse_age = (u * omega_p / g).clamp(0.84, 5.0);
     let (gamma, sigma) = peak_form(inverse_age);
-    let friction = friction_velocity(u) / C_M;
+    let friction = friction_velocity(u) / MIN_PHASE_SPEED_M_S;
     let growth = 1.0 + if friction < 1.0 { friction.ln() } else { 3.0 * friction.ln() };
     let (alpha_p, alpha_m) = (6e-3 * inverse_age.sqrt(), (0.01 * growth).max(0.0));
     // Phase speed (m/s) with the surface tension that the paper assumes.
-    let speed = move |k: f64| (g / k * (1.0 + (k / K_M).powi(2))).sqrt();
+    let speed = move |k: f64| (g / k * (1.0 + (k / MIN_PHASE_SPEED_WAVE_NUMBER).powi(2))).sqrt();
     let density_k = move |k: f64| {
         let ratio = (k / k_p).sqrt();
         let pierson_moskowitz = (-1.25 / ratio.powi(4)).exp();
         let cutoff = (-inverse_age / 10f64.sqrt() * (ratio - 1.0)).exp();
         let long = pierson_moskowitz * peak_enhancement(ratio, gamma, sigma) * cutoff;
         // The Pierson-Moskowitz factor removes the capillary term from waves longer than the peak.
-        let short = pierson_moskowitz * (-0.25 * (k / K_M - 1.0).powi(2)).exp();
-        let curvature = 0.5 * (alpha_p * speed(k_p) * long + alpha_m * C_M * short) / speed(k);
+        let short = pierson_moskowitz * (-0.25 * (k / MIN_PHASE_SPEED_WAVE_NUMBER - 1.0).powi(2)).exp();
+        let curvature = 0.5 * (alpha_p * speed(k_p) * long + alpha_m * MIN_PHASE_SPEED_M_S * short) / speed(k);
         curvature / k.powi(3)
     };
     let density = move |omega| dispersion.density_over_omega(density_k, omega);
@@ -47,9 +47,9 @@ fn friction_velocity(wind_m_s: f64) -> f64 {
 /// Coefficient Delta (0 to 1) of Elfouhaily's directional spreading (1 + Delta cos 2 theta) / (2 pi), for waves with
 /// the phase speed `c` (m/s) in a sea whose peak has the phase speed `c_p` (m/s).
 pub fn elfouhaily_delta(c: f64, c_p: f64, wind_m_s: f64) -> f64 {
-    let ripples = 0.13 * friction_velocity(wind_m_s) / C_M;
+    let ripples = 0.13 * friction_velocity(wind_m_s) / MIN_PHASE_SPEED_M_S;
     let (a_0, a_p) = (2f64.ln() / 4.0, 4.0);
-    (a_0 + a_p * (c / c_p).powf(2.5) + ripples * (C_M / c).powf(2.5)).tanh()
+    (a_0 + a_p * (c / c_p).powf(2.5) + ripples * (MIN_PHASE_SPEED_M_S / c).powf(2.5)).tanh()
 }
 
 #[cfg(test)]

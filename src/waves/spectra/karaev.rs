@@ -4,7 +4,7 @@ use super::jonswap::{Jonswap, depth_factor};
 use super::spectrum::{FrequencySpectrum, SpectrumInputs};
 
 /// Smallest and largest dimensionless fetch g F / U^2 for which Karaev's fit of the peak frequency holds.
-const FETCH: (f64, f64) = (1430.0, 20170.0);
+const FETCH_RANGE: (f64, f64) = (1430.0, 20170.0);
 /// Lowest angular frequency of gravity-capillary waves and of capillary waves, rad/s.
 const RIPPLES: (f64, f64) = (64.0, 298.0);
 
@@ -12,10 +12,13 @@ const RIPPLES: (f64, f64) = (64.0, 298.0);
 /// power laws omega^-4, omega^-5, omega^-2.7 and omega^-5. The five branches join continuously.
 pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (g, u) = (inputs.gravity_m_s2, inputs.wind_m_s);
-    let x = inputs.fetch.clamp(FETCH.0, FETCH.1);
+    let x = inputs.fetch.clamp(FETCH_RANGE.0, FETCH_RANGE.1);
     let notice = (x != inputs.fetch).then(|| {
         let fetch_km = inputs.fetch_km(x);
-        format!("karaev covers g F / U^2 from {} to {}: a fetch of {fetch_km:.0} km is used", FETCH.0, FETCH.1)
+        format!(
+            "karaev covers g F / U^2 from {} to {}: a fetch of {fetch_km:.0} km is used",
+            FETCH_RANGE.0, FETCH_RANGE.1
+        )
     });
     let peak = 0.61826 + 3.529e-7 * x - 0.001_975_08 * x.sqrt() + 62.554 / x.sqrt() - 290.2 / x;
     let omega_p = inputs.omega_p.unwrap_or(peak * g / u);

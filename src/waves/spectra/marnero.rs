@@ -4,7 +4,7 @@ use super::jonswap::height_and_peak;
 use super::spectrum::{FrequencySpectrum, SpectrumInputs};
 
 /// Exponent of wm/w in the exponential of the MarNeRo spectrum.
-const POWER: f64 = 5.9285;
+const FREQUENCY_EXPONENT: f64 = 5.9285;
 /// Coefficient in the exponential of the MarNeRo spectrum.
 const RATE: f64 = 0.3883;
 
@@ -14,11 +14,13 @@ pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (hs_m, omega_p) = height_and_peak(inputs);
     let m0 = hs_m * hs_m / 16.0;
     // Peak frequency over mean frequency, from the zero of the derivative of S.
-    let peak_over_mean = (POWER * RATE / (POWER + 1.0)).powf(1.0 / POWER);
+    let peak_over_mean = (FREQUENCY_EXPONENT * RATE / (FREQUENCY_EXPONENT + 1.0)).powf(1.0 / FREQUENCY_EXPONENT);
     let mean_omega = omega_p / peak_over_mean;
     FrequencySpectrum::new(mean_omega * peak_over_mean, move |omega| {
         let x = mean_omega / omega;
-        POWER * RATE * m0 / mean_omega * x.powf(POWER + 1.0) * (-RATE * x.powf(POWER)).exp()
+        FREQUENCY_EXPONENT * RATE * m0 / mean_omega
+            * x.powf(FREQUENCY_EXPONENT + 1.0)
+            * (-RATE * x.powf(FREQUENCY_EXPONENT)).exp()
     })
 }
 

@@ -21,7 +21,7 @@ mod tests;
 mod torsethaugen;
 
 use super::dispersion::Dispersion;
-use crate::state::params::{Sea, SpectrumKind, System};
+use crate::state::params::{Sea, SpectrumKind, WaveSystemParams};
 use spectrum::SpectrumInputs;
 use std::f64::consts::TAU;
 
@@ -37,7 +37,7 @@ const MIN_PEAK_PERIOD_S: f64 = 0.3;
 
 /// Makes the frequency spectrum of one wave system of a sea, scaled to the user's wave height. Without wind it is 0,
 /// unless the user has set height and period or has loaded a buoy's data.
-pub fn spectrum_of_system(sea: &Sea, system: &System) -> FrequencySpectrum {
+pub fn spectrum_of_system(sea: &Sea, system: &WaveSystemParams) -> FrequencySpectrum {
     let (dispersion, gravity_m_s2) = (Dispersion::new(sea), sea.gravity_m_s2);
     let is_measured = system.spectrum == SpectrumKind::Measured;
     let needs_wind = !(system.hs_m > 0.0 && system.tp_s > 0.0 || is_measured && sea.measured.is_some());

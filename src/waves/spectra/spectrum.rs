@@ -1,7 +1,7 @@
 //! The frequency spectrum of a wave system, and the inputs from which a spectrum family (JONSWAP and others) makes it.
 
 use crate::files::measured::MeasuredSpectrum;
-use crate::state::params::{Sea, System};
+use crate::state::params::{Sea, WaveSystemParams};
 use crate::waves::dispersion::Dispersion;
 use crate::waves::quadrature::integrate_adaptive;
 use std::fmt;
@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// Quantities from which a spectrum family (JONSWAP and others) makes the frequency spectrum of a wave system.
 pub struct SpectrumInputs<'a> {
     pub sea: &'a Sea,
-    pub system: &'a System,
+    pub system: &'a WaveSystemParams,
     /// Dispersion relation of the sea's waves.
     pub dispersion: Dispersion,
     /// Acceleration of gravity g, m/s^2.

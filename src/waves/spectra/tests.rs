@@ -9,7 +9,7 @@ pub const G: f64 = 9.81;
 /// have their defaults, except those that `change` sets.
 pub fn at(spectrum: SpectrumKind, wind_m_s: f64, fetch_km: f64, change: impl Fn(&mut Sea)) -> FrequencySpectrum {
     let mut sea = Sea::default();
-    sea.systems[0] = System { spectrum, wind_m_s, fetch_km, ..sea.systems[0].clone() };
+    sea.systems[0] = WaveSystemParams { spectrum, wind_m_s, fetch_km, ..sea.systems[0].clone() };
     change(&mut sea);
     spectrum_of_system(&sea, &sea.systems[0])
 }
