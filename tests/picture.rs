@@ -6,8 +6,11 @@ use seastate::gpu::Gpu;
 use seastate::gpu::map_format::MapFormat;
 use seastate::ocean::still::{FORMAT, draw_ocean_picture, draw_picture};
 use seastate::ocean::{Ocean, OutputKind};
+use seastate::point::StrongestWaves;
 use seastate::sim::MAX_FOAM_STEPS;
+
 use seastate::state::{Params, query};
+use seastate::waves::Plan;
 
 const SIZE: [u32; 2] = [160, 96];
 
@@ -218,6 +221,25 @@ fn an_eye_near_the_water_rides_over_the_waves() {
         // Water stays below 100, the horizon is at 143.
         assert!(brightest < 120.0, "{state}: sky below the eye, or air in the water ({brightest})");
     }
+}
+
+/// A camera on a buoy keeps its height above the water, however high it is: the picture is that of a camera at rest which
+/// is higher by the height of the water below it.
+#[test]
+fn a_camera_far_above_the_water_rides_on_it() {
+    let gpu = gpu();
+    let state = "spectrum=pm&wind=4&scale2=1&hs2=5&tp2=14&n=64&t=40&foam=0&pitch=-20";
+    let params = |more: &str| query::parse(&format!("{state}{more}")).0;
+    let height_m = StrongestWaves::new(&Plan::new(&params("")), usize::MAX).sample(0.0, 0.0, 40.0).height_m;
+    assert!(height_m.abs() > 0.5, "the water is {height_m} m high: too near its mean for this test");
+    let riding = render_params(&gpu, &params("&camera=buoy&y=40"));
+    let off = |y_m: f64| {
+        let pixels = render_params(&gpu, &params(&format!("&y={y_m}")));
+        pixels.iter().zip(&riding).map(|(a, b)| (luminance(*a) - luminance(*b)).abs()).sum::<f64>()
+            / riding.len() as f64
+    };
+    let (at_rest, raised) = (off(40.0), off(40.0 + height_m));
+    assert!(raised < 0.2 * at_rest, "differences: {raised} at the raised height, {at_rest} at rest");
 }
 
 /// Away from the sun a calm sea has no glints: a covariance of slopes that is none would strew them everywhere.

@@ -25,9 +25,10 @@ impl EyePass {
         Self { pipeline, group }
     }
 
-    /// Records the pass, unless the eye is too high for any wave.
+    /// Records the pass, unless the eye is at a fixed height that no wave reaches.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, scene: &Scene, water: &WaterPass) {
-        let Some(maps) = water.maps_group().filter(|_| waves_may_reach_eye(scene)) else { return };
+        let needs_waves = scene.height_from_waves || waves_may_reach_eye(scene);
+        let Some(maps) = water.maps_group().filter(|_| needs_waves) else { return };
         let mut pass = begin_compute(encoder, "eye");
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &self.group, &[]);
