@@ -148,7 +148,7 @@ impl Ocean {
         let plan = self.sim.plan();
         self.appearance.follow(step, |goal| match step.start {
             Some(TransitionKind::Foam) => goal.clone(),
-            Some(TransitionKind::Surface) => goal.with_surface_and_foam_of(plan),
+            Some(TransitionKind::Surface) => goal.with_surface(plan),
             _ => SeaAppearance::new(plan, &params.look),
         });
         self.plans.follow(step, |goal| match step.start {

@@ -85,7 +85,7 @@ impl SeaAppearance {
     }
 
     /// This appearance with the choppiness and still-water level of `plan`, whose waves must be the same.
-    pub fn with_surface_and_foam_of(&self, plan: &Plan) -> Self {
+    pub fn with_surface(&self, plan: &Plan) -> Self {
         Self { chop: plan.sea.choppiness(), level_m: plan.sea.level_m, ..self.clone() }
     }
 

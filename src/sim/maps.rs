@@ -20,15 +20,15 @@ gpu_struct! {
     #[derive(Default)]
     pub struct TilePlace as "TilePlace" {
         /// Cosine and sine of the lattice's rotation, divided by the side of its triangles, 1/m.
-        pub scaled_rotation: [f32; 2],
+        pub turn: [f32; 2],
         /// Fractional part of the point's lattice coordinates, 0 to 1.
-        pub fraction: [f32; 2],
+        pub rest: [f32; 2],
         /// Integer part of the point's lattice coordinates, wrapped to 32 bits.
         pub cell: [i32; 2],
         /// Seed of the hash that chooses the shift of each copy of the patch.
         pub key: u32,
         /// 1 if shifted copies of the patch are blended, 0 if the patch repeats periodically.
-        pub blends_copies: u32,
+        pub on: u32,
     }
 }
 
@@ -94,11 +94,11 @@ pub struct MapCascade {
 impl From<LatticePosition> for TilePlace {
     fn from(place: LatticePosition) -> Self {
         Self {
-            scaled_rotation: place.tiling.scaled_rotation.map(|x| x as f32),
-            fraction: place.fraction.map(|x| x as f32),
+            turn: place.tiling.scaled_rotation.map(|x| x as f32),
+            rest: place.fraction.map(|x| x as f32),
             cell: place.cell,
             key: place.tiling.hash_key,
-            blends_copies: u32::from(place.tiling.blends_copies),
+            on: u32::from(place.tiling.blends_copies),
         }
     }
 }

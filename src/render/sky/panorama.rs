@@ -19,7 +19,7 @@ pub struct PanoramaTextures {
     pub layout: wgpu::BindGroupLayout,
     /// Bind group of the full image with its mip levels; one black texel while no image is in use.
     pub group: wgpu::BindGroup,
-    displayed: Option<Arc<Panorama>>,
+    shown: Option<Arc<Panorama>>,
 }
 
 impl PanoramaTextures {
@@ -29,12 +29,12 @@ impl PanoramaTextures {
         let layout = gpu.layout("sky/file", wgpu::ShaderStages::FRAGMENT, &[Slot::Texture]);
         let group = picture(gpu, &layout, [1, 1], &[vec![0]]);
         let calm_view = calm.create_view(&wgpu::TextureViewDescriptor::default());
-        Self { calm, calm_view, layout, group, displayed: None }
+        Self { calm, calm_view, layout, group, shown: None }
     }
 
     /// Switches to the sky image `wanted`, or to none. Returns whether the image has changed.
     pub fn show(&mut self, gpu: &Gpu, wanted: Option<&Arc<Panorama>>) -> bool {
-        if self.displayed.as_ref().map(Arc::as_ptr) == wanted.map(Arc::as_ptr) {
+        if self.shown.as_ref().map(Arc::as_ptr) == wanted.map(Arc::as_ptr) {
             return false;
         }
         if let Some(panorama) = wanted {
@@ -52,7 +52,7 @@ impl PanoramaTextures {
             }
             None => picture(gpu, &self.layout, [1, 1], &[vec![0]]),
         };
-        self.displayed = wanted.cloned();
+        self.shown = wanted.cloned();
         true
     }
 }

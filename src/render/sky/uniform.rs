@@ -50,7 +50,7 @@ gpu_struct! {
         /// Cover of low clouds, 0 (clear) to 1 (closed deck).
         overcast: f32,
         /// Exponent of the limb darkening of the sun's disc.
-        limb_darkening_exponent: f32,
+        sun_falloff: f32,
         /// Distance by which the clouds have drifted along x and z, km.
         drift: [f32; 2],
         /// Distance by which the clouds in reflections have drifted along x and z, in coarse steps, km.
@@ -113,7 +113,7 @@ impl SkyUniform {
             dip: dip(eye_m) as f32,
             // A sky image contains its own clouds.
             overcast: if file.is_some() { 0.0 } else { look.overcast as f32 },
-            limb_darkening_exponent: look.limb_darkening_exponent as f32,
+            sun_falloff: look.limb_darkening_exponent as f32,
             drift: [0.0; 2],
             mirror_drift: [0.0; 2],
             night_gain: night_gain as f32,
