@@ -47,8 +47,8 @@ function mirrorOf(item, sea) {
     case 'SearchInput': {
       const element = input('text');
       element.addEventListener('change', () =>
-      sea.perform_action(item.id, 'type', 0, element.value),
-    );
+        sea.perform_action(item.id, 'type', 0, element.value),
+      );
       return element;
     }
     case 'Window':
