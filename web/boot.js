@@ -378,7 +378,11 @@ function watch(handle) {
         return;
       }
       panicked = true;
-    } else if (!shown && handle.has_first_picture() && (!cover || handle.is_picture_complete() || seconds > COVER_SECONDS)) {
+    } else if (
+      !shown &&
+      handle.has_first_picture() &&
+      (!cover || handle.is_picture_complete() || seconds > COVER_SECONDS)
+    ) {
       shown = true;
       cover?.remove();
       cover = undefined;

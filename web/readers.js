@@ -46,7 +46,9 @@ function mirrorOf(item, sea) {
     case 'MultilineTextInput':
     case 'SearchInput': {
       const element = input('text');
-      element.addEventListener('change', () => sea.perform_action(item.id, 'type', 0, element.value));
+      element.addEventListener('change', () =>
+        sea.perform_action(item.id, 'type', 0, element.value),
+      );
       return element;
     }
     case 'Window':

@@ -17,8 +17,9 @@
 //!   adds short waves.
 //! - **Accuracy**: the height of a water particle has a Gaussian error with the rms value
 //!   [`StrongestWaves::residual_rms_m`]. In a gale (20 m/s, fetch 500 km, Hs 9.7 m) this is 16 % of Hs for 200 waves,
-//!   7.5 % for 1000 and 2.1 % for 5000. At a fixed point of the world the error is up to a tenth larger, because the omitted waves also displace the water
-//!   sideways. Most of the slope lies in short waves and is lost: see [`StrongestWaves::residual_slope_rms`].
+//!   7.5 % for 1000 and 2.1 % for 5000. At a fixed point of the world the error is up to a tenth larger, because the
+//!   omitted waves also displace the water sideways. Most of the slope lies in short waves and is lost: see
+//!   [`StrongestWaves::residual_slope_rms`].
 //! - **Precision**: phases are wrapping integers as on the GPU, and positions are reduced by the patch size, so that
 //!   the precision depends neither on the time nor on the distance from the origin. The time resolution is 2^-32 of the
 //!   period, 20 microseconds for a day.
