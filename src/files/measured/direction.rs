@@ -64,7 +64,7 @@ pub(super) fn fill_missing(
     bands.iter().zip(directions).map(|(b, d)| d.or_else(|| Some(nearest_entry(&known, b.0)?.1))).collect()
 }
 
-/// Returns the entry (frequency in Hz, value) whose frequency is nearest to `f_hz`.
+/// Returns the entry (frequency in Hz, value) whose frequency is nearest to `f_hz`; None if there are no entries.
 pub(super) fn nearest_entry<T>(entries: &[(f64, T)], f_hz: f64) -> Option<&(f64, T)> {
     entries.iter().min_by(|a, b| (a.0 - f_hz).abs().total_cmp(&(b.0 - f_hz).abs()))
 }

@@ -48,7 +48,7 @@ fn take_line<'a>(rest: &mut &'a [u8]) -> Result<&'a [u8], String> {
     Ok(line.strip_suffix(b"\r").unwrap_or(line))
 }
 
-/// Reads the header and returns the width and height of the image. It must name no colour format except RGBE.
+/// Reads a Radiance header. Returns width and height of the image, pixels. A colour format except RGBE is an error.
 fn read_header(rest: &mut &[u8]) -> Result<(usize, usize), String> {
     let whole = rest.len();
     loop {
@@ -85,7 +85,8 @@ fn read_row(rest: &mut &[u8], row: &mut [[u8; 4]]) -> Result<(), String> {
     read_pixels(rest, first, row)
 }
 
-/// Reads one colour channel of a run-length encoded row: runs of one value, and sequences of single values.
+/// Reads one channel (0 red, 1 green, 2 blue, 3 exponent) of a run-length encoded row: runs of one value, and sequences
+/// of single values.
 fn read_channel(rest: &mut &[u8], row: &mut [[u8; 4]], channel: usize) -> Result<(), String> {
     let mut at = 0;
     while at < row.len() {

@@ -8,12 +8,12 @@ use crate::files::measured::text::{
 };
 use std::str::SplitWhitespace;
 
-/// Largest number of header lines in one file.
+/// Largest number of sections (header lines) in one NDBC file.
 const MAX_SECTIONS: usize = 64;
-/// Largest number of records in all files together: a year of five sections every ten minutes has 262 800.
+/// Largest number of records (lines) in all files together: a year of five quantities every ten minutes has 262 800.
 pub(super) const MAX_RECORDS: usize = 400_000;
 
-/// Quantity that a section of an NDBC file holds.
+/// Quantity that a section of an NDBC file holds: variance density or one of four directional parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum SectionKind {
     Density,
@@ -35,7 +35,7 @@ const SECTION_KINDS: [(SectionKind, &str, u8, &str, &[&str]); 5] = [
 ];
 
 impl SectionKind {
-    /// Name of the quantity in messages.
+    /// Name of the quantity for messages, such as "variance density" or "alpha1".
     pub(super) fn name(self) -> &'static str {
         SECTION_KINDS[self as usize].1
     }
@@ -88,7 +88,7 @@ pub(super) struct Record<'a> {
     values: SplitWhitespace<'a>,
 }
 
-/// Frequency of a band in Hz, and the value of the band, or None where it is missing.
+/// Frequency of a band in Hz, and the value of the band in the unit of the section, or None where it is missing.
 pub(super) type BandValue = (f64, Option<f64>);
 
 /// Parses a header line: whether it has minutes, and its column names after `YY MM DD hh [mm]`. None for other lines.
@@ -160,7 +160,8 @@ fn take_time(words: &mut SplitWhitespace<'_>, has_minutes: bool) -> Result<Strin
     Ok(format!("{year:04}-{month:02}-{day:02} {hour:02}:{minute:02} UTC"))
 }
 
-/// Parses the columns of a header: section kind of a realtime header, or frequencies (Hz) of an archive header.
+/// Parses the columns of a header. Returns the section kind of a realtime header or the band frequencies (Hz) of an
+/// archive header; the other one is None.
 fn parse_header(
     columns: SplitWhitespace<'_>,
     file_name: &str,
@@ -206,7 +207,7 @@ impl Section<'_> {
         v == 999.0 || v == 9999.0 || v == 99.0 && missing_99
     }
 
-    /// Values of the bands of a record.
+    /// Parses the values of a record: frequency in Hz and value of each band.
     pub(super) fn band_values(&self, record: &Record<'_>) -> Result<Vec<BandValue>, String> {
         self.values(record.values.clone()).map_err(|what| self.file.line_error(record.line, what))
     }
