@@ -40,8 +40,8 @@ impl View {
         }
     }
 
-    /// Matrix from positions relative to the eye (world axes, m) to clip coordinates; depth is 1 near and 0 at
-    /// infinity.
+    /// Matrix from positions relative to the eye (world axes, m) to clip coordinates, with depth 1 at the near plane
+    /// and 0 at infinity.
     pub fn clip_from_relative(&self) -> DMat4 {
         let view = DMat4::from_mat3(DMat3::from_cols(self.right, self.up, -self.forward).transpose());
         let [tx, ty] = self.tan_half_fov;

@@ -9,10 +9,9 @@ use glam::DVec3;
 const MIN_EYE_HEIGHT_M: f64 = 1.0;
 /// Largest height of the camera above the still water, m.
 const MAX_EYE_HEIGHT_M: f64 = 5000.0;
-/// Limit of the distance from the camera to the point that it orbits: [`MAX_PIVOT_OFFSET_M`] + this x camera height.
+/// The point that the camera orbits is at most this many camera heights + [`MAX_PIVOT_OFFSET_M`] away from it.
 const MAX_PIVOT_HEIGHTS: f64 = 12.0;
-/// Limit of the distance from the camera to the point that it orbits, m, is this + [`MAX_PIVOT_HEIGHTS`] camera
-/// heights.
+/// The point that the camera orbits is at most this, m, + [`MAX_PIVOT_HEIGHTS`] camera heights away from it.
 const MAX_PIVOT_OFFSET_M: f64 = 30.0;
 
 /// A named camera view of the sea, which a button of the panel selects.

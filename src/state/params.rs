@@ -47,7 +47,7 @@ parameters! {
         /// Hides the repetition of the patches: blends shifted copies of each patch, with weights that keep its
         /// statistics (Heitz and Neyret 2018). 0 shows the periodic patches.
         hide_tiling: bool = true => ("untile", "No repetition", "", Flag),
-        /// Manual settings of each cascade, the longest patch first.
+        /// Manual settings of each cascade (patch of sea with its own FFT), the longest patch first.
         patches: [PatchOverride; MAX_CASCADES] = [PatchOverride::default(); MAX_CASCADES],
     }
 }

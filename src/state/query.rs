@@ -54,8 +54,7 @@ pub fn read(text: &str) -> ParsedState {
     read_with(text, VERSION_STEPS)
 }
 
-/// Does the work of [`read`]. `steps` translate old versions of the string: [`VERSION_STEPS`], or invented ones in
-/// tests.
+/// Does the work of [`read`]. `steps` translate old strings: [`VERSION_STEPS`], or invented ones in tests.
 fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
     let mut reading = ParsedState::default();
     let mut query = query_part(text);

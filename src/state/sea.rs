@@ -80,11 +80,11 @@ choice_enum! {
 }
 
 choice_enum! {
-    /// Source of the foam threshold, the Jacobian below which foam forms.
+    /// Rule that sets the foam threshold, the Jacobian of the displacement below which foam forms.
     pub enum WhitecapRule {
-        /// Threshold for a mean foam equal to the whitecap coverage of the wind, Monahan and O'Muircheartaigh 1980.
+        /// Foam threshold for a mean foam of the wind's whitecap coverage, Monahan and O'Muircheartaigh 1980.
         Monahan = "monahan",
-        /// Threshold that the user sets (parameter `foamthreshold`).
+        /// Foam threshold that the user sets (parameter `foamthreshold`).
         Fixed = "fixed",
     }
 }
@@ -220,7 +220,7 @@ impl Sea {
         self.systems[0].spectrum = SpectrumKind::Measured;
     }
 
-    /// Choppiness along x and z: factors on the horizontal displacement; 1 is linear theory.
+    /// Choppiness along x (east) and z (south): factors on the horizontal displacement; 1 is linear theory.
     pub fn choppiness(&self) -> [f64; 2] {
         [self.chop_x * self.chop, self.chop_z * self.chop]
     }
@@ -229,8 +229,8 @@ impl Sea {
 parameters! {
     /// Formation and decay of whitecap foam.
     pub struct Foam {
-        /// Source of the foam threshold. monahan: set so that the mean foam is the whitecap coverage of the wind
-        /// (Monahan and O'Muircheartaigh 1980); fixed: the parameter foamthreshold.
+        /// How the foam threshold is set. monahan: so that the mean foam is the whitecap coverage of the wind (Monahan
+        /// and O'Muircheartaigh 1980); fixed: by the parameter foamthreshold.
         whitecaps: WhitecapRule = WhitecapRule::Monahan => ("whitecaps", "Whitecaps", "", Choice(WhitecapRule::WORDS)),
         /// With whitecaps=fixed: Jacobian below which foam forms; 1 is an undeformed surface, 0 a folding crest.
         threshold: f64 = 0.5 => ("foamthreshold", "Foam threshold", "", number(-1.0, 1.0)),

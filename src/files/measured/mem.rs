@@ -11,7 +11,7 @@ const MAX_MAGNITUDE: f64 = 0.995;
 /// D(theta) = norm / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaximumEntropy {
-    /// First autoregressive coefficient (re, im): (c1 - c2 c1*) / (1 - |c1|^2) of the moments; c1* is conjugate.
+    /// First autoregressive coefficient (re, im): (c1 - c2 c1*) / (1 - |c1|^2); c1, c2 are moments, * is conjugate.
     pub phi1: DVec2,
     /// Second autoregressive coefficient (re, im): c2 - c1 phi1 with the moments c1 and c2.
     pub phi2: DVec2,

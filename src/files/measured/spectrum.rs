@@ -87,7 +87,8 @@ impl MeasuredSpectrum {
         s / TAU
     }
 
-    /// Angular frequency below which there is no variance, rad/s; above 0, so that its logarithm is finite.
+    /// Angular frequency below which there is no or almost no variance, rad/s; above 0, so that its logarithm is
+    /// finite.
     pub fn lowest_omega(&self) -> f64 {
         TAU * self.low_hz().max(1e-3 * self.bands[0].0)
     }

@@ -35,7 +35,7 @@ choice_enum! {
     pub enum ToneMapping {
         /// AgX tone mapping, Sobotka 2022.
         Agx = "agx",
-        /// ACES reference and output transform, as fitted by Hill 2016.
+        /// Tone-mapping curve of the ACES reference and output transform, as fitted by Hill 2016.
         Aces = "aces",
         /// Tone-mapping curve x / (1 + x) of the exposed scene light x, Reinhard et al. 2002.
         Reinhard = "reinhard",

@@ -28,7 +28,7 @@ impl FieldValue for WaterType {
 }
 
 parameters! {
-    /// Light that the water and its bubbles scatter back out. A strength of 1 is physical.
+    /// Light that the water and its bubbles scatter back out. A factor of 1 is physical.
     pub struct Scattering {
         /// Jerlov's optical water type (1976), which sets absorption and scattering: i, the clearest blue ocean, to
         /// iii, fertile and greenish; 1c, the clearest coastal water, to 9c, the muddiest.
@@ -42,15 +42,15 @@ parameters! {
         bubble_colour: f64 = WHITE_RGB => ("bubblecolour", "Bubble colour", "", Colour),
         /// Density of the bubbles that breaking waves leave under the surface; 1 is a typical plume.
         bubble_density: f64 = 1.0 => ("bubbles", "Bubble density", "", number(0.0, 10.0)),
-        /// Strength of the light that shines through wave crests (height attenuation factor), most of all through high
+        /// Factor on the light that shines through wave crests (height attenuation factor), most of all through high
         /// and sharp ones; 1 is physical.
         crest_transmission: f64 = 1.0 => ("heightscatter", "Scattering by height", "", number(0.0, 10.0)),
         /// How much the light scattered out of the water depends on the viewing angle (reflection strength of the
         /// scattering); 1 is physical, 0 is no dependence.
         scatter_view_dependence: f64 = 1.0 => ("viewscatter", "Scattering by view", "", number(0.0, 4.0)),
-        /// Strength of the sunlight that the water scatters back; 1 is physical.
+        /// Factor on the sunlight that the water scatters back; 1 is physical.
         diffuse_strength: f64 = 1.0 => ("diffuse", "Diffuse strength", "", number(0.0, 5.0)),
-        /// Strength of the skylight that the water scatters back; 1 is physical.
+        /// Factor on the skylight that the water scatters back; 1 is physical.
         ambient_strength: f64 = 1.0 => ("ambient", "Ambient strength", "", number(0.0, 5.0)),
     }
 }
@@ -100,15 +100,14 @@ parameters! {
             => ("specular", "Microfacets", "", Choice(MicrofacetDistribution::WORDS)),
         /// With specular=blinn-phong: exponent of the lobe; a larger one makes a sharper highlight.
         shininess: f64 = 200.0 => ("shininess", "Shininess", "", logarithmic(1.0, 10000.0)),
-        /// Strength of the sun glitter, the sun's specular reflection; 1 is physical.
+        /// Factor on the sun glitter, the sun's specular reflection; 1 is physical.
         glitter_strength: f64 = 1.0 => ("glitter", "Specular scale", "", number(0.0, 10.0)),
         /// Further factor on the Fresnel reflectance, for the sun glitter only; the product is limited to 1.
         glitter_fresnel_scale: f64 = 1.0 => ("glitterfresnel", "Specular Fresnel scale", "", number(0.0, 50.0)),
         /// Grazing-angle cut-off of the sun glitter: it fades out where the cosine between the surface normal and the
         /// direction of the sun or the eye is below this value.
         glitter_min_cosine: f64 = 0.0 => ("glittercut", "Specular low cut-off", "", number(0.0, 1.0)),
-        /// Roughness r of the water in addition to unresolved waves: it adds r^4 / 2 to the slope variance along each
-        /// axis.
+        /// Roughness r of the water beside the unresolved waves: adds r^4 / 2 to the slope variance along each axis.
         roughness: f64 = 0.0 => ("roughness", "Water roughness", "", number(0.0, 1.0)),
     }
 }
@@ -118,8 +117,8 @@ parameters! {
     pub struct BedLook {
         /// Colour of the sand on the sea bed, visible in water of a few metres.
         colour: f64 = 0x00d8_ccb0 as f64 => ("bedcolour", "Bed colour", "", Colour),
-        /// Strength of caustics, sunlight focused on the sea bed by waves: 1 is physical; 0 is even light and costs
-        /// nothing.
+        /// Strength of caustics, sunlight focused on the sea bed by waves: 1 is physical; 0 lights the bed evenly and
+        /// costs no time.
         caustics: f64 = 0.0 => ("caustics", "Caustics", "", number(0.0, 1.0), "off"),
     }
 }

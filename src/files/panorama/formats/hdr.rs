@@ -34,7 +34,7 @@ pub(super) fn decode(bytes: &[u8], max_size: [usize; 2]) -> Result<SkyImage, Str
     Ok(SkyImage { width, height, pixels })
 }
 
-/// Takes one RGBE pixel off the front of `rest`, the unread part of the file.
+/// Takes one RGBE pixel (three mantissas, exponent) off the front of `rest`, the unread part of the file.
 fn take_pixel(rest: &mut &[u8]) -> Result<[u8; 4], String> {
     let (pixel, after) = rest.split_first_chunk().ok_or(TOO_SHORT_MESSAGE)?;
     *rest = after;
@@ -107,7 +107,7 @@ fn read_channel(rest: &mut &[u8], row: &mut [[u8; 4]], channel: usize) -> Result
     Ok(())
 }
 
-/// Reads a row of whole pixels in the old encoding. (1, 1, 1, n) repeats the pixel before n times, and directly after
+/// Reads a row of RGBE pixels in the old encoding: (1, 1, 1, n) repeats the pixel before n times, and directly after
 /// another repetition n x 256 times.
 fn read_pixels(rest: &mut &[u8], first: [u8; 4], row: &mut [[u8; 4]]) -> Result<(), String> {
     let (mut at, mut shift) = (0_usize, 0);
@@ -130,7 +130,7 @@ fn read_pixels(rest: &mut &[u8], first: [u8; 4], row: &mut [[u8; 4]]) -> Result<
     }
 }
 
-/// Converts an RGBE pixel to linear light: mantissa / 256 x 2^(exponent - 128).
+/// Converts an RGBE pixel to linear red, green and blue: mantissa / 256 x 2^(exponent - 128).
 fn rgbe_to_linear([r, g, b, exponent]: [u8; 4]) -> [f32; 3] {
     let unit = if exponent == 0 { 0.0 } else { 2f32.powi(i32::from(exponent) - 136) };
     [r, g, b].map(|mantissa| f32::from(mantissa) * unit)

@@ -40,21 +40,21 @@ impl SectionKind {
         SECTION_KINDS[self as usize].1
     }
 
-    /// Section kind that a comment such as `# alpha1` or `# kind: r1` names.
+    /// Section kind (quantity) that a comment such as `# alpha1` or `# kind: r1` names; None if it names none.
     fn from_comment(comment: &str) -> Option<Self> {
         let text = comment.trim_start_matches('#').trim().to_ascii_lowercase();
         let word = text.strip_prefix("kind").map_or(text.as_str(), |t| t.trim_start().trim_start_matches([':', '=']));
         SECTION_KINDS.iter().find(|kind| kind.4.contains(&word.trim())).map(|kind| kind.0)
     }
 
-    /// Section kind of a column such as `alpha1_1` in a realtime header.
+    /// Section kind (quantity) of a column such as `alpha1_1` in a realtime header; None for another column.
     fn from_column(column: &str) -> Option<Self> {
         let column = column.to_ascii_lowercase();
         let prefix = if column == "sep_freq" { "spec" } else { column.split_once('_')?.0 };
         SECTION_KINDS.iter().find(|kind| kind.3 == prefix).map(|kind| kind.0)
     }
 
-    /// Section kind of an archive file, from the letter in a name such as `44025w2023.txt`.
+    /// Section kind (quantity) of an archive file, from the letter in a name such as `44025w2023.txt`; else None.
     fn from_file_name(name: &str) -> Option<Self> {
         let stem = name.split('.').next().unwrap_or_default().as_bytes();
         let [.., station, letter, a, b, c, d] = stem else { return None };
@@ -141,7 +141,8 @@ pub(super) fn read_sections<'a>(file: &'a TextFile<'a>, records_left: &mut usize
     Ok(sections)
 }
 
-/// Takes the time (year, month, day, hour and perhaps minute) from the first words of a record, and formats it.
+/// Takes year, month, day, hour and, if `has_minutes`, minute from the first words of a record, and formats them like
+/// `2026-11-21 06:00 UTC`.
 fn take_time(words: &mut SplitWhitespace<'_>, has_minutes: bool) -> Result<String, String> {
     let limits = [("year", 0, 9999), ("month", 1, 12), ("day", 1, 31), ("hour", 0, 23), ("minute", 0, 59)];
     let mut time = [0_u16; 5];
@@ -212,8 +213,8 @@ impl Section<'_> {
         self.values(record.values.clone()).map_err(|what| self.file.line_error(record.line, what))
     }
 
-    /// Values of the bands of a directional record, angles in degrees or moments r1 and r2. Archive moments in
-    /// hundredths are scaled. A value outside of 0 to 360 degrees or 0 to 1.5 is an error.
+    /// Values of the bands of a directional record, angles in degrees or moments r1 and r2. With `hundredths`, archive
+    /// moments are multiplied by 0.01. A value outside of 0 to 360 degrees or 0 to 1.5 is an error.
     pub(super) fn directional_values(&self, record: &Record<'_>, hundredths: bool) -> Result<Vec<BandValue>, String> {
         let mut band_values = self.band_values(record)?;
         let scale = if !self.is_angle() && hundredths && self.frequencies.is_some() { 0.01 } else { 1.0 };
