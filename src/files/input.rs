@@ -4,14 +4,16 @@ use super::{measured, panorama};
 #[cfg(not(target_arch = "wasm32"))]
 use std::{io::Read as _, path::PathBuf};
 
-/// Largest number of bytes that are read from a file with this name.
+/// Size limit of a file with this name, bytes: for .hdr, .exr and .png that of a sky image, else of a measured
+/// spectrum.
 pub fn max_file_bytes(name: &str) -> usize {
     // A PNG may be a large saved picture.
     let large = panorama::is_sky_file(name, &[]) || name.to_ascii_lowercase().ends_with(".png");
     if large { panorama::MAX_BYTES } else { measured::MAX_FILE_BYTES }
 }
 
-/// Reads files and returns their names and contents, at most one byte more than [`max_file_bytes`] of each.
+/// Reads files and returns name and content of each. Of a file above the limit [`max_file_bytes`] one byte more than
+/// the limit is read, so that its decoder refuses it.
 ///
 /// # Errors
 /// Returns one sentence that names the file, if a file cannot be opened or read.

@@ -8,5 +8,5 @@ pub mod panorama;
 #[cfg(feature = "files")]
 pub mod picture;
 
-/// Longest state string that is read, in bytes.
+/// Longest state string (all parameters as a URL query, such as `wind=14&t=40`) that is read, bytes.
 pub const MAX_STATE_BYTES: usize = 32 * 1024;

@@ -5,10 +5,11 @@ use std::io::Cursor;
 
 /// Keyword of the PNG text chunk that holds the state string.
 const STATE_KEYWORD: &str = "seastate";
-/// Largest memory for decoding the PNG chunks before the pixels, bytes.
+/// Limit of the memory for the parts of a PNG before its pixels, which hold the state string, bytes.
 const MAX_DECODER_BYTES: usize = 4 * 1024 * 1024;
 
-/// Encodes RGBA pixels as a PNG of RGB pixels with a state string and, unless it is empty, a link to this state.
+/// Encodes a picture of `size` (width, height) from RGBA `pixels`, 8 bits each, as a PNG without alpha. Its text chunks
+/// hold the state string `state` and, unless it is empty, `link`, the URL of this state.
 ///
 /// # Errors
 /// One sentence, if the pixels do not fit the size.

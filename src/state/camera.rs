@@ -24,8 +24,8 @@ pub struct View {
 }
 
 impl View {
-    /// Makes a camera's view. `aspect` is width / height of the picture, `min_eye_height_m` the smallest height of the
-    /// eye, m.
+    /// Makes the view of a camera for a picture with `aspect` = width / height. An eye below the height
+    /// `min_eye_height_m`, m, is raised to it.
     pub fn new(camera: &Camera, aspect: f64, min_eye_height_m: f64) -> Self {
         let (heading, pitch) = (camera.heading_deg.to_radians(), camera.pitch_deg.to_radians());
         let forward = DVec3::new(heading.sin() * pitch.cos(), pitch.sin(), -heading.cos() * pitch.cos());
@@ -40,7 +40,8 @@ impl View {
         }
     }
 
-    /// Matrix from positions relative to the eye (world axes, m) to clip coordinates.
+    /// Matrix from positions relative to the eye (world axes, m) to clip coordinates, with depth 1 at the near plane
+    /// and 0 at infinity.
     pub fn clip_from_relative(&self) -> DMat4 {
         let view = DMat4::from_mat3(DMat3::from_cols(self.right, self.up, -self.forward).transpose());
         let [tx, ty] = self.tan_half_fov;

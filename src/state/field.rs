@@ -5,7 +5,7 @@
 
 use super::text::shortest_decimal;
 
-/// Declares an enum with a word for each variant, such as the texts of a [`FieldKind::Choice`] in a state string.
+/// Declares an enum for a parameter's value. Each variant has a word, its text in a state string or in the panel.
 macro_rules! choice_enum {
     (
         $(#[$doc:meta])*
@@ -16,12 +16,12 @@ macro_rules! choice_enum {
         pub enum $name { $($(#[$variant_doc])* $variant),+ }
 
         impl $name {
-            /// All variants, in the order of [`Self::WORDS`].
+            /// All variants of the enum, in the order of declaration, which is that of [`Self::WORDS`].
             pub const ALL: [Self; Self::WORDS.len()] = [$(Self::$variant),+];
-            /// Word of each variant, in the order of declaration.
+            /// Text of each variant in the state string or the panel, in the order of declaration.
             pub const WORDS: &'static [&'static str] = &[$($word),+];
 
-            /// Word of this variant, from [`Self::WORDS`].
+            /// Text of this variant in the state string or the panel, from [`Self::WORDS`].
             pub fn word(self) -> &'static str {
                 Self::WORDS[self as usize]
             }
@@ -39,11 +39,12 @@ macro_rules! choice_enum {
     };
 }
 
-/// Declares a struct of parameters, its `Default`, and a [`FieldDescription`] that describes each member.
+/// Declares a struct of parameters, its `Default`, and a function `fields` that returns a [`FieldDescription`] (key,
+/// label, unit, range, help) of each member.
 ///
 /// A member is written `name: type = default => ("key", "Label", "unit", kind)`. An optional fifth entry is the word
 /// that stands for the value 0, such as "auto". The doc comment of a member is also the help text that users read. A
-/// member without `=>` has no field.
+/// member without `=>` has no description.
 macro_rules! parameters {
     (
         $(#[$meta:meta])*
@@ -66,7 +67,8 @@ macro_rules! parameters {
         }
 
         impl $name {
-            /// Returns the fields of this struct, which is a part of the parameter set `P`.
+            /// Returns the descriptions (key, label, unit, range, help) of all parameters in this struct. `part` and
+            /// `part_mut` find the struct inside of `P`, the struct of all parameters.
             pub(in crate::state) fn fields<P: 'static>(
                 group: $crate::state::field::Group,
                 part: fn(&P) -> &Self,
@@ -105,37 +107,38 @@ macro_rules! parameters {
 pub(super) use {choice_enum, parameters};
 
 choice_enum! {
-    /// Section of the control panel in which a parameter appears, in the panel's order. The words are the headings.
+    /// Group of parameters: a section of the control panel and of docs/parameters.md, where they are in the order of
+    /// the variants. The words are the headings.
     pub enum Group {
-        /// First wave system: wind, spectrum and directional spreading.
+        /// Parameters of the first wave system: wind, spectrum and directional spreading.
         Sea = "Sea",
-        /// Second wave system, such as the swell of a distant storm.
+        /// Parameters of the second wave system, such as the swell of a distant storm.
         Swell = "Second system",
-        /// Water depth, dispersion relation, physical constants and choppiness.
+        /// Parameters of all waves: water depth, dispersion relation, physical constants, choppiness and random seed.
         Water = "Water",
-        /// Formation and appearance of whitecaps.
+        /// Parameters of whitecaps: when foam forms, how it decays and what it looks like.
         Foam = "Foam",
-        /// Sun, sky, haze and fog.
+        /// Parameters of sun, sky, haze and fog.
         Sky = "Sun and sky",
-        /// Colour, reflectance and roughness of the water, and the sea bed.
+        /// Parameters of the colour, reflectance and roughness of the water, and of the sea bed.
         Surface = "Colour and shine",
-        /// Exposure, tone mapping, bloom and dither.
+        /// Parameters of exposure, tone mapping, bloom and dither.
         Film = "Film",
-        /// Water mesh, and the false-colour views that replace the picture.
+        /// Parameters of drawing: detail and extent of the water mesh, and the false-colour views.
         View = "Drawing",
-        /// Position, direction, field of view and control mode of the camera.
+        /// Parameters of the camera: position, direction, field of view and control mode.
         Camera = "Camera",
-        /// Simulated time, its speed, and the period after which the sea repeats.
+        /// Parameters of time: the simulated time, its speed, and the period after which the sea repeats.
         Clock = "Time",
-        /// FFT size and cascades of the simulation.
+        /// Parameters of the resolution: FFT size and cascades (patches of sea, each with its own FFT).
         Grid = "Resolution",
-        /// Display in the window or web page: panel, units and render scale.
+        /// Parameters of the window or web page: panel, units and render scale.
         Screen = "Window",
     }
 }
 
 impl Group {
-    /// Heading of this section in the control panel.
+    /// Heading of this group of parameters in the control panel.
     pub fn label(self) -> &'static str {
         self.word()
     }
@@ -153,7 +156,7 @@ pub enum FieldKind {
         /// Whether the slider in the control panel has a logarithmic scale.
         log: bool,
     },
-    /// Angle in degrees, wrapped into [0, 360).
+    /// Compass angle in degrees; other values are wrapped into [0, 360).
     Heading,
     /// Whole number from `min` to `max`, both included.
     Integer {
@@ -164,23 +167,23 @@ pub enum FieldKind {
     },
     /// One of the given words; the value is the index of the word.
     Choice(&'static [&'static str]),
-    /// On (1) or off (0).
+    /// Switch: on (1) or off (0).
     Flag,
-    /// Colour in sRGB as 0xRRGGBB.
+    /// Colour in sRGB; the value is the whole number 0xRRGGBB.
     Colour,
 }
 
-/// Makes the kind of a real number from `min` to `max` with a linear slider.
+/// Makes the [`FieldKind`] of a real number from `min` to `max` that has a linear slider in the panel.
 pub(super) const fn number(min: f64, max: f64) -> FieldKind {
     FieldKind::Number { min, max, log: false }
 }
 
-/// Makes the kind of a real number from `min` to `max` with a logarithmic slider.
+/// Makes the [`FieldKind`] of a real number from `min` to `max` that has a logarithmic slider in the panel.
 pub(super) const fn logarithmic(min: f64, max: f64) -> FieldKind {
     FieldKind::Number { min, max, log: true }
 }
 
-/// Makes the kind of a whole number from `min` to `max`.
+/// Makes the [`FieldKind`] of a whole number from `min` to `max`.
 pub(super) const fn integer(min: u32, max: u32) -> FieldKind {
     FieldKind::Integer { min, max }
 }
@@ -235,7 +238,8 @@ impl FieldValue for bool {
     }
 }
 
-/// Description of one parameter in the parameter set `P`.
+/// Description of one parameter: key, label, unit, range, help, and functions that read and write its value in `P`, the
+/// struct of all parameters.
 pub struct FieldDescription<P> {
     /// Key of the parameter in the state string, such as `wind`.
     pub key: &'static str,
@@ -251,23 +255,24 @@ pub struct FieldDescription<P> {
     pub zero_word: &'static str,
     /// Help text: meaning of the parameter, and the paper that it comes from.
     pub help: &'static str,
-    /// Reads the value of the parameter from the set `P`.
+    /// Function that reads the parameter in the struct `P` of all parameters: a choice as index, a flag as 0 or 1.
     pub get: Box<dyn Fn(&P) -> f64 + Send + Sync>,
-    /// Writes a value of the parameter, which [`Self::accept`] or [`Self::parse`] returned, into the set `P`.
+    /// Function that writes a value to the parameter in the struct `P` of all parameters. The value must be one that
+    /// [`Self::accept`] or [`Self::parse`] returned.
     pub set: Box<dyn Fn(&mut P, f64) + Send + Sync>,
 }
 
-/// How a value that is not allowed was treated.
+/// What happens to a parameter value that is not allowed: it is ignored, or clamped to the allowed range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum InvalidValue {
-    /// The value has no meaning for this parameter and is ignored.
+    /// The value has no meaning for the parameter, such as an unknown word; the parameter is not changed.
     Ignored,
     /// The value is outside the allowed range; the nearest allowed value, given here, is taken instead.
     Clamped(f64),
 }
 
 impl<P: Default> FieldDescription<P> {
-    /// Default value of the parameter, from `P::default()`.
+    /// Default value of the parameter: a choice as its index, a flag as 0 or 1.
     pub fn default_value(&self) -> f64 {
         (self.get)(&P::default())
     }
@@ -291,7 +296,8 @@ impl<P> FieldDescription<P> {
         if taken == value { Ok(taken) } else { Err(InvalidValue::Clamped(taken)) }
     }
 
-    /// Parses a value in a state string: a word of a choice, a flag, a hexadecimal colour or a number.
+    /// Parses the text of a value in a state string: a word of a choice, a flag, a hexadecimal colour or a number. An
+    /// error says whether the value is ignored or clamped.
     pub fn parse(&self, text: &str) -> Result<f64, InvalidValue> {
         let text = text.trim();
         match self.kind {

@@ -8,10 +8,10 @@ use std::sync::LazyLock;
 
 pub use super::field::{FieldKind, Group, InvalidValue, linear_rgb};
 
-/// Description of one parameter of [`Params`].
+/// Description (key, label, unit, range, help) of one parameter of [`Params`], with functions to read and write it.
 pub type Field = FieldDescription<Params>;
 
-/// Every parameter, in the order in which the state string writes them.
+/// Descriptions of all parameters, in the order in which the state string writes them.
 pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
     // Fields of a parameter struct that is found at `$place` in `Params`.
     macro_rules! part {
@@ -46,7 +46,8 @@ pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
     parts.into_iter().flatten().collect()
 });
 
-/// Appends a number to the keys of fields, as in `wind2`. The new keys are leaked once, when [`FIELDS`] is made.
+/// Appends a number to the keys of parameters, as in `wind2` for the second wave system. The memory of the new keys is
+/// never freed, but they are made only once, for [`FIELDS`].
 fn number_keys(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
     for field in &mut fields {
         field.key = format!("{}{number}", field.key).leak();
@@ -54,7 +55,8 @@ fn number_keys(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
     fields
 }
 
-/// Appends the number of a cascade to the keys and labels of its fields, as in `patch1` and "Patch 1".
+/// Appends the number of a cascade (patch of sea with its own FFT) to the keys and labels of its parameters, as in
+/// `patch1` and "Patch 1".
 fn number_cascade_fields(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
     for field in &mut fields {
         field.label = format!("{} {number}", field.label).leak();
@@ -62,7 +64,8 @@ fn number_cascade_fields(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
     number_keys(number, fields)
 }
 
-/// Field of the period [`Sea::loop_s`] after which the sea repeats: a parameter of the sea, shown with the time.
+/// Description of the parameter [`Sea::loop_s`], the period after which the sea repeats: a parameter of the sea that
+/// the panel shows with the time.
 fn loop_time_field() -> Field {
     Field {
         key: "loop",
@@ -77,7 +80,7 @@ fn loop_time_field() -> Field {
     }
 }
 
-/// Field of the FFT size [`Grid::n`], a whole number with five allowed values.
+/// Description of the parameter [`Grid::n`], the FFT size: a choice of 64, 128, 256, 512 and 1024.
 fn fft_size_field() -> Field {
     const FFT_SIZES: [u32; 5] = [64, 128, 256, 512, 1024];
     Field {
@@ -93,7 +96,7 @@ fn fft_size_field() -> Field {
     }
 }
 
-/// Finds a parameter by its key in the state string.
+/// Finds the description of a parameter by its key in the state string, such as `wind`; `None` if no parameter has it.
 pub fn find(key: &str) -> Option<&'static Field> {
     FIELDS.iter().find(|f| f.key == key)
 }

@@ -3,11 +3,11 @@
 use super::field::choice_enum;
 use super::text::shortest_decimal;
 
-/// Largest number of floating objects in one state.
+/// Largest number of floating objects (buoys and boats) that a state string can hold.
 pub const MAX_FLOATING_OBJECTS: usize = 16;
 
 choice_enum! {
-    /// Kind of a floating object.
+    /// Kind of a floating object that the user can moor: buoy or boat.
     pub enum FloatingObjectKind {
         /// A moored buoy, 3 m high.
         Buoy = "buoy",
@@ -27,7 +27,7 @@ pub struct FloatingObject {
     pub z_m: f64,
 }
 
-/// Parses the floating objects of a state string: kind, metres east and metres south, as in `buoy*12*-30_boat*0*40`.
+/// Parses the floating objects of a state string, each as kind, metres east and metres south: `buoy*12*-30_boat*0*40`.
 ///
 /// # Errors
 /// Returns one sentence that says what is wrong with the text.
@@ -50,7 +50,7 @@ pub fn read(text: &str) -> Result<Vec<FloatingObject>, String> {
     Ok(floats)
 }
 
-/// Formats floating objects for a state string; [`read`] is the inverse.
+/// Formats floating objects for a state string, as in `buoy*12*-30_boat*0*40`; [`read`] is the inverse.
 pub fn write(floats: &[FloatingObject]) -> String {
     let one = |f: &FloatingObject| format!("{}*{}*{}", f.kind.word(), shortest_decimal(f.x_m), shortest_decimal(f.z_m));
     floats.iter().map(one).collect::<Vec<_>>().join("_")

@@ -9,9 +9,9 @@ use glam::DVec3;
 const MIN_EYE_HEIGHT_M: f64 = 1.0;
 /// Largest height of the camera above the still water, m.
 const MAX_EYE_HEIGHT_M: f64 = 5000.0;
-/// Largest distance from the camera to the pivot of an orbit, in camera heights; [`MAX_PIVOT_OFFSET_M`] is added.
+/// The point that the camera orbits is at most this many camera heights + [`MAX_PIVOT_OFFSET_M`] away from it.
 const MAX_PIVOT_HEIGHTS: f64 = 12.0;
-/// Distance that is added to [`MAX_PIVOT_HEIGHTS`] camera heights for the largest distance to the pivot of an orbit, m.
+/// The point that the camera orbits is at most this, m, + [`MAX_PIVOT_HEIGHTS`] camera heights away from it.
 const MAX_PIVOT_OFFSET_M: f64 = 30.0;
 
 /// A named camera view of the sea, which a button of the panel selects.
@@ -74,26 +74,26 @@ pub const CAMERA_VIEWS: &[NamedView] = &[
     },
 ];
 
-/// Camera at the current horizontal position and heading with a new height, pitch and field of view; never in buoy
-/// mode.
+/// Camera with a new height (m), pitch and field of view (degrees). Horizontal position, heading and control mode are
+/// kept, but buoy mode becomes fly mode.
 fn standard_camera(p: &Params, y_m: f64, pitch_deg: f64, fov_deg: f64) -> Camera {
     let mode = if p.camera.mode == CameraMode::Buoy { CameraMode::Fly } else { p.camera.mode };
     Camera { y_m, pitch_deg: pitch_deg.round(), fov_deg, mode, ..p.camera.clone() }
 }
 
-/// Moves the camera to a named view.
+/// Replaces the camera in `params` by that of a named view such as "Deck".
 pub fn set_named_view(params: &mut Params, view: &NamedView) {
     params.camera = (view.camera)(params);
 }
 
-/// Turns the viewing direction to the right and upwards by the given angles, degrees.
+/// Turns the camera at its place: its viewing direction to the right and upwards by the given angles, degrees.
 pub fn rotate_camera(camera: &mut Camera, right_deg: f64, up_deg: f64) {
     camera.heading_deg = (camera.heading_deg + right_deg).rem_euclid(360.0);
     camera.pitch_deg = (camera.pitch_deg + up_deg).clamp(-89.0, 60.0);
 }
 
-/// Distance from the camera to the pivot of an orbit, m: to the sea in the middle of the picture, or a limit if that is
-/// farther or there is no sea in the middle.
+/// Distance from the camera to the point that it orbits, m: to the still water in the middle of the picture, or a limit
+/// of some camera heights if that is farther or sky is in the middle.
 fn pivot_distance_m(camera: &Camera) -> f64 {
     let far = MAX_PIVOT_HEIGHTS * camera.y_m + MAX_PIVOT_OFFSET_M;
     let down = -camera.pitch_deg.to_radians().sin();
@@ -102,13 +102,14 @@ fn pivot_distance_m(camera: &Camera) -> f64 {
     if down > 0.0 { (camera.y_m / down).min(far) } else { far }
 }
 
-/// Position of the camera, m, and unit vector of the view direction.
+/// Position of the camera (m) and unit vector of its viewing direction, both in world axes (x east, y up, z south).
 fn eye_and_forward(camera: &Camera) -> (DVec3, DVec3) {
     let view = View::new(camera, 1.0, f64::NEG_INFINITY);
     (view.eye, view.forward)
 }
 
-/// Moves the camera around the pivot of its orbit at constant distance, by angles in degrees.
+/// Moves the camera at constant distance around the point of the sea in the middle of the picture. `right_deg` is added
+/// to its heading; `up_deg` raises it and tilts it down.
 pub fn orbit(camera: &mut Camera, right_deg: f64, up_deg: f64) {
     let distance = pivot_distance_m(camera);
     let (eye, before) = eye_and_forward(camera);
@@ -121,7 +122,8 @@ pub fn orbit(camera: &mut Camera, right_deg: f64, up_deg: f64) {
     set_position(camera, pivot - distance * after);
 }
 
-/// Multiplies the field of view by `factor`, or in orbit mode the distance to the pivot.
+/// Multiplies the field of view by `factor`, or in orbit mode the distance to the point that the camera orbits; a
+/// factor below 1 zooms in.
 pub fn zoom(camera: &mut Camera, factor: f64) {
     if camera.mode != CameraMode::Orbit {
         camera.fov_deg = (camera.fov_deg * factor).clamp(10.0, 100.0);
@@ -143,7 +145,7 @@ pub fn fly(camera: &mut Camera, right_m: f64, ahead_m: f64, up_m: f64) {
     set_position(camera, DVec3::new(camera.x_m, camera.y_m, camera.z_m) + step);
 }
 
-/// Sets the position of the camera, clamped to the ranges of its parameters.
+/// Moves the camera to `eye` (world axes, m), clamped to the ranges of the position parameters.
 fn set_position(camera: &mut Camera, eye: DVec3) {
     camera.x_m = eye.x.clamp(-1e6, 1e6);
     camera.y_m = eye.y.clamp(MIN_EYE_HEIGHT_M, MAX_EYE_HEIGHT_M);

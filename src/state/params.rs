@@ -35,9 +35,9 @@ pub struct Params {
 pub const MAX_CASCADES: usize = 4;
 
 parameters! {
-    /// Resolution of the simulation: FFT size and cascades.
+    /// Resolution of the simulation: FFT size and cascades (patches of sea, each with its own FFT).
     pub struct Grid {
-        /// FFT size: samples along one side of a cascade, a power of two from 64 to 1024. Its field is in `fields.rs`.
+        /// FFT size: samples along one side of a cascade, a power of two from 64 to 1024. Its key in links is `n`.
         n: u32 = 256,
         /// Number of cascades, the patches of different sizes whose sum is the sea; 0 chooses it automatically.
         cascades: u32 = 0 => ("cascades", "Cascades", "", integer(0, MAX_CASCADES as u32), "auto"),
@@ -47,32 +47,33 @@ parameters! {
         /// Hides the repetition of the patches: blends shifted copies of each patch, with weights that keep its
         /// statistics (Heitz and Neyret 2018). 0 shows the periodic patches.
         hide_tiling: bool = true => ("untile", "No repetition", "", Flag),
-        /// Manual settings of each cascade, the longest patch first.
+        /// Manual settings of each cascade (patch of sea with its own FFT), the longest patch first.
         patches: [PatchOverride; MAX_CASCADES] = [PatchOverride::default(); MAX_CASCADES],
     }
 }
 
 parameters! {
-    /// Manual settings of one cascade. A value of 0 is replaced by an automatic choice.
+    /// Manual settings of one cascade (patch of sea with its own FFT). A value of 0 is replaced by an automatic choice.
     #[derive(Copy)]
     pub struct PatchOverride {
         /// Side of this cascade's square patch; 0 chooses it automatically.
         side_m: f64 = 0.0 => ("patch", "Patch", "m", number(0.0, 1e5), "auto"),
         /// Smallest wave number of the waves in this cascade; 0 chooses it automatically.
         k_low: f64 = 0.0 => ("low", "Low cut-off", "rad/m", number(0.0, 1e4), "auto"),
-        /// Wave number at which the waves of this cascade end; 0 chooses it automatically. Overlaps share the energy.
+        /// Wave number at which the waves of this cascade end; 0 chooses it automatically. Where two cascades hold the
+        /// same waves, each gets a part of their energy.
         k_high: f64 = 0.0 => ("high", "High cut-off", "rad/m", number(0.0, 1e4), "auto"),
     }
 }
 
 choice_enum! {
-    /// Control mode of the camera.
+    /// Control mode of the camera: what dragging with the pointer and the keys do.
     pub enum CameraMode {
-        /// Dragging turns the viewing direction; the keys move the camera.
+        /// Control mode in which dragging turns the viewing direction and the keys move the camera.
         Fly = "fly",
-        /// Dragging moves the camera around the point of the sea in the middle of the picture.
+        /// Control mode in which dragging moves the camera around the point of the sea in the middle of the picture.
         Orbit = "orbit",
-        /// The camera rides on the waves; its height counts from the water surface below it.
+        /// Control mode in which the camera rides on the waves; its height counts from the water surface below it.
         Buoy = "buoy",
     }
 }
@@ -114,9 +115,9 @@ parameters! {
 choice_enum! {
     /// Units that the control panel shows; the state string is always metric.
     pub enum Units {
-        /// Metres, kilometres and metres per second.
+        /// Lengths in metres and kilometres, speeds in metres per second.
         Metric = "metric",
-        /// Feet, nautical miles and knots.
+        /// Lengths in feet and nautical miles, speeds in knots.
         Nautical = "nautical",
     }
 }
@@ -131,7 +132,7 @@ parameters! {
         /// Rendered pixels per window pixel along each axis: below 1 is faster and softer, above 1 is smoother.
         render_scale: f64 = 1.0 => ("renderscale", "Render scale", "", number(0.25, 2.0)),
         /// Lowers the render resolution, and at its limit the FFT size, while frames take too long; raises both again
-        /// when there is time. The waves that remain never change.
+        /// when there is time. A smaller FFT size leaves out the shortest waves; the others never change.
         adaptive: bool = true => ("adaptive", "Adaptive quality", "", Flag),
         /// Largest number of rendered pixels per logical pixel (point) of the window, along each axis. Phones and dense
         /// screens have more pixels than the eye resolves.

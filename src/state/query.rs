@@ -23,19 +23,19 @@ pub(super) const SKY_KEY: &str = "sky";
 /// Key of the floating objects in a state string.
 const FLOATS_KEY: &str = "afloat";
 
-/// Result of reading a state string.
+/// Result of reading a state string: parameters, the keys that it sets, and messages to the user.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ParsedState {
     /// Parameters; those that the string does not set have their defaults.
     pub params: Params,
     /// Keys whose values were taken from the string, sorted; `measured`, `afloat` and `sky` are among them.
     pub keys_set: Vec<&'static str>,
-    /// One notice for each value that was not taken as written.
+    /// Messages to the user, one for each value of the string that was ignored or changed.
     pub notices: Vec<String>,
 }
 
-/// Reads a state string, with or without a leading `?`, or a whole URL. Returns the parameters and one notice for each
-/// value that was not taken as written.
+/// Reads a state string, with or without a leading `?`, or a whole URL. Returns the parameters and messages to the
+/// user, one for each value that was ignored or changed.
 ///
 /// ```
 /// use seastate::state::query;
@@ -54,7 +54,7 @@ pub fn read(text: &str) -> ParsedState {
     read_with(text, VERSION_STEPS)
 }
 
-/// Does the work of [`read`] with the given version translations, so that tests can invent some.
+/// Does the work of [`read`]. `steps` translate old strings: [`VERSION_STEPS`], or invented ones in tests.
 fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
     let mut reading = ParsedState::default();
     let mut query = query_part(text);
@@ -86,7 +86,8 @@ fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
 }
 
 impl ParsedState {
-    /// Stores the value of a key that is not in [`FIELDS`], or adds a notice why it cannot be read.
+    /// Stores the parsed value of a special key (`measured` or `afloat`) by `set`. If it is an error, adds the reason
+    /// to the messages to the user.
     fn set_or_notify<T>(&mut self, key: &'static str, value: Result<T, String>, set: impl FnOnce(&mut Params, T)) {
         match value {
             Ok(value) => {
@@ -97,7 +98,8 @@ impl ParsedState {
         }
     }
 
-    /// Stores the value of a key in [`FIELDS`], or adds a notice. `seen` holds the keys earlier in the string.
+    /// Parses the value of a key in [`FIELDS`] and stores it in the parameters. Adds a message to the user if the key
+    /// is unknown or in `seen`, the keys earlier in the string, or if the value is ignored or clamped.
     fn set_field(&mut self, key: &str, value: &str, seen: &mut Vec<&'static str>) {
         let Some(field) = fields::find(key) else {
             self.notices.push(format!("unknown setting \"{}\" ignored", quoted_excerpt(key)));
@@ -131,7 +133,8 @@ pub fn write(params: &Params) -> String {
     write_with(params, VERSION_STEPS)
 }
 
-/// Does the work of [`write()`] with the given version translations, so that tests can invent some.
+/// Does the work of [`write()`]. The number of `steps`, translations between versions of the string, gives the version
+/// to write: [`VERSION_STEPS`], or invented ones in tests.
 fn write_with(params: &Params, steps: &[VersionStep]) -> String {
     let defaults = Params::default();
     let mut out = form_urlencoded::Serializer::new(String::new());
@@ -156,7 +159,7 @@ fn write_with(params: &Params, steps: &[VersionStep]) -> String {
     out.finish()
 }
 
-/// Returns the part of a URL between `?` and `#`, or a bare state string.
+/// Returns the state string in a text: the part of a URL between `?` and `#`, or the whole text if it is no URL.
 fn query_part(text: &str) -> &str {
     let text = text.trim().split('#').next().unwrap_or_default();
     match text.split_once('?') {

@@ -3,15 +3,16 @@
 use super::Params;
 use super::params::Camera;
 
-/// Camera parameters, and the simulated time in s while it is paused; `None` while it runs.
+/// Camera, and the simulated time in s if it is paused (`None` while it runs). The app compares two of these to see
+/// whether the user has changed the view.
 pub type CameraPose = (Camera, Option<f64>);
 
-/// Returns the camera, and the simulated time if it is paused.
+/// Returns the camera, and the simulated time in s if it is paused, else `None`.
 pub fn camera_pose(params: &Params) -> CameraPose {
     (params.camera.clone(), params.clock.paused.then_some(params.clock.t_s))
 }
 
-/// Copy of the parameters as a link writes them: camera and running time to one decimal, a paused time to three.
+/// Copy of the parameters for a link: camera (m, degrees) and running time (s) to one decimal, a paused time to three.
 pub fn with_rounded_pose(params: &Params) -> Params {
     let mut p = params.clone();
     // The quotient of two whole numbers is the f64 nearest to the decimal fraction, so its text is short.

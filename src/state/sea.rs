@@ -6,19 +6,19 @@ use crate::files::measured::MeasuredSpectrum;
 use std::sync::Arc;
 
 choice_enum! {
-    /// Family of the frequency spectrum of a wave system.
+    /// Frequency spectrum of a wave system: a formula, or the data of a wave buoy.
     pub enum SpectrumKind {
-        /// Equilibrium range only: zero below the peak, omega^-5 above it, Phillips 1958.
+        /// Spectrum of the equilibrium range only: zero below the peak, omega^-5 above it, Phillips 1958.
         Phillips = "phillips",
         /// Phillips' spectrum over wave vectors with its own cos^2 directional factor, Tessendorf 2001.
         Tessendorf = "tessendorf",
-        /// A omega^-5 exp(-B omega^-4) with coefficients A and B that the user sets.
+        /// Spectrum A omega^-5 exp(-B omega^-4) with coefficients A and B that the user sets.
         GeneralisedAb = "ab",
-        /// Fully developed sea, Pierson and Moskowitz 1964.
+        /// Spectrum of a fully developed sea, Pierson and Moskowitz 1964.
         PiersonMoskowitz = "pm",
-        /// Fetch-limited sea, Hasselmann et al. 1973.
+        /// JONSWAP spectrum of a fetch-limited sea, Hasselmann et al. 1973.
         Jonswap = "jonswap",
-        /// JONSWAP times the Kitaigorodskii depth factor, Bouws et al. 1985 as used by Horvath 2015.
+        /// TMA spectrum: JONSWAP times the Kitaigorodskii depth factor, Bouws et al. 1985 as used by Horvath 2015.
         Tma = "tma",
         /// MarNeRo spectrum of the Black Sea near the shore, Trusca 2007.
         Marnero = "marnero",
@@ -26,7 +26,7 @@ choice_enum! {
         Karaev = "karaev",
         /// Unified spectrum of gravity and capillary waves, Elfouhaily et al. 1997.
         Elfouhaily = "elfouhaily",
-        /// Fetch-limited sea with an omega^-4 range, Donelan, Hamilton and Hui 1985.
+        /// Spectrum of a fetch-limited sea with an omega^-4 range, Donelan, Hamilton and Hui 1985.
         Donelan = "donelan",
         /// Spectrum with two peaks, swell and wind sea, given by six parameters, Ochi and Hubble 1976.
         OchiHubble = "ochi-hubble",
@@ -38,22 +38,21 @@ choice_enum! {
 }
 
 choice_enum! {
-    /// Family of the directional spreading of a wave system.
+    /// Directional spreading of a wave system: formula for the distribution of wave energy over directions.
     pub enum SpreadKind {
-        /// The same energy in every direction.
+        /// Spreading with the same energy in every direction.
         Isotropic = "isotropic",
-        /// cos^2 of the angle to the wind over the full circle: as much energy runs against the wind as with it.
+        /// Spreading cos^2 of the angle to the wind, full circle: as much energy runs against the wind as with it.
         Cos2 = "cos2",
-        /// cos^2 of the angle to the wind over the half circle downwind; no energy runs against the wind.
+        /// Spreading cos^2 of the angle to the wind over the half circle downwind; no energy runs against the wind.
         Cos2Positive = "cos2-positive",
-        /// cos^{2s}(theta/2) of the angle theta to the wind, with the exponent s of Mitsuyasu et al. 1975.
+        /// Spreading cos^{2s}(theta/2), theta from the wind, with the exponent s of Mitsuyasu et al. 1975.
         Mitsuyasu = "mitsuyasu",
-        /// cos^{2s}(theta/2) of the angle theta to the wind, with the exponent s of Hasselmann, Dunckel and Ewing 1980.
+        /// Spreading cos^{2s}(theta/2), theta from the wind, with the exponent s of Hasselmann, Dunckel and Ewing 1980.
         Hasselmann = "hasselmann",
-        /// sech^2(beta theta) of the angle theta to the wind, Donelan, Hamilton and Hui 1985 with Banner 1990.
+        /// Spreading sech^2(beta theta), theta from the wind, Donelan, Hamilton and Hui 1985 with Banner 1990.
         DonelanBanner = "donelan-banner",
-        /// 1 + Delta cos(2 theta) of the angle theta to the wind, so as strong upwind as downwind, Elfouhaily et al.
-        /// 1997.
+        /// Spreading 1 + Delta cos(2 theta), theta from the wind: as strong upwind as downwind, Elfouhaily et al. 1997.
         Elfouhaily = "elfouhaily",
     }
 }
@@ -73,19 +72,19 @@ choice_enum! {
 choice_enum! {
     /// Formula for Kitaigorodskii's depth factor, by which the TMA spectrum limits waves in shallow water.
     pub enum DepthFactor {
-        /// Exact factor tanh^2(kh) / (1 + 2kh / sinh 2kh) of wave number k and depth h.
+        /// Exact depth factor tanh^2(kh) / (1 + 2kh / sinh 2kh) of wave number k and depth h.
         Exact = "exact",
-        /// Fit with three branches in omega sqrt(h/g), with depth h, Thompson and Vincent 1983.
+        /// Depth factor as a fit with three branches in omega sqrt(h/g), with depth h, Thompson and Vincent 1983.
         Branches = "branches",
     }
 }
 
 choice_enum! {
-    /// Source of the foam threshold, the Jacobian below which foam forms.
+    /// Rule that sets the foam threshold, the Jacobian of the displacement below which foam forms.
     pub enum WhitecapRule {
-        /// Whitecap coverage at the wind speed, Monahan and O'Muircheartaigh 1980.
+        /// Foam threshold for a mean foam of the wind's whitecap coverage, Monahan and O'Muircheartaigh 1980.
         Monahan = "monahan",
-        /// Value that the user sets.
+        /// Foam threshold that the user sets (parameter `foamthreshold`).
         Fixed = "fixed",
     }
 }
@@ -133,8 +132,8 @@ parameters! {
         blend: f64 = 0.0 => ("blend", "Blend", "", number(0.0, 1.0)),
         /// Fraction of the wave energy that is spread evenly over all directions.
         isotropic: f64 = 0.0 => ("iso", "Agitation", "", number(0.0, 1.0)),
-        /// Narrows the directional spreading of the long waves towards parallel swell (Horvath 2015); the wave height
-        /// does not change.
+        /// Horvath's swell parameter (2015): 0 keeps the directional spreading, 1 narrows that of the long waves most,
+        /// to parallel swell; the wave height does not change.
         swell: f64 = 0.0 => ("swell", "Swell", "", number(0.0, 1.0)),
     }
 }
@@ -164,7 +163,7 @@ parameters! {
     pub struct Sea {
         /// Wave systems: the local wind sea, and a second one such as swell. Their spectra add.
         systems: [WaveSystemParams; 2] = [WaveSystemParams::default(), WaveSystemParams::default_second_system()],
-        /// Buoy spectrum that the wave systems with the spectrum `measured` use.
+        /// Spectrum that a wave buoy measured, for wave systems with the spectrum `measured`; `None` if there is none.
         measured: Option<Arc<MeasuredSpectrum>> = None,
         /// Water depth. Shallow water slows and steepens long waves; with tma it also limits their energy.
         depth_m: f64 = 4000.0 => ("depth", "Depth", "m", logarithmic(1.0, 11000.0)),
@@ -181,13 +180,13 @@ parameters! {
         /// Formula for the depth factor of tma: exact, or the fit in three branches (Thompson and Vincent 1983).
         depth_factor: DepthFactor = DepthFactor::Exact
             => ("tmafit", "TMA depth factor", "", Choice(DepthFactor::WORDS)),
-        /// Computes alpha and gamma of tma from the dimensionless peak wave number kappa = U^2 k_p / g, as alpha =
+        /// Computes alpha and gamma of tma from kappa = U^2 k_p / g (wind speed U, peak wave number k_p), as alpha =
         /// 0.0078 kappa^0.49 and gamma = 2.47 kappa^0.39 (Bouws et al. 1985), instead of taking those of jonswap.
         tma_bouws_parameters: bool = false => ("bouws", "TMA alpha, gamma", "", Flag),
-        /// Multiplies karaev around its peak (up to 1.2 times the peak frequency) by the depth factor of tma.
+        /// Multiplies the spectrum karaev up to 1.2 times the peak frequency by the depth factor of tma.
         karaev_tma: bool = false => ("karaevtma", "Karaev in the shallows", "", Flag),
-        /// Precision of the integral that normalises a directional spreading without a closed form: number of
-        /// quadrature panels, of 15 points each, in each of its six pieces.
+        /// Precision of the integral that normalises a directional spreading without a closed form: number of 15-point
+        /// quadrature panels in each of its pieces, of which there are up to six.
         spreading_norm_panels: u32 = 2 => ("normsteps", "Quadrature steps", "", integer(1, 64)),
         /// Choppiness, the factor on the horizontal displacement: 1 is linear theory, 0 a sum of sines without sharp
         /// crests.
@@ -202,7 +201,7 @@ parameters! {
         level_m: f64 = 0.0 => ("level", "Water level", "m", number(-100.0, 100.0)),
         /// Seed of the random phases and amplitudes: another seed gives another sea with the same statistics.
         seed: u32 = 1 => ("seed", "Seed", "", integer(0, u32::MAX)),
-        /// Period after which the sea repeats, s; 0 means a day. Its field is in `fields.rs`, among those of the time.
+        /// Period after which the sea repeats, s; 0 means a day. Its key in a state string is `loop`.
         loop_s: f64 = 0.0,
         /// Formation and decay of whitecap foam.
         foam: Foam = Foam::default(),
@@ -210,7 +209,7 @@ parameters! {
 }
 
 impl Sea {
-    /// First wave system: the local wind sea, whose wind also forms the whitecaps.
+    /// First wave system: the local wind sea, whose wind also sets the amount of whitecaps.
     pub fn first_system(&self) -> &WaveSystemParams {
         &self.systems[0]
     }
@@ -221,7 +220,7 @@ impl Sea {
         self.systems[0].spectrum = SpectrumKind::Measured;
     }
 
-    /// Choppiness along x and z: factors on the horizontal displacement; 1 is linear theory.
+    /// Choppiness along x (east) and z (south): factors on the horizontal displacement; 1 is linear theory.
     pub fn choppiness(&self) -> [f64; 2] {
         [self.chop_x * self.chop, self.chop_z * self.chop]
     }
@@ -230,8 +229,8 @@ impl Sea {
 parameters! {
     /// Formation and decay of whitecap foam.
     pub struct Foam {
-        /// Source of the foam threshold. monahan: set so that the mean foam is the whitecap coverage of the wind
-        /// (Monahan and O'Muircheartaigh 1980); fixed: the parameter foamthreshold.
+        /// How the foam threshold is set. monahan: so that the mean foam is the whitecap coverage of the wind (Monahan
+        /// and O'Muircheartaigh 1980); fixed: by the parameter foamthreshold.
         whitecaps: WhitecapRule = WhitecapRule::Monahan => ("whitecaps", "Whitecaps", "", Choice(WhitecapRule::WORDS)),
         /// With whitecaps=fixed: Jacobian below which foam forms; 1 is an undeformed surface, 0 a folding crest.
         threshold: f64 = 0.5 => ("foamthreshold", "Foam threshold", "", number(-1.0, 1.0)),
@@ -239,7 +238,7 @@ parameters! {
         bias: f64 = 0.0 => ("foambias", "Foam bias", "", number(-1.0, 1.0)),
         /// Time constant in which foam fades to 1/e. Whitecap patches last 2 to 10 s (Monahan 1971).
         decay_s: f64 = 4.0 => ("foamdecay", "Foam decay", "s", logarithmic(0.5, 30.0)),
-        /// Rate at which foam grows where a crest breaks.
+        /// Rate at which foam grows towards full cover where a crest breaks.
         rate_per_s: f64 = 2.0 => ("foamrate", "Foam growth", "1/s", logarithmic(0.1, 10.0)),
     }
 }

@@ -10,16 +10,18 @@ use std::borrow::Cow;
 /// Key of the version number in a state string.
 pub(super) const VERSION_KEY: &str = "v";
 
-/// Keys and values of a state string, percent-decoded, in their order in the string.
+/// Keys and values of a state string such as `wind=14&t=40`, percent-decoded, in their order in the string.
 pub(super) type Pairs<'a> = Vec<(Cow<'a, str>, Cow<'a, str>)>;
 
-/// Function that translates keys and values of a state string from one version to the next.
+/// Function that translates the keys and values of a state string from one version of the string to the next.
 pub(super) type VersionStep = for<'a> fn(Pairs<'a>) -> Pairs<'a>;
 
-/// Translations from version 1 to 2, from 2 to 3 and so on. The list is empty: no key has changed its meaning yet.
+/// Translations of a state string from version 1 to 2, from 2 to 3 and so on. The list is empty: no key has changed its
+/// meaning yet.
 pub(super) const VERSION_STEPS: &[VersionStep] = &[];
 
-/// Translates the pairs of any version to the newest by `steps`. Also returns a notice if the version is unknown.
+/// Translates the keys and values of a state string from its version to the newest by `steps`, and removes the key `v`.
+/// Also returns a message to the user if the version is unknown.
 pub(super) fn upgrade_pairs<'a>(pairs: Pairs<'a>, steps: &[VersionStep]) -> (Pairs<'a>, Option<String>) {
     let newest = steps.len() + 1;
     let (versions, pairs): (Pairs<'a>, Pairs<'a>) = pairs.into_iter().partition(|(key, _)| key == VERSION_KEY);
@@ -37,7 +39,7 @@ pub(super) fn upgrade_pairs<'a>(pairs: Pairs<'a>, steps: &[VersionStep]) -> (Pai
     (steps[version - 1..].iter().fold(pairs, |pairs, step| step(pairs)), notice)
 }
 
-/// Version number to write into a state string; `None` while version 1 is the only one.
+/// Value of the key `v` in a new state string: the newest version; `None` (no key) while there is only version 1.
 pub(super) fn version_to_write(steps: &[VersionStep]) -> Option<String> {
     (!steps.is_empty()).then(|| (steps.len() + 1).to_string())
 }

@@ -6,26 +6,27 @@ use super::field::{FieldValue, integer, parameters};
 /// What the window shows: the picture or a false-colour view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DisplayedView {
-    /// Picture of the sea.
+    /// Picture of the sea as the camera sees it, without false colours.
     Picture,
-    /// Map of the simulation, shown flat and texel by texel, with north up.
+    /// False-colour view of a map (texture) of the simulation, shown flat and texel by texel, with north up.
     Map(MapView),
-    /// Quantity on the drawn water surface, seen by the camera.
+    /// False-colour view of a quantity on the drawn water surface, seen by the camera.
     Surface(SurfaceView),
 }
 
-/// Map of the simulation that a view can show. shaders/views/map.wgsl knows each as 1 + its discriminant.
+/// Map (texture) of the simulation that a false-colour view shows. In shaders/views/map.wgsl its number is 1 + its
+/// discriminant; 0 is the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapView {
-    /// Magnitude |h0(k)| of the initial spectrum at each wave vector k.
+    /// Magnitude |h0(k)| of the initial spectrum at each wave vector k, before the waves evolve in time.
     InitialSpectrum,
-    /// Spectrum h(k, t) at the current time t: magnitude as brightness, phase as hue.
+    /// Spectrum h(k, t) of the elevation at the current simulated time t: magnitude as brightness, phase as hue.
     Spectrum,
-    /// Horizontal displacement to the east, Dx.
+    /// Horizontal displacement of the surface to the east, Dx, m, without the factor of choppiness.
     Dx,
-    /// Elevation of the surface, eta.
+    /// Elevation of the surface, eta, m.
     Height,
-    /// Horizontal displacement to the south, Dz.
+    /// Horizontal displacement of the surface to the south, Dz, m, without the factor of choppiness.
     Dz,
     /// Shear dDx/dz = dDz/dx of the horizontal displacement (Dx, Dz); x is east, z south.
     DxDz,
@@ -43,33 +44,34 @@ pub enum MapView {
     MomentZz,
     /// Product of the slopes to the east and south, d eta/dx d eta/dz, averaged over 2 x 2 texels.
     MomentXz,
-    /// Jacobian determinant of the horizontal displacement of one cascade.
+    /// Jacobian determinant of the horizontal displacement of one cascade: 1 if undeformed, below 0 where it folds.
     Jacobian,
-    /// Amount of foam on one level of the foam map.
+    /// Foam value, 0 to 1, on one foam level (square foam grid around the camera).
     Foam,
-    /// Foam source (how strongly crests break) on one level of the foam map.
+    /// Foam source, 0 to 1: how strongly crests break, on one foam level (square foam grid around the camera).
     Source,
 }
 
-/// Quantity on the drawn water surface that a view can show. shaders/views/surface.wgsl knows each as 1 + its
-/// discriminant.
+/// Quantity on the drawn water surface that a false-colour view shows. In shaders/views/surface.wgsl its number is 1 +
+/// its discriminant; 0 is the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SurfaceView {
     /// Unit normal of the surface; its east component is shown as red, north as green, up as blue.
     Normals,
-    /// Jacobian determinant of the horizontal displacement, all cascades together.
+    /// Jacobian determinant of the whole horizontal displacement: 1 if undeformed, below 0 where it folds.
     Jacobian,
-    /// Variance of the wave slopes that the pixel does not resolve.
+    /// Variance of the wave slopes that the pixel does not resolve: the sum of the variances to the east and south.
     Roughness,
-    /// Mip level at which the pixel samples the maps of a cascade.
+    /// Mip level at which the pixel samples the maps of the chosen cascade (patch of sea with its own FFT).
     Mips,
-    /// Fraction of the pixel that foam covers.
+    /// Fraction of the pixel that visible foam covers, 0 to 1.
     Foam,
     /// Edges of the triangles of the water mesh.
     Wireframe,
 }
 
-/// All views with word in the state string and caption, in the order in which the key V steps through them.
+/// The picture and all false-colour views: word in the state string, view, and caption for the user, in the order in
+/// which the key V steps through them.
 pub const DISPLAYED_VIEWS: &[(&str, DisplayedView, &str)] = &[
     ("picture", DisplayedView::Picture, "Picture"),
     ("h0", DisplayedView::Map(MapView::InitialSpectrum), "Initial spectrum |h0(k)|"),
@@ -125,7 +127,7 @@ impl FieldValue for DisplayedView {
 }
 
 parameters! {
-    /// Choice of the picture or a view, and of the cascade that a view shows.
+    /// What the window shows: the picture or a false-colour view, and the cascade or foam level whose map a view shows.
     #[derive(Copy, Eq)]
     pub struct ViewChoice {
         /// View that replaces the picture (key V). Maps of the simulation, texel by texel: h0, the initial spectrum;
@@ -134,14 +136,14 @@ parameters! {
         /// foam forms. On the drawn surface: normals; folding, the Jacobian of all cascades; roughness, the slope
         /// variance within the pixel; mips, the mip level; coverage of foam; wireframe of the mesh.
         displayed: DisplayedView = DisplayedView::Picture => ("view", "View", "", Choice(&WORDS)),
-        /// Cascade that a view shows (1 has the longest waves), or level of the foam map (1 is the finest). 0 shows all
-        /// side by side; the view mips then shows the finest cascade.
+        /// Cascade that a view shows (1 has the longest waves); for the views foam and source, the foam level (1 is the
+        /// finest). 0 shows all side by side; the view mips then shows the finest cascade.
         cascade: u32 = 0 => ("viewcascade", "View of cascade", "", integer(0, 4), "all"),
     }
 }
 
 impl ViewChoice {
-    /// Caption of the chosen view.
+    /// Caption of the picture or chosen view for the user, such as "Slope to the east".
     pub fn name(self) -> &'static str {
         DISPLAYED_VIEWS[self.displayed.index()].2
     }
@@ -153,7 +155,8 @@ impl ViewChoice {
         Self { displayed: DISPLAYED_VIEWS[at as usize].1, ..self }
     }
 
-    /// Indices of the layers of a map that the view shows; the map has `count` layers, one per cascade or foam level.
+    /// Range of the layers of a map (array texture) that the view shows, counted from 0. The map has `count` layers,
+    /// one for each cascade or foam level.
     pub fn cascade_layers(self, count: usize) -> std::ops::Range<usize> {
         match (self.displayed, self.cascade as usize) {
             (DisplayedView::Map(_), 0) => 0..count,

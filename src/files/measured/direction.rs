@@ -28,8 +28,8 @@ impl Direction {
         Self { alpha1_deg: from_deg, alpha2_deg, r1, r2: r2.abs() }
     }
 
-    /// Directional moments (re c1, im c1, re c2, im c2) over the direction of travel theta. Waves that come from the
-    /// angle A travel along (x, z) = (-sin A, cos A), so theta = A + pi/2.
+    /// Directional moments (re c1, im c1, re c2, im c2), c_n = integral of D e^{i n theta} over the direction theta =
+    /// atan2(z, x) that waves travel TO (x east, z south). Waves that come from the angle A have theta = A + pi/2.
     pub(super) fn moments(&self) -> [f64; 4] {
         let theta1 = self.alpha1_deg.to_radians() + 0.5 * PI;
         let theta2 = 2.0 * self.alpha2_deg.to_radians() + PI;
@@ -64,7 +64,7 @@ pub(super) fn fill_missing(
     bands.iter().zip(directions).map(|(b, d)| d.or_else(|| Some(nearest_entry(&known, b.0)?.1))).collect()
 }
 
-/// Returns the entry (frequency in Hz, value) whose frequency is nearest to `f_hz`.
+/// Returns the entry (frequency in Hz, value) whose frequency is nearest to `f_hz`; None if there are no entries.
 pub(super) fn nearest_entry<T>(entries: &[(f64, T)], f_hz: f64) -> Option<&(f64, T)> {
     entries.iter().min_by(|a, b| (a.0 - f_hz).abs().total_cmp(&(b.0 - f_hz).abs()))
 }

@@ -4,16 +4,16 @@
 use glam::{DVec2, dvec2};
 use std::f64::consts::TAU;
 
-/// Largest magnitude of the first moment c1 and of phi2; with a magnitude of 1 the distribution has no width.
+/// Limit of the magnitudes of the first moment c1 and of phi2; at a magnitude of 1 the distribution has no width.
 const MAX_MAGNITUDE: f64 = 0.995;
 
 /// The directional distribution of the largest (Burg) entropy for given moments c1 and c2, per rad at the angle theta:
 /// D(theta) = norm / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaximumEntropy {
-    /// First autoregressive coefficient, (c1 - c2 c1*) / (1 - |c1|^2), of the moments c1 and c2; c1* is conjugate.
+    /// First autoregressive coefficient (re, im): (c1 - c2 c1*) / (1 - |c1|^2); c1, c2 are moments, * is conjugate.
     pub phi1: DVec2,
-    /// Second autoregressive coefficient, c2 - c1 phi1 with the moments c1 and c2 and the first one, phi1.
+    /// Second autoregressive coefficient (re, im): c2 - c1 phi1 with the moments c1 and c2.
     pub phi2: DVec2,
     /// Normalisation (1 - phi1 c1* - phi2 c2*) / (2 pi), per rad; * is the complex conjugate.
     pub norm: f64,

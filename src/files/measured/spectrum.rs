@@ -23,14 +23,14 @@ pub struct MeasuredSpectrum {
     directions: Option<Vec<Direction>>,
 }
 
-/// A measured spectrum that was read from files, with its title and notices.
+/// A measured spectrum that was read from files, with its title and messages to the user.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpectrumFile {
     /// The measured spectrum.
     pub spectrum: MeasuredSpectrum,
     /// Title for the user: name of the file and time of the record, printable and short.
     pub title: String,
-    /// Messages about missing data, and about data in the files that were not used.
+    /// Messages to the user about missing data, and about data in the files that were not used.
     pub notices: Vec<String>,
 }
 
@@ -64,7 +64,7 @@ impl MeasuredSpectrum {
         &self.bands
     }
 
-    /// Directional parameters of the bands, if the spectrum has directions.
+    /// Directional parameters of each band in the order of the bands; `None` if the spectrum has no directions.
     pub fn directions(&self) -> Option<&[Direction]> {
         self.directions.as_deref()
     }
@@ -87,7 +87,8 @@ impl MeasuredSpectrum {
         s / TAU
     }
 
-    /// Lowest angular frequency with variance, rad/s; above 0, so that its logarithm is finite.
+    /// Angular frequency below which there is no or almost no variance, rad/s; above 0, so that its logarithm is
+    /// finite.
     pub fn lowest_omega(&self) -> f64 {
         TAU * self.low_hz().max(1e-3 * self.bands[0].0)
     }
@@ -136,12 +137,13 @@ impl MeasuredSpectrum {
         Some(std::array::from_fn(|n| a[n] + t * (b[n] - a[n])))
     }
 
-    /// Frequency below the first band at which the variance density reaches 0, Hz.
+    /// Frequency below the first band at which the extrapolated variance density reaches 0, Hz; at least 0.
     fn low_hz(&self) -> f64 {
         (2.0 * self.bands[0].0 - self.bands[1].0).max(0.0)
     }
 
-    /// Index of the interval between two bands that holds the frequency `f` in Hz, and position in it, 0 to 1.
+    /// Index of the interval from a band to the next that holds the frequency `f` in Hz, and position in it, 0 to 1.
+    /// Below and above all bands, it is the start of the first interval or the end of the last.
     fn interval(&self, f: f64) -> (usize, f64) {
         let i = self.bands.partition_point(|b| b.0 <= f).clamp(1, self.bands.len() - 1) - 1;
         let (low, high) = (self.bands[i].0, self.bands[i + 1].0);
@@ -149,7 +151,8 @@ impl MeasuredSpectrum {
     }
 }
 
-/// Checks and rounds the frequency of a band, Hz. It must exceed `before`, the rounded frequency of the previous band.
+/// Returns the frequency of a band, Hz, rounded to four digits. It is an error if it is out of range or does not exceed
+/// `before`, the rounded frequency of the previous band.
 pub(super) fn checked_frequency(f: f64, before: Option<f64>) -> Result<f64, String> {
     let kept = round_to_four_digits(f);
     if !(kept > 0.0 && kept <= MAX_FREQUENCY_HZ) {
@@ -168,7 +171,7 @@ pub(super) fn checked_frequency(f: f64, before: Option<f64>) -> Result<f64, Stri
     }
 }
 
-/// Checks the variance density of a band in m^2/Hz and rounds it.
+/// Returns the variance density of a band, m^2/Hz, rounded to four digits; an error if it is out of range.
 pub(super) fn checked_density(s: f64) -> Result<f64, String> {
     let kept = round_to_four_digits(s);
     if s >= 0.0 && kept < MAX_DENSITY {

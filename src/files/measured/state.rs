@@ -5,12 +5,12 @@ use super::direction::Direction;
 use super::spectrum::{MAX_BANDS, MeasuredSpectrum};
 use super::text::{parse_number, quoted_excerpt};
 
-/// Longest text that [`MeasuredSpectrum::from_state`] reads, bytes.
+/// Longest text of a measured spectrum that [`MeasuredSpectrum::from_state`] reads, bytes.
 pub const MAX_TEXT_BYTES: usize = 16 * 1024;
 
 impl MeasuredSpectrum {
-    /// Writes the spectrum as `f*S_f*S_...` or `f*S*alpha1*alpha2*r1*r2_...` with f in Hz, S in m^2/Hz and angles in
-    /// degrees; about 1.6 kB for 47 directional bands.
+    /// Writes the spectrum as text for a link: `f*S_f*S_...`, or with directions `f*S*alpha1*alpha2*r1*r2_...`, with f
+    /// in Hz, S in m^2/Hz and angles in degrees; about 1.6 kB for 47 directional bands.
     pub fn to_state(&self) -> String {
         let band = |(i, (f, s)): (usize, &(f64, f64))| {
             let mut fields = vec![*f, *s];

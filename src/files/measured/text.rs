@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 /// Largest file of a measured spectrum that is read, bytes.
 pub const MAX_FILE_BYTES: usize = 16 << 20;
-/// Largest number of columns in a line of a file.
+/// Largest number of columns in a line of a spectrum file; a line with more is an error.
 pub(super) const MAX_COLUMNS: usize = 4096;
 
 /// A decoded text file and its name, which is short and printable.
@@ -41,12 +41,12 @@ impl<'a> TextFile<'a> {
         Err(format!("{name}: {reason}"))
     }
 
-    /// Makes a message about a line of the file; lines are counted from 1.
+    /// Makes an error message about a line of this file, with the file's name; lines are counted from 1.
     pub fn line_error(&self, line: usize, what: impl Display) -> String {
         format!("{}, line {line}: {what}", self.name)
     }
 
-    /// Makes a message about the whole file.
+    /// Makes an error message about this file as a whole, with its name.
     pub fn file_error(&self, what: impl Display) -> String {
         format!("{}: {what}", self.name)
     }
@@ -68,7 +68,7 @@ pub(super) fn display_number(v: f64) -> String {
     if v == 0.0 || (1e-6..1e9).contains(&v.abs()) { v.to_string() } else { format!("{v:e}") }
 }
 
-/// Formats a piece of a file for a message: at most 24 characters, in quotation marks.
+/// Formats a piece of a file for an error message: at most 24 characters, in quotation marks.
 pub(super) fn quoted_excerpt(text: &str) -> String {
     format!("\"{}\"", printable_prefix(text, 24))
 }

@@ -19,10 +19,10 @@ use sky_image::{SkyImage, check_shape, luminance};
 const MAX_WIDTH: usize = 8192;
 /// Columns and rows of [`Panorama::sunless`], the small image without the sun.
 pub const SUNLESS_SIZE: [usize; 2] = [512, 256];
-/// Horizontal irradiance that every sky image is scaled to: that of a clear noon, in the unit of `atmosphere.wgsl`.
+/// Horizontal irradiance to which every sky image is scaled, that of a clear noon; the unit of 1 is 6400 lux.
 const NOON_IRRADIANCE: f64 = 16.0;
 
-/// A sky from an image file. Light is in the unit of `atmosphere.wgsl`.
+/// A sky from an image file. Light is in the renderer's unit, in which an irradiance of 1 is 6400 lux.
 #[derive(Clone, Debug)]
 pub struct Panorama {
     /// Width of the image, pixels.
@@ -38,7 +38,7 @@ pub struct Panorama {
     pub sun: Option<Sun>,
     /// Irradiance (red, green, blue) of a horizontal surface by the sky without the sun.
     pub irradiance: [f64; 3],
-    /// Factor by which light in the file was multiplied to be in the unit of `atmosphere.wgsl`.
+    /// Factor by which light in the file was multiplied, so that an irradiance of 1 is 6400 lux.
     pub gain: f64,
     /// Messages about what was corrected, reduced or not found in the image.
     pub notices: Vec<String>,

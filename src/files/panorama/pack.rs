@@ -3,7 +3,7 @@
 /// Largest value that the texture format RGB9E5 can hold.
 pub(super) const MAX_RGB9E5: f32 = 65408.0;
 
-/// Packs a linear colour as RGB9E5; negative values become 0 and too large ones [`MAX_RGB9E5`].
+/// Packs linear red, green and blue as RGB9E5; negative values become 0 and too large ones [`MAX_RGB9E5`].
 pub(super) fn pack_rgb9e5(c: [f32; 3]) -> u32 {
     let c = c.map(|v| v.clamp(0.0, MAX_RGB9E5));
     let most = c[0].max(c[1]).max(c[2]);

@@ -42,7 +42,7 @@ impl SkyImage {
         self.resampled_part([self.width, self.height], size)
     }
 
-    /// Resamples the upper left part of the image, given by columns and rows, to another number of columns and rows.
+    /// Resamples the upper left part of the image, `part` columns and rows, to an image of other columns and rows.
     fn resampled_part(&self, part: [usize; 2], [width, height]: [usize; 2]) -> Self {
         let range = |i: usize, to: usize, from: usize| {
             let start = i * from / to;
@@ -63,7 +63,7 @@ impl SkyImage {
         Self { width, height, pixels }
     }
 
-    /// Irradiance (red, green, blue) of a horizontal surface by the upper half of the image.
+    /// Irradiance (red, green, blue) of a horizontal surface by the upper half of the image, in the pixels' unit x sr.
     pub fn horizontal_irradiance(&self) -> [f64; 3] {
         let mut sum = [0.0; 3];
         for (y, row) in self.pixels.chunks(self.width).enumerate() {
@@ -78,12 +78,12 @@ impl SkyImage {
         sum
     }
 
-    /// Elevation angle above the horizon at the distance `y` from the top edge in rows, rad.
+    /// Elevation angle above the horizon of a point `y` rows below the top edge of the image, rad.
     pub fn row_elevation(&self, y: f64) -> f64 {
         PI * (0.5 - y / self.height as f64)
     }
 
-    /// Solid angle of a pixel in row `y`, sr.
+    /// Solid angle of a pixel in row `y`, counted from 0 at the zenith, sr.
     pub fn row_solid_angle(&self, y: usize) -> f64 {
         (self.row_elevation(y as f64).sin() - self.row_elevation(y as f64 + 1.0).sin()) * TAU / self.width as f64
     }
@@ -96,7 +96,7 @@ impl SkyImage {
     }
 }
 
-/// Refuses an image whose size cannot be that of a whole equirectangular sky.
+/// Returns an error if an image of this size, pixels, has too few rows for a sky or is not twice as wide as high.
 pub(super) fn check_shape(width: usize, height: usize) -> Result<(), String> {
     if height < MIN_HEIGHT {
         return Err(format!("{width} x {height} pixels are too few for a sky: save it with {MIN_HEIGHT} rows or more"));

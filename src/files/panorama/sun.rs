@@ -3,21 +3,21 @@
 use super::sky_image::{SkyImage, luminance};
 use std::f64::consts::PI;
 
-/// Angular radius around the brightest search cell within which the sun is examined, rad.
+/// Angular radius around the brightest search cell (block of pixels) within which the sun is looked for, rad.
 const SEARCH_RADIUS: f64 = 6.0 * PI / 180.0;
-/// Inner angular radius of the ring in which the sky around the sun is measured, rad.
+/// Inner radius of the ring in which the sky around the sun is measured, rad; the outer one is [`SEARCH_RADIUS`].
 const SKY_RING_INNER_RADIUS: f64 = 4.0 * PI / 180.0;
-/// Smallest ratio of the luminance of a sun to that of the sky around it.
+/// A bright spot is the sun only if its luminance exceeds that of the sky around it by this factor or more.
 const MIN_SUN_CONTRAST: f64 = 15.0;
-/// Largest angular radius of a sun, rad. Bloom enlarges the sun in some files.
+/// Largest angular radius of a bright spot that is taken as the sun, rad. Bloom enlarges the sun in some files.
 const MAX_SUN_RADIUS: f64 = 3.0 * PI / 180.0;
-/// Smallest ratio of the light of a sun to the light of the whole sky; a lamp or a reflection has less.
+/// Smallest ratio of the light of the sun to that of the whole sky; a bright spot with less is a lamp or a reflection.
 const MIN_SUN_LIGHT_RATIO: f64 = 0.02;
-/// Number of search cells across 360 degrees of azimuth. The brightest cell is searched, not pixel, because single
-/// pixels can be faulty.
+/// Largest number of search cells (blocks of pixels) across 360 degrees of azimuth. The sun is looked for around the
+/// brightest cell, not the brightest pixel, because single pixels can be faulty.
 const SEARCH_CELLS: usize = 512;
 
-/// The sun in an image of the sky.
+/// Direction, size and irradiance of the sun that was found in an image of the sky.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sun {
     /// Azimuth of the sun's centre, degrees clockwise from the middle column of the image, 0 to 360.
@@ -26,8 +26,8 @@ pub struct Sun {
     pub elevation_deg: f64,
     /// Angular radius of a disc with the solid angle of the sun, rad.
     pub radius_rad: f64,
-    /// Irradiance (red, green, blue) by the sun alone of a plane that faces it: in the unit of the image, or once the
-    /// image is scaled to a [`Panorama`](super::Panorama), of `atmosphere.wgsl`.
+    /// Irradiance (red, green, blue) by the sun alone of a plane that faces it, in the unit of the image x sr; in a
+    /// [`Panorama`](super::Panorama), 1 is 6400 lux.
     pub irradiance: [f64; 3],
 }
 
@@ -96,7 +96,7 @@ fn brightest_direction(image: &SkyImage) -> Option<[f64; 3]> {
     (best.0 > 0.0).then(|| image.pixel_direction(x, y))
 }
 
-/// A pixel in the area that is examined for the sun.
+/// A pixel near the brightest place of the sky, which is examined for the sun.
 struct NearPixel {
     index: usize,
     luminance: f64,

@@ -13,7 +13,7 @@ use super::field::{choice_enum, logarithmic, number, parameters};
 use super::views::ViewChoice;
 
 parameters! {
-    /// Appearance of the picture: everything except the camera.
+    /// Appearance of the picture: sky, water, foam, exposure, water mesh and view. It does not change the waves.
     pub struct Look {
         /// Sun, sky and fog.
         sky: SkyLook = SkyLook::default(),
@@ -35,13 +35,13 @@ choice_enum! {
     pub enum ToneMapping {
         /// AgX tone mapping, Sobotka 2022.
         Agx = "agx",
-        /// ACES reference and output transform, as fitted by Hill 2016.
+        /// Tone-mapping curve of the ACES reference and output transform, as fitted by Hill 2016.
         Aces = "aces",
-        /// x / (1 + x) with the exposed scene light x, Reinhard et al. 2002.
+        /// Tone-mapping curve x / (1 + x) of the exposed scene light x, Reinhard et al. 2002.
         Reinhard = "reinhard",
         /// Khronos PBR Neutral tone mapping, 2024.
         Neutral = "neutral",
-        /// No curve; light above display white is clipped.
+        /// No tone-mapping curve; exposed light above display white is clipped.
         Linear = "linear",
     }
 }

@@ -10,9 +10,9 @@ use std::sync::Arc;
 choice_enum! {
     /// How the user gives the position of the sun.
     pub enum SunPlacement {
-        /// By elevation and azimuth of the sun.
+        /// The user gives elevation and azimuth of the sun (parameters `sun` and `sunaz`).
         Direction = "direction",
-        /// By day of the year, solar time and latitude.
+        /// The user gives day of the year, solar time and latitude (parameters `day`, `hour` and `lat`).
         Date = "date",
     }
 }
@@ -56,7 +56,7 @@ parameters! {
         fog_scale_height_m: f64 = 30.0 => ("fogfalloff", "Fog falls off", "m", logarithmic(1.0, 2000.0)),
         /// Height of the fog's top above the water; below it the fog has its full density.
         fog_top_m: f64 = 20.0 => ("fogheight", "Fog top", "m", number(0.0, 2000.0)),
-        /// Sky image from a file, which replaces the computed sky.
+        /// Sky image from a file, which replaces the computed sky; `None` for the computed sky.
         file: Option<SkyFile> = None,
         /// Heading to which the middle column of a sky image points, clockwise from north.
         file_heading_deg: f64 = 0.0 => ("skyturn", "Turn the sky", "deg", Heading),
@@ -66,12 +66,13 @@ parameters! {
 }
 
 impl SkyLook {
-    /// Sky image of the file, if it is loaded.
+    /// Decoded sky image; `None` if these parameters name no sky file, or its image is not loaded.
     pub fn panorama(&self) -> Option<&Arc<Panorama>> {
         self.file.as_ref()?.image.as_ref()
     }
 
-    /// Elevation and azimuth of the sun that lights the sea, degrees. A sun in a loaded sky image takes precedence.
+    /// Elevation and azimuth (clockwise from north) of the sun that lights the sea, degrees: those of the sun in the
+    /// sky image, if one is loaded and shows a sun, else those of the parameters.
     pub fn sun_elevation_azimuth_deg(&self) -> [f64; 2] {
         if let Some(sun) = self.panorama().and_then(|p| p.sun.as_ref()) {
             return [sun.elevation_deg, (sun.azimuth_deg + self.file_heading_deg).rem_euclid(360.0)];
@@ -82,18 +83,18 @@ impl SkyLook {
         }
     }
 
-    /// Unit vector towards the sun: x east, y up, z south.
+    /// Unit vector towards the sun that lights the sea: x east, y up, z south.
     pub fn sun_direction(&self) -> [f64; 3] {
         let [elevation, azimuth] = self.sun_elevation_azimuth_deg().map(f64::to_radians);
         [azimuth.sin() * elevation.cos(), elevation.sin(), -azimuth.cos() * elevation.cos()]
     }
 
-    /// Angular radius of the sun's disc, rad.
+    /// Angular radius of the sun's disc, rad, from the parameters `sunsize` and `sundistance`.
     pub fn sun_radius_rad(&self) -> f64 {
         (0.5 * self.sun_size_deg.to_radians() / self.sun_distance_au).min(1.0)
     }
 
-    /// Takes over the image of a loaded sky file if its name is that of the file in these parameters.
+    /// Takes over the image of `loaded`, an earlier sky file, if it has the name of the file in these parameters.
     pub fn adopt_loaded_image(&mut self, loaded: Option<&SkyFile>) {
         if let (Some(wanted), Some(loaded)) = (&mut self.file, loaded)
             && wanted.name == loaded.name

@@ -28,7 +28,7 @@ impl FieldValue for WaterType {
 }
 
 parameters! {
-    /// Light that the water and its bubbles scatter back out. A strength of 1 is physical.
+    /// Light that the water and its bubbles scatter back out. A factor of 1 is physical.
     pub struct Scattering {
         /// Jerlov's optical water type (1976), which sets absorption and scattering: i, the clearest blue ocean, to
         /// iii, fertile and greenish; 1c, the clearest coastal water, to 9c, the muddiest.
@@ -42,15 +42,15 @@ parameters! {
         bubble_colour: f64 = WHITE_RGB => ("bubblecolour", "Bubble colour", "", Colour),
         /// Density of the bubbles that breaking waves leave under the surface; 1 is a typical plume.
         bubble_density: f64 = 1.0 => ("bubbles", "Bubble density", "", number(0.0, 10.0)),
-        /// Height attenuation factor: strength of the light that shines through wave crests, most of all through high
+        /// Factor on the light that shines through wave crests (height attenuation factor), most of all through high
         /// and sharp ones; 1 is physical.
         crest_transmission: f64 = 1.0 => ("heightscatter", "Scattering by height", "", number(0.0, 10.0)),
-        /// Reflection strength of the scattering: how much the light scattered out of the water depends on the viewing
-        /// angle; 1 is physical, 0 is no dependence.
+        /// How much the light scattered out of the water depends on the viewing angle (reflection strength of the
+        /// scattering); 1 is physical, 0 is no dependence.
         scatter_view_dependence: f64 = 1.0 => ("viewscatter", "Scattering by view", "", number(0.0, 4.0)),
-        /// Strength of the sunlight that the water scatters back; 1 is physical.
+        /// Factor on the sunlight that the water scatters back; 1 is physical.
         diffuse_strength: f64 = 1.0 => ("diffuse", "Diffuse strength", "", number(0.0, 5.0)),
-        /// Strength of the skylight that the water scatters back; 1 is physical.
+        /// Factor on the skylight that the water scatters back; 1 is physical.
         ambient_strength: f64 = 1.0 => ("ambient", "Ambient strength", "", number(0.0, 5.0)),
     }
 }
@@ -60,7 +60,7 @@ choice_enum! {
     pub enum FresnelFormula {
         /// Exact Fresnel equations of a dielectric for unpolarised light.
         Exact = "exact",
-        /// Schlick's approximation of 1994.
+        /// Schlick's approximation of the Fresnel reflectance, 1994.
         Schlick = "schlick",
     }
 }
@@ -80,7 +80,7 @@ choice_enum! {
 parameters! {
     /// Light reflected by the water surface: sky, sun glitter and the Fresnel reflectance of both.
     pub struct Reflection {
-        /// Strength of the reflected sky; 1 is physical.
+        /// Factor on the sky that the water reflects; 1 is physical.
         sky_strength: f64 = 1.0 => ("reflection", "Reflection of the sky", "", number(0.0, 2.0)),
         /// Refractive index of the water: fresh water 1.333, sea water 1.34.
         index_water: f64 = 1.333 => ("nwater", "Index of water", "", number(1.0, 3.0)),
@@ -90,24 +90,24 @@ parameters! {
         fresnel: FresnelFormula = FresnelFormula::Exact => ("fresnel", "Fresnel", "", Choice(FresnelFormula::WORDS)),
         /// With fresnel=schlick: exponent of Schlick's approximation, originally 5.
         schlick_exponent: f64 = 5.0 => ("fresnelshine", "Fresnel shine", "", number(0.0, 20.0)),
-        /// Factor on the Fresnel reflectance; the product is limited to 1.
+        /// Factor on the Fresnel reflectance of the water; the product is limited to 1.
         fresnel_scale: f64 = 1.0 => ("fresnelscale", "Fresnel scale", "", number(0.0, 4.0)),
         /// Factor on the slope of the surface normal from which the Fresnel reflectance is computed; 1 is physical.
         fresnel_slope_factor: f64 = 1.0 => ("fresnelnormals", "Fresnel normals scale", "", number(0.0, 4.0)),
-        /// Microfacet distribution: wave slopes that a pixel does not resolve. gaussian: as measured at sea (Cox and
-        /// Munk 1954); ggx: longer tails (Trowbridge and Reitz 1975); blinn-phong: a lobe of the given shininess.
+        /// Microfacet distribution, that of wave slopes within a pixel. gaussian: as measured at sea (Cox and Munk
+        /// 1954); ggx: longer tails (Trowbridge and Reitz 1975); blinn-phong: a lobe of the given shininess.
         specular: MicrofacetDistribution = MicrofacetDistribution::Gaussian
             => ("specular", "Microfacets", "", Choice(MicrofacetDistribution::WORDS)),
         /// With specular=blinn-phong: exponent of the lobe; a larger one makes a sharper highlight.
         shininess: f64 = 200.0 => ("shininess", "Shininess", "", logarithmic(1.0, 10000.0)),
-        /// Strength of the sun glitter, the sun's specular reflection; 1 is physical.
+        /// Factor on the sun glitter, the sun's specular reflection; 1 is physical.
         glitter_strength: f64 = 1.0 => ("glitter", "Specular scale", "", number(0.0, 10.0)),
-        /// Factor on the Fresnel reflectance of the sun glitter; the product is limited to 1.
+        /// Further factor on the Fresnel reflectance, for the sun glitter only; the product is limited to 1.
         glitter_fresnel_scale: f64 = 1.0 => ("glitterfresnel", "Specular Fresnel scale", "", number(0.0, 50.0)),
         /// Grazing-angle cut-off of the sun glitter: it fades out where the cosine between the surface normal and the
         /// direction of the sun or the eye is below this value.
         glitter_min_cosine: f64 = 0.0 => ("glittercut", "Specular low cut-off", "", number(0.0, 1.0)),
-        /// Roughness r of the water in addition to the unresolved waves: alpha = r^2, slope variance alpha^2 / 2.
+        /// Roughness r of the water beside the unresolved waves: adds r^4 / 2 to the slope variance along each axis.
         roughness: f64 = 0.0 => ("roughness", "Water roughness", "", number(0.0, 1.0)),
     }
 }
@@ -117,7 +117,8 @@ parameters! {
     pub struct BedLook {
         /// Colour of the sand on the sea bed, visible in water of a few metres.
         colour: f64 = 0x00d8_ccb0 as f64 => ("bedcolour", "Bed colour", "", Colour),
-        /// Strength of caustics, sunlight focused on the sea bed by waves: 1 is physical; 0 is even and costs nothing.
+        /// Strength of caustics, sunlight focused on the sea bed by waves: 1 is physical; 0 lights the bed evenly and
+        /// costs no time.
         caustics: f64 = 0.0 => ("caustics", "Caustics", "", number(0.0, 1.0), "off"),
     }
 }
@@ -129,7 +130,7 @@ parameters! {
         amount: f64 = 1.0 => ("foam", "Foam shown", "", number(0.0, 2.0)),
         /// Colour of the foam.
         colour: f64 = WHITE_RGB => ("foamcolour", "Foam colour", "", Colour),
-        /// Roughness r of the specular reflection of wet foam; its alpha is r^2.
+        /// Roughness r of the specular reflection of wet foam, GGX with alpha = r^2.
         roughness: f64 = 0.8 => ("foamroughness", "Foam roughness", "", number(0.0, 1.0)),
         /// Height of the relief (bumps) of nearby foam; 1 is a few centimetres.
         relief: f64 = 1.0 => ("foamrelief", "Foam relief", "", number(0.0, 4.0), "flat"),

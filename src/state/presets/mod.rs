@@ -43,13 +43,13 @@ pub struct Preset {
 /// What happens to a parameter when a preset is applied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum ApplyRule {
-    /// Wind, waves, water or foam: always set, to its default where the preset does not name it.
+    /// Parameters of wind, waves, water or foam: always set, to the default where the preset does not name them.
     Sea,
-    /// Sun, sky, colours or film: all are set if the preset names one of them, else all are kept.
+    /// Parameters of sun, sky, colours or film: all are set if the preset names one of them, else all are kept.
     Light,
-    /// Camera: set only where the preset names it.
+    /// Parameters of the camera: set only where the preset names them.
     Camera,
-    /// Time, resolution, views and window: never changed by a preset.
+    /// Parameters of time, resolution, views and window: never changed by a preset.
     Kept,
 }
 
@@ -144,7 +144,7 @@ fn copy_field(field: &Field, from: &Params, to: &mut Params) {
     (field.set)(to, (field.get)(from));
 }
 
-/// Adds presets to a list. A preset replaces the one of the same name.
+/// Adds the presets `new` to the list `to`. A preset replaces the one of the same name.
 ///
 /// # Errors
 /// One sentence if the list would exceed the limits of a file; the list is then unchanged.
@@ -224,7 +224,7 @@ impl PresetBuilder {
         to.push_str(value);
     }
 
-    /// Returns the preset if it is complete, and a notice if it has a fault.
+    /// Returns the preset, `None` if it has no name or no state string, and a message about its first fault, if any.
     fn finish(self) -> (Option<Preset>, Option<String>) {
         let preset = self.preset.sanitised();
         let name = &preset.name;

@@ -10,10 +10,10 @@ mod table;
 use super::spectrum::{MeasuredSpectrum, SpectrumFile};
 use super::text::TextFile;
 
-/// Largest number of files from which one spectrum is read.
+/// Largest number of files that are read together as one measured spectrum.
 pub const MAX_FILES: usize = 8;
 
-/// Format of a file that holds a measured spectrum.
+/// Format of a file with a measured spectrum: NDBC text file of a buoy, or plain table.
 #[derive(Clone, Copy, PartialEq)]
 enum Format {
     Ndbc,

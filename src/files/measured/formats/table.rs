@@ -11,10 +11,10 @@ const MISSING_WORDS: [&str; 5] = ["", "-", "MM", "NaN", "NA"];
 /// Numbers that stand for a missing direction or spread in a table.
 const MISSING_NUMBERS: [f64; 4] = [999.0, 9999.0, -999.0, -9999.0];
 
-/// The rows of a table that were read so far.
+/// The rows of a spectrum table that were read so far, with its separator and number of columns.
 #[derive(Default)]
 struct Rows {
-    /// Character between the columns; None until the first line is read.
+    /// Character between the columns; None until the first line with columns is read.
     separator: Option<char>,
     /// Number of columns; None until the first line of numbers is read.
     columns: Option<usize>,

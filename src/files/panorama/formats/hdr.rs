@@ -34,7 +34,7 @@ pub(super) fn decode(bytes: &[u8], max_size: [usize; 2]) -> Result<SkyImage, Str
     Ok(SkyImage { width, height, pixels })
 }
 
-/// Takes one RGBE pixel off the front of `rest`, the unread part of the file.
+/// Takes one RGBE pixel (three mantissas, exponent) off the front of `rest`, the unread part of the file.
 fn take_pixel(rest: &mut &[u8]) -> Result<[u8; 4], String> {
     let (pixel, after) = rest.split_first_chunk().ok_or(TOO_SHORT_MESSAGE)?;
     *rest = after;
@@ -48,7 +48,7 @@ fn take_line<'a>(rest: &mut &'a [u8]) -> Result<&'a [u8], String> {
     Ok(line.strip_suffix(b"\r").unwrap_or(line))
 }
 
-/// Reads the header and returns the width and height of the image. It must name no colour format except RGBE.
+/// Reads a Radiance header. Returns width and height of the image, pixels. A colour format except RGBE is an error.
 fn read_header(rest: &mut &[u8]) -> Result<(usize, usize), String> {
     let whole = rest.len();
     loop {
@@ -85,7 +85,8 @@ fn read_row(rest: &mut &[u8], row: &mut [[u8; 4]]) -> Result<(), String> {
     read_pixels(rest, first, row)
 }
 
-/// Reads one colour channel of a run-length encoded row: runs of one value, and sequences of single values.
+/// Reads one channel (0 red, 1 green, 2 blue, 3 exponent) of a run-length encoded row: runs of one value, and sequences
+/// of single values.
 fn read_channel(rest: &mut &[u8], row: &mut [[u8; 4]], channel: usize) -> Result<(), String> {
     let mut at = 0;
     while at < row.len() {
@@ -106,7 +107,7 @@ fn read_channel(rest: &mut &[u8], row: &mut [[u8; 4]], channel: usize) -> Result
     Ok(())
 }
 
-/// Reads a row of whole pixels in the old encoding. (1, 1, 1, n) repeats the pixel before n times, and directly after
+/// Reads a row of RGBE pixels in the old encoding: (1, 1, 1, n) repeats the pixel before n times, and directly after
 /// another repetition n x 256 times.
 fn read_pixels(rest: &mut &[u8], first: [u8; 4], row: &mut [[u8; 4]]) -> Result<(), String> {
     let (mut at, mut shift) = (0_usize, 0);
@@ -129,7 +130,7 @@ fn read_pixels(rest: &mut &[u8], first: [u8; 4], row: &mut [[u8; 4]]) -> Result<
     }
 }
 
-/// Converts an RGBE pixel to linear light: mantissa / 256 x 2^(exponent - 128).
+/// Converts an RGBE pixel to linear red, green and blue: mantissa / 256 x 2^(exponent - 128).
 fn rgbe_to_linear([r, g, b, exponent]: [u8; 4]) -> [f32; 3] {
     let unit = if exponent == 0 { 0.0 } else { 2f32.powi(i32::from(exponent) - 136) };
     [r, g, b].map(|mantissa| f32::from(mantissa) * unit)

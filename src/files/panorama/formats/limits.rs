@@ -4,20 +4,21 @@ use crate::files::panorama::sky_image::check_shape;
 
 /// Largest sky image file that is read, bytes.
 pub const MAX_BYTES: usize = 512 << 20;
-/// Largest columns and rows of a sky image, with one row to spare; fewer in a browser, which has less memory.
+/// Columns and rows above which a sky image is refused; fewer in a browser, which has less memory. Images of twice as
+/// many columns as rows may have one row more.
 pub(super) const MAX_IMAGE_SIZE: [usize; 2] =
     if cfg!(target_arch = "wasm32") { [11_586, 5_794] } else { [16_384, 8_193] };
 
-/// Message about a file that is shorter than its header says.
+/// Reason in the error about a sky image file that is shorter than its header says.
 pub(super) const TOO_SHORT_MESSAGE: &str = "it ends too early: download or save it again";
 
-/// Refuses a sky image of a wrong shape, or with more columns or rows than `max_size`.
+/// Returns an error if an image of this size (columns, rows) exceeds `max_size`, or has a wrong shape for a sky.
 pub(super) fn check_size(size: [usize; 2], max_size: [usize; 2]) -> Result<(), String> {
     check_within_limit(size, max_size)?;
     check_shape(size[0], size[1])
 }
 
-/// Refuses a sky image with more columns or rows than `max_size`.
+/// Returns an error if an image of this size (columns, rows) has more columns or rows than `max_size`.
 pub(super) fn check_within_limit([width, height]: [usize; 2], max_size: [usize; 2]) -> Result<(), String> {
     if width > max_size[0] || height > max_size[1] {
         let [columns, rows] = max_size;

@@ -10,13 +10,13 @@ use super::Panorama;
 use super::sky_image::SkyImage;
 use limits::MAX_IMAGE_SIZE;
 
-/// Whether a file is a sky image, by its first bytes or by its name.
+/// Whether a file is a sky image (.hdr or .exr), by its first bytes or by its name.
 pub fn is_sky_file(name: &str, bytes: &[u8]) -> bool {
     let lower = name.to_lowercase();
     hdr::recognises(bytes) || openexr::recognises(bytes) || lower.ends_with(".hdr") || lower.ends_with(".exr")
 }
 
-/// Reads a sky image file within the size limits of this platform.
+/// Reads the contents of a sky image file (.hdr or .exr). An image above the size limit of this platform is refused.
 ///
 /// # Errors
 /// One sentence with the name of the file and the reason.
@@ -24,7 +24,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Panorama, String> {
     read_with_max_size(name, bytes, MAX_IMAGE_SIZE)
 }
 
-/// Reads a sky image file with at most `max_size` columns and rows.
+/// Reads the contents of a sky image file; one with more columns or rows than `max_size` is refused, not reduced.
 ///
 /// # Errors
 /// One sentence with the name of the file and the reason.

@@ -10,7 +10,7 @@ use exr::prelude::*;
 use std::io::Cursor;
 use std::result::Result;
 
-/// Largest block of pixels in an OpenEXR file, bytes; the decoder holds a whole block in memory.
+/// Largest block of pixels in an OpenEXR file that is read, bytes; the decoder holds a whole block in memory.
 const MAX_BLOCK_BYTES: usize = 256 << 20;
 /// Number of pixels below which an image is decoded on the calling thread alone.
 const MIN_PIXELS_FOR_PARALLEL: usize = 1 << 20;
@@ -87,7 +87,7 @@ fn check_header(header: &Header, file_bytes: usize, max_size: [usize; 2]) -> Res
     Ok(())
 }
 
-/// Formats an error of the decoder as a message of one line.
+/// Formats an error of the OpenEXR decoder as a message of one line to the user.
 fn error_message(error: &Error) -> String {
     let first_line = |text: &str| text.lines().next().unwrap_or("no reason given").to_owned();
     match error {

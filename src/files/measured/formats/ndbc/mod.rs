@@ -20,7 +20,7 @@ pub(super) fn recognises(file: &TextFile<'_>) -> bool {
     file.text.lines().any(|line| column_names(without_comment(line)).is_some())
 }
 
-/// Reads one spectrum from all given NDBC files together.
+/// Reads one spectrum from all given NDBC files together: the newest complete variance density and its directions.
 pub(super) fn read(files: &[TextFile<'_>]) -> Result<SpectrumFile, String> {
     let (mut sections, mut notices, mut records_left) = (Vec::new(), Vec::new(), MAX_RECORDS);
     for file in files {
@@ -38,8 +38,8 @@ pub(super) fn read(files: &[TextFile<'_>]) -> Result<SpectrumFile, String> {
     Ok(SpectrumFile { spectrum, title, notices })
 }
 
-/// Takes the only section of unknown kind as the variance density, if no other section is the variance density.
-/// Otherwise a section of unknown kind is an error.
+/// Takes a section (header and records) that does not say what it holds as variance density, with a message in
+/// `notices`. It is an error if there are several such sections, or another section of variance density.
 fn assign_unknown_kind(sections: &mut [Section<'_>], notices: &mut Vec<String>) -> Result<(), String> {
     let has_density = sections.iter().any(|s| s.kind == Some(SectionKind::Density));
     let mut unknown = sections.iter_mut().filter(|s| s.kind.is_none());
@@ -54,8 +54,8 @@ fn assign_unknown_kind(sections: &mut [Section<'_>], notices: &mut Vec<String>) 
     Ok(())
 }
 
-/// Finds the record of a section kind and time. A second such record is an error: it is from another buoy, or the kind
-/// of its file was guessed wrongly.
+/// Finds the record of a section kind (quantity) and time, with its section. A second such record is an error: it is
+/// from another buoy, or the kind of its file was guessed wrongly.
 fn record_at<'s, 'a>(
     sections: &'s [Section<'a>],
     kind: SectionKind,
@@ -76,7 +76,8 @@ fn record_at<'s, 'a>(
 /// density in m^2/Hz).
 type DensityRecord<'s, 'a> = (&'s Section<'a>, &'s Record<'a>, Vec<(f64, f64)>);
 
-/// Finds the newest record whose variance densities are all present and not all zero.
+/// Finds the newest record whose variance densities are all present and not all zero. A message tells if it is not the
+/// newest of all.
 fn newest_density<'s, 'a>(
     sections: &'s [Section<'a>],
     notices: &mut Vec<String>,

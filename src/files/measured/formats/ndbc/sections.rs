@@ -8,12 +8,12 @@ use crate::files::measured::text::{
 };
 use std::str::SplitWhitespace;
 
-/// Largest number of header lines in one file.
+/// Largest number of sections (header lines) in one NDBC file.
 const MAX_SECTIONS: usize = 64;
-/// Largest number of records in all files together: a year of five sections every ten minutes has 262 800.
+/// Largest number of records (lines) in all files together: a year of five quantities every ten minutes has 262 800.
 pub(super) const MAX_RECORDS: usize = 400_000;
 
-/// Quantity that a section of an NDBC file holds.
+/// Quantity that a section of an NDBC file holds: variance density or one of four directional parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum SectionKind {
     Density,
@@ -35,26 +35,26 @@ const SECTION_KINDS: [(SectionKind, &str, u8, &str, &[&str]); 5] = [
 ];
 
 impl SectionKind {
-    /// Name of the quantity in messages.
+    /// Name of the quantity for messages, such as "variance density" or "alpha1".
     pub(super) fn name(self) -> &'static str {
         SECTION_KINDS[self as usize].1
     }
 
-    /// Section kind that a comment such as `# alpha1` or `# kind: r1` names.
+    /// Section kind (quantity) that a comment such as `# alpha1` or `# kind: r1` names; None if it names none.
     fn from_comment(comment: &str) -> Option<Self> {
         let text = comment.trim_start_matches('#').trim().to_ascii_lowercase();
         let word = text.strip_prefix("kind").map_or(text.as_str(), |t| t.trim_start().trim_start_matches([':', '=']));
         SECTION_KINDS.iter().find(|kind| kind.4.contains(&word.trim())).map(|kind| kind.0)
     }
 
-    /// Section kind of a column such as `alpha1_1` in a realtime header.
+    /// Section kind (quantity) of a column such as `alpha1_1` in a realtime header; None for another column.
     fn from_column(column: &str) -> Option<Self> {
         let column = column.to_ascii_lowercase();
         let prefix = if column == "sep_freq" { "spec" } else { column.split_once('_')?.0 };
         SECTION_KINDS.iter().find(|kind| kind.3 == prefix).map(|kind| kind.0)
     }
 
-    /// Section kind of an archive file, from the letter in a name such as `44025w2023.txt`.
+    /// Section kind (quantity) of an archive file, from the letter in a name such as `44025w2023.txt`; else None.
     fn from_file_name(name: &str) -> Option<Self> {
         let stem = name.split('.').next().unwrap_or_default().as_bytes();
         let [.., station, letter, a, b, c, d] = stem else { return None };
@@ -88,7 +88,7 @@ pub(super) struct Record<'a> {
     values: SplitWhitespace<'a>,
 }
 
-/// Frequency of a band in Hz, and the value of the band, or None where it is missing.
+/// Frequency of a band in Hz, and the value of the band in the unit of the section, or None where it is missing.
 pub(super) type BandValue = (f64, Option<f64>);
 
 /// Parses a header line: whether it has minutes, and its column names after `YY MM DD hh [mm]`. None for other lines.
@@ -141,7 +141,8 @@ pub(super) fn read_sections<'a>(file: &'a TextFile<'a>, records_left: &mut usize
     Ok(sections)
 }
 
-/// Takes the time (year, month, day, hour and perhaps minute) from the first words of a record, and formats it.
+/// Takes year, month, day, hour and, if `has_minutes`, minute from the first words of a record, and formats them like
+/// `2026-11-21 06:00 UTC`.
 fn take_time(words: &mut SplitWhitespace<'_>, has_minutes: bool) -> Result<String, String> {
     let limits = [("year", 0, 9999), ("month", 1, 12), ("day", 1, 31), ("hour", 0, 23), ("minute", 0, 59)];
     let mut time = [0_u16; 5];
@@ -160,7 +161,8 @@ fn take_time(words: &mut SplitWhitespace<'_>, has_minutes: bool) -> Result<Strin
     Ok(format!("{year:04}-{month:02}-{day:02} {hour:02}:{minute:02} UTC"))
 }
 
-/// Parses the columns of a header: section kind of a realtime header, or frequencies (Hz) of an archive header.
+/// Parses the columns of a header. Returns the section kind of a realtime header or the band frequencies (Hz) of an
+/// archive header; the other one is None.
 fn parse_header(
     columns: SplitWhitespace<'_>,
     file_name: &str,
@@ -206,13 +208,13 @@ impl Section<'_> {
         v == 999.0 || v == 9999.0 || v == 99.0 && missing_99
     }
 
-    /// Values of the bands of a record.
+    /// Parses the values of a record: frequency in Hz and value of each band.
     pub(super) fn band_values(&self, record: &Record<'_>) -> Result<Vec<BandValue>, String> {
         self.values(record.values.clone()).map_err(|what| self.file.line_error(record.line, what))
     }
 
-    /// Values of the bands of a directional record, angles in degrees or moments r1 and r2. Archive moments in
-    /// hundredths are scaled. A value outside of 0 to 360 degrees or 0 to 1.5 is an error.
+    /// Values of the bands of a directional record, angles in degrees or moments r1 and r2. With `hundredths`, archive
+    /// moments are multiplied by 0.01. A value outside of 0 to 360 degrees or 0 to 1.5 is an error.
     pub(super) fn directional_values(&self, record: &Record<'_>, hundredths: bool) -> Result<Vec<BandValue>, String> {
         let mut band_values = self.band_values(record)?;
         let scale = if !self.is_angle() && hundredths && self.frequencies.is_some() { 0.01 } else { 1.0 };
