@@ -9,7 +9,7 @@ const SAMPLE_RATE_HZ: f64 = 4.0;
 const RECORD_LENGTH_S: f64 = 1800.0;
 /// Time between two computations of the spectrum, s.
 const SPECTRUM_INTERVAL_S: f64 = 10.0;
-/// Longest gap between two samples of a record, s. After a longer gap a new record starts.
+/// Longest step of simulated time between updates, s, that is filled with samples; a longer one starts a new record.
 const LONGEST_GAP_S: f64 = 5.0;
 
 /// Record of the surface height at one point over up to half an hour.
@@ -27,7 +27,7 @@ pub struct BuoyRecord {
 
 impl BuoyRecord {
     /// Adds samples up to the time `t_s` (s), at a fixed rate that does not depend on the frame rate. `height(t)`
-    /// returns the height (m) at `place` (x, z), m. After a jump in time or place a new record starts.
+    /// returns the height above still water at `place` (x, z), all in m. A jump in time or place starts a new record.
     pub fn advance(&mut self, t_s: f64, place: [f64; 2], height: impl Fn(f64) -> f64) {
         let moved = place != self.place;
         let last = self.samples.back().map(|s| s[0]);
@@ -86,7 +86,7 @@ impl BuoyRecord {
         Some(4.0 * (self.samples.iter().map(|s| (s[1] - mean).powi(2)).sum::<f64>() / n).sqrt())
     }
 
-    /// Frequency spectrum of the record: pairs of omega (rad/s) and S(omega) (m^2 s); empty while the record is short.
+    /// Frequency spectrum of the record, pairs of omega (rad/s) and S(omega) (m^2 s); empty in the first two minutes.
     pub fn spectrum(&self) -> &[[f64; 2]] {
         &self.spectrum
     }

@@ -11,7 +11,7 @@ pub enum SeaChange {
     Foam,
     /// Chop (horizontal displacement) or water level: uniform buffers and the heights on the CPU are updated.
     Surface,
-    /// The waves themselves: a new [`Plan`](super::Plan), its tables, the initial spectrum h0 and the statistics.
+    /// The waves themselves: a new [`Plan`](super::Plan), its tables, the initial amplitudes h0 and the statistics.
     Waves,
 }
 

@@ -5,7 +5,7 @@ use super::plan::Plan;
 use super::statistics;
 use crate::state::views::{DisplayedView, MapView, SurfaceView, ViewChoice};
 
-/// Number of clipmap levels that store foam.
+/// Number of foam levels, square foam grids around the camera, each larger and coarser than the one before.
 const FOAM_LEVELS: usize = 4;
 
 /// Colour palette of a false-colour view.
@@ -122,7 +122,7 @@ impl ColourScale {
 pub struct Caption {
     /// Palette of the caption's colour bar; `None` for views without a colour bar.
     pub palette: Option<Palette>,
-    /// Text of the caption: one line with the range of values for each layer (cascade or foam level) shown.
+    /// Text lines: the range of values, one line for each cascade or foam level, or the meaning of the colours.
     pub lines: Vec<String>,
 }
 
