@@ -79,11 +79,11 @@ impl WaterType {
 /// Inherent optical properties of sea water: coefficients at the red, green and blue of the display, 1/m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WaterOptics {
-    /// Absorption coefficient a, 1/m.
+    /// Absorption coefficient a of red, green and blue light, 1/m.
     pub absorption: [f64; 3],
-    /// Total scattering coefficient b, 1/m.
+    /// Total scattering coefficient b of red, green and blue light, 1/m.
     pub scattering: [f64; 3],
-    /// Backscattering coefficient bb, 1/m.
+    /// Backscattering coefficient bb of red, green and blue light, 1/m.
     pub backscatter: [f64; 3],
 }
 

@@ -3,16 +3,16 @@
 use crate::waves::record;
 use std::collections::VecDeque;
 
-/// Sampling rate of a buoy record, Hz.
+/// Number of height samples that a buoy takes per second of simulated time, Hz.
 const SAMPLE_RATE_HZ: f64 = 4.0;
 /// Longest buoy record, s: half an hour, as is usual for buoys. Older samples are dropped.
 const RECORD_LENGTH_S: f64 = 1800.0;
-/// Time between two computations of the spectrum, s.
+/// Simulated time between two computations of a record's spectrum, s.
 const SPECTRUM_INTERVAL_S: f64 = 10.0;
 /// Longest step of simulated time between updates, s, that is filled with samples; a longer one starts a new record.
 const LONGEST_GAP_S: f64 = 5.0;
 
-/// Record of the surface height at one point over up to half an hour.
+/// Record of a buoy: the surface height at one point over the last half hour of simulated time or less.
 #[derive(Default)]
 pub struct BuoyRecord {
     /// Position of the buoy (x, z), m.

@@ -38,11 +38,11 @@ fn half_size_m(kind: FloatingObjectKind) -> [f64; 2] {
 /// The strongest waves of one sea, from which heave, pitch and roll of floating hulls are computed.
 #[derive(Clone, Debug)]
 pub struct HullWaves {
-    /// Waves that lift the hull (heave).
+    /// Strongest waves of the sea, from which the height of a hull (heave) is computed.
     heave_waves: StrongestWaves,
-    /// Waves that make the hull pitch and roll.
+    /// The 500 strongest waves of the sea, from which pitch and roll of a hull are computed.
     tilt_waves: StrongestWaves,
-    /// Unit vector (x, z) that points into the wind.
+    /// Unit vector (x, z) that points into the local wind.
     upwind: [f64; 2],
     level_m: f64,
 }

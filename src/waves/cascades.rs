@@ -31,7 +31,7 @@ const MIN_VARIANCE_FRACTION: f64 = 0.995;
 /// Fraction of the elevation variance m0 that may lie in waves too long for the first (largest) patch: waves of which
 /// fewer than `WAVES_AT_LOW_EDGE` fit across it.
 const MAX_LONG_WAVE_FRACTION: f64 = 5e-4;
-/// Smallest side of a patch that the user can set, m.
+/// Smallest side of a patch, m; smaller values that the user sets are raised to it.
 const MIN_PATCH_M: f64 = 0.1;
 /// First random-number key for patches whose side the user has set. It lies above the keys of all automatic patches.
 const MANUAL_NOISE_KEY: u32 = 1000;

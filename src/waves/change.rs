@@ -16,7 +16,7 @@ pub enum SeaChange {
 }
 
 impl SeaChange {
-    /// Most expensive kind of change between the seas and grids of two parameter sets; `None` if there is no change.
+    /// Most expensive kind of change from the sea and grid parameters in `a` to those in `b`; `None` if all are equal.
     pub fn between(a: &Params, b: &Params) -> Option<Self> {
         if a.grid == b.grid { Self::between_seas(&a.sea, &b.sea) } else { Some(Self::Waves) }
     }

@@ -6,9 +6,9 @@ use super::dispersion::Dispersion;
 /// Running integrals of a frequency spectrum: variance of elevation, slope and strain below each grid frequency.
 #[derive(Clone, Debug)]
 pub struct SpectrumIntegrals {
-    /// Angular frequencies of the grid, rad/s, ascending.
+    /// Angular frequencies up to which the integrals are stored, rad/s, ascending.
     omega: Vec<f64>,
-    /// Wave numbers of the grid frequencies, rad/m.
+    /// Wave numbers of waves with the angular frequencies in `omega`, rad/m.
     k: Vec<f64>,
     /// Integrals from the lowest frequency up to each grid frequency: variance of the elevation (m^2), mean square
     /// slope, and variance of the horizontal strain dDx/dx + dDz/dz.

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 /// Largest wave number, in units of the lattice spacing, up to which the spectrum is averaged over a lattice cell
 /// instead of being sampled at the lattice point.
 const COARSE_CELLS_ACROSS_K: f64 = 40.0;
-/// Four-point Gauss-Legendre rule over [-1/2, 1/2]: nodes and weights.
+/// Nodes and weights of the four-point Gauss-Legendre rule over [-1/2, 1/2], for means over a lattice cell.
 const CELL_QUADRATURE_NODES: [(f64, f64); 4] = [
     (-0.430_568_155_797_026_3, 0.173_927_422_568_726_93),
     (-0.169_990_521_792_428_13, 0.326_072_577_431_273_07),

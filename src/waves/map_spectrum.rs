@@ -19,7 +19,7 @@ pub struct MapSpectrumEstimator {
     /// Index of the cascade whose height map is being transformed in `map`.
     cascade: usize,
     map: Vec<[f64; 2]>,
-    /// Number of lines of `map` that are transformed: n rows, then n columns.
+    /// Number of lines of `map` that are Fourier-transformed, 0 to 2 n: first its n rows, then its n columns.
     done: usize,
     bin_rad_s: f64,
     spectrum: MapSpectrum,

@@ -191,7 +191,7 @@ impl Plan {
         self.cascades.iter().map(band).sum()
     }
 
-    /// Largest wave number that any cascade holds, rad/m.
+    /// Largest wave number at which the cascades can carry waves, rad/m.
     pub fn k_max(&self) -> f64 {
         self.cascades.iter().map(|c| c.k_high).fold(0.0, f64::max)
     }

@@ -26,7 +26,7 @@ pub struct Spreading {
     isotropic: f64,
     /// Swell parameter xi of Horvath 2015, 0 to 1, which narrows the spreading of long waves.
     swell: f64,
-    /// Angular frequency of the spectral peak, rad/s.
+    /// Angular frequency at the peak of the wave system's spectrum, rad/s.
     omega_p: f64,
     wind_m_s: f64,
     /// Inverse wave age U omega_p / g for the wind speed U at 10 m height.
@@ -51,11 +51,11 @@ pub enum CosineFactor {
 /// where theta is the angle from the main direction of travel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lobe {
-    /// Rate beta of sech^2(beta theta), per rad.
+    /// Rate beta of the lobe's factor sech^2(beta theta), per rad; 0 if the lobe has no such factor.
     pub beta: f64,
-    /// Exponent s of cos^{2s}(theta/2).
+    /// Exponent s of the lobe's factor cos^{2s}(theta/2); 0 if the lobe has no such factor.
     pub s: f64,
-    /// Additional factor in cos(theta), if any.
+    /// Additional factor of the lobe: 1 or the square of cos(theta).
     pub cosine: CosineFactor,
 }
 
@@ -63,7 +63,7 @@ pub struct Lobe {
 pub struct Lobes {
     /// Fraction of the energy that is spread evenly over all directions.
     pub isotropic: f64,
-    /// Lobes, each with its fraction of the energy.
+    /// Lobes, as pairs of the lobe's fraction of the energy and its shape.
     pub lobes: Vec<(f64, Lobe)>,
 }
 

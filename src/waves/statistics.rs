@@ -22,9 +22,9 @@ use std::f64::consts::TAU;
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SpectrumStatistics {
-    /// Variance m0 of the elevation, m^2.
+    /// Elevation variance m0 of the whole spectrum, m^2.
     pub m0_m2: f64,
-    /// Significant wave height 4 sqrt(m0), m.
+    /// Significant wave height 4 sqrt(m0) of the whole spectrum, m.
     pub hs_m: f64,
     /// Peak period, s: period of the waves at the peak of the spectrum.
     pub tp_s: f64,
@@ -32,9 +32,9 @@ pub struct SpectrumStatistics {
     pub tm01_s: f64,
     /// Mean zero-crossing period Tm02 = 2 pi sqrt(m0 / m2), s, of the waves that the cascades resolve.
     pub tm02_s: f64,
-    /// Wavelength at the peak frequency, m.
+    /// Wavelength at the peak frequency of the spectrum, m.
     pub lambda_p_m: f64,
-    /// Wavelength of a wave with the mean period Tm01, m.
+    /// Wavelength of a wave with the mean period `tm01_s`, m.
     pub lambda_mean_m: f64,
     /// Significant steepness: significant wave height divided by the wavelength at the peak frequency.
     pub steepness: f64,
@@ -56,13 +56,13 @@ pub struct SpectrumStatistics {
 /// Expected statistics of the waves that the cascades of a plan hold, as sums over their lattices of wave vectors.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LatticeStatistics {
-    /// Variance m0 of the elevation, m^2.
+    /// Elevation variance m0 of the waves in the cascades, m^2.
     pub m0_m2: f64,
-    /// Significant wave height 4 sqrt(m0), m.
+    /// Significant wave height 4 sqrt(m0) of the waves in the cascades, m.
     pub hs_m: f64,
-    /// Mean period 2 pi m0 / m1, s.
+    /// Mean period 2 pi m0 / m1 of the waves in the cascades, s.
     pub tm01_s: f64,
-    /// Mean zero-crossing period 2 pi sqrt(m0 / m2), s.
+    /// Mean zero-crossing period 2 pi sqrt(m0 / m2) of the waves in the cascades, s.
     pub tm02_s: f64,
     /// Mean square slope of the waves: mean of (d eta/dx)^2 + (d eta/dz)^2 with the elevation eta.
     pub mss: f64,
@@ -72,11 +72,11 @@ pub struct LatticeStatistics {
     pub r1: f64,
     /// Mean direction that the waves come from, degrees clockwise from north; `None` if no direction dominates.
     pub mean_from_deg: Option<f64>,
-    /// Directional spread sqrt(2 (1 - r1)), degrees.
+    /// Directional spread of the waves' energy, sqrt(2 (1 - r1)) with the first directional moment r1, in degrees.
     pub spread_deg: f64,
 }
 
-/// Relative tolerance of the integrals of the spectrum.
+/// Relative tolerance of the integrals of the spectrum for m0, mean periods and mean square slope.
 const TOLERANCE: f64 = 1e-7;
 /// Smallest first directional moment r1 at which a mean wave direction is reported.
 pub const MIN_R1_FOR_DIRECTION: f64 = 0.01;

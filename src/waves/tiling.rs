@@ -39,7 +39,7 @@ const INV_SQRT_3: f64 = 0.577_350_269_189_625_8;
 /// Tiling of the plane with one patch: a lattice of triangles, with a shifted copy of the patch at each vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tiling {
-    /// Side of the patch, m.
+    /// Side of the square patch, m.
     pub patch_m: f64,
     /// Cosine and sine of the triangle lattice's rotation, divided by the side of the triangles, 1/m.
     pub scaled_rotation: [f64; 2],

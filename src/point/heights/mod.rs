@@ -72,7 +72,7 @@ pub struct StrongestWaves {
 /// State of the sea surface at a point: height, normal, velocity and position of the water particle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceSample {
-    /// Height (y) of the surface, m.
+    /// Height (y) of the surface in the world, m; it includes the still-water level.
     pub height_m: f64,
     /// Unit normal (x, y, z) of the drawn surface. It points up, except inside a fold (negative `jacobian`).
     pub normal: [f64; 3],

@@ -14,7 +14,7 @@ const EXCESSIVE_FETCH: f64 = 1.6e4;
 /// JONSWAP spectrum alpha g^2 omega^-5 exp(-5/4 (omega_p/omega)^4) times peak enhancement (Hasselmann et al. 1973).
 #[derive(Clone, Copy)]
 pub struct Jonswap {
-    /// Phillips' constant alpha times g^2, m^2/s^4.
+    /// Factor alpha g^2 of the spectrum, with Phillips' constant alpha, m^2/s^4.
     pub a: f64,
     /// Angular frequency of the spectral peak, rad/s.
     pub omega_p: f64,

@@ -49,7 +49,7 @@ pub struct FrequencySpectrum {
     pub measured: Option<Arc<MeasuredSpectrum>>,
     /// Whether the wave system has no waves at all, for example because it has no wind.
     pub is_calm: bool,
-    /// Notice for the user about this spectrum, if any.
+    /// Notice for the user about this spectrum, for example that the fetch is too long; `None` without one.
     pub notice: Option<String>,
     /// Factor by which the variance density `shape` is multiplied.
     pub(super) factor: f64,
