@@ -9,9 +9,9 @@ const FIRST_WAVELENGTH_NM: f64 = 400.0;
 const WAVELENGTH_STEP_NM: f64 = 25.0;
 /// Wavelengths that represent the display's red, green and blue, nm.
 const PRIMARY_WAVELENGTHS_NM: [f64; 3] = [610.0, 550.0, 465.0];
-/// Absorption coefficient of pure water at the wavelengths [`PRIMARY_WAVELENGTHS_NM`], 1/m (Pope and Fry 1997).
+/// Absorption coefficients of pure water at [`PRIMARY_WAVELENGTHS_NM`] (red, green, blue), 1/m (Pope and Fry 1997).
 const PURE_ABSORPTION: [f64; 3] = [0.2644, 0.0565, 0.0101];
-/// Mean cosine of the angle between downwelling light and the vertical, below the surface.
+/// Mean cosine of the angle between downwelling light and the vertical below the surface; it converts Kd to absorption.
 const SCATTERING_MEAN_COSINE: f64 = 0.9;
 /// Fraction of the light scattered by mineral particles of coastal water that goes backward (Petzold 1972).
 const COASTAL_BACKSCATTER: f64 = 0.013;
@@ -42,11 +42,11 @@ pub enum WaterType {
 }
 
 impl WaterType {
-    /// All water types, clearest first.
+    /// All of Jerlov's water types, clearest first.
     pub const ALL: [Self; 10] =
         [Self::I, Self::Ia, Self::Ib, Self::Ii, Self::Iii, Self::C1, Self::C3, Self::C5, Self::C7, Self::C9];
 
-    /// Jerlov's name of each water type in the order of `ALL`, in lower case, as written in the state string.
+    /// Jerlov's name of each water type in the order of `ALL`, in lower case, as in the query string (`water=1c`).
     pub const NAMES: &[&str] = &["i", "ia", "ib", "ii", "iii", "1c", "3c", "5c", "7c", "9c"];
 
     /// Diffuse attenuation Kd, 1/m, at 400 to 700 nm in steps of 25 nm (Jerlov 1976, tables XXVI and XXVII).
@@ -70,7 +70,7 @@ impl WaterType {
         matches!(self, Self::C1 | Self::C3 | Self::C5 | Self::C7 | Self::C9)
     }
 
-    /// Next muddier water type; for the muddiest type, 9C, the type itself.
+    /// The next muddier water type; for the muddiest type, 9C, the type itself.
     fn next(self) -> Self {
         Self::ALL[(self as usize + 1).min(Self::ALL.len() - 1)]
     }
@@ -79,11 +79,11 @@ impl WaterType {
 /// Inherent optical properties of sea water: coefficients at the red, green and blue of the display, 1/m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WaterOptics {
-    /// Absorption coefficient a, 1/m.
+    /// Absorption coefficient a of red, green and blue light, 1/m.
     pub absorption: [f64; 3],
-    /// Total scattering coefficient b, 1/m.
+    /// Total scattering coefficient b of red, green and blue light, 1/m.
     pub scattering: [f64; 3],
-    /// Backscattering coefficient bb, 1/m.
+    /// Backscattering coefficient bb of red, green and blue light, 1/m.
     pub backscatter: [f64; 3],
 }
 
@@ -135,7 +135,8 @@ impl WaterOptics {
         Self { absorption, ..self }
     }
 
-    /// Irradiance reflectance (0 to 1) just below the surface of deep water; `water/body.wgsl` uses the same formula.
+    /// Irradiance reflectance (0 to 1) in red, green and blue of deep water, just below its surface; `water/body.wgsl`
+    /// uses the same formula.
     pub fn reflectance(&self) -> [f64; 3] {
         std::array::from_fn(|i| {
             let up = 0.33 * self.backscatter[i];

@@ -13,7 +13,7 @@ pub struct MipLevel<'a> {
     pub gradients: &'a [Texel],
 }
 
-/// Samples displacement and gradient map with bilinear filtering and repetition at `uv`, in units of the patch's side.
+/// Displacement and gradient texels at `uv`, in units of the patch's side, by bilinear filtering with repetition.
 pub fn sample_bilinear(level: &MipLevel<'_>, uv: [f64; 2]) -> [Texel; 2] {
     let n = level.n as i64;
     let [u, v] = uv.map(|c| c * level.n as f64 - 0.5);
@@ -37,8 +37,8 @@ pub fn displacement_jacobian([xx, zz, xz, zx]: [f64; 4], [lx, lz]: [f64; 2]) -> 
     (1.0 + lx * xx) * (1.0 + lz * zz) - lx * lz * xz * zx
 }
 
-/// Foam value F (0 to 1) after the time `dt_s` (s) with a constant foam source s (0 to 1): the exact solution of
-/// dF/dt = rate s (1 - F) - F / decay.
+/// Foam value F (0 to 1) that follows from the value `before` in the time `dt_s` (s) with a constant foam source s (0
+/// to 1): the exact solution of dF/dt = rate s (1 - F) - F / decay.
 pub fn foam_after_step(before: f64, source: f64, rate_per_s: f64, decay_s: f64, dt_s: f64) -> f64 {
     let loss = rate_per_s * source + 1.0 / decay_s;
     let goal = rate_per_s * source / loss;

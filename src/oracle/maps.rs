@@ -6,10 +6,10 @@ use crate::waves::plan::{Cascade, Plan};
 use std::f64::consts::TAU;
 
 /// Displacement map (Dx, eta, Dz, dDx/dz) and gradient map (d eta/dx, d eta/dz, dDx/dx, dDz/dz) of a cascade, n x n
-/// texels each. Between the two Fourier transforms they hold pairs of complex numbers instead.
+/// texels each. Between the transforms along rows and along columns each texel holds two complex numbers instead.
 pub type MapPair = [Vec<Texel>; 2];
 
-/// Complex amplitudes h(k, t) of a cascade's n x n wave vectors at time `t_s` (s), from the initial amplitudes `h0`.
+/// Complex amplitudes h(k, t), m, of a cascade's n x n waves at time `t_s` (s), from the initial amplitudes `h0` (m).
 pub fn evolved_spectrum(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> Vec<Complex> {
     let n = plan.n as usize;
     let phase_time = plan.time_in_period_u32(t_s);
@@ -28,8 +28,9 @@ pub fn evolved_spectrum(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64
         .collect()
 }
 
-/// First half of the inverse Fourier transform: computes the spectra of the eight map channels, packs pairs of real
-/// channels f and g as f + i g, and transforms every row (along x).
+/// First half of the inverse Fourier transform of a cascade's maps at time `t_s` (s): computes the spectra of the eight
+/// map channels from the initial amplitudes `h0` (m), packs pairs of real channels f and g as f + i g, and transforms
+/// every row (along x).
 pub fn transform_rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> MapPair {
     let n = plan.n as usize;
     let h = evolved_spectrum(plan, cascade, h0, t_s);
@@ -59,7 +60,8 @@ pub fn transform_rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) 
     })
 }
 
-/// Second half of the inverse Fourier transform: transforms every column of the result of [`rows`], unpacks the maps.
+/// Second half of the inverse Fourier transform: transforms every column of the result of [`transform_rows`] and
+/// unpacks the displacement map and the gradient map.
 pub fn transform_columns(n: usize, rows: &MapPair) -> MapPair {
     let [displacement, gradients] = [0, 1].map(|pair| map_columns(n, &rows[pair], transform_line));
     // The packed displacement texel is (Dx + i Dz, eta + i dDx/dz).
@@ -77,7 +79,8 @@ pub fn next_mip_level(n: usize, plane: &[Texel]) -> Vec<Texel> {
         .collect()
 }
 
-/// Slope moments (slope_x^2, slope_z^2, slope_x slope_z, 0) of each texel of a gradient map, divided by `scale`.
+/// Slope moments (slope_x^2, slope_z^2, slope_x slope_z, 0) of each texel of a gradient map, divided by `scale`, the
+/// unit in which the GPU's map stores them.
 pub fn slope_moments(gradients: &[Texel], scale: f64) -> Vec<Texel> {
     gradients.iter().map(|g| [g[0] * g[0] / scale, g[1] * g[1] / scale, g[0] * g[1] / scale, 0.0]).collect()
 }

@@ -7,7 +7,7 @@ use crate::waves::tiling::Tiling;
 /// Displacement, slope and strain of the surface at an undisplaced point, before multiplication by the chop factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WaveFields {
-    /// Displacement (Dx, eta, Dz), m, where eta is the elevation.
+    /// Horizontal displacement Dx, Dz and elevation eta, in the order (Dx, eta, Dz), m.
     pub displacement: [f64; 3],
     /// Slopes d eta/dx and d eta/dz of the elevation eta.
     pub slope: [f64; 2],

@@ -3,16 +3,16 @@
 use crate::waves::record;
 use std::collections::VecDeque;
 
-/// Sampling rate of a buoy record, Hz.
+/// Number of height samples that a buoy takes per second of simulated time, Hz.
 const SAMPLE_RATE_HZ: f64 = 4.0;
 /// Longest buoy record, s: half an hour, as is usual for buoys. Older samples are dropped.
 const RECORD_LENGTH_S: f64 = 1800.0;
-/// Time between two computations of the spectrum, s.
+/// Simulated time between two computations of a record's spectrum, s.
 const SPECTRUM_INTERVAL_S: f64 = 10.0;
-/// Longest gap between two samples of a record, s. After a longer gap a new record starts.
+/// Longest step of simulated time between updates, s, that is filled with samples; a longer one starts a new record.
 const LONGEST_GAP_S: f64 = 5.0;
 
-/// Record of the surface height at one point over up to half an hour.
+/// Record of a buoy: the surface height at one point over the last half hour of simulated time or less.
 #[derive(Default)]
 pub struct BuoyRecord {
     /// Position of the buoy (x, z), m.
@@ -27,7 +27,7 @@ pub struct BuoyRecord {
 
 impl BuoyRecord {
     /// Adds samples up to the time `t_s` (s), at a fixed rate that does not depend on the frame rate. `height(t)`
-    /// returns the height (m) at `place` (x, z), m. After a jump in time or place a new record starts.
+    /// returns the height above still water at `place` (x, z), all in m. A jump in time or place starts a new record.
     pub fn advance(&mut self, t_s: f64, place: [f64; 2], height: impl Fn(f64) -> f64) {
         let moved = place != self.place;
         let last = self.samples.back().map(|s| s[0]);
@@ -86,7 +86,7 @@ impl BuoyRecord {
         Some(4.0 * (self.samples.iter().map(|s| (s[1] - mean).powi(2)).sum::<f64>() / n).sqrt())
     }
 
-    /// Frequency spectrum of the record: pairs of omega (rad/s) and S(omega) (m^2 s); empty while the record is short.
+    /// Frequency spectrum of the record, pairs of omega (rad/s) and S(omega) (m^2 s); empty in the first two minutes.
     pub fn spectrum(&self) -> &[[f64; 2]] {
         &self.spectrum
     }

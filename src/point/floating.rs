@@ -17,13 +17,13 @@ const MAX_FFT_SIZE: u32 = 128;
 /// Position and attitude of a floating hull.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HullPose {
-    /// Type of the hull.
+    /// Type of the hull: buoy or boat.
     pub kind: FloatingObjectKind,
     /// Centre of the waterplane in the world (x, y, z), m.
     pub position_m: [f64; 3],
-    /// Unit vector of the hull's upward axis.
+    /// Unit vector (x, y, z) in the world along the hull's upward axis, which pitch and roll tilt.
     pub up: [f64; 3],
-    /// Unit vector towards the bow.
+    /// Unit vector (x, y, z) in the world from the hull's centre towards its bow.
     pub forward: [f64; 3],
 }
 
@@ -35,14 +35,14 @@ fn half_size_m(kind: FloatingObjectKind) -> [f64; 2] {
     }
 }
 
-/// Waves of one sea that move floating hulls.
+/// The strongest waves of one sea, from which heave, pitch and roll of floating hulls are computed.
 #[derive(Clone, Debug)]
 pub struct HullWaves {
-    /// Waves that lift the hull (heave).
+    /// Strongest waves of the sea, from which the height of a hull (heave) is computed.
     heave_waves: StrongestWaves,
-    /// Waves that make the hull pitch and roll.
+    /// The 500 strongest waves of the sea, from which pitch and roll of a hull are computed.
     tilt_waves: StrongestWaves,
-    /// Unit vector (x, z) that points into the wind.
+    /// Unit vector (x, z) that points into the local wind.
     upwind: [f64; 2],
     level_m: f64,
 }

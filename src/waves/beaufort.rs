@@ -19,8 +19,7 @@ pub struct BeaufortForce {
     pub probable_hs_m: f64,
     /// Representative wind speed at 10 m height, m/s: 0.836 B^1.5 for the Beaufort number B, rounded to 0.1 m/s.
     pub mean_wind_m_s: f64,
-    /// Fetch, km, with which JONSWAP reaches the height `probable_hs_m` at the wind `mean_wind_m_s` (not at forces 1 to
-    /// 3).
+    /// Fetch, km, with which JONSWAP reaches `probable_hs_m` at `mean_wind_m_s`; at forces 1 to 3 the sea stays lower.
     pub fetch_km: f64,
 }
 
@@ -95,7 +94,7 @@ impl BeaufortForce {
     }
 }
 
-/// Largest significant wave height, m, and name of each sea state from 0 to 9 (WMO code table 3700).
+/// Upper limit of the significant wave height, m, and name of each sea state from 0 to 9 (WMO code table 3700).
 const SEA_STATES: [(f64, &str); 10] = [
     (0.0, "calm, glassy"),
     (0.1, "calm, rippled"),

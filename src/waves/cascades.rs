@@ -19,18 +19,19 @@ const WAVES_AT_LOW_EDGE: f64 = 7.506_054_213;
 const GOLDEN_EXPONENT_STEPS: [i32; MAX_CASCADES] = [0, 3, 7, 11];
 /// FFT size assumed when the number of cascades is chosen, so that this number does not depend on the user's FFT size.
 const NOMINAL_FFT_SIZE: f64 = 256.0;
-/// Wave number that the finest cascade should at least reach, rad/m: a wavelength of 20 cm.
+/// Wave number that the cascades should at least reach, rad/m (wavelength 20 cm); their number depends on it.
 const MIN_FINEST_WAVE_NUMBER: f64 = 30.0;
 /// Largest wave number simulated without surface tension, rad/m (wavelength 1.7 cm). Above it waves are capillary.
 const MAX_GRAVITY_K: f64 = 370.0;
 /// Largest wave number simulated with surface tension, rad/m (wavelength 1 mm). Viscosity damps shorter waves.
 const MAX_CAPILLARY_K: f64 = 6000.0;
-/// Fraction of the elevation variance m0 that must lie below the Nyquist wave number of the finest cascade.
+/// Fraction of the elevation variance m0 that must lie below the Nyquist wave number of the finest cascade. Cascades
+/// are added until it does.
 const MIN_VARIANCE_FRACTION: f64 = 0.995;
 /// Fraction of the elevation variance m0 that may lie in waves too long for the first (largest) patch: waves of which
 /// fewer than `WAVES_AT_LOW_EDGE` fit across it.
 const MAX_LONG_WAVE_FRACTION: f64 = 5e-4;
-/// Smallest side of a patch that the user can set, m.
+/// Smallest side of a patch, m; smaller values that the user sets are raised to it.
 const MIN_PATCH_M: f64 = 0.1;
 /// First random-number key for patches whose side the user has set. It lies above the keys of all automatic patches.
 const MANUAL_NOISE_KEY: u32 = 1000;
@@ -41,7 +42,7 @@ const MANUAL_NOISE_KEY: u32 = 1000;
 pub struct Cascade {
     /// Side of the square patch, m.
     pub patch_m: f64,
-    /// Smallest wave number of the cascade's band, rad/m (inclusive).
+    /// Smallest wave number of the band of waves that the cascade carries, rad/m (inclusive).
     pub k_low: f64,
     /// Largest wave number of the cascade's band, rad/m (exclusive), at most Nyquist; equal to `k_low` if it is empty.
     pub k_high: f64,
@@ -62,7 +63,7 @@ impl Cascade {
 }
 
 /// Chooses the cascades for a spectrum, longest waves first; settings of the user in `grid` take precedence. Automatic
-/// band edges do not depend on the FFT size, except at the Nyquist wave number: a larger FFT only adds short waves.
+/// band edges do not depend on the FFT size, except that a larger FFT adds short waves up to its Nyquist wave number.
 pub fn choose_cascades(energy: &SpectrumIntegrals, dispersion: &Dispersion, grid: &Grid) -> Vec<Cascade> {
     let is_calm = energy.m0() <= 0.0;
     let k_low = if is_calm { TAU / 10.0 } else { dispersion.wave_number(energy.quantile(MAX_LONG_WAVE_FRACTION)) };

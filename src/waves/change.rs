@@ -11,12 +11,12 @@ pub enum SeaChange {
     Foam,
     /// Chop (horizontal displacement) or water level: uniform buffers and the heights on the CPU are updated.
     Surface,
-    /// The waves themselves: a new [`Plan`](super::Plan), its tables, the initial spectrum h0 and the statistics.
+    /// The waves themselves: a new [`Plan`](super::Plan), its tables, the initial amplitudes h0 and the statistics.
     Waves,
 }
 
 impl SeaChange {
-    /// Most expensive kind of change between the seas and grids of two parameter sets; `None` if there is no change.
+    /// Most expensive kind of change from the sea and grid parameters in `a` to those in `b`; `None` if all are equal.
     pub fn between(a: &Params, b: &Params) -> Option<Self> {
         if a.grid == b.grid { Self::between_seas(&a.sea, &b.sea) } else { Some(Self::Waves) }
     }

@@ -5,19 +5,19 @@ use super::plan::Plan;
 use super::statistics;
 use crate::state::views::{DisplayedView, MapView, SurfaceView, ViewChoice};
 
-/// Number of clipmap levels that store foam.
+/// Number of foam levels, square foam grids around the camera, each larger and coarser than the one before.
 const FOAM_LEVELS: usize = 4;
 
-/// Colour palette of a false-colour view.
+/// Colours in which a false-colour view shows the values of a map or of the surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Palette {
-    /// From dark to bright, for quantities that are not negative.
+    /// Viridis, from dark to bright, for quantities that are not negative.
     Sequential,
     /// Blue to red through white at the middle of the range, for quantities with a sign.
     Diverging,
-    /// Brightness shows the magnitude of a complex number, hue its phase.
+    /// For complex numbers: brightness shows the magnitude, hue the phase.
     Phase,
-    /// Fixed colours of normals or mesh triangles, which need no colour bar.
+    /// Fixed colours of surface normals or of mesh triangles, for which no colour bar is drawn.
     Direction,
 }
 
@@ -62,7 +62,7 @@ pub struct ColourScale {
 }
 
 impl ColourScale {
-    /// Chooses the colour scale of a view for one layer of the maps: the index of the cascade or of the foam level.
+    /// Chooses the colour scale of a view for `layer`, the index of the cascade (in views of foam: of the foam level).
     pub fn new(displayed: DisplayedView, plan: &Plan, layer: usize) -> Self {
         let (k_low, k_high) = plan.cascades.get(layer).map_or((0.0, 0.0), |c| (c.k_low, c.k_high));
         let (mss, m0) = (plan.energy.mss_between(k_low, k_high), plan.energy.m0_between(k_low, k_high));
@@ -117,12 +117,12 @@ impl ColourScale {
     }
 }
 
-/// Caption below a false-colour view.
+/// Caption below a false-colour view, which explains its colours.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Caption {
     /// Palette of the caption's colour bar; `None` for views without a colour bar.
     pub palette: Option<Palette>,
-    /// Text of the caption: one line with the range of values for each layer (cascade or foam level) shown.
+    /// Text lines: the range of values, one line for each cascade or foam level, or the meaning of the colours.
     pub lines: Vec<String>,
 }
 

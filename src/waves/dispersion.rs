@@ -50,7 +50,8 @@ impl Dispersion {
         ((g + 3.0 * capillary) * kh.tanh() + (g + capillary) * shallow) / (2.0 * self.omega(k))
     }
 
-    /// Converts a spectrum S(k) over wave number (m^3) to S(omega) = S(k) dk / d omega (m^2 s) at `omega` (rad/s).
+    /// Variance density over angular frequency, S(omega) = S(k) dk / d omega (m^2 s), at `omega` (rad/s), from the
+    /// density over wave number S(k) (m^3), which the function `density_over_k` returns.
     pub fn density_over_omega(&self, density_over_k: impl Fn(f64) -> f64, omega: f64) -> f64 {
         let k = self.wave_number(omega);
         density_over_k(k) / self.group_velocity(k)

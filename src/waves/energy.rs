@@ -3,17 +3,17 @@
 
 use super::dispersion::Dispersion;
 
-/// Cumulative integrals of a frequency spectrum: variance of elevation, slope and strain below each grid frequency.
+/// Running integrals of a frequency spectrum: variance of elevation, slope and strain below each grid frequency.
 #[derive(Clone, Debug)]
 pub struct SpectrumIntegrals {
-    /// Angular frequencies of the grid, rad/s, ascending.
+    /// Angular frequencies up to which the integrals are stored, rad/s, ascending.
     omega: Vec<f64>,
-    /// Wave numbers of the grid frequencies, rad/m.
+    /// Wave numbers of waves with the angular frequencies in `omega`, rad/m.
     k: Vec<f64>,
     /// Integrals from the lowest frequency up to each grid frequency: variance of the elevation (m^2), mean square
     /// slope, and variance of the horizontal strain dDx/dx + dDz/dz.
     sums: Vec<[f64; 3]>,
-    /// Angular frequency of the grid at which S(omega) is largest, rad/s; the grid's steps are about 1 %.
+    /// Angular frequency of the grid at which the spectrum S(omega) is largest, rad/s; the grid's steps are about 1 %.
     pub omega_p: f64,
 }
 
@@ -76,7 +76,8 @@ impl SpectrumIntegrals {
         (1..self.k.len()).map(piece).sum()
     }
 
-    /// Increase of one of the integrals in `sums` from wave number `low` to `high` (rad/m), by linear interpolation.
+    /// Increase of the integral `which` (0 elevation variance, 1 mean square slope, 2 strain variance) from wave number
+    /// `low` to `high` (rad/m), by linear interpolation.
     fn integral_between(&self, which: usize, low: f64, high: f64) -> f64 {
         let at = |k: f64| match self.k.partition_point(|&x| x < k) {
             0 => 0.0,

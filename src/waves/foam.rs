@@ -9,8 +9,8 @@ use super::statistics::monahan_coverage;
 use crate::state::params::WhitecapRule;
 use std::f64::consts::PI;
 
-/// Factor of the fit F / (1 - F) = FACTOR (rate x decay time)^POWER s for the mean foam F at a mean foam source s. The
-/// fit was made to GPU results for winds of 7 to 30 m/s, all foam levels, and rate x decay time from 1 to 50.
+/// Factor of the fit F / (1 - F) = factor x (rate x decay time)^exponent x s for the mean foam F at a mean foam source
+/// s. The fit was made to GPU results for winds of 7 to 30 m/s, all foam levels, and rate x decay time from 1 to 50.
 const COVERAGE_FIT_FACTOR: f64 = 1.03;
 const COVERAGE_FIT_EXPONENT: f64 = 0.73;
 /// Product of the default growth rate (1/s) and decay time (s) of foam. The default threshold is derived for it, so
@@ -21,19 +21,20 @@ const SOURCE_RAMP_SIGMAS: f64 = 0.5;
 
 /// Upper limit of the whitecap coverage that the foam model aims for, as a fraction of the surface.
 const MAX_COVERAGE: f64 = 0.9;
-/// Coefficient (1 - r2^2) / 4 in [`jacobian`] with the second directional moment r2 of short waves.
+/// Coefficient (1 - r2^2) / 4 in [`jacobian`], where r2, about 0.45, is the second directional moment of short waves.
 const DETERMINANT_COEFFICIENT: f64 = 0.2;
-/// Texel size at which the user's fixed foam threshold applies, m. It is adapted to other sizes for equally rare foam.
+/// Texel size of the foam grid for which the user's fixed threshold holds, m; others get one that keeps foam as rare.
 const REFERENCE_TEXEL_M: f64 = 0.25;
 /// Standard deviation of the strain below which the water counts as flat and gets no foam.
 const MIN_SIGMA: f64 = 1e-6;
 
-/// Foam source as a function of the Jacobian J of the displacement: clamp((threshold - J) x slope, 0, 1).
+/// Foam source, 0 (no foam forms) to 1, as a function of the Jacobian J of the displacement: clamp((threshold - J) x
+/// slope, 0, 1). The foam pass multiplies it by the user's growth rate (1/s).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FoamSource {
     /// Jacobian of the displacement below which foam forms.
     pub threshold: f64,
-    /// Increase of the foam source per unit of Jacobian below the threshold.
+    /// Increase of the foam source for each decrease of the Jacobian by 1 below the threshold.
     pub slope: f64,
 }
 
@@ -42,7 +43,7 @@ pub struct FoamSource {
 pub struct FoamModel {
     /// Compression at which foam starts to form, in standard deviations of the strain; infinite if there is no foam.
     threshold_sigmas: f64,
-    /// Expected mean of the foam value over the surface, 0 to 1.
+    /// Expected mean amount of foam over the sea surface, 0 (none) to 1 (fully covered).
     pub coverage: f64,
 }
 
@@ -71,7 +72,8 @@ impl FoamModel {
         Self { threshold_sigmas, coverage: ratio / (1.0 + ratio) }
     }
 
-    /// Foam source for a foam grid with texels of `texel_m` (m): a coarser grid resolves less variance of the Jacobian.
+    /// Foam source on a foam grid with texels of `texel_m` (m). A coarser grid resolves less variance of the Jacobian,
+    /// so its threshold is nearer to 1.
     pub fn source(&self, plan: &Plan, texel_m: f64) -> FoamSource {
         let sigma = strain_deviation(plan, texel_m);
         if sigma < MIN_SIGMA || self.threshold_sigmas.is_infinite() {
@@ -83,8 +85,8 @@ impl FoamModel {
     }
 }
 
-/// Mean Jacobian J where the strain s = lx dDx/dx + lz dDz/dz is `threshold_sigmas` standard deviations `sigma` below
-/// 0.
+/// Mean Jacobian J of the points with the strain s = lx dDx/dx + lz dDz/dz = -`threshold_sigmas` x `sigma`, where
+/// `sigma` is the standard deviation of s.
 ///
 /// J is 1 + s + the determinant of the strain tensor. For a given s the mean of the determinant is
 /// (s^2 - sigma^2) (1 - r2^2) / 4 with the second directional moment r2 (1 for long-crested, 0 for isotropic waves).
@@ -93,8 +95,8 @@ fn jacobian(threshold_sigmas: f64, sigma: f64) -> f64 {
         + DETERMINANT_COEFFICIENT * (threshold_sigmas * threshold_sigmas - 1.0) * sigma * sigma
 }
 
-/// Inverse of [`jacobian`]: number of standard deviations `sigma` of strain below 0 at which the mean Jacobian equals
-/// `threshold`. Of the two solutions it returns the smaller one.
+/// Inverse of [`jacobian`]: compression (negative strain) at which the mean Jacobian equals `threshold`, as a multiple
+/// of the standard deviation `sigma` of the strain. Of the two solutions it returns the smaller one.
 fn sigmas_at(threshold: f64, sigma: f64) -> f64 {
     bisect(-8.0, (0.5 / (DETERMINANT_COEFFICIENT * sigma)).min(12.0), |z| jacobian(z, sigma) > threshold)
 }
@@ -116,8 +118,8 @@ fn strain_deviation(plan: &Plan, texel_m: f64) -> f64 {
     (0.5 * (lx * lx + lz * lz) * plan.strain_variance(0.5 * texel_m)).sqrt()
 }
 
-/// Mean foam source of a Gaussian strain if foam starts at `z` standard deviations: the mean of
-/// clamp((Z - z) / RAMP, 0, 1) for a standard normal Z.
+/// Mean foam source of a sea with Gaussian strain, if foam starts at a compression of `z` standard deviations: the mean
+/// of clamp((Z - z) / SOURCE_RAMP_SIGMAS, 0, 1) for a standard normal Z.
 fn mean_source(z: f64) -> f64 {
     // Mean of max(Z - z, 0).
     let excess = |z: f64| (-0.5 * z * z).exp() / (2.0 * PI).sqrt() - z * 0.5 * libm::erfc(z / 2f64.sqrt());

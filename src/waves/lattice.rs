@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 /// Largest wave number, in units of the lattice spacing, up to which the spectrum is averaged over a lattice cell
 /// instead of being sampled at the lattice point.
 const COARSE_CELLS_ACROSS_K: f64 = 40.0;
-/// Four-point Gauss-Legendre rule over [-1/2, 1/2]: nodes and weights.
+/// Nodes and weights of the four-point Gauss-Legendre rule over [-1/2, 1/2], for means over a lattice cell.
 const CELL_QUADRATURE_NODES: [(f64, f64); 4] = [
     (-0.430_568_155_797_026_3, 0.173_927_422_568_726_93),
     (-0.169_990_521_792_428_13, 0.326_072_577_431_273_07),
@@ -15,7 +15,7 @@ const CELL_QUADRATURE_NODES: [(f64, f64); 4] = [
     (0.430_568_155_797_026_3, 0.173_927_422_568_726_93),
 ];
 
-/// Quantities of a wave that depend only on its wave number |k|, not on its direction.
+/// Properties of a cascade's wave that depend only on its wave number |k|, not on its direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LatticeWave {
     /// Wave number, rad/m.
@@ -83,7 +83,8 @@ impl Plan {
     }
 }
 
-/// Time `t_s` (s) within the period `period_s` (s) as a 32-bit integer; see [`Plan::time_in_period_u32`].
+/// Time `t_s` (s) within the period `period_s` (s) as a 32-bit integer, where one period is 2^32; see
+/// [`Plan::time_in_period_u32`].
 pub fn time_in_period_u32(period_s: f64, t_s: f64) -> u32 {
     let turn = (t_s / period_s).rem_euclid(1.0);
     (turn * 4_294_967_296.0).round() as u64 as u32

@@ -12,14 +12,14 @@ pub struct MapSpectrum {
     pub bin_variances_m2: Vec<f64>,
 }
 
-/// Estimator of a [`MapSpectrum`]. It works in small steps, so that the program can draw frames in between.
+/// Computes a [`MapSpectrum`] in small steps, so that the program can draw frames in between.
 #[derive(Clone, Debug)]
 pub struct MapSpectrumEstimator {
     fft: Fft,
     /// Index of the cascade whose height map is being transformed in `map`.
     cascade: usize,
     map: Vec<[f64; 2]>,
-    /// Number of lines of `map` that are already transformed: first the n rows, then the n columns.
+    /// Number of lines of `map` that are Fourier-transformed, 0 to 2 n: first its n rows, then its n columns.
     done: usize,
     bin_rad_s: f64,
     spectrum: MapSpectrum,
@@ -37,7 +37,7 @@ impl MapSpectrumEstimator {
         Self { fft: Fft::new(n), cascade: 0, map: vec![[0.0; 2]; n * n], done: 0, bin_rad_s, spectrum }
     }
 
-    /// Transforms about `points` more texels of the height maps, and returns the spectrum when all maps are done.
+    /// Transforms about `points` more texels of the height maps. Returns the spectrum when all are done, else `None`.
     ///
     /// `row(cascade, z)` returns the n heights (m) in row z of a cascade's map. All calls must see the same maps.
     pub fn advance<R: Iterator<Item = f64>>(

@@ -12,16 +12,17 @@ use std::sync::Arc;
 
 pub use super::cascades::Cascade;
 
-/// Largest ratio of significant wave height to water depth; higher waves break (docs/sea.md).
+/// Largest ratio of significant wave height to water depth. Higher waves would break; plans reduce them (docs/sea.md).
 const MAX_HS_TO_DEPTH: f64 = 0.6;
-/// Largest variance of the horizontal strain dDx/dx + dDz/dz; half-float maps cannot store steeper waves.
+/// Largest variance of the strain dDx/dx + dDz/dz. Plans reduce steeper waves, which half-float maps cannot store.
 const MAX_STRAIN_VARIANCE: f64 = 25.0;
 /// Smallest elevation variance of a sea with waves, m^2 (significant wave height 4 micrometres).
 const MIN_M0_M2: f64 = 1e-12;
 /// Period after which a sea repeats if the user has set no loop, s: one day.
 const DAY_S: f64 = 86_400.0;
 
-/// Everything that the simulation derives from the parameters of a sea: wave systems, cascades, period and notices.
+/// Everything that the simulation derives from the parameters of a sea: its wave systems (wind sea, swell), the
+/// cascades (square patches of waves, one FFT each), the period after which it repeats, and notices for the user.
 ///
 /// ```
 /// let (params, _) = seastate::state::query::parse("wind=10&fetch=100");
@@ -30,11 +31,11 @@ const DAY_S: f64 = 86_400.0;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// FFT size: number of points along one side of the maps of each cascade.
+    /// FFT size n: number of points along one side of the n x n maps of each cascade.
     pub n: u32,
     /// Cascades (patches of different sizes) whose sum is the sea, longest waves first.
     pub cascades: Vec<Cascade>,
-    /// Whether each patch is drawn as a blend of shifted copies, so that no repetition is visible.
+    /// Whether each patch is drawn as a blend of shifted copies, which hides its repetition.
     pub blends_copies: bool,
     /// Period after which the sea repeats, s: all angular frequencies are multiples of 2 pi / period_s.
     pub period_s: f64,
@@ -50,7 +51,7 @@ pub struct Plan {
     pub downwind: [f64; 2],
     /// Notices for the user, for example that the height was limited by the water depth.
     pub notices: Vec<String>,
-    /// Cumulative integrals of the total spectrum of all wave systems.
+    /// Integrals of the total spectrum of all wave systems, from which the variance between two wave numbers follows.
     pub energy: Arc<SpectrumIntegrals>,
 }
 
@@ -190,7 +191,7 @@ impl Plan {
         self.cascades.iter().map(band).sum()
     }
 
-    /// Largest wave number that any cascade holds, rad/m.
+    /// Largest wave number at which the cascades can carry waves, rad/m.
     pub fn k_max(&self) -> f64 {
         self.cascades.iter().map(|c| c.k_high).fold(0.0, f64::max)
     }
@@ -232,7 +233,7 @@ fn system_notices(sea: &Sea, systems: &[WaveSystem]) -> Vec<String> {
     notices
 }
 
-/// Multiplies the variance of all wave systems by `factor` and integrates their total spectrum again.
+/// Multiplies the variance of all wave systems by `factor` and returns the integrals of their new total spectrum.
 fn scale_systems(systems: &mut [WaveSystem], factor: f64, dispersion: &Dispersion) -> SpectrumIntegrals {
     for system in &mut *systems {
         system.spectrum = system.spectrum.clone().scaled(factor);

@@ -34,7 +34,8 @@ fn gauss_kronrod(f: &impl Fn(f64) -> f64, a: f64, b: f64) -> (f64, f64) {
     (k * half, (k - g).abs() * half)
 }
 
-/// Integral of `f` from the first to the last of `knots` by adaptive quadrature to a relative `tolerance`.
+/// Integral of `f` from the first to the last of `knots` by adaptive quadrature. The allowed error is `tolerance` times
+/// the sum of the magnitudes of the integrals between neighbouring knots.
 ///
 /// `knots` holds at least two points in ascending order, among them all points where `f` is not smooth.
 pub fn integrate_adaptive(f: impl Fn(f64) -> f64, knots: &[f64], tolerance: f64) -> f64 {
@@ -58,7 +59,7 @@ fn refine(f: &impl Fn(f64) -> f64, [a, b]: [f64; 2], allowed: f64, floor: f64, d
         + refine(f, [mid, b], 0.5 * allowed, floor, depth - 1, left)
 }
 
-/// Integral of a smooth `f` from the first to the last of `knots`, with `count` 15-point panels in each interval.
+/// Integral of a smooth `f` from the first to the last of `knots`, with `count` 15-point panels between two knots.
 pub fn integrate_panels(f: impl Fn(f64) -> f64, knots: &[f64], count: u32) -> f64 {
     let piece = |w: &[f64]| {
         let step = (w[1] - w[0]) / f64::from(count);

@@ -11,7 +11,8 @@ pub type SlopeVariance = [f64; 2];
 /// Number of steps of the numerical integrals over frequency and over direction.
 const STEPS: usize = 64;
 
-/// Mean square slopes of a clean sea along and across a wind U, 0.00316 U and 0.003 + 0.00192 U (Cox and Munk 1954).
+/// Mean square slopes of a clean sea at the wind speed U (m/s): 0.00316 U along the wind and 0.003 + 0.00192 U across
+/// it (Cox and Munk 1954).
 pub fn cox_munk(wind_m_s: f64) -> SlopeVariance {
     [0.00316 * wind_m_s, 0.003 + 0.00192 * wind_m_s]
 }
@@ -54,7 +55,8 @@ pub fn residual_slope_variance(plan: &Plan, resolved: SlopeVariance) -> SlopeVar
     [0, 1].map(|axis| (total[axis] - resolved[axis]).max(0.0))
 }
 
-/// Half of the shortest wavelength that forms distinct caustics on the sea bed, m.
+/// Half of the shortest wavelength that forms distinct caustics on the sea bed, m. The picture computes its caustics
+/// from wave slopes averaged over this length.
 ///
 /// Refracted sunlight is compressed on the bed by a strain of `reach_m` times the curvature of the surface, where
 /// `reach_m` is the water depth times 1 - n_air/n_water (refractive indices). Where longer waves alone cause a strain

@@ -17,7 +17,7 @@ const MAX_LOBES: usize = 3;
 /// lattice of wave vectors cannot resolve at the low edge of a band.
 const MAX_S: f64 = 150.0;
 
-/// Directional spreading of one wave system.
+/// Directional spreading of one wave system: how its energy at each frequency is distributed over directions.
 #[derive(Clone, Debug)]
 pub struct Spreading {
     /// Families of directional spreading, each with its fraction of the energy; they add to 1 with `isotropic`.
@@ -26,7 +26,7 @@ pub struct Spreading {
     isotropic: f64,
     /// Swell parameter xi of Horvath 2015, 0 to 1, which narrows the spreading of long waves.
     swell: f64,
-    /// Angular frequency of the spectral peak, rad/s.
+    /// Angular frequency at the peak of the wave system's spectrum, rad/s.
     omega_p: f64,
     wind_m_s: f64,
     /// Inverse wave age U omega_p / g for the wind speed U at 10 m height.
@@ -36,7 +36,7 @@ pub struct Spreading {
     pub spreading_norm_panels: u32,
 }
 
-/// Cosine factor of a lobe of the directional spreading.
+/// Power of cos(theta) by which a lobe of the directional spreading is multiplied: none, or the square.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CosineFactor {
     /// The constant 1: no cosine factor.
@@ -51,11 +51,11 @@ pub enum CosineFactor {
 /// where theta is the angle from the main direction of travel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lobe {
-    /// Rate beta of sech^2(beta theta), per rad.
+    /// Rate beta of the lobe's factor sech^2(beta theta), per rad; 0 if the lobe has no such factor.
     pub beta: f64,
-    /// Exponent s of cos^{2s}(theta/2).
+    /// Exponent s of the lobe's factor cos^{2s}(theta/2); 0 if the lobe has no such factor.
     pub s: f64,
-    /// Additional factor in cos(theta), if any.
+    /// Additional factor of the lobe: 1 or the square of cos(theta).
     pub cosine: CosineFactor,
 }
 
@@ -63,7 +63,7 @@ pub struct Lobe {
 pub struct Lobes {
     /// Fraction of the energy that is spread evenly over all directions.
     pub isotropic: f64,
-    /// Lobes, each with its fraction of the energy.
+    /// Lobes, as pairs of the lobe's fraction of the energy and its shape.
     pub lobes: Vec<(f64, Lobe)>,
 }
 
@@ -144,7 +144,7 @@ impl Spreading {
         self.lobes(omega).lobes.iter().map(|(share, lobe)| share * lobe.first_moment(self.spreading_norm_panels)).sum()
     }
 
-    /// Angular frequencies (rad/s) at which the parameters of a lobe have a kink or a jump.
+    /// Angular frequencies (rad/s) at which a parameter of a lobe, as a function of frequency, has a kink or a jump.
     pub fn breakpoints(&self) -> Vec<f64> {
         let relative = |kind: SpreadKind| -> &[f64] {
             match kind {
@@ -170,7 +170,8 @@ fn hasselmann_s(r: f64, inverse_age: f64) -> f64 {
     if r <= 1.0 { 6.97 * r.powf(4.06) } else { 9.77 * r.powf(-2.33 - 1.45 * (inverse_age - 1.17)) }.min(MAX_S)
 }
 
-/// Rate beta of sech^2(beta theta), per rad, at r = omega / omega_p: Donelan et al. 1985, and Banner 1990 above 1.6.
+/// Rate beta (per rad) of the directional spreading sech^2(beta theta) at r = omega / omega_p, by Donelan et al. 1985
+/// and, for r above 1.6, by Banner 1990.
 fn donelan_banner_beta(r: f64) -> f64 {
     if r < 0.95 {
         2.61 * r.powf(1.3)
@@ -226,6 +227,7 @@ impl Lobe {
     }
 
     /// First directional moment of the lobe: the integral of the normalised lobe times cos(theta) over all directions.
+    /// `steps` is the number of quadrature panels as in [`Self::norm`].
     pub fn first_moment(&self, steps: u32) -> f64 {
         if self.cosine == CosineFactor::One && self.beta == 0.0 {
             return self.s / (self.s + 1.0);
@@ -237,8 +239,8 @@ impl Lobe {
     }
 }
 
-/// Norm of cos^{2s}(theta/2): 2^{2s-1}/pi Gamma(s+1)^2 / Gamma(2s+1). It is computed with ln Gamma because Gamma would
-/// overflow and Stirling's approximation is 8 % off at s = 0.
+/// Norm of cos^{2s}(theta/2), the inverse of its integral over the circle: 2^{2s-1}/pi Gamma(s+1)^2 / Gamma(2s+1). It
+/// uses ln Gamma, because Gamma would overflow and Stirling's approximation is 8 % off at s = 0.
 fn cosine_norm(s: f64) -> f64 {
     ((2.0 * s - 1.0) * std::f64::consts::LN_2 - PI.ln() + 2.0 * libm::lgamma(s + 1.0) - libm::lgamma(2.0 * s + 1.0))
         .exp()

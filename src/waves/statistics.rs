@@ -7,37 +7,38 @@ use super::quadrature::integrate_adaptive;
 use super::table::{Table, entry_index};
 use std::f64::consts::TAU;
 
-/// Wave statistics from integrals of the spectrum by adaptive quadrature. They do not use the integrals in [`Plan`].
+/// Expected statistics of a planned sea from integrals of its spectrum by adaptive quadrature, which do not use the
+/// coarser integrals in [`Plan::energy`].
 ///
 /// ```
 /// use seastate::state::query;
-/// use seastate::waves::{Plan, statistics::Theory};
+/// use seastate::waves::{Plan, statistics::SpectrumStatistics};
 ///
 /// let (params, notices) = query::parse("spectrum=jonswap&wind=10&fetch=100");
 /// assert!(notices.is_empty());
-/// let theory = Theory::new(&Plan::new(&params));
+/// let theory = SpectrumStatistics::new(&Plan::new(&params));
 /// assert!((theory.hs_m - 2.139).abs() < 0.002);
 /// assert!((theory.tp_s - 6.23).abs() < 0.01);
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SpectrumStatistics {
-    /// Variance m0 of the elevation, m^2.
+    /// Elevation variance m0 of the whole spectrum, m^2.
     pub m0_m2: f64,
-    /// Significant wave height 4 sqrt(m0), m.
+    /// Significant wave height 4 sqrt(m0) of the whole spectrum, m.
     pub hs_m: f64,
     /// Peak period, s: period of the waves at the peak of the spectrum.
     pub tp_s: f64,
-    /// Mean period 2 pi m0 / m1 of the waves that the cascades resolve, s.
+    /// Mean period Tm01 = 2 pi m0 / m1, s, with the moments m0 and m1 of the waves that the cascades resolve.
     pub tm01_s: f64,
-    /// Mean zero-crossing period 2 pi sqrt(m0 / m2) of the waves that the cascades resolve, s.
+    /// Mean zero-crossing period Tm02 = 2 pi sqrt(m0 / m2), s, of the waves that the cascades resolve.
     pub tm02_s: f64,
-    /// Wavelength at the peak frequency, m.
+    /// Wavelength at the peak frequency of the spectrum, m.
     pub lambda_p_m: f64,
-    /// Wavelength of a wave with the mean period Tm01, m.
+    /// Wavelength of a wave with the mean period `tm01_s`, m.
     pub lambda_mean_m: f64,
     /// Significant steepness: significant wave height divided by the wavelength at the peak frequency.
     pub steepness: f64,
-    /// Mean square slope of the waves that the cascades resolve.
+    /// Mean of (d eta/dx)^2 + (d eta/dz)^2 for the waves that the cascades resolve: their mean square slope.
     pub mss: f64,
     /// Largest wave number of the cascades, rad/m: upper limit of the integrals for `mss` and the mean periods.
     pub k_max: f64,
@@ -55,27 +56,27 @@ pub struct SpectrumStatistics {
 /// Expected statistics of the waves that the cascades of a plan hold, as sums over their lattices of wave vectors.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LatticeStatistics {
-    /// Variance m0 of the elevation, m^2.
+    /// Elevation variance m0 of the waves in the cascades, m^2.
     pub m0_m2: f64,
-    /// Significant wave height 4 sqrt(m0), m.
+    /// Significant wave height 4 sqrt(m0) of the waves in the cascades, m.
     pub hs_m: f64,
-    /// Mean period 2 pi m0 / m1, s.
+    /// Mean period 2 pi m0 / m1 of the waves in the cascades, s.
     pub tm01_s: f64,
-    /// Mean zero-crossing period 2 pi sqrt(m0 / m2), s.
+    /// Mean zero-crossing period 2 pi sqrt(m0 / m2) of the waves in the cascades, s.
     pub tm02_s: f64,
-    /// Mean square slope of the waves.
+    /// Mean square slope of the waves: mean of (d eta/dx)^2 + (d eta/dz)^2 with the elevation eta.
     pub mss: f64,
-    /// Elevation variance as a fraction of the m0 that the whole spectrum has.
+    /// Elevation variance of the waves in the cascades as a fraction of that of the whole spectrum.
     pub m0_fraction: f64,
     /// First directional moment r1, 0 to 1: length of the energy-weighted mean of the unit vectors of travel.
     pub r1: f64,
     /// Mean direction that the waves come from, degrees clockwise from north; `None` if no direction dominates.
     pub mean_from_deg: Option<f64>,
-    /// Directional spread sqrt(2 (1 - r1)), degrees.
+    /// Directional spread of the waves' energy, sqrt(2 (1 - r1)) with the first directional moment r1, in degrees.
     pub spread_deg: f64,
 }
 
-/// Relative tolerance of the integrals of the spectrum.
+/// Relative tolerance of the integrals of the spectrum for m0, mean periods and mean square slope.
 const TOLERANCE: f64 = 1e-7;
 /// Smallest first directional moment r1 at which a mean wave direction is reported.
 pub const MIN_R1_FOR_DIRECTION: f64 = 0.01;
@@ -143,7 +144,8 @@ impl SpectrumStatistics {
 }
 
 impl LatticeStatistics {
-    /// Sums over all waves of the cascades of a plan. `theory_m0` is the variance of the whole spectrum (m^2).
+    /// Computes the statistics from sums over all waves of the cascades of a plan. `theory_m0` is the variance of the
+    /// whole spectrum (m^2), with which that of the waves is compared.
     pub fn new(plan: &Plan, theory_m0: f64) -> Self {
         let mut moments = SpectralMoments::default();
         for (cascade, table) in plan.cascades.iter().zip(Table::for_all_cascades(plan)) {
@@ -159,13 +161,13 @@ impl LatticeStatistics {
     }
 }
 
-/// Signed indices (ix, iz) of all wave vectors of an n x n lattice, row by row, without the Nyquist row and column.
+/// Signed indices (ix, iz) of the wave vectors of an n x n lattice, row by row, without the Nyquist index -n/2.
 pub fn lattice(n: u32) -> impl Iterator<Item = (i32, i32)> {
     let half = n as i32 / 2;
     (1 - half..half).flat_map(move |iz| (1 - half..half).map(move |ix| (ix, iz)))
 }
 
-/// Spectral moments of a set of waves, from which their [`LatticeStatistics`] statistics follow.
+/// Spectral moments of a set of waves, from which their [`LatticeStatistics`] follow.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SpectralMoments {
     /// Spectral moments m0, m1 and m2: sums of variance times omega^i, m^2 (rad/s)^i.
@@ -187,7 +189,7 @@ impl SpectralMoments {
         }
     }
 
-    /// Statistics of the added waves. `theory_m0` is the elevation variance of the whole spectrum (m^2).
+    /// Statistics of the added waves. `theory_m0` (m^2) is the variance of the whole spectrum, for `m0_fraction`.
     pub fn resolved(&self, theory_m0: f64) -> LatticeStatistics {
         let [m0, m1, m2] = self.m;
         if m0 <= 0.0 {

@@ -24,14 +24,15 @@ pub enum Directions {
     Measured(MaximumEntropy),
 }
 
-/// Kind of one term of the directional spectrum, which is a sum of terms. For each wave number a term stores one or two
-/// vectors of four numbers, which the spectrum shader evaluates in the direction of each wave.
+/// Kind of a term of the directional spectrum, which is a sum of terms: one for each lobe of a directional spreading,
+/// or one for a buoy's distribution. For each wave number a term stores one or two vectors of four numbers, which the
+/// spectrum shader evaluates in the direction of each wave.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TermKind {
     /// One lobe of the directional spreading, stored as (variance x norm, beta, s, isotropic variance per rad).
     Lobe(CosineFactor),
-    /// A measured distribution [`MaximumEntropy`], stored as (variance x norm, Re phi1, Im phi1, Re phi2), (Im phi2, 0,
-    /// 0, 0).
+    /// A buoy's distribution [`MaximumEntropy`] with the complex coefficients phi1 and phi2, stored as (variance x
+    /// norm, Re phi1, Im phi1, Re phi2), (Im phi2, 0, 0, 0).
     Measured,
 }
 
@@ -49,12 +50,12 @@ impl WaveSystem {
     }
 
     /// Maximum entropy distribution for the buoy's directional moments at the angular frequency `omega` (rad/s); `None`
-    /// without a buoy. Its moments differ from the measured ones where no distribution can have the measured moments.
+    /// without such data. Its moments differ from the measured ones where no distribution can have the measured ones.
     fn measured(&self, omega: f64) -> Option<MaximumEntropy> {
         self.spectrum.measured.as_ref()?.moments(omega).map(MaximumEntropy::new)
     }
 
-    /// Directional distribution of the energy at the angular frequency `omega` (rad/s).
+    /// Distribution of the wave system's energy over directions at the angular frequency `omega` (rad/s).
     pub fn directions(&self, omega: f64) -> Directions {
         self.measured(omega).map_or_else(|| Directions::Lobes(self.spreading.lobes(omega)), Directions::Measured)
     }
@@ -79,7 +80,8 @@ impl WaveSystem {
         }
     }
 
-    /// Kinds of the terms of which the directional spectrum is a sum. They are the same at every frequency.
+    /// Kinds of the terms (lobes, or one measured distribution) whose sum is the directional spectrum of this wave
+    /// system. They are the same at every frequency.
     pub fn terms(&self) -> Vec<TermKind> {
         if self.has_measured_directions() {
             return vec![TermKind::Measured];

@@ -11,18 +11,20 @@ use super::system::{Directions, TermKind, WaveSystem, angle_from_travel};
 use crate::files::measured::MaximumEntropy;
 use std::f64::consts::PI;
 
-/// One term of the directional spectrum of a sea. The variance of a wave is the sum over all terms.
+/// One part of the directional spectrum of a sea: one lobe of a wave system's directional spreading, or the
+/// distribution that a buoy measured. The variance of a wave is the sum over all these parts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Term {
     /// Kind of the term, which defines the meaning of its values in the table.
     pub kind: TermKind,
     /// Main direction of travel of the wave system, a unit vector (x, z), from which the term's angles are measured.
     pub travel: [f64; 2],
-    /// Index of the term's first vector among the vectors of values of a table entry.
+    /// Index of the term's first vector among the vectors of four numbers in a table entry.
     pub first_vector: usize,
 }
 
-/// Terms of the directional spectrum of a plan, and the number of vectors of values in each table entry, at least 1.
+/// Terms whose sum is the directional spectrum of a plan, and the number of vectors of four numbers in each table
+/// entry, which is at least 1.
 pub fn terms(plan: &Plan) -> (Vec<Term>, usize) {
     let (mut terms, mut first_vector) = (Vec::new(), 0);
     for system in &plan.systems {
@@ -34,12 +36,12 @@ pub fn terms(plan: &Plan) -> (Vec<Term>, usize) {
     (terms, first_vector.max(1))
 }
 
-/// Precomputed spectrum of one cascade: one entry for each wave number of its lattice.
+/// Precomputed spectrum of one cascade for the spectrum shader: one entry for each wave number |k| of its lattice.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// Terms of which the directional spectrum is a sum.
+    /// Terms whose sum is the directional spectrum of the sea, the same for every cascade.
     pub terms: Vec<Term>,
-    /// Number of vectors of values in each table entry.
+    /// Number of vectors of four numbers in each table entry.
     pub vectors_per_entry: usize,
     /// Wave number and frequency of each table entry; the wave number is 0 outside the cascade's band.
     pub waves: Vec<LatticeWave>,
@@ -151,15 +153,16 @@ fn push(out: &mut Vec<[f64; 4]>, system: &WaveSystem, norms: &Norms, variance: f
     }
 }
 
-/// Normalising factors of the lobes of a wave system. Where they have no closed form they are interpolated from nodes
-/// in ln(omega), because quadrature for every table entry would be too slow while the user moves a slider.
+/// Normalising factors of the lobes of a wave system's directional spreading. Those without a closed form are
+/// interpolated in ln(omega), because quadrature for every table entry would be too slow while the user moves a slider.
 struct Norms {
     steps: u32,
     /// Interpolation tables of each lobe, one for each smooth interval of frequency; `None` for a norm in closed form.
     lobes: Vec<Option<Vec<NormTable>>>,
 }
 
-/// Interpolation table of a lobe's norm over a frequency interval: ln(norm) at `NODES` + 1 equidistant ln(omega).
+/// Table for interpolating a lobe's norm, the factor that makes its integral over all directions 1, in one interval of
+/// frequency: ln(norm) at `NODES` + 1 equidistant values of ln(omega).
 struct NormTable {
     ln_low: f64,
     step: f64,

@@ -23,15 +23,15 @@
 
 use super::noise::pcg4d;
 
-/// Barycentric coordinate of a point in its triangle above which the copy of that vertex has a weight above 0.
+/// Barycentric coordinate of a point in its triangle above which the patch copy of that vertex has a weight above 0.
 const MIN_BARYCENTRIC: f64 = 0.25;
 /// Mean number of patch copies that are blended at a point of the plane.
 pub const MEAN_COPIES: f64 = 1.69;
-/// Number of possible shifts of a copy along each axis: a shift is a multiple of 1 / STEPS of the patch size.
+/// Number of possible shifts of a patch copy along each axis: a shift is a multiple of 1/64 of the patch's side.
 const SHIFTS_PER_PATCH: f64 = 64.0;
 /// Hash input that makes the random shifts of copies independent of the random numbers of the waves.
 const HASH_SALT: u32 = 0x7469_6c65;
-/// Rotation of the triangle lattice per unit of the cascade's key, rad: the golden angle, so no two lattices align.
+/// Rotation of the triangle lattice per unit of the cascade's noise key, rad: the golden angle, so that none align.
 const LATTICE_ROTATION_PER_KEY: f64 = 2.399_963_229_728_653;
 /// 1 / sqrt(3), for the geometry of equilateral triangles.
 const INV_SQRT_3: f64 = 0.577_350_269_189_625_8;
@@ -39,7 +39,7 @@ const INV_SQRT_3: f64 = 0.577_350_269_189_625_8;
 /// Tiling of the plane with one patch: a lattice of triangles, with a shifted copy of the patch at each vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tiling {
-    /// Side of the patch, m.
+    /// Side of the square patch, m.
     pub patch_m: f64,
     /// Cosine and sine of the triangle lattice's rotation, divided by the side of the triangles, 1/m.
     pub scaled_rotation: [f64; 2],
@@ -54,13 +54,13 @@ pub struct Tiling {
 pub struct LatticePosition {
     /// Tiling to which the position belongs.
     pub tiling: Tiling,
-    /// Fractional part of the point's lattice coordinates, 0 to 1.
+    /// Fractional parts (0 to 1) of the point's two coordinates in the triangle lattice.
     pub fraction: [f64; 2],
-    /// Integer part of the point's lattice coordinates, wrapped to 32 bits.
+    /// Integer parts of the point's two coordinates in the triangle lattice, wrapped to 32 bits.
     pub cell: [i32; 2],
 }
 
-/// One of the shifted copies of a patch that are blended at a point.
+/// One of the shifted copies of a cascade's patch whose blend is the sea at a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PatchCopy {
     /// Weight W of the copy in the blend, 0 to 1.
@@ -74,8 +74,8 @@ pub struct PatchCopy {
 }
 
 impl Tiling {
-    /// Makes the tiling of a patch with the side `patch_m` (m). `key` and `seed` select the random shifts of its
-    /// copies. If `blends_copies` is false, the patch repeats.
+    /// Makes the tiling of a patch with the side `patch_m` (m). The random shifts of its copies depend on the cascade's
+    /// noise key `key` and on the `seed` of the sea. If `blends_copies` is false, the patch repeats.
     pub fn new(patch_m: f64, key: u32, seed: u32, blends_copies: bool) -> Self {
         let (sin, cos) = (LATTICE_ROTATION_PER_KEY * f64::from(key)).sin_cos();
         Self {
@@ -86,7 +86,8 @@ impl Tiling {
         }
     }
 
-    /// Tiling with other random shifts for the same patch made smaller by the factor `ratio`.
+    /// Tiling for the same patch made smaller by the factor `ratio`, with other random shifts. The picture adds such
+    /// smaller copies as ripples.
     #[must_use]
     pub fn with_smaller_patch(&self, ratio: f64) -> Self {
         Self { blends_copies: self.blends_copies, ..Self::new(self.patch_m / ratio, self.hash_key, HASH_SALT, true) }
@@ -134,7 +135,7 @@ impl Tiling {
         out
     }
 
-    /// Gradients (d/dx, d/dz) of the two coordinates of the triangle lattice, 1/m.
+    /// Gradients (d/dx, d/dz), 1/m, of the two coordinates of a point in the triangle lattice.
     fn axes(&self) -> [[f64; 2]; 2] {
         let [cos, sin] = self.scaled_rotation;
         [[cos + INV_SQRT_3 * sin, sin - INV_SQRT_3 * cos], [-2.0 * INV_SQRT_3 * sin, 2.0 * INV_SQRT_3 * cos]]

@@ -37,27 +37,27 @@ mod waves;
 /// The strongest waves of a sea, from which heights and other properties of the surface are computed at single points.
 ///
 /// ```
-/// use seastate::point::Heights;
+/// use seastate::point::StrongestWaves;
 /// use seastate::state::query;
 /// use seastate::waves::Plan;
 ///
 /// let (params, notices) = query::parse("wind=14&fetch=300&seed=7&n=128");
 /// assert!(notices.is_empty());
 /// let plan = Plan::new(&params);
-/// let sea = Heights::new(&plan, 1000);
+/// let sea = StrongestWaves::new(&plan, 1000);
 /// // 120 m east and 45 m north of the origin, at 3600 s.
 /// let here = sea.sample(120.0, -45.0, 3600.0);
 /// assert!(here.converged && here.height_m.abs() < plan.hs_m());
 /// println!("{:.2} m high, rising at {:.2} m/s", here.height_m, here.velocity_m_s[1]);
 /// assert!(sea.residual_rms_m() < 0.1 * plan.hs_m());
 /// // As many waves as an rms error of 10 cm needs.
-/// assert!(Heights::for_error(&plan, 0.1).residual_rms_m() <= 0.1);
+/// assert!(StrongestWaves::for_height_error(&plan, 0.1).residual_rms_m() <= 0.1);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct StrongestWaves {
     patches: Vec<PatchWaves>,
     wave_count: usize,
-    /// Square roots of the chop factors lambda along x and z.
+    /// Square roots of the chop factors lambda (factors on the horizontal displacement) along x and z.
     sqrt_chop: [f64; 2],
     level_m: f64,
     period_s: f64,
@@ -72,7 +72,7 @@ pub struct StrongestWaves {
 /// State of the sea surface at a point: height, normal, velocity and position of the water particle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceSample {
-    /// Height (y) of the surface, m.
+    /// Height (y) of the surface in the world, m; it includes the still-water level.
     pub height_m: f64,
     /// Unit normal (x, y, z) of the drawn surface. It points up, except inside a fold (negative `jacobian`).
     pub normal: [f64; 3],
@@ -85,12 +85,12 @@ pub struct SurfaceSample {
     pub world_xz: [f64; 2],
     /// Jacobian of the horizontal displacement: 1 in undeformed water, below 1 at crests, negative inside a fold.
     pub jacobian: f64,
-    /// Whether `world_xz` is within 1e-8 m of the requested point.
+    /// Whether the search has found the particle at the requested point: `world_xz` is within 1e-8 m of it.
     pub converged: bool,
 }
 
 impl StrongestWaves {
-    /// Selects the strongest waves of a planned sea, at most `wave_count` of them.
+    /// Selects the strongest waves of a planned sea, those of the largest variance, at most `wave_count` of them.
     pub fn new(plan: &Plan, wave_count: usize) -> Self {
         let mut waves = candidates(plan);
         let count = wave_count.min(waves.len());
@@ -115,7 +115,7 @@ impl StrongestWaves {
         Self::from_waves(plan, waves, count)
     }
 
-    /// Keeps the first `count` of `waves` and counts the others as omitted.
+    /// Makes the sum of the first `count` of `waves`; the others only count in the errors `residual_rms_m` and so on.
     fn from_waves(plan: &Plan, mut waves: Vec<Candidate>, count: usize) -> Self {
         let left_out = waves.split_off(count);
         waves.sort_unstable_by(Candidate::order);
@@ -153,7 +153,7 @@ impl StrongestWaves {
         self.left_out_m2.sqrt()
     }
 
-    /// Rms slope of the omitted waves: the rms length of the height gradient that is missing.
+    /// Rms slope of the omitted waves (m/m), the rms length of their height gradient: the error of the slope.
     pub fn residual_slope_rms(&self) -> f64 {
         self.left_out_mss.sqrt()
     }

@@ -7,14 +7,16 @@ use crate::waves::tiling::PatchCopy;
 
 /// Distance between displaced particle and requested point at which the search ends, m.
 const TOLERANCE_M: f64 = 1e-8;
-/// Largest number of evaluations of the wave sums in one search. At chop 1 a search takes three to five.
+/// Largest number of evaluations of the waves in one search for a water particle. At chop 1 it takes three to five.
 const MAX_EVALUATIONS: usize = 64;
-/// Smallest second derivative (curvature) that a Newton step of the search assumes. It keeps the step finite at the
-/// edge of a folded crest, where the curvature is 0.
+/// Lower limit of the second derivatives (curvatures) of the minimised function in a Newton step of the search. It
+/// keeps the step finite at the edge of a folded crest, where the curvature is 0.
 const MIN_CURVATURE: f64 = 1e-3;
-/// Armijo rule: smallest decrease of the function in a step, as a fraction of the decrease that the gradient predicts.
+/// Armijo rule: a Newton step of the search is accepted if the minimised function decreases at least by this fraction
+/// of the decrease that the gradient predicts.
 const ARMIJO: f64 = 1e-4;
-/// Distance from the requested point, m, below which a step may also be accepted for halving the gradient.
+/// Distance from the requested point, m, below which a step that halves the gradient is accepted too. So near to the
+/// solution, rounding hides the decrease of the minimised function.
 const ROUNDING_LIMIT_M: f64 = 1e-3;
 
 impl StrongestWaves {
@@ -83,7 +85,7 @@ impl StrongestWaves {
         if length > self.longest_step_m { step.map(|s| s * self.longest_step_m / length) } else { step }
     }
 
-    /// Weighted copies of every patch that are blended at the undisplaced position `point - offset` (x, z), m.
+    /// Copies of every patch, with weights, that are blended at the undisplaced position `point - offset` (x, z), m.
     pub(super) fn patch_copy_blends(&self, point: [f64; 2], offset: [f64; 2]) -> Blends {
         let mut out = Blends::default();
         for (out, patch) in out.iter_mut().zip(&self.patches) {

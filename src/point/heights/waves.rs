@@ -9,7 +9,7 @@ use glam::DVec4;
 use std::cmp::Ordering;
 use std::f64::consts::FRAC_PI_2;
 
-/// Selected waves of one cascade and the tiling of its patch.
+/// The strongest waves of one cascade, and the tiling that blends shifted copies of its patch into a sea.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PatchWaves {
     pub(super) side_m: f64,
@@ -31,7 +31,7 @@ pub(super) struct WaveBlock {
     /// Factor coth(k depth) / |(ix, iz)| of each lane, which turns h (ix, iz) into the amplitude of D = (Dx, Dz).
     orbit_axis_ratio: DVec4,
     omega_rad_s: DVec4,
-    /// Angular frequency of each lane as a multiple of 2 pi / period of the sea.
+    /// Angular frequency of each lane as a multiple of 2 pi / period: number of cycles in the period of the sea.
     turns: [u32; 4],
 }
 
@@ -62,7 +62,7 @@ impl Candidate {
     }
 }
 
-/// Weighted copies of every patch that are blended at one point.
+/// The three copies of every patch with the weights with which they are blended at one point.
 pub(super) type Blends = [[PatchCopy; 3]; MAX_CASCADES];
 
 /// Wave sums at a point, separately for each copy of every patch; `None` for copies that were not evaluated.
@@ -76,9 +76,9 @@ pub(super) struct CopySums {
 pub(super) struct WaveSums {
     /// Elevation eta, m.
     pub(super) eta: f64,
-    /// Slopes d eta/dx and d eta/dz.
+    /// Slopes d eta/dx and d eta/dz of the elevation eta.
     pub(super) slope: [f64; 2],
-    /// Horizontal displacement (Dx, Dz), m.
+    /// Horizontal displacement D = (Dx, Dz), m.
     pub(super) d: [f64; 2],
     /// Strain of the horizontal displacement: dDx/dx, dDz/dz, dDx/dz.
     pub(super) strain: [f64; 3],

@@ -2,9 +2,9 @@
 
 use super::spectrum::{FrequencySpectrum, SpectrumInputs, peak_enhancement};
 
-/// Donelan's spectrum S(omega) = alpha g^2 omega^-4 omega_p^-1 exp(-(omega_p/omega)^4) times the peak enhancement. The
-/// fit covers inverse wave ages U/c_p from 0.83 (full development) to 5 and frequencies up to about 3.5 omega_p. At
-/// higher frequencies the mean square slope of the spectrum exceeds that of a real sea.
+/// Donelan's frequency spectrum for a wind speed U and a fetch, S(omega) = alpha g^2 omega^-4 omega_p^-1
+/// exp(-(omega_p/omega)^4) times the peak enhancement. The fit covers inverse wave ages U/c_p from 0.83 (full
+/// development) to 5 and frequencies up to about 3.5 omega_p; beyond, its mean square slope exceeds that of a real sea.
 pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (g, u) = (inputs.gravity_m_s2, inputs.wind_m_s);
     let grown = (11.6 * inputs.fetch.powf(-0.23)).clamp(0.83, 5.0);

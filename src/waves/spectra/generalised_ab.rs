@@ -16,7 +16,7 @@ pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     with_coefficients(or(inputs.system.coefficient_a, a), or(inputs.system.coefficient_b, b))
 }
 
-/// Spectrum of a fully developed sea by Pierson and Moskowitz 1964.
+/// Pierson and Moskowitz' spectrum of a fully developed sea (1964); a peak frequency set by the user is kept.
 pub fn pierson_moskowitz(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (a, b) = coefficients(inputs);
     with_coefficients(a, b)

@@ -5,15 +5,16 @@ use crate::state::params::DepthFactor;
 use crate::waves::dispersion::Dispersion;
 use crate::waves::quadrature::integrate_adaptive;
 
-/// Dimensionless fetch g F / U^2 at which JONSWAP is as high as a fully developed sea.
+/// Dimensionless fetch g F / U^2 at which a JONSWAP sea has the wave height of a fully developed sea.
 const FULL_FETCH: f64 = 1.1e4;
-/// Dimensionless fetch g F / U^2 above which a notice appears: JONSWAP is a quarter higher than a fully developed sea.
+/// Dimensionless fetch g F / U^2 above which the user gets a notice: JONSWAP waves are then a quarter higher than those
+/// of a fully developed sea.
 const EXCESSIVE_FETCH: f64 = 1.6e4;
 
 /// JONSWAP spectrum alpha g^2 omega^-5 exp(-5/4 (omega_p/omega)^4) times peak enhancement (Hasselmann et al. 1973).
 #[derive(Clone, Copy)]
 pub struct Jonswap {
-    /// Phillips' constant alpha times g^2, m^2/s^4.
+    /// Factor alpha g^2 of the spectrum, with Phillips' constant alpha, m^2/s^4.
     pub a: f64,
     /// Angular frequency of the spectral peak, rad/s.
     pub omega_p: f64,
@@ -65,7 +66,8 @@ pub fn depth_factor(inputs: &SpectrumInputs<'_>) -> impl Fn(f64) -> f64 + Copy +
     }
 }
 
-/// Notice about a fetch beyond full development: a real sea stops growing there, JONSWAP does not.
+/// Notice that the fetch is beyond full development, where a real sea stops growing and JONSWAP does not; `None` for a
+/// shorter fetch or if the user has set wave height or period.
 fn full_development(inputs: &SpectrumInputs<'_>) -> Option<String> {
     let is_set = inputs.system.hs_m > 0.0 || inputs.omega_p.is_some();
     (inputs.fetch > EXCESSIVE_FETCH && !is_set).then(|| {
@@ -94,7 +96,7 @@ impl Jonswap {
         Self { a: alpha * g * g, omega_p: 22.0 * g / inputs.wind_m_s / x.cbrt(), gamma: 3.3 }
     }
 
-    /// JONSWAP spectrum with the peak enhancement gamma and, if set, the peak frequency of the user.
+    /// JONSWAP spectrum for the wind and fetch, with the user's peak enhancement gamma and, if set, peak frequency.
     pub fn new(inputs: &SpectrumInputs<'_>) -> Self {
         let grown = Self::grown(inputs);
         Self { omega_p: inputs.omega_p.unwrap_or(grown.omega_p), gamma: inputs.system.gamma, ..grown }

@@ -3,9 +3,9 @@
 use super::jonswap::height_and_peak;
 use super::spectrum::{FrequencySpectrum, SpectrumInputs};
 
-/// Exponent of wm/w in the exponential of the MarNeRo spectrum.
+/// Exponent of the ratio wm/w of mean frequency to frequency in the exponential of the MarNeRo spectrum.
 const FREQUENCY_EXPONENT: f64 = 5.9285;
-/// Coefficient in the exponential of the MarNeRo spectrum.
+/// Factor of (wm/w)^5.9285 in the exponential of the MarNeRo spectrum, with the mean frequency wm.
 const RATE: f64 = 0.3883;
 
 /// MarNeRo spectrum S(w) = 2.302 (E/wm) (wm/w)^6.9285 exp(-0.3883 (wm/w)^5.9285) over the angular frequency w, with the

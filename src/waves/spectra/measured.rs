@@ -4,7 +4,7 @@ use super::spectrum::FrequencySpectrum;
 use crate::files::measured::MeasuredSpectrum;
 use std::sync::Arc;
 
-/// Makes the frequency spectrum S(omega) from a buoy's frequency bands. Quadrature is split at the band frequencies.
+/// Makes the frequency spectrum S(omega) that a buoy measured, from its frequency bands, at which integrals are split.
 pub fn spectrum(data: &Arc<MeasuredSpectrum>) -> FrequencySpectrum {
     let (omega_min, breakpoints, measured) =
         (data.lowest_omega().max(1e-3), data.breakpoints(), Some(Arc::clone(data)));

@@ -30,7 +30,7 @@ pub use spectrum::FrequencySpectrum;
 
 /// Wind speed at 10 m height below which the wind makes no waves, m/s.
 const MIN_WIND_M_S: f64 = 0.05;
-/// Smallest elevation variance of a spectrum, m^2, that is still scaled to the wave height set by the user.
+/// Elevation variance, m^2, below which a spectrum is not scaled to the user's wave height but counts as calm.
 const MIN_M0_M2: f64 = 1e-12;
 /// Shortest peak period that the user can set, s; waves with this period are 14 cm long.
 const MIN_PEAK_PERIOD_S: f64 = 0.3;
@@ -68,7 +68,8 @@ pub fn spectrum_of_system(sea: &Sea, system: &WaveSystemParams) -> FrequencySpec
     spectrum.scaled(system.scale * system.scale)
 }
 
-/// Makes the unscaled spectrum of the family selected in `inputs`; JONSWAP replaces a measured spectrum without data.
+/// Makes the spectrum of the family (JONSWAP and others) selected in `inputs`, before it is scaled to the user's
+/// height. JONSWAP replaces a measured spectrum without data.
 fn spectrum_of_family(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     match inputs.system.spectrum {
         SpectrumKind::Phillips => phillips::spectrum(inputs),

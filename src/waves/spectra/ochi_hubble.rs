@@ -22,8 +22,8 @@ pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     }
 }
 
-/// One peak of the Ochi-Hubble spectrum, S(w) = 1/4 (c wp^4)^lambda / Gamma(lambda) Hs^2 / w^(4 lambda + 1)
-/// exp(-c (wp/w)^4) with c = lambda + 1/4, where lambda is the sharpness of the peak.
+/// One peak of the Ochi-Hubble spectrum, with significant wave height Hs (m), peak frequency wp (rad/s) and sharpness
+/// lambda: S(w) = 1/4 (c wp^4)^lambda / Gamma(lambda) Hs^2 / w^(4 lambda + 1) exp(-c (wp/w)^4), c = lambda + 1/4.
 fn peak_spectrum(hs_m: f64, omega_p: f64, lambda: f64) -> FrequencySpectrum {
     let c = (4.0 * lambda + 1.0) / 4.0;
     FrequencySpectrum::new(omega_p, move |omega| {

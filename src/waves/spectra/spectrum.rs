@@ -35,26 +35,26 @@ impl SpectrumInputs<'_> {
 pub struct FrequencySpectrum {
     /// One-sided variance density S(omega), m^2 s, for omega > 0, before multiplication by `factor` and `fade`.
     pub(super) shape: Arc<dyn Fn(f64) -> f64 + Send + Sync>,
-    /// Angular frequency of the spectral peak, rad/s; in a double-peaked spectrum that of the higher peak.
+    /// Angular frequency of the spectral peak, rad/s; of two peaks, the one with the larger density S(omega).
     pub omega_p: f64,
     /// Angular frequency below which the spectrum is negligible, rad/s, positive.
     pub(super) omega_min: f64,
-    /// Angular frequencies (rad/s), in any order, at which quadrature is split: kinks, jumps and points around the
-    /// peak.
+    /// Angular frequencies (rad/s, in any order) where integrals are split: kinks, jumps and points around the peak.
     pub breakpoints: Vec<f64>,
     /// Angular frequency at which the spectrum jumps, rad/s; `None` if it is continuous.
     pub discontinuity: Option<f64>,
-    /// Whether the spectrum is defined with its own directional factor cos^2, which replaces the user's spreading.
+    /// Whether the spectrum is defined with a directional factor cos^2(theta), which replaces the user's spreading.
     pub has_own_direction: bool,
-    /// Buoy data, if this is a measured spectrum.
+    /// Buoy data, if this is a measured spectrum, otherwise `None`.
     pub measured: Option<Arc<MeasuredSpectrum>>,
     /// Whether the wave system has no waves at all, for example because it has no wind.
     pub is_calm: bool,
-    /// Notice for the user about this spectrum, if any.
+    /// Notice for the user about this spectrum, for example that the fetch is too long; `None` without one.
     pub notice: Option<String>,
     /// Factor by which the variance density `shape` is multiplied.
     pub(super) factor: f64,
-    /// Length l (m) of the short-wave fade exp(-(k l)^2), and the dispersion relation that gives the wave number k.
+    /// Length l (m) of the short-wave fade exp(-(k l)^2), and the dispersion relation that gives the wave number k;
+    /// `None` without a fade.
     pub(super) fade: Option<(f64, Dispersion)>,
 }
 
