@@ -8,7 +8,7 @@ use crate::state::Params;
 /// Texture format of the pictures that are read back.
 pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-/// Draws the picture of one state. Returns its pixels: RGBA bytes, row by row from the top.
+/// Draws a sea of `size` (width, height) pixels. Returns its pixels: RGBA bytes, row by row from the top.
 ///
 /// # Errors
 /// If the read-back from the GPU fails.
@@ -26,7 +26,7 @@ pub async fn draw_ocean_picture(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2]) ->
     present_and_read_back(gpu, encoder, size, |pass| ocean.present(pass)).await
 }
 
-/// Submits `encoder` and a render pass into which `present` draws. Returns its pixels: RGBA bytes, from the top row.
+/// Submits `encoder` and a pass of `size` pixels into which `present` draws. Returns RGBA bytes from the top row.
 ///
 /// # Errors
 /// If the read-back from the GPU fails.
