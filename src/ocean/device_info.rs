@@ -32,7 +32,7 @@ pub struct DeviceInfo {
 }
 
 impl DeviceInfo {
-    /// Describes a device and its adapter.
+    /// Collects the description of a GPU device and of its adapter.
     pub fn new(adapter: &wgpu::Adapter, gpu: &Gpu) -> Self {
         let info = adapter.get_info();
         let (asked, could) = (gpu.device.limits(), adapter.limits());

@@ -43,7 +43,7 @@ impl Interpolate for SeaAppearance {
     }
 }
 
-/// Plans of waves with equal wave numbers and frequencies, with the weight of each in the drawn amplitudes. Sum: 1.
+/// Plans of waves with equal wave numbers and frequencies, each with its weight in the drawn amplitudes (sum 1).
 #[derive(Clone, Debug)]
 pub struct WeightedPlans(pub Vec<(Arc<Plan>, f64)>);
 

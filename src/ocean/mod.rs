@@ -137,8 +137,7 @@ impl Ocean {
         self.sim.in_transition()
     }
 
-    /// The plan of the sea of new parameters, made anew only for other waves. `change`: how it differs from the old
-    /// sea.
+    /// The plan of the sea of new parameters, made anew only for other waves. `change`: how it differs from the old.
     fn plan_for(&self, params: &Params, change: Option<SeaChange>) -> Plan {
         match change {
             Some(SeaChange::Waves) => Plan::new(params),

@@ -29,7 +29,7 @@ pub struct MapSizes {
     pub cascades: u32,
     /// Number of cells along a side of a foam level, one of the square foam grids around the camera.
     pub foam_n: u32,
-    /// Format of the maps and of the foam texture.
+    /// Format of the texels of the maps and of the foam texture: half or single floats.
     pub format: MapFormat,
 }
 
@@ -60,7 +60,7 @@ impl Ocean {
 }
 
 impl WavePasses<'_> {
-    /// Records one pass of the simulation.
+    /// Records one pass of the wave or foam simulation alone.
     pub fn record(&self, encoder: &mut wgpu::CommandEncoder, pass: WavePass) {
         let (passes, r) = (&self.sim.passes, &self.sim.resources);
         match pass {

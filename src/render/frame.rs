@@ -36,9 +36,9 @@ gpu_struct! {
         pub shortest_wave_texels: f32,
         /// Layer of the cascade in the map textures.
         pub layer: u32,
-        /// Factor on the slope variance in a cross-fade, for waves that both seas contain (correlated); 1 otherwise.
+        /// Factor on the slope variance that corrects, in a cross-fade, for waves that both seas contain; 1 otherwise.
         pub variance_correction: f32,
-        /// Factor on the slopes read from the maps: 1 for a cascade; 0 to 1 for ripples, for their slope variance.
+        /// Factor on slopes read from the maps: 1 for a cascade; 0 to 1 for ripples, to give them less variance.
         pub slope_scale: f32,
     }
 }
@@ -108,7 +108,7 @@ gpu_struct! {
         pub depth_m: f32,
         /// Expected mean amount of foam, 0 to 1, drawn beyond the foam levels (square foam grids around the camera).
         pub mean_foam: f32,
-        /// Factor from the settings on the simulated amount of foam, before it is drawn.
+        /// Factor, from the settings, by which the simulated amount of foam is multiplied for drawing.
         pub foam_amount: f32,
         /// Factor on the sides of the area over which a pixel averages the waves: 1 for the usual filtered picture, 0
         /// for the point samples of a reference picture.

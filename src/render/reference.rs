@@ -32,7 +32,7 @@ pub struct SampleGrid {
 }
 
 impl SampleGrid {
-    /// Numbers of samples along the picture's width and height: the size of a render target with one per texel.
+    /// Numbers of samples along the picture's width and height, and so the size of the render target, texels.
     pub fn sample_counts(&self) -> [u32; 2] {
         self.size.map(|s| s * self.cells_per_pixel_side)
     }

@@ -8,8 +8,7 @@ use crate::waves::Plan;
 use crate::waves::colour_scale::ColourScale;
 use crate::waves::slopes::{self, SlopeVariance};
 
-/// Speed of low clouds divided by wind speed at 10 m, for a logarithmic profile up to the top of the boundary layer of
-/// air.
+/// Speed of low clouds divided by the wind speed at 10 m: logarithmic wind profile up to the top of the boundary layer.
 const CLOUD_TO_WIND_SPEED: f64 = 1.4;
 
 /// Everything that determines a picture besides the maps of the simulation.
@@ -57,7 +56,7 @@ pub struct SeaAppearance {
     pub unresolved_slope_variance: SlopeVariance,
     /// Slope variance along and across the wind of the waves in the finest cascade, the one with the shortest waves.
     pub finest_cascade_slope_variance: SlopeVariance,
-    /// Half the shortest wavelength that forms distinct caustics on the bed, m; shorter detail is left out of them.
+    /// Half the shortest wavelength that forms distinct caustics on the bed, m; finer detail of waves is left out.
     pub caustic_filter_m: f64,
 }
 

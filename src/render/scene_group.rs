@@ -15,7 +15,7 @@ use wgpu::BindingResource::{Sampler, TextureView};
 pub struct SceneGroup {
     pub layout: wgpu::BindGroupLayout,
     pub group: wgpu::BindGroup,
-    /// Purpose of the picture, which gives the format of its render target.
+    /// Purpose of the picture (screen, read-back or reference), which gives the format of its render target.
     pub output: OutputKind,
 }
 

@@ -26,7 +26,7 @@ gpu_struct! {
     pub struct ViewTile as "ViewTile" {
         /// Position of the tile's top left corner in the picture: pixels to the right and down from the top left.
         corner: [f32; 2],
-        /// Column and row of the map texel in the tile's top left corner; the map continues from its other edge.
+        /// Column and row of the map texel in the tile's top left corner; the map is shown from there, wrapping round.
         first_texel: [u32; 2],
         /// Side of the tile in the picture, pixels.
         side: f32,

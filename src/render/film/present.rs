@@ -17,7 +17,7 @@ gpu_struct! {
         size: [f32; 2],
         /// 2 to the power of the exposure setting in stops: factor on the automatic or fixed exposure.
         exposure_gain: f32,
-        /// Exposure (factor from radiance to the input of the tone curve) that replaces the automatic one, or 0.
+        /// Exposure (a factor on radiance) that replaces the automatic one; 0 if the exposure is automatic.
         fixed_exposure: f32,
         /// Tone curve, as the discriminant of `ToneMapping`.
         tone_curve: u32,

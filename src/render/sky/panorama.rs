@@ -12,8 +12,7 @@ const PANORAMA_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgb9e5Ufloat;
 
 /// Textures of the sky image in use, if there is one.
 pub struct PanoramaTextures {
-    /// Sky image without its sun, for reflections, [`SUNLESS_SIZE`] texels. A new image is written into the same
-    /// texture.
+    /// Sky image without its sun, for reflections, [`SUNLESS_SIZE`] texels; a new image overwrites it.
     without_sun: wgpu::Texture,
     pub without_sun_view: wgpu::TextureView,
     pub layout: wgpu::BindGroupLayout,

@@ -12,7 +12,7 @@ use glam::{DMat3, DVec3};
 use std::f64::consts::TAU;
 
 gpu_struct! {
-    /// WGSL `HullVertex`: a vertex of a floating hull.
+    /// WGSL `HullVertex`: a vertex of a floating buoy or boat.
     pub struct HullVertex as "HullVertex" {
         /// Position x and z relative to the point below the eye, and height y above the still water, m.
         position: [f32; 3],
@@ -128,8 +128,7 @@ impl HullPass {
     }
 }
 
-/// Triangles of a surface of revolution around the mast. `profile`: radius (m), height (m) and colour from the bottom
-/// up.
+/// Triangles of a surface of revolution around the mast. `profile`: radius (m), height (m) and colour, bottom to top.
 fn surface_of_revolution(profile: &[(f64, f64, u32)]) -> Vec<HullFacet> {
     const LATHE_SIDES: usize = 20;
     let mut facets = Vec::new();

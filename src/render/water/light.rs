@@ -40,8 +40,7 @@ struct Permutation {
     fog: bool,
     /// Whether pixels take unfiltered point samples for a reference picture instead of averaging over their area.
     samples: bool,
-    /// Whether the adapter executes shaders on the CPU; neighbouring pixels then share a mip level, which is faster
-    /// there.
+    /// Whether the adapter executes shaders on the CPU; neighbouring pixels then share a mip level, for speed.
     software: bool,
 }
 
@@ -79,7 +78,7 @@ impl Permutation {
     }
 }
 
-/// Mesh, maps and pipelines that draw the water.
+/// Draws the water: its mesh, the bound maps, and the pipelines that fill the G-buffer and light the pixels.
 pub struct WaterPass {
     /// Bind group that all passes of the picture share: frame, sky, light and material.
     pub scene: SceneGroup,
@@ -99,8 +98,7 @@ pub struct WaterPass {
 }
 
 impl WaterPass {
-    /// Compiles the passes that displace the mesh and fill the G-buffer; [`Self::select_pipeline`] compiles the
-    /// lighting.
+    /// Compiles the passes that displace the mesh and fill the G-buffer, not the lighting ([`Self::select_pipeline`]).
     pub fn new(gpu: &Gpu, shaders: &Shaders, scene: SceneGroup, frame: &Uniform<FrameUniform>) -> Self {
         let bindings = [
             BindingType::TextureArray,
@@ -198,7 +196,7 @@ impl WaterPass {
         self.draw_mesh(&mut pass);
     }
 
-    /// Lights all pixels that show water, reading the G-buffer.
+    /// Draws the light of all pixels that show water; the G-buffer holds what each shows.
     pub fn draw_light(&self, pass: &mut wgpu::RenderPass<'_>) {
         let (Some(pipeline), Some(maps), Some((_, g_buffer))) =
             (self.light.selected(), self.maps_group(), &self.g_buffer)
@@ -217,8 +215,7 @@ impl WaterPass {
         [&self.scene.layout, &self.maps_layout, self.mesh.vertices_layout()]
     }
 
-    /// Draws the displaced mesh with the pipeline that is set on `pass`; binds scene, maps and vertices as groups 0 to
-    /// 2.
+    /// Draws the displaced mesh with the pipeline set on `pass`; binds scene, maps and vertices as groups 0 to 2.
     pub fn draw_mesh(&self, pass: &mut wgpu::RenderPass<'_>) {
         let Some(maps) = self.maps_group() else { return };
         pass.set_bind_group(0, &self.scene.group, &[]);

@@ -91,14 +91,13 @@ gpu_struct! {
         fresnel_scale: f32,
         /// Factor on the surface slopes from which the Fresnel reflectance is computed; 1 is physical.
         fresnel_slope_factor: f32,
-        /// Exponent of the Blinn-Phong lobe, if it shapes the sun's glitter.
+        /// Exponent of the Blinn-Phong lobe that shapes the sun's glitter, if it is selected.
         shininess: f32,
         /// Factor on the radiance of the sun's glitter; 1 is physical.
         glitter_strength: f32,
         /// Factor on the Fresnel reflectance in the sun's glitter; 1 is physical.
         glitter_fresnel: f32,
-        /// Cosine of the sun's or the eye's angle to the surface normal below which the glitter fades; gone at half of
-        /// it.
+        /// Cosine of sun's or eye's angle to the surface normal below which glitter fades; gone at half of it.
         glitter_min_cosine: f32,
         /// Slope variance along each axis (x, z) that the roughness setting adds to that of the unresolved waves.
         roughness_variance: f32,
@@ -109,7 +108,7 @@ gpu_struct! {
         sky_reflection: f32,
         /// Strength of the caustics on the bed: 0 is even light, 1 is physical.
         caustic_strength: f32,
-        /// Half the shortest wavelength that forms distinct caustics on the bed, m; shorter detail is left out of them.
+        /// Half the shortest wavelength that forms distinct caustics on the bed, m; finer wave detail is left out.
         caustic_filter_m: f32,
         unused: [u32; 2],
     }

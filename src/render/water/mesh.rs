@@ -15,8 +15,7 @@ const DEFAULT_COLUMNS: f64 = 240.0;
 const DEFAULT_ROWS: f64 = 1120.0;
 /// Number of vertices of the water mesh at density 1.
 pub const DEFAULT_VERTICES: f64 = DEFAULT_COLUMNS * DEFAULT_ROWS;
-/// Number of columns of the mesh that are drawn together row by row; the next row then finds vertices in the GPU's
-/// cache.
+/// Number of columns of the mesh that are drawn together row by row; the next row finds vertices in the GPU's cache.
 pub const COLUMNS_PER_BLOCK: u32 = 8;
 /// Step of the logarithmic distance t (see [`MeshLattice`]) to which the nearest row is rounded down, so that a small
 /// change of the camera's pitch moves no row.

@@ -132,8 +132,7 @@ impl NoiseLattice {
         Self::new(period, key, |cell| cell)
     }
 
-    /// A lattice of `period` x `period` corners with a random unit vector at each, for Perlin noise. `key` is the
-    /// random seed.
+    /// A lattice of `period` x `period` corners with a random unit vector at each, for Perlin noise. `key` is a seed.
     fn gradients(period: i32, key: u32) -> Self {
         Self::new(period, key, |[a, _]| {
             let (sin, cos) = (a * std::f32::consts::TAU).sin_cos();
@@ -141,8 +140,7 @@ impl NoiseLattice {
         })
     }
 
-    /// A lattice of `period` x `period` cells, whose two numbers are `f` of two random numbers in 0..1. `key` is the
-    /// seed.
+    /// A lattice of `period` x `period` cells; their two numbers are `f` of two random numbers in 0..1, of seed `key`.
     fn new(period: i32, key: u32, f: impl Fn([f32; 2]) -> [f32; 2]) -> Self {
         let number = |h: u32| (h >> 8) as f32 / 16_777_216.0;
         let inner: Vec<_> = (0..period * period)
