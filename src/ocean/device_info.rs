@@ -13,26 +13,26 @@ pub const WGPU_VERSION: &str = "30.0.1";
 /// Description of a GPU device, as a bug report needs it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DeviceInfo {
-    /// Name of the adapter, or "not told".
+    /// Name of the GPU (wgpu's adapter), or "not told".
     pub adapter: String,
     /// Kind of adapter: discrete GPU, integrated GPU, virtual GPU, CPU or other.
     pub kind: String,
-    /// Graphics interface, such as Vulkan.
+    /// Graphics interface that wgpu uses, such as Vulkan.
     pub backend: String,
     /// Name and version of the driver; empty in a browser.
     pub driver: String,
-    /// PCI numbers of vendor and device; 0 if unknown.
+    /// PCI numbers of the GPU's vendor and of the device; 0 if unknown.
     pub pci_ids: [u32; 2],
     /// Optional features that the device has and the program uses.
     pub features: Vec<&'static str>,
     /// Names of limits, each with the value that the program requests and the value that the adapter offers.
     pub limits: Vec<(&'static str, [u64; 2])>,
-    /// Choices made for this adapter, such as the format of the maps: name and value.
+    /// What the program has chosen for this adapter, such as the format of the maps: names and values.
     pub choices: Vec<(&'static str, String)>,
 }
 
 impl DeviceInfo {
-    /// Describes a device and its adapter.
+    /// Collects the description of a GPU device and of its adapter.
     pub fn new(adapter: &wgpu::Adapter, gpu: &Gpu) -> Self {
         let info = adapter.get_info();
         let (asked, could) = (gpu.device.limits(), adapter.limits());
@@ -75,7 +75,7 @@ impl DeviceInfo {
         }
     }
 
-    /// All properties as pairs of name and value.
+    /// All properties as rows of a table for the user: name and value.
     pub fn rows(&self) -> Vec<(&'static str, String)> {
         let known = |text: &str| if text.is_empty() { "not told".to_owned() } else { text.to_owned() };
         let [vendor, device] = self.pci_ids;

@@ -6,10 +6,10 @@ use crate::state::Params;
 use crate::waves::Plan;
 use std::sync::Arc;
 
-/// Largest number of plans in a weighted sum.
+/// Largest number of plans whose waves are drawn together while a sea is interpolated.
 const MAX_WEIGHTED_PLANS: usize = 4;
 
-/// Whether two states agree in the refractive indices that [`SeaAppearance::caustic_filter_m`] depends on.
+/// Whether two states agree in the refractive indices, on which [`SeaAppearance::caustic_filter_m`] depends.
 pub fn has_same_refraction(a: &Params, b: &Params) -> bool {
     let indices = |p: &Params| (p.look.surface.reflection.index_air, p.look.surface.reflection.index_water);
     indices(a) == indices(b)
@@ -43,12 +43,12 @@ impl Interpolate for SeaAppearance {
     }
 }
 
-/// Plans with equal wave numbers and frequencies, each with its weight in the drawn amplitudes. The weights sum to 1.
+/// Plans of waves with equal wave numbers and frequencies, each with its weight in the drawn amplitudes (sum 1).
 #[derive(Clone, Debug)]
 pub struct WeightedPlans(pub Vec<(Arc<Plan>, f64)>);
 
 impl WeightedPlans {
-    /// A weighted sum of one plan, with weight 1.
+    /// The waves of one plan, with weight 1.
     pub fn new(plan: &Plan) -> Self {
         Self(vec![(Arc::new(plan.clone()), 1.0)])
     }
@@ -73,13 +73,13 @@ impl Interpolate for WeightedPlans {
     }
 }
 
-/// A plan whose waves are drawn, with the amplitudes of its cascades.
+/// A plan whose waves are drawn, with the factors on their amplitudes.
 #[derive(Clone, Debug)]
 pub struct DrawnSea {
     /// Plan of the waves; [`crate::point::StrongestWaves`] computes heights from it. Its foam parameters may be out of
     /// date.
     pub plan: Arc<Plan>,
-    /// Amplitude factor of each cascade; 1 except during a transition.
+    /// Factor on the wave amplitudes of each cascade of the plan; 1 except during a transition.
     pub amplitude_factors: Vec<f64>,
 }
 

@@ -4,21 +4,21 @@ use super::{MAX_FOAM_STEPS, MapsF32, Ocean};
 use crate::gpu::readback;
 use crate::sim::resources::MapKind;
 
-/// Foam on one level of the clipmap, in undisplaced coordinates.
+/// Foam on one foam level, a square grid around the camera, in coordinates of the undisplaced water.
 #[derive(Clone, Debug)]
 pub struct FoamMap {
     /// Number of cells along a side.
     pub n: usize,
     /// Side of a cell, m.
     pub cell_m: f64,
-    /// World x and z of the corner with the smallest coordinates, m.
+    /// World x and z of the grid's corner with the smallest coordinates (north-west), m.
     pub corner: [f64; 2],
-    /// Foam of the cells, 0 to 1. Rows run along x; the first row has the smallest z.
+    /// Amount of foam in each cell, 0 to 1, row by row: x varies fastest; the first row has the smallest z (north).
     pub foam: Vec<f32>,
 }
 
 impl Ocean {
-    /// The wave maps at the time of the parameters in f32, before they are rounded to the format of the textures.
+    /// Computes the wave maps at the time of the parameters and reads them back in f32, before rounding for textures.
     ///
     /// # Errors
     /// If the read-back from the GPU fails.
@@ -26,8 +26,8 @@ impl Ocean {
         self.sim.read_maps_f32(&self.gpu, self.params.clock.t_s).await
     }
 
-    /// The displacement maps at the time of the parameters, as the textures hold them, cascade by cascade. A texel
-    /// holds the horizontal displacement Dx, the elevation eta and the displacement Dz, m, and the derivative dDx/dz.
+    /// Computes the displacement maps at the time of the parameters and reads them back from the textures, cascade by
+    /// cascade, row by row. A texel holds displacement Dx, elevation eta and displacement Dz, m, and dDx/dz.
     ///
     /// # Errors
     /// If the read-back from the GPU fails.
@@ -41,7 +41,7 @@ impl Ocean {
         copy.read_map(&self.gpu).await
     }
 
-    /// The foam at the time of the parameters on all clipmap levels around the camera, finest level first.
+    /// Computes the foam at the time of the parameters and reads back its levels around the camera, finest level first.
     ///
     /// # Errors
     /// If the read-back from the GPU fails.

@@ -5,10 +5,10 @@ use crate::waves::Plan;
 use exr::prelude::*;
 use std::io::Cursor;
 
-/// A channel of a layer: its name, and its value at the texel with a given index, row by row.
+/// A channel of an OpenEXR layer: its name, and its value at the texel with a given index, row by row.
 pub type Channel<'a> = (&'static str, Box<dyn Fn(usize) -> f32 + 'a>);
 
-/// A layer of `n` x `n` texels with f32 channels.
+/// An OpenEXR layer of `n` x `n` texels with the given attributes and f32 channels.
 pub fn layer(n: usize, attributes: LayerAttributes, channels: &[Channel<'_>]) -> Layer<AnyChannels<FlatSamples>> {
     let list = channels
         .iter()
@@ -20,7 +20,7 @@ pub fn layer(n: usize, attributes: LayerAttributes, channels: &[Channel<'_>]) ->
     Layer::new((n, n), attributes, encoding, AnyChannels::sort(list))
 }
 
-/// Channels X, Y, Z of a cascade: its displacement in m, with choppiness.
+/// OpenEXR channels X, Y, Z of a cascade: displacement to the east, up and to the south, m, choppiness applied.
 pub fn displacement<'a>(plan: &Plan, maps: &'a MapsF32, cascade: usize) -> [Channel<'a>; 3] {
     let (chop, d) = (plan.sea.choppiness().map(|l| l as f32), maps.displacement(cascade));
     [
@@ -32,7 +32,7 @@ pub fn displacement<'a>(plan: &Plan, maps: &'a MapsF32, cascade: usize) -> [Chan
 
 /// Encodes the wave maps as OpenEXR: displacement X, Y, Z (m, with choppiness) and slopes of the undisplaced surface,
 /// one layer per cascade. Column i lies at x = i patch / n east, row j at z = j patch / n south. The attribute
-/// `seastate` holds the state string.
+/// `seastate` holds `state`, the query string of all parameters, such as `wind=14&t=40`.
 ///
 /// # Errors
 /// If the OpenEXR encoder fails.

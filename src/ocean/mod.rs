@@ -35,13 +35,13 @@ const MIN_EYE_HEIGHT_M: f64 = 0.5;
 ///
 /// ```no_run
 /// use seastate::gpu::Gpu;
-/// use seastate::ocean::{Film, Ocean};
+/// use seastate::ocean::{Ocean, OutputKind};
 /// use seastate::state::query;
 ///
 /// # async fn frame() -> Result<(), String> {
 /// let gpu = Gpu::request().await?;
 /// let (mut params, _) = query::parse("wind=14&fetch=300");
-/// let mut ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, Film::Screen, &params);
+/// let mut ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, OutputKind::Screen, &params);
 /// // In each frame: set the time, then record the commands.
 /// params.clock.t_s += 1.0 / 60.0;
 /// ocean.set_params(&params);
@@ -64,14 +64,14 @@ pub struct Ocean {
     output: OutputKind,
     appearance: Interpolated<SeaAppearance>,
     plans: Interpolated<WeightedPlans>,
-    /// Waves that move the floating objects, for each drawn plan.
+    /// For each plan whose waves are drawn: the plan, and those of its waves that move the buoys and boats.
     hull_waves: Vec<(Arc<Plan>, HullWaves)>,
     timer: Timer,
 }
 
 impl Ocean {
-    /// Allocates a sea, and compiles its renderer for targets of `format`. `output` says whether frames can be read
-    /// back.
+    /// Creates a sea with the given parameters, and compiles a renderer that presents to textures of `format`. `output`
+    /// says whether frames can be read back.
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, output: OutputKind, params: &Params) -> Self {
         let mut ocean = Self::without_renderer(gpu, params);
         (ocean.format, ocean.output) = (format, output);
@@ -104,8 +104,8 @@ impl Ocean {
         }
     }
 
-    /// Applies parameters at once. A change of only the time, the camera or the light costs nothing; a change of the
-    /// sea costs what its level ([`SeaChange`]) needs.
+    /// Sets the parameters, without a transition. A change of only the time, the camera or the light costs nothing; a
+    /// change of the sea costs what its kind ([`SeaChange`]) needs.
     pub fn set_params(&mut self, params: &Params) {
         let change = SeaChange::between(&self.params, params);
         if change.is_some() || self.in_transition() {
@@ -116,8 +116,8 @@ impl Ocean {
         self.store_params(params);
     }
 
-    /// Applies parameters as a window does, `dt_s` seconds of wall time after the previous frame: the sea makes a
-    /// transition and ends exactly on the new parameters. Look, camera, time and a changed grid apply at once. Call it
+    /// Sets the parameters as a window does, `dt_s` seconds of wall time after the previous frame: the sea changes
+    /// gradually and ends exactly on the new parameters. Look, camera, time and a changed grid apply at once. Call it
     /// once per frame before [`Self::encode`], and go on while [`Self::in_transition`], even if time stands still.
     pub fn transition_to(&mut self, params: &Params, dt_s: f64) {
         if params.grid != self.params.grid {
@@ -132,12 +132,12 @@ impl Ocean {
         self.store_params(params);
     }
 
-    /// Whether a transition to the parameters is under way.
+    /// Whether the drawn sea is still changing towards that of the parameters.
     pub fn in_transition(&self) -> bool {
         self.sim.in_transition()
     }
 
-    /// The plan for new parameters. `change` is the level in which their sea differs from the present one.
+    /// The plan of the sea of new parameters, made anew only for other waves. `change`: how it differs from the old.
     fn plan_for(&self, params: &Params, change: Option<SeaChange>) -> Plan {
         match change {
             Some(SeaChange::Waves) => Plan::new(params),
@@ -173,14 +173,14 @@ impl Ocean {
         &self.gpu
     }
 
-    /// The plan of the sea; during a transition, of the sea that it leads to.
+    /// The plan of the sea (its waves, divided among cascades); during a transition, of the sea that it leads to.
     pub fn plan(&self) -> &Plan {
         self.sim.plan()
     }
 
-    /// The plans that are drawn at this moment. The height of a water particle above [`Self::level_m`] (and its
-    /// displacement, slope and velocity) is the sum over these plans, each cascade times its weight. Outside
-    /// transitions there is one plan with weights of 1. While a slider is dragged, plans of neighbouring frames merge.
+    /// The plans whose waves are drawn at this moment. The height of a water particle above [`Self::level_m`] (and its
+    /// displacement, slope and velocity) is the sum over these plans, each cascade times its amplitude factor. Outside
+    /// transitions there is one plan, with factors of 1. While a slider is dragged, plans of neighbouring frames merge.
     pub fn drawn_seas(&self) -> Vec<DrawnSea> {
         let maps = self.sim.maps();
         let (fading, own) = maps.cascades.split_at(maps.fading_count);
@@ -201,17 +201,17 @@ impl Ocean {
         self.appearance.blended_value(self.sim.cross_fade_weight()).level_m
     }
 
-    /// The timer that measures the GPU time of the passes.
+    /// The timer that measures the GPU time of the passes of each frame.
     pub fn timer(&self) -> &Timer {
         &self.timer
     }
 
-    /// Records copies of the maps of the recorded frame, for measurements on them. None during a transition.
+    /// Records copies of the wave and foam maps as last computed, to be read on the CPU. None during a transition.
     pub fn record_map_read(&self, encoder: &mut wgpu::CommandEncoder) -> Option<PendingMapRead> {
         self.sim.record_map_read(&self.gpu, encoder)
     }
 
-    /// The wave and foam maps, as computed by the last recorded evaluation of the sea.
+    /// The GPU textures of the wave and foam maps, which hold the result of the commands recorded last.
     pub fn maps(&self) -> &Maps {
         self.sim.maps()
     }
@@ -233,54 +233,57 @@ impl Ocean {
         caught_up
     }
 
-    /// Records one frame with complete foam: a still picture that depends on the parameters alone.
+    /// Records one frame and all foam steps up to its time: a still picture, which depends on the parameters alone.
     pub fn encode_with_complete_foam(&mut self, encoder: &mut wgpu::CommandEncoder, size: [u32; 2]) {
         self.encode(encoder, size, MAX_FOAM_STEPS);
     }
 
-    /// Records the maps and the foam of a frame. Returns whether the foam has reached the time of the parameters.
+    /// Records the wave maps at the time of the parameters, and at most `max_foam_steps` time steps of the foam.
+    /// Returns whether the foam has reached that time.
     fn encode_waves(&mut self, encoder: &mut wgpu::CommandEncoder, max_foam_steps: usize) -> bool {
         let centre = [self.params.camera.x_m, self.params.camera.z_m];
         self.sim.encode(&self.gpu, encoder, self.params.clock.t_s, centre, max_foam_steps)
     }
 
-    /// Texture with the linear light of the recorded frame in half floats; None before the first frame.
+    /// Texture with the linear light of the last recorded frame; None before the first frame.
     pub fn light_texture(&self) -> Option<&wgpu::Texture> {
         self.renderer.as_ref().and_then(Renderer::light_texture)
     }
 
-    /// Depth texture of the recorded frame; see [`Renderer::depth_texture`].
+    /// Depth texture of the last recorded frame, None before the first; see [`Renderer::depth_texture`].
     pub fn depth_texture(&self) -> Option<&wgpu::Texture> {
         self.renderer.as_ref().and_then(Renderer::depth_texture)
     }
 
-    /// Draws the recorded frame into the viewport of a render pass.
+    /// Draws the last recorded frame into the viewport of `pass`.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         if let Some(renderer) = &self.renderer {
             renderer.present(pass);
         }
     }
 
-    /// Records one part of the last frame alone, so that its GPU time can be measured.
+    /// Records one part of the last frame again, alone, so that its GPU time can be measured.
     pub fn record_part(&self, encoder: &mut wgpu::CommandEncoder, part: TimedPart) {
         if let Some(renderer) = &self.renderer {
             renderer.record_part(encoder, part);
         }
     }
 
-    /// Number of vertices of the water mesh in the last frame.
+    /// Number of vertices of the water mesh in the last frame; 0 before the first frame.
     pub fn vertex_count(&self) -> u32 {
         self.renderer.as_ref().map_or(0, Renderer::vertex_count)
     }
 
-    /// Records one grid of unfiltered samples for a reference of the last frame; see [`ReferenceRenderer::draw`].
+    /// Records unfiltered samples, one per cell of `grid`, for a reference picture of the last frame. Returns the
+    /// texture of [`ReferenceRenderer::draw`].
     pub fn encode_samples(&mut self, encoder: &mut wgpu::CommandEncoder, grid: &SampleGrid) -> wgpu::Texture {
         let scene = self.scene(grid.size);
         let reference = self.reference.get_or_insert_with(|| ReferenceRenderer::new(&self.gpu, self.format));
         reference.draw(&self.gpu, encoder, self.sim.maps(), &scene, grid)
     }
 
-    /// Draws a picture given as linear light (RGB, row by row), with the exposure and tone curve of the parameters.
+    /// Draws a picture given as linear light (RGB, row by row), such as the mean of [`Self::encode_samples`], with the
+    /// exposure and tone curve of the parameters.
     pub fn present_light(&mut self, pass: &mut wgpu::RenderPass<'_>, size: [u32; 2], light: &[[f32; 3]]) {
         let scene = self.scene(size);
         if let Some(reference) = &mut self.reference {
@@ -289,7 +292,7 @@ impl Ocean {
         }
     }
 
-    /// The scene that the renderer draws in a picture of `width` x `height` pixels.
+    /// What the renderer draws, besides the maps, in a picture of `width` x `height` pixels.
     pub fn scene(&self, [width, height]: [u32; 2]) -> Scene {
         let plan = self.sim.plan();
         let share = self.sim.cross_fade_weight();
@@ -315,7 +318,7 @@ impl Ocean {
         }
     }
 
-    /// Poses of the floating objects at the time of the parameters; empty until a frame with them was recorded.
+    /// Positions and orientations of the floating objects now; empty until a frame with them has been recorded.
     pub fn hull_poses(&self) -> Vec<HullPose> {
         let (seas, level_m) = (self.drawn_seas(), self.level_m());
         let on = |sea: &DrawnSea| self.hull_waves.iter().find(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)).map(|(_, w)| w);
@@ -324,7 +327,7 @@ impl Ocean {
         self.params.floats.iter().map(|f| hull_pose(&lines, f, self.params.clock.t_s, level_m)).collect()
     }
 
-    /// Selects the waves that move the floating objects, for each drawn plan; removes them if nothing floats.
+    /// Selects, for each plan that is drawn, the waves that move the floating objects; discards them if nothing floats.
     fn select_hull_waves(&mut self) {
         if self.params.floats.is_empty() {
             self.hull_waves.clear();

@@ -5,35 +5,35 @@ use crate::gpu::map_format::MapFormat;
 use crate::sim::Simulation;
 use crate::sim::planned_sea::SeaDispatch;
 
-/// A GPU pass of the simulation.
+/// A GPU pass of the simulation of waves and foam.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WavePass {
-    /// Computation of the initial amplitudes h0(k) of all waves.
+    /// Computation of the amplitudes h0(k) of all waves at time 0.
     Spectrum,
-    /// Computation of all amplitudes at a time, and their inverse FFT along x.
+    /// Computation of all wave amplitudes at the current time, then the first half of their inverse 2d FFT, along x.
     Rows,
-    /// Inverse FFT of the rows along z, and writing of the maps.
+    /// Second half of the inverse 2d FFT, along z, and writing of the displacement and gradient maps.
     Columns,
-    /// Computation of the maps' mip levels and of the slope moments.
+    /// Computation of the maps' mip levels and of the map of slope moments.
     Mips,
-    /// One time step of the foam.
+    /// One time step of the foam; of length 0 if recorded alone.
     Foam,
 }
 
-/// Sizes and format of the maps of a simulation.
+/// Sizes and texture format of the wave and foam maps of a simulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MapSizes {
     /// Number of points along a side of the FFT, and of texels along a side of a map.
     pub n: u32,
-    /// Number of cascades.
+    /// Number of cascades, patches of sea with an FFT of their own.
     pub cascades: u32,
-    /// Number of cells along a side of a foam level.
+    /// Number of cells along a side of a foam level, one of the square foam grids around the camera.
     pub foam_n: u32,
-    /// Format of the maps and of the foam texture.
+    /// Format of the texels of the maps and of the foam texture: half or single floats.
     pub format: MapFormat,
 }
 
-/// The passes of the simulation at the time of the parameters. Each can be recorded alone and repeatedly.
+/// The passes of the simulation, prepared for the time of the parameters. Each can be recorded alone and repeatedly.
 pub struct WavePasses<'a> {
     sim: &'a Simulation,
     dispatch: SeaDispatch,
@@ -42,7 +42,7 @@ pub struct WavePasses<'a> {
 }
 
 impl Ocean {
-    /// Writes the uniform buffers of the passes for the time of the parameters.
+    /// Prepares the single passes for the time of the parameters: writes their uniform buffers.
     pub fn wave_passes(&mut self) -> WavePasses<'_> {
         let t_s = self.params.clock.t_s;
         let centre = [self.params.camera.x_m, self.params.camera.z_m];
@@ -51,7 +51,7 @@ impl Ocean {
         WavePasses { sim: &self.sim, dispatch, foam }
     }
 
-    /// The sizes and the format of the maps.
+    /// The sizes and the texture format of the wave and foam maps.
     pub fn map_sizes(&self) -> MapSizes {
         let r = &self.sim.resources;
         let cascades = self.plan().cascades.len() as u32;
@@ -60,7 +60,7 @@ impl Ocean {
 }
 
 impl WavePasses<'_> {
-    /// Records one pass of the simulation.
+    /// Records one pass of the wave or foam simulation alone.
     pub fn record(&self, encoder: &mut wgpu::CommandEncoder, pass: WavePass) {
         let (passes, r) = (&self.sim.passes, &self.sim.resources);
         match pass {
@@ -72,7 +72,7 @@ impl WavePasses<'_> {
         }
     }
 
-    /// Number of compute dispatches of a frame in which neither the sea nor the time jumps.
+    /// Number of compute dispatches of an ordinary frame: unchanged waves, one time step of the foam.
     pub fn dispatch_count(&self) -> u32 {
         self.sim.passes.dispatch_count()
     }

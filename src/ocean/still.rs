@@ -8,7 +8,7 @@ use crate::state::Params;
 /// Texture format of the pictures that are read back.
 pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-/// Draws the picture of one state. Returns its pixels: RGBA bytes, row by row from the top.
+/// Draws the sea with the given parameters, `size` (width, height) pixels. Returns RGBA bytes, row by row from the top.
 ///
 /// # Errors
 /// If the read-back from the GPU fails.
@@ -16,7 +16,8 @@ pub async fn draw_picture(gpu: &Gpu, params: &Params, size: [u32; 2]) -> Result<
     draw_ocean_picture(gpu, &mut Ocean::new(gpu, FORMAT, OutputKind::Screen, params), size).await
 }
 
-/// Draws an ocean at its present parameters. Returns its pixels: RGBA bytes, row by row from the top.
+/// Draws an ocean at its present parameters, `size` (width, height) pixels. Returns RGBA bytes, row by row from the
+/// top.
 ///
 /// # Errors
 /// If the read-back from the GPU fails.
@@ -26,7 +27,8 @@ pub async fn draw_ocean_picture(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2]) ->
     present_and_read_back(gpu, encoder, size, |pass| ocean.present(pass)).await
 }
 
-/// Submits `encoder` and a render pass into which `present` draws. Returns its pixels: RGBA bytes, from the top row.
+/// Submits `encoder` and a render pass in which `present` draws `size` (width, height) pixels. Returns these pixels:
+/// RGBA bytes, row by row from the top.
 ///
 /// # Errors
 /// If the read-back from the GPU fails.

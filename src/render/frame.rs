@@ -9,53 +9,53 @@ use crate::sim::maps::{FOAM_LEVELS, FoamLevel, MAX_DRAWN_CASCADES, MapCascade, T
 use crate::waves::slopes::SlopeVariance;
 use std::f64::consts::PI;
 
-/// Patch side of the finest cascade divided by that of its ripples. No two cascades have this ratio, so that their
-/// repetitions do not coincide.
+/// Patch side of the finest cascade divided by that of its ripples, a shrunk copy that stands for shorter waves. No two
+/// cascades have this ratio, so that their repetitions do not coincide.
 const RIPPLE_PATCH_RATIO: f64 = 13.1;
-/// Largest fraction of the unresolved slope variance that the ripples represent; the rest is shaded as roughness.
+/// Largest fraction of the unresolved slope variance that ripples represent; the rest is shaded as roughness.
 const MAX_RIPPLE_VARIANCE_FRACTION: f64 = 0.8;
-/// Largest number of ripple layers: one for each of the two seas during a cross-fade.
+/// Largest number of ripple layers, the shrunk copies of finest cascades: one for each of the two seas of a cross-fade.
 const MAX_RIPPLE_LAYERS: usize = 2;
-/// Largest number of cascades and ripple layers together.
+/// Length of `cascades` in the frame uniform: room for the cascades and the ripple layers of two seas.
 const MAX_FRAME_CASCADES: usize = MAX_DRAWN_CASCADES + MAX_RIPPLE_LAYERS;
 
 gpu_struct! {
-    /// WGSL `FrameCascade`: a cascade placed relative to the eye, or its ripples: a shrunk copy of the cascade whose
-    /// slopes represent waves too short for any cascade.
+    /// WGSL `FrameCascade`: how to sample, relative to the eye, the maps of a cascade (a repeating patch of waves), or
+    /// its ripples: a shrunk copy of the cascade whose slopes represent waves too short for any cascade.
     #[derive(Default)]
     pub struct FrameCascade as "FrameCascade" {
-        /// Triangle lattice of the patch's shifted copies, relative to the point below the eye.
+        /// Position of the point below the eye in the triangle lattice, on which shifted patch copies are blended.
         pub tile_position: TileLatticePosition,
-        /// Texture coordinates of the point below the eye.
+        /// Texture coordinates, in the cascade's maps, of the point straight below the eye.
         pub uv_below_eye: [f32; 2],
-        /// Reciprocal of the side of the patch, 1/m.
+        /// Reciprocal of the side of the cascade's square patch, 1/m.
         pub inverse_patch: f32,
-        /// Unit in which the moments map stores the second moments of the slope.
+        /// Mean square slope that a value of 1 in the slope-moment map stands for: half that of the whole cascade.
         pub moment_unit: f32,
-        /// Wavelength of the cascade's shortest wave, texels.
+        /// Length of the cascade's shortest wave, in texels of its maps.
         pub shortest_wave_texels: f32,
         /// Layer of the cascade in the map textures.
         pub layer: u32,
-        /// Factor on the slope variance that corrects for correlated seas during a cross-fade; 1 otherwise.
+        /// Factor on the slope variance that corrects, in a cross-fade, for waves that both seas contain; 1 otherwise.
         pub variance_correction: f32,
-        /// Factor on the slopes: 1 for a cascade, at most 1 for ripples.
+        /// Factor on slopes read from the maps: 1 for a cascade; 0 to 1 for ripples, to give them less variance.
         pub slope_scale: f32,
     }
 }
 
 gpu_struct! {
-    /// WGSL `FrameFoamLevel`: one level of the foam clipmap, placed relative to the eye.
+    /// WGSL `FrameFoamLevel`: one of the nested square foam grids (levels) around the camera, relative to the eye.
     #[derive(Default)]
     pub struct FrameFoamLevel as "FrameFoamLevel" {
-        /// Centre (x, z) of the level relative to the point below the eye, m.
+        /// Centre (x, z) of the foam level's square relative to the point below the eye, m.
         pub centre: [f32; 2],
-        /// Half the side of the square of valid cells, m; two cells at each edge of the level are left out.
+        /// Half the side of the square in which the level is used, m: the foam level without two cells at each edge.
         pub half_side_m: f32,
-        /// Reciprocal of the side of a cell, 1/m.
+        /// Reciprocal of the side of a foam cell, 1/m.
         pub inverse_cell: f32,
-        /// Texture coordinates of the point below the eye.
+        /// Texture coordinates, in the foam level, of the point straight below the eye.
         pub uv_below_eye: [f32; 2],
-        /// Reciprocal of the side of the level, 1/m.
+        /// Reciprocal of the side of the foam level's square, 1/m.
         pub inverse_side: f32,
         unused: u32,
     }
@@ -64,7 +64,7 @@ gpu_struct! {
 gpu_struct! {
     /// WGSL `Frame`: uniform buffer of one frame with camera, sea state, cascades and foam levels, relative to the eye.
     pub struct FrameUniform as "Frame" {
-        /// Matrix from positions relative to the eye, m, to clip space with reverse-Z depth.
+        /// Matrix from positions relative to the eye (world axes, m) to clip space with reverse-Z depth.
         pub clip_from_relative: glam::Mat4,
         /// Unit vector to the right of the picture, multiplied by the tangent of half the horizontal field of view.
         pub right: [f32; 3],
@@ -80,44 +80,45 @@ gpu_struct! {
         pub pixel_angle: f32,
         /// Unit vector towards the sun.
         pub sun_direction: [f32; 3],
-        /// Slope variance that represents the sun's finite disc, so that a flat mirror shows it as bright as the disc.
+        /// Slope variance added to the water's where it mirrors the sun, for the finite size of the sun's disc.
         pub sun_slope_variance: f32,
-        /// Covariance (xx, zz, xz) of the slopes that neither the cascades nor the ripples resolve.
+        /// Covariances (xx, zz, xz) of the slopes along x and z of the waves that neither cascades nor ripples hold.
         pub residual_slope_covariance: [f32; 3],
-        /// Mean radiance of the sun's disc divided by its irradiance, 1/sr.
+        /// Mean radiance of the sun's disc divided by the irradiance that it causes on a plane facing it, 1/sr.
         pub sun_radiance_per_irradiance: f32,
-        /// Choppiness: factors on the horizontal displacement along x and z; 1 is linear theory.
+        /// Choppiness: factors by which the horizontal displacements along x and z are multiplied; 1 is linear theory.
         pub choppiness: [f32; 2],
-        /// Undisplaced position (x, z) of the water below the eye, relative to the eye, m; computed on the GPU.
+        /// Undisplaced position (x, z) of the water now below the eye, relative to the eye, m; written by the eye pass.
         pub undisplaced_below_eye: [f32; 2],
         /// Estimate of the largest horizontal displacement by the waves, m.
         pub max_displacement_m: f32,
-        /// 1 if the eye's height counts from the moving water below it, 0 if from the still water.
+        /// 1 if the eye's height is measured from the moving water below it, 0 if from the still water.
         pub height_from_waves: f32,
-        /// Number of texels along the side of a map.
+        /// Number of texels along a side of a cascade's maps.
         pub n: f32,
-        /// Number of cascades in use.
+        /// Number of cascades in use, which are the first entries of `cascades`.
         pub cascade_count: u32,
         /// Number of ripple layers in use. They follow the cascades in `cascades`.
         pub ripple_count: u32,
-        /// Number of foam levels in use.
+        /// Number of entries of `foam_levels` in use.
         pub foam_level_count: u32,
         /// Significant wave height, m.
         pub hs_m: f32,
         /// Water depth, m.
         pub depth_m: f32,
-        /// Mean foam, 0 to 1, which is drawn outside the foam levels.
+        /// Expected mean amount of foam, 0 to 1, drawn beyond the foam levels (square foam grids around the camera).
         pub mean_foam: f32,
-        /// Factor on the amount of foam that is drawn.
+        /// Factor, from the settings, by which the simulated amount of foam is multiplied for drawing.
         pub foam_amount: f32,
-        /// Factor on the pixel footprint: 1 filters over the whole pixel, 0 draws point samples of a reference picture.
+        /// Factor on the sides of the area over which a pixel averages the waves: 1 for the usual filtered picture, 0
+        /// for the point samples of a reference picture.
         pub footprint_scale: f32,
         unused: u32,
-        /// Lattice of the water mesh.
+        /// Polar lattice of the water mesh: positions of its vertices before displacement.
         pub mesh_lattice: MeshLattice,
-        /// Cascades in use, then the ripple layers in use.
+        /// Cascades of all drawn seas, then their ripple layers (shrunk copies of cascades); the rest is unused.
         pub cascades: [FrameCascade; MAX_FRAME_CASCADES],
-        /// Foam levels, smallest cells first.
+        /// Foam levels (nested square foam grids around the camera), the one with the smallest cells first.
         pub foam_levels: [FrameFoamLevel; FOAM_LEVELS],
     }
 }
@@ -137,8 +138,8 @@ impl FrameCascade {
         }
     }
 
-    /// Ripples with `fraction` times the slope variance of a cascade, for an eye above the world position `below_eye`,
-    /// m.
+    /// Ripples: a copy of a cascade shrunk by [`RIPPLE_PATCH_RATIO`], with `fraction` times its slope variance, for an
+    /// eye above the world position `below_eye` (x, z), m.
     fn new_ripples(cascade: &MapCascade, fraction: f64, below_eye: [f64; 2], n: f64) -> Self {
         let patch_m = cascade.patch_m / RIPPLE_PATCH_RATIO;
         Self {
@@ -212,7 +213,8 @@ impl FrameUniform {
         }
     }
 
-    /// This frame for point samples of a reference picture, with the picture shifted by (x, y) in clip coordinates.
+    /// A copy of this uniform for the point samples of a reference picture: pixels do not average, and the picture is
+    /// shifted by (x, y) in clip coordinates.
     pub fn for_point_samples(self, [x, y]: [f32; 2]) -> Self {
         let moved = glam::Mat4::from_translation(glam::vec3(x, y, 0.0)) * self.clip_from_relative;
         let forward = std::array::from_fn(|i| self.forward[i] - x * self.right[i] - y * self.up[i]);
@@ -234,8 +236,8 @@ pub fn horizon_dip(eye_height_m: f64) -> f64 {
     (r / (r + eye_height_m.max(0.0))).min(1.0).acos()
 }
 
-/// Cascades whose ripples are drawn, each with the ripples' fraction of its slope variance; and the covariance (xx, zz,
-/// xz) of the slopes that neither cascades nor ripples resolve.
+/// Chooses the ripples. Returns the cascades to shrink, each with the slope variance of its ripples divided by its own,
+/// and the covariances (xx, zz, xz) of the slopes that neither cascades nor ripples hold.
 fn ripple_layers<'a>(scene: &Scene, maps: &'a Maps) -> (Vec<(&'a MapCascade, f64)>, [f32; 3]) {
     let sea = &scene.sea;
     let mut left = sea.unresolved_slope_variance;

@@ -44,7 +44,7 @@ use water::material::NoiseLayer;
 use water::mesh::{Mesh, MeshLattice};
 use water::noise::NoiseTexture;
 
-/// Declarations of the structs that the renderer shares with its shaders.
+/// Structs that Rust and the renderer's shaders share; their WGSL declarations are made from these.
 pub const SHARED_STRUCTS: &[StructDeclaration] = &[
     TileLatticePosition::DECLARATION,
     MeshLattice::DECLARATION,
@@ -63,13 +63,13 @@ pub const SHARED_STRUCTS: &[StructDeclaration] = &[
     ViewUniform::DECLARATION,
 ];
 
-/// Number of pixels of a picture whose mesh has the default number of vertices.
+/// Number of pixels of a picture whose water mesh has the default number of vertices.
 const DEFAULT_MESH_PIXELS: f64 = 1280.0 * 720.0;
 
 /// A part of a frame that can be recorded alone, so that its GPU time can be measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TimedPart {
-    /// Computation of all look-up tables of the sky.
+    /// Computation of all look-up tables of the sky, even if they are up to date.
     SkyTables,
     /// Drawing of the sky behind the sea.
     Background,
@@ -79,7 +79,7 @@ pub enum TimedPart {
     Water,
 }
 
-/// Draws pictures of the sea with sky, floating objects and film, and false-colour views.
+/// Draws the sea with sky, floating objects and film (exposure, tone curve), or a false-colour view in its place.
 pub struct Renderer {
     frame: Uniform<FrameUniform>,
     material: Uniform<MaterialUniform>,
@@ -99,7 +99,8 @@ pub struct Renderer {
 }
 
 impl Renderer {
-    /// Compiles all passes. `target_format` is the format of the render target that [`Self::present`] draws into.
+    /// Compiles what every picture needs; the rest is compiled at first use. `target_format` is the format of the
+    /// texture that [`Self::present`] draws into, `output` the purpose of the pictures.
     pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat, output: OutputKind) -> Self {
         let shaders = Shaders::default().with_structs(SHARED_STRUCTS);
         let frame = Uniform::new(gpu, "frame");
@@ -133,12 +134,13 @@ impl Renderer {
         }
     }
 
-    /// Sets the timer that measures the GPU time of each pass.
+    /// Sets the timer that measures the GPU time of each pass of a frame.
     pub fn set_timer(&mut self, timer: Timer) {
         self.timer = timer;
     }
 
-    /// Records the passes that draw a picture or view of `size` (width, height) pixels in linear light.
+    /// Records the passes that draw a picture or view of `size` (width, height) pixels into the renderer's own
+    /// textures; [`Self::present`] then shows it.
     pub fn draw(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, maps: &Maps, scene: &Scene, size: [u32; 2]) {
         let size = size.map(|s| s.max(1));
         let hdr = self.ensure_targets(gpu, size).hdr.clone();
@@ -157,14 +159,14 @@ impl Renderer {
         }
     }
 
-    /// The render targets for `size` pixels, created again if the size has changed.
+    /// Render targets for a picture of `size` (width, height) pixels, created anew if the size has changed.
     fn ensure_targets(&mut self, gpu: &Gpu, size: [u32; 2]) -> &Targets {
         let targets = self.targets.take().filter(|targets| targets.size == size);
         let output = self.water.scene.output;
         self.targets.insert(targets.unwrap_or_else(|| Targets::new(gpu, size, output)))
     }
 
-    /// Writes the uniform buffers, selects the pipelines and binds the maps for a frame.
+    /// Prepares a frame: writes the uniform buffers, selects the pipelines, binds the maps, sets mesh and hulls.
     fn prepare_frame(&mut self, gpu: &Gpu, maps: &Maps, scene: &Scene, mesh: &Mesh, frame: &FrameUniform) {
         self.material.write(gpu, &MaterialUniform::new(scene));
         self.frame.write(gpu, frame);
@@ -192,7 +194,7 @@ impl Renderer {
         view.draw(gpu, encoder, (maps, scene), &self.water, targets);
     }
 
-    /// Records the passes of the picture into the render targets.
+    /// Records the passes that draw the linear light of the picture into the render targets, before bloom.
     fn record_picture(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
         let Some(targets) = &self.targets else { return };
         self.eye.run(encoder, scene, &self.water);
@@ -209,7 +211,7 @@ impl Renderer {
         self.timer.mark(encoder, "picture");
     }
 
-    /// Records one part of the last picture alone, even if its results are up to date.
+    /// Records one part of the last picture again, alone, even if its results are up to date, to measure its GPU time.
     pub fn record_part(&self, encoder: &mut wgpu::CommandEncoder, part: TimedPart) {
         let Some(targets) = &self.targets else { return };
         match part {
@@ -225,12 +227,12 @@ impl Renderer {
         }
     }
 
-    /// Number of vertices of the mesh in the last frame.
+    /// Number of vertices of the water mesh in the last frame.
     pub fn vertex_count(&self) -> u32 {
         self.water.mesh.vertex_count()
     }
 
-    /// Texture with the linear light of the last frame; can be copied to the CPU.
+    /// Texture with the linear light of the last frame, which can be copied to the CPU; None before the first frame.
     pub fn light_texture(&self) -> Option<&wgpu::Texture> {
         self.targets.as_ref().map(|t| t.hdr.texture())
     }
@@ -241,7 +243,7 @@ impl Renderer {
         self.targets.as_ref().map(|t| t.depth.texture())
     }
 
-    /// Draws the tone-mapped picture, or the view that replaces it, into the current viewport.
+    /// Draws the last frame into the viewport of `pass`: the tone-mapped picture, or the view that replaces it.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         match &self.view {
             Some(view) if self.shows_view => view.present(pass),
@@ -250,8 +252,8 @@ impl Renderer {
     }
 }
 
-/// The mesh for a picture of `size` pixels. Its number of vertices grows with the square root of the pixels: triangles
-/// smaller than a pixel cost more than the pixel, but a small picture can afford more of them per pixel.
+/// The water mesh for a picture of `size` pixels. Its number of vertices grows with the square root of the pixels:
+/// triangles smaller than a pixel cost more than the pixel, but a small picture can afford more of them per pixel.
 fn mesh_for_picture(scene: &Scene, size: [u32; 2]) -> Mesh {
     let pixels = f64::from(size[0]) * f64::from(size[1]) / DEFAULT_MESH_PIXELS;
     Mesh::new(&scene.view, &scene.sea, scene.look.mesh_detail * pixels.sqrt().clamp(0.05, 2.0), scene.look.extent_km)

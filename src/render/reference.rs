@@ -15,48 +15,48 @@ use crate::gpu::Gpu;
 use crate::sim::Maps;
 use half::f16;
 
-/// Number of mesh vertices per sample of a grid, as far as the vertices fit into a buffer.
+/// Number of vertices of the water mesh per sample of a reference picture; fewer if they do not fit into a buffer.
 const VERTICES_PER_SAMPLE: f64 = 1.2;
-/// Fraction of the largest storage buffer that the vertices may fill; rounding up columns and rows needs the rest.
+/// Fraction of the largest storage buffer for the planned vertices; rounding up columns and rows needs the rest.
 const VERTEX_BUFFER_FILL: f64 = 0.95;
 
-/// A sampling grid: `side` x `side` cells per pixel, with one sample in each cell.
+/// Samples of one drawing for a reference picture: `cells_per_pixel_side` squared cells per pixel, one sample in each.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SampleGrid {
     /// Width and height of the picture, pixels.
     pub size: [u32; 2],
-    /// Number of cells along the side of a pixel.
+    /// Number of cells, and so of samples, along each side of a pixel.
     pub cells_per_pixel_side: u32,
-    /// Position of the sample in its cell, 0 to 1, to the right and downwards.
+    /// Position of every sample in its cell, as a fraction of the cell's side, 0 to 1, to the right and downwards.
     pub sample_offset: [f64; 2],
 }
 
 impl SampleGrid {
-    /// Width and height of the render target that holds one sample per texel.
+    /// Numbers of samples along the picture's width and height, and so the size of the render target, texels.
     pub fn sample_counts(&self) -> [u32; 2] {
         self.size.map(|s| s * self.cells_per_pixel_side)
     }
 
-    /// Shift of the picture in clip coordinates that moves each sample from the centre of its cell to `offset`.
+    /// Shift of the picture in clip coordinates that moves each sample from the centre of its cell to `sample_offset`.
     fn clip_shift(&self) -> [f32; 2] {
         let [w, h] = self.sample_counts().map(f64::from);
         [(-2.0 * (self.sample_offset[0] - 0.5) / w) as f32, (2.0 * (self.sample_offset[1] - 0.5) / h) as f32]
     }
 }
 
-/// Renders the samples of a reference picture, and presents their mean.
+/// Draws the samples of reference pictures (mean of many unfiltered samples per pixel, for comparison); shows the mean.
 pub struct ReferenceRenderer {
     renderer: Renderer,
 }
 
 impl ReferenceRenderer {
-    /// Compiles the passes. `target_format` is the format of the render target that [`Self::present`] draws into.
+    /// Compiles the passes. `target_format` is the format of the texture that [`Self::present`] draws into.
     pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat) -> Self {
         Self { renderer: Renderer::new(gpu, target_format, OutputKind::Reference) }
     }
 
-    /// Records one grid of samples. Returns a texture with the linear light of each sample in rgb. Alpha is 0 for the
-    /// sky; for water it is the weight of the sample in the mean of its pixel's water samples.
+    /// Records the drawing of one grid of samples. Returns a texture with one sample per texel: linear light in rgb; in
+    /// alpha the weight of a water sample in the mean of its pixel's water samples, 0 for sky and hulls.
     pub fn draw(
         &mut self,
         gpu: &Gpu,
@@ -79,7 +79,8 @@ impl ReferenceRenderer {
         texture
     }
 
-    /// Prepares a picture in linear light (RGB, row by row) for [`Self::present`], with exposure and film of `scene`.
+    /// Uploads a picture of `width` x `height` pixels in linear light (RGB, row by row), the mean of the samples, for
+    /// [`Self::present`]. Exposure and film settings are those of `scene`.
     pub fn set_linear_light(&mut self, gpu: &Gpu, scene: &Scene, [width, height]: [u32; 2], light: &[[f32; 3]]) {
         let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
         let mean = gpu.texture("reference", [width, height, 1], 1, HDR_FORMAT, usage);
@@ -95,7 +96,7 @@ impl ReferenceRenderer {
         gpu.submit(encoder);
     }
 
-    /// Draws the picture that was passed to [`Self::set_linear_light`] into the current viewport.
+    /// Draws the picture that was passed to [`Self::set_linear_light`] into the viewport of `pass`.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         self.renderer.present(pass);
     }

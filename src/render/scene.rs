@@ -16,28 +16,28 @@ const CLOUD_TO_WIND_SPEED: f64 = 1.4;
 pub struct Scene {
     /// Position, axes and field of view of the camera.
     pub view: View,
-    /// Whether the eye's height counts from the moving water below it instead of the still water.
+    /// Whether the eye's height is measured from the moving water below it, as on a buoy, not from the still water.
     pub height_from_waves: bool,
-    /// Settings of sky, water surface, film and view.
+    /// Settings of sky, water surface, film (exposure and tone curve) and view.
     pub look: Look,
-    /// Sea state that is drawn, interpolated during a transition between two seas.
+    /// Properties of the drawn sea; during a transition, interpolated between those of the old and the new sea.
     pub sea: SeaAppearance,
-    /// The sea that fades out during a cross-fade; None otherwise.
+    /// The old sea while it fades out in a cross-fade to a sea with other waves; None otherwise.
     pub fading: Option<FadingSea>,
-    /// Mean foam, 0 to 1, which is drawn outside the foam levels.
+    /// Expected mean amount of foam, 0 to 1, drawn where no foam level (square foam grid around the camera) reaches.
     pub mean_foam: f64,
-    /// Distance that the clouds have drifted along x and z, m.
+    /// Distance that the clouds have drifted along x and z since time 0, m.
     pub cloud_drift_m: [f64; 2],
     /// Colour scales of a false-colour view, one for each cascade or foam level. The picture does not use them.
     pub colour_scales: [ColourScale; MAX_CASCADES],
-    /// World positions and orientations of the floating objects.
+    /// Positions and orientations of the floating buoys and boats in world coordinates.
     pub hulls: Vec<HullPose>,
 }
 
-/// Parameters of a sea that the renderer needs, derived from its [`Plan`].
+/// Properties of a sea that the renderer needs besides the maps, derived from its [`Plan`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeaAppearance {
-    /// Choppiness: factors on the horizontal displacement along x and z; 1 is linear theory.
+    /// Choppiness: factors by which the horizontal displacements along x and z are multiplied; 1 is linear theory.
     pub choppiness: [f64; 2],
     /// Significant wave height, m.
     pub hs_m: f64,
@@ -47,20 +47,21 @@ pub struct SeaAppearance {
     pub level_m: f64,
     /// Wind speed 10 m above the sea, m/s.
     pub wind_m_s: f64,
-    /// Unit vector (x, z) towards which the wind blows.
+    /// Direction towards which the wind blows: unit vector (x, z), x east and z south.
     pub downwind: [f64; 2],
     /// Velocity (x, z) of the clouds, m/s.
     pub cloud_velocity_m_s: [f64; 2],
-    /// Unresolved slope variance along and across the wind: that of Cox and Munk (1954) minus that of all cascades.
+    /// Slope variance along and across the wind of waves too short for any cascade: the total of Cox and Munk (1954)
+    /// minus that of the waves in the cascades.
     pub unresolved_slope_variance: SlopeVariance,
-    /// Slope variance along and across the wind of the waves in the finest cascade.
+    /// Slope variance along and across the wind of the waves in the finest cascade, the one with the shortest waves.
     pub finest_cascade_slope_variance: SlopeVariance,
-    /// Half the shortest wavelength that focuses light into caustics on the bed, m.
+    /// Half the shortest wavelength that forms distinct caustics on the bed, m; finer detail of waves is left out.
     pub caustic_filter_m: f64,
 }
 
 impl SeaAppearance {
-    /// The appearance of the sea of a plan. `look` provides the refractive indices of air and water.
+    /// Derives the properties of a sea from its plan. `look` provides the refractive indices of air and water.
     pub fn new(plan: &Plan, look: &Look) -> Self {
         let wind_m_s = plan.sea.first_system().wind_m_s;
         Self {
@@ -80,14 +81,15 @@ impl SeaAppearance {
         }
     }
 
-    /// Half the shortest wavelength that focuses light into caustics on the bed, m.
+    /// Half the shortest wavelength that forms distinct caustics on the bed, m, for the refractive indices in `look`;
+    /// detail of the surface shorter than this is left out of the caustics.
     pub fn caustic_filter_m(plan: &Plan, look: &Look) -> f64 {
         let reflection = &look.surface.reflection;
         let reach_m = plan.sea.depth_m * (1.0 - reflection.index_air / reflection.index_water);
         slopes::shortest_caustic_half_wavelength_m(plan, reach_m.max(0.0))
     }
 
-    /// This appearance with the choppiness and still-water level of `plan`, whose waves must be the same.
+    /// A copy with the choppiness and still-water level of `plan`, which must have the same waves as this sea.
     pub fn with_surface_of(&self, plan: &Plan) -> Self {
         Self { choppiness: plan.sea.choppiness(), level_m: plan.sea.level_m, ..self.clone() }
     }
@@ -98,11 +100,11 @@ impl SeaAppearance {
     }
 }
 
-/// The sea that fades out during a cross-fade.
+/// What the renderer needs to know of the old sea, which fades out during a cross-fade to the new one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FadingSea {
-    /// Slope variance along and across the wind of the waves in its finest cascade.
+    /// Slope variance along and across the wind of the waves in the fading sea's finest cascade.
     pub finest_cascade_slope_variance: SlopeVariance,
-    /// Fraction of the drawn wave variance that this sea has, 0 to 1.
+    /// Share of the fading sea in the variance of the drawn waves, from 1 at the cross-fade's start to 0 at its end.
     pub variance_fraction: f64,
 }

@@ -15,12 +15,12 @@ use wgpu::BindingResource::{Sampler, TextureView};
 pub struct SceneGroup {
     pub layout: wgpu::BindGroupLayout,
     pub group: wgpu::BindGroup,
-    /// What the picture is drawn for, which gives the format of the render target.
+    /// Purpose of the picture (screen, read-back or reference), which gives the format of its render target.
     pub output: OutputKind,
 }
 
 impl SceneGroup {
-    /// Creates the bind group from its buffers and textures.
+    /// Creates the bind group with the given buffers and textures. `output` is the purpose of the picture.
     pub fn new(
         gpu: &Gpu,
         frame: &Uniform<FrameUniform>,

@@ -3,11 +3,11 @@
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Attachments, DepthState};
 
-/// Format of the texture that holds linear light.
+/// Format of textures that hold linear light: half floats.
 pub const HDR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
-/// Format of the depth texture. DepthState is reverse-Z: near-plane distance divided by distance, 0 at infinity.
+/// Format of the depth texture. Depth is reverse-Z: near-plane distance divided by distance, 0 at infinity.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-/// Formats of the two textures of the water's G-buffer (WGSL `GBuffer`).
+/// Formats of the two textures of the G-buffer: position and slopes of the water in each pixel (WGSL `GBuffer`).
 pub const G_BUFFER_FORMATS: [wgpu::TextureFormat; 2] = [wgpu::TextureFormat::Rgba32Uint; 2];
 
 /// Depth test of objects: the fragment nearest to the eye is visible and writes its depth.
@@ -16,19 +16,19 @@ pub const DEPTH_TEST_OPAQUE: DepthState =
 /// Depth test of the background: visible where nothing nearer was drawn; writes no depth.
 pub const DEPTH_TEST_BACKGROUND: DepthState = DepthState { writes_depth: false, ..DEPTH_TEST_OPAQUE };
 
-/// What is done with the linear light and the depth of a picture.
+/// Purpose of a picture, which decides the precision of its linear light and whether its depth is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OutputKind {
-    /// The picture is presented; its depth is discarded.
+    /// The picture is shown; its depth is discarded after the frame.
     Screen,
-    /// The picture is presented; its light and its depth can also be read back.
+    /// The picture is shown, and its depth is kept, so that light and depth can be read back to the CPU.
     ReadBack,
-    /// The picture holds point samples of a reference in single precision, because half floats would clip the sun.
+    /// The picture holds samples for a reference picture, in single precision because half floats would clip the sun.
     Reference,
 }
 
 impl OutputKind {
-    /// Format of the texture that holds linear light.
+    /// Format of the texture that holds the picture's linear light: single precision for a reference, else half.
     pub const fn format(self) -> wgpu::TextureFormat {
         match self {
             Self::Screen | Self::ReadBack => HDR_FORMAT,
@@ -37,21 +37,21 @@ impl OutputKind {
     }
 }
 
-/// Attachments of a pipeline that draws into a picture with this format of light and this depth test.
+/// Attachments for a pipeline that draws into a picture: `format` of its linear light, and `depth` test.
 pub fn attachments(format: &wgpu::TextureFormat, depth: DepthState) -> Attachments<'_> {
     Attachments { formats: std::slice::from_ref(format), depth: Some(depth) }
 }
 
-/// Render targets for pictures of one size.
+/// Textures that a picture of one size is drawn into: linear light, depth and G-buffer.
 pub struct Targets {
-    /// Width and height, pixels.
+    /// Width and height of the picture, pixels.
     pub size: [u32; 2],
-    /// Linear light of the picture.
+    /// Linear light of the picture (HDR), before exposure and tone curve.
     pub hdr: wgpu::TextureView,
     /// Reverse-Z depth, near-plane distance divided by distance. Discarded after the frame on [`OutputKind::Screen`].
     pub depth: wgpu::TextureView,
     keeps_depth: bool,
-    /// G-buffer of the water: point, distance, footprint and slopes (WGSL `GBuffer`).
+    /// G-buffer: the water that each pixel shows, as point, distance, footprint and slopes (WGSL `GBuffer`).
     pub g_buffer: [wgpu::TextureView; 2],
 }
 
@@ -85,7 +85,8 @@ impl Targets {
         })
     }
 
-    /// Begins the pass that draws the picture. Keeps the depth of the mesh if `after_mesh`, else clears it to infinity.
+    /// Begins the pass that draws the linear light of the picture. If `after_mesh`, the depth of the water mesh stays;
+    /// else it is cleared to infinity.
     pub fn begin_picture<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, after_mesh: bool) -> wgpu::RenderPass<'a> {
         let load = if after_mesh { wgpu::LoadOp::Load } else { wgpu::LoadOp::Clear(0.0) };
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {

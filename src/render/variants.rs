@@ -1,6 +1,6 @@
 //! Render pipelines specialised for the parts that a picture contains.
 
-/// Pipelines of one pass, one for each combination of picture parts that was needed so far. A part that is not needed
+/// Variants of a pipeline, one for each combination of picture parts that was needed so far. A part that is not needed
 /// is compiled out: its code costs registers on every GPU, and a software adapter executes both sides of a branch.
 pub struct PipelineVariants<P>(Vec<(P, wgpu::RenderPipeline)>);
 
@@ -11,7 +11,7 @@ impl<P> Default for PipelineVariants<P> {
 }
 
 impl<P: Copy + PartialEq> PipelineVariants<P> {
-    /// Selects the pipeline for a combination of parts; compiles it with `make` at first use.
+    /// Selects the variant for a combination of picture parts; compiles it with `make` at first use.
     pub fn select(&mut self, parts: P, make: impl FnOnce(P) -> wgpu::RenderPipeline) {
         // The selected pipeline is the last one.
         match self.0.iter().position(|(made, _)| *made == parts) {
@@ -23,7 +23,7 @@ impl<P: Copy + PartialEq> PipelineVariants<P> {
         }
     }
 
-    /// The selected pipeline; None before the first selection.
+    /// The variant of the pipeline selected last; None before the first selection.
     pub fn selected(&self) -> Option<&wgpu::RenderPipeline> {
         self.0.last().map(|(_, pipeline)| pipeline)
     }

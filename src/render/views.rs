@@ -16,25 +16,26 @@ use crate::state::views::{DisplayedView, MapView};
 use crate::waves::colour_scale::STOPS;
 use std::cmp::Reverse;
 
-/// Gap between two maps side by side, pixels.
+/// Gap between neighbouring maps in a false-colour view, and least margin around them, pixels.
 const MAP_GAP_PIXELS: u32 = 6;
 
 gpu_struct! {
-    /// WGSL `ViewTile`: a square of the picture that shows one layer of a map. A view of the drawn surface only uses
-    /// the colour range and the layer of its first tile.
+    /// WGSL `ViewTile`: a square of the picture in which a false-colour view shows one layer of a map. A view of the
+    /// water surface has no squares; it uses only the colour range and the `layer` of the first tile.
     #[derive(Default)]
     pub struct ViewTile as "ViewTile" {
-        /// Top left corner in the picture, pixels.
+        /// Position of the tile's top left corner in the picture: pixels to the right and down from the top left.
         corner: [f32; 2],
-        /// Column and row of the map texel in the tile's top left corner.
+        /// Column and row of the map texel in the tile's top left corner; the map is shown from there, wrapping round.
         first_texel: [u32; 2],
-        /// Side of the square, pixels.
+        /// Side of the tile in the picture, pixels.
         side: f32,
-        /// Index of what the tile shows: a layer of a map, the cascade of a spectrum, or a drawn cascade.
+        /// Index of what the tile shows: in a spectrum view a cascade, in a surface view an entry of `Frame.cascades`,
+        /// in any other view a layer of the map texture.
         layer: u32,
-        /// Value that the first colour of the scale stands for, in the unit of the map.
+        /// Lower end of the colour range: the value shown in the first colour, in the unit in which the map stores it.
         scale_low: f32,
-        /// Value that the last colour of the scale stands for, in the unit of the map.
+        /// Upper end of the colour range: the value shown in the last colour, in the unit in which the map stores it.
         scale_high: f32,
     }
 }
@@ -42,20 +43,20 @@ gpu_struct! {
 gpu_struct! {
     /// WGSL `View`: uniform buffer of the false-colour views.
     pub struct ViewUniform as "View" {
-        /// Evenly spaced colours of the scale, sRGB with alpha 1.
+        /// Colours of the false-colour scale from low to high values, evenly spaced: sRGB, 0 to 1, with alpha 1.
         colour_stops: [[f32; 4]; STOPS],
         tiles: [ViewTile; MAX_CASCADES],
         /// Width and height of the picture, pixels.
         size: [f32; 2],
-        /// Choppiness: factors on the horizontal displacement along x and z; 1 is linear theory.
+        /// Choppiness: factors by which the horizontal displacements along x and z are multiplied; 1 is linear theory.
         choppiness: [f32; 2],
         /// Kind of view: 1 + the discriminant of `MapView` or, in the surface pass, of `SurfaceView`.
         view_kind: u32,
-        /// Number of tiles in use.
+        /// Number of entries of `tiles` in use; one map layer is shown in each.
         tile_count: u32,
-        /// 1 if the scale is logarithmic, else 0.
+        /// 1 if the colour scale is logarithmic, 0 if it is linear.
         logarithmic: u32,
-        /// Time of the maps divided by the period after which all waves repeat, in units of 2^-32.
+        /// Simulated time as a fraction of the period after which all waves repeat, in units of 2^-32.
         time_in_period_u32: u32,
     }
 }
@@ -124,7 +125,8 @@ impl ViewUniform {
     }
 }
 
-/// Top left corners and side, pixels, of `count` equal squares as large as fit into a picture, row by row.
+/// Places `count` equal squares, as large as possible, in a picture of `width` x `height` pixels. Returns their top
+/// left corners (x, y), row by row, and the side of a square, all in pixels.
 fn largest_squares(count: u32, [width, height]: [u32; 2]) -> (Vec<[u32; 2]>, u32) {
     let fit = |columns: u32| {
         let rows = count.div_ceil(columns);
@@ -139,7 +141,7 @@ fn largest_squares(count: u32, [width, height]: [u32; 2]) -> (Vec<[u32; 2]>, u32
     ((0..count).map(corner).collect(), side)
 }
 
-/// Passes that draw a false-colour view and present it.
+/// Render passes that draw a false-colour view (maps, or the coloured water surface) and show it on the screen.
 pub struct ViewPass {
     uniform: Uniform<ViewUniform>,
     map_layout: wgpu::BindGroupLayout,
@@ -152,7 +154,8 @@ pub struct ViewPass {
 }
 
 impl ViewPass {
-    /// Compiles the passes for the mesh of `water` and a screen of the format `target`.
+    /// Compiles the passes. Views of the water surface draw the mesh of `water`; `target` is the format of the texture
+    /// that [`Self::present`] draws into.
     pub fn new(gpu: &Gpu, shaders: &Shaders, water: &WaterPass, target: wgpu::TextureFormat) -> Self {
         let fragment = wgpu::ShaderStages::FRAGMENT;
         let uniform = Uniform::<ViewUniform>::new(gpu, "view");
@@ -193,7 +196,7 @@ impl ViewPass {
         Self { uniform, map_layout, map, surface, surface_group, show_layout, show, show_group: None }
     }
 
-    /// Records the false-colour view that a scene selects.
+    /// Records the pass that draws the false-colour view selected in the scene's look into the HDR target.
     pub fn draw(
         &mut self,
         gpu: &Gpu,
@@ -226,7 +229,7 @@ impl ViewPass {
         }
     }
 
-    /// Draws the recorded view into the current viewport.
+    /// Draws the false-colour view recorded last into the viewport of `pass`; nothing if there is none.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         let Some(group) = &self.show_group else { return };
         pass.set_pipeline(&self.show);

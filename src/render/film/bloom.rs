@@ -5,12 +5,12 @@ use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, Kernel};
 use crate::shaders::Shaders;
 
-/// Largest number of levels in the chain; each is half as wide and high as the one before.
+/// Largest number of times that the picture is halved in width and height for bloom.
 const MAX_LEVELS: usize = 8;
-/// Least length of the shorter side of the coarsest level, texels.
+/// The picture is not halved again for bloom if its shorter side would become less than this, texels.
 const MIN_LEVEL_SIDE: u32 = 4;
 
-/// The passes that compute bloom, and the textures for one picture.
+/// Compute passes for bloom, which halve the picture repeatedly and add the sizes up again, and their textures.
 pub struct BloomPass {
     down: Kernel,
     up: Kernel,
@@ -25,7 +25,7 @@ struct MipChain {
 }
 
 impl BloomPass {
-    /// Compiles the passes for downsampling and upsampling.
+    /// Compiles the two compute passes of bloom, for downsampling and for upsampling.
     pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
         let format = shaders.map_format(gpu).texture_format();
         let bindings =
@@ -36,7 +36,7 @@ impl BloomPass {
         Self { down: kernel("downsample"), up: kernel("upsample"), sampler, format, chain: None }
     }
 
-    /// Allocates the levels for a picture of the given view and size, or frees them for None.
+    /// Allocates the textures of bloom for an HDR picture (view; width and height in pixels); None turns bloom off.
     pub fn set_picture(&mut self, gpu: &Gpu, picture: Option<(&wgpu::TextureView, [u32; 2])>) {
         self.chain = picture.map(|(hdr, size)| self.create_chain(gpu, hdr, size));
     }

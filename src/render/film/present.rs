@@ -15,9 +15,9 @@ gpu_struct! {
     pub struct PresentUniform as "Present" {
         /// Width and height of the picture, pixels.
         size: [f32; 2],
-        /// Factor on the automatic or fixed exposure, from the exposure setting in stops.
+        /// 2 to the power of the exposure setting in stops: factor on the automatic or fixed exposure.
         exposure_gain: f32,
-        /// Exposure that replaces the automatic one; 0 if the exposure is automatic.
+        /// Exposure (a factor on radiance) that replaces the automatic one; 0 if the exposure is automatic.
         fixed_exposure: f32,
         /// Tone curve, as the discriminant of `ToneMapping`.
         tone_curve: u32,
@@ -29,10 +29,11 @@ gpu_struct! {
     }
 }
 
-/// Automatic exposure of a clear noon with the sun 60 degrees high; the exposure at 0 EV if it is not automatic.
+/// Automatic exposure (factor from radiance to the tone curve's input) of a clear noon with the sun 60 degrees high;
+/// also the exposure at 0 EV if it is not automatic.
 pub const NOON_EXPOSURE: f32 = 0.444;
 
-/// The pass that shows the HDR picture on screen, with its bloom.
+/// The pass that shows the HDR picture on screen: it smooths edges and applies bloom, exposure, tone curve and dither.
 pub struct PresentPass {
     uniform: Uniform<PresentUniform>,
     light: wgpu::Buffer,
@@ -40,13 +41,14 @@ pub struct PresentPass {
     pipeline: wgpu::RenderPipeline,
     sampler: wgpu::Sampler,
     bloom: BloomPass,
-    /// The bound HDR picture, and whether its bloom is on.
+    /// HDR picture that `group` binds, and whether its bloom is on; None before the first picture.
     bound: Option<(wgpu::TextureView, bool)>,
     group: Option<wgpu::BindGroup>,
 }
 
 impl PresentPass {
-    /// Compiles the pass. `light` holds the automatic exposure; `smooth` turns on smoothing of edges.
+    /// Compiles the pass, which draws into a texture of `target_format`. `light` is the GPU buffer with the automatic
+    /// exposure; `smooth` turns on the smoothing of jagged edges.
     pub fn new(
         gpu: &Gpu,
         shaders: &Shaders,
@@ -81,7 +83,7 @@ impl PresentPass {
         }
     }
 
-    /// Binds an HDR picture and allocates its bloom, unless both are in place already.
+    /// Sets the HDR picture to show, and allocates bloom textures if `film` has bloom; does nothing if unchanged.
     pub fn set_picture(&mut self, gpu: &Gpu, hdr: &wgpu::TextureView, film: &FilmLook) {
         let wanted = Some((hdr.clone(), film.bloom > 0.0));
         if self.bound == wanted {
@@ -100,7 +102,7 @@ impl PresentPass {
         self.bound = wanted;
     }
 
-    /// Writes the film settings of a scene for a picture of `size` pixels to the uniform buffer.
+    /// Writes the film settings of a scene, for a picture of `size` (width, height) pixels, to the uniform buffer.
     pub fn write_uniform(&self, gpu: &Gpu, scene: &Scene, size: [u32; 2]) {
         let film = &scene.look.film;
         let fixed = NOON_EXPOSURE / night_gain(&scene.look.sky) as f32;
@@ -121,7 +123,7 @@ impl PresentPass {
         self.bloom.run(encoder);
     }
 
-    /// Draws the tone-mapped picture into the current viewport.
+    /// Draws the picture that was set, with bloom, exposure and tone curve, into the viewport of `pass`.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         let Some(group) = &self.group else { return };
         pass.set_pipeline(&self.pipeline);

@@ -18,7 +18,7 @@ pub struct BackgroundPass {
     pipelines: PipelineVariants<Permutation>,
 }
 
-/// Parts of the background that a pipeline contains.
+/// What a variant of the background pipeline can draw; the shader code for the rest is compiled out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Permutation {
     file: bool,
@@ -33,7 +33,7 @@ impl BackgroundPass {
         Self { module: shaders.module(gpu, "sky/background"), pipelines: PipelineVariants::default() }
     }
 
-    /// Selects the pipeline for a scene; compiles it at first use.
+    /// Selects the variant of the background pipeline that a scene needs; compiles it at first use.
     pub fn select_pipeline(&mut self, gpu: &Gpu, group: &SceneGroup, sky: &SkyTables, scene: &Scene) {
         let look = &scene.look.sky;
         let file = look.panorama().is_some();
@@ -56,7 +56,7 @@ impl BackgroundPass {
         });
     }
 
-    /// Draws the sky where nothing nearer was drawn.
+    /// Draws the sky into the pixels in which nothing nearer has been drawn.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, scene: &SceneGroup, sky: &SkyTables) {
         let Some(pipeline) = self.pipelines.selected() else { return };
         pass.set_pipeline(pipeline);

@@ -7,23 +7,22 @@ use crate::render::targets::HDR_FORMAT;
 use half::f16;
 use std::sync::Arc;
 
-/// Texture format of the full image, which is drawn behind the sea.
+/// Texture format of the full-size sky image, which is drawn behind the sea.
 const PANORAMA_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgb9e5Ufloat;
 
 /// Textures of the sky image in use, if there is one.
 pub struct PanoramaTextures {
-    /// The sky image without its sun, [`SUNLESS_SIZE`] texels wide and high. A new image is written into the same
-    /// texture.
+    /// Sky image without its sun, for reflections, [`SUNLESS_SIZE`] texels; a new image overwrites it.
     without_sun: wgpu::Texture,
     pub without_sun_view: wgpu::TextureView,
     pub layout: wgpu::BindGroupLayout,
-    /// Bind group of the full image with its mip levels; one black texel while no image is in use.
+    /// Bind group of the full-size image with its mip levels; one black texel while no image is in use.
     pub group: wgpu::BindGroup,
     displayed: Option<Arc<Panorama>>,
 }
 
 impl PanoramaTextures {
-    /// Creates the textures without a sky image.
+    /// Creates the textures before there is a sky image: the full-size one is one black texel.
     pub fn new(gpu: &Gpu) -> Self {
         let without_sun = create_texture(gpu, "sky/calm", HDR_FORMAT, SUNLESS_SIZE.map(|s| s as u32), 1);
         let layout = gpu.bind_group_layout("sky/file", wgpu::ShaderStages::FRAGMENT, &[BindingType::Texture]);
@@ -32,7 +31,7 @@ impl PanoramaTextures {
         Self { without_sun, without_sun_view, layout, group, displayed: None }
     }
 
-    /// Switches to the sky image `wanted`, or to none. Returns whether the image has changed.
+    /// Uploads the sky image `wanted`, or switches to none. Returns whether the image has changed.
     pub fn set_image(&mut self, gpu: &Gpu, wanted: Option<&Arc<Panorama>>) -> bool {
         if self.displayed.as_ref().map(Arc::as_ptr) == wanted.map(Arc::as_ptr) {
             return false;

@@ -12,16 +12,16 @@ use crate::render::water::noise::NoiseTexture;
 use crate::shaders::Shaders;
 use wgpu::BindingResource::{Sampler, TextureView};
 
-/// Width and height of the transmittance table, texels.
+/// Texels of the table of the air's transmittance: along the elevation of the ray, and along the altitude.
 const TRANSMITTANCE_SIZE: [u32; 2] = [256, 64];
 const MULTIPLE_SCATTERING_SIZE: [u32; 2] = [64, 32];
 const SKY_VIEW_SIZE: [u32; 2] = [192, 128];
 const ENVIRONMENT_SIZE: [u32; 2] = [256, 128];
-/// Number of mip levels of the environment map, down to 8 x 4 texels.
+/// Number of mip levels of the environment map (the sky that the sea reflects), down to 8 x 4 texels.
 const ENVIRONMENT_MIP_LEVELS: u32 = 6;
 /// Number of workgroups of 64 threads that sum the light of the sky (shaders/sky/light.wgsl).
 const LIGHT_WORKGROUPS: u32 = 4;
-/// Size of the buffer that holds the partial sum of each thread, bytes.
+/// Size of the buffer with the partial sums of the sky's light, one per thread, bytes.
 const LIGHT_PARTS_BYTES: u64 = 16 * 64 * LIGHT_WORKGROUPS as u64;
 
 /// Number of workgroups of 8 x 8 threads, along x and y, that cover a table of `size` texels.
@@ -29,7 +29,7 @@ fn workgroups(size: [u32; 2]) -> [u32; 2] {
     size.map(|side| side.div_ceil(8))
 }
 
-/// A compute pass that fills a table, with its bind group.
+/// A compute pass that fills a look-up table of the sky or sums its light, with its bind group.
 struct TablePass {
     kernel: Kernel,
     group: wgpu::BindGroup,
@@ -56,7 +56,7 @@ impl TablePass {
     }
 }
 
-/// The look-up tables of the sky, and the passes that compute them.
+/// Look-up tables of the sky (clear air, environment map, light on the sea), and the compute passes that fill them.
 pub struct SkyTables {
     pub uniform: Uniform<SkyUniform>,
     pub light_buffer: wgpu::Buffer,
@@ -64,7 +64,7 @@ pub struct SkyTables {
     pub sky_view: wgpu::TextureView,
     pub environment: wgpu::TextureView,
     pub sampler: wgpu::Sampler,
-    /// Textures of a sky from an image file.
+    /// Textures of the sky image, if the sky comes from an image file.
     pub panorama: PanoramaTextures,
     /// Passes that do not depend on the position of the sun: transmittance and multiple scattering.
     sun_independent_passes: Vec<TablePass>,
@@ -195,7 +195,8 @@ impl SkyTables {
             .collect()
     }
 
-    /// Passes that integrate the sky's light over all directions: partial sums and total, first without clouds.
+    /// The four passes that integrate the sky's light over all directions: partial sums and total without clouds, which
+    /// the environment map needs, then partial sums and total with clouds.
     fn create_light_passes(&self, gpu: &Gpu, shaders: &Shaders, noise: &NoiseTexture) -> [TablePass; 4] {
         let parts = gpu.storage_buffer("light/parts", LIGHT_PARTS_BYTES);
         let module = shaders.module(gpu, "sky/light");
@@ -219,12 +220,12 @@ impl SkyTables {
         .map(|(label, entry, groups)| TablePass::new(gpu, label, (&module, entry), &bindings, [groups, 1]))
     }
 
-    /// Records the computation of all tables.
+    /// Records the passes that compute all tables of the sky, even those that are up to date.
     pub fn record_all(&self, encoder: &mut wgpu::CommandEncoder) {
         self.sun_independent_passes.iter().chain(&self.sun_dependent_passes).for_each(|pass| pass.run(encoder));
     }
 
-    /// Writes the sky uniform of a scene, and records the computation of the tables that it makes out of date.
+    /// Writes the sky's uniform buffer for a scene, and records the passes of the tables that no longer match it.
     pub fn record_outdated(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
         let wanted = SkyUniform::new(scene);
         let other_file = self.panorama.set_image(gpu, scene.look.sky.panorama());

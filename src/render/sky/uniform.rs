@@ -6,7 +6,8 @@ use crate::render::scene::Scene;
 use crate::state::fields::linear_rgb;
 use crate::state::look::SkyLook;
 
-/// Step by which the clouds in reflections move, km: less than a texel of the environment map; it lasts seconds.
+/// Step in which clouds move in the environment map, which the sea reflects, km. It is less than a texel; clouds take
+/// seconds for it, so the map is computed again only then.
 const REFLECTED_CLOUD_STEP_KM: f64 = 0.05;
 
 gpu_struct! {
@@ -28,36 +29,36 @@ gpu_struct! {
     pub struct SkyUniform as "Sky" {
         /// Unit vector towards the sun.
         sun_direction: [f32; 3],
-        /// Amount of aerosol relative to a clear day at sea.
+        /// Amount of aerosol in the air; 1 is a clear day at sea.
         haze: f32,
         /// Linear RGB colour of the sun, times its irradiance relative to the real sun at Earth, times `night_gain`.
         sun_tint: [f32; 3],
         /// Angular radius of the sun's disc, rad.
         sun_radius_rad: f32,
-        /// Irradiance by the sun of a sky image, linear RGB, on a plane that faces this sun.
+        /// Irradiance by the sun in the sky image on a plane that faces it: linear RGB, in units of 6400 lux.
         image_sun_irradiance: [f32; 3],
         /// 1 if the sky is an image from a file, else 0.
         has_image: f32,
-        /// Irradiance of a horizontal plane by the sky image without its sun, linear RGB.
+        /// Irradiance of a horizontal plane by the sky image without its sun: linear RGB, in units of 6400 lux.
         image_sky_irradiance: [f32; 3],
-        /// Factor from the values of the sky image to radiance.
+        /// Factor, from the brightness setting, that turns values of the sky image into radiance.
         image_gain: f32,
         fog: FogUniform,
-        /// Height of the eye above the sea, km.
+        /// Height of the eye above the sea, km, in steps of 19 %, so that small movements leave the tables valid.
         eye_height_km: f32,
         /// Angle from the horizontal down to the visible horizon, rad.
         horizon_dip: f32,
-        /// Cover of low clouds, 0 (clear) to 1 (closed deck).
+        /// Cover of low clouds, 0 (clear) to 1 (closed deck); 0 with a sky image, which has its own clouds.
         overcast: f32,
-        /// Exponent of the limb darkening of the sun's disc.
+        /// Limb darkening: radiance of the sun's disc is the cosine of the emission angle to this power; 0 is none.
         limb_darkening_exponent: f32,
-        /// Distance by which the clouds have drifted along x and z, km.
+        /// Distance by which the clouds have drifted along x and z since time 0, km.
         cloud_drift_km: [f32; 2],
-        /// Distance by which the clouds in reflections have drifted along x and z, in coarse steps, km.
+        /// Cloud drift (x, z), km, for reflections: rounded to [`REFLECTED_CLOUD_STEP_KM`].
         reflected_cloud_drift_km: [f32; 2],
-        /// Factor by which light is scaled up at dusk and night; see [`night_gain`].
+        /// Factor by which all light is scaled up at dusk and night; see [`night_gain`].
         night_gain: f32,
-        /// Heading of the middle column of the sky image, turns clockwise from north.
+        /// Heading of the middle column of the sky image, as a fraction of a turn clockwise from north.
         image_heading_turns: f32,
         unused: [u32; 2],
     }
@@ -78,17 +79,17 @@ impl SkyUniform {
         sky
     }
 
-    /// Whether `other` has the same tables of transmittance and multiple scattering.
+    /// Whether the tables of transmittance and multiple scattering are the same for `other`.
     pub fn same_air_tables_as(&self, other: &Self) -> bool {
         [self.haze, self.sun_radius_rad] == [other.haze, other.sun_radius_rad]
     }
 
-    /// Whether `other` has the same look-up tables; the clouds of its background may have drifted.
+    /// Whether all look-up tables are the same for `other`; the drift of the clouds behind the sea may differ.
     pub fn same_tables_as(&self, other: &Self) -> bool {
         Self { cloud_drift_km: other.cloud_drift_km, ..*self } == *other
     }
 
-    /// The uniform of a sky seen from the height `eye_m` above the sea, m, before its clouds drift.
+    /// Uniform for the sky settings `look`, seen `eye_m` metres above the sea, with the clouds as they are at time 0.
     pub fn for_look(look: &SkyLook, eye_m: f64) -> Self {
         let night_gain = night_gain(look);
         let near = look.sun_distance_au.recip();
@@ -125,31 +126,32 @@ impl SkyUniform {
 }
 
 gpu_struct! {
-    /// WGSL `Light`: the light on the sea, computed on the GPU when the sky changes. An irradiance of 1 is 6400 lux.
+    /// WGSL `Light`: the light on the sea, computed on the GPU when the sky changes. Units: irradiance 1 is 6400 lux,
+    /// radiance 1 is 6400 cd/m2, both times `night_gain`.
     pub struct LightBuffer as "Light" {
-        /// Irradiance by the sun on a plane that faces it, after air, clouds and fog.
+        /// Irradiance (RGB) by the sun on a plane that faces it at the sea, after air, clouds and fog.
         pub sun_irradiance: [f32; 3],
         /// Automatic exposure: factor from radiance to the input of the tone curve.
         pub exposure: f32,
-        /// Irradiance of a horizontal plane by the sky without the sun.
+        /// Irradiance (RGB) of a horizontal plane by the sky without the sun.
         pub sky_irradiance: [f32; 3],
-        /// Luminance that determines the automatic exposure.
+        /// Luminance to which the exposure adapts, mostly that of the low sky; `night_gain` is divided out.
         pub adaptation_luminance: f32,
-        /// Radiance of a closed cloud deck at the zenith.
+        /// Radiance (RGB) of a closed cloud deck at the zenith.
         pub overcast_zenith_radiance: [f32; 3],
         /// Fraction of the sunlight that passes through the clouds, 0 to 1.
         pub cloud_sun_transmittance: f32,
-        /// Radiance of dense fog lit by the sky, equal in all directions.
+        /// Radiance (RGB) of dense fog lit by the sky, equal in all directions.
         pub fog_sky_radiance: [f32; 3],
         unused_0: u32,
-        /// Irradiance by the sun at half the height of the fog, on a plane that faces the sun.
+        /// Irradiance (RGB) by the sun at half the height of the fog, on a plane that faces the sun.
         pub fog_sun_irradiance: [f32; 3],
         unused_1: u32,
     }
 }
 
 /// Factor by which all light is scaled up at dusk and night, so that half floats can hold it; the exposure divides by
-/// it. It is a power of two, so that scaling does not round.
+/// it. It is a power of two, so that scaling does not round; 1 by day.
 pub fn night_gain(look: &SkyLook) -> f64 {
     let below_deg = if look.panorama().is_some() { 0.0 } else { -look.sun_elevation_azimuth_deg()[0] };
     (1.2 * below_deg).clamp(0.0, 18.0).floor().exp2()

@@ -14,23 +14,24 @@ gpu_struct! {
     pub struct MeshVertex as "MeshVertex" {
         /// Displaced position relative to the eye, m, lowered by the curvature of the Earth.
         position: [f32; 3],
-        /// Height of the wave above the still water, m.
+        /// Height of the displaced water above the still water, m.
         height: f32,
         /// Undisplaced position (x, z) relative to the point below the eye, m.
         undisplaced: [f32; 2],
-        /// Slope, stretch and shear of long waves, which are interpolated between vertices (WGSL `WaterDerivatives`).
+        /// Slope (along x, z) of the long waves at this vertex. Like stretch and shear, the drawing interpolates it
+        /// between the vertices (WGSL `WaterDerivatives`).
         slope: [f32; 2],
         stretch: [f32; 2],
         shear: [f32; 2],
     }
 }
 
-/// Size of a vertex, bytes.
+/// Size of a [`MeshVertex`], bytes.
 pub const MESH_VERTEX_BYTES: u64 = size_of::<MeshVertex>() as u64;
 /// Side of a workgroup, in columns and rows of the mesh; equal to `workgroup_size` in the shader.
 const WORKGROUP_SIDE: u32 = 8;
 
-/// The displaced water mesh: its compute pass, its buffers and its draw call.
+/// The displaced water mesh: compute pass that displaces its vertices by the waves, buffers, and draw call.
 pub struct DisplacePass {
     pipeline: wgpu::ComputePipeline,
     layout: wgpu::BindGroupLayout,
@@ -42,7 +43,7 @@ pub struct DisplacePass {
     count: u32,
 }
 
-/// Vertex and index buffers for all meshes of one density.
+/// Vertex and index buffers for water meshes of one density, which serve every view.
 struct MeshBuffers {
     rows: u32,
     index_buffer_columns: u32,
@@ -52,7 +53,7 @@ struct MeshBuffers {
 }
 
 impl DisplacePass {
-    /// Compiles the pass. `maps` is the layout of the bind group with the wave maps.
+    /// Compiles the compute pass. `maps` is the layout of the bind group with the wave maps.
     pub fn new(gpu: &Gpu, shaders: &Shaders, frame: &Uniform<FrameUniform>, maps: &wgpu::BindGroupLayout) -> Self {
         let bindings = [
             BindingType::Uniform(size_of::<FrameUniform>()),
@@ -96,12 +97,12 @@ impl DisplacePass {
         });
     }
 
-    /// Number of vertices that the current view needs.
+    /// Number of mesh vertices that the current view needs; 0 before a mesh is set.
     pub fn vertex_count(&self) -> u32 {
         self.buffers.as_ref().map_or(0, |b| (self.columns + 1) * b.rows)
     }
 
-    /// Records the displacement of all vertices that the current view needs.
+    /// Records the compute pass that displaces the vertices for the current view by the waves in `maps`.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, maps: &wgpu::BindGroup) {
         let Some(buffers) = &self.buffers else { return };
         let mut pass = begin_compute(encoder, "mesh");
@@ -111,7 +112,7 @@ impl DisplacePass {
         pass.dispatch_workgroups((self.columns + 1).div_ceil(WORKGROUP_SIDE), buffers.rows.div_ceil(WORKGROUP_SIDE), 1);
     }
 
-    /// Draws the mesh with the pipeline that is set on `pass`. Binds the vertices as group 2.
+    /// Draws the displaced mesh with the pipeline that is set on `pass`. Binds the vertices as group 2.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         let Some(buffers) = &self.buffers else { return };
         pass.set_bind_group(2, &buffers.drawn, &[]);

@@ -12,7 +12,7 @@ use glam::{DMat3, DVec3};
 use std::f64::consts::TAU;
 
 gpu_struct! {
-    /// WGSL `HullVertex`: a vertex of a floating hull.
+    /// WGSL `HullVertex`: a vertex of a floating buoy or boat.
     pub struct HullVertex as "HullVertex" {
         /// Position x and z relative to the point below the eye, and height y above the still water, m.
         position: [f32; 3],
@@ -23,7 +23,8 @@ gpu_struct! {
     }
 }
 
-/// A triangle of a hull: corners, m, normals and paint colour. Axes: x to starboard, y up the mast, z to the stern.
+/// A triangle of a buoy's or boat's hull: corners, m, unit normals at the corners, and paint colour. Axes of the hull:
+/// x to starboard, y up the mast, z to the stern.
 #[derive(Clone, Copy)]
 struct HullFacet {
     corners: [DVec3; 3],
@@ -41,7 +42,7 @@ const BLUE: u32 = 0x0070_4020;
 /// The pass that draws floating buoys and boats.
 pub struct HullPass {
     module: wgpu::ShaderModule,
-    /// Pipeline, compiled when something floats for the first time.
+    /// Render pipeline; None until something floats for the first time, when it is compiled.
     pipeline: Option<wgpu::RenderPipeline>,
     layout: wgpu::BindGroupLayout,
     vertices: Option<(wgpu::Buffer, wgpu::BindGroup)>,
@@ -50,7 +51,7 @@ pub struct HullPass {
 }
 
 impl HullPass {
-    /// Creates the shader module and the hulls; the pipeline is compiled at first use.
+    /// Builds the shader module and the triangles of the hulls; the pipeline is compiled when something floats.
     pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
         let layout = gpu.bind_group_layout(
             "hulls",
@@ -61,8 +62,8 @@ impl HullPass {
         Self { module, pipeline: None, layout, vertices: None, hulls: [buoy_hull(), boat_hull()], count: 0 }
     }
 
-    /// Uploads hulls at `poses`, relative to the world position `below_eye` (x, z) and still water at height `level_m`,
-    /// m.
+    /// Uploads the triangles of hulls with the given poses. Uploaded positions are relative to the still water at the
+    /// world position `below_eye` (x, z), m, whose height in the world is `level_m`, m.
     pub fn upload_hulls(
         &mut self,
         gpu: &Gpu,
@@ -115,7 +116,7 @@ impl HullPass {
         });
     }
 
-    /// Draws the hulls. The water must already be in the picture.
+    /// Draws the uploaded hulls. The water must already be in the picture, because its lighting would paint over them.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, scene: &SceneGroup) {
         let (Some((_, group)), Some(pipeline)) = (&self.vertices, &self.pipeline) else { return };
         if self.count > 0 {
@@ -127,7 +128,7 @@ impl HullPass {
     }
 }
 
-/// A surface of revolution around the mast. `profile` lists radius (m), height (m) and colour from bottom to top.
+/// Triangles of a surface of revolution around the mast. `profile`: radius (m), height (m) and colour, bottom to top.
 fn surface_of_revolution(profile: &[(f64, f64, u32)]) -> Vec<HullFacet> {
     const LATHE_SIDES: usize = 20;
     let mut facets = Vec::new();
@@ -148,7 +149,7 @@ fn surface_of_revolution(profile: &[(f64, f64, u32)]) -> Vec<HullFacet> {
     facets
 }
 
-/// The hull of a moored buoy: float, tower and lantern.
+/// Triangles of a moored buoy: float, tower and lantern.
 fn buoy_hull() -> Vec<HullFacet> {
     surface_of_revolution(&[
         (0.0, -0.6, DARK_GREY),
@@ -169,7 +170,7 @@ fn buoy_hull() -> Vec<HullFacet> {
     ])
 }
 
-/// The hull of an open boat, joined from cross-sections (each keel, chine, gunwale) from bow to stern, with thwarts.
+/// Triangles of an open boat with thwarts, joined from cross-sections (each keel, chine, gunwale) from bow to stern.
 fn boat_hull() -> Vec<HullFacet> {
     // Cross-sections: distance from the bow, half-width at the gunwale, height of the gunwale, height of the keel, m.
     const CROSS_SECTIONS: [[f64; 4]; 7] = [

@@ -21,26 +21,26 @@ use wgpu::BindingResource::{Sampler, TextureView};
 const DEPTH_TEST_WATER_LIGHT: DepthState =
     DepthState { compare: wgpu::CompareFunction::LessEqual, ..DEPTH_TEST_BACKGROUND };
 
-/// Parts of the water shader that a pipeline contains.
+/// What a variant of the water's lighting pipeline can draw; the shader code for the rest is compiled out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Permutation {
-    /// The bed is visible.
+    /// Whether the sea bed is visible through the water.
     bed: bool,
-    /// Waves focus sunlight into caustics on the bed.
+    /// Whether waves focus sunlight into caustics on the bed.
     caustics: bool,
     foam: bool,
-    /// A Blinn-Phong lobe replaces the Gaussian distribution of slopes.
+    /// Whether a Blinn-Phong lobe replaces the Gaussian distribution of slopes.
     phong: bool,
-    /// A GGX (Trowbridge-Reitz) distribution of slopes replaces the Gaussian one.
+    /// Whether a GGX (Trowbridge-Reitz) distribution of slopes replaces the Gaussian one.
     ggx: bool,
-    /// Schlick's approximation replaces the exact Fresnel reflectance.
+    /// Whether Schlick's approximation replaces the exact Fresnel reflectance.
     schlick: bool,
-    /// The sky is an image from a file.
+    /// Whether the sky is an image from a file.
     file: bool,
     fog: bool,
-    /// The picture holds unfiltered samples of a reference.
+    /// Whether pixels take unfiltered point samples for a reference picture instead of averaging over their area.
     samples: bool,
-    /// The adapter is a software rasterizer.
+    /// Whether the adapter executes shaders on the CPU; neighbouring pixels then share a mip level, for speed.
     software: bool,
 }
 
@@ -78,27 +78,27 @@ impl Permutation {
     }
 }
 
-/// Mesh, maps and pipelines that draw the water.
+/// Draws the water: its mesh, the bound maps, and the pipelines that fill the G-buffer and light the pixels.
 pub struct WaterPass {
-    /// Bind group with frame, sky, light and material.
+    /// Bind group that all passes of the picture share: frame, sky, light and material.
     pub scene: SceneGroup,
     /// The displaced mesh of the water.
     pub mesh: DisplacePass,
     module: wgpu::ShaderModule,
     g_buffer_pipeline: wgpu::RenderPipeline,
     g_buffer_layout: wgpu::BindGroupLayout,
-    /// The bound G-buffer of the render targets, with its bind group.
+    /// The two textures of the bound G-buffer, and their bind group; None before the first frame.
     g_buffer: Option<([wgpu::TextureView; 2], wgpu::BindGroup)>,
     light: PipelineVariants<Permutation>,
     maps_layout: wgpu::BindGroupLayout,
     /// Samplers of the maps: one interpolates between mip levels, the other takes the nearest level.
     samplers: [wgpu::Sampler; 2],
-    /// Generation of the bound maps, with their bind group.
+    /// Generation number of the map textures that are bound, and their bind group; None before the first frame.
     maps: Option<(u64, wgpu::BindGroup)>,
 }
 
 impl WaterPass {
-    /// Compiles the passes of the mesh; [`Self::select_pipeline`] compiles the lighting.
+    /// Compiles the passes that displace the mesh and fill the G-buffer, not the lighting ([`Self::select_pipeline`]).
     pub fn new(gpu: &Gpu, shaders: &Shaders, scene: SceneGroup, frame: &Uniform<FrameUniform>) -> Self {
         let bindings = [
             BindingType::TextureArray,
@@ -135,7 +135,7 @@ impl WaterPass {
         }
     }
 
-    /// Binds the maps, unless this generation of them is bound already.
+    /// Makes the bind group of the wave and foam maps, unless it exists for these textures (their generation) already.
     pub fn bind_maps(&mut self, gpu: &Gpu, maps: &Maps) {
         if self.maps.as_ref().is_some_and(|(generation, _)| *generation == maps.generation) {
             return;
@@ -151,7 +151,7 @@ impl WaterPass {
         self.maps = Some((maps.generation, gpu.bind_group("maps", &self.maps_layout, &resources)));
     }
 
-    /// Binds the G-buffer of the render targets, unless it is bound already.
+    /// Makes the bind group of the render targets' G-buffer, unless it exists already.
     pub fn bind_targets(&mut self, gpu: &Gpu, targets: &Targets) {
         if self.g_buffer.as_ref().is_none_or(|(bound, _)| *bound != targets.g_buffer) {
             let resources = targets.g_buffer.each_ref().map(TextureView);
@@ -160,7 +160,7 @@ impl WaterPass {
         }
     }
 
-    /// Selects the lighting pipeline for a scene; compiles it at first use.
+    /// Selects the variant of the lighting pipeline that a scene needs; compiles it at first use.
     pub fn select_pipeline(&mut self, gpu: &Gpu, scene: &Scene) {
         let (module, format) = (&self.module, self.scene.output.format());
         let layouts = [&self.scene.layout, &self.maps_layout, &self.g_buffer_layout];
@@ -171,17 +171,17 @@ impl WaterPass {
         });
     }
 
-    /// Layout of the maps' bind group: displacement, gradients, moments, foam, two samplers.
+    /// Layout of the bind group of the maps: displacement, gradients, slope moments, foam, two samplers.
     pub fn maps_layout(&self) -> &wgpu::BindGroupLayout {
         &self.maps_layout
     }
 
-    /// Bind group of the maps; None until maps are bound.
+    /// Bind group of the wave and foam maps; None until maps are bound.
     pub fn maps_group(&self) -> Option<&wgpu::BindGroup> {
         self.maps.as_ref().map(|(_, group)| group)
     }
 
-    /// Records the compute pass that displaces the mesh.
+    /// Records the compute pass that displaces the vertices of the mesh.
     pub fn displace(&self, encoder: &mut wgpu::CommandEncoder) {
         if let Some(maps) = self.maps_group() {
             self.mesh.run(encoder, maps);
@@ -196,7 +196,7 @@ impl WaterPass {
         self.draw_mesh(&mut pass);
     }
 
-    /// Lights all pixels that show water, reading the G-buffer.
+    /// Draws the light of all pixels that show water; the G-buffer holds what each shows.
     pub fn draw_light(&self, pass: &mut wgpu::RenderPass<'_>) {
         let (Some(pipeline), Some(maps), Some((_, g_buffer))) =
             (self.light.selected(), self.maps_group(), &self.g_buffer)
@@ -210,12 +210,12 @@ impl WaterPass {
         pass.draw(0..3, 0..1);
     }
 
-    /// Layouts of the bind groups 0 to 2 with which the mesh is drawn.
+    /// Layouts of the bind groups 0 to 2 with which the mesh is drawn: scene, maps, vertices.
     pub fn mesh_layouts(&self) -> [&wgpu::BindGroupLayout; 3] {
         [&self.scene.layout, &self.maps_layout, self.mesh.vertices_layout()]
     }
 
-    /// Draws the displaced mesh with the pipeline that is set on `pass`.
+    /// Draws the displaced mesh with the pipeline set on `pass`; binds scene, maps and vertices as groups 0 to 2.
     pub fn draw_mesh(&self, pass: &mut wgpu::RenderPass<'_>) {
         let Some(maps) = self.maps_group() else { return };
         pass.set_bind_group(0, &self.scene.group, &[]);

@@ -12,8 +12,8 @@ const NOISE_LAYERS: usize = 6;
 /// Shape of a noise layer: sides of its tile along and across its axis, m; angle from the wind to the axis, degrees;
 /// relative lengthening of the tile along the axis in a storm.
 type LayerShape = (f64, f64, f64, f64);
-/// Layers of foam: windrows, patches, strands, bubbles; and of sand: patches with ripple marks, grains. Sides and
-/// angles have no common period, so that the sum of the layers does not repeat.
+/// Shapes of the noise layers: four of foam (windrows, patches, strands, bubbles), two of sand (patches with ripple
+/// marks, grains). Sides and angles have no common period, so that the sum of the layers does not repeat.
 const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     (430.0, 430.0, 0.0, 5.0),
     (71.0, 71.0, 7.0, 2.6),
@@ -23,23 +23,23 @@ const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     (12.35, 12.35, 63.0, 0.0),
     (0.97, 0.97, 11.0, 0.0),
 ];
-/// Smallest fraction of vertical light that must return from the bed for it to be visible.
+/// Fraction of light that must remain after the way straight down to the bed and back, or else the bed is not drawn.
 const MIN_BED_TRANSMITTANCE: f64 = 1e-3;
 
 gpu_struct! {
-    /// WGSL `NoiseLayer`: mapping of the water to the texture coordinates of a noise layer.
+    /// WGSL `NoiseLayer`: transformation from positions on the water to texture coordinates of one noise layer.
     pub struct NoiseLayer as "NoiseLayer" {
         /// Matrix from positions (x, z) relative to the point below the eye, m, to texture coordinates.
         uv_from_position: glam::Mat2,
-        /// Texture coordinates of the point below the eye.
+        /// Texture coordinates, in the noise texture, of the point straight below the eye.
         uv_below_eye: [f32; 2],
         unused: [u32; 2],
     }
 }
 
 impl NoiseLayer {
-    /// A layer for an eye above the world position `below_eye` (x, z), m. `gale`, 0 to 1, lengthens the tile along its
-    /// axis.
+    /// The transformation for a noise layer and an eye above the world position `below_eye` (x, z), m. `gale` goes from
+    /// 0 to 1 with the wind and lengthens the layer's tile along its axis.
     fn new(
         (along_m, across_m, turn_deg, longer): LayerShape,
         downwind: [f64; 2],
@@ -63,7 +63,7 @@ gpu_struct! {
     pub struct MaterialUniform as "Material" {
         /// Absorption coefficient of the water at red, green and blue, 1/m.
         absorption: [f32; 3],
-        /// Factor on the skylight that the water scatters back.
+        /// Factor on the skylight that the water scatters back; 1 is physical.
         ambient: f32,
         /// Backscattering coefficient of the water at red, green and blue, 1/m.
         backscatter: [f32; 3],
@@ -71,44 +71,44 @@ gpu_struct! {
         index_air: f32,
         /// Total scattering coefficient of the water at red, green and blue, 1/m.
         scattering: [f32; 3],
-        /// Density of the bubbles below foam relative to a typical plume.
+        /// Density of the bubbles below foam; 1 is that of a typical plume under a breaking wave.
         bubble_density: f32,
         bubble_colour: [f32; 3],
-        /// Factor on the light that shines through wave crests.
+        /// Factor on the light that shines through wave crests; 1 is physical.
         crest_transmission: f32,
         foam_colour: [f32; 3],
-        /// How much the light scattered back depends on the viewing direction: 0 not at all, 1 physically.
+        /// How much the light scattered back by the water depends on the viewing direction: 0 not at all, 1 physically.
         view_scatter: f32,
         bed_colour: [f32; 3],
-        /// Factor on the sunlight that the water scatters back.
+        /// Factor on the sunlight that the water scatters back; 1 is physical.
         diffuse: f32,
         noise_layers: [NoiseLayer; NOISE_LAYERS],
         /// Refractive index of the water.
         index_water: f32,
         /// Exponent of Schlick's approximation of the Fresnel reflectance, 5 in the original.
         schlick_exponent: f32,
-        /// Factor on the Fresnel reflectance.
+        /// Factor on the Fresnel reflectance of the water; 1 is physical.
         fresnel_scale: f32,
-        /// Factor on the surface slopes in the Fresnel reflectance.
+        /// Factor on the surface slopes from which the Fresnel reflectance is computed; 1 is physical.
         fresnel_slope_factor: f32,
-        /// Exponent of the Blinn-Phong lobe.
+        /// Exponent of the Blinn-Phong lobe that shapes the sun's glitter, if it is selected.
         shininess: f32,
-        /// Factor on the radiance of the sun's glitter.
+        /// Factor on the radiance of the sun's glitter; 1 is physical.
         glitter_strength: f32,
-        /// Factor on the Fresnel reflectance in the sun's glitter.
+        /// Factor on the Fresnel reflectance in the sun's glitter; 1 is physical.
         glitter_fresnel: f32,
-        /// Cosine of the sun's or the eye's angle to the surface normal below which the glitter fades out.
+        /// Cosine of sun's or eye's angle to the surface normal below which glitter fades; gone at half of it.
         glitter_min_cosine: f32,
-        /// Slope variance along each axis that the roughness setting adds to the unresolved waves.
+        /// Slope variance along each axis (x, z) that the roughness setting adds to that of the unresolved waves.
         roughness_variance: f32,
         foam_roughness: f32,
-        /// Factor on the height of the foam's relief.
+        /// Factor on the height of the foam's relief, and so on its shading; 0 is flat foam.
         foam_relief: f32,
-        /// Factor on the radiance of the reflected sky.
+        /// Factor on the radiance of the reflected sky; 1 is physical.
         sky_reflection: f32,
         /// Strength of the caustics on the bed: 0 is even light, 1 is physical.
         caustic_strength: f32,
-        /// Half the shortest wavelength that focuses light into caustics on the bed, m.
+        /// Half the shortest wavelength that forms distinct caustics on the bed, m; finer wave detail is left out.
         caustic_filter_m: f32,
         unused: [u32; 2],
     }
@@ -170,7 +170,7 @@ fn water_optics(scattering: &Scattering) -> WaterOptics {
     }
 }
 
-/// Whether enough light returns from the bed for it to be visible.
+/// Whether enough light returns from the sea bed for it to be drawn.
 pub fn is_bed_visible(scene: &Scene) -> bool {
     let back = water_optics(&scene.look.surface.scattering).two_way_transmittance(scene.sea.depth_m);
     back.into_iter().any(|share| share > MIN_BED_TRANSMITTANCE)

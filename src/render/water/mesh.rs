@@ -9,15 +9,16 @@ use crate::state::camera::EARTH_RADIUS_M;
 use crate::state::camera::View;
 use std::f64::consts::{PI, TAU};
 
-/// Number of columns of the mesh at density 1.
+/// Number of columns (lines of vertices in one direction from the eye) of the water mesh at density 1.
 const DEFAULT_COLUMNS: f64 = 240.0;
-/// Number of rows of the mesh at density 1.
+/// Number of rows (arcs of vertices at one distance from the eye) of the water mesh at density 1.
 const DEFAULT_ROWS: f64 = 1120.0;
-/// Number of vertices of the mesh at density 1.
+/// Number of vertices of the water mesh at density 1.
 pub const DEFAULT_VERTICES: f64 = DEFAULT_COLUMNS * DEFAULT_ROWS;
-/// Number of columns that are drawn together row by row, so that the next row finds vertices in the GPU's cache.
+/// Number of columns of the mesh that are drawn together row by row; the next row finds vertices in the GPU's cache.
 pub const COLUMNS_PER_BLOCK: u32 = 8;
-/// Step to which the first row's logarithmic distance is rounded, so that a small change of pitch moves no row.
+/// Step of the logarithmic distance t (see [`MeshLattice`]) to which the nearest row is rounded down, so that a small
+/// change of the camera's pitch moves no row.
 const ROW_SNAP: f64 = 0.25;
 
 gpu_struct! {
@@ -42,14 +43,15 @@ gpu_struct! {
 pub struct Mesh {
     /// Polar coordinates of the vertices before displacement.
     pub lattice: MeshLattice,
-    /// Number of columns of quads in the index buffer.
+    /// Number of columns of quads in the index buffer. It depends only on the density of the mesh, not on the view.
     pub index_buffer_columns: u32,
-    /// Number of columns of quads that this view needs, a multiple of [`COLUMNS_PER_BLOCK`].
+    /// Number of columns of quads that are drawn in this view, a multiple of [`COLUMNS_PER_BLOCK`].
     pub columns: u32,
 }
 
 impl Mesh {
-    /// The mesh that covers a view of a sea. `density` scales its vertices, `extent_km` its reach (0 is the horizon).
+    /// The mesh that covers the water visible in `view`. `density` is its number of vertices relative to the default;
+    /// `extent_km` is the distance that it reaches, km, or 0 for the horizon.
     pub fn new(view: &View, sea: &SeaAppearance, density: f64, extent_km: f64) -> Self {
         let scale = density.clamp(0.015, 64.0).sqrt();
         let index_buffer_columns =
@@ -97,7 +99,7 @@ impl Mesh {
         }
     }
 
-    /// Vertex indices of the triangles of all columns, in blocks of [`COLUMNS_PER_BLOCK`] columns.
+    /// Vertex indices, three per triangle, for all columns of the index buffer in blocks of [`COLUMNS_PER_BLOCK`].
     pub fn indices(&self) -> Vec<u32> {
         let rows = self.lattice.rows;
         let mut out = Vec::with_capacity((self.index_buffer_columns * (rows - 1) * 6) as usize);
@@ -113,13 +115,14 @@ impl Mesh {
         out
     }
 
-    /// Number of indices of the triangles that this view needs.
+    /// Number of vertex indices that are drawn in this view, three per triangle.
     pub fn index_count(&self) -> u32 {
         self.columns * (self.lattice.rows - 1) * 6
     }
 }
 
-/// Lowest elevation in the picture and largest azimuth from its middle, rad, of the directions that may show water.
+/// Limits of the viewing directions that may show water: the lowest elevation in the picture, and the largest azimuth
+/// to either side of its middle, both rad.
 fn visible_angles(view: &View) -> (f64, f64) {
     let down = -glam::DVec3::Y;
     let depth = down.dot(view.forward);

@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 /// Side of the noise texture, texels.
 const NOISE_SIDE: u32 = 512;
 
-/// The noise texture and its sampler.
+/// Periodic noise texture (net of foam in red, bubbles in green, clouds in blue) and its sampler.
 pub struct NoiseTexture {
     texture: wgpu::Texture,
     pub view: wgpu::TextureView,
@@ -33,7 +33,8 @@ impl NoiseTexture {
     }
 }
 
-/// Bytes of all mip levels, computed once per process, so that a second device gets them at once.
+/// RGBA bytes of all mip levels of the noise texture, finest first. They are computed once per process, so that a
+/// second device gets them at once.
 fn mip_levels() -> &'static [Vec<u8>] {
     static MIP_LEVELS: OnceLock<Vec<Vec<u8>>> = OnceLock::new();
     MIP_LEVELS.get_or_init(|| {
@@ -87,7 +88,7 @@ fn noise_tile(side: u32) -> Vec<[f32; 4]> {
     (0..(side * side) as usize).map(|i| [net[i], bubbles[i], cloud[i], 1.0]).collect()
 }
 
-/// Replaces each value by its rank, 0 to 1, among 65536 bins of the range: much finer than a byte.
+/// Rank of each value among all values, 0 to 1. Values are sorted into 65536 bins, which is much finer than a byte.
 fn ranks_of_values(values: &[f32]) -> Vec<f32> {
     const BINS: usize = 1 << 16;
     let (low, high) = values.iter().fold((f32::MAX, f32::MIN), |(low, high), &v| (low.min(v), high.max(v)));
@@ -117,21 +118,21 @@ fn half_size_level(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
         .collect()
 }
 
-/// A periodic lattice of square cells with two numbers per cell, for noise.
+/// A periodic lattice of square cells with two random numbers per cell, from which Worley or Perlin noise is computed.
 struct NoiseLattice {
     period: i32,
-    /// The two numbers: offset of a point, or a unit vector. The outermost cells are repeated around the edge, so that
-    /// a look-up needs no modulo.
+    /// The two numbers of each cell, row by row: place of a point in the cell, 0 to 1, or a unit vector. The outermost
+    /// cells are repeated around the edge, so that a look-up needs no modulo.
     cells: Vec<[f32; 2]>,
 }
 
 impl NoiseLattice {
-    /// A lattice with a random point in each cell, for Worley noise.
+    /// A lattice of `period` x `period` cells with a random point in each, for Worley noise. `key` is the random seed.
     fn feature_points(period: i32, key: u32) -> Self {
         Self::new(period, key, |cell| cell)
     }
 
-    /// A lattice with a random unit vector at the corner of each cell, for Perlin noise.
+    /// A lattice of `period` x `period` corners with a random unit vector at each, for Perlin noise. `key` is a seed.
     fn gradients(period: i32, key: u32) -> Self {
         Self::new(period, key, |[a, _]| {
             let (sin, cos) = (a * std::f32::consts::TAU).sin_cos();
@@ -139,7 +140,7 @@ impl NoiseLattice {
         })
     }
 
-    /// A lattice whose two numbers per cell are a function `f` of two random numbers in 0..1.
+    /// A lattice of `period` x `period` cells; their two numbers are `f` of two random numbers in 0..1, of seed `key`.
     fn new(period: i32, key: u32, f: impl Fn([f32; 2]) -> [f32; 2]) -> Self {
         let number = |h: u32| (h >> 8) as f32 / 16_777_216.0;
         let inner: Vec<_> = (0..period * period)
@@ -154,20 +155,20 @@ impl NoiseLattice {
         Self { period, cells }
     }
 
-    /// Index of the cell one before that of the point (x, y) along both axes, and the point's position in its own cell,
-    /// 0 to 1. The tile is 1 wide.
+    /// Finds the cell of the point (x, y) in a tile of side 1. Returns the index in `cells` of the cell one column and
+    /// one row before it, where the 3 x 3 cells around the point begin, and the point's place in its own cell, 0 to 1.
     fn locate_cell(&self, x: f32, y: f32) -> (usize, [f32; 2]) {
         let [x, y] = [x, y].map(|x| (x - x.floor()) * self.period as f32);
         let [ix, iy] = [x, y].map(|x| (x as usize).min(self.period as usize - 1));
         (iy * self.stored_row_length() + ix, [x - ix as f32, y - iy as f32])
     }
 
-    /// Number of cells in a stored row, with the repeated ones.
+    /// Number of entries in a row of `cells`: the period and a repeated cell at both ends.
     fn stored_row_length(&self) -> usize {
         self.period as usize + 2
     }
 
-    /// Worley noise at (x, y): 1 on the border between the regions of two points, less inside them.
+    /// Worley noise at (x, y), 0 to 1: 1 on the border between the regions nearest to two points, less inside them.
     fn worley_noise(&self, x: f32, y: f32) -> f32 {
         let (before, [x, y]) = self.locate_cell(x, y);
         // Squared distances compared as bits, which sort alike: WebAssembly finds the minimum of integers faster.
