@@ -6,13 +6,14 @@ use crate::state::params::{Camera, CameraMode};
 use crate::state::rounding::{camera_pose, with_rounded_pose};
 use egui::Key;
 
-/// Speed at which keys fly the camera at the sea's zero level, m/s.
+/// Speed at which keys fly the camera while it is at height y = 0, m/s. The speed grows with the height: see
+/// [`SPEED_PER_HEIGHT`].
 const MIN_SPEED_M_S: f64 = 6.0;
 /// Increase of the camera's flight speed with its height, (m/s) per m.
 const SPEED_PER_HEIGHT: f64 = 0.8;
 /// Factor by which the camera flies faster while Shift is held.
 const SHIFT_SPEED_FACTOR: f64 = 8.0;
-/// Angle by which the orbiting camera turns per point that the pointer is dragged, degrees.
+/// In orbit mode, angle by which the camera moves around its pivot per point that the pointer is dragged, degrees.
 const DRAG_DEG_PER_POINT: f64 = 0.3;
 
 /// Applies mouse and touch to the camera: dragging turns it, wheel and pinching zoom, two fingers also move it.
@@ -71,8 +72,8 @@ pub fn apply_keys_to_camera(camera: &mut Camera, ctx: &egui::Context) {
 }
 
 impl App {
-    /// Rounds the camera, and the time while it is stopped, as soon as the user gives no input. The picture is then
-    /// exactly the one that a copied link opens.
+    /// Once the user gives no input, rounds the camera's position and angles, and the time of a stopped clock, to the
+    /// digits that a link holds. The picture is then exactly the one that a copied link opens.
     pub(super) fn round_when_idle(&mut self, ctx: &egui::Context) {
         if ctx.input(|i| i.pointer.any_down() || !i.keys_down.is_empty() || i.any_touches()) {
             return;

@@ -6,11 +6,12 @@ use crate::waves::Plan;
 use crate::waves::colour_scale::{Palette, caption};
 use egui::{Color32, Key};
 
-/// Width and height of the colour bar, points.
+/// Width and height of the colour bar in the caption of a debug view, points.
 const COLOUR_BAR_SIZE: egui::Vec2 = egui::vec2(220.0, 10.0);
 
-/// Applies the keys of debug views: V shows the next view, Shift+V the previous one; digits choose a cascade; Escape
-/// returns to the picture. Returns whether Escape was used.
+/// Changes the debug view (an image of one quantity, such as foam, in place of the sea) by keys: V shows the next one,
+/// Shift+V the previous one; 0 to 4 choose the cascade (0: all); Escape returns to the picture. Returns whether Escape
+/// did.
 pub fn apply_view_keys(view: &mut ViewChoice, ctx: &egui::Context) -> bool {
     let pressed = |key| ctx.input(|i| i.key_pressed(key));
     if pressed(Key::V) {

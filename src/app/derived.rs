@@ -12,20 +12,22 @@ use std::cell::OnceCell;
 pub struct Derived {
     /// Parameters from which the other fields were computed.
     pub params: Params,
-    /// Plan for the FFT size that the user requested; adaptive quality may draw the sea with a smaller one.
+    /// Plan (the waves of the sea, divided among cascades) for the FFT size that the user requested; adaptive quality
+    /// may draw the sea with a smaller one.
     pub plan: Plan,
     /// Statistics by theory, from integrals of the continuous spectrum.
     pub theory: SpectrumStatistics,
-    /// Statistics of the waves on the FFT grids, as sums over all wave numbers.
+    /// Statistics of the resolved waves (those on the FFT grids), as sums over all wave numbers; empty until first
+    /// used.
     resolved: OnceCell<LatticeStatistics>,
-    /// The waves that are summed on the CPU for the height of the sea at a point.
+    /// Waves that move floating hulls. Here only their heights are used: see [`Self::strongest_waves`].
     surface_waves: OnceCell<HullWaves>,
-    /// Directional spectrum, sampled for the polar plot.
+    /// Directional spectrum, sampled for the panel's polar plot; empty until first used.
     directional_spectrum: OnceCell<DirectionalSpectrumSamples>,
 }
 
 impl Derived {
-    /// Computes the plan and the statistics of its spectrum.
+    /// Computes the plan of a sea and its statistics by theory; the other quantities follow when they are first used.
     pub fn new(params: &Params) -> Self {
         let plan = Plan::new(params);
         let theory = SpectrumStatistics::new(&plan);
@@ -40,7 +42,7 @@ impl Derived {
     }
 
     /// Updates the derived quantities to new parameters, and recomputes only those that depend on the change. Returns
-    /// the kind of the change; `None` if the sea is the same.
+    /// the kind of the change (foam, surface or waves); `None` if neither the sea nor the FFT grid has changed.
     pub fn update(&mut self, params: &Params) -> Option<SeaChange> {
         let change = SeaChange::between(&self.params, params);
         match change {
@@ -56,17 +58,18 @@ impl Derived {
         change
     }
 
-    /// Statistics of the waves on the FFT grids.
+    /// Statistics of the resolved waves (those on the FFT grids); computed at the first call.
     pub fn lattice_statistics(&self) -> &LatticeStatistics {
         self.resolved.get_or_init(|| LatticeStatistics::new(&self.plan, self.theory.m0_m2))
     }
 
-    /// The sum of waves that gives the height of the sea at any point, on the CPU.
+    /// The strongest waves of the sea. Their sum, computed on the CPU, gives the height of the sea at any point and
+    /// time.
     pub fn strongest_waves(&self) -> &StrongestWaves {
         self.surface_waves.get_or_init(|| HullWaves::new(&self.plan)).heights()
     }
 
-    /// Directional spectrum, sampled for the polar plot.
+    /// Directional spectrum, sampled for the panel's polar plot; computed at the first call.
     pub fn directional_spectrum(&self) -> &DirectionalSpectrumSamples {
         self.directional_spectrum.get_or_init(|| DirectionalSpectrumSamples::new(&self.plan))
     }

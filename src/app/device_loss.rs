@@ -12,10 +12,10 @@ use crate::state::Params;
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// Result of the closure in which eframe creates its app.
+/// What the closure that creates the app for eframe returns: the app, or the reason for the failure.
 pub type AppCreation = Result<Box<dyn eframe::App>, Box<dyn std::error::Error + Send + Sync>>;
 
-/// The place where the app waits between two runs of eframe, after a device loss.
+/// Slot that holds the app between two runs of eframe, after a device loss; empty while the app runs.
 pub type ParkedApp = Rc<RefCell<Option<App>>>;
 
 /// Wrapper of the app that eframe runs. The app can be taken out and parked after a device loss.
@@ -73,7 +73,8 @@ impl eframe::App for AppHost {
     }
 }
 
-/// Creates the ocean in eframe's renderer, and starts to collect the errors of its GPU device.
+/// Creates the ocean renderer and stores it in eframe's resources for paint callbacks. Returns the list that collects
+/// all errors of the GPU device from now on.
 pub fn create_ocean(render_state: &egui_wgpu::RenderState, params: &Params) -> GpuErrors {
     let errors = GpuErrors::watch(&render_state.device);
     let gpu = Gpu { device: render_state.device.clone(), queue: render_state.queue.clone() };

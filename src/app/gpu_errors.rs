@@ -14,7 +14,7 @@ struct GpuErrorState {
     lost: Option<String>,
     /// Whether the device is treated as lost because its memory was too small.
     out_of_memory: bool,
-    /// Senders that complete the futures waiting for the device loss.
+    /// Senders that complete the futures of [`GpuErrors::when_lost`] when the device is lost.
     waiting: Vec<oneshot::Sender<()>>,
 }
 
@@ -49,12 +49,12 @@ impl GpuErrors {
         errors
     }
 
-    /// The distinct error messages of the device so far.
+    /// The distinct error messages of the device so far, at most `MAX_DISTINCT_ERRORS`.
     pub fn errors(&self) -> Vec<String> {
         self.lock().errors.clone()
     }
 
-    /// The reason why the device was lost; `None` while it works.
+    /// The reason why the GPU device was lost; `None` while it works.
     pub fn lost(&self) -> Option<String> {
         self.lock().lost.clone()
     }

@@ -24,8 +24,8 @@ impl Default for History {
 }
 
 impl History {
-    /// Records the parameters of the frame at time `now_s`. While the pointer is held it records nothing, so a drag
-    /// becomes one undo step.
+    /// Records the parameters of the frame at time `now_s`, s on egui's clock. While a pointer button is down (`held`)
+    /// it records nothing, so a drag becomes one undo step.
     pub fn note_params(&mut self, params: &Params, held: bool, now_s: f64) {
         if !held {
             self.0.feed_state(now_s, &recorded_params(params));
@@ -43,7 +43,7 @@ impl History {
         self.0.add_undo(&now);
     }
 
-    /// Whether there is a step to undo (first), and whether there is one to redo (second).
+    /// Two answers: whether there is a step to undo, and whether there is one to redo.
     pub fn can_undo_redo(&self, params: &Params) -> (bool, bool) {
         let now = recorded_params(params);
         (self.0.has_undo(&now), self.0.has_redo(&now))
@@ -77,7 +77,7 @@ fn restore_recorded_params(params: &mut Params, to: Option<&Params>) {
     }
 }
 
-/// The parameters as the history records them: with default time and camera.
+/// Copy of the parameters as the history records them: with default time and camera, because these are not undone.
 fn recorded_params(params: &Params) -> Params {
     let Params { clock, camera, .. } = Params::default();
     Params { clock, camera, ..params.clone() }

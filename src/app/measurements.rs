@@ -9,14 +9,16 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Least time between two read-backs of the wave maps, s.
 const READBACK_INTERVAL_S: f64 = 1.0;
-/// Number of map texels per frame that the CPU passes through the Fourier transform: a few milliseconds in a browser.
+/// Number of wave-map texels that the CPU Fourier-transforms in one frame: a few milliseconds in a browser.
 const POINTS_PER_FRAME: usize = 1 << 16;
 /// Number of frequency bins of the spectrum that is measured in the wave maps.
 const SPECTRUM_BINS: usize = 72;
-/// Weight of a new frame in the moving average of the recording time, 0 to 1.
+/// Weight of the newest frame, 0 to 1, in the moving average of the CPU time that recording a frame's GPU commands
+/// takes.
 const RECORDING_TIME_SMOOTHING: f64 = 0.1;
 
-/// Flags of read-outs that are measured only while they are shown. Drawing one sets its flag; the next frame clears it.
+/// Flags of the panel's read-outs that are measured only while they are shown. Drawing one sets its flag; the next
+/// frame reads and clears it.
 #[derive(Default)]
 pub struct VisibleReadouts {
     /// Whether the plot of the buoy's record is shown.
@@ -27,22 +29,25 @@ pub struct VisibleReadouts {
     pub pass_times: Cell<bool>,
 }
 
-/// Requests for measurements, and their results, shared between the app and the code that records a frame on the GPU.
+/// Requests for the times of the GPU passes and for copies of the wave maps, and their results. The app shares them
+/// with the code that records a frame on the GPU.
 #[derive(Clone, Default)]
 pub struct FrameMeasurements(Arc<Mutex<FrameRequests>>);
 
 #[derive(Default)]
 struct FrameRequests {
     wants_times: bool,
-    /// Number of the sea (see [`SeaMeasurement`]) whose wave maps the next frame is to copy for read-back.
+    /// Serial number of the sea (see [`SeaMeasurement`]) whose wave maps the next frame is to copy for read-back;
+    /// `None` without a request.
     wants_probe: Option<u64>,
-    /// Number of the sea, and the copies of its wave maps that the last frame recorded.
+    /// Copies of the wave maps that the last frame recorded for read-back, after the serial number of their sea.
     probe: Option<(u64, PendingMapRead)>,
     /// Whether the last recorded frame was painted. Only painted frames are submitted to the GPU.
     is_painted: bool,
     /// Moving average of the CPU time that recording a frame's GPU commands takes, s.
     record_s: f64,
-    /// Name and time (ms) of each GPU pass; `None` if the GPU has no timestamp queries.
+    /// Name and GPU time (ms, smoothed over frames) of each pass; `None` before the first frame or if the GPU has no
+    /// timestamp queries.
     passes: Option<Vec<(&'static str, f64)>>,
 }
 
@@ -51,7 +56,8 @@ impl FrameMeasurements {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Starts the measurement of a frame. Call this before the frame's commands are recorded.
+    /// Starts to time a frame's GPU passes if they are shown, and asks again for map copies that were lost because
+    /// their frame was not submitted. Call this before the frame's commands are recorded.
     pub fn begin_frame(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder) {
         let mut inner = self.lock();
         let is_submitted = std::mem::take(&mut inner.is_painted);
@@ -64,8 +70,8 @@ impl FrameMeasurements {
         }
     }
 
-    /// Ends the measurement of a frame whose recording took `record_s` seconds. `is_whole` tells that no replay of past
-    /// foam and no cross-fade is in progress, so that the maps may be measured.
+    /// Notes the pass times and `record_s`, the CPU time of recording the frame's commands, s. Copies the wave maps if
+    /// this was requested and `is_whole`: no replay of past foam and no cross-fade of two seas is in progress.
     pub fn end_frame(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder, record_s: f64, is_whole: bool) {
         let mut inner = self.lock();
         ocean.timer().end_frame(encoder);
@@ -91,7 +97,8 @@ impl FrameMeasurements {
         1e3 * self.lock().record_s
     }
 
-    /// Name and time (ms) of each GPU pass; `None` if the GPU has no timestamp queries.
+    /// Name and GPU time (ms, smoothed over frames) of each pass; `None` before the first frame or if the GPU has no
+    /// timestamp queries.
     pub fn passes(&self) -> Option<Vec<(&'static str, f64)>> {
         self.lock().passes.clone()
     }
@@ -105,9 +112,11 @@ pub struct SeaMeasurement {
     inbox: tasks::Inbox<(u64, Result<MapStatistics, String>)>,
     /// Whether a requested read-back of the wave maps has not arrived yet.
     waiting: bool,
-    /// The read-back that is being Fourier transformed, over several frames.
+    /// The read-back whose Fourier transform is in progress over several frames: the estimator of its spectrum, and the
+    /// data.
     pending_analysis: Option<(MapSpectrumEstimator, MapStatistics)>,
-    /// Time of the last request on egui's clock, and the simulated time then, s.
+    /// When the last read-back was requested: time on egui's clock, and simulated time, both in s; `None` before the
+    /// first.
     last: Option<(f64, f64)>,
     sums: StatisticSums,
 }
@@ -138,22 +147,23 @@ impl SeaMeasurement {
         (self.sums.readings > 0).then(|| sum / self.sums.readings as f64)
     }
 
-    /// Measured significant wave height, m; `None` before the first measurement.
+    /// Significant wave height measured in the GPU's wave maps, m; `None` before the first reading.
     pub fn hs_m(&self) -> Option<f64> {
         self.mean(self.sums.hs2_m2).map(f64::sqrt)
     }
 
-    /// Measured mean square slope; `None` before the first measurement.
+    /// Mean square slope measured in the GPU's wave maps, dimensionless; `None` before the first reading.
     pub fn mss(&self) -> Option<f64> {
         self.mean(self.sums.mss)
     }
 
-    /// Measured foam coverage of the sea around the camera, 0 to 1; `None` before the first measurement.
+    /// Foam coverage around the camera measured in the GPU's foam map, 0 to 1; `None` before the first reading.
     pub fn coverage(&self) -> Option<f64> {
         self.mean(self.sums.coverage)
     }
 
-    /// Measured spectrum: the width of a frequency bin, rad/s, and the variance density S(omega) in each bin, m^2 s.
+    /// Spectrum measured in the GPU's wave maps: width of a frequency bin, rad/s, and mean variance density S(omega) in
+    /// each bin, m^2 s. The first bin begins at 0. `None` before the first reading.
     pub fn spectrum(&self) -> Option<(f64, Vec<f64>)> {
         let width = self.sums.width_rad_s;
         let unit = self.mean(1.0)? / width;
@@ -180,8 +190,8 @@ impl App {
         (inner.wants_probe, inner.probe) = (None, None);
     }
 
-    /// Continues the statistics of the wave maps: takes finished read-backs, analyses a part of one, and requests
-    /// another while the panel shows the results.
+    /// Continues the measurement of the wave maps: takes finished read-backs, Fourier-transforms a part of one, and
+    /// requests another while the panel shows the results.
     pub(super) fn measure(&mut self, ctx: &egui::Context) {
         self.read_probe(ctx);
         let width = plots::highest_omega(&self.derived.plan) / SPECTRUM_BINS as f64;

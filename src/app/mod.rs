@@ -62,7 +62,8 @@ pub struct App {
     /// Whether the help window with the keyboard shortcuts is open.
     help: bool,
     message: Option<message::Message>,
-    /// Camera, and simulated time if the clock is stopped, at the end of the last frame without user input.
+    /// Camera, with the time of a stopped clock, as it was last rounded or opened from a link. It is not rounded again
+    /// before it changes.
     idle_pose: Option<rounding::CameraPose>,
     /// Parameters of the last drawn frame, and its width and height in pixels.
     drawn: Option<(Params, [u32; 2])>,
@@ -163,7 +164,7 @@ impl App {
         self.ctx.request_repaint();
     }
 
-    /// Width and height of the last drawn picture in pixels; zero before the first one.
+    /// Width and height of the last drawn picture in pixels; `[0, 0]` before the first one.
     pub fn picture_size(&self) -> [u32; 2] {
         self.drawn.as_ref().map_or([0; 2], |(_, size)| *size)
     }
@@ -174,18 +175,19 @@ impl App {
         self.save_folder = Some(folder);
     }
 
-    /// Number of frames painted since the app was created.
+    /// Number of frames that the app has laid out and painted since it was created, also while simulated time is
+    /// stopped.
     pub fn frames(&self) -> u64 {
         self.frames
     }
 
-    /// Whether the GPU has finished the first picture on the current device.
+    /// Whether the GPU has finished the first picture since the start or since the last device loss.
     pub fn has_first_picture(&self) -> bool {
         self.progress.has_first_picture()
     }
 
-    /// Requests one more frame. Returns whether the picture is complete: no replay of past foam steps and no cross-fade
-    /// is in progress.
+    /// Requests one more frame. Returns whether the picture is complete: the GPU has finished the first one, all past
+    /// foam steps are computed, and no cross-fade between two seas is in progress.
     pub fn is_picture_complete(&self) -> bool {
         self.ctx.request_repaint();
         self.progress.has_first_picture() && !self.progress.is_catching_up()
@@ -230,7 +232,8 @@ impl App {
         }
     }
 
-    /// Recomputes the plan, the statistics and the other derived quantities if the parameters of the sea have changed.
+    /// If the parameters of the sea have changed, recomputes the plan, the statistics and the plot data, and discards
+    /// what was measured in the old sea.
     fn update_derived(&mut self) {
         let Some(change) = self.derived.update(&self.params) else { return };
         if change > SeaChange::Foam {
@@ -239,7 +242,7 @@ impl App {
         self.discard_measurements();
     }
 
-    /// The parameters to draw with: the current ones, with the FFT size that adaptive quality allows.
+    /// Copy of the current parameters, with the FFT size that adaptive quality allows; the frame is drawn with it.
     fn params_to_draw(&self) -> Params {
         let grid = self.quality.reduced_grid(&self.params.grid, &self.params.screen);
         Params { grid, ..self.params.clone() }

@@ -6,13 +6,14 @@ use crate::state::params::{Grid, Screen};
 const SLOW_FRAME_S: f64 = 1.0 / 40.0;
 /// Frame time below which a higher quality is tried, s. A screen of 60 Hz takes 1/60 s per frame.
 const FAST_FRAME_S: f64 = 1.0 / 55.0;
-/// Lowest factor by which adaptive quality scales the picture's width and height.
+/// Lowest factor by which adaptive quality scales the picture's width and height on a hardware GPU.
 const MIN_SCALE: f64 = 0.4;
 /// Initial and lowest factor of the picture's width and height on a software adapter, which takes seconds per frame.
 const SOFTWARE_ADAPTER_SCALE: f64 = 0.25;
 /// Smallest FFT size to which slow frames reduce a cascade. A smaller one would leave wave numbers in no cascade.
 const MIN_FFT_SIZE: u32 = 128;
-/// Factor of the picture's width and height for every other out-of-memory error, beginning with the first.
+/// Factor by which the first, third, fifth ... out-of-memory error scales the picture's width and height. The errors
+/// between them halve the FFT size.
 const OUT_OF_MEMORY_SCALE: f64 = 0.7;
 /// Smallest FFT size to which out-of-memory errors reduce a cascade.
 const OUT_OF_MEMORY_MIN_FFT_SIZE: u32 = 64;
@@ -22,7 +23,8 @@ const SLOW_TIME_BEFORE_DROP_S: f64 = 0.6;
 const FAST_TIME_BEFORE_TRIAL_S: f64 = 3.0;
 /// Upper limit of the time for which frames must be fast before a higher quality is tried, s.
 const MAX_FAST_TIME_BEFORE_TRIAL_S: f64 = 60.0;
-/// Frame time above which a single frame is ignored, s: such a frame follows a pause, a hidden tab or a stall.
+/// Frame time above which a frame is taken for a pause, a hidden tab or a stall, s. It is ignored, unless the frame
+/// before it took as long.
 const STALL_S: f64 = 4.0;
 
 /// Controller of the picture's resolution and the FFT size. It reacts to the frame time and to out-of-memory errors.
@@ -31,19 +33,20 @@ pub struct Quality {
     frame_s: f64,
     /// Factor of the picture's width and height relative to the requested ones, at most 1.
     scale: f64,
-    /// Lower limit of `scale` on this adapter.
+    /// Lower limit of `scale`: [`MIN_SCALE`], or [`SOFTWARE_ADAPTER_SCALE`] on a software adapter.
     min_scale: f64,
-    /// Number of times that the requested FFT size is halved.
+    /// Number of times that adaptive quality halves the requested FFT size.
     halvings: u32,
-    /// Time for which frames have been too slow (positive) or fast (negative), s.
+    /// Time for which frames have been too slow (positive) or fast enough to try a higher quality (negative), s.
     pressure_s: f64,
     /// Time for which frames must be fast before a higher quality is tried, s. It doubles after each failed trial.
     trial_s: f64,
-    /// Whether the last change raised the quality as a trial.
+    /// Whether the last change of quality was a trial of a higher one. If frames then become too slow, the trial has
+    /// failed.
     trial_in_progress: bool,
     /// Number of out-of-memory errors of the GPU so far.
     out_of_memory_errors: u32,
-    /// Whether the last frame took longer than [`STALL_S`] and was ignored.
+    /// Whether the last frame took longer than [`STALL_S`]. Of several such frames in a row only the first is ignored.
     was_stall: bool,
     /// Whether the simulated time is stopped. A still picture always has full quality.
     still: bool,
@@ -68,8 +71,8 @@ impl Quality {
         }
     }
 
-    /// Adapts the quality to `dt_s`, the time since the last frame. While simulated time is stopped, the quality is
-    /// full.
+    /// Adapts the quality after a frame, `dt_s` seconds after the previous one. Quality is full while simulated time is
+    /// stopped (`still`) and if the user has switched adaptive quality off (not `adaptive`).
     pub fn adapt(&mut self, dt_s: f64, still: bool, adaptive: bool) {
         let was_still = std::mem::replace(&mut self.still, still);
         let was_stall = std::mem::replace(&mut self.was_stall, dt_s > STALL_S);
@@ -119,25 +122,26 @@ impl Quality {
         self.out_of_memory_errors += 1;
     }
 
-    /// Largest factor of the picture's width and height after the out-of-memory errors so far.
+    /// Largest factor of the picture's width and height, at most 1, that the out-of-memory errors so far allow.
     fn memory_scale_limit(&self) -> f64 {
         OUT_OF_MEMORY_SCALE.powi(self.out_of_memory_errors.div_ceil(2) as i32)
     }
 
-    /// Width and height of the picture in pixels for a viewport of the size `points`. Neither exceeds `limit`.
+    /// Width and height of the picture in pixels, at the current quality, for a viewport of the size `points`. Neither
+    /// exceeds `limit`, the largest side of a texture.
     pub fn picture_size(&self, points: egui::Vec2, pixels_per_point: f32, screen: &Screen, limit: u32) -> [u32; 2] {
         let density = f64::from(pixels_per_point).min(screen.max_pixel_ratio) * screen.render_scale;
         let own = if self.still || !screen.adaptive { 1.0 } else { self.scale }.min(self.memory_scale_limit());
         [points.x, points.y].map(|side| ((f64::from(side) * density * own).round() as u32).min(limit))
     }
 
-    /// The requested grid parameters with an FFT size for which speed and memory suffice.
+    /// The requested grid parameters, with an FFT size for which the GPU's speed and memory suffice.
     pub fn reduced_grid(&self, grid: &Grid, screen: &Screen) -> Grid {
         let n = if screen.adaptive { self.reduced_fft_size(grid.n) } else { self.fft_size_for_memory(grid.n) };
         Grid { n, ..grid.clone() }
     }
 
-    /// FFT size for which speed and memory suffice, if `n` is requested.
+    /// The largest FFT size, at most the requested `n`, for which the GPU's speed and memory suffice.
     fn reduced_fft_size(&self, n: u32) -> u32 {
         let n = self.fft_size_for_memory(n);
         if self.still { n } else { (n >> self.halvings).max(MIN_FFT_SIZE.min(n)) }

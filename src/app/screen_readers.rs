@@ -25,11 +25,12 @@ pub struct AccessibleItem {
     /// Whether a collapsible section is expanded; `None` for other widgets.
     pub expanded: Option<bool>,
     pub disabled: bool,
-    /// Bounds of the widget in points: x, y, width, height.
+    /// Bounds of the widget in points: x and y of its top left corner, width, height.
     pub bounds: [f64; 4],
 }
 
-/// egui plugin that holds the accessibility tree and the requests of the web page.
+/// egui plugin that keeps the accessibility tree of the last frame for the web page, and passes the page's requests
+/// (clicks, typed text) to egui.
 #[derive(Clone, Default)]
 pub struct ScreenReaders(Arc<Mutex<AccessibilityState>>);
 
@@ -65,8 +66,8 @@ impl ScreenReaders {
         self.lock().items.clone()
     }
 
-    /// Applies an action to a widget: `click`, `focus`, `more`, `less`, `set` (to the number `value`), or `type`
-    /// (enters the string `text` and confirms it).
+    /// Applies an action to the widget with the given `id`: `click`, `focus`, `more` or `less` (one step of its value),
+    /// `set` (to the number `value`), or `type` (enters the string `text` and confirms it).
     pub fn perform_action(&self, ctx: &egui::Context, id: &str, action: &str, value: f64, text: &str) {
         let mut inner = self.lock();
         let (Ok(id), Some(target_tree)) = (id.parse().map(NodeId), inner.tree) else { return };

@@ -95,7 +95,7 @@ impl App {
         }
     }
 
-    /// Saves bytes as a file, and shows a message with the path or the error.
+    /// Saves bytes as a file called `name` (a download in the browser), and shows a message with the path or the error.
     pub(super) fn save(&mut self, name: &str, bytes: &[u8]) {
         self.show_save_result(storage::save(self.save_folder.as_deref(), name, bytes));
     }

@@ -9,20 +9,22 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use web_time::Instant;
 
-/// Number of past foam steps that one frame replays after a start, for FFT sizes from 256. Smaller sizes replay more.
+/// Number of foam time steps of the past that one frame computes after a start or a jump in time, because foam depends
+/// on earlier waves. It applies to FFT sizes from 256; smaller sizes allow more.
 const FOAM_STEPS_PER_FRAME: usize = 6;
-/// Number of past foam steps that one frame replays on a software adapter, for FFT sizes from 256.
+/// Number of foam time steps of the past that one frame computes on a software adapter, for FFT sizes from 256.
 const CPU_FOAM_STEPS_PER_FRAME: usize = 1;
 /// Upper limit of the time by which one frame advances a cross-fade between two seas, s.
 const MAX_FADE_STEP_S: f64 = 0.1;
 
-/// Progress of rendering on one GPU device, shared with the paint callback.
+/// Flags about the first picture, the replay of past foam and the cross-fade on one GPU device. The paint callback sets
+/// them; the app reads them.
 #[derive(Clone, Default)]
 pub struct Progress(Arc<ProgressFlags>);
 
 #[derive(Default)]
 struct ProgressFlags {
-    /// Whether a replay of past foam steps or a cross-fade is in progress.
+    /// Whether foam steps of the past are still being computed, or a cross-fade between two seas is in progress.
     catching_up: AtomicBool,
     /// Whether the first picture was painted, and so will be submitted to the GPU.
     painted: AtomicBool,
@@ -33,12 +35,13 @@ struct ProgressFlags {
 }
 
 impl Progress {
-    /// Whether another frame is needed even while the simulated time is stopped.
+    /// Whether another frame is needed even while simulated time is stopped: the first picture, the replay of past foam
+    /// or a cross-fade is unfinished.
     pub fn wants_frame(&self) -> bool {
         self.is_catching_up() || !self.has_first_picture()
     }
 
-    /// Whether a replay of past foam steps or a cross-fade between two seas is in progress.
+    /// Whether foam steps of the past are still being computed, or a cross-fade between two seas is in progress.
     pub fn is_catching_up(&self) -> bool {
         self.0.catching_up.load(Ordering::Relaxed)
     }
@@ -63,8 +66,8 @@ impl Progress {
     }
 }
 
-/// Fills the rest of `ui` with the sea. `pixels` converts the picture's size in points to pixels. Returns egui's
-/// response to the input `sense`, and the size in pixels.
+/// Fills the rest of `ui` with the sea. `pixels` converts the size of that area in points to the picture's size in
+/// pixels. Returns egui's response to the input `sense`, and the picture's size in pixels.
 pub fn show_sea(
     ui: &mut egui::Ui,
     params: &Params,
@@ -97,7 +100,7 @@ struct SeaFrame {
     size: [u32; 2],
     progress: Progress,
     measurements: FrameMeasurements,
-    /// Wall-clock time since the last frame, s.
+    /// Wall-clock time since the last frame, at most [`MAX_FADE_STEP_S`], s. A cross-fade advances by it.
     dt_s: f64,
 }
 

@@ -79,29 +79,30 @@ impl WebHandle {
         self.with(|app| app.state()).unwrap_or_default()
     }
 
-    /// Replaces all parameters by those of a state string.
+    /// Replaces all parameters by those of a state string. Keys that are missing there get their default values.
     pub fn set_state(&self, state: &str) {
         self.with(|app| app.set_state(state));
     }
 
-    /// Number of frames painted since the app was created.
+    /// Number of frames that the app has laid out and painted since it was created, also while simulated time is
+    /// stopped.
     pub fn frames(&self) -> f64 {
         self.with(|app| app.frames() as f64).unwrap_or_default()
     }
 
-    /// Whether the GPU has finished the first picture on the current device.
+    /// Whether the GPU has finished the first picture since the start or since the last device loss.
     pub fn has_first_picture(&self) -> bool {
         self.with(|app| app.has_first_picture()).unwrap_or_default()
     }
 
-    /// Requests one more frame. Returns whether the picture is complete: its foam has been replayed, no cross-fade
-    /// runs.
+    /// Requests one more frame. Returns whether the picture is complete: the GPU has finished the first one, all past
+    /// foam steps are computed, and no cross-fade between two seas is in progress.
     pub fn is_picture_complete(&self) -> bool {
         self.with(|app| app.is_picture_complete()).unwrap_or_default()
     }
 
-    /// Bounds of the widget with the given label, in points: x, y, width, height. Browser tests use it; the bounds are
-    /// valid until the next frame.
+    /// Bounds of the widget with the given label, in points: x and y of the top left corner, width, height; `None` if
+    /// there is no such widget. Browser tests use it; the bounds are valid until the next frame.
     pub fn widget_bounds(&self, label: &str) -> Option<Vec<f64>> {
         let items = self.items();
         let named = || items.iter().filter(|item| item.label == label);
@@ -121,8 +122,8 @@ impl WebHandle {
         self.with(|app| app.announcement()).unwrap_or_default()
     }
 
-    /// Applies a screen reader's action to a widget: `click`, `focus`, `more`, `less`, `set` (to the number `value`) or
-    /// `type` (the string `text`).
+    /// Applies a screen reader's action to the widget with the given `id`: `click`, `focus`, `more` or `less` (one step
+    /// of its value), `set` (to the number `value`) or `type` (the string `text`).
     pub fn perform_action(&self, id: &str, action: &str, value: f64, text: &str) {
         self.with(|app| app.screen_readers.perform_action(&app.ctx, id, action, value, text));
     }
@@ -132,8 +133,9 @@ impl WebHandle {
         self.gpu_errors.borrow().lost()
     }
 
-    /// Computes the wave maps of a state at its time, for tests. Returns an object with `n`, `cascades` and, one
-    /// cascade after the other, `heights` (f32, m) and `displacement` (bits of the half-float texture).
+    /// Computes the wave maps of a state at its time, for tests. Returns an object with `n` (FFT size), `cascades`
+    /// (their number) and, one cascade after the other, `heights` (f32, m) and `displacement` (bits of the half-float
+    /// texels).
     ///
     /// # Errors
     /// If the app does not run, or reading back from the GPU fails.
@@ -265,9 +267,10 @@ pub fn page_link(state: &str) -> String {
 
 /// The page's address as it was last read or written. A difference shows that the user went back or forward.
 pub struct Address {
-    /// Query part of the address: the state string.
+    /// Query part of the address, without `?`, as it was last read or written: the state string.
     query: String,
-    /// Parameters of the current entry of the browser's history, rounded as in a link.
+    /// Parameters in the current entry of the browser's history, rounded as in a link. If more than time and camera
+    /// differ from them, a new entry is added.
     entry: Params,
     written: Instant,
 }

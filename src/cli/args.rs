@@ -79,7 +79,7 @@ pub enum Command {
         /// Renders a sequence of this number of pictures over time
         #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1_000_000), conflicts_with = "reference")]
         frames: Option<u32>,
-        /// Pictures per second in the sequence
+        /// Pictures per second; two pictures are speed / fps seconds of simulated time apart
         #[arg(long, default_value_t = 30.0)]
         fps: f64,
         /// With --frames: also writes an OpenEXR file for each picture, with linear light (R, G, B), distance along the
@@ -102,7 +102,7 @@ pub enum Command {
         reference: PathBuf,
         /// PNG file of the picture to compare with the reference, of equal size
         test: PathBuf,
-        /// PNG file to write the difference of each pixel to; pixels without a difference are black
+        /// Grey PNG file to write the difference of each pixel to: black for none, white for the largest
         #[arg(long)]
         map: Option<PathBuf>,
         /// Pixels per degree of visual angle: 67 for a 4K screen of 70 cm seen from 70 cm
@@ -116,7 +116,8 @@ pub enum Command {
         /// Folder to write the files to; created if missing
         #[arg(short, long)]
         output: PathBuf,
-        /// Also writes heights.f32 and displacement.f16: the texels without a header, one cascade after the other
+        /// Also writes heights.f32 (m) and displacement.f16 (as the renderer reads it): texels without a header, one
+        /// cascade after the other
         #[arg(long)]
         raw: bool,
     },

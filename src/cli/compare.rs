@@ -5,7 +5,8 @@ use crate::lab::flip::{self, SrgbPicture};
 use image::{ImageError, ImageFormat, ImageReader, Limits};
 use std::path::Path;
 
-/// Compares two PNG files and returns the text to print. Writes the difference of every pixel to the PNG file `map`.
+/// Compares two PNG files and returns the mean FLIP difference as text. If `map` is given, writes the difference of
+/// every pixel to this PNG file, from black (0) to white (1).
 ///
 /// # Errors
 /// One sentence, if a file cannot be read or written, or the pictures differ in size.

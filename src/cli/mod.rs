@@ -17,7 +17,7 @@ use clap::Parser as _;
 use pollster::block_on;
 use std::fmt::Write as _;
 
-/// Exit code after an error, such as bad arguments or a missing GPU.
+/// Exit code of a command that fails for any reason, such as bad arguments or a missing GPU.
 const USAGE_EXIT_CODE: i32 = 2;
 
 /// Runs the command line of this process; returns its exit code.

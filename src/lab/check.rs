@@ -18,14 +18,15 @@ use crate::waves::plan::Cascade;
 use crate::waves::tiling::Tiling;
 use std::fmt;
 
-/// One comparison of a GPU pass with the oracle: a line of the printed table.
+/// One comparison of a GPU pass with the oracle (the same calculation on the CPU in f64): a line of the printed table.
 #[derive(Clone, Debug)]
 pub struct Comparison {
     /// Name of the pass and of the compared quantity.
     pub pass_and_quantity: &'static str,
     /// Index of the cascade; for foam, index of the foam level.
     pub cascade: usize,
-    /// Relative error: root mean square error divided by the root mean square of the oracle's values.
+    /// Relative error: root mean square error divided by the root mean square of the expected values; for a mip level,
+    /// by that of the next finer level.
     pub relative_error: f64,
     /// Largest accepted relative error.
     pub tolerance: f64,
@@ -71,10 +72,10 @@ const MIN_HALF_FLOAT_RMS: f64 = 2.441_406_25e-4;
 
 /// Number of foam steps that are computed before the GPU's foam is compared with the oracle's.
 const FOAM_STEPS: usize = 4;
-/// Index of the foam level that is compared, counted from the finest (0).
+/// Index of the foam level that is compared: 0 is the smallest and finest of the square foam grids around the camera.
 const FOAM_LEVEL: usize = 1;
 
-/// Compares all GPU passes of the simulation with the oracle, for a state at its time.
+/// Compares all GPU passes (spectrum, FFT, wave maps, mip levels, foam) with the oracle, for a state at its time.
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -82,7 +83,7 @@ pub async fn run(gpu: &Gpu, params: &Params) -> Result<Vec<Comparison>, String> 
     run_with(gpu, params, &Shaders::default(), FftImplementation::for_device(gpu)).await
 }
 
-/// Compares all GPU passes of a state at its time with the oracle, using the given shaders and FFT variant.
+/// Does the same as [`run`] with given shaders, in which tests plant faults, and a given FFT implementation.
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -115,7 +116,7 @@ pub async fn run_with(
     Ok(lines)
 }
 
-/// A comparison of the simulation at one time with the oracle, and its result lines so far.
+/// A check in progress: the simulation that is compared with the oracle at one time, and the result lines so far.
 struct Check<'a> {
     gpu: &'a Gpu,
     plan: &'a Plan,
@@ -144,7 +145,8 @@ impl Check<'_> {
         Ok(())
     }
 
-    /// Compares the FFT along rows, with the oracle's initial amplitudes h0 as input.
+    /// Compares the GPU's FFT along rows with `rows`, the oracle's result. The input is `h0`, the oracle's initial wave
+    /// amplitudes.
     async fn rows(&mut self, h0: &[Vec<Complex>], rows: &[MapPair]) -> Result<(), String> {
         let flat: Vec<[f32; 2]> = h0.iter().flatten().map(|h| h.map(|x| x as f32)).collect();
         self.gpu.queue.write_buffer(&self.sim.resources.current_waves().h0, 0, bytemuck::cast_slice(&flat));
@@ -153,7 +155,8 @@ impl Check<'_> {
         self.transformed(encoder, rows, ["rows Dx Dz eta Dxz", "rows eta_x eta_z Dxx Dzz"]).await
     }
 
-    /// Compares the FFT along columns, with the oracle's rows as input. Also computes the mip levels of the maps.
+    /// Compares the GPU's FFT along columns with `maps`, the oracle's result. The input is `rows`, the oracle's FFT
+    /// along rows. Also computes the mip levels of the maps.
     async fn columns(&mut self, rows: &[MapPair], maps: &[MapPair]) -> Result<(), String> {
         let r = &self.sim.resources;
         let flat: Vec<[f32; 4]> = rows.iter().flatten().flatten().map(|t| t.map(|x| x as f32)).collect();
@@ -164,7 +167,8 @@ impl Check<'_> {
         self.transformed(encoder, maps, ["columns displacement", "columns gradients"]).await
     }
 
-    /// Runs the commands of `encoder`, and compares the values that they leave in the intermediate buffer with `want`.
+    /// Runs the commands of `encoder`, and compares what they leave in the buffer `row_transforms` with `want`. `names`
+    /// labels the two maps of each pair in the result lines.
     async fn transformed(
         &mut self,
         mut encoder: wgpu::CommandEncoder,
@@ -189,7 +193,8 @@ impl Check<'_> {
         Ok(())
     }
 
-    /// Compares mip level 0 of the wave maps, which the column pass has written.
+    /// Compares mip level 0 of the half-float wave maps, which the column pass has written, with `maps`, the oracle's
+    /// result.
     async fn maps(&mut self, maps: &[MapPair]) -> Result<(), String> {
         let points = (self.plan.n * self.plan.n) as usize;
         let kinds = [(MapKind::Displacement, "maps displacement"), (MapKind::Gradients, "maps gradients")];
@@ -205,7 +210,8 @@ impl Check<'_> {
         Ok(())
     }
 
-    /// Compares a mip level of all wave maps with means of the GPU's next finer level.
+    /// Compares a mip level of all kinds of wave maps with the oracle's means of 2 x 2 texels of the GPU's next finer
+    /// level.
     async fn mips(&mut self, level: u32) -> Result<(), String> {
         let (gpu, r) = (self.gpu, &self.sim.resources);
         let above = self.plan.n as usize >> (level - 1);
@@ -235,7 +241,8 @@ impl Check<'_> {
     }
 }
 
-/// Compares the foam after some steps on the GPU with the oracle, which reads the GPU's wave maps at each step.
+/// Compares a foam level after [`FOAM_STEPS`] time steps on the GPU with the oracle's. Each step of the oracle reads
+/// the GPU's wave maps.
 async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<Comparison, String> {
     let centre = [1234.5, -67.8];
     let size = sim.resources.foam_n as usize;
@@ -268,7 +275,8 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<C
     ))
 }
 
-/// Advances the foam of all cells of a level by the oracle's time step. Corner and size of the cells are in metres.
+/// Advances the foam of all cells of a foam level by one time step, as the oracle computes it. The corner of the level
+/// (x, z) and the side of a cell are in metres.
 fn step_foam(foam: &mut [f64], plan: &Plan, pyramid: &Pyramid, (corner, texel_m): ([f64; 2], f64), step: FoamStep) {
     let source = FoamModel::new(plan).source(plan, texel_m);
     let size = foam.len().isqrt();
@@ -281,16 +289,18 @@ fn step_foam(foam: &mut [f64], plan: &Plan, pyramid: &Pyramid, (corner, texel_m)
     }
 }
 
-/// The GPU's wave maps at all mip levels, and for each cascade the fractional mip level that a foam level samples.
+/// The GPU's wave maps at all mip levels. For each cascade also its tiling, and the mip level (between two whole ones)
+/// at which a foam level samples the maps.
 struct Pyramid {
     n: usize,
-    /// Displacement and gradient texels of each mip level.
+    /// Texels of the displacement map and of the gradient map, for each mip level; the cascades follow each other.
     levels: Vec<[Vec<Texel>; 2]>,
     cascades: Vec<(Tiling, f64)>,
 }
 
 impl Pyramid {
-    /// Reads back the wave maps, for a foam level whose cells measure `texel_m` metres.
+    /// Reads back the wave maps, and computes at which mip levels a foam level with cells of `texel_m` metres samples
+    /// them.
     async fn read(gpu: &Gpu, sim: &Simulation, texel_m: f64) -> Result<Self, String> {
         let (r, plan) = (&sim.resources, sim.plan());
         let mut levels = Vec::new();
@@ -307,7 +317,8 @@ impl Pyramid {
         Ok(Self { n: plan.n as usize, levels, cascades: plan.cascades.iter().map(cascade).collect() })
     }
 
-    /// Sum of all cascades at a world position (x, z in m), interpolated between texels and between mip levels.
+    /// Displacement, slope and strain of the sea at an undisplaced position (x, z in m): the sum of all cascades,
+    /// interpolated between texels and between mip levels.
     fn surface(&self, world: [f64; 2]) -> oracle::surface::WaveFields {
         let mut sum = oracle::surface::WaveFields::default();
         for (c, (tiling, lod)) in self.cascades.iter().enumerate() {
@@ -356,7 +367,7 @@ async fn read(gpu: &Gpu, encoder: wgpu::CommandEncoder, copy: StagedTexture) -> 
     Ok(texels.into_iter().map(|t| t.map(f64::from)).collect())
 }
 
-/// Root mean square difference of two sequences.
+/// Root mean square of the differences between two sequences, over all components.
 fn rms_difference<const C: usize>(got: impl Iterator<Item = [f64; C]>, want: impl Iterator<Item = [f64; C]>) -> f64 {
     root_mean_square::<C>(got.zip(want).map(|(g, w)| std::array::from_fn(|c| g[c] - w[c])))
 }

@@ -38,11 +38,12 @@ pub struct MeasuredStatistics {
     pub r1: EstimateWithError,
     /// Directional spread sqrt(2 (1 - r1)), degrees.
     pub spread_deg: EstimateWithError,
-    /// Skewness of the surface's elevation.
+    /// Skewness of the surface's elevation; 0 for a Gaussian.
     pub skewness: EstimateWithError,
     /// Kurtosis of the surface's elevation; 3 for a Gaussian.
     pub kurtosis: EstimateWithError,
-    /// Largest relative difference of a seed between the maps' variance and the waves' variance (Parseval's theorem).
+    /// Largest relative difference, over the seeds, between the variance of the heights in the maps and that of the
+    /// plan's waves at the same time; 0 by Parseval's theorem.
     pub parseval_error: f64,
     /// Number of seeds that were measured.
     pub seeds: u32,
@@ -72,8 +73,8 @@ pub struct TravellingWave {
     pub travel: [f64; 2],
 }
 
-/// Measures the statistics of a state over `seeds` seeds, beginning with the state's own. Calls `visit` for every wave,
-/// with the index of its seed.
+/// Measures the statistics of a state over `seeds` seeds: the state's own and those after it. Calls `visit` with the
+/// index of the seed and each of its waves.
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -212,15 +213,15 @@ fn travelling_waves(
     }
 }
 
-/// Inverse Fourier transform of the heights in a displacement map, without the factor 1/n^2. Heights are real, so it is
-/// the complex conjugate of the forward transform.
+/// Inverse Fourier transform (real, imaginary) of the heights in a displacement map of n x n texels, without the factor
+/// 1/n^2. Heights are real, so it is the complex conjugate of the forward transform.
 pub fn transform_of_heights(n: usize, displacement: &[[f32; 4]]) -> Vec<[f64; 2]> {
     let heights: Vec<[f64; 2]> = displacement.iter().map(|d| [f64::from(d[1]), 0.0]).collect();
     transform::inverse_2d(n, &heights)
 }
 
-/// Calls `visit` with the elevation (m) and the Jacobian at random points of the sea. The cascades are independent of
-/// each other and statistically homogeneous, so a point is the sum of a random texel of each cascade.
+/// Calls `visit` with the elevation (m) and the Jacobian (the area of a displaced surface element over its area at
+/// rest) at random points. Cascades are independent and homogeneous, so a point is the sum of a random texel of each.
 pub fn surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f64)) {
     let n = maps.n as u32;
     for i in 0..STATISTICS_POINTS {
@@ -238,8 +239,8 @@ pub fn surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f6
     }
 }
 
-/// Mean, standard deviation, skewness and kurtosis of a distribution, from weighted sums of the powers 0 to 4 of its
-/// values. Without variance all but the mean are 0.
+/// Mean, standard deviation, skewness and kurtosis (3 for a Gaussian) of a distribution. `sums` holds the weighted sums
+/// of the powers 0 to 4 of its values. Without variance all results but the mean are 0.
 pub fn distribution_shape(sums: [f64; 5]) -> [f64; 4] {
     let [m1, m2, m3, m4] = [1, 2, 3, 4].map(|p| sums[p] / sums[0]);
     let variance = m2 - m1 * m1;
@@ -251,7 +252,8 @@ pub fn distribution_shape(sums: [f64; 5]) -> [f64; 4] {
     [m1, variance.sqrt(), third / variance.powf(1.5), fourth / (variance * variance)]
 }
 
-/// Mean foam coverage (0 to 1) over all foam levels at time `t_s`, s, after a replay of past foam steps.
+/// Mean foam coverage (0 to 1) over all foam levels at time `t_s`, s. The foam steps before that time are computed
+/// first.
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -261,8 +263,8 @@ pub async fn mean_foam(gpu: &Gpu, sim: &mut Simulation, t_s: f64) -> Result<f64,
     Ok(levels.iter().flatten().map(|&f| f64::from(f)).sum::<f64>() / count as f64)
 }
 
-/// Foam coverage of each foam level around `centre` (x, z in m) at time `t_s`, s, after a replay of past foam steps.
-/// The cells are in the toroidal order of the texture.
+/// Foam coverage (0 to 1) of every cell, for each foam level (a square grid around `centre`, x and z in m) at time
+/// `t_s`, s. The foam steps before that time are computed first. The cells are in the toroidal order of the texture.
 ///
 /// # Errors
 /// If reading back from the GPU fails.

@@ -8,10 +8,11 @@ use crate::state::{Params, query};
 use exr::prelude::*;
 use std::path::Path;
 
-/// Index of the foam level that is exported, counted from the finest (0).
+/// Index of the foam level that is exported: 0 is the smallest and finest of the square foam grids around the camera.
 const FOAM_LEVEL: usize = 1;
 
-/// Writes the wave maps of a state at its time to a folder. With `raw`, also writes heights.f32 and displacement.f16.
+/// Writes the wave maps and the foam of a state at its time, with plan.json, to a folder. With `raw`, also writes
+/// heights.f32 and displacement.f16.
 ///
 /// # Errors
 /// One sentence, if a file cannot be written or reading back from the GPU fails.

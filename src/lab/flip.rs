@@ -25,7 +25,8 @@ impl SrgbPicture {
     }
 }
 
-/// Perceived difference (FLIP) of every pixel of two pictures, 0 to 1, row by row.
+/// Perceived difference (FLIP) of every pixel of two pictures, 0 to 1, row by row. `pixels_per_degree` of visual angle
+/// depends on the viewing distance: usually [`PIXELS_PER_DEGREE`].
 ///
 /// # Errors
 /// If the pictures differ in size.

@@ -6,10 +6,10 @@ use crate::ocean::still;
 use crate::ocean::{Ocean, SampleGrid};
 use crate::waves::noise::pcg4d;
 
-/// Largest number of samples in one render target.
+/// Largest number of samples in one render target, which holds one sample per texel.
 const MAX_SAMPLES_PER_FRAME: u64 = 4_200_000;
 
-/// Number and positions of the samples in a reference picture.
+/// Number and positions of the samples in a reference picture, whose pixels are means of many unfiltered samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sampling {
     /// Minimum number of samples per pixel.
@@ -19,8 +19,8 @@ pub struct Sampling {
 }
 
 impl Sampling {
-    /// Sample grids that together give every pixel of a picture its samples. Each grid has at most `most` samples in
-    /// total and at most `longest` along a side.
+    /// Sample grids, rendered one after the other, that together give every pixel at least `samples` samples. Each grid
+    /// has at most `most` samples in total and at most `longest` along the picture's width or height.
     fn grids(self, size: [u32; 2], most: u64, longest: u32) -> impl Iterator<Item = SampleGrid> {
         let fits = |side: &u32| {
             let [w, h] = size.map(|s| u64::from(s) * u64::from(*side));
@@ -40,7 +40,8 @@ impl Sampling {
     }
 }
 
-/// Sums over the samples of one pixel. A water sample has a positive weight, a sky sample the weight 0.
+/// Sums of linear light over the sky samples and over the water samples of one pixel. A water sample has a positive
+/// weight in the mean of the water, a sky sample the weight 0.
 #[derive(Clone, Copy, Default)]
 struct PixelSum {
     sky: [f64; 3],
@@ -66,8 +67,8 @@ impl PixelSum {
         }
     }
 
-    /// Linear light of the pixel: weighted mean of the water samples and mean of the sky samples, weighted by their
-    /// counts.
+    /// Linear light (RGB) of the pixel: the weighted mean of the water samples and the plain mean of the sky samples,
+    /// mixed in proportion to the numbers of water and sky samples.
     fn mean(&self) -> [f32; 3] {
         let all = self.skies + self.waters;
         std::array::from_fn(|i| {
@@ -77,7 +78,8 @@ impl PixelSum {
     }
 }
 
-/// Renders the reference of the last frame: the linear light (RGB) of every pixel, row by row.
+/// Renders the reference picture (each pixel the mean of many unfiltered samples) of the ocean's last frame. Returns
+/// the linear light (RGB) of every pixel, row by row.
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -101,7 +103,8 @@ pub async fn light(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: Sampl
     Ok(sums.iter().map(PixelSum::mean).collect())
 }
 
-/// Renders the reference picture of the last frame as RGBA bytes, row by row.
+/// Renders the reference picture (each pixel the mean of many unfiltered samples) of the ocean's last frame. Returns
+/// RGBA bytes, row by row, with the exposure and film response of the usual picture.
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -110,7 +113,8 @@ pub async fn picture_of(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: 
     picture_of_light(gpu, ocean, size, &light).await
 }
 
-/// Applies the exposure and film pass of the usual picture to linear light (RGB, row by row). Returns RGBA bytes.
+/// Applies the exposure and film response of the usual, real-time picture to linear light (RGB, row by row). Returns
+/// RGBA bytes, row by row.
 ///
 /// # Errors
 /// If reading back from the GPU fails.

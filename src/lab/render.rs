@@ -15,12 +15,13 @@ const NEAR_M: f32 = 0.1;
 /// Distance that is written for sky pixels, m: compositing software expects a very large number.
 const SKY_M: f32 = 1e10;
 
-/// Settings of a sequence of pictures.
+/// Settings of `seastate render --frames`: a sequence of pictures over simulated time.
 #[derive(Clone, Debug)]
 pub struct Sequence {
     /// Number of pictures in the sequence.
     pub count: u32,
-    /// Pictures per second. The state's speed divided by this rate is the simulated time between two pictures.
+    /// Pictures per second. The state's `speed` (simulated seconds per second) divided by this rate is the simulated
+    /// time between two pictures.
     pub fps: f64,
     /// Whether to write linear light, distance and normals of each picture as an OpenEXR file, too.
     pub layers: bool,

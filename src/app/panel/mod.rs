@@ -29,7 +29,7 @@ const MAX_TEXT_CHARS: usize = 100;
 pub struct Panel {
     /// Text in the search field.
     search: String,
-    /// Text in the field for a link to open.
+    /// Text in the field into which the user types or pastes a link to open.
     link: String,
     /// Whether the bottom sheet, which a narrow window shows in place of the panel, is expanded.
     sheet_is_open: bool,

@@ -128,7 +128,8 @@ fn colour_editor(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Res
     .inner
 }
 
-/// Makes a slider show, and accept as typed text, its unit and the word that stands for 0 (such as "off").
+/// Makes a slider show its unit, and a word such as "off" in place of the number 0. Both are also understood as typed
+/// text. `factor` converts the parameter's metric value to the shown one.
 fn with_zero_word<'a>(field: &'static Field, slider: egui::Slider<'a>, factor: f64, units: Units) -> egui::Slider<'a> {
     let scale = UnitScale::for_field(field, units);
     let unit = scale.suffix();

@@ -13,9 +13,9 @@ pub struct OwnSeas {
     own: Vec<Preset>,
     /// Text of the field for the name under which the current sea will be kept.
     name: String,
-    /// Errors found in the stored text. If there are any, the text is copied before it is overwritten.
+    /// Errors found in the stored list of the user's seas. If there are any, it is copied before it is overwritten.
     damage: Vec<String>,
-    /// Whether the damaged stored text has been copied.
+    /// Whether the stored list with errors has been copied.
     is_aside: bool,
 }
 

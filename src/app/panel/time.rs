@@ -31,7 +31,7 @@ pub fn show_time_controls(app: &mut App, ui: &mut egui::Ui) {
         ui.add(speed).on_hover_text("Simulated seconds per second.");
     });
     ui.horizontal(|ui| {
-        // The slider covers the loop, or the interval of REACH_S, that contains the current time.
+        // The slider covers the loop, or the interval of SLIDER_RANGE_S, that contains the current time.
         let length = if loop_s > 0.0 { loop_s } else { SLIDER_RANGE_S };
         let from = length * (clock.t_s / length).floor();
         ui.spacing_mut().slider_width = (ui.available_width() - 120.0).max(80.0);

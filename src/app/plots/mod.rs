@@ -15,7 +15,7 @@ use std::fmt::Write as _;
 
 pub use spectrum::highest_omega;
 
-/// Colours of the lines in a plot, from the first to the last.
+/// Colours of the lines and bars in the panel's plots, which choose them by index.
 const COLOURS: [Color32; 6] = [
     Color32::from_rgb(86, 180, 233),
     Color32::from_rgb(230, 159, 0),
@@ -27,7 +27,7 @@ const COLOURS: [Color32; 6] = [
 /// Height of a plot on the screen, points.
 const PLOT_HEIGHT_POINTS: f32 = 150.0;
 
-/// The data of a plot as a table for a CSV file: file name, column headings, rows.
+/// The data of a plot as a table for a CSV file: file name, column headings separated by commas, rows.
 pub struct PlotTable {
     name: &'static str,
     heading: String,
@@ -70,7 +70,8 @@ pub fn show_all_plots(app: &mut App, ui: &mut egui::Ui) {
     }
 }
 
-/// Adds a collapsible section with a plot and a button "CSV". A click on the button moves the data into `wanted`.
+/// Adds a collapsible section with what `plot` draws and a button "CSV". A click on the button puts the plot's table
+/// into `wanted`, which the caller then saves.
 fn plot_section(
     ui: &mut egui::Ui,
     title: &str,

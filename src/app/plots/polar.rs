@@ -14,7 +14,8 @@ const PLOT_SIDE_POINTS: f32 = 240.0;
 pub struct DirectionalSpectrumSamples {
     /// Angular frequency omega at the middle of each ring, rad/s.
     omega: Vec<f64>,
-    /// Spectral density per angular frequency and direction, m^2 s/rad, one ring after the other.
+    /// Spectral density per angular frequency and direction, m^2 s/rad, one ring after the other. In a ring: the
+    /// directions that the waves come from, clockwise from north.
     density: Vec<f64>,
 }
 
@@ -36,8 +37,8 @@ impl DirectionalSpectrumSamples {
     }
 }
 
-/// Colour of `x` (0 to 1) in the colour map cividis, whose brightness increases in colour-blind sight (Nunez et al.
-/// 2018).
+/// Colour of `x` (0 to 1: the square root of the relative density) in the colour map cividis, whose brightness
+/// increases in colour-blind sight (Nunez et al. 2018).
 fn density_colour(x: f64) -> Color32 {
     const STOPS: [[f64; 3]; 5] =
         [[0.0, 0.13, 0.30], [0.25, 0.30, 0.42], [0.49, 0.48, 0.47], [0.73, 0.68, 0.43], [1.0, 0.91, 0.27]];

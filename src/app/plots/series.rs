@@ -17,7 +17,8 @@ impl App {
         }
     }
 
-    /// Continues the height record while there is a floating object or while the plot is visible.
+    /// Extends the record of heights at [`Self::record_label_and_position`] to the current time, while there is a
+    /// floating object or the plot is visible.
     pub(in crate::app) fn continue_record(&mut self) {
         let wanted = self.visible_readouts.buoy_record.take() || !self.params.floats.is_empty();
         if !wanted || self.params.clock.paused && self.record.is_current(self.params.clock.t_s) {
@@ -30,7 +31,8 @@ impl App {
     }
 }
 
-/// Plots the last two minutes of the record, with its significant wave height. Returns the data as a table.
+/// Plots the last two minutes of the height record (at the first floating object or below the camera), and shows the
+/// record's significant wave height. Returns the data as a table.
 pub fn show_height_record_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
     let record = &app.record;
     let length_scale = app.length_scale();

@@ -8,13 +8,14 @@ use egui_plot::{Bar, BarChart, Legend, Line, LineStyle, PlotPoints, VLine};
 
 const CURVE_POINTS: usize = 240;
 
-/// Highest angular frequency of the spectrum plot, rad/s.
+/// Highest angular frequency of the spectrum plot and of the spectrum measured in the wave maps, rad/s.
 pub fn highest_omega(plan: &Plan) -> f64 {
     let highest = plan.systems.iter().map(|s| s.spectrum.omega_p).fold(plan.omega_p, f64::max);
     (3.5 * plan.omega_p).max(2.0 * highest)
 }
 
-/// Plots the spectra, the peak frequency, and the frequencies that separate the cascades. Returns the data as a table.
+/// Plots the frequency spectrum by theory and as measured, its peak frequency, and the frequencies that separate the
+/// cascades. Returns the data as a table.
 pub fn show_spectrum_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
     let plan = &app.derived.plan;
     let (low, peak) = (plan.frequency_range().0, plan.omega_p);

@@ -21,7 +21,7 @@ pub fn save(_folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, 
     run().map(|()| format!("downloaded {name}")).map_err(|e| format!("cannot save {name}: {e:?}"))
 }
 
-/// Loads the text of the user's own named seas; empty if there are none.
+/// Loads the stored list of the user's own named seas as text; empty if there is none.
 pub fn load_seas() -> String {
     storage().and_then(|s| s.get_item(SEAS_FILE_NAME).ok().flatten()).unwrap_or_default()
 }
@@ -34,7 +34,7 @@ pub fn back_up_damaged_seas() -> Result<(), String> {
     store_item(DAMAGED_SEAS_FILE_NAME, &load_seas())
 }
 
-/// Stores the text of the user's own named seas.
+/// Stores the list of the user's own named seas, given as text, in place of the old list.
 pub fn store_seas(text: &str) -> Result<(), String> {
     store_item(SEAS_FILE_NAME, text)
 }

@@ -32,7 +32,7 @@ fn numbered_file_names(name: &str) -> impl Iterator<Item = String> {
     std::iter::once(name.to_owned()).chain((2..1000).map(move |i| format!("{stem}-{i}.{end}")))
 }
 
-/// Loads the text of the user's own named seas; empty if there is none. Invalid UTF-8 is replaced.
+/// Loads the stored list of the user's own named seas as text; empty if there is none. Invalid UTF-8 is replaced.
 pub fn load_seas() -> String {
     seas_path().ok().and_then(|path| read_seas(&path)).unwrap_or_default()
 }
@@ -60,7 +60,7 @@ fn copy_damaged_file(path: &Path) -> Result<(), String> {
     std::fs::copy(path, &aside).map(drop).map_err(|e| format!("cannot write {}: {e}", aside.display()))
 }
 
-/// Stores the text of the user's own named seas.
+/// Stores the list of the user's own named seas, given as text, in place of the old list.
 ///
 /// # Errors
 /// One sentence with the reason, if the file cannot be written.

@@ -124,7 +124,7 @@ fn superscript(c: char) -> char {
 }
 
 impl FigureSeries {
-    /// Creates a series. `colour` is an index of the palette.
+    /// Creates a series. `colour` is an index of the seven colours of all figures.
     pub fn new(label: &str, colour: usize, data: SeriesData) -> Self {
         Self { label: label.to_owned(), colour, data }
     }

@@ -10,7 +10,7 @@ pub fn format_number(value: f64, digits: usize) -> String {
     format!("{:.digits$}", value + 0.0)
 }
 
-/// Formats an estimate and its standard error, such as `2.31 ± 0.02`.
+/// Formats an estimate and its standard error, such as `2.31 ± 0.02`; [`PENDING_CELL`] without an estimate.
 pub fn format_estimate(estimate: Option<EstimateWithError>, digits: usize) -> String {
     estimate.map_or(PENDING_CELL.to_owned(), |e| match e.standard_error {
         Some(error) => format!("{:.digits$} ± {error:.digits$}", e.value),
@@ -18,17 +18,20 @@ pub fn format_estimate(estimate: Option<EstimateWithError>, digits: usize) -> St
     })
 }
 
-/// Formats the difference of an estimate from the expected value, in per cent and in standard errors.
+/// Formats the difference of an estimate from the expected value, in per cent and in standard errors, such as `+0.50 %
+/// (+1.2 σ)`; [`PENDING_CELL`] without an estimate.
 pub fn relative_deviation(estimate: Option<EstimateWithError>, expected: f64) -> String {
     difference(estimate, |value| value - expected, |by| format!("{:+.2} %", 100.0 * by / expected))
 }
 
-/// Formats the difference of an estimate from the expected value, in the estimate's unit and in standard errors.
+/// Formats the difference of an estimate from the expected value, in the estimate's unit and in standard errors;
+/// [`PENDING_CELL`] without an estimate.
 pub fn absolute_deviation(estimate: Option<EstimateWithError>, expected: f64) -> String {
     difference(estimate, |value| value - expected, |by| format!("{by:+.4}"))
 }
 
-/// Formats the difference of an estimated angle from the expected angle, in degrees and in standard errors.
+/// Formats the difference of an estimated angle from the expected one, in degrees and in standard errors;
+/// [`PENDING_CELL`] without an estimate.
 pub fn angle_deviation(estimate: Option<EstimateWithError>, expected: f64) -> String {
     difference(estimate, |value| (value - expected + 540.0).rem_euclid(360.0) - 180.0, |by| format!("{by:+.2}°"))
 }

@@ -27,13 +27,14 @@ const COMMON: &str = "spread=cos2-positive&dir=270&n=128&seed=1";
 const MIN_AMPLITUDE_FRACTION: f64 = 5e-3;
 /// Phase advance of the fastest wave of a cascade between the two read-backs, rad.
 const PEAK_PHASE_ADVANCE_RAD: f64 = 2.5;
-/// Number of points in the figure per decade of the wave number.
+/// Number of wave-number bins per decade; the figure shows one measured wave of each bin.
 const BINS_PER_DECADE: f64 = 8.0;
 
 /// A measured wave: wave number (rad/m), phase speed (m/s), and amplitude relative to the largest in its cascade.
 type MeasuredWave = [f64; 3];
 
-/// Measures phase speeds by the phase advance of Fourier coefficients between two times; `None` without a GPU.
+/// Measures the phase speeds of a plan's waves by the phase advance of their Fourier coefficients between two times;
+/// `None` without a GPU.
 fn measured_phase_speeds(lab: &Measurement<'_>, plan: &Plan) -> Result<Option<Vec<MeasuredWave>>, String> {
     // The clock counts ticks of 2^-32 periods, so it represents multiples of a tick exactly.
     let tick = plan.period_s / 4_294_967_296.0;
@@ -61,7 +62,8 @@ fn measured_phase_speeds(lab: &Measurement<'_>, plan: &Plan) -> Result<Option<Ve
     Ok(Some(all))
 }
 
-/// Picks the strongest wave in each bin of the wave number, as points (k, phase speed, 0) for the figure.
+/// Picks the strongest wave in each bin of the wave number. Returns points of the figure: wave number (rad/m), phase
+/// speed (m/s) and an error bar of 0.
 fn strongest_per_bin(waves: &[MeasuredWave]) -> Vec<[f64; 3]> {
     let bin = |wave: &MeasuredWave| (wave[0].log10() * BINS_PER_DECADE).floor();
     let mut sorted = waves.to_vec();
@@ -70,7 +72,7 @@ fn strongest_per_bin(waves: &[MeasuredWave]) -> Vec<[f64; 3]> {
     sorted.chunk_by(|a, b| bin(a) == bin(b)).filter_map(strongest).map(|[k, c, _]| [k, c, 0.0]).collect()
 }
 
-/// Writes part 3 of the validation page.
+/// Adds part 3 to the validation page: the phase speed of single waves.
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.

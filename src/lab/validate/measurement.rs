@@ -29,7 +29,7 @@ pub struct MeasuredSea {
     pub resolved: LatticeStatistics,
     /// Statistics measured on the GPU, averaged over the seeds; `None` without a GPU.
     pub measured: Option<MeasuredStatistics>,
-    /// Variance of the waves in each bin of frequency or direction.
+    /// Variance of the waves in each bin of frequency or direction; empty if the waves were not sorted into bins.
     pub bins: Vec<WaveBin>,
 }
 
@@ -52,7 +52,7 @@ pub fn parse_params(state: &str) -> Result<Params, String> {
     if notices.is_empty() { Ok(params) } else { Err(format!("{state}: {}", notices.join("; "))) }
 }
 
-/// Computes the statistics of a state string by theory.
+/// Computes the statistics of the sea that a state string describes, by theory: from integrals of its spectrum.
 ///
 /// # Errors
 /// If the parser gives a notice about the state string.
@@ -126,7 +126,7 @@ impl Measurement<'_> {
         Ok(Some(EstimateWithError::mean(&means)))
     }
 
-    /// Reads back the wave maps of a plan at several times, s; `None` without a GPU.
+    /// Computes the wave maps of a plan on the GPU at each of `times` (s), and reads them back; `None` without a GPU.
     ///
     /// # Errors
     /// If reading back from the GPU fails.
@@ -139,7 +139,7 @@ impl Measurement<'_> {
 }
 
 impl MeasuredSea {
-    /// One of the measured statistics; `None` without a GPU.
+    /// The statistic that `quantity` picks from those measured on the GPU; `None` without a GPU.
     pub fn measured_statistic(
         &self,
         quantity: impl Fn(&MeasuredStatistics) -> EstimateWithError,
@@ -147,13 +147,14 @@ impl MeasuredSea {
         self.measured.as_ref().map(quantity)
     }
 
-    /// Measured mean direction that the waves come from, degrees from north; `None` without a GPU or a mean direction.
+    /// Measured mean direction that the waves come from, degrees clockwise from north; `None` without a GPU or without
+    /// a mean direction.
     pub fn direction_deg(&self) -> Option<EstimateWithError> {
         self.measured.as_ref().and_then(|m| m.from_deg)
     }
 }
 
-/// Calls `visit` for every wave on the FFT grids of a plan, with its expected variance.
+/// Calls `visit` for every wave on the FFT grids of a plan, with the variance that the spectrum gives it on average.
 pub fn visit_expected_waves(plan: &Plan, visit: &mut dyn FnMut(&TravellingWave)) {
     for cascade in &plan.cascades {
         let table = Table::new(plan, cascade);

@@ -20,7 +20,7 @@ use measurement::Measurement;
 /// Names of the parts of the validation page, in order.
 pub const PAGE_PARTS: [&str; 6] = ["spectra", "spreading", "dispersion", "published", "depth", "surface"];
 
-/// Builds the validation page from the given parts. Without a GPU its measured table cells hold
+/// Builds the validation page from parts named in [`PAGE_PARTS`]. Without a GPU its measured table cells hold
 /// [`cells::PENDING_CELL`].
 ///
 /// # Errors
@@ -66,7 +66,8 @@ fn introduce(page: &mut Page, lab: &Measurement<'_>) {
     }
 }
 
-/// The values that a choice parameter such as `spectrum` can have in the state string, without `measured`.
+/// The values of a choice parameter (`key`, such as `spectrum`) in the state string, without `measured`, which needs a
+/// file.
 pub fn choice_words(key: &str) -> Vec<&'static str> {
     match fields::find(key).map(|f| f.kind) {
         Some(FieldKind::Choice(words)) => words.iter().copied().filter(|w| *w != "measured").collect(),

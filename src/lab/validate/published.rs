@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 const GRAVITY_M_S2: f64 = 9.81;
 /// Wind speed for the growth curves, m/s. The curves are dimensionless, so every wind speed gives the same curves.
 const WIND_M_S: f64 = 10.0;
-/// Wind speed at a height of 19.5 m divided by that at 10 m.
+/// Wind speed at a height of 19.5 m, which Pierson and Moskowitz use, divided by that at 10 m.
 const WIND_RATIO_19M_10M: f64 = 1.026;
 
 /// Beaufort number, middle of its range of wind speeds (m/s), probable wave height and probable highest wave height (m;
@@ -26,7 +26,7 @@ const BEAUFORT: [(u32, f64, f64, f64); 10] = [
     (11, 30.55, 11.5, 16.0),
     (12, 35.0, 14.0, f64::NAN),
 ];
-/// Largest wave height in each of the sea states 0 to 8, m (WMO code table 3700).
+/// Upper limit of the significant wave height in each of the sea states 0 to 8, m (WMO code table 3700).
 const SEA_STATES: [f64; 9] = [0.0, 0.1, 0.5, 1.25, 2.5, 4.0, 6.0, 9.0, 14.0];
 
 /// Dimensionless energy m0 g^2 / U^4 and peak frequency f_p U / g of the program's spectrum at the dimensionless fetch
@@ -37,18 +37,20 @@ fn growth_of_spectrum(spectrum: &str, x: f64) -> Result<[f64; 2], String> {
     Ok([t.m0_m2 * GRAVITY_M_S2 * GRAVITY_M_S2 / WIND_M_S.powi(4), WIND_M_S / (GRAVITY_M_S2 * t.tp_s)])
 }
 
-/// Published dimensionless energy and peak frequency at the dimensionless fetch `x`: Hasselmann et al. 1973.
+/// Growth with fetch as published by Hasselmann et al. 1973: dimensionless energy m0 g^2 / U^4 and peak frequency f_p U
+/// / g at the dimensionless fetch `x` = g F / U^2.
 fn jonswap(x: f64) -> [f64; 2] {
     [1.6e-7 * x, 3.5 * x.powf(-0.33)]
 }
 
-/// Published dimensionless energy and peak frequency at the dimensionless fetch `x`: Donelan, Hamilton and Hui 1985.
+/// Growth with fetch as published by Donelan, Hamilton and Hui 1985: dimensionless energy m0 g^2 / U^4 and peak
+/// frequency f_p U / g at the dimensionless fetch `x` = g F / U^2.
 fn donelan(x: f64) -> [f64; 2] {
     let age = 11.6 * x.powf(-0.23);
     [2.74e-3 * age.powf(-3.3), age / TAU]
 }
 
-/// Writes the first half of part 4 of the validation page.
+/// Adds the first half of part 4 to the validation page: published growth with fetch, full development, Beaufort scale.
 ///
 /// # Errors
 /// If a figure cannot be drawn.

@@ -8,18 +8,18 @@ use crate::waves::Plan;
 use crate::waves::foam::FoamModel;
 use crate::waves::statistics::{cox_munk_mss, monahan_coverage};
 
-/// Wind speeds at which the slopes of the spectrum `jonswap` are measured, m/s.
+/// Wind speeds at which the mean square slope of the spectrum `jonswap` is measured, m/s.
 const WINDS: [f64; 7] = [2.0, 5.0, 8.0, 10.0, 12.0, 14.0, 20.0];
-/// Wind speeds at which all other spectra are measured, m/s.
+/// Wind speeds at which slope and foam of the spectra other than `jonswap` are measured, m/s.
 const FEW_WINDS: [f64; 2] = [5.0, 10.0];
-/// Wind speeds at which the foam of the spectrum `jonswap` is measured, m/s.
+/// Wind speeds at which the foam coverage of the spectrum `jonswap` is measured, m/s.
 const FOAM_WINDS: [f64; 7] = [5.0, 7.0, 10.0, 12.0, 15.0, 20.0, 25.0];
 /// Scatter (±) of the mean square slopes that Cox and Munk measured in 1954.
 const COX_MUNK_SCATTER: f64 = 0.004;
 /// Number of seeds for which foam is measured. Each seed takes 48 evaluations of the waves.
 const FOAM_SEEDS: u32 = 3;
 
-/// Writes the second half of part 4 of the validation page.
+/// Adds the second half of part 4 to the validation page: mean square slope and whitecap coverage against wind.
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.
@@ -63,7 +63,7 @@ fn slopes(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     Ok(())
 }
 
-/// Draws Cox and Munk's mean square slopes, and by theory those of the waves that the cascades resolve, against wind.
+/// Figure of mean square slope against wind: as Cox and Munk measured it, and by theory for the waves in the cascades.
 fn slope_figure() -> Result<Figure, String> {
     let x = Axis::linear("wind at 10 m, m/s", 0.0, 25.0);
     let y = Axis::log("mean square slope", 5e-4, 1.0);
@@ -82,7 +82,8 @@ fn slope_figure() -> Result<Figure, String> {
     Ok(figure)
 }
 
-/// Rows of the table of mean square slopes, and the measured points of the spectrum `jonswap` for the figure.
+/// Rows of the table of mean square slopes, and points for the figure: wind (m/s), mean square slope measured with the
+/// spectrum `jonswap`, and its standard error.
 fn slope_rows(lab: &Measurement<'_>) -> Result<(Vec<Vec<String>>, Vec<[f64; 3]>), String> {
     let (mut rows, mut points) = (Vec::new(), Vec::new());
     for name in ["jonswap", "elfouhaily", "donelan", "torsethaugen"] {

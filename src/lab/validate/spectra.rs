@@ -10,11 +10,11 @@ use crate::lab::page::Page;
 use crate::waves::quadrature::integrate_panels;
 use std::f64::consts::TAU;
 
-/// State string of all seas in this part, to which `spectrum=` is added.
+/// State string that all seas in part 1 of the page share; `spectrum=` is added to it.
 const SEA_STATE_STRING: &str = "wind=10&fetch=100&dir=240&n=256";
 /// Range of angular frequency in the figures and of the frequency bins, rad/s.
 const OMEGA_RANGE: (f64, f64) = (0.3, 100.0);
-/// Number of frequency bins, equally wide in the logarithm of the frequency.
+/// Number of frequency bins over [`OMEGA_RANGE`], equally wide in the logarithm of the frequency.
 const FREQUENCY_BINS: usize = 72;
 
 /// Lower edge of frequency bin `i`, rad/s.
@@ -22,13 +22,14 @@ fn bin_lower_edge(i: usize) -> f64 {
     OMEGA_RANGE.0 * (OMEGA_RANGE.1 / OMEGA_RANGE.0).powf(i as f64 / FREQUENCY_BINS as f64)
 }
 
-/// Index of the frequency bin that contains a wave; `None` if the wave is out of range.
+/// Index of the frequency bin that contains a wave; `None` if its frequency is outside [`OMEGA_RANGE`].
 fn bin_of_wave(wave: &TravellingWave) -> Option<usize> {
     let place = (wave.omega / OMEGA_RANGE.0).ln() / (OMEGA_RANGE.1 / OMEGA_RANGE.0).ln() * FREQUENCY_BINS as f64;
     (place >= 0.0 && place < FREQUENCY_BINS as f64).then_some(place as usize)
 }
 
-/// A statistic with a table on the page: title, digits after the point, theoretical, resolved and measured value.
+/// A statistic with a table on the page: title, digits after the point, and a function that returns its theoretical,
+/// resolved and measured value.
 type Quantity = (&'static str, usize, fn(&MeasuredSea) -> (f64, f64, Option<EstimateWithError>));
 
 const QUANTITIES: [Quantity; 6] = [
@@ -57,12 +58,13 @@ fn theoretical_densities(sea: &MeasuredSea) -> Vec<f64> {
     (0..FREQUENCY_BINS).map(mean).collect()
 }
 
-/// Expected spectral density of the resolved waves, averaged over each frequency bin, m^2 s.
+/// Spectral density S(omega) that is expected of the resolved waves, averaged over each frequency bin, m^2 s.
 fn resolved_densities(sea: &MeasuredSea) -> Vec<f64> {
     sea.bins.iter().enumerate().map(|(i, b)| b.expected[0] / (bin_lower_edge(i + 1) - bin_lower_edge(i))).collect()
 }
 
-/// Peak period of a spectrum given by its frequency bins, by the formula of Young 1995, s.
+/// Peak period, s, by the formula of Young 1995: frequencies are weighted by S^4. `density` holds S in each frequency
+/// bin.
 fn peak_period(density: &[f64]) -> f64 {
     let sum = |power: i32| {
         let term = |(i, s): (usize, &f64)| {
@@ -75,7 +77,7 @@ fn peak_period(density: &[f64]) -> f64 {
     TAU * sum(0) / sum(1)
 }
 
-/// Peak period of the measured spectrum, averaged over the seeds, s.
+/// Peak period of the spectrum measured over all seeds, s, with its jackknife error.
 fn measured_peak_period(sea: &MeasuredSea) -> EstimateWithError {
     EstimateWithError::jackknife(sea.bins[0].measured.len(), |left_out| {
         let sum = |bin: &WaveBin| -> f64 {
@@ -86,7 +88,8 @@ fn measured_peak_period(sea: &MeasuredSea) -> EstimateWithError {
     })
 }
 
-/// Measured spectral density, as points of the figure, in those frequency bins that the cascades cover completely.
+/// Points of the figure: centre of a frequency bin (rad/s), measured spectral density S (m^2 s) and its standard error,
+/// for those bins that the cascades cover completely.
 fn measured_points(sea: &MeasuredSea) -> Vec<[f64; 3]> {
     let held = sea.plan.resolved_bands();
     let waves = sea.plan.dispersion;
@@ -114,7 +117,7 @@ fn figure(name: &str, sea: &MeasuredSea) -> Figure {
     figure.with_series(FigureSeries::new("measured on the GPU", 1, SeriesData::Points(measured_points(sea))))
 }
 
-/// Writes part 1 of the validation page.
+/// Adds part 1 to the validation page: the frequency spectra.
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.

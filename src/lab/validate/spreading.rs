@@ -11,7 +11,7 @@ use crate::waves::quadrature::{integrate_adaptive, integrate_panels};
 use crate::waves::{Plan, statistics};
 use std::f64::consts::{PI, TAU};
 
-/// State string of all seas in this part, to which `spread=` is added.
+/// State string that all seas in part 2 of the page share; `spread=` is added to it.
 const SEA_STATE_STRING: &str = "wind=10&fetch=100&dir=240&n=256";
 /// Centre frequency of each measured band, relative to the peak frequency.
 const RATIOS: [f64; 3] = [1.0, 2.0, 4.0];
@@ -20,26 +20,27 @@ const HALF_WIDTH: f64 = 0.1;
 /// Number of direction bins, equally wide over the full circle.
 const DIRECTION_BINS: usize = 24;
 
-/// Angle of the unit vector (x, z) from the downwind direction, rad in (-pi, pi], positive clockwise seen from above.
+/// Angle from the downwind direction to the unit vector (x, z), rad in (-pi, pi], positive clockwise seen from above.
 fn angle_from_downwind(plan: &Plan, unit: [f64; 2]) -> f64 {
     let [x, z] = plan.downwind;
     (x * unit[1] - z * unit[0]).atan2(x * unit[0] + z * unit[1])
 }
 
-/// Angle at the middle of a direction bin, rad.
+/// Angle from the downwind direction to the middle of a direction bin, rad.
 fn bin_angle(bin: usize) -> f64 {
     (bin as f64 + 0.5) / DIRECTION_BINS as f64 * TAU - PI
 }
 
-/// Mean of `f` over the frequency band around `omega` (rad/s), weighted by the spectral density.
+/// Mean of `f`, a function of the angular frequency, over the band within [`HALF_WIDTH`] of `omega` (rad/s), weighted
+/// by the spectral density.
 fn band_mean(plan: &Plan, omega: f64, f: impl Fn(f64) -> f64) -> f64 {
     let ends = [(1.0 - HALF_WIDTH) * omega, 0.95 * omega, omega, (1.0 + HALF_WIDTH) * omega];
     let s = |w: f64| plan.density(w);
     integrate_panels(|w| s(w) * f(w), &ends, 1) / integrate_panels(s, &ends, 1)
 }
 
-/// Theory of the band at `ratio` times the peak frequency: the spreading's integral over the circle, and the first
-/// directional moment.
+/// Theory at `ratio` times the peak frequency: the integral of the directional spreading over the circle (it should be
+/// 1), and the first directional moment r1, averaged over the band.
 fn theory(plan: &Plan, ratio: f64) -> [f64; 2] {
     let spreading = &plan.systems[0].spreading;
     let omega = ratio * plan.omega_p;
@@ -48,7 +49,8 @@ fn theory(plan: &Plan, ratio: f64) -> [f64; 2] {
     [integral, band_mean(plan, omega, |w| spreading.first_moment(w))]
 }
 
-/// The figure of one directional spreading. `even` is the sea with isotropic spreading, for comparison.
+/// The figure of one directional spreading, by theory and as measured. `even` is the sea with isotropic spreading by
+/// whose variance the measured variance is divided.
 fn figure(name: &str, sea: &MeasuredSea, even: &MeasuredSea) -> Figure {
     let x = Axis::linear("angle from the wind's direction, degrees", -180.0, 180.0);
     let spreading = &sea.plan.systems[0].spreading;
@@ -68,8 +70,9 @@ fn figure(name: &str, sea: &MeasuredSea, even: &MeasuredSea) -> Figure {
     curves.into_iter().chain(points).fold(Figure::new(name, x, y, LegendCorner::Right), Figure::with_series)
 }
 
-/// Measured directional spreading D, 1/rad, in the direction bins of a frequency band: the variance of a bin over that
-/// of the same waves in the isotropic sea `even`, whose D is 1 / (2 pi). The number of grid waves cancels.
+/// Points of the figure in a frequency band: angle (degrees), measured directional spreading D (1/rad) and its standard
+/// error. D is the variance of a direction bin over that of the same waves in the isotropic sea `even`, whose D is 1 /
+/// (2 pi).
 fn measured_density(sea: &MeasuredSea, even: &MeasuredSea, band: usize) -> Vec<[f64; 3]> {
     let point = |i: usize| {
         let at = band * DIRECTION_BINS + i;
@@ -81,7 +84,7 @@ fn measured_density(sea: &MeasuredSea, even: &MeasuredSea, band: usize) -> Vec<[
     (0..DIRECTION_BINS).map(point).collect()
 }
 
-/// Writes part 2 of the validation page.
+/// Adds part 2 to the validation page: the directional spreadings.
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.

@@ -44,7 +44,7 @@ impl ElevationDistribution {
         (-0.5 * u * u).exp() / TAU.sqrt() * (1.0 - self.skew_term * u + self.area_term * (u * u - 1.0))
     }
 
-    /// Mean and standard deviation (in units of sigma), skewness and kurtosis of the elevation.
+    /// Mean and standard deviation (in units of sigma), skewness and kurtosis (3 for a Gaussian) of the elevation.
     fn shape(&self) -> [f64; 4] {
         distribution_shape([
             1.0,
@@ -56,7 +56,8 @@ impl ElevationDistribution {
     }
 }
 
-/// Histogram of the elevation for one seed: weight of each bin, and weighted sums of the elevation's powers 0 to 4.
+/// Histogram of the elevation in standard deviations for one seed: the sum of the weights (Jacobians) in each bin, and
+/// the weighted sums of the elevation's powers 0 to 4.
 type SeedHistogram = ([f64; ELEVATION_BINS], [f64; 5]);
 
 fn histograms(lab: &Measurement<'_>, state: &str, sigma: f64) -> Result<Option<Vec<SeedHistogram>>, String> {
@@ -78,7 +79,8 @@ fn histograms(lab: &Measurement<'_>, state: &str, sigma: f64) -> Result<Option<V
     Ok(Some(all))
 }
 
-/// Mean, standard deviation, skewness and kurtosis of the elevation over all seeds, with jackknife errors.
+/// Mean and standard deviation (in units of sigma), skewness and kurtosis (3 for a Gaussian) of the elevation over all
+/// seeds, with jackknife errors.
 fn pooled_shape(all: &[SeedHistogram]) -> [EstimateWithError; 4] {
     std::array::from_fn(|q| {
         EstimateWithError::jackknife(all.len(), |left_out| {
@@ -88,7 +90,7 @@ fn pooled_shape(all: &[SeedHistogram]) -> [EstimateWithError; 4] {
     })
 }
 
-/// Writes part 6 of the validation page.
+/// Adds part 6 to the validation page: the probability distribution of the surface's elevation.
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.
@@ -154,7 +156,8 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     Ok(())
 }
 
-/// Bars of the elevation's histogram over all seeds: lower edge, upper edge and probability density.
+/// Bars of the elevation's histogram over all seeds: lower and upper edge (in standard deviations), probability
+/// density.
 fn histogram_bars(all: &[SeedHistogram]) -> Vec<[f64; 3]> {
     let width = 2.0 * HALF_RANGE_SIGMAS / ELEVATION_BINS as f64;
     let total: f64 = all.iter().map(|s| s.1[0]).sum();
