@@ -38,7 +38,7 @@ pub struct DynamicUniformBuffer<T> {
 }
 
 impl<T: bytemuck::Pod> DynamicUniformBuffer<T> {
-    /// Creates a uniform buffer with room for `slots` values in one submission.
+    /// Creates a uniform buffer with room for `slots` values that are added for one submission.
     pub fn new(gpu: &Gpu, label: &str, slots: usize) -> Self {
         let stride = size_of::<T>().next_multiple_of(256);
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;

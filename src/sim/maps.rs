@@ -43,8 +43,8 @@ pub struct Maps {
     /// 2d array texture with mip levels, one layer per cascade (`MapCascade::layer`). Texels are the slopes d eta/dx
     /// and d eta/dz, then dDx/dx and dDz/dz of the horizontal displacement without choppiness.
     pub gradients: wgpu::TextureView,
-    /// 2d array texture, one layer per cascade, n/2 texels a side: means over a texel of the slope products (sx^2, sz^2,
-    /// sx sz, 0), divided by `moment_unit` of the cascade. Mip level j belongs to mip level j + 1 of the other maps.
+    /// 2d array texture, one layer per cascade, n/2 texels a side: means over a texel of the slope products (sx^2,
+    /// sz^2, sx sz, 0), divided by `moment_unit` of the cascade. Mip level j belongs to mip level j + 1 of other maps.
     pub slope_moments: wgpu::TextureView,
     /// 2d array texture that repeats, one layer per foam level, finest first. Texels are the foam and the foam source
     /// (0 no growth, 1 fastest growth), at points before horizontal displacement.
