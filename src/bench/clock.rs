@@ -19,7 +19,8 @@ pub struct Timing {
     pub min_wall_ms: f64,
     /// 10th percentile, median and 90th percentile of the wall time from submission to completion, per repetition, ms.
     pub wall_percentiles_ms: [f64; 3],
-    /// Smallest CPU time of all threads of the process, per repetition, ms. `None` where the system does not tell.
+    /// CPU time of all threads of the process together, per repetition, ms: the smallest of all submissions. `None`
+    /// where the system does not tell.
     pub cpu_ms: Option<f64>,
 }
 
@@ -41,7 +42,7 @@ pub struct Stopwatch<'a> {
     /// The device on which the work is timed.
     pub gpu: &'a Gpu,
     stamps: Option<TimestampQueries>,
-    /// Number of timed submissions for each piece of work.
+    /// Number of submissions of each piece of work that are timed.
     pub repeat: u32,
     /// Largest number of times that the timed work is repeated within one submission.
     pub max_repetitions: u32,
@@ -91,7 +92,7 @@ impl TimestampQueries {
 }
 
 impl<'a> Stopwatch<'a> {
-    /// Creates a stopwatch that makes `repeat` timed submissions for every piece of work.
+    /// Creates a stopwatch that submits every piece of work `repeat` times and times each submission.
     pub fn new(gpu: &'a Gpu, repeat: u32) -> Self {
         Self { gpu, stamps: TimestampQueries::new(gpu), repeat: repeat.max(1), max_repetitions: MAX_REPETITIONS }
     }

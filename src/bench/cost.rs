@@ -86,9 +86,9 @@ pub const DISPLACE_VERTEX: ShaderCost = ShaderCost { flops: 3000.0, texture_read
 pub const MESH_VERTEX: ShaderCost = ShaderCost { flops: 32.0, texture_reads: 0.0 };
 /// Cost per pixel of the fragment shader that draws the sea mesh to the G-buffer.
 pub const MESH_FRAGMENT: ShaderCost = ShaderCost { flops: 36.0, texture_reads: 0.0 };
-/// Cost per pixel of the shader that lights the sea.
+/// Cost per pixel of the fragment shader that lights the sea, which the G-buffer describes.
 pub const LIGHT_FRAGMENT: ShaderCost = ShaderCost { flops: 10550.0, texture_reads: 89.7 };
-/// Cost per pixel of the shader that draws the sky.
+/// Cost per pixel of the fragment shader that draws the sky above the sea.
 pub const BACKGROUND_FRAGMENT: ShaderCost = ShaderCost { flops: 2200.0, texture_reads: 8.0 };
 /// Cost per pixel of the present pass, which turns the HDR picture into screen colours (tone mapping).
 pub const PRESENT_FRAGMENT: ShaderCost = ShaderCost { flops: 770.0, texture_reads: 10.0 };
@@ -98,7 +98,7 @@ pub const PRESENT_FRAGMENT: ShaderCost = ShaderCost { flops: 770.0, texture_read
 pub struct PictureContents {
     /// Number of pixels of the picture.
     pub pixels: f64,
-    /// Fraction of the pixels below the horizon, 0 to 1.
+    /// Fraction of the pixels that lie below the horizon and show sea, 0 to 1.
     pub sea_fraction: f64,
     /// Number of vertices of the sea mesh.
     pub vertices: f64,

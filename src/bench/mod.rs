@@ -18,20 +18,20 @@ use peak_rates::PeakRates;
 use stagewise_fft::StagewiseFft;
 use std::fmt;
 
-/// Texture format of the pictures that are timed.
+/// Texture format of the pictures whose drawing is timed.
 const PICTURE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-/// FFT sizes of the benchmark matrix, which times the simulation for each size and number of cascades.
+/// FFT sizes for which the benchmark with `matrix` times the simulation, each with one to four cascades.
 const MATRIX_FFT_SIZES: [u32; 4] = [128, 256, 512, 1024];
 const MATRIX_CASCADES: [u32; 4] = [1, 2, 3, 4];
 /// FFT size and number of cascades of each sea for which the program is compared with the baseline (`StagewiseFft`).
 const BASELINE_SEAS: [[u32; 2]; 2] = [[256, 3], [512, 4]];
 
-/// What a benchmark measures, and how often.
+/// Options of a benchmark: what it measures, and how often.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BenchOptions {
     /// Widths and heights of the timed pictures, pixels. If empty, no picture is timed.
     pub sizes: Vec<[u32; 2]>,
-    /// Number of timed submissions for each measurement.
+    /// Number of submissions to the GPU that are timed for each measurement.
     pub repeat: u32,
     /// Whether to time the simulation for a matrix of FFT sizes and cascade counts, instead of for the given state.
     pub matrix: bool,
@@ -71,7 +71,7 @@ pub struct BenchReport {
     pub adapter: String,
     /// Whether GPU times are measured with timestamps.
     pub has_timestamps: bool,
-    /// Number of timed submissions for each measurement.
+    /// Number of submissions to the GPU that are timed for each measurement.
     pub repeat: u32,
     /// Measured peak rates of the adapter.
     pub peak_rates: PeakRates,
@@ -265,7 +265,7 @@ impl BenchReport {
         Some(of.timing.representative_ms() / other.timing.representative_ms())
     }
 
-    /// Sentences that compare the times of the program with those of the baseline.
+    /// Sentences that compare the program's times with those of the baseline, an FFT with a dispatch per stage.
     pub fn comparisons(&self) -> Vec<String> {
         let mut out = Vec::new();
         for theirs in self.rows.iter().filter(|r| r.pass == "waves, a dispatch per stage") {

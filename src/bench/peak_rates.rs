@@ -9,9 +9,9 @@ use crate::gpu::{Gpu, offscreen};
 const COPY_BYTES: u64 = 128 << 20;
 /// Number of dispatches, each of an empty shader in a pass of its own, that are timed together.
 const EMPTY_DISPATCHES: u32 = 32;
-/// Number of multiply-adds in each of the eight chains that a pixel of the arithmetic shader computes.
+/// Number of multiply-adds in each of the eight chains that the arithmetic shader computes per pixel.
 const MULTIPLY_ADDS_PER_CHAIN: u32 = 256;
-/// Side of the square render target of the two fragment shaders that are timed, pixels.
+/// Side of the square render target on which the arithmetic and texture-read shaders are timed, pixels.
 const TARGET_SIDE: u32 = 512;
 /// Number of texture samples per pixel in the shader that measures the rate of texture reads.
 const READS_PER_PIXEL: u32 = 16;

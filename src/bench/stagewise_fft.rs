@@ -40,9 +40,9 @@ impl Dispatch {
 /// The baseline of the benchmark: computes the waves' maps by an FFT with one dispatch per stage, as browser demos do.
 pub struct StagewiseFft {
     dispatches: Vec<Dispatch>,
-    /// Displacement map of every cascade: horizontal displacement Dx, height eta, Dz (m) and dDx/dz.
+    /// Displacement maps that the baseline writes, one per cascade: Dx, height eta, Dz (m) and dDx/dz.
     pub displacement: Vec<wgpu::Texture>,
-    /// Gradient map of every cascade: slopes d eta/dx and d eta/dz, then dDx/dx and dDz/dz of the displacement.
+    /// Gradient maps that the baseline writes, one per cascade: slopes d eta/dx and d eta/dz, dDx/dx and dDz/dz.
     pub gradients: Vec<wgpu::Texture>,
 }
 
@@ -134,7 +134,8 @@ impl FieldFft {
         })
     }
 
-    /// Creates the dispatches of a field's FFT. The number of stages is even, so the first texture holds the result.
+    /// Creates the dispatches of a field's FFT, which read one texture of `pair` and write the other in turn. Their
+    /// number is even, so the first texture holds the result.
     fn dispatches(&self, gpu: &Gpu, pair: &[wgpu::TextureView; 2]) -> Vec<Dispatch> {
         let bind = |(i, uniform): (usize, &wgpu::Buffer)| {
             let resources = [

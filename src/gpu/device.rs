@@ -5,7 +5,8 @@ use super::kit::Gpu;
 use super::map_format::MapFormat;
 use super::timer;
 
-/// Describes the device that the program requests from an adapter: required limits and optional features.
+/// Describes the device that the program requests from an adapter: WebGPU's base limits, and of timestamps and
+/// filterable float textures those features that the adapter has (the latter only where they are faster).
 pub fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     let info = adapter.get_info();
     let wanted = timer::TIMESTAMPS | timer::TIMESTAMPS_BETWEEN_PASSES | MapFormat::wanted_features(&info);

@@ -167,7 +167,7 @@ impl Gpu {
         );
     }
 
-    /// Creates a sampler with linear filtering within a mip level, and the given address modes along u and v.
+    /// Creates a sampler with linear filtering within mip levels, and the given address modes along u and v.
     pub fn sampler(
         &self,
         label: &str,
@@ -203,7 +203,7 @@ impl Gpu {
         self.device.create_bind_group_layout(&descriptor)
     }
 
-    /// Creates a bind group. `resources` are the bindings 0, 1, 2 and so on.
+    /// Creates a bind group with the given layout. `resources` are bound at 0, 1, 2 and so on.
     pub fn bind_group(
         &self,
         label: &str,
@@ -329,7 +329,7 @@ impl Kernel {
     }
 }
 
-/// Begins a compute pass that writes no timestamps.
+/// Begins a compute pass with a label for debuggers that writes no timestamps.
 pub fn begin_compute<'a>(encoder: &'a mut wgpu::CommandEncoder, label: &str) -> wgpu::ComputePass<'a> {
     encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(label), timestamp_writes: None })
 }

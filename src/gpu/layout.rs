@@ -1,7 +1,7 @@
 //! Structs that Rust and WGSL share. Each is declared once, in Rust, and its WGSL text is generated. A test compares
 //! the memory layouts in both languages.
 
-/// A Rust type with the same memory layout as a WGSL type.
+/// A Rust type with the same memory layout as a WGSL type, so that its bytes can be copied to the GPU.
 pub trait SharedType: bytemuck::Pod {
     /// Returns the type's name in WGSL.
     fn wgsl_type_name() -> String;

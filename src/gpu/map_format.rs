@@ -20,7 +20,7 @@ impl MapFormat {
     /// wgpu feature with which samplers can filter textures of 32-bit floats.
     pub const FILTERABLE_FLOATS: wgpu::Features = wgpu::Features::FLOAT32_FILTERABLE;
 
-    /// Feature to request from an adapter: [`Self::FILTERABLE_FLOATS`] where 32-bit floats are the faster format, else
+    /// Optional feature to request from an adapter: [`Self::FILTERABLE_FLOATS`] where 32-bit floats are faster, else
     /// none.
     pub fn wanted_features(adapter: &wgpu::AdapterInfo) -> wgpu::Features {
         let is_cpu = adapter.device_type == wgpu::DeviceType::Cpu;
@@ -32,13 +32,13 @@ impl MapFormat {
         Self::for_adapter(gpu.is_software(), gpu.device.features())
     }
 
-    /// 32-bit floats on software adapters that can filter them, half floats elsewhere. A graphics card gets half floats
-    /// even if its device has the feature, as the device of a host program may.
+    /// Format for an adapter: 32-bit floats if it is software and the device can filter them, otherwise half floats.
+    /// That holds for a GPU, too, whose device can filter 32-bit floats, as that of a host program may.
     fn for_adapter(is_software: bool, features: wgpu::Features) -> Self {
         if is_software && features.contains(Self::FILTERABLE_FLOATS) { Self::Float } else { Self::Half }
     }
 
-    /// The wgpu name of this format.
+    /// The value of wgpu's `TextureFormat` for this map format.
     pub fn texture_format(self) -> wgpu::TextureFormat {
         match self {
             Self::Half => wgpu::TextureFormat::Rgba16Float,
@@ -54,7 +54,7 @@ impl MapFormat {
         }
     }
 
-    /// The WGSL name of this format.
+    /// The name of this map format in WGSL, for the declaration of storage textures.
     pub const fn wgsl_format_name(self) -> &'static str {
         match self {
             Self::Half => "rgba16float",

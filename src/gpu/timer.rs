@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// wgpu feature that timing needs: timestamp queries.
 pub const TIMESTAMPS: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY;
-/// wgpu feature that allows timestamps between passes. Without it, empty compute passes write the timestamps.
+/// wgpu feature that allows timestamps between passes. Without it, extra empty compute passes write them.
 pub const TIMESTAMPS_BETWEEN_PASSES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS;
 /// Largest number of timestamps in a frame. A mark (end of a part of the frame) takes one, or two in empty passes.
 const MAX_TIMESTAMPS: u32 = 256;
@@ -38,7 +38,7 @@ struct TimerState {
 #[derive(Debug)]
 enum TimerPhase {
     Idle,
-    /// A frame is being recorded. Marks are counted even if there is no room left for their timestamps.
+    /// A frame is being recorded. Marks (ends of its parts) are counted even if there is no room for their timestamps.
     Recording,
     /// A frame has been recorded. When the next one begins, reading its timestamps starts if it has been submitted.
     Recorded,

@@ -46,12 +46,12 @@ impl<T: bytemuck::Pod> DynamicUniformBuffer<T> {
         Self { buffer, stride, bytes: vec![0; stride * slots], used: 0, kind: PhantomData }
     }
 
-    /// Discards the values of the last submission, so that the next value gets offset 0.
+    /// Forgets the values of the last submission, so that the next added value gets the offset 0 again.
     pub fn clear(&mut self) {
         self.used = 0;
     }
 
-    /// Adds a value and returns its dynamic offset, bytes.
+    /// Adds a value for the next submission and returns its dynamic offset in the buffer, bytes.
     ///
     /// # Panics
     /// If more values are added than there are slots.

@@ -18,7 +18,7 @@ enum SourcePart {
 }
 
 impl SourcePart {
-    /// Texts of the WGSL files of a part, in order.
+    /// Texts of the WGSL files of which the part consists, in order.
     fn files(&self) -> Vec<&'static str> {
         match self {
             Self::File(text) => vec![*text],
@@ -132,7 +132,7 @@ impl Default for Shaders {
 }
 
 impl Shaders {
-    /// Replaces a piece of the text of one module. Tests plant faults with it, which other checks must then find.
+    /// Replaces the text `from` in one module's WGSL by `to`. Tests plant faults with it that checks must find.
     ///
     /// # Panics
     /// If `from` does not occur exactly once in the module.

@@ -23,7 +23,7 @@ impl UnrolledKernel {
     /// All kernels, in the order of their dispatches.
     pub const ALL: [Self; 4] = [Self::RowsFirst, Self::RowsSecond, Self::ColumnsFirst, Self::ColumnsSecond];
 
-    /// Name of the kernel's shader module.
+    /// Name of the kernel's shader module, as in [`Shaders::all`](super::Shaders::all).
     pub fn module_name(self) -> &'static str {
         match self {
             Self::RowsFirst => "waves/unrolled_rows_first",

@@ -23,7 +23,7 @@ pub struct FoamStep {
     pub t_s: f64,
     /// Length of the time step, s.
     pub dt_s: f64,
-    /// Whether all earlier foam is discarded, so that every cell starts with the expected mean foam.
+    /// Whether all earlier foam is discarded first, so that every cell starts from the expected mean foam.
     pub discards_history: bool,
 }
 
@@ -41,7 +41,7 @@ pub struct FoamScheduler {
     cells: Option<[[i32; 2]; FOAM_LEVELS]>,
     /// Time that the foam had reached when the sea last changed, s. None if the old sea's foam has decayed since.
     changed_at_s: Option<f64>,
-    /// World position (x, z) around which the foam levels lay at the last time step, m.
+    /// World position (x, z) around which the foam levels lay at the last time step (the camera's), m.
     centre: [f64; 2],
     parameters: FoamParameters,
 }
@@ -110,7 +110,7 @@ impl FoamScheduler {
         }
     }
 
-    /// Replaces the foam parameters. The foam and the time that it has reached are kept.
+    /// Replaces the parameters of later foam steps. The foam and the time that it has reached are kept.
     pub fn set_parameters(&mut self, parameters: FoamParameters) {
         self.parameters = parameters;
     }

@@ -50,7 +50,7 @@ impl Simulation {
 }
 
 impl PendingMapRead {
-    /// Reads the copies of the maps and computes their statistics. Call this after the submission of the frame.
+    /// Reads the copies of the maps and computes their statistics. Call this once the frame has been submitted.
     ///
     /// # Errors
     /// If mapping a read-back buffer fails.

@@ -57,16 +57,16 @@ pub struct Maps {
     /// Time of the maps as a fraction of the sea's repeat period, in units of 2^-32. Its wrapping product with a wave's
     /// number of cycles per period is the wave's phase in units of 2^-32 cycles.
     pub time_in_period_u32: u32,
-    /// Cascades that are drawn, longest waves first within each sea. During a cross-fade, the cascades of the sea that
-    /// fades out come before those of the current sea.
+    /// Cascades that are drawn, longest waves first within each sea. During a cross-fade, the cascades of the old sea
+    /// come before those of the current sea.
     pub cascades: Vec<MapCascade>,
-    /// Number of entries at the start of `cascades` that belong to the sea that fades out; 0 without a cross-fade.
+    /// Number of entries at the start of `cascades` that belong to the old sea of a cross-fade; 0 without one.
     pub fading_count: usize,
     /// Cell sizes and positions of the foam levels, finest level first.
     pub foam_levels: Vec<FoamLevel>,
-    /// Number of cells along a side of a foam level.
+    /// Number of cells along a side of a foam level (one of the nested square foam grids).
     pub foam_n: u32,
-    /// Number of texels along a side of mip level 0 of the maps; equals the FFT size.
+    /// FFT size, which is also the number of texels along a side of mip level 0 of the wave maps.
     pub n: u32,
     /// Counter that increases when the texture views are replaced, so that users bind the new views.
     pub generation: u64,
@@ -77,7 +77,7 @@ pub struct Maps {
 pub struct MapCascade {
     /// Side of the cascade's square patch, m.
     pub patch_m: f64,
-    /// Triangle lattice on which shifted copies of the patch are blended to cover the plane.
+    /// How shifted copies of the patch, at the vertices of a triangle lattice, are blended to cover the plane.
     pub tiling: Tiling,
     /// Wavelength of the cascade's shortest wave, m.
     pub shortest_wavelength_m: f64,
@@ -133,7 +133,7 @@ impl Maps {
         }
     }
 
-    /// Cascades of the current sea, without those of a sea that fades out.
+    /// Drawn cascades of the current sea, without those of the old sea of a cross-fade.
     pub fn current_cascades(&self) -> &[MapCascade] {
         &self.cascades[self.fading_count..]
     }
@@ -170,7 +170,7 @@ impl Maps {
         }
     }
 
-    /// Removes the cascades of the sea that has faded out, at the end of a cross-fade.
+    /// Removes the cascades of the old sea from the drawn ones, at the end of a cross-fade.
     pub(super) fn end_cross_fade(&mut self) {
         self.cascades.drain(..self.fading_count);
         self.fading_count = 0;

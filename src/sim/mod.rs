@@ -37,7 +37,7 @@ pub const MAX_FOAM_STEPS: usize = foam::COLD_START_STEPS;
 /// A sea that is simulated on the GPU: its plan, GPU buffers, compute passes and maps.
 pub struct Simulation {
     sea: SeaUniformSource,
-    /// The old sea of a cross-fade, which fades out. None without a cross-fade.
+    /// Source of the uniforms of the old sea of a cross-fade. None without a cross-fade.
     fading: Option<SeaUniformSource>,
     /// Plan that waits for the end of the current cross-fade, when a cross-fade to it starts. None if no plan waits.
     next: Option<Plan>,

@@ -44,7 +44,7 @@ impl Passes {
         self.transform.dispatch_count() + self.mips.steps.len() as u32 + 1
     }
 
-    /// Creates the bind groups anew after buffers or textures have been replaced.
+    /// Creates the bind groups of all passes anew after buffers or textures of `r` have been replaced.
     pub fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
         self.spectrum.recreate_bind_groups(gpu, r, uniforms);
         self.transform.recreate_bind_groups(gpu, r, uniforms);
@@ -102,9 +102,9 @@ pub struct MipsPass {
 struct MipsDispatch {
     kernel: Kernel,
     group: wgpu::BindGroup,
-    /// Mip level that the dispatch reads.
+    /// Mip level of the maps that the dispatch reads.
     source_level: u32,
-    /// Number of mip levels that the dispatch writes.
+    /// Number of mip levels that the dispatch writes: those after `source_level`.
     levels: u32,
 }
 
@@ -177,7 +177,7 @@ impl MipsPass {
     }
 }
 
-/// Pass that advances the foam by one time step (shaders/foam/foam.wgsl).
+/// Pass that advances the foam of all foam levels by one time step (shaders/foam/foam.wgsl).
 pub struct FoamPass {
     kernel: Kernel,
     group: wgpu::BindGroup,

@@ -11,7 +11,7 @@ use crate::waves::lattice::LatticeWave;
 use crate::waves::table::{self, Table};
 use std::ops::Range;
 
-/// Side of the smallest mip level of the maps, texels.
+/// Side of the smallest mip level that the wave maps have, texels.
 const SMALLEST_MIP_SIDE: u32 = 4;
 /// Number of kinds of map, which are the variants of [`MapKind`].
 const MAP_KIND_COUNT: u32 = 3;
@@ -51,7 +51,7 @@ pub struct Resources {
     /// Array texture of all maps with their mip levels; [`Self::layers_of_kind`] gives the layers of a kind. All kinds
     /// share a texture so that a pass can write several mip levels, because base limits allow it four storage textures.
     pub maps: wgpu::Texture,
-    /// Array texture of the foam and its source, one layer per foam level, which the renderer samples.
+    /// Array texture of the foam and the foam source, each 0 to 1, one layer per foam level, for the renderer.
     pub foam: wgpu::Texture,
     /// Linear sampler that repeats along both axes.
     pub repeating_sampler: wgpu::Sampler,

@@ -19,7 +19,7 @@ pub enum TransitionKind {
     Immediate,
     /// Interpolation of the foam parameters only; waves, choppiness and water level stay unchanged.
     Foam,
-    /// Interpolation of choppiness and water level, and of the foam parameters, which depend on choppiness.
+    /// Interpolation of choppiness, water level, and the foam parameters, which depend on choppiness.
     Surface,
     /// Interpolation of the wave amplitudes, the choppiness, the water level and the foam parameters.
     Amplitudes,
@@ -123,7 +123,7 @@ pub fn cross_fade_amplitudes(overlap: &SeaCovariance, fraction: f64) -> ([f64; 2
     ([((1.0 - fraction) / variance_gain).sqrt(), (fraction / variance_gain).sqrt()], variance_gain)
 }
 
-/// Parameters that can be interpolated between two seas.
+/// Parameters of a sea that can be interpolated on the way to those of another sea.
 pub trait Interpolate: Clone {
     /// The parameters at the fraction `fraction` (0 to 1) of the way from `self` to `to`; at 1 exactly `to`.
     #[must_use]
@@ -140,7 +140,7 @@ pub struct Interpolated<T> {
 }
 
 impl<T: Interpolate> Interpolated<T> {
-    /// Parameters that equal their goal, with no transition running.
+    /// Makes parameters that equal their goal, as without a transition.
     pub fn new(goal: T) -> Self {
         Self { fading: None, now: goal.clone(), goal }
     }
@@ -178,7 +178,7 @@ impl<T: Interpolate> Interpolated<T> {
         }
     }
 
-    /// Applies the same change to the parameters of both seas of a cross-fade and to the goal.
+    /// Applies the same change to the present parameters, the goal, and those of the old sea of a cross-fade.
     pub fn change_all(&mut self, change: impl Fn(&mut T)) {
         self.fading.iter_mut().chain([&mut self.now, &mut self.goal]).for_each(change);
     }

@@ -91,7 +91,7 @@ gpu_struct! {
         pub n: u32,
         /// Number of entries of `cascades` in use.
         pub cascade_count: u32,
-        /// Seed of the random wave amplitudes.
+        /// Seed of the random numbers for the wave amplitudes h0, set by the user.
         pub seed: u32,
         /// Time as a fraction of the sea's repeat period, in units of 2^-32. Its wrapping product with a wave's number
         /// of cycles per period is the wave's phase in units of 2^-32 cycles.
@@ -117,7 +117,7 @@ gpu_struct! {
     pub struct FoamLevelCorner as "FoamLevelCorner" {
         /// Position of the corner in the triangle lattice on which shifted copies of the patch are blended.
         pub tile_position: TileLatticePosition,
-        /// Texture coordinates of the corner in the cascade's maps.
+        /// Texture coordinates (u, v) of the corner in the cascade's maps, from 0 to 1 plus half a texel.
         pub uv: [f32; 2],
         /// Unused; pads the struct to a multiple of 16 bytes, as an array element needs it.
         pub unused: [u32; 2],
@@ -172,7 +172,7 @@ gpu_struct! {
         pub decay_per_s: f32,
         /// Rate at which foam grows on clear water where the foam source is 1, 1/s.
         pub growth_per_s: f32,
-        /// Number of cells along a side of a foam level.
+        /// Number of cells along a side of a foam level (one of the nested square foam grids).
         pub cells_per_side: u32,
         /// Number of entries of `cascades` in use.
         pub cascade_count: u32,

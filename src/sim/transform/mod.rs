@@ -61,7 +61,7 @@ impl Transform {
         }
     }
 
-    /// Number of compute dispatches that transform all cascades of a sea along x and z.
+    /// Number of compute dispatches for the inverse FFT along x and z of all cascades of a sea together.
     pub fn dispatch_count(&self) -> u32 {
         match self {
             Self::Workgroup(_) => 2,

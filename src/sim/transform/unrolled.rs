@@ -153,7 +153,7 @@ impl IntermediateBuffers {
 }
 
 impl FftBindGroups {
-    /// Creates the bind groups of the four kernels, which are given in the order of their dispatches.
+    /// Creates the bind groups of the four FFT kernels, which are given in the order of their dispatches.
     fn new(
         gpu: &Gpu,
         kernels: [&Kernel; 4],
