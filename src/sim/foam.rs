@@ -39,7 +39,7 @@ pub struct FoamScheduler {
     /// World indices (x, z) of the first cell that each foam level covered at the last foam step; cell i begins at i
     /// times the level's cell size. None before the first step.
     cells: Option<[[i32; 2]; FOAM_LEVELS]>,
-    /// Time that the foam had reached when the sea last changed, s. None if the old sea's foam has decayed since.
+    /// Time that the foam had reached when the sea last changed, s. None if no foam of an earlier sea can be left.
     changed_at_s: Option<f64>,
     /// World position (x, z) around which the foam levels lay at the last time step (the camera's), m.
     centre: [f64; 2],
