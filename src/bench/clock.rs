@@ -5,45 +5,46 @@ use crate::gpu::readback;
 use crate::gpu::timer;
 use web_time::Instant;
 
-/// Shortest duration of a timed submission, ms. Short work is repeated, so that submitting and waiting count little.
+/// Shortest intended duration of a timed submission, ms. Short work is repeated, so that overheads count little.
 const MIN_SUBMISSION_MS: f64 = 10.0;
-/// Largest number of repetitions of the work within one submission.
+/// Largest number of times that the timed work is repeated within one submission to the GPU.
 const MAX_REPETITIONS: u32 = 64;
 
 /// Measured times of one repetition of a piece of GPU work, ms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Timing {
-    /// Median of the GPU time by timestamps, ms. `None` without timestamps.
+    /// Median GPU time between timestamps around the work, ms. `None` without timestamps or if they are coarse.
     pub gpu_ms: Option<f64>,
-    /// Shortest time from submission to completion, divided by the repetitions in the submission, ms.
+    /// Shortest wall time from submission to completion, divided by the repetitions in the submission, ms.
     pub min_wall_ms: f64,
-    /// 10th percentile, median and 90th percentile of the time from submission to completion, per repetition, ms.
+    /// 10th percentile, median and 90th percentile of the wall time from submission to completion, per repetition, ms.
     pub wall_percentiles_ms: [f64; 3],
-    /// Smallest CPU time of all threads of the process, per repetition, ms. `None` where the system does not tell.
+    /// CPU time of all threads of the process together, per repetition, ms: the smallest of all submissions. `None`
+    /// where the system does not tell.
     pub cpu_ms: Option<f64>,
 }
 
 impl Timing {
-    /// Representative time, ms: the GPU time if there are timestamps, else the median from submission to completion.
+    /// The time to report, ms: the GPU time if known, else the median wall time from submission to completion.
     pub fn representative_ms(&self) -> f64 {
         self.gpu_ms.unwrap_or(self.wall_percentiles_ms[1])
     }
 }
 
-/// Whether timestamps measure the execution. A software adapter writes them when it receives the commands, before it
-/// executes them.
+/// Whether the device's timestamps measure how long commands execute. A software adapter writes them when it receives
+/// the commands, before it executes them.
 fn do_timestamps_measure_execution(gpu: &Gpu) -> bool {
     !gpu.is_software() && gpu.device.features().contains(timer::TIMESTAMPS)
 }
 
-/// Measures how long GPU work takes on a device.
+/// Measures how long GPU work takes on a device, by timestamps and by wall time.
 pub struct Stopwatch<'a> {
-    /// The device that is measured.
+    /// The device on which the work is timed.
     pub gpu: &'a Gpu,
     stamps: Option<TimestampQueries>,
-    /// Number of timed submissions for each piece of work.
+    /// Number of submissions of each piece of work that are timed.
     pub repeat: u32,
-    /// Largest number of repetitions of the work within one submission.
+    /// Largest number of times that the timed work is repeated within one submission.
     pub max_repetitions: u32,
 }
 
@@ -72,7 +73,7 @@ impl TimestampQueries {
         })
     }
 
-    /// Writes two timestamps, before the work or after it (`last`): directly between passes, or by an empty pass.
+    /// Writes two timestamps before the work, or after it if `last`: directly between passes, or by an empty pass.
     fn write_timestamps(&self, encoder: &mut wgpu::CommandEncoder, last: bool) {
         let at = 2 * u32::from(last);
         if self.between_passes {
@@ -83,7 +84,7 @@ impl TimestampQueries {
         }
     }
 
-    /// Reads the GPU time between the pairs of timestamps before and after the work, ms.
+    /// Reads the timestamps in the buffer `staged` and returns the GPU time from before to after the work, ms.
     async fn read(&self, gpu: &Gpu, staged: wgpu::Buffer) -> Result<f64, String> {
         let stamps: Vec<u64> = bytemuck::pod_collect_to_vec(&readback::read(gpu, staged).await?);
         Ok(1e-6 * self.period_ns * stamps[2].saturating_sub(stamps[1]) as f64)
@@ -91,17 +92,18 @@ impl TimestampQueries {
 }
 
 impl<'a> Stopwatch<'a> {
-    /// Creates a stopwatch that makes `repeat` timed submissions for every piece of work.
+    /// Creates a stopwatch that submits every piece of work `repeat` times and times each submission.
     pub fn new(gpu: &'a Gpu, repeat: u32) -> Self {
         Self { gpu, stamps: TimestampQueries::new(gpu), repeat: repeat.max(1), max_repetitions: MAX_REPETITIONS }
     }
 
-    /// Whether times are measured with GPU timestamps.
+    /// Whether GPU times are measured with timestamps.
     pub fn has_timestamps(&self) -> bool {
         self.stamps.is_some()
     }
 
-    /// Measures the commands that `record` records. The first argument of `record` counts its earlier calls.
+    /// Measures the commands that `record` records, by GPU, wall and CPU time: a warm-up, then `repeat` submissions, in
+    /// which short work is repeated. The first argument of `record` counts its earlier calls.
     ///
     /// # Errors
     /// If waiting for the GPU fails.

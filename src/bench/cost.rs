@@ -5,10 +5,10 @@ use crate::gpu::map_format::MapFormat;
 use crate::ocean::FOAM_LEVELS;
 use crate::waves::tiling::MEAN_COPIES;
 
-/// Memory traffic and arithmetic of a pass or of several passes.
+/// Minimum memory traffic and arithmetic of one pass, or their sum over several passes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cost {
-    /// Number of bytes that are read and written.
+    /// Number of bytes that are read from and written to memory.
     pub bytes: f64,
     /// Number of additions and multiplications.
     pub flops: f64,
@@ -21,13 +21,13 @@ impl std::ops::Add for Cost {
     }
 }
 
-/// Cost of `bytes` and `flops` per texel, for all n x n texels of all cascades.
+/// Cost of work that takes `bytes` and `flops` per texel, for all n x n texels of all cascades.
 fn cost_of_texels(n: u32, cascades: u32, bytes: f64, flops: f64) -> Cost {
     let count = f64::from(n) * f64::from(n) * f64::from(cascades);
     Cost { bytes: count * bytes, flops: count * flops }
 }
 
-/// Number of operations per point for four complex FFTs along one axis: 5 log2(n) each.
+/// Number of floating-point operations per point for four complex FFTs along one axis: 5 log2(n) each.
 fn fft_flops_per_point(n: u32) -> f64 {
     4.0 * 5.0 * f64::from(n.ilog2())
 }
@@ -39,18 +39,20 @@ pub fn rows(n: u32, cascades: u32) -> Cost {
     cost_of_texels(n, cascades, 49.0, 30.0 + 14.0 + 40.0 + fft_flops_per_point(n))
 }
 
-/// Cost of the column pass: FFT along z, and maps. Bytes per point: four complex inputs (32), two texels written.
+/// Cost of the column pass: FFT along z, and writing of the maps. Bytes per point: four complex inputs (32), a texel of
+/// the displacement map and one of the gradient map.
 pub fn columns(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     cost_of_texels(n, cascades, 32.0 + 2.0 * f64::from(maps.bytes_per_texel()), fft_flops_per_point(n))
 }
 
-/// Cost of the row pass and the column pass together.
+/// Cost of the row pass and the column pass together, which compute the waves by an FFT.
 pub fn waves(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     rows(n, cascades) + columns(n, cascades, maps)
 }
 
-/// Cost of the mip pass. Per texel of level 0, two texels are read and a third of three texels is written. Each written
-/// texel takes 4 x 14 operations: sums over eleven channels, and three products of slopes.
+/// Cost of the mip pass. Per texel of mip level 0, two texels are read (one of each map), and a third of three texels
+/// is written (all smaller levels of three maps). A written texel takes 4 x 14 operations: sums over eleven channels,
+/// and three products of slopes.
 pub fn mips(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     cost_of_texels(n, cascades, 3.0 * f64::from(maps.bytes_per_texel()), 4.0 * 14.0 / 3.0)
 }
@@ -63,7 +65,7 @@ pub fn foam(foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
     cost_of_texels(foam_n, FOAM_LEVELS as u32, 8.0 + texel + 8.0 * texel * samples, flops)
 }
 
-/// Cost of simulating one frame without a cross-fade, with foam levels of `foam_n` x `foam_n` cells.
+/// Cost of simulating one frame (waves, mip levels, foam), with foam levels of `foam_n` x `foam_n` cells.
 pub fn step(n: u32, foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
     waves(n, cascades, maps) + mips(n, cascades, maps) + foam(foam_n, cascades, maps)
 }
@@ -80,15 +82,15 @@ pub struct ShaderCost {
 
 /// Cost per vertex of the compute pass that displaces the sea mesh.
 pub const DISPLACE_VERTEX: ShaderCost = ShaderCost { flops: 3000.0, texture_reads: 67.6 };
-/// Cost per vertex of the vertex shader that draws the displaced sea mesh.
+/// Cost per vertex of the vertex shader that draws the already displaced sea mesh.
 pub const MESH_VERTEX: ShaderCost = ShaderCost { flops: 32.0, texture_reads: 0.0 };
 /// Cost per pixel of the fragment shader that draws the sea mesh to the G-buffer.
 pub const MESH_FRAGMENT: ShaderCost = ShaderCost { flops: 36.0, texture_reads: 0.0 };
-/// Cost per pixel of the shader that lights the sea.
+/// Cost per pixel of the fragment shader that lights the sea, which the G-buffer describes.
 pub const LIGHT_FRAGMENT: ShaderCost = ShaderCost { flops: 10550.0, texture_reads: 89.7 };
-/// Cost per pixel of the shader that draws the sky.
+/// Cost per pixel of the fragment shader that draws the sky above the sea.
 pub const BACKGROUND_FRAGMENT: ShaderCost = ShaderCost { flops: 2200.0, texture_reads: 8.0 };
-/// Cost per pixel of the present pass, which turns the HDR picture into screen colours.
+/// Cost per pixel of the present pass, which turns the HDR picture into screen colours (tone mapping).
 pub const PRESENT_FRAGMENT: ShaderCost = ShaderCost { flops: 770.0, texture_reads: 10.0 };
 
 /// Numbers of pixels, vertices and bytes that determine the cost of drawing a picture.
@@ -96,11 +98,11 @@ pub const PRESENT_FRAGMENT: ShaderCost = ShaderCost { flops: 770.0, texture_read
 pub struct PictureContents {
     /// Number of pixels of the picture.
     pub pixels: f64,
-    /// Fraction of the pixels below the horizon, 0 to 1.
+    /// Fraction of the pixels that lie below the horizon and show sea, 0 to 1.
     pub sea_fraction: f64,
     /// Number of vertices of the sea mesh.
     pub vertices: f64,
-    /// Size of the displacement maps with their mip levels, bytes. The gradients and the moments take as much each.
+    /// Size of the displacement maps of all cascades with mip levels, bytes. Gradients and moments take as much each.
     pub map_bytes: f64,
 }
 

@@ -18,41 +18,41 @@ use peak_rates::PeakRates;
 use stagewise_fft::StagewiseFft;
 use std::fmt;
 
-/// Texture format of the pictures that are timed.
+/// Texture format of the pictures whose drawing is timed.
 const PICTURE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-/// FFT sizes of the benchmark matrix, which times the simulation for each size and number of cascades.
+/// FFT sizes for which the benchmark with `matrix` times the simulation, each with one to four cascades.
 const MATRIX_FFT_SIZES: [u32; 4] = [128, 256, 512, 1024];
 const MATRIX_CASCADES: [u32; 4] = [1, 2, 3, 4];
-/// FFT size and number of cascades of each comparison with the baseline.
+/// FFT size and number of cascades of each sea for which the program is compared with the baseline (`StagewiseFft`).
 const BASELINE_SEAS: [[u32; 2]; 2] = [[256, 3], [512, 4]];
 
-/// What a benchmark measures, and how often.
+/// Options of a benchmark: what it measures, and how often.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BenchOptions {
     /// Widths and heights of the timed pictures, pixels. If empty, no picture is timed.
     pub sizes: Vec<[u32; 2]>,
-    /// Number of timed submissions for each measurement.
+    /// Number of submissions to the GPU that are timed for each measurement.
     pub repeat: u32,
-    /// Whether to time the simulation for every FFT size and number of cascades, instead of only for the given state.
+    /// Whether to time the simulation for a matrix of FFT sizes and cascade counts, instead of for the given state.
     pub matrix: bool,
-    /// Whether to time the baseline, an FFT with one dispatch per stage, as well.
+    /// Whether to time the baseline for comparison, too: the waves by an FFT with one dispatch per stage.
     pub baseline: bool,
 }
 
-/// Measured time of one pass, with what is needed to judge it.
+/// Measured time of one pass or group of passes, with the size of its work and its minimum cost.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PassTiming {
     /// Name of the pass, as it stands in the report.
     pub pass: &'static str,
-    /// FFT size and number of cascades. None for passes of the picture.
+    /// FFT size and number of cascades, in this order. None for passes of the picture.
     pub sea_size: Option<[u32; 2]>,
     /// Width and height of the picture, pixels. None for passes of the simulation.
     pub picture_size: Option<[u32; 2]>,
     /// Measured times of the pass.
     pub timing: Timing,
-    /// Minimum memory traffic and arithmetic of the pass, where known.
+    /// Minimum memory traffic and arithmetic of the pass. None where they are not known.
     pub cost: Option<Cost>,
-    /// Number of compute dispatches of the pass, where counted.
+    /// Number of compute dispatches of the pass. None where they were not counted.
     pub dispatches: Option<u32>,
 }
 
@@ -62,16 +62,16 @@ impl PassTiming {
     }
 }
 
-/// Result of a benchmark: all times of one state on one adapter.
+/// Result of a benchmark: the times of all passes for one state on one adapter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BenchReport {
-    /// State string: the parameters of the timed state as text.
+    /// State string: the timed parameters of sea and picture as text, such as `wind=14&t=40`.
     pub state: String,
-    /// Name of the graphics adapter and of its backend.
+    /// Name of the graphics adapter, with its backend in parentheses.
     pub adapter: String,
-    /// Whether times are measured with GPU timestamps.
+    /// Whether GPU times are measured with timestamps.
     pub has_timestamps: bool,
-    /// Number of timed submissions for each measurement.
+    /// Number of submissions to the GPU that are timed for each measurement.
     pub repeat: u32,
     /// Measured peak rates of the adapter.
     pub peak_rates: PeakRates,
@@ -79,7 +79,7 @@ pub struct BenchReport {
     pub rows: Vec<PassTiming>,
 }
 
-/// Runs the benchmark of a state on a device. `progress` gets the name of each measurement before it starts.
+/// Runs the benchmark of the state `params` on a device. `progress` gets the name of each measurement before it starts.
 ///
 /// # Errors
 /// If waiting for the GPU fails.
@@ -131,7 +131,7 @@ fn with_grid(params: &Params, [n, cascades]: [u32; 2]) -> Params {
     out
 }
 
-/// Times the passes of the simulation: each pass alone, and all passes of a frame together.
+/// Times the passes of the simulation: each pass alone, rows and columns together, and all passes of a frame together.
 async fn time_simulation(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<PassTiming>, String> {
     let mut ocean = Ocean::without_renderer(clock.gpu, params);
     let MapSizes { n, cascades, foam_n, format } = ocean.map_sizes();
@@ -156,7 +156,7 @@ async fn time_simulation(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<P
     Ok(rows)
 }
 
-/// Times the program's waves and, for comparison, those of the baseline.
+/// Times the FFT of the waves as the program does it (row and column pass) and as the baseline does it.
 async fn time_baseline(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<PassTiming>, String> {
     let gpu = clock.gpu;
     let mut ocean = Ocean::without_renderer(gpu, params);
@@ -178,7 +178,8 @@ async fn time_baseline(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<Pas
     Ok(vec![ours, theirs])
 }
 
-/// Times the passes of a picture of `size` pixels, and whole frames with waves and foam at 60 frames per second.
+/// Times the passes of a picture of `size` (width, height) pixels, and whole frames with waves and foam between which
+/// 1/60 s is simulated: at a constant wind, and while the wind changes.
 async fn time_picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) -> Result<Vec<PassTiming>, String> {
     let gpu = clock.gpu;
     let mut ocean = Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, params);
@@ -240,7 +241,7 @@ async fn time_picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) ->
     Ok(out)
 }
 
-/// Counts the pixels, vertices and map bytes of the picture of a state.
+/// Counts the pixels, vertices and map bytes of the picture of a state of `size` (width, height) pixels.
 fn picture_contents(params: &Params, ocean: &Ocean, size: [u32; 2]) -> cost::PictureContents {
     let sizes = ocean.map_sizes();
     let [width, height] = size.map(f64::from);
@@ -257,14 +258,14 @@ fn picture_contents(params: &Params, ocean: &Ocean, size: [u32; 2]) -> cost::Pic
 }
 
 impl BenchReport {
-    /// Ratio of the time of the pass `of` to that of the last pass with the name `over` and the same FFT size.
+    /// Time of the pass `of` divided by that of the last pass named `over` with the same FFT size; None without one.
     fn time_ratio(&self, of: &PassTiming, over: &'static str) -> Option<f64> {
         let other =
             self.rows.iter().rfind(|r| r.pass == over && r.sea_size.map(|s| s[0]) == of.sea_size.map(|s| s[0]))?;
         Some(of.timing.representative_ms() / other.timing.representative_ms())
     }
 
-    /// Sentences that compare the times of the program with those of the baseline.
+    /// Sentences that compare the program's times with those of the baseline, an FFT with a dispatch per stage.
     pub fn comparisons(&self) -> Vec<String> {
         let mut out = Vec::new();
         for theirs in self.rows.iter().filter(|r| r.pass == "waves, a dispatch per stage") {

@@ -5,21 +5,21 @@ use crate::gpu::kit::{Attachments, BindingType, Program, begin_compute};
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::{Gpu, offscreen};
 
-/// Size of the copied buffer, bytes: more than the caches of most GPUs, and within WebGPU's base limits.
+/// Size of the buffer whose copying is timed, bytes: beyond the caches of most GPUs, within WebGPU's base limits.
 const COPY_BYTES: u64 = 128 << 20;
-/// Number of empty dispatches that are timed together.
+/// Number of dispatches, each of an empty shader in a pass of its own, that are timed together.
 const EMPTY_DISPATCHES: u32 = 32;
-/// Number of multiply-adds in each of the eight chains that a pixel of the arithmetic shader computes.
+/// Number of multiply-adds in each of the eight chains that the arithmetic shader computes per pixel.
 const MULTIPLY_ADDS_PER_CHAIN: u32 = 256;
-/// Side of the square render target of the two fragment shaders that are timed, pixels.
+/// Side of the square render target on which the arithmetic and texture-read shaders are timed, pixels.
 const TARGET_SIDE: u32 = 512;
-/// Number of texture samples per pixel in the shader that measures texture reads.
+/// Number of texture samples per pixel in the shader that measures the rate of texture reads.
 const READS_PER_PIXEL: u32 = 16;
-/// Side of the texture that the reading shader samples, texels. The number of its mip levels follows.
+/// Side of the texture that the shader for texture reads samples, texels. The number of its mip levels follows.
 const MAP_SIDE: u32 = 256;
 const MAP_MIP_LEVELS: u32 = 9;
 
-/// Peak rates of an adapter, measured: copying, arithmetic, texture reads, and the cost of a dispatch.
+/// Measured peak rates of an adapter: copying, arithmetic and texture reads; and the time of a dispatch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PeakRates {
     /// Bandwidth of a large copy, bytes read plus bytes written, GB/s.
@@ -29,7 +29,7 @@ pub struct PeakRates {
     /// Rate of multiplications and additions in a fragment shader without other work, 1e9 per second.
     pub shading_gflop_s: f64,
     /// Rate of trilinear samples in the maps' texture format, in a fragment shader without other work, 1e9 per second.
-    /// All pixels of a 2 x 2 quad read the same mip level.
+    /// All samples lie between the same two mip levels.
     pub texture_reads_g_s: f64,
 }
 
@@ -86,8 +86,8 @@ impl PeakRates {
 
 const TARGET_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 
-/// Fragment shader that measures arithmetic. Eight independent chains hide latency. The factors depend on the pixel, so
-/// that the compiler cannot precompute them.
+/// WGSL fragment shader that measures the rate of arithmetic. Eight independent chains hide latency. The factors depend
+/// on the pixel, so that the compiler cannot precompute them.
 const ARITHMETIC_SHADER: &str = "
 @fragment fn fragment(@builtin(position) at: vec4f) -> @location(0) vec4f {
   let by = at.xyxy * 1e-4;
@@ -100,7 +100,7 @@ const ARITHMETIC_SHADER: &str = "
   return a + b;
 }";
 
-/// Fragment shader that measures texture reads. Consecutive samples are far apart, so that caches help little.
+/// WGSL fragment shader that measures texture reads. Consecutive samples are far apart, so that caches help little.
 const TEXTURE_READ_SHADER: &str = "
 @group(0) @binding(0) var map: texture_2d<f32>;
 @group(0) @binding(1) var between: sampler;
@@ -112,7 +112,7 @@ const TEXTURE_READ_SHADER: &str = "
   return sum;
 }";
 
-/// Creates the pipeline that measures texture reads, and its bind group.
+/// Creates the pipeline that measures texture reads, and the bind group with its texture and sampler.
 fn texture_read_pipeline(gpu: &Gpu) -> (wgpu::RenderPipeline, wgpu::BindGroup) {
     let layout =
         gpu.bind_group_layout("reads", wgpu::ShaderStages::FRAGMENT, &[BindingType::Texture, BindingType::Sampler]);

@@ -11,7 +11,7 @@ use crate::ocean::Maps;
 use bytemuck::{Pod, Zeroable};
 use std::f64::consts::TAU;
 
-/// Number of complex fields of a cascade. Each packs two real fields.
+/// Number of complex fields that are transformed for each cascade. Each packs two real fields of the maps.
 const FIELD_COUNT: usize = 4;
 
 #[repr(C)]
@@ -23,7 +23,7 @@ struct EvolveUniform {
     unused: u32,
 }
 
-/// A dispatch over all texels of a texture, in workgroups of 8 x 8.
+/// A compute dispatch of the baseline over all texels of a texture, in workgroups of 8 x 8.
 struct Dispatch {
     pipeline: wgpu::ComputePipeline,
     group: wgpu::BindGroup,
@@ -37,18 +37,18 @@ impl Dispatch {
     }
 }
 
-/// The baseline: waves by an FFT with one dispatch per stage.
+/// The baseline of the benchmark: computes the waves' maps by an FFT with one dispatch per stage, as browser demos do.
 pub struct StagewiseFft {
     dispatches: Vec<Dispatch>,
-    /// Displacement map of every cascade: horizontal displacement Dx, height eta, Dz (m) and dDx/dz.
+    /// Displacement maps that the baseline writes, one per cascade: Dx, height eta, Dz (m) and dDx/dz.
     pub displacement: Vec<wgpu::Texture>,
-    /// Gradient map of every cascade: slopes d eta/dx and d eta/dz, then dDx/dx and dDz/dz of the displacement.
+    /// Gradient maps that the baseline writes, one per cascade: slopes d eta/dx and d eta/dz, dDx/dx and dDz/dz.
     pub gradients: Vec<wgpu::Texture>,
 }
 
 impl StagewiseFft {
-    /// Creates the dispatches for the waves of the current sea of `maps`, at the time of `maps`. The sea's amplitudes
-    /// h0 must have been computed.
+    /// Creates the dispatches that compute the displacement and gradient maps of the current sea of `maps`, at the time
+    /// for which `maps` was last computed. The buffer `maps.h0` must have been computed.
     pub fn new(gpu: &Gpu, maps: &Maps) -> Self {
         let n = maps.n;
         let transform = FieldFft::new(gpu, n);
@@ -86,7 +86,7 @@ impl StagewiseFft {
         out
     }
 
-    /// Number of compute dispatches for all cascades.
+    /// Number of compute dispatches that compute the maps of all cascades.
     pub fn dispatch_count(&self) -> usize {
         self.dispatches.len()
     }
@@ -102,12 +102,12 @@ impl StagewiseFft {
     }
 }
 
-/// Pipeline and resources of the FFT, shared by all fields.
+/// Pipeline and resources of the FFT of one complex field, shared by all fields.
 struct FieldFft {
     n: u32,
     stage: wgpu::ComputePipeline,
     butterfly: wgpu::TextureView,
-    /// Uniform buffer of every FFT stage: first the stages along rows, then those along columns.
+    /// Uniform buffer of every radix-2 stage of the FFT: first the stages along rows, then those along columns.
     stages: Vec<wgpu::Buffer>,
 }
 
@@ -126,7 +126,7 @@ impl FieldFft {
         }
     }
 
-    /// Creates the two textures of a field. Each FFT stage reads one and writes the other.
+    /// Creates the two n x n textures of a field. Each FFT stage reads one and writes the other.
     fn field_textures(&self, gpu: &Gpu) -> [wgpu::TextureView; 2] {
         std::array::from_fn(|_| {
             storage_texture(gpu, "field", self.n, wgpu::TextureFormat::Rg32Float)
@@ -134,7 +134,8 @@ impl FieldFft {
         })
     }
 
-    /// Creates the dispatches of a field's FFT. The number of stages is even, so the first texture holds the result.
+    /// Creates the dispatches of a field's FFT, which read one texture of `pair` and write the other in turn. Their
+    /// number is even, so the first texture holds the result.
     fn dispatches(&self, gpu: &Gpu, pair: &[wgpu::TextureView; 2]) -> Vec<Dispatch> {
         let bind = |(i, uniform): (usize, &wgpu::Buffer)| {
             let resources = [
@@ -149,8 +150,8 @@ impl FieldFft {
     }
 }
 
-/// FFT table: twiddle factor (real, imaginary) and both source indices of every point, stage by stage. The first stage
-/// reads its points in bit-reversed order.
+/// FFT table, n entries for each stage: real and imaginary part of the twiddle factor, and the indices of the two
+/// points that are combined. The first stage reads its points in bit-reversed order.
 fn butterflies(n: u32) -> Vec<[f32; 4]> {
     let bits = n.ilog2();
     let reversed = |i: u32| i.reverse_bits() >> (32 - bits);

@@ -5,7 +5,8 @@ use super::kit::Gpu;
 use super::map_format::MapFormat;
 use super::timer;
 
-/// Describes the device that the program requests from an adapter: required limits and optional features.
+/// Describes the device that the program requests from an adapter: WebGPU's base limits, and of timestamps and
+/// filterable float textures those features that the adapter has (the latter only where they are faster).
 pub fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     let info = adapter.get_info();
     let wanted = timer::TIMESTAMPS | timer::TIMESTAMPS_BETWEEN_PASSES | MapFormat::wanted_features(&info);
@@ -27,8 +28,8 @@ pub fn backends() -> wgpu::Backends {
     }
 }
 
-/// Chooses an adapter for work without a window: the one whose name contains the environment variable
-/// `WGPU_ADAPTER_NAME`, or else the fastest.
+/// Chooses an adapter for work without a window: one whose name contains the environment variable `WGPU_ADAPTER_NAME`
+/// (in any case), or else the one that the system prefers for high performance.
 ///
 /// # Errors
 /// If there is no adapter, or none with that name: one sentence that says what to do.

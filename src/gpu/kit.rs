@@ -11,20 +11,20 @@ pub struct Gpu {
     pub queue: wgpu::Queue,
 }
 
-/// Type of the resource at one binding of a bind group.
+/// Type of the resource (buffer, texture or sampler) at one binding of a bind group.
 #[derive(Clone, Copy, Debug)]
 pub enum BindingType {
     /// A uniform buffer of the given number of bytes.
     Uniform(usize),
-    /// A uniform buffer of the given number of bytes, at a dynamic offset.
+    /// A uniform buffer bound at a dynamic offset, from which the shader sees the given number of bytes.
     DynamicUniform(usize),
     /// A storage buffer of at least the given number of bytes that the shader only reads.
     StorageRead(usize),
     /// A storage buffer of at least the given number of bytes that the shader reads and writes.
     StorageReadWrite(usize),
-    /// A filterable 2d texture.
+    /// A 2d texture of floats that a sampler can filter.
     Texture,
-    /// A filterable 2d array texture.
+    /// A 2d array texture of floats that a sampler can filter.
     TextureArray,
     /// A 2d texture of unsigned integers.
     TextureUint,
@@ -32,7 +32,7 @@ pub enum BindingType {
     StorageTexture(wgpu::TextureFormat),
     /// A 2d array storage texture that the shader writes.
     StorageTextureArray(wgpu::TextureFormat),
-    /// A filtering sampler.
+    /// A sampler that can filter, that is, interpolate between texels.
     Sampler,
 }
 
@@ -71,7 +71,7 @@ impl BindingType {
     }
 }
 
-/// Vertex and fragment shader of a render pipeline.
+/// Shader module of a render pipeline, with its vertex and fragment entry points.
 pub struct Program<'a> {
     /// Shader module that contains both entry points.
     pub module: &'a wgpu::ShaderModule,
@@ -88,9 +88,9 @@ impl<'a> Program<'a> {
     }
 }
 
-/// Formats of the render targets that a render pipeline draws on.
+/// Formats of the colour and depth textures that a render pipeline draws on.
 pub struct Attachments<'a> {
-    /// Texture formats of the colour attachments, in order.
+    /// Texture formats of the colour attachments, in the order of the fragment shader's outputs.
     pub formats: &'a [wgpu::TextureFormat],
     /// How depth is tested and written. None without a depth attachment.
     pub depth: Option<DepthState>,
@@ -118,7 +118,7 @@ impl Gpu {
         self.queue.submit([encoder.finish()]);
     }
 
-    /// Creates a buffer of `bytes` bytes.
+    /// Creates a buffer of `bytes` bytes, not mapped, with the given usage.
     pub fn buffer(&self, label: &str, bytes: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
         self.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some(label),
@@ -128,7 +128,7 @@ impl Gpu {
         })
     }
 
-    /// Creates a storage buffer of `bytes` bytes that can also be copied from and to.
+    /// Creates a storage buffer of `bytes` bytes that commands can also copy from and to.
     pub fn storage_buffer(&self, label: &str, bytes: u64) -> wgpu::Buffer {
         let copies = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC;
         self.buffer(label, bytes, wgpu::BufferUsages::STORAGE | copies)
@@ -167,7 +167,7 @@ impl Gpu {
         );
     }
 
-    /// Creates a sampler with linear filtering within a mip level, and the given address modes along u and v.
+    /// Creates a sampler with linear filtering within mip levels, and the given address modes along u and v.
     pub fn sampler(
         &self,
         label: &str,
@@ -185,7 +185,7 @@ impl Gpu {
         })
     }
 
-    /// Creates a bind group layout. `bindings` are the bindings 0, 1, 2 and so on.
+    /// Creates a bind group layout for the given shader stages. `bindings` are the bindings 0, 1, 2 and so on.
     pub fn bind_group_layout(
         &self,
         label: &str,
@@ -203,7 +203,7 @@ impl Gpu {
         self.device.create_bind_group_layout(&descriptor)
     }
 
-    /// Creates a bind group. `resources` are the bindings 0, 1, 2 and so on.
+    /// Creates a bind group with the given layout. `resources` are bound at 0, 1, 2 and so on.
     pub fn bind_group(
         &self,
         label: &str,
@@ -243,7 +243,7 @@ impl Gpu {
         })
     }
 
-    /// Creates a render pipeline that draws triangles without vertex buffers.
+    /// Creates a render pipeline that draws triangles without vertex buffers, on render targets of the formats `onto`.
     pub fn render_pipeline(
         &self,
         label: &str,
@@ -293,7 +293,7 @@ impl Gpu {
     }
 }
 
-/// A compute pipeline that has one bind group.
+/// A compute pipeline whose shader uses one bind group, and the layout of that bind group.
 #[derive(Debug)]
 pub struct Kernel {
     label: &'static str,
@@ -302,7 +302,7 @@ pub struct Kernel {
 }
 
 impl Kernel {
-    /// Compiles an entry point of a module, with the bindings `bindings` and the given override constants.
+    /// Compiles the entry point `program` of a module, with the given bindings (0, 1, 2 ...) and override constants.
     pub fn new(
         gpu: &Gpu,
         label: &'static str,
@@ -329,12 +329,12 @@ impl Kernel {
     }
 }
 
-/// Begins a compute pass that writes no timestamps.
+/// Begins a compute pass with a label for debuggers that writes no timestamps.
 pub fn begin_compute<'a>(encoder: &'a mut wgpu::CommandEncoder, label: &str) -> wgpu::ComputePass<'a> {
     encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(label), timestamp_writes: None })
 }
 
-/// View of one mip level of a texture.
+/// View of one mip level of a 2d texture.
 pub fn mip_view(texture: &wgpu::Texture, mip_level: u32) -> wgpu::TextureView {
     texture.create_view(&wgpu::TextureViewDescriptor {
         base_mip_level: mip_level,

@@ -1,7 +1,7 @@
 //! Structs that Rust and WGSL share. Each is declared once, in Rust, and its WGSL text is generated. A test compares
 //! the memory layouts in both languages.
 
-/// A Rust type with the same memory layout as a WGSL type.
+/// A Rust type with the same memory layout as a WGSL type, so that its bytes can be copied to the GPU.
 pub trait SharedType: bytemuck::Pod {
     /// Returns the type's name in WGSL.
     fn wgsl_type_name() -> String;
@@ -58,7 +58,7 @@ pub struct StructMember {
     pub offset: usize,
     /// Size of the member, bytes.
     pub size: usize,
-    /// Returns the type's name in WGSL.
+    /// Function that returns the name of the member's type in WGSL.
     pub wgsl_type_name: fn() -> String,
 }
 
@@ -69,7 +69,7 @@ impl StructMember {
     }
 }
 
-/// Declaration of a struct that Rust and WGSL share.
+/// Declaration of a struct that Rust and WGSL share, from which its WGSL text is generated.
 #[derive(Clone, Copy, Debug)]
 pub struct StructDeclaration {
     /// The name of the struct in WGSL.
@@ -81,7 +81,8 @@ pub struct StructDeclaration {
 }
 
 impl StructDeclaration {
-    /// WGSL text of the struct. Padding becomes single u32 members, because a vector's alignment would move it.
+    /// WGSL declaration of the struct, as text. Padding is split into single u32 members, because the alignment of a
+    /// vector would move it.
     pub fn wgsl_declaration(&self) -> String {
         let lines = self.members.iter().map(|member| match member.is_padding() {
             true => (0..member.size / 4).map(|word| format!("  {}_{word}: u32,\n", member.name)).collect(),
@@ -116,7 +117,7 @@ macro_rules! gpu_struct {
         }
 
         impl $rust {
-            /// Declaration of the struct in WGSL.
+            /// Name, members and size of the struct, from which its WGSL declaration is generated.
             pub const DECLARATION: $crate::gpu::layout::StructDeclaration = $crate::gpu::layout::StructDeclaration {
                 name: $wgsl,
                 members: &[$($crate::gpu::layout::StructMember {

@@ -7,7 +7,7 @@
 use super::Gpu;
 use half::f16;
 
-/// Texture format of the maps: four components of 16 or of 32 bits.
+/// Texture format of the wave and foam maps: four components of 16 or of 32 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapFormat {
     /// Four 16-bit floats per texel (`rgba16float`).
@@ -17,28 +17,28 @@ pub enum MapFormat {
 }
 
 impl MapFormat {
-    /// wgpu feature that makes 32-bit float textures filterable.
+    /// wgpu feature with which samplers can filter textures of 32-bit floats.
     pub const FILTERABLE_FLOATS: wgpu::Features = wgpu::Features::FLOAT32_FILTERABLE;
 
-    /// Feature to request from an adapter: [`Self::FILTERABLE_FLOATS`] where 32-bit floats are the faster format, else
+    /// Optional feature to request from an adapter: [`Self::FILTERABLE_FLOATS`] where 32-bit floats are faster, else
     /// none.
     pub fn wanted_features(adapter: &wgpu::AdapterInfo) -> wgpu::Features {
         let is_cpu = adapter.device_type == wgpu::DeviceType::Cpu;
         if is_cpu && !adapter.name.contains("llvmpipe") { Self::FILTERABLE_FLOATS } else { wgpu::Features::empty() }
     }
 
-    /// The faster map format on a device.
+    /// The map format that is faster on a device.
     pub fn for_device(gpu: &Gpu) -> Self {
         Self::for_adapter(gpu.is_software(), gpu.device.features())
     }
 
-    /// 32-bit floats on software adapters that can filter them, half floats elsewhere. A graphics card gets half floats
-    /// even if its device has the feature, as the device of a host program may.
+    /// Format for an adapter: 32-bit floats if it is software and the device can filter them, otherwise half floats.
+    /// That holds for a GPU, too, whose device can filter 32-bit floats, as that of a host program may.
     fn for_adapter(is_software: bool, features: wgpu::Features) -> Self {
         if is_software && features.contains(Self::FILTERABLE_FLOATS) { Self::Float } else { Self::Half }
     }
 
-    /// The wgpu name of this format.
+    /// The value of wgpu's `TextureFormat` for this map format.
     pub fn texture_format(self) -> wgpu::TextureFormat {
         match self {
             Self::Half => wgpu::TextureFormat::Rgba16Float,
@@ -46,7 +46,7 @@ impl MapFormat {
         }
     }
 
-    /// Size of a texel, bytes.
+    /// Size of a texel of four components, bytes.
     pub const fn bytes_per_texel(self) -> u32 {
         match self {
             Self::Half => 8,
@@ -54,7 +54,7 @@ impl MapFormat {
         }
     }
 
-    /// The WGSL name of this format.
+    /// The name of this map format in WGSL, for the declaration of storage textures.
     pub const fn wgsl_format_name(self) -> &'static str {
         match self {
             Self::Half => "rgba16float",
@@ -62,7 +62,7 @@ impl MapFormat {
         }
     }
 
-    /// Converts the bytes of a texture of either format to f32 texels.
+    /// Converts the bytes of a map texture, in `format` `Rgba16Float` or `Rgba32Float`, to texels of four f32.
     pub fn texels_from_bytes(format: wgpu::TextureFormat, bytes: &[u8]) -> Vec<[f32; 4]> {
         if format == wgpu::TextureFormat::Rgba32Float {
             return bytemuck::pod_collect_to_vec(bytes);

@@ -9,7 +9,7 @@ pub fn create_target(gpu: &Gpu, format: wgpu::TextureFormat, size: [u32; 2]) -> 
     gpu.texture("offscreen", [size[0], size[1], 1], 1, format, usage)
 }
 
-/// Records a render pass that clears a texture to black and draws on it.
+/// Records a render pass that clears a texture to black and in which `draw` draws on it.
 pub fn clear_and_draw(
     encoder: &mut wgpu::CommandEncoder,
     target: &wgpu::Texture,
@@ -32,16 +32,16 @@ pub fn clear_and_draw(
     draw(&mut pass);
 }
 
-/// An offscreen picture whose drawing commands have been submitted, ready to be read back.
+/// An offscreen picture whose drawing commands have been submitted, and whose pixels can be read back.
 pub struct PendingPicture {
     copy: StagedTexture,
-    /// Whether the texture format stores blue before red.
+    /// Whether the pixels store blue before red, so that reading must swap them.
     is_bgra: bool,
 }
 
 impl PendingPicture {
-    /// Draws an offscreen picture of `size` pixels with `draw`, after the commands of `encoder`. Submits all commands,
-    /// including the read-back of the picture.
+    /// Draws an offscreen picture of `size` (width, height) pixels with `draw`, after the commands of `encoder`.
+    /// Submits all commands, including a copy of the picture that [`Self::read`] reads.
     pub fn submit(
         gpu: &Gpu,
         mut encoder: wgpu::CommandEncoder,

@@ -4,14 +4,14 @@ use super::Gpu;
 use super::map_format::MapFormat;
 use futures_channel::oneshot;
 
-/// Records a copy of a buffer into a new staging buffer and returns that buffer, for [`read`].
+/// Records a copy of a buffer into a new staging buffer, which the CPU can read, and returns that one, for [`read`].
 pub fn stage_buffer(gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, source: &wgpu::Buffer) -> wgpu::Buffer {
     let staging = create_staging_buffer(gpu, source.size());
     encoder.copy_buffer_to_buffer(source, 0, &staging, 0, source.size());
     staging
 }
 
-/// Copy of a texture in a staging buffer. Its rows are padded to a multiple of 256 bytes.
+/// Copy of a texture in a buffer that the CPU can read. Its rows are padded to a multiple of 256 bytes.
 pub struct StagedTexture {
     staging: wgpu::Buffer,
     format: wgpu::TextureFormat,
@@ -19,7 +19,7 @@ pub struct StagedTexture {
     padded: usize,
 }
 
-/// Records a copy of one mip level of all layers of a texture into a new staging buffer.
+/// Records a copy of one mip level of all layers of a texture into a new buffer that the CPU can read.
 pub fn stage_texture(
     gpu: &Gpu,
     encoder: &mut wgpu::CommandEncoder,
@@ -29,7 +29,7 @@ pub fn stage_texture(
     stage_layers(gpu, encoder, texture, mip_level, 0..texture.depth_or_array_layers())
 }
 
-/// Records a copy of one mip level of some layers of a texture into a new staging buffer.
+/// Records a copy of one mip level of the given layers of a texture into a new buffer that the CPU can read.
 pub fn stage_layers(
     gpu: &Gpu,
     encoder: &mut wgpu::CommandEncoder,
@@ -65,7 +65,7 @@ pub fn stage_layers(
 }
 
 impl StagedTexture {
-    /// Reads the bytes of the texels, layer by layer and row by row without padding. Call this after the submission.
+    /// Reads the bytes of all texels, by layer and row, without padding. Call this once the copy is submitted.
     ///
     /// # Errors
     /// If mapping the staging buffer fails.
@@ -80,7 +80,7 @@ impl StagedTexture {
         Ok(texels)
     }
 
-    /// Reads the texels of a texture in one of the formats of [`MapFormat`], as f32. Call this after the submission.
+    /// Reads the texels of a map, whose format is one of [`MapFormat`], as f32. Call this once the copy is submitted.
     ///
     /// # Errors
     /// If mapping the staging buffer fails.
@@ -90,7 +90,7 @@ impl StagedTexture {
     }
 }
 
-/// Reads the bytes of a staging buffer when the submitted commands are done.
+/// Waits until the submitted commands are done, and returns the bytes of a staging buffer.
 ///
 /// # Errors
 /// If mapping the staging buffer fails.

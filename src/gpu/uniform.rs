@@ -38,7 +38,7 @@ pub struct DynamicUniformBuffer<T> {
 }
 
 impl<T: bytemuck::Pod> DynamicUniformBuffer<T> {
-    /// Creates a uniform buffer with room for `slots` values in one submission.
+    /// Creates a uniform buffer with room for `slots` values that are added for one submission.
     pub fn new(gpu: &Gpu, label: &str, slots: usize) -> Self {
         let stride = size_of::<T>().next_multiple_of(256);
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
@@ -46,12 +46,12 @@ impl<T: bytemuck::Pod> DynamicUniformBuffer<T> {
         Self { buffer, stride, bytes: vec![0; stride * slots], used: 0, kind: PhantomData }
     }
 
-    /// Discards the values of the last submission, so that the next value gets offset 0.
+    /// Forgets the values of the last submission, so that the next added value gets the offset 0 again.
     pub fn clear(&mut self) {
         self.used = 0;
     }
 
-    /// Adds a value and returns its dynamic offset, bytes.
+    /// Adds a value for the next submission and returns its dynamic offset in the buffer, bytes.
     ///
     /// # Panics
     /// If more values are added than there are slots.

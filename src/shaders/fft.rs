@@ -5,17 +5,17 @@ use std::f64::consts::TAU;
 /// Number of entries in the table of twiddle factors; equals the largest FFT size.
 pub const TWIDDLE_COUNT: usize = 1024;
 
-/// Factors of the FFT size n = first x second. The FFT of a line is computed in two halves of shorter transforms.
+/// Factors of the FFT size n = first x second. The FFT of a line of n points is done as two rounds of shorter ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FftFactors {
-    /// Number of points per transform in the first half; also number of transforms per line in the second half.
+    /// Number of points per transform in the first round; also number of transforms per line in the second round.
     pub first: u32,
-    /// Number of points per transform in the second half; also number of transforms per line in the first half.
+    /// Number of points per transform in the second round; also number of transforms per line in the first round.
     pub second: u32,
 }
 
 impl FftFactors {
-    /// Factors of `n`, a power of two from 64 to 1024. They are equal, or the first is twice the second.
+    /// Factors of the FFT size `n`, a power of two from 64 to 1024. They are equal, or the first is twice the second.
     pub fn new(n: u32) -> Self {
         let second = 1 << (n.ilog2() / 2);
         Self { first: n / second, second }

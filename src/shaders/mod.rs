@@ -9,7 +9,7 @@ use crate::gpu::map_format::MapFormat;
 use std::collections::BTreeMap;
 use unrolled::UnrolledKernel;
 
-/// A piece of a shader module's text.
+/// A piece of a shader module's WGSL text.
 enum SourcePart {
     /// The text of a WGSL file.
     File(&'static str),
@@ -18,7 +18,7 @@ enum SourcePart {
 }
 
 impl SourcePart {
-    /// Texts of the WGSL files of a part, in order.
+    /// Texts of the WGSL files of which the part consists, in order.
     fn files(&self) -> Vec<&'static str> {
         match self {
             Self::File(text) => vec![*text],
@@ -45,14 +45,14 @@ const MIP_MEAN: SourcePart = part!("waves/mip_mean.wgsl");
 const ATMOSPHERE: SourcePart = part!("sky/atmosphere.wgsl");
 const SKY_COMMON: SourcePart = part!("sky/common.wgsl");
 const VIEWS: SourcePart = part!("views/common.wgsl");
-/// WGSL for the passes that compute the look-up tables of clear air.
+/// WGSL for the passes that compute the look-up tables of the cloudless atmosphere.
 const AIR_TABLES: SourcePart = SourcePart::Group(&[ATMOSPHERE, SKY_COMMON]);
 /// WGSL functions for the radiance of the sky in a direction, with clouds and fog.
 const SKY: SourcePart = SourcePart::Group(&[AIR_TABLES, part!("sky/model.wgsl"), part!("sky/fog.wgsl")]);
-/// WGSL for every pass that draws on the HDR picture: bind group 0, the sky, and the air in front of the sea.
+/// WGSL for every pass that draws on the HDR picture: its uniforms (bind group 0), the sky, and air before the sea.
 const PICTURE: SourcePart =
     SourcePart::Group(&[SKY, part!("common/frame.wgsl"), part!("common/scene.wgsl"), part!("sky/air.wgsl")]);
-/// WGSL functions for the displaced water surface.
+/// WGSL functions for the position of the displaced water surface.
 const SURFACE: SourcePart = SourcePart::Group(&[
     MATHS,
     NOISE,
@@ -61,7 +61,7 @@ const SURFACE: SourcePart = SourcePart::Group(&[
     part!("water/spline.wgsl"),
     part!("water/surface.wgsl"),
 ]);
-/// WGSL for passes that displace the water surface but draw no picture.
+/// WGSL for passes that displace the water surface but shade nothing.
 const BARE_SURFACE: SourcePart = SourcePart::Group(&[part!("common/frame.wgsl"), SURFACE]);
 /// WGSL functions that shade the water: roughness, reflection, light from below, and foam.
 const WATER: SourcePart = SourcePart::Group(&[
@@ -79,12 +79,12 @@ const WATER: SourcePart = SourcePart::Group(&[
     part!("water/water.wgsl"),
 ]);
 
-/// WGSL type of a map texel in a buffer, for maps in half floats and for maps in 32-bit floats.
+/// WGSL type of a map texel in a buffer: this one for maps in half floats, the next one for maps in 32-bit floats.
 const MAP_TEXEL_HALF: &str = include_str!("../../shaders/waves/map_texel_half.wgsl");
 const MAP_TEXEL_FLOAT: &str = include_str!("../../shaders/waves/map_texel_float.wgsl");
 
-/// Name of each shader module and the parts that it is joined from. The last part holds the entry points; the module
-/// has the name of that file's path.
+/// Name of each shader module, and the parts of WGSL that are joined to its text. The last part holds the entry points;
+/// the module has the name of that file's path.
 const MODULES: &[(&str, &[SourcePart])] = &[
     ("waves/spectrum", &[MATHS, SEA, NOISE, part!("waves/spectrum.wgsl")]),
     ("waves/rows", &[MATHS, SEA, FFT, WORKGROUP_FFT, EVOLVE, part!("waves/rows.wgsl")]),
@@ -114,11 +114,11 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ("views/show", &[SCREEN, part!("views/show.wgsl")]),
 ];
 
-/// The WGSL sources of all modules.
+/// The WGSL sources of all shader modules of the program.
 #[derive(Clone, Debug)]
 pub struct Shaders {
     sources: BTreeMap<&'static str, String>,
-    /// Structs declared in Rust whose WGSL declarations are added to the modules that use them.
+    /// Structs declared in Rust. Modules that name one get its generated WGSL declaration.
     structs: Vec<StructDeclaration>,
     format: Option<MapFormat>,
 }
@@ -132,7 +132,7 @@ impl Default for Shaders {
 }
 
 impl Shaders {
-    /// Replaces a piece of the text of one module. Tests plant faults with it, which other checks must then find.
+    /// Replaces the text `from` in one module's WGSL by `to`. Tests plant faults with it that checks must find.
     ///
     /// # Panics
     /// If `from` does not occur exactly once in the module.
@@ -153,19 +153,19 @@ impl Shaders {
         self
     }
 
-    /// Fixes the texture format of the maps. Otherwise it is the faster one for the device.
+    /// Fixes the texture format of the maps. Without this, it is the one that is faster on the device.
     #[must_use]
     pub fn with_map_format(self, format: MapFormat) -> Self {
         Self { format: Some(format), ..self }
     }
 
-    /// Texture format of the maps on a device.
+    /// Texture format of the maps on a device: the fixed one, or else the faster one.
     pub fn map_format(&self, gpu: &Gpu) -> MapFormat {
         self.format.unwrap_or_else(|| MapFormat::for_device(gpu))
     }
 
-    /// Names and WGSL texts of all modules. The FFT kernels for software adapters are those for 256 points; the maps
-    /// are half floats unless [`Self::with_map_format`] has fixed a format.
+    /// Names and WGSL texts of all modules. The FFT kernels for software adapters are those for lines of 256 points;
+    /// the maps are half floats unless [`Self::with_map_format`] has fixed a format.
     pub fn all(&self) -> impl Iterator<Item = (&'static str, String)> {
         let format = self.format.unwrap_or(MapFormat::Half);
         self.sources.keys().map(move |&name| {
@@ -187,7 +187,7 @@ impl Shaders {
         gpu.shader_module(kernel.module_name(), &self.unrolled_text(kernel, n, self.map_format(gpu)))
     }
 
-    /// WGSL text of a module, with the declarations of the structs that it names at the end.
+    /// WGSL text of a module, followed by the declarations of the structs that it names.
     fn text(&self, name: &str, format: MapFormat) -> String {
         let source = self.sources.get(name).unwrap_or_else(|| panic!("no shader module {name}"));
         // The sources declare half-float storage textures.

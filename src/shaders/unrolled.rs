@@ -6,10 +6,10 @@ use super::fft::{FftFactors, TWIDDLE_COUNT};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
-/// One of the four kernels of the unrolled FFT, two along each axis.
+/// One of the four compute kernels of the FFT for software adapters, two along each axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnrolledKernel {
-    /// Computes the waves at a time, and the first half of their inverse FFT along x.
+    /// Computes the waves' Fourier amplitudes at one time, and the first half of their inverse FFT along x.
     RowsFirst,
     /// Computes the second half of the inverse FFT along x.
     RowsSecond,
@@ -23,7 +23,7 @@ impl UnrolledKernel {
     /// All kernels, in the order of their dispatches.
     pub const ALL: [Self; 4] = [Self::RowsFirst, Self::RowsSecond, Self::ColumnsFirst, Self::ColumnsSecond];
 
-    /// Name of the kernel's shader module.
+    /// Name of the kernel's shader module, as in [`Shaders::all`](super::Shaders::all).
     pub fn module_name(self) -> &'static str {
         match self {
             Self::RowsFirst => "waves/unrolled_rows_first",
@@ -33,7 +33,7 @@ impl UnrolledKernel {
         }
     }
 
-    /// Generates the WGSL function that the module's entry point calls, for lines of `n` points.
+    /// Generates the WGSL function that the entry point of the kernel's module calls, for lines of `n` points.
     pub fn function_text(self, n: u32) -> String {
         match self {
             Self::RowsFirst => rows_first(n),
@@ -44,10 +44,10 @@ impl UnrolledKernel {
     }
 }
 
-/// Generates the kernel for waves and the first half along x. The amplitude h(-k) is the complex conjugate of h(k), so
-/// the waves of line z, in reverse order, also give those of line n - z. Thread t therefore transforms the points t + i
-/// second of line z and the points second - t + i second of line n - z. For t = 0 the latter begin at point `second`
-/// instead of 0, a shift that the twiddle factors undo.
+/// Generates the function of `RowsFirst`. Because h(-k) is the complex conjugate of the amplitude h(k), the waves of
+/// line z, in reverse order, also give those of line n - z. Thread t therefore transforms, for every i, the points t +
+/// i x `second` of line z and the points `second` - t + i x `second` of line n - z. For t = 0 the latter begin at point
+/// `second` instead of 0, a shift that the twiddle factors undo.
 fn rows_first(n: u32) -> String {
     let FftFactors { first, second } = FftFactors::new(n);
     let mut code = FunctionWriter::begin("rows_first(c: u32, t: u32, z: u32)");
@@ -116,7 +116,7 @@ fn columns_second(n: u32) -> String {
     code.finish()
 }
 
-/// Builds the text of a WGSL function in which every intermediate value has a name of its own.
+/// Builds the text of a WGSL function, in which every intermediate value is a variable with its own name.
 struct FunctionWriter {
     text: String,
     values: u32,
@@ -135,7 +135,7 @@ impl FunctionWriter {
         let _ = writeln!(self.text, "  {text}");
     }
 
-    /// Adds a WGSL variable with the value of an expression, and returns its name.
+    /// Adds to the text a WGSL variable with the value of an expression, and returns its name.
     fn add_variable(&mut self, expression: &str) -> String {
         self.values += 1;
         let name = format!("v{}", self.values);
@@ -143,8 +143,8 @@ impl FunctionWriter {
         name
     }
 
-    /// Adds the twiddle factors e^(2 pi i t k1 / n) for every k1 below `first`, and returns their names. Each is a
-    /// product of two earlier factors, so that rounding errors grow with the logarithm of k1.
+    /// Adds WGSL for the twiddle factors e^(2 pi i t k1 / n) of every k1 below `first`, and returns their names. Each
+    /// is a product of two earlier factors, so that rounding errors grow with the logarithm of k1.
     fn add_twiddle_factors(&mut self, t: &str, first: u32, n: u32) -> Vec<String> {
         let mut factors = vec!["vec2f(1.0, 0.0)".to_owned()];
         factors.push(self.add_variable(&format!("twiddle_factors[{t} * {}u]", TWIDDLE_COUNT as u32 / n)));
@@ -156,8 +156,8 @@ impl FunctionWriter {
         factors
     }
 
-    /// Adds the inverse FFT of the values named `x`, vec4f of two complex numbers each. Returns the results' names in
-    /// natural order.
+    /// Adds WGSL for the inverse FFT of the variables named `x`, which are vec4f of two complex numbers each. Returns
+    /// the names of the results in natural order.
     fn add_transform(&mut self, x: Vec<String>) -> Vec<String> {
         let n = x.len();
         match n {
@@ -191,7 +191,7 @@ impl FunctionWriter {
         }
     }
 
-    /// Adds the value named `v` times e^(2 pi i turns), for turns in [0, 1), and returns the product's name.
+    /// Adds WGSL for the value named `v` times e^(2 pi i turns), turns in \[0, 1), and returns the product's name.
     fn add_rotation(&mut self, v: &str, turns: f64) -> String {
         if turns == 0.0 {
             return v.to_owned();

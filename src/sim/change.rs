@@ -10,8 +10,8 @@ use crate::waves::overlap::SeaCovariance;
 use crate::waves::{Plan, SeaChange};
 
 impl Simulation {
-    /// Replaces the plan at once and ends any transition. Foam on the water stays while time runs, unless the FFT size
-    /// or the number of cascades changes.
+    /// Replaces the simulated sea by that of `plan` at once and ends any transition. The foam on the water is kept,
+    /// unless the FFT size or the number of cascades changes or simulated time stands still.
     pub fn set_plan(&mut self, gpu: &Gpu, plan: Plan, shaders: &Shaders) {
         if plan == self.sea.plan && !self.in_transition() {
             return;
@@ -28,13 +28,13 @@ impl Simulation {
         self.foam.note_sea_change();
     }
 
-    /// Advances the running transition by `dt_s` seconds of wall time. If `plan` is given, first starts a transition to
-    /// it at the sea's time `t_s`, s. Call this once per frame before [`Self::encode`]. A plan with another FFT size,
-    /// or with tiling switched on or off, is taken over at once.
+    /// Advances the running transition by `dt_s` seconds of wall time and returns its progress. If `plan` is given,
+    /// first starts a transition to its sea at the simulated time `t_s`, s. Call this once per frame before
+    /// [`Self::encode`]. A plan with another FFT size, or with tiling switched on or off, replaces the sea at once.
     ///
-    /// Foam parameters, surface parameters and wave amplitudes are interpolated; only the amplitudes need a spectrum
-    /// pass per frame. A sea with other waves is cross-faded, for which memory for a second sea is allocated once.
-    /// During a cross-fade, a plan that needs another cross-fade waits for its end.
+    /// Foam parameters, surface parameters (choppiness, water level) and wave amplitudes are interpolated. A sea with
+    /// other wave numbers, frequencies or random numbers is cross-faded, for which memory for a second sea is allocated
+    /// once. During a cross-fade, a plan that needs another cross-fade waits for its end.
     pub fn transition_to(
         &mut self,
         gpu: &Gpu,
@@ -62,7 +62,7 @@ impl Simulation {
         self.advance_transition(start, dt_s)
     }
 
-    /// Kind of transition that `plan` needs, starting from the current sea. None if both seas are equal.
+    /// Kind of transition that leads from the current sea to that of `plan`. None if both seas are equal.
     fn needed_transition(&self, plan: &Plan) -> Option<TransitionKind> {
         let now = &self.sea.plan;
         if !plan.has_same_waves(now) {
@@ -75,7 +75,8 @@ impl Simulation {
         })
     }
 
-    /// Makes `plan` the current sea and starts a transition of the given kind to it, at the sea's time `t_s`, s.
+    /// Makes `plan` the current sea and starts a transition of the given kind to it. `t_s` is the simulated time, s;
+    /// the correlation of the waves of both seas in a cross-fade depends on it.
     fn start_transition(&mut self, gpu: &Gpu, plan: Plan, kind: TransitionKind, t_s: f64) {
         let are_waves_new = match kind {
             TransitionKind::Foam | TransitionKind::Surface => false,
@@ -112,7 +113,8 @@ impl Simulation {
         }
     }
 
-    /// Advances the transition by `dt_s` seconds of wall time. `start` is the transition that started in this frame.
+    /// Advances the transition by `dt_s` seconds of wall time and applies it to the foam parameters and the maps.
+    /// Returns the progress in this frame, with the transition `start` that has started in it, if any.
     fn advance_transition(&mut self, start: Option<TransitionKind>, dt_s: f64) -> TransitionStep {
         let was_in_transition = self.transition.is_running();
         let step = TransitionStep { started: start, ..self.transition.advance(dt_s) };
@@ -124,7 +126,7 @@ impl Simulation {
         step
     }
 
-    /// Applies one step of a transition to the foam parameters and to the cross-fade weights of the cascades.
+    /// Applies one step of a transition to the foam parameters and to the amplitude factors of cross-faded cascades.
     fn apply_transition_step(&mut self, step: &TransitionStep) {
         if step.ends_cross_fade {
             self.fading = None;

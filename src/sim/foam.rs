@@ -5,60 +5,63 @@ use super::transition::{Interpolate, interpolate, interpolate_pair};
 use super::uniforms::{FoamCascade, FoamLevelCorner, FoamLevelUniform, FoamUniform};
 use crate::waves::{Plan, foam};
 
-/// Number of time steps in a cold start, which computes the foam anew, for example after a jump of time.
+/// Number of time steps of a cold start, which computes the foam anew from the recent past, as after a jump of time.
 pub const COLD_START_STEPS: usize = 48;
-/// Length of the past that a cold start simulates, in decay times of the foam.
+/// Length of the past that a cold start of the foam simulates, in decay (e-folding) times of the foam.
 const COLD_START_DECAY_TIMES: f64 = 5.0;
-/// Longest time step of the foam, s. A larger difference is a jump of time and causes a cold start.
+/// Longest time step of the foam, s. If simulated time advances by more, the foam is computed anew (a cold start).
 const MAX_STEP_S: f64 = 1.0;
-/// Side of the square that the finest foam level covers, m.
+/// Side of the square that the finest foam level (of four nested square foam grids) covers, m.
 const FINEST_LEVEL_SIDE_M: f64 = 64.0;
-/// Ratio of the side of a foam level to that of the next finer level.
+/// Ratio of the side of a foam level (square foam grid) to the side of the next finer level.
 const LEVEL_SIDE_RATIO: f64 = 4.0;
 
 /// One time step of the foam simulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoamStep {
-    /// Time at the end of the time step, s.
+    /// Simulated time at the end of the time step, s.
     pub t_s: f64,
     /// Length of the time step, s.
     pub dt_s: f64,
-    /// Whether all earlier foam is discarded, so that every cell starts with the expected mean foam.
+    /// Whether all earlier foam is discarded first, so that every cell starts from the expected mean foam.
     pub discards_history: bool,
 }
 
-/// Keeps track of the time that the foam simulation has reached, and of the cells that its levels cover.
+/// Plans the time steps of the foam: keeps the time that the foam simulation has reached, the steps that are still to
+/// be made, and the cells that the foam levels (nested square grids) cover.
 #[derive(Debug)]
 pub struct FoamScheduler {
     size: u32,
-    /// Time at the end of the last foam step, s. None before the first step.
+    /// Simulated time that the foam has reached, s: the end of its last time step. None before the first step.
     at_s: Option<f64>,
     /// Time steps that a cold start has yet to make, in reverse order: the next step is the last element.
     cold_start_steps: Vec<FoamStep>,
-    /// Lowest cell index along x and z of each level at the last foam step. None before the first step.
+    /// World indices (x, z) of the first cell that each foam level covered at the last foam step; cell i begins at i
+    /// times the level's cell size. None before the first step.
     cells: Option<[[i32; 2]; FOAM_LEVELS]>,
-    /// Time of the last foam step before the sea changed, s. None once the foam of the previous sea has decayed.
+    /// Time that the foam had reached when the sea last changed, s. None if no foam of an earlier sea can be left.
     changed_at_s: Option<f64>,
-    /// World position (x, z) around which the foam levels lay at the last time step, m.
+    /// World position (x, z) around which the foam levels lay at the last time step (the camera's), m.
     centre: [f64; 2],
     parameters: FoamParameters,
 }
 
-/// Parameters of the foam simulation, derived from the plan of a sea.
+/// Parameters of the foam simulation (where foam forms, how fast it grows and decays), derived from a sea's plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoamParameters {
-    /// Choppiness: factor of the horizontal displacement along x and z.
+    /// Choppiness along x and z: factors by which the maps' horizontal displacement is multiplied.
     pub choppiness: [f64; 2],
-    /// Foam source of each level: the Jacobian below which foam forms, and how fast the source grows below it.
+    /// Foam source (0 to 1) of each foam level: the Jacobian of the displacement below which it is positive, and its
+    /// increase per unit of Jacobian below that.
     sources: [foam::FoamSource; FOAM_LEVELS],
-    /// Expected mean of the foam, 0 to 1: the fraction of the surface that it covers.
+    /// Expected mean of the foam over the sea surface, from 0 (no foam) to 1 (all covered).
     pub mean_foam: f64,
     decay_s: f64,
     rate_per_s: f64,
 }
 
 impl FoamParameters {
-    /// Derives the foam parameters from a plan, for foam levels of `size` x `size` cells.
+    /// Derives the foam parameters from a sea's plan, for foam levels (square grids) of `size` x `size` cells.
     pub fn new(size: u32, plan: &Plan) -> Self {
         let foam = foam::FoamModel::new(plan);
         Self {
@@ -94,7 +97,7 @@ impl Interpolate for FoamParameters {
 }
 
 impl FoamScheduler {
-    /// Creates the clock of a foam simulation that has made no step yet, with levels of `size` x `size` cells.
+    /// Creates the scheduler of a foam simulation that has made no time step yet, with levels of `size` x `size` cells.
     pub fn new(size: u32, parameters: FoamParameters) -> Self {
         Self {
             size,
@@ -107,21 +110,21 @@ impl FoamScheduler {
         }
     }
 
-    /// Replaces the foam parameters. The foam and the time that it has reached are kept.
+    /// Replaces the parameters of later foam steps. The foam and the time that it has reached are kept.
     pub fn set_parameters(&mut self, parameters: FoamParameters) {
         self.parameters = parameters;
     }
 
-    /// Records that the sea has changed. Foam on the water is kept while time runs. If time stands still, the next call
-    /// of [`Self::steps_to`] starts the foam anew.
+    /// Records that the sea has changed. Foam on the water is kept while simulated time runs. If time stands still, the
+    /// next call of [`Self::steps_to`] starts computing the foam anew.
     pub fn note_sea_change(&mut self) {
         self.changed_at_s = self.at_s;
     }
 
-    /// Returns the next time steps of the foam towards the time `t_s`, at most `max_steps`; none if the foam has
-    /// reached `t_s`. The levels lie around the world position `centre` (x, z), m. A cold start (at the first call,
-    /// after a jump of time, or in another sea or place while time stands still) makes steps that depend only on `t_s`
-    /// and the decay time. So a still picture depends only on the state.
+    /// Returns the next time steps of the foam towards the simulated time `t_s` (s), at most `max_steps`, and counts
+    /// them as made; none if the foam has reached `t_s`. The foam levels lie around the world position `centre` (x, z),
+    /// m. A cold start (at the first call, after a jump of time, or in another sea or place while time stands still)
+    /// makes steps that depend only on `t_s` and the decay time. So a still picture depends only on the state.
     pub fn steps_to(&mut self, t_s: f64, centre: [f64; 2], max_steps: usize) -> Vec<FoamStep> {
         let jumped = |at: f64| t_s < at || t_s - at > MAX_STEP_S;
         let memory_s = COLD_START_DECAY_TIMES * self.parameters.decay_s;
@@ -166,17 +169,17 @@ impl FoamScheduler {
         steps
     }
 
-    /// The current parameters of the foam simulation.
+    /// Parameters with which the next foam steps are made; during a transition, they lie between those of both seas.
     pub fn parameters(&self) -> &FoamParameters {
         &self.parameters
     }
 
-    /// Whether the foam simulation has reached the time `t_s`, s.
+    /// Whether the foam simulation has reached the time `t_s`, s, so that no time step is left to make.
     pub fn has_reached(&self, t_s: f64) -> bool {
         self.cold_start_steps.is_empty() && self.at_s == Some(t_s)
     }
 
-    /// Cell sizes and positions of all foam levels around the world position `centre` (x, z), m.
+    /// Cell sizes and centres of all foam levels, finest first, around the world position `centre` (x, z), m.
     pub fn levels(&self, centre: [f64; 2]) -> Vec<FoamLevel> {
         let half = f64::from(self.size / 2);
         (0..FOAM_LEVELS)
@@ -188,8 +191,8 @@ impl FoamScheduler {
             .collect()
     }
 
-    /// Uniform of one foam time step, made from the wave maps at the end of the step. Remembers which cells the levels
-    /// cover, for the next step.
+    /// Makes the uniform of one foam time step. `maps` are the wave maps at the end of the step; the foam levels lie
+    /// around the world position `centre` (x, z), m. Remembers which cells they cover, for the next step.
     pub fn uniform(&mut self, step: &FoamStep, centre: [f64; 2], maps: &Maps) -> FoamUniform {
         let cells: [[i32; 2]; FOAM_LEVELS] = std::array::from_fn(|level| self.first_cell(level, centre));
         // With a previous first cell far out of range, the foam pass finds no earlier foam for any cell.
@@ -232,7 +235,7 @@ impl FoamScheduler {
         }
     }
 
-    /// Lowest cell index along x and z that a foam level covers around the world position `centre` (x, z), m.
+    /// World indices (x, z) of the lowest cell that a foam level covers around the world position `centre` (x, z), m.
     fn first_cell(&self, level: usize, centre: [f64; 2]) -> [i32; 2] {
         let half = self.size as i32 / 2;
         centre.map(|x| (x / cell_m(self.size, level)).floor() as i32 - half)

@@ -6,10 +6,10 @@ use crate::gpu::Gpu;
 use crate::gpu::readback::{self, StagedTexture};
 use crate::waves::Plan;
 
-/// Approximate limit of the gradient texels in the mean square slope: enough for precision, few enough for browsers.
+/// Approximate largest number of gradient texels that are averaged for the mean square slope; more would be slow.
 const MAX_SLOPE_SAMPLES: usize = 1 << 17;
 
-/// Copies of the maps of one frame, to be read after the frame has been submitted.
+/// Copies of the displacement, gradient and foam maps of one frame, to be read after its submission to the GPU.
 pub struct PendingMapRead {
     displacement: StagedTexture,
     gradients: StagedTexture,
@@ -17,21 +17,22 @@ pub struct PendingMapRead {
     plan: Plan,
 }
 
-/// Statistics and heights that were read from the maps of one frame.
+/// Mean square slope, mean foam and wave heights, computed or read from the maps of one frame.
 #[derive(Clone, Debug)]
 pub struct MapStatistics {
     /// The plan of the sea that the maps show.
     pub plan: Plan,
-    /// Mean square slope of the surface before horizontal displacement.
+    /// Mean square slope (both components added) of the surface without horizontal displacement.
     pub mean_square_slope: f64,
-    /// Mean of the simulated foam over all foam levels, 0 to 1, before the display factor of the foam is applied.
+    /// Mean of the simulated foam over all cells of all foam levels, 0 to 1, without the factor on the visible foam.
     pub mean_foam: f64,
-    /// Texels (Dx, height, Dz, dDx/dz) of the displacement maps, cascade by cascade and row by row.
+    /// Texels of the displacement maps, cascade by cascade and row by row: Dx, height, Dz (m) and dDx/dz.
     texels: Vec<[f32; 4]>,
 }
 
 impl Simulation {
-    /// Records copies of the maps as the commands before this point leave them. Returns None during a transition.
+    /// Records copies of the displacement, gradient and foam maps as the commands recorded before leave them. Returns
+    /// None during a transition.
     pub fn record_map_read(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> Option<PendingMapRead> {
         if self.in_transition() {
             return None;
@@ -49,7 +50,7 @@ impl Simulation {
 }
 
 impl PendingMapRead {
-    /// Reads the copies of the maps and computes their statistics. Call this after the submission of the frame.
+    /// Reads the copies of the maps and computes their statistics. Call this once the frame has been submitted.
     ///
     /// # Errors
     /// If mapping a read-back buffer fails.
@@ -72,7 +73,7 @@ impl PendingMapRead {
 }
 
 impl MapStatistics {
-    /// Heights of the texels in row `z` of a cascade's displacement map, m.
+    /// Heights of the texels in row `z` (0 to n - 1) of the displacement map of the cascade with index `cascade`, m.
     pub fn heights_in_row(&self, cascade: usize, z: usize) -> impl Iterator<Item = f64> {
         let n = self.plan.n as usize;
         self.texels[(cascade * n + z) * n..][..n].iter().map(|t| f64::from(t[1]))

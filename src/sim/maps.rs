@@ -8,25 +8,25 @@ use crate::waves::overlap::SeaCovariance;
 use crate::waves::tiling::{LatticePosition, Tiling};
 use std::f64::consts::TAU;
 
-/// Largest number of cascades of one sea.
+/// Largest number of cascades (patches of sea, each with an FFT of its own) of one sea.
 pub const MAX_CASCADES: usize = 4;
 /// Largest number of cascades that are drawn at once: those of both seas of a cross-fade.
 pub const MAX_DRAWN_CASCADES: usize = 2 * MAX_CASCADES;
-/// Number of levels of the foam clipmap. Each level is a square four times as wide as the next finer one.
+/// Number of foam levels: nested square foam grids around the camera, each four times as wide as the next finer one.
 pub const FOAM_LEVELS: usize = 4;
 
 gpu_struct! {
-    /// WGSL `TileLatticePosition`: the triangle lattice on which shifted copies of a patch are blended, relative to one
-    /// point.
+    /// WGSL `TileLatticePosition`: position of a point in the triangle lattice of a patch, from which a shader finds
+    /// the shifted copies of the patch that are blended near that point.
     #[derive(Default)]
     pub struct TileLatticePosition as "TileLatticePosition" {
-        /// Cosine and sine of the lattice's rotation, divided by the side of its triangles, 1/m.
+        /// Cosine and sine of the triangle lattice's angle of rotation, each divided by the triangles' side, 1/m.
         pub scaled_rotation: [f32; 2],
-        /// Fractional part of the point's lattice coordinates, 0 to 1.
+        /// Fractional parts of the point's two lattice coordinates, 0 to 1.
         pub fraction: [f32; 2],
-        /// Integer part of the point's lattice coordinates, wrapped to 32 bits.
+        /// Integer parts of the point's two lattice coordinates, wrapped to 32 bits.
         pub cell: [i32; 2],
-        /// Seed of the hash that chooses the shift of each copy of the patch.
+        /// Key of the hash that gives each copy of the patch its random shift.
         pub shift_key: u32,
         /// 1 if shifted copies of the patch are blended, 0 if the patch repeats periodically.
         pub blends_copies: u32,
@@ -34,41 +34,41 @@ gpu_struct! {
 }
 
 /// Texture views of the maps of all drawn cascades, and what a shader needs to sample them. Texel (i, j) of an n x n
-/// map lies at x = i patch / n, z = j patch / n. Texture coordinates are (x, z) / patch + 0.5 / n, repeating.
+/// map belongs to x = i p / n, z = j p / n, where p is the patch side; texture coordinates are (x, z) / p + 0.5 / n.
 #[derive(Debug)]
 pub struct Maps {
-    /// 2d array texture, one layer per cascade, all mip levels: horizontal displacement Dx and Dz, height eta (Dx, eta,
-    /// Dz, m) and dDx/dz. Choppiness is not applied.
+    /// 2d array texture with mip levels, one layer per cascade (`MapCascade::layer`). Texels are Dx, eta, Dz and
+    /// dDx/dz: horizontal displacement Dx and Dz (m) without choppiness, height eta (m).
     pub displacement: wgpu::TextureView,
-    /// 2d array texture, one layer per cascade, all mip levels: slopes d eta/dx and d eta/dz, and the derivatives
-    /// dDx/dx and dDz/dz of the horizontal displacement. Choppiness is not applied.
+    /// 2d array texture with mip levels, one layer per cascade (`MapCascade::layer`). Texels are the slopes d eta/dx
+    /// and d eta/dz, then dDx/dx and dDz/dz of the horizontal displacement without choppiness.
     pub gradients: wgpu::TextureView,
-    /// 2d array texture, one layer per cascade, n/2 texels a side: second moments (xx, zz, xz, 0) of the slopes, in
-    /// units of the cascade's `moment_unit`. Its mip level j belongs to mip level j + 1 of the other maps.
+    /// 2d array texture, one layer per cascade, n/2 texels a side: means over a texel of the slope products (sx^2,
+    /// sz^2, sx sz, 0), divided by `moment_unit` of the cascade. Mip level j belongs to mip level j + 1 of other maps.
     pub slope_moments: wgpu::TextureView,
-    /// 2d array texture, one layer per foam level, repeating: the foam and its current source, each 0 to 1. Texture
-    /// coordinates belong to undisplaced points.
+    /// 2d array texture that repeats, one layer per foam level, finest first. Texels are the foam and the foam source
+    /// (0 no growth, 1 fastest growth), at points before horizontal displacement.
     pub foam: wgpu::TextureView,
     /// Fourier amplitudes h0 of the current sea at time 0, m: complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
     pub h0: wgpu::Buffer,
-    /// Per entry of the wave table and cascade of the current sea: the wave's number of cycles per period of the sea
-    /// (u32), and its orbit axis ratio divided by its wave number (f32, m).
+    /// For each cascade of the current sea and each wave number of its lattice: the wave's number of cycles per repeat
+    /// period of the sea (u32), and its orbit axis ratio (horizontal to vertical) divided by its wave number (f32, m).
     pub wave_table: wgpu::Buffer,
-    /// Time of the maps as a fraction of the sea's period, in units of 2^-32. Its product with a wave's number of
-    /// cycles per period is the phase.
+    /// Time of the maps as a fraction of the sea's repeat period, in units of 2^-32. Its wrapping product with a wave's
+    /// number of cycles per period is the wave's phase in units of 2^-32 cycles.
     pub time_in_period_u32: u32,
-    /// Cascades that are drawn, longest waves first within each sea. During a cross-fade, the cascades of the sea that
-    /// fades out come before those of the current sea.
+    /// Cascades that are drawn, longest waves first within each sea. During a cross-fade, the cascades of the old sea
+    /// come before those of the current sea.
     pub cascades: Vec<MapCascade>,
-    /// Number of entries at the start of `cascades` that belong to the sea that fades out; 0 without a cross-fade.
+    /// Number of entries at the start of `cascades` that belong to the old sea of a cross-fade; 0 without one.
     pub fading_count: usize,
     /// Cell sizes and positions of the foam levels, finest level first.
     pub foam_levels: Vec<FoamLevel>,
-    /// Number of cells along a side of a foam level.
+    /// Number of cells along a side of a foam level (one of the nested square foam grids).
     pub foam_n: u32,
-    /// Number of texels along a side of mip level 0 of the maps; equals the FFT size.
+    /// FFT size, which is also the number of texels along a side of mip level 0 of the wave maps.
     pub n: u32,
-    /// Counter that increases when the texture views are replaced, so that users know to bind them anew.
+    /// Counter that increases when the texture views are replaced, so that users bind the new views.
     pub generation: u64,
 }
 
@@ -77,18 +77,18 @@ pub struct Maps {
 pub struct MapCascade {
     /// Side of the cascade's square patch, m.
     pub patch_m: f64,
-    /// Triangle lattice on which shifted copies of the patch are blended to cover the plane.
+    /// How shifted copies of the patch, at the vertices of a triangle lattice, are blended to cover the plane.
     pub tiling: Tiling,
     /// Wavelength of the cascade's shortest wave, m.
     pub shortest_wavelength_m: f64,
-    /// Unit in which the maps store the slope moments: half the cascade's mean square slope.
+    /// Unit in which the maps store the slope moments (means of slope products): half the cascade's mean square slope.
     pub moment_unit: f32,
-    /// Index of the cascade among the layers of each kind of map.
+    /// Index of the cascade's layer in each of the texture views of displacement, gradients and slope moments.
     pub layer: u32,
     /// Factor of the wave amplitudes with which the maps are computed: 1 except during a cross-fade.
     pub amplitude_factor: f32,
-    /// Factor that corrects the slope variance during a cross-fade: the shaders add the variances of all cascades, but
-    /// waves that both seas contain add by amplitude.
+    /// Factor on the slope variance that shaders sum over the cascades of both seas of a cross-fade: correlated waves
+    /// of both seas add by amplitude, not by variance. 1 without a cross-fade.
     pub variance_correction: f32,
 }
 
@@ -104,7 +104,7 @@ impl From<LatticePosition> for TileLatticePosition {
     }
 }
 
-/// One level of the foam clipmap: a square of `foam_n` x `foam_n` cells.
+/// One foam level: one of the nested square foam grids around the camera, with `Maps::foam_n` x `foam_n` cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoamLevel {
     /// Side of a foam cell, m.
@@ -114,7 +114,7 @@ pub struct FoamLevel {
 }
 
 impl Maps {
-    /// Creates the views of a simulation's textures and buffers, for the cascades of `plan`.
+    /// Creates the texture views of a simulation's maps and foam; the drawn cascades are those of `plan`.
     pub fn new(plan: &Plan, resources: &Resources) -> Self {
         Self {
             displacement: resources.map_view(MapKind::Displacement),
@@ -133,12 +133,13 @@ impl Maps {
         }
     }
 
-    /// Cascades of the current sea, without those of a sea that fades out.
+    /// Drawn cascades of the current sea, without those of the old sea of a cross-fade.
     pub fn current_cascades(&self) -> &[MapCascade] {
         &self.cascades[self.fading_count..]
     }
 
-    /// Takes over the cascades of a plan when a transition to it starts. The plan's FFT size must be that of the maps.
+    /// Updates the drawn cascades when a transition to `plan`, with equal FFT size, starts: a cross-fade adds those of
+    /// the new sea, another change of the waves replaces those of the old one.
     pub(super) fn start_transition(&mut self, plan: &Plan, resources: &Resources, kind: TransitionKind) {
         match kind {
             TransitionKind::Foam | TransitionKind::Surface => return,
@@ -157,8 +158,8 @@ impl Maps {
             (resources.current_waves().h0.clone(), resources.current_waves().wave_table.clone());
     }
 
-    /// Sets the cross-fade weight of each cascade. `new_sea_weight` is the current sea's fraction of the total
-    /// variance, 0 to 1.
+    /// Sets amplitude factor and variance correction of each cascade in a cross-fade. `overlaps` holds both seas'
+    /// covariance per cascade; `new_sea_weight` is the current sea's fraction of the total variance, 0 to 1.
     pub(super) fn set_cross_fade_weights(&mut self, overlaps: &[SeaCovariance], new_sea_weight: f64) {
         let fading = self.fading_count;
         for (i, cascade) in self.cascades.iter_mut().enumerate() {
@@ -169,13 +170,13 @@ impl Maps {
         }
     }
 
-    /// Removes the cascades of the sea that has faded out, at the end of a cross-fade.
+    /// Removes the cascades of the old sea from the drawn ones, at the end of a cross-fade.
     pub(super) fn end_cross_fade(&mut self) {
         self.cascades.drain(..self.fading_count);
         self.fading_count = 0;
     }
 
-    /// Creates the texture views anew after the textures have been replaced.
+    /// Creates the texture views of the maps anew after their texture has been replaced, and increases `generation`.
     pub(super) fn recreate_views(&mut self, resources: &Resources) {
         self.displacement = resources.map_view(MapKind::Displacement);
         self.gradients = resources.map_view(MapKind::Gradients);
@@ -208,7 +209,7 @@ impl MapCascade {
     }
 }
 
-/// Displacement and gradient maps of all cascades, read back in f32 before rounding. Choppiness is not applied.
+/// Displacement and gradient maps of all cascades in f32, before rounding to half floats. Choppiness is not applied.
 #[derive(Clone, Debug)]
 pub struct MapsF32 {
     /// Number of texels along a side of a map.
@@ -224,12 +225,12 @@ impl MapsF32 {
         self.texels.len() / (2 * self.n * self.n)
     }
 
-    /// Displacement map of one cascade: horizontal displacement Dx, height eta, Dz (m) and dDx/dz of each texel.
+    /// Displacement map of one cascade, row by row: horizontal displacement Dx, height eta, Dz (m) and dDx/dz.
     pub fn displacement(&self, cascade: usize) -> &[[f32; 4]] {
         &self.texels[2 * cascade * self.n * self.n..][..self.n * self.n]
     }
 
-    /// Gradient map of one cascade: slopes d eta/dx and d eta/dz, then dDx/dx and dDz/dz of the displacement.
+    /// Gradient map of one cascade, row by row: slopes d eta/dx and d eta/dz, dDx/dx and dDz/dz of displacement.
     pub fn gradients(&self, cascade: usize) -> &[[f32; 4]] {
         &self.texels[(2 * cascade + 1) * self.n * self.n..][..self.n * self.n]
     }

@@ -34,15 +34,15 @@ use uniforms::SimulationUniforms;
 /// Largest number of foam time steps in one submission to the GPU.
 pub const MAX_FOAM_STEPS: usize = foam::COLD_START_STEPS;
 
-/// A sea that is simulated on the GPU.
+/// A sea that is simulated on the GPU: its plan, GPU buffers, compute passes and maps.
 pub struct Simulation {
     sea: SeaUniformSource,
-    /// The old sea of a cross-fade, which fades out. None without a cross-fade.
+    /// Source of the uniforms of the old sea of a cross-fade. None without a cross-fade.
     fading: Option<SeaUniformSource>,
-    /// Plan that waits for the end of the current cross-fade. A cross-fade to it starts then.
+    /// Plan that waits for the end of the current cross-fade, when a cross-fade to it starts. None if no plan waits.
     next: Option<Plan>,
     transition: Transition,
-    /// Covariance of the two seas of a cross-fade, for each drawn cascade. Empty without a cross-fade.
+    /// Elevation variances and covariance of the two seas of a cross-fade, for each drawn cascade. Empty without one.
     overlaps: Vec<SeaCovariance>,
     /// GPU buffers and textures. Public, so that the laboratory and the tests can replace the input of a pass.
     pub resources: Resources,
@@ -52,19 +52,20 @@ pub struct Simulation {
     uniforms: SimulationUniforms,
     foam: FoamScheduler,
     foam_parameters: Interpolated<FoamParameters>,
-    /// Weight with which the next spectrum pass moves h0 to the amplitudes of the plan: 1 replaces h0, 0 needs no pass.
+    /// Fraction of the way from the present Fourier amplitudes h0 to those of the plan that the next spectrum pass
+    /// makes: 1 replaces h0, 0 needs no pass.
     spectrum_blend: f64,
     spectrum_pass_count: u64,
     timer: Timer,
 }
 
 impl Simulation {
-    /// Allocates the sea of a plan on the GPU and compiles its passes. The FFT is the faster one for the device.
+    /// Allocates GPU memory for the sea of a plan and compiles the passes, with the FFT that is faster on the device.
     pub fn new(gpu: &Gpu, plan: Plan, shaders: &Shaders) -> Self {
         Self::with_fft_implementation(gpu, plan, shaders, FftImplementation::for_device(gpu))
     }
 
-    /// Allocates the sea of a plan on the GPU and compiles its passes, with the given implementation of the FFT.
+    /// Allocates GPU memory for the sea of a plan and compiles the passes, with the given implementation of the FFT.
     pub fn with_fft_implementation(
         gpu: &Gpu,
         plan: Plan,
@@ -111,12 +112,12 @@ impl Simulation {
         self.transition.cross_fade_weight()
     }
 
-    /// Number of spectrum passes that have been recorded so far.
+    /// Number of spectrum passes (computations of the Fourier amplitudes h0 at time 0) that have been recorded so far.
     pub fn spectrum_pass_count(&self) -> u64 {
         self.spectrum_pass_count
     }
 
-    /// Expected mean of the foam, 0 to 1, which is drawn outside the area of the foam levels.
+    /// Expected mean of the foam over the sea, 0 to 1. It is drawn outside the square that the foam levels cover.
     pub fn mean_foam(&self) -> f64 {
         self.foam.parameters().mean_foam
     }
@@ -131,14 +132,14 @@ impl Simulation {
         self.next.as_ref().unwrap_or(&self.sea.plan)
     }
 
-    /// Result of the simulation: the maps that the most recently recorded passes write.
+    /// Maps of the waves and the foam: the result of the simulation, as the most recently recorded passes write it.
     pub fn maps(&self) -> &Maps {
         &self.maps
     }
 
-    /// Records the passes for the waves at time `t_s`, s, and for the foam around the world position `centre` (x, z),
-    /// m, with at most `max_foam_steps` foam time steps. Returns whether the foam has reached `t_s`; if not, call
-    /// again. The waves are at `t_s` in any case.
+    /// Records the compute passes for the waves at time `t_s`, s, and for the foam around the world position `centre`
+    /// (x, z), m, with at most `max_foam_steps` foam time steps. Returns whether the foam has reached `t_s`; if not,
+    /// call again. The waves are at `t_s` in any case.
     pub fn encode(
         &mut self,
         gpu: &Gpu,
@@ -160,8 +161,8 @@ impl Simulation {
         caught_up
     }
 
-    /// Records only the next time step of the foam towards time `t_s`, s, for `seastate check`. The maps remain those
-    /// that this foam step reads. Returns None if the foam has reached `t_s`.
+    /// Records the next single time step of the foam towards time `t_s`, s, and returns it; None if the foam has
+    /// reached `t_s`. The wave maps are left as this step reads them, for comparison by `seastate check`.
     pub fn encode_next_foam_step(
         &mut self,
         gpu: &Gpu,
@@ -176,8 +177,8 @@ impl Simulation {
         Some(step)
     }
 
-    /// Records the waves at time `t_s`, s, and also keeps the maps of the current sea in the buffer
-    /// `Resources::row_transforms` as f32: first the displacement map of a cascade, then its gradient map.
+    /// Records the waves at time `t_s`, s, and also keeps the current sea's maps, before rounding, as f32 in the buffer
+    /// `Resources::row_transforms`: for each cascade the displacement map, then the gradient map.
     pub fn encode_with_f32_maps(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
         self.begin_submission(encoder, t_s);
         self.encode_waves(encoder, t_s, true);
@@ -201,7 +202,8 @@ impl Simulation {
         Ok(MapsF32 { n, texels })
     }
 
-    /// Uploads the uniform for the waves of the current sea at time `t_s`, s, so that single passes can be run.
+    /// Uploads the uniform for the waves of the current sea at time `t_s`, s, and returns what single passes need to
+    /// run with it. With `keeps_f32_maps`, the column pass also keeps the maps in f32.
     pub fn upload_sea_uniform(&mut self, gpu: &Gpu, t_s: f64, keeps_f32_maps: bool) -> SeaDispatch {
         self.uniforms.sea.clear();
         let dispatch = self.add_sea_uniform(SeaUniformParameters { t_s, keeps_f32_maps, spectrum_blend: 1.0 }, false);
@@ -209,8 +211,8 @@ impl Simulation {
         dispatch
     }
 
-    /// Uploads the uniform of a foam time step of length 0, so that the foam pass can be run alone. Returns the dynamic
-    /// offset of the uniform in its buffer, bytes.
+    /// Uploads the uniform of a foam time step of length 0 around the world position `centre` (x, z), m, so that the
+    /// foam pass can be run alone. Returns the dynamic offset of the uniform in its buffer, bytes.
     pub fn upload_foam_uniform(&mut self, gpu: &Gpu, t_s: f64, centre: [f64; 2]) -> u32 {
         self.uniforms.foam.clear();
         let step = FoamStep { t_s, dt_s: 0.0, discards_history: false };
@@ -219,7 +221,8 @@ impl Simulation {
         offset
     }
 
-    /// Discards the uniforms of the previous submission. Records the spectrum pass if the waves have changed.
+    /// Starts recording a submission: discards the uniforms of the previous one, and records the spectrum pass (Fourier
+    /// amplitudes h0) if the waves have changed.
     fn begin_submission(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
         self.uniforms.clear();
         if self.spectrum_blend > 0.0 {
@@ -234,7 +237,7 @@ impl Simulation {
         }
     }
 
-    /// Records the waves at the end of a foam time step, and then the foam pass.
+    /// Records the wave passes for the time at the end of a foam time step, and then the foam pass.
     fn encode_foam_step(&mut self, encoder: &mut wgpu::CommandEncoder, step: &FoamStep, centre: [f64; 2]) {
         let dispatch = self.encode_waves(encoder, step.t_s, false);
         let foam = self.uniforms.foam.add(&self.foam.uniform(step, centre, &self.maps));
@@ -243,8 +246,8 @@ impl Simulation {
         self.maps.foam_levels = self.foam.levels(centre);
     }
 
-    /// Records the passes that write the maps of all drawn cascades at time `t_s`, s. The sea that fades out comes
-    /// first. Returns the uniform slot of the current sea.
+    /// Records the passes that write the maps of all drawn cascades at time `t_s`, s, first those of the old sea of a
+    /// cross-fade. Returns what further passes need to run for the current sea.
     fn encode_waves(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64, keeps_f32_maps: bool) -> SeaDispatch {
         let parameters = SeaUniformParameters { t_s, keeps_f32_maps, spectrum_blend: 1.0 };
         if self.fading.is_some() {
@@ -266,7 +269,8 @@ impl Simulation {
         self.timer.mark(encoder, "mips");
     }
 
-    /// Adds the uniform for one evaluation of the current sea, or, if `fades`, of the sea that fades out.
+    /// Adds the uniform for the waves at one time, of the current sea or, if `fades`, of the old sea of a cross-fade.
+    /// Returns what the passes need to run with it.
     fn add_sea_uniform(&mut self, parameters: SeaUniformParameters, fades: bool) -> SeaDispatch {
         let (fading, own) = self.maps.cascades.split_at(self.maps.fading_count);
         let current = self.resources.current_sea;

@@ -6,43 +6,43 @@ use crate::waves::spreading::CosineFactor;
 use crate::waves::system::TermKind;
 use crate::waves::{Plan, table};
 
-/// The plan of a sea, with the terms of its directional spectrum in the form that shaders read.
+/// The plan of a sea, with its directional spectrum in the form that shaders read. The sea's uniforms are made from it.
 pub struct SeaUniformSource {
-    /// The plan of the sea.
+    /// Plan from which the uniforms are made.
     pub plan: Plan,
     terms: [SpectrumTerm; MAX_SPECTRUM_TERMS],
     term_count: u32,
     vectors_per_entry: u32,
 }
 
-/// Parameters of one evaluation of a sea, which computes its waves at one time.
+/// Parameters of one run of the passes that compute the waves of a sea at one time.
 #[derive(Clone, Copy, Debug)]
 pub struct SeaUniformParameters {
-    /// Time of the waves, s.
+    /// Simulated time at which the waves are computed, s.
     pub t_s: f64,
-    /// Whether the column pass also keeps the maps in f32, in the buffer `Resources::row_transforms`.
+    /// Whether the column pass also keeps the maps in f32, in the buffer `Resources::row_transforms`, to be read back.
     pub keeps_f32_maps: bool,
-    /// Weight with which the spectrum pass moves h0 to the amplitudes of the plan, 0 to 1; 1 replaces h0.
+    /// Fraction of the way from the present h0 to the plan's amplitudes that the spectrum pass makes, 0 to 1.
     pub spectrum_blend: f64,
 }
 
-/// An evaluation of a sea whose uniform has been added to the uniform buffer of the submission.
+/// What a pass needs to run for one sea at one time: where its uniform, its wave buffers and its map layers are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SeaDispatch {
-    /// Dynamic offset of the uniform in its buffer, bytes.
+    /// Dynamic offset of the sea's uniform in the buffer `SimulationUniforms::sea`, bytes.
     pub uniform_offset: u32,
     /// Number of cascades of the sea.
     pub cascade_count: u32,
     /// Index of the sea's wave buffers in `Resources::wave_buffers`.
     pub wave_buffers_index: usize,
-    /// Index of the sea's first cascade among the layers of each kind of map.
+    /// Index of the layer of the sea's first cascade; it is the same for each kind of map.
     pub first_layer: u32,
-    /// Whether the column pass also keeps the maps in f32, in the buffer `Resources::row_transforms`.
+    /// Whether the column pass also keeps the maps in f32, in the buffer `Resources::row_transforms`, to be read back.
     pub keeps_f32_maps: bool,
 }
 
 impl SeaUniformSource {
-    /// Converts the terms of a plan's directional spectrum to the form that shaders read.
+    /// Takes a plan and converts its directional spectrum, a sum of terms, to the form that shaders read.
     pub fn new(plan: Plan) -> Self {
         let (parts, vectors_per_entry) = table::terms(&plan);
         let mut terms = [SpectrumTerm::default(); MAX_SPECTRUM_TERMS];
@@ -62,7 +62,8 @@ impl SeaUniformSource {
         Self { plan, terms, term_count: parts.len() as u32, vectors_per_entry: vectors_per_entry as u32 }
     }
 
-    /// Uniform for one evaluation of the sea, for the cascades `maps` and the choppiness `choppiness` along x and z.
+    /// Makes the uniform for the waves at one time. `maps` gives the layer and amplitude factor of each cascade,
+    /// `choppiness` the factors of the horizontal displacement along x and z.
     pub fn uniform(&self, maps: &[MapCascade], choppiness: [f64; 2], parameters: SeaUniformParameters) -> SeaUniform {
         let plan = &self.plan;
         let mut cascades = [SeaCascade::default(); MAX_CASCADES];

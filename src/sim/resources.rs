@@ -11,19 +11,19 @@ use crate::waves::lattice::LatticeWave;
 use crate::waves::table::{self, Table};
 use std::ops::Range;
 
-/// Side of the smallest mip level of the maps, texels.
+/// Side of the smallest mip level that the wave maps have, texels.
 const SMALLEST_MIP_SIDE: u32 = 4;
 /// Number of kinds of map, which are the variants of [`MapKind`].
 const MAP_KIND_COUNT: u32 = 3;
 
-/// Kind of map. The array texture `Resources::maps` holds the same number of layers of each kind.
+/// Kind of map of a cascade. The array texture `Resources::maps` holds the same number of layers of each kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapKind {
-    /// Displacement map: Dx, height eta, Dz (m) and dDx/dz, before choppiness is applied.
+    /// Displacement map: horizontal displacement Dx, height eta, Dz (m) and dDx/dz, before choppiness is applied.
     Displacement,
     /// Gradient map: slopes d eta/dx and d eta/dz, then dDx/dx and dDz/dz of the horizontal displacement.
     Gradients,
-    /// Slope moments: local means of the squares and the product of both slopes, from mip level 1 on.
+    /// Slope moments: means over a texel of the squares and of the product of both slopes, from mip level 1 on.
     Moments,
 }
 
@@ -32,42 +32,43 @@ pub enum MapKind {
 pub struct Resources {
     /// FFT size: number of points along a side of a cascade's lattice.
     pub n: u32,
-    /// Number of cells along a side of a foam level.
+    /// Number of cells along a side of a foam level (one of the nested square foam grids).
     pub foam_n: u32,
-    /// Wave buffers, one set for each sea. The second set exists from the first cross-fade on.
+    /// Buffers that describe the waves, one set for each sea. The second set exists from the first cross-fade on.
     pub wave_buffers: Vec<WaveBuffers>,
-    /// Index in `wave_buffers` of the current sea; the other entry belongs to the sea that fades out.
+    /// Index in `wave_buffers` of the current sea; the other set, if any, belongs to the old sea of a cross-fade.
     pub current_sea: usize,
     /// FFT twiddle factors e^(2 pi i j / 1024) for j from 0 to 1023, complex f32.
     pub twiddle_factors: wgpu::Buffer,
-    /// Fields after the inverse FFT along x, before that along z: two pairs of complex f32 per point,
-    /// \[cascade\]\[pair\]\[iz\]\[x\]. Two seas use it in turn, because both would exceed the largest binding at n =
-    /// 1024.
+    /// Result of the row pass: four complex fields per point after the inverse FFT along x, as two pairs of complex
+    /// f32, \[cascade\]\[pair\]\[iz\]\[x\]. Both seas of a cross-fade use it in turn: room for both would exceed the
+    /// largest binding at n = 1024.
     pub row_transforms: wgpu::Buffer,
     /// Foam of each cell after the last time step, 0 to 1: f32, \[level\]\[z\]\[x\].
     pub foam_history: wgpu::Buffer,
     /// Texture format of the maps and of the foam.
     pub format: MapFormat,
-    /// Array texture of all maps with their mip levels; [`Self::layers_of_kind`] gives the layers of a kind. One
-    /// texture for all kinds lets a pass write several mip levels, because base limits allow four storage textures.
+    /// Array texture of all maps with their mip levels; [`Self::layers_of_kind`] gives the layers of a kind. All kinds
+    /// share a texture so that a pass can write several mip levels, because base limits allow it four storage textures.
     pub maps: wgpu::Texture,
-    /// Array texture of the foam and its source, one layer per foam level, which the renderer samples.
+    /// Array texture of the foam and the foam source, each 0 to 1, one layer per foam level, for the renderer.
     pub foam: wgpu::Texture,
     /// Linear sampler that repeats along both axes.
     pub repeating_sampler: wgpu::Sampler,
-    /// Number of times that buffers or textures have been allocated.
+    /// Number of times that buffers or textures have been allocated; tests check it.
     pub allocation_count: u32,
-    /// Number of times that the wave table of a plan has been computed.
+    /// Number of times that the tables of a plan's waves have been computed; tests check it.
     pub wave_table_count: u32,
 }
 
 /// GPU buffers that describe the waves of one sea.
 #[derive(Debug)]
 pub struct WaveBuffers {
-    /// Wave table for the spectrum pass: variances and spreading parameters, in vectors of four f32 per entry.
+    /// For each cascade and wave number of its lattice, the values from which the spectrum pass computes the
+    /// directional spectrum: variances (m^2) and spreading parameters, in vectors of four f32.
     pub spectrum_table: wgpu::Buffer,
-    /// Per entry of the wave table and cascade: the wave's number of cycles per period of the sea (u32), and its orbit
-    /// axis ratio divided by its wave number (f32, m).
+    /// For each cascade and wave number of its lattice: the wave's number of cycles per repeat period of the sea (u32),
+    /// and its orbit axis ratio (horizontal to vertical) divided by its wave number (f32, m).
     pub wave_table: wgpu::Buffer,
     /// Fourier amplitudes h0 of the waves at time 0, m: complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
     pub h0: wgpu::Buffer,
@@ -86,7 +87,7 @@ impl WaveBuffers {
 }
 
 impl Resources {
-    /// Allocates buffers and textures for the FFT size and the number of cascades of a plan.
+    /// Allocates buffers and textures for a plan's FFT size and number of cascades, with maps in the given format.
     pub fn new(gpu: &Gpu, plan: &Plan, format: MapFormat) -> Self {
         let (n, cascades) = (plan.n, plan.cascades.len());
         let foam_n = n.min(256);
@@ -109,18 +110,18 @@ impl Resources {
         }
     }
 
-    /// Wave buffers of the current sea.
+    /// Buffers that describe the waves of the current sea.
     pub fn current_waves(&self) -> &WaveBuffers {
         &self.wave_buffers[self.current_sea]
     }
 
-    /// Index of the current sea's first cascade among the layers of each kind of map.
+    /// Index of the layer of the current sea's first cascade, the same for each kind of map: 0 or `MAX_CASCADES`.
     pub fn first_layer(&self) -> u32 {
         (self.current_sea * MAX_CASCADES) as u32
     }
 
-    /// Swaps the wave buffers of both seas when a cross-fade starts. The first call allocates the second set, and maps
-    /// for two seas with the largest number of cascades. It returns true, because the new maps are empty.
+    /// Makes the other sea's wave buffers the current ones when a cross-fade to `plan` starts. The first call allocates
+    /// them, and maps for two seas with the largest number of cascades, and returns true; later calls return false.
     pub fn swap_seas(&mut self, gpu: &Gpu, plan: &Plan) -> bool {
         let is_first = self.wave_buffers.len() == 1;
         if is_first {
@@ -138,13 +139,13 @@ impl Resources {
         self.maps.mip_level_count()
     }
 
-    /// Layers of `maps` that belong to a kind of map, one for each cascade that can be drawn.
+    /// Layers of the texture `maps` that are allocated for one kind of map, one for each cascade that could be drawn.
     pub fn layers_of_kind(&self, kind: MapKind) -> Range<u32> {
         let layers = self.maps.depth_or_array_layers() / MAP_KIND_COUNT;
         kind as u32 * layers..(kind as u32 + 1) * layers
     }
 
-    /// Layers of `maps` that hold one kind of map of the current sea, which has `cascades` cascades.
+    /// Layers of the texture `maps` that hold one kind of map of the current sea, which has `cascades` cascades.
     pub fn current_sea_layers(&self, kind: MapKind, cascades: usize) -> Range<u32> {
         let first = self.layers_of_kind(kind).start + self.first_layer();
         first..first + cascades as u32
@@ -161,7 +162,7 @@ impl Resources {
         readback::stage_layers(gpu, encoder, &self.maps, level, self.layers_of_kind(kind))
     }
 
-    /// View of all layers and mip levels of a kind of map.
+    /// View of all layers and mip levels of a kind of map; that of the slope moments starts at mip level 1.
     pub fn map_view(&self, kind: MapKind) -> wgpu::TextureView {
         let layers = self.layers_of_kind(kind);
         self.maps.create_view(&wgpu::TextureViewDescriptor {
@@ -173,8 +174,8 @@ impl Resources {
         })
     }
 
-    /// Computes the wave table of a plan, whose FFT size must be unchanged, and uploads it to the current sea's
-    /// buffers. Returns whether larger buffers had to be allocated.
+    /// Computes the tables of a plan's waves (frequencies, spectrum) and uploads them to the current sea's buffers. The
+    /// FFT size must be unchanged. Returns whether larger buffers had to be allocated.
     pub fn upload_wave_tables(&mut self, gpu: &Gpu, plan: &Plan) -> bool {
         let mut values: Vec<[f32; 4]> = Vec::new();
         let mut waves = Vec::new();
@@ -216,7 +217,7 @@ fn create_map_texture(gpu: &Gpu, n: u32, cascades: usize, format: MapFormat) -> 
     create_array_texture(gpu, "maps", [n, n, MAP_KIND_COUNT * cascades as u32], mips, format)
 }
 
-/// Creates an array texture that shaders read and write. `size` is width, height and number of layers.
+/// Creates an array texture with `mips` mip levels that shaders read and write. `size` is width, height and layers.
 pub fn create_array_texture(gpu: &Gpu, label: &str, size: [u32; 3], mips: u32, format: MapFormat) -> wgpu::Texture {
     let usage = wgpu::TextureUsages::TEXTURE_BINDING
         | wgpu::TextureUsages::STORAGE_BINDING
@@ -225,7 +226,7 @@ pub fn create_array_texture(gpu: &Gpu, label: &str, size: [u32; 3], mips: u32, f
     gpu.texture(label, size, mips, format.texture_format(), usage)
 }
 
-/// View of one mip level of a texture as an array texture, or of all levels if `mip` is None.
+/// View of mip level `mip` of a texture as an array texture, or of all mip levels if `mip` is None.
 pub fn array_view(texture: &wgpu::Texture, mip: Option<u32>) -> wgpu::TextureView {
     texture.create_view(&wgpu::TextureViewDescriptor {
         dimension: Some(wgpu::TextureViewDimension::D2Array),

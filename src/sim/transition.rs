@@ -9,7 +9,7 @@
 
 use crate::waves::overlap::SeaCovariance;
 
-/// Duration of a transition, s of wall time.
+/// Duration of an interpolation or cross-fade from one sea to another, s of wall time.
 pub const TRANSITION_DURATION_S: f64 = 0.8;
 
 /// Kind of transition from one sea to another.
@@ -17,11 +17,11 @@ pub const TRANSITION_DURATION_S: f64 = 0.8;
 pub enum TransitionKind {
     /// The new sea replaces the old one at once.
     Immediate,
-    /// Interpolation of the foam parameters only; waves and surface stay unchanged.
+    /// Interpolation of the foam parameters only; waves, choppiness and water level stay unchanged.
     Foam,
-    /// Interpolation of choppiness and water level, and of the foam parameters, which depend on choppiness.
+    /// Interpolation of choppiness, water level, and the foam parameters, which depend on choppiness.
     Surface,
-    /// Interpolation of the amplitudes of the waves, and of the surface and foam parameters.
+    /// Interpolation of the wave amplitudes, the choppiness, the water level and the foam parameters.
     Amplitudes,
     /// Cross-fade: both seas are drawn while the new one fades in and the old one fades out.
     CrossFade,
@@ -30,18 +30,18 @@ pub enum TransitionKind {
 /// Progress that the running transitions make in one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TransitionStep {
-    /// Transition that starts in this frame, if any. The other fields describe the progress after its start.
+    /// Transition that starts in this frame; None if none does. The other fields describe the progress after its start.
     pub started: Option<TransitionKind>,
-    /// Fraction of the remaining way to the goal that surface and foam parameters make in this frame, 0 to 1.
+    /// Fraction of the remaining way to their goal that surface and foam parameters make in this frame, 0 to 1.
     pub interpolation_fraction: f64,
-    /// Fraction of the remaining way to the goal that wave amplitudes make in this frame, 0 to 1.
+    /// Fraction of the remaining way to their goal that wave amplitudes make in this frame, 0 to 1.
     pub amplitude_fraction: f64,
-    /// Whether a cross-fade ends in this frame.
+    /// Whether a cross-fade ends in this frame, so that the old sea is no longer drawn.
     pub ends_cross_fade: bool,
 }
 
 impl TransitionStep {
-    /// The step in which a new sea replaces the old one at once.
+    /// Step of a transition of the kind `Immediate`: the new sea replaces the old one at once.
     pub const IMMEDIATE: Self = Self {
         started: Some(TransitionKind::Immediate),
         interpolation_fraction: 0.0,
@@ -67,7 +67,7 @@ struct Interpolation {
 }
 
 impl Transition {
-    /// Starts a transition of the given kind, or restarts the running one towards another goal.
+    /// Starts a transition of the given kind, or restarts the running one to another goal; `Immediate` ends all.
     pub fn start(&mut self, kind: TransitionKind) {
         match kind {
             TransitionKind::Immediate => *self = Self::default(),
@@ -110,42 +110,42 @@ impl Transition {
         self.interpolation.is_some_and(|interpolation| interpolation.amplitudes)
     }
 
-    /// Whether any transition is under way.
+    /// Whether an interpolation or a cross-fade is running.
     pub fn is_running(&self) -> bool {
         self.interpolation.is_some() || self.cross_fade.is_some()
     }
 }
 
-/// Amplitude factors of a cascade in the old and in the new sea when the new sea has the fraction `fraction` of the
-/// variance. The last number is the variance of the blended waves divided by the sum of both variances.
+/// Amplitude factors \[old sea, new sea\] of a cross-faded cascade, where the new sea has the share `fraction` (0 to 1)
+/// of the variance; then the variance of the blended waves divided by the sum of the variances of both seas' waves.
 pub fn cross_fade_amplitudes(overlap: &SeaCovariance, fraction: f64) -> ([f64; 2], f64) {
     let variance_gain = overlap.variance_gain(fraction);
     ([((1.0 - fraction) / variance_gain).sqrt(), (fraction / variance_gain).sqrt()], variance_gain)
 }
 
-/// Parameters that can be interpolated between two seas.
+/// Parameters of a sea that can be interpolated on the way to those of another sea.
 pub trait Interpolate: Clone {
-    /// The parameters at the fraction `fraction` of the way from `self` to `to`; at 1 exactly `to`.
+    /// The parameters at the fraction `fraction` (0 to 1) of the way from `self` to `to`; at 1 exactly `to`.
     #[must_use]
     fn interpolate(&self, to: &Self, fraction: f64) -> Self;
 }
 
-/// Parameters of a sea that follow its transitions smoothly.
+/// Parameters of the drawn sea during a transition: present values, goal, and those of the old sea of a cross-fade.
 #[derive(Clone, Debug)]
 pub struct Interpolated<T> {
-    /// Parameters of the sea that fades out. None without a cross-fade.
+    /// Parameters of the old sea of a cross-fade. None without a cross-fade.
     fading: Option<T>,
     now: T,
     goal: T,
 }
 
 impl<T: Interpolate> Interpolated<T> {
-    /// Parameters that equal their goal, with no transition running.
+    /// Makes parameters that equal their goal, as without a transition.
     pub fn new(goal: T) -> Self {
         Self { fading: None, now: goal.clone(), goal }
     }
 
-    /// Applies one step of a transition. If a transition starts, `goal` maps the previous goal to the new one.
+    /// Applies one step of a transition. If one starts in it, `goal` returns the new goal for the previous one.
     pub fn apply_transition_step(&mut self, step: &TransitionStep, goal: impl FnOnce(&T) -> T) {
         if let Some(kind) = step.started {
             self.goal = goal(&self.goal);
@@ -165,12 +165,12 @@ impl<T: Interpolate> Interpolated<T> {
         }
     }
 
-    /// The parameters of the sea that fades out, if there is one, and of the current sea.
+    /// The parameters of the old sea of a cross-fade (None without a cross-fade), and those of the current sea.
     pub fn fading_and_current(&self) -> (Option<&T>, &T) {
         (self.fading.as_ref(), &self.now)
     }
 
-    /// The blend of both seas' parameters when the new sea has the cross-fade weight `fraction`, 0 to 1.
+    /// The parameters blended from both seas of a cross-fade, in which the new sea has the weight `fraction`, 0 to 1.
     pub fn blended_value(&self, fraction: f64) -> T {
         match &self.fading {
             Some(old) if fraction < 1.0 => old.interpolate(&self.now, fraction),
@@ -178,18 +178,18 @@ impl<T: Interpolate> Interpolated<T> {
         }
     }
 
-    /// Applies the same change to the parameters of both seas of a cross-fade and to the goal.
+    /// Applies the same change to the present parameters, the goal, and those of the old sea of a cross-fade.
     pub fn change_all(&mut self, change: impl Fn(&mut T)) {
         self.fading.iter_mut().chain([&mut self.now, &mut self.goal]).for_each(change);
     }
 }
 
-/// Number at the fraction `fraction` of the way from `from` to `to`; at 1 exactly `to`.
+/// Number at the fraction `fraction` (0 to 1) of the way from `from` to `to`; at 1 exactly `to`.
 pub fn interpolate(from: f64, to: f64, fraction: f64) -> f64 {
     if fraction >= 1.0 { to } else { from + (to - from) * fraction }
 }
 
-/// Pair of numbers at the fraction `fraction` of the way from `from` to `to`; at 1 exactly `to`.
+/// Pair of numbers at the fraction `fraction` (0 to 1) of the way from `from` to `to`; at 1 exactly `to`.
 pub fn interpolate_pair(from: [f64; 2], to: [f64; 2], fraction: f64) -> [f64; 2] {
     [interpolate(from[0], to[0], fraction), interpolate(from[1], to[1], fraction)]
 }

@@ -6,9 +6,9 @@ use crate::gpu::kit::BindingType;
 use crate::gpu::layout::{StructDeclaration, gpu_struct};
 use crate::gpu::uniform::DynamicUniformBuffer;
 
-/// Uniform buffers of one submission, with room for several evaluations and foam time steps.
+/// The simulation's two uniform buffers, with room for all foam time steps and wave computations of one submission.
 pub struct SimulationUniforms {
-    /// One uniform for each evaluation of a sea in the submission.
+    /// One uniform for each computation of a sea's waves at one time in the submission.
     pub sea: DynamicUniformBuffer<SeaUniform>,
     /// One uniform for each time step of the foam in the submission.
     pub foam: DynamicUniformBuffer<FoamUniform>,
@@ -20,7 +20,7 @@ impl SimulationUniforms {
     /// Binding type of the buffer `foam`: a uniform at a dynamic offset.
     pub const FOAM_BINDING: BindingType = BindingType::DynamicUniform(size_of::<FoamUniform>());
 
-    /// Allocates both buffers, for submissions with at most `foam_steps` foam time steps.
+    /// Allocates both buffers, with room for submissions of at most `foam_steps` foam time steps.
     pub fn new(gpu: &Gpu, foam_steps: usize) -> Self {
         // For two seas, one evaluation per foam time step and one without foam; besides, one for the spectrum pass.
         let evaluations = 2 * (foam_steps + 1) + 1;
@@ -30,13 +30,13 @@ impl SimulationUniforms {
         }
     }
 
-    /// Discards the uniforms of the last submission. The next submission then adds its own.
+    /// Discards the uniforms of the last submission, before the next submission adds its own.
     pub fn clear(&mut self) {
         self.sea.clear();
         self.foam.clear();
     }
 
-    /// Sends the uniforms of the submission to the GPU.
+    /// Sends the uniforms that have been added for the submission to the GPU.
     pub fn upload(&self, gpu: &Gpu) {
         self.sea.upload(gpu);
         self.foam.upload(gpu);
@@ -44,16 +44,16 @@ impl SimulationUniforms {
 }
 
 gpu_struct! {
-    /// WGSL `SeaCascade`: one cascade in the uniform of a sea.
+    /// WGSL `SeaCascade`: one cascade (patch of sea with an FFT of its own) in the uniform of a sea.
     #[derive(Default)]
     pub struct SeaCascade as "SeaCascade" {
         /// Side of the cascade's square patch, m.
         pub patch_m: f32,
-        /// Spacing of the cascade's wave vectors, 2 pi / patch_m, rad/m.
+        /// Spacing of the cascade's wave vectors along x and along z, 2 pi / patch_m, rad/m.
         pub dk: f32,
-        /// Key of the cascade's random numbers, which makes cascades independent.
+        /// Key of the cascade's random numbers. Cascades with different keys have independent waves.
         pub noise_key: u32,
-        /// Unit in which the maps store the slope moments.
+        /// Unit in which the maps store the slope moments: half the cascade's mean square slope.
         pub moment_unit: f32,
     }
 }
@@ -62,49 +62,49 @@ gpu_struct! {
 pub const MAX_SPECTRUM_TERMS: usize = 6;
 
 gpu_struct! {
-    /// WGSL `SpectrumTerm`: one term of the directional spectrum, which is a sum of such terms.
+    /// WGSL `SpectrumTerm`: spreading lobe or measured distribution, whose sum is the directional spectrum.
     #[derive(Default)]
     pub struct SpectrumTerm as "SpectrumTerm" {
-        /// Unit vector (x, z) of the direction from which the angles of the spreading function are measured.
+        /// Unit vector (x, z) of the wave system's main direction of travel, from which the term's angles are measured.
         pub reference_direction: [f32; 2],
-        /// Form of the term: 0 spreading lobe, 1 lobe times cos^2, 2 lobe times cos^2 in its forward half only, 3
-        /// distribution measured by a buoy.
+        /// Form of the term: 0 spreading lobe, 1 lobe times cos^2 of the angle from `reference_direction`, 2 the same
+        /// but 0 beyond 90 degrees, 3 distribution measured by a buoy.
         pub kind: u32,
-        /// Index of the term's first vec4f within an entry of the wave table.
+        /// Index of the term's first vec4f among those of one entry (wave number) of `WaveBuffers::spectrum_table`.
         pub first_vector: u32,
     }
 }
 
 gpu_struct! {
-    /// WGSL `Sea`: the uniform of one evaluation of a sea.
+    /// WGSL `Sea`: the uniform of the passes that compute a sea's waves at one time.
     #[derive(Default)]
     pub struct SeaUniform as "Sea" {
-        /// Cascades of the sea, longest waves first.
+        /// Cascades of the sea, longest waves first; `cascade_count` are used.
         pub cascades: [SeaCascade; MAX_CASCADES],
-        /// Terms of the directional spectrum, which is their sum.
+        /// Terms whose sum is the directional spectrum; `term_count` are used.
         pub terms: [SpectrumTerm; MAX_SPECTRUM_TERMS],
-        /// Amplitude factor of each cascade: 1 except during a cross-fade.
+        /// Factor of each cascade's wave amplitudes: 1 except during a cross-fade.
         pub amplitude_factors: [f32; MAX_CASCADES],
-        /// Choppiness: factor of the horizontal displacement along x and z.
+        /// Choppiness along x and z: factors by which the maps' horizontal displacement is multiplied.
         pub choppiness: [f32; 2],
         /// FFT size: number of points along a side of a cascade's lattice.
         pub n: u32,
         /// Number of entries of `cascades` in use.
         pub cascade_count: u32,
-        /// Seed of the random wave amplitudes.
+        /// Seed of the random numbers for the wave amplitudes h0, set by the user.
         pub seed: u32,
-        /// Time as a fraction of the sea's period, in units of 2^-32. Its product with a wave's number of cycles per
-        /// period is the phase.
+        /// Time as a fraction of the sea's repeat period, in units of 2^-32. Its wrapping product with a wave's number
+        /// of cycles per period is the wave's phase in units of 2^-32 cycles.
         pub time_in_period_u32: u32,
-        /// If not 0, the column pass also keeps the maps in f32, in the buffer `row_transforms`.
+        /// If not 0, the column pass also keeps the maps in f32, in the buffer `Resources::row_transforms`.
         pub keeps_f32_maps: u32,
         /// Number of entries of `terms` in use.
         pub term_count: u32,
-        /// Number of vec4f per entry of the wave table.
+        /// Number of vec4f in each entry (for one wave number of a cascade) of `WaveBuffers::spectrum_table`.
         pub vectors_per_entry: u32,
-        /// Index of the first cascade among the layers of each kind of map.
+        /// Index of the layer of the sea's first cascade; it is the same for each kind of map.
         pub first_layer: u32,
-        /// Weight with which the spectrum pass moves h0 to the amplitudes of the plan, 0 to 1; 1 replaces h0.
+        /// Fraction of the way from the present h0 to the plan's amplitudes that the spectrum pass makes, 0 to 1.
         pub spectrum_blend: f32,
         /// Unused; pads the struct to a multiple of 16 bytes.
         pub unused: u32,
@@ -112,12 +112,12 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// WGSL `FoamLevelCorner`: where the corner of a foam level lies on the maps of a cascade.
+    /// WGSL `FoamLevelCorner`: where a foam level's corner with the lowest x and z lies on the maps of a cascade.
     #[derive(Default)]
     pub struct FoamLevelCorner as "FoamLevelCorner" {
-        /// Position of the corner on the triangle lattice of the patch's shifted copies.
+        /// Position of the corner in the triangle lattice on which shifted copies of the patch are blended.
         pub tile_position: TileLatticePosition,
-        /// Texture coordinates of the corner in the cascade's maps.
+        /// Texture coordinates (u, v) of the corner in the cascade's maps, from 0 to 1 plus half a texel.
         pub uv: [f32; 2],
         /// Unused; pads the struct to a multiple of 16 bytes, as an array element needs it.
         pub unused: [u32; 2],
@@ -125,33 +125,33 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// WGSL `FoamLevel`: one foam level in the uniform of the foam.
+    /// WGSL `FoamLevel`: one of the nested square foam grids around the camera, in the uniform of a foam time step.
     #[derive(Default)]
     pub struct FoamLevelUniform as "FoamLevel" {
-        /// Position of the corner of the level's first cell on each drawn cascade.
+        /// Where the level's corner with the lowest x and z lies on the maps of each drawn cascade.
         pub corners: [FoamLevelCorner; MAX_DRAWN_CASCADES],
-        /// Lowest cell index along x and z that the level covers.
+        /// World indices (x, z) of the lowest cell that the level covers; cell i begins at i times `cell_m`.
         pub first_cell: [i32; 2],
-        /// Lowest cell index along x and z that the level covered at the previous time step.
+        /// World indices (x, z) of the lowest cell that the level covered at the previous time step.
         pub previous_first_cell: [i32; 2],
         /// Side of a foam cell, m.
         pub cell_m: f32,
-        /// Jacobian below which foam forms.
+        /// Jacobian of the horizontal displacement below which foam forms.
         pub jacobian_threshold: f32,
-        /// Slope of the foam source: clamp((threshold - Jacobian) x slope, 0, 1).
+        /// Slope of the foam source, which is clamp((`jacobian_threshold` - Jacobian) x `source_slope`, 0, 1).
         pub source_slope: f32,
-        /// Initial foam of a cell that has just entered the area of its level, 0 to 1.
+        /// Foam with which a cell starts that has just entered the area of its level, 0 to 1.
         pub initial_foam: f32,
     }
 }
 
 gpu_struct! {
-    /// WGSL `FoamCascade`: one drawn cascade in the uniform of the foam.
+    /// WGSL `FoamCascade`: what the foam pass needs to sample the maps of one drawn cascade.
     #[derive(Default)]
     pub struct FoamCascade as "FoamCascade" {
         /// Side of the cascade's square patch, m.
         pub patch_m: f32,
-        /// Index of the cascade among the layers of each kind of map.
+        /// Index of the cascade's layer, the same for each kind of map.
         pub layer: u32,
         /// Unused; pads the struct to a multiple of 16 bytes, as an array element needs it.
         pub unused: [u32; 2],
@@ -159,20 +159,20 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// WGSL `Foam`: the uniform of one time step of the foam.
+    /// WGSL `Foam`: the uniform of one time step of the foam simulation.
     #[derive(Default)]
     pub struct FoamUniform as "Foam" {
-        /// Foam levels, finest first.
+        /// Foam levels (nested square foam grids), finest first.
         pub levels: [FoamLevelUniform; FOAM_LEVELS],
-        /// Cascades that are drawn, including those of a sea that fades out.
+        /// Cascades that are drawn, including those of the old sea of a cross-fade; `cascade_count` are used.
         pub cascades: [FoamCascade; MAX_DRAWN_CASCADES],
         /// Length of the time step, s.
         pub dt_s: f32,
-        /// Decay rate of foam: 1 / e-folding time, 1/s.
+        /// Rate at which foam decays exponentially: 1 / e-folding time, 1/s.
         pub decay_per_s: f32,
-        /// Rate at which foam grows where its source is 1, 1/s.
+        /// Rate at which foam grows on clear water where the foam source is 1, 1/s.
         pub growth_per_s: f32,
-        /// Number of cells along a side of a foam level.
+        /// Number of cells along a side of a foam level (one of the nested square foam grids).
         pub cells_per_side: u32,
         /// Number of entries of `cascades` in use.
         pub cascade_count: u32,

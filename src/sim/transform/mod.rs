@@ -11,7 +11,7 @@ use crate::shaders::Shaders;
 use unrolled::UnrolledTransform;
 use workgroup::WorkgroupTransform;
 
-/// Implementation of the inverse FFT.
+/// Implementation of the inverse FFT that turns the waves' Fourier amplitudes into maps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FftImplementation {
     /// For GPUs: one dispatch along each axis. Threads exchange points in workgroup memory, with least memory traffic.
@@ -22,13 +22,13 @@ pub enum FftImplementation {
 }
 
 impl FftImplementation {
-    /// The faster implementation on a device.
+    /// The implementation of the FFT that is faster on a device.
     pub fn for_device(gpu: &Gpu) -> Self {
         if gpu.is_software() { Self::Unrolled } else { Self::Workgroup }
     }
 }
 
-/// Row and column passes: the inverse FFT along x, then along z.
+/// Row pass and column pass: the inverse FFT along x, then along z, in one of two implementations.
 pub enum Transform {
     /// FFT through workgroup memory, for GPUs; see [`FftImplementation::Workgroup`].
     Workgroup(Box<WorkgroupTransform>),
@@ -37,7 +37,7 @@ pub enum Transform {
 }
 
 impl Transform {
-    /// Compiles the passes of the given implementation and creates their bind groups.
+    /// Compiles the row and column pass in the given implementation and creates their bind groups.
     pub fn new(
         gpu: &Gpu,
         shaders: &Shaders,
@@ -61,7 +61,7 @@ impl Transform {
         }
     }
 
-    /// Number of compute dispatches that transform all cascades of a sea along x and z.
+    /// Number of compute dispatches for the inverse FFT along x and z of all cascades of a sea together.
     pub fn dispatch_count(&self) -> u32 {
         match self {
             Self::Workgroup(_) => 2,
@@ -69,7 +69,7 @@ impl Transform {
         }
     }
 
-    /// Creates the bind groups anew after buffers or textures have been replaced.
+    /// Creates the bind groups anew after buffers or textures of `r` have been replaced.
     pub fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
         match self {
             Self::Workgroup(transform) => transform.recreate_bind_groups(gpu, r, uniforms),
@@ -77,7 +77,7 @@ impl Transform {
         }
     }
 
-    /// Records the row pass: computes the waves at the evaluation's time and transforms them along x.
+    /// Records the row pass: the Fourier amplitudes of a sea's waves at one time, and their inverse FFT along x.
     pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
         match self {
             Self::Workgroup(transform) => transform.record_rows(encoder, dispatch),
@@ -85,7 +85,7 @@ impl Transform {
         }
     }
 
-    /// Records the column pass: transforms along z and writes mip level 0 of the displacement and gradient maps.
+    /// Records the column pass: inverse FFT along z, which writes mip level 0 of the displacement and gradient maps.
     pub fn record_columns(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
         match self {
             Self::Workgroup(transform) => transform.record_columns(encoder, dispatch),

@@ -21,24 +21,24 @@ pub struct UnrolledTransform {
     groups: FftBindGroups,
 }
 
-/// Buffers that pass values from one dispatch to the next.
+/// Buffers that pass values from one of the four dispatches to the next, or to the map textures.
 struct IntermediateBuffers {
-    /// Values after the first of the two dispatches along an axis; as large as `Resources::row_transforms`.
+    /// Half-finished FFTs after the first of two dispatches along x or z; as large as `Resources::row_transforms`.
     half_transforms: wgpu::Buffer,
     /// Displacement and gradient maps before they are copied to the textures, \[map\]\[cascade\]\[z\]\[x\].
     maps: wgpu::Buffer,
 }
 
 struct FftBindGroups {
-    /// One bind group for each sea. The second one exists from the first cross-fade on.
+    /// Bind groups, one for each entry of `Resources::wave_buffers`: two from the first cross-fade on.
     rows_first: Vec<wgpu::BindGroup>,
     rows_second: wgpu::BindGroup,
     columns_first: wgpu::BindGroup,
     columns_second: wgpu::BindGroup,
 }
 
-/// The last of the four dispatches, as one kernel without and one with an f32 copy of the maps. The second kernel is
-/// compiled at its first use, because compiling takes long and a window does not need the copy.
+/// Kernels of the last dispatch, the second half of the FFT along z: one writes the maps, the other also an f32 copy.
+/// The latter is compiled at its first use, because compiling takes long and a window does not need the copy.
 struct SecondColumnKernels {
     gpu: Gpu,
     module: wgpu::ShaderModule,
@@ -90,7 +90,7 @@ impl UnrolledTransform {
         Self { n, rows_first, rows_second, columns_first, columns_second, buffers, groups }
     }
 
-    /// Creates the bind groups anew after resources have been replaced, with intermediate buffers of their size.
+    /// Creates the bind groups anew after buffers of `r` have been replaced; resizes the intermediate buffers.
     pub fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
         if self.buffers.half_transforms.size() != r.row_transforms.size() {
             self.buffers = IntermediateBuffers::new(gpu, r);
@@ -99,7 +99,7 @@ impl UnrolledTransform {
         self.groups = FftBindGroups::new(gpu, kernels, &self.buffers, r, uniforms);
     }
 
-    /// Records the row pass: computes the waves at the evaluation's time and transforms them along x.
+    /// Records the row pass: the Fourier amplitudes of a sea's waves at one time, and their inverse FFT along x.
     pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
         let (n, FftFactors { first, second }) = (self.n, FftFactors::new(self.n));
         // One row of threads computes two rows of opposite wave vectors: n / 2 + 1 rows in workgroups of 8.
@@ -113,7 +113,7 @@ impl UnrolledTransform {
         self.rows_second.run(encoder, &self.groups.rows_second, &[], [first / 8, n / 8, 2 * dispatch.cascade_count]);
     }
 
-    /// Records the column pass: transforms along z and copies the maps to mip level 0 of the textures.
+    /// Records the column pass: inverse FFT along z, and a copy of its results to mip level 0 of the map textures.
     pub fn record_columns(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
         let (n, FftFactors { first, second }) = (self.n, FftFactors::new(self.n));
         self.columns_first.run(encoder, &self.groups.columns_first, &[], [n / 64, second, 2 * dispatch.cascade_count]);
@@ -153,7 +153,7 @@ impl IntermediateBuffers {
 }
 
 impl FftBindGroups {
-    /// Creates the bind groups of the four kernels, which are given in the order of their dispatches.
+    /// Creates the bind groups of the four FFT kernels, which are given in the order of their dispatches.
     fn new(
         gpu: &Gpu,
         kernels: [&Kernel; 4],

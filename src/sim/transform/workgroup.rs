@@ -8,7 +8,7 @@ use crate::sim::planned_sea::SeaDispatch;
 use crate::sim::resources::{Resources, WaveBuffers, array_view};
 use crate::sim::uniforms::SimulationUniforms;
 
-/// Largest number of vec4f in the memory of a workgroup: WebGPU's base limit of 16 KiB.
+/// Largest number of vec4f in workgroup memory, through which threads exchange points: WebGPU's base limit of 16 KiB.
 const MAX_EXCHANGE_VECTORS: u32 = 1024;
 /// Smallest number of threads per workgroup, so that it fills a warp on any GPU.
 const MIN_WORKGROUP_THREADS: u32 = 64;
@@ -17,24 +17,24 @@ const MIN_WORKGROUP_THREADS: u32 = 64;
 pub struct WorkgroupTransform {
     rows: Kernel,
     columns: Kernel,
-    /// Number of workgroups for each cascade.
+    /// Number of workgroups for each cascade, in the row pass and in the column pass.
     workgroups: u32,
     groups: FftBindGroups,
 }
 
 struct FftBindGroups {
-    /// One bind group for each sea. The second one exists from the first cross-fade on.
+    /// Bind groups, one for each entry of `Resources::wave_buffers`: two from the first cross-fade on.
     rows: Vec<wgpu::BindGroup>,
     columns: wgpu::BindGroup,
 }
 
-/// Number of lines that one workgroup transforms, for an FFT of `n` points per line.
+/// Number of lines (rows or columns of the lattice) that one workgroup transforms, for an FFT of `n` points per line.
 fn lines_per_workgroup(n: u32) -> u32 {
     (MIN_WORKGROUP_THREADS / FftFactors::new(n).second).clamp(1, MAX_EXCHANGE_VECTORS / n)
 }
 
 impl WorkgroupTransform {
-    /// Compiles both passes and creates their bind groups.
+    /// Compiles the row pass and the column pass and creates their bind groups.
     pub fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, uniforms: &SimulationUniforms) -> Self {
         let (lines, FftFactors { first, second }) = (lines_per_workgroup(r.n), FftFactors::new(r.n));
         let constants = [
@@ -67,18 +67,18 @@ impl WorkgroupTransform {
         Self { rows, columns, workgroups: r.n / lines, groups }
     }
 
-    /// Creates the bind groups anew after buffers or textures have been replaced.
+    /// Creates the bind groups anew after buffers or textures of `r` have been replaced.
     pub fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
         self.groups = FftBindGroups::new(gpu, &self.rows, &self.columns, r, uniforms);
     }
 
-    /// Records the row pass: computes the waves at the evaluation's time and transforms them along x.
+    /// Records the row pass: the Fourier amplitudes of a sea's waves at one time, and their inverse FFT along x.
     pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
         let size = [self.workgroups, 1, dispatch.cascade_count];
         self.rows.run(encoder, &self.groups.rows[dispatch.wave_buffers_index], &[dispatch.uniform_offset], size);
     }
 
-    /// Records the column pass: transforms along z and writes mip level 0 of the displacement and gradient maps.
+    /// Records the column pass: inverse FFT along z, which writes mip level 0 of the displacement and gradient maps.
     pub fn record_columns(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
         let size = [self.workgroups, 1, dispatch.cascade_count];
         self.columns.run(encoder, &self.groups.columns, &[dispatch.uniform_offset], size);
