@@ -223,8 +223,8 @@ fn an_eye_near_the_water_rides_over_the_waves() {
     }
 }
 
-/// A camera on a buoy keeps its height above the water, however high it is: the picture is that of a camera at rest which
-/// is higher by the height of the water below it.
+/// A camera on a buoy keeps its height above the water, however high it is: the picture is that of a camera at rest
+/// which is higher by the height of the water below it.
 #[test]
 fn a_camera_far_above_the_water_rides_on_it() {
     let gpu = gpu();
