@@ -8,7 +8,8 @@ pub const EARTH_RADIUS_M: f64 = 6_371_000.0;
 /// Distance from the eye to the near clipping plane, m.
 const NEAR_M: f64 = 0.1;
 
-/// Position, axes and field of view of a camera. Drawing is relative to the eye, so f32 suffices far from the origin.
+/// Position, axes and field of view of a camera, from which drawing takes its matrices. Drawing is relative to the eye,
+/// so f32 suffices far from the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// Position of the eye in world axes (x east, y up, z south), m.
@@ -19,7 +20,7 @@ pub struct View {
     pub up: DVec3,
     /// Unit vector of the viewing direction, in world axes.
     pub forward: DVec3,
-    /// Tangents of half the horizontal and half the vertical field of view.
+    /// Tangents of half the horizontal and half the vertical field of view, in this order.
     pub tan_half_fov: [f64; 2],
 }
 

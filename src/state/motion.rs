@@ -9,9 +9,11 @@ use glam::DVec3;
 const MIN_EYE_HEIGHT_M: f64 = 1.0;
 /// Largest height of the camera above the still water, m.
 const MAX_EYE_HEIGHT_M: f64 = 5000.0;
-/// The point that the camera orbits is at most this many camera heights + [`MAX_PIVOT_OFFSET_M`] away from it.
+/// Largest distance from the camera to the point that it orbits: this many times its height above the still water, +
+/// [`MAX_PIVOT_OFFSET_M`].
 const MAX_PIVOT_HEIGHTS: f64 = 12.0;
-/// The point that the camera orbits is at most this, m, + [`MAX_PIVOT_HEIGHTS`] camera heights away from it.
+/// Largest distance from the camera to the point that it orbits: this, m, + [`MAX_PIVOT_HEIGHTS`] times its height
+/// above the still water.
 const MAX_PIVOT_OFFSET_M: f64 = 30.0;
 
 /// A named camera view of the sea, which a button of the panel selects.
@@ -23,7 +25,8 @@ pub struct NamedView {
     camera: fn(&Params) -> Camera,
 }
 
-/// All named camera views. Each keeps the horizontal position and sets height, pitch and field of view; some turn too.
+/// All named camera views. Each keeps the horizontal position and sets height, pitch and field of view; some also set
+/// the heading or the control mode.
 pub const CAMERA_VIEWS: &[NamedView] = &[
     NamedView {
         name: "Deck",
@@ -74,8 +77,8 @@ pub const CAMERA_VIEWS: &[NamedView] = &[
     },
 ];
 
-/// Camera with a new height (m), pitch and field of view (degrees). Horizontal position, heading and control mode are
-/// kept, but buoy mode becomes fly mode.
+/// The camera of `p` with another height above the still water (m), pitch and field of view (degrees). Horizontal
+/// position, heading and control mode are kept, but buoy mode becomes fly mode.
 fn standard_camera(p: &Params, y_m: f64, pitch_deg: f64, fov_deg: f64) -> Camera {
     let mode = if p.camera.mode == CameraMode::Buoy { CameraMode::Fly } else { p.camera.mode };
     Camera { y_m, pitch_deg: pitch_deg.round(), fov_deg, mode, ..p.camera.clone() }
@@ -86,14 +89,15 @@ pub fn set_named_view(params: &mut Params, view: &NamedView) {
     params.camera = (view.camera)(params);
 }
 
-/// Turns the camera at its place: its viewing direction to the right and upwards by the given angles, degrees.
+/// Turns the camera at its place: its viewing direction to the right and upwards (negative: downwards) by the given
+/// angles, degrees. The pitch stays within -89 to 60.
 pub fn rotate_camera(camera: &mut Camera, right_deg: f64, up_deg: f64) {
     camera.heading_deg = (camera.heading_deg + right_deg).rem_euclid(360.0);
     camera.pitch_deg = (camera.pitch_deg + up_deg).clamp(-89.0, 60.0);
 }
 
-/// Distance from the camera to the point that it orbits, m: to the still water in the middle of the picture, or a limit
-/// of some camera heights if that is farther or sky is in the middle.
+/// Distance, m, from the camera to the point that it orbits: the still water in the middle of the picture, but at most
+/// [`MAX_PIVOT_HEIGHTS`] camera heights + [`MAX_PIVOT_OFFSET_M`], which it also is if sky is in the middle.
 fn pivot_distance_m(camera: &Camera) -> f64 {
     let far = MAX_PIVOT_HEIGHTS * camera.y_m + MAX_PIVOT_OFFSET_M;
     let down = -camera.pitch_deg.to_radians().sin();
@@ -108,8 +112,8 @@ fn eye_and_forward(camera: &Camera) -> (DVec3, DVec3) {
     (view.eye, view.forward)
 }
 
-/// Moves the camera at constant distance around the point of the sea in the middle of the picture. `right_deg` is added
-/// to its heading; `up_deg` raises it and tilts it down.
+/// Moves the camera at constant distance around the point of the sea in the middle of the picture, by angles in
+/// degrees: `right_deg` is added to its heading; `up_deg` raises it and tilts it down, but not into the water.
 pub fn orbit(camera: &mut Camera, right_deg: f64, up_deg: f64) {
     let distance = pivot_distance_m(camera);
     let (eye, before) = eye_and_forward(camera);
@@ -122,8 +126,8 @@ pub fn orbit(camera: &mut Camera, right_deg: f64, up_deg: f64) {
     set_position(camera, pivot - distance * after);
 }
 
-/// Multiplies the field of view by `factor`, or in orbit mode the distance to the point that the camera orbits; a
-/// factor below 1 zooms in.
+/// Multiplies the vertical field of view by `factor`, or in orbit mode the distance to the point that the camera
+/// orbits, within the allowed ranges; a factor below 1 zooms in.
 pub fn zoom(camera: &mut Camera, factor: f64) {
     if camera.mode != CameraMode::Orbit {
         camera.fov_deg = (camera.fov_deg * factor).clamp(10.0, 100.0);
@@ -138,7 +142,7 @@ pub fn zoom(camera: &mut Camera, factor: f64) {
     set_position(camera, eye + (distance - wanted) * ahead);
 }
 
-/// Moves the camera to the right, horizontally ahead and up, by distances in metres.
+/// Moves the camera by distances in metres: to its right, ahead (horizontally, whatever its pitch) and up.
 pub fn fly(camera: &mut Camera, right_m: f64, ahead_m: f64, up_m: f64) {
     let (sin, cos) = camera.heading_deg.to_radians().sin_cos();
     let step = DVec3::new(ahead_m * sin + right_m * cos, up_m, right_m * sin - ahead_m * cos);

@@ -12,7 +12,8 @@ pub use super::sea::{
     DepthFactor, DispersionKind, Foam, Sea, SpectrumKind, SpreadKind, WaveSystemParams, WhitecapRule,
 };
 
-/// All state that a link can carry. Values that were set through [`fields`](super::fields) are always valid.
+/// All parameters of the simulator, which are all state that a link can carry. Values that were set through
+/// [`fields`](super::fields) are always within their ranges.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Params {
     /// Resolution of the simulation: FFT size and cascades.

@@ -34,8 +34,8 @@ pub struct ParsedState {
     pub notices: Vec<String>,
 }
 
-/// Reads a state string, with or without a leading `?`, or a whole URL. Returns the parameters and messages to the
-/// user, one for each value that was ignored or changed.
+/// Reads a state string (the parameters as a URL query such as `wind=14&t=40`), with or without a leading `?`, or a
+/// whole URL. Returns the parameters and messages to the user, one for each value that was ignored or changed.
 ///
 /// ```
 /// use seastate::state::query;
@@ -49,12 +49,14 @@ pub fn parse(text: &str) -> (Params, Vec<String>) {
     (params, notices)
 }
 
-/// Like [`parse`], and also returns the keys that the string sets.
+/// Reads a state string (the parameters as a URL query such as `wind=14&t=40`) or a whole URL. Returns the parameters,
+/// the keys that it sets, and messages to the user; [`parse`] returns no keys.
 pub fn read(text: &str) -> ParsedState {
     read_with(text, VERSION_STEPS)
 }
 
-/// Does the work of [`read`]. `steps` translate old strings: [`VERSION_STEPS`], or invented ones in tests.
+/// Does the work of [`read`]. `steps` translate old versions of the state string to the newest: [`VERSION_STEPS`], or
+/// invented steps in tests.
 fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
     let mut reading = ParsedState::default();
     let mut query = query_part(text);
@@ -86,8 +88,8 @@ fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
 }
 
 impl ParsedState {
-    /// Stores the parsed value of a special key (`measured` or `afloat`) by `set`. If it is an error, adds the reason
-    /// to the messages to the user.
+    /// Stores the parsed value of the key `measured` or `afloat` in the parameters by calling `set`, and notes the key.
+    /// If `value` is an error, adds its reason to the messages to the user instead.
     fn set_or_notify<T>(&mut self, key: &'static str, value: Result<T, String>, set: impl FnOnce(&mut Params, T)) {
         match value {
             Ok(value) => {
@@ -128,13 +130,14 @@ impl ParsedState {
     }
 }
 
-/// Writes a state string of the values that differ from the default, in the order of [`FIELDS`], percent-encoded.
+/// Writes a state string, such as `wind=14&t=40`, of the parameters that differ from their default, in the order of
+/// [`FIELDS`], then the buoy spectrum, the floating objects and the name of the sky file, percent-encoded.
 pub fn write(params: &Params) -> String {
     write_with(params, VERSION_STEPS)
 }
 
-/// Does the work of [`write()`]. The number of `steps`, translations between versions of the string, gives the version
-/// to write: [`VERSION_STEPS`], or invented ones in tests.
+/// Does the work of [`write()`]. It writes the version that `steps`, the translations from each version to the next,
+/// lead to: [`VERSION_STEPS`], or invented steps in tests.
 fn write_with(params: &Params, steps: &[VersionStep]) -> String {
     let defaults = Params::default();
     let mut out = form_urlencoded::Serializer::new(String::new());

@@ -10,9 +10,11 @@ choice_enum! {
     pub enum SpectrumKind {
         /// Spectrum of the equilibrium range only: zero below the peak, omega^-5 above it, Phillips 1958.
         Phillips = "phillips",
-        /// Phillips' spectrum over wave vectors with its own cos^2 directional factor, Tessendorf 2001.
+        /// Phillips' spectrum over wave vectors as used by Tessendorf 2001: its factor cos^2 of the angle to the wind
+        /// replaces the directional spreading.
         Tessendorf = "tessendorf",
-        /// Spectrum A omega^-5 exp(-B omega^-4) with coefficients A and B that the user sets.
+        /// Spectrum A omega^-5 exp(-B omega^-4) of angular frequency omega, with the parameters `coefa` (A) and `coefb`
+        /// (B).
         GeneralisedAb = "ab",
         /// Spectrum of a fully developed sea, Pierson and Moskowitz 1964.
         PiersonMoskowitz = "pm",
@@ -46,13 +48,15 @@ choice_enum! {
         Cos2 = "cos2",
         /// Spreading cos^2 of the angle to the wind over the half circle downwind; no energy runs against the wind.
         Cos2Positive = "cos2-positive",
-        /// Spreading cos^{2s}(theta/2), theta from the wind, with the exponent s of Mitsuyasu et al. 1975.
+        /// Spreading cos^{2s}(theta/2), theta the angle to the wind, with the exponent s of Mitsuyasu et al. 1975.
         Mitsuyasu = "mitsuyasu",
-        /// Spreading cos^{2s}(theta/2), theta from the wind, with the exponent s of Hasselmann, Dunckel and Ewing 1980.
+        /// Spreading cos^{2s}(theta/2), theta the angle to the wind, with s of Hasselmann, Dunckel and Ewing 1980.
         Hasselmann = "hasselmann",
-        /// Spreading sech^2(beta theta), theta from the wind, Donelan, Hamilton and Hui 1985 with Banner 1990.
+        /// Spreading sech^2(beta theta), theta the angle to the wind, with beta of Donelan, Hamilton and Hui 1985 and,
+        /// at high frequencies, of Banner 1990.
         DonelanBanner = "donelan-banner",
-        /// Spreading 1 + Delta cos(2 theta), theta from the wind: as strong upwind as downwind, Elfouhaily et al. 1997.
+        /// Spreading 1 + Delta cos(2 theta), theta the angle to the wind, Delta by Elfouhaily et al. 1997: as much
+        /// energy runs against the wind as with it.
         Elfouhaily = "elfouhaily",
     }
 }
@@ -60,11 +64,13 @@ choice_enum! {
 choice_enum! {
     /// Dispersion relation between angular frequency omega and wave number k.
     pub enum DispersionKind {
-        /// Gravity waves in deep water, whatever the depth is set to: omega^2 = g k.
+        /// Dispersion relation omega^2 = g k of gravity waves in deep water, whatever the water depth is set to; g is
+        /// gravity.
         Deep = "deep",
-        /// Gravity waves in water of depth h: omega^2 = g k tanh(k h).
+        /// Dispersion relation omega^2 = g k tanh(k h) of gravity waves in water of depth h; g is gravity.
         Finite = "finite",
-        /// Gravity-capillary waves, surface tension sigma, density rho: omega^2 = (g k + sigma/rho k^3) tanh(k h).
+        /// Gravity-capillary waves in water of depth h, with surface tension sigma, density rho and gravity g: omega^2
+        /// = (g k + sigma/rho k^3) tanh(k h).
         Capillary = "capillary",
     }
 }
@@ -72,9 +78,10 @@ choice_enum! {
 choice_enum! {
     /// Formula for Kitaigorodskii's depth factor, by which the TMA spectrum limits waves in shallow water.
     pub enum DepthFactor {
-        /// Exact depth factor tanh^2(kh) / (1 + 2kh / sinh 2kh) of wave number k and depth h.
+        /// Depth factor tanh^2(kh) / (1 + 2kh / sinh 2kh) of linear theory, with wave number k and water depth h.
         Exact = "exact",
-        /// Depth factor as a fit with three branches in omega sqrt(h/g), with depth h, Thompson and Vincent 1983.
+        /// Approximation of the depth factor by three formulas for ranges of omega sqrt(h/g) (angular frequency omega,
+        /// water depth h, gravity g), Thompson and Vincent 1983.
         Branches = "branches",
     }
 }
@@ -82,7 +89,8 @@ choice_enum! {
 choice_enum! {
     /// Rule that sets the foam threshold, the Jacobian of the displacement below which foam forms.
     pub enum WhitecapRule {
-        /// Foam threshold for a mean foam of the wind's whitecap coverage, Monahan and O'Muircheartaigh 1980.
+        /// Foam threshold at which the mean foam is the fraction of the sea that whitecaps cover in the wind, by
+        /// Monahan and O'Muircheartaigh 1980.
         Monahan = "monahan",
         /// Foam threshold that the user sets (parameter `foamthreshold`).
         Fixed = "fixed",
@@ -90,7 +98,8 @@ choice_enum! {
 }
 
 parameters! {
-    /// One wave system: a spectrum with its own wind and directional spreading. The default is the local wind sea.
+    /// One wave system: waves with a frequency spectrum, wind and directional spreading of their own. The default is
+    /// the local wind sea.
     pub struct WaveSystemParams {
         /// Frequency spectrum over w in rad/s. phillips: equilibrium range only (1958); tessendorf: Phillips' spectrum
         /// over wave vectors, with its own cos^2 spreading (2001); ab: A w^-5 exp(-B w^-4); pm: fully developed sea
@@ -183,7 +192,7 @@ parameters! {
         /// Computes alpha and gamma of tma from kappa = U^2 k_p / g (wind speed U, peak wave number k_p), as alpha =
         /// 0.0078 kappa^0.49 and gamma = 2.47 kappa^0.39 (Bouws et al. 1985), instead of taking those of jonswap.
         tma_bouws_parameters: bool = false => ("bouws", "TMA alpha, gamma", "", Flag),
-        /// Multiplies the spectrum karaev up to 1.2 times the peak frequency by the depth factor of tma.
+        /// Multiplies the spectrum karaev by the depth factor of tma at frequencies up to 1.2 times the peak frequency.
         karaev_tma: bool = false => ("karaevtma", "Karaev in the shallows", "", Flag),
         /// Precision of the integral that normalises a directional spreading without a closed form: number of 15-point
         /// quadrature panels in each of its pieces, of which there are up to six.
@@ -191,9 +200,9 @@ parameters! {
         /// Choppiness, the factor on the horizontal displacement: 1 is linear theory, 0 a sum of sines without sharp
         /// crests.
         chop: f64 = 1.0 => ("chop", "Chop", "", number(0.0, 2.0)),
-        /// Additional factor on the horizontal displacement along x (east).
+        /// Further factor on the horizontal displacement along x (east), multiplied by chop.
         chop_x: f64 = 1.0 => ("chopx", "Chop east-west", "", number(0.0, 2.0)),
-        /// Additional factor on the horizontal displacement along z (south).
+        /// Further factor on the horizontal displacement along z (south), multiplied by chop.
         chop_z: f64 = 1.0 => ("chopz", "Chop north-south", "", number(0.0, 2.0)),
         /// Factor on all displacements of the surface; 1 is the physical height.
         height: f64 = 1.0 => ("height", "Height scale", "", logarithmic(0.1, 4.0)),
@@ -214,13 +223,14 @@ impl Sea {
         &self.systems[0]
     }
 
-    /// Stores a buoy's spectrum and makes it the spectrum of the local wind sea.
+    /// Stores a buoy's spectrum and selects it as the frequency spectrum of the first wave system, the local wind sea.
     pub fn set_measured_spectrum(&mut self, measured: MeasuredSpectrum) {
         self.measured = Some(Arc::new(measured));
         self.systems[0].spectrum = SpectrumKind::Measured;
     }
 
-    /// Choppiness along x (east) and z (south): factors on the horizontal displacement; 1 is linear theory.
+    /// Choppiness along x (east) and z (south), the products of `chop` with `chopx` and `chopz`: factors on the
+    /// horizontal displacement; 1 is linear theory.
     pub fn choppiness(&self) -> [f64; 2] {
         [self.chop_x * self.chop, self.chop_z * self.chop]
     }

@@ -18,25 +18,27 @@ pub enum DisplayedView {
 /// discriminant; 0 is the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapView {
-    /// Magnitude |h0(k)| of the initial spectrum at each wave vector k, before the waves evolve in time.
+    /// Magnitude |h0(k)| of the wave amplitudes of one cascade at simulated time 0, over the wave vector k.
     InitialSpectrum,
-    /// Spectrum h(k, t) of the elevation at the current simulated time t: magnitude as brightness, phase as hue.
+    /// Wave amplitudes h(k, t) of one cascade over the wave vector k, at the present simulated time t: magnitude as
+    /// brightness, phase as hue.
     Spectrum,
-    /// Horizontal displacement of the surface to the east, Dx, m, without the factor of choppiness.
+    /// Horizontal displacement of the surface to the east by one cascade, Dx, m, without the factor of choppiness.
     Dx,
-    /// Elevation of the surface, eta, m.
+    /// Elevation eta of the surface by the waves of one cascade (patch of sea with its own FFT), m.
     Height,
-    /// Horizontal displacement of the surface to the south, Dz, m, without the factor of choppiness.
+    /// Horizontal displacement of the surface to the south by one cascade, Dz, m, without the factor of choppiness.
     Dz,
-    /// Shear dDx/dz = dDz/dx of the horizontal displacement (Dx, Dz); x is east, z south.
+    /// Shear dDx/dz = dDz/dx of the horizontal displacement (Dx, Dz) by one cascade; x is east, z south.
     DxDz,
-    /// Slope of the elevation eta to the east, d eta/dx.
+    /// Slope to the east, d eta/dx, of the elevation eta by one cascade (patch of sea with its own FFT).
     SlopeX,
-    /// Slope of the elevation eta to the south, d eta/dz.
+    /// Slope to the south, d eta/dz, of the elevation eta by one cascade (patch of sea with its own FFT).
     SlopeZ,
-    /// Derivative dDx/dx of the eastward displacement Dx to the east.
+    /// Derivative dDx/dx of the eastward displacement Dx to the east, of one cascade, without the factor of choppiness.
     DxDx,
-    /// Derivative dDz/dz of the southward displacement Dz to the south.
+    /// Derivative dDz/dz of the southward displacement Dz to the south, of one cascade, without the factor of
+    /// choppiness.
     DzDz,
     /// Squared slope to the east, (d eta/dx)^2 with the elevation eta, averaged over 2 x 2 texels.
     MomentXx,
@@ -46,7 +48,7 @@ pub enum MapView {
     MomentXz,
     /// Jacobian determinant of the horizontal displacement of one cascade: 1 if undeformed, below 0 where it folds.
     Jacobian,
-    /// Foam value, 0 to 1, on one foam level (square foam grid around the camera).
+    /// Fraction of the water that foam covers, 0 to 1, on one foam level (square foam grid around the camera).
     Foam,
     /// Foam source, 0 to 1: how strongly crests break, on one foam level (square foam grid around the camera).
     Source,
@@ -58,7 +60,7 @@ pub enum MapView {
 pub enum SurfaceView {
     /// Unit normal of the surface; its east component is shown as red, north as green, up as blue.
     Normals,
-    /// Jacobian determinant of the whole horizontal displacement: 1 if undeformed, below 0 where it folds.
+    /// Jacobian determinant of the horizontal displacement by all cascades: 1 if undeformed, below 0 where it folds.
     Jacobian,
     /// Variance of the wave slopes that the pixel does not resolve: the sum of the variances to the east and south.
     Roughness,
@@ -98,7 +100,7 @@ pub const DISPLAYED_VIEWS: &[(&str, DisplayedView, &str)] = &[
     ("wireframe", DisplayedView::Surface(SurfaceView::Wireframe), "Mesh"),
 ];
 
-/// Words of all views in the state string, in the order of [`DISPLAYED_VIEWS`].
+/// Words for the key `view` of a state string: one for the picture and each view, in the order of [`DISPLAYED_VIEWS`].
 const WORDS: [&str; DISPLAYED_VIEWS.len()] = {
     let mut words = [""; DISPLAYED_VIEWS.len()];
     let mut i = 0;
@@ -143,20 +145,21 @@ parameters! {
 }
 
 impl ViewChoice {
-    /// Caption of the picture or chosen view for the user, such as "Slope to the east".
+    /// Caption for the user of what the window shows: "Picture", or a false-colour view such as "Slope to the east".
     pub fn name(self) -> &'static str {
         DISPLAYED_VIEWS[self.displayed.index()].2
     }
 
-    /// Choice of the view that is `by` places further in [`DISPLAYED_VIEWS`]; after the last comes the first.
+    /// This choice with the view that is `by` places further in [`DISPLAYED_VIEWS`] (negative: back); after the last
+    /// comes the first. The cascade is kept.
     #[must_use]
     pub fn cycled_by(self, by: isize) -> Self {
         let at = (self.displayed.index() as isize + by).rem_euclid(DISPLAYED_VIEWS.len() as isize);
         Self { displayed: DISPLAYED_VIEWS[at as usize].1, ..self }
     }
 
-    /// Range of the layers of a map (array texture) that the view shows, counted from 0. The map has `count` layers,
-    /// one for each cascade or foam level.
+    /// Indices, from 0, of the layers that the view shows of a map (array texture) with `count` layers, one for each
+    /// cascade or foam level: one layer or, if all are chosen in a map view, all.
     pub fn cascade_layers(self, count: usize) -> std::ops::Range<usize> {
         match (self.displayed, self.cascade as usize) {
             (DisplayedView::Map(_), 0) => 0..count,

@@ -4,23 +4,27 @@
 use glam::{DVec2, dvec2};
 use std::f64::consts::TAU;
 
-/// Limit of the magnitudes of the first moment c1 and of phi2; at a magnitude of 1 the distribution has no width.
+/// Largest magnitudes of the moment c1 and of the coefficient phi2 in [`MaximumEntropy`]; larger ones are reduced to
+/// it, because at 1 the directional distribution has no width.
 const MAX_MAGNITUDE: f64 = 0.995;
 
-/// The directional distribution of the largest (Burg) entropy for given moments c1 and c2, per rad at the angle theta:
-/// D(theta) = norm / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2.
+/// The directional distribution D of wave energy that has the largest (Burg) entropy for given moments c1 and c2. Per
+/// rad at the angle theta: D(theta) = norm / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaximumEntropy {
-    /// First autoregressive coefficient (re, im): (c1 - c2 c1*) / (1 - |c1|^2); c1, c2 are moments, * is conjugate.
+    /// First autoregressive coefficient (re, im) in the formula of D(theta): (c1 - c2 c1*) / (1 - |c1|^2), with the
+    /// moments c1 and c2; * is the complex conjugate.
     pub phi1: DVec2,
-    /// Second autoregressive coefficient (re, im): c2 - c1 phi1 with the moments c1 and c2.
+    /// Second autoregressive coefficient (re, im) in the formula of D(theta): c2 - c1 phi1, with the moments c1 and c2.
     pub phi2: DVec2,
-    /// Normalisation (1 - phi1 c1* - phi2 c2*) / (2 pi), per rad; * is the complex conjugate.
+    /// Factor in the formula of D(theta), which makes its integral over all directions 1: (1 - phi1 c1* - phi2 c2*) /
+    /// (2 pi), per rad; * is the complex conjugate.
     pub norm: f64,
 }
 
 impl MaximumEntropy {
-    /// Makes the distribution with the moments (re c1, im c1, re c2, im c2), c_n = integral of D e^{i n theta}.
+    /// Makes the distribution with the moments (re c1, im c1, re c2, im c2), where c_n is the integral of D e^{i n
+    /// theta} over all directions theta.
     ///
     /// The distribution has exactly these moments if |c1| <= 0.995 and |c2 - c1^2| <= 0.995 (1 - |c1|^2). Otherwise c1
     /// is shortened and c2 moved towards c1^2 until both conditions hold. With 1 in place of 0.995 they hold for any
@@ -43,7 +47,8 @@ impl MaximumEntropy {
         c1.to_array()
     }
 
-    /// Density D of the distribution, per rad, in the direction `theta`, rad.
+    /// Density D(theta) of this directional distribution, per rad, at the angle `theta`, rad, which is counted as in
+    /// the moments that were given to [`Self::new`].
     pub fn density(&self, theta: f64) -> f64 {
         let (sin, cos) = theta.sin_cos();
         let first = self.phi1.rotate(dvec2(cos, -sin));

@@ -12,11 +12,11 @@ pub const MIN_BANDS: usize = 3;
 const MAX_FREQUENCY_HZ: f64 = 2.0;
 /// Bound below which every variance density must be, m^2/Hz.
 const MAX_DENSITY: f64 = 1e5;
-/// Frequencies (Hz) and densities (m^2/Hz) below this count as 0.
+/// Band frequencies (Hz) and variance densities (m^2/Hz) of a smaller magnitude are rounded to 0.
 const MIN_NONZERO_MAGNITUDE: f64 = 1e-9;
 
 /// A measured spectrum: one-sided variance densities in frequency bands, with or without directions. All numbers are
-/// rounded to the precision of a link, so a spectrum and its copy from a link are equal.
+/// rounded to the digits that [`Self::to_state`] writes, so a spectrum survives a link unchanged.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasuredSpectrum {
     bands: Vec<(f64, f64)>,
@@ -26,7 +26,7 @@ pub struct MeasuredSpectrum {
 /// A measured spectrum that was read from files, with its title and messages to the user.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpectrumFile {
-    /// The measured spectrum.
+    /// The variance densities and, if the files hold them, the directions of all frequency bands.
     pub spectrum: MeasuredSpectrum,
     /// Title for the user: name of the file and time of the record, printable and short.
     pub title: String,
@@ -35,8 +35,8 @@ pub struct SpectrumFile {
 }
 
 impl MeasuredSpectrum {
-    /// Makes a spectrum from bands (frequency in Hz, ascending; one-sided variance density in m^2/Hz), with one
-    /// direction for each band or none at all.
+    /// Makes a spectrum from bands (frequency in Hz, ascending; one-sided variance density in m^2/Hz), and either
+    /// `directions` with one entry for each band, or None for a spectrum without directions.
     ///
     /// # Errors
     /// One sentence, if the number of bands is not within [`MIN_BANDS`] to [`MAX_BANDS`] or a value is out of range.
@@ -87,8 +87,8 @@ impl MeasuredSpectrum {
         s / TAU
     }
 
-    /// Angular frequency below which there is no or almost no variance, rad/s; above 0, so that its logarithm is
-    /// finite.
+    /// Angular frequency at which the density, extrapolated below the first band, reaches 0, rad/s; at least a
+    /// thousandth of that of the first band, so that its logarithm is finite.
     pub fn lowest_omega(&self) -> f64 {
         TAU * self.low_hz().max(1e-3 * self.bands[0].0)
     }
@@ -137,13 +137,14 @@ impl MeasuredSpectrum {
         Some(std::array::from_fn(|n| a[n] + t * (b[n] - a[n])))
     }
 
-    /// Frequency below the first band at which the extrapolated variance density reaches 0, Hz; at least 0.
+    /// Frequency below the first band at which the variance density, extrapolated by a straight line, reaches 0, Hz; at
+    /// least 0.
     fn low_hz(&self) -> f64 {
         (2.0 * self.bands[0].0 - self.bands[1].0).max(0.0)
     }
 
-    /// Index of the interval from a band to the next that holds the frequency `f` in Hz, and position in it, 0 to 1.
-    /// Below and above all bands, it is the start of the first interval or the end of the last.
+    /// (i, t): the frequency `f` in Hz lies between the bands i and i + 1, at the fraction t, 0 to 1, of the way. Below
+    /// the first band it is (0, 0); from the last band on, t is 1.
     fn interval(&self, f: f64) -> (usize, f64) {
         let i = self.bands.partition_point(|b| b.0 <= f).clamp(1, self.bands.len() - 1) - 1;
         let (low, high) = (self.bands[i].0, self.bands[i + 1].0);
@@ -151,8 +152,8 @@ impl MeasuredSpectrum {
     }
 }
 
-/// Returns the frequency of a band, Hz, rounded to four digits. It is an error if it is out of range or does not exceed
-/// `before`, the rounded frequency of the previous band.
+/// Returns the frequency of a band, Hz, rounded to four significant digits. An error unless it is above 0, at most
+/// [`MAX_FREQUENCY_HZ`] and above `before`, the rounded frequency of the previous band.
 pub(super) fn checked_frequency(f: f64, before: Option<f64>) -> Result<f64, String> {
     let kept = round_to_four_digits(f);
     if !(kept > 0.0 && kept <= MAX_FREQUENCY_HZ) {
@@ -171,7 +172,8 @@ pub(super) fn checked_frequency(f: f64, before: Option<f64>) -> Result<f64, Stri
     }
 }
 
-/// Returns the variance density of a band, m^2/Hz, rounded to four digits; an error if it is out of range.
+/// Returns the variance density `s` of a band, m^2/Hz, rounded to four significant digits; an error if it is negative
+/// or not below [`MAX_DENSITY`].
 pub(super) fn checked_density(s: f64) -> Result<f64, String> {
     let kept = round_to_four_digits(s);
     if s >= 0.0 && kept < MAX_DENSITY {

@@ -9,8 +9,9 @@ use super::text::{parse_number, quoted_excerpt};
 pub const MAX_TEXT_BYTES: usize = 16 * 1024;
 
 impl MeasuredSpectrum {
-    /// Writes the spectrum as text for a link: `f*S_f*S_...`, or with directions `f*S*alpha1*alpha2*r1*r2_...`, with f
-    /// in Hz, S in m^2/Hz and angles in degrees; about 1.6 kB for 47 directional bands.
+    /// Writes the spectrum as text for a link, band by band: `f*S_f*S_...`, or with directions
+    /// `f*S*alpha1*alpha2*r1*r2_...`, with f in Hz, S in m^2/Hz and angles in degrees; about 1.6 kB for 47 directional
+    /// bands.
     pub fn to_state(&self) -> String {
         let band = |(i, (f, s)): (usize, &(f64, f64))| {
             let mut fields = vec![*f, *s];
@@ -22,7 +23,8 @@ impl MeasuredSpectrum {
         self.bands().iter().enumerate().map(band).collect::<Vec<_>>().join("_")
     }
 
-    /// Reads the text that [`MeasuredSpectrum::to_state`] writes.
+    /// Reads a measured spectrum from the text that [`MeasuredSpectrum::to_state`] writes, such as
+    /// `.05*1.2_.06*2.5_.07*1`.
     ///
     /// # Errors
     /// One sentence that says what is wrong and in which band.

@@ -73,7 +73,7 @@ pub(super) fn quoted_excerpt(text: &str) -> String {
     format!("\"{}\"", printable_prefix(text, 24))
 }
 
-/// Returns the printable characters of a text, cut to `limit` characters with an ellipsis.
+/// Returns the printable characters of a text; if there are more than `limit`, the first of them and an ellipsis.
 pub(super) fn printable_prefix(text: &str, limit: usize) -> String {
     // Unicode format characters, such as bidirectional marks, change or hide the text around them.
     let hidden = |c: char| {

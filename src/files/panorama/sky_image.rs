@@ -5,7 +5,8 @@ use std::f64::consts::{PI, TAU};
 /// Smallest number of rows of an image that is accepted as a sky.
 const MIN_HEIGHT: usize = 8;
 
-/// An equirectangular image in linear light. Columns go clockwise from the south, with north in the middle.
+/// An equirectangular image in linear light. Columns go clockwise from the south through west, with north in the
+/// middle.
 #[derive(Clone, Debug)]
 pub(super) struct SkyImage {
     pub width: usize,
@@ -16,7 +17,7 @@ pub(super) struct SkyImage {
 
 impl SkyImage {
     /// Corrects pixel values that cannot be light: negative values and NaN become 0, infinite ones the largest finite
-    /// value. Returns the number of corrected pixels.
+    /// value in the image (at most 1e30). Returns the number of corrected pixels.
     pub fn repair_pixels(&mut self) -> usize {
         let finite = self.pixels.iter().flatten().copied().filter(|v| v.is_finite());
         let most = finite.fold(0f32, f32::max).min(1e30);
@@ -42,7 +43,8 @@ impl SkyImage {
         self.resampled_part([self.width, self.height], size)
     }
 
-    /// Resamples the upper left part of the image, `part` columns and rows, to an image of other columns and rows.
+    /// Resamples the upper left part of the image, `part` columns and rows, to `width` columns and `height` rows, each
+    /// new pixel the mean of those that it covers.
     fn resampled_part(&self, part: [usize; 2], [width, height]: [usize; 2]) -> Self {
         let range = |i: usize, to: usize, from: usize| {
             let start = i * from / to;
@@ -88,7 +90,8 @@ impl SkyImage {
         (self.row_elevation(y as f64).sin() - self.row_elevation(y as f64 + 1.0).sin()) * TAU / self.width as f64
     }
 
-    /// Unit vector (east, up, south) towards the point of the image `x` columns and `y` rows from the top left corner.
+    /// Unit vector (east, up, south) towards the point of the image `x` columns and `y` rows from its top left corner,
+    /// if its middle column shows the north.
     pub fn pixel_direction(&self, x: f64, y: f64) -> [f64; 3] {
         let (sin_a, cos_a) = (TAU * (x / self.width as f64 - 0.5)).sin_cos();
         let (sin_e, cos_e) = self.row_elevation(y).sin_cos();
@@ -96,7 +99,8 @@ impl SkyImage {
     }
 }
 
-/// Returns an error if an image of this size, pixels, has too few rows for a sky or is not twice as wide as high.
+/// Returns an error if an image of this size, pixels, has fewer than [`MIN_HEIGHT`] rows or is not about twice as wide
+/// as high, as an equirectangular sky is.
 pub(super) fn check_shape(width: usize, height: usize) -> Result<(), String> {
     if height < MIN_HEIGHT {
         return Err(format!("{width} x {height} pixels are too few for a sky: save it with {MIN_HEIGHT} rows or more"));
@@ -108,7 +112,7 @@ pub(super) fn check_shape(width: usize, height: usize) -> Result<(), String> {
     Ok(())
 }
 
-/// Relative luminance of a colour in linear sRGB.
+/// Relative luminance of a colour (red, green, blue) in linear sRGB, in the unit of the colour.
 pub(super) fn luminance<T: Into<f64>>(c: [T; 3]) -> f64 {
     let [r, g, b] = c.map(Into::into);
     0.2126 * r + 0.7152 * g + 0.0722 * b

@@ -7,11 +7,13 @@ use std::f64::consts::PI;
 const SEARCH_RADIUS: f64 = 6.0 * PI / 180.0;
 /// Inner radius of the ring in which the sky around the sun is measured, rad; the outer one is [`SEARCH_RADIUS`].
 const SKY_RING_INNER_RADIUS: f64 = 4.0 * PI / 180.0;
-/// A bright spot is the sun only if its luminance exceeds that of the sky around it by this factor or more.
+/// Smallest ratio of the luminance of a bright spot's brightest pixel to that of the sky around it for which the spot
+/// is taken as the sun.
 const MIN_SUN_CONTRAST: f64 = 15.0;
 /// Largest angular radius of a bright spot that is taken as the sun, rad. Bloom enlarges the sun in some files.
 const MAX_SUN_RADIUS: f64 = 3.0 * PI / 180.0;
-/// Smallest ratio of the light of the sun to that of the whole sky; a bright spot with less is a lamp or a reflection.
+/// Smallest ratio of the sun's light (luminance x solid angle) to that of the whole sky with it; a bright spot with
+/// less is taken as a lamp or a reflection.
 const MIN_SUN_LIGHT_RATIO: f64 = 0.02;
 /// Largest number of search cells (blocks of pixels) across 360 degrees of azimuth. The sun is looked for around the
 /// brightest cell, not the brightest pixel, because single pixels can be faulty.
@@ -31,7 +33,8 @@ pub struct Sun {
     pub irradiance: [f64; 3],
 }
 
-/// Finds the sun and replaces its pixels by the sky around it. Returns None and changes nothing if there is no sun.
+/// Finds the sun in the image and replaces its pixels by the sky around it. Returns None and changes nothing if the
+/// image shows no compact sun.
 pub(super) fn extract_sun(image: &mut SkyImage) -> Option<Sun> {
     let near = pixels_within(SEARCH_RADIUS, brightest_direction(image)?, image);
     // The median pixel of the ring stands for the sky behind the sun, despite clouds and glare.
@@ -77,7 +80,8 @@ pub(super) fn extract_sun(image: &mut SkyImage) -> Option<Sun> {
     })
 }
 
-/// Unit vector to the brightest search cell (block of pixels) above the horizon; None if the sky is black.
+/// Unit vector (east, up, south) to the search cell (block of pixels) above the horizon with the largest mean
+/// luminance; None if the sky is black.
 fn brightest_direction(image: &SkyImage) -> Option<[f64; 3]> {
     let SkyImage { width, height, ref pixels } = *image;
     let side = width.div_ceil(SEARCH_CELLS);

@@ -50,17 +50,17 @@ parameters! {
         /// Extinction coefficient of the fog below its top. The visibility in km is about 4 divided by this value: 1 is
         /// mist, 4 fog, 40 thick fog.
         fog_extinction_per_km: f64 = 0.0 => ("fog", "Fog", "1/km", number(0.0, 100.0), "none"),
-        /// Distance from the eye at which the fog begins.
+        /// Distance from the eye at which the fog begins; nearer air is clear.
         fog_start_m: f64 = 0.0 => ("fogstart", "Fog begins", "m", number(0.0, 10000.0)),
         /// Height over which the fog above its top thins to 1/e.
         fog_scale_height_m: f64 = 30.0 => ("fogfalloff", "Fog falls off", "m", logarithmic(1.0, 2000.0)),
-        /// Height of the fog's top above the water; below it the fog has its full density.
+        /// Height of the fog's top above the still water; below it the fog has its full density.
         fog_top_m: f64 = 20.0 => ("fogheight", "Fog top", "m", number(0.0, 2000.0)),
         /// Sky image from a file, which replaces the computed sky; `None` for the computed sky.
         file: Option<SkyFile> = None,
         /// Heading to which the middle column of a sky image points, clockwise from north.
         file_heading_deg: f64 = 0.0 => ("skyturn", "Turn the sky", "deg", Heading),
-        /// Brightness of a sky image, in stops; at 0 it lights the sea like a clear noon.
+        /// Brightness of a sky image, in stops: at 0 it lights the sea like a clear noon, +1 doubles the light.
         file_gain_ev: f64 = 0.0 => ("skygain", "Sky brightness", "EV", number(-8.0, 8.0)),
     }
 }
@@ -83,18 +83,21 @@ impl SkyLook {
         }
     }
 
-    /// Unit vector towards the sun that lights the sea: x east, y up, z south.
+    /// Unit vector towards the sun that lights the sea (x east, y up, z south): the sun of the sky image, if one is
+    /// loaded and shows a sun, else that of the parameters.
     pub fn sun_direction(&self) -> [f64; 3] {
         let [elevation, azimuth] = self.sun_elevation_azimuth_deg().map(f64::to_radians);
         [azimuth.sin() * elevation.cos(), elevation.sin(), -azimuth.cos() * elevation.cos()]
     }
 
-    /// Angular radius of the sun's disc, rad, from the parameters `sunsize` and `sundistance`.
+    /// Angular radius of the disc of the computed sun, rad, from the parameters `sunsize` and `sundistance`; the sun of
+    /// a sky image has its own radius.
     pub fn sun_radius_rad(&self) -> f64 {
         (0.5 * self.sun_size_deg.to_radians() / self.sun_distance_au).min(1.0)
     }
 
-    /// Takes over the image of `loaded`, an earlier sky file, if it has the name of the file in these parameters.
+    /// Sets the decoded image of the sky file that these parameters name to that of `loaded`, an earlier sky file, if
+    /// both have the same name. Changes nothing if the names differ or either file is None.
     pub fn adopt_loaded_image(&mut self, loaded: Option<&SkyFile>) {
         if let (Some(wanted), Some(loaded)) = (&mut self.file, loaded)
             && wanted.name == loaded.name

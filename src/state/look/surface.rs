@@ -70,7 +70,7 @@ choice_enum! {
     pub enum MicrofacetDistribution {
         /// Gaussian slopes (Beckmann's distribution), as Cox and Munk measured them at sea in 1954.
         Gaussian = "gaussian",
-        /// GGX, the distribution of Trowbridge and Reitz 1975, with longer tails than a Gaussian.
+        /// Slope distribution GGX of Trowbridge and Reitz 1975, with longer tails than a Gaussian.
         Ggx = "ggx",
         /// Blinn-Phong lobe with a shininess that the user sets.
         BlinnPhong = "blinn-phong",
@@ -107,7 +107,8 @@ parameters! {
         /// Grazing-angle cut-off of the sun glitter: it fades out where the cosine between the surface normal and the
         /// direction of the sun or the eye is below this value.
         glitter_min_cosine: f64 = 0.0 => ("glittercut", "Specular low cut-off", "", number(0.0, 1.0)),
-        /// Roughness r of the water beside the unresolved waves: adds r^4 / 2 to the slope variance along each axis.
+        /// Roughness r of the water in addition to the unresolved waves: adds r^4 / 2 to the slope variance along each
+        /// axis.
         roughness: f64 = 0.0 => ("roughness", "Water roughness", "", number(0.0, 1.0)),
     }
 }

@@ -21,7 +21,7 @@ enum Format {
 }
 
 impl Format {
-    /// Recognises the format of a file by its content. Text in no other format is read as a table.
+    /// Recognises the format of a file by its content. Text without an NDBC header line counts as a table.
     fn detect(file: &TextFile<'_>) -> Self {
         if ndbc::recognises(file) { Self::Ndbc } else { Self::Table }
     }

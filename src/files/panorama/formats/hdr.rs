@@ -6,7 +6,8 @@ use crate::files::panorama::sky_image::SkyImage;
 
 /// Longest header of a Radiance file, bytes.
 const MAX_HEADER_BYTES: usize = 64 * 1024;
-/// Image widths, pixels, whose rows may have runs in each channel; other rows have runs of whole pixels only.
+/// Image widths, pixels, for which a row may be run-length encoded channel by channel (red, green, blue, exponent); in
+/// rows of other widths only whole pixels can be repeated.
 const CHANNEL_RUN_WIDTHS: std::ops::Range<usize> = 8..0x8000;
 
 const UNENDED_HEADER_MESSAGE: &str = "its header does not end: save it again";
@@ -34,7 +35,8 @@ pub(super) fn decode(bytes: &[u8], max_size: [usize; 2]) -> Result<SkyImage, Str
     Ok(SkyImage { width, height, pixels })
 }
 
-/// Takes one RGBE pixel (three mantissas, exponent) off the front of `rest`, the unread part of the file.
+/// Takes one RGBE pixel (three mantissas, exponent) off the front of `rest`, the unread part of the file; an error at
+/// the end of the file.
 fn take_pixel(rest: &mut &[u8]) -> Result<[u8; 4], String> {
     let (pixel, after) = rest.split_first_chunk().ok_or(TOO_SHORT_MESSAGE)?;
     *rest = after;
@@ -107,8 +109,8 @@ fn read_channel(rest: &mut &[u8], row: &mut [[u8; 4]], channel: usize) -> Result
     Ok(())
 }
 
-/// Reads a row of RGBE pixels in the old encoding: (1, 1, 1, n) repeats the pixel before n times, and directly after
-/// another repetition n x 256 times.
+/// Reads a row of RGBE pixels in the old encoding, from `first`, its first pixel, on: (1, 1, 1, n) repeats the pixel
+/// before n times, and directly after another repetition n x 256 times.
 fn read_pixels(rest: &mut &[u8], first: [u8; 4], row: &mut [[u8; 4]]) -> Result<(), String> {
     let (mut at, mut shift) = (0_usize, 0);
     let mut next = first;

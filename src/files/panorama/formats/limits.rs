@@ -4,15 +4,16 @@ use crate::files::panorama::sky_image::check_shape;
 
 /// Largest sky image file that is read, bytes.
 pub const MAX_BYTES: usize = 512 << 20;
-/// Columns and rows above which a sky image is refused; fewer in a browser, which has less memory. Images of twice as
-/// many columns as rows may have one row more.
+/// Largest sky image that is read, [columns, rows]; a larger one is refused. A browser has less memory, so its limit is
+/// lower. The limit of the rows is half that of the columns + 1.
 pub(super) const MAX_IMAGE_SIZE: [usize; 2] =
     if cfg!(target_arch = "wasm32") { [11_586, 5_794] } else { [16_384, 8_193] };
 
 /// Reason in the error about a sky image file that is shorter than its header says.
 pub(super) const TOO_SHORT_MESSAGE: &str = "it ends too early: download or save it again";
 
-/// Returns an error if an image of this size (columns, rows) exceeds `max_size`, or has a wrong shape for a sky.
+/// Returns an error if a sky image of this size (columns, rows) exceeds `max_size`, has fewer than 8 rows or is not
+/// about twice as wide as high.
 pub(super) fn check_size(size: [usize; 2], max_size: [usize; 2]) -> Result<(), String> {
     check_within_limit(size, max_size)?;
     check_shape(size[0], size[1])

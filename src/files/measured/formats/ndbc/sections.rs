@@ -10,7 +10,8 @@ use std::str::SplitWhitespace;
 
 /// Largest number of sections (header lines) in one NDBC file.
 const MAX_SECTIONS: usize = 64;
-/// Largest number of records (lines) in all files together: a year of five quantities every ten minutes has 262 800.
+/// Largest number of records (lines with the values of one time) in all NDBC files that are read together; a year of
+/// five quantities every ten minutes has 262 800.
 pub(super) const MAX_RECORDS: usize = 400_000;
 
 /// Quantity that a section of an NDBC file holds: variance density or one of four directional parameters.
@@ -71,9 +72,10 @@ pub(super) struct Section<'a> {
     /// Quantity of the section; None where neither header, comment nor file name tells it.
     pub kind: Option<SectionKind>,
     has_minutes: bool,
-    /// Band frequencies in the header of an archive section, Hz; None in a realtime section.
+    /// Frequencies of the bands from the header of an archive section, Hz; None in a realtime section, whose records
+    /// give a frequency with each value.
     frequencies: Option<Vec<f64>>,
-    /// Whether the section has a value above 1.5, which shows that r1 or r2 is in hundredths.
+    /// Whether any value of the section is above 1.5. In a section of r1 or r2 this shows that they are in hundredths.
     has_large_value: bool,
     pub records: Vec<Record<'a>>,
 }
@@ -84,14 +86,15 @@ pub(super) struct Record<'a> {
     pub line: usize,
     /// Time such as `2026-11-21 06:00 UTC`; sorting these texts sorts the times.
     pub time: String,
-    /// Words of the line after the time, not yet parsed.
+    /// Words of the record's line after the time, not yet parsed.
     values: SplitWhitespace<'a>,
 }
 
 /// Frequency of a band in Hz, and the value of the band in the unit of the section, or None where it is missing.
 pub(super) type BandValue = (f64, Option<f64>);
 
-/// Parses a header line: whether it has minutes, and its column names after `YY MM DD hh [mm]`. None for other lines.
+/// Parses a header line, `YY MM DD hh [mm]` and column names. Returns whether it has minutes (mm), and the column
+/// names. None for a line that is no header.
 pub(super) fn column_names(line: &str) -> Option<(bool, SplitWhitespace<'_>)> {
     let is = |word: Option<&str>, label: &str| word.is_some_and(|word| word.eq_ignore_ascii_case(label));
     let mut words = line.trim_start_matches('#').split_whitespace();
@@ -104,8 +107,8 @@ pub(super) fn column_names(line: &str) -> Option<(bool, SplitWhitespace<'_>)> {
     Some((has_minutes, if has_minutes { after_minutes } else { words }))
 }
 
-/// Reads the sections of a file and checks the syntax of their records. Reduces `records_left` by one for each record;
-/// a record after it reaches 0 is an error.
+/// Reads the sections of an NDBC file and checks the syntax of their records. Reduces `records_left`, which all files
+/// share, by one for each record; a record after it reaches 0 is an error.
 pub(super) fn read_sections<'a>(file: &'a TextFile<'a>, records_left: &mut usize) -> Result<Vec<Section<'a>>, String> {
     let mut sections: Vec<Section<'a>> = Vec::new();
     let mut comment = None;
@@ -161,8 +164,8 @@ fn take_time(words: &mut SplitWhitespace<'_>, has_minutes: bool) -> Result<Strin
     Ok(format!("{year:04}-{month:02}-{day:02} {hour:02}:{minute:02} UTC"))
 }
 
-/// Parses the columns of a header. Returns the section kind of a realtime header or the band frequencies (Hz) of an
-/// archive header; the other one is None.
+/// Parses `columns`, the words of a header line after the time labels. Returns the section kind of a realtime header or
+/// the band frequencies (Hz) of an archive header; the other one is None.
 fn parse_header(
     columns: SplitWhitespace<'_>,
     file_name: &str,
@@ -202,19 +205,21 @@ impl Section<'_> {
         self.frequencies.is_some() && self.has_large_value && self.is_moment()
     }
 
-    /// Whether a value is a code for missing data: 999 or 9999, or 99 except for directions and realtime densities.
+    /// Whether the value `v` is a code for missing data in this section: 999 or 9999, and 99 except in sections of
+    /// angles and realtime sections of variance density.
     fn is_missing(&self, v: f64) -> bool {
         let missing_99 = self.is_moment() || !self.is_angle() && self.frequencies.is_some();
         v == 999.0 || v == 9999.0 || v == 99.0 && missing_99
     }
 
-    /// Parses the values of a record: frequency in Hz and value of each band.
+    /// Parses the values of a record of this section: frequency in Hz and value, None if missing, of each band.
     pub(super) fn band_values(&self, record: &Record<'_>) -> Result<Vec<BandValue>, String> {
         self.values(record.values.clone()).map_err(|what| self.file.line_error(record.line, what))
     }
 
-    /// Values of the bands of a directional record, angles in degrees or moments r1 and r2. With `hundredths`, archive
-    /// moments are multiplied by 0.01. A value outside of 0 to 360 degrees or 0 to 1.5 is an error.
+    /// Values of a record of a directional section, band by band: angles in degrees, or magnitudes r1 or r2. With
+    /// `hundredths`, magnitudes in archive sections are multiplied by 0.01. A value outside of 0 to 360 degrees or 0 to
+    /// 1.5 is an error.
     pub(super) fn directional_values(&self, record: &Record<'_>, hundredths: bool) -> Result<Vec<BandValue>, String> {
         let mut band_values = self.band_values(record)?;
         let scale = if !self.is_angle() && hundredths && self.frequencies.is_some() { 0.01 } else { 1.0 };
@@ -231,7 +236,7 @@ impl Section<'_> {
         Ok(band_values)
     }
 
-    /// Parses the words after the time of a record into the values of its bands.
+    /// Parses the words of a record after its time. Returns frequency (Hz) and value (None if missing) of each band.
     fn values(&self, mut words: SplitWhitespace<'_>) -> Result<Vec<BandValue>, String> {
         let value = |text: &str| match parse_number(text) {
             Some(v) => Ok(Some(v).filter(|&v| !self.is_missing(v))),
