@@ -5,7 +5,7 @@ use std::io::Cursor;
 
 /// Keyword of the PNG text chunk that holds the state string.
 const STATE_KEYWORD: &str = "seastate";
-/// Limit of the memory for the parts of a PNG before its pixels, which hold the state string, bytes.
+/// Largest memory that a PNG's parts before its pixels may take, bytes; one of these parts holds the state string.
 const MAX_DECODER_BYTES: usize = 4 * 1024 * 1024;
 
 /// Encodes a picture of `size` (width, height) from RGBA `pixels`, 8 bits each, as a PNG without alpha. Its text chunks

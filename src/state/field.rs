@@ -107,8 +107,8 @@ macro_rules! parameters {
 pub(super) use {choice_enum, parameters};
 
 choice_enum! {
-    /// Group of parameters: a section of the control panel and of docs/parameters.md, where they are in the order of
-    /// the variants. The words are the headings.
+    /// Group of parameters: a section of the control panel and of docs/parameters.md, in the order of the variants. The
+    /// word of a variant is the heading of its section.
     pub enum Group {
         /// Parameters of the first wave system: wind, spectrum and directional spreading.
         Sea = "Sea",

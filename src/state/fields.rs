@@ -46,7 +46,7 @@ pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
     parts.into_iter().flatten().collect()
 });
 
-/// Appends a number to the keys of parameters, as in `wind2` for the second wave system. The memory of the new keys is
+/// Appends `number` to the keys of parameters, as in `wind2` for the second wave system. The memory of the new keys is
 /// never freed, but they are made only once, for [`FIELDS`].
 fn number_keys(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
     for field in &mut fields {

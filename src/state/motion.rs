@@ -9,11 +9,10 @@ use glam::DVec3;
 const MIN_EYE_HEIGHT_M: f64 = 1.0;
 /// Largest height of the camera above the still water, m.
 const MAX_EYE_HEIGHT_M: f64 = 5000.0;
-/// Largest distance from the camera to the point that it orbits: this many times its height above the still water, +
-/// [`MAX_PIVOT_OFFSET_M`].
+/// The point that the camera orbits is at most this many times its height above the water + [`MAX_PIVOT_OFFSET_M`]
+/// away.
 const MAX_PIVOT_HEIGHTS: f64 = 12.0;
-/// Largest distance from the camera to the point that it orbits: this, m, + [`MAX_PIVOT_HEIGHTS`] times its height
-/// above the still water.
+/// The point that the camera orbits is at most this, m, + [`MAX_PIVOT_HEIGHTS`] times its height above the water away.
 const MAX_PIVOT_OFFSET_M: f64 = 30.0;
 
 /// A named camera view of the sea, which a button of the panel selects.
@@ -25,8 +24,8 @@ pub struct NamedView {
     camera: fn(&Params) -> Camera,
 }
 
-/// All named camera views. Each keeps the horizontal position and sets height, pitch and field of view; some also set
-/// the heading or the control mode.
+/// All named camera views. Each keeps the horizontal position, sets height, pitch and field of view, and some the
+/// heading or control mode.
 pub const CAMERA_VIEWS: &[NamedView] = &[
     NamedView {
         name: "Deck",

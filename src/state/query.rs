@@ -28,7 +28,8 @@ const FLOATS_KEY: &str = "afloat";
 pub struct ParsedState {
     /// Parameters; those that the string does not set have their defaults.
     pub params: Params,
-    /// Keys whose values were taken from the string, sorted; `measured`, `afloat` and `sky` are among them.
+    /// Keys, sorted, whose values were taken from the string, as written or clamped; besides those of [`FIELDS`],
+    /// `measured`, `afloat` and `sky` can occur.
     pub keys_set: Vec<&'static str>,
     /// Messages to the user, one for each value of the string that was ignored or changed.
     pub notices: Vec<String>,
@@ -55,8 +56,8 @@ pub fn read(text: &str) -> ParsedState {
     read_with(text, VERSION_STEPS)
 }
 
-/// Does the work of [`read`]. `steps` translate old versions of the state string to the newest: [`VERSION_STEPS`], or
-/// invented steps in tests.
+/// Does the work of [`read`]. `steps` translate old state strings to the newest version: [`VERSION_STEPS`], or others
+/// in tests.
 fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
     let mut reading = ParsedState::default();
     let mut query = query_part(text);

@@ -7,12 +7,13 @@ use super::params::Camera;
 /// whether the user has changed the view.
 pub type CameraPose = (Camera, Option<f64>);
 
-/// Returns the camera, and the simulated time in s if it is paused, else `None`.
+/// Returns what a view is compared by: the camera, and the simulated time in s if it is paused, else `None`.
 pub fn camera_pose(params: &Params) -> CameraPose {
     (params.camera.clone(), params.clock.paused.then_some(params.clock.t_s))
 }
 
-/// Copy of the parameters for a link: camera (m, degrees) and running time (s) to one decimal, a paused time to three.
+/// Copy of the parameters for a link, rounded: camera (m, degrees) and running time (s) to one decimal, a paused time
+/// to three decimals. All other parameters are unchanged.
 pub fn with_rounded_pose(params: &Params) -> Params {
     let mut p = params.clone();
     // The quotient of two whole numbers is the f64 nearest to the decimal fraction, so its text is short.

@@ -13,8 +13,7 @@ choice_enum! {
         /// Phillips' spectrum over wave vectors as used by Tessendorf 2001: its factor cos^2 of the angle to the wind
         /// replaces the directional spreading.
         Tessendorf = "tessendorf",
-        /// Spectrum A omega^-5 exp(-B omega^-4) of angular frequency omega, with the parameters `coefa` (A) and `coefb`
-        /// (B).
+        /// Spectrum A omega^-5 exp(-B omega^-4) of angular frequency omega, with the parameters `coefa` and `coefb`.
         GeneralisedAb = "ab",
         /// Spectrum of a fully developed sea, Pierson and Moskowitz 1964.
         PiersonMoskowitz = "pm",
@@ -64,7 +63,7 @@ choice_enum! {
 choice_enum! {
     /// Dispersion relation between angular frequency omega and wave number k.
     pub enum DispersionKind {
-        /// Dispersion relation omega^2 = g k of gravity waves in deep water, whatever the water depth is set to; g is
+        /// Dispersion relation omega^2 = g k of gravity waves in deep water, whatever the depth is set to; g is
         /// gravity.
         Deep = "deep",
         /// Dispersion relation omega^2 = g k tanh(k h) of gravity waves in water of depth h; g is gravity.
@@ -76,7 +75,7 @@ choice_enum! {
 }
 
 choice_enum! {
-    /// Formula for Kitaigorodskii's depth factor, by which the TMA spectrum limits waves in shallow water.
+    /// Formula for Kitaigorodskii's depth factor, 0 to 1, with which the TMA spectrum is multiplied in shallow water.
     pub enum DepthFactor {
         /// Depth factor tanh^2(kh) / (1 + 2kh / sinh 2kh) of linear theory, with wave number k and water depth h.
         Exact = "exact",
@@ -87,7 +86,7 @@ choice_enum! {
 }
 
 choice_enum! {
-    /// Rule that sets the foam threshold, the Jacobian of the displacement below which foam forms.
+    /// Rule that sets the foam threshold: foam forms where the Jacobian of the horizontal displacement is below it.
     pub enum WhitecapRule {
         /// Foam threshold at which the mean foam is the fraction of the sea that whitecaps cover in the wind, by
         /// Monahan and O'Muircheartaigh 1980.
@@ -223,7 +222,7 @@ impl Sea {
         &self.systems[0]
     }
 
-    /// Stores a buoy's spectrum and selects it as the frequency spectrum of the first wave system, the local wind sea.
+    /// Stores a buoy's spectrum and selects it as the frequency spectrum of the local wind sea (first wave system).
     pub fn set_measured_spectrum(&mut self, measured: MeasuredSpectrum) {
         self.measured = Some(Arc::new(measured));
         self.systems[0].spectrum = SpectrumKind::Measured;

@@ -14,14 +14,14 @@ pub enum DisplayedView {
     Surface(SurfaceView),
 }
 
-/// Map (texture) of the simulation that a false-colour view shows. In shaders/views/map.wgsl its number is 1 + its
+/// Map (texture) of the simulation that a false-colour view shows. In shaders/views/map.wgsl `view_kind` is 1 + its
 /// discriminant; 0 is the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapView {
-    /// Magnitude |h0(k)| of the wave amplitudes of one cascade at simulated time 0, over the wave vector k.
+    /// Magnitude |h0(k)| of the initial amplitudes of one cascade, from which h(k, t) follows: waves along wave vector
+    /// k.
     InitialSpectrum,
-    /// Wave amplitudes h(k, t) of one cascade over the wave vector k, at the present simulated time t: magnitude as
-    /// brightness, phase as hue.
+    /// Wave amplitudes h(k, t) of one cascade over the wave vector k, at the present simulated time t; phase as hue.
     Spectrum,
     /// Horizontal displacement of the surface to the east by one cascade, Dx, m, without the factor of choppiness.
     Dx,
@@ -35,10 +35,9 @@ pub enum MapView {
     SlopeX,
     /// Slope to the south, d eta/dz, of the elevation eta by one cascade (patch of sea with its own FFT).
     SlopeZ,
-    /// Derivative dDx/dx of the eastward displacement Dx to the east, of one cascade, without the factor of choppiness.
+    /// Derivative dDx/dx of the eastward displacement Dx to the east, of one cascade, without the choppiness.
     DxDx,
-    /// Derivative dDz/dz of the southward displacement Dz to the south, of one cascade, without the factor of
-    /// choppiness.
+    /// Derivative dDz/dz of the southward displacement Dz to the south, of one cascade, without the choppiness.
     DzDz,
     /// Squared slope to the east, (d eta/dx)^2 with the elevation eta, averaged over 2 x 2 texels.
     MomentXx,

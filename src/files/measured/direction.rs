@@ -12,18 +12,17 @@ pub struct Direction {
     /// Principal direction alpha2, the axis of the second harmonic of the distribution, degrees clockwise from north in
     /// [0, 360); alpha2 + 180 is equivalent.
     pub alpha2_deg: f64,
-    /// Magnitude r1 of the first directional moment: 0 if opposite directions balance, 1 if all energy has one
-    /// direction.
+    /// Magnitude r1 of the first directional moment: 0 if opposite directions balance, 1 for a single direction.
     pub r1: f64,
     /// Magnitude r2 of the second directional moment, 0 to 1; 1 if all energy lies along one axis, in either sense.
     pub r2: f64,
 }
 
 impl Direction {
-    /// Parameters of a distribution cos^{2s}(theta/2), theta from its mean direction `from_deg`, with the circular
-    /// spread sqrt(2 (1 - r1)); both arguments in degrees. With s = r1/(1 - r1), r2 = s (s - 1)/((s + 1)(s + 2)) = r1
-    /// (2 r1 - 1)/(2 - r1) (Longuet-Higgins, Cartwright and Smith 1963). Below s = 1, r2 is negative: the principal
-    /// direction is across the mean one.
+    /// Parameters of a distribution cos^{2s}(theta/2) with the mean direction `from_deg`, degrees, and the circular
+    /// spread sqrt(2 (1 - r1)), in degrees. With s = r1/(1 - r1), r2 = s (s - 1)/((s + 1)(s + 2)) = r1 (2 r1 - 1)/(2 -
+    /// r1) (Longuet-Higgins, Cartwright and Smith 1963). Below s = 1, r2 is negative: the principal direction is across
+    /// alpha1.
     pub fn from_spread(from_deg: f64, spread_deg: f64) -> Self {
         let r1 = (1.0 - 0.5 * spread_deg.to_radians().powi(2)).clamp(0.0, 1.0);
         let r2 = r1 * (2.0 * r1 - 1.0) / (2.0 - r1);
@@ -31,9 +30,9 @@ impl Direction {
         Self { alpha1_deg: from_deg, alpha2_deg, r1, r2: r2.abs() }
     }
 
-    /// Directional moments (re c1, im c1, re c2, im c2) of the distribution D: c_n = integral of D e^{i n theta} over
-    /// the direction theta = atan2(z, x) that waves travel TO (x east, z south). Waves from the angle A have theta = A
-    /// + pi/2.
+    /// Directional moments (re c1, im c1, re c2, im c2) of the distribution D: c_n = integral of D e^{i n theta}, theta
+    /// = atan2(z, x) the direction that waves travel TO (x east, z south). Waves from the angle A have theta = A +
+    /// pi/2.
     pub(super) fn moments(&self) -> [f64; 4] {
         let theta1 = self.alpha1_deg.to_radians() + 0.5 * PI;
         let theta2 = 2.0 * self.alpha2_deg.to_radians() + PI;
@@ -53,8 +52,8 @@ impl Direction {
     }
 }
 
-/// Fills gaps in `directions`, one for each of `bands` (frequency in Hz, variance density): a band without one takes
-/// that of the nearest band. Returns None and adds a notice if less than a third of the bands has a direction.
+/// Fills gaps in `directions`, one for each of `bands` (frequency in Hz, variance density), from the nearest band that
+/// has a direction. Returns None and adds a notice if less than a third of the bands has one.
 pub(super) fn fill_missing(
     bands: &[(f64, f64)],
     directions: &[Option<Direction>],

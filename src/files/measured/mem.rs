@@ -23,8 +23,7 @@ pub struct MaximumEntropy {
 }
 
 impl MaximumEntropy {
-    /// Makes the distribution with the moments (re c1, im c1, re c2, im c2), where c_n is the integral of D e^{i n
-    /// theta} over all directions theta.
+    /// Makes the distribution with the moments (re c1, im c1, re c2, im c2), c_n = integral of D(theta) e^{i n theta}.
     ///
     /// The distribution has exactly these moments if |c1| <= 0.995 and |c2 - c1^2| <= 0.995 (1 - |c1|^2). Otherwise c1
     /// is shortened and c2 moved towards c1^2 until both conditions hold. With 1 in place of 0.995 they hold for any
@@ -40,7 +39,7 @@ impl MaximumEntropy {
         Self { phi1, phi2, norm: free * (1.0 - phi2.length_squared()) / TAU }
     }
 
-    /// First moment c1 of the distribution, the integral of D e^{i theta}, as (re, im).
+    /// First moment c1 of the distribution as it is (after any shortening), the integral of D e^{i theta}, as (re, im).
     pub fn first_moment(&self) -> [f64; 2] {
         // The equation phi1 = c1 - phi2 c1*, solved for c1.
         let c1 = (self.phi1 + self.phi2.rotate(conjugate(self.phi1))) / (1.0 - self.phi2.length_squared());

@@ -100,13 +100,14 @@ impl MeasuredSpectrum {
         low.into_iter().chain(self.bands.iter().map(|b| b.0)).map(|f| TAU * f).collect()
     }
 
-    /// Variance of the measured bands, m^2: the exact integral of [`MeasuredSpectrum::density`] up to the last band.
+    /// Variance of the surface elevation in the measured bands, m^2: the exact integral of
+    /// [`MeasuredSpectrum::density`] over frequency up to the last band.
     pub fn m0_m2(&self) -> f64 {
         let foot = 0.5 * (self.bands[0].0 - self.low_hz()) * self.bands[0].1;
         foot + self.bands.windows(2).map(|w| 0.5 * (w[1].0 - w[0].0) * (w[0].1 + w[1].1)).sum::<f64>()
     }
 
-    /// Significant wave height of the measured bands, m: 4 sqrt(m0) with the variance m0.
+    /// Significant wave height of the measured bands, m: 4 sqrt(m0), where m0 is the variance of the elevation.
     pub fn hs_m(&self) -> f64 {
         4.0 * self.m0_m2().sqrt()
     }
@@ -137,8 +138,7 @@ impl MeasuredSpectrum {
         Some(std::array::from_fn(|n| a[n] + t * (b[n] - a[n])))
     }
 
-    /// Frequency below the first band at which the variance density, extrapolated by a straight line, reaches 0, Hz; at
-    /// least 0.
+    /// Frequency below the first band at which the linearly extrapolated variance density reaches 0, Hz; at least 0.
     fn low_hz(&self) -> f64 {
         (2.0 * self.bands[0].0 - self.bands[1].0).max(0.0)
     }
@@ -172,8 +172,7 @@ pub(super) fn checked_frequency(f: f64, before: Option<f64>) -> Result<f64, Stri
     }
 }
 
-/// Returns the variance density `s` of a band, m^2/Hz, rounded to four significant digits; an error if it is negative
-/// or not below [`MAX_DENSITY`].
+/// Returns a variance density, m^2/Hz, rounded to four significant digits; an error unless within 0 to [`MAX_DENSITY`].
 pub(super) fn checked_density(s: f64) -> Result<f64, String> {
     let kept = round_to_four_digits(s);
     if s >= 0.0 && kept < MAX_DENSITY {

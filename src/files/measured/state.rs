@@ -10,8 +10,7 @@ pub const MAX_TEXT_BYTES: usize = 16 * 1024;
 
 impl MeasuredSpectrum {
     /// Writes the spectrum as text for a link, band by band: `f*S_f*S_...`, or with directions
-    /// `f*S*alpha1*alpha2*r1*r2_...`, with f in Hz, S in m^2/Hz and angles in degrees; about 1.6 kB for 47 directional
-    /// bands.
+    /// `f*S*alpha1*alpha2*r1*r2_...`, f in Hz, S in m^2/Hz, angles in degrees; about 1.6 kB for 47 directional bands.
     pub fn to_state(&self) -> String {
         let band = |(i, (f, s)): (usize, &(f64, f64))| {
             let mut fields = vec![*f, *s];
@@ -23,8 +22,7 @@ impl MeasuredSpectrum {
         self.bands().iter().enumerate().map(band).collect::<Vec<_>>().join("_")
     }
 
-    /// Reads a measured spectrum from the text that [`MeasuredSpectrum::to_state`] writes, such as
-    /// `.05*1.2_.06*2.5_.07*1`.
+    /// Reads a measured spectrum from the text that [`MeasuredSpectrum::to_state`] writes, such as `.05*1_.06*2_.07*1`.
     ///
     /// # Errors
     /// One sentence that says what is wrong and in which band.

@@ -41,12 +41,12 @@ impl<'a> TextFile<'a> {
         Err(format!("{name}: {reason}"))
     }
 
-    /// Makes an error message about a line of this file, with the file's name; lines are counted from 1.
+    /// Makes an error message of this file's name, the line number `line` (counted from 1) and `what` is wrong there.
     pub fn line_error(&self, line: usize, what: impl Display) -> String {
         format!("{}, line {line}: {what}", self.name)
     }
 
-    /// Makes an error message about this file as a whole, with its name.
+    /// Makes an error message of this file's name and `what` is wrong with the file as a whole.
     pub fn file_error(&self, what: impl Display) -> String {
         format!("{}: {what}", self.name)
     }
@@ -63,7 +63,7 @@ pub(super) fn parse_number(text: &str) -> Option<f64> {
     text.bytes().all(plain).then(|| text.parse().ok()).flatten().filter(|v: &f64| v.is_finite())
 }
 
-/// Formats a number for a message, with an exponent if it is very large or very small.
+/// Formats a number for a message, with an exponent if its magnitude is below 1e-6 or from 1e9 on.
 pub(super) fn display_number(v: f64) -> String {
     if v == 0.0 || (1e-6..1e9).contains(&v.abs()) { v.to_string() } else { format!("{v:e}") }
 }

@@ -15,32 +15,34 @@ pub use sun::Sun;
 
 use sky_image::{SkyImage, check_shape, luminance};
 
-/// Largest width of a sky image that is kept, pixels; a wider image is reduced by a whole-number factor.
+/// Largest width of a sky image that is kept, pixels; a wider image is reduced by the smallest sufficient whole number.
 const MAX_WIDTH: usize = 8192;
 /// Columns and rows of [`Panorama::sunless`], the small image without the sun.
 pub const SUNLESS_SIZE: [usize; 2] = [512, 256];
-/// Horizontal irradiance to which every sky image is scaled, that of a clear noon; the unit of 1 is 6400 lux.
+/// Irradiance of a horizontal surface by sun and sky to which every sky image is scaled, that of a clear noon; the unit
+/// is 6400 lux.
 const NOON_IRRADIANCE: f64 = 16.0;
 
-/// A sky from an image file. Light is in the renderer's unit, in which an irradiance of 1 is 6400 lux.
+/// A sky from an image file, with its sun. Light is in the renderer's unit, in which an irradiance of 1 is 6400 lux.
 #[derive(Clone, Debug)]
 pub struct Panorama {
-    /// Width of the image, pixels.
+    /// Width of the finest mip level, pixels.
     pub width: usize,
-    /// Height of the image, pixels.
+    /// Height of the finest mip level, pixels.
     pub height: usize,
-    /// Mip levels of the image in linear sRGB as RGB9E5, row by row from the zenith. Sizes are halved and rounded down.
+    /// Mip levels of the image with the sun, finest first: linear sRGB packed as RGB9E5, row by row from the zenith.
+    /// Sizes are halved and rounded down.
     pub mips: Vec<Vec<u32>>,
     /// Small copy of the image without the sun, [`SUNLESS_SIZE`] pixels in linear sRGB, which the environment map is
     /// made from.
     pub sunless: Vec<[f32; 3]>,
-    /// Sun in the image; None if the image shows no compact sun.
+    /// Sun that was found in the image; None if the image shows no compact sun.
     pub sun: Option<Sun>,
-    /// Irradiance (red, green, blue) of a horizontal surface by the sky without the sun.
+    /// Irradiance (red, green, blue) of a horizontal surface by the sky without the sun, in units of 6400 lux.
     pub irradiance: [f64; 3],
-    /// Factor by which light in the file was multiplied, so that an irradiance of 1 is 6400 lux.
+    /// Factor by which the light in the file was multiplied to give it the irradiance of a clear noon.
     pub gain: f64,
-    /// Messages about what was corrected, reduced or not found in the image.
+    /// Messages to the user about what was corrected, reduced or not found in the image.
     pub notices: Vec<String>,
 }
 
@@ -95,7 +97,7 @@ impl Panorama {
     }
 }
 
-/// Makes all mip levels of an image down to a height of one row, packed as RGB9E5.
+/// Makes all mip levels of an image, from its own size down to one row, packed as RGB9E5.
 fn mips(mut level: SkyImage) -> Vec<Vec<u32>> {
     let mut levels = Vec::new();
     loop {

@@ -5,8 +5,7 @@ use std::f64::consts::{PI, TAU};
 /// Smallest number of rows of an image that is accepted as a sky.
 const MIN_HEIGHT: usize = 8;
 
-/// An equirectangular image in linear light. Columns go clockwise from the south through west, with north in the
-/// middle.
+/// An equirectangular image in linear light. Columns go from south through west, north (in the middle) and east.
 #[derive(Clone, Debug)]
 pub(super) struct SkyImage {
     pub width: usize,
@@ -43,8 +42,7 @@ impl SkyImage {
         self.resampled_part([self.width, self.height], size)
     }
 
-    /// Resamples the upper left part of the image, `part` columns and rows, to `width` columns and `height` rows, each
-    /// new pixel the mean of those that it covers.
+    /// Resamples the upper left part of the image, `part` columns and rows, to `width` columns and `height` rows.
     fn resampled_part(&self, part: [usize; 2], [width, height]: [usize; 2]) -> Self {
         let range = |i: usize, to: usize, from: usize| {
             let start = i * from / to;
@@ -99,8 +97,8 @@ impl SkyImage {
     }
 }
 
-/// Returns an error if an image of this size, pixels, has fewer than [`MIN_HEIGHT`] rows or is not about twice as wide
-/// as high, as an equirectangular sky is.
+/// Returns an error if an image of this size, pixels, has less than [`MIN_HEIGHT`] rows or is not about twice as wide
+/// as high.
 pub(super) fn check_shape(width: usize, height: usize) -> Result<(), String> {
     if height < MIN_HEIGHT {
         return Err(format!("{width} x {height} pixels are too few for a sky: save it with {MIN_HEIGHT} rows or more"));

@@ -13,7 +13,7 @@ const MIN_SUN_CONTRAST: f64 = 15.0;
 /// Largest angular radius of a bright spot that is taken as the sun, rad. Bloom enlarges the sun in some files.
 const MAX_SUN_RADIUS: f64 = 3.0 * PI / 180.0;
 /// Smallest ratio of the sun's light (luminance x solid angle) to that of the whole sky with it; a bright spot with
-/// less is taken as a lamp or a reflection.
+/// less is a lamp or a reflection.
 const MIN_SUN_LIGHT_RATIO: f64 = 0.02;
 /// Largest number of search cells (blocks of pixels) across 360 degrees of azimuth. The sun is looked for around the
 /// brightest cell, not the brightest pixel, because single pixels can be faulty.
@@ -33,8 +33,8 @@ pub struct Sun {
     pub irradiance: [f64; 3],
 }
 
-/// Finds the sun in the image and replaces its pixels by the sky around it. Returns None and changes nothing if the
-/// image shows no compact sun.
+/// Finds the sun in the image and replaces its pixels by the sky around it. None if no sun is found; nothing then
+/// changes.
 pub(super) fn extract_sun(image: &mut SkyImage) -> Option<Sun> {
     let near = pixels_within(SEARCH_RADIUS, brightest_direction(image)?, image);
     // The median pixel of the ring stands for the sky behind the sun, despite clouds and glare.

@@ -90,8 +90,8 @@ impl SkyLook {
         [azimuth.sin() * elevation.cos(), elevation.sin(), -azimuth.cos() * elevation.cos()]
     }
 
-    /// Angular radius of the disc of the computed sun, rad, from the parameters `sunsize` and `sundistance`; the sun of
-    /// a sky image has its own radius.
+    /// Angular radius of the computed sun (not that of a sky image), rad, from the parameters `sunsize` and
+    /// `sundistance`.
     pub fn sun_radius_rad(&self) -> f64 {
         (0.5 * self.sun_size_deg.to_radians() / self.sun_distance_au).min(1.0)
     }

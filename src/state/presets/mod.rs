@@ -18,11 +18,11 @@ mod tests;
 
 /// Largest preset file that is read, bytes; the rest is ignored with a notice.
 pub const MAX_FILE_BYTES: usize = 1024 * 1024;
-/// Largest number of presets in a file.
+/// Largest number of presets that are read from a file; more are ignored with a notice.
 pub const MAX_PRESETS: usize = 200;
-/// Longest name of a preset, characters.
+/// Longest name of a preset, characters; a longer one is cut.
 pub const MAX_NAME_CHARS: usize = 60;
-/// Longest `about` or `source` text of a preset, characters.
+/// Longest `about` or `source` text of a preset, characters; a longer one is cut.
 pub const MAX_DESCRIPTION_CHARS: usize = 1000;
 /// Key of the random seed, which a preset does not reset: it only chooses among seas of the same statistics.
 const SEED_KEY: &str = "seed";
@@ -32,15 +32,15 @@ const SEED_KEY: &str = "seed";
 pub struct Preset {
     /// Name of the sea, at most [`MAX_NAME_CHARS`] characters.
     pub name: String,
-    /// Description of the sea, with typical wave heights and periods.
+    /// Description of the sea for the user, with typical wave heights and periods.
     pub about: String,
     /// Source of the numbers, such as a paper.
     pub source: String,
-    /// State string of the sea; empty for the default sea.
+    /// State string of the sea, such as `wind=14&fetch=300`; empty for the default sea.
     pub state: String,
 }
 
-/// What happens to a parameter when a preset is applied.
+/// What happens to a parameter when the user chooses a preset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum ApplyRule {
     /// Parameters of wind, waves, water or foam: always set, to the default where the preset does not name them.
@@ -75,8 +75,8 @@ pub fn is_preset_file(text: &str) -> bool {
 }
 
 impl Preset {
-    /// Makes a preset with the waves and the light of `params`, without a description. Camera, time, resolution, views
-    /// and default values are left out, so a sea in default light sets no light.
+    /// Makes a preset `name` of the waves and the light of `params`, without a description. Camera, time, resolution,
+    /// views and default values are left out, so a sea in default light sets no light.
     pub fn from_params(name: &str, params: &Params) -> Self {
         let mut carried = Params::default();
         for field in FIELDS.iter().filter(|f| matches!(apply_rule(f.group), ApplyRule::Sea | ApplyRule::Light)) {
@@ -127,8 +127,8 @@ impl Preset {
         (next, notices)
     }
 
-    /// Removes control characters and surrounding white space, and cuts texts to their largest length. Writing and
-    /// reading leaves the result unchanged.
+    /// Removes control characters and surrounding white space from all texts, and cuts all but the state string to
+    /// their largest length. Writing and reading the result leaves it unchanged.
     #[must_use]
     fn sanitised(self) -> Self {
         Self {
@@ -144,7 +144,7 @@ fn copy_field(field: &Field, from: &Params, to: &mut Params) {
     (field.set)(to, (field.get)(from));
 }
 
-/// Adds the presets `new` to the list `to`. A preset replaces the one of the same name.
+/// Adds the presets `new` to the end of the list `to`. A preset replaces the one of the same name at its place.
 ///
 /// # Errors
 /// One sentence if the list would exceed the limits of a file; the list is then unchanged.
@@ -164,7 +164,7 @@ pub fn add(to: &mut Vec<Preset>, new: Vec<Preset>) -> Result<(), String> {
     Ok(())
 }
 
-/// Writes presets in the file format of [`read`], without control characters; presets without a name are left out.
+/// Writes presets as the text of a preset file, which [`read`] reads; presets without a name are left out.
 pub fn write(presets: &[Preset]) -> String {
     let mut out = String::new();
     for preset in presets {
@@ -189,7 +189,7 @@ pub fn write(presets: &[Preset]) -> String {
 struct PresetBuilder {
     preset: Preset,
     has_state: bool,
-    /// Notice of the first fault in the lines of the preset.
+    /// Message to the user about the first fault in the lines of the preset; None if there is none.
     fault: Option<String>,
 }
 
@@ -224,7 +224,8 @@ impl PresetBuilder {
         to.push_str(value);
     }
 
-    /// Returns the preset, `None` if it has no name or no state string, and a message about its first fault, if any.
+    /// Returns the preset, or None if it has no name or no state string or too long a one, and a message to the user
+    /// about its first fault, if any.
     fn finish(self) -> (Option<Preset>, Option<String>) {
         let preset = self.preset.sanitised();
         let name = &preset.name;
@@ -242,8 +243,9 @@ impl PresetBuilder {
     }
 }
 
-/// Reads a preset file: the presets in their order, and one notice for each that was not taken as written. A preset
-/// replaces an earlier one of the same name. State strings are not checked here; [`Preset::apply`] notes faults.
+/// Reads the text of a preset file: the presets in their order, and one notice for each that was not taken as written.
+/// A preset replaces an earlier one of the same name. State strings are not checked here; [`Preset::apply`] notes
+/// faults.
 pub fn read(text: &str) -> (Vec<Preset>, Vec<String>) {
     let mut presets: Vec<Preset> = Vec::new();
     let mut notices = Vec::new();

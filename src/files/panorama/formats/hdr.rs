@@ -35,15 +35,15 @@ pub(super) fn decode(bytes: &[u8], max_size: [usize; 2]) -> Result<SkyImage, Str
     Ok(SkyImage { width, height, pixels })
 }
 
-/// Takes one RGBE pixel (three mantissas, exponent) off the front of `rest`, the unread part of the file; an error at
-/// the end of the file.
+/// Takes one RGBE pixel (three mantissas, exponent) off the front of `rest`, what is unread of the file; an error at
+/// its end.
 fn take_pixel(rest: &mut &[u8]) -> Result<[u8; 4], String> {
     let (pixel, after) = rest.split_first_chunk().ok_or(TOO_SHORT_MESSAGE)?;
     *rest = after;
     Ok(*pixel)
 }
 
-/// Takes one header line off the front of `rest`, the unread part of the file.
+/// Takes one header line, without its line end, off the front of `rest`, the unread part of the file.
 fn take_line<'a>(rest: &mut &'a [u8]) -> Result<&'a [u8], String> {
     let end = rest.iter().take(MAX_HEADER_BYTES).position(|b| *b == b'\n').ok_or(UNENDED_HEADER_MESSAGE)?;
     let line = &rest.split_off(..=end).ok_or(UNENDED_HEADER_MESSAGE)?[..end];
@@ -132,7 +132,7 @@ fn read_pixels(rest: &mut &[u8], first: [u8; 4], row: &mut [[u8; 4]]) -> Result<
     }
 }
 
-/// Converts an RGBE pixel to linear red, green and blue: mantissa / 256 x 2^(exponent - 128).
+/// Converts an RGBE pixel to linear red, green and blue: mantissa / 256 x 2^(exponent - 128); black if exponent is 0.
 fn rgbe_to_linear([r, g, b, exponent]: [u8; 4]) -> [f32; 3] {
     let unit = if exponent == 0 { 0.0 } else { 2f32.powi(i32::from(exponent) - 136) };
     [r, g, b].map(|mantissa| f32::from(mantissa) * unit)

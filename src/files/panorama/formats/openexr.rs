@@ -12,7 +12,7 @@ use std::result::Result;
 
 /// Largest block of pixels in an OpenEXR file that is read, bytes; the decoder holds a whole block in memory.
 const MAX_BLOCK_BYTES: usize = 256 << 20;
-/// Number of pixels below which an image is decoded on the calling thread alone.
+/// Number of pixels of an OpenEXR image from which on several threads decode it.
 const MIN_PIXELS_FOR_PARALLEL: usize = 1 << 20;
 
 /// Whether a file begins with the magic number of OpenEXR.
@@ -63,7 +63,8 @@ pub(super) fn decode(bytes: &[u8], max_size: [usize; 2]) -> Result<SkyImage, Str
     Ok(SkyImage { width, height, pixels: image.layer_data.channel_data.pixels })
 }
 
-/// Checks the image and block sizes in the header of a layer against the limits and the length of the file.
+/// Checks the sizes of image and blocks in the header of a layer against the limits and `file_bytes`, the file's
+/// length.
 fn check_header(header: &Header, file_bytes: usize, max_size: [usize; 2]) -> Result<(), String> {
     // The data may reach beyond the image, so both sizes are checked.
     for size in [header.layer_size, header.shared_attributes.display_window.size] {

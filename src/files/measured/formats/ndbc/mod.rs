@@ -54,8 +54,8 @@ fn assign_unknown_kind(sections: &mut [Section<'_>], notices: &mut Vec<String>) 
     Ok(())
 }
 
-/// Finds the record of a section kind (quantity) and time, with its section. A second such record is an error: it is
-/// from another buoy, or the kind of its file was guessed wrongly.
+/// Finds the record of a section kind (quantity) and time, and its section; None if there is none. A second such record
+/// is an error: it is from another buoy, or the kind of its file was guessed wrongly.
 fn record_at<'s, 'a>(
     sections: &'s [Section<'a>],
     kind: SectionKind,
@@ -105,8 +105,8 @@ fn newest_density<'s, 'a>(
     Err("no record has a complete variance density with waves in it: choose other files of the buoy".into())
 }
 
-/// Directional parameters of the bands of variance density at a given time. Returns None if one of the four parameters
-/// has no record at this time, or too few bands have all four.
+/// Directional parameters of each of `bands` (the variance density) at a given time. Returns None if one of the four
+/// parameters has no record at this time, or too few bands have all four.
 fn directions(
     sections: &[Section<'_>],
     time: &str,

@@ -72,8 +72,8 @@ pub(super) struct Section<'a> {
     /// Quantity of the section; None where neither header, comment nor file name tells it.
     pub kind: Option<SectionKind>,
     has_minutes: bool,
-    /// Frequencies of the bands from the header of an archive section, Hz; None in a realtime section, whose records
-    /// give a frequency with each value.
+    /// Frequencies of the bands from the header of an archive section, Hz; None in a realtime section, where each
+    /// record gives them.
     frequencies: Option<Vec<f64>>,
     /// Whether any value of the section is above 1.5. In a section of r1 or r2 this shows that they are in hundredths.
     has_large_value: bool,
@@ -218,8 +218,7 @@ impl Section<'_> {
     }
 
     /// Values of a record of a directional section, band by band: angles in degrees, or magnitudes r1 or r2. With
-    /// `hundredths`, magnitudes in archive sections are multiplied by 0.01. A value outside of 0 to 360 degrees or 0 to
-    /// 1.5 is an error.
+    /// `hundredths`, archive magnitudes are multiplied by 0.01. Outside of 0 to 360 degrees or 0 to 1.5 is an error.
     pub(super) fn directional_values(&self, record: &Record<'_>, hundredths: bool) -> Result<Vec<BandValue>, String> {
         let mut band_values = self.band_values(record)?;
         let scale = if !self.is_angle() && hundredths && self.frequencies.is_some() { 0.01 } else { 1.0 };
