@@ -25,8 +25,8 @@ pub struct View {
 }
 
 impl View {
-    /// Makes the view of a camera for a picture with `aspect` = width / height. An eye whose height in the world (y) is
-    /// below `min_eye_height_m`, m, is raised to it, as by a wave.
+    /// Makes the view of a camera for a picture with `aspect` = width / height. An eye whose height y is below
+    /// `min_eye_height_m`, m, is raised to it.
     pub fn new(camera: &Camera, aspect: f64, min_eye_height_m: f64) -> Self {
         let (heading, pitch) = (camera.heading_deg.to_radians(), camera.pitch_deg.to_radians());
         let forward = DVec3::new(heading.sin() * pitch.cos(), pitch.sin(), -heading.cos() * pitch.cos());

@@ -9,10 +9,10 @@ use glam::DVec3;
 const MIN_EYE_HEIGHT_M: f64 = 1.0;
 /// Largest height of the camera above the still water, m.
 const MAX_EYE_HEIGHT_M: f64 = 5000.0;
-/// The point that the camera orbits is at most this many times its height above the water + [`MAX_PIVOT_OFFSET_M`]
-/// away.
+/// Largest distance from the camera to the point that it orbits, in heights of the camera above the still water;
+/// [`MAX_PIVOT_OFFSET_M`] is added.
 const MAX_PIVOT_HEIGHTS: f64 = 12.0;
-/// The point that the camera orbits is at most this, m, + [`MAX_PIVOT_HEIGHTS`] times its height above the water away.
+/// Distance, m, that is added to [`MAX_PIVOT_HEIGHTS`] camera heights in the limit of the orbit's radius.
 const MAX_PIVOT_OFFSET_M: f64 = 30.0;
 
 /// A named camera view of the sea, which a button of the panel selects.

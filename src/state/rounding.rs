@@ -7,7 +7,7 @@ use super::params::Camera;
 /// whether the user has changed the view.
 pub type CameraPose = (Camera, Option<f64>);
 
-/// Returns what a view is compared by: the camera, and the simulated time in s if it is paused, else `None`.
+/// Returns the camera, and the simulated time in s if it is paused, else `None`; the result changes with the view.
 pub fn camera_pose(params: &Params) -> CameraPose {
     (params.camera.clone(), params.clock.paused.then_some(params.clock.t_s))
 }

@@ -63,13 +63,12 @@ choice_enum! {
 choice_enum! {
     /// Dispersion relation between angular frequency omega and wave number k.
     pub enum DispersionKind {
-        /// Dispersion relation omega^2 = g k of gravity waves in deep water, whatever the depth is set to; g is
-        /// gravity.
+        /// Dispersion relation omega^2 = g k (g: gravity) of waves in deep water, whatever the depth is set to.
         Deep = "deep",
-        /// Dispersion relation omega^2 = g k tanh(k h) of gravity waves in water of depth h; g is gravity.
+        /// Dispersion relation omega^2 = g k tanh(k h) of waves in water of depth h; g is gravity.
         Finite = "finite",
-        /// Gravity-capillary waves in water of depth h, with surface tension sigma, density rho and gravity g: omega^2
-        /// = (g k + sigma/rho k^3) tanh(k h).
+        /// Dispersion relation omega^2 = (g k + sigma/rho k^3) tanh(k h) of gravity-capillary waves in water of depth
+        /// h, with surface tension sigma, density rho and gravity g.
         Capillary = "capillary",
     }
 }

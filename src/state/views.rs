@@ -18,10 +18,9 @@ pub enum DisplayedView {
 /// discriminant; 0 is the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapView {
-    /// Magnitude |h0(k)| of the initial amplitudes of one cascade, from which h(k, t) follows: waves along wave vector
-    /// k.
+    /// Magnitude |h0(k)| of the amplitude, at time 0, of the waves of one cascade that travel along wave vector k.
     InitialSpectrum,
-    /// Wave amplitudes h(k, t) of one cascade over the wave vector k, at the present simulated time t; phase as hue.
+    /// Amplitudes h(k, t) of one cascade's waves at the present time t: magnitude as brightness, phase as hue.
     Spectrum,
     /// Horizontal displacement of the surface to the east by one cascade, Dx, m, without the factor of choppiness.
     Dx,

@@ -30,9 +30,9 @@ impl Direction {
         Self { alpha1_deg: from_deg, alpha2_deg, r1, r2: r2.abs() }
     }
 
-    /// Directional moments (re c1, im c1, re c2, im c2) of the distribution D: c_n = integral of D e^{i n theta}, theta
-    /// = atan2(z, x) the direction that waves travel TO (x east, z south). Waves from the angle A have theta = A +
-    /// pi/2.
+    /// Directional moments (re c1, im c1, re c2, im c2) of the distribution D: c_n is the integral of D e^{i n theta},
+    /// where theta is the direction that waves travel TO, atan2(z, x) with x east, z south. Waves that come from the
+    /// angle A have theta = A + pi/2.
     pub(super) fn moments(&self) -> [f64; 4] {
         let theta1 = self.alpha1_deg.to_radians() + 0.5 * PI;
         let theta2 = 2.0 * self.alpha2_deg.to_radians() + PI;

@@ -50,7 +50,7 @@ parameters! {
         /// Extinction coefficient of the fog below its top. The visibility in km is about 4 divided by this value: 1 is
         /// mist, 4 fog, 40 thick fog.
         fog_extinction_per_km: f64 = 0.0 => ("fog", "Fog", "1/km", number(0.0, 100.0), "none"),
-        /// Distance from the eye at which the fog begins; nearer air is clear.
+        /// Distance from the eye at which the fog begins; nearer air has no fog.
         fog_start_m: f64 = 0.0 => ("fogstart", "Fog begins", "m", number(0.0, 10000.0)),
         /// Height over which the fog above its top thins to 1/e.
         fog_scale_height_m: f64 = 30.0 => ("fogfalloff", "Fog falls off", "m", logarithmic(1.0, 2000.0)),

@@ -4,8 +4,8 @@ use crate::files::panorama::sky_image::check_shape;
 
 /// Largest sky image file that is read, bytes.
 pub const MAX_BYTES: usize = 512 << 20;
-/// Largest sky image that is read, [columns, rows]; a larger one is refused. A browser has less memory, so its limit is
-/// lower. The limit of the rows is half that of the columns + 1.
+/// Largest sky image that is read, [columns, rows]; one with more columns or rows is refused. The limit is lower in a
+/// browser, which has less memory. It allows one row more than half the columns.
 pub(super) const MAX_IMAGE_SIZE: [usize; 2] =
     if cfg!(target_arch = "wasm32") { [11_586, 5_794] } else { [16_384, 8_193] };
 

@@ -12,7 +12,7 @@ use std::result::Result;
 
 /// Largest block of pixels in an OpenEXR file that is read, bytes; the decoder holds a whole block in memory.
 const MAX_BLOCK_BYTES: usize = 256 << 20;
-/// Number of pixels of an OpenEXR image from which on several threads decode it.
+/// Smallest number of pixels of an OpenEXR image that is decoded on several threads; a smaller one on one.
 const MIN_PIXELS_FOR_PARALLEL: usize = 1 << 20;
 
 /// Whether a file begins with the magic number of OpenEXR.
