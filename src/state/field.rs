@@ -262,12 +262,13 @@ pub struct FieldDescription<P> {
     pub set: Box<dyn Fn(&mut P, f64) + Send + Sync>,
 }
 
-/// What happens to a parameter value that is not allowed: it is ignored, or clamped to the allowed range.
+/// What happens to a parameter value that is not allowed: it is ignored, or the nearest allowed value is taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum InvalidValue {
     /// The value has no meaning for the parameter, such as an unknown word; the parameter is not changed.
     Ignored,
-    /// The value is outside the allowed range; the nearest allowed value, given here, is taken instead.
+    /// The value is out of range, or a fraction where a whole number is needed; the nearest allowed value, given here,
+    /// is taken.
     Clamped(f64),
 }
 

@@ -31,7 +31,8 @@ pub struct ParsedState {
     /// Keys, sorted, whose values were taken from the string, as written or clamped; besides those of [`FIELDS`],
     /// `measured`, `afloat` and `sky` can occur.
     pub keys_set: Vec<&'static str>,
-    /// Messages to the user, one for each value of the string that was ignored or changed.
+    /// Messages to the user about values that were ignored or changed, repeated keys, an unknown version or a too long
+    /// string.
     pub notices: Vec<String>,
 }
 
