@@ -21,9 +21,9 @@ pub struct DeviceInfo {
     pub backend: String,
     /// Name and version of the driver; empty in a browser.
     pub driver: String,
-    /// PCI numbers of the GPU's vendor and of the device; 0 if unknown.
+    /// PCI numbers: that of the GPU's vendor, then that of the device; 0 if unknown.
     pub pci_ids: [u32; 2],
-    /// Optional features that the device has and the program uses.
+    /// Names of the optional wgpu features that the device has and the program uses, such as "timestamps".
     pub features: Vec<&'static str>,
     /// Names of limits, each with the value that the program requests and the value that the adapter offers.
     pub limits: Vec<(&'static str, [u64; 2])>,

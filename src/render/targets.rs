@@ -3,7 +3,7 @@
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Attachments, DepthState};
 
-/// Format of textures that hold linear light: half floats.
+/// Format of textures that hold linear light (RGB in half floats), except for the samples of reference pictures.
 pub const HDR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Format of the depth texture. Depth is reverse-Z: near-plane distance divided by distance, 0 at infinity.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
@@ -23,7 +23,8 @@ pub enum OutputKind {
     Screen,
     /// The picture is shown, and its depth is kept, so that light and depth can be read back to the CPU.
     ReadBack,
-    /// The picture holds samples for a reference picture, in single precision because half floats would clip the sun.
+    /// The picture holds the point samples whose mean is a reference picture. Its linear light is in single precision,
+    /// because half floats would clip the sun.
     Reference,
 }
 
@@ -37,7 +38,8 @@ impl OutputKind {
     }
 }
 
-/// Attachments for a pipeline that draws into a picture: `format` of its linear light, and `depth` test.
+/// Attachments of a render pipeline that draws into the picture: a colour target of `format` for the linear light, and
+/// the depth texture with the depth test `depth`.
 pub fn attachments(format: &wgpu::TextureFormat, depth: DepthState) -> Attachments<'_> {
     Attachments { formats: std::slice::from_ref(format), depth: Some(depth) }
 }
@@ -56,7 +58,7 @@ pub struct Targets {
 }
 
 impl Targets {
-    /// Creates the render targets for a picture of `width` x `height` pixels.
+    /// Creates render targets of `width` x `height` pixels; `output` decides precision and whether the depth is kept.
     pub fn new(gpu: &Gpu, [width, height]: [u32; 2], output: OutputKind) -> Self {
         use wgpu::TextureUsages as Usage;
         let texture = |label, format, usage| {
@@ -85,8 +87,8 @@ impl Targets {
         })
     }
 
-    /// Begins the pass that draws the linear light of the picture. If `after_mesh`, the depth of the water mesh stays;
-    /// else it is cleared to infinity.
+    /// Begins the render pass that draws the picture's linear light into `hdr`, cleared to black. If `after_mesh`, it
+    /// keeps the depth that the water mesh has written; else the depth is cleared to infinity.
     pub fn begin_picture<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, after_mesh: bool) -> wgpu::RenderPass<'a> {
         let load = if after_mesh { wgpu::LoadOp::Load } else { wgpu::LoadOp::Clear(0.0) };
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {

@@ -10,7 +10,8 @@ const MAX_LEVELS: usize = 8;
 /// The picture is not halved again for bloom if its shorter side would become less than this, texels.
 const MIN_LEVEL_SIDE: u32 = 4;
 
-/// Compute passes for bloom, which halve the picture repeatedly and add the sizes up again, and their textures.
+/// Compute passes for bloom (light that the lens scatters), with their textures: they halve the picture repeatedly,
+/// then add each smaller picture to the next larger one.
 pub struct BloomPass {
     down: Kernel,
     up: Kernel,

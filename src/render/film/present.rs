@@ -17,11 +17,11 @@ gpu_struct! {
         size: [f32; 2],
         /// 2 to the power of the exposure setting in stops: factor on the automatic or fixed exposure.
         exposure_gain: f32,
-        /// Exposure (a factor on radiance) that replaces the automatic one; 0 if the exposure is automatic.
+        /// Exposure (a factor on radiance, before `exposure_gain`) that replaces the automatic one; 0 if automatic.
         fixed_exposure: f32,
         /// Tone curve, as the discriminant of `ToneMapping`.
         tone_curve: u32,
-        /// Fraction of the light that the lens scatters as bloom, 0 to 1.
+        /// Fraction of the picture's light that is spread around its source as bloom, 0 to 1.
         bloom_fraction: f32,
         /// 1 if dither noise is added to hide the steps of 8-bit colours, else 0.
         dither: f32,

@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// Texture format of the full-size sky image, which is drawn behind the sea.
 const PANORAMA_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgb9e5Ufloat;
 
-/// Textures of the sky image in use, if there is one.
+/// GPU textures of the image from a file that replaces the computed sky; black or outdated while no image is in use.
 pub struct PanoramaTextures {
     /// Sky image without its sun, for reflections, [`SUNLESS_SIZE`] texels; a new image overwrites it.
     without_sun: wgpu::Texture,

@@ -8,7 +8,7 @@ use crate::render::frame::FrameUniform;
 use crate::render::scene::Scene;
 use crate::shaders::Shaders;
 
-/// Raises the eye of a frame above the waves around it.
+/// Compute pass that raises the eye above the waves around it, in the frame uniform.
 pub struct EyePass {
     pipeline: wgpu::ComputePipeline,
     group: wgpu::BindGroup,

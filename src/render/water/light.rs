@@ -29,7 +29,7 @@ struct Permutation {
     /// Whether waves focus sunlight into caustics on the bed.
     caustics: bool,
     foam: bool,
-    /// Whether a Blinn-Phong lobe replaces the Gaussian distribution of slopes.
+    /// Whether the sun's glitter has a Blinn-Phong lobe instead of the Gaussian distribution of slopes.
     phong: bool,
     /// Whether a GGX (Trowbridge-Reitz) distribution of slopes replaces the Gaussian one.
     ggx: bool,
@@ -93,7 +93,7 @@ pub struct WaterPass {
     maps_layout: wgpu::BindGroupLayout,
     /// Samplers of the maps: one interpolates between mip levels, the other takes the nearest level.
     samplers: [wgpu::Sampler; 2],
-    /// Generation number of the map textures that are bound, and their bind group; None before the first frame.
+    /// Bind group of the map textures, and their generation number (new for new textures); None before the first frame.
     maps: Option<(u64, wgpu::BindGroup)>,
 }
 
@@ -181,7 +181,7 @@ impl WaterPass {
         self.maps.as_ref().map(|(_, group)| group)
     }
 
-    /// Records the compute pass that displaces the vertices of the mesh.
+    /// Records the compute pass that displaces the vertices of the water mesh by the maps; none if no maps are bound.
     pub fn displace(&self, encoder: &mut wgpu::CommandEncoder) {
         if let Some(maps) = self.maps_group() {
             self.mesh.run(encoder, maps);

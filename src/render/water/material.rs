@@ -7,7 +7,7 @@ use crate::state::fields::linear_rgb;
 use crate::state::look::Scattering;
 use glam::{DMat2, DVec2};
 
-/// Number of noise layers: four for foam, two for the bed.
+/// Number of noise layers, each the noise texture at its own size and angle: four for foam, two for the bed.
 const NOISE_LAYERS: usize = 6;
 /// Shape of a noise layer: sides of its tile along and across its axis, m; angle from the wind to the axis, degrees;
 /// relative lengthening of the tile along the axis in a storm.
@@ -29,7 +29,8 @@ const MIN_BED_TRANSMITTANCE: f64 = 1e-3;
 gpu_struct! {
     /// WGSL `NoiseLayer`: transformation from positions on the water to texture coordinates of one noise layer.
     pub struct NoiseLayer as "NoiseLayer" {
-        /// Matrix from positions (x, z) relative to the point below the eye, m, to texture coordinates.
+        /// Matrix from positions (x, z) relative to the point below the eye, m, to texture coordinates relative to
+        /// those of that point (`uv_below_eye`).
         uv_from_position: glam::Mat2,
         /// Texture coordinates, in the noise texture, of the point straight below the eye.
         uv_below_eye: [f32; 2],
@@ -97,7 +98,8 @@ gpu_struct! {
         glitter_strength: f32,
         /// Factor on the Fresnel reflectance in the sun's glitter; 1 is physical.
         glitter_fresnel: f32,
-        /// Cosine of sun's or eye's angle to the surface normal below which glitter fades; gone at half of it.
+        /// Cosine of the larger of the sun's and the eye's angle to the surface normal, below which the sun's glitter
+        /// fades; it is gone at half of this cosine. 0 turns the fading off.
         glitter_min_cosine: f32,
         /// Slope variance along each axis (x, z) that the roughness setting adds to that of the unresolved waves.
         roughness_variance: f32,
@@ -106,9 +108,9 @@ gpu_struct! {
         foam_relief: f32,
         /// Factor on the radiance of the reflected sky; 1 is physical.
         sky_reflection: f32,
-        /// Strength of the caustics on the bed: 0 is even light, 1 is physical.
+        /// Strength of the caustics (sunlight focused by the waves) on the bed: 0 is even light, 1 is physical.
         caustic_strength: f32,
-        /// Half the shortest wavelength that forms distinct caustics on the bed, m; finer wave detail is left out.
+        /// Half the shortest wavelength that forms distinct caustics on the bed, m; caustics leave shorter detail out.
         caustic_filter_m: f32,
         unused: [u32; 2],
     }

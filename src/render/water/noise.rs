@@ -25,7 +25,7 @@ impl NoiseTexture {
         Self { view: texture.create_view(&wgpu::TextureViewDescriptor::default()), texture, sampler }
     }
 
-    /// Computes the noise and uploads all mip levels.
+    /// Computes the noise, at first use in the process, and uploads all mip levels to the texture.
     pub fn fill(&self, gpu: &Gpu) {
         for (mip_level, bytes) in (0..).zip(mip_levels()) {
             gpu.write_texture(&self.texture, mip_level, bytes);
@@ -88,7 +88,8 @@ fn noise_tile(side: u32) -> Vec<[f32; 4]> {
     (0..(side * side) as usize).map(|i| [net[i], bubbles[i], cloud[i], 1.0]).collect()
 }
 
-/// Rank of each value among all values, 0 to 1. Values are sorted into 65536 bins, which is much finer than a byte.
+/// Rank of each value among all values, 0 (lowest) to 1, so that the results are spread evenly. Ranks come from a
+/// histogram of 65536 bins; values in the same bin get the same rank.
 fn ranks_of_values(values: &[f32]) -> Vec<f32> {
     const BINS: usize = 1 << 16;
     let (low, high) = values.iter().fold((f32::MAX, f32::MIN), |(low, high), &v| (low.min(v), high.max(v)));
@@ -121,8 +122,8 @@ fn half_size_level(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
 /// A periodic lattice of square cells with two random numbers per cell, from which Worley or Perlin noise is computed.
 struct NoiseLattice {
     period: i32,
-    /// The two numbers of each cell, row by row: place of a point in the cell, 0 to 1, or a unit vector. The outermost
-    /// cells are repeated around the edge, so that a look-up needs no modulo.
+    /// The two numbers of each cell, row by row: for Worley noise the place of a point in the cell, 0 to 1; for Perlin
+    /// noise a unit vector at its corner. The outermost cells are repeated around the edge; look-ups need no modulo.
     cells: Vec<[f32; 2]>,
 }
 
