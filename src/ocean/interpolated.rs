@@ -6,7 +6,7 @@ use crate::state::Params;
 use crate::waves::Plan;
 use std::sync::Arc;
 
-/// Largest number of plans whose waves are drawn together while a sea is interpolated.
+/// Largest number of plans whose waves are drawn together during a transition; more are merged.
 const MAX_WEIGHTED_PLANS: usize = 4;
 
 /// Whether two sets of parameters have equal refractive indices, on which [`SeaAppearance::caustic_filter_m`] depends.
@@ -77,8 +77,8 @@ impl Interpolate for WeightedPlans {
 /// A plan whose waves are drawn, with the factors on their amplitudes.
 #[derive(Clone, Debug)]
 pub struct DrawnSea {
-    /// Plan of the waves; [`crate::point::StrongestWaves`] computes heights from it. Its foam parameters may be out of
-    /// date.
+    /// Plan of the waves, as [`crate::point::StrongestWaves`] needs it. Its foam parameters may be those before a
+    /// change.
     pub plan: Arc<Plan>,
     /// Factor on the wave amplitudes of each cascade of the plan; 1 except during a transition.
     pub amplitude_factors: Vec<f64>,

@@ -7,7 +7,7 @@ use crate::sim::resources::MapKind;
 /// Foam on one foam level, a square grid around the camera, in coordinates of the undisplaced water.
 #[derive(Clone, Debug)]
 pub struct FoamMap {
-    /// Number of cells along a side.
+    /// Number of cells along a side of the square grid.
     pub n: usize,
     /// Side of a cell, m.
     pub cell_m: f64,

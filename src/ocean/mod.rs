@@ -42,7 +42,7 @@ const MIN_EYE_HEIGHT_M: f64 = 0.5;
 /// let gpu = Gpu::request().await?;
 /// let (mut params, _) = query::parse("wind=14&fetch=300");
 /// let mut ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, OutputKind::Screen, &params);
-/// // In each frame: set the time, then record the commands.
+/// // In each frame: set the time, then record the commands, here with at most 6 time steps of the foam.
 /// params.clock.t_s += 1.0 / 60.0;
 /// ocean.set_params(&params);
 /// let mut encoder = gpu.encoder("frame");
@@ -202,7 +202,7 @@ impl Ocean {
         self.appearance.blended_value(self.sim.cross_fade_weight()).level_m
     }
 
-    /// The timer that measures the GPU time of the passes of each frame.
+    /// The timer with the GPU times of the parts of a frame; simulation and renderer mark its parts.
     pub fn timer(&self) -> &Timer {
         &self.timer
     }
@@ -252,19 +252,19 @@ impl Ocean {
         self.renderer.as_ref().and_then(Renderer::light_texture)
     }
 
-    /// Depth texture of the last recorded frame, None before the first; see [`Renderer::depth_texture`].
+    /// Depth texture of the last recorded frame, None before the first; [`Renderer::depth_texture`] tells its contents.
     pub fn depth_texture(&self) -> Option<&wgpu::Texture> {
         self.renderer.as_ref().and_then(Renderer::depth_texture)
     }
 
-    /// Draws the last recorded frame into the viewport of `pass`.
+    /// Draws the last recorded frame into the viewport of `pass`; nothing before the first frame.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         if let Some(renderer) = &self.renderer {
             renderer.present(pass);
         }
     }
 
-    /// Records one part of the last frame again, alone, so that its GPU time can be measured.
+    /// Records one part of the last frame again, alone, so that its GPU time can be measured; nothing before a frame.
     pub fn record_part(&self, encoder: &mut wgpu::CommandEncoder, part: TimedPart) {
         if let Some(renderer) = &self.renderer {
             renderer.record_part(encoder, part);
@@ -322,7 +322,8 @@ impl Ocean {
         }
     }
 
-    /// Positions and orientations of the floating objects now; empty until a frame with them has been recorded.
+    /// Positions and orientations of the floating objects, in the order and at the time of the parameters; empty until
+    /// a frame with them has been recorded.
     pub fn hull_poses(&self) -> Vec<HullPose> {
         let (seas, level_m) = (self.drawn_seas(), self.level_m());
         let on = |sea: &DrawnSea| self.hull_waves.iter().find(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)).map(|(_, w)| w);

@@ -61,7 +61,7 @@ impl Ocean {
 }
 
 impl WavePasses<'_> {
-    /// Records one pass of the wave or foam simulation alone.
+    /// Records the pass `pass` of the wave or foam simulation alone, so that its GPU time can be measured.
     pub fn record(&self, encoder: &mut wgpu::CommandEncoder, pass: WavePass) {
         let (passes, r) = (&self.sim.passes, &self.sim.resources);
         match pass {

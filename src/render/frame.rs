@@ -17,7 +17,7 @@ const RIPPLE_PATCH_RATIO: f64 = 13.1;
 const MAX_RIPPLE_VARIANCE_FRACTION: f64 = 0.8;
 /// Largest number of ripple layers, the shrunk copies of finest cascades: one for each of the two seas of a cross-fade.
 const MAX_RIPPLE_LAYERS: usize = 2;
-/// Length of `cascades` in the frame uniform: room for the cascades and the ripple layers of two seas.
+/// Length of `cascades` in the frame uniform: room for the cascades and ripple layers of both seas of a cross-fade.
 const MAX_FRAME_CASCADES: usize = MAX_DRAWN_CASCADES + MAX_RIPPLE_LAYERS;
 
 gpu_struct! {
@@ -39,7 +39,7 @@ gpu_struct! {
         pub shortest_wave_texels: f32,
         /// Index of the cascade's layer in the array textures of displacement, gradients and slope moments.
         pub layer: u32,
-        /// Factor on the slope variance that corrects, in a cross-fade, for waves that both seas contain; 1 otherwise.
+        /// In a cross-fade, factor on the slope variance that corrects for waves that both seas contain; 1 otherwise.
         pub variance_correction: f32,
         /// Factor on slopes read from the maps: 1 for a cascade; 0 to 1 for ripples, to give them less variance.
         pub slope_scale: f32,
@@ -68,7 +68,7 @@ gpu_struct! {
 gpu_struct! {
     /// WGSL `Frame`: uniform buffer of one frame with camera, sea state, cascades and foam levels, relative to the eye.
     pub struct FrameUniform as "Frame" {
-        /// Matrix from positions relative to the eye (world axes, m) to clip space with reverse-Z depth.
+        /// Matrix from positions relative to the eye (x east, y up, z south, m) to clip space with reverse-Z depth.
         pub clip_from_relative: glam::Mat4,
         /// Unit vector to the right of the picture, multiplied by the tangent of half the horizontal field of view.
         pub right: [f32; 3],
@@ -94,15 +94,15 @@ gpu_struct! {
         pub choppiness: [f32; 2],
         /// Undisplaced position (x, z) of the water now below the eye, relative to the eye, m; written by the eye pass.
         pub undisplaced_below_eye: [f32; 2],
-        /// Estimate of the largest horizontal displacement by the waves, m.
+        /// Estimate of the largest distance by which the waves displace water horizontally, m.
         pub max_displacement_m: f32,
         /// 1 if the eye's height is measured from the moving water below it, 0 if from the still water.
         pub height_from_waves: f32,
         /// Number of texels along a side of a cascade's maps.
         pub n: f32,
-        /// Number of cascades in use, which are the first entries of `cascades`.
+        /// Number of cascades of all drawn seas, which are the first entries of `cascades`.
         pub cascade_count: u32,
-        /// Number of ripple layers in use. They follow the cascades in `cascades`.
+        /// Number of ripple layers (shrunk copies of cascades) in use. They follow the cascades in `cascades`.
         pub ripple_count: u32,
         /// Number of entries of `foam_levels` in use.
         pub foam_level_count: u32,

@@ -69,7 +69,7 @@ const DEFAULT_MESH_PIXELS: f64 = 1280.0 * 720.0;
 /// A part of a frame that can be recorded alone, so that its GPU time can be measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TimedPart {
-    /// Computation of all look-up tables of the sky, even if they are up to date.
+    /// Computation of all look-up tables of the sky (clear air, reflected sky, light on the sea), even if up to date.
     SkyTables,
     /// Drawing of the sky behind the sea.
     Background,
@@ -166,7 +166,7 @@ impl Renderer {
         self.targets.insert(targets.unwrap_or_else(|| Targets::new(gpu, size, output)))
     }
 
-    /// Prepares a frame: writes the uniform buffers, selects the pipelines, binds the maps, sets mesh and hulls.
+    /// Prepares a frame: writes the uniform buffers, selects the pipelines, binds the maps, sets water mesh and hulls.
     fn prepare_frame(&mut self, gpu: &Gpu, maps: &Maps, scene: &Scene, mesh: &Mesh, frame: &FrameUniform) {
         self.material.write(gpu, &MaterialUniform::new(scene));
         self.frame.write(gpu, frame);
@@ -228,7 +228,7 @@ impl Renderer {
         }
     }
 
-    /// Number of vertices of the water mesh in the last frame.
+    /// Number of vertices of the water mesh in the last frame; 0 before the first frame.
     pub fn vertex_count(&self) -> u32 {
         self.water.mesh.vertex_count()
     }
@@ -262,7 +262,7 @@ fn mesh_for_picture(scene: &Scene, size: [u32; 2]) -> Mesh {
     Mesh::new(&scene.view, &scene.sea, scene.look.mesh_detail * pixels.sqrt().clamp(0.05, 2.0), scene.look.extent_km)
 }
 
-/// The frame uniform of a picture of `size` pixels, for tests that call the picture's WGSL functions.
+/// The frame uniform of a picture of `size` (width, height) pixels, for tests that call WGSL functions of the renderer.
 pub fn frame_uniform(scene: &Scene, maps: &Maps, size: [u32; 2]) -> FrameUniform {
     FrameUniform::new(scene, maps, &mesh_for_picture(scene, size), size)
 }

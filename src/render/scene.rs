@@ -14,7 +14,7 @@ const CLOUD_TO_WIND_SPEED: f64 = 1.4;
 /// Everything that determines a picture besides the maps of the simulation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    /// Position, axes and field of view of the camera.
+    /// Position (height above the still water), axes and field of view of the camera.
     pub view: View,
     /// Whether the eye's height is measured from the moving water below it, as on a buoy, not from the still water.
     pub height_from_waves: bool,
@@ -90,12 +90,12 @@ impl SeaAppearance {
         slopes::shortest_caustic_half_wavelength_m(plan, reach_m.max(0.0))
     }
 
-    /// A copy with the choppiness and still-water level of `plan`, which must have the same waves as this sea.
+    /// A copy with the choppiness and still-water level of `plan`, a plan of the same waves; the rest stays as it is.
     pub fn with_surface_of(&self, plan: &Plan) -> Self {
         Self { choppiness: plan.sea.choppiness(), level_m: plan.sea.level_m, ..self.clone() }
     }
 
-    /// Larger of the two choppiness factors, along x and along z.
+    /// Larger of the choppiness factors (on horizontal displacements) along x and along z.
     pub fn max_choppiness(&self) -> f64 {
         self.choppiness[0].max(self.choppiness[1])
     }

@@ -10,13 +10,13 @@ pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 /// Formats of the two textures of the G-buffer: position and slopes of the water in each pixel (WGSL `GBuffer`).
 pub const G_BUFFER_FORMATS: [wgpu::TextureFormat; 2] = [wgpu::TextureFormat::Rgba32Uint; 2];
 
-/// Depth test of objects: the fragment nearest to the eye is visible and writes its depth.
+/// Depth test of water mesh and floating objects: the fragment nearest to the eye is visible and writes its depth.
 pub const DEPTH_TEST_OPAQUE: DepthState =
     DepthState { format: DEPTH_FORMAT, compare: wgpu::CompareFunction::GreaterEqual, writes_depth: true };
-/// Depth test of the background: visible where nothing nearer was drawn; writes no depth.
+/// Depth test of the sky (background): visible where nothing nearer was drawn; writes no depth.
 pub const DEPTH_TEST_BACKGROUND: DepthState = DepthState { writes_depth: false, ..DEPTH_TEST_OPAQUE };
 
-/// Purpose of a picture, which decides the precision of its linear light and whether its depth is kept.
+/// Use that is made of a picture; decides the precision of its linear light and whether its depth is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OutputKind {
     /// The picture is shown; its depth is discarded after the frame.
@@ -76,7 +76,7 @@ impl Targets {
         }
     }
 
-    /// Begins the pass that draws the water mesh into the G-buffer and the depth texture.
+    /// Begins the render pass that draws the water mesh into the G-buffer and the depth texture; clears both first.
     pub fn begin_mesh<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
         let attachments = self.g_buffer.each_ref().map(|view| Some(cleared_attachment(view, wgpu::Color::TRANSPARENT)));
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -109,7 +109,7 @@ impl Targets {
     }
 }
 
-/// A colour attachment that is cleared at the start of the pass and stored at its end.
+/// A colour attachment of `view` that is cleared to `clear` at the start of the pass and stored at its end.
 fn cleared_attachment(view: &wgpu::TextureView, clear: wgpu::Color) -> wgpu::RenderPassColorAttachment<'_> {
     let ops = wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store: wgpu::StoreOp::Store };
     wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops }

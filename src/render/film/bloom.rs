@@ -47,7 +47,7 @@ impl BloomPass {
         self.chain.as_ref().map(|c| &c.result)
     }
 
-    /// Records the passes for downsampling and upsampling; none while bloom is off.
+    /// Records the compute passes (downsampling, upsampling) that fill [`Self::texture_view`]; none while bloom is off.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder) {
         let Some(chain) = &self.chain else { return };
         for (down, group, size) in &chain.steps {

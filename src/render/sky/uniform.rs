@@ -29,7 +29,7 @@ gpu_struct! {
     pub struct SkyUniform as "Sky" {
         /// Unit vector towards the sun.
         sun_direction: [f32; 3],
-        /// Amount of aerosol in the air; 1 is a clear day at sea.
+        /// Amount of aerosol in the air, relative to that of a clear day at sea.
         haze: f32,
         /// Linear RGB colour of the sun, times its irradiance relative to the real sun at Earth, times `night_gain`.
         sun_tint: [f32; 3],
@@ -91,7 +91,7 @@ impl SkyUniform {
         Self { cloud_drift_km: other.cloud_drift_km, ..*self } == *other
     }
 
-    /// Uniform for the sky settings `look`, seen `eye_m` metres above the sea, with the clouds as they are at time 0.
+    /// Values of the uniform for the sky settings `look`, `eye_m` metres above the sea, with the clouds of time 0.
     pub fn for_look(look: &SkyLook, eye_m: f64) -> Self {
         let night_gain = night_gain(look);
         let near = look.sun_distance_au.recip();
@@ -133,7 +133,7 @@ gpu_struct! {
     pub struct LightBuffer as "Light" {
         /// Irradiance (RGB) by the sun on a plane that faces it at the sea, after air, clouds and fog.
         pub sun_irradiance: [f32; 3],
-        /// Automatic exposure: factor from radiance to the input of the tone curve.
+        /// Automatic exposure: factor by which radiance is multiplied to give the input of the tone curve.
         pub exposure: f32,
         /// Irradiance (RGB) of a horizontal plane by the sky without the sun.
         pub sky_irradiance: [f32; 3],

@@ -75,7 +75,7 @@ gpu_struct! {
         /// Density of the bubbles below foam; 1 is that of a typical plume under a breaking wave.
         bubble_density: f32,
         bubble_colour: [f32; 3],
-        /// Factor on the light that shines through wave crests; 1 is physical.
+        /// Factor on the sunlight and skylight that shine through wave crests from behind; 1 is physical.
         crest_transmission: f32,
         foam_colour: [f32; 3],
         /// How much the light scattered back by the water depends on the viewing direction: 0 not at all, 1 physically.
@@ -104,7 +104,7 @@ gpu_struct! {
         /// Slope variance along each axis (x, z) that the roughness setting adds to that of the unresolved waves.
         roughness_variance: f32,
         foam_roughness: f32,
-        /// Factor on the height of the foam's relief, and so on its shading; 0 is flat foam.
+        /// Factor on the height of the bumps of foam, and so on their shading; 0 is flat foam.
         foam_relief: f32,
         /// Factor on the radiance of the reflected sky; 1 is physical.
         sky_reflection: f32,
@@ -162,7 +162,7 @@ impl MaterialUniform {
     }
 }
 
-/// Optical properties of the water with these scattering settings.
+/// Absorption and scattering of the water type, or of water of a chosen colour, in the settings `scattering`.
 fn water_optics(scattering: &Scattering) -> WaterOptics {
     let water = WaterOptics::blend_with_next_type(scattering.water_type, scattering.water_type_blend);
     if scattering.scatter_colour > 0.0 {
@@ -172,7 +172,7 @@ fn water_optics(scattering: &Scattering) -> WaterOptics {
     }
 }
 
-/// Whether enough light returns from the sea bed for it to be drawn.
+/// Whether the sea bed is drawn: enough light returns from it through the water (`MIN_BED_TRANSMITTANCE`).
 pub fn is_bed_visible(scene: &Scene) -> bool {
     let back = water_optics(&scene.look.surface.scattering).two_way_transmittance(scene.sea.depth_m);
     back.into_iter().any(|share| share > MIN_BED_TRANSMITTANCE)

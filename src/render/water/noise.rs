@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 /// Side of the noise texture, texels.
 const NOISE_SIDE: u32 = 512;
 
-/// Periodic noise texture (net of foam in red, bubbles in green, clouds in blue) and its sampler.
+/// Periodic noise texture (net-like pattern of foam in red, bubbles in green, clouds in blue) and its sampler.
 pub struct NoiseTexture {
     texture: wgpu::Texture,
     pub view: wgpu::TextureView,
@@ -33,8 +33,8 @@ impl NoiseTexture {
     }
 }
 
-/// RGBA bytes of all mip levels of the noise texture, finest first. They are computed once per process, so that a
-/// second device gets them at once.
+/// RGBA bytes of all mip levels of the noise texture, finest first. They are computed once per process; a second GPU
+/// device gets the same bytes.
 fn mip_levels() -> &'static [Vec<u8>] {
     static MIP_LEVELS: OnceLock<Vec<Vec<u8>>> = OnceLock::new();
     MIP_LEVELS.get_or_init(|| {
@@ -156,8 +156,9 @@ impl NoiseLattice {
         Self { period, cells }
     }
 
-    /// Finds the cell of the point (x, y) in a tile of side 1. Returns the index in `cells` of the cell one column and
-    /// one row before it, where the 3 x 3 cells around the point begin, and the point's place in its own cell, 0 to 1.
+    /// Finds the cell that contains the point (x, y) of a tile of side 1. Returns the index in `cells` of the cell one
+    /// column and one row before it, where the 3 x 3 cells around it begin, and the point's place in its own cell,
+    /// 0..1.
     fn locate_cell(&self, x: f32, y: f32) -> (usize, [f32; 2]) {
         let [x, y] = [x, y].map(|x| (x - x.floor()) * self.period as f32);
         let [ix, iy] = [x, y].map(|x| (x as usize).min(self.period as usize - 1));
@@ -169,7 +170,7 @@ impl NoiseLattice {
         self.period as usize + 2
     }
 
-    /// Worley noise at (x, y), 0 to 1: 1 on the border between the regions nearest to two points, less inside them.
+    /// Worley noise, 0 to 1, at (x, y) in a tile of side 1: 1 on the borders between the points' regions, less inside.
     fn worley_noise(&self, x: f32, y: f32) -> f32 {
         let (before, [x, y]) = self.locate_cell(x, y);
         // Squared distances compared as bits, which sort alike: WebAssembly finds the minimum of integers faster.
@@ -186,7 +187,7 @@ impl NoiseLattice {
         1.0 - (f32::from_bits(second).sqrt() - f32::from_bits(first).sqrt()).min(1.0).sqrt()
     }
 
-    /// Perlin noise at (x, y), about -0.7 to 0.7.
+    /// Perlin noise, about -0.7 to 0.7, at (x, y) in a periodic tile of side 1.
     fn perlin_noise(&self, x: f32, y: f32) -> f32 {
         let (before, [fx, fy]) = self.locate_cell(x, y);
         let corner = |dx: usize, dy: usize| {
