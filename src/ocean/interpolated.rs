@@ -77,8 +77,8 @@ impl Interpolate for WeightedPlans {
 /// A plan whose waves are drawn, with the factors on their amplitudes.
 #[derive(Clone, Debug)]
 pub struct DrawnSea {
-    /// Plan of the waves, as [`crate::point::StrongestWaves`] needs it. Its foam parameters may be those before a
-    /// change.
+    /// Plan of the waves, as [`crate::point::StrongestWaves`] needs it. Its foam parameters may be out of date, because
+    /// a change of only the foam keeps the plan.
     pub plan: Arc<Plan>,
     /// Factor on the wave amplitudes of each cascade of the plan; 1 except during a transition.
     pub amplitude_factors: Vec<f64>,

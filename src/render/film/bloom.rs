@@ -42,7 +42,7 @@ impl BloomPass {
         self.chain = picture.map(|(hdr, size)| self.create_chain(gpu, hdr, size));
     }
 
-    /// Texture with the scattered light, half as wide and high as the picture; None while bloom is off.
+    /// Texture with the blurred light that bloom adds, half as wide and high as the picture; None while bloom is off.
     pub fn texture_view(&self) -> Option<&wgpu::TextureView> {
         self.chain.as_ref().map(|c| &c.result)
     }

@@ -83,8 +83,7 @@ impl PresentPass {
         }
     }
 
-    /// Sets the picture `hdr` (linear light) to show; allocates bloom textures if `film` has bloom; nothing if
-    /// unchanged.
+    /// Sets the picture `hdr` (linear light) to show; allocates bloom textures if `film` has bloom. No-op if unchanged.
     pub fn set_picture(&mut self, gpu: &Gpu, hdr: &wgpu::TextureView, film: &FilmLook) {
         let wanted = Some((hdr.clone(), film.bloom > 0.0));
         if self.bound == wanted {

@@ -56,7 +56,7 @@ impl BackgroundPass {
         });
     }
 
-    /// Draws the sky into the pixels in which nothing nearer has been drawn.
+    /// Draws the sky into the pixels of `pass` in which nothing nearer has been drawn.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, scene: &SceneGroup, sky: &SkyTables) {
         let Some(pipeline) = self.pipelines.selected() else { return };
         pass.set_pipeline(pipeline);

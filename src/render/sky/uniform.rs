@@ -15,7 +15,7 @@ gpu_struct! {
     pub struct FogUniform as "Fog" {
         /// Extinction coefficient below the top of the fog, 1/m; 0 without fog.
         extinction_per_m: f32,
-        /// Distance from the eye at which the fog begins, m.
+        /// Distance from the eye at which the fog begins, m; nearer air is clear.
         start_m: f32,
         /// Height above the top of the fog over which its density falls to 1/e, m.
         scale_height_m: f32,

@@ -97,7 +97,7 @@ impl DisplacePass {
         });
     }
 
-    /// Number of mesh vertices that the current view needs; 0 before a mesh is set.
+    /// Number of mesh vertices that the current view displaces; 0 before a mesh is set.
     pub fn vertex_count(&self) -> u32 {
         self.buffers.as_ref().map_or(0, |b| (self.columns + 1) * b.rows)
     }

@@ -160,8 +160,7 @@ impl WaterPass {
         }
     }
 
-    /// Selects the variant of the lighting pipeline that `scene` needs, for [`Self::draw_light`]; compiles missing
-    /// ones.
+    /// Selects the lighting pipeline's variant that `scene` needs, for [`Self::draw_light`]; compiles it at first use.
     pub fn select_pipeline(&mut self, gpu: &Gpu, scene: &Scene) {
         let (module, format) = (&self.module, self.scene.output.format());
         let layouts = [&self.scene.layout, &self.maps_layout, &self.g_buffer_layout];

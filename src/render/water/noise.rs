@@ -157,8 +157,7 @@ impl NoiseLattice {
     }
 
     /// Finds the cell that contains the point (x, y) of a tile of side 1. Returns the index in `cells` of the cell one
-    /// column and one row before it, where the 3 x 3 cells around it begin, and the point's place in its own cell,
-    /// 0..1.
+    /// column and one row before it, where the 3 x 3 cells around it begin, and the point's place in its cell, 0..1.
     fn locate_cell(&self, x: f32, y: f32) -> (usize, [f32; 2]) {
         let [x, y] = [x, y].map(|x| (x - x.floor()) * self.period as f32);
         let [ix, iy] = [x, y].map(|x| (x as usize).min(self.period as usize - 1));
