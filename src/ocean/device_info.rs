@@ -13,19 +13,19 @@ pub const WGPU_VERSION: &str = "30.0.1";
 /// Description of a GPU device, as a bug report needs it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DeviceInfo {
-    /// Name of the GPU (wgpu's adapter), or "not told".
+    /// Name of the GPU (wgpu's adapter); "not told" if wgpu gives no name.
     pub adapter: String,
     /// Kind of adapter: discrete GPU, integrated GPU, virtual GPU, CPU or other.
     pub kind: String,
-    /// Graphics interface that wgpu uses, such as Vulkan.
+    /// Graphics interface of the system that wgpu uses, such as Vulkan.
     pub backend: String,
     /// Name and version of the driver; empty in a browser.
     pub driver: String,
-    /// PCI numbers of the GPU's vendor and of the device; 0 if unknown.
+    /// PCI numbers: that of the GPU's vendor, then that of the device; 0 if unknown.
     pub pci_ids: [u32; 2],
-    /// Optional features that the device has and the program uses.
+    /// Names of the optional wgpu features that the device has and the program uses, such as "timestamps".
     pub features: Vec<&'static str>,
-    /// Names of limits, each with the value that the program requests and the value that the adapter offers.
+    /// Names of limits, such as "texture side", each with the value that the program requests and what the adapter has.
     pub limits: Vec<(&'static str, [u64; 2])>,
     /// What the program has chosen for this adapter, such as the format of the maps: names and values.
     pub choices: Vec<(&'static str, String)>,

@@ -6,10 +6,10 @@ use crate::state::Params;
 use crate::waves::Plan;
 use std::sync::Arc;
 
-/// Largest number of plans whose waves are drawn together while a sea is interpolated.
+/// Largest number of plans whose waves are drawn together during a transition; more are merged.
 const MAX_WEIGHTED_PLANS: usize = 4;
 
-/// Whether two states agree in the refractive indices, on which [`SeaAppearance::caustic_filter_m`] depends.
+/// Whether two sets of parameters have equal refractive indices, on which [`SeaAppearance::caustic_filter_m`] depends.
 pub fn has_same_refraction(a: &Params, b: &Params) -> bool {
     let indices = |p: &Params| (p.look.surface.reflection.index_air, p.look.surface.reflection.index_water);
     indices(a) == indices(b)
@@ -43,7 +43,8 @@ impl Interpolate for SeaAppearance {
     }
 }
 
-/// Plans of waves with equal wave numbers and frequencies, each with its weight in the drawn amplitudes (sum 1).
+/// The plans that are drawn together while a sea changes into another one with equal wave numbers and frequencies, each
+/// with its weight in the drawn wave amplitudes. The weights add up to 1.
 #[derive(Clone, Debug)]
 pub struct WeightedPlans(pub Vec<(Arc<Plan>, f64)>);
 
@@ -76,8 +77,8 @@ impl Interpolate for WeightedPlans {
 /// A plan whose waves are drawn, with the factors on their amplitudes.
 #[derive(Clone, Debug)]
 pub struct DrawnSea {
-    /// Plan of the waves; [`crate::point::StrongestWaves`] computes heights from it. Its foam parameters may be out of
-    /// date.
+    /// Plan of the waves, as [`crate::point::StrongestWaves`] needs it. Its foam parameters may be out of date, because
+    /// a change of only the foam keeps the plan.
     pub plan: Arc<Plan>,
     /// Factor on the wave amplitudes of each cascade of the plan; 1 except during a transition.
     pub amplitude_factors: Vec<f64>,

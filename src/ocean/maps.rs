@@ -7,7 +7,7 @@ use crate::sim::resources::MapKind;
 /// Foam on one foam level, a square grid around the camera, in coordinates of the undisplaced water.
 #[derive(Clone, Debug)]
 pub struct FoamMap {
-    /// Number of cells along a side.
+    /// Number of cells along a side of the square grid.
     pub n: usize,
     /// Side of a cell, m.
     pub cell_m: f64,
@@ -18,7 +18,8 @@ pub struct FoamMap {
 }
 
 impl Ocean {
-    /// Computes the wave maps at the time of the parameters and reads them back in f32, before rounding for textures.
+    /// Computes the wave maps at the time of the parameters and reads them back with the values of the GPU's f32
+    /// arithmetic, before they are rounded to the texture format.
     ///
     /// # Errors
     /// If the read-back from the GPU fails.
@@ -27,7 +28,8 @@ impl Ocean {
     }
 
     /// Computes the displacement maps at the time of the parameters and reads them back from the textures, cascade by
-    /// cascade, row by row. A texel holds displacement Dx, elevation eta and displacement Dz, m, and dDx/dz.
+    /// cascade, row by row. A texel holds Dx, elevation eta, Dz, m, and dDx/dz, where Dx and Dz are the horizontal
+    /// displacement without choppiness.
     ///
     /// # Errors
     /// If the read-back from the GPU fails.

@@ -20,7 +20,8 @@ pub fn layer(n: usize, attributes: LayerAttributes, channels: &[Channel<'_>]) ->
     Layer::new((n, n), attributes, encoding, AnyChannels::sort(list))
 }
 
-/// OpenEXR channels X, Y, Z of a cascade: displacement to the east, up and to the south, m, choppiness applied.
+/// The three OpenEXR channels X, Y and Z of the cascade with the index `cascade`: displacement of the water to the
+/// east, up and to the south, m. X and Z are multiplied by the choppiness of `plan`.
 pub fn displacement<'a>(plan: &Plan, maps: &'a MapsF32, cascade: usize) -> [Channel<'a>; 3] {
     let (chop, d) = (plan.sea.choppiness().map(|l| l as f32), maps.displacement(cascade));
     [

@@ -28,7 +28,7 @@ pub use crate::sim::map_statistics::{MapStatistics, PendingMapRead};
 pub use crate::sim::maps::{FOAM_LEVELS, Maps, MapsF32};
 pub use interpolated::DrawnSea;
 
-/// Least height of the eye above the still water, m. The picture raises the eye further above approaching waves.
+/// Least height of the eye above the still water, m. If waves are higher, a GPU pass raises the eye further above them.
 const MIN_EYE_HEIGHT_M: f64 = 0.5;
 
 /// A simulated sea on a GPU device, with the renderer that draws it.
@@ -42,7 +42,7 @@ const MIN_EYE_HEIGHT_M: f64 = 0.5;
 /// let gpu = Gpu::request().await?;
 /// let (mut params, _) = query::parse("wind=14&fetch=300");
 /// let mut ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, OutputKind::Screen, &params);
-/// // In each frame: set the time, then record the commands.
+/// // In each frame: set the time, then record the commands, here with at most 6 time steps of the foam.
 /// params.clock.t_s += 1.0 / 60.0;
 /// ocean.set_params(&params);
 /// let mut encoder = gpu.encoder("frame");
@@ -104,8 +104,8 @@ impl Ocean {
         }
     }
 
-    /// Sets the parameters, without a transition. A change of only the time, the camera or the light costs nothing; a
-    /// change of the sea costs what its kind ([`SeaChange`]) needs.
+    /// Sets the parameters, without a transition. A change of only the time, the camera or the light costs nothing;
+    /// after a change of the sea, the program computes again what its kind ([`SeaChange`]) tells.
     pub fn set_params(&mut self, params: &Params) {
         let change = SeaChange::between(&self.params, params);
         if change.is_some() || self.in_transition() {
@@ -137,7 +137,8 @@ impl Ocean {
         self.sim.in_transition()
     }
 
-    /// The plan of the sea of new parameters, made anew only for other waves. `change`: how it differs from the old.
+    /// The plan of the sea of `params`; `change` tells how that sea differs from the one set last (None: not at all).
+    /// Only other waves need a new plan; else the latest plan is copied with the new surface and foam.
     fn plan_for(&self, params: &Params, change: Option<SeaChange>) -> Plan {
         match change {
             Some(SeaChange::Waves) => Plan::new(params),
@@ -168,7 +169,7 @@ impl Ocean {
         self.params = params.clone();
     }
 
-    /// The GPU device and its queue.
+    /// The GPU device, with its queue, on which this ocean is simulated and drawn.
     pub fn gpu(&self) -> &Gpu {
         &self.gpu
     }
@@ -180,7 +181,7 @@ impl Ocean {
 
     /// The plans whose waves are drawn at this moment. The height of a water particle above [`Self::level_m`] (and its
     /// displacement, slope and velocity) is the sum over these plans, each cascade times its amplitude factor. Outside
-    /// transitions there is one plan, with factors of 1. While a slider is dragged, plans of neighbouring frames merge.
+    /// transitions there is one plan, with factors of 1. While a slider is dragged, similar plans are merged.
     pub fn drawn_seas(&self) -> Vec<DrawnSea> {
         let maps = self.sim.maps();
         let (fading, own) = maps.cascades.split_at(maps.fading_count);
@@ -201,28 +202,29 @@ impl Ocean {
         self.appearance.blended_value(self.sim.cross_fade_weight()).level_m
     }
 
-    /// The timer that measures the GPU time of the passes of each frame.
+    /// The timer with the GPU times of the parts of a frame; simulation and renderer mark its parts.
     pub fn timer(&self) -> &Timer {
         &self.timer
     }
 
-    /// Records copies of the wave and foam maps as last computed, to be read on the CPU. None during a transition.
+    /// Records copies of the displacement, gradient and foam maps as the commands recorded before leave them; the
+    /// returned value reads them on the CPU. During a transition it records nothing and returns None.
     pub fn record_map_read(&self, encoder: &mut wgpu::CommandEncoder) -> Option<PendingMapRead> {
         self.sim.record_map_read(&self.gpu, encoder)
     }
 
-    /// The GPU textures of the wave and foam maps, which hold the result of the commands recorded last.
+    /// The GPU textures of the wave and foam maps; they hold the maps of the last recorded frame once its commands ran.
     pub fn maps(&self) -> &Maps {
         self.sim.maps()
     }
 
-    /// The simulation, for measurements and tests.
+    /// The GPU simulation of waves and foam behind this ocean, for measurements and tests.
     pub fn simulation(&mut self) -> &mut Simulation {
         &mut self.sim
     }
 
-    /// Records one frame of `size` (width, height) pixels, with at most `max_foam_steps` time steps of the foam.
-    /// Returns whether the foam has reached the time of the parameters.
+    /// Records one frame of `size` (width, height) pixels, with at most `max_foam_steps` time steps of the foam;
+    /// missing steps follow in later frames. Returns whether the foam has reached the time of the parameters.
     pub fn encode(&mut self, encoder: &mut wgpu::CommandEncoder, size: [u32; 2], max_foam_steps: usize) -> bool {
         self.select_hull_waves();
         let scene = self.scene(size);
@@ -233,7 +235,7 @@ impl Ocean {
         caught_up
     }
 
-    /// Records one frame and all foam steps up to its time: a still picture, which depends on the parameters alone.
+    /// Records one frame and all foam time steps up to its time: a still picture that depends only on the parameters.
     pub fn encode_with_complete_foam(&mut self, encoder: &mut wgpu::CommandEncoder, size: [u32; 2]) {
         self.encode(encoder, size, MAX_FOAM_STEPS);
     }
@@ -245,24 +247,24 @@ impl Ocean {
         self.sim.encode(&self.gpu, encoder, self.params.clock.t_s, centre, max_foam_steps)
     }
 
-    /// Texture with the linear light of the last recorded frame; None before the first frame.
+    /// Texture with the linear light (before exposure) of the last recorded frame; None before the first frame.
     pub fn light_texture(&self) -> Option<&wgpu::Texture> {
         self.renderer.as_ref().and_then(Renderer::light_texture)
     }
 
-    /// Depth texture of the last recorded frame, None before the first; see [`Renderer::depth_texture`].
+    /// Depth texture of the last recorded frame, None before the first; [`Renderer::depth_texture`] tells its contents.
     pub fn depth_texture(&self) -> Option<&wgpu::Texture> {
         self.renderer.as_ref().and_then(Renderer::depth_texture)
     }
 
-    /// Draws the last recorded frame into the viewport of `pass`.
+    /// Draws the last recorded frame into the viewport of `pass`; nothing before the first frame.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         if let Some(renderer) = &self.renderer {
             renderer.present(pass);
         }
     }
 
-    /// Records one part of the last frame again, alone, so that its GPU time can be measured.
+    /// Records one part of the last frame again, alone, so that its GPU time can be measured; nothing before a frame.
     pub fn record_part(&self, encoder: &mut wgpu::CommandEncoder, part: TimedPart) {
         if let Some(renderer) = &self.renderer {
             renderer.record_part(encoder, part);
@@ -274,16 +276,17 @@ impl Ocean {
         self.renderer.as_ref().map_or(0, Renderer::vertex_count)
     }
 
-    /// Records unfiltered samples, one per cell of `grid`, for a reference picture of the last frame. Returns the
-    /// texture of [`ReferenceRenderer::draw`].
+    /// Records the drawing of unfiltered samples, one per cell of `grid`, for a reference picture (mean of many samples
+    /// per pixel) of the last frame. Returns a texture with one sample per texel, as [`ReferenceRenderer::draw`] does.
     pub fn encode_samples(&mut self, encoder: &mut wgpu::CommandEncoder, grid: &SampleGrid) -> wgpu::Texture {
         let scene = self.scene(grid.size);
         let reference = self.reference.get_or_insert_with(|| ReferenceRenderer::new(&self.gpu, self.format));
         reference.draw(&self.gpu, encoder, self.sim.maps(), &scene, grid)
     }
 
-    /// Draws a picture given as linear light (RGB, row by row), such as the mean of [`Self::encode_samples`], with the
-    /// exposure and tone curve of the parameters.
+    /// Draws a picture of `size` (width, height) pixels given as linear light (RGB, row by row from the top), such as
+    /// the mean of several [`Self::encode_samples`], with the exposure and tone curve of the parameters. Draws nothing
+    /// before the first call of that function.
     pub fn present_light(&mut self, pass: &mut wgpu::RenderPass<'_>, size: [u32; 2], light: &[[f32; 3]]) {
         let scene = self.scene(size);
         if let Some(reference) = &mut self.reference {
@@ -292,7 +295,8 @@ impl Ocean {
         }
     }
 
-    /// What the renderer draws, besides the maps, in a picture of `width` x `height` pixels.
+    /// Camera, look, sea properties and floating objects that the renderer draws, besides the maps, in a picture of
+    /// `width` x `height` pixels with the present parameters.
     pub fn scene(&self, [width, height]: [u32; 2]) -> Scene {
         let plan = self.sim.plan();
         let share = self.sim.cross_fade_weight();
@@ -318,7 +322,8 @@ impl Ocean {
         }
     }
 
-    /// Positions and orientations of the floating objects now; empty until a frame with them has been recorded.
+    /// Positions and orientations of the floating objects, in the order and at the time of the parameters; empty until
+    /// a frame with them has been recorded.
     pub fn hull_poses(&self) -> Vec<HullPose> {
         let (seas, level_m) = (self.drawn_seas(), self.level_m());
         let on = |sea: &DrawnSea| self.hull_waves.iter().find(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)).map(|(_, w)| w);
@@ -327,7 +332,8 @@ impl Ocean {
         self.params.floats.iter().map(|f| hull_pose(&lines, f, self.params.clock.t_s, level_m)).collect()
     }
 
-    /// Selects, for each plan that is drawn, the waves that move the floating objects; discards them if nothing floats.
+    /// Updates `hull_waves`, the waves that move the floating objects, for the plans drawn now; clears it if none
+    /// float.
     fn select_hull_waves(&mut self) {
         if self.params.floats.is_empty() {
             self.hull_waves.clear();
@@ -344,7 +350,8 @@ impl Ocean {
     }
 }
 
-/// The camera with its height relative to the still water, because the surface is drawn around height 0.
+/// A copy of the camera whose height counts from the still water, which lies at the world height `level_m`, m, because
+/// the renderer draws still water at height 0.
 fn relative_to_still_water(camera: &Camera, level_m: f64) -> Camera {
     Camera { y_m: camera.y_m - level_m, ..camera.clone() }
 }

@@ -5,18 +5,18 @@ use crate::gpu::map_format::MapFormat;
 use crate::sim::Simulation;
 use crate::sim::planned_sea::SeaDispatch;
 
-/// A GPU pass of the simulation of waves and foam.
+/// A GPU compute pass of the simulation of waves and foam, which [`WavePasses::record`] can run alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WavePass {
-    /// Computation of the amplitudes h0(k) of all waves at time 0.
+    /// Computation of the Fourier amplitudes h0(k) of all waves at time 0.
     Spectrum,
-    /// Computation of all wave amplitudes at the current time, then the first half of their inverse 2d FFT, along x.
+    /// Computation of the Fourier amplitudes of all waves at the current time, then an inverse FFT of each row along x.
     Rows,
-    /// Second half of the inverse 2d FFT, along z, and writing of the displacement and gradient maps.
+    /// Inverse FFT of each column along z, which completes the 2d FFT; writes the displacement and gradient maps.
     Columns,
-    /// Computation of the maps' mip levels and of the map of slope moments.
+    /// Computation of the mip levels of the displacement and gradient maps, and of the map of slope moments.
     Mips,
-    /// One time step of the foam; of length 0 if recorded alone.
+    /// One time step of the foam simulation; if [`WavePasses::record`] runs it, the step has a length of 0 s.
     Foam,
 }
 
@@ -37,12 +37,13 @@ pub struct MapSizes {
 pub struct WavePasses<'a> {
     sim: &'a Simulation,
     dispatch: SeaDispatch,
-    /// Offset of the foam step's uniform in its buffer, bytes.
+    /// Dynamic offset, bytes, of the uniform for the foam pass in the buffer of foam uniforms.
     foam: u32,
 }
 
 impl Ocean {
-    /// Prepares the single passes for the time of the parameters: writes their uniform buffers.
+    /// Prepares the passes of waves and foam for the time of the parameters: uploads their uniform buffers, but records
+    /// nothing. [`WavePasses::record`] then records single passes.
     pub fn wave_passes(&mut self) -> WavePasses<'_> {
         let t_s = self.params.clock.t_s;
         let centre = [self.params.camera.x_m, self.params.camera.z_m];
@@ -60,7 +61,7 @@ impl Ocean {
 }
 
 impl WavePasses<'_> {
-    /// Records one pass of the wave or foam simulation alone.
+    /// Records the pass `pass` of the wave or foam simulation alone, so that its GPU time can be measured.
     pub fn record(&self, encoder: &mut wgpu::CommandEncoder, pass: WavePass) {
         let (passes, r) = (&self.sim.passes, &self.sim.resources);
         match pass {
@@ -72,7 +73,7 @@ impl WavePasses<'_> {
         }
     }
 
-    /// Number of compute dispatches of an ordinary frame: unchanged waves, one time step of the foam.
+    /// Number of compute dispatches for waves and foam in an ordinary frame: one sea, unchanged waves, one foam step.
     pub fn dispatch_count(&self) -> u32 {
         self.sim.passes.dispatch_count()
     }

@@ -5,7 +5,7 @@ use crate::gpu::Gpu;
 use crate::gpu::offscreen::PendingPicture;
 use crate::state::Params;
 
-/// Texture format of the pictures that are read back.
+/// Texture format of the still pictures that are drawn and read back: 8 bits per channel.
 pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// Draws the sea with the given parameters, `size` (width, height) pixels. Returns RGBA bytes, row by row from the top.

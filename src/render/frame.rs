@@ -12,11 +12,12 @@ use std::f64::consts::PI;
 /// Patch side of the finest cascade divided by that of its ripples, a shrunk copy that stands for shorter waves. No two
 /// cascades have this ratio, so that their repetitions do not coincide.
 const RIPPLE_PATCH_RATIO: f64 = 13.1;
-/// Largest fraction of the unresolved slope variance that ripples represent; the rest is shaded as roughness.
+/// Largest fraction of the unresolved slope variance (of waves below all cascades) that ripples represent; the rest is
+/// shaded as roughness.
 const MAX_RIPPLE_VARIANCE_FRACTION: f64 = 0.8;
 /// Largest number of ripple layers, the shrunk copies of finest cascades: one for each of the two seas of a cross-fade.
 const MAX_RIPPLE_LAYERS: usize = 2;
-/// Length of `cascades` in the frame uniform: room for the cascades and the ripple layers of two seas.
+/// Length of `cascades` in the frame uniform: room for the cascades and ripple layers of both seas of a cross-fade.
 const MAX_FRAME_CASCADES: usize = MAX_DRAWN_CASCADES + MAX_RIPPLE_LAYERS;
 
 gpu_struct! {
@@ -24,19 +25,21 @@ gpu_struct! {
     /// its ripples: a shrunk copy of the cascade whose slopes represent waves too short for any cascade.
     #[derive(Default)]
     pub struct FrameCascade as "FrameCascade" {
-        /// Position of the point below the eye in the triangle lattice, on which shifted patch copies are blended.
+        /// Position of the point below the eye in a lattice of triangles. Each corner has a randomly shifted copy of
+        /// the patch; the copies are blended, so that the cascade does not repeat visibly.
         pub tile_position: TileLatticePosition,
         /// Texture coordinates, in the cascade's maps, of the point straight below the eye.
         pub uv_below_eye: [f32; 2],
         /// Reciprocal of the side of the cascade's square patch, 1/m.
         pub inverse_patch: f32,
-        /// Mean square slope that a value of 1 in the slope-moment map stands for: half that of the whole cascade.
+        /// Mean square slope that a value of 1 in the slope-moment map stands for: half that of all waves in the
+        /// cascade.
         pub moment_unit: f32,
         /// Length of the cascade's shortest wave, in texels of its maps.
         pub shortest_wave_texels: f32,
-        /// Layer of the cascade in the map textures.
+        /// Index of the cascade's layer in the array textures of displacement, gradients and slope moments.
         pub layer: u32,
-        /// Factor on the slope variance that corrects, in a cross-fade, for waves that both seas contain; 1 otherwise.
+        /// In a cross-fade, factor on the slope variance that corrects for waves that both seas contain; 1 otherwise.
         pub variance_correction: f32,
         /// Factor on slopes read from the maps: 1 for a cascade; 0 to 1 for ripples, to give them less variance.
         pub slope_scale: f32,
@@ -49,11 +52,12 @@ gpu_struct! {
     pub struct FrameFoamLevel as "FrameFoamLevel" {
         /// Centre (x, z) of the foam level's square relative to the point below the eye, m.
         pub centre: [f32; 2],
-        /// Half the side of the square in which the level is used, m: the foam level without two cells at each edge.
+        /// Half the side, m, of the square in which shaders read this level: its own square less two cells at each
+        /// edge.
         pub half_side_m: f32,
         /// Reciprocal of the side of a foam cell, 1/m.
         pub inverse_cell: f32,
-        /// Texture coordinates, in the foam level, of the point straight below the eye.
+        /// Texture coordinates (u, v), 0 to 1, of the point straight below the eye in this level's layer of the map.
         pub uv_below_eye: [f32; 2],
         /// Reciprocal of the side of the foam level's square, 1/m.
         pub inverse_side: f32,
@@ -64,7 +68,7 @@ gpu_struct! {
 gpu_struct! {
     /// WGSL `Frame`: uniform buffer of one frame with camera, sea state, cascades and foam levels, relative to the eye.
     pub struct FrameUniform as "Frame" {
-        /// Matrix from positions relative to the eye (world axes, m) to clip space with reverse-Z depth.
+        /// Matrix from positions relative to the eye (x east, y up, z south, m) to clip space with reverse-Z depth.
         pub clip_from_relative: glam::Mat4,
         /// Unit vector to the right of the picture, multiplied by the tangent of half the horizontal field of view.
         pub right: [f32; 3],
@@ -80,7 +84,7 @@ gpu_struct! {
         pub pixel_angle: f32,
         /// Unit vector towards the sun.
         pub sun_direction: [f32; 3],
-        /// Slope variance added to the water's where it mirrors the sun, for the finite size of the sun's disc.
+        /// Slope variance along each axis (x, z) added to the water's in the sun's reflection for the sun's disc size.
         pub sun_slope_variance: f32,
         /// Covariances (xx, zz, xz) of the slopes along x and z of the waves that neither cascades nor ripples hold.
         pub residual_slope_covariance: [f32; 3],
@@ -90,15 +94,15 @@ gpu_struct! {
         pub choppiness: [f32; 2],
         /// Undisplaced position (x, z) of the water now below the eye, relative to the eye, m; written by the eye pass.
         pub undisplaced_below_eye: [f32; 2],
-        /// Estimate of the largest horizontal displacement by the waves, m.
+        /// Estimate of the largest distance by which the waves displace water horizontally, m.
         pub max_displacement_m: f32,
         /// 1 if the eye's height is measured from the moving water below it, 0 if from the still water.
         pub height_from_waves: f32,
         /// Number of texels along a side of a cascade's maps.
         pub n: f32,
-        /// Number of cascades in use, which are the first entries of `cascades`.
+        /// Number of cascades of all drawn seas, which are the first entries of `cascades`.
         pub cascade_count: u32,
-        /// Number of ripple layers in use. They follow the cascades in `cascades`.
+        /// Number of ripple layers (shrunk copies of cascades) in use. They follow the cascades in `cascades`.
         pub ripple_count: u32,
         /// Number of entries of `foam_levels` in use.
         pub foam_level_count: u32,
@@ -124,7 +128,7 @@ gpu_struct! {
 }
 
 impl FrameCascade {
-    /// A cascade for an eye above the world position `below_eye` (x, z), m. Its maps have `n` texels along a side.
+    /// Values for sampling a cascade's maps, `n` texels a side; the eye is above the world position `below_eye` (x, z).
     fn new(cascade: &MapCascade, below_eye: [f64; 2], n: f64) -> Self {
         Self {
             tile_position: cascade.tiling.lattice_position(below_eye).into(),
@@ -236,8 +240,9 @@ pub fn horizon_dip(eye_height_m: f64) -> f64 {
     (r / (r + eye_height_m.max(0.0))).min(1.0).acos()
 }
 
-/// Chooses the ripples. Returns the cascades to shrink, each with the slope variance of its ripples divided by its own,
-/// and the covariances (xx, zz, xz) of the slopes that neither cascades nor ripples hold.
+/// Chooses the ripples, shrunk copies of cascades that stand for shorter waves. Returns the cascades to shrink, each
+/// with the slope variance of its ripples divided by its own; and the covariances (xx, zz, xz) of the slopes of waves
+/// that neither cascades nor ripples hold.
 fn ripple_layers<'a>(scene: &Scene, maps: &'a Maps) -> (Vec<(&'a MapCascade, f64)>, [f32; 3]) {
     let sea = &scene.sea;
     let mut left = sea.unresolved_slope_variance;
@@ -262,7 +267,8 @@ fn ripple_layers<'a>(scene: &Scene, maps: &'a Maps) -> (Vec<(&'a MapCascade, f64
     (shown, covariance_in_world_axes(sea, left.map(|l| l.max(0.0))))
 }
 
-/// Covariance (xx, zz, xz) of slopes in world axes, from their variances along and across the wind.
+/// Variances along x (east) and z (south) and covariance, in the order xx, zz, xz, of slopes that have the given
+/// variances along and across the wind of `sea`.
 fn covariance_in_world_axes(sea: &SeaAppearance, [along, across]: SlopeVariance) -> [f32; 3] {
     let [x, z] = sea.downwind;
     [along * x * x + across * z * z, along * z * z + across * x * x, (along - across) * x * z].map(|v| v as f32)

@@ -69,7 +69,7 @@ const DEFAULT_MESH_PIXELS: f64 = 1280.0 * 720.0;
 /// A part of a frame that can be recorded alone, so that its GPU time can be measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TimedPart {
-    /// Computation of all look-up tables of the sky, even if they are up to date.
+    /// Computation of all look-up tables of the sky (clear air, reflected sky, light on the sea), even if up to date.
     SkyTables,
     /// Drawing of the sky behind the sea.
     Background,
@@ -166,7 +166,7 @@ impl Renderer {
         self.targets.insert(targets.unwrap_or_else(|| Targets::new(gpu, size, output)))
     }
 
-    /// Prepares a frame: writes the uniform buffers, selects the pipelines, binds the maps, sets mesh and hulls.
+    /// Prepares a frame: writes the uniform buffers, selects the pipelines, binds the maps, sets water mesh and hulls.
     fn prepare_frame(&mut self, gpu: &Gpu, maps: &Maps, scene: &Scene, mesh: &Mesh, frame: &FrameUniform) {
         self.material.write(gpu, &MaterialUniform::new(scene));
         self.frame.write(gpu, frame);
@@ -181,7 +181,7 @@ impl Renderer {
         self.hulls.upload_hulls(gpu, &self.water.scene, &scene.hulls, below_eye, scene.sea.level_m);
     }
 
-    /// Records the false-colour view that replaces the picture.
+    /// Records the passes that draw the false-colour view selected in `scene.look`, in place of the picture.
     fn record_view(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, maps: &Maps, scene: &Scene) {
         let Some(targets) = &self.targets else { return };
         self.eye.run(encoder, scene, &self.water);
@@ -194,7 +194,8 @@ impl Renderer {
         view.draw(gpu, encoder, (maps, scene), &self.water, targets);
     }
 
-    /// Records the passes that draw the linear light of the picture into the render targets, before bloom.
+    /// Records the passes that draw the picture's linear light into the render targets, before bloom and exposure: eye
+    /// height, sky tables that are out of date, water, sky and floating objects.
     fn record_picture(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
         let Some(targets) = &self.targets else { return };
         self.eye.run(encoder, scene, &self.water);
@@ -227,18 +228,20 @@ impl Renderer {
         }
     }
 
-    /// Number of vertices of the water mesh in the last frame.
+    /// Number of vertices of the water mesh in the last frame; 0 before the first frame.
     pub fn vertex_count(&self) -> u32 {
         self.water.mesh.vertex_count()
     }
 
-    /// Texture with the linear light of the last frame, which can be copied to the CPU; None before the first frame.
+    /// Texture with the linear light (RGB radiance before exposure and tone curve) of the last frame, which can be
+    /// copied to the CPU; None before the first frame.
     pub fn light_texture(&self) -> Option<&wgpu::Texture> {
         self.targets.as_ref().map(|t| t.hdr.texture())
     }
 
-    /// Depth texture of the last picture: near-plane distance (0.1 m) divided by the distance along the viewing
-    /// direction, 0 for the sky. It can be copied to the CPU unless the output is [`OutputKind::Screen`].
+    /// Depth texture of the last picture, None before the first: near-plane distance (0.1 m) divided by the distance
+    /// along the viewing direction, 0 for the sky. It can be copied to the CPU unless the output is
+    /// [`OutputKind::Screen`].
     pub fn depth_texture(&self) -> Option<&wgpu::Texture> {
         self.targets.as_ref().map(|t| t.depth.texture())
     }
@@ -252,14 +255,14 @@ impl Renderer {
     }
 }
 
-/// The water mesh for a picture of `size` pixels. Its number of vertices grows with the square root of the pixels:
-/// triangles smaller than a pixel cost more than the pixel, but a small picture can afford more of them per pixel.
+/// The water mesh for a picture of `size` (width, height) pixels. Its number of vertices grows with the square root of
+/// the number of pixels: a small picture can afford more vertices per pixel.
 fn mesh_for_picture(scene: &Scene, size: [u32; 2]) -> Mesh {
     let pixels = f64::from(size[0]) * f64::from(size[1]) / DEFAULT_MESH_PIXELS;
     Mesh::new(&scene.view, &scene.sea, scene.look.mesh_detail * pixels.sqrt().clamp(0.05, 2.0), scene.look.extent_km)
 }
 
-/// The frame uniform of a picture of `size` pixels, for tests that call the picture's WGSL functions.
+/// The frame uniform of a picture of `size` (width, height) pixels, for tests that call WGSL functions of the renderer.
 pub fn frame_uniform(scene: &Scene, maps: &Maps, size: [u32; 2]) -> FrameUniform {
     FrameUniform::new(scene, maps, &mesh_for_picture(scene, size), size)
 }

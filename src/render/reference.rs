@@ -17,10 +17,12 @@ use half::f16;
 
 /// Number of vertices of the water mesh per sample of a reference picture; fewer if they do not fit into a buffer.
 const VERTICES_PER_SAMPLE: f64 = 1.2;
-/// Fraction of the largest storage buffer for the planned vertices; rounding up columns and rows needs the rest.
+/// Fraction of the largest possible storage buffer that the planned mesh vertices may fill. The rest is room for
+/// rounding the numbers of columns and rows up.
 const VERTEX_BUFFER_FILL: f64 = 0.95;
 
-/// Samples of one drawing for a reference picture: `cells_per_pixel_side` squared cells per pixel, one sample in each.
+/// The unfiltered samples that one drawing adds to a reference picture (mean of many samples per pixel): each pixel is
+/// divided into `cells_per_pixel_side` squared cells, with one sample in each.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SampleGrid {
     /// Width and height of the picture, pixels.
@@ -37,14 +39,15 @@ impl SampleGrid {
         self.size.map(|s| s * self.cells_per_pixel_side)
     }
 
-    /// Shift of the picture in clip coordinates that moves each sample from the centre of its cell to `sample_offset`.
+    /// Shift (x, y) of the picture in clip coordinates that moves samples from their cells' centres to `sample_offset`.
     fn clip_shift(&self) -> [f32; 2] {
         let [w, h] = self.sample_counts().map(f64::from);
         [(-2.0 * (self.sample_offset[0] - 0.5) / w) as f32, (2.0 * (self.sample_offset[1] - 0.5) / h) as f32]
     }
 }
 
-/// Draws the samples of reference pictures (mean of many unfiltered samples per pixel, for comparison); shows the mean.
+/// Draws the samples of reference pictures (mean of many unfiltered samples per pixel, with which the real-time picture
+/// is compared), and shows the mean that the caller computes.
 pub struct ReferenceRenderer {
     renderer: Renderer,
 }
@@ -79,8 +82,8 @@ impl ReferenceRenderer {
         texture
     }
 
-    /// Uploads a picture of `width` x `height` pixels in linear light (RGB, row by row), the mean of the samples, for
-    /// [`Self::present`]. Exposure and film settings are those of `scene`.
+    /// Uploads the mean of the samples, a picture of `width` x `height` pixels in linear light (RGB, row by row from
+    /// the top), for [`Self::present`]. Exposure and film settings are those of `scene`.
     pub fn set_linear_light(&mut self, gpu: &Gpu, scene: &Scene, [width, height]: [u32; 2], light: &[[f32; 3]]) {
         let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
         let mean = gpu.texture("reference", [width, height, 1], 1, HDR_FORMAT, usage);

@@ -14,21 +14,22 @@ const CLOUD_TO_WIND_SPEED: f64 = 1.4;
 /// Everything that determines a picture besides the maps of the simulation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    /// Position, axes and field of view of the camera.
+    /// Position (height above the still water), axes and field of view of the camera.
     pub view: View,
     /// Whether the eye's height is measured from the moving water below it, as on a buoy, not from the still water.
     pub height_from_waves: bool,
-    /// Settings of sky, water surface, film (exposure and tone curve) and view.
+    /// Settings of sky, water surface, film (exposure and tone curve) and false-colour view.
     pub look: Look,
     /// Properties of the drawn sea; during a transition, interpolated between those of the old and the new sea.
     pub sea: SeaAppearance,
     /// The old sea while it fades out in a cross-fade to a sea with other waves; None otherwise.
     pub fading: Option<FadingSea>,
-    /// Expected mean amount of foam, 0 to 1, drawn where no foam level (square foam grid around the camera) reaches.
+    /// Mean amount of foam, 0 (none) to 1 (full cover), that is expected for the sea state; drawn where no foam level
+    /// (square foam grid around the camera) reaches.
     pub mean_foam: f64,
     /// Distance that the clouds have drifted along x and z since time 0, m.
     pub cloud_drift_m: [f64; 2],
-    /// Colour scales of a false-colour view, one for each cascade or foam level. The picture does not use them.
+    /// Colour scales of a false-colour view, one for each cascade (or each foam level). Unused in the normal picture.
     pub colour_scales: [ColourScale; MAX_CASCADES],
     /// Positions and orientations of the floating buoys and boats in world coordinates.
     pub hulls: Vec<HullPose>,
@@ -54,14 +55,14 @@ pub struct SeaAppearance {
     /// Slope variance along and across the wind of waves too short for any cascade: the total of Cox and Munk (1954)
     /// minus that of the waves in the cascades.
     pub unresolved_slope_variance: SlopeVariance,
-    /// Slope variance along and across the wind of the waves in the finest cascade, the one with the shortest waves.
+    /// Slope variances, along the wind and across it, of the waves in the finest cascade (the shortest waves).
     pub finest_cascade_slope_variance: SlopeVariance,
-    /// Half the shortest wavelength that forms distinct caustics on the bed, m; finer detail of waves is left out.
+    /// Half the shortest wavelength that forms distinct caustics on the bed, m; caustics leave shorter detail out.
     pub caustic_filter_m: f64,
 }
 
 impl SeaAppearance {
-    /// Derives the properties of a sea from its plan. `look` provides the refractive indices of air and water.
+    /// Derives the properties of a sea from its plan. `look` provides the refractive indices, for the caustics.
     pub fn new(plan: &Plan, look: &Look) -> Self {
         let wind_m_s = plan.sea.first_system().wind_m_s;
         Self {
@@ -89,12 +90,12 @@ impl SeaAppearance {
         slopes::shortest_caustic_half_wavelength_m(plan, reach_m.max(0.0))
     }
 
-    /// A copy with the choppiness and still-water level of `plan`, which must have the same waves as this sea.
+    /// A copy with the choppiness and still-water level of `plan`, a plan of the same waves; the rest stays as it is.
     pub fn with_surface_of(&self, plan: &Plan) -> Self {
         Self { choppiness: plan.sea.choppiness(), level_m: plan.sea.level_m, ..self.clone() }
     }
 
-    /// Larger of the two choppiness factors, along x and along z.
+    /// Larger of the choppiness factors (on horizontal displacements) along x and along z.
     pub fn max_choppiness(&self) -> f64 {
         self.choppiness[0].max(self.choppiness[1])
     }
@@ -103,7 +104,7 @@ impl SeaAppearance {
 /// What the renderer needs to know of the old sea, which fades out during a cross-fade to the new one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FadingSea {
-    /// Slope variance along and across the wind of the waves in the fading sea's finest cascade.
+    /// Slope variances, along the wind and across it, of the waves in the fading sea's finest cascade.
     pub finest_cascade_slope_variance: SlopeVariance,
     /// Share of the fading sea in the variance of the drawn waves, from 1 at the cross-fade's start to 0 at its end.
     pub variance_fraction: f64,

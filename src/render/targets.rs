@@ -3,27 +3,28 @@
 use crate::gpu::Gpu;
 use crate::gpu::kit::{Attachments, DepthState};
 
-/// Format of textures that hold linear light: half floats.
+/// Format of textures that hold linear light (RGB in half floats), except for the samples of reference pictures.
 pub const HDR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Format of the depth texture. Depth is reverse-Z: near-plane distance divided by distance, 0 at infinity.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 /// Formats of the two textures of the G-buffer: position and slopes of the water in each pixel (WGSL `GBuffer`).
 pub const G_BUFFER_FORMATS: [wgpu::TextureFormat; 2] = [wgpu::TextureFormat::Rgba32Uint; 2];
 
-/// Depth test of objects: the fragment nearest to the eye is visible and writes its depth.
+/// Depth test of water mesh and floating objects: the fragment nearest to the eye is visible and writes its depth.
 pub const DEPTH_TEST_OPAQUE: DepthState =
     DepthState { format: DEPTH_FORMAT, compare: wgpu::CompareFunction::GreaterEqual, writes_depth: true };
-/// Depth test of the background: visible where nothing nearer was drawn; writes no depth.
+/// Depth test of the sky (background): visible where nothing nearer was drawn; writes no depth.
 pub const DEPTH_TEST_BACKGROUND: DepthState = DepthState { writes_depth: false, ..DEPTH_TEST_OPAQUE };
 
-/// Purpose of a picture, which decides the precision of its linear light and whether its depth is kept.
+/// Use that is made of a picture; decides the precision of its linear light and whether its depth is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OutputKind {
     /// The picture is shown; its depth is discarded after the frame.
     Screen,
     /// The picture is shown, and its depth is kept, so that light and depth can be read back to the CPU.
     ReadBack,
-    /// The picture holds samples for a reference picture, in single precision because half floats would clip the sun.
+    /// The picture holds the point samples whose mean is a reference picture. Its linear light is in single precision,
+    /// because half floats would clip the sun.
     Reference,
 }
 
@@ -37,7 +38,8 @@ impl OutputKind {
     }
 }
 
-/// Attachments for a pipeline that draws into a picture: `format` of its linear light, and `depth` test.
+/// Attachments of a render pipeline that draws into the picture: a colour target of `format` for the linear light, and
+/// the depth texture with the depth test `depth`.
 pub fn attachments(format: &wgpu::TextureFormat, depth: DepthState) -> Attachments<'_> {
     Attachments { formats: std::slice::from_ref(format), depth: Some(depth) }
 }
@@ -56,7 +58,7 @@ pub struct Targets {
 }
 
 impl Targets {
-    /// Creates the render targets for a picture of `width` x `height` pixels.
+    /// Creates render targets of `width` x `height` pixels; `output` decides precision and whether the depth is kept.
     pub fn new(gpu: &Gpu, [width, height]: [u32; 2], output: OutputKind) -> Self {
         use wgpu::TextureUsages as Usage;
         let texture = |label, format, usage| {
@@ -74,7 +76,7 @@ impl Targets {
         }
     }
 
-    /// Begins the pass that draws the water mesh into the G-buffer and the depth texture.
+    /// Begins the render pass that draws the water mesh into the G-buffer and the depth texture; clears both first.
     pub fn begin_mesh<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
         let attachments = self.g_buffer.each_ref().map(|view| Some(cleared_attachment(view, wgpu::Color::TRANSPARENT)));
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -85,8 +87,8 @@ impl Targets {
         })
     }
 
-    /// Begins the pass that draws the linear light of the picture. If `after_mesh`, the depth of the water mesh stays;
-    /// else it is cleared to infinity.
+    /// Begins the render pass that draws the picture's linear light into `hdr`, cleared to black. If `after_mesh`, it
+    /// keeps the depth that the water mesh has written; else the depth is cleared to infinity.
     pub fn begin_picture<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, after_mesh: bool) -> wgpu::RenderPass<'a> {
         let load = if after_mesh { wgpu::LoadOp::Load } else { wgpu::LoadOp::Clear(0.0) };
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -107,7 +109,7 @@ impl Targets {
     }
 }
 
-/// A colour attachment that is cleared at the start of the pass and stored at its end.
+/// A colour attachment of `view` that is cleared to `clear` at the start of the pass and stored at its end.
 fn cleared_attachment(view: &wgpu::TextureView, clear: wgpu::Color) -> wgpu::RenderPassColorAttachment<'_> {
     let ops = wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store: wgpu::StoreOp::Store };
     wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops }

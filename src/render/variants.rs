@@ -11,7 +11,8 @@ impl<P> Default for PipelineVariants<P> {
 }
 
 impl<P: Copy + PartialEq> PipelineVariants<P> {
-    /// Selects the variant for a combination of picture parts; compiles it with `make` at first use.
+    /// Selects the variant of the pipeline for `parts`, a combination of picture parts (such as bed and fog), so that
+    /// [`Self::selected`] returns it. At first use `make` compiles it.
     pub fn select(&mut self, parts: P, make: impl FnOnce(P) -> wgpu::RenderPipeline) {
         // The selected pipeline is the last one.
         match self.0.iter().position(|(made, _)| *made == parts) {

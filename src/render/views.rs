@@ -24,9 +24,10 @@ gpu_struct! {
     /// water surface has no squares; it uses only the colour range and the `layer` of the first tile.
     #[derive(Default)]
     pub struct ViewTile as "ViewTile" {
-        /// Position of the tile's top left corner in the picture: pixels to the right and down from the top left.
+        /// Position (x, y) of the tile's top left corner: pixels to the right and down from the picture's top left.
         corner: [f32; 2],
-        /// Column and row of the map texel in the tile's top left corner; the map is shown from there, wrapping round.
+        /// Column and row of the map texel that is drawn in the tile's top left corner. Texels to the right of it and
+        /// below follow; after its last column or row the map continues with its first one.
         first_texel: [u32; 2],
         /// Side of the tile in the picture, pixels.
         side: f32,
@@ -50,7 +51,7 @@ gpu_struct! {
         size: [f32; 2],
         /// Choppiness: factors by which the horizontal displacements along x and z are multiplied; 1 is linear theory.
         choppiness: [f32; 2],
-        /// Kind of view: 1 + the discriminant of `MapView` or, in the surface pass, of `SurfaceView`.
+        /// Which view is shown: 1 + the discriminant of its `MapView` or, for a view of the surface, `SurfaceView`.
         view_kind: u32,
         /// Number of entries of `tiles` in use; one map layer is shown in each.
         tile_count: u32,

@@ -10,7 +10,8 @@ const MAX_LEVELS: usize = 8;
 /// The picture is not halved again for bloom if its shorter side would become less than this, texels.
 const MIN_LEVEL_SIDE: u32 = 4;
 
-/// Compute passes for bloom, which halve the picture repeatedly and add the sizes up again, and their textures.
+/// Compute passes for bloom (light that the lens scatters), with their textures: they halve the picture repeatedly,
+/// then add each smaller picture to the next larger one.
 pub struct BloomPass {
     down: Kernel,
     up: Kernel,
@@ -41,12 +42,12 @@ impl BloomPass {
         self.chain = picture.map(|(hdr, size)| self.create_chain(gpu, hdr, size));
     }
 
-    /// Texture with the scattered light, half as wide and high as the picture; None while bloom is off.
+    /// Texture with the blurred light that bloom adds, half as wide and high as the picture; None while bloom is off.
     pub fn texture_view(&self) -> Option<&wgpu::TextureView> {
         self.chain.as_ref().map(|c| &c.result)
     }
 
-    /// Records the passes for downsampling and upsampling; none while bloom is off.
+    /// Records the compute passes (downsampling, upsampling) that fill [`Self::texture_view`]; none while bloom is off.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder) {
         let Some(chain) = &self.chain else { return };
         for (down, group, size) in &chain.steps {

@@ -15,13 +15,13 @@ gpu_struct! {
     pub struct PresentUniform as "Present" {
         /// Width and height of the picture, pixels.
         size: [f32; 2],
-        /// 2 to the power of the exposure setting in stops: factor on the automatic or fixed exposure.
+        /// Factor on the automatic or fixed exposure: 2 to the power of the exposure setting, EV.
         exposure_gain: f32,
-        /// Exposure (a factor on radiance) that replaces the automatic one; 0 if the exposure is automatic.
+        /// Exposure (a factor on radiance, before `exposure_gain`) that replaces the automatic one; 0 if automatic.
         fixed_exposure: f32,
         /// Tone curve, as the discriminant of `ToneMapping`.
         tone_curve: u32,
-        /// Fraction of the light that the lens scatters as bloom, 0 to 1.
+        /// Fraction of the picture's light that is spread around its source as bloom, 0 to 1.
         bloom_fraction: f32,
         /// 1 if dither noise is added to hide the steps of 8-bit colours, else 0.
         dither: f32,
@@ -83,7 +83,7 @@ impl PresentPass {
         }
     }
 
-    /// Sets the HDR picture to show, and allocates bloom textures if `film` has bloom; does nothing if unchanged.
+    /// Sets the picture `hdr` (linear light) to show; allocates bloom textures if `film` has bloom. No-op if unchanged.
     pub fn set_picture(&mut self, gpu: &Gpu, hdr: &wgpu::TextureView, film: &FilmLook) {
         let wanted = Some((hdr.clone(), film.bloom > 0.0));
         if self.bound == wanted {
@@ -118,12 +118,12 @@ impl PresentPass {
         self.uniform.write(gpu, &uniform);
     }
 
-    /// Records the bloom passes, if bloom is on.
+    /// Records the compute passes that make the bloom of the picture that was set; none if bloom is off.
     pub fn record_bloom(&self, encoder: &mut wgpu::CommandEncoder) {
         self.bloom.run(encoder);
     }
 
-    /// Draws the picture that was set, with bloom, exposure and tone curve, into the viewport of `pass`.
+    /// Draws the picture of [`Self::set_picture`], with bloom, exposure and tone curve, into the viewport of `pass`.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         let Some(group) = &self.group else { return };
         pass.set_pipeline(&self.pipeline);

@@ -28,12 +28,12 @@ struct Permutation {
 }
 
 impl BackgroundPass {
-    /// Creates the shader module; [`Self::select_pipeline`] compiles the pipelines.
+    /// Creates only the shader module of the background; [`Self::select_pipeline`] compiles its render pipelines.
     pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
         Self { module: shaders.module(gpu, "sky/background"), pipelines: PipelineVariants::default() }
     }
 
-    /// Selects the variant of the background pipeline that a scene needs; compiles it at first use.
+    /// Selects the variant of the background pipeline that `scene` needs, for [`Self::draw`]; compiles it at first use.
     pub fn select_pipeline(&mut self, gpu: &Gpu, group: &SceneGroup, sky: &SkyTables, scene: &Scene) {
         let look = &scene.look.sky;
         let file = look.panorama().is_some();
@@ -56,7 +56,7 @@ impl BackgroundPass {
         });
     }
 
-    /// Draws the sky into the pixels in which nothing nearer has been drawn.
+    /// Draws the sky into the pixels of `pass` in which nothing nearer has been drawn.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, scene: &SceneGroup, sky: &SkyTables) {
         let Some(pipeline) = self.pipelines.selected() else { return };
         pass.set_pipeline(pipeline);

@@ -10,13 +10,13 @@ use std::sync::Arc;
 /// Texture format of the full-size sky image, which is drawn behind the sea.
 const PANORAMA_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgb9e5Ufloat;
 
-/// Textures of the sky image in use, if there is one.
+/// GPU textures of the image from a file that replaces the computed sky; black or outdated while no image is in use.
 pub struct PanoramaTextures {
     /// Sky image without its sun, for reflections, [`SUNLESS_SIZE`] texels; a new image overwrites it.
     without_sun: wgpu::Texture,
     pub without_sun_view: wgpu::TextureView,
     pub layout: wgpu::BindGroupLayout,
-    /// Bind group of the full-size image with its mip levels; one black texel while no image is in use.
+    /// Bind group of the full-size sky image with its mip levels; one black texel while no image is in use.
     pub group: wgpu::BindGroup,
     displayed: Option<Arc<Panorama>>,
 }
@@ -31,7 +31,7 @@ impl PanoramaTextures {
         Self { without_sun, without_sun_view, layout, group, displayed: None }
     }
 
-    /// Uploads the sky image `wanted`, or switches to none. Returns whether the image has changed.
+    /// Uploads the sky image `wanted`; None switches back to the computed sky. Returns whether the image has changed.
     pub fn set_image(&mut self, gpu: &Gpu, wanted: Option<&Arc<Panorama>>) -> bool {
         if self.displayed.as_ref().map(Arc::as_ptr) == wanted.map(Arc::as_ptr) {
             return false;

@@ -12,16 +12,16 @@ use crate::render::water::noise::NoiseTexture;
 use crate::shaders::Shaders;
 use wgpu::BindingResource::{Sampler, TextureView};
 
-/// Texels of the table of the air's transmittance: along the elevation of the ray, and along the altitude.
+/// Texels of the table of the air's transmittance: along the ray's elevation, and along the altitude where it starts.
 const TRANSMITTANCE_SIZE: [u32; 2] = [256, 64];
 const MULTIPLE_SCATTERING_SIZE: [u32; 2] = [64, 32];
 const SKY_VIEW_SIZE: [u32; 2] = [192, 128];
 const ENVIRONMENT_SIZE: [u32; 2] = [256, 128];
 /// Number of mip levels of the environment map (the sky that the sea reflects), down to 8 x 4 texels.
 const ENVIRONMENT_MIP_LEVELS: u32 = 6;
-/// Number of workgroups of 64 threads that sum the light of the sky (shaders/sky/light.wgsl).
+/// Number of workgroups, of 64 threads each, that sum the light of the sky over directions (shaders/sky/light.wgsl).
 const LIGHT_WORKGROUPS: u32 = 4;
-/// Size of the buffer with the partial sums of the sky's light, one per thread, bytes.
+/// Size, bytes, of the buffer with the partial sums of the sky's light: one sum of four f32 for each thread.
 const LIGHT_PARTS_BYTES: u64 = 16 * 64 * LIGHT_WORKGROUPS as u64;
 
 /// Number of workgroups of 8 x 8 threads, along x and y, that cover a table of `size` texels.
@@ -66,9 +66,9 @@ pub struct SkyTables {
     pub sampler: wgpu::Sampler,
     /// Textures of the sky image, if the sky comes from an image file.
     pub panorama: PanoramaTextures,
-    /// Passes that do not depend on the position of the sun: transmittance and multiple scattering.
+    /// Passes that do not depend on the position of the sun: transmittance of the air and multiple scattering in it.
     sun_independent_passes: Vec<TablePass>,
-    /// Passes that depend on the position of the sun: sky, environment and light.
+    /// Passes that depend on the position of the sun: clear sky, environment map (reflected sky) and light on the sea.
     sun_dependent_passes: Vec<TablePass>,
     computed_for: Option<SkyUniform>,
 }

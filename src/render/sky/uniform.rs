@@ -6,8 +6,8 @@ use crate::render::scene::Scene;
 use crate::state::fields::linear_rgb;
 use crate::state::look::SkyLook;
 
-/// Step in which clouds move in the environment map, which the sea reflects, km. It is less than a texel; clouds take
-/// seconds for it, so the map is computed again only then.
+/// Step in which clouds move in the environment map (the sky that the sea reflects), km. It is less than a texel, and
+/// clouds take seconds to drift so far, so the map is computed again only every few seconds.
 const REFLECTED_CLOUD_STEP_KM: f64 = 0.05;
 
 gpu_struct! {
@@ -15,7 +15,7 @@ gpu_struct! {
     pub struct FogUniform as "Fog" {
         /// Extinction coefficient below the top of the fog, 1/m; 0 without fog.
         extinction_per_m: f32,
-        /// Distance from the eye at which the fog begins, m.
+        /// Distance from the eye at which the fog begins, m; nearer air is clear.
         start_m: f32,
         /// Height above the top of the fog over which its density falls to 1/e, m.
         scale_height_m: f32,
@@ -25,11 +25,11 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// WGSL `Sky`: uniform buffer on which the look-up tables of the sky depend.
+    /// WGSL `Sky`: uniform buffer of the passes that compute the sky's look-up tables: sun, air, fog, clouds, image.
     pub struct SkyUniform as "Sky" {
         /// Unit vector towards the sun.
         sun_direction: [f32; 3],
-        /// Amount of aerosol in the air; 1 is a clear day at sea.
+        /// Amount of aerosol in the air, relative to that of a clear day at sea.
         haze: f32,
         /// Linear RGB colour of the sun, times its irradiance relative to the real sun at Earth, times `night_gain`.
         sun_tint: [f32; 3],
@@ -41,7 +41,7 @@ gpu_struct! {
         has_image: f32,
         /// Irradiance of a horizontal plane by the sky image without its sun: linear RGB, in units of 6400 lux.
         image_sky_irradiance: [f32; 3],
-        /// Factor, from the brightness setting, that turns values of the sky image into radiance.
+        /// Factor, from the brightness setting, that turns values of the sky image into radiance (unit: 6400 cd/m2).
         image_gain: f32,
         fog: FogUniform,
         /// Height of the eye above the sea, km, in steps of 19 %, so that small movements leave the tables valid.
@@ -50,7 +50,8 @@ gpu_struct! {
         horizon_dip: f32,
         /// Cover of low clouds, 0 (clear) to 1 (closed deck); 0 with a sky image, which has its own clouds.
         overcast: f32,
-        /// Limb darkening: radiance of the sun's disc is the cosine of the emission angle to this power; 0 is none.
+        /// Limb darkening: at an emission angle a, the radiance of the sun's disc is that at its centre times cos(a) to
+        /// this power; 0 is none.
         limb_darkening_exponent: f32,
         /// Distance by which the clouds have drifted along x and z since time 0, km.
         cloud_drift_km: [f32; 2],
@@ -79,17 +80,18 @@ impl SkyUniform {
         sky
     }
 
-    /// Whether the tables of transmittance and multiple scattering are the same for `other`.
+    /// Whether the tables of transmittance and multiple scattering computed for `self` are also right for `other`.
     pub fn same_air_tables_as(&self, other: &Self) -> bool {
         [self.haze, self.sun_radius_rad] == [other.haze, other.sun_radius_rad]
     }
 
-    /// Whether all look-up tables are the same for `other`; the drift of the clouds behind the sea may differ.
+    /// Whether all look-up tables that were computed for `self` are also right for `other`. Ignores `cloud_drift_km`,
+    /// because it moves only the clouds drawn behind the sea, which are in no table.
     pub fn same_tables_as(&self, other: &Self) -> bool {
         Self { cloud_drift_km: other.cloud_drift_km, ..*self } == *other
     }
 
-    /// Uniform for the sky settings `look`, seen `eye_m` metres above the sea, with the clouds as they are at time 0.
+    /// Values of the uniform for the sky settings `look`, `eye_m` metres above the sea, with the clouds of time 0.
     pub fn for_look(look: &SkyLook, eye_m: f64) -> Self {
         let night_gain = night_gain(look);
         let near = look.sun_distance_au.recip();
@@ -131,11 +133,11 @@ gpu_struct! {
     pub struct LightBuffer as "Light" {
         /// Irradiance (RGB) by the sun on a plane that faces it at the sea, after air, clouds and fog.
         pub sun_irradiance: [f32; 3],
-        /// Automatic exposure: factor from radiance to the input of the tone curve.
+        /// Automatic exposure: factor by which radiance is multiplied to give the input of the tone curve.
         pub exposure: f32,
         /// Irradiance (RGB) of a horizontal plane by the sky without the sun.
         pub sky_irradiance: [f32; 3],
-        /// Luminance to which the exposure adapts, mostly that of the low sky; `night_gain` is divided out.
+        /// Luminance to which the exposure adapts, mostly of the low sky, in units of 6400 cd/m2 (no `night_gain`).
         pub adaptation_luminance: f32,
         /// Radiance (RGB) of a closed cloud deck at the zenith.
         pub overcast_zenith_radiance: [f32; 3],

@@ -12,14 +12,14 @@ use crate::shaders::Shaders;
 gpu_struct! {
     /// WGSL `MeshVertex`: a displaced vertex of the water mesh.
     pub struct MeshVertex as "MeshVertex" {
-        /// Displaced position relative to the eye, m, lowered by the curvature of the Earth.
+        /// Displaced position (x east, y up, z south) relative to the eye, m, lowered by the curvature of the Earth.
         position: [f32; 3],
         /// Height of the displaced water above the still water, m.
         height: f32,
         /// Undisplaced position (x, z) relative to the point below the eye, m.
         undisplaced: [f32; 2],
-        /// Slope (along x, z) of the long waves at this vertex. Like stretch and shear, the drawing interpolates it
-        /// between the vertices (WGSL `WaterDerivatives`).
+        /// Slope (along x, z) of the waves that are long enough for the spacing of vertices here. Like stretch and
+        /// shear, the drawing interpolates it between the vertices (WGSL `WaterDerivatives`).
         slope: [f32; 2],
         stretch: [f32; 2],
         shear: [f32; 2],
@@ -28,7 +28,7 @@ gpu_struct! {
 
 /// Size of a [`MeshVertex`], bytes.
 pub const MESH_VERTEX_BYTES: u64 = size_of::<MeshVertex>() as u64;
-/// Side of a workgroup, in columns and rows of the mesh; equal to `workgroup_size` in the shader.
+/// Side of a compute workgroup: it displaces 8 columns x 8 rows of vertices; equal to `workgroup_size` in the shader.
 const WORKGROUP_SIDE: u32 = 8;
 
 /// The displaced water mesh: compute pass that displaces its vertices by the waves, buffers, and draw call.
@@ -43,7 +43,7 @@ pub struct DisplacePass {
     count: u32,
 }
 
-/// Vertex and index buffers for water meshes of one density, which serve every view.
+/// Vertex and index buffers, with bind groups, for water meshes of one density; every view uses the same buffers.
 struct MeshBuffers {
     rows: u32,
     index_buffer_columns: u32,
@@ -97,7 +97,7 @@ impl DisplacePass {
         });
     }
 
-    /// Number of mesh vertices that the current view needs; 0 before a mesh is set.
+    /// Number of mesh vertices that the current view displaces; 0 before a mesh is set.
     pub fn vertex_count(&self) -> u32 {
         self.buffers.as_ref().map_or(0, |b| (self.columns + 1) * b.rows)
     }

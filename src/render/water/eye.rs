@@ -8,7 +8,7 @@ use crate::render::frame::FrameUniform;
 use crate::render::scene::Scene;
 use crate::shaders::Shaders;
 
-/// Raises the eye of a frame above the waves around it.
+/// Compute pass that raises the eye above the waves around it, in the frame uniform.
 pub struct EyePass {
     pipeline: wgpu::ComputePipeline,
     group: wgpu::BindGroup,
@@ -25,7 +25,7 @@ impl EyePass {
         Self { pipeline, group }
     }
 
-    /// Records the pass, unless the eye is at a fixed height that no wave reaches.
+    /// Records the pass for the frame of `scene`; nothing if the eye is at a fixed height that no wave reaches.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, scene: &Scene, water: &WaterPass) {
         let needs_waves = scene.height_from_waves || waves_may_reach_eye(scene);
         let Some(maps) = water.maps_group().filter(|_| needs_waves) else { return };
@@ -37,7 +37,7 @@ impl EyePass {
     }
 }
 
-/// Whether a wave may reach the eye. If crests are Rayleigh distributed, one in 7 x 10^7 exceeds 1.5 Hs.
+/// Whether the eye is lower than 3 m + 1.5 Hs, so that a wave may reach it (one crest in 7 x 10^7 exceeds 1.5 Hs).
 fn waves_may_reach_eye(scene: &Scene) -> bool {
     scene.view.eye.y < 3.0 + 1.5 * scene.sea.hs_m
 }

@@ -12,7 +12,7 @@ use glam::{DMat3, DVec3};
 use std::f64::consts::TAU;
 
 gpu_struct! {
-    /// WGSL `HullVertex`: a vertex of a floating buoy or boat.
+    /// WGSL `HullVertex`: a corner of the triangles that draw a floating buoy or boat.
     pub struct HullVertex as "HullVertex" {
         /// Position x and z relative to the point below the eye, and height y above the still water, m.
         position: [f32; 3],
@@ -128,7 +128,8 @@ impl HullPass {
     }
 }
 
-/// Triangles of a surface of revolution around the mast. `profile`: radius (m), height (m) and colour, bottom to top.
+/// Triangles of a surface of revolution around the y axis of a hull. `profile` holds radius, m, height, m, and paint
+/// colour of each ring of corners, from bottom to top.
 fn surface_of_revolution(profile: &[(f64, f64, u32)]) -> Vec<HullFacet> {
     const LATHE_SIDES: usize = 20;
     let mut facets = Vec::new();
@@ -170,7 +171,7 @@ fn buoy_hull() -> Vec<HullFacet> {
     ])
 }
 
-/// Triangles of an open boat with thwarts, joined from cross-sections (each keel, chine, gunwale) from bow to stern.
+/// Triangles of an open boat with benches: cross-sections from bow to stern, each from keel to gunwale, are joined.
 fn boat_hull() -> Vec<HullFacet> {
     // Cross-sections: distance from the bow, half-width at the gunwale, height of the gunwale, height of the keel, m.
     const CROSS_SECTIONS: [[f64; 4]; 7] = [

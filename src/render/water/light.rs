@@ -29,7 +29,7 @@ struct Permutation {
     /// Whether waves focus sunlight into caustics on the bed.
     caustics: bool,
     foam: bool,
-    /// Whether a Blinn-Phong lobe replaces the Gaussian distribution of slopes.
+    /// Whether the sun's glitter has a Blinn-Phong lobe instead of the Gaussian distribution of slopes.
     phong: bool,
     /// Whether a GGX (Trowbridge-Reitz) distribution of slopes replaces the Gaussian one.
     ggx: bool,
@@ -93,7 +93,7 @@ pub struct WaterPass {
     maps_layout: wgpu::BindGroupLayout,
     /// Samplers of the maps: one interpolates between mip levels, the other takes the nearest level.
     samplers: [wgpu::Sampler; 2],
-    /// Generation number of the map textures that are bound, and their bind group; None before the first frame.
+    /// Bind group of the map textures, and their generation number (new for new textures); None before the first frame.
     maps: Option<(u64, wgpu::BindGroup)>,
 }
 
@@ -151,7 +151,7 @@ impl WaterPass {
         self.maps = Some((maps.generation, gpu.bind_group("maps", &self.maps_layout, &resources)));
     }
 
-    /// Makes the bind group of the render targets' G-buffer, unless it exists already.
+    /// Makes the bind group through which the lighting reads the G-buffer of `targets`, unless it exists already.
     pub fn bind_targets(&mut self, gpu: &Gpu, targets: &Targets) {
         if self.g_buffer.as_ref().is_none_or(|(bound, _)| *bound != targets.g_buffer) {
             let resources = targets.g_buffer.each_ref().map(TextureView);
@@ -160,7 +160,7 @@ impl WaterPass {
         }
     }
 
-    /// Selects the variant of the lighting pipeline that a scene needs; compiles it at first use.
+    /// Selects the lighting pipeline's variant that `scene` needs, for [`Self::draw_light`]; compiles it at first use.
     pub fn select_pipeline(&mut self, gpu: &Gpu, scene: &Scene) {
         let (module, format) = (&self.module, self.scene.output.format());
         let layouts = [&self.scene.layout, &self.maps_layout, &self.g_buffer_layout];
@@ -181,14 +181,14 @@ impl WaterPass {
         self.maps.as_ref().map(|(_, group)| group)
     }
 
-    /// Records the compute pass that displaces the vertices of the mesh.
+    /// Records the compute pass that displaces the vertices of the water mesh by the maps; none if no maps are bound.
     pub fn displace(&self, encoder: &mut wgpu::CommandEncoder) {
         if let Some(maps) = self.maps_group() {
             self.mesh.run(encoder, maps);
         }
     }
 
-    /// Records the displacement of the mesh, and its drawing into the G-buffer.
+    /// Records the displacement of the water mesh, then its drawing into the G-buffer and depth texture of `targets`.
     pub fn record_g_buffer(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
         self.displace(encoder);
         let mut pass = targets.begin_mesh(encoder);
@@ -196,7 +196,7 @@ impl WaterPass {
         self.draw_mesh(&mut pass);
     }
 
-    /// Draws the light of all pixels that show water; the G-buffer holds what each shows.
+    /// Draws the linear light of all water pixels into the target of `pass`; the G-buffer tells what water each shows.
     pub fn draw_light(&self, pass: &mut wgpu::RenderPass<'_>) {
         let (Some(pipeline), Some(maps), Some((_, g_buffer))) =
             (self.light.selected(), self.maps_group(), &self.g_buffer)

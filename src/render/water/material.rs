@@ -7,7 +7,7 @@ use crate::state::fields::linear_rgb;
 use crate::state::look::Scattering;
 use glam::{DMat2, DVec2};
 
-/// Number of noise layers: four for foam, two for the bed.
+/// Number of noise layers, each the noise texture at its own size and angle: four for foam, two for the bed.
 const NOISE_LAYERS: usize = 6;
 /// Shape of a noise layer: sides of its tile along and across its axis, m; angle from the wind to the axis, degrees;
 /// relative lengthening of the tile along the axis in a storm.
@@ -29,7 +29,8 @@ const MIN_BED_TRANSMITTANCE: f64 = 1e-3;
 gpu_struct! {
     /// WGSL `NoiseLayer`: transformation from positions on the water to texture coordinates of one noise layer.
     pub struct NoiseLayer as "NoiseLayer" {
-        /// Matrix from positions (x, z) relative to the point below the eye, m, to texture coordinates.
+        /// Matrix from positions (x, z) relative to the point below the eye, m, to texture coordinates relative to
+        /// those of that point (`uv_below_eye`).
         uv_from_position: glam::Mat2,
         /// Texture coordinates, in the noise texture, of the point straight below the eye.
         uv_below_eye: [f32; 2],
@@ -74,7 +75,7 @@ gpu_struct! {
         /// Density of the bubbles below foam; 1 is that of a typical plume under a breaking wave.
         bubble_density: f32,
         bubble_colour: [f32; 3],
-        /// Factor on the light that shines through wave crests; 1 is physical.
+        /// Factor on the sunlight and skylight that shine through wave crests from behind; 1 is physical.
         crest_transmission: f32,
         foam_colour: [f32; 3],
         /// How much the light scattered back by the water depends on the viewing direction: 0 not at all, 1 physically.
@@ -97,18 +98,19 @@ gpu_struct! {
         glitter_strength: f32,
         /// Factor on the Fresnel reflectance in the sun's glitter; 1 is physical.
         glitter_fresnel: f32,
-        /// Cosine of sun's or eye's angle to the surface normal below which glitter fades; gone at half of it.
+        /// Cosine of the larger of the sun's and the eye's angle to the surface normal, below which the sun's glitter
+        /// fades; it is gone at half of this cosine. 0 turns the fading off.
         glitter_min_cosine: f32,
         /// Slope variance along each axis (x, z) that the roughness setting adds to that of the unresolved waves.
         roughness_variance: f32,
         foam_roughness: f32,
-        /// Factor on the height of the foam's relief, and so on its shading; 0 is flat foam.
+        /// Factor on the height of the bumps of foam, and so on their shading; 0 is flat foam.
         foam_relief: f32,
         /// Factor on the radiance of the reflected sky; 1 is physical.
         sky_reflection: f32,
-        /// Strength of the caustics on the bed: 0 is even light, 1 is physical.
+        /// Strength of the caustics (sunlight focused by the waves) on the bed: 0 is even light, 1 is physical.
         caustic_strength: f32,
-        /// Half the shortest wavelength that forms distinct caustics on the bed, m; finer wave detail is left out.
+        /// Half the shortest wavelength that forms distinct caustics on the bed, m; caustics leave shorter detail out.
         caustic_filter_m: f32,
         unused: [u32; 2],
     }
@@ -160,7 +162,7 @@ impl MaterialUniform {
     }
 }
 
-/// Optical properties of the water with these scattering settings.
+/// Absorption and scattering of the water type, or of water of a chosen colour, in the settings `scattering`.
 fn water_optics(scattering: &Scattering) -> WaterOptics {
     let water = WaterOptics::blend_with_next_type(scattering.water_type, scattering.water_type_blend);
     if scattering.scatter_colour > 0.0 {
@@ -170,7 +172,7 @@ fn water_optics(scattering: &Scattering) -> WaterOptics {
     }
 }
 
-/// Whether enough light returns from the sea bed for it to be drawn.
+/// Whether the sea bed is drawn: enough light returns from it through the water (`MIN_BED_TRANSMITTANCE`).
 pub fn is_bed_visible(scene: &Scene) -> bool {
     let back = water_optics(&scene.look.surface.scattering).two_way_transmittance(scene.sea.depth_m);
     back.into_iter().any(|share| share > MIN_BED_TRANSMITTANCE)

@@ -13,9 +13,10 @@ use std::f64::consts::{PI, TAU};
 const DEFAULT_COLUMNS: f64 = 240.0;
 /// Number of rows (arcs of vertices at one distance from the eye) of the water mesh at density 1.
 const DEFAULT_ROWS: f64 = 1120.0;
-/// Number of vertices of the water mesh at density 1.
+/// Number of vertices of the water mesh at density 1 (default mesh detail, picture of 1280 x 720 pixels).
 pub const DEFAULT_VERTICES: f64 = DEFAULT_COLUMNS * DEFAULT_ROWS;
-/// Number of columns of the mesh that are drawn together row by row; the next row finds vertices in the GPU's cache.
+/// Number of columns of quads in a block. A block is drawn row by row, so that a row finds the vertices that it shares
+/// with the row before in the GPU's cache.
 pub const COLUMNS_PER_BLOCK: u32 = 8;
 /// Step of the logarithmic distance t (see [`MeshLattice`]) to which the nearest row is rounded down, so that a small
 /// change of the camera's pitch moves no row.
@@ -23,8 +24,8 @@ const ROW_SNAP: f64 = 0.25;
 
 gpu_struct! {
     /// WGSL `MeshLattice`: polar coordinates of the vertices around the point below the eye. Row i of column j has the
-    /// azimuth `first_azimuth + j azimuth_step`, rad, and the distance `linear_radius_m` (exp(t) - 1), where t is
-    /// `first_log_radius + i log_radius_step`.
+    /// azimuth `first_azimuth + j azimuth_step`, rad clockwise from north, and the distance `linear_radius_m` (exp(t) -
+    /// 1), m, where t is `first_log_radius + i log_radius_step`.
     pub struct MeshLattice as "MeshLattice" {
         pub first_azimuth: f32,
         pub azimuth_step: f32,
@@ -38,7 +39,7 @@ gpu_struct! {
     }
 }
 
-/// The water mesh for one view, before displacement.
+/// Layout of the water mesh for one view: the lattice of its undisplaced vertices, and how many columns are drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
     /// Polar coordinates of the vertices before displacement.
@@ -121,8 +122,8 @@ impl Mesh {
     }
 }
 
-/// Limits of the viewing directions that may show water: the lowest elevation in the picture, and the largest azimuth
-/// to either side of its middle, both rad.
+/// Limits of the directions in the picture that may show water: lowest elevation (negative below the horizontal), and
+/// largest azimuth to either side of the picture's middle, both rad; (-pi/2, pi) if the point below the eye is visible.
 fn visible_angles(view: &View) -> (f64, f64) {
     let down = -glam::DVec3::Y;
     let depth = down.dot(view.forward);

@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 /// Side of the noise texture, texels.
 const NOISE_SIDE: u32 = 512;
 
-/// Periodic noise texture (net of foam in red, bubbles in green, clouds in blue) and its sampler.
+/// Periodic noise texture (net-like pattern of foam in red, bubbles in green, clouds in blue) and its sampler.
 pub struct NoiseTexture {
     texture: wgpu::Texture,
     pub view: wgpu::TextureView,
@@ -25,7 +25,7 @@ impl NoiseTexture {
         Self { view: texture.create_view(&wgpu::TextureViewDescriptor::default()), texture, sampler }
     }
 
-    /// Computes the noise and uploads all mip levels.
+    /// Computes the noise, at first use in the process, and uploads all mip levels to the texture.
     pub fn fill(&self, gpu: &Gpu) {
         for (mip_level, bytes) in (0..).zip(mip_levels()) {
             gpu.write_texture(&self.texture, mip_level, bytes);
@@ -33,8 +33,8 @@ impl NoiseTexture {
     }
 }
 
-/// RGBA bytes of all mip levels of the noise texture, finest first. They are computed once per process, so that a
-/// second device gets them at once.
+/// RGBA bytes of all mip levels of the noise texture, finest first. They are computed once per process; a second GPU
+/// device gets the same bytes.
 fn mip_levels() -> &'static [Vec<u8>] {
     static MIP_LEVELS: OnceLock<Vec<Vec<u8>>> = OnceLock::new();
     MIP_LEVELS.get_or_init(|| {
@@ -88,7 +88,8 @@ fn noise_tile(side: u32) -> Vec<[f32; 4]> {
     (0..(side * side) as usize).map(|i| [net[i], bubbles[i], cloud[i], 1.0]).collect()
 }
 
-/// Rank of each value among all values, 0 to 1. Values are sorted into 65536 bins, which is much finer than a byte.
+/// Rank of each value among all values, 0 (lowest) to 1, so that the results are spread evenly. Ranks come from a
+/// histogram of 65536 bins; values in the same bin get the same rank.
 fn ranks_of_values(values: &[f32]) -> Vec<f32> {
     const BINS: usize = 1 << 16;
     let (low, high) = values.iter().fold((f32::MAX, f32::MIN), |(low, high), &v| (low.min(v), high.max(v)));
@@ -121,8 +122,8 @@ fn half_size_level(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
 /// A periodic lattice of square cells with two random numbers per cell, from which Worley or Perlin noise is computed.
 struct NoiseLattice {
     period: i32,
-    /// The two numbers of each cell, row by row: place of a point in the cell, 0 to 1, or a unit vector. The outermost
-    /// cells are repeated around the edge, so that a look-up needs no modulo.
+    /// The two numbers of each cell, row by row: for Worley noise the place of a point in the cell, 0 to 1; for Perlin
+    /// noise a unit vector at its corner. The outermost cells are repeated around the edge; look-ups need no modulo.
     cells: Vec<[f32; 2]>,
 }
 
@@ -155,8 +156,8 @@ impl NoiseLattice {
         Self { period, cells }
     }
 
-    /// Finds the cell of the point (x, y) in a tile of side 1. Returns the index in `cells` of the cell one column and
-    /// one row before it, where the 3 x 3 cells around the point begin, and the point's place in its own cell, 0 to 1.
+    /// Finds the cell that contains the point (x, y) of a tile of side 1. Returns the index in `cells` of the cell one
+    /// column and one row before it, where the 3 x 3 cells around it begin, and the point's place in its cell, 0..1.
     fn locate_cell(&self, x: f32, y: f32) -> (usize, [f32; 2]) {
         let [x, y] = [x, y].map(|x| (x - x.floor()) * self.period as f32);
         let [ix, iy] = [x, y].map(|x| (x as usize).min(self.period as usize - 1));
@@ -168,7 +169,7 @@ impl NoiseLattice {
         self.period as usize + 2
     }
 
-    /// Worley noise at (x, y), 0 to 1: 1 on the border between the regions nearest to two points, less inside them.
+    /// Worley noise, 0 to 1, at (x, y) in a tile of side 1: 1 on the borders between the points' regions, less inside.
     fn worley_noise(&self, x: f32, y: f32) -> f32 {
         let (before, [x, y]) = self.locate_cell(x, y);
         // Squared distances compared as bits, which sort alike: WebAssembly finds the minimum of integers faster.
@@ -185,7 +186,7 @@ impl NoiseLattice {
         1.0 - (f32::from_bits(second).sqrt() - f32::from_bits(first).sqrt()).min(1.0).sqrt()
     }
 
-    /// Perlin noise at (x, y), about -0.7 to 0.7.
+    /// Perlin noise, about -0.7 to 0.7, at (x, y) in a periodic tile of side 1.
     fn perlin_noise(&self, x: f32, y: f32) -> f32 {
         let (before, [fx, fy]) = self.locate_cell(x, y);
         let corner = |dx: usize, dy: usize| {
