@@ -15,12 +15,14 @@ pub struct Derived {
     /// Plan (the waves of the sea, divided among cascades) for the FFT size that the user requested; adaptive quality
     /// may draw the sea with a smaller one.
     pub plan: Plan,
-    /// Statistics by theory, from integrals of the continuous spectrum.
+    /// Statistics of the sea (wave height, periods, slope, direction) by theory, from integrals of the continuous
+    /// spectrum.
     pub theory: SpectrumStatistics,
     /// Statistics of the resolved waves (those on the FFT grids), as sums over all wave numbers; empty until first
     /// used.
     resolved: OnceCell<LatticeStatistics>,
-    /// Waves that move floating hulls. Here only their heights are used: see [`Self::strongest_waves`].
+    /// The strongest waves, as used to move floating hulls; here they give only heights (see
+    /// [`Self::strongest_waves`]). Empty until first used.
     surface_waves: OnceCell<HullWaves>,
     /// Directional spectrum, sampled for the panel's polar plot; empty until first used.
     directional_spectrum: OnceCell<DirectionalSpectrumSamples>,

@@ -73,8 +73,8 @@ impl eframe::App for AppHost {
     }
 }
 
-/// Creates the ocean renderer and stores it in eframe's resources for paint callbacks. Returns the list that collects
-/// all errors of the GPU device from now on.
+/// Creates the ocean renderer with `params` and stores it in eframe's callback resources, where the paint callback of
+/// the sea finds it. Returns the list that collects all errors of the GPU device from now on.
 pub fn create_ocean(render_state: &egui_wgpu::RenderState, params: &Params) -> GpuErrors {
     let errors = GpuErrors::watch(&render_state.device);
     let gpu = Gpu { device: render_state.device.clone(), queue: render_state.queue.clone() };

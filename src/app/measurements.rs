@@ -104,7 +104,8 @@ impl FrameMeasurements {
     }
 }
 
-/// Statistics measured in the wave maps of the current sea, as means over several moments in time.
+/// Wave height, slope, foam coverage and spectrum measured in the GPU's maps of the current sea, as means over several
+/// moments in time.
 #[derive(Default)]
 pub struct SeaMeasurement {
     /// Serial number of the current sea. Measurements that belong to an earlier sea are discarded.
@@ -162,8 +163,8 @@ impl SeaMeasurement {
         self.mean(self.sums.coverage)
     }
 
-    /// Spectrum measured in the GPU's wave maps: width of a frequency bin, rad/s, and mean variance density S(omega) in
-    /// each bin, m^2 s. The first bin begins at 0. `None` before the first reading.
+    /// Frequency spectrum measured in the GPU's wave maps: width of a bin, rad/s, and mean variance density S(omega) in
+    /// each bin, m^2 s. The first bin begins at frequency 0. `None` before the first reading.
     pub fn spectrum(&self) -> Option<(f64, Vec<f64>)> {
         let width = self.sums.width_rad_s;
         let unit = self.mean(1.0)? / width;
@@ -183,7 +184,8 @@ impl SeaMeasurement {
 }
 
 impl App {
-    /// Discards the statistics of the wave maps and pending requests, because another sea is drawn.
+    /// Discards the statistics measured in the wave maps, and pending requests for map copies. Called when the sea
+    /// changes, because these belong to the old sea.
     pub(super) fn discard_measurements(&mut self) {
         self.sea_measurement.clear();
         let mut inner = self.frame_measurements.lock();

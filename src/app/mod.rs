@@ -223,7 +223,8 @@ impl App {
         ctx.request_repaint();
     }
 
-    /// Passes the parameters of this frame to the undo history.
+    /// Passes the parameters of this frame to the undo history, and requests another frame while a change waits to
+    /// become an undo step.
     fn watch_history(&mut self, ctx: &egui::Context) {
         let (held, now_s) = ctx.input(|i| (i.pointer.any_down(), i.time));
         self.history.note_params(&self.params, held, now_s);

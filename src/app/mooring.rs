@@ -35,8 +35,8 @@ impl App {
         self.params.floats.push(FloatingObject { kind, x_m: round(x_m), z_m: round(z_m) });
     }
 
-    /// The position on the sea, m east and south, seen at a point of the window; `None` without water or if too far
-    /// away.
+    /// The position on the sea, m east and south, seen at the point `at` of the window, in which the sea fills `rect`.
+    /// `None` if there is no water or it is farther than [`MAX_FLOATING_OBJECT_DISTANCE_M`].
     fn water_position_at(&self, at: egui::Pos2, rect: egui::Rect) -> Option<[f64; 2]> {
         let camera = &self.params.camera;
         let aspect = f64::from(rect.width() / rect.height().max(1.0));

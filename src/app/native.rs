@@ -67,7 +67,7 @@ fn wait(time: Duration) {
     std::thread::sleep(time);
 }
 
-/// Reads a sky image (.hdr or .exr) from a file.
+/// Reads and decodes the sky image (equirectangular, .hdr or .exr) in the file at `path`.
 ///
 /// # Errors
 /// One sentence that names the file and the reason.

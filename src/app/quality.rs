@@ -8,12 +8,13 @@ const SLOW_FRAME_S: f64 = 1.0 / 40.0;
 const FAST_FRAME_S: f64 = 1.0 / 55.0;
 /// Lowest factor by which adaptive quality scales the picture's width and height on a hardware GPU.
 const MIN_SCALE: f64 = 0.4;
-/// Initial and lowest factor of the picture's width and height on a software adapter, which takes seconds per frame.
+/// Factor of the picture's width and height with which a software adapter (which draws on the CPU and takes seconds per
+/// frame) starts. It is also the lower limit there.
 const SOFTWARE_ADAPTER_SCALE: f64 = 0.25;
 /// Smallest FFT size to which slow frames reduce a cascade. A smaller one would leave wave numbers in no cascade.
 const MIN_FFT_SIZE: u32 = 128;
-/// Factor by which the first, third, fifth ... out-of-memory error scales the picture's width and height. The errors
-/// between them halve the FFT size.
+/// Factor by which each odd-numbered out-of-memory error (the first, the third, ...) scales the picture's width and
+/// height. Each even-numbered one halves the FFT size.
 const OUT_OF_MEMORY_SCALE: f64 = 0.7;
 /// Smallest FFT size to which out-of-memory errors reduce a cascade.
 const OUT_OF_MEMORY_MIN_FFT_SIZE: u32 = 64;
@@ -27,7 +28,8 @@ const MAX_FAST_TIME_BEFORE_TRIAL_S: f64 = 60.0;
 /// before it took as long.
 const STALL_S: f64 = 4.0;
 
-/// Controller of the picture's resolution and the FFT size. It reacts to the frame time and to out-of-memory errors.
+/// Controller that lowers and raises the picture's resolution and the FFT size, according to the frame time and to
+/// out-of-memory errors.
 pub struct Quality {
     /// Moving average of the frame time, s.
     frame_s: f64,

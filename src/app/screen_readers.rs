@@ -7,7 +7,7 @@ use egui::accesskit::{Action, ActionData, ActionRequest, Node, NodeId, Role, Tog
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// A widget or a text of the accessibility tree.
+/// A widget or a text of egui's accessibility tree, as the web page passes it to screen readers and browser tests.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AccessibleItem {
     /// AccessKit's 64-bit node id, written as a decimal number.

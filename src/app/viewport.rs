@@ -56,8 +56,8 @@ impl Progress {
         self.0.callback_installed.load(Ordering::Relaxed) && !self.has_first_picture()
     }
 
-    /// Installs the callback that reports the completion of the first picture, once that picture has been submitted.
-    /// Call this before a frame is recorded.
+    /// Asks wgpu to set `finished` when the GPU has finished the first picture, as soon as that picture has been
+    /// submitted. Call this before each frame is recorded.
     fn watch_first_submission(&self, gpu: &Gpu) {
         if self.0.painted.load(Ordering::Relaxed) && !self.0.callback_installed.swap(true, Ordering::Relaxed) {
             let marks = self.0.clone();

@@ -20,7 +20,8 @@ use std::fmt::Write as _;
 /// Exit code of a command that fails for any reason, such as bad arguments or a missing GPU.
 const USAGE_EXIT_CODE: i32 = 2;
 
-/// Runs the command line of this process; returns its exit code.
+/// Runs the command that the arguments of this process name. Returns the exit code: 0, 1 if `seastate check` finds an
+/// error above its tolerance, or [`USAGE_EXIT_CODE`].
 pub fn main() -> i32 {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,

@@ -26,7 +26,7 @@ pub struct MeasuredStatistics {
     pub hs_m: EstimateWithError,
     /// Mean elevation of the surface, m.
     pub mean_m: EstimateWithError,
-    /// Mean square slope of the surface, dimensionless.
+    /// Mean square slope of the undisplaced surface: mean of (d eta/dx)^2 + (d eta/dz)^2, dimensionless.
     pub mss: EstimateWithError,
     /// Mean wave period Tm01 = 2 pi m0 / m1, s, with the spectral moments m0 and m1.
     pub tm01_s: EstimateWithError,
@@ -36,7 +36,7 @@ pub struct MeasuredStatistics {
     pub from_deg: Option<EstimateWithError>,
     /// First directional moment r1: 0 without a mean direction, 1 if all waves travel in one direction.
     pub r1: EstimateWithError,
-    /// Directional spread sqrt(2 (1 - r1)), degrees.
+    /// Directional spread sqrt(2 (1 - r1)), converted to degrees, with the first directional moment r1.
     pub spread_deg: EstimateWithError,
     /// Skewness of the surface's elevation; 0 for a Gaussian.
     pub skewness: EstimateWithError,
@@ -173,9 +173,10 @@ fn seed_statistics(
     SeedStatistics { variance, mean, mss, skewness, kurtosis, travelling, parseval_error }
 }
 
-/// Separates the waves of a cascade by direction of travel, and calls `visit` for each. Two times determine A in the
-/// Fourier coefficient X(k, t) = A e^{-i w t} + B* e^{+i w t} of the heights, with the angular frequency w. A is the
-/// amplitude of the wave that travels along the wave vector k; its variance is 2 |A|^2.
+/// Separates the waves of a cascade by direction of travel, and calls `visit` for each. `displacements` are its maps at
+/// two `times` (s). They determine A in the Fourier coefficient X(k, t) = A e^{-i w t} + B* e^{+i w t} of the heights
+/// at angular frequency w. A is the amplitude of the wave that travels along the wave vector k; its variance is 2
+/// |A|^2.
 fn travelling_waves(
     plan: &Plan,
     cascade: &Cascade,
@@ -220,8 +221,9 @@ pub fn transform_of_heights(n: usize, displacement: &[[f32; 4]]) -> Vec<[f64; 2]
     transform::inverse_2d(n, &heights)
 }
 
-/// Calls `visit` with the elevation (m) and the Jacobian (the area of a displaced surface element over its area at
-/// rest) at random points. Cascades are independent and homogeneous, so a point is the sum of a random texel of each.
+/// Calls `visit` at [`STATISTICS_POINTS`] random points of the sea, with the elevation (m) and the Jacobian (area of a
+/// displaced surface element over its area at rest). Cascades are independent and homogeneous, so a point is the sum of
+/// a random texel of each.
 pub fn surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f64)) {
     let n = maps.n as u32;
     for i in 0..STATISTICS_POINTS {

@@ -38,7 +38,7 @@ impl EstimateWithError {
         Self { value: statistic(None), standard_error: error }
     }
 
-    /// Multiplies the value and its standard error by a factor.
+    /// The estimate times a factor: the value times `factor`, and the standard error times its magnitude.
     pub fn scaled(self, factor: f64) -> Self {
         self.with_propagated_error(factor * self.value, factor)
     }

@@ -119,12 +119,14 @@ fn lab_with_hunt_effect(rgb: [f64; 3]) -> [f64; 3] {
     [l, 0.01 * l * 500.0 * (x - y), 0.01 * l * 200.0 * (y - z)]
 }
 
-/// HyAB distance of two L*a*b* colours, which is valid for large colour differences (Abasi et al. 2020).
+/// HyAB distance of two L*a*b* colours: the difference of L* plus the Euclidean distance in a* and b*. It stays valid
+/// for large colour differences (Abasi et al. 2020).
 fn hyab_distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (a[0] - b[0]).abs() + (a[1] - b[1]).hypot(a[2] - b[2])
 }
 
-/// Maps a colour difference from 0 to `most` to FLIP's scale from 0 to 1.
+/// Maps a colour difference `x` (0 to `most`, the largest possible one) to FLIP's scale from 0 to 1: linearly up to
+/// [`KNEE_DIFFERENCE_FRACTION`] of `most`, and with a smaller slope above.
 fn to_flip_scale(x: f64, most: f64) -> f64 {
     let knee = KNEE_DIFFERENCE_FRACTION * most;
     if x < knee {

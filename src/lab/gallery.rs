@@ -94,13 +94,14 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
 ];
 
 impl GalleryPicture {
-    /// File name of the picture, without a folder.
+    /// File name of the picture (made from its title, with the extension .jpg), without a folder.
     pub fn file(&self) -> String {
         format!("{}.jpg", self.title.to_lowercase().replace(' ', "-"))
     }
 }
 
-/// Renders the pictures whose title contains `only`, and writes gallery.md and gallery/ to a folder. Returns a summary.
+/// Renders the pictures whose title contains `only`, and writes gallery.md and the folder gallery/ into the folder
+/// `output`. Returns a line for the terminal: the path of the page and the number of pictures.
 ///
 /// # Errors
 /// If no title contains `only`, reading back from the GPU fails, or a file cannot be written.

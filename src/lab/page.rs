@@ -80,7 +80,7 @@ impl Page {
         format!("{}\n", self.text.trim_end())
     }
 
-    /// File name without extension, and SVG text, of each figure.
+    /// File name without extension, and SVG text, of each figure that has been added to the page.
     pub fn drawings(&self) -> &[(String, String)] {
         &self.figures
     }

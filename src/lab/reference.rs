@@ -19,8 +19,9 @@ pub struct Sampling {
 }
 
 impl Sampling {
-    /// Sample grids, rendered one after the other, that together give every pixel at least `samples` samples. Each grid
-    /// has at most `most` samples in total and at most `longest` along the picture's width or height.
+    /// Sample grids, rendered one after the other, that together give every pixel of a picture of `size` pixels at
+    /// least `self.samples` samples. Each grid has at most `most` samples in total and at most `longest` along its
+    /// width or height.
     fn grids(self, size: [u32; 2], most: u64, longest: u32) -> impl Iterator<Item = SampleGrid> {
         let fits = |side: &u32| {
             let [w, h] = size.map(|s| u64::from(s) * u64::from(*side));

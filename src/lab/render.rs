@@ -20,8 +20,8 @@ const SKY_M: f32 = 1e10;
 pub struct Sequence {
     /// Number of pictures in the sequence.
     pub count: u32,
-    /// Pictures per second. The state's `speed` (simulated seconds per second) divided by this rate is the simulated
-    /// time between two pictures.
+    /// Pictures per second of the played sequence. The state's `speed` (simulated seconds per second) divided by this
+    /// rate is the simulated time between two pictures.
     pub fps: f64,
     /// Whether to write linear light, distance and normals of each picture as an OpenEXR file, too.
     pub layers: bool,
@@ -51,7 +51,8 @@ fn write_png(pixels: Vec<u8>, size: [u32; 2], path: &Path) -> std::result::Resul
     image.save_with_format(path, image::ImageFormat::Png).map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 
-/// Renders a sequence of pictures that begins at the state's time, and writes it to a folder. Returns a summary.
+/// Renders a sequence of pictures that begins at the state's time, and writes it to a folder. Returns a line for the
+/// terminal: the number of pictures and the folder.
 ///
 /// # Errors
 /// One sentence, if reading back from the GPU fails or a file cannot be written.

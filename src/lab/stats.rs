@@ -22,7 +22,7 @@ pub struct SeaStatistics {
     pub resolved: LatticeStatistics,
     /// Statistics measured in the wave maps that were read back from the GPU.
     pub measured: MeasuredStatistics,
-    /// Mean foam coverage measured with the first seed, 0 to 1.
+    /// Foam coverage measured on the GPU with the first seed, 0 to 1: mean over all cells of all foam levels.
     whitecap_fraction: f64,
 }
 

@@ -115,7 +115,7 @@ fn round_to_significant_digits(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
 
-/// Adds a colour picker and the colour's value as text.
+/// Adds a colour picker for `value`, a colour as the number 0xRRGGBB, and beside it the colour as text.
 fn colour_editor(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Response {
     let bits = *value as u32;
     let mut rgb = [16, 8, 0].map(|shift| (bits >> shift) as u8);

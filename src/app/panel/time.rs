@@ -55,7 +55,7 @@ pub fn show_time_controls(app: &mut App, ui: &mut egui::Ui) {
     });
 }
 
-/// Stops the clock and moves the time by a number of frames of 1/60 s.
+/// Stops the clock, and moves the simulated time forward by `frames` frames of 1/60 s (back if negative).
 pub fn step_clock(clock: &mut Clock, frames: f64) {
     clock.paused = true;
     // The time is a whole number of frames, so that steps forward and back return to the same time.

@@ -88,8 +88,8 @@ fn measured_peak_period(sea: &MeasuredSea) -> EstimateWithError {
     })
 }
 
-/// Points of the figure: centre of a frequency bin (rad/s), measured spectral density S (m^2 s) and its standard error,
-/// for those bins that the cascades cover completely.
+/// Points of a spectrum's figure: centre of a frequency bin (rad/s), measured spectral density S (m^2 s) and its
+/// standard error over the seeds, for those bins that the cascades cover completely.
 fn measured_points(sea: &MeasuredSea) -> Vec<[f64; 3]> {
     let held = sea.plan.resolved_bands();
     let waves = sea.plan.dispersion;

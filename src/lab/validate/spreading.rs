@@ -31,16 +31,16 @@ fn bin_angle(bin: usize) -> f64 {
     (bin as f64 + 0.5) / DIRECTION_BINS as f64 * TAU - PI
 }
 
-/// Mean of `f`, a function of the angular frequency, over the band within [`HALF_WIDTH`] of `omega` (rad/s), weighted
-/// by the spectral density.
+/// Mean of `f`, a function of the angular frequency (rad/s), over the band from `omega` (1 - [`HALF_WIDTH`]) to `omega`
+/// (1 + [`HALF_WIDTH`]), weighted by the plan's spectral density.
 fn band_mean(plan: &Plan, omega: f64, f: impl Fn(f64) -> f64) -> f64 {
     let ends = [(1.0 - HALF_WIDTH) * omega, 0.95 * omega, omega, (1.0 + HALF_WIDTH) * omega];
     let s = |w: f64| plan.density(w);
     integrate_panels(|w| s(w) * f(w), &ends, 1) / integrate_panels(s, &ends, 1)
 }
 
-/// Theory at `ratio` times the peak frequency: the integral of the directional spreading over the circle (it should be
-/// 1), and the first directional moment r1, averaged over the band.
+/// Theory at `ratio` times the peak frequency: the integral of the directional spreading over the circle there (it
+/// should be 1), and the first directional moment r1, averaged over the band of [`HALF_WIDTH`] around that frequency.
 fn theory(plan: &Plan, ratio: f64) -> [f64; 2] {
     let spreading = &plan.systems[0].spreading;
     let omega = ratio * plan.omega_p;

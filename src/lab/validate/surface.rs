@@ -16,7 +16,8 @@ const HALF_RANGE_SIGMAS: f64 = 5.0;
 const ELEVATION_BINS: usize = 50;
 
 /// Exact probability density of the elevation of a Gaussian sea with horizontal displacement: phi(u) E[J | u]. Here u
-/// is the elevation over its standard deviation sigma, phi the standard normal density and J the Jacobian.
+/// is the elevation over its standard deviation sigma, phi the standard normal density and J the Jacobian of the
+/// displacement.
 ///
 /// Elevation and strain are jointly Gaussian, so E[J | u] = 1 - s1 u + s2 (u^2 - 1), with s1 = lambda (a + b) / sigma,
 /// s2 = lambda^2 (a b - c^2) / sigma^2 and the choppiness lambda. a, b and c sum kx^2/k, kz^2/k and kx kz/k over the
@@ -44,7 +45,8 @@ impl ElevationDistribution {
         (-0.5 * u * u).exp() / TAU.sqrt() * (1.0 - self.skew_term * u + self.area_term * (u * u - 1.0))
     }
 
-    /// Mean and standard deviation (in units of sigma), skewness and kurtosis (3 for a Gaussian) of the elevation.
+    /// Mean and standard deviation (in units of sigma), skewness and kurtosis (3 for a Gaussian) of the elevation by
+    /// this density.
     fn shape(&self) -> [f64; 4] {
         distribution_shape([
             1.0,
