@@ -8,7 +8,8 @@ use crate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
 use crate::waves::{Plan, SeaChange};
 use std::cell::OnceCell;
 
-/// Plan, statistics and plot data of one sea. The expensive ones are computed at their first use.
+/// What the app computes from the parameters of one sea: plan, statistics and plot data. The expensive parts are
+/// computed at their first use.
 pub struct Derived {
     /// Parameters from which the other fields were computed.
     pub params: Params,
@@ -65,8 +66,8 @@ impl Derived {
         self.resolved.get_or_init(|| LatticeStatistics::new(&self.plan, self.theory.m0_m2))
     }
 
-    /// The strongest waves of the sea. Their sum, computed on the CPU, gives the height of the sea at any point and
-    /// time.
+    /// The strongest waves of the sea. Their sum, computed on the CPU, approximates the height of the sea, m, at any
+    /// point and time.
     pub fn strongest_waves(&self) -> &StrongestWaves {
         self.surface_waves.get_or_init(|| HullWaves::new(&self.plan)).heights()
     }

@@ -6,11 +6,13 @@ use crate::state::floats::{self, FloatingObject};
 
 /// Largest distance from the camera at which a buoy or boat can be placed, m. Farther away it is too small to see.
 const MAX_FLOATING_OBJECT_DISTANCE_M: f64 = 3000.0;
-/// Number of fixed-point iterations that find the intersection of a view ray with the waves.
+/// Number of iterations that find where a view ray meets the waves. Each intersects it with the level of the water's
+/// height at the point found before.
 const RAY_STEPS: usize = 8;
 
 impl App {
-    /// Places a buoy under the pointer when B is pressed, or the object chosen in the panel where the sea is clicked.
+    /// Places a buoy at the pointer when B is pressed, or where the sea is clicked an object of the kind that was
+    /// chosen in the panel. A message says if there is no water or no room for more.
     pub(super) fn place_floating_object(&mut self, response: &egui::Response, ctx: &egui::Context) {
         if self.placing.is_some() && response.hovered() {
             ctx.set_cursor_icon(egui::CursorIcon::Crosshair);

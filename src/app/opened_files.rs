@@ -72,7 +72,8 @@ impl App {
         }
     }
 
-    /// Opens files according to their contents. Several files together are the spectra of one buoy.
+    /// Opens a saved picture, a list of seas or a sky image, recognised by its contents; other files are read as the
+    /// measured spectra of one buoy.
     fn open_files(&mut self, files: &[(String, Vec<u8>)]) -> Result<(), String> {
         if let [(name, bytes)] = files {
             if picture::is_png(bytes) {

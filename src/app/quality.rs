@@ -33,11 +33,12 @@ const STALL_S: f64 = 4.0;
 pub struct Quality {
     /// Moving average of the frame time, s.
     frame_s: f64,
-    /// Factor of the picture's width and height relative to the requested ones, at most 1.
+    /// Factor, at most 1, by which adaptive quality scales the width and height of the picture that the user's settings
+    /// ask for.
     scale: f64,
     /// Lower limit of `scale`: [`MIN_SCALE`], or [`SOFTWARE_ADAPTER_SCALE`] on a software adapter.
     min_scale: f64,
-    /// Number of times that adaptive quality halves the requested FFT size.
+    /// How often adaptive quality halves the requested FFT size: 0 for the full size, at most 3.
     halvings: u32,
     /// Time for which frames have been too slow (positive) or fast enough to try a higher quality (negative), s.
     pressure_s: f64,
@@ -129,27 +130,29 @@ impl Quality {
         OUT_OF_MEMORY_SCALE.powi(self.out_of_memory_errors.div_ceil(2) as i32)
     }
 
-    /// Width and height of the picture in pixels, at the current quality, for a viewport of the size `points`. Neither
-    /// exceeds `limit`, the largest side of a texture.
+    /// Width and height of the picture in pixels at the current quality, for a sea that covers `points` of the window
+    /// and the user's `screen` settings. Neither exceeds `limit`, the largest side of a texture.
     pub fn picture_size(&self, points: egui::Vec2, pixels_per_point: f32, screen: &Screen, limit: u32) -> [u32; 2] {
         let density = f64::from(pixels_per_point).min(screen.max_pixel_ratio) * screen.render_scale;
         let own = if self.still || !screen.adaptive { 1.0 } else { self.scale }.min(self.memory_scale_limit());
         [points.x, points.y].map(|side| ((f64::from(side) * density * own).round() as u32).min(limit))
     }
 
-    /// The requested grid parameters, with an FFT size for which the GPU's speed and memory suffice.
+    /// The requested grid parameters with the FFT size for which the GPU's memory and, with adaptive quality, its speed
+    /// suffice.
     pub fn reduced_grid(&self, grid: &Grid, screen: &Screen) -> Grid {
         let n = if screen.adaptive { self.reduced_fft_size(grid.n) } else { self.fft_size_for_memory(grid.n) };
         Grid { n, ..grid.clone() }
     }
 
-    /// The largest FFT size, at most the requested `n`, for which the GPU's speed and memory suffice.
+    /// Largest FFT size up to the requested `n` that adaptive quality allows: halved while frames are slow (unless time
+    /// is stopped) and after out-of-memory errors.
     fn reduced_fft_size(&self, n: u32) -> u32 {
         let n = self.fft_size_for_memory(n);
         if self.still { n } else { (n >> self.halvings).max(MIN_FFT_SIZE.min(n)) }
     }
 
-    /// Largest FFT size that the out-of-memory errors so far allow, if `n` is requested.
+    /// Largest FFT size up to the requested `n` that the out-of-memory errors so far allow: every second one halves it.
     fn fft_size_for_memory(&self, n: u32) -> u32 {
         (n >> (self.out_of_memory_errors / 2).min(8)).max(OUT_OF_MEMORY_MIN_FFT_SIZE.min(n))
     }

@@ -39,7 +39,8 @@ impl WebHandle {
         Self { runner: eframe::WebRunner::new(), parked: ParkedApp::default(), gpu_errors: Rc::default() }
     }
 
-    /// Starts the app on a canvas with the state in the page's address, or continues it on another device after a loss.
+    /// Starts the app on a canvas with the state in the page's address. After a device loss, continues the parked app
+    /// on a new GPU device.
     ///
     /// # Errors
     /// One sentence, if WebGPU cannot be used. The caller may try again.
@@ -59,7 +60,7 @@ impl WebHandle {
         Ok(())
     }
 
-    /// Stops the app and releases the canvas.
+    /// Stops the app and releases the canvas. A parked app (one that waits for a new GPU device) is kept.
     pub fn destroy(&self) {
         self.runner.destroy();
     }
@@ -258,7 +259,7 @@ fn address_query() -> String {
     eframe::web::web_location().query
 }
 
-/// The page's address (URL) with the given state string as its query.
+/// Address (URL) of this web page with the given state string as its query; without a query if the string is empty.
 pub fn page_link(state: &str) -> String {
     let location = eframe::web::web_location();
     let base = location.url.split(['?', '#']).next().unwrap_or_default().to_owned();
@@ -268,16 +269,16 @@ pub fn page_link(state: &str) -> String {
 /// Copy of the page's address (URL) as the app last read or wrote it. If the browser then has another one, the user
 /// went back or forward.
 pub struct Address {
-    /// Query part of the address, without `?`, as it was last read or written: the state string.
+    /// State string in the page's address (the query, without `?`) as the app last read or wrote it.
     query: String,
-    /// Parameters in the current entry of the browser's history, rounded as in a link. If more than time and camera
-    /// differ from them, a new entry is added.
+    /// Parameters of the current entry in the browser's history, with camera and time rounded as in a link. If more
+    /// than time and camera changes, a new entry is added.
     entry: Params,
     written: Instant,
 }
 
 impl Address {
-    /// Reads the page's address at the start of the app.
+    /// Reads the page's address at the start of the app, whose parameters are `params`.
     pub fn new(params: &Params) -> Self {
         Self { query: address_query(), entry: with_rounded_pose(params), written: Instant::now() }
     }

@@ -6,13 +6,15 @@ use crate::state::Params;
 use crate::state::fields::{FIELDS, Field, FieldKind, Group, InvalidValue};
 use crate::state::params::Units;
 
-/// Whether a search finds a parameter: each word occurs in its label, key, group or help text.
+/// Whether a search for `words` finds a parameter: each word occurs in its label, key, group or help text, in upper or
+/// lower case.
 pub fn matches_search(field: &Field, words: &str) -> bool {
     let text = format!("{} {} {} {}", field.key, field.label, field.group.label(), field.help).to_lowercase();
     words.to_lowercase().split_whitespace().all(|word| text.contains(word))
 }
 
-/// Adds the rows of a group's parameters that match the search.
+/// Adds the rows of those parameters of a group that match `words`, the text in the search field. An empty text matches
+/// all.
 pub fn show_group(params: &mut Params, group: Group, words: &str, ui: &mut egui::Ui) {
     let units = params.screen.units;
     egui::Grid::new(group.label()).num_columns(3).show(ui, |ui| {
@@ -88,7 +90,8 @@ fn value_editor(field: &'static Field, value: &mut f64, units: Units, ui: &mut e
     }
 }
 
-/// Adds a slider in the user's units. The metric value changes only if the slider moves, so converting never rounds it.
+/// Adds a slider in the user's units for a metric `value` from `min` to `max`, logarithmic if `log`. The value changes
+/// only if the slider moves, so converting units never rounds it.
 fn number_editor(
     field: &'static Field,
     value: &mut f64,

@@ -7,7 +7,8 @@ use crate::state::params::Clock;
 
 /// Time by which one press of a step button moves the stopped clock, s: one frame at 60 Hz.
 const FRAME_STEP_S: f64 = 1.0 / 60.0;
-/// Length of time that the time slider covers if the sea does not loop, s.
+/// Length of the interval that the time slider covers, s, if the sea does not repeat after a loop; else it covers one
+/// loop.
 const SLIDER_RANGE_S: f64 = 120.0;
 
 /// Adds the buttons, the slider and the number fields for the simulated time and its speed.
