@@ -38,7 +38,7 @@ impl History {
     }
 
     /// Makes an undo step of the changes since the last one at once, without waiting until they have been constant for
-    /// [`STABLE_TIME_S`].
+    /// `STABLE_TIME_S`.
     pub fn commit(&mut self, params: &Params) {
         let now = self.feed_undoer(params);
         self.0.add_undo(&now);

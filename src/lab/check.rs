@@ -50,8 +50,8 @@ impl fmt::Display for Comparison {
     }
 }
 
-/// Relative tolerance of the spectrum pass: the hash is exact; logarithm, sine, arc tangent and exponential are off by
-/// a few units of least precision. One f32 operation has a relative rounding error of 6e-8.
+/// Relative tolerance of the spectrum pass. Its integer hash for random numbers is exact; logarithm, sine, arc tangent
+/// and exponential are off by a few times the rounding error of f32, 6e-8.
 const SPECTRUM_TOLERANCE: f64 = 1e-6;
 /// Relative tolerance of the row and column passes: rounding errors of the log2(n) butterfly stages of an FFT of size
 /// n.
@@ -65,9 +65,9 @@ const MIP_TOLERANCE: f64 = 4.9e-4;
 /// steepness of the foam's source term amplifies.
 const FOAM_TOLERANCE: f64 = 5e-3;
 
-/// Smallest root mean square by which an error of half floats is divided. Half floats are at least 2^-24 apart; a texel
-/// with four truncated components is off by up to 2^-23, which is 2^-11 of this value. It matters for the slopes of the
-/// longest waves of a calm sea.
+/// Smallest root mean square of expected values by which the error of half-float maps is divided. Half floats are at
+/// least 2^-24 apart; a texel with four truncated components is off by up to 2^-23, which is 2^-11 of this value. It
+/// matters for the slopes of the longest waves of a calm sea.
 const MIN_HALF_FLOAT_RMS: f64 = 2.441_406_25e-4;
 
 /// Number of foam steps that are computed before the GPU's foam is compared with the oracle's.
@@ -76,6 +76,7 @@ const FOAM_STEPS: usize = 4;
 const FOAM_LEVEL: usize = 1;
 
 /// Compares all GPU passes (spectrum, FFT, wave maps, mip levels, foam) with the oracle, for a state at its time.
+/// Returns one comparison per quantity and cascade.
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -83,7 +84,8 @@ pub async fn run(gpu: &Gpu, params: &Params) -> Result<Vec<Comparison>, String> 
     run_with(gpu, params, &Shaders::default(), FftImplementation::for_device(gpu)).await
 }
 
-/// Does the same as [`run`] with given shaders, in which tests plant faults, and a given FFT implementation.
+/// Compares all GPU passes with the oracle as [`run`] does, but with the given shaders, in which tests plant faults,
+/// and the given FFT implementation.
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -242,8 +244,8 @@ impl Check<'_> {
     }
 }
 
-/// Compares a foam level after [`FOAM_STEPS`] time steps on the GPU with the oracle's. Each step of the oracle reads
-/// the GPU's wave maps.
+/// Compares the foam coverage of the level [`FOAM_LEVEL`] after [`FOAM_STEPS`] time steps on the GPU with the oracle's.
+/// The oracle reads the GPU's wave maps, so only errors of the foam pass count.
 async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<Comparison, String> {
     let centre = [1234.5, -67.8];
     let size = sim.resources.foam_n as usize;
@@ -276,8 +278,8 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<C
     ))
 }
 
-/// Advances the foam of all cells of a foam level by one time step, as the oracle computes it. The corner of the level
-/// (x, z) and the side of a cell are in metres.
+/// Advances the foam coverage of all cells of a foam level by one time step, as the oracle computes it. `corner` (x, z)
+/// of the level and side `texel_m` of a cell are in metres.
 fn step_foam(foam: &mut [f64], plan: &Plan, pyramid: &Pyramid, (corner, texel_m): ([f64; 2], f64), step: FoamStep) {
     let source = FoamModel::new(plan).source(plan, texel_m);
     let size = foam.len().isqrt();
@@ -300,8 +302,8 @@ struct Pyramid {
 }
 
 impl Pyramid {
-    /// Reads back the wave maps, and computes at which mip levels a foam level with cells of `texel_m` metres samples
-    /// them.
+    /// Reads back the wave maps of `sim`, and computes at which mip level of each cascade a foam level with cells of
+    /// `texel_m` metres samples them.
     async fn read(gpu: &Gpu, sim: &Simulation, texel_m: f64) -> Result<Self, String> {
         let (r, plan) = (&sim.resources, sim.plan());
         let mut levels = Vec::new();

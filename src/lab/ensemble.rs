@@ -49,7 +49,7 @@ pub struct MeasuredStatistics {
     pub seeds: u32,
 }
 
-/// Statistics measured in the wave maps of one seed.
+/// Statistics measured in the GPU's wave maps of one seed; `summarise_seeds` averages them.
 pub struct SeedStatistics {
     variance: f64,
     mean: f64,
@@ -60,7 +60,8 @@ pub struct SeedStatistics {
     parseval_error: f64,
 }
 
-/// One wave of the sea, separated from the wave that travels in the opposite direction.
+/// One wave of the sea with its direction of travel. The wave of equal wave number in the opposite direction is another
+/// one.
 #[derive(Clone, Copy, Debug)]
 pub struct TravellingWave {
     /// Variance of the wave's elevation, m^2.
@@ -73,8 +74,8 @@ pub struct TravellingWave {
     pub travel: [f64; 2],
 }
 
-/// Measures the statistics of a state over `seeds` seeds: the state's own and those after it. Calls `visit` with the
-/// index of the seed and each of its waves.
+/// Measures the statistics of a state over `seeds` seeds: the state's own and those after it. Calls `visit` for every
+/// wave of every seed, with the index of the seed (from 0).
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -141,7 +142,7 @@ pub fn spread_deg(r1: EstimateWithError) -> EstimateWithError {
     r1.with_propagated_error(deg, 180.0 / PI / deg.to_radians().max(1e-9))
 }
 
-/// Computes the statistics of one seed from its wave maps at two times (s), and calls `visit` for every wave.
+/// Computes the statistics of one seed from its wave maps at two times (s), and calls `visit` for every wave of it.
 fn seed_statistics(
     plan: &Plan,
     maps: &[MapsF32; 2],
@@ -221,7 +222,7 @@ pub fn transform_of_heights(n: usize, displacement: &[[f32; 4]]) -> Vec<[f64; 2]
     transform::inverse_2d(n, &heights)
 }
 
-/// Calls `visit` at [`STATISTICS_POINTS`] random points of the sea, with the elevation (m) and the Jacobian (area of a
+/// Calls `visit` at `STATISTICS_POINTS` random points of the sea, with the elevation (m) and the Jacobian (area of a
 /// displaced surface element over its area at rest). Cascades are independent and homogeneous, so a point is the sum of
 /// a random texel of each.
 pub fn surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f64)) {

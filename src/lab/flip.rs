@@ -25,8 +25,8 @@ impl SrgbPicture {
     }
 }
 
-/// Perceived difference (FLIP) of every pixel of two pictures, 0 to 1, row by row. `pixels_per_degree` of visual angle
-/// depends on the viewing distance: usually [`PIXELS_PER_DEGREE`].
+/// Perceived difference (FLIP) of two pictures at every pixel, from 0 (equal) to 1, row by row. `pixels_per_degree` of
+/// visual angle depends on the viewing distance: usually [`PIXELS_PER_DEGREE`].
 ///
 /// # Errors
 /// If the pictures differ in size.
@@ -180,7 +180,7 @@ fn filter_plane(plane: &[f64], width: usize, along: &[f64], down: &[f64]) -> Vec
         .collect()
 }
 
-/// Strength of the edges and of the points (small dots) that FLIP detects at every pixel.
+/// Strength, at every pixel of a picture, of the edges and of the small dots (points) that FLIP detects.
 struct FeatureStrengths {
     edges: Vec<f64>,
     points: Vec<f64>,

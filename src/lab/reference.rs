@@ -6,13 +6,13 @@ use crate::ocean::still;
 use crate::ocean::{Ocean, SampleGrid};
 use crate::waves::noise::pcg4d;
 
-/// Largest number of samples in one render target, which holds one sample per texel.
+/// Largest number of samples that are drawn at once, each as one texel of the render target.
 const MAX_SAMPLES_PER_FRAME: u64 = 4_200_000;
 
 /// Number and positions of the samples in a reference picture, whose pixels are means of many unfiltered samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sampling {
-    /// Minimum number of samples per pixel.
+    /// Minimum number of samples of each pixel, which is their mean.
     pub samples: u32,
     /// Seed of the sample positions within a pixel.
     pub seed: u32,
@@ -68,7 +68,7 @@ impl PixelSum {
         }
     }
 
-    /// Linear light (RGB) of the pixel: the weighted mean of the water samples and the plain mean of the sky samples,
+    /// Linear light (RGB) of the pixel: the weighted mean of its water samples and the plain mean of its sky samples,
     /// mixed in proportion to the numbers of water and sky samples.
     fn mean(&self) -> [f32; 3] {
         let all = self.skies + self.waters;

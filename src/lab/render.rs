@@ -23,7 +23,7 @@ pub struct Sequence {
     /// Pictures per second of the played sequence. The state's `speed` (simulated seconds per second) divided by this
     /// rate is the simulated time between two pictures.
     pub fps: f64,
-    /// Whether to write linear light, distance and normals of each picture as an OpenEXR file, too.
+    /// Whether each picture also gets an OpenEXR file with its linear light, distances (m) and surface normals.
     pub layers: bool,
 }
 
@@ -85,7 +85,7 @@ pub async fn write_sequence(
     Ok(format!("{} {what} in {}", sequence.count, folder.display()))
 }
 
-/// Writes an OpenEXR file with the linear light, distances and surface normals of the last picture.
+/// Writes an OpenEXR file with the linear light, distances (m) and surface normals of the picture that was last drawn.
 async fn write_layers(
     gpu: &Gpu,
     ocean: &mut Ocean,

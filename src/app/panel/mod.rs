@@ -97,8 +97,7 @@ fn enlarge_for_touch(ui: &mut egui::Ui) {
     ui.spacing_mut().icon_width = 22.0;
 }
 
-/// Text of one line about the sea: significant wave height in the user's unit and Beaufort number, such as `Hs 2.4 m,
-/// Beaufort 5`.
+/// One line about the sea, such as `Hs 2.4 m, Beaufort 5`: significant wave height and Beaufort number.
 pub fn sea_summary(app: &App) -> String {
     let hs = app.length_scale().format(app.derived.theory.hs_m, 1);
     format!("Hs {hs}, Beaufort {}", beaufort::beaufort_number(app.params.sea.first_system().wind_m_s))

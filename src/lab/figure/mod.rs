@@ -20,13 +20,13 @@ pub enum SeriesData {
     Dashes(Vec<[f64; 2]>),
     /// Circles with vertical error bars: x, y and the standard error of y. The bar extends by it to both sides.
     Points(Vec<[f64; 3]>),
-    /// A shaded range: x, and the lower and upper y there.
+    /// A shaded area between two curves: x, and the lower and upper y there.
     Band(Vec<[f64; 3]>),
     /// Bars of a histogram: lower and upper x of a bar, and its height y.
     Bars(Vec<[f64; 3]>),
 }
 
-/// A series in a figure: label, index of its colour, data. A series without a label does not appear in the legend.
+/// One set of data in a figure, with its label and the index of its colour. Without a label it is not in the legend.
 #[derive(Clone, Debug)]
 pub struct FigureSeries {
     label: String,
@@ -37,11 +37,11 @@ pub struct FigureSeries {
 /// Corner of the figure in which the legend stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LegendCorner {
-    /// Top left corner.
+    /// Top left corner of the plot area.
     Left,
-    /// Top right corner.
+    /// Top right corner of the plot area.
     Right,
-    /// Bottom right corner.
+    /// Bottom right corner of the plot area.
     LowerRight,
 }
 
@@ -74,7 +74,7 @@ impl Axis {
         }
     }
 
-    /// Clamps a value to the range of the axis.
+    /// The value, or the end of the axis's range that is nearer to it if it lies outside.
     pub fn clamp(&self, value: f64) -> f64 {
         value.max(self.low).min(self.high)
     }
@@ -130,7 +130,7 @@ impl FigureSeries {
         Self { label: label.to_owned(), colour, data }
     }
 
-    /// The largest y of the series, including error bars and ranges; at least 0.
+    /// The largest y of the series, including the upper ends of error bars and shaded areas; at least 0.
     pub fn max_y(&self) -> f64 {
         match &self.data {
             SeriesData::Line(p) | SeriesData::Dashes(p) => p.iter().map(|p| p[1]).fold(0.0, f64::max),

@@ -13,7 +13,7 @@ use crate::waves::table::{Table, entry_index};
 
 /// How the validation page measures its seas: on which GPU, and over how many random seeds.
 pub struct Measurement<'a> {
-    /// The GPU to measure on; `None` leaves all measurements out.
+    /// The GPU to measure on; with `None` the page gets no measured numbers.
     pub gpu: Option<&'a Gpu>,
     /// Number of random seeds over which each sea is measured.
     pub seeds: u32,
@@ -39,11 +39,11 @@ pub struct MeasuredSea {
 pub struct WaveBin {
     /// Expected variance of the resolved waves, m^2, and this variance times the unit vector (x, z) of travel.
     pub expected: [f64; 3],
-    /// Measured variance, m^2, and this variance times the unit vector (x, z) of travel, for each seed.
+    /// Measured variance, m^2, and this variance times the unit vector (x, z) of travel: one entry for each seed.
     pub measured: Vec<[f64; 3]>,
 }
 
-/// Parses a state string of the validation page.
+/// Parses one of the state strings from which the validation page is made. A notice is an error here.
 ///
 /// # Errors
 /// If the parser gives a notice about the state string.
@@ -139,7 +139,7 @@ impl Measurement<'_> {
 }
 
 impl MeasuredSea {
-    /// The statistic that `quantity` picks from those measured on the GPU; `None` without a GPU.
+    /// The statistic that `quantity` picks from those measured on the GPU over all seeds; `None` without a GPU.
     pub fn measured_statistic(
         &self,
         quantity: impl Fn(&MeasuredStatistics) -> EstimateWithError,
@@ -154,7 +154,8 @@ impl MeasuredSea {
     }
 }
 
-/// Calls `visit` for every wave on the FFT grids of a plan, with the variance that the spectrum gives it on average.
+/// Calls `visit` for every wave that the cascades of a plan hold, with the variance (m^2) that it has on average over
+/// all seeds.
 pub fn visit_expected_waves(plan: &Plan, visit: &mut dyn FnMut(&TravellingWave)) {
     for cascade in &plan.cascades {
         let table = Table::new(plan, cascade);

@@ -81,8 +81,8 @@ fn histograms(lab: &Measurement<'_>, state: &str, sigma: f64) -> Result<Option<V
     Ok(Some(all))
 }
 
-/// Mean and standard deviation (in units of sigma), skewness and kurtosis (3 for a Gaussian) of the elevation over all
-/// seeds, with jackknife errors.
+/// Mean and standard deviation (in units of sigma), skewness and kurtosis (3 for a Gaussian) of the measured elevation
+/// over all seeds, with jackknife errors.
 fn pooled_shape(all: &[SeedHistogram]) -> [EstimateWithError; 4] {
     std::array::from_fn(|q| {
         EstimateWithError::jackknife(all.len(), |left_out| {
@@ -158,8 +158,8 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     Ok(())
 }
 
-/// Bars of the elevation's histogram over all seeds: lower and upper edge (in standard deviations), probability
-/// density.
+/// Bars of the histogram of elevations over all seeds: lower and upper edge, and probability density, with the
+/// theoretical standard deviation of the elevation as unit.
 fn histogram_bars(all: &[SeedHistogram]) -> Vec<[f64; 3]> {
     let width = 2.0 * HALF_RANGE_SIGMAS / ELEVATION_BINS as f64;
     let total: f64 = all.iter().map(|s| s.1[0]).sum();
