@@ -111,7 +111,7 @@ impl FrameMeasurements {
 /// moments in time.
 #[derive(Default)]
 pub struct SeaMeasurement {
-    /// Serial number of the current sea. Measurements that belong to an earlier sea are discarded.
+    /// Serial number of the current sea; each new sea increases it. Measurements of an earlier sea are discarded.
     sea: u64,
     inbox: tasks::Inbox<(u64, Result<MapStatistics, String>)>,
     /// Whether a read-back of the wave maps was requested and its data have not arrived yet.

@@ -12,7 +12,8 @@ use crate::waves::statistics::{self, SpectralMoments};
 use crate::waves::{Plan, noise};
 use std::f64::consts::{PI, TAU};
 
-/// Phase advance of the fastest wave between two read-backs, rad. Two read-backs separate waves of opposite directions.
+/// Phase advance of the fastest wave between the two read-backs of a seed, rad. Their difference tells waves of
+/// opposite directions apart.
 const PEAK_PHASE_ADVANCE_RAD: f64 = 1.0;
 /// Number of random points of the displaced surface that each seed contributes to skewness and kurtosis.
 const STATISTICS_POINTS: u32 = 1 << 16;
@@ -102,7 +103,7 @@ pub async fn measure(
     Ok(summarise_seeds(&all))
 }
 
-/// Averages the statistics of all seeds, and computes standard errors.
+/// Statistics over all seeds: means of the statistics of each seed, or their ratios, with standard errors.
 fn summarise_seeds(all: &[SeedStatistics]) -> MeasuredStatistics {
     let values = |f: &dyn Fn(&SeedStatistics) -> f64| all.iter().map(f).collect::<Vec<_>>();
     let over = |f: &dyn Fn(&SeedStatistics) -> f64| EstimateWithError::mean(&values(f));
@@ -255,8 +256,8 @@ pub fn distribution_shape(sums: [f64; 5]) -> [f64; 4] {
     [m1, variance.sqrt(), third / variance.powf(1.5), fourth / (variance * variance)]
 }
 
-/// Mean foam coverage (0 to 1) over all foam levels at time `t_s`, s. The foam steps before that time are computed
-/// first.
+/// Mean foam coverage (0 to 1) over all cells of all foam levels at time `t_s`, s. Computes the foam steps before that
+/// time first, because foam depends on earlier waves.
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -267,7 +268,8 @@ pub async fn mean_foam(gpu: &Gpu, sim: &mut Simulation, t_s: f64) -> Result<f64,
 }
 
 /// Foam coverage (0 to 1) of every cell, for each foam level (a square grid around `centre`, x and z in m) at time
-/// `t_s`, s. The foam steps before that time are computed first. The cells are in the toroidal order of the texture.
+/// `t_s`, s. Computes the foam steps before that time first. A cell is stored at its indices modulo the size of the
+/// grid.
 ///
 /// # Errors
 /// If reading back from the GPU fails.

@@ -101,7 +101,7 @@ fn srgb_to_opponent(rgb: [u8; 3]) -> [f64; 3] {
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
 
-/// Converts a YCxCz colour to linear sRGB, clamped to the gamut.
+/// Converts YCxCz (luminance and two opponent colours) to linear sRGB, clamped to the gamut.
 fn opponent_to_linear_rgb([y, cx, cz]: [f64; 3]) -> [f64; 3] {
     let y = (y + 16.0) / 116.0;
     let relative = [y + cx / 500.0, y, y - cz / 200.0];

@@ -41,8 +41,8 @@ impl Sampling {
     }
 }
 
-/// Sums of linear light over the sky samples and over the water samples of one pixel. A water sample has a positive
-/// weight in the mean of the water, a sky sample the weight 0.
+/// Sums of linear light over the sky samples and over the water samples of one pixel. Each sample carries a weight: 0
+/// marks sky, and a positive weight counts in the mean of the water.
 #[derive(Clone, Copy, Default)]
 struct PixelSum {
     sky: [f64; 3],

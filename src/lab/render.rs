@@ -131,7 +131,8 @@ async fn write_layers(
         .map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 
-/// Reads back the linear light of the last frame: RGBA, row by row.
+/// Reads back the linear light of the frame that `ocean` drew last: red, green, blue and alpha of each pixel, row by
+/// row.
 async fn light_of(gpu: &Gpu, ocean: &Ocean) -> std::result::Result<Vec<f32>, String> {
     let texture = ocean.light_texture().ok_or("nothing was drawn")?;
     let mut encoder = gpu.encoder("light");

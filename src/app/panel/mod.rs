@@ -186,7 +186,7 @@ fn show_notices(app: &App, ui: &mut egui::Ui) {
     }
 }
 
-/// Adds widgets for all parameters by group, or for those that match the search.
+/// Adds widgets for all parameters, group by group, or for those that match the text in the search field.
 fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal(|ui| {
         let search = &mut app.panel.search;

@@ -29,7 +29,7 @@ const MIN_AMPLITUDE_FRACTION: f64 = 5e-3;
 /// Phase advance of a cascade's fastest wave between the two times at which maps are read, rad: below 2 pi, so
 /// unambiguous.
 const PEAK_PHASE_ADVANCE_RAD: f64 = 2.5;
-/// Number of wave-number bins per decade; the figure shows one measured wave of each bin.
+/// Number of wave-number bins per decade; the figure shows the strongest measured wave of each bin.
 const BINS_PER_DECADE: f64 = 8.0;
 
 /// A measured wave: wave number (rad/m), phase speed (m/s), and amplitude relative to the largest in its cascade.
