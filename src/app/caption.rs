@@ -6,8 +6,7 @@ use crate::waves::Plan;
 use crate::waves::colour_scale::{Palette, caption};
 use egui::{Color32, Key};
 
-/// Width and height of the colour bar in the caption of a debug view (an image of one quantity in place of the sea),
-/// points.
+/// Width and height of the colour bar in a debug view's caption (the view shows one quantity, not the sea), points.
 const COLOUR_BAR_SIZE: egui::Vec2 = egui::vec2(220.0, 10.0);
 
 /// Changes the debug view (an image of one quantity, such as foam, in place of the sea) by keys: V shows the next one,

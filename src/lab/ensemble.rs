@@ -61,8 +61,7 @@ pub struct SeedStatistics {
     parseval_error: f64,
 }
 
-/// One wave of the sea with its direction of travel. The wave of equal wave number in the opposite direction is another
-/// one.
+/// One wave of the sea. The wave of equal wave number that travels in the opposite direction is another one.
 #[derive(Clone, Copy, Debug)]
 pub struct TravellingWave {
     /// Variance of the wave's elevation, m^2.

@@ -26,8 +26,7 @@ const COMMON: &str = "spread=cos2-positive&dir=270&n=128&seed=1";
 /// Smallest amplitude of a wave whose phase speed is measured, relative to the largest in its cascade. f32 rounding
 /// disturbs weaker waves.
 const MIN_AMPLITUDE_FRACTION: f64 = 5e-3;
-/// Phase advance of a cascade's fastest wave between the two times at which maps are read, rad: below 2 pi, so
-/// unambiguous.
+/// Phase advance of a cascade's fastest wave between two read-backs, rad; unambiguous, because it is below 2 pi.
 const PEAK_PHASE_ADVANCE_RAD: f64 = 2.5;
 /// Number of wave-number bins per decade; the figure shows the strongest measured wave of each bin.
 const BINS_PER_DECADE: f64 = 8.0;

@@ -154,8 +154,7 @@ impl MeasuredSea {
     }
 }
 
-/// Calls `visit` for every wave that the cascades of a plan hold, with the variance (m^2) that it has on average over
-/// all seeds.
+/// Calls `visit` for every wave that a plan's cascades hold, with its mean variance (m^2) over all seeds.
 pub fn visit_expected_waves(plan: &Plan, visit: &mut dyn FnMut(&TravellingWave)) {
     for cascade in &plan.cascades {
         let table = Table::new(plan, cascade);
