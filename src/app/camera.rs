@@ -16,7 +16,8 @@ const SHIFT_SPEED_FACTOR: f64 = 8.0;
 /// In orbit mode, angle by which the camera moves around its pivot per point that the pointer is dragged, degrees.
 const DRAG_DEG_PER_POINT: f64 = 0.3;
 
-/// Applies mouse and touch to the camera: dragging turns it, wheel and pinching zoom, two fingers also move it.
+/// Applies mouse and touch input over the sea to the camera: dragging turns it (in orbit mode it moves around its
+/// pivot), wheel and pinching zoom, and two dragging fingers also move it over the water.
 pub fn apply_pointer_to_camera(camera: &mut Camera, response: &egui::Response, ctx: &egui::Context) {
     let height = f64::from(response.rect.height()).max(1.0);
     let degrees_per_point = camera.fov_deg / height;

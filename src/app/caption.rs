@@ -6,7 +6,7 @@ use crate::waves::Plan;
 use crate::waves::colour_scale::{Palette, caption};
 use egui::{Color32, Key};
 
-/// Width and height of the colour bar in the caption of a debug view, points.
+/// Width and height of the colour bar in a debug view's caption (the view shows one quantity, not the sea), points.
 const COLOUR_BAR_SIZE: egui::Vec2 = egui::vec2(220.0, 10.0);
 
 /// Changes the debug view (an image of one quantity, such as foam, in place of the sea) by keys: V shows the next one,
@@ -32,7 +32,8 @@ pub fn apply_view_keys(view: &mut ViewChoice, ctx: &egui::Context) -> bool {
     back
 }
 
-/// Shows the caption of the current debug view at the lower left of the window. The ordinary picture has none.
+/// Shows name, colour bar and explanation of the current debug view (an image of one quantity in place of the sea) at
+/// the lower left of the window. The ordinary picture has no caption.
 pub fn show_view_caption(params: &Params, plan: &Plan, ctx: &egui::Context) {
     let view = params.look.view;
     if view.displayed == DisplayedView::Picture {

@@ -8,19 +8,22 @@ use crate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
 use crate::waves::{Plan, SeaChange};
 use std::cell::OnceCell;
 
-/// Plan, statistics and plot data of one sea. The expensive ones are computed at their first use.
+/// What the app computes from the parameters of one sea: plan, statistics and plot data. The expensive parts are
+/// computed at their first use.
 pub struct Derived {
     /// Parameters from which the other fields were computed.
     pub params: Params,
     /// Plan (the waves of the sea, divided among cascades) for the FFT size that the user requested; adaptive quality
     /// may draw the sea with a smaller one.
     pub plan: Plan,
-    /// Statistics by theory, from integrals of the continuous spectrum.
+    /// Statistics of the sea (wave height, periods, slope, direction) by theory, from integrals of the continuous
+    /// spectrum.
     pub theory: SpectrumStatistics,
     /// Statistics of the resolved waves (those on the FFT grids), as sums over all wave numbers; empty until first
     /// used.
     resolved: OnceCell<LatticeStatistics>,
-    /// Waves that move floating hulls. Here only their heights are used: see [`Self::strongest_waves`].
+    /// The strongest waves, as used to move floating hulls; here they give only heights (see
+    /// [`Self::strongest_waves`]). Empty until first used.
     surface_waves: OnceCell<HullWaves>,
     /// Directional spectrum, sampled for the panel's polar plot; empty until first used.
     directional_spectrum: OnceCell<DirectionalSpectrumSamples>,
@@ -63,8 +66,8 @@ impl Derived {
         self.resolved.get_or_init(|| LatticeStatistics::new(&self.plan, self.theory.m0_m2))
     }
 
-    /// The strongest waves of the sea. Their sum, computed on the CPU, gives the height of the sea at any point and
-    /// time.
+    /// The strongest waves of the sea. Their sum, computed on the CPU, approximates the height of the sea, m, at any
+    /// point and time.
     pub fn strongest_waves(&self) -> &StrongestWaves {
         self.surface_waves.get_or_init(|| HullWaves::new(&self.plan)).heights()
     }

@@ -18,7 +18,8 @@ pub type AppCreation = Result<Box<dyn eframe::App>, Box<dyn std::error::Error + 
 /// Slot that holds the app between two runs of eframe, after a device loss; empty while the app runs.
 pub type ParkedApp = Rc<RefCell<Option<App>>>;
 
-/// Wrapper of the app that eframe runs. The app can be taken out and parked after a device loss.
+/// Wrapper of the app that eframe runs. After a device loss the app is taken out and parked, and the wrapper stays
+/// empty.
 pub struct AppHost(Option<App>);
 
 impl AppHost {
@@ -44,7 +45,8 @@ impl AppHost {
         self.0.as_mut()
     }
 
-    /// Takes the app out of eframe, destroys its device, and parks it until there is another device.
+    /// Takes the app out of its wrapper, destroys its GPU device, and keeps it in `parked` until there is another
+    /// device.
     pub fn park(&mut self, parked: &ParkedApp) {
         if let Some(app) = self.0.take() {
             // A device that ran out of memory still occupies that memory until it is destroyed.
@@ -73,8 +75,8 @@ impl eframe::App for AppHost {
     }
 }
 
-/// Creates the ocean renderer and stores it in eframe's resources for paint callbacks. Returns the list that collects
-/// all errors of the GPU device from now on.
+/// Creates the ocean renderer with `params` and stores it in eframe's callback resources, where the paint callback of
+/// the sea finds it. Returns the list that collects all errors of the GPU device from now on.
 pub fn create_ocean(render_state: &egui_wgpu::RenderState, params: &Params) -> GpuErrors {
     let errors = GpuErrors::watch(&render_state.device);
     let gpu = Gpu { device: render_state.device.clone(), queue: render_state.queue.clone() };
@@ -84,7 +86,7 @@ pub fn create_ocean(render_state: &egui_wgpu::RenderState, params: &Params) -> G
 }
 
 impl App {
-    /// Moves the app to another GPU device and another egui context after a device loss.
+    /// Moves the app to the GPU device and egui context of `cc`, a new run of eframe after a device loss.
     ///
     /// # Errors
     /// If eframe was started without a wgpu device. The app is unchanged then.

@@ -28,12 +28,12 @@ impl GpuErrorState {
     }
 }
 
-/// Errors of one GPU device, shared with the callbacks that wgpu calls.
+/// Error messages and loss of one GPU device. Clones share the same list, which wgpu's callbacks fill.
 #[derive(Clone, Default)]
 pub struct GpuErrors(Arc<Mutex<GpuErrorState>>);
 
 impl GpuErrors {
-    /// Installs the callbacks for errors and for the loss of a GPU device, and returns the list that they fill.
+    /// Installs the callbacks with which wgpu reports errors and the loss of `device`. Returns the list that they fill.
     pub fn watch(device: &wgpu::Device) -> Self {
         let errors = Self::default();
         let on_error = errors.clone();
@@ -59,7 +59,7 @@ impl GpuErrors {
         self.lock().lost.clone()
     }
 
-    /// Returns a future that completes when the GPU device is lost.
+    /// Returns a future that completes when the GPU device is lost, or at once if it is lost already.
     #[cfg(target_arch = "wasm32")]
     pub fn when_lost(&self) -> impl Future<Output = ()> + 'static {
         let (sender, receiver) = oneshot::channel();

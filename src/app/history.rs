@@ -8,7 +8,7 @@ const MAX_UNDO_STEPS: usize = 200;
 /// Time for which a changed parameter must stay constant before the change becomes an undo step, s.
 const STABLE_TIME_S: f32 = 0.4;
 
-/// The undo history: the parameters before and after each step.
+/// The undo history: the parameters after each step, without simulated time and camera.
 pub struct History(Undoer<Params>);
 
 impl Default for History {
@@ -37,32 +37,36 @@ impl History {
         self.0.is_in_flux()
     }
 
-    /// Turns the changes since the last undo step into a step at once, without waiting for them to settle.
+    /// Makes an undo step of the changes since the last one at once, without waiting until they have been constant for
+    /// `STABLE_TIME_S`.
     pub fn commit(&mut self, params: &Params) {
         let now = self.feed_undoer(params);
         self.0.add_undo(&now);
     }
 
-    /// Two answers: whether there is a step to undo, and whether there is one to redo.
+    /// Whether there is a step to undo, and whether there is a step to redo, in this order. `params` are the current
+    /// ones.
     pub fn can_undo_redo(&self, params: &Params) -> (bool, bool) {
         let now = recorded_params(params);
         (self.0.has_undo(&now), self.0.has_redo(&now))
     }
 
-    /// Undoes one step: sets the parameters to their earlier values.
+    /// Undoes one step: sets all parameters but time and camera to their values before it. Changes nothing if no step
+    /// is left.
     pub fn undo(&mut self, params: &mut Params) {
         let now = self.feed_undoer(params);
         restore_recorded_params(params, self.0.undo(&now));
     }
 
-    /// Redoes one step: sets the parameters to the values before the last undo.
+    /// Redoes one step: sets all parameters but time and camera to their values before the last undo. Changes nothing
+    /// if nothing was undone.
     pub fn redo(&mut self, params: &mut Params) {
         let now = self.feed_undoer(params);
         restore_recorded_params(params, self.0.redo(&now));
     }
 
-    /// Records parameters that may have changed since the last frame. A change discards all redo steps. Returns the
-    /// recorded parameters.
+    /// Records the current parameters, which may have changed since the last frame. A change discards all redo steps.
+    /// Returns the parameters as recorded: with default time and camera.
     fn feed_undoer(&mut self, params: &Params) -> Params {
         let now = recorded_params(params);
         self.0.feed_state(f64::NEG_INFINITY, &now);
@@ -70,14 +74,16 @@ impl History {
     }
 }
 
-/// Sets all parameters to those of `to`, except simulated time and camera.
+/// Sets all parameters to those of `to`, except simulated time and camera, which stay as they are. `None` (nothing to
+/// undo or redo) changes nothing.
 fn restore_recorded_params(params: &mut Params, to: Option<&Params>) {
     if let Some(to) = to {
         *params = Params { clock: params.clock.clone(), camera: params.camera.clone(), ..to.clone() };
     }
 }
 
-/// Copy of the parameters as the history records them: with default time and camera, because these are not undone.
+/// Copy of the parameters as the history records them: with the default time and camera, because undo and redo leave
+/// the current ones as they are.
 fn recorded_params(params: &Params) -> Params {
     let Params { clock, camera, .. } = Params::default();
     Params { clock, camera, ..params.clone() }

@@ -17,20 +17,21 @@ const SPECTRUM_BINS: usize = 72;
 /// takes.
 const RECORDING_TIME_SMOOTHING: f64 = 0.1;
 
-/// Flags of the panel's read-outs that are measured only while they are shown. Drawing one sets its flag; the next
-/// frame reads and clears it.
+/// Flags of the parts of the panel whose numbers are measured only while they are visible. Drawing a part sets its
+/// flag; the next frame reads and clears it.
 #[derive(Default)]
 pub struct VisibleReadouts {
-    /// Whether the plot of the buoy's record is shown.
+    /// Whether the panel shows the plot of the height of the sea over time at the first floating object or below the
+    /// camera.
     pub buoy_record: Cell<bool>,
-    /// Whether statistics measured in the wave maps are shown.
+    /// Whether the panel shows a plot or table of statistics measured in the GPU's wave maps.
     pub map_statistics: Cell<bool>,
-    /// Whether the times of the GPU passes are shown.
+    /// Whether the panel shows the GPU times of the passes.
     pub pass_times: Cell<bool>,
 }
 
-/// Requests for the times of the GPU passes and for copies of the wave maps, and their results. The app shares them
-/// with the code that records a frame on the GPU.
+/// Requests for the GPU times of the passes and for copies of the wave maps, and their results. The app's frame logic
+/// shares them with the paint callback, which records the frame's GPU commands.
 #[derive(Clone, Default)]
 pub struct FrameMeasurements(Arc<Mutex<FrameRequests>>);
 
@@ -42,7 +43,8 @@ struct FrameRequests {
     wants_probe: Option<u64>,
     /// Copies of the wave maps that the last frame recorded for read-back, after the serial number of their sea.
     probe: Option<(u64, PendingMapRead)>,
-    /// Whether the last recorded frame was painted. Only painted frames are submitted to the GPU.
+    /// Whether the last recorded frame was painted. A frame that is not painted is not submitted to the GPU, so its
+    /// copies and times stay empty.
     is_painted: bool,
     /// Moving average of the CPU time that recording a frame's GPU commands takes, s.
     record_s: f64,
@@ -70,8 +72,9 @@ impl FrameMeasurements {
         }
     }
 
-    /// Notes the pass times and `record_s`, the CPU time of recording the frame's commands, s. Copies the wave maps if
-    /// this was requested and `is_whole`: no replay of past foam and no cross-fade of two seas is in progress.
+    /// Notes the GPU times of the passes and `record_s`, the CPU time of recording the frame's commands, s. If a copy
+    /// of the wave maps was requested and `is_whole` (no replay of past foam and no cross-fade is in progress), records
+    /// it.
     pub fn end_frame(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder, record_s: f64, is_whole: bool) {
         let mut inner = self.lock();
         ocean.timer().end_frame(encoder);
@@ -104,13 +107,14 @@ impl FrameMeasurements {
     }
 }
 
-/// Statistics measured in the wave maps of the current sea, as means over several moments in time.
+/// Wave height, slope, foam coverage and spectrum measured in the GPU's maps of the current sea, as means over several
+/// moments in time.
 #[derive(Default)]
 pub struct SeaMeasurement {
-    /// Serial number of the current sea. Measurements that belong to an earlier sea are discarded.
+    /// Serial number of the current sea; each new sea increases it. Measurements of an earlier sea are discarded.
     sea: u64,
     inbox: tasks::Inbox<(u64, Result<MapStatistics, String>)>,
-    /// Whether a requested read-back of the wave maps has not arrived yet.
+    /// Whether a read-back of the wave maps was requested and its data have not arrived yet.
     waiting: bool,
     /// The read-back whose Fourier transform is in progress over several frames: the estimator of its spectrum, and the
     /// data.
@@ -121,7 +125,8 @@ pub struct SeaMeasurement {
     sums: StatisticSums,
 }
 
-/// Sums of the measured statistics over all read-backs of one sea.
+/// Sums over all read-backs of the current sea of the statistics that each of them gave; divided by `readings` they are
+/// the means.
 #[derive(Default)]
 struct StatisticSums {
     readings: usize,
@@ -133,12 +138,13 @@ struct StatisticSums {
 }
 
 impl SeaMeasurement {
-    /// Discards all measurements, because another sea is drawn.
+    /// Discards all measurements and gives the sea a new serial number, because another sea is drawn.
     fn clear(&mut self) {
         *self = Self { sea: self.sea + 1, inbox: self.inbox.clone(), ..Self::default() };
     }
 
-    /// Number of moments in time over which the statistics are averaged.
+    /// Number of moments in time at which the wave maps of the current sea were read; the statistics are means over
+    /// them.
     pub fn readings(&self) -> usize {
         self.sums.readings
     }
@@ -147,12 +153,13 @@ impl SeaMeasurement {
         (self.sums.readings > 0).then(|| sum / self.sums.readings as f64)
     }
 
-    /// Significant wave height measured in the GPU's wave maps, m; `None` before the first reading.
+    /// Significant wave height measured in the GPU's wave maps, m; `None` before the first reading of the current sea.
     pub fn hs_m(&self) -> Option<f64> {
         self.mean(self.sums.hs2_m2).map(f64::sqrt)
     }
 
-    /// Mean square slope measured in the GPU's wave maps, dimensionless; `None` before the first reading.
+    /// Mean square slope measured in the GPU's wave maps, dimensionless; `None` before the first reading of the current
+    /// sea.
     pub fn mss(&self) -> Option<f64> {
         self.mean(self.sums.mss)
     }
@@ -162,8 +169,8 @@ impl SeaMeasurement {
         self.mean(self.sums.coverage)
     }
 
-    /// Spectrum measured in the GPU's wave maps: width of a frequency bin, rad/s, and mean variance density S(omega) in
-    /// each bin, m^2 s. The first bin begins at 0. `None` before the first reading.
+    /// Frequency spectrum measured in the GPU's wave maps: width of a bin, rad/s, and mean variance density S(omega) in
+    /// each bin, m^2 s. The first bin begins at frequency 0. `None` before the first reading.
     pub fn spectrum(&self) -> Option<(f64, Vec<f64>)> {
         let width = self.sums.width_rad_s;
         let unit = self.mean(1.0)? / width;
@@ -183,7 +190,8 @@ impl SeaMeasurement {
 }
 
 impl App {
-    /// Discards the statistics of the wave maps and pending requests, because another sea is drawn.
+    /// Discards the statistics measured in the wave maps, and pending requests for map copies. Called when the sea
+    /// changes, because these belong to the old sea.
     pub(super) fn discard_measurements(&mut self) {
         self.sea_measurement.clear();
         let mut inner = self.frame_measurements.lock();

@@ -6,7 +6,7 @@ use std::time::Duration;
 /// Time for which a message stays visible, s.
 const MESSAGE_DURATION_S: f64 = 4.0;
 
-/// A message for the user, and the time at which it disappears.
+/// A message for the user at the top of the window, and the time on egui's clock at which it disappears.
 pub struct Message {
     /// Text of the message, one sentence.
     pub text: String,

@@ -62,17 +62,17 @@ pub struct App {
     /// Whether the help window with the keyboard shortcuts is open.
     help: bool,
     message: Option<message::Message>,
-    /// Camera, with the time of a stopped clock, as it was last rounded or opened from a link. It is not rounded again
-    /// before it changes.
+    /// Camera, with the time of a stopped clock, as it was last rounded to a link's digits or opened from a link. It is
+    /// rounded again only after a change.
     idle_pose: Option<rounding::CameraPose>,
-    /// Parameters of the last drawn frame, and its width and height in pixels.
+    /// Parameters of the last drawn picture, and its width and height in pixels; `None` before the first one.
     drawn: Option<(Params, [u32; 2])>,
     /// Height of the sea over time at the first floating object; without one, below the camera.
     record: BuoyRecord,
     /// Kind of floating object (buoy or boat) that the next click on the sea places; `None` if a click places nothing.
     placing: Option<floats::FloatingObjectKind>,
     save_folder: Option<std::path::PathBuf>,
-    /// Results of finished file saves: a message for the user, or the reason for the failure.
+    /// Results of attempts to save a file: a message for the user with the path, or the reason for the failure.
     saved: tasks::Inbox<Result<String, String>>,
     /// The sky image file that was read last. It is used again when an opened link names the same file.
     sky: Option<SkyFile>,
@@ -98,7 +98,8 @@ impl App {
         Self::with_sky(cc, state, None)
     }
 
-    /// Creates the app from a state string, and from the sky image file that the state string may name.
+    /// Creates the app from a state string. `sky` is the image file that the state string names for the sky, if the
+    /// caller has read it.
     ///
     /// # Errors
     /// If eframe was started without a wgpu device.
@@ -223,7 +224,8 @@ impl App {
         ctx.request_repaint();
     }
 
-    /// Passes the parameters of this frame to the undo history.
+    /// Passes the parameters of this frame to the undo history, and requests another frame while a change waits to
+    /// become an undo step.
     fn watch_history(&mut self, ctx: &egui::Context) {
         let (held, now_s) = ctx.input(|i| (i.pointer.any_down(), i.time));
         self.history.note_params(&self.params, held, now_s);
@@ -232,8 +234,8 @@ impl App {
         }
     }
 
-    /// If the parameters of the sea have changed, recomputes the plan, the statistics and the plot data, and discards
-    /// what was measured in the old sea.
+    /// If the parameters of the sea or the FFT grid have changed, recomputes the plan, the statistics and the plot
+    /// data, and discards what was measured in the old sea.
     fn update_derived(&mut self) {
         let Some(change) = self.derived.update(&self.params) else { return };
         if change > SeaChange::Foam {

@@ -16,7 +16,7 @@ use web_time::Instant;
 /// Largest number of GPU device losses, and of failures to get a new device, within [`DEVICE_LOSS_WINDOW`]. After more
 /// of them the program ends with an error.
 const MAX_DEVICE_LOSSES: usize = 8;
-/// Period over which device losses are counted.
+/// Period over which device losses are counted: older ones no longer count towards [`MAX_DEVICE_LOSSES`].
 const DEVICE_LOSS_WINDOW: Duration = Duration::from_secs(60);
 /// Pause before another attempt to open a window after a failure: a graphics driver that restarts needs a moment.
 const RETRY_DELAY: Duration = Duration::from_secs(1);
@@ -67,7 +67,7 @@ fn wait(time: Duration) {
     std::thread::sleep(time);
 }
 
-/// Reads a sky image (.hdr or .exr) from a file.
+/// Reads and decodes the sky image (equirectangular, .hdr or .exr) in the file at `path`.
 ///
 /// # Errors
 /// One sentence that names the file and the reason.
@@ -76,7 +76,8 @@ pub fn read_sky_file(path: &Path) -> Result<SkyFile, String> {
     opened_files::decode_sky_file(&files[0].0, &files[0].1)
 }
 
-/// Settings of the window to open, with the position and size of the previous window if there was one.
+/// Settings of the desktop window to open. After a device loss `last` describes the previous window, whose position,
+/// size and full-screen state are kept.
 fn viewport_builder(last: &egui::ViewportInfo) -> egui::ViewportBuilder {
     let usual_size = egui::vec2(1280.0, 720.0);
     let mut viewport = egui::ViewportBuilder::default()
@@ -114,14 +115,15 @@ struct Window {
     host: AppHost,
     parked: ParkedApp,
     last_window: LastWindow,
-    /// Whether F11 and F12 destroy the GPU device on purpose, to test the recovery from a device loss.
+    /// Whether the keys F11 and F12 destroy the GPU device on purpose, to test the recovery from a device loss. The
+    /// variable [`REHEARSE_LOSS_VARIABLE`] sets it.
     rehearses: bool,
     /// Whether the GPU device is to be destroyed at the end of this frame, as a test.
     loses_device: bool,
 }
 
 impl Window {
-    /// Polls the GPU device, and returns whether it is lost.
+    /// Whether the GPU device is lost. Polls the device first, because wgpu reports a loss only then.
     fn is_lost(&mut self) -> bool {
         self.host.app().is_some_and(|app| {
             // The loss callback runs during the poll; its result does not matter.

@@ -10,10 +10,11 @@ use crate::state::presets;
 use egui::DroppedFileHandle;
 use std::sync::Arc;
 
-/// Name and contents of each file, or the reason why the files cannot be read.
+/// Result of reading the files that the user dropped at once: name and contents of each, or a sentence that says why
+/// they cannot be read.
 pub type OpenedFiles = Result<Vec<(String, Vec<u8>)>, String>;
 
-/// Decodes a sky image from the name and the contents of a file.
+/// Decodes the contents `bytes` of a sky image file (.hdr or .exr) called `name`.
 ///
 /// # Errors
 /// One sentence that names the file and the reason.
@@ -56,7 +57,8 @@ fn read_dropped_files(inbox: &Inbox<OpenedFiles>, handles: &[DroppedFileHandle],
 }
 
 impl App {
-    /// Opens files that were dropped on the window. A file that cannot be read changes only the notices.
+    /// Begins to read files that were dropped on the window, and opens those whose contents have arrived. Every frame
+    /// calls this. A file that cannot be read changes only the notices.
     pub(super) fn take_opened_files(&mut self, ctx: &egui::Context) {
         let handles = ctx.input(|i| i.raw.dropped_files.clone());
         if handles.len() > MAX_FILES {
@@ -70,7 +72,8 @@ impl App {
         }
     }
 
-    /// Opens files according to their contents. Several files together are the spectra of one buoy.
+    /// Opens a saved picture, a list of seas or a sky image, recognised by its contents; other files are read as the
+    /// measured spectra of one buoy.
     fn open_files(&mut self, files: &[(String, Vec<u8>)]) -> Result<(), String> {
         if let [(name, bytes)] = files {
             if picture::is_png(bytes) {
@@ -96,7 +99,8 @@ impl App {
         Ok(())
     }
 
-    /// Adds the seas of an exported text file to the user's own named seas.
+    /// Adds the seas of a text file, which the panel's button "Export" saved, to the user's own named seas. A sea of
+    /// equal name is replaced.
     fn import_seas(&mut self, text: &str) {
         let (seas, notices) = presets::read(text);
         let count = seas.len();
@@ -107,7 +111,8 @@ impl App {
         }
     }
 
-    /// Draws the sea under a sky image, and shows the image's size and the height of its sun in the notices.
+    /// Makes an opened image the sky of the sea, and shows its size (pixels) and the elevation of its sun in the
+    /// notices. A `file` whose image is not loaded changes nothing.
     fn use_sky_file(&mut self, file: SkyFile) {
         let Some(panorama) = &file.image else { return };
         let sun = panorama.sun.as_ref().map(|s| format!(", sun {:.0}° high", s.elevation_deg)).unwrap_or_default();

@@ -8,12 +8,13 @@ const SLOW_FRAME_S: f64 = 1.0 / 40.0;
 const FAST_FRAME_S: f64 = 1.0 / 55.0;
 /// Lowest factor by which adaptive quality scales the picture's width and height on a hardware GPU.
 const MIN_SCALE: f64 = 0.4;
-/// Initial and lowest factor of the picture's width and height on a software adapter, which takes seconds per frame.
+/// Factor of the picture's width and height with which a software adapter (which draws on the CPU and takes seconds per
+/// frame) starts. It is also the lower limit there.
 const SOFTWARE_ADAPTER_SCALE: f64 = 0.25;
 /// Smallest FFT size to which slow frames reduce a cascade. A smaller one would leave wave numbers in no cascade.
 const MIN_FFT_SIZE: u32 = 128;
-/// Factor by which the first, third, fifth ... out-of-memory error scales the picture's width and height. The errors
-/// between them halve the FFT size.
+/// Factor by which each odd-numbered out-of-memory error (the first, the third, ...) scales the picture's width and
+/// height. Each even-numbered one halves the FFT size.
 const OUT_OF_MEMORY_SCALE: f64 = 0.7;
 /// Smallest FFT size to which out-of-memory errors reduce a cascade.
 const OUT_OF_MEMORY_MIN_FFT_SIZE: u32 = 64;
@@ -27,15 +28,17 @@ const MAX_FAST_TIME_BEFORE_TRIAL_S: f64 = 60.0;
 /// before it took as long.
 const STALL_S: f64 = 4.0;
 
-/// Controller of the picture's resolution and the FFT size. It reacts to the frame time and to out-of-memory errors.
+/// Controller that lowers and raises the picture's resolution and the FFT size, according to the frame time and to
+/// out-of-memory errors.
 pub struct Quality {
     /// Moving average of the frame time, s.
     frame_s: f64,
-    /// Factor of the picture's width and height relative to the requested ones, at most 1.
+    /// Factor, at most 1, by which adaptive quality scales the width and height of the picture that the user's settings
+    /// ask for.
     scale: f64,
     /// Lower limit of `scale`: [`MIN_SCALE`], or [`SOFTWARE_ADAPTER_SCALE`] on a software adapter.
     min_scale: f64,
-    /// Number of times that adaptive quality halves the requested FFT size.
+    /// How often adaptive quality halves the requested FFT size: 0 for the full size, at most 3.
     halvings: u32,
     /// Time for which frames have been too slow (positive) or fast enough to try a higher quality (negative), s.
     pressure_s: f64,
@@ -127,27 +130,29 @@ impl Quality {
         OUT_OF_MEMORY_SCALE.powi(self.out_of_memory_errors.div_ceil(2) as i32)
     }
 
-    /// Width and height of the picture in pixels, at the current quality, for a viewport of the size `points`. Neither
-    /// exceeds `limit`, the largest side of a texture.
+    /// Width and height of the picture in pixels at the current quality, for a sea that covers `points` of the window
+    /// and the user's `screen` settings. Neither exceeds `limit`, the largest side of a texture.
     pub fn picture_size(&self, points: egui::Vec2, pixels_per_point: f32, screen: &Screen, limit: u32) -> [u32; 2] {
         let density = f64::from(pixels_per_point).min(screen.max_pixel_ratio) * screen.render_scale;
         let own = if self.still || !screen.adaptive { 1.0 } else { self.scale }.min(self.memory_scale_limit());
         [points.x, points.y].map(|side| ((f64::from(side) * density * own).round() as u32).min(limit))
     }
 
-    /// The requested grid parameters, with an FFT size for which the GPU's speed and memory suffice.
+    /// The requested grid parameters with the FFT size for which the GPU's memory and, with adaptive quality, its speed
+    /// suffice.
     pub fn reduced_grid(&self, grid: &Grid, screen: &Screen) -> Grid {
         let n = if screen.adaptive { self.reduced_fft_size(grid.n) } else { self.fft_size_for_memory(grid.n) };
         Grid { n, ..grid.clone() }
     }
 
-    /// The largest FFT size, at most the requested `n`, for which the GPU's speed and memory suffice.
+    /// Largest FFT size up to the requested `n` that adaptive quality allows: halved while frames are slow (unless time
+    /// is stopped) and after out-of-memory errors.
     fn reduced_fft_size(&self, n: u32) -> u32 {
         let n = self.fft_size_for_memory(n);
         if self.still { n } else { (n >> self.halvings).max(MIN_FFT_SIZE.min(n)) }
     }
 
-    /// Largest FFT size that the out-of-memory errors so far allow, if `n` is requested.
+    /// Largest FFT size up to the requested `n` that the out-of-memory errors so far allow: every second one halves it.
     fn fft_size_for_memory(&self, n: u32) -> u32 {
         (n >> (self.out_of_memory_errors / 2).min(8)).max(OUT_OF_MEMORY_MIN_FFT_SIZE.min(n))
     }

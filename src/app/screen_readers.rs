@@ -7,7 +7,7 @@ use egui::accesskit::{Action, ActionData, ActionRequest, Node, NodeId, Role, Tog
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// A widget or a text of the accessibility tree.
+/// A widget or a text of egui's accessibility tree, as the web page passes it to screen readers and browser tests.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AccessibleItem {
     /// AccessKit's 64-bit node id, written as a decimal number.
@@ -38,7 +38,7 @@ pub struct ScreenReaders(Arc<Mutex<AccessibilityState>>);
 struct AccessibilityState {
     /// Widgets and texts of the last frame, in reading order.
     items: Vec<AccessibleItem>,
-    /// Input events that the next frames will get, one batch per frame.
+    /// Input events, made from actions of screen readers, that egui will get: one batch in each of the next frames.
     requests: VecDeque<Vec<egui::Event>>,
     tree: Option<TreeId>,
 }
@@ -48,7 +48,8 @@ impl ScreenReaders {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Installs the plugin in another egui context, after a device loss.
+    /// Installs the plugin in `ctx`, the new egui context after a device loss, and switches its accessibility tree on
+    /// if it was in use before.
     pub fn move_to(&self, ctx: &egui::Context) {
         ctx.add_plugin(self.clone());
         if self.lock().tree.is_some() {

@@ -4,7 +4,8 @@ use crate::gpu::device;
 use egui::epaint::text::{GlyphBitmap, GlyphRasterizer, GlyphRasterizerRequest, RasterizedGlyph};
 use std::sync::Arc;
 
-/// wgpu configuration of the web page, the desktop window and the tests: the program's backends, limits and features.
+/// eframe's configuration of wgpu for the web page, the desktop window and the tests: which backends and GPU are used,
+/// and with which limits and features.
 pub fn wgpu_configuration() -> egui_wgpu::WgpuConfiguration {
     let mut setup = egui_wgpu::WgpuSetupCreateNew::without_display_handle();
     setup.instance_descriptor.backends = device::backends();

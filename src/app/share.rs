@@ -39,7 +39,8 @@ impl App {
         self.show_brief_message("Frame copied: paste it into a page.");
     }
 
-    /// Opens a link or a bare state string. A text without any known key changes only the notices.
+    /// Opens the sea of a link or of a bare state string. A text without any known key leaves the sea as it is, and the
+    /// notices say so.
     pub(super) fn open_link(&mut self, text: &str) {
         let reading = query::read(text);
         if reading.keys_set.is_empty() && !reading.notices.is_empty() {
@@ -88,7 +89,8 @@ impl App {
         });
     }
 
-    /// Shows the result of each file save that has finished since the last frame.
+    /// Shows the results of file saves that have finished since the last frame: the path in a message, a failure in the
+    /// notices.
     pub(super) fn take_save_results(&mut self) {
         for result in self.saved.take() {
             self.show_save_result(result);

@@ -17,7 +17,7 @@ const NAUTICAL: [Unit; 3] = [
     Unit { metric: "km", nautical: "nmi", factor: 1.0 / 1.852 },
 ];
 
-/// Unit in which the panel shows a quantity, and the conversion factor from its metric unit.
+/// Unit in which the panel shows a quantity (metric or nautical), and the conversion factor from the metric unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnitScale {
     /// Symbol of the shown unit; empty for a dimensionless quantity.
@@ -27,7 +27,8 @@ pub struct UnitScale {
 }
 
 impl UnitScale {
-    /// The unit and conversion factor with which a quantity of metric unit `unit` is shown in the user's `units`.
+    /// Shown unit and conversion factor for a quantity with the metric unit `unit`, if the user has chosen the `units`
+    /// metric or nautical.
     pub fn for_unit(unit: &'static str, units: Units) -> Self {
         match NAUTICAL.iter().find(|u| units == Units::Nautical && u.metric == unit) {
             Some(u) => Self { unit: u.nautical, factor: u.factor },

@@ -28,7 +28,7 @@ struct ProgressFlags {
     catching_up: AtomicBool,
     /// Whether the first picture was painted, and so will be submitted to the GPU.
     painted: AtomicBool,
-    /// Whether the callback that reports the completion of the first picture is installed.
+    /// Whether the first picture was submitted and wgpu was asked to report when the GPU has finished it.
     callback_installed: AtomicBool,
     /// Whether the GPU has finished the first picture.
     finished: AtomicBool,
@@ -56,8 +56,8 @@ impl Progress {
         self.0.callback_installed.load(Ordering::Relaxed) && !self.has_first_picture()
     }
 
-    /// Installs the callback that reports the completion of the first picture, once that picture has been submitted.
-    /// Call this before a frame is recorded.
+    /// Asks wgpu to set `finished` when the GPU has finished the first picture, as soon as that picture has been
+    /// submitted. Call this before each frame is recorded.
     fn watch_first_submission(&self, gpu: &Gpu) {
         if self.0.painted.load(Ordering::Relaxed) && !self.0.callback_installed.swap(true, Ordering::Relaxed) {
             let marks = self.0.clone();
@@ -67,7 +67,7 @@ impl Progress {
 }
 
 /// Fills the rest of `ui` with the sea. `pixels` converts the size of that area in points to the picture's size in
-/// pixels. Returns egui's response to the input `sense`, and the picture's size in pixels.
+/// pixels. Returns egui's response of the area to pointer input of the kind `sense`, and the picture's size in pixels.
 pub fn show_sea(
     ui: &mut egui::Ui,
     params: &Params,
@@ -94,7 +94,8 @@ fn foam_steps_per_frame(gpu: &Gpu, n: u32) -> usize {
     most * (256 / n).max(1).pow(2) as usize
 }
 
-/// The parameters and shared state with which the paint callback records one frame of the sea.
+/// Everything with which egui's paint callback records one frame of the sea: parameters, size of the picture in pixels,
+/// and the state that it shares with the app.
 struct SeaFrame {
     params: Params,
     size: [u32; 2],

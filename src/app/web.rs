@@ -17,7 +17,7 @@ use web_time::Instant;
 /// Least time between two changes of the page's address, s. Browsers refuse more than about three changes per second.
 const ADDRESS_WRITE_INTERVAL_S: f32 = 0.7;
 
-/// The running program as JavaScript sees it.
+/// Handle through which JavaScript starts, queries and stops the app on the web page.
 #[wasm_bindgen]
 pub struct WebHandle {
     runner: eframe::WebRunner,
@@ -29,7 +29,7 @@ pub struct WebHandle {
 
 #[wasm_bindgen]
 impl WebHandle {
-    /// Installs the panic hook and the logger. [`Self::start`] starts the app.
+    /// Creates the handle, and installs the panic hook and the logger. The app does not run before [`Self::start`].
     #[wasm_bindgen(constructor)]
     #[expect(clippy::new_without_default, reason = "made by JavaScript")]
     pub fn new() -> Self {
@@ -39,7 +39,8 @@ impl WebHandle {
         Self { runner: eframe::WebRunner::new(), parked: ParkedApp::default(), gpu_errors: Rc::default() }
     }
 
-    /// Starts the app on a canvas with the state in the page's address, or continues it on another device after a loss.
+    /// Starts the app on a canvas with the state in the page's address. After a device loss, continues the parked app
+    /// on a new GPU device.
     ///
     /// # Errors
     /// One sentence, if WebGPU cannot be used. The caller may try again.
@@ -59,7 +60,7 @@ impl WebHandle {
         Ok(())
     }
 
-    /// Stops the app and releases the canvas.
+    /// Stops the app and releases the canvas. A parked app (one that waits for a new GPU device) is kept.
     pub fn destroy(&self) {
         self.runner.destroy();
     }
@@ -110,9 +111,9 @@ impl WebHandle {
         named().find(|item| item.role != "Label").or_else(|| named().next()).map(|item| item.bounds.to_vec())
     }
 
-    /// Widgets and texts for screen readers: an array of objects in reading order, with the properties `id`, `role`
-    /// (AccessKit's name), `label`, `value`, `now`, `least`, `greatest`, `step`, `on`, `open` and `disabled`. Empty
-    /// until the frame after the first call.
+    /// Widgets and texts for screen readers: an array of objects in reading order, with `id`, `role` (AccessKit's
+    /// name), `label`, `value` (text), `now`, `least`, `greatest`, `step` (numbers), `on` (of a check box), `open` (of
+    /// a section) and `disabled`. Empty until the frame after the first call.
     pub fn accessible_items(&self) -> js_sys::Array {
         self.items().iter().map(accessible_item_object).collect()
     }
@@ -158,8 +159,8 @@ impl WebHandle {
     }
 
     /// Measures the time of each GPU pass for a state on a second device of this browser, as `seastate bench
-    /// --baseline` does. Calls `progress` with the name of each measurement. Returns an object with `text` (the table)
-    /// and `passes` (objects with `pass`, `n`, `cascades`, `width`, `height`, `ms`).
+    /// --baseline` does, from `repeat` GPU submissions. Calls `progress` with the name of each measurement. Returns an
+    /// object with `text` (the table) and `passes` (objects with `pass`, `n`, `cascades`, `width`, `height`, `ms`).
     ///
     /// # Errors
     /// If there is no GPU, or its device is lost during the measurement.
@@ -258,25 +259,26 @@ fn address_query() -> String {
     eframe::web::web_location().query
 }
 
-/// The page's address (URL) with the given state string as its query.
+/// Address (URL) of this web page with the given state string as its query; without a query if the string is empty.
 pub fn page_link(state: &str) -> String {
     let location = eframe::web::web_location();
     let base = location.url.split(['?', '#']).next().unwrap_or_default().to_owned();
     if state.is_empty() { base } else { format!("{base}?{state}") }
 }
 
-/// The page's address as it was last read or written. A difference shows that the user went back or forward.
+/// Copy of the page's address (URL) as the app last read or wrote it. If the browser then has another one, the user
+/// went back or forward.
 pub struct Address {
-    /// Query part of the address, without `?`, as it was last read or written: the state string.
+    /// State string in the page's address (the query, without `?`) as the app last read or wrote it.
     query: String,
-    /// Parameters in the current entry of the browser's history, rounded as in a link. If more than time and camera
-    /// differ from them, a new entry is added.
+    /// Parameters of the current entry in the browser's history, with camera and time rounded as in a link. If more
+    /// than time and camera changes, a new entry is added.
     entry: Params,
     written: Instant,
 }
 
 impl Address {
-    /// Reads the page's address at the start of the app.
+    /// Reads the page's address at the start of the app, whose parameters are `params`.
     pub fn new(params: &Params) -> Self {
         Self { query: address_query(), entry: with_rounded_pose(params), written: Instant::now() }
     }

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 /// Largest width and height of a picture, pixels.
 pub const MAX_PICTURE_SIDE: u32 = 8192;
 
-/// The parsed command line.
+/// The parsed command line: a command, or the sea to show in the window.
 #[derive(Parser)]
 #[command(
     name = "seastate",

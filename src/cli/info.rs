@@ -3,7 +3,7 @@
 use crate::ocean::device_info::{DeviceInfo, VERSION, WGPU_VERSION, build_platform};
 use serde_json::{Map, Value, json};
 
-/// Formats the report about the program and its GPU as a text table.
+/// Formats `about`, the report about the program and its GPU, as a text table.
 pub fn about_text(about: &DeviceInfo) -> String {
     about.rows().iter().map(|(name, value)| format!("{name:<28} {value}\n")).collect()
 }

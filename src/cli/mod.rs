@@ -20,7 +20,8 @@ use std::fmt::Write as _;
 /// Exit code of a command that fails for any reason, such as bad arguments or a missing GPU.
 const USAGE_EXIT_CODE: i32 = 2;
 
-/// Runs the command line of this process; returns its exit code.
+/// Runs the command that the arguments of this process name. Returns the exit code: 0, 1 if `seastate check` finds an
+/// error above its tolerance, or `USAGE_EXIT_CODE`.
 pub fn main() -> i32 {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
@@ -103,7 +104,7 @@ fn run(cli: Cli) -> Result<i32, String> {
     print_to_stdout(&text).map(|()| 0)
 }
 
-/// Reads the parameters from the arguments, and prints all notices to stderr.
+/// Reads the parameters and files that the arguments name, and prints all notices to stderr.
 fn read_sea_params(args: &SeaArgs) -> Result<Params, String> {
     let (params, notices) = args.read()?;
     report_notices(&notices);

@@ -21,7 +21,7 @@ use std::fmt;
 /// One comparison of a GPU pass with the oracle (the same calculation on the CPU in f64): a line of the printed table.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// Name of the pass and of the compared quantity.
+    /// Name of the pass and of the compared quantity, such as `columns displacement`.
     pub pass_and_quantity: &'static str,
     /// Index of the cascade; for foam, index of the foam level.
     pub cascade: usize,
@@ -50,8 +50,8 @@ impl fmt::Display for Comparison {
     }
 }
 
-/// Relative tolerance of the spectrum pass: the hash is exact; logarithm, sine, arc tangent and exponential are off by
-/// a few units of least precision. One f32 operation has a relative rounding error of 6e-8.
+/// Relative tolerance of the spectrum pass. Its integer hash for random numbers is exact; logarithm, sine, arc tangent
+/// and exponential are off by a few times the rounding error of f32, 6e-8.
 const SPECTRUM_TOLERANCE: f64 = 1e-6;
 /// Relative tolerance of the row and column passes: rounding errors of the log2(n) butterfly stages of an FFT of size
 /// n.
@@ -61,13 +61,13 @@ const TRANSFORM_TOLERANCE: f64 = 1e-6;
 const HALF_FLOAT_TOLERANCE: f64 = 4.9e-4;
 /// Relative tolerance of the mip levels: the mean of four half floats is rounded to a half float.
 const MIP_TOLERANCE: f64 = 4.9e-4;
-/// Relative tolerance of the foam pass: bilinear weights of 8 bits and half-float maps, amplified by the steepness of
-/// the foam's source term.
+/// Relative tolerance of the foam pass. It allows for bilinear weights of 8 bits and half-float maps, whose errors the
+/// steepness of the foam's source term amplifies.
 const FOAM_TOLERANCE: f64 = 5e-3;
 
-/// Smallest root mean square by which an error of half floats is divided. Half floats are at least 2^-24 apart; a texel
-/// with four truncated components is off by up to 2^-23, which is 2^-11 of this value. It matters for the slopes of the
-/// longest waves of a calm sea.
+/// Smallest root mean square of expected values by which the error of half-float maps is divided. Half floats are at
+/// least 2^-24 apart; a texel with four truncated components is off by up to 2^-23, which is 2^-11 of this value. It
+/// matters for the slopes of the longest waves of a calm sea.
 const MIN_HALF_FLOAT_RMS: f64 = 2.441_406_25e-4;
 
 /// Number of foam steps that are computed before the GPU's foam is compared with the oracle's.
@@ -76,6 +76,7 @@ const FOAM_STEPS: usize = 4;
 const FOAM_LEVEL: usize = 1;
 
 /// Compares all GPU passes (spectrum, FFT, wave maps, mip levels, foam) with the oracle, for a state at its time.
+/// Returns one comparison per quantity and cascade.
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -83,7 +84,8 @@ pub async fn run(gpu: &Gpu, params: &Params) -> Result<Vec<Comparison>, String> 
     run_with(gpu, params, &Shaders::default(), FftImplementation::for_device(gpu)).await
 }
 
-/// Does the same as [`run`] with given shaders, in which tests plant faults, and a given FFT implementation.
+/// Compares all GPU passes with the oracle as [`run`] does, but with the given shaders, in which tests plant faults,
+/// and the given FFT implementation.
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -145,8 +147,8 @@ impl Check<'_> {
         Ok(())
     }
 
-    /// Compares the GPU's FFT along rows with `rows`, the oracle's result. The input is `h0`, the oracle's initial wave
-    /// amplitudes.
+    /// Runs the GPU's FFT along rows on `h0`, the oracle's initial wave amplitudes of each cascade. Compares the result
+    /// with `rows`, the oracle's, and adds the comparisons to `lines`.
     async fn rows(&mut self, h0: &[Vec<Complex>], rows: &[MapPair]) -> Result<(), String> {
         let flat: Vec<[f32; 2]> = h0.iter().flatten().map(|h| h.map(|x| x as f32)).collect();
         self.gpu.queue.write_buffer(&self.sim.resources.current_waves().h0, 0, bytemuck::cast_slice(&flat));
@@ -155,8 +157,8 @@ impl Check<'_> {
         self.transformed(encoder, rows, ["rows Dx Dz eta Dxz", "rows eta_x eta_z Dxx Dzz"]).await
     }
 
-    /// Compares the GPU's FFT along columns with `maps`, the oracle's result. The input is `rows`, the oracle's FFT
-    /// along rows. Also computes the mip levels of the maps.
+    /// Runs the GPU's FFT along columns on `rows`, the oracle's FFT along rows, and compares the result with `maps`,
+    /// the oracle's wave maps. Also lets the GPU compute the mip levels of its own maps, for [`Self::mips`].
     async fn columns(&mut self, rows: &[MapPair], maps: &[MapPair]) -> Result<(), String> {
         let r = &self.sim.resources;
         let flat: Vec<[f32; 4]> = rows.iter().flatten().flatten().map(|t| t.map(|x| x as f32)).collect();
@@ -167,8 +169,9 @@ impl Check<'_> {
         self.transformed(encoder, maps, ["columns displacement", "columns gradients"]).await
     }
 
-    /// Runs the commands of `encoder`, and compares what they leave in the buffer `row_transforms` with `want`. `names`
-    /// labels the two maps of each pair in the result lines.
+    /// Submits the commands of `encoder`, reads back the buffer `row_transforms`, which the FFT passes write, and
+    /// compares it with `want`, the oracle's pair of maps of each cascade. `names` labels the two maps of a pair in
+    /// `lines`.
     async fn transformed(
         &mut self,
         mut encoder: wgpu::CommandEncoder,
@@ -241,8 +244,8 @@ impl Check<'_> {
     }
 }
 
-/// Compares a foam level after [`FOAM_STEPS`] time steps on the GPU with the oracle's. Each step of the oracle reads
-/// the GPU's wave maps.
+/// Compares the foam coverage of the level [`FOAM_LEVEL`] after [`FOAM_STEPS`] time steps on the GPU with the oracle's.
+/// The oracle reads the GPU's wave maps, so only errors of the foam pass count.
 async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<Comparison, String> {
     let centre = [1234.5, -67.8];
     let size = sim.resources.foam_n as usize;
@@ -275,8 +278,8 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<C
     ))
 }
 
-/// Advances the foam of all cells of a foam level by one time step, as the oracle computes it. The corner of the level
-/// (x, z) and the side of a cell are in metres.
+/// Advances the foam coverage of all cells of a foam level by one time step, as the oracle computes it. `corner` (x, z)
+/// of the level and side `texel_m` of a cell are in metres.
 fn step_foam(foam: &mut [f64], plan: &Plan, pyramid: &Pyramid, (corner, texel_m): ([f64; 2], f64), step: FoamStep) {
     let source = FoamModel::new(plan).source(plan, texel_m);
     let size = foam.len().isqrt();
@@ -289,8 +292,8 @@ fn step_foam(foam: &mut [f64], plan: &Plan, pyramid: &Pyramid, (corner, texel_m)
     }
 }
 
-/// The GPU's wave maps at all mip levels. For each cascade also its tiling, and the mip level (between two whole ones)
-/// at which a foam level samples the maps.
+/// The GPU's wave maps at all mip levels. For each cascade also its tiling (how shifted copies of its patch cover the
+/// sea), and the mip level (between two whole ones) at which a foam level samples the maps.
 struct Pyramid {
     n: usize,
     /// Texels of the displacement map and of the gradient map, for each mip level; the cascades follow each other.
@@ -299,8 +302,8 @@ struct Pyramid {
 }
 
 impl Pyramid {
-    /// Reads back the wave maps, and computes at which mip levels a foam level with cells of `texel_m` metres samples
-    /// them.
+    /// Reads back the wave maps of `sim`, and computes at which mip level of each cascade a foam level with cells of
+    /// `texel_m` metres samples them.
     async fn read(gpu: &Gpu, sim: &Simulation, texel_m: f64) -> Result<Self, String> {
         let (r, plan) = (&sim.resources, sim.plan());
         let mut levels = Vec::new();
@@ -317,8 +320,8 @@ impl Pyramid {
         Ok(Self { n: plan.n as usize, levels, cascades: plan.cascades.iter().map(cascade).collect() })
     }
 
-    /// Displacement, slope and strain of the sea at an undisplaced position (x, z in m): the sum of all cascades,
-    /// interpolated between texels and between mip levels.
+    /// Displacement, slope and strain (derivatives of the horizontal displacement) at an undisplaced position (x, z in
+    /// m): the sum over all cascades of the GPU's maps, interpolated between texels and between mip levels.
     fn surface(&self, world: [f64; 2]) -> oracle::surface::WaveFields {
         let mut sum = oracle::surface::WaveFields::default();
         for (c, (tiling, lod)) in self.cascades.iter().enumerate() {
@@ -348,7 +351,8 @@ fn comparison(pass_and_quantity: &'static str, cascade: usize, relative_error: f
     Comparison { pass_and_quantity, cascade, relative_error, tolerance }
 }
 
-/// Reads back one mip level of a kind of wave map, with the cascades one after the other.
+/// Reads back mip level `level` of the GPU's wave maps of one kind (displacement, gradients or slope moments): the
+/// texels of all cascades, one cascade after the other.
 async fn read_map(gpu: &Gpu, r: &Resources, kind: MapKind, level: u32) -> Result<Vec<Texel>, String> {
     let mut encoder = gpu.encoder("check");
     let copy = r.stage_maps(gpu, &mut encoder, kind, level);

@@ -12,7 +12,8 @@ use crate::waves::statistics::{self, SpectralMoments};
 use crate::waves::{Plan, noise};
 use std::f64::consts::{PI, TAU};
 
-/// Phase advance of the fastest wave between two read-backs, rad. Two read-backs separate waves of opposite directions.
+/// Phase advance of the fastest wave between the two read-backs of a seed, rad. Their difference tells waves of
+/// opposite directions apart.
 const PEAK_PHASE_ADVANCE_RAD: f64 = 1.0;
 /// Number of random points of the displaced surface that each seed contributes to skewness and kurtosis.
 const STATISTICS_POINTS: u32 = 1 << 16;
@@ -26,7 +27,7 @@ pub struct MeasuredStatistics {
     pub hs_m: EstimateWithError,
     /// Mean elevation of the surface, m.
     pub mean_m: EstimateWithError,
-    /// Mean square slope of the surface, dimensionless.
+    /// Mean square slope of the undisplaced surface: mean of (d eta/dx)^2 + (d eta/dz)^2, dimensionless.
     pub mss: EstimateWithError,
     /// Mean wave period Tm01 = 2 pi m0 / m1, s, with the spectral moments m0 and m1.
     pub tm01_s: EstimateWithError,
@@ -36,7 +37,7 @@ pub struct MeasuredStatistics {
     pub from_deg: Option<EstimateWithError>,
     /// First directional moment r1: 0 without a mean direction, 1 if all waves travel in one direction.
     pub r1: EstimateWithError,
-    /// Directional spread sqrt(2 (1 - r1)), degrees.
+    /// Directional spread sqrt(2 (1 - r1)), converted to degrees, with the first directional moment r1.
     pub spread_deg: EstimateWithError,
     /// Skewness of the surface's elevation; 0 for a Gaussian.
     pub skewness: EstimateWithError,
@@ -49,7 +50,7 @@ pub struct MeasuredStatistics {
     pub seeds: u32,
 }
 
-/// Statistics measured in the wave maps of one seed.
+/// Statistics measured in the GPU's wave maps of one seed; `summarise_seeds` averages them.
 pub struct SeedStatistics {
     variance: f64,
     mean: f64,
@@ -60,7 +61,7 @@ pub struct SeedStatistics {
     parseval_error: f64,
 }
 
-/// One wave of the sea, separated from the wave that travels in the opposite direction.
+/// One wave of the sea. The wave of equal wave number that travels in the opposite direction is another one.
 #[derive(Clone, Copy, Debug)]
 pub struct TravellingWave {
     /// Variance of the wave's elevation, m^2.
@@ -73,8 +74,8 @@ pub struct TravellingWave {
     pub travel: [f64; 2],
 }
 
-/// Measures the statistics of a state over `seeds` seeds: the state's own and those after it. Calls `visit` with the
-/// index of the seed and each of its waves.
+/// Measures the statistics of a state over `seeds` seeds: the state's own and those after it. Calls `visit` for every
+/// wave of every seed, with the index of the seed (from 0).
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -101,7 +102,7 @@ pub async fn measure(
     Ok(summarise_seeds(&all))
 }
 
-/// Averages the statistics of all seeds, and computes standard errors.
+/// Statistics over all seeds: means of the statistics of each seed, or their ratios, with standard errors.
 fn summarise_seeds(all: &[SeedStatistics]) -> MeasuredStatistics {
     let values = |f: &dyn Fn(&SeedStatistics) -> f64| all.iter().map(f).collect::<Vec<_>>();
     let over = |f: &dyn Fn(&SeedStatistics) -> f64| EstimateWithError::mean(&values(f));
@@ -141,7 +142,7 @@ pub fn spread_deg(r1: EstimateWithError) -> EstimateWithError {
     r1.with_propagated_error(deg, 180.0 / PI / deg.to_radians().max(1e-9))
 }
 
-/// Computes the statistics of one seed from its wave maps at two times (s), and calls `visit` for every wave.
+/// Computes the statistics of one seed from its wave maps at two times (s), and calls `visit` for every wave of it.
 fn seed_statistics(
     plan: &Plan,
     maps: &[MapsF32; 2],
@@ -173,9 +174,10 @@ fn seed_statistics(
     SeedStatistics { variance, mean, mss, skewness, kurtosis, travelling, parseval_error }
 }
 
-/// Separates the waves of a cascade by direction of travel, and calls `visit` for each. Two times determine A in the
-/// Fourier coefficient X(k, t) = A e^{-i w t} + B* e^{+i w t} of the heights, with the angular frequency w. A is the
-/// amplitude of the wave that travels along the wave vector k; its variance is 2 |A|^2.
+/// Separates the waves of a cascade by direction of travel, and calls `visit` for each. `displacements` are its maps at
+/// two `times` (s). They determine A in the Fourier coefficient X(k, t) = A e^{-i w t} + B* e^{+i w t} of the heights
+/// at angular frequency w. A is the amplitude of the wave that travels along the wave vector k; its variance is 2
+/// |A|^2.
 fn travelling_waves(
     plan: &Plan,
     cascade: &Cascade,
@@ -220,8 +222,9 @@ pub fn transform_of_heights(n: usize, displacement: &[[f32; 4]]) -> Vec<[f64; 2]
     transform::inverse_2d(n, &heights)
 }
 
-/// Calls `visit` with the elevation (m) and the Jacobian (the area of a displaced surface element over its area at
-/// rest) at random points. Cascades are independent and homogeneous, so a point is the sum of a random texel of each.
+/// Calls `visit` at `STATISTICS_POINTS` random points of the sea, with the elevation (m) and the Jacobian (area of a
+/// displaced surface element over its area at rest). Cascades are independent and homogeneous, so a point is the sum of
+/// a random texel of each.
 pub fn surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f64)) {
     let n = maps.n as u32;
     for i in 0..STATISTICS_POINTS {
@@ -252,8 +255,8 @@ pub fn distribution_shape(sums: [f64; 5]) -> [f64; 4] {
     [m1, variance.sqrt(), third / variance.powf(1.5), fourth / (variance * variance)]
 }
 
-/// Mean foam coverage (0 to 1) over all foam levels at time `t_s`, s. The foam steps before that time are computed
-/// first.
+/// Mean foam coverage (0 to 1) over all cells of all foam levels at time `t_s`, s. Computes the foam steps before that
+/// time first, because foam depends on earlier waves.
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -264,7 +267,8 @@ pub async fn mean_foam(gpu: &Gpu, sim: &mut Simulation, t_s: f64) -> Result<f64,
 }
 
 /// Foam coverage (0 to 1) of every cell, for each foam level (a square grid around `centre`, x and z in m) at time
-/// `t_s`, s. The foam steps before that time are computed first. The cells are in the toroidal order of the texture.
+/// `t_s`, s. Computes the foam steps before that time first. A cell is stored at its indices modulo the size of the
+/// grid.
 ///
 /// # Errors
 /// If reading back from the GPU fails.

@@ -10,7 +10,7 @@ pub struct EstimateWithError {
 }
 
 impl EstimateWithError {
-    /// Estimates the mean of `values`, with its standard error.
+    /// Estimates the mean of `values`, one for each member of an ensemble, with its standard error.
     pub fn mean(values: &[f64]) -> Self {
         let count = values.len() as f64;
         let value = values.iter().sum::<f64>() / count;
@@ -18,8 +18,8 @@ impl EstimateWithError {
         Self { value, standard_error: (values.len() > 1).then(|| (squares / (count - 1.0) / count).sqrt()) }
     }
 
-    /// Estimates the ratio of two means. The standard error is that of the linearised ratio. The ratio is 0 if the
-    /// denominator's mean is 0.
+    /// Estimates the mean of `numerator` divided by the mean of `denominator`, with one value of each per member of the
+    /// ensemble. The standard error is that of the linearised ratio. The ratio is 0 if the denominator's mean is 0.
     pub fn ratio(numerator: &[f64], denominator: &[f64]) -> Self {
         let mean = denominator.iter().sum::<f64>() / denominator.len() as f64;
         if mean == 0.0 {
@@ -38,7 +38,7 @@ impl EstimateWithError {
         Self { value: statistic(None), standard_error: error }
     }
 
-    /// Multiplies the value and its standard error by a factor.
+    /// The estimate times a factor: the value times `factor`, and the standard error times its magnitude.
     pub fn scaled(self, factor: f64) -> Self {
         self.with_propagated_error(factor * self.value, factor)
     }

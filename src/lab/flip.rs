@@ -25,8 +25,8 @@ impl SrgbPicture {
     }
 }
 
-/// Perceived difference (FLIP) of every pixel of two pictures, 0 to 1, row by row. `pixels_per_degree` of visual angle
-/// depends on the viewing distance: usually [`PIXELS_PER_DEGREE`].
+/// Perceived difference (FLIP) of two pictures at every pixel, from 0 (equal) to 1, row by row. `pixels_per_degree` of
+/// visual angle depends on the viewing distance: usually [`PIXELS_PER_DEGREE`].
 ///
 /// # Errors
 /// If the pictures differ in size.
@@ -101,7 +101,7 @@ fn srgb_to_opponent(rgb: [u8; 3]) -> [f64; 3] {
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
 
-/// Converts a YCxCz colour to linear sRGB, clamped to the gamut.
+/// Converts YCxCz (luminance and two opponent colours) to linear sRGB, clamped to the gamut.
 fn opponent_to_linear_rgb([y, cx, cz]: [f64; 3]) -> [f64; 3] {
     let y = (y + 16.0) / 116.0;
     let relative = [y + cx / 500.0, y, y - cz / 200.0];
@@ -119,12 +119,14 @@ fn lab_with_hunt_effect(rgb: [f64; 3]) -> [f64; 3] {
     [l, 0.01 * l * 500.0 * (x - y), 0.01 * l * 200.0 * (y - z)]
 }
 
-/// HyAB distance of two L*a*b* colours, which is valid for large colour differences (Abasi et al. 2020).
+/// HyAB distance of two L*a*b* colours: the difference of L* plus the Euclidean distance in a* and b*. It stays valid
+/// for large colour differences (Abasi et al. 2020).
 fn hyab_distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (a[0] - b[0]).abs() + (a[1] - b[1]).hypot(a[2] - b[2])
 }
 
-/// Maps a colour difference from 0 to `most` to FLIP's scale from 0 to 1.
+/// Maps a colour difference `x` (0 to `most`, the largest possible one) to FLIP's scale from 0 to 1: linearly up to
+/// [`KNEE_DIFFERENCE_FRACTION`] of `most`, and with a smaller slope above.
 fn to_flip_scale(x: f64, most: f64) -> f64 {
     let knee = KNEE_DIFFERENCE_FRACTION * most;
     if x < knee {
@@ -178,7 +180,7 @@ fn filter_plane(plane: &[f64], width: usize, along: &[f64], down: &[f64]) -> Vec
         .collect()
 }
 
-/// Strength of the edges and of the points (small dots) that FLIP detects at every pixel.
+/// Strength, at every pixel of a picture, of the edges and of the small dots (points) that FLIP detects.
 struct FeatureStrengths {
     edges: Vec<f64>,
     points: Vec<f64>,

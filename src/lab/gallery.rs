@@ -12,7 +12,7 @@ use std::path::Path;
 const PICTURE_SIZE: [u32; 2] = [960, 540];
 /// Quality of the JPEG files, 1 to 100.
 const JPEG_QUALITY: u8 = 88;
-/// Address at which `scripts/serve.sh` serves the web page, for the links of the gallery.
+/// Address at which `scripts/serve.sh` serves the app's web page; the gallery links each picture to it.
 const PAGE_URL: &str = "http://localhost:8080/";
 
 /// A picture of the gallery: title, description and state string.
@@ -22,7 +22,7 @@ pub struct GalleryPicture {
     pub title: &'static str,
     /// Description of the picture.
     pub about: &'static str,
-    /// State string of the picture, exactly as the program itself writes it.
+    /// State string of the picture, in the form in which the program itself writes it.
     pub state: &'static str,
 }
 
@@ -94,13 +94,14 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
 ];
 
 impl GalleryPicture {
-    /// File name of the picture, without a folder.
+    /// File name of the picture (made from its title, with the extension .jpg), without a folder.
     pub fn file(&self) -> String {
         format!("{}.jpg", self.title.to_lowercase().replace(' ', "-"))
     }
 }
 
-/// Renders the pictures whose title contains `only`, and writes gallery.md and gallery/ to a folder. Returns a summary.
+/// Renders the pictures whose title contains `only`, and writes gallery.md and the folder gallery/ into the folder
+/// `output`. Returns a line for the terminal: the path of the page and the number of pictures.
 ///
 /// # Errors
 /// If no title contains `only`, reading back from the GPU fails, or a file cannot be written.

@@ -5,7 +5,7 @@ use super::{create_folder, write_file};
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// A page of Markdown: its text, and the figures that it shows.
+/// A page of Markdown under construction: its text so far, and name and SVG text of its figures.
 #[derive(Clone, Debug, Default)]
 pub struct Page {
     text: String,
@@ -44,7 +44,7 @@ impl Page {
         self.text.push('\n');
     }
 
-    /// Adds a figure with its caption. `name` is the figure's file name without extension.
+    /// Adds a figure with its caption. `name` becomes the name of its SVG file, without the extension.
     ///
     /// # Errors
     /// If the figure cannot be drawn.
@@ -54,7 +54,7 @@ impl Page {
         self.keep_figure(name, figure)
     }
 
-    /// Adds figures, two in a row, with one caption for all.
+    /// Adds figures, each after the name of its SVG file without extension, two in a row and with one caption for all.
     ///
     /// # Errors
     /// If one of the figures cannot be drawn.
@@ -80,7 +80,7 @@ impl Page {
         format!("{}\n", self.text.trim_end())
     }
 
-    /// File name without extension, and SVG text, of each figure.
+    /// File name without extension, and SVG text, of each figure that has been added to the page.
     pub fn drawings(&self) -> &[(String, String)] {
         &self.figures
     }

@@ -73,7 +73,7 @@ fn row(field: &Field) -> Vec<String> {
     vec![key, field.label.into(), unit.into(), field.range(), default, escape_markdown(field.help)]
 }
 
-/// Escapes Markdown's special characters in a text.
+/// Puts a backslash before each `*`, `|` and `_` of a text, so that Markdown shows these characters as they are.
 fn escape_markdown(text: &str) -> String {
     text.replace('*', "\\*").replace('|', "\\|").replace('_', "\\_")
 }

@@ -6,21 +6,22 @@ use crate::ocean::still;
 use crate::ocean::{Ocean, SampleGrid};
 use crate::waves::noise::pcg4d;
 
-/// Largest number of samples in one render target, which holds one sample per texel.
+/// Largest number of samples that are drawn at once, each as one texel of the render target.
 const MAX_SAMPLES_PER_FRAME: u64 = 4_200_000;
 
 /// Number and positions of the samples in a reference picture, whose pixels are means of many unfiltered samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sampling {
-    /// Minimum number of samples per pixel.
+    /// Minimum number of samples of each pixel, which is their mean.
     pub samples: u32,
     /// Seed of the sample positions within a pixel.
     pub seed: u32,
 }
 
 impl Sampling {
-    /// Sample grids, rendered one after the other, that together give every pixel at least `samples` samples. Each grid
-    /// has at most `most` samples in total and at most `longest` along the picture's width or height.
+    /// Sample grids, rendered one after the other, that together give every pixel of a picture of `size` pixels at
+    /// least `self.samples` samples. Each grid has at most `most` samples in total and at most `longest` along its
+    /// width or height.
     fn grids(self, size: [u32; 2], most: u64, longest: u32) -> impl Iterator<Item = SampleGrid> {
         let fits = |side: &u32| {
             let [w, h] = size.map(|s| u64::from(s) * u64::from(*side));
@@ -40,8 +41,8 @@ impl Sampling {
     }
 }
 
-/// Sums of linear light over the sky samples and over the water samples of one pixel. A water sample has a positive
-/// weight in the mean of the water, a sky sample the weight 0.
+/// Sums of linear light over the sky samples and over the water samples of one pixel. Each sample carries a weight: 0
+/// marks sky, and a positive weight counts in the mean of the water.
 #[derive(Clone, Copy, Default)]
 struct PixelSum {
     sky: [f64; 3],
@@ -67,7 +68,7 @@ impl PixelSum {
         }
     }
 
-    /// Linear light (RGB) of the pixel: the weighted mean of the water samples and the plain mean of the sky samples,
+    /// Linear light (RGB) of the pixel: the weighted mean of its water samples and the plain mean of its sky samples,
     /// mixed in proportion to the numbers of water and sky samples.
     fn mean(&self) -> [f32; 3] {
         let all = self.skies + self.waters;

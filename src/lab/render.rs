@@ -20,10 +20,10 @@ const SKY_M: f32 = 1e10;
 pub struct Sequence {
     /// Number of pictures in the sequence.
     pub count: u32,
-    /// Pictures per second. The state's `speed` (simulated seconds per second) divided by this rate is the simulated
-    /// time between two pictures.
+    /// Pictures per second of the played sequence. The state's `speed` (simulated seconds per second) divided by this
+    /// rate is the simulated time between two pictures.
     pub fps: f64,
-    /// Whether to write linear light, distance and normals of each picture as an OpenEXR file, too.
+    /// Whether each picture also gets an OpenEXR file with its linear light, distances (m) and surface normals.
     pub layers: bool,
 }
 
@@ -51,7 +51,8 @@ fn write_png(pixels: Vec<u8>, size: [u32; 2], path: &Path) -> std::result::Resul
     image.save_with_format(path, image::ImageFormat::Png).map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 
-/// Renders a sequence of pictures that begins at the state's time, and writes it to a folder. Returns a summary.
+/// Renders a sequence of pictures that begins at the state's time, and writes it to a folder. Returns a line for the
+/// terminal: the number of pictures and the folder.
 ///
 /// # Errors
 /// One sentence, if reading back from the GPU fails or a file cannot be written.
@@ -84,7 +85,7 @@ pub async fn write_sequence(
     Ok(format!("{} {what} in {}", sequence.count, folder.display()))
 }
 
-/// Writes an OpenEXR file with the linear light, distances and surface normals of the last picture.
+/// Writes an OpenEXR file with the linear light, distances (m) and surface normals of the picture that was last drawn.
 async fn write_layers(
     gpu: &Gpu,
     ocean: &mut Ocean,
@@ -130,7 +131,8 @@ async fn write_layers(
         .map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 
-/// Reads back the linear light of the last frame: RGBA, row by row.
+/// Reads back the linear light of the frame that `ocean` drew last: red, green, blue and alpha of each pixel, row by
+/// row.
 async fn light_of(gpu: &Gpu, ocean: &Ocean) -> std::result::Result<Vec<f32>, String> {
     let texture = ocean.light_texture().ok_or("nothing was drawn")?;
     let mut encoder = gpu.encoder("light");

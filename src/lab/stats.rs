@@ -11,7 +11,7 @@ use crate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
 use serde_json::{Value, json};
 use std::fmt;
 
-/// Theoretical, resolved and measured statistics of one sea, with its parameters and plan.
+/// Statistics of one sea by theory, of the resolved waves (those on the FFT grids), and as measured on the GPU.
 #[derive(Debug)]
 pub struct SeaStatistics {
     params: Params,
@@ -22,7 +22,7 @@ pub struct SeaStatistics {
     pub resolved: LatticeStatistics,
     /// Statistics measured in the wave maps that were read back from the GPU.
     pub measured: MeasuredStatistics,
-    /// Mean foam coverage measured with the first seed, 0 to 1.
+    /// Foam coverage measured on the GPU with the first seed, 0 to 1: mean over all cells of all foam levels.
     whitecap_fraction: f64,
 }
 
@@ -41,7 +41,7 @@ pub async fn run(gpu: &Gpu, params: &Params, seeds: u32) -> Result<SeaStatistics
 }
 
 impl SeaStatistics {
-    /// Formats the statistics as JSON. Means over the seeds have a standard error.
+    /// Formats the statistics and `notices` as JSON. Means over the seeds have a standard error.
     pub fn json(&self, notices: &[String]) -> String {
         let (t, r, m) = (&self.theory, &self.resolved, &self.measured);
         let notices: Vec<&String> = notices.iter().chain(&self.plan.notices).collect();

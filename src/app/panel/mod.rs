@@ -27,7 +27,7 @@ const MAX_TEXT_CHARS: usize = 100;
 /// State of the panel that is not part of the parameters.
 #[derive(Default)]
 pub struct Panel {
-    /// Text in the search field.
+    /// Text in the panel's search field, which selects the shown parameters; empty to show all.
     search: String,
     /// Text in the field into which the user types or pastes a link to open.
     link: String,
@@ -91,13 +91,13 @@ fn show_bottom_sheet(app: &mut App, ctx: &egui::Context, screen: egui::Rect) {
     });
 }
 
-/// Makes the widgets of `ui` large enough for fingers on a touch screen.
+/// Makes the widgets that are later added to `ui` high enough for fingers on a touch screen.
 fn enlarge_for_touch(ui: &mut egui::Ui) {
     ui.spacing_mut().interact_size.y = TOUCH_TARGET_POINTS;
     ui.spacing_mut().icon_width = 22.0;
 }
 
-/// Describes the sea in one line: significant wave height and Beaufort number.
+/// One line about the sea, such as `Hs 2.4 m, Beaufort 5`: significant wave height and Beaufort number.
 pub fn sea_summary(app: &App) -> String {
     let hs = app.length_scale().format(app.derived.theory.hs_m, 1);
     format!("Hs {hs}, Beaufort {}", beaufort::beaufort_number(app.params.sea.first_system().wind_m_s))
@@ -108,8 +108,8 @@ fn button_with_help(ui: &mut egui::Ui, label: &str, help: &str) -> bool {
     ui.button(label).on_hover_text(help).clicked()
 }
 
-/// Adds a label and a text field that fills the line, except for the widgets that `right` adds at its right end.
-/// Returns the text field's response and the result of `right`.
+/// Adds `label` and a field for `text` that fills the line, except for the widgets that `right` adds at its right end.
+/// Returns the field's response and the result of `right`.
 fn text_field<T>(
     ui: &mut egui::Ui,
     label: &str,
@@ -186,7 +186,7 @@ fn show_notices(app: &App, ui: &mut egui::Ui) {
     }
 }
 
-/// Adds widgets for all parameters by group, or for those that match the search.
+/// Adds widgets for all parameters, group by group, or for those that match the text in the search field.
 fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal(|ui| {
         let search = &mut app.panel.search;

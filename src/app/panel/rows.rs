@@ -6,13 +6,15 @@ use crate::state::Params;
 use crate::state::fields::{FIELDS, Field, FieldKind, Group, InvalidValue};
 use crate::state::params::Units;
 
-/// Whether a search finds a parameter: each word occurs in its label, key, group or help text.
+/// Whether a search for `words` finds a parameter: each word occurs in its label, key, group or help text, in upper or
+/// lower case.
 pub fn matches_search(field: &Field, words: &str) -> bool {
     let text = format!("{} {} {} {}", field.key, field.label, field.group.label(), field.help).to_lowercase();
     words.to_lowercase().split_whitespace().all(|word| text.contains(word))
 }
 
-/// Adds the rows of a group's parameters that match the search.
+/// Adds the rows of those parameters of a group that match `words`, the text in the search field. An empty text matches
+/// all.
 pub fn show_group(params: &mut Params, group: Group, words: &str, ui: &mut egui::Ui) {
     let units = params.screen.units;
     egui::Grid::new(group.label()).num_columns(3).show(ui, |ui| {
@@ -88,7 +90,8 @@ fn value_editor(field: &'static Field, value: &mut f64, units: Units, ui: &mut e
     }
 }
 
-/// Adds a slider in the user's units. The metric value changes only if the slider moves, so converting never rounds it.
+/// Adds a slider in the user's units for a metric `value` from `min` to `max`, logarithmic if `log`. The value changes
+/// only if the slider moves, so converting units never rounds it.
 fn number_editor(
     field: &'static Field,
     value: &mut f64,
@@ -115,7 +118,7 @@ fn round_to_significant_digits(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
 
-/// Adds a colour picker and the colour's value as text.
+/// Adds a colour picker for `value`, a colour as the number 0xRRGGBB, and beside it the colour as text.
 fn colour_editor(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Response {
     let bits = *value as u32;
     let mut rgb = [16, 8, 0].map(|shift| (bits >> shift) as u8);
@@ -128,8 +131,8 @@ fn colour_editor(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Res
     .inner
 }
 
-/// Makes a slider show its unit, and a word such as "off" in place of the number 0. Both are also understood as typed
-/// text. `factor` converts the parameter's metric value to the shown one.
+/// Makes a slider show the field's unit, and its zero word, such as "off", in place of the number 0. Both can also be
+/// typed. `factor` is the shown value divided by the metric value.
 fn with_zero_word<'a>(field: &'static Field, slider: egui::Slider<'a>, factor: f64, units: Units) -> egui::Slider<'a> {
     let scale = UnitScale::for_field(field, units);
     let unit = scale.suffix();

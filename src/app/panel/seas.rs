@@ -13,9 +13,10 @@ pub struct OwnSeas {
     own: Vec<Preset>,
     /// Text of the field for the name under which the current sea will be kept.
     name: String,
-    /// Errors found in the stored list of the user's seas. If there are any, it is copied before it is overwritten.
+    /// Errors found when the stored list of the user's seas was read. If there are any, the list is copied before it is
+    /// overwritten.
     damage: Vec<String>,
-    /// Whether the stored list with errors has been copied.
+    /// Whether the stored list with errors has already been copied to a second file or storage key.
     is_aside: bool,
 }
 
@@ -49,7 +50,8 @@ impl OwnSeas {
     }
 }
 
-/// Adds the wind slider in Beaufort numbers, with the name and the appearance of that wind force.
+/// Adds the wind slider in Beaufort numbers, and text below it: the name of that wind force, what the sea looks like in
+/// it, and its probable wave height.
 pub fn show_wind_slider(app: &mut App, ui: &mut egui::Ui) {
     let wind_m_s = app.params.sea.first_system().wind_m_s;
     let now = beaufort::beaufort_number(wind_m_s);
@@ -148,7 +150,8 @@ pub fn show_seed_row(app: &mut App, ui: &mut egui::Ui) {
 }
 
 impl App {
-    /// Opens a named sea. Light and camera change only if the sea's state string sets them.
+    /// Opens a named sea in place of the current one. Light, camera and seed change only if its state string sets them,
+    /// and a locked seed never changes.
     fn turn_to_preset(&mut self, preset: &Preset) {
         let seed = self.params.sea.seed;
         let (params, notices) = preset.apply(&self.params);
@@ -160,7 +163,7 @@ impl App {
         }
     }
 
-    /// Runs an action, and adds its error, if any, to the notices.
+    /// Runs the action `what` on the app, and shows its error, if any, in the notices.
     fn run_or_notify(&mut self, what: impl FnOnce(&mut Self) -> Result<(), String>) {
         if let Err(reason) = what(self) {
             self.notices.push(reason);

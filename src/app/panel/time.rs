@@ -7,7 +7,8 @@ use crate::state::params::Clock;
 
 /// Time by which one press of a step button moves the stopped clock, s: one frame at 60 Hz.
 const FRAME_STEP_S: f64 = 1.0 / 60.0;
-/// Length of time that the time slider covers if the sea does not loop, s.
+/// Length of the interval that the time slider covers, s, if the sea does not repeat after a loop; else it covers one
+/// loop.
 const SLIDER_RANGE_S: f64 = 120.0;
 
 /// Adds the buttons, the slider and the number fields for the simulated time and its speed.
@@ -55,7 +56,7 @@ pub fn show_time_controls(app: &mut App, ui: &mut egui::Ui) {
     });
 }
 
-/// Stops the clock and moves the time by a number of frames of 1/60 s.
+/// Stops the clock, and moves the simulated time forward by `frames` frames of 1/60 s (back if negative).
 pub fn step_clock(clock: &mut Clock, frames: f64) {
     clock.paused = true;
     // The time is a whole number of frames, so that steps forward and back return to the same time.

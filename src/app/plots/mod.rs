@@ -15,7 +15,7 @@ use std::fmt::Write as _;
 
 pub use spectrum::highest_omega;
 
-/// Colours of the lines and bars in the panel's plots, which choose them by index.
+/// The six colours of the lines and bars in the panel's plots, distinct for colour-blind readers.
 const COLOURS: [Color32; 6] = [
     Color32::from_rgb(86, 180, 233),
     Color32::from_rgb(230, 159, 0),
@@ -46,7 +46,8 @@ impl PlotTable {
     }
 }
 
-/// Creates a plot that the pointer cannot move or zoom.
+/// Creates an empty plot of height [`PLOT_HEIGHT_POINTS`] that the pointer cannot move or zoom. `name` is egui's id of
+/// it.
 fn fixed_plot(name: &str) -> Plot<'_> {
     Plot::new(name).height(PLOT_HEIGHT_POINTS).allow_drag(false).allow_zoom(false).allow_scroll(false)
 }
@@ -70,8 +71,8 @@ pub fn show_all_plots(app: &mut App, ui: &mut egui::Ui) {
     }
 }
 
-/// Adds a collapsible section with what `plot` draws and a button "CSV". A click on the button puts the plot's table
-/// into `wanted`, which the caller then saves.
+/// Adds a collapsible section, open at first if `open`, with what `plot` draws and a button "CSV". A click on the
+/// button puts the plot's table into `wanted`, which the caller then saves.
 fn plot_section(
     ui: &mut egui::Ui,
     title: &str,

@@ -37,8 +37,8 @@ impl DirectionalSpectrumSamples {
     }
 }
 
-/// Colour of `x` (0 to 1: the square root of the relative density) in the colour map cividis, whose brightness
-/// increases in colour-blind sight (Nunez et al. 2018).
+/// Colour in the polar plot for `x`, the square root of the density divided by the plot's largest (0 to 1), from the
+/// colour map cividis, whose brightness increases in colour-blind sight (Nunez et al. 2018).
 fn density_colour(x: f64) -> Color32 {
     const STOPS: [[f64; 3]; 5] =
         [[0.0, 0.13, 0.30], [0.25, 0.30, 0.42], [0.49, 0.48, 0.47], [0.73, 0.68, 0.43], [1.0, 0.91, 0.27]];
@@ -49,7 +49,8 @@ fn density_colour(x: f64) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// Draws the polar plot of the directional spectrum with north up. Returns its data as a table.
+/// Draws the polar plot of the directional spectrum with north up: where the waves come from, long waves in the middle.
+/// Returns the data as a table for a CSV file.
 pub fn show_direction_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
     let wheel = app.derived.directional_spectrum();
     ui.weak("Where the waves come from, north up; long waves inside, short ones outside");

@@ -4,7 +4,7 @@ use super::super::App;
 use super::{COLOURS, PlotTable, fixed_plot};
 use egui_plot::{Line, PlotPoints};
 
-/// Length of time that the plot shows, s.
+/// Length of time before the current moment that the plot of the height record shows, s.
 const PLOTTED_DURATION_S: f64 = 120.0;
 
 impl App {
@@ -32,7 +32,7 @@ impl App {
 }
 
 /// Plots the last two minutes of the height record (at the first floating object or below the camera), and shows the
-/// record's significant wave height. Returns the data as a table.
+/// significant wave height of the record and of the spectrum. Returns the data as a table for a CSV file.
 pub fn show_height_record_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
     let record = &app.record;
     let length_scale = app.length_scale();

@@ -15,7 +15,7 @@ pub fn highest_omega(plan: &Plan) -> f64 {
 }
 
 /// Plots the frequency spectrum by theory and as measured, its peak frequency, and the frequencies that separate the
-/// cascades. Returns the data as a table.
+/// cascades. Returns the data as a table for a CSV file.
 pub fn show_spectrum_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
     let plan = &app.derived.plan;
     let (low, peak) = (plan.frequency_range().0, plan.omega_p);

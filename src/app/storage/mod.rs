@@ -15,5 +15,6 @@ pub use desktop::{back_up_damaged_seas, load_seas, save, store_seas};
 
 /// File name of the user's own named seas on the desktop, and their key in the browser's local storage.
 const SEAS_FILE_NAME: &str = "seas.txt";
-/// File name, or key in the browser's local storage, for a copy of a damaged list of seas before it is overwritten.
+/// Where a list of the user's seas that contains errors is copied before it is overwritten: file name on the desktop,
+/// key in the browser's local storage.
 const DAMAGED_SEAS_FILE_NAME: &str = "seas-damaged.txt";

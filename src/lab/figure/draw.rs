@@ -14,7 +14,7 @@ const MARGINS: [f64; 4] = [74.0, 34.0, 18.0, 50.0];
 const TEXT_COLOUR: RGBColor = RGBColor(34, 40, 49);
 const GRID_COLOUR: RGBColor = RGBColor(225, 229, 234);
 const MINOR_GRID_COLOUR: RGBColor = RGBColor(240, 242, 245);
-/// Colours of the series, distinct for colour-blind readers (Okabe and Ito 2008).
+/// Colours of the curves, points and bars in figures, distinct for colour-blind readers (Okabe and Ito 2008).
 const COLOURS: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -207,7 +207,8 @@ impl Figure {
         self.axes.iter().zip(point).all(|(axis, v)| v.is_finite() && (-1e-9..=1.0 + 1e-9).contains(&axis.position(v)))
     }
 
-    /// Splits a curve into its pieces inside the plot area, and drops the points outside.
+    /// Splits a curve, given as points (x, y) in the units of the axes, into its pieces inside the plot area. Points
+    /// outside are left out.
     fn visible_runs<'a>(&self, points: &'a [[f64; 2]]) -> Vec<&'a [[f64; 2]]> {
         points.split(|&p| !self.is_inside(p)).filter(|piece| piece.len() > 1).collect()
     }
@@ -224,7 +225,8 @@ fn to_svg_point((x, y): (f64, f64)) -> (i32, i32) {
     (to_svg_units(x), to_svg_units(y))
 }
 
-/// Cuts a path, in pixels, into dashes of 6 pixels with gaps of 4 pixels. Returns each dash as points in SVG units.
+/// Cuts a path (x, y in pixels) into dashes of 6 pixels with gaps of 4 pixels. Returns the points of each dash in SVG
+/// units.
 fn split_into_dashes(path: &[(f64, f64)]) -> Vec<Vec<(i32, i32)>> {
     const DASH: f64 = 6.0;
     const PERIOD: f64 = 10.0;

@@ -18,15 +18,15 @@ pub enum SeriesData {
     Line(Vec<[f64; 2]>),
     /// A dashed curve through points (x, y).
     Dashes(Vec<[f64; 2]>),
-    /// Points with error bars: x, y and the standard error of y.
+    /// Circles with vertical error bars: x, y and the standard error of y. The bar extends by it to both sides.
     Points(Vec<[f64; 3]>),
-    /// A shaded range: x, and the lower and upper y there.
+    /// A shaded area between two curves: x, and the lower and upper y there.
     Band(Vec<[f64; 3]>),
     /// Bars of a histogram: lower and upper x of a bar, and its height y.
     Bars(Vec<[f64; 3]>),
 }
 
-/// A series in a figure: label, index of its colour, data. A series without a label does not appear in the legend.
+/// One set of data in a figure, with its label and the index of its colour. Without a label it is not in the legend.
 #[derive(Clone, Debug)]
 pub struct FigureSeries {
     label: String,
@@ -37,11 +37,11 @@ pub struct FigureSeries {
 /// Corner of the figure in which the legend stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LegendCorner {
-    /// Top left corner.
+    /// Top left corner of the plot area.
     Left,
-    /// Top right corner.
+    /// Top right corner of the plot area.
     Right,
-    /// Bottom right corner.
+    /// Bottom right corner of the plot area.
     LowerRight,
 }
 
@@ -55,12 +55,12 @@ pub struct Figure {
 }
 
 impl Axis {
-    /// Creates a linear axis from `low` to `high`.
+    /// Creates a linear axis from `low` to `high`. `label` is the text beside it, with the unit.
     pub fn linear(label: &str, low: f64, high: f64) -> Self {
         Self { label: label.to_owned(), low, high, log: false }
     }
 
-    /// Creates a logarithmic axis from `low` to `high`.
+    /// Creates a logarithmic axis from `low` to `high`, both positive. `label` is the text beside it, with the unit.
     pub fn log(label: &str, low: f64, high: f64) -> Self {
         Self { log: true, ..Self::linear(label, low, high) }
     }
@@ -74,7 +74,7 @@ impl Axis {
         }
     }
 
-    /// Clamps a value to the range of the axis.
+    /// The value, or the end of the axis's range that is nearer to it if it lies outside.
     pub fn clamp(&self, value: f64) -> f64 {
         value.max(self.low).min(self.high)
     }
@@ -100,7 +100,8 @@ impl Axis {
         (first..first + 20).map(|i| (i as f64 * step, true)).filter(|&(v, _)| inside(v)).collect()
     }
 
-    /// Formats the number at a grid line of the axis.
+    /// Formats the number at a grid line of the axis, such as `0.5`. Numbers below 0.001 or from 100 000 on a
+    /// logarithmic axis become powers of ten.
     pub fn format_tick(&self, value: f64) -> String {
         if self.log && !(1e-3..1e5).contains(&value) {
             let exponent = value.log10().floor() as i32;
@@ -129,7 +130,7 @@ impl FigureSeries {
         Self { label: label.to_owned(), colour, data }
     }
 
-    /// The largest y of the series, including error bars and ranges; at least 0.
+    /// The largest y of the series, including the upper ends of error bars and shaded areas; at least 0.
     pub fn max_y(&self) -> f64 {
         match &self.data {
             SeriesData::Line(p) | SeriesData::Dashes(p) => p.iter().map(|p| p[1]).fold(0.0, f64::max),
@@ -139,7 +140,8 @@ impl FigureSeries {
     }
 }
 
-/// Samples the function `f` at `count` + 1 points, evenly spaced along an axis (in the logarithm on a logarithmic one).
+/// Points (x, f(x)) at `count` + 1 values of x from one end of an axis to the other, evenly spaced (in the logarithm on
+/// a logarithmic axis).
 pub fn sample_curve(axis: &Axis, count: u32, f: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
     let at = |i: u32| {
         let t = f64::from(i) / f64::from(count);

@@ -2,7 +2,7 @@
 
 use crate::lab::estimate::EstimateWithError;
 
-/// Text of a table cell in place of a measured number if there is no GPU.
+/// Text of a table cell that would hold a measured number, if there is no GPU to measure on.
 pub const PENDING_CELL: &str = "…";
 
 /// Formats a number with `digits` digits after the decimal point.

@@ -7,7 +7,8 @@ use crate::lab::page::Page;
 
 const WIND: &str = "wind=20&fetch=300&n=128";
 const DEPTHS_M: [f64; 10] = [2.0, 3.0, 5.0, 8.0, 12.0, 20.0, 30.0, 50.0, 100.0, 200.0];
-/// The three forms of the TMA spectrum's depth factor: name on the page, and state string that selects the form.
+/// The three forms of the TMA spectrum's depth factor: name in part 5 of the validation page, and the part of a state
+/// string that selects the form.
 const FORMS: [(&str, &str); 3] =
     [("exact", "spectrum=tma"), ("branches", "spectrum=tma&tmafit=branches"), ("Bouws", "spectrum=tma&bouws=1")];
 

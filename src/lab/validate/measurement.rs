@@ -11,17 +11,17 @@ use crate::waves::plan::Cascade;
 use crate::waves::statistics::{self, LatticeStatistics, SpectrumStatistics};
 use crate::waves::table::{Table, entry_index};
 
-/// Measures seas for the validation page, over ensembles of seeds.
+/// How the validation page measures its seas: on which GPU, and over how many random seeds.
 pub struct Measurement<'a> {
-    /// The GPU to measure on; `None` leaves all measurements out.
+    /// The GPU to measure on; with `None` the page gets no measured numbers.
     pub gpu: Option<&'a Gpu>,
-    /// Number of seeds in an ensemble.
+    /// Number of random seeds over which each sea is measured.
     pub seeds: u32,
 }
 
-/// A sea with its theoretical, resolved and measured statistics.
+/// A sea with its statistics by theory, of the resolved waves (those on the FFT grids), and as measured on the GPU.
 pub struct MeasuredSea {
-    /// The plan of the sea: its wave systems and cascades.
+    /// The plan of the sea: its wave systems, and its waves divided among cascades.
     pub plan: Plan,
     /// Statistics by theory, from integrals of the spectrum.
     pub theory: SpectrumStatistics,
@@ -39,11 +39,11 @@ pub struct MeasuredSea {
 pub struct WaveBin {
     /// Expected variance of the resolved waves, m^2, and this variance times the unit vector (x, z) of travel.
     pub expected: [f64; 3],
-    /// Measured variance, m^2, and this variance times the unit vector (x, z) of travel, for each seed.
+    /// Measured variance, m^2, and this variance times the unit vector (x, z) of travel: one entry for each seed.
     pub measured: Vec<[f64; 3]>,
 }
 
-/// Parses a state string of the validation page.
+/// Parses one of the state strings from which the validation page is made. A notice is an error here.
 ///
 /// # Errors
 /// If the parser gives a notice about the state string.
@@ -139,7 +139,7 @@ impl Measurement<'_> {
 }
 
 impl MeasuredSea {
-    /// The statistic that `quantity` picks from those measured on the GPU; `None` without a GPU.
+    /// The statistic that `quantity` picks from those measured on the GPU over all seeds; `None` without a GPU.
     pub fn measured_statistic(
         &self,
         quantity: impl Fn(&MeasuredStatistics) -> EstimateWithError,
@@ -154,7 +154,7 @@ impl MeasuredSea {
     }
 }
 
-/// Calls `visit` for every wave on the FFT grids of a plan, with the variance that the spectrum gives it on average.
+/// Calls `visit` for every wave that a plan's cascades hold, with its mean variance (m^2) over all seeds.
 pub fn visit_expected_waves(plan: &Plan, visit: &mut dyn FnMut(&TravellingWave)) {
     for cascade in &plan.cascades {
         let table = Table::new(plan, cascade);
@@ -166,7 +166,8 @@ pub fn visit_expected_waves(plan: &Plan, visit: &mut dyn FnMut(&TravellingWave))
     }
 }
 
-/// Iterates over the waves of a cascade: signed grid indices (x, z) and wave number, rad/m.
+/// Iterates over the waves that a cascade holds on its FFT grid: signed indices of the wave vector (x, z), in units of
+/// the cascade's wave-number step, and wave number, rad/m.
 pub fn lattice_waves<'a>(plan: &Plan, cascade: &'a Cascade) -> impl Iterator<Item = (i32, i32, f64)> + 'a {
     let wave = |(ix, iz): (i32, i32)| (ix, iz, cascade.dk() * f64::from(ix * ix + iz * iz).sqrt());
     statistics::lattice(plan.n).map(wave).filter(|&(ix, iz, k)| (ix, iz) != (0, 0) && cascade.contains_wave_number(k))

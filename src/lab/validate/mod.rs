@@ -20,8 +20,8 @@ use measurement::Measurement;
 /// Names of the parts of the validation page, in order.
 pub const PAGE_PARTS: [&str; 6] = ["spectra", "spreading", "dispersion", "published", "depth", "surface"];
 
-/// Builds the validation page from parts named in [`PAGE_PARTS`]. Without a GPU its measured table cells hold
-/// [`cells::PENDING_CELL`].
+/// Builds the validation page from the parts named in `parts` (see [`PAGE_PARTS`]), measured over `seeds` seeds.
+/// Without a GPU its measured table cells hold [`cells::PENDING_CELL`].
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.

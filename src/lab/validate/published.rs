@@ -12,8 +12,8 @@ const WIND_M_S: f64 = 10.0;
 /// Wind speed at a height of 19.5 m, which Pierson and Moskowitz use, divided by that at 10 m.
 const WIND_RATIO_19M_10M: f64 = 1.026;
 
-/// Beaufort number, middle of its range of wind speeds (m/s), probable wave height and probable highest wave height (m;
-/// WMO-No. 306 and Met Office).
+/// Beaufort number, middle of its range of wind speeds (m/s), probable wave height and probable highest wave height (m,
+/// NaN if not given), by WMO-No. 306 and the Met Office.
 const BEAUFORT: [(u32, f64, f64, f64); 10] = [
     (3, 4.4, 0.6, 1.0),
     (4, 6.7, 1.0, 1.5),
@@ -29,22 +29,22 @@ const BEAUFORT: [(u32, f64, f64, f64); 10] = [
 /// Upper limit of the significant wave height in each of the sea states 0 to 8, m (WMO code table 3700).
 const SEA_STATES: [f64; 9] = [0.0, 0.1, 0.5, 1.25, 2.5, 4.0, 6.0, 9.0, 14.0];
 
-/// Dimensionless energy m0 g^2 / U^4 and peak frequency f_p U / g of the program's spectrum at the dimensionless fetch
-/// `x` = g F / U^2.
+/// Dimensionless energy m0 g^2 / U^4 and peak frequency f_p U / g that the program's spectrum called `spectrum` has at
+/// the dimensionless fetch `x` = g F / U^2 (m0 variance, U wind speed, F fetch).
 fn growth_of_spectrum(spectrum: &str, x: f64) -> Result<[f64; 2], String> {
     let fetch_km = x * WIND_M_S * WIND_M_S / GRAVITY_M_S2 / 1000.0;
     let t = theory(&format!("spectrum={spectrum}&wind={WIND_M_S}&fetch={fetch_km}&n=64"))?;
     Ok([t.m0_m2 * GRAVITY_M_S2 * GRAVITY_M_S2 / WIND_M_S.powi(4), WIND_M_S / (GRAVITY_M_S2 * t.tp_s)])
 }
 
-/// Growth with fetch as published by Hasselmann et al. 1973: dimensionless energy m0 g^2 / U^4 and peak frequency f_p U
-/// / g at the dimensionless fetch `x` = g F / U^2.
+/// Growth with fetch F as published by Hasselmann et al. 1973 for wind speed U: dimensionless energy m0 g^2 / U^4 (m0
+/// is the variance) and peak frequency f_p U / g at the dimensionless fetch `x` = g F / U^2.
 fn jonswap(x: f64) -> [f64; 2] {
     [1.6e-7 * x, 3.5 * x.powf(-0.33)]
 }
 
-/// Growth with fetch as published by Donelan, Hamilton and Hui 1985: dimensionless energy m0 g^2 / U^4 and peak
-/// frequency f_p U / g at the dimensionless fetch `x` = g F / U^2.
+/// Growth with fetch F as published by Donelan, Hamilton and Hui 1985 for wind speed U: dimensionless energy m0 g^2 /
+/// U^4 (m0 is the variance) and peak frequency f_p U / g at the dimensionless fetch `x` = g F / U^2.
 fn donelan(x: f64) -> [f64; 2] {
     let age = 11.6 * x.powf(-0.23);
     [2.74e-3 * age.powf(-3.3), age / TAU]

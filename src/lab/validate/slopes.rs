@@ -14,9 +14,10 @@ const WINDS: [f64; 7] = [2.0, 5.0, 8.0, 10.0, 12.0, 14.0, 20.0];
 const FEW_WINDS: [f64; 2] = [5.0, 10.0];
 /// Wind speeds at which the foam coverage of the spectrum `jonswap` is measured, m/s.
 const FOAM_WINDS: [f64; 7] = [5.0, 7.0, 10.0, 12.0, 15.0, 20.0, 25.0];
-/// Scatter (±) of the mean square slopes that Cox and Munk measured in 1954.
+/// Scatter (±) of the mean square slopes, dimensionless, that Cox and Munk measured in 1954.
 const COX_MUNK_SCATTER: f64 = 0.004;
-/// Number of seeds for which foam is measured. Each seed takes 48 evaluations of the waves.
+/// Number of seeds for which foam is measured. Few, because each needs 48 foam steps, each with an evaluation of the
+/// waves.
 const FOAM_SEEDS: u32 = 3;
 
 /// Adds the second half of part 4 to the validation page: mean square slope and whitecap coverage against wind.
@@ -63,7 +64,8 @@ fn slopes(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     Ok(())
 }
 
-/// Figure of mean square slope against wind: as Cox and Munk measured it, and by theory for the waves in the cascades.
+/// Figure of mean square slope against wind: Cox and Munk's measurements with their scatter, and theory up to the
+/// shortest waves of the cascades.
 fn slope_figure() -> Result<Figure, String> {
     let x = Axis::linear("wind at 10 m, m/s", 0.0, 25.0);
     let y = Axis::log("mean square slope", 5e-4, 1.0);

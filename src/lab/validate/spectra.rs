@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 
 /// State string that all seas in part 1 of the page share; `spectrum=` is added to it.
 const SEA_STATE_STRING: &str = "wind=10&fetch=100&dir=240&n=256";
-/// Range of angular frequency in the figures and of the frequency bins, rad/s.
+/// Range of angular frequency in the figures of the spectra, divided into [`FREQUENCY_BINS`] bins, rad/s.
 const OMEGA_RANGE: (f64, f64) = (0.3, 100.0);
 /// Number of frequency bins over [`OMEGA_RANGE`], equally wide in the logarithm of the frequency.
 const FREQUENCY_BINS: usize = 72;
@@ -28,8 +28,8 @@ fn bin_of_wave(wave: &TravellingWave) -> Option<usize> {
     (place >= 0.0 && place < FREQUENCY_BINS as f64).then_some(place as usize)
 }
 
-/// A statistic with a table on the page: title, digits after the point, and a function that returns its theoretical,
-/// resolved and measured value.
+/// A statistic with a table on the validation page: title, digits after the decimal point, and a function that returns
+/// its theoretical, resolved (on the FFT grids) and measured value.
 type Quantity = (&'static str, usize, fn(&MeasuredSea) -> (f64, f64, Option<EstimateWithError>));
 
 const QUANTITIES: [Quantity; 6] = [
@@ -49,7 +49,7 @@ const QUANTITIES: [Quantity; 6] = [
     }),
 ];
 
-/// Theoretical spectral density S(omega), averaged over each frequency bin, m^2 s.
+/// Theoretical spectral density S(omega), m^2 s, of the whole sea, averaged over each frequency bin.
 fn theoretical_densities(sea: &MeasuredSea) -> Vec<f64> {
     let mean = |i| {
         integrate_panels(|w| sea.plan.density(w), &[bin_lower_edge(i), bin_lower_edge(i + 1)], 2)
@@ -58,13 +58,13 @@ fn theoretical_densities(sea: &MeasuredSea) -> Vec<f64> {
     (0..FREQUENCY_BINS).map(mean).collect()
 }
 
-/// Spectral density S(omega) that is expected of the resolved waves, averaged over each frequency bin, m^2 s.
+/// Spectral density S(omega), m^2 s, averaged over each frequency bin, that is expected of the waves on the FFT grids.
 fn resolved_densities(sea: &MeasuredSea) -> Vec<f64> {
     sea.bins.iter().enumerate().map(|(i, b)| b.expected[0] / (bin_lower_edge(i + 1) - bin_lower_edge(i))).collect()
 }
 
-/// Peak period, s, by the formula of Young 1995: frequencies are weighted by S^4. `density` holds S in each frequency
-/// bin.
+/// Peak period, s, as defined by Young 1995: 2 pi over the mean angular frequency with the weight S^4. `density` holds
+/// S in each frequency bin.
 fn peak_period(density: &[f64]) -> f64 {
     let sum = |power: i32| {
         let term = |(i, s): (usize, &f64)| {
@@ -77,7 +77,7 @@ fn peak_period(density: &[f64]) -> f64 {
     TAU * sum(0) / sum(1)
 }
 
-/// Peak period of the spectrum measured over all seeds, s, with its jackknife error.
+/// Peak period, s, of the mean of the spectra measured with all seeds, and its jackknife error.
 fn measured_peak_period(sea: &MeasuredSea) -> EstimateWithError {
     EstimateWithError::jackknife(sea.bins[0].measured.len(), |left_out| {
         let sum = |bin: &WaveBin| -> f64 {
@@ -88,8 +88,8 @@ fn measured_peak_period(sea: &MeasuredSea) -> EstimateWithError {
     })
 }
 
-/// Points of the figure: centre of a frequency bin (rad/s), measured spectral density S (m^2 s) and its standard error,
-/// for those bins that the cascades cover completely.
+/// Points of a spectrum's figure: centre of a frequency bin (rad/s), measured spectral density S (m^2 s) and its
+/// standard error over the seeds, for those bins that the cascades cover completely.
 fn measured_points(sea: &MeasuredSea) -> Vec<[f64; 3]> {
     let held = sea.plan.resolved_bands();
     let waves = sea.plan.dispersion;

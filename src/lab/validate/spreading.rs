@@ -13,34 +13,35 @@ use std::f64::consts::{PI, TAU};
 
 /// State string that all seas in part 2 of the page share; `spread=` is added to it.
 const SEA_STATE_STRING: &str = "wind=10&fetch=100&dir=240&n=256";
-/// Centre frequency of each measured band, relative to the peak frequency.
+/// Centre frequencies of the bands in which spreading is measured, relative to the peak frequency.
 const RATIOS: [f64; 3] = [1.0, 2.0, 4.0];
-/// Half the width of a frequency band, relative to its centre frequency.
+/// Half the width of each band in which spreading is measured, relative to the centre frequency of the band.
 const HALF_WIDTH: f64 = 0.1;
 /// Number of direction bins, equally wide over the full circle.
 const DIRECTION_BINS: usize = 24;
 
-/// Angle from the downwind direction to the unit vector (x, z), rad in (-pi, pi], positive clockwise seen from above.
+/// Angle, rad in (-pi, pi], from the downwind direction (in which the wind blows) to the unit vector (x, z), positive
+/// clockwise seen from above.
 fn angle_from_downwind(plan: &Plan, unit: [f64; 2]) -> f64 {
     let [x, z] = plan.downwind;
     (x * unit[1] - z * unit[0]).atan2(x * unit[0] + z * unit[1])
 }
 
-/// Angle from the downwind direction to the middle of a direction bin, rad.
+/// Angle from the downwind direction to the middle of a direction bin, rad: bin 0 begins at -pi (upwind).
 fn bin_angle(bin: usize) -> f64 {
     (bin as f64 + 0.5) / DIRECTION_BINS as f64 * TAU - PI
 }
 
-/// Mean of `f`, a function of the angular frequency, over the band within [`HALF_WIDTH`] of `omega` (rad/s), weighted
-/// by the spectral density.
+/// Mean of `f`, a function of the angular frequency (rad/s), over the band from `omega` (1 - [`HALF_WIDTH`]) to `omega`
+/// (1 + [`HALF_WIDTH`]), weighted by the plan's spectral density.
 fn band_mean(plan: &Plan, omega: f64, f: impl Fn(f64) -> f64) -> f64 {
     let ends = [(1.0 - HALF_WIDTH) * omega, 0.95 * omega, omega, (1.0 + HALF_WIDTH) * omega];
     let s = |w: f64| plan.density(w);
     integrate_panels(|w| s(w) * f(w), &ends, 1) / integrate_panels(s, &ends, 1)
 }
 
-/// Theory at `ratio` times the peak frequency: the integral of the directional spreading over the circle (it should be
-/// 1), and the first directional moment r1, averaged over the band.
+/// Theory at `ratio` times the peak frequency: the integral of the directional spreading over the circle there (it
+/// should be 1), and the first directional moment r1, averaged over the band of [`HALF_WIDTH`] around that frequency.
 fn theory(plan: &Plan, ratio: f64) -> [f64; 2] {
     let spreading = &plan.systems[0].spreading;
     let omega = ratio * plan.omega_p;
@@ -49,8 +50,8 @@ fn theory(plan: &Plan, ratio: f64) -> [f64; 2] {
     [integral, band_mean(plan, omega, |w| spreading.first_moment(w))]
 }
 
-/// The figure of one directional spreading, by theory and as measured. `even` is the sea with isotropic spreading by
-/// whose variance the measured variance is divided.
+/// The figure of one directional spreading, by theory and as measured. The measured variance is divided by that of
+/// `even`, the sea with isotropic spreading.
 fn figure(name: &str, sea: &MeasuredSea, even: &MeasuredSea) -> Figure {
     let x = Axis::linear("angle from the wind's direction, degrees", -180.0, 180.0);
     let spreading = &sea.plan.systems[0].spreading;

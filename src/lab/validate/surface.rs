@@ -16,7 +16,8 @@ const HALF_RANGE_SIGMAS: f64 = 5.0;
 const ELEVATION_BINS: usize = 50;
 
 /// Exact probability density of the elevation of a Gaussian sea with horizontal displacement: phi(u) E[J | u]. Here u
-/// is the elevation over its standard deviation sigma, phi the standard normal density and J the Jacobian.
+/// is the elevation over its standard deviation sigma, phi the standard normal density and J the Jacobian of the
+/// displacement.
 ///
 /// Elevation and strain are jointly Gaussian, so E[J | u] = 1 - s1 u + s2 (u^2 - 1), with s1 = lambda (a + b) / sigma,
 /// s2 = lambda^2 (a b - c^2) / sigma^2 and the choppiness lambda. a, b and c sum kx^2/k, kz^2/k and kx kz/k over the
@@ -44,7 +45,8 @@ impl ElevationDistribution {
         (-0.5 * u * u).exp() / TAU.sqrt() * (1.0 - self.skew_term * u + self.area_term * (u * u - 1.0))
     }
 
-    /// Mean and standard deviation (in units of sigma), skewness and kurtosis (3 for a Gaussian) of the elevation.
+    /// Mean and standard deviation (in units of sigma), skewness and kurtosis (3 for a Gaussian) of the elevation by
+    /// this density.
     fn shape(&self) -> [f64; 4] {
         distribution_shape([
             1.0,
@@ -79,8 +81,8 @@ fn histograms(lab: &Measurement<'_>, state: &str, sigma: f64) -> Result<Option<V
     Ok(Some(all))
 }
 
-/// Mean and standard deviation (in units of sigma), skewness and kurtosis (3 for a Gaussian) of the elevation over all
-/// seeds, with jackknife errors.
+/// Mean and standard deviation (in units of sigma), skewness and kurtosis (3 for a Gaussian) of the measured elevation
+/// over all seeds, with jackknife errors.
 fn pooled_shape(all: &[SeedHistogram]) -> [EstimateWithError; 4] {
     std::array::from_fn(|q| {
         EstimateWithError::jackknife(all.len(), |left_out| {
@@ -156,8 +158,8 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     Ok(())
 }
 
-/// Bars of the elevation's histogram over all seeds: lower and upper edge (in standard deviations), probability
-/// density.
+/// Bars of the histogram of elevations over all seeds: lower and upper edge, and probability density, with the
+/// theoretical standard deviation of the elevation as unit.
 fn histogram_bars(all: &[SeedHistogram]) -> Vec<[f64; 3]> {
     let width = 2.0 * HALF_RANGE_SIGMAS / ELEVATION_BINS as f64;
     let total: f64 = all.iter().map(|s| s.1[0]).sum();
