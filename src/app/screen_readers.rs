@@ -148,7 +148,7 @@ fn item(id: NodeId, node: &Node, nodes: &HashMap<NodeId, &Node>) -> Option<Acces
     let known = |end: Option<f64>| end.filter(|x| x.is_finite());
     let about = [node.min_numeric_value(), node.max_numeric_value(), node.numeric_value_step()].map(known);
     let number = node.numeric_value().map(|value| (value, about));
-    let place = node.bounds().map_or([0.0; 4], |r| [r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0]);
+    let bounds = node.bounds().map_or([0.0; 4], |r| [r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0]);
     Some(AccessibleItem {
         id: id.0.to_string(),
         role: format!("{:?}", node.role()),
@@ -158,6 +158,6 @@ fn item(id: NodeId, node: &Node, nodes: &HashMap<NodeId, &Node>) -> Option<Acces
         checked: node.toggled().map(|t| t == Toggled::True),
         expanded: node.is_expanded(),
         disabled: node.is_disabled(),
-        place,
+        bounds,
     })
 }
