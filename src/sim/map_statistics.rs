@@ -32,7 +32,7 @@ pub struct MapStatistics {
 
 impl Simulation {
     /// Records copies of the maps as the commands before this point leave them. Returns None during a transition.
-    pub fn record_map_read(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> Option<PendingMapRead> {
+    pub fn record_map_copies(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> Option<PendingMapRead> {
         if self.in_transition() {
             return None;
         }

@@ -1,10 +1,11 @@
 //! The uniform structs of the simulation's passes, and the buffers that hold them.
 
-use super::maps::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN_CASCADES, TileLatticePosition};
+use super::maps::{MAX_CASCADES, MAX_DRAWN_CASCADES, TileLatticePosition};
 use crate::gpu::Gpu;
 use crate::gpu::kit::BindingType;
 use crate::gpu::layout::{StructDeclaration, gpu_struct};
 use crate::gpu::uniform::DynamicUniformBuffer;
+use crate::waves::foam::FOAM_LEVELS;
 
 /// Uniform buffers of one submission, with room for several evaluations and foam time steps.
 pub struct SimulationUniforms {

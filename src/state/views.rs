@@ -157,7 +157,7 @@ impl ViewChoice {
 
     /// Range of the layers of a map (array texture) that the view shows, counted from 0. The map has `count` layers,
     /// one for each cascade or foam level.
-    pub fn cascade_layers(self, count: usize) -> std::ops::Range<usize> {
+    pub fn shown_layers(self, count: usize) -> std::ops::Range<usize> {
         match (self.displayed, self.cascade as usize) {
             (DisplayedView::Map(_), 0) => 0..count,
             // Views of the surface use one cascade, for mip levels: by default the finest.
@@ -193,7 +193,7 @@ mod tests {
         for (_, displayed, _) in DISPLAYED_VIEWS {
             for cascade in 0..=4 {
                 for most in 1..=4 {
-                    let cascade_layers = ViewChoice { displayed: *displayed, cascade }.cascade_layers(most);
+                    let cascade_layers = ViewChoice { displayed: *displayed, cascade }.shown_layers(most);
                     assert!(
                         !cascade_layers.is_empty() && cascade_layers.end <= most,
                         "{displayed:?} {cascade} of {most}: {cascade_layers:?}"

@@ -38,9 +38,9 @@ pub struct FigureSeries {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LegendCorner {
     /// Top left corner.
-    Left,
+    UpperLeft,
     /// Top right corner.
-    Right,
+    UpperRight,
     /// Bottom right corner.
     LowerRight,
 }
