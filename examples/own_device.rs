@@ -34,7 +34,7 @@ async fn run() -> Result<(), Box<dyn std::error::Error>> {
         params.clock.t_s += dt_s;
         ocean.transition_to(&params, dt_s);
         let mut encoder = gpu.encoder("host frame");
-        let foam_is_complete = ocean.encode(&mut encoder, SIZE, 6);
+        let foam_is_complete = ocean.record_frame(&mut encoder, SIZE, 6);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("host pass"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {

@@ -27,7 +27,7 @@ fn the_gallery_is_what_its_table_would_write() {
     assert!(committed("gallery.md") == gallery::gallery_markdown(), "run: seastate gallery");
     let mut files = BTreeSet::new();
     for picture in GALLERY_PICTURES {
-        assert!(files.insert(picture.file()), "{}: two pictures of one name", picture.title);
+        assert!(files.insert(picture.file_name()), "{}: two pictures of one name", picture.title);
         let (params, notices) = query::parse(picture.state);
         assert_eq!(notices, Vec::<String>::new(), "{}", picture.title);
         assert_eq!(Plan::new(&params).notices, Vec::<String>::new(), "{}", picture.title);

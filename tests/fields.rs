@@ -97,8 +97,9 @@ const SIZE: [u32; 2] = [96, 54];
 
 fn need(key: &str) -> Option<&'static (&'static str, &'static str, &'static str)> {
     let fits = |pattern: &str| pattern.strip_prefix('*').map_or(pattern == key, |end| key.ends_with(end));
-    let of_second =
-        |pattern: &str| !pattern.starts_with('*') || FIELDS.iter().any(|f| f.key == key && f.group == Group::Swell);
+    let of_second = |pattern: &str| {
+        !pattern.starts_with('*') || FIELDS.iter().any(|f| f.key == key && f.group == Group::SecondSystem)
+    };
     NEEDS.iter().find(|(pattern, ..)| fits(pattern) && of_second(pattern))
 }
 
@@ -114,7 +115,7 @@ fn other(field: &Field, base: f64) -> f64 {
         FieldKind::Colour => vec![f64::from(0x00ff_7010)],
     };
     let whole = |v: f64| if matches!(field.kind, FieldKind::Integer { .. }) { v.round() } else { v };
-    let accepted = candidates.into_iter().filter_map(|v| field.accept(whole(v)).ok());
+    let accepted = candidates.into_iter().filter_map(|v| field.check_value(whole(v)).ok());
     accepted.into_iter().find(|v| *v != base).unwrap_or_else(|| panic!("{} has one value only", field.key))
 }
 

@@ -5,7 +5,7 @@ mod common;
 
 use common::{gpu, params};
 use seastate::gpu::Gpu;
-use seastate::ocean::still::{FORMAT, draw_ocean_picture};
+use seastate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture};
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::point::StrongestWaves;
 use seastate::sim::resources::MapKind;
@@ -29,7 +29,7 @@ impl Window {
     fn new(state: &str) -> Self {
         let gpu = gpu();
         let params = params(state);
-        let ocean = Ocean::new(&gpu, FORMAT, OutputKind::Screen, &params);
+        let ocean = Ocean::new(&gpu, PICTURE_FORMAT, OutputKind::Screen, &params);
         let mut window = Self { gpu, ocean, params };
         window.frame(0.0);
         window
@@ -62,7 +62,7 @@ impl Window {
     }
 
     /// Heights on the maps of every cascade that is drawn, with the side of its patch.
-    fn heights(&mut self) -> Vec<(f64, Vec<f64>)> {
+    fn heave_waves(&mut self) -> Vec<(f64, Vec<f64>)> {
         let gpu = &self.gpu;
         let mut encoder = gpu.encoder("test");
         let copy = self.ocean.simulation().resources.stage_maps(gpu, &mut encoder, MapKind::Displacement, 0);
@@ -77,7 +77,7 @@ impl Window {
     /// The drawn sea at points of the plane, patches repeated: each cascade at its nearest texel.
     fn surface(&mut self) -> Vec<f64> {
         let n = self.ocean.plan().n as usize;
-        let heights = self.heights();
+        let heights = self.heave_waves();
         (0..2000)
             .map(|i| {
                 let at = [f64::from(i) * 37.17, f64::from(i) * 11.73];
@@ -89,7 +89,7 @@ impl Window {
 
     /// Variance of the drawn sea: cascades are independent.
     fn variance(&mut self) -> f64 {
-        self.heights().iter().map(|(_, map)| mean(map.iter().map(|h| h * h))).sum()
+        self.heave_waves().iter().map(|(_, map)| mean(map.iter().map(|h| h * h))).sum()
     }
 }
 
@@ -146,7 +146,7 @@ fn a_glide_ends_exactly_on_the_state() {
             frames += 1;
         }
         assert!((45..=FRAMES).contains(&frames), "{sea}: {frames} frames");
-        assert_eq!(window.ocean.level_m(), window.params.sea.level_m, "{sea}");
+        assert_eq!(window.ocean.level_m(), window.params.sea.still_water_level_m, "{sea}");
         let (got, want) = (window.picture(), still.picture());
         assert!(between != want, "{sea}: it takes its time");
         assert!(got == want, "{sea}: {} of 255 from the picture of the state", difference(&got, &want));
@@ -156,7 +156,7 @@ fn a_glide_ends_exactly_on_the_state() {
     }
     let mut fresh = Window::new(&format!("{start}&fetch=100"));
     fresh.params = window.params.clone();
-    fresh.ocean = Ocean::new(&fresh.gpu, FORMAT, OutputKind::Screen, &fresh.params);
+    fresh.ocean = Ocean::new(&fresh.gpu, PICTURE_FORMAT, OutputKind::Screen, &fresh.params);
     assert!(fresh.picture() == window.picture(), "a sea that was never another");
 }
 
@@ -294,7 +294,7 @@ fn a_change_costs_what_its_level_needs() {
             assert!(picture != first, "{key} is visible");
             let mut fresh = Window::new(start);
             fresh.params = window.params.clone();
-            fresh.ocean = Ocean::new(&fresh.gpu, FORMAT, OutputKind::Screen, &fresh.params);
+            fresh.ocean = Ocean::new(&fresh.gpu, PICTURE_FORMAT, OutputKind::Screen, &fresh.params);
             assert!(fresh.picture() == picture, "{key}: the picture of an ocean that was never another");
             let maps = [&mut window, &mut fresh]
                 .map(|w| common::read(&w.gpu, w.ocean.simulation(), w.params.clock.t_s).texels);
@@ -322,7 +322,7 @@ fn foam_during_other_transitions_lets_them_end() {
         assert!(!window.ocean.in_transition());
         let mut fresh = Window::new("wind=9&n=64&t=30&pause=1");
         fresh.params = window.params.clone();
-        fresh.ocean = Ocean::new(&fresh.gpu, FORMAT, OutputKind::Screen, &fresh.params);
+        fresh.ocean = Ocean::new(&fresh.gpu, PICTURE_FORMAT, OutputKind::Screen, &fresh.params);
         assert_eq!(window.ocean.plan(), fresh.ocean.plan(), "{waves}");
         assert!(fresh.picture() == window.picture(), "{waves}");
     }
@@ -379,7 +379,7 @@ fn a_boat_stays_on_the_water() {
         assert_eq!(seas.len(), 2, "{to}");
         // Each cascade alone, on its own texels.
         let n = window.ocean.plan().n as usize;
-        let mut maps = window.heights();
+        let mut maps = window.heave_waves();
         let fades = window.ocean.simulation().maps().fading_count > 0;
         if !fades {
             maps.truncate(seas[0].amplitude_factors.len());
@@ -393,7 +393,7 @@ fn a_boat_stays_on_the_water() {
                         let own = c.checked_sub(first).filter(|own| *own < sea.amplitude_factors.len())?;
                         let mut plan = (*sea.plan).clone();
                         plan.cascades = vec![plan.cascades[own].clone()];
-                        let level = plan.sea.level_m;
+                        let level = plan.sea.still_water_level_m;
                         let sample =
                             StrongestWaves::new(&plan, usize::MAX).sample_undisplaced(place[0], place[1], 40.0);
                         Some(sea.amplitude_factors[own] * (sample.height_m - level))

@@ -7,7 +7,7 @@ use glam::DVec3;
 use half::f16;
 use seastate::gpu::Gpu;
 use seastate::gpu::readback;
-use seastate::ocean::still::FORMAT;
+use seastate::ocean::still::PICTURE_FORMAT;
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::waves::slopes::{SlopeVariance, cox_munk};
 
@@ -23,10 +23,10 @@ fn fresnel(cosine: f64) -> f64 {
 
 /// Linear red radiance and view direction of every pixel.
 fn light(gpu: &Gpu, state: &str) -> (Vec<f64>, Vec<DVec3>) {
-    let mut ocean = Ocean::new(gpu, FORMAT, OutputKind::Screen, &common::params(state));
+    let mut ocean = Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, &common::params(state));
     let mut encoder = gpu.encoder("test");
     // No foam replay.
-    ocean.encode(&mut encoder, SIZE, 0);
+    ocean.record_frame(&mut encoder, SIZE, 0);
     let copy = readback::stage_texture(gpu, &mut encoder, ocean.light_texture().expect("a picture"), 0);
     gpu.submit(encoder);
     let bytes = pollster::block_on(copy.read(gpu)).expect("read-back");

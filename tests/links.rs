@@ -48,8 +48,8 @@ fn quoted(page: &str) -> Vec<String> {
     let pieces =
         page.split(['\'', '`', '"']).filter(|piece| piece.contains('=') && !piece.contains(char::is_whitespace));
     let states = pieces.filter(|piece| {
-        let reading = query::read(piece);
-        !reading.keys_set.is_empty() && reading.notices.is_empty()
+        let reading = query::parse_with_keys(piece);
+        !reading.keys_taken.is_empty() && reading.notices.is_empty()
     });
     states.map(str::to_owned).collect()
 }

@@ -5,7 +5,7 @@
 mod common;
 
 use common::{gpu, params};
-use seastate::ocean::still::{FORMAT, present_and_read_back};
+use seastate::ocean::still::{PICTURE_FORMAT, present_and_read_back};
 use seastate::ocean::{Ocean, OutputKind};
 
 const FRAMES: u32 = 10_000;
@@ -26,7 +26,7 @@ fn resident() -> f64 {
 fn memory_is_constant_over_ten_thousand_frames() {
     let gpu = gpu();
     let mut p = params("n=64&mesh=0.1&t=20&wind=14&afloat=buoy*10*-30");
-    let mut ocean = Ocean::new(&gpu, FORMAT, OutputKind::Screen, &p);
+    let mut ocean = Ocean::new(&gpu, PICTURE_FORMAT, OutputKind::Screen, &p);
     let mut seen = Vec::new();
     for i in 0..FRAMES {
         p.clock.t_s += 1.0 / 60.0;
@@ -36,7 +36,7 @@ fn memory_is_constant_over_ten_thousand_frames() {
         let size = SIZES[(i / 250 % 2) as usize];
         ocean.transition_to(&p, 1.0 / 60.0);
         let mut encoder = gpu.encoder("test");
-        ocean.encode(&mut encoder, size, 2);
+        ocean.record_frame(&mut encoder, size, 2);
         pollster::block_on(present_and_read_back(&gpu, encoder, size, |pass| ocean.present(pass))).expect("a picture");
         // Where it has the size and the wind of the others.
         if i % 500 == 499 {

@@ -17,7 +17,7 @@ fn others(field: &Field) -> [f64; 2] {
         FieldKind::Flag => vec![0.0, 1.0],
         FieldKind::Colour => [0x0012_3456, 0x00fe_dcba].map(f64::from).to_vec(),
     };
-    let mut taken = candidates.into_iter().filter_map(|v| field.accept(v).ok()).filter(|v| *v != default);
+    let mut taken = candidates.into_iter().filter_map(|v| field.check_value(v).ok()).filter(|v| *v != default);
     let first = taken.next().unwrap_or_else(|| panic!("{} has one value only", field.key));
     [first, taken.next().unwrap_or(first)]
 }

@@ -4,7 +4,7 @@ mod common;
 
 use seastate::gpu::Gpu;
 use seastate::gpu::map_format::MapFormat;
-use seastate::ocean::still::{FORMAT, draw_ocean_picture, draw_picture};
+use seastate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture, draw_picture};
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::point::StrongestWaves;
 use seastate::sim::MAX_FOAM_STEPS;
@@ -109,11 +109,11 @@ fn a_picture_does_not_depend_on_how_one_came_there() {
     let at = |t: f64| query::parse(&format!("wind=16&fetch=300&n=64&t={t}")).0;
     let cold = render_params(&gpu, &at(30.0));
     // Twelve seconds, three decay times, at thirty frames a second.
-    let mut ocean = Ocean::new(&gpu, FORMAT, OutputKind::Screen, &at(18.0));
+    let mut ocean = Ocean::new(&gpu, PICTURE_FORMAT, OutputKind::Screen, &at(18.0));
     for i in 0..360 {
         ocean.set_params(&at(18.0 + f64::from(i) / 30.0));
         let mut encoder = gpu.encoder("test");
-        ocean.encode(&mut encoder, [16, 8], MAX_FOAM_STEPS);
+        ocean.record_frame(&mut encoder, [16, 8], MAX_FOAM_STEPS);
         gpu.submit(encoder);
     }
     ocean.set_params(&at(30.0));

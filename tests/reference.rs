@@ -8,7 +8,7 @@ use common::{gpu, params, random_params};
 use seastate::gpu::Gpu;
 use seastate::lab::flip::{PIXELS_PER_DEGREE, SrgbPicture, flip_errors, mean_error};
 use seastate::lab::reference::{self, Sampling};
-use seastate::ocean::still::{FORMAT, draw_ocean_picture};
+use seastate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture};
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::state::{Params, query};
 use seastate::waves::Plan;
@@ -24,7 +24,7 @@ struct Viewer {
 impl Viewer {
     fn new(size: [u32; 2], p: &Params) -> Self {
         let gpu = gpu();
-        let ocean = Ocean::new(&gpu, FORMAT, OutputKind::Screen, p);
+        let ocean = Ocean::new(&gpu, PICTURE_FORMAT, OutputKind::Screen, p);
         Self { gpu, ocean, size }
     }
 
@@ -39,12 +39,12 @@ impl Viewer {
 
     /// The light of the reference of the normal picture that was drawn last.
     fn light(&mut self, samples: u32, seed: u32) -> Vec<[f32; 3]> {
-        let made = reference::light(&self.gpu, &mut self.ocean, self.size, Sampling { samples, seed });
+        let made = reference::reference_light(&self.gpu, &mut self.ocean, self.size, Sampling { samples, seed });
         pollster::block_on(made).expect("a reference")
     }
 
     fn displayed(&mut self, light: &[[f32; 3]]) -> SrgbPicture {
-        let made = reference::picture_of_light(&self.gpu, &mut self.ocean, self.size, light);
+        let made = reference::expose_light(&self.gpu, &mut self.ocean, self.size, light);
         SrgbPicture::from_rgba(self.size[0], &pollster::block_on(made).expect("a picture"))
     }
 
@@ -235,11 +235,11 @@ fn broken_pixels(states: std::ops::Range<u32>) -> Vec<String> {
     for i in states {
         let p = random_params("n=64", i);
         let ocean = oceans[Plan::new(&p).cascades.len()]
-            .get_or_insert_with(|| Ocean::new(&gpu, FORMAT, OutputKind::Screen, &p));
+            .get_or_insert_with(|| Ocean::new(&gpu, PICTURE_FORMAT, OutputKind::Screen, &p));
         ocean.set_params(&p);
         // The foam begins far from its end: a few steps of it are enough to break a picture.
         let mut encoder = gpu.encoder("test");
-        ocean.encode(&mut encoder, SIZE, 3);
+        ocean.record_frame(&mut encoder, SIZE, 3);
         let drawn = seastate::ocean::still::present_and_read_back(&gpu, encoder, SIZE, |pass| ocean.present(pass));
         let count = magenta(&SrgbPicture::from_rgba(SIZE[0], &pollster::block_on(drawn).expect("a picture")));
         if count > 0 {

@@ -190,7 +190,7 @@ fn the_maps_of_a_frame_are_read_back_as_they_are() {
     let mut sim = common::simulation(&gpu, "wind=12&n=128&t=9");
     let mut encoder = gpu.encoder("test");
     assert!(sim.encode(&gpu, &mut encoder, 9.0, [0.0; 2], MAX_FOAM_STEPS));
-    let probe = sim.record_map_read(&gpu, &mut encoder).expect("one sea");
+    let probe = sim.record_map_copies(&gpu, &mut encoder).expect("one sea");
     gpu.submit(encoder);
     let probed = pollster::block_on(probe.read(&gpu)).expect("read-back");
     let maps = read(&gpu, &mut sim, 9.0);
@@ -257,7 +257,7 @@ fn every_control_of_the_foam_works() {
         assert_eq!(other > usual, grows, "{more}: {other} instead of {usual}");
         // The expected coverage, which is used beyond the levels, follows the measured one.
         let plan = |more: &str| seastate::waves::foam::FoamModel::new(&Plan::new(&params(&format!("{sea}{more}"))));
-        let guess = plan(more).coverage;
+        let guess = plan(more).expected_mean_foam;
         assert!(
             guess / other < 2.0 && other / guess.max(1e-6) < 2.0 || other < 1e-3,
             "{more}: {other}, guessed {guess}"

@@ -116,7 +116,7 @@ fn a_hundred_thousand_hostile_strings() {
         assert_eq!(query::write(&again), written);
         for field in FIELDS.iter() {
             let v = (field.get)(&params);
-            assert_eq!(field.accept(v), Ok(v), "{} = {v} from {text:?}", field.key);
+            assert_eq!(field.check_value(v), Ok(v), "{} = {v} from {text:?}", field.key);
         }
         // Every sea has a plan, even a strange one.
         if i % 50 == 0 {
@@ -202,7 +202,7 @@ fn every_value_of_every_field_comes_back() {
     let mut dice = Dice(7);
     for field in FIELDS.iter() {
         for value in values(field, &mut dice) {
-            assert_eq!(field.accept(value), Ok(value), "{}", field.key);
+            assert_eq!(field.check_value(value), Ok(value), "{}", field.key);
             let mut params = Params::default();
             (field.set)(&mut params, value);
             assert_eq!((field.get)(&params), value, "{}", field.key);
@@ -261,12 +261,30 @@ fn no_state_is_too_long_to_be_read() {
 }
 
 #[test]
+fn a_sky_name_without_printable_characters_is_noticed() {
+    let (params, notices) = query::parse("sky=%00&wind=14");
+    assert_eq!(params.look.sky.file, None);
+    assert!(notices.len() == 1 && notices[0].starts_with("sky: "), "{notices:?}");
+}
+
+#[test]
+fn a_repeated_special_key_is_noticed() {
+    for (pair, key) in [("sky=a.hdr", "sky"), ("afloat=buoy*12*-30", "afloat")] {
+        let (_, notices) = query::parse(&format!("{pair}&{pair}"));
+        assert_eq!(notices, [format!("{key} appears more than once: the last one counts")]);
+    }
+    // The text of a buoy's spectrum is not valid here, but the repetition is noticed all the same.
+    let (_, notices) = query::parse("measured=1&measured=1");
+    assert!(notices.iter().any(|n| n.starts_with("measured appears more than once")), "{notices:?}");
+}
+
+#[test]
 fn keys_are_unique_and_documented() {
     for (i, field) in FIELDS.iter().enumerate() {
         assert!(FIELDS[..i].iter().all(|f| f.key != field.key), "{} twice", field.key);
         assert!(field.key.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit()), "{}", field.key);
         assert!(field.help.ends_with('.') && field.help.len() > 10, "{}", field.key);
-        assert_eq!(field.accept(field.default_value()), Ok(field.default_value()), "{}", field.key);
+        assert_eq!(field.check_value(field.default_value()), Ok(field.default_value()), "{}", field.key);
     }
     for key in [
         "spectrum", "wind", "fetch", "dir", "depth", "gamma", "spread", "swell", "chop", "height", "g", "seed", "n",

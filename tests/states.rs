@@ -6,7 +6,7 @@ mod common;
 
 use common::{gpu, params, read};
 use seastate::gpu::Gpu;
-use seastate::ocean::still::{FORMAT, present_and_read_back};
+use seastate::ocean::still::{PICTURE_FORMAT, present_and_read_back};
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::shaders::Shaders;
 use seastate::sim::Simulation;
@@ -68,7 +68,7 @@ impl Lab {
         }
         let make = || {
             let sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
-            (sim, Ocean::new(gpu, FORMAT, OutputKind::Screen, p))
+            (sim, Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, p))
         };
         let (sim, ocean) = self.seas.entry((plan.n, plan.cascades.len())).or_insert_with(make);
         sim.set_plan(gpu, plan, &Shaders::default());
@@ -80,7 +80,7 @@ impl Lab {
         ocean.set_params(p);
         let mut encoder = gpu.encoder("test");
         // A few steps of the foam are enough to break a picture.
-        ocean.encode(&mut encoder, SIZE, 3);
+        ocean.record_frame(&mut encoder, SIZE, 3);
         let drawn = pollster::block_on(present_and_read_back(&self.gpu, encoder, SIZE, |pass| ocean.present(pass)));
         let pixels = drawn.expect("a picture");
         let broken = pixels.chunks(4).filter(|p| p[0] > 250 && p[1] < 5 && p[2] > 250).count();

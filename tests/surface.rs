@@ -311,7 +311,7 @@ impl Twin {
         })
     }
 
-    fn heights(&self, at: [f64; 2]) -> Vec<f64> {
+    fn heave_waves(&self, at: [f64; 2]) -> Vec<f64> {
         (0..self.maps.len()).map(|c| self.at(c, at).displacement[1]).collect()
     }
 
@@ -333,7 +333,7 @@ struct Lag {
 /// Autocorrelations of the drawn heights along the lattice vectors of every cascade, for lags up to 20 km.
 fn correlations(sea: &Twin) -> Vec<Lag> {
     let points = places(3000, [0.0; 2], 400_000.0);
-    let here: Vec<Vec<f64>> = points.iter().map(|&p| sea.heights(p)).collect();
+    let here: Vec<Vec<f64>> = points.iter().map(|&p| sea.heave_waves(p)).collect();
     let cascades = 0..sea.plan.cascades.len();
     let square: Vec<f64> = cascades.clone().map(|c| here.iter().map(|h| h[c] * h[c]).sum()).collect();
     let sum = |h: &[f64]| h.iter().sum::<f64>();
@@ -345,7 +345,8 @@ fn correlations(sea: &Twin) -> Vec<Lag> {
             let mut times = 1.0f64;
             while times * patch_m * f64::hypot(a, b) <= 20_000.0 {
                 let lag = [a, b].map(|i| i * times * patch_m);
-                let there: Vec<Vec<f64>> = points.iter().map(|p| sea.heights([p[0] + lag[0], p[1] + lag[1]])).collect();
+                let there: Vec<Vec<f64>> =
+                    points.iter().map(|p| sea.heave_waves([p[0] + lag[0], p[1] + lag[1]])).collect();
                 let pairs = || here.iter().zip(&there);
                 let own: f64 = pairs().map(|(h, t)| h[c] * t[c]).sum();
                 let all: f64 = pairs().map(|(h, t)| sum(h) * sum(t)).sum();
@@ -449,8 +450,8 @@ fn a_buoy_floats_on_what_is_drawn() {
                     continue;
                 }
                 let float = FloatingObject { kind: FloatingObjectKind::Buoy, x_m: at[0], z_m: at[1] };
-                let pose = hull_pose(&[(&waves, 1.0)], &float, t_s, plan.sea.level_m);
-                sum += (pose.position_m[1] - plan.sea.level_m - drawn.moved[1]).powi(2);
+                let pose = hull_pose(&[(&waves, 1.0)], &float, t_s, plan.sea.still_water_level_m);
+                sum += (pose.position_m[1] - plan.sea.still_water_level_m - drawn.moved[1]).powi(2);
                 count += 1;
             }
         }

@@ -48,8 +48,10 @@ fn water_deep_radiance(n: vec3f, ray: vec3f, plume: f32) -> vec3f {
   let sun_in = -water_refract(-frame.sun_direction, vec3f(0.0, 1.0, 0.0)).y;
   // Light scattered once: the flatter the viewing ray, the more sunlit water lies along it.
   let view = (sun_in + 0.85) / (sun_in + clamp(-ray.y, 0.3, 1.0));
-  let sun = water_entering_sunlight(n) * (material.diffuse * max(mix(1.0, view, material.view_scatter), 0.0));
-  let sky = light.sky_irradiance * (material.ambient * WATER_SKYLIGHT_TRANSMITTANCE * (0.5 + 0.5 * n.y));
+  let view_factor = max(mix(1.0, view, material.scatter_view_dependence), 0.0);
+  let sun = water_entering_sunlight(n) * (material.sunlight_scatter_factor * view_factor);
+  let sky_factor = material.skylight_scatter_factor * WATER_SKYLIGHT_TRANSMITTANCE * (0.5 + 0.5 * n.y);
+  let sky = light.sky_irradiance * sky_factor;
   // Upwelling light is uneven over the hemisphere: irradiance / radiance is Q = 4 sr. Half of it is reflected back.
   return (sun + sky) * r / (4.0 * (1.0 - 0.48 * r));
 }

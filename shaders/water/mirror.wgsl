@@ -130,7 +130,7 @@ fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlo
     let n = water_normal(slope.mean);
     brightness *= smoothstep(0.5 * material.glitter_min_cosine, material.glitter_min_cosine, min(dot(n, l), dot(n, v)));
   }
-  let strength = material.glitter_strength * clamp(material.glitter_fresnel * f, 0.0, 1.0);
+  let strength = material.glitter_strength * clamp(material.glitter_fresnel_scale * f, 0.0, 1.0);
   // A reflection is not brighter than the sun's disc.
   return light.sun_irradiance * min(strength * brightness, frame.sun_radiance_per_irradiance);
 }

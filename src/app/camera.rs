@@ -80,7 +80,7 @@ impl App {
             return;
         }
         // A link may have more digits; they are kept until the user moves the camera.
-        if self.idle_pose.as_ref() == Some(&camera_pose(&self.params)) {
+        if self.rounded_pose.as_ref() == Some(&camera_pose(&self.params)) {
             return;
         }
         let rounded = with_rounded_pose(&self.params);
@@ -88,6 +88,6 @@ impl App {
         if self.params.clock.paused {
             self.params.clock.t_s = rounded.clock.t_s;
         }
-        self.idle_pose = Some(camera_pose(&self.params));
+        self.rounded_pose = Some(camera_pose(&self.params));
     }
 }

@@ -24,7 +24,7 @@ pub struct Derived {
     resolved: OnceCell<LatticeStatistics>,
     /// The strongest waves, as used to move floating hulls; here they give only heights (see
     /// [`Self::strongest_waves`]). Empty until first used.
-    surface_waves: OnceCell<HullWaves>,
+    hull_waves: OnceCell<HullWaves>,
     /// Directional spectrum, sampled for the panel's polar plot; empty until first used.
     directional_spectrum: OnceCell<DirectionalSpectrumSamples>,
 }
@@ -39,7 +39,7 @@ impl Derived {
             plan,
             theory,
             resolved: OnceCell::new(),
-            surface_waves: OnceCell::new(),
+            hull_waves: OnceCell::new(),
             directional_spectrum: OnceCell::new(),
         }
     }
@@ -53,7 +53,7 @@ impl Derived {
             Some(SeaChange::Waves) => *self = Self::new(params),
             Some(SeaChange::Surface) => {
                 self.plan = self.plan.with_surface_and_foam_of(&params.sea);
-                self.surface_waves = OnceCell::new();
+                self.hull_waves = OnceCell::new();
             }
             Some(SeaChange::Foam) => self.plan = self.plan.with_surface_and_foam_of(&params.sea),
         }
@@ -69,7 +69,7 @@ impl Derived {
     /// The strongest waves of the sea. Their sum, computed on the CPU, approximates the height of the sea, m, at any
     /// point and time.
     pub fn strongest_waves(&self) -> &StrongestWaves {
-        self.surface_waves.get_or_init(|| HullWaves::new(&self.plan)).heights()
+        self.hull_waves.get_or_init(|| HullWaves::new(&self.plan)).heave_waves()
     }
 
     /// Directional spectrum, sampled for the panel's polar plot; computed at the first call.
@@ -93,11 +93,11 @@ mod tests {
         params.sea.foam.decay_s = 9.0;
         assert_eq!(derived.update(&params), Some(SeaChange::Foam));
         assert_eq!(derived.update(&params), None);
-        assert!(Arc::ptr_eq(&derived.plan.energy, &first.energy) && derived.surface_waves.get().is_some());
+        assert!(Arc::ptr_eq(&derived.plan.energy, &first.energy) && derived.hull_waves.get().is_some());
         assert_eq!(derived.plan, Plan::new(&params));
         params.sea.chop = 0.5;
         assert_eq!(derived.update(&params), Some(SeaChange::Surface));
-        assert!(Arc::ptr_eq(&derived.plan.energy, &first.energy) && derived.surface_waves.get().is_none());
+        assert!(Arc::ptr_eq(&derived.plan.energy, &first.energy) && derived.hull_waves.get().is_none());
         assert_eq!(derived.plan, Plan::new(&params));
         params.sea.depth_m = 10.0;
         assert_eq!(derived.update(&params), Some(SeaChange::Waves));

@@ -15,13 +15,13 @@ struct GpuErrorState {
     /// Whether the device is treated as lost because its memory was too small.
     out_of_memory: bool,
     /// Senders that complete the futures of [`GpuErrors::when_lost`] when the device is lost.
-    waiting: Vec<oneshot::Sender<()>>,
+    loss_senders: Vec<oneshot::Sender<()>>,
 }
 
 impl GpuErrorState {
     fn mark_lost(&mut self, reason: String) {
         self.lost.get_or_insert(reason);
-        for sender in self.waiting.drain(..) {
+        for sender in self.loss_senders.drain(..) {
             // Sending fails if the receiver has been dropped.
             let _ = sender.send(());
         }
@@ -38,7 +38,7 @@ impl GpuErrors {
         let errors = Self::default();
         let on_error = errors.clone();
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| match error {
-            wgpu::Error::OutOfMemory { .. } => on_error.run_out_of_memory(error.to_string()),
+            wgpu::Error::OutOfMemory { .. } => on_error.note_out_of_memory(error.to_string()),
             _ => on_error.add(error.to_string()),
         }));
         let on_lost = errors.clone();
@@ -64,7 +64,7 @@ impl GpuErrors {
     pub fn when_lost(&self) -> impl Future<Output = ()> + 'static {
         let (sender, receiver) = oneshot::channel();
         let mut inner = self.lock();
-        inner.waiting.push(sender);
+        inner.loss_senders.push(sender);
         if let Some(reason) = inner.lost.clone() {
             inner.mark_lost(reason);
         }
@@ -81,7 +81,7 @@ impl GpuErrors {
 
     /// Treats the device as lost after an out-of-memory error, because the resource that it could not allocate would be
     /// missing in every later frame.
-    fn run_out_of_memory(&self, error: String) {
+    fn note_out_of_memory(&self, error: String) {
         log::error!("{error}");
         let mut inner = self.lock();
         inner.out_of_memory = true;

@@ -82,11 +82,11 @@ impl App {
             self.save_picture();
         }
         if pressed(Key::F1) || pressed(Key::Questionmark) {
-            self.help = !self.help;
+            self.help_is_open = !self.help_is_open;
         }
-        let closes_help = self.help && pressed(Key::Escape);
+        let closes_help = self.help_is_open && pressed(Key::Escape);
         if closes_help {
-            self.help = false;
+            self.help_is_open = false;
         }
         let uses_escape = closes_help || caption::apply_view_keys(&mut self.params.look.view, ctx);
         if !uses_escape && cfg!(not(target_arch = "wasm32")) && pressed(Key::Escape) {

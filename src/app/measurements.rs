@@ -40,9 +40,9 @@ struct FrameRequests {
     wants_times: bool,
     /// Serial number of the sea (see [`SeaMeasurement`]) whose wave maps the next frame is to copy for read-back;
     /// `None` without a request.
-    wants_probe: Option<u64>,
+    wants_map_copies: Option<u64>,
     /// Copies of the wave maps that the last frame recorded for read-back, after the serial number of their sea.
-    probe: Option<(u64, PendingMapRead)>,
+    map_copies: Option<(u64, PendingMapRead)>,
     /// Whether the last recorded frame was painted. A frame that is not painted is not submitted to the GPU, so its
     /// copies and times stay empty.
     is_painted: bool,
@@ -64,8 +64,8 @@ impl FrameMeasurements {
         let mut inner = self.lock();
         let is_submitted = std::mem::take(&mut inner.is_painted);
         // Copies of a frame that was never submitted are empty, so they are requested again.
-        if !is_submitted && let Some((sea, _)) = inner.probe.take() {
-            inner.wants_probe = Some(sea);
+        if !is_submitted && let Some((sea, _)) = inner.map_copies.take() {
+            inner.wants_map_copies = Some(sea);
         }
         if inner.wants_times {
             ocean.timer().begin_frame(encoder, is_submitted);
@@ -84,9 +84,9 @@ impl FrameMeasurements {
             record_s
         };
         inner.passes = ocean.timer().is_available().then(|| ocean.timer().times());
-        if is_whole && let Some(sea) = inner.wants_probe {
-            inner.probe = ocean.record_map_read(encoder).map(|probe| (sea, probe));
-            inner.wants_probe = inner.probe.is_none().then_some(sea);
+        if is_whole && let Some(sea) = inner.wants_map_copies {
+            inner.map_copies = ocean.record_map_copies(encoder).map(|probe| (sea, probe));
+            inner.wants_map_copies = inner.map_copies.is_none().then_some(sea);
         }
     }
 
@@ -112,16 +112,16 @@ impl FrameMeasurements {
 #[derive(Default)]
 pub struct SeaMeasurement {
     /// Serial number of the current sea; each new sea increases it. Measurements of an earlier sea are discarded.
-    sea: u64,
+    sea_serial: u64,
     inbox: tasks::Inbox<(u64, Result<MapStatistics, String>)>,
     /// Whether a read-back of the wave maps was requested and its data have not arrived yet.
-    waiting: bool,
+    readback_pending: bool,
     /// The read-back whose Fourier transform is in progress over several frames: the estimator of its spectrum, and the
     /// data.
     pending_analysis: Option<(MapSpectrumEstimator, MapStatistics)>,
     /// When the last read-back was requested: time on egui's clock, and simulated time, both in s; `None` before the
     /// first.
-    last: Option<(f64, f64)>,
+    last_request_times_s: Option<(f64, f64)>,
     sums: StatisticSums,
 }
 
@@ -140,7 +140,7 @@ struct StatisticSums {
 impl SeaMeasurement {
     /// Discards all measurements and gives the sea a new serial number, because another sea is drawn.
     fn clear(&mut self) {
-        *self = Self { sea: self.sea + 1, inbox: self.inbox.clone(), ..Self::default() };
+        *self = Self { sea_serial: self.sea_serial + 1, inbox: self.inbox.clone(), ..Self::default() };
     }
 
     /// Number of moments in time at which the wave maps of the current sea were read; the statistics are means over
@@ -195,20 +195,20 @@ impl App {
     pub(super) fn discard_measurements(&mut self) {
         self.sea_measurement.clear();
         let mut inner = self.frame_measurements.lock();
-        (inner.wants_probe, inner.probe) = (None, None);
+        (inner.wants_map_copies, inner.map_copies) = (None, None);
     }
 
     /// Continues the measurement of the wave maps: takes finished read-backs, Fourier-transforms a part of one, and
     /// requests another while the panel shows the results.
     pub(super) fn measure(&mut self, ctx: &egui::Context) {
-        self.read_probe(ctx);
+        self.start_map_readback(ctx);
         let width = plots::highest_omega(&self.derived.plan) / SPECTRUM_BINS as f64;
         let measurement = &mut self.sea_measurement;
         for (sea, probed) in measurement.inbox.take() {
-            if sea != measurement.sea {
+            if sea != measurement.sea_serial {
                 continue;
             }
-            measurement.waiting = false;
+            measurement.readback_pending = false;
             match probed {
                 Ok(probed) => {
                     measurement.pending_analysis =
@@ -232,23 +232,25 @@ impl App {
             }
         }
         let (now_s, t_s) = (ctx.input(|i| i.time), self.params.clock.t_s);
-        let due = measurement.last.is_none_or(|(at_s, of_s)| now_s > at_s + READBACK_INTERVAL_S && of_s != t_s);
+        let due = measurement
+            .last_request_times_s
+            .is_none_or(|(at_s, of_s)| now_s > at_s + READBACK_INTERVAL_S && of_s != t_s);
         if self.visible_readouts.map_statistics.take()
             && due
-            && !measurement.waiting
+            && !measurement.readback_pending
             && measurement.pending_analysis.is_none()
         {
-            self.frame_measurements.lock().wants_probe = Some(measurement.sea);
-            (measurement.waiting, measurement.last) = (true, Some((now_s, t_s)));
+            self.frame_measurements.lock().wants_map_copies = Some(measurement.sea_serial);
+            (measurement.readback_pending, measurement.last_request_times_s) = (true, Some((now_s, t_s)));
             ctx.request_repaint();
         }
     }
 
     /// Starts reading back the map copies that the last frame recorded, if that frame was submitted.
-    fn read_probe(&self, ctx: &egui::Context) {
+    fn start_map_readback(&self, ctx: &egui::Context) {
         let mut inner = self.frame_measurements.lock();
         inner.wants_times = self.visible_readouts.pass_times.take();
-        let probe = if inner.is_painted { inner.probe.take() } else { None };
+        let probe = if inner.is_painted { inner.map_copies.take() } else { None };
         drop(inner);
         if let Some((sea, probe)) = probe {
             let (gpu, inbox, ctx) = (self.gpu(), self.sea_measurement.inbox.clone(), ctx.clone());

@@ -54,17 +54,17 @@ pub struct App {
     gpu_errors: GpuErrors,
     frames: u64,
     /// Contents of files dropped on the window. They arrive when reading has finished.
-    opened: tasks::Inbox<opened_files::OpenedFiles>,
+    dropped_files: tasks::Inbox<opened_files::OpenedFiles>,
     panel: panel::Panel,
     own_seas: panel::OwnSeas,
     history: history::History,
     quality: quality::Quality,
     /// Whether the help window with the keyboard shortcuts is open.
-    help: bool,
+    help_is_open: bool,
     message: Option<message::Message>,
     /// Camera, with the time of a stopped clock, as it was last rounded to a link's digits or opened from a link. It is
     /// rounded again only after a change.
-    idle_pose: Option<rounding::CameraPose>,
+    rounded_pose: Option<rounding::CameraPose>,
     /// Parameters of the last drawn picture, and its width and height in pixels; `None` before the first one.
     drawn: Option<(Params, [u32; 2])>,
     /// Height of the sea over time at the first floating object; without one, below the camera.
@@ -73,7 +73,7 @@ pub struct App {
     placing: Option<floats::FloatingObjectKind>,
     save_folder: Option<std::path::PathBuf>,
     /// Results of attempts to save a file: a message for the user with the path, or the reason for the failure.
-    saved: tasks::Inbox<Result<String, String>>,
+    save_results: tasks::Inbox<Result<String, String>>,
     /// The sky image file that was read last. It is used again when an opened link names the same file.
     sky: Option<SkyFile>,
     progress: viewport::Progress,
@@ -123,19 +123,19 @@ impl App {
             ctx: cc.egui_ctx.clone(),
             gpu_errors,
             frames: 0,
-            opened: tasks::Inbox::default(),
+            dropped_files: tasks::Inbox::default(),
             panel: panel::Panel::default(),
             own_seas,
             history: history::History::default(),
             quality,
-            help: false,
+            help_is_open: false,
             message: None,
             drawn: None,
-            idle_pose: Some(rounding::camera_pose(&params)),
+            rounded_pose: Some(rounding::camera_pose(&params)),
             record: BuoyRecord::default(),
             placing: None,
             save_folder: None,
-            saved: tasks::Inbox::default(),
+            save_results: tasks::Inbox::default(),
             sky: sky.filter(|s| s.image.is_some()),
             progress: viewport::Progress::default(),
             frame_measurements: measurements::FrameMeasurements::default(),
@@ -160,7 +160,7 @@ impl App {
     pub fn set_state(&mut self, state: &str) {
         (self.params, self.notices) = query::parse(state);
         self.params.look.sky.adopt_loaded_image(self.sky.as_ref());
-        self.idle_pose = Some(rounding::camera_pose(&self.params));
+        self.rounded_pose = Some(rounding::camera_pose(&self.params));
         // A caller outside of a frame (JavaScript or a test) needs one, also while time is stopped.
         self.ctx.request_repaint();
     }
@@ -269,7 +269,7 @@ impl eframe::App for App {
         self.take_save_results();
         self.watch_history(&ctx);
         self.update_derived();
-        self.continue_record();
+        self.extend_height_record();
         self.measure(&ctx);
         if !self.progress.is_first_picture_pending() {
             let dt = f64::from(ctx.input(|i| i.unstable_dt));
@@ -290,7 +290,7 @@ impl eframe::App for App {
         if self.params.screen.panel {
             panel::show_panel(self, &ctx);
         }
-        keys::show_keyboard_help(&mut self.help, &ctx);
+        keys::show_keyboard_help(&mut self.help_is_open, &ctx);
         self.draw_message(&ctx);
         opened_files::show_drop_hint(&ctx);
         if self.progress.wants_frame() {

@@ -45,7 +45,7 @@ impl App {
         let view = View::new(camera, aspect, 0.0);
         let to = (at - rect.center()) / (0.5 * rect.size());
         let ray = view.ray(f64::from(to.x), -f64::from(to.y));
-        let mut height_m = self.params.sea.level_m;
+        let mut height_m = self.params.sea.still_water_level_m;
         let mut place = None;
         for _ in 0..RAY_STEPS {
             let distance = (height_m - camera.y_m) / ray.y;

@@ -64,9 +64,9 @@ impl App {
         if handles.len() > MAX_FILES {
             self.notices = vec![format!("a buoy has at most {MAX_FILES} files: {} were dropped", handles.len())];
         } else if !handles.is_empty() {
-            read_dropped_files(&self.opened, &handles, ctx);
+            read_dropped_files(&self.dropped_files, &handles, ctx);
         }
-        let Some(files) = self.opened.take().pop() else { return };
+        let Some(files) = self.dropped_files.take().pop() else { return };
         if let Err(reason) = files.and_then(|files| self.open_files(&files)) {
             self.notices = vec![reason];
         }

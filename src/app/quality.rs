@@ -41,9 +41,9 @@ pub struct Quality {
     /// How often adaptive quality halves the requested FFT size: 0 for the full size, at most 3.
     halvings: u32,
     /// Time for which frames have been too slow (positive) or fast enough to try a higher quality (negative), s.
-    pressure_s: f64,
+    slow_or_fast_time_s: f64,
     /// Time for which frames must be fast before a higher quality is tried, s. It doubles after each failed trial.
-    trial_s: f64,
+    fast_time_before_trial_s: f64,
     /// Whether the last change of quality was a trial of a higher one. If frames then become too slow, the trial has
     /// failed.
     trial_in_progress: bool,
@@ -52,13 +52,13 @@ pub struct Quality {
     /// Whether the last frame took longer than [`STALL_S`]. Of several such frames in a row only the first is ignored.
     was_stall: bool,
     /// Whether the simulated time is stopped. A still picture always has full quality.
-    still: bool,
+    time_is_stopped: bool,
 }
 
 impl Quality {
-    /// Creates the controller with the initial quality for a kind of adapter. `still`: whether simulated time is
+    /// Creates the controller with the initial quality for a kind of adapter. `time_is_stopped`: whether simulated time is
     /// stopped.
-    pub fn for_adapter(kind: wgpu::DeviceType, still: bool) -> Self {
+    pub fn for_adapter(kind: wgpu::DeviceType, time_is_stopped: bool) -> Self {
         let is_cpu = kind == wgpu::DeviceType::Cpu;
         Self {
             frame_s: 1.0 / 60.0,
@@ -66,40 +66,40 @@ impl Quality {
             min_scale: if is_cpu { SOFTWARE_ADAPTER_SCALE } else { MIN_SCALE },
             halvings: u32::from(is_cpu),
             was_stall: false,
-            pressure_s: 0.0,
-            trial_s: FAST_TIME_BEFORE_TRIAL_S,
+            slow_or_fast_time_s: 0.0,
+            fast_time_before_trial_s: FAST_TIME_BEFORE_TRIAL_S,
             trial_in_progress: false,
             out_of_memory_errors: 0,
-            still,
+            time_is_stopped,
         }
     }
 
     /// Adapts the quality after a frame, `dt_s` seconds after the previous one. Quality is full while simulated time is
-    /// stopped (`still`) and if the user has switched adaptive quality off (not `adaptive`).
-    pub fn adapt(&mut self, dt_s: f64, still: bool, adaptive: bool) {
-        let was_still = std::mem::replace(&mut self.still, still);
+    /// stopped (`time_is_stopped`) and if the user has switched adaptive quality off (not `adaptive`).
+    pub fn adapt(&mut self, dt_s: f64, time_is_stopped: bool, adaptive: bool) {
+        let was_still = std::mem::replace(&mut self.time_is_stopped, time_is_stopped);
         let was_stall = std::mem::replace(&mut self.was_stall, dt_s > STALL_S);
-        if still || was_still || dt_s <= 0.0 || (self.was_stall && !was_stall) {
-            self.pressure_s = 0.0;
+        if time_is_stopped || was_still || dt_s <= 0.0 || (self.was_stall && !was_stall) {
+            self.slow_or_fast_time_s = 0.0;
             return;
         }
         let dt_s = dt_s.min(STALL_S);
         self.frame_s += (dt_s - self.frame_s) * 0.2;
         if !adaptive {
-            (self.scale, self.halvings, self.pressure_s) = (1.0, 0, 0.0);
+            (self.scale, self.halvings, self.slow_or_fast_time_s) = (1.0, 0, 0.0);
             return;
         }
         if self.frame_s > SLOW_FRAME_S {
-            self.pressure_s = self.pressure_s.max(0.0) + dt_s;
+            self.slow_or_fast_time_s = self.slow_or_fast_time_s.max(0.0) + dt_s;
         } else if self.frame_s < FAST_FRAME_S {
-            self.pressure_s = self.pressure_s.min(0.0) - dt_s;
+            self.slow_or_fast_time_s = self.slow_or_fast_time_s.min(0.0) - dt_s;
         } else {
-            self.pressure_s = 0.0;
+            self.slow_or_fast_time_s = 0.0;
         }
-        if self.pressure_s > SLOW_TIME_BEFORE_DROP_S {
-            self.pressure_s = 0.0;
+        if self.slow_or_fast_time_s > SLOW_TIME_BEFORE_DROP_S {
+            self.slow_or_fast_time_s = 0.0;
             if std::mem::take(&mut self.trial_in_progress) {
-                self.trial_s = (2.0 * self.trial_s).min(MAX_FAST_TIME_BEFORE_TRIAL_S);
+                self.fast_time_before_trial_s = (2.0 * self.fast_time_before_trial_s).min(MAX_FAST_TIME_BEFORE_TRIAL_S);
             }
             if self.scale > self.min_scale {
                 // The cost of a frame is proportional to its pixels, hence the root. The limits smooth the change.
@@ -108,8 +108,8 @@ impl Quality {
             } else {
                 self.halvings = (self.halvings + 1).min(3);
             }
-        } else if -self.pressure_s > self.trial_s && (self.scale < 1.0 || self.halvings > 0) {
-            self.pressure_s = 0.0;
+        } else if -self.slow_or_fast_time_s > self.fast_time_before_trial_s && (self.scale < 1.0 || self.halvings > 0) {
+            self.slow_or_fast_time_s = 0.0;
             self.trial_in_progress = true;
             if self.halvings > 0 {
                 self.halvings -= 1;
@@ -134,7 +134,8 @@ impl Quality {
     /// and the user's `screen` settings. Neither exceeds `limit`, the largest side of a texture.
     pub fn picture_size(&self, points: egui::Vec2, pixels_per_point: f32, screen: &Screen, limit: u32) -> [u32; 2] {
         let density = f64::from(pixels_per_point).min(screen.max_pixel_ratio) * screen.render_scale;
-        let own = if self.still || !screen.adaptive { 1.0 } else { self.scale }.min(self.memory_scale_limit());
+        let own =
+            if self.time_is_stopped || !screen.adaptive { 1.0 } else { self.scale }.min(self.memory_scale_limit());
         [points.x, points.y].map(|side| ((f64::from(side) * density * own).round() as u32).min(limit))
     }
 
@@ -149,7 +150,7 @@ impl Quality {
     /// is stopped) and after out-of-memory errors.
     fn reduced_fft_size(&self, n: u32) -> u32 {
         let n = self.fft_size_for_memory(n);
-        if self.still { n } else { (n >> self.halvings).max(MIN_FFT_SIZE.min(n)) }
+        if self.time_is_stopped { n } else { (n >> self.halvings).max(MIN_FFT_SIZE.min(n)) }
     }
 
     /// Largest FFT size up to the requested `n` that the out-of-memory errors so far allow: every second one halves it.
@@ -165,10 +166,10 @@ impl Quality {
     /// Describes the current quality for the report, such as "full quality" or "50 % of the pixels, to keep up".
     pub fn describe(&self) -> String {
         if self.out_of_memory_errors > 0 {
-            let scale = self.memory_scale_limit().min(if self.still { 1.0 } else { self.scale });
+            let scale = self.memory_scale_limit().min(if self.time_is_stopped { 1.0 } else { self.scale });
             return format!("{:.0} % of the pixels, for want of graphics memory", 100.0 * scale * scale);
         }
-        if self.still || self.scale >= 1.0 && self.halvings == 0 {
+        if self.time_is_stopped || self.scale >= 1.0 && self.halvings == 0 {
             return "full quality".to_owned();
         }
         format!("{:.0} % of the pixels, to keep up", 100.0 * self.scale * self.scale)
@@ -244,6 +245,6 @@ mod tests {
         // The full resolution is slow, and 0.93 of it is fast.
         let frame = |q: &Quality| if q.scale > 0.93 { 0.03 } else { 1.0 / 60.0 };
         run(&mut quality, 400.0, frame);
-        assert!(quality.trial_s >= 24.0, "{}", quality.trial_s);
+        assert!(quality.fast_time_before_trial_s >= 24.0, "{}", quality.fast_time_before_trial_s);
     }
 }

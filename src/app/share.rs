@@ -42,8 +42,8 @@ impl App {
     /// Opens the sea of a link or of a bare state string. A text without any known key leaves the sea as it is, and the
     /// notices say so.
     pub(super) fn open_link(&mut self, text: &str) {
-        let reading = query::read(text);
-        if reading.keys_set.is_empty() && !reading.notices.is_empty() {
+        let reading = query::parse_with_keys(text);
+        if reading.keys_taken.is_empty() && !reading.notices.is_empty() {
             self.notices = reading.notices;
             self.notices.push("that is no sea: this one stays".to_owned());
             return;
@@ -67,7 +67,7 @@ impl App {
             let Some(ocean) = renderer.callback_resources.get::<Ocean>() else { return };
             PendingPicture::submit(&gpu, encoder, format, size, |pass| ocean.present(pass))
         };
-        let (inbox, ctx, name) = (self.saved.clone(), self.ctx.clone(), picture_name(&params));
+        let (inbox, ctx, name) = (self.save_results.clone(), self.ctx.clone(), picture_name(&params));
         let folder = self.save_folder.clone();
         tasks::spawn(async move {
             let made = made.read(&gpu).await.and_then(|pixels| picture::encode(size, &pixels, &state, &link));
@@ -80,11 +80,11 @@ impl App {
         let params = with_rounded_pose(&self.params);
         let state = query::write(&params);
         let gpu = self.gpu();
-        let (inbox, ctx, folder) = (self.saved.clone(), self.ctx.clone(), self.save_folder.clone());
+        let (inbox, ctx, folder) = (self.save_results.clone(), self.ctx.clone(), self.save_folder.clone());
         tasks::spawn(async move {
             let plan = Plan::new(&params);
             let read = Ocean::without_renderer(&gpu, &params).read_maps().await;
-            let made = read.and_then(|read| maps_file::encode(&plan, &read, &state));
+            let made = read.and_then(|read| maps_file::encode_exr(&plan, &read, &state));
             inbox.put(made.and_then(|exr| storage::save(folder.as_deref(), "seastate-maps.exr", &exr)), &ctx);
         });
     }
@@ -92,7 +92,7 @@ impl App {
     /// Shows the results of file saves that have finished since the last frame: the path in a message, a failure in the
     /// notices.
     pub(super) fn take_save_results(&mut self) {
-        for result in self.saved.take() {
+        for result in self.save_results.take() {
             self.show_save_result(result);
         }
     }

@@ -125,7 +125,7 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         self.measurements.begin_frame(ocean, &mut encoder);
         ocean.transition_to(&self.params, self.dt_s);
         let most_steps = foam_steps_per_frame(ocean.gpu(), ocean.plan().n);
-        let caught_up = ocean.encode(&mut encoder, self.size, most_steps);
+        let caught_up = ocean.record_frame(&mut encoder, self.size, most_steps);
         let is_whole = caught_up && !ocean.in_transition();
         self.measurements.end_frame(ocean, &mut encoder, begun.elapsed().as_secs_f64(), is_whole);
         self.progress.0.catching_up.store(!is_whole, Ordering::Relaxed);

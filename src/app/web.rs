@@ -273,14 +273,14 @@ pub struct Address {
     query: String,
     /// Parameters of the current entry in the browser's history, with camera and time rounded as in a link. If more
     /// than time and camera changes, a new entry is added.
-    entry: Params,
-    written: Instant,
+    history_entry_params: Params,
+    last_write: Instant,
 }
 
 impl Address {
     /// Reads the page's address at the start of the app, whose parameters are `params`.
     pub fn new(params: &Params) -> Self {
-        Self { query: address_query(), entry: with_rounded_pose(params), written: Instant::now() }
+        Self { query: address_query(), history_entry_params: with_rounded_pose(params), last_write: Instant::now() }
     }
 }
 
@@ -304,20 +304,24 @@ impl App {
                 self.params.clock.t_s = clock.t_s;
             }
             self.address.query = query;
-            self.address.entry = with_rounded_pose(&self.params);
+            self.address.history_entry_params = with_rounded_pose(&self.params);
             return;
         }
         let now = with_rounded_pose(&self.params);
         let state = query::write(&now);
-        if state == query::write(&self.address.entry) {
+        if state == query::write(&self.address.history_entry_params) {
             return;
         }
-        if self.address.written.elapsed().as_secs_f32() < ADDRESS_WRITE_INTERVAL_S {
+        if self.address.last_write.elapsed().as_secs_f32() < ADDRESS_WRITE_INTERVAL_S {
             // It is too early: a later frame writes the address.
             self.ctx.request_repaint_after(std::time::Duration::from_secs_f32(ADDRESS_WRITE_INTERVAL_S));
             return;
         }
-        let same_entry = Params { clock: now.clock.clone(), camera: now.camera.clone(), ..self.address.entry.clone() };
+        let same_entry = Params {
+            clock: now.clock.clone(),
+            camera: now.camera.clone(),
+            ..self.address.history_entry_params.clone()
+        };
         let address = page_link(&state);
         let Some(history) = web_sys::window().and_then(|w| w.history().ok()) else { return };
         let written = if same_entry == now {
@@ -328,8 +332,8 @@ impl App {
         // The browser refuses too frequent changes; a later frame tries again.
         if written.is_ok() {
             self.address.query = address_query();
-            self.address.entry = now;
+            self.address.history_entry_params = now;
         }
-        self.address.written = Instant::now();
+        self.address.last_write = Instant::now();
     }
 }

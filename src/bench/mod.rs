@@ -185,7 +185,7 @@ async fn time_picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) ->
     let mut ocean = Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, params);
     let target = offscreen::create_target(gpu, PICTURE_FORMAT, size);
     let mut encoder = gpu.encoder("picture");
-    ocean.encode_with_complete_foam(&mut encoder, size);
+    ocean.record_frame_with_complete_foam(&mut encoder, size);
     gpu.submit(encoder);
     let row = |pass, timing| PassTiming {
         pass,
@@ -222,7 +222,7 @@ async fn time_picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) ->
     let frames = one.measure(|i, encoder| {
         frame.clock.t_s = params.clock.t_s + f64::from(i) / 60.0;
         ocean.set_params(&frame);
-        ocean.encode_with_complete_foam(encoder, size);
+        ocean.record_frame_with_complete_foam(encoder, size);
         offscreen::clear_and_draw(encoder, &target, |pass| ocean.present(pass));
     });
     let whole = simulation + counted.water() + counted.background() + counted.present();
@@ -234,7 +234,7 @@ async fn time_picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) ->
             wind.wind_m_s = params.sea.first_system().wind_m_s + 0.01 * f64::from(i % 50);
         }
         ocean.transition_to(&frame, 1.0 / 60.0);
-        ocean.encode_with_complete_foam(encoder, size);
+        ocean.record_frame_with_complete_foam(encoder, size);
         offscreen::clear_and_draw(encoder, &target, |pass| ocean.present(pass));
     });
     out.push(row("frame, wind dragged", dragged.await?));

@@ -18,7 +18,7 @@ use pollster::block_on;
 use std::fmt::Write as _;
 
 /// Exit code of a command that fails for any reason, such as bad arguments or a missing GPU.
-const USAGE_EXIT_CODE: i32 = 2;
+const FAILURE_EXIT_CODE: i32 = 2;
 
 /// Runs the command that the arguments of this process name. Returns the exit code: 0, 1 if `seastate check` finds an
 /// error above its tolerance, or `USAGE_EXIT_CODE`.
@@ -41,7 +41,7 @@ pub fn main() -> i32 {
 
 fn fail(message: &str) -> i32 {
     eprintln!("seastate: {message}");
-    USAGE_EXIT_CODE
+    FAILURE_EXIT_CODE
 }
 
 fn run(cli: Cli) -> Result<i32, String> {

@@ -104,16 +104,17 @@ pub async fn run_with(
     let rows: Vec<MapPair> =
         plan.cascades.iter().zip(&h0).map(|(c, h0)| oracle::maps::transform_rows(&plan, c, h0, t_s)).collect();
     let maps: Vec<MapPair> = rows.iter().map(|rows| oracle::maps::transform_columns(plan.n as usize, rows)).collect();
-    check.spectrum(&h0).await?;
-    check.rows(&h0, &rows).await?;
-    check.columns(&rows, &maps).await?;
-    check.maps(&maps).await?;
+    check.compare_spectrum(&h0).await?;
+    check.compare_rows(&h0, &rows).await?;
+    check.compare_columns(&rows, &maps).await?;
+    check.compare_maps(&maps).await?;
     for level in 1..sim.resources.mip_level_count() {
-        check.mips(level).await?;
+        check.compare_mips(level).await?;
     }
     let mut lines = check.lines;
     lines.push(
-        foam(gpu, &plan, t_s, Simulation::with_fft_implementation(gpu, plan.clone(), shaders, implementation)).await?,
+        compare_foam(gpu, &plan, t_s, Simulation::with_fft_implementation(gpu, plan.clone(), shaders, implementation))
+            .await?,
     );
     Ok(lines)
 }
@@ -128,7 +129,7 @@ struct Check<'a> {
 }
 
 impl Check<'_> {
-    async fn spectrum(&mut self, h0: &[Vec<Complex>]) -> Result<(), String> {
+    async fn compare_spectrum(&mut self, h0: &[Vec<Complex>]) -> Result<(), String> {
         let r = &self.sim.resources;
         let mut encoder = self.gpu.encoder("check");
         self.sim.passes.spectrum.run(&mut encoder, r, self.dispatch);
@@ -149,30 +150,30 @@ impl Check<'_> {
 
     /// Runs the GPU's FFT along rows on `h0`, the oracle's initial wave amplitudes of each cascade. Compares the result
     /// with `rows`, the oracle's, and adds the comparisons to `lines`.
-    async fn rows(&mut self, h0: &[Vec<Complex>], rows: &[MapPair]) -> Result<(), String> {
+    async fn compare_rows(&mut self, h0: &[Vec<Complex>], rows: &[MapPair]) -> Result<(), String> {
         let flat: Vec<[f32; 2]> = h0.iter().flatten().map(|h| h.map(|x| x as f32)).collect();
         self.gpu.queue.write_buffer(&self.sim.resources.current_waves().h0, 0, bytemuck::cast_slice(&flat));
         let mut encoder = self.gpu.encoder("check");
         self.sim.passes.transform.record_rows(&mut encoder, self.dispatch);
-        self.transformed(encoder, rows, ["rows Dx Dz eta Dxz", "rows eta_x eta_z Dxx Dzz"]).await
+        self.compare_transform(encoder, rows, ["rows Dx Dz eta Dxz", "rows eta_x eta_z Dxx Dzz"]).await
     }
 
     /// Runs the GPU's FFT along columns on `rows`, the oracle's FFT along rows, and compares the result with `maps`,
     /// the oracle's wave maps. Also lets the GPU compute the mip levels of its own maps, for [`Self::mips`].
-    async fn columns(&mut self, rows: &[MapPair], maps: &[MapPair]) -> Result<(), String> {
+    async fn compare_columns(&mut self, rows: &[MapPair], maps: &[MapPair]) -> Result<(), String> {
         let r = &self.sim.resources;
         let flat: Vec<[f32; 4]> = rows.iter().flatten().flatten().map(|t| t.map(|x| x as f32)).collect();
         self.gpu.queue.write_buffer(&r.row_transforms, 0, bytemuck::cast_slice(&flat));
         let mut encoder = self.gpu.encoder("check");
         self.sim.passes.transform.record_columns(&mut encoder, r, self.dispatch);
         self.sim.passes.mips.run(&mut encoder, r, self.dispatch);
-        self.transformed(encoder, maps, ["columns displacement", "columns gradients"]).await
+        self.compare_transform(encoder, maps, ["columns displacement", "columns gradients"]).await
     }
 
     /// Submits the commands of `encoder`, reads back the buffer `row_transforms`, which the FFT passes write, and
     /// compares it with `want`, the oracle's pair of maps of each cascade. `names` labels the two maps of a pair in
     /// `lines`.
-    async fn transformed(
+    async fn compare_transform(
         &mut self,
         mut encoder: wgpu::CommandEncoder,
         want: &[MapPair],
@@ -198,7 +199,7 @@ impl Check<'_> {
 
     /// Compares mip level 0 of the half-float wave maps, which the column pass has written, with `maps`, the oracle's
     /// result.
-    async fn maps(&mut self, maps: &[MapPair]) -> Result<(), String> {
+    async fn compare_maps(&mut self, maps: &[MapPair]) -> Result<(), String> {
         let points = (self.plan.n * self.plan.n) as usize;
         let kinds = [(MapKind::Displacement, "maps displacement"), (MapKind::Gradients, "maps gradients")];
         for (pair, (kind, what)) in kinds.into_iter().enumerate() {
@@ -215,7 +216,7 @@ impl Check<'_> {
 
     /// Compares a mip level of all kinds of wave maps with the oracle's means of 2 x 2 texels of the GPU's next finer
     /// level.
-    async fn mips(&mut self, level: u32) -> Result<(), String> {
+    async fn compare_mips(&mut self, level: u32) -> Result<(), String> {
         let (gpu, r) = (self.gpu, &self.sim.resources);
         let above = self.plan.n as usize >> (level - 1);
         let below = above / 2;
@@ -246,10 +247,10 @@ impl Check<'_> {
 
 /// Compares the foam coverage of the level [`FOAM_LEVEL`] after [`FOAM_STEPS`] time steps on the GPU with the oracle's.
 /// The oracle reads the GPU's wave maps, so only errors of the foam pass count.
-async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<Comparison, String> {
+async fn compare_foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<Comparison, String> {
     let centre = [1234.5, -67.8];
     let size = sim.resources.foam_n as usize;
-    let mut want: Vec<f64> = vec![FoamModel::new(plan).coverage; size * size];
+    let mut want: Vec<f64> = vec![FoamModel::new(plan).expected_mean_foam; size * size];
     let mut got = Vec::new();
     for _ in 0..FOAM_STEPS {
         let mut encoder = gpu.encoder("check");
@@ -257,7 +258,7 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<C
         gpu.submit(encoder);
         let level = sim.maps().foam_levels[FOAM_LEVEL];
         let corner = level.centre.map(|c| c - 0.5 * size as f64 * level.cell_m);
-        let pyramid = Pyramid::read(gpu, &sim, level.cell_m).await?;
+        let pyramid = SampledMaps::read(gpu, &sim, level.cell_m).await?;
         step_foam(&mut want, plan, &pyramid, (corner, level.cell_m), step);
         let texels = read_foam(gpu, &sim.resources).await?;
         // A cell is stored at its index modulo the size of the level.
@@ -280,13 +281,13 @@ async fn foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<C
 
 /// Advances the foam coverage of all cells of a foam level by one time step, as the oracle computes it. `corner` (x, z)
 /// of the level and side `texel_m` of a cell are in metres.
-fn step_foam(foam: &mut [f64], plan: &Plan, pyramid: &Pyramid, (corner, texel_m): ([f64; 2], f64), step: FoamStep) {
+fn step_foam(foam: &mut [f64], plan: &Plan, pyramid: &SampledMaps, (corner, texel_m): ([f64; 2], f64), step: FoamStep) {
     let source = FoamModel::new(plan).source(plan, texel_m);
     let size = foam.len().isqrt();
     for (i, cell) in foam.iter_mut().enumerate() {
         let at = [i % size, i / size];
         let world: [f64; 2] = std::array::from_fn(|a| corner[a] + (at[a] as f64 + 0.5) * texel_m);
-        let j = oracle::foam::displacement_jacobian(pyramid.surface(world).strain, plan.sea.choppiness());
+        let j = oracle::foam::displacement_jacobian(pyramid.wave_fields_at(world).strain, plan.sea.choppiness());
         let s = ((source.threshold - j) * source.slope).clamp(0.0, 1.0);
         *cell = oracle::foam::foam_after_step(*cell, s, plan.sea.foam.rate_per_s, plan.sea.foam.decay_s, step.dt_s);
     }
@@ -294,14 +295,14 @@ fn step_foam(foam: &mut [f64], plan: &Plan, pyramid: &Pyramid, (corner, texel_m)
 
 /// The GPU's wave maps at all mip levels. For each cascade also its tiling (how shifted copies of its patch cover the
 /// sea), and the mip level (between two whole ones) at which a foam level samples the maps.
-struct Pyramid {
+struct SampledMaps {
     n: usize,
     /// Texels of the displacement map and of the gradient map, for each mip level; the cascades follow each other.
     levels: Vec<[Vec<Texel>; 2]>,
     cascades: Vec<(Tiling, f64)>,
 }
 
-impl Pyramid {
+impl SampledMaps {
     /// Reads back the wave maps of `sim`, and computes at which mip level of each cascade a foam level with cells of
     /// `texel_m` metres samples them.
     async fn read(gpu: &Gpu, sim: &Simulation, texel_m: f64) -> Result<Self, String> {
@@ -322,7 +323,7 @@ impl Pyramid {
 
     /// Displacement, slope and strain (derivatives of the horizontal displacement) at an undisplaced position (x, z in
     /// m): the sum over all cascades of the GPU's maps, interpolated between texels and between mip levels.
-    fn surface(&self, world: [f64; 2]) -> oracle::surface::WaveFields {
+    fn wave_fields_at(&self, world: [f64; 2]) -> oracle::surface::WaveFields {
         let mut sum = oracle::surface::WaveFields::default();
         for (c, (tiling, lod)) in self.cascades.iter().enumerate() {
             let low = lod.floor();

@@ -108,7 +108,7 @@ fn summarise_seeds(all: &[SeedStatistics]) -> MeasuredStatistics {
     let over = |f: &dyn Fn(&SeedStatistics) -> f64| EstimateWithError::mean(&values(f));
     let variance = over(&|s| s.variance);
     let hs_m = 4.0 * variance.value.sqrt();
-    let [m0, m1, m2] = [0, 1, 2].map(|p| values(&|s| s.travelling.m[p]));
+    let [m0, m1, m2] = [0, 1, 2].map(|p| values(&|s| s.travelling.moments[p]));
     let [east, south] = [0, 1].map(|axis| values(&|s| s.travelling.first_moment[axis]));
     let (x, z) = (east.iter().sum::<f64>(), south.iter().sum::<f64>());
     let length = x.hypot(z).max(f64::MIN_POSITIVE);
@@ -126,7 +126,7 @@ fn summarise_seeds(all: &[SeedStatistics]) -> MeasuredStatistics {
         tm01_s: EstimateWithError::ratio(&m0, &m1).scaled(TAU),
         tm02_s: tm02.with_propagated_error(TAU * tm02.value.sqrt(), TAU * 0.5 / tm02.value.sqrt().max(1e-9)),
         from_deg: (r1.value > statistics::MIN_R1_FOR_DIRECTION)
-            .then(|| turn_deg.with_propagated_error(statistics::from_deg([x, z]), 1.0)),
+            .then(|| turn_deg.with_propagated_error(statistics::bearing_waves_come_from_deg([x, z]), 1.0)),
         r1,
         spread_deg: spread_deg(r1),
         skewness: over(&|s| s.skewness),

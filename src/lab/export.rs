@@ -25,7 +25,11 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
     let n = maps.n;
     for c in 0..maps.cascade_count() {
         let (d, g) = (maps.displacement(c), maps.gradients(c));
-        write_exr(&folder.join(format!("cascade{c}_displacement.exr")), n, &maps_file::displacement(&plan, &maps, c))?;
+        write_exr(
+            &folder.join(format!("cascade{c}_displacement.exr")),
+            n,
+            &maps_file::displacement_channels(&plan, &maps, c),
+        )?;
         let gradients: [Channel<'_>; 5] = [
             ("deta_dx", Box::new(move |i| g[i][0])),
             ("deta_dz", Box::new(move |i| g[i][1])),
@@ -52,7 +56,7 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
         "period_s": plan.period_s,
         "axes": "+x east, +y up, +z south; column i holds x = i patch_m / n, row j holds z = j patch_m / n",
         "chop_xz": plan.sea.choppiness(),
-        "level_m": plan.sea.level_m,
+        "level_m": plan.sea.still_water_level_m,
         "untile": plan.blends_copies,
         "notices": plan.notices,
         "cascades": plan.cascades.iter().enumerate().map(|(i, c)| serde_json::json!({
@@ -72,7 +76,7 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
 
 /// Writes an OpenEXR file of `n` x `n` texels with f32 channels.
 fn write_exr(path: &Path, n: usize, channels: &[Channel<'_>]) -> std::result::Result<(), String> {
-    let layer = maps_file::layer(n, LayerAttributes::default(), channels);
+    let layer = maps_file::exr_layer(n, LayerAttributes::default(), channels);
     let image = Image::from_layer(layer);
     image.write().to_file(path).map_err(|e| format!("cannot write {}: {e}", path.display()))
 }

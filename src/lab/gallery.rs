@@ -95,7 +95,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
 
 impl GalleryPicture {
     /// File name of the picture (made from its title, with the extension .jpg), without a folder.
-    pub fn file(&self) -> String {
+    pub fn file_name(&self) -> String {
         format!("{}.jpg", self.title.to_lowercase().replace(' ', "-"))
     }
 }
@@ -117,7 +117,7 @@ pub async fn run(gpu: &Gpu, output: &Path, only: &str) -> Result<String, String>
     create_folder(&folder)?;
     for picture in &chosen {
         let pixels = still::draw_picture(gpu, &query::parse(picture.state).0, PICTURE_SIZE).await?;
-        write_jpeg(&pixels, &folder.join(picture.file()))?;
+        write_jpeg(&pixels, &folder.join(picture.file_name()))?;
     }
     let path = output.join("gallery.md");
     write_file(&path, gallery_markdown())?;
@@ -143,7 +143,7 @@ pub fn gallery_markdown() -> String {
     );
     for picture in GALLERY_PICTURES {
         page.heading(2, picture.title);
-        page.paragraph(&format!("![{}](gallery/{})", picture.title, picture.file()));
+        page.paragraph(&format!("![{}](gallery/{})", picture.title, picture.file_name()));
         page.paragraph(picture.about);
         page.paragraph(&format!("[`{0}`]({PAGE_URL}?{0})", picture.state));
     }

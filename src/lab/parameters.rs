@@ -31,7 +31,7 @@ pub fn parameter_listing() -> String {
     for field in FIELDS.iter() {
         let unit = if field.unit.is_empty() { String::new() } else { format!(" {}", field.unit) };
         let default = field.format(field.default_value());
-        let _ = writeln!(text, "{:<10} {} (default {default}{unit})", field.key, field.range());
+        let _ = writeln!(text, "{:<10} {} (default {default}{unit})", field.key, field.allowed_values_text());
         let _ = writeln!(text, "           {}", field.help);
     }
     for (key, meaning) in SPECIAL_KEYS {
@@ -70,7 +70,7 @@ fn row(field: &Field) -> Vec<String> {
     let default =
         if default == 0.0 && !field.zero_word.is_empty() { field.zero_word.to_owned() } else { field.format(default) };
     let key = format!("`{}`", field.key);
-    vec![key, field.label.into(), unit.into(), field.range(), default, escape_markdown(field.help)]
+    vec![key, field.label.into(), unit.into(), field.allowed_values_text(), default, escape_markdown(field.help)]
 }
 
 /// Puts a backslash before each `*`, `|` and `_` of a text, so that Markdown shows these characters as they are.

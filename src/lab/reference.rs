@@ -7,7 +7,7 @@ use crate::ocean::{Ocean, SampleGrid};
 use crate::waves::noise::pcg4d;
 
 /// Largest number of samples that are drawn at once, each as one texel of the render target.
-const MAX_SAMPLES_PER_FRAME: u64 = 4_200_000;
+const MAX_SAMPLES_PER_TARGET: u64 = 4_200_000;
 
 /// Number and positions of the samples in a reference picture, whose pixels are means of many unfiltered samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,12 +84,17 @@ impl PixelSum {
 ///
 /// # Errors
 /// If reading back from the GPU fails.
-pub async fn light(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: Sampling) -> Result<Vec<[f32; 3]>, String> {
+pub async fn reference_light(
+    gpu: &Gpu,
+    ocean: &mut Ocean,
+    size: [u32; 2],
+    sampling: Sampling,
+) -> Result<Vec<[f32; 3]>, String> {
     let width = size[0] as usize;
     let mut sums = vec![PixelSum::default(); width * size[1] as usize];
-    for grid in sampling.grids(size, MAX_SAMPLES_PER_FRAME, gpu.device.limits().max_texture_dimension_2d) {
+    for grid in sampling.grids(size, MAX_SAMPLES_PER_TARGET, gpu.device.limits().max_texture_dimension_2d) {
         let mut encoder = gpu.encoder("samples");
-        let texture = ocean.encode_samples(&mut encoder, &grid);
+        let texture = ocean.record_frame_samples(&mut encoder, &grid);
         let copy = readback::stage_texture(gpu, &mut encoder, &texture, 0);
         gpu.submit(encoder);
         let bytes = copy.read(gpu).await?;
@@ -109,9 +114,14 @@ pub async fn light(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: Sampl
 ///
 /// # Errors
 /// If reading back from the GPU fails.
-pub async fn picture_of(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: Sampling) -> Result<Vec<u8>, String> {
-    let light = light(gpu, ocean, size, sampling).await?;
-    picture_of_light(gpu, ocean, size, &light).await
+pub async fn reference_picture(
+    gpu: &Gpu,
+    ocean: &mut Ocean,
+    size: [u32; 2],
+    sampling: Sampling,
+) -> Result<Vec<u8>, String> {
+    let light = reference_light(gpu, ocean, size, sampling).await?;
+    expose_light(gpu, ocean, size, &light).await
 }
 
 /// Applies the exposure and film response of the usual, real-time picture to linear light (RGB, row by row). Returns
@@ -119,14 +129,9 @@ pub async fn picture_of(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], sampling: 
 ///
 /// # Errors
 /// If reading back from the GPU fails.
-pub async fn picture_of_light(
-    gpu: &Gpu,
-    ocean: &mut Ocean,
-    size: [u32; 2],
-    light: &[[f32; 3]],
-) -> Result<Vec<u8>, String> {
+pub async fn expose_light(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2], light: &[[f32; 3]]) -> Result<Vec<u8>, String> {
     let encoder = gpu.encoder("reference");
-    still::present_and_read_back(gpu, encoder, size, |pass| ocean.present_light(pass, size, light)).await
+    still::present_and_read_back(gpu, encoder, size, |pass| ocean.present_linear_light(pass, size, light)).await
 }
 
 #[cfg(test)]
@@ -138,7 +143,7 @@ mod tests {
         for samples in [1, 3, 4, 64, 256, 1000] {
             for size in [[16, 9], [192, 108], [1280, 720], [8192, 8192]] {
                 let grids: Vec<SampleGrid> =
-                    Sampling { samples, seed: 1 }.grids(size, MAX_SAMPLES_PER_FRAME, 8192).collect();
+                    Sampling { samples, seed: 1 }.grids(size, MAX_SAMPLES_PER_TARGET, 8192).collect();
                 let count: u32 = grids.iter().map(|g| g.cells_per_pixel_side * g.cells_per_pixel_side).sum();
                 assert!(
                     (samples..samples + grids[0].cells_per_pixel_side.pow(2)).contains(&count),
@@ -149,7 +154,7 @@ mod tests {
         }
         let at = |seed| {
             Sampling { samples: 8, seed }
-                .grids([8192; 2], MAX_SAMPLES_PER_FRAME, 8192)
+                .grids([8192; 2], MAX_SAMPLES_PER_TARGET, 8192)
                 .map(|g| g.sample_offset)
                 .collect::<Vec<_>>()
         };

@@ -3,7 +3,7 @@
 use super::create_folder;
 use super::reference::{self, Sampling};
 use crate::gpu::{Gpu, readback};
-use crate::ocean::still::{FORMAT, draw_ocean_picture, present_and_read_back};
+use crate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture, present_and_read_back};
 use crate::ocean::{Ocean, OutputKind};
 use crate::state::Params;
 use crate::state::views::{DisplayedView, SurfaceView, ViewChoice};
@@ -38,10 +38,10 @@ pub async fn write_picture(
     sampling: Option<Sampling>,
     path: &Path,
 ) -> std::result::Result<(), String> {
-    let mut ocean = Ocean::new(gpu, FORMAT, OutputKind::Screen, params);
+    let mut ocean = Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, params);
     let mut pixels = draw_ocean_picture(gpu, &mut ocean, size).await?;
     if let Some(sampling) = sampling {
-        pixels = reference::picture_of(gpu, &mut ocean, size, sampling).await?;
+        pixels = reference::reference_picture(gpu, &mut ocean, size, sampling).await?;
     }
     write_png(pixels, size, path)
 }
@@ -70,7 +70,7 @@ pub async fn write_sequence(
     let mut params = params.clone();
     let start_s = params.clock.t_s;
     let film = if sequence.layers { OutputKind::ReadBack } else { OutputKind::Screen };
-    let mut ocean = Ocean::new(gpu, FORMAT, film, &params);
+    let mut ocean = Ocean::new(gpu, PICTURE_FORMAT, film, &params);
     for i in 0..sequence.count {
         params.clock.t_s = start_s + f64::from(i) / sequence.fps * params.clock.speed;
         ocean.set_params(&params);
@@ -98,7 +98,7 @@ async fn write_layers(
     view.look.view = ViewChoice { displayed: DisplayedView::Surface(SurfaceView::Normals), cascade: 0 };
     ocean.set_params(&view);
     let mut encoder = gpu.encoder("layers");
-    ocean.encode_with_complete_foam(&mut encoder, size);
+    ocean.record_frame_with_complete_foam(&mut encoder, size);
     present_and_read_back(gpu, encoder, size, |pass| ocean.present(pass)).await?;
     let normals = light_of(gpu, ocean).await?;
     let texture = ocean.depth_texture().ok_or("nothing was drawn")?;

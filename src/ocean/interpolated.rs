@@ -24,7 +24,7 @@ impl Interpolate for SeaAppearance {
             hs_m: interpolate(self.hs_m, to.hs_m, fraction),
             // Geometric, because a bed that rises from the deep sea would otherwise appear only at the very end.
             depth_m: self.depth_m * (to.depth_m / self.depth_m).powf(fraction),
-            level_m: interpolate(self.level_m, to.level_m, fraction),
+            still_water_level_m: interpolate(self.still_water_level_m, to.still_water_level_m, fraction),
             wind_m_s: interpolate(self.wind_m_s, to.wind_m_s, fraction),
             downwind: if length > 1e-3 { [x / length, z / length] } else { to.downwind },
             cloud_velocity_m_s: interpolate_pair(self.cloud_velocity_m_s, to.cloud_velocity_m_s, fraction),

@@ -9,7 +9,7 @@ use std::io::Cursor;
 pub type Channel<'a> = (&'static str, Box<dyn Fn(usize) -> f32 + 'a>);
 
 /// An OpenEXR layer of `n` x `n` texels with the given attributes and f32 channels.
-pub fn layer(n: usize, attributes: LayerAttributes, channels: &[Channel<'_>]) -> Layer<AnyChannels<FlatSamples>> {
+pub fn exr_layer(n: usize, attributes: LayerAttributes, channels: &[Channel<'_>]) -> Layer<AnyChannels<FlatSamples>> {
     let list = channels
         .iter()
         .map(|(name, value)| AnyChannel::new(*name, FlatSamples::F32((0..n * n).map(value).collect())))
@@ -22,7 +22,7 @@ pub fn layer(n: usize, attributes: LayerAttributes, channels: &[Channel<'_>]) ->
 
 /// The three OpenEXR channels X, Y and Z of the cascade with the index `cascade`: displacement of the water to the
 /// east, up and to the south, m. X and Z are multiplied by the choppiness of `plan`.
-pub fn displacement<'a>(plan: &Plan, maps: &'a MapsF32, cascade: usize) -> [Channel<'a>; 3] {
+pub fn displacement_channels<'a>(plan: &Plan, maps: &'a MapsF32, cascade: usize) -> [Channel<'a>; 3] {
     let (chop, d) = (plan.sea.choppiness().map(|l| l as f32), maps.displacement(cascade));
     [
         ("X", Box::new(move |i| chop[0] * d[i][0])),
@@ -37,15 +37,15 @@ pub fn displacement<'a>(plan: &Plan, maps: &'a MapsF32, cascade: usize) -> [Chan
 ///
 /// # Errors
 /// If the OpenEXR encoder fails.
-pub fn encode(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<Vec<u8>, String> {
+pub fn encode_exr(plan: &Plan, maps: &MapsF32, state: &str) -> std::result::Result<Vec<u8>, String> {
     let n = maps.n;
     let of_cascade = |c: usize| {
         let g = maps.gradients(c);
         let slopes: [Channel<'_>; 2] =
             [("deta_dx", Box::new(move |i| g[i][0])), ("deta_dz", Box::new(move |i| g[i][1]))];
-        let channels: Vec<Channel<'_>> = displacement(plan, maps, c).into_iter().chain(slopes).collect();
+        let channels: Vec<Channel<'_>> = displacement_channels(plan, maps, c).into_iter().chain(slopes).collect();
         let patch = plan.cascades[c].patch_m;
-        layer(n, LayerAttributes::named(format!("cascade{c} patch {patch:.4} m").as_str()), &channels)
+        exr_layer(n, LayerAttributes::named(format!("cascade{c} patch {patch:.4} m").as_str()), &channels)
     };
     let layers: SmallVec<[Layer<AnyChannels<FlatSamples>>; 2]> = (0..maps.cascade_count()).map(of_cascade).collect();
     let size = IntegerBounds::from_dimensions((n, n));

@@ -25,7 +25,8 @@ use std::sync::Arc;
 
 pub use crate::render::{OutputKind, SampleGrid, TimedPart};
 pub use crate::sim::map_statistics::{MapStatistics, PendingMapRead};
-pub use crate::sim::maps::{FOAM_LEVELS, Maps, MapsF32};
+pub use crate::sim::maps::{Maps, MapsF32};
+pub use crate::waves::foam::FOAM_LEVELS;
 pub use interpolated::DrawnSea;
 
 /// Least height of the eye above the still water, m. If waves are higher, a GPU pass raises the eye further above them.
@@ -46,7 +47,7 @@ const MIN_EYE_HEIGHT_M: f64 = 0.5;
 /// params.clock.t_s += 1.0 / 60.0;
 /// ocean.set_params(&params);
 /// let mut encoder = gpu.encoder("frame");
-/// ocean.encode(&mut encoder, [1280, 720], 6);
+/// ocean.record_frame(&mut encoder, [1280, 720], 6);
 /// // Here `ocean.present` draws the picture in a render pass on a target of that format.
 /// gpu.submit(encoder);
 /// # Ok(())
@@ -80,7 +81,7 @@ impl Ocean {
     }
 
     /// Allocates a sea without a renderer, to read back its maps. If a frame is drawn nevertheless, a renderer for
-    /// [`still::FORMAT`] is compiled.
+    /// [`still::PICTURE_FORMAT`] is compiled.
     pub fn without_renderer(gpu: &Gpu, params: &Params) -> Self {
         let shaders = Shaders::default();
         let mut sim = Simulation::new(gpu, Plan::new(params), &shaders);
@@ -95,7 +96,7 @@ impl Ocean {
             sim,
             renderer: None,
             reference: None,
-            format: still::FORMAT,
+            format: still::PICTURE_FORMAT,
             output: OutputKind::Screen,
             appearance,
             plans,
@@ -118,7 +119,7 @@ impl Ocean {
 
     /// Sets the parameters as a window does, `dt_s` seconds of wall time after the previous frame: the sea changes
     /// gradually and ends exactly on the new parameters. Look, camera, time and a changed grid apply at once. Call it
-    /// once per frame before [`Self::encode`], and go on while [`Self::in_transition`], even if time stands still.
+    /// once per frame before [`Self::record_frame`], and go on while [`Self::in_transition`], even if time stands still.
     pub fn transition_to(&mut self, params: &Params, dt_s: f64) {
         if params.grid != self.params.grid {
             return self.set_params(params);
@@ -199,7 +200,7 @@ impl Ocean {
 
     /// Height of the still water that is drawn, m; during a transition it moves towards that of the parameters.
     pub fn level_m(&self) -> f64 {
-        self.appearance.blended_value(self.sim.cross_fade_weight()).level_m
+        self.appearance.blended_value(self.sim.cross_fade_weight()).still_water_level_m
     }
 
     /// The timer with the GPU times of the parts of a frame; simulation and renderer mark its parts.
@@ -209,8 +210,8 @@ impl Ocean {
 
     /// Records copies of the displacement, gradient and foam maps as the commands recorded before leave them; the
     /// returned value reads them on the CPU. During a transition it records nothing and returns None.
-    pub fn record_map_read(&self, encoder: &mut wgpu::CommandEncoder) -> Option<PendingMapRead> {
-        self.sim.record_map_read(&self.gpu, encoder)
+    pub fn record_map_copies(&self, encoder: &mut wgpu::CommandEncoder) -> Option<PendingMapRead> {
+        self.sim.record_map_copies(&self.gpu, encoder)
     }
 
     /// The GPU textures of the wave and foam maps; they hold the maps of the last recorded frame once its commands ran.
@@ -225,7 +226,7 @@ impl Ocean {
 
     /// Records one frame of `size` (width, height) pixels, with at most `max_foam_steps` time steps of the foam;
     /// missing steps follow in later frames. Returns whether the foam has reached the time of the parameters.
-    pub fn encode(&mut self, encoder: &mut wgpu::CommandEncoder, size: [u32; 2], max_foam_steps: usize) -> bool {
+    pub fn record_frame(&mut self, encoder: &mut wgpu::CommandEncoder, size: [u32; 2], max_foam_steps: usize) -> bool {
         self.select_hull_waves();
         let scene = self.scene(size);
         let caught_up = self.encode_waves(encoder, max_foam_steps);
@@ -236,8 +237,8 @@ impl Ocean {
     }
 
     /// Records one frame and all foam time steps up to its time: a still picture that depends only on the parameters.
-    pub fn encode_with_complete_foam(&mut self, encoder: &mut wgpu::CommandEncoder, size: [u32; 2]) {
-        self.encode(encoder, size, MAX_FOAM_STEPS);
+    pub fn record_frame_with_complete_foam(&mut self, encoder: &mut wgpu::CommandEncoder, size: [u32; 2]) {
+        self.record_frame(encoder, size, MAX_FOAM_STEPS);
     }
 
     /// Records the wave maps at the time of the parameters, and at most `max_foam_steps` time steps of the foam.
@@ -278,16 +279,16 @@ impl Ocean {
 
     /// Records the drawing of unfiltered samples, one per cell of `grid`, for a reference picture (mean of many samples
     /// per pixel) of the last frame. Returns a texture with one sample per texel, as [`ReferenceRenderer::draw`] does.
-    pub fn encode_samples(&mut self, encoder: &mut wgpu::CommandEncoder, grid: &SampleGrid) -> wgpu::Texture {
+    pub fn record_frame_samples(&mut self, encoder: &mut wgpu::CommandEncoder, grid: &SampleGrid) -> wgpu::Texture {
         let scene = self.scene(grid.size);
         let reference = self.reference.get_or_insert_with(|| ReferenceRenderer::new(&self.gpu, self.format));
         reference.draw(&self.gpu, encoder, self.sim.maps(), &scene, grid)
     }
 
     /// Draws a picture of `size` (width, height) pixels given as linear light (RGB, row by row from the top), such as
-    /// the mean of several [`Self::encode_samples`], with the exposure and tone curve of the parameters. Draws nothing
+    /// the mean of several [`Self::record_frame_samples`], with the exposure and tone curve of the parameters. Draws nothing
     /// before the first call of that function.
-    pub fn present_light(&mut self, pass: &mut wgpu::RenderPass<'_>, size: [u32; 2], light: &[[f32; 3]]) {
+    pub fn present_linear_light(&mut self, pass: &mut wgpu::RenderPass<'_>, size: [u32; 2], light: &[[f32; 3]]) {
         let scene = self.scene(size);
         if let Some(reference) = &mut self.reference {
             reference.set_linear_light(&self.gpu, &scene, size, light);
@@ -307,7 +308,11 @@ impl Ocean {
         };
         let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
         Scene {
-            view: View::new(&relative_to_still_water(&self.params.camera, sea.level_m), aspect, MIN_EYE_HEIGHT_M),
+            view: View::new(
+                &relative_to_still_water(&self.params.camera, sea.still_water_level_m),
+                aspect,
+                MIN_EYE_HEIGHT_M,
+            ),
             look: self.params.look.clone(),
             height_from_waves: self.params.camera.mode == CameraMode::Buoy,
             hulls: self.hull_poses(),

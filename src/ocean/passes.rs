@@ -38,7 +38,7 @@ pub struct WavePasses<'a> {
     sim: &'a Simulation,
     dispatch: SeaDispatch,
     /// Dynamic offset, bytes, of the uniform for the foam pass in the buffer of foam uniforms.
-    foam: u32,
+    foam_uniform_offset: u32,
 }
 
 impl Ocean {
@@ -49,7 +49,7 @@ impl Ocean {
         let centre = [self.params.camera.x_m, self.params.camera.z_m];
         let dispatch = self.sim.upload_sea_uniform(&self.gpu, t_s, false);
         let foam = self.sim.upload_foam_uniform(&self.gpu, t_s, centre);
-        WavePasses { sim: &self.sim, dispatch, foam }
+        WavePasses { sim: &self.sim, dispatch, foam_uniform_offset: foam }
     }
 
     /// The sizes and the texture format of the wave and foam maps.
@@ -69,7 +69,7 @@ impl WavePasses<'_> {
             WavePass::Rows => passes.transform.record_rows(encoder, self.dispatch),
             WavePass::Columns => passes.transform.record_columns(encoder, r, self.dispatch),
             WavePass::Mips => passes.mips.run(encoder, r, self.dispatch),
-            WavePass::Foam => passes.foam.run(encoder, r, self.dispatch, self.foam),
+            WavePass::Foam => passes.foam.run(encoder, r, self.dispatch, self.foam_uniform_offset),
         }
     }
 

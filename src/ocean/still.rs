@@ -6,14 +6,14 @@ use crate::gpu::offscreen::PendingPicture;
 use crate::state::Params;
 
 /// Texture format of the still pictures that are drawn and read back: 8 bits per channel.
-pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+pub const PICTURE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// Draws the sea with the given parameters, `size` (width, height) pixels. Returns RGBA bytes, row by row from the top.
 ///
 /// # Errors
 /// If the read-back from the GPU fails.
 pub async fn draw_picture(gpu: &Gpu, params: &Params, size: [u32; 2]) -> Result<Vec<u8>, String> {
-    draw_ocean_picture(gpu, &mut Ocean::new(gpu, FORMAT, OutputKind::Screen, params), size).await
+    draw_ocean_picture(gpu, &mut Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, params), size).await
 }
 
 /// Draws an ocean at its present parameters, `size` (width, height) pixels. Returns RGBA bytes, row by row from the
@@ -23,7 +23,7 @@ pub async fn draw_picture(gpu: &Gpu, params: &Params, size: [u32; 2]) -> Result<
 /// If the read-back from the GPU fails.
 pub async fn draw_ocean_picture(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2]) -> Result<Vec<u8>, String> {
     let mut encoder = gpu.encoder("picture");
-    ocean.encode_with_complete_foam(&mut encoder, size);
+    ocean.record_frame_with_complete_foam(&mut encoder, size);
     present_and_read_back(gpu, encoder, size, |pass| ocean.present(pass)).await
 }
 
@@ -38,5 +38,5 @@ pub async fn present_and_read_back(
     size: [u32; 2],
     present: impl FnOnce(&mut wgpu::RenderPass<'_>),
 ) -> Result<Vec<u8>, String> {
-    PendingPicture::submit(gpu, encoder, FORMAT, size, present).read(gpu).await
+    PendingPicture::submit(gpu, encoder, PICTURE_FORMAT, size, present).read(gpu).await
 }

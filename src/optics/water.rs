@@ -12,7 +12,7 @@ const PRIMARY_WAVELENGTHS_NM: [f64; 3] = [610.0, 550.0, 465.0];
 /// Absorption coefficients of pure water at [`PRIMARY_WAVELENGTHS_NM`] (red, green, blue), 1/m (Pope and Fry 1997).
 const PURE_ABSORPTION: [f64; 3] = [0.2644, 0.0565, 0.0101];
 /// Mean cosine of the angle between downwelling light and the vertical below the surface; it converts Kd to absorption.
-const SCATTERING_MEAN_COSINE: f64 = 0.9;
+const DOWNWELLING_MEAN_COSINE: f64 = 0.9;
 /// Fraction of the light scattered by mineral particles of coastal water that goes backward (Petzold 1972).
 const COASTAL_BACKSCATTER: f64 = 0.013;
 
@@ -108,7 +108,7 @@ impl WaterOptics {
             let share = if water_type.is_coastal() { COASTAL_BACKSCATTER } else { share };
             out.scattering[i] = sea_water + particles_550;
             out.backscatter[i] = 0.5 * sea_water + share * particles_550;
-            out.absorption[i] = (SCATTERING_MEAN_COSINE * kd(nm) - out.backscatter[i]).max(PURE_ABSORPTION[i]);
+            out.absorption[i] = (DOWNWELLING_MEAN_COSINE * kd(nm) - out.backscatter[i]).max(PURE_ABSORPTION[i]);
         }
         out
     }

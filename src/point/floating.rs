@@ -44,7 +44,7 @@ pub struct HullWaves {
     tilt_waves: StrongestWaves,
     /// Unit vector (x, z) that points into the local wind.
     upwind: [f64; 2],
-    level_m: f64,
+    still_water_level_m: f64,
 }
 
 impl HullWaves {
@@ -55,12 +55,12 @@ impl HullWaves {
             heave_waves: StrongestWaves::for_height_error(plan, MAX_HEIGHT_ERROR_TO_HS * plan.hs_m()),
             tilt_waves: StrongestWaves::new(plan, TILTING_WAVES),
             upwind: plan.downwind.map(|d| -d),
-            level_m: plan.sea.level_m,
+            still_water_level_m: plan.sea.still_water_level_m,
         }
     }
 
     /// Waves that give surface heights with an rms error of 1.8 % of the significant wave height.
-    pub fn heights(&self) -> &StrongestWaves {
+    pub fn heave_waves(&self) -> &StrongestWaves {
         &self.heave_waves
     }
 
@@ -75,7 +75,7 @@ impl HullWaves {
         };
         let pitch = (height(length, 0.0) - height(-length, 0.0)) / (2.0 * length);
         let roll = (height(0.0, width) - height(0.0, -width)) / (2.0 * width);
-        [self.heave_waves.sample(float.x_m, float.z_m, t_s).height_m - self.level_m, pitch, roll]
+        [self.heave_waves.sample(float.x_m, float.z_m, t_s).height_m - self.still_water_level_m, pitch, roll]
     }
 }
 

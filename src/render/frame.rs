@@ -5,7 +5,8 @@ use super::scene::{Scene, SeaAppearance};
 use super::water::mesh::{Mesh, MeshLattice};
 use crate::gpu::layout::gpu_struct;
 use crate::sim::Maps;
-use crate::sim::maps::{FOAM_LEVELS, FoamLevel, MAX_DRAWN_CASCADES, MapCascade, TileLatticePosition};
+use crate::sim::maps::{FoamLevel, MAX_DRAWN_CASCADES, MapCascade, TileLatticePosition};
+use crate::waves::foam::FOAM_LEVELS;
 use crate::waves::slopes::SlopeVariance;
 use std::f64::consts::PI;
 
@@ -208,7 +209,7 @@ impl FrameUniform {
             hs_m: sea.hs_m as f32,
             depth_m: sea.depth_m as f32,
             mean_foam: scene.mean_foam as f32,
-            foam_amount: look.surface.foam.amount as f32,
+            foam_amount: look.surface.foam.coverage_factor as f32,
             footprint_scale: 1.0,
             unused: 0,
             mesh_lattice: mesh.lattice,

@@ -88,20 +88,20 @@ pub struct Renderer {
     water: WaterPass,
     background: BackgroundPass,
     hulls: HullPass,
-    present: PresentPass,
+    present_pass: PresentPass,
     targets: Option<Targets>,
-    target_format: wgpu::TextureFormat,
+    screen_format: wgpu::TextureFormat,
     /// Passes of the false-colour views; None until a view is first shown.
-    view: Option<ViewPass>,
+    view_pass: Option<ViewPass>,
     /// Whether the last frame shows a false-colour view instead of the picture.
     shows_view: bool,
     timer: Timer,
 }
 
 impl Renderer {
-    /// Compiles what every picture needs; the rest is compiled at first use. `target_format` is the format of the
+    /// Compiles what every picture needs; the rest is compiled at first use. `screen_format` is the format of the
     /// texture that [`Self::present`] draws into, `output` the purpose of the pictures.
-    pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat, output: OutputKind) -> Self {
+    pub fn new(gpu: &Gpu, screen_format: wgpu::TextureFormat, output: OutputKind) -> Self {
         let shaders = Shaders::default().with_structs(SHARED_STRUCTS);
         let frame = Uniform::new(gpu, "frame");
         let material = Uniform::new(gpu, "material");
@@ -112,8 +112,8 @@ impl Renderer {
         let water = WaterPass::new(gpu, &shaders, scene, &frame);
         let eye = EyePass::new(gpu, &shaders, &frame, &water);
         let hulls = HullPass::new(gpu, &shaders);
-        let present =
-            PresentPass::new(gpu, &shaders, &sky.light_buffer, target_format, output != OutputKind::Reference);
+        let present_pass =
+            PresentPass::new(gpu, &shaders, &sky.light_buffer, screen_format, output != OutputKind::Reference);
         // The empty submission makes a browser start compiling the pipelines while the CPU computes the noise.
         gpu.queue.submit([]);
         noise.fill(gpu);
@@ -125,10 +125,10 @@ impl Renderer {
             water,
             background,
             hulls,
-            present,
+            present_pass,
             targets: None,
-            target_format,
-            view: None,
+            screen_format,
+            view_pass: None,
             shows_view: false,
             timer: Timer::default(),
         }
@@ -144,8 +144,8 @@ impl Renderer {
     pub fn draw(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, maps: &Maps, scene: &Scene, size: [u32; 2]) {
         let size = size.map(|s| s.max(1));
         let hdr = self.ensure_targets(gpu, size).hdr.clone();
-        self.present.set_picture(gpu, &hdr, &scene.look.film);
-        self.present.write_uniform(gpu, scene, size);
+        self.present_pass.set_picture(gpu, &hdr, &scene.look.film);
+        self.present_pass.write_uniform(gpu, scene, size);
         let mesh = mesh_for_picture(scene, size);
         self.prepare_frame(gpu, maps, scene, &mesh, &FrameUniform::new(scene, maps, &mesh, size));
         self.shows_view = scene.look.view.displayed != DisplayedView::Picture;
@@ -154,7 +154,7 @@ impl Renderer {
             self.timer.mark(encoder, "view");
         } else {
             self.record_picture(gpu, encoder, scene);
-            self.present.record_bloom(encoder);
+            self.present_pass.record_bloom(encoder);
             self.timer.mark(encoder, "bloom");
         }
     }
@@ -178,7 +178,7 @@ impl Renderer {
         }
         self.water.mesh.set_mesh(gpu, mesh);
         let below_eye = [scene.view.eye.x, scene.view.eye.z];
-        self.hulls.upload_hulls(gpu, &self.water.scene, &scene.hulls, below_eye, scene.sea.level_m);
+        self.hulls.upload_hulls(gpu, &self.water.scene, &scene.hulls, below_eye, scene.sea.still_water_level_m);
     }
 
     /// Records the passes that draw the false-colour view selected in `scene.look`, in place of the picture.
@@ -189,8 +189,8 @@ impl Renderer {
             self.water.displace(encoder);
         }
         let make =
-            || ViewPass::new(gpu, &Shaders::default().with_structs(SHARED_STRUCTS), &self.water, self.target_format);
-        let view = self.view.get_or_insert_with(make);
+            || ViewPass::new(gpu, &Shaders::default().with_structs(SHARED_STRUCTS), &self.water, self.screen_format);
+        let view = self.view_pass.get_or_insert_with(make);
         view.draw(gpu, encoder, (maps, scene), &self.water, targets);
     }
 
@@ -200,7 +200,7 @@ impl Renderer {
         let Some(targets) = &self.targets else { return };
         self.eye.run(encoder, scene, &self.water);
         self.timer.mark(encoder, "eye");
-        self.sky.record_outdated(gpu, encoder, scene);
+        self.sky.record_outdated_tables(gpu, encoder, scene);
         self.timer.mark(encoder, "sky tables");
         self.water.record_g_buffer(encoder, targets);
         self.timer.mark(encoder, "mesh");
@@ -216,7 +216,7 @@ impl Renderer {
     pub fn record_part(&self, encoder: &mut wgpu::CommandEncoder, part: TimedPart) {
         let Some(targets) = &self.targets else { return };
         match part {
-            TimedPart::SkyTables => self.sky.record_all(encoder),
+            TimedPart::SkyTables => self.sky.record_all_tables(encoder),
             TimedPart::Background => {
                 self.background.draw(&mut targets.begin_picture(encoder, false), &self.water.scene, &self.sky);
             }
@@ -248,9 +248,9 @@ impl Renderer {
 
     /// Draws the last frame into the viewport of `pass`: the tone-mapped picture, or the view that replaces it.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
-        match &self.view {
+        match &self.view_pass {
             Some(view) if self.shows_view => view.present(pass),
-            _ => self.present.draw(pass),
+            _ => self.present_pass.draw(pass),
         }
     }
 }

@@ -91,7 +91,7 @@ impl ReferenceRenderer {
         let texel = |l: &[f32; 3]| [l[0], l[1], l[2], 1.0].map(|x| f16::from_f32(if x > 6e4 { 6e4 } else { x }));
         let texels: Vec<[f16; 4]> = light.iter().map(texel).collect();
         gpu.write_texture(&mean, 0, bytemuck::cast_slice(&texels));
-        let present = &mut self.renderer.present;
+        let present = &mut self.renderer.present_pass;
         present.set_picture(gpu, &mean.create_view(&wgpu::TextureViewDescriptor::default()), &scene.look.film);
         present.write_uniform(gpu, scene, [width, height]);
         let mut encoder = gpu.encoder("reference");

@@ -45,7 +45,7 @@ pub struct SeaAppearance {
     /// Water depth, m.
     pub depth_m: f64,
     /// Height of the still water in world coordinates, m.
-    pub level_m: f64,
+    pub still_water_level_m: f64,
     /// Wind speed 10 m above the sea, m/s.
     pub wind_m_s: f64,
     /// Direction towards which the wind blows: unit vector (x, z), x east and z south.
@@ -69,7 +69,7 @@ impl SeaAppearance {
             choppiness: plan.sea.choppiness(),
             hs_m: plan.hs_m(),
             depth_m: plan.sea.depth_m,
-            level_m: plan.sea.level_m,
+            still_water_level_m: plan.sea.still_water_level_m,
             wind_m_s,
             downwind: plan.downwind,
             cloud_velocity_m_s: plan.downwind.map(|w| w * CLOUD_TO_WIND_SPEED * wind_m_s),
@@ -92,7 +92,7 @@ impl SeaAppearance {
 
     /// A copy with the choppiness and still-water level of `plan`, a plan of the same waves; the rest stays as it is.
     pub fn with_surface_of(&self, plan: &Plan) -> Self {
-        Self { choppiness: plan.sea.choppiness(), level_m: plan.sea.level_m, ..self.clone() }
+        Self { choppiness: plan.sea.choppiness(), still_water_level_m: plan.sea.still_water_level_m, ..self.clone() }
     }
 
     /// Larger of the choppiness factors (on horizontal displacements) along x and along z.

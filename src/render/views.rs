@@ -74,7 +74,7 @@ impl ViewUniform {
         let foam = matches!(view.displayed, DisplayedView::Map(MapView::Foam | MapView::Source));
         // During a cross-fade only the new sea is shown.
         let most = if foam { maps.foam_levels.len() } else { maps.current_cascades().len() };
-        let cascade_layers = view.cascade_layers(most);
+        let cascade_layers = view.shown_layers(most);
         let (corners, side) = largest_squares(cascade_layers.len() as u32, size);
         let mut tiles = [ViewTile::default(); MAX_CASCADES];
         for ((tile, layer), corner) in tiles.iter_mut().zip(cascade_layers.clone()).zip(corners) {
@@ -146,11 +146,11 @@ fn largest_squares(count: u32, [width, height]: [u32; 2]) -> (Vec<[u32; 2]>, u32
 pub struct ViewPass {
     uniform: Uniform<ViewUniform>,
     map_layout: wgpu::BindGroupLayout,
-    map: wgpu::RenderPipeline,
-    surface: wgpu::RenderPipeline,
+    map_pipeline: wgpu::RenderPipeline,
+    surface_pipeline: wgpu::RenderPipeline,
     surface_group: wgpu::BindGroup,
     show_layout: wgpu::BindGroupLayout,
-    show: wgpu::RenderPipeline,
+    present_pipeline: wgpu::RenderPipeline,
     show_group: Option<wgpu::BindGroup>,
 }
 
@@ -173,7 +173,7 @@ impl ViewPass {
         let map_layout = gpu.bind_group_layout("view/map", fragment, &bindings);
         let module = shaders.module(gpu, "views/map");
         let output = &water.scene.output;
-        let map = gpu.render_pipeline(
+        let map_pipeline = gpu.render_pipeline(
             "view/map",
             &Program::new(&module),
             &[&map_layout],
@@ -184,7 +184,7 @@ impl ViewPass {
         let module = shaders.module(gpu, "views/surface");
         let [scene, maps, mesh] = water.mesh_layouts();
         let layouts = [scene, maps, mesh, &surface_layout];
-        let surface = gpu.render_pipeline(
+        let surface_pipeline = gpu.render_pipeline(
             "view/surface",
             &Program::new(&module),
             &layouts,
@@ -193,8 +193,17 @@ impl ViewPass {
         let show_layout = gpu.bind_group_layout("view/show", fragment, &[BindingType::Texture]);
         let module = shaders.module(gpu, "views/show");
         let onto = Attachments { formats: &[target], depth: None };
-        let show = gpu.render_pipeline("view/show", &Program::new(&module), &[&show_layout], &onto);
-        Self { uniform, map_layout, map, surface, surface_group, show_layout, show, show_group: None }
+        let present_pipeline = gpu.render_pipeline("view/show", &Program::new(&module), &[&show_layout], &onto);
+        Self {
+            uniform,
+            map_layout,
+            map_pipeline,
+            surface_pipeline,
+            surface_group,
+            show_layout,
+            present_pipeline,
+            show_group: None,
+        }
     }
 
     /// Records the pass that draws the false-colour view selected in the scene's look into the HDR target.
@@ -211,7 +220,7 @@ impl ViewPass {
         self.show_group = Some(gpu.bind_group("view/show", &self.show_layout, &[TextureView(&targets.hdr)]));
         let mut pass = targets.begin_picture(encoder, false);
         if let DisplayedView::Surface(_) = scene.look.view.displayed {
-            pass.set_pipeline(&self.surface);
+            pass.set_pipeline(&self.surface_pipeline);
             pass.set_bind_group(3, &self.surface_group, &[]);
             water.draw_mesh(&mut pass);
         } else {
@@ -224,7 +233,7 @@ impl ViewPass {
                 maps.h0.as_entire_binding(),
                 maps.wave_table.as_entire_binding(),
             ];
-            pass.set_pipeline(&self.map);
+            pass.set_pipeline(&self.map_pipeline);
             pass.set_bind_group(0, &gpu.bind_group("view/map", &self.map_layout, &resources), &[]);
             pass.draw(0..3, 0..1);
         }
@@ -233,7 +242,7 @@ impl ViewPass {
     /// Draws the false-colour view recorded last into the viewport of `pass`; nothing if there is none.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
         let Some(group) = &self.show_group else { return };
-        pass.set_pipeline(&self.show);
+        pass.set_pipeline(&self.present_pipeline);
         pass.set_bind_group(0, group, &[]);
         pass.draw(0..3, 0..1);
     }

@@ -1,8 +1,9 @@
 //! Plans the time steps of the foam simulation, and where the levels of its clipmap lie in the world.
 
-use super::maps::{FOAM_LEVELS, FoamLevel, MAX_DRAWN_CASCADES, Maps};
+use super::maps::{FoamLevel, MAX_DRAWN_CASCADES, Maps};
 use super::transition::{Interpolate, interpolate, interpolate_pair};
 use super::uniforms::{FoamCascade, FoamLevelCorner, FoamLevelUniform, FoamUniform};
+use crate::waves::foam::FOAM_LEVELS;
 use crate::waves::{Plan, foam};
 
 /// Number of time steps of a cold start, which computes the foam anew from the recent past, as after a jump of time.
@@ -67,7 +68,7 @@ impl FoamParameters {
         Self {
             choppiness: plan.sea.choppiness(),
             sources: std::array::from_fn(|level| foam.source(plan, cell_m(size, level))),
-            mean_foam: foam.coverage,
+            mean_foam: foam.expected_mean_foam,
             decay_s: plan.sea.foam.decay_s,
             rate_per_s: plan.sea.foam.rate_per_s,
         }

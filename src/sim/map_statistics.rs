@@ -33,7 +33,7 @@ pub struct MapStatistics {
 impl Simulation {
     /// Records copies of the displacement, gradient and foam maps as the commands recorded before leave them. Returns
     /// None during a transition.
-    pub fn record_map_read(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> Option<PendingMapRead> {
+    pub fn record_map_copies(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> Option<PendingMapRead> {
         if self.in_transition() {
             return None;
         }

@@ -12,8 +12,6 @@ use std::f64::consts::TAU;
 pub const MAX_CASCADES: usize = 4;
 /// Largest number of cascades that are drawn at once: those of both seas of a cross-fade.
 pub const MAX_DRAWN_CASCADES: usize = 2 * MAX_CASCADES;
-/// Number of foam levels: nested square foam grids around the camera, each four times as wide as the next finer one.
-pub const FOAM_LEVELS: usize = 4;
 
 gpu_struct! {
     /// WGSL `TileLatticePosition`: position of a point in the triangle lattice of a patch, from which a shader finds

@@ -1,6 +1,5 @@
 //! Compute passes of the simulation, in the order of a frame. A pass has a pipeline, bind groups and a dispatch size.
 
-use super::maps::FOAM_LEVELS;
 use super::planned_sea::SeaDispatch;
 use super::resources::{MapKind, Resources, WaveBuffers, array_view, create_array_texture};
 use super::transform::{FftImplementation, Transform};
@@ -8,6 +7,7 @@ use super::uniforms::{SHARED_STRUCTS, SimulationUniforms};
 use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, Kernel};
 use crate::shaders::Shaders;
+use crate::waves::foam::FOAM_LEVELS;
 
 /// All compute passes of the simulation, from the spectrum to the maps and the foam.
 pub struct Passes {

@@ -1,12 +1,13 @@
 //! GPU buffers and textures of a simulation. They are allocated for an FFT size and a number of cascades, and enlarged
 //! to hold two seas at the first cross-fade.
 
-use super::maps::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN_CASCADES};
+use super::maps::{MAX_CASCADES, MAX_DRAWN_CASCADES};
 use crate::gpu::Gpu;
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::readback::{self, StagedTexture};
 use crate::shaders::fft::{TWIDDLE_COUNT, twiddle_factors};
 use crate::waves::Plan;
+use crate::waves::foam::FOAM_LEVELS;
 use crate::waves::lattice::LatticeWave;
 use crate::waves::table::{self, Table};
 use std::ops::Range;

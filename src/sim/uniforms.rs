@@ -1,10 +1,11 @@
 //! The uniform structs of the simulation's passes, and the buffers that hold them.
 
-use super::maps::{FOAM_LEVELS, MAX_CASCADES, MAX_DRAWN_CASCADES, TileLatticePosition};
+use super::maps::{MAX_CASCADES, MAX_DRAWN_CASCADES, TileLatticePosition};
 use crate::gpu::Gpu;
 use crate::gpu::kit::BindingType;
 use crate::gpu::layout::{StructDeclaration, gpu_struct};
 use crate::gpu::uniform::DynamicUniformBuffer;
+use crate::waves::foam::FOAM_LEVELS;
 
 /// The simulation's two uniform buffers, with room for all foam time steps and wave computations of one submission.
 pub struct SimulationUniforms {

@@ -113,7 +113,7 @@ choice_enum! {
         /// Parameters of the first wave system: wind, spectrum and directional spreading.
         Sea = "Sea",
         /// Parameters of the second wave system, such as the swell of a distant storm.
-        Swell = "Second system",
+        SecondSystem = "Second system",
         /// Parameters of all waves: water depth, dispersion relation, physical constants, choppiness and random seed.
         Water = "Water",
         /// Parameters of whitecaps: when foam forms, how it decays and what it looks like.
@@ -204,7 +204,7 @@ pub fn linear_rgb(colour: f64) -> [f64; 3] {
 pub(super) trait FieldValue: Copy {
     /// Converts the value to f64: a choice to its index, a flag to 0 or 1.
     fn to_f64(self) -> f64;
-    /// Converts back from an f64 that [`FieldDescription::accept`] or [`FieldDescription::parse`] returned.
+    /// Converts back from an f64 that [`FieldDescription::check_value`] or [`FieldDescription::parse`] returned.
     fn from_f64(value: f64) -> Self;
 }
 
@@ -258,7 +258,7 @@ pub struct FieldDescription<P> {
     /// Function that reads the parameter in the struct `P` of all parameters: a choice as index, a flag as 0 or 1.
     pub get: Box<dyn Fn(&P) -> f64 + Send + Sync>,
     /// Function that writes a value to the parameter in the struct `P` of all parameters. The value must be one that
-    /// [`Self::accept`] or [`Self::parse`] returned.
+    /// [`Self::check_value`] or [`Self::parse`] returned.
     pub set: Box<dyn Fn(&mut P, f64) + Send + Sync>,
 }
 
@@ -282,7 +282,7 @@ impl<P: Default> FieldDescription<P> {
 impl<P> FieldDescription<P> {
     /// Checks a value and returns it if it is allowed; headings are wrapped. Otherwise returns the nearest allowed
     /// value as [`InvalidValue::Clamped`], or [`InvalidValue::Ignored`] for NaN and infinities.
-    pub fn accept(&self, value: f64) -> Result<f64, InvalidValue> {
+    pub fn check_value(&self, value: f64) -> Result<f64, InvalidValue> {
         if !value.is_finite() {
             return Err(InvalidValue::Ignored);
         }
@@ -316,7 +316,7 @@ impl<P> FieldDescription<P> {
                 let hex = digits.len() == 6 && digits.bytes().all(|b| b.is_ascii_hexdigit());
                 u32::from_str_radix(digits, 16).ok().filter(|_| hex).map(f64::from).ok_or(InvalidValue::Ignored)
             }
-            _ => self.accept(text.parse().map_err(|_| InvalidValue::Ignored)?),
+            _ => self.check_value(text.parse().map_err(|_| InvalidValue::Ignored)?),
         }
     }
 
@@ -331,7 +331,7 @@ impl<P> FieldDescription<P> {
     }
 
     /// Describes the allowed values for help texts and tooltips, such as "0 (auto) to 30".
-    pub fn range(&self) -> String {
+    pub fn allowed_values_text(&self) -> String {
         let zero_word = if self.zero_word.is_empty() { String::new() } else { format!(" ({})", self.zero_word) };
         match self.kind {
             FieldKind::Number { min, max, .. } => format!("{min}{zero_word} to {max}"),

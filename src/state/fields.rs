@@ -2,7 +2,7 @@
 
 use super::field::{FieldDescription, number};
 use super::look::{BedLook, FilmLook, FoamLook, Look, Reflection, Scattering, SkyLook};
-use super::params::{Camera, Clock, Foam, Grid, Params, PatchOverride, Screen, Sea, WaveSystemParams};
+use super::params::{Camera, CascadeSettings, Clock, Foam, Grid, Params, Screen, Sea, WaveSystemParams};
 use super::views::ViewChoice;
 use std::sync::LazyLock;
 
@@ -21,7 +21,7 @@ pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
     }
     let parts = [
         part!(WaveSystemParams, Sea, sea.systems[0]),
-        number_keys(2, part!(WaveSystemParams, Swell, sea.systems[1])),
+        with_numbered_keys(2, part!(WaveSystemParams, SecondSystem, sea.systems[1])),
         part!(Sea, Water, sea),
         part!(Foam, Foam, sea.foam),
         part!(SkyLook, Sky, look.sky),
@@ -37,10 +37,10 @@ pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
         part!(Clock, Clock, clock),
         vec![fft_size_field()],
         part!(Grid, Grid, grid),
-        number_cascade_fields(1, part!(PatchOverride, Grid, grid.patches[0])),
-        number_cascade_fields(2, part!(PatchOverride, Grid, grid.patches[1])),
-        number_cascade_fields(3, part!(PatchOverride, Grid, grid.patches[2])),
-        number_cascade_fields(4, part!(PatchOverride, Grid, grid.patches[3])),
+        number_cascade_fields(1, part!(CascadeSettings, Grid, grid.patches[0])),
+        number_cascade_fields(2, part!(CascadeSettings, Grid, grid.patches[1])),
+        number_cascade_fields(3, part!(CascadeSettings, Grid, grid.patches[2])),
+        number_cascade_fields(4, part!(CascadeSettings, Grid, grid.patches[3])),
         part!(Screen, Screen, screen),
     ];
     parts.into_iter().flatten().collect()
@@ -48,7 +48,7 @@ pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
 
 /// Appends `number` to the keys of parameters, as in `wind2` for the second wave system. The memory of the new keys is
 /// never freed, but they are made only once, for [`FIELDS`].
-fn number_keys(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
+fn with_numbered_keys(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
     for field in &mut fields {
         field.key = format!("{}{number}", field.key).leak();
     }
@@ -61,10 +61,10 @@ fn number_cascade_fields(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
     for field in &mut fields {
         field.label = format!("{} {number}", field.label).leak();
     }
-    number_keys(number, fields)
+    with_numbered_keys(number, fields)
 }
 
-/// Description of the parameter [`Sea::loop_s`], the period after which the sea repeats: a parameter of the sea that
+/// Description of the parameter [`Sea::repeat_period_s`], the period after which the sea repeats: a parameter of the sea that
 /// the panel shows with the time.
 fn loop_time_field() -> Field {
     Field {
@@ -75,8 +75,8 @@ fn loop_time_field() -> Field {
         kind: number(0.0, 3600.0),
         zero_word: "none",
         help: "Period after which the sea repeats; 0 (none) is a day. Wave frequencies become multiples of 1/period.",
-        get: Box::new(|p| p.sea.loop_s),
-        set: Box::new(|p, value| p.sea.loop_s = value),
+        get: Box::new(|p| p.sea.repeat_period_s),
+        set: Box::new(|p, value| p.sea.repeat_period_s = value),
     }
 }
 

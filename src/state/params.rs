@@ -49,14 +49,14 @@ parameters! {
         /// statistics (Heitz and Neyret 2018). 0 shows the periodic patches.
         hide_tiling: bool = true => ("untile", "No repetition", "", Flag),
         /// Manual settings of each cascade (patch of sea with its own FFT), the longest patch first.
-        patches: [PatchOverride; MAX_CASCADES] = [PatchOverride::default(); MAX_CASCADES],
+        patches: [CascadeSettings; MAX_CASCADES] = [CascadeSettings::default(); MAX_CASCADES],
     }
 }
 
 parameters! {
     /// Manual settings of one cascade (patch of sea with its own FFT). A value of 0 is replaced by an automatic choice.
     #[derive(Copy)]
-    pub struct PatchOverride {
+    pub struct CascadeSettings {
         /// Side of this cascade's square patch; 0 chooses it automatically.
         side_m: f64 = 0.0 => ("patch", "Patch", "m", number(0.0, 1e5), "auto"),
         /// Smallest wave number of the waves in this cascade; 0 chooses it automatically.

@@ -30,7 +30,7 @@ pub struct ParsedState {
     pub params: Params,
     /// Keys, sorted, whose values were taken from the string, as written or clamped; besides those of [`FIELDS`],
     /// `measured`, `afloat` and `sky` can occur.
-    pub keys_set: Vec<&'static str>,
+    pub keys_taken: Vec<&'static str>,
     /// Messages to the user about values that were ignored or changed, repeated keys, an unknown version or a too long
     /// string.
     pub notices: Vec<String>,
@@ -47,17 +47,17 @@ pub struct ParsedState {
 /// assert_eq!(query::write(&params), "wind=14&fetch=300");
 /// ```
 pub fn parse(text: &str) -> (Params, Vec<String>) {
-    let ParsedState { params, notices, .. } = read(text);
+    let ParsedState { params, notices, .. } = parse_with_keys(text);
     (params, notices)
 }
 
 /// Reads a state string (the parameters as a URL query such as `wind=14&t=40`) or a whole URL. Returns the parameters,
 /// the keys that it sets, and messages to the user; [`parse`] returns no keys.
-pub fn read(text: &str) -> ParsedState {
+pub fn parse_with_keys(text: &str) -> ParsedState {
     read_with(text, VERSION_STEPS)
 }
 
-/// Does the work of [`read`]. `steps` translate old state strings to the newest version: [`VERSION_STEPS`], or others
+/// Does the work of [`parse_with_keys`]. `steps` translate old state strings to the newest version: [`VERSION_STEPS`], or others
 /// in tests.
 fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
     let mut reading = ParsedState::default();
@@ -70,6 +70,9 @@ fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
     reading.notices.extend(notice);
     let mut seen = Vec::new();
     for (key, value) in pairs {
+        if let Some(special) = [MEASURED_KEY, FLOATS_KEY, SKY_KEY].into_iter().find(|special| *special == key) {
+            reading.note_repetition(special, &mut seen);
+        }
         match &*key {
             MEASURED_KEY => {
                 let spectrum = MeasuredSpectrum::from_state(&value);
@@ -77,28 +80,37 @@ fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
             }
             FLOATS_KEY => reading.set_or_notify(FLOATS_KEY, floats::read(&value), |p, floats| p.floats = floats),
             SKY_KEY => {
-                reading.params.look.sky.file = SkyFile::from_path(&value);
-                reading.keys_set.extend(reading.params.look.sky.file.as_ref().map(|_| SKY_KEY));
+                let file = SkyFile::from_path(&value).ok_or_else(|| "the name has no printable character".to_owned());
+                reading.set_or_notify(SKY_KEY, file, |p, file| p.look.sky.file = Some(file));
             }
             _ => reading.set_field(&key, &value, &mut seen),
         }
     }
     truncate_notices(&mut reading.notices);
-    reading.keys_set.sort_unstable();
-    reading.keys_set.dedup();
+    reading.keys_taken.sort_unstable();
+    reading.keys_taken.dedup();
     reading
 }
 
 impl ParsedState {
-    /// Stores the parsed value of the key `measured` or `afloat` in the parameters by calling `set`, and notes the key.
+    /// Stores the parsed value of the key `measured`, `afloat` or `sky` in the parameters by calling `set`, and notes the key.
     /// If `value` is an error, adds its reason to the messages to the user instead.
     fn set_or_notify<T>(&mut self, key: &'static str, value: Result<T, String>, set: impl FnOnce(&mut Params, T)) {
         match value {
             Ok(value) => {
                 set(&mut self.params, value);
-                self.keys_set.push(key);
+                self.keys_taken.push(key);
             }
             Err(reason) => self.notices.push(format!("{key}: {reason}: ignored")),
+        }
+    }
+
+    /// Adds a key to `seen`, the keys earlier in the string, or a message to the user if the key is in it already.
+    fn note_repetition(&mut self, key: &'static str, seen: &mut Vec<&'static str>) {
+        if seen.contains(&key) {
+            self.notices.push(format!("{key} appears more than once: the last one counts"));
+        } else {
+            seen.push(key);
         }
     }
 
@@ -110,25 +122,25 @@ impl ParsedState {
             return;
         };
         let key = field.key;
-        if seen.contains(&key) {
-            self.notices.push(format!("{key} appears more than once: the last one counts"));
-        } else {
-            seen.push(key);
-        }
+        self.note_repetition(key, seen);
         let parsed = field.parse(value);
         match parsed {
             Ok(_) => {}
             Err(InvalidValue::Ignored) => {
-                self.notices.push(format!("{key}={} is not one of: {}", quoted_excerpt(value), field.range()));
+                self.notices.push(format!(
+                    "{key}={} is not one of: {}",
+                    quoted_excerpt(value),
+                    field.allowed_values_text()
+                ));
             }
             Err(InvalidValue::Clamped(v)) => {
-                let (range, taken) = (field.range(), field.format(v));
+                let (range, taken) = (field.allowed_values_text(), field.format(v));
                 self.notices.push(format!("{key}={} is outside {range}: {taken} taken", quoted_excerpt(value)));
             }
         }
         let (Ok(taken) | Err(InvalidValue::Clamped(taken))) = parsed else { return };
         (field.set)(&mut self.params, taken);
-        self.keys_set.push(key);
+        self.keys_taken.push(key);
     }
 }
 
@@ -225,8 +237,8 @@ mod tests {
 
     #[test]
     fn what_was_taken_is_known() {
-        let r = read("wind=14&fetch=-3&wind=15&spectrum=nonsense&unknown=1&sky=a.hdr&gamma=3.3");
-        assert_eq!(r.keys_set, ["fetch", "gamma", "sky", "wind"]);
+        let r = parse_with_keys("wind=14&fetch=-3&wind=15&spectrum=nonsense&unknown=1&sky=a.hdr&gamma=3.3");
+        assert_eq!(r.keys_taken, ["fetch", "gamma", "sky", "wind"]);
     }
 
     /// Two invented version translations. Version 1 has the wind in knots, version 2 in m/s (taken as half the knots);
@@ -267,7 +279,7 @@ mod tests {
             assert_eq!((write_with(&params, MADE_UP).as_str(), notices), (want, vec![]), "{link}");
             assert_eq!(read_with(want, MADE_UP).params, params, "{link}");
         }
-        assert_eq!(read_with("v=2&wind=20&wrong=1", MADE_UP).keys_set, ["fetch", "wind"]);
+        assert_eq!(read_with("v=2&wind=20&wrong=1", MADE_UP).keys_taken, ["fetch", "wind"]);
     }
 
     #[test]

@@ -107,7 +107,7 @@ parameters! {
         /// ochi-hubble, torsethaugen: two peaks (1976, 2004); measured: a buoy's file.
         spectrum: SpectrumKind = SpectrumKind::Jonswap => ("spectrum", "Spectrum", "", Choice(SpectrumKind::WORDS)),
         /// Factor on the wave height of this system: 1 is the physical height, 0 switches the system off.
-        scale: f64 = 1.0 => ("scale", "Scale", "", number(0.0, 5.0), "off"),
+        height_factor: f64 = 1.0 => ("scale", "Scale", "", number(0.0, 5.0), "off"),
         /// Wind speed 10 m above the sea: Beaufort 4 is about 7, a gale (Beaufort 8) about 19, a hurricane above 33.
         wind_m_s: f64 = 12.0 => ("wind", "Wind", "m/s", number(0.0, 60.0)),
         /// Fetch, the distance that the wind has blown over: more makes longer, higher waves (Hasselmann 1973).
@@ -136,9 +136,9 @@ parameters! {
         /// Second directional spreading, which can be blended with the first.
         blend_to: SpreadKind = SpreadKind::Isotropic => ("blendto", "Blend to", "", Choice(SpreadKind::WORDS)),
         /// Weight of the second directional spreading in the blend; the first has the rest.
-        blend: f64 = 0.0 => ("blend", "Blend", "", number(0.0, 1.0)),
+        blend_weight: f64 = 0.0 => ("blend", "Blend", "", number(0.0, 1.0)),
         /// Fraction of the wave energy that is spread evenly over all directions.
-        isotropic: f64 = 0.0 => ("iso", "Agitation", "", number(0.0, 1.0)),
+        isotropic_fraction: f64 = 0.0 => ("iso", "Agitation", "", number(0.0, 1.0)),
         /// Horvath's swell parameter (2015): 0 keeps the directional spreading, 1 narrows that of the long waves most,
         /// to parallel swell; the wave height does not change.
         swell: f64 = 0.0 => ("swell", "Swell", "", number(0.0, 1.0)),
@@ -150,7 +150,7 @@ impl WaveSystemParams {
     /// inside that storm.
     fn default_second_system() -> Self {
         Self {
-            scale: 0.0,
+            height_factor: 0.0,
             wind_m_s: 15.0,
             fetch_km: 300.0,
             from_deg: 300.0,
@@ -203,13 +203,13 @@ parameters! {
         /// Further factor on the horizontal displacement along z (south), multiplied by chop.
         chop_z: f64 = 1.0 => ("chopz", "Chop north-south", "", number(0.0, 2.0)),
         /// Factor on all displacements of the surface; 1 is the physical height.
-        height: f64 = 1.0 => ("height", "Height scale", "", logarithmic(0.1, 4.0)),
+        displacement_factor: f64 = 1.0 => ("height", "Height scale", "", logarithmic(0.1, 4.0)),
         /// Height of the still water in the world: the whole surface is raised or lowered.
-        level_m: f64 = 0.0 => ("level", "Water level", "m", number(-100.0, 100.0)),
+        still_water_level_m: f64 = 0.0 => ("level", "Water level", "m", number(-100.0, 100.0)),
         /// Seed of the random phases and amplitudes: another seed gives another sea with the same statistics.
         seed: u32 = 1 => ("seed", "Seed", "", integer(0, u32::MAX)),
         /// Period after which the sea repeats, s; 0 means a day. Its key in a state string is `loop`.
-        loop_s: f64 = 0.0,
+        repeat_period_s: f64 = 0.0,
         /// Formation and decay of whitecap foam.
         foam: Foam = Foam::default(),
     }

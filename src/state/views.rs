@@ -158,7 +158,7 @@ impl ViewChoice {
 
     /// Indices, from 0, of the layers that the view shows of a map (array texture) with `count` layers, one for each
     /// cascade or foam level: one layer or, if all are chosen in a map view, all.
-    pub fn cascade_layers(self, count: usize) -> std::ops::Range<usize> {
+    pub fn shown_layers(self, count: usize) -> std::ops::Range<usize> {
         match (self.displayed, self.cascade as usize) {
             (DisplayedView::Map(_), 0) => 0..count,
             // Views of the surface use one cascade, for mip levels: by default the finest.
@@ -194,7 +194,7 @@ mod tests {
         for (_, displayed, _) in DISPLAYED_VIEWS {
             for cascade in 0..=4 {
                 for most in 1..=4 {
-                    let cascade_layers = ViewChoice { displayed: *displayed, cascade }.cascade_layers(most);
+                    let cascade_layers = ViewChoice { displayed: *displayed, cascade }.shown_layers(most);
                     assert!(
                         !cascade_layers.is_empty() && cascade_layers.end <= most,
                         "{displayed:?} {cascade} of {most}: {cascade_layers:?}"

@@ -129,7 +129,7 @@ mod tests {
             assert!(low <= f.mean_wind_m_s && f.mean_wind_m_s <= high, "{f:?}");
             assert!((0.836 * (i as f64).powf(1.5) - f.mean_wind_m_s).abs() < 0.051, "{f:?}");
             let fetch = fields::find("fetch").expect("fetch");
-            assert_eq!(fetch.accept(f.fetch_km), Ok(f.fetch_km));
+            assert_eq!(fetch.check_value(f.fetch_km), Ok(f.fetch_km));
             assert_eq!((beaufort_number(low), beaufort_number(f.mean_wind_m_s)), (i, i));
             assert_eq!(beaufort_number(low + 0.01), i);
             if let Some(next) = BEAUFORT_FORCES.get(i + 1) {

@@ -25,7 +25,8 @@ impl SeaChange {
     pub fn between_seas(a: &Sea, b: &Sea) -> Option<Self> {
         // A parameter of the sea that is not reset here counts as a change of the waves.
         let without_foam = |sea: &Sea| Sea { foam: Foam::default(), ..sea.clone() };
-        let waves = |sea: &Sea| Sea { chop: 0.0, chop_x: 0.0, chop_z: 0.0, level_m: 0.0, ..without_foam(sea) };
+        let waves =
+            |sea: &Sea| Sea { chop: 0.0, chop_x: 0.0, chop_z: 0.0, still_water_level_m: 0.0, ..without_foam(sea) };
         if a == b {
             None
         } else if without_foam(a) == without_foam(b) {
@@ -66,7 +67,9 @@ mod tests {
             let expected = match (field.key, field.group) {
                 ("whitecaps" | "foamthreshold" | "foambias" | "foamdecay" | "foamrate", _) => Some(SeaChange::Foam),
                 ("chop" | "chopx" | "chopz" | "level", _) => Some(SeaChange::Surface),
-                ("loop", _) | (_, Group::Sea | Group::Swell | Group::Water | Group::Grid) => Some(SeaChange::Waves),
+                ("loop", _) | (_, Group::Sea | Group::SecondSystem | Group::Water | Group::Grid) => {
+                    Some(SeaChange::Waves)
+                }
                 _ => None,
             };
             assert_eq!(change, expected, "{}", field.key);

@@ -1,12 +1,10 @@
 //! Colour scales and captions of the false-colour views, which show maps or surface quantities. A scale depends only on
 //! the planned sea, so it does not change with time.
 
+use super::foam::FOAM_LEVELS;
 use super::plan::Plan;
 use super::statistics;
 use crate::state::views::{DisplayedView, MapView, SurfaceView, ViewChoice};
-
-/// Number of foam levels, square foam grids around the camera, each larger and coarser than the one before.
-const FOAM_LEVELS: usize = 4;
 
 /// Colours in which a false-colour view shows the values of a map or of the surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,20 +75,22 @@ impl ColourScale {
             DisplayedView::Picture | DisplayedView::Surface(SurfaceView::Wireframe) => {
                 Self::linear(0.0, 1.0, "", Palette::Direction)
             }
-            DisplayedView::Map(MapView::InitialSpectrum) => Self::amplitude(height_m, Palette::Sequential),
-            DisplayedView::Map(MapView::Spectrum) => Self::amplitude(height_m, Palette::Phase),
+            DisplayedView::Map(MapView::InitialSpectrum) => Self::amplitude_scale(height_m, Palette::Sequential),
+            DisplayedView::Map(MapView::Spectrum) => Self::amplitude_scale(height_m, Palette::Phase),
             DisplayedView::Map(MapView::Height) => symmetric("m", 3.0 * height_m),
             DisplayedView::Map(MapView::Dx | MapView::Dz) => symmetric("m", 3.0 * height_m * orbit),
             DisplayedView::Map(MapView::SlopeX | MapView::SlopeZ) => symmetric("", 2.5 * slope),
             DisplayedView::Map(MapView::DxDz | MapView::DxDx | MapView::DzDz) => symmetric("", 2.5 * slope * orbit),
             DisplayedView::Map(MapView::MomentXx | MapView::MomentZz) => positive(3.0 * slope * slope),
             DisplayedView::Map(MapView::MomentXz) => symmetric("", 1.5 * slope * slope),
-            DisplayedView::Map(MapView::Jacobian) => Self::jacobian(slope * orbit * chop),
+            DisplayedView::Map(MapView::Jacobian) => Self::jacobian_scale(slope * orbit * chop),
             DisplayedView::Map(MapView::Foam | MapView::Source) | DisplayedView::Surface(SurfaceView::Foam) => {
                 positive(1.0)
             }
             DisplayedView::Surface(SurfaceView::Normals) => Self::linear(-1.0, 1.0, "", Palette::Direction),
-            DisplayedView::Surface(SurfaceView::Jacobian) => Self::jacobian(plan.strain_variance(0.0).sqrt() * chop),
+            DisplayedView::Surface(SurfaceView::Jacobian) => {
+                Self::jacobian_scale(plan.strain_variance(0.0).sqrt() * chop)
+            }
             DisplayedView::Surface(SurfaceView::Roughness) => {
                 let wind = plan.sea.first_system().wind_m_s;
                 positive(plan.slope_variance(f64::INFINITY).max(statistics::cox_munk_mss(wind)))
@@ -105,13 +105,13 @@ impl ColourScale {
 
     /// Logarithmic scale over four decades of wave amplitude, up to 0.3 of the standard deviation of the elevation (m).
     /// The strongest wave of a narrow-banded sea has an amplitude of about 0.2 standard deviations.
-    fn amplitude(deviation_m: f64, palette: Palette) -> Self {
+    fn amplitude_scale(deviation_m: f64, palette: Palette) -> Self {
         let high = 0.3 * deviation_m;
         Self { low: 1e-4 * high, high, unit: "m", logarithmic: true, palette }
     }
 
     /// Scale of the Jacobian: 2.5 standard deviations to either side of 1 (flat water), at most from 0 (a fold) to 2.
-    fn jacobian(deviation: f64) -> Self {
+    fn jacobian_scale(deviation: f64) -> Self {
         let limit = (2.5 * deviation).clamp(1e-3, 1.0);
         Self::linear(1.0 - limit, 1.0 + limit, "", Palette::Diverging)
     }
@@ -129,7 +129,7 @@ pub struct Caption {
 /// Writes the caption that explains the colours of a view of a planned sea.
 pub fn caption(view: ViewChoice, plan: &Plan) -> Caption {
     let levels = matches!(view.displayed, DisplayedView::Map(MapView::Foam | MapView::Source));
-    let cascade_layers = view.cascade_layers(if levels { FOAM_LEVELS } else { plan.cascades.len() });
+    let cascade_layers = view.shown_layers(if levels { FOAM_LEVELS } else { plan.cascades.len() });
     let range = |layer: usize| {
         let s = ColourScale::new(view.displayed, plan, layer);
         let unit = if s.unit.is_empty() { String::new() } else { format!(" {}", s.unit) };

@@ -9,6 +9,9 @@ use super::statistics::monahan_coverage;
 use crate::state::params::WhitecapRule;
 use std::f64::consts::PI;
 
+/// Number of foam levels, square foam grids around the camera. Each is four times as wide as the next finer one.
+pub const FOAM_LEVELS: usize = 4;
+
 /// Factor of the fit F / (1 - F) = factor x (rate x decay time)^exponent x s for the mean foam F at a mean foam source
 /// s. The fit was made to GPU results for winds of 7 to 30 m/s, all foam levels, and rate x decay time from 1 to 50.
 const COVERAGE_FIT_FACTOR: f64 = 1.03;
@@ -21,7 +24,7 @@ const SOURCE_RAMP_SIGMAS: f64 = 0.5;
 
 /// Upper limit of the whitecap coverage that the foam model aims for, as a fraction of the surface.
 const MAX_COVERAGE: f64 = 0.9;
-/// Coefficient (1 - r2^2) / 4 in [`jacobian`], where r2, about 0.45, is the second directional moment of short waves.
+/// Coefficient (1 - r2^2) / 4 in [`mean_jacobian_at_strain`], where r2, about 0.45, is the second directional moment of short waves.
 const DETERMINANT_COEFFICIENT: f64 = 0.2;
 /// Texel size of the foam grid for which the user's fixed threshold holds, m; others get one that keeps foam as rare.
 const REFERENCE_TEXEL_M: f64 = 0.25;
@@ -44,7 +47,7 @@ pub struct FoamModel {
     /// Compression at which foam starts to form, in standard deviations of the strain; infinite if there is no foam.
     threshold_sigmas: f64,
     /// Expected mean amount of foam over the sea surface, 0 (none) to 1 (fully covered).
-    pub coverage: f64,
+    pub expected_mean_foam: f64,
 }
 
 impl FoamModel {
@@ -53,23 +56,25 @@ impl FoamModel {
     pub fn new(plan: &Plan) -> Self {
         let foam = &plan.sea.foam;
         let sigma = strain_deviation(plan, REFERENCE_TEXEL_M);
-        let coverage = monahan_coverage(plan.sea.first_system().wind_m_s).min(MAX_COVERAGE);
-        let source =
-            coverage / (1.0 - coverage) / (COVERAGE_FIT_FACTOR * DEFAULT_RATE_DECAY.powf(COVERAGE_FIT_EXPONENT));
+        let expected_mean_foam = monahan_coverage(plan.sea.first_system().wind_m_s).min(MAX_COVERAGE);
+        let source = expected_mean_foam
+            / (1.0 - expected_mean_foam)
+            / (COVERAGE_FIT_FACTOR * DEFAULT_RATE_DECAY.powf(COVERAGE_FIT_EXPONENT));
         if sigma < MIN_SIGMA || (foam.whitecaps == WhitecapRule::Monahan && source <= 0.0) {
-            return Self { threshold_sigmas: f64::INFINITY, coverage: 0.0 };
+            return Self { threshold_sigmas: f64::INFINITY, expected_mean_foam: 0.0 };
         }
         let mut threshold_sigmas = match foam.whitecaps {
-            WhitecapRule::Fixed => sigmas_at(foam.threshold, sigma),
+            WhitecapRule::Fixed => compression_sigmas_at_jacobian(foam.threshold, sigma),
             WhitecapRule::Monahan => bisect(-2.0, 8.0, |z| mean_source(z) > source),
         };
         if foam.bias != 0.0 {
-            threshold_sigmas = sigmas_at(jacobian(threshold_sigmas, sigma) + foam.bias, sigma);
+            threshold_sigmas =
+                compression_sigmas_at_jacobian(mean_jacobian_at_strain(threshold_sigmas, sigma) + foam.bias, sigma);
         }
         let ratio = COVERAGE_FIT_FACTOR
             * (foam.rate_per_s * foam.decay_s).powf(COVERAGE_FIT_EXPONENT)
             * mean_source(threshold_sigmas);
-        Self { threshold_sigmas, coverage: ratio / (1.0 + ratio) }
+        Self { threshold_sigmas, expected_mean_foam: ratio / (1.0 + ratio) }
     }
 
     /// Foam source on a foam grid with texels of `texel_m` (m). A coarser grid resolves less variance of the Jacobian,
@@ -79,8 +84,10 @@ impl FoamModel {
         if sigma < MIN_SIGMA || self.threshold_sigmas.is_infinite() {
             return FoamSource { threshold: -1e3, slope: 0.0 };
         }
-        let threshold = jacobian(self.threshold_sigmas, sigma);
-        let slope = 1.0 / (threshold - jacobian(self.threshold_sigmas + SOURCE_RAMP_SIGMAS, sigma)).max(0.05 * sigma);
+        let threshold = mean_jacobian_at_strain(self.threshold_sigmas, sigma);
+        let slope = 1.0
+            / (threshold - mean_jacobian_at_strain(self.threshold_sigmas + SOURCE_RAMP_SIGMAS, sigma))
+                .max(0.05 * sigma);
         FoamSource { threshold, slope }
     }
 }
@@ -90,15 +97,15 @@ impl FoamModel {
 ///
 /// J is 1 + s + the determinant of the strain tensor. For a given s the mean of the determinant is
 /// (s^2 - sigma^2) (1 - r2^2) / 4 with the second directional moment r2 (1 for long-crested, 0 for isotropic waves).
-fn jacobian(threshold_sigmas: f64, sigma: f64) -> f64 {
+fn mean_jacobian_at_strain(threshold_sigmas: f64, sigma: f64) -> f64 {
     1.0 - threshold_sigmas * sigma
         + DETERMINANT_COEFFICIENT * (threshold_sigmas * threshold_sigmas - 1.0) * sigma * sigma
 }
 
-/// Inverse of [`jacobian`]: compression (negative strain) at which the mean Jacobian equals `threshold`, as a multiple
+/// Inverse of [`mean_jacobian_at_strain`]: compression (negative strain) at which the mean Jacobian equals `threshold`, as a multiple
 /// of the standard deviation `sigma` of the strain. Of the two solutions it returns the smaller one.
-fn sigmas_at(threshold: f64, sigma: f64) -> f64 {
-    bisect(-8.0, (0.5 / (DETERMINANT_COEFFICIENT * sigma)).min(12.0), |z| jacobian(z, sigma) > threshold)
+fn compression_sigmas_at_jacobian(threshold: f64, sigma: f64) -> f64 {
+    bisect(-8.0, (0.5 / (DETERMINANT_COEFFICIENT * sigma)).min(12.0), |z| mean_jacobian_at_strain(z, sigma) > threshold)
 }
 
 /// Finds by bisection the value in [low, high] up to which the condition `holds` is true and above which it is false.

@@ -20,7 +20,7 @@ pub struct MapSpectrumEstimator {
     cascade: usize,
     map: Vec<[f64; 2]>,
     /// Number of lines of `map` that are Fourier-transformed, 0 to 2 n: first its n rows, then its n columns.
-    done: usize,
+    transformed_lines: usize,
     bin_rad_s: f64,
     spectrum: MapSpectrum,
 }
@@ -34,7 +34,7 @@ impl MapSpectrumEstimator {
     pub fn new(plan: &Plan, bin_rad_s: f64, bins: usize) -> Self {
         let n = plan.n as usize;
         let spectrum = MapSpectrum { m0_m2: 0.0, bin_variances_m2: vec![0.0; bins] };
-        Self { fft: Fft::new(n), cascade: 0, map: vec![[0.0; 2]; n * n], done: 0, bin_rad_s, spectrum }
+        Self { fft: Fft::new(n), cascade: 0, map: vec![[0.0; 2]; n * n], transformed_lines: 0, bin_rad_s, spectrum }
     }
 
     /// Transforms about `points` more texels of the height maps. Returns the spectrum when all are done, else `None`.
@@ -51,21 +51,23 @@ impl MapSpectrumEstimator {
             if self.cascade == plan.cascades.len() {
                 break;
             }
-            if self.done < n {
-                let line = &mut self.map[n * self.done..n * (self.done + 1)];
-                line.iter_mut().zip(row(self.cascade, self.done)).for_each(|(to, height)| *to = [height, 0.0]);
+            if self.transformed_lines < n {
+                let line = &mut self.map[n * self.transformed_lines..n * (self.transformed_lines + 1)];
+                line.iter_mut()
+                    .zip(row(self.cascade, self.transformed_lines))
+                    .for_each(|(to, height)| *to = [height, 0.0]);
                 self.spectrum.m0_m2 += line.iter().map(|h| h[0] * h[0]).sum::<f64>() / (n * n) as f64;
                 self.fft.forward(line);
             } else {
-                let x = self.done - n;
+                let x = self.transformed_lines - n;
                 let mut column: Vec<[f64; 2]> = self.map[x..].iter().step_by(n).copied().collect();
                 self.fft.forward(&mut column);
                 self.add_column(plan, x, &column);
             }
-            self.done += 1;
-            if self.done == 2 * n {
+            self.transformed_lines += 1;
+            if self.transformed_lines == 2 * n {
                 self.cascade += 1;
-                self.done = 0;
+                self.transformed_lines = 0;
             }
         }
         (self.cascade == plan.cascades.len()).then_some(&self.spectrum)

@@ -94,9 +94,9 @@ impl Plan {
             ));
             energy = scale_systems(&mut systems, MAX_STRAIN_VARIANCE / strain, &dispersion);
         }
-        let period_s = if sea.loop_s > 0.0 { sea.loop_s.max(1.0) } else { DAY_S };
+        let period_s = if sea.repeat_period_s > 0.0 { sea.repeat_period_s.max(1.0) } else { DAY_S };
         let omega_p = energy.omega_p;
-        if sea.loop_s > 0.0 && period_s * omega_p < 30.0 * TAU {
+        if sea.repeat_period_s > 0.0 && period_s * omega_p < 30.0 * TAU {
             notices.push(
                 "the loop is shorter than 30 peak periods: rounding the frequencies to it changes the sea".into(),
             );
@@ -223,11 +223,11 @@ fn system_notices(sea: &Sea, systems: &[WaveSystem]) -> Vec<String> {
     }
     for (system, default) in sea.systems.iter().zip(&defaults) {
         let sets_wind = (system.wind_m_s, system.fetch_km) != (default.wind_m_s, default.fetch_km);
-        if system.scale > 0.0 && system.hs_m > 0.0 && system.tp_s > 0.0 && sets_wind {
+        if system.height_factor > 0.0 && system.hs_m > 0.0 && system.tp_s > 0.0 && sets_wind {
             notices.push("height and period are set (hs, tp): wind and fetch have little effect on them".into());
         }
     }
-    if sea.systems[1].scale == 0.0 && sea.systems[1] != defaults[1] {
+    if sea.systems[1].height_factor == 0.0 && sea.systems[1] != defaults[1] {
         notices.push("the second wave system is off: set scale2 to switch it on".into());
     }
     notices

@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 pub type SlopeVariance = [f64; 2];
 
 /// Number of steps of the numerical integrals over frequency and over direction.
-const STEPS: usize = 64;
+const INTEGRATION_STEPS: usize = 64;
 
 /// Mean square slopes of a clean sea at the wind speed U (m/s): 0.00316 U along the wind and 0.003 + 0.00192 U across
 /// it (Cox and Munk 1954).
@@ -26,9 +26,9 @@ pub fn slope_variance_between(plan: &Plan, k_low: f64, k_high: f64) -> SlopeVari
     if plan.is_calm() || from >= to {
         return [0.0; 2];
     }
-    let step = (to / from).ln() / STEPS as f64;
+    let step = (to / from).ln() / INTEGRATION_STEPS as f64;
     let mut sum = [0.0; 2];
-    for i in 0..STEPS {
+    for i in 0..INTEGRATION_STEPS {
         let omega = from * (step * (i as f64 + 0.5)).exp();
         let weight = omega * step * plan.dispersion.wave_number(omega).powi(2);
         for system in &plan.systems {
@@ -64,9 +64,9 @@ pub fn residual_slope_variance(plan: &Plan, resolved: SlopeVariance) -> SlopeVar
 pub fn shortest_caustic_half_wavelength_m(plan: &Plan, reach_m: f64) -> f64 {
     const STRAIN_VARIANCE: f64 = 0.4;
     let (low, high) = (plan.dispersion.wave_number(plan.frequency_range().0).max(1e-4), plan.k_max().max(2e-4));
-    let step = (high / low).ln() / STEPS as f64;
+    let step = (high / low).ln() / INTEGRATION_STEPS as f64;
     let mut variance = 0.0;
-    for i in 0..STEPS {
+    for i in 0..INTEGRATION_STEPS {
         let (a, b) = (low * (step * i as f64).exp(), low * (step * (i + 1) as f64).exp());
         variance += plan.energy.mss_between(a, b) * a * b * reach_m * reach_m;
         if variance > STRAIN_VARIANCE {
@@ -81,8 +81,8 @@ pub fn shortest_caustic_half_wavelength_m(plan: &Plan, reach_m: f64) -> f64 {
 fn mean_cos2(system: &WaveSystem, omega: f64, axis: [f64; 2]) -> f64 {
     let mean = |density: &dyn Fn([f64; 2]) -> f64| {
         let (mut sum, mut total) = (0.0, 0.0);
-        for i in 0..STEPS {
-            let (sin, cos) = (TAU * (i as f64 + 0.5) / STEPS as f64).sin_cos();
+        for i in 0..INTEGRATION_STEPS {
+            let (sin, cos) = (TAU * (i as f64 + 0.5) / INTEGRATION_STEPS as f64).sin_cos();
             let d = density([cos, sin]);
             sum += d * (cos * axis[0] + sin * axis[1]).powi(2);
             total += d;

@@ -74,7 +74,7 @@ impl Spreading {
         let (first, second, blend, mut isotropic) = if spectrum.has_own_direction {
             (SpreadKind::Cos2, SpreadKind::Cos2, 0.0, 0.0)
         } else {
-            (system.spread, system.blend_to, system.blend, system.isotropic)
+            (system.spread, system.blend_to, system.blend_weight, system.isotropic_fraction)
         };
         let directed = 1.0 - isotropic;
         let mut families = Vec::new();
@@ -292,7 +292,14 @@ mod tests {
         for spread in KINDS {
             for blend_to in KINDS {
                 let local = Sea::default().systems[0].clone();
-                assert_unit(&WaveSystemParams { spread, blend_to, blend: 0.3, isotropic: 0.2, swell: 0.5, ..local });
+                assert_unit(&WaveSystemParams {
+                    spread,
+                    blend_to,
+                    blend_weight: 0.3,
+                    isotropic_fraction: 0.2,
+                    swell: 0.5,
+                    ..local
+                });
             }
         }
     }
@@ -301,8 +308,12 @@ mod tests {
     fn a_blend_ends_on_its_families() {
         let local = Sea::default().systems[0].clone();
         let at = |blend: f64, isotropic: f64| {
-            let d =
-                spreading(&WaveSystemParams { blend_to: SpreadKind::Cos2Positive, blend, isotropic, ..local.clone() });
+            let d = spreading(&WaveSystemParams {
+                blend_to: SpreadKind::Cos2Positive,
+                blend_weight: blend,
+                isotropic_fraction: isotropic,
+                ..local.clone()
+            });
             [0.0, 1.0, 2.0].map(|theta| d.density(1.3 * d.omega_p, theta))
         };
         assert_eq!(at(1.0, 0.0)[0], 2.0 / PI);

@@ -135,7 +135,7 @@ impl SpectrumStatistics {
             steepness: hs_m * k_p / TAU,
             mss: mss.max(0.0),
             k_max,
-            mean_from_deg: (r1 > MIN_R1_FOR_DIRECTION).then(|| from_deg(first_moment)),
+            mean_from_deg: (r1 > MIN_R1_FOR_DIRECTION).then(|| bearing_waves_come_from_deg(first_moment)),
             spread_deg: spread_deg(r1),
             benjamin_feir: k_p * m0.sqrt() * peakedness * TAU.sqrt(),
             whitecap_fraction: monahan_coverage(plan.sea.first_system().wind_m_s),
@@ -149,7 +149,7 @@ impl LatticeStatistics {
     pub fn new(plan: &Plan, theory_m0: f64) -> Self {
         let mut moments = SpectralMoments::default();
         for (cascade, table) in plan.cascades.iter().zip(Table::for_all_cascades(plan)) {
-            for (ix, iz) in lattice(plan.n) {
+            for (ix, iz) in lattice_indices(plan.n) {
                 let wave = &table.waves[entry_index(ix, iz)];
                 if wave.k > 0.0 {
                     let unit = [f64::from(ix), f64::from(iz)].map(|i| i * cascade.dk() / wave.k);
@@ -157,12 +157,12 @@ impl LatticeStatistics {
                 }
             }
         }
-        moments.resolved(theory_m0)
+        moments.to_statistics(theory_m0)
     }
 }
 
 /// Signed indices (ix, iz) of the wave vectors of an n x n lattice, row by row, without the Nyquist index -n/2.
-pub fn lattice(n: u32) -> impl Iterator<Item = (i32, i32)> {
+pub fn lattice_indices(n: u32) -> impl Iterator<Item = (i32, i32)> {
     let half = n as i32 / 2;
     (1 - half..half).flat_map(move |iz| (1 - half..half).map(move |ix| (ix, iz)))
 }
@@ -171,7 +171,7 @@ pub fn lattice(n: u32) -> impl Iterator<Item = (i32, i32)> {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SpectralMoments {
     /// Spectral moments m0, m1 and m2: sums of variance times omega^i, m^2 (rad/s)^i.
-    pub m: [f64; 3],
+    pub moments: [f64; 3],
     mss: f64,
     /// Sum over the waves of variance times unit vector of travel (x, z), m^2.
     pub first_moment: [f64; 2],
@@ -180,7 +180,7 @@ pub struct SpectralMoments {
 impl SpectralMoments {
     /// Adds a wave by its variance (m^2), wave number `k` (rad/m), frequency `omega` (rad/s) and unit vector of travel.
     pub fn add(&mut self, variance: f64, k: f64, omega: f64, unit: [f64; 2]) {
-        for (power, m) in (0..).zip(&mut self.m) {
+        for (power, m) in (0..).zip(&mut self.moments) {
             *m += variance * omega.powi(power);
         }
         self.mss += variance * k * k;
@@ -190,8 +190,8 @@ impl SpectralMoments {
     }
 
     /// Statistics of the added waves. `theory_m0` (m^2) is the variance of the whole spectrum, for `m0_fraction`.
-    pub fn resolved(&self, theory_m0: f64) -> LatticeStatistics {
-        let [m0, m1, m2] = self.m;
+    pub fn to_statistics(&self, theory_m0: f64) -> LatticeStatistics {
+        let [m0, m1, m2] = self.moments;
         if m0 <= 0.0 {
             return LatticeStatistics {
                 m0_fraction: if theory_m0 > 0.0 { 0.0 } else { 1.0 },
@@ -207,14 +207,14 @@ impl SpectralMoments {
             mss: self.mss,
             m0_fraction: if theory_m0 > 0.0 { m0 / theory_m0 } else { 1.0 },
             r1,
-            mean_from_deg: (r1 > MIN_R1_FOR_DIRECTION).then(|| from_deg(self.first_moment)),
+            mean_from_deg: (r1 > MIN_R1_FOR_DIRECTION).then(|| bearing_waves_come_from_deg(self.first_moment)),
             spread_deg: spread_deg(r1),
         }
     }
 }
 
 /// Direction from which waves come that travel along the vector (x, z): degrees clockwise from north in [0, 360).
-pub fn from_deg([x, z]: [f64; 2]) -> f64 {
+pub fn bearing_waves_come_from_deg([x, z]: [f64; 2]) -> f64 {
     (-x).atan2(z).to_degrees().rem_euclid(360.0)
 }
 
@@ -242,7 +242,7 @@ pub fn realised_variance(plan: &Plan, t_s: f64) -> f64 {
     let mut total = 0.0;
     for (cascade, table) in plan.cascades.iter().zip(Table::for_all_cascades(plan)) {
         // h(-k) is the conjugate of h(k), so half of the lattice is enough.
-        for (ix, iz) in lattice(plan.n).filter(|&(ix, iz)| iz > 0 || (iz == 0 && ix > 0)) {
+        for (ix, iz) in lattice_indices(plan.n).filter(|&(ix, iz)| iz > 0 || (iz == 0 && ix > 0)) {
             let wave = &table.waves[entry_index(ix, iz)];
             if wave.k == 0.0 {
                 continue;
@@ -283,7 +283,7 @@ mod tests {
 
     #[test]
     fn directions_are_compass_bearings() {
-        assert_eq!(from_deg([0.0, 1.0]), 0.0, "a wave running south comes from north");
-        assert_eq!(from_deg([-1.0, 0.0]), 90.0, "a wave running west comes from east");
+        assert_eq!(bearing_waves_come_from_deg([0.0, 1.0]), 0.0, "a wave running south comes from north");
+        assert_eq!(bearing_waves_come_from_deg([-1.0, 0.0]), 90.0, "a wave running west comes from east");
     }
 }

@@ -39,7 +39,8 @@ pub enum TermKind {
 impl WaveSystem {
     /// Makes the spectrum and the directional spreading of a wave system from its parameters.
     pub fn new(sea: &Sea, system: &WaveSystemParams) -> Self {
-        let spectrum = spectra::spectrum_of_system(sea, system).scaled(sea.height * sea.height);
+        let spectrum =
+            spectra::spectrum_of_system(sea, system).scaled(sea.displacement_factor * sea.displacement_factor);
         let spreading = Spreading::new(sea, system, &spectrum);
         Self { spectrum, spreading, travel: travel_direction(system.from_deg) }
     }

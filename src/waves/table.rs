@@ -97,7 +97,7 @@ impl Table {
                     let wave = plan.wave(cascade, i2);
                     for (system, norms) in plan.systems.iter().zip(norms) {
                         let variance = 0.25 * plan.radial_variance(system, cascade, &wave);
-                        push(&mut out.values, system, norms, variance, wave.omega);
+                        push_system_values(&mut out.values, system, norms, variance, wave.omega);
                     }
                     out.waves.push(wave);
                 }
@@ -124,7 +124,8 @@ impl Table {
                 }
                 TermKind::Measured => {
                     let phi2 = [r, value(term.first_vector + 1)[0]];
-                    MaximumEntropy { norm: variance, phi1: [p, q].into(), phi2: phi2.into() }.density(k[1].atan2(k[0]))
+                    MaximumEntropy { normalisation: variance, phi1: [p, q].into(), phi2: phi2.into() }
+                        .density(k[1].atan2(k[0]))
                 }
             }
         };
@@ -134,10 +135,10 @@ impl Table {
 
 /// Appends the values of one wave system at the angular frequency `omega` (rad/s) to the table values `out`. `variance`
 /// is S dkx dkz / 4 per radian of direction, m^2.
-fn push(out: &mut Vec<[f64; 4]>, system: &WaveSystem, norms: &Norms, variance: f64, omega: f64) {
+fn push_system_values(out: &mut Vec<[f64; 4]>, system: &WaveSystem, norms: &Norms, variance: f64, omega: f64) {
     match system.directions(omega) {
         Directions::Measured(mem) => {
-            out.push([variance * mem.norm, mem.phi1[0], mem.phi1[1], mem.phi2[0]]);
+            out.push([variance * mem.normalisation, mem.phi1[0], mem.phi1[1], mem.phi2[0]]);
             out.push([mem.phi2[1], 0.0, 0.0, 0.0]);
         }
         Directions::Lobes(at) => {

@@ -6,7 +6,7 @@ pub mod wgsl;
 
 use seastate::gpu::map_format::MapFormat;
 use seastate::gpu::{Gpu, device};
-use seastate::ocean::still::{FORMAT, draw_ocean_picture};
+use seastate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture};
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::shaders::Shaders;
 use seastate::sim::{MapsF32, Simulation};
@@ -54,7 +54,7 @@ impl Pictures {
     /// anew.
     pub fn render(&mut self, params: &Params, size: [u32; 2]) -> Vec<[u8; 4]> {
         let gpu = &self.gpu;
-        let ocean = self.ocean.get_or_insert_with(|| Ocean::new(gpu, FORMAT, OutputKind::Screen, params));
+        let ocean = self.ocean.get_or_insert_with(|| Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, params));
         ocean.set_params(params);
         let bytes = pollster::block_on(draw_ocean_picture(&self.gpu, ocean, size)).expect("a picture");
         bytes.chunks(4).map(|p| [p[0], p[1], p[2], p[3]]).collect()
@@ -95,7 +95,7 @@ pub fn random_params(start: &str, number: u32) -> Params {
             FieldKind::Flag => u.round(),
             FieldKind::Colour => (u * f64::from(0x0100_0000)).floor(),
         };
-        (field.set)(&mut p, field.accept(value).unwrap_or(field.default_value()));
+        (field.set)(&mut p, field.check_value(value).unwrap_or(field.default_value()));
     }
     p
 }

@@ -171,7 +171,7 @@ fn show_action_buttons(app: &mut App, ui: &mut egui::Ui) {
             }
         }
         if with_accessible_name(ui.button("?"), "Keys and gestures").on_hover_text("Keys and gestures (F1)").clicked() {
-            app.help = !app.help;
+            app.help_is_open = !app.help_is_open;
         }
     });
 }

@@ -31,7 +31,7 @@ fn show_field_row(params: &mut Params, field: &'static Field, units: Units, ui: 
         "{}\n{} = {}{unit}, default {}",
         field.help,
         field.key,
-        field.range(),
+        field.allowed_values_text(),
         field.format(field.default_value())
     );
     let label = ui.label(field.label).on_hover_text(&help);
@@ -49,7 +49,7 @@ fn show_field_row(params: &mut Params, field: &'static Field, units: Units, ui: 
     }
     if value != before {
         // A typed value outside the range was clamped, and the slider shows the clamped value.
-        let (Ok(v) | Err(InvalidValue::Clamped(v))) = field.accept(value) else { return };
+        let (Ok(v) | Err(InvalidValue::Clamped(v))) = field.check_value(value) else { return };
         (field.set)(params, v);
     }
 }

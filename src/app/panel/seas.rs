@@ -10,26 +10,26 @@ use crate::waves::beaufort::{self, BEAUFORT_FORCES};
 /// The user's own named seas, with the state of the widgets that edit the list.
 #[derive(Default)]
 pub struct OwnSeas {
-    own: Vec<Preset>,
+    seas: Vec<Preset>,
     /// Text of the field for the name under which the current sea will be kept.
     name: String,
     /// Errors found when the stored list of the user's seas was read. If there are any, the list is copied before it is
     /// overwritten.
-    damage: Vec<String>,
+    stored_list_errors: Vec<String>,
     /// Whether the stored list with errors has already been copied to a second file or storage key.
-    is_aside: bool,
+    damaged_list_is_backed_up: bool,
 }
 
 impl OwnSeas {
     /// Loads the user's own named seas from storage.
     pub fn load() -> Self {
-        let (own, damage) = presets::read(&storage::load_seas());
-        Self { own, damage, ..Self::default() }
+        let (seas, stored_list_errors) = presets::read(&storage::load_seas());
+        Self { seas, stored_list_errors, ..Self::default() }
     }
 
     /// Notices about errors in the stored text of the user's own seas.
     pub fn notices(&self) -> Vec<String> {
-        self.damage.iter().map(|notice| format!("your own seas: {notice}")).collect()
+        self.stored_list_errors.iter().map(|notice| format!("your own seas: {notice}")).collect()
     }
 
     /// Adds named seas, replaces seas of equal name, and stores the list.
@@ -37,16 +37,16 @@ impl OwnSeas {
     /// # Errors
     /// One sentence, if the list cannot be stored.
     pub fn add(&mut self, new: Vec<Preset>) -> Result<(), String> {
-        presets::add(&mut self.own, new)?;
+        presets::add(&mut self.seas, new)?;
         self.store()
     }
 
     fn store(&mut self) -> Result<(), String> {
-        if !self.damage.is_empty() && !self.is_aside {
+        if !self.stored_list_errors.is_empty() && !self.damaged_list_is_backed_up {
             storage::back_up_damaged_seas()?;
-            self.is_aside = true;
+            self.damaged_list_is_backed_up = true;
         }
-        storage::store_seas(&presets::write(&self.own))
+        storage::store_seas(&presets::write(&self.seas))
     }
 }
 
@@ -93,10 +93,10 @@ pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
         }
     });
     let mut dropped = None;
-    if !app.own_seas.own.is_empty() {
+    if !app.own_seas.seas.is_empty() {
         ui.separator();
         ui.horizontal_wrapped(|ui| {
-            for preset in &app.own_seas.own {
+            for preset in &app.own_seas.seas {
                 if button_with_help(ui, &preset.name, &preset.state) {
                     chosen = Some(preset.clone());
                 }
@@ -108,10 +108,10 @@ pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
         });
     }
     if let Some(preset) = chosen {
-        app.turn_to_preset(&preset);
+        app.open_preset(&preset);
     }
     if let Some(name) = dropped {
-        app.own_seas.own.retain(|p| p.name != name);
+        app.own_seas.seas.retain(|p| p.name != name);
         app.run_or_notify(|app| app.own_seas.store());
     }
     ui.separator();
@@ -127,11 +127,11 @@ pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
             app.run_or_notify(|app| app.own_seas.add(vec![preset]));
         }
         if ui
-            .add_enabled(!app.own_seas.own.is_empty(), egui::Button::new("Export"))
+            .add_enabled(!app.own_seas.seas.is_empty(), egui::Button::new("Export"))
             .on_hover_text("Saves your seas as a text file: drop it on another Seastate to import them.")
             .clicked()
         {
-            let text = presets::write(&app.own_seas.own);
+            let text = presets::write(&app.own_seas.seas);
             app.save("seas.txt", text.as_bytes());
         }
     });
@@ -152,7 +152,7 @@ pub fn show_seed_row(app: &mut App, ui: &mut egui::Ui) {
 impl App {
     /// Opens a named sea in place of the current one. Light, camera and seed change only if its state string sets them,
     /// and a locked seed never changes.
-    fn turn_to_preset(&mut self, preset: &Preset) {
+    fn open_preset(&mut self, preset: &Preset) {
         let seed = self.params.sea.seed;
         let (params, notices) = preset.apply(&self.params);
         self.params = params;

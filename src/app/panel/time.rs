@@ -13,7 +13,7 @@ const SLIDER_RANGE_S: f64 = 120.0;
 
 /// Adds the buttons, the slider and the number fields for the simulated time and its speed.
 pub fn show_time_controls(app: &mut App, ui: &mut egui::Ui) {
-    let loop_s = app.params.sea.loop_s;
+    let loop_s = app.params.sea.repeat_period_s;
     let clock = &mut app.params.clock;
     ui.horizontal(|ui| {
         if button_with_help(ui, if clock.paused { "Play" } else { "Pause" }, "Space") {

@@ -54,37 +54,37 @@ fn fixed_plot(name: &str) -> Plot<'_> {
 
 /// Adds all plots to the panel, one below the other.
 pub fn show_all_plots(app: &mut App, ui: &mut egui::Ui) {
-    let mut wanted = None;
-    plot_section(ui, "Spectrum", true, &mut wanted, |ui| {
+    let mut table_to_save = None;
+    plot_section(ui, "Spectrum", true, &mut table_to_save, |ui| {
         app.visible_readouts.map_statistics.set(true);
         spectrum::show_spectrum_plot(app, ui)
     });
-    plot_section(ui, "Directions", false, &mut wanted, |ui| polar::show_direction_plot(app, ui));
-    plot_section(ui, "Sea at a buoy", false, &mut wanted, |ui| {
+    plot_section(ui, "Directions", false, &mut table_to_save, |ui| polar::show_direction_plot(app, ui));
+    plot_section(ui, "Sea at a buoy", false, &mut table_to_save, |ui| {
         app.visible_readouts.buoy_record.set(true);
         series::show_height_record_plot(app, ui)
     });
-    plot_section(ui, "Cut through the sea", false, &mut wanted, |ui| profile::show_profile_plot(app, ui));
-    if let Some(table) = wanted {
+    plot_section(ui, "Cut through the sea", false, &mut table_to_save, |ui| profile::show_profile_plot(app, ui));
+    if let Some(table) = table_to_save {
         let text = table.csv(&app.state());
         app.save(table.name, text.as_bytes());
     }
 }
 
 /// Adds a collapsible section, open at first if `open`, with what `plot` draws and a button "CSV". A click on the
-/// button puts the plot's table into `wanted`, which the caller then saves.
+/// button puts the plot's table into `table_to_save`, which the caller then saves.
 fn plot_section(
     ui: &mut egui::Ui,
     title: &str,
     open: bool,
-    wanted: &mut Option<PlotTable>,
+    table_to_save: &mut Option<PlotTable>,
     plot: impl FnOnce(&mut egui::Ui) -> PlotTable,
 ) {
     egui::CollapsingHeader::new(title).default_open(open).show(ui, |ui| {
         let table = plot(ui);
         let button = ui.small_button("CSV").on_hover_text("Saves these numbers.");
         if with_accessible_name(button, &format!("{title}: save as CSV")).clicked() {
-            *wanted = Some(table);
+            *table_to_save = Some(table);
         }
     });
 }

@@ -22,7 +22,7 @@ pub fn show_profile_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
     let shown: Vec<[f64; 2]> =
         (0..PROFILE_POINTS).map(|i| [distance(i), heights[i]].map(|x| x * length_scale.factor)).collect();
     let half = (0.9 * app.derived.theory.hs_m * length_scale.factor).max(0.05);
-    let level = app.params.sea.level_m * length_scale.factor;
+    let level = app.params.sea.still_water_level_m * length_scale.factor;
     let plot = fixed_plot("profile").include_y(level - half).include_y(level + half);
     plot.show(ui, |plot| {
         plot.hline(HLine::new("still water", level).color(egui::Color32::GRAY).width(1.0));

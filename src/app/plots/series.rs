@@ -19,13 +19,13 @@ impl App {
 
     /// Extends the record of heights at [`Self::record_label_and_position`] to the current time, while there is a
     /// floating object or the plot is visible.
-    pub(in crate::app) fn continue_record(&mut self) {
+    pub(in crate::app) fn extend_height_record(&mut self) {
         let wanted = self.visible_readouts.buoy_record.take() || !self.params.floats.is_empty();
         if !wanted || self.params.clock.paused && self.record.is_current(self.params.clock.t_s) {
             return;
         }
         let (_, place) = self.record_label_and_position();
-        let (sea, level_m) = (self.derived.strongest_waves(), self.params.sea.level_m);
+        let (sea, level_m) = (self.derived.strongest_waves(), self.params.sea.still_water_level_m);
         let height = |t_s| sea.sample(place[0], place[1], t_s).height_m - level_m;
         self.record.advance(self.params.clock.t_s, place, height);
     }

@@ -19,7 +19,7 @@ pub struct MaximumEntropy {
     pub phi2: DVec2,
     /// Factor in the formula of D(theta), which makes its integral over all directions 1: (1 - phi1 c1* - phi2 c2*) /
     /// (2 pi), per rad; * is the complex conjugate.
-    pub norm: f64,
+    pub normalisation: f64,
 }
 
 impl MaximumEntropy {
@@ -36,7 +36,7 @@ impl MaximumEntropy {
         // Levinson's recursion gives phi2 = (c2 - c1^2) / (1 - |c1|^2) and phi1 = c1 - phi2 c1*.
         let phi2 = with_limited_magnitude((dvec2(c, d) - c1.rotate(c1)) / free);
         let phi1 = c1 - phi2.rotate(conjugate(c1));
-        Self { phi1, phi2, norm: free * (1.0 - phi2.length_squared()) / TAU }
+        Self { phi1, phi2, normalisation: free * (1.0 - phi2.length_squared()) / TAU }
     }
 
     /// First moment c1 of the distribution as it is (after any shortening), the integral of D e^{i theta}, as (re, im).
@@ -52,7 +52,7 @@ impl MaximumEntropy {
         let (sin, cos) = theta.sin_cos();
         let first = self.phi1.rotate(dvec2(cos, -sin));
         let second = self.phi2.rotate(dvec2(cos * cos - sin * sin, -2.0 * sin * cos));
-        self.norm / (DVec2::X - first - second).length_squared()
+        self.normalisation / (DVec2::X - first - second).length_squared()
     }
 }
 
@@ -112,7 +112,7 @@ mod tests {
             let phi2 = c2 - c1.rotate(phi1);
             let norm = (1.0 - phi1.rotate(conjugate(c1)).x - phi2.rotate(conjugate(c2)).x) / TAU;
             assert!(mem.phi1.abs_diff_eq(phi1, 1e-9) && mem.phi2.abs_diff_eq(phi2, 1e-9), "{phi1} {phi2} {mem:?}");
-            assert!((mem.norm - norm).abs() < 1e-9, "{norm} {mem:?}");
+            assert!((mem.normalisation - norm).abs() < 1e-9, "{norm} {mem:?}");
         }
     }
 

@@ -78,10 +78,10 @@ impl MeasuredSpectrum {
         let s = if f >= last.0 {
             last.1 * (last.0 / f).powi(5)
         } else if f >= first.0 {
-            let (i, t) = self.interval(f);
+            let (i, t) = self.band_interval(f);
             self.bands[i].1 + t * (self.bands[i + 1].1 - self.bands[i].1)
         } else {
-            let low = self.low_hz();
+            let low = self.zero_density_hz();
             first.1 * ((f - low) / (first.0 - low)).max(0.0)
         };
         s / TAU
@@ -90,26 +90,26 @@ impl MeasuredSpectrum {
     /// Angular frequency at which the density, extrapolated below the first band, reaches 0, rad/s; at least a
     /// thousandth of that of the first band, so that its logarithm is finite.
     pub fn lowest_omega(&self) -> f64 {
-        TAU * self.low_hz().max(1e-3 * self.bands[0].0)
+        TAU * self.zero_density_hz().max(1e-3 * self.bands[0].0)
     }
 
     /// Angular frequencies at which the variance density has a kink, rad/s, ascending: the bands, and the frequency
     /// below them at which the density reaches 0.
     pub fn breakpoints(&self) -> Vec<f64> {
-        let low = (self.low_hz() > 0.0).then(|| self.low_hz());
+        let low = (self.zero_density_hz() > 0.0).then(|| self.zero_density_hz());
         low.into_iter().chain(self.bands.iter().map(|b| b.0)).map(|f| TAU * f).collect()
     }
 
     /// Variance of the surface elevation in the measured bands, m^2: the exact integral of
     /// [`MeasuredSpectrum::density`] over frequency up to the last band.
-    pub fn m0_m2(&self) -> f64 {
-        let foot = 0.5 * (self.bands[0].0 - self.low_hz()) * self.bands[0].1;
+    pub fn variance_m2(&self) -> f64 {
+        let foot = 0.5 * (self.bands[0].0 - self.zero_density_hz()) * self.bands[0].1;
         foot + self.bands.windows(2).map(|w| 0.5 * (w[1].0 - w[0].0) * (w[0].1 + w[1].1)).sum::<f64>()
     }
 
     /// Significant wave height of the measured bands, m: 4 sqrt(m0), where m0 is the variance of the elevation.
     pub fn hs_m(&self) -> f64 {
-        4.0 * self.m0_m2().sqrt()
+        4.0 * self.variance_m2().sqrt()
     }
 
     /// Peak angular frequency, rad/s: the band of the largest variance density, refined by a parabola through this band
@@ -133,19 +133,19 @@ impl MeasuredSpectrum {
     /// the angles, are linear in f between bands; they are constant below and above.
     pub fn moments(&self, omega: f64) -> Option<[f64; 4]> {
         let directions = self.directions.as_ref()?;
-        let (i, t) = self.interval(omega / TAU);
+        let (i, t) = self.band_interval(omega / TAU);
         let (a, b) = (directions[i].moments(), directions[i + 1].moments());
         Some(std::array::from_fn(|n| a[n] + t * (b[n] - a[n])))
     }
 
     /// Frequency below the first band at which the linearly extrapolated variance density reaches 0, Hz; at least 0.
-    fn low_hz(&self) -> f64 {
+    fn zero_density_hz(&self) -> f64 {
         (2.0 * self.bands[0].0 - self.bands[1].0).max(0.0)
     }
 
     /// (i, t): the frequency `f` in Hz lies between the bands i and i + 1, at the fraction t, 0 to 1, of the way. Below
     /// the first band it is (0, 0); from the last band on, t is 1.
-    fn interval(&self, f: f64) -> (usize, f64) {
+    fn band_interval(&self, f: f64) -> (usize, f64) {
         let i = self.bands.partition_point(|b| b.0 <= f).clamp(1, self.bands.len() - 1) - 1;
         let (low, high) = (self.bands[i].0, self.bands[i + 1].0);
         (i, ((f - low) / (high - low)).clamp(0.0, 1.0))

@@ -27,7 +27,7 @@ impl<'a> TextFile<'a> {
             "the file is UTF-16 text: save it as UTF-8".into()
         } else {
             match std::str::from_utf8(bytes) {
-                Ok(text) if text.lines().any(|line| !without_comment(line).is_empty()) => {
+                Ok(text) if text.lines().any(|line| !trimmed_line(line).is_empty()) => {
                     return Ok(Self { name, text });
                 }
                 Ok(_) => "the file is empty: choose another one".into(),
@@ -53,7 +53,7 @@ impl<'a> TextFile<'a> {
 }
 
 /// Returns a line without byte order mark and surrounding white space.
-pub(super) fn without_comment(line: &str) -> &str {
+pub(super) fn trimmed_line(line: &str) -> &str {
     line.trim_start_matches('\u{feff}').trim()
 }
 

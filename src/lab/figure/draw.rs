@@ -161,11 +161,11 @@ impl Figure {
         let (wide, high) = (46.0 + 6.4 * longest, 8.0 + 17.0 * named.len() as f64);
         let [left, top, right, bottom] = MARGINS;
         let x = match self.legend {
-            LegendCorner::Left => left + 8.0,
-            LegendCorner::Right | LegendCorner::LowerRight => FIGURE_WIDTH - right - 8.0 - wide,
+            LegendCorner::UpperLeft => left + 8.0,
+            LegendCorner::UpperRight | LegendCorner::LowerRight => FIGURE_WIDTH - right - 8.0 - wide,
         };
         let y = match self.legend {
-            LegendCorner::Left | LegendCorner::Right => top + 8.0,
+            LegendCorner::UpperLeft | LegendCorner::UpperRight => top + 8.0,
             LegendCorner::LowerRight => FIGURE_HEIGHT - bottom - 8.0 - high,
         };
         area.draw(&Rectangle::new([(x, y), (x + wide, y + high)].map(to_svg_point), WHITE.mix(0.85).filled()))?;

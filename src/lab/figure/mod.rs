@@ -38,9 +38,9 @@ pub struct FigureSeries {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LegendCorner {
     /// Top left corner of the plot area.
-    Left,
+    UpperLeft,
     /// Top right corner of the plot area.
-    Right,
+    UpperRight,
     /// Bottom right corner of the plot area.
     LowerRight,
 }

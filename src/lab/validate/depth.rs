@@ -9,14 +9,14 @@ const WIND: &str = "wind=20&fetch=300&n=128";
 const DEPTHS_M: [f64; 10] = [2.0, 3.0, 5.0, 8.0, 12.0, 20.0, 30.0, 50.0, 100.0, 200.0];
 /// The three forms of the TMA spectrum's depth factor: name in part 5 of the validation page, and the part of a state
 /// string that selects the form.
-const FORMS: [(&str, &str); 3] =
+const TMA_DEPTH_FORMS: [(&str, &str); 3] =
     [("exact", "spectrum=tma"), ("branches", "spectrum=tma&tmafit=branches"), ("Bouws", "spectrum=tma&bouws=1")];
 
 /// Adds part 5 to the validation page: wave height in water of finite depth.
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.
-pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
+pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     page.heading(2, "5. Depth");
     page.paragraph(
         "TMA is JONSWAP times Kitaigorodskii's depth factor. The program has three forms of it: exact, tanh²(kh) / (1 \
@@ -27,7 +27,7 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     let y = Axis::linear("significant wave height Hs, m", 0.0, 9.0);
     let mut figure = Figure::new("Wave height against depth", x.clone(), y, LegendCorner::LowerRight)
         .with_series(FigureSeries::new("cap, 0.6 h", 6, SeriesData::Dashes(sample_curve(&x, 200, |h| 0.6 * h))));
-    for (i, (name, state)) in FORMS.into_iter().enumerate() {
+    for (i, (name, state)) in TMA_DEPTH_FORMS.into_iter().enumerate() {
         let mut line = Vec::new();
         for [depth, _] in sample_curve(&x, 60, |_| 0.0) {
             line.push([depth, theory(&format!("{state}&{WIND}&depth={depth}"))?.hs_m]);
@@ -43,7 +43,7 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     ));
     let (mut rows, mut points) = (Vec::new(), Vec::new());
     for depth in DEPTHS_M {
-        let state = |form: usize| format!("{}&{WIND}&depth={depth}", FORMS[form].1);
+        let state = |form: usize| format!("{}&{WIND}&depth={depth}", TMA_DEPTH_FORMS[form].1);
         let sea = lab.measure_sea(&state(0))?;
         let (exact, resolved) = (sea.theory.hs_m, sea.resolved.hs_m);
         let (branches, bouws) = (theory(&state(1))?.hs_m, theory(&state(2))?.hs_m);

@@ -77,10 +77,10 @@ fn strongest_per_bin(waves: &[MeasuredWave]) -> Vec<[f64; 3]> {
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.
-pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
+pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     let x = Axis::log("wave number k, rad/m", 0.01, 6000.0);
     let y = Axis::log("phase speed ω/k, m/s", 0.1, 40.0);
-    let mut figure = Figure::new("Phase speed", x.clone(), y, LegendCorner::Right);
+    let mut figure = Figure::new("Phase speed", x.clone(), y, LegendCorner::UpperRight);
     let mut rows = Vec::new();
     let mut points = Vec::new();
     for (i, (name, state, label)) in SEAS.into_iter().enumerate() {

@@ -170,5 +170,7 @@ pub fn visit_expected_waves(plan: &Plan, visit: &mut dyn FnMut(&TravellingWave))
 /// the cascade's wave-number step, and wave number, rad/m.
 pub fn lattice_waves<'a>(plan: &Plan, cascade: &'a Cascade) -> impl Iterator<Item = (i32, i32, f64)> + 'a {
     let wave = |(ix, iz): (i32, i32)| (ix, iz, cascade.dk() * f64::from(ix * ix + iz * iz).sqrt());
-    statistics::lattice(plan.n).map(wave).filter(|&(ix, iz, k)| (ix, iz) != (0, 0) && cascade.contains_wave_number(k))
+    statistics::lattice_indices(plan.n)
+        .map(wave)
+        .filter(|&(ix, iz, k)| (ix, iz) != (0, 0) && cascade.contains_wave_number(k))
 }

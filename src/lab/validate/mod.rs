@@ -31,15 +31,15 @@ pub fn build(gpu: Option<&Gpu>, seeds: u32, parts: &[&str]) -> Result<Page, Stri
     introduce(&mut page, &lab);
     for part in parts {
         match *part {
-            "spectra" => spectra::write(&mut page, &lab)?,
-            "spreading" => spreading::write(&mut page, &lab)?,
-            "dispersion" => dispersion::write(&mut page, &lab)?,
+            "spectra" => spectra::add_part(&mut page, &lab)?,
+            "spreading" => spreading::add_part(&mut page, &lab)?,
+            "dispersion" => dispersion::add_part(&mut page, &lab)?,
             "published" => {
-                published::write(&mut page)?;
-                slopes::write(&mut page, &lab)?;
+                published::add_part(&mut page)?;
+                slopes::add_part(&mut page, &lab)?;
             }
-            "depth" => depth::write(&mut page, &lab)?,
-            "surface" => surface::write(&mut page, &lab)?,
+            "depth" => depth::add_part(&mut page, &lab)?,
+            "surface" => surface::add_part(&mut page, &lab)?,
             other => return Err(format!("the validation page has no part {other}")),
         }
     }

@@ -27,7 +27,7 @@ const BEAUFORT: [(u32, f64, f64, f64); 10] = [
     (12, 35.0, 14.0, f64::NAN),
 ];
 /// Upper limit of the significant wave height in each of the sea states 0 to 8, m (WMO code table 3700).
-const SEA_STATES: [f64; 9] = [0.0, 0.1, 0.5, 1.25, 2.5, 4.0, 6.0, 9.0, 14.0];
+const SEA_STATE_TOP_HS_M: [f64; 9] = [0.0, 0.1, 0.5, 1.25, 2.5, 4.0, 6.0, 9.0, 14.0];
 
 /// Dimensionless energy m0 g^2 / U^4 and peak frequency f_p U / g that the program's spectrum called `spectrum` has at
 /// the dimensionless fetch `x` = g F / U^2 (m0 variance, U wind speed, F fetch).
@@ -39,13 +39,13 @@ fn growth_of_spectrum(spectrum: &str, x: f64) -> Result<[f64; 2], String> {
 
 /// Growth with fetch F as published by Hasselmann et al. 1973 for wind speed U: dimensionless energy m0 g^2 / U^4 (m0
 /// is the variance) and peak frequency f_p U / g at the dimensionless fetch `x` = g F / U^2.
-fn jonswap(x: f64) -> [f64; 2] {
+fn published_growth_jonswap(x: f64) -> [f64; 2] {
     [1.6e-7 * x, 3.5 * x.powf(-0.33)]
 }
 
 /// Growth with fetch F as published by Donelan, Hamilton and Hui 1985 for wind speed U: dimensionless energy m0 g^2 /
 /// U^4 (m0 is the variance) and peak frequency f_p U / g at the dimensionless fetch `x` = g F / U^2.
-fn donelan(x: f64) -> [f64; 2] {
+fn published_growth_donelan(x: f64) -> [f64; 2] {
     let age = 11.6 * x.powf(-0.23);
     [2.74e-3 * age.powf(-3.3), age / TAU]
 }
@@ -54,7 +54,7 @@ fn donelan(x: f64) -> [f64; 2] {
 ///
 /// # Errors
 /// If a figure cannot be drawn.
-pub fn write(page: &mut Page) -> Result<(), String> {
+pub fn add_part(page: &mut Page) -> Result<(), String> {
     page.heading(2, "4. Published measurements");
     growth(page)?;
     full_development(page)?;
@@ -72,8 +72,8 @@ fn growth(page: &mut Page) -> Result<(), String> {
     let x = Axis::log("dimensionless fetch g F / U²", 100.0, 10_000.0);
     let grid: Vec<f64> = sample_curve(&x, 24, |x| x).iter().map(|p| p[0]).collect();
     let axes = [
-        ("growth-energy", "Energy against fetch", Axis::log("ε = m0 g² / U⁴", 1e-5, 1e-2), LegendCorner::Left),
-        ("growth-peak", "Peak frequency against fetch", Axis::log("ν = f_p U / g", 0.1, 1.0), LegendCorner::Right),
+        ("growth-energy", "Energy against fetch", Axis::log("ε = m0 g² / U⁴", 1e-5, 1e-2), LegendCorner::UpperLeft),
+        ("growth-peak", "Peak frequency against fetch", Axis::log("ν = f_p U / g", 0.1, 1.0), LegendCorner::UpperRight),
     ];
     let mut ours: [Vec<[f64; 2]>; 2] = [vec![], vec![]];
     for &x in &grid {
@@ -87,13 +87,13 @@ fn growth(page: &mut Page) -> Result<(), String> {
             .with_series(FigureSeries::new(
                 "Hasselmann et al. 1973",
                 0,
-                SeriesData::Dashes(sample_curve(&x, 60, |x| jonswap(x)[i])),
+                SeriesData::Dashes(sample_curve(&x, 60, |x| published_growth_jonswap(x)[i])),
             ))
             .with_series(FigureSeries::new("jonswap, ours", 0, SeriesData::Line(line(&ours[0]))))
             .with_series(FigureSeries::new(
                 "Donelan et al. 1985",
                 1,
-                SeriesData::Dashes(sample_curve(&x, 60, |x| donelan(x)[i])),
+                SeriesData::Dashes(sample_curve(&x, 60, |x| published_growth_donelan(x)[i])),
             ))
             .with_series(FigureSeries::new("donelan, ours", 1, SeriesData::Line(line(&ours[1]))));
         figures.push((name.to_owned(), figure));
@@ -101,7 +101,7 @@ fn growth(page: &mut Page) -> Result<(), String> {
     page.figures(&figures, "Growth curves: published fits (dashed) and integrals of the program's spectra (full).")?;
     let mut rows = Vec::new();
     for x in [100.0, 300.0, 1000.0, 3000.0, 10_000.0] {
-        for (name, published) in [("jonswap", jonswap(x)), ("donelan", donelan(x))] {
+        for (name, published) in [("jonswap", published_growth_jonswap(x)), ("donelan", published_growth_donelan(x))] {
             let ours = growth_of_spectrum(name, x)?;
             rows.push(vec![
                 format_number(x, 0),
@@ -158,7 +158,7 @@ fn full_development(page: &mut Page) -> Result<(), String> {
 }
 
 fn sea_state(hs_m: f64) -> usize {
-    SEA_STATES.iter().position(|&top| hs_m <= top).unwrap_or(SEA_STATES.len())
+    SEA_STATE_TOP_HS_M.iter().position(|&top| hs_m <= top).unwrap_or(SEA_STATE_TOP_HS_M.len())
 }
 
 fn beaufort(page: &mut Page) -> Result<(), String> {
@@ -178,7 +178,7 @@ fn beaufort(page: &mut Page) -> Result<(), String> {
     ];
     let height = |state: &str, wind: f64| theory(&format!("{state}&wind={wind}&n=64")).map(|t| t.hs_m);
     let probable = BEAUFORT.iter().filter(|b| b.3.is_finite()).map(|b| [b.1, b.2, b.3]).collect();
-    let mut figure = Figure::new("Wave height against wind", x.clone(), y, LegendCorner::Left)
+    let mut figure = Figure::new("Wave height against wind", x.clone(), y, LegendCorner::UpperLeft)
         .with_series(FigureSeries::new("WMO, probable to highest", 6, SeriesData::Band(probable)));
     for (label, state, colour) in seas {
         let mut line = Vec::new();

@@ -9,9 +9,9 @@ use crate::waves::foam::FoamModel;
 use crate::waves::statistics::{cox_munk_mss, monahan_coverage};
 
 /// Wind speeds at which the mean square slope of the spectrum `jonswap` is measured, m/s.
-const WINDS: [f64; 7] = [2.0, 5.0, 8.0, 10.0, 12.0, 14.0, 20.0];
+const JONSWAP_SLOPE_WINDS: [f64; 7] = [2.0, 5.0, 8.0, 10.0, 12.0, 14.0, 20.0];
 /// Wind speeds at which slope and foam of the spectra other than `jonswap` are measured, m/s.
-const FEW_WINDS: [f64; 2] = [5.0, 10.0];
+const WINDS_OF_OTHER_SPECTRA: [f64; 2] = [5.0, 10.0];
 /// Wind speeds at which the foam coverage of the spectrum `jonswap` is measured, m/s.
 const FOAM_WINDS: [f64; 7] = [5.0, 7.0, 10.0, 12.0, 15.0, 20.0, 25.0];
 /// Scatter (±) of the mean square slopes, dimensionless, that Cox and Munk measured in 1954.
@@ -24,7 +24,7 @@ const FOAM_SEEDS: u32 = 3;
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.
-pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
+pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     slopes(page, lab)?;
     whitecaps(page, lab)
 }
@@ -89,7 +89,7 @@ fn slope_figure() -> Result<Figure, String> {
 fn slope_rows(lab: &Measurement<'_>) -> Result<(Vec<Vec<String>>, Vec<[f64; 3]>), String> {
     let (mut rows, mut points) = (Vec::new(), Vec::new());
     for name in ["jonswap", "elfouhaily", "donelan", "torsethaugen"] {
-        for &wind in if name == "jonswap" { &WINDS[..] } else { &FEW_WINDS } {
+        for &wind in if name == "jonswap" { &JONSWAP_SLOPE_WINDS[..] } else { &WINDS_OF_OTHER_SPECTRA } {
             let sea = lab.measure_sea(&format!("spectrum={name}&wind={wind}&fetch=250&n=256"))?;
             let (cox_munk, resolved) = (cox_munk_mss(wind), sea.resolved.mss);
             let mss = sea.measured_statistic(|m| m.mss);
@@ -137,9 +137,9 @@ fn whitecaps(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     let mut rows = Vec::new();
     for (i, name) in ["jonswap", "elfouhaily"].into_iter().enumerate() {
         let mut points = Vec::new();
-        for &wind in if name == "jonswap" { &FOAM_WINDS[..] } else { &FEW_WINDS } {
+        for &wind in if name == "jonswap" { &FOAM_WINDS[..] } else { &WINDS_OF_OTHER_SPECTRA } {
             let state = format!("spectrum={name}&wind={wind}&fetch=250&n=128&t=30");
-            let expected = FoamModel::new(&Plan::new(&parse_params(&state)?)).coverage;
+            let expected = FoamModel::new(&Plan::new(&parse_params(&state)?)).expected_mean_foam;
             let foam = lab.measure_foam_coverage(&state, FOAM_SEEDS)?;
             points.extend(foam.map(|e| e.point_at(wind)));
             rows.push(vec![

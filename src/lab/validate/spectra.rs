@@ -109,7 +109,7 @@ fn measured_points(sea: &MeasuredSea) -> Vec<[f64; 3]> {
 fn figure(name: &str, sea: &MeasuredSea) -> Figure {
     let x = Axis::log("angular frequency ω, rad/s", OMEGA_RANGE.0, OMEGA_RANGE.1);
     let theory = sample_curve(&x, 400, |w| sea.plan.density(w));
-    let figure = Figure::new(name, x, Axis::log("S(ω), m² s", 1e-9, 20.0), LegendCorner::Right)
+    let figure = Figure::new(name, x, Axis::log("S(ω), m² s", 1e-9, 20.0), LegendCorner::UpperRight)
         .with_series(FigureSeries::new("theory", 0, SeriesData::Line(theory)));
     if sea.measured.is_none() {
         return figure;
@@ -121,7 +121,7 @@ fn figure(name: &str, sea: &MeasuredSea) -> Figure {
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.
-pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
+pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     let mut seas = Vec::new();
     for name in choice_words("spectrum") {
         seas.push((

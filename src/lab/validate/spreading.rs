@@ -14,9 +14,9 @@ use std::f64::consts::{PI, TAU};
 /// State string that all seas in part 2 of the page share; `spread=` is added to it.
 const SEA_STATE_STRING: &str = "wind=10&fetch=100&dir=240&n=256";
 /// Centre frequencies of the bands in which spreading is measured, relative to the peak frequency.
-const RATIOS: [f64; 3] = [1.0, 2.0, 4.0];
+const BAND_PEAK_RATIOS: [f64; 3] = [1.0, 2.0, 4.0];
 /// Half the width of each band in which spreading is measured, relative to the centre frequency of the band.
-const HALF_WIDTH: f64 = 0.1;
+const RELATIVE_BAND_HALF_WIDTH: f64 = 0.1;
 /// Number of direction bins, equally wide over the full circle.
 const DIRECTION_BINS: usize = 24;
 
@@ -32,17 +32,18 @@ fn bin_angle(bin: usize) -> f64 {
     (bin as f64 + 0.5) / DIRECTION_BINS as f64 * TAU - PI
 }
 
-/// Mean of `f`, a function of the angular frequency (rad/s), over the band from `omega` (1 - [`HALF_WIDTH`]) to `omega`
+/// Mean of `f`, a function of the angular frequency (rad/s), over the band from `omega` (1 - [`RELATIVE_BAND_HALF_WIDTH`]) to `omega`
 /// (1 + [`HALF_WIDTH`]), weighted by the plan's spectral density.
 fn band_mean(plan: &Plan, omega: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let ends = [(1.0 - HALF_WIDTH) * omega, 0.95 * omega, omega, (1.0 + HALF_WIDTH) * omega];
+    let ends =
+        [(1.0 - RELATIVE_BAND_HALF_WIDTH) * omega, 0.95 * omega, omega, (1.0 + RELATIVE_BAND_HALF_WIDTH) * omega];
     let s = |w: f64| plan.density(w);
     integrate_panels(|w| s(w) * f(w), &ends, 1) / integrate_panels(s, &ends, 1)
 }
 
 /// Theory at `ratio` times the peak frequency: the integral of the directional spreading over the circle there (it
 /// should be 1), and the first directional moment r1, averaged over the band of [`HALF_WIDTH`] around that frequency.
-fn theory(plan: &Plan, ratio: f64) -> [f64; 2] {
+fn integral_and_r1(plan: &Plan, ratio: f64) -> [f64; 2] {
     let spreading = &plan.systems[0].spreading;
     let omega = ratio * plan.omega_p;
     let knots = [-PI, -0.5 * PI, -0.5, 0.0, 0.5, 0.5 * PI, PI];
@@ -51,35 +52,35 @@ fn theory(plan: &Plan, ratio: f64) -> [f64; 2] {
 }
 
 /// The figure of one directional spreading, by theory and as measured. The measured variance is divided by that of
-/// `even`, the sea with isotropic spreading.
-fn figure(name: &str, sea: &MeasuredSea, even: &MeasuredSea) -> Figure {
+/// `isotropic_sea`, the sea with isotropic spreading.
+fn figure(name: &str, sea: &MeasuredSea, isotropic_sea: &MeasuredSea) -> Figure {
     let x = Axis::linear("angle from the wind's direction, degrees", -180.0, 180.0);
     let spreading = &sea.plan.systems[0].spreading;
     let mut curves = Vec::new();
     let mut points = Vec::new();
-    for (i, ratio_p) in RATIOS.into_iter().enumerate() {
+    for (i, ratio_p) in BAND_PEAK_RATIOS.into_iter().enumerate() {
         let omega = ratio_p * sea.plan.omega_p;
         let label = if ratio_p == 1.0 { "at ω_p".to_owned() } else { format!("at {ratio_p} ω_p") };
         let line = sample_curve(&x, 240, |deg| band_mean(&sea.plan, omega, |w| spreading.density(w, deg.to_radians())));
         curves.push(FigureSeries::new(&label, i, SeriesData::Line(line)));
         if sea.measured.is_some() {
-            points.push(FigureSeries::new("", i, SeriesData::Points(measured_density(sea, even, i))));
+            points.push(FigureSeries::new("", i, SeriesData::Points(measured_density(sea, isotropic_sea, i))));
         }
     }
     let top = curves.iter().chain(&points).map(FigureSeries::max_y).fold(0.0, f64::max);
     let y = Axis::linear("D(θ), 1/rad", 0.0, (1.12 * top).max(0.3));
-    curves.into_iter().chain(points).fold(Figure::new(name, x, y, LegendCorner::Right), Figure::with_series)
+    curves.into_iter().chain(points).fold(Figure::new(name, x, y, LegendCorner::UpperRight), Figure::with_series)
 }
 
 /// Points of the figure in a frequency band: angle (degrees), measured directional spreading D (1/rad) and its standard
-/// error. D is the variance of a direction bin over that of the same waves in the isotropic sea `even`, whose D is 1 /
+/// error. D is the variance of a direction bin over that of the same waves in the isotropic sea `isotropic_sea`, whose D is 1 /
 /// (2 pi).
-fn measured_density(sea: &MeasuredSea, even: &MeasuredSea, band: usize) -> Vec<[f64; 3]> {
+fn measured_density(sea: &MeasuredSea, isotropic_sea: &MeasuredSea, band: usize) -> Vec<[f64; 3]> {
     let point = |i: usize| {
         let at = band * DIRECTION_BINS + i;
         let variances: Vec<f64> = sea.bins[at].measured.iter().map(|v| v[0]).collect();
         EstimateWithError::mean(&variances)
-            .scaled(1.0 / (TAU * even.bins[at].expected[0]))
+            .scaled(1.0 / (TAU * isotropic_sea.bins[at].expected[0]))
             .point_at(bin_angle(i).to_degrees())
     };
     (0..DIRECTION_BINS).map(point).collect()
@@ -89,18 +90,18 @@ fn measured_density(sea: &MeasuredSea, even: &MeasuredSea, band: usize) -> Vec<[
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.
-pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
+pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     let mut seas = Vec::new();
     for name in choice_words("spread") {
         let state = format!("spread={name}&{SEA_STATE_STRING}");
         let plan = Plan::new(&super::measurement::parse_params(&state)?);
         let bin = |wave: &TravellingWave| {
-            let is_near = |ratio: &f64| (wave.omega / (ratio * plan.omega_p) - 1.0).abs() <= HALF_WIDTH;
-            let band = RATIOS.iter().position(is_near)?;
+            let is_near = |ratio: &f64| (wave.omega / (ratio * plan.omega_p) - 1.0).abs() <= RELATIVE_BAND_HALF_WIDTH;
+            let band = BAND_PEAK_RATIOS.iter().position(is_near)?;
             let place = (angle_from_downwind(&plan, wave.travel) + PI) / TAU * DIRECTION_BINS as f64;
             Some(band * DIRECTION_BINS + (place as usize).min(DIRECTION_BINS - 1))
         };
-        seas.push((name, lab.measure_binned_sea(&state, RATIOS.len() * DIRECTION_BINS, &bin)?));
+        seas.push((name, lab.measure_binned_sea(&state, BAND_PEAK_RATIOS.len() * DIRECTION_BINS, &bin)?));
     }
     page.heading(2, "2. Directional spreading");
     page.paragraph(
@@ -108,8 +109,9 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
          travel into bins of 15°. The measured distribution is the variance of a bin divided by the variance of the \
          same waves in a sea with isotropic spreading.",
     );
-    let even = &seas[0].1;
-    let figures: Vec<_> = seas.iter().map(|(name, sea)| (format!("spread-{name}"), figure(name, sea, even))).collect();
+    let isotropic_sea = &seas[0].1;
+    let figures: Vec<_> =
+        seas.iter().map(|(name, sea)| (format!("spread-{name}"), figure(name, sea, isotropic_sea))).collect();
     page.figures(
         &figures,
         "Directional distribution at one, two and four times the peak frequency, averaged over the bands: theory \
@@ -122,7 +124,9 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
          r1 of the band; 81.03° means that the waves run equally in all directions.",
     );
     let rows: Vec<_> = (seas.iter())
-        .flat_map(|(name, sea)| RATIOS.into_iter().enumerate().map(move |(band, ratio)| row(name, sea, band, ratio)))
+        .flat_map(|(name, sea)| {
+            BAND_PEAK_RATIOS.into_iter().enumerate().map(move |(band, ratio)| row(name, sea, band, ratio))
+        })
         .collect();
     page.table(
         "spread | ω / ω_p | ∫D dθ | spread, theory | resolved | measured | deviation | from, theory | measured \
@@ -137,7 +141,7 @@ fn row(name: &str, sea: &MeasuredSea, band: usize, ratio: f64) -> Vec<String> {
     let total = |part: &dyn Fn(&WaveBin) -> [f64; 3]| {
         bins.iter().map(part).fold([0.0; 3], |a, b| std::array::from_fn(|i| a[i] + b[i]))
     };
-    let [integral, r1_theory] = theory(&sea.plan, ratio);
+    let [integral, r1_theory] = integral_and_r1(&sea.plan, ratio);
     let [m, x, z] = total(&|b| b.expected);
     let r1 = x.hypot(z) / m;
     let has_direction = r1 > statistics::MIN_R1_FOR_DIRECTION;

@@ -96,7 +96,7 @@ fn pooled_shape(all: &[SeedHistogram]) -> [EstimateWithError; 4] {
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.
-pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
+pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     page.heading(2, "6. The surface");
     page.paragraph(
         "Elevations at random points, wind 15 m/s over 300 km. Without chop the surface is Gaussian. With chop, points \
@@ -112,7 +112,7 @@ pub fn write(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
         let state = format!("{SEA_STATE_STRING}&chop={chop}");
         let theory = ElevationDistribution::new(&Plan::new(&parse_params(&state)?), chop);
         let y = Axis::log("probability density", 1e-5, 1.0);
-        let mut figure = Figure::new(&format!("Chop {chop}"), x.clone(), y, LegendCorner::Right);
+        let mut figure = Figure::new(&format!("Chop {chop}"), x.clone(), y, LegendCorner::UpperRight);
         let histograms = histograms(lab, &state, theory.sigma)?;
         if let Some(all) = &histograms {
             figure =

@@ -59,7 +59,7 @@ pub struct StrongestWaves {
     wave_count: usize,
     /// Square roots of the chop factors lambda (factors on the horizontal displacement) along x and z.
     sqrt_chop: [f64; 2],
-    level_m: f64,
+    still_water_level_m: f64,
     period_s: f64,
     /// Longest Newton step of the search for a particle, in m after division by the square root of the chop
     /// (`sqrt_chop`).
@@ -95,7 +95,7 @@ impl StrongestWaves {
         let mut waves = candidates(plan);
         let count = wave_count.min(waves.len());
         if count > 0 && count < waves.len() {
-            waves.select_nth_unstable_by(count - 1, Candidate::order);
+            waves.select_nth_unstable_by(count - 1, Candidate::by_decreasing_variance);
         }
         Self::from_waves(plan, waves, count)
     }
@@ -104,7 +104,7 @@ impl StrongestWaves {
     /// `rms_m` (m). If `rms_m` is 0, negative or NaN, all waves are selected.
     pub fn for_height_error(plan: &Plan, rms_m: f64) -> Self {
         let mut waves = candidates(plan);
-        waves.sort_unstable_by(Candidate::order);
+        waves.sort_unstable_by(Candidate::by_decreasing_variance);
         let allowed_m2 = if rms_m > 0.0 { rms_m * rms_m } else { 0.0 };
         let mut left_out_m2 = 0.0;
         let dropped = waves.iter().rev().take_while(|wave| {
@@ -118,15 +118,15 @@ impl StrongestWaves {
     /// Makes the sum of the first `count` of `waves`; the others only count in the errors `residual_rms_m` and so on.
     fn from_waves(plan: &Plan, mut waves: Vec<Candidate>, count: usize) -> Self {
         let left_out = waves.split_off(count);
-        waves.sort_unstable_by(Candidate::order);
+        waves.sort_unstable_by(Candidate::by_decreasing_variance);
         let variance = |waves: &[Candidate]| waves.iter().fold(0.0, |sum, w| sum + w.variance());
-        let slope = |w: &Candidate| w.variance() * f64::from(w.i2()) * plan.cascades[w.cascade].dk().powi(2);
+        let slope = |w: &Candidate| w.variance() * f64::from(w.squared_index()) * plan.cascades[w.cascade].dk().powi(2);
         let patches: Vec<PatchWaves> = (plan.cascades.iter().enumerate())
             .map(|(i, cascade)| PatchWaves::new(plan, cascade, waves.iter().filter(|w| w.cascade == i)))
             .filter(|patch| !patch.blocks.is_empty())
             .collect();
         let displacement_m2 = waves.iter().map(|w| {
-            let orbit = plan.wave(&plan.cascades[w.cascade], w.i2()).orbit_axis_ratio;
+            let orbit = plan.wave(&plan.cascades[w.cascade], w.squared_index()).orbit_axis_ratio;
             w.variance() * orbit * orbit
         });
         let sqrt_chop = plan.sea.choppiness().map(|l| l.max(0.0).sqrt());
@@ -135,7 +135,7 @@ impl StrongestWaves {
             patches,
             wave_count: count,
             sqrt_chop,
-            level_m: plan.sea.level_m,
+            still_water_level_m: plan.sea.still_water_level_m,
             period_s: plan.period_s,
             kept_m2: variance(&waves),
             left_out_m2: variance(&left_out),
@@ -211,7 +211,7 @@ impl StrongestWaves {
         let normal = [-(sx * (1.0 + lz * zz) - sz * lz * zx), jacobian, -(sz * (1.0 + lx * xx) - sx * lx * xz)];
         let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
         SurfaceSample {
-            height_m: self.level_m + sums.eta,
+            height_m: self.still_water_level_m + sums.eta,
             normal: if length > 0.0 { normal.map(|c| c / length) } else { [0.0, 1.0, 0.0] },
             velocity_m_s: sums.velocity,
             undisplaced_xz: [point[0] - offset[0], point[1] - offset[1]],

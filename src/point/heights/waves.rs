@@ -2,7 +2,7 @@
 
 use crate::state::params::MAX_CASCADES;
 use crate::waves::plan::{Cascade, Plan};
-use crate::waves::statistics::{initial_amplitude, lattice};
+use crate::waves::statistics::{initial_amplitude, lattice_indices};
 use crate::waves::table::{Table, entry_index};
 use crate::waves::tiling::{PatchCopy, Tiling};
 use glam::DVec4;
@@ -32,7 +32,7 @@ pub(super) struct WaveBlock {
     orbit_axis_ratio: DVec4,
     omega_rad_s: DVec4,
     /// Angular frequency of each lane as a multiple of 2 pi / period: number of cycles in the period of the sea.
-    turns: [u32; 4],
+    cycles_per_period: [u32; 4],
 }
 
 /// A wave that the seed of a plan generates; the strongest candidates are selected.
@@ -51,12 +51,12 @@ impl Candidate {
     }
 
     /// Square of the wave number in units of the lattice spacing, ix^2 + iz^2.
-    pub(super) fn i2(&self) -> u32 {
+    pub(super) fn squared_index(&self) -> u32 {
         (self.ix * self.ix + self.iz * self.iz) as u32
     }
 
     /// Ordering of waves by decreasing variance; waves of equal variance are ordered by their indices.
-    pub(super) fn order(&self, other: &Self) -> Ordering {
+    pub(super) fn by_decreasing_variance(&self, other: &Self) -> Ordering {
         let place = |c: &Self| (c.cascade, c.iz, c.ix);
         other.variance().total_cmp(&self.variance()).then_with(|| place(self).cmp(&place(other)))
     }
@@ -136,14 +136,14 @@ impl PatchWaves {
                 blocks.push(WaveBlock::default());
             }
             let block = &mut blocks[i / 4];
-            let wave = plan.wave(cascade, candidate.i2());
+            let wave = plan.wave(cascade, candidate.squared_index());
             block.ix[lane] = f64::from(candidate.ix);
             block.iz[lane] = f64::from(candidate.iz);
             block.re[lane] = 2.0 * candidate.h0[0];
             block.im[lane] = 2.0 * candidate.h0[1];
-            block.orbit_axis_ratio[lane] = wave.orbit_axis_ratio / f64::from(candidate.i2()).sqrt();
+            block.orbit_axis_ratio[lane] = wave.orbit_axis_ratio / f64::from(candidate.squared_index()).sqrt();
             block.omega_rad_s[lane] = wave.omega;
-            block.turns[lane] = wave.cycles_per_period;
+            block.cycles_per_period[lane] = wave.cycles_per_period;
         }
         Self { side_m: cascade.patch_m, tiling: plan.tiling(cascade), dk: cascade.dk(), blocks }
     }
@@ -152,9 +152,9 @@ impl PatchWaves {
     pub(super) fn sums(&self, x: f64, z: f64, time: u32) -> WaveSums {
         // Sums per lane, without common factors: eta, its slopes, D, strain (xx, zz, xz), velocity, potential.
         let mut sums = [DVec4::ZERO; 12];
-        for &WaveBlock { ix, iz, re, im, orbit_axis_ratio, omega_rad_s, turns } in &self.blocks {
+        for &WaveBlock { ix, iz, re, im, orbit_axis_ratio, omega_rad_s, cycles_per_period } in &self.blocks {
             // Signed integers convert to f64 with vector instructions; a subtracted whole turn has no effect.
-            let turned = DVec4::from_array(turns.map(|t| f64::from(t.wrapping_mul(time) as i32)));
+            let turned = DVec4::from_array(cycles_per_period.map(|t| f64::from(t.wrapping_mul(time) as i32)));
             let (sin, cos) = sin_cos_turns(ix * x + iz * z - turned * (1.0 / 4_294_967_296.0));
             // Complex elevation h e^{i (k.x - omega t)}.
             let (h_re, h_im) = (re * cos - im * sin, re * sin + im * cos);
@@ -192,7 +192,7 @@ pub(super) fn candidates(plan: &Plan) -> Vec<Candidate> {
     let mut waves = Vec::new();
     for (i, cascade) in plan.cascades.iter().enumerate() {
         let table = Table::new(plan, cascade);
-        let filled = lattice(plan.n).filter(|&(ix, iz)| table.waves[entry_index(ix, iz)].k > 0.0);
+        let filled = lattice_indices(plan.n).filter(|&(ix, iz)| table.waves[entry_index(ix, iz)].k > 0.0);
         let candidate =
             |(ix, iz)| Candidate { cascade: i, ix, iz, h0: initial_amplitude(plan, cascade, &table, ix, iz) };
         waves.extend(filled.map(candidate).filter(|wave| wave.variance() > 0.0));

@@ -13,16 +13,26 @@ const MIN_LEVEL_SIDE: u32 = 4;
 /// Compute passes for bloom (light that the lens scatters), with their textures: they halve the picture repeatedly,
 /// then add each smaller picture to the next larger one.
 pub struct BloomPass {
-    down: Kernel,
-    up: Kernel,
+    downsample: Kernel,
+    upsample: Kernel,
     sampler: wgpu::Sampler,
     format: wgpu::TextureFormat,
     chain: Option<MipChain>,
 }
 
 struct MipChain {
-    steps: Vec<(bool, wgpu::BindGroup, [u32; 2])>,
+    steps: Vec<BloomStep>,
     result: wgpu::TextureView,
+}
+
+/// One dispatch of bloom, which halves a picture or adds two sizes up.
+struct BloomStep {
+    /// Whether this step halves a picture; otherwise it adds a smaller picture to a larger one.
+    is_downsampling: bool,
+    /// Bind group of the textures that the step reads and writes.
+    group: wgpu::BindGroup,
+    /// Width and height of the picture that the step writes, texels.
+    size: [u32; 2],
 }
 
 impl BloomPass {
@@ -34,7 +44,7 @@ impl BloomPass {
         let module = shaders.module(gpu, "film/bloom");
         let kernel = |entry| Kernel::new(gpu, "bloom", (&module, entry), &bindings, &[]);
         let sampler = gpu.sampler("bloom", [wgpu::AddressMode::ClampToEdge; 2], wgpu::MipmapFilterMode::Nearest);
-        Self { down: kernel("downsample"), up: kernel("upsample"), sampler, format, chain: None }
+        Self { downsample: kernel("downsample"), upsample: kernel("upsample"), sampler, format, chain: None }
     }
 
     /// Allocates the textures of bloom for an HDR picture (view; width and height in pixels); None turns bloom off.
@@ -50,8 +60,8 @@ impl BloomPass {
     /// Records the compute passes (downsampling, upsampling) that fill [`Self::texture_view`]; none while bloom is off.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder) {
         let Some(chain) = &self.chain else { return };
-        for (down, group, size) in &chain.steps {
-            let kernel = if *down { &self.down } else { &self.up };
+        for BloomStep { is_downsampling, group, size } in &chain.steps {
+            let kernel = if *is_downsampling { &self.downsample } else { &self.upsample };
             kernel.run(encoder, group, &[], [size[0].div_ceil(8), size[1].div_ceil(8), 1]);
         }
     }
@@ -62,10 +72,14 @@ impl BloomPass {
             let texture = gpu.texture("bloom", [size[0], size[1], 1], 1, self.format, usage);
             texture.create_view(&wgpu::TextureViewDescriptor::default())
         };
-        let step = |kernel: &Kernel, source: &wgpu::TextureView, out: &wgpu::TextureView, finer: &wgpu::TextureView| {
+        let bind = |kernel: &Kernel, source: &wgpu::TextureView, out: &wgpu::TextureView, finer: &wgpu::TextureView| {
             use wgpu::BindingResource::{Sampler, TextureView};
             let resources = [TextureView(source), Sampler(&self.sampler), TextureView(out), TextureView(finer)];
             kernel.bind(gpu, &resources)
+        };
+        let downsampling = |source: &wgpu::TextureView, out: &wgpu::TextureView, size: [u32; 2]| {
+            let group = bind(&self.downsample, source, out, source);
+            BloomStep { is_downsampling: true, group, size }
         };
         let mut sizes = vec![size.map(|s| s.div_ceil(2))];
         while let Some(last) = sizes.last().copied()
@@ -74,15 +88,16 @@ impl BloomPass {
         {
             sizes.push(last.map(|s| s.div_ceil(2)));
         }
-        let down: Vec<_> = sizes.iter().map(|s| view(*s)).collect();
-        let mut steps = vec![(true, step(&self.down, hdr, &down[0], hdr), sizes[0])];
-        for i in 1..down.len() {
-            steps.push((true, step(&self.down, &down[i - 1], &down[i], &down[i - 1]), sizes[i]));
+        let halved: Vec<_> = sizes.iter().map(|s| view(*s)).collect();
+        let mut steps = vec![downsampling(hdr, &halved[0], sizes[0])];
+        for i in 1..halved.len() {
+            steps.push(downsampling(&halved[i - 1], &halved[i], sizes[i]));
         }
-        let mut result = down[down.len() - 1].clone();
-        for i in (0..down.len() - 1).rev() {
+        let mut result = halved[halved.len() - 1].clone();
+        for i in (0..halved.len() - 1).rev() {
             let out = view(sizes[i]);
-            steps.push((false, step(&self.up, &result, &out, &down[i]), sizes[i]));
+            let group = bind(&self.upsample, &result, &out, &halved[i]);
+            steps.push(BloomStep { is_downsampling: false, group, size: sizes[i] });
             result = out;
         }
         MipChain { steps, result }

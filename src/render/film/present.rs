@@ -36,13 +36,13 @@ pub const NOON_EXPOSURE: f32 = 0.444;
 /// The pass that shows the HDR picture on screen: it smooths edges and applies bloom, exposure, tone curve and dither.
 pub struct PresentPass {
     uniform: Uniform<PresentUniform>,
-    light: wgpu::Buffer,
+    light_buffer: wgpu::Buffer,
     layout: wgpu::BindGroupLayout,
     pipeline: wgpu::RenderPipeline,
     sampler: wgpu::Sampler,
     bloom: BloomPass,
     /// HDR picture that `group` binds, and whether its bloom is on; None before the first picture.
-    bound: Option<(wgpu::TextureView, bool)>,
+    bound_picture: Option<(wgpu::TextureView, bool)>,
     group: Option<wgpu::BindGroup>,
 }
 
@@ -73,12 +73,12 @@ impl PresentPass {
         let sampler = gpu.sampler("hdr", clamp, wgpu::MipmapFilterMode::Nearest);
         Self {
             uniform: Uniform::new(gpu, "present"),
-            light: light.clone(),
+            light_buffer: light.clone(),
             layout,
             pipeline,
             sampler,
             bloom: BloomPass::new(gpu, shaders),
-            bound: None,
+            bound_picture: None,
             group: None,
         }
     }
@@ -86,20 +86,20 @@ impl PresentPass {
     /// Sets the picture `hdr` (linear light) to show; allocates bloom textures if `film` has bloom. No-op if unchanged.
     pub fn set_picture(&mut self, gpu: &Gpu, hdr: &wgpu::TextureView, film: &FilmLook) {
         let wanted = Some((hdr.clone(), film.bloom > 0.0));
-        if self.bound == wanted {
+        if self.bound_picture == wanted {
             return;
         }
         let size = [hdr.texture().width(), hdr.texture().height()];
         self.bloom.set_picture(gpu, (film.bloom > 0.0).then_some((hdr, size)));
         let resources = [
             self.uniform.buffer.as_entire_binding(),
-            self.light.as_entire_binding(),
+            self.light_buffer.as_entire_binding(),
             wgpu::BindingResource::TextureView(hdr),
             wgpu::BindingResource::Sampler(&self.sampler),
             wgpu::BindingResource::TextureView(self.bloom.texture_view().unwrap_or(hdr)),
         ];
         self.group = Some(gpu.bind_group("present", &self.layout, &resources));
-        self.bound = wanted;
+        self.bound_picture = wanted;
     }
 
     /// Writes the film settings of a scene, for a picture of `size` (width, height) pixels, to the uniform buffer.

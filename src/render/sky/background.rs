@@ -21,7 +21,7 @@ pub struct BackgroundPass {
 /// What a variant of the background pipeline can draw; the shader code for the rest is compiled out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Permutation {
-    file: bool,
+    sky_image: bool,
     clouds: bool,
     stars: bool,
     fog: bool,
@@ -38,7 +38,7 @@ impl BackgroundPass {
         let look = &scene.look.sky;
         let file = look.panorama().is_some();
         let parts = Permutation {
-            file,
+            sky_image: file,
             clouds: !file && look.overcast > 0.0,
             stars: !file && look.sun_direction()[1] < STARS_MAX_SUN_SINE,
             fog: look.fog_extinction_per_km > 0.0,
@@ -46,7 +46,7 @@ impl BackgroundPass {
         let layouts = [&group.layout, &sky.panorama.layout];
         self.pipelines.select(parts, |parts| {
             let constants = [
-                switch_constant("SKY_IMAGE", parts.file),
+                switch_constant("SKY_IMAGE", parts.sky_image),
                 switch_constant("SKY_CLOUDS", parts.clouds),
                 switch_constant("SKY_STARS", parts.stars),
                 switch_constant("SKY_FOG", parts.fog),

@@ -221,12 +221,12 @@ impl SkyTables {
     }
 
     /// Records the passes that compute all tables of the sky, even those that are up to date.
-    pub fn record_all(&self, encoder: &mut wgpu::CommandEncoder) {
+    pub fn record_all_tables(&self, encoder: &mut wgpu::CommandEncoder) {
         self.sun_independent_passes.iter().chain(&self.sun_dependent_passes).for_each(|pass| pass.run(encoder));
     }
 
     /// Writes the sky's uniform buffer for a scene, and records the passes of the tables that no longer match it.
-    pub fn record_outdated(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
+    pub fn record_outdated_tables(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
         let wanted = SkyUniform::new(scene);
         let other_file = self.panorama.set_image(gpu, scene.look.sky.panorama());
         let before = self.computed_for.replace(wanted);
@@ -271,8 +271,8 @@ mod tests {
         skies.iter().map(light).collect()
     }
 
-    fn at(sun_deg: f64) -> SkyLook {
-        SkyLook { sun_deg, ..SkyLook::default() }
+    fn at(sun_elevation_deg: f64) -> SkyLook {
+        SkyLook { sun_elevation_deg, ..SkyLook::default() }
     }
 
     /// Illuminance of a horizontal plane, lux, in units in which the sun above the atmosphere gives 128 klx.

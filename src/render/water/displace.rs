@@ -40,7 +40,7 @@ pub struct DisplacePass {
     vertices_layout: wgpu::BindGroupLayout,
     buffers: Option<MeshBuffers>,
     columns: u32,
-    count: u32,
+    index_count: u32,
 }
 
 /// Vertex and index buffers, with bind groups, for water meshes of one density; every view uses the same buffers.
@@ -49,7 +49,7 @@ struct MeshBuffers {
     index_buffer_columns: u32,
     indices: wgpu::Buffer,
     group: wgpu::BindGroup,
-    drawn: wgpu::BindGroup,
+    draw_group: wgpu::BindGroup,
 }
 
 impl DisplacePass {
@@ -66,7 +66,7 @@ impl DisplacePass {
         let vertices_layout =
             gpu.bind_group_layout("mesh/drawn", vertex, &[BindingType::StorageRead(MESH_VERTEX_BYTES as usize)]);
         let frame = frame.buffer.clone();
-        Self { pipeline, layout, frame, vertices_layout, buffers: None, columns: 0, count: 0 }
+        Self { pipeline, layout, frame, vertices_layout, buffers: None, columns: 0, index_count: 0 }
     }
 
     /// Layout of the bind group with the vertices, for passes that draw the mesh.
@@ -76,7 +76,7 @@ impl DisplacePass {
 
     /// Sets the mesh for the next frames. Buffers are allocated again only if its density has changed.
     pub fn set_mesh(&mut self, gpu: &Gpu, mesh: &Mesh) {
-        (self.columns, self.count) = (mesh.columns, mesh.index_count());
+        (self.columns, self.index_count) = (mesh.columns, mesh.index_count());
         let same = |b: &MeshBuffers| (b.rows, b.index_buffer_columns) == (mesh.lattice.rows, mesh.index_buffer_columns);
         if self.buffers.as_ref().is_some_and(same) {
             return;
@@ -92,7 +92,7 @@ impl DisplacePass {
             rows: mesh.lattice.rows,
             index_buffer_columns: mesh.index_buffer_columns,
             group: gpu.bind_group("mesh", &self.layout, &resources),
-            drawn: gpu.bind_group("mesh/drawn", &self.vertices_layout, &[vertices.as_entire_binding()]),
+            draw_group: gpu.bind_group("mesh/drawn", &self.vertices_layout, &[vertices.as_entire_binding()]),
             indices: index_buffer,
         });
     }
@@ -115,8 +115,8 @@ impl DisplacePass {
     /// Draws the displaced mesh with the pipeline that is set on `pass`. Binds the vertices as group 2.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         let Some(buffers) = &self.buffers else { return };
-        pass.set_bind_group(2, &buffers.drawn, &[]);
+        pass.set_bind_group(2, &buffers.draw_group, &[]);
         pass.set_index_buffer(buffers.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..self.count, 0, 0..1);
+        pass.draw_indexed(0..self.index_count, 0, 0..1);
     }
 }

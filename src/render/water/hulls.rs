@@ -47,7 +47,7 @@ pub struct HullPass {
     layout: wgpu::BindGroupLayout,
     vertices: Option<(wgpu::Buffer, wgpu::BindGroup)>,
     hulls: [Vec<HullFacet>; 2],
-    count: u32,
+    vertex_count: u32,
 }
 
 impl HullPass {
@@ -59,7 +59,7 @@ impl HullPass {
             &[BindingType::StorageRead(size_of::<HullVertex>())],
         );
         let module = shaders.module(gpu, "water/hulls");
-        Self { module, pipeline: None, layout, vertices: None, hulls: [buoy_hull(), boat_hull()], count: 0 }
+        Self { module, pipeline: None, layout, vertices: None, hulls: [buoy_hull(), boat_hull()], vertex_count: 0 }
     }
 
     /// Uploads the triangles of hulls with the given poses. Uploaded positions are relative to the still water at the
@@ -72,7 +72,7 @@ impl HullPass {
         below_eye: [f64; 2],
         level_m: f64,
     ) {
-        self.count = 0;
+        self.vertex_count = 0;
         if poses.is_empty() {
             return;
         }
@@ -104,7 +104,7 @@ impl HullPass {
         });
         let vertices = &vertices[..vertices.len().min(most)];
         gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(vertices));
-        self.count = vertices.len() as u32;
+        self.vertex_count = vertices.len() as u32;
         self.pipeline.get_or_insert_with(|| {
             let layouts = [&scene.layout, &self.layout];
             gpu.render_pipeline(
@@ -119,11 +119,11 @@ impl HullPass {
     /// Draws the uploaded hulls. The water must already be in the picture, because its lighting would paint over them.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, scene: &SceneGroup) {
         let (Some((_, group)), Some(pipeline)) = (&self.vertices, &self.pipeline) else { return };
-        if self.count > 0 {
+        if self.vertex_count > 0 {
             pass.set_pipeline(pipeline);
             pass.set_bind_group(0, &scene.group, &[]);
             pass.set_bind_group(1, group, &[]);
-            pass.draw(0..self.count, 0..1);
+            pass.draw(0..self.vertex_count, 0..1);
         }
     }
 }

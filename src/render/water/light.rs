@@ -30,35 +30,35 @@ struct Permutation {
     caustics: bool,
     foam: bool,
     /// Whether the sun's glitter has a Blinn-Phong lobe instead of the Gaussian distribution of slopes.
-    phong: bool,
+    blinn_phong: bool,
     /// Whether a GGX (Trowbridge-Reitz) distribution of slopes replaces the Gaussian one.
     ggx: bool,
     /// Whether Schlick's approximation replaces the exact Fresnel reflectance.
     schlick: bool,
     /// Whether the sky is an image from a file.
-    file: bool,
+    sky_image: bool,
     fog: bool,
     /// Whether pixels take unfiltered point samples for a reference picture instead of averaging over their area.
-    samples: bool,
+    point_samples: bool,
     /// Whether the adapter executes shaders on the CPU; neighbouring pixels then share a mip level, for speed.
-    software: bool,
+    software_adapter: bool,
 }
 
 impl Permutation {
-    fn new(scene: &Scene, output: OutputKind, software: bool) -> Self {
+    fn new(scene: &Scene, output: OutputKind, software_adapter: bool) -> Self {
         let surface = &scene.look.surface;
         let bed = material::is_bed_visible(scene);
         Self {
             bed,
             caustics: bed && surface.bed.caustics > 0.0,
-            foam: surface.foam.amount > 0.0,
-            phong: surface.reflection.specular == MicrofacetDistribution::BlinnPhong,
+            foam: surface.foam.coverage_factor > 0.0,
+            blinn_phong: surface.reflection.specular == MicrofacetDistribution::BlinnPhong,
             ggx: surface.reflection.specular == MicrofacetDistribution::Ggx,
             schlick: surface.reflection.fresnel == FresnelFormula::Schlick,
-            file: scene.look.sky.panorama().is_some(),
+            sky_image: scene.look.sky.panorama().is_some(),
             fog: scene.look.sky.fog_extinction_per_km > 0.0,
-            samples: output == OutputKind::Reference,
-            software,
+            point_samples: output == OutputKind::Reference,
+            software_adapter,
         }
     }
 
@@ -67,13 +67,13 @@ impl Permutation {
             switch_constant("WATER_BED", self.bed),
             switch_constant("WATER_CAUSTICS", self.caustics),
             switch_constant("WATER_FOAM", self.foam),
-            switch_constant("WATER_PHONG", self.phong),
+            switch_constant("WATER_PHONG", self.blinn_phong),
             switch_constant("WATER_GGX", self.ggx),
             switch_constant("WATER_SCHLICK", self.schlick),
-            switch_constant("SKY_IMAGE", self.file),
+            switch_constant("SKY_IMAGE", self.sky_image),
             switch_constant("SKY_FOG", self.fog),
-            switch_constant("WATER_POINT_SAMPLES", self.samples),
-            switch_constant("SOFTWARE_ADAPTER", self.software),
+            switch_constant("WATER_POINT_SAMPLES", self.point_samples),
+            switch_constant("SOFTWARE_ADAPTER", self.software_adapter),
         ]
     }
 }
@@ -89,12 +89,12 @@ pub struct WaterPass {
     g_buffer_layout: wgpu::BindGroupLayout,
     /// The two textures of the bound G-buffer, and their bind group; None before the first frame.
     g_buffer: Option<([wgpu::TextureView; 2], wgpu::BindGroup)>,
-    light: PipelineVariants<Permutation>,
+    light_pipelines: PipelineVariants<Permutation>,
     maps_layout: wgpu::BindGroupLayout,
     /// Samplers of the maps: one interpolates between mip levels, the other takes the nearest level.
     samplers: [wgpu::Sampler; 2],
     /// Bind group of the map textures, and their generation number (new for new textures); None before the first frame.
-    maps: Option<(u64, wgpu::BindGroup)>,
+    bound_maps: Option<(u64, wgpu::BindGroup)>,
 }
 
 impl WaterPass {
@@ -128,16 +128,16 @@ impl WaterPass {
             mesh,
             module,
             g_buffer: None,
-            light: PipelineVariants::default(),
+            light_pipelines: PipelineVariants::default(),
             maps_layout,
             samplers,
-            maps: None,
+            bound_maps: None,
         }
     }
 
     /// Makes the bind group of the wave and foam maps, unless it exists for these textures (their generation) already.
     pub fn bind_maps(&mut self, gpu: &Gpu, maps: &Maps) {
-        if self.maps.as_ref().is_some_and(|(generation, _)| *generation == maps.generation) {
+        if self.bound_maps.as_ref().is_some_and(|(generation, _)| *generation == maps.generation) {
             return;
         }
         let resources = [
@@ -148,7 +148,7 @@ impl WaterPass {
             Sampler(&self.samplers[0]),
             Sampler(&self.samplers[1]),
         ];
-        self.maps = Some((maps.generation, gpu.bind_group("maps", &self.maps_layout, &resources)));
+        self.bound_maps = Some((maps.generation, gpu.bind_group("maps", &self.maps_layout, &resources)));
     }
 
     /// Makes the bind group through which the lighting reads the G-buffer of `targets`, unless it exists already.
@@ -164,7 +164,7 @@ impl WaterPass {
     pub fn select_pipeline(&mut self, gpu: &Gpu, scene: &Scene) {
         let (module, format) = (&self.module, self.scene.output.format());
         let layouts = [&self.scene.layout, &self.maps_layout, &self.g_buffer_layout];
-        self.light.select(Permutation::new(scene, self.scene.output, gpu.is_software()), |parts| {
+        self.light_pipelines.select(Permutation::new(scene, self.scene.output, gpu.is_software()), |parts| {
             let program =
                 Program { module, entry_points: ["light_vertex", "light_fragment"], constants: &parts.constants() };
             gpu.render_pipeline("water/light", &program, &layouts, &attachments(&format, DEPTH_TEST_WATER_LIGHT))
@@ -178,7 +178,7 @@ impl WaterPass {
 
     /// Bind group of the wave and foam maps; None until maps are bound.
     pub fn maps_group(&self) -> Option<&wgpu::BindGroup> {
-        self.maps.as_ref().map(|(_, group)| group)
+        self.bound_maps.as_ref().map(|(_, group)| group)
     }
 
     /// Records the compute pass that displaces the vertices of the water mesh by the maps; none if no maps are bound.
@@ -199,7 +199,7 @@ impl WaterPass {
     /// Draws the linear light of all water pixels into the target of `pass`; the G-buffer tells what water each shows.
     pub fn draw_light(&self, pass: &mut wgpu::RenderPass<'_>) {
         let (Some(pipeline), Some(maps), Some((_, g_buffer))) =
-            (self.light.selected(), self.maps_group(), &self.g_buffer)
+            (self.light_pipelines.selected(), self.maps_group(), &self.g_buffer)
         else {
             return;
         };

@@ -65,7 +65,7 @@ gpu_struct! {
         /// Absorption coefficient of the water at red, green and blue, 1/m.
         absorption: [f32; 3],
         /// Factor on the skylight that the water scatters back; 1 is physical.
-        ambient: f32,
+        skylight_scatter_factor: f32,
         /// Backscattering coefficient of the water at red, green and blue, 1/m.
         backscatter: [f32; 3],
         /// Refractive index of the air.
@@ -79,10 +79,10 @@ gpu_struct! {
         crest_transmission: f32,
         foam_colour: [f32; 3],
         /// How much the light scattered back by the water depends on the viewing direction: 0 not at all, 1 physically.
-        view_scatter: f32,
+        scatter_view_dependence: f32,
         bed_colour: [f32; 3],
         /// Factor on the sunlight that the water scatters back; 1 is physical.
-        diffuse: f32,
+        sunlight_scatter_factor: f32,
         noise_layers: [NoiseLayer; NOISE_LAYERS],
         /// Refractive index of the water.
         index_water: f32,
@@ -97,7 +97,7 @@ gpu_struct! {
         /// Factor on the radiance of the sun's glitter; 1 is physical.
         glitter_strength: f32,
         /// Factor on the Fresnel reflectance in the sun's glitter; 1 is physical.
-        glitter_fresnel: f32,
+        glitter_fresnel_scale: f32,
         /// Cosine of the larger of the sun's and the eye's angle to the surface normal, below which the sun's glitter
         /// fades; it is gone at half of this cosine. 0 turns the fading off.
         glitter_min_cosine: f32,
@@ -130,7 +130,7 @@ impl MaterialUniform {
         let below_eye = [scene.view.eye.x, scene.view.eye.z];
         Self {
             absorption: single(water.absorption),
-            ambient: scattering.ambient_strength as f32,
+            skylight_scatter_factor: scattering.ambient_strength as f32,
             backscatter: single(water.backscatter),
             index_air: reflection.index_air as f32,
             scattering: single(water.scattering),
@@ -138,9 +138,9 @@ impl MaterialUniform {
             bubble_colour: colour(scattering.bubble_colour),
             crest_transmission: scattering.crest_transmission as f32,
             foam_colour: colour(foam.colour),
-            view_scatter: scattering.scatter_view_dependence as f32,
+            scatter_view_dependence: scattering.scatter_view_dependence as f32,
             bed_colour: colour(bed.colour),
-            diffuse: scattering.diffuse_strength as f32,
+            sunlight_scatter_factor: scattering.diffuse_strength as f32,
             noise_layers: LAYER_SHAPES.map(|shape| NoiseLayer::new(shape, scene.sea.downwind, gale, below_eye)),
             index_water: reflection.index_water as f32,
             schlick_exponent: reflection.schlick_exponent as f32,
@@ -148,7 +148,7 @@ impl MaterialUniform {
             fresnel_slope_factor: reflection.fresnel_slope_factor as f32,
             shininess: reflection.shininess as f32,
             glitter_strength: reflection.glitter_strength as f32,
-            glitter_fresnel: reflection.glitter_fresnel_scale as f32,
+            glitter_fresnel_scale: reflection.glitter_fresnel_scale as f32,
             glitter_min_cosine: reflection.glitter_min_cosine as f32,
             // GGX: alpha = roughness^2 and alpha^2 = 2 x slope variance.
             roughness_variance: (0.5 * reflection.roughness.powi(4)) as f32,

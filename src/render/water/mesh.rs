@@ -20,7 +20,7 @@ pub const DEFAULT_VERTICES: f64 = DEFAULT_COLUMNS * DEFAULT_ROWS;
 pub const COLUMNS_PER_BLOCK: u32 = 8;
 /// Step of the logarithmic distance t (see [`MeshLattice`]) to which the nearest row is rounded down, so that a small
 /// change of the camera's pitch moves no row.
-const ROW_SNAP: f64 = 0.25;
+const FIRST_ROW_LOG_STEP: f64 = 0.25;
 
 gpu_struct! {
     /// WGSL `MeshLattice`: polar coordinates of the vertices around the point below the eye. Row i of column j has the
@@ -72,7 +72,7 @@ impl Mesh {
         let far = 1.15 * ((2.0 * EARTH_RADIUS_M * (eye + lift)).sqrt() + (2.0 * EARTH_RADIUS_M * lift).sqrt()) + 500.0;
         let far = if extent_km > 0.0 { far.min((1e3 * extent_km).max(near + radius)) } else { far };
         let t = |r: f64| (1.0 + r / radius).ln();
-        let first = (t(near) / ROW_SNAP).floor() * ROW_SNAP;
+        let first = (t(near) / FIRST_ROW_LOG_STEP).floor() * FIRST_ROW_LOG_STEP;
         let step = (t(far) - first) / f64::from(rows - 1);
 
         // Extra azimuth at both sides, because displaced waves lean into the picture from outside.
@@ -162,7 +162,7 @@ mod tests {
             unresolved_slope_variance: [0.005; 2],
             finest_cascade_slope_variance: [0.005; 2],
             caustic_filter_m: 1.0,
-            level_m: 0.0,
+            still_water_level_m: 0.0,
             cloud_velocity_m_s: [0.0; 2],
         }
     }

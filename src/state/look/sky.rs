@@ -23,7 +23,7 @@ parameters! {
         /// How the position of the sun is given. direction: by elevation and azimuth; date: by day, hour and latitude.
         sun_placement: SunPlacement = SunPlacement::Direction => ("sunby", "Sun by", "", Choice(SunPlacement::WORDS)),
         /// Elevation of the sun above the horizon: below -6 it is dusk, below -18 night.
-        sun_deg: f64 = 24.0 => ("sun", "Sun height", "deg", number(-24.0, 90.0)),
+        sun_elevation_deg: f64 = 24.0 => ("sun", "Sun height", "deg", number(-24.0, 90.0)),
         /// Azimuth of the sun, clockwise from north.
         sun_azimuth_deg: f64 = 340.0 => ("sunaz", "Sun azimuth", "deg", Heading),
         /// With sunby=date: day of the year. 1 is 1 January, 80 the March equinox, 172 the June solstice, 355 the
@@ -78,7 +78,7 @@ impl SkyLook {
             return [sun.elevation_deg, (sun.azimuth_deg + self.file_heading_deg).rem_euclid(360.0)];
         }
         match self.sun_placement {
-            SunPlacement::Direction => [self.sun_deg, self.sun_azimuth_deg],
+            SunPlacement::Direction => [self.sun_elevation_deg, self.sun_azimuth_deg],
             SunPlacement::Date => sun::elevation_azimuth_deg(self.day, self.hour, self.latitude_deg),
         }
     }

@@ -128,7 +128,7 @@ parameters! {
     /// Appearance of whitecaps.
     pub struct FoamLook {
         /// Factor on the visible foam; 1 shows the coverage that the simulation computes.
-        amount: f64 = 1.0 => ("foam", "Foam shown", "", number(0.0, 2.0)),
+        coverage_factor: f64 = 1.0 => ("foam", "Foam shown", "", number(0.0, 2.0)),
         /// Colour of the foam.
         colour: f64 = WHITE_RGB => ("foamcolour", "Foam colour", "", Colour),
         /// Roughness r of the specular reflection of wet foam, GGX with alpha = r^2.

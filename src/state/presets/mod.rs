@@ -50,15 +50,15 @@ enum ApplyRule {
     /// Parameters of the camera: set only where the preset names them.
     Camera,
     /// Parameters of time, resolution, views and window: never changed by a preset.
-    Kept,
+    NeverSet,
 }
 
 fn apply_rule(group: Group) -> ApplyRule {
     match group {
-        Group::Sea | Group::Swell | Group::Water | Group::Foam => ApplyRule::Sea,
+        Group::Sea | Group::SecondSystem | Group::Water | Group::Foam => ApplyRule::Sea,
         Group::Sky | Group::Surface | Group::Film => ApplyRule::Light,
         Group::Camera => ApplyRule::Camera,
-        Group::Grid | Group::View | Group::Clock | Group::Screen => ApplyRule::Kept,
+        Group::Grid | Group::View | Group::Clock | Group::Screen => ApplyRule::NeverSet,
     }
 }
 
@@ -96,9 +96,9 @@ impl Preset {
     /// the preset names the same file; [`SkyLook::missing_file_notice`](super::look::SkyLook::missing_file_notice)
     /// tells whether it is missing.
     pub fn apply(&self, now: &Params) -> (Params, Vec<String>) {
-        let query::ParsedState { params: wanted, keys_set, mut notices } = query::read(&self.state);
-        let named = |field: &Field| keys_set.contains(&field.key);
-        let light = keys_set.contains(&query::SKY_KEY)
+        let query::ParsedState { params: wanted, keys_taken, mut notices } = query::parse_with_keys(&self.state);
+        let named = |field: &Field| keys_taken.contains(&field.key);
+        let light = keys_taken.contains(&query::SKY_KEY)
             || FIELDS.iter().any(|f| apply_rule(f.group) == ApplyRule::Light && named(f));
         let mut next = now.clone();
         let mut left = Vec::new();
@@ -107,7 +107,7 @@ impl Preset {
                 ApplyRule::Sea => field.key != SEED_KEY || named(field),
                 ApplyRule::Light => light,
                 ApplyRule::Camera => named(field),
-                ApplyRule::Kept => false,
+                ApplyRule::NeverSet => false,
             };
             if set {
                 copy_field(field, &wanted, &mut next);

@@ -39,7 +39,7 @@ fn random(dice: &mut Dice, which: impl Fn(&Field) -> bool) -> Params {
             FieldKind::Colour => f64::from(0x00ff_ffff) * u,
         };
         // A whole number has its random value rounded, which `accept` reports as clamped.
-        let taken = match field.accept(value) {
+        let taken = match field.check_value(value) {
             Ok(v) | Err(InvalidValue::Clamped(v)) => v,
             Err(InvalidValue::Ignored) => continue,
         };

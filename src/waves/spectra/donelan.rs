@@ -7,12 +7,12 @@ use super::spectrum::{FrequencySpectrum, SpectrumInputs, peak_enhancement};
 /// development) to 5 and frequencies up to about 3.5 omega_p; beyond, its mean square slope exceeds that of a real sea.
 pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (g, u) = (inputs.gravity_m_s2, inputs.wind_m_s);
-    let grown = (11.6 * inputs.fetch.powf(-0.23)).clamp(0.83, 5.0);
+    let grown = (11.6 * inputs.dimensionless_fetch.powf(-0.23)).clamp(0.83, 5.0);
     let omega_p = inputs.omega_p.unwrap_or(grown * g / u);
     let inverse_age = (u * omega_p / g).clamp(0.83, 5.0);
     let alpha = 0.006 * inverse_age.powf(0.55);
     let a = alpha * g * g / omega_p;
-    let (gamma, sigma) = peak_form(inverse_age);
+    let (gamma, sigma) = peak_enhancement_and_width(inverse_age);
     FrequencySpectrum::new(omega_p, move |omega| {
         let r = omega / omega_p;
         a / omega.powi(4) * (-1.0 / r.powi(4)).exp() * peak_enhancement(r, gamma, sigma)
@@ -20,6 +20,6 @@ pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
 }
 
 /// Peak enhancement gamma and peak width sigma at the inverse wave age U/c_p (wind speed over phase speed at the peak).
-pub fn peak_form(inverse_age: f64) -> (f64, f64) {
+pub fn peak_enhancement_and_width(inverse_age: f64) -> (f64, f64) {
     (1.7 + 6.0 * inverse_age.max(1.0).log10(), 0.08 * (1.0 + 4.0 / inverse_age.powi(3)))
 }

@@ -1,6 +1,6 @@
 //! Unified spectrum of gravity and capillary waves (Elfouhaily, Chapron, Katsaros and Vandemark 1997).
 
-use super::donelan::peak_form;
+use super::donelan::peak_enhancement_and_width;
 use super::spectrum::{FrequencySpectrum, SpectrumInputs, peak_enhancement};
 
 /// Wave number at which the phase speed of water waves is lowest, rad/m.
@@ -12,11 +12,11 @@ const MIN_PHASE_SPEED_M_S: f64 = 0.23;
 /// (B_low) and of short waves (B_high), converted to S(omega).
 pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (g, u, dispersion) = (inputs.gravity_m_s2, inputs.wind_m_s, inputs.dispersion);
-    let grown = 0.84 * ((inputs.fetch / 2.2e4).powf(0.4)).tanh().powf(-0.75);
+    let grown = 0.84 * ((inputs.dimensionless_fetch / 2.2e4).powf(0.4)).tanh().powf(-0.75);
     let omega_p = inputs.omega_p.unwrap_or(grown.clamp(0.84, 5.0) * g / u);
     let k_p = omega_p * omega_p / g;
     let inverse_age = (u * omega_p / g).clamp(0.84, 5.0);
-    let (gamma, sigma) = peak_form(inverse_age);
+    let (gamma, sigma) = peak_enhancement_and_width(inverse_age);
     let friction = friction_velocity(u) / MIN_PHASE_SPEED_M_S;
     let growth = 1.0 + if friction < 1.0 { friction.ln() } else { 3.0 * friction.ln() };
     let (alpha_p, alpha_m) = (6e-3 * inverse_age.sqrt(), (0.01 * growth).max(0.0));

@@ -3,9 +3,9 @@
 use super::spectrum::{FrequencySpectrum, SpectrumInputs};
 
 /// Phillips' constant alpha of a fully developed sea (Pierson and Moskowitz 1964).
-pub const ALPHA: f64 = 8.1e-3;
+pub const PHILLIPS_ALPHA: f64 = 8.1e-3;
 /// Factor beta in the exponent of the Pierson-Moskowitz spectrum, for the wind speed at 19.5 m height.
-const BETA: f64 = 0.74;
+const PIERSON_MOSKOWITZ_BETA: f64 = 0.74;
 /// Ratio of the wind speeds at 19.5 m and at 10 m height over the sea, in neutrally stratified air.
 const U19_OVER_U10: f64 = 1.026;
 
@@ -28,9 +28,9 @@ fn coefficients(inputs: &SpectrumInputs<'_>) -> (f64, f64) {
     let g = inputs.gravity_m_s2;
     let b = match inputs.omega_p {
         Some(omega_p) => 1.25 * omega_p.powi(4),
-        None => BETA * (g / (U19_OVER_U10 * inputs.wind_m_s)).powi(4),
+        None => PIERSON_MOSKOWITZ_BETA * (g / (U19_OVER_U10 * inputs.wind_m_s)).powi(4),
     };
-    (ALPHA * g * g, b)
+    (PHILLIPS_ALPHA * g * g, b)
 }
 
 /// Spectrum S(omega) = a omega^-5 exp(-b omega^-4). Its peak is at omega_p = (4/5 b)^(1/4).

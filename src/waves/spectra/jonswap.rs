@@ -15,7 +15,7 @@ const EXCESSIVE_FETCH: f64 = 1.6e4;
 #[derive(Clone, Copy)]
 pub struct Jonswap {
     /// Factor alpha g^2 of the spectrum, with Phillips' constant alpha, m^2/s^4.
-    pub a: f64,
+    pub alpha_g2: f64,
     /// Angular frequency of the spectral peak, rad/s.
     pub omega_p: f64,
     /// Peak enhancement factor gamma, 3.3 on average.
@@ -25,7 +25,7 @@ pub struct Jonswap {
 /// Makes the JONSWAP spectrum, with a notice if the fetch is too long for it.
 pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let jonswap = Jonswap::new(inputs);
-    let notice = full_development(inputs);
+    let notice = full_development_notice(inputs);
     FrequencySpectrum { notice, ..FrequencySpectrum::new(jonswap.omega_p, move |omega| jonswap.density(omega)) }
 }
 
@@ -36,7 +36,7 @@ pub fn tma(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     if sea.tma_bouws_parameters {
         let k_p = Dispersion::finite_depth(g, sea.depth_m).wave_number(tma.omega_p);
         let kappa = inputs.wind_m_s * inputs.wind_m_s * k_p / g;
-        tma.a = 0.0078 * kappa.powf(0.49) * g * g;
+        tma.alpha_g2 = 0.0078 * kappa.powf(0.49) * g * g;
         tma.gamma = 2.47 * kappa.powf(0.39);
     }
     let factor = depth_factor(inputs);
@@ -44,7 +44,7 @@ pub fn tma(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     if sea.depth_factor == DepthFactor::Branches {
         out.breakpoints.extend([1.0, 2.0].map(|x| x / (sea.depth_m / g).sqrt()));
     }
-    FrequencySpectrum { notice: full_development(inputs), ..out }
+    FrequencySpectrum { notice: full_development_notice(inputs), ..out }
 }
 
 /// Returns the depth factor of Kitaigorodskii et al. 1975 as a function of the angular frequency (rad/s). The factor is
@@ -68,9 +68,9 @@ pub fn depth_factor(inputs: &SpectrumInputs<'_>) -> impl Fn(f64) -> f64 + Copy +
 
 /// Notice that the fetch is beyond full development, where a real sea stops growing and JONSWAP does not; `None` for a
 /// shorter fetch or if the user has set wave height or period.
-fn full_development(inputs: &SpectrumInputs<'_>) -> Option<String> {
+fn full_development_notice(inputs: &SpectrumInputs<'_>) -> Option<String> {
     let is_set = inputs.system.hs_m > 0.0 || inputs.omega_p.is_some();
-    (inputs.fetch > EXCESSIVE_FETCH && !is_set).then(|| {
+    (inputs.dimensionless_fetch > EXCESSIVE_FETCH && !is_set).then(|| {
         let fetch_km = inputs.fetch_km(FULL_FETCH);
         format!("the sea is fully developed after {fetch_km:.0} km (spectrum=pm); jonswap and tma keep growing")
     })
@@ -78,7 +78,7 @@ fn full_development(inputs: &SpectrumInputs<'_>) -> Option<String> {
 
 /// Significant wave height (m) and angular peak frequency (rad/s) set by the user, or those of JONSWAP if not set.
 pub fn height_and_peak(inputs: &SpectrumInputs<'_>) -> (f64, f64) {
-    let grown = Jonswap::grown(inputs);
+    let grown = Jonswap::for_wind_and_fetch(inputs);
     let grown_height = || {
         let knots = [0.3, 1.0, 1.5, 5.0, 400.0].map(|r| r * grown.omega_p);
         4.0 * integrate_adaptive(|w| grown.density(w), &knots, 1e-9).sqrt()
@@ -90,15 +90,15 @@ pub fn height_and_peak(inputs: &SpectrumInputs<'_>) -> (f64, f64) {
 impl Jonswap {
     /// Mean JONSWAP spectrum for a wind U and a fetch F, without the user's settings: gamma = 3.3, alpha = 0.076
     /// x^-0.22 and omega_p = 22 (g/U) x^(-1/3) with the dimensionless fetch x = g F / U^2.
-    fn grown(inputs: &SpectrumInputs<'_>) -> Self {
-        let (g, x) = (inputs.gravity_m_s2, inputs.fetch);
+    fn for_wind_and_fetch(inputs: &SpectrumInputs<'_>) -> Self {
+        let (g, x) = (inputs.gravity_m_s2, inputs.dimensionless_fetch);
         let alpha = 0.076 * x.powf(-0.22);
-        Self { a: alpha * g * g, omega_p: 22.0 * g / inputs.wind_m_s / x.cbrt(), gamma: 3.3 }
+        Self { alpha_g2: alpha * g * g, omega_p: 22.0 * g / inputs.wind_m_s / x.cbrt(), gamma: 3.3 }
     }
 
     /// JONSWAP spectrum for the wind and fetch, with the user's peak enhancement gamma and, if set, peak frequency.
     pub fn new(inputs: &SpectrumInputs<'_>) -> Self {
-        let grown = Self::grown(inputs);
+        let grown = Self::for_wind_and_fetch(inputs);
         Self { omega_p: inputs.omega_p.unwrap_or(grown.omega_p), gamma: inputs.system.gamma, ..grown }
     }
 
@@ -106,7 +106,7 @@ impl Jonswap {
     pub fn density(&self, omega: f64) -> f64 {
         let r = omega / self.omega_p;
         let sigma = if r <= 1.0 { 0.07 } else { 0.09 };
-        self.a / omega.powi(5) * (-1.25 / r.powi(4)).exp() * peak_enhancement(r, self.gamma, sigma)
+        self.alpha_g2 / omega.powi(5) * (-1.25 / r.powi(4)).exp() * peak_enhancement(r, self.gamma, sigma)
     }
 }
 

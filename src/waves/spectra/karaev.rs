@@ -4,31 +4,31 @@ use super::jonswap::{Jonswap, depth_factor};
 use super::spectrum::{FrequencySpectrum, SpectrumInputs};
 
 /// Smallest and largest dimensionless fetch g F / U^2 for which Karaev's fit of the peak frequency holds.
-const FETCH_RANGE: (f64, f64) = (1430.0, 20170.0);
+const DIMENSIONLESS_FETCH_RANGE: (f64, f64) = (1430.0, 20170.0);
 /// Lowest angular frequency of gravity-capillary waves and of capillary waves, rad/s.
-const RIPPLES: (f64, f64) = (64.0, 298.0);
+const RIPPLE_BAND_STARTS_RAD_S: (f64, f64) = (64.0, 298.0);
 
 /// Karaev's spectrum: JONSWAP up to 1.2 times the peak frequency, on request with the depth factor of TMA, then the
 /// power laws omega^-4, omega^-5, omega^-2.7 and omega^-5. The five branches join continuously.
 pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (g, u) = (inputs.gravity_m_s2, inputs.wind_m_s);
-    let x = inputs.fetch.clamp(FETCH_RANGE.0, FETCH_RANGE.1);
-    let notice = (x != inputs.fetch).then(|| {
+    let x = inputs.dimensionless_fetch.clamp(DIMENSIONLESS_FETCH_RANGE.0, DIMENSIONLESS_FETCH_RANGE.1);
+    let notice = (x != inputs.dimensionless_fetch).then(|| {
         let fetch_km = inputs.fetch_km(x);
         format!(
             "karaev covers g F / U^2 from {} to {}: a fetch of {fetch_km:.0} km is used",
-            FETCH_RANGE.0, FETCH_RANGE.1
+            DIMENSIONLESS_FETCH_RANGE.0, DIMENSIONLESS_FETCH_RANGE.1
         )
     });
     let peak = 0.61826 + 3.529e-7 * x - 0.001_975_08 * x.sqrt() + 62.554 / x.sqrt() - 290.2 / x;
     let omega_p = inputs.omega_p.unwrap_or(peak * g / u);
-    let jonswap = Jonswap { a: 0.076 * x.powf(-0.22) * g * g, omega_p, ..Jonswap::new(inputs) };
+    let jonswap = Jonswap { alpha_g2: 0.076 * x.powf(-0.22) * g * g, omega_p, ..Jonswap::new(inputs) };
     let factor = inputs.sea.karaev_tma.then(|| depth_factor(inputs));
     let around_peak = move |omega| jonswap.density(omega) * factor.map_or(1.0, |f| f(omega));
     let second = (0.3713 + 0.29024 * u + 0.2902 / u).max(1.2) * omega_p;
-    let third = second.max(RIPPLES.0);
+    let third = second.max(RIPPLE_BAND_STARTS_RAD_S.0);
     // Lower ends (rad/s), negative exponents and densities at the lower end of the four power laws.
-    let from = [1.2 * omega_p, second, third, third.max(RIPPLES.1)];
+    let from = [1.2 * omega_p, second, third, third.max(RIPPLE_BAND_STARTS_RAD_S.1)];
     let power = [4.0, 5.0, 2.7, 5.0];
     let mut start = [around_peak(from[0]); 4];
     for i in 1..4 {

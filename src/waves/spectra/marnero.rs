@@ -6,7 +6,7 @@ use super::spectrum::{FrequencySpectrum, SpectrumInputs};
 /// Exponent of the ratio wm/w of mean frequency to frequency in the exponential of the MarNeRo spectrum.
 const FREQUENCY_EXPONENT: f64 = 5.9285;
 /// Factor of (wm/w)^5.9285 in the exponential of the MarNeRo spectrum, with the mean frequency wm.
-const RATE: f64 = 0.3883;
+const EXPONENTIAL_FACTOR: f64 = 0.3883;
 
 /// MarNeRo spectrum S(w) = 2.302 (E/wm) (wm/w)^6.9285 exp(-0.3883 (wm/w)^5.9285) over the angular frequency w, with the
 /// mean frequency wm and the elevation variance E. The printed factor, 2.202, does not integrate to E.
@@ -14,13 +14,14 @@ pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (hs_m, omega_p) = height_and_peak(inputs);
     let m0 = hs_m * hs_m / 16.0;
     // Peak frequency over mean frequency, from the zero of the derivative of S.
-    let peak_over_mean = (FREQUENCY_EXPONENT * RATE / (FREQUENCY_EXPONENT + 1.0)).powf(1.0 / FREQUENCY_EXPONENT);
+    let peak_over_mean =
+        (FREQUENCY_EXPONENT * EXPONENTIAL_FACTOR / (FREQUENCY_EXPONENT + 1.0)).powf(1.0 / FREQUENCY_EXPONENT);
     let mean_omega = omega_p / peak_over_mean;
     FrequencySpectrum::new(mean_omega * peak_over_mean, move |omega| {
         let x = mean_omega / omega;
-        FREQUENCY_EXPONENT * RATE * m0 / mean_omega
+        FREQUENCY_EXPONENT * EXPONENTIAL_FACTOR * m0 / mean_omega
             * x.powf(FREQUENCY_EXPONENT + 1.0)
-            * (-RATE * x.powf(FREQUENCY_EXPONENT)).exp()
+            * (-EXPONENTIAL_FACTOR * x.powf(FREQUENCY_EXPONENT)).exp()
     })
 }
 

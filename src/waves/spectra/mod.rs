@@ -41,13 +41,21 @@ pub fn spectrum_of_system(sea: &Sea, system: &WaveSystemParams) -> FrequencySpec
     let (dispersion, gravity_m_s2) = (Dispersion::new(sea), sea.gravity_m_s2);
     let is_measured = system.spectrum == SpectrumKind::Measured;
     let needs_wind = !(system.hs_m > 0.0 && system.tp_s > 0.0 || is_measured && sea.measured.is_some());
-    let mut spectrum = if system.scale == 0.0 || needs_wind && system.wind_m_s < MIN_WIND_M_S {
+    let mut spectrum = if system.height_factor == 0.0 || needs_wind && system.wind_m_s < MIN_WIND_M_S {
         FrequencySpectrum::calm()
     } else {
         let wind_m_s = system.wind_m_s.max(MIN_WIND_M_S);
         let fetch = 1000.0 * system.fetch_km * gravity_m_s2 / (wind_m_s * wind_m_s);
         let omega_p = (system.tp_s > 0.0).then(|| TAU / system.tp_s.max(MIN_PEAK_PERIOD_S));
-        spectrum_of_family(&SpectrumInputs { sea, system, dispersion, gravity_m_s2, wind_m_s, fetch, omega_p })
+        spectrum_of_family(&SpectrumInputs {
+            sea,
+            system,
+            dispersion,
+            gravity_m_s2,
+            wind_m_s,
+            dimensionless_fetch: fetch,
+            omega_p,
+        })
     };
     if is_measured && sea.measured.is_none() {
         let notice = "spectrum=measured needs a buoy's file: drop one here or give it with --spectrum; until then \
@@ -65,7 +73,7 @@ pub fn spectrum_of_system(sea: &Sea, system: &WaveSystemParams) -> FrequencySpec
             spectrum = spectrum.scaled((system.hs_m / 4.0).powi(2) / m0);
         }
     }
-    spectrum.scaled(system.scale * system.scale)
+    spectrum.scaled(system.height_factor * system.height_factor)
 }
 
 /// Makes the spectrum of the family (JONSWAP and others) selected in `inputs`, before it is scaled to the user's

@@ -18,7 +18,7 @@ pub struct SpectrumInputs<'a> {
     /// Wind speed U at 10 m height, m/s, never 0.
     pub wind_m_s: f64,
     /// Dimensionless fetch g F / U^2, where F is the fetch in m and U the wind speed.
-    pub fetch: f64,
+    pub dimensionless_fetch: f64,
     /// Angular peak frequency that the user has set, rad/s; `None` to derive it from wind and fetch.
     pub omega_p: Option<f64>,
 }

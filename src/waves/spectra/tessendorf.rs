@@ -1,6 +1,6 @@
 //! Phillips' spectrum over wave numbers, as used in computer graphics (Tessendorf 2001).
 
-use super::generalised_ab::ALPHA;
+use super::generalised_ab::PHILLIPS_ALPHA;
 use super::spectrum::{FrequencySpectrum, SpectrumInputs};
 use std::f64::consts::PI;
 
@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 /// directional spreading. The default A = alpha / (2 pi), dimensionless, gives Phillips' equilibrium range.
 pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (set_a, dispersion) = (inputs.system.coefficient_a, inputs.dispersion);
-    let a = if set_a > 0.0 { set_a } else { ALPHA / (2.0 * PI) };
+    let a = if set_a > 0.0 { set_a } else { PHILLIPS_ALPHA / (2.0 * PI) };
     // Value of k L at the peak of S(omega) in deep water.
     let peak_kl = 0.8f64.sqrt();
     let length_m = match inputs.omega_p {

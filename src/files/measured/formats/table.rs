@@ -2,9 +2,7 @@
 
 use crate::files::measured::direction::{Direction, fill_missing};
 use crate::files::measured::spectrum::{MAX_BANDS, MeasuredSpectrum, SpectrumFile, checked_density, checked_frequency};
-use crate::files::measured::text::{
-    MAX_COLUMNS, TextFile, display_number, parse_number, quoted_excerpt, without_comment,
-};
+use crate::files::measured::text::{MAX_COLUMNS, TextFile, display_number, parse_number, quoted_excerpt, trimmed_line};
 
 /// Texts that stand for a missing direction or spread in a table, in upper or lower case.
 const MISSING_WORDS: [&str; 5] = ["", "-", "MM", "NaN", "NA"];
@@ -45,7 +43,7 @@ impl Rows {
     fn add_line(&mut self, line: &str) -> Result<(), String> {
         // Tabs at the end of a line are not trimmed, because they mark empty fields.
         let line = line.trim_start_matches('\u{feff}').trim_matches([' ', '\r']);
-        if without_comment(line).is_empty() || line.starts_with('#') {
+        if trimmed_line(line).is_empty() || line.starts_with('#') {
             return Ok(());
         }
         let found = || ['\t', ';', ','].into_iter().find(|&c| line.contains(c));

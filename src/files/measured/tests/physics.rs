@@ -31,7 +31,7 @@ fn the_density_integrates_to_the_variances() {
         let low = sea.lowest_omega();
         assert!((knots[0] - low).abs() < 1e-9 || knots[0] > low);
         knots.insert(0, 0.0);
-        assert!((integral(|w| sea.density(w), &knots) / sea.m0_m2() - 1.0).abs() < 1e-9, "{text}");
+        assert!((integral(|w| sea.density(w), &knots) / sea.variance_m2() - 1.0).abs() < 1e-9, "{text}");
         let last = knots[knots.len() - 1];
         // Spectral tail up to 100 times the last frequency f; its variance is S f / 4.
         let tail: Vec<f64> = (0..=20).map(|i| last * 100f64.powf(f64::from(i) / 20.0)).collect();
@@ -48,8 +48,8 @@ fn densities_between_below_and_above_the_bands() {
         assert!((at(f) - s).abs() < 1e-12, "{f}: {}", at(f));
     }
     assert_eq!((at(0.05 - 1e-9), at(0.0), at(-1.0)), (0.0, 0.0, 0.0));
-    assert_eq!(sea.m0_m2(), 0.5 * 0.05 + 2.0 * 0.05 + 2.5 * 0.15);
-    assert_eq!(sea.hs_m(), 4.0 * sea.m0_m2().sqrt());
+    assert_eq!(sea.variance_m2(), 0.5 * 0.05 + 2.0 * 0.05 + 2.5 * 0.15);
+    assert_eq!(sea.hs_m(), 4.0 * sea.variance_m2().sqrt());
 }
 
 #[test]

@@ -5,7 +5,7 @@ mod sections;
 
 use crate::files::measured::direction::{Direction, fill_missing, nearest_entry};
 use crate::files::measured::spectrum::{MeasuredSpectrum, SpectrumFile};
-use crate::files::measured::text::{TextFile, printable_prefix, without_comment};
+use crate::files::measured::text::{TextFile, printable_prefix, trimmed_line};
 use sections::{BandValue, MAX_RECORDS, Record, Section, SectionKind, column_names, read_sections};
 use std::cmp::Reverse;
 
@@ -17,7 +17,7 @@ const DIRECTIONAL_KINDS: [SectionKind; 4] =
 
 /// Whether a file has a header line of the NDBC (US National Data Buoy Center).
 pub(super) fn recognises(file: &TextFile<'_>) -> bool {
-    file.text.lines().any(|line| column_names(without_comment(line)).is_some())
+    file.text.lines().any(|line| column_names(trimmed_line(line)).is_some())
 }
 
 /// Reads one spectrum from all given NDBC files together: the newest complete variance density and its directions.

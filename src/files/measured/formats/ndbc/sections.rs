@@ -3,9 +3,7 @@
 //! lists the frequencies.
 
 use crate::files::measured::spectrum::{MAX_BANDS, checked_frequency};
-use crate::files::measured::text::{
-    MAX_COLUMNS, TextFile, display_number, parse_number, quoted_excerpt, without_comment,
-};
+use crate::files::measured::text::{MAX_COLUMNS, TextFile, display_number, parse_number, quoted_excerpt, trimmed_line};
 use std::str::SplitWhitespace;
 
 /// Largest number of sections (header lines) in one NDBC file.
@@ -132,14 +130,14 @@ pub(super) fn read_sections<'a>(file: &'a TextFile<'a>, records_left: &mut usize
             *records_left = records_left.checked_sub(1).ok_or_else(|| format!("more than {MAX_RECORDS} records"))?;
             let mut values = text.split_whitespace();
             let time = take_time(&mut values, section.has_minutes)?;
-            let band_values = section.values(values.clone())?;
+            let band_values = section.parse_values(values.clone())?;
             section.has_large_value |= band_values.iter().any(|band| band.1.is_some_and(|v| v > 1.5));
             section.records.push(Record { line, time, values });
         }
         Ok(())
     };
     for (line, text) in (1..).zip(file.text.lines()) {
-        add_line(line, without_comment(text)).map_err(|what| file.line_error(line, what))?;
+        add_line(line, trimmed_line(text)).map_err(|what| file.line_error(line, what))?;
     }
     Ok(sections)
 }
@@ -192,37 +190,37 @@ fn parse_header(
 }
 
 impl Section<'_> {
-    fn is_angle(&self) -> bool {
+    fn holds_angles(&self) -> bool {
         matches!(self.kind, Some(SectionKind::Alpha1 | SectionKind::Alpha2))
     }
 
-    fn is_moment(&self) -> bool {
+    fn holds_moments(&self) -> bool {
         matches!(self.kind, Some(SectionKind::R1 | SectionKind::R2))
     }
 
     /// Whether this is an archive section of r1 or r2 whose large values show that it is in hundredths.
     pub(super) fn is_in_hundredths(&self) -> bool {
-        self.frequencies.is_some() && self.has_large_value && self.is_moment()
+        self.frequencies.is_some() && self.has_large_value && self.holds_moments()
     }
 
     /// Whether the value `v` is a code for missing data in this section: 999 or 9999, and 99 except in sections of
     /// angles and realtime sections of variance density.
     fn is_missing(&self, v: f64) -> bool {
-        let missing_99 = self.is_moment() || !self.is_angle() && self.frequencies.is_some();
+        let missing_99 = self.holds_moments() || !self.holds_angles() && self.frequencies.is_some();
         v == 999.0 || v == 9999.0 || v == 99.0 && missing_99
     }
 
     /// Parses the values of a record of this section: frequency in Hz and value, None if missing, of each band.
     pub(super) fn band_values(&self, record: &Record<'_>) -> Result<Vec<BandValue>, String> {
-        self.values(record.values.clone()).map_err(|what| self.file.line_error(record.line, what))
+        self.parse_values(record.values.clone()).map_err(|what| self.file.line_error(record.line, what))
     }
 
     /// Values of a record of a directional section, band by band: angles in degrees, or magnitudes r1 or r2. With
     /// `hundredths`, archive magnitudes are multiplied by 0.01. Outside of 0 to 360 degrees or 0 to 1.5 is an error.
     pub(super) fn directional_values(&self, record: &Record<'_>, hundredths: bool) -> Result<Vec<BandValue>, String> {
         let mut band_values = self.band_values(record)?;
-        let scale = if !self.is_angle() && hundredths && self.frequencies.is_some() { 0.01 } else { 1.0 };
-        let high = if self.is_angle() { 360.0 } else { 1.5 };
+        let scale = if !self.holds_angles() && hundredths && self.frequencies.is_some() { 0.01 } else { 1.0 };
+        let high = if self.holds_angles() { 360.0 } else { 1.5 };
         for v in band_values.iter_mut().filter_map(|band| band.1.as_mut()) {
             let given = *v;
             *v *= scale;
@@ -236,7 +234,7 @@ impl Section<'_> {
     }
 
     /// Parses the words of a record after its time. Returns frequency (Hz) and value (None if missing) of each band.
-    fn values(&self, mut words: SplitWhitespace<'_>) -> Result<Vec<BandValue>, String> {
+    fn parse_values(&self, mut words: SplitWhitespace<'_>) -> Result<Vec<BandValue>, String> {
         let value = |text: &str| match parse_number(text) {
             Some(v) => Ok(Some(v).filter(|&v| !self.is_missing(v))),
             None if text == "MM" => Ok(None),
