@@ -73,7 +73,8 @@ fn present_srgb(linear: vec3f) -> vec3f {
   return select(1.055 * pow(c, vec3f(1.0 / 2.4)) - 0.055, 12.92 * c, c <= vec3f(0.0031308));
 }
 
-// Exposed light to code values of the screen, 0 to 1. `tone` is the discriminant of `ToneMapping` in src/state/look/mod.rs.
+// Exposed light to code values of the screen, 0 to 1. `tone` is the discriminant of `ToneMapping` in
+// src/state/look/mod.rs.
 fn present_tone(tone: u32, exposed: vec3f) -> vec3f {
   // Above this limit every curve is white; the limit keeps squares finite.
   let c = clamp(exposed, vec3f(0.0), vec3f(1e6));

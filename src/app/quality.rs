@@ -56,8 +56,8 @@ pub struct Quality {
 }
 
 impl Quality {
-    /// Creates the controller with the initial quality for a kind of adapter. `time_is_stopped`: whether simulated time is
-    /// stopped.
+    /// Creates the controller with the initial quality for a kind of adapter. `time_is_stopped`: whether simulated time
+    /// is stopped.
     pub fn for_adapter(kind: wgpu::DeviceType, time_is_stopped: bool) -> Self {
         let is_cpu = kind == wgpu::DeviceType::Cpu;
         Self {

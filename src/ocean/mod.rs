@@ -119,7 +119,8 @@ impl Ocean {
 
     /// Sets the parameters as a window does, `dt_s` seconds of wall time after the previous frame: the sea changes
     /// gradually and ends exactly on the new parameters. Look, camera, time and a changed grid apply at once. Call it
-    /// once per frame before [`Self::record_frame`], and go on while [`Self::in_transition`], even if time stands still.
+    /// once per frame before [`Self::record_frame`], and go on while [`Self::in_transition`], even if time stands
+    /// still.
     pub fn transition_to(&mut self, params: &Params, dt_s: f64) {
         if params.grid != self.params.grid {
             return self.set_params(params);
@@ -286,8 +287,8 @@ impl Ocean {
     }
 
     /// Draws a picture of `size` (width, height) pixels given as linear light (RGB, row by row from the top), such as
-    /// the mean of several [`Self::record_frame_samples`], with the exposure and tone curve of the parameters. Draws nothing
-    /// before the first call of that function.
+    /// the mean of several [`Self::record_frame_samples`], with the exposure and tone curve of the parameters. Draws
+    /// nothing before the first call of that function.
     pub fn present_linear_light(&mut self, pass: &mut wgpu::RenderPass<'_>, size: [u32; 2], light: &[[f32; 3]]) {
         let scene = self.scene(size);
         if let Some(reference) = &mut self.reference {

@@ -57,8 +57,8 @@ pub fn parse_with_keys(text: &str) -> ParsedState {
     read_with(text, VERSION_STEPS)
 }
 
-/// Does the work of [`parse_with_keys`]. `steps` translate old state strings to the newest version: [`VERSION_STEPS`], or others
-/// in tests.
+/// Does the work of [`parse_with_keys`]. `steps` translate old state strings to the newest version: [`VERSION_STEPS`],
+/// or others in tests.
 fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
     let mut reading = ParsedState::default();
     let mut query = query_part(text);
@@ -93,8 +93,8 @@ fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
 }
 
 impl ParsedState {
-    /// Stores the parsed value of the key `measured`, `afloat` or `sky` in the parameters by calling `set`, and notes the key.
-    /// If `value` is an error, adds its reason to the messages to the user instead.
+    /// Stores the parsed value of the key `measured`, `afloat` or `sky` in the parameters by calling `set`, and notes
+    /// the key. If `value` is an error, adds its reason to the messages to the user instead.
     fn set_or_notify<T>(&mut self, key: &'static str, value: Result<T, String>, set: impl FnOnce(&mut Params, T)) {
         match value {
             Ok(value) => {

@@ -24,7 +24,8 @@ const SOURCE_RAMP_SIGMAS: f64 = 0.5;
 
 /// Upper limit of the whitecap coverage that the foam model aims for, as a fraction of the surface.
 const MAX_COVERAGE: f64 = 0.9;
-/// Coefficient (1 - r2^2) / 4 in [`mean_jacobian_at_strain`], where r2, about 0.45, is the second directional moment of short waves.
+/// Coefficient (1 - r2^2) / 4 in [`mean_jacobian_at_strain`], where r2, about 0.45, is the second directional moment of
+/// short waves.
 const DETERMINANT_COEFFICIENT: f64 = 0.2;
 /// Texel size of the foam grid for which the user's fixed threshold holds, m; others get one that keeps foam as rare.
 const REFERENCE_TEXEL_M: f64 = 0.25;
@@ -102,8 +103,8 @@ fn mean_jacobian_at_strain(threshold_sigmas: f64, sigma: f64) -> f64 {
         + DETERMINANT_COEFFICIENT * (threshold_sigmas * threshold_sigmas - 1.0) * sigma * sigma
 }
 
-/// Inverse of [`mean_jacobian_at_strain`]: compression (negative strain) at which the mean Jacobian equals `threshold`, as a multiple
-/// of the standard deviation `sigma` of the strain. Of the two solutions it returns the smaller one.
+/// Inverse of [`mean_jacobian_at_strain`]: compression (negative strain) at which the mean Jacobian equals `threshold`,
+/// as a multiple of the standard deviation `sigma` of the strain. Of the two solutions it returns the smaller one.
 fn compression_sigmas_at_jacobian(threshold: f64, sigma: f64) -> f64 {
     bisect(-8.0, (0.5 / (DETERMINANT_COEFFICIENT * sigma)).min(12.0), |z| mean_jacobian_at_strain(z, sigma) > threshold)
 }

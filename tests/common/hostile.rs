@@ -74,7 +74,7 @@ fn has_finite_waves(sea: &MeasuredSpectrum) {
     let knots = sea.breakpoints();
     assert!(knots.windows(2).all(|w| w[0] < w[1]));
     assert!(0.0 < sea.lowest_omega() && sea.lowest_omega() < sea.omega_p() && sea.omega_p() <= knots[knots.len() - 1]);
-    assert!(sea.m0_m2() > 0.0 && sea.hs_m().is_finite());
+    assert!(sea.variance_m2() > 0.0 && sea.hs_m().is_finite());
     for omega in knots.iter().flat_map(|w| [0.9 * w, *w, 1.1 * w]).chain([0.0, -1.0, 1e9]) {
         assert!(sea.density(omega) >= 0.0 && sea.density(omega).is_finite());
         if let Some(moments) = sea.moments(omega) {

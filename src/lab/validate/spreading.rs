@@ -32,8 +32,8 @@ fn bin_angle(bin: usize) -> f64 {
     (bin as f64 + 0.5) / DIRECTION_BINS as f64 * TAU - PI
 }
 
-/// Mean of `f`, a function of the angular frequency (rad/s), over the band from `omega` (1 - [`RELATIVE_BAND_HALF_WIDTH`]) to `omega`
-/// (1 + [`HALF_WIDTH`]), weighted by the plan's spectral density.
+/// Mean of `f`, a function of the angular frequency (rad/s), over the band from `omega` (1 -
+/// [`RELATIVE_BAND_HALF_WIDTH`]) to `omega` (1 + [`HALF_WIDTH`]), weighted by the plan's spectral density.
 fn band_mean(plan: &Plan, omega: f64, f: impl Fn(f64) -> f64) -> f64 {
     let ends =
         [(1.0 - RELATIVE_BAND_HALF_WIDTH) * omega, 0.95 * omega, omega, (1.0 + RELATIVE_BAND_HALF_WIDTH) * omega];
@@ -73,8 +73,8 @@ fn figure(name: &str, sea: &MeasuredSea, isotropic_sea: &MeasuredSea) -> Figure 
 }
 
 /// Points of the figure in a frequency band: angle (degrees), measured directional spreading D (1/rad) and its standard
-/// error. D is the variance of a direction bin over that of the same waves in the isotropic sea `isotropic_sea`, whose D is 1 /
-/// (2 pi).
+/// error. D is the variance of a direction bin over that of the same waves in the isotropic sea `isotropic_sea`, whose
+/// D is 1 / (2 pi).
 fn measured_density(sea: &MeasuredSea, isotropic_sea: &MeasuredSea, band: usize) -> Vec<[f64; 3]> {
     let point = |i: usize| {
         let at = band * DIRECTION_BINS + i;
