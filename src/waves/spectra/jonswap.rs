@@ -76,7 +76,8 @@ fn full_development(inputs: &SpectrumInputs<'_>) -> Option<String> {
     })
 }
 
-/// Significant wave height (m) and angular peak frequency (rad/s) set by the user, or those of JONSWAP if not set.
+/// Significant wave height (m) and angular peak frequency (rad/s): each as the user has set it, otherwise that of
+/// JONSWAP.
 pub fn height_and_peak(inputs: &SpectrumInputs<'_>) -> (f64, f64) {
     let grown = Jonswap::grown(inputs);
     let grown_height = || {

@@ -5,7 +5,7 @@ use super::spectrum::{FrequencySpectrum, SpectrumInputs};
 
 /// Smallest and largest dimensionless fetch g F / U^2 for which Karaev's fit of the peak frequency holds.
 const FETCH_RANGE: (f64, f64) = (1430.0, 20170.0);
-/// Lowest angular frequency of gravity-capillary waves and of capillary waves, rad/s.
+/// Lowest angular frequency of gravity-capillary waves (first) and of capillary waves (second), rad/s.
 const RIPPLES: (f64, f64) = (64.0, 298.0);
 
 /// Karaev's spectrum: JONSWAP up to 1.2 times the peak frequency, on request with the depth factor of TMA, then the
