@@ -7,11 +7,9 @@ use super::Texel;
 pub struct MipLevel<'a> {
     /// Number of texels along a side of both maps at this mip level.
     pub n: usize,
-    /// Displacement map, n x n texels (Dx, eta, Dz, dDx/dz), row by row: horizontal displacement D and elevation eta,
-    /// m.
+    /// Displacement map, n x n texels (Dx, eta, Dz, dDx/dz): horizontal displacement D and elevation eta, m.
     pub displacement: &'a [Texel],
-    /// Gradient map, n x n texels (d eta/dx, d eta/dz, dDx/dx, dDz/dz), row by row: elevation eta, horizontal
-    /// displacement D.
+    /// Gradient map, n x n texels (d eta/dx, d eta/dz, dDx/dx, dDz/dz): elevation eta, horizontal displacement D.
     pub gradients: &'a [Texel],
 }
 

@@ -4,8 +4,7 @@
 use super::Texel;
 use crate::waves::tiling::Tiling;
 
-/// Displacement, slope and strain of the surface at an undisplaced point, before multiplication by the chop factors
-/// (the user's factors on the horizontal displacement).
+/// Displacement, slope and strain of the surface at an undisplaced point, before multiplication by the chop factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WaveFields {
     /// Horizontal displacement Dx, Dz and elevation eta, in the order (Dx, eta, Dz), m.

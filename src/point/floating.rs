@@ -38,8 +38,7 @@ fn half_size_m(kind: FloatingObjectKind) -> [f64; 2] {
 /// The strongest waves of one sea, from which heave, pitch and roll of floating hulls are computed.
 #[derive(Clone, Debug)]
 pub struct HullWaves {
-    /// Strongest waves of the sea, from which the height (heave) of hulls is computed: as many as its error limit
-    /// requires.
+    /// Strongest waves of the sea, from which the height (heave) of hulls is computed.
     heave_waves: StrongestWaves,
     /// The 500 strongest waves of the sea, from which pitch and roll of a hull are computed.
     tilt_waves: StrongestWaves,
@@ -60,8 +59,7 @@ impl HullWaves {
         }
     }
 
-    /// The waves from which heave is computed. Their heights have an rms error of at most 1.8 % of the significant wave
-    /// height.
+    /// The waves from which heave is computed. Their rms height error is at most 1.8 % of the significant wave height.
     pub fn heights(&self) -> &StrongestWaves {
         &self.heave_waves
     }

@@ -19,8 +19,8 @@ const WAVES_AT_LOW_EDGE: f64 = 7.506_054_213;
 const GOLDEN_EXPONENT_STEPS: [i32; MAX_CASCADES] = [0, 3, 7, 11];
 /// FFT size assumed when the number of cascades is chosen, so that this number does not depend on the user's FFT size.
 const NOMINAL_FFT_SIZE: f64 = 256.0;
-/// Wave number, rad/m, that the finest cascade should at least reach (wavelength 20 cm). Cascades are added, up to
-/// four, until it does.
+/// Wave number, rad/m (wavelength 20 cm), that the finest cascade should reach; cascades are added (up to 4) until it
+/// does.
 const MIN_FINEST_WAVE_NUMBER: f64 = 30.0;
 /// Largest wave number simulated without surface tension, rad/m (wavelength 1.7 cm). Above it waves are capillary.
 const MAX_GRAVITY_K: f64 = 370.0;
@@ -34,15 +34,14 @@ const MIN_VARIANCE_FRACTION: f64 = 0.995;
 const MAX_LONG_WAVE_FRACTION: f64 = 5e-4;
 /// Smallest side of a patch, m; smaller values that the user sets are raised to it.
 const MIN_PATCH_M: f64 = 0.1;
-/// First noise key (input of the random-number hash) for patches whose side the user has set. It lies above the keys of
-/// all automatic patches.
+/// First noise key (input of the random-number hash) for patches with sides set by the user, above all automatic keys.
 const MANUAL_NOISE_KEY: u32 = 1000;
 
 /// One square patch of waves; the sea is the sum of several patches of different sizes. The wave vectors k of a patch
 /// form a lattice of n x n points, 2 pi / patch_m apart. Only those with k_low <= |k| < k_high carry waves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cascade {
-    /// Side of the square patch of waves, m, which is also the wavelength of the longest wave that fits.
+    /// Side of the square patch, m.
     pub patch_m: f64,
     /// Smallest wave number of the band of waves that the cascade carries, rad/m (inclusive).
     pub k_low: f64,

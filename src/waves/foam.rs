@@ -16,8 +16,7 @@ const COVERAGE_FIT_EXPONENT: f64 = 0.73;
 /// Product of the default growth rate (1/s) and decay time (s) of foam. The default threshold is derived for it, so
 /// that the mean foam equals the whitecap coverage of the wind.
 const DEFAULT_RATE_DECAY: f64 = 8.0;
-/// Decrease of the strain over which the foam source (0: no foam forms) rises to 1, in standard deviations of the
-/// strain.
+/// Decrease of the strain, in its standard deviations, over which the foam source rises from 0 (no foam forms) to 1.
 const SOURCE_RAMP_SIGMAS: f64 = 0.5;
 
 /// Upper limit of the whitecap coverage that the foam model aims for, as a fraction of the surface.
@@ -26,8 +25,7 @@ const MAX_COVERAGE: f64 = 0.9;
 const DETERMINANT_COEFFICIENT: f64 = 0.2;
 /// Texel size of the foam grid for which the user's fixed threshold holds, m; others get one that keeps foam as rare.
 const REFERENCE_TEXEL_M: f64 = 0.25;
-/// Standard deviation of the strain of the horizontal displacement below which the water counts as flat and gets no
-/// foam.
+/// Standard deviation of the strain of the displacement below which the water counts as flat and gets no foam.
 const MIN_SIGMA: f64 = 1e-6;
 
 /// Foam source, 0 (no foam forms) to 1, as a function of the Jacobian J of the displacement: clamp((threshold - J) x

@@ -14,8 +14,8 @@ pub use super::cascades::Cascade;
 
 /// Largest ratio of significant wave height to water depth. Higher waves would break; plans reduce them (docs/sea.md).
 const MAX_HS_TO_DEPTH: f64 = 0.6;
-/// Largest variance of the strain dDx/dx + dDz/dz of the horizontal displacement D. Plans lower the waves of a steeper
-/// sea, which half-float maps cannot store.
+/// Largest variance of the strain dDx/dx + dDz/dz of the displacement D. Plans lower the waves of a steeper sea, which
+/// half-float maps cannot store.
 const MAX_STRAIN_VARIANCE: f64 = 25.0;
 /// Elevation variance, m^2, below which a sea counts as one without waves (significant wave height 4 micrometres).
 const MIN_M0_M2: f64 = 1e-12;
@@ -160,8 +160,8 @@ impl Plan {
         frequency_range(&self.systems)
     }
 
-    /// Fraction (0 to 1) of the elevation variance m0 of the whole spectrum that the cascades carry: the part with wave
-    /// numbers in their bands. 1 for a sea without waves.
+    /// Fraction (0 to 1) of the whole spectrum's elevation variance m0 that lies in the bands of the cascades; 1 if
+    /// calm.
     pub fn captured_fraction(&self) -> f64 {
         let total = self.energy.m0();
         if total <= 0.0 {
@@ -181,9 +181,8 @@ impl Plan {
     }
 
     /// Variance of the strain dDx/dx + dDz/dz of the horizontal displacement D, as far as it remains when the maps are
-    /// sampled at the mip level with texels of `texel_m` (m); 0 stands for the maps themselves. The strain is the
-    /// linear part of the Jacobian at chop 1. In shallow water its variance exceeds the mean square slope, because the
-    /// particle orbits are flatter.
+    /// sampled at the mip level with texels of `texel_m` (m; 0: full resolution). The strain is the linear part of the
+    /// Jacobian at chop 1. In shallow water it exceeds the mean square slope, because the particle orbits are flatter.
     pub fn strain_variance(&self, texel_m: f64) -> f64 {
         let band = |cascade: &Cascade| {
             let map_texel_m = cascade.patch_m / f64::from(self.n);
@@ -205,8 +204,7 @@ impl Plan {
         4.0 * self.energy.m0().sqrt()
     }
 
-    /// Tiling with which the square patch of `cascade` covers the plane: a blend of shifted copies, or plain
-    /// repetition.
+    /// Tiling with which the patch of `cascade` covers the plane: a blend of shifted copies, or plain repetition.
     pub fn tiling(&self, cascade: &Cascade) -> Tiling {
         Tiling::new(cascade.patch_m, cascade.noise_key, self.sea.seed, self.blends_copies)
     }
@@ -256,9 +254,9 @@ fn integrate_spectrum(systems: &[WaveSystem], dispersion: &Dispersion) -> Spectr
     SpectrumIntegrals::new(density, frequency_range(systems), dispersion)
 }
 
-/// Fraction (0 to 1) of a wave's variance that remains when a map is sampled with bilinear filtering, averaged over
-/// wave directions and positions. `kw` is wave number times texel size. `boxed` is true for texels that are means (mip
-/// > 0).
+/// Fraction of a wave's variance that remains when a map is sampled with bilinear filtering, averaged over wave
+/// directions and positions. `kw`: wave number times texel size. `boxed`: whether texels are means (coarser mip
+/// levels).
 fn sampling_response(kw: f64, boxed: bool) -> f64 {
     const DIRECTIONS: u32 = 6;
     let axis = |x: f64| {

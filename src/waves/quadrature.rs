@@ -15,11 +15,9 @@ const KRONROD_NODES_WEIGHTS: [(f64, f64); 8] = [
 /// from 0) of [`KRONROD_NODES_WEIGHTS`].
 const GAUSS_WEIGHTS: [f64; 4] =
     [0.129_484_966_168_869_7, 0.279_705_391_489_276_7, 0.381_830_050_505_118_9, 0.417_959_183_673_469_4];
-/// Limit of the recursion in adaptive quadrature: an interval between two knots is bisected at most this many times in
-/// succession.
+/// Depth limit of adaptive quadrature: how many times in succession an interval is bisected at most.
 const MAX_DEPTH: u32 = 40;
-/// Number of evaluated intervals after which adaptive quadrature bisects no further. It bounds the cost of one
-/// integral.
+/// Number of evaluated intervals after which adaptive quadrature of one integral bisects no further.
 const MAX_INTERVALS: u32 = 20_000;
 
 /// Returns the integral of `f` over [a, b] by the 15-point Kronrod rule, and an estimate of its error: the magnitude of

@@ -161,17 +161,15 @@ impl Spreading {
     }
 }
 
-/// Exponent s of the directional spreading cos^{2s}(theta/2) by Mitsuyasu et al. 1975: s_p r^5 below and s_p r^-2.5
-/// above the spectral peak, with r = omega / omega_p, s_p = 11.5 `inverse_age`^-2.5 and the inverse wave age U omega_p
-/// / g.
+/// Exponent s of the spreading cos^{2s}(theta/2) by Mitsuyasu et al. 1975: s_p r^5 below and s_p r^-2.5 above the
+/// spectral peak, with `r` = omega / omega_p, s_p = 11.5 `inverse_age`^-2.5 and `inverse_age` = U omega_p / g.
 fn mitsuyasu_s(r: f64, inverse_age: f64) -> f64 {
     let peak = 11.5 * inverse_age.max(1e-3).powf(-2.5);
     (peak * r.powf(if r <= 1.0 { 5.0 } else { -2.5 })).min(MAX_S)
 }
 
-/// Exponent s of the directional spreading cos^{2s}(theta/2) by Hasselmann, Dunckel and Ewing 1980: 6.97 r^4.06 below
-/// and 9.77 r^(-2.33 - 1.45 (`inverse_age` - 1.17)) above the spectral peak, with r = omega / omega_p and the inverse
-/// wave age U omega_p / g.
+/// Exponent s of cos^{2s}(theta/2) by Hasselmann, Dunckel and Ewing 1980: 6.97 r^4.06 below and 9.77 r^(1.45 (1.17 - a)
+/// - 2.33) above the peak, with `r` = omega / omega_p and a = `inverse_age` = U omega_p / g.
 fn hasselmann_s(r: f64, inverse_age: f64) -> f64 {
     if r <= 1.0 { 6.97 * r.powf(4.06) } else { 9.77 * r.powf(-2.33 - 1.45 * (inverse_age - 1.17)) }.min(MAX_S)
 }
@@ -189,8 +187,7 @@ fn donelan_banner_beta(r: f64) -> f64 {
 }
 
 impl Lobe {
-    /// Value of the lobe at the angle `theta` (-pi to pi rad) from the main direction of travel, before normalisation:
-    /// 1 at theta = 0.
+    /// Value of the lobe (1 at theta = 0) at the angle `theta` (rad) from the main direction of travel, not normalised.
     pub fn shape(&self, theta: f64) -> f64 {
         let sech = 1.0 / (self.beta * theta).cosh();
         let cosine = match self.cosine {
@@ -216,8 +213,7 @@ impl Lobe {
         self.closed_norm().unwrap_or_else(|| 1.0 / (2.0 * self.half_integral(|_| 1.0, steps)))
     }
 
-    /// Norm of the lobe, the inverse of its integral over all directions, in closed form; `None` if there is no closed
-    /// form.
+    /// Norm of the lobe (the inverse of its integral over all directions) in closed form; `None` without such a form.
     pub fn closed_norm(&self) -> Option<f64> {
         Some(match self.cosine {
             // beta / (2 tanh(beta pi)); its limit for beta = 0 is 1 / (2 pi).

@@ -79,8 +79,7 @@ pub struct LatticeStatistics {
 
 /// Relative tolerance of the integrals of the spectrum for m0, mean periods and mean square slope.
 const TOLERANCE: f64 = 1e-7;
-/// First directional moment r1 (length of the mean unit vector of travel, 0 to 1) above which a mean direction is
-/// reported.
+/// First directional moment r1 (length of the mean unit vector of travel) above which a mean direction is reported.
 pub const MIN_R1_FOR_DIRECTION: f64 = 0.01;
 
 impl SpectrumStatistics {
@@ -163,15 +162,14 @@ impl LatticeStatistics {
     }
 }
 
-/// Signed indices (ix, iz) of the wave vectors of an n x n lattice, row by row (ix fastest), each from -n/2 + 1 to n/2
-/// - 1, so without the Nyquist index. The index (0, 0) is included.
+/// Signed indices (ix, iz) of the wave vectors of an n x n lattice, row by row, with (0, 0) but without the Nyquist
+/// index -n/2. Each index lies in (-n/2, n/2).
 pub fn lattice(n: u32) -> impl Iterator<Item = (i32, i32)> {
     let half = n as i32 / 2;
     (1 - half..half).flat_map(move |iz| (1 - half..half).map(move |ix| (ix, iz)))
 }
 
-/// Spectral and directional moments of a set of waves, summed wave by wave, from which their [`LatticeStatistics`]
-/// follow.
+/// Spectral and directional moments, summed wave by wave, from which the [`LatticeStatistics`] follow.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SpectralMoments {
     /// Spectral moments m0, m1 and m2: sums of variance times omega^i, m^2 (rad/s)^i.
@@ -224,14 +222,12 @@ pub fn from_deg([x, z]: [f64; 2]) -> f64 {
     (-x).atan2(z).to_degrees().rem_euclid(360.0)
 }
 
-/// Fraction of the sea, 0 to 1, that whitecaps cover at the wind speed U = `wind_m_s` (m/s, at 10 m height): 3.84e-6
-/// U^3.41 (Monahan and O'Muircheartaigh 1980), at most 1.
+/// Fraction (0 to 1) of the sea under whitecaps at wind U (m/s): 3.84e-6 U^3.41 (Monahan and O'Muircheartaigh 1980).
 pub fn monahan_coverage(wind_m_s: f64) -> f64 {
     (3.84e-6 * wind_m_s.powf(3.41)).min(1.0)
 }
 
-/// Mean square slope of a clean sea surface (dimensionless) at the wind speed U = `wind_m_s` (m/s): 0.003 + 0.00512 U
-/// (Cox and Munk 1954).
+/// Mean square slope of a clean sea surface at the wind speed U (m/s): 0.003 + 0.00512 U (Cox and Munk 1954).
 pub fn cox_munk_mss(wind_m_s: f64) -> f64 {
     0.003 + 0.00512 * wind_m_s
 }
@@ -272,8 +268,7 @@ pub fn spread_deg(r1: f64) -> f64 {
     (2.0 * (1.0 - r1).max(0.0)).sqrt().to_degrees()
 }
 
-/// Angular frequency (rad/s) at which the frequency spectrum `s` (a function of omega in rad/s) is largest, searched
-/// from 0.9 to 1.125 times `near` (rad/s).
+/// Angular frequency (rad/s) at which the spectrum `s`(omega) is largest, searched from 0.9 to 1.125 times `near`.
 fn refined_peak(s: impl Fn(f64) -> f64, near: f64) -> f64 {
     let scan = |i: i32| near * 0.9 * 1.25f64.powf(f64::from(i) / 400.0);
     let best = (0..=400).max_by(|&a, &b| s(scan(a)).total_cmp(&s(scan(b)))).unwrap_or(0);

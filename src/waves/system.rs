@@ -72,8 +72,7 @@ impl WaveSystem {
     }
 
     /// First directional moment of this wave system at the angular frequency `omega` (rad/s): the mean unit vector of
-    /// travel (x, z), weighted by the directional spreading. Its length is 1 if all waves travel alike, 0 if no
-    /// direction dominates.
+    /// travel (x, z), weighted by the directional spreading.
     pub fn first_moment(&self, omega: f64) -> [f64; 2] {
         match self.measured(omega) {
             Some(mem) => mem.first_moment(),
@@ -111,8 +110,7 @@ pub fn travel_direction(from_deg: f64) -> [f64; 2] {
     [-from.sin(), from.cos()]
 }
 
-/// Angle, 0 to pi rad, between the wave vector `k` (x, z) and the direction of travel `travel` (x, z); both of any
-/// length.
+/// Angle (0 to pi rad) between the wave vector `k` and the direction of travel `travel`: both (x, z), of any length.
 pub fn angle_from_travel(travel: [f64; 2], k: [f64; 2]) -> f64 {
     let dot = travel[0] * k[0] + travel[1] * k[1];
     let cross = travel[0] * k[1] - travel[1] * k[0];

@@ -110,8 +110,7 @@ impl Table {
     }
 
     /// Variance (m^2) of the real part, and equally of the imaginary part, of the initial complex amplitude h0 of the
-    /// wave with signed lattice indices (ix, iz), computed from the table as the spectrum shader does. 0 outside the
-    /// band.
+    /// wave with signed lattice indices (ix, iz); 0 outside the band. The spectrum shader computes the same number.
     pub fn variance(&self, ix: i32, iz: i32) -> f64 {
         let entry = entry_index(ix, iz);
         if self.waves[entry].k == 0.0 {

@@ -31,8 +31,8 @@ pub const MEAN_COPIES: f64 = 1.69;
 const SHIFTS_PER_PATCH: f64 = 64.0;
 /// Hash input that makes the random shifts of copies independent of the random numbers of the waves.
 const HASH_SALT: u32 = 0x7469_6c65;
-/// Rotation of a patch's triangle lattice per unit of the cascade's noise key, rad: the golden angle, so that the
-/// lattices of no two cascades are parallel.
+/// Rotation of the triangle lattice per unit of the noise key, rad: the golden angle, so no two cascades' lattices
+/// align.
 const LATTICE_ROTATION_PER_KEY: f64 = 2.399_963_229_728_653;
 /// 1 / sqrt(3), for the geometry of equilateral triangles.
 const INV_SQRT_3: f64 = 0.577_350_269_189_625_8;
@@ -55,11 +55,9 @@ pub struct Tiling {
 pub struct LatticePosition {
     /// Tiling to which the position belongs.
     pub tiling: Tiling,
-    /// Fractional parts (0 to 1) of the point's two coordinates in the triangle lattice, in units of a triangle's side:
-    /// its place in the cell.
+    /// Fractional parts (0 to 1) of the point's coordinates in the triangle lattice, whose unit is a triangle's side.
     pub fraction: [f64; 2],
-    /// Integer parts of the point's two coordinates in the triangle lattice, wrapped to 32 bits: the lattice cell (two
-    /// triangles) that holds it.
+    /// Integer parts of the point's two coordinates in the triangle lattice (its lattice cell), wrapped to 32 bits.
     pub cell: [i32; 2],
 }
 
@@ -96,8 +94,7 @@ impl Tiling {
         Self { blends_copies: self.blends_copies, ..Self::new(self.patch_m / ratio, self.hash_key, HASH_SALT, true) }
     }
 
-    /// Position in the triangle lattice of the point `at` (x, z), m, which is a position before displacement by the
-    /// waves.
+    /// Position in the triangle lattice of the point `at` (x, z), m, a point before displacement by the waves.
     pub fn lattice_position(&self, at: [f64; 2]) -> LatticePosition {
         let [u, v] = self.axes();
         let q = [u, v].map(|axis| axis[0] * at[0] + axis[1] * at[1]);
@@ -140,8 +137,7 @@ impl Tiling {
         out
     }
 
-    /// Gradients (d/dx, d/dz), 1/m, of the two coordinates that a point has in the triangle lattice, first coordinate
-    /// first.
+    /// Gradients (d/dx, d/dz), 1/m, of a point's first and second coordinate in the triangle lattice.
     fn axes(&self) -> [[f64; 2]; 2] {
         let [cos, sin] = self.scaled_rotation;
         [[cos + INV_SQRT_3 * sin, sin - INV_SQRT_3 * cos], [-2.0 * INV_SQRT_3 * sin, 2.0 * INV_SQRT_3 * cos]]

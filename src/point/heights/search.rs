@@ -5,8 +5,7 @@ use super::waves::{Blends, CopySums, WaveSums};
 use crate::state::params::MAX_CASCADES;
 use crate::waves::tiling::PatchCopy;
 
-/// Distance, m, between the displaced water particle and the requested point at or below which the search has
-/// converged.
+/// Largest distance, m, between displaced particle and requested point at which the search has converged.
 const TOLERANCE_M: f64 = 1e-8;
 /// Largest number of evaluations of the waves in one search for a water particle. At chop 1 it takes three to five.
 const MAX_EVALUATIONS: usize = 64;
@@ -21,10 +20,9 @@ const ARMIJO: f64 = 1e-4;
 const ROUNDING_LIMIT_M: f64 = 1e-3;
 
 impl StrongestWaves {
-    /// Finds the water particle that lies at the world position x = `point` (x, z), m, at the time
-    /// [`Plan::time_in_period_u32`](crate::waves::Plan::time_in_period_u32): its offset d = lambda D(x - d), with the
-    /// chop factor lambda and the displacement D. Returns d (m), the wave sums at x - d, and whether the search
-    /// converged.
+    /// Finds the water particle that lies at the world position x = `point` (x, z), m, at `time` (2^32 per period of
+    /// the sea): its offset d = lambda D(x - d), with the chop factor lambda and the displacement D. Returns d (m), the
+    /// wave sums at x - d, and whether the search converged.
     ///
     /// D is the gradient of a potential. So with d = sqrt(lambda) e the solutions are the stationary points of the
     /// function |e|^2 / 2 + potential(x - sqrt(lambda) e), and the determinant of its Hessian is the Jacobian. The
@@ -72,9 +70,9 @@ impl StrongestWaves {
         (offset(e), at, error[0].hypot(error[1]) <= TOLERANCE_M)
     }
 
-    /// Newton step of the search, in m after division by `sqrt_chop`, for the gradient `g` of the minimised function
-    /// and the strain (dDx/dx, dDz/dz, dDx/dz). Negative eigenvalues of the Hessian are replaced by their absolute
-    /// values, and the step is at most `longest_step_m` long.
+    /// Newton step of the search, in m / `sqrt_chop`, for the gradient `g` of the minimised function and the strain
+    /// (dDx/dx, dDz/dz, dDx/dz). Negative eigenvalues of the Hessian count with their magnitude. The length is limited
+    /// to `longest_step_m`.
     pub(super) fn newton_step(&self, g: [f64; 2], [xx, zz, xz]: [f64; 3]) -> [f64; 2] {
         let [rx, rz] = self.sqrt_chop;
         // The Hessian is mean I + [half, cross; cross, -half], with the eigenvalues mean +- radius.

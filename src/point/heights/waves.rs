@@ -80,18 +80,15 @@ pub(super) struct WaveSums {
     pub(super) slope: [f64; 2],
     /// Horizontal displacement D = (Dx, Dz), m, before multiplication by the chop factors.
     pub(super) d: [f64; 2],
-    /// Derivatives (strain) dDx/dx, dDz/dz and dDx/dz = dDz/dx of the horizontal displacement D, without those in
-    /// `tile_strain`.
+    /// Strain dDx/dx, dDz/dz, dDx/dz = dDz/dx of the horizontal displacement D, without `tile_strain`.
     pub(super) strain: [f64; 3],
     /// Orbital velocity (dDx/dt, d eta/dt, dDz/dt), m/s.
     pub(super) velocity: [f64; 3],
     /// Potential whose gradient is the horizontal displacement D, m^2.
     pub(super) potential: f64,
-    /// Part of the slopes d eta/dx and d eta/dz that comes from the gradients of the weights with which patch copies
-    /// are blended.
+    /// Part of the slopes d eta/dx, d eta/dz that the gradients of the weights of the patch copies cause.
     pub(super) tile_slope: [f64; 2],
-    /// Part of the strain dDx/dx, dDz/dz, dDx/dz, dDz/dx that comes from the gradients of the weights of the patch
-    /// copies.
+    /// Part of the strain dDx/dx, dDz/dz, dDx/dz, dDz/dx that the gradients of the weights of the copies cause.
     pub(super) tile_strain: [f64; 4],
 }
 

@@ -76,8 +76,7 @@ fn full_development(inputs: &SpectrumInputs<'_>) -> Option<String> {
     })
 }
 
-/// Significant wave height (m) and angular peak frequency (rad/s): each as the user has set it, otherwise that of
-/// JONSWAP.
+/// Significant wave height (m) and angular peak frequency (rad/s): as set by the user or, if not set, of JONSWAP.
 pub fn height_and_peak(inputs: &SpectrumInputs<'_>) -> (f64, f64) {
     let grown = Jonswap::grown(inputs);
     let grown_height = || {

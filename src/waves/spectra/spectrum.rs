@@ -128,8 +128,8 @@ impl fmt::Debug for FrequencySpectrum {
     }
 }
 
-/// JONSWAP's peak enhancement gamma^exp(-(r - 1)^2 / (2 sigma^2)), a factor of 1 to gamma on the density, with r =
-/// omega / omega_p and the relative peak width sigma.
+/// JONSWAP's peak enhancement gamma^exp(-(r - 1)^2 / (2 sigma^2)), a factor on the density, with the relative peak
+/// width sigma and `r` = omega / omega_p.
 pub fn peak_enhancement(r: f64, gamma: f64, sigma: f64) -> f64 {
     gamma.powf((-(r - 1.0).powi(2) / (2.0 * sigma * sigma)).exp())
 }
