@@ -9,7 +9,8 @@ use std::f64::consts::TAU;
 /// cascade, n x n texels each, row by row; or, after the transform along rows only, two complex numbers per texel.
 pub type MapPair = [Vec<Texel>; 2];
 
-/// Complex amplitudes h(k, t), m, of a cascade's n x n waves at time `t_s` (s), from the initial amplitudes `h0` (m).
+/// Complex amplitudes h(k, t), m, of a cascade's n x n waves at time `t_s` (s), from the initial amplitudes `h0` (m);
+/// both are row by row in FFT order.
 pub fn evolved_spectrum(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> Vec<Complex> {
     let n = plan.n as usize;
     let phase_time = plan.time_in_period_u32(t_s);

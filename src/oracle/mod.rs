@@ -36,7 +36,7 @@ fn unit_phasor(angle: f64) -> Complex {
     [angle.cos(), angle.sin()]
 }
 
-/// Signed wave-vector index (-n/2 to n/2 - 1) of the element `i` (0 to n - 1) of an array in FFT order.
+/// Signed wave-vector index of the element `i` of an array in FFT order: first 0 to n/2 - 1, then -n/2 to -1.
 pub fn signed_index(i: usize, n: usize) -> i32 {
     if i < n / 2 { i as i32 } else { i as i32 - n as i32 }
 }

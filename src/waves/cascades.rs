@@ -58,7 +58,7 @@ impl Cascade {
         TAU / self.patch_m
     }
 
-    /// Whether the wave number `k` (rad/m) lies in the cascade's band.
+    /// Whether the wave number `k` (rad/m) lies in the band that the cascade carries: k_low <= k < k_high.
     pub fn contains_wave_number(&self, k: f64) -> bool {
         k >= self.k_low && k < self.k_high
     }

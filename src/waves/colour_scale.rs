@@ -129,7 +129,7 @@ pub struct Caption {
     pub lines: Vec<String>,
 }
 
-/// Writes the caption that explains the colours of a view of a planned sea.
+/// Returns the caption that explains the colours of the false-colour view `view` of a planned sea.
 pub fn caption(view: ViewChoice, plan: &Plan) -> Caption {
     let levels = matches!(view.displayed, DisplayedView::Map(MapView::Foam | MapView::Source));
     let cascade_layers = view.cascade_layers(if levels { FOAM_LEVELS } else { plan.cascades.len() });

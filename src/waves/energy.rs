@@ -3,7 +3,8 @@
 
 use super::dispersion::Dispersion;
 
-/// Running integrals of a frequency spectrum: variance of elevation, slope and strain below each grid frequency.
+/// Running integrals of a frequency spectrum: variances of elevation, slope and horizontal strain of all waves below
+/// each frequency of a logarithmic grid.
 #[derive(Clone, Debug)]
 pub struct SpectrumIntegrals {
     /// Angular frequencies up to which the integrals are stored, rad/s, ascending.
@@ -20,7 +21,8 @@ pub struct SpectrumIntegrals {
 impl SpectrumIntegrals {
     const STEPS: usize = 1600;
 
-    /// Integrates the spectrum `density`, S(omega) in m^2 s, from the frequency `low` to `high` (rad/s).
+    /// Integrates the spectrum `density`, S(omega) in m^2 s, and those of slope and strain from `low` to `high`
+    /// (rad/s).
     pub fn new(density: impl Fn(f64) -> f64, (low, high): (f64, f64), dispersion: &Dispersion) -> Self {
         let step = (high / low).ln() / Self::STEPS as f64;
         let mut out = Self { omega: vec![], k: vec![], sums: vec![], omega_p: low };

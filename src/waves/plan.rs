@@ -210,7 +210,7 @@ impl Plan {
     }
 }
 
-/// Notices about parameters of the two wave systems that have no effect, and notices of their spectra.
+/// Notices for the user about parameters of the two wave systems that have no effect, and those of `systems`' spectra.
 fn system_notices(sea: &Sea, systems: &[WaveSystem]) -> Vec<String> {
     let defaults = Sea::default().systems;
     let mut notices = Vec::new();

@@ -36,8 +36,8 @@ pub struct Spreading {
     pub spreading_norm_panels: u32,
 }
 
-/// Factor 1 or cos^2(theta) by which a lobe of the directional spreading is multiplied, where theta is the angle from
-/// the main direction of travel of the wave system.
+/// Factor 1 or cos^2(theta) of a lobe of the directional spreading; theta is the angle from the main direction of
+/// travel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CosineFactor {
     /// The constant 1: no cosine factor.
@@ -130,7 +130,8 @@ impl Spreading {
         Lobes { isotropic: self.isotropic, lobes }
     }
 
-    /// Directional spreading D, per rad, at frequency `omega` (rad/s) and angle `theta` (rad) from the main direction.
+    /// Directional spreading D, per rad, at angular frequency `omega` (rad/s) and angle `theta` (rad, from the main
+    /// direction of travel to the direction of travel of the waves). Its integral over all directions is 1.
     pub fn density(&self, omega: f64, theta: f64) -> f64 {
         let at = self.lobes(omega);
         let sum: f64 = at
@@ -168,8 +169,8 @@ fn mitsuyasu_s(r: f64, inverse_age: f64) -> f64 {
     (peak * r.powf(if r <= 1.0 { 5.0 } else { -2.5 })).min(MAX_S)
 }
 
-/// Exponent s of cos^{2s}(theta/2) by Hasselmann, Dunckel and Ewing 1980: 6.97 r^4.06 below and 9.77 r^(1.45 (1.17 - a)
-/// - 2.33) above the peak, with `r` = omega / omega_p and a = `inverse_age` = U omega_p / g.
+/// Exponent s of cos^{2s}(theta/2) by Hasselmann, Dunckel and Ewing 1980, with `r` = omega / omega_p and a =
+/// `inverse_age` = U omega_p / g: 6.97 r^4.06 below and 9.77 r^(-2.33 - 1.45 (a - 1.17)) above the spectral peak.
 fn hasselmann_s(r: f64, inverse_age: f64) -> f64 {
     if r <= 1.0 { 6.97 * r.powf(4.06) } else { 9.77 * r.powf(-2.33 - 1.45 * (inverse_age - 1.17)) }.min(MAX_S)
 }

@@ -36,7 +36,8 @@ pub fn terms(plan: &Plan) -> (Vec<Term>, usize) {
     (terms, first_vector.max(1))
 }
 
-/// Precomputed spectrum of one cascade for the spectrum shader: one entry for each wave number |k| of its lattice.
+/// Precomputed spectrum of one cascade for the spectrum shader. One entry serves all wave vectors of its lattice that
+/// differ only in signs and order of (ix, iz), which have the same wave number |k|.
 #[derive(Clone, Debug)]
 pub struct Table {
     /// Terms whose sum is the directional spectrum of the sea, the same for every cascade.
@@ -58,8 +59,7 @@ pub fn entry_count(n: u32) -> usize {
     (half + 1) * (half + 2) / 2
 }
 
-/// Index of the table entry for the wave vector with signed lattice indices (ix, iz), each from -n/2 to n/2. Wave
-/// vectors that are equal except for signs and order of ix and iz share an entry.
+/// Index of the table entry for the wave vector with the signed lattice indices (ix, iz), each from -n/2 to n/2.
 pub fn entry_index(ix: i32, iz: i32) -> usize {
     let [x, z] = [ix, iz].map(|i| i.unsigned_abs() as usize);
     let (a, b) = (x.max(z), x.min(z));

@@ -107,8 +107,8 @@ impl Tiling {
         }
     }
 
-    /// The three shifted copies of the patch that are blended at the point `at` (x, z), m, which is a position before
-    /// displacement by the waves. A copy can have the weight 0.
+    /// The three shifted copies of the patch that are blended at the point `at` (x, z), m, a point before displacement
+    /// by the waves. A copy can have the weight 0.
     pub fn blend(&self, at: [f64; 2]) -> [PatchCopy; 3] {
         let mut out = [[0, 0], [1, 0], [0, 1]].map(|cell| PatchCopy { cell, ..PatchCopy::default() });
         if !self.blends_copies {

@@ -70,9 +70,9 @@ impl StrongestWaves {
         (offset(e), at, error[0].hypot(error[1]) <= TOLERANCE_M)
     }
 
-    /// Newton step of the search, in m / `sqrt_chop`, for the gradient `g` of the minimised function and the strain
-    /// (dDx/dx, dDz/dz, dDx/dz). Negative eigenvalues of the Hessian count with their magnitude. The length is limited
-    /// to `longest_step_m`.
+    /// Newton step (m) of the search for the offset divided by `sqrt_chop`, from the gradient `g` of the minimised
+    /// function and the strain (dDx/dx, dDz/dz, dDx/dz). Negative eigenvalues of the Hessian count with their
+    /// magnitude. The length is limited to `longest_step_m`.
     pub(super) fn newton_step(&self, g: [f64; 2], [xx, zz, xz]: [f64; 3]) -> [f64; 2] {
         let [rx, rz] = self.sqrt_chop;
         // The Hessian is mean I + [half, cross; cross, -half], with the eigenvalues mean +- radius.

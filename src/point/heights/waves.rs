@@ -150,8 +150,8 @@ impl PatchWaves {
         Self { side_m: cascade.patch_m, tiling: plan.tiling(cascade), dk: cascade.dk(), blocks }
     }
 
-    /// Sums over the selected waves of one cascade at (`x`, `z`), in units of the patch's side, at the time `time` as
-    /// [`Plan::time_in_period_u32`] returns it.
+    /// Sums over the selected waves of one cascade at (`x`, `z`), in units of the patch's side; `time`: 2^32 per
+    /// period.
     pub(super) fn sums(&self, x: f64, z: f64, time: u32) -> WaveSums {
         // Sums per lane, without common factors: eta, its slopes, D, strain (xx, zz, xz), velocity, potential.
         let mut sums = [DVec4::ZERO; 12];
@@ -190,7 +190,7 @@ impl PatchWaves {
     }
 }
 
-/// All waves with a non-zero amplitude that the seed of a plan generates.
+/// All waves with a non-zero amplitude, of all cascades, that the seed of a plan generates.
 pub(super) fn candidates(plan: &Plan) -> Vec<Candidate> {
     let mut waves = Vec::new();
     for (i, cascade) in plan.cascades.iter().enumerate() {
