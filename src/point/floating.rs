@@ -80,8 +80,8 @@ impl HullWaves {
 }
 
 /// Position and attitude of the hull `float` at time `t_s` (s), with the still water at the height `level_m` (m).
-/// `seas` pairs the waves of each drawn sea (two during a cross-fade, the old one first) with the cross-fade's factor
-/// on their heights. The bow points into the wind of the last sea.
+/// `seas` pairs the waves of each drawn sea (several during a cross-fade, the oldest first) with the cross-fade's
+/// factor on their heights. The bow points into the wind of the last sea.
 pub fn hull_pose(seas: &[(&HullWaves, f64)], float: &FloatingObject, t_s: f64, level_m: f64) -> HullPose {
     let bow = seas.last().map_or([0.0, -1.0], |(waves, _)| waves.upwind);
     let mut sum = [level_m, 0.0, 0.0];

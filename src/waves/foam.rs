@@ -23,7 +23,7 @@ const SOURCE_RAMP_SIGMAS: f64 = 0.5;
 const MAX_COVERAGE: f64 = 0.9;
 /// Coefficient (1 - r2^2) / 4 in [`jacobian`], where r2, about 0.45, is the second directional moment of short waves.
 const DETERMINANT_COEFFICIENT: f64 = 0.2;
-/// Texel size of the foam grid for which the user's fixed threshold holds, m; others get one that keeps foam as rare.
+/// Texel size, m, of the foam grid for which the user's fixed threshold holds; it is converted for other grids.
 const REFERENCE_TEXEL_M: f64 = 0.25;
 /// Standard deviation of the strain of the displacement below which the water counts as flat and gets no foam.
 const MIN_SIGMA: f64 = 1e-6;

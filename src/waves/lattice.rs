@@ -4,8 +4,8 @@ use super::plan::{Cascade, Plan};
 use super::system::WaveSystem;
 use std::f64::consts::TAU;
 
-/// Largest wave number, in units of the lattice spacing, up to which the spectrum is averaged over a lattice cell
-/// instead of being sampled at the lattice point.
+/// Largest wave number, in units of the lattice spacing, up to which the spectrum is averaged over the lattice cell
+/// around a wave vector; the variance of waves with larger wave numbers is sampled at the wave vector.
 const COARSE_CELLS_ACROSS_K: f64 = 40.0;
 /// Nodes and weights of the four-point Gauss-Legendre rule over [-1/2, 1/2], for means over a lattice cell.
 const CELL_QUADRATURE_NODES: [(f64, f64); 4] = [

@@ -180,9 +180,9 @@ impl Plan {
         self.resolved_bands().iter().map(|&(low, high)| self.energy.mss_between(low, high.min(k_limit))).sum()
     }
 
-    /// Variance of the strain dDx/dx + dDz/dz of the horizontal displacement D, as far as it remains when the maps are
-    /// sampled at the mip level with texels of `texel_m` (m; 0: full resolution). The strain is the linear part of the
-    /// Jacobian at chop 1. In shallow water it exceeds the mean square slope, because the particle orbits are flatter.
+    /// Variance of the strain dDx/dx + dDz/dz (the linear part of the Jacobian at chop 1) of the horizontal
+    /// displacement D that remains when the maps are sampled at the mip level with texels of `texel_m` (m; 0: full
+    /// resolution). In shallow water it exceeds the mean square slope, because the particle orbits are flatter.
     pub fn strain_variance(&self, texel_m: f64) -> f64 {
         let band = |cascade: &Cascade| {
             let map_texel_m = cascade.patch_m / f64::from(self.n);

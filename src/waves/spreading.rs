@@ -148,8 +148,8 @@ impl Spreading {
         self.lobes(omega).lobes.iter().map(|(share, lobe)| share * lobe.first_moment(self.spreading_norm_panels)).sum()
     }
 
-    /// Angular frequencies (rad/s) at which the shape of a lobe, as a function of frequency, has a kink or a jump.
-    /// Integrals over frequency are split there.
+    /// Angular frequencies (rad/s) at which a lobe's shape has a kink or a jump; integrals over frequency are split
+    /// there.
     pub fn breakpoints(&self) -> Vec<f64> {
         let relative = |kind: SpreadKind| -> &[f64] {
             match kind {

@@ -192,8 +192,8 @@ impl SpectralMoments {
         }
     }
 
-    /// Returns the statistics of the added waves. `theory_m0` is the elevation variance (m^2) of the whole spectrum;
-    /// `m0_fraction` is the ratio of theirs to it.
+    /// Returns the statistics of the added waves. `theory_m0` is the elevation variance (m^2) of the whole spectrum, of
+    /// which the result's `m0_fraction` is the part that the added waves have.
     pub fn resolved(&self, theory_m0: f64) -> LatticeStatistics {
         let [m0, m1, m2] = self.m;
         if m0 <= 0.0 {

@@ -87,8 +87,8 @@ impl Tiling {
         }
     }
 
-    /// Tiling for the same patch with its side divided by `ratio`, and with other random shifts. The picture adds such
-    /// smaller copies as ripples.
+    /// Tiling for the same patch with its side divided by `ratio`, and with other random shifts. The shading of the
+    /// water adds such smaller copies as ripples, waves too short for the cascades.
     #[must_use]
     pub fn with_smaller_patch(&self, ratio: f64) -> Self {
         Self { blends_copies: self.blends_copies, ..Self::new(self.patch_m / ratio, self.hash_key, HASH_SALT, true) }

@@ -9,8 +9,8 @@ use crate::waves::tiling::PatchCopy;
 const TOLERANCE_M: f64 = 1e-8;
 /// Largest number of evaluations of the waves in one search for a water particle. At chop 1 it takes three to five.
 const MAX_EVALUATIONS: usize = 64;
-/// Lower limit of the second derivatives (curvatures) of the minimised function in a Newton step of the search. It
-/// keeps the step finite at the edge of a folded crest, where the curvature is 0.
+/// Lower limit of the curvatures (second derivatives) of the function that the search for a water particle minimises by
+/// Newton steps. It keeps a step finite at the edge of a folded crest, where the curvature is 0.
 const MIN_CURVATURE: f64 = 1e-3;
 /// Armijo rule: a Newton step of the search is accepted if the minimised function decreases at least by this fraction
 /// of the decrease that the gradient predicts.
@@ -87,7 +87,8 @@ impl StrongestWaves {
         if length > self.longest_step_m { step.map(|s| s * self.longest_step_m / length) } else { step }
     }
 
-    /// Copies of every patch, with weights, that are blended at the undisplaced position `point - offset` (x, z), m.
+    /// Copies of each cascade's patch, with weights, that are blended at the undisplaced position `point - offset` (x,
+    /// z), m.
     pub(super) fn patch_copy_blends(&self, point: [f64; 2], offset: [f64; 2]) -> Blends {
         let mut out = Blends::default();
         for (out, patch) in out.iter_mut().zip(&self.patches) {
