@@ -7,7 +7,7 @@ use crate::state::floats::{FloatingObject, FloatingObjectKind};
 use crate::waves::Plan;
 use glam::DVec3;
 
-/// Allowed rms error of a hull's height, as a fraction of the significant wave height.
+/// Largest allowed rms error of a hull's height, as a fraction of the significant wave height.
 const MAX_HEIGHT_ERROR_TO_HS: f64 = 0.018;
 /// Number of waves that make a hull pitch and roll: the strongest waves, which are mostly long.
 const TILTING_WAVES: usize = 500;

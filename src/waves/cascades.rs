@@ -19,8 +19,7 @@ const WAVES_AT_LOW_EDGE: f64 = 7.506_054_213;
 const GOLDEN_EXPONENT_STEPS: [i32; MAX_CASCADES] = [0, 3, 7, 11];
 /// FFT size assumed when the number of cascades is chosen, so that this number does not depend on the user's FFT size.
 const NOMINAL_FFT_SIZE: f64 = 256.0;
-/// Wave number, rad/m (wavelength 20 cm), that the finest cascade should reach; cascades are added (up to 4) until it
-/// does.
+/// Wave number, rad/m (wavelength 20 cm), that the finest cascade should reach; otherwise one is added (up to 4).
 const MIN_FINEST_WAVE_NUMBER: f64 = 30.0;
 /// Largest wave number simulated without surface tension, rad/m (wavelength 1.7 cm). Above it waves are capillary.
 const MAX_GRAVITY_K: f64 = 370.0;

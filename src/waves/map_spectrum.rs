@@ -6,7 +6,7 @@ use super::plan::Plan;
 /// Elevation variance of the height maps of all cascades at one time, in total and in each bin of angular frequency.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MapSpectrum {
-    /// Sum over all cascades of the mean square elevation of their height maps, m^2.
+    /// Elevation variance m0, m^2: the sum over all cascades of the mean square elevation of their height maps.
     pub m0_m2: f64,
     /// Elevation variance in each bin of angular frequency, m^2. Bin i covers frequencies from i to i + 1 bin widths.
     pub bin_variances_m2: Vec<f64>,

@@ -56,7 +56,7 @@ pub struct Lobe {
     pub beta: f64,
     /// Exponent s of the lobe's factor cos^{2s}(theta/2); 0 if the lobe has no such factor.
     pub s: f64,
-    /// Additional factor of the lobe: 1 or the square of cos(theta).
+    /// Additional factor of the lobe: 1, or cos^2(theta) over the whole circle or its forward half.
     pub cosine: CosineFactor,
 }
 
@@ -148,8 +148,7 @@ impl Spreading {
         self.lobes(omega).lobes.iter().map(|(share, lobe)| share * lobe.first_moment(self.spreading_norm_panels)).sum()
     }
 
-    /// Angular frequencies (rad/s) at which a lobe's shape has a kink or a jump; integrals over frequency are split
-    /// there.
+    /// Angular frequencies (rad/s) at which a lobe's shape has a kink or a jump, for splitting integrals over omega.
     pub fn breakpoints(&self) -> Vec<f64> {
         let relative = |kind: SpreadKind| -> &[f64] {
             match kind {

@@ -57,7 +57,8 @@ impl WaveSystem {
         self.spectrum.measured.as_ref()?.moments(omega).map(MaximumEntropy::new)
     }
 
-    /// Distribution of the wave system's energy over directions at the angular frequency `omega` (rad/s).
+    /// Distribution of the wave system's energy over directions at the angular frequency `omega` (rad/s): that of the
+    /// buoy's data if it has measured directions, otherwise that of the spreading model.
     pub fn directions(&self, omega: f64) -> Directions {
         self.measured(omega).map_or_else(|| Directions::Lobes(self.spreading.lobes(omega)), Directions::Measured)
     }

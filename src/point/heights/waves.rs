@@ -150,8 +150,7 @@ impl PatchWaves {
         Self { side_m: cascade.patch_m, tiling: plan.tiling(cascade), dk: cascade.dk(), blocks }
     }
 
-    /// Sums over the selected waves of one cascade at (`x`, `z`), in units of the patch's side; `time`: 2^32 per
-    /// period.
+    /// Sums over the waves of one cascade at (`x`, `z`), in units of the patch's side; `time` is 2^32 per period.
     pub(super) fn sums(&self, x: f64, z: f64, time: u32) -> WaveSums {
         // Sums per lane, without common factors: eta, its slopes, D, strain (xx, zz, xz), velocity, potential.
         let mut sums = [DVec4::ZERO; 12];

@@ -90,7 +90,7 @@ impl FrequencySpectrum {
         Self { omega_min, breakpoints, ..Self::new(omega_p, shape) }
     }
 
-    /// Returns the spectrum with its variance density multiplied by `factor`.
+    /// Returns the spectrum with its variance density multiplied by `factor`, the square of the factor on wave heights.
     #[must_use]
     pub fn scaled(mut self, factor: f64) -> Self {
         self.factor *= factor;
