@@ -14,8 +14,9 @@ fn declination_rad(day: f64, hour: f64) -> f64 {
         + 0.001_480 * (3.0 * g).sin()
 }
 
-/// Elevation above the horizon and azimuth (clockwise from north) of the centre of the sun, degrees, without
-/// refraction. `day` is the day of the year from 1. `hour` is true solar time, in which the sun is highest at 12.
+/// Returns elevation above the horizon and azimuth (clockwise from north) of the centre of the sun, degrees, without
+/// refraction. `day` is the day of the year from 1, `hour` true solar time, in which the sun is highest at 12,
+/// `latitude_deg` is positive in the north.
 pub fn elevation_azimuth_deg(day: f64, hour: f64, latitude_deg: f64) -> [f64; 2] {
     let (sin_d, cos_d) = declination_rad(day, hour).sin_cos();
     let (sin_l, cos_l) = latitude_deg.to_radians().sin_cos();

@@ -7,13 +7,14 @@
 const FIRST_WAVELENGTH_NM: f64 = 400.0;
 /// Difference between successive wavelengths of Jerlov's attenuation table, nm.
 const WAVELENGTH_STEP_NM: f64 = 25.0;
-/// Wavelengths that represent the display's red, green and blue, nm.
+/// Wavelengths, nm, at which the tables of optical properties are read for the display's red, green and blue.
 const PRIMARY_WAVELENGTHS_NM: [f64; 3] = [610.0, 550.0, 465.0];
 /// Absorption coefficients of pure water at [`PRIMARY_WAVELENGTHS_NM`] (red, green, blue), 1/m (Pope and Fry 1997).
 const PURE_ABSORPTION: [f64; 3] = [0.2644, 0.0565, 0.0101];
 /// Mean cosine of the angle between downwelling light and the vertical below the surface; it converts Kd to absorption.
 const DOWNWELLING_MEAN_COSINE: f64 = 0.9;
-/// Fraction of the light scattered by mineral particles of coastal water that goes backward (Petzold 1972).
+/// Backward part of the light scattered by the mineral particles of coastal water, as a fraction of all light that they
+/// scatter (Petzold 1972).
 const COASTAL_BACKSCATTER: f64 = 0.013;
 
 /// Jerlov's optical types of ocean (I to III) and coastal water (1C to 9C), clearest first.
@@ -49,7 +50,8 @@ impl WaterType {
     /// Jerlov's name of each water type in the order of `ALL`, in lower case, as in the query string (`water=1c`).
     pub const NAMES: &[&str] = &["i", "ia", "ib", "ii", "iii", "1c", "3c", "5c", "7c", "9c"];
 
-    /// Diffuse attenuation Kd, 1/m, at 400 to 700 nm in steps of 25 nm (Jerlov 1976, tables XXVI and XXVII).
+    /// Diffuse attenuation coefficient Kd of downwelling light, 1/m, at the 13 wavelengths 400, 425 ... 700 nm (Jerlov
+    /// 1976, tables XXVI and XXVII).
     #[rustfmt::skip]
     fn attenuation(self) -> [f64; 13] {
         match self {
@@ -113,7 +115,8 @@ impl WaterOptics {
         out
     }
 
-    /// Optical properties of water between `water_type` (`share` 0) and the next muddier type (`share` 1).
+    /// Optical properties of water between `water_type` (`share` 0) and the next muddier type (`share` 1), by geometric
+    /// interpolation of each coefficient.
     pub fn blend_with_next_type(water_type: WaterType, share: f64) -> Self {
         let (a, b) = (Self::of_type(water_type), Self::of_type(water_type.next()));
         let mix = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|i| a[i].powf(1.0 - share) * b[i].powf(share));
@@ -135,8 +138,8 @@ impl WaterOptics {
         Self { absorption, ..self }
     }
 
-    /// Irradiance reflectance (0 to 1) in red, green and blue of deep water, just below its surface; `water/body.wgsl`
-    /// uses the same formula.
+    /// Irradiance reflectance (upward over downward light, 0 to 1) of deep water just below its surface, in red, green
+    /// and blue; shaders/water/body.wgsl uses the same formula.
     pub fn reflectance(&self) -> [f64; 3] {
         std::array::from_fn(|i| {
             let up = 0.33 * self.backscatter[i];
@@ -144,7 +147,8 @@ impl WaterOptics {
         })
     }
 
-    /// Fraction of vertical light that returns to the surface from a white sea bed at the depth `depth_m` (m).
+    /// Fraction of vertical light (red, green, blue) that the water lets through on the way down to a sea bed at the
+    /// depth `depth_m` (m) and back up.
     pub fn two_way_transmittance(&self, depth_m: f64) -> [f64; 3] {
         std::array::from_fn(|i| (-2.0 * (self.absorption[i] + self.backscatter[i]) * depth_m).exp())
     }

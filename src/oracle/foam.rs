@@ -2,18 +2,19 @@
 
 use super::Texel;
 
-/// One mip level of the displacement and gradient maps of one cascade.
+/// One mip level of the displacement map and of the gradient map of one cascade, from which the foam pass reads.
 #[derive(Clone, Debug)]
 pub struct MipLevel<'a> {
-    /// Number of texels along a side of the maps, n.
+    /// Number of texels along a side of both maps at this mip level.
     pub n: usize,
-    /// Displacement map, n x n texels (Dx, eta, Dz, dDx/dz).
+    /// Displacement map, n x n texels (Dx, eta, Dz, dDx/dz): horizontal displacement D and elevation eta, m.
     pub displacement: &'a [Texel],
-    /// Gradient map, n x n texels (d eta/dx, d eta/dz, dDx/dx, dDz/dz).
+    /// Gradient map, n x n texels (d eta/dx, d eta/dz, dDx/dx, dDz/dz): elevation eta, horizontal displacement D.
     pub gradients: &'a [Texel],
 }
 
-/// Displacement and gradient texels at `uv`, in units of the patch's side, by bilinear filtering with repetition.
+/// Returns the displacement texel and the gradient texel at the position `uv` = (x, z) in units of the patch's side, by
+/// bilinear filtering. The maps repeat outside 0 to 1.
 pub fn sample_bilinear(level: &MipLevel<'_>, uv: [f64; 2]) -> [Texel; 2] {
     let n = level.n as i64;
     let [u, v] = uv.map(|c| c * level.n as f64 - 0.5);
@@ -31,14 +32,14 @@ pub fn sample_bilinear(level: &MipLevel<'_>, uv: [f64; 2]) -> [Texel; 2] {
     out
 }
 
-/// Jacobian (1 + lx dDx/dx)(1 + lz dDz/dz) - lx lz dDx/dz dDz/dx of the displacement, from the strains dDx/dx, dDz/dz,
-/// dDx/dz, dDz/dx summed over the cascades and the chop factors lx, lz.
+/// Jacobian (1 + lx dDx/dx)(1 + lz dDz/dz) - lx lz dDx/dz dDz/dx of the horizontal displacement (lx Dx, lz Dz). The
+/// arguments are the strains dDx/dx, dDz/dz, dDx/dz, dDz/dx of the whole sea and the chop factors lx, lz.
 pub fn displacement_jacobian([xx, zz, xz, zx]: [f64; 4], [lx, lz]: [f64; 2]) -> f64 {
     (1.0 + lx * xx) * (1.0 + lz * zz) - lx * lz * xz * zx
 }
 
-/// Foam value F (0 to 1) that follows from the value `before` in the time `dt_s` (s) with a constant foam source s (0
-/// to 1): the exact solution of dF/dt = rate s (1 - F) - F / decay.
+/// Amount of foam F (0 to 1) at the end of a time step of `dt_s` (s), from F `before` the step: the exact solution of
+/// dF/dt = `rate_per_s` s (1 - F) - F / `decay_s` (s) with a constant foam source s = `source` (0 to 1).
 pub fn foam_after_step(before: f64, source: f64, rate_per_s: f64, decay_s: f64, dt_s: f64) -> f64 {
     let loss = rate_per_s * source + 1.0 / decay_s;
     let goal = rate_per_s * source / loss;

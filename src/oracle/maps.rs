@@ -5,11 +5,12 @@ use super::{Complex, Texel, add, map_columns, mul, scale, signed_index, times_i,
 use crate::waves::plan::{Cascade, Plan};
 use std::f64::consts::TAU;
 
-/// Displacement map (Dx, eta, Dz, dDx/dz) and gradient map (d eta/dx, d eta/dz, dDx/dx, dDz/dz) of a cascade, n x n
-/// texels each. Between the transforms along rows and along columns each texel holds two complex numbers instead.
+/// Displacement map, texels (Dx, eta, Dz, dDx/dz), and gradient map, texels (d eta/dx, d eta/dz, dDx/dx, dDz/dz), of a
+/// cascade, n x n texels each, row by row; or, after the transform along rows only, two complex numbers per texel.
 pub type MapPair = [Vec<Texel>; 2];
 
-/// Complex amplitudes h(k, t), m, of a cascade's n x n waves at time `t_s` (s), from the initial amplitudes `h0` (m).
+/// Complex amplitudes h(k, t), m, of a cascade's n x n waves at time `t_s` (s), from the initial amplitudes `h0` (m);
+/// both are row by row in FFT order.
 pub fn evolved_spectrum(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> Vec<Complex> {
     let n = plan.n as usize;
     let phase_time = plan.time_in_period_u32(t_s);
@@ -28,9 +29,9 @@ pub fn evolved_spectrum(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64
         .collect()
 }
 
-/// First half of the inverse Fourier transform of a cascade's maps at time `t_s` (s): computes the spectra of the eight
-/// map channels from the initial amplitudes `h0` (m), packs pairs of real channels f and g as f + i g, and transforms
-/// every row (along x).
+/// First of the two passes of a cascade's inverse Fourier transform at time `t_s` (s), along rows (x): computes the
+/// spectra of the eight map channels from the initial amplitudes `h0` (m), packs pairs of real channels f and g as f +
+/// i g, and transforms every row.
 pub fn transform_rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> MapPair {
     let n = plan.n as usize;
     let h = evolved_spectrum(plan, cascade, h0, t_s);
@@ -60,15 +61,15 @@ pub fn transform_rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) 
     })
 }
 
-/// Second half of the inverse Fourier transform: transforms every column of the result of [`transform_rows`] and
-/// unpacks the displacement map and the gradient map.
+/// Second of the two passes of the inverse Fourier transform, along columns (z): transforms every column of the result
+/// `rows` of [`transform_rows`] and unpacks the displacement map and the gradient map.
 pub fn transform_columns(n: usize, rows: &MapPair) -> MapPair {
     let [displacement, gradients] = [0, 1].map(|pair| map_columns(n, &rows[pair], transform_line));
     // The packed displacement texel is (Dx + i Dz, eta + i dDx/dz).
     [displacement.into_iter().map(|t| [t[0], t[2], t[1], t[3]]).collect(), gradients]
 }
 
-/// Next coarser mip level of an n x n image: each texel is the mean of 2 x 2 texels.
+/// Returns the next coarser mip level, n/2 x n/2 texels, of the n x n image `plane`: each texel is the mean of 2 x 2.
 pub fn next_mip_level(n: usize, plane: &[Texel]) -> Vec<Texel> {
     let half = n / 2;
     (0..half * half)

@@ -11,7 +11,7 @@ pub mod transform;
 
 /// A complex number (re, im).
 pub type Complex = [f64; 2];
-/// One texel of a map: four real or two complex numbers.
+/// One texel of a displacement or gradient map: four real numbers or, between the transforms, two complex numbers.
 pub type Texel = [f64; 4];
 
 fn mul(a: Complex, b: Complex) -> Complex {
@@ -36,12 +36,12 @@ fn unit_phasor(angle: f64) -> Complex {
     [angle.cos(), angle.sin()]
 }
 
-/// Signed wave-vector index (-n/2 to n/2 - 1) of the element `i` (0 to n - 1) of an array in FFT order.
+/// Signed wave-vector index of the element `i` of an array in FFT order: first 0 to n/2 - 1, then -n/2 to -1.
 pub fn signed_index(i: usize, n: usize) -> i32 {
     if i < n / 2 { i as i32 } else { i as i32 - n as i32 }
 }
 
-/// Applies the function `line` to every column of an n x n array.
+/// Returns the n x n array `square` (row by row) with the function `line` applied to every column.
 fn map_columns<T: Copy + Default>(n: usize, square: &[T], line: impl Fn(&[T]) -> Vec<T>) -> Vec<T> {
     let mut out = vec![T::default(); n * n];
     for x in 0..n {

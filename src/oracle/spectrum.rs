@@ -5,7 +5,7 @@ use super::{Complex, signed_index};
 use crate::waves::noise;
 use crate::waves::plan::{Cascade, Plan};
 
-/// Initial complex amplitudes h0(k) of all n x n wave vectors of one cascade, m, in FFT order.
+/// Initial complex amplitudes h0(k), m, of all n x n wave vectors of one cascade, row by row in FFT order.
 pub fn initial_spectrum(plan: &Plan, cascade: &Cascade) -> Vec<Complex> {
     let n = plan.n as usize;
     (0..n * n).map(|i| initial_amplitude(plan, cascade, signed_index(i % n, n), signed_index(i / n, n))).collect()

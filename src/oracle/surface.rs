@@ -9,14 +9,14 @@ use crate::waves::tiling::Tiling;
 pub struct WaveFields {
     /// Horizontal displacement Dx, Dz and elevation eta, in the order (Dx, eta, Dz), m.
     pub displacement: [f64; 3],
-    /// Slopes d eta/dx and d eta/dz of the elevation eta.
+    /// Slopes d eta/dx and d eta/dz of the elevation eta (m/m).
     pub slope: [f64; 2],
-    /// Strain of the horizontal displacement: dDx/dx, dDz/dz, dDx/dz, dDz/dx.
+    /// Derivatives (strain) of the horizontal displacement D = (Dx, Dz): dDx/dx, dDz/dz, dDx/dz, dDz/dx.
     pub strain: [f64; 4],
 }
 
 impl WaveFields {
-    /// Adds the fields of another wave field, for example of another cascade at the same point.
+    /// Returns the sum of these wave fields and those of `other`, for example of another cascade at the same point.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
         Self {

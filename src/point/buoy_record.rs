@@ -19,15 +19,16 @@ pub struct BuoyRecord {
     place: [f64; 2],
     /// Samples as pairs of time (s) and height above the still water (m), oldest first.
     samples: VecDeque<[f64; 2]>,
-    /// Latest spectrum as pairs of omega (rad/s) and S(omega) (m^2 s).
+    /// Latest frequency spectrum as pairs of angular frequency omega (rad/s) and variance density S(omega) (m^2 s).
     spectrum: Vec<[f64; 2]>,
     /// Number of samples taken after the latest spectrum was computed.
     samples_since_spectrum: usize,
 }
 
 impl BuoyRecord {
-    /// Adds samples up to the time `t_s` (s), at a fixed rate that does not depend on the frame rate. `height(t)`
-    /// returns the height above still water at `place` (x, z), all in m. A jump in time or place starts a new record.
+    /// Adds samples to the record up to the time `t_s` (s), four per second whatever the frame rate. `height(t)`
+    /// returns the height above still water (m) at `place` (x, z; m) at time t (s). Another place, a time before the
+    /// last sample or more than 5 s after it starts a new record.
     pub fn advance(&mut self, t_s: f64, place: [f64; 2], height: impl Fn(f64) -> f64) {
         let moved = place != self.place;
         let last = self.samples.back().map(|s| s[0]);
@@ -64,19 +65,21 @@ impl BuoyRecord {
         self.samples.len() as f64 / SAMPLE_RATE_HZ
     }
 
-    /// Whether the newest sample is the latest one at or before the time `t_s` (s).
+    /// Whether the record reaches up to the time `t_s` (s): its last sample is at most one sample interval (0.25 s)
+    /// old.
     pub fn is_current(&self, t_s: f64) -> bool {
         self.samples.back().is_some_and(|last| (0.0..1.0 / SAMPLE_RATE_HZ).contains(&(t_s - last[0])))
     }
 
-    /// Clears the record, for example because another sea is drawn.
+    /// Removes all samples and the spectrum, for example because another sea is drawn.
     pub fn clear(&mut self) {
         self.samples.clear();
         self.spectrum.clear();
         self.samples_since_spectrum = 0;
     }
 
-    /// Significant wave height of the record, m: four standard deviations of the height. `None` in the first 30 s.
+    /// Significant wave height of the record, m: four standard deviations of the height. `None` if the record is
+    /// shorter than 30 s.
     pub fn hs_m(&self) -> Option<f64> {
         let n = self.samples.len() as f64;
         if n < 30.0 * SAMPLE_RATE_HZ {
@@ -86,7 +89,8 @@ impl BuoyRecord {
         Some(4.0 * (self.samples.iter().map(|s| (s[1] - mean).powi(2)).sum::<f64>() / n).sqrt())
     }
 
-    /// Frequency spectrum of the record, pairs of omega (rad/s) and S(omega) (m^2 s); empty in the first two minutes.
+    /// Latest frequency spectrum of the record, renewed every 10 s, as pairs of angular frequency omega (rad/s) and
+    /// variance density S(omega) (m^2 s). Empty in the first two minutes of a record.
     pub fn spectrum(&self) -> &[[f64; 2]] {
         &self.spectrum
     }

@@ -7,7 +7,7 @@ use crate::state::floats::{FloatingObject, FloatingObjectKind};
 use crate::waves::Plan;
 use glam::DVec3;
 
-/// Allowed rms error of a hull's height, as a fraction of the significant wave height.
+/// Largest allowed rms error of a hull's height, as a fraction of the significant wave height.
 const MAX_HEIGHT_ERROR_TO_HS: f64 = 0.018;
 /// Number of waves that make a hull pitch and roll: the strongest waves, which are mostly long.
 const TILTING_WAVES: usize = 500;
@@ -27,7 +27,7 @@ pub struct HullPose {
     pub forward: [f64; 3],
 }
 
-/// Half the length and half the width of a hull's waterplane, m.
+/// Half the length and half the width, m, of a hull's waterplane (its outline at the water surface).
 fn half_size_m(kind: FloatingObjectKind) -> [f64; 2] {
     match kind {
         FloatingObjectKind::Buoy => [0.8, 0.8],
@@ -38,7 +38,7 @@ fn half_size_m(kind: FloatingObjectKind) -> [f64; 2] {
 /// The strongest waves of one sea, from which heave, pitch and roll of floating hulls are computed.
 #[derive(Clone, Debug)]
 pub struct HullWaves {
-    /// Strongest waves of the sea, from which the height of a hull (heave) is computed.
+    /// Strongest waves of the sea, from which the height (heave) of hulls is computed.
     heave_waves: StrongestWaves,
     /// The 500 strongest waves of the sea, from which pitch and roll of a hull are computed.
     tilt_waves: StrongestWaves,
@@ -48,7 +48,7 @@ pub struct HullWaves {
 }
 
 impl HullWaves {
-    /// Selects the waves of a planned sea that move hulls.
+    /// Selects the strongest waves of a planned sea, from which the motions of floating hulls are computed.
     pub fn new(plan: &Plan) -> Self {
         let plan = &plan.with_fft_size_at_most(MAX_FFT_SIZE);
         Self {
@@ -59,13 +59,13 @@ impl HullWaves {
         }
     }
 
-    /// Waves that give surface heights with an rms error of 1.8 % of the significant wave height.
+    /// The waves from which heave is computed. Their rms height error is at most 1.8 % of the significant wave height.
     pub fn heave_waves(&self) -> &StrongestWaves {
         &self.heave_waves
     }
 
-    /// Heave (m above still water), pitch and roll of a hull at time `t_s` (s). `bow` is the unit vector (x, z) towards
-    /// the bow. Pitch and roll are the mean slopes of the water along and across the hull.
+    /// Returns heave (m above still water), pitch and roll of a hull at time `t_s` (s). `bow` is the unit vector (x, z)
+    /// towards the bow. Pitch is the mean slope of the water from stern to bow, roll from port to starboard (both m/m).
     fn heave_pitch_roll(&self, float: &FloatingObject, bow: [f64; 2], t_s: f64) -> [f64; 3] {
         let [length, width] = half_size_m(float.kind);
         let height = |along: f64, across: f64| {
@@ -79,8 +79,9 @@ impl HullWaves {
     }
 }
 
-/// Position and attitude of a hull at time `t_s` (s), with the still water at the height `level_m` (m). During a
-/// cross-fade `seas` holds two seas, each with its amplitude factor. The bow points into the wind of the last sea.
+/// Position and attitude of the hull `float` at time `t_s` (s), with the still water at the height `level_m` (m).
+/// `seas` pairs the waves of each drawn sea (several during a cross-fade, the oldest first) with the cross-fade's
+/// factor on their heights. The bow points into the wind of the last sea.
 pub fn hull_pose(seas: &[(&HullWaves, f64)], float: &FloatingObject, t_s: f64, level_m: f64) -> HullPose {
     let bow = seas.last().map_or([0.0, -1.0], |(waves, _)| waves.upwind);
     let mut sum = [level_m, 0.0, 0.0];

@@ -19,7 +19,7 @@ const WAVES_AT_LOW_EDGE: f64 = 7.506_054_213;
 const GOLDEN_EXPONENT_STEPS: [i32; MAX_CASCADES] = [0, 3, 7, 11];
 /// FFT size assumed when the number of cascades is chosen, so that this number does not depend on the user's FFT size.
 const NOMINAL_FFT_SIZE: f64 = 256.0;
-/// Wave number that the cascades should at least reach, rad/m (wavelength 20 cm); their number depends on it.
+/// Wave number, rad/m (wavelength 20 cm), that the finest cascade should reach; otherwise one is added (up to 4).
 const MIN_FINEST_WAVE_NUMBER: f64 = 30.0;
 /// Largest wave number simulated without surface tension, rad/m (wavelength 1.7 cm). Above it waves are capillary.
 const MAX_GRAVITY_K: f64 = 370.0;
@@ -33,7 +33,7 @@ const MIN_VARIANCE_FRACTION: f64 = 0.995;
 const MAX_LONG_WAVE_FRACTION: f64 = 5e-4;
 /// Smallest side of a patch, m; smaller values that the user sets are raised to it.
 const MIN_PATCH_M: f64 = 0.1;
-/// First random-number key for patches whose side the user has set. It lies above the keys of all automatic patches.
+/// First noise key (input of the random-number hash) for patches with sides set by the user, above all automatic keys.
 const MANUAL_NOISE_KEY: u32 = 1000;
 
 /// One square patch of waves; the sea is the sum of several patches of different sizes. The wave vectors k of a patch
@@ -46,7 +46,8 @@ pub struct Cascade {
     pub k_low: f64,
     /// Largest wave number of the cascade's band, rad/m (exclusive), at most Nyquist; equal to `k_low` if it is empty.
     pub k_high: f64,
-    /// Key of the cascade's random numbers. An automatic patch of a given size has the same key in every sea.
+    /// Key of the cascade in the hash that makes its random numbers, so that cascades differ. An automatic patch of a
+    /// given size has the same key in every sea.
     pub noise_key: u32,
 }
 
@@ -56,7 +57,7 @@ impl Cascade {
         TAU / self.patch_m
     }
 
-    /// Whether the wave number `k` (rad/m) lies in the cascade's band.
+    /// Whether the wave number `k` (rad/m) lies in the band that the cascade carries: k_low <= k < k_high.
     pub fn contains_wave_number(&self, k: f64) -> bool {
         k >= self.k_low && k < self.k_high
     }

@@ -21,7 +21,7 @@ impl SeaChange {
         if a.grid == b.grid { Self::between_seas(&a.sea, &b.sea) } else { Some(Self::Waves) }
     }
 
-    /// Most expensive kind of change between two seas with equal grid parameters; `None` if the seas are equal.
+    /// Most expensive kind of change between two seas of the same grid (FFT size, cascades); `None` if all is equal.
     pub fn between_seas(a: &Sea, b: &Sea) -> Option<Self> {
         // A parameter of the sea that is not reset here counts as a change of the waves.
         let without_foam = |sea: &Sea| Sea { foam: Foam::default(), ..sea.clone() };

@@ -23,7 +23,8 @@ pub enum Palette {
 pub const STOPS: usize = 11;
 
 impl Palette {
-    /// Colours from low to high values, sRGB from 0 to 1: viridis (matplotlib), reversed RdBu (ColorBrewer) or grey.
+    /// Colours from low to high values, sRGB (r, g, b) from 0 to 1: viridis (matplotlib) for `Sequential`, reversed
+    /// RdBu (ColorBrewer) for `Diverging`, greys from black to white for the others.
     pub fn stops(self) -> [[f32; 3]; STOPS] {
         let hex: [u32; STOPS] = match self {
             Self::Sequential => [
@@ -60,7 +61,8 @@ pub struct ColourScale {
 }
 
 impl ColourScale {
-    /// Chooses the colour scale of a view for `layer`, the index of the cascade (in views of foam: of the foam level).
+    /// Chooses the colour scale of the view `displayed` of a planned sea for `layer`, the index of the cascade (in
+    /// views of foam: of the foam level).
     pub fn new(displayed: DisplayedView, plan: &Plan, layer: usize) -> Self {
         let (k_low, k_high) = plan.cascades.get(layer).map_or((0.0, 0.0), |c| (c.k_low, c.k_high));
         let (mss, m0) = (plan.energy.mss_between(k_low, k_high), plan.energy.m0_between(k_low, k_high));
@@ -110,7 +112,8 @@ impl ColourScale {
         Self { low: 1e-4 * high, high, unit: "m", logarithmic: true, palette }
     }
 
-    /// Scale of the Jacobian: 2.5 standard deviations to either side of 1 (flat water), at most from 0 (a fold) to 2.
+    /// Scale for the Jacobian, from its standard deviation `deviation`: 2.5 deviations to either side of 1 (flat
+    /// water), at most from 0 (a fold) to 2.
     fn jacobian_scale(deviation: f64) -> Self {
         let limit = (2.5 * deviation).clamp(1e-3, 1.0);
         Self::linear(1.0 - limit, 1.0 + limit, "", Palette::Diverging)
@@ -126,7 +129,7 @@ pub struct Caption {
     pub lines: Vec<String>,
 }
 
-/// Writes the caption that explains the colours of a view of a planned sea.
+/// Returns the caption that explains the colours of the false-colour view `view` of a planned sea.
 pub fn caption(view: ViewChoice, plan: &Plan) -> Caption {
     let levels = matches!(view.displayed, DisplayedView::Map(MapView::Foam | MapView::Source));
     let cascade_layers = view.shown_layers(if levels { FOAM_LEVELS } else { plan.cascades.len() });
@@ -152,7 +155,7 @@ pub fn caption(view: ViewChoice, plan: &Plan) -> Caption {
     Caption { palette: (palette != Palette::Direction).then_some(palette), lines }
 }
 
-/// Formats a number with three significant digits.
+/// Formats a number with three or more significant digits, below 0.001 as a power of ten with two (1.2e-4).
 fn three_digits(x: f64) -> String {
     match x.abs() {
         0.0 => "0".to_owned(),

@@ -3,15 +3,16 @@
 
 use super::dispersion::Dispersion;
 
-/// Running integrals of a frequency spectrum: variance of elevation, slope and strain below each grid frequency.
+/// Running integrals of a frequency spectrum: variances of elevation, slope and horizontal strain of all waves below
+/// each frequency of a logarithmic grid.
 #[derive(Clone, Debug)]
 pub struct SpectrumIntegrals {
     /// Angular frequencies up to which the integrals are stored, rad/s, ascending.
     omega: Vec<f64>,
     /// Wave numbers of waves with the angular frequencies in `omega`, rad/m.
     k: Vec<f64>,
-    /// Integrals from the lowest frequency up to each grid frequency: variance of the elevation (m^2), mean square
-    /// slope, and variance of the horizontal strain dDx/dx + dDz/dz.
+    /// Integrals from the lowest frequency up to each grid frequency: elevation variance (m^2), mean square slope, and
+    /// variance of the strain dDx/dx + dDz/dz of the horizontal displacement D.
     sums: Vec<[f64; 3]>,
     /// Angular frequency of the grid at which the spectrum S(omega) is largest, rad/s; the grid's steps are about 1 %.
     pub omega_p: f64,
@@ -20,7 +21,8 @@ pub struct SpectrumIntegrals {
 impl SpectrumIntegrals {
     const STEPS: usize = 1600;
 
-    /// Integrates the spectrum `density`, S(omega) in m^2 s, from the frequency `low` to `high` (rad/s).
+    /// Integrates the spectrum `density`, S(omega) in m^2 s, and those of slope and strain from `low` to `high`
+    /// (rad/s).
     pub fn new(density: impl Fn(f64) -> f64, (low, high): (f64, f64), dispersion: &Dispersion) -> Self {
         let step = (high / low).ln() / Self::STEPS as f64;
         let mut out = Self { omega: vec![], k: vec![], sums: vec![], omega_p: low };
@@ -66,8 +68,8 @@ impl SpectrumIntegrals {
         self.integral_between(1, low, high)
     }
 
-    /// Variance of the horizontal strain dDx/dx + dDz/dz of the waves with wave numbers from `low` to `high` (rad/m).
-    /// The variance at each wave number k is multiplied by the filter `response(k)`.
+    /// Variance of the strain dDx/dx + dDz/dz (D: horizontal displacement) of the waves with wave numbers from `low` to
+    /// `high` (rad/m). The variance at each wave number k (rad/m) is multiplied by the filter `response(k)`.
     pub fn filtered_strain_variance(&self, low: f64, high: f64, response: impl Fn(f64) -> f64) -> f64 {
         let piece = |i: usize| {
             let (a, b) = (self.k[i - 1].max(low), self.k[i].min(high));
@@ -76,8 +78,8 @@ impl SpectrumIntegrals {
         (1..self.k.len()).map(piece).sum()
     }
 
-    /// Increase of the integral `which` (0 elevation variance, 1 mean square slope, 2 strain variance) from wave number
-    /// `low` to `high` (rad/m), by linear interpolation.
+    /// Increase of the integral `which` (0 elevation variance, m^2; 1 mean square slope; 2 strain variance) from wave
+    /// number `low` to `high` (rad/m), interpolated linearly between the stored frequencies.
     fn integral_between(&self, which: usize, low: f64, high: f64) -> f64 {
         let at = |k: f64| match self.k.partition_point(|&x| x < k) {
             0 => 0.0,

@@ -19,7 +19,7 @@ const COVERAGE_FIT_EXPONENT: f64 = 0.73;
 /// Product of the default growth rate (1/s) and decay time (s) of foam. The default threshold is derived for it, so
 /// that the mean foam equals the whitecap coverage of the wind.
 const DEFAULT_RATE_DECAY: f64 = 8.0;
-/// Decrease of the strain over which the foam source rises from 0 to 1, in standard deviations of the strain.
+/// Decrease of the strain, in its standard deviations, over which the foam source rises from 0 (no foam forms) to 1.
 const SOURCE_RAMP_SIGMAS: f64 = 0.5;
 
 /// Upper limit of the whitecap coverage that the foam model aims for, as a fraction of the surface.
@@ -27,9 +27,9 @@ const MAX_COVERAGE: f64 = 0.9;
 /// Coefficient (1 - r2^2) / 4 in [`mean_jacobian_at_strain`], where r2, about 0.45, is the second directional moment of
 /// short waves.
 const DETERMINANT_COEFFICIENT: f64 = 0.2;
-/// Texel size of the foam grid for which the user's fixed threshold holds, m; others get one that keeps foam as rare.
+/// Texel size, m, of the foam grid for which the user's fixed threshold holds; it is converted for other grids.
 const REFERENCE_TEXEL_M: f64 = 0.25;
-/// Standard deviation of the strain below which the water counts as flat and gets no foam.
+/// Standard deviation of the strain of the displacement below which the water counts as flat and gets no foam.
 const MIN_SIGMA: f64 = 1e-6;
 
 /// Foam source, 0 (no foam forms) to 1, as a function of the Jacobian J of the displacement: clamp((threshold - J) x
@@ -45,7 +45,8 @@ pub struct FoamSource {
 /// Foam model of a sea: how far the surface must be compressed before foam forms, and the expected mean foam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoamModel {
-    /// Compression at which foam starts to form, in standard deviations of the strain; infinite if there is no foam.
+    /// Compression (negative strain of the horizontal displacement) at which foam starts to form, in standard
+    /// deviations of the strain; infinite if there is no foam.
     threshold_sigmas: f64,
     /// Expected mean amount of foam over the sea surface, 0 (none) to 1 (fully covered).
     pub expected_mean_foam: f64,
@@ -93,8 +94,9 @@ impl FoamModel {
     }
 }
 
-/// Mean Jacobian J of the points with the strain s = lx dDx/dx + lz dDz/dz = -`threshold_sigmas` x `sigma`, where
-/// `sigma` is the standard deviation of s.
+/// Mean Jacobian J of the horizontal displacement at points with the strain s = -`threshold_sigmas` x `sigma`, where s
+/// is lx dDx/dx + lz dDz/dz with the chop factors lx, lz, and `sigma` is its standard deviation. It converts between a
+/// foam threshold in standard deviations of s and one in J.
 ///
 /// J is 1 + s + the determinant of the strain tensor. For a given s the mean of the determinant is
 /// (s^2 - sigma^2) (1 - r2^2) / 4 with the second directional moment r2 (1 for long-crested, 0 for isotropic waves).
@@ -118,16 +120,16 @@ fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
     low
 }
 
-/// Standard deviation of the strain lx dDx/dx + lz dDz/dz on a foam grid with texels of `texel_m` (m), where both chop
-/// factors lx and lz are replaced by their rms value.
+/// Standard deviation of the strain lx dDx/dx + lz dDz/dz of the horizontal displacement on a foam grid with texels of
+/// `texel_m` (m), where both chop factors lx and lz are replaced by their rms value.
 fn strain_deviation(plan: &Plan, texel_m: f64) -> f64 {
     let [lx, lz] = plan.sea.choppiness();
     // The foam pass reads a mip level of the maps with half the texel size of the foam grid.
     (0.5 * (lx * lx + lz * lz) * plan.strain_variance(0.5 * texel_m)).sqrt()
 }
 
-/// Mean foam source of a sea with Gaussian strain, if foam starts at a compression of `z` standard deviations: the mean
-/// of clamp((Z - z) / SOURCE_RAMP_SIGMAS, 0, 1) for a standard normal Z.
+/// Mean foam source (0 to 1) of a sea with Gaussian strain, if foam starts at a compression of `z` standard deviations:
+/// the mean of clamp((Z - z) / SOURCE_RAMP_SIGMAS, 0, 1) for a standard normal Z.
 fn mean_source(z: f64) -> f64 {
     // Mean of max(Z - z, 0).
     let excess = |z: f64| (-0.5 * z * z).exp() / (2.0 * PI).sqrt() - z * 0.5 * libm::erfc(z / 2f64.sqrt());

@@ -4,8 +4,8 @@ use super::plan::{Cascade, Plan};
 use super::system::WaveSystem;
 use std::f64::consts::TAU;
 
-/// Largest wave number, in units of the lattice spacing, up to which the spectrum is averaged over a lattice cell
-/// instead of being sampled at the lattice point.
+/// Largest wave number, in units of the lattice spacing, up to which the spectrum is averaged over the lattice cell
+/// around a wave vector; the variance of waves with larger wave numbers is sampled at the wave vector.
 const COARSE_CELLS_ACROSS_K: f64 = 40.0;
 /// Nodes and weights of the four-point Gauss-Legendre rule over [-1/2, 1/2], for means over a lattice cell.
 const CELL_QUADRATURE_NODES: [(f64, f64); 4] = [
@@ -18,7 +18,7 @@ const CELL_QUADRATURE_NODES: [(f64, f64); 4] = [
 /// Properties of a cascade's wave that depend only on its wave number |k|, not on its direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LatticeWave {
-    /// Wave number, rad/m.
+    /// Wave number, the magnitude of the wave vector, rad/m.
     pub k: f64,
     /// Number of whole cycles of the wave in one period of the sea (`Plan::period_s`).
     pub cycles_per_period: u32,
@@ -30,7 +30,8 @@ pub struct LatticeWave {
 }
 
 impl Plan {
-    /// Returns the wave at the lattice points (ix, iz) of a cascade with ix^2 + iz^2 = `i2`, which must not be 0.
+    /// Returns what all waves of a cascade at lattice points (ix, iz) with ix^2 + iz^2 = `i2` (not 0) share: wave
+    /// number, frequency and orbit shape. They differ in direction and amplitude.
     pub fn wave(&self, cascade: &Cascade, i2: u32) -> LatticeWave {
         let k = cascade.dk() * f64::from(i2).sqrt();
         let cycles_per_period =

@@ -3,10 +3,10 @@
 use super::fft::Fft;
 use super::plan::Plan;
 
-/// Variance of the elevation in height maps, in total and in each bin of angular frequency.
+/// Elevation variance of the height maps of all cascades at one time, in total and in each bin of angular frequency.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MapSpectrum {
-    /// Sum over all cascades of the mean square elevation of their height maps, m^2.
+    /// Elevation variance m0, m^2: the sum over all cascades of the mean square elevation of their height maps.
     pub m0_m2: f64,
     /// Elevation variance in each bin of angular frequency, m^2. Bin i covers frequencies from i to i + 1 bin widths.
     pub bin_variances_m2: Vec<f64>,
@@ -19,7 +19,7 @@ pub struct MapSpectrumEstimator {
     /// Index of the cascade whose height map is being transformed in `map`.
     cascade: usize,
     map: Vec<[f64; 2]>,
-    /// Number of lines of `map` that are Fourier-transformed, 0 to 2 n: first its n rows, then its n columns.
+    /// Number of transforms done on `map`, 0 to 2 n: first its n rows are Fourier-transformed, then its n columns.
     transformed_lines: usize,
     bin_rad_s: f64,
     spectrum: MapSpectrum,
@@ -73,7 +73,8 @@ impl MapSpectrumEstimator {
         (self.cascade == plan.cascades.len()).then_some(&self.spectrum)
     }
 
-    /// Adds the variance of all waves in column `x` of the Fourier-transformed height map to their frequency bins.
+    /// Adds the elevation variance of all waves in `column`, the column `x` of the Fourier-transformed height map, to
+    /// the frequency bins of these waves.
     fn add_column(&mut self, plan: &Plan, x: usize, column: &[[f64; 2]]) {
         let n = column.len();
         let signed = |i: usize| if i < n / 2 { i as f64 } else { i as f64 - n as f64 };

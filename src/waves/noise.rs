@@ -18,8 +18,8 @@ pub fn pcg4d(v: [u32; 4]) -> [u32; 4] {
     v
 }
 
-/// Two random words for the wave with signed lattice indices (ix, iz) in the cascade with the noise key `key`.
-/// [`complex_gaussian`] turns them into two standard normal numbers.
+/// Returns two random words for the wave with signed lattice indices (ix, iz) in the cascade with the noise key `key`,
+/// for the `seed` of the sea. [`complex_gaussian`] turns them into two standard normal numbers.
 pub fn noise_words(seed: u32, key: u32, ix: i32, iz: i32) -> [u32; 2] {
     let h = pcg4d([ix as u32, iz as u32, key, seed]);
     [h[0], h[1]]

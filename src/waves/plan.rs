@@ -14,9 +14,10 @@ pub use super::cascades::Cascade;
 
 /// Largest ratio of significant wave height to water depth. Higher waves would break; plans reduce them (docs/sea.md).
 const MAX_HS_TO_DEPTH: f64 = 0.6;
-/// Largest variance of the strain dDx/dx + dDz/dz. Plans reduce steeper waves, which half-float maps cannot store.
+/// Largest variance of the strain dDx/dx + dDz/dz of the displacement D. Plans lower the waves of a steeper sea, which
+/// half-float maps cannot store.
 const MAX_STRAIN_VARIANCE: f64 = 25.0;
-/// Smallest elevation variance of a sea with waves, m^2 (significant wave height 4 micrometres).
+/// Elevation variance, m^2, below which a sea counts as one without waves (significant wave height 4 micrometres).
 const MIN_M0_M2: f64 = 1e-12;
 /// Period after which a sea repeats if the user has set no loop, s: one day.
 const DAY_S: f64 = 86_400.0;
@@ -118,7 +119,8 @@ impl Plan {
         plan
     }
 
-    /// Returns the plan of the same sea with an FFT size of at most `n`, which leaves out only the shortest waves.
+    /// Returns a plan of the same sea with the FFT size `n` if that is smaller than the FFT size of this plan. Only the
+    /// waves too short for the smaller FFT are missing; all others are the same.
     #[must_use]
     pub fn with_fft_size_at_most(&self, n: u32) -> Self {
         let mut plan = self.clone();
@@ -130,8 +132,8 @@ impl Plan {
         plan
     }
 
-    /// Returns a copy of this plan with the surface and foam parameters of `sea`. All wave parameters of `sea` must
-    /// equal those of the plan; see [`SeaChange`](super::SeaChange). Both plans share the integrals of the spectrum.
+    /// Returns a copy of this plan with the chop, water level and foam parameters of `sea`. All parameters of `sea`
+    /// that change the waves must equal those of the plan; see [`SeaChange`](super::SeaChange).
     #[must_use]
     pub fn with_surface_and_foam_of(&self, sea: &Sea) -> Self {
         Self { sea: sea.clone(), ..self.clone() }
@@ -158,7 +160,8 @@ impl Plan {
         frequency_range(&self.systems)
     }
 
-    /// Fraction of the elevation variance m0 that lies in the bands of the cascades, 0 to 1.
+    /// Fraction (0 to 1) of the whole spectrum's elevation variance m0 that lies in the bands of the cascades; 1 if
+    /// calm.
     pub fn captured_fraction(&self) -> f64 {
         let total = self.energy.m0();
         if total <= 0.0 {
@@ -172,14 +175,14 @@ impl Plan {
         cascades::resolved_bands(&self.cascades)
     }
 
-    /// Mean square slope of the waves in the cascades with wave numbers below `k_limit` (rad/m).
+    /// Mean square slope (dimensionless) of those waves of the cascades whose wave numbers are below `k_limit` (rad/m).
     pub fn slope_variance(&self, k_limit: f64) -> f64 {
         self.resolved_bands().iter().map(|&(low, high)| self.energy.mss_between(low, high.min(k_limit))).sum()
     }
 
-    /// Variance of the horizontal strain dDx/dx + dDz/dz that a grid with texels of `texel_m` (m) reads from the mip
-    /// levels of the maps. The strain is the linear part of the Jacobian at chop 1. In shallow water its variance
-    /// exceeds the mean square slope, because the particle orbits are flatter.
+    /// Variance of the strain dDx/dx + dDz/dz (the linear part of the Jacobian at chop 1) of the horizontal
+    /// displacement D that remains when the maps are sampled at the mip level with texels of `texel_m` (m; 0: full
+    /// resolution). In shallow water it exceeds the mean square slope, because the particle orbits are flatter.
     pub fn strain_variance(&self, texel_m: f64) -> f64 {
         let band = |cascade: &Cascade| {
             let map_texel_m = cascade.patch_m / f64::from(self.n);
@@ -191,7 +194,7 @@ impl Plan {
         self.cascades.iter().map(band).sum()
     }
 
-    /// Largest wave number at which the cascades can carry waves, rad/m.
+    /// Largest wave number, rad/m, up to which the cascades carry waves: the highest upper end of their bands.
     pub fn k_max(&self) -> f64 {
         self.cascades.iter().map(|c| c.k_high).fold(0.0, f64::max)
     }
@@ -201,13 +204,13 @@ impl Plan {
         4.0 * self.energy.m0().sqrt()
     }
 
-    /// Tiling with which the patch of a cascade covers the plane: a blend of shifted copies, or plain repetition.
+    /// Tiling with which the patch of `cascade` covers the plane: a blend of shifted copies, or plain repetition.
     pub fn tiling(&self, cascade: &Cascade) -> Tiling {
         Tiling::new(cascade.patch_m, cascade.noise_key, self.sea.seed, self.blends_copies)
     }
 }
 
-/// Notices about parameters of the two wave systems that have no effect, and notices of their spectra.
+/// Notices for the user about parameters of the two wave systems that have no effect, and those of `systems`' spectra.
 fn system_notices(sea: &Sea, systems: &[WaveSystem]) -> Vec<String> {
     let defaults = Sea::default().systems;
     let mut notices = Vec::new();
@@ -252,7 +255,8 @@ fn integrate_spectrum(systems: &[WaveSystem], dispersion: &Dispersion) -> Spectr
 }
 
 /// Fraction of a wave's variance that remains when a map is sampled with bilinear filtering, averaged over wave
-/// directions and positions. `kw` is wave number times texel size. `boxed` is true for texels that are means (mip > 0).
+/// directions and positions. `kw`: wave number times texel size. `boxed`: whether texels are means (coarser mip
+/// levels).
 fn sampling_response(kw: f64, boxed: bool) -> f64 {
     const DIRECTIONS: u32 = 6;
     let axis = |x: f64| {

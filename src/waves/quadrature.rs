@@ -1,6 +1,6 @@
 //! Numerical integration by the 15-point Gauss-Kronrod rule, adaptive or with a fixed number of panels.
 
-/// Nodes x >= 0 and weights of the 15-point Kronrod quadrature rule on [-1, 1]; the other nodes are -x.
+/// Pairs (node x >= 0, weight) of the 15-point Kronrod quadrature rule on [-1, 1]; the other seven nodes are -x.
 const KRONROD_NODES_WEIGHTS: [(f64, f64); 8] = [
     (0.991_455_371_120_812_6, 0.022_935_322_010_529_224),
     (0.949_107_912_342_758_5, 0.063_092_092_629_978_55),
@@ -11,16 +11,17 @@ const KRONROD_NODES_WEIGHTS: [(f64, f64); 8] = [
     (0.207_784_955_007_898_47, 0.204_432_940_075_298_89),
     (0.0, 0.209_482_141_084_727_83),
 ];
-/// Weights of the embedded 7-point Gauss quadrature rule. Its nodes are the entries 1, 3, 5 and 7 of
-/// [`KRONROD_NODES_WEIGHTS`].
+/// Weights of the 7-point Gauss rule embedded in the Kronrod rule. Its nodes are the entries 1, 3, 5 and 7 (counted
+/// from 0) of [`KRONROD_NODES_WEIGHTS`].
 const GAUSS_WEIGHTS: [f64; 4] =
     [0.129_484_966_168_869_7, 0.279_705_391_489_276_7, 0.381_830_050_505_118_9, 0.417_959_183_673_469_4];
-/// Largest number of successive bisections of an interval in adaptive quadrature.
+/// Depth limit of adaptive quadrature: how many times in succession an interval is bisected at most.
 const MAX_DEPTH: u32 = 40;
-/// Largest number of intervals that adaptive quadrature evaluates for one integral.
+/// Number of evaluated intervals after which adaptive quadrature of one integral bisects no further.
 const MAX_INTERVALS: u32 = 20_000;
 
-/// Integral of `f` over [a, b] by the Kronrod rule, and its difference from the Gauss rule as an estimate of the error.
+/// Returns the integral of `f` over [a, b] by the Kronrod rule, and its difference from the Gauss rule as error
+/// estimate.
 fn gauss_kronrod(f: &impl Fn(f64) -> f64, a: f64, b: f64) -> (f64, f64) {
     let (mid, half) = (0.5 * (a + b), 0.5 * (b - a));
     let (mut k, mut g) = (0.0, 0.0);
@@ -46,8 +47,9 @@ pub fn integrate_adaptive(f: impl Fn(f64) -> f64, knots: &[f64], tolerance: f64)
     knots.windows(2).map(|w| refine(&f, [w[0], w[1]], allowed, floor, MAX_DEPTH, &mut left)).sum()
 }
 
-/// Integral of `f` over [a, b] by recursive bisection. It ends when the error is at most `allowed` or at most `floor`
-/// (the rounding error of the whole integral), after `depth` bisections, or when `left` intervals are used up.
+/// Integral of `f` over [a, b] by recursive bisection. An interval is accepted if its error is at most `allowed`
+/// (halved in each half) or `floor` (the rounding error of the whole integral), after `depth` bisections, or when
+/// `left`, the number of intervals that may still be evaluated, has been counted down to 0.
 fn refine(f: &impl Fn(f64) -> f64, [a, b]: [f64; 2], allowed: f64, floor: f64, depth: u32, left: &mut u32) -> f64 {
     let (value, error) = gauss_kronrod(f, a, b);
     *left = left.saturating_sub(1);
@@ -59,7 +61,8 @@ fn refine(f: &impl Fn(f64) -> f64, [a, b]: [f64; 2], allowed: f64, floor: f64, d
         + refine(f, [mid, b], 0.5 * allowed, floor, depth - 1, left)
 }
 
-/// Integral of a smooth `f` from the first to the last of `knots`, with `count` 15-point panels between two knots.
+/// Integral of a smooth `f` from the first to the last of `knots` (ascending). Each interval between neighbouring knots
+/// is divided into `count` equal panels, and each panel is integrated by the 15-point Kronrod rule.
 pub fn integrate_panels(f: impl Fn(f64) -> f64, knots: &[f64], count: u32) -> f64 {
     let piece = |w: &[f64]| {
         let step = (w[1] - w[0]) / f64::from(count);

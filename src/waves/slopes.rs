@@ -5,7 +5,7 @@ use super::plan::Plan;
 use super::system::{Directions, WaveSystem, angle_from_travel};
 use std::f64::consts::{PI, TAU};
 
-/// Mean square slopes of the sea surface, first along and then across the local wind, dimensionless.
+/// Mean square slopes of the sea surface, dimensionless: first along, then across the direction of the local wind.
 pub type SlopeVariance = [f64; 2];
 
 /// Number of steps of the numerical integrals over frequency and over direction.
@@ -49,7 +49,8 @@ pub fn resolved_slope_variance(plan: &Plan) -> SlopeVariance {
         .fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])
 }
 
-/// Mean square slopes of waves too short for the cascades: those of Cox and Munk (1954) minus `resolved`, at least 0.
+/// Mean square slopes of the waves too short for the cascades, which only the shading uses: those of Cox and Munk
+/// (1954) minus `resolved`, those of the waves in the cascades, at least 0.
 pub fn residual_slope_variance(plan: &Plan, resolved: SlopeVariance) -> SlopeVariance {
     let total = cox_munk(plan.sea.first_system().wind_m_s);
     [0, 1].map(|axis| (total[axis] - resolved[axis]).max(0.0))
@@ -76,8 +77,8 @@ pub fn shortest_caustic_half_wavelength_m(plan: &Plan, reach_m: f64) -> f64 {
     PI / high
 }
 
-/// Mean of cos^2 of the angle between `axis`, a unit vector (x, z), and the wave directions of a wave system at angular
-/// frequency `omega` (rad/s), weighted by the directional spreading.
+/// Mean of cos^2 of the angle between `axis`, a unit vector (x, z), and the directions of travel of the waves of
+/// `system` at angular frequency `omega` (rad/s), weighted by the directional spreading; 1/2 for isotropic waves.
 fn mean_cos2(system: &WaveSystem, omega: f64, axis: [f64; 2]) -> f64 {
     let mean = |density: &dyn Fn([f64; 2]) -> f64| {
         let (mut sum, mut total) = (0.0, 0.0);

@@ -36,7 +36,8 @@ pub struct Spreading {
     pub spreading_norm_panels: u32,
 }
 
-/// Power of cos(theta) by which a lobe of the directional spreading is multiplied: none, or the square.
+/// Factor 1 or cos^2(theta) of a lobe of the directional spreading; theta is the angle from the main direction of
+/// travel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CosineFactor {
     /// The constant 1: no cosine factor.
@@ -55,7 +56,7 @@ pub struct Lobe {
     pub beta: f64,
     /// Exponent s of the lobe's factor cos^{2s}(theta/2); 0 if the lobe has no such factor.
     pub s: f64,
-    /// Additional factor of the lobe: 1 or the square of cos(theta).
+    /// Additional factor of the lobe: 1, or cos^2(theta) over the whole circle or its forward half.
     pub cosine: CosineFactor,
 }
 
@@ -97,7 +98,8 @@ impl Spreading {
         }
     }
 
-    /// Lobes at the angular frequency `omega` (rad/s, positive). Their number and cosine factors are always the same.
+    /// Directional spreading at the angular frequency `omega` (rad/s, positive), as an isotropic part and lobes. The
+    /// number of lobes and their cosine factors are the same at every frequency.
     pub fn lobes(&self, omega: f64) -> Lobes {
         let r = omega / self.omega_p;
         let swell_s = 16.0 * (1.0 / r).tanh() * self.swell * self.swell;
@@ -128,7 +130,8 @@ impl Spreading {
         Lobes { isotropic: self.isotropic, lobes }
     }
 
-    /// Directional spreading D, per rad, at frequency `omega` (rad/s) and angle `theta` (rad) from the main direction.
+    /// Directional spreading D, per rad, at angular frequency `omega` (rad/s) and angle `theta` (rad, from the main
+    /// direction of travel to the direction of travel of the waves). Its integral over all directions is 1.
     pub fn density(&self, omega: f64, theta: f64) -> f64 {
         let at = self.lobes(omega);
         let sum: f64 = at
@@ -139,12 +142,13 @@ impl Spreading {
         sum + at.isotropic / (2.0 * PI)
     }
 
-    /// First directional moment at the angular frequency `omega` (rad/s): the integral of D cos(theta) over the circle.
+    /// First directional moment, 0 to 1, at the angular frequency `omega` (rad/s): the mean of cos(theta) weighted by
+    /// the directional spreading, where theta is the angle from the main direction of travel.
     pub fn first_moment(&self, omega: f64) -> f64 {
         self.lobes(omega).lobes.iter().map(|(share, lobe)| share * lobe.first_moment(self.spreading_norm_panels)).sum()
     }
 
-    /// Angular frequencies (rad/s) at which a parameter of a lobe, as a function of frequency, has a kink or a jump.
+    /// Angular frequencies (rad/s) at which a lobe's shape has a kink or a jump, for splitting integrals over omega.
     pub fn breakpoints(&self) -> Vec<f64> {
         let relative = |kind: SpreadKind| -> &[f64] {
             match kind {
@@ -157,15 +161,15 @@ impl Spreading {
     }
 }
 
-/// Exponent s of cos^{2s}(theta/2) by Mitsuyasu et al. 1975: s_p r^5 below and s_p r^-2.5 above the spectral peak, with
-/// r = omega / omega_p and s_p = 11.5 (U omega_p / g)^-2.5.
+/// Exponent s of the spreading cos^{2s}(theta/2) by Mitsuyasu et al. 1975: s_p r^5 below and s_p r^-2.5 above the
+/// spectral peak, with `r` = omega / omega_p, s_p = 11.5 `inverse_age`^-2.5 and `inverse_age` = U omega_p / g.
 fn mitsuyasu_s(r: f64, inverse_age: f64) -> f64 {
     let peak = 11.5 * inverse_age.max(1e-3).powf(-2.5);
     (peak * r.powf(if r <= 1.0 { 5.0 } else { -2.5 })).min(MAX_S)
 }
 
-/// Exponent s of cos^{2s}(theta/2) by Hasselmann, Dunckel and Ewing 1980: 6.97 r^4.06 below and
-/// 9.77 r^(-2.33 - 1.45 (U omega_p / g - 1.17)) above the spectral peak, with r = omega / omega_p.
+/// Exponent s of cos^{2s}(theta/2) by Hasselmann, Dunckel and Ewing 1980, with `r` = omega / omega_p and a =
+/// `inverse_age` = U omega_p / g: 6.97 r^4.06 below and 9.77 r^(-2.33 - 1.45 (a - 1.17)) above the spectral peak.
 fn hasselmann_s(r: f64, inverse_age: f64) -> f64 {
     if r <= 1.0 { 6.97 * r.powf(4.06) } else { 9.77 * r.powf(-2.33 - 1.45 * (inverse_age - 1.17)) }.min(MAX_S)
 }
@@ -183,7 +187,7 @@ fn donelan_banner_beta(r: f64) -> f64 {
 }
 
 impl Lobe {
-    /// Value of the lobe at the angle `theta` (-pi to pi rad) from the direction of travel, before normalisation.
+    /// Value of the lobe (1 at theta = 0) at the angle `theta` (rad) from the main direction of travel, not normalised.
     pub fn shape(&self, theta: f64) -> f64 {
         let sech = 1.0 / (self.beta * theta).cosh();
         let cosine = match self.cosine {
@@ -194,8 +198,8 @@ impl Lobe {
         sech * sech * (0.5 + 0.5 * theta.cos()).max(0.0).powf(self.s) * cosine
     }
 
-    /// Integral of `f` times the lobe from theta = 0 to pi, in up to six pieces of `steps` 15-point panels each. The
-    /// pieces are short inside the lobe and near pi, where cos^{2s}(theta/2) with a small s is not smooth.
+    /// Integral of `f`(theta) times the lobe from theta = 0 to pi rad, in up to six pieces of `steps` 15-point panels
+    /// each. The pieces are short inside the lobe and near pi, where cos^{2s}(theta/2) with a small s is not smooth.
     fn half_integral(&self, f: impl Fn(f64) -> f64, steps: u32) -> f64 {
         let width = (3.0 / (self.beta * self.beta + 0.25 * self.s).sqrt().max(1e-3)).min(0.4 * PI);
         let ends = [0.0, 0.4 * width, width, 0.5 * PI, PI - 0.1, PI - 0.005, PI];
@@ -203,13 +207,13 @@ impl Lobe {
         integrate_panels(|theta| f(theta) * self.shape(theta), pieces, steps)
     }
 
-    /// Norm of the lobe: the factor that makes its integral over all directions 1. It is computed in closed form if
-    /// there is one, otherwise by quadrature with `steps` panels per piece.
+    /// Norm of the lobe, the factor that makes its integral over all directions 1: in closed form if there is one,
+    /// otherwise by quadrature with `steps` 15-point panels in each of up to six pieces of the half circle.
     pub fn norm(&self, steps: u32) -> f64 {
         self.closed_norm().unwrap_or_else(|| 1.0 / (2.0 * self.half_integral(|_| 1.0, steps)))
     }
 
-    /// Norm of the lobe (the inverse of its integral over all directions) in closed form, if there is one.
+    /// Norm of the lobe (the inverse of its integral over all directions) in closed form; `None` without such a form.
     pub fn closed_norm(&self) -> Option<f64> {
         Some(match self.cosine {
             // beta / (2 tanh(beta pi)); its limit for beta = 0 is 1 / (2 pi).
@@ -226,8 +230,8 @@ impl Lobe {
         })
     }
 
-    /// First directional moment of the lobe: the integral of the normalised lobe times cos(theta) over all directions.
-    /// `steps` is the number of quadrature panels as in [`Self::norm`].
+    /// First directional moment, 0 to 1, of the lobe: the mean of cos(theta) weighted by the lobe, where theta is the
+    /// angle from the main direction of travel. `steps` is the number of quadrature panels as in [`Self::norm`].
     pub fn first_moment(&self, steps: u32) -> f64 {
         if self.cosine == CosineFactor::One && self.beta == 0.0 {
             return self.s / (self.s + 1.0);

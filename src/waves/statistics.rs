@@ -44,7 +44,8 @@ pub struct SpectrumStatistics {
     pub k_max: f64,
     /// Mean direction that the waves come from, degrees clockwise from north; `None` if no direction dominates.
     pub mean_from_deg: Option<f64>,
-    /// Directional spread sqrt(2 (1 - r1)), degrees, with the energy-weighted first directional moment r1.
+    /// Directional spread sqrt(2 (1 - r1)), degrees, where the first directional moment r1 is the length of the
+    /// energy-weighted mean of the unit vectors of travel.
     pub spread_deg: f64,
     /// Benjamin-Feir index for deep water, k_p sqrt(m0) Q_p sqrt(2 pi), with the peak wave number k_p and Goda's
     /// peakedness Q_p = 2 / m0^2 int omega S^2 d omega (Janssen and Bidlot 2009). Near 1, freak waves become likely.
@@ -72,13 +73,13 @@ pub struct LatticeStatistics {
     pub r1: f64,
     /// Mean direction that the waves come from, degrees clockwise from north; `None` if no direction dominates.
     pub mean_from_deg: Option<f64>,
-    /// Directional spread of the waves' energy, sqrt(2 (1 - r1)) with the first directional moment r1, in degrees.
+    /// Directional spread sqrt(2 (1 - r1)) of the waves, converted to degrees, with the first directional moment `r1`.
     pub spread_deg: f64,
 }
 
 /// Relative tolerance of the integrals of the spectrum for m0, mean periods and mean square slope.
 const TOLERANCE: f64 = 1e-7;
-/// Smallest first directional moment r1 at which a mean wave direction is reported.
+/// First directional moment r1 (length of the mean unit vector of travel) above which a mean direction is reported.
 pub const MIN_R1_FOR_DIRECTION: f64 = 0.01;
 
 impl SpectrumStatistics {
@@ -161,13 +162,14 @@ impl LatticeStatistics {
     }
 }
 
-/// Signed indices (ix, iz) of the wave vectors of an n x n lattice, row by row, without the Nyquist index -n/2.
+/// Signed indices (ix, iz) of the wave vectors of an n x n lattice, row by row, with (0, 0) but without the Nyquist
+/// index -n/2. Each index lies in (-n/2, n/2).
 pub fn lattice_indices(n: u32) -> impl Iterator<Item = (i32, i32)> {
     let half = n as i32 / 2;
     (1 - half..half).flat_map(move |iz| (1 - half..half).map(move |ix| (ix, iz)))
 }
 
-/// Spectral moments of a set of waves, from which their [`LatticeStatistics`] follow.
+/// Spectral and directional moments, summed wave by wave, from which the [`LatticeStatistics`] follow.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SpectralMoments {
     /// Spectral moments m0, m1 and m2: sums of variance times omega^i, m^2 (rad/s)^i.
@@ -178,7 +180,8 @@ pub struct SpectralMoments {
 }
 
 impl SpectralMoments {
-    /// Adds a wave by its variance (m^2), wave number `k` (rad/m), frequency `omega` (rad/s) and unit vector of travel.
+    /// Adds to the moments a wave with its variance (m^2), wave number `k` (rad/m), angular frequency `omega` (rad/s)
+    /// and unit vector of travel `unit` (x, z).
     pub fn add(&mut self, variance: f64, k: f64, omega: f64, unit: [f64; 2]) {
         for (power, m) in (0..).zip(&mut self.moments) {
             *m += variance * omega.powi(power);
@@ -189,7 +192,8 @@ impl SpectralMoments {
         }
     }
 
-    /// Statistics of the added waves. `theory_m0` (m^2) is the variance of the whole spectrum, for `m0_fraction`.
+    /// Returns the statistics of the added waves. `theory_m0` is the elevation variance (m^2) of the whole spectrum, of
+    /// which the result's `m0_fraction` is the part that the added waves have.
     pub fn to_statistics(&self, theory_m0: f64) -> LatticeStatistics {
         let [m0, m1, m2] = self.moments;
         if m0 <= 0.0 {
@@ -218,12 +222,12 @@ pub fn bearing_waves_come_from_deg([x, z]: [f64; 2]) -> f64 {
     (-x).atan2(z).to_degrees().rem_euclid(360.0)
 }
 
-/// Fraction of the sea covered by whitecaps at wind speed U, 3.84e-6 U^3.41 (Monahan and O'Muircheartaigh 1980).
+/// Fraction (0 to 1) of the sea under whitecaps at wind U (m/s): 3.84e-6 U^3.41 (Monahan and O'Muircheartaigh 1980).
 pub fn monahan_coverage(wind_m_s: f64) -> f64 {
     (3.84e-6 * wind_m_s.powf(3.41)).min(1.0)
 }
 
-/// Mean square slope of a clean sea surface at a wind speed U, 0.003 + 0.00512 U (Cox and Munk 1954).
+/// Mean square slope of a clean sea surface at the wind speed U (m/s): 0.003 + 0.00512 U (Cox and Munk 1954).
 pub fn cox_munk_mss(wind_m_s: f64) -> f64 {
     0.003 + 0.00512 * wind_m_s
 }
@@ -264,7 +268,7 @@ pub fn spread_deg(r1: f64) -> f64 {
     (2.0 * (1.0 - r1).max(0.0)).sqrt().to_degrees()
 }
 
-/// Angular frequency (rad/s) at which the spectrum `s` is largest, searched from 0.9 to 1.125 times `near`.
+/// Angular frequency (rad/s) at which the spectrum `s`(omega) is largest, searched from 0.9 to 1.125 times `near`.
 fn refined_peak(s: impl Fn(f64) -> f64, near: f64) -> f64 {
     let scan = |i: i32| near * 0.9 * 1.25f64.powf(f64::from(i) / 400.0);
     let best = (0..=400).max_by(|&a, &b| s(scan(a)).total_cmp(&s(scan(b)))).unwrap_or(0);

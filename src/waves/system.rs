@@ -29,15 +29,17 @@ pub enum Directions {
 /// spectrum shader evaluates in the direction of each wave.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TermKind {
-    /// One lobe of the directional spreading, stored as (variance x norm, beta, s, isotropic variance per rad).
+    /// One lobe of the directional spreading with its factor 1 or cos^2(theta). A table entry stores one vector for it:
+    /// (variance x norm, beta, s, variance per rad of the isotropic part, which only the first lobe carries).
     Lobe(CosineFactor),
-    /// A buoy's distribution [`MaximumEntropy`] with the complex coefficients phi1 and phi2, stored as (variance x
-    /// norm, Re phi1, Im phi1, Re phi2), (Im phi2, 0, 0, 0).
+    /// A buoy's distribution [`MaximumEntropy`] with the complex coefficients phi1 and phi2. A table entry stores two
+    /// vectors for it: (variance x norm, Re phi1, Im phi1, Re phi2), (Im phi2, 0, 0, 0).
     Measured,
 }
 
 impl WaveSystem {
-    /// Makes the spectrum and the directional spreading of a wave system from its parameters.
+    /// Makes the frequency spectrum and the directional spreading of the wave system with the parameters `system` in
+    /// `sea`, whose gravity, depth and height factor count too.
     pub fn new(sea: &Sea, system: &WaveSystemParams) -> Self {
         let spectrum =
             spectra::spectrum_of_system(sea, system).scaled(sea.displacement_factor * sea.displacement_factor);
@@ -56,12 +58,14 @@ impl WaveSystem {
         self.spectrum.measured.as_ref()?.moments(omega).map(MaximumEntropy::new)
     }
 
-    /// Distribution of the wave system's energy over directions at the angular frequency `omega` (rad/s).
+    /// Distribution of the wave system's energy over directions at the angular frequency `omega` (rad/s): that of the
+    /// buoy's data if it has measured directions, otherwise that of the spreading model.
     pub fn directions(&self, omega: f64) -> Directions {
         self.measured(omega).map_or_else(|| Directions::Lobes(self.spreading.lobes(omega)), Directions::Measured)
     }
 
-    /// Directional spreading D, per rad, at frequency `omega` (rad/s) in the direction of the wave vector `k`.
+    /// Directional spreading D of this wave system, per rad, at angular frequency `omega` (rad/s) in the direction in
+    /// which the wave vector `k` (x, z; any length) points. Its integral over all directions is 1.
     pub fn direction_density(&self, omega: f64, k: [f64; 2]) -> f64 {
         match self.measured(omega) {
             Some(mem) => mem.density(k[1].atan2(k[0])),
@@ -69,8 +73,8 @@ impl WaveSystem {
         }
     }
 
-    /// First directional moment at the angular frequency `omega` (rad/s), as a vector (x, z): the integral of the
-    /// spreading D times the unit vector of travel.
+    /// First directional moment of this wave system at the angular frequency `omega` (rad/s): the mean unit vector of
+    /// travel (x, z), weighted by the directional spreading.
     pub fn first_moment(&self, omega: f64) -> [f64; 2] {
         match self.measured(omega) {
             Some(mem) => mem.first_moment(),
@@ -108,7 +112,7 @@ pub fn travel_direction(from_deg: f64) -> [f64; 2] {
     [-from.sin(), from.cos()]
 }
 
-/// Angle between the wave vector `k` and the direction of travel `travel` (both x, z), 0 to pi rad.
+/// Angle (0 to pi rad) between the wave vector `k` and the direction of travel `travel`: both (x, z), of any length.
 pub fn angle_from_travel(travel: [f64; 2], k: [f64; 2]) -> f64 {
     let dot = travel[0] * k[0] + travel[1] * k[1];
     let cross = travel[0] * k[1] - travel[1] * k[0];

@@ -23,8 +23,8 @@ pub struct Term {
     pub first_vector: usize,
 }
 
-/// Terms whose sum is the directional spectrum of a plan, and the number of vectors of four numbers in each table
-/// entry, which is at least 1.
+/// Returns the terms whose sum is the directional spectrum of a planned sea, and the number of vectors of four numbers
+/// in each table entry, which is at least 1.
 pub fn terms(plan: &Plan) -> (Vec<Term>, usize) {
     let (mut terms, mut first_vector) = (Vec::new(), 0);
     for system in &plan.systems {
@@ -36,14 +36,16 @@ pub fn terms(plan: &Plan) -> (Vec<Term>, usize) {
     (terms, first_vector.max(1))
 }
 
-/// Precomputed spectrum of one cascade for the spectrum shader: one entry for each wave number |k| of its lattice.
+/// Precomputed spectrum of one cascade for the spectrum shader. One entry serves all wave vectors of its lattice that
+/// differ only in signs and order of (ix, iz), which have the same wave number |k|.
 #[derive(Clone, Debug)]
 pub struct Table {
     /// Terms whose sum is the directional spectrum of the sea, the same for every cascade.
     pub terms: Vec<Term>,
     /// Number of vectors of four numbers in each table entry.
     pub vectors_per_entry: usize,
-    /// Wave number and frequency of each table entry; the wave number is 0 outside the cascade's band.
+    /// For each table entry wave number and frequency, which all wave vectors of this entry share; the wave number is 0
+    /// outside the cascade's band.
     pub waves: Vec<LatticeWave>,
     /// Values of the terms in the layout of [`TermKind`], `vectors_per_entry` vectors for each table entry. Variances
     /// (m^2) are those of the real and of the imaginary part of the amplitude h0: S dkx dkz / 4 without the directional
@@ -57,7 +59,7 @@ pub fn entry_count(n: u32) -> usize {
     (half + 1) * (half + 2) / 2
 }
 
-/// Index of the table entry for the wave vector with signed lattice indices (ix, iz), each from -n/2 to n/2.
+/// Index of the table entry for the wave vector with the signed lattice indices (ix, iz), each from -n/2 to n/2.
 pub fn entry_index(ix: i32, iz: i32) -> usize {
     let [x, z] = [ix, iz].map(|i| i.unsigned_abs() as usize);
     let (a, b) = (x.max(z), x.min(z));
@@ -65,13 +67,13 @@ pub fn entry_index(ix: i32, iz: i32) -> usize {
 }
 
 impl Table {
-    /// Computes the tables of all cascades of a plan.
+    /// Computes the spectrum tables of all cascades of a plan, in the order of its cascades.
     pub fn for_all_cascades(plan: &Plan) -> Vec<Self> {
         let norms: Vec<Norms> = plan.systems.iter().map(Norms::new).collect();
         plan.cascades.iter().map(|c| Self::with_norms(plan, c, &norms)).collect()
     }
 
-    /// Computes the table of one cascade of a plan.
+    /// Computes the spectrum table of `cascade`, one of the cascades of `plan`.
     pub fn new(plan: &Plan, cascade: &Cascade) -> Self {
         Self::with_norms(plan, cascade, &plan.systems.iter().map(Norms::new).collect::<Vec<_>>())
     }
@@ -107,8 +109,8 @@ impl Table {
         out
     }
 
-    /// Variance (m^2) of the real and of the imaginary part of the initial amplitude h0 of the wave with signed indices
-    /// (ix, iz). The spectrum shader computes the same number.
+    /// Variance (m^2) of the real part, and equally of the imaginary part, of the initial complex amplitude h0 of the
+    /// wave with signed lattice indices (ix, iz); 0 outside the band. The spectrum shader computes the same number.
     pub fn variance(&self, ix: i32, iz: i32) -> f64 {
         let entry = entry_index(ix, iz);
         if self.waves[entry].k == 0.0 {
@@ -158,7 +160,8 @@ fn push_system_values(out: &mut Vec<[f64; 4]>, system: &WaveSystem, norms: &Norm
 /// interpolated in ln(omega), because quadrature for every table entry would be too slow while the user moves a slider.
 struct Norms {
     steps: u32,
-    /// Interpolation tables of each lobe, one for each smooth interval of frequency; `None` for a norm in closed form.
+    /// For each lobe its interpolation tables, one for each interval of frequency in which the norm is smooth; `None`
+    /// for a lobe whose norm has a closed form.
     lobes: Vec<Option<Vec<NormTable>>>,
 }
 

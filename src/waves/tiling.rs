@@ -31,7 +31,7 @@ pub const MEAN_COPIES: f64 = 1.69;
 const SHIFTS_PER_PATCH: f64 = 64.0;
 /// Hash input that makes the random shifts of copies independent of the random numbers of the waves.
 const HASH_SALT: u32 = 0x7469_6c65;
-/// Rotation of the triangle lattice per unit of the cascade's noise key, rad: the golden angle, so that none align.
+/// Rotation of the triangle lattice per unit of the noise key, rad: the golden angle, so that no lattices align.
 const LATTICE_ROTATION_PER_KEY: f64 = 2.399_963_229_728_653;
 /// 1 / sqrt(3), for the geometry of equilateral triangles.
 const INV_SQRT_3: f64 = 0.577_350_269_189_625_8;
@@ -54,16 +54,16 @@ pub struct Tiling {
 pub struct LatticePosition {
     /// Tiling to which the position belongs.
     pub tiling: Tiling,
-    /// Fractional parts (0 to 1) of the point's two coordinates in the triangle lattice.
+    /// Fractional parts (0 to 1) of the point's coordinates in the triangle lattice, whose unit is a triangle's side.
     pub fraction: [f64; 2],
-    /// Integer parts of the point's two coordinates in the triangle lattice, wrapped to 32 bits.
+    /// Integer parts of the point's two coordinates in the triangle lattice (its lattice cell), wrapped to 32 bits.
     pub cell: [i32; 2],
 }
 
 /// One of the shifted copies of a cascade's patch whose blend is the sea at a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PatchCopy {
-    /// Weight W of the copy in the blend, 0 to 1.
+    /// Weight W of the copy in the blend, 0 to 1. The squares of the three weights at a point add to 1.
     pub weight: f64,
     /// Gradient (dW/dx, dW/dz) of the copy's weight W, 1/m.
     pub gradient: [f64; 2],
@@ -86,14 +86,14 @@ impl Tiling {
         }
     }
 
-    /// Tiling for the same patch made smaller by the factor `ratio`, with other random shifts. The picture adds such
-    /// smaller copies as ripples.
+    /// Tiling for the same patch with its side divided by `ratio`, and with other random shifts. The shading of the
+    /// water adds such smaller copies as ripples, waves too short for the cascades.
     #[must_use]
     pub fn with_smaller_patch(&self, ratio: f64) -> Self {
         Self { blends_copies: self.blends_copies, ..Self::new(self.patch_m / ratio, self.hash_key, HASH_SALT, true) }
     }
 
-    /// Position of the point `at` (x, z), m, before displacement by the waves, in the triangle lattice.
+    /// Position in the triangle lattice of the point `at` (x, z), m, a point before displacement by the waves.
     pub fn lattice_position(&self, at: [f64; 2]) -> LatticePosition {
         let [u, v] = self.axes();
         let q = [u, v].map(|axis| axis[0] * at[0] + axis[1] * at[1]);
@@ -106,7 +106,8 @@ impl Tiling {
         }
     }
 
-    /// Copies that are blended at the point `at` (x, z), m, before displacement by the waves. Some can have weight 0.
+    /// The three shifted copies of the patch that are blended at the point `at` (x, z), m, a point before displacement
+    /// by the waves. A copy can have the weight 0.
     pub fn blend(&self, at: [f64; 2]) -> [PatchCopy; 3] {
         let mut out = [[0, 0], [1, 0], [0, 1]].map(|cell| PatchCopy { cell, ..PatchCopy::default() });
         if !self.blends_copies {
@@ -135,7 +136,7 @@ impl Tiling {
         out
     }
 
-    /// Gradients (d/dx, d/dz), 1/m, of the two coordinates of a point in the triangle lattice.
+    /// Gradients (d/dx, d/dz), 1/m, of a point's first and second coordinate in the triangle lattice.
     fn axes(&self) -> [[f64; 2]; 2] {
         let [cos, sin] = self.scaled_rotation;
         [[cos + INV_SQRT_3 * sin, sin - INV_SQRT_3 * cos], [-2.0 * INV_SQRT_3 * sin, 2.0 * INV_SQRT_3 * cos]]

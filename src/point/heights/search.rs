@@ -5,12 +5,12 @@ use super::waves::{Blends, CopySums, WaveSums};
 use crate::state::params::MAX_CASCADES;
 use crate::waves::tiling::PatchCopy;
 
-/// Distance between displaced particle and requested point at which the search ends, m.
+/// Largest distance, m, between displaced particle and requested point at which the search has converged.
 const TOLERANCE_M: f64 = 1e-8;
 /// Largest number of evaluations of the waves in one search for a water particle. At chop 1 it takes three to five.
 const MAX_EVALUATIONS: usize = 64;
-/// Lower limit of the second derivatives (curvatures) of the minimised function in a Newton step of the search. It
-/// keeps the step finite at the edge of a folded crest, where the curvature is 0.
+/// Lower limit of the curvatures (second derivatives) of the function that the search for a water particle minimises by
+/// Newton steps. It keeps a step finite at the edge of a folded crest, where the curvature is 0.
 const MIN_CURVATURE: f64 = 1e-3;
 /// Armijo rule: a Newton step of the search is accepted if the minimised function decreases at least by this fraction
 /// of the decrease that the gradient predicts.
@@ -20,8 +20,9 @@ const ARMIJO: f64 = 1e-4;
 const ROUNDING_LIMIT_M: f64 = 1e-3;
 
 impl StrongestWaves {
-    /// Finds the offset d = lambda D(x - d) of the water particle that lies at the point x, with the chop factor lambda
-    /// and the displacement D. Returns d, the wave sums at x - d, and whether the search converged.
+    /// Finds the water particle that lies at the world position x = `point` (x, z), m, at `time` (2^32 per period of
+    /// the sea): its offset d = lambda D(x - d), with the chop factor lambda and the displacement D. Returns d (m), the
+    /// wave sums at x - d, and whether the search converged.
     ///
     /// D is the gradient of a potential. So with d = sqrt(lambda) e the solutions are the stationary points of the
     /// function |e|^2 / 2 + potential(x - sqrt(lambda) e), and the determinant of its Hessian is the Jacobian. The
@@ -69,8 +70,9 @@ impl StrongestWaves {
         (offset(e), at, error[0].hypot(error[1]) <= TOLERANCE_M)
     }
 
-    /// Newton step of the search for the gradient `g` and the strain (dDx/dx, dDz/dz, dDx/dz). Negative eigenvalues of
-    /// the Hessian are replaced by their absolute values, and the step is at most `longest_step_m` long.
+    /// Newton step (m) of the search for the offset divided by `sqrt_chop`, from the gradient `g` of the minimised
+    /// function and the strain (dDx/dx, dDz/dz, dDx/dz). Negative eigenvalues of the Hessian count with their
+    /// magnitude. The length is limited to `longest_step_m`.
     pub(super) fn newton_step(&self, g: [f64; 2], [xx, zz, xz]: [f64; 3]) -> [f64; 2] {
         let [rx, rz] = self.sqrt_chop;
         // The Hessian is mean I + [half, cross; cross, -half], with the eigenvalues mean +- radius.
@@ -85,7 +87,8 @@ impl StrongestWaves {
         if length > self.longest_step_m { step.map(|s| s * self.longest_step_m / length) } else { step }
     }
 
-    /// Copies of every patch, with weights, that are blended at the undisplaced position `point - offset` (x, z), m.
+    /// Copies of each cascade's patch, with weights, that are blended at the undisplaced position `point - offset` (x,
+    /// z), m.
     pub(super) fn patch_copy_blends(&self, point: [f64; 2], offset: [f64; 2]) -> Blends {
         let mut out = Blends::default();
         for (out, patch) in out.iter_mut().zip(&self.patches) {
@@ -100,7 +103,8 @@ impl StrongestWaves {
         self.copy_sums(point, offset, time, blends).blended(blends).0
     }
 
-    /// Wave sums of each patch copy that has a weight in `blends` or in the blend at the position `point - offset`.
+    /// Wave sums of each patch copy that has a weight above 0 in `blends` or in the blend at the undisplaced position
+    /// `point - offset` (x, z), m, evaluated at this position.
     fn copy_sums(&self, point: [f64; 2], offset: [f64; 2], time: u32, blends: &Blends) -> CopySums {
         let own = self.patch_copy_blends(point, offset);
         let mut sums = [[None; 3]; MAX_CASCADES];

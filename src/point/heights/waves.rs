@@ -62,7 +62,7 @@ impl Candidate {
     }
 }
 
-/// The three copies of every patch with the weights with which they are blended at one point.
+/// For each cascade, the three shifted copies of its patch that are blended at one point, with their weights.
 pub(super) type Blends = [[PatchCopy; 3]; MAX_CASCADES];
 
 /// Wave sums at a point, separately for each copy of every patch; `None` for copies that were not evaluated.
@@ -74,26 +74,27 @@ pub(super) struct CopySums {
 /// Sums over waves at one undisplaced position. The horizontal displacement D = (Dx, Dz) is without the chop factor.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct WaveSums {
-    /// Elevation eta, m.
+    /// Elevation eta of the surface above the still water, m.
     pub(super) eta: f64,
-    /// Slopes d eta/dx and d eta/dz of the elevation eta.
+    /// Slopes d eta/dx and d eta/dz of the elevation eta (m/m), without the part in `tile_slope`.
     pub(super) slope: [f64; 2],
-    /// Horizontal displacement D = (Dx, Dz), m.
+    /// Horizontal displacement D = (Dx, Dz), m, before multiplication by the chop factors.
     pub(super) d: [f64; 2],
-    /// Strain of the horizontal displacement: dDx/dx, dDz/dz, dDx/dz.
+    /// Strain dDx/dx, dDz/dz, dDx/dz = dDz/dx of the horizontal displacement D, without `tile_strain`.
     pub(super) strain: [f64; 3],
     /// Orbital velocity (dDx/dt, d eta/dt, dDz/dt), m/s.
     pub(super) velocity: [f64; 3],
     /// Potential whose gradient is the horizontal displacement D, m^2.
     pub(super) potential: f64,
-    /// Additional slope from the gradients of the weights with which patch copies are blended.
+    /// Part of the slopes d eta/dx, d eta/dz that the gradients of the weights of the patch copies cause.
     pub(super) tile_slope: [f64; 2],
-    /// Additional strain dDx/dx, dDz/dz, dDx/dz, dDz/dx from the gradients of the weights of the patch copies.
+    /// Part of the strain dDx/dx, dDz/dz, dDx/dz, dDz/dx that the gradients of the weights of the copies cause.
     pub(super) tile_strain: [f64; 4],
 }
 
 impl WaveSums {
-    /// Adds the wave sums `of` of one patch copy, multiplied by the copy's weight.
+    /// Adds the wave sums `of` of one patch copy, multiplied by the copy's weight, and the slope and strain from the
+    /// gradient of this weight.
     fn add(&mut self, of: &Self, copy: &PatchCopy) {
         let (w, [wx, wz], [dx, dz]) = (copy.weight, copy.gradient, of.d);
         self.eta += w * of.eta;
@@ -112,7 +113,8 @@ fn add_scaled<const N: usize>(sum: &mut [f64; N], factor: f64, term: [f64; N]) {
 }
 
 impl CopySums {
-    /// Blends the copies' wave sums with the weights in `blends`. The flag is false if the sums of a copy are missing.
+    /// Returns the copies' wave sums blended with the weights in `blends`, and a flag that is false if the sums of a
+    /// copy with a weight were not evaluated.
     pub(super) fn blended(&self, blends: &Blends) -> (WaveSums, bool) {
         let (mut all, mut complete) = (WaveSums::default(), true);
         for ((blend, known), sums) in blends.iter().zip(&self.blends).zip(&self.sums) {
@@ -148,7 +150,7 @@ impl PatchWaves {
         Self { side_m: cascade.patch_m, tiling: plan.tiling(cascade), dk: cascade.dk(), blocks }
     }
 
-    /// Wave sums of a patch at (`x`, `z`), in units of the patch's side, at the time [`Plan::time_in_period_u32`].
+    /// Sums over the waves of one cascade at (`x`, `z`), in units of the patch's side; `time` is 2^32 per period.
     pub(super) fn sums(&self, x: f64, z: f64, time: u32) -> WaveSums {
         // Sums per lane, without common factors: eta, its slopes, D, strain (xx, zz, xz), velocity, potential.
         let mut sums = [DVec4::ZERO; 12];
@@ -187,7 +189,7 @@ impl PatchWaves {
     }
 }
 
-/// All waves with a non-zero amplitude that the seed of a plan generates.
+/// All waves with a non-zero amplitude, of all cascades, that the seed of a plan generates.
 pub(super) fn candidates(plan: &Plan) -> Vec<Candidate> {
     let mut waves = Vec::new();
     for (i, cascade) in plan.cascades.iter().enumerate() {
@@ -200,7 +202,7 @@ pub(super) fn candidates(plan: &Plan) -> Vec<Candidate> {
     waves
 }
 
-/// Sine and cosine of the angle 2 pi `turns`, with an error below 2e-15, for |turns| below 2^50.
+/// Returns the sines and the cosines of four angles 2 pi `turns`, with an error below 2e-15, for |turns| below 2^50.
 ///
 /// It has no branches or calls, so the compiler can vectorise it: a Taylor series at a quarter of the angle is followed
 /// by two doublings of the angle.

@@ -19,7 +19,8 @@ pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     })
 }
 
-/// Peak enhancement gamma and peak width sigma at the inverse wave age U/c_p (wind speed over phase speed at the peak).
+/// Returns peak enhancement gamma and peak width sigma of Donelan's spectrum at the inverse wave age U/c_p (wind speed
+/// over phase speed at the peak).
 pub fn peak_enhancement_and_width(inverse_age: f64) -> (f64, f64) {
     (1.7 + 6.0 * inverse_age.max(1.0).log10(), 0.08 * (1.0 + 4.0 / inverse_age.powi(3)))
 }

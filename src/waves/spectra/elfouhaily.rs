@@ -45,7 +45,7 @@ fn friction_velocity(wind_m_s: f64) -> f64 {
 }
 
 /// Coefficient Delta (0 to 1) of Elfouhaily's directional spreading (1 + Delta cos 2 theta) / (2 pi), for waves with
-/// the phase speed `c` (m/s) in a sea whose peak has the phase speed `c_p` (m/s).
+/// the phase speed `c` (m/s) in a sea whose peak has the phase speed `c_p` (m/s), at the wind speed `wind_m_s` (m/s).
 pub fn elfouhaily_delta(c: f64, c_p: f64, wind_m_s: f64) -> f64 {
     let ripples = 0.13 * friction_velocity(wind_m_s) / MIN_PHASE_SPEED_M_S;
     let (a_0, a_p) = (2f64.ln() / 4.0, 4.0);

@@ -76,7 +76,7 @@ fn full_development_notice(inputs: &SpectrumInputs<'_>) -> Option<String> {
     })
 }
 
-/// Significant wave height (m) and angular peak frequency (rad/s) set by the user, or those of JONSWAP if not set.
+/// Significant wave height (m) and angular peak frequency (rad/s): as set by the user or, if not set, of JONSWAP.
 pub fn height_and_peak(inputs: &SpectrumInputs<'_>) -> (f64, f64) {
     let grown = Jonswap::for_wind_and_fetch(inputs);
     let grown_height = || {

@@ -5,11 +5,11 @@ use super::spectrum::{FrequencySpectrum, SpectrumInputs};
 
 /// Smallest and largest dimensionless fetch g F / U^2 for which Karaev's fit of the peak frequency holds.
 const DIMENSIONLESS_FETCH_RANGE: (f64, f64) = (1430.0, 20170.0);
-/// Lowest angular frequency of gravity-capillary waves and of capillary waves, rad/s.
+/// Lowest angular frequency of gravity-capillary waves (first) and of capillary waves (second), rad/s.
 const RIPPLE_BAND_STARTS_RAD_S: (f64, f64) = (64.0, 298.0);
 
-/// Karaev's spectrum: JONSWAP up to 1.2 times the peak frequency, on request with the depth factor of TMA, then the
-/// power laws omega^-4, omega^-5, omega^-2.7 and omega^-5. The five branches join continuously.
+/// Karaev's spectrum: up to 1.2 times the peak frequency JONSWAP, if the user asks for it times the depth factor of
+/// TMA; then the power laws omega^-4, omega^-5, omega^-2.7 and omega^-5. The five branches join continuously.
 pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (g, u) = (inputs.gravity_m_s2, inputs.wind_m_s);
     let x = inputs.dimensionless_fetch.clamp(DIMENSIONLESS_FETCH_RANGE.0, DIMENSIONLESS_FETCH_RANGE.1);

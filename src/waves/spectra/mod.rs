@@ -35,8 +35,8 @@ const MIN_M0_M2: f64 = 1e-12;
 /// Shortest peak period that the user can set, s; waves with this period are 14 cm long.
 const MIN_PEAK_PERIOD_S: f64 = 0.3;
 
-/// Makes the frequency spectrum of one wave system of a sea, scaled to the user's wave height. Without wind it is 0,
-/// unless the user has set height and period or has loaded a buoy's data.
+/// Makes the frequency spectrum of the wave system `system` of a sea, scaled to the user's wave height. It is 0 without
+/// wind, unless the user has set height and period or has loaded a buoy's data.
 pub fn spectrum_of_system(sea: &Sea, system: &WaveSystemParams) -> FrequencySpectrum {
     let (dispersion, gravity_m_s2) = (Dispersion::new(sea), sea.gravity_m_s2);
     let is_measured = system.spectrum == SpectrumKind::Measured;

@@ -37,7 +37,7 @@ pub struct FrequencySpectrum {
     pub(super) shape: Arc<dyn Fn(f64) -> f64 + Send + Sync>,
     /// Angular frequency of the spectral peak, rad/s; of two peaks, the one with the larger density S(omega).
     pub omega_p: f64,
-    /// Angular frequency below which the spectrum is negligible, rad/s, positive.
+    /// Angular frequency (rad/s, above 0) below which the spectrum is negligible; integrals start there.
     pub(super) omega_min: f64,
     /// Angular frequencies (rad/s, in any order) where integrals are split: kinks, jumps and points around the peak.
     pub breakpoints: Vec<f64>,
@@ -51,10 +51,10 @@ pub struct FrequencySpectrum {
     pub is_calm: bool,
     /// Notice for the user about this spectrum, for example that the fetch is too long; `None` without one.
     pub notice: Option<String>,
-    /// Factor by which the variance density `shape` is multiplied.
+    /// Dimensionless factor on the variance density `shape`, which sets the wave height: 1 for the family's own height.
     pub(super) factor: f64,
-    /// Length l (m) of the short-wave fade exp(-(k l)^2), and the dispersion relation that gives the wave number k;
-    /// `None` without a fade.
+    /// Length l (m) of the short-wave fade, the factor exp(-(k l)^2) on the density, and the dispersion relation that
+    /// gives the wave number k; `None` without a fade.
     pub(super) fade: Option<(f64, Dispersion)>,
 }
 
@@ -90,7 +90,7 @@ impl FrequencySpectrum {
         Self { omega_min, breakpoints, ..Self::new(omega_p, shape) }
     }
 
-    /// Returns the spectrum with its variance density multiplied by `factor`.
+    /// Returns the spectrum with its variance density multiplied by `factor`, the square of the factor on wave heights.
     #[must_use]
     pub fn scaled(mut self, factor: f64) -> Self {
         self.factor *= factor;
@@ -128,7 +128,8 @@ impl fmt::Debug for FrequencySpectrum {
     }
 }
 
-/// JONSWAP's peak enhancement gamma^exp(-(r - 1)^2 / (2 sigma^2)) with r = omega / omega_p and the peak width sigma.
+/// JONSWAP's peak enhancement gamma^exp(-(r - 1)^2 / (2 sigma^2)), a factor on the density, with the relative peak
+/// width sigma and `r` = omega / omega_p.
 pub fn peak_enhancement(r: f64, gamma: f64, sigma: f64) -> f64 {
     gamma.powf((-(r - 1.0).powi(2) / (2.0 * sigma * sigma)).exp())
 }
