@@ -10,7 +10,7 @@ use crate::waves::tiling::MEAN_COPIES;
 pub struct Cost {
     /// Number of bytes that are read from and written to memory.
     pub bytes: f64,
-    /// Number of additions and multiplications.
+    /// Number of floating-point operations, mainly additions and multiplications.
     pub flops: f64,
 }
 
@@ -27,7 +27,7 @@ fn cost_of_texels(n: u32, cascades: u32, bytes: f64, flops: f64) -> Cost {
     Cost { bytes: count * bytes, flops: count * flops }
 }
 
-/// Number of floating-point operations per point for four complex FFTs along one axis: 5 log2(n) each.
+/// Number of floating-point operations per lattice point of four complex FFTs along one axis: 5 log2(n) each.
 fn fft_flops_per_point(n: u32) -> f64 {
     4.0 * 5.0 * f64::from(n.ilog2())
 }
@@ -50,9 +50,9 @@ pub fn waves(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     rows(n, cascades) + columns(n, cascades, maps)
 }
 
-/// Cost of the mip pass. Per texel of mip level 0, two texels are read (one of each map), and a third of three texels
-/// is written (all smaller levels of three maps). A written texel takes 4 x 14 operations: sums over eleven channels,
-/// and three products of slopes.
+/// Minimum cost of the mip pass. Per texel of mip level 0, two texels are read (one of each map), and a third of three
+/// texels is written (all smaller levels of three maps). A written texel takes 4 x 14 operations: sums over eleven
+/// channels, and three products of slopes.
 pub fn mips(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     cost_of_texels(n, cascades, 3.0 * f64::from(maps.bytes_per_texel()), 4.0 * 14.0 / 3.0)
 }
@@ -65,7 +65,7 @@ pub fn foam(foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
     cost_of_texels(foam_n, FOAM_LEVELS as u32, 8.0 + texel + 8.0 * texel * samples, flops)
 }
 
-/// Cost of simulating one frame (waves, mip levels, foam), with foam levels of `foam_n` x `foam_n` cells.
+/// Cost of simulating one frame (waves, mip levels, foam) with foam levels of `foam_n` x `foam_n` cells.
 pub fn step(n: u32, foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
     waves(n, cascades, maps) + mips(n, cascades, maps) + foam(foam_n, cascades, maps)
 }
@@ -74,23 +74,23 @@ pub fn step(n: u32, foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
 /// quotient or transcendental function counts as four operations. `tests/costs.rs` checks these counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShaderCost {
-    /// Number of floating-point operations per vertex or pixel.
+    /// Number of floating-point operations of one vertex or pixel.
     pub flops: f64,
     /// Number of texture reads per vertex or pixel, each of one texel or one filtered sample.
     pub texture_reads: f64,
 }
 
-/// Cost per vertex of the compute pass that displaces the sea mesh.
+/// Floating-point operations and texture reads per vertex of the compute pass that displaces the sea mesh.
 pub const DISPLACE_VERTEX: ShaderCost = ShaderCost { flops: 3000.0, texture_reads: 67.6 };
-/// Cost per vertex of the vertex shader that draws the already displaced sea mesh.
+/// Operations per vertex of the vertex shader that draws the already displaced sea mesh.
 pub const MESH_VERTEX: ShaderCost = ShaderCost { flops: 32.0, texture_reads: 0.0 };
-/// Cost per pixel of the fragment shader that draws the sea mesh to the G-buffer.
+/// Operations per pixel of the fragment shader that draws the sea mesh to the G-buffer (surface data per pixel).
 pub const MESH_FRAGMENT: ShaderCost = ShaderCost { flops: 36.0, texture_reads: 0.0 };
-/// Cost per pixel of the fragment shader that lights the sea, which the G-buffer describes.
+/// Floating-point operations and texture reads per pixel of the fragment shader that lights the sea in the G-buffer.
 pub const LIGHT_FRAGMENT: ShaderCost = ShaderCost { flops: 10550.0, texture_reads: 89.7 };
-/// Cost per pixel of the fragment shader that draws the sky above the sea.
+/// Floating-point operations and texture reads per pixel of the fragment shader that draws the sky above the sea.
 pub const BACKGROUND_FRAGMENT: ShaderCost = ShaderCost { flops: 2200.0, texture_reads: 8.0 };
-/// Cost per pixel of the present pass, which turns the HDR picture into screen colours (tone mapping).
+/// Operations and texture reads per pixel of the present pass, which turns the HDR picture into screen colours.
 pub const PRESENT_FRAGMENT: ShaderCost = ShaderCost { flops: 770.0, texture_reads: 10.0 };
 
 /// Numbers of pixels, vertices and bytes that determine the cost of drawing a picture.
@@ -107,8 +107,8 @@ pub struct PictureContents {
 }
 
 impl PictureContents {
-    /// Cost of drawing the sea mesh. Bytes: 120 per vertex, which is written, read, and indexed by six corners of
-    /// triangles; the displacement and gradient maps; surface data (32) and depth (4) written per sea pixel.
+    /// Minimum cost of drawing the sea mesh to the G-buffer. Bytes: 120 per vertex, which is written, read, and indexed
+    /// by six corners of triangles; the displacement and gradient maps; surface data (32) and depth (4) per sea pixel.
     pub fn mesh(&self) -> Cost {
         let seen = self.pixels * self.sea_fraction;
         Cost {
@@ -117,8 +117,8 @@ impl PictureContents {
         }
     }
 
-    /// Cost of drawing and lighting the sea mesh. Lighting a sea pixel reads its surface data (32 bytes) and depth (4),
-    /// and writes its light (8). All three kinds of map are read.
+    /// Minimum cost of drawing and lighting the sea mesh. Lighting a sea pixel reads its surface data (32 bytes) and
+    /// depth (4), and writes its light (8). All three kinds of map are read.
     pub fn water(&self) -> Cost {
         let seen = self.pixels * self.sea_fraction;
         let light = Cost { bytes: 44.0 * seen + 3.0 * self.map_bytes, flops: LIGHT_FRAGMENT.flops * seen };

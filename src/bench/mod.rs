@@ -18,12 +18,12 @@ use peak_rates::PeakRates;
 use stagewise_fft::StagewiseFft;
 use std::fmt;
 
-/// Texture format of the pictures whose drawing is timed.
+/// Texture format of the pictures that the benchmark draws to time the drawing.
 const PICTURE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// FFT sizes for which the benchmark with `matrix` times the simulation, each with one to four cascades.
 const MATRIX_FFT_SIZES: [u32; 4] = [128, 256, 512, 1024];
 const MATRIX_CASCADES: [u32; 4] = [1, 2, 3, 4];
-/// FFT size and number of cascades of each sea for which the program is compared with the baseline (`StagewiseFft`).
+/// FFT size and number of cascades of each sea on which the program is compared with the baseline (`StagewiseFft`).
 const BASELINE_SEAS: [[u32; 2]; 2] = [[256, 3], [512, 4]];
 
 /// Options of a benchmark: what it measures, and how often.
@@ -35,14 +35,14 @@ pub struct BenchOptions {
     pub repeat: u32,
     /// Whether to time the simulation for a matrix of FFT sizes and cascade counts, instead of for the given state.
     pub matrix: bool,
-    /// Whether to time the baseline for comparison, too: the waves by an FFT with one dispatch per stage.
+    /// Whether to time the baseline, too: the waves by an FFT with one dispatch per stage, as in browser demos.
     pub baseline: bool,
 }
 
 /// Measured time of one pass or group of passes, with the size of its work and its minimum cost.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PassTiming {
-    /// Name of the pass, as it stands in the report.
+    /// Name of the pass or group of passes, such as `rows` or `frame`, as it stands in the report.
     pub pass: &'static str,
     /// FFT size and number of cascades, in this order. None for passes of the picture.
     pub sea_size: Option<[u32; 2]>,
@@ -67,7 +67,7 @@ impl PassTiming {
 pub struct BenchReport {
     /// State string: the timed parameters of sea and picture as text, such as `wind=14&t=40`.
     pub state: String,
-    /// Name of the graphics adapter, with its backend in parentheses.
+    /// Name of the graphics adapter, with the backend that wgpu uses in parentheses, such as `(Vulkan)`.
     pub adapter: String,
     /// Whether GPU times are measured with timestamps.
     pub has_timestamps: bool,
@@ -75,7 +75,7 @@ pub struct BenchReport {
     pub repeat: u32,
     /// Measured peak rates of the adapter.
     pub peak_rates: PeakRates,
-    /// Times of all measured passes, in the order of the measurements.
+    /// Times of all passes and groups of passes, in the order in which they were measured.
     pub rows: Vec<PassTiming>,
 }
 
@@ -178,8 +178,8 @@ async fn time_baseline(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<Pas
     Ok(vec![ours, theirs])
 }
 
-/// Times the passes of a picture of `size` (width, height) pixels, and whole frames with waves and foam between which
-/// 1/60 s is simulated: at a constant wind, and while the wind changes.
+/// Times the passes of a picture of `size` (width, height) pixels. Also times whole frames with waves and foam, between
+/// which 1/60 s is simulated: at a constant wind, and while the wind changes as under a dragged slider.
 async fn time_picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) -> Result<Vec<PassTiming>, String> {
     let gpu = clock.gpu;
     let mut ocean = Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, params);

@@ -5,13 +5,13 @@ use crate::gpu::kit::{Attachments, BindingType, Program, begin_compute};
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::{Gpu, offscreen};
 
-/// Size of the buffer whose copying is timed, bytes: beyond the caches of most GPUs, within WebGPU's base limits.
+/// Size of the buffer whose copying is timed, bytes: larger than the caches of most GPUs, within WebGPU's base limits.
 const COPY_BYTES: u64 = 128 << 20;
 /// Number of dispatches, each of an empty shader in a pass of its own, that are timed together.
 const EMPTY_DISPATCHES: u32 = 32;
 /// Number of multiply-adds in each of the eight chains that the arithmetic shader computes per pixel.
 const MULTIPLY_ADDS_PER_CHAIN: u32 = 256;
-/// Side of the square render target on which the arithmetic and texture-read shaders are timed, pixels.
+/// Side of the square picture that the arithmetic and texture-read shaders draw while they are timed, pixels.
 const TARGET_SIDE: u32 = 512;
 /// Number of texture samples per pixel in the shader that measures the rate of texture reads.
 const READS_PER_PIXEL: u32 = 16;
@@ -28,8 +28,8 @@ pub struct PeakRates {
     pub empty_dispatch_ms: f64,
     /// Rate of multiplications and additions in a fragment shader without other work, 1e9 per second.
     pub shading_gflop_s: f64,
-    /// Rate of trilinear samples in the maps' texture format, in a fragment shader without other work, 1e9 per second.
-    /// All samples lie between the same two mip levels.
+    /// Rate of trilinear samples of a texture in the format of the maps, in a fragment shader without other work, 1e9
+    /// samples per second. All samples lie between the same two mip levels.
     pub texture_reads_g_s: f64,
 }
 
@@ -86,8 +86,8 @@ impl PeakRates {
 
 const TARGET_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 
-/// WGSL fragment shader that measures the rate of arithmetic. Eight independent chains hide latency. The factors depend
-/// on the pixel, so that the compiler cannot precompute them.
+/// WGSL fragment shader that measures the rate of arithmetic. Eight chains of multiply-adds, independent of each other,
+/// hide latency. The factors depend on the pixel, so that the compiler cannot precompute them.
 const ARITHMETIC_SHADER: &str = "
 @fragment fn fragment(@builtin(position) at: vec4f) -> @location(0) vec4f {
   let by = at.xyxy * 1e-4;

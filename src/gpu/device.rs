@@ -28,8 +28,8 @@ pub fn backends() -> wgpu::Backends {
     }
 }
 
-/// Chooses an adapter for work without a window: one whose name contains the environment variable `WGPU_ADAPTER_NAME`
-/// (in any case), or else the one that the system prefers for high performance.
+/// Chooses an adapter for work without a window: one whose name contains the value of the environment variable
+/// `WGPU_ADAPTER_NAME` (in any case), or else the one that the system prefers for high performance.
 ///
 /// # Errors
 /// If there is no adapter, or none with that name: one sentence that says what to do.

@@ -49,16 +49,16 @@ impl<T: SharedStruct, const N: usize> SharedType for [T; N] {
     }
 }
 
-/// A member of a struct that Rust and WGSL share.
+/// A member of a struct that is declared in Rust and in WGSL, with its place in memory.
 #[derive(Clone, Copy, Debug)]
 pub struct StructMember {
     /// Name of the member in Rust and in WGSL.
     pub name: &'static str,
-    /// Offset of the member from the start of the struct, bytes.
+    /// Offset of the member from the start of the struct, bytes, which is the same in Rust and in WGSL.
     pub offset: usize,
     /// Size of the member, bytes.
     pub size: usize,
-    /// Function that returns the name of the member's type in WGSL.
+    /// Function that returns the WGSL name of the member's type, such as `vec2f`.
     pub wgsl_type_name: fn() -> String,
 }
 
@@ -81,7 +81,7 @@ pub struct StructDeclaration {
 }
 
 impl StructDeclaration {
-    /// WGSL declaration of the struct, as text. Padding is split into single u32 members, because the alignment of a
+    /// Text of the struct's declaration in WGSL. Padding is split into single u32 members, because the alignment of a
     /// vector would move it.
     pub fn wgsl_declaration(&self) -> String {
         let lines = self.members.iter().map(|member| match member.is_padding() {

@@ -7,7 +7,7 @@
 use super::Gpu;
 use half::f16;
 
-/// Texture format of the wave and foam maps: four components of 16 or of 32 bits.
+/// Texture format of the simulation's maps (displacement, gradients, slope moments, foam): four floats per texel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapFormat {
     /// Four 16-bit floats per texel (`rgba16float`).
@@ -17,7 +17,7 @@ pub enum MapFormat {
 }
 
 impl MapFormat {
-    /// wgpu feature with which samplers can filter textures of 32-bit floats.
+    /// wgpu feature of devices whose samplers can filter textures of 32-bit floats.
     pub const FILTERABLE_FLOATS: wgpu::Features = wgpu::Features::FLOAT32_FILTERABLE;
 
     /// Optional feature to request from an adapter: [`Self::FILTERABLE_FLOATS`] where 32-bit floats are faster, else
@@ -27,13 +27,13 @@ impl MapFormat {
         if is_cpu && !adapter.name.contains("llvmpipe") { Self::FILTERABLE_FLOATS } else { wgpu::Features::empty() }
     }
 
-    /// The map format that is faster on a device.
+    /// The map format that is faster on a device: 32-bit floats on some software adapters, else half floats.
     pub fn for_device(gpu: &Gpu) -> Self {
         Self::for_adapter(gpu.is_software(), gpu.device.features())
     }
 
-    /// Format for an adapter: 32-bit floats if it is software and the device can filter them, otherwise half floats.
-    /// That holds for a GPU, too, whose device can filter 32-bit floats, as that of a host program may.
+    /// Format for an adapter whose device has `features`: 32-bit floats if it is a software adapter and the device can
+    /// filter them. A GPU gets half floats even if its device can filter 32-bit floats, as that of a host program may.
     fn for_adapter(is_software: bool, features: wgpu::Features) -> Self {
         if is_software && features.contains(Self::FILTERABLE_FLOATS) { Self::Float } else { Self::Half }
     }

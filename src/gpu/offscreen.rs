@@ -40,7 +40,7 @@ pub struct PendingPicture {
 }
 
 impl PendingPicture {
-    /// Draws an offscreen picture of `size` (width, height) pixels with `draw`, after the commands of `encoder`.
+    /// Draws a picture of `size` (width, height) pixels without a window by `draw`, after the commands of `encoder`.
     /// Submits all commands, including a copy of the picture that [`Self::read`] reads.
     pub fn submit(
         gpu: &Gpu,

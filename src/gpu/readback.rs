@@ -19,7 +19,7 @@ pub struct StagedTexture {
     padded: usize,
 }
 
-/// Records a copy of one mip level of all layers of a texture into a new buffer that the CPU can read.
+/// Records a copy of mip level `mip_level` of all layers of a texture into a new buffer that the CPU can read.
 pub fn stage_texture(
     gpu: &Gpu,
     encoder: &mut wgpu::CommandEncoder,
@@ -121,7 +121,7 @@ pub async fn wait_for_submitted_work(gpu: &Gpu) -> Result<(), String> {
     receiver.await.map_err(|e| e.to_string())
 }
 
-/// Blocks until the submitted work is done, so that wgpu calls its callbacks. A browser calls them by itself.
+/// Natively blocks until the submitted work is done, so that wgpu calls its callbacks. A browser calls them by itself.
 fn poll_until_done(gpu: &Gpu) -> Result<(), String> {
     #[cfg(not(target_arch = "wasm32"))]
     gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| e.to_string())?;

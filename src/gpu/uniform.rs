@@ -4,7 +4,7 @@ use super::kit::Gpu;
 use std::marker::PhantomData;
 use std::num::NonZeroU64;
 
-/// A uniform buffer that holds one value of the struct `T`.
+/// A uniform buffer with one value of the struct `T`, the same for all commands of a submission.
 #[derive(Clone, Debug)]
 pub struct Uniform<T> {
     /// The wgpu buffer that holds the data.
@@ -19,14 +19,14 @@ impl<T: bytemuck::Pod> Uniform<T> {
         Self { buffer: gpu.buffer(label, size_of::<T>() as u64, usage), kind: PhantomData }
     }
 
-    /// Writes a value to the buffer, where the commands of the next submission find it.
+    /// Queues a write of `value` to the buffer, before the commands of the next submission.
     pub fn write(&self, gpu: &Gpu, value: &T) {
         gpu.queue.write_buffer(&self.buffer, 0, bytemuck::bytes_of(value));
     }
 }
 
-/// A uniform buffer with several values of the struct `T`, which commands select by dynamic offsets. All values of a
-/// submission are sent in one write.
+/// A uniform buffer with several values of the struct `T`; each command selects one by its dynamic offset. All values
+/// of a submission are sent in one write.
 #[derive(Debug)]
 pub struct DynamicUniformBuffer<T> {
     /// The wgpu buffer that holds the data.
@@ -38,7 +38,7 @@ pub struct DynamicUniformBuffer<T> {
 }
 
 impl<T: bytemuck::Pod> DynamicUniformBuffer<T> {
-    /// Creates a uniform buffer with room for `slots` values that are added for one submission.
+    /// Creates a uniform buffer with room for `slots` values per submission.
     pub fn new(gpu: &Gpu, label: &str, slots: usize) -> Self {
         let stride = size_of::<T>().next_multiple_of(256);
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
@@ -46,7 +46,7 @@ impl<T: bytemuck::Pod> DynamicUniformBuffer<T> {
         Self { buffer, stride, bytes: vec![0; stride * slots], used: 0, kind: PhantomData }
     }
 
-    /// Forgets the values of the last submission, so that the next added value gets the offset 0 again.
+    /// Forgets the values that were added for the last submission: the next added value gets the offset 0 again.
     pub fn clear(&mut self) {
         self.used = 0;
     }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-/// Number of entries in the table of twiddle factors; equals the largest FFT size.
+/// Number of entries in the table of FFT twiddle factors, which equals the largest FFT size.
 pub const TWIDDLE_COUNT: usize = 1024;
 
 /// Factors of the FFT size n = first x second. The FFT of a line of n points is done as two rounds of shorter ones.
@@ -15,7 +15,8 @@ pub struct FftFactors {
 }
 
 impl FftFactors {
-    /// Factors of the FFT size `n`, a power of two from 64 to 1024. They are equal, or the first is twice the second.
+    /// Splits the FFT size `n`, a power of two from 64 to 1024, into equal factors, or a first that is twice the
+    /// second.
     pub fn new(n: u32) -> Self {
         let second = 1 << (n.ilog2() / 2);
         Self { first: n / second, second }

@@ -9,7 +9,7 @@ use crate::gpu::map_format::MapFormat;
 use std::collections::BTreeMap;
 use unrolled::UnrolledKernel;
 
-/// A piece of a shader module's WGSL text.
+/// A piece of the text that a shader module is joined from.
 enum SourcePart {
     /// The text of a WGSL file.
     File(&'static str),
@@ -49,7 +49,7 @@ const VIEWS: SourcePart = part!("views/common.wgsl");
 const AIR_TABLES: SourcePart = SourcePart::Group(&[ATMOSPHERE, SKY_COMMON]);
 /// WGSL functions for the radiance of the sky in a direction, with clouds and fog.
 const SKY: SourcePart = SourcePart::Group(&[AIR_TABLES, part!("sky/model.wgsl"), part!("sky/fog.wgsl")]);
-/// WGSL for every pass that draws on the HDR picture: its uniforms (bind group 0), the sky, and air before the sea.
+/// WGSL for every pass that draws on the HDR picture: uniforms of the frame, the sky, and the air between eye and sea.
 const PICTURE: SourcePart =
     SourcePart::Group(&[SKY, part!("common/frame.wgsl"), part!("common/scene.wgsl"), part!("sky/air.wgsl")]);
 /// WGSL functions for the position of the displaced water surface.
@@ -118,7 +118,7 @@ const MODULES: &[(&str, &[SourcePart])] = &[
 #[derive(Clone, Debug)]
 pub struct Shaders {
     sources: BTreeMap<&'static str, String>,
-    /// Structs declared in Rust. Modules that name one get its generated WGSL declaration.
+    /// Structs that are declared in Rust. A module whose text names one gets its generated WGSL declaration.
     structs: Vec<StructDeclaration>,
     format: Option<MapFormat>,
 }
@@ -174,7 +174,7 @@ impl Shaders {
         })
     }
 
-    /// Compiles the shader module with the given name.
+    /// Compiles the shader module with the given name, such as `waves/rows`, for maps in the format for the device.
     ///
     /// # Panics
     /// If no module has that name.

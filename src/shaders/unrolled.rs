@@ -9,21 +9,21 @@ use std::fmt::Write as _;
 /// One of the four compute kernels of the FFT for software adapters, two along each axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnrolledKernel {
-    /// Computes the waves' Fourier amplitudes at one time, and the first half of their inverse FFT along x.
+    /// Computes the waves' Fourier amplitudes at one time, and the first of two rounds of shorter FFTs along x.
     RowsFirst,
-    /// Computes the second half of the inverse FFT along x.
+    /// Computes the inverse FFT along x from the results of `RowsFirst`: the second of two rounds of shorter FFTs.
     RowsSecond,
-    /// Computes the first half of the inverse FFT along z.
+    /// Computes the first of two rounds of shorter FFTs that make up the inverse FFT along z.
     ColumnsFirst,
-    /// Computes the second half of the inverse FFT along z, and writes the maps.
+    /// Computes the second of these rounds, which completes the inverse FFT along z, and writes the maps.
     ColumnsSecond,
 }
 
 impl UnrolledKernel {
-    /// All kernels, in the order of their dispatches.
+    /// All four kernels, in the order in which they are dispatched.
     pub const ALL: [Self; 4] = [Self::RowsFirst, Self::RowsSecond, Self::ColumnsFirst, Self::ColumnsSecond];
 
-    /// Name of the kernel's shader module, as in [`Shaders::all`](super::Shaders::all).
+    /// Name of the shader module that contains the kernel, as in [`Shaders::all`](super::Shaders::all).
     pub fn module_name(self) -> &'static str {
         match self {
             Self::RowsFirst => "waves/unrolled_rows_first",
@@ -135,7 +135,7 @@ impl FunctionWriter {
         let _ = writeln!(self.text, "  {text}");
     }
 
-    /// Adds to the text a WGSL variable with the value of an expression, and returns its name.
+    /// Adds to the function a WGSL variable with the value of `expression`, and returns the variable's name.
     fn add_variable(&mut self, expression: &str) -> String {
         self.values += 1;
         let name = format!("v{}", self.values);
