@@ -87,8 +87,7 @@ impl TimestampQueries {
         }
     }
 
-    /// Reads the four timestamps in the buffer `staged`, and returns the GPU time of all work between the middle two,
-    /// ms.
+    /// Reads the four timestamps in the buffer `staged`; returns the GPU time from the second to the third, ms.
     async fn read(&self, gpu: &Gpu, staged: wgpu::Buffer) -> Result<f64, String> {
         let stamps: Vec<u64> = bytemuck::pod_collect_to_vec(&readback::read(gpu, staged).await?);
         Ok(1e-6 * self.period_ns * stamps[2].saturating_sub(stamps[1]) as f64)

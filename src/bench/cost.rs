@@ -5,10 +5,10 @@ use crate::gpu::map_format::MapFormat;
 use crate::ocean::FOAM_LEVELS;
 use crate::waves::tiling::MEAN_COPIES;
 
-/// Minimum memory traffic and arithmetic of one pass, or their sum over several passes.
+/// Minimum memory traffic and arithmetic of one pass, or of several together: no GPU can do with less.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cost {
-    /// Number of bytes that are read from and written to memory.
+    /// Number of bytes that are read from memory plus those that are written to it, each value counted once.
     pub bytes: f64,
     /// Number of floating-point operations, mainly additions and multiplications.
     pub flops: f64,
@@ -21,7 +21,7 @@ impl std::ops::Add for Cost {
     }
 }
 
-/// Cost of work that takes `bytes` and `flops` per texel, for all n x n texels of all cascades.
+/// Cost of a pass with `bytes` and `flops` per texel, for the n x n texels of each of `cascades` cascades.
 fn cost_of_texels(n: u32, cascades: u32, bytes: f64, flops: f64) -> Cost {
     let count = f64::from(n) * f64::from(n) * f64::from(cascades);
     Cost { bytes: count * bytes, flops: count * flops }
@@ -45,7 +45,7 @@ pub fn columns(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     cost_of_texels(n, cascades, 32.0 + 2.0 * f64::from(maps.bytes_per_texel()), fft_flops_per_point(n))
 }
 
-/// Cost of the row pass and the column pass together, which compute the waves by an FFT.
+/// Cost of the row pass and the column pass together, which compute the waves' maps by an FFT.
 pub fn waves(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     rows(n, cascades) + columns(n, cascades, maps)
 }
@@ -76,7 +76,7 @@ pub fn step(n: u32, foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
 pub struct ShaderCost {
     /// Number of floating-point operations of one vertex or pixel.
     pub flops: f64,
-    /// Number of texture reads per vertex or pixel, each of one texel or one filtered sample.
+    /// Number of texture reads of one vertex or pixel, each of one texel or one filtered sample.
     pub texture_reads: f64,
 }
 
@@ -93,16 +93,16 @@ pub const BACKGROUND_FRAGMENT: ShaderCost = ShaderCost { flops: 2200.0, texture_
 /// Operations and texture reads per pixel of the present pass, which turns the HDR picture into screen colours.
 pub const PRESENT_FRAGMENT: ShaderCost = ShaderCost { flops: 770.0, texture_reads: 10.0 };
 
-/// Numbers of pixels, vertices and bytes that determine the cost of drawing a picture.
+/// Numbers of pixels, vertices and bytes in one picture, from which the cost of drawing it follows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PictureContents {
     /// Number of pixels of the picture.
     pub pixels: f64,
-    /// Fraction of the pixels that lie below the horizon and show sea, 0 to 1.
+    /// Fraction of the pixels that lie below the horizon, all of which count as sea, 0 to 1.
     pub sea_fraction: f64,
     /// Number of vertices of the sea mesh.
     pub vertices: f64,
-    /// Size of the displacement maps of all cascades with mip levels, bytes. Gradients and moments take as much each.
+    /// Size of the displacement maps of all cascades with mip levels, bytes. Gradients and moments count as much each.
     pub map_bytes: f64,
 }
 
@@ -131,7 +131,7 @@ impl PictureContents {
         Cost { bytes: 12.0 * seen, flops: BACKGROUND_FRAGMENT.flops * seen }
     }
 
-    /// Cost of the present pass: a pixel reads its light (8 bytes) and writes its colour (4).
+    /// Cost of the present pass (HDR picture to screen colours): a pixel reads light (8 bytes), writes colour (4).
     pub fn present(&self) -> Cost {
         Cost { bytes: 12.0 * self.pixels, flops: PRESENT_FRAGMENT.flops * self.pixels }
     }

@@ -11,7 +11,7 @@ use crate::ocean::Maps;
 use bytemuck::{Pod, Zeroable};
 use std::f64::consts::TAU;
 
-/// Number of complex fields that are transformed for each cascade. Each packs two real fields of the maps.
+/// Number of complex fields that are transformed for each cascade. Each packs two of the eight real fields of the maps.
 const FIELD_COUNT: usize = 4;
 
 #[repr(C)]
@@ -42,7 +42,7 @@ pub struct StagewiseFft {
     dispatches: Vec<Dispatch>,
     /// Displacement maps that the baseline writes, one per cascade. Texels: Dx, height eta, Dz (m) and dDx/dz.
     pub displacement: Vec<wgpu::Texture>,
-    /// Gradient maps that the baseline writes, one per cascade: slopes d eta/dx and d eta/dz, dDx/dx and dDz/dz.
+    /// Gradient maps that the baseline writes, one per cascade. Texels: d eta/dx, d eta/dz, dDx/dx and dDz/dz.
     pub gradients: Vec<wgpu::Texture>,
 }
 
@@ -87,12 +87,12 @@ impl StagewiseFft {
         out
     }
 
-    /// Number of compute dispatches that compute the maps of all cascades.
+    /// Number of compute dispatches with which the baseline computes the maps of all cascades.
     pub fn dispatch_count(&self) -> usize {
         self.dispatches.len()
     }
 
-    /// Records all dispatches of the baseline, each in a compute pass of its own.
+    /// Records all dispatches of the baseline, each in a compute pass of its own. They write the maps.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder) {
         for dispatch in &self.dispatches {
             let mut pass = begin_compute(encoder, "stage");
@@ -108,7 +108,7 @@ struct FieldFft {
     n: u32,
     stage: wgpu::ComputePipeline,
     butterfly: wgpu::TextureView,
-    /// Uniform buffer of every radix-2 stage of the FFT: first the stages along rows, then those along columns.
+    /// Uniform buffer (stage number, axis) of every radix-2 stage: first the stages along x, then those along z.
     stages: Vec<wgpu::Buffer>,
 }
 
@@ -127,7 +127,7 @@ impl FieldFft {
         }
     }
 
-    /// Creates the two n x n textures of a field. Each FFT stage reads one and writes the other.
+    /// Creates the two n x n textures of a complex field. Each FFT stage reads one and writes the other.
     fn field_textures(&self, gpu: &Gpu) -> [wgpu::TextureView; 2] {
         std::array::from_fn(|_| {
             storage_texture(gpu, "field", self.n, wgpu::TextureFormat::Rg32Float)
@@ -186,7 +186,7 @@ fn uniform_buffer(gpu: &Gpu, bytes: &[u8]) -> wgpu::Buffer {
     buffer
 }
 
-/// Creates a texture of n x n texels that shaders write and read.
+/// Creates a texture of n x n texels in the given format that shaders write and read.
 fn storage_texture(gpu: &Gpu, label: &str, n: u32, format: wgpu::TextureFormat) -> wgpu::Texture {
     let usage =
         wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::COPY_SRC;

@@ -1,15 +1,15 @@
 //! Structs that Rust and WGSL share. Each is declared once, in Rust, and its WGSL text is generated. A test compares
 //! the memory layouts in both languages.
 
-/// A Rust type with the same memory layout as a WGSL type, so that its bytes can be copied to the GPU.
+/// A Rust type whose memory layout is that of a WGSL type, so that its bytes can be copied to the GPU as they are.
 pub trait SharedType: bytemuck::Pod {
-    /// Returns the type's name in WGSL.
+    /// Returns the name of the WGSL type, such as `vec2f` for `[f32; 2]`.
     fn wgsl_type_name() -> String;
 }
 
-/// A struct that [`gpu_struct!`] declares. WGSL needs its name to declare arrays of it.
+/// A struct that [`gpu_struct!`] declares. Its name in WGSL is needed to declare arrays of it.
 pub trait SharedStruct: SharedType {
-    /// The name of the struct in WGSL.
+    /// The name of the struct in WGSL, which may differ from that in Rust.
     const WGSL_NAME: &'static str;
 }
 
@@ -63,16 +63,16 @@ pub struct StructMember {
 }
 
 impl StructMember {
-    /// Whether the member is padding, which only aligns the next member or the size of the struct.
+    /// Whether the member (`unused...`) is padding, which only aligns the next member or the size of the struct.
     pub fn is_padding(&self) -> bool {
         self.name.starts_with("unused")
     }
 }
 
-/// Declaration of a struct that Rust and WGSL share, from which its WGSL text is generated.
+/// Declaration of a struct that Rust and WGSL share: all that is needed to generate its WGSL text.
 #[derive(Clone, Copy, Debug)]
 pub struct StructDeclaration {
-    /// The name of the struct in WGSL.
+    /// Name of the struct in WGSL, which may differ from that in Rust.
     pub name: &'static str,
     /// Members of the struct, in the order of their offsets.
     pub members: &'static [StructMember],
@@ -92,8 +92,8 @@ impl StructDeclaration {
     }
 }
 
-/// Declares a struct that is copied to the GPU byte by byte, in Rust and in WGSL. Padding must be declared, too: as
-/// members of type `u32` or arrays of it, whose names begin with `unused`.
+/// Declares a Rust struct that is copied to the GPU byte by byte, and generates its WGSL declaration. Padding must be
+/// declared, too: as members of type `u32` or arrays of it, whose names begin with `unused`.
 #[macro_export]
 macro_rules! gpu_struct {
     ($(#[$meta:meta])* $vis:vis struct $rust:ident as $wgsl:literal {

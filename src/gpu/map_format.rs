@@ -10,9 +10,9 @@ use half::f16;
 /// Texture format of the simulation's maps (displacement, gradients, slope moments, foam): four floats per texel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapFormat {
-    /// Four 16-bit floats per texel (`rgba16float`).
+    /// Four 16-bit floats per texel (`rgba16float`), for GPUs and some software adapters.
     Half,
-    /// Four 32-bit floats per texel (`rgba32float`), for devices that can filter them.
+    /// Four 32-bit floats per texel (`rgba32float`), for software adapters that can filter them and do so faster.
     Float,
 }
 
@@ -20,8 +20,8 @@ impl MapFormat {
     /// wgpu feature of devices whose samplers can filter textures of 32-bit floats.
     pub const FILTERABLE_FLOATS: wgpu::Features = wgpu::Features::FLOAT32_FILTERABLE;
 
-    /// Optional feature to request from an adapter: [`Self::FILTERABLE_FLOATS`] where 32-bit floats are faster, else
-    /// none.
+    /// Optional wgpu feature to request from an adapter: [`Self::FILTERABLE_FLOATS`] if it is a software adapter on
+    /// which 32-bit floats are faster, else none.
     pub fn wanted_features(adapter: &wgpu::AdapterInfo) -> wgpu::Features {
         let is_cpu = adapter.device_type == wgpu::DeviceType::Cpu;
         if is_cpu && !adapter.name.contains("llvmpipe") { Self::FILTERABLE_FLOATS } else { wgpu::Features::empty() }
@@ -38,7 +38,7 @@ impl MapFormat {
         if is_software && features.contains(Self::FILTERABLE_FLOATS) { Self::Float } else { Self::Half }
     }
 
-    /// The value of wgpu's `TextureFormat` for this map format.
+    /// The texture format in wgpu that stands for this map format.
     pub fn texture_format(self) -> wgpu::TextureFormat {
         match self {
             Self::Half => wgpu::TextureFormat::Rgba16Float,
@@ -46,7 +46,7 @@ impl MapFormat {
         }
     }
 
-    /// Size of a texel of four components, bytes.
+    /// Size of a texel, which has four components, bytes.
     pub const fn bytes_per_texel(self) -> u32 {
         match self {
             Self::Half => 8,
@@ -62,7 +62,7 @@ impl MapFormat {
         }
     }
 
-    /// Converts the bytes of a map texture, in `format` `Rgba16Float` or `Rgba32Float`, to texels of four f32.
+    /// Converts the bytes of a map texture to texels of four f32. `format` is `Rgba16Float` or `Rgba32Float`.
     pub fn texels_from_bytes(format: wgpu::TextureFormat, bytes: &[u8]) -> Vec<[f32; 4]> {
         if format == wgpu::TextureFormat::Rgba32Float {
             return bytemuck::pod_collect_to_vec(bytes);

@@ -13,7 +13,7 @@ pub const TIMESTAMPS: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY;
 pub const TIMESTAMPS_BETWEEN_PASSES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS;
 /// Largest number of timestamps in a frame. A mark (end of a part of the frame) takes one, or two in empty passes.
 const MAX_TIMESTAMPS: u32 = 256;
-/// Weight of the newest frame in the exponentially smoothed GPU times, 0 to 1.
+/// Weight of the newest timed frame in the exponentially smoothed GPU times, 0 to 1.
 const SMOOTHING_WEIGHT: f64 = 0.2;
 
 /// Measures the GPU times of the parts of a frame, if the device has timestamps. Clones share all state and results.
@@ -47,8 +47,7 @@ enum TimerPhase {
 }
 
 impl Timer {
-    /// Creates a timer for the work of a device. If the device has no timestamps, it records nothing and returns no
-    /// times.
+    /// Creates a timer for a device. If the device has no timestamps, it records nothing and returns no times.
     pub fn new(gpu: &Gpu) -> Self {
         if !gpu.device.features().contains(TIMESTAMPS) {
             return Self(None);
@@ -71,7 +70,7 @@ impl Timer {
         Self(Some(Arc::new(Mutex::new(state))))
     }
 
-    /// Whether the device has timestamps. If not, the timer measures nothing.
+    /// Whether the device has timestamps, so that GPU times are measured. If not, the timer does nothing.
     pub fn is_available(&self) -> bool {
         self.0.is_some()
     }

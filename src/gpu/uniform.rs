@@ -7,13 +7,13 @@ use std::num::NonZeroU64;
 /// A uniform buffer with one value of the struct `T`, the same for all commands of a submission.
 #[derive(Clone, Debug)]
 pub struct Uniform<T> {
-    /// The wgpu buffer that holds the data.
+    /// The wgpu buffer that holds the value; shaders may also bind it as a storage buffer.
     pub buffer: wgpu::Buffer,
     kind: PhantomData<T>,
 }
 
 impl<T: bytemuck::Pod> Uniform<T> {
-    /// Creates a uniform buffer. Its bytes are 0 until a value is written.
+    /// Creates a uniform buffer for one value. Its bytes are 0 until a value is written.
     pub fn new(gpu: &Gpu, label: &str) -> Self {
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST;
         Self { buffer: gpu.buffer(label, size_of::<T>() as u64, usage), kind: PhantomData }
@@ -29,7 +29,7 @@ impl<T: bytemuck::Pod> Uniform<T> {
 /// of a submission are sent in one write.
 #[derive(Debug)]
 pub struct DynamicUniformBuffer<T> {
-    /// The wgpu buffer that holds the data.
+    /// The wgpu buffer that holds the values, each at a multiple of 256 bytes.
     pub buffer: wgpu::Buffer,
     stride: usize,
     bytes: Vec<u8>,
@@ -51,7 +51,7 @@ impl<T: bytemuck::Pod> DynamicUniformBuffer<T> {
         self.used = 0;
     }
 
-    /// Adds a value for the next submission and returns its dynamic offset in the buffer, bytes.
+    /// Adds a value for the next submission; [`Self::upload`] sends it to the GPU. Returns its dynamic offset, bytes.
     ///
     /// # Panics
     /// If more values are added than there are slots.
@@ -62,12 +62,12 @@ impl<T: bytemuck::Pod> DynamicUniformBuffer<T> {
         at as u32
     }
 
-    /// Sends the added values to the GPU. Call this before the submission that uses them.
+    /// Sends all added values to the GPU. Call this before the submission whose commands use them.
     pub fn upload(&self, gpu: &Gpu) {
         gpu.queue.write_buffer(&self.buffer, 0, &self.bytes[..self.used * self.stride]);
     }
 
-    /// Bind group resource of the buffer with the size of one value, to be used with a dynamic offset.
+    /// The buffer as a resource for a bind group: one value is bound, at the dynamic offset that a command chooses.
     pub fn binding(&self) -> wgpu::BindingResource<'_> {
         wgpu::BindingResource::Buffer(wgpu::BufferBinding {
             buffer: &self.buffer,

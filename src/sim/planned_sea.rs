@@ -6,7 +6,7 @@ use crate::waves::spreading::CosineFactor;
 use crate::waves::system::TermKind;
 use crate::waves::{Plan, table};
 
-/// The plan of a sea, and its directional spectrum in the form that shaders read: all from which uniforms are made.
+/// The plan of a sea, with its directional spectrum in the form that shaders read: the source of the sea's uniforms.
 pub struct SeaUniformSource {
     /// Plan from which the uniforms are made.
     pub plan: Plan,

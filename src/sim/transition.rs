@@ -30,7 +30,7 @@ pub enum TransitionKind {
 /// Progress that the running transitions make in one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TransitionStep {
-    /// Kind of transition that starts in this frame; None if none does. The other fields are for after its start.
+    /// Kind of transition that starts in this frame; None if none does. The other fields tell the progress after it.
     pub started: Option<TransitionKind>,
     /// Fraction of the remaining way to their goal that surface and foam parameters make in this frame, 0 to 1.
     pub interpolation_fraction: f64,

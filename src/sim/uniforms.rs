@@ -116,7 +116,8 @@ gpu_struct! {
     /// WGSL `FoamLevelCorner`: where a foam level's corner with the lowest x and z lies on the patch of one cascade.
     #[derive(Default)]
     pub struct FoamLevelCorner as "FoamLevelCorner" {
-        /// Position of this corner in the triangle lattice on which shifted copies of the patch are blended.
+        /// Position of the foam level's corner in the triangle lattice on which shifted copies of the patch are
+        /// blended.
         pub tile_position: TileLatticePosition,
         /// Texture coordinates (u, v) of the corner in the maps of the cascade, modulo 1, plus half a texel.
         pub uv: [f32; 2],
@@ -133,7 +134,8 @@ gpu_struct! {
         pub corners: [FoamLevelCorner; MAX_DRAWN_CASCADES],
         /// World indices (x, z) of the level's cell with the lowest x and z; cell i begins at i times `cell_m`.
         pub first_cell: [i32; 2],
-        /// The same at the previous time step; far out of range if no earlier foam is to be used.
+        /// World indices (x, z) of the level's lowest cell at the previous time step; far out of range if there was
+        /// none.
         pub previous_first_cell: [i32; 2],
         /// Side of a foam cell of this level, m.
         pub cell_m: f32,
