@@ -114,8 +114,7 @@ impl Simulation {
     }
 
     /// Advances the transition by `dt_s` seconds of wall time and applies it to the foam parameters and the maps'
-    /// weights. Returns the progress in this frame; `start`, the transition that has just been started if any, is part
-    /// of it.
+    /// weights. Returns the progress in this frame; `start` (the transition just started, if any) becomes a part of it.
     fn advance_transition(&mut self, start: Option<TransitionKind>, dt_s: f64) -> TransitionStep {
         let was_in_transition = self.transition.is_running();
         let step = TransitionStep { started: start, ..self.transition.advance(dt_s) };

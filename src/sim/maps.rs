@@ -47,7 +47,7 @@ pub struct Maps {
     /// sz^2, sx sz, 0), divided by `moment_unit` of the cascade. Mip level j belongs to mip level j + 1 of other maps.
     pub slope_moments: wgpu::TextureView,
     /// Foam maps: 2d array texture, one layer per foam level, finest first, which repeats in x and z. Texels are the
-    /// foam and the foam source (0 no growth, 1 fastest growth), at points before horizontal displacement.
+    /// foam (0 to 1) and the foam source (0 no growth, 1 fastest growth), at points before horizontal displacement.
     pub foam: wgpu::TextureView,
     /// Fourier amplitudes h0 of the current sea at time 0, m: complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
     pub h0: wgpu::Buffer,
@@ -68,7 +68,7 @@ pub struct Maps {
     pub foam_n: u32,
     /// FFT size, which is also the number of texels along a side of mip level 0 of the displacement and gradient maps.
     pub n: u32,
-    /// Counter that increases when the texture views are replaced, so that users bind the new views.
+    /// Counter that increases whenever the texture views are replaced: users with bind groups must then renew these.
     pub generation: u64,
 }
 

@@ -190,8 +190,7 @@ impl Simulation {
         self.uniforms.upload(gpu);
     }
 
-    /// Computes the maps at time `t_s`, s, and reads those of the current sea back in f32, not yet rounded to half
-    /// floats.
+    /// Computes the maps at time `t_s`, s, and reads those of the current sea back in f32, before they are rounded.
     ///
     /// # Errors
     /// If mapping the read-back buffer fails.
@@ -208,8 +207,9 @@ impl Simulation {
         Ok(MapsF32 { n, texels })
     }
 
-    /// Uploads the uniform for the waves of the current sea at time `t_s`, s, so that passes can be run alone. With
-    /// `keeps_f32_maps`, the column pass also keeps the maps in f32. Returns where the passes find uniform and buffers.
+    /// Uploads the uniform for the current sea's waves at time `t_s`, s, so that passes can be run alone. With
+    /// `keeps_f32_maps`, the column pass also keeps the maps in f32. Returns where uniform, wave buffers and map layers
+    /// are.
     pub fn upload_sea_uniform(&mut self, gpu: &Gpu, t_s: f64, keeps_f32_maps: bool) -> SeaDispatch {
         self.uniforms.sea.clear();
         let dispatch = self.add_sea_uniform(SeaUniformParameters { t_s, keeps_f32_maps, spectrum_blend: 1.0 }, false);
@@ -243,7 +243,8 @@ impl Simulation {
         }
     }
 
-    /// Records the wave passes for the time at the end of a foam time step, and then the foam pass.
+    /// Records the wave passes for the time at the end of a foam time step, and then the foam pass for this step, with
+    /// the foam levels around the world position `centre` (x, z), m.
     fn encode_foam_step(&mut self, encoder: &mut wgpu::CommandEncoder, step: &FoamStep, centre: [f64; 2]) {
         let dispatch = self.encode_waves(encoder, step.t_s, false);
         let foam = self.uniforms.foam.add(&self.foam.uniform(step, centre, &self.maps));
@@ -253,7 +254,7 @@ impl Simulation {
     }
 
     /// Records the passes that write the maps of all drawn cascades at time `t_s`, s, first those of the old sea of a
-    /// cross-fade. Returns what further passes need to run for the current sea.
+    /// cross-fade. Returns where uniform, wave buffers and map layers of the current sea are, for the foam pass.
     fn encode_waves(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64, keeps_f32_maps: bool) -> SeaDispatch {
         let parameters = SeaUniformParameters { t_s, keeps_f32_maps, spectrum_blend: 1.0 };
         if self.fading.is_some() {
@@ -275,8 +276,9 @@ impl Simulation {
         self.timer.mark(encoder, "mips");
     }
 
-    /// Adds the uniform for the waves at one time, of the current sea or, if `fades`, of the old sea of a cross-fade.
-    /// Returns what the passes need to run with it.
+    /// Adds the uniform that describes one sea's waves at one time to the buffer `uniforms.sea`: those of the current
+    /// sea or, if `fades`, of a cross-fade's old sea. Returns its offset there, and the sea's wave buffers and map
+    /// layers.
     fn add_sea_uniform(&mut self, parameters: SeaUniformParameters, fades: bool) -> SeaDispatch {
         let (fading, own) = self.maps.cascades.split_at(self.maps.fading_count);
         let current = self.resources.current_sea;

@@ -22,7 +22,7 @@ pub struct Passes {
 }
 
 impl Passes {
-    /// Compiles all passes and creates their bind groups.
+    /// Compiles all passes and creates their bind groups with the resources `r` and the uniform buffers `uniforms`.
     pub fn new(
         gpu: &Gpu,
         shaders: &Shaders,
@@ -98,7 +98,7 @@ pub struct MipsPass {
     placeholder_view: wgpu::TextureView,
 }
 
-/// One dispatch of the mip pass, which reads one mip level and writes the next ones.
+/// One dispatch of the mip pass, which reads one mip level of the maps and writes the next smaller ones.
 struct MipsDispatch {
     kernel: Kernel,
     group: wgpu::BindGroup,
@@ -168,8 +168,7 @@ impl MipsPass {
         }
     }
 
-    /// Records the computation of all mip levels above 0 of the displacement, gradient and slope-moment maps of one
-    /// sea.
+    /// Records the computation of all mip levels above 0 of one sea's displacement, gradient and slope-moment maps.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
         for step in &self.steps {
             let groups = (r.n >> (step.source_level + 1)).div_ceil(8);

@@ -26,7 +26,7 @@ pub struct SeaUniformParameters {
     pub spectrum_blend: f64,
 }
 
-/// What a pass needs to run for one sea at one time: where its uniform, its wave buffers and its map layers are.
+/// What a pass needs to run for one sea at one time: where the sea's uniform, wave buffers and map layers are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SeaDispatch {
     /// Dynamic offset of the uniform for this sea and time in the buffer `SimulationUniforms::sea`, bytes.

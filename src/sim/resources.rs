@@ -50,8 +50,8 @@ pub struct Resources {
     /// Texture format of the textures `maps` and `foam`: half floats or 32-bit floats.
     pub format: MapFormat,
     /// Array texture of all wave maps with their mip levels; [`Self::layers_of_kind`] gives the layers of a kind. All
-    /// kinds share a texture so that a pass can write several mip levels within the four storage textures of base
-    /// limits.
+    /// kinds share a texture so that a pass can write several mip levels, because base limits allow it four storage
+    /// textures.
     pub maps: wgpu::Texture,
     /// Array texture of the foam and the foam source, each 0 to 1, one layer per foam level, for the renderer.
     pub foam: wgpu::Texture,
@@ -123,9 +123,9 @@ impl Resources {
         (self.current_sea * MAX_CASCADES) as u32
     }
 
-    /// Makes the other set of wave buffers the current one when a cross-fade to `plan` starts. The first call allocates
-    /// it, and maps for two seas with the most cascades, and returns true, as bind groups must be renewed; later calls
-    /// return false.
+    /// Makes the other set of wave buffers current when a cross-fade to `plan` starts. The first call allocates it, and
+    /// maps for two seas with the most cascades, and returns true (bind groups must be renewed); later calls return
+    /// false.
     pub fn swap_seas(&mut self, gpu: &Gpu, plan: &Plan) -> bool {
         let is_first = self.wave_buffers.len() == 1;
         if is_first {
@@ -138,7 +138,7 @@ impl Resources {
         is_first
     }
 
-    /// Number of mip levels of the map texture.
+    /// Number of mip levels of the texture `maps`, with level 0.
     pub fn mip_level_count(&self) -> u32 {
         self.maps.mip_level_count()
     }
@@ -178,9 +178,8 @@ impl Resources {
         })
     }
 
-    /// Computes the tables of the plan's waves (frequencies, spectrum) and uploads them to the current sea's buffers,
-    /// which must be for the same FFT size. Returns whether larger buffers had to be allocated, which need new bind
-    /// groups.
+    /// Computes the tables of the plan's waves (frequencies, spectrum) and uploads them to the current sea's buffers.
+    /// The FFT size must be unchanged. Returns whether larger buffers had to be allocated, which need new bind groups.
     pub fn upload_wave_tables(&mut self, gpu: &Gpu, plan: &Plan) -> bool {
         let mut values: Vec<[f32; 4]> = Vec::new();
         let mut waves = Vec::new();

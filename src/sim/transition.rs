@@ -32,9 +32,10 @@ pub enum TransitionKind {
 pub struct TransitionStep {
     /// Kind of transition that starts in this frame; None if none does. The other fields tell the progress after it.
     pub started: Option<TransitionKind>,
-    /// Fraction of the remaining way to their goal that surface and foam parameters make in this frame, 0 to 1.
+    /// Fraction of the remaining way to the goal that choppiness, water level and foam parameters make in this frame, 0
+    /// to 1.
     pub interpolation_fraction: f64,
-    /// Fraction of the remaining way to their goal that wave amplitudes make in this frame, 0 to 1.
+    /// Fraction of the remaining way to the goal that the wave amplitudes make in this frame, 0 to 1.
     pub amplitude_fraction: f64,
     /// Whether a running cross-fade ends in this frame, so that the old sea is no longer drawn.
     pub ends_cross_fade: bool,
@@ -147,7 +148,8 @@ impl<T: Interpolate> Interpolated<T> {
         Self { fading: None, now: goal.clone(), goal }
     }
 
-    /// Applies one step of a transition. If one starts in it, `goal` returns the new goal for the previous one.
+    /// Applies one step of a transition. If a transition starts in it, `goal` gets the previous goal and returns the
+    /// new one.
     pub fn apply_transition_step(&mut self, step: &TransitionStep, goal: impl FnOnce(&T) -> T) {
         if let Some(kind) = step.started {
             self.goal = goal(&self.goal);

@@ -65,8 +65,7 @@ gpu_struct! {
     /// WGSL `SpectrumTerm`: a spreading lobe or measured distribution. The sum of terms is the directional spectrum.
     #[derive(Default)]
     pub struct SpectrumTerm as "SpectrumTerm" {
-        /// Unit vector (x, z) of the waves' main direction of travel; angles in the directional spectrum are relative
-        /// to it.
+        /// Unit vector (x, z) of the waves' main direction of travel; angles of the term are relative to it.
         pub reference_direction: [f32; 2],
         /// Form of the term: 0 spreading lobe, 1 lobe times cos^2 of the angle from `reference_direction`, 2 the same
         /// but 0 beyond 90 degrees, 3 directional distribution measured by a wave buoy.
@@ -84,7 +83,7 @@ gpu_struct! {
         pub cascades: [SeaCascade; MAX_CASCADES],
         /// Terms whose sum is the directional spectrum, for the spectrum pass; the first `term_count` are used.
         pub terms: [SpectrumTerm; MAX_SPECTRUM_TERMS],
-        /// Factor that the waves of each cascade are multiplied by: 1 except during a cross-fade.
+        /// Factor by which the wave amplitudes of each cascade are multiplied: 1 except during a cross-fade.
         pub amplitude_factors: [f32; MAX_CASCADES],
         /// Choppiness along x and z: factors by which the maps' horizontal displacements Dx and Dz are multiplied.
         pub choppiness: [f32; 2],
@@ -116,8 +115,7 @@ gpu_struct! {
     /// WGSL `FoamLevelCorner`: where a foam level's corner with the lowest x and z lies on the patch of one cascade.
     #[derive(Default)]
     pub struct FoamLevelCorner as "FoamLevelCorner" {
-        /// Position of the foam level's corner in the triangle lattice on which shifted copies of the patch are
-        /// blended.
+        /// Position of the foam level's corner in the triangle lattice of the shifted copies of the patch.
         pub tile_position: TileLatticePosition,
         /// Texture coordinates (u, v) of the corner in the maps of the cascade, modulo 1, plus half a texel.
         pub uv: [f32; 2],
@@ -132,10 +130,9 @@ gpu_struct! {
     pub struct FoamLevelUniform as "FoamLevel" {
         /// Where the level's corner with the lowest x and z lies on the maps of each drawn cascade.
         pub corners: [FoamLevelCorner; MAX_DRAWN_CASCADES],
-        /// World indices (x, z) of the level's cell with the lowest x and z; cell i begins at i times `cell_m`.
+        /// World indices (x, z) of the cell of this level with the lowest x and z; cell i begins at i times `cell_m`.
         pub first_cell: [i32; 2],
-        /// World indices (x, z) of the level's lowest cell at the previous time step; far out of range if there was
-        /// none.
+        /// World indices (x, z) of the cell with the lowest x and z at the previous step; far out of range without one.
         pub previous_first_cell: [i32; 2],
         /// Side of a foam cell of this level, m.
         pub cell_m: f32,

@@ -77,7 +77,8 @@ impl Transform {
         }
     }
 
-    /// Records the row pass: the Fourier amplitudes of a sea's waves at one time, and their inverse FFT along x.
+    /// Records the row pass for one sea: the Fourier amplitudes of its waves at one time, and their inverse FFT along
+    /// x.
     pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
         match self {
             Self::Workgroup(transform) => transform.record_rows(encoder, dispatch),
@@ -85,7 +86,7 @@ impl Transform {
         }
     }
 
-    /// Records the column pass: inverse FFT along z, which writes mip level 0 of the displacement and gradient maps.
+    /// Records the column pass for one sea: inverse FFT along z, to mip level 0 of its displacement and gradient maps.
     pub fn record_columns(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
         match self {
             Self::Workgroup(transform) => transform.record_columns(encoder, dispatch),

@@ -100,7 +100,8 @@ impl UnrolledTransform {
         self.groups = FftBindGroups::new(gpu, kernels, &self.buffers, r, uniforms);
     }
 
-    /// Records the row pass: the Fourier amplitudes of a sea's waves at one time, and their inverse FFT along x.
+    /// Records the row pass for one sea: the Fourier amplitudes of its waves at one time, and their inverse FFT along
+    /// x.
     pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
         let (n, FftFactors { first, second }) = (self.n, FftFactors::new(self.n));
         // One row of threads computes two rows of opposite wave vectors: n / 2 + 1 rows in workgroups of 8.
@@ -114,7 +115,7 @@ impl UnrolledTransform {
         self.rows_second.run(encoder, &self.groups.rows_second, &[], [first / 8, n / 8, 2 * dispatch.cascade_count]);
     }
 
-    /// Records the column pass: inverse FFT along z, and a copy of its results to mip level 0 of the map textures.
+    /// Records the column pass for one sea: inverse FFT along z, and a copy of its results to mip level 0 of the maps.
     pub fn record_columns(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
         let (n, FftFactors { first, second }) = (self.n, FftFactors::new(self.n));
         self.columns_first.run(encoder, &self.groups.columns_first, &[], [n / 64, second, 2 * dispatch.cascade_count]);

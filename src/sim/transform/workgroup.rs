@@ -72,13 +72,14 @@ impl WorkgroupTransform {
         self.groups = FftBindGroups::new(gpu, &self.rows, &self.columns, r, uniforms);
     }
 
-    /// Records the row pass: the Fourier amplitudes of a sea's waves at one time, and their inverse FFT along x.
+    /// Records the row pass for one sea: the Fourier amplitudes of its waves at one time, and their inverse FFT along
+    /// x.
     pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
         let size = [self.workgroups, 1, dispatch.cascade_count];
         self.rows.run(encoder, &self.groups.rows[dispatch.wave_buffers_index], &[dispatch.uniform_offset], size);
     }
 
-    /// Records the column pass: inverse FFT along z, which writes mip level 0 of the displacement and gradient maps.
+    /// Records the column pass for one sea: inverse FFT along z, to mip level 0 of its displacement and gradient maps.
     pub fn record_columns(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
         let size = [self.workgroups, 1, dispatch.cascade_count];
         self.columns.run(encoder, &self.groups.columns, &[dispatch.uniform_offset], size);
