@@ -46,7 +46,7 @@ pub struct Stopwatch<'a> {
     stamps: Option<TimestampQueries>,
     /// Number of submissions that are timed for each piece of work, after a warm-up.
     pub repeat: u32,
-    /// Largest number of times that short work is repeated within one submission, so that it takes at least 10 ms.
+    /// Largest number of times that short work is repeated within one submission, to make it last 10 ms.
     pub max_repetitions: u32,
 }
 

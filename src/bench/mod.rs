@@ -67,7 +67,7 @@ impl PassTiming {
 pub struct BenchReport {
     /// State string: the timed parameters of sea and picture as text, such as `wind=14&t=40`.
     pub state: String,
-    /// Name of the graphics adapter, with the backend that wgpu uses in parentheses, such as `(Vulkan)`.
+    /// Name of the graphics adapter, with the backend that wgpu uses in parentheses.
     pub adapter: String,
     /// Whether GPU times were measured with timestamps; if not, the times are wall times.
     pub has_timestamps: bool,
