@@ -5,46 +5,48 @@ use crate::gpu::readback;
 use crate::gpu::timer;
 use web_time::Instant;
 
-/// Shortest intended duration of a timed submission, ms. Short work is repeated, so that overheads count little.
+/// Intended duration of a timed submission, ms, at least. Shorter work is repeated, so that overheads count little.
 const MIN_SUBMISSION_MS: f64 = 10.0;
-/// Largest number of times that the timed work is repeated within one submission to the GPU.
+/// Largest number of times that short work is repeated within one submission, to reach `MIN_SUBMISSION_MS`.
 const MAX_REPETITIONS: u32 = 64;
 
-/// Measured times of one repetition of a piece of GPU work, ms.
+/// Measured times of a piece of GPU work, ms: of doing it once, even if it was repeated for the measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Timing {
-    /// Median GPU time between timestamps around the work, ms. `None` without timestamps or if they are coarse.
+    /// Median over the submissions of the GPU time for doing the work once, ms, from timestamps before and after it.
+    /// `None` without timestamps or if they are too coarse.
     pub gpu_ms: Option<f64>,
-    /// Shortest wall time from submission to completion, divided by the repetitions in the submission, ms.
+    /// Shortest wall time from recording a submission to its completion, divided by the repetitions in it, ms.
     pub min_wall_ms: f64,
-    /// 10th percentile, median and 90th percentile of the wall time from submission to completion, per repetition, ms.
+    /// 10th percentile, median and 90th percentile over the submissions of the wall time from recording to completion,
+    /// divided by the repetitions in a submission, ms.
     pub wall_percentiles_ms: [f64; 3],
-    /// CPU time of all threads of the process together, per repetition, ms: the smallest of all submissions. `None`
-    /// where the system does not tell.
+    /// CPU time of all threads of the process together for doing the work once, ms: the smallest of all submissions.
+    /// `None` where the system does not tell.
     pub cpu_ms: Option<f64>,
 }
 
 impl Timing {
-    /// The time to report, ms: the GPU time if known, else the median wall time from submission to completion.
+    /// The time to report for doing the work once, ms: the GPU time if known, else the median wall time to completion.
     pub fn representative_ms(&self) -> f64 {
         self.gpu_ms.unwrap_or(self.wall_percentiles_ms[1])
     }
 }
 
-/// Whether the device's timestamps measure how long commands execute. A software adapter writes them when it receives
-/// the commands, before it executes them.
+/// Whether the device has timestamps that measure how long commands execute. A software adapter writes them when it
+/// receives the commands, before it executes them.
 fn do_timestamps_measure_execution(gpu: &Gpu) -> bool {
     !gpu.is_software() && gpu.device.features().contains(timer::TIMESTAMPS)
 }
 
-/// Measures how long GPU work takes on a device, by timestamps and by wall time.
+/// Measures how long GPU work takes on a device: by timestamps if it has them, by wall time, and by CPU time.
 pub struct Stopwatch<'a> {
     /// The device on which the work is timed.
     pub gpu: &'a Gpu,
     stamps: Option<TimestampQueries>,
-    /// Number of submissions of each piece of work that are timed.
+    /// Number of submissions that are timed for each piece of work, after a warm-up.
     pub repeat: u32,
-    /// Largest number of times that the timed work is repeated within one submission.
+    /// Largest number of times that short work is repeated within one submission, to make it last 10 ms.
     pub max_repetitions: u32,
 }
 
@@ -73,7 +75,8 @@ impl TimestampQueries {
         })
     }
 
-    /// Writes two timestamps before the work, or after it if `last`: directly between passes, or by an empty pass.
+    /// Records two timestamps, before the work or, if `last`, after it: directly between passes where the device can,
+    /// else by an empty pass.
     fn write_timestamps(&self, encoder: &mut wgpu::CommandEncoder, last: bool) {
         let at = 2 * u32::from(last);
         if self.between_passes {
@@ -84,7 +87,7 @@ impl TimestampQueries {
         }
     }
 
-    /// Reads the timestamps in the buffer `staged` and returns the GPU time from before to after the work, ms.
+    /// Reads the four timestamps in the buffer `staged`; returns the GPU time from the second to the third, ms.
     async fn read(&self, gpu: &Gpu, staged: wgpu::Buffer) -> Result<f64, String> {
         let stamps: Vec<u64> = bytemuck::pod_collect_to_vec(&readback::read(gpu, staged).await?);
         Ok(1e-6 * self.period_ns * stamps[2].saturating_sub(stamps[1]) as f64)
@@ -92,18 +95,18 @@ impl TimestampQueries {
 }
 
 impl<'a> Stopwatch<'a> {
-    /// Creates a stopwatch that submits every piece of work `repeat` times and times each submission.
+    /// Creates a stopwatch that submits each piece of work to be measured `repeat` times and times each submission.
     pub fn new(gpu: &'a Gpu, repeat: u32) -> Self {
         Self { gpu, stamps: TimestampQueries::new(gpu), repeat: repeat.max(1), max_repetitions: MAX_REPETITIONS }
     }
 
-    /// Whether GPU times are measured with timestamps.
+    /// Whether [`Self::measure`] gets GPU times from timestamps, besides wall times.
     pub fn has_timestamps(&self) -> bool {
         self.stamps.is_some()
     }
 
     /// Measures the commands that `record` records, by GPU, wall and CPU time: a warm-up, then `repeat` submissions, in
-    /// which short work is repeated. The first argument of `record` counts its earlier calls.
+    /// which short work is repeated. `record` gets the number of its earlier calls, and the encoder to record to.
     ///
     /// # Errors
     /// If waiting for the GPU fails.
@@ -158,7 +161,7 @@ impl<'a> Stopwatch<'a> {
     }
 }
 
-/// CPU time that all threads of this process have used, ms. `None` where Linux's schedstat files are missing.
+/// CPU time that all threads of this process have used so far, ms. `None` where Linux's schedstat files are missing.
 fn cpu_ms() -> Option<f64> {
     let threads = std::fs::read_dir("/proc/self/task").ok()?;
     let spent = |thread: std::fs::DirEntry| -> Option<f64> {

@@ -5,12 +5,12 @@ use crate::gpu::map_format::MapFormat;
 use crate::ocean::FOAM_LEVELS;
 use crate::waves::tiling::MEAN_COPIES;
 
-/// Minimum memory traffic and arithmetic of one pass, or their sum over several passes.
+/// Minimum memory traffic and arithmetic of one pass, or of several together: no GPU can do with less.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cost {
-    /// Number of bytes that are read from and written to memory.
+    /// Number of bytes that are read from memory plus those that are written to it, each value counted once.
     pub bytes: f64,
-    /// Number of additions and multiplications.
+    /// Number of floating-point operations, mainly additions and multiplications.
     pub flops: f64,
 }
 
@@ -21,13 +21,13 @@ impl std::ops::Add for Cost {
     }
 }
 
-/// Cost of work that takes `bytes` and `flops` per texel, for all n x n texels of all cascades.
+/// Cost of a pass with `bytes` and `flops` per texel, for the n x n texels of each of `cascades` cascades.
 fn cost_of_texels(n: u32, cascades: u32, bytes: f64, flops: f64) -> Cost {
     let count = f64::from(n) * f64::from(n) * f64::from(cascades);
     Cost { bytes: count * bytes, flops: count * flops }
 }
 
-/// Number of floating-point operations per point for four complex FFTs along one axis: 5 log2(n) each.
+/// Number of floating-point operations per lattice point of four complex FFTs along one axis: 5 log2(n) each.
 fn fft_flops_per_point(n: u32) -> f64 {
     4.0 * 5.0 * f64::from(n.ilog2())
 }
@@ -45,14 +45,14 @@ pub fn columns(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     cost_of_texels(n, cascades, 32.0 + 2.0 * f64::from(maps.bytes_per_texel()), fft_flops_per_point(n))
 }
 
-/// Cost of the row pass and the column pass together, which compute the waves by an FFT.
+/// Cost of the row pass and the column pass together, which compute the waves' maps by an FFT.
 pub fn waves(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     rows(n, cascades) + columns(n, cascades, maps)
 }
 
-/// Cost of the mip pass. Per texel of mip level 0, two texels are read (one of each map), and a third of three texels
-/// is written (all smaller levels of three maps). A written texel takes 4 x 14 operations: sums over eleven channels,
-/// and three products of slopes.
+/// Minimum cost of the mip pass. Per texel of mip level 0, two texels are read (one of each map), and a third of three
+/// texels is written (all smaller levels of three maps). A written texel takes 4 x 14 operations: sums over eleven
+/// channels, and three products of slopes.
 pub fn mips(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     cost_of_texels(n, cascades, 3.0 * f64::from(maps.bytes_per_texel()), 4.0 * 14.0 / 3.0)
 }
@@ -65,7 +65,7 @@ pub fn foam(foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
     cost_of_texels(foam_n, FOAM_LEVELS as u32, 8.0 + texel + 8.0 * texel * samples, flops)
 }
 
-/// Cost of simulating one frame (waves, mip levels, foam), with foam levels of `foam_n` x `foam_n` cells.
+/// Cost of simulating one frame (waves, mip levels, foam) with foam levels of `foam_n` x `foam_n` cells.
 pub fn step(n: u32, foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
     waves(n, cascades, maps) + mips(n, cascades, maps) + foam(foam_n, cascades, maps)
 }
@@ -74,41 +74,41 @@ pub fn step(n: u32, foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
 /// quotient or transcendental function counts as four operations. `tests/costs.rs` checks these counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShaderCost {
-    /// Number of floating-point operations per vertex or pixel.
+    /// Number of floating-point operations of one vertex or pixel.
     pub flops: f64,
-    /// Number of texture reads per vertex or pixel, each of one texel or one filtered sample.
+    /// Number of texture reads of one vertex or pixel, each of one texel or one filtered sample.
     pub texture_reads: f64,
 }
 
-/// Cost per vertex of the compute pass that displaces the sea mesh.
+/// Floating-point operations and texture reads per vertex of the compute pass that displaces the sea mesh.
 pub const DISPLACE_VERTEX: ShaderCost = ShaderCost { flops: 3000.0, texture_reads: 67.6 };
-/// Cost per vertex of the vertex shader that draws the already displaced sea mesh.
+/// Operations per vertex of the vertex shader that draws the already displaced sea mesh.
 pub const MESH_VERTEX: ShaderCost = ShaderCost { flops: 32.0, texture_reads: 0.0 };
-/// Cost per pixel of the fragment shader that draws the sea mesh to the G-buffer.
+/// Operations per pixel of the fragment shader that draws the sea mesh to the G-buffer (surface data per pixel).
 pub const MESH_FRAGMENT: ShaderCost = ShaderCost { flops: 36.0, texture_reads: 0.0 };
-/// Cost per pixel of the fragment shader that lights the sea, which the G-buffer describes.
+/// Floating-point operations and texture reads per pixel of the fragment shader that lights the sea in the G-buffer.
 pub const LIGHT_FRAGMENT: ShaderCost = ShaderCost { flops: 10550.0, texture_reads: 89.7 };
-/// Cost per pixel of the fragment shader that draws the sky above the sea.
+/// Floating-point operations and texture reads per pixel of the fragment shader that draws the sky above the sea.
 pub const BACKGROUND_FRAGMENT: ShaderCost = ShaderCost { flops: 2200.0, texture_reads: 8.0 };
-/// Cost per pixel of the present pass, which turns the HDR picture into screen colours (tone mapping).
+/// Operations and texture reads per pixel of the present pass, which turns the HDR picture into screen colours.
 pub const PRESENT_FRAGMENT: ShaderCost = ShaderCost { flops: 770.0, texture_reads: 10.0 };
 
-/// Numbers of pixels, vertices and bytes that determine the cost of drawing a picture.
+/// Numbers of pixels, vertices and bytes in one picture, from which the cost of drawing it follows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PictureContents {
     /// Number of pixels of the picture.
     pub pixels: f64,
-    /// Fraction of the pixels that lie below the horizon and show sea, 0 to 1.
+    /// Fraction of the pixels that lie below the horizon, all of which count as sea, 0 to 1.
     pub sea_fraction: f64,
     /// Number of vertices of the sea mesh.
     pub vertices: f64,
-    /// Size of the displacement maps of all cascades with mip levels, bytes. Gradients and moments take as much each.
+    /// Size of the displacement maps of all cascades with mip levels, bytes. Gradients and moments count as much each.
     pub map_bytes: f64,
 }
 
 impl PictureContents {
-    /// Cost of drawing the sea mesh. Bytes: 120 per vertex, which is written, read, and indexed by six corners of
-    /// triangles; the displacement and gradient maps; surface data (32) and depth (4) written per sea pixel.
+    /// Minimum cost of drawing the sea mesh to the G-buffer. Bytes: 120 per vertex, which is written, read, and indexed
+    /// by six corners of triangles; the displacement and gradient maps; surface data (32) and depth (4) per sea pixel.
     pub fn mesh(&self) -> Cost {
         let seen = self.pixels * self.sea_fraction;
         Cost {
@@ -117,8 +117,8 @@ impl PictureContents {
         }
     }
 
-    /// Cost of drawing and lighting the sea mesh. Lighting a sea pixel reads its surface data (32 bytes) and depth (4),
-    /// and writes its light (8). All three kinds of map are read.
+    /// Minimum cost of drawing and lighting the sea mesh. Lighting a sea pixel reads its surface data (32 bytes) and
+    /// depth (4), and writes its light (8). All three kinds of map are read.
     pub fn water(&self) -> Cost {
         let seen = self.pixels * self.sea_fraction;
         let light = Cost { bytes: 44.0 * seen + 3.0 * self.map_bytes, flops: LIGHT_FRAGMENT.flops * seen };
@@ -131,7 +131,7 @@ impl PictureContents {
         Cost { bytes: 12.0 * seen, flops: BACKGROUND_FRAGMENT.flops * seen }
     }
 
-    /// Cost of the present pass: a pixel reads its light (8 bytes) and writes its colour (4).
+    /// Cost of the present pass (HDR picture to screen colours): a pixel reads light (8 bytes), writes colour (4).
     pub fn present(&self) -> Cost {
         Cost { bytes: 12.0 * self.pixels, flops: PRESENT_FRAGMENT.flops * self.pixels }
     }

@@ -18,41 +18,41 @@ use peak_rates::PeakRates;
 use stagewise_fft::StagewiseFft;
 use std::fmt;
 
-/// Texture format of the pictures whose drawing is timed.
+/// Texture format of the pictures that the benchmark draws to time the drawing.
 const PICTURE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-/// FFT sizes for which the benchmark with `matrix` times the simulation, each with one to four cascades.
+/// FFT sizes with which the benchmark's option `matrix` times the simulation, each with one to four cascades.
 const MATRIX_FFT_SIZES: [u32; 4] = [128, 256, 512, 1024];
 const MATRIX_CASCADES: [u32; 4] = [1, 2, 3, 4];
-/// FFT size and number of cascades of each sea for which the program is compared with the baseline (`StagewiseFft`).
+/// FFT size and number of cascades of each sea on which the program is compared with the baseline (`StagewiseFft`).
 const BASELINE_SEAS: [[u32; 2]; 2] = [[256, 3], [512, 4]];
 
-/// Options of a benchmark: what it measures, and how often.
+/// Options of a benchmark: what it times, and how often.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BenchOptions {
-    /// Widths and heights of the timed pictures, pixels. If empty, no picture is timed.
+    /// Widths and heights of the pictures to be drawn and timed, pixels. If empty, no picture is timed.
     pub sizes: Vec<[u32; 2]>,
-    /// Number of submissions to the GPU that are timed for each measurement.
+    /// Number of submissions to the GPU that each measurement times.
     pub repeat: u32,
-    /// Whether to time the simulation for a matrix of FFT sizes and cascade counts, instead of for the given state.
+    /// Whether to time the simulation for many combinations of FFT size and cascade count, not for those of the state.
     pub matrix: bool,
-    /// Whether to time the baseline for comparison, too: the waves by an FFT with one dispatch per stage.
+    /// Whether to time the baseline, too: the waves by an FFT with one dispatch per stage, as in browser demos.
     pub baseline: bool,
 }
 
-/// Measured time of one pass or group of passes, with the size of its work and its minimum cost.
+/// Measured time of one pass or group of passes (a row of the report), with the size of its work and its minimum cost.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PassTiming {
-    /// Name of the pass, as it stands in the report.
+    /// Name of the pass or group of passes, such as `rows` or `frame`, as it stands in the report.
     pub pass: &'static str,
-    /// FFT size and number of cascades, in this order. None for passes of the picture.
+    /// FFT size and number of cascades of the simulated sea, in this order. None for passes that draw a picture.
     pub sea_size: Option<[u32; 2]>,
-    /// Width and height of the picture, pixels. None for passes of the simulation.
+    /// Width and height of the drawn picture, pixels. None for passes of the simulation.
     pub picture_size: Option<[u32; 2]>,
     /// Measured times of the pass.
     pub timing: Timing,
-    /// Minimum memory traffic and arithmetic of the pass. None where they are not known.
+    /// Minimum memory traffic and arithmetic of the pass, for comparison. None where they are not known.
     pub cost: Option<Cost>,
-    /// Number of compute dispatches of the pass. None where they were not counted.
+    /// Number of compute dispatches in the pass or group of passes. None where they were not counted.
     pub dispatches: Option<u32>,
 }
 
@@ -62,24 +62,25 @@ impl PassTiming {
     }
 }
 
-/// Result of a benchmark: the times of all passes for one state on one adapter.
+/// Result of a benchmark: the times of the passes for one state (sea and picture) on one adapter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BenchReport {
     /// State string: the timed parameters of sea and picture as text, such as `wind=14&t=40`.
     pub state: String,
-    /// Name of the graphics adapter, with its backend in parentheses.
+    /// Name of the graphics adapter, with the backend that wgpu uses in parentheses.
     pub adapter: String,
-    /// Whether GPU times are measured with timestamps.
+    /// Whether GPU times were measured with timestamps; if not, the times are wall times.
     pub has_timestamps: bool,
-    /// Number of submissions to the GPU that are timed for each measurement.
+    /// Number of submissions to the GPU that each measurement timed.
     pub repeat: u32,
-    /// Measured peak rates of the adapter.
+    /// Measured rates of copying, arithmetic and texture reads of the adapter, to compare the passes with.
     pub peak_rates: PeakRates,
-    /// Times of all measured passes, in the order of the measurements.
+    /// Times of all passes and groups of passes, in the order in which they were measured.
     pub rows: Vec<PassTiming>,
 }
 
-/// Runs the benchmark of the state `params` on a device. `progress` gets the name of each measurement before it starts.
+/// Times the simulation and the drawing of the state `params` on a device, as `options` says. `progress` gets the name
+/// of each measurement before it starts.
 ///
 /// # Errors
 /// If waiting for the GPU fails.
@@ -156,7 +157,8 @@ async fn time_simulation(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<P
     Ok(rows)
 }
 
-/// Times the FFT of the waves as the program does it (row and column pass) and as the baseline does it.
+/// Times the computation of the waves' displacement and gradient maps: by the program's row and column pass, and by the
+/// baseline, whose FFT has one dispatch per stage.
 async fn time_baseline(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<PassTiming>, String> {
     let gpu = clock.gpu;
     let mut ocean = Ocean::without_renderer(gpu, params);
@@ -178,8 +180,8 @@ async fn time_baseline(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<Pas
     Ok(vec![ours, theirs])
 }
 
-/// Times the passes of a picture of `size` (width, height) pixels, and whole frames with waves and foam between which
-/// 1/60 s is simulated: at a constant wind, and while the wind changes.
+/// Times the passes of a picture of `size` (width, height) pixels. Also times whole frames with waves and foam, between
+/// which 1/60 s is simulated: at a constant wind, and while the wind changes as under a dragged slider.
 async fn time_picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) -> Result<Vec<PassTiming>, String> {
     let gpu = clock.gpu;
     let mut ocean = Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, params);
@@ -241,7 +243,7 @@ async fn time_picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) ->
     Ok(out)
 }
 
-/// Counts the pixels, vertices and map bytes of the picture of a state of `size` (width, height) pixels.
+/// Counts the pixels, mesh vertices and map bytes of the picture of `params` with `size` (width, height) pixels.
 fn picture_contents(params: &Params, ocean: &Ocean, size: [u32; 2]) -> cost::PictureContents {
     let sizes = ocean.map_sizes();
     let [width, height] = size.map(f64::from);
@@ -265,7 +267,7 @@ impl BenchReport {
         Some(of.timing.representative_ms() / other.timing.representative_ms())
     }
 
-    /// Sentences that compare the program's times with those of the baseline, an FFT with a dispatch per stage.
+    /// Sentences for the report that compare the program's times with the baseline: an FFT with a dispatch per stage.
     pub fn comparisons(&self) -> Vec<String> {
         let mut out = Vec::new();
         for theirs in self.rows.iter().filter(|r| r.pass == "waves, a dispatch per stage") {

@@ -5,31 +5,33 @@ use crate::gpu::kit::{Attachments, BindingType, Program, begin_compute};
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::{Gpu, offscreen};
 
-/// Size of the buffer whose copying is timed, bytes: beyond the caches of most GPUs, within WebGPU's base limits.
+/// Size of the buffer whose copying is timed, bytes: larger than the caches of most GPUs, within WebGPU's base limits.
 const COPY_BYTES: u64 = 128 << 20;
-/// Number of dispatches, each of an empty shader in a pass of its own, that are timed together.
+/// Number of empty dispatches, each in a compute pass of its own, in one timed piece of work.
 const EMPTY_DISPATCHES: u32 = 32;
-/// Number of multiply-adds in each of the eight chains that the arithmetic shader computes per pixel.
+/// Number of multiply-adds in each of the eight chains that the arithmetic shader computes for a pixel.
 const MULTIPLY_ADDS_PER_CHAIN: u32 = 256;
-/// Side of the square render target on which the arithmetic and texture-read shaders are timed, pixels.
+/// Side of the square picture that the arithmetic and texture-read shaders draw while they are timed, pixels.
 const TARGET_SIDE: u32 = 512;
-/// Number of texture samples per pixel in the shader that measures the rate of texture reads.
+/// Number of texture samples that the shader for the rate of texture reads takes per pixel.
 const READS_PER_PIXEL: u32 = 16;
-/// Side of the texture that the shader for texture reads samples, texels. The number of its mip levels follows.
+/// Side of the texture that the shader for texture reads samples, texels. It has `MAP_MIP_LEVELS` mip levels.
 const MAP_SIDE: u32 = 256;
 const MAP_MIP_LEVELS: u32 = 9;
 
-/// Measured peak rates of an adapter: copying, arithmetic and texture reads; and the time of a dispatch.
+/// Measured peak rates of an adapter (copying, arithmetic, texture reads) and its overhead per dispatch. The measured
+/// times of the program's passes are compared with them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PeakRates {
-    /// Bandwidth of a large copy, bytes read plus bytes written, GB/s.
+    /// Rate of a large copy from buffer to buffer: bytes read plus bytes written, 1e9 bytes per second.
     pub copy_gb_s: f64,
     /// Time of one empty dispatch in a compute pass of its own, ms: the mean of many dispatches in a row.
     pub empty_dispatch_ms: f64,
-    /// Rate of multiplications and additions in a fragment shader without other work, 1e9 per second.
+    /// Rate of multiplications and additions in a fragment shader without other work, 1e9 operations per second; a
+    /// multiply-add counts as two.
     pub shading_gflop_s: f64,
-    /// Rate of trilinear samples in the maps' texture format, in a fragment shader without other work, 1e9 per second.
-    /// All samples lie between the same two mip levels.
+    /// Rate of trilinear samples of a texture in the format of the maps, in a fragment shader without other work, 1e9
+    /// samples per second. All samples lie between the same two mip levels.
     pub texture_reads_g_s: f64,
 }
 
@@ -86,8 +88,8 @@ impl PeakRates {
 
 const TARGET_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 
-/// WGSL fragment shader that measures the rate of arithmetic. Eight independent chains hide latency. The factors depend
-/// on the pixel, so that the compiler cannot precompute them.
+/// WGSL fragment shader that measures the rate of arithmetic. Eight chains of multiply-adds, independent of each other,
+/// hide latency. The factors depend on the pixel, so that the compiler cannot precompute them.
 const ARITHMETIC_SHADER: &str = "
 @fragment fn fragment(@builtin(position) at: vec4f) -> @location(0) vec4f {
   let by = at.xyxy * 1e-4;
@@ -112,7 +114,7 @@ const TEXTURE_READ_SHADER: &str = "
   return sum;
 }";
 
-/// Creates the pipeline that measures texture reads, and the bind group with its texture and sampler.
+/// Creates the pipeline that measures texture reads, and the bind group with the texture and sampler that it reads.
 fn texture_read_pipeline(gpu: &Gpu) -> (wgpu::RenderPipeline, wgpu::BindGroup) {
     let layout =
         gpu.bind_group_layout("reads", wgpu::ShaderStages::FRAGMENT, &[BindingType::Texture, BindingType::Sampler]);
@@ -130,7 +132,7 @@ const FULL_SCREEN_VERTEX_SHADER: &str = "
   return vec4f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }";
 
-/// Creates a pipeline that runs a fragment shader on every pixel of the render target.
+/// Creates a pipeline that runs the fragment shader in the WGSL text `fragment` on every pixel of the render target.
 fn full_screen_pipeline(
     gpu: &Gpu,
     label: &str,

@@ -11,7 +11,7 @@ use crate::ocean::Maps;
 use bytemuck::{Pod, Zeroable};
 use std::f64::consts::TAU;
 
-/// Number of complex fields that are transformed for each cascade. Each packs two real fields of the maps.
+/// Number of complex fields that are transformed for each cascade. Each packs two of the eight real fields of the maps.
 const FIELD_COUNT: usize = 4;
 
 #[repr(C)]
@@ -23,7 +23,7 @@ struct EvolveUniform {
     unused: u32,
 }
 
-/// A compute dispatch of the baseline over all texels of a texture, in workgroups of 8 x 8.
+/// One compute dispatch of the baseline, with a thread for each texel of a texture, in workgroups of 8 x 8 threads.
 struct Dispatch {
     pipeline: wgpu::ComputePipeline,
     group: wgpu::BindGroup,
@@ -40,15 +40,16 @@ impl Dispatch {
 /// The baseline of the benchmark: computes the waves' maps by an FFT with one dispatch per stage, as browser demos do.
 pub struct StagewiseFft {
     dispatches: Vec<Dispatch>,
-    /// Displacement maps that the baseline writes, one per cascade: Dx, height eta, Dz (m) and dDx/dz.
+    /// Displacement maps that the baseline writes, one per cascade. Texels: Dx, height eta, Dz (m) and dDx/dz.
     pub displacement: Vec<wgpu::Texture>,
-    /// Gradient maps that the baseline writes, one per cascade: slopes d eta/dx and d eta/dz, dDx/dx and dDz/dz.
+    /// Gradient maps that the baseline writes, one per cascade. Texels: d eta/dx, d eta/dz, dDx/dx and dDz/dz.
     pub gradients: Vec<wgpu::Texture>,
 }
 
 impl StagewiseFft {
-    /// Creates the dispatches that compute the displacement and gradient maps of the current sea of `maps`, at the time
-    /// for which `maps` was last computed. The buffer `maps.h0` must have been computed.
+    /// Creates the dispatches that compute displacement and gradient maps of the current sea of `maps`, for the time of
+    /// `maps.time_in_period_u32`. They read the Fourier amplitudes in the buffer `maps.h0`, which must have been
+    /// computed.
     pub fn new(gpu: &Gpu, maps: &Maps) -> Self {
         let n = maps.n;
         let transform = FieldFft::new(gpu, n);
@@ -86,12 +87,12 @@ impl StagewiseFft {
         out
     }
 
-    /// Number of compute dispatches that compute the maps of all cascades.
+    /// Number of compute dispatches with which the baseline computes the maps of all cascades.
     pub fn dispatch_count(&self) -> usize {
         self.dispatches.len()
     }
 
-    /// Records all dispatches of the baseline, each in a compute pass of its own.
+    /// Records all dispatches of the baseline, each in a compute pass of its own. They write the maps.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder) {
         for dispatch in &self.dispatches {
             let mut pass = begin_compute(encoder, "stage");
@@ -102,12 +103,12 @@ impl StagewiseFft {
     }
 }
 
-/// Pipeline and resources of the FFT of one complex field, shared by all fields.
+/// Pipeline and resources for the FFT of one complex field. All fields use the same ones.
 struct FieldFft {
     n: u32,
     stage: wgpu::ComputePipeline,
     butterfly: wgpu::TextureView,
-    /// Uniform buffer of every radix-2 stage of the FFT: first the stages along rows, then those along columns.
+    /// Uniform buffer (stage number, axis) of every radix-2 stage: first the stages along x, then those along z.
     stages: Vec<wgpu::Buffer>,
 }
 
@@ -126,7 +127,7 @@ impl FieldFft {
         }
     }
 
-    /// Creates the two n x n textures of a field. Each FFT stage reads one and writes the other.
+    /// Creates the two n x n textures of a complex field. Each FFT stage reads one and writes the other.
     fn field_textures(&self, gpu: &Gpu) -> [wgpu::TextureView; 2] {
         std::array::from_fn(|_| {
             storage_texture(gpu, "field", self.n, wgpu::TextureFormat::Rg32Float)
@@ -134,8 +135,8 @@ impl FieldFft {
         })
     }
 
-    /// Creates the dispatches of a field's FFT, which read one texture of `pair` and write the other in turn. Their
-    /// number is even, so the first texture holds the result.
+    /// Creates one dispatch for each stage of a field's FFT along x and z. They read one texture of `pair` and write
+    /// the other in turn. Their number is even, so the first texture holds the result.
     fn dispatches(&self, gpu: &Gpu, pair: &[wgpu::TextureView; 2]) -> Vec<Dispatch> {
         let bind = |(i, uniform): (usize, &wgpu::Buffer)| {
             let resources = [
@@ -150,8 +151,8 @@ impl FieldFft {
     }
 }
 
-/// FFT table, n entries for each stage: real and imaginary part of the twiddle factor, and the indices of the two
-/// points that are combined. The first stage reads its points in bit-reversed order.
+/// Table of the FFT's butterflies, n entries for each radix-2 stage: real and imaginary part of the twiddle factor, and
+/// the indices of the two points that are combined. The first stage reads its points in bit-reversed order.
 fn butterflies(n: u32) -> Vec<[f32; 4]> {
     let bits = n.ilog2();
     let reversed = |i: u32| i.reverse_bits() >> (32 - bits);
@@ -166,7 +167,7 @@ fn butterflies(n: u32) -> Vec<[f32; 4]> {
     (0..bits).flat_map(|stage| (0..n).map(move |i| entry(stage, i))).collect()
 }
 
-/// Creates a compute pipeline with a bind group layout that wgpu derives from the shader.
+/// Creates a compute pipeline from a WGSL text, with a bind group layout that wgpu derives from the shader.
 fn derived_pipeline(gpu: &Gpu, label: &str, source: &str) -> wgpu::ComputePipeline {
     gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
         label: Some(label),
@@ -185,7 +186,7 @@ fn uniform_buffer(gpu: &Gpu, bytes: &[u8]) -> wgpu::Buffer {
     buffer
 }
 
-/// Creates a texture of n x n texels that shaders write and read.
+/// Creates a texture of n x n texels in the given format that shaders write and read.
 fn storage_texture(gpu: &Gpu, label: &str, n: u32, format: wgpu::TextureFormat) -> wgpu::Texture {
     let usage =
         wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::COPY_SRC;

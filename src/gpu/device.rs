@@ -5,8 +5,8 @@ use super::kit::Gpu;
 use super::map_format::MapFormat;
 use super::timer;
 
-/// Describes the device that the program requests from an adapter: WebGPU's base limits, and of timestamps and
-/// filterable float textures those features that the adapter has (the latter only where they are faster).
+/// Describes the device that the program requests from an adapter: WebGPU's base limits, and optional features where
+/// the adapter has them: timestamps, and filterable float textures if these are faster.
 pub fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     let info = adapter.get_info();
     let wanted = timer::TIMESTAMPS | timer::TIMESTAMPS_BETWEEN_PASSES | MapFormat::wanted_features(&info);
@@ -18,8 +18,8 @@ pub fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'sta
     }
 }
 
-/// Graphics backends that wgpu may use: WebGPU in a browser, otherwise those of the environment variable
-/// `WGPU_BACKEND`, or else Vulkan, Metal and Direct3D 12.
+/// Graphics APIs that wgpu may use: WebGPU in a browser, otherwise those that the environment variable `WGPU_BACKEND`
+/// names, or else Vulkan, Metal and Direct3D 12.
 pub fn backends() -> wgpu::Backends {
     if cfg!(target_arch = "wasm32") {
         wgpu::Backends::BROWSER_WEBGPU
@@ -28,8 +28,8 @@ pub fn backends() -> wgpu::Backends {
     }
 }
 
-/// Chooses an adapter for work without a window: one whose name contains the environment variable `WGPU_ADAPTER_NAME`
-/// (in any case), or else the one that the system prefers for high performance.
+/// Chooses an adapter for work without a window: one whose name contains the value of the environment variable
+/// `WGPU_ADAPTER_NAME` (in any case), or else the one that the system prefers for high performance.
 ///
 /// # Errors
 /// If there is no adapter, or none with that name: one sentence that says what to do.
@@ -56,7 +56,7 @@ pub async fn choose_adapter() -> Result<wgpu::Adapter, String> {
 }
 
 impl Gpu {
-    /// Whether the adapter is a software rasterizer, which runs on the CPU.
+    /// Whether the adapter is a software rasterizer, which runs on the CPU instead of a GPU.
     pub fn is_software(&self) -> bool {
         self.device.adapter_info().device_type == wgpu::DeviceType::Cpu
     }
@@ -69,7 +69,7 @@ impl Gpu {
         Self::open(&choose_adapter().await?).await
     }
 
-    /// Opens a device on the given adapter, with the limits and features of [`device_descriptor`].
+    /// Opens a device on the given adapter, with the limits and features that [`device_descriptor`] describes.
     ///
     /// # Errors
     /// If the adapter refuses to open a device: one sentence for the user.
@@ -82,6 +82,6 @@ impl Gpu {
     }
 }
 
-/// Error message for a system without a graphics adapter.
+/// Error message for a user whose system has no graphics adapter: says what to install.
 pub const NO_ADAPTER_MESSAGE: &str = "no Vulkan, Metal or Direct3D 12 adapter found: install your GPU's driver, or the \
      software one (Debian and Ubuntu: mesa-vulkan-drivers, Fedora: mesa-vulkan-drivers, Arch: vulkan-swrast)";

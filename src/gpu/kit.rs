@@ -2,25 +2,25 @@
 
 use std::num::NonZeroU64;
 
-/// A wgpu device and its queue. Clones share both.
+/// A wgpu device and its queue. Clones stand for the same device.
 #[derive(Clone, Debug)]
 pub struct Gpu {
-    /// The wgpu device, which creates buffers, textures and pipelines.
+    /// The wgpu device: creates buffers, textures and pipelines.
     pub device: wgpu::Device,
-    /// The wgpu queue, which takes commands and data for the GPU.
+    /// The wgpu queue: takes command buffers and data for the GPU.
     pub queue: wgpu::Queue,
 }
 
-/// Type of the resource (buffer, texture or sampler) at one binding of a bind group.
+/// Type of the resource (buffer, texture or sampler) that a bind group layout expects at one binding.
 #[derive(Clone, Copy, Debug)]
 pub enum BindingType {
-    /// A uniform buffer of the given number of bytes.
+    /// A uniform buffer, of which the shader reads at least the given number of bytes, from its start.
     Uniform(usize),
-    /// A uniform buffer bound at a dynamic offset, from which the shader sees the given number of bytes.
+    /// A uniform buffer bound at a dynamic offset, from which the shader reads the given number of bytes.
     DynamicUniform(usize),
-    /// A storage buffer of at least the given number of bytes that the shader only reads.
+    /// A storage buffer of at least the given number of bytes (0: of any size) that the shader only reads.
     StorageRead(usize),
-    /// A storage buffer of at least the given number of bytes that the shader reads and writes.
+    /// A storage buffer of at least the given number of bytes (0: of any size) that the shader reads and writes.
     StorageReadWrite(usize),
     /// A 2d texture of floats that a sampler can filter.
     Texture,
@@ -28,11 +28,11 @@ pub enum BindingType {
     TextureArray,
     /// A 2d texture of unsigned integers.
     TextureUint,
-    /// A 2d storage texture that the shader writes.
+    /// A 2d storage texture of the given format that the shader only writes.
     StorageTexture(wgpu::TextureFormat),
-    /// A 2d array storage texture that the shader writes.
+    /// A 2d array storage texture of the given format that the shader only writes.
     StorageTextureArray(wgpu::TextureFormat),
-    /// A sampler that can filter, that is, interpolate between texels.
+    /// A sampler that may filter, that is, interpolate between texels.
     Sampler,
 }
 
@@ -71,54 +71,54 @@ impl BindingType {
     }
 }
 
-/// Shader module of a render pipeline, with its vertex and fragment entry points.
+/// Shader module of a render pipeline, with its vertex and fragment entry points and override constants.
 pub struct Program<'a> {
     /// Shader module that contains both entry points.
     pub module: &'a wgpu::ShaderModule,
-    /// Names of the vertex entry point and of the fragment entry point.
+    /// Names of the vertex entry point and of the fragment entry point, in this order.
     pub entry_points: [&'a str; 2],
-    /// Names and values of the module's override constants.
+    /// Names and values of the override constants in the module that do not have their default values.
     pub constants: &'a [(&'a str, f64)],
 }
 
 impl<'a> Program<'a> {
-    /// A program with the entry points `vertex` and `fragment` and default override constants.
+    /// A render program with the entry points named `vertex` and `fragment`, and default values of override constants.
     pub fn new(module: &'a wgpu::ShaderModule) -> Self {
         Self { module, entry_points: ["vertex", "fragment"], constants: &[] }
     }
 }
 
-/// Formats of the colour and depth textures that a render pipeline draws on.
+/// Formats of the colour and depth textures that a render pipeline draws on, and its depth test.
 pub struct Attachments<'a> {
-    /// Texture formats of the colour attachments, in the order of the fragment shader's outputs.
+    /// Texture formats of the colour textures that are drawn on, in the order of the fragment shader's outputs.
     pub formats: &'a [wgpu::TextureFormat],
-    /// How depth is tested and written. None without a depth attachment.
+    /// How depth is tested and written. None if nothing is drawn on a depth texture.
     pub depth: Option<DepthState>,
 }
 
-/// How a render pipeline tests and writes depth.
+/// Depth texture format of a render pipeline, and how the pipeline tests and writes depth.
 #[derive(Clone, Copy, Debug)]
 pub struct DepthState {
-    /// Texture format of the depth attachment.
+    /// Texture format of the depth texture.
     pub format: wgpu::TextureFormat,
-    /// Comparison with the stored depth that a fragment must pass.
+    /// Comparison of a fragment's depth with the stored depth; the fragment is drawn if it holds.
     pub compare: wgpu::CompareFunction,
-    /// Whether fragments that pass the depth test write their depth.
+    /// Whether fragments that pass the depth test write their depth to the depth texture.
     pub writes_depth: bool,
 }
 
 impl Gpu {
-    /// Creates a command encoder with a label for debuggers.
+    /// Creates a command encoder. `label` is its name in debuggers.
     pub fn encoder(&self, label: &str) -> wgpu::CommandEncoder {
         self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some(label) })
     }
 
-    /// Submits the commands of an encoder to the GPU.
+    /// Finishes an encoder and submits its commands to the GPU. Does not wait for their execution.
     pub fn submit(&self, encoder: wgpu::CommandEncoder) {
         self.queue.submit([encoder.finish()]);
     }
 
-    /// Creates a buffer of `bytes` bytes, not mapped, with the given usage.
+    /// Creates a buffer of `bytes` bytes for the given uses, not mapped. `label` is its name in debuggers.
     pub fn buffer(&self, label: &str, bytes: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
         self.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some(label),
@@ -128,13 +128,13 @@ impl Gpu {
         })
     }
 
-    /// Creates a storage buffer of `bytes` bytes that commands can also copy from and to.
+    /// Creates a storage buffer of `bytes` bytes, which copies can also read and write. `label` is for debuggers.
     pub fn storage_buffer(&self, label: &str, bytes: u64) -> wgpu::Buffer {
         let copies = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC;
         self.buffer(label, bytes, wgpu::BufferUsages::STORAGE | copies)
     }
 
-    /// Creates a 2d texture with the given width, height and number of layers, and without multisampling.
+    /// Creates a 2d texture (an array if there are several layers) of the given size in texels, without multisampling.
     pub fn texture(
         &self,
         label: &str,
@@ -155,7 +155,7 @@ impl Gpu {
         })
     }
 
-    /// Writes one mip level of a texture's first layer. `bytes` holds its rows without padding.
+    /// Queues a write of one mip level of a texture's first layer. `bytes` holds its rows without padding between them.
     pub fn write_texture(&self, texture: &wgpu::Texture, mip_level: u32, bytes: &[u8]) {
         let [width, height] = [texture.width(), texture.height()].map(|side| (side >> mip_level).max(1));
         let row = bytes.len() as u32 / height;
@@ -167,7 +167,8 @@ impl Gpu {
         );
     }
 
-    /// Creates a sampler with linear filtering within mip levels, and the given address modes along u and v.
+    /// Creates a sampler that filters linearly within a mip level, and between mip levels as `mipmap_filter` says. `u`
+    /// and `v` say what happens outside 0 to 1.
     pub fn sampler(
         &self,
         label: &str,
@@ -185,7 +186,7 @@ impl Gpu {
         })
     }
 
-    /// Creates a bind group layout for the given shader stages. `bindings` are the bindings 0, 1, 2 and so on.
+    /// Creates a bind group layout for the shader stages `visibility`. `bindings` are the types of bindings 0, 1, 2 ...
     pub fn bind_group_layout(
         &self,
         label: &str,
@@ -203,7 +204,7 @@ impl Gpu {
         self.device.create_bind_group_layout(&descriptor)
     }
 
-    /// Creates a bind group with the given layout. `resources` are bound at 0, 1, 2 and so on.
+    /// Creates a bind group with the given layout. `resources` become its bindings 0, 1, 2 and so on.
     pub fn bind_group(
         &self,
         label: &str,
@@ -217,7 +218,7 @@ impl Gpu {
         self.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
     }
 
-    /// Compiles the WGSL text `source` to a shader module.
+    /// Compiles the WGSL text `source` to a shader module. `label` is its name in error messages and debuggers.
     pub fn shader_module(&self, label: &str, source: &str) -> wgpu::ShaderModule {
         self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(label),
@@ -225,7 +226,8 @@ impl Gpu {
         })
     }
 
-    /// Creates a compute pipeline from an entry point of a module, bind group layouts and override constants.
+    /// Creates a compute pipeline from an entry point of a module, the layouts of its bind groups 0, 1, 2 and so on,
+    /// and names and values of override constants.
     pub fn compute_pipeline(
         &self,
         label: &str,
@@ -243,7 +245,7 @@ impl Gpu {
         })
     }
 
-    /// Creates a render pipeline that draws triangles without vertex buffers, on render targets of the formats `onto`.
+    /// Creates a render pipeline that draws triangle lists without vertex buffers, on textures of the formats `onto`.
     pub fn render_pipeline(
         &self,
         label: &str,
@@ -293,7 +295,7 @@ impl Gpu {
     }
 }
 
-/// A compute pipeline whose shader uses one bind group, and the layout of that bind group.
+/// A compute pipeline whose shader uses one bind group (group 0), with the layout of that bind group.
 #[derive(Debug)]
 pub struct Kernel {
     label: &'static str,
@@ -302,7 +304,8 @@ pub struct Kernel {
 }
 
 impl Kernel {
-    /// Compiles the entry point `program` of a module, with the given bindings (0, 1, 2 ...) and override constants.
+    /// Compiles the compute shader `program`, a module and the name of its entry point. `bindings` are the types of
+    /// bindings 0, 1, 2 and so on; `constants` are names and values of override constants.
     pub fn new(
         gpu: &Gpu,
         label: &'static str,
@@ -315,12 +318,13 @@ impl Kernel {
         Self { label, pipeline, layout }
     }
 
-    /// Creates a bind group for the kernel from resources in the order of its bindings.
+    /// Creates a bind group for the kernel. `resources` are its bindings 0, 1, 2 and so on.
     pub fn bind(&self, gpu: &Gpu, resources: &[wgpu::BindingResource<'_>]) -> wgpu::BindGroup {
         gpu.bind_group(self.label, &self.layout, resources)
     }
 
-    /// Records a dispatch of `size` workgroups in a compute pass of its own, with dynamic `offsets` in bytes.
+    /// Records a dispatch of `size` (x, y, z) workgroups in a compute pass of its own, with the bind group `group` at
+    /// the dynamic `offsets`, bytes, of its uniform buffers.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, group: &wgpu::BindGroup, offsets: &[u32], size: [u32; 3]) {
         let mut pass = begin_compute(encoder, self.label);
         pass.set_pipeline(&self.pipeline);
@@ -329,12 +333,12 @@ impl Kernel {
     }
 }
 
-/// Begins a compute pass with a label for debuggers that writes no timestamps.
+/// Begins a compute pass that writes no timestamps. `label` is its name in debuggers.
 pub fn begin_compute<'a>(encoder: &'a mut wgpu::CommandEncoder, label: &str) -> wgpu::ComputePass<'a> {
     encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(label), timestamp_writes: None })
 }
 
-/// View of one mip level of a 2d texture.
+/// View of mip level `mip_level` of a 2d texture, which becomes level 0 of the view.
 pub fn mip_view(texture: &wgpu::Texture, mip_level: u32) -> wgpu::TextureView {
     texture.create_view(&wgpu::TextureViewDescriptor {
         base_mip_level: mip_level,

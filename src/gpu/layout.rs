@@ -1,15 +1,15 @@
 //! Structs that Rust and WGSL share. Each is declared once, in Rust, and its WGSL text is generated. A test compares
 //! the memory layouts in both languages.
 
-/// A Rust type with the same memory layout as a WGSL type, so that its bytes can be copied to the GPU.
+/// A Rust type whose memory layout is that of a WGSL type, so that its bytes can be copied to the GPU as they are.
 pub trait SharedType: bytemuck::Pod {
-    /// Returns the type's name in WGSL.
+    /// Returns the name of the WGSL type, such as `vec2f` for `[f32; 2]`.
     fn wgsl_type_name() -> String;
 }
 
-/// A struct that [`gpu_struct!`] declares. WGSL needs its name to declare arrays of it.
+/// A struct that [`gpu_struct!`] declares. Its name in WGSL is needed to declare arrays of it.
 pub trait SharedStruct: SharedType {
-    /// The name of the struct in WGSL.
+    /// The name of the struct in WGSL, which may differ from that in Rust.
     const WGSL_NAME: &'static str;
 }
 
@@ -49,30 +49,30 @@ impl<T: SharedStruct, const N: usize> SharedType for [T; N] {
     }
 }
 
-/// A member of a struct that Rust and WGSL share.
+/// A member of a struct that is declared in Rust and in WGSL, with its place in memory.
 #[derive(Clone, Copy, Debug)]
 pub struct StructMember {
     /// Name of the member in Rust and in WGSL.
     pub name: &'static str,
-    /// Offset of the member from the start of the struct, bytes.
+    /// Offset of the member from the start of the struct, bytes, which is the same in Rust and in WGSL.
     pub offset: usize,
     /// Size of the member, bytes.
     pub size: usize,
-    /// Function that returns the name of the member's type in WGSL.
+    /// Function that returns the WGSL name of the member's type, such as `vec2f`.
     pub wgsl_type_name: fn() -> String,
 }
 
 impl StructMember {
-    /// Whether the member is padding, which only aligns the next member or the size of the struct.
+    /// Whether the member (`unused...`) is padding, which only aligns the next member or the size of the struct.
     pub fn is_padding(&self) -> bool {
         self.name.starts_with("unused")
     }
 }
 
-/// Declaration of a struct that Rust and WGSL share, from which its WGSL text is generated.
+/// Declaration of a struct that Rust and WGSL share: all that is needed to generate its WGSL text.
 #[derive(Clone, Copy, Debug)]
 pub struct StructDeclaration {
-    /// The name of the struct in WGSL.
+    /// Name of the struct in WGSL, which may differ from that in Rust.
     pub name: &'static str,
     /// Members of the struct, in the order of their offsets.
     pub members: &'static [StructMember],
@@ -81,7 +81,7 @@ pub struct StructDeclaration {
 }
 
 impl StructDeclaration {
-    /// WGSL declaration of the struct, as text. Padding is split into single u32 members, because the alignment of a
+    /// Text of the struct's declaration in WGSL. Padding is split into single u32 members, because the alignment of a
     /// vector would move it.
     pub fn wgsl_declaration(&self) -> String {
         let lines = self.members.iter().map(|member| match member.is_padding() {
@@ -92,8 +92,8 @@ impl StructDeclaration {
     }
 }
 
-/// Declares a struct that is copied to the GPU byte by byte, in Rust and in WGSL. Padding must be declared, too: as
-/// members of type `u32` or arrays of it, whose names begin with `unused`.
+/// Declares a Rust struct that is copied to the GPU byte by byte, and generates its WGSL declaration. Padding must be
+/// declared, too: as members of type `u32` or arrays of it, whose names begin with `unused`.
 #[macro_export]
 macro_rules! gpu_struct {
     ($(#[$meta:meta])* $vis:vis struct $rust:ident as $wgsl:literal {

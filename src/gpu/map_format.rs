@@ -7,38 +7,38 @@
 use super::Gpu;
 use half::f16;
 
-/// Texture format of the wave and foam maps: four components of 16 or of 32 bits.
+/// Texture format of the simulation's maps (displacement, gradients, slope moments, foam): four floats per texel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapFormat {
-    /// Four 16-bit floats per texel (`rgba16float`).
+    /// Four 16-bit floats per texel (`rgba16float`), for GPUs and some software adapters.
     Half,
-    /// Four 32-bit floats per texel (`rgba32float`), for devices that can filter them.
+    /// Four 32-bit floats per texel (`rgba32float`), for software adapters that can filter them and do so faster.
     Float,
 }
 
 impl MapFormat {
-    /// wgpu feature with which samplers can filter textures of 32-bit floats.
+    /// wgpu feature of devices whose samplers can filter textures of 32-bit floats.
     pub const FILTERABLE_FLOATS: wgpu::Features = wgpu::Features::FLOAT32_FILTERABLE;
 
-    /// Optional feature to request from an adapter: [`Self::FILTERABLE_FLOATS`] where 32-bit floats are faster, else
-    /// none.
+    /// Optional wgpu feature to request from an adapter: [`Self::FILTERABLE_FLOATS`] if it is a software adapter on
+    /// which 32-bit floats are faster, else none.
     pub fn wanted_features(adapter: &wgpu::AdapterInfo) -> wgpu::Features {
         let is_cpu = adapter.device_type == wgpu::DeviceType::Cpu;
         if is_cpu && !adapter.name.contains("llvmpipe") { Self::FILTERABLE_FLOATS } else { wgpu::Features::empty() }
     }
 
-    /// The map format that is faster on a device.
+    /// The map format that is faster on a device: 32-bit floats on some software adapters, else half floats.
     pub fn for_device(gpu: &Gpu) -> Self {
         Self::for_adapter(gpu.is_software(), gpu.device.features())
     }
 
-    /// Format for an adapter: 32-bit floats if it is software and the device can filter them, otherwise half floats.
-    /// That holds for a GPU, too, whose device can filter 32-bit floats, as that of a host program may.
+    /// Format for an adapter whose device has `features`: 32-bit floats if it is a software adapter and the device can
+    /// filter them. A GPU gets half floats even if its device can filter 32-bit floats, as that of a host program may.
     fn for_adapter(is_software: bool, features: wgpu::Features) -> Self {
         if is_software && features.contains(Self::FILTERABLE_FLOATS) { Self::Float } else { Self::Half }
     }
 
-    /// The value of wgpu's `TextureFormat` for this map format.
+    /// The texture format in wgpu that stands for this map format.
     pub fn texture_format(self) -> wgpu::TextureFormat {
         match self {
             Self::Half => wgpu::TextureFormat::Rgba16Float,
@@ -46,7 +46,7 @@ impl MapFormat {
         }
     }
 
-    /// Size of a texel of four components, bytes.
+    /// Size of a texel, which has four components, bytes.
     pub const fn bytes_per_texel(self) -> u32 {
         match self {
             Self::Half => 8,
@@ -62,7 +62,7 @@ impl MapFormat {
         }
     }
 
-    /// Converts the bytes of a map texture, in `format` `Rgba16Float` or `Rgba32Float`, to texels of four f32.
+    /// Converts the bytes of a map texture to texels of four f32. `format` is `Rgba16Float` or `Rgba32Float`.
     pub fn texels_from_bytes(format: wgpu::TextureFormat, bytes: &[u8]) -> Vec<[f32; 4]> {
         if format == wgpu::TextureFormat::Rgba32Float {
             return bytemuck::pod_collect_to_vec(bytes);

@@ -3,13 +3,13 @@
 use super::Gpu;
 use super::readback::{self, StagedTexture};
 
-/// Creates a texture of `size` (width, height) pixels that can be drawn on and copied from.
+/// Creates a texture of `size` (width, height) texels on which render passes can draw, and which can be copied from.
 pub fn create_target(gpu: &Gpu, format: wgpu::TextureFormat, size: [u32; 2]) -> wgpu::Texture {
     let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
     gpu.texture("offscreen", [size[0], size[1], 1], 1, format, usage)
 }
 
-/// Records a render pass that clears a texture to black and in which `draw` draws on it.
+/// Records a render pass, without depth, that clears the texture `target` to black and draws on it what `draw` records.
 pub fn clear_and_draw(
     encoder: &mut wgpu::CommandEncoder,
     target: &wgpu::Texture,
@@ -32,15 +32,15 @@ pub fn clear_and_draw(
     draw(&mut pass);
 }
 
-/// An offscreen picture whose drawing commands have been submitted, and whose pixels can be read back.
+/// A picture drawn without a window, whose commands have been submitted and whose pixels can be read back.
 pub struct PendingPicture {
     copy: StagedTexture,
-    /// Whether the pixels store blue before red, so that reading must swap them.
+    /// Whether a pixel stores blue first (BGRA), so that reading must swap blue and red.
     is_bgra: bool,
 }
 
 impl PendingPicture {
-    /// Draws an offscreen picture of `size` (width, height) pixels with `draw`, after the commands of `encoder`.
+    /// Draws a picture of `size` (width, height) pixels without a window by `draw`, after the commands of `encoder`.
     /// Submits all commands, including a copy of the picture that [`Self::read`] reads.
     pub fn submit(
         gpu: &Gpu,
@@ -56,7 +56,7 @@ impl PendingPicture {
         Self { copy, is_bgra: format.remove_srgb_suffix() == wgpu::TextureFormat::Bgra8Unorm }
     }
 
-    /// Reads the pixels: four bytes each (RGBA), row by row from the top.
+    /// Waits for the picture and returns its pixels: four bytes each (RGBA), row by row from the top.
     ///
     /// # Errors
     /// If mapping the staging buffer fails.

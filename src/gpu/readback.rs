@@ -4,14 +4,14 @@ use super::Gpu;
 use super::map_format::MapFormat;
 use futures_channel::oneshot;
 
-/// Records a copy of a buffer into a new staging buffer, which the CPU can read, and returns that one, for [`read`].
+/// Records a copy of the whole buffer `source` into a new staging buffer, and returns that one, for [`read`].
 pub fn stage_buffer(gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, source: &wgpu::Buffer) -> wgpu::Buffer {
     let staging = create_staging_buffer(gpu, source.size());
     encoder.copy_buffer_to_buffer(source, 0, &staging, 0, source.size());
     staging
 }
 
-/// Copy of a texture in a buffer that the CPU can read. Its rows are padded to a multiple of 256 bytes.
+/// Copy of a texture's mip level in a buffer that the CPU can read, with rows padded to a multiple of 256 bytes.
 pub struct StagedTexture {
     staging: wgpu::Buffer,
     format: wgpu::TextureFormat,
@@ -19,7 +19,7 @@ pub struct StagedTexture {
     padded: usize,
 }
 
-/// Records a copy of one mip level of all layers of a texture into a new buffer that the CPU can read.
+/// Records a copy of mip level `mip_level` of all layers of a texture into a new buffer that the CPU can read.
 pub fn stage_texture(
     gpu: &Gpu,
     encoder: &mut wgpu::CommandEncoder,
@@ -29,7 +29,7 @@ pub fn stage_texture(
     stage_layers(gpu, encoder, texture, mip_level, 0..texture.depth_or_array_layers())
 }
 
-/// Records a copy of one mip level of the given layers of a texture into a new buffer that the CPU can read.
+/// Records a copy of mip level `mip_level` of the given layers of a texture to a new buffer that the CPU can read.
 pub fn stage_layers(
     gpu: &Gpu,
     encoder: &mut wgpu::CommandEncoder,
@@ -65,7 +65,8 @@ pub fn stage_layers(
 }
 
 impl StagedTexture {
-    /// Reads the bytes of all texels, by layer and row, without padding. Call this once the copy is submitted.
+    /// Waits for the copy and returns the bytes of its texels, layer by layer and row by row, without padding. Call
+    /// this once the copy is submitted.
     ///
     /// # Errors
     /// If mapping the staging buffer fails.
@@ -80,7 +81,8 @@ impl StagedTexture {
         Ok(texels)
     }
 
-    /// Reads the texels of a map, whose format is one of [`MapFormat`], as f32. Call this once the copy is submitted.
+    /// Waits for the copy of a map, whose format is one of [`MapFormat`], and returns its texels as f32, layer by layer
+    /// and row by row. Call this once the copy is submitted.
     ///
     /// # Errors
     /// If mapping the staging buffer fails.
@@ -90,7 +92,7 @@ impl StagedTexture {
     }
 }
 
-/// Waits until the submitted commands are done, and returns the bytes of a staging buffer.
+/// Waits until the submitted commands are done, and returns all bytes of a staging buffer that they wrote.
 ///
 /// # Errors
 /// If mapping the staging buffer fails.
@@ -107,7 +109,7 @@ pub async fn read(gpu: &Gpu, staging: wgpu::Buffer) -> Result<Vec<u8>, String> {
     Ok(bytes)
 }
 
-/// Waits until the GPU has done all submitted work.
+/// Waits until the GPU has done all work that has been submitted so far.
 ///
 /// # Errors
 /// If the device is lost.
@@ -121,7 +123,7 @@ pub async fn wait_for_submitted_work(gpu: &Gpu) -> Result<(), String> {
     receiver.await.map_err(|e| e.to_string())
 }
 
-/// Blocks until the submitted work is done, so that wgpu calls its callbacks. A browser calls them by itself.
+/// Natively blocks until the submitted work is done, so that wgpu calls its callbacks. A browser calls them by itself.
 fn poll_until_done(gpu: &Gpu) -> Result<(), String> {
     #[cfg(not(target_arch = "wasm32"))]
     gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| e.to_string())?;

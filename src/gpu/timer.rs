@@ -7,16 +7,16 @@ use super::Gpu;
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// wgpu feature that timing needs: timestamp queries.
+/// wgpu feature that a device needs so that a [`Timer`] measures: timestamp queries.
 pub const TIMESTAMPS: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY;
 /// wgpu feature that allows timestamps between passes. Without it, extra empty compute passes write them.
 pub const TIMESTAMPS_BETWEEN_PASSES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS;
 /// Largest number of timestamps in a frame. A mark (end of a part of the frame) takes one, or two in empty passes.
 const MAX_TIMESTAMPS: u32 = 256;
-/// Weight of the newest frame in the exponentially smoothed GPU times, 0 to 1.
+/// Weight of the newest timed frame in the exponentially smoothed GPU times, 0 to 1.
 const SMOOTHING_WEIGHT: f64 = 0.2;
 
-/// Measures the GPU times of the parts of a frame, if the device has timestamps. Clones share their state and times.
+/// Measures the GPU times of the parts of a frame, if the device has timestamps. Clones share all state and results.
 #[derive(Clone, Debug, Default)]
 pub struct Timer(Option<Arc<Mutex<TimerState>>>);
 
@@ -25,13 +25,13 @@ struct TimerState {
     set: wgpu::QuerySet,
     resolved: wgpu::Buffer,
     staging: wgpu::Buffer,
-    /// Duration of one timestamp unit, ns.
+    /// Time between two successive values of the GPU's timestamp counter, ns.
     period_ns: f64,
     between_passes: bool,
     phase: TimerPhase,
-    /// Name of the part of the frame that each mark (timestamp) ends; empty for the first mark, which starts the frame.
+    /// Name of the part of the frame that each mark ends; empty for the first mark, which starts the frame.
     parts: Vec<&'static str>,
-    /// Names of the parts of the last frame whose times were read, and their smoothed GPU times, ms.
+    /// Names of the parts of the last frame whose timestamps were read, and their smoothed GPU times, ms.
     times: Vec<(&'static str, f64)>,
 }
 
@@ -40,14 +40,14 @@ enum TimerPhase {
     Idle,
     /// A frame is being recorded. Marks (ends of its parts) are counted even if there is no room for their timestamps.
     Recording,
-    /// A frame has been recorded. When the next one begins, reading its timestamps starts if it has been submitted.
+    /// A frame has been recorded. When the next one begins and this one was submitted, its timestamps are requested.
     Recorded,
-    /// The timestamps are being made readable by the CPU: 0 while waiting, 1 if they are, 2 if this failed.
+    /// The timestamps are being made readable by the CPU: 0 while waiting, 1 when they are, 2 if this failed.
     Mapping(Arc<AtomicU8>),
 }
 
 impl Timer {
-    /// Creates a timer for a device. It records nothing and returns no times if the device has no timestamps.
+    /// Creates a timer for a device. If the device has no timestamps, it records nothing and returns no times.
     pub fn new(gpu: &Gpu) -> Self {
         if !gpu.device.features().contains(TIMESTAMPS) {
             return Self(None);
@@ -70,13 +70,13 @@ impl Timer {
         Self(Some(Arc::new(Mutex::new(state))))
     }
 
-    /// Whether the device has timestamps. If not, the timer measures nothing.
+    /// Whether the device has timestamps, so that GPU times are measured. If not, the timer does nothing.
     pub fn is_available(&self) -> bool {
         self.0.is_some()
     }
 
-    /// Starts timing a frame, unless the times of the previous one are still being read. If `is_submitted` is false,
-    /// the previous frame was never submitted and its times are discarded.
+    /// Starts timing the frame that is recorded to `encoder`, unless the times of an earlier one are still being read.
+    /// If `is_submitted` is false, the previous frame was never submitted, and its times are discarded.
     pub fn begin_frame(&self, encoder: &mut wgpu::CommandEncoder, is_submitted: bool) {
         let Some(mut state) = self.lock_state() else { return };
         if !is_submitted && matches!(state.phase, TimerPhase::Recorded) {
@@ -90,8 +90,8 @@ impl Timer {
         }
     }
 
-    /// Ends the part of the frame with the name `part`: the commands recorded since the previous mark. The times of
-    /// parts with the same name are added.
+    /// Ends the part of the frame that consists of the commands recorded since the previous mark, and names it `part`.
+    /// The times of parts with the same name are added.
     pub fn mark(&self, encoder: &mut wgpu::CommandEncoder, part: &'static str) {
         let Some(mut state) = self.lock_state() else { return };
         if matches!(state.phase, TimerPhase::Recording) {
@@ -99,7 +99,7 @@ impl Timer {
         }
     }
 
-    /// Ends the frame and records a copy of its timestamps to a buffer that the CPU can read.
+    /// Ends the timed frame and records a copy of its timestamps to a buffer that a later frame reads on the CPU.
     pub fn end_frame(&self, encoder: &mut wgpu::CommandEncoder) {
         let Some(mut state) = self.lock_state() else { return };
         if !matches!(state.phase, TimerPhase::Recording) {
@@ -116,7 +116,8 @@ impl Timer {
         state.phase = TimerPhase::Recorded;
     }
 
-    /// Names and GPU times (ms) of the parts of the last timed frame, smoothed over the frames that contain each part.
+    /// Names of the parts of the last frame whose times have arrived, with their GPU times (ms), exponentially smoothed
+    /// over the frames that contain the part. Empty without timestamps.
     pub fn times(&self) -> Vec<(&'static str, f64)> {
         self.lock_state().map_or_else(Vec::new, |state| state.times.clone())
     }
@@ -126,8 +127,8 @@ impl Timer {
     }
 }
 
-/// Writes two timestamps, with the indices `at` and `at + 1` in `set`, by an empty pass. Browsers only allow timestamps
-/// at the start and the end of a pass, and the two need different indices.
+/// Records an empty pass that writes two timestamps, with the indices `at` and `at + 1` in `set`. Browsers only allow
+/// timestamps at the start and the end of a pass, and the two need different indices.
 pub fn stamp_pass(encoder: &mut wgpu::CommandEncoder, set: &wgpu::QuerySet, at: u32) {
     drop(encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
         label: Some("mark"),
@@ -140,7 +141,8 @@ pub fn stamp_pass(encoder: &mut wgpu::CommandEncoder, set: &wgpu::QuerySet, at: 
 }
 
 impl TimerState {
-    /// Index in the query set of the first timestamp of the mark with index `mark`, where mark 0 starts the frame.
+    /// Index in the query set of the first timestamp of the mark with index `mark`. Mark 0 starts the frame, and each
+    /// later mark ends a part of it.
     fn first_timestamp(&self, mark: usize) -> u32 {
         mark as u32 * if self.between_passes { 1 } else { 2 }
     }
@@ -158,7 +160,7 @@ impl TimerState {
         }
     }
 
-    /// Takes the timestamps over if they have arrived, or starts to read those of a frame that has been submitted.
+    /// Takes the times over if the timestamps have arrived, or requests the timestamps of a frame that was submitted.
     fn collect_arrived(&mut self) {
         match &self.phase {
             TimerPhase::Recorded => {

@@ -2,27 +2,27 @@
 
 use std::f64::consts::TAU;
 
-/// Number of entries in the table of twiddle factors; equals the largest FFT size.
+/// Number of entries in the table of FFT twiddle factors, which equals the largest FFT size.
 pub const TWIDDLE_COUNT: usize = 1024;
 
-/// Factors of the FFT size n = first x second. The FFT of a line of n points is done as two rounds of shorter ones.
+/// Factors of the FFT size n = first x second. The FFT of a line of n points is done in two rounds of shorter FFTs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FftFactors {
-    /// Number of points per transform in the first round; also number of transforms per line in the second round.
+    /// Number of points of each short FFT in the first round, and number of short FFTs per line in the second round.
     pub first: u32,
-    /// Number of points per transform in the second round; also number of transforms per line in the first round.
+    /// Number of points of each short FFT in the second round, and number of short FFTs per line in the first round.
     pub second: u32,
 }
 
 impl FftFactors {
-    /// Factors of the FFT size `n`, a power of two from 64 to 1024. They are equal, or the first is twice the second.
+    /// Factors of the FFT size `n`, a power of two from 64 to 1024: equal, or the first is twice the second.
     pub fn new(n: u32) -> Self {
         let second = 1 << (n.ilog2() / 2);
         Self { first: n / second, second }
     }
 }
 
-/// FFT twiddle factors e^(2 pi i j / 1024) for j from 0 to 1023 as real and imaginary part, rounded from f64.
+/// FFT twiddle factors e^(2 pi i j / 1024) for j from 0 to 1023: \[real part, imaginary part\], rounded from f64.
 pub fn twiddle_factors() -> Vec<[f32; 2]> {
     (0..TWIDDLE_COUNT)
         .map(|j| {

@@ -9,16 +9,16 @@ use crate::gpu::map_format::MapFormat;
 use std::collections::BTreeMap;
 use unrolled::UnrolledKernel;
 
-/// A piece of a shader module's WGSL text.
+/// A piece of the text that a shader module is joined from.
 enum SourcePart {
-    /// The text of a WGSL file.
+    /// The text of one WGSL file.
     File(&'static str),
-    /// Several parts that are always used together, in this order.
+    /// Several parts that modules always use together, in this order.
     Group(&'static [SourcePart]),
 }
 
 impl SourcePart {
-    /// Texts of the WGSL files of which the part consists, in order.
+    /// Texts of the WGSL files that the part consists of, in the order in which they are joined.
     fn files(&self) -> Vec<&'static str> {
         match self {
             Self::File(text) => vec![*text],
@@ -45,14 +45,14 @@ const MIP_MEAN: SourcePart = part!("waves/mip_mean.wgsl");
 const ATMOSPHERE: SourcePart = part!("sky/atmosphere.wgsl");
 const SKY_COMMON: SourcePart = part!("sky/common.wgsl");
 const VIEWS: SourcePart = part!("views/common.wgsl");
-/// WGSL for the passes that compute the look-up tables of the cloudless atmosphere.
+/// WGSL for the passes that compute the sky's look-up tables of scattered and transmitted light without clouds.
 const AIR_TABLES: SourcePart = SourcePart::Group(&[ATMOSPHERE, SKY_COMMON]);
-/// WGSL functions for the radiance of the sky in a direction, with clouds and fog.
+/// WGSL functions for the radiance of the sky in a given direction, with clouds and fog.
 const SKY: SourcePart = SourcePart::Group(&[AIR_TABLES, part!("sky/model.wgsl"), part!("sky/fog.wgsl")]);
-/// WGSL for every pass that draws on the HDR picture: its uniforms (bind group 0), the sky, and air before the sea.
+/// WGSL for every pass that draws on the HDR picture: uniforms of the frame, the sky, and the air between eye and sea.
 const PICTURE: SourcePart =
     SourcePart::Group(&[SKY, part!("common/frame.wgsl"), part!("common/scene.wgsl"), part!("sky/air.wgsl")]);
-/// WGSL functions for the position of the displaced water surface.
+/// WGSL functions for the position of the water surface, displaced by the waves.
 const SURFACE: SourcePart = SourcePart::Group(&[
     MATHS,
     NOISE,
@@ -61,9 +61,9 @@ const SURFACE: SourcePart = SourcePart::Group(&[
     part!("water/spline.wgsl"),
     part!("water/surface.wgsl"),
 ]);
-/// WGSL for passes that displace the water surface but shade nothing.
+/// WGSL for passes that find the displaced water surface but do not shade it.
 const BARE_SURFACE: SourcePart = SourcePart::Group(&[part!("common/frame.wgsl"), SURFACE]);
-/// WGSL functions that shade the water: roughness, reflection, light from below, and foam.
+/// WGSL functions that shade the water: roughness, reflection, light from below the surface, and foam.
 const WATER: SourcePart = SourcePart::Group(&[
     PICTURE,
     SURFACE,
@@ -79,12 +79,12 @@ const WATER: SourcePart = SourcePart::Group(&[
     part!("water/water.wgsl"),
 ]);
 
-/// WGSL type of a map texel in a buffer: this one for maps in half floats, the next one for maps in 32-bit floats.
+/// WGSL type of a map texel in a storage buffer, with half floats. The next constant is that with 32-bit floats.
 const MAP_TEXEL_HALF: &str = include_str!("../../shaders/waves/map_texel_half.wgsl");
 const MAP_TEXEL_FLOAT: &str = include_str!("../../shaders/waves/map_texel_float.wgsl");
 
-/// Name of each shader module, and the parts of WGSL that are joined to its text. The last part holds the entry points;
-/// the module has the name of that file's path.
+/// Name of each shader module, and the parts that are joined to its WGSL text. The last part holds the entry points;
+/// the module has the name of that part's file, without `.wgsl`.
 const MODULES: &[(&str, &[SourcePart])] = &[
     ("waves/spectrum", &[MATHS, SEA, NOISE, part!("waves/spectrum.wgsl")]),
     ("waves/rows", &[MATHS, SEA, FFT, WORKGROUP_FFT, EVOLVE, part!("waves/rows.wgsl")]),
@@ -114,11 +114,11 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ("views/show", &[SCREEN, part!("views/show.wgsl")]),
 ];
 
-/// The WGSL sources of all shader modules of the program.
+/// The WGSL sources of all shader modules of the program, and what is added before they are compiled.
 #[derive(Clone, Debug)]
 pub struct Shaders {
     sources: BTreeMap<&'static str, String>,
-    /// Structs declared in Rust. Modules that name one get its generated WGSL declaration.
+    /// Structs that are declared in Rust. A module whose text names one gets its generated WGSL declaration.
     structs: Vec<StructDeclaration>,
     format: Option<MapFormat>,
 }
@@ -132,7 +132,8 @@ impl Default for Shaders {
 }
 
 impl Shaders {
-    /// Replaces the text `from` in one module's WGSL by `to`. Tests plant faults with it that checks must find.
+    /// Replaces the text `from` in the WGSL of the module named `module` by `to`. Tests plant faults with it, to see
+    /// that checks find them.
     ///
     /// # Panics
     /// If `from` does not occur exactly once in the module.
@@ -153,19 +154,19 @@ impl Shaders {
         self
     }
 
-    /// Fixes the texture format of the maps. Without this, it is the one that is faster on the device.
+    /// Makes all modules use maps in the given texture format, instead of the one that is faster on the device.
     #[must_use]
     pub fn with_map_format(self, format: MapFormat) -> Self {
         Self { format: Some(format), ..self }
     }
 
-    /// Texture format of the maps on a device: the fixed one, or else the faster one.
+    /// Texture format of the maps on a device: that of [`Self::with_map_format`], or else the one that is faster there.
     pub fn map_format(&self, gpu: &Gpu) -> MapFormat {
         self.format.unwrap_or_else(|| MapFormat::for_device(gpu))
     }
 
-    /// Names and WGSL texts of all modules. The FFT kernels for software adapters are those for lines of 256 points;
-    /// the maps are half floats unless [`Self::with_map_format`] has fixed a format.
+    /// Names and WGSL texts of all modules. The texts of the FFT kernels for software adapters are for lines of 256
+    /// points; the maps are half floats unless [`Self::with_map_format`] has fixed a format.
     pub fn all(&self) -> impl Iterator<Item = (&'static str, String)> {
         let format = self.format.unwrap_or(MapFormat::Half);
         self.sources.keys().map(move |&name| {
@@ -174,7 +175,7 @@ impl Shaders {
         })
     }
 
-    /// Compiles the shader module with the given name.
+    /// Compiles the shader module with the given name, such as `waves/rows`, for maps in the format for the device.
     ///
     /// # Panics
     /// If no module has that name.
@@ -182,12 +183,12 @@ impl Shaders {
         gpu.shader_module(name, &self.text(name, self.map_format(gpu)))
     }
 
-    /// Compiles one kernel of the FFT for software adapters, for lines of `n` points.
+    /// Compiles one of the four FFT kernels for software adapters, for lines of `n` points. Its text is generated.
     pub fn unrolled_module(&self, gpu: &Gpu, kernel: UnrolledKernel, n: u32) -> wgpu::ShaderModule {
         gpu.shader_module(kernel.module_name(), &self.unrolled_text(kernel, n, self.map_format(gpu)))
     }
 
-    /// WGSL text of a module, followed by the declarations of the structs that it names.
+    /// WGSL text of a module for maps in `format`, followed by the declarations of the structs that it names.
     fn text(&self, name: &str, format: MapFormat) -> String {
         let source = self.sources.get(name).unwrap_or_else(|| panic!("no shader module {name}"));
         // The sources declare half-float storage textures.
@@ -209,7 +210,7 @@ impl Shaders {
     }
 }
 
-/// Whether a text contains `name` as a whole word, not as a part of a longer one.
+/// Whether `text` contains `name` as a whole word, not as a part of a longer one.
 fn has_word(text: &str, name: &str) -> bool {
     let is_end = |c: Option<char>| !c.is_some_and(|c| c.is_alphanumeric() || c == '_');
     text.match_indices(name)

@@ -6,24 +6,24 @@ use super::fft::{FftFactors, TWIDDLE_COUNT};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
-/// One of the four compute kernels of the FFT for software adapters, two along each axis.
+/// One of the four compute kernels of the inverse FFT for software adapters, two along each axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnrolledKernel {
-    /// Computes the waves' Fourier amplitudes at one time, and the first half of their inverse FFT along x.
+    /// Computes the waves' Fourier amplitudes at one time, and the first of two rounds of shorter FFTs along x.
     RowsFirst,
-    /// Computes the second half of the inverse FFT along x.
+    /// Computes the second of two rounds of shorter FFTs along x, which completes the inverse FFT along x.
     RowsSecond,
-    /// Computes the first half of the inverse FFT along z.
+    /// Computes the first of two rounds of shorter FFTs along z, which together make the inverse FFT along z.
     ColumnsFirst,
-    /// Computes the second half of the inverse FFT along z, and writes the maps.
+    /// Computes the second of two rounds of shorter FFTs along z, which completes the inverse FFT, and writes the maps.
     ColumnsSecond,
 }
 
 impl UnrolledKernel {
-    /// All kernels, in the order of their dispatches.
+    /// All four kernels, in the order in which they are dispatched.
     pub const ALL: [Self; 4] = [Self::RowsFirst, Self::RowsSecond, Self::ColumnsFirst, Self::ColumnsSecond];
 
-    /// Name of the kernel's shader module, as in [`Shaders::all`](super::Shaders::all).
+    /// Name of the shader module that contains the kernel, as in [`Shaders::all`](super::Shaders::all).
     pub fn module_name(self) -> &'static str {
         match self {
             Self::RowsFirst => "waves/unrolled_rows_first",
@@ -33,7 +33,8 @@ impl UnrolledKernel {
         }
     }
 
-    /// Generates the WGSL function that the entry point of the kernel's module calls, for lines of `n` points.
+    /// Generates the WGSL function that does the kernel's part of the FFT for lines of `n` points. The entry point in
+    /// the kernel's module calls it.
     pub fn function_text(self, n: u32) -> String {
         match self {
             Self::RowsFirst => rows_first(n),
@@ -116,7 +117,7 @@ fn columns_second(n: u32) -> String {
     code.finish()
 }
 
-/// Builds the text of a WGSL function, in which every intermediate value is a variable with its own name.
+/// Builds the text of a WGSL function in which every intermediate value is a variable with its own name: `v1`, `v2` ...
 struct FunctionWriter {
     text: String,
     values: u32,
@@ -135,7 +136,7 @@ impl FunctionWriter {
         let _ = writeln!(self.text, "  {text}");
     }
 
-    /// Adds to the text a WGSL variable with the value of an expression, and returns its name.
+    /// Adds to the function a WGSL variable with the value of `expression`, and returns the variable's name.
     fn add_variable(&mut self, expression: &str) -> String {
         self.values += 1;
         let name = format!("v{}", self.values);
@@ -143,8 +144,9 @@ impl FunctionWriter {
         name
     }
 
-    /// Adds WGSL for the twiddle factors e^(2 pi i t k1 / n) of every k1 below `first`, and returns their names. Each
-    /// is a product of two earlier factors, so that rounding errors grow with the logarithm of k1.
+    /// Adds WGSL for the twiddle factors e^(2 pi i t k1 / n) of every k1 below `first`, and returns their variables'
+    /// names; `t` is a WGSL expression. Each is a product of two earlier ones, so that rounding errors grow with log
+    /// k1.
     fn add_twiddle_factors(&mut self, t: &str, first: u32, n: u32) -> Vec<String> {
         let mut factors = vec!["vec2f(1.0, 0.0)".to_owned()];
         factors.push(self.add_variable(&format!("twiddle_factors[{t} * {}u]", TWIDDLE_COUNT as u32 / n)));
@@ -156,8 +158,8 @@ impl FunctionWriter {
         factors
     }
 
-    /// Adds WGSL for the inverse FFT of the variables named `x`, which are vec4f of two complex numbers each. Returns
-    /// the names of the results in natural order.
+    /// Adds WGSL for the inverse FFT of the values whose variables are named in `x`, vec4f of two complex numbers each.
+    /// Returns the names of the variables with the results, in natural order.
     fn add_transform(&mut self, x: Vec<String>) -> Vec<String> {
         let n = x.len();
         match n {
@@ -191,7 +193,7 @@ impl FunctionWriter {
         }
     }
 
-    /// Adds WGSL for the value named `v` times e^(2 pi i turns), turns in \[0, 1), and returns the product's name.
+    /// Adds WGSL for the variable named `v` times e^(2 pi i turns), turns in \[0, 1). Returns the name of the product.
     fn add_rotation(&mut self, v: &str, turns: f64) -> String {
         if turns == 0.0 {
             return v.to_owned();

@@ -28,7 +28,7 @@ impl Simulation {
         self.foam.note_sea_change();
     }
 
-    /// Advances the running transition by `dt_s` seconds of wall time and returns its progress. If `plan` is given,
+    /// Advances the running transition by `dt_s` seconds of wall time and returns its progress in this frame. A `plan`
     /// first starts a transition to its sea at the simulated time `t_s`, s. Call this once per frame before
     /// [`Self::encode`]. A plan with another FFT size, or with tiling switched on or off, replaces the sea at once.
     ///
@@ -75,8 +75,8 @@ impl Simulation {
         })
     }
 
-    /// Makes `plan` the current sea and starts a transition of the given kind to it. `t_s` is the simulated time, s;
-    /// the correlation of the waves of both seas in a cross-fade depends on it.
+    /// Makes `plan` the current sea and starts a transition of the given kind to it from the previous one. At the
+    /// simulated time `t_s`, s, a cross-fade computes the correlation of the waves of both seas.
     fn start_transition(&mut self, gpu: &Gpu, plan: Plan, kind: TransitionKind, t_s: f64) {
         let are_waves_new = match kind {
             TransitionKind::Foam | TransitionKind::Surface => false,
@@ -113,8 +113,8 @@ impl Simulation {
         }
     }
 
-    /// Advances the transition by `dt_s` seconds of wall time and applies it to the foam parameters and the maps.
-    /// Returns the progress in this frame, with the transition `start` that has started in it, if any.
+    /// Advances the transition by `dt_s` seconds of wall time and applies it to the foam parameters and the maps'
+    /// weights. Returns the progress in this frame; `start` (the transition just started, if any) becomes a part of it.
     fn advance_transition(&mut self, start: Option<TransitionKind>, dt_s: f64) -> TransitionStep {
         let was_in_transition = self.transition.is_running();
         let step = TransitionStep { started: start, ..self.transition.advance(dt_s) };
@@ -126,7 +126,8 @@ impl Simulation {
         step
     }
 
-    /// Applies one step of a transition to the foam parameters and to the amplitude factors of cross-faded cascades.
+    /// Applies one step of a transition to the foam parameters and, in a cross-fade, to the amplitude factors of all
+    /// drawn cascades. Drops the old sea if the step ends the cross-fade.
     fn apply_transition_step(&mut self, step: &TransitionStep) {
         if step.ends_cross_fade {
             self.fading = None;

@@ -8,23 +8,23 @@ use crate::waves::{Plan, foam};
 
 /// Number of time steps of a cold start, which computes the foam anew from the recent past, as after a jump of time.
 pub const COLD_START_STEPS: usize = 48;
-/// Length of the past that a cold start of the foam simulates, in decay (e-folding) times of the foam.
+/// Length of the past that a cold start (computing the foam anew) simulates, in e-folding times of the foam's decay.
 const COLD_START_DECAY_TIMES: f64 = 5.0;
 /// Longest time step of the foam, s. If simulated time advances by more, the foam is computed anew (a cold start).
 const MAX_STEP_S: f64 = 1.0;
-/// Side of the square that the finest foam level (of four nested square foam grids) covers, m.
+/// Side of the square that the finest foam level (the smallest of four nested square foam grids) covers, m.
 const FINEST_LEVEL_SIDE_M: f64 = 64.0;
-/// Ratio of the side of a foam level (square foam grid) to the side of the next finer level.
+/// Ratio of the side of a foam level (square foam grid) to the side of the next smaller level.
 const LEVEL_SIDE_RATIO: f64 = 4.0;
 
 /// One time step of the foam simulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoamStep {
-    /// Simulated time at the end of the time step, s.
+    /// Simulated time at the end of the time step, s; the step reads the wave maps of this time.
     pub t_s: f64,
-    /// Length of the time step, s.
+    /// Length of the time step in simulated time, s.
     pub dt_s: f64,
-    /// Whether all earlier foam is discarded first, so that every cell starts from the expected mean foam.
+    /// Whether all earlier foam is discarded first: every cell then starts from the expected mean of the foam.
     pub discards_history: bool,
 }
 
@@ -33,16 +33,16 @@ pub struct FoamStep {
 #[derive(Debug)]
 pub struct FoamScheduler {
     size: u32,
-    /// Simulated time that the foam has reached, s: the end of its last time step. None before the first step.
+    /// Simulated time of the foam, s: the end of its last time step. None before the first step.
     at_s: Option<f64>,
-    /// Time steps that a cold start has yet to make, in reverse order: the next step is the last element.
+    /// Time steps that a cold start of the foam has yet to make, in reverse order: the next step is the last element.
     cold_start_steps: Vec<FoamStep>,
-    /// World indices (x, z) of the first cell that each foam level covered at the last foam step; cell i begins at i
-    /// times the level's cell size. None before the first step.
+    /// World indices (x, z) of the cell with the lowest x and z that each foam level covered at the last foam step;
+    /// cell i begins at i times the level's cell size. None before the first step.
     cells: Option<[[i32; 2]; FOAM_LEVELS]>,
-    /// Time that the foam had reached when the sea last changed, s. None if no foam of an earlier sea can be left.
+    /// Simulated time that the foam had reached when the sea last changed, s. None if no older foam can be left.
     changed_at_s: Option<f64>,
-    /// World position (x, z) around which the foam levels lay at the last time step (the camera's), m.
+    /// World position (x, z) of the camera at the last time step, m; the foam levels lay around it.
     centre: [f64; 2],
     parameters: FoamParameters,
 }
@@ -50,10 +50,10 @@ pub struct FoamScheduler {
 /// Parameters of the foam simulation (where foam forms, how fast it grows and decays), derived from a sea's plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoamParameters {
-    /// Choppiness along x and z: factors by which the maps' horizontal displacement is multiplied.
+    /// Choppiness along x and z: factors by which the maps' horizontal displacements Dx and Dz are multiplied.
     pub choppiness: [f64; 2],
-    /// Foam source (0 to 1) of each foam level: the Jacobian of the displacement below which it is positive, and its
-    /// increase per unit of Jacobian below that.
+    /// For each foam level, the foam source (0 to 1, to be multiplied by `rate_per_s`) as a function of the Jacobian of
+    /// the displacement: the Jacobian below which it is positive, and its increase per unit of Jacobian below that.
     sources: [foam::FoamSource; FOAM_LEVELS],
     /// Expected mean of the foam over the sea surface, from 0 (no foam) to 1 (all covered).
     pub mean_foam: f64,
@@ -180,7 +180,7 @@ impl FoamScheduler {
         self.cold_start_steps.is_empty() && self.at_s == Some(t_s)
     }
 
-    /// Cell sizes and centres of all foam levels, finest first, around the world position `centre` (x, z), m.
+    /// Cell sizes and centres of the foam levels, finest first, for a camera at the world position `centre` (x, z), m.
     pub fn levels(&self, centre: [f64; 2]) -> Vec<FoamLevel> {
         let half = f64::from(self.size / 2);
         (0..FOAM_LEVELS)
@@ -248,8 +248,8 @@ fn cell_m(size: u32, level: usize) -> f64 {
     FINEST_LEVEL_SIDE_M * LEVEL_SIDE_RATIO.powi(level as i32) / f64::from(size)
 }
 
-/// Time steps of a cold start that ends at `t_s`, s. They cover the past few decay times and get shorter towards `t_s`:
-/// recent foam has faded least, so long steps would be visible there.
+/// Time steps of a cold start that ends at the simulated time `t_s`, s, for foam that decays by 1/e in `decay_s`, s.
+/// They cover five decay times and get shorter towards `t_s`, because recent foam has faded least.
 fn cold_start_steps(t_s: f64, decay_s: f64) -> Vec<FoamStep> {
     const STEP_GRADING_EXPONENT: f64 = 1.8;
     let age = |i: usize| {

@@ -6,7 +6,7 @@ use crate::gpu::Gpu;
 use crate::gpu::readback::{self, StagedTexture};
 use crate::waves::Plan;
 
-/// Approximate largest number of gradient texels that are averaged for the mean square slope; more would be slow.
+/// Approximate largest number of gradient texels, evenly spread, that the mean square slope is computed from.
 const MAX_SLOPE_SAMPLES: usize = 1 << 17;
 
 /// Copies of the displacement, gradient and foam maps of one frame, to be read after its submission to the GPU.
@@ -17,7 +17,7 @@ pub struct PendingMapRead {
     plan: Plan,
 }
 
-/// Mean square slope, mean foam and wave heights, computed or read from the maps of one frame.
+/// Statistics of the maps of one frame: mean square slope and mean foam; and the surface heights themselves.
 #[derive(Clone, Debug)]
 pub struct MapStatistics {
     /// The plan of the sea that the maps show.
@@ -31,8 +31,8 @@ pub struct MapStatistics {
 }
 
 impl Simulation {
-    /// Records copies of the displacement, gradient and foam maps as the commands recorded before leave them. Returns
-    /// None during a transition.
+    /// Records copies of the displacement, gradient and foam maps, as the commands recorded before in `encoder` leave
+    /// them. Returns the copies, or None during a transition, when there are no maps of a single sea.
     pub fn record_map_copies(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> Option<PendingMapRead> {
         if self.in_transition() {
             return None;
@@ -50,7 +50,7 @@ impl Simulation {
 }
 
 impl PendingMapRead {
-    /// Reads the copies of the maps and computes their statistics. Call this once the frame has been submitted.
+    /// Reads the copies of the maps and computes their statistics. Call this once the commands that copy are submitted.
     ///
     /// # Errors
     /// If mapping a read-back buffer fails.
@@ -73,7 +73,7 @@ impl PendingMapRead {
 }
 
 impl MapStatistics {
-    /// Heights of the texels in row `z` (0 to n - 1) of the displacement map of the cascade with index `cascade`, m.
+    /// Surface heights in row `z` (0 to n - 1) of the displacement map of the cascade with index `cascade`, m.
     pub fn heights_in_row(&self, cascade: usize, z: usize) -> impl Iterator<Item = f64> {
         let n = self.plan.n as usize;
         self.texels[(cascade * n + z) * n..][..n].iter().map(|t| f64::from(t[1]))

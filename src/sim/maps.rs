@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 
 /// Largest number of cascades (patches of sea, each with an FFT of its own) of one sea.
 pub const MAX_CASCADES: usize = 4;
-/// Largest number of cascades that are drawn at once: those of both seas of a cross-fade.
+/// Largest number of cascades that are drawn at once: those of the old and of the new sea of a cross-fade.
 pub const MAX_DRAWN_CASCADES: usize = 2 * MAX_CASCADES;
 
 gpu_struct! {
@@ -20,11 +20,11 @@ gpu_struct! {
     pub struct TileLatticePosition as "TileLatticePosition" {
         /// Cosine and sine of the triangle lattice's angle of rotation, each divided by the triangles' side, 1/m.
         pub scaled_rotation: [f32; 2],
-        /// Fractional parts of the point's two lattice coordinates, 0 to 1.
+        /// Fractional parts of the point's two coordinates in the triangle lattice, 0 to 1, in sides of a triangle.
         pub fraction: [f32; 2],
-        /// Integer parts of the point's two lattice coordinates, wrapped to 32 bits.
+        /// Integer parts of the point's two coordinates in the triangle lattice, wrapped to 32 bits.
         pub cell: [i32; 2],
-        /// Key of the hash that gives each copy of the patch its random shift.
+        /// Key of the hash that gives each copy of the patch its random shift; it differs between cascades.
         pub shift_key: u32,
         /// 1 if shifted copies of the patch are blended, 0 if the patch repeats periodically.
         pub blends_copies: u32,
@@ -32,25 +32,25 @@ gpu_struct! {
 }
 
 /// Texture views of the maps of all drawn cascades, and what a shader needs to sample them. Texel (i, j) of an n x n
-/// map belongs to x = i p / n, z = j p / n, where p is the patch side; texture coordinates are (x, z) / p + 0.5 / n.
+/// map is for x = i p / n, z = j p / n, where p is the patch side; texture coordinates are (x, z) / p + 0.5 / n.
 #[derive(Debug)]
 pub struct Maps {
-    /// 2d array texture with mip levels, one layer per cascade (`MapCascade::layer`). Texels are Dx, eta, Dz and
-    /// dDx/dz: horizontal displacement Dx and Dz (m) without choppiness, height eta (m).
+    /// Displacement maps: 2d array texture with mip levels, one layer per cascade (`MapCascade::layer`). Texels are Dx,
+    /// eta, Dz and dDx/dz: horizontal displacement Dx and Dz (m) without choppiness, height eta (m).
     pub displacement: wgpu::TextureView,
-    /// 2d array texture with mip levels, one layer per cascade (`MapCascade::layer`). Texels are the slopes d eta/dx
-    /// and d eta/dz, then dDx/dx and dDz/dz of the horizontal displacement without choppiness.
+    /// Gradient maps: 2d array texture with mip levels, one layer per cascade (`MapCascade::layer`). Texels are the
+    /// slopes d eta/dx and d eta/dz, then dDx/dx and dDz/dz of the horizontal displacement without choppiness.
     pub gradients: wgpu::TextureView,
     /// 2d array texture, one layer per cascade, n/2 texels a side: means over a texel of the slope products (sx^2,
     /// sz^2, sx sz, 0), divided by `moment_unit` of the cascade. Mip level j belongs to mip level j + 1 of other maps.
     pub slope_moments: wgpu::TextureView,
-    /// 2d array texture that repeats, one layer per foam level, finest first. Texels are the foam and the foam source
-    /// (0 no growth, 1 fastest growth), at points before horizontal displacement.
+    /// Foam maps: 2d array texture, one layer per foam level, finest first, which repeats in x and z. Texels are the
+    /// foam (0 to 1) and the foam source (0 no growth, 1 fastest growth), at points before horizontal displacement.
     pub foam: wgpu::TextureView,
     /// Fourier amplitudes h0 of the current sea at time 0, m: complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
     pub h0: wgpu::Buffer,
-    /// For each cascade of the current sea and each wave number of its lattice: the wave's number of cycles per repeat
-    /// period of the sea (u32), and its orbit axis ratio (horizontal to vertical) divided by its wave number (f32, m).
+    /// For each cascade of the current sea and magnitude of its wave vectors: the number of wave cycles in the sea's
+    /// repeat period (u32), and the orbit axis ratio (horizontal to vertical) divided by the wave number (f32, m).
     pub wave_table: wgpu::Buffer,
     /// Time of the maps as a fraction of the sea's repeat period, in units of 2^-32. Its wrapping product with a wave's
     /// number of cycles per period is the wave's phase in units of 2^-32 cycles.
@@ -58,32 +58,32 @@ pub struct Maps {
     /// Cascades that are drawn, longest waves first within each sea. During a cross-fade, the cascades of the old sea
     /// come before those of the current sea.
     pub cascades: Vec<MapCascade>,
-    /// Number of entries at the start of `cascades` that belong to the old sea of a cross-fade; 0 without one.
+    /// Number of entries at the start of `cascades` that belong to the old sea of a cross-fade; 0 without a cross-fade.
     pub fading_count: usize,
     /// Cell sizes and positions of the foam levels, finest level first.
     pub foam_levels: Vec<FoamLevel>,
     /// Number of cells along a side of a foam level (one of the nested square foam grids).
     pub foam_n: u32,
-    /// FFT size, which is also the number of texels along a side of mip level 0 of the wave maps.
+    /// FFT size, which is also the number of texels along a side of mip level 0 of the displacement and gradient maps.
     pub n: u32,
-    /// Counter that increases when the texture views are replaced, so that users bind the new views.
+    /// Counter that increases whenever the texture views are replaced: users with bind groups must then renew these.
     pub generation: u64,
 }
 
 /// What a shader needs to know to sample the maps of one cascade.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MapCascade {
-    /// Side of the cascade's square patch, m.
+    /// Side of the square patch of sea that the cascade's maps cover, m.
     pub patch_m: f64,
-    /// How shifted copies of the patch, at the vertices of a triangle lattice, are blended to cover the plane.
+    /// How the plane is covered with the patch: it repeats, or randomly shifted copies of it are blended.
     pub tiling: Tiling,
-    /// Wavelength of the cascade's shortest wave, m.
+    /// Wavelength of the shortest wave of the cascade, m.
     pub shortest_wavelength_m: f64,
-    /// Unit in which the maps store the slope moments (means of slope products): half the cascade's mean square slope.
+    /// Unit of the slope moments (means of slope products) in the maps: half the cascade's mean square slope.
     pub moment_unit: f32,
     /// Index of the cascade's layer in each of the texture views of displacement, gradients and slope moments.
     pub layer: u32,
-    /// Factor of the wave amplitudes with which the maps are computed: 1 except during a cross-fade.
+    /// Factor that the amplitudes of the cascade's waves have in the maps: 1 except during a cross-fade.
     pub amplitude_factor: f32,
     /// Factor on the slope variance that shaders sum over the cascades of both seas of a cross-fade: correlated waves
     /// of both seas add by amplitude, not by variance. 1 without a cross-fade.
@@ -112,7 +112,7 @@ pub struct FoamLevel {
 }
 
 impl Maps {
-    /// Creates the texture views of a simulation's maps and foam; the drawn cascades are those of `plan`.
+    /// Creates views of the maps and foam in `resources`. The drawn cascades are those of `plan`.
     pub fn new(plan: &Plan, resources: &Resources) -> Self {
         Self {
             displacement: resources.map_view(MapKind::Displacement),
@@ -131,7 +131,7 @@ impl Maps {
         }
     }
 
-    /// Drawn cascades of the current sea, without those of the old sea of a cross-fade.
+    /// Entries of `cascades` that belong to the current sea, without those of the old sea of a cross-fade.
     pub fn current_cascades(&self) -> &[MapCascade] {
         &self.cascades[self.fading_count..]
     }
@@ -212,8 +212,8 @@ impl MapCascade {
 pub struct MapsF32 {
     /// Number of texels along a side of a map.
     pub n: usize,
-    /// Per cascade, n x n texels of displacement (Dx, eta, Dz, dDx/dz), then n x n texels of gradients (eta_x, eta_z,
-    /// dDx/dx, dDz/dz). Each map is stored row by row: x varies fastest, then z.
+    /// Per cascade, n x n texels of displacement (Dx, eta, Dz in m; dDx/dz), then n x n texels of gradients (d eta/dx,
+    /// d eta/dz, dDx/dx, dDz/dz). Each map is stored row by row: x varies fastest, then z.
     pub texels: Vec<[f32; 4]>,
 }
 
@@ -223,12 +223,12 @@ impl MapsF32 {
         self.texels.len() / (2 * self.n * self.n)
     }
 
-    /// Displacement map of one cascade, row by row: horizontal displacement Dx, height eta, Dz (m) and dDx/dz.
+    /// Displacement map of the cascade with index `cascade`, row by row: Dx, height eta and Dz (m), and dDx/dz.
     pub fn displacement(&self, cascade: usize) -> &[[f32; 4]] {
         &self.texels[2 * cascade * self.n * self.n..][..self.n * self.n]
     }
 
-    /// Gradient map of one cascade, row by row: slopes d eta/dx and d eta/dz, dDx/dx and dDz/dz of displacement.
+    /// Gradient map of the cascade with index `cascade`, row by row: d eta/dx, d eta/dz, dDx/dx and dDz/dz.
     pub fn gradients(&self, cascade: usize) -> &[[f32; 4]] {
         &self.texels[(2 * cascade + 1) * self.n * self.n..][..self.n * self.n]
     }

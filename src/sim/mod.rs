@@ -34,7 +34,8 @@ use uniforms::SimulationUniforms;
 /// Largest number of foam time steps in one submission to the GPU.
 pub const MAX_FOAM_STEPS: usize = foam::COLD_START_STEPS;
 
-/// A sea that is simulated on the GPU: its plan, GPU buffers, compute passes and maps.
+/// A sea that is simulated on the GPU: its plan (the waves, divided among cascades), GPU buffers, compute passes, and
+/// the maps that these write.
 pub struct Simulation {
     sea: SeaUniformSource,
     /// Source of the uniforms of the old sea of a cross-fade. None without a cross-fade.
@@ -53,14 +54,15 @@ pub struct Simulation {
     foam: FoamScheduler,
     foam_parameters: Interpolated<FoamParameters>,
     /// Fraction of the way from the present Fourier amplitudes h0 to those of the plan that the next spectrum pass
-    /// makes: 1 replaces h0, 0 needs no pass.
+    /// makes: 1 replaces h0; with 0 the pass is left out.
     spectrum_blend: f64,
     spectrum_pass_count: u64,
     timer: Timer,
 }
 
 impl Simulation {
-    /// Allocates GPU memory for the sea of a plan and compiles the passes, with the FFT that is faster on the device.
+    /// Allocates GPU memory for the sea of a plan and compiles the passes. Chooses the FFT that is faster on the
+    /// device: one for GPUs, or one for software adapters.
     pub fn new(gpu: &Gpu, plan: Plan, shaders: &Shaders) -> Self {
         Self::with_fft_implementation(gpu, plan, shaders, FftImplementation::for_device(gpu))
     }
@@ -97,12 +99,12 @@ impl Simulation {
         }
     }
 
-    /// Sets the timer that measures the GPU time of each pass.
+    /// Sets the timer that measures the GPU times of the passes "spectrum", "rows", "columns", "mips" and "foam".
     pub fn set_timer(&mut self, timer: Timer) {
         self.timer = timer;
     }
 
-    /// Whether a transition is running, or a plan is waiting for one.
+    /// Whether a transition between two seas is running, or a plan is waiting for the end of one.
     pub fn in_transition(&self) -> bool {
         self.transition.is_running() || self.next.is_some()
     }
@@ -117,22 +119,23 @@ impl Simulation {
         self.spectrum_pass_count
     }
 
-    /// Expected mean of the foam over the sea, 0 to 1. It is drawn outside the square that the foam levels cover.
+    /// Expected mean of the foam over the sea, 0 (no foam) to 1 (all covered). The renderer draws this mean outside the
+    /// square that the foam levels cover.
     pub fn mean_foam(&self) -> f64 {
         self.foam.parameters().mean_foam
     }
 
-    /// Plan of the current sea. During a transition, this is the sea at the transition's end.
+    /// Plan of the current sea. During a transition, this is the sea at which the transition ends.
     pub fn plan(&self) -> &Plan {
         &self.sea.plan
     }
 
-    /// Plan that was set last: that of the current sea, or one that waits for the end of a cross-fade.
+    /// Plan that was set last: the plan of the current sea or, if one waits for the end of a cross-fade, that one.
     pub fn latest_plan(&self) -> &Plan {
         self.next.as_ref().unwrap_or(&self.sea.plan)
     }
 
-    /// Maps of the waves and the foam: the result of the simulation, as the most recently recorded passes write it.
+    /// Maps of the waves and the foam, the result of the simulation. The most recently recorded passes write them.
     pub fn maps(&self) -> &Maps {
         &self.maps
     }
@@ -161,8 +164,9 @@ impl Simulation {
         caught_up
     }
 
-    /// Records the next single time step of the foam towards time `t_s`, s, and returns it; None if the foam has
-    /// reached `t_s`. The wave maps are left as this step reads them, for comparison by `seastate check`.
+    /// Records the next single time step of the foam around the world position `centre` (x, z), m, towards time `t_s`,
+    /// s, and returns it; None if the foam has reached `t_s`. The wave maps remain those that this step reads, so that
+    /// `seastate check` can compare both.
     pub fn encode_next_foam_step(
         &mut self,
         gpu: &Gpu,
@@ -177,15 +181,16 @@ impl Simulation {
         Some(step)
     }
 
-    /// Records the waves at time `t_s`, s, and also keeps the current sea's maps, before rounding, as f32 in the buffer
-    /// `Resources::row_transforms`: for each cascade the displacement map, then the gradient map.
+    /// Records the passes that compute the maps at time `t_s`, s. They also write the current sea's maps, before
+    /// rounding, as f32 to the buffer `Resources::row_transforms`: for each cascade the displacement map, then the
+    /// gradient map.
     pub fn encode_with_f32_maps(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
         self.begin_submission(encoder, t_s);
         self.encode_waves(encoder, t_s, true);
         self.uniforms.upload(gpu);
     }
 
-    /// Computes the maps at time `t_s`, s, and reads them back in f32, before they are rounded to the textures' format.
+    /// Computes the maps at time `t_s`, s, and reads those of the current sea back in f32, before they are rounded.
     ///
     /// # Errors
     /// If mapping the read-back buffer fails.
@@ -202,8 +207,9 @@ impl Simulation {
         Ok(MapsF32 { n, texels })
     }
 
-    /// Uploads the uniform for the waves of the current sea at time `t_s`, s, and returns what single passes need to
-    /// run with it. With `keeps_f32_maps`, the column pass also keeps the maps in f32.
+    /// Uploads the uniform for the current sea's waves at time `t_s`, s, so that passes can be run alone. With
+    /// `keeps_f32_maps`, the column pass also keeps the maps in f32. Returns where uniform, wave buffers and map layers
+    /// are.
     pub fn upload_sea_uniform(&mut self, gpu: &Gpu, t_s: f64, keeps_f32_maps: bool) -> SeaDispatch {
         self.uniforms.sea.clear();
         let dispatch = self.add_sea_uniform(SeaUniformParameters { t_s, keeps_f32_maps, spectrum_blend: 1.0 }, false);
@@ -211,8 +217,8 @@ impl Simulation {
         dispatch
     }
 
-    /// Uploads the uniform of a foam time step of length 0 around the world position `centre` (x, z), m, so that the
-    /// foam pass can be run alone. Returns the dynamic offset of the uniform in its buffer, bytes.
+    /// Uploads the uniform of a foam time step at time `t_s`, s, of length 0, around the world position `centre` (x,
+    /// z), m, so that the foam pass can be run alone. Returns the dynamic offset of the uniform in its buffer, bytes.
     pub fn upload_foam_uniform(&mut self, gpu: &Gpu, t_s: f64, centre: [f64; 2]) -> u32 {
         self.uniforms.foam.clear();
         let step = FoamStep { t_s, dt_s: 0.0, discards_history: false };
@@ -237,7 +243,8 @@ impl Simulation {
         }
     }
 
-    /// Records the wave passes for the time at the end of a foam time step, and then the foam pass.
+    /// Records the wave passes for the time at the end of a foam time step, and then the foam pass for this step, with
+    /// the foam levels around the world position `centre` (x, z), m.
     fn encode_foam_step(&mut self, encoder: &mut wgpu::CommandEncoder, step: &FoamStep, centre: [f64; 2]) {
         let dispatch = self.encode_waves(encoder, step.t_s, false);
         let foam = self.uniforms.foam.add(&self.foam.uniform(step, centre, &self.maps));
@@ -247,7 +254,7 @@ impl Simulation {
     }
 
     /// Records the passes that write the maps of all drawn cascades at time `t_s`, s, first those of the old sea of a
-    /// cross-fade. Returns what further passes need to run for the current sea.
+    /// cross-fade. Returns where uniform, wave buffers and map layers of the current sea are, for the foam pass.
     fn encode_waves(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64, keeps_f32_maps: bool) -> SeaDispatch {
         let parameters = SeaUniformParameters { t_s, keeps_f32_maps, spectrum_blend: 1.0 };
         if self.fading.is_some() {
@@ -269,8 +276,9 @@ impl Simulation {
         self.timer.mark(encoder, "mips");
     }
 
-    /// Adds the uniform for the waves at one time, of the current sea or, if `fades`, of the old sea of a cross-fade.
-    /// Returns what the passes need to run with it.
+    /// Adds the uniform that describes one sea's waves at one time to the buffer `uniforms.sea`: those of the current
+    /// sea or, if `fades`, of a cross-fade's old sea. Returns its offset there, and the sea's wave buffers and map
+    /// layers.
     fn add_sea_uniform(&mut self, parameters: SeaUniformParameters, fades: bool) -> SeaDispatch {
         let (fading, own) = self.maps.cascades.split_at(self.maps.fading_count);
         let current = self.resources.current_sea;

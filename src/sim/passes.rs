@@ -9,20 +9,20 @@ use crate::gpu::kit::{BindingType, Kernel};
 use crate::shaders::Shaders;
 use crate::waves::foam::FOAM_LEVELS;
 
-/// All compute passes of the simulation, from the spectrum to the maps and the foam.
+/// All compute passes of the simulation, which turn a wave spectrum into displacement, gradient and foam maps.
 pub struct Passes {
-    /// Computes h0, the random Fourier amplitude of every wave at time 0.
+    /// Pass that computes h0, the random Fourier amplitude of every wave at time 0, when the waves change.
     pub spectrum: SpectrumPass,
-    /// Row and column passes: the inverse FFT of the waves at a time, which gives the displacement and gradient maps.
+    /// Row and column pass: the inverse FFT of the waves at one time, which gives the displacement and gradient maps.
     pub transform: Transform,
-    /// Computes the mip levels of the displacement and gradient maps, and the slope moments (means of slope products).
+    /// Pass that computes all smaller mip levels of the displacement and gradient maps, and the slope moments.
     pub mips: MipsPass,
-    /// Advances the foam of all foam levels by one time step.
+    /// Pass that advances the foam of all foam levels (nested square grids) by one time step.
     pub foam: FoamPass,
 }
 
 impl Passes {
-    /// Compiles all passes and creates their bind groups.
+    /// Compiles all passes and creates their bind groups with the resources `r` and the uniform buffers `uniforms`.
     pub fn new(
         gpu: &Gpu,
         shaders: &Shaders,
@@ -44,7 +44,7 @@ impl Passes {
         self.transform.dispatch_count() + self.mips.steps.len() as u32 + 1
     }
 
-    /// Creates the bind groups of all passes anew after buffers or textures of `r` have been replaced.
+    /// Creates the bind groups of all passes anew. Call this after buffers or textures of `r` have been replaced.
     pub fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
         self.spectrum.recreate_bind_groups(gpu, r, uniforms);
         self.transform.recreate_bind_groups(gpu, r, uniforms);
@@ -56,7 +56,7 @@ impl Passes {
 /// Pass that computes h0, the Fourier amplitudes at time 0, from the spectrum (shaders/waves/spectrum.wgsl).
 pub struct SpectrumPass {
     kernel: Kernel,
-    /// Bind groups, one for each entry of `Resources::wave_buffers`: two from the first cross-fade on.
+    /// Bind groups of the pass, one for each entry of `Resources::wave_buffers`: two from the first cross-fade on.
     groups: Vec<wgpu::BindGroup>,
 }
 
@@ -78,7 +78,7 @@ impl SpectrumPass {
         self.groups = r.wave_buffers.iter().map(group).collect();
     }
 
-    /// Records the computation of h0, the waves' Fourier amplitudes at time 0, for all cascades of a sea.
+    /// Records the computation of h0, the Fourier amplitudes at time 0 of the waves of all cascades of one sea.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
         self.kernel.run(
             encoder,
@@ -92,19 +92,19 @@ impl SpectrumPass {
 /// Pass that computes the maps' mip levels and slope moments (shaders/waves/mips.wgsl; on the CPU unrolled_mips.wgsl).
 pub struct MipsPass {
     steps: Vec<MipsDispatch>,
-    /// Largest number of mip levels that one dispatch can write.
+    /// Number of mip levels that one dispatch can write, which is the number of storage textures in its bind group.
     levels_per_dispatch: u32,
     /// Small unused texture, bound in place of mip levels that the maps do not have.
     placeholder_view: wgpu::TextureView,
 }
 
-/// One dispatch of the mip pass, which reads one mip level and writes the next ones.
+/// One dispatch of the mip pass, which reads one mip level of the maps and writes the next smaller ones.
 struct MipsDispatch {
     kernel: Kernel,
     group: wgpu::BindGroup,
     /// Mip level of the maps that the dispatch reads.
     source_level: u32,
-    /// Number of mip levels that the dispatch writes: those after `source_level`.
+    /// Number of mip levels that the dispatch writes: those that follow `source_level`.
     levels: u32,
 }
 
@@ -168,7 +168,7 @@ impl MipsPass {
         }
     }
 
-    /// Records the computation of all mip levels above 0 of one sea's maps.
+    /// Records the computation of all mip levels above 0 of one sea's displacement, gradient and slope-moment maps.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
         for step in &self.steps {
             let groups = (r.n >> (step.source_level + 1)).div_ceil(8);
@@ -177,7 +177,7 @@ impl MipsPass {
     }
 }
 
-/// Pass that advances the foam of all foam levels by one time step (shaders/foam/foam.wgsl).
+/// Pass that advances the foam of all foam levels (nested square grids) by one time step (shaders/foam/foam.wgsl).
 pub struct FoamPass {
     kernel: Kernel,
     group: wgpu::BindGroup,
@@ -219,8 +219,8 @@ impl FoamPass {
         self.group = Self::create_bind_group(gpu, &self.kernel, r, uniforms);
     }
 
-    /// Records one time step of all foam levels, from the present maps. `foam` is the dynamic offset of the step's
-    /// uniform, bytes. During a cross-fade, `dispatch` may belong to either sea, because both have the same choppiness.
+    /// Records one time step of all foam levels, from the present wave maps. `dispatch` selects the uniform with the
+    /// choppiness, which both seas of a cross-fade share; `foam` is the dynamic offset of the step's uniform, bytes.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch, foam: u32) {
         let size = [r.foam_n / 8, r.foam_n / 8, FOAM_LEVELS as u32];
         self.kernel.run(encoder, &self.group, &[dispatch.uniform_offset, foam], size);

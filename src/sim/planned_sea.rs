@@ -6,7 +6,7 @@ use crate::waves::spreading::CosineFactor;
 use crate::waves::system::TermKind;
 use crate::waves::{Plan, table};
 
-/// The plan of a sea, with its directional spectrum in the form that shaders read. The sea's uniforms are made from it.
+/// The plan of a sea, with its directional spectrum in the form that shaders read: the source of the sea's uniforms.
 pub struct SeaUniformSource {
     /// Plan from which the uniforms are made.
     pub plan: Plan,
@@ -15,7 +15,7 @@ pub struct SeaUniformSource {
     vectors_per_entry: u32,
 }
 
-/// Parameters of one run of the passes that compute the waves of a sea at one time.
+/// Parameters of one run of the passes that compute the waves of one sea at one time, besides its plan.
 #[derive(Clone, Copy, Debug)]
 pub struct SeaUniformParameters {
     /// Simulated time at which the waves are computed, s.
@@ -26,23 +26,24 @@ pub struct SeaUniformParameters {
     pub spectrum_blend: f64,
 }
 
-/// What a pass needs to run for one sea at one time: where its uniform, its wave buffers and its map layers are.
+/// What a pass needs to run for one sea at one time: where the sea's uniform, wave buffers and map layers are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SeaDispatch {
-    /// Dynamic offset of the sea's uniform in the buffer `SimulationUniforms::sea`, bytes.
+    /// Dynamic offset of the uniform for this sea and time in the buffer `SimulationUniforms::sea`, bytes.
     pub uniform_offset: u32,
-    /// Number of cascades of the sea.
+    /// Number of cascades of the sea, which is the number of map layers of each kind that the pass computes.
     pub cascade_count: u32,
-    /// Index of the sea's wave buffers in `Resources::wave_buffers`.
+    /// Index of the sea's buffers (spectrum, frequencies, h0) in `Resources::wave_buffers`: 0 or 1.
     pub wave_buffers_index: usize,
-    /// Index of the layer of the sea's first cascade; it is the same for each kind of map.
+    /// Index of the sea's first cascade among the layers of each kind of map; its other cascades follow.
     pub first_layer: u32,
     /// Whether the column pass also keeps the maps in f32, in the buffer `Resources::row_transforms`, to be read back.
     pub keeps_f32_maps: bool,
 }
 
 impl SeaUniformSource {
-    /// Takes a plan and converts its directional spectrum, a sum of terms, to the form that shaders read.
+    /// Takes a plan and converts its directional spectrum, a sum of spreading lobes or measured distributions, to the
+    /// form that shaders read.
     pub fn new(plan: Plan) -> Self {
         let (parts, vectors_per_entry) = table::terms(&plan);
         let mut terms = [SpectrumTerm::default(); MAX_SPECTRUM_TERMS];

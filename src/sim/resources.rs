@@ -17,21 +17,22 @@ const SMALLEST_MIP_SIDE: u32 = 4;
 /// Number of kinds of map, which are the variants of [`MapKind`].
 const MAP_KIND_COUNT: u32 = 3;
 
-/// Kind of map of a cascade. The array texture `Resources::maps` holds the same number of layers of each kind.
+/// Kind of map that each cascade has. The array texture `Resources::maps` holds first all displacement maps, then all
+/// gradient maps, then all slope moments, with the same number of layers each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapKind {
     /// Displacement map: horizontal displacement Dx, height eta, Dz (m) and dDx/dz, before choppiness is applied.
     Displacement,
-    /// Gradient map: slopes d eta/dx and d eta/dz, then dDx/dx and dDz/dz of the horizontal displacement.
+    /// Gradient map: slopes d eta/dx and d eta/dz, then dDx/dx and dDz/dz of the displacement, before choppiness.
     Gradients,
-    /// Slope moments: means over a texel of the squares and of the product of both slopes, from mip level 1 on.
+    /// Slope moments: means over a texel of sx^2, sz^2 and sx sz, with the slopes sx and sz; from mip level 1 on.
     Moments,
 }
 
-/// GPU buffers and textures of a simulation that every implementation of the FFT needs.
+/// GPU buffers and textures of a simulation that both implementations of the FFT use: waves, maps and foam.
 #[derive(Debug)]
 pub struct Resources {
-    /// FFT size: number of points along a side of a cascade's lattice.
+    /// FFT size: number of points of a cascade's FFT lattice along a side, and of texels of its maps.
     pub n: u32,
     /// Number of cells along a side of a foam level (one of the nested square foam grids).
     pub foam_n: u32,
@@ -39,7 +40,7 @@ pub struct Resources {
     pub wave_buffers: Vec<WaveBuffers>,
     /// Index in `wave_buffers` of the current sea; the other set, if any, belongs to the old sea of a cross-fade.
     pub current_sea: usize,
-    /// FFT twiddle factors e^(2 pi i j / 1024) for j from 0 to 1023, complex f32.
+    /// Storage buffer of the FFT twiddle factors e^(2 pi i j / 1024) for j from 0 to 1023, complex f32.
     pub twiddle_factors: wgpu::Buffer,
     /// Result of the row pass: four complex fields per point after the inverse FFT along x, as two pairs of complex
     /// f32, \[cascade\]\[pair\]\[iz\]\[x\]. Both seas of a cross-fade use it in turn: room for both would exceed the
@@ -47,16 +48,17 @@ pub struct Resources {
     pub row_transforms: wgpu::Buffer,
     /// Foam of each cell after the last time step, 0 to 1: f32, \[level\]\[z\]\[x\].
     pub foam_history: wgpu::Buffer,
-    /// Texture format of the maps and of the foam.
+    /// Texture format of the textures `maps` and `foam`: half floats or 32-bit floats.
     pub format: MapFormat,
-    /// Array texture of all maps with their mip levels; [`Self::layers_of_kind`] gives the layers of a kind. All kinds
-    /// share a texture so that a pass can write several mip levels, because base limits allow it four storage textures.
+    /// Array texture of all wave maps with their mip levels; [`Self::layers_of_kind`] gives the layers of a kind. All
+    /// kinds share a texture so that a pass can write several mip levels, because base limits allow it four storage
+    /// textures.
     pub maps: wgpu::Texture,
     /// Array texture of the foam and the foam source, each 0 to 1, one layer per foam level, for the renderer.
     pub foam: wgpu::Texture,
-    /// Linear sampler that repeats along both axes.
+    /// Sampler with linear filtering that repeats along both axes, with which the foam pass reads the wave maps.
     pub repeating_sampler: wgpu::Sampler,
-    /// Number of times that buffers or textures have been allocated; tests check it.
+    /// Number of times that buffers or textures have been allocated so far; tests check when it grows.
     pub allocation_count: u32,
     /// Number of times that the tables of a plan's waves have been computed; tests check it.
     pub wave_table_count: u32,
@@ -65,11 +67,11 @@ pub struct Resources {
 /// GPU buffers that describe the waves of one sea.
 #[derive(Debug)]
 pub struct WaveBuffers {
-    /// For each cascade and wave number of its lattice, the values from which the spectrum pass computes the
-    /// directional spectrum: variances (m^2) and spreading parameters, in vectors of four f32.
+    /// For each cascade and magnitude of the wave vectors in its lattice, the values from which the spectrum pass
+    /// computes the directional spectrum: variances (m^2) and spreading parameters, in vectors of four f32.
     pub spectrum_table: wgpu::Buffer,
-    /// For each cascade and wave number of its lattice: the wave's number of cycles per repeat period of the sea (u32),
-    /// and its orbit axis ratio (horizontal to vertical) divided by its wave number (f32, m).
+    /// For each cascade and magnitude of the wave vectors in its lattice: the number of wave cycles in the sea's repeat
+    /// period (u32), and the orbit axis ratio (horizontal to vertical) divided by the wave number (f32, m).
     pub wave_table: wgpu::Buffer,
     /// Fourier amplitudes h0 of the waves at time 0, m: complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
     pub h0: wgpu::Buffer,
@@ -89,6 +91,7 @@ impl WaveBuffers {
 
 impl Resources {
     /// Allocates buffers and textures for a plan's FFT size and number of cascades, with maps in the given format.
+    /// Fills only the twiddle factors.
     pub fn new(gpu: &Gpu, plan: &Plan, format: MapFormat) -> Self {
         let (n, cascades) = (plan.n, plan.cascades.len());
         let foam_n = n.min(256);
@@ -111,7 +114,7 @@ impl Resources {
         }
     }
 
-    /// Buffers that describe the waves of the current sea.
+    /// Buffers that describe the waves of the current sea: spectrum, frequencies and Fourier amplitudes h0.
     pub fn current_waves(&self) -> &WaveBuffers {
         &self.wave_buffers[self.current_sea]
     }
@@ -121,8 +124,9 @@ impl Resources {
         (self.current_sea * MAX_CASCADES) as u32
     }
 
-    /// Makes the other sea's wave buffers the current ones when a cross-fade to `plan` starts. The first call allocates
-    /// them, and maps for two seas with the largest number of cascades, and returns true; later calls return false.
+    /// Makes the other set of wave buffers current when a cross-fade to `plan` starts. The first call allocates it, and
+    /// maps for two seas with the most cascades, and returns true (bind groups must be renewed); later calls return
+    /// false.
     pub fn swap_seas(&mut self, gpu: &Gpu, plan: &Plan) -> bool {
         let is_first = self.wave_buffers.len() == 1;
         if is_first {
@@ -135,7 +139,7 @@ impl Resources {
         is_first
     }
 
-    /// Number of mip levels of the map texture.
+    /// Number of mip levels of the texture `maps`, with level 0.
     pub fn mip_level_count(&self) -> u32 {
         self.maps.mip_level_count()
     }
@@ -152,7 +156,7 @@ impl Resources {
         first..first + cascades as u32
     }
 
-    /// Records a copy of one mip level of all layers of a kind of map into a buffer that the CPU can read.
+    /// Records a copy of mip level `level` of all layers of a kind of map into a new buffer that the CPU can read.
     pub fn stage_maps(
         &self,
         gpu: &Gpu,
@@ -163,7 +167,7 @@ impl Resources {
         readback::stage_layers(gpu, encoder, &self.maps, level, self.layers_of_kind(kind))
     }
 
-    /// View of all layers and mip levels of a kind of map; that of the slope moments starts at mip level 1.
+    /// View of all layers and mip levels of one kind of map; the view of the slope moments starts at mip level 1.
     pub fn map_view(&self, kind: MapKind) -> wgpu::TextureView {
         let layers = self.layers_of_kind(kind);
         self.maps.create_view(&wgpu::TextureViewDescriptor {
@@ -175,8 +179,8 @@ impl Resources {
         })
     }
 
-    /// Computes the tables of a plan's waves (frequencies, spectrum) and uploads them to the current sea's buffers. The
-    /// FFT size must be unchanged. Returns whether larger buffers had to be allocated.
+    /// Computes the tables of the plan's waves (frequencies, spectrum) and uploads them to the current sea's buffers.
+    /// The FFT size must be unchanged. Returns whether larger buffers had to be allocated, which need new bind groups.
     pub fn upload_wave_tables(&mut self, gpu: &Gpu, plan: &Plan) -> bool {
         let mut values: Vec<[f32; 4]> = Vec::new();
         let mut waves = Vec::new();
@@ -227,7 +231,7 @@ pub fn create_array_texture(gpu: &Gpu, label: &str, size: [u32; 3], mips: u32, f
     gpu.texture(label, size, mips, format.texture_format(), usage)
 }
 
-/// View of mip level `mip` of a texture as an array texture, or of all mip levels if `mip` is None.
+/// View of mip level `mip` of a texture, or of all its mip levels if `mip` is None, with all layers, as a 2d array.
 pub fn array_view(texture: &wgpu::Texture, mip: Option<u32>) -> wgpu::TextureView {
     texture.create_view(&wgpu::TextureViewDescriptor {
         dimension: Some(wgpu::TextureViewDimension::D2Array),

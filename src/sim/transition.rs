@@ -9,7 +9,7 @@
 
 use crate::waves::overlap::SeaCovariance;
 
-/// Duration of an interpolation or cross-fade from one sea to another, s of wall time.
+/// Duration of an interpolation or cross-fade from one sea to another, s of wall time, not of simulated time.
 pub const TRANSITION_DURATION_S: f64 = 0.8;
 
 /// Kind of transition from one sea to another.
@@ -19,7 +19,7 @@ pub enum TransitionKind {
     Immediate,
     /// Interpolation of the foam parameters only; waves, choppiness and water level stay unchanged.
     Foam,
-    /// Interpolation of choppiness, water level, and the foam parameters, which depend on choppiness.
+    /// Interpolation of choppiness, water level and foam parameters; the wave amplitudes stay unchanged.
     Surface,
     /// Interpolation of the wave amplitudes, the choppiness, the water level and the foam parameters.
     Amplitudes,
@@ -30,13 +30,14 @@ pub enum TransitionKind {
 /// Progress that the running transitions make in one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TransitionStep {
-    /// Transition that starts in this frame; None if none does. The other fields describe the progress after its start.
+    /// Kind of transition that starts in this frame; None if none does. The other fields tell the progress after it.
     pub started: Option<TransitionKind>,
-    /// Fraction of the remaining way to their goal that surface and foam parameters make in this frame, 0 to 1.
+    /// Fraction of the remaining way to the goal that choppiness, water level and foam parameters make in this frame, 0
+    /// to 1.
     pub interpolation_fraction: f64,
-    /// Fraction of the remaining way to their goal that wave amplitudes make in this frame, 0 to 1.
+    /// Fraction of the remaining way to the goal that the wave amplitudes make in this frame, 0 to 1.
     pub amplitude_fraction: f64,
-    /// Whether a cross-fade ends in this frame, so that the old sea is no longer drawn.
+    /// Whether a running cross-fade ends in this frame, so that the old sea is no longer drawn.
     pub ends_cross_fade: bool,
 }
 
@@ -60,14 +61,15 @@ pub struct Transition {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Interpolation {
-    /// Fraction of the interpolation's duration that has passed, 0 to 1.
+    /// Fraction of the interpolation's duration that has passed since its last start, 0 to 1.
     progress: f64,
-    /// Whether wave amplitudes are interpolated, besides the surface and foam parameters.
+    /// Whether wave amplitudes are interpolated, besides choppiness, water level and the foam parameters.
     amplitudes: bool,
 }
 
 impl Transition {
-    /// Starts a transition of the given kind, or restarts the running one to another goal; `Immediate` ends all.
+    /// Starts a transition of the given kind, or restarts the running interpolation towards a new goal. A cross-fade
+    /// ends an interpolation; `Immediate` ends all transitions.
     pub fn start(&mut self, kind: TransitionKind) {
         match kind {
             TransitionKind::Immediate => *self = Self::default(),
@@ -80,7 +82,7 @@ impl Transition {
         }
     }
 
-    /// Advances the running transitions by `dt_s` seconds of wall time and returns the progress in this frame.
+    /// Advances the running transitions by `dt_s` seconds of wall time; returns the progress, with `started` None.
     pub fn advance(&mut self, dt_s: f64) -> TransitionStep {
         let elapsed = (dt_s / TRANSITION_DURATION_S).max(0.0);
         let mut step = TransitionStep::default();
@@ -105,7 +107,7 @@ impl Transition {
         self.cross_fade.map_or(1.0, |x| x * x * (3.0 - 2.0 * x))
     }
 
-    /// Whether the amplitudes of the waves are being interpolated.
+    /// Whether an interpolation that changes the amplitudes of the waves is running.
     pub fn interpolates_amplitudes(&self) -> bool {
         self.interpolation.is_some_and(|interpolation| interpolation.amplitudes)
     }
@@ -116,8 +118,9 @@ impl Transition {
     }
 }
 
-/// Amplitude factors \[old sea, new sea\] of a cross-faded cascade, where the new sea has the share `fraction` (0 to 1)
-/// of the variance; then the variance of the blended waves divided by the sum of the variances of both seas' waves.
+/// For a cascade in a cross-fade whose new sea has the fraction `fraction` (0 to 1) of the variance: the amplitude
+/// factors \[old sea, new sea\]; then the variance of the blended waves divided by the sum of the variances of both
+/// seas' waves, which is above 1 if some waves are in both seas.
 pub fn cross_fade_amplitudes(overlap: &SeaCovariance, fraction: f64) -> ([f64; 2], f64) {
     let variance_gain = overlap.variance_gain(fraction);
     ([((1.0 - fraction) / variance_gain).sqrt(), (fraction / variance_gain).sqrt()], variance_gain)
@@ -130,22 +133,23 @@ pub trait Interpolate: Clone {
     fn interpolate(&self, to: &Self, fraction: f64) -> Self;
 }
 
-/// Parameters of the drawn sea during a transition: present values, goal, and those of the old sea of a cross-fade.
+/// Parameters of the drawn sea during a transition: present values and goal, and those of a cross-fade's old sea.
 #[derive(Clone, Debug)]
 pub struct Interpolated<T> {
-    /// Parameters of the old sea of a cross-fade. None without a cross-fade.
+    /// Present parameters of the old sea of a cross-fade. None without a cross-fade.
     fading: Option<T>,
     now: T,
     goal: T,
 }
 
 impl<T: Interpolate> Interpolated<T> {
-    /// Makes parameters that equal their goal, as without a transition.
+    /// Makes parameters whose present values are `goal`, without an old sea, as when no transition is running.
     pub fn new(goal: T) -> Self {
         Self { fading: None, now: goal.clone(), goal }
     }
 
-    /// Applies one step of a transition. If one starts in it, `goal` returns the new goal for the previous one.
+    /// Applies one step of a transition. If a transition starts in it, `goal` gets the previous goal and returns the
+    /// new one.
     pub fn apply_transition_step(&mut self, step: &TransitionStep, goal: impl FnOnce(&T) -> T) {
         if let Some(kind) = step.started {
             self.goal = goal(&self.goal);
@@ -170,7 +174,8 @@ impl<T: Interpolate> Interpolated<T> {
         (self.fading.as_ref(), &self.now)
     }
 
-    /// The parameters blended from both seas of a cross-fade, in which the new sea has the weight `fraction`, 0 to 1.
+    /// The parameters of the drawn sea as a whole: in a cross-fade those of both seas mixed, with the weight `fraction`
+    /// (0 to 1) for the new sea; otherwise the present ones.
     pub fn blended_value(&self, fraction: f64) -> T {
         match &self.fading {
             Some(old) if fraction < 1.0 => old.interpolate(&self.now, fraction),
@@ -178,7 +183,7 @@ impl<T: Interpolate> Interpolated<T> {
         }
     }
 
-    /// Applies the same change to the present parameters, the goal, and those of the old sea of a cross-fade.
+    /// Applies the same change at once to the present parameters, the goal, and those of a cross-fade's old sea.
     pub fn change_all(&mut self, change: impl Fn(&mut T)) {
         self.fading.iter_mut().chain([&mut self.now, &mut self.goal]).for_each(change);
     }

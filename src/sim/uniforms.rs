@@ -9,9 +9,9 @@ use crate::waves::foam::FOAM_LEVELS;
 
 /// The simulation's two uniform buffers, with room for all foam time steps and wave computations of one submission.
 pub struct SimulationUniforms {
-    /// One uniform for each computation of a sea's waves at one time in the submission.
+    /// One uniform for each computation of a sea's waves at one time that the present submission to the GPU makes.
     pub sea: DynamicUniformBuffer<SeaUniform>,
-    /// One uniform for each time step of the foam in the submission.
+    /// One uniform for each time step of the foam that the present submission to the GPU makes.
     pub foam: DynamicUniformBuffer<FoamUniform>,
 }
 
@@ -21,7 +21,7 @@ impl SimulationUniforms {
     /// Binding type of the buffer `foam`: a uniform at a dynamic offset.
     pub const FOAM_BINDING: BindingType = BindingType::DynamicUniform(size_of::<FoamUniform>());
 
-    /// Allocates both buffers, with room for submissions of at most `foam_steps` foam time steps.
+    /// Allocates both uniform buffers for submissions of at most `foam_steps` foam time steps, with the waves of each.
     pub fn new(gpu: &Gpu, foam_steps: usize) -> Self {
         // For two seas, one evaluation per foam time step and one without foam; besides, one for the spectrum pass.
         let evaluations = 2 * (foam_steps + 1) + 1;
@@ -48,13 +48,13 @@ gpu_struct! {
     /// WGSL `SeaCascade`: one cascade (patch of sea with an FFT of its own) in the uniform of a sea.
     #[derive(Default)]
     pub struct SeaCascade as "SeaCascade" {
-        /// Side of the cascade's square patch, m.
+        /// Side of the square patch of sea that the cascade's maps cover, m.
         pub patch_m: f32,
-        /// Spacing of the cascade's wave vectors along x and along z, 2 pi / patch_m, rad/m.
+        /// Spacing of the cascade's wave vectors along kx and along kz: 2 pi / `patch_m`, rad/m.
         pub dk: f32,
         /// Key of the cascade's random numbers. Cascades with different keys have independent waves.
         pub noise_key: u32,
-        /// Unit in which the maps store the slope moments: half the cascade's mean square slope.
+        /// Unit of the slope moments in the maps: half the cascade's mean square slope, so that they are near 1.
         pub moment_unit: f32,
     }
 }
@@ -63,47 +63,47 @@ gpu_struct! {
 pub const MAX_SPECTRUM_TERMS: usize = 6;
 
 gpu_struct! {
-    /// WGSL `SpectrumTerm`: spreading lobe or measured distribution, whose sum is the directional spectrum.
+    /// WGSL `SpectrumTerm`: a spreading lobe or measured distribution. The sum of terms is the directional spectrum.
     #[derive(Default)]
     pub struct SpectrumTerm as "SpectrumTerm" {
-        /// Unit vector (x, z) of the wave system's main direction of travel, from which the term's angles are measured.
+        /// Unit vector (x, z) of the waves' main direction of travel; angles of the term are relative to it.
         pub reference_direction: [f32; 2],
         /// Form of the term: 0 spreading lobe, 1 lobe times cos^2 of the angle from `reference_direction`, 2 the same
-        /// but 0 beyond 90 degrees, 3 distribution measured by a buoy.
+        /// but 0 beyond 90 degrees, 3 directional distribution measured by a wave buoy.
         pub kind: u32,
-        /// Index of the term's first vec4f among those of one entry (wave number) of `WaveBuffers::spectrum_table`.
+        /// Position of the term's first vec4f within each entry of `WaveBuffers::spectrum_table` (one per wave number).
         pub first_vector: u32,
     }
 }
 
 gpu_struct! {
-    /// WGSL `Sea`: the uniform of the passes that compute a sea's waves at one time.
+    /// WGSL `Sea`: the uniform of all passes of the simulation, which describes one sea's waves at one time.
     #[derive(Default)]
     pub struct SeaUniform as "Sea" {
-        /// Cascades of the sea, longest waves first; `cascade_count` are used.
+        /// Cascades (patches of sea) of one sea, longest waves first; the first `cascade_count` are used.
         pub cascades: [SeaCascade; MAX_CASCADES],
-        /// Terms whose sum is the directional spectrum; `term_count` are used.
+        /// Terms whose sum is the directional spectrum, for the spectrum pass; the first `term_count` are used.
         pub terms: [SpectrumTerm; MAX_SPECTRUM_TERMS],
-        /// Factor of each cascade's wave amplitudes: 1 except during a cross-fade.
+        /// Factor by which the wave amplitudes of each cascade are multiplied: 1 except during a cross-fade.
         pub amplitude_factors: [f32; MAX_CASCADES],
-        /// Choppiness along x and z: factors by which the maps' horizontal displacement is multiplied.
+        /// Choppiness along x and z: factors by which the maps' horizontal displacements Dx and Dz are multiplied.
         pub choppiness: [f32; 2],
         /// FFT size: number of points along a side of a cascade's lattice.
         pub n: u32,
-        /// Number of entries of `cascades` in use.
+        /// Number of entries at the start of `cascades` that are in use.
         pub cascade_count: u32,
-        /// Seed of the random numbers for the wave amplitudes h0, set by the user.
+        /// Seed of the random numbers for h0, set by the user: another seed gives other waves of the same spectrum.
         pub seed: u32,
         /// Time as a fraction of the sea's repeat period, in units of 2^-32. Its wrapping product with a wave's number
         /// of cycles per period is the wave's phase in units of 2^-32 cycles.
         pub time_in_period_u32: u32,
         /// If not 0, the column pass also keeps the maps in f32, in the buffer `Resources::row_transforms`.
         pub keeps_f32_maps: u32,
-        /// Number of entries of `terms` in use.
+        /// Number of entries at the start of `terms` that are in use.
         pub term_count: u32,
-        /// Number of vec4f in each entry (for one wave number of a cascade) of `WaveBuffers::spectrum_table`.
+        /// Number of vec4f in each entry of `WaveBuffers::spectrum_table`, which has one entry per wave number.
         pub vectors_per_entry: u32,
-        /// Index of the layer of the sea's first cascade; it is the same for each kind of map.
+        /// Index of the sea's first cascade among the layers of each kind of map; its other cascades follow.
         pub first_layer: u32,
         /// Fraction of the way from the present h0 to the plan's amplitudes that the spectrum pass makes, 0 to 1.
         pub spectrum_blend: f32,
@@ -113,12 +113,12 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// WGSL `FoamLevelCorner`: where a foam level's corner with the lowest x and z lies on the maps of a cascade.
+    /// WGSL `FoamLevelCorner`: where a foam level's corner with the lowest x and z lies on the patch of one cascade.
     #[derive(Default)]
     pub struct FoamLevelCorner as "FoamLevelCorner" {
-        /// Position of the corner in the triangle lattice on which shifted copies of the patch are blended.
+        /// Position of the foam level's corner in the triangle lattice of the shifted copies of the patch.
         pub tile_position: TileLatticePosition,
-        /// Texture coordinates (u, v) of the corner in the cascade's maps, from 0 to 1 plus half a texel.
+        /// Texture coordinates (u, v) of the corner in the maps of the cascade, modulo 1, plus half a texel.
         pub uv: [f32; 2],
         /// Unused; pads the struct to a multiple of 16 bytes, as an array element needs it.
         pub unused: [u32; 2],
@@ -126,33 +126,33 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// WGSL `FoamLevel`: one of the nested square foam grids around the camera, in the uniform of a foam time step.
+    /// WGSL `FoamLevel`: one foam level (square foam grid around the camera) in the uniform of a foam time step.
     #[derive(Default)]
     pub struct FoamLevelUniform as "FoamLevel" {
         /// Where the level's corner with the lowest x and z lies on the maps of each drawn cascade.
         pub corners: [FoamLevelCorner; MAX_DRAWN_CASCADES],
-        /// World indices (x, z) of the lowest cell that the level covers; cell i begins at i times `cell_m`.
+        /// World indices (x, z) of the cell of this level with the lowest x and z; cell i begins at i times `cell_m`.
         pub first_cell: [i32; 2],
-        /// World indices (x, z) of the lowest cell that the level covered at the previous time step.
+        /// World indices (x, z) of the cell with the lowest x and z at the previous step; far out of range without one.
         pub previous_first_cell: [i32; 2],
-        /// Side of a foam cell, m.
+        /// Side of a foam cell of this level, m.
         pub cell_m: f32,
-        /// Jacobian of the horizontal displacement below which foam forms.
+        /// Jacobian of the horizontal displacement below which foam forms; the Jacobian of flat water is 1.
         pub jacobian_threshold: f32,
-        /// Slope of the foam source, which is clamp((`jacobian_threshold` - Jacobian) x `source_slope`, 0, 1).
+        /// Factor in the foam source, which is clamp((`jacobian_threshold` - Jacobian) x `source_slope`, 0, 1).
         pub source_slope: f32,
-        /// Foam with which a cell starts that has just entered the area of its level, 0 to 1.
+        /// Foam in a cell that has just entered the area of its level, 0 to 1: the expected mean.
         pub initial_foam: f32,
     }
 }
 
 gpu_struct! {
-    /// WGSL `FoamCascade`: what the foam pass needs to sample the maps of one drawn cascade.
+    /// WGSL `FoamCascade`: what the foam pass needs to sample the maps of one cascade that is drawn.
     #[derive(Default)]
     pub struct FoamCascade as "FoamCascade" {
-        /// Side of the cascade's square patch, m.
+        /// Side of the square patch of sea that the cascade's maps cover, m.
         pub patch_m: f32,
-        /// Index of the cascade's layer, the same for each kind of map.
+        /// Index of the cascade's layer among the layers of each kind of map.
         pub layer: u32,
         /// Unused; pads the struct to a multiple of 16 bytes, as an array element needs it.
         pub unused: [u32; 2],
@@ -163,26 +163,26 @@ gpu_struct! {
     /// WGSL `Foam`: the uniform of one time step of the foam simulation.
     #[derive(Default)]
     pub struct FoamUniform as "Foam" {
-        /// Foam levels (nested square foam grids), finest first.
+        /// Foam levels (nested square foam grids around the camera), the one with the smallest cells first.
         pub levels: [FoamLevelUniform; FOAM_LEVELS],
-        /// Cascades that are drawn, including those of the old sea of a cross-fade; `cascade_count` are used.
+        /// Cascades that are drawn, including those of a cross-fade's old sea; the first `cascade_count` are used.
         pub cascades: [FoamCascade; MAX_DRAWN_CASCADES],
         /// Length of the time step, s.
         pub dt_s: f32,
         /// Rate at which foam decays exponentially: 1 / e-folding time, 1/s.
         pub decay_per_s: f32,
-        /// Rate at which foam grows on clear water where the foam source is 1, 1/s.
+        /// Rate at which foam grows on water without foam where the foam source is 1, 1/s.
         pub growth_per_s: f32,
         /// Number of cells along a side of a foam level (one of the nested square foam grids).
         pub cells_per_side: u32,
-        /// Number of entries of `cascades` in use.
+        /// Number of entries at the start of `cascades` that are in use.
         pub cascade_count: u32,
         /// Unused; pads the struct to a multiple of 16 bytes.
         pub unused: [u32; 3],
     }
 }
 
-/// The structs that the simulation shares with its shaders.
+/// Declarations of the structs that the simulation shares with its shaders, from which WGSL is generated.
 pub const SHARED_STRUCTS: &[StructDeclaration] = &[
     SeaCascade::DECLARATION,
     SpectrumTerm::DECLARATION,

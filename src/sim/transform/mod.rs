@@ -11,7 +11,7 @@ use crate::shaders::Shaders;
 use unrolled::UnrolledTransform;
 use workgroup::WorkgroupTransform;
 
-/// Implementation of the inverse FFT that turns the waves' Fourier amplitudes into maps.
+/// Implementation of the inverse FFT that turns the waves' Fourier amplitudes into maps; one is for software adapters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FftImplementation {
     /// For GPUs: one dispatch along each axis. Threads exchange points in workgroup memory, with least memory traffic.
@@ -32,12 +32,12 @@ impl FftImplementation {
 pub enum Transform {
     /// FFT through workgroup memory, for GPUs; see [`FftImplementation::Workgroup`].
     Workgroup(Box<WorkgroupTransform>),
-    /// FFT without barriers, for software adapters; see [`FftImplementation::Unrolled`].
+    /// FFT without workgroup memory, for software adapters; see [`FftImplementation::Unrolled`].
     Unrolled(Box<UnrolledTransform>),
 }
 
 impl Transform {
-    /// Compiles the row and column pass in the given implementation and creates their bind groups.
+    /// Compiles the row and column pass in the given implementation and binds the buffers and maps of `r` to them.
     pub fn new(
         gpu: &Gpu,
         shaders: &Shaders,
@@ -53,7 +53,7 @@ impl Transform {
         }
     }
 
-    /// Which implementation of the FFT these passes are.
+    /// Which of the two implementations of the FFT these passes are, for GPUs or for software adapters.
     pub fn implementation(&self) -> FftImplementation {
         match self {
             Self::Workgroup(_) => FftImplementation::Workgroup,
@@ -61,7 +61,7 @@ impl Transform {
         }
     }
 
-    /// Number of compute dispatches for the inverse FFT along x and z of all cascades of a sea together.
+    /// Number of compute dispatches of row and column pass for one sea; each dispatch covers all its cascades.
     pub fn dispatch_count(&self) -> u32 {
         match self {
             Self::Workgroup(_) => 2,
@@ -77,7 +77,8 @@ impl Transform {
         }
     }
 
-    /// Records the row pass: the Fourier amplitudes of a sea's waves at one time, and their inverse FFT along x.
+    /// Records the row pass for one sea: the Fourier amplitudes of its waves at one time, and their inverse FFT along
+    /// x.
     pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
         match self {
             Self::Workgroup(transform) => transform.record_rows(encoder, dispatch),
@@ -85,7 +86,7 @@ impl Transform {
         }
     }
 
-    /// Records the column pass: inverse FFT along z, which writes mip level 0 of the displacement and gradient maps.
+    /// Records the column pass for one sea: inverse FFT along z, to mip level 0 of its displacement and gradient maps.
     pub fn record_columns(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
         match self {
             Self::Workgroup(transform) => transform.record_columns(encoder, dispatch),

@@ -10,7 +10,7 @@ use crate::sim::resources::{MapKind, Resources, WaveBuffers};
 use crate::sim::uniforms::SimulationUniforms;
 use std::sync::OnceLock;
 
-/// Row and column passes of the FFT for software adapters, with two dispatches each.
+/// Row and column passes of the FFT for software adapters, with two dispatches each, in which threads share no memory.
 pub struct UnrolledTransform {
     n: u32,
     rows_first: Kernel,
@@ -23,9 +23,9 @@ pub struct UnrolledTransform {
 
 /// Buffers that pass values from one of the four dispatches to the next, or to the map textures.
 struct IntermediateBuffers {
-    /// Half-finished FFTs after the first of two dispatches along x or z; as large as `Resources::row_transforms`.
+    /// Result of the first of two dispatches along an axis, first x, then z; as large as `Resources::row_transforms`.
     half_transforms: wgpu::Buffer,
-    /// Displacement and gradient maps before they are copied to the textures, \[map\]\[cascade\]\[z\]\[x\].
+    /// Displacement maps, then gradient maps, before they are copied to the textures: \[map\]\[cascade\]\[z\]\[x\].
     maps: wgpu::Buffer,
 }
 
@@ -37,8 +37,8 @@ struct FftBindGroups {
     columns_second: wgpu::BindGroup,
 }
 
-/// Kernels of the last dispatch, the second half of the FFT along z: one writes the maps, the other also an f32 copy.
-/// The latter is compiled at its first use, because compiling takes long and a window does not need the copy.
+/// Kernels of the last dispatch, the second round of the FFT along z. `plain` writes the maps; `with_f32` also keeps
+/// them in f32 and is compiled at its first use, because compiling takes long and a window does not need the copy.
 struct SecondColumnKernels {
     gpu: Gpu,
     module: wgpu::ShaderModule,
@@ -71,7 +71,7 @@ impl SecondColumnKernels {
 }
 
 impl UnrolledTransform {
-    /// Allocates the intermediate buffers, compiles the kernels and creates their bind groups.
+    /// Allocates the intermediate buffers, compiles the four kernels, and binds buffers of `r` and `uniforms` to them.
     pub fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, uniforms: &SimulationUniforms) -> Self {
         let n = r.n;
         let kernel = |label, kernel, bindings: &[BindingType]| {
@@ -90,7 +90,8 @@ impl UnrolledTransform {
         Self { n, rows_first, rows_second, columns_first, columns_second, buffers, groups }
     }
 
-    /// Creates the bind groups anew after buffers of `r` have been replaced; resizes the intermediate buffers.
+    /// Creates the bind groups anew, and the intermediate buffers if their size has changed. Call this after buffers of
+    /// `r` have been replaced.
     pub fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
         if self.buffers.half_transforms.size() != r.row_transforms.size() {
             self.buffers = IntermediateBuffers::new(gpu, r);
@@ -99,7 +100,8 @@ impl UnrolledTransform {
         self.groups = FftBindGroups::new(gpu, kernels, &self.buffers, r, uniforms);
     }
 
-    /// Records the row pass: the Fourier amplitudes of a sea's waves at one time, and their inverse FFT along x.
+    /// Records the row pass for one sea: the Fourier amplitudes of its waves at one time, and their inverse FFT along
+    /// x.
     pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
         let (n, FftFactors { first, second }) = (self.n, FftFactors::new(self.n));
         // One row of threads computes two rows of opposite wave vectors: n / 2 + 1 rows in workgroups of 8.
@@ -113,7 +115,7 @@ impl UnrolledTransform {
         self.rows_second.run(encoder, &self.groups.rows_second, &[], [first / 8, n / 8, 2 * dispatch.cascade_count]);
     }
 
-    /// Records the column pass: inverse FFT along z, and a copy of its results to mip level 0 of the map textures.
+    /// Records the column pass for one sea: inverse FFT along z, and a copy of its results to mip level 0 of the maps.
     pub fn record_columns(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
         let (n, FftFactors { first, second }) = (self.n, FftFactors::new(self.n));
         self.columns_first.run(encoder, &self.groups.columns_first, &[], [n / 64, second, 2 * dispatch.cascade_count]);

@@ -8,16 +8,16 @@ use crate::sim::planned_sea::SeaDispatch;
 use crate::sim::resources::{Resources, WaveBuffers, array_view};
 use crate::sim::uniforms::SimulationUniforms;
 
-/// Largest number of vec4f in workgroup memory, through which threads exchange points: WebGPU's base limit of 16 KiB.
+/// Largest number of vec4f in workgroup memory, where threads exchange FFT points: WebGPU's base limit of 16 KiB.
 const MAX_EXCHANGE_VECTORS: u32 = 1024;
-/// Smallest number of threads per workgroup, so that it fills a warp on any GPU.
+/// Smallest number of threads per workgroup: enough to fill a warp (the threads that run together) on any GPU.
 const MIN_WORKGROUP_THREADS: u32 = 64;
 
-/// Row and column pass of the FFT for GPUs, with one dispatch each.
+/// Row and column pass of the FFT for GPUs, with one dispatch each, in which threads share workgroup memory.
 pub struct WorkgroupTransform {
     rows: Kernel,
     columns: Kernel,
-    /// Number of workgroups for each cascade, in the row pass and in the column pass.
+    /// Number of workgroups for each cascade; the row pass and the column pass each dispatch as many.
     workgroups: u32,
     groups: FftBindGroups,
 }
@@ -34,7 +34,7 @@ fn lines_per_workgroup(n: u32) -> u32 {
 }
 
 impl WorkgroupTransform {
-    /// Compiles the row pass and the column pass and creates their bind groups.
+    /// Compiles the row pass and the column pass and binds the buffers and maps of `r` and `uniforms` to them.
     pub fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, uniforms: &SimulationUniforms) -> Self {
         let (lines, FftFactors { first, second }) = (lines_per_workgroup(r.n), FftFactors::new(r.n));
         let constants = [
@@ -72,13 +72,14 @@ impl WorkgroupTransform {
         self.groups = FftBindGroups::new(gpu, &self.rows, &self.columns, r, uniforms);
     }
 
-    /// Records the row pass: the Fourier amplitudes of a sea's waves at one time, and their inverse FFT along x.
+    /// Records the row pass for one sea: the Fourier amplitudes of its waves at one time, and their inverse FFT along
+    /// x.
     pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
         let size = [self.workgroups, 1, dispatch.cascade_count];
         self.rows.run(encoder, &self.groups.rows[dispatch.wave_buffers_index], &[dispatch.uniform_offset], size);
     }
 
-    /// Records the column pass: inverse FFT along z, which writes mip level 0 of the displacement and gradient maps.
+    /// Records the column pass for one sea: inverse FFT along z, to mip level 0 of its displacement and gradient maps.
     pub fn record_columns(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
         let size = [self.workgroups, 1, dispatch.cascade_count];
         self.columns.run(encoder, &self.groups.columns, &[dispatch.uniform_offset], size);
