@@ -11,7 +11,7 @@ function mirrorOf(item, sea) {
     const element = document.createElement('button');
     element.type = 'button';
     if (role) element.setAttribute('role', role);
-    element.addEventListener('click', () => sea.perform_action(item.id, 'click', 0, ''));
+    element.addEventListener('click', () => sea.perform_widget_action(item.id, 'click', 0, ''));
     return element;
   };
   const input = (type) => {
@@ -28,11 +28,11 @@ function mirrorOf(item, sea) {
       const way = { ArrowRight: 'more', ArrowUp: 'more', ArrowLeft: 'less', ArrowDown: 'less' }[event.key];
       if (!slider || !way) return;
       event.preventDefault();
-      sea.perform_action(item.id, way, 0, '');
+      sea.perform_widget_action(item.id, way, 0, '');
     });
     element.addEventListener(slider ? 'input' : 'change', () => {
       const value = element.valueAsNumber;
-      if (Number.isFinite(value)) sea.perform_action(item.id, 'set', value, '');
+      if (Number.isFinite(value)) sea.perform_widget_action(item.id, 'set', value, '');
     });
     return element;
   }
@@ -47,7 +47,7 @@ function mirrorOf(item, sea) {
     case 'SearchInput': {
       const element = input('text');
       element.addEventListener('change', () =>
-        sea.perform_action(item.id, 'type', 0, element.value),
+        sea.perform_widget_action(item.id, 'type', 0, element.value),
       );
       return element;
     }

@@ -4,7 +4,7 @@
 struct EvolveUniform {
   cascade: u32,
   dk: f32, // spacing of the wave vectors, 2 pi / patch, rad/m
-  time_in_period_u32: u32, // time as a fraction of the sea's period, in units of 2^-32
+  period_fraction_u32: u32, // time as a fraction of the sea's period, in units of 2^-32
   unused: u32,
 }
 
@@ -31,7 +31,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let base = evolve.cascade * n * n;
   let here = h0[base + id.y * n + id.x];
   let there = h0[base + ((n - id.y) % n) * n + (n - id.x) % n];
-  let phase = f32(bitcast<i32>(row.x * evolve.time_in_period_u32)) * 1.46291807926715968e-9;
+  let phase = f32(bitcast<i32>(row.x * evolve.period_fraction_u32)) * 1.46291807926715968e-9;
   let turn = vec2f(cos(phase), -sin(phase));
   let h = complex_mul(here, turn) + complex_mul(vec2f(there.x, -there.y), vec2f(turn.x, -turn.y));
   let k = vec2f(f32(ix), f32(iz)) * evolve.dk;

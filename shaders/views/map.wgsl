@@ -18,7 +18,7 @@ fn view_amplitude(at: vec2u, layer: u32, n: u32) -> vec2f {
   let b = view_initial_amplitude((vec2u(n) - at) & vec2u(n - 1u), layer, n);
   let own = sea_wave_table_entry(sea_signed_index(at.x, n), sea_signed_index(at.y, n));
   let entry = layer * sea_wave_table_len(n) + own;
-  let cs = maths_cos_sin(wave_table[entry].x * view.time_in_period_u32);
+  let cs = maths_cos_sin(wave_table[entry].x * view.period_fraction_u32);
   let forward = vec2f(a.x * cs.x + a.y * cs.y, a.y * cs.x - a.x * cs.y);
   let backward = vec2f(b.x * cs.x + b.y * cs.y, b.x * cs.y - b.y * cs.x);
   return forward + backward;

@@ -31,7 +31,7 @@ fn evolve_wave(line: EvolveLine, x: u32) -> vec3f {
   let a = h0[line.first_point + x];
   let b = h0[line.opposite_first_point + ((N - x) & (N - 1u))];
   let entry = wave_table[line.first_entry + sea_wave_table_entry(sea_signed_index(x, N), line.z)];
-  let cs = maths_cos_sin(entry.x * sea.time_in_period_u32);
+  let cs = maths_cos_sin(entry.x * sea.period_fraction_u32);
   let forward = vec2f(a.x * cs.x + a.y * cs.y, a.y * cs.x - a.x * cs.y);
   let backward = vec2f(b.x * cs.x + b.y * cs.y, b.x * cs.y - b.y * cs.x);
   return vec3f(line.weight * (forward + backward), bitcast<f32>(entry.y));

@@ -212,7 +212,7 @@ impl App {
             match probed {
                 Ok(probed) => {
                     measurement.pending_analysis =
-                        Some((MapSpectrumEstimator::new(&probed.plan, width, SPECTRUM_BINS), probed))
+                        Some((MapSpectrumEstimator::new(&probed.plan, width, SPECTRUM_BINS), probed));
                 }
                 Err(reason) => {
                     let notice = format!("the sea was not measured: {reason}");

@@ -163,7 +163,7 @@ impl Quality {
         1.0 / self.frame_s.max(1e-4)
     }
 
-    /// Describes the current quality for the report, such as "full quality" or "50 % of the pixels, to keep up".
+    /// Describes the picture quality in use, for the text that users attach to a bug report, such as "full quality" or "50 % of the pixels, to keep up".
     pub fn describe(&self) -> String {
         if self.out_of_memory_errors > 0 {
             let scale = self.memory_scale_limit().min(if self.time_is_stopped { 1.0 } else { self.scale });

@@ -69,7 +69,7 @@ impl ScreenReaders {
 
     /// Applies an action to the widget with the given `id`: `click`, `focus`, `more` or `less` (one step of its value),
     /// `set` (to the number `value`), or `type` (enters the string `text` and confirms it).
-    pub fn perform_action(&self, ctx: &egui::Context, id: &str, action: &str, value: f64, text: &str) {
+    pub fn perform_widget_action(&self, ctx: &egui::Context, id: &str, action: &str, value: f64, text: &str) {
         let mut inner = self.lock();
         let (Ok(id), Some(target_tree)) = (id.parse().map(NodeId), inner.tree) else { return };
         let ask = |action, data| {

@@ -125,8 +125,8 @@ impl WebHandle {
 
     /// Applies a screen reader's action to the widget with the given `id`: `click`, `focus`, `more` or `less` (one step
     /// of its value), `set` (to the number `value`) or `type` (the string `text`).
-    pub fn perform_action(&self, id: &str, action: &str, value: f64, text: &str) {
-        self.with(|app| app.screen_readers.perform_action(&app.ctx, id, action, value, text));
+    pub fn perform_widget_action(&self, id: &str, action: &str, value: f64, text: &str) {
+        self.with(|app| app.screen_readers.perform_widget_action(&app.ctx, id, action, value, text));
     }
 
     /// The reason why the GPU device was lost; `None` while it works.
@@ -294,7 +294,7 @@ impl App {
     /// Keeps the page's address and the state equal. After back or forward it opens the address; otherwise it writes
     /// the state to the address. A change of sea or light adds an entry to the browser's history; a change of time or
     /// camera replaces the current entry.
-    pub(super) fn sync_address(&mut self) {
+    pub(super) fn sync_address_and_state(&mut self) {
         let query = address_query();
         if query != self.address.query {
             let clock = self.params.clock.clone();

@@ -16,7 +16,8 @@ pub struct Timing {
     /// Median over the submissions of the GPU time for doing the work once, ms, from timestamps before and after it.
     /// `None` without timestamps or if they are too coarse.
     pub gpu_ms: Option<f64>,
-    /// Shortest wall time from recording a submission to its completion, divided by the repetitions in it, ms.
+    /// Shortest wall time of a submission, from the start of its recording on the CPU to its completion on the GPU,
+    /// divided by the number of repetitions of the measured work in it, ms.
     pub min_wall_ms: f64,
     /// 10th percentile, median and 90th percentile over the submissions of the wall time from recording to completion,
     /// divided by the repetitions in a submission, ms.

@@ -19,7 +19,7 @@ const FIELD_COUNT: usize = 4;
 struct EvolveUniform {
     cascade: u32,
     dk: f32,
-    time_in_period_u32: u32,
+    period_fraction_u32: u32,
     unused: u32,
 }
 
@@ -48,7 +48,7 @@ pub struct StagewiseFft {
 
 impl StagewiseFft {
     /// Creates the dispatches that compute displacement and gradient maps of the current sea of `maps`, for the time of
-    /// `maps.time_in_period_u32`. They read the Fourier amplitudes in the buffer `maps.h0`, which must have been
+    /// `maps.period_fraction_u32`. They read the Fourier amplitudes in the buffer `maps.h0`, which must have been
     /// computed.
     pub fn new(gpu: &Gpu, maps: &Maps) -> Self {
         let n = maps.n;
@@ -60,7 +60,7 @@ impl StagewiseFft {
             let values = EvolveUniform {
                 cascade,
                 dk: (TAU / place.patch_m) as f32,
-                time_in_period_u32: maps.time_in_period_u32,
+                period_fraction_u32: maps.period_fraction_u32,
                 unused: 0,
             };
             let uniform = uniform_buffer(gpu, bytemuck::bytes_of(&values));

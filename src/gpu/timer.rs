@@ -105,7 +105,7 @@ impl Timer {
         if !matches!(state.phase, TimerPhase::Recording) {
             return;
         }
-        let marks = state.first_timestamp(state.parts.len());
+        let marks = state.first_query_index(state.parts.len());
         if marks > MAX_TIMESTAMPS {
             // Too many parts; a later frame with fewer parts is timed instead.
             state.phase = TimerPhase::Idle;
@@ -143,14 +143,14 @@ pub fn stamp_pass(encoder: &mut wgpu::CommandEncoder, set: &wgpu::QuerySet, at: 
 impl TimerState {
     /// Index in the query set of the first timestamp of the mark with index `mark`. Mark 0 starts the frame, and each
     /// later mark ends a part of it.
-    fn first_timestamp(&self, mark: usize) -> u32 {
+    fn first_query_index(&self, mark: usize) -> u32 {
         mark as u32 * if self.between_passes { 1 } else { 2 }
     }
 
     fn mark(&mut self, encoder: &mut wgpu::CommandEncoder, part: &'static str) {
-        let at = self.first_timestamp(self.parts.len());
+        let at = self.first_query_index(self.parts.len());
         self.parts.push(part);
-        if self.first_timestamp(self.parts.len()) > MAX_TIMESTAMPS {
+        if self.first_query_index(self.parts.len()) > MAX_TIMESTAMPS {
             return;
         }
         if self.between_passes {
@@ -188,7 +188,7 @@ impl TimerState {
         let Ok(bytes) = self.staging.slice(..).get_mapped_range() else { return };
         let stamps: Vec<u64> = bytemuck::pod_collect_to_vec(&bytes);
         drop(bytes);
-        let stamp = |mark: usize| stamps.get(self.first_timestamp(mark) as usize).copied().unwrap_or(0);
+        let stamp = |mark: usize| stamps.get(self.first_query_index(mark) as usize).copied().unwrap_or(0);
         let mut frame: Vec<(&'static str, f64)> = Vec::new();
         for (mark, part) in self.parts.iter().enumerate().skip(1) {
             // A timestamp that was not written, or a clock that ran backwards, counts as no time.

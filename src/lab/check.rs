@@ -53,8 +53,8 @@ impl fmt::Display for Comparison {
 /// Relative tolerance of the spectrum pass. Its integer hash for random numbers is exact; logarithm, sine, arc tangent
 /// and exponential are off by a few times the rounding error of f32, 6e-8.
 const SPECTRUM_TOLERANCE: f64 = 1e-6;
-/// Relative tolerance of the row and column passes: rounding errors of the log2(n) butterfly stages of an FFT of size
-/// n.
+/// Largest accepted rms difference between the row or column pass on the GPU and its twin on the CPU, divided by the
+/// rms of the twin's result. It leaves room for the rounding errors of an FFT.
 const TRANSFORM_TOLERANCE: f64 = 1e-6;
 /// Relative tolerance of the wave maps: rounding to half floats, a relative error of at most 2^-11 and on average
 /// 2^-12.

@@ -187,7 +187,7 @@ fn travelling_waves(
 ) {
     let n = plan.n as usize;
     let [first, second] = displacements.map(|d| transform_of_heights(n, d));
-    let passed = plan.time_in_period_u32(times[1]).wrapping_sub(plan.time_in_period_u32(times[0]));
+    let passed = plan.period_fraction_u32(times[1]).wrapping_sub(plan.period_fraction_u32(times[0]));
     let scale = 1.0 / (n * n) as f64;
     for z in 0..n {
         for x in 0..n {

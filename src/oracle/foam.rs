@@ -33,7 +33,8 @@ pub fn sample_bilinear(level: &MipLevel<'_>, uv: [f64; 2]) -> [Texel; 2] {
 }
 
 /// Jacobian (1 + lx dDx/dx)(1 + lz dDz/dz) - lx lz dDx/dz dDz/dx of the horizontal displacement (lx Dx, lz Dz). The
-/// arguments are the strains dDx/dx, dDz/dz, dDx/dz, dDz/dx of the whole sea and the chop factors lx, lz.
+/// arguments are the strains dDx/dx, dDz/dz, dDx/dz and dDz/dx at one point, summed over all cascades and without the
+/// chop factors, and the chop factors lx and lz.
 pub fn displacement_jacobian([xx, zz, xz, zx]: [f64; 4], [lx, lz]: [f64; 2]) -> f64 {
     (1.0 + lx * xx) * (1.0 + lz * zz) - lx * lz * xz * zx
 }

@@ -13,7 +13,7 @@ pub type MapPair = [Vec<Texel>; 2];
 /// both are row by row in FFT order.
 pub fn evolved_spectrum(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> Vec<Complex> {
     let n = plan.n as usize;
-    let phase_time = plan.time_in_period_u32(t_s);
+    let phase_time = plan.period_fraction_u32(t_s);
     (0..n * n)
         .map(|i| {
             let (x, z) = (i % n, i / n);

@@ -9,7 +9,7 @@ use crate::waves::colour_scale::ColourScale;
 use crate::waves::slopes::{self, SlopeVariance};
 
 /// Speed of low clouds divided by the wind speed at 10 m: logarithmic wind profile up to the top of the boundary layer.
-const CLOUD_TO_WIND_SPEED: f64 = 1.4;
+const CLOUD_SPEED_PER_WIND_SPEED: f64 = 1.4;
 
 /// Everything that determines a picture besides the maps of the simulation.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,7 +72,7 @@ impl SeaAppearance {
             still_water_level_m: plan.sea.still_water_level_m,
             wind_m_s,
             downwind: plan.downwind,
-            cloud_velocity_m_s: plan.downwind.map(|w| w * CLOUD_TO_WIND_SPEED * wind_m_s),
+            cloud_velocity_m_s: plan.downwind.map(|w| w * CLOUD_SPEED_PER_WIND_SPEED * wind_m_s),
             unresolved_slope_variance: slopes::residual_slope_variance(plan, slopes::resolved_slope_variance(plan)),
             finest_cascade_slope_variance: plan
                 .cascades

@@ -58,7 +58,7 @@ gpu_struct! {
         /// 1 if the colour scale is logarithmic, 0 if it is linear.
         logarithmic: u32,
         /// Simulated time as a fraction of the period after which all waves repeat, in units of 2^-32.
-        time_in_period_u32: u32,
+        period_fraction_u32: u32,
     }
 }
 
@@ -121,7 +121,7 @@ impl ViewUniform {
             view_kind: kind,
             tile_count: cascade_layers.len() as u32,
             logarithmic: u32::from(scale.logarithmic),
-            time_in_period_u32: maps.time_in_period_u32,
+            period_fraction_u32: maps.period_fraction_u32,
         }
     }
 }

@@ -18,7 +18,7 @@ enum SourcePart {
 }
 
 impl SourcePart {
-    /// Texts of the WGSL files that the part consists of, in the order in which they are joined.
+    /// Texts of the WGSL files of this part of a shader module, in the order in which they are joined.
     fn files(&self) -> Vec<&'static str> {
         match self {
             Self::File(text) => vec![*text],

@@ -54,7 +54,7 @@ pub struct Maps {
     pub wave_table: wgpu::Buffer,
     /// Time of the maps as a fraction of the sea's repeat period, in units of 2^-32. Its wrapping product with a wave's
     /// number of cycles per period is the wave's phase in units of 2^-32 cycles.
-    pub time_in_period_u32: u32,
+    pub period_fraction_u32: u32,
     /// Cascades that are drawn, longest waves first within each sea. During a cross-fade, the cascades of the old sea
     /// come before those of the current sea.
     pub cascades: Vec<MapCascade>,
@@ -121,7 +121,7 @@ impl Maps {
             foam: array_view(&resources.foam, None),
             h0: resources.current_waves().h0.clone(),
             wave_table: resources.current_waves().wave_table.clone(),
-            time_in_period_u32: 0,
+            period_fraction_u32: 0,
             cascades: MapCascade::all_of_plan(plan, resources),
             fading_count: 0,
             foam_levels: Vec::new(),

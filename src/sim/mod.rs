@@ -262,7 +262,7 @@ impl Simulation {
             self.encode_wave_passes(encoder, dispatch);
         }
         let dispatch = self.add_sea_uniform(parameters, false);
-        self.maps.time_in_period_u32 = self.sea.plan.time_in_period_u32(t_s);
+        self.maps.period_fraction_u32 = self.sea.plan.period_fraction_u32(t_s);
         self.encode_wave_passes(encoder, dispatch);
         dispatch
     }

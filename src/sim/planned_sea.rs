@@ -86,7 +86,7 @@ impl SeaUniformSource {
             n: plan.n,
             cascade_count: plan.cascades.len() as u32,
             seed: plan.sea.seed,
-            time_in_period_u32: plan.time_in_period_u32(parameters.t_s),
+            period_fraction_u32: plan.period_fraction_u32(parameters.t_s),
             keeps_f32_maps: u32::from(parameters.keeps_f32_maps),
             term_count: self.term_count,
             vectors_per_entry: self.vectors_per_entry,

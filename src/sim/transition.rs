@@ -118,9 +118,9 @@ impl Transition {
     }
 }
 
-/// For a cascade in a cross-fade whose new sea has the fraction `fraction` (0 to 1) of the variance: the amplitude
-/// factors \[old sea, new sea\]; then the variance of the blended waves divided by the sum of the variances of both
-/// seas' waves, which is above 1 if some waves are in both seas.
+/// Amplitude factors of one cascade in a cross-fade, \[old sea, new sea\]: with them, the new sea has the fraction
+/// `fraction` (0 to 1) of the sum of both variances. The second result is the variance of the blended waves divided by
+/// that sum; it is above 1 if some waves are in both seas, which `overlap`, their covariance, tells.
 pub fn cross_fade_amplitudes(overlap: &SeaCovariance, fraction: f64) -> ([f64; 2], f64) {
     let variance_gain = overlap.variance_gain(fraction);
     ([((1.0 - fraction) / variance_gain).sqrt(), (fraction / variance_gain).sqrt()], variance_gain)

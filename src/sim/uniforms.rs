@@ -96,7 +96,7 @@ gpu_struct! {
         pub seed: u32,
         /// Time as a fraction of the sea's repeat period, in units of 2^-32. Its wrapping product with a wave's number
         /// of cycles per period is the wave's phase in units of 2^-32 cycles.
-        pub time_in_period_u32: u32,
+        pub period_fraction_u32: u32,
         /// If not 0, the column pass also keeps the maps in f32, in the buffer `Resources::row_transforms`.
         pub keeps_f32_maps: u32,
         /// Number of entries at the start of `terms` that are in use.

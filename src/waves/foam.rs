@@ -42,7 +42,7 @@ pub struct FoamSource {
     pub slope: f64,
 }
 
-/// Foam model of a sea: how far the surface must be compressed before foam forms, and the expected mean foam.
+/// Foam model of a sea: the Jacobian of the displacement below which foam forms, and the mean foam that this gives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoamModel {
     /// Compression (negative strain of the horizontal displacement) at which foam starts to form, in standard

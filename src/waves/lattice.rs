@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 /// Largest wave number, in units of the lattice spacing, up to which the spectrum is averaged over the lattice cell
 /// around a wave vector; the variance of waves with larger wave numbers is sampled at the wave vector.
-const COARSE_CELLS_ACROSS_K: f64 = 40.0;
+const MAX_K_FOR_CELL_AVERAGE_DK: f64 = 40.0;
 /// Nodes and weights of the four-point Gauss-Legendre rule over [-1/2, 1/2], for means over a lattice cell.
 const CELL_QUADRATURE_NODES: [(f64, f64); 4] = [
     (-0.430_568_155_797_026_3, 0.173_927_422_568_726_93),
@@ -57,7 +57,7 @@ impl Plan {
         let dk = cascade.dk();
         let density =
             |k: f64, omega: f64| system.spectrum.density(omega) * self.dispersion.group_velocity(k) / k * dk * dk;
-        let variance = if wave.k > COARSE_CELLS_ACROSS_K * dk {
+        let variance = if wave.k > MAX_K_FOR_CELL_AVERAGE_DK * dk {
             density(wave.k, wave.omega)
         } else {
             let mean = |low: f64, high: f64| -> f64 {
@@ -79,14 +79,14 @@ impl Plan {
     /// Time `t_s` (s) within the period of the sea, as a 32-bit integer: one period is 2^32. The phase of a wave, in
     /// units of 2^-32 cycles, is this integer times `LatticeWave::cycles_per_period` in wrapping 32-bit arithmetic. So
     /// phases stay exact after hours, and the sea repeats bit for bit after its period.
-    pub fn time_in_period_u32(&self, t_s: f64) -> u32 {
-        time_in_period_u32(self.period_s, t_s)
+    pub fn period_fraction_u32(&self, t_s: f64) -> u32 {
+        period_fraction_u32(self.period_s, t_s)
     }
 }
 
 /// Time `t_s` (s) within the period `period_s` (s) as a 32-bit integer, where one period is 2^32; see
-/// [`Plan::time_in_period_u32`].
-pub fn time_in_period_u32(period_s: f64, t_s: f64) -> u32 {
+/// [`Plan::period_fraction_u32`].
+pub fn period_fraction_u32(period_s: f64, t_s: f64) -> u32 {
     let turn = (t_s / period_s).rem_euclid(1.0);
     (turn * 4_294_967_296.0).round() as u64 as u32
 }

@@ -324,7 +324,7 @@ mod tests {
     #[test]
     fn a_loop_closes_exactly() {
         let p = plan("loop=37");
-        assert_eq!(p.time_in_period_u32(5.0), p.time_in_period_u32(5.0 + 37.0 * 1000.0));
-        assert_eq!(p.time_in_period_u32(37.0), 0);
+        assert_eq!(p.period_fraction_u32(5.0), p.period_fraction_u32(5.0 + 37.0 * 1000.0));
+        assert_eq!(p.period_fraction_u32(37.0), 0);
     }
 }

@@ -242,7 +242,7 @@ pub fn initial_amplitude(plan: &Plan, cascade: &Cascade, table: &Table, ix: i32,
 /// Elevation variance (m^2) at time `t_s` (s) of the one sea that the plan's seed generates, in contrast to the
 /// expected variance: the sum of |h(k, t)|^2 over all wave vectors (Parseval's theorem).
 pub fn realised_variance(plan: &Plan, t_s: f64) -> f64 {
-    let phase_time = plan.time_in_period_u32(t_s);
+    let phase_time = plan.period_fraction_u32(t_s);
     let mut total = 0.0;
     for (cascade, table) in plan.cascades.iter().zip(Table::for_all_cascades(plan)) {
         // h(-k) is the conjugate of h(k), so half of the lattice is enough.

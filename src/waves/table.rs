@@ -19,7 +19,8 @@ pub struct Term {
     pub kind: TermKind,
     /// Main direction of travel of the wave system, a unit vector (x, z), from which the term's angles are measured.
     pub travel: [f64; 2],
-    /// Index of the term's first vector among the vectors of four numbers in a table entry.
+    /// A table entry (all that is stored for one wave number) is a list of vectors of four numbers. This is the index of
+    /// the first one that belongs to this wave system.
     pub first_vector: usize,
 }
 

@@ -29,7 +29,7 @@ const MIN_BARYCENTRIC: f64 = 0.25;
 pub const MEAN_COPIES: f64 = 1.69;
 /// Number of possible shifts of a patch copy along each axis: a shift is a multiple of 1/64 of the patch's side.
 const SHIFTS_PER_PATCH: f64 = 64.0;
-/// Hash input that makes the random shifts of copies independent of the random numbers of the waves.
+/// Hash input that makes the random shifts of the copies of a patch independent of the random numbers of the waves.
 const HASH_SALT: u32 = 0x7469_6c65;
 /// Rotation of the triangle lattice per unit of the noise key, rad: the golden angle, so that no lattices align.
 const LATTICE_ROTATION_PER_KEY: f64 = 2.399_963_229_728_653;

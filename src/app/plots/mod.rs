@@ -55,16 +55,16 @@ fn fixed_plot(name: &str) -> Plot<'_> {
 /// Adds all plots to the panel, one below the other.
 pub fn show_all_plots(app: &mut App, ui: &mut egui::Ui) {
     let mut table_to_save = None;
-    plot_section(ui, "Spectrum", true, &mut table_to_save, |ui| {
+    show_plot_section(ui, "Spectrum", true, &mut table_to_save, |ui| {
         app.visible_readouts.map_statistics.set(true);
         spectrum::show_spectrum_plot(app, ui)
     });
-    plot_section(ui, "Directions", false, &mut table_to_save, |ui| polar::show_direction_plot(app, ui));
-    plot_section(ui, "Sea at a buoy", false, &mut table_to_save, |ui| {
+    show_plot_section(ui, "Directions", false, &mut table_to_save, |ui| polar::show_direction_plot(app, ui));
+    show_plot_section(ui, "Sea at a buoy", false, &mut table_to_save, |ui| {
         app.visible_readouts.buoy_record.set(true);
         series::show_height_record_plot(app, ui)
     });
-    plot_section(ui, "Cut through the sea", false, &mut table_to_save, |ui| profile::show_profile_plot(app, ui));
+    show_plot_section(ui, "Cut through the sea", false, &mut table_to_save, |ui| profile::show_profile_plot(app, ui));
     if let Some(table) = table_to_save {
         let text = table.csv(&app.state());
         app.save(table.name, text.as_bytes());
@@ -73,7 +73,7 @@ pub fn show_all_plots(app: &mut App, ui: &mut egui::Ui) {
 
 /// Adds a collapsible section, open at first if `open`, with what `plot` draws and a button "CSV". A click on the
 /// button puts the plot's table into `table_to_save`, which the caller then saves.
-fn plot_section(
+fn show_plot_section(
     ui: &mut egui::Ui,
     title: &str,
     open: bool,

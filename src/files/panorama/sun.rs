@@ -26,7 +26,7 @@ pub struct Sun {
     pub azimuth_deg: f64,
     /// Elevation of the sun's centre above the horizon, degrees.
     pub elevation_deg: f64,
-    /// Angular radius of a disc with the solid angle of the sun, rad.
+    /// Angular radius of a disc with the same solid angle as the pixels of the sun in the sky image, rad.
     pub radius_rad: f64,
     /// Irradiance (red, green, blue) by the sun alone of a plane that faces it, in the unit of the image x sr; in a
     /// [`Panorama`](super::Panorama), 1 is 6400 lux.

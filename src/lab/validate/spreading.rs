@@ -73,8 +73,7 @@ fn figure(name: &str, sea: &MeasuredSea, isotropic_sea: &MeasuredSea) -> Figure 
 }
 
 /// Points of the figure in a frequency band: angle (degrees), measured directional spreading D (1/rad) and its standard
-/// error. D is the variance of a direction bin over that of the same waves in the isotropic sea `isotropic_sea`, whose
-/// D is 1 / (2 pi).
+/// error. D is the variance of a direction bin over that of the same waves in `isotropic_sea`, whose D is 1 / (2 pi).
 fn measured_density(sea: &MeasuredSea, isotropic_sea: &MeasuredSea, band: usize) -> Vec<[f64; 3]> {
     let point = |i: usize| {
         let at = band * DIRECTION_BINS + i;

@@ -26,7 +26,7 @@
 //! - **Determinism**: a sample depends only on the plan, the point and the time. Sampling neither allocates nor locks.
 
 use crate::waves::Plan;
-use crate::waves::lattice::time_in_period_u32;
+use crate::waves::lattice::period_fraction_u32;
 use waves::{Candidate, PatchWaves, WaveSums, candidates};
 
 mod search;
@@ -174,7 +174,7 @@ impl StrongestWaves {
         if ![x_m, z_m, t_s].iter().all(|v| v.is_finite()) {
             return self.still_water();
         }
-        let time = time_in_period_u32(self.period_s, t_s);
+        let time = period_fraction_u32(self.period_s, t_s);
         let (offset, sums, converged) = self.find_particle_offset([x_m, z_m], time);
         self.surface_sample([x_m, z_m], offset, &sums, converged)
     }
@@ -191,7 +191,7 @@ impl StrongestWaves {
             return self.still_water();
         }
         let blends = self.patch_copy_blends([x0_m, z0_m], [0.0; 2]);
-        let sums = self.wave_sums_at([x0_m, z0_m], [0.0; 2], time_in_period_u32(self.period_s, t_s), &blends);
+        let sums = self.wave_sums_at([x0_m, z0_m], [0.0; 2], period_fraction_u32(self.period_s, t_s), &blends);
         self.surface_sample([x0_m, z0_m], [0.0; 2], &sums, true)
     }
 

@@ -98,7 +98,7 @@ impl StrongestWaves {
     }
 
     /// Wave sums at the undisplaced position `point - offset` (x, z), m, with the copies and weights in `blends`.
-    /// `time` is that of [`Plan::time_in_period_u32`](crate::waves::Plan::time_in_period_u32).
+    /// `time` is that of [`Plan::period_fraction_u32`](crate::waves::Plan::period_fraction_u32).
     pub(super) fn wave_sums_at(&self, point: [f64; 2], offset: [f64; 2], time: u32, blends: &Blends) -> WaveSums {
         self.copy_sums(point, offset, time, blends).blended(blends).0
     }

@@ -93,17 +93,17 @@ pub(super) struct WaveSums {
 }
 
 impl WaveSums {
-    /// Adds the wave sums `of` of one patch copy, multiplied by the copy's weight, and the slope and strain from the
-    /// gradient of this weight.
-    fn add(&mut self, of: &Self, copy: &PatchCopy) {
-        let (w, [wx, wz], [dx, dz]) = (copy.weight, copy.gradient, of.d);
-        self.eta += w * of.eta;
-        add_scaled(&mut self.slope, w, of.slope);
-        add_scaled(&mut self.d, w, of.d);
-        add_scaled(&mut self.strain, w, of.strain);
-        add_scaled(&mut self.velocity, w, of.velocity);
-        self.potential += w * of.potential;
-        add_scaled(&mut self.tile_slope, of.eta, copy.gradient);
+    /// Adds the wave sums of one of the overlapping copies of the patch, multiplied by the copy's weight. By the product
+    /// rule, slope and strain also get the height and the displacement times the gradient of the weight.
+    fn add(&mut self, copy_sums: &Self, copy: &PatchCopy) {
+        let (w, [wx, wz], [dx, dz]) = (copy.weight, copy.gradient, copy_sums.d);
+        self.eta += w * copy_sums.eta;
+        add_scaled(&mut self.slope, w, copy_sums.slope);
+        add_scaled(&mut self.d, w, copy_sums.d);
+        add_scaled(&mut self.strain, w, copy_sums.strain);
+        add_scaled(&mut self.velocity, w, copy_sums.velocity);
+        self.potential += w * copy_sums.potential;
+        add_scaled(&mut self.tile_slope, copy_sums.eta, copy.gradient);
         add_scaled(&mut self.tile_strain, 1.0, [wx * dx, wz * dz, wz * dx, wx * dz]);
     }
 }

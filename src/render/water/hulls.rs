@@ -32,6 +32,7 @@ struct HullFacet {
     colour: u32,
 }
 
+/// Paint colours as 0x00BBGGRR.
 const YELLOW: u32 = 0x0014_b0e8;
 const DARK_GREY: u32 = 0x0028_2828;
 const WHITE: u32 = 0x00e8_ecec;
