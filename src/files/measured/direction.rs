@@ -19,10 +19,10 @@ pub struct Direction {
 }
 
 impl Direction {
-    /// Parameters of a distribution cos^{2s}(theta/2) with the mean direction `from_deg`, degrees, and the circular
-    /// spread sqrt(2 (1 - r1)), in degrees. With s = r1/(1 - r1), r2 = s (s - 1)/((s + 1)(s + 2)) = r1 (2 r1 - 1)/(2 -
-    /// r1) (Longuet-Higgins, Cartwright and Smith 1963). Below s = 1, r2 is negative: the principal direction is across
-    /// alpha1.
+    /// Directional parameters of a distribution cos^{2s}(theta/2) with the mean direction `from_deg`, degrees clockwise
+    /// from north, that waves come from, and the circular spread sqrt(2 (1 - r1)), in degrees. With s = r1/(1 - r1), r2
+    /// = s (s - 1)/((s + 1)(s + 2)) = r1 (2 r1 - 1)/(2 - r1) (Longuet-Higgins, Cartwright and Smith 1963). Below s = 1,
+    /// r2 is negative: the principal direction is across alpha1.
     pub fn from_spread(from_deg: f64, spread_deg: f64) -> Self {
         let r1 = (1.0 - 0.5 * spread_deg.to_radians().powi(2)).clamp(0.0, 1.0);
         let r2 = r1 * (2.0 * r1 - 1.0) / (2.0 - r1);
@@ -30,7 +30,7 @@ impl Direction {
         Self { alpha1_deg: from_deg, alpha2_deg, r1, r2: r2.abs() }
     }
 
-    /// Directional moments (re c1, im c1, re c2, im c2) of the distribution D: c_n is the integral of D e^{i n theta},
+    /// Moments [re c1, im c1, re c2, im c2] of the directional distribution D: c_n is the integral of D e^{i n theta},
     /// where theta is the direction that waves travel TO, atan2(z, x) with x east, z south. Waves that come from the
     /// angle A have theta = A + pi/2.
     pub(super) fn moments(&self) -> [f64; 4] {
@@ -52,8 +52,8 @@ impl Direction {
     }
 }
 
-/// Fills gaps in `directions`, one for each of `bands` (frequency in Hz, variance density), from the nearest band that
-/// has a direction. Returns None and adds a notice if less than a third of the bands has one.
+/// Returns `directions`, one for each of `bands` (frequency in Hz, variance density), with each None replaced by the
+/// direction of the nearest band that has one. Returns None and adds a notice if under a third of them have one.
 pub(super) fn fill_missing(
     bands: &[(f64, f64)],
     directions: &[Option<Direction>],

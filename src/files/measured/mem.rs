@@ -4,26 +4,25 @@
 use glam::{DVec2, dvec2};
 use std::f64::consts::TAU;
 
-/// Largest magnitudes of the moment c1 and of the coefficient phi2 in [`MaximumEntropy`]; larger ones are reduced to
-/// it, because at 1 the directional distribution has no width.
+/// Largest magnitude of the first directional moment c1 and of the coefficient phi2 in [`MaximumEntropy`]; larger ones
+/// are reduced to it, because at 1 the directional distribution has no width.
 const MAX_MAGNITUDE: f64 = 0.995;
 
-/// The directional distribution D of wave energy that has the largest (Burg) entropy for given moments c1 and c2. Per
-/// rad at the angle theta: D(theta) = norm / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2.
+/// The directional distribution D(theta) of wave energy, per rad, that has the largest (Burg) entropy for given moments
+/// c_n = integral of D e^{i n theta}, n = 1, 2: D = normalisation / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaximumEntropy {
-    /// First autoregressive coefficient (re, im) in the formula of D(theta): (c1 - c2 c1*) / (1 - |c1|^2), with the
-    /// moments c1 and c2; * is the complex conjugate.
+    /// First autoregressive coefficient (re, im): phi1 in the directional distribution D(theta) = normalisation / |1 -
+    /// phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2.
     pub phi1: DVec2,
-    /// Second autoregressive coefficient (re, im) in the formula of D(theta): c2 - c1 phi1, with the moments c1 and c2.
+    /// Second autoregressive coefficient (re, im): phi2 in the same formula as [`Self::phi1`].
     pub phi2: DVec2,
-    /// Factor in the formula of D(theta), which makes its integral over all directions 1: (1 - phi1 c1* - phi2 c2*) /
-    /// (2 pi), per rad; * is the complex conjugate.
+    /// Numerator in the formula at [`Self::phi1`], per rad; it makes the integral of D over all directions 1.
     pub normalisation: f64,
 }
 
 impl MaximumEntropy {
-    /// Makes the distribution with the moments (re c1, im c1, re c2, im c2), c_n = integral of D(theta) e^{i n theta}.
+    /// Makes the distribution with moments (re c1, im c1, re c2, im c2), c_n = integral of D(theta) e^{i n theta}.
     ///
     /// The distribution has exactly these moments if |c1| <= 0.995 and |c2 - c1^2| <= 0.995 (1 - |c1|^2). Otherwise c1
     /// is shortened and c2 moved towards c1^2 until both conditions hold. With 1 in place of 0.995 they hold for any
@@ -39,15 +38,15 @@ impl MaximumEntropy {
         Self { phi1, phi2, normalisation: free * (1.0 - phi2.length_squared()) / TAU }
     }
 
-    /// First moment c1 of the distribution as it is (after any shortening), the integral of D e^{i theta}, as (re, im).
+    /// First moment [re, im], the integral of D e^{i theta}, of the distribution; [`Self::new`] may have shortened it.
     pub fn first_moment(&self) -> [f64; 2] {
         // The equation phi1 = c1 - phi2 c1*, solved for c1.
         let c1 = (self.phi1 + self.phi2.rotate(conjugate(self.phi1))) / (1.0 - self.phi2.length_squared());
         c1.to_array()
     }
 
-    /// Density D(theta) of this directional distribution, per rad, at the angle `theta`, rad, which is counted as in
-    /// the moments that were given to [`Self::new`].
+    /// Density of this directional distribution, per rad, at the angle `theta`, rad, counted from the same axis and in
+    /// the same sense as in the moments that were given to [`Self::new`].
     pub fn density(&self, theta: f64) -> f64 {
         let (sin, cos) = theta.sin_cos();
         let first = self.phi1.rotate(dvec2(cos, -sin));
@@ -71,8 +70,8 @@ mod tests {
     use super::super::tests::Lcg;
     use super::*;
 
-    /// Integral, first and second moments of a distribution by the periodic trapezium rule, and its smallest density.
-    /// With n samples and poles at radius 1 - d the error is e^{-n d}.
+    /// Returns [integral, re c1, im c1, re c2, im c2] of a distribution by the periodic trapezium rule, and its
+    /// smallest density. With n samples and poles at radius 1 - d the error is e^{-n d}.
     fn integrals(mem: &MaximumEntropy) -> ([f64; 5], f64) {
         // Poles of the density: the roots of z^2 - phi1 z - phi2.
         let square = 0.25 * mem.phi1.rotate(mem.phi1) + mem.phi2;

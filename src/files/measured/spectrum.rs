@@ -8,9 +8,9 @@ use std::f64::consts::TAU;
 pub const MAX_BANDS: usize = 256;
 /// Smallest number of frequency bands of a measured spectrum.
 pub const MIN_BANDS: usize = 3;
-/// Highest frequency that a band may have, Hz.
+/// Highest frequency that a band of a measured spectrum may have, Hz.
 const MAX_FREQUENCY_HZ: f64 = 2.0;
-/// Bound below which every variance density must be, m^2/Hz.
+/// Every variance density of a measured spectrum must be below this value, m^2/Hz.
 const MAX_DENSITY: f64 = 1e5;
 /// Band frequencies (Hz) and variance densities (m^2/Hz) of a smaller magnitude are rounded to 0.
 const MIN_NONZERO_MAGNITUDE: f64 = 1e-9;
@@ -87,14 +87,14 @@ impl MeasuredSpectrum {
         s / TAU
     }
 
-    /// Angular frequency at which the density, extrapolated below the first band, reaches 0, rad/s; at least a
-    /// thousandth of that of the first band, so that its logarithm is finite.
+    /// Angular frequency at which the variance density, extrapolated linearly below the first band, reaches 0, rad/s;
+    /// at least a thousandth of the first band's frequency, so that the result has a logarithm.
     pub fn lowest_omega(&self) -> f64 {
         TAU * self.zero_density_hz().max(1e-3 * self.bands[0].0)
     }
 
-    /// Angular frequencies at which the variance density has a kink, rad/s, ascending: the bands, and the frequency
-    /// below them at which the density reaches 0.
+    /// Angular frequencies at which the variance density has a kink, rad/s, ascending: the bands and, if above 0, the
+    /// frequency below them at which the extrapolated density reaches 0.
     pub fn breakpoints(&self) -> Vec<f64> {
         let low = (self.zero_density_hz() > 0.0).then(|| self.zero_density_hz());
         low.into_iter().chain(self.bands.iter().map(|b| b.0)).map(|f| TAU * f).collect()
@@ -107,7 +107,7 @@ impl MeasuredSpectrum {
         foot + self.bands.windows(2).map(|w| 0.5 * (w[1].0 - w[0].0) * (w[0].1 + w[1].1)).sum::<f64>()
     }
 
-    /// Significant wave height of the measured bands, m: 4 sqrt(m0), where m0 is the variance of the elevation.
+    /// Significant wave height of the measured bands, m: 4 sqrt(m0), with the variance m0 of the elevation, m^2.
     pub fn hs_m(&self) -> f64 {
         4.0 * self.variance_m2().sqrt()
     }
@@ -128,9 +128,9 @@ impl MeasuredSpectrum {
         TAU * (f + shift)
     }
 
-    /// Directional moments (re c1, im c1, re c2, im c2) at omega in rad/s, c_n = integral of D e^{i n theta}, with the
-    /// direction theta = atan2(z, x) that waves travel TO (x east, z south). None without directions. The moments, not
-    /// the angles, are linear in f between bands; they are constant below and above.
+    /// Moments [re c1, im c1, re c2, im c2] of the directional distribution D at omega in rad/s: c_n = integral of D
+    /// e^{i n theta}, with the direction theta = atan2(z, x) that waves travel TO (x east, z south). They are linear in
+    /// frequency between bands, and constant below and above the bands. None without directions.
     pub fn moments(&self, omega: f64) -> Option<[f64; 4]> {
         let directions = self.directions.as_ref()?;
         let (i, t) = self.band_interval(omega / TAU);
@@ -143,8 +143,8 @@ impl MeasuredSpectrum {
         (2.0 * self.bands[0].0 - self.bands[1].0).max(0.0)
     }
 
-    /// (i, t): the frequency `f` in Hz lies between the bands i and i + 1, at the fraction t, 0 to 1, of the way. Below
-    /// the first band it is (0, 0); from the last band on, t is 1.
+    /// Returns (i, t): the frequency `f` in Hz lies between the bands i and i + 1, at the fraction t, 0 to 1, of the
+    /// way. Below the first band it is (0, 0); from the last band on, t is 1.
     fn band_interval(&self, f: f64) -> (usize, f64) {
         let i = self.bands.partition_point(|b| b.0 <= f).clamp(1, self.bands.len() - 1) - 1;
         let (low, high) = (self.bands[i].0, self.bands[i + 1].0);
@@ -153,7 +153,7 @@ impl MeasuredSpectrum {
 }
 
 /// Returns the frequency of a band, Hz, rounded to four significant digits. An error unless it is above 0, at most
-/// [`MAX_FREQUENCY_HZ`] and above `before`, the rounded frequency of the previous band.
+/// [`MAX_FREQUENCY_HZ`] and above `before`, the rounded frequency of the previous band (None for the first).
 pub(super) fn checked_frequency(f: f64, before: Option<f64>) -> Result<f64, String> {
     let kept = round_to_four_digits(f);
     if !(kept > 0.0 && kept <= MAX_FREQUENCY_HZ) {
@@ -172,7 +172,7 @@ pub(super) fn checked_frequency(f: f64, before: Option<f64>) -> Result<f64, Stri
     }
 }
 
-/// Returns a variance density, m^2/Hz, rounded to four significant digits; an error unless within 0 to [`MAX_DENSITY`].
+/// Rounds a variance density, m^2/Hz, to four significant digits; an error unless it is >= 0 and < [`MAX_DENSITY`].
 pub(super) fn checked_density(s: f64) -> Result<f64, String> {
     let kept = round_to_four_digits(s);
     if s >= 0.0 && kept < MAX_DENSITY {

@@ -7,14 +7,14 @@ pub const MAX_FILE_BYTES: usize = 16 << 20;
 /// Largest number of columns in a line of a spectrum file; a line with more is an error.
 pub(super) const MAX_COLUMNS: usize = 4096;
 
-/// A decoded text file and its name, which is short and printable.
+/// A decoded text file, and its name without folders, cut to 60 printable characters for messages.
 pub(super) struct TextFile<'a> {
     pub name: String,
     pub text: &'a str,
 }
 
 impl<'a> TextFile<'a> {
-    /// Decodes a file of UTF-8 text. Any other file, and an empty or too large one, is an error.
+    /// Decodes a file of UTF-8 text. Other bytes, only white space, and more than [`MAX_FILE_BYTES`] are errors.
     pub fn decode(name: &str, bytes: &'a [u8]) -> Result<Self, String> {
         // A browser gives the bare name, a command line the path.
         let name = printable_prefix(name.rsplit(['/', '\\']).next().unwrap_or_default(), 60);
@@ -41,12 +41,12 @@ impl<'a> TextFile<'a> {
         Err(format!("{name}: {reason}"))
     }
 
-    /// Makes an error message of this file's name, the line number `line` (counted from 1) and `what` is wrong there.
+    /// Makes an error message about the line number `line` (from 1) of this file; `what` says what is wrong there.
     pub fn line_error(&self, line: usize, what: impl Display) -> String {
         format!("{}, line {line}: {what}", self.name)
     }
 
-    /// Makes an error message of this file's name and `what` is wrong with the file as a whole.
+    /// Makes an error message about this file as a whole; `what` says what is wrong with it.
     pub fn file_error(&self, what: impl Display) -> String {
         format!("{}: {what}", self.name)
     }
@@ -63,17 +63,17 @@ pub(super) fn parse_number(text: &str) -> Option<f64> {
     text.bytes().all(plain).then(|| text.parse().ok()).flatten().filter(|v: &f64| v.is_finite())
 }
 
-/// Formats a number for a message, with an exponent if its magnitude is below 1e-6 or from 1e9 on.
+/// Formats a number for a message, with an exponent if its magnitude is below 1e-6 or at least 1e9.
 pub(super) fn display_number(v: f64) -> String {
     if v == 0.0 || (1e-6..1e9).contains(&v.abs()) { v.to_string() } else { format!("{v:e}") }
 }
 
-/// Formats a piece of a file for an error message: at most 24 characters, in quotation marks.
+/// Formats a word or line of a file for an error message: in quotation marks, cut to 24 characters.
 pub(super) fn quoted_excerpt(text: &str) -> String {
     format!("\"{}\"", printable_prefix(text, 24))
 }
 
-/// Returns the printable characters of a text; if there are more than `limit`, the first of them and an ellipsis.
+/// Returns the printable characters of a text; of more than `limit`, the first `limit` - 1 and an ellipsis.
 pub(super) fn printable_prefix(text: &str, limit: usize) -> String {
     // Unicode format characters, such as bidirectional marks, change or hide the text around them.
     let hidden = |c: char| {

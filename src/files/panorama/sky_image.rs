@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 /// Smallest number of rows of an image that is accepted as a sky.
 const MIN_HEIGHT: usize = 8;
 
-/// An equirectangular image in linear light. Columns go from south through west, north (in the middle) and east.
+/// An equirectangular sky in linear light. Columns: south, west, north (in the middle), east; rows: zenith to nadir.
 #[derive(Clone, Debug)]
 pub(super) struct SkyImage {
     pub width: usize,
@@ -63,7 +63,7 @@ impl SkyImage {
         Self { width, height, pixels }
     }
 
-    /// Irradiance (red, green, blue) of a horizontal surface by the upper half of the image, in the pixels' unit x sr.
+    /// Irradiance (red, green, blue) of a horizontal surface by the image's upper half, in the pixels' unit x sr.
     pub fn horizontal_irradiance(&self) -> [f64; 3] {
         let mut sum = [0.0; 3];
         for (y, row) in self.pixels.chunks(self.width).enumerate() {

@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 
 /// Angular radius around the brightest search cell (block of pixels) within which the sun is looked for, rad.
 const SEARCH_RADIUS: f64 = 6.0 * PI / 180.0;
-/// Inner radius of the ring in which the sky around the sun is measured, rad; the outer one is [`SEARCH_RADIUS`].
+/// Inner radius, rad, of the ring that gives the colour of the sky around the sun; the outer one is [`SEARCH_RADIUS`].
 const SKY_RING_INNER_RADIUS: f64 = 4.0 * PI / 180.0;
-/// Smallest ratio of the luminance of a bright spot's brightest pixel to that of the sky around it for which the spot
-/// is taken as the sun.
+/// A bright spot can be the sun only if the luminance of its brightest pixel is at least this multiple of that of the
+/// sky around it.
 const MIN_SUN_CONTRAST: f64 = 15.0;
 /// Largest angular radius of a bright spot that is taken as the sun, rad. Bloom enlarges the sun in some files.
 const MAX_SUN_RADIUS: f64 = 3.0 * PI / 180.0;
@@ -26,15 +26,15 @@ pub struct Sun {
     pub azimuth_deg: f64,
     /// Elevation of the sun's centre above the horizon, degrees.
     pub elevation_deg: f64,
-    /// Angular radius of a disc with the same solid angle as the pixels of the sun in the sky image, rad.
+    /// Angular radius, rad, of a disc with the solid angle of the sun's pixels above 0.3 of its peak luminance.
     pub radius_rad: f64,
     /// Irradiance (red, green, blue) by the sun alone of a plane that faces it, in the unit of the image x sr; in a
     /// [`Panorama`](super::Panorama), 1 is 6400 lux.
     pub irradiance: [f64; 3],
 }
 
-/// Finds the sun in the image and replaces its pixels by the sky around it. None if no sun is found; nothing then
-/// changes.
+/// Finds the sun in the image and sets its pixels to the colour of the sky around it. If no sun is found, returns None
+/// and leaves the image as it is.
 pub(super) fn extract_sun(image: &mut SkyImage) -> Option<Sun> {
     let near = pixels_within(SEARCH_RADIUS, brightest_direction(image)?, image);
     // The median pixel of the ring stands for the sky behind the sun, despite clouds and glare.
@@ -100,7 +100,7 @@ fn brightest_direction(image: &SkyImage) -> Option<[f64; 3]> {
     (best.0 > 0.0).then(|| image.pixel_direction(x, y))
 }
 
-/// A pixel near the brightest place of the sky, which is examined for the sun.
+/// A pixel near the brightest search cell (block of pixels) of the sky, which is examined for the sun.
 struct NearPixel {
     index: usize,
     luminance: f64,

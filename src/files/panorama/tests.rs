@@ -4,7 +4,7 @@ use super::*;
 use std::f64::consts::TAU;
 
 /// Pixels of a sky that is brighter near the horizon, with a sun of the given azimuth and elevation (degrees), radius
-/// (rad) and irradiance.
+/// (rad) and irradiance (red, green, blue).
 fn sky(width: usize, azimuth: f64, elevation_deg: f64, radius: f64, irradiance: [f64; 3]) -> Vec<[f32; 3]> {
     let height = width / 2;
     let image = SkyImage { width, height, pixels: Vec::new() };

@@ -18,7 +18,7 @@ struct Rows {
     columns: Option<usize>,
     /// Frequency in Hz and variance density in m^2/Hz of each row.
     bands: Vec<(f64, f64)>,
-    /// Direction of each row, None where it is missing; empty if the table has two columns.
+    /// Directional parameters of each row, None where it is missing; empty if the table has two columns.
     directions: Vec<Option<Direction>>,
 }
 

@@ -16,7 +16,7 @@ pub fn is_sky_file(name: &str, bytes: &[u8]) -> bool {
     hdr::recognises(bytes) || openexr::recognises(bytes) || lower.ends_with(".hdr") || lower.ends_with(".exr")
 }
 
-/// Reads the contents of a sky image file (.hdr or .exr). An image above the size limit of this platform is refused.
+/// Reads the contents of a sky image file (.hdr or .exr). Too many columns or rows are an error.
 ///
 /// # Errors
 /// One sentence with the name of the file and the reason.

@@ -63,8 +63,8 @@ pub(super) fn decode(bytes: &[u8], max_size: [usize; 2]) -> Result<SkyImage, Str
     Ok(SkyImage { width, height, pixels: image.layer_data.channel_data.pixels })
 }
 
-/// Checks the sizes of image and blocks in the header of a layer against the limits and `file_bytes`, the file's
-/// length.
+/// Returns an error if an OpenEXR header has an image above `max_size` (columns, rows), a block above
+/// [`MAX_BLOCK_BYTES`], or more blocks than a file of `file_bytes` bytes can hold.
 fn check_header(header: &Header, file_bytes: usize, max_size: [usize; 2]) -> Result<(), String> {
     // The data may reach beyond the image, so both sizes are checked.
     for size in [header.layer_size, header.shared_attributes.display_window.size] {

@@ -20,7 +20,7 @@ pub(super) fn recognises(file: &TextFile<'_>) -> bool {
     file.text.lines().any(|line| column_names(trimmed_line(line)).is_some())
 }
 
-/// Reads one spectrum from all given NDBC files together: the newest complete variance density and its directions.
+/// Reads one spectrum from all NDBC files together: the newest complete variance density, directions of the same time.
 pub(super) fn read(files: &[TextFile<'_>]) -> Result<SpectrumFile, String> {
     let (mut sections, mut notices, mut records_left) = (Vec::new(), Vec::new(), MAX_RECORDS);
     for file in files {
@@ -54,8 +54,8 @@ fn assign_unknown_kind(sections: &mut [Section<'_>], notices: &mut Vec<String>) 
     Ok(())
 }
 
-/// Finds the record of a section kind (quantity) and time, and its section; None if there is none. A second such record
-/// is an error: it is from another buoy, or the kind of its file was guessed wrongly.
+/// Finds the record of a quantity (`kind`) at a time such as `2026-11-21 06:00 UTC`; returns its section and it, or
+/// None. A second such record is an error: it is from another buoy, or the kind of its file was guessed wrongly.
 fn record_at<'s, 'a>(
     sections: &'s [Section<'a>],
     kind: SectionKind,
@@ -76,8 +76,8 @@ fn record_at<'s, 'a>(
 /// density in m^2/Hz).
 type DensityRecord<'s, 'a> = (&'s Section<'a>, &'s Record<'a>, Vec<(f64, f64)>);
 
-/// Finds the newest record whose variance densities are all present and not all zero. A message tells if it is not the
-/// newest of all.
+/// Finds the newest record whose variance densities are all present and not all zero. Adds a message to `notices` if a
+/// newer record is passed over.
 fn newest_density<'s, 'a>(
     sections: &'s [Section<'a>],
     notices: &mut Vec<String>,

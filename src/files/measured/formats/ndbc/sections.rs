@@ -143,7 +143,7 @@ pub(super) fn read_sections<'a>(file: &'a TextFile<'a>, records_left: &mut usize
 }
 
 /// Takes year, month, day, hour and, if `has_minutes`, minute from the first words of a record, and formats them like
-/// `2026-11-21 06:00 UTC`.
+/// `2026-11-21 06:00 UTC`. A word that is missing or out of range is an error.
 fn take_time(words: &mut SplitWhitespace<'_>, has_minutes: bool) -> Result<String, String> {
     let limits = [("year", 0, 9999), ("month", 1, 12), ("day", 1, 31), ("hour", 0, 23), ("minute", 0, 59)];
     let mut time = [0_u16; 5];
@@ -233,7 +233,7 @@ impl Section<'_> {
         Ok(band_values)
     }
 
-    /// Parses the words of a record after its time. Returns frequency (Hz) and value (None if missing) of each band.
+    /// Parses `words`, a record after its time. Returns frequency (Hz) and value (None if missing) of each band.
     fn parse_values(&self, mut words: SplitWhitespace<'_>) -> Result<Vec<BandValue>, String> {
         let value = |text: &str| match parse_number(text) {
             Some(v) => Ok(Some(v).filter(|&v| !self.is_missing(v))),
