@@ -8,8 +8,8 @@ pub const EARTH_RADIUS_M: f64 = 6_371_000.0;
 /// Distance from the eye to the near clipping plane, m.
 const NEAR_M: f64 = 0.1;
 
-/// Position, axes and field of view of a camera, from which drawing takes its matrices. Drawing is relative to the eye,
-/// so f32 suffices far from the origin.
+/// Position, axes and field of view of a camera, from which the renderer takes its matrices. It draws relative to the
+/// eye, so f32 suffices far from the world origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// Position of the eye in world axes (x east, y up, z south), m.
@@ -56,7 +56,7 @@ impl View {
         clip * view
     }
 
-    /// Unit vector from the eye through a point of the picture: (-1, -1) is bottom left, (1, 1) top right.
+    /// Unit vector (world axes) from the eye through a picture point: (-1, -1) is bottom left, (1, 1) top right.
     pub fn ray(&self, x: f64, y: f64) -> DVec3 {
         (self.forward + self.right * (x * self.tan_half_fov[0]) + self.up * (y * self.tan_half_fov[1])).normalize()
     }

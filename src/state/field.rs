@@ -18,7 +18,7 @@ macro_rules! choice_enum {
         impl $name {
             /// All variants of the enum, in the order of declaration, which is that of [`Self::WORDS`].
             pub const ALL: [Self; Self::WORDS.len()] = [$(Self::$variant),+];
-            /// Text of each variant in the state string or the panel, in the order of declaration.
+            /// Text of each variant for the state string or the panel, in the order of declaration.
             pub const WORDS: &'static [&'static str] = &[$($word),+];
 
             /// Text of this variant in the state string or the panel, from [`Self::WORDS`].
@@ -67,8 +67,8 @@ macro_rules! parameters {
         }
 
         impl $name {
-            /// Returns the descriptions (key, label, unit, range, help) of all parameters in this struct. `part` and
-            /// `part_mut` find the struct inside of `P`, the struct of all parameters.
+            /// Returns descriptions (key, label, unit, range, help) of the parameters in this struct, for the section
+            /// `group` of the panel. `part` and `part_mut` find the struct in `P`, the struct of all parameters.
             pub(in crate::state) fn fields<P: 'static>(
                 group: $crate::state::field::Group,
                 part: fn(&P) -> &Self,

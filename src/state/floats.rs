@@ -7,7 +7,7 @@ use super::text::shortest_decimal;
 pub const MAX_FLOATING_OBJECTS: usize = 16;
 
 choice_enum! {
-    /// Kind of a floating object that the user can moor: buoy or boat.
+    /// Kind of a floating object, buoy or boat, that the user can moor on the sea.
     pub enum FloatingObjectKind {
         /// A moored buoy, 3 m high.
         Buoy = "buoy",

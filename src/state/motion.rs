@@ -5,14 +5,14 @@ use super::camera::{EARTH_RADIUS_M, View};
 use super::params::{Camera, CameraMode};
 use glam::DVec3;
 
-/// Smallest height of the camera above the still water, m.
+/// Smallest height above the still water, m, to which input can move the camera.
 const MIN_EYE_HEIGHT_M: f64 = 1.0;
-/// Largest height of the camera above the still water, m.
+/// Largest height above the still water, m, to which input can move the camera.
 const MAX_EYE_HEIGHT_M: f64 = 5000.0;
-/// Largest distance from the camera to the point that it orbits, in heights of the camera above the still water;
-/// [`MAX_PIVOT_OFFSET_M`] is added.
+/// Largest distance from the camera to the point that it orbits: this many times its height above the still water, plus
+/// [`MAX_PIVOT_OFFSET_M`].
 const MAX_PIVOT_HEIGHTS: f64 = 12.0;
-/// Distance, m, that is added to [`MAX_PIVOT_HEIGHTS`] camera heights in the limit of the orbit's radius.
+/// Part of the largest distance to the orbited point that does not depend on the camera's height, m.
 const MAX_PIVOT_OFFSET_M: f64 = 30.0;
 
 /// A named camera view of the sea, which a button of the panel selects.
@@ -24,8 +24,8 @@ pub struct NamedView {
     camera: fn(&Params) -> Camera,
 }
 
-/// All named camera views. Each keeps the horizontal position, sets height, pitch and field of view, and some the
-/// heading or control mode.
+/// All named camera views. Each keeps the horizontal position of the camera and sets its height, pitch and field of
+/// view; some also set its heading or control mode.
 pub const CAMERA_VIEWS: &[NamedView] = &[
     NamedView {
         name: "Deck",
@@ -76,8 +76,8 @@ pub const CAMERA_VIEWS: &[NamedView] = &[
     },
 ];
 
-/// The camera of `p` with another height above the still water (m), pitch and field of view (degrees). Horizontal
-/// position, heading and control mode are kept, but buoy mode becomes fly mode.
+/// The camera of `p` with the given height above the still water (m), pitch and vertical field of view (degrees).
+/// Horizontal position, heading and control mode are kept, but buoy mode becomes fly mode.
 fn standard_camera(p: &Params, y_m: f64, pitch_deg: f64, fov_deg: f64) -> Camera {
     let mode = if p.camera.mode == CameraMode::Buoy { CameraMode::Fly } else { p.camera.mode };
     Camera { y_m, pitch_deg: pitch_deg.round(), fov_deg, mode, ..p.camera.clone() }
@@ -95,8 +95,8 @@ pub fn rotate_camera(camera: &mut Camera, right_deg: f64, up_deg: f64) {
     camera.pitch_deg = (camera.pitch_deg + up_deg).clamp(-89.0, 60.0);
 }
 
-/// Distance, m, from the camera to the point that it orbits: the still water in the middle of the picture, but at most
-/// [`MAX_PIVOT_HEIGHTS`] camera heights + [`MAX_PIVOT_OFFSET_M`], which it also is if sky is in the middle.
+/// Distance, m, along the viewing direction from the camera to the point that it orbits: to the still water, but at
+/// most [`MAX_PIVOT_HEIGHTS`] camera heights + [`MAX_PIVOT_OFFSET_M`], which is also taken where there is only sky.
 fn pivot_distance_m(camera: &Camera) -> f64 {
     let far = MAX_PIVOT_HEIGHTS * camera.y_m + MAX_PIVOT_OFFSET_M;
     let down = -camera.pitch_deg.to_radians().sin();

@@ -12,7 +12,7 @@ pub use super::sea::{
     DepthFactor, DispersionKind, Foam, Sea, SpectrumKind, SpreadKind, WaveSystemParams, WhitecapRule,
 };
 
-/// All parameters of the simulator, which are all state that a link can carry. Values that were set through
+/// All parameters of the simulator: the whole state that a link can carry. Values set with the functions of
 /// [`fields`](super::fields) are always within their ranges.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Params {
@@ -61,8 +61,8 @@ parameters! {
         side_m: f64 = 0.0 => ("patch", "Patch", "m", number(0.0, 1e5), "auto"),
         /// Smallest wave number of the waves in this cascade; 0 chooses it automatically.
         k_low: f64 = 0.0 => ("low", "Low cut-off", "rad/m", number(0.0, 1e4), "auto"),
-        /// Wave number at which the waves of this cascade end; 0 chooses it automatically. Where two cascades hold the
-        /// same waves, each gets a part of their energy.
+        /// Upper limit of the wave numbers of the waves in this cascade; 0 chooses it automatically. Where two cascades
+        /// hold the same waves, each gets a part of their energy.
         k_high: f64 = 0.0 => ("high", "High cut-off", "rad/m", number(0.0, 1e4), "auto"),
     }
 }
@@ -133,7 +133,7 @@ parameters! {
         /// Rendered pixels per window pixel along each axis: below 1 is faster and softer, above 1 is smoother.
         render_scale: f64 = 1.0 => ("renderscale", "Render scale", "", number(0.25, 2.0)),
         /// Lowers the render resolution, and at its limit the FFT size, while frames take too long; raises both again
-        /// when there is time. A smaller FFT size leaves out the shortest waves; the others never change.
+        /// when there is time. A smaller FFT size leaves out the shortest waves; longer waves stay the same.
         adaptive: bool = true => ("adaptive", "Adaptive quality", "", Flag),
         /// Largest number of rendered pixels per logical pixel (point) of the window, along each axis. Phones and dense
         /// screens have more pixels than the eye resolves.

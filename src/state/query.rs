@@ -93,8 +93,8 @@ fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
 }
 
 impl ParsedState {
-    /// Stores the parsed value of the key `measured`, `afloat` or `sky` in the parameters by calling `set`, and notes
-    /// the key. If `value` is an error, adds its reason to the messages to the user instead.
+    /// Stores the parsed value of the key `measured`, `afloat` or `sky` in the parameters by calling `set`, and adds
+    /// the key to `keys_taken`. If `value` is an error, adds its reason to the messages to the user instead.
     fn set_or_notify<T>(&mut self, key: &'static str, value: Result<T, String>, set: impl FnOnce(&mut Params, T)) {
         match value {
             Ok(value) => {
@@ -114,8 +114,8 @@ impl ParsedState {
         }
     }
 
-    /// Parses the value of a key in [`FIELDS`] and stores it in the parameters. Adds a message to the user if the key
-    /// is unknown or in `seen`, the keys earlier in the string, or if the value is ignored or clamped.
+    /// Parses the value of a key in [`FIELDS`] and stores it in the parameters. Adds a notice if the key is unknown or
+    /// in `seen`, the keys earlier in the string, or if the value is ignored or clamped.
     fn set_field(&mut self, key: &str, value: &str, seen: &mut Vec<&'static str>) {
         let Some(field) = fields::find(key) else {
             self.notices.push(format!("unknown setting \"{}\" ignored", quoted_excerpt(key)));
@@ -150,8 +150,8 @@ pub fn write(params: &Params) -> String {
     write_with(params, VERSION_STEPS)
 }
 
-/// Does the work of [`write()`]. It writes the version that `steps`, the translations from each version to the next,
-/// lead to: [`VERSION_STEPS`], or invented steps in tests.
+/// Does the work of [`write()`], with the version number to which `steps`, the translations from each version to the
+/// next, lead: [`VERSION_STEPS`], or invented steps in tests.
 fn write_with(params: &Params, steps: &[VersionStep]) -> String {
     let defaults = Params::default();
     let mut out = form_urlencoded::Serializer::new(String::new());
@@ -176,7 +176,7 @@ fn write_with(params: &Params, steps: &[VersionStep]) -> String {
     out.finish()
 }
 
-/// Returns the state string in a text: the part of a URL between `?` and `#`, or the whole text if it is no URL.
+/// Returns the state string in a text: the part between `?` and `#`; without `?` the whole text, unless it is a URL.
 fn query_part(text: &str) -> &str {
     let text = text.trim().split('#').next().unwrap_or_default();
     match text.split_once('?') {

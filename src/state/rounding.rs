@@ -7,7 +7,7 @@ use super::params::Camera;
 /// whether the user has changed the view.
 pub type CameraPose = (Camera, Option<f64>);
 
-/// Returns the camera, and the simulated time in s if it is paused, else `None`; the result changes with the view.
+/// Returns the camera of `params`, and their simulated time in s if it is paused, else `None`.
 pub fn camera_pose(params: &Params) -> CameraPose {
     (params.camera.clone(), params.clock.paused.then_some(params.clock.t_s))
 }

@@ -87,8 +87,8 @@ choice_enum! {
 choice_enum! {
     /// Rule that sets the foam threshold: foam forms where the Jacobian of the horizontal displacement is below it.
     pub enum WhitecapRule {
-        /// Foam threshold at which the mean foam is the fraction of the sea that whitecaps cover in the wind, by
-        /// Monahan and O'Muircheartaigh 1980.
+        /// Foam threshold at which foam covers, on average, the fraction of the sea that whitecaps cover at the wind
+        /// speed, by Monahan and O'Muircheartaigh 1980.
         Monahan = "monahan",
         /// Foam threshold that the user sets (parameter `foamthreshold`).
         Fixed = "fixed",
@@ -198,9 +198,9 @@ parameters! {
         /// Choppiness, the factor on the horizontal displacement: 1 is linear theory, 0 a sum of sines without sharp
         /// crests.
         chop: f64 = 1.0 => ("chop", "Chop", "", number(0.0, 2.0)),
-        /// Further factor on the horizontal displacement along x (east), multiplied by chop.
+        /// Factor on the horizontal displacement along x (east), in addition to the factor chop.
         chop_x: f64 = 1.0 => ("chopx", "Chop east-west", "", number(0.0, 2.0)),
-        /// Further factor on the horizontal displacement along z (south), multiplied by chop.
+        /// Factor on the horizontal displacement along z (south), in addition to the factor chop.
         chop_z: f64 = 1.0 => ("chopz", "Chop north-south", "", number(0.0, 2.0)),
         /// Factor on all displacements of the surface; 1 is the physical height.
         displacement_factor: f64 = 1.0 => ("height", "Height scale", "", logarithmic(0.1, 4.0)),

@@ -21,7 +21,7 @@ pub(super) type VersionStep = for<'a> fn(Pairs<'a>) -> Pairs<'a>;
 pub(super) const VERSION_STEPS: &[VersionStep] = &[];
 
 /// Translates the keys and values of a state string from its version to the newest by `steps`, and removes the key `v`.
-/// Also returns a message to the user if the version is unknown.
+/// If the version is unknown, only removes it, and returns a message to the user.
 pub(super) fn upgrade_pairs<'a>(pairs: Pairs<'a>, steps: &[VersionStep]) -> (Pairs<'a>, Option<String>) {
     let newest = steps.len() + 1;
     let (versions, pairs): (Pairs<'a>, Pairs<'a>) = pairs.into_iter().partition(|(key, _)| key == VERSION_KEY);
@@ -39,7 +39,7 @@ pub(super) fn upgrade_pairs<'a>(pairs: Pairs<'a>, steps: &[VersionStep]) -> (Pai
     (steps[version - 1..].iter().fold(pairs, |pairs, step| step(pairs)), notice)
 }
 
-/// Value of the key `v` in a new state string: the newest version; `None` (no key) while there is only version 1.
+/// Value of the key `v` in a new state string: the version that `steps` lead to; `None` (no key) without steps.
 pub(super) fn version_to_write(steps: &[VersionStep]) -> Option<String> {
     (!steps.is_empty()).then(|| (steps.len() + 1).to_string())
 }

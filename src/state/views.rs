@@ -28,23 +28,23 @@ pub enum MapView {
     Height,
     /// Horizontal displacement of the surface to the south by one cascade, Dz, m, without the factor of choppiness.
     Dz,
-    /// Shear dDx/dz = dDz/dx of the horizontal displacement (Dx, Dz) by one cascade; x is east, z south.
+    /// Shear dDx/dz = dDz/dx of the displacement Dx east and Dz south by one cascade, without the factor of choppiness.
     DxDz,
     /// Slope to the east, d eta/dx, of the elevation eta by one cascade (patch of sea with its own FFT).
     SlopeX,
     /// Slope to the south, d eta/dz, of the elevation eta by one cascade (patch of sea with its own FFT).
     SlopeZ,
-    /// Derivative dDx/dx of the eastward displacement Dx to the east, of one cascade, without the choppiness.
+    /// Derivative dDx/dx (x is east) of the eastward displacement Dx by one cascade, without the factor of choppiness.
     DxDx,
-    /// Derivative dDz/dz of the southward displacement Dz to the south, of one cascade, without the choppiness.
+    /// Derivative dDz/dz (z south) of the southward displacement Dz by one cascade, without the factor of choppiness.
     DzDz,
-    /// Squared slope to the east, (d eta/dx)^2 with the elevation eta, averaged over 2 x 2 texels.
+    /// Squared slope to the east, (d eta/dx)^2, of the elevation eta by one cascade, averaged over 2 x 2 texels.
     MomentXx,
-    /// Squared slope to the south, (d eta/dz)^2 with the elevation eta, averaged over 2 x 2 texels.
+    /// Squared slope to the south, (d eta/dz)^2, of the elevation eta by one cascade, averaged over 2 x 2 texels.
     MomentZz,
-    /// Product of the slopes to the east and south, d eta/dx d eta/dz, averaged over 2 x 2 texels.
+    /// Product of the slopes to the east and south, d eta/dx d eta/dz, by one cascade, averaged over 2 x 2 texels.
     MomentXz,
-    /// Jacobian determinant of the horizontal displacement of one cascade: 1 if undeformed, below 0 where it folds.
+    /// Jacobian determinant of the horizontal displacement by one cascade: 1 if undeformed, below 0 where it folds.
     Jacobian,
     /// Fraction of the water that foam covers, 0 to 1, on one foam level (square foam grid around the camera).
     Foam,
@@ -149,7 +149,7 @@ impl ViewChoice {
     }
 
     /// This choice with the view that is `by` places further in [`DISPLAYED_VIEWS`] (negative: back); after the last
-    /// comes the first. The cascade is kept.
+    /// comes the first. The chosen cascade is kept.
     #[must_use]
     pub fn cycled_by(self, by: isize) -> Self {
         let at = (self.displayed.index() as isize + by).rem_euclid(DISPLAYED_VIEWS.len() as isize);
@@ -157,7 +157,7 @@ impl ViewChoice {
     }
 
     /// Indices, from 0, of the layers that the view shows of a map (array texture) with `count` layers, one for each
-    /// cascade or foam level: one layer or, if all are chosen in a map view, all.
+    /// cascade or foam level: the chosen layer; if 0 is chosen, all in a view of a map, else the last.
     pub fn shown_layers(self, count: usize) -> std::ops::Range<usize> {
         match (self.displayed, self.cascade as usize) {
             (DisplayedView::Map(_), 0) => 0..count,

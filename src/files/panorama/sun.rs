@@ -12,8 +12,8 @@ const SKY_RING_INNER_RADIUS: f64 = 4.0 * PI / 180.0;
 const MIN_SUN_CONTRAST: f64 = 15.0;
 /// Largest angular radius of a bright spot that is taken as the sun, rad. Bloom enlarges the sun in some files.
 const MAX_SUN_RADIUS: f64 = 3.0 * PI / 180.0;
-/// Smallest ratio of the sun's light (luminance x solid angle) to that of the whole sky with it; a bright spot with
-/// less is a lamp or a reflection.
+/// Smallest ratio of the sun's light (luminance x solid angle) to that of the whole sky, sun included; a bright spot
+/// with less is a lamp or a reflection.
 const MIN_SUN_LIGHT_RATIO: f64 = 0.02;
 /// Largest number of search cells (blocks of pixels) across 360 degrees of azimuth. The sun is looked for around the
 /// brightest cell, not the brightest pixel, because single pixels can be faulty.

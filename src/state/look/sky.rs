@@ -40,7 +40,7 @@ parameters! {
         /// Distance of the sun. Irradiance falls with its square, apparent diameter with its first power. Venus 0.72,
         /// Mars 1.52.
         sun_distance_au: f64 = 1.0 => ("sundistance", "Sun distance", "au", logarithmic(0.1, 10.0)),
-        /// Exponent of the limb darkening: radiance over the disc is the cosine of the emission angle to this power. 0
+        /// Exponent of the limb darkening: the cosine of the emission angle to this power is the relative radiance. 0
         /// is an even disc, 0.45 the sun in green light (Hestroffer and Magnan 1998); the irradiance does not change.
         limb_darkening_exponent: f64 = 0.45 => ("sunfalloff", "Limb darkening", "", number(0.0, 4.0)),
         /// Amount of aerosol relative to a clear maritime day: more gives a whiter horizon and redder sunsets.
@@ -96,8 +96,8 @@ impl SkyLook {
         (0.5 * self.sun_size_deg.to_radians() / self.sun_distance_au).min(1.0)
     }
 
-    /// Sets the decoded image of the sky file that these parameters name to that of `loaded`, an earlier sky file, if
-    /// both have the same name. Changes nothing if the names differ or either file is None.
+    /// Copies the decoded image of `loaded`, an earlier sky file, to the sky file of these parameters, if both have the
+    /// same name. Changes nothing if the names differ or either file is None.
     pub fn adopt_loaded_image(&mut self, loaded: Option<&SkyFile>) {
         if let (Some(wanted), Some(loaded)) = (&mut self.file, loaded)
             && wanted.name == loaded.name

@@ -102,10 +102,10 @@ parameters! {
         shininess: f64 = 200.0 => ("shininess", "Shininess", "", logarithmic(1.0, 10000.0)),
         /// Factor on the sun glitter, the sun's specular reflection; 1 is physical.
         glitter_strength: f64 = 1.0 => ("glitter", "Specular scale", "", number(0.0, 10.0)),
-        /// Further factor on the Fresnel reflectance, for the sun glitter only; the product is limited to 1.
+        /// Additional factor on the Fresnel reflectance for the sun glitter only; the product is limited to 1.
         glitter_fresnel_scale: f64 = 1.0 => ("glitterfresnel", "Specular Fresnel scale", "", number(0.0, 50.0)),
-        /// Grazing-angle cut-off of the sun glitter: it fades out where the cosine between the surface normal and the
-        /// direction of the sun or the eye is below this value.
+        /// Grazing-angle cut-off of the sun glitter: where the cosine between the surface normal and the direction of
+        /// the sun or the eye falls below this value, it fades, to nothing at half of it.
         glitter_min_cosine: f64 = 0.0 => ("glittercut", "Specular low cut-off", "", number(0.0, 1.0)),
         /// Roughness r of the water in addition to the unresolved waves: adds r^4 / 2 to the slope variance along each
         /// axis.

@@ -22,7 +22,7 @@ impl Dice {
     }
 }
 
-/// Parameters with random values in the fields that `which` selects; half of these fields stay at their defaults.
+/// Parameters with random values in about half of the fields that `which` selects; all others have their defaults.
 fn random(dice: &mut Dice, which: impl Fn(&Field) -> bool) -> Params {
     let mut p = Params::default();
     for field in FIELDS.iter().filter(|f| which(f)) {

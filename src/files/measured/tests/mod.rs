@@ -55,7 +55,7 @@ fn message(name: &str, text: &str) -> String {
 const SPEC: &str = "#YY  MM DD hh mm Sep_Freq  < spec_1 (freq_1) spec_2 (freq_2) ... >\n";
 const BANDS: &str = "#YY  MM DD hh mm  .0500  .1000  .2000\n";
 
-/// Text of an NDBC realtime file: a header and one record with values at 0.05, 0.1 and 0.2 Hz.
+/// Text of an NDBC realtime file: a header, and one record of the values `v` at 0.05, 0.1 and 0.2 Hz.
 fn realtime(columns: &str, time: &str, v: [&str; 3]) -> String {
     format!("#YY  MM DD hh mm {columns} ... >\n{time} {} (0.050) {} (0.100) {} (0.200)\n", v[0], v[1], v[2])
 }

@@ -13,7 +13,7 @@ fn a_broad_lobe_has_its_principal_direction_across() {
     assert_eq!(Direction::from_spread(30.0, 100.0).r1, 0.0);
 }
 
-/// Integral of a function over the intervals between knots, by the midpoint rule.
+/// Integral of `f` from the first to the last of `knots`, by the midpoint rule in each interval between them.
 fn integral(f: impl Fn(f64) -> f64, knots: &[f64]) -> f64 {
     let steps = 400;
     let piece = |w: &[f64]| {
