@@ -38,7 +38,7 @@ fn random(dice: &mut Dice, which: impl Fn(&Field) -> bool) -> Params {
             FieldKind::Flag => u.round(),
             FieldKind::Colour => f64::from(0x00ff_ffff) * u,
         };
-        // A whole number has its random value rounded, which `accept` reports as clamped.
+        // A whole number has its random value rounded, which `check_value` reports as clamped.
         let taken = match field.check_value(value) {
             Ok(v) | Err(InvalidValue::Clamped(v)) => v,
             Err(InvalidValue::Ignored) => continue,

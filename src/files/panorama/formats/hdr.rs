@@ -50,7 +50,7 @@ fn take_line<'a>(rest: &mut &'a [u8]) -> Result<&'a [u8], String> {
     Ok(line.strip_suffix(b"\r").unwrap_or(line))
 }
 
-/// Reads a Radiance header. Returns width and height of the image, pixels. A colour format except RGBE is an error.
+/// Takes the Radiance header off `rest`, the unread file; returns width and height, pixels. Only RGBE colours are read.
 fn read_header(rest: &mut &[u8]) -> Result<(usize, usize), String> {
     let whole = rest.len();
     loop {
@@ -87,8 +87,8 @@ fn read_row(rest: &mut &[u8], row: &mut [[u8; 4]]) -> Result<(), String> {
     read_pixels(rest, first, row)
 }
 
-/// Reads one channel (0 red, 1 green, 2 blue, 3 exponent) of a run-length encoded row: runs of one value, and sequences
-/// of single values.
+/// Reads one channel (0 red, 1 green, 2 blue, 3 exponent) of a run-length encoded row from `rest`, the unread file,
+/// into `row`: runs of one value, and sequences of single values.
 fn read_channel(rest: &mut &[u8], row: &mut [[u8; 4]], channel: usize) -> Result<(), String> {
     let mut at = 0;
     while at < row.len() {

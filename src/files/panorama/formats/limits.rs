@@ -12,8 +12,7 @@ pub(super) const MAX_IMAGE_SIZE: [usize; 2] =
 /// Reason in the error about a sky image file that is shorter than its header says.
 pub(super) const TOO_SHORT_MESSAGE: &str = "it ends too early: download or save it again";
 
-/// Returns an error if a sky image of this size (columns, rows) exceeds `max_size` or has not the [shape](check_shape)
-/// of a sky.
+/// Returns an error if a sky image of this size (columns, rows) exceeds `max_size`, or [`check_shape`] returns one.
 pub(super) fn check_size(size: [usize; 2], max_size: [usize; 2]) -> Result<(), String> {
     check_within_limit(size, max_size)?;
     check_shape(size[0], size[1])
