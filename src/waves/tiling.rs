@@ -31,7 +31,7 @@ pub const MEAN_COPIES: f64 = 1.69;
 const SHIFTS_PER_PATCH: f64 = 64.0;
 /// Hash input that makes the random shifts of the copies of a patch independent of the random numbers of the waves.
 const HASH_SALT: u32 = 0x7469_6c65;
-/// Rotation of the triangle lattice per unit of the noise key, rad: the golden angle, so that no lattices align.
+/// Rotation of a patch's triangle lattice per unit of its noise key, rad: the golden angle, so that no lattices align.
 const LATTICE_ROTATION_PER_KEY: f64 = 2.399_963_229_728_653;
 /// 1 / sqrt(3), for the geometry of equilateral triangles.
 const INV_SQRT_3: f64 = 0.577_350_269_189_625_8;

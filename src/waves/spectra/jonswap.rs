@@ -29,7 +29,8 @@ pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     FrequencySpectrum { notice, ..FrequencySpectrum::new(jonswap.omega_p, move |omega| jonswap.density(omega)) }
 }
 
-/// Makes the TMA spectrum for shallow water: JONSWAP times the depth factor, optionally with Bouws' alpha and gamma.
+/// Makes the TMA spectrum for shallow water: JONSWAP times the depth factor, if the user wishes with alpha and gamma of
+/// Bouws.
 pub fn tma(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (g, sea) = (inputs.gravity_m_s2, inputs.sea);
     let mut tma = Jonswap::new(inputs);
@@ -76,7 +77,7 @@ fn full_development_notice(inputs: &SpectrumInputs<'_>) -> Option<String> {
     })
 }
 
-/// Significant wave height (m) and angular peak frequency (rad/s): as set by the user or, if not set, of JONSWAP.
+/// Significant wave height (m) and angular peak frequency (rad/s): the user's or, if not set, those of JONSWAP.
 pub fn height_and_peak(inputs: &SpectrumInputs<'_>) -> (f64, f64) {
     let grown = Jonswap::for_wind_and_fetch(inputs);
     let grown_height = || {
