@@ -81,8 +81,8 @@ pub fn beaufort_number(wind_m_s: f64) -> usize {
 }
 
 impl BeaufortForce {
-    /// Returns the parameters `now` with the wind and fetch of this Beaufort force for the local wave system. Of its
-    /// other parameters it keeps the direction and resets the rest, so that they do not change its height.
+    /// Returns the parameters `now` with the wind and fetch of this Beaufort force for the local wave system. This
+    /// system keeps its direction; its other parameters get their defaults, so that they do not change its height.
     #[must_use]
     pub fn apply(&self, now: &Params) -> Params {
         let mut next = now.clone();

@@ -119,8 +119,8 @@ impl Plan {
         plan
     }
 
-    /// Returns a plan of the same sea with the FFT size `n`, or with that of this plan if it is smaller. Only the waves
-    /// too short for the smaller FFT are missing; all others are the same.
+    /// Returns a plan of the same sea with the smaller of `n` and the FFT size of this plan. Only the waves too short
+    /// for the smaller FFT are missing; all others are the same.
     #[must_use]
     pub fn with_fft_size_at_most(&self, n: u32) -> Self {
         let mut plan = self.clone();
@@ -169,7 +169,7 @@ impl Plan {
         self.resolved_bands().iter().map(|&(low, high)| self.energy.m0_between(low, high)).sum::<f64>() / total
     }
 
-    /// Union of the bands of all cascades: ascending intervals of wave numbers (rad/m) that do not overlap.
+    /// Union of the bands of all cascades: (lowest, highest) wave number, rad/m, ascending and without overlap.
     pub fn resolved_bands(&self) -> Vec<(f64, f64)> {
         cascades::resolved_bands(&self.cascades)
     }

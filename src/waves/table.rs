@@ -45,8 +45,8 @@ pub struct Table {
     pub terms: Vec<Term>,
     /// Number of vectors of four numbers in each table entry.
     pub vectors_per_entry: usize,
-    /// For each table entry wave number and frequency, which all wave vectors of this entry share; the wave number is 0
-    /// outside the cascade's band.
+    /// Wave number and frequency for each table entry, shared by all its wave vectors; the wave number is 0 outside the
+    /// band of the cascade.
     pub waves: Vec<LatticeWave>,
     /// Values of the terms in the layout of [`TermKind`], `vectors_per_entry` vectors for each table entry. The
     /// variances in them are those of the real and of the imaginary part of the initial amplitude h0 (m^2): a quarter

@@ -25,7 +25,7 @@ use super::noise::pcg4d;
 
 /// Barycentric coordinate of a point in its triangle above which the patch copy of that vertex has a weight above 0.
 const MIN_BARYCENTRIC: f64 = 0.25;
-/// Mean number of patch copies that are blended at a point of the plane.
+/// Mean number of copies of one cascade's patch that are blended at a point of the plane.
 pub const MEAN_COPIES: f64 = 1.69;
 /// Number of possible shifts of a patch copy along each axis: a shift is a multiple of 1/64 of the patch's side.
 const SHIFTS_PER_PATCH: f64 = 64.0;
@@ -69,7 +69,8 @@ pub struct PatchCopy {
     pub gradient: [f64; 2],
     /// Integer lattice coordinates of the vertex to which the copy belongs.
     pub cell: [i32; 2],
-    /// Shift of the copy along x and z, as a fraction of the patch size, 0 to 1.
+    /// Shift (x, z) between a point and the position at which the patch is read, as a fraction of the patch's side, 0
+    /// to 1.
     pub shift: [f64; 2],
 }
 

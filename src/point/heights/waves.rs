@@ -62,10 +62,11 @@ impl Candidate {
     }
 }
 
-/// For each cascade, the three shifted copies of its patch that are blended at one point, with their weights.
+/// For each cascade, the three shifted copies of its patch that are blended at one undisplaced point, and their
+/// weights.
 pub(super) type Blends = [[PatchCopy; 3]; MAX_CASCADES];
 
-/// Wave sums at a point, separately for each copy of every patch; `None` for copies that were not evaluated.
+/// Wave sums at an undisplaced point for each single copy of every patch; `None` for copies that were not evaluated.
 pub(super) struct CopySums {
     pub(super) blends: Blends,
     pub(super) sums: [[Option<WaveSums>; 3]; MAX_CASCADES],

@@ -18,7 +18,7 @@ pub struct Jonswap {
     pub alpha_g2: f64,
     /// Angular frequency of the spectral peak, rad/s.
     pub omega_p: f64,
-    /// Peak enhancement factor gamma, 3.3 on average.
+    /// Peak enhancement factor gamma; 3.3 in the mean JONSWAP spectrum.
     pub gamma: f64,
 }
 
@@ -29,8 +29,7 @@ pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     FrequencySpectrum { notice, ..FrequencySpectrum::new(jonswap.omega_p, move |omega| jonswap.density(omega)) }
 }
 
-/// Makes the TMA spectrum for shallow water: JONSWAP times the depth factor, if the user wishes with alpha and gamma of
-/// Bouws.
+/// Makes the TMA spectrum for shallow water: JONSWAP times the depth factor, with Bouws' alpha and gamma if selected.
 pub fn tma(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (g, sea) = (inputs.gravity_m_s2, inputs.sea);
     let mut tma = Jonswap::new(inputs);
