@@ -111,8 +111,7 @@ pub fn max_wave_number(dispersion: &Dispersion) -> f64 {
     if dispersion.is_capillary() { MAX_CAPILLARY_K } else { MAX_GRAVITY_K }
 }
 
-/// Union of the bands of all cascades: (lowest, highest) wave number (rad/m) of intervals, ascending and without
-/// overlap.
+/// Union of the bands of all cascades: (lowest, highest) wave number, rad/m, ascending and without overlap.
 pub fn resolved_bands(cascades: &[Cascade]) -> Vec<(f64, f64)> {
     let mut bands: Vec<(f64, f64)> = cascades.iter().map(|c| (c.k_low, c.k_high)).filter(|(a, b)| a < b).collect();
     bands.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -69,8 +69,7 @@ pub struct PatchCopy {
     pub gradient: [f64; 2],
     /// Integer lattice coordinates of the vertex to which the copy belongs.
     pub cell: [i32; 2],
-    /// Shift (x, z) between a point and the position at which the patch is read, as a fraction of the patch's side, 0
-    /// to 1.
+    /// Shift (x, z) added to a position before the patch is read there, as a fraction of the patch's side, 0 to 1.
     pub shift: [f64; 2],
 }
 

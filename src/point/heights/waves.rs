@@ -62,8 +62,7 @@ impl Candidate {
     }
 }
 
-/// For each cascade, the three shifted copies of its patch that are blended at one undisplaced point, and their
-/// weights.
+/// For each cascade, the three shifted copies of its patch blended at an undisplaced point, with their weights.
 pub(super) type Blends = [[PatchCopy; 3]; MAX_CASCADES];
 
 /// Wave sums at an undisplaced point for each single copy of every patch; `None` for copies that were not evaluated.
