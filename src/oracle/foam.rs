@@ -2,7 +2,7 @@
 
 use super::Texel;
 
-/// One mip level of the displacement map and of the gradient map of one cascade, from which the foam pass reads.
+/// Displacement map and gradient map of one cascade at one mip level, the input of the foam pass.
 #[derive(Clone, Debug)]
 pub struct MipLevel<'a> {
     /// Number of texels along a side of both maps at this mip level.

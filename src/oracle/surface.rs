@@ -27,8 +27,8 @@ impl WaveFields {
     }
 }
 
-/// Blends the shifted copies of a patch at the undisplaced point `at` (x, z), m. `read` returns the displacement and
-/// gradient texels of the patch at a position (x, z) in units of the patch's side.
+/// Wave fields of one cascade at the undisplaced point `at` (x, z), m: the blend of the shifted copies of its patch.
+/// `read` returns the displacement and gradient texels of the patch at a position (x, z) in units of its side.
 pub fn blend_patch_copies(tiling: &Tiling, at: [f64; 2], read: impl Fn([f64; 2]) -> [Texel; 2]) -> WaveFields {
     let mut out = WaveFields::default();
     for copy in tiling.blend(at).iter().filter(|c| c.weight > 0.0) {

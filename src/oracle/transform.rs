@@ -4,7 +4,7 @@
 use super::{Complex, map_columns};
 use crate::waves::fft::Fft;
 
-/// Inverse Fourier transform, without normalisation, of a line of complex numbers whose length is a power of two.
+/// Inverse Fourier transform, without the factor 1/n, of a line of n complex numbers, n a power of two.
 pub fn inverse(line: &[Complex]) -> Vec<Complex> {
     // The forward transform of the conjugate numbers gives the conjugate of the result.
     let conjugate = |[re, im]: Complex| [re, -im];
@@ -13,7 +13,7 @@ pub fn inverse(line: &[Complex]) -> Vec<Complex> {
     out.into_iter().map(conjugate).collect()
 }
 
-/// Two-dimensional inverse Fourier transform, without normalisation, of n x n complex numbers stored row by row.
+/// Two-dimensional inverse Fourier transform, without the factor 1/n^2, of n x n complex numbers stored row by row.
 pub fn inverse_2d(n: usize, square: &[Complex]) -> Vec<Complex> {
     let rows: Vec<Complex> = square.chunks(n).flat_map(inverse).collect();
     map_columns(n, &rows, inverse)

@@ -11,7 +11,7 @@ use glam::DVec3;
 const MAX_HEIGHT_ERROR_TO_HS: f64 = 0.018;
 /// Number of waves that make a hull pitch and roll: the strongest waves, which are mostly long.
 const TILTING_WAVES: usize = 500;
-/// Largest FFT size whose waves move hulls. A larger FFT would only add short waves.
+/// FFT size to which a plan is reduced to select the waves that move hulls; a larger FFT only adds short waves.
 const MAX_FFT_SIZE: u32 = 128;
 
 /// Position and attitude of a floating hull.

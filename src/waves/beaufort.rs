@@ -81,8 +81,8 @@ pub fn beaufort_number(wind_m_s: f64) -> usize {
 }
 
 impl BeaufortForce {
-    /// Returns the parameters `now` with the wind speed and fetch of this force. The local wave system keeps its
-    /// direction; its other parameters are reset, so that they do not change its height. All else stays as in `now`.
+    /// Returns the parameters `now` with the wind and fetch of this Beaufort force for the local wave system. This
+    /// system keeps its direction; its other parameters get their defaults, so that they do not change its height.
     #[must_use]
     pub fn apply(&self, now: &Params) -> Params {
         let mut next = now.clone();

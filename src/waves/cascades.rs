@@ -14,12 +14,12 @@ const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
 /// In units of the lattice spacing it is also the inner radius of the band, sqrt(177 / pi): a circle that encloses 177
 /// lattice points and has the area 177. A radius of 7 would pass through four points and add 1 % to the variance.
 const WAVES_AT_LOW_EDGE: f64 = 7.506_054_213;
-/// Exponent of the golden ratio for each cascade's patch, counted down from the first (largest) patch. The step of 3
-/// fits the most energetic band into 64 x 64 points. With 128 x 128 points the steps of 4 leave no gaps between bands.
+/// Decrease of the golden ratio's exponent from the first (largest) patch to that of each cascade. The step of 3 fits
+/// the most energetic band into 64 x 64 points. With 128 x 128 points the steps of 4 leave no gaps between bands.
 const GOLDEN_EXPONENT_STEPS: [i32; MAX_CASCADES] = [0, 3, 7, 11];
 /// FFT size assumed when the number of cascades is chosen, so that this number does not depend on the user's FFT size.
 const NOMINAL_FFT_SIZE: f64 = 256.0;
-/// Wave number, rad/m (wavelength 20 cm), that the finest cascade should reach; otherwise one is added (up to 4).
+/// Wave number, rad/m (wavelength 20 cm), that the finest cascade should reach; up to 4 cascades are used for it.
 const MIN_FINEST_WAVE_NUMBER: f64 = 30.0;
 /// Largest wave number simulated without surface tension, rad/m (wavelength 1.7 cm). Above it waves are capillary.
 const MAX_GRAVITY_K: f64 = 370.0;
@@ -42,9 +42,9 @@ const MANUAL_NOISE_KEY: u32 = 1000;
 pub struct Cascade {
     /// Side of the square patch, m.
     pub patch_m: f64,
-    /// Smallest wave number of the band of waves that the cascade carries, rad/m (inclusive).
+    /// Lower end of the band of wave numbers that the cascade carries, rad/m (inclusive).
     pub k_low: f64,
-    /// Largest wave number of the cascade's band, rad/m (exclusive), at most Nyquist; equal to `k_low` if it is empty.
+    /// Upper end of the band, rad/m (exclusive), at most the Nyquist wave number; equal to `k_low` if it is empty.
     pub k_high: f64,
     /// Key of the cascade in the hash that makes its random numbers, so that cascades differ. An automatic patch of a
     /// given size has the same key in every sea.
@@ -111,7 +111,7 @@ pub fn max_wave_number(dispersion: &Dispersion) -> f64 {
     if dispersion.is_capillary() { MAX_CAPILLARY_K } else { MAX_GRAVITY_K }
 }
 
-/// Union of the bands of all cascades: ascending intervals of wave numbers (rad/m) that do not overlap.
+/// Union of the bands of all cascades: (lowest, highest) wave number, rad/m, ascending and without overlap.
 pub fn resolved_bands(cascades: &[Cascade]) -> Vec<(f64, f64)> {
     let mut bands: Vec<(f64, f64)> = cascades.iter().map(|c| (c.k_low, c.k_high)).filter(|(a, b)| a < b).collect();
     bands.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -21,8 +21,7 @@ pub struct SpectrumIntegrals {
 impl SpectrumIntegrals {
     const STEPS: usize = 1600;
 
-    /// Integrates the spectrum `density`, S(omega) in m^2 s, and those of slope and strain from `low` to `high`
-    /// (rad/s).
+    /// Integrates the spectra of elevation (`density`, S(omega), m^2 s), slope and strain from `low` to `high` (rad/s).
     pub fn new(density: impl Fn(f64) -> f64, (low, high): (f64, f64), dispersion: &Dispersion) -> Self {
         let step = (high / low).ln() / Self::STEPS as f64;
         let mut out = Self { omega: vec![], k: vec![], sums: vec![], omega_p: low };

@@ -22,14 +22,14 @@ const DEFAULT_RATE_DECAY: f64 = 8.0;
 /// Decrease of the strain, in its standard deviations, over which the foam source rises from 0 (no foam forms) to 1.
 const SOURCE_RAMP_SIGMAS: f64 = 0.5;
 
-/// Upper limit of the whitecap coverage that the foam model aims for, as a fraction of the surface.
+/// Upper limit of the whitecap coverage from which the foam threshold is derived, as a fraction of the surface.
 const MAX_COVERAGE: f64 = 0.9;
 /// Coefficient (1 - r2^2) / 4 in [`mean_jacobian_at_strain`], where r2, about 0.45, is the second directional moment of
 /// short waves.
 const DETERMINANT_COEFFICIENT: f64 = 0.2;
-/// Texel size, m, of the foam grid for which the user's fixed threshold holds; it is converted for other grids.
+/// Texel size, m, of the foam grid for which the threshold of `whitecaps=fixed` holds; it is converted for other grids.
 const REFERENCE_TEXEL_M: f64 = 0.25;
-/// Standard deviation of the strain of the displacement below which the water counts as flat and gets no foam.
+/// Standard deviation (dimensionless) of the horizontal strain below which the water counts as flat and gets no foam.
 const MIN_SIGMA: f64 = 1e-6;
 
 /// Foam source, 0 (no foam forms) to 1, as a function of the Jacobian J of the displacement: clamp((threshold - J) x
@@ -48,7 +48,7 @@ pub struct FoamModel {
     /// Compression (negative strain of the horizontal displacement) at which foam starts to form, in standard
     /// deviations of the strain; infinite if there is no foam.
     threshold_sigmas: f64,
-    /// Expected mean amount of foam over the sea surface, 0 (none) to 1 (fully covered).
+    /// Expected fraction of the sea surface that foam covers, 0 to 1: the mean of the foam amount over the surface.
     pub expected_mean_foam: f64,
 }
 

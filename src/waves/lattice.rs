@@ -22,8 +22,7 @@ pub struct LatticeWave {
     pub k: f64,
     /// Number of whole cycles of the wave in one period of the sea (`Plan::period_s`).
     pub cycles_per_period: u32,
-    /// Angular frequency, rad/s, rounded to `cycles_per_period` x 2 pi / period, so that the sea repeats after its
-    /// period.
+    /// Angular frequency, rad/s: `cycles_per_period` x 2 pi / period, so that the sea repeats after its period.
     pub omega: f64,
     /// Ratio of the horizontal to the vertical axis of the water particle orbits, coth(k h) at the water depth h.
     pub orbit_axis_ratio: f64,
@@ -47,8 +46,8 @@ impl Plan {
         1.0 / count.max(1) as f64
     }
 
-    /// Variance of a wave system in one lattice cell per radian of direction, m^2: S(k) dk^2 with the lattice spacing
-    /// dk, before multiplication by the directional spreading.
+    /// Variance that a wave system gives to one wave of `cascade`, per radian of direction, m^2: S(k) dk^2 / k with the
+    /// lattice spacing dk, divided among overlapping cascades, before multiplication by the directional spreading.
     ///
     /// At small wave numbers the spectrum S is averaged over the cell's extent in |k|, because a cell is not small
     /// against the width of the spectral peak. Samples at the lattice points alone would miss the narrow peak of a
@@ -84,8 +83,7 @@ impl Plan {
     }
 }
 
-/// Time `t_s` (s) within the period `period_s` (s) as a 32-bit integer, where one period is 2^32; see
-/// [`Plan::period_fraction_u32`].
+/// Time `t_s` (s) within the period `period_s` (s), as a 32-bit integer: one period is 2^32.
 pub fn period_fraction_u32(period_s: f64, t_s: f64) -> u32 {
     let turn = (t_s / period_s).rem_euclid(1.0);
     (turn * 4_294_967_296.0).round() as u64 as u32

@@ -73,8 +73,8 @@ impl MapSpectrumEstimator {
         (self.cascade == plan.cascades.len()).then_some(&self.spectrum)
     }
 
-    /// Adds the elevation variance of all waves in `column`, the column `x` of the Fourier-transformed height map, to
-    /// the frequency bins of these waves.
+    /// Adds the elevation variance of all waves in `column`, the column `x` of the Fourier-transformed height map of
+    /// the current cascade, to the frequency bins of these waves.
     fn add_column(&mut self, plan: &Plan, x: usize, column: &[[f64; 2]]) {
         let n = column.len();
         let signed = |i: usize| if i < n / 2 { i as f64 } else { i as f64 - n as f64 };

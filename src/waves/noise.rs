@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-/// Integer hash `pcg4d` of four 32-bit words (Jarzynski and Olano, "Hash Functions for GPU Rendering", 2020).
+/// Integer hash `pcg4d` of four 32-bit words to four (Jarzynski and Olano, "Hash Functions for GPU Rendering", 2020).
 pub fn pcg4d(v: [u32; 4]) -> [u32; 4] {
     let mut v = v.map(|x| x.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
     let mix = |v: &mut [u32; 4]| {

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 /// Number of logarithmic wave-number intervals over which the covariance of two cascades is summed.
 const WAVE_NUMBER_BANDS: usize = 256;
 
-/// Elevation variances and covariance of the old and the new sea of a cross-fade in one cascade, m^2.
+/// Elevation variances (m^2) of the old and the new sea of a cross-fade in one cascade, and their covariance.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SeaCovariance {
     before: f64,

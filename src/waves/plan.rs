@@ -42,7 +42,7 @@ pub struct Plan {
     pub period_s: f64,
     /// Sea parameters from which the plan was made.
     pub sea: Sea,
-    /// Wave systems (wind sea, swell) that have waves, with height scales and the depth limit applied.
+    /// Wave systems (wind sea, swell) that have waves, with the user's height factors and the depth limit applied.
     pub systems: Vec<WaveSystem>,
     /// Dispersion relation of the waves.
     pub dispersion: Dispersion,
@@ -119,8 +119,8 @@ impl Plan {
         plan
     }
 
-    /// Returns a plan of the same sea with the FFT size `n` if that is smaller than the FFT size of this plan. Only the
-    /// waves too short for the smaller FFT are missing; all others are the same.
+    /// Returns a plan of the same sea with the smaller of `n` and the FFT size of this plan. Only the waves too short
+    /// for the smaller FFT are missing; all others are the same.
     #[must_use]
     pub fn with_fft_size_at_most(&self, n: u32) -> Self {
         let mut plan = self.clone();
@@ -132,8 +132,8 @@ impl Plan {
         plan
     }
 
-    /// Returns a copy of this plan with the chop, water level and foam parameters of `sea`. All parameters of `sea`
-    /// that change the waves must equal those of the plan; see [`SeaChange`](super::SeaChange).
+    /// Returns a copy of this plan for `sea`, which may differ from the sea of this plan only in chop, water level and
+    /// foam, the parameters that do not change the waves; see [`SeaChange`](super::SeaChange).
     #[must_use]
     pub fn with_surface_and_foam_of(&self, sea: &Sea) -> Self {
         Self { sea: sea.clone(), ..self.clone() }
@@ -160,8 +160,7 @@ impl Plan {
         frequency_range(&self.systems)
     }
 
-    /// Fraction (0 to 1) of the whole spectrum's elevation variance m0 that lies in the bands of the cascades; 1 if
-    /// calm.
+    /// Fraction (0 to 1) of the elevation variance m0 that lies in the bands of the cascades; 1 for a calm sea.
     pub fn captured_fraction(&self) -> f64 {
         let total = self.energy.m0();
         if total <= 0.0 {
@@ -170,7 +169,7 @@ impl Plan {
         self.resolved_bands().iter().map(|&(low, high)| self.energy.m0_between(low, high)).sum::<f64>() / total
     }
 
-    /// Union of the bands of all cascades: ascending intervals of wave numbers (rad/m) that do not overlap.
+    /// Union of the bands of all cascades: (lowest, highest) wave number, rad/m, ascending and without overlap.
     pub fn resolved_bands(&self) -> Vec<(f64, f64)> {
         cascades::resolved_bands(&self.cascades)
     }

@@ -32,19 +32,18 @@ pub struct Spreading {
     /// Inverse wave age U omega_p / g for the wind speed U at 10 m height.
     inverse_age: f64,
     dispersion: Dispersion,
-    /// Number of 15-point panels in each piece of the integral that normalises a lobe without a closed form.
+    /// Number of 15-point Kronrod panels in each piece of the integral that normalises a lobe without a closed form.
     pub spreading_norm_panels: u32,
 }
 
-/// Factor 1 or cos^2(theta) of a lobe of the directional spreading; theta is the angle from the main direction of
-/// travel.
+/// Factor 1 or cos^2(theta) of a directional spreading lobe; theta is the angle from the main direction of travel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CosineFactor {
     /// The constant 1: no cosine factor.
     One,
-    /// cos^2(theta) over the whole circle: as much energy against the direction of travel as along it.
+    /// cos^2(theta) over the whole circle: as much energy against the main direction of travel as along it.
     Squared,
-    /// cos^2(theta) within 90 degrees of the direction of travel, 0 beyond.
+    /// cos^2(theta) within 90 degrees of the main direction of travel, 0 beyond.
     SquaredForward,
 }
 
@@ -148,7 +147,7 @@ impl Spreading {
         self.lobes(omega).lobes.iter().map(|(share, lobe)| share * lobe.first_moment(self.spreading_norm_panels)).sum()
     }
 
-    /// Angular frequencies (rad/s) at which a lobe's shape has a kink or a jump, for splitting integrals over omega.
+    /// Angular frequencies (rad/s) at which the shape of a lobe changes with a kink or jump; integrals are split there.
     pub fn breakpoints(&self) -> Vec<f64> {
         let relative = |kind: SpreadKind| -> &[f64] {
             match kind {
@@ -174,8 +173,8 @@ fn hasselmann_s(r: f64, inverse_age: f64) -> f64 {
     if r <= 1.0 { 6.97 * r.powf(4.06) } else { 9.77 * r.powf(-2.33 - 1.45 * (inverse_age - 1.17)) }.min(MAX_S)
 }
 
-/// Rate beta (per rad) of the directional spreading sech^2(beta theta) at r = omega / omega_p, by Donelan et al. 1985
-/// and, for r above 1.6, by Banner 1990.
+/// Rate beta (per rad) of the directional spreading sech^2(beta theta) at `r` = omega / omega_p (frequency over peak
+/// frequency), by Donelan et al. 1985 and, for r above 1.6, by Banner 1990.
 fn donelan_banner_beta(r: f64) -> f64 {
     if r < 0.95 {
         2.61 * r.powf(1.3)
@@ -198,8 +197,8 @@ impl Lobe {
         sech * sech * (0.5 + 0.5 * theta.cos()).max(0.0).powf(self.s) * cosine
     }
 
-    /// Integral of `f`(theta) times the lobe from theta = 0 to pi rad, in up to six pieces of `steps` 15-point panels
-    /// each. The pieces are short inside the lobe and near pi, where cos^{2s}(theta/2) with a small s is not smooth.
+    /// Integral of `f`(theta) times the lobe from 0 to pi rad, in up to six pieces of `steps` 15-point Kronrod panels.
+    /// The pieces are short inside the lobe and near pi, where cos^{2s}(theta/2) with a small s is not smooth.
     fn half_integral(&self, f: impl Fn(f64) -> f64, steps: u32) -> f64 {
         let width = (3.0 / (self.beta * self.beta + 0.25 * self.s).sqrt().max(1e-3)).min(0.4 * PI);
         let ends = [0.0, 0.4 * width, width, 0.5 * PI, PI - 0.1, PI - 0.005, PI];
@@ -208,7 +207,7 @@ impl Lobe {
     }
 
     /// Norm of the lobe, the factor that makes its integral over all directions 1: in closed form if there is one,
-    /// otherwise by quadrature with `steps` 15-point panels in each of up to six pieces of the half circle.
+    /// otherwise by quadrature with `steps` 15-point Kronrod panels in each of up to six pieces of the half circle.
     pub fn norm(&self, steps: u32) -> f64 {
         self.closed_norm().unwrap_or_else(|| 1.0 / (2.0 * self.half_integral(|_| 1.0, steps)))
     }

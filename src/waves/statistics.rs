@@ -145,8 +145,8 @@ impl SpectrumStatistics {
 }
 
 impl LatticeStatistics {
-    /// Computes the statistics from sums over all waves of the cascades of a plan. `theory_m0` is the variance of the
-    /// whole spectrum (m^2), with which that of the waves is compared.
+    /// Computes the expected statistics of all waves of the cascades of a plan. `theory_m0` is the elevation variance
+    /// of the whole spectrum (m^2), of which `m0_fraction` is the part in the cascades.
     pub fn new(plan: &Plan, theory_m0: f64) -> Self {
         let mut moments = SpectralMoments::default();
         for (cascade, table) in plan.cascades.iter().zip(Table::for_all_cascades(plan)) {

@@ -20,7 +20,7 @@ pub struct WaveSystem {
 pub enum Directions {
     /// Spreading model: lobes around the main direction of travel.
     Lobes(Lobes),
-    /// Measured directions: the maximum entropy distribution for a buoy's directional moments, in world axes (x, z).
+    /// Measured directions: the maximum entropy distribution for a buoy's moments, with angles from +x towards +z.
     Measured(MaximumEntropy),
 }
 

@@ -19,8 +19,8 @@ pub struct Term {
     pub kind: TermKind,
     /// Main direction of travel of the wave system, a unit vector (x, z), from which the term's angles are measured.
     pub travel: [f64; 2],
-    /// A table entry (all that is stored for one wave number) is a list of vectors of four numbers. This is the index of
-    /// the first one that belongs to this wave system.
+    /// A table entry (all that is stored for one wave number) is a list of vectors of four numbers. This is the index
+    /// of the first one that belongs to this term.
     pub first_vector: usize,
 }
 
@@ -41,16 +41,16 @@ pub fn terms(plan: &Plan) -> (Vec<Term>, usize) {
 /// differ only in signs and order of (ix, iz), which have the same wave number |k|.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// Terms whose sum is the directional spectrum of the sea, the same for every cascade.
+    /// Parts of the directional spectrum of the sea (spreading lobes, buoy distributions), the same for every cascade.
     pub terms: Vec<Term>,
     /// Number of vectors of four numbers in each table entry.
     pub vectors_per_entry: usize,
-    /// For each table entry wave number and frequency, which all wave vectors of this entry share; the wave number is 0
-    /// outside the cascade's band.
+    /// Wave number and frequency for each table entry, shared by all its wave vectors; the wave number is 0 outside the
+    /// band of the cascade.
     pub waves: Vec<LatticeWave>,
-    /// Values of the terms in the layout of [`TermKind`], `vectors_per_entry` vectors for each table entry. Variances
-    /// (m^2) are those of the real and of the imaginary part of the amplitude h0: S dkx dkz / 4 without the directional
-    /// factor.
+    /// Values of the terms in the layout of [`TermKind`], `vectors_per_entry` vectors for each table entry. The
+    /// variances in them are those of the real and of the imaginary part of the initial amplitude h0 (m^2): a quarter
+    /// of the elevation variance in a lattice cell, before the directional factor.
     pub values: Vec<[f64; 4]>,
 }
 
@@ -136,8 +136,8 @@ impl Table {
     }
 }
 
-/// Appends the values of one wave system at the angular frequency `omega` (rad/s) to the table values `out`. `variance`
-/// is S dkx dkz / 4 per radian of direction, m^2.
+/// Appends the vectors of one wave system at the angular frequency `omega` (rad/s) to `out`. `variance` is that of the
+/// real part of the initial amplitude h0 before multiplication by the directional spreading (1/rad), m^2.
 fn push_system_values(out: &mut Vec<[f64; 4]>, system: &WaveSystem, norms: &Norms, variance: f64, omega: f64) {
     match system.directions(omega) {
         Directions::Measured(mem) => {

@@ -25,13 +25,13 @@ use super::noise::pcg4d;
 
 /// Barycentric coordinate of a point in its triangle above which the patch copy of that vertex has a weight above 0.
 const MIN_BARYCENTRIC: f64 = 0.25;
-/// Mean number of patch copies that are blended at a point of the plane.
+/// Mean number of copies of one cascade's patch that are blended at a point of the plane.
 pub const MEAN_COPIES: f64 = 1.69;
 /// Number of possible shifts of a patch copy along each axis: a shift is a multiple of 1/64 of the patch's side.
 const SHIFTS_PER_PATCH: f64 = 64.0;
 /// Hash input that makes the random shifts of the copies of a patch independent of the random numbers of the waves.
 const HASH_SALT: u32 = 0x7469_6c65;
-/// Rotation of the triangle lattice per unit of the noise key, rad: the golden angle, so that no lattices align.
+/// Rotation of a patch's triangle lattice per unit of its noise key, rad: the golden angle, so that no lattices align.
 const LATTICE_ROTATION_PER_KEY: f64 = 2.399_963_229_728_653;
 /// 1 / sqrt(3), for the geometry of equilateral triangles.
 const INV_SQRT_3: f64 = 0.577_350_269_189_625_8;
@@ -69,7 +69,7 @@ pub struct PatchCopy {
     pub gradient: [f64; 2],
     /// Integer lattice coordinates of the vertex to which the copy belongs.
     pub cell: [i32; 2],
-    /// Shift of the copy along x and z, as a fraction of the patch size, 0 to 1.
+    /// Shift (x, z) added to a position before the patch is read there, as a fraction of the patch's side, 0 to 1.
     pub shift: [f64; 2],
 }
 

@@ -77,7 +77,7 @@ pub struct SurfaceSample {
     /// Unit normal (x, y, z) of the drawn surface. It points up, except inside a fold (negative `jacobian`).
     pub normal: [f64; 3],
     /// Orbital velocity (x, y, z) of the water particle at the surface in linear theory, m/s: (dDx/dt, d eta/dt,
-    /// dDz/dt), with coth(k h) in D. The chop factor does not scale it.
+    /// dDz/dt) with the elevation eta and the horizontal displacement D without the chop factor.
     pub velocity_m_s: [f64; 3],
     /// Position (x, z) of the water particle before displacement by the waves, m.
     pub undisplaced_xz: [f64; 2],
@@ -115,7 +115,7 @@ impl StrongestWaves {
         Self::from_waves(plan, waves, count)
     }
 
-    /// Makes the sum of the first `count` of `waves`; the others only count in the errors `residual_rms_m` and so on.
+    /// Selects the first `count` of `waves`; the others only count in `residual_rms_m` and `residual_slope_rms`.
     fn from_waves(plan: &Plan, mut waves: Vec<Candidate>, count: usize) -> Self {
         let left_out = waves.split_off(count);
         waves.sort_unstable_by(Candidate::by_decreasing_variance);
@@ -158,7 +158,7 @@ impl StrongestWaves {
         self.left_out_mss.sqrt()
     }
 
-    /// Fraction of the elevation variance that the selected waves carry, 0 to 1; 1 for a sea without waves.
+    /// Fraction (0 to 1) of the elevation variance of all waves that the selected ones carry; 1 for a calm sea.
     pub fn variance_fraction(&self) -> f64 {
         let all = self.kept_m2 + self.left_out_m2;
         if all > 0.0 { self.kept_m2 / all } else { 1.0 }

@@ -70,7 +70,7 @@ impl StrongestWaves {
         (offset(e), at, error[0].hypot(error[1]) <= TOLERANCE_M)
     }
 
-    /// Newton step (m) of the search for the offset divided by `sqrt_chop`, from the gradient `g` of the minimised
+    /// Newton step (x, z), m, of the search for e = offset / `sqrt_chop`, from the gradient `g` of the minimised
     /// function and the strain (dDx/dx, dDz/dz, dDx/dz). Negative eigenvalues of the Hessian count with their
     /// magnitude. The length is limited to `longest_step_m`.
     pub(super) fn newton_step(&self, g: [f64; 2], [xx, zz, xz]: [f64; 3]) -> [f64; 2] {
@@ -97,8 +97,8 @@ impl StrongestWaves {
         out
     }
 
-    /// Wave sums at the undisplaced position `point - offset` (x, z), m, with the copies and weights in `blends`.
-    /// `time` is that of [`Plan::period_fraction_u32`](crate::waves::Plan::period_fraction_u32).
+    /// Wave sums at the undisplaced position `point - offset` (x, z), m, with the copies and weights in `blends`, at
+    /// `time` (2^32 per period of the sea).
     pub(super) fn wave_sums_at(&self, point: [f64; 2], offset: [f64; 2], time: u32, blends: &Blends) -> WaveSums {
         self.copy_sums(point, offset, time, blends).blended(blends).0
     }

@@ -22,7 +22,7 @@ pub(super) struct PatchWaves {
 /// Unused lanes have h = 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct WaveBlock {
-    /// Wave vector (ix, iz) of each lane, in units of the lattice spacing dk; whole numbers.
+    /// Components `ix` and `iz` of the wave vector of each lane, in units of the lattice spacing dk; whole numbers.
     ix: DVec4,
     iz: DVec4,
     /// Real (`re`) and imaginary part (`im`) of the complex amplitude h of each lane, m.
@@ -35,7 +35,7 @@ pub(super) struct WaveBlock {
     cycles_per_period: [u32; 4],
 }
 
-/// A wave that the seed of a plan generates; the strongest candidates are selected.
+/// One of all the waves that the seed of a plan generates, before the strongest of them are selected.
 pub(super) struct Candidate {
     /// Index of the cascade to which the wave belongs.
     pub(super) cascade: usize,
@@ -62,33 +62,33 @@ impl Candidate {
     }
 }
 
-/// For each cascade, the three shifted copies of its patch that are blended at one point, with their weights.
+/// For each cascade, the three shifted copies of its patch blended at an undisplaced point, with their weights.
 pub(super) type Blends = [[PatchCopy; 3]; MAX_CASCADES];
 
-/// Wave sums at a point, separately for each copy of every patch; `None` for copies that were not evaluated.
+/// Wave sums at an undisplaced point for each single copy of every patch; `None` for copies that were not evaluated.
 pub(super) struct CopySums {
     pub(super) blends: Blends,
     pub(super) sums: [[Option<WaveSums>; 3]; MAX_CASCADES],
 }
 
-/// Sums over waves at one undisplaced position. The horizontal displacement D = (Dx, Dz) is without the chop factor.
+/// Elevation, horizontal displacement D (without the chop factor) and derivatives at an undisplaced point.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct WaveSums {
     /// Elevation eta of the surface above the still water, m.
     pub(super) eta: f64,
-    /// Slopes d eta/dx and d eta/dz of the elevation eta (m/m), without the part in `tile_slope`.
+    /// Slopes d eta/dx and d eta/dz of the elevation eta (m/m), without those that `tile_slope` holds.
     pub(super) slope: [f64; 2],
     /// Horizontal displacement D = (Dx, Dz), m, before multiplication by the chop factors.
     pub(super) d: [f64; 2],
-    /// Strain dDx/dx, dDz/dz, dDx/dz = dDz/dx of the horizontal displacement D, without `tile_strain`.
+    /// Strain (dDx/dx, dDz/dz, dDx/dz = dDz/dx) of the horizontal displacement D, without that in `tile_strain`.
     pub(super) strain: [f64; 3],
     /// Orbital velocity (dDx/dt, d eta/dt, dDz/dt), m/s.
     pub(super) velocity: [f64; 3],
     /// Potential whose gradient is the horizontal displacement D, m^2.
     pub(super) potential: f64,
-    /// Part of the slopes d eta/dx, d eta/dz that the gradients of the weights of the patch copies cause.
+    /// Additional slopes (d eta/dx, d eta/dz) that arise because the weights of the blended patch copies vary in space.
     pub(super) tile_slope: [f64; 2],
-    /// Part of the strain dDx/dx, dDz/dz, dDx/dz, dDz/dx that the gradients of the weights of the copies cause.
+    /// Additional strain (dDx/dx, dDz/dz, dDx/dz, dDz/dx) that arises because the weights of the copies vary in space.
     pub(super) tile_strain: [f64; 4],
 }
 
@@ -113,8 +113,8 @@ fn add_scaled<const N: usize>(sum: &mut [f64; N], factor: f64, term: [f64; N]) {
 }
 
 impl CopySums {
-    /// Returns the copies' wave sums blended with the weights in `blends`, and a flag that is false if the sums of a
-    /// copy with a weight were not evaluated.
+    /// Returns the wave sums of all patches, blended with the weights in `blends`, and a flag that is false if the sums
+    /// of a copy with a weight above 0 are missing.
     pub(super) fn blended(&self, blends: &Blends) -> (WaveSums, bool) {
         let (mut all, mut complete) = (WaveSums::default(), true);
         for ((blend, known), sums) in blends.iter().zip(&self.blends).zip(&self.sums) {
@@ -150,7 +150,7 @@ impl PatchWaves {
         Self { side_m: cascade.patch_m, tiling: plan.tiling(cascade), dk: cascade.dk(), blocks }
     }
 
-    /// Sums over the waves of one cascade at (`x`, `z`), in units of the patch's side; `time` is 2^32 per period.
+    /// Sums over these waves at (`x`, `z`) in the patch, in units of its side; `time` is 2^32 per period of the sea.
     pub(super) fn sums(&self, x: f64, z: f64, time: u32) -> WaveSums {
         // Sums per lane, without common factors: eta, its slopes, D, strain (xx, zz, xz), velocity, potential.
         let mut sums = [DVec4::ZERO; 12];

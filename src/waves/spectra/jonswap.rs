@@ -18,7 +18,7 @@ pub struct Jonswap {
     pub alpha_g2: f64,
     /// Angular frequency of the spectral peak, rad/s.
     pub omega_p: f64,
-    /// Peak enhancement factor gamma, 3.3 on average.
+    /// Peak enhancement factor gamma; 3.3 in the mean JONSWAP spectrum.
     pub gamma: f64,
 }
 
@@ -29,7 +29,7 @@ pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     FrequencySpectrum { notice, ..FrequencySpectrum::new(jonswap.omega_p, move |omega| jonswap.density(omega)) }
 }
 
-/// Makes the TMA spectrum for shallow water: JONSWAP times the depth factor, optionally with Bouws' alpha and gamma.
+/// Makes the TMA spectrum for shallow water: JONSWAP times the depth factor, with Bouws' alpha and gamma if selected.
 pub fn tma(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (g, sea) = (inputs.gravity_m_s2, inputs.sea);
     let mut tma = Jonswap::new(inputs);
@@ -76,7 +76,7 @@ fn full_development_notice(inputs: &SpectrumInputs<'_>) -> Option<String> {
     })
 }
 
-/// Significant wave height (m) and angular peak frequency (rad/s): as set by the user or, if not set, of JONSWAP.
+/// Significant wave height (m) and angular peak frequency (rad/s): the user's or, if not set, those of JONSWAP.
 pub fn height_and_peak(inputs: &SpectrumInputs<'_>) -> (f64, f64) {
     let grown = Jonswap::for_wind_and_fetch(inputs);
     let grown_height = || {

@@ -9,7 +9,7 @@ const FREQUENCY_EXPONENT: f64 = 5.9285;
 const EXPONENTIAL_FACTOR: f64 = 0.3883;
 
 /// MarNeRo spectrum S(w) = 2.302 (E/wm) (wm/w)^6.9285 exp(-0.3883 (wm/w)^5.9285) over the angular frequency w, with the
-/// mean frequency wm and the elevation variance E. The printed factor, 2.202, does not integrate to E.
+/// mean frequency wm and the elevation variance E. With the published factor, 2.202, the integral would not be E.
 pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (hs_m, omega_p) = height_and_peak(inputs);
     let m0 = hs_m * hs_m / 16.0;

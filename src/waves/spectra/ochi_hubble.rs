@@ -4,7 +4,7 @@
 use super::jonswap::height_and_peak;
 use super::spectrum::{FrequencySpectrum, SpectrumInputs};
 
-/// Ochi-Hubble spectrum: the sum of two peaks. A peak period set by the user scales both peak frequencies alike.
+/// Ochi-Hubble spectrum: the sum of two peaks. A period set by the user scales both peak frequencies by one factor.
 pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (hs_m, _) = height_and_peak(inputs);
     // The published factors of the two heights, 0.84 and 0.54, have squares that add to 0.997 instead of 1.

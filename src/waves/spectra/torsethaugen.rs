@@ -30,7 +30,7 @@ pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
 }
 
 /// One peak of Torsethaugen's spectrum, with the significant wave height `hs_m` (m) and the peak period `tp_s` (s):
-/// f_n^-4 exp(-f_n^-4) times the peak enhancement for gamma, with f_n = omega / omega_p.
+/// proportional to f_n^-4 exp(-f_n^-4) times JONSWAP's peak enhancement, with f_n = omega / omega_p.
 fn peak_spectrum(hs_m: f64, tp_s: f64, gamma: f64) -> FrequencySpectrum {
     let (m0, omega_p) = (hs_m * hs_m / 16.0, TAU / tp_s);
     let norm = 3.26 * (1.0 + 1.1 * gamma.ln().powf(1.19)) / gamma;
