@@ -59,7 +59,7 @@ impl ReferenceRenderer {
     }
 
     /// Records the drawing of one grid of samples. Returns a texture with one sample per texel: linear light in rgb; in
-    /// alpha the weight of a water sample in the mean of its pixel's water samples, 0 for sky and hulls.
+    /// alpha a water sample's weight when the water samples of its pixel are averaged, 0 for sky and hulls.
     pub fn draw(
         &mut self,
         gpu: &Gpu,

@@ -29,7 +29,7 @@ pub struct Scene {
     pub mean_foam: f64,
     /// Distance that the clouds have drifted along x and z since time 0, m.
     pub cloud_drift_m: [f64; 2],
-    /// Colour scales of a false-colour view, one for each cascade (or each foam level). Unused in the normal picture.
+    /// Colour scales of a false-colour view, one for each cascade or, in a view of foam, each foam level; else unused.
     pub colour_scales: [ColourScale; MAX_CASCADES],
     /// Positions and orientations of the floating buoys and boats in world coordinates.
     pub hulls: Vec<HullPose>,
@@ -57,7 +57,7 @@ pub struct SeaAppearance {
     pub unresolved_slope_variance: SlopeVariance,
     /// Slope variances, along the wind and across it, of the waves in the finest cascade (the shortest waves).
     pub finest_cascade_slope_variance: SlopeVariance,
-    /// Half the shortest wavelength that forms distinct caustics on the bed, m; caustics leave shorter detail out.
+    /// Half the length of the shortest waves that form distinct caustics on the bed, m; shorter detail is ignored.
     pub caustic_filter_m: f64,
 }
 
@@ -82,8 +82,8 @@ impl SeaAppearance {
         }
     }
 
-    /// Half the shortest wavelength that forms distinct caustics on the bed, m, for the refractive indices in `look`;
-    /// detail of the surface shorter than this is left out of the caustics.
+    /// Half the length of the shortest waves that form distinct caustics on the bed, m, for the refractive indices in
+    /// `look`; detail of the surface shorter than this is left out of the caustics.
     pub fn caustic_filter_m(plan: &Plan, look: &Look) -> f64 {
         let reflection = &look.surface.reflection;
         let reach_m = plan.sea.depth_m * (1.0 - reflection.index_air / reflection.index_water);

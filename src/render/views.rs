@@ -51,7 +51,7 @@ gpu_struct! {
         size: [f32; 2],
         /// Choppiness: factors by which the horizontal displacements along x and z are multiplied; 1 is linear theory.
         choppiness: [f32; 2],
-        /// Which view is shown: 1 + the discriminant of its `MapView` or, for a view of the surface, `SurfaceView`.
+        /// 1 + the discriminant of the shown `MapView` or `SurfaceView`; map and surface views have separate shaders.
         view_kind: u32,
         /// Number of entries of `tiles` in use; one map layer is shown in each.
         tile_count: u32,

@@ -8,7 +8,7 @@ use crate::render::frame::FrameUniform;
 use crate::render::scene::Scene;
 use crate::shaders::Shaders;
 
-/// Compute pass that raises the eye above the waves around it, in the frame uniform.
+/// Compute pass that raises the eye, in the frame uniform, where needed to stay above the waves around it.
 pub struct EyePass {
     pipeline: wgpu::ComputePipeline,
     group: wgpu::BindGroup,

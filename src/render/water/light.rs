@@ -91,7 +91,7 @@ pub struct WaterPass {
     g_buffer: Option<([wgpu::TextureView; 2], wgpu::BindGroup)>,
     light_pipelines: PipelineVariants<Permutation>,
     maps_layout: wgpu::BindGroupLayout,
-    /// Samplers of the maps: one interpolates between mip levels, the other takes the nearest level.
+    /// Samplers of the maps: the first interpolates between mip levels, the second takes the nearest level.
     samplers: [wgpu::Sampler; 2],
     /// Bind group of the map textures, and their generation number (new for new textures); None before the first frame.
     bound_maps: Option<(u64, wgpu::BindGroup)>,
