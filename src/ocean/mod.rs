@@ -328,8 +328,8 @@ impl Ocean {
         }
     }
 
-    /// Positions and orientations of the floating objects, in the order and at the time of the parameters; empty until
-    /// a frame with them has been recorded.
+    /// Positions and orientations of the buoys and boats at the time of the parameters, in the order in which the
+    /// parameters list them; empty until a frame with them has been recorded.
     pub fn hull_poses(&self) -> Vec<HullPose> {
         let (seas, level_m) = (self.drawn_seas(), self.level_m());
         let on = |sea: &DrawnSea| self.hull_waves.iter().find(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)).map(|(_, w)| w);

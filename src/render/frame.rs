@@ -39,7 +39,7 @@ gpu_struct! {
         pub shortest_wave_texels: f32,
         /// Index of the cascade's layer in the array textures of displacement, gradients and slope moments.
         pub layer: u32,
-        /// Factor on the cascade's slope variance in shading; 1 except in a cross-fade, whose seas may share waves.
+        /// Factor on the cascade's slope variance in shading; 1 except in a cross-fade of seas that share waves.
         pub variance_correction: f32,
         /// Factor on slopes read from the maps: 1 for a cascade; 0 to 1 for ripples, to give them less variance.
         pub slope_scale: f32,

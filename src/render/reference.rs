@@ -53,7 +53,7 @@ pub struct ReferenceRenderer {
 }
 
 impl ReferenceRenderer {
-    /// Compiles the passes. `target_format` is the format of the texture that [`Self::present`] draws into.
+    /// Compiles the passes of reference pictures. `target_format` is the format that [`Self::present`] draws into.
     pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat) -> Self {
         Self { renderer: Renderer::new(gpu, target_format, OutputKind::Reference) }
     }

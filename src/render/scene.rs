@@ -8,7 +8,7 @@ use crate::waves::Plan;
 use crate::waves::colour_scale::ColourScale;
 use crate::waves::slopes::{self, SlopeVariance};
 
-/// Speed of low clouds divided by the wind speed at 10 m: logarithmic wind profile up to the top of the boundary layer.
+/// Speed of low clouds divided by wind speed at 10 m, from a logarithmic wind profile up to the boundary layer's top.
 const CLOUD_SPEED_PER_WIND_SPEED: f64 = 1.4;
 
 /// Everything that determines a picture besides the maps of the simulation.
@@ -57,7 +57,7 @@ pub struct SeaAppearance {
     pub unresolved_slope_variance: SlopeVariance,
     /// Slope variances, along the wind and across it, of the waves in the finest cascade (the shortest waves).
     pub finest_cascade_slope_variance: SlopeVariance,
-    /// Half the length of the shortest waves that form distinct caustics on the bed, m; shorter detail is ignored.
+    /// Half the shortest wavelength of waves that form distinct caustics on the bed, m; shorter detail is ignored.
     pub caustic_filter_m: f64,
 }
 
@@ -82,7 +82,7 @@ impl SeaAppearance {
         }
     }
 
-    /// Half the length of the shortest waves that form distinct caustics on the bed, m, for the refractive indices in
+    /// Half the shortest wavelength of waves that form distinct caustics on the bed, m, for the refractive indices in
     /// `look`; detail of the surface shorter than this is left out of the caustics.
     pub fn caustic_filter_m(plan: &Plan, look: &Look) -> f64 {
         let reflection = &look.surface.reflection;

@@ -155,8 +155,8 @@ pub struct ViewPass {
 }
 
 impl ViewPass {
-    /// Compiles the passes. Views of the water surface draw the mesh of `water`; `target` is the format of the texture
-    /// that [`Self::present`] draws into.
+    /// Compiles the passes of false-colour views. Views of the water surface draw the mesh of `water`; `target` is the
+    /// format of the texture that [`Self::present`] draws into.
     pub fn new(gpu: &Gpu, shaders: &Shaders, water: &WaterPass, target: wgpu::TextureFormat) -> Self {
         let fragment = wgpu::ShaderStages::FRAGMENT;
         let uniform = Uniform::<ViewUniform>::new(gpu, "view");

@@ -131,22 +131,22 @@ gpu_struct! {
     /// WGSL `Light`: the light on the sea, computed on the GPU when the sky changes. Irradiance is in units of 6400 lux
     /// and radiance in units of 6400 cd/m2; both are then multiplied by `night_gain`.
     pub struct LightBuffer as "Light" {
-        /// Irradiance (RGB, in 6400 lux, times `night_gain`) by the sun after air, cloud and fog, on a plane facing it.
+        /// Irradiance (RGB; unit: 6400 lux / `night_gain`) by the sun, after air, clouds and fog, on a plane facing it.
         pub sun_irradiance: [f32; 3],
         /// Automatic exposure: factor by which radiance is multiplied to give the input of the tone curve.
         pub exposure: f32,
-        /// Irradiance (RGB, in 6400 lux, times `night_gain`) of a horizontal plane by the sky without the sun.
+        /// Irradiance (RGB; unit: 6400 lux / `night_gain`) of a horizontal plane by the sky without the sun.
         pub sky_irradiance: [f32; 3],
         /// Luminance to which the exposure adapts, mostly of the low sky, in units of 6400 cd/m2, without `night_gain`.
         pub adaptation_luminance: f32,
-        /// Radiance (RGB, in 6400 cd/m2, times `night_gain`) of a closed cloud deck at the zenith.
+        /// Radiance (RGB; unit: 6400 cd/m2 / `night_gain`) of a closed cloud deck at the zenith.
         pub overcast_zenith_radiance: [f32; 3],
         /// Fraction of the direct sunlight that passes through the clouds, 0 to 1.
         pub cloud_sun_transmittance: f32,
-        /// Radiance (RGB, in 6400 cd/m2, times `night_gain`) of dense fog lit by the sky, equal in all directions.
+        /// Radiance (RGB; unit: 6400 cd/m2 / `night_gain`) of dense fog lit by the sky, equal in all directions.
         pub fog_sky_radiance: [f32; 3],
         unused_0: u32,
-        /// Irradiance (RGB, in 6400 lux, times `night_gain`) by the sun at half the fog's height, on a plane facing it.
+        /// Irradiance (RGB; unit: 6400 lux / `night_gain`) by the sun at half the fog's height, on a plane facing it.
         pub fog_sun_irradiance: [f32; 3],
         unused_1: u32,
     }

@@ -98,7 +98,7 @@ pub struct WaterPass {
 }
 
 impl WaterPass {
-    /// Compiles the passes that displace the mesh and fill the G-buffer, not the lighting ([`Self::select_pipeline`]).
+    /// Compiles the passes that displace the mesh and fill the G-buffer; [`Self::select_pipeline`] does the lighting.
     pub fn new(gpu: &Gpu, shaders: &Shaders, scene: SceneGroup, frame: &Uniform<FrameUniform>) -> Self {
         let bindings = [
             BindingType::TextureArray,

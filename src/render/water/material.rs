@@ -110,7 +110,7 @@ gpu_struct! {
         sky_reflection: f32,
         /// Strength of the caustics (sunlight focused by the waves) on the bed: 0 is even light, 1 is physical.
         caustic_strength: f32,
-        /// Half the length of the shortest waves that form distinct caustics on the bed, m; shorter detail is ignored.
+        /// Half the shortest wavelength of waves that form distinct caustics on the bed, m; shorter detail is ignored.
         caustic_filter_m: f32,
         unused: [u32; 2],
     }
@@ -172,7 +172,7 @@ fn water_optics(scattering: &Scattering) -> WaterOptics {
     }
 }
 
-/// Whether the sea bed is drawn: enough light returns from it through the water (`MIN_BED_TRANSMITTANCE`).
+/// Whether the sea bed is drawn: more than `MIN_BED_TRANSMITTANCE` of some colour's light returns from it.
 pub fn is_bed_visible(scene: &Scene) -> bool {
     let back = water_optics(&scene.look.surface.scattering).two_way_transmittance(scene.sea.depth_m);
     back.into_iter().any(|share| share > MIN_BED_TRANSMITTANCE)

@@ -18,8 +18,8 @@ pub const DEFAULT_VERTICES: f64 = DEFAULT_COLUMNS * DEFAULT_ROWS;
 /// Number of columns of quads in a block. A block is drawn row by row, so that a row finds the vertices that it shares
 /// with the row before in the GPU's cache.
 pub const COLUMNS_PER_BLOCK: u32 = 8;
-/// Step of the logarithmic distance t (see [`MeshLattice`]) to which the nearest row is rounded down, so that a small
-/// change of the camera's pitch moves no row.
+/// The logarithmic distance t (see [`MeshLattice`]) of the nearest row is rounded down to a multiple of this, so that a
+/// small change of the camera's pitch moves no row.
 const FIRST_ROW_LOG_STEP: f64 = 0.25;
 
 gpu_struct! {
