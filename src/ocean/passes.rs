@@ -33,7 +33,7 @@ pub struct MapSizes {
     pub format: MapFormat,
 }
 
-/// GPU passes of waves and foam, prepared for the simulated time of the parameters; each can be recorded alone, repeatedly.
+/// GPU passes of waves and foam, prepared for the simulated time of the parameters; each can be recorded alone.
 pub struct WavePasses<'a> {
     sim: &'a Simulation,
     dispatch: SeaDispatch,
