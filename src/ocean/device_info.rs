@@ -25,7 +25,7 @@ pub struct DeviceInfo {
     pub pci_ids: [u32; 2],
     /// Names of the optional wgpu features that the device has and the program uses, such as "timestamps".
     pub features: Vec<&'static str>,
-    /// Names of limits, such as "texture side", each with the value that the program requests and what the adapter has.
+    /// Limits of the GPU: name, such as "texture side"; then the value that the program requests and the adapter's own.
     pub limits: Vec<(&'static str, [u64; 2])>,
     /// What the program has chosen for this adapter, such as the format of the maps: names and values.
     pub choices: Vec<(&'static str, String)>,

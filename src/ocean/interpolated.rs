@@ -6,7 +6,7 @@ use crate::state::Params;
 use crate::waves::Plan;
 use std::sync::Arc;
 
-/// Largest number of plans whose waves are drawn together during a transition; more are merged.
+/// Largest number of plans whose waves are drawn together during a transition; more are merged with similar ones.
 const MAX_WEIGHTED_PLANS: usize = 4;
 
 /// Whether two sets of parameters have equal refractive indices, on which [`SeaAppearance::caustic_filter_m`] depends.

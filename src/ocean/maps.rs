@@ -13,7 +13,7 @@ pub struct FoamMap {
     pub cell_m: f64,
     /// World x and z of the grid's corner with the smallest coordinates (north-west), m.
     pub corner: [f64; 2],
-    /// Amount of foam in each cell, 0 to 1, row by row: x varies fastest; the first row has the smallest z (north).
+    /// Foam in each cell, 0 (none) to 1 (fully covered), row by row from north to south, each row from west to east.
     pub foam: Vec<f32>,
 }
 
@@ -28,8 +28,8 @@ impl Ocean {
     }
 
     /// Computes the displacement maps at the time of the parameters and reads them back from the textures, cascade by
-    /// cascade, row by row. A texel holds Dx, elevation eta, Dz, m, and dDx/dz, where Dx and Dz are the horizontal
-    /// displacement without choppiness.
+    /// cascade, row by row. A texel holds Dx, the elevation and Dz, m, and the derivative dDx/dz; Dx and Dz are the
+    /// horizontal displacement without choppiness.
     ///
     /// # Errors
     /// If the read-back from the GPU fails.

@@ -8,7 +8,7 @@ use std::io::Cursor;
 /// A channel of an OpenEXR layer: its name, and its value at the texel with a given index, row by row.
 pub type Channel<'a> = (&'static str, Box<dyn Fn(usize) -> f32 + 'a>);
 
-/// An OpenEXR layer of `n` x `n` texels with the given attributes and f32 channels.
+/// An OpenEXR layer of `n` x `n` texels with the given attributes and channels; every channel is written as f32.
 pub fn exr_layer(n: usize, attributes: LayerAttributes, channels: &[Channel<'_>]) -> Layer<AnyChannels<FlatSamples>> {
     let list = channels
         .iter()
@@ -32,8 +32,8 @@ pub fn displacement_channels<'a>(plan: &Plan, maps: &'a MapsF32, cascade: usize)
 }
 
 /// Encodes the wave maps as OpenEXR: displacement X, Y, Z (m, with choppiness) and slopes of the undisplaced surface,
-/// one layer per cascade. Column i lies at x = i patch / n east, row j at z = j patch / n south. The attribute
-/// `seastate` holds `state`, the query string of all parameters, such as `wind=14&t=40`.
+/// one layer per cascade. For n x n texels on a patch of side s, column i lies at x = i s / n east, row j at z = j s /
+/// n south. The attribute `seastate` holds `state`, the query string of all parameters, such as `wind=14&t=40`.
 ///
 /// # Errors
 /// If the OpenEXR encoder fails.

@@ -106,7 +106,7 @@ impl Ocean {
     }
 
     /// Sets the parameters, without a transition. A change of only the time, the camera or the light costs nothing;
-    /// after a change of the sea, the program computes again what its kind ([`SeaChange`]) tells.
+    /// after a change of the sea, only what its kind ([`SeaChange`]) requires is computed again.
     pub fn set_params(&mut self, params: &Params) {
         let change = SeaChange::between(&self.params, params);
         if change.is_some() || self.in_transition() {
@@ -117,7 +117,7 @@ impl Ocean {
         self.store_params(params);
     }
 
-    /// Sets the parameters as a window does, `dt_s` seconds of wall time after the previous frame: the sea changes
+    /// Sets the parameters for an animation, `dt_s` seconds of wall time after the previous frame: the sea changes
     /// gradually and ends exactly on the new parameters. Look, camera, time and a changed grid apply at once. Call it
     /// once per frame before [`Self::record_frame`], and go on while [`Self::in_transition`], even if time stands
     /// still.
@@ -199,12 +199,12 @@ impl Ocean {
         old.into_iter().flat_map(|old| of(old, fading)).chain(of(now, own)).collect()
     }
 
-    /// Height of the still water that is drawn, m; during a transition it moves towards that of the parameters.
+    /// World height of the still water that is drawn, m; during a transition it moves towards that of the parameters.
     pub fn level_m(&self) -> f64 {
         self.appearance.blended_value(self.sim.cross_fade_weight()).still_water_level_m
     }
 
-    /// The timer with the GPU times of the parts of a frame; simulation and renderer mark its parts.
+    /// The timer that measures the GPU times of the parts of a frame; simulation and renderer mark each part's end.
     pub fn timer(&self) -> &Timer {
         &self.timer
     }
@@ -237,7 +237,7 @@ impl Ocean {
         caught_up
     }
 
-    /// Records one frame and all foam time steps up to its time: a still picture that depends only on the parameters.
+    /// Records one frame, with all foam time steps up to its time: a still picture that depends only on the parameters.
     pub fn record_frame_with_complete_foam(&mut self, encoder: &mut wgpu::CommandEncoder, size: [u32; 2]) {
         self.record_frame(encoder, size, MAX_FOAM_STEPS);
     }
@@ -266,7 +266,7 @@ impl Ocean {
         }
     }
 
-    /// Records one part of the last frame again, alone, so that its GPU time can be measured; nothing before a frame.
+    /// Records the drawing part `part` of the last frame again, alone, to measure its GPU time; nothing before a frame.
     pub fn record_part(&self, encoder: &mut wgpu::CommandEncoder, part: TimedPart) {
         if let Some(renderer) = &self.renderer {
             renderer.record_part(encoder, part);
@@ -297,8 +297,8 @@ impl Ocean {
         }
     }
 
-    /// Camera, look, sea properties and floating objects that the renderer draws, besides the maps, in a picture of
-    /// `width` x `height` pixels with the present parameters.
+    /// All that determines a picture of `width` x `height` pixels with the present parameters, besides the maps:
+    /// camera, look, sea properties and floating objects.
     pub fn scene(&self, [width, height]: [u32; 2]) -> Scene {
         let plan = self.sim.plan();
         let share = self.sim.cross_fade_weight();
@@ -328,8 +328,8 @@ impl Ocean {
         }
     }
 
-    /// Positions and orientations of the floating objects, in the order and at the time of the parameters; empty until
-    /// a frame with them has been recorded.
+    /// Positions and orientations of the buoys and boats at the time of the parameters, in the order in which the
+    /// parameters list them; empty until a frame with them has been recorded.
     pub fn hull_poses(&self) -> Vec<HullPose> {
         let (seas, level_m) = (self.drawn_seas(), self.level_m());
         let on = |sea: &DrawnSea| self.hull_waves.iter().find(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)).map(|(_, w)| w);
@@ -338,8 +338,7 @@ impl Ocean {
         self.params.floats.iter().map(|f| hull_pose(&lines, f, self.params.clock.t_s, level_m)).collect()
     }
 
-    /// Updates `hull_waves`, the waves that move the floating objects, for the plans drawn now; clears it if none
-    /// float.
+    /// Updates `hull_waves`, the waves that move the floating objects, for the plans drawn now; empty without objects.
     fn select_hull_waves(&mut self) {
         if self.params.floats.is_empty() {
             self.hull_waves.clear();

@@ -16,7 +16,7 @@ pub enum WavePass {
     Columns,
     /// Computation of the mip levels of the displacement and gradient maps, and of the map of slope moments.
     Mips,
-    /// One time step of the foam simulation; if [`WavePasses::record`] runs it, the step has a length of 0 s.
+    /// One time step of the foam simulation; [`WavePasses::record`] runs it, repeatably, with a length of 0 s.
     Foam,
 }
 
@@ -33,7 +33,7 @@ pub struct MapSizes {
     pub format: MapFormat,
 }
 
-/// The passes of the simulation, prepared for the time of the parameters. Each can be recorded alone and repeatedly.
+/// GPU passes of waves and foam, prepared for the simulated time of the parameters; each can be recorded alone.
 pub struct WavePasses<'a> {
     sim: &'a Simulation,
     dispatch: SeaDispatch,

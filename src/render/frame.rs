@@ -13,8 +13,8 @@ use std::f64::consts::PI;
 /// Patch side of the finest cascade divided by that of its ripples, a shrunk copy that stands for shorter waves. No two
 /// cascades have this ratio, so that their repetitions do not coincide.
 const RIPPLE_PATCH_RATIO: f64 = 13.1;
-/// Largest fraction of the unresolved slope variance (of waves below all cascades) that ripples represent; the rest is
-/// shaded as roughness.
+/// Largest fraction of the slope variance of unresolved waves (too short for any cascade) that ripples represent; the
+/// rest is shaded as roughness.
 const MAX_RIPPLE_VARIANCE_FRACTION: f64 = 0.8;
 /// Largest number of ripple layers, the shrunk copies of finest cascades: one for each of the two seas of a cross-fade.
 const MAX_RIPPLE_LAYERS: usize = 2;
@@ -33,14 +33,13 @@ gpu_struct! {
         pub uv_below_eye: [f32; 2],
         /// Reciprocal of the side of the cascade's square patch, 1/m.
         pub inverse_patch: f32,
-        /// Mean square slope that a value of 1 in the slope-moment map stands for: half that of all waves in the
-        /// cascade.
+        /// Mean square slope that the value 1 in the slope-moment map stands for: half that of the cascade's waves.
         pub moment_unit: f32,
         /// Length of the cascade's shortest wave, in texels of its maps.
         pub shortest_wave_texels: f32,
         /// Index of the cascade's layer in the array textures of displacement, gradients and slope moments.
         pub layer: u32,
-        /// In a cross-fade, factor on the slope variance that corrects for waves that both seas contain; 1 otherwise.
+        /// Factor on the cascade's slope variance in shading; 1 except in a cross-fade of seas that share waves.
         pub variance_correction: f32,
         /// Factor on slopes read from the maps: 1 for a cascade; 0 to 1 for ripples, to give them less variance.
         pub slope_scale: f32,
@@ -53,12 +52,11 @@ gpu_struct! {
     pub struct FrameFoamLevel as "FrameFoamLevel" {
         /// Centre (x, z) of the foam level's square relative to the point below the eye, m.
         pub centre: [f32; 2],
-        /// Half the side, m, of the square in which shaders read this level: its own square less two cells at each
-        /// edge.
+        /// Half the side, m, of the square in which shaders read this level; it leaves out two cells at each edge.
         pub half_side_m: f32,
         /// Reciprocal of the side of a foam cell, 1/m.
         pub inverse_cell: f32,
-        /// Texture coordinates (u, v), 0 to 1, of the point straight below the eye in this level's layer of the map.
+        /// Texture coordinates (u, v), 0 to 1, of the point below the eye, in this level's layer of the foam map.
         pub uv_below_eye: [f32; 2],
         /// Reciprocal of the side of the foam level's square, 1/m.
         pub inverse_side: f32,
@@ -85,7 +83,8 @@ gpu_struct! {
         pub pixel_angle: f32,
         /// Unit vector towards the sun.
         pub sun_direction: [f32; 3],
-        /// Slope variance along each axis (x, z) added to the water's in the sun's reflection for the sun's disc size.
+        /// Slope variance along each axis (x, z) that is added to the water's where it reflects the sun, to widen the
+        /// reflection by the size of the sun's disc.
         pub sun_slope_variance: f32,
         /// Covariances (xx, zz, xz) of the slopes along x and z of the waves that neither cascades nor ripples hold.
         pub residual_slope_covariance: [f32; 3],
@@ -111,7 +110,7 @@ gpu_struct! {
         pub hs_m: f32,
         /// Water depth, m.
         pub depth_m: f32,
-        /// Expected mean amount of foam, 0 to 1, drawn beyond the foam levels (square foam grids around the camera).
+        /// Expected mean of the foam, 0 (none) to 1 (fully covered), drawn beyond the foam levels (square grids).
         pub mean_foam: f32,
         /// Factor, from the settings, by which the simulated amount of foam is multiplied for drawing.
         pub foam_amount: f32,
@@ -143,8 +142,8 @@ impl FrameCascade {
         }
     }
 
-    /// Ripples: a copy of a cascade shrunk by [`RIPPLE_PATCH_RATIO`], with `fraction` times its slope variance, for an
-    /// eye above the world position `below_eye` (x, z), m.
+    /// Ripples: a copy of `cascade` (maps of `n` texels a side) shrunk by [`RIPPLE_PATCH_RATIO`], with `fraction` times
+    /// its slope variance; the eye is above the world position `below_eye` (x, z), m.
     fn new_ripples(cascade: &MapCascade, fraction: f64, below_eye: [f64; 2], n: f64) -> Self {
         let patch_m = cascade.patch_m / RIPPLE_PATCH_RATIO;
         Self {
@@ -234,8 +233,7 @@ fn padded_array<T: Copy + Default, const N: usize>(values: impl Iterator<Item = 
     out
 }
 
-/// Angle from the horizontal down to the horizon of the spherical Earth, rad, for an eye at the height `eye_height_m`,
-/// m.
+/// Angle from the horizontal down to the horizon of the spherical Earth, rad, seen from the height `eye_height_m`.
 pub fn horizon_dip(eye_height_m: f64) -> f64 {
     let r = crate::state::camera::EARTH_RADIUS_M;
     (r / (r + eye_height_m.max(0.0))).min(1.0).acos()

@@ -53,13 +53,13 @@ pub struct ReferenceRenderer {
 }
 
 impl ReferenceRenderer {
-    /// Compiles the passes. `target_format` is the format of the texture that [`Self::present`] draws into.
+    /// Compiles the passes of reference pictures. `target_format` is the format that [`Self::present`] draws into.
     pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat) -> Self {
         Self { renderer: Renderer::new(gpu, target_format, OutputKind::Reference) }
     }
 
     /// Records the drawing of one grid of samples. Returns a texture with one sample per texel: linear light in rgb; in
-    /// alpha the weight of a water sample in the mean of its pixel's water samples, 0 for sky and hulls.
+    /// alpha a water sample's weight when the water samples of its pixel are averaged, 0 for sky and hulls.
     pub fn draw(
         &mut self,
         gpu: &Gpu,

@@ -8,7 +8,7 @@ use crate::waves::Plan;
 use crate::waves::colour_scale::ColourScale;
 use crate::waves::slopes::{self, SlopeVariance};
 
-/// Speed of low clouds divided by the wind speed at 10 m: logarithmic wind profile up to the top of the boundary layer.
+/// Speed of low clouds divided by wind speed at 10 m, from a logarithmic wind profile up to the boundary layer's top.
 const CLOUD_SPEED_PER_WIND_SPEED: f64 = 1.4;
 
 /// Everything that determines a picture besides the maps of the simulation.
@@ -29,7 +29,7 @@ pub struct Scene {
     pub mean_foam: f64,
     /// Distance that the clouds have drifted along x and z since time 0, m.
     pub cloud_drift_m: [f64; 2],
-    /// Colour scales of a false-colour view, one for each cascade (or each foam level). Unused in the normal picture.
+    /// Colour scales of a false-colour view, one for each cascade or, in a view of foam, each foam level; else unused.
     pub colour_scales: [ColourScale; MAX_CASCADES],
     /// Positions and orientations of the floating buoys and boats in world coordinates.
     pub hulls: Vec<HullPose>,
@@ -57,7 +57,7 @@ pub struct SeaAppearance {
     pub unresolved_slope_variance: SlopeVariance,
     /// Slope variances, along the wind and across it, of the waves in the finest cascade (the shortest waves).
     pub finest_cascade_slope_variance: SlopeVariance,
-    /// Half the shortest wavelength that forms distinct caustics on the bed, m; caustics leave shorter detail out.
+    /// Half the shortest wavelength of waves that form distinct caustics on the bed, m; shorter detail is ignored.
     pub caustic_filter_m: f64,
 }
 
@@ -82,8 +82,8 @@ impl SeaAppearance {
         }
     }
 
-    /// Half the shortest wavelength that forms distinct caustics on the bed, m, for the refractive indices in `look`;
-    /// detail of the surface shorter than this is left out of the caustics.
+    /// Half the shortest wavelength of waves that form distinct caustics on the bed, m, for the refractive indices in
+    /// `look`; detail of the surface shorter than this is left out of the caustics.
     pub fn caustic_filter_m(plan: &Plan, look: &Look) -> f64 {
         let reflection = &look.surface.reflection;
         let reach_m = plan.sea.depth_m * (1.0 - reflection.index_air / reflection.index_water);

@@ -10,7 +10,7 @@ pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 /// Formats of the two textures of the G-buffer: position and slopes of the water in each pixel (WGSL `GBuffer`).
 pub const G_BUFFER_FORMATS: [wgpu::TextureFormat; 2] = [wgpu::TextureFormat::Rgba32Uint; 2];
 
-/// Depth test of water mesh and floating objects: the fragment nearest to the eye is visible and writes its depth.
+/// Depth test of water mesh and floating objects: a fragment nearer than those before is drawn and writes its depth.
 pub const DEPTH_TEST_OPAQUE: DepthState =
     DepthState { format: DEPTH_FORMAT, compare: wgpu::CompareFunction::GreaterEqual, writes_depth: true };
 /// Depth test of the sky (background): visible where nothing nearer was drawn; writes no depth.

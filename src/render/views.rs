@@ -51,7 +51,7 @@ gpu_struct! {
         size: [f32; 2],
         /// Choppiness: factors by which the horizontal displacements along x and z are multiplied; 1 is linear theory.
         choppiness: [f32; 2],
-        /// Which view is shown: 1 + the discriminant of its `MapView` or, for a view of the surface, `SurfaceView`.
+        /// 1 + the discriminant of the shown `MapView` or `SurfaceView`; map and surface views have separate shaders.
         view_kind: u32,
         /// Number of entries of `tiles` in use; one map layer is shown in each.
         tile_count: u32,
@@ -155,8 +155,8 @@ pub struct ViewPass {
 }
 
 impl ViewPass {
-    /// Compiles the passes. Views of the water surface draw the mesh of `water`; `target` is the format of the texture
-    /// that [`Self::present`] draws into.
+    /// Compiles the passes of false-colour views. Views of the water surface draw the mesh of `water`; `target` is the
+    /// format of the texture that [`Self::present`] draws into.
     pub fn new(gpu: &Gpu, shaders: &Shaders, water: &WaterPass, target: wgpu::TextureFormat) -> Self {
         let fragment = wgpu::ShaderStages::FRAGMENT;
         let uniform = Uniform::<ViewUniform>::new(gpu, "view");

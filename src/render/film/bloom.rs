@@ -25,7 +25,7 @@ struct MipChain {
     result: wgpu::TextureView,
 }
 
-/// One dispatch of bloom, which halves a picture or adds two sizes up.
+/// One compute dispatch of bloom, which halves a picture in width and height or adds it to the next larger one.
 struct BloomStep {
     /// Whether this step halves a picture; otherwise it adds a smaller picture to a larger one.
     is_downsampling: bool,
@@ -36,7 +36,7 @@ struct BloomStep {
 }
 
 impl BloomPass {
-    /// Compiles the two compute passes of bloom, for downsampling and for upsampling.
+    /// Compiles the two compute passes of bloom, for downsampling and for upsampling; allocates no textures yet.
     pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
         let format = shaders.map_format(gpu).texture_format();
         let bindings =

@@ -12,7 +12,7 @@ use crate::render::water::noise::NoiseTexture;
 use crate::shaders::Shaders;
 use wgpu::BindingResource::{Sampler, TextureView};
 
-/// Texels of the table of the air's transmittance: along the ray's elevation, and along the altitude where it starts.
+/// Size, texels, of the table of the air's transmittance: width for the ray's elevation, height for its start altitude.
 const TRANSMITTANCE_SIZE: [u32; 2] = [256, 64];
 const MULTIPLE_SCATTERING_SIZE: [u32; 2] = [64, 32];
 const SKY_VIEW_SIZE: [u32; 2] = [192, 128];
@@ -21,7 +21,7 @@ const ENVIRONMENT_SIZE: [u32; 2] = [256, 128];
 const ENVIRONMENT_MIP_LEVELS: u32 = 6;
 /// Number of workgroups, of 64 threads each, that sum the light of the sky over directions (shaders/sky/light.wgsl).
 const LIGHT_WORKGROUPS: u32 = 4;
-/// Size, bytes, of the buffer with the partial sums of the sky's light: one sum of four f32 for each thread.
+/// Size, bytes, of the buffer with the partial sums of the sky's light: four f32 (16 bytes) for each thread.
 const LIGHT_PARTS_BYTES: u64 = 16 * 64 * LIGHT_WORKGROUPS as u64;
 
 /// Number of workgroups of 8 x 8 threads, along x and y, that cover a table of `size` texels.
@@ -29,7 +29,7 @@ fn workgroups(size: [u32; 2]) -> [u32; 2] {
     size.map(|side| side.div_ceil(8))
 }
 
-/// A compute pass that fills a look-up table of the sky or sums its light, with its bind group.
+/// A compute pass that fills a look-up table of the sky or adds up its light, with its bind group.
 struct TablePass {
     kernel: Kernel,
     group: wgpu::BindGroup,
@@ -275,7 +275,7 @@ mod tests {
         SkyLook { sun_elevation_deg, ..SkyLook::default() }
     }
 
-    /// Illuminance of a horizontal plane, lux, in units in which the sun above the atmosphere gives 128 klx.
+    /// Illuminance of a horizontal plane by `light`, lux, if the sun above the atmosphere gives 128 klx.
     fn lux(light: &LightBuffer, look: &SkyLook) -> f64 {
         let up = look.sun_direction()[1].max(0.0);
         let e: Vec<f64> =
@@ -295,7 +295,7 @@ mod tests {
     }
 
     /// Clear skies at noon, at sunset, at the end of civil twilight and in a moonless night give a horizontal plane the
-    /// illuminances of Seidelmann (Explanatory Supplement to the Astronomical Almanac, 1992), within a factor.
+    /// illuminances of Seidelmann (Explanatory Supplement, 1992), within the factor given for each.
     #[test]
     fn light_from_noon_to_night() {
         let cases = [(60.0, 9.5e4, 1.3), (0.0, 700.0, 2.0), (-6.0, 3.4, 3.0), (-24.0, 1.5e-3, 2.5)];

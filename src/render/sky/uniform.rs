@@ -31,7 +31,7 @@ gpu_struct! {
         sun_direction: [f32; 3],
         /// Amount of aerosol in the air, relative to that of a clear day at sea.
         haze: f32,
-        /// Linear RGB colour of the sun, times its irradiance relative to the real sun at Earth, times `night_gain`.
+        /// Linear RGB colour of the sun from the settings, divided by its squared distance in au, times `night_gain`.
         sun_tint: [f32; 3],
         /// Angular radius of the sun's disc, rad.
         sun_radius_rad: f32,
@@ -128,25 +128,25 @@ impl SkyUniform {
 }
 
 gpu_struct! {
-    /// WGSL `Light`: the light on the sea, computed on the GPU when the sky changes. Units: irradiance 1 is 6400 lux,
-    /// radiance 1 is 6400 cd/m2, both times `night_gain`.
+    /// WGSL `Light`: the light on the sea, computed on the GPU when the sky changes. Irradiance is in units of 6400 lux
+    /// and radiance in units of 6400 cd/m2; both are then multiplied by `night_gain`.
     pub struct LightBuffer as "Light" {
-        /// Irradiance (RGB) by the sun on a plane that faces it at the sea, after air, clouds and fog.
+        /// Irradiance (RGB; unit: 6400 lux / `night_gain`) by the sun, after air, clouds and fog, on a plane facing it.
         pub sun_irradiance: [f32; 3],
         /// Automatic exposure: factor by which radiance is multiplied to give the input of the tone curve.
         pub exposure: f32,
-        /// Irradiance (RGB) of a horizontal plane by the sky without the sun.
+        /// Irradiance (RGB; unit: 6400 lux / `night_gain`) of a horizontal plane by the sky without the sun.
         pub sky_irradiance: [f32; 3],
-        /// Luminance to which the exposure adapts, mostly of the low sky, in units of 6400 cd/m2 (no `night_gain`).
+        /// Luminance to which the exposure adapts, mostly of the low sky, in units of 6400 cd/m2, without `night_gain`.
         pub adaptation_luminance: f32,
-        /// Radiance (RGB) of a closed cloud deck at the zenith.
+        /// Radiance (RGB; unit: 6400 cd/m2 / `night_gain`) of a closed cloud deck at the zenith.
         pub overcast_zenith_radiance: [f32; 3],
-        /// Fraction of the sunlight that passes through the clouds, 0 to 1.
+        /// Fraction of the direct sunlight that passes through the clouds, 0 to 1.
         pub cloud_sun_transmittance: f32,
-        /// Radiance (RGB) of dense fog lit by the sky, equal in all directions.
+        /// Radiance (RGB; unit: 6400 cd/m2 / `night_gain`) of dense fog lit by the sky, equal in all directions.
         pub fog_sky_radiance: [f32; 3],
         unused_0: u32,
-        /// Irradiance (RGB) by the sun at half the height of the fog, on a plane that faces the sun.
+        /// Irradiance (RGB; unit: 6400 lux / `night_gain`) by the sun at half the fog's height, on a plane facing it.
         pub fog_sun_irradiance: [f32; 3],
         unused_1: u32,
     }

@@ -8,7 +8,7 @@ use crate::render::frame::FrameUniform;
 use crate::render::scene::Scene;
 use crate::shaders::Shaders;
 
-/// Compute pass that raises the eye above the waves around it, in the frame uniform.
+/// Compute pass that raises the eye, in the frame uniform, where needed to stay above the waves around it.
 pub struct EyePass {
     pipeline: wgpu::ComputePipeline,
     group: wgpu::BindGroup,
@@ -37,7 +37,8 @@ impl EyePass {
     }
 }
 
-/// Whether the eye is lower than 3 m + 1.5 Hs, so that a wave may reach it (one crest in 7 x 10^7 exceeds 1.5 Hs).
+/// Whether the eye is below 3 m + 1.5 Hs (significant wave height), so that a wave may reach it; one crest in 7 x 10^7
+/// exceeds 1.5 Hs.
 fn waves_may_reach_eye(scene: &Scene) -> bool {
     scene.view.eye.y < 3.0 + 1.5 * scene.sea.hs_m
 }

@@ -32,7 +32,7 @@ struct HullFacet {
     colour: u32,
 }
 
-/// Paint colours as 0x00BBGGRR.
+/// Yellow paint; this and the colours below are sRGB as 0x00BBGGRR.
 const YELLOW: u32 = 0x0014_b0e8;
 const DARK_GREY: u32 = 0x0028_2828;
 const WHITE: u32 = 0x00e8_ecec;
@@ -52,7 +52,7 @@ pub struct HullPass {
 }
 
 impl HullPass {
-    /// Builds the shader module and the triangles of the hulls; the pipeline is compiled when something floats.
+    /// Builds the shader module and the hulls' triangles; the pipeline is compiled when the first object floats.
     pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
         let layout = gpu.bind_group_layout(
             "hulls",

@@ -91,14 +91,14 @@ pub struct WaterPass {
     g_buffer: Option<([wgpu::TextureView; 2], wgpu::BindGroup)>,
     light_pipelines: PipelineVariants<Permutation>,
     maps_layout: wgpu::BindGroupLayout,
-    /// Samplers of the maps: one interpolates between mip levels, the other takes the nearest level.
+    /// Samplers of the maps: the first interpolates between mip levels, the second takes the nearest level.
     samplers: [wgpu::Sampler; 2],
     /// Bind group of the map textures, and their generation number (new for new textures); None before the first frame.
     bound_maps: Option<(u64, wgpu::BindGroup)>,
 }
 
 impl WaterPass {
-    /// Compiles the passes that displace the mesh and fill the G-buffer, not the lighting ([`Self::select_pipeline`]).
+    /// Compiles the passes that displace the mesh and fill the G-buffer; [`Self::select_pipeline`] does the lighting.
     pub fn new(gpu: &Gpu, shaders: &Shaders, scene: SceneGroup, frame: &Uniform<FrameUniform>) -> Self {
         let bindings = [
             BindingType::TextureArray,

@@ -98,8 +98,8 @@ gpu_struct! {
         glitter_strength: f32,
         /// Factor on the Fresnel reflectance in the sun's glitter; 1 is physical.
         glitter_fresnel_scale: f32,
-        /// Cosine of the larger of the sun's and the eye's angle to the surface normal, below which the sun's glitter
-        /// fades; it is gone at half of this cosine. 0 turns the fading off.
+        /// The sun's glitter fades where the cosine of the angle between surface normal and sun, or between normal and
+        /// eye, is below this; it is gone at half this cosine. 0 turns the fading off.
         glitter_min_cosine: f32,
         /// Slope variance along each axis (x, z) that the roughness setting adds to that of the unresolved waves.
         roughness_variance: f32,
@@ -110,7 +110,7 @@ gpu_struct! {
         sky_reflection: f32,
         /// Strength of the caustics (sunlight focused by the waves) on the bed: 0 is even light, 1 is physical.
         caustic_strength: f32,
-        /// Half the shortest wavelength that forms distinct caustics on the bed, m; caustics leave shorter detail out.
+        /// Half the shortest wavelength of waves that form distinct caustics on the bed, m; shorter detail is ignored.
         caustic_filter_m: f32,
         unused: [u32; 2],
     }
@@ -162,7 +162,7 @@ impl MaterialUniform {
     }
 }
 
-/// Absorption and scattering of the water type, or of water of a chosen colour, in the settings `scattering`.
+/// Absorption and scattering of the water that the settings `scattering` select: a water type, or water of a colour.
 fn water_optics(scattering: &Scattering) -> WaterOptics {
     let water = WaterOptics::blend_with_next_type(scattering.water_type, scattering.water_type_blend);
     if scattering.scatter_colour > 0.0 {
@@ -172,7 +172,7 @@ fn water_optics(scattering: &Scattering) -> WaterOptics {
     }
 }
 
-/// Whether the sea bed is drawn: enough light returns from it through the water (`MIN_BED_TRANSMITTANCE`).
+/// Whether the sea bed is drawn: more than `MIN_BED_TRANSMITTANCE` of some colour's light returns from it.
 pub fn is_bed_visible(scene: &Scene) -> bool {
     let back = water_optics(&scene.look.surface.scattering).two_way_transmittance(scene.sea.depth_m);
     back.into_iter().any(|share| share > MIN_BED_TRANSMITTANCE)

@@ -18,8 +18,8 @@ pub const DEFAULT_VERTICES: f64 = DEFAULT_COLUMNS * DEFAULT_ROWS;
 /// Number of columns of quads in a block. A block is drawn row by row, so that a row finds the vertices that it shares
 /// with the row before in the GPU's cache.
 pub const COLUMNS_PER_BLOCK: u32 = 8;
-/// Step of the logarithmic distance t (see [`MeshLattice`]) to which the nearest row is rounded down, so that a small
-/// change of the camera's pitch moves no row.
+/// The logarithmic distance t (see [`MeshLattice`]) of the nearest row is rounded down to a multiple of this, so that a
+/// small change of the camera's pitch moves no row.
 const FIRST_ROW_LOG_STEP: f64 = 0.25;
 
 gpu_struct! {
@@ -31,7 +31,7 @@ gpu_struct! {
         pub azimuth_step: f32,
         pub first_log_radius: f32,
         pub log_radius_step: f32,
-        /// Distance up to which rows are about evenly spaced, m; beyond it their spacing grows with the distance.
+        /// Distance from the point below the eye up to which rows are about evenly spaced, m; spacing grows beyond.
         pub linear_radius_m: f32,
         /// Number of rows, that is of vertices in a column.
         pub rows: u32,
@@ -42,7 +42,7 @@ gpu_struct! {
 /// Layout of the water mesh for one view: the lattice of its undisplaced vertices, and how many columns are drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
-    /// Polar coordinates of the vertices before displacement.
+    /// Polar coordinates, around the point below the eye, of the vertices before displacement.
     pub lattice: MeshLattice,
     /// Number of columns of quads in the index buffer. It depends only on the density of the mesh, not on the view.
     pub index_buffer_columns: u32,
@@ -51,8 +51,8 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// The mesh that covers the water visible in `view`. `density` is its number of vertices relative to the default;
-    /// `extent_km` is the distance that it reaches, km, or 0 for the horizon.
+    /// The mesh that covers the water visible in `view`. `density` is its number of vertices divided by
+    /// [`DEFAULT_VERTICES`]; `extent_km` is the distance that it reaches, km, or 0 for the horizon.
     pub fn new(view: &View, sea: &SeaAppearance, density: f64, extent_km: f64) -> Self {
         let scale = density.clamp(0.015, 64.0).sqrt();
         let index_buffer_columns =
