@@ -58,7 +58,7 @@ pub fn mips(n: u32, cascades: u32, maps: MapFormat) -> Cost {
 }
 
 /// Cost of the foam pass. Bytes per cell: foam read and written (8), one texel written, and four texels of two maps
-/// read for each cascade and copy of its patch. Operations include bilinear weights and the blend of the copies.
+/// read for each cascade and shifted copy of its patch. Operations include weighting and blending of these texels.
 pub fn foam(foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
     let (samples, texel) = (f64::from(cascades) * MEAN_COPIES, f64::from(maps.bytes_per_texel()));
     let flops = 40.0 + 60.0 * f64::from(cascades) + 60.0 * samples;

@@ -126,8 +126,8 @@ impl Simulation {
         step
     }
 
-    /// Applies one step of a transition to the foam parameters and, in a cross-fade, to the amplitude factors of all
-    /// drawn cascades. Drops the old sea if the step ends the cross-fade.
+    /// Applies one frame of a transition to the foam parameters and, in a cross-fade, to the amplitude factors of all
+    /// drawn cascades. Drops the old sea if the cross-fade ends in this frame.
     fn apply_transition_step(&mut self, step: &TransitionStep) {
         if step.ends_cross_fade {
             self.fading = None;

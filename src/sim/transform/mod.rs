@@ -22,7 +22,7 @@ pub enum FftImplementation {
 }
 
 impl FftImplementation {
-    /// The implementation of the FFT that is faster on a device.
+    /// The faster implementation of the FFT on a device: `Unrolled` on a software adapter, else `Workgroup`.
     pub fn for_device(gpu: &Gpu) -> Self {
         if gpu.is_software() { Self::Unrolled } else { Self::Workgroup }
     }

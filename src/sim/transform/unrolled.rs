@@ -21,7 +21,7 @@ pub struct UnrolledTransform {
     groups: FftBindGroups,
 }
 
-/// Buffers that pass values from one of the four dispatches to the next, or to the map textures.
+/// GPU buffers that pass values from one of the four FFT dispatches to the next, or to the map textures.
 struct IntermediateBuffers {
     /// Result of the first of two dispatches along an axis, first x, then z; as large as `Resources::row_transforms`.
     half_transforms: wgpu::Buffer,
