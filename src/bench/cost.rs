@@ -102,13 +102,13 @@ pub struct PictureContents {
     pub sea_fraction: f64,
     /// Number of vertices of the sea mesh.
     pub vertices: f64,
-    /// Size of the displacement maps of all cascades with mip levels, bytes. Gradients and moments count as much each.
+    /// Bytes of all displacement maps with mip levels; gradient maps count as much, and so do slope moments.
     pub map_bytes: f64,
 }
 
 impl PictureContents {
-    /// Minimum cost of drawing the sea mesh to the G-buffer. Bytes: 120 per vertex, which is written, read, and indexed
-    /// by six corners of triangles; the displacement and gradient maps; surface data (32) and depth (4) per sea pixel.
+    /// Minimum cost of drawing the sea mesh to the G-buffer. Bytes: 120 per vertex (written, read, and six indices of
+    /// triangle corners); displacement and gradient maps once; surface data (32) and depth (4) per sea pixel.
     pub fn mesh(&self) -> Cost {
         let seen = self.pixels * self.sea_fraction;
         Cost {

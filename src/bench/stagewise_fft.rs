@@ -23,7 +23,7 @@ struct EvolveUniform {
     unused: u32,
 }
 
-/// One compute dispatch of the baseline, with a thread for each texel of a texture, in workgroups of 8 x 8 threads.
+/// One compute dispatch of the baseline, with a thread for each of n x n texels, in workgroups of 8 x 8 threads.
 struct Dispatch {
     pipeline: wgpu::ComputePipeline,
     group: wgpu::BindGroup,

@@ -99,7 +99,7 @@ impl Timer {
         }
     }
 
-    /// Ends the timed frame and records a copy of its timestamps to a buffer that a later frame reads on the CPU.
+    /// Ends the timed frame. Records a copy of its timestamps to a buffer, which the CPU reads during a later frame.
     pub fn end_frame(&self, encoder: &mut wgpu::CommandEncoder) {
         let Some(mut state) = self.lock_state() else { return };
         if !matches!(state.phase, TimerPhase::Recording) {

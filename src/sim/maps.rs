@@ -66,7 +66,7 @@ pub struct Maps {
     pub foam_n: u32,
     /// FFT size, which is also the number of texels along a side of mip level 0 of the displacement and gradient maps.
     pub n: u32,
-    /// Counter that increases whenever the texture views are replaced: users with bind groups must then renew these.
+    /// Counter that increases when these texture views are replaced: bind groups with them must then be renewed.
     pub generation: u64,
 }
 
@@ -75,7 +75,7 @@ pub struct Maps {
 pub struct MapCascade {
     /// Side of the square patch of sea that the cascade's maps cover, m.
     pub patch_m: f64,
-    /// How the plane is covered with the patch: it repeats, or randomly shifted copies of it are blended.
+    /// How the sea is covered with the cascade's patch: it repeats, or randomly shifted copies of it are blended.
     pub tiling: Tiling,
     /// Wavelength of the shortest wave of the cascade, m.
     pub shortest_wavelength_m: f64,
@@ -207,7 +207,7 @@ impl MapCascade {
     }
 }
 
-/// Displacement and gradient maps of all cascades in f32, before rounding to half floats. Choppiness is not applied.
+/// Displacement and gradient maps of all cascades in f32, as before rounding for textures, without choppiness.
 #[derive(Clone, Debug)]
 pub struct MapsF32 {
     /// Number of texels along a side of a map.

@@ -38,7 +38,7 @@ pub const MAX_FOAM_STEPS: usize = foam::COLD_START_STEPS;
 /// the maps that these write.
 pub struct Simulation {
     sea: SeaUniformSource,
-    /// Source of the uniforms of the old sea of a cross-fade. None without a cross-fade.
+    /// Old sea of a cross-fade: its plan, and its spectrum in the form for shaders. None without a cross-fade.
     fading: Option<SeaUniformSource>,
     /// Plan that waits for the end of the current cross-fade, when a cross-fade to it starts. None if no plan waits.
     next: Option<Plan>,
@@ -190,7 +190,7 @@ impl Simulation {
         self.uniforms.upload(gpu);
     }
 
-    /// Computes the maps at time `t_s`, s, and reads back those of the current sea in f32, before rounding to f16.
+    /// Computes the maps at time `t_s`, s, and reads back the current sea's, as f32 before rounding for textures.
     ///
     /// # Errors
     /// If mapping the read-back buffer fails.
