@@ -106,8 +106,8 @@ impl<'a> Stopwatch<'a> {
         self.stamps.is_some()
     }
 
-    /// Returns GPU, wall and CPU times of the work that `record` records, from `repeat` submissions after a warm-up, in
-    /// which short work is repeated. `record` gets the number of its earlier calls, and the encoder.
+    /// Returns GPU, wall and CPU times per call of `record`, which records the work: from `repeat` submissions after a
+    /// warm-up, each with several calls if the work is short. It gets the number of earlier calls, and the encoder.
     ///
     /// # Errors
     /// If waiting for the GPU fails.

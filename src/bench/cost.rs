@@ -102,7 +102,7 @@ pub struct PictureContents {
     pub sea_fraction: f64,
     /// Number of vertices of the sea mesh.
     pub vertices: f64,
-    /// Bytes of all displacement maps with mip levels; gradient maps count as much, and so do slope moments.
+    /// Size of all displacement maps with mip levels, bytes; gradient maps and slope moments count as much each.
     pub map_bytes: f64,
 }
 

@@ -33,7 +33,7 @@ pub struct BenchOptions {
     pub sizes: Vec<[u32; 2]>,
     /// Number of submissions to the GPU that each measurement times.
     pub repeat: u32,
-    /// Whether to time the simulation for many FFT sizes and cascade counts, instead of those of the state.
+    /// Whether to time the simulation for many FFT sizes and cascade counts, instead of those of the given state.
     pub matrix: bool,
     /// Whether to time the baseline, too: the waves by an FFT with one dispatch per stage, as in browser demos.
     pub baseline: bool,
@@ -260,7 +260,7 @@ fn picture_contents(params: &Params, ocean: &Ocean, size: [u32; 2]) -> cost::Pic
 }
 
 impl BenchReport {
-    /// Time of `of` divided by that of the last row named `over` with the same FFT size. None if there is no such row.
+    /// Time of the row `of` divided by that of the last row named `over` with the same FFT size. None without one.
     fn time_ratio(&self, of: &PassTiming, over: &'static str) -> Option<f64> {
         let other =
             self.rows.iter().rfind(|r| r.pass == over && r.sea_size.map(|s| s[0]) == of.sea_size.map(|s| s[0]))?;

@@ -42,7 +42,7 @@ enum TimerPhase {
     Recording,
     /// A frame has been recorded. When the next one begins, this one's timestamps are requested if it was submitted.
     Recorded,
-    /// The timestamps are being mapped for the CPU to read: 0 while waiting, 1 when they are, 2 if this failed.
+    /// The timestamps are being mapped for the CPU to read: 0 while waiting, 1 when mapped, 2 if that failed.
     Mapping(Arc<AtomicU8>),
 }
 

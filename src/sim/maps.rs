@@ -157,7 +157,7 @@ impl Maps {
     }
 
     /// Sets amplitude factor and variance correction of each drawn cascade in a cross-fade. `overlaps` holds both seas'
-    /// covariance per cascade; `new_sea_weight` is the new sea's fraction of both elevation variances, 0 to 1.
+    /// covariance per cascade; `new_sea_weight` is the new sea's fraction of the sum of both elevation variances.
     pub(super) fn set_cross_fade_weights(&mut self, overlaps: &[SeaCovariance], new_sea_weight: f64) {
         let fading = self.fading_count;
         for (i, cascade) in self.cascades.iter_mut().enumerate() {

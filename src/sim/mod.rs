@@ -38,7 +38,7 @@ pub const MAX_FOAM_STEPS: usize = foam::COLD_START_STEPS;
 /// the maps that these write.
 pub struct Simulation {
     sea: SeaUniformSource,
-    /// Old sea of a cross-fade: its plan, and its spectrum in the form for shaders. None without a cross-fade.
+    /// Old sea of a cross-fade: its plan, and its spectrum in the form that shaders read. None without a cross-fade.
     fading: Option<SeaUniformSource>,
     /// Plan that waits for the end of the current cross-fade, when a cross-fade to it starts. None if no plan waits.
     next: Option<Plan>,
@@ -109,7 +109,7 @@ impl Simulation {
         self.transition.is_running() || self.next.is_some()
     }
 
-    /// Weight of the current sea in a cross-fade: its fraction of both seas' elevation variance, 0 to 1; 1 without one.
+    /// Weight of the current sea in a cross-fade: its fraction of the sum of both seas' elevation variances; else 1.
     pub fn cross_fade_weight(&self) -> f64 {
         self.transition.cross_fade_weight()
     }

@@ -56,7 +56,7 @@ impl Passes {
 /// Pass that computes h0, the Fourier amplitudes at time 0, from the spectrum (shaders/waves/spectrum.wgsl).
 pub struct SpectrumPass {
     kernel: Kernel,
-    /// Bind groups of the pass, one per set in `Resources::wave_buffers`: one, or two for cross-fades.
+    /// Bind groups of the pass, one per set in `Resources::wave_buffers`: two from the first cross-fade on.
     groups: Vec<wgpu::BindGroup>,
 }
 

@@ -102,7 +102,7 @@ impl Transition {
         step
     }
 
-    /// Weight of the new sea in a cross-fade: its fraction of both elevation variances, 0 to 1; 1 without one.
+    /// Weight of the new sea in a cross-fade: its fraction of the sum of both elevation variances; else 1.
     pub fn cross_fade_weight(&self) -> f64 {
         self.cross_fade.map_or(1.0, |x| x * x * (3.0 - 2.0 * x))
     }

@@ -133,8 +133,8 @@ gpu_struct! {
         pub corners: [FoamLevelCorner; MAX_DRAWN_CASCADES],
         /// World indices (x, z) of the cell of this level with the lowest x and z; cell i begins at i times `cell_m`.
         pub first_cell: [i32; 2],
-        /// World indices (x, z) of the cell with the lowest x and z at the last foam step; far out of range if none
-        /// was.
+        /// World indices (x, z) of the cell with the lowest x and z at the last step; far out of range to ignore old
+        /// foam.
         pub previous_first_cell: [i32; 2],
         /// Side of a foam cell of this level, m.
         pub cell_m: f32,

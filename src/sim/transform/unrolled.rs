@@ -30,7 +30,7 @@ struct IntermediateBuffers {
 }
 
 struct FftBindGroups {
-    /// Bind groups of the first kernel, one per set in `Resources::wave_buffers`: one, or two for cross-fades.
+    /// Bind groups of the first kernel, one per set in `Resources::wave_buffers`: two from the first cross-fade on.
     rows_first: Vec<wgpu::BindGroup>,
     rows_second: wgpu::BindGroup,
     columns_first: wgpu::BindGroup,

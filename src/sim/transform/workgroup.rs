@@ -23,7 +23,7 @@ pub struct WorkgroupTransform {
 }
 
 struct FftBindGroups {
-    /// Bind groups of the row pass, one per set in `Resources::wave_buffers`: one, or two for cross-fades.
+    /// Bind groups of the row pass, one per set in `Resources::wave_buffers`: two from the first cross-fade on.
     rows: Vec<wgpu::BindGroup>,
     columns: wgpu::BindGroup,
 }
