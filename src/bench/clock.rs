@@ -19,8 +19,8 @@ pub struct Timing {
     /// Shortest wall time of a submission, from the start of its recording on the CPU to its completion on the GPU,
     /// divided by the number of repetitions of the measured work in it, ms.
     pub min_wall_ms: f64,
-    /// 10th percentile, median and 90th percentile over the submissions of the wall time from recording to completion,
-    /// divided by the repetitions in a submission, ms.
+    /// 10th percentile, median and 90th percentile over the submissions of the wall time from the start of recording to
+    /// completion on the GPU, divided by the repetitions of the work in a submission, ms.
     pub wall_percentiles_ms: [f64; 3],
     /// CPU time of all threads of the process together for doing the work once, ms: the smallest of all submissions.
     /// `None` where the system does not tell.
@@ -34,8 +34,8 @@ impl Timing {
     }
 }
 
-/// Whether the device has timestamps that measure how long commands execute. A software adapter writes them when it
-/// receives the commands, before it executes them.
+/// Whether the device has timestamps that tell when commands execute. A software adapter writes them when it receives
+/// the commands, before it executes them.
 fn do_timestamps_measure_execution(gpu: &Gpu) -> bool {
     !gpu.is_software() && gpu.device.features().contains(timer::TIMESTAMPS)
 }
@@ -88,7 +88,7 @@ impl TimestampQueries {
         }
     }
 
-    /// Reads the four timestamps in the buffer `staged`; returns the GPU time from the second to the third, ms.
+    /// Reads the four timestamps in `staged`, two before and two after the work; returns the GPU time between, ms.
     async fn read(&self, gpu: &Gpu, staged: wgpu::Buffer) -> Result<f64, String> {
         let stamps: Vec<u64> = bytemuck::pod_collect_to_vec(&readback::read(gpu, staged).await?);
         Ok(1e-6 * self.period_ns * stamps[2].saturating_sub(stamps[1]) as f64)
@@ -106,8 +106,8 @@ impl<'a> Stopwatch<'a> {
         self.stamps.is_some()
     }
 
-    /// Measures the commands that `record` records, by GPU, wall and CPU time: a warm-up, then `repeat` submissions, in
-    /// which short work is repeated. `record` gets the number of its earlier calls, and the encoder to record to.
+    /// Returns GPU, wall and CPU times per call of `record`, which records the work: from `repeat` submissions after a
+    /// warm-up, each with several calls if the work is short. It gets the number of earlier calls, and the encoder.
     ///
     /// # Errors
     /// If waiting for the GPU fails.

@@ -58,7 +58,7 @@ pub fn mips(n: u32, cascades: u32, maps: MapFormat) -> Cost {
 }
 
 /// Cost of the foam pass. Bytes per cell: foam read and written (8), one texel written, and four texels of two maps
-/// read for each cascade and copy of its patch. Operations include bilinear weights and the blend of the copies.
+/// read for each cascade and shifted copy of its patch. Operations include weighting and blending of these texels.
 pub fn foam(foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
     let (samples, texel) = (f64::from(cascades) * MEAN_COPIES, f64::from(maps.bytes_per_texel()));
     let flops = 40.0 + 60.0 * f64::from(cascades) + 60.0 * samples;
@@ -102,13 +102,13 @@ pub struct PictureContents {
     pub sea_fraction: f64,
     /// Number of vertices of the sea mesh.
     pub vertices: f64,
-    /// Size of the displacement maps of all cascades with mip levels, bytes. Gradients and moments count as much each.
+    /// Size of all displacement maps with mip levels, bytes; gradient maps and slope moments count as much each.
     pub map_bytes: f64,
 }
 
 impl PictureContents {
-    /// Minimum cost of drawing the sea mesh to the G-buffer. Bytes: 120 per vertex, which is written, read, and indexed
-    /// by six corners of triangles; the displacement and gradient maps; surface data (32) and depth (4) per sea pixel.
+    /// Minimum cost of drawing the sea mesh to the G-buffer. Bytes: 120 per vertex (written, read, and six indices of
+    /// triangle corners); displacement and gradient maps once; surface data (32) and depth (4) per sea pixel.
     pub fn mesh(&self) -> Cost {
         let seen = self.pixels * self.sea_fraction;
         Cost {

@@ -23,7 +23,7 @@ const PICTURE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// FFT sizes with which the benchmark's option `matrix` times the simulation, each with one to four cascades.
 const MATRIX_FFT_SIZES: [u32; 4] = [128, 256, 512, 1024];
 const MATRIX_CASCADES: [u32; 4] = [1, 2, 3, 4];
-/// FFT size and number of cascades of each sea on which the program is compared with the baseline (`StagewiseFft`).
+/// FFT size and number of cascades of each sea on which the program's FFT is timed against that of `StagewiseFft`.
 const BASELINE_SEAS: [[u32; 2]; 2] = [[256, 3], [512, 4]];
 
 /// Options of a benchmark: what it times, and how often.
@@ -33,7 +33,7 @@ pub struct BenchOptions {
     pub sizes: Vec<[u32; 2]>,
     /// Number of submissions to the GPU that each measurement times.
     pub repeat: u32,
-    /// Whether to time the simulation for many combinations of FFT size and cascade count, not for those of the state.
+    /// Whether to time the simulation for many FFT sizes and cascade counts, instead of those of the given state.
     pub matrix: bool,
     /// Whether to time the baseline, too: the waves by an FFT with one dispatch per stage, as in browser demos.
     pub baseline: bool,
@@ -42,7 +42,7 @@ pub struct BenchOptions {
 /// Measured time of one pass or group of passes (a row of the report), with the size of its work and its minimum cost.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PassTiming {
-    /// Name of the pass or group of passes, such as `rows` or `frame`, as it stands in the report.
+    /// Name of the pass or group of passes, such as `rows` or `frame`, as printed in the benchmark's report.
     pub pass: &'static str,
     /// FFT size and number of cascades of the simulated sea, in this order. None for passes that draw a picture.
     pub sea_size: Option<[u32; 2]>,
@@ -50,7 +50,7 @@ pub struct PassTiming {
     pub picture_size: Option<[u32; 2]>,
     /// Measured times of the pass.
     pub timing: Timing,
-    /// Minimum memory traffic and arithmetic of the pass, for comparison. None where they are not known.
+    /// Least possible memory traffic and arithmetic of the pass, to judge its time. None where not known.
     pub cost: Option<Cost>,
     /// Number of compute dispatches in the pass or group of passes. None where they were not counted.
     pub dispatches: Option<u32>,
@@ -260,14 +260,14 @@ fn picture_contents(params: &Params, ocean: &Ocean, size: [u32; 2]) -> cost::Pic
 }
 
 impl BenchReport {
-    /// Time of the pass `of` divided by that of the last pass named `over` with the same FFT size; None without one.
+    /// Time of the row `of` divided by that of the last row named `over` with the same FFT size. None without one.
     fn time_ratio(&self, of: &PassTiming, over: &'static str) -> Option<f64> {
         let other =
             self.rows.iter().rfind(|r| r.pass == over && r.sea_size.map(|s| s[0]) == of.sea_size.map(|s| s[0]))?;
         Some(of.timing.representative_ms() / other.timing.representative_ms())
     }
 
-    /// Sentences for the report that compare the program's times with the baseline: an FFT with a dispatch per stage.
+    /// Sentences that compare the program's times with those of the baseline, an FFT with one dispatch per stage.
     pub fn comparisons(&self) -> Vec<String> {
         let mut out = Vec::new();
         for theirs in self.rows.iter().filter(|r| r.pass == "waves, a dispatch per stage") {

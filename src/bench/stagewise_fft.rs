@@ -23,7 +23,7 @@ struct EvolveUniform {
     unused: u32,
 }
 
-/// One compute dispatch of the baseline, with a thread for each texel of a texture, in workgroups of 8 x 8 threads.
+/// One compute dispatch of the baseline, with a thread for each of n x n texels, in workgroups of 8 x 8 threads.
 struct Dispatch {
     pipeline: wgpu::ComputePipeline,
     group: wgpu::BindGroup,
@@ -47,9 +47,8 @@ pub struct StagewiseFft {
 }
 
 impl StagewiseFft {
-    /// Creates the dispatches that compute displacement and gradient maps of the current sea of `maps`, for the time of
-    /// `maps.period_fraction_u32`. They read the Fourier amplitudes in the buffer `maps.h0`, which must have been
-    /// computed.
+    /// Creates the dispatches that compute displacement and gradient maps of the current sea of `maps`, for the time
+    /// `maps.period_fraction_u32`. They read the Fourier amplitudes h0 in the buffer `maps.h0`, which must be filled.
     pub fn new(gpu: &Gpu, maps: &Maps) -> Self {
         let n = maps.n;
         let transform = FieldFft::new(gpu, n);
@@ -92,7 +91,7 @@ impl StagewiseFft {
         self.dispatches.len()
     }
 
-    /// Records all dispatches of the baseline, each in a compute pass of its own. They write the maps.
+    /// Records all dispatches of the baseline, each in its own compute pass. They write `displacement` and `gradients`.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder) {
         for dispatch in &self.dispatches {
             let mut pass = begin_compute(encoder, "stage");
@@ -103,7 +102,7 @@ impl StagewiseFft {
     }
 }
 
-/// Pipeline and resources for the FFT of one complex field. All fields use the same ones.
+/// Pipeline and tables for the FFT of a complex field (two packed real quantities of the maps), shared by all fields.
 struct FieldFft {
     n: u32,
     stage: wgpu::ComputePipeline,

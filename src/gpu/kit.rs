@@ -245,7 +245,7 @@ impl Gpu {
         })
     }
 
-    /// Creates a render pipeline that draws triangle lists without vertex buffers, on textures of the formats `onto`.
+    /// Creates a render pipeline that draws triangle lists without vertex buffers. `onto` gives the target formats.
     pub fn render_pipeline(
         &self,
         label: &str,

@@ -33,7 +33,7 @@ impl MapFormat {
     }
 
     /// Format for an adapter whose device has `features`: 32-bit floats if it is a software adapter and the device can
-    /// filter them. A GPU gets half floats even if its device can filter 32-bit floats, as that of a host program may.
+    /// filter them. A GPU gets half floats in any case, even if another program has opened a device with that feature.
     fn for_adapter(is_software: bool, features: wgpu::Features) -> Self {
         if is_software && features.contains(Self::FILTERABLE_FLOATS) { Self::Float } else { Self::Half }
     }

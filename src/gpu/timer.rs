@@ -11,9 +11,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 pub const TIMESTAMPS: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY;
 /// wgpu feature that allows timestamps between passes. Without it, extra empty compute passes write them.
 pub const TIMESTAMPS_BETWEEN_PASSES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS;
-/// Largest number of timestamps in a frame. A mark (end of a part of the frame) takes one, or two in empty passes.
+/// Largest number of timestamps in a frame. A mark (end of one of its parts) takes one, or two by an empty pass.
 const MAX_TIMESTAMPS: u32 = 256;
-/// Weight of the newest timed frame in the exponentially smoothed GPU times, 0 to 1.
+/// Weight of the newest frame in the exponential moving average of the GPU times of its parts, 0 to 1.
 const SMOOTHING_WEIGHT: f64 = 0.2;
 
 /// Measures the GPU times of the parts of a frame, if the device has timestamps. Clones share all state and results.
@@ -29,7 +29,7 @@ struct TimerState {
     period_ns: f64,
     between_passes: bool,
     phase: TimerPhase,
-    /// Name of the part of the frame that each mark ends; empty for the first mark, which starts the frame.
+    /// For each mark (end of a part of the frame), the name of that part; empty for mark 0, which starts the frame.
     parts: Vec<&'static str>,
     /// Names of the parts of the last frame whose timestamps were read, and their smoothed GPU times, ms.
     times: Vec<(&'static str, f64)>,
@@ -38,11 +38,11 @@ struct TimerState {
 #[derive(Debug)]
 enum TimerPhase {
     Idle,
-    /// A frame is being recorded. Marks (ends of its parts) are counted even if there is no room for their timestamps.
+    /// The CPU records a frame's commands. Marks (ends of its parts) for which timestamps are lacking are counted, too.
     Recording,
-    /// A frame has been recorded. When the next one begins and this one was submitted, its timestamps are requested.
+    /// A frame has been recorded. When the next one begins, this one's timestamps are requested if it was submitted.
     Recorded,
-    /// The timestamps are being made readable by the CPU: 0 while waiting, 1 when they are, 2 if this failed.
+    /// The timestamps are being mapped for the CPU to read: 0 while waiting, 1 when mapped, 2 if that failed.
     Mapping(Arc<AtomicU8>),
 }
 
@@ -75,8 +75,8 @@ impl Timer {
         self.0.is_some()
     }
 
-    /// Starts timing the frame that is recorded to `encoder`, unless the times of an earlier one are still being read.
-    /// If `is_submitted` is false, the previous frame was never submitted, and its times are discarded.
+    /// Starts timing the frame that is recorded to `encoder`, unless the timestamps of an earlier frame are still
+    /// awaited. If `is_submitted` is false, the previous frame was never submitted, and its timestamps are discarded.
     pub fn begin_frame(&self, encoder: &mut wgpu::CommandEncoder, is_submitted: bool) {
         let Some(mut state) = self.lock_state() else { return };
         if !is_submitted && matches!(state.phase, TimerPhase::Recorded) {
@@ -99,7 +99,7 @@ impl Timer {
         }
     }
 
-    /// Ends the timed frame and records a copy of its timestamps to a buffer that a later frame reads on the CPU.
+    /// Ends the timed frame. Records a copy of its timestamps to a buffer, which the CPU reads during a later frame.
     pub fn end_frame(&self, encoder: &mut wgpu::CommandEncoder) {
         let Some(mut state) = self.lock_state() else { return };
         if !matches!(state.phase, TimerPhase::Recording) {
@@ -116,8 +116,8 @@ impl Timer {
         state.phase = TimerPhase::Recorded;
     }
 
-    /// Names of the parts of the last frame whose times have arrived, with their GPU times (ms), exponentially smoothed
-    /// over the frames that contain the part. Empty without timestamps.
+    /// Names of the parts of the last frame whose timestamps have arrived, with their GPU times (ms), exponentially
+    /// smoothed over the frames that contain the part. Empty if the device has no timestamps.
     pub fn times(&self) -> Vec<(&'static str, f64)> {
         self.lock_state().map_or_else(Vec::new, |state| state.times.clone())
     }
@@ -160,7 +160,7 @@ impl TimerState {
         }
     }
 
-    /// Takes the times over if the timestamps have arrived, or requests the timestamps of a frame that was submitted.
+    /// Adds a frame's timestamps to the smoothed times if they have arrived, or requests those of a submitted frame.
     fn collect_arrived(&mut self) {
         match &self.phase {
             TimerPhase::Recorded => {

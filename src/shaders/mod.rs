@@ -13,7 +13,7 @@ use unrolled::UnrolledKernel;
 enum SourcePart {
     /// The text of one WGSL file.
     File(&'static str),
-    /// Several parts that modules always use together, in this order.
+    /// Several parts of a module's text, to be joined in this order.
     Group(&'static [SourcePart]),
 }
 
@@ -118,7 +118,7 @@ const MODULES: &[(&str, &[SourcePart])] = &[
 #[derive(Clone, Debug)]
 pub struct Shaders {
     sources: BTreeMap<&'static str, String>,
-    /// Structs that are declared in Rust. A module whose text names one gets its generated WGSL declaration.
+    /// Structs declared in Rust. A module whose text names one gets its WGSL declaration, which is generated.
     structs: Vec<StructDeclaration>,
     format: Option<MapFormat>,
 }

@@ -45,9 +45,9 @@ impl UnrolledKernel {
     }
 }
 
-/// Generates the function of `RowsFirst`. Because h(-k) is the complex conjugate of the amplitude h(k), the waves of
-/// line z, in reverse order, also give those of line n - z. Thread t therefore transforms, for every i, the points t +
-/// i x `second` of line z and the points `second` - t + i x `second` of line n - z. For t = 0 the latter begin at point
+/// Generates the WGSL function of the kernel `RowsFirst`. As h(-k) is the complex conjugate of the amplitude h(k), the
+/// waves of line z, in reverse order, also give those of line n - z. Thread t therefore transforms, for every i, the
+/// points t + i x `second` of line z and `second` - t + i x `second` of line n - z. For t = 0 the latter begin at point
 /// `second` instead of 0, a shift that the twiddle factors undo.
 fn rows_first(n: u32) -> String {
     let FftFactors { first, second } = FftFactors::new(n);

@@ -28,8 +28,8 @@ impl Simulation {
         self.foam.note_sea_change();
     }
 
-    /// Advances the running transition by `dt_s` seconds of wall time and returns its progress in this frame. A `plan`
-    /// first starts a transition to its sea at the simulated time `t_s`, s. Call this once per frame before
+    /// Advances the running transition by `dt_s` seconds of wall time and returns its progress in this frame. If there
+    /// is a `plan`, first starts a transition to its sea at simulated time `t_s`, s. Call this once per frame before
     /// [`Self::encode`]. A plan with another FFT size, or with tiling switched on or off, replaces the sea at once.
     ///
     /// Foam parameters, surface parameters (choppiness, water level) and wave amplitudes are interpolated. A sea with
@@ -62,7 +62,7 @@ impl Simulation {
         self.advance_transition(start, dt_s)
     }
 
-    /// Kind of transition that leads from the current sea to that of `plan`. None if both seas are equal.
+    /// Kind of transition that leads from the current sea to that of `plan`. None if both seas are the same.
     fn needed_transition(&self, plan: &Plan) -> Option<TransitionKind> {
         let now = &self.sea.plan;
         if !plan.has_same_waves(now) {
@@ -75,8 +75,8 @@ impl Simulation {
         })
     }
 
-    /// Makes `plan` the current sea and starts a transition of the given kind to it from the previous one. At the
-    /// simulated time `t_s`, s, a cross-fade computes the correlation of the waves of both seas.
+    /// Makes `plan` the current sea and starts a transition of the given kind to it from the previous one. For a
+    /// cross-fade, computes the covariance of both seas' waves at the simulated time `t_s`, s.
     fn start_transition(&mut self, gpu: &Gpu, plan: Plan, kind: TransitionKind, t_s: f64) {
         let are_waves_new = match kind {
             TransitionKind::Foam | TransitionKind::Surface => false,
@@ -113,8 +113,8 @@ impl Simulation {
         }
     }
 
-    /// Advances the transition by `dt_s` seconds of wall time and applies it to the foam parameters and the maps'
-    /// weights. Returns the progress in this frame; `start` (the transition just started, if any) becomes a part of it.
+    /// Advances the transition by `dt_s` seconds of wall time; updates foam parameters and amplitude factors. Returns
+    /// the progress in this frame, in which `started` is `start`: the kind of transition that just started, if any.
     fn advance_transition(&mut self, start: Option<TransitionKind>, dt_s: f64) -> TransitionStep {
         let was_in_transition = self.transition.is_running();
         let step = TransitionStep { started: start, ..self.transition.advance(dt_s) };
@@ -126,8 +126,8 @@ impl Simulation {
         step
     }
 
-    /// Applies one step of a transition to the foam parameters and, in a cross-fade, to the amplitude factors of all
-    /// drawn cascades. Drops the old sea if the step ends the cross-fade.
+    /// Applies one frame of a transition to the foam parameters and, in a cross-fade, to the amplitude factors of all
+    /// drawn cascades. Drops the old sea if the cross-fade ends in this frame.
     fn apply_transition_step(&mut self, step: &TransitionStep) {
         if step.ends_cross_fade {
             self.fading = None;

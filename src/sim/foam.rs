@@ -40,7 +40,7 @@ pub struct FoamScheduler {
     /// World indices (x, z) of the cell with the lowest x and z that each foam level covered at the last foam step;
     /// cell i begins at i times the level's cell size. None before the first step.
     cells: Option<[[i32; 2]; FOAM_LEVELS]>,
-    /// Simulated time that the foam had reached when the sea last changed, s. None if no older foam can be left.
+    /// Simulated time that the foam had reached when the sea last changed, s. None if no earlier sea's foam is left.
     changed_at_s: Option<f64>,
     /// World position (x, z) of the camera at the last time step, m; the foam levels lay around it.
     centre: [f64; 2],
@@ -236,7 +236,7 @@ impl FoamScheduler {
         }
     }
 
-    /// World indices (x, z) of the lowest cell that a foam level covers around the world position `centre` (x, z), m.
+    /// World indices (x, z) of the cell with the lowest x and z of a foam level around the world position `centre`, m.
     fn first_cell(&self, level: usize, centre: [f64; 2]) -> [i32; 2] {
         let half = self.size as i32 / 2;
         centre.map(|x| (x / cell_m(self.size, level)).floor() as i32 - half)

@@ -17,22 +17,22 @@ pub struct PendingMapRead {
     plan: Plan,
 }
 
-/// Statistics of the maps of one frame: mean square slope and mean foam; and the surface heights themselves.
+/// Statistics of one frame, computed from its maps: mean square slope, mean foam, and the surface heights themselves.
 #[derive(Clone, Debug)]
 pub struct MapStatistics {
-    /// The plan of the sea that the maps show.
+    /// Plan of the sea that the maps show: its waves, divided among cascades.
     pub plan: Plan,
     /// Mean square slope (both components added) of the surface without horizontal displacement.
     pub mean_square_slope: f64,
-    /// Mean of the simulated foam over all cells of all foam levels, 0 to 1, without the factor on the visible foam.
+    /// Mean of the simulated foam over all cells of all levels, 0 to 1, before the user's factor on the visible foam.
     pub mean_foam: f64,
     /// Texels of the displacement maps, cascade by cascade and row by row: Dx, height, Dz (m) and dDx/dz.
     texels: Vec<[f32; 4]>,
 }
 
 impl Simulation {
-    /// Records copies of the displacement, gradient and foam maps, as the commands recorded before in `encoder` leave
-    /// them. Returns the copies, or None during a transition, when there are no maps of a single sea.
+    /// Records copies of the current sea's displacement and gradient maps and of the foam maps, after the commands that
+    /// `encoder` already has. Returns the copies, or None during a transition, when no maps show a single sea.
     pub fn record_map_copies(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> Option<PendingMapRead> {
         if self.in_transition() {
             return None;

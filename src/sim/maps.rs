@@ -14,8 +14,8 @@ pub const MAX_CASCADES: usize = 4;
 pub const MAX_DRAWN_CASCADES: usize = 2 * MAX_CASCADES;
 
 gpu_struct! {
-    /// WGSL `TileLatticePosition`: position of a point in the triangle lattice of a patch, from which a shader finds
-    /// the shifted copies of the patch that are blended near that point.
+    /// WGSL `TileLatticePosition`: position of a point in the triangle lattice by which a patch covers the sea. Shaders
+    /// find from it the shifted copies of the patch that are blended near the point.
     #[derive(Default)]
     pub struct TileLatticePosition as "TileLatticePosition" {
         /// Cosine and sine of the triangle lattice's angle of rotation, each divided by the triangles' side, 1/m.
@@ -26,7 +26,7 @@ gpu_struct! {
         pub cell: [i32; 2],
         /// Key of the hash that gives each copy of the patch its random shift; it differs between cascades.
         pub shift_key: u32,
-        /// 1 if shifted copies of the patch are blended, 0 if the patch repeats periodically.
+        /// 1 if randomly shifted copies of the patch are blended, 0 if the patch repeats periodically.
         pub blends_copies: u32,
     }
 }
@@ -44,8 +44,8 @@ pub struct Maps {
     /// 2d array texture, one layer per cascade, n/2 texels a side: means over a texel of the slope products (sx^2,
     /// sz^2, sx sz, 0), divided by `moment_unit` of the cascade. Mip level j belongs to mip level j + 1 of other maps.
     pub slope_moments: wgpu::TextureView,
-    /// Foam maps: 2d array texture, one layer per foam level, finest first, which repeats in x and z. Texels are the
-    /// foam (0 to 1) and the foam source (0 no growth, 1 fastest growth), at points before horizontal displacement.
+    /// Foam maps: 2d array texture, one layer per foam level, finest first, with coordinates that wrap around. Texels
+    /// are foam (0 to 1) and foam source (0 no growth, 1 fastest growth), at points before horizontal displacement.
     pub foam: wgpu::TextureView,
     /// Fourier amplitudes h0 of the current sea at time 0, m: complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
     pub h0: wgpu::Buffer,
@@ -66,7 +66,7 @@ pub struct Maps {
     pub foam_n: u32,
     /// FFT size, which is also the number of texels along a side of mip level 0 of the displacement and gradient maps.
     pub n: u32,
-    /// Counter that increases whenever the texture views are replaced: users with bind groups must then renew these.
+    /// Counter that increases when these texture views are replaced: bind groups with them must then be renewed.
     pub generation: u64,
 }
 
@@ -75,7 +75,7 @@ pub struct Maps {
 pub struct MapCascade {
     /// Side of the square patch of sea that the cascade's maps cover, m.
     pub patch_m: f64,
-    /// How the plane is covered with the patch: it repeats, or randomly shifted copies of it are blended.
+    /// How the sea is covered with the cascade's patch: it repeats, or randomly shifted copies of it are blended.
     pub tiling: Tiling,
     /// Wavelength of the shortest wave of the cascade, m.
     pub shortest_wavelength_m: f64,
@@ -156,8 +156,8 @@ impl Maps {
             (resources.current_waves().h0.clone(), resources.current_waves().wave_table.clone());
     }
 
-    /// Sets amplitude factor and variance correction of each cascade in a cross-fade. `overlaps` holds both seas'
-    /// covariance per cascade; `new_sea_weight` is the current sea's fraction of the total variance, 0 to 1.
+    /// Sets amplitude factor and variance correction of each drawn cascade in a cross-fade. `overlaps` holds both seas'
+    /// covariance per cascade; `new_sea_weight` is the new sea's fraction of the sum of both elevation variances.
     pub(super) fn set_cross_fade_weights(&mut self, overlaps: &[SeaCovariance], new_sea_weight: f64) {
         let fading = self.fading_count;
         for (i, cascade) in self.cascades.iter_mut().enumerate() {
@@ -168,7 +168,7 @@ impl Maps {
         }
     }
 
-    /// Removes the cascades of the old sea from the drawn ones, at the end of a cross-fade.
+    /// Ends a cross-fade: removes the entries of the old sea from `cascades`.
     pub(super) fn end_cross_fade(&mut self) {
         self.cascades.drain(..self.fading_count);
         self.fading_count = 0;
@@ -207,7 +207,7 @@ impl MapCascade {
     }
 }
 
-/// Displacement and gradient maps of all cascades in f32, before rounding to half floats. Choppiness is not applied.
+/// Displacement and gradient maps of all cascades in f32, as before rounding for textures, without choppiness.
 #[derive(Clone, Debug)]
 pub struct MapsF32 {
     /// Number of texels along a side of a map.
@@ -218,7 +218,7 @@ pub struct MapsF32 {
 }
 
 impl MapsF32 {
-    /// Number of cascades in `texels`.
+    /// Number of cascades whose maps `texels` holds.
     pub fn cascade_count(&self) -> usize {
         self.texels.len() / (2 * self.n * self.n)
     }

@@ -38,23 +38,23 @@ pub const MAX_FOAM_STEPS: usize = foam::COLD_START_STEPS;
 /// the maps that these write.
 pub struct Simulation {
     sea: SeaUniformSource,
-    /// Source of the uniforms of the old sea of a cross-fade. None without a cross-fade.
+    /// Old sea of a cross-fade: its plan, and its spectrum in the form that shaders read. None without a cross-fade.
     fading: Option<SeaUniformSource>,
     /// Plan that waits for the end of the current cross-fade, when a cross-fade to it starts. None if no plan waits.
     next: Option<Plan>,
     transition: Transition,
-    /// Elevation variances and covariance of the two seas of a cross-fade, for each drawn cascade. Empty without one.
+    /// Variances and covariance of the surface elevation of both seas of a cross-fade, per drawn cascade; else empty.
     overlaps: Vec<SeaCovariance>,
-    /// GPU buffers and textures. Public, so that the laboratory and the tests can replace the input of a pass.
+    /// GPU buffers and textures. Public, so that the checks in `lab` and the tests can replace the input of a pass.
     pub resources: Resources,
-    /// Compute passes. Public, so that the laboratory and the tests can run each pass alone.
+    /// Compute passes. Public, so that the checks in `lab` and the tests can run each pass alone.
     pub passes: Passes,
     maps: Maps,
     uniforms: SimulationUniforms,
     foam: FoamScheduler,
     foam_parameters: Interpolated<FoamParameters>,
-    /// Fraction of the way from the present Fourier amplitudes h0 to those of the plan that the next spectrum pass
-    /// makes: 1 replaces h0; with 0 the pass is left out.
+    /// Fraction of the way that the next spectrum pass moves the Fourier amplitudes h0 in their buffer towards those of
+    /// the plan: 1 replaces them; with 0 the pass is left out.
     spectrum_blend: f64,
     spectrum_pass_count: u64,
     timer: Timer,
@@ -109,7 +109,7 @@ impl Simulation {
         self.transition.is_running() || self.next.is_some()
     }
 
-    /// Cross-fade weight of the current sea: its fraction of the drawn variance, 0 to 1. It is 1 without a cross-fade.
+    /// Weight of the current sea in a cross-fade: its fraction of the sum of both seas' elevation variances; else 1.
     pub fn cross_fade_weight(&self) -> f64 {
         self.transition.cross_fade_weight()
     }
@@ -125,7 +125,7 @@ impl Simulation {
         self.foam.parameters().mean_foam
     }
 
-    /// Plan of the current sea. During a transition, this is the sea at which the transition ends.
+    /// Plan (waves, divided among cascades) of the current sea: during a transition, of the sea at which it ends.
     pub fn plan(&self) -> &Plan {
         &self.sea.plan
     }
@@ -165,7 +165,7 @@ impl Simulation {
     }
 
     /// Records the next single time step of the foam around the world position `centre` (x, z), m, towards time `t_s`,
-    /// s, and returns it; None if the foam has reached `t_s`. The wave maps remain those that this step reads, so that
+    /// s, and returns it; None if the foam has reached `t_s`. The wave maps stay those of the step's end, so that
     /// `seastate check` can compare both.
     pub fn encode_next_foam_step(
         &mut self,
@@ -190,7 +190,7 @@ impl Simulation {
         self.uniforms.upload(gpu);
     }
 
-    /// Computes the maps at time `t_s`, s, and reads those of the current sea back in f32, before they are rounded.
+    /// Computes the maps at time `t_s`, s, and reads back the current sea's, as f32 before rounding for textures.
     ///
     /// # Errors
     /// If mapping the read-back buffer fails.
@@ -227,8 +227,8 @@ impl Simulation {
         offset
     }
 
-    /// Starts recording a submission: discards the uniforms of the previous one, and records the spectrum pass (Fourier
-    /// amplitudes h0) if the waves have changed.
+    /// Starts recording commands for one submission: discards the uniforms of the previous submission, and records the
+    /// spectrum pass (Fourier amplitudes h0) if the waves have changed.
     fn begin_submission(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
         self.uniforms.clear();
         if self.spectrum_blend > 0.0 {

@@ -56,7 +56,7 @@ impl Passes {
 /// Pass that computes h0, the Fourier amplitudes at time 0, from the spectrum (shaders/waves/spectrum.wgsl).
 pub struct SpectrumPass {
     kernel: Kernel,
-    /// Bind groups of the pass, one for each entry of `Resources::wave_buffers`: two from the first cross-fade on.
+    /// Bind groups of the pass, one per set in `Resources::wave_buffers`: two from the first cross-fade on.
     groups: Vec<wgpu::BindGroup>,
 }
 
@@ -89,10 +89,10 @@ impl SpectrumPass {
     }
 }
 
-/// Pass that computes the maps' mip levels and slope moments (shaders/waves/mips.wgsl; on the CPU unrolled_mips.wgsl).
+/// Pass that computes the maps' mip levels and slope moments, by mips.wgsl, or unrolled_mips.wgsl on software adapters.
 pub struct MipsPass {
     steps: Vec<MipsDispatch>,
-    /// Number of mip levels that one dispatch can write, which is the number of storage textures in its bind group.
+    /// Number of mip levels that one dispatch can write: the number of storage textures in its bind group.
     levels_per_dispatch: u32,
     /// Small unused texture, bound in place of mip levels that the maps do not have.
     placeholder_view: wgpu::TextureView,
@@ -220,7 +220,7 @@ impl FoamPass {
     }
 
     /// Records one time step of all foam levels, from the present wave maps. `dispatch` selects the uniform with the
-    /// choppiness, which both seas of a cross-fade share; `foam` is the dynamic offset of the step's uniform, bytes.
+    /// choppiness, common to both seas of a cross-fade; `foam` is the byte offset of the step's uniform in its buffer.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch, foam: u32) {
         let size = [r.foam_n / 8, r.foam_n / 8, FOAM_LEVELS as u32];
         self.kernel.run(encoder, &self.group, &[dispatch.uniform_offset, foam], size);

@@ -8,21 +8,21 @@ use crate::waves::{Plan, table};
 
 /// The plan of a sea, with its directional spectrum in the form that shaders read: the source of the sea's uniforms.
 pub struct SeaUniformSource {
-    /// Plan from which the uniforms are made.
+    /// Plan of the sea (its waves, divided among cascades), from which the uniforms are made.
     pub plan: Plan,
     terms: [SpectrumTerm; MAX_SPECTRUM_TERMS],
     term_count: u32,
     vectors_per_entry: u32,
 }
 
-/// Parameters of one run of the passes that compute the waves of one sea at one time, besides its plan.
+/// Parameters, besides the plan, of one computation of a sea's waves at one time by the passes.
 #[derive(Clone, Copy, Debug)]
 pub struct SeaUniformParameters {
     /// Simulated time at which the waves are computed, s.
     pub t_s: f64,
     /// Whether the column pass also keeps the maps in f32, in the buffer `Resources::row_transforms`, to be read back.
     pub keeps_f32_maps: bool,
-    /// Fraction of the way from the present h0 to the plan's amplitudes that the spectrum pass makes, 0 to 1.
+    /// Fraction of the way, 0 to 1, that the spectrum pass moves the amplitudes h0 in their buffer towards the plan's.
     pub spectrum_blend: f64,
 }
 
@@ -63,8 +63,8 @@ impl SeaUniformSource {
         Self { plan, terms, term_count: parts.len() as u32, vectors_per_entry: vectors_per_entry as u32 }
     }
 
-    /// Makes the uniform for the waves at one time. `maps` gives the layer and amplitude factor of each cascade,
-    /// `choppiness` the factors of the horizontal displacement along x and z.
+    /// Makes the uniform for the waves at the time in `parameters`. `maps` gives the layer and amplitude factor of each
+    /// cascade, `choppiness` the factors of the horizontal displacement along x and z.
     pub fn uniform(&self, maps: &[MapCascade], choppiness: [f64; 2], parameters: SeaUniformParameters) -> SeaUniform {
         let plan = &self.plan;
         let mut cascades = [SeaCascade::default(); MAX_CASCADES];

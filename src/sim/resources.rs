@@ -51,16 +51,16 @@ pub struct Resources {
     /// Texture format of the textures `maps` and `foam`: half floats or 32-bit floats.
     pub format: MapFormat,
     /// Array texture of all wave maps with their mip levels; [`Self::layers_of_kind`] gives the layers of a kind. All
-    /// kinds share a texture so that a pass can write several mip levels, because base limits allow it four storage
-    /// textures.
+    /// kinds share it because a pass may write to only four storage textures by WebGPU's base limits, and so to four
+    /// mip levels.
     pub maps: wgpu::Texture,
-    /// Array texture of the foam and the foam source, each 0 to 1, one layer per foam level, for the renderer.
+    /// Array texture with one layer per foam level, for the renderer: foam and foam source at each cell, each 0 to 1.
     pub foam: wgpu::Texture,
     /// Sampler with linear filtering that repeats along both axes, with which the foam pass reads the wave maps.
     pub repeating_sampler: wgpu::Sampler,
     /// Number of times that buffers or textures have been allocated so far; tests check when it grows.
     pub allocation_count: u32,
-    /// Number of times that the tables of a plan's waves have been computed; tests check it.
+    /// Number of times that frequency and spectrum tables of a plan have been computed and uploaded; tests check it.
     pub wave_table_count: u32,
 }
 

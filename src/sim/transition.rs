@@ -42,7 +42,7 @@ pub struct TransitionStep {
 }
 
 impl TransitionStep {
-    /// Step of a transition of the kind `Immediate`: the new sea replaces the old one at once.
+    /// Progress of a frame in which a transition of the kind `Immediate` replaces the old sea by the new one at once.
     pub const IMMEDIATE: Self = Self {
         started: Some(TransitionKind::Immediate),
         interpolation_fraction: 0.0,
@@ -102,7 +102,7 @@ impl Transition {
         step
     }
 
-    /// Cross-fade weight of the new sea: its fraction of the total variance, 0 to 1. It is 1 without a cross-fade.
+    /// Weight of the new sea in a cross-fade: its fraction of the sum of both elevation variances; else 1.
     pub fn cross_fade_weight(&self) -> f64 {
         self.cross_fade.map_or(1.0, |x| x * x * (3.0 - 2.0 * x))
     }
@@ -118,15 +118,15 @@ impl Transition {
     }
 }
 
-/// Amplitude factors of one cascade in a cross-fade, \[old sea, new sea\]: with them, the new sea has the fraction
-/// `fraction` (0 to 1) of the sum of both variances. The second result is the variance of the blended waves divided by
-/// that sum; it is above 1 if some waves are in both seas, which `overlap`, their covariance, tells.
+/// Factors of the wave amplitudes of one cascade in a cross-fade, \[old sea, new sea\]: they give the new sea the
+/// fraction `fraction` (0 to 1) of the sum of both elevation variances. The second result is the variance of the
+/// blended waves divided by that sum: above 1 if some waves are in both seas, as their covariance in `overlap` tells.
 pub fn cross_fade_amplitudes(overlap: &SeaCovariance, fraction: f64) -> ([f64; 2], f64) {
     let variance_gain = overlap.variance_gain(fraction);
     ([((1.0 - fraction) / variance_gain).sqrt(), (fraction / variance_gain).sqrt()], variance_gain)
 }
 
-/// Parameters of a sea that can be interpolated on the way to those of another sea.
+/// Parameters of a sea between which a transition can interpolate, from those of one sea to those of another.
 pub trait Interpolate: Clone {
     /// The parameters at the fraction `fraction` (0 to 1) of the way from `self` to `to`; at 1 exactly `to`.
     #[must_use]
@@ -148,8 +148,8 @@ impl<T: Interpolate> Interpolated<T> {
         Self { fading: None, now: goal.clone(), goal }
     }
 
-    /// Applies one step of a transition. If a transition starts in it, `goal` gets the previous goal and returns the
-    /// new one.
+    /// Applies the progress of one frame of a transition. If a transition starts in this frame, `goal` gets the
+    /// previous goal and returns the new one.
     pub fn apply_transition_step(&mut self, step: &TransitionStep, goal: impl FnOnce(&T) -> T) {
         if let Some(kind) = step.started {
             self.goal = goal(&self.goal);
@@ -183,7 +183,7 @@ impl<T: Interpolate> Interpolated<T> {
         }
     }
 
-    /// Applies the same change at once to the present parameters, the goal, and those of a cross-fade's old sea.
+    /// Applies the function `change` to the present parameters, to the goal, and to those of a cross-fade's old sea.
     pub fn change_all(&mut self, change: impl Fn(&mut T)) {
         self.fading.iter_mut().chain([&mut self.now, &mut self.goal]).for_each(change);
     }

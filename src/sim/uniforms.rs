@@ -16,9 +16,9 @@ pub struct SimulationUniforms {
 }
 
 impl SimulationUniforms {
-    /// Binding type of the buffer `sea`: a uniform at a dynamic offset.
+    /// Binding type of the buffer `SimulationUniforms::sea`: a uniform at a dynamic offset.
     pub const SEA_BINDING: BindingType = BindingType::DynamicUniform(size_of::<SeaUniform>());
-    /// Binding type of the buffer `foam`: a uniform at a dynamic offset.
+    /// Binding type of the buffer `SimulationUniforms::foam`: a uniform at a dynamic offset.
     pub const FOAM_BINDING: BindingType = BindingType::DynamicUniform(size_of::<FoamUniform>());
 
     /// Allocates both uniform buffers for submissions of at most `foam_steps` foam time steps, with the waves of each.
@@ -54,24 +54,24 @@ gpu_struct! {
         pub dk: f32,
         /// Key of the cascade's random numbers. Cascades with different keys have independent waves.
         pub noise_key: u32,
-        /// Unit of the slope moments in the maps: half the cascade's mean square slope, so that they are near 1.
+        /// Unit of the slope moments (means of slope products) in the maps: half the cascade's mean square slope.
         pub moment_unit: f32,
     }
 }
 
-/// Largest number of terms of a directional spectrum: three spreading lobes for each of two wave systems.
+/// Largest number of terms whose sum is a directional spectrum: three spreading lobes for each of two wave systems.
 pub const MAX_SPECTRUM_TERMS: usize = 6;
 
 gpu_struct! {
     /// WGSL `SpectrumTerm`: a spreading lobe or measured distribution. The sum of terms is the directional spectrum.
     #[derive(Default)]
     pub struct SpectrumTerm as "SpectrumTerm" {
-        /// Unit vector (x, z) of the waves' main direction of travel; angles of the term are relative to it.
+        /// Unit vector (x, z) of the main direction in which this term's waves travel; its angles are relative to it.
         pub reference_direction: [f32; 2],
         /// Form of the term: 0 spreading lobe, 1 lobe times cos^2 of the angle from `reference_direction`, 2 the same
         /// but 0 beyond 90 degrees, 3 directional distribution measured by a wave buoy.
         pub kind: u32,
-        /// Position of the term's first vec4f within each entry of `WaveBuffers::spectrum_table` (one per wave number).
+        /// Index of this term's first vec4f within each entry (one per wave number) of `WaveBuffers::spectrum_table`.
         pub first_vector: u32,
     }
 }
@@ -82,7 +82,7 @@ gpu_struct! {
     pub struct SeaUniform as "Sea" {
         /// Cascades (patches of sea) of one sea, longest waves first; the first `cascade_count` are used.
         pub cascades: [SeaCascade; MAX_CASCADES],
-        /// Terms whose sum is the directional spectrum, for the spectrum pass; the first `term_count` are used.
+        /// Lobes or measured distributions whose sum is the directional spectrum; the first `term_count` are used.
         pub terms: [SpectrumTerm; MAX_SPECTRUM_TERMS],
         /// Factor by which the wave amplitudes of each cascade are multiplied: 1 except during a cross-fade.
         pub amplitude_factors: [f32; MAX_CASCADES],
@@ -97,7 +97,7 @@ gpu_struct! {
         /// Time as a fraction of the sea's repeat period, in units of 2^-32. Its wrapping product with a wave's number
         /// of cycles per period is the wave's phase in units of 2^-32 cycles.
         pub period_fraction_u32: u32,
-        /// If not 0, the column pass also keeps the maps in f32, in the buffer `Resources::row_transforms`.
+        /// If not 0, the column pass also writes the maps in f32 to `Resources::row_transforms`, to be read back.
         pub keeps_f32_maps: u32,
         /// Number of entries at the start of `terms` that are in use.
         pub term_count: u32,
@@ -105,7 +105,7 @@ gpu_struct! {
         pub vectors_per_entry: u32,
         /// Index of the sea's first cascade among the layers of each kind of map; its other cascades follow.
         pub first_layer: u32,
-        /// Fraction of the way from the present h0 to the plan's amplitudes that the spectrum pass makes, 0 to 1.
+        /// Fraction of the way, 0 to 1, that the spectrum pass moves the stored amplitudes h0 towards the plan's.
         pub spectrum_blend: f32,
         /// Unused; pads the struct to a multiple of 16 bytes.
         pub unused: u32,
@@ -118,7 +118,7 @@ gpu_struct! {
     pub struct FoamLevelCorner as "FoamLevelCorner" {
         /// Position of the foam level's corner in the triangle lattice of the shifted copies of the patch.
         pub tile_position: TileLatticePosition,
-        /// Texture coordinates (u, v) of the corner in the maps of the cascade, modulo 1, plus half a texel.
+        /// Texture coordinates (u, v) of the foam level's corner in the cascade's maps, modulo 1, plus half a texel.
         pub uv: [f32; 2],
         /// Unused; pads the struct to a multiple of 16 bytes, as an array element needs it.
         pub unused: [u32; 2],
@@ -133,7 +133,8 @@ gpu_struct! {
         pub corners: [FoamLevelCorner; MAX_DRAWN_CASCADES],
         /// World indices (x, z) of the cell of this level with the lowest x and z; cell i begins at i times `cell_m`.
         pub first_cell: [i32; 2],
-        /// World indices (x, z) of the cell with the lowest x and z at the previous step; far out of range without one.
+        /// World indices (x, z) of the cell with the lowest x and z at the last step; far out of range to ignore old
+        /// foam.
         pub previous_first_cell: [i32; 2],
         /// Side of a foam cell of this level, m.
         pub cell_m: f32,
@@ -141,7 +142,7 @@ gpu_struct! {
         pub jacobian_threshold: f32,
         /// Factor in the foam source, which is clamp((`jacobian_threshold` - Jacobian) x `source_slope`, 0, 1).
         pub source_slope: f32,
-        /// Foam in a cell that has just entered the area of its level, 0 to 1: the expected mean.
+        /// Foam (0 to 1) in a cell that has just entered its level's area: the expected mean over the sea.
         pub initial_foam: f32,
     }
 }
@@ -171,7 +172,7 @@ gpu_struct! {
         pub dt_s: f32,
         /// Rate at which foam decays exponentially: 1 / e-folding time, 1/s.
         pub decay_per_s: f32,
-        /// Rate at which foam grows on water without foam where the foam source is 1, 1/s.
+        /// Rate of growth of the foam (0 to 1) in a cell without foam where the foam source is 1, 1/s.
         pub growth_per_s: f32,
         /// Number of cells along a side of a foam level (one of the nested square foam grids).
         pub cells_per_side: u32,

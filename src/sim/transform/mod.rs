@@ -11,7 +11,7 @@ use crate::shaders::Shaders;
 use unrolled::UnrolledTransform;
 use workgroup::WorkgroupTransform;
 
-/// Implementation of the inverse FFT that turns the waves' Fourier amplitudes into maps; one is for software adapters.
+/// Implementation of the inverse FFT that turns Fourier amplitudes into maps: one for GPUs, one for software adapters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FftImplementation {
     /// For GPUs: one dispatch along each axis. Threads exchange points in workgroup memory, with least memory traffic.
@@ -22,7 +22,7 @@ pub enum FftImplementation {
 }
 
 impl FftImplementation {
-    /// The implementation of the FFT that is faster on a device.
+    /// The faster implementation of the FFT on a device: `Unrolled` on a software adapter, else `Workgroup`.
     pub fn for_device(gpu: &Gpu) -> Self {
         if gpu.is_software() { Self::Unrolled } else { Self::Workgroup }
     }

@@ -21,16 +21,16 @@ pub struct UnrolledTransform {
     groups: FftBindGroups,
 }
 
-/// Buffers that pass values from one of the four dispatches to the next, or to the map textures.
+/// GPU buffers that pass values from one of the four FFT dispatches to the next, or to the map textures.
 struct IntermediateBuffers {
     /// Result of the first of two dispatches along an axis, first x, then z; as large as `Resources::row_transforms`.
     half_transforms: wgpu::Buffer,
-    /// Displacement maps, then gradient maps, before they are copied to the textures: \[map\]\[cascade\]\[z\]\[x\].
+    /// FFT result to be copied to textures: displacement maps, then gradient maps, \[map\]\[cascade\]\[z\]\[x\].
     maps: wgpu::Buffer,
 }
 
 struct FftBindGroups {
-    /// Bind groups, one for each entry of `Resources::wave_buffers`: two from the first cross-fade on.
+    /// Bind groups of the first kernel, one per set in `Resources::wave_buffers`: two from the first cross-fade on.
     rows_first: Vec<wgpu::BindGroup>,
     rows_second: wgpu::BindGroup,
     columns_first: wgpu::BindGroup,
@@ -38,7 +38,7 @@ struct FftBindGroups {
 }
 
 /// Kernels of the last dispatch, the second round of the FFT along z. `plain` writes the maps; `with_f32` also keeps
-/// them in f32 and is compiled at its first use, because compiling takes long and a window does not need the copy.
+/// them in f32. It is compiled at its first use, as compiling takes long and few programs need that copy.
 struct SecondColumnKernels {
     gpu: Gpu,
     module: wgpu::ShaderModule,

@@ -23,7 +23,7 @@ pub struct WorkgroupTransform {
 }
 
 struct FftBindGroups {
-    /// Bind groups, one for each entry of `Resources::wave_buffers`: two from the first cross-fade on.
+    /// Bind groups of the row pass, one per set in `Resources::wave_buffers`: two from the first cross-fade on.
     rows: Vec<wgpu::BindGroup>,
     columns: wgpu::BindGroup,
 }
