@@ -21,7 +21,7 @@ const ADDRESS_WRITE_INTERVAL_S: f32 = 0.7;
 #[wasm_bindgen]
 pub struct WebHandle {
     runner: eframe::WebRunner,
-    /// The app while it waits for a new GPU device after a device loss.
+    /// Slot that holds the app while it waits for a new GPU device after a device loss; empty while the app runs.
     parked: ParkedApp,
     /// Errors of the current GPU device. They stay readable after the app has panicked.
     gpu_errors: Rc<RefCell<GpuErrors>>,
@@ -266,8 +266,8 @@ pub fn page_link(state: &str) -> String {
     if state.is_empty() { base } else { format!("{base}?{state}") }
 }
 
-/// Copy of the page's address (URL) as the app last read or wrote it. If the browser then has another one, the user
-/// went back or forward.
+/// The page's address (URL) as the app last read or wrote it. If the browser's address then differs, the user went back
+/// or forward.
 pub struct Address {
     /// State string in the page's address (the query, without `?`) as the app last read or wrote it.
     query: String,

@@ -43,8 +43,8 @@ impl EstimateWithError {
         self.with_propagated_error(factor * self.value, factor)
     }
 
-    /// Applies a function, given by its value and derivative at the estimate, and propagates the standard error
-    /// linearly.
+    /// Result of a function of the estimate: `value` is the function's value there, and `derivative` its derivative, by
+    /// whose magnitude the standard error is multiplied.
     pub fn with_propagated_error(self, value: f64, derivative: f64) -> Self {
         Self { value, standard_error: self.standard_error.map(|e| e * derivative.abs()) }
     }

@@ -12,7 +12,7 @@ const MAX_SAMPLES_PER_TARGET: u64 = 4_200_000;
 /// Number and positions of the samples in a reference picture, whose pixels are means of many unfiltered samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sampling {
-    /// Minimum number of samples of each pixel, which is their mean.
+    /// Minimum number of samples per pixel; the colour of a pixel is their mean.
     pub samples: u32,
     /// Seed of the sample positions within a pixel.
     pub seed: u32,
@@ -41,8 +41,8 @@ impl Sampling {
     }
 }
 
-/// Sums of linear light over the sky samples and over the water samples of one pixel. Each sample carries a weight: 0
-/// marks sky, and a positive weight counts in the mean of the water.
+/// Sums of linear light over the sky samples and over the water samples of one pixel. The fourth channel of a sample is
+/// 0 for sky; for water it is the sample's weight in the mean of the water samples.
 #[derive(Clone, Copy, Default)]
 struct PixelSum {
     sky: [f64; 3],
