@@ -79,8 +79,8 @@ impl GpuErrors {
         self.lock().out_of_memory
     }
 
-    /// Treats the device as lost after an out-of-memory error, because the resource that it could not allocate would be
-    /// missing in every later frame.
+    /// Marks the device as lost after an out-of-memory error, because the buffer or texture that could not be allocated
+    /// would be missing in every later frame.
     fn note_out_of_memory(&self, error: String) {
         log::error!("{error}");
         let mut inner = self.lock();

@@ -40,8 +40,8 @@ pub struct Quality {
     min_scale: f64,
     /// How often adaptive quality halves the requested FFT size: 0 for the full size, at most 3.
     halvings: u32,
-    /// Time for which frames have been too slow (positive), or minus the time for which they have been fast enough for
-    /// a trial of a higher quality, s.
+    /// Time for which frames have been too slow; or, negative, time for which they were fast enough to raise the
+    /// quality, s.
     slow_or_fast_time_s: f64,
     /// Time for which frames must be fast before a higher quality is tried, s. It doubles after each failed trial.
     fast_time_before_trial_s: f64,

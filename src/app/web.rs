@@ -124,7 +124,7 @@ impl WebHandle {
     }
 
     /// Applies a screen reader's action to the widget with the given `id`: `click`, `focus`, `more` or `less` (one step
-    /// of its value), `set` (to the number `value`) or `type` (the string `text`).
+    /// of its value), `set` (to the number `value`) or `type` (enters the string `text` and confirms it).
     pub fn perform_widget_action(&self, id: &str, action: &str, value: f64, text: &str) {
         self.with(|app| app.screen_readers.perform_widget_action(&app.ctx, id, action, value, text));
     }

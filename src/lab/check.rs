@@ -53,8 +53,8 @@ impl fmt::Display for Comparison {
 /// Largest accepted rms error of the spectrum pass, divided by the rms of the oracle's result. Its random numbers are
 /// exact; its other functions are off by a few times the rounding error of f32, 6e-8.
 const SPECTRUM_TOLERANCE: f64 = 1e-6;
-/// Largest accepted rms difference between the row or column pass on the GPU and its twin on the CPU, divided by the
-/// rms of the twin's result. It leaves room for the rounding errors of an FFT.
+/// Largest accepted rms error of the GPU's FFT along rows or columns, divided by the rms of the oracle's result. It
+/// leaves room for the rounding errors of f32.
 const TRANSFORM_TOLERANCE: f64 = 1e-6;
 /// Largest accepted rms error of the GPU's wave maps, divided by the rms of the oracle's maps. Rounding to half floats
 /// gives a relative error of at most 2^-11.
@@ -75,8 +75,8 @@ const FOAM_STEPS: usize = 4;
 /// Index of the foam level that is compared: 0 is the smallest and finest of the square foam grids around the camera.
 const FOAM_LEVEL: usize = 1;
 
-/// Compares all GPU passes (spectrum, FFT, wave maps, mip levels, foam) with the oracle, for a state at its time.
-/// Returns one comparison per quantity and cascade.
+/// Compares all GPU passes (spectrum, FFT, wave maps, mip levels, foam) with the oracle (the same calculation on the
+/// CPU in f64), for the sea of `params` at its time. Returns one comparison per quantity and cascade.
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -84,8 +84,8 @@ pub async fn run(gpu: &Gpu, params: &Params) -> Result<Vec<Comparison>, String> 
     run_with(gpu, params, &Shaders::default(), FftImplementation::for_device(gpu)).await
 }
 
-/// Compares all GPU passes with the oracle as [`run`] does, but with the given shaders, in which tests plant faults,
-/// and the given FFT implementation.
+/// Compares all GPU passes with the oracle as [`run`] does, but with the given FFT implementation and the given shaders
+/// (in which tests plant faults).
 ///
 /// # Errors
 /// If reading back from the GPU fails.

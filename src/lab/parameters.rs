@@ -25,7 +25,7 @@ const SPECIAL_KEYS: [(&str, &str); 3] = [
     ),
 ];
 
-/// Lists the keys of the state string as text for a terminal.
+/// Lists the keys of the state string with units, ranges, defaults and meaning, as text for a terminal.
 pub fn parameter_listing() -> String {
     let mut text = String::new();
     for field in FIELDS.iter() {

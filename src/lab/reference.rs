@@ -79,8 +79,8 @@ impl PixelSum {
     }
 }
 
-/// Renders the reference picture (each pixel the mean of many unfiltered samples) of the ocean's last frame. Returns
-/// the linear light (RGB) of every pixel, row by row.
+/// Renders the reference picture (each pixel the mean of many unfiltered samples) of the frame that `ocean` drew last.
+/// Returns the linear light (RGB) of every pixel, row by row.
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -109,8 +109,8 @@ pub async fn reference_light(
     Ok(sums.iter().map(PixelSum::mean).collect())
 }
 
-/// Renders the reference picture (each pixel the mean of many unfiltered samples) of the ocean's last frame. Returns
-/// RGBA bytes, row by row, with the exposure and film response of the usual picture.
+/// Renders the reference picture (each pixel the mean of many unfiltered samples) of the frame that `ocean` drew last.
+/// Returns RGBA bytes, row by row, with the exposure and film response of the usual picture.
 ///
 /// # Errors
 /// If reading back from the GPU fails.

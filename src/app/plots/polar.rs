@@ -10,7 +10,7 @@ const FREQUENCY_COUNT: usize = 28;
 /// Width and height of the polar plot, points.
 const PLOT_SIDE_POINTS: f32 = 240.0;
 
-/// Directional spectrum, sampled for the polar plot on rings of equal frequency.
+/// Directional spectrum, sampled for the polar plot on rings; each ring has one frequency.
 pub struct DirectionalSpectrumSamples {
     /// Angular frequency omega at the middle of each ring, rad/s.
     omega: Vec<f64>,

@@ -5,8 +5,7 @@ use super::{DAMAGED_SEAS_FILE_NAME, SEAS_FILE_NAME};
 use std::path::Path;
 use wasm_bindgen::{JsCast as _, JsValue};
 
-/// Makes the browser download `bytes` as a file called `name`; the folder has no effect. Returns a message for the
-/// user.
+/// Makes the browser download `bytes` as a file called `name`. The folder is ignored. Returns a message for the user.
 pub fn save(_folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, String> {
     let run = || -> Result<(), JsValue> {
         let parts = js_sys::Array::of1(&js_sys::Uint8Array::from(bytes).into());
