@@ -12,7 +12,7 @@ const MIN_SPEED_M_S: f64 = 6.0;
 const SPEED_PER_HEIGHT: f64 = 0.8;
 /// Factor by which the camera flies faster while Shift is held.
 const SHIFT_SPEED_FACTOR: f64 = 8.0;
-/// Angle by which dragging moves the camera around its pivot in orbit mode, degrees per point of the pointer's way.
+/// In orbit mode, angle by which the camera moves around its pivot for each point that the pointer is dragged, degrees.
 const DRAG_DEG_PER_POINT: f64 = 0.3;
 
 /// Applies mouse and touch input over the sea to the camera: dragging turns it (in orbit mode it moves around its

@@ -40,8 +40,7 @@ pub struct Quality {
     min_scale: f64,
     /// How often adaptive quality halves the requested FFT size: 0 for the full size, at most 3.
     halvings: u32,
-    /// Time for which frames have been too slow; or, negative, time for which they were fast enough to raise the
-    /// quality, s.
+    /// Time for which frames have been too slow (positive), or fast enough for a higher quality (negative), s.
     slow_or_fast_time_s: f64,
     /// Time for which frames must be fast before a higher quality is tried, s. It doubles after each failed trial.
     fast_time_before_trial_s: f64,
@@ -126,7 +125,7 @@ impl Quality {
         self.out_of_memory_errors += 1;
     }
 
-    /// Upper limit of the factor of the picture's width and height: 1, lowered by each odd-numbered out-of-memory
+    /// Factor of the picture's width and height that memory allows: 1, reduced by each odd-numbered out-of-memory
     /// error.
     fn memory_scale_limit(&self) -> f64 {
         OUT_OF_MEMORY_SCALE.powi(self.out_of_memory_errors.div_ceil(2) as i32)

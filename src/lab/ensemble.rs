@@ -19,8 +19,8 @@ const PEAK_PHASE_ADVANCE_RAD: f64 = 1.0;
 const STATISTICS_POINTS: u32 = 1 << 16;
 
 /// Statistics measured in the GPU's f32 wave maps. Heights and slopes are those of the undisplaced grid. Periods and
-/// directions come from two read-backs, which separate waves of opposite directions. Skewness and kurtosis belong to
-/// the displaced surface, whose points are weighted by the Jacobian.
+/// directions come from maps at two times, which tell waves of opposite directions apart. Skewness and kurtosis belong
+/// to the displaced surface, whose points are weighted by the Jacobian.
 #[derive(Debug)]
 pub struct MeasuredStatistics {
     /// Significant wave height, m, from the variance averaged over the seeds.

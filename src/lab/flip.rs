@@ -25,8 +25,8 @@ impl SrgbPicture {
     }
 }
 
-/// Perceived difference (FLIP) of two pictures at every pixel, from 0 (equal) to 1, row by row. `pixels_per_degree` of
-/// visual angle depends on the viewing distance: usually [`PIXELS_PER_DEGREE`].
+/// Perceived difference (FLIP) of two pictures at every pixel, from 0 (equal) to 1, row by row, for an observer who
+/// sees this number of pixels per degree of visual angle: usually [`PIXELS_PER_DEGREE`].
 ///
 /// # Errors
 /// If the pictures differ in size.

@@ -26,7 +26,7 @@ pub fn load_seas() -> String {
     storage().and_then(|s| s.get_item(SEAS_FILE_NAME).ok().flatten()).unwrap_or_default()
 }
 
-/// Copies the stored list of the user's own named seas to a second key of the browser's storage, over any older copy.
+/// Copies the stored list of the user's own named seas to a second key of the browser's storage, over an older copy.
 ///
 /// # Errors
 /// One sentence, if the browser refuses to store the copy.

@@ -33,13 +33,14 @@ pub struct MeasuredSea {
     pub bins: Vec<WaveBin>,
 }
 
-/// Variance of all waves in a bin of frequency or direction. Each triple holds their variance, m^2, and the sums of
-/// variance times x and z component of the unit vector of travel.
+/// Variance and direction of travel of all waves in a bin of frequency or direction.
 #[derive(Clone, Debug, Default)]
 pub struct WaveBin {
-    /// The triple of the resolved waves (those on the FFT grids), as expected by theory: a mean over all seeds.
+    /// Variance expected of the bin's waves on the FFT grids, m^2, and the sums of variance times x and z of their unit
+    /// vectors of travel.
     pub expected: [f64; 3],
-    /// The triple measured on the GPU, one for each seed; zeros without a GPU.
+    /// For each seed: measured variance of the bin's waves, m^2, and the sums of variance times x and z of their unit
+    /// vectors of travel; zeros without a GPU.
     pub measured: Vec<[f64; 3]>,
 }
 
@@ -166,8 +167,8 @@ pub fn visit_expected_waves(plan: &Plan, visit: &mut dyn FnMut(&TravellingWave))
     }
 }
 
-/// Iterates over the waves that a cascade holds on its FFT grid: signed indices of the wave vector (x, z), in units of
-/// the cascade's wave-number step, and wave number, rad/m.
+/// Iterates over the waves of a cascade on its FFT grid: x and z component of the wave vector as multiples of the
+/// cascade's wave-number step, and wave number, rad/m.
 pub fn lattice_waves<'a>(plan: &Plan, cascade: &'a Cascade) -> impl Iterator<Item = (i32, i32, f64)> + 'a {
     let wave = |(ix, iz): (i32, i32)| (ix, iz, cascade.dk() * f64::from(ix * ix + iz * iz).sqrt());
     statistics::lattice_indices(plan.n)
