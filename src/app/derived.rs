@@ -65,8 +65,8 @@ impl Derived {
         self.resolved.get_or_init(|| LatticeStatistics::new(&self.plan, self.theory.m0_m2))
     }
 
-    /// The strongest waves of the sea. Their sum, computed on the CPU, approximates the height of the sea, m, at any
-    /// point and time.
+    /// The waves of the sea with the largest variance. Their sum, computed on the CPU, approximates the height of the
+    /// sea, m, at any point and time.
     pub fn strongest_waves(&self) -> &StrongestWaves {
         self.hull_waves.get_or_init(|| HullWaves::new(&self.plan)).heave_waves()
     }

@@ -12,7 +12,7 @@ struct GpuErrorState {
     errors: Vec<String>,
     /// The reason why the device was lost; `None` while it works.
     lost: Option<String>,
-    /// Whether the device is treated as lost because its memory was too small.
+    /// Whether the device is treated as lost because an allocation failed for want of graphics memory.
     out_of_memory: bool,
     /// Senders that complete the futures of [`GpuErrors::when_lost`] when the device is lost.
     loss_senders: Vec<oneshot::Sender<()>>,

@@ -44,7 +44,7 @@ pub struct MeasuredStatistics {
     /// Kurtosis of the surface's elevation; 3 for a Gaussian.
     pub kurtosis: EstimateWithError,
     /// Largest relative difference, over the seeds, between the variance of the heights in the maps and that of the
-    /// plan's waves at the same time; 0 by Parseval's theorem.
+    /// plan's waves at the same time. Apart from rounding it is 0 by Parseval's theorem.
     pub parseval_error: f64,
     /// Number of seeds that were measured.
     pub seeds: u32,

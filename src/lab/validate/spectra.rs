@@ -77,7 +77,7 @@ fn peak_period(density: &[f64]) -> f64 {
     TAU * sum(0) / sum(1)
 }
 
-/// Peak period, s, of the mean of the spectra measured with all seeds, and its jackknife error.
+/// Peak period, s, of the mean over all seeds of the measured spectra, with its jackknife error.
 fn measured_peak_period(sea: &MeasuredSea) -> EstimateWithError {
     EstimateWithError::jackknife(sea.bins[0].measured.len(), |left_out| {
         let sum = |bin: &WaveBin| -> f64 {
