@@ -6,14 +6,13 @@ use crate::state::params::{Camera, CameraMode};
 use crate::state::rounding::{camera_pose, with_rounded_pose};
 use egui::Key;
 
-/// Speed at which keys fly the camera while it is at height y = 0, m/s. The speed grows with the height: see
-/// [`SPEED_PER_HEIGHT`].
+/// Speed at which keys fly the camera at height y = 0, m/s. The speed grows with the height: see [`SPEED_PER_HEIGHT`].
 const MIN_SPEED_M_S: f64 = 6.0;
 /// Increase of the camera's flight speed with its height, (m/s) per m.
 const SPEED_PER_HEIGHT: f64 = 0.8;
 /// Factor by which the camera flies faster while Shift is held.
 const SHIFT_SPEED_FACTOR: f64 = 8.0;
-/// In orbit mode, angle by which the camera moves around its pivot per point that the pointer is dragged, degrees.
+/// In orbit mode, angle by which the camera moves around its pivot for each point that the pointer is dragged, degrees.
 const DRAG_DEG_PER_POINT: f64 = 0.3;
 
 /// Applies mouse and touch input over the sea to the camera: dragging turns it (in orbit mode it moves around its

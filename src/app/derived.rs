@@ -19,11 +19,10 @@ pub struct Derived {
     /// Statistics of the sea (wave height, periods, slope, direction) by theory, from integrals of the continuous
     /// spectrum.
     pub theory: SpectrumStatistics,
-    /// Statistics of the resolved waves (those on the FFT grids), as sums over all wave numbers; empty until first
-    /// used.
+    /// Statistics of the resolved waves (those on the FFT grids), as sums over these waves; empty until first used.
     resolved: OnceCell<LatticeStatistics>,
-    /// The strongest waves, as used to move floating hulls; here they give only heights (see
-    /// [`Self::strongest_waves`]). Empty until first used.
+    /// The strongest waves of the sea, in the form that also moves floating hulls; here only their heights are used
+    /// (see [`Self::strongest_waves`]). Empty until first used.
     hull_waves: OnceCell<HullWaves>,
     /// Directional spectrum, sampled for the panel's polar plot; empty until first used.
     directional_spectrum: OnceCell<DirectionalSpectrumSamples>,
@@ -44,8 +43,8 @@ impl Derived {
         }
     }
 
-    /// Updates the derived quantities to new parameters, and recomputes only those that depend on the change. Returns
-    /// the kind of the change (foam, surface or waves); `None` if neither the sea nor the FFT grid has changed.
+    /// Updates the derived quantities to new parameters, and recomputes only what depends on the change. Returns what
+    /// changed: only foam, the surface (such as its choppiness) or the waves; `None` if neither sea nor FFT grid did.
     pub fn update(&mut self, params: &Params) -> Option<SeaChange> {
         let change = SeaChange::between(&self.params, params);
         match change {
@@ -66,8 +65,8 @@ impl Derived {
         self.resolved.get_or_init(|| LatticeStatistics::new(&self.plan, self.theory.m0_m2))
     }
 
-    /// The strongest waves of the sea. Their sum, computed on the CPU, approximates the height of the sea, m, at any
-    /// point and time.
+    /// The waves of the sea with the largest variance. Their sum, computed on the CPU, approximates the height of the
+    /// sea, m, at any point and time.
     pub fn strongest_waves(&self) -> &StrongestWaves {
         self.hull_waves.get_or_init(|| HullWaves::new(&self.plan)).heave_waves()
     }

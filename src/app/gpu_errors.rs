@@ -12,7 +12,7 @@ struct GpuErrorState {
     errors: Vec<String>,
     /// The reason why the device was lost; `None` while it works.
     lost: Option<String>,
-    /// Whether the device is treated as lost because its memory was too small.
+    /// Whether the device is treated as lost because an allocation failed for want of graphics memory.
     out_of_memory: bool,
     /// Senders that complete the futures of [`GpuErrors::when_lost`] when the device is lost.
     loss_senders: Vec<oneshot::Sender<()>>,
@@ -79,8 +79,8 @@ impl GpuErrors {
         self.lock().out_of_memory
     }
 
-    /// Treats the device as lost after an out-of-memory error, because the resource that it could not allocate would be
-    /// missing in every later frame.
+    /// Marks the device as lost after an out-of-memory error, because the buffer or texture that could not be allocated
+    /// would be missing in every later frame.
     fn note_out_of_memory(&self, error: String) {
         log::error!("{error}");
         let mut inner = self.lock();

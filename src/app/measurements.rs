@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 const READBACK_INTERVAL_S: f64 = 1.0;
 /// Number of wave-map texels that the CPU Fourier-transforms in one frame: a few milliseconds in a browser.
 const POINTS_PER_FRAME: usize = 1 << 16;
-/// Number of frequency bins of the spectrum that is measured in the wave maps.
+/// Number of equally wide frequency bins, from 0 to `highest_omega`, of the spectrum measured in the wave maps.
 const SPECTRUM_BINS: usize = 72;
 /// Weight of the newest frame, 0 to 1, in the moving average of the CPU time that recording a frame's GPU commands
 /// takes.
@@ -41,7 +41,7 @@ struct FrameRequests {
     /// Serial number of the sea (see [`SeaMeasurement`]) whose wave maps the next frame is to copy for read-back;
     /// `None` without a request.
     wants_map_copies: Option<u64>,
-    /// Copies of the wave maps that the last frame recorded for read-back, after the serial number of their sea.
+    /// Serial number of a sea, and the copies of its wave maps that the last recorded frame makes for read-back.
     map_copies: Option<(u64, PendingMapRead)>,
     /// Whether the last recorded frame was painted. A frame that is not painted is not submitted to the GPU, so its
     /// copies and times stay empty.
@@ -58,8 +58,8 @@ impl FrameMeasurements {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Starts to time a frame's GPU passes if they are shown, and asks again for map copies that were lost because
-    /// their frame was not submitted. Call this before the frame's commands are recorded.
+    /// Starts to time a frame's GPU passes if the panel shows the times, and requests copies of the wave maps anew that
+    /// were lost because their frame was not submitted. Call this before the frame's commands are recorded.
     pub fn begin_frame(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder) {
         let mut inner = self.lock();
         let is_submitted = std::mem::take(&mut inner.is_painted);
@@ -72,9 +72,9 @@ impl FrameMeasurements {
         }
     }
 
-    /// Notes the GPU times of the passes and `record_s`, the CPU time of recording the frame's commands, s. If a copy
-    /// of the wave maps was requested and `is_whole` (no replay of past foam and no cross-fade is in progress), records
-    /// it.
+    /// Ends the timing of a frame's GPU passes, and stores the latest times and `record_s`, the CPU time of recording
+    /// the frame's commands, s. If copies of the wave maps were requested and `is_whole` (no replay of past foam and no
+    /// cross-fade is in progress), records the commands that make them.
     pub fn end_frame(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder, record_s: f64, is_whole: bool) {
         let mut inner = self.lock();
         ocean.timer().end_frame(encoder);
@@ -116,8 +116,8 @@ pub struct SeaMeasurement {
     inbox: tasks::Inbox<(u64, Result<MapStatistics, String>)>,
     /// Whether a read-back of the wave maps was requested and its data have not arrived yet.
     readback_pending: bool,
-    /// The read-back whose Fourier transform is in progress over several frames: the estimator of its spectrum, and the
-    /// data.
+    /// The read-back whose Fourier transform is in progress over several frames: the estimator of its frequency
+    /// spectrum, and the maps that were read.
     pending_analysis: Option<(MapSpectrumEstimator, MapStatistics)>,
     /// When the last read-back was requested: time on egui's clock, and simulated time, both in s; `None` before the
     /// first.
@@ -143,8 +143,8 @@ impl SeaMeasurement {
         *self = Self { sea_serial: self.sea_serial + 1, inbox: self.inbox.clone(), ..Self::default() };
     }
 
-    /// Number of moments in time at which the wave maps of the current sea were read; the statistics are means over
-    /// them.
+    /// Number of evaluated read-backs of the current sea's wave maps, each at another simulated time; the statistics
+    /// are their means.
     pub fn readings(&self) -> usize {
         self.sums.readings
     }
@@ -190,8 +190,8 @@ impl SeaMeasurement {
 }
 
 impl App {
-    /// Discards the statistics measured in the wave maps, and pending requests for map copies. Called when the sea
-    /// changes, because these belong to the old sea.
+    /// Discards the statistics measured in the wave maps, pending requests for copies of the maps, and copies not yet
+    /// read. Called when the sea changes, because these belong to the old sea.
     pub(super) fn discard_measurements(&mut self) {
         self.sea_measurement.clear();
         let mut inner = self.frame_measurements.lock();
@@ -246,7 +246,7 @@ impl App {
         }
     }
 
-    /// Starts reading back the map copies that the last frame recorded, if that frame was submitted.
+    /// Starts reading back the copies of the wave maps that the last frame recorded, if that frame was submitted.
     fn start_map_readback(&self, ctx: &egui::Context) {
         let mut inner = self.frame_measurements.lock();
         inner.wants_times = self.visible_readouts.pass_times.take();

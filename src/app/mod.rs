@@ -213,8 +213,8 @@ impl App {
         Gpu { device: self.render_state.device.clone(), queue: self.render_state.queue.clone() }
     }
 
-    /// Advances the simulated time by one frame. Time stands still while the user has stopped the clock, and until the
-    /// GPU has finished the first picture.
+    /// Advances the simulated time by the wall-clock time since the last frame times the user's speed. It stands still
+    /// while the user has stopped the clock, and until the GPU has finished the first picture.
     fn advance_time(&mut self, ctx: &egui::Context) {
         if self.params.clock.paused || self.progress.is_first_picture_pending() {
             return;

@@ -6,13 +6,13 @@ use crate::state::floats::{self, FloatingObject};
 
 /// Largest distance from the camera at which a buoy or boat can be placed, m. Farther away it is too small to see.
 const MAX_FLOATING_OBJECT_DISTANCE_M: f64 = 3000.0;
-/// Number of iterations that find where a view ray meets the waves. Each intersects it with the level of the water's
-/// height at the point found before.
+/// Number of iterations that find where a line of sight meets the waves. Each intersects the line with the horizontal
+/// plane at the height of the water at the point found before.
 const RAY_STEPS: usize = 8;
 
 impl App {
-    /// Places a buoy at the pointer when B is pressed, or where the sea is clicked an object of the kind that was
-    /// chosen in the panel. A message says if there is no water or no room for more.
+    /// Places a buoy at the pointer when B is pressed, or, after a choice in the panel, a buoy or boat where the sea is
+    /// clicked. A message says if there is no water or no room for more.
     pub(super) fn place_floating_object(&mut self, response: &egui::Response, ctx: &egui::Context) {
         if self.placing.is_some() && response.hovered() {
             ctx.set_cursor_icon(egui::CursorIcon::Crosshair);
@@ -37,8 +37,8 @@ impl App {
         self.params.floats.push(FloatingObject { kind, x_m: round(x_m), z_m: round(z_m) });
     }
 
-    /// The position on the sea, m east and south, seen at the point `at` of the window, in which the sea fills `rect`.
-    /// `None` if there is no water or it is farther than [`MAX_FLOATING_OBJECT_DISTANCE_M`].
+    /// The position on the sea, m east and south, seen at the point `at` of the window; `rect` is the area that shows
+    /// the sea. `None` if there is no water or it is farther than [`MAX_FLOATING_OBJECT_DISTANCE_M`].
     fn water_position_at(&self, at: egui::Pos2, rect: egui::Rect) -> Option<[f64; 2]> {
         let camera = &self.params.camera;
         let aspect = f64::from(rect.width() / rect.height().max(1.0));

@@ -99,8 +99,8 @@ impl App {
         Ok(())
     }
 
-    /// Adds the seas of a text file, which the panel's button "Export" saved, to the user's own named seas. A sea of
-    /// equal name is replaced.
+    /// Adds the seas of a text file, which the panel's button "Export" saved, to the user's own named seas, in place of
+    /// those of equal name.
     fn import_seas(&mut self, text: &str) {
         let (seas, notices) = presets::read(text);
         let count = seas.len();

@@ -2,14 +2,14 @@
 
 use crate::state::params::{Grid, Screen};
 
-/// Frame time above which motion stutters and the quality is lowered, s.
+/// Wall-clock time per frame above which motion stutters and the quality is lowered, s.
 const SLOW_FRAME_S: f64 = 1.0 / 40.0;
-/// Frame time below which a higher quality is tried, s. A screen of 60 Hz takes 1/60 s per frame.
+/// Wall-clock time per frame below which a higher quality is tried, s. A screen of 60 Hz takes 1/60 s per frame.
 const FAST_FRAME_S: f64 = 1.0 / 55.0;
 /// Lowest factor by which adaptive quality scales the picture's width and height on a hardware GPU.
 const MIN_SCALE: f64 = 0.4;
-/// Factor of the picture's width and height with which a software adapter (which draws on the CPU and takes seconds per
-/// frame) starts. It is also the lower limit there.
+/// Initial factor, and lower limit, of the picture's width and height on a software adapter, which draws on the CPU and
+/// takes seconds per frame.
 const SOFTWARE_ADAPTER_SCALE: f64 = 0.25;
 /// Smallest FFT size to which slow frames reduce a cascade. A smaller one would leave wave numbers in no cascade.
 const MIN_FFT_SIZE: u32 = 128;
@@ -24,14 +24,14 @@ const SLOW_TIME_BEFORE_DROP_S: f64 = 0.6;
 const FAST_TIME_BEFORE_TRIAL_S: f64 = 3.0;
 /// Upper limit of the time for which frames must be fast before a higher quality is tried, s.
 const MAX_FAST_TIME_BEFORE_TRIAL_S: f64 = 60.0;
-/// Frame time above which a frame is taken for a pause, a hidden tab or a stall, s. It is ignored, unless the frame
-/// before it took as long.
+/// Wall-clock time from one frame to the next above which it is taken for a pause, a hidden tab or a stall, s. It is
+/// ignored, unless the frame before it took as long.
 const STALL_S: f64 = 4.0;
 
 /// Controller that lowers and raises the picture's resolution and the FFT size, according to the frame time and to
 /// out-of-memory errors.
 pub struct Quality {
-    /// Moving average of the frame time, s.
+    /// Moving average of the wall-clock time from one frame to the next, s.
     frame_s: f64,
     /// Factor, at most 1, by which adaptive quality scales the width and height of the picture that the user's settings
     /// ask for.
@@ -40,7 +40,7 @@ pub struct Quality {
     min_scale: f64,
     /// How often adaptive quality halves the requested FFT size: 0 for the full size, at most 3.
     halvings: u32,
-    /// Time for which frames have been too slow (positive) or fast enough to try a higher quality (negative), s.
+    /// Time for which frames have been too slow (positive), or fast enough for a higher quality (negative), s.
     slow_or_fast_time_s: f64,
     /// Time for which frames must be fast before a higher quality is tried, s. It doubles after each failed trial.
     fast_time_before_trial_s: f64,
@@ -125,13 +125,14 @@ impl Quality {
         self.out_of_memory_errors += 1;
     }
 
-    /// Largest factor of the picture's width and height, at most 1, that the out-of-memory errors so far allow.
+    /// Factor of the picture's width and height that memory allows: 1, reduced by each odd-numbered out-of-memory
+    /// error.
     fn memory_scale_limit(&self) -> f64 {
         OUT_OF_MEMORY_SCALE.powi(self.out_of_memory_errors.div_ceil(2) as i32)
     }
 
     /// Width and height of the picture in pixels at the current quality, for a sea that covers `points` of the window
-    /// and the user's `screen` settings. Neither exceeds `limit`, the largest side of a texture.
+    /// and the user's `screen` settings. Neither exceeds `limit`, the largest texture side of the GPU, pixels.
     pub fn picture_size(&self, points: egui::Vec2, pixels_per_point: f32, screen: &Screen, limit: u32) -> [u32; 2] {
         let density = f64::from(pixels_per_point).min(screen.max_pixel_ratio) * screen.render_scale;
         let own =
@@ -139,8 +140,8 @@ impl Quality {
         [points.x, points.y].map(|side| ((f64::from(side) * density * own).round() as u32).min(limit))
     }
 
-    /// The requested grid parameters with the FFT size for which the GPU's memory and, with adaptive quality, its speed
-    /// suffice.
+    /// Copy of the FFT grid parameters with an FFT size that the GPU's memory and, with adaptive quality, its speed
+    /// allow.
     pub fn reduced_grid(&self, grid: &Grid, screen: &Screen) -> Grid {
         let n = if screen.adaptive { self.reduced_fft_size(grid.n) } else { self.fft_size_for_memory(grid.n) };
         Grid { n, ..grid.clone() }
@@ -163,7 +164,7 @@ impl Quality {
         1.0 / self.frame_s.max(1e-4)
     }
 
-    /// Describes the picture quality in use, for the text that users attach to a bug report, such as "full quality" or "50 % of the pixels, to keep up".
+    /// Describes the picture quality for a bug report: "full quality" or, say, "50 % of the pixels, to keep up".
     pub fn describe(&self) -> String {
         if self.out_of_memory_errors > 0 {
             let scale = self.memory_scale_limit().min(if self.time_is_stopped { 1.0 } else { self.scale });

@@ -22,7 +22,7 @@ impl App {
         rows
     }
 
-    /// The whole report as plain text: program, GPU and frame rate, then pass times, errors, notices and the state
+    /// The whole bug report as plain text: program, GPU and frame rate, then pass times, errors, notices and the state
     /// string.
     pub fn report_text(&self) -> String {
         let mut lines: Vec<String> =

@@ -27,8 +27,8 @@ pub struct UnitScale {
 }
 
 impl UnitScale {
-    /// Shown unit and conversion factor for a quantity with the metric unit `unit`, if the user has chosen the `units`
-    /// metric or nautical.
+    /// Shown unit and conversion factor for a quantity with the metric unit `unit`, if the user has chosen `units`
+    /// (metric or nautical).
     pub fn for_unit(unit: &'static str, units: Units) -> Self {
         match NAUTICAL.iter().find(|u| units == Units::Nautical && u.metric == unit) {
             Some(u) => Self { unit: u.nautical, factor: u.factor },

@@ -24,7 +24,7 @@ pub struct Progress(Arc<ProgressFlags>);
 
 #[derive(Default)]
 struct ProgressFlags {
-    /// Whether foam steps of the past are still being computed, or a cross-fade between two seas is in progress.
+    /// Whether foam steps of earlier times are still being computed, or a cross-fade between two seas is in progress.
     catching_up: AtomicBool,
     /// Whether the first picture was painted, and so will be submitted to the GPU.
     painted: AtomicBool,
@@ -41,7 +41,7 @@ impl Progress {
         self.is_catching_up() || !self.has_first_picture()
     }
 
-    /// Whether foam steps of the past are still being computed, or a cross-fade between two seas is in progress.
+    /// Whether foam steps of earlier times are still being computed, or a cross-fade between two seas is in progress.
     pub fn is_catching_up(&self) -> bool {
         self.0.catching_up.load(Ordering::Relaxed)
     }
@@ -56,8 +56,8 @@ impl Progress {
         self.0.callback_installed.load(Ordering::Relaxed) && !self.has_first_picture()
     }
 
-    /// Asks wgpu to set `finished` when the GPU has finished the first picture, as soon as that picture has been
-    /// submitted. Call this before each frame is recorded.
+    /// Once the first picture has been submitted, asks wgpu to set `finished` when the GPU has finished it. Call this
+    /// before each frame is recorded.
     fn watch_first_submission(&self, gpu: &Gpu) {
         if self.0.painted.load(Ordering::Relaxed) && !self.0.callback_installed.swap(true, Ordering::Relaxed) {
             let marks = self.0.clone();

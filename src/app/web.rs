@@ -21,7 +21,7 @@ const ADDRESS_WRITE_INTERVAL_S: f32 = 0.7;
 #[wasm_bindgen]
 pub struct WebHandle {
     runner: eframe::WebRunner,
-    /// The app while it waits for a new GPU device after a device loss.
+    /// Slot that holds the app while it waits for a new GPU device after a device loss; empty while the app runs.
     parked: ParkedApp,
     /// Errors of the current GPU device. They stay readable after the app has panicked.
     gpu_errors: Rc<RefCell<GpuErrors>>,
@@ -39,8 +39,8 @@ impl WebHandle {
         Self { runner: eframe::WebRunner::new(), parked: ParkedApp::default(), gpu_errors: Rc::default() }
     }
 
-    /// Starts the app on a canvas with the state in the page's address. After a device loss, continues the parked app
-    /// on a new GPU device.
+    /// Starts the app on a canvas with the state string in the page's address. After a device loss, continues the
+    /// parked app on a new GPU device.
     ///
     /// # Errors
     /// One sentence, if WebGPU cannot be used. The caller may try again.
@@ -124,7 +124,7 @@ impl WebHandle {
     }
 
     /// Applies a screen reader's action to the widget with the given `id`: `click`, `focus`, `more` or `less` (one step
-    /// of its value), `set` (to the number `value`) or `type` (the string `text`).
+    /// of its value), `set` (to the number `value`) or `type` (enters the string `text` and confirms it).
     pub fn perform_widget_action(&self, id: &str, action: &str, value: f64, text: &str) {
         self.with(|app| app.screen_readers.perform_widget_action(&app.ctx, id, action, value, text));
     }
@@ -134,9 +134,9 @@ impl WebHandle {
         self.gpu_errors.borrow().lost()
     }
 
-    /// Computes the wave maps of a state at its time, for tests. Returns an object with `n` (FFT size), `cascades`
-    /// (their number) and, one cascade after the other, `heights` (f32, m) and `displacement` (bits of the half-float
-    /// texels).
+    /// Computes the wave maps of the sea of a state string at its time, for tests. Returns an object with `n` (FFT
+    /// size), `cascades` (their number) and, one cascade after the other, `heights` (f32, m) and `displacement` (bits
+    /// of the half-float texels).
     ///
     /// # Errors
     /// If the app does not run, or reading back from the GPU fails.
@@ -158,9 +158,10 @@ impl WebHandle {
         ]))
     }
 
-    /// Measures the time of each GPU pass for a state on a second device of this browser, as `seastate bench
-    /// --baseline` does, from `repeat` GPU submissions. Calls `progress` with the name of each measurement. Returns an
-    /// object with `text` (the table) and `passes` (objects with `pass`, `n`, `cascades`, `width`, `height`, `ms`).
+    /// Measures the time of each GPU pass for the sea of a state string on a second device of this browser, as
+    /// `seastate bench --baseline` does, from `repeat` GPU submissions. Calls `progress` with the name of each
+    /// measurement. Returns an object with `text` (the table) and `passes` (objects with `pass`, `n`, `cascades`,
+    /// `width`, `height`, `ms`).
     ///
     /// # Errors
     /// If there is no GPU, or its device is lost during the measurement.
@@ -246,7 +247,7 @@ async fn park_when_lost(runner: eframe::WebRunner, parked: ParkedApp, gpu_errors
     runner.destroy();
 }
 
-/// Creates an app with the state in the page's address. Its clock is stopped if the user prefers reduced motion.
+/// Creates an app with the state string in the page's address. Its clock is stopped if the user prefers reduced motion.
 fn app_from_address(cc: &eframe::CreationContext<'_>) -> Result<App, String> {
     let mut app = App::new(cc, &address_query())?;
     if prefers_reduced_motion() {
@@ -266,8 +267,8 @@ pub fn page_link(state: &str) -> String {
     if state.is_empty() { base } else { format!("{base}?{state}") }
 }
 
-/// Copy of the page's address (URL) as the app last read or wrote it. If the browser then has another one, the user
-/// went back or forward.
+/// The page's address (URL) as the app last read or wrote it. If the browser's address then differs, the user went back
+/// or forward.
 pub struct Address {
     /// State string in the page's address (the query, without `?`) as the app last read or wrote it.
     query: String,
@@ -291,9 +292,9 @@ impl App {
         self.message.as_ref().map_or_else(|| sea.clone(), |message| format!("{sea}. {}", message.text))
     }
 
-    /// Keeps the page's address and the state equal. After back or forward it opens the address; otherwise it writes
-    /// the state to the address. A change of sea or light adds an entry to the browser's history; a change of time or
-    /// camera replaces the current entry.
+    /// Keeps the state string in the page's address and the app's parameters equal. After back or forward it opens the
+    /// address; otherwise it writes the parameters to it. A change of sea or light adds an entry to the browser's
+    /// history; a change of only time or camera replaces the current entry.
     pub(super) fn sync_address_and_state(&mut self) {
         let query = address_query();
         if query != self.address.query {

@@ -50,24 +50,24 @@ impl fmt::Display for Comparison {
     }
 }
 
-/// Relative tolerance of the spectrum pass. Its integer hash for random numbers is exact; logarithm, sine, arc tangent
-/// and exponential are off by a few times the rounding error of f32, 6e-8.
+/// Largest accepted rms error of the spectrum pass, divided by the rms of the oracle's result. Its random numbers are
+/// exact; its other functions are off by a few times the rounding error of f32, 6e-8.
 const SPECTRUM_TOLERANCE: f64 = 1e-6;
-/// Largest accepted rms difference between the row or column pass on the GPU and its twin on the CPU, divided by the
-/// rms of the twin's result. It leaves room for the rounding errors of an FFT.
+/// Largest accepted rms error of the GPU's FFT along rows or columns, divided by the rms of the oracle's result. It
+/// leaves room for the rounding errors of f32.
 const TRANSFORM_TOLERANCE: f64 = 1e-6;
-/// Relative tolerance of the wave maps: rounding to half floats, a relative error of at most 2^-11 and on average
-/// 2^-12.
+/// Largest accepted rms error of the GPU's wave maps, divided by the rms of the oracle's maps. Rounding to half floats
+/// gives a relative error of at most 2^-11.
 const HALF_FLOAT_TOLERANCE: f64 = 4.9e-4;
-/// Relative tolerance of the mip levels: the mean of four half floats is rounded to a half float.
+/// Largest accepted rms error of a mip level (rounded to half floats), divided by the rms of the next finer level.
 const MIP_TOLERANCE: f64 = 4.9e-4;
-/// Relative tolerance of the foam pass. It allows for bilinear weights of 8 bits and half-float maps, whose errors the
-/// steepness of the foam's source term amplifies.
+/// Largest accepted rms error of the foam coverage, divided by its rms by the oracle. The pass reads half-float maps
+/// with bilinear weights of 8 bits, and the steep source term of the foam amplifies their errors.
 const FOAM_TOLERANCE: f64 = 5e-3;
 
-/// Smallest root mean square of expected values by which the error of half-float maps is divided. Half floats are at
-/// least 2^-24 apart; a texel with four truncated components is off by up to 2^-23, which is 2^-11 of this value. It
-/// matters for the slopes of the longest waves of a calm sea.
+/// Lower limit of the rms by which the rms error of half-float maps is divided. Half floats are at least 2^-24 apart; a
+/// texel with four truncated components is off by up to 2^-23, which is 2^-11 of this limit. It matters for the slopes
+/// of the longest waves of a calm sea.
 const MIN_HALF_FLOAT_RMS: f64 = 2.441_406_25e-4;
 
 /// Number of foam steps that are computed before the GPU's foam is compared with the oracle's.
@@ -75,8 +75,8 @@ const FOAM_STEPS: usize = 4;
 /// Index of the foam level that is compared: 0 is the smallest and finest of the square foam grids around the camera.
 const FOAM_LEVEL: usize = 1;
 
-/// Compares all GPU passes (spectrum, FFT, wave maps, mip levels, foam) with the oracle, for a state at its time.
-/// Returns one comparison per quantity and cascade.
+/// Compares all GPU passes (spectrum, FFT, wave maps, mip levels, foam) with the oracle (the same calculation on the
+/// CPU in f64), for the sea of `params` at its time. Returns one comparison per quantity and cascade.
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -84,8 +84,8 @@ pub async fn run(gpu: &Gpu, params: &Params) -> Result<Vec<Comparison>, String> 
     run_with(gpu, params, &Shaders::default(), FftImplementation::for_device(gpu)).await
 }
 
-/// Compares all GPU passes with the oracle as [`run`] does, but with the given shaders, in which tests plant faults,
-/// and the given FFT implementation.
+/// Compares all GPU passes with the oracle as [`run`] does, but with the given FFT implementation and the given shaders
+/// (in which tests plant faults).
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -119,7 +119,7 @@ pub async fn run_with(
     Ok(lines)
 }
 
-/// A check in progress: the simulation that is compared with the oracle at one time, and the result lines so far.
+/// A check in progress: the simulation that is compared with the oracle at one time, and the comparisons made so far.
 struct Check<'a> {
     gpu: &'a Gpu,
     plan: &'a Plan,
@@ -148,8 +148,8 @@ impl Check<'_> {
         Ok(())
     }
 
-    /// Runs the GPU's FFT along rows on `h0`, the oracle's initial wave amplitudes of each cascade. Compares the result
-    /// with `rows`, the oracle's, and adds the comparisons to `lines`.
+    /// Runs the GPU's FFT along rows on `h0`, the oracle's initial wave amplitudes of each cascade, and adds
+    /// comparisons of the result with `rows`, the oracle's FFT along rows, to `lines`.
     async fn compare_rows(&mut self, h0: &[Vec<Complex>], rows: &[MapPair]) -> Result<(), String> {
         let flat: Vec<[f32; 2]> = h0.iter().flatten().map(|h| h.map(|x| x as f32)).collect();
         self.gpu.queue.write_buffer(&self.sim.resources.current_waves().h0, 0, bytemuck::cast_slice(&flat));
@@ -159,7 +159,7 @@ impl Check<'_> {
     }
 
     /// Runs the GPU's FFT along columns on `rows`, the oracle's FFT along rows, and compares the result with `maps`,
-    /// the oracle's wave maps. Also lets the GPU compute the mip levels of its own maps, for [`Self::mips`].
+    /// the oracle's wave maps. Also lets the GPU compute the mip levels of its own maps, for [`Self::compare_mips`].
     async fn compare_columns(&mut self, rows: &[MapPair], maps: &[MapPair]) -> Result<(), String> {
         let r = &self.sim.resources;
         let flat: Vec<[f32; 4]> = rows.iter().flatten().flatten().map(|t| t.map(|x| x as f32)).collect();
@@ -171,8 +171,8 @@ impl Check<'_> {
     }
 
     /// Submits the commands of `encoder`, reads back the buffer `row_transforms`, which the FFT passes write, and
-    /// compares it with `want`, the oracle's pair of maps of each cascade. `names` labels the two maps of a pair in
-    /// `lines`.
+    /// compares it with `want`, the oracle's pair of maps of each cascade. `names` are the names of the two maps of a
+    /// pair in the printed table.
     async fn compare_transform(
         &mut self,
         mut encoder: wgpu::CommandEncoder,
@@ -214,8 +214,8 @@ impl Check<'_> {
         Ok(())
     }
 
-    /// Compares a mip level of all kinds of wave maps with the oracle's means of 2 x 2 texels of the GPU's next finer
-    /// level.
+    /// Compares mip level `level` of the GPU's displacement, gradient and slope moment maps with the means that the
+    /// oracle computes from 2 x 2 texels of the GPU's next finer level.
     async fn compare_mips(&mut self, level: u32) -> Result<(), String> {
         let (gpu, r) = (self.gpu, &self.sim.resources);
         let above = self.plan.n as usize >> (level - 1);
@@ -293,11 +293,11 @@ fn step_foam(foam: &mut [f64], plan: &Plan, pyramid: &SampledMaps, (corner, texe
     }
 }
 
-/// The GPU's wave maps at all mip levels. For each cascade also its tiling (how shifted copies of its patch cover the
-/// sea), and the mip level (between two whole ones) at which a foam level samples the maps.
+/// Copy of the GPU's wave maps at all mip levels, from which the oracle computes foam. For each cascade also its tiling
+/// (how shifted copies of its patch cover the sea) and the mip level (not a whole number) that foam reads.
 struct SampledMaps {
     n: usize,
-    /// Texels of the displacement map and of the gradient map, for each mip level; the cascades follow each other.
+    /// For each mip level, the texels of the displacement map and of the gradient map of all cascades, in their order.
     levels: Vec<[Vec<Texel>; 2]>,
     cascades: Vec<(Tiling, f64)>,
 }
@@ -372,12 +372,12 @@ async fn read(gpu: &Gpu, encoder: wgpu::CommandEncoder, copy: StagedTexture) -> 
     Ok(texels.into_iter().map(|t| t.map(f64::from)).collect())
 }
 
-/// Root mean square of the differences between two sequences, over all components.
+/// Root mean square length of the difference vectors of two sequences of vectors.
 fn rms_difference<const C: usize>(got: impl Iterator<Item = [f64; C]>, want: impl Iterator<Item = [f64; C]>) -> f64 {
     root_mean_square::<C>(got.zip(want).map(|(g, w)| std::array::from_fn(|c| g[c] - w[c])))
 }
 
-/// Root mean square difference divided by the root mean square of `want`; not divided if the latter is 0.
+/// [`rms_difference`] divided by the root mean square length of the vectors in `want`; not divided if that is 0.
 fn relative_rms_error<const C: usize>(
     got: impl Iterator<Item = [f64; C]>,
     want: impl Iterator<Item = [f64; C]> + Clone,

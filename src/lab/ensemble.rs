@@ -12,15 +12,15 @@ use crate::waves::statistics::{self, SpectralMoments};
 use crate::waves::{Plan, noise};
 use std::f64::consts::{PI, TAU};
 
-/// Phase advance of the fastest wave between the two read-backs of a seed, rad. Their difference tells waves of
-/// opposite directions apart.
+/// Phase by which the wave of highest frequency advances between the two read-backs of a seed's wave maps, rad. The
+/// change of phase tells waves of opposite directions apart.
 const PEAK_PHASE_ADVANCE_RAD: f64 = 1.0;
 /// Number of random points of the displaced surface that each seed contributes to skewness and kurtosis.
 const STATISTICS_POINTS: u32 = 1 << 16;
 
 /// Statistics measured in the GPU's f32 wave maps. Heights and slopes are those of the undisplaced grid. Periods and
-/// directions come from two read-backs, which separate waves of opposite directions. Skewness and kurtosis belong to
-/// the displaced surface, whose points are weighted by the Jacobian.
+/// directions come from maps at two times, which tell waves of opposite directions apart. Skewness and kurtosis belong
+/// to the displaced surface, whose points are weighted by the Jacobian.
 #[derive(Debug)]
 pub struct MeasuredStatistics {
     /// Significant wave height, m, from the variance averaged over the seeds.
@@ -44,7 +44,7 @@ pub struct MeasuredStatistics {
     /// Kurtosis of the surface's elevation; 3 for a Gaussian.
     pub kurtosis: EstimateWithError,
     /// Largest relative difference, over the seeds, between the variance of the heights in the maps and that of the
-    /// plan's waves at the same time; 0 by Parseval's theorem.
+    /// plan's waves at the same time. Apart from rounding it is 0 by Parseval's theorem.
     pub parseval_error: f64,
     /// Number of seeds that were measured.
     pub seeds: u32,
@@ -61,10 +61,10 @@ pub struct SeedStatistics {
     parseval_error: f64,
 }
 
-/// One wave of the sea. The wave of equal wave number that travels in the opposite direction is another one.
+/// A wave of the sea with one wave vector. The wave that travels in the opposite direction is a separate one.
 #[derive(Clone, Copy, Debug)]
 pub struct TravellingWave {
-    /// Variance of the wave's elevation, m^2.
+    /// Variance of the surface elevation that this wave alone causes, m^2.
     pub variance: f64,
     /// Wave number, rad/m.
     pub k: f64,
@@ -74,8 +74,8 @@ pub struct TravellingWave {
     pub travel: [f64; 2],
 }
 
-/// Measures the statistics of a state over `seeds` seeds: the state's own and those after it. Calls `visit` for every
-/// wave of every seed, with the index of the seed (from 0).
+/// Measures the statistics of the sea of `params` on the GPU over `seeds` random seeds: its own seed and those after
+/// it. Calls `visit` for every wave of every seed, with the index of the seed (from 0).
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -102,7 +102,7 @@ pub async fn measure(
     Ok(summarise_seeds(&all))
 }
 
-/// Statistics over all seeds: means of the statistics of each seed, or their ratios, with standard errors.
+/// Statistics over all seeds with standard errors: means over the seeds; for periods and r1, ratios of such means.
 fn summarise_seeds(all: &[SeedStatistics]) -> MeasuredStatistics {
     let values = |f: &dyn Fn(&SeedStatistics) -> f64| all.iter().map(f).collect::<Vec<_>>();
     let over = |f: &dyn Fn(&SeedStatistics) -> f64| EstimateWithError::mean(&values(f));
@@ -175,9 +175,9 @@ fn seed_statistics(
 }
 
 /// Separates the waves of a cascade by direction of travel, and calls `visit` for each. `displacements` are its maps at
-/// two `times` (s). They determine A in the Fourier coefficient X(k, t) = A e^{-i w t} + B* e^{+i w t} of the heights
-/// at angular frequency w. A is the amplitude of the wave that travels along the wave vector k; its variance is 2
-/// |A|^2.
+/// two `times` (s). At the wave vector k, the Fourier coefficient of the heights is A e^{-i w t} + B* e^{+i w t}, with
+/// the angular frequency w and the amplitudes A and B of the waves that travel along k and -k. Its values at two times
+/// determine A. The variance of the wave is 2 |A|^2.
 fn travelling_waves(
     plan: &Plan,
     cascade: &Cascade,

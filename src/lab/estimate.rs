@@ -30,8 +30,8 @@ impl EstimateWithError {
         Self { value, standard_error: Self::mean(&residuals).standard_error }
     }
 
-    /// Estimates a statistic of `count` members, with its jackknife error. `statistic` gets the index of the member to
-    /// leave out, or `None` for all members.
+    /// Estimates a statistic of an ensemble of `count` members, with its jackknife error. `statistic` computes it
+    /// without the member of the given index, or from all members if it gets `None`.
     pub fn jackknife(count: usize, statistic: impl Fn(Option<usize>) -> f64) -> Self {
         let replicates: Vec<f64> = (0..count).map(|i| statistic(Some(i))).collect();
         let error = Self::mean(&replicates).standard_error.map(|e| e * (count as f64 - 1.0));
@@ -43,8 +43,8 @@ impl EstimateWithError {
         self.with_propagated_error(factor * self.value, factor)
     }
 
-    /// Applies a function, given by its value and derivative at the estimate, and propagates the standard error
-    /// linearly.
+    /// Result of a function of the estimate: `value` is the function's value there, and `derivative` its derivative, by
+    /// whose magnitude the standard error is multiplied.
     pub fn with_propagated_error(self, value: f64, derivative: f64) -> Self {
         Self { value, standard_error: self.standard_error.map(|e| e * derivative.abs()) }
     }

@@ -11,8 +11,8 @@ use std::path::Path;
 /// Index of the foam level that is exported: 0 is the smallest and finest of the square foam grids around the camera.
 const FOAM_LEVEL: usize = 1;
 
-/// Writes the wave maps and one foam level of a state at its time to a folder as OpenEXR files, with their description
-/// as plan.json. With `raw`, also writes bare texels: heights.f32 (m) and displacement.f16 (half floats).
+/// Writes the wave maps and one foam level of the sea of `params` at its time to a folder as OpenEXR files, with their
+/// description as plan.json. With `raw`, also bare texels: heights.f32 (m) and displacement.f16 (half floats).
 ///
 /// # Errors
 /// One sentence, if a file cannot be written or reading back from the GPU fails.

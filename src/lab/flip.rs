@@ -25,8 +25,8 @@ impl SrgbPicture {
     }
 }
 
-/// Perceived difference (FLIP) of two pictures at every pixel, from 0 (equal) to 1, row by row. `pixels_per_degree` of
-/// visual angle depends on the viewing distance: usually [`PIXELS_PER_DEGREE`].
+/// Perceived difference (FLIP) of two pictures at every pixel, from 0 (equal) to 1, row by row, for an observer who
+/// sees this number of pixels per degree of visual angle: usually [`PIXELS_PER_DEGREE`].
 ///
 /// # Errors
 /// If the pictures differ in size.
@@ -59,7 +59,7 @@ pub fn mean_error(errors: &[f64]) -> f64 {
 
 const COLOUR_EXPONENT: f64 = 0.7;
 const FEATURE_EXPONENT: f64 = 0.5;
-/// Fraction of the largest colour difference above which FLIP compresses differences into the range from
+/// Colour difference, as a fraction of the largest one, above which FLIP compresses differences into the range from
 /// [`KNEE_FLIP_VALUE`] to 1.
 const KNEE_DIFFERENCE_FRACTION: f64 = 0.4;
 /// Value that FLIP gives to a colour difference of [`KNEE_DIFFERENCE_FRACTION`] times the largest one.
@@ -109,7 +109,7 @@ fn opponent_to_linear_rgb([y, cx, cz]: [f64; 3]) -> [f64; 3] {
     matrix_times_vector(&XYZ_TO_RGB, std::array::from_fn(|i| relative[i] * white[i])).map(|c| c.clamp(0.0, 1.0))
 }
 
-/// Converts linear sRGB to L*a*b* with the Hunt effect: chroma decreases in proportion to lightness.
+/// Converts linear sRGB to L*a*b*, with a* and b* multiplied by L*/100: the Hunt effect (dark colours look less vivid).
 fn lab_with_hunt_effect(rgb: [f64; 3]) -> [f64; 3] {
     let delta: f64 = 6.0 / 29.0;
     let f = |t: f64| if t > delta.powi(3) { t.cbrt() } else { t / (3.0 * delta * delta) + 4.0 / 29.0 };
@@ -136,8 +136,8 @@ fn to_flip_scale(x: f64, most: f64) -> f64 {
     }
 }
 
-/// L*a*b* of each pixel as an observer perceives it at the viewing distance of `pixels_per_degree`: each opponent
-/// colour is filtered by its contrast sensitivity.
+/// L*a*b* of each pixel as an observer perceives it at a distance with this number of pixels per degree: luminance and
+/// the two opponent colours are blurred according to the eye's contrast sensitivity.
 fn filtered_lab(picture: &SrgbPicture, pixels_per_degree: f64) -> Vec<[f64; 3]> {
     // Weight and width of two Gaussians each for luminance, red-green and blue-yellow.
     const SENSITIVITY: [[[f64; 2]; 2]; 3] =

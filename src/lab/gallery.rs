@@ -22,7 +22,7 @@ pub struct GalleryPicture {
     pub title: &'static str,
     /// Description of the picture.
     pub about: &'static str,
-    /// State string of the picture, in the form in which the program itself writes it.
+    /// State string (`key=value&...`) of the picture, in the form in which the program itself writes it.
     pub state: &'static str,
 }
 

@@ -16,7 +16,7 @@ pub mod validate;
 
 use std::path::Path;
 
-/// Writes a file. The error is a sentence that names the path.
+/// Writes `bytes` to a file, in place of its old contents. The error is a sentence that names the path.
 fn write_file(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), String> {
     std::fs::write(path, bytes).map_err(|e| format!("cannot write {}: {e}", path.display()))
 }

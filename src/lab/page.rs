@@ -34,7 +34,7 @@ impl Page {
         self.text.push_str("\n\n");
     }
 
-    /// Adds a table to the page. `head` holds the column titles, separated by " | ".
+    /// Adds a table to the page. `head` holds the column titles, separated by " | "; each row, one text per column.
     pub fn table(&mut self, head: &str, rows: &[Vec<String>]) {
         let columns = head.split(" | ").count();
         let _ = writeln!(self.text, "| {head} |\n|{}", "---|".repeat(columns));

@@ -4,8 +4,8 @@ use super::page::Page;
 use crate::state::fields::{FIELDS, Field, Group};
 use std::fmt::Write as _;
 
-/// Keys of the state string that are not in [`FIELDS`], with their meaning in Markdown. [`parameter_listing`] removes
-/// the markup.
+/// Keys of the state string that are not in [`FIELDS`], each with its meaning as Markdown text. [`parameter_listing`]
+/// removes the markup.
 const SPECIAL_KEYS: [(&str, &str); 3] = [
     (
         "measured",
@@ -25,7 +25,7 @@ const SPECIAL_KEYS: [(&str, &str); 3] = [
     ),
 ];
 
-/// Lists the keys of the state string as text for a terminal.
+/// Lists the keys of the state string with units, ranges, defaults and meaning, as text for a terminal.
 pub fn parameter_listing() -> String {
     let mut text = String::new();
     for field in FIELDS.iter() {

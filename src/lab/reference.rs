@@ -12,7 +12,7 @@ const MAX_SAMPLES_PER_TARGET: u64 = 4_200_000;
 /// Number and positions of the samples in a reference picture, whose pixels are means of many unfiltered samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sampling {
-    /// Minimum number of samples of each pixel, which is their mean.
+    /// Minimum number of samples per pixel; the colour of a pixel is their mean.
     pub samples: u32,
     /// Seed of the sample positions within a pixel.
     pub seed: u32,
@@ -41,8 +41,8 @@ impl Sampling {
     }
 }
 
-/// Sums of linear light over the sky samples and over the water samples of one pixel. Each sample carries a weight: 0
-/// marks sky, and a positive weight counts in the mean of the water.
+/// Sums of linear light over the sky samples and over the water samples of one pixel. The fourth channel of a sample is
+/// 0 for sky; for water it is the sample's weight in the mean of the water samples.
 #[derive(Clone, Copy, Default)]
 struct PixelSum {
     sky: [f64; 3],
@@ -79,8 +79,8 @@ impl PixelSum {
     }
 }
 
-/// Renders the reference picture (each pixel the mean of many unfiltered samples) of the ocean's last frame. Returns
-/// the linear light (RGB) of every pixel, row by row.
+/// Renders the reference picture (each pixel the mean of many unfiltered samples) of the frame that `ocean` drew last.
+/// Returns the linear light (RGB) of every pixel, row by row.
 ///
 /// # Errors
 /// If reading back from the GPU fails.
@@ -109,8 +109,8 @@ pub async fn reference_light(
     Ok(sums.iter().map(PixelSum::mean).collect())
 }
 
-/// Renders the reference picture (each pixel the mean of many unfiltered samples) of the ocean's last frame. Returns
-/// RGBA bytes, row by row, with the exposure and film response of the usual picture.
+/// Renders the reference picture (each pixel the mean of many unfiltered samples) of the frame that `ocean` drew last.
+/// Returns RGBA bytes, row by row, with the exposure and film response of the usual picture.
 ///
 /// # Errors
 /// If reading back from the GPU fails.

@@ -27,7 +27,7 @@ pub struct Sequence {
     pub layers: bool,
 }
 
-/// Renders a state at its time and writes a PNG. With `sampling`, writes a reference picture of many samples per pixel.
+/// Renders the sea of `params` at its time to a PNG. With `sampling`, a reference picture of many samples per pixel.
 ///
 /// # Errors
 /// One sentence, if reading back from the GPU fails or the file cannot be written.
@@ -51,8 +51,8 @@ fn write_png(pixels: Vec<u8>, size: [u32; 2], path: &Path) -> std::result::Resul
     image.save_with_format(path, image::ImageFormat::Png).map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 
-/// Renders a sequence of pictures that begins at the state's time, and writes it to a folder. Returns a line for the
-/// terminal: the number of pictures and the folder.
+/// Renders a sequence of pictures that begins at the time of `params`, and writes it to a folder. Returns a line for
+/// the terminal: the number of pictures and the folder.
 ///
 /// # Errors
 /// One sentence, if reading back from the GPU fails or a file cannot be written.

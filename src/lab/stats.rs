@@ -26,7 +26,7 @@ pub struct SeaStatistics {
     whitecap_fraction: f64,
 }
 
-/// Computes the statistics of a state, and measures them over `seeds` seeds, beginning with the state's own seed.
+/// Computes the statistics of the sea of `params`, and measures them over `seeds` seeds, beginning with its own seed.
 ///
 /// # Errors
 /// If reading back from the GPU fails.

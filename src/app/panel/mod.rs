@@ -21,7 +21,7 @@ const MIN_PANEL_POINTS: f32 = 100.0;
 /// Least height of a widget on a touch screen, points.
 const TOUCH_TARGET_POINTS: f32 = 44.0;
 
-/// Largest number of characters in the search field.
+/// Largest number of characters that the panel's search field accepts.
 const MAX_TEXT_CHARS: usize = 100;
 
 /// State of the panel that is not part of the parameters.
@@ -103,7 +103,7 @@ pub fn sea_summary(app: &App) -> String {
     format!("Hs {hs}, Beaufort {}", beaufort::beaufort_number(app.params.sea.first_system().wind_m_s))
 }
 
-/// Adds a button with a tooltip. Returns whether it was clicked.
+/// Adds a button with the text `label` and the tooltip `help`. Returns whether it was clicked.
 fn button_with_help(ui: &mut egui::Ui, label: &str, help: &str) -> bool {
     ui.button(label).on_hover_text(help).clicked()
 }

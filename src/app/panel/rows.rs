@@ -131,8 +131,8 @@ fn colour_editor(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Res
     .inner
 }
 
-/// Makes a slider show the field's unit, and its zero word, such as "off", in place of the number 0. Both can also be
-/// typed. `factor` is the shown value divided by the metric value.
+/// Makes a slider show the field's unit after the number, and the field's word for 0, such as "off", in place of 0.
+/// Both can also be typed. `factor` is the shown value divided by the metric value.
 fn with_zero_word<'a>(field: &'static Field, slider: egui::Slider<'a>, factor: f64, units: Units) -> egui::Slider<'a> {
     let scale = UnitScale::for_field(field, units);
     let unit = scale.suffix();

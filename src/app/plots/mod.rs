@@ -46,8 +46,8 @@ impl PlotTable {
     }
 }
 
-/// Creates an empty plot of height [`PLOT_HEIGHT_POINTS`] that the pointer cannot move or zoom. `name` is egui's id of
-/// it.
+/// Creates an empty plot of height [`PLOT_HEIGHT_POINTS`] that the pointer cannot move or zoom; `name` is its id in
+/// egui.
 fn fixed_plot(name: &str) -> Plot<'_> {
     Plot::new(name).height(PLOT_HEIGHT_POINTS).allow_drag(false).allow_zoom(false).allow_scroll(false)
 }

@@ -7,10 +7,10 @@ use egui::{Color32, Mesh, Stroke, vec2};
 
 const DIRECTION_COUNT: usize = 72;
 const FREQUENCY_COUNT: usize = 28;
-/// Width and height of the polar plot, points.
+/// Height of the area of the polar plot, points; the plot is a circle in its middle.
 const PLOT_SIDE_POINTS: f32 = 240.0;
 
-/// Directional spectrum, sampled for the polar plot on rings of equal frequency.
+/// Directional spectrum, sampled for the polar plot on rings; each ring has one frequency.
 pub struct DirectionalSpectrumSamples {
     /// Angular frequency omega at the middle of each ring, rad/s.
     omega: Vec<f64>,
@@ -37,7 +37,7 @@ impl DirectionalSpectrumSamples {
     }
 }
 
-/// Colour in the polar plot for `x`, the square root of the density divided by the plot's largest (0 to 1), from the
+/// Colour in the polar plot where the spectral density is `x`^2 times the plot's largest (`x` from 0 to 1), from the
 /// colour map cividis, whose brightness increases in colour-blind sight (Nunez et al. 2018).
 fn density_colour(x: f64) -> Color32 {
     const STOPS: [[f64; 3]; 5] =

@@ -6,8 +6,8 @@ use egui_plot::{HLine, Line, PlotPoints};
 
 const PROFILE_POINTS: usize = 160;
 
-/// Plots the height of the sea along the direction of view, from below the camera up to four peak wavelengths ahead.
-/// Returns the data as a table for a CSV file.
+/// Plots the height of the sea along the direction of view, from the point below the camera to four peak wavelengths
+/// ahead. Returns the data as a table for a CSV file.
 pub fn show_profile_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
     let camera = &app.params.camera;
     let (sin, cos) = camera.heading_deg.to_radians().sin_cos();

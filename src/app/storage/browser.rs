@@ -5,8 +5,7 @@ use super::{DAMAGED_SEAS_FILE_NAME, SEAS_FILE_NAME};
 use std::path::Path;
 use wasm_bindgen::{JsCast as _, JsValue};
 
-/// Makes the browser download `bytes` as a file called `name`; the folder has no effect. Returns a message for the
-/// user.
+/// Makes the browser download `bytes` as a file called `name`. The folder is ignored. Returns a message for the user.
 pub fn save(_folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, String> {
     let run = || -> Result<(), JsValue> {
         let parts = js_sys::Array::of1(&js_sys::Uint8Array::from(bytes).into());
@@ -27,7 +26,7 @@ pub fn load_seas() -> String {
     storage().and_then(|s| s.get_item(SEAS_FILE_NAME).ok().flatten()).unwrap_or_default()
 }
 
-/// Copies the text of the user's own named seas to a second key of the browser's storage, before it is overwritten.
+/// Copies the stored list of the user's own named seas to a second key of the browser's storage, over an older copy.
 ///
 /// # Errors
 /// One sentence, if the browser refuses to store the copy.

@@ -45,7 +45,7 @@ fn read_seas(path: &Path) -> Option<String> {
     Some(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// Copies the file of the user's own named seas to another file, which the program never overwrites.
+/// Copies the stored list of the user's own named seas to a new file with a free name, which is never overwritten.
 ///
 /// # Errors
 /// One sentence with the reason, if the file cannot be written.

@@ -13,7 +13,7 @@ pub use browser::{back_up_damaged_seas, load_seas, save, store_seas};
 #[cfg(not(target_arch = "wasm32"))]
 pub use desktop::{back_up_damaged_seas, load_seas, save, store_seas};
 
-/// File name of the user's own named seas on the desktop, and their key in the browser's local storage.
+/// Where the user's own named seas are stored: file name on the desktop, key in the browser's local storage.
 const SEAS_FILE_NAME: &str = "seas.txt";
 /// Where a list of the user's seas that contains errors is copied before it is overwritten: file name on the desktop,
 /// key in the browser's local storage.

@@ -225,8 +225,8 @@ fn to_svg_point((x, y): (f64, f64)) -> (i32, i32) {
     (to_svg_units(x), to_svg_units(y))
 }
 
-/// Cuts a path (x, y in pixels) into dashes of 6 pixels with gaps of 4 pixels. Returns the points of each dash in SVG
-/// units.
+/// Cuts a path (x, y in pixels) into dashes of 6 pixels with gaps of 4 pixels. Returns for each dash its points (x, y)
+/// in SVG user units.
 fn split_into_dashes(path: &[(f64, f64)]) -> Vec<Vec<(i32, i32)>> {
     const DASH: f64 = 6.0;
     const PERIOD: f64 = 10.0;

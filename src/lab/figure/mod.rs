@@ -100,8 +100,8 @@ impl Axis {
         (first..first + 20).map(|i| (i as f64 * step, true)).filter(|&(v, _)| inside(v)).collect()
     }
 
-    /// Formats the number at a grid line of the axis, such as `0.5`. Numbers below 0.001 or from 100 000 on a
-    /// logarithmic axis become powers of ten.
+    /// Formats the number at a grid line of the axis, such as `0.5`. On a logarithmic axis, numbers below 0.001 and
+    /// those of at least 100 000 become powers of ten.
     pub fn format_tick(&self, value: f64) -> String {
         if self.log && !(1e-3..1e5).contains(&value) {
             let exponent = value.log10().floor() as i32;

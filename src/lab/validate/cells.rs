@@ -45,7 +45,7 @@ fn difference(estimate: Option<EstimateWithError>, by: impl Fn(f64) -> f64, text
     })
 }
 
-/// Formats the difference of the program's number from a published number, in per cent.
+/// Formats the difference of the program's number `ours` from a published number, in per cent of the latter.
 pub fn relative_to_published(ours: f64, published: f64) -> String {
     format!("{:+.1} %", 100.0 * (ours / published - 1.0))
 }

@@ -23,10 +23,10 @@ const SEAS: [(&str, &str, &str); 6] = [
     ),
 ];
 const COMMON: &str = "spread=cos2-positive&dir=270&n=128&seed=1";
-/// Smallest amplitude of a wave whose phase speed is measured, relative to the largest in its cascade. f32 rounding
-/// disturbs weaker waves.
+/// Smallest amplitude of a wave whose phase speed is measured, relative to the largest amplitude in its cascade. f32
+/// rounding disturbs weaker waves.
 const MIN_AMPLITUDE_FRACTION: f64 = 5e-3;
-/// Phase advance of a cascade's fastest wave between two read-backs, rad; unambiguous, because it is below 2 pi.
+/// Phase advance of a cascade's wave of highest frequency between two read-backs, rad: below 2 pi, so unambiguous.
 const PEAK_PHASE_ADVANCE_RAD: f64 = 2.5;
 /// Number of wave-number bins per decade; the figure shows the strongest measured wave of each bin.
 const BINS_PER_DECADE: f64 = 8.0;
@@ -34,8 +34,8 @@ const BINS_PER_DECADE: f64 = 8.0;
 /// A measured wave: wave number (rad/m), phase speed (m/s), and amplitude relative to the largest in its cascade.
 type MeasuredWave = [f64; 3];
 
-/// Measures the waves of a plan: their Fourier coefficients at two times give the phase advance and so the phase speed.
-/// `None` without a GPU.
+/// Measures the phase speeds of a plan's waves within 60 degrees of the wind. The Fourier coefficients at two times
+/// give the phase advance and so the speed. `None` without a GPU.
 fn measured_phase_speeds(lab: &Measurement<'_>, plan: &Plan) -> Result<Option<Vec<MeasuredWave>>, String> {
     // The clock counts ticks of 2^-32 periods, so it represents multiples of a tick exactly.
     let tick = plan.period_s / 4_294_967_296.0;

@@ -33,17 +33,18 @@ pub struct MeasuredSea {
     pub bins: Vec<WaveBin>,
 }
 
-/// Variance of the waves in a bin of frequency or direction. Each triple holds the variance, m^2, and the variance
-/// times the unit vector (x, z) of the direction of travel.
+/// Variance and direction of travel of all waves in a bin of frequency or direction.
 #[derive(Clone, Debug, Default)]
 pub struct WaveBin {
-    /// Expected variance of the resolved waves, m^2, and this variance times the unit vector (x, z) of travel.
+    /// Variance expected of the bin's waves on the FFT grids, m^2, and the sums of variance times x and z of their unit
+    /// vectors of travel.
     pub expected: [f64; 3],
-    /// Measured variance, m^2, and this variance times the unit vector (x, z) of travel: one entry for each seed.
+    /// For each seed: measured variance of the bin's waves, m^2, and the sums of variance times x and z of their unit
+    /// vectors of travel; zeros without a GPU.
     pub measured: Vec<[f64; 3]>,
 }
 
-/// Parses one of the state strings from which the validation page is made. A notice is an error here.
+/// Parses a state string. A notice of the parser, such as one about an unknown key, is an error here.
 ///
 /// # Errors
 /// If the parser gives a notice about the state string.
@@ -61,7 +62,7 @@ pub fn theory(state: &str) -> Result<SpectrumStatistics, String> {
 }
 
 impl Measurement<'_> {
-    /// Computes the statistics of a state string by theory and for the resolved waves, and measures them on the GPU.
+    /// Statistics of the sea of a state string: by theory, of the waves on the FFT grids, and (with a GPU) as measured.
     ///
     /// # Errors
     /// If the state string is wrong, or reading back from the GPU fails.
@@ -69,8 +70,8 @@ impl Measurement<'_> {
         self.measure_binned_sea(state, 0, &|_| None)
     }
 
-    /// Computes and measures the statistics of a state string, and sorts its waves into `bins` bins. `bin_of` gives the
-    /// bin of a wave, or `None` for a wave outside of all bins.
+    /// Like [`Self::measure_sea`]; also sorts the waves into `bins` bins, and adds up their variance in each. `bin_of`
+    /// returns the bin of a wave, or `None` for a wave outside of all bins.
     ///
     /// # Errors
     /// If the state string is wrong, or reading back from the GPU fails.
@@ -139,7 +140,7 @@ impl Measurement<'_> {
 }
 
 impl MeasuredSea {
-    /// The statistic that `quantity` picks from those measured on the GPU over all seeds; `None` without a GPU.
+    /// The statistic that `quantity` picks, such as the wave height, as measured on the GPU; `None` without a GPU.
     pub fn measured_statistic(
         &self,
         quantity: impl Fn(&MeasuredStatistics) -> EstimateWithError,
@@ -154,7 +155,7 @@ impl MeasuredSea {
     }
 }
 
-/// Calls `visit` for every wave that a plan's cascades hold, with its mean variance (m^2) over all seeds.
+/// Calls `visit` for every wave on the FFT grids of a plan, with its expected variance (m^2): the mean over all seeds.
 pub fn visit_expected_waves(plan: &Plan, visit: &mut dyn FnMut(&TravellingWave)) {
     for cascade in &plan.cascades {
         let table = Table::new(plan, cascade);
@@ -166,8 +167,8 @@ pub fn visit_expected_waves(plan: &Plan, visit: &mut dyn FnMut(&TravellingWave))
     }
 }
 
-/// Iterates over the waves that a cascade holds on its FFT grid: signed indices of the wave vector (x, z), in units of
-/// the cascade's wave-number step, and wave number, rad/m.
+/// Iterates over the waves of a cascade on its FFT grid: x and z component of the wave vector as multiples of the
+/// cascade's wave-number step, and wave number, rad/m.
 pub fn lattice_waves<'a>(plan: &Plan, cascade: &'a Cascade) -> impl Iterator<Item = (i32, i32, f64)> + 'a {
     let wave = |(ix, iz): (i32, i32)| (ix, iz, cascade.dk() * f64::from(ix * ix + iz * iz).sqrt());
     statistics::lattice_indices(plan.n)

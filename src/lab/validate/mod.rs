@@ -66,8 +66,8 @@ fn introduce(page: &mut Page, lab: &Measurement<'_>) {
     }
 }
 
-/// The values of a choice parameter (`key`, such as `spectrum`) in the state string, without `measured`, which needs a
-/// file.
+/// The values that the choice parameter `key` (such as `spectrum`) can have in a state string, except `measured`, which
+/// needs a file.
 pub fn choice_words(key: &str) -> Vec<&'static str> {
     match fields::find(key).map(|f| f.kind) {
         Some(FieldKind::Choice(words)) => words.iter().copied().filter(|w| *w != "measured").collect(),

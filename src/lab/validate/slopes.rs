@@ -16,8 +16,8 @@ const WINDS_OF_OTHER_SPECTRA: [f64; 2] = [5.0, 10.0];
 const FOAM_WINDS: [f64; 7] = [5.0, 7.0, 10.0, 12.0, 15.0, 20.0, 25.0];
 /// Scatter (±) of the mean square slopes, dimensionless, that Cox and Munk measured in 1954.
 const COX_MUNK_SCATTER: f64 = 0.004;
-/// Number of seeds for which foam is measured. Few, because each needs 48 foam steps, each with an evaluation of the
-/// waves.
+/// Number of seeds over which foam is measured. It is small, because each seed needs 48 foam steps, each with an
+/// evaluation of the waves.
 const FOAM_SEEDS: u32 = 3;
 
 /// Adds the second half of part 4 to the validation page: mean square slope and whitecap coverage against wind.

@@ -49,7 +49,7 @@ const QUANTITIES: [Quantity; 6] = [
     }),
 ];
 
-/// Theoretical spectral density S(omega), m^2 s, of the whole sea, averaged over each frequency bin.
+/// Theoretical spectral density S(omega), m^2 s, of all waves of the sea, averaged over each frequency bin.
 fn theoretical_densities(sea: &MeasuredSea) -> Vec<f64> {
     let mean = |i| {
         integrate_panels(|w| sea.plan.density(w), &[bin_lower_edge(i), bin_lower_edge(i + 1)], 2)
@@ -58,7 +58,7 @@ fn theoretical_densities(sea: &MeasuredSea) -> Vec<f64> {
     (0..FREQUENCY_BINS).map(mean).collect()
 }
 
-/// Spectral density S(omega), m^2 s, averaged over each frequency bin, that is expected of the waves on the FFT grids.
+/// Expected spectral density S(omega), m^2 s, of only the waves on the FFT grids, averaged over each frequency bin.
 fn resolved_densities(sea: &MeasuredSea) -> Vec<f64> {
     sea.bins.iter().enumerate().map(|(i, b)| b.expected[0] / (bin_lower_edge(i + 1) - bin_lower_edge(i))).collect()
 }
@@ -77,7 +77,7 @@ fn peak_period(density: &[f64]) -> f64 {
     TAU * sum(0) / sum(1)
 }
 
-/// Peak period, s, of the mean of the spectra measured with all seeds, and its jackknife error.
+/// Peak period, s, of the mean over all seeds of the measured spectra, with its jackknife error.
 fn measured_peak_period(sea: &MeasuredSea) -> EstimateWithError {
     EstimateWithError::jackknife(sea.bins[0].measured.len(), |left_out| {
         let sum = |bin: &WaveBin| -> f64 {

@@ -17,7 +17,7 @@ const SEA_STATE_STRING: &str = "wind=10&fetch=100&dir=240&n=256";
 const BAND_PEAK_RATIOS: [f64; 3] = [1.0, 2.0, 4.0];
 /// Half the width of each band in which spreading is measured, relative to the centre frequency of the band.
 const RELATIVE_BAND_HALF_WIDTH: f64 = 0.1;
-/// Number of direction bins, equally wide over the full circle.
+/// Number of direction bins into which the waves are sorted, equally wide over the full circle.
 const DIRECTION_BINS: usize = 24;
 
 /// Angle, rad in (-pi, pi], from the downwind direction (in which the wind blows) to the unit vector (x, z), positive
@@ -32,8 +32,8 @@ fn bin_angle(bin: usize) -> f64 {
     (bin as f64 + 0.5) / DIRECTION_BINS as f64 * TAU - PI
 }
 
-/// Mean of `f`, a function of the angular frequency (rad/s), over the band from `omega` (1 -
-/// [`RELATIVE_BAND_HALF_WIDTH`]) to `omega` (1 + [`HALF_WIDTH`]), weighted by the plan's spectral density.
+/// Mean of `f`, a function of the angular frequency (rad/s), over the band of `omega` (1 ±
+/// [`RELATIVE_BAND_HALF_WIDTH`]), weighted by the spectral density of the sea of `plan`.
 fn band_mean(plan: &Plan, omega: f64, f: impl Fn(f64) -> f64) -> f64 {
     let ends =
         [(1.0 - RELATIVE_BAND_HALF_WIDTH) * omega, 0.95 * omega, omega, (1.0 + RELATIVE_BAND_HALF_WIDTH) * omega];
@@ -41,8 +41,8 @@ fn band_mean(plan: &Plan, omega: f64, f: impl Fn(f64) -> f64) -> f64 {
     integrate_panels(|w| s(w) * f(w), &ends, 1) / integrate_panels(s, &ends, 1)
 }
 
-/// Theory at `ratio` times the peak frequency: the integral of the directional spreading over the circle there (it
-/// should be 1), and the first directional moment r1, averaged over the band of [`HALF_WIDTH`] around that frequency.
+/// Two theoretical values at `ratio` times the peak frequency: the integral of the directional spreading over the
+/// circle (it should be 1), and the first directional moment r1, averaged over a band as in [`band_mean`].
 fn integral_and_r1(plan: &Plan, ratio: f64) -> [f64; 2] {
     let spreading = &plan.systems[0].spreading;
     let omega = ratio * plan.omega_p;

@@ -10,18 +10,18 @@ use crate::waves::Plan;
 use std::f64::consts::TAU;
 
 const SEA_STATE_STRING: &str = "wind=15&fetch=300&n=128";
-/// Half the range of the elevation's histogram, in standard deviations of the elevation.
+/// Upper end of the elevation's histogram, which is symmetric about 0, in standard deviations of the elevation.
 const HALF_RANGE_SIGMAS: f64 = 5.0;
-/// Number of bins of the elevation's histogram.
+/// Number of equally wide bins of the elevation's histogram.
 const ELEVATION_BINS: usize = 50;
 
-/// Exact probability density of the elevation of a Gaussian sea with horizontal displacement: phi(u) E[J | u]. Here u
-/// is the elevation over its standard deviation sigma, phi the standard normal density and J the Jacobian of the
-/// displacement.
+/// Exact probability density phi(u) E[J | u] of the elevation over the horizontal plane, for a Gaussian sea whose
+/// points also move sideways. u is the elevation divided by its standard deviation sigma, phi the standard normal
+/// density and J the Jacobian: area of a displaced surface element over its area at rest.
 ///
-/// Elevation and strain are jointly Gaussian, so E[J | u] = 1 - s1 u + s2 (u^2 - 1), with s1 = lambda (a + b) / sigma,
-/// s2 = lambda^2 (a b - c^2) / sigma^2 and the choppiness lambda. a, b and c sum kx^2/k, kz^2/k and kx kz/k over the
-/// waves, times each wave's variance and orbit ratio coth(k h). Covariances of strains cancel in the determinant.
+/// E[J | u] = 1 - s1 u + s2 (u^2 - 1), with s1 = lambda (a + b) / sigma, s2 = lambda^2 (a b - c^2) / sigma^2 and the
+/// choppiness lambda. a, b and c sum kx^2/k, kz^2/k and kx kz/k over the waves (wave vector (kx, kz) of length k),
+/// times each wave's variance and coth(k h) for water of depth h.
 struct ElevationDistribution {
     sigma: f64,
     skew_term: f64,
@@ -45,8 +45,8 @@ impl ElevationDistribution {
         (-0.5 * u * u).exp() / TAU.sqrt() * (1.0 - self.skew_term * u + self.area_term * (u * u - 1.0))
     }
 
-    /// Mean and standard deviation (in units of sigma), skewness and kurtosis (3 for a Gaussian) of the elevation by
-    /// this density.
+    /// Mean and standard deviation (both divided by sigma), skewness and kurtosis (3 for a Gaussian) of an elevation
+    /// with this density.
     fn shape(&self) -> [f64; 4] {
         distribution_shape([
             1.0,
@@ -58,8 +58,8 @@ impl ElevationDistribution {
     }
 }
 
-/// Histogram of the elevation in standard deviations for one seed: the sum of the weights (Jacobians) in each bin, and
-/// the weighted sums of the elevation's powers 0 to 4.
+/// Histogram of u, the elevation over its theoretical standard deviation, for one seed: the sum of the weights
+/// (Jacobians) of the points in each bin, and the weighted sums of u^0 to u^4.
 type SeedHistogram = ([f64; ELEVATION_BINS], [f64; 5]);
 
 fn histograms(lab: &Measurement<'_>, state: &str, sigma: f64) -> Result<Option<Vec<SeedHistogram>>, String> {
@@ -81,8 +81,8 @@ fn histograms(lab: &Measurement<'_>, state: &str, sigma: f64) -> Result<Option<V
     Ok(Some(all))
 }
 
-/// Mean and standard deviation (in units of sigma), skewness and kurtosis (3 for a Gaussian) of the measured elevation
-/// over all seeds, with jackknife errors.
+/// Mean and standard deviation (both divided by the theoretical one), skewness and kurtosis (3 for a Gaussian) of the
+/// measured elevation over all seeds, with jackknife errors.
 fn pooled_shape(all: &[SeedHistogram]) -> [EstimateWithError; 4] {
     std::array::from_fn(|q| {
         EstimateWithError::jackknife(all.len(), |left_out| {
