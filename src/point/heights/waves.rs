@@ -93,8 +93,8 @@ pub(super) struct WaveSums {
 }
 
 impl WaveSums {
-    /// Adds the wave sums of one of the overlapping copies of the patch, multiplied by the copy's weight. By the product
-    /// rule, slope and strain also get the height and the displacement times the gradient of the weight.
+    /// Adds the wave sums of one of the overlapping copies of the patch, multiplied by the copy's weight. By the
+    /// product rule, slope and strain also get the height and the displacement times the gradient of the weight.
     fn add(&mut self, copy_sums: &Self, copy: &PatchCopy) {
         let (w, [wx, wz], [dx, dz]) = (copy.weight, copy.gradient, copy_sums.d);
         self.eta += w * copy_sums.eta;
