@@ -32,7 +32,7 @@ fn is_symmetric(spectrum: &str, spread: &str) -> bool {
 fn faults(state: &str, symmetric: bool) -> Vec<String> {
     let plan = Plan::new(&query::parse(state).0);
     let t = SpectrumStatistics::new(&plan);
-    let r = LatticeStatistics::new(&plan, t.m0_m2);
+    let r = LatticeStatistics::new(&plan, t.variance_m2);
     let captured = plan.captured_fraction();
     let mut faults = Vec::new();
     let mut check = |what: &str, holds: bool| {

@@ -62,7 +62,7 @@ impl Derived {
 
     /// Statistics of the resolved waves (those on the FFT grids); computed at the first call.
     pub fn lattice_statistics(&self) -> &LatticeStatistics {
-        self.resolved.get_or_init(|| LatticeStatistics::new(&self.plan, self.theory.m0_m2))
+        self.resolved.get_or_init(|| LatticeStatistics::new(&self.plan, self.theory.variance_m2))
     }
 
     /// The waves of the sea with the largest variance. Their sum, computed on the CPU, approximates the height of the

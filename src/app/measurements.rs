@@ -180,7 +180,7 @@ impl SeaMeasurement {
     fn add_reading(&mut self, probed: &MapStatistics, found: &MapSpectrum, width_rad_s: f64) {
         let sums = &mut self.sums;
         sums.readings += 1;
-        sums.hs2_m2 += 16.0 * found.m0_m2;
+        sums.hs2_m2 += 16.0 * found.variance_m2;
         sums.mss += probed.mean_square_slope;
         sums.coverage += probed.mean_foam;
         sums.width_rad_s = width_rad_s;

@@ -187,8 +187,8 @@ impl App {
         self.progress.has_first_picture()
     }
 
-    /// Requests one more frame. Returns whether the picture is complete: the GPU has finished the first one, all past
-    /// foam steps are computed, and no cross-fade between two seas is in progress.
+    /// Returns whether the picture is complete: the GPU has finished the first picture since the start, the foam has
+    /// reached the present, and no cross-fade between two seas is in progress. Also requests one more frame.
     pub fn is_picture_complete(&self) -> bool {
         self.ctx.request_repaint();
         self.progress.has_first_picture() && !self.progress.is_catching_up()

@@ -81,17 +81,17 @@ pub struct ShaderCost {
 }
 
 /// Floating-point operations and texture reads per vertex of the compute pass that displaces the sea mesh.
-pub const DISPLACE_VERTEX: ShaderCost = ShaderCost { flops: 3000.0, texture_reads: 67.6 };
+pub const DISPLACE_VERTEX_COST: ShaderCost = ShaderCost { flops: 3000.0, texture_reads: 67.6 };
 /// Operations per vertex of the vertex shader that draws the already displaced sea mesh.
-pub const MESH_VERTEX: ShaderCost = ShaderCost { flops: 32.0, texture_reads: 0.0 };
+pub const MESH_VERTEX_COST: ShaderCost = ShaderCost { flops: 32.0, texture_reads: 0.0 };
 /// Operations per pixel of the fragment shader that draws the sea mesh to the G-buffer (surface data per pixel).
-pub const MESH_FRAGMENT: ShaderCost = ShaderCost { flops: 36.0, texture_reads: 0.0 };
+pub const MESH_FRAGMENT_COST: ShaderCost = ShaderCost { flops: 36.0, texture_reads: 0.0 };
 /// Floating-point operations and texture reads per pixel of the fragment shader that lights the sea in the G-buffer.
-pub const LIGHT_FRAGMENT: ShaderCost = ShaderCost { flops: 10550.0, texture_reads: 89.7 };
+pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { flops: 10550.0, texture_reads: 89.7 };
 /// Floating-point operations and texture reads per pixel of the fragment shader that draws the sky above the sea.
-pub const BACKGROUND_FRAGMENT: ShaderCost = ShaderCost { flops: 2200.0, texture_reads: 8.0 };
+pub const BACKGROUND_FRAGMENT_COST: ShaderCost = ShaderCost { flops: 2200.0, texture_reads: 8.0 };
 /// Operations and texture reads per pixel of the present pass, which turns the HDR picture into screen colours.
-pub const PRESENT_FRAGMENT: ShaderCost = ShaderCost { flops: 770.0, texture_reads: 10.0 };
+pub const PRESENT_FRAGMENT_COST: ShaderCost = ShaderCost { flops: 770.0, texture_reads: 10.0 };
 
 /// Numbers of pixels, vertices and bytes in one picture, from which the cost of drawing it follows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,7 +113,8 @@ impl PictureContents {
         let seen = self.pixels * self.sea_fraction;
         Cost {
             bytes: 120.0 * self.vertices + 36.0 * seen + 2.0 * self.map_bytes,
-            flops: (DISPLACE_VERTEX.flops + MESH_VERTEX.flops) * self.vertices + MESH_FRAGMENT.flops * seen,
+            flops: (DISPLACE_VERTEX_COST.flops + MESH_VERTEX_COST.flops) * self.vertices
+                + MESH_FRAGMENT_COST.flops * seen,
         }
     }
 
@@ -121,18 +122,18 @@ impl PictureContents {
     /// depth (4), and writes its light (8). All three kinds of map are read.
     pub fn water(&self) -> Cost {
         let seen = self.pixels * self.sea_fraction;
-        let light = Cost { bytes: 44.0 * seen + 3.0 * self.map_bytes, flops: LIGHT_FRAGMENT.flops * seen };
+        let light = Cost { bytes: 44.0 * seen + 3.0 * self.map_bytes, flops: LIGHT_FRAGMENT_COST.flops * seen };
         self.mesh() + light
     }
 
     /// Cost of drawing the sky: a sky pixel writes its light (8 bytes) and reads its depth (4).
     pub fn background(&self) -> Cost {
         let seen = self.pixels * (1.0 - self.sea_fraction);
-        Cost { bytes: 12.0 * seen, flops: BACKGROUND_FRAGMENT.flops * seen }
+        Cost { bytes: 12.0 * seen, flops: BACKGROUND_FRAGMENT_COST.flops * seen }
     }
 
     /// Cost of the present pass (HDR picture to screen colours): a pixel reads light (8 bytes), writes colour (4).
     pub fn present(&self) -> Cost {
-        Cost { bytes: 12.0 * self.pixels, flops: PRESENT_FRAGMENT.flops * self.pixels }
+        Cost { bytes: 12.0 * self.pixels, flops: PRESENT_FRAGMENT_COST.flops * self.pixels }
     }
 }

@@ -53,8 +53,8 @@ impl StagewiseFft {
         let n = maps.n;
         let transform = FieldFft::new(gpu, n);
         let mut out = Self { dispatches: Vec::new(), displacement: Vec::new(), gradients: Vec::new() };
-        let evolve = derived_pipeline(gpu, "evolve", include_str!("../../shaders/bench/evolve.wgsl"));
-        let merge = derived_pipeline(gpu, "merge", include_str!("../../shaders/bench/merge.wgsl"));
+        let evolve = pipeline_with_auto_layout(gpu, "evolve", include_str!("../../shaders/bench/evolve.wgsl"));
+        let merge = pipeline_with_auto_layout(gpu, "merge", include_str!("../../shaders/bench/merge.wgsl"));
         for (cascade, place) in (0..).zip(maps.current_cascades()) {
             let values = EvolveUniform {
                 cascade,
@@ -120,7 +120,7 @@ impl FieldFft {
         let uniforms = [0, 1].into_iter().flat_map(|vertical| (0..stages).map(move |stage| [stage, vertical]));
         Self {
             n,
-            stage: derived_pipeline(gpu, "stage", include_str!("../../shaders/bench/stage.wgsl")),
+            stage: pipeline_with_auto_layout(gpu, "stage", include_str!("../../shaders/bench/stage.wgsl")),
             butterfly: butterfly.create_view(&wgpu::TextureViewDescriptor::default()),
             stages: uniforms.map(|values| uniform_buffer(gpu, bytemuck::cast_slice(&values))).collect(),
         }
@@ -167,7 +167,7 @@ fn butterflies(n: u32) -> Vec<[f32; 4]> {
 }
 
 /// Creates a compute pipeline from a WGSL text, with a bind group layout that wgpu derives from the shader.
-fn derived_pipeline(gpu: &Gpu, label: &str, source: &str) -> wgpu::ComputePipeline {
+fn pipeline_with_auto_layout(gpu: &Gpu, label: &str, source: &str) -> wgpu::ComputePipeline {
     gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
         label: Some(label),
         layout: None,

@@ -73,7 +73,7 @@ impl BindingType {
 
 /// Shader module of a render pipeline, with its vertex and fragment entry points and override constants.
 pub struct Program<'a> {
-    /// Shader module that contains both entry points.
+    /// Shader module that contains the vertex and the fragment entry point.
     pub module: &'a wgpu::ShaderModule,
     /// Names of the vertex entry point and of the fragment entry point, in this order.
     pub entry_points: [&'a str; 2],

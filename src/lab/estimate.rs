@@ -50,7 +50,7 @@ impl EstimateWithError {
     }
 
     /// The estimate as a point of a figure: x, the value and its standard error (0 for a single member).
-    pub fn point_at(self, x: f64) -> [f64; 3] {
+    pub fn x_value_error(self, x: f64) -> [f64; 3] {
         [x, self.value, self.standard_error.unwrap_or(0.0)]
     }
 }

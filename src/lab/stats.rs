@@ -33,7 +33,7 @@ pub struct SeaStatistics {
 pub async fn run(gpu: &Gpu, params: &Params, seeds: u32) -> Result<SeaStatistics, String> {
     let plan = Plan::new(params);
     let theory = SpectrumStatistics::new(&plan);
-    let resolved = LatticeStatistics::new(&plan, theory.m0_m2);
+    let resolved = LatticeStatistics::new(&plan, theory.variance_m2);
     let mut sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
     let whitecap_fraction = ensemble::mean_foam(gpu, &mut sim, params.clock.t_s).await?;
     let measured = ensemble::measure(gpu, &mut sim, params, seeds, &mut |_, _| ()).await?;
@@ -52,13 +52,13 @@ impl SeaStatistics {
             "state": query::write(&self.params),
             "notices": notices,
             "theory": {
-                "m0_m2": t.m0_m2, "hs_m": t.hs_m, "tp_s": t.tp_s, "tm01_s": t.tm01_s, "tm02_s": t.tm02_s,
+                "m0_m2": t.variance_m2, "hs_m": t.hs_m, "tp_s": t.tp_s, "tm01_s": t.tm01_s, "tm02_s": t.tm02_s,
                 "lambda_p_m": t.lambda_p_m, "lambda_mean_m": t.lambda_mean_m, "steepness": t.steepness,
                 "mss": t.mss, "k_max": t.k_max, "mean_from_deg": t.mean_from_deg, "spread_deg": t.spread_deg,
                 "benjamin_feir": t.benjamin_feir, "whitecap_fraction": t.whitecap_fraction,
             },
             "resolved": {
-                "m0_m2": r.m0_m2, "hs_m": r.hs_m, "tm01_s": r.tm01_s, "tm02_s": r.tm02_s, "mss": r.mss,
+                "m0_m2": r.variance_m2, "hs_m": r.hs_m, "tm01_s": r.tm01_s, "tm02_s": r.tm02_s, "mss": r.mss,
                 "k_max": t.k_max, "m0_fraction": r.m0_fraction, "r1": r.r1,
                 "mean_from_deg": r.mean_from_deg, "spread_deg": r.spread_deg,
             },

@@ -47,9 +47,9 @@ gpu_struct! {
 }
 
 gpu_struct! {
-    /// WGSL `FrameFoamLevel`: one of the nested square foam grids (levels) around the camera, relative to the eye.
+    /// WGSL `FrameFoamGrid`: one of the nested square foam grids (levels) around the camera, relative to the eye.
     #[derive(Default)]
-    pub struct FrameFoamLevel as "FrameFoamLevel" {
+    pub struct FrameFoamGrid as "FrameFoamGrid" {
         /// Centre (x, z) of the foam level's square relative to the point below the eye, m.
         pub centre: [f32; 2],
         /// Half the side, m, of the square in which shaders read this level; it leaves out two cells at each edge.
@@ -123,7 +123,7 @@ gpu_struct! {
         /// Cascades of all drawn seas, then their ripple layers (shrunk copies of cascades); the rest is unused.
         pub cascades: [FrameCascade; MAX_FRAME_CASCADES],
         /// Foam levels (nested square foam grids around the camera), the one with the smallest cells first.
-        pub foam_levels: [FrameFoamLevel; FOAM_LEVELS],
+        pub foam_levels: [FrameFoamGrid; FOAM_LEVELS],
     }
 }
 
@@ -157,7 +157,7 @@ impl FrameCascade {
     }
 }
 
-impl FrameFoamLevel {
+impl FrameFoamGrid {
     /// A foam level with `cells` cells along a side, for an eye above the world position `below_eye` (x, z), m.
     fn new(level: &FoamLevel, below_eye: [f64; 2], cells: u32) -> Self {
         let side_m = f64::from(cells) * level.cell_m;
@@ -182,7 +182,7 @@ impl FrameUniform {
         let ripples =
             shown.iter().map(|(cascade, fraction)| FrameCascade::new_ripples(cascade, *fraction, below_eye, n));
         let cascades = maps.cascades.iter().map(|cascade| FrameCascade::new(cascade, below_eye, n));
-        let levels = maps.foam_levels.iter().map(|level| FrameFoamLevel::new(level, below_eye, maps.foam_n));
+        let levels = maps.foam_levels.iter().map(|level| FrameFoamGrid::new(level, below_eye, maps.foam_n));
         let [tx, ty] = view.tan_half_fov;
         let disc = look.sky.sun_radius_rad().sin().powi(2);
         Self {

@@ -29,7 +29,7 @@ use crate::sim::Maps;
 use crate::sim::maps::TileLatticePosition;
 use crate::state::views::DisplayedView;
 use film::present::{PresentPass, PresentUniform};
-use frame::{FrameCascade, FrameFoamLevel};
+use frame::{FrameCascade, FrameFoamGrid};
 use scene_group::SceneGroup;
 use sky::background::BackgroundPass;
 use sky::tables::SkyTables;
@@ -51,7 +51,7 @@ pub const SHARED_STRUCTS: &[StructDeclaration] = &[
     MeshVertex::DECLARATION,
     HullVertex::DECLARATION,
     FrameCascade::DECLARATION,
-    FrameFoamLevel::DECLARATION,
+    FrameFoamGrid::DECLARATION,
     FrameUniform::DECLARATION,
     NoiseLayer::DECLARATION,
     MaterialUniform::DECLARATION,

@@ -21,7 +21,7 @@ const MEASURED_KEY: &str = "measured";
 /// Key of the name of the sky file in a state string.
 pub(super) const SKY_KEY: &str = "sky";
 /// Key of the floating objects in a state string.
-const FLOATS_KEY: &str = "afloat";
+const FLOATING_OBJECTS_KEY: &str = "afloat";
 
 /// Result of reading a state string: parameters, the keys that it sets, and messages to the user.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -70,7 +70,8 @@ fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
     reading.notices.extend(notice);
     let mut seen = Vec::new();
     for (key, value) in pairs {
-        if let Some(special) = [MEASURED_KEY, FLOATS_KEY, SKY_KEY].into_iter().find(|special| *special == key) {
+        if let Some(special) = [MEASURED_KEY, FLOATING_OBJECTS_KEY, SKY_KEY].into_iter().find(|special| *special == key)
+        {
             reading.note_repetition(special, &mut seen);
         }
         match &*key {
@@ -78,7 +79,9 @@ fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
                 let spectrum = MeasuredSpectrum::from_state(&value);
                 reading.set_or_notify(MEASURED_KEY, spectrum, |p, spectrum| p.sea.measured = Some(Arc::new(spectrum)));
             }
-            FLOATS_KEY => reading.set_or_notify(FLOATS_KEY, floats::read(&value), |p, floats| p.floats = floats),
+            FLOATING_OBJECTS_KEY => {
+                reading.set_or_notify(FLOATING_OBJECTS_KEY, floats::read(&value), |p, floats| p.floats = floats)
+            }
             SKY_KEY => {
                 let file = SkyFile::from_path(&value).ok_or_else(|| "the name has no printable character".to_owned());
                 reading.set_or_notify(SKY_KEY, file, |p, file| p.look.sky.file = Some(file));
@@ -168,7 +171,7 @@ fn write_with(params: &Params, steps: &[VersionStep]) -> String {
         out.append_pair(MEASURED_KEY, &measured.to_state());
     }
     if !params.floats.is_empty() {
-        out.append_pair(FLOATS_KEY, &floats::write(&params.floats));
+        out.append_pair(FLOATING_OBJECTS_KEY, &floats::write(&params.floats));
     }
     if let Some(file) = &params.look.sky.file {
         out.append_pair(SKY_KEY, &file.name);

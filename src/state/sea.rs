@@ -120,8 +120,8 @@ parameters! {
         tp_s: f64 = 0.0 => ("tp", "Period Tp", "s", number(0.0, 30.0), "auto"),
         /// Peak enhancement factor of jonswap, tma and karaev: 1 is a broad peak, 3.3 the JONSWAP mean, 7 a young sea.
         gamma: f64 = 3.3 => ("gamma", "Peak gamma", "", number(1.0, 10.0)),
-        /// Coefficient A of the spectrum ab (in m2/s4) or of tessendorf (without unit). 0 takes the default: 0.78 as in
-        /// pm for ab, 0.0013 for tessendorf.
+        /// Coefficient A of the spectrum ab, S = A w^-5 exp(-B w^-4), in m2/s4, or of tessendorf, without unit. 0 takes
+        /// the default: 0.78 for ab, as in pm, and 0.0013 for tessendorf.
         coefficient_a: f64 = 0.0 => ("coefa", "Coefficient A", "", number(0.0, 10.0), "auto"),
         /// Coefficient B of the spectrum ab, 1.25 times the fourth power of the peak frequency in rad/s; 0 takes the
         /// value of pm.

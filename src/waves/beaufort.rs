@@ -23,7 +23,7 @@ pub struct BeaufortForce {
     pub fetch_km: f64,
 }
 
-const fn force(
+const fn beaufort_entry(
     name: &'static str,
     wind_m_s: (f64, f64),
     mean_wind_m_s: f64,
@@ -44,33 +44,33 @@ const fn force(
 /// development. It gives heights of 0.02, 0.16 and 0.52 m. A calm has no waves at any fetch.
 #[rustfmt::skip]
 pub static BEAUFORT_FORCES: [BeaufortForce; 13] = [
-    force("Calm", (0.0, 0.2), 0.0, 0.0, 1.0, "Sea like a mirror."),
-    force("Light air", (0.3, 1.5), 0.8, 0.1, 1.0,
+    beaufort_entry("Calm", (0.0, 0.2), 0.0, 0.0, 1.0, "Sea like a mirror."),
+    beaufort_entry("Light air", (0.3, 1.5), 0.8, 0.1, 1.0,
         "Ripples like scales, without foam on their crests."),
-    force("Light breeze", (1.6, 3.3), 2.4, 0.2, 9.0,
+    beaufort_entry("Light breeze", (1.6, 3.3), 2.4, 0.2, 9.0,
         "Small wavelets, short but plainly seen; their crests look glassy and do not break."),
-    force("Gentle breeze", (3.4, 5.4), 4.3, 0.6, 30.0,
+    beaufort_entry("Gentle breeze", (3.4, 5.4), 4.3, 0.6, 30.0,
         "Large wavelets whose crests begin to break; glassy foam and perhaps a few scattered white horses."),
-    force("Moderate breeze", (5.5, 7.9), 6.7, 1.0, 50.0,
+    beaufort_entry("Moderate breeze", (5.5, 7.9), 6.7, 1.0, 50.0,
         "Small waves growing longer, with fairly frequent white horses."),
-    force("Fresh breeze", (8.0, 10.7), 9.3, 2.0, 100.0,
+    beaufort_entry("Fresh breeze", (8.0, 10.7), 9.3, 2.0, 100.0,
         "Moderate waves of a plainly longer form, many white horses and a chance of some spray."),
-    force("Strong breeze", (10.8, 13.8), 12.3, 3.0, 130.0,
+    beaufort_entry("Strong breeze", (10.8, 13.8), 12.3, 3.0, 130.0,
         "Large waves begin to form; white foam crests are everywhere, with probably some spray."),
-    force("Near gale", (13.9, 17.1), 15.5, 4.0, 150.0,
+    beaufort_entry("Near gale", (13.9, 17.1), 15.5, 4.0, 150.0,
         "The sea heaps up, and white foam from breaking waves begins to be blown in streaks along the wind."),
-    force("Gale", (17.2, 20.7), 18.9, 5.5, 200.0,
+    beaufort_entry("Gale", (17.2, 20.7), 18.9, 5.5, 200.0,
         "Moderately high and longer waves; the edges of crests break into spindrift, \
         and foam lies in well-marked streaks along the wind."),
-    force("Strong gale", (20.8, 24.4), 22.6, 7.0, 230.0,
+    beaufort_entry("Strong gale", (20.8, 24.4), 22.6, 7.0, 230.0,
         "High waves with dense streaks of foam; crests begin to topple and roll over, and spray may dim the view."),
-    force("Storm", (24.5, 28.4), 26.4, 9.0, 280.0,
+    beaufort_entry("Storm", (24.5, 28.4), 26.4, 9.0, 280.0,
         "Very high waves with long overhanging crests; foam in great patches makes the sea look white, \
         its tumbling is heavy and shock-like, and the view is dimmed."),
-    force("Violent storm", (28.5, 32.6), 30.5, 11.5, 350.0,
+    beaufort_entry("Violent storm", (28.5, 32.6), 30.5, 11.5, 350.0,
         "Exceptionally high waves that hide medium-sized ships; the sea is covered with long \
         white patches of foam, all crest edges are blown into froth, and the view is dimmed."),
-    force("Hurricane", (32.7, f64::INFINITY), 34.8, 14.0, 400.0,
+    beaufort_entry("Hurricane", (32.7, f64::INFINITY), 34.8, 14.0, 400.0,
         "Air full of foam and spray, the sea wholly white with driving spray; hardly anything can be seen."),
 ];
 

@@ -53,8 +53,8 @@ pub struct FoamModel {
 }
 
 impl FoamModel {
-    /// Derives the foam threshold of a sea from the whitecap coverage of the local wind, so that the mean foam does not
-    /// depend on FFT size or foam level. With `whitecaps=fixed` it is the user's threshold, applied at 25 cm texels.
+    /// Derives the foam threshold of a sea so that its mean foam is the whitecap coverage expected for the wind, with
+    /// every FFT size and foam grid. With `whitecaps=fixed` the threshold is the user's, for texels of 25 cm.
     pub fn new(plan: &Plan) -> Self {
         let foam = &plan.sea.foam;
         let sigma = strain_deviation(plan, REFERENCE_TEXEL_M);

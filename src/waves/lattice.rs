@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 /// Largest wave number, in units of the lattice spacing, up to which the spectrum is averaged over the lattice cell
 /// around a wave vector; the variance of waves with larger wave numbers is sampled at the wave vector.
-const MAX_K_FOR_CELL_AVERAGE_DK: f64 = 40.0;
+const MAX_CELL_AVERAGED_K_OVER_DK: f64 = 40.0;
 /// Nodes and weights of the four-point Gauss-Legendre rule over [-1/2, 1/2], for means over a lattice cell.
 const CELL_QUADRATURE_NODES: [(f64, f64); 4] = [
     (-0.430_568_155_797_026_3, 0.173_927_422_568_726_93),
@@ -52,11 +52,11 @@ impl Plan {
     /// At small wave numbers the spectrum S is averaged over the cell's extent in |k|, because a cell is not small
     /// against the width of the spectral peak. Samples at the lattice points alone would miss the narrow peak of a
     /// JONSWAP sea or count it twice, an error of 2 % of the total variance m0.
-    pub fn radial_variance(&self, system: &WaveSystem, cascade: &Cascade, wave: &LatticeWave) -> f64 {
+    pub fn cell_variance_per_radian(&self, system: &WaveSystem, cascade: &Cascade, wave: &LatticeWave) -> f64 {
         let dk = cascade.dk();
         let density =
             |k: f64, omega: f64| system.spectrum.density(omega) * self.dispersion.group_velocity(k) / k * dk * dk;
-        let variance = if wave.k > MAX_K_FOR_CELL_AVERAGE_DK * dk {
+        let variance = if wave.k > MAX_CELL_AVERAGED_K_OVER_DK * dk {
             density(wave.k, wave.omega)
         } else {
             let mean = |low: f64, high: f64| -> f64 {

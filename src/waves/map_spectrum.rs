@@ -7,7 +7,7 @@ use super::plan::Plan;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MapSpectrum {
     /// Elevation variance m0, m^2: the sum over all cascades of the mean square elevation of their height maps.
-    pub m0_m2: f64,
+    pub variance_m2: f64,
     /// Elevation variance in each bin of angular frequency, m^2. Bin i covers frequencies from i to i + 1 bin widths.
     pub bin_variances_m2: Vec<f64>,
 }
@@ -33,7 +33,7 @@ impl MapSpectrumEstimator {
     /// Panics if the FFT size of the plan is not a power of two.
     pub fn new(plan: &Plan, bin_rad_s: f64, bins: usize) -> Self {
         let n = plan.n as usize;
-        let spectrum = MapSpectrum { m0_m2: 0.0, bin_variances_m2: vec![0.0; bins] };
+        let spectrum = MapSpectrum { variance_m2: 0.0, bin_variances_m2: vec![0.0; bins] };
         Self { fft: Fft::new(n), cascade: 0, map: vec![[0.0; 2]; n * n], transformed_lines: 0, bin_rad_s, spectrum }
     }
 
@@ -56,7 +56,7 @@ impl MapSpectrumEstimator {
                 line.iter_mut()
                     .zip(row(self.cascade, self.transformed_lines))
                     .for_each(|(to, height)| *to = [height, 0.0]);
-                self.spectrum.m0_m2 += line.iter().map(|h| h[0] * h[0]).sum::<f64>() / (n * n) as f64;
+                self.spectrum.variance_m2 += line.iter().map(|h| h[0] * h[0]).sum::<f64>() / (n * n) as f64;
                 self.fft.forward(line);
             } else {
                 let x = self.transformed_lines - n;
@@ -110,7 +110,7 @@ mod tests {
         let width = 0.01;
         let mut estimator = MapSpectrumEstimator::new(&plan, width, 2000);
         let mut rounds = 0;
-        let MapSpectrum { m0_m2, bin_variances_m2: bins } = loop {
+        let MapSpectrum { variance_m2, bin_variances_m2: bins } = loop {
             rounds += 1;
             if let Some(spectrum) = estimator.advance(&plan, 1000, row) {
                 break spectrum.clone();
@@ -123,6 +123,6 @@ mod tests {
         }
         assert!((bins.iter().sum::<f64>() - 0.145).abs() < 1e-12);
         // The mean square height includes the mean level, which is in no bin.
-        assert!((m0_m2 - 0.145 - 2.0 * 0.49).abs() < 1e-12, "{m0_m2}");
+        assert!((variance_m2 - 0.145 - 2.0 * 0.49).abs() < 1e-12, "{variance_m2}");
     }
 }

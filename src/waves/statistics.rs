@@ -23,7 +23,7 @@ use std::f64::consts::TAU;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SpectrumStatistics {
     /// Elevation variance m0 of the whole spectrum, m^2.
-    pub m0_m2: f64,
+    pub variance_m2: f64,
     /// Significant wave height 4 sqrt(m0) of the whole spectrum, m.
     pub hs_m: f64,
     /// Peak period, s: period of the waves at the peak of the spectrum.
@@ -58,7 +58,7 @@ pub struct SpectrumStatistics {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LatticeStatistics {
     /// Elevation variance m0 of the waves in the cascades, m^2.
-    pub m0_m2: f64,
+    pub variance_m2: f64,
     /// Significant wave height 4 sqrt(m0) of the waves in the cascades, m.
     pub hs_m: f64,
     /// Mean period 2 pi m0 / m1 of the waves in the cascades, s.
@@ -126,7 +126,7 @@ impl SpectrumStatistics {
         let tm01_s = if m1 > 0.0 { TAU * m0_resolved / m1 } else { 0.0 };
         let hs_m = 4.0 * m0.sqrt();
         Self {
-            m0_m2: m0,
+            variance_m2: m0,
             hs_m,
             tp_s: TAU / omega_p,
             tm01_s,
@@ -192,8 +192,8 @@ impl SpectralMoments {
         }
     }
 
-    /// Returns the statistics of the added waves. `theory_m0` is the elevation variance (m^2) of the whole spectrum, of
-    /// which the result's `m0_fraction` is the part that the added waves have.
+    /// Returns the statistics of all waves that were added so far. `theory_m0` is the elevation variance (m^2) of the
+    /// whole spectrum; the result's `m0_fraction` is the variance of the added waves divided by it.
     pub fn to_statistics(&self, theory_m0: f64) -> LatticeStatistics {
         let [m0, m1, m2] = self.moments;
         if m0 <= 0.0 {
@@ -204,7 +204,7 @@ impl SpectralMoments {
         }
         let r1 = self.first_moment[0].hypot(self.first_moment[1]) / m0;
         LatticeStatistics {
-            m0_m2: m0,
+            variance_m2: m0,
             hs_m: 4.0 * m0.sqrt(),
             tm01_s: TAU * m0 / m1,
             tm02_s: TAU * (m0 / m2).sqrt(),

@@ -99,7 +99,7 @@ impl Table {
                 } else {
                     let wave = plan.wave(cascade, i2);
                     for (system, norms) in plan.systems.iter().zip(norms) {
-                        let variance = 0.25 * plan.radial_variance(system, cascade, &wave);
+                        let variance = 0.25 * plan.cell_variance_per_radian(system, cascade, &wave);
                         push_system_values(&mut out.values, system, norms, variance, wave.omega);
                     }
                     out.waves.push(wave);
@@ -245,7 +245,7 @@ mod tests {
                     }
                     let k = [f64::from(ix), f64::from(iz)];
                     let system = |s: &WaveSystem| {
-                        0.25 * plan.radial_variance(s, cascade, &wave) * s.direction_density(wave.omega, k)
+                        0.25 * plan.cell_variance_per_radian(s, cascade, &wave) * s.direction_density(wave.omega, k)
                     };
                     let want: f64 = plan.systems.iter().map(system).sum();
                     let got = table.variance(ix, iz);

@@ -49,7 +49,8 @@ pub struct Tiling {
     pub blends_copies: bool,
 }
 
-/// Position of a point in the triangle lattice of a [`Tiling`]. A shader starts from it to find copies near that point.
+/// Position of a point in the triangle lattice of a [`Tiling`]. A shader starts from it to find the shifted copies of
+/// the patch that are blended near that point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LatticePosition {
     /// Tiling to which the position belongs.

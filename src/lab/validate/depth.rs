@@ -48,7 +48,7 @@ pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
         let (exact, resolved) = (sea.theory.hs_m, sea.resolved.hs_m);
         let (branches, bouws) = (theory(&state(1))?.hs_m, theory(&state(2))?.hs_m);
         let hs = sea.measured_statistic(|m| m.hs_m);
-        points.extend(hs.map(|e| e.point_at(depth)));
+        points.extend(hs.map(|e| e.x_value_error(depth)));
         rows.push(vec![
             format_number(depth, 0),
             format_number(0.6 * depth, 2),

@@ -84,7 +84,7 @@ impl Measurement<'_> {
         let params = parse_params(state)?;
         let plan = Plan::new(&params);
         let theory = SpectrumStatistics::new(&plan);
-        let resolved = LatticeStatistics::new(&plan, theory.m0_m2);
+        let resolved = LatticeStatistics::new(&plan, theory.variance_m2);
         let mut bins = vec![WaveBin { measured: vec![[0.0; 3]; self.seeds as usize], ..WaveBin::default() }; bins];
         let add = |sum: &mut [f64; 3], wave: &TravellingWave| {
             let parts = [wave.variance, wave.variance * wave.travel[0], wave.variance * wave.travel[1]];

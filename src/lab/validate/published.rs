@@ -34,7 +34,7 @@ const SEA_STATE_TOP_HS_M: [f64; 9] = [0.0, 0.1, 0.5, 1.25, 2.5, 4.0, 6.0, 9.0, 1
 fn growth_of_spectrum(spectrum: &str, x: f64) -> Result<[f64; 2], String> {
     let fetch_km = x * WIND_M_S * WIND_M_S / GRAVITY_M_S2 / 1000.0;
     let t = theory(&format!("spectrum={spectrum}&wind={WIND_M_S}&fetch={fetch_km}&n=64"))?;
-    Ok([t.m0_m2 * GRAVITY_M_S2 * GRAVITY_M_S2 / WIND_M_S.powi(4), WIND_M_S / (GRAVITY_M_S2 * t.tp_s)])
+    Ok([t.variance_m2 * GRAVITY_M_S2 * GRAVITY_M_S2 / WIND_M_S.powi(4), WIND_M_S / (GRAVITY_M_S2 * t.tp_s)])
 }
 
 /// Growth with fetch F as published by Hasselmann et al. 1973 for wind speed U: dimensionless energy m0 g^2 / U^4 (m0

@@ -94,7 +94,7 @@ fn slope_rows(lab: &Measurement<'_>) -> Result<(Vec<Vec<String>>, Vec<[f64; 3]>)
             let (cox_munk, resolved) = (cox_munk_mss(wind), sea.resolved.mss);
             let mss = sea.measured_statistic(|m| m.mss);
             if name == "jonswap" {
-                points.extend(mss.map(|e| e.point_at(wind)));
+                points.extend(mss.map(|e| e.x_value_error(wind)));
             }
             let residual = (cox_munk - resolved).max(0.0);
             rows.push(vec![
@@ -141,7 +141,7 @@ fn whitecaps(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
             let state = format!("spectrum={name}&wind={wind}&fetch=250&n=128&t=30");
             let expected = FoamModel::new(&Plan::new(&parse_params(&state)?)).expected_mean_foam;
             let foam = lab.measure_foam_coverage(&state, FOAM_SEEDS)?;
-            points.extend(foam.map(|e| e.point_at(wind)));
+            points.extend(foam.map(|e| e.x_value_error(wind)));
             rows.push(vec![
                 name.to_owned(),
                 format_number(wind, 0),

@@ -23,7 +23,7 @@ fn bin_lower_edge(i: usize) -> f64 {
 }
 
 /// Index of the frequency bin that contains a wave; `None` if its frequency is outside [`OMEGA_RANGE`].
-fn bin_of_wave(wave: &TravellingWave) -> Option<usize> {
+fn frequency_bin(wave: &TravellingWave) -> Option<usize> {
     let place = (wave.omega / OMEGA_RANGE.0).ln() / (OMEGA_RANGE.1 / OMEGA_RANGE.0).ln() * FREQUENCY_BINS as f64;
     (place >= 0.0 && place < FREQUENCY_BINS as f64).then_some(place as usize)
 }
@@ -101,7 +101,7 @@ fn measured_points(sea: &MeasuredSea) -> Vec<[f64; 3]> {
         let variances: Vec<f64> = bin.measured.iter().map(|v| v[0]).collect();
         EstimateWithError::mean(&variances)
             .scaled(1.0 / (bin_lower_edge(i + 1) - bin_lower_edge(i)))
-            .point_at((bin_lower_edge(i) * bin_lower_edge(i + 1)).sqrt())
+            .x_value_error((bin_lower_edge(i) * bin_lower_edge(i + 1)).sqrt())
     };
     sea.bins.iter().enumerate().filter(|(i, b)| is_held(*i) && b.expected[0] > 0.0).map(point).collect()
 }
@@ -126,7 +126,7 @@ pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     for name in choice_words("spectrum") {
         seas.push((
             name,
-            lab.measure_binned_sea(&format!("spectrum={name}&{SEA_STATE_STRING}"), FREQUENCY_BINS, &bin_of_wave)?,
+            lab.measure_binned_sea(&format!("spectrum={name}&{SEA_STATE_STRING}"), FREQUENCY_BINS, &frequency_bin)?,
         ));
     }
     page.heading(2, "1. Frequency spectra");

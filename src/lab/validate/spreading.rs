@@ -80,7 +80,7 @@ fn measured_density(sea: &MeasuredSea, isotropic_sea: &MeasuredSea, band: usize)
         let variances: Vec<f64> = sea.bins[at].measured.iter().map(|v| v[0]).collect();
         EstimateWithError::mean(&variances)
             .scaled(1.0 / (TAU * isotropic_sea.bins[at].expected[0]))
-            .point_at(bin_angle(i).to_degrees())
+            .x_value_error(bin_angle(i).to_degrees())
     };
     (0..DIRECTION_BINS).map(point).collect()
 }

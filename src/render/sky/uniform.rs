@@ -17,7 +17,7 @@ gpu_struct! {
         extinction_per_m: f32,
         /// Distance from the eye at which the fog begins, m; nearer air is clear.
         start_m: f32,
-        /// Height above the top of the fog over which its density falls to 1/e, m.
+        /// Scale height, m. The fog is uniform up to its top; above the top its density falls to 1/e over this height.
         scale_height_m: f32,
         /// Height above the water up to which the fog has its full density, m.
         top_m: f32,

@@ -120,7 +120,7 @@ mod tests {
     fn jonswap_meets_its_own_energy_law_at_short_fetch() {
         // 1.6e-7 x (Hasselmann et al. 1973); at longer fetch the fits of alpha and omega_p deviate from it.
         let x = 100.0;
-        let energy = at(SpectrumKind::Jonswap, 10.0, x * 100.0 / G / 1000.0, same).m0_m2() * (G / 100.0).powi(2);
+        let energy = at(SpectrumKind::Jonswap, 10.0, x * 100.0 / G / 1000.0, same).variance_m2() * (G / 100.0).powi(2);
         close(energy, 1.6e-7 * x, 0.1);
     }
 

@@ -64,7 +64,7 @@ pub fn spectrum_of_system(sea: &Sea, system: &WaveSystemParams) -> FrequencySpec
     }
     spectrum.fade = (system.fade_m > 0.0).then_some((system.fade_m, dispersion));
     if system.hs_m > 0.0 && !spectrum.is_calm {
-        let m0 = spectrum.m0_m2();
+        let m0 = spectrum.variance_m2();
         if m0 < MIN_M0_M2 {
             let notice = "the short-wave fade removes all waves of a system whose height is set (hs)";
             let (omega_p, notice) = (spectrum.omega_p, Some(notice.to_owned()));

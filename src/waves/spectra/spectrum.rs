@@ -107,7 +107,7 @@ impl FrequencySpectrum {
     }
 
     /// Elevation variance m0, m^2: the integral of the spectrum over all frequencies.
-    pub fn m0_m2(&self) -> f64 {
+    pub fn variance_m2(&self) -> f64 {
         let (low, high) = self.frequency_range();
         let mut knots = self.breakpoints.clone();
         knots.retain(|&w| w > low && w < high);

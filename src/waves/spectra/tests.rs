@@ -15,7 +15,7 @@ pub fn at(spectrum: SpectrumKind, wind_m_s: f64, fetch_km: f64, change: impl Fn(
 }
 
 pub fn hs(s: &FrequencySpectrum) -> f64 {
-    4.0 * s.m0_m2().sqrt()
+    4.0 * s.variance_m2().sqrt()
 }
 
 #[track_caller]
@@ -48,19 +48,19 @@ fn published_heights_and_peaks() {
     close(hs(&pm) * G / 100.0, 4.0 * (8.1e-3f64 / (4.0 * 0.74)).sqrt() * 1.026f64.powi(2), 1e-6);
     // Phillips: alpha g^2 / (4 w_p^4), w_p as Pierson and Moskowitz' (5/4 w_p^4 = B).
     let phillips = at(SpectrumKind::Phillips, 10.0, 100.0, same);
-    close(phillips.m0_m2(), 8.1e-3 * G * G / (4.0 * phillips.omega_p.powi(4)), 1e-6);
+    close(phillips.variance_m2(), 8.1e-3 * G * G / (4.0 * phillips.omega_p.powi(4)), 1e-6);
     close(phillips.omega_p, 0.855 * G / 10.0, 1e-2);
     // A w^-5 exp(-B w^-4) integrates to A / (4 B).
     let ab = at(SpectrumKind::GeneralisedAb, 10.0, 100.0, |sea| {
         sea.systems[0].coefficient_a = 2.0;
         sea.systems[0].coefficient_b = 0.7;
     });
-    close(ab.m0_m2(), 2.0 / (4.0 * 0.7), 1e-6);
+    close(ab.variance_m2(), 2.0 / (4.0 * 0.7), 1e-6);
     // Tessendorf: pi A L^2 / 2 over the wave-number plane, L = U^2 / g, at any depth.
     for depth_m in [4000.0, 30.0] {
         let tessendorf = at(SpectrumKind::Tessendorf, 10.0, 100.0, |sea| sea.depth_m = depth_m);
         let length = 100.0 / G;
-        close(tessendorf.m0_m2(), 0.5 * PI * (8.1e-3 / (2.0 * PI)) * length * length, 2e-3);
+        close(tessendorf.variance_m2(), 0.5 * PI * (8.1e-3 / (2.0 * PI)) * length * length, 2e-3);
     }
 }
 
@@ -71,12 +71,12 @@ fn growth_laws_of_their_authors() {
         let scale = (G / (wind * wind)).powi(2);
         // Hasselmann et al. 1973: alpha and omega_p over x, and 0.305 alpha g^2 / omega_p^4 for gamma 3.3.
         let shape = 0.305 * 0.076 * x.powf(-0.22) / (22.0 * x.powf(-1.0 / 3.0)).powi(4);
-        close(at(SpectrumKind::Jonswap, wind, fetch_km, same).m0_m2() * scale, shape, 0.01);
+        close(at(SpectrumKind::Jonswap, wind, fetch_km, same).variance_m2() * scale, shape, 0.01);
         // Donelan et al. 1985: 2.74e-3 (U/c_p)^-3.3.
         let donelan = at(SpectrumKind::Donelan, wind, fetch_km, same);
         let age = wind * donelan.omega_p / G;
         close(age, (11.6 * x.powf(-0.23)).max(0.83), 1e-6);
-        close(donelan.m0_m2() * scale, 2.74e-3 * age.powf(-3.3), 0.1);
+        close(donelan.variance_m2() * scale, 2.74e-3 * age.powf(-3.3), 0.1);
     }
 }
 

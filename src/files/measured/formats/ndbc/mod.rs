@@ -38,8 +38,8 @@ pub(super) fn read(files: &[TextFile<'_>]) -> Result<SpectrumFile, String> {
     Ok(SpectrumFile { spectrum, title, notices })
 }
 
-/// Takes a section (header and records) that does not say what it holds as variance density, with a message in
-/// `notices`. It is an error if there are several such sections, or another section of variance density.
+/// If a section (header and records) does not say which quantity it holds, assumes variance density, and adds a message
+/// to `notices`. It is an error if several sections do not say it, or if another section holds variance density.
 fn assign_unknown_kind(sections: &mut [Section<'_>], notices: &mut Vec<String>) -> Result<(), String> {
     let has_density = sections.iter().any(|s| s.kind == Some(SectionKind::Density));
     let mut unknown = sections.iter_mut().filter(|s| s.kind.is_none());

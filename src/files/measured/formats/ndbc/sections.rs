@@ -215,8 +215,9 @@ impl Section<'_> {
         self.parse_values(record.values.clone()).map_err(|what| self.file.line_error(record.line, what))
     }
 
-    /// Values of a record of a directional section, band by band: angles in degrees, or magnitudes r1 or r2. With
-    /// `hundredths`, archive magnitudes are multiplied by 0.01. Outside of 0 to 360 degrees or 0 to 1.5 is an error.
+    /// Values of a record of a directional section, band by band: angles in degrees, or magnitudes r1 or r2. If
+    /// `hundredths`, the file stores magnitudes in hundredths, and they are multiplied by 0.01. Then an angle outside
+    /// 0 to 360 degrees, or a magnitude outside 0 to 1.5 (1 and a margin for noise), is an error.
     pub(super) fn directional_values(&self, record: &Record<'_>, hundredths: bool) -> Result<Vec<BandValue>, String> {
         let mut band_values = self.band_values(record)?;
         let scale = if !self.holds_angles() && hundredths && self.frequencies.is_some() { 0.01 } else { 1.0 };
