@@ -248,7 +248,7 @@ export async function explorer(context) {
       const phone = await shot(tab, 'phone');
       assert.ok(spread(crop(phone, [0.02, 0.5, 0.98, 0.9])) > 0, 'a sea above the sheet');
       const label = await tab.until('the sheet', () => {
-        const labels = window.seastate.described().map((item) => item.label);
+        const labels = window.seastate.accessible_items().map((item) => item.label);
         return labels.find((l) => l.includes('Beaufort 6: tap'));
       });
       await click(tab, label);
