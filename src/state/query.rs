@@ -80,7 +80,7 @@ fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
                 reading.set_or_notify(MEASURED_KEY, spectrum, |p, spectrum| p.sea.measured = Some(Arc::new(spectrum)));
             }
             FLOATING_OBJECTS_KEY => {
-                reading.set_or_notify(FLOATING_OBJECTS_KEY, floats::read(&value), |p, floats| p.floats = floats)
+                reading.set_or_notify(FLOATING_OBJECTS_KEY, floats::read(&value), |p, floats| p.floats = floats);
             }
             SKY_KEY => {
                 let file = SkyFile::from_path(&value).ok_or_else(|| "the name has no printable character".to_owned());
