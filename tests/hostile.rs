@@ -8,73 +8,25 @@ use hostile::CHECKS;
 use seastate::files::panorama;
 use std::path::PathBuf;
 
-/// The kept cases of a fuzz target (fuzz/), with their names.
-fn cases(target: &str) -> Vec<(String, Vec<u8>)> {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/cases").join(target);
-    let files = std::fs::read_dir(&folder).unwrap_or_else(|e| panic!("tests/cases/{target}: {e}"));
-    let mut paths: Vec<PathBuf> = files.map(|file| file.expect("a file").path()).collect();
-    paths.sort();
-    assert!(paths.len() > 20, "{target}: {}", paths.len());
-    paths.into_iter().map(|path| (path.display().to_string(), std::fs::read(&path).expect("a case"))).collect()
-}
-
-/// Runs every case that fuzzing found or kept through the check of its target.
+/// Runs every case that fuzzing (fuzz/) found or kept through the check of its target.
 #[test]
 fn kept_cases_do_no_harm() {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/cases");
     let mut bytes = 0;
     for (target, check) in CHECKS {
-        for (name, case) in cases(target) {
+        let files = std::fs::read_dir(folder.join(target)).unwrap_or_else(|e| panic!("tests/cases/{target}: {e}"));
+        let mut paths: Vec<PathBuf> = files.map(|file| file.expect("a file").path()).collect();
+        paths.sort();
+        assert!(paths.len() > 20, "{target}: {}", paths.len());
+        for path in paths {
+            let case = std::fs::read(&path).expect("a case");
             bytes += case.len();
             // The test harness shows this only if the case fails.
-            eprintln!("{name}");
+            eprintln!("{}", path.display());
             check(&case);
         }
     }
     assert!(bytes < 1 << 20, "{bytes} bytes of cases: keep fewer");
-}
-
-/// A copy of a case with up to four changes: a byte is replaced, a piece is removed, repeated or doubled up to the
-/// end, or a piece of another case is inserted. `below` gives random numbers below its argument.
-fn changed(case: &[u8], other: &[u8], below: &mut impl FnMut(usize) -> usize) -> Vec<u8> {
-    let mut bytes = case.to_vec();
-    for _ in 0..=below(4) {
-        let at = below(bytes.len() + 1);
-        let end = (at + 1 + below(40)).min(bytes.len());
-        let from = below(other.len() + 1);
-        let piece = &other[from..(from + 1 + below(40)).min(other.len())];
-        match below(5) {
-            0 if at < end => bytes[at] = below(256) as u8,
-            1 if at < end => drop(bytes.drain(at..end)),
-            2 if at < end => bytes.extend_from_within(at..end),
-            3 => bytes.extend_from_within(at..),
-            _ => drop(bytes.splice(at..at, piece.iter().copied())),
-        }
-    }
-    bytes
-}
-
-/// Runs the kept cases with random changes through the checks, the longer ones with more changes.
-#[test]
-fn changed_cases_do_no_harm() {
-    let mut random = 1_u64;
-    let mut below = |end: usize| {
-        // Knuth's linear congruential generator.
-        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (random >> 33) as usize % end
-    };
-    for (target, check) in CHECKS {
-        let mut cases = cases(target);
-        if target == "seas" {
-            cases.push(("the built-in seas".into(), include_bytes!("../assets/presets/seas.txt").into()));
-        }
-        for (name, case) in &cases {
-            eprintln!("{name}");
-            for _ in 0..20 + case.len() / 4 {
-                let other = below(cases.len());
-                check(&changed(case, &cases[other].1, &mut below));
-            }
-        }
-    }
 }
 
 /// A small sky in OpenEXR, as scanlines. Its attribute `chunkCount` is renamed, because changed sizes would disagree

@@ -163,9 +163,9 @@ fn corners_of_every_range_give_a_finite_plan() {
                     field.key
                 );
                 let table = Table::new(&plan, cascade);
-                let finite_depth = table.values.iter().flatten().all(|v| v.is_finite() && (*v as f32).is_finite());
+                let finite = table.values.iter().flatten().all(|v| v.is_finite() && (*v as f32).is_finite());
                 assert!(
-                    finite_depth && table.waves.iter().all(|w| w.orbit_axis_ratio.is_finite()),
+                    finite && table.waves.iter().all(|w| w.orbit_axis_ratio.is_finite()),
                     "{} = {corner}",
                     field.key
                 );

@@ -18,3 +18,22 @@ pub fn inverse_2d(n: usize, square: &[Complex]) -> Vec<Complex> {
     let rows: Vec<Complex> = square.chunks(n).flat_map(inverse).collect();
     map_columns(n, &rows, inverse)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::oracle::{add, mul, unit_phasor};
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn agrees_with_the_definition() {
+        let line: Vec<Complex> = (0..16).map(|i| [f64::from(i % 5) - 2.0, f64::from(i % 3)]).collect();
+        for (j, got) in inverse(&line).into_iter().enumerate() {
+            let want = line
+                .iter()
+                .enumerate()
+                .fold([0.0; 2], |sum, (k, &x)| add(sum, mul(x, unit_phasor(TAU * (j * k) as f64 / 16.0))));
+            assert!((got[0] - want[0]).abs() + (got[1] - want[1]).abs() < 1e-12);
+        }
+    }
+}

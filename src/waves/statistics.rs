@@ -285,6 +285,36 @@ fn refined_peak(s: impl Fn(f64) -> f64, near: f64) -> f64 {
 mod tests {
     use super::*;
 
+    use crate::state::query;
+
+    fn theory(state: &str) -> (Plan, SpectrumStatistics) {
+        let plan = Plan::new(&query::parse(state).0);
+        let theory = SpectrumStatistics::new(&plan);
+        (plan, theory)
+    }
+
+    #[test]
+    fn published_heights_and_periods() {
+        let (_, j) = theory("wind=10&fetch=100");
+        assert!((j.hs_m / 2.139 - 1.0).abs() < 5e-4 && (j.tp_s / 6.23 - 1.0).abs() < 5e-4, "{j:?}");
+        let (_, pm) = theory("spectrum=pm&wind=10");
+        assert!((pm.hs_m / 2.245 - 1.0).abs() < 1e-3, "{pm:?}");
+    }
+
+    #[test]
+    fn the_lattices_hold_the_sea() {
+        for state in ["wind=10&fetch=100", "wind=5&fetch=20", "wind=20&fetch=500", "spectrum=tma&depth=5", "swell=1"] {
+            let (plan, t) = theory(state);
+            let r = LatticeStatistics::new(&plan, t.variance_m2);
+            assert!(r.m0_fraction > 0.99, "{state} {r:?}");
+            assert!((r.hs_m / t.hs_m - 1.0).abs() < 0.01, "{state} {r:?} {t:?}");
+            assert!((r.mss / t.mss - 1.0).abs() < 0.02, "{state} {r:?} {t:?}");
+            assert!((r.spread_deg / t.spread_deg - 1.0).abs() < 0.05, "{state} {r:?} {t:?}");
+            let from = r.mean_from_deg.unwrap_or(f64::NAN);
+            assert!((from - plan.sea.first_system().from_deg).abs() < 2.0, "{state} {r:?}");
+        }
+    }
+
     #[test]
     fn directions_are_compass_bearings() {
         assert_eq!(bearing_waves_come_from_deg([0.0, 1.0]), 0.0, "a wave running south comes from north");

@@ -2,7 +2,7 @@
 //! `tests/hostile.rs` runs all of them over the kept cases.
 #![allow(dead_code, reason = "each fuzz target runs one check")]
 
-use seastate::files::measured::{MAX_TEXT_BYTES, MaximumEntropy, MeasuredSpectrum};
+use seastate::files::measured::{MAX_TEXT_BYTES, MeasuredSpectrum};
 use seastate::files::{panorama, picture};
 use seastate::state::fields::FIELDS;
 use seastate::state::{Params, presets, query};
@@ -46,41 +46,19 @@ pub fn buoy(bytes: &[u8]) {
         (String::from_utf8_lossy(&file[..end]).into_owned(), file[end..].to_vec())
     };
     let files: Vec<_> = bytes.split(|b| *b == NEXT_FILE).map(named).collect();
-    let read = MeasuredSpectrum::read(&files).map(|file| {
-        assert!(file.notices.len() < 8, "{:?}", file.notices);
-        file.spectrum
-    });
+    let read = MeasuredSpectrum::read(&files).map(|file| file.spectrum);
     let carried = MeasuredSpectrum::from_state(&String::from_utf8_lossy(bytes));
-    for message in [&read, &carried].into_iter().filter_map(|read| read.as_ref().err()) {
-        assert!(!message.is_empty() && message.chars().count() < 300, "{message}");
-    }
     for sea in read.into_iter().chain(carried) {
         let text = sea.to_state();
         assert!(text.len() <= MAX_TEXT_BYTES, "{} bytes", text.len());
-        assert!(text.bytes().all(|b| b.is_ascii_alphanumeric() || b"*-._".contains(&b)), "{text}");
         assert_eq!(MeasuredSpectrum::from_state(&text).as_ref(), Ok(&sea));
-        has_finite_waves(&sea);
+        assert!(sea.hs_m().is_finite() && sea.omega_p() > 0.0 && sea.lowest_omega() > 0.0);
         let mut params = Params::default();
         params.sea.set_measured_spectrum(sea);
         is_canonical(&params);
         let plan = Plan::new(&params);
         assert!((1..=4).contains(&plan.cascades.len()));
         assert!(plan.hs_m().is_finite() && plan.captured_fraction().is_finite() && plan.k_max().is_finite());
-    }
-}
-
-/// Checks that a measured spectrum has a height, and finite densities with a directional distribution everywhere.
-fn has_finite_waves(sea: &MeasuredSpectrum) {
-    let knots = sea.breakpoints();
-    assert!(knots.windows(2).all(|w| w[0] < w[1]));
-    assert!(0.0 < sea.lowest_omega() && sea.lowest_omega() < sea.omega_p() && sea.omega_p() <= knots[knots.len() - 1]);
-    assert!(sea.variance_m2() > 0.0 && sea.hs_m().is_finite());
-    for omega in knots.iter().flat_map(|w| [0.9 * w, *w, 1.1 * w]).chain([0.0, -1.0, 1e9]) {
-        assert!(sea.density(omega) >= 0.0 && sea.density(omega).is_finite());
-        if let Some(moments) = sea.moments(omega) {
-            let density = MaximumEntropy::new(moments).density(1.0);
-            assert!(density > 0.0 && density.is_finite());
-        }
     }
 }
 

@@ -164,5 +164,16 @@ mod files {
             let reason = read("bad.hdr", &bytes).unwrap_err();
             assert!(reason.starts_with("bad.hdr: ") && reason.len() > 12 && !reason.contains('\n'), "{reason}");
         }
+        // Reading a file with a wrong byte does not panic.
+        for i in (0..whole.len()).step_by(7) {
+            let mut bytes = whole.clone();
+            bytes[i] ^= 0x55;
+            let _ = read("odd.hdr", &bytes);
+        }
+        for i in (0..exr.len()).step_by(41) {
+            let mut bytes = exr.clone();
+            bytes[i] ^= 0x55;
+            let _ = read("odd.exr", &bytes);
+        }
     }
 }

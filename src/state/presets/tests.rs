@@ -248,3 +248,40 @@ fn more_than_a_file_holds_is_not_added() {
     assert_eq!(read(&write(&own)), (own.clone(), vec![]), "all that is kept is read again");
     assert!(own.len() > 20, "{}", own.len());
 }
+
+#[test]
+fn hostile_files_do_no_harm() {
+    let whole = include_str!("../../../assets/presets/seas.txt");
+    for end in (0..whole.len()).step_by(7).filter(|&i| whole.is_char_boundary(i)) {
+        read(&whole[..end]);
+    }
+    let mut seed = 1_u32;
+    let mut byte = || {
+        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (seed >> 24) as u8
+    };
+    for i in 0..400 {
+        let mut bytes = whole.as_bytes().to_vec();
+        if i % 2 == 0 {
+            for b in &mut bytes {
+                *b = byte();
+            }
+        } else {
+            for _ in 0..200 {
+                let at = usize::from(byte()) * usize::from(byte()) % bytes.len();
+                bytes[at] = byte();
+            }
+        }
+        let (presets, notices) = read(&String::from_utf8_lossy(&bytes));
+        assert!(presets.len() <= MAX_PRESETS && notices.len() <= MAX_NOTICES + 1);
+        for preset in &presets {
+            assert_eq!(*preset, preset.clone().sanitised());
+            let (params, notices) = preset.apply(&Params::default());
+            assert!(notices.len() <= 26);
+            for field in FIELDS.iter() {
+                assert_eq!(field.check_value((field.get)(&params)), Ok((field.get)(&params)), "{}", field.key);
+            }
+        }
+        assert_eq!(read(&write(&presets)).0, presets);
+    }
+}

@@ -2,7 +2,7 @@
 
 use super::super::{Direction, MAX_BANDS, MAX_TEXT_BYTES, MIN_BANDS, MeasuredSpectrum};
 use super::samples::TWO_SYSTEMS;
-use super::{Lcg, read, sea};
+use super::{Lcg, check, read, sea};
 
 #[test]
 fn states_come_back_bit_for_bit() {
@@ -21,14 +21,13 @@ fn states_come_back_bit_for_bit() {
             })
             .collect();
         let sea = MeasuredSpectrum::new(&bands, (i % 2 == 0).then_some(directions.as_slice())).expect("a sea");
+        check(&sea);
         let bits = |sea: &MeasuredSpectrum| -> Vec<u64> {
             let all = sea.directions().unwrap_or_default();
             let parts = all.iter().flat_map(|d| [d.alpha1_deg, d.alpha2_deg, d.r1, d.r2]);
             sea.bands().iter().flat_map(|b| [b.0, b.1]).chain(parts).map(f64::to_bits).collect()
         };
-        let text = sea.to_state();
-        assert!(text.len() < MAX_TEXT_BYTES, "{text}");
-        assert_eq!(bits(&MeasuredSpectrum::from_state(&text).expect("a sea")), bits(&sea));
+        assert_eq!(bits(&MeasuredSpectrum::from_state(&sea.to_state()).expect("a sea")), bits(&sea));
     }
     let short = sea(&[("b", "0.05,0.50\n0.1,12.3456\n0.2,0.0000123\n0.3,0\n")]);
     assert_eq!(short.to_state(), ".05*.5_.1*12.35_.2*1.23e-5_.3*0");
@@ -70,5 +69,17 @@ fn hostile_states_are_refused() {
         (&long, "the measured spectrum is longer than 16384 bytes"),
     ] {
         assert_eq!(MeasuredSpectrum::from_state(text).expect_err(text), want, "{text:.60}");
+    }
+    let mut random = Lcg(5);
+    let state = read(&[("two-systems.txt", TWO_SYSTEMS)]).expect("a sample").0.to_state();
+    for _ in 0..3000 {
+        let mut bytes = state.clone().into_bytes();
+        for _ in 0..1 + random.below(3) {
+            let at = random.below(bytes.len());
+            bytes[at] = b"0123456789*_-.e\xe9x"[random.below(17)];
+        }
+        if let Ok(sea) = MeasuredSpectrum::from_state(&String::from_utf8_lossy(&bytes)) {
+            check(&sea);
+        }
     }
 }

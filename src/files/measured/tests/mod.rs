@@ -6,7 +6,7 @@ mod physics;
 mod refusals;
 mod samples;
 
-use super::{MeasuredSpectrum, SpectrumFile};
+use super::{MAX_TEXT_BYTES, MaximumEntropy, MeasuredSpectrum, SpectrumFile};
 
 /// Knuth's linear congruential generator, for repeatable tests.
 pub(super) struct Lcg(pub u64);
@@ -69,4 +69,25 @@ fn realtime_set() -> Vec<(&'static str, String)> {
         ("44025.swr1", realtime("r1_1 (freq_1)", time, ["0.80", "0.90", "0.70"])),
         ("44025.swr2", realtime("r2_1 (freq_1)", time, ["0.40", "0.60", "0.30"])),
     ]
+}
+
+/// Checks the properties that every spectrum has.
+fn check(sea: &MeasuredSpectrum) {
+    let state = sea.to_state();
+    assert!(state.bytes().all(|b| b.is_ascii_alphanumeric() || b"*-._".contains(&b)), "{state}");
+    assert!(state.len() < MAX_TEXT_BYTES);
+    let again = MeasuredSpectrum::from_state(&state).unwrap_or_else(|e| panic!("{e}: {state}"));
+    assert_eq!(&again, sea, "{state}");
+    assert_eq!(again.to_state(), state);
+    let knots = sea.breakpoints();
+    assert!(0.0 < sea.lowest_omega() && sea.lowest_omega() < sea.omega_p() && sea.omega_p() <= knots[knots.len() - 1]);
+    assert!(sea.variance_m2() > 0.0 && sea.hs_m().is_finite());
+    assert!(knots.windows(2).all(|w| w[0] < w[1]));
+    for omega in knots.iter().flat_map(|w| [0.9 * w, *w, 1.1 * w]).chain([0.0, -1.0, 1e9]) {
+        assert!(sea.density(omega) >= 0.0 && sea.density(omega).is_finite());
+        if let Some(moments) = sea.moments(omega) {
+            let d = MaximumEntropy::new(moments).density(1.0);
+            assert!(d > 0.0 && d.is_finite());
+        }
+    }
 }

@@ -1,7 +1,8 @@
 //! Tests of files that are refused as measured spectra, and of the error messages.
 
 use super::super::{Direction, MAX_FILE_BYTES, MeasuredSpectrum};
-use super::{BANDS, SPEC, message, read, realtime_set, sea};
+use super::samples::{JONSWAP, PIERSON_MOSKOWITZ, TWO_SYSTEMS};
+use super::{BANDS, Lcg, SPEC, check, message, read, realtime_set, sea};
 
 #[test]
 fn malformed_tables_say_where_and_why() {
@@ -135,4 +136,49 @@ fn what_is_no_text_or_too_much_is_refused() {
     let name = format!("/tmp/\u{202e}a\n\x1b[31m{}", "x".repeat(500));
     let error = one(&name, format!("0.1,\u{7}{}\n", "y".repeat(5000)).as_bytes());
     assert!(error.len() < 200 && error.starts_with("a[31mxxx") && !error.contains(char::is_control), "{error}");
+}
+
+#[test]
+fn random_files_never_panic() {
+    let mut random = Lcg(1);
+    let mut texts: Vec<String> = realtime_set().into_iter().map(|f| f.1).collect();
+    texts.push(texts.concat());
+    texts.extend([JONSWAP, TWO_SYSTEMS, PIERSON_MOSKOWITZ].map(String::from));
+    let names = ["b.csv", "44025w2023.txt", "44025j2023.txt", "b.swr2", "b.data_spec", ""];
+    let pieces =
+        ["-", ".", "e9", "999.0", "(", ")", "#", "\n", " ", ",", ";", "\t", "1e308", "\u{feff}", "# r1\n", "MM"];
+    let mut good = 0;
+    for _ in 0..4000 {
+        let files: Vec<(String, Vec<u8>)> = (0..1 + random.below(3) / 2)
+            .map(|_| {
+                let mut bytes = texts[random.below(texts.len())].clone().into_bytes();
+                for _ in 0..random.below(4) {
+                    let at = random.below(bytes.len());
+                    match random.below(4) {
+                        0 => bytes[at] = random.next() as u8,
+                        1 => drop(bytes.drain(at..(at + 1 + random.below(40)).min(bytes.len()))),
+                        2 => drop(bytes.splice(at..at, pieces[random.below(pieces.len())].bytes())),
+                        _ => bytes.extend_from_within(at..),
+                    }
+                    if bytes.is_empty() {
+                        bytes.push(b'1');
+                    }
+                }
+                (names[random.below(names.len())].to_string(), bytes)
+            })
+            .collect();
+        match MeasuredSpectrum::read(&files) {
+            Ok(file) => {
+                good += 1;
+                assert!(file.notices.len() < 8);
+                check(&file.spectrum);
+            }
+            Err(what) => assert!(!what.is_empty() && what.chars().count() < 300, "{what}"),
+        }
+    }
+    assert!(good > 300, "{good}");
+    for _ in 0..500 {
+        let bytes = (0..random.below(300)).map(|_| random.next() as u8).collect();
+        assert!(MeasuredSpectrum::read(&[("b".into(), bytes)]).is_err());
+    }
 }
