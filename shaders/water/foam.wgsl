@@ -49,8 +49,7 @@ fn foam_footprint(dx: vec2f, dy: vec2f) -> FoamFootprint {
   let swap = dot(dx, dx) > dot(dy, dy);
   let along = select(dy, dx, swap);
   let large = length(along);
-  let small = max(abs(dx.x * dy.y - dx.y * dy.x) / max(large, 1e-9), 1e-6);
-  return FoamFootprint(along, select(dx, dy, swap), large, small);
+  return FoamFootprint(along, select(dx, dy, swap), large, water_footprint_width_m(dx, dy, large));
 }
 
 // Foam (x) and its current source (y) from the finest valid level that is no finer than the pixel; else their means.

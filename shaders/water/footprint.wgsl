@@ -16,13 +16,18 @@ const WATER_MAX_TAPS = 3;
 // the texels of a mip level (a box and a tent) blurs as much as a box of sqrt(3) texels.
 const WATER_TAP_TEXEL_RATIO = 0.58;
 
+// Mean width, m, of a footprint of the length `length_m` with the sides `dx` and `dy`, m: area divided by length, which
+// is right even where the two sides are nearly parallel.
+fn water_footprint_width_m(dx: vec2f, dy: vec2f, length_m: f32) -> f32 {
+  return max(abs(dx.x * dy.y - dx.y * dy.x) / max(length_m, 1e-9), 1e-6);
+}
+
 // Footprint of a pixel with the sides `dx` and `dy`, m.
 fn water_footprint(dx: vec2f, dy: vec2f) -> WaterFootprint {
   let x = length(dx);
   let y = length(dy);
   let large = max(x, y);
-  // Area divided by length is right even where the two sides are nearly parallel.
-  let small = max(abs(dx.x * dy.y - dx.y * dy.x) / max(large, 1e-9), 1e-6);
+  let small = water_footprint_width_m(dx, dy, large);
   let taps = clamp(i32(ceil(large / small - 0.3)), 1, WATER_MAX_TAPS);
   return WaterFootprint(select(dy, dx, x > y), WATER_TAP_TEXEL_RATIO * max(small, large / f32(taps)), taps);
 }

@@ -24,7 +24,7 @@ fn water_add_patch_copy(sums: WaterDerivatives, g: vec4f, d: vec4f, weight: vec3
 const WATER_CARRIED_SPACINGS = vec2f(12.0, 7.0);
 
 // Fraction of a cascade's slopes that the vertices carry, 0 to 1, at a position relative to the point below the eye, m.
-// Its shortest waves must be long compared with the spacing of the mesh and with the pixel.
+// Vertices carry the slopes of a cascade whose shortest waves are long compared with the mesh spacing and the pixel.
 fn water_carried_fraction(cascade: u32, at: vec2f) -> f32 {
   let map = frame.cascades[cascade];
   let shortest_m = min(map.shortest_wave_texels, WATER_CARRIED_SPACINGS.y) / (map.inverse_patch * frame.n);

@@ -8,8 +8,8 @@ use crate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
 use crate::waves::{Plan, SeaChange};
 use std::cell::OnceCell;
 
-/// What the app computes from the parameters of one sea: plan, statistics and plot data. The expensive parts are
-/// computed at their first use.
+/// Plan, statistics and plot data of one sea, computed from its parameters. The expensive parts are computed at their
+/// first use.
 pub struct Derived {
     /// Parameters from which the other fields were computed.
     pub params: Params,

@@ -12,7 +12,7 @@ use crate::state::Params;
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// What the closure that creates the app for eframe returns: the app, or the reason for the failure.
+/// Return type of the closure with which eframe creates the app: the app, or the reason for the failure.
 pub type AppCreation = Result<Box<dyn eframe::App>, Box<dyn std::error::Error + Send + Sync>>;
 
 /// Slot that holds the app between two runs of eframe, after a device loss; empty while the app runs.

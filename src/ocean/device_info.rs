@@ -27,7 +27,7 @@ pub struct DeviceInfo {
     pub features: Vec<&'static str>,
     /// Limits of the GPU: name, such as "texture side"; then the value that the program requests and the adapter's own.
     pub limits: Vec<(&'static str, [u64; 2])>,
-    /// What the program has chosen for this adapter, such as the format of the maps: names and values.
+    /// Choices that the program made for this adapter, such as the texture format of the maps: names and values.
     pub choices: Vec<(&'static str, String)>,
 }
 

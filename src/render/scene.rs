@@ -1,4 +1,4 @@
-//! What a picture shows: camera, settings, sea state and floating objects.
+//! The scene: camera, look settings, sea state and floating objects of a picture.
 
 use crate::point::floating::HullPose;
 use crate::sim::maps::MAX_CASCADES;
@@ -101,7 +101,7 @@ impl SeaAppearance {
     }
 }
 
-/// What the renderer needs to know of the old sea, which fades out during a cross-fade to the new one.
+/// Slope variance and weight of the old sea, which fades out during a cross-fade to the new one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FadingSea {
     /// Slope variances, along the wind and across it, of the waves in the fading sea's finest cascade.

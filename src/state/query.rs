@@ -11,11 +11,10 @@ use super::look::SkyFile;
 use super::params::Params;
 use super::text::{quoted_excerpt, truncate_notices};
 use super::versions::{self, VERSION_STEPS, VersionStep};
+use crate::files::MAX_STATE_BYTES;
 use crate::files::measured::MeasuredSpectrum;
 use std::sync::Arc;
 
-/// Longest state string that is read, bytes; the rest is ignored with a notice. [`write()`] never writes a longer one.
-pub const MAX_BYTES: usize = crate::files::MAX_STATE_BYTES;
 /// Key of the measured buoy spectrum in a state string.
 const MEASURED_KEY: &str = "measured";
 /// Key of the name of the sky file in a state string.
@@ -62,29 +61,29 @@ pub fn parse_with_keys(text: &str) -> ParsedState {
 fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
     let mut reading = ParsedState::default();
     let mut query = query_part(text);
-    if query.len() > MAX_BYTES {
-        query = &query[..query.floor_char_boundary(MAX_BYTES)];
-        reading.notices.push(format!("the state string is longer than {MAX_BYTES} bytes: the rest was ignored"));
+    if query.len() > MAX_STATE_BYTES {
+        query = &query[..query.floor_char_boundary(MAX_STATE_BYTES)];
+        reading.notices.push(format!("the state string is longer than {MAX_STATE_BYTES} bytes: the rest was ignored"));
     }
     let (pairs, notice) = versions::upgrade_pairs(form_urlencoded::parse(query.as_bytes()).collect(), steps);
     reading.notices.extend(notice);
     let mut seen = Vec::new();
     for (key, value) in pairs {
-        if let Some(special) = [MEASURED_KEY, FLOATING_OBJECTS_KEY, SKY_KEY].into_iter().find(|special| *special == key)
-        {
-            reading.note_repetition(special, &mut seen);
-        }
         match &*key {
             MEASURED_KEY => {
                 let spectrum = MeasuredSpectrum::from_state(&value);
-                reading.set_or_notify(MEASURED_KEY, spectrum, |p, spectrum| p.sea.measured = Some(Arc::new(spectrum)));
+                reading.set_or_notify(MEASURED_KEY, &mut seen, spectrum, |p, spectrum| {
+                    p.sea.measured = Some(Arc::new(spectrum));
+                });
             }
             FLOATING_OBJECTS_KEY => {
-                reading.set_or_notify(FLOATING_OBJECTS_KEY, floats::read(&value), |p, floats| p.floats = floats);
+                reading.set_or_notify(FLOATING_OBJECTS_KEY, &mut seen, floats::read(&value), |p, floats| {
+                    p.floats = floats;
+                });
             }
             SKY_KEY => {
                 let file = SkyFile::from_path(&value).ok_or_else(|| "the name has no printable character".to_owned());
-                reading.set_or_notify(SKY_KEY, file, |p, file| p.look.sky.file = Some(file));
+                reading.set_or_notify(SKY_KEY, &mut seen, file, |p, file| p.look.sky.file = Some(file));
             }
             _ => reading.set_field(&key, &value, &mut seen),
         }
@@ -97,8 +96,16 @@ fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
 
 impl ParsedState {
     /// Stores the parsed value of the key `measured`, `afloat` or `sky` in the parameters by calling `set`, and adds
-    /// the key to `keys_taken`. If `value` is an error, adds its reason to the messages to the user instead.
-    fn set_or_notify<T>(&mut self, key: &'static str, value: Result<T, String>, set: impl FnOnce(&mut Params, T)) {
+    /// the key to `keys_taken`. If `value` is an error, adds its reason to the messages to the user instead. `seen` holds
+    /// the keys earlier in the string; a key in it gives a message, too.
+    fn set_or_notify<T>(
+        &mut self,
+        key: &'static str,
+        seen: &mut Vec<&'static str>,
+        value: Result<T, String>,
+        set: impl FnOnce(&mut Params, T),
+    ) {
+        self.note_repetition(key, seen);
         match value {
             Ok(value) => {
                 set(&mut self.params, value);

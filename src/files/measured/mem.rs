@@ -106,7 +106,7 @@ mod tests {
             for (g, w) in got.iter().zip([1.0, c1.x, c1.y, c2.x, c2.y]) {
                 assert!((g - w).abs() < 1e-9, "{c1:?} {c2:?}: {got:?}");
             }
-            // The same coefficients by the definitions of Lygre and Krogstad.
+            // The coefficients phi1 and phi2 by Lygre and Krogstad's definitions.
             let phi1 = (c1 - c2.rotate(conjugate(c1))) / free;
             let phi2 = c2 - c1.rotate(phi1);
             let norm = (1.0 - phi1.rotate(conjugate(c1)).x - phi2.rotate(conjugate(c2)).x) / TAU;

@@ -18,7 +18,7 @@ pub struct BackgroundPass {
     pipelines: PipelineVariants<Permutation>,
 }
 
-/// What a variant of the background pipeline can draw; the shader code for the rest is compiled out.
+/// Parts of the sky that a variant of the background pipeline draws; the other shader code is compiled out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Permutation {
     sky_image: bool,

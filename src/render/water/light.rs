@@ -85,6 +85,8 @@ pub struct WaterPass {
     /// The displaced mesh of the water.
     pub mesh: DisplacePass,
     module: wgpu::ShaderModule,
+    /// Whether the adapter executes shaders on the CPU. Kept here, because asking wgpu copies the adapter's names.
+    software_adapter: bool,
     g_buffer_pipeline: wgpu::RenderPipeline,
     g_buffer_layout: wgpu::BindGroupLayout,
     /// The two textures of the bound G-buffer, and their bind group; None before the first frame.
@@ -127,6 +129,7 @@ impl WaterPass {
             scene,
             mesh,
             module,
+            software_adapter: gpu.is_software(),
             g_buffer: None,
             light_pipelines: PipelineVariants::default(),
             maps_layout,
@@ -164,7 +167,7 @@ impl WaterPass {
     pub fn select_pipeline(&mut self, gpu: &Gpu, scene: &Scene) {
         let (module, format) = (&self.module, self.scene.output.format());
         let layouts = [&self.scene.layout, &self.maps_layout, &self.g_buffer_layout];
-        self.light_pipelines.select(Permutation::new(scene, self.scene.output, gpu.is_software()), |parts| {
+        self.light_pipelines.select(Permutation::new(scene, self.scene.output, self.software_adapter), |parts| {
             let program =
                 Program { module, entry_points: ["light_vertex", "light_fragment"], constants: &parts.constants() };
             gpu.render_pipeline("water/light", &program, &layouts, &attachments(&format, DEPTH_TEST_WATER_LIGHT))
