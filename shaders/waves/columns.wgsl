@@ -34,9 +34,19 @@ fn main(@builtin(local_invocation_id) local: vec3u, @builtin(workgroup_id) group
     for (var i = 0u; i < RADIX_1; i++) {
       fft_points[i] = row_transforms[base + (i * RADIX_2 + t) * N + x];
     }
-    fft_first_half(t, exchange);
+    fft_in_registers(RADIX_1);
+    workgroupBarrier();
+    for (var k1 = 0u; k1 < RADIX_1; k1++) {
+      let w = twiddle_factors[t * k1 * (1024u / N)];
+      let point = fft_points[fft_result_index(k1, RADIX_1)];
+      fft_exchange[exchange + fft_exchange_index(k1, t)] = fft_complex_mul(point, w);
+    }
+    workgroupBarrier();
     for (var k1 = t; k1 < RADIX_1; k1 += RADIX_2) {
-      fft_second_half(k1, exchange);
+      for (var n2 = 0u; n2 < RADIX_2; n2++) {
+        fft_points[n2] = fft_exchange[exchange + fft_exchange_index(k1, n2)];
+      }
+      fft_in_registers(RADIX_2);
       for (var k2 = 0u; k2 < RADIX_2; k2++) {
         let v = fft_points[fft_result_index(k2, RADIX_2)];
         if pair == 0u {

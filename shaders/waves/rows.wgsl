@@ -20,10 +20,20 @@ fn main(@builtin(local_invocation_id) local: vec3u, @builtin(workgroup_id) group
       let x = i * RADIX_2 + t;
       fft_points[i] = evolve_packed_fields(pair, line, x, rows_waves[i]);
     }
-    fft_first_half(t, exchange);
+    fft_in_registers(RADIX_1);
+    workgroupBarrier();
+    for (var k1 = 0u; k1 < RADIX_1; k1++) {
+      let w = twiddle_factors[t * k1 * (1024u / N)];
+      let point = fft_points[fft_result_index(k1, RADIX_1)];
+      fft_exchange[exchange + fft_exchange_index(k1, t)] = fft_complex_mul(point, w);
+    }
+    workgroupBarrier();
     let out = ((c * 2u + pair) * N + z) * N;
     for (var k1 = t; k1 < RADIX_1; k1 += RADIX_2) {
-      fft_second_half(k1, exchange);
+      for (var n2 = 0u; n2 < RADIX_2; n2++) {
+        fft_points[n2] = fft_exchange[exchange + fft_exchange_index(k1, n2)];
+      }
+      fft_in_registers(RADIX_2);
       for (var k2 = 0u; k2 < RADIX_2; k2++) {
         row_transforms[out + k1 + RADIX_1 * k2] = fft_points[fft_result_index(k2, RADIX_2)];
       }
