@@ -11,7 +11,7 @@ const COLOUR_BAR_SIZE: egui::Vec2 = egui::vec2(220.0, 10.0);
 
 /// Changes the debug view (an image of one quantity, such as foam, in place of the sea) by keys: V shows the next one,
 /// Shift+V the previous one; 0 to 4 choose the cascade (0: all); Escape returns to the picture. Returns whether Escape
-/// did.
+/// has just closed a debug view.
 pub fn apply_view_keys(view: &mut ViewChoice, ctx: &egui::Context) -> bool {
     let pressed = |key| ctx.input(|i| i.key_pressed(key));
     if pressed(Key::V) {

@@ -21,8 +21,8 @@ pub struct Derived {
     pub theory: SpectrumStatistics,
     /// Statistics of the resolved waves (those on the FFT grids), as sums over these waves; empty until first used.
     resolved: OnceCell<LatticeStatistics>,
-    /// The strongest waves of the sea, in the form that also moves floating hulls; here only their heights are used
-    /// (see [`Self::strongest_waves`]). Empty until first used.
+    /// The strongest waves of the sea, selected as for the motion of floating hulls; here they only give the height of
+    /// the sea at a point (see [`Self::strongest_waves`]). Empty until first used.
     hull_waves: OnceCell<HullWaves>,
     /// Directional spectrum, sampled for the panel's polar plot; empty until first used.
     directional_spectrum: OnceCell<DirectionalSpectrumSamples>,
@@ -43,8 +43,9 @@ impl Derived {
         }
     }
 
-    /// Updates the derived quantities to new parameters, and recomputes only what depends on the change. Returns what
-    /// changed: only foam, the surface (such as its choppiness) or the waves; `None` if neither sea nor FFT grid did.
+    /// Updates the derived quantities to new parameters, and recomputes only what depends on the change. Returns the
+    /// greatest change: of the waves, else of the surface (choppiness, water level), else of the foam; `None` if
+    /// neither sea nor FFT grid changed.
     pub fn update(&mut self, params: &Params) -> Option<SeaChange> {
         let change = SeaChange::between(&self.params, params);
         match change {

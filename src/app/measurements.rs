@@ -9,9 +9,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Least time between two read-backs of the wave maps, s.
 const READBACK_INTERVAL_S: f64 = 1.0;
-/// Number of wave-map texels that the CPU Fourier-transforms in one frame: a few milliseconds in a browser.
+/// Number of wave-map texels that the CPU Fourier-transforms in one frame; in a browser this takes a few milliseconds.
 const POINTS_PER_FRAME: usize = 1 << 16;
-/// Number of equally wide frequency bins, from 0 to `highest_omega`, of the spectrum measured in the wave maps.
+/// Number of equally wide bins of the spectrum measured in the wave maps, from 0 to `plots::highest_omega`, rad/s.
 const SPECTRUM_BINS: usize = 72;
 /// Weight of the newest frame, 0 to 1, in the moving average of the CPU time that recording a frame's GPU commands
 /// takes.
@@ -26,12 +26,12 @@ pub struct VisibleReadouts {
     pub buoy_record: Cell<bool>,
     /// Whether the panel shows a plot or table of statistics measured in the GPU's wave maps.
     pub map_statistics: Cell<bool>,
-    /// Whether the panel shows the GPU times of the passes.
+    /// Whether the panel shows the GPU time of each pass of a frame (such as `rows`, `foam` or `mesh`).
     pub pass_times: Cell<bool>,
 }
 
-/// Requests for the GPU times of the passes and for copies of the wave maps, and their results. The app's frame logic
-/// shares them with the paint callback, which records the frame's GPU commands.
+/// Requests for the GPU time of each pass of a frame and for copies of the wave maps, and the results of both. The
+/// app's frame logic shares them with the paint callback, which records the frame's GPU commands.
 #[derive(Clone, Default)]
 pub struct FrameMeasurements(Arc<Mutex<FrameRequests>>);
 
@@ -48,8 +48,8 @@ struct FrameRequests {
     is_painted: bool,
     /// Moving average of the CPU time that recording a frame's GPU commands takes, s.
     record_s: f64,
-    /// Name and GPU time (ms, smoothed over frames) of each pass; `None` before the first frame or if the GPU has no
-    /// timestamp queries.
+    /// Name and GPU time (ms, smoothed over frames) of each pass of a frame (such as `rows`, `foam` or `mesh`); `None`
+    /// before the first frame or if the GPU has no timestamp queries.
     passes: Option<Vec<(&'static str, f64)>>,
 }
 
@@ -100,8 +100,8 @@ impl FrameMeasurements {
         1e3 * self.lock().record_s
     }
 
-    /// Name and GPU time (ms, smoothed over frames) of each pass; `None` before the first frame or if the GPU has no
-    /// timestamp queries.
+    /// Name and GPU time (ms, smoothed over frames) of each pass of a frame (such as `rows`, `foam` or `mesh`); `None`
+    /// before the first frame or if the GPU has no timestamp queries.
     pub fn passes(&self) -> Option<Vec<(&'static str, f64)>> {
         self.lock().passes.clone()
     }
@@ -125,8 +125,8 @@ pub struct SeaMeasurement {
     sums: StatisticSums,
 }
 
-/// Sums over all read-backs of the current sea of the statistics that each of them gave; divided by `readings` they are
-/// the means.
+/// Sums over the `readings` evaluated read-backs of the current sea: squared significant wave height, mean square
+/// slope, foam coverage, and variance per frequency bin of width `width_rad_s`. Divided by `readings` they are means.
 #[derive(Default)]
 struct StatisticSums {
     readings: usize,
@@ -164,7 +164,8 @@ impl SeaMeasurement {
         self.mean(self.sums.mss)
     }
 
-    /// Foam coverage around the camera measured in the GPU's foam map, 0 to 1; `None` before the first reading.
+    /// Foam coverage, 0 to 1: mean over all cells of the GPU's foam map, nested squares around the camera, before the
+    /// user's factor on the visible foam. `None` before the first reading.
     pub fn coverage(&self) -> Option<f64> {
         self.mean(self.sums.coverage)
     }

@@ -67,7 +67,7 @@ pub struct App {
     rounded_pose: Option<rounding::CameraPose>,
     /// Parameters of the last drawn picture, and its width and height in pixels; `None` before the first one.
     drawn: Option<(Params, [u32; 2])>,
-    /// Height of the sea over time at the first floating object; without one, below the camera.
+    /// Record of the height of the sea, m above still water, at the first floating object, else below the camera.
     record: BuoyRecord,
     /// Kind of floating object (buoy or boat) that the next click on the sea places; `None` if a click places nothing.
     placing: Option<floats::FloatingObjectKind>,
@@ -187,8 +187,8 @@ impl App {
         self.progress.has_first_picture()
     }
 
-    /// Returns whether the picture is complete: the GPU has finished the first picture since the start, the foam has
-    /// reached the present, and no cross-fade between two seas is in progress. Also requests one more frame.
+    /// Returns whether the picture is complete: the GPU has finished the first one since the start or the last device
+    /// loss, the foam has reached the present, and no cross-fade is in progress. Also requests one more frame.
     pub fn is_picture_complete(&self) -> bool {
         self.ctx.request_repaint();
         self.progress.has_first_picture() && !self.progress.is_catching_up()
@@ -213,8 +213,8 @@ impl App {
         Gpu { device: self.render_state.device.clone(), queue: self.render_state.queue.clone() }
     }
 
-    /// Advances the simulated time by the wall-clock time since the last frame times the user's speed. It stands still
-    /// while the user has stopped the clock, and until the GPU has finished the first picture.
+    /// Advances the simulated time by the wall-clock time since the last frame times the clock's speed, which the user
+    /// sets. Time stands still while the user has stopped the clock, and until the GPU has finished the first picture.
     fn advance_time(&mut self, ctx: &egui::Context) {
         if self.params.clock.paused || self.progress.is_first_picture_pending() {
             return;

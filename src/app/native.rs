@@ -13,10 +13,10 @@ use std::rc::Rc;
 use std::time::Duration;
 use web_time::Instant;
 
-/// Largest number of GPU device losses, and of failures to get a new device, within [`DEVICE_LOSS_WINDOW`]. After more
-/// of them the program ends with an error.
+/// Largest number of GPU device losses and failed attempts to get a new device, counted together, that the program
+/// survives within [`DEVICE_LOSS_WINDOW`]. One more ends it with an error.
 const MAX_DEVICE_LOSSES: usize = 8;
-/// Period over which device losses are counted: older ones no longer count towards [`MAX_DEVICE_LOSSES`].
+/// Period over which the failures of [`MAX_DEVICE_LOSSES`] are counted; older ones are forgotten.
 const DEVICE_LOSS_WINDOW: Duration = Duration::from_secs(60);
 /// Pause before another attempt to open a window after a failure: a graphics driver that restarts needs a moment.
 const RETRY_DELAY: Duration = Duration::from_secs(1);

@@ -51,7 +51,7 @@ pub struct Quality {
     out_of_memory_errors: u32,
     /// Whether the last frame took longer than [`STALL_S`]. Of several such frames in a row only the first is ignored.
     was_stall: bool,
-    /// Whether the simulated time is stopped. A still picture always has full quality.
+    /// Whether the simulated time is stopped. A still picture has full quality, as far as graphics memory allows.
     time_is_stopped: bool,
 }
 
@@ -74,8 +74,8 @@ impl Quality {
         }
     }
 
-    /// Adapts the quality after a frame, `dt_s` seconds after the previous one. Quality is full while simulated time is
-    /// stopped (`time_is_stopped`) and if the user has switched adaptive quality off (not `adaptive`).
+    /// Adapts the quality after a frame, `dt_s` seconds after the previous one. Quality is full, as far as memory
+    /// allows, while simulated time is stopped (`time_is_stopped`) and if the user has not chosen `adaptive` quality.
     pub fn adapt(&mut self, dt_s: f64, time_is_stopped: bool, adaptive: bool) {
         let was_still = std::mem::replace(&mut self.time_is_stopped, time_is_stopped);
         let was_stall = std::mem::replace(&mut self.was_stall, dt_s > STALL_S);
@@ -131,8 +131,8 @@ impl Quality {
         OUT_OF_MEMORY_SCALE.powi(self.out_of_memory_errors.div_ceil(2) as i32)
     }
 
-    /// Width and height of the picture in pixels at the current quality, for a sea that covers `points` of the window
-    /// and the user's `screen` settings. Neither exceeds `limit`, the largest texture side of the GPU, pixels.
+    /// Width and height of the picture in pixels at the current quality. `points` are width and height of the area that
+    /// shows the sea, points; `screen`: the user's resolution; `limit`: the GPU's largest texture side, pixels.
     pub fn picture_size(&self, points: egui::Vec2, pixels_per_point: f32, screen: &Screen, limit: u32) -> [u32; 2] {
         let density = f64::from(pixels_per_point).min(screen.max_pixel_ratio) * screen.render_scale;
         let own =

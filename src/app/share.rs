@@ -54,7 +54,7 @@ impl App {
         }
     }
 
-    /// Saves the current picture as a PNG that contains its state string. A later frame finds the result in `saved`.
+    /// Saves the current picture as a PNG that contains its state string. The result arrives later in `save_results`.
     pub(super) fn save_picture(&mut self) {
         let Some((params, size)) = self.drawn.clone() else { return };
         let params = with_rounded_pose(&params);
@@ -75,7 +75,7 @@ impl App {
         });
     }
 
-    /// Saves the wave maps of the current moment as an OpenEXR file. A later frame finds the result in `saved`.
+    /// Saves the wave maps of the current moment as an OpenEXR file. The result arrives later in `save_results`.
     pub(super) fn save_maps(&mut self) {
         let params = with_rounded_pose(&self.params);
         let state = query::write(&params);

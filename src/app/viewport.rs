@@ -14,7 +14,7 @@ use web_time::Instant;
 const FOAM_STEPS_PER_FRAME: usize = 6;
 /// Number of foam time steps of the past that one frame computes on a software adapter, for FFT sizes from 256.
 const CPU_FOAM_STEPS_PER_FRAME: usize = 1;
-/// Upper limit of the time by which one frame advances a cross-fade between two seas, s.
+/// Upper limit of the wall-clock time by which one frame advances a cross-fade between two seas, s.
 const MAX_FADE_STEP_S: f64 = 0.1;
 
 /// Flags about the first picture, the replay of past foam and the cross-fade on one GPU device. The paint callback sets

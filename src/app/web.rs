@@ -135,8 +135,8 @@ impl WebHandle {
     }
 
     /// Computes the wave maps of the sea of a state string at its time, for tests. Returns an object with `n` (FFT
-    /// size), `cascades` (their number) and, one cascade after the other, `heights` (f32, m) and `displacement` (bits
-    /// of the half-float texels).
+    /// size), `cascades` (their number) and, one cascade after the other, `heights` (f32, m) and `displacement` (texels
+    /// Dx, height, Dz (m) and dDx/dz, as the bits of half floats).
     ///
     /// # Errors
     /// If the app does not run, or reading back from the GPU fails.
@@ -160,8 +160,11 @@ impl WebHandle {
 
     /// Measures the time of each GPU pass for the sea of a state string on a second device of this browser, as
     /// `seastate bench --baseline` does, from `repeat` GPU submissions. Calls `progress` with the name of each
-    /// measurement. Returns an object with `text` (the table) and `passes` (objects with `pass`, `n`, `cascades`,
-    /// `width`, `height`, `ms`).
+    /// measurement.
+    ///
+    /// Returns an object with `text` (the table) and `passes`, objects with `pass` (its name), `n` (FFT size),
+    /// `cascades` (their number), `width` and `height` (of the picture, pixels) and `ms` (GPU time; wall time where the
+    /// GPU time is unknown).
     ///
     /// # Errors
     /// If there is no GPU, or its device is lost during the measurement.

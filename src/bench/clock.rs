@@ -5,7 +5,7 @@ use crate::gpu::readback;
 use crate::gpu::timer;
 use web_time::Instant;
 
-/// Intended duration of a timed submission, ms, at least. Shorter work is repeated, so that overheads count little.
+/// Least intended duration of a timed submission, ms. Shorter work is repeated, so that overheads count little.
 const MIN_SUBMISSION_MS: f64 = 10.0;
 /// Largest number of times that short work is repeated within one submission, to reach `MIN_SUBMISSION_MS`.
 const MAX_REPETITIONS: u32 = 64;
@@ -76,8 +76,8 @@ impl TimestampQueries {
         })
     }
 
-    /// Records two timestamps, before the work or, if `last`, after it: directly between passes where the device can,
-    /// else by an empty pass.
+    /// Records two successive timestamps, before the work or, if `last`, after it: directly where the device can do
+    /// so between passes, else at the start and the end of an empty pass.
     fn write_timestamps(&self, encoder: &mut wgpu::CommandEncoder, last: bool) {
         let at = 2 * u32::from(last);
         if self.between_passes {
@@ -88,7 +88,8 @@ impl TimestampQueries {
         }
     }
 
-    /// Reads the four timestamps in `staged`, two before and two after the work; returns the GPU time between, ms.
+    /// Reads the four timestamps in `staged`, two before and two after the work. Returns the GPU time of the work, ms:
+    /// from the second to the third.
     async fn read(&self, gpu: &Gpu, staged: wgpu::Buffer) -> Result<f64, String> {
         let stamps: Vec<u64> = bytemuck::pod_collect_to_vec(&readback::read(gpu, staged).await?);
         Ok(1e-6 * self.period_ns * stamps[2].saturating_sub(stamps[1]) as f64)
@@ -106,8 +107,8 @@ impl<'a> Stopwatch<'a> {
         self.stamps.is_some()
     }
 
-    /// Returns GPU, wall and CPU times per call of `record`, which records the work: from `repeat` submissions after a
-    /// warm-up, each with several calls if the work is short. It gets the number of earlier calls, and the encoder.
+    /// Returns GPU, wall and CPU times per call of `record`, from `repeat` submissions after a warm-up, each with
+    /// several calls if the work is short. `record` gets the number of its earlier calls, and an encoder for the work.
     ///
     /// # Errors
     /// If waiting for the GPU fails.

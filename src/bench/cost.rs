@@ -27,20 +27,21 @@ fn cost_of_texels(n: u32, cascades: u32, bytes: f64, flops: f64) -> Cost {
     Cost { bytes: count * bytes, flops: count * flops }
 }
 
-/// Number of floating-point operations per lattice point of four complex FFTs along one axis: 5 log2(n) each.
+/// Number of floating-point operations per lattice point of four complex FFTs of size `n` along one axis: 5 log2(n)
+/// each.
 fn fft_flops_per_point(n: u32) -> f64 {
     4.0 * 5.0 * f64::from(n.ilog2())
 }
 
-/// Cost of the row pass: the waves at a time and their FFT along x. Bytes per point: h0 of a wave and of the opposite
-/// one (16), an eighth of an entry of the wave table (1), four complex results (32). Software adapters compute a wave
-/// once for two lines; that is not subtracted.
+/// Cost of the row pass for FFT size `n`: the waves at a time and their FFT along x. Bytes per point: the amplitudes h0
+/// of a wave and of the opposite one at time 0 (16), an eighth of an entry of `Maps::wave_table`, which eight waves
+/// share (1), four complex results (32). Software adapters share some work between two rows; it counts in full here.
 pub fn rows(n: u32, cascades: u32) -> Cost {
     cost_of_texels(n, cascades, 49.0, 30.0 + 14.0 + 40.0 + fft_flops_per_point(n))
 }
 
-/// Cost of the column pass: FFT along z, and writing of the maps. Bytes per point: four complex inputs (32), a texel of
-/// the displacement map and one of the gradient map.
+/// Cost of the column pass for FFT size `n`: FFT along z, and writing of the maps. Bytes per point: four complex inputs
+/// (32), a texel of the displacement map and one of the gradient map.
 pub fn columns(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     cost_of_texels(n, cascades, 32.0 + 2.0 * f64::from(maps.bytes_per_texel()), fft_flops_per_point(n))
 }
@@ -50,22 +51,23 @@ pub fn waves(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     rows(n, cascades) + columns(n, cascades, maps)
 }
 
-/// Minimum cost of the mip pass. Per texel of mip level 0, two texels are read (one of each map), and a third of three
-/// texels is written (all smaller levels of three maps). A written texel takes 4 x 14 operations: sums over eleven
-/// channels, and three products of slopes.
+/// Minimum cost of the mip pass. Per texel of mip level 0, a texel of the displacement and of the gradient map is read,
+/// and a third of three texels is written (all smaller levels of these two and of the slope moments). A texel of the
+/// three written maps together takes 4 x 14 operations: sums over eleven channels, and three products of slopes.
 pub fn mips(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     cost_of_texels(n, cascades, 3.0 * f64::from(maps.bytes_per_texel()), 4.0 * 14.0 / 3.0)
 }
 
-/// Cost of the foam pass. Bytes per cell: foam read and written (8), one texel written, and four texels of two maps
-/// read for each cascade and shifted copy of its patch. Operations include weighting and blending of these texels.
+/// Cost of the foam pass. Bytes per foam cell: its foam read and written (8), a texel of the foam map written, and four
+/// texels each of displacement and gradient map read for every cascade and blended, shifted copy of the cascade's
+/// patch (`MEAN_COPIES` on average). Operations include weighting and blending of these texels.
 pub fn foam(foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
     let (samples, texel) = (f64::from(cascades) * MEAN_COPIES, f64::from(maps.bytes_per_texel()));
     let flops = 40.0 + 60.0 * f64::from(cascades) + 60.0 * samples;
     cost_of_texels(foam_n, FOAM_LEVELS as u32, 8.0 + texel + 8.0 * texel * samples, flops)
 }
 
-/// Cost of simulating one frame (waves, mip levels, foam) with foam levels of `foam_n` x `foam_n` cells.
+/// Cost of simulating one frame (waves, mip levels, foam): FFT size `n`, foam levels of `foam_n` x `foam_n` cells.
 pub fn step(n: u32, foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
     waves(n, cascades, maps) + mips(n, cascades, maps) + foam(foam_n, cascades, maps)
 }
@@ -102,7 +104,7 @@ pub struct PictureContents {
     pub sea_fraction: f64,
     /// Number of vertices of the sea mesh.
     pub vertices: f64,
-    /// Size of all displacement maps with mip levels, bytes; gradient maps and slope moments count as much each.
+    /// Size of all displacement maps with mip levels, bytes. Gradient maps together count as much, so do slope moments.
     pub map_bytes: f64,
 }
 
@@ -119,7 +121,7 @@ impl PictureContents {
     }
 
     /// Minimum cost of drawing and lighting the sea mesh. Lighting a sea pixel reads its surface data (32 bytes) and
-    /// depth (4), and writes its light (8). All three kinds of map are read.
+    /// depth (4), and writes its light (8). The maps (displacement, gradients, slope moments) are read once.
     pub fn water(&self) -> Cost {
         let seen = self.pixels * self.sea_fraction;
         let light = Cost { bytes: 44.0 * seen + 3.0 * self.map_bytes, flops: LIGHT_FRAGMENT_COST.flops * seen };

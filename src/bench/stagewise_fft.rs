@@ -23,7 +23,7 @@ struct EvolveUniform {
     unused: u32,
 }
 
-/// One compute dispatch of the baseline, with a thread for each of n x n texels, in workgroups of 8 x 8 threads.
+/// One compute dispatch of the baseline: a thread for each texel of a cascade's map, in workgroups of 8 x 8 threads.
 struct Dispatch {
     pipeline: wgpu::ComputePipeline,
     group: wgpu::BindGroup,
@@ -40,15 +40,18 @@ impl Dispatch {
 /// The baseline of the benchmark: computes the waves' maps by an FFT with one dispatch per stage, as browser demos do.
 pub struct StagewiseFft {
     dispatches: Vec<Dispatch>,
-    /// Displacement maps that the baseline writes, one per cascade. Texels: Dx, height eta, Dz (m) and dDx/dz.
+    /// Displacement maps that the baseline writes, one per cascade. Texels: displacement Dx (east), height eta,
+    /// displacement Dz (south), all in m, and dDx/dz; before choppiness is applied.
     pub displacement: Vec<wgpu::Texture>,
-    /// Gradient maps that the baseline writes, one per cascade. Texels: d eta/dx, d eta/dz, dDx/dx and dDz/dz.
+    /// Gradient maps that the baseline writes, one per cascade. Texels: slopes d eta/dx and d eta/dz, then dDx/dx and
+    /// dDz/dz of the horizontal displacement, before choppiness is applied.
     pub gradients: Vec<wgpu::Texture>,
 }
 
 impl StagewiseFft {
     /// Creates the dispatches that compute displacement and gradient maps of the current sea of `maps`, for the time
-    /// `maps.period_fraction_u32`. They read the Fourier amplitudes h0 in the buffer `maps.h0`, which must be filled.
+    /// `maps.period_fraction_u32` (in 2^-32 of the sea's repeat period). They read the waves' Fourier amplitudes at
+    /// time 0 in the buffer `maps.h0`, which must be filled.
     pub fn new(gpu: &Gpu, maps: &Maps) -> Self {
         let n = maps.n;
         let transform = FieldFft::new(gpu, n);
@@ -150,8 +153,8 @@ impl FieldFft {
     }
 }
 
-/// Table of the FFT's butterflies, n entries for each radix-2 stage: real and imaginary part of the twiddle factor, and
-/// the indices of the two points that are combined. The first stage reads its points in bit-reversed order.
+/// Table of the butterflies of an FFT of size `n`, with `n` entries for each radix-2 stage: real and imaginary part of
+/// the twiddle factor, and the indices of the two points to combine. The first stage reads in bit-reversed order.
 fn butterflies(n: u32) -> Vec<[f32; 4]> {
     let bits = n.ilog2();
     let reversed = |i: u32| i.reverse_bits() >> (32 - bits);

@@ -21,7 +21,7 @@ use std::fmt::Write as _;
 const FAILURE_EXIT_CODE: i32 = 2;
 
 /// Runs the command that the arguments of this process name. Returns the exit code: 0, 1 if `seastate check` finds an
-/// error above its tolerance, or `USAGE_EXIT_CODE`.
+/// error above its tolerance, or `FAILURE_EXIT_CODE`.
 pub fn main() -> i32 {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,

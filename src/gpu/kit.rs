@@ -101,7 +101,7 @@ pub struct Attachments<'a> {
 pub struct DepthState {
     /// Texture format of the depth texture.
     pub format: wgpu::TextureFormat,
-    /// Comparison of a fragment's depth with the stored depth; the fragment is drawn if it holds.
+    /// Depth test: a fragment is drawn if its depth has this relation (such as `Greater`) to the stored depth.
     pub compare: wgpu::CompareFunction,
     /// Whether fragments that pass the depth test write their depth to the depth texture.
     pub writes_depth: bool,
@@ -168,7 +168,7 @@ impl Gpu {
     }
 
     /// Creates a sampler that filters linearly within a mip level, and between mip levels as `mipmap_filter` says. `u`
-    /// and `v` say what happens outside 0 to 1.
+    /// and `v` are the address modes of the two texture coordinates: repeat, clamp or mirror outside 0 to 1.
     pub fn sampler(
         &self,
         label: &str,
@@ -245,7 +245,8 @@ impl Gpu {
         })
     }
 
-    /// Creates a render pipeline that draws triangle lists without vertex buffers. `onto` gives the target formats.
+    /// Creates a render pipeline that draws triangle lists without vertex buffers. `layouts` are the layouts of its
+    /// bind groups 0, 1, 2 and so on; `onto` gives the formats of the textures that it draws on, and its depth test.
     pub fn render_pipeline(
         &self,
         label: &str,
@@ -323,8 +324,8 @@ impl Kernel {
         gpu.bind_group(self.label, &self.layout, resources)
     }
 
-    /// Records a dispatch of `size` (x, y, z) workgroups in a compute pass of its own, with the bind group `group` at
-    /// the dynamic `offsets`, bytes, of its uniform buffers.
+    /// Records a dispatch of `size` (x, y, z) workgroups in a compute pass of its own, with the bind group `group`.
+    /// `offsets` are the dynamic offsets, bytes, of the group's dynamic uniform buffers, in the order of the bindings.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, group: &wgpu::BindGroup, offsets: &[u32], size: [u32; 3]) {
         let mut pass = begin_compute(encoder, self.label);
         pass.set_pipeline(&self.pipeline);

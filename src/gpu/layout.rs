@@ -7,7 +7,7 @@ pub trait SharedType: bytemuck::Pod {
     fn wgsl_type_name() -> String;
 }
 
-/// A struct that [`gpu_struct!`] declares. Its name in WGSL is needed to declare arrays of it.
+/// A struct that [`gpu_struct!`] declares, with its name in WGSL, from which names of array types are made.
 pub trait SharedStruct: SharedType {
     /// The name of the struct in WGSL, which may differ from that in Rust.
     const WGSL_NAME: &'static str;
@@ -63,7 +63,7 @@ pub struct StructMember {
 }
 
 impl StructMember {
-    /// Whether the member (`unused...`) is padding, which only aligns the next member or the size of the struct.
+    /// Whether the member is padding (its name begins with `unused`), which aligns the next member or fills the struct.
     pub fn is_padding(&self) -> bool {
         self.name.starts_with("unused")
     }
@@ -81,8 +81,8 @@ pub struct StructDeclaration {
 }
 
 impl StructDeclaration {
-    /// Text of the struct's declaration in WGSL. Padding is split into single u32 members, because the alignment of a
-    /// vector would move it.
+    /// Text of the struct's declaration in WGSL. Padding is split into single u32 members, because WGSL would align
+    /// padding of a vector type to a larger offset.
     pub fn wgsl_declaration(&self) -> String {
         let lines = self.members.iter().map(|member| match member.is_padding() {
             true => (0..member.size / 4).map(|word| format!("  {}_{word}: u32,\n", member.name)).collect(),

@@ -10,9 +10,9 @@ use half::f16;
 /// Texture format of the simulation's maps (displacement, gradients, slope moments, foam): four floats per texel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapFormat {
-    /// Four 16-bit floats per texel (`rgba16float`), for GPUs and some software adapters.
+    /// Four 16-bit floats per texel (`rgba16float`), for GPUs, llvmpipe and adapters that cannot filter 32-bit floats.
     Half,
-    /// Four 32-bit floats per texel (`rgba32float`), for software adapters that can filter them and do so faster.
+    /// Four 32-bit floats per texel (`rgba32float`), for software adapters that filter them faster than 16-bit floats.
     Float,
 }
 
@@ -20,20 +20,21 @@ impl MapFormat {
     /// wgpu feature of devices whose samplers can filter textures of 32-bit floats.
     pub const FILTERABLE_FLOATS: wgpu::Features = wgpu::Features::FLOAT32_FILTERABLE;
 
-    /// Optional wgpu feature to request from an adapter: [`Self::FILTERABLE_FLOATS`] if it is a software adapter on
-    /// which 32-bit floats are faster, else none.
+    /// Optional wgpu feature to request from an adapter: [`Self::FILTERABLE_FLOATS`] if it is a software adapter that
+    /// filters 32-bit floats faster than 16-bit floats (all but llvmpipe), else none.
     pub fn wanted_features(adapter: &wgpu::AdapterInfo) -> wgpu::Features {
         let is_cpu = adapter.device_type == wgpu::DeviceType::Cpu;
         if is_cpu && !adapter.name.contains("llvmpipe") { Self::FILTERABLE_FLOATS } else { wgpu::Features::empty() }
     }
 
-    /// The map format that is faster on a device: 32-bit floats on some software adapters, else half floats.
+    /// The map format that is faster on a device: 32-bit floats on software adapters whose device can filter them,
+    /// else 16-bit floats.
     pub fn for_device(gpu: &Gpu) -> Self {
         Self::for_adapter(gpu.is_software(), gpu.device.features())
     }
 
     /// Format for an adapter whose device has `features`: 32-bit floats if it is a software adapter and the device can
-    /// filter them. A GPU gets half floats in any case, even if another program has opened a device with that feature.
+    /// filter them. A GPU gets 16-bit floats, even if the device was opened with [`Self::FILTERABLE_FLOATS`].
     fn for_adapter(is_software: bool, features: wgpu::Features) -> Self {
         if is_software && features.contains(Self::FILTERABLE_FLOATS) { Self::Float } else { Self::Half }
     }

@@ -4,7 +4,7 @@ use super::Gpu;
 use super::map_format::MapFormat;
 use futures_channel::oneshot;
 
-/// Records a copy of the whole buffer `source` into a new staging buffer, and returns that one, for [`read`].
+/// Records a copy of the whole buffer `source` into a new staging buffer. Returns the staging buffer, for [`read`].
 pub fn stage_buffer(gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, source: &wgpu::Buffer) -> wgpu::Buffer {
     let staging = create_staging_buffer(gpu, source.size());
     encoder.copy_buffer_to_buffer(source, 0, &staging, 0, source.size());

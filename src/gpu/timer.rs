@@ -11,7 +11,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 pub const TIMESTAMPS: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY;
 /// wgpu feature that allows timestamps between passes. Without it, extra empty compute passes write them.
 pub const TIMESTAMPS_BETWEEN_PASSES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS;
-/// Largest number of timestamps in a frame. A mark (end of one of its parts) takes one, or two by an empty pass.
+/// Largest number of timestamps in a frame. Each mark (the start of the frame or the end of one of its parts) takes one
+/// timestamp, or two if an empty compute pass writes them.
 const MAX_TIMESTAMPS: u32 = 256;
 /// Weight of the newest frame in the exponential moving average of the GPU times of its parts, 0 to 1.
 const SMOOTHING_WEIGHT: f64 = 0.2;
@@ -38,11 +39,12 @@ struct TimerState {
 #[derive(Debug)]
 enum TimerPhase {
     Idle,
-    /// The CPU records a frame's commands. Marks (ends of its parts) for which timestamps are lacking are counted, too.
+    /// The CPU records the commands of a timed frame. Its marks (ends of its parts) are counted even beyond
+    /// [`MAX_TIMESTAMPS`]; a frame with that many is not timed.
     Recording,
-    /// A frame has been recorded. When the next one begins, this one's timestamps are requested if it was submitted.
+    /// A timed frame has been recorded. If it was submitted, its timestamps are requested when the next frame begins.
     Recorded,
-    /// The timestamps are being mapped for the CPU to read: 0 while waiting, 1 when mapped, 2 if that failed.
+    /// The timestamps are being mapped for the CPU to read. The flag is 0 while waiting, 1 when mapped, 2 on failure.
     Mapping(Arc<AtomicU8>),
 }
 

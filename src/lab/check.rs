@@ -25,8 +25,8 @@ pub struct Comparison {
     pub pass_and_quantity: &'static str,
     /// Index of the cascade; for foam, index of the foam level.
     pub cascade: usize,
-    /// Relative error: root mean square error divided by the root mean square of the expected values; for a mip level,
-    /// by that of the next finer level.
+    /// Relative error: root mean square error divided by the root mean square of the expected values, or for a mip
+    /// level by the root mean square of the next finer level; for wave maps and mip levels by at least 2^-12.
     pub relative_error: f64,
     /// Largest accepted relative error.
     pub tolerance: f64,
@@ -50,8 +50,8 @@ impl fmt::Display for Comparison {
     }
 }
 
-/// Largest accepted rms error of the spectrum pass, divided by the rms of the oracle's result. Its random numbers are
-/// exact; its other functions are off by a few times the rounding error of f32, 6e-8.
+/// Largest accepted rms error of the GPU's initial wave amplitudes, divided by the rms of the oracle's. The GPU's
+/// random numbers are exact; the functions applied to them are off by a few times the rounding error of f32, 6e-8.
 const SPECTRUM_TOLERANCE: f64 = 1e-6;
 /// Largest accepted rms error of the GPU's FFT along rows or columns, divided by the rms of the oracle's result. It
 /// leaves room for the rounding errors of f32.
@@ -61,13 +61,13 @@ const TRANSFORM_TOLERANCE: f64 = 1e-6;
 const HALF_FLOAT_TOLERANCE: f64 = 4.9e-4;
 /// Largest accepted rms error of a mip level (rounded to half floats), divided by the rms of the next finer level.
 const MIP_TOLERANCE: f64 = 4.9e-4;
-/// Largest accepted rms error of the foam coverage, divided by its rms by the oracle. The pass reads half-float maps
-/// with bilinear weights of 8 bits, and the steep source term of the foam amplifies their errors.
+/// Largest accepted rms error of the GPU's foam coverage, divided by the rms of the oracle's. The foam pass filters
+/// half-float maps with weights of 8 bits, and the steep source term of the foam amplifies the rounding errors.
 const FOAM_TOLERANCE: f64 = 5e-3;
 
-/// Lower limit of the rms by which the rms error of half-float maps is divided. Half floats are at least 2^-24 apart; a
-/// texel with four truncated components is off by up to 2^-23, which is 2^-11 of this limit. It matters for the slopes
-/// of the longest waves of a calm sea.
+/// Lower limit, 2^-12, of the rms by which the rms error of half-float maps is divided. Half floats are at least 2^-24
+/// apart, so truncating a texel's four components changes the texel by up to 2^-23: 2^-11 of this limit. The limit
+/// matters for maps of very small values, such as slopes of the longest waves of a calm sea.
 const MIN_HALF_FLOAT_RMS: f64 = 2.441_406_25e-4;
 
 /// Number of foam steps that are computed before the GPU's foam is compared with the oracle's.
@@ -293,11 +293,12 @@ fn step_foam(foam: &mut [f64], plan: &Plan, pyramid: &SampledMaps, (corner, texe
     }
 }
 
-/// Copy of the GPU's wave maps at all mip levels, from which the oracle computes foam. For each cascade also its tiling
-/// (how shifted copies of its patch cover the sea) and the mip level (not a whole number) that foam reads.
+/// Copy of the GPU's wave maps at all mip levels, from which the oracle computes foam. For each cascade it also has the
+/// tiling (how shifted copies of the patch cover the sea) and the mip level that the foam pass samples; a fractional
+/// mip level stands for interpolation between two levels.
 struct SampledMaps {
     n: usize,
-    /// For each mip level, the texels of the displacement map and of the gradient map of all cascades, in their order.
+    /// For each mip level: texels of all displacement maps, and of all gradient maps, one cascade after the other.
     levels: Vec<[Vec<Texel>; 2]>,
     cascades: Vec<(Tiling, f64)>,
 }
@@ -377,7 +378,7 @@ fn rms_difference<const C: usize>(got: impl Iterator<Item = [f64; C]>, want: imp
     root_mean_square::<C>(got.zip(want).map(|(g, w)| std::array::from_fn(|c| g[c] - w[c])))
 }
 
-/// [`rms_difference`] divided by the root mean square length of the vectors in `want`; not divided if that is 0.
+/// [`rms_difference`] divided by the root mean square length of the vectors in `want`, or by 1 if that length is 0.
 fn relative_rms_error<const C: usize>(
     got: impl Iterator<Item = [f64; C]>,
     want: impl Iterator<Item = [f64; C]> + Clone,

@@ -43,8 +43,8 @@ pub struct MeasuredStatistics {
     pub skewness: EstimateWithError,
     /// Kurtosis of the surface's elevation; 3 for a Gaussian.
     pub kurtosis: EstimateWithError,
-    /// Largest relative difference, over the seeds, between the variance of the heights in the maps and that of the
-    /// plan's waves at the same time. Apart from rounding it is 0 by Parseval's theorem.
+    /// Largest difference, over the seeds, between the variance of the heights in the maps and that of the plan's waves
+    /// at the same time, divided by the latter. Apart from rounding it is 0 by Parseval's theorem.
     pub parseval_error: f64,
     /// Number of seeds that were measured.
     pub seeds: u32,
@@ -267,8 +267,8 @@ pub async fn mean_foam(gpu: &Gpu, sim: &mut Simulation, t_s: f64) -> Result<f64,
 }
 
 /// Foam coverage (0 to 1) of every cell, for each foam level (a square grid around `centre`, x and z in m) at time
-/// `t_s`, s. Computes the foam steps before that time first. A cell is stored at its indices modulo the size of the
-/// grid.
+/// `t_s`, s. Computes the foam steps before that time first. With n cells along a side, a cell whose corner lies at x =
+/// i and z = j cell sides from the world's origin is stored in column i modulo n of row j modulo n.
 ///
 /// # Errors
 /// If reading back from the GPU fails.

@@ -43,8 +43,8 @@ impl EstimateWithError {
         self.with_propagated_error(factor * self.value, factor)
     }
 
-    /// Result of a function of the estimate: `value` is the function's value there, and `derivative` its derivative, by
-    /// whose magnitude the standard error is multiplied.
+    /// Estimate of a function of this estimate. `value` and `derivative` are the function's value and derivative at
+    /// this estimate's value; the standard error is multiplied by the magnitude of `derivative`.
     pub fn with_propagated_error(self, value: f64, derivative: f64) -> Self {
         Self { value, standard_error: self.standard_error.map(|e| e * derivative.abs()) }
     }

@@ -25,8 +25,8 @@ impl SrgbPicture {
     }
 }
 
-/// Perceived difference (FLIP) of two pictures at every pixel, from 0 (equal) to 1, row by row, for an observer who
-/// sees this number of pixels per degree of visual angle: usually [`PIXELS_PER_DEGREE`].
+/// Perceived difference (FLIP) of two pictures at every pixel, from 0 (equal) to 1, row by row. `pixels_per_degree` is
+/// the number of pixels in a degree of the observer's visual angle, usually [`PIXELS_PER_DEGREE`].
 ///
 /// # Errors
 /// If the pictures differ in size.
@@ -59,8 +59,8 @@ pub fn mean_error(errors: &[f64]) -> f64 {
 
 const COLOUR_EXPONENT: f64 = 0.7;
 const FEATURE_EXPONENT: f64 = 0.5;
-/// Colour difference, as a fraction of the largest one, above which FLIP compresses differences into the range from
-/// [`KNEE_FLIP_VALUE`] to 1.
+/// Colour difference (HyAB distance to the power 0.7), as a fraction of the largest possible one, above which FLIP
+/// compresses differences into the range from [`KNEE_FLIP_VALUE`] to 1.
 const KNEE_DIFFERENCE_FRACTION: f64 = 0.4;
 /// Value that FLIP gives to a colour difference of [`KNEE_DIFFERENCE_FRACTION`] times the largest one.
 const KNEE_FLIP_VALUE: f64 = 0.95;
@@ -125,8 +125,8 @@ fn hyab_distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (a[0] - b[0]).abs() + (a[1] - b[1]).hypot(a[2] - b[2])
 }
 
-/// Maps a colour difference `x` (0 to `most`, the largest possible one) to FLIP's scale from 0 to 1: linearly up to
-/// [`KNEE_DIFFERENCE_FRACTION`] of `most`, and with a smaller slope above.
+/// Maps a colour difference `x` (HyAB distance to the power 0.7; 0 to `most`, the largest possible one) to FLIP's scale
+/// from 0 to 1: linearly up to [`KNEE_DIFFERENCE_FRACTION`] of `most`, and with a smaller slope above.
 fn to_flip_scale(x: f64, most: f64) -> f64 {
     let knee = KNEE_DIFFERENCE_FRACTION * most;
     if x < knee {
@@ -136,8 +136,8 @@ fn to_flip_scale(x: f64, most: f64) -> f64 {
     }
 }
 
-/// L*a*b* of each pixel as an observer perceives it at a distance with this number of pixels per degree: luminance and
-/// the two opponent colours are blurred according to the eye's contrast sensitivity.
+/// L*a*b* (with the Hunt effect) of each pixel as an observer perceives it who sees `pixels_per_degree` pixels in a
+/// degree of visual angle: the eye's contrast sensitivity blurs luminance and the two opponent colours.
 fn filtered_lab(picture: &SrgbPicture, pixels_per_degree: f64) -> Vec<[f64; 3]> {
     // Weight and width of two Gaussians each for luminance, red-green and blue-yellow.
     const SENSITIVITY: [[[f64; 2]; 2]; 3] =

@@ -20,7 +20,7 @@ const PAGE_URL: &str = "http://localhost:8080/";
 pub struct GalleryPicture {
     /// Title of the picture. Its file name is made from the title.
     pub title: &'static str,
-    /// Description of the picture.
+    /// Text about the picture, a paragraph of the gallery page.
     pub about: &'static str,
     /// State string (`key=value&...`) of the picture, in the form in which the program itself writes it.
     pub state: &'static str,

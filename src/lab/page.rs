@@ -54,7 +54,8 @@ impl Page {
         self.keep_figure(name, figure)
     }
 
-    /// Adds figures, each after the name of its SVG file without extension, two in a row and with one caption for all.
+    /// Adds figures, two in a row, with one caption for all. Each is given as a pair: the name of its SVG file without
+    /// the extension, and the figure.
     ///
     /// # Errors
     /// If one of the figures cannot be drawn.

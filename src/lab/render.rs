@@ -10,9 +10,10 @@ use crate::state::views::{DisplayedView, SurfaceView, ViewChoice};
 use exr::prelude::*;
 use std::path::Path;
 
-/// Distance of the camera's near plane, m. The depth texture holds this divided by the surface's distance.
+/// Distance of the camera's near plane, m. A depth texture holds the near plane's distance divided by the surface's
+/// distance, both along the viewing direction.
 const NEAR_M: f32 = 0.1;
-/// Distance that is written for sky pixels, m: compositing software expects a very large number.
+/// Distance that is written to OpenEXR files for sky pixels, m: compositing software expects a very large number.
 const SKY_M: f32 = 1e10;
 
 /// Settings of `seastate render --frames`: a sequence of pictures over simulated time.

@@ -41,7 +41,8 @@ pub async fn run(gpu: &Gpu, params: &Params, seeds: u32) -> Result<SeaStatistics
 }
 
 impl SeaStatistics {
-    /// Formats the statistics and `notices` as JSON. Means over the seeds have a standard error.
+    /// Formats the statistics as JSON, with `notices` (messages about the state string) and the plan's own notices.
+    /// Statistics measured over the seeds have a standard error.
     pub fn json(&self, notices: &[String]) -> String {
         let (t, r, m) = (&self.theory, &self.resolved, &self.measured);
         let notices: Vec<&String> = notices.iter().chain(&self.plan.notices).collect();

@@ -58,7 +58,7 @@ pub struct Ocean {
     params: Params,
     shaders: Shaders,
     sim: Simulation,
-    /// None in an ocean that [`Self::without_renderer`] made, until its first frame.
+    /// Draws the frames. None in an ocean that [`Self::without_renderer`] made, until its first frame.
     renderer: Option<Renderer>,
     reference: Option<ReferenceRenderer>,
     format: wgpu::TextureFormat,
@@ -118,9 +118,9 @@ impl Ocean {
     }
 
     /// Sets the parameters for an animation, `dt_s` seconds of wall time after the previous frame: the sea changes
-    /// gradually and ends exactly on the new parameters. Look, camera, time and a changed grid apply at once. Call it
-    /// once per frame before [`Self::record_frame`], and go on while [`Self::in_transition`], even if time stands
-    /// still.
+    /// gradually and ends exactly on the new parameters. Look, camera, time and a changed grid (any setting of
+    /// [`Params::grid`]) apply at once. Call this method once per frame before [`Self::record_frame`], also while the
+    /// simulated time stands still, until [`Self::in_transition`] is false.
     pub fn transition_to(&mut self, params: &Params, dt_s: f64) {
         if params.grid != self.params.grid {
             return self.set_params(params);
@@ -266,7 +266,8 @@ impl Ocean {
         }
     }
 
-    /// Records the drawing part `part` of the last frame again, alone, to measure its GPU time; nothing before a frame.
+    /// Records the part `part` of the drawing of the last frame again, alone, to measure its GPU time. Records nothing
+    /// before the first frame.
     pub fn record_part(&self, encoder: &mut wgpu::CommandEncoder, part: TimedPart) {
         if let Some(renderer) = &self.renderer {
             renderer.record_part(encoder, part);
@@ -288,7 +289,7 @@ impl Ocean {
 
     /// Draws a picture of `size` (width, height) pixels given as linear light (RGB, row by row from the top), such as
     /// the mean of several [`Self::record_frame_samples`], with the exposure and tone curve of the parameters. Draws
-    /// nothing before the first call of that function.
+    /// nothing before the first call of [`Self::record_frame_samples`].
     pub fn present_linear_light(&mut self, pass: &mut wgpu::RenderPass<'_>, size: [u32; 2], light: &[[f32; 3]]) {
         let scene = self.scene(size);
         if let Some(reference) = &mut self.reference {

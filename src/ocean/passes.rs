@@ -16,7 +16,8 @@ pub enum WavePass {
     Columns,
     /// Computation of the mip levels of the displacement and gradient maps, and of the map of slope moments.
     Mips,
-    /// One time step of the foam simulation; [`WavePasses::record`] runs it, repeatably, with a length of 0 s.
+    /// One time step of the foam simulation. [`WavePasses::record`] gives it a length of 0 s, so that repeating the
+    /// pass does not change the foam.
     Foam,
 }
 

@@ -5,8 +5,9 @@ use std::f64::consts::TAU;
 /// Length of the year in Spencer's series for the sun's declination, days.
 const YEAR_DAYS: f64 = 365.0;
 
-/// Declination of the sun, rad, on the day `day` of the year (1 is 1 January) at the hour `hour` (0 to 24), by Spencer,
-/// "Fourier series representation of the position of the sun", Search 2 (5), 1971; error 0.05 degrees.
+/// Declination of the sun, rad, on the day `day` of the year (1 is 1 January) at the hour `hour` (0 to 24) of true
+/// solar time, by Spencer, "Fourier series representation of the position of the sun", Search 2 (5), 1971; error
+/// 0.05 degrees.
 fn declination_rad(day: f64, hour: f64) -> f64 {
     let g = TAU * (day - 1.0 + (hour - 12.0) / 24.0) / YEAR_DAYS;
     0.006_918 - 0.399_912 * g.cos() + 0.070_257 * g.sin() - 0.006_758 * (2.0 * g).cos() + 0.000_907 * (2.0 * g).sin()

@@ -11,7 +11,8 @@ const WAVELENGTH_STEP_NM: f64 = 25.0;
 const PRIMARY_WAVELENGTHS_NM: [f64; 3] = [610.0, 550.0, 465.0];
 /// Absorption coefficients of pure water at [`PRIMARY_WAVELENGTHS_NM`] (red, green, blue), 1/m (Pope and Fry 1997).
 const PURE_ABSORPTION: [f64; 3] = [0.2644, 0.0565, 0.0101];
-/// Mean cosine of the angle of downwelling light to the vertical; it converts the attenuation Kd to absorption.
+/// Mean cosine of the angle of downwelling light to the vertical. Absorption plus backscattering is this value times
+/// the diffuse attenuation coefficient Kd.
 const DOWNWELLING_MEAN_COSINE: f64 = 0.9;
 /// Backward part of the light scattered by the mineral particles of coastal water, as a fraction of all light that they
 /// scatter (Petzold 1972).

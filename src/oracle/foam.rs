@@ -39,8 +39,9 @@ pub fn displacement_jacobian([xx, zz, xz, zx]: [f64; 4], [lx, lz]: [f64; 2]) -> 
     (1.0 + lx * xx) * (1.0 + lz * zz) - lx * lz * xz * zx
 }
 
-/// Amount of foam F (0 to 1) at the end of a time step of `dt_s` (s), from F `before` the step: the exact solution of
-/// dF/dt = `rate_per_s` s (1 - F) - F / `decay_s` (s) with a constant foam source s = `source` (0 to 1).
+/// Amount of foam F (0 to 1) after a time step of `dt_s` seconds, from its amount `before` the step: the exact solution
+/// of dF/dt = `rate_per_s` `source` (1 - F) - F / `decay_s`, with the foam source `source` (0 to 1) constant in time,
+/// the formation rate `rate_per_s` in 1/s and the decay time `decay_s` in s.
 pub fn foam_after_step(before: f64, source: f64, rate_per_s: f64, decay_s: f64, dt_s: f64) -> f64 {
     let loss = rate_per_s * source + 1.0 / decay_s;
     let goal = rate_per_s * source / loss;

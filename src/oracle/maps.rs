@@ -6,7 +6,8 @@ use crate::waves::plan::{Cascade, Plan};
 use std::f64::consts::TAU;
 
 /// Displacement map, texels (Dx, eta, Dz, dDx/dz), and gradient map, texels (d eta/dx, d eta/dz, dDx/dx, dDz/dz), of a
-/// cascade, n x n texels each, row by row; or, after the transform along rows only, two complex numbers per texel.
+/// cascade: n x n texels each, row by row, with the elevation eta and the horizontal displacement D in m. After the
+/// transform along rows only, each texel is two complex numbers instead.
 pub type MapPair = [Vec<Texel>; 2];
 
 /// Complex amplitudes h(k, t), m, of a cascade's n x n waves at time `t_s` (s), from the initial amplitudes `h0` (m);

@@ -11,7 +11,8 @@ pub mod transform;
 
 /// A complex number (re, im).
 pub type Complex = [f64; 2];
-/// One texel of a displacement or gradient map: four real numbers or, between the transforms, two complex numbers.
+/// One texel of a displacement or gradient map: four real numbers, or two complex numbers (re, im, re, im) between the
+/// Fourier transforms along rows and along columns.
 pub type Texel = [f64; 4];
 
 fn mul(a: Complex, b: Complex) -> Complex {

@@ -65,8 +65,8 @@ impl BuoyRecord {
         self.samples.len() as f64 / SAMPLE_RATE_HZ
     }
 
-    /// Whether the record reaches up to the time `t_s` (s): its last sample is less than a sample interval (0.25 s)
-    /// older.
+    /// Whether the record reaches up to the time `t_s` (s): its last sample was taken at that time or less than one
+    /// sample interval (0.25 s) before it.
     pub fn is_current(&self, t_s: f64) -> bool {
         self.samples.back().is_some_and(|last| (0.0..1.0 / SAMPLE_RATE_HZ).contains(&(t_s - last[0])))
     }

@@ -7,7 +7,7 @@ use crate::state::floats::{FloatingObject, FloatingObjectKind};
 use crate::waves::Plan;
 use glam::DVec3;
 
-/// Largest allowed rms error of a hull's height, as a fraction of the significant wave height.
+/// Largest rms height of the waves that a hull's heave leaves out, as a fraction of the significant wave height.
 const MAX_HEIGHT_ERROR_TO_HS: f64 = 0.018;
 /// Number of waves that make a hull pitch and roll: the strongest waves, which are mostly long.
 const TILTING_WAVES: usize = 500;
@@ -59,7 +59,8 @@ impl HullWaves {
         }
     }
 
-    /// The waves from which heave is computed. Their rms height error is at most 1.8 % of the significant wave height.
+    /// The waves from which heave is computed. Of the waves that an FFT of at most 128 points a side holds, those left
+    /// out have an rms height of at most 1.8 % of the significant wave height.
     pub fn heave_waves(&self) -> &StrongestWaves {
         &self.heave_waves
     }

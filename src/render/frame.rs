@@ -29,9 +29,9 @@ gpu_struct! {
         /// Position of the point below the eye in a lattice of triangles. Each corner has a randomly shifted copy of
         /// the patch; the copies are blended, so that the cascade does not repeat visibly.
         pub tile_position: TileLatticePosition,
-        /// Texture coordinates, in the cascade's maps, of the point straight below the eye.
+        /// Texture coordinates (u along x, v along z), in the cascade's maps, of the point straight below the eye.
         pub uv_below_eye: [f32; 2],
-        /// Reciprocal of the side of the cascade's square patch, 1/m.
+        /// Reciprocal of the side of the cascade's square patch, for ripples of the shrunk patch, 1/m.
         pub inverse_patch: f32,
         /// Mean square slope that the value 1 in the slope-moment map stands for: half that of the cascade's waves.
         pub moment_unit: f32,
@@ -128,7 +128,8 @@ gpu_struct! {
 }
 
 impl FrameCascade {
-    /// Values for sampling a cascade's maps, `n` texels a side; the eye is above the world position `below_eye` (x, z).
+    /// Values for sampling the maps of `cascade` (`n` texels a side); the eye is above the world position `below_eye`
+    /// (x, z), m.
     fn new(cascade: &MapCascade, below_eye: [f64; 2], n: f64) -> Self {
         Self {
             tile_position: cascade.tiling.lattice_position(below_eye).into(),
@@ -240,8 +241,8 @@ pub fn horizon_dip(eye_height_m: f64) -> f64 {
 }
 
 /// Chooses the ripples, shrunk copies of cascades that stand for shorter waves. Returns the cascades to shrink, each
-/// with the slope variance of its ripples divided by its own; and the covariances (xx, zz, xz) of the slopes of waves
-/// that neither cascades nor ripples hold.
+/// with the ratio of its ripples' slope variance to the cascade's; and the covariances (xx, zz, xz) of the slopes along
+/// x and z of waves that neither cascades nor ripples hold.
 fn ripple_layers<'a>(scene: &Scene, maps: &'a Maps) -> (Vec<(&'a MapCascade, f64)>, [f32; 3]) {
     let sea = &scene.sea;
     let mut left = sea.unresolved_slope_variance;

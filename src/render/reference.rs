@@ -15,7 +15,8 @@ use crate::gpu::Gpu;
 use crate::sim::Maps;
 use half::f16;
 
-/// Number of vertices of the water mesh per sample of a reference picture; fewer if they do not fit into a buffer.
+/// Number of vertices of the water mesh divided by the number of samples in one drawing of a reference picture (mean of
+/// many samples per pixel); smaller if so many vertices do not fit into a buffer.
 const VERTICES_PER_SAMPLE: f64 = 1.2;
 /// Fraction of the largest possible storage buffer that the planned mesh vertices may fill. The rest is room for
 /// rounding the numbers of columns and rows up.
@@ -58,8 +59,9 @@ impl ReferenceRenderer {
         Self { renderer: Renderer::new(gpu, target_format, OutputKind::Reference) }
     }
 
-    /// Records the drawing of one grid of samples. Returns a texture with one sample per texel: linear light in rgb; in
-    /// alpha a water sample's weight when the water samples of its pixel are averaged, 0 for sky and hulls.
+    /// Records the drawing of one grid of samples. Returns a texture with one sample per texel: linear light in rgb.
+    /// Alpha is 0 for sky and hulls; for water it is the sample's weight in the mean of the pixel's water samples:
+    /// projected area of the sample's surface divided by that of the mesh there.
     pub fn draw(
         &mut self,
         gpu: &Gpu,

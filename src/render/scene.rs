@@ -14,7 +14,7 @@ const CLOUD_SPEED_PER_WIND_SPEED: f64 = 1.4;
 /// Everything that determines a picture besides the maps of the simulation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    /// Position (height above the still water), axes and field of view of the camera.
+    /// View of the camera: position of the eye (its y is the height above the still water), axes and field of view.
     pub view: View,
     /// Whether the eye's height is measured from the moving water below it, as on a buoy, not from the still water.
     pub height_from_waves: bool,
@@ -55,7 +55,8 @@ pub struct SeaAppearance {
     /// Slope variance along and across the wind of waves too short for any cascade: the total of Cox and Munk (1954)
     /// minus that of the waves in the cascades.
     pub unresolved_slope_variance: SlopeVariance,
-    /// Slope variances, along the wind and across it, of the waves in the finest cascade (the shortest waves).
+    /// Slope variances, along and across the wind, of the waves in the finest cascade (the shortest waves). They tell
+    /// how much of the unresolved variance ripples (shrunk copies of this cascade) can represent.
     pub finest_cascade_slope_variance: SlopeVariance,
     /// Half the shortest wavelength of waves that form distinct caustics on the bed, m; shorter detail is ignored.
     pub caustic_filter_m: f64,
@@ -101,11 +102,11 @@ impl SeaAppearance {
     }
 }
 
-/// Slope variance and weight of the old sea, which fades out during a cross-fade to the new one.
+/// Properties of the old sea during a cross-fade, for its ripples (shrunk copies of its finest cascade).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FadingSea {
     /// Slope variances, along the wind and across it, of the waves in the fading sea's finest cascade.
     pub finest_cascade_slope_variance: SlopeVariance,
-    /// Share of the fading sea in the variance of the drawn waves, from 1 at the cross-fade's start to 0 at its end.
+    /// Old sea's fraction of the sum of both elevation variances, from 1 at the cross-fade's start to 0 at its end.
     pub variance_fraction: f64,
 }

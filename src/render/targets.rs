@@ -5,7 +5,8 @@ use crate::gpu::kit::{Attachments, DepthState};
 
 /// Format of textures that hold linear light (RGB in half floats), except for the samples of reference pictures.
 pub const HDR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
-/// Format of the depth texture. Depth is reverse-Z: near-plane distance divided by distance, 0 at infinity.
+/// Format of the depth texture. Depth is reverse-Z: near-plane distance divided by distance along the viewing
+/// direction, 0 at infinity.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 /// Formats of the two textures of the G-buffer: position and slopes of the water in each pixel (WGSL `GBuffer`).
 pub const G_BUFFER_FORMATS: [wgpu::TextureFormat; 2] = [wgpu::TextureFormat::Rgba32Uint; 2];
@@ -50,10 +51,12 @@ pub struct Targets {
     pub size: [u32; 2],
     /// Linear light of the picture (HDR), before exposure and tone curve.
     pub hdr: wgpu::TextureView,
-    /// Reverse-Z depth, near-plane distance divided by distance. Discarded after the frame on [`OutputKind::Screen`].
+    /// Reverse-Z depth: near-plane distance divided by distance along the viewing direction. Discarded after the frame
+    /// if the picture is for [`OutputKind::Screen`].
     pub depth: wgpu::TextureView,
     keeps_depth: bool,
-    /// G-buffer: the water that each pixel shows, as point, distance, footprint and slopes (WGSL `GBuffer`).
+    /// G-buffer (WGSL `GBuffer`) of the water in each pixel. First texture: undisplaced position, distance from eye,
+    /// height and shear; second texture: sides of the pixel on the undisplaced sea, slope and stretch.
     pub g_buffer: [wgpu::TextureView; 2],
 }
 

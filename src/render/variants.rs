@@ -1,7 +1,8 @@
 //! Render pipelines specialised for the parts that a picture contains.
 
-/// Variants of a pipeline, one for each combination of picture parts that was needed so far. A part that is not needed
-/// is compiled out: its code costs registers on every GPU, and a software adapter executes both sides of a branch.
+/// Variants of a pipeline, one for each combination of picture parts (such as bed and fog) that was needed so far.
+/// Parts that are not needed are compiled out: their code costs registers on every GPU, and a software adapter executes
+/// both sides of a branch.
 pub struct PipelineVariants<P>(Vec<(P, wgpu::RenderPipeline)>);
 
 impl<P> Default for PipelineVariants<P> {

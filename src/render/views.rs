@@ -51,7 +51,7 @@ gpu_struct! {
         size: [f32; 2],
         /// Choppiness: factors by which the horizontal displacements along x and z are multiplied; 1 is linear theory.
         choppiness: [f32; 2],
-        /// 1 + the discriminant of the shown `MapView` or `SurfaceView`; map and surface views have separate shaders.
+        /// Number of the displayed view: 1 + discriminant of `MapView` or `SurfaceView`, which have separate shaders.
         view_kind: u32,
         /// Number of entries of `tiles` in use; one map layer is shown in each.
         tile_count: u32,

@@ -49,7 +49,8 @@ const VIEWS: SourcePart = part!("views/common.wgsl");
 const AIR_TABLES: SourcePart = SourcePart::Group(&[ATMOSPHERE, SKY_COMMON]);
 /// WGSL functions for the radiance of the sky in a given direction, with clouds and fog.
 const SKY: SourcePart = SourcePart::Group(&[AIR_TABLES, part!("sky/model.wgsl"), part!("sky/fog.wgsl")]);
-/// WGSL for every pass that draws on the HDR picture: uniforms of the frame, the sky, and the air between eye and sea.
+/// WGSL for every pass that draws on the HDR picture: uniforms and textures of the scene, radiance of the sky, and the
+/// effect of the air between eye and sea on light.
 const PICTURE: SourcePart =
     SourcePart::Group(&[SKY, part!("common/frame.wgsl"), part!("common/scene.wgsl"), part!("sky/air.wgsl")]);
 /// WGSL functions for the position of the water surface, displaced by the waves.
@@ -79,7 +80,7 @@ const WATER: SourcePart = SourcePart::Group(&[
     part!("water/water.wgsl"),
 ]);
 
-/// WGSL type of a map texel in a storage buffer, with half floats. The next constant is that with 32-bit floats.
+/// WGSL type of a map texel in a storage buffer, with half floats; `MAP_TEXEL_FLOAT` is the type with 32-bit floats.
 const MAP_TEXEL_HALF: &str = include_str!("../../shaders/waves/map_texel_half.wgsl");
 const MAP_TEXEL_FLOAT: &str = include_str!("../../shaders/waves/map_texel_float.wgsl");
 
@@ -114,7 +115,8 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ("views/show", &[SCREEN, part!("views/show.wgsl")]),
 ];
 
-/// The WGSL sources of all shader modules of the program, and what is added before they are compiled.
+/// The WGSL sources of all shader modules of the program, with the struct declarations and the map format that complete
+/// them when they are compiled.
 #[derive(Clone, Debug)]
 pub struct Shaders {
     sources: BTreeMap<&'static str, String>,

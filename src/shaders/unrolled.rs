@@ -45,10 +45,9 @@ impl UnrolledKernel {
     }
 }
 
-/// Generates the WGSL function of the kernel `RowsFirst`. As h(-k) is the complex conjugate of the amplitude h(k), the
-/// waves of line z, in reverse order, also give those of line n - z. Thread t therefore transforms, for every i, the
-/// points t + i x `second` of line z and `second` - t + i x `second` of line n - z. For t = 0 the latter begin at point
-/// `second` instead of 0, a shift that the twiddle factors undo.
+/// Generates the WGSL function of the kernel `RowsFirst`. Thread t transforms every `second`-th point of line z from
+/// point t on, and every `second`-th point of line n - z from `second` - t on: these have the opposite wave vectors and
+/// so the complex conjugate amplitudes. For t = 0 the twiddle factors undo the shift by `second`.
 fn rows_first(n: u32) -> String {
     let FftFactors { first, second } = FftFactors::new(n);
     let mut code = FunctionWriter::begin("rows_first(c: u32, t: u32, z: u32)");

@@ -40,7 +40,8 @@ pub struct FoamScheduler {
     /// World indices (x, z) of the cell with the lowest x and z that each foam level covered at the last foam step;
     /// cell i begins at i times the level's cell size. None before the first step.
     cells: Option<[[i32; 2]; FOAM_LEVELS]>,
-    /// Simulated time that the foam had reached when the sea last changed, s. None if no earlier sea's foam is left.
+    /// Simulated time that the foam had reached when the sea last changed, s; if time stands still after that, the foam
+    /// is computed anew. None if no earlier sea's foam is left.
     changed_at_s: Option<f64>,
     /// World position (x, z) of the camera at the last time step, m; the foam levels lay around it.
     centre: [f64; 2],

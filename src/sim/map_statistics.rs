@@ -17,7 +17,7 @@ pub struct PendingMapRead {
     plan: Plan,
 }
 
-/// Statistics of one frame, computed from its maps: mean square slope, mean foam, and the surface heights themselves.
+/// Statistics of one frame's maps (mean square slope, mean foam), and the texels of its displacement maps.
 #[derive(Clone, Debug)]
 pub struct MapStatistics {
     /// Plan of the sea that the maps show: its waves, divided among cascades.
@@ -32,7 +32,7 @@ pub struct MapStatistics {
 
 impl Simulation {
     /// Records copies of the current sea's displacement and gradient maps and of the foam maps, after the commands that
-    /// `encoder` already has. Returns the copies, or None during a transition, when no maps show a single sea.
+    /// `encoder` already has. Returns the copies, or None during a transition, when the maps are not those of one plan.
     pub fn record_map_copies(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> Option<PendingMapRead> {
         if self.in_transition() {
             return None;

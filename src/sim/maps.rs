@@ -41,8 +41,9 @@ pub struct Maps {
     /// Gradient maps: 2d array texture with mip levels, one layer per cascade (`MapCascade::layer`). Texels are the
     /// slopes d eta/dx and d eta/dz, then dDx/dx and dDz/dz of the horizontal displacement without choppiness.
     pub gradients: wgpu::TextureView,
-    /// 2d array texture, one layer per cascade, n/2 texels a side: means over a texel of the slope products (sx^2,
-    /// sz^2, sx sz, 0), divided by `moment_unit` of the cascade. Mip level j belongs to mip level j + 1 of other maps.
+    /// Slope moments: 2d array texture with mip levels, one layer per cascade, n/2 texels a side. Texels are means of
+    /// sx^2, sz^2, sx sz (sx and sz: slopes along x and z), divided by `moment_unit` of the cascade, and 0. Mip level j
+    /// belongs to mip level j + 1 of the other maps.
     pub slope_moments: wgpu::TextureView,
     /// Foam maps: 2d array texture, one layer per foam level, finest first, with coordinates that wrap around. Texels
     /// are foam (0 to 1) and foam source (0 no growth, 1 fastest growth), at points before horizontal displacement.
@@ -136,8 +137,8 @@ impl Maps {
         &self.cascades[self.fading_count..]
     }
 
-    /// Updates the drawn cascades when a transition to `plan`, with equal FFT size, starts: a cross-fade adds those of
-    /// the new sea, another change of the waves replaces those of the old one.
+    /// Updates the drawn cascades when a transition to `plan`, with equal FFT size, starts. A cross-fade adds those of
+    /// the new sea; `Amplitudes` replaces those of the current sea, and `Immediate` all; other kinds change nothing.
     pub(super) fn start_transition(&mut self, plan: &Plan, resources: &Resources, kind: TransitionKind) {
         match kind {
             TransitionKind::Foam | TransitionKind::Surface => return,
@@ -156,8 +157,9 @@ impl Maps {
             (resources.current_waves().h0.clone(), resources.current_waves().wave_table.clone());
     }
 
-    /// Sets amplitude factor and variance correction of each drawn cascade in a cross-fade. `overlaps` holds both seas'
-    /// covariance per cascade; `new_sea_weight` is the new sea's fraction of the sum of both elevation variances.
+    /// Sets amplitude factor and variance correction of each drawn cascade in a cross-fade. `overlaps` has an entry per
+    /// drawn cascade, the covariance of both seas; `new_sea_weight` is the new sea's fraction of the sum of both
+    /// elevation variances.
     pub(super) fn set_cross_fade_weights(&mut self, overlaps: &[SeaCovariance], new_sea_weight: f64) {
         let fading = self.fading_count;
         for (i, cascade) in self.cascades.iter_mut().enumerate() {

@@ -165,8 +165,8 @@ impl Simulation {
     }
 
     /// Records the next single time step of the foam around the world position `centre` (x, z), m, towards time `t_s`,
-    /// s, and returns it; None if the foam has reached `t_s`. The wave maps stay those of the step's end, so that
-    /// `seastate check` can compare both.
+    /// s, and returns the step; None if the foam has reached `t_s`. The wave maps are then those of the step's end, so
+    /// that `seastate check` can compare foam and waves.
     pub fn encode_next_foam_step(
         &mut self,
         gpu: &Gpu,

@@ -89,7 +89,8 @@ impl SpectrumPass {
     }
 }
 
-/// Pass that computes the maps' mip levels and slope moments, by mips.wgsl, or unrolled_mips.wgsl on software adapters.
+/// Pass that computes the maps' mip levels and slope moments (shaders/waves/mips.wgsl; on software adapters
+/// shaders/waves/unrolled_mips.wgsl).
 pub struct MipsPass {
     steps: Vec<MipsDispatch>,
     /// Number of mip levels that one dispatch can write: the number of storage textures in its bind group.

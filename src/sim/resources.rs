@@ -42,9 +42,9 @@ pub struct Resources {
     pub current_sea: usize,
     /// Storage buffer of the FFT twiddle factors e^(2 pi i j / 1024) for j from 0 to 1023, complex f32.
     pub twiddle_factors: wgpu::Buffer,
-    /// Result of the row pass: four complex fields per point after the inverse FFT along x, as two pairs of complex
-    /// f32, \[cascade\]\[pair\]\[iz\]\[x\]. Both seas of a cross-fade use it in turn: room for both would exceed the
-    /// largest binding at n = 1024.
+    /// Result of the row pass, the inverse FFT along x: the eight values of displacement and gradients, packed in two
+    /// pairs of complex f32 per point, \[cascade\]\[pair\]\[iz\]\[x\]. Both seas of a cross-fade use the buffer in
+    /// turn: room for both would exceed the largest binding at n = 1024.
     pub row_transforms: wgpu::Buffer,
     /// Foam of each cell after the last time step, 0 to 1: f32, \[level\]\[z\]\[x\].
     pub foam_history: wgpu::Buffer,
@@ -60,7 +60,7 @@ pub struct Resources {
     pub repeating_sampler: wgpu::Sampler,
     /// Number of times that buffers or textures have been allocated so far; tests check when it grows.
     pub allocation_count: u32,
-    /// Number of times that frequency and spectrum tables of a plan have been computed and uploaded; tests check it.
+    /// Number of times that frequency and spectrum tables of a plan have been computed and uploaded so far, for tests.
     pub wave_table_count: u32,
 }
 

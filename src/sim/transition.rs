@@ -30,7 +30,8 @@ pub enum TransitionKind {
 /// Progress that the running transitions make in one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TransitionStep {
-    /// Kind of transition that starts in this frame; None if none does. The other fields tell the progress after it.
+    /// Kind of transition that starts in this frame; None if none starts. The other fields tell the progress after the
+    /// start.
     pub started: Option<TransitionKind>,
     /// Fraction of the remaining way to the goal that choppiness, water level and foam parameters make in this frame, 0
     /// to 1.

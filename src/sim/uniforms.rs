@@ -66,7 +66,8 @@ gpu_struct! {
     /// WGSL `SpectrumTerm`: a spreading lobe or measured distribution. The sum of terms is the directional spectrum.
     #[derive(Default)]
     pub struct SpectrumTerm as "SpectrumTerm" {
-        /// Unit vector (x, z) of the main direction in which this term's waves travel; its angles are relative to it.
+        /// Unit vector (x, z) of the main direction in which a lobe's waves travel, from which the lobe's angles are
+        /// counted. Measured distributions do not use it.
         pub reference_direction: [f32; 2],
         /// Form of the term: 0 spreading lobe, 1 lobe times cos^2 of the angle from `reference_direction`, 2 the same
         /// but 0 beyond 90 degrees, 3 directional distribution measured by a wave buoy.
@@ -133,8 +134,8 @@ gpu_struct! {
         pub corners: [FoamLevelCorner; MAX_DRAWN_CASCADES],
         /// World indices (x, z) of the cell of this level with the lowest x and z; cell i begins at i times `cell_m`.
         pub first_cell: [i32; 2],
-        /// World indices (x, z) of the cell with the lowest x and z at the last step; far out of range to ignore old
-        /// foam.
+        /// World indices (x, z) of the cell of this level that had the lowest x and z at the last foam step; far out of
+        /// range if all earlier foam is to be discarded.
         pub previous_first_cell: [i32; 2],
         /// Side of a foam cell of this level, m.
         pub cell_m: f32,

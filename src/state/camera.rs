@@ -8,8 +8,8 @@ pub const EARTH_RADIUS_M: f64 = 6_371_000.0;
 /// Distance from the eye to the near clipping plane, m.
 const NEAR_M: f64 = 0.1;
 
-/// Position, axes and field of view of a camera, from which the renderer takes its matrices. It draws relative to the
-/// eye, so f32 suffices far from the world origin.
+/// Position, axes and field of view of a camera, from which the renderer takes its matrices. The renderer draws
+/// relative to the eye, so f32 suffices far from the world origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// Position of the eye in world axes (x east, y up, z south), m.

@@ -64,8 +64,8 @@ fn number_cascade_fields(number: u32, mut fields: Vec<Field>) -> Vec<Field> {
     with_numbered_keys(number, fields)
 }
 
-/// Description of the parameter [`Sea::repeat_period_s`], the period after which the sea repeats: a parameter of the
-/// sea that the panel shows with the time.
+/// Description of the parameter [`Sea::repeat_period_s`], the period after which the sea repeats. It is a member of
+/// [`Sea`], but the panel shows it in the section "Time".
 fn loop_time_field() -> Field {
     Field {
         key: "loop",

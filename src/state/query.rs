@@ -96,8 +96,8 @@ fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
 
 impl ParsedState {
     /// Stores the parsed value of the key `measured`, `afloat` or `sky` in the parameters by calling `set`, and adds
-    /// the key to `keys_taken`. If `value` is an error, adds its reason to the messages to the user instead. `seen` holds
-    /// the keys earlier in the string; a key in it gives a message, too.
+    /// the key to `keys_taken`. If `value` is an error, adds its reason to the messages to the user instead. `seen`
+    /// holds the keys earlier in the string; a key in it gives a message, too.
     fn set_or_notify<T>(
         &mut self,
         key: &'static str,
@@ -154,8 +154,8 @@ impl ParsedState {
     }
 }
 
-/// Writes a state string, such as `wind=14&t=40`, of the parameters that differ from their default, in the order of
-/// [`FIELDS`], then the buoy spectrum, the floating objects and the name of the sky file, percent-encoded.
+/// Writes a state string, such as `wind=14&t=40`: the parameters that differ from their default, in the order of
+/// [`FIELDS`], then the buoy spectrum, the floating objects and the name of the sky file. All values are URL-encoded.
 pub fn write(params: &Params) -> String {
     write_with(params, VERSION_STEPS)
 }

@@ -24,7 +24,7 @@ pub(super) fn quoted_excerpt(text: &str) -> String {
     printable_prefix(text, MAX_QUOTED_CHARS) + ellipsis
 }
 
-/// Cuts a longer list of messages to the user to the first [`MAX_NOTICES`] and appends one such as "and 3 more".
+/// Cuts a list of more than [`MAX_NOTICES`] messages to the user to that many and appends one such as "and 3 more".
 pub(super) fn truncate_notices(notices: &mut Vec<String>) {
     if notices.len() > MAX_NOTICES {
         let more = notices.len() - MAX_NOTICES;

@@ -39,7 +39,8 @@ pub(super) fn upgrade_pairs<'a>(pairs: Pairs<'a>, steps: &[VersionStep]) -> (Pai
     (steps[version - 1..].iter().fold(pairs, |pairs, step| step(pairs)), notice)
 }
 
-/// Value of the key `v` in a new state string: the version that `steps` lead to; `None` (no key) without steps.
+/// Version number to write into a new state string: one more than the number of translations in `steps`; `None`, which
+/// means version 1, if there are none.
 pub(super) fn version_to_write(steps: &[VersionStep]) -> Option<String> {
     (!steps.is_empty()).then(|| (steps.len() + 1).to_string())
 }

@@ -18,9 +18,9 @@ pub enum DisplayedView {
 /// discriminant; 0 is the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapView {
-    /// Magnitude |h0(k)| of the amplitude, at time 0, of the waves of one cascade that travel along wave vector k.
+    /// Magnitude |h0(k)|, m, of the amplitude at time 0 of the wave of one cascade that travels along wave vector k.
     InitialSpectrum,
-    /// Amplitudes h(k, t) of one cascade's waves at the present time t: magnitude as brightness, phase as hue.
+    /// Complex amplitude h(k, t), m, of one cascade at wave vector k and time t: brightness is magnitude, hue phase.
     Spectrum,
     /// Horizontal displacement of the surface to the east by one cascade, Dx, m, without the factor of choppiness.
     Dx,
@@ -157,7 +157,8 @@ impl ViewChoice {
     }
 
     /// Indices, from 0, of the layers that the view shows of a map (array texture) with `count` layers, one for each
-    /// cascade or foam level: the chosen layer; if 0 is chosen, all in a view of a map, else the last.
+    /// cascade or foam level: the layer that the user chose. Without a choice (0) a view of a map shows all layers, and
+    /// a view of the water surface uses the last one (the finest cascade).
     pub fn shown_layers(self, count: usize) -> std::ops::Range<usize> {
         match (self.displayed, self.cascade as usize) {
             (DisplayedView::Map(_), 0) => 0..count,

@@ -15,11 +15,12 @@ pub struct BeaufortForce {
     pub appearance: &'static str,
     /// Lowest and highest wind speed at 10 m height, m/s, rounded to 0.1 m/s; infinity is the upper end of a hurricane.
     pub wind_m_s: (f64, f64),
-    /// Probable wave height of the WMO table, m. It is compared with the significant wave height of the simulation.
+    /// Probable wave height at this force in the WMO's Beaufort table, m, read as significant wave height.
     pub probable_hs_m: f64,
     /// Representative wind speed at 10 m height, m/s: 0.836 B^1.5 for the Beaufort number B, rounded to 0.1 m/s.
     pub mean_wind_m_s: f64,
-    /// Fetch, km, with which JONSWAP reaches `probable_hs_m` at `mean_wind_m_s`; at forces 1 to 3 the sea stays lower.
+    /// Fetch for this force, km. From force 4 up, a JONSWAP sea with this fetch and the wind `mean_wind_m_s` has the
+    /// significant wave height `probable_hs_m`; at forces 1 to 3 the sea stays lower, and a calm has no waves.
     pub fetch_km: f64,
 }
 
@@ -36,12 +37,12 @@ const fn beaufort_entry(
 
 /// The Beaufort scale. The index is the Beaufort number, 0 to 12.
 ///
-/// From force 4 up, the fetch is chosen so that the significant wave height of a JONSWAP sea equals the probable wave
-/// height to 2 %. The lighter winds of forces 1 to 3 cannot raise the waves of the table: fully developed seas of 0.8,
-/// 2.4 and 4.3 m/s have heights of 0.01, 0.13 and 0.42 m (Pierson and Moskowitz 1964) instead of 0.1, 0.2 and 0.6 m.
-/// JONSWAP, which keeps growing with the fetch, would reach the table's heights after 23, 14 and 39 km. Forces 1 to 3
-/// use a dimensionless fetch g F / U^2 of at most 1.6e4 instead, the largest one without a notice about full
-/// development. It gives heights of 0.02, 0.16 and 0.52 m. A calm has no waves at any fetch.
+/// From force 4 up, the fetch is chosen so that the significant wave height of a JONSWAP sea equals the WMO's probable
+/// wave height to 2 %. The winds of forces 1 to 3 (0.8, 2.4 and 4.3 m/s) cannot raise the probable waves of 0.1, 0.2
+/// and 0.6 m: a fully developed sea has heights of 0.01, 0.13 and 0.42 m (Pierson and Moskowitz 1964). JONSWAP waves,
+/// which keep growing with the fetch, would be as high as the probable ones after 23, 14 and 39 km. Forces 1 to 3 use a
+/// dimensionless fetch g F / U^2 (gravity g, fetch F, wind speed U) of at most 1.6e4 instead, the largest one without a
+/// notice about full development. It gives heights of 0.02, 0.16 and 0.52 m. A calm has no waves at any fetch.
 #[rustfmt::skip]
 pub static BEAUFORT_FORCES: [BeaufortForce; 13] = [
     beaufort_entry("Calm", (0.0, 0.2), 0.0, 0.0, 1.0, "Sea like a mirror."),

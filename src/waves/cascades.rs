@@ -6,16 +6,18 @@ use super::energy::SpectrumIntegrals;
 use crate::state::params::{Grid, MAX_CASCADES};
 use std::f64::consts::TAU;
 
-/// Golden ratio. The sides of the patches are integer powers of it, in m; the exponent is called the rung. The ratio is
-/// irrational, so the sum of two patches never repeats.
+/// Golden ratio. The side of an automatic patch, in m, is an integer power of it; the exponent is called the rung. The
+/// ratio is irrational, so the sum of two patches never repeats.
 const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
 /// Number of wavelengths that fit across a patch at the low edge of its band; fewer would show as a repeated pattern.
 ///
-/// In units of the lattice spacing it is also the inner radius of the band, sqrt(177 / pi): a circle that encloses 177
-/// lattice points and has the area 177. A radius of 7 would pass through four points and add 1 % to the variance.
+/// The low edge is a circle of this radius in the lattice of wave vectors, in units of the lattice spacing. The radius
+/// is sqrt(177 / pi), so the circle has the area 177, and it encloses 177 lattice points. A circle of radius 7 would
+/// pass through four lattice points, which would add 1 % to the variance of the sea.
 const WAVES_AT_LOW_EDGE: f64 = 7.506_054_213;
-/// Decrease of the golden ratio's exponent from the first (largest) patch to that of each cascade. The step of 3 fits
-/// the most energetic band into 64 x 64 points. With 128 x 128 points the steps of 4 leave no gaps between bands.
+/// Decrease of the golden ratio's exponent from the first (largest) patch to that of each cascade. The first step, 3,
+/// fits the first and most energetic band into an FFT of 64 x 64 points. The other steps, 4, leave no gaps between the
+/// bands from 128 x 128 points on.
 const GOLDEN_EXPONENT_STEPS: [i32; MAX_CASCADES] = [0, 3, 7, 11];
 /// FFT size assumed when the number of cascades is chosen, so that this number does not depend on the user's FFT size.
 const NOMINAL_FFT_SIZE: f64 = 256.0;
@@ -44,7 +46,8 @@ pub struct Cascade {
     pub patch_m: f64,
     /// Lower end of the band of wave numbers that the cascade carries, rad/m (inclusive).
     pub k_low: f64,
-    /// Upper end of the band, rad/m (exclusive), at most the Nyquist wave number; equal to `k_low` if it is empty.
+    /// Upper end of the band of wave numbers that the cascade carries, rad/m (exclusive), at most the Nyquist wave
+    /// number; equal to `k_low` if the band is empty.
     pub k_high: f64,
     /// Key of the cascade in the hash that makes its random numbers, so that cascades differ. An automatic patch of a
     /// given size has the same key in every sea.

@@ -9,9 +9,11 @@ use crate::state::params::{Foam, Sea};
 pub enum SeaChange {
     /// Formation or decay of foam: only the parameters of the foam pass are updated.
     Foam,
-    /// Chop (horizontal displacement) or water level: uniform buffers and the heights on the CPU are updated.
+    /// Chop (horizontal displacement) or water level: uniform buffers and the sea heights computed on the CPU (for
+    /// boats, buoys and the camera) are updated.
     Surface,
-    /// The waves themselves: a new [`Plan`](super::Plan), its tables, the initial amplitudes h0 and the statistics.
+    /// The waves themselves: a new [`Plan`](super::Plan), the spectrum tables, the wave amplitudes at time 0 and the
+    /// statistics of the sea are computed.
     Waves,
 }
 

@@ -155,7 +155,8 @@ pub fn caption(view: ViewChoice, plan: &Plan) -> Caption {
     Caption { palette: (palette != Palette::Direction).then_some(palette), lines }
 }
 
-/// Formats a number with three or more significant digits, below 0.001 as a power of ten with two (1.2e-4).
+/// Formats a number with at least three significant digits (0.00123, 12.3, 12345), or with two and an exponent if its
+/// magnitude is below 0.001 (1.2e-4).
 fn three_digits(x: f64) -> String {
     match x.abs() {
         0.0 => "0".to_owned(),

@@ -75,7 +75,8 @@ impl Dispersion {
         k
     }
 
-    /// Ratio of the horizontal to the vertical axis of the water particle orbits at the surface, coth(k depth).
+    /// Ratio of the horizontal to the vertical axis of the water particle orbits at the surface, coth(k depth), for the
+    /// wave number `k` (rad/m).
     pub fn orbit_axis_ratio(&self, k: f64) -> f64 {
         1.0 / (k * self.depth_m).tanh()
     }

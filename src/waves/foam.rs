@@ -12,14 +12,17 @@ use std::f64::consts::PI;
 /// Number of foam levels, square foam grids around the camera. Each is four times as wide as the next finer one.
 pub const FOAM_LEVELS: usize = 4;
 
-/// Factor of the fit F / (1 - F) = factor x (rate x decay time)^exponent x s for the mean foam F at a mean foam source
-/// s. The fit was made to GPU results for winds of 7 to 30 m/s, all foam levels, and rate x decay time from 1 to 50.
+/// Factor of the fit F / (1 - F) = factor x (growth rate x decay time)^exponent x s, where F is the mean foam and s the
+/// mean foam source, both 0 to 1. The fit was made to GPU results for winds of 7 to 30 m/s, all foam levels, and growth
+/// rate x decay time from 1 to 50.
 const COVERAGE_FIT_FACTOR: f64 = 1.03;
+/// Exponent of growth rate x decay time in the fit of [`COVERAGE_FIT_FACTOR`].
 const COVERAGE_FIT_EXPONENT: f64 = 0.73;
-/// Product of the default growth rate (1/s) and decay time (s) of foam. The default threshold is derived for it, so
-/// that the mean foam equals the whitecap coverage of the wind.
+/// Product of the default growth rate (1/s) and decay time (s) of foam, for which the default foam threshold makes the
+/// mean foam equal the whitecap coverage of the wind.
 const DEFAULT_RATE_DECAY: f64 = 8.0;
-/// Decrease of the strain, in its standard deviations, over which the foam source rises from 0 (no foam forms) to 1.
+/// Decrease of the strain of the horizontal displacement, in standard deviations of this strain, over which the foam
+/// source rises from 0 (no foam forms) to 1.
 const SOURCE_RAMP_SIGMAS: f64 = 0.5;
 
 /// Upper limit of the whitecap coverage from which the foam threshold is derived, as a fraction of the surface.

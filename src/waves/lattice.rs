@@ -49,9 +49,9 @@ impl Plan {
     /// Variance that a wave system gives to one wave of `cascade`, per radian of direction, m^2: S(k) dk^2 / k with the
     /// lattice spacing dk, divided among overlapping cascades, before multiplication by the directional spreading.
     ///
-    /// At small wave numbers the spectrum S is averaged over the cell's extent in |k|, because a cell is not small
-    /// against the width of the spectral peak. Samples at the lattice points alone would miss the narrow peak of a
-    /// JONSWAP sea or count it twice, an error of 2 % of the total variance m0.
+    /// Each wave vector stands for a square lattice cell with the side dk. At small wave numbers S is averaged over the
+    /// cell's extent in |k|, because it is not small against the width of the spectral peak. Samples at the lattice
+    /// points would miss the narrow peak of a JONSWAP sea or count it twice, an error of 2 % of the total variance m0.
     pub fn cell_variance_per_radian(&self, system: &WaveSystem, cascade: &Cascade, wave: &LatticeWave) -> f64 {
         let dk = cascade.dk();
         let density =

@@ -17,9 +17,9 @@ pub struct SeaCovariance {
 }
 
 impl SeaCovariance {
-    /// Computes one covariance for each cascade of the sea `before` and, second in the result, one for each cascade of
-    /// the sea `after`, at time `t_s` (s). It is zero if the other sea has no cascade with the same patch size,
-    /// random-number key and seed.
+    /// Variances and covariance of the seas `before` and `after` at time `t_s` (s): first in the result for each
+    /// cascade of `before`, second for each cascade of `after`. All are zero for a cascade if the other sea has none
+    /// with the same patch size, random-number key and seed.
     pub fn for_all_cascades(before: &Plan, after: &Plan, t_s: f64) -> [Vec<Self>; 2] {
         let mut all = [before, after].map(|plan| vec![Self::default(); plan.cascades.len()]);
         for (i, old) in before.cascades.iter().enumerate() {

@@ -144,7 +144,7 @@ impl Plan {
         self.systems.is_empty()
     }
 
-    /// Whether two plans have the same wave numbers, frequencies and random numbers; only their amplitudes may differ.
+    /// Whether two plans have the same wave numbers, frequencies, random numbers and tiling; amplitudes may differ.
     pub fn has_same_waves(&self, other: &Self) -> bool {
         let waves = |p: &Self| (p.n, p.blends_copies, p.period_s, p.sea.seed, p.dispersion);
         waves(self) == waves(other) && self.cascades == other.cascades
@@ -209,7 +209,8 @@ impl Plan {
     }
 }
 
-/// Notices for the user about parameters of the two wave systems that have no effect, and those of `systems`' spectra.
+/// Notices for the user about parameters of the wave systems that are set but have no or little effect, and the notices
+/// of the spectra in `systems`.
 fn system_notices(sea: &Sea, systems: &[WaveSystem]) -> Vec<String> {
     let defaults = Sea::default().systems;
     let mut notices = Vec::new();

@@ -3,8 +3,8 @@
 use super::fft::Fft;
 use std::f64::consts::TAU;
 
-/// Number of samples in each segment of a record whose periodograms are averaged. It is large enough to separate two
-/// swells and small enough to give several segments.
+/// Number of height samples in each of the segments of a buoy's record, whose periodograms are averaged. It is large
+/// enough to separate two swells and small enough to give several segments.
 const SEGMENT_SAMPLES: usize = 512;
 
 /// Frequency spectrum of the heights `heights_m` sampled at `rate_hz`: pairs of angular frequency omega (rad/s) and

@@ -8,7 +8,7 @@ use std::f64::consts::{PI, TAU};
 /// Mean square slopes of the sea surface, dimensionless: first along, then across the direction of the local wind.
 pub type SlopeVariance = [f64; 2];
 
-/// Number of steps of the numerical integrals over frequency, wave number and direction.
+/// Number of steps of each numerical integral of this module, over frequency, wave number or direction.
 const INTEGRATION_STEPS: usize = 64;
 
 /// Mean square slopes of a clean sea at the wind speed U (m/s): 0.00316 U along the wind and 0.003 + 0.00192 U across

@@ -13,8 +13,8 @@ use std::f64::consts::PI;
 
 /// Largest number of lobes of one wave system: two for Elfouhaily's spreading, blended with one of another family.
 const MAX_LOBES: usize = 3;
-/// Largest exponent s of a lobe cos^{2s}(theta/2). Lobes with a larger s are narrower than about 7 degrees, which the
-/// lattice of wave vectors cannot resolve at the low edge of a band.
+/// Largest exponent s of a lobe cos^{2s}(theta/2). A lobe with a larger s has a standard deviation below 7 degrees,
+/// which the lattice of wave vectors cannot resolve at the low edge of a cascade's wave-number band.
 const MAX_S: f64 = 150.0;
 
 /// Directional spreading of one wave system: how its energy at each frequency is distributed over directions.
@@ -161,14 +161,16 @@ impl Spreading {
 }
 
 /// Exponent s of the spreading cos^{2s}(theta/2) by Mitsuyasu et al. 1975: s_p r^5 below and s_p r^-2.5 above the
-/// spectral peak, with `r` = omega / omega_p, s_p = 11.5 `inverse_age`^-2.5 and `inverse_age` = U omega_p / g.
+/// spectral peak, with `r` = omega / omega_p, s_p = 11.5 `inverse_age`^-2.5 and the inverse wave age `inverse_age` =
+/// U omega_p / g for the wind speed U.
 fn mitsuyasu_s(r: f64, inverse_age: f64) -> f64 {
     let peak = 11.5 * inverse_age.max(1e-3).powf(-2.5);
     (peak * r.powf(if r <= 1.0 { 5.0 } else { -2.5 })).min(MAX_S)
 }
 
-/// Exponent s of cos^{2s}(theta/2) by Hasselmann, Dunckel and Ewing 1980, with `r` = omega / omega_p and a =
-/// `inverse_age` = U omega_p / g: 6.97 r^4.06 below and 9.77 r^(-2.33 - 1.45 (a - 1.17)) above the spectral peak.
+/// Exponent s of the spreading cos^{2s}(theta/2) by Hasselmann, Dunckel and Ewing 1980: 6.97 r^4.06 below and
+/// 9.77 r^(-2.33 - 1.45 (a - 1.17)) above the spectral peak, with `r` = omega / omega_p and the inverse wave age a =
+/// `inverse_age` = U omega_p / g for the wind speed U.
 fn hasselmann_s(r: f64, inverse_age: f64) -> f64 {
     if r <= 1.0 { 6.97 * r.powf(4.06) } else { 9.77 * r.powf(-2.33 - 1.45 * (inverse_age - 1.17)) }.min(MAX_S)
 }
@@ -230,7 +232,7 @@ impl Lobe {
     }
 
     /// First directional moment, 0 to 1, of the lobe: the mean of cos(theta) weighted by the lobe, where theta is the
-    /// angle from the main direction of travel. `steps` is the number of quadrature panels as in [`Self::norm`].
+    /// angle from the main direction of travel. `steps` is as in [`Self::norm`]; the integral of cos(theta) takes 2.
     pub fn first_moment(&self, steps: u32) -> f64 {
         if self.cosine == CosineFactor::One && self.beta == 0.0 {
             return self.s / (self.s + 1.0);

@@ -48,7 +48,8 @@ pub struct SpectrumStatistics {
     /// energy-weighted mean of the unit vectors of travel.
     pub spread_deg: f64,
     /// Benjamin-Feir index for deep water, k_p sqrt(m0) Q_p sqrt(2 pi), with the peak wave number k_p and Goda's
-    /// peakedness Q_p = 2 / m0^2 int omega S^2 d omega (Janssen and Bidlot 2009). Near 1, freak waves become likely.
+    /// peakedness Q_p = 2 / m0^2 times the integral of omega S(omega)^2, S the spectrum (Janssen and Bidlot 2009).
+    /// Near 1, freak waves become likely.
     pub benjamin_feir: f64,
     /// Fraction of the surface that whitecaps cover at the local wind speed, see [`monahan_coverage`].
     pub whitecap_fraction: f64,
@@ -232,8 +233,9 @@ pub fn cox_munk_mss(wind_m_s: f64) -> f64 {
     0.003 + 0.00512 * wind_m_s
 }
 
-/// Initial complex amplitude h0(k) as (re, im), m, of the wave with signed indices (ix, iz) in a cascade, for the seed
-/// of the plan. `table` must belong to the cascade. The Nyquist indices -n/2 and n/2 are not allowed.
+/// Complex amplitude h0(k) at time 0 as (re, im), m, of the wave with the signed lattice indices (ix, iz) in a cascade,
+/// for the seed of the plan. `table` is the spectrum table of this cascade. The Nyquist indices -n/2 and n/2 are not
+/// allowed.
 pub fn initial_amplitude(plan: &Plan, cascade: &Cascade, table: &Table, ix: i32, iz: i32) -> [f64; 2] {
     let deviation = table.variance(ix, iz).sqrt();
     noise::complex_gaussian(noise::noise_words(plan.sea.seed, cascade.noise_key, ix, iz)).map(|x| x * deviation)

@@ -29,11 +29,12 @@ pub enum Directions {
 /// spectrum shader evaluates in the direction of each wave.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TermKind {
-    /// One lobe of the directional spreading with its factor 1 or cos^2(theta). A table entry stores one vector for it:
-    /// (variance x norm, beta, s, variance per rad of the isotropic part, which only the first lobe carries).
+    /// One lobe of the directional spreading with its factor 1 or cos^2(theta). It stores one vector: (v x norm x
+    /// energy fraction of the lobe, beta, s, v / (2 pi) x isotropic energy fraction, or 0 after the first lobe), with
+    /// the variance v, m^2, of the real part of the amplitude at time 0, before the directional spreading (1/rad).
     Lobe(CosineFactor),
-    /// A buoy's distribution [`MaximumEntropy`] with the complex coefficients phi1 and phi2. A table entry stores two
-    /// vectors for it: (variance x norm, Re phi1, Im phi1, Re phi2), (Im phi2, 0, 0, 0).
+    /// A buoy's distribution [`MaximumEntropy`] with the complex coefficients phi1 and phi2. It stores two vectors:
+    /// (v x norm, Re phi1, Im phi1, Re phi2) and (Im phi2, 0, 0, 0), with the variance v as in `Lobe`.
     Measured,
 }
 

@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 /// distribution that a buoy measured. The variance of a wave is the sum over all these parts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Term {
-    /// Kind of the term, which defines the meaning of its values in the table.
+    /// Kind of the term, which defines the meaning of its values in a spectrum [`Table`].
     pub kind: TermKind,
     /// Main direction of travel of the wave system, a unit vector (x, z), from which the term's angles are measured.
     pub travel: [f64; 2],
@@ -136,8 +136,9 @@ impl Table {
     }
 }
 
-/// Appends the vectors of one wave system at the angular frequency `omega` (rad/s) to `out`. `variance` is that of the
-/// real part of the initial amplitude h0 before multiplication by the directional spreading (1/rad), m^2.
+/// Appends what a table entry stores for one wave system, in the layout of [`TermKind`], to `out`. The waves of the
+/// entry have the angular frequency `omega` (rad/s). `variance` (m^2) is that of the real part of the amplitude at time
+/// 0, before multiplication by the directional spreading (1/rad).
 fn push_system_values(out: &mut Vec<[f64; 4]>, system: &WaveSystem, norms: &Norms, variance: f64, omega: f64) {
     match system.directions(omega) {
         Directions::Measured(mem) => {

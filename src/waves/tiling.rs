@@ -23,7 +23,8 @@
 
 use super::noise::pcg4d;
 
-/// Barycentric coordinate of a point in its triangle above which the patch copy of that vertex has a weight above 0.
+/// Barycentric coordinate of a point for a vertex of its triangle at and below which the patch copy of this vertex has
+/// the weight 0 at the point.
 const MIN_BARYCENTRIC: f64 = 0.25;
 /// Mean number of copies of one cascade's patch that are blended at a point of the plane.
 pub const MEAN_COPIES: f64 = 1.69;
@@ -68,7 +69,7 @@ pub struct PatchCopy {
     pub weight: f64,
     /// Gradient (dW/dx, dW/dz) of the copy's weight W, 1/m.
     pub gradient: [f64; 2],
-    /// Integer lattice coordinates of the vertex to which the copy belongs.
+    /// Integer coordinates, in the triangle lattice, of the vertex to which the copy belongs.
     pub cell: [i32; 2],
     /// Shift (x, z) added to a position before the patch is read there, as a fraction of the patch's side, 0 to 1.
     pub shift: [f64; 2],

@@ -2,7 +2,7 @@
 
 use super::super::App;
 
-/// Shows the main statistics of the sea: wave height, periods, length and direction.
+/// Shows the main statistics of the sea by theory: significant wave height, periods, wavelength, direction and spread.
 pub fn show_main_statistics(app: &App, ui: &mut egui::Ui) {
     let t = &app.derived.theory;
     let length_scale = app.length_scale();

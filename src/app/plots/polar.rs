@@ -15,7 +15,7 @@ pub struct DirectionalSpectrumSamples {
     /// Angular frequency omega at the middle of each ring, rad/s.
     omega: Vec<f64>,
     /// Spectral density per angular frequency and direction, m^2 s/rad, one ring after the other. In a ring: the
-    /// directions that the waves come from, clockwise from north.
+    /// directions that the waves come from, in equal steps clockwise from north.
     density: Vec<f64>,
 }
 

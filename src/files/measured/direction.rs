@@ -19,10 +19,11 @@ pub struct Direction {
 }
 
 impl Direction {
-    /// Directional parameters of a distribution cos^{2s}(theta/2) with the mean direction `from_deg`, degrees clockwise
-    /// from north, that waves come from, and the circular spread sqrt(2 (1 - r1)), in degrees. With s = r1/(1 - r1), r2
-    /// = s (s - 1)/((s + 1)(s + 2)) = r1 (2 r1 - 1)/(2 - r1) (Longuet-Higgins, Cartwright and Smith 1963). Below s = 1,
-    /// r2 is negative: the principal direction is across alpha1.
+    /// Directional parameters of a distribution cos^{2s}(theta/2), theta from its mean direction `from_deg` (degrees
+    /// clockwise from north, where waves come from), with the circular spread `spread_deg` = sqrt(2 (1 - r1)), degrees.
+    ///
+    /// The exponent s = r1/(1 - r1) gives r2 = s (s - 1)/((s + 1)(s + 2)) = r1 (2 r1 - 1)/(2 - r1) (Longuet-Higgins,
+    /// Cartwright and Smith 1963). This is negative for s < 1: the principal direction is then across alpha1.
     pub fn from_spread(from_deg: f64, spread_deg: f64) -> Self {
         let r1 = (1.0 - 0.5 * spread_deg.to_radians().powi(2)).clamp(0.0, 1.0);
         let r2 = r1 * (2.0 * r1 - 1.0) / (2.0 - r1);

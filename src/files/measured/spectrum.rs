@@ -70,8 +70,8 @@ impl MeasuredSpectrum {
     }
 
     /// Variance density S(omega) = S(f) / (2 pi), m^2 s, at omega in rad/s. It is linear in f between bands. Below the
-    /// first band it falls to 0 over a width of the first interval between bands. Above the last band it falls as f^-5
-    /// (Phillips' equilibrium range), for the waves that are too short for the buoy.
+    /// first band it falls linearly to 0 over as many Hz as separate the first two bands, or at f = 0. Above the last
+    /// band it falls as f^-5 (Phillips' equilibrium range), for the waves that are too short for the buoy.
     pub fn density(&self, omega: f64) -> f64 {
         let f = omega / TAU;
         let (first, last) = (self.bands[0], self.bands[self.bands.len() - 1]);
@@ -87,14 +87,14 @@ impl MeasuredSpectrum {
         s / TAU
     }
 
-    /// Angular frequency at which the variance density, extrapolated linearly below the first band, reaches 0, rad/s;
-    /// at least a thousandth of the first band's frequency, so that the result has a logarithm.
+    /// Angular frequency below the first band at which [`Self::density`] reaches 0, rad/s; at least a thousandth of the
+    /// first band's angular frequency, so that the result has a logarithm.
     pub fn lowest_omega(&self) -> f64 {
         TAU * self.zero_density_hz().max(1e-3 * self.bands[0].0)
     }
 
     /// Angular frequencies at which the variance density has a kink, rad/s, ascending: the bands and, if above 0, the
-    /// frequency below them at which the extrapolated density reaches 0.
+    /// frequency below them at which the density reaches 0.
     pub fn breakpoints(&self) -> Vec<f64> {
         let low = (self.zero_density_hz() > 0.0).then(|| self.zero_density_hz());
         low.into_iter().chain(self.bands.iter().map(|b| b.0)).map(|f| TAU * f).collect()
@@ -138,7 +138,8 @@ impl MeasuredSpectrum {
         Some(std::array::from_fn(|n| a[n] + t * (b[n] - a[n])))
     }
 
-    /// Frequency below the first band at which the linearly extrapolated variance density reaches 0, Hz; at least 0.
+    /// Frequency below the first band at which the variance density reaches 0, Hz: lower than the first band by the
+    /// distance of the first two bands, but at least 0.
     fn zero_density_hz(&self) -> f64 {
         (2.0 * self.bands[0].0 - self.bands[1].0).max(0.0)
     }

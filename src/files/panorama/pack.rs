@@ -17,7 +17,8 @@ pub(super) fn pack_rgb9e5(c: [f32; 3]) -> u32 {
     r | g << 9 | b << 18 | ((exponent + 15) as u32) << 27
 }
 
-/// Difference between neighbouring numbers that RGB9E5 can hold with the shared exponent `exponent`.
+/// Difference between neighbouring numbers that RGB9E5 can hold with the shared exponent `exponent`, -15 to 16: the
+/// stored exponent minus 15.
 fn value_spacing(exponent: i32) -> f32 {
     2f32.powi(exponent - 9)
 }

@@ -18,8 +18,8 @@ pub fn format_estimate(estimate: Option<EstimateWithError>, digits: usize) -> St
     })
 }
 
-/// Formats the difference of an estimate from the expected value, in per cent and in standard errors, such as `+0.50 %
-/// (+1.2 σ)`; [`PENDING_CELL`] without an estimate.
+/// Formats the difference of an estimate from the expected value, in per cent of the latter and in standard errors,
+/// such as `+0.50 % (+1.2 σ)`; [`PENDING_CELL`] without an estimate.
 pub fn relative_deviation(estimate: Option<EstimateWithError>, expected: f64) -> String {
     difference(estimate, |value| value - expected, |by| format!("{:+.2} %", 100.0 * by / expected))
 }

@@ -8,8 +8,8 @@ use crate::lab::page::Page;
 use crate::waves::Plan;
 use std::f64::consts::TAU;
 
-/// The measured seas: name in the table, state string, and label in the figure. No wave runs against the wind, so that
-/// each coefficient of the Fourier transform belongs to one wave.
+/// The seas whose phase speeds are measured: name in the table and label in the figure of part 3, with the state string
+/// between them. No wave runs against the wind, so that each Fourier coefficient of a map belongs to one wave.
 const SEAS: [(&str, &str, &str); 6] = [
     ("deep", "dispersion=deep&wind=12&fetch=300", "deep"),
     ("2 m", "depth=2&wind=12&fetch=300", "2 m of water"),
@@ -28,14 +28,14 @@ const COMMON: &str = "spread=cos2-positive&dir=270&n=128&seed=1";
 const MIN_AMPLITUDE_FRACTION: f64 = 5e-3;
 /// Phase advance of a cascade's wave of highest frequency between two read-backs, rad: below 2 pi, so unambiguous.
 const PEAK_PHASE_ADVANCE_RAD: f64 = 2.5;
-/// Number of wave-number bins per decade; the figure shows the strongest measured wave of each bin.
+/// Number of wave-number bins per decade. The figure of phase speeds shows the strongest measured wave of each bin.
 const BINS_PER_DECADE: f64 = 8.0;
 
 /// A measured wave: wave number (rad/m), phase speed (m/s), and amplitude relative to the largest in its cascade.
 type MeasuredWave = [f64; 3];
 
-/// Measures the phase speeds of a plan's waves within 60 degrees of the wind. The Fourier coefficients at two times
-/// give the phase advance and so the speed. `None` without a GPU.
+/// Measures the phase speeds of a plan's waves that travel within 60 degrees of downwind. The phase advance of a wave's
+/// Fourier coefficient between two times gives its phase speed. `None` without a GPU.
 fn measured_phase_speeds(lab: &Measurement<'_>, plan: &Plan) -> Result<Option<Vec<MeasuredWave>>, String> {
     // The clock counts ticks of 2^-32 periods, so it represents multiples of a tick exactly.
     let tick = plan.period_s / 4_294_967_296.0;
@@ -63,8 +63,8 @@ fn measured_phase_speeds(lab: &Measurement<'_>, plan: &Plan) -> Result<Option<Ve
     Ok(Some(all))
 }
 
-/// Picks the strongest wave in each bin of the wave number. Returns points of the figure: wave number (rad/m), phase
-/// speed (m/s) and an error bar of 0.
+/// Picks the strongest wave in each bin of the wave number. Returns points for the figure of phase speeds: wave number
+/// (rad/m), phase speed (m/s) and an error bar of 0.
 fn strongest_per_bin(waves: &[MeasuredWave]) -> Vec<[f64; 3]> {
     let bin = |wave: &MeasuredWave| (wave[0].log10() * BINS_PER_DECADE).floor();
     let mut sorted = waves.to_vec();

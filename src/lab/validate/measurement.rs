@@ -36,11 +36,11 @@ pub struct MeasuredSea {
 /// Variance and direction of travel of all waves in a bin of frequency or direction.
 #[derive(Clone, Debug, Default)]
 pub struct WaveBin {
-    /// Variance expected of the bin's waves on the FFT grids, m^2, and the sums of variance times x and z of their unit
-    /// vectors of travel.
+    /// Expected variance of the bin's waves on the FFT grids, m^2; then the sums over these waves of variance times x
+    /// and of variance times z, m^2, where (x, z) is the unit vector in which a wave travels.
     pub expected: [f64; 3],
-    /// For each seed: measured variance of the bin's waves, m^2, and the sums of variance times x and z of their unit
-    /// vectors of travel; zeros without a GPU.
+    /// For each seed, the same three sums with the measured variance of the bin's waves in place of the expected one,
+    /// m^2; zeros without a GPU.
     pub measured: Vec<[f64; 3]>,
 }
 

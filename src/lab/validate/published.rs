@@ -12,8 +12,8 @@ const WIND_M_S: f64 = 10.0;
 /// Wind speed at a height of 19.5 m, which Pierson and Moskowitz use, divided by that at 10 m.
 const WIND_RATIO_19M_10M: f64 = 1.026;
 
-/// By WMO-No. 306 and the Met Office: Beaufort number, middle of its range of wind speeds (m/s), probable wave height
-/// and probable highest wave height (m, NaN if not given).
+/// Beaufort scale by WMO-No. 306 and the Met Office: Beaufort number, middle of its range of wind speeds (m/s),
+/// probable wave height (m) and probable highest wave height (m, NaN if not given).
 const BEAUFORT: [(u32, f64, f64, f64); 10] = [
     (3, 4.4, 0.6, 1.0),
     (4, 6.7, 1.0, 1.5),

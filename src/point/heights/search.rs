@@ -15,8 +15,8 @@ const MIN_CURVATURE: f64 = 1e-3;
 /// Armijo rule: a Newton step of the search is accepted if the minimised function decreases at least by this fraction
 /// of the decrease that the gradient predicts.
 const ARMIJO: f64 = 1e-4;
-/// Distance from the requested point, m, below which a step that halves the gradient is accepted too. So near to the
-/// solution, rounding hides the decrease of the minimised function.
+/// Distance, m, between displaced particle and requested point below which the search also accepts a step that halves
+/// the gradient: so near to the solution, rounding hides the decrease of the minimised function.
 const ROUNDING_LIMIT_M: f64 = 1e-3;
 
 impl StrongestWaves {

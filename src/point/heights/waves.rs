@@ -18,8 +18,8 @@ pub(super) struct PatchWaves {
     pub(super) blocks: Vec<WaveBlock>,
 }
 
-/// Four travelling waves eta = Re[h e^{i (k.x - omega t)}] with h = 2 h0, one per lane of the CPU's vector units.
-/// Unused lanes have h = 0.
+/// Four travelling waves eta = Re[h e^{i (k.x - omega t)}], one per lane of the CPU's vector units. h is twice the
+/// initial Fourier amplitude h0 of the wave vector k; unused lanes have h = 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct WaveBlock {
     /// Components `ix` and `iz` of the wave vector of each lane, in units of the lattice spacing dk; whole numbers.
@@ -35,7 +35,7 @@ pub(super) struct WaveBlock {
     cycles_per_period: [u32; 4],
 }
 
-/// One of all the waves that the seed of a plan generates, before the strongest of them are selected.
+/// A wave that the seed of a plan generates: a candidate for the selection of the strongest waves.
 pub(super) struct Candidate {
     /// Index of the cascade to which the wave belongs.
     pub(super) cascade: usize,
@@ -55,7 +55,7 @@ impl Candidate {
         (self.ix * self.ix + self.iz * self.iz) as u32
     }
 
-    /// Ordering of waves by decreasing variance; waves of equal variance are ordered by their indices.
+    /// Ordering of waves by decreasing variance; waves of equal variance are ordered by cascade, iz and ix.
     pub(super) fn by_decreasing_variance(&self, other: &Self) -> Ordering {
         let place = |c: &Self| (c.cascade, c.iz, c.ix);
         other.variance().total_cmp(&self.variance()).then_with(|| place(self).cmp(&place(other)))
@@ -65,13 +65,15 @@ impl Candidate {
 /// For each cascade, the three shifted copies of its patch blended at an undisplaced point, with their weights.
 pub(super) type Blends = [[PatchCopy; 3]; MAX_CASCADES];
 
-/// Wave sums at an undisplaced point for each single copy of every patch; `None` for copies that were not evaluated.
+/// Sums over waves ([`WaveSums`]) at an undisplaced point for each single copy of every patch; `None` for copies that
+/// were not evaluated.
 pub(super) struct CopySums {
     pub(super) blends: Blends,
     pub(super) sums: [[Option<WaveSums>; 3]; MAX_CASCADES],
 }
 
-/// Elevation, horizontal displacement D (without the chop factor) and derivatives at an undisplaced point.
+/// Sums over waves at an undisplaced point: elevation eta, horizontal displacement D (without the chop factors), their
+/// derivatives in space and time, and the potential of D.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct WaveSums {
     /// Elevation eta of the surface above the still water, m.
@@ -150,7 +152,8 @@ impl PatchWaves {
         Self { side_m: cascade.patch_m, tiling: plan.tiling(cascade), dk: cascade.dk(), blocks }
     }
 
-    /// Sums over these waves at (`x`, `z`) in the patch, in units of its side; `time` is 2^32 per period of the sea.
+    /// Sums over the patch's waves at the undisplaced point (`x`, `z`), in units of the patch's side; `time` counts
+    /// 2^32 ticks per period of the sea.
     pub(super) fn sums(&self, x: f64, z: f64, time: u32) -> WaveSums {
         // Sums per lane, without common factors: eta, its slopes, D, strain (xx, zz, xz), velocity, potential.
         let mut sums = [DVec4::ZERO; 12];

@@ -29,8 +29,8 @@ gpu_struct! {
     }
 }
 
-/// Automatic exposure (factor from radiance to the tone curve's input) of a clear noon with the sun 60 degrees high;
-/// also the exposure at 0 EV if it is not automatic.
+/// Automatic exposure (factor from radiance to the tone curve's input) of a clear noon with the sun 60 degrees high.
+/// Divided by `night_gain`, it is also the fixed exposure at 0 EV.
 pub const NOON_EXPOSURE: f32 = 0.444;
 
 /// The pass that shows the HDR picture on screen: it smooths edges and applies bloom, exposure, tone curve and dither.
@@ -41,7 +41,7 @@ pub struct PresentPass {
     pipeline: wgpu::RenderPipeline,
     sampler: wgpu::Sampler,
     bloom: BloomPass,
-    /// HDR picture that `group` binds, and whether its bloom is on; None before the first picture.
+    /// HDR picture that the bind group `group` holds, and whether its bloom is on; None before the first picture.
     bound_picture: Option<(wgpu::TextureView, bool)>,
     group: Option<wgpu::BindGroup>,
 }

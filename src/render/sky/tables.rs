@@ -21,7 +21,8 @@ const ENVIRONMENT_SIZE: [u32; 2] = [256, 128];
 const ENVIRONMENT_MIP_LEVELS: u32 = 6;
 /// Number of workgroups, of 64 threads each, that sum the light of the sky over directions (shaders/sky/light.wgsl).
 const LIGHT_WORKGROUPS: u32 = 4;
-/// Size, bytes, of the buffer with the partial sums of the sky's light: four f32 (16 bytes) for each thread.
+/// Size, bytes, of the buffer with the partial sums of the sky's light: for each thread 16 bytes, which are an RGB
+/// irradiance and a luminance in f32.
 const LIGHT_PARTS_BYTES: u64 = 16 * 64 * LIGHT_WORKGROUPS as u64;
 
 /// Number of workgroups of 8 x 8 threads, along x and y, that cover a table of `size` texels.
@@ -225,7 +226,7 @@ impl SkyTables {
         self.sun_independent_passes.iter().chain(&self.sun_dependent_passes).for_each(|pass| pass.run(encoder));
     }
 
-    /// Writes the sky's uniform buffer for a scene, and records the passes of the tables that no longer match it.
+    /// Writes the sky's uniform buffer for a scene, and records the passes of the tables that do not match this scene.
     pub fn record_outdated_tables(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
         let wanted = SkyUniform::new(scene);
         let other_file = self.panorama.set_image(gpu, scene.look.sky.panorama());

@@ -55,7 +55,7 @@ gpu_struct! {
         limb_darkening_exponent: f32,
         /// Distance by which the clouds have drifted along x and z since time 0, km.
         cloud_drift_km: [f32; 2],
-        /// Cloud drift (x, z), km, for reflections: rounded to [`REFLECTED_CLOUD_STEP_KM`].
+        /// Cloud drift (x, z), km, for reflections: rounded to multiples of [`REFLECTED_CLOUD_STEP_KM`].
         reflected_cloud_drift_km: [f32; 2],
         /// Factor by which all light is scaled up at dusk and night; see [`night_gain`].
         night_gain: f32,
@@ -133,7 +133,7 @@ gpu_struct! {
     pub struct LightBuffer as "Light" {
         /// Irradiance (RGB; unit: 6400 lux / `night_gain`) by the sun, after air, clouds and fog, on a plane facing it.
         pub sun_irradiance: [f32; 3],
-        /// Automatic exposure: factor by which radiance is multiplied to give the input of the tone curve.
+        /// Automatic exposure: factor from drawn radiance, with `night_gain`, to the input of the tone curve, at 0 EV.
         pub exposure: f32,
         /// Irradiance (RGB; unit: 6400 lux / `night_gain`) of a horizontal plane by the sky without the sun.
         pub sky_irradiance: [f32; 3],
@@ -141,7 +141,7 @@ gpu_struct! {
         pub adaptation_luminance: f32,
         /// Radiance (RGB; unit: 6400 cd/m2 / `night_gain`) of a closed cloud deck at the zenith.
         pub overcast_zenith_radiance: [f32; 3],
-        /// Fraction of the direct sunlight that passes through the clouds, 0 to 1.
+        /// Fraction of the direct sunlight that passes through the low clouds, 0 to 1, equal everywhere on the sea.
         pub cloud_sun_transmittance: f32,
         /// Radiance (RGB; unit: 6400 cd/m2 / `night_gain`) of dense fog lit by the sky, equal in all directions.
         pub fog_sky_radiance: [f32; 3],
@@ -152,8 +152,8 @@ gpu_struct! {
     }
 }
 
-/// Factor by which all light is scaled up at dusk and night, so that half floats can hold it; the exposure divides by
-/// it. It is a power of two, so that scaling does not round; 1 by day.
+/// Factor by which all light is scaled up at dusk and night, so that half floats can hold light so weak; the exposure
+/// is divided by this factor, a power of two, so that scaling does not round. By day it is 1.
 pub fn night_gain(look: &SkyLook) -> f64 {
     let below_deg = if look.panorama().is_some() { 0.0 } else { -look.sun_elevation_azimuth_deg()[0] };
     (1.2 * below_deg).clamp(0.0, 18.0).floor().exp2()

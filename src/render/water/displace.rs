@@ -18,8 +18,8 @@ gpu_struct! {
         height: f32,
         /// Undisplaced position (x, z) relative to the point below the eye, m.
         undisplaced: [f32; 2],
-        /// Slope (along x, z), only of waves long enough for the spacing of vertices here. Like `stretch` and `shear`,
-        /// it is interpolated between the vertices when the mesh is drawn (WGSL `WaterDerivatives`).
+        /// Slope (along x, z) of the waves that are long compared with vertex spacing and pixels at this vertex. Like
+        /// `stretch` and `shear`, it is interpolated between vertices when the mesh is drawn (WGSL `WaterDerivatives`).
         slope: [f32; 2],
         stretch: [f32; 2],
         shear: [f32; 2],

@@ -8,7 +8,8 @@ use crate::render::frame::FrameUniform;
 use crate::render::scene::Scene;
 use crate::shaders::Shaders;
 
-/// Compute pass that raises the eye, in the frame uniform, where needed to stay above the waves around it.
+/// Compute pass that changes the eye's height in the frame uniform: on a buoy, it adds the height of the water below;
+/// then it raises the eye where needed to stay above the waves around it.
 pub struct EyePass {
     pipeline: wgpu::ComputePipeline,
     group: wgpu::BindGroup,

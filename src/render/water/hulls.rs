@@ -32,7 +32,7 @@ struct HullFacet {
     colour: u32,
 }
 
-/// Yellow paint; this and the colours below are sRGB as 0x00BBGGRR.
+/// Colour of yellow paint: like those of the other paints, sRGB as 0x00BBGGRR.
 const YELLOW: u32 = 0x0014_b0e8;
 const DARK_GREY: u32 = 0x0028_2828;
 const WHITE: u32 = 0x00e8_ecec;

@@ -100,7 +100,8 @@ pub struct WaterPass {
 }
 
 impl WaterPass {
-    /// Compiles the passes that displace the mesh and fill the G-buffer; [`Self::select_pipeline`] does the lighting.
+    /// Compiles the passes that displace the mesh and fill the G-buffer. [`Self::select_pipeline`] later compiles the
+    /// lighting pipelines.
     pub fn new(gpu: &Gpu, shaders: &Shaders, scene: SceneGroup, frame: &Uniform<FrameUniform>) -> Self {
         let bindings = [
             BindingType::TextureArray,
@@ -138,7 +139,7 @@ impl WaterPass {
         }
     }
 
-    /// Makes the bind group of the wave and foam maps, unless it exists for these textures (their generation) already.
+    /// Makes the bind group of the wave and foam maps, unless the existing one has the same textures (same generation).
     pub fn bind_maps(&mut self, gpu: &Gpu, maps: &Maps) {
         if self.bound_maps.as_ref().is_some_and(|(generation, _)| *generation == maps.generation) {
             return;

@@ -18,8 +18,8 @@ pub const DEFAULT_VERTICES: f64 = DEFAULT_COLUMNS * DEFAULT_ROWS;
 /// Number of columns of quads in a block. A block is drawn row by row, so that a row finds the vertices that it shares
 /// with the row before in the GPU's cache.
 pub const COLUMNS_PER_BLOCK: u32 = 8;
-/// The logarithmic distance t (see [`MeshLattice`]) of the nearest row is rounded down to a multiple of this, so that a
-/// small change of the camera's pitch moves no row.
+/// Step to whose multiples the logarithmic distance t (see [`MeshLattice`]) of the nearest row is rounded down, so that
+/// a small change of the camera's pitch moves no row.
 const FIRST_ROW_LOG_STEP: f64 = 0.25;
 
 gpu_struct! {
@@ -42,7 +42,8 @@ gpu_struct! {
 /// Layout of the water mesh for one view: the lattice of its undisplaced vertices, and how many columns are drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
-    /// Polar coordinates, around the point below the eye, of the vertices before displacement.
+    /// Polar coordinates of the vertices before displacement, around the point below the eye. Near the eye, the shader
+    /// shifts the vertices, so that the displaced mesh is centred on this point.
     pub lattice: MeshLattice,
     /// Number of columns of quads in the index buffer. It depends only on the density of the mesh, not on the view.
     pub index_buffer_columns: u32,

@@ -123,7 +123,8 @@ fn half_size_level(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
 struct NoiseLattice {
     period: i32,
     /// The two numbers of each cell, row by row: for Worley noise the place of a point in the cell, 0 to 1; for Perlin
-    /// noise a unit vector at its corner. The outermost cells are repeated around the edge; look-ups need no modulo.
+    /// noise a unit vector at its corner of lowest x and y. Copies of the cells at the opposite edge surround the
+    /// lattice, so that look-ups need no modulo.
     cells: Vec<[f32; 2]>,
 }
 

@@ -38,7 +38,7 @@ struct FftBindGroups {
 }
 
 /// Kernels of the last dispatch, the second round of the FFT along z. `plain` writes the maps; `with_f32` also keeps
-/// them in f32. It is compiled at its first use, as compiling takes long and few programs need that copy.
+/// them in f32. `with_f32` is compiled at its first use, as compiling takes long and few programs need the f32 maps.
 struct SecondColumnKernels {
     gpu: Gpu,
     module: wgpu::ShaderModule,

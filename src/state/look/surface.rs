@@ -7,13 +7,13 @@ use crate::state::field::{FieldValue, WHITE_RGB, choice_enum, logarithmic, numbe
 /// Appearance of the water, its foam and the sea bed.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct SurfaceLook {
-    /// Light that the water and its bubbles scatter back out.
+    /// Parameters of the light that the water and its bubbles scatter back out.
     pub scattering: Scattering,
-    /// Light reflected by the water surface.
+    /// Parameters of the light that the water surface reflects.
     pub reflection: Reflection,
     /// Appearance of whitecaps.
     pub foam: FoamLook,
-    /// Sea bed, visible through shallow water.
+    /// Appearance of the sea bed, which is visible through shallow water.
     pub bed: BedLook,
 }
 
@@ -72,7 +72,7 @@ choice_enum! {
         Gaussian = "gaussian",
         /// Slope distribution GGX of Trowbridge and Reitz 1975, with longer tails than a Gaussian.
         Ggx = "ggx",
-        /// Blinn-Phong lobe with a shininess that the user sets.
+        /// Blinn-Phong lobe, a power of the cosine of the tilt; the user sets the exponent (parameter `shininess`).
         BlinnPhong = "blinn-phong",
     }
 }

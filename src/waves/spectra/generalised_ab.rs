@@ -4,7 +4,7 @@ use super::spectrum::{FrequencySpectrum, SpectrumInputs};
 
 /// Phillips' constant alpha of a fully developed sea (Pierson and Moskowitz 1964).
 pub const PHILLIPS_ALPHA: f64 = 8.1e-3;
-/// Factor beta in the exponent of the Pierson-Moskowitz spectrum, for the wind speed at 19.5 m height.
+/// Factor beta in the exponential exp(-beta (g / (U omega))^4) of Pierson-Moskowitz, U the wind speed at 19.5 m height.
 const PIERSON_MOSKOWITZ_BETA: f64 = 0.74;
 /// Ratio of the wind speeds at 19.5 m and at 10 m height over the sea, in neutrally stratified air.
 const U19_OVER_U10: f64 = 1.026;
@@ -16,7 +16,8 @@ pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     with_coefficients(or(inputs.system.coefficient_a, a), or(inputs.system.coefficient_b, b))
 }
 
-/// Pierson and Moskowitz' spectrum of a fully developed sea (1964); a peak frequency set by the user is kept.
+/// Pierson and Moskowitz' spectrum of a fully developed sea (1964). Its peak frequency is the user's, if set, else that
+/// of the wind.
 pub fn pierson_moskowitz(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (a, b) = coefficients(inputs);
     with_coefficients(a, b)

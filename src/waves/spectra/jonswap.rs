@@ -5,10 +5,11 @@ use crate::state::params::DepthFactor;
 use crate::waves::dispersion::Dispersion;
 use crate::waves::quadrature::integrate_adaptive;
 
-/// Dimensionless fetch g F / U^2 at which a JONSWAP sea has the wave height of a fully developed sea.
+/// Dimensionless fetch g F / U^2 (gravity g, fetch F, wind speed U) at which JONSWAP waves are as high as those of a
+/// fully developed sea.
 const FULL_FETCH: f64 = 1.1e4;
-/// Dimensionless fetch g F / U^2 above which the user gets a notice: JONSWAP waves are then a quarter higher than those
-/// of a fully developed sea.
+/// Dimensionless fetch g F / U^2 (gravity g, fetch F, wind speed U) above which the user gets a notice: JONSWAP waves
+/// are then a quarter higher than those of a fully developed sea.
 const EXCESSIVE_FETCH: f64 = 1.6e4;
 
 /// JONSWAP spectrum alpha g^2 omega^-5 exp(-5/4 (omega_p/omega)^4) times peak enhancement (Hasselmann et al. 1973).

@@ -3,9 +3,11 @@
 use super::jonswap::{Jonswap, depth_factor};
 use super::spectrum::{FrequencySpectrum, SpectrumInputs};
 
-/// Smallest and largest dimensionless fetch g F / U^2 for which Karaev's fit of the peak frequency holds.
+/// Smallest and largest dimensionless fetch g F / U^2 (gravity g, fetch F, wind speed U) for which Karaev's fit of the
+/// peak frequency holds.
 const DIMENSIONLESS_FETCH_RANGE: (f64, f64) = (1430.0, 20170.0);
-/// Lowest angular frequency of gravity-capillary waves (first) and of capillary waves (second), rad/s.
+/// Angular frequencies, rad/s, at which the power laws of Karaev's spectrum for gravity-capillary waves (first) and for
+/// capillary waves (second) begin.
 const RIPPLE_BAND_STARTS_RAD_S: (f64, f64) = (64.0, 298.0);
 
 /// Karaev's spectrum: up to 1.2 times the peak frequency JONSWAP, if the user asks for it times the depth factor of

@@ -4,7 +4,8 @@ use super::spectrum::FrequencySpectrum;
 use crate::files::measured::MeasuredSpectrum;
 use std::sync::Arc;
 
-/// Makes the frequency spectrum S(omega) that a buoy measured, from its frequency bands, at which integrals are split.
+/// Makes the frequency spectrum S(omega) from a buoy's measured data. Integrals are split at the centres of the buoy's
+/// frequency bands, between which the density is linear.
 pub fn spectrum(data: &Arc<MeasuredSpectrum>) -> FrequencySpectrum {
     let (omega_min, breakpoints, measured) =
         (data.lowest_omega().max(1e-3), data.breakpoints(), Some(Arc::clone(data)));

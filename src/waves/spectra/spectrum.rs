@@ -43,7 +43,7 @@ pub struct FrequencySpectrum {
     pub breakpoints: Vec<f64>,
     /// Angular frequency at which the spectrum jumps, rad/s; `None` if it is continuous.
     pub discontinuity: Option<f64>,
-    /// Whether the spectrum has its own directional spreading, proportional to cos^2, instead of the user's.
+    /// Whether the spectrum has its own directional spreading instead of the user's: cos^2 of the angle to the wind.
     pub has_own_direction: bool,
     /// Buoy data, if this is a measured spectrum, otherwise `None`.
     pub measured: Option<Arc<MeasuredSpectrum>>,
@@ -81,7 +81,8 @@ impl FrequencySpectrum {
         Self { is_calm: true, ..Self::new(1.0, |_| 0.0) }
     }
 
-    /// Makes a double-peaked spectrum: the density is the sum of those of two unscaled spectra with one peak each.
+    /// Makes a double-peaked spectrum, whose density is the sum of the densities of two spectra with one peak each.
+    /// Both must have the `factor` 1 and no fade.
     pub fn sum([a, b]: [Self; 2]) -> Self {
         let (omega_min, breakpoints) = (a.omega_min.min(b.omega_min), [&a.breakpoints[..], &b.breakpoints].concat());
         let peaks = [a.omega_p, b.omega_p];

@@ -4,9 +4,9 @@ use super::generalised_ab::PHILLIPS_ALPHA;
 use super::spectrum::{FrequencySpectrum, SpectrumInputs};
 use std::f64::consts::PI;
 
-/// Tessendorf's spectrum A exp(-1/(k L)^2) / k^4 cos^2(theta) over wave vectors, with L = U^2/g for the wind speed U.
-/// Its integral over directions is S(k) = pi A exp(-1/(k L)^2) / k^3; the factor cos^2(theta) / pi becomes the
-/// directional spreading. The default A = alpha / (2 pi), dimensionless, gives Phillips' equilibrium range.
+/// Tessendorf's spectrum A exp(-1/(k L)^2) / k^4 cos^2(theta) over wave vectors at the angle theta to the wind, with
+/// L = U^2/g for the wind speed U. Its integral over directions is S(k) = pi A exp(-1/(k L)^2) / k^3; cos^2(theta) / pi
+/// is the directional spreading. The default A = alpha / (2 pi), alpha = 0.0081, gives Phillips' equilibrium range.
 pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (set_a, dispersion) = (inputs.system.coefficient_a, inputs.dispersion);
     let a = if set_a > 0.0 { set_a } else { PHILLIPS_ALPHA / (2.0 * PI) };

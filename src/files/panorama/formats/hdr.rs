@@ -109,8 +109,8 @@ fn read_channel(rest: &mut &[u8], row: &mut [[u8; 4]], channel: usize) -> Result
     Ok(())
 }
 
-/// Reads a row of RGBE pixels in the old encoding, from `first`, its first pixel, on: (1, 1, 1, n) repeats the pixel
-/// before n times, and directly after another repetition n x 256 times.
+/// Reads a row of RGBE pixels in the old encoding, from `first`, its first pixel, on: a pixel (1, 1, 1, n) stands for n
+/// repetitions of the pixel before it, times 256 for each such pixel directly before this one.
 fn read_pixels(rest: &mut &[u8], first: [u8; 4], row: &mut [[u8; 4]]) -> Result<(), String> {
     let (mut at, mut shift) = (0_usize, 0);
     let mut next = first;

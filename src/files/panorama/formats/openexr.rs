@@ -12,7 +12,7 @@ use std::result::Result;
 
 /// Largest block of pixels in an OpenEXR file that is read, bytes; the decoder holds a whole block in memory.
 const MAX_BLOCK_BYTES: usize = 256 << 20;
-/// Smallest number of pixels of an OpenEXR image that is decoded on several threads; a smaller one on one.
+/// Smallest number of pixels of an OpenEXR image that several threads decode; a smaller image is decoded by one.
 const MIN_PIXELS_FOR_PARALLEL: usize = 1 << 20;
 
 /// Whether a file begins with the magic number of OpenEXR.

@@ -54,8 +54,8 @@ fn assign_unknown_kind(sections: &mut [Section<'_>], notices: &mut Vec<String>) 
     Ok(())
 }
 
-/// Finds the record of a quantity (`kind`) at a time such as `2026-11-21 06:00 UTC`; returns its section and it, or
-/// None. A second such record is an error: it is from another buoy, or the kind of its file was guessed wrongly.
+/// Returns the record of a quantity (`kind`) at a time such as `2026-11-21 06:00 UTC`, after its section; None without
+/// one. A second such record is an error: it is from another buoy, or the kind of its file was guessed wrongly.
 fn record_at<'s, 'a>(
     sections: &'s [Section<'a>],
     kind: SectionKind,
