@@ -288,7 +288,7 @@ fn slopes_that_a_pixel_cannot_resolve_are_not_lost() {
 /// Oracle of the drawn fields of a sea at 30 s, for each cascade.
 struct Twin {
     plan: Plan,
-    maps: Vec<oracle::maps::DisplacementAndGradients>,
+    maps: Vec<oracle::maps::CascadeMapPair>,
 }
 
 impl Twin {

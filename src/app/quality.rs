@@ -36,7 +36,8 @@ pub struct AdaptiveQuality {
     /// Factor, at most 1, by which adaptive quality scales the width and height of the picture that the user's settings
     /// ask for.
     scale: f64,
-    /// Lower limit of `scale`: [`MIN_RESOLUTION_SCALE`], or [`SOFTWARE_ADAPTER_RESOLUTION_SCALE`] on a software adapter.
+    /// Lower limit of `scale`: [`MIN_RESOLUTION_SCALE`], or [`SOFTWARE_ADAPTER_RESOLUTION_SCALE`] on a software
+    /// adapter.
     min_scale: f64,
     /// How often adaptive quality halves the requested FFT size: 0 for the full size, at most 3.
     halvings: u32,

@@ -15,7 +15,8 @@ const MULTIPLY_ADDS_PER_CHAIN: u32 = 256;
 const TARGET_SIDE_PX: u32 = 512;
 /// Number of texture samples that the shader for the rate of texture reads takes per pixel.
 const READS_PER_PIXEL: u32 = 16;
-/// Side of the texture that the shader for texture reads samples, texels. It has `SAMPLED_TEXTURE_MIP_LEVELS` mip levels.
+/// Side of the texture that the shader for texture reads samples, texels. It has `SAMPLED_TEXTURE_MIP_LEVELS` mip
+/// levels.
 const SAMPLED_TEXTURE_SIDE_TEXELS: u32 = 256;
 const SAMPLED_TEXTURE_MIP_LEVELS: u32 = 9;
 

@@ -4,7 +4,7 @@
 
 use crate::gpu::Gpu;
 use crate::gpu::readback::{self, StagedTexture};
-use crate::oracle::{self, Complex, Texel, maps::DisplacementAndGradients};
+use crate::oracle::{self, Complex, Texel, maps::CascadeMapPair};
 use crate::shaders::Shaders;
 use crate::sim::Simulation;
 use crate::sim::foam::FoamStep;
@@ -71,7 +71,7 @@ const FOAM_TOLERANCE: f64 = 5e-3;
 const MIN_RMS_DIVISOR: f64 = 2.441_406_25e-4;
 
 /// Number of foam steps that are computed before the GPU's foam is compared with the oracle's.
-const FOAM_STEPS_BEFORE_COMPARISON: usize = 4;
+const COMPARED_FOAM_STEPS: usize = 4;
 /// Index of the foam level that is compared: 0 is the smallest and finest of the square foam grids around the camera.
 const COMPARED_FOAM_LEVEL: usize = 1;
 
@@ -101,9 +101,9 @@ pub async fn run_with(
     let dispatch = sim.upload_sea_uniform(gpu, t_s, true);
     let mut check = OracleCheck { gpu, plan: &plan, sim: &sim, dispatch, lines: Vec::new() };
     let h0: Vec<Vec<Complex>> = plan.cascades.iter().map(|c| oracle::spectrum::initial_spectrum(&plan, c)).collect();
-    let rows: Vec<DisplacementAndGradients> =
+    let rows: Vec<CascadeMapPair> =
         plan.cascades.iter().zip(&h0).map(|(c, h0)| oracle::maps::transform_rows(&plan, c, h0, t_s)).collect();
-    let maps: Vec<DisplacementAndGradients> =
+    let maps: Vec<CascadeMapPair> =
         rows.iter().map(|rows| oracle::maps::transform_columns(plan.n as usize, rows)).collect();
     check.compare_spectrum(&h0).await?;
     check.compare_rows(&h0, &rows).await?;
@@ -151,7 +151,7 @@ impl OracleCheck<'_> {
 
     /// Runs the GPU's FFT along rows on `h0`, the oracle's initial wave amplitudes of each cascade, and adds
     /// comparisons of the result with `rows`, the oracle's FFT along rows, to `lines`.
-    async fn compare_rows(&mut self, h0: &[Vec<Complex>], rows: &[DisplacementAndGradients]) -> Result<(), String> {
+    async fn compare_rows(&mut self, h0: &[Vec<Complex>], rows: &[CascadeMapPair]) -> Result<(), String> {
         let flat: Vec<[f32; 2]> = h0.iter().flatten().map(|h| h.map(|x| x as f32)).collect();
         self.gpu.queue.write_buffer(&self.sim.resources.current_waves().h0, 0, bytemuck::cast_slice(&flat));
         let mut encoder = self.gpu.encoder("check");
@@ -161,11 +161,7 @@ impl OracleCheck<'_> {
 
     /// Runs the GPU's FFT along columns on `rows`, the oracle's FFT along rows, and compares the result with `maps`,
     /// the oracle's wave maps. Also lets the GPU compute the mip levels of its own maps, for [`Self::compare_mips`].
-    async fn compare_columns(
-        &mut self,
-        rows: &[DisplacementAndGradients],
-        maps: &[DisplacementAndGradients],
-    ) -> Result<(), String> {
+    async fn compare_columns(&mut self, rows: &[CascadeMapPair], maps: &[CascadeMapPair]) -> Result<(), String> {
         let r = &self.sim.resources;
         let flat: Vec<[f32; 4]> = rows.iter().flatten().flatten().map(|t| t.map(|x| x as f32)).collect();
         self.gpu.queue.write_buffer(&r.row_transforms, 0, bytemuck::cast_slice(&flat));
@@ -181,7 +177,7 @@ impl OracleCheck<'_> {
     async fn compare_transform(
         &mut self,
         mut encoder: wgpu::CommandEncoder,
-        want: &[DisplacementAndGradients],
+        want: &[CascadeMapPair],
         names: [&'static str; 2],
     ) -> Result<(), String> {
         let staging = readback::stage_buffer(self.gpu, &mut encoder, &self.sim.resources.row_transforms);
@@ -204,7 +200,7 @@ impl OracleCheck<'_> {
 
     /// Compares mip level 0 of the half-float wave maps, which the column pass has written, with `maps`, the oracle's
     /// result.
-    async fn compare_maps(&mut self, maps: &[DisplacementAndGradients]) -> Result<(), String> {
+    async fn compare_maps(&mut self, maps: &[CascadeMapPair]) -> Result<(), String> {
         let points = (self.plan.n * self.plan.n) as usize;
         let kinds = [(MapKind::Displacement, "maps displacement"), (MapKind::Gradients, "maps gradients")];
         for (pair, (kind, what)) in kinds.into_iter().enumerate() {
@@ -250,14 +246,14 @@ impl OracleCheck<'_> {
     }
 }
 
-/// Compares the foam coverage of the level [`COMPARED_FOAM_LEVEL`] after [`FOAM_STEPS_BEFORE_COMPARISON`] time steps on the GPU with the oracle's.
-/// The oracle reads the GPU's wave maps, so only errors of the foam pass count.
+/// Compares the foam coverage of the level [`COMPARED_FOAM_LEVEL`] after [`COMPARED_FOAM_STEPS`] time steps on
+/// the GPU with the oracle's. The oracle reads the GPU's wave maps, so only errors of the foam pass count.
 async fn compare_foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<Comparison, String> {
     let centre = [1234.5, -67.8];
     let size = sim.resources.foam_n as usize;
     let mut want: Vec<f64> = vec![FoamModel::new(plan).expected_mean_foam; size * size];
     let mut got = Vec::new();
-    for _ in 0..FOAM_STEPS_BEFORE_COMPARISON {
+    for _ in 0..COMPARED_FOAM_STEPS {
         let mut encoder = gpu.encoder("check");
         let Some(step) = sim.encode_next_foam_step(gpu, &mut encoder, t_s, centre) else { break };
         gpu.submit(encoder);

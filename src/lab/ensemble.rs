@@ -222,9 +222,9 @@ pub fn fourier_transform_of_heights(n: usize, displacement: &[[f32; 4]]) -> Vec<
     transform::inverse_2d(n, &heights)
 }
 
-/// Calls `visit` at `SURFACE_POINTS_PER_SEED` random points of the sea, with the elevation (m) and the Jacobian (area of a
-/// displaced surface element over its area at rest). Cascades are independent and homogeneous, so a point is the sum of
-/// a random texel of each.
+/// Calls `visit` at `SURFACE_POINTS_PER_SEED` random points of the sea, with the elevation (m) and the Jacobian (area
+/// of a displaced surface element over its area at rest). Cascades are independent and homogeneous, so a point is the
+/// sum of a random texel of each.
 pub fn visit_surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f64)) {
     let n = maps.n as u32;
     for i in 0..SURFACE_POINTS_PER_SEED {

@@ -65,7 +65,8 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
             "n": plan.n, "patch_m": c.patch_m, "k_low": c.k_low, "k_high": c.k_high,
         })).collect::<Vec<_>>(),
         "foam": {
-            "file": "foam.exr", "n": foam.cells_per_side, "side_m": foam.cells_per_side as f64 * foam.cell_m, "corner_xz_m": foam.north_west_corner_m,
+            "file": "foam.exr", "n": foam.cells_per_side, "side_m": foam.cells_per_side as f64 * foam.cell_m,
+            "corner_xz_m": foam.north_west_corner_m,
             "what": "foam 0..1 in undisplaced coordinates, first row at the smallest z; for the sea as drawn, which \
              blends shifted copies of the patches unless untile is false",
         },

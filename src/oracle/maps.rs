@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 /// Displacement map, texels (Dx, eta, Dz, dDx/dz), and gradient map, texels (d eta/dx, d eta/dz, dDx/dx, dDz/dz), of a
 /// cascade, n x n texels each, row by row; or, after the transform along rows only, two complex numbers per texel.
-pub type DisplacementAndGradients = [Vec<Texel>; 2];
+pub type CascadeMapPair = [Vec<Texel>; 2];
 
 /// Complex amplitudes h(k, t), m, of a cascade's n x n waves at time `t_s` (s), from the initial amplitudes `h0` (m);
 /// both are row by row in FFT order.
@@ -35,7 +35,7 @@ pub fn evolved_spectrum(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64
 /// First of the two passes of a cascade's inverse Fourier transform at time `t_s` (s), along rows (x): computes the
 /// spectra of the eight map channels from the initial amplitudes `h0` (m), packs pairs of real channels f and g as f +
 /// i g, and transforms every row.
-pub fn transform_rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> DisplacementAndGradients {
+pub fn transform_rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> CascadeMapPair {
     let n = plan.n as usize;
     let h = evolved_spectrum(plan, cascade, h0, t_s);
     let packed = |pair: usize, i: usize| -> Texel {
@@ -66,7 +66,7 @@ pub fn transform_rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) 
 
 /// Second of the two passes of the inverse Fourier transform, along columns (z): transforms every column of the result
 /// `rows` of [`transform_rows`] and unpacks the displacement map and the gradient map.
-pub fn transform_columns(n: usize, rows: &DisplacementAndGradients) -> DisplacementAndGradients {
+pub fn transform_columns(n: usize, rows: &CascadeMapPair) -> CascadeMapPair {
     let [displacement, gradients] = [0, 1].map(|pair| apply_to_columns(n, &rows[pair], transform_line));
     // The packed displacement texel is (Dx + i Dz, eta + i dDx/dz).
     [displacement.into_iter().map(|t| [t[0], t[2], t[1], t[3]]).collect(), gradients]

@@ -174,7 +174,8 @@ impl Maps {
         self.fading_cascade_count = 0;
     }
 
-    /// Creates the texture views of the maps anew after their texture has been replaced, and increases `view_generation`.
+    /// Creates the texture views of the maps anew after their texture has been replaced, and increases
+    /// `view_generation`.
     pub(super) fn recreate_views(&mut self, resources: &Resources) {
         self.displacement = resources.map_view(MapKind::Displacement);
         self.gradients = resources.map_view(MapKind::Gradients);

@@ -50,7 +50,8 @@ pub fn parse_floating_objects(text: &str) -> Result<Vec<FloatingObject>, String>
     Ok(floats)
 }
 
-/// Formats floating objects for a state string, as in `buoy*12*-30_boat*0*40`; [`parse_floating_objects`] is the inverse.
+/// Formats floating objects for a state string, as in `buoy*12*-30_boat*0*40`; [`parse_floating_objects`] is the
+/// inverse.
 pub fn format_floating_objects(floats: &[FloatingObject]) -> String {
     let one = |f: &FloatingObject| format!("{}*{}*{}", f.kind.word(), shortest_decimal(f.x_m), shortest_decimal(f.z_m));
     floats.iter().map(one).collect::<Vec<_>>().join("_")

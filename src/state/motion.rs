@@ -96,7 +96,8 @@ pub fn rotate_camera(camera: &mut Camera, right_deg: f64, up_deg: f64) {
 }
 
 /// Distance, m, along the viewing direction from the camera to the point that it orbits: to the still water, but at
-/// most [`MAX_PIVOT_DISTANCE_EYE_HEIGHTS`] camera heights + [`MAX_PIVOT_OFFSET_M`], which is also taken where there is only sky.
+/// most [`MAX_PIVOT_DISTANCE_EYE_HEIGHTS`] camera heights + [`MAX_PIVOT_OFFSET_M`], which is also taken where there is
+/// only sky.
 fn pivot_distance_m(camera: &Camera) -> f64 {
     let far = MAX_PIVOT_DISTANCE_EYE_HEIGHTS * camera.y_m + MAX_PIVOT_OFFSET_M;
     let down = -camera.pitch_deg.to_radians().sin();

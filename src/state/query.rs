@@ -101,8 +101,8 @@ fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
 
 impl ParsedState {
     /// Stores the parsed value of the key `measured`, `afloat` or `sky` in the parameters by calling `set`, and adds
-    /// the key to `keys_taken`. If `value` is an error, adds its reason to the messages to the user instead. `seen` holds
-    /// the keys earlier in the string; a key in it gives a message, too.
+    /// the key to `keys_taken`. If `value` is an error, adds its reason to the messages to the user instead. `seen`
+    /// holds the keys earlier in the string; a key in it gives a message, too.
     fn set_or_notify<T>(
         &mut self,
         key: &'static str,

@@ -24,8 +24,8 @@ const FOAM_SOURCE_RAMP_STRAIN_SIGMAS: f64 = 0.5;
 
 /// Upper limit of the whitecap coverage from which the foam threshold is derived, as a fraction of the surface.
 const MAX_COVERAGE: f64 = 0.9;
-/// Coefficient (1 - r2^2) / 4 in [`mean_jacobian_at_compression_sigmas`], where r2, about 0.45, is the second directional moment of
-/// short waves.
+/// Coefficient (1 - r2^2) / 4 in [`mean_jacobian_at_compression_sigmas`], where r2, about 0.45, is the second
+/// directional moment of short waves.
 const STRAIN_DETERMINANT_COEFFICIENT: f64 = 0.2;
 /// Texel size, m, of the foam grid for which the threshold of `whitecaps=fixed` holds; it is converted for other grids.
 const REFERENCE_TEXEL_M: f64 = 0.25;
@@ -108,8 +108,9 @@ fn mean_jacobian_at_compression_sigmas(threshold_sigmas: f64, sigma: f64) -> f64
         + STRAIN_DETERMINANT_COEFFICIENT * (threshold_sigmas * threshold_sigmas - 1.0) * sigma * sigma
 }
 
-/// Inverse of [`mean_jacobian_at_compression_sigmas`]: compression (negative strain) at which the mean Jacobian equals `threshold`,
-/// as a multiple of the standard deviation `sigma` of the strain. Of the two solutions it returns the smaller one.
+/// Inverse of [`mean_jacobian_at_compression_sigmas`]: compression (negative strain) at which the mean Jacobian equals
+/// `threshold`, as a multiple of the standard deviation `sigma` of the strain. Of the two solutions it returns the
+/// smaller one.
 fn compression_sigmas_at_jacobian(threshold: f64, sigma: f64) -> f64 {
     bisect(-8.0, (0.5 / (STRAIN_DETERMINANT_COEFFICIENT * sigma)).min(12.0), |z| {
         mean_jacobian_at_compression_sigmas(z, sigma) > threshold

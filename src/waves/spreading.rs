@@ -242,7 +242,8 @@ impl Lobe {
     }
 
     /// First directional moment, 0 to 1, of the lobe: the mean of cos(theta) weighted by the lobe, where theta is the
-    /// angle from the main direction of travel. `steps` is the number of quadrature panels as in [`Self::normalising_factor`].
+    /// angle from the main direction of travel. `steps` is the number of quadrature panels as in
+    /// [`Self::normalising_factor`].
     pub fn first_moment(&self, steps: u32) -> f64 {
         if self.cosine_factor == CosineFactor::One && self.sech_rate_per_rad == 0.0 {
             return self.cosine_exponent / (self.cosine_exponent + 1.0);

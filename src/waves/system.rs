@@ -32,8 +32,8 @@ pub enum DirectionalTermKind {
     /// One lobe of the directional spreading with its factor 1 or cos^2(theta). A table entry stores one vector for it:
     /// (variance x norm, beta, s, variance per rad of the isotropic part, which only the first lobe carries).
     Lobe(CosineFactor),
-    /// A buoy's distribution [`MaximumEntropyDistribution`] with the complex coefficients phi1 and phi2. A table entry stores two
-    /// vectors for it: (variance x norm, Re phi1, Im phi1, Re phi2), (Im phi2, 0, 0, 0).
+    /// A buoy's distribution [`MaximumEntropyDistribution`] with the complex coefficients phi1 and phi2. A table entry
+    /// stores two vectors for it: (variance x norm, Re phi1, Im phi1, Re phi2), (Im phi2, 0, 0, 0).
     Measured,
 }
 

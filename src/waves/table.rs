@@ -48,9 +48,9 @@ pub struct SpectrumTable {
     /// Wave number and frequency for each table entry, shared by all its wave vectors; the wave number is 0 outside the
     /// band of the cascade.
     pub waves: Vec<LatticeWave>,
-    /// Values of the terms in the layout of [`DirectionalTermKind`], `vectors_per_entry` vectors for each table entry. The
-    /// variances in them are those of the real and of the imaginary part of the initial amplitude h0 (m^2): a quarter
-    /// of the elevation variance in a lattice cell, before the directional factor.
+    /// Values of the terms in the layout of [`DirectionalTermKind`], `vectors_per_entry` vectors for each table entry.
+    /// The variances in them are those of the real and of the imaginary part of the initial amplitude h0 (m^2): a
+    /// quarter of the elevation variance in a lattice cell, before the directional factor.
     pub term_vectors: Vec<[f64; 4]>,
 }
 

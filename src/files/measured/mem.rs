@@ -4,8 +4,8 @@
 use glam::{DVec2, dvec2};
 use std::f64::consts::TAU;
 
-/// Largest magnitude of the first directional moment c1 and of the coefficient phi2 in [`MaximumEntropyDistribution`]; larger ones
-/// are reduced to it, because at 1 the directional distribution has no width.
+/// Largest magnitude of the first directional moment c1 and of the coefficient phi2 in [`MaximumEntropyDistribution`];
+/// larger ones are reduced to it, because at 1 the directional distribution has no width.
 const MAX_COEFFICIENT_MAGNITUDE: f64 = 0.995;
 
 /// The directional distribution D(theta) of wave energy, per rad, that has the largest (Burg) entropy for given moments

@@ -1,7 +1,8 @@
 //! Measured wave spectra: reads the spectral files of a wave buoy as a frequency spectrum with directions.
 //!
 //! [`MeasuredSpectrum::read`] reads files, [`MeasuredSpectrum::to_state`] and [`MeasuredSpectrum::from_state`] carry a
-//! spectrum in a link, and [`MaximumEntropyDistribution`] turns its directional moments into a directional distribution.
+//! spectrum in a link, and [`MaximumEntropyDistribution`] turns its directional moments into a directional
+//! distribution.
 
 mod direction;
 mod formats;

@@ -172,7 +172,8 @@ pub(super) fn checked_frequency(f: f64, before: Option<f64>) -> Result<f64, Stri
     }
 }
 
-/// Rounds a variance density, m^2/Hz, to four significant digits; an error unless it is >= 0 and < [`MAX_DENSITY_M2_PER_HZ`].
+/// Rounds a variance density, m^2/Hz, to four significant digits; an error unless it is >= 0 and <
+/// [`MAX_DENSITY_M2_PER_HZ`].
 pub(super) fn checked_density(s: f64) -> Result<f64, String> {
     let kept = round_to_four_digits(s);
     if s >= 0.0 && kept < MAX_DENSITY_M2_PER_HZ {

@@ -5,7 +5,8 @@ use std::f64::consts::PI;
 
 /// Angular radius around the brightest search cell (block of pixels) within which the sun is looked for, rad.
 const SUN_SEARCH_RADIUS_RAD: f64 = 6.0 * PI / 180.0;
-/// Inner radius, rad, of the ring that gives the colour of the sky around the sun; the outer one is [`SUN_SEARCH_RADIUS_RAD`].
+/// Inner radius, rad, of the ring that gives the colour of the sky around the sun; the outer one is
+/// [`SUN_SEARCH_RADIUS_RAD`].
 const SKY_RING_INNER_RADIUS_RAD: f64 = 4.0 * PI / 180.0;
 /// A bright spot can be the sun only if the luminance of its brightest pixel is at least this multiple of that of the
 /// sky around it.

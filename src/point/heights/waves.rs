@@ -80,7 +80,8 @@ pub(super) struct WaveSums {
     pub(super) slope: [f64; 2],
     /// Horizontal displacement D = (Dx, Dz), m, before multiplication by the chop factors.
     pub(super) displacement_m: [f64; 2],
-    /// Strain (dDx/dx, dDz/dz, dDx/dz = dDz/dx) of the horizontal displacement D, without that in `blend_weight_strain`.
+    /// Strain (dDx/dx, dDz/dz, dDx/dz = dDz/dx) of the horizontal displacement D, without that in
+    /// `blend_weight_strain`.
     pub(super) strain: [f64; 3],
     /// Orbital velocity (dDx/dt, d eta/dt, dDz/dt), m/s.
     pub(super) orbital_velocity_m_s: [f64; 3],
